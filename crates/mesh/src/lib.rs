@@ -1,0 +1,24 @@
+//! Triangle meshes of bearing liners: geometry and topology, no equation.
+//!
+//! A liner is meshed on its **developed surface**: the cylinder unrolled to the plane, with
+//! `x = R phi` [m] along the circumference and `y = z` [m] along the axis. A closed ring keeps
+//! `x` modulo its circumference (the *period*), so that its seam is not special: a triangle that
+//! crosses it is laid out next to itself when its corners are asked for.
+//!
+//! Reading order: [`raw`] (triangles as a file lists them) becomes a [`Mesh`], numbered along a
+//! space-filling curve ([`numbering`]), with its edges ([`topology`]) and named sets of edges and
+//! cells ([`region`]). [`gmsh`] reads and writes files, [`developed`] unrolls them, [`rim`] puts
+//! the edges of round holes on their circle, [`quality`] measures, [`locate`] finds points.
+
+pub mod defect;
+pub mod mesh;
+pub mod numbering;
+pub mod raw;
+pub mod region;
+pub mod topology;
+
+pub use defect::Defect;
+pub use mesh::Mesh;
+pub use raw::RawMesh;
+pub use region::Region;
+pub use topology::Topology;
