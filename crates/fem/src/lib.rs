@@ -1,1 +1,36 @@
-//! x
+//! Lagrange finite elements for scalar conservation laws on triangles. Knows no oil.
+//!
+//! Physics states a [`ConservationLaw`]: flux and source at a point. Reading order:
+//! [`lagrange`] and [`quadrature`] (the reference triangle), [`mapping`], [`space`] (degrees of
+//! freedom), [`field`] (functions), [`conservation_law`], [`element`] and [`assembly`] (the one
+//! element loop), [`sparsity`], [`ordering`], [`factorization`], [`newton`], [`linearisation`].
+
+pub mod assembly;
+pub mod conservation_law;
+pub mod constraints;
+pub mod dual;
+pub mod element;
+pub mod error;
+pub mod factorization;
+pub mod field;
+pub mod lagrange;
+pub mod linearisation;
+pub mod mapping;
+pub mod matrix;
+pub mod newton;
+pub mod ordering;
+pub mod quadrature;
+pub mod space;
+pub mod sparsity;
+
+pub use assembly::Assembler;
+pub use conservation_law::{ConservationLaw, Tangent};
+pub use constraints::Constraints;
+pub use dual::Dual;
+pub use error::Error;
+pub use factorization::{Analysis, Factorization};
+pub use field::Field;
+pub use linearisation::Linearisation;
+pub use matrix::Matrix;
+pub use quadrature::Quadrature;
+pub use space::Space;

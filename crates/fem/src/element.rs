@@ -1,0 +1,291 @@
+//! Element matrices: contraction of a law's flux and source with the shape functions.
+//!
+//! A straight P2 triangle of a conducting law takes a closed form: with the moments
+//! `M_ij = Int k l_i l_j`, `m_i = sum_j M_ij`, `m = sum_i m_i` and `g_ij = grad l_i . grad l_j`,
+//! ```text
+//! vertex i, vertex j:     g_ij (16 M_ij - 4 m_i - 4 m_j + m)
+//! vertex i, edge xy:      4 [g_ix (4 M_iy - m_y) + g_iy (4 M_ix - m_x)]
+//! edge xy, edge uw:       16 [g_yw M_xu + g_yu M_xw + g_xw M_yu + g_xu M_yw]
+//! ```
+//! equal to the general element with the same quadrature (test in `assembly`).
+
+use oilwedge_mesh::Mesh;
+
+use crate::conservation_law::{Conduction, ConservationLaw, Response, State};
+use crate::lagrange::{self, MOST_SHAPES};
+use crate::mapping::{Mapping, Place};
+use crate::quadrature::MOST_POINTS;
+use crate::{Dual, Quadrature};
+
+/// Tangent and residual of one element, in local order.
+#[derive(Debug, Clone, Default)]
+pub struct Element {
+    /// `dR_i / du_j`.
+    pub tangent: [[f64; MOST_SHAPES]; MOST_SHAPES],
+    /// `R_i`.
+    pub residual: [f64; MOST_SHAPES],
+}
+
+/// Shape functions tabulated at the points of a rule.
+#[derive(Debug)]
+pub struct ElementKernel {
+    degree: usize,
+    shapes: usize,
+    points: Vec<[f64; 2]>,
+    weights: Vec<f64>,
+    values: Vec<[f64; MOST_SHAPES]>,
+    gradients: Vec<[[f64; 2]; MOST_SHAPES]>,
+}
+
+/// Geometry at the quadrature points of one element.
+struct Geometry {
+    positions: [[f64; 2]; MOST_POINTS],
+    places: [Place; MOST_POINTS],
+    /// Weight times Jacobian determinant [m2].
+    areas: [f64; MOST_POINTS],
+}
+
+impl ElementKernel {
+    /// For elements of that degree, with the rule that suits it.
+    pub fn new(degree: usize) -> Self {
+        let rule = Quadrature::for_degree(degree);
+        let shapes = lagrange::shapes(degree);
+        let mut kernel = Self {
+            degree,
+            shapes,
+            points: rule.points,
+            weights: rule.weights,
+            values: Vec::new(),
+            gradients: Vec::new(),
+        };
+        for &point in &kernel.points {
+            let (mut values, mut gradients) = ([0.0; MOST_SHAPES], [[0.0; 2]; MOST_SHAPES]);
+            lagrange::values(degree, point, &mut values[..shapes]);
+            lagrange::gradients(degree, point, &mut gradients[..shapes]);
+            kernel.values.push(values);
+            kernel.gradients.push(gradients);
+        }
+        kernel
+    }
+
+    fn geometry(&self, mapping: &Mapping) -> Geometry {
+        let nowhere = Place {
+            position: [0.0; 2],
+            determinant: 0.0,
+            inverse_transposed: [[0.0; 2]; 2],
+        };
+        let mut geometry = Geometry {
+            positions: [[0.0; 2]; MOST_POINTS],
+            places: [nowhere; MOST_POINTS],
+            areas: [0.0; MOST_POINTS],
+        };
+        for (q, &point) in self.points.iter().enumerate() {
+            let place = mapping.at(point);
+            geometry.positions[q] = place.position;
+            geometry.areas[q] = self.weights[q] * place.determinant;
+            geometry.places[q] = place;
+        }
+        geometry
+    }
+
+    /// Element of a law of kind [`crate::Tangent::Conduction`], at the nodal values `u`.
+    pub fn conduction(
+        &self,
+        law: &dyn ConservationLaw,
+        mesh: &Mesh,
+        t: usize,
+        u: &[f64; MOST_SHAPES],
+        out: &mut Element,
+    ) {
+        let n = self.points.len();
+        let mapping = Mapping::of(mesh, t);
+        let mut points = [Conduction::default(); MOST_POINTS];
+        match (&mapping, self.degree) {
+            (Mapping::Straight(corners), 2) => {
+                let (positions, determinant) = self.straight_positions(corners);
+                law.conduction(t, &positions[..n], &mut points[..n]);
+                self.straight_quadratic(corners, determinant, &points[..n], out);
+            }
+            _ => {
+                let geometry = self.geometry(&mapping);
+                law.conduction(t, &geometry.positions[..n], &mut points[..n]);
+                self.general_conduction(&geometry, &points[..n], out);
+            }
+        }
+        for i in 0..self.shapes {
+            for j in 0..self.shapes {
+                out.residual[i] += out.tangent[i][j] * u[j];
+            }
+        }
+    }
+
+    fn straight_positions(&self, [a, b, c]: &[[f64; 2]; 3]) -> ([[f64; 2]; MOST_POINTS], f64) {
+        let (ab, ac) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
+        let mut positions = [[0.0; 2]; MOST_POINTS];
+        for (position, &[xi, eta]) in positions.iter_mut().zip(&self.points) {
+            *position = [a[0] + xi * ab[0] + eta * ac[0], a[1] + xi * ab[1] + eta * ac[1]];
+        }
+        (positions, ab[0] * ac[1] - ab[1] * ac[0])
+    }
+
+    fn general_conduction(&self, geometry: &Geometry, points: &[Conduction], out: &mut Element) {
+        *out = Element::default();
+        let n = self.shapes;
+        for (q, point) in points.iter().enumerate() {
+            let area = geometry.areas[q];
+            let gradients = self.surface_gradients(geometry, q);
+            for i in 0..n {
+                let g = gradients[i];
+                out.residual[i] +=
+                    area * (point.source * self.values[q][i] - point.flux[0] * g[0] - point.flux[1] * g[1]);
+                let weighted = [area * point.conductance * g[0], area * point.conductance * g[1]];
+                for j in 0..n {
+                    out.tangent[i][j] += weighted[0] * gradients[j][0] + weighted[1] * gradients[j][1];
+                }
+            }
+        }
+    }
+
+    /// The closed form of the file's head, without the part of `u` in the residual.
+    fn straight_quadratic(
+        &self,
+        [a, b, c]: &[[f64; 2]; 3],
+        determinant: f64,
+        points: &[Conduction],
+        out: &mut Element,
+    ) {
+        *out = Element::default();
+        // Gradients of the barycentric coordinates: the opposite edge turned by 90 degrees.
+        let gradient =
+            |from: &[f64; 2], to: &[f64; 2]| [(from[1] - to[1]) / determinant, (to[0] - from[0]) / determinant];
+        let slope = [gradient(b, c), gradient(c, a), gradient(a, b)];
+        let mut g = [[0.0; 3]; 3];
+        for i in 0..3 {
+            for j in 0..3 {
+                g[i][j] = slope[i][0] * slope[j][0] + slope[i][1] * slope[j][1];
+            }
+        }
+        let mut moment = [[0.0; 3]; 3];
+        let mut rest = [[0.0; 2]; 3];
+        for (q, point) in points.iter().enumerate() {
+            let l = lagrange::barycentric(self.points[q]);
+            let area = self.weights[q] * determinant;
+            for i in 0..3 {
+                let weighted = area * point.conductance * l[i];
+                for j in i..3 {
+                    moment[i][j] += weighted * l[j];
+                }
+                rest[i][0] += area * point.flux[0] * l[i];
+                rest[i][1] += area * point.flux[1] * l[i];
+            }
+            if point.source != 0.0 {
+                for i in 0..6 {
+                    out.residual[i] += area * point.source * self.values[q][i];
+                }
+            }
+        }
+        for i in 0..3 {
+            for j in 0..i {
+                moment[i][j] = moment[j][i];
+            }
+        }
+        let m: [f64; 3] = std::array::from_fn(|i| moment[i].iter().sum());
+        let total: f64 = m.iter().sum();
+        let rest_total = [0, 1].map(|d| rest[0][d] + rest[1][d] + rest[2][d]);
+        let along = |i: usize, v: [f64; 2]| slope[i][0] * v[0] + slope[i][1] * v[1];
+        for i in 0..3 {
+            let at_vertex = [0, 1].map(|d| 4.0 * rest[i][d] - rest_total[d]);
+            out.residual[i] -= along(i, at_vertex);
+            let y = (i + 1) % 3;
+            out.residual[3 + i] -= 4.0 * (along(y, rest[i]) + along(i, rest[y]));
+            for j in 0..3 {
+                out.tangent[i][j] = g[i][j] * (16.0 * moment[i][j] - 4.0 * m[i] - 4.0 * m[j] + total);
+                let (x, y) = (j, (j + 1) % 3);
+                let mixed = 4.0 * (g[i][x] * (4.0 * moment[i][y] - m[y]) + g[i][y] * (4.0 * moment[i][x] - m[x]));
+                out.tangent[i][3 + j] = mixed;
+                out.tangent[3 + j][i] = mixed;
+                let (u, w) = (i, (i + 1) % 3);
+                out.tangent[3 + i][3 + j] = 16.0
+                    * (g[y][w] * moment[x][u]
+                        + g[y][u] * moment[x][w]
+                        + g[x][w] * moment[y][u]
+                        + g[x][u] * moment[y][w]);
+            }
+        }
+    }
+
+    /// Element of any law, at the nodal values `u`, by quadrature and dual numbers.
+    pub fn response(
+        &self,
+        law: &dyn ConservationLaw,
+        mesh: &Mesh,
+        t: usize,
+        u: &[f64; MOST_SHAPES],
+        out: &mut Element,
+    ) {
+        *out = Element::default();
+        let (n, count) = (self.shapes, self.points.len());
+        let geometry = self.geometry(&Mapping::of(mesh, t));
+        let mut states = [State::default(); MOST_POINTS];
+        let mut responses = [Response::default(); MOST_POINTS];
+        for q in 0..count {
+            let mut value = 0.0;
+            let mut reference = [0.0; 2];
+            for i in 0..n {
+                value += u[i] * self.values[q][i];
+                reference[0] += u[i] * self.gradients[q][i][0];
+                reference[1] += u[i] * self.gradients[q][i][1];
+            }
+            let gradient = geometry.places[q].gradient(reference);
+            states[q] = State {
+                value: Dual::seed(value, 0),
+                gradient: [Dual::seed(gradient[0], 1), Dual::seed(gradient[1], 2)],
+            };
+        }
+        law.response(
+            t,
+            &geometry.positions[..count],
+            &states[..count],
+            &mut responses[..count],
+        );
+        for (q, response) in responses[..count].iter().enumerate() {
+            let area = geometry.areas[q];
+            let gradients = self.surface_gradients(&geometry, q);
+            let values = &self.values[q];
+            for i in 0..n {
+                // The integrand s phi_i - F . grad phi_i with its derivatives by u and grad u.
+                let g = gradients[i];
+                let tested = response.source * values[i] - response.flux[0] * g[0] - response.flux[1] * g[1];
+                out.residual[i] += area * tested.v;
+                for j in 0..n {
+                    let by_gradient = tested.d[1] * gradients[j][0] + tested.d[2] * gradients[j][1];
+                    out.tangent[i][j] += area * (tested.d[0] * values[j] + by_gradient);
+                }
+            }
+        }
+    }
+
+    fn surface_gradients(&self, geometry: &Geometry, q: usize) -> [[f64; 2]; MOST_SHAPES] {
+        let mut gradients = [[0.0; 2]; MOST_SHAPES];
+        for i in 0..self.shapes {
+            gradients[i] = geometry.places[q].gradient(self.gradients[q][i]);
+        }
+        gradients
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lagrange::BARYCENTRIC_GRADIENTS;
+
+    #[test]
+    fn barycentric_gradients_of_the_reference_triangle() {
+        // The closed form's slopes on the reference triangle are the tabulated ones.
+        let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+        let place = Mapping::Straight(corners).at([0.2, 0.2]);
+        for gradient in BARYCENTRIC_GRADIENTS {
+            assert_eq!(place.gradient(gradient), gradient);
+        }
+    }
+}

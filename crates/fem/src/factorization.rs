@@ -1,0 +1,138 @@
+//! Sparse Cholesky factorisation: analysed once a mesh, factorised once a tangent.
+//!
+//! Wraps faer, whose threads do not pay on two-dimensional problems: it runs sequentially.
+
+use std::sync::Arc;
+
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::cholesky::llt::factor::LltRegularization;
+use faer::perm::PermRef;
+use faer::sparse::linalg::cholesky::{
+    CholeskySymbolicParams, LltRef, SymbolicCholesky, SymmetricOrdering, factorize_symbolic_cholesky,
+};
+use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
+use faer::{Conj, MatMut, Par, Side};
+
+use crate::sparsity::Sparsity;
+use crate::{Error, Matrix, Space, ordering};
+
+/// The pattern of the Cholesky factor in the geometric elimination order.
+#[derive(Debug)]
+pub struct Analysis {
+    symbolic: SymbolicCholesky<u32>,
+    sparsity: Arc<Sparsity>,
+}
+
+impl Analysis {
+    /// Orders and analyses the pattern of `space`.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`] if the factor's indices or its memory do not fit.
+    pub fn new(space: &Space, sparsity: Arc<Sparsity>) -> Result<Self, Error> {
+        let order = ordering::elimination_order(space);
+        let mut inverse = vec![0u32; order.len()];
+        for (k, &dof) in order.iter().enumerate() {
+            inverse[dof as usize] = k as u32;
+        }
+        let n = sparsity.dimension();
+        let symbolic = factorize_symbolic_cholesky(
+            pattern(&sparsity),
+            Side::Lower,
+            SymmetricOrdering::Custom(PermRef::new_checked(&order, &inverse, n)),
+            CholeskySymbolicParams::default(),
+        )
+        .map_err(|_| Error::TooLarge { unknowns: n })?;
+        Ok(Self { symbolic, sparsity })
+    }
+
+    /// Entries of the Cholesky factor.
+    pub fn factor_entries(&self) -> usize {
+        self.symbolic.len_val()
+    }
+
+    /// Factorises `matrix` with the rows and columns of fixed dofs replaced by those of the identity.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] if an entry is not finite, [`Error::NotPositiveDefinite`] if a pivot is not positive.
+    pub fn factorise(self: &Arc<Self>, matrix: &Matrix, fixed: &[bool]) -> Result<Factorization, Error> {
+        let masked = masked_values(matrix, fixed)?;
+        let mut factor = vec![0.0; self.symbolic.len_val()];
+        let requirement = self
+            .symbolic
+            .factorize_numeric_llt_scratch::<f64>(Par::Seq, Default::default());
+        let unknowns = self.sparsity.dimension();
+        let mut memory = MemBuffer::try_new(requirement).map_err(|_| Error::TooLarge { unknowns })?;
+        self.symbolic
+            .factorize_numeric_llt(
+                &mut factor,
+                SparseColMatRef::new(pattern(&self.sparsity), &masked),
+                Side::Lower,
+                LltRegularization::default(),
+                Par::Seq,
+                MemStack::new(&mut memory),
+                Default::default(),
+            )
+            .map_err(|_| Error::NotPositiveDefinite)?;
+        Ok(Factorization {
+            analysis: Arc::clone(self),
+            factor,
+        })
+    }
+}
+
+/// The Cholesky factor of a masked matrix.
+#[derive(Debug)]
+pub struct Factorization {
+    analysis: Arc<Analysis>,
+    factor: Vec<f64>,
+}
+
+impl Factorization {
+    /// Solves `A x = b` in place.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] if the solution is not finite.
+    pub fn solve(&self, x: &mut [f64]) -> Result<(), Error> {
+        let symbolic = &self.analysis.symbolic;
+        let unknowns = x.len();
+        let requirement = symbolic.solve_in_place_scratch::<f64>(1, Par::Seq);
+        let mut memory = MemBuffer::try_new(requirement).map_err(|_| Error::TooLarge { unknowns })?;
+        LltRef::new(symbolic, &self.factor).solve_in_place_with_conj(
+            Conj::No,
+            MatMut::from_column_major_slice_mut(x, unknowns, 1),
+            Par::Seq,
+            MemStack::new(&mut memory),
+        );
+        if x.iter().all(|x| x.is_finite()) {
+            Ok(())
+        } else {
+            Err(Error::NotFinite {
+                what: "solution of the linear system",
+            })
+        }
+    }
+}
+
+/// The pattern as faer sees it: symmetric, so rows may be read as columns.
+fn pattern(sparsity: &Sparsity) -> SymbolicSparseColMatRef<'_, u32> {
+    let n = sparsity.dimension();
+    SymbolicSparseColMatRef::new_unsorted_checked(n, n, &sparsity.row_start, None, &sparsity.columns)
+}
+
+fn masked_values(matrix: &Matrix, fixed: &[bool]) -> Result<Vec<f64>, Error> {
+    let Sparsity { row_start, columns, .. } = &*matrix.sparsity;
+    let mut masked = matrix.values.clone();
+    for (i, &row_fixed) in fixed.iter().enumerate() {
+        for k in row_start[i] as usize..row_start[i + 1] as usize {
+            let j = columns[k] as usize;
+            if row_fixed || fixed[j] {
+                masked[k] = if i == j { 1.0 } else { 0.0 };
+            }
+        }
+    }
+    if masked.iter().all(|value| value.is_finite()) {
+        Ok(masked)
+    } else {
+        Err(Error::NotFinite { what: "matrix" })
+    }
+}

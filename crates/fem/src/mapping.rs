@@ -1,0 +1,113 @@
+//! The map from the reference triangle to a straight or curved (quadratic) triangle.
+
+use oilwedge_mesh::Mesh;
+
+use crate::lagrange;
+
+/// Geometry of one triangle: its map `x(xi, eta)` and the derivatives.
+#[derive(Debug, Clone, Copy)]
+pub enum Mapping {
+    /// Straight edges: an affine map by three corners [m].
+    Straight([[f64; 2]; 3]),
+    /// Quadratic edges: an isoparametric map by six nodes [m].
+    Curved([[f64; 2]; 6]),
+}
+
+/// The map at one reference point.
+#[derive(Debug, Clone, Copy)]
+pub struct Place {
+    /// Position on the developed surface [m].
+    pub position: [f64; 2],
+    /// Jacobian determinant [m2].
+    pub determinant: f64,
+    /// Inverse transposed Jacobian [1/m]: turns reference gradients into gradients on the surface.
+    pub inverse_transposed: [[f64; 2]; 2],
+}
+
+impl Place {
+    /// Gradient on the surface of a function with the given reference gradient.
+    pub fn gradient(&self, reference: [f64; 2]) -> [f64; 2] {
+        let m = &self.inverse_transposed;
+        [
+            m[0][0] * reference[0] + m[0][1] * reference[1],
+            m[1][0] * reference[0] + m[1][1] * reference[1],
+        ]
+    }
+}
+
+impl Mapping {
+    /// The map of triangle `t`.
+    pub fn of(mesh: &Mesh, t: usize) -> Self {
+        if mesh.is_curved(t) {
+            Self::Curved(mesh.nodes(t))
+        } else {
+            Self::Straight(mesh.corners(t))
+        }
+    }
+
+    /// Position and derivatives at the reference point `(xi, eta)`.
+    pub fn at(&self, point: [f64; 2]) -> Place {
+        match self {
+            Self::Straight(corners) => place(&lagrange::barycentric(point), &lagrange::BARYCENTRIC_GRADIENTS, corners),
+            Self::Curved(nodes) => {
+                let mut values = [0.0; 6];
+                let mut gradients = [[0.0; 2]; 6];
+                lagrange::values(2, point, &mut values);
+                lagrange::gradients(2, point, &mut gradients);
+                place(&values, &gradients, nodes)
+            }
+        }
+    }
+}
+
+fn place(values: &[f64], gradients: &[[f64; 2]], nodes: &[[f64; 2]]) -> Place {
+    let mut position = [0.0; 2];
+    // jacobian[d][k] = d x_d / d xi_k
+    let mut jacobian = [[0.0; 2]; 2];
+    for ((value, gradient), node) in values.iter().zip(gradients).zip(nodes) {
+        for d in 0..2 {
+            position[d] += value * node[d];
+            jacobian[d][0] += node[d] * gradient[0];
+            jacobian[d][1] += node[d] * gradient[1];
+        }
+    }
+    let [[a, b], [c, d]] = jacobian;
+    let determinant = a * d - b * c;
+    let inverse = 1.0 / determinant;
+    Place {
+        position,
+        determinant,
+        inverse_transposed: [[d * inverse, -c * inverse], [-b * inverse, a * inverse]],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn curved_map_of_straight_nodes_is_the_straight_map() {
+        let corners = [[0.1, 0.2], [1.3, 0.1], [0.4, 0.9]];
+        let mid = |a: usize, b: usize| [0, 1].map(|d| 0.5 * (corners[a][d] + corners[b][d]));
+        let nodes = [corners[0], corners[1], corners[2], mid(0, 1), mid(1, 2), mid(2, 0)];
+        let (straight, curved) = (
+            Mapping::Straight(corners).at([0.3, 0.2]),
+            Mapping::Curved(nodes).at([0.3, 0.2]),
+        );
+        assert!((straight.determinant - curved.determinant).abs() < 1e-15);
+        for d in 0..2 {
+            assert!((straight.position[d] - curved.position[d]).abs() < 1e-15);
+            assert!((straight.gradient([0.7, -0.4])[d] - curved.gradient([0.7, -0.4])[d]).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn gradient_of_a_linear_function_is_its_slope() {
+        let corners = [[0.1, 0.2], [1.3, 0.1], [0.4, 0.9]];
+        let f = |x: [f64; 2]| 3.0 * x[0] - 2.0 * x[1];
+        let place = Mapping::Straight(corners).at([0.5, 0.25]);
+        let reference = [f(corners[1]) - f(corners[0]), f(corners[2]) - f(corners[0])];
+        let gradient = place.gradient(reference);
+        assert!((gradient[0] - 3.0).abs() < 1e-13 && (gradient[1] + 2.0).abs() < 1e-13);
+    }
+}

@@ -1,0 +1,190 @@
+//! Damped Newton iteration on `R(u) = 0` with given dofs.
+//!
+//! Steps `T d = -R` are halved until the residual falls. Converged when a step no longer changes
+//! the solution to [`STEP_TOLERANCE`]: the tangent is exact, so what is left is its square.
+//! A linear law needs one step and nothing to test.
+
+use std::sync::Arc;
+
+use crate::conservation_law::{ConservationLaw, Tangent};
+use crate::{Analysis, Assembler, Constraints, Error, Linearisation, Matrix};
+
+/// Relative size (greatest value) of a step after which its square is below rounding.
+pub const STEP_TOLERANCE: f64 = 1e-9;
+/// Most steps of one solve.
+const MOST_STEPS: usize = 40;
+/// Most halvings of one step.
+const MOST_HALVINGS: usize = 12;
+
+/// One step of an iteration.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HistoryStep {
+    /// Norm of the residual over the free dofs, relative to the first.
+    pub residual: f64,
+    /// Fraction of the full step taken.
+    pub damping: f64,
+}
+
+/// Why an iteration ended without a solution.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Failure {
+    /// Halving the step did not reduce the residual.
+    #[error("the residual could not be reduced any more (after {} steps)", history.len())]
+    Stagnated {
+        /// What was tried.
+        history: Vec<HistoryStep>,
+    },
+    /// Too many steps.
+    #[error("no convergence within {} steps", history.len())]
+    TooManySteps {
+        /// What was tried.
+        history: Vec<HistoryStep>,
+    },
+    /// A linear system could not be solved.
+    #[error(transparent)]
+    Linear(#[from] Error),
+}
+
+/// A solution of `R(u) = 0`.
+#[derive(Debug)]
+pub struct Solution {
+    /// One value a dof.
+    pub u: Vec<f64>,
+    /// `R(u)`: rounding at free dofs, the reaction at given ones.
+    pub reactions: Vec<f64>,
+    /// The tangent of the last step, factorised.
+    pub linearisation: Linearisation,
+    /// One entry a step.
+    pub history: Vec<HistoryStep>,
+    /// Seconds spent assembling, factorising and solving.
+    pub seconds: Seconds,
+}
+
+/// Where the time went [s].
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Seconds {
+    /// Element loops.
+    pub assemble: f64,
+    /// Numeric factorisation.
+    pub factorise: f64,
+    /// Triangular solves, refinement and residuals.
+    pub solve: f64,
+}
+
+impl Seconds {
+    fn time<T>(bucket: &mut f64, work: impl FnOnce() -> T) -> T {
+        let start = std::time::Instant::now();
+        let result = work();
+        *bucket += start.elapsed().as_secs_f64();
+        result
+    }
+}
+
+/// Solves `R(u) = 0` from the start `u` (given dofs are set first).
+///
+/// # Errors
+/// [`Failure`] with the history.
+pub fn solve(
+    assembler: &Assembler,
+    analysis: &Arc<Analysis>,
+    law: &dyn ConservationLaw,
+    constraints: &Constraints,
+    mut u: Vec<f64>,
+) -> Result<Solution, Failure> {
+    constraints.impose(&mut u);
+    let linear = law.tangent() == Tangent::Conduction;
+    let mut seconds = Seconds::default();
+    let mut history = Vec::new();
+    let mut matrix = Matrix::zero(assembler.sparsity().clone());
+    let mut first_norm = None;
+    while history.len() < MOST_STEPS {
+        let residual = Seconds::time(&mut seconds.assemble, || {
+            assembler.tangent_and_residual(law, &u, &mut matrix)
+        });
+        let norm = constraints.free_norm(&residual);
+        let scale = *first_norm.get_or_insert(if norm > 0.0 { norm } else { 1.0 });
+        let factorization = Seconds::time(&mut seconds.factorise, || {
+            analysis.factorise(&matrix, &constraints.fixed)
+        })?;
+        let linearisation = Linearisation::new(matrix, factorization, constraints.clone());
+        let minus: Vec<f64> = residual.iter().map(|r| -r).collect();
+        let step = Seconds::time(&mut seconds.solve, || linearisation.solve(&minus))?;
+        if linear {
+            let change = Seconds::time(&mut seconds.solve, || linearisation.matrix().multiply(&step));
+            let reactions: Vec<f64> = residual.iter().zip(change).map(|(r, c)| r + c).collect();
+            add(&mut u, 1.0, &step);
+            let residual = constraints.free_norm(&reactions) / scale;
+            history.push(HistoryStep { residual, damping: 1.0 });
+            return Ok(Solution {
+                u,
+                reactions,
+                linearisation,
+                history,
+                seconds,
+            });
+        }
+        let trial = Seconds::time(&mut seconds.assemble, || {
+            damped_step(assembler, law, constraints, &u, &step, norm)
+        });
+        let converged = greatest(&step) <= STEP_TOLERANCE * greatest(&u);
+        let Some((damping, next, reactions)) = trial.or_else(|| {
+            // At the floor of rounding a full step cannot reduce the residual; it is then the last.
+            converged.then(|| stepped(assembler, law, &u, &step, 1.0))
+        }) else {
+            return Err(Failure::Stagnated { history });
+        };
+        u = next;
+        let residual = constraints.free_norm(&reactions) / scale;
+        history.push(HistoryStep { residual, damping });
+        if converged {
+            return Ok(Solution {
+                u,
+                reactions,
+                linearisation,
+                history,
+                seconds,
+            });
+        }
+        matrix = linearisation.into_matrix();
+    }
+    Err(Failure::TooManySteps { history })
+}
+
+/// `u + damping * step` and its residual.
+fn stepped(
+    assembler: &Assembler,
+    law: &dyn ConservationLaw,
+    u: &[f64],
+    step: &[f64],
+    damping: f64,
+) -> (f64, Vec<f64>, Vec<f64>) {
+    let mut next = u.to_vec();
+    add(&mut next, damping, step);
+    let residual = assembler.residual(law, &next);
+    (damping, next, residual)
+}
+
+/// The longest of the halved steps that reduces the residual.
+fn damped_step(
+    assembler: &Assembler,
+    law: &dyn ConservationLaw,
+    constraints: &Constraints,
+    u: &[f64],
+    step: &[f64],
+    norm: f64,
+) -> Option<(f64, Vec<f64>, Vec<f64>)> {
+    (0..MOST_HALVINGS)
+        .map(|k| stepped(assembler, law, u, step, 0.5f64.powi(k as i32)))
+        .find(|(damping, _, residual)| constraints.free_norm(residual) < (1.0 - 1e-4 * damping) * norm)
+}
+
+fn add(u: &mut [f64], factor: f64, step: &[f64]) {
+    for (u, step) in u.iter_mut().zip(step) {
+        *u += factor * step;
+    }
+}
+
+fn greatest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |m, v| m.max(v.abs()))
+}
