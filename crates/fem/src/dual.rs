@@ -93,6 +93,7 @@ impl Sub for Dual {
 
 impl Mul for Dual {
     type Output = Self;
+    #[expect(clippy::suspicious_arithmetic_impl, reason = "the product rule is a sum")]
     fn mul(self, other: Self) -> Self {
         Self {
             v: self.v * other.v,
@@ -103,6 +104,7 @@ impl Mul for Dual {
 
 impl Div for Dual {
     type Output = Self;
+    #[expect(clippy::suspicious_arithmetic_impl, reason = "the quotient rule is a difference")]
     fn div(self, other: Self) -> Self {
         let v = self.v / other.v;
         Self {

@@ -8,8 +8,9 @@ use crate::{Defect, RawMesh, Region, Topology, numbering};
 
 /// Triangles of less area than this fraction of their longest edge squared are degenerate.
 const LEAST_SHAPE: f64 = 1e-10;
-/// A mid-side node within this fraction of the edge length from the middle is on the straight edge.
-const STRAIGHT: f64 = 1e-12;
+/// A mid-side node within this fraction of the edge length from the middle is on the straight edge: mesh
+/// generators place periodic copies to 1e-11 only.
+const STRAIGHT: f64 = 1e-9;
 
 /// A conforming triangulation of the developed liner: vertices `(x = R phi, y = z)` [m],
 /// counter-clockwise triangles with straight or quadratic edges, and named regions.
