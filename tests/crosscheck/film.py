@@ -1,0 +1,236 @@
+"""Reynolds' equation on a liner with scikit-fem's quadratic triangles: an independent second answer.
+
+    constant viscosity, Barus:  div( h^3/(12 mu0) grad q ) = div( U h/2 ),
+                                q = (1 - exp(-alpha p))/alpha   (q = p at alpha = 0)
+    as the study prints it:     div( h^3/(12 mu0) grad p ) = exp(alpha p) div( U h/2 )
+
+Full Sommerfeld film (no cavitation). Pressure is given on the ends, the edges of an arc and the
+feeds; a ring is periodic. Every integral over cells uses the quadrature rule that is passed in:
+(points (2, k), weights (k,)) on the reference triangle (0,0), (1,0), (0,1).
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+import skfem
+from scipy.sparse import csr_matrix
+from scipy.sparse.linalg import spsolve
+from scipy.spatial import cKDTree
+from scipy.special import j1
+
+from liner_mesh import LinerMesh, read_liner
+
+EDGE_RULE = np.polynomial.legendre.leggauss(8)
+
+
+@dataclass
+class FilmSolution:
+    """Pressures at the nodes of `mesh` [Pa] and what follows from them (N, rad, -)."""
+
+    mesh: LinerMesh
+    pressure: np.ndarray
+    load_x: float
+    load_y: float
+    load: float
+    load_angle: float
+    attitude_angle: float
+    load_coefficient: float | None
+
+
+def rule_of_degree(degree):
+    """scikit-fem's quadrature rule that is exact for polynomials of this degree."""
+    return skfem.quadrature.get_quadrature_tri(degree)
+
+
+def solve_film(scene, rule):
+    """Solve a scene (see `scene_file.Scene`) with a quadrature rule."""
+    mesh = read_liner(scene.mesh, scene.radius, scene.holes())
+    film = Film(scene, mesh, rule)
+    if scene.as_printed:
+        nodal = film.solve_as_printed()
+        pressure_at_points = film.at_points(nodal)
+        pressure = nodal
+    else:
+        nodal = film.solve_reduced_pressure()
+        pressure_at_points = barus_pressure(film.at_points(nodal), scene.barus)
+        pressure = barus_pressure(nodal, scene.barus)
+    load = film.film_share(pressure_at_points) + cut_out_share(scene, mesh)
+    return _solution(scene, mesh, pressure, load)
+
+
+def reduced_pressure(p, alpha):
+    """q = (1 - exp(-alpha p))/alpha [Pa]."""
+    return -np.expm1(-alpha * p) / alpha if alpha else p
+
+
+def barus_pressure(q, alpha):
+    """p = -ln(1 - alpha q)/alpha [Pa]."""
+    return -np.log1p(-alpha * q) / alpha if alpha else q
+
+
+class Film:
+    """Discrete film: basis with the given rule, seam glued, Dirichlet values known."""
+
+    def __init__(self, scene, mesh, rule):
+        self.scene, self.mesh = scene, mesh
+        self.basis = skfem.Basis(_skfem_mesh(mesh), skfem.ElementTriP2(), quadrature=rule)
+        self.node = _nodes_of_dofs(self.basis, mesh)
+        count = mesh.unknown.max() + 1
+        dofs = np.arange(self.basis.N)
+        # Columns are unknowns, rows are dofs: glues the two sides of a seam.
+        self.glue = csr_matrix(
+            (np.ones(len(dofs)), (dofs, mesh.unknown[self.node])), shape=(len(dofs), count)
+        )
+        self.fixed = given_pressures(scene, mesh)
+        self.stiffness = self.glue.T @ self._conductance() @ self.glue
+
+    def _conductance(self):
+        scene = self.scene
+
+        @skfem.BilinearForm
+        def form(q, v, w):
+            h = scene.film_thickness(w.x[0])
+            return h**3 / (12 * scene.viscosity) * (q.grad[0] * v.grad[0] + q.grad[1] * v.grad[1])
+
+        return form.assemble(self.basis)
+
+    def _couette(self):
+        """Int U h/2 dv/dx."""
+        scene = self.scene
+
+        @skfem.LinearForm
+        def form(v, w):
+            return scene.speed * scene.radius / 2 * scene.film_thickness(w.x[0]) * v.grad[0]
+
+        return self.glue.T @ form.assemble(self.basis)
+
+    def _printed_source(self, p):
+        """s = Int exp(alpha p) U/2 dh/dx v and its derivative ds/dp."""
+        scene = self.scene
+        field = self.basis.interpolate(self.glue @ p)
+
+        def source(w):
+            phi = w.x[0] / scene.radius - scene.min_film_angle
+            slope = scene.clearance * scene.eccentricity * np.sin(phi) / scene.radius
+            return np.exp(scene.barus * w.p) * scene.speed * scene.radius / 2 * slope
+
+        vector = skfem.LinearForm(lambda v, w: source(w) * v)
+        matrix = skfem.BilinearForm(lambda u, v, w: scene.barus * source(w) * u * v)
+        return (
+            self.glue.T @ vector.assemble(self.basis, p=field),
+            self.glue.T @ matrix.assemble(self.basis, p=field) @ self.glue,
+        )
+
+    def _solve_linear(self, matrix, right, fixed):
+        """Solve with the unknowns in `fixed` (number -> value) held."""
+        known = np.fromiter(fixed.keys(), int)
+        free = np.setdiff1d(np.arange(len(right)), known)
+        x = np.zeros(len(right))
+        x[known] = np.fromiter(fixed.values(), float)
+        matrix = matrix.tocsr()
+        reduced = (right - matrix @ x)[free]
+        x[free] = spsolve(matrix[free][:, free].tocsc(), reduced)
+        return x
+
+    def solve_reduced_pressure(self):
+        """Nodal q of the conservative problem, which is linear."""
+        alpha = self.scene.barus
+        fixed = {i: reduced_pressure(p, alpha) for i, p in self.fixed.items()}
+        return self._solve_linear(self.stiffness, self._couette(), fixed)[self.mesh.unknown]
+
+    def solve_as_printed(self, steps=30):
+        """Nodal p of the printed equation by Newton's method from the isoviscous film."""
+        p = self._solve_linear(self.stiffness, self._couette(), self.fixed)
+        held = dict.fromkeys(self.fixed, 0.0)
+        for _ in range(steps):
+            source, tangent = self._printed_source(p)
+            change = self._solve_linear(self.stiffness + tangent, -(self.stiffness @ p + source), held)
+            p = p + change
+            if np.abs(change).max() < 1e-13 * np.abs(p).max():
+                return p[self.mesh.unknown]
+        raise RuntimeError("Newton's method did not converge")
+
+    def at_points(self, nodal):
+        """Values of the quadratic interpolant at the quadrature points (cells, points)."""
+        return np.asarray(self.basis.interpolate(nodal[self.node]))
+
+    def film_share(self, pressure):
+        """Int (p - p_e)(cos phi, sin phi) dA over the meshed cells [N]."""
+        phi = self.basis.global_coordinates()[0] / self.scene.radius
+        density = (pressure - self.scene.end_pressure) * self.basis.dx
+        return np.array([np.sum(density * np.cos(phi)), np.sum(density * np.sin(phi))])
+
+
+def _skfem_mesh(mesh):
+    if mesh.straight:
+        vertices, cells = np.unique(mesh.cells[:, :3], return_inverse=True)
+        points, kind = mesh.points[vertices], skfem.MeshTri1
+    else:
+        points, cells, kind = mesh.points, mesh.cells, skfem.MeshTri2
+    return kind(np.ascontiguousarray(points.T), np.ascontiguousarray(cells.T))
+
+
+def _nodes_of_dofs(basis, mesh):
+    """Node of the liner mesh at the place of each dof of scikit-fem."""
+    distance, node = cKDTree(mesh.points).query(basis.doflocs.T)
+    assert distance.max() < 1e-9 * np.ptp(mesh.points), "dofs and nodes do not match"
+    assert len(np.unique(node)) == len(node) == len(mesh.points)
+    return node
+
+
+def given_pressures(scene, mesh):
+    """Pressure [Pa] by number of unknown: ends, edges of an arc, feeds."""
+    fixed = {}
+    for group in ("end_low", "end_high", "arc_from", "arc_to"):
+        if group in mesh.curves:
+            fixed |= dict.fromkeys(mesh.unknown[mesh.curves[group]].ravel(), scene.end_pressure)
+    for feed in scene.feeds:
+        cut_out = feed.group in mesh.curves
+        nodes = mesh.curves[feed.group] if cut_out else mesh.cells[mesh.surfaces[feed.group]]
+        fixed |= dict.fromkeys(mesh.unknown[nodes].ravel(), feed.pressure)
+    return fixed
+
+
+def cut_out_share(scene, mesh):
+    """Load of the regions cut out of the mesh, (p_f - p_e) Int (cos phi, sin phi) dA [N]."""
+    share = np.zeros(2)
+    for feed in scene.feeds:
+        if feed.group in mesh.curves:
+            if feed.hole:
+                integral = disc_integral(feed.hole, scene.radius)
+            else:
+                integral = curve_integral(mesh, feed.group, scene.radius)
+            share += (feed.pressure - scene.end_pressure) * integral
+    return share
+
+
+def disc_integral(hole, radius):
+    """Int (cos phi, sin phi) dA over a disc of radius a: 2 pi a R J1(a/R) (cos phi_0, sin phi_0) [m2]."""
+    phi = hole.x / radius
+    size = 2 * np.pi * hole.radius * radius * j1(hole.radius / radius)
+    return size * np.array([np.cos(phi), np.sin(phi)])
+
+
+def curve_integral(mesh, group, radius):
+    """The same over the region inside a closed curve of edges, R loop-Int (sin phi, -cos phi) dz.
+
+    The film is on the left of the edges, so the region's own sense is the opposite one.
+    """
+    start, end, middle = (mesh.points[mesh.curves[group][:, k]] for k in range(3))
+    total = np.zeros(2)
+    for s, weight in zip(*EDGE_RULE):
+        place = s * (s - 1) / 2 * start + s * (s + 1) / 2 * end + (1 - s**2) * middle
+        dz = ((s - 0.5) * start + (s + 0.5) * end - 2 * s * middle)[:, 1]
+        phi = place[:, 0] / radius
+        total -= weight * radius * np.array([np.sum(np.sin(phi) * dz), np.sum(-np.cos(phi) * dz)])
+    return total
+
+
+def _solution(scene, mesh, pressure, load):
+    size, angle = np.hypot(*load), np.arctan2(load[1], load[0])
+    attitude = np.angle(np.exp(1j * (scene.min_film_angle - angle))) * (-1 if scene.speed < 0 else 1)
+    coefficient = None
+    if len({feed.pressure for feed in scene.feeds}) == 1:
+        head = scene.feeds[0].pressure - scene.end_pressure
+        coefficient = size / (2 * scene.length * scene.radius * head)
+    return FilmSolution(mesh, pressure, *load, size, angle, attitude, coefficient)

@@ -1,0 +1,120 @@
+"""The film.vtu as a user of pyvista meets it: cell type, node order, geometry, interpolation."""
+
+import numpy as np
+import pytest
+import pyvista
+
+import vtu_geometry
+from oilwedge_run import SCENES, crosscheck_data, solve
+from scene_file import read_scene, write_variant
+
+CASES = {
+    "shell": ("02_flexpde_shell", {}),
+    "shell, straight cells": (
+        "02_flexpde_shell", {"mesh": "flexpde_shell_straight.msh", "hole_keys": False}
+    ),
+    "shell, meshed hole": ("08_flexpde_study_size", {}),
+    "plain ring": ("01_plain_ring", {}),
+    "ring": ("04_flexpde_ring", {}),
+    "liner on the cylinder": ("07_grooved_liner", {}),
+}  # fmt: skip
+OPENINGS = {  # area [m2] that is cut out of the mesh
+    "shell": np.pi * 0.0085**2,
+    "shell, straight cells": np.pi * 0.0085**2,
+    "ring": np.pi * 0.0085**2,
+    "liner on the cylinder": np.pi * (0.005**2 + 0.004**2)
+    + 0.0375 * np.radians(20) * 0.75 * 0.075,
+}
+FIELDS = ("pressure", "film_thickness", "viscosity")
+
+
+@pytest.fixture(scope="module", params=CASES.items(), ids=CASES.keys())
+def film(request, tmp_path_factory):
+    """Grids of one scene in the plane and on the cylinder, and the probes of the Rust side."""
+    label, (name, changes) = request.param
+    folder = tmp_path_factory.mktemp("film")
+    path = write_variant(SCENES / f"{name}.toml", folder / "scene.toml", **changes)
+    _, plane = solve(path, folder / "plane", unrolled=True)
+    _, cylinder = solve(path, folder / "cylinder", unrolled=False)
+    _, probes = crosscheck_data(path, folder / "data")
+    return {
+        "label": label, "scene": read_scene(path), "plane": plane, "cylinder": cylinder,
+        "probes": probes, "nodes": np.asarray(plane.points)[vtu_geometry.cells(plane)][:, :, :2],
+    }  # fmt: skip
+
+
+def straight_cells(nodes, tolerance=1e-9):
+    """Cells with straight edges; gmsh itself puts middles on a seam only to 2e-11 of the edge."""
+    return vtu_geometry.bulge(nodes).max(axis=1) < tolerance
+
+
+def test_all_cells_are_quadratic_triangles_with_all_fields(film):
+    for grid in (film["plane"], film["cylinder"]):
+        assert set(grid.celltypes) == {pyvista.CellType.QUADRATIC_TRIANGLE}
+        for name in FIELDS:
+            values = grid.point_data[name]
+            assert values.dtype == np.float64
+            assert np.isfinite(values).all()
+    assert np.ptp(film["plane"].points[:, 2]) == 0.0
+
+
+def test_mid_side_nodes_are_in_their_slots(film):
+    """Edge midpoints on straight edges; only the cells at a round rim have one curved edge."""
+    bulge = vtu_geometry.bulge(film["nodes"])
+    assert bulge.max() < 0.1
+    assert (bulge > 1e-9).sum(axis=1).max() <= 1
+    if film["label"] in ("plain ring", "shell, straight cells"):
+        assert straight_cells(film["nodes"]).all()
+    else:
+        assert not straight_cells(film["nodes"]).all()
+
+
+def test_area_is_that_of_the_liner_without_its_openings(film):
+    """The rim of a hole is made of parabolas (or chords): 1e-6 (2e-4) of the liner's area."""
+    scene, nodes = film["scene"], film["nodes"]
+    assert vtu_geometry.corner_areas(nodes).min() > 0
+    arc = np.ptp(nodes[:, :, 0])
+    expected = arc * scene.length - OPENINGS.get(film["label"], 0.0)
+    tolerance = 2e-4 if film["label"] == "shell, straight cells" else 1e-6
+    assert vtu_geometry.area(nodes) == pytest.approx(expected, rel=tolerance)
+    wrap = np.pi if "shell" in film["label"] else 2 * np.pi
+    assert np.pi * 0.5 < arc / scene.radius
+    assert arc == pytest.approx(wrap * scene.radius, rel=0.05)
+
+
+def test_probes_inside_cells_give_our_interpolants(film):
+    grid, probes, nodes = film["plane"], film["probes"], film["nodes"]
+    cells = vtu_geometry.cells(grid)
+    for name, expected in (("pressure", probes.pressure), ("film_thickness", probes.film_thickness)):
+        values = grid.point_data[name]
+        found = []
+        for point in probes.points:
+            cell, xi, eta = vtu_geometry.locate(nodes, point)
+            found.append(vtu_geometry.shape(xi, eta) @ values[cells[cell]])
+        assert np.abs(np.array(found) - expected).max() < 1e-12 * np.abs(values).max()
+
+
+def test_vtk_itself_interpolates_quadratically(film):
+    """VTK's probe at the same points; it inverts the map of curved cells only roughly, so these
+    are left to the test above."""
+    grid, probes, nodes = film["plane"], film["probes"], film["nodes"]
+    straight = straight_cells(nodes, tolerance=1e-13)
+    usable = np.array([straight[vtu_geometry.locate(nodes, p)[0]] for p in probes.points])
+    assert usable.any()
+    points = np.column_stack([probes.points[usable], np.zeros(usable.sum())])
+    sampled = pyvista.PolyData(points).sample(grid)
+    assert sampled["vtkValidPointMask"].all()
+    difference = np.abs(sampled["pressure"] - probes.pressure[usable]).max()
+    assert difference < 1e-12 * np.abs(grid.point_data["pressure"]).max()
+
+
+def test_cylinder_has_the_radius_and_the_same_fields(film):
+    scene, plane, cylinder = film["scene"], film["plane"], film["cylinder"]
+    x, y, z = np.asarray(cylinder.points).T
+    assert np.abs(np.hypot(x, y) / scene.radius - 1).max() < 1e-12
+    assert z.min() == pytest.approx(-scene.length / 2) and z.max() == pytest.approx(scene.length / 2)
+    h = scene.film_thickness(scene.radius * np.arctan2(y, x))
+    assert np.abs(cylinder.point_data["film_thickness"] - h).max() < 1e-12 * h.max()
+    for name in FIELDS:
+        assert plane.point_data[name].min() == cylinder.point_data[name].min()
+        assert plane.point_data[name].max() == cylinder.point_data[name].max()
