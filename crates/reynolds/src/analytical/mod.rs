@@ -1,0 +1,4 @@
+//! Closed forms, once, cited: what the numerical film is tested against.
+
+pub mod ocvirk;
+pub mod sommerfeld;

@@ -1,0 +1,44 @@
+//! What closes the law where the film breaks: exactly one model.
+//!
+//! | model | what it does | what it gets wrong |
+//! |---|---|---|
+//! | none (full Sommerfeld) | nothing: pressures may fall below zero | tension that oil does not bear |
+//! | Guembel (half Sommerfeld) | drops pressures below p_cav after the solve | oil appears and vanishes at the edge of the film |
+
+/// The closure.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Cavitation {
+    /// Full Sommerfeld film.
+    None,
+    /// Pressure below `pressure` [Pa gauge] is raised to it after the solve.
+    Guembel {
+        /// Cavitation pressure [Pa gauge].
+        pressure: f64,
+    },
+}
+
+impl Cavitation {
+    /// The pressure [Pa] that the film exerts where the equation gives `p`.
+    pub fn effective_pressure(&self, p: f64) -> f64 {
+        match *self {
+            Self::None => p,
+            Self::Guembel { pressure } => p.max(pressure),
+        }
+    }
+
+    /// The pressure [Pa] at which the effective pressure has a kink, if it has one.
+    pub fn kink(&self) -> Option<f64> {
+        match *self {
+            Self::None => None,
+            Self::Guembel { pressure } => Some(pressure),
+        }
+    }
+
+    /// Name in reports.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::Guembel { .. } => "guembel",
+        }
+    }
+}

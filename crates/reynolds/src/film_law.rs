@@ -1,0 +1,74 @@
+//! The equation of one film as a pointwise conservation law.
+
+use oilwedge_fem::conservation_law::{Conduction, Response, State};
+use oilwedge_fem::quadrature::MOST_POINTS;
+use oilwedge_fem::{ConservationLaw, Dual, Tangent};
+
+use crate::film_problem::{FilmProblem, Form};
+use crate::{FilmFlow, FilmPoint};
+
+/// The law of a [`FilmProblem`] with its speed scaled by a factor (continuation).
+pub(crate) struct FilmLaw<'a> {
+    problem: &'a FilmProblem,
+    velocity: f64,
+}
+
+impl<'a> FilmLaw<'a> {
+    pub(crate) fn new(problem: &'a FilmProblem, speed_factor: f64) -> Self {
+        let velocity = speed_factor * problem.journal.speed * problem.liner.radius;
+        Self { problem, velocity }
+    }
+
+    fn flows(&self, cell: usize, positions: &[[f64; 2]]) -> [FilmFlow; MOST_POINTS] {
+        let mut film = [FilmPoint::default(); MOST_POINTS];
+        let film = &mut film[..positions.len()];
+        for point in film.iter_mut() {
+            point.viscosity = self.problem.lubricant.viscosity;
+            point.velocity = self.velocity;
+        }
+        for contribution in &self.problem.film_thickness {
+            contribution.add(cell, positions, film);
+        }
+        let mut flows = [FilmFlow::default(); MOST_POINTS];
+        for term in &self.problem.terms {
+            for (point, flow) in film.iter().zip(&mut flows) {
+                term.add(point, flow);
+            }
+        }
+        flows
+    }
+}
+
+impl ConservationLaw for FilmLaw<'_> {
+    fn tangent(&self) -> Tangent {
+        match self.problem.form {
+            Form::Conservative => Tangent::Conduction,
+            Form::AsPrinted(_) => Tangent::Symmetric,
+        }
+    }
+
+    /// `div(flux - conductance grad q) = 0` in the reduced pressure q.
+    fn conduction(&self, cell: usize, positions: &[[f64; 2]], out: &mut [Conduction]) {
+        for (flow, out) in self.flows(cell, positions).iter().zip(out) {
+            *out = Conduction {
+                conductance: flow.conductance,
+                flux: flow.flux,
+                source: 0.0,
+            };
+        }
+    }
+
+    /// As printed: `div(-conductance grad p) + mu(p)/mu0 div(flux) = 0` in the pressure p.
+    fn response(&self, cell: usize, positions: &[[f64; 2]], states: &[State], out: &mut [Response]) {
+        let ratio = |p: Dual| match self.problem.form {
+            Form::AsPrinted(barus) => barus.viscosity_ratio(p),
+            Form::Conservative => Dual::constant(1.0),
+        };
+        for ((flow, state), out) in self.flows(cell, positions).iter().zip(states).zip(out) {
+            *out = Response {
+                flux: state.gradient.map(|g| g * -flow.conductance),
+                source: ratio(state.value) * flow.divergence,
+            };
+        }
+    }
+}

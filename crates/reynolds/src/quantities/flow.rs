@@ -1,0 +1,62 @@
+//! # Oil flow through the places of given pressure
+//!
+//! **Equation.** The residual of the discrete equation at a given node is the volume that enters
+//! the film there, so flows sum to zero by construction (nothing is differentiated).
+//! **Verified by** `flows_balance` in the tests of the scenes.
+
+use crate::{FilmSolution, FilmSystem};
+
+/// Volume flow [m3/s] of one region, into the film.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RegionFlow {
+    /// Name of the region.
+    pub name: String,
+    /// Net flow into the film [m3/s].
+    pub net: f64,
+    /// The part that enters [m3/s].
+    pub inward: f64,
+    /// The part that leaves [m3/s].
+    pub outward: f64,
+}
+
+/// All flows.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Flows {
+    /// One entry a region of the supply.
+    pub regions: Vec<RegionFlow>,
+    /// Sum of all that enters [m3/s].
+    pub throughput: f64,
+    /// Sum of the net flows of all nodes over the throughput: the error of the oil balance.
+    pub imbalance: f64,
+}
+
+/// Flows of a solved film.
+pub fn flows(system: &FilmSystem, film: &FilmSolution) -> Flows {
+    let mut regions: Vec<RegionFlow> = (system.supply.regions().iter())
+        .map(|region| RegionFlow {
+            name: region.name.clone(),
+            net: 0.0,
+            inward: 0.0,
+            outward: 0.0,
+        })
+        .collect();
+    for (dof, &inflow) in film.inflow.iter().enumerate() {
+        if let Some(region) = system.supply.owner(dof) {
+            let flow = &mut regions[region];
+            flow.net += inflow;
+            flow.inward += inflow.max(0.0);
+            flow.outward += (-inflow).max(0.0);
+        }
+    }
+    let throughput: f64 = regions.iter().map(|region| region.inward).sum();
+    let net: f64 = regions.iter().map(|region| region.net).sum();
+    Flows {
+        imbalance: if throughput > 0.0 {
+            (net / throughput).abs()
+        } else {
+            0.0
+        },
+        regions,
+        throughput,
+    }
+}

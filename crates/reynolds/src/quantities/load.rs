@@ -1,0 +1,269 @@
+//! # Load: what the film carries
+//!
+//! **Equation.** `W = Int (p - p_e) (cos phi, sin phi) dA` over the whole developed surface: the
+//! film by quadrature, regions cut out of the mesh with their pressure. For a region D
+//! `Int_D cos(x/R) dA = R closed-Int sin(x/R) dz`, `Int_D sin(x/R) dA = -R closed-Int cos(x/R) dz`.
+//!
+//! | symbol | unit | code |
+//! |---|---|---|
+//! | W | N | `total` |
+//! | p, p_e | Pa | `pressure_at`, `end_pressure` |
+//!
+//! **Source.** Definition; Green's theorem. **Range.** Any closed rim that does not wind round the ring
+//! alone. **Verified by** `disc_and_rim_agree`, meshed against cut-out holes, scikit-fem.
+
+use std::f64::consts::TAU;
+
+use oilwedge_fem::mapping::Mapping;
+use oilwedge_fem::quadrature::gauss_interval;
+use oilwedge_fem::{Field, Quadrature};
+use oilwedge_mesh::Mesh;
+use rayon::prelude::*;
+
+use crate::supply::{self, Disc, SupplyRegion};
+use crate::{FilmProblem, FilmSolution, FilmSystem};
+
+/// Cells that one task sums; fixed, so that threads do not change a bit.
+const CELLS_A_TASK: usize = 2048;
+/// Cells through which a kink of the effective pressure runs are quartered this many times.
+const KINK_QUARTERINGS: usize = 4;
+
+/// Integrals over a part of the developed surface.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Share {
+    /// `Int (p - p_e) (cos phi, sin phi) dA` [N].
+    pub force: [f64; 2],
+    /// `Int p dA` [N].
+    pub pressure: f64,
+}
+
+/// Load of a film and its shares.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Load {
+    /// Everything.
+    pub total: Share,
+    /// Regions cut out of the mesh, by name.
+    pub cut_out: Vec<(String, Share)>,
+}
+
+impl Load {
+    /// Magnitude [N].
+    pub fn magnitude(&self) -> f64 {
+        self.total.force[0].hypot(self.total.force[1])
+    }
+
+    /// Direction [rad], in (-pi, pi].
+    pub fn angle(&self) -> f64 {
+        self.total.force[1].atan2(self.total.force[0])
+    }
+}
+
+impl std::ops::AddAssign for Share {
+    fn add_assign(&mut self, other: Self) {
+        self.force[0] += other.force[0];
+        self.force[1] += other.force[1];
+        self.pressure += other.pressure;
+    }
+}
+
+/// Load of a solved film.
+pub fn load(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Load {
+    let mesh = system.space().mesh();
+    let cut_out: Vec<(String, Share)> = (system.supply.regions().iter())
+        .filter(|region| supply::rim(mesh, region).next().is_some())
+        .map(|region| (region.name.clone(), cut_out_share(problem, mesh, region)))
+        .collect();
+    let mut total = film_share(problem, system, film);
+    for (_, share) in &cut_out {
+        total += *share;
+    }
+    Load { total, cut_out }
+}
+
+fn film_share(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Share {
+    let space = system.space();
+    let rule = Quadrature::for_degree(space.degree());
+    let quartered = quartered(&rule, KINK_QUARTERINGS);
+    let field = Field {
+        space,
+        values: &film.unknown,
+    };
+    let kink = problem.cavitation.kink().map(|p| problem.unknown_at(p));
+    let cells = space.mesh().triangles().len();
+    let tasks: Vec<Share> = (0..cells.div_ceil(CELLS_A_TASK))
+        .into_par_iter()
+        .map(|task| {
+            let mut sum = Share::default();
+            for t in task * CELLS_A_TASK..((task + 1) * CELLS_A_TASK).min(cells) {
+                let nodal = field.element_values(t);
+                let nodal = &nodal[..space.shapes()];
+                let kinked =
+                    kink.is_some_and(|kink| nodal.iter().any(|&u| u < kink) && nodal.iter().any(|&u| u > kink));
+                sum += cell_share(problem, &field, t, if kinked { &quartered } else { &rule });
+            }
+            sum
+        })
+        .collect();
+    let mut total = Share::default();
+    for task in tasks {
+        total += task;
+    }
+    total
+}
+
+fn cell_share(problem: &FilmProblem, field: &Field, t: usize, rule: &Quadrature) -> Share {
+    let mapping = Mapping::of(field.space.mesh(), t);
+    let nodal = field.element_values(t);
+    let mut share = Share::default();
+    for (&point, weight) in rule.points.iter().zip(&rule.weights) {
+        let place = mapping.at(point);
+        let area = weight * place.determinant;
+        let u = oilwedge_fem::field::evaluate(field.space.degree(), &nodal, point);
+        let p = problem.pressure_at(u);
+        let (sin, cos) = (place.position[0] / problem.liner.radius).sin_cos();
+        let excess = area * (p - problem.liner.end_pressure);
+        share += Share {
+            force: [excess * cos, excess * sin],
+            pressure: area * p,
+        };
+    }
+    share
+}
+
+/// The rule on `4^levels` congruent parts of the reference triangle.
+fn quartered(rule: &Quadrature, levels: usize) -> Quadrature {
+    let mut fine = rule.clone();
+    for _ in 0..levels {
+        let coarse = fine;
+        fine = Quadrature {
+            degree: coarse.degree,
+            points: Vec::new(),
+            weights: Vec::new(),
+        };
+        for (&[xi, eta], weight) in coarse.points.iter().zip(&coarse.weights) {
+            let (a, b) = (0.5 * xi, 0.5 * eta);
+            fine.points
+                .extend([[a, b], [a + 0.5, b], [a, b + 0.5], [0.5 - a, 0.5 - b]]);
+            fine.weights.extend([0.25 * weight; 4]);
+        }
+    }
+    fine
+}
+
+/// Integrals of `cos phi`, `sin phi` and one over a region [m2].
+type Moments = [f64; 3];
+
+fn cut_out_share(problem: &FilmProblem, mesh: &Mesh, region: &SupplyRegion) -> Share {
+    let radius = problem.liner.radius;
+    let [cos, sin, area] = match &region.disc {
+        Some(disc) => disc_moments(disc, radius),
+        None => rim_moments(mesh, region, radius),
+    };
+    let excess = region.pressure - problem.liner.end_pressure;
+    Share {
+        force: [excess * cos, excess * sin],
+        pressure: region.pressure * area,
+    }
+}
+
+/// Along the circle; the trapezoidal rule is exact to rounding for a periodic integrand.
+fn disc_moments(disc: &Disc, radius: f64) -> Moments {
+    const POINTS: u32 = 64;
+    let mut moments = [0.0, 0.0, TAU / 2.0 * disc.radius * disc.radius];
+    for k in 0..POINTS {
+        let out = (TAU * f64::from(k) / f64::from(POINTS)).cos();
+        let dz = disc.radius * out * TAU / f64::from(POINTS);
+        let (sin, cos) = ((disc.centre[0] + disc.radius * out) / radius).sin_cos();
+        moments[0] += radius * sin * dz;
+        moments[1] -= radius * cos * dz;
+    }
+    moments
+}
+
+/// Along the quadratic edges of the rim, the film on their left and the region on their right.
+fn rim_moments(mesh: &Mesh, region: &SupplyRegion, radius: f64) -> Moments {
+    let mut moments = [0.0; 3];
+    for edge in supply::rim(mesh, region) {
+        let t = mesh.topology().edge_triangles[edge as usize][0] as usize;
+        let k = mesh.local_edge(t, edge);
+        let nodes = mesh.nodes(t);
+        let (a, b, m) = (nodes[k], nodes[(k + 1) % 3], nodes[3 + k]);
+        for (s, weight) in gauss_interval() {
+            let shapes = [(1.0 - s) * (1.0 - 2.0 * s), s * (2.0 * s - 1.0), 4.0 * s * (1.0 - s)];
+            let slopes = [4.0 * s - 3.0, 4.0 * s - 1.0, 4.0 - 8.0 * s];
+            let at = |d: usize| shapes[0] * a[d] + shapes[1] * b[d] + shapes[2] * m[d];
+            let along = |d: usize| weight * (slopes[0] * a[d] + slopes[1] * b[d] + slopes[2] * m[d]);
+            let (sin, cos) = (at(0) / radius).sin_cos();
+            moments[0] -= radius * sin * along(1);
+            moments[1] += radius * cos * along(1);
+            moments[2] += at(1) * along(0);
+        }
+    }
+    moments
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::supply::Place;
+    use oilwedge_mesh::RawMesh;
+
+    #[test]
+    fn quartered_rule_keeps_its_degree() {
+        let fine = quartered(&Quadrature::for_degree(2), 2);
+        let sum: f64 = fine
+            .points
+            .iter()
+            .zip(&fine.weights)
+            .map(|(p, w)| w * p[0] * p[0] * p[1])
+            .sum();
+        assert!((sum - 2.0 / 120.0).abs() < 1e-16);
+    }
+
+    /// A ring of quadrilaterals round a hole, rims on circles.
+    fn annulus(n: u32, hole: &Disc) -> Mesh {
+        let at = |k: u32, radius: f64| {
+            let (sin, cos) = (TAU * f64::from(k) / f64::from(2 * n)).sin_cos();
+            [hole.centre[0] + radius * cos, hole.centre[1] + radius * sin]
+        };
+        let outer = 2.0 * hole.radius;
+        let mut raw = RawMesh::default();
+        for k in 0..n {
+            raw.points.extend([at(2 * k, hole.radius), at(2 * k, outer)]);
+            let (a, b) = (2 * k, 2 * ((k + 1) % n));
+            raw.triangles.extend([[a, a + 1, b + 1], [a, b + 1, b]]);
+            let (from, to, mid) = (
+                at(2 * k, hole.radius),
+                at(2 * k + 2, hole.radius),
+                at(2 * k + 1, hole.radius),
+            );
+            raw.bulges
+                .push((2 * k + 1, 2, [0, 1].map(|d| mid[d] - 0.5 * (from[d] + to[d]))));
+        }
+        raw.curves
+            .push(("hole".into(), (0..n).map(|k| [2 * k, 2 * ((k + 1) % n)]).collect()));
+        Mesh::build(raw).unwrap()
+    }
+
+    #[test]
+    fn disc_and_rim_agree() {
+        let hole = Disc {
+            centre: [0.5, 0.1],
+            radius: 0.2,
+        };
+        let mesh = annulus(64, &hole);
+        let region = SupplyRegion {
+            name: "hole".into(),
+            place: Place::Feed,
+            pressure: 1.0,
+            edges: mesh.region("hole").unwrap().edges.clone(),
+            cells: Vec::new(),
+            disc: None,
+        };
+        let (disc, rim) = (disc_moments(&hole, 0.7), rim_moments(&mesh, &region, 0.7));
+        for k in 0..3 {
+            assert!((disc[k] - rim[k]).abs() < 1e-6 * disc[2], "{k}: {} {}", disc[k], rim[k]);
+        }
+        assert!((disc[2] - TAU / 2.0 * 0.04).abs() < 1e-15);
+    }
+}

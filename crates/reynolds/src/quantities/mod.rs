@@ -1,0 +1,6 @@
+//! What is reported: one idea a file.
+
+pub mod flow;
+pub mod load;
+pub mod pressure;
+pub mod similarity;

@@ -1,0 +1,52 @@
+//! Extremes of the pressure, between nodes too.
+
+use oilwedge_fem::Field;
+
+use crate::{FilmProblem, FilmSolution, FilmSystem};
+
+/// Greatest and least pressure and the greatest viscosity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Extremes {
+    /// Greatest pressure of the field [Pa gauge].
+    pub greatest: f64,
+    /// Least pressure of the field [Pa gauge].
+    pub least: f64,
+    /// Viscosity [Pa s] at the greatest pressure.
+    pub viscosity: f64,
+}
+
+/// Extremes of the quadratic field. Pressure grows with the unknown, so they are those of the unknown.
+pub fn extremes(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Extremes {
+    let field = Field {
+        space: system.space(),
+        values: &film.unknown,
+    };
+    let greatest = problem.pressure_at(field.maximum().value);
+    Extremes {
+        greatest,
+        least: problem.pressure_at(field.minimum().value),
+        viscosity: problem.viscosity_at(greatest),
+    }
+}
+
+/// Least film thickness [m] over the mesh and where `phi_min` lies on the liner there.
+///
+/// The film is least at `phi_min` if the liner covers it, else at an edge: the nodes tell.
+pub fn least_thickness(problem: &FilmProblem, system: &FilmSystem) -> f64 {
+    let mesh = system.space().mesh();
+    let at_vertices = (0..mesh.triangles().len())
+        .flat_map(|t| problem.thickness_at(t, &mesh.nodes(t)))
+        .fold(f64::INFINITY, f64::min);
+    let covered = match mesh.period() {
+        Some(_) => true,
+        None => {
+            let xs = mesh.points().iter().map(|point| point[0]);
+            let (low, high) = xs.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
+            let x = problem.journal.min_film_angle() * problem.liner.radius;
+            let turn = std::f64::consts::TAU * problem.liner.radius;
+            (x - low).rem_euclid(turn) <= high - low
+        }
+    };
+    let wedge = problem.liner.clearance - problem.journal.eccentricity();
+    if covered { at_vertices.min(wedge) } else { at_vertices }
+}

@@ -1,0 +1,236 @@
+//! Where pressure is given: ends, edges of an arc, the film start, feeds.
+//!
+//! A region is a set of edges (a line, or the rim of a cut-out) and of cells (a meshed hole or
+//! groove). Regions may meet: a feed wins over a line, a line over an end. So the corner of an end
+//! and an arc edge is booked to the edge, through which oil is dragged, and no flow is counted twice.
+
+use std::collections::HashMap;
+
+use oilwedge_fem::{Constraints, Space};
+use oilwedge_mesh::Mesh;
+
+/// What kind of place a region of given pressure is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Place {
+    /// An axial end of the bearing.
+    End,
+    /// An edge of an arc, or the line of a film start.
+    Line,
+    /// A hole or groove that oil is fed through.
+    Feed,
+}
+
+/// A round hole on the developed surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Disc {
+    /// Centre `(x = R phi, z)` [m].
+    pub centre: [f64; 2],
+    /// Radius [m].
+    pub radius: f64,
+}
+
+/// One region of given pressure.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SupplyRegion {
+    /// Name (of the mesh group).
+    pub name: String,
+    /// Kind of place.
+    pub place: Place,
+    /// Pressure [Pa gauge].
+    pub pressure: f64,
+    /// Edges of the mesh.
+    pub edges: Vec<u32>,
+    /// Cells of the mesh.
+    pub cells: Vec<u32>,
+    /// Its exact shape, where it is round.
+    pub disc: Option<Disc>,
+}
+
+/// Why the given pressures do not fit the mesh.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SupplyError {
+    /// Part of the boundary has no condition.
+    #[error(
+        "{count} boundary edges belong to no group with a pressure, one near ({x:.6}, {z:.6}) m; put them in end_low, end_high, arc_from, arc_to or in the group of a [[feed]]"
+    )]
+    Unassigned {
+        /// Number of such edges.
+        count: usize,
+        /// Developed position [m].
+        x: f64,
+        /// Axial position [m].
+        z: f64,
+    },
+    /// Two feeds with different pressures share a node.
+    #[error(
+        "feeds \"{first}\" and \"{second}\" touch but have different pressures; separate them or give them one pressure"
+    )]
+    Conflict {
+        /// Name of a feed.
+        first: String,
+        /// Name of the other.
+        second: String,
+    },
+    /// The rim of a cut-out does not close.
+    #[error(
+        "the rim of \"{name}\" is not closed (loose end at node {node}); a region cut out of the film needs a closed curve: complete the group, or mesh the region as a surface"
+    )]
+    OpenRim {
+        /// Name of the region.
+        name: String,
+        /// Node tag in the mesh file.
+        node: u64,
+    },
+    /// No line of element edges at the angle of the film start.
+    #[error(
+        "no line of element edges runs from end to end at {degrees} deg, where the film is to start; mesh the liner with its seam there"
+    )]
+    NoLine {
+        /// Angle asked for [deg].
+        degrees: f64,
+    },
+}
+
+/// The regions of a film, on a space.
+#[derive(Debug, Clone)]
+pub struct Supply {
+    regions: Vec<SupplyRegion>,
+    /// Region of each dof, by index; none for a free dof.
+    owner: Vec<Option<u16>>,
+}
+
+impl Supply {
+    /// Gives each dof on a region to it.
+    ///
+    /// # Errors
+    /// Everything that does not fit.
+    pub fn new(space: &Space, mut regions: Vec<SupplyRegion>) -> Result<Self, Vec<SupplyError>> {
+        regions.sort_by_key(|region| region.place);
+        let mut errors = Vec::new();
+        let mut owner: Vec<Option<u16>> = vec![None; space.dofs()];
+        for (index, region) in (0u16..).zip(&regions) {
+            let on_edges = region.edges.iter().flat_map(|&edge| space.dofs_on_edge(edge));
+            let on_cells = region
+                .cells
+                .iter()
+                .flat_map(|&cell| space.element_dofs(cell as usize).into_iter().take(space.shapes()));
+            let mut conflict = None;
+            for dof in on_edges.chain(on_cells) {
+                let other = owner[dof].map(|other| &regions[usize::from(other)]);
+                conflict = conflict.or(other.filter(|other| {
+                    other.name != region.name
+                        && other.place == Place::Feed
+                        && region.place == Place::Feed
+                        && other.pressure != region.pressure
+                }));
+                owner[dof] = Some(index);
+            }
+            if let Some(other) = conflict {
+                errors.push(SupplyError::Conflict {
+                    first: other.name.clone(),
+                    second: region.name.clone(),
+                });
+            }
+            errors.extend(open_rim(space.mesh(), region));
+        }
+        errors.extend(unassigned(space, &owner));
+        if errors.is_empty() {
+            Ok(Self { regions, owner })
+        } else {
+            Err(errors)
+        }
+    }
+
+    /// The regions: ends, then lines, then feeds.
+    pub fn regions(&self) -> &[SupplyRegion] {
+        &self.regions
+    }
+
+    /// Given values at dofs, each the `unknown(pressure)` of its region.
+    pub fn constraints(&self, unknown: impl Fn(f64) -> f64) -> Constraints {
+        let mut constraints = Constraints::none(self.owner.len());
+        for (dof, owner) in self.owner.iter().enumerate() {
+            if let Some(region) = owner {
+                constraints.fix(dof, unknown(self.regions[usize::from(*region)].pressure));
+            }
+        }
+        constraints
+    }
+
+    /// Index of the region that dof `dof` belongs to.
+    pub fn owner(&self, dof: usize) -> Option<usize> {
+        self.owner[dof].map(usize::from)
+    }
+}
+
+/// Edges of `region` along which it is cut out of the film: those with a triangle on one side only.
+pub fn rim<'a>(mesh: &'a Mesh, region: &'a SupplyRegion) -> impl Iterator<Item = u32> + 'a {
+    region
+        .edges
+        .iter()
+        .copied()
+        .filter(move |&edge| region.place == Place::Feed && mesh.topology().is_boundary(edge))
+}
+
+/// Each vertex of a closed rim has an even number of its edges.
+fn open_rim(mesh: &Mesh, region: &SupplyRegion) -> Option<SupplyError> {
+    let mut count: HashMap<u32, usize> = HashMap::new();
+    for edge in rim(mesh, region) {
+        for vertex in mesh.topology().edges[edge as usize] {
+            *count.entry(vertex).or_default() += 1;
+        }
+    }
+    let loose = count
+        .into_iter()
+        .filter(|(_, n)| n % 2 == 1)
+        .map(|(vertex, _)| vertex)
+        .min()?;
+    Some(SupplyError::OpenRim {
+        name: region.name.clone(),
+        node: mesh.label(loose),
+    })
+}
+
+fn unassigned(space: &Space, owner: &[Option<u16>]) -> Option<SupplyError> {
+    let mesh = space.mesh();
+    let bare: Vec<u32> = (0..mesh.topology().edges.len() as u32)
+        .filter(|&edge| mesh.topology().is_boundary(edge))
+        .filter(|&edge| space.dofs_on_edge(edge).any(|dof| owner[dof].is_none()))
+        .collect();
+    let [x, z] = mesh.edge_nodes(*bare.first()?)[2];
+    Some(SupplyError::Unassigned {
+        count: bare.len(),
+        x,
+        z,
+    })
+}
+
+/// Edges that run along `x = R phi` at the angle `angle` [rad], from end to end.
+///
+/// # Errors
+/// [`SupplyError::NoLine`] if they do not make up the length of the bearing.
+pub fn line_at_angle(mesh: &Mesh, radius: f64, length: f64, angle: f64) -> Result<Vec<u32>, SupplyError> {
+    let on_line = |v: u32| {
+        let turns = (mesh.points()[v as usize][0] / radius - angle) / std::f64::consts::TAU;
+        (turns - turns.round()).abs() < 1e-8
+    };
+    let edges: Vec<u32> = (0u32..)
+        .zip(&mesh.topology().edges)
+        .filter(|(edge, ends)| ends.iter().all(|&v| on_line(v)) && mesh.bulge(*edge) == [0.0; 2])
+        .map(|(edge, _)| edge)
+        .collect();
+    let covered: f64 = edges
+        .iter()
+        .map(|&edge| {
+            let [a, b] = mesh.topology().edges[edge as usize].map(|v| mesh.points()[v as usize][1]);
+            (b - a).abs()
+        })
+        .sum();
+    if (covered - length).abs() > 1e-6 * length {
+        return Err(SupplyError::NoLine {
+            degrees: angle.to_degrees(),
+        });
+    }
+    Ok(edges)
+}

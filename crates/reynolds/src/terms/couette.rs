@@ -1,0 +1,51 @@
+//! # Couette flow: oil dragged along by the journal
+//!
+//! **Equation.** `J = (U h / 2, 0)` [m2/s], `div J = (U/2) dh/dx`.
+//!
+//! | symbol | unit | code |
+//! |---|---|---|
+//! | U = omega R | m/s | `film.velocity` |
+//! | h | m | `film.thickness` |
+//! | dh/dx | - | `film.slope` |
+//!
+//! **Source.** Reynolds, Phil. Trans. R. Soc. 177 (1886) 157; bearing at rest, journal turning.
+//! **Range.** No slip at the walls. **Verified by** `divergence_matches_the_flux` and the closed forms.
+
+use super::Term;
+use crate::{FilmFlow, FilmPoint};
+
+/// Half of the film moves with the journal.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Couette;
+
+impl Term for Couette {
+    fn name(&self) -> &'static str {
+        "couette"
+    }
+
+    fn add(&self, film: &FilmPoint, flow: &mut FilmFlow) {
+        flow.flux[0] += 0.5 * film.velocity * film.thickness;
+        flow.divergence += 0.5 * film.velocity * film.slope;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn divergence_matches_the_flux() {
+        let at = |x: f64| {
+            let film = FilmPoint {
+                thickness: 2.0 + 3.0 * x,
+                slope: 3.0,
+                viscosity: 1.0,
+                velocity: 0.7,
+            };
+            let mut flow = FilmFlow::default();
+            Couette.add(&film, &mut flow);
+            flow
+        };
+        assert!((at(0.4).divergence - (at(1.4).flux[0] - at(0.4).flux[0])).abs() < 1e-15);
+    }
+}

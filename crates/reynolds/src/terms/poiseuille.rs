@@ -1,0 +1,29 @@
+//! # Poiseuille flow: oil driven by the pressure gradient
+//!
+//! **Equation.** `J = -h^3/(12 mu) grad p` [m2/s].
+//!
+//! | symbol | unit | code |
+//! |---|---|---|
+//! | h | m | `film.thickness` |
+//! | mu | Pa s | `film.viscosity` |
+//!
+//! **Source.** Reynolds, Phil. Trans. R. Soc. 177 (1886) 157.
+//! **Range.** Laminar, inertialess, h much smaller than its scale of change.
+//! **Verified by** the closed forms in `tests/literature` and the manufactured solutions.
+
+use super::Term;
+use crate::{FilmFlow, FilmPoint};
+
+/// Flow down the pressure gradient.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Poiseuille;
+
+impl Term for Poiseuille {
+    fn name(&self) -> &'static str {
+        "poiseuille"
+    }
+
+    fn add(&self, film: &FilmPoint, flow: &mut FilmFlow) {
+        flow.conductance += film.thickness.powi(3) / (12.0 * film.viscosity);
+    }
+}
