@@ -1,1 +1,134 @@
-//! x
+//! What the tests share: structured liners and plain films, made without files.
+
+use std::sync::Arc;
+
+use oilwedge_fem::Space;
+use oilwedge_mesh::{Mesh, RawMesh};
+use oilwedge_reynolds::film_thickness::Eccentricity;
+use oilwedge_reynolds::lubricant::{Lubricant, PressureLaw};
+use oilwedge_reynolds::supply::{Place, SupplyRegion, line_at_angle};
+use oilwedge_reynolds::terms::{Couette, Poiseuille};
+use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSystem, Form, JournalState, Liner};
+
+/// Journal radius of all films here [m].
+pub const RADIUS: f64 = 0.05;
+/// Radial clearance [m].
+pub const CLEARANCE: f64 = 5e-5;
+/// Viscosity [Pa s].
+pub const VISCOSITY: f64 = 0.02;
+/// Speed [rad/s].
+pub const SPEED: f64 = 100.0;
+
+/// A full ring of `columns` by `rows` cells, two triangles each, with groups `end_low` and `end_high`.
+///
+/// Diagonals alternate, so that the mesh is its own mirror image in both directions if both counts are even.
+pub fn ring(columns: u32, rows: u32, length: f64, start: f64) -> Mesh {
+    let circumference = std::f64::consts::TAU * RADIUS;
+    let vertex = |i: u32, j: u32| (i % columns) * (rows + 1) + j;
+    let points = (0..columns * (rows + 1))
+        .map(|k| {
+            let (i, j) = (f64::from(k / (rows + 1)), f64::from(k % (rows + 1)));
+            let z = length * (j / f64::from(rows) - 0.5);
+            [RADIUS * start + circumference * i / f64::from(columns), z]
+        })
+        .collect();
+    let mut triangles = Vec::new();
+    for i in 0..columns {
+        for j in 0..rows {
+            let [a, b, c, d] = [vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)];
+            if (i + j) % 2 == 0 {
+                triangles.extend([[a, b, c], [a, c, d]]);
+            } else {
+                triangles.extend([[a, b, d], [b, c, d]]);
+            }
+        }
+    }
+    let end = |j: u32| (0..columns).map(|i| [vertex(i, j), vertex(i + 1, j)]).collect();
+    let raw = RawMesh {
+        points,
+        triangles,
+        curves: vec![("end_low".into(), end(0)), ("end_high".into(), end(rows))],
+        period: Some(circumference),
+        ..RawMesh::default()
+    };
+    Mesh::build(raw).expect("a structured ring has no defects")
+}
+
+/// The ends of a ring at zero pressure and, if given, a film start at that angle [rad].
+pub fn ends(mesh: &Mesh, length: f64, film_start: Option<f64>) -> Vec<SupplyRegion> {
+    let region = |name: &str, place, edges| SupplyRegion {
+        name: name.to_owned(),
+        place,
+        pressure: 0.0,
+        edges,
+        cells: Vec::new(),
+        disc: None,
+    };
+    let mut regions: Vec<_> = ["end_low", "end_high"]
+        .map(|name| {
+            region(
+                name,
+                Place::End,
+                mesh.region(name).expect("group of the ring").edges.clone(),
+            )
+        })
+        .into();
+    if let Some(angle) = film_start {
+        let line = line_at_angle(mesh, RADIUS, length, angle).expect("line of element edges");
+        regions.push(region("film_start", Place::Line, line));
+    }
+    regions
+}
+
+/// The system of quadratic elements on a ring with film start at `film_start` [rad] or without one.
+pub fn ring_system(columns: u32, rows: u32, length: f64, film_start: Option<f64>) -> FilmSystem {
+    let mesh = ring(columns, rows, length, film_start.unwrap_or(0.0));
+    let regions = ends(&mesh, length, film_start);
+    FilmSystem::new(Arc::new(mesh), 2, regions).expect("the ends close the ring")
+}
+
+/// A plain film: constant viscosity, full Sommerfeld, ends at zero.
+pub fn plain_film(length: f64, eccentricity: f64, min_film_angle: f64, speed: f64) -> FilmProblem {
+    let journal = JournalState::at_eccentricity(eccentricity, min_film_angle, CLEARANCE, speed);
+    FilmProblem {
+        liner: Liner {
+            radius: RADIUS,
+            length,
+            clearance: CLEARANCE,
+            end_pressure: 0.0,
+        },
+        journal,
+        film_thickness: vec![Box::new(Eccentricity {
+            radius: RADIUS,
+            clearance: CLEARANCE,
+            offset: journal.offset,
+        })],
+        lubricant: Lubricant {
+            viscosity: VISCOSITY,
+            pressure_law: PressureLaw::Constant,
+        },
+        form: Form::Conservative,
+        terms: vec![Box::new(Poiseuille), Box::new(Couette)],
+        cavitation: Cavitation::None,
+    }
+}
+
+/// Scale of pressure `mu omega / psi^2` [Pa] of the films here.
+pub fn pressure_scale() -> f64 {
+    VISCOSITY * SPEED * (RADIUS / CLEARANCE).powi(2)
+}
+
+/// Observed order from errors on meshes each half as fine as the next.
+pub fn order(errors: &[f64]) -> f64 {
+    let n = errors.len();
+    (errors[n - 2] / errors[n - 1]).log2()
+}
+
+/// The dof at the vertex nearest to `(x, z)` [m].
+pub fn vertex_dof_at(space: &Space, target: [f64; 2]) -> usize {
+    let distance = |point: &[f64; 2]| (point[0] - target[0]).hypot(point[1] - target[1]);
+    let nearest = (0u32..)
+        .zip(space.mesh().points())
+        .min_by(|(_, a), (_, b)| distance(a).total_cmp(&distance(b)));
+    space.vertex_dof(nearest.map_or(0, |(vertex, _)| vertex))
+}

@@ -1,0 +1,4 @@
+//! Rates of convergence: the discretisation does what its theory says.
+
+mod film;
+mod manufactured;

@@ -1,0 +1,5 @@
+//! Closed forms and published numbers, one source a file.
+
+mod barus_1893;
+mod ocvirk_1952;
+mod sommerfeld_1904;
