@@ -19,7 +19,7 @@ fn pressure_at_mid_length() {
     let length = 40.0 * RADIUS;
     // Widest film at 0, the sense of rotation positive, film start at the widest film.
     let film = plain_film(length, ECCENTRICITY, PI, SPEED);
-    let system = ring_system(384, 64, length, Some(0.0));
+    let system = ring_system(768, 64, length, Some(0.0));
     let solution = film.solve(&system).unwrap();
     let greatest = pressure_scale() * sommerfeld::pressure(ECCENTRICITY, 2.0);
     for k in 0..24 {
