@@ -1,5 +1,7 @@
 //! What the tests share: structured liners and plain films, made without files.
 
+pub mod program;
+
 use std::sync::Arc;
 
 use oilwedge_fem::Space;

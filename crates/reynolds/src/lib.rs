@@ -1,4 +1,39 @@
 //! One oil film: Reynolds' equation for a given journal state.
+//!
+//! Mass balance over the film thickness (Reynolds 1886): what pressure drives and what the journal
+//! drags along must not pile up,
+//!
+//! ```text
+//! div J = 0,    J = (U h / 2, 0) - h^3 / (12 mu(p)) grad p
+//! ```
+//!
+//! on the developed surface `(x = R phi, z)`, with pressure given at the ends and where oil is fed.
+//! With the reduced pressure `q = Int_0^p mu0/mu(s) ds` it is linear for any law `mu(p)`:
+//!
+//! ```text
+//! div( U h / 2 ) = div( h^3 / (12 mu0) grad q )
+//! ```
+//!
+//! | symbol | unit | code | where |
+//! |---|---|---|---|
+//! | R, B, c | m | `radius`, `length`, `clearance` | [`Liner`] |
+//! | p_e | Pa | `end_pressure` | [`Liner`] |
+//! | (e_x, e_y), omega | m, rad/s | `offset`, `speed` | [`JournalState`] |
+//! | h, dh/dx | m, - | `thickness`, `slope` | [`FilmPoint`], [`film_thickness`] |
+//! | U = omega R | m/s | `velocity` | [`FilmPoint`] |
+//! | mu0, mu(p), q(p) | Pa s, Pa | `viscosity`, `viscosity_ratio`, `reduced_pressure` | [`lubricant`] |
+//! | h^3/(12 mu0) | m4/(N s) | `conductance` | [`terms::Poiseuille`] |
+//! | U h/2 | m2/s | `flux` | [`terms::Couette`] |
+//! | W | N | `force` | [`quantities::load`] |
+//!
+//! All pressures are gauge. The bearing is at rest; `phi` counts from +x towards +y; the minimum
+//! film lies at `atan2(e_y, e_x)`; `W` is the external force that the film carries.
+//!
+//! Reading order: [`terms`] (start with `poiseuille.rs`), [`film_thickness`], [`lubricant`],
+//! [`supply`] (where pressure is given), [`film_problem`] (all of it compiled, and solved),
+//! [`quantities`] (what is reported), [`analytical`] (closed forms to test against).
+//! An effect is an entry in one of these places; an empty place costs nothing.
+
 pub mod analytical;
 pub mod cavitation;
 mod film_law;

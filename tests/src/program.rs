@@ -1,0 +1,40 @@
+//! The program as its user runs it.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// The root of the repository.
+pub fn repository() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .parent()
+        .map(Path::to_path_buf)
+        .unwrap_or_default()
+}
+
+/// Builds a program of the workspace in the profile of this test and returns its path.
+///
+/// `cargo test` builds the programs of a package for that package's own tests only.
+pub fn build(package: &str, name: &str) -> PathBuf {
+    let mut cargo = Command::new(env!("CARGO"));
+    cargo.args(["build", "--quiet", "--package", package, "--bin", name]);
+    if !cfg!(debug_assertions) {
+        cargo.arg("--release");
+    }
+    let status = cargo.current_dir(repository()).status().expect("cargo starts");
+    assert!(status.success(), "{name} does not build");
+    // This test is target/PROFILE/deps/NAME: the programs are two levels up.
+    let own = std::env::current_exe().expect("path of this test");
+    own.ancestors()
+        .nth(2)
+        .expect("target/PROFILE/deps")
+        .join(format!("{name}{}", std::env::consts::EXE_SUFFIX))
+}
+
+/// Runs `oilwedge` with `arguments` in `folder`.
+pub fn oilwedge(folder: &Path, arguments: &[&str]) -> Output {
+    Command::new(build("oilwedge", "oilwedge"))
+        .args(arguments)
+        .current_dir(folder)
+        .output()
+        .expect("oilwedge starts")
+}

@@ -1,0 +1,45 @@
+//! The second, independent answer: scikit-fem solves the same meshes, pyvista reads our fields.
+//!
+//! Runs `tests/crosscheck` with pytest in a virtual environment of its own under `target/`, made
+//! from `requirements.txt` the first time.
+
+use std::path::Path;
+use std::process::Command;
+
+use oilwedge_tests::program::{build, repository};
+
+fn run(command: &mut Command) {
+    let status = command.status().unwrap_or_else(|error| panic!("{command:?}: {error}"));
+    assert!(status.success(), "{command:?} failed");
+}
+
+/// The Python of an environment that holds exactly what `requirements` asks for.
+fn environment(folder: &Path, requirements: &Path) -> std::path::PathBuf {
+    let python = folder.join("bin/python");
+    let stamp = folder.join("requirements.txt");
+    let wanted = std::fs::read_to_string(requirements).expect("requirements");
+    if std::fs::read_to_string(&stamp).is_ok_and(|had| had == wanted) {
+        return python;
+    }
+    run(Command::new("python3").args(["-m", "venv", "--clear"]).arg(folder));
+    run(Command::new(&python)
+        .args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "-r"])
+        .arg(requirements));
+    std::fs::write(&stamp, wanted).expect("stamp of the environment");
+    python
+}
+
+#[test]
+fn scikit_fem_and_pyvista_agree() {
+    let oilwedge = build("oilwedge", "oilwedge");
+    let crosscheck_data = build("oilwedge-tests", "crosscheck_data");
+    let target = oilwedge.ancestors().nth(2).expect("target folder").to_path_buf();
+    let scripts = repository().join("tests/crosscheck");
+    let python = environment(&target.join("crosscheck-venv"), &scripts.join("requirements.txt"));
+    run(Command::new(python)
+        .args(["-m", "pytest", "-q", "-p", "no:cacheprovider"])
+        .current_dir(&scripts)
+        .env("OILWEDGE_BIN", oilwedge)
+        .env("OILWEDGE_CROSSCHECK_DATA", crosscheck_data)
+        .env("PYTHONDONTWRITEBYTECODE", "1"));
+}
