@@ -7,18 +7,26 @@
 //!
 //! Reading order: [`raw`] (triangles as a file lists them) becomes a [`Mesh`], numbered along a
 //! space-filling curve ([`numbering`]), with its edges ([`topology`]) and named sets of edges and
-//! cells ([`region`]). [`gmsh`] reads and writes files, [`developed`] unrolls them, [`rim`] puts
-//! the edges of round holes on their circle, [`quality`] measures, [`locate`] finds points.
+//! cells ([`region`]). [`gmsh`] reads and writes files, [`developed`] unrolls them and glues the
+//! seam, [`rim`] puts the edges of round holes on their [`circle`], [`quality`] measures,
+//! [`locate`] finds points. What can go wrong is an [`error`]; what can be wrong with triangles, a
+//! [`defect`].
 
+pub mod circle;
 pub mod defect;
+pub mod error;
 pub mod mesh;
 pub mod numbering;
+pub mod quality;
 pub mod raw;
 pub mod region;
 pub mod topology;
 
+pub use circle::Circle;
 pub use defect::Defect;
+pub use error::Error;
 pub use mesh::Mesh;
+pub use quality::Quality;
 pub use raw::RawMesh;
 pub use region::Region;
 pub use topology::Topology;
