@@ -15,6 +15,7 @@
 pub mod circle;
 pub mod defect;
 pub mod error;
+pub mod gmsh;
 pub mod mesh;
 pub mod numbering;
 pub mod quality;
