@@ -14,6 +14,7 @@
 
 pub mod circle;
 pub mod defect;
+pub mod developed;
 pub mod error;
 pub mod gmsh;
 pub mod mesh;
@@ -25,6 +26,7 @@ pub mod topology;
 
 pub use circle::Circle;
 pub use defect::Defect;
+pub use developed::Liner;
 pub use error::Error;
 pub use mesh::Mesh;
 pub use quality::Quality;
