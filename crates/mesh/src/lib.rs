@@ -7,18 +7,44 @@
 //!
 //! Reading order: [`raw`] (triangles as a file lists them) becomes a [`Mesh`], numbered along a
 //! space-filling curve ([`numbering`]), with its edges ([`topology`]) and named sets of edges and
-//! cells ([`region`]). [`gmsh`] reads and writes files, [`developed`] unrolls them, [`rim`] puts
-//! the edges of round holes on their circle, [`quality`] measures, [`locate`] finds points.
+//! cells ([`region`]). [`gmsh`] reads and writes files, [`developed`] unrolls them and glues the
+//! seam, [`rim`] puts the edges of round holes on their [`circle`], [`quality`] measures,
+//! [`locate`] finds points. What can go wrong is an [`error`]; what can be wrong with triangles, a
+//! [`defect`].
+//!
+//! ```no_run
+//! use oilwedge_mesh::{Circle, Liner, Quality, developed, rim};
+//!
+//! let liner = Liner { radius: 0.0375, length: 0.075, arc: None };
+//! let metre = 1.0;
+//! let mesh = developed::read("liner.msh", &liner, metre)?;
+//! let hole = Circle { centre: [0.0851, 0.0], radius: 0.0085 };
+//! let mesh = rim::curve_rim(&mesh, "feed_hole", &hole)?;
+//! println!("least angle {:.1} degrees", Quality::of(&mesh).least_angle);
+//! # Ok::<(), oilwedge_mesh::Error>(())
+//! ```
 
+pub mod circle;
 pub mod defect;
+pub mod developed;
+pub mod error;
+pub mod gmsh;
+pub mod locate;
 pub mod mesh;
 pub mod numbering;
+pub mod quality;
 pub mod raw;
 pub mod region;
+pub mod rim;
 pub mod topology;
 
+pub use circle::Circle;
 pub use defect::Defect;
+pub use developed::Liner;
+pub use error::Error;
+pub use locate::Locator;
 pub use mesh::Mesh;
+pub use quality::Quality;
 pub use raw::RawMesh;
 pub use region::Region;
 pub use topology::Topology;

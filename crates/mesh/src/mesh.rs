@@ -233,31 +233,34 @@ impl Mesh {
             .filter(|&edge| self.topology.is_boundary(edge))
             .flat_map(|edge| self.topology.edges[edge as usize])
             .collect();
-        let at = |v: u32| self.points[v as usize];
-        rim.sort_unstable_by(|&a, &b| {
-            at(a)[0]
-                .total_cmp(&at(b)[0])
-                .then(at(a)[1].total_cmp(&at(b)[1]))
-                .then(a.cmp(&b))
-        });
+        rim.sort_unstable();
         rim.dedup();
-        let extent = rim
-            .iter()
-            .map(|&v| at(v)[0].abs().max(at(v)[1].abs()))
-            .fold(0.0, f64::max);
+        let (mut extent, mut start) = (0.0f64, f64::INFINITY);
+        for &v in &rim {
+            let [x, z] = self.points[v as usize];
+            extent = extent.max(x.abs()).max(z.abs());
+            start = start.min(x);
+        }
         let near = 1e-10 * extent;
-        rim.windows(2)
-            .filter(|pair| {
-                let (a, b) = (at(pair[0]), at(pair[1]));
-                (a[0] - b[0]).abs() <= near && (a[1] - b[1]).abs() <= near
-            })
-            .map(|pair| Defect::CoincidentNodes {
+        let at = |v: u32| {
+            let [x, z] = self.points[v as usize];
+            let period = self.period.filter(|period| x - start > period - near);
+            [x - period.unwrap_or(0.0), z]
+        };
+        rim.sort_unstable_by(|&a, &b| at(a)[0].total_cmp(&at(b)[0]).then(a.cmp(&b)));
+        // Among those at one x, up to rounding, neighbours in z.
+        let mut defects = Vec::new();
+        for column in rim.chunk_by_mut(|&a, &b| at(b)[0] - at(a)[0] <= near) {
+            column.sort_unstable_by(|&a, &b| at(a)[1].total_cmp(&at(b)[1]).then(a.cmp(&b)));
+            let pairs = column.windows(2).filter(|pair| at(pair[1])[1] - at(pair[0])[1] <= near);
+            defects.extend(pairs.map(|pair| Defect::CoincidentNodes {
                 first: self.label(pair[0]),
                 second: self.label(pair[1]),
-                x: at(pair[0])[0],
-                z: at(pair[0])[1],
-            })
-            .collect()
+                x: self.points[pair[0] as usize][0],
+                z: self.points[pair[0] as usize][1],
+            }));
+        }
+        defects
     }
 
     /// The defect of a film in several pieces, if it is.
@@ -514,8 +517,14 @@ pub(crate) fn least_jacobian(nodes: &[[f64; 2]; 6]) -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
-/// Jacobian determinant [m2] of the quadratic map at the reference point `(xi, eta)`.
-fn quadratic_jacobian(nodes: &[[f64; 2]; 6], [xi, eta]: [f64; 2]) -> f64 {
+/// Jacobian determinant [m2] of the quadratic map at a reference point.
+fn quadratic_jacobian(nodes: &[[f64; 2]; 6], at: [f64; 2]) -> f64 {
+    let [along_xi, along_eta] = quadratic_tangents(nodes, at);
+    along_xi[0] * along_eta[1] - along_xi[1] * along_eta[0]
+}
+
+/// Derivatives [m] of the quadratic map by `xi` and by `eta` at the reference point `(xi, eta)`.
+pub(crate) fn quadratic_tangents(nodes: &[[f64; 2]; 6], [xi, eta]: [f64; 2]) -> [[f64; 2]; 2] {
     let zeta = 1.0 - xi - eta;
     let by_xi = [
         1.0 - 4.0 * zeta,
@@ -540,7 +549,7 @@ fn quadratic_jacobian(nodes: &[[f64; 2]; 6], [xi, eta]: [f64; 2]) -> f64 {
             tangents[1][d] += by_eta[i] * node[d];
         }
     }
-    tangents[0][0] * tangents[1][1] - tangents[0][1] * tangents[1][0]
+    tangents
 }
 
 #[cfg(test)]
@@ -610,6 +619,25 @@ mod tests {
     #[test]
     fn a_ring_of_two_columns_is_refused() {
         assert!(Mesh::build(ring(2)).is_err());
+    }
+
+    #[test]
+    fn a_ring_cut_open_is_found_whatever_the_rounding() {
+        for (start, rounding) in [(0.0, 0.0), (3.0, 1e-15), (3.0, -1e-15)] {
+            let mut slit = ring(8);
+            for point in &mut slit.points {
+                point[0] = start + (point[0] - start).rem_euclid(8.0);
+            }
+            for &[x, z] in &[slit.points[0], slit.points[1]] {
+                slit.points.push([x + rounding, z]);
+            }
+            for triangle in &mut slit.triangles[14..] {
+                triangle.iter_mut().filter(|v| **v < 2).for_each(|v| *v += 16);
+            }
+            let defects = Mesh::build(slit).unwrap_err();
+            let pairs = defects.iter().filter(|d| matches!(d, Defect::CoincidentNodes { .. }));
+            assert_eq!(pairs.count(), 2);
+        }
     }
 
     #[test]

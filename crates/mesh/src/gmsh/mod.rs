@@ -1,0 +1,97 @@
+//! gmsh 4.1 mesh files, text and binary: 3- or 6-node triangles, lines, physical groups.
+//!
+//! [`read`] looks the file over first (`scan`), lets mshio decode coordinates and connectivity
+//! behind a guard (`decode`), and puts groups and names to them (`assemble`). Nothing about
+//! bearings is known here: [`crate::developed`] makes a liner of it. [`write()`] is the way back.
+
+mod assemble;
+mod cursor;
+mod decode;
+mod scan;
+mod write;
+
+use std::path::Path;
+
+pub use write::{to_text, write};
+
+use crate::Error;
+
+/// The triangles of a gmsh file, as listed there: nodes in space, no check but that all is there.
+///
+/// Nodes are named by their index here; lengths are in the unit of the file.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct MshFile {
+    /// All nodes `(x, y, z)`, mid-side nodes too. Finite.
+    pub nodes: Vec<[f64; 3]>,
+    /// gmsh's tag of each node.
+    pub tags: Vec<u64>,
+    /// Three vertices a triangle, at least one triangle.
+    pub triangles: Vec<[u32; 3]>,
+    /// Mid-side nodes of edges 01, 12, 20 of each triangle, if the file has 6-node triangles.
+    pub mid_nodes: Option<Vec<[u32; 3]>>,
+    /// Physical surfaces that hold triangles: name and triangles. One without a name is called "surface TAG".
+    pub surfaces: Vec<(String, Vec<u32>)>,
+    /// Physical curves that hold lines: name and the two ends of each. One without a name is called "curve TAG".
+    pub curves: Vec<(String, Vec<[u32; 2]>)>,
+    /// Pairs of nodes that correspond under a periodicity of gmsh.
+    pub periodic: Vec<[u32; 2]>,
+}
+
+impl MshFile {
+    /// Kind and name of every group, for messages.
+    pub fn groups(&self) -> Vec<String> {
+        let surfaces = self.surfaces.iter().map(|(name, _)| format!("surface \"{name}\""));
+        let curves = self.curves.iter().map(|(name, _)| format!("curve \"{name}\""));
+        surfaces.chain(curves).collect()
+    }
+
+    /// The physical surface of that name.
+    pub fn surface(&self, name: &str) -> Option<&[u32]> {
+        let found = self.surfaces.iter().find(|(group, _)| group == name);
+        found.map(|(_, triangles)| triangles.as_slice())
+    }
+
+    /// The physical curve of that name.
+    pub fn curve(&self, name: &str) -> Option<&[[u32; 2]]> {
+        let found = self.curves.iter().find(|(group, _)| group == name);
+        found.map(|(_, edges)| edges.as_slice())
+    }
+}
+
+/// Reads a gmsh 4.1 file.
+///
+/// # Errors
+/// As [`parse`], with the path; or what the operating system says.
+pub fn read(path: impl AsRef<Path>) -> Result<MshFile, Error> {
+    let path = path.as_ref();
+    let bytes = std::fs::read(path).map_err(|error| Error::Io {
+        action: "read",
+        path: path.to_owned(),
+        error,
+    })?;
+    parse(&bytes).map_err(|error| error.in_file(path))
+}
+
+/// Reads the content of a gmsh 4.1 file.
+///
+/// # Errors
+/// The file has another format or version, is damaged, holds elements other than 3- or 6-node
+/// triangles, lines and points, or has no physical groups.
+pub fn parse(bytes: &[u8]) -> Result<MshFile, Error> {
+    let scan = scan::scan(bytes)?;
+    for (section, present, remedy) in [
+        (
+            "Entities",
+            scan.entities.is_some(),
+            "save with physical groups from a gmsh of version 4 or later",
+        ),
+        ("Nodes", scan.nodes.is_some(), "mesh before saving (gmsh -2)"),
+        ("Elements", scan.elements.is_some(), "mesh before saving (gmsh -2)"),
+    ] {
+        if !present {
+            return Err(Error::NoSection { section, remedy });
+        }
+    }
+    let decoded = decode::decode(bytes, &scan)?;
+    assemble::assemble(scan, decoded)
+}

@@ -1,0 +1,375 @@
+//! A first look at a file: its sections, what mshio does not tell, and what it would stumble over.
+//!
+//! mshio passes over `$PhysicalNames` and `$Periodic`, forgets the tags of nodes that are numbered
+//! densely but not in the order of the file, trusts every count, and panics on some headers. So
+//! everything but coordinates, connectivity and entities is read here, and every count is held
+//! against the bytes that are there before mshio sees them.
+
+use std::ops::Range;
+
+use super::cursor::{Cursor, position};
+use crate::Error;
+
+/// What the first look finds.
+#[derive(Debug, Default)]
+pub(super) struct Scan {
+    pub(super) binary: bool,
+    pub(super) entities: Option<Range<usize>>,
+    pub(super) nodes: Option<Blocks>,
+    pub(super) elements: Option<Blocks>,
+    /// Tags of all nodes, in the order of the file.
+    pub(super) node_tags: Vec<u64>,
+    /// `(dimension, tag, name)` of the named physical groups.
+    pub(super) names: Vec<(i32, i32, String)>,
+    /// Tags of nodes that correspond, `[node, master]`.
+    pub(super) periodic: Vec<[u64; 2]>,
+    /// True if something lies between the sections that mshio would not pass over.
+    pub(super) odd: bool,
+}
+
+/// A section made of blocks: `$Nodes` or `$Elements`.
+#[derive(Debug)]
+pub(super) struct Blocks {
+    /// Bytes of the section with its opening and closing words.
+    pub(super) whole: Range<usize>,
+    /// Offset after the four numbers that open the section.
+    pub(super) body: usize,
+    pub(super) blocks: Vec<Block>,
+    /// Number of nodes or elements.
+    pub(super) total: usize,
+    /// True if mshio would build tables of tags, which nobody needs.
+    pub(super) sparse: bool,
+}
+
+/// A block of nodes or elements of one entity.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Block {
+    pub(super) dim: i32,
+    pub(super) entity: i32,
+    /// gmsh's element type; 0 for nodes.
+    pub(super) kind: i32,
+    pub(super) count: usize,
+}
+
+/// Finds the sections of a file and reads those that mshio does not.
+pub(super) fn scan(bytes: &[u8]) -> Result<Scan, Error> {
+    let mut scan = Scan::default();
+    let mut format_seen = false;
+    let mut at = 0;
+    while let Some(start) = next_section(bytes, &mut at, &mut scan.odd) {
+        let line = &bytes[start..at];
+        let name = String::from_utf8_lossy(line[1..].trim_ascii()).into_owned();
+        scan.odd |= !matches!(line[1..].strip_prefix(name.as_bytes()), Some(b"\n" | b"\r\n"));
+        if !format_seen && name != "MeshFormat" && name != "Comments" {
+            return Err(Error::NotMsh);
+        }
+        let twice = match name.as_str() {
+            "MeshFormat" => format_seen,
+            "Entities" => scan.entities.is_some(),
+            "Nodes" => scan.nodes.is_some(),
+            "Elements" => scan.elements.is_some(),
+            _ => false,
+        };
+        if twice {
+            return Err(damaged(
+                bytes,
+                scan.binary,
+                &name,
+                start,
+                "a second section of this name",
+            ));
+        }
+        at = match name.as_str() {
+            "Nodes" => scan_nodes(bytes, start, at, &mut scan)?,
+            "Elements" => scan_elements(bytes, start, at, &mut scan)?,
+            "Periodic" => scan_periodic(bytes, at, &mut scan)?,
+            "PartitionedEntities" => return Err(Error::Partitioned),
+            _ => {
+                let body = at;
+                let end = find(bytes, body, format!("$End{name}").as_bytes())
+                    .ok_or_else(|| damaged(bytes, scan.binary, &name, body, &format!("no \"$End{name}\" follows")))?;
+                let after = end + 4 + name.len();
+                match name.as_str() {
+                    "MeshFormat" => {
+                        scan.binary = mesh_format(&bytes[body..end])?;
+                        scan.odd |= !bytes[body..end].starts_with(format_line(scan.binary).as_bytes());
+                        format_seen = true;
+                    }
+                    "PhysicalNames" => {
+                        scan.names = physical_names(&bytes[body..end])
+                            .map_err(|what| damaged(bytes, scan.binary, &name, body, &what))?;
+                    }
+                    "Entities" => scan.entities = Some(start..after),
+                    _ => scan.odd = true,
+                }
+                after
+            }
+        };
+    }
+    if format_seen { Ok(scan) } else { Err(Error::NotMsh) }
+}
+
+/// Offset of the next line that opens a section; `at` moves behind that line.
+fn next_section(bytes: &[u8], at: &mut usize, odd: &mut bool) -> Option<usize> {
+    while *at < bytes.len() {
+        let start = *at;
+        let length = bytes[start..].iter().position(|&byte| byte == b'\n');
+        *at = length.map_or(bytes.len(), |length| start + length + 1);
+        if bytes[start] == b'$' {
+            return Some(start);
+        }
+        *odd |= !bytes[start..*at].trim_ascii().is_empty();
+    }
+    None
+}
+
+fn find(bytes: &[u8], from: usize, needle: &[u8]) -> Option<usize> {
+    let mut at = from;
+    while let Some(ahead) = bytes[at..].iter().position(|&byte| byte == needle[0]) {
+        at += ahead;
+        if bytes[at..].starts_with(needle) {
+            return Some(at);
+        }
+        at += 1;
+    }
+    None
+}
+
+fn damaged(bytes: &[u8], binary: bool, section: &str, at: usize, what: &str) -> Error {
+    let shown = section.chars().filter(|c| !c.is_control()).take(40).collect();
+    Error::Damaged {
+        section: shown,
+        position: position(bytes, at, binary),
+        what: what.to_owned(),
+    }
+}
+
+/// What `$MeshFormat` holds, as gmsh writes it.
+pub(super) fn format_line(binary: bool) -> &'static str {
+    if binary { "4.1 1 8\n\x01\0\0\0" } else { "4.1 0 8" }
+}
+
+/// True if the file is binary.
+fn mesh_format(body: &[u8]) -> Result<bool, Error> {
+    let line = body.split_inclusive(|&byte| byte == b'\n').next().unwrap_or(&[]);
+    let words = String::from_utf8_lossy(line);
+    let mut words = words.split_ascii_whitespace();
+    let version = words.next().unwrap_or("(none)");
+    if version != "4.1" {
+        return Err(Error::Version {
+            version: version.chars().take(24).collect(),
+        });
+    }
+    let encoding = |what: String| Error::Encoding { what };
+    let file_type = words.next().unwrap_or("(none)");
+    let size = words.next().unwrap_or("(none)");
+    if size != "8" {
+        let size: String = size.chars().take(24).collect();
+        return Err(encoding(format!("the data size {size} instead of 8 bytes")));
+    }
+    match file_type {
+        "0" => Ok(false),
+        "1" => match body.get(line.len()..line.len() + 4) {
+            Some([1, 0, 0, 0]) => Ok(true),
+            Some([0, 0, 0, 1]) => Err(encoding("big-endian numbers".to_owned())),
+            _ => Err(encoding("no mark of its byte order".to_owned())),
+        },
+        other => {
+            let other: String = other.chars().take(24).collect();
+            Err(encoding(format!(
+                "the file type {other} instead of 0 (text) or 1 (binary)"
+            )))
+        }
+    }
+}
+
+fn physical_names(body: &[u8]) -> Result<Vec<(i32, i32, String)>, String> {
+    let text = String::from_utf8_lossy(body);
+    let mut lines = text.lines().map(str::trim).filter(|line| !line.is_empty());
+    let count = lines.next().unwrap_or("");
+    let names: Vec<_> = lines
+        .map(|line| {
+            let mut words = line.splitn(3, char::is_whitespace);
+            let dim = words.next().and_then(|word| word.parse().ok());
+            let tag = words.next().and_then(|word| word.parse().ok());
+            let name = words.next().map(str::trim);
+            let name = name.and_then(|name| name.strip_prefix('"')?.strip_suffix('"'));
+            match (dim, tag, name) {
+                (Some(dim), Some(tag), Some(name)) => Ok((dim, tag, name.to_owned())),
+                _ => Err(format!(
+                    "\"{line}\" is not: dimension, tag and quoted name of a physical group"
+                )),
+            }
+        })
+        .collect::<Result<_, _>>()?;
+    if count.parse() != Ok(names.len()) {
+        return Err(format!("\"{count}\" names announced, {} present", names.len()));
+    }
+    Ok(names)
+}
+
+/// The numbers that open `$Nodes` and `$Elements`: blocks, total, and the span of the tags.
+fn opening(cursor: &mut Cursor<'_>, values: usize, what: &str) -> Result<(usize, usize, bool), Error> {
+    let blocks = cursor.count(2, "blocks")?;
+    let total = cursor.count(values, what)?;
+    let (least, greatest) = (cursor.size()?, cursor.size()?);
+    if total == 0 {
+        return Err(cursor.damaged(format!("no {what}")));
+    }
+    if least == 0 || least > greatest {
+        return Err(cursor.damaged(format!("the tags cannot run from {least} to {greatest}")));
+    }
+    Ok((blocks, total, greatest - least >= total as u64))
+}
+
+fn scan_nodes(bytes: &[u8], start: usize, body: usize, scan: &mut Scan) -> Result<usize, Error> {
+    let mut cursor = Cursor::new(bytes, body, scan.binary, "Nodes");
+    let (block_count, total, sparse) = opening(&mut cursor, 4, "nodes")?;
+    let body = cursor.at();
+    let mut blocks = Vec::with_capacity(block_count);
+    let mut tags = Vec::with_capacity(total);
+    for _ in 0..block_count {
+        let (dim, entity, parametric) = (cursor.int()?, cursor.int()?, cursor.int()?);
+        if parametric != 0 {
+            let position = cursor.position();
+            return match parametric {
+                1 => Err(Error::Parametric { position }),
+                _ => Err(cursor.damaged(format!("{parametric} where 0 or 1 should be (parametric)"))),
+            };
+        }
+        let count = cursor.count(4, "nodes")?;
+        cursor.sizes(count, &mut tags)?;
+        cursor.skip(3 * count)?;
+        blocks.push(Block {
+            dim,
+            entity,
+            kind: 0,
+            count,
+        });
+    }
+    if tags.len() != total {
+        return Err(cursor.damaged(format!("{total} nodes announced, {} present", tags.len())));
+    }
+    let end = cursor.close()?;
+    scan.node_tags = tags;
+    scan.nodes = Some(Blocks {
+        whole: start..end,
+        body,
+        blocks,
+        total,
+        sparse,
+    });
+    Ok(end)
+}
+
+fn scan_elements(bytes: &[u8], start: usize, body: usize, scan: &mut Scan) -> Result<usize, Error> {
+    let mut cursor = Cursor::new(bytes, body, scan.binary, "Elements");
+    let (block_count, total, sparse) = opening(&mut cursor, 2, "elements")?;
+    let body = cursor.at();
+    let mut blocks = Vec::with_capacity(block_count);
+    let mut present = 0;
+    for _ in 0..block_count {
+        let (dim, entity, kind) = (cursor.int()?, cursor.int()?, cursor.int()?);
+        let nodes = nodes_of(kind, &cursor)?;
+        let count = cursor.count(1 + nodes, "elements")?;
+        cursor.skip((1 + nodes) * count)?;
+        present += count;
+        blocks.push(Block {
+            dim,
+            entity,
+            kind,
+            count,
+        });
+    }
+    if present != total {
+        return Err(cursor.damaged(format!("{total} elements announced, {present} present")));
+    }
+    let end = cursor.close()?;
+    scan.elements = Some(Blocks {
+        whole: start..end,
+        body,
+        blocks,
+        total,
+        sparse,
+    });
+    Ok(end)
+}
+
+/// gmsh's element types of use here.
+pub(super) mod kind {
+    pub(in super::super) const LINE: i32 = 1;
+    pub(in super::super) const LINE_3: i32 = 8;
+    pub(in super::super) const TRIANGLE: i32 = 2;
+    pub(in super::super) const TRIANGLE_6: i32 = 9;
+    pub(in super::super) const POINT: i32 = 15;
+}
+
+/// Nodes of an element of that type; an error for those that are of no use.
+fn nodes_of(kind: i32, cursor: &Cursor<'_>) -> Result<usize, Error> {
+    let (element, remedy) = match kind {
+        kind::POINT => return Ok(1),
+        kind::LINE => return Ok(2),
+        kind::LINE_3 | kind::TRIANGLE => return Ok(3),
+        kind::TRIANGLE_6 => return Ok(6),
+        3 | 10 | 16 | 36..=41 | 47..=51 | 57..=61 => (
+            "quadrangles",
+            "mesh without recombination (no Recombine Surface, Mesh.RecombineAll = 0)",
+        ),
+        20..=28 | 42..=46 | 52..=56 | 62..=66 => ("elements of order 3 or more", "set Mesh.ElementOrder to 1 or 2"),
+        4..=7 | 11..=14 | 17..=19 | 29..=33 | 71..=83 | 90..=131 | 137 => (
+            "volume elements",
+            "mesh in two dimensions (gmsh -2) and give physical groups to the surface and its curves only",
+        ),
+        _ => ("elements of a kind unknown here", "save triangles and lines only"),
+    };
+    Err(Error::Element {
+        element,
+        kind,
+        position: cursor.position(),
+        remedy,
+    })
+}
+
+fn scan_periodic(bytes: &[u8], body: usize, scan: &mut Scan) -> Result<usize, Error> {
+    let mut cursor = Cursor::new(bytes, body, scan.binary, "Periodic");
+    let mut tags = Vec::new();
+    for _ in 0..cursor.count(2, "links")? {
+        let _entity_and_master = (cursor.int()?, cursor.int()?, cursor.int()?);
+        let affine = cursor.count(1, "coefficients")?;
+        cursor.skip(affine)?;
+        let pairs = cursor.count(2, "pairs of nodes")?;
+        cursor.sizes(2 * pairs, &mut tags)?;
+    }
+    let (pairs, _) = tags.as_chunks::<2>();
+    scan.periodic = pairs.to_vec();
+    cursor.close()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn header_messages_say_what_to_do() {
+        let with_header = |header: &str| {
+            let text = format!("$MeshFormat\n{header}\n$EndMeshFormat\n");
+            scan(text.as_bytes()).unwrap_err().to_string()
+        };
+        assert!(with_header("2.2 0 8").contains("-format msh41"));
+        assert!(with_header("4 0 8").contains("format 4,"));
+        assert!(with_header("4.1 0 99").contains("data size 99"));
+        assert!(with_header("4.1 7 8").contains("file type 7"));
+        assert!(with_header("4.1 1 8\n\0\0\0\x01").contains("big-endian"));
+        assert!(with_header("").contains("(none)"));
+        assert!(matches!(scan(b""), Err(Error::NotMsh)));
+        assert!(matches!(scan(b"$NOD\n1\n"), Err(Error::NotMsh)));
+    }
+
+    #[test]
+    fn names_may_hold_spaces() {
+        let names = physical_names(b"2\n1 2 \"oil feed\"\r\n2 1 \"film\"\n").unwrap();
+        assert_eq!(names, [(1, 2, "oil feed".to_owned()), (2, 1, "film".to_owned())]);
+        assert!(physical_names(b"3\n1 2 \"a\"\n").is_err());
+        assert!(physical_names(b"1\n1 x \"a\"\n").is_err());
+    }
+}
