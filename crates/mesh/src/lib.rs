@@ -24,6 +24,7 @@
 //! # Ok::<(), oilwedge_mesh::Error>(())
 //! ```
 
+mod build;
 pub mod circle;
 pub mod defect;
 pub mod developed;

@@ -15,7 +15,7 @@ pub(crate) struct FilmLaw<'a> {
 
 impl<'a> FilmLaw<'a> {
     pub(crate) fn new(problem: &'a FilmProblem, speed_factor: f64) -> Self {
-        let velocity = speed_factor * problem.journal.speed * problem.liner.radius;
+        let velocity = speed_factor * problem.journal.speed * problem.bearing.radius;
         Self { problem, velocity }
     }
 

@@ -11,7 +11,7 @@ use crate::film_thickness::FilmContribution;
 use crate::lubricant::{Barus, Lubricant};
 use crate::supply::{Supply, SupplyError, SupplyRegion};
 use crate::terms::Term;
-use crate::{Cavitation, FilmPoint, JournalState, Liner};
+use crate::{Bearing, Cavitation, FilmPoint, JournalState};
 
 /// Speeds of an as-printed film are bisected to this fraction of the speed asked for.
 const FOLD_RESOLUTION: f64 = 1e-4;
@@ -29,7 +29,7 @@ pub enum Form {
 /// A film for a given journal state: one entry a socket, lists where contributions add up.
 pub struct FilmProblem {
     /// Dimensions and end pressure.
-    pub liner: Liner,
+    pub bearing: Bearing,
     /// Position and rotation of the journal.
     pub journal: JournalState,
     /// Film thickness: a sum.

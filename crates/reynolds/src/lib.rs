@@ -16,8 +16,8 @@
 //!
 //! | symbol | unit | code | where |
 //! |---|---|---|---|
-//! | R, B, c | m | `radius`, `length`, `clearance` | [`Liner`] |
-//! | p_e | Pa | `end_pressure` | [`Liner`] |
+//! | R, B, c | m | `radius`, `length`, `clearance` | [`Bearing`] |
+//! | p_e | Pa | `end_pressure` | [`Bearing`] |
 //! | (e_x, e_y), omega | m, rad/s | `offset`, `speed` | [`JournalState`] |
 //! | h, dh/dx | m, - | `thickness`, `slope` | [`FilmPoint`], [`film_thickness`] |
 //! | U = omega R | m/s | `velocity` | [`FilmPoint`] |
@@ -35,20 +35,20 @@
 //! An effect is an entry in one of these places; an empty place costs nothing.
 
 pub mod analytical;
+pub mod bearing;
 pub mod cavitation;
 mod film_law;
 pub mod film_point;
 pub mod film_problem;
 pub mod film_thickness;
 pub mod journal_state;
-pub mod liner;
 pub mod lubricant;
 pub mod quantities;
 pub mod supply;
 pub mod terms;
 
+pub use bearing::Bearing;
 pub use cavitation::Cavitation;
 pub use film_point::{FilmFlow, FilmPoint};
 pub use film_problem::{FilmProblem, FilmSolution, FilmSystem, Form, NoFilm};
 pub use journal_state::JournalState;
-pub use liner::Liner;

@@ -22,7 +22,7 @@ fn short_film(slenderness: f64, cavitation: Cavitation) -> [f64; 2] {
     let system = ring_system(360, 8, length, None);
     let solution = film.solve(&system).unwrap();
     let load = load(&film, &system, &solution);
-    let number = similarity::sommerfeld_number(&film.liner, VISCOSITY, &film.journal, load.magnitude());
+    let number = similarity::sommerfeld_number(&film.bearing, VISCOSITY, &film.journal, load.magnitude());
     [
         number.unwrap() / slenderness.powi(2),
         similarity::attitude_angle(&film.journal, load.angle()),

@@ -41,7 +41,7 @@ fn load_approaches_the_limit_like_the_inverse_length() {
         let system = ring_system(96, rows, length, Some(0.0));
         let solution = film.solve(&system).unwrap();
         let load = load(&film, &system, &solution);
-        let number = similarity::sommerfeld_number(&film.liner, VISCOSITY, &film.journal, load.magnitude());
+        let number = similarity::sommerfeld_number(&film.bearing, VISCOSITY, &film.journal, load.magnitude());
         1.0 - number.unwrap() / sommerfeld::sommerfeld_number(ECCENTRICITY)
     };
     let (short, long) = (deficit(6.0), deficit(12.0));

@@ -120,8 +120,8 @@ fn cell_share(problem: &FilmProblem, field: &Field, t: usize, rule: &Quadrature)
         let area = weight * place.determinant;
         let u = oilwedge_fem::field::evaluate(field.space.degree(), &nodal, point);
         let p = problem.pressure_at(u);
-        let (sin, cos) = (place.position[0] / problem.liner.radius).sin_cos();
-        let excess = area * (p - problem.liner.end_pressure);
+        let (sin, cos) = (place.position[0] / problem.bearing.radius).sin_cos();
+        let excess = area * (p - problem.bearing.end_pressure);
         share += Share {
             force: [excess * cos, excess * sin],
             pressure: area * p,
@@ -154,12 +154,12 @@ fn quartered(rule: &Quadrature, levels: usize) -> Quadrature {
 type Moments = [f64; 3];
 
 fn cut_out_share(problem: &FilmProblem, mesh: &Mesh, region: &SupplyRegion) -> Share {
-    let radius = problem.liner.radius;
+    let radius = problem.bearing.radius;
     let [cos, sin, area] = match &region.disc {
         Some(disc) => disc_moments(disc, radius),
         None => rim_moments(mesh, region, radius),
     };
-    let excess = region.pressure - problem.liner.end_pressure;
+    let excess = region.pressure - problem.bearing.end_pressure;
     Share {
         force: [excess * cos, excess * sin],
         pressure: region.pressure * area,

@@ -42,11 +42,11 @@ pub fn least_thickness(problem: &FilmProblem, system: &FilmSystem) -> f64 {
         None => {
             let xs = mesh.points().iter().map(|point| point[0]);
             let (low, high) = xs.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
-            let x = problem.journal.min_film_angle() * problem.liner.radius;
-            let turn = std::f64::consts::TAU * problem.liner.radius;
+            let x = problem.journal.min_film_angle() * problem.bearing.radius;
+            let turn = std::f64::consts::TAU * problem.bearing.radius;
             (x - low).rem_euclid(turn) <= high - low
         }
     };
-    let wedge = problem.liner.clearance - problem.journal.eccentricity();
+    let wedge = problem.bearing.clearance - problem.journal.eccentricity();
     if covered { at_vertices.min(wedge) } else { at_vertices }
 }

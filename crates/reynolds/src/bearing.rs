@@ -2,7 +2,7 @@
 
 /// Radius, length and clearance of a journal bearing.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Liner {
+pub struct Bearing {
     /// Journal radius R [m].
     pub radius: f64,
     /// Axial length B [m], from `z = -B/2` to `z = B/2`.

@@ -1,0 +1,461 @@
+//! From listed triangles to a [`Mesh`]: orientation, numbering, edges, groups, and every defect at once.
+
+use std::collections::HashMap;
+
+use crate::mesh::least_jacobian;
+use crate::raw::doubled_area;
+use crate::topology::NO_TRIANGLE;
+use crate::{Defect, Mesh, RawMesh, Region, Topology, numbering};
+
+/// Triangles of less area than this fraction of their longest edge squared are degenerate.
+const LEAST_SHAPE: f64 = 1e-10;
+/// A mid-side node within this fraction of the edge length from the middle is on the straight edge: mesh
+/// generators place periodic copies to 1e-11 only.
+const STRAIGHT: f64 = 1e-9;
+
+impl Mesh {
+    /// Numbers, orients and checks the triangles of `raw`.
+    ///
+    /// Vertices that no triangle uses are dropped. If all triangles are clockwise, all are turned.
+    ///
+    /// # Errors
+    /// Every defect found.
+    pub fn build(mut raw: RawMesh) -> Result<Self, Vec<Defect>> {
+        let defects = check_triangles(&raw);
+        if !defects.is_empty() {
+            return Err(defects);
+        }
+        orient(&mut raw);
+        let mut defects = check_shapes(&raw);
+
+        let (order, new_of_old) = order_vertices(&raw);
+        let points: Vec<_> = order.iter().map(|&old| raw.points[old as usize]).collect();
+        let labels: Vec<_> = order.iter().map(|&old| raw.label(old)).collect();
+        let (triangles, triangle_order) = order_triangles(&raw.triangles, &new_of_old, points.len());
+        let name = |vertex: u32| labels[vertex as usize];
+        for pair in triangles.windows(2) {
+            if sorted(pair[0]) == sorted(pair[1]) {
+                defects.push(Defect::DuplicateTriangle {
+                    nodes: pair[0].map(name),
+                });
+            }
+        }
+        let topology = match Topology::new(points.len(), &triangles) {
+            Ok(topology) => topology,
+            Err(crowded) => {
+                let crowded = crowded
+                    .into_iter()
+                    .map(|edge| Defect::CrowdedEdge { nodes: edge.map(name) });
+                defects.extend(crowded);
+                return Err(defects);
+            }
+        };
+        let mut triangle_of_old = vec![0u32; triangles.len()];
+        for (new, &old) in triangle_order.iter().enumerate() {
+            triangle_of_old[old as usize] = new as u32;
+        }
+        let bulges = bulged_edges(&raw, &new_of_old, &topology);
+        let curved = topology
+            .triangle_edges
+            .iter()
+            .map(|edges| !bulges.is_empty() && edges.iter().any(|edge| bulges.contains_key(edge)))
+            .collect();
+        let regions = regions(&raw, &new_of_old, &triangle_of_old, &topology, &mut defects);
+        let mesh = Self {
+            points,
+            labels,
+            triangles,
+            topology,
+            bulges,
+            curved,
+            period: raw.period,
+            regions,
+        };
+        defects.extend(mesh.folded_triangles());
+        defects.extend(mesh.coincident_vertices());
+        defects.extend(mesh.pieces());
+        if defects.is_empty() { Ok(mesh) } else { Err(defects) }
+    }
+
+    /// Curved triangles whose quadratic map folds.
+    fn folded_triangles(&self) -> Vec<Defect> {
+        (0..self.triangles.len())
+            .filter(|&t| self.curved[t] && least_jacobian(&self.nodes(t)) <= 0.0)
+            .map(|t| {
+                let [x, z] = self.corners(t)[0];
+                Defect::Inverted {
+                    nodes: self.triangles[t].map(|v| self.label(v)),
+                    x,
+                    z,
+                }
+            })
+            .collect()
+    }
+
+    /// Boundary vertices at one place: the film is cut open there.
+    fn coincident_vertices(&self) -> Vec<Defect> {
+        let mut rim: Vec<u32> = (0..self.topology.edges.len() as u32)
+            .filter(|&edge| self.topology.is_boundary(edge))
+            .flat_map(|edge| self.topology.edges[edge as usize])
+            .collect();
+        rim.sort_unstable();
+        rim.dedup();
+        let (mut extent, mut start) = (0.0f64, f64::INFINITY);
+        for &v in &rim {
+            let [x, z] = self.points[v as usize];
+            extent = extent.max(x.abs()).max(z.abs());
+            start = start.min(x);
+        }
+        let near = 1e-10 * extent;
+        let at = |v: u32| {
+            let [x, z] = self.points[v as usize];
+            let period = self.period.filter(|period| x - start > period - near);
+            [x - period.unwrap_or(0.0), z]
+        };
+        rim.sort_unstable_by(|&a, &b| at(a)[0].total_cmp(&at(b)[0]).then(a.cmp(&b)));
+        // Among those at one x, up to rounding, neighbours in z.
+        let mut defects = Vec::new();
+        for column in rim.chunk_by_mut(|&a, &b| at(b)[0] - at(a)[0] <= near) {
+            column.sort_unstable_by(|&a, &b| at(a)[1].total_cmp(&at(b)[1]).then(a.cmp(&b)));
+            let pairs = column.windows(2).filter(|pair| at(pair[1])[1] - at(pair[0])[1] <= near);
+            defects.extend(pairs.map(|pair| Defect::CoincidentNodes {
+                first: self.label(pair[0]),
+                second: self.label(pair[1]),
+                x: self.points[pair[0] as usize][0],
+                z: self.points[pair[0] as usize][1],
+            }));
+        }
+        defects
+    }
+
+    /// The defect of a film in several pieces, if it is.
+    fn pieces(&self) -> Option<Defect> {
+        let mut piece_of = vec![u32::MAX; self.triangles.len()];
+        let mut sizes: Vec<(usize, usize)> = Vec::new();
+        let mut stack = Vec::new();
+        for seed in 0..self.triangles.len() {
+            if piece_of[seed] != u32::MAX {
+                continue;
+            }
+            let piece = sizes.len() as u32;
+            sizes.push((0, seed));
+            piece_of[seed] = piece;
+            stack.push(seed);
+            while let Some(t) = stack.pop() {
+                sizes[piece as usize].0 += 1;
+                for edge in self.topology.triangle_edges[t] {
+                    for side in self.topology.edge_triangles[edge as usize] {
+                        if side != NO_TRIANGLE && piece_of[side as usize] == u32::MAX {
+                            piece_of[side as usize] = piece;
+                            stack.push(side as usize);
+                        }
+                    }
+                }
+            }
+        }
+        if sizes.len() < 2 {
+            return None;
+        }
+        let &(cells, seed) = sizes.iter().min()?;
+        let [x, z] = self.corners(seed)[0];
+        Some(Defect::Disconnected {
+            parts: sizes.len(),
+            cells,
+            x,
+            z,
+        })
+    }
+}
+
+fn sorted(mut vertices: [u32; 3]) -> [u32; 3] {
+    vertices.sort_unstable();
+    vertices
+}
+
+/// Defects that forbid any further work: nothing there, not finite, a vertex named twice.
+fn check_triangles(raw: &RawMesh) -> Vec<Defect> {
+    if raw.triangles.is_empty() {
+        return vec![Defect::Empty];
+    }
+    let bad_points = (0u32..)
+        .zip(&raw.points)
+        .filter(|(_, point)| !point.iter().all(|x| x.is_finite()));
+    let mut defects: Vec<_> = bad_points
+        .map(|(v, point)| Defect::NotFinite {
+            node: raw.label(v),
+            coordinates: point.to_vec(),
+        })
+        .collect();
+    for &[a, b, c] in &raw.triangles {
+        if a == b || b == c || c == a {
+            defects.push(Defect::RepeatedNode {
+                nodes: [a, b, c].map(|v| raw.label(v)),
+            });
+        }
+    }
+    defects
+}
+
+/// Turns all triangles if all are clockwise.
+fn orient(raw: &mut RawMesh) {
+    if (0..raw.triangles.len()).all(|t| doubled_area(raw.corners(t)) < 0.0) {
+        for triangle in &mut raw.triangles {
+            triangle.swap(1, 2);
+        }
+        // Edges 01, 12, 20 become 02, 21, 10.
+        for (_, edge, _) in &mut raw.bulges {
+            *edge = 2 - *edge;
+        }
+    }
+}
+
+/// Degenerate and inverted triangles, and those that span too much of a ring.
+fn check_shapes(raw: &RawMesh) -> Vec<Defect> {
+    let mut defects = Vec::new();
+    for t in 0..raw.triangles.len() {
+        let corners = raw.corners(t);
+        let nodes = || raw.triangles[t].map(|v| raw.label(v));
+        let [x, z] = corners[0];
+        let longest = (0..3)
+            .map(|k| {
+                let (a, b) = (corners[k], corners[(k + 1) % 3]);
+                (b[0] - a[0]).hypot(b[1] - a[1])
+            })
+            .fold(0.0, f64::max);
+        let area = 0.5 * doubled_area(corners);
+        if area.abs() <= LEAST_SHAPE * longest * longest {
+            defects.push(Defect::Degenerate {
+                nodes: nodes(),
+                x,
+                z,
+                area,
+            });
+        } else if area < 0.0 {
+            defects.push(Defect::Inverted { nodes: nodes(), x, z });
+        }
+        if let Some(period) = raw.period {
+            let xs = corners.map(|corner| corner[0]);
+            let span = xs.iter().copied().fold(f64::MIN, f64::max) - xs.iter().copied().fold(f64::MAX, f64::min);
+            if span > 0.49 * period {
+                defects.push(Defect::SpansRing {
+                    nodes: nodes(),
+                    degrees: 360.0 * span / period,
+                });
+            }
+        }
+    }
+    defects
+}
+
+/// Used vertices along the Hilbert curve (`order[new] = old`) and its inverse.
+fn order_vertices(raw: &RawMesh) -> (Vec<u32>, Vec<u32>) {
+    let mut used = vec![false; raw.points.len()];
+    for &vertex in raw.triangles.iter().flatten() {
+        used[vertex as usize] = true;
+    }
+    let kept: Vec<u32> = (0..raw.points.len() as u32).filter(|&v| used[v as usize]).collect();
+    let kept_points: Vec<_> = kept.iter().map(|&v| raw.points[v as usize]).collect();
+    let order: Vec<u32> = numbering::hilbert_order(&kept_points)
+        .into_iter()
+        .map(|place| kept[place as usize])
+        .collect();
+    let mut new_of_old = vec![u32::MAX; raw.points.len()];
+    for (new, &old) in order.iter().enumerate() {
+        new_of_old[old as usize] = new as u32;
+    }
+    (order, new_of_old)
+}
+
+/// Triangles in the new numbers, least vertex first, sorted; and their order (`order[new] = old`).
+fn order_triangles(triangles: &[[u32; 3]], new_of_old: &[u32], vertices: usize) -> (Vec<[u32; 3]>, Vec<u32>) {
+    let rotated: Vec<[u32; 3]> = triangles
+        .iter()
+        .map(|triangle| {
+            let [a, b, c] = triangle.map(|v| new_of_old[v as usize]);
+            match a.min(b).min(c) {
+                least if least == a => [a, b, c],
+                least if least == b => [b, c, a],
+                _ => [c, a, b],
+            }
+        })
+        .collect();
+    let mut start = vec![0u32; vertices + 1];
+    for triangle in &rotated {
+        start[triangle[0] as usize + 1] += 1;
+    }
+    for v in 0..vertices {
+        start[v + 1] += start[v];
+    }
+    let mut order = vec![0u32; rotated.len()];
+    let mut next = start.clone();
+    for (old, triangle) in rotated.iter().enumerate() {
+        let place = &mut next[triangle[0] as usize];
+        order[*place as usize] = old as u32;
+        *place += 1;
+    }
+    // Within one vertex by the others, so that the numbers do not depend on the order of listing.
+    for v in 0..vertices {
+        order[start[v] as usize..start[v + 1] as usize].sort_unstable_by_key(|&old| sorted(rotated[old as usize]));
+    }
+    (order.iter().map(|&old| rotated[old as usize]).collect(), order)
+}
+
+fn bulged_edges(raw: &RawMesh, new_of_old: &[u32], topology: &Topology) -> HashMap<u32, [f64; 2]> {
+    let mut bulges = HashMap::new();
+    for &(t, k, bulge) in &raw.bulges {
+        let triangle = raw.triangles[t as usize];
+        let k = usize::from(k);
+        let corners = raw.corners(t as usize);
+        let (a, b) = (corners[k], corners[(k + 1) % 3]);
+        let length = (b[0] - a[0]).hypot(b[1] - a[1]);
+        if bulge[0].hypot(bulge[1]) > STRAIGHT * length {
+            let [a, b] = [triangle[k], triangle[(k + 1) % 3]].map(|v| new_of_old[v as usize]);
+            if let Some(edge) = topology.edge_between(a, b) {
+                bulges.insert(edge, bulge);
+            }
+        }
+    }
+    bulges
+}
+
+/// The groups of `raw` in the numbers of the mesh.
+fn regions(
+    raw: &RawMesh,
+    new_of_old: &[u32],
+    triangle_of_old: &[u32],
+    topology: &Topology,
+    defects: &mut Vec<Defect>,
+) -> Vec<Region> {
+    let mut regions: Vec<Region> = Vec::new();
+    for (name, pairs) in &raw.curves {
+        let region = region_named(&mut regions, name);
+        for &[a, b] in pairs {
+            let (new_a, new_b) = (new_of_old[a as usize], new_of_old[b as usize]);
+            let edge = (new_a != u32::MAX && new_b != u32::MAX)
+                .then(|| topology.edge_between(new_a, new_b))
+                .flatten();
+            match edge {
+                Some(edge) => region.edges.push(edge),
+                None => defects.push(Defect::LooseEdge {
+                    group: name.clone(),
+                    nodes: [raw.label(a), raw.label(b)],
+                }),
+            }
+        }
+    }
+    for (name, cells) in &raw.surfaces {
+        let cells = cells.iter().map(|&old| triangle_of_old[old as usize]);
+        region_named(&mut regions, name).cells.extend(cells);
+    }
+    for region in &mut regions {
+        region.edges.sort_unstable();
+        region.edges.dedup();
+        region.cells.sort_unstable();
+        region.cells.dedup();
+    }
+    regions
+}
+
+fn region_named<'a>(regions: &'a mut Vec<Region>, name: &str) -> &'a mut Region {
+    let place = regions
+        .iter()
+        .position(|region| region.name == name)
+        .unwrap_or_else(|| {
+            regions.push(Region {
+                name: name.to_owned(),
+                edges: Vec::new(),
+                cells: Vec::new(),
+            });
+            regions.len() - 1
+        });
+    &mut regions[place]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A ring of `n` columns and one row of cells, glued.
+    fn ring(n: u32) -> RawMesh {
+        let points = (0..2 * n).map(|k| [f64::from(k / 2), f64::from(k % 2)]).collect();
+        let triangles = (0..n)
+            .flat_map(|i| {
+                let (a, b) = (2 * i, 2 * ((i + 1) % n));
+                [[a, b, b + 1], [a, b + 1, a + 1]]
+            })
+            .collect();
+        RawMesh {
+            points,
+            triangles,
+            period: Some(f64::from(n)),
+            ..RawMesh::default()
+        }
+    }
+
+    #[test]
+    fn ring_has_no_seam() {
+        let mesh = Mesh::build(ring(8)).unwrap();
+        let boundary = (0..mesh.topology().edges.len() as u32).filter(|&e| mesh.topology().is_boundary(e));
+        assert_eq!(boundary.count(), 16);
+        let area: f64 = (0..16).map(|t| 0.5 * doubled_area(mesh.corners(t))).sum();
+        assert_eq!(area, 8.0);
+    }
+
+    #[test]
+    fn numbers_do_not_depend_on_the_order_of_listing() {
+        let mut shuffled = ring(8);
+        shuffled.triangles.reverse();
+        for triangle in &mut shuffled.triangles {
+            triangle.rotate_left(1);
+        }
+        let (mesh, other) = (Mesh::build(ring(8)).unwrap(), Mesh::build(shuffled).unwrap());
+        assert_eq!(mesh.triangles(), other.triangles());
+        assert_eq!(mesh.points(), other.points());
+    }
+
+    #[test]
+    fn clockwise_meshes_are_turned_and_mixed_ones_refused() {
+        let mut clockwise = ring(8);
+        clockwise.triangles.iter_mut().for_each(|triangle| triangle.swap(0, 1));
+        assert!(Mesh::build(clockwise).is_ok());
+        let mut mixed = ring(8);
+        mixed.triangles[3].swap(0, 1);
+        assert!(matches!(Mesh::build(mixed).unwrap_err()[0], Defect::Inverted { .. }));
+    }
+
+    #[test]
+    fn every_defect_is_found_at_once() {
+        let mut raw = ring(8);
+        raw.triangles.push(raw.triangles[0]);
+        raw.points.extend([[20.0, 0.0], [21.0, 0.0], [22.0, 0.0]]);
+        raw.triangles.push([16, 17, 18]);
+        raw.curves.push(("end".into(), vec![[0, 5]]));
+        let defects = Mesh::build(raw).unwrap_err();
+        assert!(defects.iter().any(|d| matches!(d, Defect::Degenerate { .. })));
+        assert!(defects.iter().any(|d| matches!(d, Defect::DuplicateTriangle { .. })));
+    }
+
+    #[test]
+    fn a_ring_of_two_columns_is_refused() {
+        assert!(Mesh::build(ring(2)).is_err());
+    }
+
+    #[test]
+    fn a_ring_cut_open_is_found_whatever_the_rounding() {
+        for (start, rounding) in [(0.0, 0.0), (3.0, 1e-15), (3.0, -1e-15)] {
+            let mut slit = ring(8);
+            for point in &mut slit.points {
+                point[0] = start + (point[0] - start).rem_euclid(8.0);
+            }
+            for &[x, z] in &[slit.points[0], slit.points[1]] {
+                slit.points.push([x + rounding, z]);
+            }
+            for triangle in &mut slit.triangles[14..] {
+                triangle.iter_mut().filter(|v| **v < 2).for_each(|v| *v += 16);
+            }
+            let defects = Mesh::build(slit).unwrap_err();
+            let pairs = defects.iter().filter(|d| matches!(d, Defect::CoincidentNodes { .. }));
+            assert_eq!(pairs.count(), 2);
+        }
+    }
+}
