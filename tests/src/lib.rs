@@ -1,6 +1,9 @@
 //! What the tests share: structured liners and plain films, made without files.
 
+pub mod flexpde_study;
 pub mod program;
+pub mod scenes;
+pub mod tables;
 
 use std::sync::Arc;
 

@@ -20,6 +20,12 @@ pub enum Error {
         /// What is wrong in it.
         error: Box<Error>,
     },
+    /// The path names no plain file.
+    #[error("the mesh {} is not a plain file; give the path of a .msh file", path.display())]
+    NotPlain {
+        /// The path.
+        path: std::path::PathBuf,
+    },
     /// The operating system refused.
     #[error("cannot {action} {}: {error}", path.display())]
     Io {
@@ -288,7 +294,7 @@ pub enum Error {
 
 impl Error {
     /// This error, with the file it arose from.
-    pub(crate) fn in_file(self, path: &std::path::Path) -> Self {
+    pub fn in_file(self, path: &std::path::Path) -> Self {
         Self::InFile {
             path: path.to_owned(),
             error: Box::new(self),

@@ -57,7 +57,6 @@ pub struct FilmSystem {
 
 /// Why a mesh and its supply make no system.
 #[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
 pub enum SystemError {
     /// Given pressures and mesh do not fit.
     #[error("the given pressures do not fit the mesh")]
@@ -96,7 +95,8 @@ impl FilmSystem {
 pub enum NoFilm {
     /// The viscosity law has no pressure for the reduced pressure found.
     #[error(
-        "no steady film: the reduced pressure q reaches {reached:.4e} Pa, {ratio:.4} of the {limit:.4e} Pa at which the viscosity law makes the pressure infinite; {remedy}"
+        "no steady film: the reduced pressure q reaches {reached:.4e} Pa, {ratio:.4} of the {limit:.4e} Pa at which the viscosity law makes the pressure infinite{}; lower speed, eccentricity or viscosity, or use a law that grows slower (Roelands)",
+        greatest_speed.map_or(String::new(), |speed| format!(", which it reaches at {speed:.6} rad/s"))
     )]
     AboveLimit {
         /// Greatest reduced pressure [Pa].
@@ -105,8 +105,8 @@ pub enum NoFilm {
         limit: f64,
         /// Their ratio.
         ratio: f64,
-        /// Greatest speed that has a film, and what to change.
-        remedy: String,
+        /// Speed [rad/s] up to which there is a film, where it can be told.
+        greatest_speed: Option<f64>,
     },
     /// The pressure falls below what the viscosity law covers.
     #[error(
@@ -226,12 +226,11 @@ impl FilmProblem {
         let (limit, floor) = (law.limit(), law.floor());
         let reached = field.maximum().value;
         if reached >= limit {
-            let remedy = self.remedy(system, film, limit);
             return Err(NoFilm::AboveLimit {
                 reached,
                 limit,
                 ratio: reached / limit,
-                remedy,
+                greatest_speed: self.greatest_speed(system, film, limit),
             });
         }
         let least = field.minimum().value;
@@ -241,20 +240,16 @@ impl FilmProblem {
         Ok(())
     }
 
-    /// The film is linear in the speed: q = q0 + (speed factor) q1, so the limit of speed follows.
-    fn remedy(&self, system: &FilmSystem, film: &FilmSolution, limit: f64) -> String {
+    /// The film is linear in the speed, q = q0 + (speed factor) q1, so the limit of speed follows from
+    /// one more solve; it is told by the nodes, which miss the maximum by the square of the mesh size.
+    fn greatest_speed(&self, system: &FilmSystem, film: &FilmSolution, limit: f64) -> Option<f64> {
         let at_rest = system.assembler.residual(&FilmLaw::new(self, 0.0), &film.unknown);
-        let Ok(by_speed) = film.linearisation.solve(&at_rest) else {
-            return "lower the speed, the eccentricity or the viscosity".to_owned();
-        };
+        let by_speed = film.linearisation.solve(&at_rest).ok()?;
         let factor = (film.unknown.iter().zip(&by_speed))
             .filter(|(_, by_speed)| **by_speed > 0.0)
             .map(|(q, by_speed)| (limit - (q - by_speed)) / by_speed)
             .fold(f64::INFINITY, f64::min);
-        let speed = factor * self.journal.speed;
-        format!(
-            "the greatest speed with a film is {speed:.4} rad/s; lower speed, eccentricity or viscosity, or use a law that grows slower (Roelands)"
-        )
+        (factor.is_finite() && factor > 0.0).then(|| factor * self.journal.speed)
     }
 
     /// The unknown at a point where the pressure is `p` [Pa].

@@ -5,12 +5,15 @@
 //! axis to the one after that (axis z: from x to y). The sides of a mid-side node are unrolled
 //! with it, so a triangle that stands across `phi = 0` needs no care.
 
+mod alone;
 mod cylinder;
 mod place;
 mod seam;
 
 use std::f64::consts::TAU;
 use std::path::Path;
+
+pub use alone::read_alone;
 
 use crate::gmsh::{self, MshFile};
 use crate::{Error, Mesh, RawMesh};

@@ -175,7 +175,7 @@ fn turn_arc(file: &MshFile, points: &mut [[f64; 2]], used: &[bool], liner: &Line
 }
 
 /// Start and end of the film on the circle: it starts after the widest gap between nodes.
-fn film_interval(points: &[[f64; 2]], used: &[bool], period: f64) -> (f64, f64) {
+pub(super) fn film_interval(points: &[[f64; 2]], used: &[bool], period: f64) -> (f64, f64) {
     let used = used.iter().zip(points).filter(|(used, _)| **used);
     let mut xs: Vec<f64> = used.map(|(_, point)| point[0]).collect();
     xs.sort_unstable_by(f64::total_cmp);

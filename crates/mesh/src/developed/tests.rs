@@ -226,3 +226,12 @@ fn mid_nodes_on_chords_are_straight_and_others_bulge() {
     };
     assert!(x.abs() < 1e-15 && (z - 0.01).abs() < 1e-15);
 }
+
+#[test]
+fn a_mesh_alone_shows_its_liner() {
+    let data = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data");
+    for (name, loops) in [("plane_ring.msh", 3), ("cylinder_x.msh", 2), ("half_x.msh", 1)] {
+        let mesh = read_alone(data.join(name)).unwrap_or_else(|error| panic!("{error}"));
+        assert_eq!(crate::Quality::of(&mesh).boundary_loops, loops, "{name}");
+    }
+}

@@ -61,15 +61,26 @@ impl MshFile {
 /// Reads a gmsh 4.1 file.
 ///
 /// # Errors
-/// As [`parse`], with the path; or what the operating system says.
+/// As [`read_bytes`] and [`parse`], with the path.
 pub fn read(path: impl AsRef<Path>) -> Result<MshFile, Error> {
     let path = path.as_ref();
-    let bytes = std::fs::read(path).map_err(|error| Error::Io {
+    parse(&read_bytes(path)?).map_err(|error| error.in_file(path))
+}
+
+/// The content of a plain file.
+///
+/// # Errors
+/// What the operating system says; a directory, device or pipe is refused.
+pub fn read_bytes(path: &Path) -> Result<Vec<u8>, Error> {
+    let failed = |error| Error::Io {
         action: "read",
         path: path.to_owned(),
         error,
-    })?;
-    parse(&bytes).map_err(|error| error.in_file(path))
+    };
+    if !std::fs::metadata(path).map_err(failed)?.is_file() {
+        return Err(Error::NotPlain { path: path.to_owned() });
+    }
+    std::fs::read(path).map_err(failed)
 }
 
 /// Reads the content of a gmsh 4.1 file.

@@ -1,0 +1,62 @@
+//! The shipped scenes and variants of them.
+
+use std::path::PathBuf;
+
+use oilwedge_reynolds::{FilmSolution, NoFilm};
+use oilwedge_scene::compile::{Study, compile};
+use oilwedge_scene::measure::{Measured, measure, quantities};
+use oilwedge_scene::scene::Scene;
+
+use crate::program::repository;
+
+/// Path of the scene `NAME.toml` in `scenes/`.
+pub fn path(name: &str) -> PathBuf {
+    repository().join("scenes").join(format!("{name}.toml"))
+}
+
+/// The scene `name` with its text edited as a table.
+pub fn variant(name: &str, edit: impl FnOnce(&mut toml::Table)) -> Scene {
+    let text = std::fs::read_to_string(path(name)).expect("shipped scene");
+    let mut table: toml::Table = text.parse().expect("shipped scene is TOML");
+    edit(&mut table);
+    Scene::parse(&table.to_string(), &path(name)).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// A table of the scene, made if absent.
+pub fn table<'a>(scene: &'a mut toml::Table, name: &str) -> &'a mut toml::Table {
+    scene
+        .entry(name)
+        .or_insert_with(|| toml::Table::new().into())
+        .as_table_mut()
+        .expect("a table")
+}
+
+/// A solved scene.
+pub struct Solved {
+    /// The compiled scene.
+    pub study: Study,
+    /// Its film.
+    pub film: FilmSolution,
+    /// What was measured.
+    pub measured: Measured,
+}
+
+impl Solved {
+    /// Value of a quantity of the report.
+    pub fn quantity(&self, name: &str) -> f64 {
+        let list = quantities(&self.study, &self.measured);
+        let found = list.iter().find(|quantity| quantity.name == name);
+        found.unwrap_or_else(|| panic!("no quantity {name}")).value
+    }
+}
+
+/// Compiles, solves and measures.
+///
+/// # Errors
+/// The reason why there is no film.
+pub fn solve(scene: &Scene) -> Result<Solved, NoFilm> {
+    let study = compile(scene).unwrap_or_else(|error| panic!("{error}"));
+    let film = study.problem.solve(&study.system)?;
+    let measured = measure(&study, &film);
+    Ok(Solved { study, film, measured })
+}

@@ -1,0 +1,76 @@
+//! Mordvinkin, Gorkun, Sergienko, "Calculation of the plain groove journal bearing" (2016), FlexPDE.
+//!
+//! The paper prints no load, so the reference is an independent recomputation (scikit-fem, curved
+//! rim, `tests/data/flexpde_study.json`) with the assumed values of `docs/validation/flexpde_study.md`.
+//! Tolerances: the reference's own uncertainty is 1e-5 of C_w and 1e-4 degrees; its p_max is the
+//! largest nodal value, good to 1e-3. Rows of the sweeps carry four decimals and a coarser mesh.
+
+use oilwedge_tests::flexpde_study::*;
+use oilwedge_tests::program::repository;
+use oilwedge_tests::scenes::solve;
+
+fn check(row: &Row) {
+    let solved = solve(&row.scene()).unwrap_or_else(|reason| panic!("{}: {reason}", row.name()));
+    let expected = |key: &str| row.reference(key).unwrap_or_else(|| panic!("{}: no {key}", row.name()));
+    let c_w = solved.quantity("load_coefficient");
+    let rounding = if expected("digits") < 5.0 { 6e-5 } else { 0.0 };
+    let error = c_w - expected("C_w");
+    assert!(error.abs() < 1e-4 * c_w + rounding, "{}: C_w {c_w}", row.name());
+    let attitude = solved.quantity("attitude_angle");
+    let error = attitude - expected("attitude_deg");
+    assert!(error.abs() < 0.01, "{}: attitude {attitude}", row.name());
+    let p_max = solved.quantity("pressure_max") / SUPPLY_PRESSURE;
+    assert!(
+        (p_max / expected("p_max") - 1.0).abs() < 1e-3,
+        "{}: p_max {p_max}",
+        row.name()
+    );
+    let mu_max = solved.quantity("viscosity_max") / row.mu0;
+    assert!(
+        (mu_max / expected("mu_max") - 1.0).abs() < 1e-3,
+        "{}: mu_max {mu_max}",
+        row.name()
+    );
+    if row.viscosity != "as-printed" {
+        let flux = poiseuille_feed_flux(&solved, 0.0085, 130f64.to_radians());
+        let error = flux / expected("feed_flux") - 1.0;
+        assert!(error.abs() < 2e-4, "{}: feed flux {flux}", row.name());
+        assert!(solved.measured.flows.imbalance < 1e-10, "{}", row.name());
+    }
+}
+
+#[test]
+fn all_rows_without_cavitation_or_with_guembel() {
+    let rows = rows();
+    assert_eq!(rows.len(), 64);
+    rows.iter().for_each(check);
+}
+
+#[test]
+fn limits_of_existence() {
+    for (liner, eccentricity, conservative, as_printed) in limits() {
+        // Three digits of a coarse mesh.
+        let speed = limit_of_existence(&liner, eccentricity, 2.0 * conservative);
+        assert!(
+            (speed / conservative - 1.0).abs() < 5e-3,
+            "{liner} {eccentricity}: {speed} {conservative}"
+        );
+        // Two digits.
+        let last = fold(&liner, eccentricity, conservative);
+        assert!(
+            (last / as_printed - 1.0).abs() < 2e-2,
+            "{liner} {eccentricity}: {last} {as_printed}"
+        );
+    }
+}
+
+#[test]
+fn the_page_is_up_to_date() {
+    let path = repository().join("docs/validation/flexpde_study.md");
+    let written = std::fs::read_to_string(path).expect("page of the study");
+    let anew = page(&written);
+    assert!(
+        written == anew,
+        "run: cargo run --release -p oilwedge-tests --bin validation"
+    );
+}
