@@ -11,7 +11,7 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
             (folded, edits(word, candidate), candidate)
         })
         .filter(|(folded, _, candidate)| *folded <= allowed(word.chars().count().max(candidate.chars().count())))
-        .min_by_key(|(folded, exact, _)| (*folded, *exact))
+        .min_by_key(|(folded, exact, candidate)| (*folded, *exact, candidate.len().abs_diff(word.len())))
         .map(|(_, _, candidate)| candidate)
 }
 
@@ -62,5 +62,6 @@ mod tests {
         assert_eq!(nearest("Length", keys), Some("length"));
         assert_eq!(nearest("colour", keys), None);
         assert_eq!(nearest("MM", ["m", "mm"]), Some("mm"));
+        assert_eq!(nearest("mn", ["m", "mm"]), Some("mm"));
     }
 }
