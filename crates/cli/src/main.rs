@@ -1,2 +1,85 @@
-//! x
-fn main() {}
+//! `oilwedge`: the oil film of journal bearings at the command line. One file a verb.
+//!
+//! Exit status: 0 done; 1 the problem has no solution or was not converged; 2 bad scene, mesh or arguments, and then
+//! nothing was written. Results for people and `--json` go to stdout, everything else to stderr.
+
+mod check;
+mod complain;
+mod readable;
+mod solve;
+mod terminal;
+
+use clap::{Parser, Subcommand};
+use complain::Failure;
+use std::process::ExitCode;
+
+/// The oil film of journal bearings: load, attitude angle, pressures and flows from one scene.
+#[derive(Debug, Parser)]
+#[command(version, after_help = EXAMPLES, max_term_width = 110)]
+struct Arguments {
+    #[command(subcommand)]
+    verb: Verb,
+
+    /// Number of threads; by default one for each core. The results do not depend on it.
+    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  oilwedge solve scenes/01_plain.toml              solve, tell the numbers, write out/01_plain/
+  oilwedge solve bearing.toml --json > load.json   the same numbers for a script
+  oilwedge check bearing.toml                      what would be computed, and is the mesh good?
+  oilwedge check liner.msh                         a gmsh 4.1 mesh by itself
+
+Exit status: 0 done; 1 no solution or not converged; 2 bad scene, mesh or arguments (nothing was written).";
+
+#[derive(Debug, Subcommand)]
+enum Verb {
+    /// Solve a scene: the numbers to the terminal and result.json, the fields to film.vtu.
+    Solve(solve::Solve),
+    /// Read a scene and its mesh, or a mesh alone, and tell what is in it or what is wrong with it.
+    Check(check::Check),
+}
+
+fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    complain::set_up();
+    let outcome = use_threads(arguments.threads).and_then(|()| match &arguments.verb {
+        Verb::Solve(solve) => solve.run(),
+        Verb::Check(check) => check.run(),
+    });
+    outcome.unwrap_or_else(|failure| {
+        failure.tell();
+        ExitCode::from(2)
+    })
+}
+
+fn use_threads(threads: Option<u16>) -> Result<(), Failure> {
+    let Some(threads) = threads else { return Ok(()) };
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(usize::from(threads))
+        .build_global();
+    pool.map_err(|error| Failure::Argument {
+        message: format!("cannot start {threads} threads: {error}"),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_arguments_are_consistent() {
+        Arguments::command().debug_assert();
+    }
+
+    #[test]
+    fn threads_may_stand_behind_the_verb() {
+        let arguments = Arguments::try_parse_from(["oilwedge", "solve", "a.toml", "--threads", "2", "--json"]);
+        assert!(arguments.is_ok_and(|arguments| arguments.threads == Some(2)));
+        assert!(Arguments::try_parse_from(["oilwedge", "solve", "a.toml", "--threads", "0"]).is_err());
+        assert!(Arguments::try_parse_from(["oilwedge", "solve"]).is_err());
+    }
+}

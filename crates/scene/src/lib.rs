@@ -1,1 +1,30 @@
-//! x
+//! The door of oilwedge: text in, numbers out.
+//!
+//! A scene is a TOML file about one bearing. [`Scene::read`] makes it a [`scene::Scene`] in SI, or tells everything
+//! that is wrong with it at once; [`run`](run()) computes it; [`results::write_results`] writes what was found.
+//!
+//! ```text
+//! scene.toml -> schema (keys, units) -> Scene (SI) -> validate (ranges) -> run -> RunResult + FilmPicture -> files
+//! ```
+//!
+//! Reading order: [`unit`] (quantities with units, over the table in `dimension.rs`), [`scene`] (what a user can
+//! say), [`schema`] (how it is written, over the collecting `reader.rs`), [`validate`] (what can be computed),
+//! [`complaint`] (what is said where it cannot), [`mod@run`], [`report`] (the numbers), [`vtu`] (the fields),
+//! [`results`] (the files).
+
+pub mod complaint;
+mod dimension;
+mod reader;
+pub mod report;
+pub mod results;
+pub mod run;
+pub mod scene;
+pub mod schema;
+pub mod spelling;
+pub mod unit;
+pub mod validate;
+pub mod vtu;
+
+pub use complaint::{Complaint, SceneError};
+pub use run::{Error, Run, RunOptions, check_mesh, check_scene, run};
+pub use scene::Scene;

@@ -1,0 +1,63 @@
+//! `oilwedge check`: what a scene or mesh holds, or what is wrong with it. Nothing is solved or written.
+
+use crate::complain::{self, Failure};
+use crate::terminal;
+use oilwedge_scene::{Error, Scene};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// Arguments of `oilwedge check`.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Check {
+    /// A scene (TOML), or a mesh by itself (a gmsh 4.1 file, its name ending in .msh, lengths in metres).
+    #[arg(value_name = "SCENE|MESH")]
+    file: PathBuf,
+
+    /// Print what was found as one JSON object.
+    #[arg(long)]
+    json: bool,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  oilwedge check bearing.toml
+  oilwedge check meshes/liner.msh --json
+
+Exit status: 0 it can be used; 2 it cannot (everything that is wrong is told on stderr).";
+
+impl Check {
+    /// Checks the file, and prints what is in it.
+    ///
+    /// # Errors
+    /// [`Failure`]: the scene or mesh cannot be used.
+    pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
+        let found = match is_mesh(&self.file) {
+            true => oilwedge_scene::check_mesh(&self.file)?,
+            false => oilwedge_scene::check_scene(&Scene::read(&self.file)?)?,
+        };
+        let json = found.to_json().map_err(Error::from)?;
+        complain::warn(&found.warnings);
+        match self.json {
+            true => terminal::print(&json)?,
+            false => terminal::print(&terminal::check_report(&found))?,
+        }
+        Ok(ExitCode::SUCCESS)
+    }
+}
+
+fn is_mesh(file: &Path) -> bool {
+    file.extension()
+        .is_some_and(|ending| ending.eq_ignore_ascii_case("msh"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn meshes_are_told_by_their_ending() {
+        assert!(is_mesh(Path::new("liner.msh")) && is_mesh(Path::new("LINER.MSH")));
+        assert!(!is_mesh(Path::new("bearing.toml")) && !is_mesh(Path::new("msh")));
+    }
+}

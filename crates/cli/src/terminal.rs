@@ -1,0 +1,265 @@
+//! Tables for people, on stdout.
+
+use crate::complain::Failure;
+use crate::readable::{readable_unit, significant};
+use comfy_table::{CellAlignment, ContentArrangement, Table, presets};
+use oilwedge_scene::report::{CheckReport, Effects, MeshFacts, Quantity, RunResult, Status};
+use std::io::{ErrorKind, Write};
+use std::path::Path;
+
+/// Prints a text to stdout; that the reader has gone away already (`| head`) is no fault.
+///
+/// # Errors
+/// [`Failure::Output`] where stdout cannot be written to.
+pub(crate) fn print(text: &str) -> Result<(), Failure> {
+    let mut out = std::io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::Output(error)),
+        _ => Ok(()),
+    }
+}
+
+/// Everything about a run: what was simulated, the numbers, the balances and where the time went.
+pub(crate) fn run_report(result: &RunResult, folder: &Path, picture: bool) -> String {
+    let mut parts = vec![heading(&result.title, status(result.status))];
+    if let Some(reason) = &result.reason {
+        parts.push(format!("reason: {reason}"));
+    }
+    parts.push(effects(&result.effects));
+    if !result.quantities.is_empty() {
+        parts.push(quantities(&result.quantities));
+        let (mass, force) = (
+            significant(result.balances.mass, 2),
+            significant(result.balances.force, 2),
+        );
+        parts.push(format!(
+            "balances  mass {mass}, force {force} (relative; zero is closed)"
+        ));
+    }
+    let counts = result.counts;
+    let work = [
+        (counts.nonlinear_iterations, "nonlinear iterations"),
+        (counts.factorisations, "factorisations"),
+        (counts.linear_solves, "linear solves"),
+    ];
+    let work = work.map(|(count, what)| format!("{count} {what}")).join(", ");
+    let timing: Vec<_> = result
+        .timing_s
+        .iter()
+        .map(|(part, seconds)| format!("{part} {}", time(*seconds)))
+        .collect();
+    let files = if picture {
+        "result.json, film.vtu"
+    } else {
+        "result.json"
+    };
+    parts.push(format!(
+        "mesh      {}\nwork      {work}\ntime      {}\nwritten   {}: {files}",
+        mesh(&result.mesh),
+        timing.join(", "),
+        folder.display(),
+    ));
+    parts.join("\n\n") + "\n"
+}
+
+/// Everything about a scene or mesh that can be used.
+pub(crate) fn check_report(found: &CheckReport) -> String {
+    let mut parts = vec![heading(
+        found.title.as_deref().unwrap_or(&found.mesh_file),
+        "can be used",
+    )];
+    parts.extend(found.effects.as_ref().map(effects));
+    if !found.regions.is_empty() {
+        let mut table = table(["region", "kind", "parts"]);
+        for region in &found.regions {
+            table.add_row([region.name.clone(), region.kind.clone(), region.parts.to_string()]);
+        }
+        align_right(&mut table, 2);
+        parts.push(table.to_string());
+    }
+    parts.push(format!("mesh      {}: {}", found.mesh_file, mesh(&found.mesh)));
+    parts.join("\n\n") + "\n"
+}
+
+fn heading(title: &str, status: &str) -> String {
+    format!("{title}: {status}")
+}
+
+fn status(status: Status) -> &'static str {
+    match status {
+        Status::Converged => "converged",
+        Status::NoSolution => "there is no solution",
+        Status::NotConverged => "not converged",
+    }
+}
+
+fn mesh(facts: &MeshFacts) -> String {
+    let MeshFacts {
+        cells,
+        nodes,
+        order,
+        min_angle_deg,
+    } = facts;
+    format!(
+        "{cells} triangles of order {order}, {nodes} nodes, smallest angle {} deg",
+        significant(*min_angle_deg, 3)
+    )
+}
+
+fn effects(effects: &Effects) -> String {
+    let mut table = table(["simulated", "not simulated"]);
+    let rows = effects.simulated.len().max(effects.not_simulated.len());
+    for row in 0..rows {
+        let name = |names: &[String]| names.get(row).cloned().unwrap_or_default();
+        table.add_row([name(&effects.simulated), name(&effects.not_simulated)]);
+    }
+    table.to_string()
+}
+
+fn quantities(quantities: &[Quantity]) -> String {
+    let bars = quantities.iter().any(|quantity| quantity.error.is_some());
+    let mut table = match bars {
+        true => table(["quantity", "symbol", "value", "± error", "unit"]),
+        false => table(["quantity", "symbol", "value", "unit"]),
+    };
+    for quantity in quantities {
+        let (unit, size) = readable_unit(quantity.value, &quantity.unit);
+        let value = significant(quantity.value / size, 6);
+        let error = quantity
+            .error
+            .map_or(String::new(), |error| significant(error / size, 2));
+        let (name, symbol, unit) = (quantity.name.clone(), quantity.symbol.clone(), unit.to_string());
+        match bars {
+            true => table.add_row([name, symbol, value, error, unit]),
+            false => table.add_row([name, symbol, value, unit]),
+        };
+    }
+    align_right(&mut table, 2);
+    if bars {
+        align_right(&mut table, 3);
+    }
+    table.to_string()
+}
+
+fn table<const N: usize>(header: [&str; N]) -> Table {
+    let mut table = Table::new();
+    table
+        .load_style(presets::UTF8_HORIZONTAL_ONLY)
+        .set_content_arrangement(ContentArrangement::Dynamic);
+    table.set_header(header);
+    table
+}
+
+fn align_right(table: &mut Table, column: usize) {
+    if let Some(column) = table.column_mut(column) {
+        column.set_cell_alignment(CellAlignment::Right);
+    }
+}
+
+fn time(seconds: f64) -> String {
+    match seconds < 1.0 {
+        true => format!("{} ms", significant(1e3 * seconds, 3)),
+        false => format!("{} s", significant(seconds, 3)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use oilwedge_scene::report::{Balances, CHECK_FORMAT, Counts, RESULT_FORMAT, RegionFacts};
+
+    fn result() -> RunResult {
+        let mut angle = Quantity::new("attitude_angle", "beta", 49.29, "deg");
+        angle.error = Some(0.0123);
+        RunResult {
+            format: RESULT_FORMAT.into(),
+            title: "Hole-fed shell".into(),
+            version: "0.1.0".into(),
+            scene_sha256: String::new(),
+            mesh_sha256: String::new(),
+            status: Status::Converged,
+            reason: None,
+            effects: Effects {
+                simulated: vec!["poiseuille".into(), "couette".into()],
+                not_simulated: vec!["squeeze".into()],
+            },
+            mesh: MeshFacts {
+                cells: 592,
+                nodes: 1245,
+                order: 2,
+                min_angle_deg: 31.04,
+            },
+            quantities: vec![Quantity::new("load", "W", 12_910.0, "N"), angle],
+            balances: Balances {
+                mass: 1.2e-12,
+                force: 0.0,
+            },
+            history: vec![],
+            counts: Counts {
+                nonlinear_iterations: 1,
+                factorisations: 1,
+                linear_solves: 1,
+                ..Counts::default()
+            },
+            timing_s: vec![("read".into(), 0.0123), ("total".into(), 1.5)],
+            warnings: vec![],
+        }
+    }
+
+    #[test]
+    fn a_run_is_told_in_readable_units() {
+        let text = run_report(&result(), Path::new("out/shell"), true);
+        let parts = [
+            "Hole-fed shell: converged",
+            "not simulated",
+            "12.9100",
+            "kN",
+            "49.2900",
+            "0.012",
+            "mass 1.2e-12",
+            "592 triangles of order 2, 1245 nodes, smallest angle 31.0 deg",
+            "read 12.3 ms, total 1.50 s",
+            "out/shell: result.json, film.vtu",
+        ];
+        for part in parts {
+            assert!(text.contains(part), "{part}:\n{text}");
+        }
+    }
+
+    #[test]
+    fn without_a_solution_there_is_a_reason_and_no_number() {
+        let mut result = result();
+        result.status = Status::NoSolution;
+        result.reason = Some("no steady film above ...".into());
+        result.quantities.clear();
+        let text = run_report(&result, Path::new("out/shell"), false);
+        assert!(
+            text.contains("there is no solution") && text.contains("reason: no steady film"),
+            "{text}"
+        );
+        assert!(!text.contains("balances") && !text.contains("film.vtu"), "{text}");
+    }
+
+    #[test]
+    fn a_mesh_is_told_by_its_regions() {
+        let regions = vec![RegionFacts {
+            name: "end_low".into(),
+            kind: "curve".into(),
+            parts: 24,
+        }];
+        let found = CheckReport {
+            format: CHECK_FORMAT.into(),
+            title: None,
+            mesh_file: "liner.msh".into(),
+            effects: None,
+            mesh: MeshFacts::default(),
+            regions,
+            warnings: vec![],
+        };
+        let text = check_report(&found);
+        assert!(
+            text.contains("liner.msh: can be used") && text.contains("end_low"),
+            "{text}"
+        );
+    }
+}

@@ -1,0 +1,91 @@
+//! What can be wrong with a scene, said so that its author can put it right. All complaints come at once.
+
+use std::ops::Range;
+use std::path::PathBuf;
+
+/// One thing that is wrong with a scene.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Complaint {
+    /// The key with its tables, `feed[0].hole.diameter` (feeds are counted from 0); empty for a fault of the TOML
+    /// itself.
+    pub key: String,
+    /// The value as it is written; empty where there is none.
+    pub value: String,
+    /// What is wrong, as the end of a sentence that begins with the key.
+    pub message: String,
+    /// The way out.
+    pub help: String,
+    /// Bytes of the scene's text that are meant.
+    pub span: Option<Range<usize>>,
+}
+
+impl std::fmt::Display for Complaint {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self.key.is_empty() {
+            true => write!(formatter, "{}", self.message),
+            false => write!(formatter, "{}: {}", self.key, self.message),
+        }
+    }
+}
+
+/// Why a scene was not read.
+#[derive(Debug, thiserror::Error)]
+pub enum SceneError {
+    /// The file is not there or may not be read.
+    #[error("cannot read the scene {}: {source}", path.display())]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        source: std::io::Error,
+    },
+    /// The path names a directory, a device or a pipe.
+    #[error("the scene {} is not a plain file; give the path of a scene in TOML", path.display())]
+    NotAFile {
+        /// The path.
+        path: PathBuf,
+    },
+    /// The file is far larger than any scene.
+    #[error("the scene {} is larger than {limit} bytes, so it is no scene; is it a mesh or a result?", path.display())]
+    TooLarge {
+        /// The file.
+        path: PathBuf,
+        /// The largest size that is read [bytes].
+        limit: u64,
+    },
+    /// The file is not text.
+    #[error("the scene {} is not UTF-8 text (first wrong byte: {offset}); save it as UTF-8", path.display())]
+    NotText {
+        /// The file.
+        path: PathBuf,
+        /// Where the first wrong byte stands.
+        offset: usize,
+    },
+    /// The text is not TOML.
+    #[error("the scene {} is not valid TOML{}", path.display(), list(complaints))]
+    Syntax {
+        /// The file.
+        path: PathBuf,
+        /// Its text.
+        text: String,
+        /// All faults, in the order of the text; their key is empty.
+        complaints: Vec<Complaint>,
+    },
+    /// The TOML is not a scene that can be computed.
+    #[error("the scene {} cannot be used{}", path.display(), list(complaints))]
+    Complaints {
+        /// The file.
+        path: PathBuf,
+        /// Its text.
+        text: String,
+        /// All complaints, in the order of the text.
+        complaints: Vec<Complaint>,
+    },
+}
+
+fn list(complaints: &[Complaint]) -> String {
+    complaints
+        .iter()
+        .map(|complaint| format!("\n  {complaint} ({})", complaint.help))
+        .collect()
+}

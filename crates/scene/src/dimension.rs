@@ -1,0 +1,151 @@
+//! The kinds of quantities that a scene holds, and the units of each.
+
+use std::f64::consts::PI;
+
+/// What kind of quantity a key asks for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Dimension {
+    /// Length [m].
+    Length,
+    /// Angle [rad].
+    Angle,
+    /// Pressure [Pa].
+    Pressure,
+    /// Dynamic viscosity [Pa.s].
+    Viscosity,
+    /// Angular speed [rad/s].
+    Speed,
+    /// Inverse pressure [1/Pa].
+    InversePressure,
+    /// Force [N].
+    Force,
+    /// Velocity [m/s].
+    Velocity,
+    /// Ratio [1]; a number without a unit is allowed here, and only here.
+    Ratio,
+}
+
+/// All kinds.
+pub(crate) const ALL: [Dimension; 9] = [
+    Dimension::Length,
+    Dimension::Angle,
+    Dimension::Pressure,
+    Dimension::Viscosity,
+    Dimension::Speed,
+    Dimension::InversePressure,
+    Dimension::Force,
+    Dimension::Velocity,
+    Dimension::Ratio,
+];
+
+const BAR: f64 = 1e5;
+const ATMOSPHERE: f64 = 101_325.0;
+const INCH: f64 = 0.0254;
+const POUND_FORCE: f64 = 4.448_221_615_260_5;
+const PSI: f64 = POUND_FORCE / (INCH * INCH);
+
+impl Dimension {
+    /// The kind in words, with its article: `a length`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Length => "a length",
+            Self::Angle => "an angle",
+            Self::Pressure => "a pressure",
+            Self::Viscosity => "a dynamic viscosity",
+            Self::Speed => "an angular speed",
+            Self::InversePressure => "an inverse pressure",
+            Self::Force => "a force",
+            Self::Velocity => "a velocity",
+            Self::Ratio => "a ratio",
+        }
+    }
+
+    /// A quantity of this kind as one would write it in a scene.
+    pub fn example(self) -> &'static str {
+        match self {
+            Self::Length => "25 mm",
+            Self::Angle => "40 deg",
+            Self::Pressure => "0.98 bar",
+            Self::Viscosity => "40 mPa.s",
+            Self::Speed => "3000 rpm",
+            Self::InversePressure => "2.5e-8 1/Pa",
+            Self::Force => "5 kN",
+            Self::Velocity => "2 m/s",
+            Self::Ratio => "0.1 %",
+        }
+    }
+
+    /// The units of this kind: their name and their size in SI.
+    pub fn units(self) -> &'static [(&'static str, f64)] {
+        match self {
+            Self::Length => &[
+                ("m", 1.0),
+                ("cm", 1e-2),
+                ("mm", 1e-3),
+                ("um", 1e-6),
+                ("nm", 1e-9),
+                ("in", INCH),
+                ("inch", INCH),
+                ("mil", 1e-3 * INCH),
+            ],
+            Self::Angle => &[("rad", 1.0), ("mrad", 1e-3), ("deg", PI / 180.0)],
+            Self::Pressure => &[
+                ("Pa", 1.0),
+                ("kPa", 1e3),
+                ("MPa", 1e6),
+                ("GPa", 1e9),
+                ("mbar", 1e-3 * BAR),
+                ("bar", BAR),
+                ("atm", ATMOSPHERE),
+                ("psi", PSI),
+                ("N/m2", 1.0),
+                ("N/mm2", 1e6),
+            ],
+            Self::Viscosity => &[
+                ("Pa.s", 1.0),
+                ("mPa.s", 1e-3),
+                ("uPa.s", 1e-6),
+                ("P", 0.1),
+                ("cP", 1e-3),
+                ("N.s/m2", 1.0),
+                ("kg/m/s", 1.0),
+                ("reyn", PSI),
+            ],
+            Self::Speed => &[
+                ("rad/s", 1.0),
+                ("1/s", 1.0),
+                ("rpm", PI / 30.0),
+                ("Hz", 2.0 * PI),
+                ("deg/s", PI / 180.0),
+            ],
+            Self::InversePressure => &[
+                ("1/Pa", 1.0),
+                ("1/kPa", 1e-3),
+                ("1/MPa", 1e-6),
+                ("1/GPa", 1e-9),
+                ("1/bar", 1.0 / BAR),
+                ("1/psi", 1.0 / PSI),
+                ("m2/N", 1.0),
+                ("mm2/N", 1e-6),
+            ],
+            Self::Force => &[
+                ("N", 1.0),
+                ("kN", 1e3),
+                ("MN", 1e6),
+                ("lbf", POUND_FORCE),
+                ("kgf", 9.806_65),
+            ],
+            Self::Velocity => &[("m/s", 1.0), ("mm/s", 1e-3), ("um/s", 1e-6), ("km/h", 1.0 / 3.6)],
+            Self::Ratio => &[("%", 1e-2), ("ppm", 1e-6)],
+        }
+    }
+
+    /// The units of this kind in one line: `m, cm, mm, um`.
+    pub fn unit_names(self) -> String {
+        self.units()
+            .iter()
+            .map(|(name, _)| *name)
+            .collect::<Vec<_>>()
+            .join(", ")
+    }
+}

@@ -1,0 +1,357 @@
+//! A small reader of TOML tables that collects complaints instead of stopping at the first.
+//!
+//! Where a value is wrong, the complaint is kept and a neutral value is handed on: NaN for a number, nothing for a
+//! text. Texts and numbers of a scene are never NaN, so the checks of ranges pass over what was complained about
+//! already. Keys that were not asked for when a table is finished are unknown.
+
+use crate::complaint::Complaint;
+use crate::spelling::nearest;
+use crate::unit::{self, Dimension};
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::ops::Range;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// Where the values of a scene stand in its text.
+#[derive(Debug, Default)]
+pub(crate) struct Marks {
+    text: String,
+    spans: BTreeMap<String, Range<usize>>,
+}
+
+impl Marks {
+    /// Whether the key is written.
+    pub(crate) fn has(&self, key: &str) -> bool {
+        self.spans.contains_key(key)
+    }
+
+    /// A complaint about the value of `key`; about the table above it where the key is not written.
+    pub(crate) fn complaint(&self, key: &str, message: impl Into<String>, help: impl Into<String>) -> Complaint {
+        let written = self.spans.get(key).cloned();
+        let value = written.clone().and_then(|span| self.text.get(span)).unwrap_or_default();
+        let above = || {
+            key.rsplit_once('.')
+                .and_then(|(table, _)| self.spans.get(table).cloned())
+        };
+        Complaint {
+            key: key.to_string(),
+            value: value.to_string(),
+            message: message.into(),
+            help: help.into(),
+            span: written.or_else(above),
+        }
+    }
+}
+
+/// What the readers of all tables of one text collect.
+#[derive(Debug)]
+pub(crate) struct Collector {
+    marks: RefCell<Marks>,
+    complaints: RefCell<Vec<Complaint>>,
+}
+
+impl Collector {
+    /// Nothing yet, for a scene of this text.
+    pub(crate) fn new(text: &str) -> Self {
+        let marks = Marks {
+            text: text.to_string(),
+            spans: BTreeMap::new(),
+        };
+        Self {
+            marks: RefCell::new(marks),
+            complaints: RefCell::default(),
+        }
+    }
+
+    /// The places of all values, and what was wrong.
+    pub(crate) fn finish(self) -> (Marks, Vec<Complaint>) {
+        (self.marks.into_inner(), self.complaints.into_inner())
+    }
+
+    fn complain(&self, key: &str, message: impl Into<String>, help: impl Into<String>) {
+        let complaint = self.marks.borrow().complaint(key, message, help);
+        self.complaints.borrow_mut().push(complaint);
+    }
+
+    fn mark(&self, key: &str, span: Range<usize>) {
+        self.marks.borrow_mut().spans.insert(key.to_string(), span);
+    }
+}
+
+/// Reads one table.
+#[derive(Debug)]
+pub(crate) struct TableReader<'a> {
+    collector: &'a Collector,
+    /// `None`: the table is not there or not a table, and was complained about.
+    table: Option<&'a DeTable<'a>>,
+    path: String,
+    known: Vec<&'static str>,
+}
+
+impl<'a> TableReader<'a> {
+    /// Reads the table of the whole text.
+    pub(crate) fn root(collector: &'a Collector, table: &'a DeTable<'a>) -> Self {
+        Self {
+            collector,
+            table: Some(table),
+            path: String::new(),
+            known: Vec::new(),
+        }
+    }
+
+    /// Path of a key of this table.
+    pub(crate) fn key(&self, key: &str) -> String {
+        if self.path.is_empty() {
+            key.to_string()
+        } else {
+            format!("{}.{key}", self.path)
+        }
+    }
+
+    /// Whether the key is written.
+    pub(crate) fn has(&self, key: &str) -> bool {
+        self.table.is_some_and(|table| table.contains_key(key))
+    }
+
+    /// Whether there is a table at all; if not, that was complained about.
+    pub(crate) fn is_readable(&self) -> bool {
+        self.table.is_some()
+    }
+
+    /// Complains about a key of this table.
+    pub(crate) fn complain(&self, key: &str, message: impl Into<String>, help: impl Into<String>) {
+        self.collector.complain(&self.key(key), message, help);
+    }
+
+    /// A physical quantity in SI that must be there.
+    pub(crate) fn quantity(&mut self, key: &'static str, dimension: Dimension, example: &str) -> f64 {
+        self.require(key, &format!("\"{example}\""));
+        self.quantity_if_given(key, dimension, example).unwrap_or(f64::NAN)
+    }
+
+    /// A physical quantity in SI, if it is written.
+    pub(crate) fn quantity_if_given(&mut self, key: &'static str, dimension: Dimension, example: &str) -> Option<f64> {
+        let write = format!("write {key} = \"{example}\"");
+        match self.take(key)? {
+            DeValue::String(text) => match unit::parse(text, dimension) {
+                Ok(value) => return Some(value),
+                Err(error) => self.complain(key, error.to_string(), error.help()),
+            },
+            DeValue::Integer(_) | DeValue::Float(_) => {
+                let message = format!("a bare number has no unit; {} is wanted", dimension.name());
+                self.complain(
+                    key,
+                    message,
+                    format!("{write} (a text with a unit: {})", dimension.unit_names()),
+                );
+            }
+            other => self.complain(
+                key,
+                format!("{} is wanted, not {}", dimension.name(), kind(other)),
+                write,
+            ),
+        }
+        Some(f64::NAN)
+    }
+
+    /// A plain number that must be there.
+    pub(crate) fn number(&mut self, key: &'static str, example: &str) -> f64 {
+        self.require(key, example);
+        self.number_if_given(key, example).unwrap_or(f64::NAN)
+    }
+
+    /// A plain number, if it is written.
+    pub(crate) fn number_if_given(&mut self, key: &'static str, example: &str) -> Option<f64> {
+        let value = match self.take(key)? {
+            DeValue::Integer(digits) if digits.radix() == 10 => digits.as_str().parse().ok(),
+            DeValue::Integer(digits) => i64::from_str_radix(digits.as_str(), digits.radix())
+                .ok()
+                .map(|value| value as f64),
+            DeValue::Float(digits) => digits.as_str().parse().ok(),
+            other => {
+                let message = format!("a plain number is wanted, not {}", kind(other));
+                self.complain(
+                    key,
+                    message,
+                    format!("write {key} = {example}, without quotes and unit"),
+                );
+                return Some(f64::NAN);
+            }
+        };
+        match value.filter(|value: &f64| value.is_finite()) {
+            Some(value) => Some(value),
+            None => {
+                self.complain(
+                    key,
+                    "is not a finite number",
+                    format!("write for example {key} = {example}"),
+                );
+                Some(f64::NAN)
+            }
+        }
+    }
+
+    /// A text that must be there and not be empty; empty where it was complained about.
+    pub(crate) fn text(&mut self, key: &'static str, example: &str) -> String {
+        self.require(key, &format!("\"{example}\""));
+        self.text_if_given(key, example).unwrap_or_default()
+    }
+
+    /// A text, if it is written.
+    pub(crate) fn text_if_given(&mut self, key: &'static str, example: &str) -> Option<String> {
+        let write = format!("write for example {key} = \"{example}\"");
+        match self.take(key)? {
+            DeValue::String(text) if !text.trim().is_empty() => return Some(text.to_string()),
+            DeValue::String(_) => self.complain(key, "is empty", write),
+            other => self.complain(key, format!("a text in quotes is wanted, not {}", kind(other)), write),
+        }
+        None
+    }
+
+    /// One of a few words, if it is written; `later` are words of the contract that are not served yet.
+    pub(crate) fn word_if_given<T: Copy>(
+        &mut self,
+        key: &'static str,
+        words: &[(&str, T)],
+        later: &[&str],
+    ) -> Option<T> {
+        let served = words
+            .iter()
+            .map(|(word, _)| format!("\"{word}\""))
+            .collect::<Vec<_>>()
+            .join(" or ");
+        let text = self.text_if_given(key, words.first().map_or("", |(word, _)| word))?;
+        if let Some((_, value)) = words.iter().find(|(word, _)| *word == text) {
+            return Some(*value);
+        }
+        let help = format!("write {key} = {served}");
+        if later.contains(&text.as_str()) {
+            self.complain(key, format!("\"{text}\" is not served yet"), help);
+        } else {
+            let near = nearest(&text, words.iter().map(|(word, _)| *word).chain(later.iter().copied()));
+            let hint = near.map_or(String::new(), |word| format!("; did you mean \"{word}\"?"));
+            self.complain(key, format!("\"{text}\" is not known"), format!("{help}{hint}"));
+        }
+        None
+    }
+
+    /// A table that must be there; `example` is how one writes it.
+    pub(crate) fn table(&mut self, key: &'static str, example: &str) -> TableReader<'a> {
+        if !self.has(key) && self.is_readable() {
+            self.complain(key, "this table is missing", format!("write {example}"));
+        }
+        let path = self.key(key);
+        self.table_if_given(key).unwrap_or(TableReader {
+            collector: self.collector,
+            table: None,
+            path,
+            known: vec![],
+        })
+    }
+
+    /// A table, if it is written.
+    pub(crate) fn table_if_given(&mut self, key: &'static str) -> Option<TableReader<'a>> {
+        let value = self.take(key)?;
+        if !value.is_table() {
+            let message = format!("a table is wanted, not {}", kind(value));
+            let help = match self.path.is_empty() {
+                true => format!("write a line [{key}] and its keys below"),
+                false => format!("write {key} = {{ ... }}"),
+            };
+            self.complain(key, message, help);
+        }
+        Some(TableReader {
+            collector: self.collector,
+            table: value.as_table(),
+            path: self.key(key),
+            known: vec![],
+        })
+    }
+
+    /// A list of tables; none where the key is not written.
+    pub(crate) fn tables(&mut self, key: &'static str) -> Vec<TableReader<'a>> {
+        let Some(value) = self.take(key) else { return Vec::new() };
+        let Some(items) = value.as_array() else {
+            let message = format!("a list of tables is wanted, not {}", kind(value));
+            self.complain(
+                key,
+                message,
+                format!("begin each one with a line [[{key}]] (two brackets)"),
+            );
+            return Vec::new();
+        };
+        let reader = |(index, item): (usize, &'a Spanned<DeValue<'a>>)| {
+            let path = format!("{}[{index}]", self.key(key));
+            self.collector.mark(&path, item.span());
+            if !item.get_ref().is_table() {
+                let message = format!("a table is wanted, not {}", kind(item.get_ref()));
+                self.collector
+                    .complain(&path, message, format!("begin it with a line [[{key}]]"));
+            }
+            TableReader {
+                collector: self.collector,
+                table: item.get_ref().as_table(),
+                path,
+                known: vec![],
+            }
+        };
+        items.iter().enumerate().map(reader).collect()
+    }
+
+    /// Refuses a key of the contract that this version does not serve.
+    pub(crate) fn not_served(&mut self, key: &'static str, instead: &str) {
+        if self.take(key).is_some() {
+            self.complain(key, "is not served yet", instead);
+        }
+    }
+
+    /// Complains about every key that nobody asked for.
+    pub(crate) fn finish(self) {
+        let Some(table) = self.table else { return };
+        for (key, value) in table {
+            let name = key.get_ref().as_ref();
+            if self.known.contains(&name) {
+                continue;
+            }
+            self.collector
+                .mark(&self.key(name), key.span().start..value.span().end.max(key.span().end));
+            let mut known = self.known.clone();
+            known.sort_unstable();
+            let help = match nearest(name, known.iter().copied()) {
+                Some(near) => format!("did you mean \"{near}\"?"),
+                None => format!("known here: {}", known.join(", ")),
+            };
+            let message = if value.get_ref().is_table() {
+                "this table is not known"
+            } else {
+                "this key is not known"
+            };
+            self.complain(name, message, help);
+        }
+    }
+
+    fn require(&self, key: &str, example: &str) {
+        if !self.has(key) && self.is_readable() {
+            self.complain(key, "is missing", format!("write for example {key} = {example}"));
+        }
+    }
+
+    fn take(&mut self, key: &'static str) -> Option<&'a DeValue<'a>> {
+        self.known.push(key);
+        let value = self.table?.get(key)?;
+        self.collector.mark(&self.key(key), value.span());
+        Some(value.get_ref())
+    }
+}
+
+fn kind(value: &DeValue<'_>) -> &'static str {
+    match value {
+        DeValue::String(_) => "a text in quotes",
+        DeValue::Integer(_) | DeValue::Float(_) => "a bare number",
+        DeValue::Boolean(_) => "true or false",
+        DeValue::Datetime(_) => "a date",
+        DeValue::Array(_) => "a list",
+        DeValue::Table(_) => "a table",
+    }
+}

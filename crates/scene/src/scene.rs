@@ -1,0 +1,303 @@
+//! A scene: everything a user says about one bearing, in SI. `Scene::read` is the only way to get one from a file.
+
+use crate::complaint::{Complaint, SceneError};
+use crate::{schema, validate};
+use sha2::{Digest, Sha256};
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+/// The largest scene file that is read [bytes].
+pub const SCENE_LIMIT: u64 = 1 << 20;
+
+/// How many faults of the TOML are told; more follow from the first ones.
+const FAULT_LIMIT: usize = 20;
+
+/// One bearing, as its scene describes it, in SI. Whatever is `None` is not simulated.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scene {
+    /// Title of the study; the name of the file where the scene gives none.
+    pub title: String,
+    /// The liner.
+    pub bearing: Bearing,
+    /// Where the mesh comes from.
+    pub mesh: MeshSource,
+    /// The open ends.
+    pub ends: Ends,
+    /// Regions of given pressure, in the order of the scene.
+    pub feeds: Vec<Feed>,
+    /// The journal and where it is.
+    pub journal: Journal,
+    /// The oil.
+    pub oil: Oil,
+    /// What happens where the film would break; `None`: a full film, whatever its pressure.
+    pub cavitation: Option<Cavitation>,
+    /// SHA-256 of the scene's text, 64 hexadecimal digits.
+    pub sha256: String,
+}
+
+/// The liner.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bearing {
+    /// Bore D [m].
+    pub diameter: f64,
+    /// Full length B [m].
+    pub length: f64,
+    /// Radial clearance c [m].
+    pub clearance: f64,
+    /// The part of the circumference that is liner; `None`: a full ring, periodic.
+    pub arc: Option<Arc>,
+    /// Ring only: angle of an axial line held at the pressure of the ends [rad].
+    pub film_start: Option<f64>,
+}
+
+impl Bearing {
+    /// Journal radius R = D/2 [m].
+    pub fn radius(&self) -> f64 {
+        0.5 * self.diameter
+    }
+}
+
+/// A part of the circumference, counted from +x towards +y; `from < to < from + 2 pi`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Arc {
+    /// Where it begins [rad].
+    pub from: f64,
+    /// Where it ends [rad].
+    pub to: f64,
+}
+
+/// A mesh file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeshSource {
+    /// The file; a relative path of the scene has been put behind the folder of the scene.
+    pub file: PathBuf,
+    /// Length of one unit of the file's coordinates [m].
+    pub unit: f64,
+}
+
+/// The two open ends of the bearing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ends {
+    /// Gauge pressure p_e at both ends [Pa].
+    pub pressure: f64,
+}
+
+/// A region of given pressure.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Feed {
+    /// Physical group of the mesh that is the region: a curve (cut out) or a surface (meshed).
+    pub group: String,
+    /// The round hole that the region is, where the scene says so.
+    pub hole: Option<Hole>,
+    /// Gauge pressure p_s [Pa].
+    pub pressure: f64,
+}
+
+/// A round hole on the developed surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hole {
+    /// Diameter [m].
+    pub diameter: f64,
+    /// Angle of its centre [rad].
+    pub angle: f64,
+    /// Axial position of its centre [m]; 0 is midway between the ends.
+    pub z: f64,
+}
+
+/// The journal at a fixed position.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Journal {
+    /// Angular speed omega [rad/s]; positive towards growing angles.
+    pub speed: f64,
+    /// Eccentricity ratio eps = |e|/c, 0 <= eps < 1.
+    pub eccentricity: f64,
+    /// Angle of the thinnest film [rad]; 0 where the journal is centred and the scene gives none.
+    pub min_film_angle: f64,
+}
+
+/// The oil.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Oil {
+    /// Dynamic viscosity mu0 at gauge pressure zero [Pa.s].
+    pub viscosity: f64,
+    /// How the viscosity depends on pressure.
+    pub pressure_law: PressureLaw,
+}
+
+/// How the viscosity depends on pressure.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum PressureLaw {
+    /// mu = mu0.
+    Constant,
+    /// mu = mu0 exp(alpha p).
+    Barus {
+        /// Pressure-viscosity coefficient alpha [1/Pa], not negative.
+        alpha: f64,
+        /// Which equation is solved.
+        form: BarusForm,
+    },
+    /// mu = mu0 exp((ln mu0 + 9.67) ((1 + p/p_r)^z - 1)), mu0 in Pa.s.
+    Roelands {
+        /// The exponent, directly or by the slope at zero pressure.
+        exponent: RoelandsExponent,
+        /// Reference pressure p_r [Pa].
+        reference_pressure: f64,
+    },
+}
+
+/// Where the viscosity stands in Reynolds' equation with Barus' law.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum BarusForm {
+    /// Under the divergence: a balance of mass.
+    #[default]
+    Conservative,
+    /// On the right-hand side, div(h^3 grad p) = 12 mu(p) (...), as the FlexPDE study prints it.
+    AsPrinted,
+}
+
+/// How steep Roelands' law is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum RoelandsExponent {
+    /// Roelands' exponent z [1], not negative.
+    Z(f64),
+    /// Pressure-viscosity coefficient at zero pressure alpha [1/Pa], not negative: z = alpha p_r/(ln mu0 + 9.67).
+    Alpha(f64),
+}
+
+/// What happens where the film would break.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cavitation {
+    /// The closure.
+    pub model: CavitationModel,
+    /// Gauge pressure in the cavity p_c [Pa].
+    pub pressure: f64,
+}
+
+/// The closures that are served.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CavitationModel {
+    /// Full Sommerfeld film: the oil bears any tension.
+    None,
+    /// Pressures below the cavity pressure are dropped after the solve.
+    Guembel,
+}
+
+impl Scene {
+    /// Reads and checks the scene in the file `path`.
+    ///
+    /// # Errors
+    /// [`SceneError`]: the file cannot be read, is no TOML, or is no scene that can be computed; in the last two
+    /// cases everything that is wrong is told at once.
+    pub fn read(path: &Path) -> Result<Self, SceneError> {
+        let fail = |source| SceneError::Read {
+            path: path.to_path_buf(),
+            source,
+        };
+        let metadata = std::fs::metadata(path).map_err(fail)?;
+        if !metadata.is_file() {
+            return Err(SceneError::NotAFile {
+                path: path.to_path_buf(),
+            });
+        }
+        let mut bytes = Vec::new();
+        let file = std::fs::File::open(path).map_err(fail)?;
+        file.take(SCENE_LIMIT + 1).read_to_end(&mut bytes).map_err(fail)?;
+        if bytes.len() as u64 > SCENE_LIMIT {
+            return Err(SceneError::TooLarge {
+                path: path.to_path_buf(),
+                limit: SCENE_LIMIT,
+            });
+        }
+        let text = String::from_utf8(bytes).map_err(|error| SceneError::NotText {
+            path: path.to_path_buf(),
+            offset: error.utf8_error().valid_up_to(),
+        })?;
+        Self::from_text(&text, path, Path::is_file)
+    }
+
+    /// Checks the scene `text`; `path` is where it stands: its folder is where a relative mesh file is looked for,
+    /// its name is the title where the scene gives none. Nothing is read from the disk, and the mesh need not exist.
+    ///
+    /// # Errors
+    /// [`SceneError::Syntax`] and [`SceneError::Complaints`], with everything that is wrong.
+    pub fn parse(text: &str, path: &Path) -> Result<Self, SceneError> {
+        Self::from_text(text, path, |_| true)
+    }
+
+    fn from_text(text: &str, path: &Path, mesh_exists: impl Fn(&Path) -> bool) -> Result<Self, SceneError> {
+        let (document, faults) = toml::de::DeTable::parse_recoverable(text);
+        if !faults.is_empty() {
+            let complaints = in_order(faults.iter().take(FAULT_LIMIT).map(fault).collect());
+            return Err(SceneError::Syntax {
+                path: path.to_path_buf(),
+                text: text.to_string(),
+                complaints,
+            });
+        }
+        let (mut scene, marks, mut complaints) = schema::read_scene(document.get_ref(), text, path);
+        complaints.extend(validate::complaints(&scene, &marks));
+        let named = marks.has("mesh.file") && complaints.iter().all(|complaint| complaint.key != "mesh.file");
+        if named && !mesh_exists(&scene.mesh.file) {
+            let message = format!("there is no file {}", scene.mesh.file.display());
+            let help = "give the path of a gmsh 4.1 file, counted from the folder of the scene";
+            complaints.push(marks.complaint("mesh.file", message, help));
+        }
+        if complaints.is_empty() {
+            scene.sha256 = Sha256::digest(text.as_bytes())
+                .iter()
+                .map(|byte| format!("{byte:02x}"))
+                .collect();
+            return Ok(scene);
+        }
+        let complaints = in_order(complaints);
+        Err(SceneError::Complaints {
+            path: path.to_path_buf(),
+            text: text.to_string(),
+            complaints,
+        })
+    }
+}
+
+fn fault(error: &toml::de::Error) -> Complaint {
+    Complaint {
+        key: String::new(),
+        value: String::new(),
+        message: error.message().to_string(),
+        help: "a scene is TOML: [table] lines, and key = \"value with unit\" lines below them".to_string(),
+        span: error.span(),
+    }
+}
+
+/// In the order of the text; complaints without a place come last.
+fn in_order(mut complaints: Vec<Complaint>) -> Vec<Complaint> {
+    complaints.sort_by_key(|complaint| complaint.span.as_ref().map_or(usize::MAX, |span| span.start));
+    complaints
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_that_are_no_scenes_are_refused_by_name() -> std::io::Result<()> {
+        let folder = tempfile::tempdir()?;
+        let path = folder.path().join("scene.toml");
+        assert!(matches!(Scene::read(&path), Err(SceneError::Read { .. })));
+        assert!(matches!(Scene::read(folder.path()), Err(SceneError::NotAFile { .. })));
+        assert!(matches!(
+            Scene::read(Path::new("/dev/zero")),
+            Err(SceneError::NotAFile { .. })
+        ));
+        std::fs::write(&path, vec![b'#'; SCENE_LIMIT as usize + 1])?;
+        assert!(matches!(Scene::read(&path), Err(SceneError::TooLarge { .. })));
+        std::fs::write(&path, b"title = \"\xff\"")?;
+        assert!(matches!(Scene::read(&path), Err(SceneError::NotText { offset: 9, .. })));
+        std::fs::write(&path, "\u{feff}titel = 5\r\n")?;
+        let error = Scene::read(&path).expect_err("no scene").to_string();
+        assert!(
+            error.contains("titel: this key is not known (did you mean \"title\"?)"),
+            "{error}"
+        );
+        Ok(())
+    }
+}

@@ -1,0 +1,338 @@
+//! The keys of a scene: which there are, what each means, and which are promised but not served yet.
+
+mod oil;
+
+pub use oil::ROELANDS_REFERENCE_PRESSURE;
+
+use crate::complaint::Complaint;
+use crate::reader::{Collector, Marks, TableReader};
+use crate::scene::{Arc, Bearing, Cavitation, CavitationModel, Ends, Feed, Hole, Journal, MeshSource, Scene};
+use crate::unit::{self, Dimension};
+use std::path::Path;
+use toml::de::DeTable;
+
+/// The scene in SI, where its values stand, and all complaints about keys and units. With a complaint, numbers of
+/// the scene may be NaN and texts empty.
+pub(crate) fn read_scene<'a>(table: &'a DeTable<'a>, text: &str, path: &Path) -> (Scene, Marks, Vec<Complaint>) {
+    let collector = Collector::new(text);
+    let scene = scene(TableReader::root(&collector, table), path);
+    let (marks, complaints) = collector.finish();
+    (scene, marks, complaints)
+}
+
+fn scene(mut root: TableReader<'_>, path: &Path) -> Scene {
+    let stem = || {
+        path.file_stem()
+            .map_or(String::new(), |stem| stem.to_string_lossy().into_owned())
+    };
+    let scene = Scene {
+        title: root
+            .text_if_given("title", "Plain journal bearing")
+            .unwrap_or_else(stem),
+        bearing: bearing(root.table("bearing", "[bearing] with diameter, length and clearance")),
+        mesh: mesh(root.table("mesh", MESH_EXAMPLE), path),
+        ends: ends(root.table(
+            "ends",
+            "[ends] with pressure = \"0 bar\" (the gauge pressure at both open ends)",
+        )),
+        feeds: root.tables("feed").into_iter().map(feed).collect(),
+        journal: journal(root.table("journal", "[journal] with speed, eccentricity and min_film_angle")),
+        oil: oil::read(root.table("oil", "[oil] with viscosity = \"40 mPa.s\"")),
+        cavitation: root.table_if_given("cavitation").and_then(cavitation),
+        sha256: String::new(),
+    };
+    root.not_served(
+        "load",
+        "give the position instead: [journal] with eccentricity and min_film_angle",
+    );
+    root.not_served(
+        "heat",
+        "remove it; the oil has one temperature, that of the viscosity given",
+    );
+    root.not_served("sweep", "remove it, and solve one scene for each point");
+    root.finish();
+    scene
+}
+
+const MESH_EXAMPLE: &str =
+    "[mesh] with file = \"liner.msh\", a gmsh 4.1 file (meshing the liner described here is not served yet)";
+
+const MESH_FILE: &str = "../meshes/liner.msh";
+
+fn bearing(mut table: TableReader<'_>) -> Bearing {
+    let bearing = Bearing {
+        diameter: table.quantity("diameter", Dimension::Length, "75 mm"),
+        length: table.quantity("length", Dimension::Length, "75 mm"),
+        clearance: table.quantity("clearance", Dimension::Length, "37.5 um"),
+        arc: table.table_if_given("arc").map(|mut arc| {
+            let from = arc.quantity("from", Dimension::Angle, "40 deg");
+            let to = arc.quantity("to", Dimension::Angle, "220 deg");
+            arc.finish();
+            Arc { from, to }
+        }),
+        film_start: table.quantity_if_given("film_start", Dimension::Angle, "180 deg"),
+    };
+    table.finish();
+    bearing
+}
+
+fn mesh(mut table: TableReader<'_>, scene: &Path) -> MeshSource {
+    // A scene with a size did not forget its file: one complaint is enough.
+    let file = match table.has("size") {
+        true => table.text_if_given("file", MESH_FILE).unwrap_or_default(),
+        false => table.text("file", MESH_FILE),
+    };
+    let unit = table
+        .text_if_given("unit", "mm")
+        .map(|name| match unit::unit_size(&name, Dimension::Length) {
+            Ok(size) => size,
+            Err(error) => {
+                table.complain(
+                    "unit",
+                    error.to_string(),
+                    format!("write for example unit = \"mm\"; {}", error.help()),
+                );
+                f64::NAN
+            }
+        });
+    table.not_served("size", "make the mesh with gmsh and give its file = \"liner.msh\"");
+    table.not_served("tolerance", "remove it; the mesh is used as it is");
+    table.finish();
+    MeshSource {
+        file: scene.parent().unwrap_or(Path::new("")).join(file),
+        unit: unit.unwrap_or(1.0),
+    }
+}
+
+fn ends(mut table: TableReader<'_>) -> Ends {
+    let pressure = table.quantity("pressure", Dimension::Pressure, "0 bar");
+    table.finish();
+    Ends { pressure }
+}
+
+fn feed(mut table: TableReader<'_>) -> Feed {
+    let feed = Feed {
+        group: table.text("group", "feed_hole"),
+        hole: table.table_if_given("hole").map(|mut hole| {
+            let diameter = hole.quantity("diameter", Dimension::Length, "17 mm");
+            let angle = hole.quantity("angle", Dimension::Angle, "130 deg");
+            let z = hole.quantity_if_given("z", Dimension::Length, "0 mm").unwrap_or(0.0);
+            hole.finish();
+            Hole { diameter, angle, z }
+        }),
+        pressure: table.quantity("pressure", Dimension::Pressure, "1.96 bar"),
+    };
+    table.not_served("groove", "remove it; the group of the mesh is the region all the same");
+    table.finish();
+    feed
+}
+
+fn journal(mut table: TableReader<'_>) -> Journal {
+    let speed = table.quantity("speed", Dimension::Speed, "3000 rpm");
+    let eccentricity = table.number("eccentricity", "0.6");
+    let min_film_angle = match eccentricity == 0.0 {
+        true => table
+            .quantity_if_given("min_film_angle", Dimension::Angle, "180 deg")
+            .unwrap_or(0.0),
+        false => table.quantity("min_film_angle", Dimension::Angle, "180 deg"),
+    };
+    table.not_served("squeeze", "remove it; the journal stands still in its position");
+    table.finish();
+    Journal {
+        speed,
+        eccentricity,
+        min_film_angle,
+    }
+}
+
+fn cavitation(mut table: TableReader<'_>) -> Option<Cavitation> {
+    let models = [("none", CavitationModel::None), ("guembel", CavitationModel::Guembel)];
+    if !table.has("model") && table.is_readable() {
+        table.complain("model", "is missing", "write model = \"none\" or \"guembel\"");
+    }
+    let model = table.word_if_given("model", &models, &["reynolds", "jfo"]);
+    let pressure = table
+        .quantity_if_given("pressure", Dimension::Pressure, "0 bar")
+        .unwrap_or(0.0);
+    table.finish();
+    model.map(|model| Cavitation { model, pressure })
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+    use crate::SceneError;
+    use crate::scene::{BarusForm, PressureLaw};
+
+    pub(in crate::schema) const STUDY: &str = r#"
+title = "Hole-fed shell"
+bearing = { diameter = "75 mm", length = "75 mm", clearance = "37.5 um", arc = { from = "40 deg", to = "220 deg" } }
+mesh = { file = "../meshes/shell.msh", unit = "mm" }
+ends = { pressure = "0.98 bar" }
+feed = [{ group = "feed_hole", hole = { diameter = "17 mm", angle = "130 deg" }, pressure = "1.96 bar" }]
+journal = { speed = "3000 rpm", eccentricity = 0.6, min_film_angle = "180 deg" }
+oil = { viscosity = "0.4 Pa.s", barus = { alpha = "2.5e-8 1/Pa" } }
+"#;
+
+    pub(in crate::schema) fn read(text: &str) -> Result<Scene, SceneError> {
+        Scene::parse(text, Path::new("scenes/study.toml"))
+    }
+
+    fn told(from: &str, to: &str) -> Vec<Complaint> {
+        assert!(STUDY.contains(from), "{from}");
+        match read(&STUDY.replacen(from, to, 1)) {
+            Err(SceneError::Complaints { complaints, .. }) => complaints,
+            other => panic!("{to}: {other:?}"),
+        }
+    }
+
+    pub(in crate::schema) fn told_one(from: &str, to: &str, wanted: &str) {
+        let told = told(from, to);
+        assert!(
+            told.len() == 1 && told[0].to_string().starts_with(wanted),
+            "{to}: {told:?}"
+        );
+    }
+
+    #[test]
+    fn the_study_is_read_in_si() {
+        let scene = read(STUDY).expect("the study is a scene");
+        assert_eq!(scene.title, "Hole-fed shell");
+        assert_eq!((scene.bearing.diameter, scene.bearing.length), (0.075, 0.075));
+        assert_eq!(scene.mesh.file, Path::new("scenes/../meshes/shell.msh"));
+        assert_eq!(scene.mesh.unit, 1e-3);
+        assert_eq!(
+            scene.feeds[0].hole.map(|hole| (hole.diameter, hole.z)),
+            Some((0.017, 0.0))
+        );
+        assert!((scene.journal.speed - 100.0 * std::f64::consts::PI).abs() < 1e-12);
+        let law = PressureLaw::Barus {
+            alpha: 2.5e-8,
+            form: BarusForm::Conservative,
+        };
+        assert_eq!((scene.oil.pressure_law, scene.cavitation), (law, None));
+        assert_eq!(scene.sha256.len(), 64);
+        assert_eq!(
+            read(&STUDY.replace("title = \"Hole-fed shell\"", ""))
+                .map(|scene| scene.title)
+                .ok(),
+            Some("study".into())
+        );
+    }
+
+    #[test]
+    fn every_complaint_comes_at_once_and_points_into_the_text() {
+        let text = STUDY
+            .replace("\"37.5 um\"", "37.5")
+            .replace("\"3000 rpm\"", "\"3000 mm\"")
+            .replace("title", "titel");
+        let Err(SceneError::Complaints { text, complaints, .. }) = read(&text) else {
+            panic!("must be refused")
+        };
+        let told: Vec<_> = complaints
+            .iter()
+            .map(|it| (it.key.as_str(), &text[it.span.clone().unwrap_or_default()]))
+            .collect();
+        let wanted = [
+            ("titel", "titel = \"Hole-fed shell\""),
+            ("bearing.clearance", "37.5"),
+            ("journal.speed", "\"3000 mm\""),
+        ];
+        assert_eq!(told, wanted);
+        assert_eq!(complaints[0].help, "did you mean \"title\"?");
+        assert!(complaints[1].help.starts_with("write clearance = \"37.5 um\""));
+    }
+
+    #[test]
+    fn keys_of_later_versions_are_refused_by_name() {
+        let later = [
+            ("file = \"../meshes/shell.msh\"", "size = \"3 mm\"", "mesh.size"),
+            ("unit = \"mm\"", "tolerance = \"0.1 %\"", "mesh.tolerance"),
+            ("group = ", "groove = {}, group = ", "feed[0].groove"),
+            ("speed = ", "squeeze = {}, speed = ", "journal.squeeze"),
+            ("title = ", "load = { force = \"5 kN\" }\ntitle = ", "load"),
+            ("title = ", "heat = {}\ntitle = ", "heat"),
+            ("title = ", "sweep = 5\ntitle = ", "sweep"),
+            (
+                "title = ",
+                "cavitation.model = \"reynolds\"\ntitle = ",
+                "cavitation.model",
+            ),
+            ("title = ", "cavitation.model = \"jfo\"\ntitle = ", "cavitation.model"),
+        ];
+        for (from, to, key) in later {
+            let told = told(from, to);
+            assert_eq!(told.len(), 1, "{to}: {told:?}");
+            assert!(
+                told[0].key == key && told[0].message.contains("not served yet"),
+                "{to}: {told:?}"
+            );
+        }
+        let no_mesh = told("mesh = { file = \"../meshes/shell.msh\", unit = \"mm\" }", "");
+        assert!(
+            no_mesh.len() == 1 && no_mesh[0].help.contains("not served yet"),
+            "{no_mesh:?}"
+        );
+    }
+
+    #[test]
+    fn kinds_are_checked() {
+        let one = told_one;
+        one(
+            "0.6",
+            "\"0.6\"",
+            "journal.eccentricity: a plain number is wanted, not a text",
+        );
+        one("0.6", "nan", "journal.eccentricity: is not a finite number");
+        one("0.6", "-inf", "journal.eccentricity: is not a finite number");
+        one(
+            "\"0.98 bar\"",
+            "true",
+            "ends.pressure: a pressure is wanted, not true or false",
+        );
+        one(
+            "{ pressure = \"0.98 bar\" }",
+            "5",
+            "ends: a table is wanted, not a bare number",
+        );
+        one("ends = { pressure = \"0.98 bar\" }", "", "ends: this table is missing");
+        one(
+            ", min_film_angle = \"180 deg\"",
+            "",
+            "journal.min_film_angle: is missing",
+        );
+        one(
+            "unit = \"mm\"",
+            "unit = \"Pa\"",
+            "mesh.unit: \"Pa\" is a unit of pressure",
+        );
+        one("\"feed_hole\"", "\" \"", "feed[0].group: is empty");
+        one(
+            "title = ",
+            "cavitation.pressure = \"0 bar\"\ntitle = ",
+            "cavitation.model: is missing",
+        );
+        let feed = &STUDY[STUDY.find("feed").unwrap_or(0)..STUDY.find("journal").unwrap_or(0)];
+        one(feed, "feed.pressure = \"1 bar\"\n", "feed: a list of tables is wanted");
+    }
+
+    #[test]
+    fn broken_toml_is_told_with_its_place() {
+        for text in [
+            "[bearing\ndiameter = 5",
+            "a = 1\na = 2",
+            "a = \"x",
+            "\u{0}",
+            &"a = ".repeat(50),
+            &"[".repeat(100_000),
+        ] {
+            match read(text) {
+                Err(SceneError::Syntax { complaints, .. }) => assert!(!complaints.is_empty()),
+                other => panic!("{other:?}"),
+            }
+        }
+        let deep = format!("a = {}1{}", "[".repeat(50_000), "]".repeat(50_000));
+        assert!(read(&deep).is_err());
+        assert!(matches!(read(""), Err(SceneError::Complaints { complaints, .. }) if complaints.len() == 5));
+    }
+}

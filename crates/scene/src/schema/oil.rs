@@ -1,0 +1,124 @@
+//! The keys of `[oil]`: viscosity, and one law of pressure at most.
+
+use crate::reader::TableReader;
+use crate::scene::{BarusForm, Oil, PressureLaw, RoelandsExponent};
+use crate::unit::Dimension;
+
+/// Roelands' reference pressure where the scene gives none [Pa].
+pub const ROELANDS_REFERENCE_PRESSURE: f64 = 196.2e6;
+
+/// Reads `[oil]`.
+pub(super) fn read(mut table: TableReader<'_>) -> Oil {
+    let viscosity = table.quantity("viscosity", Dimension::Viscosity, "40 mPa.s");
+    if table.has("barus") && table.has("roelands") {
+        let help = "keep one law, and remove the other";
+        table.complain(
+            "roelands",
+            "stands beside barus, but viscosity follows one law of pressure",
+            help,
+        );
+    }
+    let barus = table.table_if_given("barus").map(barus);
+    let roelands = table.table_if_given("roelands").map(roelands);
+    table.finish();
+    Oil {
+        viscosity,
+        pressure_law: barus.or(roelands).unwrap_or(PressureLaw::Constant),
+    }
+}
+
+fn barus(mut table: TableReader<'_>) -> PressureLaw {
+    let alpha = table.quantity("alpha", Dimension::InversePressure, "2.5e-8 1/Pa");
+    let forms = [
+        ("conservative", BarusForm::Conservative),
+        ("as-printed", BarusForm::AsPrinted),
+    ];
+    let form = table.word_if_given("form", &forms, &[]).unwrap_or_default();
+    table.finish();
+    PressureLaw::Barus { alpha, form }
+}
+
+fn roelands(mut table: TableReader<'_>) -> PressureLaw {
+    let z = table.number_if_given("z", "0.6");
+    let alpha = table.quantity_if_given("alpha", Dimension::InversePressure, "2.0e-8 1/Pa");
+    let reference_pressure = table.quantity_if_given("reference_pressure", Dimension::Pressure, "196.2 MPa");
+    let exponent = match (z, alpha) {
+        (Some(z), None) => RoelandsExponent::Z(z),
+        (None, Some(alpha)) => RoelandsExponent::Alpha(alpha),
+        (Some(_), Some(_)) => {
+            table.complain(
+                "alpha",
+                "stands beside z, but one of them gives the other",
+                "keep one of z and alpha",
+            );
+            RoelandsExponent::Z(f64::NAN)
+        }
+        (None, None) => {
+            if table.is_readable() {
+                table.complain("z", "is missing", "write z = 0.6, or alpha = \"2.0e-8 1/Pa\" instead");
+            }
+            RoelandsExponent::Z(f64::NAN)
+        }
+    };
+    table.finish();
+    PressureLaw::Roelands {
+        exponent,
+        reference_pressure: reference_pressure.unwrap_or(ROELANDS_REFERENCE_PRESSURE),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::schema::tests::{STUDY, read, told_one};
+
+    #[test]
+    fn laws_are_checked() {
+        told_one(
+            "1/Pa\"",
+            "1/Pa\", form = \"printed\"",
+            "oil.barus.form: \"printed\" is not known",
+        );
+        told_one(
+            "1/Pa\" }",
+            "1/Pa\" }, roelands = { z = 0.6 }",
+            "oil.roelands: stands beside barus",
+        );
+        told_one(
+            "barus = { alpha = \"2.5e-8 1/Pa\" }",
+            "roelands = {}",
+            "oil.roelands.z: is missing",
+        );
+        told_one(
+            "barus = { alpha = ",
+            "roelands = { z = 0.6, alpha = ",
+            "oil.roelands.alpha: stands beside z",
+        );
+    }
+
+    #[test]
+    fn other_laws_are_read() {
+        let text = STUDY.replace(
+            "barus = { alpha = \"2.5e-8 1/Pa\" }",
+            "roelands = { alpha = \"20 1/GPa\" }",
+        );
+        let law = read(&text).map(|scene| scene.oil.pressure_law).ok();
+        let exponent = RoelandsExponent::Alpha(20.0 * 1e-9);
+        assert_eq!(
+            law,
+            Some(PressureLaw::Roelands {
+                exponent,
+                reference_pressure: 196.2e6
+            })
+        );
+        let text = STUDY.replace("1/Pa\"", "1/Pa\", form = \"as-printed\"");
+        let law = read(&text).map(|scene| scene.oil.pressure_law).ok();
+        assert_eq!(
+            law,
+            Some(PressureLaw::Barus {
+                alpha: 2.5e-8,
+                form: BarusForm::AsPrinted
+            })
+        );
+    }
+}

@@ -1,0 +1,303 @@
+//! Quantities as people write them (`"25 mm"`, `"3000 rpm"`) become SI numbers here, once.
+//!
+//! Inside the program everything is SI: m, rad, Pa, Pa.s, rad/s, 1/Pa, N, m/s. A quantity is a number and a unit,
+//! with or without a space; `µ` and `u`, `Pa.s`, `Pa s` and `Pa·s`, `mm²` and `mm2` mean the same. Letter case
+//! matters, since mPa is not MPa. A count of turns is `rpm` or `Hz`; `1/s` is read as `rad/s`, as in SI.
+
+use crate::dimension::ALL;
+pub use crate::dimension::Dimension;
+use crate::spelling::nearest;
+
+/// Why a text is not the quantity that was asked for.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum UnitError {
+    /// The text does not begin with a number.
+    #[error("\"{text}\" does not begin with a number; {} is wanted", expected.name())]
+    NotANumber {
+        /// The text as written.
+        text: String,
+        /// What was asked for.
+        expected: Dimension,
+    },
+    /// The number is written with a decimal comma.
+    #[error("\"{text}\" has a decimal comma")]
+    DecimalComma {
+        /// The text as written.
+        text: String,
+        /// What was asked for.
+        expected: Dimension,
+    },
+    /// The number has no unit.
+    #[error("\"{text}\" has no unit; {} is wanted", expected.name())]
+    NoUnit {
+        /// The text as written.
+        text: String,
+        /// What was asked for.
+        expected: Dimension,
+    },
+    /// The unit measures something else.
+    #[error("\"{unit}\" is a unit of {}, but {} is wanted", found.name().trim_start_matches("an ").trim_start_matches("a "), expected.name())]
+    OtherDimension {
+        /// The unit as written.
+        unit: String,
+        /// What the unit measures.
+        found: Dimension,
+        /// What was asked for.
+        expected: Dimension,
+    },
+    /// No such unit is known.
+    #[error("\"{unit}\" is not a unit of {}", expected.name().trim_start_matches("an ").trim_start_matches("a "))]
+    UnknownUnit {
+        /// The unit as written.
+        unit: String,
+        /// The known unit that looks most like it.
+        nearest: Option<&'static str>,
+        /// What was asked for.
+        expected: Dimension,
+    },
+    /// The quantity is too large for a floating point number.
+    #[error("\"{text}\" is too large for a number")]
+    TooLarge {
+        /// The text as written.
+        text: String,
+    },
+}
+
+impl UnitError {
+    /// What to write instead.
+    pub fn help(&self) -> String {
+        match self {
+            Self::NotANumber { expected, .. } | Self::NoUnit { expected, .. } => {
+                format!(
+                    "write a number and a unit, for example \"{}\"; units: {}",
+                    expected.example(),
+                    expected.unit_names()
+                )
+            }
+            Self::DecimalComma { expected, .. } => {
+                format!(
+                    "write a decimal point and no thousands separators, for example \"{}\"",
+                    expected.example()
+                )
+            }
+            Self::OtherDimension { expected, .. } => {
+                format!(
+                    "write for example \"{}\"; units: {}",
+                    expected.example(),
+                    expected.unit_names()
+                )
+            }
+            Self::UnknownUnit {
+                nearest: Some(name),
+                expected,
+                ..
+            } => {
+                format!("did you mean \"{name}\"? Units: {}", expected.unit_names())
+            }
+            Self::UnknownUnit {
+                nearest: None,
+                expected,
+                ..
+            } => {
+                format!(
+                    "write for example \"{}\"; units: {}",
+                    expected.example(),
+                    expected.unit_names()
+                )
+            }
+            Self::TooLarge { .. } => "check the exponent".to_string(),
+        }
+    }
+}
+
+/// The quantity `text` of the kind `expected`, in SI. The value is finite.
+///
+/// # Errors
+/// [`UnitError`] where the text is no number and unit of this kind.
+pub fn parse(text: &str, expected: Dimension) -> Result<f64, UnitError> {
+    let trimmed = text.trim();
+    let (number, rest) = trimmed.split_at(number_length(trimmed));
+    let owned = || trimmed.to_string();
+    let Ok(number) = number.parse::<f64>() else {
+        return Err(UnitError::NotANumber {
+            text: owned(),
+            expected,
+        });
+    };
+    let unit = rest.trim();
+    if unit.starts_with(',') && unit[1..].starts_with(|c: char| c.is_ascii_digit()) {
+        return Err(UnitError::DecimalComma {
+            text: owned(),
+            expected,
+        });
+    }
+    let value = match (unit.is_empty(), expected) {
+        (true, Dimension::Ratio) => number,
+        (true, _) => {
+            return Err(UnitError::NoUnit {
+                text: owned(),
+                expected,
+            });
+        }
+        (false, _) => number * unit_size(unit, expected)?,
+    };
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(UnitError::TooLarge { text: owned() })
+    }
+}
+
+/// The size of one `unit` of the kind `expected` in SI: `unit_size("mm", Dimension::Length)` is 1e-3.
+///
+/// # Errors
+/// [`UnitError`] where no such unit of this kind is known; it names the nearest one.
+pub fn unit_size(unit: &str, expected: Dimension) -> Result<f64, UnitError> {
+    let canonical = canonical(unit);
+    let find = |dimension: Dimension| dimension.units().iter().find(|(name, _)| *name == canonical);
+    if let Some((_, size)) = find(expected) {
+        return Ok(*size);
+    }
+    if let Some(found) = ALL.into_iter().find(|other| find(*other).is_some()) {
+        return Err(UnitError::OtherDimension {
+            unit: unit.to_string(),
+            found,
+            expected,
+        });
+    }
+    let nearest = nearest(&canonical, expected.units().iter().map(|(name, _)| *name));
+    Err(UnitError::UnknownUnit {
+        unit: unit.to_string(),
+        nearest,
+        expected,
+    })
+}
+
+/// How many bytes of the front of `text` make a decimal number: sign, digits, point, exponent.
+fn number_length(text: &str) -> usize {
+    let bytes = text.as_bytes();
+    let digits = |from: usize| bytes[from..].iter().take_while(|byte| byte.is_ascii_digit()).count();
+    let mut end = usize::from(matches!(bytes.first(), Some(b'+' | b'-')));
+    end += digits(end);
+    if bytes.get(end) == Some(&b'.') {
+        end += 1 + digits(end + 1);
+    }
+    if matches!(bytes.get(end), Some(b'e' | b'E')) {
+        let sign = usize::from(matches!(bytes.get(end + 1), Some(b'+' | b'-')));
+        let exponent = digits(end + 1 + sign);
+        if exponent > 0 {
+            end += 1 + sign + exponent;
+        }
+    }
+    end
+}
+
+/// One spelling for each unit: `µ` is `u`, products have a point, powers are plain digits, `°` is `deg`.
+fn canonical(unit: &str) -> String {
+    let mut plain = String::with_capacity(unit.len());
+    for letter in unit.chars() {
+        match letter {
+            '\u{b5}' | '\u{3bc}' => plain.push('u'),
+            '*' | '.' | '\u{b7}' | '\u{22c5}' => plain.push(' '),
+            '\u{b2}' => plain.push('2'),
+            '\u{b9}' => plain.push('1'),
+            '\u{207b}' => plain.push('-'),
+            '\u{b0}' => plain.push_str("deg"),
+            '^' => {}
+            other => plain.push(other),
+        }
+    }
+    let joined = plain
+        .split_whitespace()
+        .collect::<Vec<_>>()
+        .join(".")
+        .replace("./", "/")
+        .replace("/.", "/");
+    match joined.strip_suffix("-1") {
+        Some(base) if base.contains('.') => {
+            let (front, last) = base.rsplit_once('.').unwrap_or(("1", base));
+            format!("{front}/{last}")
+        }
+        Some(base) => format!("1/{base}"),
+        None => joined,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use Dimension::*;
+    use std::f64::consts::PI;
+
+    fn close(text: &str, dimension: Dimension, value: f64) {
+        let got = parse(text, dimension).unwrap_or_else(|error| panic!("{text}: {error}"));
+        assert!(
+            (got - value).abs() <= 1e-14 * value.abs(),
+            "{text}: {got} is not {value}"
+        );
+    }
+
+    #[test]
+    fn quantities_become_si() {
+        close("25 mm", Length, 0.025);
+        close("37.5um", Length, 37.5e-6);
+        close("37.5 \u{b5}m", Length, 37.5e-6);
+        close("37.5 \u{3bc}m", Length, 37.5e-6);
+        close("1 in", Length, 0.0254);
+        close("40 deg", Angle, 40.0 * PI / 180.0);
+        close("-40\u{b0}", Angle, -40.0 * PI / 180.0);
+        close("0.98 bar", Pressure, 98_000.0);
+        close("1 atm", Pressure, 101_325.0);
+        close("1 psi", Pressure, 6_894.757_293_168_361);
+        close("40 mPa.s", Viscosity, 0.04);
+        close("40 cP", Viscosity, 0.04);
+        close("0.4 Pa s", Viscosity, 0.4);
+        close("0.4 Pa\u{b7}s", Viscosity, 0.4);
+        close("10 rad/s", Speed, 10.0);
+        close("10 rad s^-1", Speed, 10.0);
+        close("3000 rpm", Speed, 100.0 * PI);
+        close("50 Hz", Speed, 100.0 * PI);
+        close("+2.5e-8 1/Pa", InversePressure, 2.5e-8);
+        close("2.5e-8 Pa^-1", InversePressure, 2.5e-8);
+        close("2.5e-2 mm2/N", InversePressure, 2.5e-8);
+        close("2.5e-2 mm\u{b2} / N", InversePressure, 2.5e-8);
+        close("25 1/GPa", InversePressure, 2.5e-8);
+        close("5 kN", Force, 5_000.0);
+        close("36 km/h", Velocity, 10.0);
+        close("0.1 %", Ratio, 1e-3);
+        close("0.001", Ratio, 1e-3);
+    }
+
+    #[test]
+    fn every_unit_is_read_by_its_own_name() {
+        for dimension in ALL {
+            assert!(parse(dimension.example(), dimension).is_ok());
+            for (name, size) in dimension.units() {
+                assert_eq!(unit_size(name, dimension), Ok(*size), "{name}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_wrong_texts_are_refused_with_a_way_out() {
+        let refused = |text: &str, dimension: Dimension| parse(text, dimension).expect_err(text);
+        assert!(matches!(refused("25", Length), UnitError::NoUnit { .. }));
+        for text in ["", "mm", "nan mm", "inf mm", "- 5 mm", "- mm", ". mm"] {
+            assert!(matches!(refused(text, Length), UnitError::NotANumber { .. }), "{text}");
+        }
+        assert!(matches!(refused("37,5 um", Length), UnitError::DecimalComma { .. }));
+        assert!(matches!(refused("1e400 mm", Length), UnitError::TooLarge { .. }));
+        assert!(matches!(refused("1e305 GPa", Pressure), UnitError::TooLarge { .. }));
+        let other = refused("25 mm", Pressure);
+        assert_eq!(
+            other.to_string(),
+            "\"mm\" is a unit of length, but a pressure is wanted"
+        );
+        assert!(other.help().contains("0.98 bar"));
+        let unknown = refused("25 mmm", Length);
+        assert!(unknown.help().contains("did you mean \"mm\""), "{}", unknown.help());
+        assert!(refused("1 Bar", Pressure).help().contains("did you mean \"bar\""));
+        assert!(refused("1 furlong", Length).help().contains("for example \"25 mm\""));
+        assert!(refused("1 mpa", Pressure).help().contains("did you mean"));
+    }
+}

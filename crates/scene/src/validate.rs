@@ -1,0 +1,384 @@
+//! Which scenes can be computed: ranges, and keys that must fit each other. Everything wrong is told at once.
+//!
+//! A value that was complained about already is NaN here; no comparison below is true of it.
+
+use crate::complaint::Complaint;
+use crate::reader::Marks;
+use crate::scene::{Bearing, CavitationModel, Hole, PressureLaw, RoelandsExponent, Scene};
+use std::f64::consts::{PI, TAU};
+
+/// Names of a mesh's groups that have a meaning of their own, so that no feed may bear them.
+pub const RESERVED_GROUPS: [&str; 7] = [
+    "film",
+    "end_low",
+    "end_high",
+    "arc_from",
+    "arc_to",
+    "seam_low",
+    "seam_high",
+];
+
+/// All complaints about the values of a scene.
+pub(crate) fn complaints(scene: &Scene, marks: &Marks) -> Vec<Complaint> {
+    let mut checks = Checks {
+        marks,
+        complaints: Vec::new(),
+    };
+    checks.bearing(&scene.bearing);
+    checks.feeds(scene);
+    checks.journal(scene);
+    checks.oil(scene);
+    checks.cavitation(scene);
+    checks.complaints
+}
+
+struct Checks<'a> {
+    marks: &'a Marks,
+    complaints: Vec<Complaint>,
+}
+
+impl Checks<'_> {
+    fn refuse_if(&mut self, wrong: bool, key: &str, message: impl Into<String>, help: impl Into<String>) {
+        if wrong {
+            self.complaints.push(self.marks.complaint(key, message, help));
+        }
+    }
+
+    fn positive(&mut self, value: f64, key: &str) {
+        self.refuse_if(value <= 0.0, key, "is not positive", "give a value above zero");
+    }
+
+    fn bearing(&mut self, bearing: &Bearing) {
+        self.positive(bearing.diameter, "bearing.diameter");
+        self.positive(bearing.length, "bearing.length");
+        self.positive(bearing.clearance, "bearing.clearance");
+        self.refuse_if(
+            bearing.diameter > 0.0 && bearing.clearance >= bearing.radius(),
+            "bearing.clearance",
+            format!("is not smaller than the radius, {}", millimetres(bearing.radius())),
+            "give the radial clearance, about a thousandth of the radius; is it in um?",
+        );
+        if let Some(arc) = bearing.arc {
+            let (from, to) = (arc.from.to_degrees(), arc.to.to_degrees());
+            let message = format!("ends at {to:.6} deg, which is not behind its beginning, {from:.6} deg");
+            let help = "count up from one to the other: from = \"320 deg\", to = \"400 deg\" crosses zero";
+            self.refuse_if(arc.to <= arc.from, "bearing.arc.to", message, help);
+            let message = format!(
+                "makes the arc {:.6} deg wide, but an arc is less than 360 deg",
+                to - from
+            );
+            let help = "for a full ring remove arc; bearing.film_start then holds a line at the end pressure";
+            self.refuse_if(
+                arc.to - arc.from >= TAU * (1.0 - 1e-12),
+                "bearing.arc.to",
+                message,
+                help,
+            );
+            self.refuse_if(
+                bearing.film_start.is_some(),
+                "bearing.film_start",
+                "has a meaning on a full ring only, and this bearing has an arc",
+                "remove film_start (the film starts at the edge of the arc), or remove arc",
+            );
+        }
+    }
+
+    fn feeds(&mut self, scene: &Scene) {
+        for (index, feed) in scene.feeds.iter().enumerate() {
+            let key = format!("feed[{index}].group");
+            let reserved = RESERVED_GROUPS.contains(&feed.group.as_str());
+            let message = format!("\"{}\" is a name that meshes use for a part of the liner", feed.group);
+            let help = format!("name the feed region otherwise; taken: {}", RESERVED_GROUPS.join(", "));
+            self.refuse_if(reserved, &key, message, help);
+            let twice = !feed.group.is_empty() && scene.feeds[..index].iter().any(|other| other.group == feed.group);
+            let message = format!("\"{}\" is fed already by a [[feed]] above", feed.group);
+            self.refuse_if(twice, &key, message, "give each region one [[feed]] and one pressure");
+            if let Some(hole) = feed.hole {
+                self.hole(index, &hole, &scene.bearing);
+                let clash = scene.feeds[..index]
+                    .iter()
+                    .filter_map(|other| other.hole.map(|rim| (other, rim)));
+                for (other, rim) in clash {
+                    let message = format!("overlaps the hole of \"{}\"", other.group);
+                    let wrong = overlap(&hole, &rim, scene.bearing.radius());
+                    self.refuse_if(
+                        wrong,
+                        &format!("feed[{index}].hole"),
+                        message,
+                        "move one of the two holes",
+                    );
+                }
+            }
+        }
+    }
+
+    fn hole(&mut self, index: usize, hole: &Hole, bearing: &Bearing) {
+        let key = |name: &str| format!("feed[{index}].hole.{name}");
+        self.positive(hole.diameter, &key("diameter"));
+        if !(bearing.diameter > 0.0 && bearing.length > 0.0 && hole.diameter > 0.0) {
+            return;
+        }
+        let (radius, half) = (0.5 * hole.diameter, 0.5 * bearing.length);
+        let too_wide = hole.diameter > bearing.length || hole.diameter > bearing.diameter;
+        let message = format!(
+            "is wider than the liner, {} x {}",
+            millimetres(bearing.diameter),
+            millimetres(bearing.length)
+        );
+        self.refuse_if(
+            too_wide,
+            &key("diameter"),
+            message,
+            "give the diameter of the hole, smaller than the liner",
+        );
+        let message = format!(
+            "puts the hole's rim beyond the end of the liner, at {} from the middle",
+            millimetres(half)
+        );
+        let outside = !too_wide && hole.z.abs() + radius > half * (1.0 + 1e-12);
+        self.refuse_if(
+            outside,
+            &key("z"),
+            message,
+            "z counts from midway between the ends; move or shrink the hole",
+        );
+        if let Some(arc) = bearing.arc.filter(|arc| arc.from < arc.to) {
+            let reach = radius / bearing.radius();
+            let before = (hole.angle - arc.from).rem_euclid(TAU);
+            let leaves = before < reach - 1e-12 || before > arc.to - arc.from - reach + 1e-12;
+            let (from, to) = (arc.from.to_degrees(), arc.to.to_degrees());
+            let message = format!(
+                "puts the hole, {:.6} deg wide, beyond the arc from {from:.6} to {to:.6} deg",
+                2.0 * reach.to_degrees()
+            );
+            self.refuse_if(
+                leaves,
+                &key("angle"),
+                message,
+                "give the angle of the hole's centre, inside the arc",
+            );
+        }
+    }
+
+    fn journal(&mut self, scene: &Scene) {
+        let eccentricity = scene.journal.eccentricity;
+        self.refuse_if(
+            eccentricity < 0.0,
+            "journal.eccentricity",
+            "is negative",
+            "give 0 <= eccentricity < 1, and turn min_film_angle by 180 deg",
+        );
+        self.refuse_if(
+            eccentricity >= 1.0,
+            "journal.eccentricity",
+            "means that the journal touches the liner: the film is nowhere",
+            "give 0 <= eccentricity < 1, the offset of the journal over the radial clearance",
+        );
+    }
+
+    fn oil(&mut self, scene: &Scene) {
+        let viscosity = scene.oil.viscosity;
+        self.positive(viscosity, "oil.viscosity");
+        let reason = "is negative, so the oil would grow thinner under pressure";
+        let help = "give a value that is not negative, about 1e-8 to 4e-8 1/Pa for mineral oil";
+        match scene.oil.pressure_law {
+            PressureLaw::Constant => {}
+            PressureLaw::Barus { alpha, .. } => self.refuse_if(alpha < 0.0, "oil.barus.alpha", reason, help),
+            PressureLaw::Roelands {
+                exponent,
+                reference_pressure,
+            } => {
+                self.positive(reference_pressure, "oil.roelands.reference_pressure");
+                self.refuse_if(
+                    viscosity > 0.0 && viscosity.ln() + 9.67 <= 0.0,
+                    "oil.viscosity",
+                    "is below the range of Roelands' law, which needs ln(viscosity in Pa.s) + 9.67 > 0",
+                    "give more than 0.0632 mPa.s (is it in mPa.s?), or take barus",
+                );
+                match exponent {
+                    RoelandsExponent::Alpha(alpha) => self.refuse_if(alpha < 0.0, "oil.roelands.alpha", reason, help),
+                    RoelandsExponent::Z(z) => {
+                        let help = "give z >= 0, about 0.4 to 0.8 for mineral oil";
+                        self.refuse_if(z < 0.0, "oil.roelands.z", reason, help);
+                    }
+                }
+            }
+        }
+    }
+
+    fn cavitation(&mut self, scene: &Scene) {
+        let Some(cavitation) = scene.cavitation else { return };
+        if cavitation.model == CavitationModel::None {
+            return;
+        }
+        let key = "cavitation.pressure";
+        let help = "give the gauge pressure of the cavity, at most that of the ends and feeds";
+        let message = "is above the pressure at the ends, so the oil there would be gone";
+        self.refuse_if(cavitation.pressure > scene.ends.pressure, key, message, help);
+        for feed in &scene.feeds {
+            let message = format!(
+                "is above the pressure of the feed \"{}\", so the oil there would be gone",
+                feed.group
+            );
+            self.refuse_if(cavitation.pressure > feed.pressure, key, message, help);
+        }
+    }
+}
+
+/// Whether two holes on the developed surface of a liner of this radius overlap.
+fn overlap(one: &Hole, other: &Hole, radius: f64) -> bool {
+    let turn = (one.angle - other.angle + PI).rem_euclid(TAU) - PI;
+    (radius * turn).hypot(one.z - other.z) < 0.5 * (one.diameter + other.diameter)
+}
+
+fn millimetres(metres: f64) -> String {
+    let rounded: f64 = format!("{:.5e}", 1e3 * metres).parse().unwrap_or(f64::NAN);
+    format!("{rounded} mm")
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{Scene, SceneError};
+    use std::path::Path;
+
+    const GOOD: &str = r#"
+[bearing]
+diameter = "75 mm"
+length = "75 mm"
+clearance = "37.5 um"
+arc = { from = "40 deg", to = "220 deg" }
+[mesh]
+file = "liner.msh"
+[ends]
+pressure = "0.98 bar"
+[[feed]]
+group = "feed_hole"
+hole = { diameter = "17 mm", angle = "130 deg", z = "0 mm" }
+pressure = "1.96 bar"
+[journal]
+speed = "10 rad/s"
+eccentricity = 0.6
+min_film_angle = "180 deg"
+[oil]
+viscosity = "0.4 Pa.s"
+barus = { alpha = "2.5e-8 1/Pa" }
+[cavitation]
+model = "guembel"
+"#;
+
+    /// Keys and messages of what is wrong when `from` is replaced by `to` in the good scene.
+    fn told(from: &str, to: &str) -> Vec<String> {
+        assert!(GOOD.contains(from), "{from}");
+        match Scene::parse(&GOOD.replacen(from, to, 1), Path::new("good.toml")) {
+            Ok(_) => Vec::new(),
+            Err(SceneError::Complaints { complaints, .. }) => {
+                assert!(
+                    complaints
+                        .iter()
+                        .all(|complaint| !complaint.help.is_empty() && complaint.span.is_some())
+                );
+                complaints.iter().map(|complaint| complaint.to_string()).collect()
+            }
+            Err(other) => panic!("{other}"),
+        }
+    }
+
+    fn told_one(from: &str, to: &str, beginning: &str) {
+        let told = told(from, to);
+        assert!(told.len() == 1 && told[0].starts_with(beginning), "{to}: {told:?}");
+    }
+
+    #[test]
+    fn the_good_scene_is_good() {
+        assert!(told("75 mm", "75 mm").is_empty());
+        assert!(told("eccentricity = 0.6", "eccentricity = 0").is_empty());
+        assert!(
+            told(
+                "arc = { from = \"40 deg\", to = \"220 deg\" }",
+                "film_start = \"0 deg\""
+            )
+            .is_empty()
+        );
+        assert!(
+            told(
+                "from = \"40 deg\", to = \"220 deg\"",
+                "from = \"-320 deg\", to = \"-140 deg\""
+            )
+            .is_empty()
+        );
+    }
+
+    #[test]
+    fn each_range_is_checked() {
+        told_one(
+            "diameter = \"75 mm\"",
+            "diameter = \"-75 mm\"",
+            "bearing.diameter: is not positive",
+        );
+        told_one(
+            "length = \"75 mm\"",
+            "length = \"0 mm\"",
+            "bearing.length: is not positive",
+        );
+        told_one(
+            "37.5 um",
+            "37.5 mm",
+            "bearing.clearance: is not smaller than the radius, 37.5 mm",
+        );
+        told_one("from = \"40 deg\"", "from = \"220 deg\"", "bearing.arc.to: ends at 220");
+        told_one(
+            "to = \"220 deg\"",
+            "to = \"400 deg\"",
+            "bearing.arc.to: makes the arc 360",
+        );
+        told_one(
+            "[mesh]",
+            "film_start = \"0 deg\"\n[mesh]",
+            "bearing.film_start: has a meaning on a full ring",
+        );
+        told_one("0.6", "1.0", "journal.eccentricity: means that the journal touches");
+        told_one("0.6", "-0.1", "journal.eccentricity: is negative");
+        told_one("0.4 Pa.s", "0 Pa.s", "oil.viscosity: is not positive");
+        told_one("2.5e-8", "-2.5e-8", "oil.barus.alpha: is negative");
+        told_one(
+            "\"feed_hole\"",
+            "\"end_low\"",
+            "feed[0].group: \"end_low\" is a name that meshes use",
+        );
+        told_one(
+            "z = \"0 mm\"",
+            "z = \"30 mm\"",
+            "feed[0].hole.z: puts the hole's rim beyond the end",
+        );
+        told_one("130 deg", "50 deg", "feed[0].hole.angle: puts the hole");
+        told_one("17 mm", "80 mm", "feed[0].hole.diameter: is wider than the liner");
+        told_one(
+            "\"guembel\"",
+            "\"guembel\"\npressure = \"1 bar\"",
+            "cavitation.pressure: is above the pressure at the ends",
+        );
+        told_one(
+            "barus = { alpha = \"2.5e-8 1/Pa\" }",
+            "roelands = { z = -1 }",
+            "oil.roelands.z: is negative",
+        );
+        let second = "[[feed]]\ngroup = \"feed_hole\"\npressure = \"1 bar\"\n[journal]";
+        told_one("[journal]", second, "feed[1].group: \"feed_hole\" is fed already");
+        let second = "[[feed]]\ngroup = \"b\"\nhole = { diameter = \"5 mm\", angle = \"135 deg\" }\npressure = \"1 bar\"\n[journal]";
+        told_one("[journal]", second, "feed[1].hole: overlaps the hole of \"feed_hole\"");
+    }
+
+    #[test]
+    fn a_thin_oil_is_no_roelands_oil() {
+        let scene = GOOD
+            .replace("barus = { alpha = \"2.5e-8 1/Pa\" }", "roelands = { z = 0.6 }")
+            .replace("0.4 Pa.s", "0.04 mPa.s");
+        let error = Scene::parse(&scene, Path::new("thin.toml"))
+            .expect_err("too thin")
+            .to_string();
+        assert!(
+            error.contains("oil.viscosity: is below the range of Roelands"),
+            "{error}"
+        );
+    }
+}
