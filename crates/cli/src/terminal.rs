@@ -77,8 +77,33 @@ pub(crate) fn check_report(found: &CheckReport) -> String {
         align_right(&mut table, 2);
         parts.push(table.to_string());
     }
-    parts.push(format!("mesh      {}: {}", found.mesh_file, mesh(&found.mesh)));
+    parts.push(facts(found));
     parts.join("\n\n") + "\n"
+}
+
+fn facts(found: &CheckReport) -> String {
+    let quality = &found.quality;
+    let mut lines = vec![
+        format!("mesh      {}: {}", found.mesh_file, mesh(&found.mesh)),
+        format!(
+            "shape     least angles: median {} deg; worst aspect ratio {}; {} curved cells; edges {} to {} mm",
+            significant(quality.median_angle, 3),
+            significant(quality.worst_aspect, 3),
+            quality.curved_cells,
+            significant(1e3 * quality.shortest_edge, 3),
+            significant(1e3 * quality.longest_edge, 3),
+        ),
+        format!(
+            "film      area {} mm2, bounded by {} closed curves",
+            significant(1e6 * quality.area, 6),
+            quality.boundary_loops
+        ),
+    ];
+    lines.extend(found.cost.map(|cost| {
+        let factor = significant(8e-6 * cost.factor_entries as f64, 3);
+        format!("cost      {} unknowns, {factor} MB for the factor", cost.unknowns)
+    }));
+    lines.join("\n")
 }
 
 fn heading(title: &str, status: &str) -> String {
@@ -107,13 +132,11 @@ fn mesh(facts: &MeshFacts) -> String {
 }
 
 fn effects(effects: &Effects) -> String {
-    let mut table = table(["simulated", "not simulated"]);
-    let rows = effects.simulated.len().max(effects.not_simulated.len());
-    for row in 0..rows {
-        let name = |names: &[String]| names.get(row).cloned().unwrap_or_default();
-        table.add_row([name(&effects.simulated), name(&effects.not_simulated)]);
-    }
-    table.to_string()
+    format!(
+        "simulated      {}\nnot simulated  {}",
+        effects.simulated.join(", "),
+        effects.not_simulated.join(", ")
+    )
 }
 
 fn quantities(quantities: &[Quantity]) -> String {
@@ -144,7 +167,7 @@ fn quantities(quantities: &[Quantity]) -> String {
 fn table<const N: usize>(header: [&str; N]) -> Table {
     let mut table = Table::new();
     table
-        .load_style(presets::UTF8_HORIZONTAL_ONLY)
+        .load_style(presets::UTF8_FULL_CONDENSED)
         .set_content_arrangement(ContentArrangement::Dynamic);
     table.set_header(header);
     table
@@ -253,7 +276,9 @@ mod tests {
             mesh_file: "liner.msh".into(),
             effects: None,
             mesh: MeshFacts::default(),
+            quality: oilwedge_mesh::Quality::default(),
             regions,
+            cost: None,
             warnings: vec![],
         };
         let text = check_report(&found);

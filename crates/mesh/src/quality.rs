@@ -7,7 +7,7 @@ use crate::raw::doubled_area;
 
 /// Measures of a mesh. Angles, shapes and lengths are those of the straight triangles between the
 /// corners; the area is that of the curved ones.
-#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, serde::Serialize)]
 pub struct Quality {
     /// Number of triangles.
     pub cells: usize,

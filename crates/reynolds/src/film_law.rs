@@ -58,7 +58,8 @@ impl ConservationLaw for FilmLaw<'_> {
         }
     }
 
-    /// As printed: `div(-conductance grad p) + mu(p)/mu0 div(flux) = 0` in the pressure p.
+    /// As printed: `div(flux - conductance grad p) + (mu(p)/mu0 - 1) div(flux) = 0` in the pressure p: the
+    /// balance of an oil of constant viscosity, with a source of oil that grows with the pressure.
     fn response(&self, cell: usize, positions: &[[f64; 2]], states: &[State], out: &mut [Response]) {
         let ratio = |p: Dual| match self.problem.form {
             Form::AsPrinted(barus) => barus.viscosity_ratio(p),
@@ -66,8 +67,8 @@ impl ConservationLaw for FilmLaw<'_> {
         };
         for ((flow, state), out) in self.flows(cell, positions).iter().zip(states).zip(out) {
             *out = Response {
-                flux: state.gradient.map(|g| g * -flow.conductance),
-                source: ratio(state.value) * flow.divergence,
+                flux: [0, 1].map(|k| state.gradient[k] * -flow.conductance + flow.flux[k]),
+                source: (ratio(state.value) + -1.0) * flow.divergence,
             };
         }
     }

@@ -2,6 +2,7 @@
 //!
 //! Every number is SI, angles excepted (degrees). A number that is not finite is never written.
 
+use oilwedge_mesh::Quality;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
@@ -218,10 +219,23 @@ pub struct CheckReport {
     pub effects: Option<Effects>,
     /// The mesh.
     pub mesh: MeshFacts,
+    /// How good the mesh is.
+    pub quality: Quality,
     /// The named regions of the mesh.
     pub regions: Vec<RegionFacts>,
+    /// Unknowns and the entries of the Cholesky factor (8 bytes each): the cost of a solve; `None` where a mesh was checked.
+    pub cost: Option<Cost>,
     /// Doubts, in sentences.
     pub warnings: Vec<String>,
+}
+
+/// What a solve costs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct Cost {
+    /// Nodes whose pressure is not given.
+    pub unknowns: usize,
+    /// Entries of the Cholesky factor.
+    pub factor_entries: usize,
 }
 
 /// Facts about a named region of a mesh.

@@ -1,10 +1,26 @@
 //! From a scene to its numbers and fields: what a caller asks, and what it is given.
 
-use crate::report::{CheckReport, ReportError, RunResult};
+use std::path::Path;
+use std::time::Instant;
+
+use oilwedge_mesh::{Mesh, Quality, developed};
+use oilwedge_reynolds::{FilmSolution, NoFilm};
+
+use crate::compile::{CompileError, Study, compile};
+use crate::measure::{measure, quantities, warnings};
+use crate::picture::picture;
+use crate::report::{
+    Balances, CHECK_FORMAT, CheckReport, Cost, Counts, HistoryStep, MeshFacts, RESULT_FORMAT, RegionFacts, ReportError,
+    RunResult, Status,
+};
 use crate::results::WriteError;
 use crate::scene::Scene;
 use crate::vtu::{FilmPicture, PictureError};
-use std::path::Path;
+
+/// Degree of the unknown of a film [1].
+pub(crate) const DEGREE: usize = 2;
+/// Angles below this [deg] are worth a warning.
+const SHARP: f64 = 15.0;
 
 /// How a scene is run. None of this changes a number.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -26,6 +42,9 @@ pub struct Run {
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
+    /// The mesh is unreadable, defective, or not that of the scene.
+    #[error(transparent)]
+    Compile(#[from] CompileError),
     /// The result holds what must not be written.
     #[error(transparent)]
     Report(#[from] ReportError),
@@ -35,38 +54,158 @@ pub enum Error {
     /// The results cannot be written.
     #[error(transparent)]
     Write(#[from] WriteError),
-    /// This version reads scenes, and computes nothing yet.
-    #[error("{what} is not served yet; only scenes are checked")]
-    NotServed {
-        /// What was asked.
-        what: &'static str,
-    },
 }
 
-/// Computes the film of a scene.
+/// Computes the film of a scene. A film that does not exist or is not reached is a result, with its reason.
 ///
 /// # Errors
-/// [`Error`] where the mesh cannot be read or does not fit the scene.
-pub fn run(_scene: &Scene, _options: &RunOptions) -> Result<Run, Error> {
-    Err(Error::NotServed { what: "solving" })
+/// [`Error::Compile`] where the mesh cannot be read or does not fit the scene.
+pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, Error> {
+    let start = Instant::now();
+    let study = compile(scene)?;
+    let outcome = study.problem.solve(&study.system);
+    let mut result = RunResult {
+        format: RESULT_FORMAT.to_owned(),
+        title: scene.title.clone(),
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+        scene_sha256: scene.sha256.clone(),
+        mesh_sha256: study.mesh_sha256.clone(),
+        status: Status::Converged,
+        reason: None,
+        effects: study.effects.clone(),
+        mesh: facts(study.system.space().mesh()),
+        quantities: Vec::new(),
+        balances: Balances::default(),
+        history: Vec::new(),
+        counts: Counts::default(),
+        timing_s: study.seconds.map(|(part, seconds)| (part.to_owned(), seconds)).into(),
+        warnings: Vec::new(),
+    };
+    let picture = match outcome {
+        Ok(film) => {
+            report(&study, &film, &mut result);
+            Some(picture(&study, &film, options.unrolled))
+        }
+        Err(reason) => {
+            result.status = match reason {
+                NoFilm::NotConverged(_) => Status::NotConverged,
+                _ => Status::NoSolution,
+            };
+            result.reason = Some(reason.to_string());
+            None
+        }
+    };
+    result
+        .timing_s
+        .push(("total".to_owned(), start.elapsed().as_secs_f64()));
+    Ok(Run { result, picture })
+}
+
+/// Fills in what a solved film tells.
+fn report(study: &Study, film: &FilmSolution, result: &mut RunResult) {
+    let start = Instant::now();
+    let measured = measure(study, film);
+    result.quantities = quantities(study, &measured);
+    result.warnings = warnings(study, &measured);
+    result.balances.mass = measured.flows.imbalance;
+    result.history = (1..)
+        .zip(&film.history)
+        .map(|(step, entry)| HistoryStep {
+            step,
+            residual: entry.residual,
+            active: 0,
+        })
+        .collect();
+    result.counts = Counts {
+        linear_solves: film.history.len(),
+        factorisations: film.history.len(),
+        nonlinear_iterations: film.history.len(),
+        ..Counts::default()
+    };
+    let parts = [
+        ("assemble", film.seconds.assemble),
+        ("factorise", film.seconds.factorise),
+        ("solve", film.seconds.solve),
+        ("measure", start.elapsed().as_secs_f64()),
+    ];
+    let parts = parts.map(|(part, seconds)| (part.to_owned(), seconds));
+    result.timing_s.extend(parts);
 }
 
 /// Reads the mesh of a scene and tells what would be computed.
 ///
 /// # Errors
-/// [`Error`] where the mesh cannot be read or does not fit the scene.
-pub fn check_scene(_scene: &Scene) -> Result<CheckReport, Error> {
-    Err(Error::NotServed {
-        what: "checking the mesh of a scene",
-    })
+/// [`Error::Compile`] where the mesh cannot be read or does not fit the scene.
+pub fn check_scene(scene: &Scene) -> Result<CheckReport, Error> {
+    let study = compile(scene)?;
+    let mesh = study.system.space().mesh();
+    let mut report = check_report(&scene.mesh.file, mesh);
+    report.title = Some(scene.title.clone());
+    report.effects = Some(study.effects.clone());
+    let free = |dof: &usize| study.system.supply.owner(*dof).is_none();
+    report.cost = Some(Cost {
+        unknowns: (0..study.system.space().dofs()).filter(free).count(),
+        factor_entries: study.system.analysis.factor_entries(),
+    });
+    Ok(report)
 }
 
-/// Reads a mesh file by itself, its lengths in metres.
+/// Reads a mesh file by itself, its lengths in metres; the liner is the one its nodes lie on.
 ///
 /// # Errors
-/// [`Error`] where the mesh cannot be read.
-pub fn check_mesh(_path: &Path) -> Result<CheckReport, Error> {
-    Err(Error::NotServed {
-        what: "checking a mesh",
-    })
+/// [`Error::Compile`] where the mesh cannot be read or is defective.
+pub fn check_mesh(path: &Path) -> Result<CheckReport, Error> {
+    let mesh = developed::read_alone(path).map_err(CompileError::from)?;
+    Ok(check_report(path, &mesh))
+}
+
+fn check_report(path: &Path, mesh: &Mesh) -> CheckReport {
+    let quality = Quality::of(mesh);
+    let mut warnings = Vec::new();
+    if quality.least_angle < SHARP {
+        warnings.push(format!(
+            "the least angle is {:.1} deg; triangles below {SHARP} deg cost accuracy",
+            quality.least_angle
+        ));
+    }
+    if quality.unnamed_boundary_edges > 0 {
+        warnings.push(format!(
+            "{} boundary edges belong to no named curve; a film needs a condition there",
+            quality.unnamed_boundary_edges
+        ));
+    }
+    let parts = |name: &str, kind: &str, parts: usize| {
+        (parts > 0).then(|| RegionFacts {
+            name: name.to_owned(),
+            kind: kind.to_owned(),
+            parts,
+        })
+    };
+    CheckReport {
+        format: CHECK_FORMAT.to_owned(),
+        title: None,
+        mesh_file: path.display().to_string(),
+        effects: None,
+        mesh: facts(mesh),
+        regions: (mesh.regions().iter())
+            .flat_map(|region| {
+                let curve = parts(&region.name, "curve", region.edges.len());
+                let surface = parts(&region.name, "surface", region.cells.len());
+                [curve, surface].into_iter().flatten()
+            })
+            .collect(),
+        quality,
+        cost: None,
+        warnings,
+    }
+}
+
+fn facts(mesh: &Mesh) -> MeshFacts {
+    let quality = Quality::of(mesh);
+    MeshFacts {
+        cells: quality.cells,
+        nodes: quality.quadratic_nodes,
+        order: DEGREE,
+        min_angle_deg: quality.least_angle,
+    }
 }

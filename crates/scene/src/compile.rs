@@ -1,0 +1,321 @@
+//! A scene becomes a film: the one place that knows all effects, one function a socket.
+//!
+//! | socket | function |
+//! |---|---|
+//! | mesh of the liner | [`mesh`] |
+//! | film_thickness | [`film_thickness`] |
+//! | lubricant | [`lubricant`] |
+//! | terms | [`terms`] |
+//! | cavitation | [`cavitation`] |
+//! | supply | [`supply`] |
+//!
+//! What is simulated and what is not is written down here too, and opens every report.
+
+use std::sync::Arc;
+use std::time::Instant;
+
+use oilwedge_mesh::developed::{self, Liner};
+use oilwedge_mesh::{Circle, Mesh, gmsh, rim};
+use oilwedge_reynolds::film_problem::SystemError;
+use oilwedge_reynolds::film_thickness::{Eccentricity, FilmContribution};
+use oilwedge_reynolds::lubricant::{Barus, Lubricant, PressureLaw, Roelands};
+use oilwedge_reynolds::supply::{self as given, Disc, Place, SupplyError, SupplyRegion};
+use oilwedge_reynolds::terms::{Couette, Poiseuille, Term};
+use oilwedge_reynolds::{Bearing, Cavitation, FilmProblem, FilmSystem, Form, JournalState};
+use sha2::{Digest, Sha256};
+
+use crate::report::Effects;
+use crate::run::DEGREE;
+use crate::scene::{self, BarusForm, CavitationModel, RoelandsExponent, Scene};
+
+/// A scene, ready to be solved.
+pub struct Study {
+    /// The film: physics.
+    pub problem: FilmProblem,
+    /// The film: mesh, unknowns, given pressures.
+    pub system: FilmSystem,
+    /// What is simulated and what is not.
+    pub effects: Effects,
+    /// The common pressure [Pa] of all feeds, if they have one.
+    pub supply_pressure: Option<f64>,
+    /// SHA-256 of the mesh file, 64 hexadecimal digits.
+    pub mesh_sha256: String,
+    /// Seconds: reading and checking the mesh; numbering, pattern and analysis.
+    pub seconds: [(&'static str, f64); 2],
+}
+
+/// Why a scene does not become a film, though it is well written.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum CompileError {
+    /// The mesh cannot be used.
+    #[error(transparent)]
+    Mesh(#[from] oilwedge_mesh::Error),
+    /// The mesh lacks the group of a feed.
+    #[error("feed group \"{group}\" is not in the mesh {}; its groups are {}", mesh.display(), present.join(", "))]
+    NoFeedGroup {
+        /// Group asked for.
+        group: String,
+        /// Mesh file.
+        mesh: std::path::PathBuf,
+        /// Groups there are.
+        present: Vec<String>,
+    },
+    /// Given pressures do not fit the mesh.
+    #[error("the mesh {} does not fit the scene:{}", mesh.display(), faults.iter().map(|fault| format!("\n  {fault}")).collect::<String>())]
+    Supply {
+        /// Mesh file.
+        mesh: std::path::PathBuf,
+        /// Everything that does not fit.
+        faults: Vec<SupplyError>,
+    },
+    /// The film is too large for this machine.
+    #[error(transparent)]
+    Fem(#[from] oilwedge_fem::Error),
+}
+
+/// Compiles `scene`: reads its mesh and chooses one entry a socket.
+///
+/// # Errors
+/// [`CompileError`]: the mesh is unreadable, defective, or not that of the scene.
+pub fn compile(scene: &Scene) -> Result<Study, CompileError> {
+    let start = Instant::now();
+    let (mesh, mesh_sha256) = mesh(scene)?;
+    let read = start.elapsed().as_secs_f64();
+    let regions = supply(scene, &mesh)?;
+    let start = Instant::now();
+    let system = FilmSystem::new(Arc::new(mesh), DEGREE, regions).map_err(|error| match error {
+        SystemError::Supply(faults) => unfit(scene, faults),
+        SystemError::Fem(error) => error.into(),
+    })?;
+    let order = start.elapsed().as_secs_f64();
+    let journal = journal(scene);
+    let problem = FilmProblem {
+        bearing: bearing(scene),
+        journal,
+        film_thickness: film_thickness(scene, &journal),
+        lubricant: lubricant(scene),
+        form: form(scene),
+        terms: terms(scene),
+        cavitation: cavitation(scene),
+    };
+    Ok(Study {
+        effects: effects(scene, &problem),
+        problem,
+        system,
+        supply_pressure: supply_pressure(scene),
+        mesh_sha256,
+        seconds: [("read", read), ("order", order)],
+    })
+}
+
+/// The mesh of the liner with round rims on their circles, and the SHA-256 of its file.
+pub fn mesh(scene: &Scene) -> Result<(Mesh, String), CompileError> {
+    let path = &scene.mesh.file;
+    let bytes = gmsh::read_bytes(path)?;
+    let sha256 = Sha256::digest(&bytes)
+        .iter()
+        .map(|byte| format!("{byte:02x}"))
+        .collect();
+    let liner = Liner {
+        radius: scene.bearing.radius(),
+        length: scene.bearing.length,
+        arc: scene.bearing.arc.map(|arc| (arc.from, arc.to)),
+    };
+    let build = || {
+        let file = gmsh::parse(&bytes)?;
+        let mut mesh = Mesh::build(developed::unroll(&file, &liner, scene.mesh.unit)?)?;
+        for feed in &scene.feeds {
+            if let (Some(disc), Some(_)) = (disc(scene, feed), mesh.region(&feed.group)) {
+                let circle = Circle {
+                    centre: disc.centre,
+                    radius: disc.radius,
+                };
+                mesh = rim::curve_rim(&mesh, &feed.group, &circle)?;
+            }
+        }
+        Ok(mesh)
+    };
+    let mesh = build().map_err(|error: oilwedge_mesh::Error| error.in_file(path))?;
+    Ok((mesh, sha256))
+}
+
+fn bearing(scene: &Scene) -> Bearing {
+    Bearing {
+        radius: scene.bearing.radius(),
+        length: scene.bearing.length,
+        clearance: scene.bearing.clearance,
+        end_pressure: scene.ends.pressure,
+    }
+}
+
+fn journal(scene: &Scene) -> JournalState {
+    let scene::Journal {
+        speed,
+        eccentricity,
+        min_film_angle,
+    } = scene.journal;
+    JournalState::at_eccentricity(eccentricity, min_film_angle, scene.bearing.clearance, speed)
+}
+
+fn film_thickness(scene: &Scene, journal: &JournalState) -> Vec<Box<dyn FilmContribution>> {
+    vec![Box::new(Eccentricity {
+        radius: scene.bearing.radius(),
+        clearance: scene.bearing.clearance,
+        offset: journal.offset,
+    })]
+}
+
+fn lubricant(scene: &Scene) -> Lubricant {
+    let viscosity = scene.oil.viscosity;
+    let pressure_law = match scene.oil.pressure_law {
+        scene::PressureLaw::Constant => PressureLaw::Constant,
+        scene::PressureLaw::Barus { alpha, .. } => PressureLaw::Barus(Barus { alpha }),
+        scene::PressureLaw::Roelands {
+            exponent,
+            reference_pressure,
+        } => {
+            let index = match exponent {
+                RoelandsExponent::Z(z) => z,
+                RoelandsExponent::Alpha(alpha) => Roelands::index_of(alpha, viscosity, reference_pressure),
+            };
+            PressureLaw::Roelands(Roelands::new(viscosity, index, reference_pressure))
+        }
+    };
+    Lubricant {
+        viscosity,
+        pressure_law,
+    }
+}
+
+fn form(scene: &Scene) -> Form {
+    match scene.oil.pressure_law {
+        scene::PressureLaw::Barus {
+            alpha,
+            form: BarusForm::AsPrinted,
+        } => Form::AsPrinted(Barus { alpha }),
+        _ => Form::Conservative,
+    }
+}
+
+/// A journal at rest drags no oil.
+fn terms(scene: &Scene) -> Vec<Box<dyn Term>> {
+    let mut terms: Vec<Box<dyn Term>> = vec![Box::new(Poiseuille)];
+    if scene.journal.speed != 0.0 {
+        terms.push(Box::new(Couette));
+    }
+    terms
+}
+
+fn cavitation(scene: &Scene) -> Cavitation {
+    match scene.cavitation {
+        Some(scene::Cavitation {
+            model: CavitationModel::Guembel,
+            pressure,
+        }) => Cavitation::Guembel { pressure },
+        Some(scene::Cavitation {
+            model: CavitationModel::None,
+            ..
+        })
+        | None => Cavitation::None,
+    }
+}
+
+fn disc(scene: &Scene, feed: &scene::Feed) -> Option<Disc> {
+    feed.hole.map(|hole| Disc {
+        centre: [scene.bearing.radius() * hole.angle, hole.z],
+        radius: 0.5 * hole.diameter,
+    })
+}
+
+/// Ends, edges of the arc, film start and feeds.
+fn supply(scene: &Scene, mesh: &Mesh) -> Result<Vec<SupplyRegion>, CompileError> {
+    let region = |name: &str, place, pressure| {
+        let region = mesh.region(name);
+        SupplyRegion {
+            name: name.to_owned(),
+            place,
+            pressure,
+            edges: region.map_or(Vec::new(), |region| region.edges.clone()),
+            cells: region.map_or(Vec::new(), |region| region.cells.clone()),
+            disc: None,
+        }
+    };
+    let p_e = scene.ends.pressure;
+    let mut regions = vec![region("end_low", Place::End, p_e), region("end_high", Place::End, p_e)];
+    if scene.bearing.arc.is_some() {
+        regions.extend(["arc_from", "arc_to"].map(|name| region(name, Place::Line, p_e)));
+    }
+    if let Some(angle) = scene.bearing.film_start {
+        let edges = given::line_at_angle(mesh, scene.bearing.radius(), scene.bearing.length, angle)
+            .map_err(|fault| unfit(scene, vec![fault]))?;
+        regions.push(SupplyRegion {
+            edges,
+            ..region("film_start", Place::Line, p_e)
+        });
+    }
+    for feed in &scene.feeds {
+        if mesh.region(&feed.group).is_none() {
+            return Err(CompileError::NoFeedGroup {
+                group: feed.group.clone(),
+                mesh: scene.mesh.file.clone(),
+                present: mesh.regions().iter().map(|region| region.name.clone()).collect(),
+            });
+        }
+        regions.push(SupplyRegion {
+            disc: disc(scene, feed),
+            ..region(&feed.group, Place::Feed, feed.pressure)
+        });
+    }
+    Ok(regions)
+}
+
+fn unfit(scene: &Scene, faults: Vec<SupplyError>) -> CompileError {
+    CompileError::Supply {
+        mesh: scene.mesh.file.clone(),
+        faults,
+    }
+}
+
+fn supply_pressure(scene: &Scene) -> Option<f64> {
+    let first = scene.feeds.first()?.pressure;
+    scene.feeds.iter().all(|feed| feed.pressure == first).then_some(first)
+}
+
+/// What a reader of the report should know was simulated, and what was not.
+fn effects(scene: &Scene, problem: &FilmProblem) -> Effects {
+    let mut simulated: Vec<String> = problem.terms.iter().map(|term| term.name().to_owned()).collect();
+    let mut not_simulated = Vec::new();
+    if scene.journal.speed == 0.0 {
+        not_simulated.push("couette".to_owned());
+    }
+    match scene.oil.pressure_law {
+        scene::PressureLaw::Constant => not_simulated.push("viscosity growing with pressure".to_owned()),
+        scene::PressureLaw::Barus {
+            form: BarusForm::Conservative,
+            ..
+        } => simulated.push("barus".to_owned()),
+        scene::PressureLaw::Barus {
+            form: BarusForm::AsPrinted,
+            ..
+        } => simulated.push("barus: as-printed".to_owned()),
+        scene::PressureLaw::Roelands { .. } => simulated.push("roelands".to_owned()),
+    }
+    match problem.cavitation {
+        Cavitation::None => not_simulated.push("cavitation".to_owned()),
+        model => simulated.push(format!("cavitation: {}", model.name())),
+    }
+    let never = [
+        "squeeze",
+        "misalignment",
+        "heat",
+        "elastic liner",
+        "roughness",
+        "turbulence",
+    ];
+    not_simulated.extend(never.map(str::to_owned));
+    Effects {
+        simulated,
+        not_simulated,
+    }
+}
