@@ -105,17 +105,19 @@ class Film:
         return self.glue.T @ form.assemble(self.basis)
 
     def _printed_source(self, p):
-        """s = Int exp(alpha p) U/2 dh/dx v and its derivative ds/dp."""
+        """s = Int (exp(alpha p) - 1) U/2 dh/dx v and its derivative ds/dp: the oil that the printed form makes."""
         scene = self.scene
         field = self.basis.interpolate(self.glue @ p)
 
         def source(w):
             phi = w.x[0] / scene.radius - scene.min_film_angle
             slope = scene.clearance * scene.eccentricity * np.sin(phi) / scene.radius
-            return np.exp(scene.barus * w.p) * scene.speed * scene.radius / 2 * slope
+            return scene.speed * scene.radius / 2 * slope
 
-        vector = skfem.LinearForm(lambda v, w: source(w) * v)
-        matrix = skfem.BilinearForm(lambda u, v, w: scene.barus * source(w) * u * v)
+        vector = skfem.LinearForm(lambda v, w: np.expm1(scene.barus * w.p) * source(w) * v)
+        matrix = skfem.BilinearForm(
+            lambda u, v, w: scene.barus * np.exp(scene.barus * w.p) * source(w) * u * v
+        )
         return (
             self.glue.T @ vector.assemble(self.basis, p=field),
             self.glue.T @ matrix.assemble(self.basis, p=field) @ self.glue,
@@ -140,11 +142,12 @@ class Film:
 
     def solve_as_printed(self, steps=30):
         """Nodal p of the printed equation by Newton's method from the isoviscous film."""
-        p = self._solve_linear(self.stiffness, self._couette(), self.fixed)
+        couette = self._couette()
+        p = self._solve_linear(self.stiffness, couette, self.fixed)
         held = dict.fromkeys(self.fixed, 0.0)
         for _ in range(steps):
             source, tangent = self._printed_source(p)
-            change = self._solve_linear(self.stiffness + tangent, -(self.stiffness @ p + source), held)
+            change = self._solve_linear(self.stiffness + tangent, couette - self.stiffness @ p - source, held)
             p = p + change
             if np.abs(change).max() < 1e-13 * np.abs(p).max():
                 return p[self.mesh.unknown]
