@@ -2,7 +2,7 @@
 
     constant viscosity, Barus:  div( h^3/(12 mu0) grad q ) = div( U h/2 ),
                                 q = (1 - exp(-alpha p))/alpha   (q = p at alpha = 0)
-    as the study prints it:     div( h^3/(12 mu0) grad p ) = exp(alpha p) div( U h/2 )
+    as the study prints it:     div( h^3/(12 mu0) grad p ) = div( U h/2 ) + (exp(alpha p) - 1) div( U h/2 )
 
 Full Sommerfeld film (no cavitation). Pressure is given on the ends, the edges of an arc and the
 feeds; a ring is periodic. Every integral over cells uses the quadrature rule that is passed in:
