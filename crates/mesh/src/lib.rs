@@ -29,6 +29,7 @@ pub mod circle;
 pub mod defect;
 pub mod developed;
 pub mod error;
+pub mod generate;
 pub mod gmsh;
 pub mod locate;
 pub mod mesh;

@@ -1,0 +1,246 @@
+//! The outlines of a liner cut into edges: ends, seam or edges of the arc, features.
+
+use std::collections::HashMap;
+
+use super::shape::{Feature, Piece};
+use super::size::SizeField;
+use crate::Circle;
+use crate::developed::Liner;
+
+/// An arc has at least this many edges a turn.
+const EDGES_A_TURN: f64 = 16.0;
+/// Points nearer than this part of the circumference are one.
+const SAME: f64 = 1e-10;
+
+/// Points and edges that the triangulation must have.
+#[derive(Debug, Default)]
+pub(super) struct Outline {
+    /// Points `(x, z)` [m].
+    pub(super) points: Vec<[f64; 2]>,
+    /// Edges between them.
+    pub(super) edges: Vec<Edge>,
+    /// Points of the left and the right side of the seam of a ring, in pairs.
+    pub(super) seam: Vec<[u32; 2]>,
+}
+
+/// One edge of an outline.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Edge {
+    pub(super) ends: [u32; 2],
+    /// Name of the curve region that it belongs to.
+    pub(super) group: Option<String>,
+    /// The circle that it lies on.
+    pub(super) circle: Option<Circle>,
+}
+
+/// The rectangle that is triangulated.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Sheet {
+    pub(super) start: f64,
+    pub(super) width: f64,
+    pub(super) length: f64,
+    pub(super) ring: bool,
+}
+
+impl Sheet {
+    pub(super) fn of(liner: &Liner, start: f64) -> Self {
+        match liner.arc {
+            Some((from, to)) => Self {
+                start: liner.radius * from,
+                width: liner.radius * (to - from),
+                length: liner.length,
+                ring: false,
+            },
+            None => Self {
+                start,
+                width: liner.circumference(),
+                length: liner.length,
+                ring: true,
+            },
+        }
+    }
+
+    pub(super) fn period(&self) -> Option<f64> {
+        self.ring.then_some(self.width)
+    }
+
+    pub(super) fn end(&self) -> f64 {
+        self.start + self.width
+    }
+
+    /// Distance [m] from the ends and, on an arc, its edges; negative outside.
+    pub(super) fn margin(&self, [x, z]: [f64; 2]) -> f64 {
+        let ends = 0.5 * self.length - z.abs();
+        if self.ring {
+            ends
+        } else {
+            ends.min(x - self.start).min(self.end() - x)
+        }
+    }
+}
+
+/// Collects points, those at one place only once.
+struct Collector {
+    outline: Outline,
+    cell: f64,
+    known: HashMap<(i64, i64), u32>,
+}
+
+impl Collector {
+    fn point(&mut self, point: [f64; 2]) -> u32 {
+        let key = point.map(|x| (x / self.cell).round() as i64);
+        for dx in -1..=1 {
+            for dz in -1..=1 {
+                if let Some(&known) = self.known.get(&(key[0] + dx, key[1] + dz)) {
+                    return known;
+                }
+            }
+        }
+        let number = self.outline.points.len() as u32;
+        self.outline.points.push(point);
+        self.known.insert((key[0], key[1]), number);
+        number
+    }
+
+    fn chain(&mut self, points: &[[f64; 2]], group: Option<&str>, circle: Option<Circle>) {
+        let numbers: Vec<u32> = points.iter().map(|&point| self.point(point)).collect();
+        for pair in numbers.windows(2) {
+            if pair[0] != pair[1] {
+                let group = group.map(str::to_owned);
+                self.outline.edges.push(Edge {
+                    ends: [pair[0], pair[1]],
+                    group,
+                    circle,
+                });
+            }
+        }
+    }
+}
+
+/// Cuts all outlines into edges of the wanted size.
+pub(super) fn outline(sheet: &Sheet, features: &[Feature], size: &SizeField) -> Outline {
+    let mut collector = Collector {
+        outline: Outline::default(),
+        cell: SAME * sheet.width.max(sheet.length) * 10.0,
+        known: HashMap::new(),
+    };
+    let pieces: Vec<(usize, Piece)> = (features.iter().enumerate())
+        .flat_map(|(index, feature)| {
+            let pieces = on_sheet(sheet, feature);
+            pieces.into_iter().map(move |piece| (index, piece))
+        })
+        .collect();
+    sides(&mut collector, sheet, features, &pieces, size);
+    for (z, group) in [(-0.5 * sheet.length, "end_low"), (0.5 * sheet.length, "end_high")] {
+        let line = Piece::Line([sheet.start, z], [sheet.end(), z]);
+        collector.chain(&cut(&line, size), Some(group), None);
+    }
+    for (index, piece) in &pieces {
+        let feature = &features[*index];
+        let circle = match piece {
+            Piece::Arc(circle, ..) => Some(*circle),
+            Piece::Line(..) => None,
+        };
+        let group = (!feature.meshed).then_some(feature.name.as_str());
+        collector.chain(&cut(piece, size), group, circle);
+    }
+    collector.outline
+}
+
+/// The outline of a feature laid on the sheet: on a ring cut at its sides.
+fn on_sheet(sheet: &Sheet, feature: &Feature) -> Vec<Piece> {
+    let pieces = feature.shape.outline(sheet.start, sheet.width);
+    if !sheet.ring || feature.shape.is_full_turn() {
+        return pieces;
+    }
+    let middle = sheet.start + 0.5 * sheet.width;
+    let turns = ((middle - feature.shape.centre[0]) / sheet.width).round();
+    pieces
+        .iter()
+        .map(|piece| piece.shifted(turns * sheet.width))
+        .flat_map(|piece| piece.split_at(sheet.start))
+        .flat_map(|piece| piece.split_at(sheet.end()))
+        .map(|piece| match piece.at(0.5)[0] {
+            x if x < sheet.start => piece.shifted(sheet.width),
+            x if x > sheet.end() => piece.shifted(-sheet.width),
+            _ => piece,
+        })
+        .collect()
+}
+
+/// The two sides of the sheet: edges of an arc, or a seam with the same points on both sides.
+fn sides(collector: &mut Collector, sheet: &Sheet, features: &[Feature], pieces: &[(usize, Piece)], size: &SizeField) {
+    let (low, high) = (-0.5 * sheet.length, 0.5 * sheet.length);
+    if !sheet.ring {
+        for (x, group) in [(sheet.start, "arc_from"), (sheet.end(), "arc_to")] {
+            let line = Piece::Line([x, low], [x, high]);
+            collector.chain(&cut(&line, size), Some(group), None);
+        }
+        return;
+    }
+    // Where outlines cross the seam; between crossings it runs through the film or through a cut-out.
+    let near = SAME * sheet.width;
+    let mut crossings: Vec<f64> = (pieces.iter())
+        .flat_map(|(_, piece)| [piece.at(0.0), piece.at(1.0)])
+        .filter(|point| (point[0] - sheet.start).abs() < near)
+        .map(|point| point[1])
+        .chain([low, high])
+        .collect();
+    crossings.sort_unstable_by(f64::total_cmp);
+    crossings.dedup_by(|a, b| (*a - *b).abs() < near);
+    for pair in crossings.windows(2) {
+        let middle = [sheet.start, 0.5 * (pair[0] + pair[1])];
+        let removed = |feature: &Feature| !feature.meshed && feature.shape.distance(middle, sheet.period()) < 0.0;
+        if features.iter().any(removed) {
+            continue;
+        }
+        let left = cut(&Piece::Line([sheet.start, pair[0]], [sheet.start, pair[1]]), size);
+        let right: Vec<[f64; 2]> = left.iter().map(|point| [sheet.end(), point[1]]).collect();
+        collector.chain(&left, None, None);
+        collector.chain(&right, None, None);
+        for (l, r) in left.iter().zip(&right) {
+            let twins = [collector.point(*l), collector.point(*r)];
+            collector.outline.seam.push(twins);
+        }
+    }
+    collector.outline.seam.sort_unstable();
+    collector.outline.seam.dedup();
+}
+
+/// Points along a piece whose distances follow the wanted size, both ends included.
+fn cut(piece: &Piece, size: &SizeField) -> Vec<[f64; 2]> {
+    let least = match piece {
+        Piece::Line(..) => 1.0,
+        Piece::Arc(_, from, to) => ((to - from) / (std::f64::consts::TAU / EDGES_A_TURN) - 1e-9)
+            .ceil()
+            .max(1.0),
+    };
+    let length = piece.length();
+    let mut samples = 64usize;
+    loop {
+        // Number of edges up to each sample: the integral of ds / size.
+        let mut count = vec![0.0];
+        for k in 0..samples {
+            let s = (k as f64 + 0.5) / samples as f64;
+            count.push(count[k] + length / samples as f64 / size.at(piece.at(s)));
+        }
+        let edges = count[samples].round().max(least);
+        if edges * 8.0 > samples as f64 && samples < 1 << 20 {
+            samples = (16.0 * edges) as usize;
+            continue;
+        }
+        let scale = count[samples] / edges;
+        let mut sample = 0;
+        let mut points = vec![piece.at(0.0)];
+        for k in 1..edges as usize {
+            let wanted = k as f64 * scale;
+            while count[sample + 1] < wanted {
+                sample += 1;
+            }
+            let inside = (wanted - count[sample]) / (count[sample + 1] - count[sample]);
+            points.push(piece.at((sample as f64 + inside) / samples as f64));
+        }
+        points.push(piece.at(1.0));
+        return points;
+    }
+}
