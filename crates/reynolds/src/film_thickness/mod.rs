@@ -1,8 +1,10 @@
 //! How thick the film is: a sum of contributions, one a file.
 
 mod eccentricity;
+mod groove_depth;
 
 pub use eccentricity::Eccentricity;
+pub use groove_depth::GrooveDepth;
 
 use crate::FilmPoint;
 

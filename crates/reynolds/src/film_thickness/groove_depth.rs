@@ -1,0 +1,34 @@
+//! # Groove or pocket that deepens the film
+//!
+//! **Equation.** `h` grows by `d` in the cells of the groove; `h` jumps at its edge, which is a line
+//! of element edges, and the flux is continuous there by the weak form.
+//!
+//! | symbol | unit | code |
+//! |---|---|---|
+//! | d | m | `depth` |
+//!
+//! **Source.** Rayleigh, Phil. Mag. 35 (1918) 1 (the step); Fowell et al., Trib. Int. 40 (2007) 638.
+//! **Range.** d of the order of h: in a much deeper groove the pressure is nearly even and inertia counts.
+//! **Verified by** `literature/rayleigh_1918`.
+
+use super::FilmContribution;
+use crate::FilmPoint;
+
+/// A step of the film thickness.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GrooveDepth {
+    /// Depth d [m].
+    pub depth: f64,
+    /// True for the cells of the groove.
+    pub inside: Vec<bool>,
+}
+
+impl FilmContribution for GrooveDepth {
+    fn add(&self, cell: usize, _positions: &[[f64; 2]], film: &mut [FilmPoint]) {
+        if self.inside[cell] {
+            for point in film {
+                point.thickness += self.depth;
+            }
+        }
+    }
+}
