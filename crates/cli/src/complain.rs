@@ -125,7 +125,7 @@ fn can_be_shown(text: &str, span: &Range<usize>) -> bool {
 }
 
 /// Without control characters, which could steer the terminal.
-fn printable(text: &str) -> String {
+pub(crate) fn printable(text: &str) -> String {
     text.chars()
         .map(|letter| {
             if letter.is_control() && letter != '\n' {

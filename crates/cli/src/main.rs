@@ -8,6 +8,7 @@ mod complain;
 mod readable;
 mod solve;
 mod terminal;
+mod words;
 
 use clap::{Parser, Subcommand};
 use complain::Failure;
@@ -27,7 +28,7 @@ struct Arguments {
 
 const EXAMPLES: &str = "\
 Examples:
-  oilwedge solve scenes/01_plain.toml              solve, tell the numbers, write out/01_plain/
+  oilwedge solve scenes/01_plain_ring.toml         solve, tell the numbers, write out/01_plain_ring/
   oilwedge solve bearing.toml --json > load.json   the same numbers for a script
   oilwedge check bearing.toml                      what would be computed, and is the mesh good?
   oilwedge check liner.msh                         a gmsh 4.1 mesh by itself

@@ -1,11 +1,16 @@
 //! Tables for people, on stdout.
 
 use crate::complain::Failure;
+use crate::complain::printable;
 use crate::readable::{readable_unit, significant};
+use crate::words;
 use comfy_table::{CellAlignment, ContentArrangement, Table, presets};
-use oilwedge_scene::report::{CheckReport, Effects, MeshFacts, Quantity, RunResult, Status};
+use oilwedge_scene::report::{Balances, CheckReport, Counts, Effects, MeshFacts, Quantity, RunResult, Status};
 use std::io::{ErrorKind, Write};
 use std::path::Path;
+
+/// A quantity below this in its smallest unit is nothing: 1e-9 N, um, ml/s or deg.
+const ROUNDING: f64 = 1e-9;
 
 /// Prints a text to stdout; that the reader has gone away already (`| head`) is no fault.
 ///
@@ -28,38 +33,60 @@ pub(crate) fn run_report(result: &RunResult, folder: &Path, picture: bool) -> St
     parts.push(effects(&result.effects));
     if !result.quantities.is_empty() {
         parts.push(quantities(&result.quantities));
-        let (mass, force) = (
-            significant(result.balances.mass, 2),
-            significant(result.balances.force, 2),
-        );
-        parts.push(format!(
-            "balances  mass {mass}, force {force} (relative; zero is closed)"
-        ));
     }
-    let counts = result.counts;
-    let work = [
-        (counts.nonlinear_iterations, "nonlinear iterations"),
-        (counts.factorisations, "factorisations"),
-        (counts.linear_solves, "linear solves"),
-    ];
-    let work = work.map(|(count, what)| format!("{count} {what}")).join(", ");
-    let timing: Vec<_> = result
-        .timing_s
-        .iter()
-        .map(|(part, seconds)| format!("{part} {}", time(*seconds)))
-        .collect();
+    let mut lines = Vec::new();
+    if !result.quantities.is_empty() {
+        lines.push(balances(result.balances));
+    }
+    lines.push(format!("mesh      {}", mesh(&result.mesh)));
+    lines.extend(work(result.counts));
+    lines.push(format!("time      {}", timing(&result.timing_s)));
     let files = if picture {
         "result.json, film.vtu"
     } else {
         "result.json"
     };
-    parts.push(format!(
-        "mesh      {}\nwork      {work}\ntime      {}\nwritten   {}: {files}",
-        mesh(&result.mesh),
-        timing.join(", "),
-        folder.display(),
-    ));
+    lines.push(format!("written   {}: {files}", folder.display()));
+    parts.push(lines.join("\n"));
     parts.join("\n\n") + "\n"
+}
+
+/// How far the balances are open. A force balance is asked for only where a position is sought.
+fn balances(balances: Balances) -> String {
+    let mut line = format!(
+        "balance   oil in and oil out differ by {} of the oil that enters",
+        significant(balances.mass, 2)
+    );
+    if balances.force != 0.0 {
+        let force = significant(balances.force, 2);
+        line += &format!(", load and film force by {force} of the load");
+    }
+    line
+}
+
+/// What was done; nothing where nothing was counted.
+fn work(counts: Counts) -> Option<String> {
+    let work = [
+        (counts.linear_solves, "linear solve"),
+        (counts.factorisations, "factorisation"),
+        (counts.nonlinear_iterations, "nonlinear iteration"),
+    ];
+    let counted: Vec<_> = (work.iter())
+        .filter(|(count, _)| *count > 0)
+        .map(|(count, what)| format!("{count} {what}{}", if *count == 1 { "" } else { "s" }))
+        .collect();
+    (!counted.is_empty()).then(|| format!("work      {}", counted.join(", ")))
+}
+
+/// The whole first, then its parts.
+fn timing(parts: &[(String, f64)]) -> String {
+    let told: Vec<_> = (parts.iter())
+        .filter(|(part, _)| part != "total")
+        .map(|(part, seconds)| format!("{part} {}", time(*seconds)))
+        .collect();
+    let total = parts.iter().find(|(part, _)| part == "total");
+    let total = total.map_or(String::new(), |(_, seconds)| format!("{}: ", time(*seconds)));
+    total + &told.join(", ")
 }
 
 /// Everything about a scene or mesh that can be used.
@@ -70,9 +97,11 @@ pub(crate) fn check_report(found: &CheckReport) -> String {
     )];
     parts.extend(found.effects.as_ref().map(effects));
     if !found.regions.is_empty() {
-        let mut table = table(["region", "kind", "parts"]);
+        let mut table = table(["group", "kind", "size"]);
         for region in &found.regions {
-            table.add_row([region.name.clone(), region.kind.clone(), region.parts.to_string()]);
+            let parts = if region.kind == "curve" { "edges" } else { "triangles" };
+            let size = format!("{} {parts}", region.parts);
+            table.add_row([printable(&region.name), region.kind.clone(), size]);
         }
         align_right(&mut table, 2);
         parts.push(table.to_string());
@@ -86,7 +115,7 @@ fn facts(found: &CheckReport) -> String {
     let mut lines = vec![
         format!("mesh      {}: {}", found.mesh_file, mesh(&found.mesh)),
         format!(
-            "shape     least angles: median {} deg; worst aspect ratio {}; {} curved cells; edges {} to {} mm",
+            "shape     smallest angles: median {} deg; longest edge over height: worst {}, ideal 1.15; {} curved triangles; edges {} to {} mm",
             significant(quality.median_angle, 3),
             significant(quality.worst_aspect, 3),
             quality.curved_cells,
@@ -101,13 +130,16 @@ fn facts(found: &CheckReport) -> String {
     ];
     lines.extend(found.cost.map(|cost| {
         let factor = significant(8e-6 * cost.factor_entries as f64, 3);
-        format!("cost      {} unknowns, {factor} MB for the factor", cost.unknowns)
+        format!(
+            "cost      {} unknown pressures, {factor} MB for the factorised matrix",
+            cost.unknowns
+        )
     }));
     lines.join("\n")
 }
 
 fn heading(title: &str, status: &str) -> String {
-    format!("{title}: {status}")
+    format!("{}: {status}", printable(title))
 }
 
 fn status(status: Status) -> &'static str {
@@ -126,15 +158,24 @@ fn mesh(facts: &MeshFacts) -> String {
         min_angle_deg,
     } = facts;
     format!(
-        "{cells} triangles of order {order}, {nodes} nodes, smallest angle {} deg",
+        "{cells} triangles, {nodes} nodes for a pressure of degree {order}, smallest angle {} deg",
         significant(*min_angle_deg, 3)
     )
 }
 
 fn effects(effects: &Effects) -> String {
+    let width = effects.simulated.iter().map(|name| name.chars().count()).max();
+    let width = width.unwrap_or(0);
+    let simulated: Vec<_> = (effects.simulated.iter())
+        .map(|name| {
+            format!("{name:width$}  {}", words::of_effect(name))
+                .trim_end()
+                .to_owned()
+        })
+        .collect();
     format!(
         "simulated      {}\nnot simulated  {}",
-        effects.simulated.join(", "),
+        simulated.join("\n               "),
         effects.not_simulated.join(", ")
     )
 }
@@ -142,19 +183,23 @@ fn effects(effects: &Effects) -> String {
 fn quantities(quantities: &[Quantity]) -> String {
     let bars = quantities.iter().any(|quantity| quantity.error.is_some());
     let mut table = match bars {
-        true => table(["quantity", "symbol", "value", "± error", "unit"]),
-        false => table(["quantity", "symbol", "value", "unit"]),
+        true => table(["quantity", "symbol", "value", "± error", "unit", "what it is"]),
+        false => table(["quantity", "symbol", "value", "unit", "what it is"]),
     };
     for quantity in quantities {
         let (unit, size) = readable_unit(quantity.value, &quantity.unit);
-        let value = significant(quantity.value / size, 6);
+        let value = match quantity.value / size {
+            nothing if nothing.abs() < ROUNDING => "0".to_owned(),
+            value => significant(value, 6),
+        };
         let error = quantity
             .error
             .map_or(String::new(), |error| significant(error / size, 2));
-        let (name, symbol, unit) = (quantity.name.clone(), quantity.symbol.clone(), unit.to_string());
+        let (name, symbol, unit) = (printable(&quantity.name), quantity.symbol.clone(), unit.to_string());
+        let words = words::of_quantity(&quantity.name).to_owned();
         match bars {
-            true => table.add_row([name, symbol, value, error, unit]),
-            false => table.add_row([name, symbol, value, unit]),
+            true => table.add_row([name, symbol, value, error, unit, words]),
+            false => table.add_row([name, symbol, value, unit, words]),
         };
     }
     align_right(&mut table, 2);
@@ -189,7 +234,7 @@ fn time(seconds: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use oilwedge_scene::report::{Balances, CHECK_FORMAT, Counts, RESULT_FORMAT, RegionFacts};
+    use oilwedge_scene::report::{CHECK_FORMAT, RESULT_FORMAT, RegionFacts};
 
     fn result() -> RunResult {
         let mut angle = Quantity::new("attitude_angle", "beta", 49.29, "deg");
@@ -239,9 +284,12 @@ mod tests {
             "kN",
             "49.2900",
             "0.012",
-            "mass 1.2e-12",
-            "592 triangles of order 2, 1245 nodes, smallest angle 31.0 deg",
-            "read 12.3 ms, total 1.50 s",
+            "simulated      poiseuille  oil driven by the pressure gradient\n               couette     oil dragged",
+            "force that the film carries",
+            "differ by 1.2e-12 of",
+            "592 triangles, 1245 nodes for a pressure of degree 2, smallest angle 31.0 deg",
+            "1 linear solve, 1 factorisation, 1 nonlinear iteration",
+            "1.50 s: read 12.3 ms",
             "out/shell: result.json, film.vtu",
         ];
         for part in parts {
@@ -260,7 +308,18 @@ mod tests {
             text.contains("there is no solution") && text.contains("reason: no steady film"),
             "{text}"
         );
-        assert!(!text.contains("balances") && !text.contains("film.vtu"), "{text}");
+        assert!(!text.contains("balance") && !text.contains("film.vtu"), "{text}");
+    }
+
+    #[test]
+    fn rounding_is_shown_as_zero_and_control_characters_not_at_all() {
+        let mut result = result();
+        result.title = "a\u{1b}[31m".into();
+        result.quantities = vec![Quantity::new("side_flow", "Q_s", -7e-22, "m3/s")];
+        result.counts = Counts::default();
+        let text = run_report(&result, Path::new("out"), true);
+        assert!(text.contains("\u{2506}     0 \u{2506} ml/s"), "{text}");
+        assert!(!text.contains('\u{1b}') && !text.contains("work"), "{text}");
     }
 
     #[test]
@@ -276,7 +335,7 @@ mod tests {
             mesh_file: "liner.msh".into(),
             effects: None,
             mesh: MeshFacts::default(),
-            quality: oilwedge_mesh::Quality::default(),
+            quality: Default::default(),
             regions,
             cost: None,
             warnings: vec![],

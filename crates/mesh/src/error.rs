@@ -27,7 +27,7 @@ pub enum Error {
         path: std::path::PathBuf,
     },
     /// The operating system refused.
-    #[error("cannot {action} {}: {error}", path.display())]
+    #[error("cannot {action} {}: {error}; check the path and its permissions", path.display())]
     Io {
         /// "read" or "write".
         action: &'static str,
@@ -176,7 +176,7 @@ pub enum Error {
     },
     /// A length of the file is not that of the scene.
     #[error(
-        "{quantity} is {file:.9} in the mesh but {scene:.9} in the scene ({unit}){hint}; correct the one that is wrong"
+        "{quantity} is {file:.9} {unit} in the mesh but {scene:.9} {unit} in the scene{hint}; correct the one that is wrong"
     )]
     Disagrees {
         /// What was measured.
@@ -192,7 +192,7 @@ pub enum Error {
     },
     /// A mesh of an arc starts elsewhere.
     #[error(
-        "the film of the mesh runs from {file:.9} to {file_end:.9}, the arc of the scene from {scene:.9} to {scene_end:.9} ({unit}); shift the mesh by {shift:.9} {unit}, or correct the arc"
+        "the film of the mesh runs from {file:.9} to {file_end:.9} {unit}, the arc of the scene from {scene:.9} to {scene_end:.9} {unit}; shift the mesh by {shift:.9} {unit}, or correct bearing.arc"
     )]
     Shifted {
         /// Start in the mesh, in `unit`.

@@ -84,7 +84,7 @@ pub enum SupplyError {
     },
     /// No line of element edges at the angle of the film start.
     #[error(
-        "no line of element edges runs from end to end at {degrees} deg, where the film is to start; mesh the liner with its seam there"
+        "no line of element edges runs from end to end at {degrees:.6} deg, where the film is to start; mesh the liner with its seam there"
     )]
     NoLine {
         /// Angle asked for [deg].

@@ -51,15 +51,26 @@ pub enum CompileError {
     /// The mesh cannot be used.
     #[error(transparent)]
     Mesh(#[from] oilwedge_mesh::Error),
-    /// The mesh lacks the group of a feed.
-    #[error("feed group \"{group}\" is not in the mesh {}; its groups are {}", mesh.display(), present.join(", "))]
+    /// The mesh lacks groups of feeds.
+    #[error(
+        "the mesh {} has no group for {}; its groups are {}; correct the name in the scene, or give the region that name in gmsh (Physical Curve for a hole that is cut out, Physical Surface for one that is meshed)",
+        mesh.display(), asked.join(" and "), present.join(", ")
+    )]
     NoFeedGroup {
-        /// Group asked for.
-        group: String,
+        /// Key and name of each group asked for.
+        asked: Vec<String>,
         /// Mesh file.
         mesh: std::path::PathBuf,
         /// Groups there are.
         present: Vec<String>,
+    },
+    /// No line of the mesh runs where the film is to start.
+    #[error("the mesh {} does not fit the key bearing.film_start: {fault}; or remove film_start: the film is periodic then", mesh.display())]
+    FilmStart {
+        /// Mesh file.
+        mesh: std::path::PathBuf,
+        /// What does not fit.
+        fault: SupplyError,
     },
     /// Given pressures do not fit the mesh.
     #[error("the mesh {} does not fit the scene:{}", mesh.display(), faults.iter().map(|fault| format!("\n  {fault}")).collect::<String>())]
@@ -247,26 +258,33 @@ fn supply(scene: &Scene, mesh: &Mesh) -> Result<Vec<SupplyRegion>, CompileError>
         regions.extend(["arc_from", "arc_to"].map(|name| region(name, Place::Line, p_e)));
     }
     if let Some(angle) = scene.bearing.film_start {
-        let edges = given::line_at_angle(mesh, scene.bearing.radius(), scene.bearing.length, angle)
-            .map_err(|fault| unfit(scene, vec![fault]))?;
+        let edges =
+            given::line_at_angle(mesh, scene.bearing.radius(), scene.bearing.length, angle).map_err(|fault| {
+                CompileError::FilmStart {
+                    mesh: scene.mesh.file.clone(),
+                    fault,
+                }
+            })?;
         regions.push(SupplyRegion {
             edges,
             ..region("film_start", Place::Line, p_e)
         });
     }
-    for feed in &scene.feeds {
-        if mesh.region(&feed.group).is_none() {
-            return Err(CompileError::NoFeedGroup {
-                group: feed.group.clone(),
-                mesh: scene.mesh.file.clone(),
-                present: mesh.regions().iter().map(|region| region.name.clone()).collect(),
-            });
-        }
-        regions.push(SupplyRegion {
-            disc: disc(scene, feed),
-            ..region(&feed.group, Place::Feed, feed.pressure)
+    let asked: Vec<String> = (scene.feeds.iter().enumerate())
+        .filter(|(_, feed)| mesh.region(&feed.group).is_none())
+        .map(|(index, feed)| format!("feed[{index}].group = \"{}\"", feed.group))
+        .collect();
+    if !asked.is_empty() {
+        return Err(CompileError::NoFeedGroup {
+            asked,
+            mesh: scene.mesh.file.clone(),
+            present: mesh.regions().iter().map(|region| region.name.clone()).collect(),
         });
     }
+    regions.extend(scene.feeds.iter().map(|feed| SupplyRegion {
+        disc: disc(scene, feed),
+        ..region(&feed.group, Place::Feed, feed.pressure)
+    }));
     Ok(regions)
 }
 

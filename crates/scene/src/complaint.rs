@@ -32,7 +32,7 @@ impl std::fmt::Display for Complaint {
 #[derive(Debug, thiserror::Error)]
 pub enum SceneError {
     /// The file is not there or may not be read.
-    #[error("cannot read the scene {}: {source}", path.display())]
+    #[error("cannot read the scene {}: {source}; give the path of a scene in TOML", path.display())]
     Read {
         /// The file.
         path: PathBuf,
@@ -52,6 +52,15 @@ pub enum SceneError {
         path: PathBuf,
         /// The largest size that is read [bytes].
         limit: u64,
+    },
+    /// The file is a mesh.
+    #[error(
+        "{} is a gmsh mesh, not a scene; a scene names it as file below [mesh] (by itself it can be checked if its name ends in .msh: oilwedge check NAME.msh)",
+        path.display()
+    )]
+    Mesh {
+        /// The file.
+        path: PathBuf,
     },
     /// The file is not text.
     #[error("the scene {} is not UTF-8 text (first wrong byte: {offset}); save it as UTF-8", path.display())]

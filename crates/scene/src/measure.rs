@@ -13,6 +13,9 @@ use crate::report::Quantity;
 /// A load below this fraction of (greatest pressure difference) x (projected area) has no direction.
 const NO_LOAD: f64 = 1e-12;
 
+/// Tension below this fraction of the range of pressure may be that of the interpolation.
+const TENSION: f64 = 1e-5;
+
 /// Everything measured on one film.
 #[derive(Debug)]
 pub struct Measured {
@@ -114,10 +117,11 @@ pub fn warnings(study: &Study, measured: &Measured) -> Vec<String> {
     use oilwedge_reynolds::{Cavitation, Form};
     let Measured { extremes, flows, .. } = measured;
     let end = study.problem.bearing.end_pressure;
+    let tension = end - extremes.least > TENSION * (extremes.greatest - extremes.least);
     let mut warnings = Vec::new();
     match study.problem.cavitation {
-        Cavitation::None if extremes.least < end => warnings.push(format!(
-            "full Sommerfeld film: the pressure falls to {:.4} bar, below the {:.4} bar at the ends; oil bears no such tension. Add [cavitation]",
+        Cavitation::None if tension => warnings.push(format!(
+            "full Sommerfeld film: the pressure falls to {:.2} bar, below the {:.2} bar at the ends; oil bears no such tension, but the load counts it; choose a model under [cavitation]",
             1e-5 * extremes.least,
             1e-5 * end
         )),

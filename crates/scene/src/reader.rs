@@ -87,16 +87,26 @@ pub(crate) struct TableReader<'a> {
     table: Option<&'a DeTable<'a>>,
     path: String,
     known: Vec<&'static str>,
+    /// Keys of later versions.
+    later: Vec<&'static str>,
+    /// Keys that must be there and are not, with an example.
+    missing: Vec<(&'static str, String)>,
 }
 
 impl<'a> TableReader<'a> {
     /// Reads the table of the whole text.
     pub(crate) fn root(collector: &'a Collector, table: &'a DeTable<'a>) -> Self {
+        Self::at(collector, Some(table), String::new())
+    }
+
+    fn at(collector: &'a Collector, table: Option<&'a DeTable<'a>>, path: String) -> Self {
         Self {
             collector,
-            table: Some(table),
-            path: String::new(),
+            table,
+            path,
             known: Vec::new(),
+            later: Vec::new(),
+            missing: Vec::new(),
         }
     }
 
@@ -136,7 +146,7 @@ impl<'a> TableReader<'a> {
         match self.take(key)? {
             DeValue::String(text) => match unit::parse(text, dimension) {
                 Ok(value) => return Some(value),
-                Err(error) => self.complain(key, error.to_string(), error.help()),
+                Err(error) => self.complain(key, error.to_string(), error.help(example)),
             },
             DeValue::Integer(_) | DeValue::Float(_) => {
                 let message = format!("a bare number has no unit; {} is wanted", dimension.name());
@@ -242,12 +252,8 @@ impl<'a> TableReader<'a> {
             self.complain(key, "this table is missing", format!("write {example}"));
         }
         let path = self.key(key);
-        self.table_if_given(key).unwrap_or(TableReader {
-            collector: self.collector,
-            table: None,
-            path,
-            known: vec![],
-        })
+        self.table_if_given(key)
+            .unwrap_or_else(|| Self::at(self.collector, None, path))
     }
 
     /// A table, if it is written.
@@ -261,12 +267,7 @@ impl<'a> TableReader<'a> {
             };
             self.complain(key, message, help);
         }
-        Some(TableReader {
-            collector: self.collector,
-            table: value.as_table(),
-            path: self.key(key),
-            known: vec![],
-        })
+        Some(Self::at(self.collector, value.as_table(), self.key(key)))
     }
 
     /// A list of tables; none where the key is not written.
@@ -289,38 +290,37 @@ impl<'a> TableReader<'a> {
                 self.collector
                     .complain(&path, message, format!("begin it with a line [[{key}]]"));
             }
-            TableReader {
-                collector: self.collector,
-                table: item.get_ref().as_table(),
-                path,
-                known: vec![],
-            }
+            Self::at(self.collector, item.get_ref().as_table(), path)
         };
         items.iter().enumerate().map(reader).collect()
     }
 
     /// Refuses a key of the contract that this version does not serve.
     pub(crate) fn not_served(&mut self, key: &'static str, instead: &str) {
-        if self.take(key).is_some() {
+        self.later.push(key);
+        if self.value(key).is_some() {
             self.complain(key, "is not served yet", instead);
         }
     }
 
-    /// Complains about every key that nobody asked for.
-    pub(crate) fn finish(self) {
+    /// Complains about every key that nobody asked for, and about keys that are missing. A key that is misspelt is
+    /// not missing too.
+    pub(crate) fn finish(mut self) {
         let Some(table) = self.table else { return };
+        self.known.sort_unstable();
+        let mut meant = Vec::new();
         for (key, value) in table {
             let name = key.get_ref().as_ref();
-            if self.known.contains(&name) {
+            if self.known.contains(&name) || self.later.contains(&name) {
                 continue;
             }
             self.collector
                 .mark(&self.key(name), key.span().start..value.span().end.max(key.span().end));
-            let mut known = self.known.clone();
-            known.sort_unstable();
-            let help = match nearest(name, known.iter().copied()) {
+            let near = nearest(name, self.known.iter().copied());
+            meant.extend(near);
+            let help = match near {
                 Some(near) => format!("did you mean \"{near}\"?"),
-                None => format!("known here: {}", known.join(", ")),
+                None => format!("known here: {}", self.known.join(", ")),
             };
             let message = if value.get_ref().is_table() {
                 "this table is not known"
@@ -329,16 +329,23 @@ impl<'a> TableReader<'a> {
             };
             self.complain(name, message, help);
         }
+        for (key, example) in self.missing.iter().filter(|(key, _)| !meant.contains(key)) {
+            self.complain(key, "is missing", format!("write for example {key} = {example}"));
+        }
     }
 
-    fn require(&self, key: &str, example: &str) {
-        if !self.has(key) && self.is_readable() {
-            self.complain(key, "is missing", format!("write for example {key} = {example}"));
+    fn require(&mut self, key: &'static str, example: &str) {
+        if !self.has(key) {
+            self.missing.push((key, example.to_owned()));
         }
     }
 
     fn take(&mut self, key: &'static str) -> Option<&'a DeValue<'a>> {
         self.known.push(key);
+        self.value(key)
+    }
+
+    fn value(&self, key: &str) -> Option<&'a DeValue<'a>> {
         let value = self.table?.get(key)?;
         self.collector.mark(&self.key(key), value.span());
         Some(value.get_ref())

@@ -10,7 +10,10 @@ use std::path::{Path, PathBuf};
 pub const SCENE_LIMIT: u64 = 1 << 20;
 
 /// How many faults of the TOML are told; more follow from the first ones.
-const FAULT_LIMIT: usize = 20;
+const FAULT_LIMIT: usize = 5;
+
+/// How a gmsh file begins.
+const MESH_OPENING: &[u8] = b"$MeshFormat";
 
 /// One bearing, as its scene describes it, in SI. Whatever is `None` is not simulated.
 #[derive(Debug, Clone, PartialEq)]
@@ -208,11 +211,16 @@ impl Scene {
                 limit: SCENE_LIMIT,
             });
         }
+        if bytes.starts_with(MESH_OPENING) {
+            return Err(SceneError::Mesh {
+                path: path.to_path_buf(),
+            });
+        }
         let text = String::from_utf8(bytes).map_err(|error| SceneError::NotText {
             path: path.to_path_buf(),
             offset: error.utf8_error().valid_up_to(),
         })?;
-        Self::from_text(&text, path, Path::is_file)
+        Self::from_text(&text, path, no_file)
     }
 
     /// Checks the scene `text`; `path` is where it stands: its folder is where a relative mesh file is looked for,
@@ -221,10 +229,11 @@ impl Scene {
     /// # Errors
     /// [`SceneError::Syntax`] and [`SceneError::Complaints`], with everything that is wrong.
     pub fn parse(text: &str, path: &Path) -> Result<Self, SceneError> {
-        Self::from_text(text, path, |_| true)
+        Self::from_text(text, path, |_| None)
     }
 
-    fn from_text(text: &str, path: &Path, mesh_exists: impl Fn(&Path) -> bool) -> Result<Self, SceneError> {
+    /// `no_mesh` tells why the mesh cannot be read.
+    fn from_text(text: &str, path: &Path, no_mesh: impl Fn(&Path) -> Option<String>) -> Result<Self, SceneError> {
         let (document, faults) = toml::de::DeTable::parse_recoverable(text);
         if !faults.is_empty() {
             let complaints = in_order(faults.iter().take(FAULT_LIMIT).map(fault).collect());
@@ -237,8 +246,7 @@ impl Scene {
         let (mut scene, marks, mut complaints) = schema::read_scene(document.get_ref(), text, path);
         complaints.extend(validate::complaints(&scene, &marks));
         let named = marks.has("mesh.file") && complaints.iter().all(|complaint| complaint.key != "mesh.file");
-        if named && !mesh_exists(&scene.mesh.file) {
-            let message = format!("there is no file {}", scene.mesh.file.display());
+        if let Some(message) = no_mesh(&scene.mesh.file).filter(|_| named) {
             let help = "give the path of a gmsh 4.1 file, counted from the folder of the scene";
             complaints.push(marks.complaint("mesh.file", message, help));
         }
@@ -255,6 +263,18 @@ impl Scene {
             text: text.to_string(),
             complaints,
         })
+    }
+}
+
+/// Why there is no plain file `path`, as the end of a sentence.
+fn no_file(path: &Path) -> Option<String> {
+    let path_text = path.display();
+    match std::fs::metadata(path) {
+        Ok(metadata) if metadata.is_file() => None,
+        Ok(metadata) if metadata.is_dir() => Some(format!("{path_text} is a folder, not a mesh file")),
+        Ok(_) => Some(format!("{path_text} is not a plain file")),
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => Some(format!("there is no file {path_text}")),
+        Err(error) => Some(format!("cannot read {path_text}: {error}")),
     }
 }
 
@@ -290,6 +310,8 @@ mod tests {
         ));
         std::fs::write(&path, vec![b'#'; SCENE_LIMIT as usize + 1])?;
         assert!(matches!(Scene::read(&path), Err(SceneError::TooLarge { .. })));
+        std::fs::write(&path, "$MeshFormat\n4.1 0 8\n")?;
+        assert!(matches!(Scene::read(&path), Err(SceneError::Mesh { .. })));
         std::fs::write(&path, b"title = \"\xff\"")?;
         assert!(matches!(Scene::read(&path), Err(SceneError::NotText { offset: 9, .. })));
         std::fs::write(&path, "\u{feff}titel = 5\r\n")?;

@@ -85,11 +85,7 @@ fn mesh(mut table: TableReader<'_>, scene: &Path) -> MeshSource {
         .map(|name| match unit::unit_size(&name, Dimension::Length) {
             Ok(size) => size,
             Err(error) => {
-                table.complain(
-                    "unit",
-                    error.to_string(),
-                    format!("write for example unit = \"mm\"; {}", error.help()),
-                );
+                table.complain("unit", error.to_string(), error.help("mm"));
                 f64::NAN
             }
         });
@@ -242,6 +238,33 @@ oil = { viscosity = "0.4 Pa.s", barus = { alpha = "2.5e-8 1/Pa" } }
     }
 
     #[test]
+    fn a_misspelt_key_is_not_missing_too() {
+        told_one("clearance", "clearence", "bearing.clearence: this key is not known");
+        told_one("speed", "sped", "journal.sped: this key is not known");
+        let told = told("speed", "colour");
+        assert_eq!(told.len(), 2, "{told:?}");
+        assert!(
+            told[1].help.ends_with("eccentricity, min_film_angle, speed"),
+            "{told:?}"
+        );
+    }
+
+    #[test]
+    fn the_example_is_that_of_the_key() {
+        for wrong in [
+            "\"37.5 bar\"",
+            "\"37.5\"",
+            "\"37.5 furlong\"",
+            "\"37,5 um\"",
+            "37.5",
+            "true",
+        ] {
+            let told = told("\"37.5 um\"", wrong);
+            assert!(told.len() == 1 && told[0].help.contains("\"37.5 um\""), "{told:?}");
+        }
+    }
+
+    #[test]
     fn keys_of_later_versions_are_refused_by_name() {
         let later = [
             ("file = \"../meshes/shell.msh\"", "size = \"3 mm\"", "mesh.size"),
@@ -330,6 +353,6 @@ oil = { viscosity = "0.4 Pa.s", barus = { alpha = "2.5e-8 1/Pa" } }
         }
         let deep = format!("a = {}1{}", "[".repeat(50_000), "]".repeat(50_000));
         assert!(read(&deep).is_err());
-        assert!(matches!(read(""), Err(SceneError::Complaints { complaints, .. }) if complaints.len() == 5));
+        assert!(matches!(read(""), Err(SceneError::Complaints { complaints, .. }) if complaints.len() == 4));
     }
 }

@@ -64,48 +64,28 @@ pub enum UnitError {
 }
 
 impl UnitError {
-    /// What to write instead.
-    pub fn help(&self) -> String {
+    /// What to write instead; `example` is what one would write at this place.
+    pub fn help(&self, example: &str) -> String {
         match self {
-            Self::NotANumber { expected, .. } | Self::NoUnit { expected, .. } => {
-                format!(
-                    "write a number and a unit, for example \"{}\"; units: {}",
-                    expected.example(),
-                    expected.unit_names()
-                )
-            }
-            Self::DecimalComma { expected, .. } => {
-                format!(
-                    "write a decimal point and no thousands separators, for example \"{}\"",
-                    expected.example()
-                )
-            }
-            Self::OtherDimension { expected, .. } => {
-                format!(
-                    "write for example \"{}\"; units: {}",
-                    expected.example(),
-                    expected.unit_names()
-                )
+            Self::NotANumber { expected, .. } | Self::NoUnit { expected, .. } => format!(
+                "write a number and a unit, for example \"{example}\"; units: {}",
+                expected.unit_names()
+            ),
+            Self::DecimalComma { .. } => {
+                format!("write a decimal point and no thousands separators, for example \"{example}\"")
             }
             Self::UnknownUnit {
                 nearest: Some(name),
                 expected,
                 ..
-            } => {
-                format!("did you mean \"{name}\"? Units: {}", expected.unit_names())
-            }
-            Self::UnknownUnit {
+            } => format!("did you mean \"{name}\"? Units: {}", expected.unit_names()),
+            Self::OtherDimension { expected, .. }
+            | Self::UnknownUnit {
                 nearest: None,
                 expected,
                 ..
-            } => {
-                format!(
-                    "write for example \"{}\"; units: {}",
-                    expected.example(),
-                    expected.unit_names()
-                )
-            }
-            Self::TooLarge { .. } => "check the exponent".to_string(),
+            } => format!("write for example \"{example}\"; units: {}", expected.unit_names()),
+            Self::TooLarge { .. } => format!("check the exponent, and write for example \"{example}\""),
         }
     }
 }
@@ -293,11 +273,11 @@ mod tests {
             other.to_string(),
             "\"mm\" is a unit of length, but a pressure is wanted"
         );
-        assert!(other.help().contains("0.98 bar"));
-        let unknown = refused("25 mmm", Length);
-        assert!(unknown.help().contains("did you mean \"mm\""), "{}", unknown.help());
-        assert!(refused("1 Bar", Pressure).help().contains("did you mean \"bar\""));
-        assert!(refused("1 furlong", Length).help().contains("for example \"25 mm\""));
-        assert!(refused("1 mpa", Pressure).help().contains("did you mean"));
+        assert!(other.help("0.98 bar").contains("0.98 bar"));
+        let help = |text: &str, dimension: Dimension| refused(text, dimension).help(dimension.example());
+        assert!(help("25 mmm", Length).contains("did you mean \"mm\""));
+        assert!(help("1 Bar", Pressure).contains("did you mean \"bar\""));
+        assert!(help("1 furlong", Length).contains("for example \"25 mm\""));
+        assert!(help("1 mpa", Pressure).contains("did you mean"));
     }
 }

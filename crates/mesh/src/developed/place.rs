@@ -21,11 +21,11 @@ pub(super) fn place(
         Shape::Plane => file.nodes.iter().map(|node| [node[0] * unit, node[1] * unit]).collect(),
         Shape::Cylinder { axis, section } => {
             require(
-                "the radius",
+                "the radius (half of bearing.diameter)",
                 section.radius * unit,
                 liner.radius,
                 "m",
-                unit_hint(section.radius * unit, liner.radius),
+                unit_hint(section.radius * unit, liner.radius, unit),
             )?;
             let [a, b] = section.centre;
             let unrolled = file.nodes.iter().map(|&node| {
@@ -37,11 +37,11 @@ pub(super) fn place(
     };
     let (low, high) = extent(&points, used, 1);
     require(
-        "the length",
+        "the length (bearing.length)",
         high - low,
         liner.length,
         "m",
-        unit_hint(high - low, liner.length),
+        unit_hint(high - low, liner.length, unit),
     )?;
     let middle = 0.5 * (low + high);
     if middle.abs() > 1e-12 * liner.length {
@@ -50,9 +50,9 @@ pub(super) fn place(
     let half = 0.5 * (high - low);
     let mut lines = vec![("end_low", 1, -half), ("end_high", 1, half)];
     match (liner.arc, shape) {
-        (Some((from, to)), Shape::Plane) => shift_arc(&mut points, used, liner, [from, to])?,
+        (Some((from, to)), Shape::Plane) => shift_arc(&mut points, used, liner, [from, to], unit)?,
         (Some((from, to)), Shape::Cylinder { .. }) => turn_arc(file, &mut points, used, liner, [from, to])?,
-        (None, Shape::Plane) => {}
+        (None, Shape::Plane) => require_circumference(file, &points, liner, unit)?,
         (None, Shape::Cylinder { .. }) => {
             let period = liner.circumference();
             for point in &mut points {
@@ -83,14 +83,36 @@ fn require(quantity: &'static str, file: f64, scene: f64, unit: &'static str, hi
     })
 }
 
-/// A remark if the file seems to be in another unit.
-fn unit_hint(file: f64, scene: f64) -> String {
-    let units = [("mm", 1e3), ("cm", 1e2), ("in", 1.0 / 0.0254)];
-    let ratio = file / scene;
-    let guess = units.iter().find(|(_, factor)| (ratio / factor - 1.0).abs() < 1e-3);
+/// A remark if the file seems to be in another unit than `unit` [m], by which its lengths were made metres.
+fn unit_hint(file: f64, scene: f64, unit: f64) -> String {
+    let units = [("m", 1.0), ("mm", 1e-3), ("cm", 1e-2), ("in", 0.0254)];
+    let meant = scene / file * unit;
+    let guess = units.iter().find(|(_, size)| (meant / size - 1.0).abs() < 1e-3);
     guess.map_or(String::new(), |(name, _)| {
         format!(", as if the file were in {name}: give [mesh] unit = \"{name}\" in the scene")
     })
+}
+
+/// The sides of the seam of an unrolled ring lie one circumference apart. Sides that are not even alike are left to
+/// [`super::seam`].
+fn require_circumference(file: &MshFile, points: &[[f64; 2]], liner: &Liner, unit: f64) -> Result<(), Error> {
+    let [low, high] = super::seam::SIDES.map(|group| {
+        let mut on_side = vec![false; points.len()];
+        let ends = file.curve(group).unwrap_or(&[]).iter().flatten();
+        ends.for_each(|&vertex| on_side[vertex as usize] = true);
+        extent(points, &on_side, 0)
+    });
+    let (found, wanted) = ((high.0 - low.0).abs(), liner.circumference());
+    if ((high.1 - low.1).abs() - found).abs() > AGREEMENT * wanted {
+        return Ok(());
+    }
+    require(
+        "the circumference (pi times bearing.diameter)",
+        found,
+        wanted,
+        "m",
+        unit_hint(found, wanted, unit),
+    )
 }
 
 /// Least and greatest coordinate of the used points.
@@ -106,15 +128,15 @@ fn extent(points: &[[f64; 2]], used: &[bool], direction: usize) -> (f64, f64) {
 }
 
 /// An unrolled arc: moves it by whole turns.
-fn shift_arc(points: &mut [[f64; 2]], used: &[bool], liner: &Liner, arc: [f64; 2]) -> Result<(), Error> {
+fn shift_arc(points: &mut [[f64; 2]], used: &[bool], liner: &Liner, arc: [f64; 2], unit: f64) -> Result<(), Error> {
     let (low, high) = extent(points, used, 0);
     let [from, to] = arc.map(|angle| angle * liner.radius);
     require(
-        "the length of the arc (R times its angle)",
+        "the length of the arc (half of bearing.diameter times the angle of bearing.arc)",
         high - low,
         to - from,
         "m",
-        unit_hint(high - low, to - from),
+        unit_hint(high - low, to - from, unit),
     )?;
     let period = liner.circumference();
     let turns = ((from - low) / period).round() * period;
@@ -157,7 +179,7 @@ fn turn_arc(file: &MshFile, points: &mut [[f64; 2]], used: &[bool], liner: &Line
     let (start, end) = found;
     if ((end - start) - (to - from)).abs() > AGREEMENT * period {
         return Err(Error::Disagrees {
-            quantity: "the angle of the arc",
+            quantity: "the angle of the arc (bearing.arc)",
             file: degrees(end - start),
             scene: degrees(to - from),
             unit: "deg",

@@ -140,10 +140,13 @@ fn sizes_must_be_those_of_the_scene() {
     let arc = named(plane(12, 1.0, 3.0), "arc_from", "arc_to");
     assert!(refused(&arc, Some((0.5, 2.1)), 1.0).contains("the length of the arc"));
     assert!(refused(&rolled(arc.clone()), Some((0.5, 2.1)), 1.0).contains("the angle of the arc"));
-    assert!(refused(&rolled(arc.clone()), Some((0.5, 2.0)), 1000.0).contains("unit = \"mm\""));
-    assert!(refused(&arc, Some((0.5, 2.0)), 1.1).contains("the length is 3.3"));
+    let mut millimetres = rolled(arc.clone());
+    millimetres.nodes.iter_mut().flatten().for_each(|x| *x *= 1e3);
+    assert!(refused(&millimetres, Some((0.5, 2.0)), 1.0).contains("unit = \"mm\""));
+    assert!(refused(&arc, Some((0.5, 2.0)), 1.1).contains("the length (bearing.length) is 3.3"));
     let ring = named(plane(12, 1.0, 12.5), "seam_low", "seam_high");
-    assert!(refused(&ring, None, 1.0).contains("the seams do not fit: 10 nodes"));
+    assert!(refused(&ring, None, 1.0).contains("the circumference (pi times bearing.diameter) is 12.5"));
+    assert!(refused(&rolled(arc.clone()), Some((0.5, 2.0)), 1e-3).contains("unit = \"m\""));
     assert!(refused(&arc, Some((0.5, f64::NAN)), 1.0).contains("the arc"));
     assert!(refused(&arc, Some((0.5, 2.0)), 0.0).contains("the unit"));
 }

@@ -14,7 +14,7 @@ pub(super) type Decoded = mshio::MshFile<u64, i32, f64>;
 pub(super) fn decode(bytes: &[u8], scan: &Scan) -> Result<Decoded, Error> {
     let seen = palatable(bytes, scan);
     let failure = |offset: usize, what: String| Error::Damaged {
-        section: "MeshFormat ...".to_owned(),
+        section: section_before(&seen, offset),
         position: position(&seen, offset, scan.binary),
         what,
     };
@@ -24,6 +24,15 @@ pub(super) fn decode(bytes: &[u8], scan: &Scan) -> Result<Decoded, Error> {
         Ok(Err((offset, what))) => Err(failure(offset, what)),
         Err(_) => Err(failure(0, "the reader gave up on the file".to_owned())),
     }
+}
+
+/// Name of the section that holds the byte `offset`.
+fn section_before(bytes: &[u8], offset: usize) -> String {
+    let before = &bytes[..offset.min(bytes.len())];
+    let opening = |at: usize| before[at] == b'$' && (at == 0 || before[at - 1] == b'\n');
+    let start = (0..before.len()).rev().find(|&at| opening(at)).map_or(0, |at| at + 1);
+    let name = before[start..].iter().take_while(|byte| byte.is_ascii_alphanumeric());
+    name.map(|&byte| char::from(byte)).collect()
 }
 
 /// Where mshio stopped, and why.

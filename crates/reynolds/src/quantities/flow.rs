@@ -1,8 +1,15 @@
 //! # Oil flow through the places of given pressure
 //!
-//! **Equation.** The residual of the discrete equation at a given node is the volume that enters
-//! the film there, so flows sum to zero by construction (nothing is differentiated).
-//! **Verified by** `flows_balance` in the tests of the scenes.
+//! **Equation.** `Q_i = -Int J . grad phi_i` [m3/s]: the residual of the discrete equation at a given
+//! node is the volume that enters the film there, so flows sum to zero (nothing is differentiated).
+//!
+//! | symbol | unit | code |
+//! |---|---|---|
+//! | Q of a region | m3/s | `net`, `inward`, `outward` |
+//!
+//! **Source.** Hughes, Engel, Mazzei, Larson, J. Comput. Phys. 163 (2000) 467.
+//! **Range.** A balance for the conservative form only: the as-printed form makes oil, and Guembel's
+//! clip comes after the solve. **Verified by** `flows_balance` in the tests of the scenes.
 
 use crate::{FilmSolution, FilmSystem};
 

@@ -1,4 +1,16 @@
-//! Extremes of the pressure, between nodes too.
+//! # Extremes of the pressure, between nodes too, and of the film thickness
+//!
+//! **Equation.** `p_max`, `p_min`: extremes of the quadratic field; `mu_max = mu(p_max)`; `h_min = c - |e|`
+//! where the liner covers the angle of the minimum film, else the least thickness at a node.
+//!
+//! | symbol | unit | code |
+//! |---|---|---|
+//! | p_max, p_min | Pa | `greatest`, `least` |
+//! | mu_max | Pa s | `viscosity` |
+//! | h_min | m | `least_thickness` |
+//!
+//! **Source.** Definition. **Range.** Pressure grows with the unknown, so their extremes lie together.
+//! **Verified by** the reference of the FlexPDE study and the closed forms.
 
 use oilwedge_fem::Field;
 

@@ -1,0 +1,65 @@
+//! What the names of a result mean, in plain words. A name without an entry stands for itself.
+
+/// Names of quantities; one of a region, `load_x.GROUP`, is looked up with its dot.
+const QUANTITIES: [(&str, &str); 18] = [
+    ("load", "force that the film carries"),
+    ("load_x", "its part along x (angle 0)"),
+    ("load_y", "its part along y (angle 90 deg)"),
+    ("load_angle", "its direction, from x towards y"),
+    ("load_coefficient", "W / (D B (p_feed - p_ends))"),
+    ("sommerfeld_number", "W (c/R)^2 / (D B mu0 omega)"),
+    ("attitude_angle", "from the load to the thinnest film"),
+    ("eccentricity", "offset of the journal / clearance"),
+    ("min_film_angle", "where the film is thinnest"),
+    ("pressure_max", "greatest pressure, gauge"),
+    ("pressure_min", "least pressure, gauge"),
+    ("film_thickness_min", "thinnest film on the liner"),
+    ("viscosity_max", "viscosity at the greatest pressure"),
+    ("side_flow", "oil that leaves at the ends (< 0: enters)"),
+    ("feed_flow.", "oil that enters there (< 0: leaves)"),
+    ("pressure_integral", "pressure times area, summed"),
+    ("load_x.", "part of W_x over that region"),
+    ("load_y.", "part of W_y over that region"),
+];
+
+/// Names of effects; what follows a colon is the model.
+const EFFECTS: [(&str, &str); 6] = [
+    ("poiseuille", "oil driven by the pressure gradient"),
+    ("couette", "oil dragged along by the journal"),
+    ("barus", "viscosity grows with pressure, mu0 exp(alpha p)"),
+    (
+        "barus: as-printed",
+        "viscosity grows with pressure, where the FlexPDE study prints it: no mass balance",
+    ),
+    ("roelands", "viscosity grows with a power of pressure in the exponent"),
+    ("cavitation: guembel", "pressures below that of the cavity are dropped"),
+];
+
+/// What a quantity is.
+pub(crate) fn of_quantity(name: &str) -> &'static str {
+    let key = name.find('.').map_or(name, |dot| &name[..=dot]);
+    find(&QUANTITIES, key)
+}
+
+/// What an effect does.
+pub(crate) fn of_effect(name: &str) -> &'static str {
+    find(&EFFECTS, name)
+}
+
+fn find(list: &[(&'static str, &'static str)], key: &str) -> &'static str {
+    list.iter()
+        .find(|(name, _)| *name == key)
+        .map_or("", |(_, words)| words)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_regions_are_looked_up_with_their_dot() {
+        assert_eq!(of_quantity("load_x"), "its part along x (angle 0)");
+        assert_eq!(of_quantity("load_x.hole.b"), "part of W_x over that region");
+        assert_eq!(of_quantity("temperature_outlet"), "");
+    }
+}
