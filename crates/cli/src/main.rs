@@ -5,6 +5,7 @@
 
 mod check;
 mod complain;
+mod mesh;
 mod readable;
 mod solve;
 mod terminal;
@@ -32,6 +33,7 @@ Examples:
   oilwedge solve bearing.toml --json > load.json   the same numbers for a script
   oilwedge check bearing.toml                      what would be computed, and is the mesh good?
   oilwedge check liner.msh                         a gmsh 4.1 mesh by itself
+  oilwedge mesh bearing.toml -o liner.msh          the mesh that a solve would use, for gmsh
 
 Exit status: 0 done; 1 no solution or not converged; 2 bad scene, mesh or arguments (nothing was written).";
 
@@ -41,6 +43,8 @@ enum Verb {
     Solve(solve::Solve),
     /// Read a scene and its mesh, or a mesh alone, and tell what is in it or what is wrong with it.
     Check(check::Check),
+    /// Mesh the liner that a scene describes and write it for gmsh.
+    Mesh(mesh::Mesh),
 }
 
 fn main() -> ExitCode {
@@ -49,6 +53,7 @@ fn main() -> ExitCode {
     let outcome = use_threads(arguments.threads).and_then(|()| match &arguments.verb {
         Verb::Solve(solve) => solve.run(),
         Verb::Check(check) => check.run(),
+        Verb::Mesh(mesh) => mesh.run(),
     });
     outcome.unwrap_or_else(|failure| {
         failure.tell();

@@ -96,6 +96,10 @@ pub(crate) fn check_report(found: &CheckReport) -> String {
         "can be used",
     )];
     parts.extend(found.effects.as_ref().map(effects));
+    if !found.liner.is_empty() {
+        parts.push(printable(&found.liner.join("\n")));
+        parts.push(printable(found.sketch.trim_end()));
+    }
     if !found.regions.is_empty() {
         let mut table = table(["group", "kind", "size"]);
         for region in &found.regions {

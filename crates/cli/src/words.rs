@@ -23,7 +23,7 @@ const QUANTITIES: [(&str, &str); 18] = [
 ];
 
 /// Names of effects; what follows a colon is the model.
-const EFFECTS: [(&str, &str); 6] = [
+const EFFECTS: [(&str, &str); 7] = [
     ("poiseuille", "oil driven by the pressure gradient"),
     ("couette", "oil dragged along by the journal"),
     ("barus", "viscosity grows with pressure, mu0 exp(alpha p)"),
@@ -31,6 +31,7 @@ const EFFECTS: [(&str, &str); 6] = [
         "barus: as-printed",
         "viscosity grows with pressure, where the FlexPDE study prints it: no mass balance",
     ),
+    ("groove depth", "the film is deeper there, its pressure is found"),
     ("roelands", "viscosity grows with a power of pressure in the exponent"),
     ("cavitation: guembel", "pressures below that of the cavity are dropped"),
 ];

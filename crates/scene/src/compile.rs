@@ -2,7 +2,7 @@
 //!
 //! | socket | function |
 //! |---|---|
-//! | mesh of the liner | [`mesh`] |
+//! | mesh of the liner | [`crate::liner_mesh`] |
 //! | film_thickness | [`film_thickness`] |
 //! | lubricant | [`lubricant`] |
 //! | terms | [`terms`] |
@@ -11,19 +11,20 @@
 //!
 //! What is simulated and what is not is written down here too, and opens every report.
 
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
 
-use oilwedge_mesh::developed::{self, Liner};
-use oilwedge_mesh::{Circle, Mesh, gmsh, rim};
+use oilwedge_mesh::Mesh;
+use oilwedge_mesh::generate::DrawingError;
 use oilwedge_reynolds::film_problem::SystemError;
-use oilwedge_reynolds::film_thickness::{Eccentricity, FilmContribution};
+use oilwedge_reynolds::film_thickness::{Eccentricity, FilmContribution, GrooveDepth};
 use oilwedge_reynolds::lubricant::{Barus, Lubricant, PressureLaw, Roelands};
 use oilwedge_reynolds::supply::{self as given, Disc, Place, SupplyError, SupplyRegion};
 use oilwedge_reynolds::terms::{Couette, Poiseuille, Term};
 use oilwedge_reynolds::{Bearing, Cavitation, FilmProblem, FilmSystem, Form, JournalState};
-use sha2::{Digest, Sha256};
 
+use crate::liner_mesh::liner_mesh;
 use crate::report::Effects;
 use crate::run::DEGREE;
 use crate::scene::{self, BarusForm, CavitationModel, RoelandsExponent, Scene};
@@ -36,6 +37,8 @@ pub struct Study {
     pub system: FilmSystem,
     /// What is simulated and what is not.
     pub effects: Effects,
+    /// Groups of the pockets that deepen the film.
+    pub pockets: Vec<String>,
     /// The common pressure [Pa] of all feeds, if they have one.
     pub supply_pressure: Option<f64>,
     /// SHA-256 of the mesh file, 64 hexadecimal digits.
@@ -73,16 +76,31 @@ pub enum CompileError {
         fault: SupplyError,
     },
     /// Given pressures do not fit the mesh.
-    #[error("the mesh {} does not fit the scene:{}", mesh.display(), faults.iter().map(|fault| format!("\n  {fault}")).collect::<String>())]
+    #[error("the mesh {} does not fit the scene:{}", mesh.display(), list(faults))]
     Supply {
         /// Mesh file.
         mesh: std::path::PathBuf,
         /// Everything that does not fit.
         faults: Vec<SupplyError>,
     },
+    /// The liner described cannot be meshed.
+    #[error("the liner described cannot be meshed:{}", list(.0))]
+    Drawing(Vec<DrawingError>),
+    /// A pocket with a depth is cut out of the mesh.
+    #[error(
+        "feed group \"{group}\" has a depth, but the mesh has no triangles there; mesh it as a physical surface, or give its pressure"
+    )]
+    NoPocket {
+        /// Group of the pocket.
+        group: String,
+    },
     /// The film is too large for this machine.
     #[error(transparent)]
     Fem(#[from] oilwedge_fem::Error),
+}
+
+fn list(faults: &[impl std::fmt::Display]) -> String {
+    faults.iter().map(|fault| format!("\n  {fault}")).collect()
 }
 
 /// Compiles `scene`: reads its mesh and chooses one entry a socket.
@@ -91,20 +109,22 @@ pub enum CompileError {
 /// [`CompileError`]: the mesh is unreadable, defective, or not that of the scene.
 pub fn compile(scene: &Scene) -> Result<Study, CompileError> {
     let start = Instant::now();
-    let (mesh, mesh_sha256) = mesh(scene)?;
+    let (mesh, mesh_sha256) = liner_mesh(scene)?;
     let read = start.elapsed().as_secs_f64();
+    check_feed_groups(scene, &mesh)?;
     let regions = supply(scene, &mesh)?;
+    let journal = journal(scene);
+    let film_thickness = film_thickness(scene, &journal, &mesh);
     let start = Instant::now();
     let system = FilmSystem::new(Arc::new(mesh), DEGREE, regions).map_err(|error| match error {
         SystemError::Supply(faults) => unfit(scene, faults),
         SystemError::Fem(error) => error.into(),
     })?;
     let order = start.elapsed().as_secs_f64();
-    let journal = journal(scene);
     let problem = FilmProblem {
         bearing: bearing(scene),
         journal,
-        film_thickness: film_thickness(scene, &journal),
+        film_thickness,
         lubricant: lubricant(scene),
         form: form(scene),
         terms: terms(scene),
@@ -114,41 +134,17 @@ pub fn compile(scene: &Scene) -> Result<Study, CompileError> {
         effects: effects(scene, &problem),
         problem,
         system,
+        pockets: (scene.feeds.iter())
+            .filter(|feed| feed.pressure.is_none())
+            .map(|feed| feed.group.clone())
+            .collect(),
         supply_pressure: supply_pressure(scene),
         mesh_sha256,
-        seconds: [("read", read), ("order", order)],
+        seconds: [
+            (if scene.mesh.path().is_some() { "read" } else { "mesh" }, read),
+            ("order", order),
+        ],
     })
-}
-
-/// The mesh of the liner with round rims on their circles, and the SHA-256 of its file.
-pub fn mesh(scene: &Scene) -> Result<(Mesh, String), CompileError> {
-    let path = &scene.mesh.file;
-    let bytes = gmsh::read_bytes(path)?;
-    let sha256 = Sha256::digest(&bytes)
-        .iter()
-        .map(|byte| format!("{byte:02x}"))
-        .collect();
-    let liner = Liner {
-        radius: scene.bearing.radius(),
-        length: scene.bearing.length,
-        arc: scene.bearing.arc.map(|arc| (arc.from, arc.to)),
-    };
-    let build = || {
-        let file = gmsh::parse(&bytes)?;
-        let mut mesh = Mesh::build(developed::unroll(&file, &liner, scene.mesh.unit)?)?;
-        for feed in &scene.feeds {
-            if let (Some(disc), Some(_)) = (disc(scene, feed), mesh.region(&feed.group)) {
-                let circle = Circle {
-                    centre: disc.centre,
-                    radius: disc.radius,
-                };
-                mesh = rim::curve_rim(&mesh, &feed.group, &circle)?;
-            }
-        }
-        Ok(mesh)
-    };
-    let mesh = build().map_err(|error: oilwedge_mesh::Error| error.in_file(path))?;
-    Ok((mesh, sha256))
 }
 
 fn bearing(scene: &Scene) -> Bearing {
@@ -169,12 +165,23 @@ fn journal(scene: &Scene) -> JournalState {
     JournalState::at_eccentricity(eccentricity, min_film_angle, scene.bearing.clearance, speed)
 }
 
-fn film_thickness(scene: &Scene, journal: &JournalState) -> Vec<Box<dyn FilmContribution>> {
-    vec![Box::new(Eccentricity {
+/// The clearance less the journal's offset, and the pockets that deepen it.
+fn film_thickness(scene: &Scene, journal: &JournalState, mesh: &Mesh) -> Vec<Box<dyn FilmContribution>> {
+    let mut film: Vec<Box<dyn FilmContribution>> = vec![Box::new(Eccentricity {
         radius: scene.bearing.radius(),
         clearance: scene.bearing.clearance,
         offset: journal.offset,
-    })]
+    })];
+    for feed in &scene.feeds {
+        if let Some(depth) = feed.groove.and_then(|groove| groove.depth) {
+            let mut inside = vec![false; mesh.triangles().len()];
+            for &cell in mesh.region(&feed.group).map_or(&[][..], |region| &region.cells) {
+                inside[cell as usize] = true;
+            }
+            film.push(Box::new(GrooveDepth { depth, inside }));
+        }
+    }
+    film
 }
 
 fn lubricant(scene: &Scene) -> Lubricant {
@@ -232,6 +239,15 @@ fn cavitation(scene: &Scene) -> Cavitation {
     }
 }
 
+/// What messages call the mesh.
+fn mesh_name(scene: &Scene) -> PathBuf {
+    scene
+        .mesh
+        .path()
+        .unwrap_or(Path::new("of the liner described"))
+        .to_owned()
+}
+
 fn disc(scene: &Scene, feed: &scene::Feed) -> Option<Disc> {
     feed.hole.map(|hole| Disc {
         centre: [scene.bearing.radius() * hole.angle, hole.z],
@@ -239,7 +255,32 @@ fn disc(scene: &Scene, feed: &scene::Feed) -> Option<Disc> {
     })
 }
 
-/// Ends, edges of the arc, film start and feeds.
+/// Every feed must be a group of the mesh.
+fn check_feed_groups(scene: &Scene, mesh: &Mesh) -> Result<(), CompileError> {
+    let asked: Vec<String> = (scene.feeds.iter().enumerate())
+        .filter(|(_, feed)| mesh.region(&feed.group).is_none())
+        .map(|(index, feed)| format!("feed[{index}].group = \"{}\"", feed.group))
+        .collect();
+    if !asked.is_empty() {
+        return Err(CompileError::NoFeedGroup {
+            asked,
+            mesh: mesh_name(scene),
+            present: mesh.regions().iter().map(|region| region.name.clone()).collect(),
+        });
+    }
+    let is_cut_out = |feed: &&scene::Feed| {
+        let cells = mesh.region(&feed.group).map_or(0, |region| region.cells.len());
+        feed.pressure.is_none() && cells == 0
+    };
+    match scene.feeds.iter().find(is_cut_out) {
+        Some(feed) => Err(CompileError::NoPocket {
+            group: feed.group.clone(),
+        }),
+        None => Ok(()),
+    }
+}
+
+/// Ends, edges of the arc, film start and feeds of given pressure.
 fn supply(scene: &Scene, mesh: &Mesh) -> Result<Vec<SupplyRegion>, CompileError> {
     let region = |name: &str, place, pressure| {
         let region = mesh.region(name);
@@ -261,7 +302,7 @@ fn supply(scene: &Scene, mesh: &Mesh) -> Result<Vec<SupplyRegion>, CompileError>
         let edges =
             given::line_at_angle(mesh, scene.bearing.radius(), scene.bearing.length, angle).map_err(|fault| {
                 CompileError::FilmStart {
-                    mesh: scene.mesh.file.clone(),
+                    mesh: mesh_name(scene),
                     fault,
                 }
             })?;
@@ -270,34 +311,26 @@ fn supply(scene: &Scene, mesh: &Mesh) -> Result<Vec<SupplyRegion>, CompileError>
             ..region("film_start", Place::Line, p_e)
         });
     }
-    let asked: Vec<String> = (scene.feeds.iter().enumerate())
-        .filter(|(_, feed)| mesh.region(&feed.group).is_none())
-        .map(|(index, feed)| format!("feed[{index}].group = \"{}\"", feed.group))
-        .collect();
-    if !asked.is_empty() {
-        return Err(CompileError::NoFeedGroup {
-            asked,
-            mesh: scene.mesh.file.clone(),
-            present: mesh.regions().iter().map(|region| region.name.clone()).collect(),
-        });
-    }
-    regions.extend(scene.feeds.iter().map(|feed| SupplyRegion {
-        disc: disc(scene, feed),
-        ..region(&feed.group, Place::Feed, feed.pressure)
+    regions.extend(scene.feeds.iter().filter_map(|feed| {
+        Some(SupplyRegion {
+            disc: disc(scene, feed),
+            ..region(&feed.group, Place::Feed, feed.pressure?)
+        })
     }));
     Ok(regions)
 }
 
 fn unfit(scene: &Scene, faults: Vec<SupplyError>) -> CompileError {
     CompileError::Supply {
-        mesh: scene.mesh.file.clone(),
+        mesh: mesh_name(scene),
         faults,
     }
 }
 
 fn supply_pressure(scene: &Scene) -> Option<f64> {
-    let first = scene.feeds.first()?.pressure;
-    scene.feeds.iter().all(|feed| feed.pressure == first).then_some(first)
+    let mut pressures = scene.feeds.iter().filter_map(|feed| feed.pressure);
+    let first = pressures.next()?;
+    pressures.all(|pressure| pressure == first).then_some(first)
 }
 
 /// What a reader of the report should know was simulated, and what was not.
@@ -318,6 +351,9 @@ fn effects(scene: &Scene, problem: &FilmProblem) -> Effects {
             ..
         } => simulated.push("barus: as-printed".to_owned()),
         scene::PressureLaw::Roelands { .. } => simulated.push("roelands".to_owned()),
+    }
+    if scene.feeds.iter().any(|feed| feed.pressure.is_none()) {
+        simulated.push("groove depth".to_owned());
     }
     match problem.cavitation {
         Cavitation::None => not_simulated.push("cavitation".to_owned()),

@@ -16,6 +16,7 @@
 pub mod compile;
 pub mod complaint;
 mod dimension;
+pub mod liner_mesh;
 pub mod measure;
 pub mod picture;
 mod reader;
@@ -24,11 +25,12 @@ pub mod results;
 pub mod run;
 pub mod scene;
 pub mod schema;
+pub mod sketch;
 pub mod spelling;
 pub mod unit;
 pub mod validate;
 pub mod vtu;
 
 pub use complaint::{Complaint, SceneError};
-pub use run::{Error, Run, RunOptions, check_mesh, check_scene, run};
+pub use run::{Error, Run, RunOptions, check_mesh, check_scene, mesh_scene, run, write_mesh};
 pub use scene::Scene;

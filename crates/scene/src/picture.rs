@@ -9,6 +9,7 @@ use crate::vtu::FilmPicture;
 
 /// Pressure [Pa], film thickness [m] and viscosity [Pa s] at the nodes of the solved film, on the cylinder
 /// `(R cos phi, R sin phi, z)` or unrolled `(R phi, z, 0)`, where nodes on the cut of a ring stand on both sides of it.
+/// Nodes on the edge of a pocket stand on both sides of it too, for the film is thicker on one.
 pub fn picture(study: &Study, film: &FilmSolution, unrolled: bool) -> FilmPicture {
     let mesh = study.system.space().mesh();
     let leftmost = mesh.points().iter().map(|point| point[0]).fold(f64::INFINITY, f64::min);
@@ -17,13 +18,20 @@ pub fn picture(study: &Study, film: &FilmSolution, unrolled: bool) -> FilmPictur
         Some(period) if unrolled => leftmost + period * (1.0 - 1e-9),
         _ => f64::INFINITY,
     };
+    let mut pocket_of = vec![0u8; mesh.triangles().len()];
+    for (number, name) in (1..).zip(&study.pockets) {
+        for &cell in mesh.region(name).map_or(&[][..], |region| &region.cells) {
+            pocket_of[cell as usize] = number;
+        }
+    }
     let mut nodes = Nodes::default();
     let mut cells = Vec::with_capacity(mesh.triangles().len());
     for t in 0..mesh.triangles().len() {
         let dofs = study.system.space().element_dofs(t);
         let positions = mesh.nodes(t);
         cells.push(std::array::from_fn(|i| {
-            nodes.number(dofs[i], positions[i], positions[i][0] >= cut)
+            let side = (positions[i][0] >= cut, pocket_of[t]);
+            nodes.number(dofs[i], side, positions[i], t)
         }));
     }
     let radius = study.problem.bearing.radius;
@@ -40,32 +48,41 @@ pub fn picture(study: &Study, film: &FilmSolution, unrolled: bool) -> FilmPictur
         .iter()
         .map(|&dof| problem.pressure_at(film.unknown[dof]))
         .collect();
+    let thickness = (nodes.cells.iter().zip(&nodes.positions))
+        .flat_map(|(&cell, position)| problem.thickness_at(cell, std::slice::from_ref(position)))
+        .collect();
     let viscosity = pressure.iter().map(|&p| problem.viscosity_at(p)).collect();
     FilmPicture {
         points: nodes.positions.iter().map(place).collect(),
         cells,
         point_data: vec![
             ("pressure".to_owned(), pressure),
-            ("film_thickness".to_owned(), problem.thickness_at(0, &nodes.positions)),
+            ("film_thickness".to_owned(), thickness),
             ("viscosity".to_owned(), viscosity),
         ],
         cell_data: Vec::new(),
     }
 }
 
+/// On which side of the cut and in which pocket a node stands.
+type Side = (bool, u8);
+
 /// Nodes numbered in the order in which they are met.
 #[derive(Default)]
 struct Nodes {
-    numbers: HashMap<(usize, bool), u32>,
+    numbers: HashMap<(usize, Side), u32>,
     dofs: Vec<usize>,
     positions: Vec<[f64; 2]>,
+    /// A cell at each node, on its side.
+    cells: Vec<usize>,
 }
 
 impl Nodes {
-    fn number(&mut self, dof: usize, position: [f64; 2], beyond_cut: bool) -> u32 {
-        *self.numbers.entry((dof, beyond_cut)).or_insert_with(|| {
+    fn number(&mut self, dof: usize, side: Side, position: [f64; 2], cell: usize) -> u32 {
+        *self.numbers.entry((dof, side)).or_insert_with(|| {
             self.dofs.push(dof);
             self.positions.push(position);
+            self.cells.push(cell);
             (self.dofs.len() - 1) as u32
         })
     }

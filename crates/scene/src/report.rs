@@ -219,6 +219,10 @@ pub struct CheckReport {
     pub effects: Option<Effects>,
     /// The mesh.
     pub mesh: MeshFacts,
+    /// The liner in words, a line each; empty where a mesh was checked.
+    pub liner: Vec<String>,
+    /// The unrolled liner drawn in letters; empty where a mesh was checked.
+    pub sketch: String,
     /// How good the mesh is.
     pub quality: Quality,
     /// The named regions of the mesh.

@@ -7,6 +7,7 @@ use oilwedge_mesh::{Mesh, Quality, developed};
 use oilwedge_reynolds::{FilmSolution, NoFilm};
 
 use crate::compile::{CompileError, Study, compile};
+use crate::liner_mesh::liner_mesh;
 use crate::measure::{measure, quantities, warnings};
 use crate::picture::picture;
 use crate::report::{
@@ -15,10 +16,13 @@ use crate::report::{
 };
 use crate::results::WriteError;
 use crate::scene::Scene;
+use crate::sketch::{sketch, words};
 use crate::vtu::{FilmPicture, PictureError};
 
 /// Degree of the unknown of a film [1].
 pub(crate) const DEGREE: usize = 2;
+/// What stands for a file name where the liner described is meshed.
+const DRAWN: &str = "made of the liner described";
 /// Angles below this [deg] are worth a warning.
 const SHARP: f64 = 15.0;
 
@@ -139,7 +143,11 @@ fn report(study: &Study, film: &FilmSolution, result: &mut RunResult) {
 pub fn check_scene(scene: &Scene) -> Result<CheckReport, Error> {
     let study = compile(scene)?;
     let mesh = study.system.space().mesh();
-    let mut report = check_report(&scene.mesh.file, mesh);
+    let name = scene.mesh.path().unwrap_or(Path::new(DRAWN));
+    let mut report = check_report(name, mesh);
+    let pockets: Vec<_> = study.pockets.iter().filter_map(|name| mesh.region(name)).collect();
+    report.sketch = sketch(mesh, &study.system.supply, &pockets, scene.bearing.radius());
+    report.liner = words(scene);
     report.title = Some(scene.title.clone());
     report.effects = Some(study.effects.clone());
     let free = |dof: &usize| study.system.supply.owner(*dof).is_none();
@@ -157,6 +165,22 @@ pub fn check_scene(scene: &Scene) -> Result<CheckReport, Error> {
 pub fn check_mesh(path: &Path) -> Result<CheckReport, Error> {
     let mesh = developed::read_alone(path).map_err(CompileError::from)?;
     Ok(check_report(path, &mesh))
+}
+
+/// Meshes or reads the liner of a scene.
+///
+/// # Errors
+/// [`Error::Compile`] where the mesh cannot be read or made.
+pub fn mesh_scene(scene: &Scene) -> Result<Mesh, Error> {
+    Ok(liner_mesh(scene)?.0)
+}
+
+/// Writes a mesh as a gmsh 4.1 file, whole or not at all.
+///
+/// # Errors
+/// [`Error::Compile`] where the file cannot be written.
+pub fn write_mesh(mesh: &Mesh, path: &Path) -> Result<(), Error> {
+    Ok(oilwedge_mesh::gmsh::write(mesh, path).map_err(CompileError::from)?)
 }
 
 fn check_report(path: &Path, mesh: &Mesh) -> CheckReport {
@@ -195,6 +219,8 @@ fn check_report(path: &Path, mesh: &Mesh) -> CheckReport {
             })
             .collect(),
         quality,
+        liner: Vec::new(),
+        sketch: String::new(),
         cost: None,
         warnings,
     }

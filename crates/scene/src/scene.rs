@@ -69,13 +69,31 @@ pub struct Arc {
     pub to: f64,
 }
 
-/// A mesh file.
+/// Where the mesh comes from.
 #[derive(Debug, Clone, PartialEq)]
-pub struct MeshSource {
-    /// The file; a relative path of the scene has been put behind the folder of the scene.
-    pub file: PathBuf,
-    /// Length of one unit of the file's coordinates [m].
-    pub unit: f64,
+pub enum MeshSource {
+    /// A gmsh file.
+    File {
+        /// The file; a relative path of the scene has been put behind the folder of the scene.
+        path: PathBuf,
+        /// Length of one unit of the file's coordinates [m].
+        unit: f64,
+    },
+    /// The liner that the scene describes is meshed.
+    Drawing {
+        /// Longest edges wanted [m]; `None`: as the film needs.
+        size: Option<f64>,
+    },
+}
+
+impl MeshSource {
+    /// The mesh file, if there is one.
+    pub fn path(&self) -> Option<&Path> {
+        match self {
+            Self::File { path, .. } => Some(path),
+            Self::Drawing { .. } => None,
+        }
+    }
 }
 
 /// The two open ends of the bearing.
@@ -85,15 +103,32 @@ pub struct Ends {
     pub pressure: f64,
 }
 
-/// A region of given pressure.
+/// A hole, groove or pocket: a region of given pressure, or one where the film is deeper.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Feed {
     /// Physical group of the mesh that is the region: a curve (cut out) or a surface (meshed).
     pub group: String,
     /// The round hole that the region is, where the scene says so.
     pub hole: Option<Hole>,
-    /// Gauge pressure p_s [Pa].
-    pub pressure: f64,
+    /// The groove that the region is, where the scene says so.
+    pub groove: Option<Groove>,
+    /// Gauge pressure p_s [Pa]; `None` in a groove with a depth, whose pressure is found.
+    pub pressure: Option<f64>,
+}
+
+/// A rectangle with round corners on the developed surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Groove {
+    /// Where it begins and ends [rad]; `None`: all around.
+    pub arc: Option<Arc>,
+    /// Extent along the axis [m].
+    pub width: f64,
+    /// Axial position of its middle [m].
+    pub z: f64,
+    /// Radius of its corners on the developed surface [m].
+    pub corner: f64,
+    /// How much deeper the film is there [m]; `None` where pressure is given.
+    pub depth: Option<f64>,
 }
 
 /// A round hole on the developed surface.
@@ -246,7 +281,7 @@ impl Scene {
         let (mut scene, marks, mut complaints) = schema::read_scene(document.get_ref(), text, path);
         complaints.extend(validate::complaints(&scene, &marks));
         let named = marks.has("mesh.file") && complaints.iter().all(|complaint| complaint.key != "mesh.file");
-        if let Some(message) = no_mesh(&scene.mesh.file).filter(|_| named) {
+        if let Some(message) = scene.mesh.path().and_then(no_mesh).filter(|_| named) {
             let help = "give the path of a gmsh 4.1 file, counted from the folder of the scene";
             complaints.push(marks.complaint("mesh.file", message, help));
         }

@@ -6,7 +6,7 @@ pub use oil::ROELANDS_REFERENCE_PRESSURE;
 
 use crate::complaint::Complaint;
 use crate::reader::{Collector, Marks, TableReader};
-use crate::scene::{Arc, Bearing, Cavitation, CavitationModel, Ends, Feed, Hole, Journal, MeshSource, Scene};
+use crate::scene::{Arc, Bearing, Cavitation, CavitationModel, Ends, Feed, Groove, Hole, Journal, MeshSource, Scene};
 use crate::unit::{self, Dimension};
 use std::path::Path;
 use toml::de::DeTable;
@@ -30,7 +30,9 @@ fn scene(mut root: TableReader<'_>, path: &Path) -> Scene {
             .text_if_given("title", "Plain journal bearing")
             .unwrap_or_else(stem),
         bearing: bearing(root.table("bearing", "[bearing] with diameter, length and clearance")),
-        mesh: mesh(root.table("mesh", MESH_EXAMPLE), path),
+        mesh: root
+            .table_if_given("mesh")
+            .map_or(MeshSource::Drawing { size: None }, |table| mesh(table, path)),
         // Open to the zero of all pressures unless said.
         ends: root.table_if_given("ends").map_or(Ends { pressure: 0.0 }, ends),
         feeds: root.tables("feed").into_iter().map(feed).collect(),
@@ -52,9 +54,6 @@ fn scene(mut root: TableReader<'_>, path: &Path) -> Scene {
     scene
 }
 
-const MESH_EXAMPLE: &str =
-    "[mesh] with file = \"liner.msh\", a gmsh 4.1 file (meshing the liner described here is not served yet)";
-
 const MESH_FILE: &str = "../meshes/liner.msh";
 
 fn bearing(mut table: TableReader<'_>) -> Bearing {
@@ -74,12 +73,14 @@ fn bearing(mut table: TableReader<'_>) -> Bearing {
     bearing
 }
 
+/// Without a table, a file or a size the liner is meshed as the film needs.
 fn mesh(mut table: TableReader<'_>, scene: &Path) -> MeshSource {
-    // A scene with a size did not forget its file: one complaint is enough.
-    let file = match table.has("size") {
-        true => table.text_if_given("file", MESH_FILE).unwrap_or_default(),
-        false => table.text("file", MESH_FILE),
-    };
+    let file = table.text_if_given("file", MESH_FILE);
+    let size = table.quantity_if_given("size", Dimension::Length, "3 mm");
+    if file.is_some() && size.is_some() {
+        let help = "remove file to mesh the liner described here, or size to take the mesh as it is";
+        table.complain("size", "stands beside a mesh file", help);
+    }
     let unit = table
         .text_if_given("unit", "mm")
         .map(|name| match unit::unit_size(&name, Dimension::Length) {
@@ -89,12 +90,22 @@ fn mesh(mut table: TableReader<'_>, scene: &Path) -> MeshSource {
                 f64::NAN
             }
         });
-    table.not_served("size", "make the mesh with gmsh and give its file = \"liner.msh\"");
-    table.not_served("tolerance", "remove it; the mesh is used as it is");
+    if unit.is_some() && !table.has("file") {
+        table.complain(
+            "unit",
+            "has a meaning for a mesh file only",
+            "remove unit, or give the file",
+        );
+    }
+    table.not_served("tolerance", "give a size, or remove it; errors are not estimated yet");
+    let described = !table.has("file");
     table.finish();
-    MeshSource {
-        file: scene.parent().unwrap_or(Path::new("")).join(file),
-        unit: unit.unwrap_or(1.0),
+    match file {
+        None if described => MeshSource::Drawing { size },
+        file => MeshSource::File {
+            path: scene.parent().unwrap_or(Path::new("")).join(file.unwrap_or_default()),
+            unit: unit.unwrap_or(1.0),
+        },
     }
 }
 
@@ -114,11 +125,32 @@ fn feed(mut table: TableReader<'_>) -> Feed {
             hole.finish();
             Hole { diameter, angle, z }
         }),
-        pressure: table.quantity("pressure", Dimension::Pressure, "1.96 bar"),
+        groove: table.table_if_given("groove").map(groove),
+        pressure: table.quantity_if_given("pressure", Dimension::Pressure, "1.96 bar"),
     };
-    table.not_served("groove", "remove it; the group of the mesh is the region all the same");
     table.finish();
     feed
+}
+
+fn groove(mut table: TableReader<'_>) -> Groove {
+    let from = table.quantity_if_given("from", Dimension::Angle, "80 deg");
+    let to = table.quantity_if_given("to", Dimension::Angle, "100 deg");
+    if from.is_some() != to.is_some() {
+        let (has, lacks) = if from.is_some() { ("from", "to") } else { ("to", "from") };
+        let help = format!("give {lacks} too, or remove {has} for a groove all around");
+        table.complain(has, format!("stands without {lacks}"), help);
+    }
+    let groove = Groove {
+        arc: from.zip(to).map(|(from, to)| Arc { from, to }),
+        width: table.quantity("width", Dimension::Length, "20 mm"),
+        z: table.quantity_if_given("z", Dimension::Length, "0 mm").unwrap_or(0.0),
+        corner: table
+            .quantity_if_given("corner", Dimension::Length, "2 mm")
+            .unwrap_or(0.0),
+        depth: table.quantity_if_given("depth", Dimension::Length, "0.5 mm"),
+    };
+    table.finish();
+    groove
 }
 
 fn journal(mut table: TableReader<'_>) -> Journal {
@@ -193,8 +225,8 @@ oil = { viscosity = "0.4 Pa.s", barus = { alpha = "2.5e-8 1/Pa" } }
         let scene = read(STUDY).expect("the study is a scene");
         assert_eq!(scene.title, "Hole-fed shell");
         assert_eq!((scene.bearing.diameter, scene.bearing.length), (0.075, 0.075));
-        assert_eq!(scene.mesh.file, Path::new("scenes/../meshes/shell.msh"));
-        assert_eq!(scene.mesh.unit, 1e-3);
+        let path = Path::new("scenes/../meshes/shell.msh").to_path_buf();
+        assert_eq!(scene.mesh, MeshSource::File { path, unit: 1e-3 });
         assert_eq!(
             scene.feeds[0].hole.map(|hole| (hole.diameter, hole.z)),
             Some((0.017, 0.0))
@@ -267,7 +299,6 @@ oil = { viscosity = "0.4 Pa.s", barus = { alpha = "2.5e-8 1/Pa" } }
     #[test]
     fn keys_of_later_versions_are_refused_by_name() {
         let later = [
-            ("file = \"../meshes/shell.msh\"", "size = \"3 mm\"", "mesh.size"),
             ("unit = \"mm\"", "tolerance = \"0.1 %\"", "mesh.tolerance"),
             ("group = ", "groove = {}, group = ", "feed[0].groove"),
             ("speed = ", "squeeze = {}, speed = ", "journal.squeeze"),

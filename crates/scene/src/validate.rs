@@ -2,10 +2,12 @@
 //!
 //! A value that was complained about already is NaN here; no comparison below is true of it.
 
+mod feeds;
+
 use crate::complaint::Complaint;
 use crate::reader::Marks;
-use crate::scene::{Bearing, CavitationModel, Hole, PressureLaw, RoelandsExponent, Scene};
-use std::f64::consts::{PI, TAU};
+use crate::scene::{Bearing, CavitationModel, MeshSource, PressureLaw, RoelandsExponent, Scene};
+use std::f64::consts::TAU;
 
 /// Names of a mesh's groups that have a meaning of their own, so that no feed may bear them.
 pub const RESERVED_GROUPS: [&str; 7] = [
@@ -25,6 +27,9 @@ pub(crate) fn complaints(scene: &Scene, marks: &Marks) -> Vec<Complaint> {
         complaints: Vec::new(),
     };
     checks.bearing(&scene.bearing);
+    if let MeshSource::Drawing { size: Some(size) } = scene.mesh {
+        checks.positive(size, "mesh.size");
+    }
     checks.feeds(scene);
     checks.journal(scene);
     checks.oil(scene);
@@ -79,83 +84,6 @@ impl Checks<'_> {
                 "bearing.film_start",
                 "has a meaning on a full ring only, and this bearing has an arc",
                 "remove film_start (the film starts at the edge of the arc), or remove arc",
-            );
-        }
-    }
-
-    fn feeds(&mut self, scene: &Scene) {
-        for (index, feed) in scene.feeds.iter().enumerate() {
-            let key = format!("feed[{index}].group");
-            let reserved = RESERVED_GROUPS.contains(&feed.group.as_str());
-            let message = format!("\"{}\" is a name that meshes use for a part of the liner", feed.group);
-            let help = format!("name the feed region otherwise; taken: {}", RESERVED_GROUPS.join(", "));
-            self.refuse_if(reserved, &key, message, help);
-            let twice = !feed.group.is_empty() && scene.feeds[..index].iter().any(|other| other.group == feed.group);
-            let message = format!("\"{}\" is fed already by a [[feed]] above", feed.group);
-            self.refuse_if(twice, &key, message, "give each region one [[feed]] and one pressure");
-            if let Some(hole) = feed.hole {
-                self.hole(index, &hole, &scene.bearing);
-                let clash = scene.feeds[..index]
-                    .iter()
-                    .filter_map(|other| other.hole.map(|rim| (other, rim)));
-                for (other, rim) in clash {
-                    let message = format!("overlaps the hole of \"{}\"", other.group);
-                    let wrong = overlap(&hole, &rim, scene.bearing.radius());
-                    self.refuse_if(
-                        wrong,
-                        &format!("feed[{index}].hole"),
-                        message,
-                        "move one of the two holes",
-                    );
-                }
-            }
-        }
-    }
-
-    fn hole(&mut self, index: usize, hole: &Hole, bearing: &Bearing) {
-        let key = |name: &str| format!("feed[{index}].hole.{name}");
-        self.positive(hole.diameter, &key("diameter"));
-        if !(bearing.diameter > 0.0 && bearing.length > 0.0 && hole.diameter > 0.0) {
-            return;
-        }
-        let (radius, half) = (0.5 * hole.diameter, 0.5 * bearing.length);
-        let too_wide = hole.diameter > bearing.length || hole.diameter > bearing.diameter;
-        let message = format!(
-            "is wider than the liner, {} x {}",
-            millimetres(bearing.diameter),
-            millimetres(bearing.length)
-        );
-        self.refuse_if(
-            too_wide,
-            &key("diameter"),
-            message,
-            "give the diameter of the hole, smaller than the liner",
-        );
-        let message = format!(
-            "puts the hole's rim beyond the end of the liner, at {} from the middle",
-            millimetres(half)
-        );
-        let outside = !too_wide && hole.z.abs() + radius > half * (1.0 + 1e-12);
-        self.refuse_if(
-            outside,
-            &key("z"),
-            message,
-            "z counts from midway between the ends; move or shrink the hole",
-        );
-        if let Some(arc) = bearing.arc.filter(|arc| arc.from < arc.to) {
-            let reach = radius / bearing.radius();
-            let before = (hole.angle - arc.from).rem_euclid(TAU);
-            let leaves = before < reach - 1e-12 || before > arc.to - arc.from - reach + 1e-12;
-            let (from, to) = (arc.from.to_degrees(), arc.to.to_degrees());
-            let message = format!(
-                "puts the hole, {:.6} deg wide, beyond the arc from {from:.6} to {to:.6} deg",
-                2.0 * reach.to_degrees()
-            );
-            self.refuse_if(
-                leaves,
-                &key("angle"),
-                message,
-                "give the angle of the hole's centre, inside the arc",
             );
         }
     }
@@ -220,15 +148,10 @@ impl Checks<'_> {
                 "is above the pressure of the feed \"{}\", so the oil there would be gone",
                 feed.group
             );
-            self.refuse_if(cavitation.pressure > feed.pressure, key, message, help);
+            let lower = feed.pressure.is_some_and(|pressure| cavitation.pressure > pressure);
+            self.refuse_if(lower, key, message, help);
         }
     }
-}
-
-/// Whether two holes on the developed surface of a liner of this radius overlap.
-fn overlap(one: &Hole, other: &Hole, radius: f64) -> bool {
-    let turn = (one.angle - other.angle + PI).rem_euclid(TAU) - PI;
-    (radius * turn).hypot(one.z - other.z) < 0.5 * (one.diameter + other.diameter)
 }
 
 fn millimetres(metres: f64) -> String {

@@ -1,0 +1,44 @@
+//! `oilwedge mesh`: the mesh of a scene's liner as a gmsh file.
+
+use crate::complain::Failure;
+use crate::terminal;
+use oilwedge_scene::{Scene, mesh_scene, write_mesh};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Arguments of `oilwedge mesh`.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Mesh {
+    /// The scene: a TOML file that describes one bearing.
+    #[arg(value_name = "SCENE")]
+    scene: PathBuf,
+
+    /// The file to write: gmsh 4.1, text, 6-node triangles, named groups; lengths in metres, unrolled.
+    #[arg(short, long, value_name = "FILE.msh")]
+    output: PathBuf,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  oilwedge mesh bearing.toml -o liner.msh
+  oilwedge mesh bearing.toml -o liner.msh && gmsh liner.msh
+
+Exit status: 0 written; 2 the scene or its liner cannot be meshed, or the file cannot be written.";
+
+impl Mesh {
+    /// Meshes the liner and writes it.
+    ///
+    /// # Errors
+    /// [`Failure`]: the scene cannot be used, its liner cannot be meshed, or the file cannot be written.
+    pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
+        let mesh = mesh_scene(&Scene::read(&self.scene)?)?;
+        write_mesh(&mesh, &self.output)?;
+        let (cells, nodes) = (mesh.triangles().len(), mesh.quadratic_nodes());
+        terminal::print(&format!(
+            "{}: {cells} triangles, {nodes} nodes\n",
+            self.output.display()
+        ))?;
+        Ok(ExitCode::SUCCESS)
+    }
+}

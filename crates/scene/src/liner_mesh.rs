@@ -1,0 +1,116 @@
+//! The mesh of a scene's liner: from its file, or drawn from what the scene says.
+
+use oilwedge_mesh::developed::{self, Liner};
+use oilwedge_mesh::generate::{Blueprint, Feature, Shape, generate};
+use oilwedge_mesh::{Circle, Mesh, gmsh, rim};
+use sha2::{Digest, Sha256};
+
+use crate::compile::CompileError;
+use crate::scene::{Feed, MeshSource, Scene};
+
+/// Longest edges of a mesh without a wanted size, over those that resolve the film's scale: two halvings.
+const FINENESS: f64 = 0.25;
+
+/// The mesh of the liner with round rims on their circles, and the SHA-256 of its file or of its nodes.
+///
+/// # Errors
+/// The file is unreadable, defective or not that of the scene; the liner described cannot be meshed.
+pub fn liner_mesh(scene: &Scene) -> Result<(Mesh, String), CompileError> {
+    match &scene.mesh {
+        MeshSource::File { path, unit } => {
+            let bytes = gmsh::read_bytes(path)?;
+            let mesh = from_file(scene, &bytes, *unit).map_err(|error| error.in_file(path))?;
+            Ok((mesh, hexadecimal(Sha256::digest(&bytes))))
+        }
+        MeshSource::Drawing { size } => {
+            let mesh = drawn(scene, *size).map_err(CompileError::Drawing)?;
+            let mut hash = Sha256::new();
+            mesh.points()
+                .iter()
+                .flatten()
+                .for_each(|x| hash.update(x.to_le_bytes()));
+            Ok((mesh, hexadecimal(hash.finalize())))
+        }
+    }
+}
+
+fn hexadecimal(digest: impl IntoIterator<Item = u8>) -> String {
+    digest.into_iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+fn liner(scene: &Scene) -> Liner {
+    Liner {
+        radius: scene.bearing.radius(),
+        length: scene.bearing.length,
+        arc: scene.bearing.arc.map(|arc| (arc.from, arc.to)),
+    }
+}
+
+fn from_file(scene: &Scene, bytes: &[u8], unit: f64) -> Result<Mesh, oilwedge_mesh::Error> {
+    let file = gmsh::parse(bytes)?;
+    let mut mesh = Mesh::build(developed::unroll(&file, &liner(scene), unit)?)?;
+    for feed in &scene.feeds {
+        if let (Some(shape), Some(_)) = (shape(scene, feed), mesh.region(&feed.group)) {
+            if feed.hole.is_some() {
+                let circle = Circle {
+                    centre: shape.centre,
+                    radius: shape.corner,
+                };
+                mesh = rim::curve_rim(&mesh, &feed.group, &circle)?;
+            }
+        }
+    }
+    Ok(mesh)
+}
+
+fn drawn(scene: &Scene, size: Option<f64>) -> Result<Mesh, Vec<oilwedge_mesh::generate::DrawingError>> {
+    let feature = |feed: &Feed| {
+        shape(scene, feed).map(|shape| Feature {
+            name: feed.group.clone(),
+            shape,
+            // A groove all around would cut the film in two; a deeper film is still a film.
+            meshed: shape.is_full_turn() || feed.pressure.is_none(),
+        })
+    };
+    let blueprint = Blueprint {
+        liner: liner(scene),
+        features: scene.feeds.iter().filter_map(feature).collect(),
+        line: scene.bearing.film_start,
+    };
+    let longest = size.unwrap_or(FINENESS * LONGEST * scene.bearing.radius());
+    generate(&blueprint, &|[x, _]| {
+        longest * film_scale(scene, x / scene.bearing.radius()) / LONGEST
+    })
+}
+
+/// Bounds of the size that resolves the film, in radii.
+const LONGEST: f64 = 0.6;
+const SHORTEST: f64 = 0.07;
+
+/// Size [radii] that resolves the film at the angle `phi` [rad]: 0.65 of the film length `sqrt(2 h/(c eps))`,
+/// over which the thickness doubles at its minimum.
+fn film_scale(scene: &Scene, phi: f64) -> f64 {
+    let eccentricity = scene.journal.eccentricity;
+    let thickness = 1.0 - eccentricity * (phi - scene.journal.min_film_angle).cos();
+    (0.65 * (2.0 * thickness / eccentricity).sqrt()).clamp(SHORTEST, LONGEST)
+}
+
+/// The shape of a feed on the developed surface, where the scene gives it.
+pub(crate) fn shape(scene: &Scene, feed: &Feed) -> Option<Shape> {
+    let radius = scene.bearing.radius();
+    let hole = feed
+        .hole
+        .map(|hole| Shape::disc([radius * hole.angle, hole.z], 0.5 * hole.diameter));
+    let groove = feed.groove.map(|groove| {
+        let (middle, half) = match groove.arc {
+            Some(arc) => (0.5 * (arc.from + arc.to), 0.5 * radius * (arc.to - arc.from)),
+            None => (0.0, f64::INFINITY),
+        };
+        Shape {
+            centre: [radius * middle, groove.z],
+            half: [half, 0.5 * groove.width],
+            corner: groove.corner,
+        }
+    });
+    hole.or(groove)
+}

@@ -1,0 +1,168 @@
+//! A liner in words and drawn in letters: what `oilwedge check` understood.
+
+use crate::scene::{Feed, Scene};
+use oilwedge_mesh::{Locator, Mesh, Region};
+use oilwedge_reynolds::supply::{Place, Supply};
+
+/// Letters along the circumference and lines along the axis.
+const COLUMNS: usize = 72;
+const LINES: usize = 17;
+
+/// The liner of a scene in words, a line each.
+pub fn words(scene: &Scene) -> Vec<String> {
+    let bearing = &scene.bearing;
+    let extent = match bearing.arc {
+        Some(arc) => format!("arc from {} to {}", degrees(arc.from), degrees(arc.to)),
+        None => match bearing.film_start {
+            Some(angle) => format!("full ring, film start at {}", degrees(angle)),
+            None => "full ring, periodic".to_owned(),
+        },
+    };
+    let size = format!(
+        "{extent}; diameter {}, length {}, radial clearance {}",
+        millimetres(bearing.diameter),
+        millimetres(bearing.length),
+        millimetres(bearing.clearance)
+    );
+    [size]
+        .into_iter()
+        .chain(scene.feeds.iter().map(feed_in_words))
+        .collect()
+}
+
+fn feed_in_words(feed: &Feed) -> String {
+    let shape = match (feed.hole, feed.groove) {
+        (Some(hole), _) => {
+            let place = format!("at {}, z = {}", degrees(hole.angle), millimetres(hole.z));
+            format!("hole of {} {place}", millimetres(hole.diameter))
+        }
+        (None, Some(groove)) => {
+            let arc = groove.arc.map_or("all around".to_owned(), |arc| {
+                format!("from {} to {}", degrees(arc.from), degrees(arc.to))
+            });
+            let corner = match groove.corner > 0.0 {
+                true => format!(", corners of radius {}", millimetres(groove.corner)),
+                false => String::new(),
+            };
+            format!(
+                "groove {arc}, {} wide at z = {}{corner}",
+                millimetres(groove.width),
+                millimetres(groove.z)
+            )
+        }
+        (None, None) => "region of the mesh".to_owned(),
+    };
+    let depth = feed.groove.and_then(|groove| groove.depth);
+    let given = match (feed.pressure, depth) {
+        (Some(pressure), _) => format!("at {:.4} bar", 1e-5 * pressure),
+        (None, Some(depth)) => format!("deeper by {}, its pressure is found", millimetres(depth)),
+        (None, None) => String::new(),
+    };
+    format!("\"{}\": {shape}, {given}", feed.group)
+}
+
+fn degrees(angle: f64) -> String {
+    format!("{:.4} deg", angle.to_degrees()).replace(".0000", "")
+}
+
+fn millimetres(length: f64) -> String {
+    let rounded: f64 = format!("{:.4e}", 1e3 * length).parse().unwrap_or(f64::NAN);
+    format!("{rounded} mm")
+}
+
+/// The unrolled liner, `z` upwards and the angle to the right, one letter for each feed, with a legend.
+///
+/// `marked` are regions that are no feeds but worth a letter (pockets). `radius` is R [m].
+pub fn sketch(mesh: &Mesh, supply: &Supply, marked: &[&Region], radius: f64) -> String {
+    let feeds: Vec<&Region> = (supply.regions().iter())
+        .filter(|region| region.place == Place::Feed)
+        .filter_map(|region| mesh.region(&region.name))
+        .chain(marked.iter().copied())
+        .collect();
+    let letters: Vec<char> = ('A'..='Z').chain('a'..='z').cycle().take(feeds.len()).collect();
+    let bounds = Bounds::of(mesh);
+    let locator = Locator::new(mesh);
+    let letter_at = |point: [f64; 2]| match locator.find(point) {
+        Some((cell, _)) => {
+            let holds = |region: &&Region| region.cells.binary_search(&(cell as u32)).is_ok();
+            feeds
+                .iter()
+                .position(|region| holds(region))
+                .map_or('.', |index| letters[index])
+        }
+        None => {
+            let inside = |region: &&Region| is_inside(mesh, region, point);
+            feeds
+                .iter()
+                .position(|region| inside(region))
+                .map_or(' ', |index| letters[index])
+        }
+    };
+    let mut text = String::new();
+    for line in 0..LINES {
+        let z = bounds.at(1, 1.0 - (line as f64 + 0.5) / LINES as f64);
+        let label = match line {
+            0 => format!("z = {:.4} mm", 1e3 * bounds.high[1]),
+            _ if line == LINES - 1 => format!("z = {:.4} mm", 1e3 * bounds.low[1]),
+            _ => String::new(),
+        };
+        let row: String = (0..COLUMNS)
+            .map(|k| letter_at([bounds.at(0, (k as f64 + 0.5) / COLUMNS as f64), z]))
+            .collect();
+        text += &format!("{label:>18} |{row}|\n");
+    }
+    let (from, to) = (degrees(bounds.low[0] / radius), degrees(bounds.high[0] / radius));
+    text += &format!("{:>18}  {from}{to:>width$}\n", "phi =", width = COLUMNS - from.len());
+    let legend: Vec<String> = feeds
+        .iter()
+        .zip(&letters)
+        .map(|(region, letter)| format!("{letter} {}", region.name))
+        .collect();
+    if !legend.is_empty() {
+        text += &format!("{:>18}  {}\n", "", legend.join(", "));
+    }
+    text
+}
+
+/// The rectangle that is drawn.
+struct Bounds {
+    low: [f64; 2],
+    high: [f64; 2],
+}
+
+impl Bounds {
+    fn of(mesh: &Mesh) -> Self {
+        let mut bounds = Self {
+            low: [f64::INFINITY; 2],
+            high: [f64::NEG_INFINITY; 2],
+        };
+        for point in mesh.points() {
+            for k in 0..2 {
+                bounds.low[k] = bounds.low[k].min(point[k]);
+                bounds.high[k] = bounds.high[k].max(point[k]);
+            }
+        }
+        if let Some(period) = mesh.period() {
+            bounds.high[0] = bounds.low[0] + period;
+        }
+        bounds
+    }
+
+    fn at(&self, axis: usize, part: f64) -> f64 {
+        self.low[axis] + part * (self.high[axis] - self.low[axis])
+    }
+}
+
+/// True if the closed rim of a cut-out goes round the point: edges above it are crossed an odd number of times.
+fn is_inside(mesh: &Mesh, region: &Region, [x, z]: [f64; 2]) -> bool {
+    let crossings = region.edges.iter().filter(|&&edge| {
+        let [a, b, _] = mesh.edge_nodes(edge);
+        let shift = mesh
+            .period()
+            .map_or(0.0, |period| period * ((x - 0.5 * (a[0] + b[0])) / period).round());
+        let (from, to) = (a[0] + shift, b[0] + shift);
+        let crosses = (from <= x) != (to <= x);
+        crosses && a[1] + (x - from) / (to - from) * (b[1] - a[1]) > z
+    });
+    crossings.count() % 2 == 1
+}
