@@ -50,14 +50,13 @@ fn from_file(scene: &Scene, bytes: &[u8], unit: f64) -> Result<Mesh, oilwedge_me
     let file = gmsh::parse(bytes)?;
     let mut mesh = Mesh::build(developed::unroll(&file, &liner(scene), unit)?)?;
     for feed in &scene.feeds {
-        if let (Some(shape), Some(_)) = (shape(scene, feed), mesh.region(&feed.group)) {
-            if feed.hole.is_some() {
-                let circle = Circle {
-                    centre: shape.centre,
-                    radius: shape.corner,
-                };
-                mesh = rim::curve_rim(&mesh, &feed.group, &circle)?;
-            }
+        let hole = shape(scene, feed).filter(|_| feed.hole.is_some() && mesh.region(&feed.group).is_some());
+        if let Some(hole) = hole {
+            let circle = Circle {
+                centre: hole.centre,
+                radius: hole.corner,
+            };
+            mesh = rim::curve_rim(&mesh, &feed.group, &circle)?;
         }
     }
     Ok(mesh)

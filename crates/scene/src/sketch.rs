@@ -85,17 +85,11 @@ pub fn sketch(mesh: &Mesh, supply: &Supply, marked: &[&Region], radius: f64) -> 
     let letter_at = |point: [f64; 2]| match locator.find(point) {
         Some((cell, _)) => {
             let holds = |region: &&Region| region.cells.binary_search(&(cell as u32)).is_ok();
-            feeds
-                .iter()
-                .position(|region| holds(region))
-                .map_or('.', |index| letters[index])
+            feeds.iter().position(holds).map_or('.', |index| letters[index])
         }
         None => {
             let inside = |region: &&Region| is_inside(mesh, region, point);
-            feeds
-                .iter()
-                .position(|region| inside(region))
-                .map_or(' ', |index| letters[index])
+            feeds.iter().position(inside).map_or(' ', |index| letters[index])
         }
     };
     let mut text = String::new();
