@@ -14,6 +14,15 @@ const LEAST_SHAPE: f64 = 1e-10;
 /// generators place periodic copies to 1e-11 only.
 const STRAIGHT: f64 = 1e-9;
 
+/// Where the vertices and triangles of a [`RawMesh`] went.
+#[derive(Debug, Clone)]
+pub(crate) struct Numbering {
+    /// Number in the mesh of each listed vertex; `u32::MAX` for those dropped.
+    pub(crate) vertex_of_listed: Vec<u32>,
+    /// Place in the list of each triangle of the mesh.
+    pub(crate) listed_triangle: Vec<u32>,
+}
+
 impl Mesh {
     /// Numbers, orients and checks the triangles of `raw`.
     ///
@@ -21,7 +30,12 @@ impl Mesh {
     ///
     /// # Errors
     /// Every defect found.
-    pub fn build(mut raw: RawMesh) -> Result<Self, Vec<Defect>> {
+    pub fn build(raw: RawMesh) -> Result<Self, Vec<Defect>> {
+        Ok(Self::build_numbered(raw)?.0)
+    }
+
+    /// [`Mesh::build`], and where everything went.
+    pub(crate) fn build_numbered(mut raw: RawMesh) -> Result<(Self, Numbering), Vec<Defect>> {
         let defects = check_triangles(&raw);
         if !defects.is_empty() {
             return Err(defects);
@@ -77,7 +91,14 @@ impl Mesh {
         defects.extend(mesh.folded_triangles());
         defects.extend(mesh.coincident_vertices());
         defects.extend(mesh.pieces());
-        if defects.is_empty() { Ok(mesh) } else { Err(defects) }
+        if !defects.is_empty() {
+            return Err(defects);
+        }
+        let numbering = Numbering {
+            vertex_of_listed: new_of_old,
+            listed_triangle: triangle_order,
+        };
+        Ok((mesh, numbering))
     }
 
     /// Curved triangles whose quadratic map folds.
