@@ -4,6 +4,7 @@
 //! [`lagrange`] and [`quadrature`] (the reference triangle), [`mapping`], [`space`] (degrees of
 //! freedom), [`field`] (functions), [`conservation_law`], [`element`] and [`assembly`] (the one
 //! element loop), [`sparsity`], [`ordering`], [`factorization`], [`newton`], [`linearisation`].
+//! [`transfer`](mod@transfer) carries a field to a refined mesh.
 
 pub mod assembly;
 pub mod conservation_law;
@@ -22,6 +23,7 @@ pub mod ordering;
 pub mod quadrature;
 pub mod space;
 pub mod sparsity;
+pub mod transfer;
 
 pub use assembly::Assembler;
 pub use conservation_law::{ConservationLaw, Tangent};
@@ -34,3 +36,4 @@ pub use linearisation::Linearisation;
 pub use matrix::Matrix;
 pub use quadrature::Quadrature;
 pub use space::Space;
+pub use transfer::transfer;

@@ -4,14 +4,24 @@ use std::collections::HashMap;
 
 use crate::mesh::least_jacobian;
 use crate::raw::doubled_area;
+use crate::region::{circles, regions};
 use crate::topology::NO_TRIANGLE;
-use crate::{Defect, Mesh, RawMesh, Region, Topology, numbering};
+use crate::{Defect, Mesh, RawMesh, Topology, numbering};
 
 /// Triangles of less area than this fraction of their longest edge squared are degenerate.
 const LEAST_SHAPE: f64 = 1e-10;
 /// A mid-side node within this fraction of the edge length from the middle is on the straight edge: mesh
 /// generators place periodic copies to 1e-11 only.
 const STRAIGHT: f64 = 1e-9;
+
+/// Where the vertices and triangles of a [`RawMesh`] went.
+#[derive(Debug, Clone)]
+pub(crate) struct Numbering {
+    /// Number in the mesh of each listed vertex; `u32::MAX` for those dropped.
+    pub(crate) vertex_of_listed: Vec<u32>,
+    /// Place in the list of each triangle of the mesh.
+    pub(crate) listed_triangle: Vec<u32>,
+}
 
 impl Mesh {
     /// Numbers, orients and checks the triangles of `raw`.
@@ -20,7 +30,12 @@ impl Mesh {
     ///
     /// # Errors
     /// Every defect found.
-    pub fn build(mut raw: RawMesh) -> Result<Self, Vec<Defect>> {
+    pub fn build(raw: RawMesh) -> Result<Self, Vec<Defect>> {
+        Ok(Self::build_numbered(raw)?.0)
+    }
+
+    /// [`Mesh::build`], and where everything went.
+    pub(crate) fn build_numbered(mut raw: RawMesh) -> Result<(Self, Numbering), Vec<Defect>> {
         let defects = check_triangles(&raw);
         if !defects.is_empty() {
             return Err(defects);
@@ -61,6 +76,7 @@ impl Mesh {
             .map(|edges| !bulges.is_empty() && edges.iter().any(|edge| bulges.contains_key(edge)))
             .collect();
         let regions = regions(&raw, &new_of_old, &triangle_of_old, &topology, &mut defects);
+        let circles = circles(&raw, &new_of_old, &topology, &mut defects);
         let mesh = Self {
             points,
             labels,
@@ -68,13 +84,21 @@ impl Mesh {
             topology,
             bulges,
             curved,
+            circles,
             period: raw.period,
             regions,
         };
         defects.extend(mesh.folded_triangles());
         defects.extend(mesh.coincident_vertices());
         defects.extend(mesh.pieces());
-        if defects.is_empty() { Ok(mesh) } else { Err(defects) }
+        if !defects.is_empty() {
+            return Err(defects);
+        }
+        let numbering = Numbering {
+            vertex_of_listed: new_of_old,
+            listed_triangle: triangle_order,
+        };
+        Ok((mesh, numbering))
     }
 
     /// Curved triangles whose quadratic map folds.
@@ -316,59 +340,6 @@ fn bulged_edges(raw: &RawMesh, new_of_old: &[u32], topology: &Topology) -> HashM
         }
     }
     bulges
-}
-
-/// The groups of `raw` in the numbers of the mesh.
-fn regions(
-    raw: &RawMesh,
-    new_of_old: &[u32],
-    triangle_of_old: &[u32],
-    topology: &Topology,
-    defects: &mut Vec<Defect>,
-) -> Vec<Region> {
-    let mut regions: Vec<Region> = Vec::new();
-    for (name, pairs) in &raw.curves {
-        let region = region_named(&mut regions, name);
-        for &[a, b] in pairs {
-            let (new_a, new_b) = (new_of_old[a as usize], new_of_old[b as usize]);
-            let edge = (new_a != u32::MAX && new_b != u32::MAX)
-                .then(|| topology.edge_between(new_a, new_b))
-                .flatten();
-            match edge {
-                Some(edge) => region.edges.push(edge),
-                None => defects.push(Defect::LooseEdge {
-                    group: name.clone(),
-                    nodes: [raw.label(a), raw.label(b)],
-                }),
-            }
-        }
-    }
-    for (name, cells) in &raw.surfaces {
-        let cells = cells.iter().map(|&old| triangle_of_old[old as usize]);
-        region_named(&mut regions, name).cells.extend(cells);
-    }
-    for region in &mut regions {
-        region.edges.sort_unstable();
-        region.edges.dedup();
-        region.cells.sort_unstable();
-        region.cells.dedup();
-    }
-    regions
-}
-
-fn region_named<'a>(regions: &'a mut Vec<Region>, name: &str) -> &'a mut Region {
-    let place = regions
-        .iter()
-        .position(|region| region.name == name)
-        .unwrap_or_else(|| {
-            regions.push(Region {
-                name: name.to_owned(),
-                edges: Vec::new(),
-                cells: Vec::new(),
-            });
-            regions.len() - 1
-        });
-    &mut regions[place]
 }
 
 #[cfg(test)]

@@ -8,8 +8,8 @@
 //! Reading order: [`raw`] (triangles as a file lists them) becomes a [`Mesh`], numbered along a
 //! space-filling curve ([`numbering`]), with its edges ([`topology`]) and named sets of edges and
 //! cells ([`region`]). [`gmsh`] reads and writes files, [`developed`] unrolls them and glues the
-//! seam, [`rim`] puts the edges of round holes on their [`circle`], [`quality`] measures,
-//! [`locate`] finds points. What can go wrong is an [`error`]; what can be wrong with triangles, a
+//! seam, [`rim`] puts the edges of round holes on their [`circle`], [`refine`] divides
+//! triangles and keeps the geometry, [`quality`] measures, [`locate`] finds points. What can go wrong is an [`error`]; what can be wrong with triangles, a
 //! [`defect`].
 //!
 //! ```no_run
@@ -36,6 +36,7 @@ pub mod mesh;
 pub mod numbering;
 pub mod quality;
 pub mod raw;
+pub mod refine;
 pub mod region;
 pub mod rim;
 pub mod topology;
@@ -48,5 +49,6 @@ pub use locate::Locator;
 pub use mesh::Mesh;
 pub use quality::Quality;
 pub use raw::RawMesh;
+pub use refine::Refined;
 pub use region::Region;
 pub use topology::Topology;

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use crate::raw::unwrap_corners;
-use crate::{RawMesh, Region, Topology};
+use crate::{Circle, RawMesh, Region, Topology};
 
 /// A conforming triangulation of the developed liner: vertices `(x = R phi, y = z)` [m],
 /// counter-clockwise triangles with straight or quadratic edges, and named regions.
@@ -16,6 +16,8 @@ pub struct Mesh {
     /// Edges that are not straight: the vector from the middle of the straight edge to the mid-side node.
     pub(crate) bulges: HashMap<u32, [f64; 2]>,
     pub(crate) curved: Vec<bool>,
+    /// Circles, each with the edges on it, ascending.
+    pub(crate) circles: Vec<(Circle, Vec<u32>)>,
     pub(crate) period: Option<f64>,
     pub(crate) regions: Vec<Region>,
 }
@@ -103,6 +105,17 @@ impl Mesh {
         self.bulges.get(&edge).copied().unwrap_or([0.0; 2])
     }
 
+    /// Circles [m], each with the edges that lie on it, ascending. On a ring the centre counts modulo the period.
+    pub fn circles(&self) -> &[(Circle, Vec<u32>)] {
+        &self.circles
+    }
+
+    /// The circle that the edge lies on, if one is known.
+    pub fn circle(&self, edge: u32) -> Option<&Circle> {
+        let on = |edges: &Vec<u32>| edges.binary_search(&edge).is_ok();
+        Some(&self.circles.iter().find(|(_, edges)| on(edges))?.0)
+    }
+
     /// Number of nodes when each triangle has six: vertices and edges.
     pub fn quadratic_nodes(&self) -> usize {
         self.points.len() + self.topology.edges.len()
@@ -114,23 +127,28 @@ impl Mesh {
     pub fn to_raw(&self) -> RawMesh {
         let mut bulges = Vec::new();
         for (t, edges) in self.topology.triangle_edges.iter().enumerate() {
-            for k in 0..3 {
+            for k in (0..3).filter(|_| self.curved[t]) {
                 if let Some(&bulge) = self.bulges.get(&edges[k]) {
                     bulges.push((t as u32, k as u8, bulge));
                 }
             }
         }
-        let curve = |region: &Region| region.edges.iter().map(|&e| self.topology.edges[e as usize]).collect();
+        let pairs = |edges: &[u32]| edges.iter().map(|&e| self.topology.edges[e as usize]).collect();
         RawMesh {
             points: self.points.clone(),
             labels: self.labels.clone(),
             triangles: self.triangles.clone(),
             bulges,
+            circles: self
+                .circles
+                .iter()
+                .map(|(circle, edges)| (*circle, pairs(edges)))
+                .collect(),
             curves: self
                 .regions
                 .iter()
                 .filter(|region| !region.edges.is_empty())
-                .map(|region| (region.name.clone(), curve(region)))
+                .map(|region| (region.name.clone(), pairs(&region.edges)))
                 .collect(),
             surfaces: self
                 .regions

@@ -1,5 +1,7 @@
 //! Triangles as a file or a generator lists them: any order, any orientation, unchecked.
 
+use crate::Circle;
+
 /// The input of [`crate::Mesh::build`].
 #[derive(Debug, Clone, Default)]
 pub struct RawMesh {
@@ -12,6 +14,9 @@ pub struct RawMesh {
     /// Edges that bulge: triangle, local edge (0: 0-1, 1: 1-2, 2: 2-0), and the vector [m] from
     /// the middle of the straight edge to the mid-side node. May be listed from both sides.
     pub bulges: Vec<(u32, u8, [f64; 2])>,
+    /// Circles [m] and the edges that lie on them, each edge by its two vertices: vertices that refinement
+    /// puts on such an edge come to lie on the circle. On a ring the centre counts modulo the period.
+    pub circles: Vec<(Circle, Vec<[u32; 2]>)>,
     /// Named sets of edges, each edge by its two vertices.
     pub curves: Vec<(String, Vec<[u32; 2]>)>,
     /// Named sets of triangles.

@@ -16,7 +16,7 @@ use std::path::Path;
 pub use alone::read_alone;
 
 use crate::gmsh::{self, MshFile};
-use crate::{Error, Mesh, RawMesh};
+use crate::{Error, Mesh, RawMesh, rim};
 
 /// Relative agreement asked of a mesh and its scene. Coordinates typed with six digits pass.
 pub(crate) const AGREEMENT: f64 = 1e-5;
@@ -76,6 +76,7 @@ pub fn read(path: impl AsRef<Path>, liner: &Liner, unit: f64) -> Result<Mesh, Er
 /// Unrolls the triangles of a file onto the developed surface of `liner` and, on a ring, glues the
 /// seam; `unit` is the length of one file unit [m].
 ///
+/// Rims whose curved edges lie on a circle are recognised ([`rim::recognise`]).
 /// All triangles belong to the film. An unrolled ring may be cut anywhere; an unrolled arc starts
 /// at `x = R from`, or a whole number of turns from there.
 ///
@@ -98,6 +99,7 @@ pub fn unroll(file: &MshFile, liner: &Liner, unit: f64) -> Result<RawMesh, Error
         labels: file.tags.clone(),
         triangles: file.triangles.clone(),
         bulges,
+        circles: Vec::new(),
         curves: file.curves.clone(),
         surfaces: file.surfaces.clone(),
         period: liner.arc.is_none().then(|| liner.circumference()),
@@ -106,6 +108,7 @@ pub fn unroll(file: &MshFile, liner: &Liner, unit: f64) -> Result<RawMesh, Error
     if raw.period.is_some() && on_cylinder {
         place::require_closed(&raw)?;
     }
+    rim::recognise(&mut raw);
     Ok(raw)
 }
 
