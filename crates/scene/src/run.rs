@@ -124,6 +124,7 @@ fn report(study: &Study, film: &FilmSolution, result: &mut RunResult) {
         linear_solves: film.history.len(),
         factorisations: film.history.len(),
         nonlinear_iterations: film.history.len(),
+        levels: film.levels,
         ..Counts::default()
     };
     let parts = [

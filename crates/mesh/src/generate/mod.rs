@@ -16,7 +16,7 @@ use size::SizeField;
 use triangulate::{Domain, Triangles, triangulate};
 
 use crate::developed::Liner;
-use crate::{Defect, Mesh, RawMesh};
+use crate::{Circle, Defect, Mesh, RawMesh};
 
 /// Lands and features narrower than this part of the radius cannot be meshed.
 const THINNEST: f64 = 1e-3;
@@ -324,7 +324,18 @@ fn raw_mesh(domain: &Domain, outline: &Outline, filled: Triangles) -> RawMesh {
             }
         }
     }
+    let mut circles: Vec<(Circle, Vec<[u32; 2]>)> = Vec::new();
+    for Edge { ends, circle, .. } in &outline.edges {
+        if let Some(circle) = circle {
+            let ends = ends.map(|end| glued[end as usize]);
+            match circles.iter_mut().find(|(known, _)| known == circle) {
+                Some((_, edges)) => edges.push(ends),
+                None => circles.push((*circle, vec![ends])),
+            }
+        }
+    }
     RawMesh {
+        circles,
         points,
         labels: Vec::new(),
         triangles,
@@ -346,7 +357,7 @@ fn film_cells(surfaces: &[(String, Vec<u32>)], count: usize) -> Vec<u32> {
 
 /// Edges on a circle bulge to it.
 fn bulges(points: &[[f64; 2]], triangles: &[[u32; 3]], outline: &Outline) -> Vec<(u32, u8, [f64; 2])> {
-    let on_circle: std::collections::HashMap<[u32; 2], crate::Circle> = (outline.edges.iter())
+    let on_circle: std::collections::HashMap<[u32; 2], Circle> = (outline.edges.iter())
         .filter_map(|edge| {
             let [a, b] = edge.ends;
             edge.circle.map(|circle| ([a.min(b), a.max(b)], circle))
