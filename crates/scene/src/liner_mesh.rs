@@ -1,7 +1,7 @@
 //! The mesh of a scene's liner: from its file, or drawn from what the scene says.
 
 use oilwedge_mesh::developed::{self, Liner};
-use oilwedge_mesh::generate::{Blueprint, Feature, Shape, generate};
+use oilwedge_mesh::generate::{Blueprint, DrawingError, Feature, Shape, generate};
 use oilwedge_mesh::{Circle, Mesh, gmsh, rim};
 use sha2::{Digest, Sha256};
 
@@ -17,9 +17,13 @@ const FINENESS: f64 = 0.25;
 /// The file is unreadable, defective or not that of the scene; the liner described cannot be meshed.
 pub fn liner_mesh(scene: &Scene) -> Result<(Mesh, String), CompileError> {
     match &scene.mesh {
-        MeshSource::File { path, unit } => {
+        MeshSource::File { path, unit, size } => {
             let bytes = gmsh::read_bytes(path)?;
             let mesh = from_file(scene, &bytes, *unit).map_err(|error| error.in_file(path))?;
+            let mesh = match size {
+                Some(size) => meshed_anew(scene, &mesh, *size).map_err(CompileError::Drawing)?,
+                None => mesh,
+            };
             Ok((mesh, hexadecimal(Sha256::digest(&bytes))))
         }
         MeshSource::Drawing { size } => {
@@ -62,7 +66,7 @@ fn from_file(scene: &Scene, bytes: &[u8], unit: f64) -> Result<Mesh, oilwedge_me
     Ok(mesh)
 }
 
-fn drawn(scene: &Scene, size: Option<f64>) -> Result<Mesh, Vec<oilwedge_mesh::generate::DrawingError>> {
+fn drawn(scene: &Scene, size: Option<f64>) -> Result<Mesh, Vec<DrawingError>> {
     let feature = |feed: &Feed| {
         shape(scene, feed).map(|shape| Feature {
             name: feed.group.clone(),
@@ -77,9 +81,23 @@ fn drawn(scene: &Scene, size: Option<f64>) -> Result<Mesh, Vec<oilwedge_mesh::ge
         line: scene.bearing.film_start,
     };
     let longest = size.unwrap_or(FINENESS * LONGEST * scene.bearing.radius());
-    generate(&blueprint, &|[x, _]| {
-        longest * film_scale(scene, x / scene.bearing.radius()) / LONGEST
-    })
+    graded(scene, &blueprint, longest)
+}
+
+/// The geometry of a file, meshed as the film needs it.
+fn meshed_anew(scene: &Scene, mesh: &Mesh, size: f64) -> Result<Mesh, Vec<DrawingError>> {
+    let names: Vec<&str> = scene.feeds.iter().map(|feed| feed.group.as_str()).collect();
+    let blueprint = Blueprint {
+        line: scene.bearing.film_start,
+        ..Blueprint::of_mesh(mesh, liner(scene), &names)?
+    };
+    graded(scene, &blueprint, size)
+}
+
+/// Edges of at most `longest` [m], shorter where the film is thin.
+fn graded(scene: &Scene, blueprint: &Blueprint, longest: f64) -> Result<Mesh, Vec<DrawingError>> {
+    let radius = scene.bearing.radius();
+    generate(blueprint, &|[x, _]| longest * film_scale(scene, x / radius) / LONGEST)
 }
 
 /// Bounds of the size that resolves the film, in radii.

@@ -78,6 +78,8 @@ pub enum MeshSource {
         path: PathBuf,
         /// Length of one unit of the file's coordinates [m].
         unit: f64,
+        /// Longest edges wanted [m] where its geometry is meshed anew; `None`: the mesh is used as it is.
+        size: Option<f64>,
     },
     /// The liner that the scene describes is meshed.
     Drawing {

@@ -73,14 +73,10 @@ fn bearing(mut table: TableReader<'_>) -> Bearing {
     bearing
 }
 
-/// Without a table, a file or a size the liner is meshed as the film needs.
+/// Without a table, a file or a size the liner is meshed as the film needs; a file with a size is meshed anew.
 fn mesh(mut table: TableReader<'_>, scene: &Path) -> MeshSource {
     let file = table.text_if_given("file", MESH_FILE);
     let size = table.quantity_if_given("size", Dimension::Length, "3 mm");
-    if file.is_some() && size.is_some() {
-        let help = "remove file to mesh the liner described here, or size to take the mesh as it is";
-        table.complain("size", "stands beside a mesh file", help);
-    }
     let unit = table
         .text_if_given("unit", "mm")
         .map(|name| match unit::unit_size(&name, Dimension::Length) {
@@ -105,6 +101,7 @@ fn mesh(mut table: TableReader<'_>, scene: &Path) -> MeshSource {
         file => MeshSource::File {
             path: scene.parent().unwrap_or(Path::new("")).join(file.unwrap_or_default()),
             unit: unit.unwrap_or(1.0),
+            size,
         },
     }
 }
@@ -226,7 +223,14 @@ oil = { viscosity = "0.4 Pa.s", barus = { alpha = "2.5e-8 1/Pa" } }
         assert_eq!(scene.title, "Hole-fed shell");
         assert_eq!((scene.bearing.diameter, scene.bearing.length), (0.075, 0.075));
         let path = Path::new("scenes/../meshes/shell.msh").to_path_buf();
-        assert_eq!(scene.mesh, MeshSource::File { path, unit: 1e-3 });
+        assert_eq!(
+            scene.mesh,
+            MeshSource::File {
+                path,
+                unit: 1e-3,
+                size: None
+            }
+        );
         assert_eq!(
             scene.feeds[0].hole.map(|hole| (hole.diameter, hole.z)),
             Some((0.017, 0.0))

@@ -27,7 +27,7 @@ pub(crate) fn complaints(scene: &Scene, marks: &Marks) -> Vec<Complaint> {
         complaints: Vec::new(),
     };
     checks.bearing(&scene.bearing);
-    if let MeshSource::Drawing { size: Some(size) } = scene.mesh {
+    if let MeshSource::Drawing { size: Some(size) } | MeshSource::File { size: Some(size), .. } = scene.mesh {
         checks.positive(size, "mesh.size");
     }
     checks.feeds(scene);

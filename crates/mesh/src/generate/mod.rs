@@ -5,6 +5,7 @@
 //! [`RawMesh`] like that of a file: the same groups, round rims on their circles, a ring glued.
 
 mod outline;
+mod recognise;
 mod shape;
 mod size;
 mod triangulate;
@@ -83,6 +84,14 @@ pub enum DrawingError {
         side: f64,
         /// Shortest side that can be meshed [m].
         least: f64,
+    },
+    /// A region of a mesh is no shape that can be drawn.
+    #[error(
+        "the region \"{name}\" of the mesh is neither a circle nor a rectangle along the axes, so it cannot be meshed anew; remove [mesh] size to take the mesh as it is, or give the feed's hole"
+    )]
+    Unrecognised {
+        /// Name of the region.
+        name: String,
     },
     /// The triangulation failed, or would be too large.
     #[error("the liner cannot be meshed with triangles of {size:.3e} m: {reason}")]
@@ -385,7 +394,7 @@ fn bulges(points: &[[f64; 2]], triangles: &[[u32; 3]], outline: &Outline) -> Vec
 mod tests {
     use super::*;
     use crate::Quality;
-    use std::f64::consts::PI;
+    use std::f64::consts::{PI, TAU};
 
     pub(super) fn ring(features: Vec<Feature>) -> Blueprint {
         let liner = Liner {
@@ -457,6 +466,47 @@ mod tests {
                 assert!(mesh.region(&name).is_some());
             }
             assert_eq!(quality.unnamed_boundary_edges, 0);
+        }
+    }
+
+    #[test]
+    fn the_drawing_of_a_mesh_is_found_again() {
+        let groove = Shape {
+            centre: [0.0375 * 5.7, 0.0],
+            half: [0.006, 0.028],
+            corner: 0.0,
+        };
+        let band = Shape {
+            centre: [0.0, 0.02],
+            half: [f64::INFINITY, 0.003],
+            corner: 0.0,
+        };
+        let meshed = |name: &str, shape| Feature {
+            name: name.into(),
+            shape,
+            meshed: true,
+        };
+        let drawings = [
+            vec![hole("a", 2.0, 0.015, 0.005), meshed("groove", groove)],
+            vec![meshed("band", band), hole("a", 130.0, -0.01, 0.0085)],
+        ];
+        for features in drawings {
+            let mesh = generate(&ring(features.clone()), &|_| 0.004).unwrap();
+            let names: Vec<&str> = features.iter().map(|feature| feature.name.as_str()).collect();
+            let found = Blueprint::of_mesh(&mesh, ring(Vec::new()).liner, &names).unwrap();
+            for (found, drawn) in found.features.iter().zip(&features) {
+                assert_eq!(found.meshed, drawn.meshed);
+                let turn = Some(TAU * 0.0375);
+                for (point, distance) in [
+                    ([0.01, 0.01], None),
+                    ([0.23, 0.0], None),
+                    (drawn.shape.centre, Some(())),
+                ] {
+                    let (a, b) = (found.shape.distance(point, turn), drawn.shape.distance(point, turn));
+                    assert!((a - b).abs() < 1e-12, "{} {distance:?}: {a} {b}", drawn.name);
+                }
+            }
+            assert!(Blueprint::of_mesh(&mesh, ring(Vec::new()).liner, &["film"]).is_err());
         }
     }
 
