@@ -249,7 +249,7 @@ impl FilmProblem {
             .filter(|(_, by_speed)| **by_speed > 0.0)
             .map(|(q, by_speed)| (limit - (q - by_speed)) / by_speed)
             .fold(f64::INFINITY, f64::min);
-        (factor.is_finite() && factor > 0.0).then(|| factor * self.journal.speed)
+        (factor.is_finite() && factor > 0.0).then_some(factor * self.journal.speed)
     }
 
     /// The unknown at a point where the pressure is `p` [Pa].

@@ -59,13 +59,13 @@ impl Checks<'_> {
             "give the radial clearance, about a thousandth of the radius; is it in um?",
         );
         if let Some(arc) = bearing.arc {
-            let (from, to) = (arc.from.to_degrees(), arc.to.to_degrees());
-            let message = format!("ends at {to:.6} deg, which is not behind its beginning, {from:.6} deg");
+            let (from, to) = (degrees(arc.from), degrees(arc.to));
+            let message = format!("ends at {to}, which is not behind its beginning, {from}");
             let help = "count up from one to the other: from = \"320 deg\", to = \"400 deg\" crosses zero";
             self.refuse_if(arc.to <= arc.from, "bearing.arc.to", message, help);
             let message = format!(
-                "makes the arc {:.6} deg wide, but an arc is less than 360 deg",
-                to - from
+                "makes the arc {} wide, but an arc is less than 360 deg",
+                degrees(arc.to - arc.from)
             );
             let help = "for a full ring remove arc; bearing.film_start then holds a line at the end pressure";
             self.refuse_if(
@@ -131,11 +131,14 @@ impl Checks<'_> {
             message,
             "give the diameter of the hole, smaller than the liner",
         );
+        if too_wide {
+            return;
+        }
         let message = format!(
             "puts the hole's rim beyond the end of the liner, at {} from the middle",
             millimetres(half)
         );
-        let outside = !too_wide && hole.z.abs() + radius > half * (1.0 + 1e-12);
+        let outside = hole.z.abs() + radius > half * (1.0 + 1e-12);
         self.refuse_if(
             outside,
             &key("z"),
@@ -146,10 +149,11 @@ impl Checks<'_> {
             let reach = radius / bearing.radius();
             let before = (hole.angle - arc.from).rem_euclid(TAU);
             let leaves = before < reach - 1e-12 || before > arc.to - arc.from - reach + 1e-12;
-            let (from, to) = (arc.from.to_degrees(), arc.to.to_degrees());
             let message = format!(
-                "puts the hole, {:.6} deg wide, beyond the arc from {from:.6} to {to:.6} deg",
-                2.0 * reach.to_degrees()
+                "puts the hole, {} wide, beyond the arc from {} to {}",
+                degrees(2.0 * reach),
+                degrees(arc.from),
+                degrees(arc.to)
             );
             self.refuse_if(
                 leaves,
@@ -232,8 +236,16 @@ fn overlap(one: &Hole, other: &Hole, radius: f64) -> bool {
 }
 
 fn millimetres(metres: f64) -> String {
-    let rounded: f64 = format!("{:.5e}", 1e3 * metres).parse().unwrap_or(f64::NAN);
-    format!("{rounded} mm")
+    format!("{} mm", rounded(1e3 * metres))
+}
+
+fn degrees(radians: f64) -> String {
+    format!("{} deg", rounded(radians.to_degrees()))
+}
+
+/// To six significant digits, without zeros at the end.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.5e}").parse().unwrap_or(f64::NAN)
 }
 
 #[cfg(test)]
