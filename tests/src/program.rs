@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use std::sync::OnceLock;
 
 /// The root of the repository.
 pub fn repository() -> PathBuf {
@@ -30,9 +31,15 @@ pub fn build(package: &str, name: &str) -> PathBuf {
         .join(format!("{name}{}", std::env::consts::EXE_SUFFIX))
 }
 
+/// The command `oilwedge`, built once a test program.
+pub fn oilwedge_command() -> Command {
+    static PROGRAM: OnceLock<PathBuf> = OnceLock::new();
+    Command::new(PROGRAM.get_or_init(|| build("oilwedge", "oilwedge")))
+}
+
 /// Runs `oilwedge` with `arguments` in `folder`.
 pub fn oilwedge(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(build("oilwedge", "oilwedge"))
+    oilwedge_command()
         .args(arguments)
         .current_dir(folder)
         .output()

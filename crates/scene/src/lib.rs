@@ -30,6 +30,7 @@ pub mod spelling;
 pub mod unit;
 pub mod validate;
 pub mod vtu;
+mod wording;
 
 pub use complaint::{Complaint, SceneError};
 pub use run::{Error, Run, RunOptions, check_mesh, check_scene, mesh_scene, run, write_mesh};

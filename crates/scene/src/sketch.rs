@@ -1,6 +1,7 @@
 //! A liner in words and drawn in letters: what `oilwedge check` understood.
 
 use crate::scene::{Feed, Scene};
+use crate::wording::{degrees, millimetres};
 use oilwedge_mesh::{Locator, Mesh, Region};
 use oilwedge_reynolds::supply::{Place, Supply};
 
@@ -61,15 +62,6 @@ fn feed_in_words(feed: &Feed) -> String {
     format!("\"{}\": {shape}, {given}", feed.group)
 }
 
-fn degrees(angle: f64) -> String {
-    format!("{:.4} deg", angle.to_degrees()).replace(".0000", "")
-}
-
-fn millimetres(length: f64) -> String {
-    let rounded: f64 = format!("{:.4e}", 1e3 * length).parse().unwrap_or(f64::NAN);
-    format!("{rounded} mm")
-}
-
 /// The unrolled liner, `z` upwards and the angle to the right, one letter for each feed, with a legend.
 ///
 /// `marked` are regions that are no feeds but worth a letter (pockets). `radius` is R [m].
@@ -96,8 +88,8 @@ pub fn sketch(mesh: &Mesh, supply: &Supply, marked: &[&Region], radius: f64) -> 
     for line in 0..LINES {
         let z = bounds.at(1, 1.0 - (line as f64 + 0.5) / LINES as f64);
         let label = match line {
-            0 => format!("z = {:.4} mm", 1e3 * bounds.high[1]),
-            _ if line == LINES - 1 => format!("z = {:.4} mm", 1e3 * bounds.low[1]),
+            0 => format!("z = {}", millimetres(bounds.high[1])),
+            _ if line == LINES - 1 => format!("z = {}", millimetres(bounds.low[1])),
             _ => String::new(),
         };
         let row: String = (0..COLUMNS)

@@ -7,6 +7,7 @@ mod feeds;
 use crate::complaint::Complaint;
 use crate::reader::Marks;
 use crate::scene::{Bearing, CavitationModel, MeshSource, PressureLaw, RoelandsExponent, Scene};
+use crate::wording::degrees;
 use std::f64::consts::TAU;
 
 /// Names of a mesh's groups that have a meaning of their own, so that no feed may bear them.
@@ -64,13 +65,13 @@ impl Checks<'_> {
             "give the radial clearance, about a thousandth of the radius; is it in um?",
         );
         if let Some(arc) = bearing.arc {
-            let (from, to) = (arc.from.to_degrees(), arc.to.to_degrees());
-            let message = format!("ends at {to:.6} deg, which is not behind its beginning, {from:.6} deg");
+            let (from, to) = (degrees(arc.from), degrees(arc.to));
+            let message = format!("ends at {to}, which is not behind its beginning, {from}");
             let help = "count up from one to the other: from = \"320 deg\", to = \"400 deg\" crosses zero";
             self.refuse_if(arc.to <= arc.from, "bearing.arc.to", message, help);
             let message = format!(
-                "makes the arc {:.6} deg wide, but an arc is less than 360 deg",
-                to - from
+                "makes the arc {} wide, but an arc is less than 360 deg",
+                degrees(arc.to - arc.from)
             );
             let help = "for a full ring remove arc; bearing.film_start then holds a line at the end pressure";
             self.refuse_if(
@@ -152,11 +153,6 @@ impl Checks<'_> {
             self.refuse_if(lower, key, message, help);
         }
     }
-}
-
-fn millimetres(metres: f64) -> String {
-    let rounded: f64 = format!("{:.5e}", 1e3 * metres).parse().unwrap_or(f64::NAN);
-    format!("{rounded} mm")
 }
 
 #[cfg(test)]

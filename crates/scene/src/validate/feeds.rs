@@ -2,8 +2,9 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::{Checks, RESERVED_GROUPS, millimetres};
+use super::{Checks, RESERVED_GROUPS};
 use crate::scene::{Bearing, Feed, Groove, Hole, MeshSource, Scene};
+use crate::wording::{degrees, millimetres};
 
 impl Checks<'_> {
     pub(super) fn feeds(&mut self, scene: &Scene) {
@@ -136,11 +137,14 @@ impl Checks<'_> {
             message,
             "give the diameter of the hole, smaller than the liner",
         );
+        if too_wide {
+            return;
+        }
         let message = format!(
             "puts the hole's rim beyond the end of the liner, at {} from the middle",
             millimetres(half)
         );
-        let outside = !too_wide && hole.z.abs() + radius > half * (1.0 + 1e-12);
+        let outside = hole.z.abs() + radius > half * (1.0 + 1e-12);
         self.refuse_if(
             outside,
             &key("z"),
@@ -151,10 +155,11 @@ impl Checks<'_> {
             let reach = radius / bearing.radius();
             let before = (hole.angle - arc.from).rem_euclid(TAU);
             let leaves = before < reach - 1e-12 || before > arc.to - arc.from - reach + 1e-12;
-            let (from, to) = (arc.from.to_degrees(), arc.to.to_degrees());
             let message = format!(
-                "puts the hole, {:.6} deg wide, beyond the arc from {from:.6} to {to:.6} deg",
-                2.0 * reach.to_degrees()
+                "puts the hole, {} wide, beyond the arc from {} to {}",
+                degrees(2.0 * reach),
+                degrees(arc.from),
+                degrees(arc.to)
             );
             self.refuse_if(
                 leaves,

@@ -1,0 +1,26 @@
+//! Lengths and angles as sentences give them: six significant digits, no zeros at the end.
+
+/// A length [m] in millimetres.
+pub(crate) fn millimetres(metres: f64) -> String {
+    format!("{} mm", rounded(1e3 * metres))
+}
+
+/// An angle [rad] in degrees.
+pub(crate) fn degrees(radians: f64) -> String {
+    format!("{} deg", rounded(radians.to_degrees()))
+}
+
+fn rounded(value: f64) -> f64 {
+    format!("{value:.5e}").parse().unwrap_or(f64::NAN)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_digit_too_many() {
+        assert_eq!(millimetres(0.05625), "56.25 mm");
+        assert_eq!(degrees(130f64.to_radians()), "130 deg");
+    }
+}

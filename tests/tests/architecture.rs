@@ -1,0 +1,146 @@
+//! The layout that `docs/architecture.md` promises: crate arrows, sockets, headings of physics files, file sizes.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use oilwedge_tests::program::repository;
+use serde_json::Value;
+
+/// The crates from top to bottom; a crate uses crates below it only.
+const TOP_TO_BOTTOM: [&str; 5] = [
+    "oilwedge",
+    "oilwedge-scene",
+    "oilwedge-reynolds",
+    "oilwedge-fem",
+    "oilwedge-mesh",
+];
+
+/// The sockets whose entries are a list, and the two contracts. Another one needs a reason in writing.
+const PUBLIC_TRAITS: [&str; 6] = [
+    "ConservationLaw",
+    "Goal",
+    "FilmContribution",
+    "Term",
+    "BalanceEquation",
+    "Observer",
+];
+
+/// Longest source file [lines], tests within it included.
+const LONGEST: usize = 470;
+
+const PHYSICS: [&str; 5] = ["terms", "film_thickness", "lubricant", "quantities", "analytical"];
+
+#[test]
+fn crates_use_only_crates_below_them() {
+    let output = Command::new(env!("CARGO"))
+        .args(["metadata", "--no-deps", "--offline", "--format-version", "1"])
+        .current_dir(repository())
+        .output()
+        .expect("cargo starts");
+    let metadata: Value = serde_json::from_slice(&output.stdout).expect("cargo metadata is JSON");
+    let packages = metadata["packages"].as_array().expect("packages");
+    for (level, name) in TOP_TO_BOTTOM.into_iter().enumerate() {
+        let package = packages.iter().find(|package| package["name"] == name);
+        let package = package.unwrap_or_else(|| panic!("there is no crate {name}"));
+        let used: Vec<&str> = package["dependencies"]
+            .as_array()
+            .expect("dependencies")
+            .iter()
+            .filter_map(|dependency| dependency["name"].as_str())
+            .filter(|used| used.starts_with("oilwedge"))
+            .collect();
+        let below = &TOP_TO_BOTTOM[level + 1..];
+        assert!(used.iter().all(|used| below.contains(used)), "{name} uses {used:?}");
+        if name == "oilwedge" {
+            assert_eq!(used, ["oilwedge-scene"], "the program goes through the door");
+        }
+    }
+    let others = packages.iter().filter_map(|package| package["name"].as_str());
+    let others: Vec<_> = others.filter(|name| !TOP_TO_BOTTOM.contains(name)).collect();
+    assert_eq!(
+        others,
+        ["oilwedge-tests"],
+        "a new crate needs its place here and in docs/architecture.md"
+    );
+}
+
+#[test]
+fn public_traits_are_those_of_the_sockets() {
+    for path in sources() {
+        for line in text(&path).lines().map(str::trim_start) {
+            let Some(rest) = line.strip_prefix("pub trait ") else {
+                continue;
+            };
+            let name: String = rest.chars().take_while(|letter| letter.is_alphanumeric()).collect();
+            assert!(
+                PUBLIC_TRAITS.contains(&name.as_str()),
+                "{}: pub trait {name}",
+                path.display()
+            );
+        }
+    }
+}
+
+#[test]
+fn physics_files_open_with_their_headings() {
+    let mut seen = 0;
+    for path in sources() {
+        let folder = path.parent().and_then(Path::file_name).and_then(|name| name.to_str());
+        let in_reynolds = path.starts_with(repository().join("crates/reynolds"));
+        let is_physics = folder.is_some_and(|folder| PHYSICS.contains(&folder)) && !path.ends_with("mod.rs");
+        if !(in_reynolds && is_physics) {
+            continue;
+        }
+        seen += 1;
+        let text = text(&path);
+        let opening: String = text.lines().take_while(|line| line.starts_with("//!")).collect();
+        assert!(opening.starts_with("//! # "), "{} has no title", path.display());
+        let places = ["**Equation.**", "**Source.**", "**Range.**", "**Verified by**"].map(|heading| {
+            let place = opening.find(heading);
+            place.unwrap_or_else(|| panic!("{} does not say {heading}", path.display()))
+        });
+        assert!(
+            places.is_sorted(),
+            "{}: the headings have another order",
+            path.display()
+        );
+    }
+    assert!(seen >= 11, "only {seen} physics files were found");
+}
+
+#[test]
+fn no_source_file_is_long() {
+    for path in sources() {
+        let lines = text(&path).lines().count();
+        assert!(
+            lines <= LONGEST,
+            "{} has {lines} lines: one file, one idea",
+            path.display()
+        );
+    }
+}
+
+fn text(path: &Path) -> String {
+    std::fs::read_to_string(path).expect("a source file")
+}
+
+/// All `.rs` files of `crates/*/src`.
+fn sources() -> Vec<PathBuf> {
+    let crates = std::fs::read_dir(repository().join("crates")).expect("crates");
+    let mut folders: Vec<PathBuf> = crates
+        .map(|entry| entry.expect("an entry").path().join("src"))
+        .collect();
+    let mut files = Vec::new();
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(&folder).expect("a folder of sources") {
+            let path = entry.expect("an entry").path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|ending| ending == "rs") {
+                files.push(path);
+            }
+        }
+    }
+    assert!(files.len() > 50, "only {} source files were found", files.len());
+    files
+}

@@ -1,0 +1,115 @@
+//! A folder to run the program in.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use oilwedge_tests::program::{oilwedge, repository};
+use serde_json::Value;
+use tempfile::TempDir;
+
+/// An empty folder outside of the repository, and the program run in it.
+pub(crate) struct Bench {
+    folder: TempDir,
+}
+
+/// What a run told.
+pub(crate) struct Told {
+    pub(crate) status: i32,
+    pub(crate) stdout: String,
+    pub(crate) stderr: String,
+}
+
+impl Bench {
+    pub(crate) fn new() -> Self {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        Self { folder }
+    }
+
+    pub(crate) fn path(&self) -> &Path {
+        self.folder.path()
+    }
+
+    pub(crate) fn write(&self, name: &str, content: impl AsRef<[u8]>) {
+        std::fs::write(self.path().join(name), content).expect("writing into a temporary folder");
+    }
+
+    /// Writes `scene.toml`: the shipped scene `name` with the first `from` of each edit replaced by its `to`.
+    /// Meshes that are not edited stay those of the repository.
+    pub(crate) fn scene(&self, name: &str, edits: &[(&str, &str)]) {
+        self.write("scene.toml", edited(name, edits));
+    }
+
+    pub(crate) fn run(&self, arguments: &[&str]) -> Told {
+        let output = oilwedge(self.path(), arguments);
+        let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("UTF-8");
+        Told {
+            status: output.status.code().expect("an exit status"),
+            stdout: text(output.stdout),
+            stderr: text(output.stderr),
+        }
+    }
+
+    /// Every file below the folder with its content; folders end in `/`.
+    pub(crate) fn files(&self) -> BTreeMap<PathBuf, Vec<u8>> {
+        let mut found = BTreeMap::new();
+        let mut folders = vec![self.path().to_path_buf()];
+        while let Some(folder) = folders.pop() {
+            for entry in std::fs::read_dir(&folder).expect("a folder") {
+                let path = entry.expect("an entry").path();
+                if path.is_dir() {
+                    found.insert(path.join(""), Vec::new());
+                    folders.push(path);
+                } else {
+                    let content = std::fs::read(&path).expect("a file");
+                    found.insert(path, content);
+                }
+            }
+        }
+        found
+    }
+
+    /// Runs the program, which must refuse with exit status 2, write nothing, and name all `words` on stderr.
+    pub(crate) fn refuses(&self, arguments: &[&str], words: &[&str]) -> Told {
+        let before = self.files();
+        let told = self.run(arguments);
+        assert_eq!(told.status, 2, "{arguments:?}: {}{}", told.stdout, told.stderr);
+        assert_eq!(told.stdout, "", "{arguments:?}");
+        for word in words {
+            assert!(
+                told.stderr.contains(word),
+                "{arguments:?}: no {word:?} in\n{}",
+                told.stderr
+            );
+        }
+        for panicked in ["panicked", "RUST_BACKTRACE", "fault of the program"] {
+            assert!(!told.stderr.contains(panicked), "{arguments:?}: {}", told.stderr);
+        }
+        assert!(self.files() == before, "{arguments:?}: files were written");
+        told
+    }
+}
+
+/// The text of a shipped scene with edits; its mesh by an absolute path.
+pub(crate) fn edited(name: &str, edits: &[(&str, &str)]) -> String {
+    let path = repository().join(format!("scenes/{name}.toml"));
+    let mut text = std::fs::read_to_string(path).expect("a shipped scene");
+    for (from, to) in edits {
+        assert!(text.contains(from), "{name} has no {from:?}");
+        text = text.replacen(from, to, 1);
+    }
+    text.replace("../meshes/", &format!("{}/", repository().join("meshes").display()))
+}
+
+/// The one JSON object that a text is.
+pub(crate) fn object(text: &str) -> Value {
+    let value: Value = serde_json::from_str(text).unwrap_or_else(|error| panic!("{error}:\n{text}"));
+    assert!(value.is_object(), "{text}");
+    value
+}
+
+/// A result without its timings.
+pub(crate) fn timeless(mut result: Value) -> Value {
+    let timings = result.as_object_mut().and_then(|object| object.remove("timing_s"));
+    assert!(timings.is_some_and(|timings| timings.is_object()));
+    result
+}

@@ -1,0 +1,238 @@
+//! Broken scenes and arguments: exit status 2, nothing written, and a message that names file, key, value and way out.
+
+use crate::bench::Bench;
+
+const SHELL: &str = "02_flexpde_shell";
+
+/// Scene 02 with one edit is refused, in these words, by `solve` and by `check`.
+fn refused(from: &str, to: &str, words: &[&str]) {
+    let bench = Bench::new();
+    bench.scene(SHELL, &[(from, to)]);
+    for verb in ["solve", "check"] {
+        let told = bench.refuses(&[verb, "scene.toml", "--json"], words);
+        assert!(told.stderr.contains("scene.toml"), "{}", told.stderr);
+    }
+}
+
+#[test]
+fn an_unknown_key_is_told_with_the_nearest_one() {
+    let words = [
+        "scene.toml:9:1",
+        "bearing.clearence",
+        "this key is not known",
+        "did you mean \"clearance\"?",
+    ];
+    refused("clearance", "clearence", &words);
+    refused(
+        "[oil]",
+        "[oli]",
+        &["oli", "this table is not known", "did you mean \"oil\"?"],
+    );
+    refused(
+        "z = \"0 mm\"",
+        "colour = 5",
+        &["feed[0].hole.colour", "known here: angle, diameter, z"],
+    );
+}
+
+#[test]
+fn a_bare_number_is_told_with_an_example() {
+    let words = [
+        "bearing.clearance",
+        "a bare number has no unit",
+        "37.5",
+        "write clearance = \"37.5 um\"",
+    ];
+    refused("\"37.5 um\"", "37.5", &words);
+    refused(
+        "\"37.5 um\"",
+        "\"37.5\"",
+        &["bearing.clearance", "has no unit", "for example \"37.5 um\""],
+    );
+}
+
+#[test]
+fn a_wrong_unit_is_told_with_the_right_ones() {
+    let words = [
+        "bearing.clearance",
+        "\"bar\" is a unit of pressure",
+        "a length is wanted",
+        "um, nm",
+    ];
+    refused("\"37.5 um\"", "\"37.5 bar\"", &words);
+    refused(
+        "\"0.4 Pa.s\"",
+        "\"0.4 Pas\"",
+        &["oil.viscosity", "\"Pas\"", "did you mean \"Pa.s\"?"],
+    );
+    refused(
+        "\"0.98 bar\"",
+        "\"0,98 bar\"",
+        &["ends.pressure", "decimal comma", "0,98 bar"],
+    );
+}
+
+#[test]
+fn an_eccentricity_outside_its_range_is_refused() {
+    let key = "journal.eccentricity";
+    let ratio = "give 0 <= eccentricity < 1";
+    refused("= 0.6", "= 1.0", &[key, "1.0", "touches the liner", ratio]);
+    refused(
+        "= 0.6",
+        "= -0.1",
+        &[key, "-0.1", "is negative", ratio, "turn min_film_angle by 180 deg"],
+    );
+    for not_a_number in ["nan", "-nan", "inf"] {
+        refused(
+            "= 0.6",
+            &format!("= {not_a_number}"),
+            &[key, not_a_number, "is not a finite number", "= 0.6"],
+        );
+    }
+    refused(
+        "= 0.6",
+        "= \"0.6\"",
+        &[key, "a plain number is wanted", "without quotes"],
+    );
+}
+
+#[test]
+fn keys_that_are_not_served_are_named() {
+    let later = [
+        ("file = ", "size = \"3 mm\"\nfile = ", "mesh.size"),
+        ("file = ", "tolerance = \"0.1 %\"\nfile = ", "mesh.tolerance"),
+        ("[oil]", "[load]\nforce = \"5 kN\"\n[oil]", "load"),
+        ("[oil]", "[heat]\n[oil]", "heat"),
+        ("[oil]", "[sweep]\n[oil]", "sweep"),
+        ("[oil]", "[cavitation]\nmodel = \"jfo\"\n[oil]", "cavitation.model"),
+    ];
+    for (from, to, key) in later {
+        refused(from, to, &[&format!("{key}: "), "is not served yet", "help: "]);
+    }
+}
+
+#[test]
+fn several_complaints_come_at_once() {
+    let bench = Bench::new();
+    let edits = [
+        ("\"37.5 um\"", "37.5"),
+        ("\"17 mm\"", "\"170 mm\""),
+        ("= 0.6", "= 1.5"),
+        ("viscosity =", "viscocity ="),
+        ("flexpde_shell.msh", "nowhere.msh"),
+    ];
+    bench.scene(SHELL, &edits);
+    let words = [
+        "for 5 reasons",
+        "bearing.clearance",
+        "feed[0].hole.diameter",
+        "journal.eccentricity",
+        "oil.viscocity",
+        "mesh.file",
+        "nowhere.msh",
+    ];
+    bench.refuses(&["solve", "scene.toml"], &words);
+}
+
+#[test]
+fn a_mesh_that_is_no_file_is_told() {
+    let folder = "give the path of a gmsh 4.1 file, counted from the folder of the scene";
+    refused(
+        "flexpde_shell.msh",
+        "nowhere.msh",
+        &["mesh.file", "there is no file", "nowhere.msh", folder],
+    );
+    refused(
+        "../meshes/flexpde_shell.msh",
+        ".",
+        &["mesh.file", "is a folder", folder],
+    );
+    if cfg!(unix) {
+        refused(
+            "../meshes/flexpde_shell.msh",
+            "/dev/null",
+            &["mesh.file", "/dev/null is not a plain file", folder],
+        );
+    }
+    refused("\"../meshes/flexpde_shell.msh\"", "\"\"", &["mesh.file", "is empty"]);
+    refused(
+        "../meshes/flexpde_shell.msh",
+        "scene.toml",
+        &["scene.toml", "not a gmsh mesh file", "msh41"],
+    );
+}
+
+#[test]
+fn what_is_no_scene_is_told() {
+    let bench = Bench::new();
+    let toml = "give the path of a scene in TOML";
+    bench.refuses(&["solve", "."], &["the scene . is not a plain file", toml]);
+    bench.refuses(&["solve", "nowhere.toml"], &["nowhere.toml", toml]);
+    if cfg!(unix) {
+        bench.refuses(&["solve", "/dev/null"], &["/dev/null is not a plain file", toml]);
+    }
+    bench.write("empty.toml", "");
+    bench.refuses(
+        &["solve", "empty.toml"],
+        &[
+            "empty.toml",
+            "for 4 reasons",
+            "write [bearing] with",
+            "write [mesh] with",
+            "write [journal] with",
+            "write [oil] with",
+        ],
+    );
+    bench.write("latin.toml", b"title = \"B\xfcchse\"\n");
+    bench.refuses(
+        &["solve", "latin.toml"],
+        &["latin.toml", "not UTF-8", "save it as UTF-8"],
+    );
+    bench.write("mesh.toml", "$MeshFormat\n4.1 0 8\n");
+    bench.refuses(
+        &["solve", "mesh.toml"],
+        &["mesh.toml", "is a gmsh mesh, not a scene", "below [mesh]"],
+    );
+    bench.write("broken.toml", "[bearing\ndiameter = \"75 mm\"\n");
+    bench.refuses(
+        &["solve", "broken.toml"],
+        &["broken.toml:1:9", "not valid TOML", "a scene is TOML"],
+    );
+    bench.write("zeros.toml", [0; 2000]);
+    bench.refuses(&["solve", "zeros.toml"], &["zeros.toml"]);
+    bench.write("big.toml", vec![b'#'; (1 << 20) + 1]);
+    bench.refuses(
+        &["solve", "big.toml"],
+        &["big.toml", "larger than 1048576 bytes", "is it a mesh"],
+    );
+}
+
+#[test]
+fn a_hostile_text_cannot_steer_the_terminal() {
+    let bench = Bench::new();
+    bench.scene(
+        SHELL,
+        &[
+            ("clearance =", "\"\\u001b[31mred\" ="),
+            ("title = \"", "title = \"\\u001b[31m"),
+        ],
+    );
+    let told = bench.refuses(&["check", "scene.toml"], &["this key is not known"]);
+    assert!(!told.stderr.contains('\u{1b}'), "{}", told.stderr);
+    bench.scene(SHELL, &[("title = \"", "title = \"\\u001b[31m")]);
+    let told = bench.run(&["check", "scene.toml"]);
+    assert!(told.status == 0 && !told.stdout.contains('\u{1b}'), "{}", told.stdout);
+}
+
+#[test]
+fn wrong_arguments_are_refused() {
+    let bench = Bench::new();
+    bench.scene(SHELL, &[]);
+    bench.refuses(&[], &["Usage: oilwedge", "Examples:"]);
+    bench.refuses(&["solve"], &["<SCENE>", "--help"]);
+    bench.refuses(&["solv", "scene.toml"], &["'solv'", "'solve'"]);
+    bench.refuses(&["solve", "scene.toml", "--jsn"], &["'--jsn'", "'--json'"]);
+    bench.refuses(&["solve", "scene.toml", "--threads", "0"], &["'0'", "1..=1024"]);
+    bench.refuses(&["solve", "scene.toml", "--threads", "many"], &["'many'"]);
+    bench.refuses(&["solve", "scene.toml", "--out", ""], &["--out"]);
+}

@@ -1,0 +1,8 @@
+//! The program as its user meets it: exit status, stdout, stderr, and the files it leaves.
+
+mod bench;
+mod complaints;
+mod files;
+mod meshes;
+mod shipped;
+mod solve;

@@ -1,0 +1,96 @@
+//! The shipped scenes through the program, and its help.
+
+use crate::bench::{Bench, object};
+use oilwedge_tests::program::repository;
+
+const TENSION: &str = "full Sommerfeld film: the pressure falls to";
+const PRINTED: &str = "the as-printed equation is no mass balance";
+
+/// Every shipped scene and the beginnings of its warnings.
+const SCENES: [(&str, &[&str]); 8] = [
+    ("01_plain_ring", &[TENSION]),
+    ("02_flexpde_shell", &[TENSION]),
+    ("03_hydrostatic_shell", &[]),
+    ("04_flexpde_ring", &[TENSION]),
+    ("05_flexpde_ring_top", &[TENSION]),
+    ("06_flexpde_as_printed", &[TENSION, PRINTED]),
+    ("07_grooved_liner", &[TENSION]),
+    ("08_flexpde_study_size", &[TENSION]),
+];
+
+#[test]
+fn every_scene_solves_with_the_warnings_expected() {
+    let bench = Bench::new();
+    for (name, warnings) in SCENES {
+        let scene = repository().join(format!("scenes/{name}.toml"));
+        let scene = scene.display().to_string();
+        let told = bench.run(&["solve", &scene, "--json"]);
+        assert_eq!(told.status, 0, "{name}: {}", told.stderr);
+        let result = object(&told.stdout);
+        assert_eq!(result["status"], "converged", "{name}");
+        let given = result["warnings"].as_array().expect("warnings");
+        assert_eq!(given.len(), warnings.len(), "{name}: {given:?}");
+        for (given, expected) in given.iter().zip(warnings) {
+            let given = given.as_str().expect("a text");
+            assert!(given.starts_with(expected), "{name}: {given}");
+            assert!(
+                told.stderr.contains(&format!("warning: {given}")),
+                "{name}: {}",
+                told.stderr
+            );
+        }
+        assert!(bench.path().join(format!("out/{name}/film.vtu")).is_file(), "{name}");
+        let told = bench.run(&["check", &scene]);
+        assert_eq!((told.status, told.stderr.as_str()), (0, ""), "{name}");
+    }
+}
+
+#[test]
+fn all_scenes_are_tried_here() {
+    let mut shipped: Vec<String> = std::fs::read_dir(repository().join("scenes"))
+        .expect("scenes")
+        .map(|entry| entry.expect("an entry").path())
+        .filter(|path| path.extension().is_some_and(|ending| ending == "toml"))
+        .filter_map(|path| Some(path.file_stem()?.to_str()?.to_owned()))
+        .collect();
+    shipped.sort_unstable();
+    assert_eq!(shipped, SCENES.map(|(name, _)| name));
+}
+
+#[test]
+fn every_mesh_can_be_checked_by_itself() {
+    let bench = Bench::new();
+    for entry in std::fs::read_dir(repository().join("meshes")).expect("meshes") {
+        let path = entry.expect("an entry").path();
+        if path.extension().is_some_and(|ending| ending == "msh") {
+            let told = bench.run(&["check", &path.display().to_string()]);
+            assert_eq!((told.status, told.stderr.as_str()), (0, ""), "{}", path.display());
+        }
+    }
+}
+
+#[test]
+fn the_first_scene_has_at_most_fifteen_lines() {
+    let text = std::fs::read_to_string(repository().join("scenes/01_plain_ring.toml")).expect("scene 01");
+    assert!(text.lines().count() <= 15);
+}
+
+#[test]
+fn help_has_examples_and_the_exit_status() {
+    let bench = Bench::new();
+    for arguments in [&["--help"][..], &["solve", "--help"], &["check", "--help"]] {
+        let told = bench.run(arguments);
+        assert_eq!((told.status, told.stderr.as_str()), (0, ""));
+        for part in ["Usage: oilwedge", "Examples:\n  oilwedge ", "Exit status: 0 ", "2 "] {
+            assert!(
+                told.stdout.contains(part),
+                "{arguments:?}: no {part:?} in\n{}",
+                told.stdout
+            );
+        }
+    }
+    let top = bench.run(&["--help"]).stdout;
+    assert!(top.contains("scenes/01_plain_ring.toml") && top.contains("--threads"));
+    let version = bench.run(&["--version"]).stdout;
+    assert_eq!(version.trim(), concat!("oilwedge ", env!("CARGO_PKG_VERSION")));
+}

@@ -1,0 +1,242 @@
+//! `solve`: the result for people and for scripts, also where there is no film.
+
+use crate::bench::{Bench, object, timeless};
+use serde_json::Value;
+use std::process::Stdio;
+
+/// Faster than any film of Barus' oil: the limit is at 81.5 rad/s, the fold of the as-printed form at 36.7.
+const TOO_FAST: (&str, &str) = ("\"10 rad/s\"", "\"100 rad/s\"");
+
+fn keys(value: &Value) -> Vec<&str> {
+    let object = value.as_object().unwrap_or_else(|| panic!("no object: {value}"));
+    object.keys().map(String::as_str).collect()
+}
+
+/// The keys of the contract, all and no others, sorted.
+fn check_keys(result: &Value) {
+    let top = [
+        "balances",
+        "counts",
+        "effects",
+        "format",
+        "history",
+        "mesh",
+        "mesh_sha256",
+        "quantities",
+        "reason",
+        "scene_sha256",
+        "status",
+        "timing_s",
+        "title",
+        "version",
+        "warnings",
+    ];
+    let counts = [
+        "bars",
+        "factorisations",
+        "levels",
+        "linear_solves",
+        "nonlinear_iterations",
+        "position_steps",
+    ];
+    let sorted = |value: &Value| {
+        let mut keys: Vec<String> = keys(value).into_iter().map(str::to_owned).collect();
+        keys.sort_unstable();
+        keys
+    };
+    assert_eq!(sorted(result), top);
+    assert_eq!(sorted(&result["counts"]), counts);
+    assert_eq!(sorted(&result["effects"]), ["not_simulated", "simulated"]);
+    assert_eq!(sorted(&result["mesh"]), ["cells", "min_angle_deg", "nodes", "order"]);
+    assert_eq!(sorted(&result["balances"]), ["force", "mass"]);
+    assert_eq!(result["format"], "oilwedge-result/1");
+    for key in ["scene_sha256", "mesh_sha256"] {
+        assert_eq!(result[key].as_str().map(str::len), Some(64));
+    }
+    for (name, quantity) in result["quantities"].as_object().expect("quantities") {
+        assert_eq!(sorted(quantity), ["error", "symbol", "unit", "value"], "{name}");
+        assert!(quantity["value"].is_f64(), "{name}");
+    }
+    for step in result["history"].as_array().expect("history") {
+        assert_eq!(sorted(step), ["active", "residual", "step"]);
+    }
+}
+
+#[test]
+fn a_solved_scene_is_one_json_object_and_the_same_in_the_file() {
+    let bench = Bench::new();
+    bench.scene("02_flexpde_shell", &[]);
+    let told = bench.run(&["solve", "scene.toml", "--json"]);
+    assert_eq!(told.status, 0, "{}", told.stderr);
+    let result = object(&told.stdout);
+    check_keys(&result);
+    assert_eq!(
+        (&result["status"], &result["reason"]),
+        (&"converged".into(), &Value::Null)
+    );
+    assert_eq!(result["title"], "Hole-fed shell, Barus oil (FlexPDE study)");
+    assert_eq!(result["counts"]["linear_solves"], 1);
+    for part in ["read", "assemble", "factorise", "solve", "total"] {
+        assert!(result["timing_s"][part].as_f64().is_some_and(|seconds| seconds >= 0.0));
+    }
+    // The default folder is out/NAME.
+    let written = std::fs::read_to_string(bench.path().join("out/scene/result.json")).expect("result.json");
+    assert_eq!(timeless(object(&written)), timeless(result));
+    let names: Vec<_> = bench.files().into_keys().collect();
+    let expected = [
+        "out/",
+        "out/scene/",
+        "out/scene/film.vtu",
+        "out/scene/result.json",
+        "scene.toml",
+    ];
+    assert_eq!(names, expected.map(|name| bench.path().join(name)));
+}
+
+#[test]
+fn names_of_quantities_are_those_of_the_contract() {
+    let bench = Bench::new();
+    bench.scene("02_flexpde_shell", &[]);
+    let result = object(&bench.run(&["solve", "scene.toml", "--json"]).stdout);
+    let expected = [
+        "load",
+        "load_x",
+        "load_y",
+        "load_angle",
+        "load_coefficient",
+        "sommerfeld_number",
+        "attitude_angle",
+        "eccentricity",
+        "min_film_angle",
+        "pressure_max",
+        "pressure_min",
+        "film_thickness_min",
+        "viscosity_max",
+        "side_flow",
+        "feed_flow.feed_hole",
+        "pressure_integral",
+        "load_x.feed_hole",
+        "load_y.feed_hole",
+    ];
+    let mut found = keys(&result["quantities"]);
+    found.sort_unstable();
+    let mut sorted = expected;
+    sorted.sort_unstable();
+    assert_eq!(found, sorted);
+    // At rest a Sommerfeld number has no meaning, without eccentricity an attitude angle has none.
+    let rest = [
+        ("\"10 rad/s\"", "\"0 rpm\""),
+        ("eccentricity   = 0.6", "eccentricity = 0"),
+    ];
+    bench.scene("02_flexpde_shell", &rest);
+    let result = object(&bench.run(&["solve", "scene.toml", "--json"]).stdout);
+    for name in ["sommerfeld_number", "attitude_angle", "min_film_angle"] {
+        assert!(result["quantities"].get(name).is_none(), "{name}");
+    }
+}
+
+#[test]
+fn people_get_tables_and_scripts_get_warnings_on_stderr() {
+    let bench = Bench::new();
+    bench.scene("02_flexpde_shell", &[]);
+    let told = bench.run(&["solve", "scene.toml", "--out", "results/a"]);
+    assert_eq!(told.status, 0);
+    for part in [
+        "converged",
+        "poiseuille",
+        "not simulated",
+        "load_coefficient",
+        "20.87",
+        "kN",
+        "balance",
+        "1 linear solve",
+        "results/a: result.json, film.vtu",
+    ] {
+        assert!(told.stdout.contains(part), "no {part:?} in\n{}", told.stdout);
+    }
+    assert!(!told.stdout.contains("warning") && told.stderr.starts_with("warning: full Sommerfeld film"));
+    assert!(bench.path().join("results/a/film.vtu").is_file());
+}
+
+/// Exit status 1, a reason with `words`, and no number, whether printed or as JSON.
+fn no_solution(name: &str, words: &[&str]) {
+    let bench = Bench::new();
+    bench.scene(name, &[TOO_FAST]);
+    let told = bench.run(&["solve", "scene.toml", "--json"]);
+    assert_eq!(told.status, 1, "{}", told.stderr);
+    let result = object(&told.stdout);
+    check_keys(&result);
+    assert_eq!(result["status"], "no_solution");
+    assert!(keys(&result["quantities"]).is_empty());
+    let reason = result["reason"].as_str().expect("a reason");
+    let written = std::fs::read_to_string(bench.path().join("out/scene/result.json")).expect("result.json");
+    assert_eq!(timeless(object(&written)), timeless(result.clone()));
+    assert!(!bench.path().join("out/scene/film.vtu").exists());
+    let people = bench.run(&["solve", "scene.toml"]);
+    assert_eq!(people.status, 1);
+    assert!(people.stdout.contains("there is no solution") && people.stdout.contains(reason));
+    for word in words {
+        assert!(reason.contains(word), "no {word:?} in {reason}");
+    }
+}
+
+#[test]
+fn barus_past_its_limit_has_no_solution() {
+    no_solution(
+        "02_flexpde_shell",
+        &[
+            "at which the viscosity law makes the pressure infinite",
+            "at 81.4",
+            "lower speed",
+        ],
+    );
+}
+
+#[test]
+fn the_printed_equation_past_its_fold_has_no_solution() {
+    no_solution(
+        "06_flexpde_as_printed",
+        &["no solution above 36.7", "form = \"conservative\""],
+    );
+}
+
+#[test]
+fn threads_do_not_change_the_result() {
+    let bench = Bench::new();
+    bench.scene("07_grooved_liner", &[]);
+    let run = |threads: &str| {
+        let told = bench.run(&["solve", "scene.toml", "--threads", threads, "--out", threads]);
+        assert_eq!(told.status, 0, "{}", told.stderr);
+        let file = |name: &str| std::fs::read(bench.path().join(threads).join(name)).expect(name);
+        let json = String::from_utf8(file("result.json")).expect("UTF-8");
+        (timeless(object(&json)), file("film.vtu"))
+    };
+    assert!(run("1") == run("2"));
+}
+
+#[test]
+fn unrolled_changes_the_picture_only() {
+    let bench = Bench::new();
+    bench.scene("02_flexpde_shell", &[]);
+    let result = |arguments: &[&str]| timeless(object(&bench.run(arguments).stdout));
+    let cylinder = result(&["solve", "scene.toml", "--json", "--out", "cylinder"]);
+    let plane = result(&["solve", "scene.toml", "--json", "--out", "plane", "--unrolled"]);
+    assert_eq!(cylinder, plane);
+    let picture = |folder: &str| std::fs::read(bench.path().join(folder).join("film.vtu")).expect("film.vtu");
+    assert!(picture("cylinder") != picture("plane"));
+}
+
+#[test]
+fn a_reader_that_goes_away_is_no_fault() {
+    let bench = Bench::new();
+    bench.scene("01_plain_ring", &[]);
+    let mut child = oilwedge_tests::program::oilwedge_command()
+        .args(["solve", "scene.toml"])
+        .current_dir(bench.path())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("oilwedge starts");
+    drop(child.stdout.take());
+    assert_eq!(child.wait().expect("it ends").code(), Some(0));
+}

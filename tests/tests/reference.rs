@@ -1,0 +1,183 @@
+//! The reference pages say what the program does: their examples run, and no key, unit or quantity is left out.
+//! (`tests/crosscheck/test_reference_pages.py` runs the snippets for gmsh and pyvista.)
+
+use std::path::Path;
+
+use oilwedge_scene::unit::Dimension;
+use oilwedge_scene::{RunOptions, Scene, SceneError, run};
+use oilwedge_tests::program::repository;
+use oilwedge_tests::scenes::path;
+use serde_json::Value;
+
+fn page(name: &str) -> String {
+    std::fs::read_to_string(repository().join("docs/reference").join(name)).expect("a reference page")
+}
+
+/// The blocks of `page` in that language.
+fn blocks<'a>(page: &'a str, language: &str) -> Vec<&'a str> {
+    let opening = format!("```{language}\n");
+    let blocks = page.split(opening.as_str()).skip(1);
+    blocks
+        .map(|rest| rest.split("```").next().unwrap_or_default())
+        .collect()
+}
+
+/// Scene 01 with the keys of a fragment.
+fn plain_ring_with(fragment: &str) -> toml::Table {
+    let text = std::fs::read_to_string(path("01_plain_ring")).expect("scene 01");
+    let mut scene: toml::Table = text.parse().expect("scene 01 is TOML");
+    let fragment: toml::Table = fragment.parse().unwrap_or_else(|error| panic!("{error}:\n{fragment}"));
+    for (name, value) in fragment {
+        match (scene.get_mut(&name).and_then(toml::Value::as_table_mut), value) {
+            (Some(table), toml::Value::Table(keys)) => table.extend(keys),
+            (_, value) => drop(scene.insert(name, value)),
+        }
+    }
+    scene
+}
+
+fn parse(scene: &toml::Table) -> Result<Scene, SceneError> {
+    Scene::parse(&scene.to_string(), Path::new("scenes/example.toml"))
+}
+
+#[test]
+fn examples_of_scenes_are_scenes() {
+    let page = page("scene.md");
+    let examples = blocks(&page, "toml");
+    assert_eq!(examples.len(), 7);
+    for example in examples {
+        parse(&plain_ring_with(example)).unwrap_or_else(|error| panic!("{example}\n{error}"));
+    }
+}
+
+#[test]
+fn every_key_of_a_scene_is_explained() {
+    let fragment = "zzzz = 1\n[bearing]\nzzzz = 1\narc = { from = \"0 deg\", to = \"9 deg\", zzzz = 1 }\n[mesh]\nzzzz = 1\n\
+        [ends]\nzzzz = 1\n[[feed]]\nzzzz = 1\nhole = { zzzz = 1 }\n[journal]\nzzzz = 1\n[oil]\nzzzz = 1\n\
+        barus = { zzzz = 1 }\nroelands = { zzzz = 1 }\n[cavitation]\nzzzz = 1\n";
+    let Err(SceneError::Complaints { complaints, .. }) = parse(&plain_ring_with(fragment)) else {
+        panic!("zzzz is no key")
+    };
+    let page = page("scene.md");
+    let unknown: Vec<_> = complaints.iter().filter(|it| it.key.ends_with("zzzz")).collect();
+    assert_eq!(unknown.len(), 12);
+    for complaint in unknown {
+        let known = complaint.help.strip_prefix("known here: ").expect("the known keys");
+        for key in known.split(", ") {
+            let spellings = [
+                format!("`{key}`"),
+                format!(".{key}`"),
+                format!("[{key}]"),
+                format!("\n{key} = "),
+            ];
+            assert!(
+                spellings.iter().any(|spelling| page.contains(spelling)),
+                "{}: {key}",
+                complaint.key
+            );
+        }
+    }
+}
+
+#[test]
+fn keys_that_are_not_served_are_listed_rightly() {
+    let page = page("scene.md");
+    let section = page.split("## Not served yet").nth(1).expect("the section");
+    let names: Vec<&str> = section.split('`').skip(1).step_by(2).collect();
+    assert_eq!(names.len(), 9);
+    for name in names {
+        let fragment = match (name.split_once('.'), name.starts_with('[')) {
+            (Some(("feed", key)), _) => format!("[[feed]]\ngroup = \"a\"\npressure = \"1 bar\"\n{key} = \"1\""),
+            (Some((table, key)), _) => format!("[{table}]\n{key} = \"1\""),
+            (None, true) => name.to_owned(),
+            (None, false) => format!("[cavitation]\nmodel = \"{name}\""),
+        };
+        let error = parse(&plain_ring_with(&fragment)).expect_err(name).to_string();
+        assert!(error.contains("is not served yet"), "{name}: {error}");
+    }
+}
+
+#[test]
+fn every_unit_is_listed() {
+    let page = page("scene.md");
+    for dimension in [
+        Dimension::Length,
+        Dimension::Angle,
+        Dimension::Pressure,
+        Dimension::Viscosity,
+        Dimension::Speed,
+        Dimension::InversePressure,
+    ] {
+        let row = format!(
+            "| {} | `{}` |",
+            dimension.name().trim_start_matches("an ").trim_start_matches("a "),
+            dimension.unit_names()
+        );
+        assert!(page.contains(&row), "{row}");
+    }
+}
+
+/// The result of a shipped scene as its reader meets it.
+fn result(name: &str) -> Value {
+    let scene = Scene::read(&path(name)).unwrap_or_else(|error| panic!("{error}"));
+    let run = run(&scene, &RunOptions::default()).unwrap_or_else(|error| panic!("{error}"));
+    serde_json::from_str(&run.result.to_json().expect("finite numbers")).expect("JSON")
+}
+
+#[test]
+fn the_result_shown_is_that_of_scene_02() {
+    let page = page("result.md");
+    let [example] = blocks(&page, "json")[..] else {
+        panic!("one example")
+    };
+    let example: Value = serde_json::from_str(example).expect("the example is JSON");
+    let result = result("02_flexpde_shell");
+    let keys = |value: &Value| -> Vec<String> {
+        let keys = value.as_object().expect("an object").keys();
+        keys.cloned().collect()
+    };
+    assert_eq!(keys(&example), keys(&result));
+    for key in ["timing_s", "counts", "balances"] {
+        assert_eq!(keys(&example[key]), keys(&result[key]), "{key}");
+    }
+    for key in [
+        "title",
+        "version",
+        "scene_sha256",
+        "mesh_sha256",
+        "status",
+        "reason",
+        "counts",
+    ] {
+        assert_eq!(example[key], result[key], "{key}");
+    }
+    assert_eq!(example["effects"]["simulated"], result["effects"]["simulated"]);
+    let numbers = [
+        ("mesh", "cells"),
+        ("mesh", "nodes"),
+        ("mesh", "order"),
+        ("mesh", "min_angle_deg"),
+    ];
+    let pairs = numbers.map(|(table, key)| (&example[table][key], &result[table][key]));
+    let shown = example["quantities"].as_object().expect("quantities");
+    let shown = shown
+        .iter()
+        .map(|(name, it)| (&it["value"], &result["quantities"][name]["value"]));
+    for (shown, found) in pairs.into_iter().chain(shown) {
+        let [shown, found] = [shown, found].map(|value| value.as_f64().expect("a number"));
+        assert!((shown / found - 1.0).abs() < 1e-6, "{shown} {found}");
+    }
+}
+
+#[test]
+fn every_quantity_is_explained() {
+    let page = page("result.md");
+    for name in ["02_flexpde_shell", "07_grooved_liner"] {
+        for name in result(name)["quantities"].as_object().expect("quantities").keys() {
+            let shown = name
+                .split_once('.')
+                .map_or(name.clone(), |(name, _)| format!("{name}.GROUP"));
+            assert!(page.contains(&format!("`{shown}`")), "{shown}");
+        }
+    }
+}
