@@ -339,6 +339,8 @@ mod tests {
             mesh_file: "liner.msh".into(),
             effects: None,
             mesh: MeshFacts::default(),
+            liner: Vec::new(),
+            sketch: String::new(),
             quality: Default::default(),
             regions,
             cost: None,

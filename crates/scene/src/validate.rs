@@ -7,7 +7,7 @@ mod feeds;
 use crate::complaint::Complaint;
 use crate::reader::Marks;
 use crate::scene::{Bearing, CavitationModel, MeshSource, PressureLaw, RoelandsExponent, Scene};
-use crate::wording::degrees;
+use crate::wording::{degrees, millimetres};
 use std::f64::consts::TAU;
 
 /// Names of a mesh's groups that have a meaning of their own, so that no feed may bear them.
