@@ -1,6 +1,7 @@
 //! What the tests share: structured liners and plain films, made without files.
 
 pub mod flexpde_study;
+pub mod mesh_page;
 pub mod program;
 pub mod scenes;
 pub mod tables;

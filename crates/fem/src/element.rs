@@ -72,7 +72,7 @@ impl ElementKernel {
         let nowhere = Place {
             position: [0.0; 2],
             determinant: 0.0,
-            inverse_transposed: [[0.0; 2]; 2],
+            inverse_transposed: nalgebra::Matrix2::zeros(),
         };
         let mut geometry = Geometry {
             positions: [[0.0; 2]; MOST_POINTS],

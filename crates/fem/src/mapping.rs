@@ -1,5 +1,6 @@
 //! The map from the reference triangle to a straight or curved (quadratic) triangle.
 
+use nalgebra::{Matrix2, Vector2};
 use oilwedge_mesh::Mesh;
 
 use crate::lagrange;
@@ -21,17 +22,13 @@ pub struct Place {
     /// Jacobian determinant [m2].
     pub determinant: f64,
     /// Inverse transposed Jacobian [1/m]: turns reference gradients into gradients on the surface.
-    pub inverse_transposed: [[f64; 2]; 2],
+    pub inverse_transposed: Matrix2<f64>,
 }
 
 impl Place {
     /// Gradient on the surface of a function with the given reference gradient.
     pub fn gradient(&self, reference: [f64; 2]) -> [f64; 2] {
-        let m = &self.inverse_transposed;
-        [
-            m[0][0] * reference[0] + m[0][1] * reference[1],
-            m[1][0] * reference[0] + m[1][1] * reference[1],
-        ]
+        (self.inverse_transposed * Vector2::from(reference)).into()
     }
 }
 
@@ -61,23 +58,21 @@ impl Mapping {
 }
 
 fn place(values: &[f64], gradients: &[[f64; 2]], nodes: &[[f64; 2]]) -> Place {
-    let mut position = [0.0; 2];
-    // jacobian[d][k] = d x_d / d xi_k
-    let mut jacobian = [[0.0; 2]; 2];
-    for ((value, gradient), node) in values.iter().zip(gradients).zip(nodes) {
-        for d in 0..2 {
-            position[d] += value * node[d];
-            jacobian[d][0] += node[d] * gradient[0];
-            jacobian[d][1] += node[d] * gradient[1];
-        }
+    let mut position = Vector2::zeros();
+    // Row d, column k: d x_d / d xi_k.
+    let mut jacobian = Matrix2::zeros();
+    for ((&value, &gradient), &node) in values.iter().zip(gradients).zip(nodes) {
+        let node = Vector2::from(node);
+        position += value * node;
+        jacobian += node * Vector2::from(gradient).transpose();
     }
-    let [[a, b], [c, d]] = jacobian;
-    let determinant = a * d - b * c;
-    let inverse = 1.0 / determinant;
+    let determinant = jacobian.determinant();
+    // The cofactors are the inverse transposed times the determinant; meshes have no zero one.
+    let cofactors = Matrix2::new(jacobian.m22, -jacobian.m21, -jacobian.m12, jacobian.m11);
     Place {
-        position,
+        position: position.into(),
         determinant,
-        inverse_transposed: [[d * inverse, -c * inverse], [-b * inverse, a * inverse]],
+        inverse_transposed: cofactors / determinant,
     }
 }
 

@@ -304,7 +304,6 @@ oil = { viscosity = "0.4 Pa.s", barus = { alpha = "2.5e-8 1/Pa" } }
     fn keys_of_later_versions_are_refused_by_name() {
         let later = [
             ("unit = \"mm\"", "tolerance = \"0.1 %\"", "mesh.tolerance"),
-            ("group = ", "groove = {}, group = ", "feed[0].groove"),
             ("speed = ", "squeeze = {}, speed = ", "journal.squeeze"),
             ("title = ", "load = { force = \"5 kN\" }\ntitle = ", "load"),
             ("title = ", "heat = {}\ntitle = ", "heat"),
@@ -324,11 +323,58 @@ oil = { viscosity = "0.4 Pa.s", barus = { alpha = "2.5e-8 1/Pa" } }
                 "{to}: {told:?}"
             );
         }
-        let no_mesh = told("mesh = { file = \"../meshes/shell.msh\", unit = \"mm\" }", "");
-        assert!(
-            no_mesh.len() == 1 && no_mesh[0].help.contains("not served yet"),
-            "{no_mesh:?}"
+    }
+
+    #[test]
+    fn without_a_file_the_liner_described_is_meshed() {
+        let table = "mesh = { file = \"../meshes/shell.msh\", unit = \"mm\" }";
+        for (other, size) in [("", None), ("mesh = { size = \"3 mm\" }", Some(0.003))] {
+            let scene = read(&STUDY.replacen(table, other, 1)).expect("a scene");
+            assert_eq!(scene.mesh, MeshSource::Drawing { size });
+        }
+        let anew = read(&STUDY.replacen("unit = \"mm\"", "size = \"2 mm\"", 1)).expect("a scene");
+        assert!(matches!(anew.mesh, MeshSource::File { size: Some(0.002), .. }));
+        told_one(
+            table,
+            "mesh.unit = \"mm\"",
+            "mesh.unit: has a meaning for a mesh file only",
         );
+    }
+
+    #[test]
+    fn grooves_are_read() {
+        let hole = "hole = { diameter = \"17 mm\", angle = \"130 deg\", z = \"0 mm\" }";
+        let groove = "groove = { from = \"80 deg\", to = \"100 deg\", width = \"20 mm\", corner = \"2 mm\" }";
+        let scene = read(&STUDY.replacen(hole, groove, 1)).expect("a scene");
+        let read_back = scene.feeds[0].groove.expect("a groove");
+        assert_eq!(
+            (read_back.width, read_back.z, read_back.corner, read_back.depth),
+            (0.02, 0.0, 0.002, None)
+        );
+        for (broken, wanted) in [
+            (
+                "groove = { from = \"80 deg\", width = \"20 mm\" }",
+                "feed[0].groove.from: stands without to",
+            ),
+            (
+                "groove = { from = \"80 deg\", to = \"70 deg\", width = \"20 mm\" }",
+                "feed[0].groove.to: is not behind",
+            ),
+            (
+                "groove = { from = \"80 deg\", to = \"90 deg\", width = \"80 mm\" }",
+                "feed[0].groove.width: is more",
+            ),
+            (
+                "groove = { from = \"80 deg\", to = \"90 deg\", width = \"20 mm\", depth = \"1 mm\" }",
+                "feed[0].groove.depth: stands beside",
+            ),
+            (
+                "groove = { width = \"20 mm\" }",
+                "feed[0].groove.width: belongs to a groove all around",
+            ),
+        ] {
+            told_one(hole, broken, wanted);
+        }
     }
 
     #[test]
@@ -388,6 +434,6 @@ oil = { viscosity = "0.4 Pa.s", barus = { alpha = "2.5e-8 1/Pa" } }
         }
         let deep = format!("a = {}1{}", "[".repeat(50_000), "]".repeat(50_000));
         assert!(read(&deep).is_err());
-        assert!(matches!(read(""), Err(SceneError::Complaints { complaints, .. }) if complaints.len() == 4));
+        assert!(matches!(read(""), Err(SceneError::Complaints { complaints, .. }) if complaints.len() == 3));
     }
 }

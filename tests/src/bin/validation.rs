@@ -1,10 +1,14 @@
-//! `validation`: writes the tables of `docs/validation` anew.
+//! `validation`: writes the computed tables of the pages in `docs` anew.
 
-use oilwedge_tests::flexpde_study;
 use oilwedge_tests::program::repository;
+use oilwedge_tests::{flexpde_study, mesh_page};
 
 fn main() -> std::io::Result<()> {
-    let path = repository().join("docs/validation/flexpde_study.md");
-    let page = std::fs::read_to_string(&path)?;
-    std::fs::write(&path, flexpde_study::page(&page))
+    let write = |name: &str, page: fn(&str) -> String| {
+        let path = repository().join("docs").join(name);
+        let written = std::fs::read_to_string(&path)?;
+        std::fs::write(&path, page(&written))
+    };
+    write("validation/flexpde_study.md", flexpde_study::page)?;
+    write("howto/mesh.md", mesh_page::page)
 }

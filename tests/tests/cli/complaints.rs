@@ -99,7 +99,6 @@ fn an_eccentricity_outside_its_range_is_refused() {
 #[test]
 fn keys_that_are_not_served_are_named() {
     let later = [
-        ("file = ", "size = \"3 mm\"\nfile = ", "mesh.size"),
         ("file = ", "tolerance = \"0.1 %\"\nfile = ", "mesh.tolerance"),
         ("[oil]", "[load]\nforce = \"5 kN\"\n[oil]", "load"),
         ("[oil]", "[heat]\n[oil]", "heat"),
@@ -176,9 +175,8 @@ fn what_is_no_scene_is_told() {
         &["solve", "empty.toml"],
         &[
             "empty.toml",
-            "for 4 reasons",
+            "for 3 reasons",
             "write [bearing] with",
-            "write [mesh] with",
             "write [journal] with",
             "write [oil] with",
         ],

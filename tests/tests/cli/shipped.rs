@@ -7,7 +7,7 @@ const TENSION: &str = "full Sommerfeld film: the pressure falls to";
 const PRINTED: &str = "the as-printed equation is no mass balance";
 
 /// Every shipped scene and the beginnings of its warnings.
-const SCENES: [(&str, &[&str]); 8] = [
+const SCENES: [(&str, &[&str]); 10] = [
     ("01_plain_ring", &[TENSION]),
     ("02_flexpde_shell", &[TENSION]),
     ("03_hydrostatic_shell", &[]),
@@ -16,6 +16,8 @@ const SCENES: [(&str, &[&str]); 8] = [
     ("06_flexpde_as_printed", &[TENSION, PRINTED]),
     ("07_grooved_liner", &[TENSION]),
     ("08_flexpde_study_size", &[TENSION]),
+    ("09_drawn_ring", &[TENSION]),
+    ("10_drawn_liner", &[TENSION]),
 ];
 
 #[test]
