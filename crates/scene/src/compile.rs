@@ -3,11 +3,11 @@
 //! | socket | function |
 //! |---|---|
 //! | mesh of the liner | [`crate::liner_mesh`] |
-//! | film_thickness | [`film_thickness`] |
-//! | lubricant | [`lubricant`] |
-//! | terms | [`terms`] |
-//! | cavitation | [`cavitation`] |
-//! | supply | [`supply`] |
+//! | film_thickness | `film_thickness` |
+//! | lubricant | `lubricant` |
+//! | terms | `terms` |
+//! | cavitation | `cavitation` |
+//! | supply | `supply` |
 //!
 //! What is simulated and what is not is written down here too, and opens every report.
 

@@ -343,7 +343,7 @@ oil = { viscosity = "0.4 Pa.s", barus = { alpha = "2.5e-8 1/Pa" } }
 
     #[test]
     fn grooves_are_read() {
-        let hole = "hole = { diameter = \"17 mm\", angle = \"130 deg\", z = \"0 mm\" }";
+        let hole = "hole = { diameter = \"17 mm\", angle = \"130 deg\" }";
         let groove = "groove = { from = \"80 deg\", to = \"100 deg\", width = \"20 mm\", corner = \"2 mm\" }";
         let scene = read(&STUDY.replacen(hole, groove, 1)).expect("a scene");
         let read_back = scene.feeds[0].groove.expect("a groove");

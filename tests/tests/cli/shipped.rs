@@ -80,7 +80,13 @@ fn the_first_scene_has_at_most_fifteen_lines() {
 #[test]
 fn help_has_examples_and_the_exit_status() {
     let bench = Bench::new();
-    for arguments in [&["--help"][..], &["solve", "--help"], &["check", "--help"]] {
+    let verbs = [
+        &["--help"][..],
+        &["solve", "--help"],
+        &["check", "--help"],
+        &["mesh", "--help"],
+    ];
+    for arguments in verbs {
         let told = bench.run(arguments);
         assert_eq!((told.status, told.stderr.as_str()), (0, ""));
         for part in ["Usage: oilwedge", "Examples:\n  oilwedge ", "Exit status: 0 ", "2 "] {
