@@ -15,7 +15,7 @@ fn solve(system: &FilmSystem, min_film_angle: f64, speed: f64) -> [f64; 3] {
     let film = plain_film(LENGTH, 0.7, min_film_angle, speed);
     let solution = film.solve(system).unwrap();
     let load = load(&film, system, &solution);
-    assert!(flows(system, &solution).imbalance < 1e-10);
+    assert!(flows(&film, system, &solution).imbalance < 1e-10);
     [
         load.magnitude(),
         load.angle(),

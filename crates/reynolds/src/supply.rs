@@ -206,31 +206,44 @@ fn unassigned(space: &Space, owner: &[Option<u16>]) -> Option<SupplyError> {
     })
 }
 
-/// Edges that run along `x = R phi` at the angle `angle` [rad], from end to end.
+/// Edges that run along `x = R phi` at the angle `angle` [rad], from end to end. Where the line meets a
+/// region that is cut out it may be interrupted: the oil there has a pressure of its own.
 ///
 /// # Errors
 /// [`SupplyError::NoLine`] if they do not make up the length of the bearing.
 pub fn line_at_angle(mesh: &Mesh, radius: f64, length: f64, angle: f64) -> Result<Vec<u32>, SupplyError> {
+    let missing = SupplyError::NoLine {
+        degrees: angle.to_degrees(),
+    };
+    let topology = mesh.topology();
     let on_line = |v: u32| {
         let turns = (mesh.points()[v as usize][0] / radius - angle) / std::f64::consts::TAU;
         (turns - turns.round()).abs() < 1e-8
     };
+    let z = |v: u32| mesh.points()[v as usize][1];
     let edges: Vec<u32> = (0u32..)
-        .zip(&mesh.topology().edges)
+        .zip(&topology.edges)
         .filter(|(edge, ends)| ends.iter().all(|&v| on_line(v)) && mesh.bulge(*edge) == [0.0; 2])
         .map(|(edge, _)| edge)
         .collect();
-    let covered: f64 = edges
-        .iter()
-        .map(|&edge| {
-            let [a, b] = mesh.topology().edges[edge as usize].map(|v| mesh.points()[v as usize][1]);
-            (b - a).abs()
-        })
-        .sum();
-    if (covered - length).abs() > 1e-6 * length {
-        return Err(SupplyError::NoLine {
-            degrees: angle.to_degrees(),
-        });
+    let mut spans: Vec<[u32; 2]> = (edges.iter().map(|&edge| topology.edges[edge as usize]))
+        .map(|[a, b]| if z(a) < z(b) { [a, b] } else { [b, a] })
+        .collect();
+    spans.sort_unstable_by(|a, b| z(a[0]).total_cmp(&z(b[0])));
+    let near = 1e-6 * length;
+    let (Some(first), Some(last)) = (spans.first(), spans.last()) else {
+        return Err(missing);
+    };
+    let mut rim = vec![false; mesh.points().len()];
+    for edge in (0..topology.edges.len() as u32).filter(|&edge| topology.is_boundary(edge)) {
+        for v in topology.edges[edge as usize] {
+            rim[v as usize] = true;
+        }
     }
-    Ok(edges)
+    let whole = spans.windows(2).all(|pair| {
+        let (end, start) = (pair[0][1], pair[1][0]);
+        end == start || (rim[end as usize] && rim[start as usize])
+    });
+    let reaches = z(last[1]) - z(first[0]) > length - near;
+    if whole && reaches { Ok(edges) } else { Err(missing) }
 }

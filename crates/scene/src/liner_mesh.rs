@@ -11,6 +11,9 @@ use crate::scene::{Feed, MeshSource, Scene};
 /// Longest edges of a mesh without a wanted size, over those that resolve the film's scale: two halvings.
 const FINENESS: f64 = 0.25;
 
+/// Edges along the axis, at least, of a mesh without a wanted size.
+const ACROSS: f64 = 4.0;
+
 /// The mesh of the liner with round rims on their circles, and the SHA-256 of its file or of its nodes.
 ///
 /// # Errors
@@ -80,7 +83,8 @@ fn drawn(scene: &Scene, size: Option<f64>) -> Result<Mesh, Vec<DrawingError>> {
         features: scene.feeds.iter().filter_map(feature).collect(),
         line: scene.bearing.film_start,
     };
-    let longest = size.unwrap_or(FINENESS * LONGEST * scene.bearing.radius());
+    let needed = (FINENESS * LONGEST * scene.bearing.radius()).min(scene.bearing.length / ACROSS);
+    let longest = size.unwrap_or(needed);
     graded(scene, &blueprint, longest)
 }
 

@@ -35,7 +35,7 @@ pub fn measure(study: &Study, film: &FilmSolution) -> Measured {
     Measured {
         load: load::load(problem, system, film),
         extremes: pressure::extremes(problem, system, film),
-        flows: flow::flows(system, film),
+        flows: flow::flows(problem, system, film),
         least_thickness: pressure::least_thickness(problem, system),
     }
 }

@@ -40,6 +40,9 @@ pub fn generate(blueprint: &Blueprint, size: &dyn Fn([f64; 2]) -> f64) -> Result
     let sheet = Sheet::of(&blueprint.liner, start);
     check_size(&sheet, size).map_err(|fault| vec![fault])?;
     let gaps = gaps(blueprint, &sheet);
+    // Two edges at least across the liner, and four along a short arc.
+    let widest = (0.5 * sheet.length).min(0.25 * sheet.width);
+    let size = &|point: [f64; 2]| size(point).min(widest);
     let field = SizeField::new(size, sheet.period(), &blueprint.features, &gaps);
     let outline = outline::outline(&sheet, &blueprint.features, &field);
     let domain = Domain {
