@@ -173,7 +173,7 @@ fn film_thickness(scene: &Scene, journal: &JournalState, mesh: &Mesh) -> Vec<Box
         offset: journal.offset,
     })];
     for feed in &scene.feeds {
-        if let Some(depth) = feed.groove.and_then(|groove| groove.depth) {
+        if let Some(depth) = feed.depth {
             let mut inside = vec![false; mesh.triangles().len()];
             for &cell in mesh.region(&feed.group).map_or(&[][..], |region| &region.cells) {
                 inside[cell as usize] = true;

@@ -114,8 +114,10 @@ pub struct Feed {
     pub hole: Option<Hole>,
     /// The groove that the region is, where the scene says so.
     pub groove: Option<Groove>,
-    /// Gauge pressure p_s [Pa]; `None` in a groove with a depth, whose pressure is found.
+    /// Gauge pressure p_s [Pa]; `None` in a pocket.
     pub pressure: Option<f64>,
+    /// How much deeper the film is in a pocket [m], whose pressure is found; `None` where pressure is given.
+    pub depth: Option<f64>,
 }
 
 /// A rectangle with round corners on the developed surface.
@@ -129,8 +131,6 @@ pub struct Groove {
     pub z: f64,
     /// Radius of its corners on the developed surface [m].
     pub corner: f64,
-    /// How much deeper the film is there [m]; `None` where pressure is given.
-    pub depth: Option<f64>,
 }
 
 /// A round hole on the developed surface.

@@ -1,12 +1,13 @@
 //! The keys of a scene: which there are, what each means, and which are promised but not served yet.
 
+mod feed;
 mod oil;
 
 pub use oil::ROELANDS_REFERENCE_PRESSURE;
 
 use crate::complaint::Complaint;
 use crate::reader::{Collector, Marks, TableReader};
-use crate::scene::{Arc, Bearing, Cavitation, CavitationModel, Ends, Feed, Groove, Hole, Journal, MeshSource, Scene};
+use crate::scene::{Arc, Bearing, Cavitation, CavitationModel, Ends, Journal, MeshSource, Scene};
 use crate::unit::{self, Dimension};
 use std::path::Path;
 use toml::de::DeTable;
@@ -35,7 +36,7 @@ fn scene(mut root: TableReader<'_>, path: &Path) -> Scene {
             .map_or(MeshSource::Drawing { size: None }, |table| mesh(table, path)),
         // Open to the zero of all pressures unless said.
         ends: root.table_if_given("ends").map_or(Ends { pressure: 0.0 }, ends),
-        feeds: root.tables("feed").into_iter().map(feed).collect(),
+        feeds: root.tables("feed").into_iter().map(feed::read).collect(),
         journal: journal(root.table("journal", "[journal] with speed, eccentricity and min_film_angle")),
         oil: oil::read(root.table("oil", "[oil] with viscosity = \"40 mPa.s\"")),
         cavitation: root.table_if_given("cavitation").and_then(cavitation),
@@ -110,44 +111,6 @@ fn ends(mut table: TableReader<'_>) -> Ends {
     let pressure = table.quantity("pressure", Dimension::Pressure, "0 bar");
     table.finish();
     Ends { pressure }
-}
-
-fn feed(mut table: TableReader<'_>) -> Feed {
-    let feed = Feed {
-        group: table.text("group", "feed_hole"),
-        hole: table.table_if_given("hole").map(|mut hole| {
-            let diameter = hole.quantity("diameter", Dimension::Length, "17 mm");
-            let angle = hole.quantity("angle", Dimension::Angle, "130 deg");
-            let z = hole.quantity_if_given("z", Dimension::Length, "0 mm").unwrap_or(0.0);
-            hole.finish();
-            Hole { diameter, angle, z }
-        }),
-        groove: table.table_if_given("groove").map(groove),
-        pressure: table.quantity_if_given("pressure", Dimension::Pressure, "1.96 bar"),
-    };
-    table.finish();
-    feed
-}
-
-fn groove(mut table: TableReader<'_>) -> Groove {
-    let from = table.quantity_if_given("from", Dimension::Angle, "80 deg");
-    let to = table.quantity_if_given("to", Dimension::Angle, "100 deg");
-    if from.is_some() != to.is_some() {
-        let (has, lacks) = if from.is_some() { ("from", "to") } else { ("to", "from") };
-        let help = format!("give {lacks} too, or remove {has} for a groove all around");
-        table.complain(has, format!("stands without {lacks}"), help);
-    }
-    let groove = Groove {
-        arc: from.zip(to).map(|(from, to)| Arc { from, to }),
-        width: table.quantity("width", Dimension::Length, "20 mm"),
-        z: table.quantity_if_given("z", Dimension::Length, "0 mm").unwrap_or(0.0),
-        corner: table
-            .quantity_if_given("corner", Dimension::Length, "2 mm")
-            .unwrap_or(0.0),
-        depth: table.quantity_if_given("depth", Dimension::Length, "0.5 mm"),
-    };
-    table.finish();
-    groove
 }
 
 fn journal(mut table: TableReader<'_>) -> Journal {
@@ -339,42 +302,6 @@ oil = { viscosity = "0.4 Pa.s", barus = { alpha = "2.5e-8 1/Pa" } }
             "mesh.unit = \"mm\"",
             "mesh.unit: has a meaning for a mesh file only",
         );
-    }
-
-    #[test]
-    fn grooves_are_read() {
-        let hole = "hole = { diameter = \"17 mm\", angle = \"130 deg\" }";
-        let groove = "groove = { from = \"80 deg\", to = \"100 deg\", width = \"20 mm\", corner = \"2 mm\" }";
-        let scene = read(&STUDY.replacen(hole, groove, 1)).expect("a scene");
-        let read_back = scene.feeds[0].groove.expect("a groove");
-        assert_eq!(
-            (read_back.width, read_back.z, read_back.corner, read_back.depth),
-            (0.02, 0.0, 0.002, None)
-        );
-        for (broken, wanted) in [
-            (
-                "groove = { from = \"80 deg\", width = \"20 mm\" }",
-                "feed[0].groove.from: stands without to",
-            ),
-            (
-                "groove = { from = \"80 deg\", to = \"70 deg\", width = \"20 mm\" }",
-                "feed[0].groove.to: is not behind",
-            ),
-            (
-                "groove = { from = \"80 deg\", to = \"90 deg\", width = \"80 mm\" }",
-                "feed[0].groove.width: is more",
-            ),
-            (
-                "groove = { from = \"80 deg\", to = \"90 deg\", width = \"20 mm\", depth = \"1 mm\" }",
-                "feed[0].groove.depth: stands beside",
-            ),
-            (
-                "groove = { width = \"20 mm\" }",
-                "feed[0].groove.width: belongs to a groove all around",
-            ),
-        ] {
-            told_one(hole, broken, wanted);
-        }
     }
 
     #[test]

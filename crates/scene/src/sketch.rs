@@ -53,8 +53,7 @@ fn feed_in_words(feed: &Feed) -> String {
         }
         (None, None) => "region of the mesh".to_owned(),
     };
-    let depth = feed.groove.and_then(|groove| groove.depth);
-    let given = match (feed.pressure, depth) {
+    let given = match (feed.pressure, feed.depth) {
         (Some(pressure), _) => format!("at {:.4} bar", 1e-5 * pressure),
         (None, Some(depth)) => format!("deeper by {}, its pressure is found", millimetres(depth)),
         (None, None) => String::new(),

@@ -95,7 +95,7 @@ fn a_pocket_is_a_deeper_film() {
             "groove   = { from = \"290 deg\", to = \"310 deg\", width = \"56.25 mm\" }\npressure = \"1.96 bar\"";
         let deeper = groove.replace(
             "\"56.25 mm\" }\npressure = \"1.96 bar\"",
-            &format!("\"56.25 mm\", depth = \"{depth}\" }}"),
+            &format!("\"56.25 mm\" }}\ndepth = \"{depth}\""),
         );
         drawn(&bench, &[(groove, &deeper)]);
         load(&bench, "scene.toml")

@@ -55,32 +55,29 @@ impl Checks<'_> {
             "has no shape, and there is no mesh file to show it",
             "give hole = { diameter = \"17 mm\", angle = \"130 deg\" } or groove = { from = \"80 deg\", to = \"100 deg\", width = \"20 mm\" }, or [mesh] file",
         );
-        let depth = feed.groove.and_then(|groove| groove.depth);
         self.refuse_if(
-            feed.pressure.is_none() && depth.is_none(),
+            feed.pressure.is_none() && feed.depth.is_none(),
             &key("group"),
             "has neither a pressure nor a depth",
-            "give pressure = \"1.96 bar\"; in a groove of a given depth the pressure is found",
+            "give pressure = \"1.96 bar\", or depth = \"20 um\" for a pocket whose pressure is found",
         );
         self.refuse_if(
-            feed.pressure.is_some() && depth.is_some(),
-            &key("groove.depth"),
+            feed.pressure.is_some() && feed.depth.is_some(),
+            &key("depth"),
             "stands beside a pressure",
             "remove the depth (where the pressure is given it has no effect) or the pressure (it is found)",
+        );
+        self.refuse_if(
+            feed.depth.is_some_and(|depth| depth < 0.0),
+            &key("depth"),
+            "is negative",
+            "give how much deeper the film is",
         );
     }
 
     fn groove(&mut self, index: usize, groove: &Groove, bearing: &Bearing) {
         let key = |name: &str| format!("feed[{index}].groove.{name}");
         self.positive(groove.width, &key("width"));
-        if let Some(depth) = groove.depth {
-            self.refuse_if(
-                depth < 0.0,
-                &key("depth"),
-                "is negative",
-                "give how much deeper the film is",
-            );
-        }
         self.refuse_if(
             groove.width > bearing.length,
             &key("width"),
@@ -95,10 +92,10 @@ impl Checks<'_> {
                 "count up from one to the other: from = \"350 deg\", to = \"370 deg\" crosses zero",
             );
             self.refuse_if(
-                arc.to - arc.from >= TAU,
+                arc.to - arc.from > TAU,
                 &key("to"),
-                "makes the groove a full turn or more",
-                "for a groove all around remove from and to",
+                "makes the groove more than a full turn",
+                "give 360 deg at most, or remove from and to for a groove all around",
             );
         }
         self.refuse_if(
