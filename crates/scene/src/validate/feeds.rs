@@ -104,8 +104,7 @@ impl Checks<'_> {
             "belongs to a groove all around, and this bearing is an arc",
             "give from and to",
         );
-        let around = groove
-            .arc
+        let around = (groove.arc.filter(|arc| arc.to > arc.from))
             .map_or(f64::INFINITY, |arc| (arc.to - arc.from) * bearing.radius());
         self.refuse_if(
             groove.corner < 0.0 || groove.corner > 0.5 * groove.width.min(around) * (1.0 + 1e-12),
