@@ -71,7 +71,7 @@ def add_axes(window, mesh, ranges):
     window.show_bounds(
         mesh=mesh, axes_ranges=ranges, xtitle="Angle phi, deg", ytitle="z, mm", ztitle=" ",
         color="black", font_size=22, location="outer", fmt="%.4g", use_2d=False,
-        n_xlabels=5, n_ylabels=3, padding=0.02, show_zaxis=False, show_zlabels=False,
+        n_xlabels=5, n_ylabels=3, show_zaxis=False, show_zlabels=False,
     )  # fmt: skip
 
 
