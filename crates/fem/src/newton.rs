@@ -46,6 +46,16 @@ pub enum Failure {
     Linear(#[from] Error),
 }
 
+impl Failure {
+    /// What was tried.
+    pub fn history(&self) -> &[HistoryStep] {
+        match self {
+            Self::Stagnated { history } | Self::TooManySteps { history } => history,
+            Self::Linear(_) => &[],
+        }
+    }
+}
+
 /// A solution of `R(u) = 0`.
 #[derive(Debug)]
 pub struct Solution {

@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::time::Instant;
 
+use oilwedge_fem::newton;
 use oilwedge_mesh::{Mesh, Quality, developed};
 use oilwedge_reynolds::{FilmSolution, NoFilm};
 
@@ -91,8 +92,11 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, Error> {
             Some(picture(&study, &film, options.unrolled))
         }
         Err(reason) => {
-            result.status = match reason {
-                NoFilm::NotConverged(_) => Status::NotConverged,
+            result.status = match &reason {
+                NoFilm::NotConverged(failure) => {
+                    result.history = history(failure.history());
+                    Status::NotConverged
+                }
                 _ => Status::NoSolution,
             };
             result.reason = Some(reason.to_string());
@@ -105,6 +109,17 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, Error> {
     Ok(Run { result, picture })
 }
 
+fn history(steps: &[newton::HistoryStep]) -> Vec<HistoryStep> {
+    (1..)
+        .zip(steps)
+        .map(|(step, entry)| HistoryStep {
+            step,
+            residual: entry.residual,
+            active: 0,
+        })
+        .collect()
+}
+
 /// Fills in what a solved film tells.
 fn report(study: &Study, film: &FilmSolution, result: &mut RunResult) {
     let start = Instant::now();
@@ -112,14 +127,7 @@ fn report(study: &Study, film: &FilmSolution, result: &mut RunResult) {
     result.quantities = quantities(study, &measured);
     result.warnings = warnings(study, &measured);
     result.balances.mass = measured.flows.imbalance;
-    result.history = (1..)
-        .zip(&film.history)
-        .map(|(step, entry)| HistoryStep {
-            step,
-            residual: entry.residual,
-            active: 0,
-        })
-        .collect();
+    result.history = history(&film.history);
     result.counts = Counts {
         linear_solves: film.history.len(),
         factorisations: film.history.len(),
