@@ -334,3 +334,29 @@ fn the_page_of_meshes_is_up_to_date() {
         "run: cargo run --release -p oilwedge-tests --bin validation"
     );
 }
+
+#[test]
+fn a_centred_journal_makes_no_pressure_in_any_form() {
+    let centred = solved("01_plain_ring", |scene| {
+        set(scene, "journal", "eccentricity", 0.0);
+        let barus: toml::Table = "alpha = \"2.5e-8 1/Pa\"\nform = \"as-printed\""
+            .parse()
+            .expect("a table");
+        set(scene, "oil", "barus", barus);
+    });
+    assert!(centred.quantity("load") < 1e-6);
+}
+
+#[test]
+fn an_unresolved_film_is_told() {
+    let warned = |eccentricity: f64| {
+        let film = solved("01_plain_ring", |scene| {
+            set(scene, "journal", "eccentricity", eccentricity)
+        });
+        let warnings = oilwedge_scene::measure::warnings(&film.study, &film.measured);
+        warnings
+            .iter()
+            .any(|warning| warning.starts_with("the film is not resolved"))
+    };
+    assert!(!warned(0.6) && warned(0.9999));
+}

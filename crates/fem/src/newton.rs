@@ -91,7 +91,8 @@ impl Seconds {
     }
 }
 
-/// Solves `R(u) = 0` from the start `u` (given dofs are set first).
+/// Solves `R(u) = 0` from the start `u` (given dofs are set first). `scale` is a natural size of `u`: a
+/// nonlinear iteration has converged when its step falls below [`STEP_TOLERANCE`] of `u` or of `scale`.
 ///
 /// # Errors
 /// [`Failure`] with the history.
@@ -100,6 +101,7 @@ pub fn solve(
     analysis: &Arc<Analysis>,
     law: &dyn ConservationLaw,
     constraints: &Constraints,
+    scale: f64,
     mut u: Vec<f64>,
 ) -> Result<Solution, Failure> {
     constraints.impose(&mut u);
@@ -113,7 +115,10 @@ pub fn solve(
             assembler.tangent_and_residual(law, &u, &mut matrix)
         });
         let norm = constraints.free_norm(&residual);
-        let scale = *first_norm.get_or_insert(if norm > 0.0 { norm } else { 1.0 });
+        if !norm.is_finite() {
+            return Err(Error::NotFinite { what: "residual" }.into());
+        }
+        let first = *first_norm.get_or_insert(if norm > 0.0 { norm } else { 1.0 });
         let factorization = Seconds::time(&mut seconds.factorise, || {
             analysis.factorise(&matrix, &constraints.fixed)
         })?;
@@ -124,7 +129,7 @@ pub fn solve(
             let change = Seconds::time(&mut seconds.solve, || linearisation.matrix().multiply(&step));
             let reactions: Vec<f64> = residual.iter().zip(change).map(|(r, c)| r + c).collect();
             add(&mut u, 1.0, &step);
-            let residual = constraints.free_norm(&reactions) / scale;
+            let residual = constraints.free_norm(&reactions) / first;
             history.push(HistoryStep { residual, damping: 1.0 });
             return Ok(Solution {
                 u,
@@ -137,7 +142,7 @@ pub fn solve(
         let trial = Seconds::time(&mut seconds.assemble, || {
             damped_step(assembler, law, constraints, &u, &step, norm)
         });
-        let converged = greatest(&step) <= STEP_TOLERANCE * greatest(&u);
+        let converged = greatest(&step) <= STEP_TOLERANCE * greatest(&u).max(scale);
         let Some((damping, next, reactions)) = trial.or_else(|| {
             // At the floor of rounding a full step cannot reduce the residual; it is then the last.
             converged.then(|| stepped(assembler, law, &u, &step, 1.0))
@@ -145,7 +150,7 @@ pub fn solve(
             return Err(Failure::Stagnated { history });
         };
         u = next;
-        let residual = constraints.free_norm(&reactions) / scale;
+        let residual = constraints.free_norm(&reactions) / first;
         history.push(HistoryStep { residual, damping });
         if converged {
             return Ok(Solution {

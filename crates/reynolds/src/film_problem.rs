@@ -96,8 +96,8 @@ impl FilmSystem {
 pub enum NoFilm {
     /// The viscosity law has no pressure for the reduced pressure found.
     #[error(
-        "no steady film: the reduced pressure q reaches {reached:.4e} Pa, {ratio:.4} of the {limit:.4e} Pa at which the viscosity law makes the pressure infinite{}; lower speed, eccentricity or viscosity, or use a law that grows slower (Roelands)",
-        greatest_speed.map_or(String::new(), |speed| format!(", which it reaches at {speed:.6} rad/s"))
+        "no steady film: the reduced pressure q reaches {reached:.4e} Pa, {} of the {limit:.4e} Pa at which the viscosity law makes the pressure infinite{}; lower speed, eccentricity or viscosity, or use a law that grows slower (Roelands)",
+        readable(*ratio), greatest_speed.map_or(String::new(), |speed| format!(", which it reaches at {} rad/s", readable(speed)))
     )]
     AboveLimit {
         /// Greatest reduced pressure [Pa].
@@ -121,7 +121,8 @@ pub enum NoFilm {
     },
     /// The as-printed equation has no solution at this speed.
     #[error(
-        "the as-printed equation has no solution above {last:.6} rad/s (its fold; asked for {asked:.6} rad/s); lower speed or eccentricity, or use form = \"conservative\""
+        "the as-printed equation has no solution above {} rad/s (its fold; asked for {} rad/s); lower speed or eccentricity, or use form = \"conservative\"",
+        readable(*last), readable(*asked)
     )]
     Fold {
         /// Last speed with a solution [rad/s].
@@ -132,6 +133,16 @@ pub enum NoFilm {
     /// The iteration failed.
     #[error("not converged: {0}")]
     NotConverged(#[from] Failure),
+}
+
+/// Six significant digits, without an exponent where that is short.
+fn readable(value: f64) -> String {
+    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+    if (1e-4..1e7).contains(&rounded.abs()) {
+        format!("{rounded}")
+    } else {
+        format!("{rounded:e}")
+    }
 }
 
 /// The solved film.
@@ -194,6 +205,16 @@ impl FilmProblem {
         Some(transfer(&field, system.space(), &lineage))
     }
 
+    /// Pressure [Pa] that drag through the clearance makes, `mu0 U R/c^2`, or the greatest given one.
+    fn pressure_scale(&self, constraints: &Constraints) -> f64 {
+        let slenderness = self.bearing.radius / self.bearing.clearance;
+        let drag = self.lubricant.viscosity * self.journal.speed.abs() * slenderness.powi(2);
+        constraints
+            .values
+            .iter()
+            .fold(drag, |scale, given| scale.max(given.abs()))
+    }
+
     fn solve_scaled(
         &self,
         system: &FilmSystem,
@@ -202,7 +223,14 @@ impl FilmProblem {
         start: Vec<f64>,
     ) -> Result<FilmSolution, Failure> {
         let law = FilmLaw::new(self, speed_factor);
-        let solution = newton::solve(&system.assembler, &system.analysis, &law, constraints, start)?;
+        let solution = newton::solve(
+            &system.assembler,
+            &system.analysis,
+            &law,
+            constraints,
+            self.pressure_scale(constraints),
+            start,
+        )?;
         Ok(FilmSolution {
             unknown: solution.u,
             inflow: solution.reactions,
@@ -232,13 +260,15 @@ impl FilmProblem {
                     }
                 }
                 Err(_) if step > FOLD_RESOLUTION => step *= 0.5,
-                Err(_) => {
-                    let asked = self.journal.speed;
+                // A stable branch left behind is a fold; a branch that never began is something else.
+                Err(_) if reached > 0.0 => {
+                    let asked = self.journal.speed.abs();
                     return Err(NoFilm::Fold {
                         last: reached * asked,
                         asked,
                     });
                 }
+                Err(failure) => return Err(failure.into()),
             }
         }
     }
@@ -261,22 +291,41 @@ impl FilmProblem {
             });
         }
         let least = field.minimum().value;
-        if least <= floor {
+        // Pressures that Guembel's film drops need no viscosity.
+        let dropped = self.cavitation.kink().is_some_and(|p| self.unknown_at(p) > floor);
+        if least <= floor && !dropped {
             return Err(NoFilm::BelowFloor { reached: least, floor });
         }
         Ok(())
     }
 
-    /// The film is linear in the speed, q = q0 + (speed factor) q1, so the limit of speed follows from
-    /// one more solve; it is told by the nodes, which miss the maximum by the square of the mesh size.
+    /// The film is linear in the speed, q = q0 + (speed factor) q1, and its maximum a convex function of
+    /// it: Newton's method on `max q = limit` finds the greatest speed [rad/s] from above.
     fn greatest_speed(&self, system: &FilmSystem, film: &FilmSolution, limit: f64) -> Option<f64> {
+        const STEPS: usize = 20;
+        let space = system.space();
         let at_rest = system.assembler.residual(&FilmLaw::new(self, 0.0), &film.unknown);
         let by_speed = film.linearisation.solve(&at_rest).ok()?;
-        let factor = (film.unknown.iter().zip(&by_speed))
-            .filter(|(_, by_speed)| **by_speed > 0.0)
-            .map(|(q, by_speed)| (limit - (q - by_speed)) / by_speed)
-            .fold(f64::INFINITY, f64::min);
-        (factor.is_finite() && factor > 0.0).then_some(factor * self.journal.speed)
+        let mut factor = 1.0;
+        for _ in 0..STEPS {
+            let shifted = film.unknown.iter().zip(&by_speed);
+            let q: Vec<f64> = shifted.map(|(q, q1)| q + (factor - 1.0) * q1).collect();
+            let top = Field { space, values: &q }.maximum();
+            let slope = Field {
+                space,
+                values: &by_speed,
+            }
+            .value(top.triangle, top.point);
+            let change = (limit - top.value) / slope;
+            factor += change;
+            if !(slope > 0.0 && factor > 0.0) {
+                return None;
+            }
+            if change.abs() < 1e-12 {
+                return Some(factor * self.journal.speed.abs());
+            }
+        }
+        None
     }
 
     /// The unknown at a point where the pressure is `p` [Pa].

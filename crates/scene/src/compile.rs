@@ -41,7 +41,7 @@ pub struct Study {
     pub pockets: Vec<String>,
     /// The common pressure [Pa] of all feeds, if they have one.
     pub supply_pressure: Option<f64>,
-    /// SHA-256 of the mesh file, 64 hexadecimal digits.
+    /// SHA-256 of the mesh file or, drawn, of its vertices and triangles; 64 hexadecimal digits.
     pub mesh_sha256: String,
     /// Seconds: reading and checking the mesh; numbering, pattern and analysis.
     pub seconds: [(&'static str, f64); 2],
@@ -82,6 +82,16 @@ pub enum CompileError {
         mesh: std::path::PathBuf,
         /// Everything that does not fit.
         faults: Vec<SupplyError>,
+    },
+    /// A groove of the scene is not where that of the mesh is.
+    #[error(
+        "the groove of feed group \"{group}\" is not that of the mesh file: their rims are {off:.3e} m apart; correct its from, to, width, z or corner, or remove groove to take the region as it is"
+    )]
+    GrooveElsewhere {
+        /// Group of the groove.
+        group: String,
+        /// Greatest distance [m] of a node of the region from the groove described.
+        off: f64,
     },
     /// The liner described cannot be meshed.
     #[error("the liner described cannot be meshed:{}", list(.0))]

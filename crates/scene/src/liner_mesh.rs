@@ -11,10 +11,12 @@ use crate::scene::{Feed, MeshSource, Scene};
 /// Longest edges of a mesh without a wanted size, over those that resolve the film's scale: two halvings.
 const FINENESS: f64 = 0.25;
 
+/// A groove of a mesh file may be this part of the radius off the groove that the scene describes.
+const ON_RIM: f64 = 1e-3;
 /// Edges along the axis, at least, of a mesh without a wanted size.
 const ACROSS: f64 = 4.0;
 
-/// The mesh of the liner with round rims on their circles, and the SHA-256 of its file or of its nodes.
+/// The mesh of the liner with round rims on their circles, and the SHA-256 of its file or, drawn, of its vertices and triangles.
 ///
 /// # Errors
 /// The file is unreadable, defective or not that of the scene; the liner described cannot be meshed.
@@ -23,6 +25,7 @@ pub fn liner_mesh(scene: &Scene) -> Result<(Mesh, String), CompileError> {
         MeshSource::File { path, unit, size } => {
             let bytes = gmsh::read_bytes(path)?;
             let mesh = from_file(scene, &bytes, *unit).map_err(|error| error.in_file(path))?;
+            check_grooves(scene, &mesh)?;
             let mesh = match size {
                 Some(size) => meshed_anew(scene, &mesh, *size).map_err(CompileError::Drawing)?,
                 None => mesh,
@@ -32,10 +35,12 @@ pub fn liner_mesh(scene: &Scene) -> Result<(Mesh, String), CompileError> {
         MeshSource::Drawing { size } => {
             let mesh = drawn(scene, *size).map_err(CompileError::Drawing)?;
             let mut hash = Sha256::new();
-            mesh.points()
-                .iter()
-                .flatten()
-                .for_each(|x| hash.update(x.to_le_bytes()));
+            for x in mesh.points().iter().flatten() {
+                hash.update(x.to_le_bytes());
+            }
+            for vertex in mesh.triangles().iter().flatten() {
+                hash.update(vertex.to_le_bytes());
+            }
             Ok((mesh, hexadecimal(hash.finalize())))
         }
     }
@@ -69,18 +74,36 @@ fn from_file(scene: &Scene, bytes: &[u8], unit: f64) -> Result<Mesh, oilwedge_me
     Ok(mesh)
 }
 
+/// A groove that the scene describes must be that of the mesh.
+fn check_grooves(scene: &Scene, mesh: &Mesh) -> Result<(), CompileError> {
+    for feed in scene.feeds.iter().filter(|feed| feed.groove.is_some()) {
+        let (Some(shape), Some(region)) = (shape(scene, feed), mesh.region(&feed.group)) else {
+            continue;
+        };
+        let distance = |v: u32| shape.distance(mesh.points()[v as usize], mesh.period());
+        let rim = region
+            .edges
+            .iter()
+            .flat_map(|&edge| mesh.topology().edges[edge as usize]);
+        let inside = region.cells.iter().flat_map(|&cell| mesh.triangles()[cell as usize]);
+        let off = rim
+            .map(|v| distance(v).abs())
+            .chain(inside.map(distance))
+            .fold(0.0, f64::max);
+        if off > ON_RIM * scene.bearing.radius() {
+            return Err(CompileError::GrooveElsewhere {
+                group: feed.group.clone(),
+                off,
+            });
+        }
+    }
+    Ok(())
+}
+
 fn drawn(scene: &Scene, size: Option<f64>) -> Result<Mesh, Vec<DrawingError>> {
-    let feature = |feed: &Feed| {
-        shape(scene, feed).map(|shape| Feature {
-            name: feed.group.clone(),
-            shape,
-            // A groove all around would cut the film in two; a deeper film is still a film.
-            meshed: shape.is_full_turn() || feed.pressure.is_none(),
-        })
-    };
     let blueprint = Blueprint {
         liner: liner(scene),
-        features: scene.feeds.iter().filter_map(feature).collect(),
+        features: (scene.feeds.iter()).filter_map(|feed| feature(scene, feed)).collect(),
         line: scene.bearing.film_start,
     };
     let needed = (FINENESS * LONGEST * scene.bearing.radius()).min(scene.bearing.length / ACROSS);
@@ -88,13 +111,29 @@ fn drawn(scene: &Scene, size: Option<f64>) -> Result<Mesh, Vec<DrawingError>> {
     graded(scene, &blueprint, longest)
 }
 
+/// A feed that the scene describes, as it is drawn.
+fn feature(scene: &Scene, feed: &Feed) -> Option<Feature> {
+    let shape = shape(scene, feed)?;
+    Some(Feature {
+        name: feed.group.clone(),
+        shape,
+        // A groove all around would cut the film in two; a deeper film is still a film.
+        meshed: shape.is_full_turn() || feed.pressure.is_none(),
+    })
+}
+
 /// The geometry of a file, meshed as the film needs it.
 fn meshed_anew(scene: &Scene, mesh: &Mesh, size: f64) -> Result<Mesh, Vec<DrawingError>> {
-    let names: Vec<&str> = scene.feeds.iter().map(|feed| feed.group.as_str()).collect();
-    let blueprint = Blueprint {
+    let (described, shown): (Vec<&Feed>, Vec<&Feed>) =
+        (scene.feeds.iter()).partition(|feed| shape(scene, feed).is_some());
+    let names: Vec<&str> = shown.iter().map(|feed| feed.group.as_str()).collect();
+    let mut blueprint = Blueprint {
         line: scene.bearing.film_start,
         ..Blueprint::of_mesh(mesh, liner(scene), &names)?
     };
+    blueprint
+        .features
+        .extend(described.into_iter().filter_map(|feed| feature(scene, feed)));
     graded(scene, &blueprint, size)
 }
 
@@ -106,7 +145,7 @@ fn graded(scene: &Scene, blueprint: &Blueprint, longest: f64) -> Result<Mesh, Ve
 
 /// Bounds of the size that resolves the film, in radii.
 const LONGEST: f64 = 0.6;
-const SHORTEST: f64 = 0.07;
+const SHORTEST: f64 = 0.01;
 
 /// Size [radii] that resolves the film at the angle `phi` [rad]: 0.65 of the film length `sqrt(2 h/(c eps))`,
 /// over which the thickness doubles at its minimum.

@@ -16,6 +16,21 @@ const NO_LOAD: f64 = 1e-12;
 /// Tension below this fraction of the range of pressure may be that of the interpolation.
 const TENSION: f64 = 1e-5;
 
+/// Greatest ratio of film thicknesses at the corners of a triangle of a resolved film.
+const RESOLVED: f64 = 2.0;
+
+/// Greatest ratio of the film thicknesses at the corners of any triangle.
+fn steepest_cell(study: &Study) -> f64 {
+    let mesh = study.system.space().mesh();
+    (0..mesh.triangles().len())
+        .map(|t| {
+            let thickness = study.problem.thickness_at(t, &mesh.corners(t));
+            let least = thickness.iter().copied().fold(f64::INFINITY, f64::min);
+            thickness.iter().copied().fold(0.0, f64::max) / least
+        })
+        .fold(1.0, f64::max)
+}
+
 /// Everything measured on one film.
 #[derive(Debug)]
 pub struct Measured {
@@ -117,8 +132,18 @@ pub fn warnings(study: &Study, measured: &Measured) -> Vec<String> {
     use oilwedge_reynolds::{Cavitation, Form};
     let Measured { extremes, flows, .. } = measured;
     let end = study.problem.bearing.end_pressure;
-    let tension = end - extremes.least > TENSION * (extremes.greatest - extremes.least);
+    // A centred journal makes no pressure: what is left of its drag then is rounding.
+    let bearing = &study.problem.bearing;
+    let drag = study.problem.lubricant.viscosity * study.problem.journal.speed.abs();
+    let rounding = NO_LOAD * drag * (bearing.radius / bearing.clearance).powi(2);
+    let tension = end - extremes.least > (TENSION * (extremes.greatest - extremes.least)).max(rounding);
     let mut warnings = Vec::new();
+    let step = steepest_cell(study);
+    if step > RESOLVED {
+        warnings.push(format!(
+            "the film is not resolved where it is thin: its thickness changes {step:.1} times within one triangle; give a finer mesh ([mesh] size)"
+        ));
+    }
     match study.problem.cavitation {
         Cavitation::None if tension => warnings.push(format!(
             "full Sommerfeld film: the pressure falls to {:.2} bar, below the {:.2} bar at the ends; oil bears no such tension, but the load counts it; choose a model under [cavitation]",

@@ -46,7 +46,7 @@ fn what_cannot_be_drawn_is_named() {
         (
             "z = \"15 mm\"",
             "z = \"32.49 mm\"",
-            ["\"hole_a\" reaches", "from its edge"],
+            ["\"hole_a\" leaves", "of land to the edge"],
         ),
         (
             "diameter = \"10 mm\"",
@@ -105,4 +105,29 @@ fn a_pocket_is_a_deeper_film() {
         (shallow / even - 1.0).abs() < 1e-3 && (deep / even - 1.0).abs() > 1e-2,
         "{even} {shallow} {deep}"
     );
+}
+
+#[test]
+fn a_groove_that_is_not_that_of_the_mesh_is_refused() {
+    let bench = Bench::new();
+    let pressure =
+        "group    = \"groove\"                             # 20 degrees wide, 0.75 of the length, at 300 degrees\n";
+    let groove =
+        |from: &str| format!("{pressure}groove = {{ from = \"{from}\", to = \"310 deg\", width = \"56.25 mm\" }}\n");
+    bench.scene("07_grooved_liner", &[(pressure, &groove("290 deg"))]);
+    assert_eq!(bench.run(&["solve", "scene.toml"]).status, 0);
+    bench.scene("07_grooved_liner", &[(pressure, &groove("250 deg"))]);
+    bench.refuses(
+        &["solve", "scene.toml"],
+        &["\"groove\" is not that of the mesh file", "remove groove"],
+    );
+}
+
+#[test]
+fn liners_too_narrow_to_be_meshed_are_refused() {
+    let bench = Bench::new();
+    let clearance = "clearance = \"37.5 um\"\n";
+    let arc = format!("{clearance}arc = {{ from = \"0 deg\", to = \"1e-6 deg\" }}\n");
+    bench.scene("09_drawn_ring", &[(clearance, &arc)]);
+    bench.refuses(&["solve", "scene.toml"], &["cannot be meshed", "a wider liner"]);
 }

@@ -97,7 +97,7 @@ fn errors(degree: usize, n: u32) -> [f64; 2] {
         }
     }
     let start = vec![0.0; space.dofs()];
-    let solution = newton::solve(&assembler, &analysis, &Manufactured, &constraints, start).unwrap();
+    let solution = newton::solve(&assembler, &analysis, &Manufactured, &constraints, 1.0, start).unwrap();
     assert_eq!(solution.history.len(), 1, "a linear law needs one solve");
     let field = Field {
         space,

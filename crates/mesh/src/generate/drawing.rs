@@ -25,15 +25,15 @@ pub struct Blueprint {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DrawingError {
-    /// A feature reaches beyond the liner.
+    /// A feature reaches beyond the liner or leaves too little land.
     #[error(
-        "\"{name}\" reaches {by:.4e} m beyond the liner or to less than {least:.1e} m from its edge; move or shrink it"
+        "\"{name}\" leaves {land:.3e} m of land to the edge of the liner (less than zero: it reaches beyond), and {least:.1e} m are needed; move or shrink it"
     )]
     OffLiner {
         /// Name of the feature.
         name: String,
-        /// How far it reaches out (negative: the land that is left) [m].
-        by: f64,
+        /// The land that is left [m]; negative where it reaches beyond.
+        land: f64,
         /// Least land that can be meshed [m].
         least: f64,
     },
@@ -133,7 +133,7 @@ pub(super) fn faults(blueprint: &Blueprint) -> Vec<DrawingError> {
         if land < least {
             faults.push(DrawingError::OffLiner {
                 name: name.clone(),
-                by: -land,
+                land,
                 least,
             });
         }

@@ -24,7 +24,9 @@ use triangulate::{Domain, triangulate};
 use crate::Mesh;
 
 /// Greatest number of triangles that is made.
-const MOST_TRIANGLES: f64 = 2e7;
+const MOST_TRIANGLES: f64 = 4e6;
+/// Area of an equilateral triangle over the square of its edge.
+const EQUILATERAL_AREA: f64 = 0.433_012_701_892_219_3;
 
 /// Meshes a liner; `size` is the edge length [m] wanted at a point, features refine it further.
 ///
@@ -38,12 +40,12 @@ pub fn generate(blueprint: &Blueprint, size: &dyn Fn([f64; 2]) -> f64) -> Result
     }
     let start = seam_place(blueprint);
     let sheet = Sheet::of(&blueprint.liner, start);
-    check_size(&sheet, size).map_err(|fault| vec![fault])?;
     let gaps = gaps(blueprint, &sheet);
     // Two edges at least across the liner, and four along a short arc.
     let widest = (0.5 * sheet.length).min(0.25 * sheet.width);
     let size = &|point: [f64; 2]| size(point).min(widest);
     let field = SizeField::new(size, sheet.period(), &blueprint.features, &gaps);
+    check_size(&sheet, &field).map_err(|fault| vec![fault])?;
     let outline = outline::outline(&sheet, &blueprint.features, &field);
     let domain = Domain {
         sheet,
@@ -61,21 +63,28 @@ pub fn generate(blueprint: &Blueprint, size: &dyn Fn([f64; 2]) -> f64) -> Result
     Mesh::build(raw).map_err(|defects| defects.into_iter().map(DrawingError::Defective).collect())
 }
 
-fn check_size(sheet: &Sheet, size: &dyn Fn([f64; 2]) -> f64) -> Result<(), DrawingError> {
-    const SAMPLES: u32 = 256;
-    let mut triangles = 0.0;
-    for k in 0..SAMPLES {
-        let x = sheet.start + sheet.width * (f64::from(k) + 0.5) / f64::from(SAMPLES);
-        let size = size([x, 0.0]);
+/// The wanted sizes must be sizes, and make no more triangles than a machine can hold.
+fn check_size(sheet: &Sheet, field: &SizeField) -> Result<(), DrawingError> {
+    const ALONG: u32 = 256;
+    const ACROSS: u32 = 32;
+    let patch = sheet.width * sheet.length / f64::from(ALONG * ACROSS);
+    let (mut triangles, mut least) = (0.0, f64::INFINITY);
+    for k in 0..ALONG * ACROSS {
+        let x = sheet.start + sheet.width * (f64::from(k / ACROSS) + 0.5) / f64::from(ALONG);
+        let z = sheet.length * ((f64::from(k % ACROSS) + 0.5) / f64::from(ACROSS) - 0.5);
+        let size = field.at([x, z]);
         if !(size > 0.0 && size.is_finite()) {
             let reason = "the size must be above zero".to_owned();
             return Err(DrawingError::Failed { size, reason });
         }
-        triangles += sheet.width * sheet.length / f64::from(SAMPLES) / (0.433 * size * size);
-        if triangles > MOST_TRIANGLES {
-            let reason = format!("that makes more than {MOST_TRIANGLES:.0e} triangles; choose a larger size");
-            return Err(DrawingError::Failed { size, reason });
-        }
+        least = size.min(least);
+        triangles += patch / (EQUILATERAL_AREA * size * size);
+    }
+    if triangles > MOST_TRIANGLES {
+        let reason = format!(
+            "that makes some {triangles:.0e} of them, more than {MOST_TRIANGLES:.0e}; choose a larger size, a wider liner or wider lands"
+        );
+        return Err(DrawingError::Failed { size: least, reason });
     }
     Ok(())
 }

@@ -18,6 +18,8 @@
 const PANELS_PER_REFERENCE: f64 = 32.0;
 /// The table ends where viscosity has grown by this factor: what is left of `q` is below rounding.
 const GREATEST_RATIO: f64 = 1e18;
+/// It ends at this many reference pressures in any case.
+const GREATEST_PRESSURE: f64 = 1e9;
 
 /// Roelands' law with its table of reduced pressures.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,25 +43,31 @@ impl Roelands {
             pressures: vec![0.0],
             reduced: vec![0.0],
         };
-        let width = reference_pressure / PANELS_PER_REFERENCE;
-        while law.viscosity_ratio(law.pressures[law.pressures.len() - 1]) < GREATEST_RATIO {
+        // Upwards the panels are even in ln(1 + p/p_r), so their number does not grow with small z.
+        loop {
             let (p, q) = (
                 law.pressures[law.pressures.len() - 1],
                 law.reduced[law.reduced.len() - 1],
             );
-            law.reduced.push(q + law.panel_integral(p, p + width));
-            law.pressures.push(p + width);
+            if law.viscosity_ratio(p) > GREATEST_RATIO || p > GREATEST_PRESSURE * reference_pressure {
+                break;
+            }
+            let next = p + (p + reference_pressure) / PANELS_PER_REFERENCE;
+            law.reduced.push(q + law.panel_integral(p, next));
+            law.pressures.push(next);
         }
         // Down to p_r below zero the power has a kink: stop one panel short of it.
-        let below = PANELS_PER_REFERENCE as usize - 1;
+        let width = reference_pressure / PANELS_PER_REFERENCE;
         let (mut pressures, mut reduced) = (Vec::new(), Vec::new());
         let mut q = 0.0;
-        for k in 1..=below {
+        for k in 1..PANELS_PER_REFERENCE as usize {
             let p = -(k as f64) * width;
             q -= law.panel_integral(p, p + width);
-            pressures.insert(0, p);
-            reduced.insert(0, q);
+            pressures.push(p);
+            reduced.push(q);
         }
+        pressures.reverse();
+        reduced.reverse();
         pressures.append(&mut law.pressures);
         reduced.append(&mut law.reduced);
         Self {
@@ -137,6 +145,21 @@ impl Roelands {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn index_zero_is_constant_viscosity_and_small_ones_end() {
+        let constant = Roelands::new(0.04, 0.0, 196.2e6);
+        for p in [-1e8, 0.0, 1e6, 1e9] {
+            assert_eq!(constant.viscosity_ratio(p), 1.0);
+            assert!((constant.reduced_pressure(p) - p).abs() <= 1e-12 * p.abs());
+            assert!((constant.pressure(p) - p).abs() <= 1e-12 * p.abs());
+        }
+        for index in [1e-6, 1e-3, 0.05, 1.0] {
+            let law = Roelands::new(0.001, index, 196.2e6);
+            assert!(law.pressures.len() < 1000);
+            assert!((law.pressure(law.reduced_pressure(3e8)) / 3e8 - 1.0).abs() < 1e-10);
+        }
+    }
 
     /// `q(infinity)` of `barus_exact_transform` in the reference collection (four digits).
     #[test]
