@@ -11,8 +11,9 @@ use crate::wording::{degrees, millimetres};
 use std::f64::consts::TAU;
 
 /// Names of a mesh's groups that have a meaning of their own, so that no feed may bear them.
-pub const RESERVED_GROUPS: [&str; 7] = [
+pub const RESERVED_GROUPS: [&str; 8] = [
     "film",
+    "film_start",
     "end_low",
     "end_high",
     "arc_from",

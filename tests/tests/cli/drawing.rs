@@ -124,6 +124,20 @@ fn a_groove_that_is_not_that_of_the_mesh_is_refused() {
 }
 
 #[test]
+fn a_groove_beside_the_film_start_is_told() {
+    let bench = Bench::new();
+    let clearance = "clearance = \"37.5 um\"\n";
+    let start = |angle: &str| format!("clearance = \"37.5 um\"\nfilm_start = \"{angle}\"\n");
+    drawn(&bench, &[(clearance, &start("289.999 deg"))]);
+    bench.refuses(
+        &["solve", "scene.toml"],
+        &["\"groove\" and \"the film start\"", "of land between"],
+    );
+    drawn(&bench, &[(clearance, &start("300 deg"))]);
+    assert_eq!(bench.run(&["solve", "scene.toml"]).status, 0);
+}
+
+#[test]
 fn liners_too_narrow_to_be_meshed_are_refused() {
     let bench = Bench::new();
     let clearance = "clearance = \"37.5 um\"\n";

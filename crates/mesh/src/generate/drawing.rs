@@ -137,6 +137,10 @@ pub(super) fn faults(blueprint: &Blueprint) -> Vec<DrawingError> {
                 least,
             });
         }
+        if to_line(blueprint, feature) < least {
+            let (first, second) = (name.clone(), LINE.to_owned());
+            faults.push(DrawingError::Overlap { first, second, least });
+        }
         for other in &blueprint.features[index + 1..] {
             if distance_between(&sheet, feature, other) < least {
                 let (first, second) = (name.clone(), other.name.clone());
@@ -182,6 +186,18 @@ fn distance_between(sheet: &Sheet, a: &Feature, b: &Feature) -> f64 {
     to(a, b).min(to(b, a))
 }
 
+/// What messages call the axial line of a drawing.
+const LINE: &str = "the film start";
+
+/// Distance [m] of the sides of a feature from the axial line of the drawing, which may cross it.
+fn to_line(blueprint: &Blueprint, feature: &Feature) -> f64 {
+    let liner = &blueprint.liner;
+    blueprint.line.map_or(f64::INFINITY, |angle| {
+        let along = shorter_way(liner.radius * angle - feature.shape.centre[0], liner.circumference());
+        (along.abs() - feature.shape.half[0]).abs()
+    })
+}
+
 /// Free land [m] around each feature.
 pub(super) fn gaps(blueprint: &Blueprint, sheet: &Sheet) -> Vec<f64> {
     let features = &blueprint.features;
@@ -189,7 +205,7 @@ pub(super) fn gaps(blueprint: &Blueprint, sheet: &Sheet) -> Vec<f64> {
         .map(|(index, feature)| {
             let others = features.iter().enumerate().filter(|(other, _)| *other != index);
             let nearest = others.map(|(_, other)| distance_between(sheet, feature, other));
-            nearest.fold(land(sheet, feature), f64::min)
+            nearest.fold(land(sheet, feature).min(to_line(blueprint, feature)), f64::min)
         })
         .collect()
 }
