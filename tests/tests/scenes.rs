@@ -312,10 +312,12 @@ fn scene_10_drawn_liner() {
 
 #[test]
 fn own_meshes_are_no_worse_than_those_of_gmsh() {
-    for ((_, scene, converged), sizes) in mesh_page::CASES.iter().zip(mesh_page::SIZES) {
+    // Error at equal unknowns: 0.9 of gmsh's on the shell, 1.24 on the liner with a groove.
+    let limits = [1.2, 1.25];
+    for (((_, scene, converged), sizes), limit) in mesh_page::CASES.iter().zip(mesh_page::SIZES).zip(limits) {
         let merit = mesh_page::error_and_merit(&mesh_page::given(scene), *converged).1;
         let (_, own) = mesh_page::error_and_merit(&mesh_page::own(scene, sizes[0]), *converged);
-        assert!(own < 1.25 * merit, "{scene}: {}", own / merit);
+        assert!(own < limit * merit, "{scene}: {}", own / merit);
     }
     // The study's size, 1245 nodes, with the hole cut out: at equal unknowns no worse.
     let (_, _, converged) = mesh_page::CASES[0];

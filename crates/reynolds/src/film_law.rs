@@ -2,9 +2,10 @@
 
 use oilwedge_fem::conservation_law::{Conduction, Response, State};
 use oilwedge_fem::quadrature::MOST_POINTS;
-use oilwedge_fem::{ConservationLaw, Dual, Tangent};
+use oilwedge_fem::{ConservationLaw, Tangent};
 
 use crate::film_problem::{FilmProblem, Form};
+use crate::lubricant::Barus;
 use crate::{FilmFlow, FilmPoint};
 
 /// The law of a [`FilmProblem`] with its speed scaled by a factor (continuation).
@@ -61,14 +62,15 @@ impl ConservationLaw for FilmLaw<'_> {
     /// As printed: `div(flux - conductance grad p) + (mu(p)/mu0 - 1) div(flux) = 0` in the pressure p: the
     /// balance of an oil of constant viscosity, with a source of oil that grows with the pressure.
     fn response(&self, cell: usize, positions: &[[f64; 2]], states: &[State], out: &mut [Response]) {
-        let ratio = |p: Dual| match self.problem.form {
-            Form::AsPrinted(barus) => barus.viscosity_ratio(p),
-            Form::Conservative => Dual::constant(1.0),
+        // In the conservative form the viscosity stands in q, and nothing is made.
+        let barus = match self.problem.form {
+            Form::AsPrinted(barus) => barus,
+            Form::Conservative => Barus { alpha: 0.0 },
         };
         for ((flow, state), out) in self.flows(cell, positions).iter().zip(states).zip(out) {
             *out = Response {
                 flux: [0, 1].map(|k| state.gradient[k] * -flow.conductance + flow.flux[k]),
-                source: (ratio(state.value) + -1.0) * flow.divergence,
+                source: (barus.viscosity_ratio(state.value) + -1.0) * flow.divergence,
             };
         }
     }

@@ -78,7 +78,7 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, Error> {
         status: Status::Converged,
         reason: None,
         effects: study.effects.clone(),
-        mesh: facts(study.system.space().mesh()),
+        mesh: facts(&Quality::of(study.system.space().mesh())),
         quantities: Vec::new(),
         balances: Balances::default(),
         history: Vec::new(),
@@ -219,7 +219,7 @@ fn check_report(path: &Path, mesh: &Mesh) -> CheckReport {
         title: None,
         mesh_file: path.display().to_string(),
         effects: None,
-        mesh: facts(mesh),
+        mesh: facts(&quality),
         regions: (mesh.regions().iter())
             .flat_map(|region| {
                 let curve = parts(&region.name, "curve", region.edges.len());
@@ -235,8 +235,7 @@ fn check_report(path: &Path, mesh: &Mesh) -> CheckReport {
     }
 }
 
-fn facts(mesh: &Mesh) -> MeshFacts {
-    let quality = Quality::of(mesh);
+fn facts(quality: &Quality) -> MeshFacts {
     MeshFacts {
         cells: quality.cells,
         nodes: quality.quadratic_nodes,
