@@ -107,7 +107,6 @@ pub fn plain_film(length: f64, eccentricity: f64, min_film_angle: f64, speed: f6
         film_thickness: vec![Box::new(Eccentricity {
             radius: RADIUS,
             clearance: CLEARANCE,
-            offset: journal.offset,
         })],
         lubricant: Lubricant {
             viscosity: VISCOSITY,

@@ -8,27 +8,29 @@ use crate::film_problem::{FilmProblem, Form};
 use crate::lubricant::Barus;
 use crate::{FilmFlow, FilmPoint};
 
-/// The law of a [`FilmProblem`] with its speed scaled by a factor (continuation).
+/// The law of a [`FilmProblem`] with all motion of its journal scaled by a factor (continuation).
 pub(crate) struct FilmLaw<'a> {
     problem: &'a FilmProblem,
-    velocity: f64,
+    /// Scales all motion of the journal.
+    motion: f64,
 }
 
 impl<'a> FilmLaw<'a> {
-    pub(crate) fn new(problem: &'a FilmProblem, speed_factor: f64) -> Self {
-        let velocity = speed_factor * problem.journal.speed * problem.bearing.radius;
-        Self { problem, velocity }
+    pub(crate) fn new(problem: &'a FilmProblem, motion: f64) -> Self {
+        Self { problem, motion }
     }
 
     fn flows(&self, cell: usize, positions: &[[f64; 2]]) -> [FilmFlow; MOST_POINTS] {
         let mut film = [FilmPoint::default(); MOST_POINTS];
         let film = &mut film[..positions.len()];
+        for contribution in &self.problem.film_thickness {
+            contribution.add(&self.problem.journal, cell, positions, film);
+        }
+        let velocity = self.problem.surface_velocity().map(|velocity| self.motion * velocity);
         for point in film.iter_mut() {
             point.viscosity = self.problem.lubricant.viscosity;
-            point.velocity = self.velocity;
-        }
-        for contribution in &self.problem.film_thickness {
-            contribution.add(cell, positions, film);
+            point.velocity = velocity;
+            point.rate *= self.motion;
         }
         let mut flows = [FilmFlow::default(); MOST_POINTS];
         for term in &self.problem.terms {
@@ -48,18 +50,18 @@ impl ConservationLaw for FilmLaw<'_> {
         }
     }
 
-    /// `div(flux - conductance grad q) = 0` in the reduced pressure q.
+    /// `div(flux - conductance grad q) + storage = 0` in the reduced pressure q.
     fn conduction(&self, cell: usize, positions: &[[f64; 2]], out: &mut [Conduction]) {
         for (flow, out) in self.flows(cell, positions).iter().zip(out) {
             *out = Conduction {
                 conductance: flow.conductance,
                 flux: flow.flux,
-                source: 0.0,
+                source: flow.storage,
             };
         }
     }
 
-    /// As printed: `div(flux - conductance grad p) + (mu(p)/mu0 - 1) div(flux) = 0` in the pressure p: the
+    /// As printed: `div(flux - conductance grad p) + storage + (mu(p)/mu0 - 1) (div(flux) + storage) = 0` in the pressure p: the
     /// balance of an oil of constant viscosity, with a source of oil that grows with the pressure.
     fn response(&self, cell: usize, positions: &[[f64; 2]], states: &[State], out: &mut [Response]) {
         // In the conservative form the viscosity stands in q, and nothing is made.
@@ -70,7 +72,7 @@ impl ConservationLaw for FilmLaw<'_> {
         for ((flow, state), out) in self.flows(cell, positions).iter().zip(states).zip(out) {
             *out = Response {
                 flux: [0, 1].map(|k| state.gradient[k] * -flow.conductance + flow.flux[k]),
-                source: (barus.viscosity_ratio(state.value) + -1.0) * flow.divergence,
+                source: (barus.viscosity_ratio(state.value) + -1.0) * (flow.divergence + flow.storage) + flow.storage,
             };
         }
     }

@@ -328,6 +328,11 @@ impl FilmProblem {
         None
     }
 
+    /// Velocity `(U_x, U_z)` [m/s] of the journal's surface.
+    pub fn surface_velocity(&self) -> [f64; 2] {
+        [self.journal.speed * self.bearing.radius, self.journal.axial_velocity]
+    }
+
     /// The unknown at a point where the pressure is `p` [Pa].
     pub fn unknown_at(&self, p: f64) -> f64 {
         match self.form {
@@ -358,7 +363,7 @@ impl FilmProblem {
     pub fn thickness_at(&self, cell: usize, positions: &[[f64; 2]]) -> Vec<f64> {
         let mut film = vec![FilmPoint::default(); positions.len()];
         for contribution in &self.film_thickness {
-            contribution.add(cell, positions, &mut film);
+            contribution.add(&self.journal, cell, positions, &mut film);
         }
         film.into_iter().map(|point| point.thickness).collect()
     }

@@ -1,22 +1,48 @@
-//! Where the journal is and how it turns.
+//! Where the journal is and how it moves.
 
-/// Position and rotation of the journal in the frame of the bearing.
+/// Position, rotation and velocity of the journal in the frame of the bearing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct JournalState {
     /// Offset `(e_x, e_y)` of the journal's centre from the bearing's [m].
     pub offset: [f64; 2],
+    /// Velocity `(e_x', e_y')` of the journal's centre [m/s]: squeeze.
+    pub velocity: [f64; 2],
     /// Angular velocity `omega` [rad/s], positive towards growing `phi`.
     pub speed: f64,
+    /// Velocity [m/s] of the journal along its axis.
+    pub axial_velocity: f64,
+}
+
+/// A small change of position and velocity, as equilibrium and dynamic coefficients ask for.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct JournalChange {
+    /// Change of the offset [m].
+    pub offset: [f64; 2],
+    /// Change of the centre's velocity [m/s].
+    pub velocity: [f64; 2],
 }
 
 impl JournalState {
-    /// From the relative eccentricity `eps = |e|/c` and the angle `phi_min` [rad] of the minimum film.
+    /// From the relative eccentricity `eps = |e|/c` and the angle `phi_min` [rad] of the minimum film; the
+    /// centre rests.
     pub fn at_eccentricity(eccentricity: f64, min_film_angle: f64, clearance: f64, speed: f64) -> Self {
         let (sin, cos) = min_film_angle.sin_cos();
         let e = eccentricity * clearance;
         Self {
             offset: [e * cos, e * sin],
+            velocity: [0.0; 2],
             speed,
+            axial_velocity: 0.0,
+        }
+    }
+
+    /// The same position with the centre moving at `radial` [m/s] towards the angle `min_film_angle` [rad] and
+    /// at `tangential` [m/s] towards growing angles.
+    pub fn with_squeeze(self, radial: f64, tangential: f64, min_film_angle: f64) -> Self {
+        let (sin, cos) = min_film_angle.sin_cos();
+        Self {
+            velocity: [radial * cos - tangential * sin, radial * sin + tangential * cos],
+            ..self
         }
     }
 

@@ -4,26 +4,27 @@
 //! drags along must not pile up,
 //!
 //! ```text
-//! div J = 0,    J = (U h / 2, 0) - h^3 / (12 mu(p)) grad p
+//! div J + dh/dt = 0,    J = (U h / 2, 0) - h^3 / (12 mu(p)) grad p
 //! ```
 //!
 //! on the developed surface `(x = R phi, z)`, with pressure given at the ends and where oil is fed.
 //! With the reduced pressure `q = Int_0^p mu0/mu(s) ds` it is linear for any law `mu(p)`:
 //!
 //! ```text
-//! div( U h / 2 ) = div( h^3 / (12 mu0) grad q )
+//! div( U h / 2 ) + dh/dt = div( h^3 / (12 mu0) grad q )
 //! ```
 //!
 //! | symbol | unit | code | where |
 //! |---|---|---|---|
 //! | R, B, c | m | `radius`, `length`, `clearance` | [`Bearing`] |
 //! | p_e | Pa | `end_pressure` | [`Bearing`] |
-//! | (e_x, e_y), omega | m, rad/s | `offset`, `speed` | [`JournalState`] |
-//! | h, dh/dx | m, - | `thickness`, `slope` | [`FilmPoint`], [`film_thickness`] |
+//! | (e_x, e_y), (e_x', e_y'), omega | m, m/s, rad/s | `offset`, `velocity`, `speed` | [`JournalState`] |
+//! | h, grad h, dh/dt | m, -, m/s | `thickness`, `slope`, `rate` | [`FilmPoint`], [`film_thickness`] |
 //! | U = omega R | m/s | `velocity` | [`FilmPoint`] |
 //! | mu0, mu(p), q(p) | Pa s, Pa | `viscosity`, `viscosity_ratio`, `reduced_pressure` | [`lubricant`] |
 //! | h^3/(12 mu0) | m4/(N s) | `conductance` | [`terms::Poiseuille`] |
 //! | U h/2 | m2/s | `flux` | [`terms::Couette`] |
+//! | dh/dt | m/s | `storage` | [`terms::Squeeze`] |
 //! | W | N | `force` | [`quantities::load`] |
 //!
 //! All pressures are gauge. The bearing is at rest; `phi` counts from +x towards +y; the minimum
@@ -51,4 +52,4 @@ pub use bearing::Bearing;
 pub use cavitation::Cavitation;
 pub use film_point::{FilmFlow, FilmPoint};
 pub use film_problem::{FilmProblem, FilmSolution, FilmSystem, Form, NoFilm};
-pub use journal_state::JournalState;
+pub use journal_state::{JournalChange, JournalState};

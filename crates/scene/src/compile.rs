@@ -124,7 +124,7 @@ pub fn compile(scene: &Scene) -> Result<Study, CompileError> {
     check_feed_groups(scene, &mesh)?;
     let regions = supply(scene, &mesh)?;
     let journal = journal(scene);
-    let film_thickness = film_thickness(scene, &journal, &mesh);
+    let film_thickness = film_thickness(scene, &mesh);
     let start = Instant::now();
     let system = FilmSystem::new(Arc::new(mesh), DEGREE, regions).map_err(|error| match error {
         SystemError::Supply(faults) => unfit(scene, faults),
@@ -176,11 +176,10 @@ fn journal(scene: &Scene) -> JournalState {
 }
 
 /// The clearance less the journal's offset, and the pockets that deepen it.
-fn film_thickness(scene: &Scene, journal: &JournalState, mesh: &Mesh) -> Vec<Box<dyn FilmContribution>> {
+fn film_thickness(scene: &Scene, mesh: &Mesh) -> Vec<Box<dyn FilmContribution>> {
     let mut film: Vec<Box<dyn FilmContribution>> = vec![Box::new(Eccentricity {
         radius: scene.bearing.radius(),
         clearance: scene.bearing.clearance,
-        offset: journal.offset,
     })];
     for feed in &scene.feeds {
         if let Some(depth) = feed.depth {

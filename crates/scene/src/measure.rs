@@ -154,7 +154,7 @@ pub fn warnings(study: &Study, measured: &Measured) -> Vec<String> {
             "Guembel's film drops low pressures after the solve: oil is not conserved at its edge, and the flows are those of the full film"
                 .to_owned(),
         ),
-        Cavitation::None => {}
+        Cavitation::None | Cavitation::Reynolds { .. } | Cavitation::Jfo { .. } => {}
     }
     if matches!(study.problem.form, Form::AsPrinted(_)) {
         warnings.push(format!(

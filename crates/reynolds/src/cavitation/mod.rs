@@ -15,13 +15,23 @@ pub enum Cavitation {
         /// Cavitation pressure [Pa gauge].
         pressure: f64,
     },
+    /// Swift-Stieber: the pressure nowhere falls below `pressure` [Pa gauge].
+    Reynolds {
+        /// Cavitation pressure [Pa gauge].
+        pressure: f64,
+    },
+    /// Jakobsson-Floberg-Olsson: mass conserving, with a film fraction where the pressure is `pressure` [Pa gauge].
+    Jfo {
+        /// Cavitation pressure [Pa gauge].
+        pressure: f64,
+    },
 }
 
 impl Cavitation {
     /// The pressure [Pa] that the film exerts where the equation gives `p`.
     pub fn effective_pressure(&self, p: f64) -> f64 {
         match *self {
-            Self::None => p,
+            Self::None | Self::Reynolds { .. } | Self::Jfo { .. } => p,
             Self::Guembel { pressure } => p.max(pressure),
         }
     }
@@ -29,7 +39,7 @@ impl Cavitation {
     /// The pressure [Pa] at which the effective pressure has a kink, if it has one.
     pub fn kink(&self) -> Option<f64> {
         match *self {
-            Self::None => None,
+            Self::None | Self::Reynolds { .. } | Self::Jfo { .. } => None,
             Self::Guembel { pressure } => Some(pressure),
         }
     }
@@ -39,6 +49,8 @@ impl Cavitation {
         match self {
             Self::None => "none",
             Self::Guembel { .. } => "guembel",
+            Self::Reynolds { .. } => "reynolds",
+            Self::Jfo { .. } => "jfo",
         }
     }
 }

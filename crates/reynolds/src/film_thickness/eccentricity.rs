@@ -1,18 +1,21 @@
 //! # Clearance of a circular journal in a circular bore
 //!
-//! **Equation.** `h = c - e_x cos phi - e_y sin phi`, `dh/dx = (e_x sin phi - e_y cos phi) / R`.
+//! **Equation.** `h = c - e_x cos phi - e_y sin phi`, `dh/dx = (e_x sin phi - e_y cos phi) / R`,
+//! `dh/dt = -e_x' cos phi - e_y' sin phi`.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
 //! | c | m | `clearance` |
-//! | e_x, e_y | m | `offset` |
+//! | e_x, e_y | m | `journal.offset` |
+//! | e_x', e_y' | m/s | `journal.velocity` |
 //! | phi = x / R | rad | `x / radius` |
 //!
 //! **Source.** Hamrock, Schmid, Jacobson, Fundamentals of Fluid Film Lubrication (2004), ch. 10.
-//! **Range.** |e| < c << R. **Verified by** `slope_is_the_derivative` and every bearing solved.
+//! **Range.** |e| < c << R. **Verified by** `slope_and_variation_are_derivatives` and every bearing solved.
 
 use super::FilmContribution;
-use crate::FilmPoint;
+use crate::journal_state::JournalChange;
+use crate::{FilmPoint, JournalState};
 
 /// Radial clearance less the journal's offset.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,18 +24,33 @@ pub struct Eccentricity {
     pub radius: f64,
     /// Radial clearance c [m].
     pub clearance: f64,
-    /// Offset `(e_x, e_y)` of the journal [m].
-    pub offset: [f64; 2],
 }
 
 impl FilmContribution for Eccentricity {
-    fn add(&self, _cell: usize, positions: &[[f64; 2]], film: &mut [FilmPoint]) {
-        let [e_x, e_y] = self.offset;
+    fn add(&self, journal: &JournalState, cell: usize, positions: &[[f64; 2]], film: &mut [FilmPoint]) {
+        let change = JournalChange {
+            offset: journal.offset,
+            velocity: journal.velocity,
+        };
+        for point in film.iter_mut() {
+            point.thickness += self.clearance;
+        }
+        self.vary(&change, cell, positions, film);
+    }
+
+    /// Linear in the offset and its velocity.
+    fn vary(&self, change: &JournalChange, _cell: usize, positions: &[[f64; 2]], film: &mut [FilmPoint]) {
+        let ([e_x, e_y], [v_x, v_y]) = (change.offset, change.velocity);
         for (&[x, _], point) in positions.iter().zip(film) {
             let (sin, cos) = (x / self.radius).sin_cos();
-            point.thickness += self.clearance - e_x * cos - e_y * sin;
-            point.slope += (e_x * sin - e_y * cos) / self.radius;
+            point.thickness -= e_x * cos + e_y * sin;
+            point.slope[0] += (e_x * sin - e_y * cos) / self.radius;
+            point.rate -= v_x * cos + v_y * sin;
         }
+    }
+
+    fn carried(&self, _parents: &[u32]) -> Box<dyn FilmContribution> {
+        Box::new(*self)
     }
 }
 
@@ -40,33 +58,45 @@ impl FilmContribution for Eccentricity {
 mod tests {
     use super::*;
 
+    const FILM: Eccentricity = Eccentricity {
+        radius: 0.04,
+        clearance: 4e-5,
+    };
+
+    fn at(offset: [f64; 2], x: f64) -> FilmPoint {
+        let journal = JournalState {
+            offset,
+            velocity: offset.map(|e| 3.0 * e),
+            speed: 0.0,
+            axial_velocity: 0.0,
+        };
+        let mut point = [FilmPoint::default()];
+        FILM.add(&journal, 0, &[[x, 0.0]], &mut point);
+        point[0]
+    }
+
     #[test]
-    fn slope_is_the_derivative() {
-        let film = Eccentricity {
-            radius: 0.04,
-            clearance: 4e-5,
-            offset: [1e-5, -2e-5],
-        };
-        let at = |x: f64| {
-            let mut point = [FilmPoint::default()];
-            film.add(0, &[[x, 0.0]], &mut point);
-            point[0]
-        };
+    fn slope_and_variation_are_derivatives() {
+        let offset = [1e-5, -2e-5];
         for x in [0.0, 0.02, 0.07] {
-            let difference = (at(x + 1e-6).thickness - at(x - 1e-6).thickness) / 2e-6;
-            assert!((at(x).slope - difference).abs() < 1e-12);
+            let difference = (at(offset, x + 1e-6).thickness - at(offset, x - 1e-6).thickness) / 2e-6;
+            assert!((at(offset, x).slope[0] - difference).abs() < 1e-12);
+            let (here, moved) = (at(offset, x), at([1.1e-5, -2.3e-5], x));
+            let change = JournalChange {
+                offset: [1e-6, -3e-6],
+                velocity: [3e-6, -9e-6],
+            };
+            let mut varied = [FilmPoint::default()];
+            FILM.vary(&change, 0, &[[x, 0.0]], &mut varied);
+            assert!((here.thickness + varied[0].thickness - moved.thickness).abs() < 1e-19);
+            assert!((here.slope[0] + varied[0].slope[0] - moved.slope[0]).abs() < 1e-16);
+            assert!((here.rate + varied[0].rate - moved.rate).abs() < 1e-19);
         }
     }
 
     #[test]
     fn minimum_film_lies_at_the_offset() {
-        let film = Eccentricity {
-            radius: 1.0,
-            clearance: 1e-3,
-            offset: [0.0, 6e-4],
-        };
-        let mut point = [FilmPoint::default()];
-        film.add(0, &[[std::f64::consts::FRAC_PI_2, 0.0]], &mut point);
-        assert!((point[0].thickness - 4e-4).abs() < 1e-18);
+        let x = FILM.radius * std::f64::consts::FRAC_PI_2;
+        assert!((at([0.0, 1.6e-5], x).thickness - 2.4e-5).abs() < 1e-19);
     }
 }

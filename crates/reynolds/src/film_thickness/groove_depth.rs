@@ -12,7 +12,7 @@
 //! **Verified by** `literature/rayleigh_1918`.
 
 use super::FilmContribution;
-use crate::FilmPoint;
+use crate::{FilmPoint, JournalState};
 
 /// A step of the film thickness.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,11 +24,18 @@ pub struct GrooveDepth {
 }
 
 impl FilmContribution for GrooveDepth {
-    fn add(&self, cell: usize, _positions: &[[f64; 2]], film: &mut [FilmPoint]) {
+    fn add(&self, _journal: &JournalState, cell: usize, _positions: &[[f64; 2]], film: &mut [FilmPoint]) {
         if self.inside[cell] {
             for point in film {
                 point.thickness += self.depth;
             }
         }
+    }
+
+    fn carried(&self, parents: &[u32]) -> Box<dyn FilmContribution> {
+        Box::new(Self {
+            depth: self.depth,
+            inside: parents.iter().map(|&parent| self.inside[parent as usize]).collect(),
+        })
     }
 }

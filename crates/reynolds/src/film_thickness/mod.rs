@@ -6,10 +6,17 @@ mod groove_depth;
 pub use eccentricity::Eccentricity;
 pub use groove_depth::GrooveDepth;
 
-use crate::FilmPoint;
+use crate::journal_state::JournalChange;
+use crate::{FilmPoint, JournalState};
 
 /// A part of the film thickness.
 pub trait FilmContribution: Send + Sync {
-    /// Adds its thickness h [m] and slope dh/dx at `positions` [m] (developed surface) in triangle `cell`.
-    fn add(&self, cell: usize, positions: &[[f64; 2]], film: &mut [FilmPoint]);
+    /// Adds its thickness [m], slope and rate [m/s] at `positions` [m] (developed surface) in triangle `cell`.
+    fn add(&self, journal: &JournalState, cell: usize, positions: &[[f64; 2]], film: &mut [FilmPoint]);
+
+    /// Adds what it changes, to first order, where the journal changes by `change`. Nothing unless it knows the journal.
+    fn vary(&self, _change: &JournalChange, _cell: usize, _positions: &[[f64; 2]], _film: &mut [FilmPoint]) {}
+
+    /// The same part of the film on another mesh of the liner, whose triangle `t` lies in triangle `parents[t]` of this one.
+    fn carried(&self, parents: &[u32]) -> Box<dyn FilmContribution>;
 }

@@ -1,12 +1,12 @@
 //! # Couette flow: oil dragged along by the journal
 //!
-//! **Equation.** `J = (U h / 2, 0)` [m2/s], `div J = (U/2) dh/dx`.
+//! **Equation.** `J = U h / 2` [m2/s], `div J = (U/2) . grad h`; U = (omega R, 0) unless the journal slides along its axis.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
-//! | U = omega R | m/s | `film.velocity` |
+//! | U | m/s | `film.velocity` |
 //! | h | m | `film.thickness` |
-//! | dh/dx | - | `film.slope` |
+//! | grad h | - | `film.slope` |
 //!
 //! **Source.** Reynolds, Phil. Trans. R. Soc. 177 (1886) 157; bearing at rest, journal turning.
 //! **Range.** No slip at the walls. **Verified by** `divergence_matches_the_flux` and the closed forms.
@@ -24,8 +24,16 @@ impl Term for Couette {
     }
 
     fn add(&self, film: &FilmPoint, flow: &mut FilmFlow) {
-        flow.flux[0] += 0.5 * film.velocity * film.thickness;
-        flow.divergence += 0.5 * film.velocity * film.slope;
+        for k in 0..2 {
+            flow.flux[k] += 0.5 * film.velocity[k] * film.thickness;
+            flow.divergence += 0.5 * film.velocity[k] * film.slope[k];
+        }
+    }
+
+    /// Linear in the film.
+    fn vary(&self, film: &FilmPoint, change: &FilmPoint, flow: &mut FilmFlow) {
+        let velocity = film.velocity;
+        self.add(&FilmPoint { velocity, ..*change }, flow);
     }
 }
 
@@ -38,9 +46,10 @@ mod tests {
         let at = |x: f64| {
             let film = FilmPoint {
                 thickness: 2.0 + 3.0 * x,
-                slope: 3.0,
+                slope: [3.0, 0.0],
                 viscosity: 1.0,
-                velocity: 0.7,
+                velocity: [0.7, 0.0],
+                ..FilmPoint::default()
             };
             let mut flow = FilmFlow::default();
             Couette.add(&film, &mut flow);

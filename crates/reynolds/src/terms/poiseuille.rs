@@ -26,4 +26,8 @@ impl Term for Poiseuille {
     fn add(&self, film: &FilmPoint, flow: &mut FilmFlow) {
         flow.conductance += film.thickness.powi(3) / (12.0 * film.viscosity);
     }
+
+    fn vary(&self, film: &FilmPoint, change: &FilmPoint, flow: &mut FilmFlow) {
+        flow.conductance += film.thickness.powi(2) * change.thickness / (4.0 * film.viscosity);
+    }
 }
