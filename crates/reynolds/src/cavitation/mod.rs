@@ -36,6 +36,14 @@ impl Cavitation {
         }
     }
 
+    /// The cavitation pressure [Pa gauge], if the model has one.
+    pub fn pressure(&self) -> Option<f64> {
+        match *self {
+            Self::None => None,
+            Self::Guembel { pressure } | Self::Reynolds { pressure } | Self::Jfo { pressure } => Some(pressure),
+        }
+    }
+
     /// The pressure [Pa] at which the effective pressure has a kink, if it has one.
     pub fn kink(&self) -> Option<f64> {
         match *self {

@@ -6,6 +6,8 @@ mod groove_depth;
 pub use eccentricity::Eccentricity;
 pub use groove_depth::GrooveDepth;
 
+use std::sync::Arc;
+
 use crate::journal_state::JournalChange;
 use crate::{FilmPoint, JournalState};
 
@@ -18,5 +20,5 @@ pub trait FilmContribution: Send + Sync {
     fn vary(&self, _change: &JournalChange, _cell: usize, _positions: &[[f64; 2]], _film: &mut [FilmPoint]) {}
 
     /// The same part of the film on another mesh of the liner, whose triangle `t` lies in triangle `parents[t]` of this one.
-    fn carried(&self, parents: &[u32]) -> Box<dyn FilmContribution>;
+    fn carried(&self, parents: &[u32]) -> Arc<dyn FilmContribution>;
 }
