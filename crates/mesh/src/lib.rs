@@ -26,6 +26,7 @@
 
 mod build;
 pub mod circle;
+pub mod coarsen;
 pub mod defect;
 pub mod developed;
 pub mod error;

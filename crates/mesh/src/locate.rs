@@ -71,12 +71,8 @@ impl<'a> Locator<'a> {
         if !point.iter().all(|x| x.is_finite()) {
             return None;
         }
-        let mut from_low = [point[0] - self.low[0], point[1] - self.low[1]];
-        if let Some(period) = self.mesh.period() {
-            from_low[0] = from_low[0].rem_euclid(period);
-        }
-        let place = |k: usize| ((from_low[k] / self.size[k]).max(0.0) as usize).min(self.counts[k] - 1);
-        let bucket = place(0) + self.counts[0] * place(1);
+        let ([column, row], _) = self.bucket_towards(point);
+        let bucket = column + self.counts[0] * row;
         let members = &self.members[self.start[bucket] as usize..self.start[bucket + 1] as usize];
         let mut best = (-OUTSIDE, None);
         for &t in members {
@@ -92,6 +88,101 @@ impl<'a> Locator<'a> {
             }
         }
         best.1
+    }
+
+    /// The triangle nearest to `(x, z)` [m] and the nearest point of it in its reference coordinates: what
+    /// [`Locator::find`] gives where it finds one; outside of the film (in a cut-out, beyond a rim) the
+    /// nearest point of the boundary. On a ring `x` counts modulo the period. None only if `point` is not finite.
+    pub fn nearest(&self, point: [f64; 2]) -> Option<(usize, [f64; 2])> {
+        if !point.iter().all(|x| x.is_finite()) {
+            return None;
+        }
+        let found = self.find(point);
+        if found.is_some() {
+            return found;
+        }
+        let (middle, outside) = self.bucket_towards(point);
+        let bucket = self.size[0].min(self.size[1]);
+        let mut best = (f64::INFINITY, None);
+        for round in 0..=self.counts[0].max(self.counts[1]) {
+            // What no bucket so far holds is at least so far away.
+            let beyond = outside.hypot(bucket * round.saturating_sub(1) as f64);
+            if best.1.is_some() && best.0 <= beyond {
+                break;
+            }
+            self.each_around(middle, round, |bucket| {
+                for &t in &self.members[self.start[bucket] as usize..self.start[bucket + 1] as usize] {
+                    let (distance, at) = self.to_rim(t as usize, point);
+                    if distance < best.0 {
+                        best = (distance, Some((t as usize, at)));
+                    }
+                }
+            });
+        }
+        best.1
+    }
+
+    /// Column and row of the bucket nearest to a point, and the distance [m] of the point from all buckets.
+    fn bucket_towards(&self, point: [f64; 2]) -> ([usize; 2], f64) {
+        let mut from_low = [point[0] - self.low[0], point[1] - self.low[1]];
+        if let Some(period) = self.mesh.period() {
+            from_low[0] = from_low[0].rem_euclid(period);
+        }
+        let extent = [0, 1].map(|k| self.size[k] * self.counts[k] as f64);
+        let off = [0, 1].map(|k| from_low[k] - from_low[k].clamp(0.0, extent[k]));
+        let place = |k: usize| ((from_low[k] / self.size[k]).max(0.0) as usize).min(self.counts[k] - 1);
+        ([place(0), place(1)], off[0].hypot(off[1]))
+    }
+
+    /// The buckets `round` columns or rows away from one, those beyond the mesh left out; on a ring each once.
+    fn each_around(&self, [column, row]: [usize; 2], round: usize, mut act: impl FnMut(usize)) {
+        let [columns, rows] = self.counts.map(|count| count as i64);
+        let [column, row, round] = [column, row, round].map(|place| place as i64);
+        let ring = self.mesh.period().is_some();
+        for down in -round..=round {
+            let at_row = row + down;
+            if !(0..rows).contains(&at_row) {
+                continue;
+            }
+            // The first and the last row in full, of those between both ends.
+            let step = if down.abs() == round { 1 } else { 2 * round };
+            for along in (-round..=round).step_by(step.max(1) as usize) {
+                let at_column = if ring {
+                    (column + along).rem_euclid(columns)
+                } else {
+                    column + along
+                };
+                let once = !ring || (-columns < 2 * along && 2 * along <= columns);
+                if once && (0..columns).contains(&at_column) {
+                    act((at_column + columns * at_row) as usize);
+                }
+            }
+        }
+    }
+
+    /// Distance [m] of a point from the edges of triangle `t`, and the nearest place on them in
+    /// reference coordinates.
+    fn to_rim(&self, t: usize, point: [f64; 2]) -> (f64, [f64; 2]) {
+        let nodes = self.mesh.nodes(t);
+        let to_edge = |k: usize| {
+            let (a, b, mid) = (nodes[k], nodes[(k + 1) % 3], nodes[3 + k]);
+            let middle = [0, 1].map(|d| 0.5 * (a[d] + b[d]));
+            let mut arm = [point[0] - middle[0], point[1] - middle[1]];
+            if let Some(period) = self.mesh.period() {
+                arm[0] = shorter_way(arm[0], period);
+            }
+            let half = [0, 1].map(|d| 0.5 * (b[d] - a[d]));
+            to_parabola(half, [0, 1].map(|d| mid[d] - middle[d]), arm)
+        };
+        let mut best = (f64::INFINITY, [0.0; 2]);
+        for k in 0..3 {
+            let (distance, along) = to_edge(k);
+            if distance < best.0 {
+                let s = 0.5 * (1.0 + along);
+                best = (distance, [[s, 0.0], [1.0 - s, s], [0.0, 1.0 - s]][k]);
+            }
+        }
+        best
     }
 
     /// Reference coordinates of a point in triangle `t`: directly if it is straight, else by Newton's method.
@@ -160,6 +251,36 @@ fn bounding_box(mesh: &Mesh, t: usize) -> ([f64; 2], [f64; 2]) {
     }
     let margin = 10.0 * OUTSIDE * (high[0] - low[0] + high[1] - low[1]);
     (low.map(|x| x - margin), high.map(|x| x + margin))
+}
+
+/// Distance [m] of `point` from the edge `s half + (1 - s^2) bulge`, `s` in [-1, 1], and the nearest `s`:
+/// directly if it is straight, else by the method of Gauss and Newton from the best of five.
+fn to_parabola(half: [f64; 2], bulge: [f64; 2], point: [f64; 2]) -> (f64, f64) {
+    let off = |s: f64| [0, 1].map(|d| point[d] - s * half[d] - (1.0 - s * s) * bulge[d]);
+    let distance = |s: f64| {
+        let [x, z] = off(s);
+        x.hypot(z)
+    };
+    let nearer = |best: (f64, f64), s: f64| if distance(s) < best.0 { (distance(s), s) } else { best };
+    let chord = ((point[0] * half[0] + point[1] * half[1]) / (half[0] * half[0] + half[1] * half[1])).clamp(-1.0, 1.0);
+    if bulge == [0.0; 2] {
+        return (distance(chord), chord);
+    }
+    let mut best = [-1.0, -0.5, 0.0, 0.5, 1.0]
+        .into_iter()
+        .fold((distance(chord), chord), nearer);
+    for _ in 0..20 {
+        let s = best.1;
+        let tangent = [0, 1].map(|d| half[d] - 2.0 * s * bulge[d]);
+        let [x, z] = off(s);
+        let step = (x * tangent[0] + z * tangent[1]) / (tangent[0] * tangent[0] + tangent[1] * tangent[1]);
+        let next = nearer(best, (s + step).clamp(-1.0, 1.0));
+        if next.1 == s {
+            break;
+        }
+        best = next;
+    }
+    best
 }
 
 /// Coefficients of `target` in the basis of two tangents.
@@ -255,5 +376,73 @@ mod tests {
         // The curved edge of the first triangle bends into it.
         assert!(locator.find([1.0, 0.1]).is_none());
         assert!(locator.find([1.0, 0.16]).is_some());
+    }
+
+    /// The sheet without the triangles whose centroids lie in a window.
+    fn pierced(ring: bool, low: [f64; 2], high: [f64; 2]) -> Mesh {
+        let whole = sheet(24, 10, ring);
+        let mut raw = whole.to_raw();
+        raw.bulges.clear();
+        let inside = |t: usize| {
+            let corners = whole.corners(t);
+            let centre = [0, 1].map(|d| (corners[0][d] + corners[1][d] + corners[2][d]) / 3.0);
+            let turned = [centre[0], centre[0] - 24.0];
+            turned.iter().any(|x| low[0] < *x && *x < high[0]) && low[1] < centre[1] && centre[1] < high[1]
+        };
+        let kept = (0..raw.triangles.len()).filter(|&t| !inside(t));
+        raw.triangles = kept.map(|t| raw.triangles[t]).collect();
+        Mesh::build(raw).unwrap()
+    }
+
+    #[test]
+    fn nearest_is_nearest_in_cut_outs_and_beyond() {
+        // The second window lies across the seam of the ring.
+        for (ring, low, high) in [
+            (false, [5.5, 2.0], [15.5, 8.0]),
+            (true, [-3.5, 2.0], [4.5, 8.0]),
+            (true, [5.5, 2.0], [17.5, 8.0]),
+        ] {
+            let mesh = pierced(ring, low, high);
+            let locator = Locator::new(&mesh);
+            let mut outside = 0;
+            for (i, j) in (-40..300).flat_map(|i| (-30..130).map(move |j| (i, j))) {
+                let point = [f64::from(i) * 0.1 + 0.013, f64::from(j) * 0.1 + 0.017];
+                let (t, at) = locator.nearest(point).unwrap();
+                if let Some(found) = locator.find(point) {
+                    assert_eq!((t, at), found);
+                    continue;
+                }
+                outside += 1;
+                assert!(at[0].min(at[1]).min(1.0 - at[0] - at[1]) >= -1e-15, "{at:?}");
+                let (place, _) = quadratic_map(&mesh.nodes(t), at);
+                let along = if ring {
+                    shorter_way(place[0] - point[0], 24.0)
+                } else {
+                    place[0] - point[0]
+                };
+                let distance = along.hypot(place[1] - point[1]);
+                let least = (0..mesh.triangles().len()).map(|t| locator.to_rim(t, point).0);
+                let least = least.fold(f64::INFINITY, f64::min);
+                assert!(distance < least + 1e-12, "{point:?}: {distance} {least}");
+            }
+            assert!(outside > 5000, "{outside}");
+        }
+    }
+
+    #[test]
+    fn nearest_to_a_curved_rim_is_on_it() {
+        let mesh = sheet(9, 4, false);
+        let locator = Locator::new(&mesh);
+        // Below the first edge, from (0.5, 0) to (1.5, 0), which bends by 0.15: z = 0.6 s (1 - s).
+        for k in 0..50 {
+            let s = 0.1 + 0.8 * f64::from(k) / 50.0;
+            let normal = [0.6 * (1.0 - 2.0 * s), -1.0];
+            let point = [0.5 + s + 0.1 * normal[0], 0.6 * s * (1.0 - s) + 0.1 * normal[1]];
+            let (t, at) = locator.nearest(point).unwrap();
+            let (place, _) = quadratic_map(&mesh.nodes(t), at);
+            assert!((place[0] - 0.5 - s).abs() < 1e-6, "{s}: {place:?}");
+        }
+        assert!(locator.nearest([1e300, -1e300]).is_some());
+        assert!(locator.nearest([f64::NAN, 1.0]).is_none());
     }
 }
