@@ -4,12 +4,13 @@
 //! [`lagrange`] and [`quadrature`] (the reference triangle), [`mapping`], [`space`] (degrees of
 //! freedom), [`field`] (functions), [`conservation_law`], [`element`] and [`assembly`] (the one
 //! element loop), [`sparsity`], [`ordering`], [`factorization`] and [`unsymmetric`], [`newton`], [`complementarity`] (obstacles), [`linearisation`].
-//! [`transfer`](mod@transfer) carries a field to a refined mesh.
+//! [`transfer`](mod@transfer) carries a field to a refined mesh. [`control_volumes`] is the sub-mesh of schemes of finite volumes.
 
 pub mod assembly;
 pub mod complementarity;
 pub mod conservation_law;
 pub mod constraints;
+pub mod control_volumes;
 pub mod dual;
 pub mod element;
 pub mod error;
@@ -31,6 +32,7 @@ pub mod unsymmetric;
 pub use assembly::Assembler;
 pub use conservation_law::{ConservationLaw, Tangent};
 pub use constraints::Constraints;
+pub use control_volumes::ControlVolumes;
 pub use dual::Dual;
 pub use error::Error;
 pub use factorization::{Analysis, Factorization};

@@ -31,6 +31,13 @@ impl Matrix {
         place.map_or(0.0, |k| self.values[k])
     }
 
+    /// Adds `value` to the entry `(i, i)`.
+    pub fn add_to_diagonal(&mut self, i: usize, value: f64) {
+        if let Some(k) = self.pattern.row(i).find(|&k| self.pattern.columns[k] as usize == i) {
+            self.values[k] += value;
+        }
+    }
+
     /// `A x`.
     pub fn multiply(&self, x: &[f64]) -> Vec<f64> {
         let mut product = vec![0.0; x.len()];

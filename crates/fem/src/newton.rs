@@ -54,6 +54,12 @@ pub enum Failure {
         /// What was tried.
         history: Vec<HistoryStep>,
     },
+    /// An active set came back.
+    #[error("the set of nodes in the cavity goes round in circles (after {} steps)", history.len())]
+    Cycling {
+        /// What was tried.
+        history: Vec<HistoryStep>,
+    },
     /// A linear system could not be solved.
     #[error(transparent)]
     Linear(#[from] Error),
@@ -63,7 +69,7 @@ impl Failure {
     /// What was tried.
     pub fn history(&self) -> &[HistoryStep] {
         match self {
-            Self::Stagnated { history } | Self::TooManySteps { history } => history,
+            Self::Stagnated { history } | Self::TooManySteps { history } | Self::Cycling { history } => history,
             Self::Linear(_) => &[],
         }
     }

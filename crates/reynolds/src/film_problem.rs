@@ -1,21 +1,19 @@
 //! One film, compiled: what is simulated, chosen once; and its solution.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
-use oilwedge_fem::newton::{self, Failure, HistoryStep, Seconds};
-use oilwedge_fem::{Analysis, Assembler, Constraints, Field, Linearisation, Space, transfer};
+use oilwedge_fem::complementarity::Start;
+use oilwedge_fem::newton::{self, HistoryStep, Seconds};
+use oilwedge_fem::{Analysis, Assembler, ControlVolumes, Linearisation, Space};
 use oilwedge_mesh::Mesh;
-use oilwedge_mesh::refine::Child;
 
-use crate::film_law::FilmLaw;
+use crate::cavitation::FilmFraction;
 use crate::film_thickness::FilmContribution;
+use crate::levels::Coarser;
 use crate::lubricant::{Barus, Lubricant};
 use crate::supply::{Supply, SupplyError, SupplyRegion};
 use crate::terms::Term;
 use crate::{Bearing, Cavitation, FilmPoint, JournalState};
-
-/// Speeds of an as-printed film are bisected to this fraction of the speed asked for.
-const FOLD_RESOLUTION: f64 = 1e-4;
 
 /// How viscosity that depends on pressure enters the equation.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -57,6 +55,8 @@ pub struct FilmSystem {
     pub supply: Supply,
     /// The next coarser mesh, to start from; none where a solve needs no start.
     pub coarser: Option<Box<Coarser>>,
+    /// Made when a mass-conserving film is first solved.
+    volumes: OnceLock<Result<ControlVolumes, oilwedge_fem::Error>>,
 }
 
 /// Why a mesh and its supply make no system.
@@ -78,6 +78,14 @@ impl FilmSystem {
     pub fn new(mesh: Arc<Mesh>, degree: usize, regions: Vec<SupplyRegion>) -> Result<Self, SystemError> {
         let space = Space::new(mesh, degree);
         let supply = Supply::new(&space, regions).map_err(SystemError::Supply)?;
+        Ok(Self::with_supply(space, supply)?)
+    }
+
+    /// The system of `space` with given pressures.
+    ///
+    /// # Errors
+    /// A system that does not fit in memory.
+    pub(crate) fn with_supply(space: Space, supply: Supply) -> Result<Self, oilwedge_fem::Error> {
         let assembler = Assembler::new(space);
         let analysis = Arc::new(Analysis::new(assembler.space(), assembler.pattern().clone())?);
         Ok(Self {
@@ -85,7 +93,17 @@ impl FilmSystem {
             analysis,
             supply,
             coarser: None,
+            volumes: OnceLock::new(),
         })
+    }
+
+    /// Cells of the schemes of finite volumes.
+    ///
+    /// # Errors
+    /// A system that does not fit in memory.
+    pub fn volumes(&self) -> Result<&ControlVolumes, oilwedge_fem::Error> {
+        let volumes = self.volumes.get_or_init(|| ControlVolumes::new(self.space()));
+        volumes.as_ref().map_err(Clone::clone)
     }
 
     /// The space of the unknown.
@@ -104,8 +122,8 @@ pub struct FilmSolution {
     pub inflow: Vec<f64>,
     /// True for each dof held at the cavitation pressure; false everywhere where nothing cavitates.
     pub cavity: Vec<bool>,
-    /// Film fraction theta at each dof of a mass-conserving film; none for other models.
-    pub film_fraction: Option<Vec<f64>>,
+    /// How full a mass-conserving film is; none for other models.
+    pub film_fraction: Option<FilmFraction>,
     /// The factorised tangent.
     pub linearisation: Linearisation,
     /// One entry a linear solve on the way.
@@ -119,6 +137,14 @@ pub struct FilmSolution {
 }
 
 impl FilmSolution {
+    /// What a solve of a neighbouring film starts from.
+    pub(crate) fn as_start(&self) -> Start {
+        Start {
+            u: self.unknown.clone(),
+            held: self.cavity.clone(),
+        }
+    }
+
     /// A film without a cavity.
     pub(crate) fn full(solution: newton::Solution) -> Self {
         Self {

@@ -24,15 +24,12 @@ impl FilmProblem {
     ///
     /// # Errors
     /// [`NoFilm`]: the reason why there is none.
-    pub fn solve_from(
-        &self,
-        system: &FilmSystem,
-        neighbour: Option<&FilmSolution>,
-    ) -> Result<FilmSolution, NoFilm> {
+    pub fn solve_from(&self, system: &FilmSystem, neighbour: Option<&FilmSolution>) -> Result<FilmSolution, NoFilm> {
         let film = match self.form {
             Form::Conservative => self.closed_film(system, 1.0, neighbour)?,
-            Form::AsPrinted(_) => (self.closed_film(system, 1.0, neighbour))
-                .or_else(|_| self.continue_in_speed(system))?,
+            Form::AsPrinted(_) => {
+                (self.closed_film(system, 1.0, neighbour)).or_else(|_| self.continue_in_speed(system))?
+            }
         };
         self.check_existence(system, &film)?;
         Ok(film)
@@ -46,12 +43,10 @@ impl FilmProblem {
         motion: f64,
         neighbour: Option<&FilmSolution>,
     ) -> Result<FilmSolution, NoFilm> {
-        let coarser = match neighbour {
-            Some(_) => None,
-            None => self.on_coarser(system, motion),
+        let (start, levels) = match neighbour {
+            Some(film) => (film.as_start(), 0),
+            None => self.start(system, motion),
         };
-        let levels = coarser.as_ref().map_or(0, |film| film.levels);
-        let start = neighbour.or(coarser.as_ref());
         let film = match self.cavitation {
             Cavitation::Jfo { .. } => jfo::solve(self, system, motion, start)?,
             _ => self.pressure_film(system, motion, start)?,
@@ -59,11 +54,19 @@ impl FilmProblem {
         Ok(FilmSolution { levels, ..film })
     }
 
-    /// The film solved on the next coarser mesh, if there is one, carried to this one.
-    fn on_coarser(&self, system: &FilmSystem, motion: f64) -> Option<FilmSolution> {
-        let coarser = system.coarser.as_ref()?;
-        let film = coarser.problem(self).closed_film(&coarser.system, motion, None).ok()?;
-        Some(coarser.carried(self, film))
+    /// The film of the next coarser mesh, if there is one, and on how many meshes it was solved; else nothing.
+    fn start(&self, system: &FilmSystem, motion: f64) -> (Start, usize) {
+        let coarse = system.coarser.as_ref().and_then(|coarser| {
+            let film = (coarser.problem(self))
+                .closed_film(&coarser.system, motion, None)
+                .ok()?;
+            Some((coarser.carried(&film, self.cavitation), film.levels + 1))
+        });
+        coarse.unwrap_or_else(|| {
+            let dofs = system.space().dofs();
+            let (u, held) = (vec![0.0; dofs], vec![false; dofs]);
+            (Start { u, held }, 0)
+        })
     }
 
     /// Pressure [Pa] that drag through the clearance makes, `mu0 U R/c^2`, that of squeeze likewise, or the
@@ -77,25 +80,16 @@ impl FilmProblem {
     }
 
     /// A film described by its pressure alone: full, or nowhere below the cavitation pressure.
-    fn pressure_film(
-        &self,
-        system: &FilmSystem,
-        motion: f64,
-        start: Option<&FilmSolution>,
-    ) -> Result<FilmSolution, Failure> {
+    fn pressure_film(&self, system: &FilmSystem, motion: f64, start: Start) -> Result<FilmSolution, Failure> {
         let law = FilmLaw::new(self, motion);
         let constraints = system.supply.constraints(|p| self.unknown_at(p));
         let scale = self.pressure_scale(&constraints);
         let (assembler, analysis) = (&system.assembler, &system.analysis);
-        let dofs = system.space().dofs();
-        let u = start.map_or_else(|| vec![0.0; dofs], |film| film.unknown.clone());
         let Cavitation::Reynolds { pressure } = self.cavitation else {
-            let solution = newton::solve(assembler, analysis, &law, &constraints, scale, u)?;
+            let solution = newton::solve(assembler, analysis, &law, &constraints, scale, start.u)?;
             return Ok(FilmSolution::full(solution));
         };
-        let held = start.map_or_else(|| vec![false; dofs], |film| film.cavity.clone());
         let obstacle = Obstacle::at_midpoints(system.space(), self.unknown_at(pressure));
-        let start = Start { u, held };
         let contact = complementarity::solve(assembler, analysis, &law, &constraints, &obstacle, scale, start)?;
         Ok(FilmSolution {
             cavity: contact.held,
@@ -140,6 +134,14 @@ impl FilmProblem {
             space: system.space(),
             values: &film.unknown,
         };
-        field.maximum().value
+        let full = |t: usize| {
+            system.space().element_dofs(t)[..system.space().shapes()]
+                .iter()
+                .all(|&dof| !film.cavity[dof])
+        };
+        match film.film_fraction {
+            Some(_) => field.maximum_where(&full).value,
+            None => field.maximum().value,
+        }
     }
 }

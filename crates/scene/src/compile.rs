@@ -176,8 +176,8 @@ fn journal(scene: &Scene) -> JournalState {
 }
 
 /// The clearance less the journal's offset, and the pockets that deepen it.
-fn film_thickness(scene: &Scene, mesh: &Mesh) -> Vec<Box<dyn FilmContribution>> {
-    let mut film: Vec<Box<dyn FilmContribution>> = vec![Box::new(Eccentricity {
+fn film_thickness(scene: &Scene, mesh: &Mesh) -> Vec<Arc<dyn FilmContribution>> {
+    let mut film: Vec<Arc<dyn FilmContribution>> = vec![Arc::new(Eccentricity {
         radius: scene.bearing.radius(),
         clearance: scene.bearing.clearance,
     })];
@@ -187,7 +187,7 @@ fn film_thickness(scene: &Scene, mesh: &Mesh) -> Vec<Box<dyn FilmContribution>> 
             for &cell in mesh.region(&feed.group).map_or(&[][..], |region| &region.cells) {
                 inside[cell as usize] = true;
             }
-            film.push(Box::new(GrooveDepth { depth, inside }));
+            film.push(Arc::new(GrooveDepth { depth, inside }));
         }
     }
     film
@@ -226,10 +226,10 @@ fn form(scene: &Scene) -> Form {
 }
 
 /// A journal at rest drags no oil.
-fn terms(scene: &Scene) -> Vec<Box<dyn Term>> {
-    let mut terms: Vec<Box<dyn Term>> = vec![Box::new(Poiseuille)];
+fn terms(scene: &Scene) -> Vec<Arc<dyn Term>> {
+    let mut terms: Vec<Arc<dyn Term>> = vec![Arc::new(Poiseuille)];
     if scene.journal.speed != 0.0 {
-        terms.push(Box::new(Couette));
+        terms.push(Arc::new(Couette));
     }
     terms
 }
@@ -300,6 +300,7 @@ fn supply(scene: &Scene, mesh: &Mesh) -> Result<Vec<SupplyRegion>, CompileError>
             edges: region.map_or(Vec::new(), |region| region.edges.clone()),
             cells: region.map_or(Vec::new(), |region| region.cells.clone()),
             disc: None,
+            film_fraction: None,
         }
     };
     let p_e = scene.ends.pressure;

@@ -55,6 +55,7 @@ fn step(depth: f64) -> (FilmProblem, FilmSystem) {
         edges: mesh.region(name).expect("a group of the mesh").edges.clone(),
         cells: Vec::new(),
         disc: None,
+        film_fraction: None,
     };
     let places = [
         ("end_low", Place::End),

@@ -5,6 +5,10 @@
 //! | none (full Sommerfeld) | nothing: pressures may fall below zero | tension that oil does not bear |
 //! | Guembel (half Sommerfeld) | drops pressures below p_cav after the solve | oil appears and vanishes at the edge of the film |
 
+pub mod jfo;
+
+pub use jfo::FilmFraction;
+
 /// The closure.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Cavitation {

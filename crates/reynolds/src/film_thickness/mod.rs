@@ -12,7 +12,7 @@ use crate::journal_state::JournalChange;
 use crate::{FilmPoint, JournalState};
 
 /// A part of the film thickness.
-pub trait FilmContribution: Send + Sync {
+pub trait FilmContribution: Send + Sync + std::fmt::Debug {
     /// Adds its thickness [m], slope and rate [m/s] at `positions` [m] (developed surface) in triangle `cell`.
     fn add(&self, journal: &JournalState, cell: usize, positions: &[[f64; 2]], film: &mut [FilmPoint]);
 
