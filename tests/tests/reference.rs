@@ -84,13 +84,12 @@ fn keys_that_are_not_served_are_listed_rightly() {
     let page = page("scene.md");
     let section = page.split("## Not served yet").nth(1).expect("the section");
     let names: Vec<&str> = section.split('`').skip(1).step_by(2).collect();
-    assert_eq!(names.len(), 7);
+    assert_eq!(names.len(), 5);
     for name in names {
-        let fragment = match (name.split_once('.'), name.starts_with('[')) {
-            (Some(("feed", key)), _) => format!("[[feed]]\ngroup = \"a\"\npressure = \"1 bar\"\n{key} = \"1\""),
-            (Some((table, key)), _) => format!("[{table}]\n{key} = \"1\""),
-            (None, true) => name.to_owned(),
-            (None, false) => format!("[cavitation]\nmodel = \"{name}\""),
+        let fragment = match name.split_once('.') {
+            Some(("feed", key)) => format!("[[feed]]\ngroup = \"a\"\npressure = \"1 bar\"\n{key} = \"1\""),
+            Some((table, key)) => format!("[{table}]\n{key} = \"1\""),
+            None => name.to_owned(),
         };
         let error = parse(&plain_ring_with(&fragment)).expect_err(name).to_string();
         assert!(error.contains("is not served yet"), "{name}: {error}");

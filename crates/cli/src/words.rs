@@ -23,7 +23,7 @@ const QUANTITIES: [(&str, &str); 18] = [
 ];
 
 /// Names of effects; what follows a colon is the model.
-const EFFECTS: [(&str, &str); 7] = [
+const EFFECTS: [(&str, &str); 9] = [
     ("poiseuille", "oil driven by the pressure gradient"),
     ("couette", "oil dragged along by the journal"),
     ("barus", "viscosity grows with pressure, mu0 exp(alpha p)"),
@@ -34,6 +34,14 @@ const EFFECTS: [(&str, &str); 7] = [
     ("groove depth", "the film is deeper there, its pressure is found"),
     ("roelands", "viscosity grows with a power of pressure in the exponent"),
     ("cavitation: guembel", "pressures below that of the cavity are dropped"),
+    (
+        "cavitation: reynolds",
+        "the film ends where pressure meets that of the cavity without a kink",
+    ),
+    (
+        "cavitation: jfo",
+        "oil is conserved, the cavity holds a film fraction that is carried along",
+    ),
 ];
 
 /// What a quantity is.

@@ -235,16 +235,17 @@ fn terms(scene: &Scene) -> Vec<Box<dyn Term>> {
 }
 
 fn cavitation(scene: &Scene) -> Cavitation {
-    match scene.cavitation {
-        Some(scene::Cavitation {
-            model: CavitationModel::Guembel,
-            pressure,
-        }) => Cavitation::Guembel { pressure },
-        Some(scene::Cavitation {
-            model: CavitationModel::None,
-            ..
-        })
-        | None => Cavitation::None,
+    let Some(scene::Cavitation { model, pressure }) = scene.cavitation else {
+        return Cavitation::None;
+    };
+    // Equal pressures in other units may differ in the last digit; the cavity is never above what is given.
+    let fed = scene.feeds.iter().filter_map(|feed| feed.pressure);
+    let pressure = fed.fold(pressure.min(scene.ends.pressure), f64::min);
+    match model {
+        CavitationModel::None => Cavitation::None,
+        CavitationModel::Guembel => Cavitation::Guembel { pressure },
+        CavitationModel::Reynolds => Cavitation::Reynolds { pressure },
+        CavitationModel::Jfo => Cavitation::Jfo { pressure },
     }
 }
 

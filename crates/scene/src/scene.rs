@@ -220,6 +220,10 @@ pub enum CavitationModel {
     None,
     /// Pressures below the cavity pressure are dropped after the solve.
     Guembel,
+    /// Swift-Stieber: the pressure is nowhere below that of the cavity, and meets it without a kink.
+    Reynolds,
+    /// Jakobsson-Floberg-Olsson: oil is conserved; the cavity holds a film fraction that is carried along.
+    Jfo,
 }
 
 impl Scene {

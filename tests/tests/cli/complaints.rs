@@ -6,8 +6,13 @@ const SHELL: &str = "02_flexpde_shell";
 
 /// Scene 02 with one edit is refused, in these words, by `solve` and by `check`.
 fn refused(from: &str, to: &str, words: &[&str]) {
+    refused_with(&[(from, to)], words);
+}
+
+/// Scene 02 with these edits is refused, in these words, by `solve` and by `check`.
+fn refused_with(edits: &[(&str, &str)], words: &[&str]) {
     let bench = Bench::new();
-    bench.scene(SHELL, &[(from, to)]);
+    bench.scene(SHELL, edits);
     for verb in ["solve", "check"] {
         let told = bench.refuses(&[verb, "scene.toml", "--json"], words);
         assert!(told.stderr.contains("scene.toml"), "{}", told.stderr);
@@ -103,11 +108,47 @@ fn keys_that_are_not_served_are_named() {
         ("[oil]", "[load]\nforce = \"5 kN\"\n[oil]", "load"),
         ("[oil]", "[heat]\n[oil]", "heat"),
         ("[oil]", "[sweep]\n[oil]", "sweep"),
-        ("[oil]", "[cavitation]\nmodel = \"jfo\"\n[oil]", "cavitation.model"),
     ];
     for (from, to, key) in later {
         refused(from, to, &[&format!("{key}: "), "is not served yet", "help: "]);
     }
+}
+
+#[test]
+fn a_cavity_must_leave_oil_at_the_supply() {
+    let cavity = "[cavitation]\nmodel = \"reynolds\"\npressure = \"1.5 bar\"\n[oil]";
+    let message = "cavitation.pressure: is 1.5 bar, above the 0.98 bar of ends.pressure: the oil there would be vapour";
+    refused(
+        "[oil]",
+        cavity,
+        &[message, "at most that of ends and feeds, or raise ends.pressure"],
+    );
+    let cavity = "[cavitation]\nmodel = \"jfo\"\npressure = \"2 bar\"\n[oil]";
+    let message = "above the 1.96 bar of feed[0].pressure (\"feed_hole\")";
+    refused(
+        "[oil]",
+        cavity,
+        &["for 2 reasons", message, "or raise feed[0].pressure"],
+    );
+}
+
+#[test]
+fn a_cavity_that_conserves_oil_needs_an_equation_and_a_journal_that_do() {
+    let jfo = ("[oil]", "[cavitation]\nmodel = \"jfo\"\n[oil]");
+    let words = [
+        "oil.barus.form",
+        "no balance of mass",
+        "cavitation.model = \"jfo\"",
+        "help: remove form",
+    ];
+    refused_with(&[jfo, ("1/Pa\"", "1/Pa\", form = \"as-printed\"")], &words);
+    let words = [
+        "cavitation.model",
+        "journal.speed is 0",
+        "film fraction is undetermined",
+        "take cavitation.model = \"reynolds\"",
+    ];
+    refused_with(&[jfo, ("\"10 rad/s\"", "\"0 rpm\"")], &words);
 }
 
 #[test]
