@@ -23,9 +23,10 @@ const QUANTITIES: [(&str, &str); 18] = [
 ];
 
 /// Names of effects; what follows a colon is the model.
-const EFFECTS: [(&str, &str); 9] = [
+const EFFECTS: [(&str, &str); 11] = [
     ("poiseuille", "oil driven by the pressure gradient"),
     ("couette", "oil dragged along by the journal"),
+    ("squeeze", "oil pressed out as the journal's centre moves"),
     ("barus", "viscosity grows with pressure, mu0 exp(alpha p)"),
     (
         "barus: as-printed",
@@ -42,6 +43,7 @@ const EFFECTS: [(&str, &str); 9] = [
         "cavitation: jfo",
         "oil is conserved, the cavity holds a film fraction that is carried along",
     ),
+    ("equilibrium", "the position is found where the film carries the load"),
 ];
 
 /// What a quantity is.

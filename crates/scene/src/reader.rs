@@ -165,12 +165,6 @@ impl<'a> TableReader<'a> {
         Some(f64::NAN)
     }
 
-    /// A plain number that must be there.
-    pub(crate) fn number(&mut self, key: &'static str, example: &str) -> f64 {
-        self.require(key, example);
-        self.number_if_given(key, example).unwrap_or(f64::NAN)
-    }
-
     /// A plain number, if it is written.
     pub(crate) fn number_if_given(&mut self, key: &'static str, example: &str) -> Option<f64> {
         let value = match self.take(key)? {
@@ -328,7 +322,8 @@ impl<'a> TableReader<'a> {
         }
     }
 
-    fn require(&mut self, key: &'static str, example: &str) {
+    /// Asks for a key that must be there; `example` is its value as one would write it.
+    pub(crate) fn require(&mut self, key: &'static str, example: &str) {
         if !self.has(key) {
             self.missing.push((key, example.to_owned()));
         }

@@ -4,6 +4,7 @@
 
 mod cavitation;
 mod feeds;
+mod position;
 
 use crate::complaint::Complaint;
 use crate::reader::Marks;
@@ -34,7 +35,7 @@ pub(crate) fn complaints(scene: &Scene, marks: &Marks) -> Vec<Complaint> {
         checks.positive(size, "mesh.size");
     }
     checks.feeds(scene);
-    checks.journal(scene);
+    checks.journal(&scene.journal);
     checks.oil(scene);
     checks.cavitation(scene);
     checks.complaints
@@ -89,22 +90,6 @@ impl Checks<'_> {
                 "remove film_start (the film starts at the edge of the arc), or remove arc",
             );
         }
-    }
-
-    fn journal(&mut self, scene: &Scene) {
-        let eccentricity = scene.journal.eccentricity;
-        self.refuse_if(
-            eccentricity < 0.0,
-            "journal.eccentricity",
-            "is negative",
-            "give 0 <= eccentricity < 1, and turn min_film_angle by 180 deg",
-        );
-        self.refuse_if(
-            eccentricity >= 1.0,
-            "journal.eccentricity",
-            "means that the journal touches the liner: the film is nowhere",
-            "give 0 <= eccentricity < 1, the offset of the journal over the radial clearance",
-        );
     }
 
     fn oil(&mut self, scene: &Scene) {
@@ -238,8 +223,6 @@ model = "guembel"
             "film_start = \"0 deg\"\n[mesh]",
             "bearing.film_start: has a meaning on a full ring",
         );
-        told_one("0.6", "1.0", "journal.eccentricity: means that the journal touches");
-        told_one("0.6", "-0.1", "journal.eccentricity: is negative");
         told_one("0.4 Pa.s", "0 Pa.s", "oil.viscosity: is not positive");
         told_one("2.5e-8", "-2.5e-8", "oil.barus.alpha: is negative");
         told_one(

@@ -101,11 +101,72 @@ fn an_eccentricity_outside_its_range_is_refused() {
     );
 }
 
+/// The position of scene 02.
+const POSITION: &str = "eccentricity   = 0.6\nmin_film_angle = \"180 deg\"";
+
+#[test]
+fn a_position_is_given_or_found() {
+    let load = ("[oil]", "[load]\nforce = \"5 kN\"\nangle = \"270 deg\"\n[oil]");
+    let beside = "stands beside [load], but under a load the position is found";
+    let both = "remove eccentricity and min_film_angle from [journal], or remove [load]";
+    refused_with(&[load], &["scene.toml:25:18", "journal.eccentricity", beside, both]);
+    let angle = "remove min_film_angle from [journal], or remove [load]";
+    let edits = [load, ("eccentricity   = 0.6\n", "")];
+    refused_with(&edits, &["journal.min_film_angle", beside, angle]);
+    let words = [
+        "journal.eccentricity: is missing",
+        "eccentricity = 0.6 and min_film_angle = \"180 deg\"",
+        "or [load] with force = \"5 kN\" and angle = \"270 deg\"",
+    ];
+    refused(POSITION, "", &words);
+}
+
+#[test]
+fn a_load_outside_its_range_is_refused() {
+    let load = |keys: &str| format!("[load]\n{keys}\n");
+    let negative = load("force = \"-5 kN\"\nangle = \"270 deg\"");
+    let words = ["load.force: is negative", "-5 kN", "turn angle by 180 deg"];
+    refused(POSITION, &negative, &words);
+    let infinite = load("force = \"inf N\"\nangle = \"270 deg\"");
+    refused(
+        POSITION,
+        &infinite,
+        &["load.force", "\"inf N\"", "for example \"5 kN\""],
+    );
+    let bare = load("force = 5\nangle = \"270 deg\"");
+    let words = [
+        "load.force",
+        "a bare number has no unit; a force is wanted",
+        "N, mN, kN",
+    ];
+    refused(POSITION, &bare, &words);
+    let words = ["load.angle: is missing", "write for example angle = \"270 deg\""];
+    refused(POSITION, &load("force = \"5 kN\""), &words);
+}
+
+#[test]
+fn a_squeeze_without_a_direction_is_refused() {
+    let moving = "eccentricity = 0\nsqueeze = { radial = \"2 mm/s\" }";
+    let words = [
+        "journal.min_film_angle: is missing",
+        "write for example min_film_angle = \"180 deg\"",
+        "with eccentricity = 0 it says where the line of centres points",
+    ];
+    refused(POSITION, moving, &words);
+    let slow = "squeeze = { radial = \"2 mm\" }\neccentricity = 0.6";
+    let words = [
+        "journal.squeeze.radial",
+        "\"mm\" is a unit of length",
+        "a velocity is wanted",
+        "mm/s",
+    ];
+    refused("eccentricity   = 0.6", slow, &words);
+}
+
 #[test]
 fn keys_that_are_not_served_are_named() {
     let later = [
         ("file = ", "tolerance = \"0.1 %\"\nfile = ", "mesh.tolerance"),
-        ("[oil]", "[load]\nforce = \"5 kN\"\n[oil]", "load"),
         ("[oil]", "[heat]\n[oil]", "heat"),
         ("[oil]", "[sweep]\n[oil]", "sweep"),
     ];
