@@ -35,6 +35,12 @@ impl FilmProblem {
         Ok(film)
     }
 
+    /// True if the film is found by iteration, and quicker from that of a coarser mesh.
+    pub fn needs_start(&self) -> bool {
+        let breaks = matches!(self.cavitation, Cavitation::Reynolds { .. } | Cavitation::Jfo { .. });
+        breaks || matches!(self.form, Form::AsPrinted(_))
+    }
+
     /// The film with all motion of the journal scaled by `motion`, its equation closed by the cavitation model,
     /// whether or not the viscosity law has a pressure for it.
     pub(crate) fn closed_film(
