@@ -14,8 +14,9 @@ use crate::{Locator, Mesh};
 const FEWEST: usize = 60;
 /// Edge of an equilateral triangle over the root of its doubled area.
 const EQUILATERAL_EDGE: f64 = 1.074_569_931_823_542;
-/// Edge length asked of the generator over that which it makes of it, by the areas of the triangles.
-const ASKED: f64 = 1.07;
+/// Edge length asked of the generator over that which it makes of it, by the areas of the triangles: measured, so
+/// that twice the edge length leaves a quarter of the unknowns.
+const ASKED: f64 = 1.1;
 /// Edge length in a box without vertices, over the longer side of the box.
 const IN_EMPTY_BOX: f64 = 0.5;
 /// Boxes are halved no more often than this.

@@ -7,61 +7,117 @@ use crate::mesh::quadratic_tangents;
 /// A point this far outside a triangle, in reference coordinates, still counts as inside.
 const OUTSIDE: f64 = 1e-9;
 
-/// Finds points in a mesh by a grid of buckets, about one triangle each.
+/// Triangles in a lowest box, and boxes in one of the next level.
+const IN_A_BOX: usize = 4;
+
+/// Finds points in a mesh by boxes around its triangles: as these are numbered along a space-filling curve, a few
+/// with consecutive numbers fill a small box, a few consecutive boxes a larger one, up to one around all.
 #[derive(Debug, Clone)]
 pub struct Locator<'a> {
     mesh: &'a Mesh,
-    low: [f64; 2],
-    /// Size of a bucket [m].
-    size: [f64; 2],
-    counts: [usize; 2],
-    /// Triangles that may touch bucket `b` are `members[start[b]..start[b + 1]]`.
-    start: Vec<u32>,
-    members: Vec<u32>,
+    /// Around consecutive triangles; then, level by level, around consecutive boxes.
+    levels: Vec<Vec<Bounds>>,
+}
+
+/// A box with sides along the axes. On a ring its middle lies within the period from zero.
+#[derive(Debug, Clone, Copy)]
+struct Bounds {
+    /// Middle [m].
+    middle: [f64; 2],
+    /// Half of its width and of its height [m].
+    half: [f64; 2],
+}
+
+impl Bounds {
+    /// The box around triangle `t`, a little larger; a parabola stays in the triangle of its ends and of the point
+    /// twice as far out as its middle.
+    fn of_triangle(mesh: &Mesh, t: usize) -> Self {
+        let nodes = mesh.nodes(t);
+        let mut low = nodes[0];
+        let mut high = nodes[0];
+        for k in 0..3 {
+            let (a, b, middle) = (nodes[k], nodes[(k + 1) % 3], nodes[3 + k]);
+            for d in 0..2 {
+                let control = 2.0 * middle[d] - 0.5 * (a[d] + b[d]);
+                low[d] = low[d].min(b[d]).min(control);
+                high[d] = high[d].max(b[d]).max(control);
+            }
+        }
+        let margin = 10.0 * OUTSIDE * (high[0] - low[0] + high[1] - low[1]);
+        let middle = [0, 1].map(|d| 0.5 * (low[d] + high[d]));
+        Self {
+            middle: on_turn(middle, mesh.period()),
+            half: [0, 1].map(|d| 0.5 * (high[d] - low[d]) + margin),
+        }
+    }
+
+    /// The box around all of them; on a ring each at its shortest way from the first.
+    fn around(boxes: impl IntoIterator<Item = Self>, period: Option<f64>) -> Self {
+        let mut boxes = boxes.into_iter();
+        let first = boxes.next().unwrap_or(Self {
+            middle: [0.0; 2],
+            half: [0.0; 2],
+        });
+        let (mut low, mut high) = (first.half.map(|half| -half), first.half);
+        for other in boxes {
+            let off = turned(first.middle, other.middle, period);
+            for d in 0..2 {
+                low[d] = low[d].min(off[d] - other.half[d]);
+                high[d] = high[d].max(off[d] + other.half[d]);
+            }
+        }
+        let middle = [0, 1].map(|d| first.middle[d] + 0.5 * (low[d] + high[d]));
+        Self {
+            middle: on_turn(middle, period),
+            half: [0, 1].map(|d| 0.5 * (high[d] - low[d])),
+        }
+    }
+
+    /// Distance [m] of a point that lies on the same turn; zero inside.
+    fn distance(&self, point: [f64; 2], period: Option<f64>) -> f64 {
+        let off = turned(self.middle, point, period);
+        let out = [0, 1].map(|d| (off[d].abs() - self.half[d]).max(0.0));
+        if out == [0.0; 2] { 0.0 } else { out[0].hypot(out[1]) }
+    }
+}
+
+/// The same place with `x` from zero to the period.
+fn on_turn([x, z]: [f64; 2], period: Option<f64>) -> [f64; 2] {
+    [period.map_or(x, |period| x.rem_euclid(period)), z]
+}
+
+/// The way [m] from one place to another, on a ring the shorter one; both lie on the same turn.
+fn turned(from: [f64; 2], to: [f64; 2], period: Option<f64>) -> [f64; 2] {
+    let along = to[0] - from[0];
+    let along = match period {
+        Some(period) if along.abs() > 0.5 * period => along - period.copysign(along),
+        _ => along,
+    };
+    [along, to[1] - from[1]]
 }
 
 impl<'a> Locator<'a> {
-    /// Sorts the triangles of `mesh` into buckets.
+    /// Lays boxes around the triangles of `mesh`.
     pub fn new(mesh: &'a Mesh) -> Self {
+        let period = mesh.period();
         let cells = mesh.triangles().len();
-        let boxes: Vec<_> = (0..cells).map(|t| bounding_box(mesh, t)).collect();
-        let mut low = [f64::INFINITY; 2];
-        let mut high = [f64::NEG_INFINITY; 2];
-        for (from, to) in &boxes {
-            for k in 0..2 {
-                low[k] = low[k].min(from[k]);
-                high[k] = high[k].max(to[k]);
-            }
+        let mut level: Vec<Bounds> = (0..cells)
+            .step_by(IN_A_BOX)
+            .map(|first| {
+                let members = first..cells.min(first + IN_A_BOX);
+                Bounds::around(members.map(|t| Bounds::of_triangle(mesh, t)), period)
+            })
+            .collect();
+        let mut levels = Vec::new();
+        while level.len() > 1 {
+            let boxes = level.chunks(IN_A_BOX);
+            let next = boxes
+                .map(|members| Bounds::around(members.iter().copied(), period))
+                .collect();
+            levels.push(std::mem::replace(&mut level, next));
         }
-        if let Some(period) = mesh.period() {
-            high[0] = low[0] + period;
-        }
-        let extent = [high[0] - low[0], high[1] - low[1]];
-        let bucket = (extent[0] * extent[1] / cells as f64).sqrt();
-        let counts = extent.map(|extent| ((extent / bucket) as usize).clamp(1, cells));
-        let mut locator = Self {
-            mesh,
-            low,
-            size: [extent[0] / counts[0] as f64, extent[1] / counts[1] as f64],
-            counts,
-            start: vec![0; counts[0] * counts[1] + 1],
-            members: Vec::new(),
-        };
-        for span in &boxes {
-            locator.each_bucket(span, |locator, bucket| locator.start[bucket + 1] += 1);
-        }
-        for bucket in 0..counts[0] * counts[1] {
-            locator.start[bucket + 1] += locator.start[bucket];
-        }
-        locator.members = vec![0; locator.start[counts[0] * counts[1]] as usize];
-        let mut next = locator.start.clone();
-        for (t, span) in (0..).zip(&boxes) {
-            locator.each_bucket(span, |locator, bucket| {
-                locator.members[next[bucket] as usize] = t;
-                next[bucket] += 1;
-            });
-        }
-        locator
+        levels.push(level);
+        Self { mesh, levels }
     }
 
     /// The triangle at `(x, z)` [m] and the point in its reference coordinates `(xi, eta)` (corners
@@ -71,20 +127,24 @@ impl<'a> Locator<'a> {
         if !point.iter().all(|x| x.is_finite()) {
             return None;
         }
-        let ([column, row], _) = self.bucket_towards(point);
-        let bucket = column + self.counts[0] * row;
-        let members = &self.members[self.start[bucket] as usize..self.start[bucket + 1] as usize];
         let mut best = (-OUTSIDE, None);
-        for &t in members {
-            let Some([xi, eta]) = self.invert(t as usize, point) else {
+        let mut open = vec![(0.0, self.levels.len() - 1, 0)];
+        while let Some((_, level, place)) = open.pop() {
+            if level > 0 {
+                self.open_box(point, level, place, 0.0, &mut open);
                 continue;
-            };
-            let inside = xi.min(eta).min(1.0 - xi - eta);
-            if inside >= 0.0 {
-                return Some((t as usize, [xi, eta]));
             }
-            if inside > best.0 {
-                best = (inside, Some((t as usize, [xi, eta])));
+            for t in self.members(place) {
+                let Some([xi, eta]) = self.invert(t, point) else {
+                    continue;
+                };
+                let inside = xi.min(eta).min(1.0 - xi - eta);
+                if inside >= 0.0 {
+                    return Some((t, [xi, eta]));
+                }
+                if inside > best.0 {
+                    best = (inside, Some((t, [xi, eta])));
+                }
             }
         }
         best.1
@@ -101,63 +161,46 @@ impl<'a> Locator<'a> {
         if found.is_some() {
             return found;
         }
-        let (middle, outside) = self.bucket_towards(point);
-        let bucket = self.size[0].min(self.size[1]);
         let mut best = (f64::INFINITY, None);
-        for round in 0..=self.counts[0].max(self.counts[1]) {
-            // What no bucket so far holds is at least so far away.
-            let beyond = outside.hypot(bucket * round.saturating_sub(1) as f64);
-            if best.1.is_some() && best.0 <= beyond {
-                break;
+        let mut open = vec![(0.0, self.levels.len() - 1, 0)];
+        while let Some((distance, level, place)) = open.pop() {
+            if distance >= best.0 && best.1.is_some() {
+                continue;
             }
-            self.each_around(middle, round, |bucket| {
-                for &t in &self.members[self.start[bucket] as usize..self.start[bucket + 1] as usize] {
-                    let (distance, at) = self.to_rim(t as usize, point);
-                    if distance < best.0 {
-                        best = (distance, Some((t as usize, at)));
-                    }
+            if level > 0 {
+                let before = open.len();
+                self.open_box(point, level, place, best.0, &mut open);
+                open[before..].sort_unstable_by(|a, b| b.0.total_cmp(&a.0));
+                continue;
+            }
+            for t in self.members(place) {
+                let (distance, at) = self.to_rim(t, point);
+                if distance < best.0 || best.1.is_none() {
+                    best = (distance, Some((t, at)));
                 }
-            });
+            }
         }
         best.1
     }
 
-    /// Column and row of the bucket nearest to a point, and the distance [m] of the point from all buckets.
-    fn bucket_towards(&self, point: [f64; 2]) -> ([usize; 2], f64) {
-        let mut from_low = [point[0] - self.low[0], point[1] - self.low[1]];
-        if let Some(period) = self.mesh.period() {
-            from_low[0] = from_low[0].rem_euclid(period);
+    /// Puts on the stack those boxes in a box that are no further than `reach` [m] from a point, the last one
+    /// first: distance, level, place.
+    fn open_box(&self, point: [f64; 2], level: usize, place: usize, reach: f64, open: &mut Vec<(f64, usize, usize)>) {
+        let period = self.mesh.period();
+        let point = on_turn(point, period);
+        let boxes = &self.levels[level - 1];
+        let members = place * IN_A_BOX..boxes.len().min((place + 1) * IN_A_BOX);
+        for member in members.rev() {
+            let distance = boxes[member].distance(point, period);
+            if distance <= reach {
+                open.push((distance, level - 1, member));
+            }
         }
-        let extent = [0, 1].map(|k| self.size[k] * self.counts[k] as f64);
-        let off = [0, 1].map(|k| from_low[k] - from_low[k].clamp(0.0, extent[k]));
-        let place = |k: usize| ((from_low[k] / self.size[k]).max(0.0) as usize).min(self.counts[k] - 1);
-        ([place(0), place(1)], off[0].hypot(off[1]))
     }
 
-    /// The buckets `round` columns or rows away from one, those beyond the mesh left out; on a ring each once.
-    fn each_around(&self, [column, row]: [usize; 2], round: usize, mut act: impl FnMut(usize)) {
-        let [columns, rows] = self.counts.map(|count| count as i64);
-        let [column, row, round] = [column, row, round].map(|place| place as i64);
-        let ring = self.mesh.period().is_some();
-        for down in -round..=round {
-            let at_row = row + down;
-            if !(0..rows).contains(&at_row) {
-                continue;
-            }
-            // The first and the last row in full, of those between both ends.
-            let step = if down.abs() == round { 1 } else { 2 * round };
-            for along in (-round..=round).step_by(step.max(1) as usize) {
-                let at_column = if ring {
-                    (column + along).rem_euclid(columns)
-                } else {
-                    column + along
-                };
-                let once = !ring || (-columns < 2 * along && 2 * along <= columns);
-                if once && (0..columns).contains(&at_column) {
-                    act((at_column + columns * at_row) as usize);
-                }
-            }
-        }
+    /// Triangles in a lowest box.
+    fn members(&self, place: usize) -> std::ops::Range<usize> {
+        place * IN_A_BOX..self.mesh.triangles().len().min((place + 1) * IN_A_BOX)
     }
 
     /// Distance [m] of a point from the edges of triangle `t`, and the nearest place on them in
@@ -212,45 +255,6 @@ impl<'a> Locator<'a> {
         }
         None
     }
-
-    fn each_bucket(&mut self, (from, to): &([f64; 2], [f64; 2]), mut act: impl FnMut(&mut Self, usize)) {
-        let place = |k: usize, x: f64| ((x - self.low[k]) / self.size[k]).floor() as i64;
-        let columns = self.counts[0] as i64;
-        let rows = self.counts[1] as i64 - 1;
-        let (left, mut right) = (place(0, from[0]), place(0, to[0]));
-        let ring = self.mesh.period().is_some();
-        if ring {
-            right = right.min(left + columns - 1);
-        }
-        for row in place(1, from[1]).clamp(0, rows)..=place(1, to[1]).clamp(0, rows) {
-            for column in left..=right {
-                let column = if ring {
-                    column.rem_euclid(columns)
-                } else {
-                    column.clamp(0, columns - 1)
-                };
-                act(self, (column + columns * row) as usize);
-            }
-        }
-    }
-}
-
-/// Corners of a box around triangle `t`, a little larger; a parabola stays in the triangle of its
-/// ends and of the point twice as far out as its middle.
-fn bounding_box(mesh: &Mesh, t: usize) -> ([f64; 2], [f64; 2]) {
-    let nodes = mesh.nodes(t);
-    let mut low = nodes[0];
-    let mut high = nodes[0];
-    for k in 0..3 {
-        let (a, b, middle) = (nodes[k], nodes[(k + 1) % 3], nodes[3 + k]);
-        for d in 0..2 {
-            let control = 2.0 * middle[d] - 0.5 * (a[d] + b[d]);
-            low[d] = low[d].min(b[d]).min(control);
-            high[d] = high[d].max(b[d]).max(control);
-        }
-    }
-    let margin = 10.0 * OUTSIDE * (high[0] - low[0] + high[1] - low[1]);
-    (low.map(|x| x - margin), high.map(|x| x + margin))
 }
 
 /// Distance [m] of `point` from the edge `s half + (1 - s^2) bulge`, `s` in [-1, 1], and the nearest `s`:
@@ -442,7 +446,7 @@ mod tests {
             let (place, _) = quadratic_map(&mesh.nodes(t), at);
             assert!((place[0] - 0.5 - s).abs() < 1e-6, "{s}: {place:?}");
         }
-        assert!(locator.nearest([1e300, -1e300]).is_some());
+        assert!(locator.nearest([f64::MAX, -f64::MAX]).is_some());
         assert!(locator.nearest([f64::NAN, 1.0]).is_none());
     }
 }
