@@ -41,6 +41,10 @@ impl Coarser {
     fn of(fine: &FilmSystem, bearing: &Bearing, film_thickness: &[Arc<dyn FilmContribution>]) -> Option<Self> {
         let mesh = fine.space().mesh();
         let coarse = coarsen::coarser(mesh, &liner(fine, bearing), line(fine, bearing), RATIO)?;
+        // A mesh that is bound by its length, not by the sizes asked for, would not become coarser for ever.
+        if 2 * coarse.mesh.triangles().len() > mesh.triangles().len() {
+            return None;
+        }
         let space = Space::new(Arc::new(coarse.mesh), fine.space().degree());
         let supply = fine.supply.on_coarser(fine.space(), &space, bearing)?;
         let film_thickness: Vec<_> = (film_thickness.iter())

@@ -9,12 +9,15 @@ use oilwedge_fem::newton::{Failure, HistoryStep, Seconds};
 use oilwedge_fem::{Constraints, Error, Linearisation, Matrix};
 
 use super::Film;
+use super::blocks::{Block, Transport};
 use super::rows::Condition;
 
 /// Most steps of one search.
 const MOST_STEPS: usize = 300;
 /// A film fraction above one, or a pressure below that of the cavity (in natural units), that changes a node's side.
 const SIGN_TOLERANCE: f64 = 1e-12;
+/// A node that changes sides so often in the second pass cannot settle with the bounded scheme.
+const RESTLESS: u8 = 2;
 /// Pseudo-time steps: the first as a part of the time that the journal takes over a radius, growth, number.
 const FIRST_TIME_STEP: f64 = 0.01;
 const TIME_GROWTH: f64 = 3.0;
@@ -26,8 +29,10 @@ pub(super) struct Search<'a> {
     p: Vec<f64>,
     theta: Vec<f64>,
     cavity: Vec<bool>,
-    /// Sub-triangles with the N form.
-    carried: Vec<bool>,
+    /// How the oil of each sub-triangle is carried.
+    forms: Vec<Transport>,
+    /// How often each node has changed sides in the second pass.
+    turns: Vec<u8>,
     first: Option<f64>,
     history: Vec<HistoryStep>,
     pub(super) seconds: Seconds,
@@ -39,7 +44,7 @@ pub(super) struct Found {
     pub(super) p: Vec<f64>,
     pub(super) theta: Vec<f64>,
     pub(super) cavity: Vec<bool>,
-    pub(super) carried: Vec<bool>,
+    pub(super) forms: Vec<Transport>,
     /// Inflow near each node where pressure is given; rounding elsewhere.
     pub(super) residual: Vec<f64>,
     pub(super) linearisation: Linearisation,
@@ -74,7 +79,8 @@ impl<'a> Search<'a> {
             theta: vec![1.0; p.len()],
             p,
             cavity: held,
-            carried: vec![false; film.blocks.len()],
+            forms: vec![Transport::Faces; film.blocks.len()],
+            turns: Vec::new(),
             first: None,
             history: Vec::new(),
             seconds: Seconds::default(),
@@ -85,15 +91,14 @@ impl<'a> Search<'a> {
     /// Both passes, and pseudo-time where a set of nodes comes back.
     pub(super) fn run(mut self, radius: f64, velocity: [f64; 2]) -> Result<Found, Failure> {
         if let End::Repeated = self.iterate(true, None)? {
-            self.fallbacks
-                .push("the choice of the transport scheme was frozen since the set of cavity nodes came back".into());
             self.iterate(false, None)?;
         }
-        self.carried = self.starved_inflow();
+        self.forms = self.second_forms();
+        self.turns = vec![0; self.p.len()];
         let mut end = self.iterate(false, None)?;
         if let End::Repeated = end {
             self.fallbacks
-                .push("the cavity was found in pseudo-time since its set of nodes came back".into());
+                .push("the cavity was found in pseudo-time, since its set of nodes came back".into());
             self.pseudo_time(radius / velocity[0].hypot(velocity[1]))?;
             end = self.iterate(false, None)?;
         }
@@ -102,7 +107,7 @@ impl<'a> Search<'a> {
                 p: self.p,
                 theta: self.theta,
                 cavity: self.cavity,
-                carried: self.carried,
+                forms: self.forms,
                 linearisation: solved.0,
                 residual: solved.1,
                 history: self.history,
@@ -113,26 +118,58 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Sub-triangles with a node in the cavity.
-    fn touching(&self) -> Vec<bool> {
-        let starved = |nodes: &[u32; 3]| nodes.iter().any(|&node| self.cavity[node as usize]);
-        self.film.volumes.triangles.iter().map(starved).collect()
+    fn corners<T>(&self, t: usize, of: impl Fn(usize) -> T) -> [T; 3] {
+        self.film.volumes.triangles[t].map(|node| of(node as usize))
     }
 
-    /// Sub-triangles with a node in the cavity on their inflow side.
-    fn starved_inflow(&self) -> Vec<bool> {
-        let triangles = self.film.volumes.triangles.iter().zip(&self.film.blocks);
-        triangles
-            .map(|(nodes, block)| (0..3).any(|i| block.weight[i] < 0.0 && self.cavity[nodes[i] as usize]))
-            .collect()
+    /// The N scheme in every sub-triangle with a node in the cavity.
+    fn first_forms(&self) -> Vec<Transport> {
+        let touches = |t: usize| self.corners(t, |node| self.cavity[node]).contains(&true);
+        let form = |t: usize| {
+            if touches(t) {
+                Transport::Positive
+            } else {
+                Transport::Faces
+            }
+        };
+        (0..self.film.blocks.len()).map(form).collect()
     }
 
-    /// Solves and exchanges until every sign is right; `choosing` chooses the N form anew at each step.
+    /// Bounded parts of the present film where the inflow side is starved.
+    fn second_forms(&self) -> Vec<Transport> {
+        let form = |(t, block): (usize, &Block)| match block.is_starved(self.corners(t, |node| self.cavity[node])) {
+            true => block.bounded_parts(self.corners(t, |node| self.theta[node])),
+            false => Transport::Faces,
+        };
+        self.film.blocks.iter().enumerate().map(form).collect()
+    }
+
+    /// In the second pass oil round a node that cannot settle is carried by the N scheme. True if that is new.
+    fn calm(&mut self, turned: &[(usize, f64)]) -> bool {
+        let mut restless = false;
+        for &(dof, _) in turned {
+            if let Some(turns) = self.turns.get_mut(dof) {
+                *turns = turns.saturating_add(1);
+                restless |= *turns == RESTLESS;
+            }
+        }
+        if restless {
+            for t in 0..self.forms.len() {
+                let near = self.corners(t, |node| self.turns[node] >= RESTLESS).contains(&true);
+                if near && matches!(self.forms[t], Transport::Bounded(_)) {
+                    self.forms[t] = Transport::Positive;
+                }
+            }
+        }
+        restless
+    }
+
+    /// Solves and exchanges until every sign is right; `choosing` chooses the forms of the first pass anew at each step.
     fn iterate(&mut self, choosing: bool, time: Option<&TimeStep>) -> Result<End, Failure> {
         let mut seen = HashSet::new();
         while self.history.len() < MOST_STEPS {
             if choosing {
-                self.carried = self.touching();
+                self.forms = self.first_forms();
             }
             let (linearisation, residual) = self.solve(time)?;
             let wrong = self.wrong_signs(&residual);
@@ -151,6 +188,9 @@ impl<'a> Search<'a> {
             self.cavity.hash(&mut hasher);
             if !seen.insert(hasher.finish()) {
                 return Ok(End::Repeated);
+            }
+            if self.calm(&wrong) {
+                seen.clear();
             }
             for (dof, _) in wrong {
                 self.cavity[dof] = !self.cavity[dof];
@@ -204,7 +244,7 @@ impl<'a> Search<'a> {
         let mut residual: Vec<f64> = rows.inflow.iter().map(|inflow| -inflow).collect();
         for (t, nodes) in volumes.triangles.iter().enumerate() {
             let block = &self.film.blocks[t];
-            let (k, b) = (block.pressure(), block.transport(self.carried[t], block));
+            let (k, b) = (block.pressure(), block.transport(self.forms[t], block));
             for i in 0..3 {
                 for j in 0..3 {
                     let node = nodes[j] as usize;

@@ -3,13 +3,17 @@
 //! ```text
 //! R = K p + B theta      outflow through the inner faces of the cells, and what they store
 //! K_ab = Int h^3/(12 mu) grad l_a . grad l_b                             Poiseuille, linear elements
-//! B, face form:   C_ab = Int_face U.n h/2;   a -> b:  max(C,0) theta_a + min(C,0) theta_b
-//! B, N form:      k_i = |T| U.grad l_i / 2,  u_i = h_i theta_i,  u_in = sum k_j^- u_j / sum k_j^-
-//!                 row i: k_i^+ (u_i - u_in), less what leaves through the sides of T (q = -2 k_c, opposite c):
+//! B, by faces:    C_ab = Int_face U.n h/2;   a -> b:  max(C,0) theta_a + min(C,0) theta_b
+//! B, residual:    k_i = |T| U.grad l_i / 2,  u_i = h_i theta_i:  row i gets b_i (k_0 u_0 + k_1 u_1 + k_2 u_2),
+//!                 less what leaves through the sides of T (q = -2 k_c, opposite corner c):
 //!                 q (3 u_i + u_j)/8 from row i, q (3 u_j + u_i)/8 from row j
 //! ```
-//! The face form is exact and central where theta = 1; the N form (Roe 1987; Struijs, Deconinck, Roe 1991)
-//! carries edges of oil streaks without first-order smearing. Columns sum to zero in both, but for what is stored.
+//! The faces are exact and central where theta = 1. The residual distributions carry oil where theta < 1 without
+//! the crosswind smearing of faces: the N scheme (`b_i` depend on u: `k_i^+ (u_i - u_in)`, `u_in = sum k_j^- u_j /
+//! sum k_j^-`) is positive and of first order, the bounded one takes the signs of the N scheme's parts of a known u
+//! (PSI), is positive for that u and of second order. Columns sum to zero in all, but for what is stored.
+//!
+//! Roe, Cranfield CoA 8703 (1987); Struijs, Deconinck, Roe, VKI LS 1991-01; Deconinck, Roe, Struijs, Comput. Fluids 22 (1993) 215.
 
 use oilwedge_fem::ControlVolumes;
 use oilwedge_fem::control_volumes::SUB_TRIANGLES;
@@ -22,6 +26,17 @@ use crate::film_law::FilmLaw;
 pub(super) const SIDES: [(usize, usize); 3] = [(0, 1), (1, 2), (2, 0)];
 /// Triangles that one task visits.
 const CELLS_A_TASK: usize = 1024;
+
+/// How the oil of a sub-triangle is carried.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Transport {
+    /// Through the faces between cells, from upstream.
+    Faces,
+    /// By the N scheme.
+    Positive,
+    /// By the parts of the residual that each corner gets; they sum to one.
+    Bounded([f64; 3]),
+}
 
 /// Coefficients of one sub-triangle.
 #[derive(Debug, Clone, Copy, Default)]
@@ -117,17 +132,23 @@ impl Block {
         square
     }
 
-    /// `B`: the N form where oil is transported, else the face form; upwind as the film `upwind` has it (itself,
-    /// unless this is a change of it).
-    pub(super) fn transport(&self, n_form: bool, upwind: &Self) -> Square {
-        let mut square = if n_form { self.n_form() } else { self.face_form(upwind) };
+    /// `B`; faces take the oil from upstream as in the film `upwind` (itself, unless this is a change of it).
+    pub(super) fn transport(&self, form: Transport, upwind: &Self) -> Square {
+        let mut square = match form {
+            Transport::Faces => self.faces(upwind),
+            Transport::Positive => self.n_scheme(),
+            Transport::Bounded(parts) => self.bounded(parts),
+        };
+        if form != Transport::Faces {
+            self.take_sides(&mut square);
+        }
         for i in 0..3 {
             square[i][i] += self.storage[i];
         }
         square
     }
 
-    fn face_form(&self, upwind: &Self) -> Square {
+    fn faces(&self, upwind: &Self) -> Square {
         let mut square = [[0.0; 3]; 3];
         for (k, (a, b)) in SIDES.into_iter().enumerate() {
             let from = if upwind.couette[k] > 0.0 { a } else { b };
@@ -137,9 +158,9 @@ impl Block {
         square
     }
 
-    fn n_form(&self) -> Square {
+    fn n_scheme(&self) -> Square {
         let (k, h) = (self.weight, self.thickness);
-        let inflow: f64 = k.iter().map(|k| k.min(0.0)).sum();
+        let inflow = self.inflow();
         let mut square = [[0.0; 3]; 3];
         for i in (0..3).filter(|&i| k[i] > 0.0) {
             square[i][i] += k[i] * h[i];
@@ -147,14 +168,52 @@ impl Block {
                 square[i][j] -= k[i] * k[j] / inflow * h[j];
             }
         }
+        square
+    }
+
+    fn bounded(&self, parts: [f64; 3]) -> Square {
+        parts.map(|part| [0, 1, 2].map(|j| part * self.weight[j] * self.thickness[j]))
+    }
+
+    /// What leaves through the sides of T belongs to no inner face.
+    fn take_sides(&self, square: &mut Square) {
+        let h = self.thickness;
         for (i, j) in SIDES {
-            let q = -2.0 * k[3 - i - j];
+            let q = -2.0 * self.weight[3 - i - j];
             square[i][i] -= 0.375 * q * h[i];
             square[i][j] -= 0.125 * q * h[j];
             square[j][j] -= 0.375 * q * h[j];
             square[j][i] -= 0.125 * q * h[i];
         }
-        square
+    }
+
+    /// `sum k_j^-`.
+    fn inflow(&self) -> f64 {
+        self.weight.iter().map(|k| k.min(0.0)).sum()
+    }
+
+    /// The parts of the residual of `theta` by the PSI scheme: those of the N scheme that have the sign of the whole.
+    /// Where the residual vanishes each corner downstream gets its share of the inflow.
+    pub(super) fn bounded_parts(&self, theta: [f64; 3]) -> Transport {
+        const VANISHING: f64 = 1e-10;
+        let (k, inflow) = (self.weight, self.inflow());
+        let u = [0, 1, 2].map(|i| self.thickness[i] * theta[i]);
+        let upstream = (0..3).map(|i| k[i].min(0.0) * u[i]).sum::<f64>() / inflow;
+        let residuals = [0, 1, 2].map(|i| k[i].max(0.0) * (u[i] - upstream));
+        let whole: f64 = residuals.iter().sum();
+        let positive = residuals.map(|residual| (residual / whole).max(0.0));
+        let sum: f64 = positive.iter().sum();
+        match whole.abs() > VANISHING * inflow.abs() * upstream.abs() && sum.is_finite() {
+            true => Transport::Bounded(positive.map(|part| part / sum)),
+            false => Transport::Bounded(k.map(|k| k.max(0.0) / -inflow)),
+        }
+    }
+
+    /// True if a corner that is not downstream is in the cavity: the inflow side is starved, or the side along the flow.
+    pub(super) fn is_starved(&self, cavity: [bool; 3]) -> bool {
+        const ALONG: f64 = 0.1;
+        let largest = self.weight.iter().fold(0.0f64, |m, k| m.max(k.abs()));
+        (0..3).any(|i| cavity[i] && self.weight[i] < ALONG * largest)
     }
 }
 

@@ -13,9 +13,10 @@
 //! one sub-triangle, [`rows`] the conditions, [`active_set`] the search for the cavity. The load is integrated with
 //! the quadratic functions of the nodal q, which is several times better than with linear ones.
 //!
-//! Two passes. Where oil is transported the N form is used, else the face form: in pass one wherever a node is in
-//! the cavity, chosen anew each step; in pass two, from the cavity of pass one, only where the inflow side of a
-//! sub-triangle is starved, and kept. (Chosen by inflow inside the loop, nodes along the rupture line chatter.)
+//! Two passes. Where oil is transported a residual distribution is used, else faces: in pass one the N scheme wherever
+//! a node is in the cavity, chosen anew each step; in pass two, from the film of pass one, the bounded scheme
+//! only where the inflow side of a sub-triangle is starved, and kept. (Chosen by inflow inside the loop, nodes along the
+//! rupture line chatter.) Round the few nodes that do not settle so, the N scheme stays.
 //!
 //! **Source.** Jakobsson and Floberg, Chalmers Report 190 (1957); Olsson, Chalmers Report 272 (1965); Elrod,
 //! J. Lubr. Technol. 103 (1981) 350. **Range.** Steady with rotation; incompressible oil; triangles without
@@ -30,6 +31,7 @@ use oilwedge_fem::ControlVolumes;
 use oilwedge_fem::complementarity::Start;
 
 use self::active_set::Search;
+pub use self::blocks::Transport;
 use self::blocks::{Block, blocks};
 use self::rows::{Condition, Rows};
 use crate::existence::NoFilm;
@@ -44,8 +46,8 @@ const ROUNDING: f64 = 1e-9;
 pub struct FilmFraction {
     /// Film fraction theta at each dof: one where the film is full.
     pub values: Vec<f64>,
-    /// True for each sub-triangle ([`ControlVolumes`]) whose oil is carried by the N form.
-    pub carried: Vec<bool>,
+    /// How the oil of each sub-triangle ([`ControlVolumes`]) is carried.
+    pub forms: Vec<Transport>,
 }
 
 /// The discrete film.
@@ -98,7 +100,7 @@ pub(crate) fn solve(
         cavity: found.cavity,
         film_fraction: Some(FilmFraction {
             values: found.theta,
-            carried: found.carried,
+            forms: found.forms,
         }),
         linearisation: found.linearisation,
         history: found.history,
@@ -123,7 +125,7 @@ pub(crate) fn residual_change(
     let (upwind, moved) = (blocks(&law, mesh, volumes), blocks(&changed, mesh, volumes));
     let mut residual = vec![0.0; film.unknown.len()];
     for (t, nodes) in volumes.triangles.iter().enumerate() {
-        let (k, b) = (moved[t].pressure(), moved[t].transport(fraction.carried[t], &upwind[t]));
+        let (k, b) = (moved[t].pressure(), moved[t].transport(fraction.forms[t], &upwind[t]));
         for i in 0..3 {
             for j in 0..3 {
                 let node = nodes[j] as usize;
