@@ -114,14 +114,14 @@ impl SizeTree {
             .points()
             .iter()
             .zip(sizes)
-            .map(|(&point, size)| (tree.from_low(point), size))
+            .map(|(&point, size)| (tree.offset(point), size))
             .collect();
         tree.fill(&mut vertices);
         tree
     }
 
     /// Position from the lower corner of the outermost box [m].
-    fn from_low(&self, point: [f64; 2]) -> [f64; 2] {
+    fn offset(&self, point: [f64; 2]) -> [f64; 2] {
         let [x, z] = [0, 1].map(|k| point[k] - self.low[k]);
         [self.period.map_or(x, |period| x.rem_euclid(period)), z]
     }
@@ -175,7 +175,7 @@ impl SizeTree {
 
     /// Edge length [m] at a point.
     fn at(&self, point: [f64; 2]) -> f64 {
-        let mut from_low = self.from_low(point);
+        let mut from_low = self.offset(point);
         let mut extent = self.extent;
         let mut place = self.boxes[0];
         while place.halves > 0 {

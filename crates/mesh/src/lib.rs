@@ -10,7 +10,7 @@
 //! cells ([`region`]). [`gmsh`] reads and writes files, [`developed`] unrolls them and glues the
 //! seam, [`rim`] puts the edges of round holes on their [`circle`], [`refine`] divides
 //! triangles and keeps the geometry, [`coarsen`] meshes the plain liner anew with longer edges,
-//! [`quality`] measures, [`locate`] finds points. What can go wrong is an [`error`]; what can be
+//! [`flip`] makes a mesh Delaunay, [`quality`] measures, [`locate`] finds points. What can go wrong is an [`error`]; what can be
 //! wrong with triangles, a [`defect`].
 //!
 //! ```no_run
@@ -31,6 +31,7 @@ pub mod coarsen;
 pub mod defect;
 pub mod developed;
 pub mod error;
+pub mod flip;
 pub mod generate;
 pub mod gmsh;
 pub mod locate;
@@ -48,6 +49,7 @@ pub use coarsen::Coarser;
 pub use defect::Defect;
 pub use developed::Liner;
 pub use error::Error;
+pub use flip::Flipped;
 pub use locate::Locator;
 pub use mesh::Mesh;
 pub use quality::Quality;

@@ -1,6 +1,6 @@
 //! Coarser meshes of shipped, generated and refined liners: how many unknowns are left, and where.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -74,9 +74,9 @@ fn ratios(mesh: &Mesh, coarse: &Coarser) -> Vec<f64> {
 }
 
 /// Checks the coarser mesh of `mesh` and tells of it.
-fn check(name: &str, mesh: &Mesh, liner: &Liner) {
+fn check(name: &str, mesh: &Mesh, liner: &Liner, line: Option<f64>) {
     let started = Instant::now();
-    let coarse = coarser(mesh, liner, None, 2.0).unwrap_or_else(|| panic!("{name}: no coarser mesh"));
+    let coarse = coarser(mesh, liner, line, 2.0).unwrap_or_else(|| panic!("{name}: no coarser mesh"));
     let elapsed = started.elapsed();
     let fall = mesh.quadratic_nodes() as f64 / coarse.mesh.quadratic_nodes() as f64;
     let ratios = ratios(mesh, &coarse);
@@ -123,14 +123,14 @@ fn shipped_meshes() {
         "flexpde_ring_top.msh",
         "grooved_liner.msh",
     ] {
-        check(name, &shipped(name, &liner(None)), &liner(None));
+        check(name, &shipped(name, &liner(None)), &liner(None), None);
     }
     for name in [
         "flexpde_shell.msh",
         "flexpde_shell_meshed_hole.msh",
         "flexpde_study_size.msh",
     ] {
-        check(name, &shipped(name, &shell()), &shell());
+        check(name, &shipped(name, &shell()), &shell(), None);
     }
 }
 
@@ -167,11 +167,13 @@ fn generated_meshes_even_graded_and_refined() {
             };
             for size in [0.006, 0.003, 0.0015] {
                 let mesh = generate(&blueprint, &|_| size).unwrap();
-                check(&format!("{kind}, {size}"), &mesh, &liner);
+                check(&format!("{kind}, {size}"), &mesh, &liner, None);
                 let mesh = generate(&blueprint, &graded(4.0 * size)).unwrap();
-                check(&format!("{kind}, {size}, graded"), &mesh, &liner);
+                // Cut elsewhere than the finer ring.
+                let line = liner.arc.is_none().then_some(4.0);
+                check(&format!("{kind}, {size}, graded"), &mesh, &liner, line);
                 let mesh = generate(&blueprint, &|_| 2.0 * size).unwrap();
-                check(&format!("{kind}, {size}, refined"), &refined(mesh, 6), &liner);
+                check(&format!("{kind}, {size}, refined"), &refined(mesh, 6), &liner, None);
             }
         }
     }
@@ -198,6 +200,27 @@ fn parents_hold_the_centroids_or_are_nearest() {
         }
     }
     assert!(in_the_hole > 10, "{in_the_hole}");
+}
+
+#[test]
+fn cut_outs_are_filled_with_few_triangles() {
+    let blueprint = Blueprint {
+        liner: liner(None),
+        features: features(),
+        line: None,
+    };
+    let mesh = generate(&blueprint, &|_| 0.001).unwrap();
+    let coarse = coarser(&mesh, &liner(None), None, 2.0).unwrap().mesh;
+    let rim = mesh.region("hole").unwrap().edges.len() as f64;
+    let in_hole = |t: usize| {
+        let [x, z] = centroid(&coarse, t);
+        (x - RADIUS * 130f64.to_radians()).hypot(z) < 0.0085
+    };
+    let filled = (0..coarse.triangles().len()).filter(|&t| in_hole(t)).count() as f64;
+    // A disc of n edges h = 2 pi r/n around, filled with equilateral triangles of edge 2 h: pi r^2/(0.433 (2 h)^2).
+    let even = rim * rim / (16.0 * PI * 0.433);
+    println!("{filled} triangles in a hole with {rim} edges, {even:.0} of even size");
+    assert!(filled < 0.5 * even && filled > 0.5 * rim);
 }
 
 #[test]
