@@ -75,6 +75,7 @@ pub fn ends(mesh: &Mesh, length: f64, film_start: Option<f64>) -> Vec<SupplyRegi
         edges,
         cells: Vec::new(),
         disc: None,
+        film_fraction: None,
     };
     let mut regions: Vec<_> = ["end_low", "end_high"]
         .map(|name| {
@@ -110,7 +111,7 @@ pub fn plain_film(length: f64, eccentricity: f64, min_film_angle: f64, speed: f6
             end_pressure: 0.0,
         },
         journal,
-        film_thickness: vec![Box::new(Eccentricity {
+        film_thickness: vec![Arc::new(Eccentricity {
             radius: RADIUS,
             clearance: CLEARANCE,
         })],
@@ -119,7 +120,7 @@ pub fn plain_film(length: f64, eccentricity: f64, min_film_angle: f64, speed: f6
             pressure_law: PressureLaw::Constant,
         },
         form: Form::Conservative,
-        terms: vec![Box::new(Poiseuille), Box::new(Couette)],
+        terms: vec![Arc::new(Poiseuille), Arc::new(Couette)],
         cavitation: Cavitation::None,
     }
 }

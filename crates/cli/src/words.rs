@@ -23,9 +23,10 @@ const QUANTITIES: [(&str, &str); 18] = [
 ];
 
 /// Names of effects; what follows a colon is the model.
-const EFFECTS: [(&str, &str); 7] = [
+const EFFECTS: [(&str, &str); 11] = [
     ("poiseuille", "oil driven by the pressure gradient"),
     ("couette", "oil dragged along by the journal"),
+    ("squeeze", "oil pressed out as the journal's centre moves"),
     ("barus", "viscosity grows with pressure, mu0 exp(alpha p)"),
     (
         "barus: as-printed",
@@ -34,6 +35,15 @@ const EFFECTS: [(&str, &str); 7] = [
     ("groove depth", "the film is deeper there, its pressure is found"),
     ("roelands", "viscosity grows with a power of pressure in the exponent"),
     ("cavitation: guembel", "pressures below that of the cavity are dropped"),
+    (
+        "cavitation: reynolds",
+        "the film ends where pressure meets that of the cavity without a kink",
+    ),
+    (
+        "cavitation: jfo",
+        "oil is conserved, the cavity holds a film fraction that is carried along",
+    ),
+    ("equilibrium", "the position is found where the film carries the load"),
 ];
 
 /// What a quantity is.

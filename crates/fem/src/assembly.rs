@@ -12,7 +12,7 @@ use rayon::prelude::*;
 use crate::conservation_law::{ConservationLaw, Tangent};
 use crate::element::{Element, ElementKernel};
 use crate::sparsity::Sparsity;
-use crate::{Matrix, Space};
+use crate::{Matrix, Pattern, Space};
 
 /// Blocks of rows that are assembled independently.
 const RANGES: usize = 32;
@@ -21,7 +21,7 @@ const RANGES: usize = 32;
 #[derive(Debug)]
 pub struct Assembler {
     space: Space,
-    sparsity: Arc<Sparsity>,
+    sparsity: Sparsity,
     kernel: ElementKernel,
     ranges: Vec<VertexRange>,
 }
@@ -44,7 +44,7 @@ struct Owed {
 impl Assembler {
     /// With the quadrature rule that suits the degree of the space ([`crate::Quadrature::for_degree`]).
     pub fn new(space: Space) -> Self {
-        let sparsity = Arc::new(Sparsity::new(&space));
+        let sparsity = Sparsity::new(&space);
         let kernel = ElementKernel::new(space.degree());
         let ranges = vertex_ranges(&space, &sparsity);
         Self {
@@ -61,8 +61,8 @@ impl Assembler {
     }
 
     /// The pattern of tangents.
-    pub fn sparsity(&self) -> &Arc<Sparsity> {
-        &self.sparsity
+    pub fn pattern(&self) -> &Arc<Pattern> {
+        &self.sparsity.pattern
     }
 
     /// Residual of `law` at `u` (one value a dof).
@@ -164,7 +164,7 @@ fn vertex_ranges(space: &Space, sparsity: &Sparsity) -> Vec<VertexRange> {
             let rows = space.vertex_dof(from as u32)..space.vertex_dof(to as u32);
             VertexRange {
                 triangles: triangle_start[from] as usize..triangle_start[to] as usize,
-                entries: sparsity.row_start[rows.start] as usize..sparsity.row_start[rows.end] as usize,
+                entries: sparsity.pattern.row_start[rows.start] as usize..sparsity.pattern.row_start[rows.end] as usize,
                 rows,
             }
         })
@@ -260,7 +260,7 @@ pub(crate) mod tests {
         for degree in 1..=3 {
             let assembler = Assembler::new(Space::new(wavy_ring(9, 4), degree));
             let u = assembler.space().interpolate(|x| (0.7 * x[0]).sin() + x[1]);
-            let mut closed = Matrix::zero(assembler.sparsity().clone());
+            let mut closed = Matrix::zero(assembler.pattern().clone());
             let mut general = closed.clone();
             let r = assembler.tangent_and_residual(&Both(Tangent::Conduction), &u, &mut closed);
             let s = assembler.tangent_and_residual(&Both(Tangent::Symmetric), &u, &mut general);
@@ -275,7 +275,7 @@ pub(crate) mod tests {
         let assembler = Assembler::new(Space::new(wavy_ring(9, 4), 2));
         let u = assembler.space().interpolate(|x| 0.3 * (0.7 * x[0]).sin() + 0.1 * x[1]);
         let direction = assembler.space().interpolate(|x| (1.1 * x[0]).cos() * x[1]);
-        let mut matrix = Matrix::zero(assembler.sparsity().clone());
+        let mut matrix = Matrix::zero(assembler.pattern().clone());
         assembler.tangent_and_residual(&Nonlinear, &u, &mut matrix);
         let exact = matrix.multiply(&direction);
         let step = 1e-6;
@@ -307,7 +307,7 @@ pub(crate) mod tests {
         let on = |threads: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
             pool.install(|| {
-                let mut matrix = Matrix::zero(assembler.sparsity().clone());
+                let mut matrix = Matrix::zero(assembler.pattern().clone());
                 let residual = assembler.tangent_and_residual(&Nonlinear, &u, &mut matrix);
                 (residual, matrix.values)
             })

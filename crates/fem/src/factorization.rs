@@ -13,14 +13,13 @@ use faer::sparse::linalg::cholesky::{
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::{Conj, MatMut, Par, Side};
 
-use crate::sparsity::Sparsity;
-use crate::{Error, Matrix, Space, ordering};
+use crate::{Error, Matrix, Pattern, Space, ordering};
 
 /// The pattern of the Cholesky factor in the geometric elimination order.
 #[derive(Debug)]
 pub struct Analysis {
     symbolic: SymbolicCholesky<u32>,
-    sparsity: Arc<Sparsity>,
+    pattern: Arc<Pattern>,
 }
 
 impl Analysis {
@@ -28,21 +27,21 @@ impl Analysis {
     ///
     /// # Errors
     /// [`Error::TooLarge`] if the factor's indices or its memory do not fit.
-    pub fn new(space: &Space, sparsity: Arc<Sparsity>) -> Result<Self, Error> {
+    pub fn new(space: &Space, pattern: Arc<Pattern>) -> Result<Self, Error> {
         let order = ordering::elimination_order(space);
         let mut inverse = vec![0u32; order.len()];
         for (k, &dof) in order.iter().enumerate() {
             inverse[dof as usize] = k as u32;
         }
-        let n = sparsity.dimension();
+        let n = pattern.dimension();
         let symbolic = factorize_symbolic_cholesky(
-            pattern(&sparsity),
+            faer_pattern(&pattern),
             Side::Lower,
             SymmetricOrdering::Custom(PermRef::new_checked(&order, &inverse, n)),
             CholeskySymbolicParams::default(),
         )
         .map_err(|_| Error::TooLarge { unknowns: n })?;
-        Ok(Self { symbolic, sparsity })
+        Ok(Self { symbolic, pattern })
     }
 
     /// Entries of the Cholesky factor.
@@ -60,12 +59,12 @@ impl Analysis {
         let requirement = self
             .symbolic
             .factorize_numeric_llt_scratch::<f64>(Par::Seq, Default::default());
-        let unknowns = self.sparsity.dimension();
+        let unknowns = self.pattern.dimension();
         let mut memory = MemBuffer::try_new(requirement).map_err(|_| Error::TooLarge { unknowns })?;
         self.symbolic
             .factorize_numeric_llt(
                 &mut factor,
-                SparseColMatRef::new(pattern(&self.sparsity), &masked),
+                SparseColMatRef::new(faer_pattern(&self.pattern), &masked),
                 Side::Lower,
                 LltRegularization::default(),
                 Par::Seq,
@@ -114,13 +113,13 @@ impl Factorization {
 }
 
 /// The pattern as faer sees it: symmetric, so rows may be read as columns.
-fn pattern(sparsity: &Sparsity) -> SymbolicSparseColMatRef<'_, u32> {
-    let n = sparsity.dimension();
-    SymbolicSparseColMatRef::new_unsorted_checked(n, n, &sparsity.row_start, None, &sparsity.columns)
+fn faer_pattern(pattern: &Pattern) -> SymbolicSparseColMatRef<'_, u32> {
+    let n = pattern.dimension();
+    SymbolicSparseColMatRef::new_unsorted_checked(n, n, &pattern.row_start, None, &pattern.columns)
 }
 
 fn masked_values(matrix: &Matrix, fixed: &[bool]) -> Result<Vec<f64>, Error> {
-    let Sparsity { row_start, columns, .. } = &*matrix.sparsity;
+    let Pattern { row_start, columns } = &*matrix.pattern;
     let mut masked = matrix.values.clone();
     for (i, &row_fixed) in fixed.iter().enumerate() {
         for k in row_start[i] as usize..row_start[i + 1] as usize {

@@ -58,19 +58,24 @@ impl Field<'_> {
     /// The greatest value of the piecewise polynomial, between nodes too. Exact for degree 1 and 2;
     /// of a cubic only the nodes count. Not a number if a coefficient is not.
     pub fn maximum(&self) -> Extremum {
-        self.extremum(1.0)
+        self.extremum(1.0, &|_| true)
+    }
+
+    /// The greatest value of the polynomials of triangles that are `smooth`, and of nodes elsewhere.
+    pub fn maximum_where(&self, smooth: &dyn Fn(usize) -> bool) -> Extremum {
+        self.extremum(1.0, smooth)
     }
 
     /// The least value, likewise.
     pub fn minimum(&self) -> Extremum {
-        let negative = self.extremum(-1.0);
+        let negative = self.extremum(-1.0, &|_| true);
         Extremum {
             value: -negative.value,
             ..negative
         }
     }
 
-    fn extremum(&self, sign: f64) -> Extremum {
+    fn extremum(&self, sign: f64, smooth: &dyn Fn(usize) -> bool) -> Extremum {
         let mut best = Extremum {
             value: f64::NEG_INFINITY,
             triangle: 0,
@@ -91,7 +96,7 @@ impl Field<'_> {
             for (i, &node) in nodes.iter().enumerate() {
                 offer(values[i], node);
             }
-            if self.space.degree() == 2 && quadratic_bound(&values) > best.value {
+            if self.space.degree() == 2 && quadratic_bound(&values) > best.value && smooth(t) {
                 for point in quadratic_candidates(&values) {
                     let value = evaluate(2, &values, point);
                     if value > best.value {

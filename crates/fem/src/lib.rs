@@ -3,12 +3,14 @@
 //! Physics states a [`ConservationLaw`]: flux and source at a point. Reading order:
 //! [`lagrange`] and [`quadrature`] (the reference triangle), [`mapping`], [`space`] (degrees of
 //! freedom), [`field`] (functions), [`conservation_law`], [`element`] and [`assembly`] (the one
-//! element loop), [`sparsity`], [`ordering`], [`factorization`], [`newton`], [`linearisation`].
-//! [`transfer`](mod@transfer) carries a field to a refined mesh.
+//! element loop), [`sparsity`], [`ordering`], [`factorization`] and [`unsymmetric`], [`newton`], [`complementarity`] (obstacles), [`linearisation`].
+//! [`transfer`](mod@transfer) carries a field to a refined mesh. [`control_volumes`] is the sub-mesh of schemes of finite volumes.
 
 pub mod assembly;
+pub mod complementarity;
 pub mod conservation_law;
 pub mod constraints;
+pub mod control_volumes;
 pub mod dual;
 pub mod element;
 pub mod error;
@@ -20,20 +22,25 @@ pub mod mapping;
 pub mod matrix;
 pub mod newton;
 pub mod ordering;
+pub mod pattern;
 pub mod quadrature;
 pub mod space;
 pub mod sparsity;
 pub mod transfer;
+pub mod unsymmetric;
 
 pub use assembly::Assembler;
 pub use conservation_law::{ConservationLaw, Tangent};
 pub use constraints::Constraints;
+pub use control_volumes::ControlVolumes;
 pub use dual::Dual;
 pub use error::Error;
 pub use factorization::{Analysis, Factorization};
 pub use field::Field;
 pub use linearisation::Linearisation;
 pub use matrix::Matrix;
+pub use pattern::Pattern;
 pub use quadrature::Quadrature;
 pub use space::Space;
 pub use transfer::transfer;
+pub use unsymmetric::{UnsymmetricAnalysis, UnsymmetricFactorization};

@@ -1,27 +1,53 @@
 //! The factorised tangent at a solution.
 
-use crate::{Constraints, Error, Factorization, Matrix};
+use crate::{Constraints, Error, Factorization, Matrix, UnsymmetricFactorization};
 
 /// A residual above this fraction of the right-hand side is refined once, and refused after.
 const REFINE_ABOVE: f64 = 1e-12;
 const REFUSE_ABOVE: f64 = 1e-7;
 
-/// The tangent `dR/du` with the given dofs masked, and its Cholesky factor.
+/// The factors of a tangent.
+#[derive(Debug)]
+enum Factor {
+    Cholesky(Factorization),
+    Lu(UnsymmetricFactorization),
+}
+
+impl Factor {
+    fn solve(&self, x: &mut [f64], transposed: bool) -> Result<(), Error> {
+        match (self, transposed) {
+            (Self::Cholesky(factor), _) => factor.solve(x),
+            (Self::Lu(factor), false) => factor.solve(x),
+            (Self::Lu(factor), true) => factor.solve_transposed(x),
+        }
+    }
+}
+
+/// The tangent `dR/du` with the given dofs masked, and its factors.
 ///
 /// Its clients: the last Newton step, error estimates, equilibrium, dynamic coefficients.
 #[derive(Debug)]
 pub struct Linearisation {
     matrix: Matrix,
-    factorization: Factorization,
+    factor: Factor,
     constraints: Constraints,
 }
 
 impl Linearisation {
-    /// Joins a tangent and its factor.
+    /// Joins a symmetric tangent and its Cholesky factor.
     pub fn new(matrix: Matrix, factorization: Factorization, constraints: Constraints) -> Self {
         Self {
             matrix,
-            factorization,
+            factor: Factor::Cholesky(factorization),
+            constraints,
+        }
+    }
+
+    /// Joins an unsymmetric tangent and its LU factors.
+    pub fn unsymmetric(matrix: Matrix, factorization: UnsymmetricFactorization, constraints: Constraints) -> Self {
+        Self {
+            matrix,
+            factor: Factor::Lu(factorization),
             constraints,
         }
     }
@@ -48,20 +74,33 @@ impl Linearisation {
     /// # Errors
     /// [`Error::NotFinite`], or [`Error::Inaccurate`] if the residual stays above 1e-7 of `b`.
     pub fn solve(&self, b: &[f64]) -> Result<Vec<f64>, Error> {
+        self.refined(b, false)
+    }
+
+    /// Solves `(dR/du)^T x = b`, likewise.
+    ///
+    /// # Errors
+    /// As [`Linearisation::solve`].
+    pub fn solve_transposed(&self, b: &[f64]) -> Result<Vec<f64>, Error> {
+        self.refined(b, true)
+    }
+
+    fn refined(&self, b: &[f64], transposed: bool) -> Result<Vec<f64>, Error> {
         let b = self.masked(b.to_vec());
         let mut x = b.clone();
-        self.factorization.solve(&mut x)?;
+        self.factor.solve(&mut x, transposed)?;
         let size = self.constraints.free_norm(&b);
         if size == 0.0 {
             return Ok(x);
         }
-        let mut correction = self.residual(&b, &x);
-        if self.constraints.free_norm(&correction) > REFINE_ABOVE * size {
-            self.factorization.solve(&mut correction)?;
+        let mut correction = self.residual(&b, &x, transposed);
+        let left = self.constraints.free_norm(&correction);
+        if left.is_nan() || left > REFINE_ABOVE * size {
+            self.factor.solve(&mut correction, transposed)?;
             for (x, correction) in x.iter_mut().zip(&correction) {
                 *x += correction;
             }
-            let relative = self.constraints.free_norm(&self.residual(&b, &x)) / size;
+            let relative = self.constraints.free_norm(&self.residual(&b, &x, transposed)) / size;
             if relative.is_nan() || relative > REFUSE_ABOVE {
                 return Err(Error::Inaccurate { relative });
             }
@@ -69,16 +108,11 @@ impl Linearisation {
         Ok(x)
     }
 
-    /// Solves `(dR/du)^T x = b`; the tangents here are symmetric, so this is [`Linearisation::solve`].
-    ///
-    /// # Errors
-    /// As [`Linearisation::solve`].
-    pub fn solve_transposed(&self, b: &[f64]) -> Result<Vec<f64>, Error> {
-        self.solve(b)
-    }
-
-    fn residual(&self, b: &[f64], x: &[f64]) -> Vec<f64> {
-        let product = self.matrix.multiply(x);
+    fn residual(&self, b: &[f64], x: &[f64], transposed: bool) -> Vec<f64> {
+        let product = match (&self.factor, transposed) {
+            (Factor::Lu(_), true) => self.matrix.multiply_transposed(x),
+            _ => self.matrix.multiply(x),
+        };
         self.masked(b.iter().zip(product).map(|(b, y)| b - y).collect())
     }
 

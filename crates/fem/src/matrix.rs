@@ -4,31 +4,44 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
-use crate::sparsity::Sparsity;
+use crate::Pattern;
 
 /// Rows of a product that one task computes; fixed, so that threads do not change a bit.
 const ROWS_A_TASK: usize = 8192;
 
-/// Values on a [`Sparsity`].
+/// Values on a [`Pattern`].
 #[derive(Debug, Clone)]
 pub struct Matrix {
     /// The pattern.
-    pub sparsity: Arc<Sparsity>,
+    pub pattern: Arc<Pattern>,
     /// One value an entry.
     pub values: Vec<f64>,
 }
 
 impl Matrix {
     /// The zero matrix.
-    pub fn zero(sparsity: Arc<Sparsity>) -> Self {
-        let values = vec![0.0; sparsity.columns.len()];
-        Self { sparsity, values }
+    pub fn zero(pattern: Arc<Pattern>) -> Self {
+        let values = vec![0.0; pattern.columns.len()];
+        Self { pattern, values }
+    }
+
+    /// Entry `(i, i)`.
+    pub fn diagonal(&self, i: usize) -> f64 {
+        let place = self.pattern.row(i).find(|&k| self.pattern.columns[k] as usize == i);
+        place.map_or(0.0, |k| self.values[k])
+    }
+
+    /// Adds `value` to the entry `(i, i)`.
+    pub fn add_to_diagonal(&mut self, i: usize, value: f64) {
+        if let Some(k) = self.pattern.row(i).find(|&k| self.pattern.columns[k] as usize == i) {
+            self.values[k] += value;
+        }
     }
 
     /// `A x`.
     pub fn multiply(&self, x: &[f64]) -> Vec<f64> {
         let mut product = vec![0.0; x.len()];
-        let Sparsity { row_start, columns, .. } = &*self.sparsity;
+        let Pattern { row_start, columns } = &*self.pattern;
         product.par_chunks_mut(ROWS_A_TASK).enumerate().for_each(|(task, out)| {
             for (k, y) in out.iter_mut().enumerate() {
                 let i = task * ROWS_A_TASK + k;
@@ -40,6 +53,17 @@ impl Matrix {
                     .sum();
             }
         });
+        product
+    }
+
+    /// `A^T x`.
+    pub fn multiply_transposed(&self, x: &[f64]) -> Vec<f64> {
+        let mut product = vec![0.0; x.len()];
+        for (i, x) in x.iter().enumerate() {
+            for k in self.pattern.row(i) {
+                product[self.pattern.columns[k] as usize] += self.values[k] * x;
+            }
+        }
         product
     }
 }

@@ -23,6 +23,19 @@ pub struct HistoryStep {
     pub residual: f64,
     /// Fraction of the full step taken.
     pub damping: f64,
+    /// Dofs held at an obstacle.
+    pub active: usize,
+}
+
+impl HistoryStep {
+    /// A full step of an active-set iteration.
+    pub(crate) fn active(residual: f64, active: usize) -> Self {
+        Self {
+            residual,
+            damping: 1.0,
+            active,
+        }
+    }
 }
 
 /// Why an iteration ended without a solution.
@@ -41,6 +54,12 @@ pub enum Failure {
         /// What was tried.
         history: Vec<HistoryStep>,
     },
+    /// An active set came back.
+    #[error("the set of nodes in the cavity goes round in circles (after {} steps)", history.len())]
+    Cycling {
+        /// What was tried.
+        history: Vec<HistoryStep>,
+    },
     /// A linear system could not be solved.
     #[error(transparent)]
     Linear(#[from] Error),
@@ -50,7 +69,7 @@ impl Failure {
     /// What was tried.
     pub fn history(&self) -> &[HistoryStep] {
         match self {
-            Self::Stagnated { history } | Self::TooManySteps { history } => history,
+            Self::Stagnated { history } | Self::TooManySteps { history } | Self::Cycling { history } => history,
             Self::Linear(_) => &[],
         }
     }
@@ -83,7 +102,7 @@ pub struct Seconds {
 }
 
 impl Seconds {
-    fn time<T>(bucket: &mut f64, work: impl FnOnce() -> T) -> T {
+    pub(crate) fn time<T>(bucket: &mut f64, work: impl FnOnce() -> T) -> T {
         let start = std::time::Instant::now();
         let result = work();
         *bucket += start.elapsed().as_secs_f64();
@@ -108,7 +127,7 @@ pub fn solve(
     let linear = law.tangent() == Tangent::Conduction;
     let mut seconds = Seconds::default();
     let mut history = Vec::new();
-    let mut matrix = Matrix::zero(assembler.sparsity().clone());
+    let mut matrix = Matrix::zero(assembler.pattern().clone());
     let mut first_norm = None;
     while history.len() < MOST_STEPS {
         let residual = Seconds::time(&mut seconds.assemble, || {
@@ -130,7 +149,7 @@ pub fn solve(
             let reactions: Vec<f64> = residual.iter().zip(change).map(|(r, c)| r + c).collect();
             add(&mut u, 1.0, &step);
             let residual = constraints.free_norm(&reactions) / first;
-            history.push(HistoryStep { residual, damping: 1.0 });
+            history.push(HistoryStep::active(residual, 0));
             return Ok(Solution {
                 u,
                 reactions,
@@ -151,7 +170,11 @@ pub fn solve(
         };
         u = next;
         let residual = constraints.free_norm(&reactions) / first;
-        history.push(HistoryStep { residual, damping });
+        history.push(HistoryStep {
+            residual,
+            damping,
+            active: 0,
+        });
         if converged {
             return Ok(Solution {
                 u,

@@ -9,16 +9,16 @@
 //! Columns are not sorted. Where an edge stands among those of its ends, and a triangle among
 //! those of its corners, is stored once. Verified by `every_address_holds_its_column`.
 
-use crate::Space;
+use std::sync::Arc;
+
 use crate::lagrange::MOST_SHAPES;
+use crate::{Pattern, Space};
 
 /// Rows, columns and the ordinals from which addresses follow.
 #[derive(Debug)]
 pub struct Sparsity {
-    /// Entries of row `i` are `row_start[i]..row_start[i + 1]`.
-    pub row_start: Vec<u32>,
-    /// Column of each entry.
-    pub columns: Vec<u32>,
+    /// Rows and columns.
+    pub pattern: Arc<Pattern>,
     /// Place of each edge among the edges at its lesser and at its greater end.
     edge_places: Vec<[u32; 2]>,
     /// Place of each triangle among the triangles at its three corners.
@@ -48,20 +48,19 @@ impl Sparsity {
             .map(|corners| corners.map(|v| place(v, 1)))
             .collect();
         let mut sparsity = Self {
-            row_start: Vec::new(),
-            columns: Vec::new(),
+            pattern: Arc::new(Pattern {
+                row_start: Vec::new(),
+                columns: Vec::new(),
+            }),
             edge_places,
             triangle_places,
             valence,
         };
-        sparsity.row_start = sparsity.rows(space);
-        sparsity.columns = sparsity.fill_columns(space);
+        let row_start = sparsity.rows(space);
+        let mut columns = vec![0u32; row_start[row_start.len() - 1] as usize];
+        sparsity.fill_columns(space, &row_start, &mut columns);
+        sparsity.pattern = Arc::new(Pattern { row_start, columns });
         sparsity
-    }
-
-    /// Number of rows.
-    pub fn dimension(&self) -> usize {
-        self.row_start.len() - 1
     }
 
     fn rows(&self, space: &Space) -> Vec<u32> {
@@ -92,24 +91,25 @@ impl Sparsity {
     }
 
     /// Visits every element once; shared entries are written again with the same column.
-    fn fill_columns(&self, space: &Space) -> Vec<u32> {
-        let last = self.row_start[self.row_start.len() - 1];
-        let mut columns = vec![0u32; last as usize];
+    fn fill_columns(&self, space: &Space, row_start: &[u32], columns: &mut [u32]) {
         let n = space.shapes();
         for t in 0..space.mesh().triangles().len() {
             let dofs = space.element_dofs(t);
-            let addresses = self.addresses(space, t, &dofs);
+            let addresses = self.addresses_in(row_start, space, t, &dofs);
             for i in 0..n {
                 for j in 0..n {
                     columns[addresses[i][j] as usize] = dofs[j] as u32;
                 }
             }
         }
-        columns
     }
 
     /// Addresses of the element matrix of triangle `t` with the dofs `dofs`.
     pub fn addresses(&self, space: &Space, t: usize, dofs: &[usize; MOST_SHAPES]) -> Addresses {
+        self.addresses_in(&self.pattern.row_start, space, t, dofs)
+    }
+
+    fn addresses_in(&self, row_start: &[u32], space: &Space, t: usize, dofs: &[usize; MOST_SHAPES]) -> Addresses {
         let topology = space.mesh().topology();
         let triangle = space.mesh().triangles()[t];
         let edges = topology.triangle_edges[t];
@@ -119,7 +119,7 @@ impl Sparsity {
         let mut out = [[0u32; MOST_SHAPES]; MOST_SHAPES];
         for k in 0..3 {
             let (next, previous) = ((k + 1) % 3, (k + 2) % 3);
-            let row = self.row_start[dofs[k]];
+            let row = row_start[dofs[k]];
             let [edges_here, triangles_here] = self.valence[triangle[k] as usize];
             let place_of = |edge: u32| {
                 let end = usize::from(topology.edges[edge as usize][0] != triangle[k]);
@@ -148,7 +148,7 @@ impl Sparsity {
             let base = (2 + ne) as u32 + side * (1 + 2 * ne + nt) as u32;
             let lesser_first = triangle[k] < triangle[next];
             for i in 0..ne {
-                let row = self.row_start[dofs[3 + ne * k + i]];
+                let row = row_start[dofs[3 + ne * k + i]];
                 let target = &mut out[3 + ne * k + i];
                 target[k] = row + u32::from(!lesser_first);
                 target[next] = row + u32::from(lesser_first);
@@ -164,7 +164,7 @@ impl Sparsity {
             }
         }
         for i in 0..nt {
-            let row = self.row_start[dofs[3 + 3 * ne + i]];
+            let row = row_start[dofs[3 + 3 * ne + i]];
             let target = &mut out[3 + 3 * ne + i];
             for j in 0..space.shapes() {
                 target[j] = row + j as u32;
@@ -184,24 +184,24 @@ mod tests {
         for degree in 1..=3 {
             let space = Space::new(wavy_ring(7, 3), degree);
             let sparsity = Sparsity::new(&space);
-            let mut seen = vec![false; sparsity.columns.len()];
+            let Pattern { row_start, columns } = &*sparsity.pattern;
+            let mut seen = vec![false; columns.len()];
             for t in 0..space.mesh().triangles().len() {
                 let dofs = space.element_dofs(t);
                 let addresses = sparsity.addresses(&space, t, &dofs);
                 for i in 0..space.shapes() {
                     for j in 0..space.shapes() {
                         let address = addresses[i][j];
-                        let row = sparsity.row_start[dofs[i]]..sparsity.row_start[dofs[i] + 1];
+                        let row = row_start[dofs[i]]..row_start[dofs[i] + 1];
                         assert!(row.contains(&address));
-                        assert_eq!(sparsity.columns[address as usize], dofs[j] as u32);
+                        assert_eq!(columns[address as usize], dofs[j] as u32);
                         seen[address as usize] = true;
                     }
                 }
             }
             assert!(seen.iter().all(|&s| s), "P{degree}: an entry that no element uses");
-            for i in 0..sparsity.dimension() {
-                let mut row =
-                    sparsity.columns[sparsity.row_start[i] as usize..sparsity.row_start[i + 1] as usize].to_vec();
+            for i in 0..sparsity.pattern.dimension() {
+                let mut row = columns[row_start[i] as usize..row_start[i + 1] as usize].to_vec();
                 row.sort_unstable();
                 assert!(
                     row.windows(2).all(|pair| pair[0] < pair[1]),

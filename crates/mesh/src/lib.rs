@@ -9,8 +9,9 @@
 //! space-filling curve ([`numbering`]), with its edges ([`topology`]) and named sets of edges and
 //! cells ([`region`]). [`gmsh`] reads and writes files, [`developed`] unrolls them and glues the
 //! seam, [`rim`] puts the edges of round holes on their [`circle`], [`refine`] divides
-//! triangles and keeps the geometry, [`quality`] measures, [`locate`] finds points. What can go wrong is an [`error`]; what can be wrong with triangles, a
-//! [`defect`].
+//! triangles and keeps the geometry, [`coarsen`] meshes the plain liner anew with longer edges,
+//! [`quality`] measures, [`locate`] finds points. What can go wrong is an [`error`]; what can be
+//! wrong with triangles, a [`defect`].
 //!
 //! ```no_run
 //! use oilwedge_mesh::{Circle, Liner, Quality, developed, rim};
@@ -26,6 +27,7 @@
 
 mod build;
 pub mod circle;
+pub mod coarsen;
 pub mod defect;
 pub mod developed;
 pub mod error;
@@ -42,6 +44,7 @@ pub mod rim;
 pub mod topology;
 
 pub use circle::Circle;
+pub use coarsen::Coarser;
 pub use defect::Defect;
 pub use developed::Liner;
 pub use error::Error;

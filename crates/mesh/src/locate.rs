@@ -7,61 +7,117 @@ use crate::mesh::quadratic_tangents;
 /// A point this far outside a triangle, in reference coordinates, still counts as inside.
 const OUTSIDE: f64 = 1e-9;
 
-/// Finds points in a mesh by a grid of buckets, about one triangle each.
+/// Triangles in a lowest box, and boxes in one of the next level.
+const IN_A_BOX: usize = 4;
+
+/// Finds points in a mesh by boxes around its triangles: as these are numbered along a space-filling curve, a few
+/// with consecutive numbers fill a small box, a few consecutive boxes a larger one, up to one around all.
 #[derive(Debug, Clone)]
 pub struct Locator<'a> {
     mesh: &'a Mesh,
-    low: [f64; 2],
-    /// Size of a bucket [m].
-    size: [f64; 2],
-    counts: [usize; 2],
-    /// Triangles that may touch bucket `b` are `members[start[b]..start[b + 1]]`.
-    start: Vec<u32>,
-    members: Vec<u32>,
+    /// Around consecutive triangles; then, level by level, around consecutive boxes.
+    levels: Vec<Vec<Bounds>>,
+}
+
+/// A box with sides along the axes. On a ring its middle lies within the period from zero.
+#[derive(Debug, Clone, Copy)]
+struct Bounds {
+    /// Middle [m].
+    middle: [f64; 2],
+    /// Half of its width and of its height [m].
+    half: [f64; 2],
+}
+
+impl Bounds {
+    /// The box around triangle `t`, a little larger; a parabola stays in the triangle of its ends and of the point
+    /// twice as far out as its middle.
+    fn of_triangle(mesh: &Mesh, t: usize) -> Self {
+        let nodes = mesh.nodes(t);
+        let mut low = nodes[0];
+        let mut high = nodes[0];
+        for k in 0..3 {
+            let (a, b, middle) = (nodes[k], nodes[(k + 1) % 3], nodes[3 + k]);
+            for d in 0..2 {
+                let control = 2.0 * middle[d] - 0.5 * (a[d] + b[d]);
+                low[d] = low[d].min(b[d]).min(control);
+                high[d] = high[d].max(b[d]).max(control);
+            }
+        }
+        let margin = 10.0 * OUTSIDE * (high[0] - low[0] + high[1] - low[1]);
+        let middle = [0, 1].map(|d| 0.5 * (low[d] + high[d]));
+        Self {
+            middle: on_turn(middle, mesh.period()),
+            half: [0, 1].map(|d| 0.5 * (high[d] - low[d]) + margin),
+        }
+    }
+
+    /// The box around all of them; on a ring each at its shortest way from the first.
+    fn around(boxes: impl IntoIterator<Item = Self>, period: Option<f64>) -> Self {
+        let mut boxes = boxes.into_iter();
+        let first = boxes.next().unwrap_or(Self {
+            middle: [0.0; 2],
+            half: [0.0; 2],
+        });
+        let (mut low, mut high) = (first.half.map(|half| -half), first.half);
+        for other in boxes {
+            let off = turned(first.middle, other.middle, period);
+            for d in 0..2 {
+                low[d] = low[d].min(off[d] - other.half[d]);
+                high[d] = high[d].max(off[d] + other.half[d]);
+            }
+        }
+        let middle = [0, 1].map(|d| first.middle[d] + 0.5 * (low[d] + high[d]));
+        Self {
+            middle: on_turn(middle, period),
+            half: [0, 1].map(|d| 0.5 * (high[d] - low[d])),
+        }
+    }
+
+    /// Distance [m] of a point that lies on the same turn; zero inside.
+    fn distance(&self, point: [f64; 2], period: Option<f64>) -> f64 {
+        let off = turned(self.middle, point, period);
+        let out = [0, 1].map(|d| (off[d].abs() - self.half[d]).max(0.0));
+        if out == [0.0; 2] { 0.0 } else { out[0].hypot(out[1]) }
+    }
+}
+
+/// The same place with `x` from zero to the period.
+fn on_turn([x, z]: [f64; 2], period: Option<f64>) -> [f64; 2] {
+    [period.map_or(x, |period| x.rem_euclid(period)), z]
+}
+
+/// The way [m] from one place to another, on a ring the shorter one; both lie on the same turn.
+fn turned(from: [f64; 2], to: [f64; 2], period: Option<f64>) -> [f64; 2] {
+    let along = to[0] - from[0];
+    let along = match period {
+        Some(period) if along.abs() > 0.5 * period => along - period.copysign(along),
+        _ => along,
+    };
+    [along, to[1] - from[1]]
 }
 
 impl<'a> Locator<'a> {
-    /// Sorts the triangles of `mesh` into buckets.
+    /// Lays boxes around the triangles of `mesh`.
     pub fn new(mesh: &'a Mesh) -> Self {
+        let period = mesh.period();
         let cells = mesh.triangles().len();
-        let boxes: Vec<_> = (0..cells).map(|t| bounding_box(mesh, t)).collect();
-        let mut low = [f64::INFINITY; 2];
-        let mut high = [f64::NEG_INFINITY; 2];
-        for (from, to) in &boxes {
-            for k in 0..2 {
-                low[k] = low[k].min(from[k]);
-                high[k] = high[k].max(to[k]);
-            }
+        let mut level: Vec<Bounds> = (0..cells)
+            .step_by(IN_A_BOX)
+            .map(|first| {
+                let members = first..cells.min(first + IN_A_BOX);
+                Bounds::around(members.map(|t| Bounds::of_triangle(mesh, t)), period)
+            })
+            .collect();
+        let mut levels = Vec::new();
+        while level.len() > 1 {
+            let boxes = level.chunks(IN_A_BOX);
+            let next = boxes
+                .map(|members| Bounds::around(members.iter().copied(), period))
+                .collect();
+            levels.push(std::mem::replace(&mut level, next));
         }
-        if let Some(period) = mesh.period() {
-            high[0] = low[0] + period;
-        }
-        let extent = [high[0] - low[0], high[1] - low[1]];
-        let bucket = (extent[0] * extent[1] / cells as f64).sqrt();
-        let counts = extent.map(|extent| ((extent / bucket) as usize).clamp(1, cells));
-        let mut locator = Self {
-            mesh,
-            low,
-            size: [extent[0] / counts[0] as f64, extent[1] / counts[1] as f64],
-            counts,
-            start: vec![0; counts[0] * counts[1] + 1],
-            members: Vec::new(),
-        };
-        for span in &boxes {
-            locator.each_bucket(span, |locator, bucket| locator.start[bucket + 1] += 1);
-        }
-        for bucket in 0..counts[0] * counts[1] {
-            locator.start[bucket + 1] += locator.start[bucket];
-        }
-        locator.members = vec![0; locator.start[counts[0] * counts[1]] as usize];
-        let mut next = locator.start.clone();
-        for (t, span) in (0..).zip(&boxes) {
-            locator.each_bucket(span, |locator, bucket| {
-                locator.members[next[bucket] as usize] = t;
-                next[bucket] += 1;
-            });
-        }
-        locator
+        levels.push(level);
+        Self { mesh, levels }
     }
 
     /// The triangle at `(x, z)` [m] and the point in its reference coordinates `(xi, eta)` (corners
@@ -71,27 +127,105 @@ impl<'a> Locator<'a> {
         if !point.iter().all(|x| x.is_finite()) {
             return None;
         }
-        let mut from_low = [point[0] - self.low[0], point[1] - self.low[1]];
-        if let Some(period) = self.mesh.period() {
-            from_low[0] = from_low[0].rem_euclid(period);
-        }
-        let place = |k: usize| ((from_low[k] / self.size[k]).max(0.0) as usize).min(self.counts[k] - 1);
-        let bucket = place(0) + self.counts[0] * place(1);
-        let members = &self.members[self.start[bucket] as usize..self.start[bucket + 1] as usize];
         let mut best = (-OUTSIDE, None);
-        for &t in members {
-            let Some([xi, eta]) = self.invert(t as usize, point) else {
+        let mut open = vec![(0.0, self.levels.len() - 1, 0)];
+        while let Some((_, level, place)) = open.pop() {
+            if level > 0 {
+                self.open_box(point, level, place, 0.0, &mut open);
                 continue;
-            };
-            let inside = xi.min(eta).min(1.0 - xi - eta);
-            if inside >= 0.0 {
-                return Some((t as usize, [xi, eta]));
             }
-            if inside > best.0 {
-                best = (inside, Some((t as usize, [xi, eta])));
+            for t in self.members(place) {
+                let Some([xi, eta]) = self.invert(t, point) else {
+                    continue;
+                };
+                let inside = xi.min(eta).min(1.0 - xi - eta);
+                if inside >= 0.0 {
+                    return Some((t, [xi, eta]));
+                }
+                if inside > best.0 {
+                    best = (inside, Some((t, [xi, eta])));
+                }
             }
         }
         best.1
+    }
+
+    /// The triangle nearest to `(x, z)` [m] and the nearest point of it in its reference coordinates: what
+    /// [`Locator::find`] gives where it finds one; outside of the film (in a cut-out, beyond a rim) the
+    /// nearest point of the boundary. On a ring `x` counts modulo the period. None only if `point` is not finite.
+    pub fn nearest(&self, point: [f64; 2]) -> Option<(usize, [f64; 2])> {
+        if !point.iter().all(|x| x.is_finite()) {
+            return None;
+        }
+        let found = self.find(point);
+        if found.is_some() {
+            return found;
+        }
+        let mut best = (f64::INFINITY, None);
+        let mut open = vec![(0.0, self.levels.len() - 1, 0)];
+        while let Some((distance, level, place)) = open.pop() {
+            if distance >= best.0 && best.1.is_some() {
+                continue;
+            }
+            if level > 0 {
+                let before = open.len();
+                self.open_box(point, level, place, best.0, &mut open);
+                open[before..].sort_unstable_by(|a, b| b.0.total_cmp(&a.0));
+                continue;
+            }
+            for t in self.members(place) {
+                let (distance, at) = self.to_rim(t, point);
+                if distance < best.0 || best.1.is_none() {
+                    best = (distance, Some((t, at)));
+                }
+            }
+        }
+        best.1
+    }
+
+    /// Puts on the stack those boxes in a box that are no further than `reach` [m] from a point, the last one
+    /// first: distance, level, place.
+    fn open_box(&self, point: [f64; 2], level: usize, place: usize, reach: f64, open: &mut Vec<(f64, usize, usize)>) {
+        let period = self.mesh.period();
+        let point = on_turn(point, period);
+        let boxes = &self.levels[level - 1];
+        let members = place * IN_A_BOX..boxes.len().min((place + 1) * IN_A_BOX);
+        for member in members.rev() {
+            let distance = boxes[member].distance(point, period);
+            if distance <= reach {
+                open.push((distance, level - 1, member));
+            }
+        }
+    }
+
+    /// Triangles in a lowest box.
+    fn members(&self, place: usize) -> std::ops::Range<usize> {
+        place * IN_A_BOX..self.mesh.triangles().len().min((place + 1) * IN_A_BOX)
+    }
+
+    /// Distance [m] of a point from the edges of triangle `t`, and the nearest place on them in
+    /// reference coordinates.
+    fn to_rim(&self, t: usize, point: [f64; 2]) -> (f64, [f64; 2]) {
+        let nodes = self.mesh.nodes(t);
+        let to_edge = |k: usize| {
+            let (a, b, mid) = (nodes[k], nodes[(k + 1) % 3], nodes[3 + k]);
+            let middle = [0, 1].map(|d| 0.5 * (a[d] + b[d]));
+            let mut arm = [point[0] - middle[0], point[1] - middle[1]];
+            if let Some(period) = self.mesh.period() {
+                arm[0] = shorter_way(arm[0], period);
+            }
+            let half = [0, 1].map(|d| 0.5 * (b[d] - a[d]));
+            to_parabola(half, [0, 1].map(|d| mid[d] - middle[d]), arm)
+        };
+        let mut best = (f64::INFINITY, [0.0; 2]);
+        for k in 0..3 {
+            let (distance, along) = to_edge(k);
+            if distance < best.0 {
+                let s = 0.5 * (1.0 + along);
+                best = (distance, [[s, 0.0], [1.0 - s, s], [0.0, 1.0 - s]][k]);
+            }
+        }
+        best
     }
 
     /// Reference coordinates of a point in triangle `t`: directly if it is straight, else by Newton's method.
@@ -121,45 +255,36 @@ impl<'a> Locator<'a> {
         }
         None
     }
-
-    fn each_bucket(&mut self, (from, to): &([f64; 2], [f64; 2]), mut act: impl FnMut(&mut Self, usize)) {
-        let place = |k: usize, x: f64| ((x - self.low[k]) / self.size[k]).floor() as i64;
-        let columns = self.counts[0] as i64;
-        let rows = self.counts[1] as i64 - 1;
-        let (left, mut right) = (place(0, from[0]), place(0, to[0]));
-        let ring = self.mesh.period().is_some();
-        if ring {
-            right = right.min(left + columns - 1);
-        }
-        for row in place(1, from[1]).clamp(0, rows)..=place(1, to[1]).clamp(0, rows) {
-            for column in left..=right {
-                let column = if ring {
-                    column.rem_euclid(columns)
-                } else {
-                    column.clamp(0, columns - 1)
-                };
-                act(self, (column + columns * row) as usize);
-            }
-        }
-    }
 }
 
-/// Corners of a box around triangle `t`, a little larger; a parabola stays in the triangle of its
-/// ends and of the point twice as far out as its middle.
-fn bounding_box(mesh: &Mesh, t: usize) -> ([f64; 2], [f64; 2]) {
-    let nodes = mesh.nodes(t);
-    let mut low = nodes[0];
-    let mut high = nodes[0];
-    for k in 0..3 {
-        let (a, b, middle) = (nodes[k], nodes[(k + 1) % 3], nodes[3 + k]);
-        for d in 0..2 {
-            let control = 2.0 * middle[d] - 0.5 * (a[d] + b[d]);
-            low[d] = low[d].min(b[d]).min(control);
-            high[d] = high[d].max(b[d]).max(control);
-        }
+/// Distance [m] of `point` from the edge `s half + (1 - s^2) bulge`, `s` in [-1, 1], and the nearest `s`:
+/// directly if it is straight, else by the method of Gauss and Newton from the best of five.
+fn to_parabola(half: [f64; 2], bulge: [f64; 2], point: [f64; 2]) -> (f64, f64) {
+    let off = |s: f64| [0, 1].map(|d| point[d] - s * half[d] - (1.0 - s * s) * bulge[d]);
+    let distance = |s: f64| {
+        let [x, z] = off(s);
+        x.hypot(z)
+    };
+    let nearer = |best: (f64, f64), s: f64| if distance(s) < best.0 { (distance(s), s) } else { best };
+    let chord = ((point[0] * half[0] + point[1] * half[1]) / (half[0] * half[0] + half[1] * half[1])).clamp(-1.0, 1.0);
+    if bulge == [0.0; 2] {
+        return (distance(chord), chord);
     }
-    let margin = 10.0 * OUTSIDE * (high[0] - low[0] + high[1] - low[1]);
-    (low.map(|x| x - margin), high.map(|x| x + margin))
+    let mut best = [-1.0, -0.5, 0.0, 0.5, 1.0]
+        .into_iter()
+        .fold((distance(chord), chord), nearer);
+    for _ in 0..20 {
+        let s = best.1;
+        let tangent = [0, 1].map(|d| half[d] - 2.0 * s * bulge[d]);
+        let [x, z] = off(s);
+        let step = (x * tangent[0] + z * tangent[1]) / (tangent[0] * tangent[0] + tangent[1] * tangent[1]);
+        let next = nearer(best, (s + step).clamp(-1.0, 1.0));
+        if next.1 == s {
+            break;
+        }
+        best = next;
+    }
+    best
 }
 
 /// Coefficients of `target` in the basis of two tangents.
@@ -255,5 +380,73 @@ mod tests {
         // The curved edge of the first triangle bends into it.
         assert!(locator.find([1.0, 0.1]).is_none());
         assert!(locator.find([1.0, 0.16]).is_some());
+    }
+
+    /// The sheet without the triangles whose centroids lie in a window.
+    fn pierced(ring: bool, low: [f64; 2], high: [f64; 2]) -> Mesh {
+        let whole = sheet(24, 10, ring);
+        let mut raw = whole.to_raw();
+        raw.bulges.clear();
+        let inside = |t: usize| {
+            let corners = whole.corners(t);
+            let centre = [0, 1].map(|d| (corners[0][d] + corners[1][d] + corners[2][d]) / 3.0);
+            let turned = [centre[0], centre[0] - 24.0];
+            turned.iter().any(|x| low[0] < *x && *x < high[0]) && low[1] < centre[1] && centre[1] < high[1]
+        };
+        let kept = (0..raw.triangles.len()).filter(|&t| !inside(t));
+        raw.triangles = kept.map(|t| raw.triangles[t]).collect();
+        Mesh::build(raw).unwrap()
+    }
+
+    #[test]
+    fn nearest_is_nearest_in_cut_outs_and_beyond() {
+        // The second window lies across the seam of the ring.
+        for (ring, low, high) in [
+            (false, [5.5, 2.0], [15.5, 8.0]),
+            (true, [-3.5, 2.0], [4.5, 8.0]),
+            (true, [5.5, 2.0], [17.5, 8.0]),
+        ] {
+            let mesh = pierced(ring, low, high);
+            let locator = Locator::new(&mesh);
+            let mut outside = 0;
+            for (i, j) in (-40..300).flat_map(|i| (-30..130).map(move |j| (i, j))) {
+                let point = [f64::from(i) * 0.1 + 0.013, f64::from(j) * 0.1 + 0.017];
+                let (t, at) = locator.nearest(point).unwrap();
+                if let Some(found) = locator.find(point) {
+                    assert_eq!((t, at), found);
+                    continue;
+                }
+                outside += 1;
+                assert!(at[0].min(at[1]).min(1.0 - at[0] - at[1]) >= -1e-15, "{at:?}");
+                let (place, _) = quadratic_map(&mesh.nodes(t), at);
+                let along = if ring {
+                    shorter_way(place[0] - point[0], 24.0)
+                } else {
+                    place[0] - point[0]
+                };
+                let distance = along.hypot(place[1] - point[1]);
+                let least = (0..mesh.triangles().len()).map(|t| locator.to_rim(t, point).0);
+                let least = least.fold(f64::INFINITY, f64::min);
+                assert!(distance < least + 1e-12, "{point:?}: {distance} {least}");
+            }
+            assert!(outside > 5000, "{outside}");
+        }
+    }
+
+    #[test]
+    fn nearest_to_a_curved_rim_is_on_it() {
+        let mesh = sheet(9, 4, false);
+        let locator = Locator::new(&mesh);
+        // Below the first edge, from (0.5, 0) to (1.5, 0), which bends by 0.15: z = 0.6 s (1 - s).
+        for k in 0..50 {
+            let s = 0.1 + 0.8 * f64::from(k) / 50.0;
+            let normal = [0.6 * (1.0 - 2.0 * s), -1.0];
+            let point = [0.5 + s + 0.1 * normal[0], 0.6 * s * (1.0 - s) + 0.1 * normal[1]];
+            let (t, at) = locator.nearest(point).unwrap();
+            let (place, _) = quadratic_map(&mesh.nodes(t), at);
+            assert!((place[0] - 0.5 - s).abs() < 1e-6, "{s}: {place:?}");
+        }
+        assert!(locator.nearest([f64::MAX, -f64::MAX]).is_some());
+        assert!(locator.nearest([f64::NAN, 1.0]).is_none());
     }
 }

@@ -6,39 +6,86 @@ use oilwedge_fem::{ConservationLaw, Tangent};
 
 use crate::film_problem::{FilmProblem, Form};
 use crate::lubricant::Barus;
-use crate::{FilmFlow, FilmPoint};
+use crate::{FilmFlow, FilmPoint, JournalChange};
 
-/// The law of a [`FilmProblem`] with all motion of its journal scaled by a factor (continuation).
+/// The law of a [`FilmProblem`], or how it changes, to first order, where the journal moves.
 pub(crate) struct FilmLaw<'a> {
     problem: &'a FilmProblem,
-    /// Scales all motion of the journal.
+    /// Scales all motion of the journal (continuation).
     motion: f64,
+    change: Option<JournalChange>,
 }
+
+/// As many points as a law is asked for at once.
+pub(crate) type AtPoints<T> = [T; MOST_POINTS];
 
 impl<'a> FilmLaw<'a> {
     pub(crate) fn new(problem: &'a FilmProblem, motion: f64) -> Self {
-        Self { problem, motion }
+        Self {
+            problem,
+            motion,
+            change: None,
+        }
     }
 
-    fn flows(&self, cell: usize, positions: &[[f64; 2]]) -> [FilmFlow; MOST_POINTS] {
-        let mut film = [FilmPoint::default(); MOST_POINTS];
-        let film = &mut film[..positions.len()];
-        for contribution in &self.problem.film_thickness {
-            contribution.add(&self.problem.journal, cell, positions, film);
+    /// The first-order change of the law: a law itself, whose residual at a field is the change of the residual.
+    pub(crate) fn changed(problem: &'a FilmProblem, change: JournalChange) -> Self {
+        Self {
+            problem,
+            motion: 1.0,
+            change: Some(change),
         }
-        let velocity = self.problem.surface_velocity().map(|velocity| self.motion * velocity);
-        for point in film.iter_mut() {
+    }
+
+    /// Velocity [m/s] of the journal's surface.
+    pub(crate) fn velocity(&self) -> [f64; 2] {
+        self.problem.surface_velocity().map(|velocity| self.motion * velocity)
+    }
+
+    fn film(&self, cell: usize, positions: &[[f64; 2]]) -> AtPoints<FilmPoint> {
+        let mut film = [FilmPoint::default(); MOST_POINTS];
+        for contribution in &self.problem.film_thickness {
+            contribution.add(&self.problem.journal, cell, positions, &mut film[..positions.len()]);
+        }
+        let velocity = self.velocity();
+        for point in &mut film[..positions.len()] {
             point.viscosity = self.problem.lubricant.viscosity;
             point.velocity = velocity;
             point.rate *= self.motion;
         }
+        film
+    }
+
+    /// Film (or its change) and what flows (or the change of that) at `positions` in triangle `cell`.
+    pub(crate) fn film_and_flows(
+        &self,
+        cell: usize,
+        positions: &[[f64; 2]],
+    ) -> (AtPoints<FilmPoint>, AtPoints<FilmFlow>) {
+        let film = self.film(cell, positions);
         let mut flows = [FilmFlow::default(); MOST_POINTS];
+        let Some(change) = &self.change else {
+            for term in &self.problem.terms {
+                for (point, flow) in film[..positions.len()].iter().zip(&mut flows) {
+                    term.add(point, flow);
+                }
+            }
+            return (film, flows);
+        };
+        let mut moved = [FilmPoint::default(); MOST_POINTS];
+        for contribution in &self.problem.film_thickness {
+            contribution.vary(change, cell, positions, &mut moved[..positions.len()]);
+        }
         for term in &self.problem.terms {
-            for (point, flow) in film.iter().zip(&mut flows) {
-                term.add(point, flow);
+            for ((point, change), flow) in film[..positions.len()].iter().zip(&moved).zip(&mut flows) {
+                term.vary(point, change, flow);
             }
         }
-        flows
+        (moved, flows)
+    }
+
+    fn flows(&self, cell: usize, positions: &[[f64; 2]]) -> AtPoints<FilmFlow> {
+        self.film_and_flows(cell, positions).1
     }
 }
 

@@ -38,18 +38,22 @@
 pub mod analytical;
 pub mod bearing;
 pub mod cavitation;
+pub mod existence;
 mod film_law;
 pub mod film_point;
 pub mod film_problem;
 pub mod film_thickness;
 pub mod journal_state;
+pub mod levels;
 pub mod lubricant;
 pub mod quantities;
+mod solve;
 pub mod supply;
 pub mod terms;
 
 pub use bearing::Bearing;
 pub use cavitation::Cavitation;
+pub use existence::NoFilm;
 pub use film_point::{FilmFlow, FilmPoint};
-pub use film_problem::{FilmProblem, FilmSolution, FilmSystem, Form, NoFilm};
+pub use film_problem::{FilmProblem, FilmSolution, FilmSystem, Form};
 pub use journal_state::{JournalChange, JournalState};

@@ -8,6 +8,9 @@ use std::collections::HashMap;
 
 use oilwedge_fem::{Constraints, Space};
 use oilwedge_mesh::Mesh;
+use oilwedge_mesh::locate::Locator;
+
+use crate::Bearing;
 
 /// What kind of place a region of given pressure is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -44,6 +47,9 @@ pub struct SupplyRegion {
     pub cells: Vec<u32>,
     /// Its exact shape, where it is round.
     pub disc: Option<Disc>,
+    /// Film fraction of the oil that the journal carries in at a starved edge of an arc, where a mass-conserving
+    /// film finds its pressure; none where the edge is flooded.
+    pub film_fraction: Option<f64>,
 }
 
 /// Why the given pressures do not fit the mesh.
@@ -139,6 +145,72 @@ impl Supply {
             Ok(Self { regions, owner })
         } else {
             Err(errors)
+        }
+    }
+
+    /// The same given pressures on a coarser mesh of the liner, which has ends and lines of its own but no
+    /// feeds: those take the dofs that lie in them, one at least. None if the coarser mesh lacks a line.
+    pub(crate) fn on_coarser(&self, fine: &Space, coarse: &Space, bearing: &Bearing) -> Option<Self> {
+        let mut regions = self.regions.clone();
+        for region in &mut regions {
+            region.cells.clear();
+            region.edges = match (coarse.mesh().region(&region.name), region.place, region.edges.first()) {
+                (_, Place::Feed, _) | (_, _, None) => Vec::new(),
+                (Some(same), ..) => same.edges.clone(),
+                (None, _, Some(&edge)) => {
+                    let angle = fine.mesh().edge_nodes(edge)[0][0] / bearing.radius;
+                    line_at_angle(coarse.mesh(), bearing.radius, bearing.length, angle).ok()?
+                }
+            };
+        }
+        let mut owner = vec![None; coarse.dofs()];
+        for (index, region) in (0u16..).zip(&regions) {
+            for dof in region.edges.iter().flat_map(|&edge| coarse.dofs_on_edge(edge)) {
+                owner[dof] = Some(index);
+            }
+        }
+        self.sample_feeds(fine, coarse, &mut owner);
+        Some(Self { regions, owner })
+    }
+
+    fn sample_feeds(&self, fine: &Space, coarse: &Space, owner: &mut [Option<u16>]) {
+        let is_feed = |region: &u16| self.regions[usize::from(*region)].place == Place::Feed;
+        let feed_at = |dof: usize| self.owner[dof].filter(is_feed);
+        let locator = Locator::new(fine.mesh());
+        let positions = coarse.positions();
+        for (dof, &position) in positions.iter().enumerate() {
+            let inside = locator.find(position);
+            let Some((triangle, _)) = inside.or_else(|| locator.nearest(position)) else {
+                continue;
+            };
+            let mut owners = fine.element_dofs(triangle).into_iter().take(fine.shapes()).map(feed_at);
+            let feed = match inside {
+                // In a meshed feed all nodes of the triangle are its own.
+                Some(_) => owners
+                    .clone()
+                    .all(|feed| feed.is_some())
+                    .then(|| owners.next().flatten())
+                    .flatten(),
+                None => owners.flatten().next(),
+            };
+            owner[dof] = feed.or(owner[dof]);
+        }
+        let fine_positions = fine.positions();
+        for index in (0u16..)
+            .zip(&self.regions)
+            .filter(|(_, region)| region.place == Place::Feed)
+            .map(|(k, _)| k)
+        {
+            let first = (0..fine.dofs()).find(|&dof| self.owner[dof] == Some(index));
+            let Some(first) = first.filter(|_| !owner.contains(&Some(index))) else {
+                continue;
+            };
+            let target = fine_positions[first];
+            let distance = |dof: usize| (positions[dof][0] - target[0]).hypot(positions[dof][1] - target[1]);
+            let nearest = (0..coarse.dofs()).min_by(|&a, &b| distance(a).total_cmp(&distance(b)));
+            if let Some(nearest) = nearest {
+                owner[nearest] = Some(index);
+            }
         }
     }
 

@@ -8,6 +8,7 @@
 //! | terms | `terms` |
 //! | cavitation | `cavitation` |
 //! | supply | `supply` |
+//! | balances | the load of [`Study`] |
 //!
 //! What is simulated and what is not is written down here too, and opens every report.
 
@@ -21,7 +22,7 @@ use oilwedge_reynolds::film_problem::SystemError;
 use oilwedge_reynolds::film_thickness::{Eccentricity, FilmContribution, GrooveDepth};
 use oilwedge_reynolds::lubricant::{Barus, Lubricant, PressureLaw, Roelands};
 use oilwedge_reynolds::supply::{self as given, Disc, Place, SupplyError, SupplyRegion};
-use oilwedge_reynolds::terms::{Couette, Poiseuille, Term};
+use oilwedge_reynolds::terms::{Couette, Poiseuille, Squeeze, Term};
 use oilwedge_reynolds::{Bearing, Cavitation, FilmProblem, FilmSystem, Form, JournalState};
 
 use crate::liner_mesh::liner_mesh;
@@ -35,6 +36,9 @@ pub struct Study {
     pub problem: FilmProblem,
     /// The film: mesh, unknowns, given pressures.
     pub system: FilmSystem,
+    /// Force `(F cos, F sin)` on the journal [N] under which its position is found, from that of the problem;
+    /// `None` at a given position.
+    pub load: Option<[f64; 2]>,
     /// What is simulated and what is not.
     pub effects: Effects,
     /// Groups of the pockets that deepen the film.
@@ -130,7 +134,6 @@ pub fn compile(scene: &Scene) -> Result<Study, CompileError> {
         SystemError::Supply(faults) => unfit(scene, faults),
         SystemError::Fem(error) => error.into(),
     })?;
-    let order = start.elapsed().as_secs_f64();
     let problem = FilmProblem {
         bearing: bearing(scene),
         journal,
@@ -140,7 +143,13 @@ pub fn compile(scene: &Scene) -> Result<Study, CompileError> {
         terms: terms(scene),
         cavitation: cavitation(scene),
     };
+    let system = match problem.needs_start() {
+        true => system.with_coarser(&problem.bearing, &problem.film_thickness),
+        false => system,
+    };
+    let order = start.elapsed().as_secs_f64();
     Ok(Study {
+        load: scene.journal.load(),
         effects: effects(scene, &problem),
         problem,
         system,
@@ -166,18 +175,19 @@ fn bearing(scene: &Scene) -> Bearing {
     }
 }
 
+/// Where the journal is or, under a load, where the search for it begins.
 fn journal(scene: &Scene) -> JournalState {
-    let scene::Journal {
-        speed,
-        eccentricity,
-        min_film_angle,
-    } = scene.journal;
-    JournalState::at_eccentricity(eccentricity, min_film_angle, scene.bearing.clearance, speed)
+    let (eccentricity, angle) = scene.journal.start();
+    let state = JournalState::at_eccentricity(eccentricity, angle, scene.bearing.clearance, scene.journal.speed);
+    match scene.journal.motion() {
+        Some(squeeze) => state.with_squeeze(squeeze.radial, squeeze.tangential, angle),
+        None => state,
+    }
 }
 
 /// The clearance less the journal's offset, and the pockets that deepen it.
-fn film_thickness(scene: &Scene, mesh: &Mesh) -> Vec<Box<dyn FilmContribution>> {
-    let mut film: Vec<Box<dyn FilmContribution>> = vec![Box::new(Eccentricity {
+fn film_thickness(scene: &Scene, mesh: &Mesh) -> Vec<Arc<dyn FilmContribution>> {
+    let mut film: Vec<Arc<dyn FilmContribution>> = vec![Arc::new(Eccentricity {
         radius: scene.bearing.radius(),
         clearance: scene.bearing.clearance,
     })];
@@ -187,7 +197,7 @@ fn film_thickness(scene: &Scene, mesh: &Mesh) -> Vec<Box<dyn FilmContribution>> 
             for &cell in mesh.region(&feed.group).map_or(&[][..], |region| &region.cells) {
                 inside[cell as usize] = true;
             }
-            film.push(Box::new(GrooveDepth { depth, inside }));
+            film.push(Arc::new(GrooveDepth { depth, inside }));
         }
     }
     film
@@ -225,26 +235,30 @@ fn form(scene: &Scene) -> Form {
     }
 }
 
-/// A journal at rest drags no oil.
-fn terms(scene: &Scene) -> Vec<Box<dyn Term>> {
-    let mut terms: Vec<Box<dyn Term>> = vec![Box::new(Poiseuille)];
+/// A journal at rest drags no oil, and one whose centre rests squeezes none.
+fn terms(scene: &Scene) -> Vec<Arc<dyn Term>> {
+    let mut terms: Vec<Arc<dyn Term>> = vec![Arc::new(Poiseuille)];
     if scene.journal.speed != 0.0 {
-        terms.push(Box::new(Couette));
+        terms.push(Arc::new(Couette));
+    }
+    if scene.journal.motion().is_some() {
+        terms.push(Arc::new(Squeeze));
     }
     terms
 }
 
 fn cavitation(scene: &Scene) -> Cavitation {
-    match scene.cavitation {
-        Some(scene::Cavitation {
-            model: CavitationModel::Guembel,
-            pressure,
-        }) => Cavitation::Guembel { pressure },
-        Some(scene::Cavitation {
-            model: CavitationModel::None,
-            ..
-        })
-        | None => Cavitation::None,
+    let Some(scene::Cavitation { model, pressure }) = scene.cavitation else {
+        return Cavitation::None;
+    };
+    // Equal pressures in other units may differ in the last digit; the cavity is never above what is given.
+    let fed = scene.feeds.iter().filter_map(|feed| feed.pressure);
+    let cavity = fed.fold(pressure.min(scene.ends.pressure), f64::min);
+    match model {
+        CavitationModel::None => Cavitation::None,
+        CavitationModel::Guembel => Cavitation::Guembel { pressure },
+        CavitationModel::Reynolds => Cavitation::Reynolds { pressure: cavity },
+        CavitationModel::Jfo => Cavitation::Jfo { pressure: cavity },
     }
 }
 
@@ -300,6 +314,7 @@ fn supply(scene: &Scene, mesh: &Mesh) -> Result<Vec<SupplyRegion>, CompileError>
             edges: region.map_or(Vec::new(), |region| region.edges.clone()),
             cells: region.map_or(Vec::new(), |region| region.cells.clone()),
             disc: None,
+            film_fraction: None,
         }
     };
     let p_e = scene.ends.pressure;
@@ -368,17 +383,19 @@ fn effects(scene: &Scene, problem: &FilmProblem) -> Effects {
         Cavitation::None => not_simulated.push("cavitation".to_owned()),
         model => simulated.push(format!("cavitation: {}", model.name())),
     }
-    let never = [
-        "squeeze",
-        "misalignment",
-        "heat",
-        "elastic liner",
-        "roughness",
-        "turbulence",
-    ];
+    if scene.journal.load().is_some() {
+        simulated.push("equilibrium".to_owned());
+    }
+    if scene.journal.motion().is_none() {
+        not_simulated.push("squeeze".to_owned());
+    }
+    let never = ["misalignment", "heat", "elastic liner", "roughness", "turbulence"];
     not_simulated.extend(never.map(str::to_owned));
     Effects {
         simulated,
         not_simulated,
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -130,12 +130,20 @@ impl Dimension {
             ],
             Self::Force => &[
                 ("N", 1.0),
+                ("mN", 1e-3),
                 ("kN", 1e3),
                 ("MN", 1e6),
                 ("lbf", POUND_FORCE),
                 ("kgf", 9.806_65),
             ],
-            Self::Velocity => &[("m/s", 1.0), ("mm/s", 1e-3), ("um/s", 1e-6), ("km/h", 1.0 / 3.6)],
+            Self::Velocity => &[
+                ("m/s", 1.0),
+                ("cm/s", 1e-2),
+                ("mm/s", 1e-3),
+                ("um/s", 1e-6),
+                ("km/h", 1.0 / 3.6),
+                ("in/s", INCH),
+            ],
             Self::Ratio => &[("%", 1e-2), ("ppm", 1e-6)],
         }
     }

@@ -148,10 +148,10 @@ const LONGEST: f64 = 0.6;
 const SHORTEST: f64 = 0.01;
 
 /// Size [radii] that resolves the film at the angle `phi` [rad]: 0.65 of the film length `sqrt(2 h/(c eps))`,
-/// over which the thickness doubles at its minimum.
+/// over which the thickness doubles at its minimum. Under a load it is the film that the search begins with.
 fn film_scale(scene: &Scene, phi: f64) -> f64 {
-    let eccentricity = scene.journal.eccentricity;
-    let thickness = 1.0 - eccentricity * (phi - scene.journal.min_film_angle).cos();
+    let (eccentricity, min_film_angle) = scene.journal.start();
+    let thickness = 1.0 - eccentricity * (phi - min_film_angle).cos();
     (0.65 * (2.0 * thickness / eccentricity).sqrt()).clamp(SHORTEST, LONGEST)
 }
 

@@ -165,12 +165,6 @@ impl<'a> TableReader<'a> {
         Some(f64::NAN)
     }
 
-    /// A plain number that must be there.
-    pub(crate) fn number(&mut self, key: &'static str, example: &str) -> f64 {
-        self.require(key, example);
-        self.number_if_given(key, example).unwrap_or(f64::NAN)
-    }
-
     /// A plain number, if it is written.
     pub(crate) fn number_if_given(&mut self, key: &'static str, example: &str) -> Option<f64> {
         let value = match self.take(key)? {
@@ -219,13 +213,8 @@ impl<'a> TableReader<'a> {
         None
     }
 
-    /// One of a few words, if it is written; `later` are words of the contract that are not served yet.
-    pub(crate) fn word_if_given<T: Copy>(
-        &mut self,
-        key: &'static str,
-        words: &[(&str, T)],
-        later: &[&str],
-    ) -> Option<T> {
+    /// One of a few words, if it is written.
+    pub(crate) fn word_if_given<T: Copy>(&mut self, key: &'static str, words: &[(&str, T)]) -> Option<T> {
         let served = words
             .iter()
             .map(|(word, _)| format!("\"{word}\""))
@@ -235,14 +224,13 @@ impl<'a> TableReader<'a> {
         if let Some((_, value)) = words.iter().find(|(word, _)| *word == text) {
             return Some(*value);
         }
-        let help = format!("write {key} = {served}");
-        if later.contains(&text.as_str()) {
-            self.complain(key, format!("\"{text}\" is not served yet"), help);
-        } else {
-            let near = nearest(&text, words.iter().map(|(word, _)| *word).chain(later.iter().copied()));
-            let hint = near.map_or(String::new(), |word| format!("; did you mean \"{word}\"?"));
-            self.complain(key, format!("\"{text}\" is not known"), format!("{help}{hint}"));
-        }
+        let near = nearest(&text, words.iter().map(|(word, _)| *word));
+        let hint = near.map_or(String::new(), |word| format!("; did you mean \"{word}\"?"));
+        self.complain(
+            key,
+            format!("\"{text}\" is not known"),
+            format!("write {key} = {served}{hint}"),
+        );
         None
     }
 
@@ -334,7 +322,8 @@ impl<'a> TableReader<'a> {
         }
     }
 
-    fn require(&mut self, key: &'static str, example: &str) {
+    /// Asks for a key that must be there; `example` is its value as one would write it.
+    pub(crate) fn require(&mut self, key: &'static str, example: &str) {
         if !self.has(key) {
             self.missing.push((key, example.to_owned()));
         }

@@ -115,7 +115,7 @@ fn history(steps: &[newton::HistoryStep]) -> Vec<HistoryStep> {
         .map(|(step, entry)| HistoryStep {
             step,
             residual: entry.residual,
-            active: 0,
+            active: entry.active,
         })
         .collect()
 }

@@ -1,5 +1,9 @@
 //! A scene: everything a user says about one bearing, in SI. `Scene::read` is the only way to get one from a file.
 
+mod journal;
+
+pub use journal::{Journal, Position, Squeeze};
+
 use crate::complaint::{Complaint, SceneError};
 use crate::{schema, validate};
 use sha2::{Digest, Sha256};
@@ -144,17 +148,6 @@ pub struct Hole {
     pub z: f64,
 }
 
-/// The journal at a fixed position.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Journal {
-    /// Angular speed omega [rad/s]; positive towards growing angles.
-    pub speed: f64,
-    /// Eccentricity ratio eps = |e|/c, 0 <= eps < 1.
-    pub eccentricity: f64,
-    /// Angle of the thinnest film [rad]; 0 where the journal is centred and the scene gives none.
-    pub min_film_angle: f64,
-}
-
 /// The oil.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Oil {
@@ -220,6 +213,10 @@ pub enum CavitationModel {
     None,
     /// Pressures below the cavity pressure are dropped after the solve.
     Guembel,
+    /// Swift-Stieber: the pressure is nowhere below that of the cavity, and meets it without a kink.
+    Reynolds,
+    /// Jakobsson-Floberg-Olsson: oil is conserved; the cavity holds a film fraction that is carried along.
+    Jfo,
 }
 
 impl Scene {

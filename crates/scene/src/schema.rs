@@ -1,13 +1,14 @@
 //! The keys of a scene: which there are, what each means, and which are promised but not served yet.
 
 mod feed;
+mod journal;
 mod oil;
 
 pub use oil::ROELANDS_REFERENCE_PRESSURE;
 
 use crate::complaint::Complaint;
 use crate::reader::{Collector, Marks, TableReader};
-use crate::scene::{Arc, Bearing, Cavitation, CavitationModel, Ends, Journal, MeshSource, Scene};
+use crate::scene::{Arc, Bearing, Cavitation, CavitationModel, Ends, MeshSource, Scene};
 use crate::unit::{self, Dimension};
 use std::path::Path;
 use toml::de::DeTable;
@@ -26,6 +27,11 @@ fn scene(mut root: TableReader<'_>, path: &Path) -> Scene {
         path.file_stem()
             .map_or(String::new(), |stem| stem.to_string_lossy().into_owned())
     };
+    let journal_keys = match root.has("load") {
+        true => "[journal] with speed",
+        false => "[journal] with speed, eccentricity and min_film_angle",
+    };
+    let load = root.table_if_given("load");
     let scene = Scene {
         title: root
             .text_if_given("title", "Plain journal bearing")
@@ -37,15 +43,11 @@ fn scene(mut root: TableReader<'_>, path: &Path) -> Scene {
         // Open to the zero of all pressures unless said.
         ends: root.table_if_given("ends").map_or(Ends { pressure: 0.0 }, ends),
         feeds: root.tables("feed").into_iter().map(feed::read).collect(),
-        journal: journal(root.table("journal", "[journal] with speed, eccentricity and min_film_angle")),
+        journal: journal::read(root.table("journal", journal_keys), load),
         oil: oil::read(root.table("oil", "[oil] with viscosity = \"40 mPa.s\"")),
         cavitation: root.table_if_given("cavitation").and_then(cavitation),
         sha256: String::new(),
     };
-    root.not_served(
-        "load",
-        "give the position instead: [journal] with eccentricity and min_film_angle",
-    );
     root.not_served(
         "heat",
         "remove it; the oil has one temperature, that of the viscosity given",
@@ -113,30 +115,18 @@ fn ends(mut table: TableReader<'_>) -> Ends {
     Ends { pressure }
 }
 
-fn journal(mut table: TableReader<'_>) -> Journal {
-    let speed = table.quantity("speed", Dimension::Speed, "3000 rpm");
-    let eccentricity = table.number("eccentricity", "0.6");
-    let min_film_angle = match eccentricity == 0.0 {
-        true => table
-            .quantity_if_given("min_film_angle", Dimension::Angle, "180 deg")
-            .unwrap_or(0.0),
-        false => table.quantity("min_film_angle", Dimension::Angle, "180 deg"),
-    };
-    table.not_served("squeeze", "remove it; the journal stands still in its position");
-    table.finish();
-    Journal {
-        speed,
-        eccentricity,
-        min_film_angle,
-    }
-}
-
 fn cavitation(mut table: TableReader<'_>) -> Option<Cavitation> {
-    let models = [("none", CavitationModel::None), ("guembel", CavitationModel::Guembel)];
+    let models = [
+        ("none", CavitationModel::None),
+        ("guembel", CavitationModel::Guembel),
+        ("reynolds", CavitationModel::Reynolds),
+        ("jfo", CavitationModel::Jfo),
+    ];
     if !table.has("model") && table.is_readable() {
-        table.complain("model", "is missing", "write model = \"none\" or \"guembel\"");
+        let help = "write model = \"none\", \"guembel\", \"reynolds\" or \"jfo\"";
+        table.complain("model", "is missing", help);
     }
-    let model = table.word_if_given("model", &models, &["reynolds", "jfo"]);
+    let model = table.word_if_given("model", &models);
     let pressure = table
         .quantity_if_given("pressure", Dimension::Pressure, "0 bar")
         .unwrap_or(0.0);
@@ -164,7 +154,7 @@ oil = { viscosity = "0.4 Pa.s", barus = { alpha = "2.5e-8 1/Pa" } }
         Scene::parse(text, Path::new("scenes/study.toml"))
     }
 
-    fn told(from: &str, to: &str) -> Vec<Complaint> {
+    pub(in crate::schema) fn told(from: &str, to: &str) -> Vec<Complaint> {
         assert!(STUDY.contains(from), "{from}");
         match read(&STUDY.replacen(from, to, 1)) {
             Err(SceneError::Complaints { complaints, .. }) => complaints,
@@ -243,7 +233,7 @@ oil = { viscosity = "0.4 Pa.s", barus = { alpha = "2.5e-8 1/Pa" } }
         let told = told("speed", "colour");
         assert_eq!(told.len(), 2, "{told:?}");
         assert!(
-            told[1].help.ends_with("eccentricity, min_film_angle, speed"),
+            told[1].help.ends_with("eccentricity, min_film_angle, speed, squeeze"),
             "{told:?}"
         );
     }
@@ -267,16 +257,8 @@ oil = { viscosity = "0.4 Pa.s", barus = { alpha = "2.5e-8 1/Pa" } }
     fn keys_of_later_versions_are_refused_by_name() {
         let later = [
             ("unit = \"mm\"", "tolerance = \"0.1 %\"", "mesh.tolerance"),
-            ("speed = ", "squeeze = {}, speed = ", "journal.squeeze"),
-            ("title = ", "load = { force = \"5 kN\" }\ntitle = ", "load"),
             ("title = ", "heat = {}\ntitle = ", "heat"),
             ("title = ", "sweep = 5\ntitle = ", "sweep"),
-            (
-                "title = ",
-                "cavitation.model = \"reynolds\"\ntitle = ",
-                "cavitation.model",
-            ),
-            ("title = ", "cavitation.model = \"jfo\"\ntitle = ", "cavitation.model"),
         ];
         for (from, to, key) in later {
             let told = told(from, to);
@@ -286,6 +268,27 @@ oil = { viscosity = "0.4 Pa.s", barus = { alpha = "2.5e-8 1/Pa" } }
                 "{to}: {told:?}"
             );
         }
+    }
+
+    #[test]
+    fn every_model_of_cavitation_is_read() {
+        let models = [
+            ("none", CavitationModel::None),
+            ("guembel", CavitationModel::Guembel),
+            ("reynolds", CavitationModel::Reynolds),
+            ("jfo", CavitationModel::Jfo),
+        ];
+        for (name, model) in models {
+            let table = format!("cavitation = {{ model = \"{name}\", pressure = \"-0.5 bar\" }}\ntitle = ");
+            let scene = read(&STUDY.replacen("title = ", &table, 1)).expect("a scene");
+            let pressure = -0.5e5;
+            assert_eq!(scene.cavitation, Some(Cavitation { model, pressure }));
+        }
+        told_one(
+            "title = ",
+            "cavitation.model = \"reynold\"\ntitle = ",
+            "cavitation.model: \"reynold\" is not known",
+        );
     }
 
     #[test]

@@ -1,7 +1,7 @@
-//! A liner in words and drawn in letters: what `oilwedge check` understood.
+//! A liner and its load in words, and drawn in letters: what `oilwedge check` understood.
 
-use crate::scene::{Feed, Scene};
-use crate::wording::{degrees, millimetres};
+use crate::scene::{Feed, Journal, Position, Scene};
+use crate::wording::{degrees, millimetres, newtons};
 use oilwedge_mesh::{Locator, Mesh, Region};
 use oilwedge_reynolds::supply::{Place, Supply};
 
@@ -9,7 +9,7 @@ use oilwedge_reynolds::supply::{Place, Supply};
 const COLUMNS: usize = 72;
 const LINES: usize = 17;
 
-/// The liner of a scene in words, a line each.
+/// The liner of a scene, its feeds and its load in words, a line each.
 pub fn words(scene: &Scene) -> Vec<String> {
     let bearing = &scene.bearing;
     let extent = match bearing.arc {
@@ -28,7 +28,19 @@ pub fn words(scene: &Scene) -> Vec<String> {
     [size]
         .into_iter()
         .chain(scene.feeds.iter().map(feed_in_words))
+        .chain(load_in_words(&scene.journal))
         .collect()
+}
+
+fn load_in_words(journal: &Journal) -> Option<String> {
+    let Position::Load { force, angle } = journal.position else {
+        return None;
+    };
+    Some(format!(
+        "load of {} at {}; the position of the journal is found",
+        newtons(force),
+        degrees(angle)
+    ))
 }
 
 fn feed_in_words(feed: &Feed) -> String {

@@ -243,7 +243,15 @@ mod tests {
         close("2.5e-2 mm\u{b2} / N", InversePressure, 2.5e-8);
         close("25 1/GPa", InversePressure, 2.5e-8);
         close("5 kN", Force, 5_000.0);
+        close("5 MN", Force, 5e6);
+        close("5 mN", Force, 5e-3);
+        close("-1 lbf", Force, -4.448_221_615_260_5);
+        close("2 m/s", Velocity, 2.0);
+        close("2 mm/s", Velocity, 2e-3);
+        close("-2 mm s^-1", Velocity, -2e-3);
+        close("30 \u{b5}m/s", Velocity, 30e-6);
         close("36 km/h", Velocity, 10.0);
+        close("1 in/s", Velocity, 0.0254);
         close("0.1 %", Ratio, 1e-3);
         close("0.001", Ratio, 1e-3);
     }

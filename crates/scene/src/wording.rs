@@ -1,4 +1,4 @@
-//! Lengths and angles as sentences give them: six significant digits, no zeros at the end.
+//! Lengths, angles, pressures and forces as sentences give them: six significant digits, no zeros at the end.
 
 /// A length [m] in millimetres.
 pub(crate) fn millimetres(metres: f64) -> String {
@@ -8,6 +8,16 @@ pub(crate) fn millimetres(metres: f64) -> String {
 /// An angle [rad] in degrees.
 pub(crate) fn degrees(radians: f64) -> String {
     format!("{} deg", rounded(radians.to_degrees()))
+}
+
+/// A pressure [Pa] in bar.
+pub(crate) fn bars(pascals: f64) -> String {
+    format!("{} bar", rounded(1e-5 * pascals))
+}
+
+/// A force [N] in newtons.
+pub(crate) fn newtons(force: f64) -> String {
+    format!("{} N", rounded(force))
 }
 
 fn rounded(value: f64) -> f64 {
@@ -22,5 +32,7 @@ mod tests {
     fn no_digit_too_many() {
         assert_eq!(millimetres(0.05625), "56.25 mm");
         assert_eq!(degrees(130f64.to_radians()), "130 deg");
+        assert_eq!((bars(98_000.0), bars(-7e3)), ("0.98 bar".into(), "-0.07 bar".into()));
+        assert_eq!(newtons(5e3), "5000 N");
     }
 }

@@ -6,8 +6,13 @@ const SHELL: &str = "02_flexpde_shell";
 
 /// Scene 02 with one edit is refused, in these words, by `solve` and by `check`.
 fn refused(from: &str, to: &str, words: &[&str]) {
+    refused_with(&[(from, to)], words);
+}
+
+/// Scene 02 with these edits is refused, in these words, by `solve` and by `check`.
+fn refused_with(edits: &[(&str, &str)], words: &[&str]) {
     let bench = Bench::new();
-    bench.scene(SHELL, &[(from, to)]);
+    bench.scene(SHELL, edits);
     for verb in ["solve", "check"] {
         let told = bench.refuses(&[verb, "scene.toml", "--json"], words);
         assert!(told.stderr.contains("scene.toml"), "{}", told.stderr);
@@ -96,18 +101,115 @@ fn an_eccentricity_outside_its_range_is_refused() {
     );
 }
 
+/// The position of scene 02.
+const POSITION: &str = "eccentricity   = 0.6\nmin_film_angle = \"180 deg\"";
+
+#[test]
+fn a_position_is_given_or_found() {
+    let load = ("[oil]", "[load]\nforce = \"5 kN\"\nangle = \"270 deg\"\n[oil]");
+    let beside = "stands beside [load], but under a load the position is found";
+    let both = "remove eccentricity and min_film_angle from [journal], or remove [load]";
+    refused_with(&[load], &["scene.toml:25:18", "journal.eccentricity", beside, both]);
+    let angle = "remove min_film_angle from [journal], or remove [load]";
+    let edits = [load, ("eccentricity   = 0.6\n", "")];
+    refused_with(&edits, &["journal.min_film_angle", beside, angle]);
+    let words = [
+        "journal.eccentricity: is missing",
+        "eccentricity = 0.6 and min_film_angle = \"180 deg\"",
+        "or [load] with force = \"5 kN\" and angle = \"270 deg\"",
+    ];
+    refused(POSITION, "", &words);
+}
+
+#[test]
+fn a_load_outside_its_range_is_refused() {
+    let load = |keys: &str| format!("[load]\n{keys}\n");
+    let negative = load("force = \"-5 kN\"\nangle = \"270 deg\"");
+    let words = ["load.force: is negative", "-5 kN", "turn angle by 180 deg"];
+    refused(POSITION, &negative, &words);
+    let infinite = load("force = \"inf N\"\nangle = \"270 deg\"");
+    refused(
+        POSITION,
+        &infinite,
+        &["load.force", "\"inf N\"", "for example \"5 kN\""],
+    );
+    let bare = load("force = 5\nangle = \"270 deg\"");
+    let words = [
+        "load.force",
+        "a bare number has no unit; a force is wanted",
+        "N, mN, kN",
+    ];
+    refused(POSITION, &bare, &words);
+    let words = ["load.angle: is missing", "write for example angle = \"270 deg\""];
+    refused(POSITION, &load("force = \"5 kN\""), &words);
+}
+
+#[test]
+fn a_squeeze_without_a_direction_is_refused() {
+    let moving = "eccentricity = 0\nsqueeze = { radial = \"2 mm/s\" }";
+    let words = [
+        "journal.min_film_angle: is missing",
+        "write for example min_film_angle = \"180 deg\"",
+        "with eccentricity = 0 it says where the line of centres points",
+    ];
+    refused(POSITION, moving, &words);
+    let slow = "squeeze = { radial = \"2 mm\" }\neccentricity = 0.6";
+    let words = [
+        "journal.squeeze.radial",
+        "\"mm\" is a unit of length",
+        "a velocity is wanted",
+        "mm/s",
+    ];
+    refused("eccentricity   = 0.6", slow, &words);
+}
+
 #[test]
 fn keys_that_are_not_served_are_named() {
     let later = [
         ("file = ", "tolerance = \"0.1 %\"\nfile = ", "mesh.tolerance"),
-        ("[oil]", "[load]\nforce = \"5 kN\"\n[oil]", "load"),
         ("[oil]", "[heat]\n[oil]", "heat"),
         ("[oil]", "[sweep]\n[oil]", "sweep"),
-        ("[oil]", "[cavitation]\nmodel = \"jfo\"\n[oil]", "cavitation.model"),
     ];
     for (from, to, key) in later {
         refused(from, to, &[&format!("{key}: "), "is not served yet", "help: "]);
     }
+}
+
+#[test]
+fn a_cavity_must_leave_oil_at_the_supply() {
+    let cavity = "[cavitation]\nmodel = \"reynolds\"\npressure = \"1.5 bar\"\n[oil]";
+    let message = "cavitation.pressure: is 1.5 bar, above the 0.98 bar of ends.pressure: the oil there would be vapour";
+    refused(
+        "[oil]",
+        cavity,
+        &[message, "at most that of ends and feeds, or raise ends.pressure"],
+    );
+    let cavity = "[cavitation]\nmodel = \"jfo\"\npressure = \"2 bar\"\n[oil]";
+    let message = "above the 1.96 bar of feed[0].pressure (\"feed_hole\")";
+    refused(
+        "[oil]",
+        cavity,
+        &["for 2 reasons", message, "or raise feed[0].pressure"],
+    );
+}
+
+#[test]
+fn a_cavity_that_conserves_oil_needs_an_equation_and_a_journal_that_do() {
+    let jfo = ("[oil]", "[cavitation]\nmodel = \"jfo\"\n[oil]");
+    let words = [
+        "oil.barus.form",
+        "no balance of mass",
+        "cavitation.model = \"jfo\"",
+        "help: remove form",
+    ];
+    refused_with(&[jfo, ("1/Pa\"", "1/Pa\", form = \"as-printed\"")], &words);
+    let words = [
+        "cavitation.model",
+        "journal.speed is 0",
+        "film fraction is undetermined",
+        "take cavitation.model = \"reynolds\"",
+    ];
+    refused_with(&[jfo, ("\"10 rad/s\"", "\"0 rpm\"")], &words);
 }
 
 #[test]

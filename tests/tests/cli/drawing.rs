@@ -88,6 +88,25 @@ fn check_tells_and_draws_the_liner() {
 }
 
 #[test]
+fn check_tells_the_load_that_the_film_is_to_carry() {
+    let bench = Bench::new();
+    let position = "eccentricity = 0.6\nmin_film_angle = \"180 deg\"\n";
+    let load = "squeeze = { radial = \"2 mm/s\" }\n[load]\nforce = \"5 kN\"\nangle = \"270 deg\"\n";
+    bench.scene("01_plain_ring", &[(position, load)]);
+    let told = bench.run(&["check", "scene.toml"]);
+    assert_eq!(told.status, 0, "{}", told.stderr);
+    for part in [
+        "load of 5000 N at 270 deg; the position of the journal is found",
+        "squeeze",
+        "pressed out as the journal's centre moves",
+        "equilibrium",
+        "the position is found where the film carries the load",
+    ] {
+        assert!(told.stdout.contains(part), "{part}\n{}", told.stdout);
+    }
+}
+
+#[test]
 fn a_pocket_is_a_deeper_film() {
     let bench = Bench::new();
     let pocket = |depth: &str| {

@@ -89,7 +89,7 @@ fn curved_ring(n: u32) -> Arc<Mesh> {
 fn errors(degree: usize, n: u32) -> [f64; 2] {
     let assembler = Assembler::new(Space::new(curved_ring(n), degree));
     let space = assembler.space();
-    let analysis = Arc::new(Analysis::new(space, assembler.sparsity().clone()).unwrap());
+    let analysis = Arc::new(Analysis::new(space, assembler.pattern().clone()).unwrap());
     let mut constraints = Constraints::none(space.dofs());
     for (dof, position) in space.positions().into_iter().enumerate() {
         if position[1].abs() > 1.0 - 1e-12 {

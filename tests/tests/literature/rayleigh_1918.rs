@@ -55,6 +55,7 @@ fn step(depth: f64) -> (FilmProblem, FilmSystem) {
         edges: mesh.region(name).expect("a group of the mesh").edges.clone(),
         cells: Vec::new(),
         disc: None,
+        film_fraction: None,
     };
     let places = [
         ("end_low", Place::End),
@@ -64,7 +65,7 @@ fn step(depth: f64) -> (FilmProblem, FilmSystem) {
     ];
     let regions = places.map(region).into();
     let mut film = plain_film(length, 0.0, 0.0, SPEED);
-    film.film_thickness.push(Box::new(GrooveDepth { depth, inside }));
+    film.film_thickness.push(Arc::new(GrooveDepth { depth, inside }));
     let system = FilmSystem::new(Arc::new(mesh), 2, regions).expect("the mesh fits");
     (film, system)
 }

@@ -5,6 +5,10 @@
 //! | none (full Sommerfeld) | nothing: pressures may fall below zero | tension that oil does not bear |
 //! | Guembel (half Sommerfeld) | drops pressures below p_cav after the solve | oil appears and vanishes at the edge of the film |
 
+pub mod jfo;
+
+pub use jfo::FilmFraction;
+
 /// The closure.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Cavitation {
@@ -33,6 +37,14 @@ impl Cavitation {
         match *self {
             Self::None | Self::Reynolds { .. } | Self::Jfo { .. } => p,
             Self::Guembel { pressure } => p.max(pressure),
+        }
+    }
+
+    /// The cavitation pressure [Pa gauge], if the model has one.
+    pub fn pressure(&self) -> Option<f64> {
+        match *self {
+            Self::None => None,
+            Self::Guembel { pressure } | Self::Reynolds { pressure } | Self::Jfo { pressure } => Some(pressure),
         }
     }
 

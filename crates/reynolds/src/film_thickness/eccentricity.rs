@@ -13,6 +13,8 @@
 //! **Source.** Hamrock, Schmid, Jacobson, Fundamentals of Fluid Film Lubrication (2004), ch. 10.
 //! **Range.** |e| < c << R. **Verified by** `slope_and_variation_are_derivatives` and every bearing solved.
 
+use std::sync::Arc;
+
 use super::FilmContribution;
 use crate::journal_state::JournalChange;
 use crate::{FilmPoint, JournalState};
@@ -49,8 +51,8 @@ impl FilmContribution for Eccentricity {
         }
     }
 
-    fn carried(&self, _parents: &[u32]) -> Box<dyn FilmContribution> {
-        Box::new(*self)
+    fn carried(&self, _parents: &[u32]) -> Arc<dyn FilmContribution> {
+        Arc::new(*self)
     }
 }
 

@@ -11,6 +11,8 @@
 //! **Range.** d of the order of h: in a much deeper groove the pressure is nearly even and inertia counts.
 //! **Verified by** `literature/rayleigh_1918`.
 
+use std::sync::Arc;
+
 use super::FilmContribution;
 use crate::{FilmPoint, JournalState};
 
@@ -32,8 +34,8 @@ impl FilmContribution for GrooveDepth {
         }
     }
 
-    fn carried(&self, parents: &[u32]) -> Box<dyn FilmContribution> {
-        Box::new(Self {
+    fn carried(&self, parents: &[u32]) -> Arc<dyn FilmContribution> {
+        Arc::new(Self {
             depth: self.depth,
             inside: parents.iter().map(|&parent| self.inside[parent as usize]).collect(),
         })

@@ -259,6 +259,7 @@ mod tests {
             edges: mesh.region("hole").unwrap().edges.clone(),
             cells: Vec::new(),
             disc: None,
+            film_fraction: None,
         };
         let (disc, rim) = (disc_moments(&hole, 0.7), rim_moments(&mesh, &region, 0.7));
         for k in 0..3 {

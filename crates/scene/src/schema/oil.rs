@@ -33,7 +33,7 @@ fn barus(mut table: TableReader<'_>) -> PressureLaw {
         ("conservative", BarusForm::Conservative),
         ("as-printed", BarusForm::AsPrinted),
     ];
-    let form = table.word_if_given("form", &forms, &[]).unwrap_or_default();
+    let form = table.word_if_given("form", &forms).unwrap_or_default();
     table.finish();
     PressureLaw::Barus { alpha, form }
 }

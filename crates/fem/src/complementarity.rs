@@ -1,0 +1,220 @@
+//! Obstacle problems: `u >= value` at some dofs, by an active set with exact tangents.
+//!
+//! `u_i >= value`, `R_i(u) >= 0`, one of the two an equality, at each candidate dof; `R_i = 0` at the others. A
+//! step holds the contact set at the obstacle, solves the law on the rest, and lets go or takes in every
+//! dof of the wrong sign (Hintermueller, Ito, Kunisch, SIAM J. Optim. 13 (2003) 865: a semismooth Newton method).
+//! A set that comes back would come back for ever: single exchanges follow then, of which a
+//! positive definite matrix needs finitely many (Murty, Linear Algebra Appl. 7 (1974) 65; Judice and Pires,
+//! Comput. Oper. Res. 21 (1994) 587), until fewer signs are wrong than ever before.
+
+use std::collections::HashSet;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::sync::Arc;
+
+use crate::conservation_law::{ConservationLaw, Tangent};
+use crate::newton::{Failure, HistoryStep, STEP_TOLERANCE, Seconds, Solution};
+use crate::{Analysis, Assembler, Constraints, Error, Linearisation, Matrix};
+
+/// Most steps of one solve.
+const MOST_STEPS: usize = 400;
+/// A sign is wrong by more than this part of what is natural at the dof.
+const SIGN_TOLERANCE: f64 = 1e-12;
+
+/// What the solution must not fall below, and where that is asked.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Obstacle {
+    /// The least value.
+    pub value: f64,
+    /// True for the dofs at which it is asked; others follow freely.
+    pub candidates: Vec<bool>,
+}
+
+impl Obstacle {
+    /// An obstacle for quadratic elements: asked at the middles of edges. Functions of vertices have no mean, so a
+    /// multiplier there has no sign (Brezzi, Hager, Raviart, Numer. Math. 28 (1977) 431).
+    pub fn at_midpoints(space: &crate::Space, value: f64) -> Self {
+        let mut candidates = vec![false; space.dofs()];
+        for edge in 0..space.mesh().topology().edges.len() as u32 {
+            candidates[space.edge_dof(edge)] = true;
+        }
+        Self { value, candidates }
+    }
+}
+
+/// Where to start from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Start {
+    /// One value a dof.
+    pub u: Vec<f64>,
+    /// Dofs taken to be in contact.
+    pub held: Vec<bool>,
+}
+
+/// A solution and the dofs held at the obstacle.
+#[derive(Debug)]
+pub struct Contact {
+    /// The solution; its linearisation has the contact set fixed.
+    pub solution: Solution,
+    /// True for each dof held at the obstacle.
+    pub held: Vec<bool>,
+}
+
+/// Solves the obstacle problem from `start`. `scale` is a
+/// natural size of `u`. Given dofs are never in contact. A linear law is assembled once.
+///
+/// # Errors
+/// [`Failure`] with the history.
+pub fn solve(
+    assembler: &Assembler,
+    analysis: &Arc<Analysis>,
+    law: &dyn ConservationLaw,
+    constraints: &Constraints,
+    obstacle: &Obstacle,
+    scale: f64,
+    start: Start,
+) -> Result<Contact, Failure> {
+    let Start { mut u, mut held } = start;
+    for (i, held) in held.iter_mut().enumerate() {
+        *held &= obstacle.candidates[i] && !constraints.fixed[i];
+    }
+    let linear = law.tangent() == Tangent::Conduction;
+    let mut seconds = Seconds::default();
+    let mut history: Vec<HistoryStep> = Vec::new();
+    let mut exchange = Exchange::default();
+    let mut masked = with_contact(constraints, obstacle, &held);
+    masked.impose(&mut u);
+    let mut matrix = Matrix::zero(assembler.pattern().clone());
+    let mut residual = Seconds::time(&mut seconds.assemble, || {
+        assembler.tangent_and_residual(law, &u, &mut matrix)
+    });
+    let first = match masked.free_norm(&residual) {
+        norm if !norm.is_finite() => return Err(Error::NotFinite { what: "residual" }.into()),
+        norm if norm > 0.0 => norm,
+        _ => 1.0,
+    };
+    while history.len() < MOST_STEPS {
+        let factorization = Seconds::time(&mut seconds.factorise, || analysis.factorise(&matrix, &masked.fixed))?;
+        let linearisation = Linearisation::new(matrix, factorization, masked);
+        let minus: Vec<f64> = residual.iter().map(|r| -r).collect();
+        let step = Seconds::time(&mut seconds.solve, || linearisation.solve(&minus))?;
+        for (u, step) in u.iter_mut().zip(&step) {
+            *u += step;
+        }
+        // What the tangent says of the reactions; exact for a linear law.
+        let change = Seconds::time(&mut seconds.solve, || linearisation.matrix().multiply(&step));
+        let reactions: Vec<f64> = residual.iter().zip(&change).map(|(r, c)| r + c).collect();
+        let settled = linear || largest(&step) <= STEP_TOLERANCE * largest(&u).max(scale);
+        let wrong = wrong_signs(
+            constraints,
+            obstacle,
+            &held,
+            &u,
+            &reactions,
+            linearisation.matrix(),
+            scale,
+        );
+        if wrong.is_empty() && settled {
+            let left = match linear {
+                true => reactions,
+                false => assembler.residual(law, &u),
+            };
+            let left_norm = linearisation.constraints().free_norm(&left) / first;
+            history.push(HistoryStep::active(left_norm, count(&held)));
+            let solution = Solution {
+                u,
+                reactions: left,
+                linearisation,
+                history,
+                seconds,
+            };
+            return Ok(Contact { solution, held });
+        }
+        exchange.apply(&wrong, &mut held);
+        masked = with_contact(constraints, obstacle, &held);
+        let before = u.clone();
+        masked.impose(&mut u);
+        matrix = linearisation.into_matrix();
+        residual = match linear {
+            true => Seconds::time(&mut seconds.solve, || {
+                let jump: Vec<f64> = u.iter().zip(&before).map(|(u, before)| u - before).collect();
+                let change = matrix.multiply(&jump);
+                reactions.iter().zip(change).map(|(r, c)| r + c).collect()
+            }),
+            false => Seconds::time(&mut seconds.assemble, || {
+                assembler.tangent_and_residual(law, &u, &mut matrix)
+            }),
+        };
+        let norm = masked.free_norm(&residual) / first;
+        if !norm.is_finite() {
+            return Err(Error::NotFinite { what: "residual" }.into());
+        }
+        history.push(HistoryStep::active(norm, count(&held)));
+    }
+    Err(Failure::TooManySteps { history })
+}
+
+/// Which dofs change sides, with a memory against going round in circles.
+#[derive(Debug, Default)]
+struct Exchange {
+    seen: HashSet<u64>,
+    fewest: Option<usize>,
+    single: bool,
+}
+
+impl Exchange {
+    fn apply(&mut self, wrong: &[usize], held: &mut [bool]) {
+        let fewest = self.fewest.get_or_insert(usize::MAX);
+        if wrong.len() < *fewest {
+            *fewest = wrong.len();
+            self.single = false;
+        }
+        let mut hasher = DefaultHasher::new();
+        held.hash(&mut hasher);
+        if !self.seen.insert(hasher.finish()) && !wrong.is_empty() {
+            self.single = true;
+        }
+        let chosen = match self.single {
+            true => &wrong[wrong.len().saturating_sub(1)..],
+            false => wrong,
+        };
+        for &dof in chosen {
+            held[dof] = !held[dof];
+        }
+    }
+}
+
+/// Dofs below the obstacle, and held dofs that the obstacle would have to pull down.
+fn wrong_signs(
+    constraints: &Constraints,
+    obstacle: &Obstacle,
+    held: &[bool],
+    u: &[f64],
+    reactions: &[f64],
+    matrix: &Matrix,
+    scale: f64,
+) -> Vec<usize> {
+    let natural = SIGN_TOLERANCE * scale.max(largest(u));
+    (0..u.len())
+        .filter(|&i| obstacle.candidates[i] && !constraints.fixed[i])
+        .filter(|&i| match held[i] {
+            true => reactions[i] < -natural * matrix.diagonal(i),
+            false => u[i] < obstacle.value - natural,
+        })
+        .collect()
+}
+
+fn with_contact(constraints: &Constraints, obstacle: &Obstacle, held: &[bool]) -> Constraints {
+    let mut masked = constraints.clone();
+    for (dof, _) in held.iter().enumerate().filter(|(_, held)| **held) {
+        masked.fix(dof, obstacle.value);
+    }
+    masked
+}
+
+fn count(held: &[bool]) -> usize {
+    held.iter().filter(|held| **held).count()
+}
+
+fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |m, v| m.max(v.abs()))
+}

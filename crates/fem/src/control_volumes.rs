@@ -1,0 +1,167 @@
+//! Median dual cells on the linear sub-mesh of quadratic triangles, for schemes of finite volumes.
+//!
+//! ```text
+//!        2
+//!       / \          each triangle is four on its six nodes: (0 3 5) (3 1 4) (5 4 2) (3 4 5),
+//!      5---4         with straight sides between them; a node's cell is bounded by the lines from the
+//!     / \ / \        middles of the sides to the centroids.
+//!    0---3---1
+//! ```
+
+use std::sync::Arc;
+
+use crate::{Error, Pattern, Space, UnsymmetricAnalysis};
+
+/// The four sub-triangles of a triangle, by its local nodes, counter-clockwise.
+pub const SUB_TRIANGLES: [[usize; 3]; 4] = [[0, 3, 5], [3, 1, 4], [5, 4, 2], [3, 4, 5]];
+
+/// The sub-mesh of a space of quadratic elements and the pattern of couplings between its nodes.
+#[derive(Debug)]
+pub struct ControlVolumes {
+    /// Dofs at the corners of each sub-triangle; those of triangle `t` are `4 t` to `4 t + 3`.
+    pub triangles: Vec<[u32; 3]>,
+    /// Address of entry `[row][column]` of each sub-triangle's matrix.
+    pub addresses: Vec<[[u32; 3]; 3]>,
+    /// The pattern, columns ascending.
+    pub pattern: Arc<Pattern>,
+    /// The pattern of the LU factors.
+    pub analysis: Arc<UnsymmetricAnalysis>,
+    /// Pieces of the boundary that bound a dof's cell.
+    pub faces: Vec<BoundaryFace>,
+}
+
+/// A piece of the boundary at a node.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BoundaryFace {
+    /// The dof.
+    pub dof: usize,
+    /// Its triangle.
+    pub cell: usize,
+    /// The middle of the piece [m].
+    pub middle: [f64; 2],
+    /// Outward normal times length [m].
+    pub normal: [f64; 2],
+}
+
+impl ControlVolumes {
+    /// The sub-mesh of `space`, whose degree must be two.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`] if the factor's indices do not fit in memory.
+    pub fn new(space: &Space) -> Result<Self, Error> {
+        let triangles: Vec<[u32; 3]> = (0..space.mesh().triangles().len())
+            .flat_map(|t| {
+                let dofs = space.element_dofs(t);
+                SUB_TRIANGLES.map(|nodes| nodes.map(|node| dofs[node] as u32))
+            })
+            .collect();
+        let pattern = Arc::new(pattern(space.dofs(), &triangles));
+        let find = |i: u32, j: u32| {
+            let row = pattern.row(i as usize);
+            let place = pattern.columns[row.clone()].binary_search(&j).unwrap_or(0);
+            (row.start + place) as u32
+        };
+        let addresses = triangles
+            .iter()
+            .map(|nodes| nodes.map(|i| nodes.map(|j| find(i, j))))
+            .collect();
+        Ok(Self {
+            addresses,
+            analysis: Arc::new(UnsymmetricAnalysis::new(pattern.clone())?),
+            pattern,
+            triangles,
+            faces: boundary_faces(space),
+        })
+    }
+}
+
+/// Every node with itself and its neighbours, ascending.
+fn pattern(dofs: usize, triangles: &[[u32; 3]]) -> Pattern {
+    let mut count = vec![0u32; dofs + 1];
+    for nodes in triangles {
+        for &node in nodes {
+            count[node as usize + 1] += 2;
+        }
+    }
+    for i in 0..dofs {
+        count[i + 1] += count[i];
+    }
+    let mut next = count.clone();
+    let mut mentions = vec![0u32; count[dofs] as usize];
+    for nodes in triangles {
+        for k in 0..3 {
+            for other in [nodes[(k + 1) % 3], nodes[(k + 2) % 3]] {
+                let slot = &mut next[nodes[k] as usize];
+                mentions[*slot as usize] = other;
+                *slot += 1;
+            }
+        }
+    }
+    let (mut row_start, mut columns) = (vec![0u32], Vec::with_capacity(mentions.len()));
+    for i in 0..dofs {
+        let mut row = mentions[count[i] as usize..count[i + 1] as usize].to_vec();
+        row.push(i as u32);
+        row.sort_unstable();
+        row.dedup();
+        columns.extend_from_slice(&row);
+        row_start.push(columns.len() as u32);
+    }
+    Pattern { row_start, columns }
+}
+
+fn boundary_faces(space: &Space) -> Vec<BoundaryFace> {
+    let mesh = space.mesh();
+    let topology = mesh.topology();
+    let mut faces = Vec::new();
+    for edge in (0..topology.edges.len() as u32).filter(|&edge| topology.is_boundary(edge)) {
+        let cell = topology.edge_triangles[edge as usize][0] as usize;
+        let k = mesh.local_edge(cell, edge);
+        let (dofs, nodes) = (space.element_dofs(cell), mesh.nodes(cell));
+        // The film lies on the left of the way from corner k over the middle to the next corner.
+        let way = [k, 3 + k, (k + 1) % 3];
+        for (from, to) in [(way[0], way[1]), (way[1], way[2])] {
+            let (a, b) = (nodes[from], nodes[to]);
+            let normal = [0.5 * (b[1] - a[1]), -0.5 * (b[0] - a[0])];
+            for (node, share) in [(from, 0.25), (to, 0.75)] {
+                faces.push(BoundaryFace {
+                    dof: dofs[node],
+                    cell,
+                    middle: [0, 1].map(|d| a[d] + share * (b[d] - a[d])),
+                    normal,
+                });
+            }
+        }
+    }
+    faces
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::assembly::tests::wavy_ring;
+
+    #[test]
+    fn addresses_hold_their_columns_and_faces_close_the_boundary() {
+        let space = Space::new(wavy_ring(7, 3), 2);
+        let volumes = ControlVolumes::new(&space).unwrap();
+        for (nodes, addresses) in volumes.triangles.iter().zip(&volumes.addresses) {
+            for i in 0..3 {
+                for j in 0..3 {
+                    assert_eq!(volumes.pattern.columns[addresses[i][j] as usize], nodes[j]);
+                    assert!(
+                        volumes
+                            .pattern
+                            .row(nodes[i] as usize)
+                            .contains(&(addresses[i][j] as usize))
+                    );
+                }
+            }
+        }
+        // The ends of a ring face -z and +z and have its period each.
+        let total = |sign: f64| {
+            let faces = volumes.faces.iter().filter(|face| face.normal[1] * sign > 0.0);
+            faces.map(|face| face.normal[1]).sum::<f64>()
+        };
+        assert!((total(1.0) - 7.0).abs() < 1e-12 && (total(-1.0) + 7.0).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,272 @@
+//! The search for the cavity: which nodes are full, which are not.
+
+use std::collections::HashSet;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::time::Instant;
+
+use oilwedge_fem::complementarity::Start;
+use oilwedge_fem::newton::{Failure, HistoryStep, Seconds};
+use oilwedge_fem::{Constraints, Error, Linearisation, Matrix};
+
+use super::Film;
+use super::rows::Condition;
+
+/// Most steps of one search.
+const MOST_STEPS: usize = 300;
+/// A film fraction above one, or a pressure below that of the cavity (in natural units), that changes a node's side.
+const SIGN_TOLERANCE: f64 = 1e-12;
+/// Pseudo-time steps: the first as a part of the time that the journal takes over a radius, growth, number.
+const FIRST_TIME_STEP: f64 = 0.01;
+const TIME_GROWTH: f64 = 3.0;
+const TIME_STEPS: usize = 24;
+
+/// Which nodes are in the cavity, and how the film got there.
+pub(super) struct Search<'a> {
+    film: &'a Film<'a>,
+    p: Vec<f64>,
+    theta: Vec<f64>,
+    cavity: Vec<bool>,
+    /// Sub-triangles with the N form.
+    carried: Vec<bool>,
+    first: Option<f64>,
+    history: Vec<HistoryStep>,
+    pub(super) seconds: Seconds,
+    fallbacks: Vec<String>,
+}
+
+/// A film whose signs are all right.
+pub(super) struct Found {
+    pub(super) p: Vec<f64>,
+    pub(super) theta: Vec<f64>,
+    pub(super) cavity: Vec<bool>,
+    pub(super) carried: Vec<bool>,
+    /// Inflow near each node where pressure is given; rounding elsewhere.
+    pub(super) residual: Vec<f64>,
+    pub(super) linearisation: Linearisation,
+    pub(super) history: Vec<HistoryStep>,
+    pub(super) seconds: Seconds,
+    pub(super) fallbacks: Vec<String>,
+}
+
+/// A step of pseudo-time: what the cells take up as they fill.
+struct TimeStep {
+    /// One over its length [1/s].
+    rate: f64,
+    before: Vec<f64>,
+    /// Volume of each cell [m3].
+    volume: Vec<f64>,
+}
+
+/// How an iteration over sets ended.
+enum End {
+    Settled(Box<(Linearisation, Vec<f64>)>),
+    Repeated,
+}
+
+impl<'a> Search<'a> {
+    pub(super) fn new(film: &'a Film<'a>, start: Start) -> Self {
+        let Start { u: p, mut held } = start;
+        for (dof, held) in held.iter_mut().enumerate() {
+            *held &= film.may_cavitate(dof);
+        }
+        Self {
+            film,
+            theta: vec![1.0; p.len()],
+            p,
+            cavity: held,
+            carried: vec![false; film.blocks.len()],
+            first: None,
+            history: Vec::new(),
+            seconds: Seconds::default(),
+            fallbacks: Vec::new(),
+        }
+    }
+
+    /// Both passes, and pseudo-time where a set of nodes comes back.
+    pub(super) fn run(mut self, radius: f64, velocity: [f64; 2]) -> Result<Found, Failure> {
+        if let End::Repeated = self.iterate(true, None)? {
+            self.fallbacks
+                .push("the choice of the transport scheme was frozen since the set of cavity nodes came back".into());
+            self.iterate(false, None)?;
+        }
+        self.carried = self.starved_inflow();
+        let mut end = self.iterate(false, None)?;
+        if let End::Repeated = end {
+            self.fallbacks
+                .push("the cavity was found in pseudo-time since its set of nodes came back".into());
+            self.pseudo_time(radius / velocity[0].hypot(velocity[1]))?;
+            end = self.iterate(false, None)?;
+        }
+        match end {
+            End::Settled(solved) => Ok(Found {
+                p: self.p,
+                theta: self.theta,
+                cavity: self.cavity,
+                carried: self.carried,
+                linearisation: solved.0,
+                residual: solved.1,
+                history: self.history,
+                seconds: self.seconds,
+                fallbacks: self.fallbacks,
+            }),
+            End::Repeated => Err(Failure::Cycling { history: self.history }),
+        }
+    }
+
+    /// Sub-triangles with a node in the cavity.
+    fn touching(&self) -> Vec<bool> {
+        let starved = |nodes: &[u32; 3]| nodes.iter().any(|&node| self.cavity[node as usize]);
+        self.film.volumes.triangles.iter().map(starved).collect()
+    }
+
+    /// Sub-triangles with a node in the cavity on their inflow side.
+    fn starved_inflow(&self) -> Vec<bool> {
+        let triangles = self.film.volumes.triangles.iter().zip(&self.film.blocks);
+        triangles
+            .map(|(nodes, block)| (0..3).any(|i| block.weight[i] < 0.0 && self.cavity[nodes[i] as usize]))
+            .collect()
+    }
+
+    /// Solves and exchanges until every sign is right; `choosing` chooses the N form anew at each step.
+    fn iterate(&mut self, choosing: bool, time: Option<&TimeStep>) -> Result<End, Failure> {
+        let mut seen = HashSet::new();
+        while self.history.len() < MOST_STEPS {
+            if choosing {
+                self.carried = self.touching();
+            }
+            let (linearisation, residual) = self.solve(time)?;
+            let wrong = self.wrong_signs(&residual);
+            let active = self.cavity.iter().filter(|cavity| **cavity).count();
+            let violation = wrong.iter().map(|(_, size)| size * size).sum::<f64>().sqrt();
+            let first = *self.first.get_or_insert(if violation > 0.0 { violation } else { 1.0 });
+            self.history.push(HistoryStep {
+                residual: violation / first,
+                damping: 1.0,
+                active,
+            });
+            if wrong.is_empty() {
+                return Ok(End::Settled(Box::new((linearisation, residual))));
+            }
+            let mut hasher = DefaultHasher::new();
+            self.cavity.hash(&mut hasher);
+            if !seen.insert(hasher.finish()) {
+                return Ok(End::Repeated);
+            }
+            for (dof, _) in wrong {
+                self.cavity[dof] = !self.cavity[dof];
+            }
+        }
+        Err(Failure::TooManySteps {
+            history: std::mem::take(&mut self.history),
+        })
+    }
+
+    /// The balance of all nodes for the present cavity: it is linear.
+    fn solve(&mut self, time: Option<&TimeStep>) -> Result<(Linearisation, Vec<f64>), Failure> {
+        let clock = Instant::now();
+        let (film, rows) = (self.film, &self.film.rows);
+        let mut constraints = Constraints::none(self.p.len());
+        for dof in 0..self.p.len() {
+            if self.cavity[dof] || rows.condition[dof] != Condition::Interior {
+                self.p[dof] = rows.value[dof];
+            }
+            if !self.cavity[dof] {
+                self.theta[dof] = 1.0;
+                constraints.fixed[dof] = rows.condition[dof] != Condition::Interior;
+            }
+        }
+        let mut matrix = Matrix::zero(film.volumes.pattern.clone());
+        let before = self.assemble(time, &mut matrix);
+        let assembled = Instant::now();
+        let factor = film.volumes.analysis.factorise(&matrix, &constraints.fixed)?;
+        let factorised = Instant::now();
+        let linearisation = Linearisation::unsymmetric(matrix, factor, constraints);
+        let minus: Vec<f64> = before.iter().map(|r| -r).collect();
+        let step = linearisation.solve(&minus)?;
+        for (dof, step) in step.iter().enumerate() {
+            match self.cavity[dof] {
+                true => self.theta[dof] += step,
+                false => self.p[dof] += step,
+            }
+        }
+        let change = linearisation.matrix().multiply(&step);
+        let residual = before.iter().zip(change).map(|(r, c)| r + c).collect();
+        self.seconds.assemble += (assembled - clock).as_secs_f64();
+        self.seconds.factorise += (factorised - assembled).as_secs_f64();
+        self.seconds.solve += factorised.elapsed().as_secs_f64();
+        Ok((linearisation, residual))
+    }
+
+    /// The balance `K p + B theta` of every node, with what the boundary brings and takes, and its tangent by the
+    /// unknown of each node.
+    fn assemble(&self, time: Option<&TimeStep>, matrix: &mut Matrix) -> Vec<f64> {
+        let (volumes, rows) = (self.film.volumes, &self.film.rows);
+        let mut residual: Vec<f64> = rows.inflow.iter().map(|inflow| -inflow).collect();
+        for (t, nodes) in volumes.triangles.iter().enumerate() {
+            let block = &self.film.blocks[t];
+            let (k, b) = (block.pressure(), block.transport(self.carried[t], block));
+            for i in 0..3 {
+                for j in 0..3 {
+                    let node = nodes[j] as usize;
+                    residual[nodes[i] as usize] += k[i][j] * self.p[node] + b[i][j] * self.theta[node];
+                    let address = volumes.addresses[t][i][j] as usize;
+                    matrix.values[address] += if self.cavity[node] { b[i][j] } else { k[i][j] };
+                }
+            }
+        }
+        for dof in (0..residual.len()).filter(|&dof| self.cavity[dof]) {
+            residual[dof] += rows.outflow[dof] * self.theta[dof];
+            matrix.add_to_diagonal(dof, rows.outflow[dof]);
+        }
+        if let Some(time) = time {
+            for dof in (0..residual.len()).filter(|&dof| self.film.may_cavitate(dof)) {
+                let capacity = time.rate * time.volume[dof];
+                residual[dof] += capacity * (self.theta[dof] - time.before[dof]);
+                if self.cavity[dof] {
+                    matrix.add_to_diagonal(dof, capacity);
+                }
+            }
+        }
+        residual
+    }
+
+    /// Nodes on the wrong side, and by how much in natural units: full ones with tension, or at an edge through which oil
+    /// would come in; those of the cavity with more oil than there is room for.
+    fn wrong_signs(&self, residual: &[f64]) -> Vec<(usize, f64)> {
+        let largest = residual.iter().fold(0.0f64, |m, r| m.max(r.abs()));
+        let size = |dof: usize| match (self.cavity[dof], self.film.rows.condition[dof]) {
+            (true, _) => self.theta[dof] - 1.0,
+            (false, Condition::Interior) => (self.film.floor - self.p[dof]) / self.film.scale,
+            (false, Condition::Edge) => residual[dof] / largest.max(f64::MIN_POSITIVE),
+            (false, Condition::Given) => 0.0,
+        };
+        let sizes = (0..self.p.len()).map(|dof| (dof, size(dof)));
+        sizes
+            .filter(|(_, size)| *size > SIGN_TOLERANCE || size.is_nan())
+            .collect()
+    }
+
+    /// Backward Euler in the film fraction with growing steps, towards the steady film.
+    fn pseudo_time(&mut self, unit: f64) -> Result<(), Failure> {
+        let mut volume = vec![0.0; self.p.len()];
+        for (nodes, block) in self.film.volumes.triangles.iter().zip(&self.film.blocks) {
+            for i in 0..3 {
+                volume[nodes[i] as usize] += block.volume[i];
+            }
+        }
+        let mut time = TimeStep {
+            rate: 1.0 / (FIRST_TIME_STEP * unit),
+            before: self.theta.iter().map(|theta| theta.clamp(0.0, 1.0)).collect(),
+            volume,
+        };
+        if !time.rate.is_finite() {
+            return Err(Error::NotFinite { what: "time step" }.into());
+        }
+        for _ in 0..TIME_STEPS {
+            self.iterate(false, Some(&time))?;
+            time.before.clone_from(&self.theta);
+            time.rate /= TIME_GROWTH;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,161 @@
+//! Which balance each node has, and whether oil reaches every part of the film.
+//!
+//! | node | pressure | film fraction | its balance gives |
+//! |---|---|---|---|
+//! | interior | unknown while full | unknown in the cavity | the unknown |
+//! | given: feeds, flooded lines, ends above the cavitation pressure | given | one | its inflow |
+//! | edge: ends at the cavitation pressure, where no oil comes in; lines that it leaves by | given | unknown in the cavity, one while oil leaves | outflow, or the unknown |
+
+use oilwedge_fem::ControlVolumes;
+
+use crate::existence::NoFilm;
+use crate::film_law::FilmLaw;
+use crate::supply::Place;
+use crate::{FilmProblem, FilmSystem};
+
+/// What is known at a node.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Condition {
+    /// Nothing.
+    Interior,
+    /// The pressure, and that the film is full.
+    Given,
+    /// The pressure, which is that of the cavity; no oil comes in.
+    Edge,
+}
+
+/// Conditions of all nodes.
+#[derive(Debug)]
+pub(super) struct Rows {
+    pub(super) condition: Vec<Condition>,
+    /// Given unknown (reduced pressure) [Pa]; that of the cavity elsewhere.
+    pub(super) value: Vec<f64>,
+    /// What a starved inlet brings in [m3/s].
+    pub(super) inflow: Vec<f64>,
+    /// What the journal carries out through the boundary at an edge node while the film is full [m3/s].
+    pub(super) outflow: Vec<f64>,
+}
+
+impl Rows {
+    /// Conditions of `problem` where the cavity has the reduced pressure `floor`.
+    pub(super) fn new(
+        problem: &FilmProblem,
+        system: &FilmSystem,
+        volumes: &ControlVolumes,
+        law: &FilmLaw,
+        floor: f64,
+    ) -> Self {
+        let dofs = system.space().dofs();
+        let mut rows = Self {
+            condition: vec![Condition::Interior; dofs],
+            value: vec![floor; dofs],
+            inflow: vec![0.0; dofs],
+            outflow: vec![0.0; dofs],
+        };
+        // Couette flow out through the boundary near each node.
+        let mut carried = vec![0.0; dofs];
+        for face in &volumes.faces {
+            let flux = law.film_and_flows(face.cell, &[face.middle]).1[0].flux;
+            carried[face.dof] += flux[0] * face.normal[0] + flux[1] * face.normal[1];
+        }
+        let mut on_end = vec![false; dofs];
+        for region in system
+            .supply
+            .regions()
+            .iter()
+            .filter(|region| region.place == Place::End)
+        {
+            for dof in region.edges.iter().flat_map(|&edge| system.space().dofs_on_edge(edge)) {
+                on_end[dof] = true;
+            }
+        }
+        for dof in 0..dofs {
+            let Some(owner) = system.supply.owner(dof) else {
+                continue;
+            };
+            let region = &system.supply.regions()[owner];
+            let starved = region.film_fraction.filter(|_| carried[dof] < 0.0);
+            rows.inflow[dof] = starved.map_or(0.0, |fraction| -fraction * carried[dof]);
+            // The pressure at a starved inlet is found, but at its corners the end holds it.
+            let pressure = match (starved, on_end[dof]) {
+                (Some(_), false) => continue,
+                (Some(_), true) => problem.bearing.end_pressure,
+                (None, _) => region.pressure,
+            };
+            rows.value[dof] = problem.unknown_at(pressure);
+            let open = match region.place {
+                Place::Feed => false,
+                Place::End => true,
+                Place::Line => carried[dof] > 0.0 || starved.is_some(),
+            };
+            rows.condition[dof] = match open && rows.value[dof] <= floor {
+                true => Condition::Edge,
+                false => Condition::Given,
+            };
+            rows.outflow[dof] = carried[dof].max(0.0);
+        }
+        rows
+    }
+
+    /// Each connected part of the film must touch a given node or a starved inlet: nothing else settles how much
+    /// oil it holds.
+    pub(super) fn check_supply(
+        &self,
+        problem: &FilmProblem,
+        system: &FilmSystem,
+        volumes: &ControlVolumes,
+    ) -> Result<(), NoFilm> {
+        let given = |node: u32| self.condition[node as usize] == Condition::Given;
+        let mut parts = Parts::new(self.condition.len());
+        let mut supplied: Vec<bool> = self.inflow.iter().map(|&inflow| inflow > 0.0).collect();
+        for nodes in &volumes.triangles {
+            let mut open = nodes.iter().copied().filter(|&node| !given(node));
+            if let Some(first) = open.next() {
+                open.for_each(|node| parts.join(first, node));
+            }
+        }
+        for nodes in volumes
+            .triangles
+            .iter()
+            .filter(|nodes| nodes.iter().any(|&node| given(node)))
+        {
+            nodes.iter().for_each(|&node| supplied[node as usize] = true);
+        }
+        let mut reached = vec![false; supplied.len()];
+        for node in 0..supplied.len() as u32 {
+            reached[parts.root(node) as usize] |= supplied[node as usize];
+        }
+        let dry = (0..supplied.len() as u32).find(|&node| !given(node) && !reached[parts.root(node) as usize]);
+        match dry {
+            None => Ok(()),
+            Some(node) => {
+                let [x, z] = system.space().positions()[node as usize];
+                let angle = x / problem.bearing.radius;
+                Err(NoFilm::NoSupply { angle, z })
+            }
+        }
+    }
+}
+
+/// Disjoint sets of nodes.
+struct Parts(Vec<u32>);
+
+impl Parts {
+    fn new(nodes: usize) -> Self {
+        Self((0..nodes as u32).collect())
+    }
+
+    fn root(&mut self, mut node: u32) -> u32 {
+        while self.0[node as usize] != node {
+            let above = self.0[self.0[node as usize] as usize];
+            self.0[node as usize] = above;
+            node = above;
+        }
+        node
+    }
+
+    fn join(&mut self, a: u32, b: u32) {
+        let (a, b) = (self.root(a), self.root(b));
+        self.0[a as usize] = b;
+    }
+}

@@ -1,0 +1,156 @@
+//! Whether there is a film: the limits of the viscosity law and of the as-printed equation.
+
+use oilwedge_fem::Field;
+use oilwedge_fem::newton::Failure;
+
+use crate::{FilmProblem, FilmSolution, FilmSystem};
+
+/// Why there is no film to report.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NoFilm {
+    /// The viscosity law has no pressure for the reduced pressure found.
+    #[error(
+        "no steady film: the reduced pressure q reaches {reached:.4e} Pa, {} of the {limit:.4e} Pa at which the viscosity law makes the pressure infinite{}; lower speed, eccentricity or viscosity, or use a law that grows slower (Roelands)",
+        readable(*ratio), greatest_speed.map_or(String::new(), |speed| format!(", which it reaches at {} rad/s", readable(speed)))
+    )]
+    AboveLimit {
+        /// Greatest reduced pressure [Pa].
+        reached: f64,
+        /// Limit of the law [Pa].
+        limit: f64,
+        /// Their ratio.
+        ratio: f64,
+        /// Speed [rad/s] up to which there is a film, where it can be told.
+        greatest_speed: Option<f64>,
+    },
+    /// The pressure falls below what the viscosity law covers.
+    #[error(
+        "no steady film: the pressure falls to where Roelands' law ends (q = {reached:.4e} Pa below {floor:.4e} Pa); add [cavitation]"
+    )]
+    BelowFloor {
+        /// Least reduced pressure [Pa].
+        reached: f64,
+        /// Floor of the law [Pa].
+        floor: f64,
+    },
+    /// The as-printed equation has no solution at this speed.
+    #[error(
+        "the as-printed equation has no solution above {} rad/s (its fold; asked for {} rad/s); lower speed or eccentricity, or use form = \"conservative\"",
+        readable(*last), readable(*asked)
+    )]
+    Fold {
+        /// Last speed with a solution [rad/s].
+        last: f64,
+        /// Speed asked for [rad/s].
+        asked: f64,
+    },
+    /// Steady mass-conserving film whose level nothing settles.
+    #[error(
+        "no steady film: no oil is supplied to the film near {} deg, z = {:.4} m (no feed, no flooded edge, no end above the cavitation pressure), so its level is undetermined; add a [[feed]], a film_start, or ends above cavitation.pressure",
+        readable(angle.to_degrees()), z
+    )]
+    NoSupply {
+        /// Angle [rad] of a place in it.
+        angle: f64,
+        /// Axial position [m] of that place.
+        z: f64,
+    },
+    /// The scheme of the mass-conserving film is not positive on this mesh.
+    #[error(
+        "no trustworthy film: the film fraction is {fraction:.4} at {} deg, z = {z:.4} m, outside 0 to 1, since obtuse triangles there ({couplings} couplings of the wrong sign) break the scheme; use a mesh without obtuse angles ([mesh] size draws one)",
+        readable(angle.to_degrees())
+    )]
+    FilmFraction {
+        /// The film fraction found.
+        fraction: f64,
+        /// Angle [rad] of its place.
+        angle: f64,
+        /// Axial position [m] of its place.
+        z: f64,
+        /// Couplings of the wrong sign in the mesh.
+        couplings: usize,
+    },
+    /// The iteration failed.
+    #[error("not converged: {0}")]
+    NotConverged(#[from] Failure),
+}
+
+/// Six significant digits, without an exponent where that is short.
+pub(crate) fn readable(value: f64) -> String {
+    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+    if (1e-4..1e7).contains(&rounded.abs()) {
+        format!("{rounded}")
+    } else {
+        format!("{rounded:e}")
+    }
+}
+
+impl FilmProblem {
+    /// A reduced pressure at or above the limit of the viscosity law has no pressure.
+    pub(crate) fn check_existence(&self, system: &FilmSystem, film: &FilmSolution) -> Result<(), NoFilm> {
+        let law = &self.lubricant.pressure_law;
+        let (limit, floor) = (law.limit(), law.floor());
+        let reached = self.greatest_unknown(system, film);
+        if reached >= limit {
+            return Err(NoFilm::AboveLimit {
+                reached,
+                limit,
+                ratio: reached / limit,
+                greatest_speed: self.greatest_speed(system, limit),
+            });
+        }
+        let field = Field {
+            space: system.space(),
+            values: &film.unknown,
+        };
+        let least = field.minimum().value;
+        // Pressures that a cavitation model drops need no viscosity.
+        let dropped = (self.cavitation.pressure()).is_some_and(|p| self.unknown_at(p) > floor);
+        if least <= floor && !dropped {
+            return Err(NoFilm::BelowFloor { reached: least, floor });
+        }
+        Ok(())
+    }
+
+    /// The greatest speed [rad/s] with a film, by regula falsi (Illinois) between a speed that has one and this one.
+    fn greatest_speed(&self, system: &FilmSystem, limit: f64) -> Option<f64> {
+        const HALVINGS: usize = 40;
+        const STEPS: usize = 60;
+        if self.journal.velocity != [0.0; 2] {
+            return None;
+        }
+        let above = |motion: f64| {
+            let film = self.closed_film(system, motion, None).ok()?;
+            Some(self.greatest_unknown(system, &film) / limit - 1.0)
+        };
+        let (mut low, mut high) = (0.5, 1.0);
+        let (mut at_low, mut at_high) = (above(low)?, above(high)?);
+        for _ in 0..HALVINGS {
+            if at_low < 0.0 {
+                break;
+            }
+            (high, at_high) = (low, at_low);
+            low *= 0.5;
+            at_low = above(low)?;
+        }
+        let mut side = 0;
+        for _ in 0..STEPS {
+            let next = (low * at_high - high * at_low) / (at_high - at_low);
+            let at_next = above(next)?;
+            if at_next.abs() < 1e-10 || (high - low) < 1e-12 {
+                return (at_low < 0.0).then_some(next * self.journal.speed.abs());
+            }
+            if at_next < 0.0 {
+                (low, at_low) = (next, at_next);
+                at_high *= if side == -1 { 0.5 } else { 1.0 };
+                side = -1;
+            } else {
+                (high, at_high) = (next, at_next);
+                at_low *= if side == 1 { 0.5 } else { 1.0 };
+                side = 1;
+            }
+        }
+        None
+    }
+}

@@ -1,0 +1,122 @@
+//! Nested iteration: a film is solved on coarser meshes of its liner first, to find where it breaks.
+//!
+//! A cold active set walks the edge of a cavity one row of nodes an iteration; started from a coarser
+//! mesh it is a row off. The coarser mesh has no holes or grooves of its own: pressure is given at those of its
+//! nodes that lie in them. So every mesh has coarser ones, drawn or imported.
+
+use std::sync::Arc;
+
+use oilwedge_fem::complementarity::Start;
+use oilwedge_fem::{Field, Space, lagrange};
+use oilwedge_mesh::coarsen;
+use oilwedge_mesh::developed::Liner;
+use oilwedge_mesh::locate::Locator;
+
+use crate::film_thickness::FilmContribution;
+use crate::supply::{Place, SupplyRegion};
+use crate::{Bearing, Cavitation, FilmProblem, FilmSolution, FilmSystem};
+
+/// Edges of a coarser mesh over those of the finer.
+const RATIO: f64 = 2.0;
+
+/// A coarser mesh and the film on it.
+#[derive(Debug)]
+pub struct Coarser {
+    /// Unknowns and given pressures there.
+    pub system: FilmSystem,
+    film_thickness: Vec<Arc<dyn FilmContribution>>,
+    /// Where each dof of the finer mesh lies: triangle of the coarser mesh and reference point.
+    places: Vec<(u32, [f64; 2])>,
+}
+
+impl FilmSystem {
+    /// The system with coarser ones behind it, as long as there are any.
+    pub fn with_coarser(mut self, bearing: &Bearing, film_thickness: &[Arc<dyn FilmContribution>]) -> Self {
+        self.coarser = Coarser::of(&self, bearing, film_thickness).map(Box::new);
+        self
+    }
+}
+
+impl Coarser {
+    fn of(fine: &FilmSystem, bearing: &Bearing, film_thickness: &[Arc<dyn FilmContribution>]) -> Option<Self> {
+        let mesh = fine.space().mesh();
+        let coarse = coarsen::coarser(mesh, &liner(fine, bearing), line(fine, bearing), RATIO)?;
+        let space = Space::new(Arc::new(coarse.mesh), fine.space().degree());
+        let supply = fine.supply.on_coarser(fine.space(), &space, bearing)?;
+        let film_thickness: Vec<_> = (film_thickness.iter())
+            .map(|contribution| contribution.carried(&coarse.parents))
+            .collect();
+        let locator = Locator::new(space.mesh());
+        let places = (fine.space().positions().into_iter())
+            .map(|position| locator.nearest(position))
+            .map(|place| place.map(|(triangle, point)| (triangle as u32, point)))
+            .collect::<Option<_>>()?;
+        let system = FilmSystem::with_supply(space, supply).ok()?;
+        Some(Self {
+            system: system.with_coarser(bearing, &film_thickness),
+            film_thickness,
+            places,
+        })
+    }
+
+    /// The film on the coarser mesh.
+    pub(crate) fn problem(&self, fine: &FilmProblem) -> FilmProblem {
+        FilmProblem {
+            film_thickness: self.film_thickness.clone(),
+            ..fine.clone()
+        }
+    }
+
+    /// A film of the coarser mesh as a start on the finer one. A dof is in the cavity if the nearest node is that
+    /// can be: any one of a mass-conserving film, those amid edges of Swift-Stieber's.
+    pub(crate) fn carried(&self, film: &FilmSolution, cavitation: Cavitation) -> Start {
+        let space = self.system.space();
+        let nodes = lagrange::nodes(space.degree());
+        let voters = match cavitation {
+            Cavitation::Jfo { .. } => 0..nodes.len(),
+            _ => 3..nodes.len(),
+        };
+        let field = Field {
+            space,
+            values: &film.unknown,
+        };
+        let (mut u, mut held) = (
+            Vec::with_capacity(self.places.len()),
+            Vec::with_capacity(self.places.len()),
+        );
+        for &(triangle, point) in &self.places {
+            u.push(field.value(triangle as usize, point));
+            let dofs = space.element_dofs(triangle as usize);
+            let distance = |&k: &usize| (nodes[k][0] - point[0]).hypot(nodes[k][1] - point[1]);
+            let nearest = voters.clone().min_by(|a, b| distance(a).total_cmp(&distance(b)));
+            held.push(nearest.is_some_and(|k| film.cavity[dofs[k]]));
+        }
+        Start { u, held }
+    }
+}
+
+/// The liner that the mesh covers.
+fn liner(system: &FilmSystem, bearing: &Bearing) -> Liner {
+    let mesh = system.space().mesh();
+    let arc = match mesh.period() {
+        Some(_) => None,
+        None => {
+            let xs = mesh.points().iter().map(|point| point[0] / bearing.radius);
+            Some(xs.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x))))
+        }
+    };
+    Liner {
+        radius: bearing.radius,
+        length: bearing.length,
+        arc,
+    }
+}
+
+/// Angle [rad] of the film start of a ring.
+fn line(system: &FilmSystem, bearing: &Bearing) -> Option<f64> {
+    let mesh = system.space().mesh();
+    mesh.period()?;
+    let is_line = |region: &&SupplyRegion| region.place == Place::Line;
+    let region = system.supply.regions().iter().find(is_line)?;
+    Some(mesh.edge_nodes(*region.edges.first()?)[0][0] / bearing.radius)
+}

@@ -1,0 +1,153 @@
+//! How a film is solved: cold, from coarser meshes, from a neighbouring film, and by continuation in the speed.
+
+use oilwedge_fem::complementarity::{self, Obstacle, Start};
+use oilwedge_fem::newton::{self, Failure};
+use oilwedge_fem::{Constraints, Field};
+
+use crate::cavitation::jfo;
+use crate::film_law::FilmLaw;
+use crate::{Cavitation, FilmProblem, FilmSolution, FilmSystem, Form, NoFilm};
+
+/// Speeds of an as-printed film are bisected to this fraction of the speed asked for.
+const FOLD_RESOLUTION: f64 = 1e-4;
+
+impl FilmProblem {
+    /// Solves the film.
+    ///
+    /// # Errors
+    /// [`NoFilm`]: the reason why there is none.
+    pub fn solve(&self, system: &FilmSystem) -> Result<FilmSolution, NoFilm> {
+        self.solve_from(system, None)
+    }
+
+    /// Solves the film, started from that of a neighbouring operating point on the same system.
+    ///
+    /// # Errors
+    /// [`NoFilm`]: the reason why there is none.
+    pub fn solve_from(&self, system: &FilmSystem, neighbour: Option<&FilmSolution>) -> Result<FilmSolution, NoFilm> {
+        let film = match self.form {
+            Form::Conservative => self.closed_film(system, 1.0, neighbour)?,
+            Form::AsPrinted(_) => {
+                (self.closed_film(system, 1.0, neighbour)).or_else(|_| self.continue_in_speed(system))?
+            }
+        };
+        self.check_existence(system, &film)?;
+        Ok(film)
+    }
+
+    /// True if the film is found by iteration, and quicker from that of a coarser mesh.
+    pub fn needs_start(&self) -> bool {
+        let breaks = matches!(self.cavitation, Cavitation::Reynolds { .. } | Cavitation::Jfo { .. });
+        breaks || matches!(self.form, Form::AsPrinted(_))
+    }
+
+    /// The film with all motion of the journal scaled by `motion`, its equation closed by the cavitation model,
+    /// whether or not the viscosity law has a pressure for it.
+    pub(crate) fn closed_film(
+        &self,
+        system: &FilmSystem,
+        motion: f64,
+        neighbour: Option<&FilmSolution>,
+    ) -> Result<FilmSolution, NoFilm> {
+        let (start, levels) = match neighbour {
+            Some(film) => (film.as_start(), 0),
+            None => self.start(system, motion),
+        };
+        let film = match self.cavitation {
+            Cavitation::Jfo { .. } => jfo::solve(self, system, motion, start)?,
+            _ => self.pressure_film(system, motion, start)?,
+        };
+        Ok(FilmSolution { levels, ..film })
+    }
+
+    /// The film of the next coarser mesh, if there is one, and on how many meshes it was solved; else nothing.
+    fn start(&self, system: &FilmSystem, motion: f64) -> (Start, usize) {
+        let coarse = system.coarser.as_ref().and_then(|coarser| {
+            let film = (coarser.problem(self))
+                .closed_film(&coarser.system, motion, None)
+                .ok()?;
+            Some((coarser.carried(&film, self.cavitation), film.levels + 1))
+        });
+        coarse.unwrap_or_else(|| {
+            let dofs = system.space().dofs();
+            let (u, held) = (vec![0.0; dofs], vec![false; dofs]);
+            (Start { u, held }, 0)
+        })
+    }
+
+    /// Pressure [Pa] that drag through the clearance makes, `mu0 U R/c^2`, that of squeeze likewise, or the
+    /// greatest given one.
+    pub(crate) fn pressure_scale(&self, constraints: &Constraints) -> f64 {
+        let slenderness = self.bearing.radius / self.bearing.clearance;
+        let [e_x, e_y] = self.journal.velocity;
+        let motion = self.journal.speed.abs() + e_x.hypot(e_y) / self.bearing.clearance;
+        let drag = self.lubricant.viscosity * motion * slenderness.powi(2);
+        (constraints.values.iter()).fold(drag, |scale, given| scale.max(given.abs()))
+    }
+
+    /// A film described by its pressure alone: full, or nowhere below the cavitation pressure.
+    fn pressure_film(&self, system: &FilmSystem, motion: f64, start: Start) -> Result<FilmSolution, Failure> {
+        let law = FilmLaw::new(self, motion);
+        let constraints = system.supply.constraints(|p| self.unknown_at(p));
+        let scale = self.pressure_scale(&constraints);
+        let (assembler, analysis) = (&system.assembler, &system.analysis);
+        let Cavitation::Reynolds { pressure } = self.cavitation else {
+            let solution = newton::solve(assembler, analysis, &law, &constraints, scale, start.u)?;
+            return Ok(FilmSolution::full(solution));
+        };
+        let obstacle = Obstacle::at_midpoints(system.space(), self.unknown_at(pressure));
+        let contact = complementarity::solve(assembler, analysis, &law, &constraints, &obstacle, scale, start)?;
+        Ok(FilmSolution {
+            cavity: contact.held,
+            ..FilmSolution::full(contact.solution)
+        })
+    }
+
+    /// Raises the speed from rest in steps, each started from the last solution. The least steps
+    /// close in on the fold, the speed past which the stable branch has no solution.
+    fn continue_in_speed(&self, system: &FilmSystem) -> Result<FilmSolution, NoFilm> {
+        let mut film = self.closed_film(system, 0.0, None)?;
+        let (mut reached, mut step) = (0.0, 0.25);
+        loop {
+            let next: f64 = f64::min(reached + step, 1.0);
+            match self.closed_film(system, next, Some(&film)) {
+                Ok(mut solution) => {
+                    let mut history = film.history;
+                    history.append(&mut solution.history);
+                    film = FilmSolution { history, ..solution };
+                    reached = next;
+                    if reached == 1.0 {
+                        return Ok(film);
+                    }
+                }
+                Err(_) if step > FOLD_RESOLUTION => step *= 0.5,
+                // A stable branch left behind is a fold; a branch that never began is something else.
+                Err(_) if reached > 0.0 => {
+                    let asked = self.journal.speed.abs();
+                    return Err(NoFilm::Fold {
+                        last: reached * asked,
+                        asked,
+                    });
+                }
+                Err(failure) => return Err(failure),
+            }
+        }
+    }
+
+    /// The greatest value of the unknown, between nodes too where the film is full.
+    pub fn greatest_unknown(&self, system: &FilmSystem, film: &FilmSolution) -> f64 {
+        let field = Field {
+            space: system.space(),
+            values: &film.unknown,
+        };
+        let full = |t: usize| {
+            system.space().element_dofs(t)[..system.space().shapes()]
+                .iter()
+                .all(|&dof| !film.cavity[dof])
+        };
+        match film.film_fraction {
+            Some(_) => field.maximum_where(&full).value,
+            None => field.maximum().value,
+        }
+    }
+}
