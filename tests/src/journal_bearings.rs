@@ -1,7 +1,9 @@
 //! The rings of `tests/data/journal_bearings.json`: numbers of published and recomputed journal bearings.
 
+use std::num::NonZeroUsize;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use oilwedge_scene::scene::Scene;
-use rayon::prelude::*;
 use serde_json::Value;
 
 use crate::program::repository;
@@ -39,10 +41,27 @@ pub fn number(row: &Value, key: &str) -> f64 {
 
 /// Checks all rows, side by side, and tells all that fail.
 ///
+/// Threads of their own, as programs would be: a film that waits inside rayon would take up the next row on its stack.
+///
 /// # Panics
 /// If one fails.
 pub fn each<T: Sync>(rows: &[T], check: impl Fn(&T) -> Result<(), String> + Sync) {
-    let complaints: Vec<String> = rows.par_iter().filter_map(|row| check(row).err()).collect();
+    let next = AtomicUsize::new(0);
+    let work = || {
+        let mut complaints = Vec::new();
+        while let Some(row) = rows.get(next.fetch_add(1, Ordering::Relaxed)) {
+            complaints.extend(check(row).err());
+        }
+        complaints
+    };
+    let threads = std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
+    let complaints: Vec<String> = std::thread::scope(|scope| {
+        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
+        let told = workers
+            .into_iter()
+            .map(|worker| worker.join().expect("a check panicked"));
+        told.flatten().collect()
+    });
     assert!(
         complaints.is_empty(),
         "{} of {}:\n{}",

@@ -35,8 +35,8 @@ impl FilmContribution for Pad {
         }
     }
 
-    fn carried(&self, _parents: &[u32]) -> Box<dyn FilmContribution> {
-        Box::new(*self)
+    fn carried(&self, _parents: &[u32]) -> Arc<dyn FilmContribution> {
+        Arc::new(*self)
     }
 }
 
@@ -69,11 +69,11 @@ fn pad(setup: &Value, depth: f64, cavitation: Cavitation) -> (FilmProblem, FilmS
     film.journal.axial_velocity = number(setup, "U");
     film.lubricant.viscosity = number(setup, "mu");
     film.film_thickness = vec![
-        Box::new(Pad {
+        Arc::new(Pad {
             start: 0.5 * (inlet + outlet),
             slope: (outlet - inlet) / length,
         }),
-        Box::new(GrooveDepth { depth, inside }),
+        Arc::new(GrooveDepth { depth, inside }),
     ];
     film.cavitation = cavitation;
     let system = FilmSystem::new(Arc::new(mesh), 2, regions).expect("the ends close the ring");
