@@ -4,8 +4,8 @@
 //! rim, `tests/data/flexpde_study.json`) with the assumed values of `docs/validation/flexpde_study.md`.
 //! Tolerances: the reference's own uncertainty is 1e-5 of C_w and 1e-4 degrees; its p_max is the
 //! largest nodal value, good to 1e-3. Rows of the sweeps carry four decimals and a coarser mesh.
-//! Swift-Stieber films: the edge of the film moves by cells in the reference (its last halving changed C_w by
-//! up to 2.4e-4 of itself, the attitude by up to 0.016 degrees, p_max by 1e-3) and in ours: 6e-4, 0.03 degrees, 3e-3.
+//! Swift-Stieber films: the last halving of the reference's mesh changed C_w by up to 2.4e-4 of itself and the attitude by up to
+//! 0.016 degrees, but it agrees with ours to 2e-5 and 0.004 degrees: the same tolerances, 1e-3 for the feed flow.
 
 use oilwedge_tests::flexpde_study::*;
 use oilwedge_tests::program::repository;
@@ -28,10 +28,10 @@ fn check(row: &Row) {
         [1e-4, 0.01, 1e-3]
     };
     let error = c_w - expected("C_w");
-    assert!(error.abs() < of_c_w * c_w + rounding, "{}: C_w {c_w}", row.name());
+    assert!(error.abs() < 1e-4 * c_w + rounding, "{}: C_w {c_w}", row.name());
     let attitude = solved.quantity("attitude_angle");
     let error = attitude - expected("attitude_deg");
-    assert!(error.abs() < of_attitude, "{}: attitude {attitude}", row.name());
+    assert!(error.abs() < 0.01, "{}: attitude {attitude}", row.name());
     // The sweeps' p_max is the largest nodal value of a coarse mesh. What sampling misses is a part of the
     // reduced pressure; where alpha p is large it grows by mu/mu0 (54 in one row), so q is compared.
     let law = &solved.study.problem.lubricant.pressure_law;
@@ -44,7 +44,7 @@ fn check(row: &Row) {
     };
     let p_max = solved.quantity("pressure_max") / SUPPLY_PRESSURE;
     assert!(
-        (q(p_max) / q(expected("p_max")) - 1.0).abs() < of_p_max,
+        (q(p_max) / q(expected("p_max")) - 1.0).abs() < 1e-3,
         "{}: p_max {p_max}",
         row.name()
     );

@@ -2,10 +2,10 @@
 
 mod barus_1893;
 mod butenschoen_1976;
-mod elrod_adams_1974;
 mod flexpde_2016;
 mod fowell_2007;
 mod ocvirk_1952;
+mod pfeil_groove;
 mod raimondi_boyd_1958;
 mod rayleigh_1918;
 mod sommerfeld_1904;

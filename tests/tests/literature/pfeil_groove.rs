@@ -1,11 +1,13 @@
-//! Elrod, Adams (1974), after Jakobsson, Floberg (1957) and Olsson (1965): films that conserve their oil.
+//! S. Pfeil, SBFEM-and-numerical-solutions-of-the-Reynolds-equation (published code): a bearing with one axial groove, whose
+//! film conserves its oil (Jakobsson, Floberg 1957; Olsson 1965; Elrod 1981).
 //!
-//! The bearing with one axial groove is that of S. Pfeil's published code (H = 1 - 0.5 cos X, groove across the flow at 90 degrees
-//! from the minimum film); its numbers, those of a shorter groove and of a round hole are recomputed with finite volumes
-//! along the flow (`tests/crosscheck/jfo_structured.py`, three grids, extrapolated: 2e-4 of the force). The short groove and
-//! the hole leave streaks of oil with sharp edges behind: smearing them across the flow costs 1 to 5 % there, and
-//! nothing in the groove bearing. Loads are external loads and count the region of given pressure. Asked: 0.1 % of the force
-//! and of p_max, 0.5 % of the supply flow (its corners converge slowly), 0.2 % (short) and 0.4 % (hole).
+//! H = 1 - 0.5 cos X, flow in +X, groove across the flow at 90 degrees from the minimum film, steady. Its stored result (F 1739.9 N,
+//! p_max 523.4 kPa on 100 x 26 nodes), a shorter groove and a round hole are recomputed with finite volumes along the flow
+//! (`tests/crosscheck/jfo_structured.py`, three grids, extrapolated: 2e-4 of the force). The short groove and the hole leave
+//! streaks of oil with sharp edges behind: smearing them across the flow costs 1 to 5 % there, and nothing in
+//! the groove bearing. Loads are external loads and count the region of given pressure. Asked: 0.1 % of the force
+//! and of p_max, 0.5 % of the supply flow (its corners converge slowly), 0.2 % (short groove) and 0.4 % (hole); the flow
+//! of the hole, of order 1 in the size of cells, is asked to 1.5 %.
 
 use oilwedge_tests::journal_bearings::{Ring, block, each, number, reference};
 use oilwedge_tests::scenes::{Solved, solve, written};
@@ -93,7 +95,11 @@ fn round_hole() {
     let alone = number(case, "F_film_alone");
     close(part("load_x").hypot(part("load_y")), alone, 4e-3 * alone);
     let flow = number(case, "supply_flow");
-    close(film.quantity("feed_flow.supply") / (2.0 * FLOW_UNIT), flow, 1e-2 * flow);
+    close(
+        film.quantity("feed_flow.supply") / (2.0 * FLOW_UNIT),
+        flow,
+        1.5e-2 * flow,
+    );
 }
 
 /// Where the line at the widest film is flooded at the cavitation pressure, the film breaks only once: the model of
