@@ -1,11 +1,15 @@
 """Reynolds' equation on a liner with scikit-fem's quadratic triangles: an independent second answer.
 
-    constant viscosity, Barus:  div( h^3/(12 mu0) grad q ) = div( U h/2 ),
+    constant viscosity, Barus:  div( h^3/(12 mu0) grad q ) = div( U h/2 ) + dh/dt,
                                 q = (1 - exp(-alpha p))/alpha   (q = p at alpha = 0)
     as the study prints it:     div( h^3/(12 mu0) grad p ) = div( U h/2 ) + (exp(alpha p) - 1) div( U h/2 )
 
-Full Sommerfeld film (no cavitation). Pressure is given on the ends, the edges of an arc and the
-feeds; a ring is periodic. Every integral over cells uses the quadrature rule that is passed in:
+Full Sommerfeld film, or one that cavitates after Swift and Stieber: then q is the least of
+Int h^3/(12 mu0) |grad q|^2/2 - (U h/2) dq/dx + dh/dt q  among all q >= q(p_c) (`obstacle.py`), where the
+bound holds at edge midpoints, the degrees of freedom whose shape functions have a positive mean.
+
+Pressure is given on the ends, the edges of an arc, the line of a film start and the feeds; a ring is
+periodic. Every integral over cells uses the quadrature rule that is passed in:
 (points (2, k), weights (k,)) on the reference triangle (0,0), (1,0), (0,1).
 """
 
@@ -19,6 +23,7 @@ from scipy.spatial import cKDTree
 from scipy.special import j1
 
 from liner_mesh import LinerMesh, read_liner
+from obstacle import solve_bounded
 
 EDGE_RULE = np.polynomial.legendre.leggauss(8)
 
@@ -46,6 +51,8 @@ def solve_film(scene, rule):
     """Solve a scene (see `scene_file.Scene`) with a quadrature rule."""
     mesh = read_liner(scene.mesh, scene.radius, scene.holes())
     film = Film(scene, mesh, rule)
+    if scene.cavitation not in ("none", "reynolds") or (scene.as_printed and scene.cavitation != "none"):
+        raise NotImplementedError(scene.cavitation)
     if scene.as_printed:
         nodal = film.solve_as_printed()
         pressure_at_points = film.at_points(nodal)
@@ -95,12 +102,13 @@ class Film:
         return form.assemble(self.basis)
 
     def _couette(self):
-        """Int U h/2 dv/dx."""
+        """Int U h/2 dv/dx - dh/dt v."""
         scene = self.scene
 
         @skfem.LinearForm
         def form(v, w):
-            return scene.speed * scene.radius / 2 * scene.film_thickness(w.x[0]) * v.grad[0]
+            drag = scene.speed * scene.radius / 2 * scene.film_thickness(w.x[0])
+            return drag * v.grad[0] - scene.thickness_rate(w.x[0]) * v
 
         return self.glue.T @ form.assemble(self.basis)
 
@@ -135,9 +143,14 @@ class Film:
         return x
 
     def solve_reduced_pressure(self):
-        """Nodal q of the conservative problem, which is linear."""
+        """Nodal q of the conservative problem, which is linear but for cavitation."""
         alpha = self.scene.barus
         fixed = {i: reduced_pressure(p, alpha) for i, p in self.fixed.items()}
+        if self.scene.cavitation == "reynolds":
+            lower = reduced_pressure(self.scene.cavitation_pressure, alpha)
+            middles = np.unique(self.mesh.unknown[self.mesh.cells[:, 3:]])
+            q, _ = solve_bounded(self.stiffness, self._couette(), lower, middles, fixed)
+            return q[self.mesh.unknown]
         return self._solve_linear(self.stiffness, self._couette(), fixed)[self.mesh.unknown]
 
     def solve_as_printed(self, steps=30):
@@ -182,11 +195,15 @@ def _nodes_of_dofs(basis, mesh):
 
 
 def given_pressures(scene, mesh):
-    """Pressure [Pa] by number of unknown: ends, edges of an arc, feeds."""
+    """Pressure [Pa] by number of unknown: ends, edges of an arc, film start, feeds."""
     fixed = {}
     for group in ("end_low", "end_high", "arc_from", "arc_to"):
         if group in mesh.curves:
             fixed |= dict.fromkeys(mesh.unknown[mesh.curves[group]].ravel(), scene.end_pressure)
+    if scene.film_start is not None:
+        turn = mesh.points[:, 0] / scene.radius - scene.film_start
+        on_line = np.abs(np.angle(np.exp(1j * turn))) < 1e-8
+        fixed |= dict.fromkeys(mesh.unknown[on_line], scene.end_pressure)
     for feed in scene.feeds:
         cut_out = feed.group in mesh.curves
         nodes = mesh.curves[feed.group] if cut_out else mesh.cells[mesh.surfaces[feed.group]]

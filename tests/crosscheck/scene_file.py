@@ -8,8 +8,9 @@ import numpy as np
 
 UNITS = {
     "m": 1.0, "mm": 1e-3, "um": 1e-6,
-    "Pa": 1.0, "bar": 1e5, "MPa": 1e6,
-    "deg": np.pi / 180, "rad/s": 1.0, "Pa.s": 1.0, "1/Pa": 1.0,
+    "Pa": 1.0, "kPa": 1e3, "bar": 1e5, "MPa": 1e6,
+    "deg": np.pi / 180, "rad": 1.0, "rad/s": 1.0, "rpm": np.pi / 30, "m/s": 1.0, "mm/s": 1e-3,
+    "Pa.s": 1.0, "mPa.s": 1e-3, "1/Pa": 1.0,
 }  # fmt: skip
 
 
@@ -48,16 +49,25 @@ class Scene:
     eccentricity: float
     min_film_angle: float
     speed: float
+    squeeze: tuple
+    film_start: float | None
     end_pressure: float
     feeds: list
     viscosity: float
     barus: float
     as_printed: bool
+    cavitation: str
+    cavitation_pressure: float
 
     def film_thickness(self, x):
         """h = c (1 - eps cos(phi - phi_min)) [m] at x = R phi."""
         phi = x / self.radius - self.min_film_angle
         return self.clearance * (1 - self.eccentricity * np.cos(phi))
+
+    def thickness_rate(self, x):
+        """dh/dt = -v_r cos(phi - phi_min) - v_t sin(phi - phi_min) [m/s] at x = R phi."""
+        phi = x / self.radius - self.min_film_angle
+        return -self.squeeze[0] * np.cos(phi) - self.squeeze[1] * np.sin(phi)
 
     def holes(self):
         """(group, x, z, radius) of the feeds with a given circle."""
@@ -69,6 +79,8 @@ def read_scene(path):
         table = tomllib.load(file)
     bearing, journal, oil = table["bearing"], table["journal"], table["oil"]
     barus = oil.get("barus", {})
+    squeeze, cavitation = journal.get("squeeze", {}), table.get("cavitation", {})
+    film_start = bearing.get("film_start")
     radius = si(bearing["diameter"]) / 2
     return Scene(
         mesh=(Path(path).parent / table["mesh"]["file"]).resolve(),
@@ -78,11 +90,15 @@ def read_scene(path):
         eccentricity=journal["eccentricity"],
         min_film_angle=si(journal["min_film_angle"]),
         speed=si(journal["speed"]),
+        squeeze=tuple(si(squeeze.get(key, "0 m/s")) for key in ("radial", "tangential")),
+        film_start=film_start and si(film_start),
         end_pressure=si(table.get("ends", {}).get("pressure", "0 Pa")),
         feeds=[_feed(feed, radius) for feed in table.get("feed", [])],
         viscosity=si(oil["viscosity"]),
         barus=si(barus.get("alpha", "0 1/Pa")),
         as_printed=barus.get("form") == "as-printed",
+        cavitation=cavitation.get("model", "none"),
+        cavitation_pressure=si(cavitation.get("pressure", "0 Pa")),
     )
 
 
@@ -92,19 +108,25 @@ def _feed(table, radius):
     return Feed(table["group"], si(table["pressure"]), circle)
 
 
-def write_variant(source, target, mesh=None, barus="keep", hole_keys=True):
-    """Write a copy of a scene with another mesh, Barus law (None: constant viscosity) or without
-    the `hole` keys; relative mesh paths are made to hold from the new place."""
+def write_variant(source, target, mesh=None, barus="keep", hole_keys=True, cavitation="keep", position=None):
+    """Write a copy of a scene with another mesh, Barus law (None: constant viscosity), cavitation model,
+    without the `hole` keys, or with a given position (keys of [journal]) instead of a load; relative
+    mesh paths are made to hold from the new place."""
     with open(source, "rb") as file:
         table = tomllib.load(file)
-    file = Path(source).parent / table["mesh"]["file"]
-    table["mesh"]["file"] = str((file.parent / mesh if mesh else file).resolve())
+    file = Path(source).parent / table.get("mesh", {}).get("file", "")
+    table["mesh"] = {"file": str((file.parent / mesh if mesh else file).resolve())}
+    if cavitation != "keep":
+        table["cavitation"] = cavitation
+    if position:
+        table.pop("load", None)
+        table["journal"] |= position
     if barus is None:
         table["oil"].pop("barus", None)
     elif barus != "keep":
         table["oil"]["barus"] = barus
     if not hole_keys:
-        for feed in table["feed"]:
+        for feed in table.get("feed", []):
             feed.pop("hole", None)
     Path(target).write_text(_toml(table))
     return Path(target)

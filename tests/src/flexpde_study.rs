@@ -17,7 +17,7 @@ pub struct Row {
     pub liner: String,
     /// `constant`, `conservative` or `as-printed`.
     pub viscosity: String,
-    /// `none`, or `guembel P` with the cavitation pressure in P_s.
+    /// `none`, or a model and the cavitation pressure in P_s: `guembel P`, `reynolds P`, `jfo P`.
     pub cavitation: String,
     /// Eccentricity, viscosity [Pa s], speed [rad/s].
     pub eccentricity: f64,
@@ -88,10 +88,10 @@ impl Row {
                 "constant" => drop(oil.remove("barus")),
                 form => drop(table(oil, "barus").insert("form".into(), form.into())),
             }
-            if let Some(pressure) = self.cavitation.strip_prefix("guembel ") {
+            if let Some((model, pressure)) = self.cavitation.split_once(' ') {
                 let pressure: f64 = pressure.parse().expect("cavitation pressure");
                 let cavitation = table(scene, "cavitation");
-                cavitation.insert("model".into(), "guembel".into());
+                cavitation.insert("model".into(), model.into());
                 cavitation.insert("pressure".into(), format!("{} Pa", pressure * SUPPLY_PRESSURE).into());
             }
         })
@@ -155,15 +155,18 @@ fn results_table() -> Vec<Vec<String>> {
     for case in rows().iter().filter(|case| case.reference("digits") == Some(8.0)) {
         let Ok(solved) = solve(&case.scene()) else { continue };
         let at_rest = if case.omega == 0.0 { " at rest" } else { "" };
-        let reference = |key: &str| case.reference(key).unwrap_or(f64::NAN);
+        let reference = |key: &str, digits: usize| {
+            let value = case.reference(key);
+            value.map_or_else(|| "-".to_owned(), |value| format!("{value:.digits$}"))
+        };
         table.push(vec![
             format!("{}{at_rest}", case.liner),
             case.viscosity.clone(),
             case.cavitation.clone(),
             format!("{:.4}", solved.quantity("load_coefficient")),
-            format!("{:.4}", reference("C_w")),
+            reference("C_w", 4),
             format!("{:.3}", solved.quantity("attitude_angle")),
-            format!("{:.3}", reference("attitude_deg")),
+            reference("attitude_deg", 3),
             format!("{:.3}", solved.quantity("pressure_max") / SUPPLY_PRESSURE),
             format!("{:.3}", solved.quantity("pressure_min") / SUPPLY_PRESSURE),
             format!("{:.4}", solved.quantity("viscosity_max") / case.mu0),

@@ -1,6 +1,7 @@
 //! What the tests share: structured liners and plain films, made without files.
 
 pub mod flexpde_study;
+pub mod journal_bearings;
 pub mod mesh_page;
 pub mod program;
 pub mod scenes;
@@ -29,13 +30,18 @@ pub const SPEED: f64 = 100.0;
 ///
 /// Diagonals alternate, so that the mesh is its own mirror image in both directions if both counts are even.
 pub fn ring(columns: u32, rows: u32, length: f64, start: f64) -> Mesh {
-    let circumference = std::f64::consts::TAU * RADIUS;
+    ring_of_radius(RADIUS, columns, rows, length, start)
+}
+
+/// The same with another radius [m].
+pub fn ring_of_radius(radius: f64, columns: u32, rows: u32, length: f64, start: f64) -> Mesh {
+    let circumference = std::f64::consts::TAU * radius;
     let vertex = |i: u32, j: u32| (i % columns) * (rows + 1) + j;
     let points = (0..columns * (rows + 1))
         .map(|k| {
             let (i, j) = (f64::from(k / (rows + 1)), f64::from(k % (rows + 1)));
             let z = length * (j / f64::from(rows) - 0.5);
-            [RADIUS * start + circumference * i / f64::from(columns), z]
+            [radius * start + circumference * i / f64::from(columns), z]
         })
         .collect();
     let mut triangles = Vec::new();

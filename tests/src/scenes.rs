@@ -22,6 +22,11 @@ pub fn variant(name: &str, edit: impl FnOnce(&mut toml::Table)) -> Scene {
     Scene::parse(&table.to_string(), &path(name)).unwrap_or_else(|error| panic!("{error}"))
 }
 
+/// The scene that `text` says, as if it lay in `scenes/`.
+pub fn written(text: &str) -> Scene {
+    Scene::parse(text, &path("written")).unwrap_or_else(|error| panic!("{error}"))
+}
+
 /// A table of the scene, made if absent.
 pub fn table<'a>(scene: &'a mut toml::Table, name: &str) -> &'a mut toml::Table {
     scene
