@@ -16,7 +16,7 @@ use super::rows::Condition;
 const MOST_STEPS: usize = 300;
 /// A film fraction above one, or a pressure below that of the cavity (in natural units), that changes a node's side.
 const SIGN_TOLERANCE: f64 = 1e-12;
-/// A node that changes sides so often in the second pass cannot settle with the bounded scheme.
+/// A node that changes sides so often in the second pass cannot settle with the LDA scheme.
 const RESTLESS: u8 = 2;
 /// Pseudo-time steps: the first as a part of the time that the journal takes over a radius, growth, number.
 const FIRST_TIME_STEP: f64 = 0.01;
@@ -135,33 +135,42 @@ impl<'a> Search<'a> {
         (0..self.film.blocks.len()).map(form).collect()
     }
 
-    /// Bounded parts of the present film where the inflow side is starved.
+    /// LDA where the inflow side is starved.
     fn second_forms(&self) -> Vec<Transport> {
         let form = |(t, block): (usize, &Block)| match block.is_starved(self.corners(t, |node| self.cavity[node])) {
-            true => block.bounded_parts(self.corners(t, |node| self.theta[node])),
+            true => Transport::LowDiffusion,
             false => Transport::Faces,
         };
         self.film.blocks.iter().enumerate().map(form).collect()
     }
 
-    /// In the second pass oil round a node that cannot settle is carried by the N scheme. True if that is new.
-    fn calm(&mut self, turned: &[(usize, f64)]) -> bool {
-        let mut restless = false;
+    /// Nodes that have turned too often.
+    fn restless(&mut self, turned: &[(usize, f64)]) -> Vec<usize> {
+        let mut restless = Vec::new();
         for &(dof, _) in turned {
             if let Some(turns) = self.turns.get_mut(dof) {
                 *turns = turns.saturating_add(1);
-                restless |= *turns == RESTLESS;
-            }
-        }
-        if restless {
-            for t in 0..self.forms.len() {
-                let near = self.corners(t, |node| self.turns[node] >= RESTLESS).contains(&true);
-                if near && matches!(self.forms[t], Transport::Bounded(_)) {
-                    self.forms[t] = Transport::Positive;
-                }
+                restless.extend((*turns == RESTLESS).then_some(dof));
             }
         }
         restless
+    }
+
+    /// Carries the oil round these nodes by the N scheme. True if that is new.
+    fn calm(&mut self, nodes: &[usize]) -> bool {
+        if nodes.is_empty() {
+            return false;
+        }
+        let mut marked = vec![false; self.p.len()];
+        nodes.iter().for_each(|&dof| marked[dof] = true);
+        let mut new = false;
+        for t in 0..self.forms.len() {
+            if self.forms[t] == Transport::LowDiffusion && self.corners(t, |node| marked[node]).contains(&true) {
+                self.forms[t] = Transport::Positive;
+                new = true;
+            }
+        }
+        new
     }
 
     /// Solves and exchanges until every sign is right; `choosing` chooses the forms of the first pass anew at each step.
@@ -182,6 +191,11 @@ impl<'a> Search<'a> {
                 active,
             });
             if wrong.is_empty() {
+                let overdrawn: Vec<usize> = (0..self.p.len()).filter(|&dof| self.theta[dof] < 0.0).collect();
+                if self.calm(&overdrawn) {
+                    seen.clear();
+                    continue;
+                }
                 return Ok(End::Settled(Box::new((linearisation, residual))));
             }
             let mut hasher = DefaultHasher::new();
@@ -189,7 +203,8 @@ impl<'a> Search<'a> {
             if !seen.insert(hasher.finish()) {
                 return Ok(End::Repeated);
             }
-            if self.calm(&wrong) {
+            let restless = self.restless(&wrong);
+            if self.calm(&restless) {
                 seen.clear();
             }
             for (dof, _) in wrong {

@@ -4,16 +4,17 @@
 //! R = K p + B theta      outflow through the inner faces of the cells, and what they store
 //! K_ab = Int h^3/(12 mu) grad l_a . grad l_b                             Poiseuille, linear elements
 //! B, by faces:    C_ab = Int_face U.n h/2;   a -> b:  max(C,0) theta_a + min(C,0) theta_b
-//! B, residual:    k_i = |T| U.grad l_i / 2,  u_i = h_i theta_i:  row i gets b_i (k_0 u_0 + k_1 u_1 + k_2 u_2),
+//! B, residual:    k_i = |T| U.grad l_i / 2,  u_i = h_i theta_i:  row i gets its part of k_0 u_0 + k_1 u_1 + k_2 u_2,
+//!                 N: k_i^+ (u_i - u_in), u_in = sum k_j^- u_j / sum k_j^-;   LDA: k_i^+ / sum k_j^+ of it;
 //!                 less what leaves through the sides of T (q = -2 k_c, opposite corner c):
 //!                 q (3 u_i + u_j)/8 from row i, q (3 u_j + u_i)/8 from row j
 //! ```
 //! The faces are exact and central where theta = 1. The residual distributions carry oil where theta < 1 without
-//! the crosswind smearing of faces: the N scheme (`b_i` depend on u: `k_i^+ (u_i - u_in)`, `u_in = sum k_j^- u_j /
-//! sum k_j^-`) is positive and of first order, the bounded one takes the signs of the N scheme's parts of a known u
-//! (PSI), is positive for that u and of second order. Columns sum to zero in all, but for what is stored.
+//! the crosswind smearing of faces: N is positive and of first order; LDA (low diffusion, type A) is of second order
+//! and keeps the edges of oil streaks sharp on any mesh, but may overshoot there. Columns sum to zero in all, but for
+//! what is stored.
 //!
-//! Roe, Cranfield CoA 8703 (1987); Struijs, Deconinck, Roe, VKI LS 1991-01; Deconinck, Roe, Struijs, Comput. Fluids 22 (1993) 215.
+//! Roe, Cranfield CoA 8703 (1987); Struijs, Deconinck, Roe, VKI LS 1991-01.
 
 use oilwedge_fem::ControlVolumes;
 use oilwedge_fem::control_volumes::SUB_TRIANGLES;
@@ -28,14 +29,14 @@ pub(super) const SIDES: [(usize, usize); 3] = [(0, 1), (1, 2), (2, 0)];
 const CELLS_A_TASK: usize = 1024;
 
 /// How the oil of a sub-triangle is carried.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Transport {
     /// Through the faces between cells, from upstream.
     Faces,
     /// By the N scheme.
     Positive,
-    /// By the parts of the residual that each corner gets; they sum to one.
-    Bounded([f64; 3]),
+    /// By the LDA scheme.
+    LowDiffusion,
 }
 
 /// Coefficients of one sub-triangle.
@@ -137,7 +138,7 @@ impl Block {
         let mut square = match form {
             Transport::Faces => self.faces(upwind),
             Transport::Positive => self.n_scheme(),
-            Transport::Bounded(parts) => self.bounded(parts),
+            Transport::LowDiffusion => self.low_diffusion(),
         };
         if form != Transport::Faces {
             self.take_sides(&mut square);
@@ -171,8 +172,12 @@ impl Block {
         square
     }
 
-    fn bounded(&self, parts: [f64; 3]) -> Square {
-        parts.map(|part| [0, 1, 2].map(|j| part * self.weight[j] * self.thickness[j]))
+    fn low_diffusion(&self) -> Square {
+        let inflow = self.inflow();
+        self.weight.map(|k| {
+            let part = k.max(0.0) / -inflow;
+            [0, 1, 2].map(|j| part * self.weight[j] * self.thickness[j])
+        })
     }
 
     /// What leaves through the sides of T belongs to no inner face.
@@ -190,23 +195,6 @@ impl Block {
     /// `sum k_j^-`.
     fn inflow(&self) -> f64 {
         self.weight.iter().map(|k| k.min(0.0)).sum()
-    }
-
-    /// The parts of the residual of `theta` by the PSI scheme: those of the N scheme that have the sign of the whole.
-    /// Where the residual vanishes each corner downstream gets its share of the inflow.
-    pub(super) fn bounded_parts(&self, theta: [f64; 3]) -> Transport {
-        const VANISHING: f64 = 1e-10;
-        let (k, inflow) = (self.weight, self.inflow());
-        let u = [0, 1, 2].map(|i| self.thickness[i] * theta[i]);
-        let upstream = (0..3).map(|i| k[i].min(0.0) * u[i]).sum::<f64>() / inflow;
-        let residuals = [0, 1, 2].map(|i| k[i].max(0.0) * (u[i] - upstream));
-        let whole: f64 = residuals.iter().sum();
-        let positive = residuals.map(|residual| (residual / whole).max(0.0));
-        let sum: f64 = positive.iter().sum();
-        match whole.abs() > VANISHING * inflow.abs() * upstream.abs() && sum.is_finite() {
-            true => Transport::Bounded(positive.map(|part| part / sum)),
-            false => Transport::Bounded(k.map(|k| k.max(0.0) / -inflow)),
-        }
     }
 
     /// True if a corner that is not downstream is in the cavity: the inflow side is starved, or the side along the flow.

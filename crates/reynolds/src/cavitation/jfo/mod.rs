@@ -14,9 +14,9 @@
 //! the quadratic functions of the nodal q, which is several times better than with linear ones.
 //!
 //! Two passes. Where oil is transported a residual distribution is used, else faces: in pass one the N scheme wherever
-//! a node is in the cavity, chosen anew each step; in pass two, from the film of pass one, the bounded scheme
+//! a node is in the cavity, chosen anew each step; in pass two, from the cavity of pass one, the LDA scheme
 //! only where the inflow side of a sub-triangle is starved, and kept. (Chosen by inflow inside the loop, nodes along the
-//! rupture line chatter.) Round the few nodes that do not settle so, the N scheme stays.
+//! rupture line chatter.) Round the few nodes that do not settle so, or would hold less than no oil, the N scheme stays.
 //!
 //! **Source.** Jakobsson and Floberg, Chalmers Report 190 (1957); Olsson, Chalmers Report 272 (1965); Elrod,
 //! J. Lubr. Technol. 103 (1981) 350. **Range.** Steady with rotation; incompressible oil; triangles without
