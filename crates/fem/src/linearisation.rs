@@ -10,7 +10,7 @@ const REFUSE_ABOVE: f64 = 1e-7;
 #[derive(Debug)]
 enum Factor {
     Cholesky(Factorization),
-    Lu(UnsymmetricFactorization),
+    Lu(Box<UnsymmetricFactorization>),
 }
 
 impl Factor {
@@ -47,7 +47,7 @@ impl Linearisation {
     pub fn unsymmetric(matrix: Matrix, factorization: UnsymmetricFactorization, constraints: Constraints) -> Self {
         Self {
             matrix,
-            factor: Factor::Lu(factorization),
+            factor: Factor::Lu(Box::new(factorization)),
             constraints,
         }
     }

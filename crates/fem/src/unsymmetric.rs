@@ -178,7 +178,7 @@ mod tests {
         let constraints = Constraints::none(12);
         let solved = analysis
             .factorise(&matrix, &constraints.fixed)
-            .and_then(|factor| Linearisation::unsymmetric(matrix, factor, constraints).solve(&vec![1.0; 12]));
+            .and_then(|factor| Linearisation::unsymmetric(matrix, factor, constraints).solve(&[1.0; 12]));
         assert!(solved.is_err());
     }
 }

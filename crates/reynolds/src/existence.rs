@@ -3,6 +3,7 @@
 use oilwedge_fem::Field;
 use oilwedge_fem::newton::Failure;
 
+use crate::solve::Neighbour;
 use crate::{FilmProblem, FilmSolution, FilmSystem};
 
 /// Why there is no film to report.
@@ -121,7 +122,7 @@ impl FilmProblem {
             return None;
         }
         let above = |motion: f64| {
-            let film = self.closed_film(system, motion, None).ok()?;
+            let film = self.closed_film(system, motion, Neighbour::None).ok()?;
             Some(self.greatest_unknown(system, &film) / limit - 1.0)
         };
         let (mut low, mut high) = (0.5, 1.0);

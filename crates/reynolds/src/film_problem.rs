@@ -26,7 +26,7 @@ pub enum Form {
 }
 
 /// A film for a given journal state: one entry a socket, lists where contributions add up.
-#[derive(Clone)]
+#[derive(Debug, Clone)]
 pub struct FilmProblem {
     /// Dimensions and end pressure.
     pub bearing: Bearing,
@@ -178,6 +178,16 @@ impl FilmProblem {
     /// The pressure [Pa] that the film exerts where the unknown is `u`.
     pub fn pressure_at(&self, u: f64) -> f64 {
         self.cavitation.effective_pressure(self.equation_pressure(u))
+    }
+
+    /// Derivative of [`FilmProblem::pressure_at`] by the unknown [-].
+    pub fn pressure_slope_at(&self, u: f64) -> f64 {
+        let p = self.equation_pressure(u);
+        match self.form {
+            _ if self.cavitation.effective_pressure(p) != p => 0.0,
+            Form::Conservative => self.lubricant.pressure_law.viscosity_ratio(p),
+            Form::AsPrinted(_) => 1.0,
+        }
     }
 
     /// The pressure [Pa] that the equation gives where the unknown is `u`.

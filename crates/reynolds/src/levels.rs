@@ -64,7 +64,7 @@ impl Coarser {
     }
 
     /// The film on the coarser mesh.
-    pub(crate) fn problem(&self, fine: &FilmProblem) -> FilmProblem {
+    pub fn problem(&self, fine: &FilmProblem) -> FilmProblem {
         FilmProblem {
             film_thickness: self.film_thickness.clone(),
             ..fine.clone()

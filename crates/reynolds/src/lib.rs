@@ -47,7 +47,8 @@ pub mod journal_state;
 pub mod levels;
 pub mod lubricant;
 pub mod quantities;
-mod solve;
+mod sensitivity;
+pub mod solve;
 pub mod supply;
 pub mod terms;
 

@@ -11,28 +11,40 @@ use crate::{Cavitation, FilmProblem, FilmSolution, FilmSystem, Form, NoFilm};
 /// Speeds of an as-printed film are bisected to this fraction of the speed asked for.
 const FOLD_RESOLUTION: f64 = 1e-4;
 
+/// A film of the same system to start from.
+#[derive(Debug, Clone, Copy)]
+pub enum Neighbour<'a> {
+    /// None: the film is solved on coarser meshes first, if there are any.
+    None,
+    /// This one.
+    Start(&'a FilmSolution),
+    /// This one, and a mass-conserving film carries its oil by the same forms, so that it changes smoothly.
+    Kept(&'a FilmSolution),
+}
+
 impl FilmProblem {
     /// Solves the film.
     ///
     /// # Errors
     /// [`NoFilm`]: the reason why there is none.
     pub fn solve(&self, system: &FilmSystem) -> Result<FilmSolution, NoFilm> {
-        self.solve_from(system, None)
+        self.solve_from(system, Neighbour::None)
     }
 
     /// Solves the film, started from that of a neighbouring operating point on the same system.
     ///
     /// # Errors
     /// [`NoFilm`]: the reason why there is none.
-    pub fn solve_from(&self, system: &FilmSystem, neighbour: Option<&FilmSolution>) -> Result<FilmSolution, NoFilm> {
-        let film = match self.form {
-            Form::Conservative => self.closed_film(system, 1.0, neighbour)?,
-            Form::AsPrinted(_) => {
-                (self.closed_film(system, 1.0, neighbour)).or_else(|_| self.continue_in_speed(system))?
+    pub fn solve_from(&self, system: &FilmSystem, neighbour: Neighbour) -> Result<FilmSolution, NoFilm> {
+        let film = self.closed_film(system, 1.0, neighbour);
+        match self.form {
+            Form::Conservative => {
+                let film = film?;
+                self.check_existence(system, &film)?;
+                Ok(film)
             }
-        };
-        self.check_existence(system, &film)?;
-        Ok(film)
+            Form::AsPrinted(_) => film.or_else(|_| self.continue_in_speed(system)),
+        }
     }
 
     /// True if the film is found by iteration, and quicker from that of a coarser mesh.
@@ -47,14 +59,18 @@ impl FilmProblem {
         &self,
         system: &FilmSystem,
         motion: f64,
-        neighbour: Option<&FilmSolution>,
+        neighbour: Neighbour,
     ) -> Result<FilmSolution, NoFilm> {
-        let (start, levels) = match neighbour {
-            Some(film) => (film.as_start(), 0),
-            None => self.start(system, motion),
+        let (start, levels, kept) = match neighbour {
+            Neighbour::Start(film) => (film.as_start(), 0, None),
+            Neighbour::Kept(film) => (film.as_start(), 0, film.film_fraction.as_ref()),
+            Neighbour::None => {
+                let (start, levels) = self.start(system, motion);
+                (start, levels, None)
+            }
         };
         let film = match self.cavitation {
-            Cavitation::Jfo { .. } => jfo::solve(self, system, motion, start)?,
+            Cavitation::Jfo { .. } => jfo::solve(self, system, motion, start, kept)?,
             _ => self.pressure_film(system, motion, start)?,
         };
         Ok(FilmSolution { levels, ..film })
@@ -64,7 +80,7 @@ impl FilmProblem {
     fn start(&self, system: &FilmSystem, motion: f64) -> (Start, usize) {
         let coarse = system.coarser.as_ref().and_then(|coarser| {
             let film = (coarser.problem(self))
-                .closed_film(&coarser.system, motion, None)
+                .closed_film(&coarser.system, motion, Neighbour::None)
                 .ok()?;
             Some((coarser.carried(&film, self.cavitation), film.levels + 1))
         });
@@ -106,11 +122,11 @@ impl FilmProblem {
     /// Raises the speed from rest in steps, each started from the last solution. The least steps
     /// close in on the fold, the speed past which the stable branch has no solution.
     fn continue_in_speed(&self, system: &FilmSystem) -> Result<FilmSolution, NoFilm> {
-        let mut film = self.closed_film(system, 0.0, None)?;
+        let mut film = self.closed_film(system, 0.0, Neighbour::None)?;
         let (mut reached, mut step) = (0.0, 0.25);
         loop {
             let next: f64 = f64::min(reached + step, 1.0);
-            match self.closed_film(system, next, Some(&film)) {
+            match self.closed_film(system, next, Neighbour::Start(&film)) {
                 Ok(mut solution) => {
                     let mut history = film.history;
                     history.append(&mut solution.history);

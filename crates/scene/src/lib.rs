@@ -4,15 +4,17 @@
 //! that is wrong with it at once; [`run`](run()) computes it; [`results::write_results`] writes what was found.
 //!
 //! ```text
-//! scene.toml -> schema (keys, units) -> Scene (SI) -> validate (ranges) -> compile (sockets) -> film
+//! scene.toml -> schema (keys, units) -> Scene (SI) -> validate (ranges) -> compile (sockets) -> analysis (position) -> film
 //!      film -> measure (quantities) + picture (fields) -> RunResult + FilmPicture -> files
 //! ```
 //!
 //! Reading order: [`unit`] (quantities with units, over the table in `dimension.rs`), [`scene`] (what a user can
 //! say), [`schema`] (how it is written, over the collecting `reader.rs`), [`validate`] (what can be computed),
-//! [`complaint`] (what is said where it cannot), [`mod@compile`] (the one place that knows all effects), [`mod@run`],
-//! [`mod@measure`] and [`report`] (the numbers, and in `doubts.rs` what to doubt), [`mod@picture`] and [`vtu`] (the fields), [`results`] (the files).
+//! [`complaint`] (what is said where it cannot), [`mod@compile`] (the one place that knows all effects), [`analysis`] (given
+//! position or given load), [`mod@run`], [`mod@measure`] and [`report`] (the numbers, and in `doubts.rs` what to doubt),
+//! [`mod@picture`] and [`vtu`] (the fields), [`results`] (the files).
 
+pub mod analysis;
 pub mod compile;
 pub mod complaint;
 mod dimension;

@@ -3,10 +3,12 @@
 use std::path::Path;
 use std::time::Instant;
 
+use oilwedge_bearing::NoEquilibrium;
 use oilwedge_fem::newton;
 use oilwedge_mesh::{Mesh, Quality, developed};
 use oilwedge_reynolds::{FilmSolution, NoFilm};
 
+use crate::analysis::{NoAnswer, Solved, analyse};
 use crate::compile::{CompileError, Study, compile};
 use crate::liner_mesh::liner_mesh;
 use crate::measure::{measure, quantities, warnings};
@@ -67,8 +69,7 @@ pub enum Error {
 /// [`Error::Compile`] where the mesh cannot be read or does not fit the scene.
 pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, Error> {
     let start = Instant::now();
-    let study = compile(scene)?;
-    let outcome = study.problem.solve(&study.system);
+    let (study, outcome) = analyse(scene)?;
     let mut result = RunResult {
         format: RESULT_FORMAT.to_owned(),
         title: scene.title.clone(),
@@ -87,16 +88,22 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, Error> {
         warnings: Vec::new(),
     };
     let picture = match outcome {
-        Ok(film) => {
+        Ok(Solved { film, balance }) => {
             report(&study, &film, &mut result);
+            if let Some(balance) = balance {
+                result.balances.force = balance.residual;
+                result.counts.position_steps = balance.steps;
+            }
             Some(picture(&study, &film, options.unrolled))
         }
         Err(reason) => {
             result.status = match &reason {
-                NoFilm::NotConverged(failure) => {
+                NoAnswer::Film(NoFilm::NotConverged(failure))
+                | NoAnswer::Equilibrium(NoEquilibrium::Film(NoFilm::NotConverged(failure))) => {
                     result.history = history(failure.history());
                     Status::NotConverged
                 }
+                NoAnswer::Equilibrium(NoEquilibrium::NotConverged { .. }) => Status::NotConverged,
                 _ => Status::NoSolution,
             };
             result.reason = Some(reason.to_string());

@@ -93,6 +93,14 @@ pub enum MeshSource {
 }
 
 impl MeshSource {
+    /// Whether its size follows the thickness of the film, and so the position of the journal.
+    pub fn is_graded(&self) -> bool {
+        match self {
+            Self::File { size, .. } => size.is_some(),
+            Self::Drawing { .. } => true,
+        }
+    }
+
     /// The mesh file, if there is one.
     pub fn path(&self) -> Option<&Path> {
         match self {

@@ -80,7 +80,51 @@ pub fn load(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> 
     Load { total, cut_out }
 }
 
+/// First-order change of the load [N] where the unknown changes by `change` at each dof; regions cut out keep their
+/// pressure.
+pub fn load_change(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, change: &[f64]) -> [f64; 2] {
+    let space = system.space();
+    let by_unknown = Field { space, values: change };
+    let excess = |t: usize, point: [f64; 2], u: f64| problem.pressure_slope_at(u) * by_unknown.value(t, point);
+    integrated(problem, system, film, &excess).force
+}
+
 fn film_share(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Share {
+    let p_e = problem.bearing.end_pressure;
+    let excess = integrated(problem, system, film, &|_, _, u| problem.pressure_at(u) - p_e);
+    Share {
+        force: excess.force,
+        pressure: excess.thrust + p_e * excess.area,
+    }
+}
+
+/// Integrals over the film of a density [Pa].
+#[derive(Debug, Clone, Copy, Default)]
+struct Integral {
+    /// With `(cos phi, sin phi)` [N].
+    force: [f64; 2],
+    /// By itself [N].
+    thrust: f64,
+    /// Area of the film [m2].
+    area: f64,
+}
+
+impl std::ops::AddAssign for Integral {
+    fn add_assign(&mut self, other: Self) {
+        self.force[0] += other.force[0];
+        self.force[1] += other.force[1];
+        self.thrust += other.thrust;
+        self.area += other.area;
+    }
+}
+
+/// Integrals of a density [Pa] that depends on triangle, reference point and the unknown there.
+fn integrated(
+    problem: &FilmProblem,
+    system: &FilmSystem,
+    film: &FilmSolution,
+    density: &(dyn Fn(usize, [f64; 2], f64) -> f64 + Sync),
+) -> Integral {
     let space = system.space();
     let rule = Quadrature::for_degree(space.degree());
     let quartered = quartered(&rule, KINK_QUARTERINGS);
@@ -90,44 +134,50 @@ fn film_share(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -
     };
     let kink = problem.cavitation.kink().map(|p| problem.unknown_at(p));
     let cells = space.mesh().triangles().len();
-    let tasks: Vec<Share> = (0..cells.div_ceil(CELLS_A_TASK))
+    let tasks: Vec<Integral> = (0..cells.div_ceil(CELLS_A_TASK))
         .into_par_iter()
         .map(|task| {
-            let mut sum = Share::default();
+            let mut sum = Integral::default();
             for t in task * CELLS_A_TASK..((task + 1) * CELLS_A_TASK).min(cells) {
                 let nodal = field.element_values(t);
                 let nodal = &nodal[..space.shapes()];
                 let kinked =
                     kink.is_some_and(|kink| nodal.iter().any(|&u| u < kink) && nodal.iter().any(|&u| u > kink));
-                sum += cell_share(problem, &field, t, if kinked { &quartered } else { &rule });
+                sum += cell_integral(problem, &field, t, if kinked { &quartered } else { &rule }, density);
             }
             sum
         })
         .collect();
-    let mut total = Share::default();
+    let mut total = Integral::default();
     for task in tasks {
         total += task;
     }
     total
 }
 
-fn cell_share(problem: &FilmProblem, field: &Field, t: usize, rule: &Quadrature) -> Share {
+fn cell_integral(
+    problem: &FilmProblem,
+    field: &Field,
+    t: usize,
+    rule: &Quadrature,
+    density: &dyn Fn(usize, [f64; 2], f64) -> f64,
+) -> Integral {
     let mapping = Mapping::of(field.space.mesh(), t);
     let nodal = field.element_values(t);
-    let mut share = Share::default();
+    let mut sum = Integral::default();
     for (&point, weight) in rule.points.iter().zip(&rule.weights) {
         let place = mapping.at(point);
         let area = weight * place.determinant;
         let u = oilwedge_fem::field::evaluate(field.space.degree(), &nodal, point);
-        let p = problem.pressure_at(u);
         let (sin, cos) = (place.position[0] / problem.bearing.radius).sin_cos();
-        let excess = area * (p - problem.bearing.end_pressure);
-        share += Share {
-            force: [excess * cos, excess * sin],
-            pressure: area * p,
+        let thrust = area * density(t, point, u);
+        sum += Integral {
+            force: [thrust * cos, thrust * sin],
+            thrust,
+            area,
         };
     }
-    share
+    sum
 }
 
 /// The rule on `4^levels` congruent parts of the reference triangle.

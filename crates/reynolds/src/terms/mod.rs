@@ -11,7 +11,7 @@ pub use squeeze::Squeeze;
 use crate::{FilmFlow, FilmPoint};
 
 /// One term of the equation.
-pub trait Term: Send + Sync {
+pub trait Term: Send + Sync + std::fmt::Debug {
     /// Name in reports.
     fn name(&self) -> &'static str;
 

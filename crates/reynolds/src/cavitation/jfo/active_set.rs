@@ -8,9 +8,9 @@ use oilwedge_fem::complementarity::Start;
 use oilwedge_fem::newton::{Failure, HistoryStep, Seconds};
 use oilwedge_fem::{Constraints, Error, Linearisation, Matrix};
 
-use super::Film;
 use super::blocks::{Block, Transport};
 use super::rows::Condition;
+use super::{Film, FilmFraction};
 
 /// Most steps of one search.
 const MOST_STEPS: usize = 300;
@@ -89,11 +89,21 @@ impl<'a> Search<'a> {
     }
 
     /// Both passes, and pseudo-time where a set of nodes comes back.
-    pub(super) fn run(mut self, radius: f64, velocity: [f64; 2]) -> Result<Found, Failure> {
-        if let End::Repeated = self.iterate(true, None)? {
-            self.iterate(false, None)?;
-        }
-        self.forms = self.second_forms();
+    pub(super) fn run(
+        mut self,
+        kept: Option<&FilmFraction>,
+        radius: f64,
+        velocity: [f64; 2],
+    ) -> Result<Found, Failure> {
+        self.forms = match kept {
+            Some(kept) => kept.forms.clone(),
+            None => {
+                if let End::Repeated = self.iterate(true, None)? {
+                    self.iterate(false, None)?;
+                }
+                self.second_forms()
+            }
+        };
         self.turns = vec![0; self.p.len()];
         let mut end = self.iterate(false, None)?;
         if let End::Repeated = end {

@@ -61,12 +61,13 @@ struct Film<'a> {
     scale: f64,
 }
 
-/// Solves the film from the cavity of `start`.
+/// Solves the film from the cavity of `start`; oil is carried as `kept` says, or as the two passes find best.
 pub(crate) fn solve(
     problem: &FilmProblem,
     system: &FilmSystem,
     motion: f64,
     start: Start,
+    kept: Option<&FilmFraction>,
 ) -> Result<FilmSolution, NoFilm> {
     let volumes = system.volumes().map_err(oilwedge_fem::newton::Failure::from)?;
     let law = FilmLaw::new(problem, motion);
@@ -83,7 +84,7 @@ pub(crate) fn solve(
     };
     let mut search = Search::new(&film, start);
     search.seconds.assemble += clock.elapsed().as_secs_f64();
-    let found = search.run(problem.bearing.radius, law.velocity())?;
+    let found = search.run(kept, problem.bearing.radius, law.velocity())?;
     let least = (0..found.theta.len()).min_by(|&a, &b| found.theta[a].total_cmp(&found.theta[b]));
     if let Some(least) = least.filter(|&dof| found.theta[dof] < -ROUNDING) {
         let [x, z] = system.space().positions()[least];

@@ -1,0 +1,459 @@
+//! # Equilibrium: the position in which the film carries the load
+//!
+//! **Equation.** `W(e) = F` for the journal's offset `e`. Newton's method with the exact tangent of the film bordered by
+//! that of the load: `dW/de = -(dW/dp) (dR/dp)^-1 (dR/de)`, the cavity held.
+//!
+//! | symbol | unit | code |
+//! |---|---|---|
+//! | F | N | `load` |
+//! | W | N | `force` |
+//! | dW/de | N/m | `stiffness` |
+//! | s | - | `stretched` |
+//!
+//! Far from the balance steps are taken in `ln |W|` against `s = ln eps - 3/2 ln(1 - eps)` and in the angles: the load
+//! grows like eps for a centred journal and like (1 - eps)^(-3/2) near contact, so both are nearly linear over the whole
+//! range, and the film thickness stays positive by itself. Near the balance they are those in `e`.
+//!
+//! **Source.** Definition; Hamrock, Schmid, Jacobson (2004), ch. 10, for the limits of the load. **Range.** Steady positions;
+//! with squeeze the centre's velocity turns with the line of centres. **Verified by** `tests/tests/equilibrium.rs`: the
+//! tangent against differences, and eccentricities given back by their loads.
+
+use oilwedge_reynolds::quantities::load::{load, load_change};
+use oilwedge_reynolds::solve::Neighbour;
+use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalChange, JournalState, NoFilm};
+
+/// The balance has been found when force and load differ by this part of the load.
+const BALANCED: f64 = 1e-12;
+/// A balance that rounding keeps from [`BALANCED`] is one below this part.
+const BALANCED_ENOUGH: f64 = 1e-10;
+/// Steps are taken in `e` below this part.
+const NEAR: f64 = 0.1;
+/// Most positions tried.
+const MOST_STEPS: usize = 40;
+/// Most halvings of one step.
+const MOST_HALVINGS: usize = 8;
+/// Least film thickness after a step, over the one before.
+const LEAST_SHRINK: f64 = 0.1;
+/// Longest turn of the line of centres in one step [rad].
+const LONGEST_TURN: f64 = 1.0;
+/// Below this part of the load the forms by which a mass-conserving film carries its oil are kept from step to step.
+const SMOOTH: f64 = 1e-2;
+/// Choices of these forms: the last is that of the balanced position, if they come to rest.
+const MOST_CHOICES: usize = 6;
+/// A journal whose film is thinner than this part of the clearance touches.
+const CONTACT: f64 = 1e-6;
+/// Moves by less than this part of the least film thickness are started from the film before.
+const SHORT_MOVE: f64 = 0.2;
+
+/// Velocity of the journal's centre [m/s], along the line of centres (outwards) and across (towards growing angles).
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Squeeze {
+    /// Along.
+    pub radial: f64,
+    /// Across.
+    pub tangential: f64,
+}
+
+/// A journal in balance.
+#[derive(Debug)]
+pub struct Equilibrium {
+    /// The film's problem with the journal where it belongs.
+    pub problem: FilmProblem,
+    /// The film there.
+    pub film: FilmSolution,
+    /// Load less force of the film, relative to the load (to the natural one if there is none).
+    pub residual: f64,
+    /// Positions tried on the mesh of the film.
+    pub steps: usize,
+    /// `dW/de` [N/m], row: component of W.
+    pub stiffness: [[f64; 2]; 2],
+}
+
+/// Why no position was found.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum NoEquilibrium {
+    /// No film at the first position or near it.
+    #[error(transparent)]
+    Film(#[from] NoFilm),
+    /// No position balances the load.
+    #[error(
+        "no position of the journal carries {asked:.4e} N towards {towards:.1} deg: the nearest force found is {nearest:.4e} N towards {nearest_towards:.1} deg, at eccentricity {eccentricity:.4} ({why}); change the load, its angle, or the pressure and place of feeds"
+    )]
+    Unreachable {
+        /// Load asked for [N].
+        asked: f64,
+        /// Its direction [deg].
+        towards: f64,
+        /// Nearest force found [N].
+        nearest: f64,
+        /// Its direction [deg].
+        nearest_towards: f64,
+        /// Eccentricity there.
+        eccentricity: f64,
+        /// The journal there.
+        journal: Box<JournalState>,
+        /// What stopped the search.
+        why: &'static str,
+    },
+    /// The search did not end.
+    #[error("not converged: after {steps} positions force and load still differ by {residual:.1e} of the load")]
+    NotConverged {
+        /// Positions tried.
+        steps: usize,
+        /// Load less force, relative to the load.
+        residual: f64,
+    },
+}
+
+/// Finds the position in which the film carries `load` [N], searched from that of `problem`. On coarser
+/// meshes first, if the system has any.
+///
+/// # Errors
+/// [`NoEquilibrium`]: the reason why there is none.
+pub fn find(
+    problem: &FilmProblem,
+    system: &FilmSystem,
+    load: [f64; 2],
+    squeeze: Squeeze,
+) -> Result<Equilibrium, NoEquilibrium> {
+    let search = Search {
+        system,
+        load,
+        squeeze,
+        clearance: problem.bearing.clearance,
+        natural: natural_load(problem, load),
+    };
+    let start = match &system.coarser {
+        Some(coarser) => find(&coarser.problem(problem), &coarser.system, load, squeeze)
+            .map_or(problem.journal, |found| found.problem.journal),
+        None => problem.journal,
+    };
+    match search.run(problem, start) {
+        Err(unreachable @ NoEquilibrium::Unreachable { .. }) => {
+            let again = search.nearest_start(problem).map(|start| search.run(problem, start));
+            again.and_then(Result::ok).ok_or(unreachable)
+        }
+        other => other,
+    }
+}
+
+/// The load, or that of drag through the clearance where there is none.
+fn natural_load(problem: &FilmProblem, load: [f64; 2]) -> f64 {
+    let bearing = &problem.bearing;
+    let pressure =
+        problem.lubricant.viscosity * problem.journal.speed.abs() * (bearing.radius / bearing.clearance).powi(2);
+    match load[0].hypot(load[1]) {
+        0.0 => (pressure * 2.0 * bearing.radius * bearing.length).max(f64::MIN_POSITIVE),
+        load => load,
+    }
+}
+
+struct Search<'a> {
+    system: &'a FilmSystem,
+    load: [f64; 2],
+    squeeze: Squeeze,
+    clearance: f64,
+    /// What residuals are relative to [N].
+    natural: f64,
+}
+
+/// A position, its film and its force.
+struct Trial {
+    problem: FilmProblem,
+    film: FilmSolution,
+    force: [f64; 2],
+}
+
+impl Search<'_> {
+    /// Balances the load and, in a mass-conserving film, chooses the forms by which oil is carried anew at the balanced
+    /// position until they come to rest.
+    fn run(&self, problem: &FilmProblem, start: JournalState) -> Result<Equilibrium, NoEquilibrium> {
+        let mut tried = 1;
+        let mut trial = self.balanced(self.first(problem, start)?, &mut tried)?;
+        for _ in 0..MOST_CHOICES {
+            if trial.film.film_fraction.is_none() {
+                break;
+            }
+            tried += 1;
+            let chosen = self.trial(&trial.problem, trial.problem.journal.offset, Neighbour::None)?;
+            let at_rest = self.residual(&chosen) < BALANCED_ENOUGH;
+            if at_rest {
+                trial = chosen;
+                break;
+            }
+            match self.balanced(chosen, &mut tried) {
+                Ok(balanced) => trial = balanced,
+                // The position balanced before, with the forms chosen near it, stands.
+                Err(_) => break,
+            }
+        }
+        Ok(Equilibrium {
+            residual: self.residual(&trial),
+            stiffness: self.stiffness(&trial)?,
+            problem: trial.problem,
+            film: trial.film,
+            steps: tried,
+        })
+    }
+
+    fn balanced(&self, mut trial: Trial, tried: &mut usize) -> Result<Trial, NoEquilibrium> {
+        while *tried < MOST_STEPS {
+            let residual = self.residual(&trial);
+            if residual < BALANCED {
+                return Ok(trial);
+            }
+            let stiffness = self.stiffness(&trial)?;
+            let step = self.step(&trial, stiffness);
+            match self.damped(&trial, step, tried) {
+                // Rounding is reached.
+                None if residual < BALANCED_ENOUGH => return Ok(trial),
+                None => {
+                    return Err(self.unreachable(&trial, "no shorter step brings the force nearer to the load"));
+                }
+                Some(next) => trial = next,
+            }
+            if self.clearance - trial.problem.journal.eccentricity() < CONTACT * self.clearance {
+                return Err(self.unreachable(&trial, "the journal touches the bearing"));
+            }
+        }
+        Err(NoEquilibrium::NotConverged {
+            steps: *tried,
+            residual: self.residual(&trial),
+        })
+    }
+
+    /// The position whose force is nearest to the load, of a few all over the bearing.
+    fn nearest_start(&self, problem: &FilmProblem) -> Option<JournalState> {
+        let mut nearest: Option<(f64, JournalState)> = None;
+        for eps in [0.2, 0.5, 0.8, 0.95, 0.99] {
+            for k in 0..12 {
+                let angle = std::f64::consts::TAU * f64::from(k) / 12.0;
+                let e = eps * self.clearance;
+                let Ok(trial) = self.trial(problem, [e * angle.cos(), e * angle.sin()], Neighbour::None) else {
+                    continue;
+                };
+                let distance = self.distance(&trial);
+                if nearest.is_none_or(|(least, _)| distance < least) {
+                    nearest = Some((distance, trial.problem.journal));
+                }
+            }
+        }
+        Some(nearest?.1)
+    }
+
+    /// The film at the start or, where there is none, nearer to the middle.
+    fn first(&self, problem: &FilmProblem, mut start: JournalState) -> Result<Trial, NoFilm> {
+        const RETREATS: usize = 12;
+        for _ in 0..RETREATS {
+            match self.trial(problem, start.offset, Neighbour::None) {
+                Err(NoFilm::AboveLimit { .. }) => start.offset = start.offset.map(|e| 0.5 * e),
+                other => return other,
+            }
+        }
+        self.trial(problem, start.offset, Neighbour::None)
+    }
+
+    fn trial(&self, problem: &FilmProblem, offset: [f64; 2], from: Neighbour) -> Result<Trial, NoFilm> {
+        let mut problem = problem.clone();
+        let angle = match offset {
+            [0.0, 0.0] => problem.journal.min_film_angle(),
+            [x, y] => y.atan2(x),
+        };
+        problem.journal = JournalState {
+            offset,
+            ..problem.journal
+        }
+        .with_squeeze(self.squeeze.radial, self.squeeze.tangential, angle);
+        let film = problem.solve_from(self.system, from)?;
+        let force = load(&problem, self.system, &film).total.force;
+        Ok(Trial { problem, film, force })
+    }
+
+    fn residual(&self, trial: &Trial) -> f64 {
+        let [x, y] = self.excess(trial);
+        x.hypot(y) / self.natural
+    }
+
+    /// Force of the film less the load [N].
+    fn excess(&self, trial: &Trial) -> [f64; 2] {
+        [trial.force[0] - self.load[0], trial.force[1] - self.load[1]]
+    }
+
+    /// `dW/de`.
+    fn stiffness(&self, trial: &Trial) -> Result<[[f64; 2]; 2], NoFilm> {
+        let mut stiffness = [[0.0; 2]; 2];
+        for k in 0..2 {
+            let change = self.change(&trial.problem.journal, k);
+            let unknown = (trial.problem)
+                .unknown_change(self.system, &trial.film, &change)
+                .map_err(oilwedge_fem::newton::Failure::from)?;
+            let by_offset = load_change(&trial.problem, self.system, &trial.film, &unknown);
+            stiffness[0][k] = by_offset[0];
+            stiffness[1][k] = by_offset[1];
+        }
+        Ok(stiffness)
+    }
+
+    /// A unit move along axis `k`; the velocity of squeeze turns with the line of centres.
+    fn change(&self, journal: &JournalState, k: usize) -> JournalChange {
+        let mut offset = [0.0; 2];
+        offset[k] = 1.0;
+        let e = journal.eccentricity();
+        let velocity = match e > 0.0 {
+            true => {
+                let along = journal.offset.map(|x| x / e);
+                let across = [-along[1], along[0]];
+                let turn = across[k] / e;
+                [0, 1].map(|d| turn * (self.squeeze.radial * across[d] - self.squeeze.tangential * along[d]))
+            }
+            false => [0.0; 2],
+        };
+        JournalChange { offset, velocity }
+    }
+
+    /// Newton's step [m].
+    fn step(&self, trial: &Trial, stiffness: [[f64; 2]; 2]) -> [f64; 2] {
+        let stretched = (self.residual(trial) > NEAR)
+            .then(|| self.stretched_step(trial, stiffness))
+            .flatten();
+        stretched.unwrap_or_else(|| solve(stiffness, self.excess(trial).map(|x| -x)))
+    }
+
+    /// The step in `s` and the angle of the line of centres that brings `ln |W|` and the angle of W to those of the load.
+    /// None for a centred journal, without a load, and where the force is turned away from the load.
+    fn stretched_step(&self, trial: &Trial, stiffness: [[f64; 2]; 2]) -> Option<[f64; 2]> {
+        let [e_x, e_y] = trial.problem.journal.offset;
+        let e = e_x.hypot(e_y);
+        let eps = e / self.clearance;
+        let (force, load) = (trial.force[0].hypot(trial.force[1]), self.load[0].hypot(self.load[1]));
+        let along = trial.force[0] * self.load[0] + trial.force[1] * self.load[1];
+        if eps < 1e-3 || along <= 0.0 {
+            return None;
+        }
+        let across = trial.force[0] * self.load[1] - trial.force[1] * self.load[0];
+        let wanted = [(load / force).ln(), across.atan2(along)];
+        // Columns: change of (ln |W|, angle of W) by s and by the angle of the line of centres.
+        let radial = [e_x / e, e_y / e];
+        let by_stretch = 1.0 / (1.0 / eps + 1.5 / (1.0 - eps)) * self.clearance;
+        let moves = [radial.map(|x| x * by_stretch), [-e_y, e_x]];
+        let mut tangent = [[0.0; 2]; 2];
+        for (k, step) in moves.iter().enumerate() {
+            let change = [0, 1].map(|d| stiffness[d][0] * step[0] + stiffness[d][1] * step[1]);
+            tangent[0][k] = (change[0] * trial.force[0] + change[1] * trial.force[1]) / force.powi(2);
+            tangent[1][k] = (change[1] * trial.force[0] - change[0] * trial.force[1]) / force.powi(2);
+        }
+        let [stretch, turn] = solve(tangent, wanted);
+        if !(stretch.is_finite() && turn.is_finite() && turn.abs() < LONGEST_TURN) {
+            return None;
+        }
+        let eps_next = eccentricity_at(stretched(eps) + stretch);
+        let angle = e_y.atan2(e_x) + turn;
+        let e_next = self.clearance * eps_next;
+        Some([e_next * angle.cos() - e_x, e_next * angle.sin() - e_y])
+    }
+
+    /// The longest of the halved steps that brings the force nearer to the load, the film thickness kept positive.
+    fn damped(&self, from: &Trial, step: [f64; 2], tried: &mut usize) -> Option<Trial> {
+        let [e_x, e_y] = from.problem.journal.offset;
+        let gap = self.clearance - e_x.hypot(e_y);
+        let at = |part: f64| [e_x + part * step[0], e_y + part * step[1]];
+        let thin = |part: f64| {
+            let [x, y] = at(part);
+            self.clearance - x.hypot(y) < LEAST_SHRINK * gap
+        };
+        let mut part = 1.0;
+        while thin(part) {
+            part *= 0.8;
+        }
+        let length = step[0].hypot(step[1]);
+        if !length.is_finite() {
+            return None;
+        }
+        for _ in 0..MOST_HALVINGS {
+            let near = match part * length < SHORT_MOVE * gap {
+                true if self.residual(from) < SMOOTH => Neighbour::Kept(&from.film),
+                true => Neighbour::Start(&from.film),
+                false => Neighbour::None,
+            };
+            *tried += 1;
+            if let Ok(trial) = self.trial(&from.problem, at(part), near)
+                && self.distance(&trial) < self.distance(from)
+            {
+                return Some(trial);
+            }
+            part *= 0.5;
+        }
+        None
+    }
+
+    /// How far the force is from the load: by logarithm and angle, so that forces much too large and much too small
+    /// count alike; by the residual where that is small.
+    fn distance(&self, trial: &Trial) -> f64 {
+        let residual = self.residual(trial);
+        let (force, load) = (trial.force[0].hypot(trial.force[1]), self.load[0].hypot(self.load[1]));
+        if residual < NEAR || force == 0.0 || load == 0.0 {
+            return residual;
+        }
+        let along = trial.force[0] * self.load[0] + trial.force[1] * self.load[1];
+        let across = trial.force[0] * self.load[1] - trial.force[1] * self.load[0];
+        (load / force).ln().hypot(across.atan2(along))
+    }
+
+    fn unreachable(&self, trial: &Trial, why: &'static str) -> NoEquilibrium {
+        let degrees = |[x, y]: [f64; 2]| y.atan2(x).to_degrees().rem_euclid(360.0);
+        NoEquilibrium::Unreachable {
+            asked: self.load[0].hypot(self.load[1]),
+            towards: degrees(self.load),
+            nearest: trial.force[0].hypot(trial.force[1]),
+            nearest_towards: degrees(trial.force),
+            eccentricity: trial.problem.journal.eccentricity() / self.clearance,
+            journal: Box::new(trial.problem.journal),
+            why,
+        }
+    }
+}
+
+/// `s = ln eps - 3/2 ln(1 - eps)`.
+fn stretched(eps: f64) -> f64 {
+    eps.ln() - 1.5 * (1.0 - eps).ln()
+}
+
+/// Its inverse, by Newton's method in `ln(1 - eps)` or `ln eps`, whichever s is nearly linear in.
+fn eccentricity_at(s: f64) -> f64 {
+    let (mut low, mut high) = (f64::MIN_POSITIVE, 1.0 - f64::EPSILON);
+    for _ in 0..200 {
+        // Halving of the logarithm where eps is small, of the gap's logarithm where it is large.
+        let middle = match low < 0.5 && high <= 0.5 {
+            true => (low * high).sqrt(),
+            false if low >= 0.5 => 1.0 - ((1.0 - low) * (1.0 - high)).sqrt(),
+            false => 0.5,
+        };
+        match stretched(middle) < s {
+            true => low = middle,
+            false => high = middle,
+        }
+    }
+    0.5 * (low + high)
+}
+
+/// Solves a system of two equations; not finite if it is singular.
+fn solve(a: [[f64; 2]; 2], b: [f64; 2]) -> [f64; 2] {
+    let determinant = a[0][0] * a[1][1] - a[0][1] * a[1][0];
+    [
+        (a[1][1] * b[0] - a[0][1] * b[1]) / determinant,
+        (a[0][0] * b[1] - a[1][0] * b[0]) / determinant,
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn stretched_eccentricity_is_inverted() {
+        for eps in [1e-6, 0.01, 0.3, 0.5, 0.9, 0.9999] {
+            assert!((eccentricity_at(stretched(eps)) / eps - 1.0).abs() < 1e-12);
+        }
+    }
+}

@@ -1,0 +1,11 @@
+//! What closes the film: unknowns of the whole bearing around one film.
+//!
+//! | balance | unknown | where |
+//! |---|---|---|
+//! | load = force of the film | position of the journal | [`equilibrium`] |
+//!
+//! The film knows its own tangent ([`oilwedge_reynolds::FilmProblem::unknown_change`]); a balance borders it.
+
+pub mod equilibrium;
+
+pub use equilibrium::{Equilibrium, NoEquilibrium, Squeeze, find};

@@ -1,0 +1,131 @@
+//! What is asked of a film: its solution at a given position, or the position in which it carries a load.
+
+use oilwedge_bearing::{Equilibrium, NoEquilibrium, Squeeze, find};
+use oilwedge_reynolds::{FilmSolution, JournalState, NoFilm};
+
+use crate::compile::{CompileError, Study, compile};
+use crate::scene::{Journal, Position, Scene};
+
+/// A mesh is graded anew where the least film thickness found is another one than it was graded for by this factor,
+const REGRADED: f64 = 1.3;
+/// or where the thinnest film lies elsewhere by this angle [rad].
+const ELSEWHERE: f64 = 0.2;
+/// Gradings of one search.
+const GRADINGS: usize = 4;
+
+/// A solved film of a study.
+#[derive(Debug)]
+pub struct Solved {
+    /// The film.
+    pub film: FilmSolution,
+    /// How the load is balanced, where the position was sought.
+    pub balance: Option<Balance>,
+}
+
+/// How well a load is balanced, and what it took.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Balance {
+    /// Load less force of the film, relative to the load.
+    pub residual: f64,
+    /// Positions tried on the mesh of the result.
+    pub steps: usize,
+}
+
+/// Why there is nothing to report.
+#[derive(Debug, thiserror::Error)]
+pub enum NoAnswer {
+    /// There is no film at the given position.
+    #[error(transparent)]
+    Film(#[from] NoFilm),
+    /// There is no position for the load.
+    #[error(transparent)]
+    Equilibrium(#[from] NoEquilibrium),
+}
+
+/// Compiles a scene and answers what it asks. Under a load the journal of the study's problem is where it was found.
+///
+/// # Errors
+/// The scene does not become a film. That there is no answer is no error.
+pub fn analyse(scene: &Scene) -> Result<(Study, Result<Solved, NoAnswer>), CompileError> {
+    let mut study = compile(scene)?;
+    let Some(load) = study.load else {
+        let film = study.problem.solve(&study.system);
+        return Ok((
+            study,
+            film.map(|film| Solved { film, balance: None }).map_err(Into::into),
+        ));
+    };
+    let squeeze = scene.journal.motion().map_or(Squeeze::default(), |motion| Squeeze {
+        radial: motion.radial,
+        tangential: motion.tangential,
+    });
+    let mut graded_for = study.problem.journal;
+    for _ in 1..GRADINGS {
+        if !scene.mesh.is_graded() {
+            break;
+        }
+        // A coarser mesh is good enough to grade a mesh for.
+        let found = match &study.system.coarser {
+            Some(coarser) => find(&coarser.problem(&study.problem), &coarser.system, load, squeeze),
+            None => find(&study.problem, &study.system, load, squeeze),
+        };
+        let found = match found {
+            Ok(Equilibrium { problem, .. }) => problem.journal,
+            // A load may be out of reach only because the mesh is too coarse there.
+            Err(NoEquilibrium::Unreachable { journal, .. }) => *journal,
+            Err(_) => break,
+        };
+        if is_near(&study, &graded_for, &found) {
+            break;
+        }
+        graded_for = found;
+        let effects = study.effects;
+        study = Study {
+            effects,
+            load: Some(load),
+            ..compile(&graded(scene, &graded_for))?
+        };
+    }
+    Ok(match find(&study.problem, &study.system, load, squeeze) {
+        Ok(found) => {
+            study.problem = found.problem;
+            let balance = Balance {
+                residual: found.residual,
+                steps: found.steps,
+            };
+            let film = found.film;
+            (
+                study,
+                Ok(Solved {
+                    film,
+                    balance: Some(balance),
+                }),
+            )
+        }
+        Err(reason) => (study, Err(reason.into())),
+    })
+}
+
+/// The scene with the journal at the position found.
+fn graded(scene: &Scene, found: &JournalState) -> Scene {
+    let position = Position::Given {
+        eccentricity: found.eccentricity() / scene.bearing.clearance,
+        min_film_angle: found.min_film_angle(),
+    };
+    Scene {
+        journal: Journal {
+            position,
+            ..scene.journal
+        },
+        ..scene.clone()
+    }
+}
+
+/// Whether a mesh graded for one position suits another.
+fn is_near(study: &Study, graded_for: &JournalState, found: &JournalState) -> bool {
+    let gap = |journal: &JournalState| study.problem.bearing.clearance - journal.eccentricity();
+    let ratio = gap(graded_for) / gap(found);
+    let turn = graded_for.min_film_angle() - found.min_film_angle();
+    let turn = turn.sin().atan2(turn.cos()).abs();
+    ratio < REGRADED && ratio > 1.0 / REGRADED && turn < ELSEWHERE
+}
