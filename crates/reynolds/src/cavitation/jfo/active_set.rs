@@ -296,13 +296,16 @@ impl<'a> Search<'a> {
     }
 
     /// Nodes on the wrong side, and by how much in natural units: full ones with tension, or at an edge through which oil
-    /// would come in; those of the cavity with more oil than there is room for.
+    /// would come in or less leaves than the journal carries out of a full film; those of the cavity with more oil than
+    /// there is room for.
     fn wrong_signs(&self, residual: &[f64]) -> Vec<(usize, f64)> {
         let largest = residual.iter().fold(0.0f64, |m, r| m.max(r.abs()));
         let size = |dof: usize| match (self.cavity[dof], self.film.rows.condition[dof]) {
             (true, _) => self.theta[dof] - 1.0,
             (false, Condition::Interior) => (self.film.floor - self.p[dof]) / self.film.scale,
-            (false, Condition::Edge) => residual[dof] / largest.max(f64::MIN_POSITIVE),
+            (false, Condition::Edge) => {
+                (residual[dof] + self.film.rows.outflow[dof]) / largest.max(f64::MIN_POSITIVE)
+            }
             (false, Condition::Given) => 0.0,
         };
         let sizes = (0..self.p.len()).map(|dof| (dof, size(dof)));

@@ -4,7 +4,7 @@
 //! |---|---|---|---|
 //! | interior | unknown while full | unknown in the cavity | the unknown |
 //! | given: feeds, flooded lines, ends above the cavitation pressure | given | one | its inflow |
-//! | edge: ends at the cavitation pressure, where no oil comes in; lines that it leaves by | given | unknown in the cavity, one while oil leaves | outflow, or the unknown |
+//! | edge: ends at the cavitation pressure, where no oil comes in; lines that it leaves by | given | unknown in the cavity, one while as much oil leaves as a full film carries | outflow, or the unknown |
 
 use oilwedge_fem::ControlVolumes;
 
