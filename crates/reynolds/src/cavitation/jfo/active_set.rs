@@ -303,9 +303,7 @@ impl<'a> Search<'a> {
         let size = |dof: usize| match (self.cavity[dof], self.film.rows.condition[dof]) {
             (true, _) => self.theta[dof] - 1.0,
             (false, Condition::Interior) => (self.film.floor - self.p[dof]) / self.film.scale,
-            (false, Condition::Edge) => {
-                (residual[dof] + self.film.rows.outflow[dof]) / largest.max(f64::MIN_POSITIVE)
-            }
+            (false, Condition::Edge) => (residual[dof] + self.film.rows.outflow[dof]) / largest.max(f64::MIN_POSITIVE),
             (false, Condition::Given) => 0.0,
         };
         let sizes = (0..self.p.len()).map(|dof| (dof, size(dof)));

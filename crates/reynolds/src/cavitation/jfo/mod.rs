@@ -139,7 +139,10 @@ pub(crate) fn residual_change(
             let flux = law.film_and_flows(face.cell, &[face.middle]).1[0].flux;
             flux[0] * face.normal[0] + flux[1] * face.normal[1]
         };
-        let region = system.supply.owner(face.dof).map(|owner| &system.supply.regions()[owner]);
+        let region = system
+            .supply
+            .owner(face.dof)
+            .map(|owner| &system.supply.regions()[owner]);
         let starved = region.and_then(|region| region.film_fraction);
         let carried = match starved.filter(|_| out(&law) < 0.0) {
             Some(given) => given,
