@@ -91,7 +91,8 @@ fn tangent_matches_differences() {
         tangential: -2e-4,
     };
     let mut bearings: Vec<_> = MODELS.map(|model| bearing(model, 0.6, 0.3, SPEED)).into();
-    bearings.push(half_shell(Cavitation::Jfo { pressure: 0.0 }, Some(0.7)));
+    // A starved inlet in the cavity, and one where pressure builds up.
+    bearings.extend([0.7, 1.0].map(|fraction| half_shell(Cavitation::Jfo { pressure: 0.0 }, Some(fraction))));
     for (mut problem, system) in bearings {
         problem.lubricant.pressure_law = PressureLaw::Barus(Barus { alpha: 2e-8 });
         problem.terms.push(Arc::new(terms::Squeeze));
