@@ -11,8 +11,8 @@ use oilwedge_scene::report::RunResult;
 use oilwedge_scene::scene::Scene;
 use oilwedge_scene::{RunOptions, run};
 use oilwedge_tests::journal_bearings::{block, number};
-use oilwedge_tests::mesh_page;
 use oilwedge_tests::scenes::{Solved, solve, table, variant};
+use oilwedge_tests::{cavitation_page, mesh_page};
 
 fn shipped(name: &str) -> Solved {
     solved(name, |_| ())
@@ -463,13 +463,18 @@ fn own_meshes_are_no_worse_than_those_of_gmsh() {
 }
 
 #[test]
-fn the_page_of_meshes_is_up_to_date() {
-    let path = oilwedge_tests::program::repository().join("docs/howto/mesh.md");
-    let written = std::fs::read_to_string(path).expect("page");
-    assert!(
-        written == mesh_page::page(&written),
-        "run: cargo run --release -p oilwedge-tests --bin validation"
-    );
+fn the_computed_pages_are_up_to_date() {
+    let pages: [(&str, fn(&str) -> String); 2] = [
+        ("docs/howto/mesh.md", mesh_page::page),
+        ("docs/theory/cavitation.md", cavitation_page::page),
+    ];
+    for (name, page) in pages {
+        let written = std::fs::read_to_string(oilwedge_tests::program::repository().join(name)).expect("page");
+        assert!(
+            written == page(&written),
+            "{name}: run cargo run --release -p oilwedge-tests --bin validation"
+        );
+    }
 }
 
 #[test]
