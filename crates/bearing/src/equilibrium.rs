@@ -18,6 +18,7 @@
 //! with squeeze the centre's velocity turns with the line of centres. **Verified by** `tests/tests/equilibrium.rs`: the
 //! tangent against differences, and eccentricities given back by their loads.
 
+use oilwedge_reynolds::existence::readable;
 use oilwedge_reynolds::quantities::load::{load, load_change};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalChange, JournalState, NoFilm};
@@ -78,7 +79,8 @@ pub enum NoEquilibrium {
     Film(#[from] NoFilm),
     /// No position balances the load.
     #[error(
-        "no position of the journal carries {asked:.4e} N towards {towards:.1} deg: the nearest force found is {nearest:.4e} N towards {nearest_towards:.1} deg, at eccentricity {eccentricity:.4} ({why}); change the load, its angle, or the pressure and place of feeds"
+        "no position of the journal carries {} N towards {towards:.1} deg: the nearest force found is {} N towards {nearest_towards:.1} deg, at eccentricity {eccentricity:.4} ({why}); change the load, its angle, or the pressure and place of feeds",
+        readable(*asked), readable(*nearest)
     )]
     Unreachable {
         /// Load asked for [N].
@@ -103,7 +105,19 @@ pub enum NoEquilibrium {
         steps: usize,
         /// Load less force, relative to the load.
         residual: f64,
+        /// The journal at the last of them.
+        journal: Box<JournalState>,
     },
+}
+
+impl NoEquilibrium {
+    /// The last position of the search, if it had one.
+    pub fn last_position(&self) -> Option<JournalState> {
+        match self {
+            Self::Film(_) => None,
+            Self::Unreachable { journal, .. } | Self::NotConverged { journal, .. } => Some(**journal),
+        }
+    }
 }
 
 /// Finds the position in which the film carries `load` [N], searched from that of `problem`. On coarser
@@ -124,18 +138,11 @@ pub fn find(
         clearance: problem.bearing.clearance,
         natural: natural_load(problem, load),
     };
-    let start = match &system.coarser {
-        Some(coarser) => find(&coarser.problem(problem), &coarser.system, load, squeeze)
-            .map_or(problem.journal, |found| found.problem.journal),
-        None => problem.journal,
+    let Some(coarser) = &system.coarser else {
+        return search.everywhere(problem);
     };
-    match search.run(problem, start) {
-        Err(unreachable @ NoEquilibrium::Unreachable { .. }) => {
-            let again = search.nearest_start(problem).map(|start| search.run(problem, start));
-            again.and_then(Result::ok).ok_or(unreachable)
-        }
-        other => other,
-    }
+    let start = find(&coarser.problem(problem), &coarser.system, load, squeeze);
+    search.run(problem, start.map_or(problem.journal, |found| found.problem.journal))
 }
 
 /// The load, or that of drag through the clearance where there is none.
@@ -221,8 +228,20 @@ impl Search<'_> {
             residual if residual < NEAR => Err(NoEquilibrium::NotConverged {
                 steps: *tried,
                 residual,
+                journal: Box::new(trial.problem.journal),
             }),
             _ => Err(self.unreachable(&trial, "the force stays away from the load")),
+        }
+    }
+
+    /// From the start of `problem` or, where that leads nowhere, from the best of positions all over the bearing.
+    fn everywhere(&self, problem: &FilmProblem) -> Result<Equilibrium, NoEquilibrium> {
+        match self.run(problem, problem.journal) {
+            Err(unreachable @ NoEquilibrium::Unreachable { .. }) => {
+                let again = self.nearest_start(problem).map(|start| self.run(problem, start));
+                again.and_then(Result::ok).ok_or(unreachable)
+            }
+            other => other,
         }
     }
 
