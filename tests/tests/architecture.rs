@@ -7,9 +7,10 @@ use oilwedge_tests::program::repository;
 use serde_json::Value;
 
 /// The crates from top to bottom; a crate uses crates below it only.
-const TOP_TO_BOTTOM: [&str; 5] = [
+const TOP_TO_BOTTOM: [&str; 6] = [
     "oilwedge",
     "oilwedge-scene",
+    "oilwedge-bearing",
     "oilwedge-reynolds",
     "oilwedge-fem",
     "oilwedge-mesh",

@@ -217,10 +217,13 @@ impl Search<'_> {
                 return Err(self.unreachable(&trial, "the journal touches the bearing"));
             }
         }
-        Err(NoEquilibrium::NotConverged {
-            steps: *tried,
-            residual: self.residual(&trial),
-        })
+        match self.residual(&trial) {
+            residual if residual < NEAR => Err(NoEquilibrium::NotConverged {
+                steps: *tried,
+                residual,
+            }),
+            _ => Err(self.unreachable(&trial, "the force stays away from the load")),
+        }
     }
 
     /// The position whose force is nearest to the load, of a few all over the bearing.
