@@ -6,7 +6,7 @@ import pyvista
 
 import vtu_geometry
 from oilwedge_run import SCENES, crosscheck_data, solve
-from scene_file import read_scene, write_variant
+from scene_file import read_scene, si, write_variant
 
 CASES = {
     "shell": ("02_flexpde_shell", {}),
@@ -118,3 +118,26 @@ def test_cylinder_has_the_radius_and_the_same_fields(film):
     for name in FIELDS:
         assert plane.point_data[name].min() == cylinder.point_data[name].min()
         assert plane.point_data[name].max() == cylinder.point_data[name].max()
+
+
+@pytest.mark.parametrize("model", ["reynolds", "jfo"])
+@pytest.mark.parametrize("unrolled", [True, False])
+def test_a_broken_film_has_a_film_fraction_and_no_tension(model, unrolled, tmp_path):
+    """Scene 07 with a cavity: p >= p_cav everywhere, 0 < theta <= 1, and p = p_cav wherever theta < 1."""
+    cavity = "-0.2 bar"
+    scene = write_variant(
+        SCENES / "07_grooved_liner.toml",
+        tmp_path / "scene.toml",
+        cavitation={"model": model, "pressure": cavity},
+    )
+    result, grid = solve(scene, tmp_path / "out", unrolled=unrolled)
+    pressure = grid.point_data["pressure"]
+    assert pressure.min() == result["quantities"]["pressure_min"]["value"] == pytest.approx(si(cavity), rel=1e-12)
+    assert pressure.max() == pytest.approx(result["quantities"]["pressure_max"]["value"], rel=2e-3)
+    assert ("film_fraction" in grid.point_data) == (model == "jfo")
+    if model == "jfo":
+        fraction = grid.point_data["film_fraction"]
+        assert fraction.min() > 0 and fraction.max() == 1
+        assert fraction.min() == result["quantities"]["film_fraction_min"]["value"]
+        assert pressure[fraction < 1] == pytest.approx(si(cavity), rel=1e-9)
+        assert 0.05 < (fraction < 1).mean() < 0.95

@@ -66,6 +66,23 @@ pub fn ring_of_radius(radius: f64, columns: u32, rows: u32, length: f64, start: 
     Mesh::build(raw).expect("a structured ring has no defects")
 }
 
+/// Length [m] of [`stretched_ring`].
+pub const LENGTH_OF_STRETCHED: f64 = 0.1;
+
+/// A ring of triangles some fifteen times longer around than along the axis, many of them obtuse; the line at the angle 0
+/// is straight.
+pub fn stretched_ring() -> Mesh {
+    let (columns, rows) = (16, 80);
+    let mut raw = ring(columns, rows, LENGTH_OF_STRETCHED, 0.0).to_raw();
+    let step = std::f64::consts::TAU * RADIUS / f64::from(columns);
+    for (k, point) in (1u32..).zip(&mut raw.points) {
+        if point[0] > 0.0 && point[1].abs() < 0.499 * LENGTH_OF_STRETCHED {
+            point[0] += 0.4 * step * (78.233 * f64::from(k)).sin();
+        }
+    }
+    Mesh::build(raw).expect("no triangle is turned over")
+}
+
 /// The ends of a ring at zero pressure and, if given, a film start at that angle [rad].
 pub fn ends(mesh: &Mesh, length: f64, film_start: Option<f64>) -> Vec<SupplyRegion> {
     let region = |name: &str, place, edges| SupplyRegion {

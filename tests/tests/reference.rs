@@ -6,7 +6,7 @@ use std::path::Path;
 use oilwedge_scene::unit::Dimension;
 use oilwedge_scene::{RunOptions, Scene, SceneError, run};
 use oilwedge_tests::program::repository;
-use oilwedge_tests::scenes::path;
+use oilwedge_tests::scenes::{path, table, variant};
 use serde_json::Value;
 
 fn page(name: &str) -> String {
@@ -125,8 +125,11 @@ fn every_unit_is_listed() {
 
 /// The result of a shipped scene as its reader meets it.
 fn result(name: &str) -> Value {
-    let scene = Scene::read(&path(name)).unwrap_or_else(|error| panic!("{error}"));
-    let run = run(&scene, &RunOptions::default()).unwrap_or_else(|error| panic!("{error}"));
+    result_of(&Scene::read(&path(name)).unwrap_or_else(|error| panic!("{error}")))
+}
+
+fn result_of(scene: &Scene) -> Value {
+    let run = run(scene, &RunOptions::default()).unwrap_or_else(|error| panic!("{error}"));
     serde_json::from_str(&run.result.to_json().expect("finite numbers")).expect("JSON")
 }
 
@@ -178,8 +181,22 @@ fn the_result_shown_is_that_of_scene_02() {
 #[test]
 fn every_quantity_is_explained() {
     let page = page("result.md");
-    for name in ["02_flexpde_shell", "07_grooved_liner"] {
-        for name in result(name)["quantities"].as_object().expect("quantities").keys() {
+    let with_model = |model: &str| {
+        result_of(&variant("10_drawn_liner", |scene| {
+            table(scene, "cavitation").insert("model".into(), model.into());
+        }))
+    };
+    let results = [
+        result("02_flexpde_shell"),
+        result("07_grooved_liner"),
+        with_model("reynolds"),
+        with_model("jfo"),
+    ];
+    let has = |index: usize, name: &str| results[index]["quantities"].get(name).is_some();
+    assert!(has(2, "cavity_flow") && has(2, "cavity_share") && !has(2, "film_fraction_min"));
+    assert!(!has(3, "cavity_flow") && has(3, "cavity_share") && has(3, "film_fraction_min"));
+    for result in &results {
+        for name in result["quantities"].as_object().expect("quantities").keys() {
             let shown = name
                 .split_once('.')
                 .map_or(name.clone(), |(name, _)| format!("{name}.GROUP"));

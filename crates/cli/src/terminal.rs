@@ -38,6 +38,8 @@ pub(crate) fn run_report(result: &RunResult, folder: &Path, picture: bool) -> St
     if !result.quantities.is_empty() {
         lines.push(balances(result.balances));
     }
+    let cavity = result.quantity("cavity_share");
+    lines.extend(cavity.map(|share| format!("cavity    {} % of the film", significant(100.0 * share.value, 2))));
     lines.push(format!("mesh      {}", mesh(&result.mesh)));
     lines.extend(work(result.counts));
     lines.push(format!("time      {}", timing(&result.timing_s)));
@@ -54,7 +56,7 @@ pub(crate) fn run_report(result: &RunResult, folder: &Path, picture: bool) -> St
 /// How far the balances are open. A force balance is asked for only where a position is sought.
 fn balances(balances: Balances) -> String {
     let mut line = format!(
-        "balance   oil in and oil out differ by {} of the oil that enters",
+        "balance   oil in and oil out differ by {} of the oil that passes",
         significant(balances.mass, 2)
     );
     if balances.force != 0.0 {
@@ -71,10 +73,15 @@ fn work(counts: Counts) -> Option<String> {
         (counts.factorisations, "factorisation"),
         (counts.nonlinear_iterations, "nonlinear iteration"),
     ];
-    let counted: Vec<_> = (work.iter())
+    let plural = |count: usize, one: &str, many: &str| format!("{count} {}", if count == 1 { one } else { many });
+    let mut counted: Vec<_> = (work.iter())
         .filter(|(count, _)| *count > 0)
-        .map(|(count, what)| format!("{count} {what}{}", if *count == 1 { "" } else { "s" }))
+        .map(|(count, what)| plural(*count, what, &format!("{what}s")))
         .collect();
+    if counts.levels > 0 {
+        let meshes = plural(counts.levels, "coarser mesh", "coarser meshes");
+        counted.push(format!("started from {meshes}"));
+    }
     (!counted.is_empty()).then(|| format!("work      {}", counted.join(", ")))
 }
 
@@ -299,6 +306,25 @@ mod tests {
         for part in parts {
             assert!(text.contains(part), "{part}:\n{text}");
         }
+    }
+
+    #[test]
+    fn a_cavity_and_coarser_meshes_are_told() {
+        let mut result = result();
+        result
+            .quantities
+            .push(Quantity::new("cavity_share", "A_c/A", 0.4237, "1"));
+        result.counts.nonlinear_iterations = 12;
+        for (levels, told) in [(1, "1 coarser mesh"), (3, "3 coarser meshes")] {
+            result.counts.levels = levels;
+            let text = run_report(&result, Path::new("out"), true);
+            let work = format!("12 nonlinear iterations, started from {told}\n");
+            assert!(
+                text.contains(&work) && text.contains("cavity    42 % of the film\n"),
+                "{text}"
+            );
+        }
+        assert!(!run_report(&self::result(), Path::new("out"), true).contains("cavity "));
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! What the names of a result mean, in plain words. A name without an entry stands for itself.
 
 /// Names of quantities; one of a region, `load_x.GROUP`, is looked up with its dot.
-const QUANTITIES: [(&str, &str); 18] = [
+const QUANTITIES: [(&str, &str); 21] = [
     ("load", "force that the film carries"),
     ("load_x", "its part along x (angle 0)"),
     ("load_y", "its part along y (angle 90 deg)"),
@@ -15,8 +15,14 @@ const QUANTITIES: [(&str, &str); 18] = [
     ("pressure_min", "least pressure, gauge"),
     ("film_thickness_min", "thinnest film on the liner"),
     ("viscosity_max", "viscosity at the greatest pressure"),
+    ("cavity_share", "share of the film that is cavity"),
+    ("film_fraction_min", "least film fraction (1: full)"),
     ("side_flow", "oil that leaves at the ends (< 0: enters)"),
     ("feed_flow.", "oil that enters there (< 0: leaves)"),
+    (
+        "cavity_flow",
+        "oil that the cavity makes (Swift-Stieber conserves none there)",
+    ),
     ("pressure_integral", "pressure times area, summed"),
     ("load_x.", "part of W_x over that region"),
     ("load_y.", "part of W_y over that region"),

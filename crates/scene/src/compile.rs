@@ -25,7 +25,7 @@ use oilwedge_reynolds::supply::{self as given, Disc, Place, SupplyError, SupplyR
 use oilwedge_reynolds::terms::{Couette, Poiseuille, Squeeze, Term};
 use oilwedge_reynolds::{Bearing, Cavitation, FilmProblem, FilmSystem, Form, JournalState};
 
-use crate::liner_mesh::liner_mesh;
+use crate::liner_mesh::{liner_mesh, suited};
 use crate::report::Effects;
 use crate::run::DEGREE;
 use crate::scene::{self, BarusForm, CavitationModel, RoelandsExponent, Scene};
@@ -47,6 +47,8 @@ pub struct Study {
     pub supply_pressure: Option<f64>,
     /// SHA-256 of the mesh file or, drawn, of its vertices and triangles; 64 hexadecimal digits.
     pub mesh_sha256: String,
+    /// Edge flips that made the mesh one for a mass-conserving film.
+    pub flips: usize,
     /// Seconds: reading and checking the mesh; numbering, pattern and analysis.
     pub seconds: [(&'static str, f64); 2],
 }
@@ -124,6 +126,7 @@ fn list(faults: &[impl std::fmt::Display]) -> String {
 pub fn compile(scene: &Scene) -> Result<Study, CompileError> {
     let start = Instant::now();
     let (mesh, mesh_sha256) = liner_mesh(scene)?;
+    let (mesh, flips) = suited(scene, mesh);
     let read = start.elapsed().as_secs_f64();
     check_feed_groups(scene, &mesh)?;
     let regions = supply(scene, &mesh)?;
@@ -160,6 +163,7 @@ pub fn compile(scene: &Scene) -> Result<Study, CompileError> {
             .collect(),
         supply_pressure: supply_pressure(scene),
         mesh_sha256,
+        flips,
         seconds: [
             (if scene.mesh.path().is_some() { "read" } else { "mesh" }, read),
             ("order", order),

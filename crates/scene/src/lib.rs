@@ -10,13 +10,15 @@
 //!
 //! Reading order: [`unit`] (quantities with units, over the table in `dimension.rs`), [`scene`] (what a user can
 //! say), [`schema`] (how it is written, over the collecting `reader.rs`), [`validate`] (what can be computed),
-//! [`complaint`] (what is said where it cannot), [`mod@compile`] (the one place that knows all effects), [`analysis`] (given position or given load), [`mod@run`],
-//! [`mod@measure`] and [`report`] (the numbers), [`mod@picture`] and [`vtu`] (the fields), [`results`] (the files).
+//! [`complaint`] (what is said where it cannot), [`mod@compile`] (the one place that knows all effects), [`analysis`] (given
+//! position or given load), [`mod@run`], [`mod@measure`] and [`report`] (the numbers, and in `doubts.rs` what to doubt),
+//! [`mod@picture`] and [`vtu`] (the fields), [`results`] (the files).
 
 pub mod analysis;
 pub mod compile;
 pub mod complaint;
 mod dimension;
+mod doubts;
 pub mod liner_mesh;
 pub mod measure;
 pub mod picture;

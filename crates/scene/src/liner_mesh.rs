@@ -2,11 +2,12 @@
 
 use oilwedge_mesh::developed::{self, Liner};
 use oilwedge_mesh::generate::{Blueprint, DrawingError, Feature, Shape, generate};
-use oilwedge_mesh::{Circle, Mesh, gmsh, rim};
+use oilwedge_mesh::{Circle, Mesh, flip, gmsh, rim};
+use oilwedge_reynolds::supply::line_at_angle;
 use sha2::{Digest, Sha256};
 
 use crate::compile::CompileError;
-use crate::scene::{Feed, MeshSource, Scene};
+use crate::scene::{CavitationModel, Feed, MeshSource, Scene};
 
 /// Longest edges of a mesh without a wanted size, over those that resolve the film's scale: two halvings.
 const FINENESS: f64 = 0.25;
@@ -43,6 +44,23 @@ pub fn liner_mesh(scene: &Scene) -> Result<(Mesh, String), CompileError> {
             }
             Ok((mesh, hexadecimal(hash.finalize())))
         }
+    }
+}
+
+/// The mesh as the model of cavitation needs it, and how many edges were flipped for it: a film that conserves its oil is
+/// computed on Delaunay meshes. The line of the film start stays.
+pub(crate) fn suited(scene: &Scene, mesh: Mesh) -> (Mesh, usize) {
+    let conserving = scene.cavitation.is_some_and(|it| it.model == CavitationModel::Jfo);
+    if !conserving {
+        return (mesh, 0);
+    }
+    let bearing = &scene.bearing;
+    let line = (bearing.film_start)
+        .and_then(|angle| line_at_angle(&mesh, bearing.radius(), bearing.length, angle).ok())
+        .unwrap_or_default();
+    match flip::to_delaunay(&mesh, &line) {
+        Some(flipped) => (flipped.mesh, flipped.flips),
+        None => (mesh, 0),
     }
 }
 

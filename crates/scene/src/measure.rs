@@ -1,13 +1,15 @@
 //! The quantities of a solved film, in the order of the report.
 
-use oilwedge_reynolds::FilmSolution;
+use oilwedge_reynolds::quantities::cavity::{self, Cavity};
 use oilwedge_reynolds::quantities::flow::{self, Flows};
 use oilwedge_reynolds::quantities::load::{self, Load};
 use oilwedge_reynolds::quantities::pressure::{self, Extremes};
 use oilwedge_reynolds::quantities::similarity;
 use oilwedge_reynolds::supply::Place;
+use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSolution};
 
 use crate::compile::Study;
+pub use crate::doubts::warnings;
 use crate::report::Quantity;
 
 /// A load below this fraction of (greatest pressure difference) x (projected area) has no direction.
@@ -15,21 +17,6 @@ const NO_LOAD: f64 = 1e-12;
 
 /// Tension below this fraction of the range of pressure may be that of the interpolation.
 const TENSION: f64 = 1e-5;
-
-/// Greatest ratio of film thicknesses at the corners of a triangle of a resolved film.
-const RESOLVED: f64 = 2.0;
-
-/// Greatest ratio of the film thicknesses at the corners of any triangle.
-fn steepest_cell(study: &Study) -> f64 {
-    let mesh = study.system.space().mesh();
-    (0..mesh.triangles().len())
-        .map(|t| {
-            let thickness = study.problem.thickness_at(t, &mesh.corners(t));
-            let least = thickness.iter().copied().fold(f64::INFINITY, f64::min);
-            thickness.iter().copied().fold(0.0, f64::max) / least
-        })
-        .fold(1.0, f64::max)
-}
 
 /// Everything measured on one film.
 #[derive(Debug)]
@@ -42,17 +29,42 @@ pub struct Measured {
     pub flows: Flows,
     /// Least film thickness on the liner [m].
     pub least_thickness: f64,
+    /// The cavity, of models that have one while they solve.
+    pub cavity: Option<Cavity>,
+    /// Share of the meshed area [1] below the pressure of the ends, of a full Sommerfeld film with tension; else zero.
+    pub under_tension: f64,
+    /// Ways out that the solver had to take, in words.
+    pub fallbacks: Vec<String>,
 }
 
 /// Measures a solved film.
 pub fn measure(study: &Study, film: &FilmSolution) -> Measured {
     let Study { problem, system, .. } = study;
+    let extremes = pressure::extremes(problem, system, film);
+    let breaks = matches!(problem.cavitation, Cavitation::Reynolds { .. } | Cavitation::Jfo { .. });
     Measured {
         load: load::load(problem, system, film),
-        extremes: pressure::extremes(problem, system, film),
         flows: flow::flows(problem, system, film),
         least_thickness: pressure::least_thickness(problem, system),
+        cavity: breaks.then(|| cavity::cavity(system, film)),
+        under_tension: match problem.cavitation {
+            Cavitation::None if has_tension(problem, &extremes) => {
+                cavity::share_below(problem, system, film, problem.bearing.end_pressure)
+            }
+            _ => 0.0,
+        },
+        extremes,
+        fallbacks: film.fallbacks.clone(),
     }
+}
+
+/// True if the pressure falls below that of the ends by more than rounding and interpolation explain.
+fn has_tension(problem: &FilmProblem, extremes: &Extremes) -> bool {
+    // A centred journal makes no pressure: what is left of its drag then is rounding.
+    let bearing = &problem.bearing;
+    let drag = problem.lubricant.viscosity * problem.journal.speed.abs();
+    let rounding = NO_LOAD * drag * (bearing.radius / bearing.clearance).powi(2);
+    bearing.end_pressure - extremes.least > (TENSION * (extremes.greatest - extremes.least)).max(rounding)
 }
 
 /// The quantities of the report; one without a meaning in this film is absent.
@@ -68,6 +80,8 @@ pub fn quantities(study: &Study, measured: &Measured) -> Vec<Quantity> {
         extremes,
         flows,
         least_thickness,
+        cavity,
+        ..
     } = measured;
     let (bearing, journal) = (&problem.bearing, &problem.journal);
     let force = load.magnitude();
@@ -111,6 +125,12 @@ pub fn quantities(study: &Study, measured: &Measured) -> Vec<Quantity> {
     add("pressure_min", "p_min", extremes.least, "Pa");
     add("film_thickness_min", "h_min", *least_thickness, "m");
     add("viscosity_max", "mu_max", extremes.viscosity, "Pa.s");
+    if let Some(cavity) = cavity {
+        add("cavity_share", "A_c/A", cavity.share, "1");
+    }
+    if let Some(least) = cavity.and_then(|cavity| cavity.least_fraction) {
+        add("film_fraction_min", "theta_min", least, "1");
+    }
     let by_place = |place: Place| {
         (system.supply.regions().iter().zip(&flows.regions)).filter(move |(region, _)| region.place == place)
     };
@@ -119,48 +139,13 @@ pub fn quantities(study: &Study, measured: &Measured) -> Vec<Quantity> {
     for (region, flow) in by_place(Place::Feed) {
         add(&format!("feed_flow.{}", region.name), "Q_f", flow.net, "m3/s");
     }
+    if matches!(problem.cavitation, Cavitation::Reynolds { .. }) {
+        add("cavity_flow", "Q_c", flows.cavity, "m3/s");
+    }
     add("pressure_integral", "Int p dA", load.total.pressure, "N");
     for (name, share) in &load.cut_out {
         add(&format!("load_x.{name}"), "W_x", share.force[0], "N");
         add(&format!("load_y.{name}"), "W_y", share.force[1], "N");
     }
     list
-}
-
-/// What the reader should be warned of.
-pub fn warnings(study: &Study, measured: &Measured) -> Vec<String> {
-    use oilwedge_reynolds::{Cavitation, Form};
-    let Measured { extremes, flows, .. } = measured;
-    let end = study.problem.bearing.end_pressure;
-    // A centred journal makes no pressure: what is left of its drag then is rounding.
-    let bearing = &study.problem.bearing;
-    let drag = study.problem.lubricant.viscosity * study.problem.journal.speed.abs();
-    let rounding = NO_LOAD * drag * (bearing.radius / bearing.clearance).powi(2);
-    let tension = end - extremes.least > (TENSION * (extremes.greatest - extremes.least)).max(rounding);
-    let mut warnings = Vec::new();
-    let step = steepest_cell(study);
-    if step > RESOLVED {
-        warnings.push(format!(
-            "the film is not resolved where it is thin: its thickness changes {step:.1} times within one triangle; give a finer mesh ([mesh] size)"
-        ));
-    }
-    match study.problem.cavitation {
-        Cavitation::None if tension => warnings.push(format!(
-            "full Sommerfeld film: the pressure falls to {:.2} bar, below the {:.2} bar at the ends; oil bears no such tension, but the load counts it; choose a model under [cavitation]",
-            1e-5 * extremes.least,
-            1e-5 * end
-        )),
-        Cavitation::Guembel { .. } => warnings.push(
-            "Guembel's film drops low pressures after the solve: oil is not conserved at its edge, and the flows are those of the full film"
-                .to_owned(),
-        ),
-        Cavitation::None | Cavitation::Reynolds { .. } | Cavitation::Jfo { .. } => {}
-    }
-    if matches!(study.problem.form, Form::AsPrinted(_)) {
-        warnings.push(format!(
-            "the as-printed equation is no mass balance: in and out differ by {:.2} % of the oil that enters",
-            100.0 * flows.imbalance
-        ));
-    }
-    warnings
 }

@@ -7,8 +7,8 @@ use oilwedge_reynolds::FilmSolution;
 use crate::compile::Study;
 use crate::vtu::FilmPicture;
 
-/// Pressure [Pa], film thickness [m] and viscosity [Pa s] at the nodes of the solved film, on the cylinder
-/// `(R cos phi, R sin phi, z)` or unrolled `(R phi, z, 0)`, where nodes on the cut of a ring stand on both sides of it.
+/// Pressure [Pa] (nowhere below that of a cavity), film thickness [m], viscosity [Pa s] and, of a mass-conserving film,
+/// film fraction at the nodes of the solved film, on the cylinder `(R cos phi, R sin phi, z)` or unrolled `(R phi, z, 0)`, where nodes on the cut of a ring stand on both sides of it.
 /// Nodes on the edge of a pocket stand on both sides of it too, for the film is thicker on one.
 pub fn picture(study: &Study, film: &FilmSolution, unrolled: bool) -> FilmPicture {
     let mesh = study.system.space().mesh();
@@ -43,23 +43,29 @@ pub fn picture(study: &Study, film: &FilmSolution, unrolled: bool) -> FilmPictur
         [radius * cos, radius * sin, z]
     };
     let problem = &study.problem;
+    let floor = problem.cavitation.pressure().unwrap_or(f64::NEG_INFINITY);
     let pressure: Vec<f64> = nodes
         .dofs
         .iter()
-        .map(|&dof| problem.pressure_at(film.unknown[dof]))
+        .map(|&dof| problem.pressure_at(film.unknown[dof]).max(floor))
         .collect();
     let thickness = (nodes.cells.iter().zip(&nodes.positions))
         .flat_map(|(&cell, position)| problem.thickness_at(cell, std::slice::from_ref(position)))
         .collect();
     let viscosity = pressure.iter().map(|&p| problem.viscosity_at(p)).collect();
+    let mut point_data = vec![
+        ("pressure".to_owned(), pressure),
+        ("film_thickness".to_owned(), thickness),
+        ("viscosity".to_owned(), viscosity),
+    ];
+    if let Some(fraction) = &film.film_fraction {
+        let values = nodes.dofs.iter().map(|&dof| fraction.values[dof]).collect();
+        point_data.push(("film_fraction".to_owned(), values));
+    }
     FilmPicture {
         points: nodes.positions.iter().map(place).collect(),
         cells,
-        point_data: vec![
-            ("pressure".to_owned(), pressure),
-            ("film_thickness".to_owned(), thickness),
-            ("viscosity".to_owned(), viscosity),
-        ],
+        point_data,
         cell_data: Vec::new(),
     }
 }

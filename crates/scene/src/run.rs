@@ -166,6 +166,7 @@ pub fn check_scene(scene: &Scene) -> Result<CheckReport, Error> {
     report.liner = words(scene);
     report.title = Some(scene.title.clone());
     report.effects = Some(study.effects.clone());
+    report.warnings.extend(crate::doubts::flips(&study));
     let free = |dof: &usize| study.system.supply.owner(*dof).is_none();
     report.cost = Some(Cost {
         unknowns: (0..study.system.space().dofs()).filter(free).count(),

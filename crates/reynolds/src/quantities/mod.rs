@@ -1,5 +1,6 @@
 //! What is reported: one idea a file.
 
+pub mod cavity;
 pub mod flow;
 pub mod load;
 pub mod pressure;

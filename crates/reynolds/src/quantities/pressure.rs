@@ -1,7 +1,8 @@
 //! # Extremes of the pressure, between nodes too, and of the film thickness
 //!
-//! **Equation.** `p_max`, `p_min`: extremes of the quadratic field; `mu_max = mu(p_max)`; `h_min = c - |e|`
-//! where the liner covers the angle of the minimum film, else the least thickness at a node.
+//! **Equation.** `p_max`, `p_min`: extremes of the quadratic field, but that it undershoots beside a cavity, whose
+//! pressure is the least there is; `mu_max = mu(p_max)`; `h_min = c - |e|` where the liner covers the angle of the minimum
+//! film, else the least thickness at a node.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -9,7 +10,7 @@
 //! | mu_max | Pa s | `viscosity` |
 //! | h_min | m | `least_thickness` |
 //!
-//! **Source.** Definition. **Range.** Pressure grows with the unknown, so their extremes lie together.
+//! **Source.** Definition. **Range.** Beside the cavity of a mass-conserving film p_max is that of the nodes. Pressure grows with the unknown, so their extremes lie together.
 //! **Verified by** the reference of the FlexPDE study and the closed forms.
 
 use oilwedge_fem::Field;
@@ -27,18 +28,28 @@ pub struct Extremes {
     pub viscosity: f64,
 }
 
-/// Extremes of the quadratic field. Pressure grows with the unknown, so they are those of the unknown.
+/// Extremes of the pressure. Pressure grows with the unknown, so they are those of the unknown.
 pub fn extremes(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Extremes {
+    let greatest = problem.pressure_at(problem.greatest_unknown(system, film));
+    Extremes {
+        greatest,
+        least: least(problem, system, film),
+        viscosity: problem.viscosity_at(greatest),
+    }
+}
+
+/// Least pressure [Pa]: that of the cavity where there is one, and never below it.
+fn least(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> f64 {
+    let floor = problem.cavitation.pressure();
+    if let Some(pressure) = floor.filter(|_| film.cavity.contains(&true)) {
+        return pressure;
+    }
     let field = Field {
         space: system.space(),
         values: &film.unknown,
     };
-    let greatest = problem.pressure_at(field.maximum().value);
-    Extremes {
-        greatest,
-        least: problem.pressure_at(field.minimum().value),
-        viscosity: problem.viscosity_at(greatest),
-    }
+    let least = problem.pressure_at(field.minimum().value);
+    floor.map_or(least, |floor| least.max(floor))
 }
 
 /// Least film thickness [m] over the mesh and where `phi_min` lies on the liner there.
