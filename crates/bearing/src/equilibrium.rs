@@ -18,6 +18,7 @@
 //! with squeeze the centre's velocity turns with the line of centres. **Verified by** `tests/tests/equilibrium.rs`: the
 //! tangent against differences, and eccentricities given back by their loads.
 
+use crate::stretched::{eccentricity_at, stretched};
 use oilwedge_reynolds::existence::readable;
 use oilwedge_reynolds::quantities::load::{load, load_change};
 use oilwedge_reynolds::solve::Neighbour;
@@ -436,29 +437,6 @@ impl Search<'_> {
     }
 }
 
-/// `s = ln eps - 3/2 ln(1 - eps)`.
-fn stretched(eps: f64) -> f64 {
-    eps.ln() - 1.5 * (1.0 - eps).ln()
-}
-
-/// Its inverse, by Newton's method in `ln(1 - eps)` or `ln eps`, whichever s is nearly linear in.
-fn eccentricity_at(s: f64) -> f64 {
-    let (mut low, mut high) = (f64::MIN_POSITIVE, 1.0 - f64::EPSILON);
-    for _ in 0..200 {
-        // Halving of the logarithm where eps is small, of the gap's logarithm where it is large.
-        let middle = match low < 0.5 && high <= 0.5 {
-            true => (low * high).sqrt(),
-            false if low >= 0.5 => 1.0 - ((1.0 - low) * (1.0 - high)).sqrt(),
-            false => 0.5,
-        };
-        match stretched(middle) < s {
-            true => low = middle,
-            false => high = middle,
-        }
-    }
-    0.5 * (low + high)
-}
-
 /// Solves a system of two equations; not finite if it is singular.
 fn solve(a: [[f64; 2]; 2], b: [f64; 2]) -> [f64; 2] {
     let determinant = a[0][0] * a[1][1] - a[0][1] * a[1][0];
@@ -466,16 +444,4 @@ fn solve(a: [[f64; 2]; 2], b: [f64; 2]) -> [f64; 2] {
         (a[1][1] * b[0] - a[0][1] * b[1]) / determinant,
         (a[0][0] * b[1] - a[1][0] * b[0]) / determinant,
     ]
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn stretched_eccentricity_is_inverted() {
-        for eps in [1e-6, 0.01, 0.3, 0.5, 0.9, 0.9999] {
-            assert!((eccentricity_at(stretched(eps)) / eps - 1.0).abs() < 1e-12);
-        }
-    }
 }
