@@ -18,6 +18,8 @@
 //! with squeeze the centre's velocity turns with the line of centres. **Verified by** `tests/tests/equilibrium.rs`: the
 //! tangent against differences, and eccentricities given back by their loads.
 
+use crate::stretched::{eccentricity_at, stretched};
+use oilwedge_reynolds::existence::readable;
 use oilwedge_reynolds::quantities::load::{load, load_change};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalChange, JournalState, NoFilm};
@@ -78,7 +80,8 @@ pub enum NoEquilibrium {
     Film(#[from] NoFilm),
     /// No position balances the load.
     #[error(
-        "no position of the journal carries {asked:.4e} N towards {towards:.1} deg: the nearest force found is {nearest:.4e} N towards {nearest_towards:.1} deg, at eccentricity {eccentricity:.4} ({why}); change the load, its angle, or the pressure and place of feeds"
+        "no position of the journal carries {} N towards {towards:.1} deg: the nearest force found is {} N towards {nearest_towards:.1} deg, at eccentricity {eccentricity:.4} ({why}); change the load, its angle, or the pressure and place of feeds",
+        readable(*asked), readable(*nearest)
     )]
     Unreachable {
         /// Load asked for [N].
@@ -103,7 +106,19 @@ pub enum NoEquilibrium {
         steps: usize,
         /// Load less force, relative to the load.
         residual: f64,
+        /// The journal at the last of them.
+        journal: Box<JournalState>,
     },
+}
+
+impl NoEquilibrium {
+    /// The last position of the search, if it had one.
+    pub fn last_position(&self) -> Option<JournalState> {
+        match self {
+            Self::Film(_) => None,
+            Self::Unreachable { journal, .. } | Self::NotConverged { journal, .. } => Some(**journal),
+        }
+    }
 }
 
 /// Finds the position in which the film carries `load` [N], searched from that of `problem`. On coarser
@@ -124,18 +139,11 @@ pub fn find(
         clearance: problem.bearing.clearance,
         natural: natural_load(problem, load),
     };
-    let start = match &system.coarser {
-        Some(coarser) => find(&coarser.problem(problem), &coarser.system, load, squeeze)
-            .map_or(problem.journal, |found| found.problem.journal),
-        None => problem.journal,
+    let Some(coarser) = &system.coarser else {
+        return search.everywhere(problem);
     };
-    match search.run(problem, start) {
-        Err(unreachable @ NoEquilibrium::Unreachable { .. }) => {
-            let again = search.nearest_start(problem).map(|start| search.run(problem, start));
-            again.and_then(Result::ok).ok_or(unreachable)
-        }
-        other => other,
-    }
+    let start = find(&coarser.problem(problem), &coarser.system, load, squeeze);
+    search.run(problem, start.map_or(problem.journal, |found| found.problem.journal))
 }
 
 /// The load, or that of drag through the clearance where there is none.
@@ -221,8 +229,20 @@ impl Search<'_> {
             residual if residual < NEAR => Err(NoEquilibrium::NotConverged {
                 steps: *tried,
                 residual,
+                journal: Box::new(trial.problem.journal),
             }),
             _ => Err(self.unreachable(&trial, "the force stays away from the load")),
+        }
+    }
+
+    /// From the start of `problem` or, where that leads nowhere, from the best of positions all over the bearing.
+    fn everywhere(&self, problem: &FilmProblem) -> Result<Equilibrium, NoEquilibrium> {
+        match self.run(problem, problem.journal) {
+            Err(unreachable @ NoEquilibrium::Unreachable { .. }) => {
+                let again = self.nearest_start(problem).map(|start| self.run(problem, start));
+                again.and_then(Result::ok).ok_or(unreachable)
+            }
+            other => other,
         }
     }
 
@@ -417,29 +437,6 @@ impl Search<'_> {
     }
 }
 
-/// `s = ln eps - 3/2 ln(1 - eps)`.
-fn stretched(eps: f64) -> f64 {
-    eps.ln() - 1.5 * (1.0 - eps).ln()
-}
-
-/// Its inverse, by Newton's method in `ln(1 - eps)` or `ln eps`, whichever s is nearly linear in.
-fn eccentricity_at(s: f64) -> f64 {
-    let (mut low, mut high) = (f64::MIN_POSITIVE, 1.0 - f64::EPSILON);
-    for _ in 0..200 {
-        // Halving of the logarithm where eps is small, of the gap's logarithm where it is large.
-        let middle = match low < 0.5 && high <= 0.5 {
-            true => (low * high).sqrt(),
-            false if low >= 0.5 => 1.0 - ((1.0 - low) * (1.0 - high)).sqrt(),
-            false => 0.5,
-        };
-        match stretched(middle) < s {
-            true => low = middle,
-            false => high = middle,
-        }
-    }
-    0.5 * (low + high)
-}
-
 /// Solves a system of two equations; not finite if it is singular.
 fn solve(a: [[f64; 2]; 2], b: [f64; 2]) -> [f64; 2] {
     let determinant = a[0][0] * a[1][1] - a[0][1] * a[1][0];
@@ -447,16 +444,4 @@ fn solve(a: [[f64; 2]; 2], b: [f64; 2]) -> [f64; 2] {
         (a[1][1] * b[0] - a[0][1] * b[1]) / determinant,
         (a[0][0] * b[1] - a[1][0] * b[0]) / determinant,
     ]
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn stretched_eccentricity_is_inverted() {
-        for eps in [1e-6, 0.01, 0.3, 0.5, 0.9, 0.9999] {
-            assert!((eccentricity_at(stretched(eps)) / eps - 1.0).abs() < 1e-12);
-        }
-    }
 }

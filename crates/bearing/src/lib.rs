@@ -7,5 +7,6 @@
 //! The film knows its own tangent ([`oilwedge_reynolds::FilmProblem::unknown_change`]); a balance borders it.
 
 pub mod equilibrium;
+mod stretched;
 
 pub use equilibrium::{Equilibrium, NoEquilibrium, Squeeze, find};

@@ -78,7 +78,7 @@ pub enum NoFilm {
 }
 
 /// Six significant digits, without an exponent where that is short.
-pub(crate) fn readable(value: f64) -> String {
+pub fn readable(value: f64) -> String {
     let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
     if (1e-4..1e7).contains(&rounded.abs()) {
         format!("{rounded}")

@@ -10,6 +10,8 @@ use crate::scene::{Journal, Position, Scene};
 const REGRADED: f64 = 1.3;
 /// or where the thinnest film lies elsewhere by this angle [rad].
 const ELSEWHERE: f64 = 0.2;
+/// No mesh is graded for films thinner than at this eccentricity.
+const THICK_ENOUGH: f64 = 0.9999;
 /// Gradings of one search.
 const GRADINGS: usize = 4;
 
@@ -64,16 +66,17 @@ pub fn analyse(scene: &Scene) -> Result<(Study, Result<Solved, NoAnswer>), Compi
         if !scene.mesh.is_graded() {
             break;
         }
-        // A coarser mesh is good enough to grade a mesh for.
-        let found = match &study.system.coarser {
-            Some(coarser) => find(&coarser.problem(&study.problem), &coarser.system, load, squeeze),
-            None => find(&study.problem, &study.system, load, squeeze),
+        // A coarser mesh is good enough to grade a mesh for, if it leads to a position. A load may be out of reach only
+        // because the mesh is too coarse there.
+        let on_coarser = (study.system.coarser.as_ref())
+            .and_then(|coarser| find(&coarser.problem(&study.problem), &coarser.system, load, squeeze).ok());
+        let found = match on_coarser.map_or_else(|| find(&study.problem, &study.system, load, squeeze), Ok) {
+            Ok(Equilibrium { problem, .. }) => Some(problem.journal),
+            Err(reason) => reason.last_position(),
         };
-        let found = match found {
-            Ok(Equilibrium { problem, .. }) => problem.journal,
-            // A load may be out of reach only because the mesh is too coarse there.
-            Err(NoEquilibrium::Unreachable { journal, .. }) => *journal,
-            Err(_) => break,
+        let is_film = |found: &JournalState| found.eccentricity() < THICK_ENOUGH * scene.bearing.clearance;
+        let Some(found) = found.filter(is_film) else {
+            break;
         };
         if is_near(&study, &graded_for, &found) {
             break;

@@ -146,7 +146,8 @@ pub fn compile(scene: &Scene) -> Result<Study, CompileError> {
         terms: terms(scene),
         cavitation: cavitation(scene),
     };
-    let system = match problem.needs_start() {
+    // A position is sought on coarser meshes first.
+    let system = match problem.needs_start() || scene.journal.load().is_some() {
         true => system.with_coarser(&problem.bearing, &problem.film_thickness),
         false => system,
     };

@@ -2,14 +2,15 @@
 //!
 //! ```text
 //! R = K p + B theta      outflow through the inner faces of the cells, and what they store
-//! K_ab = Int h^3/(12 mu) grad l_a . grad l_b                             Poiseuille, linear elements
-//! B, by faces:    C_ab = Int_face U.n h/2;   a -> b:  max(C,0) theta_a + min(C,0) theta_b
+//! K_ab = |T| k grad l_a . grad l_b                           Poiseuille, linear elements
+//! B, by faces:    C_ab = |face| F.n;   a -> b:  max(C,0) theta_a + min(C,0) theta_b
 //! B, residual:    k_i = |T| U.grad l_i / 2,  u_i = h_i theta_i:  row i gets its part of k_0 u_0 + k_1 u_1 + k_2 u_2,
 //!                 N: k_i^+ (u_i - u_in), u_in = sum k_j^- u_j / sum k_j^-;   LDA: k_i^+ / sum k_j^+ of it;
 //!                 less what leaves through the sides of T (q = -2 k_c, opposite corner c):
 //!                 q (3 u_i + u_j)/8 from row i, q (3 u_j + u_i)/8 from row j
 //! ```
-//! The faces are exact and central where theta = 1. The residual distributions carry oil where theta < 1 without
+//! `1/k` and `F/k` are the means of `12 mu/h^3` and `(12 mu/h^3) U h/2` over T, which is exact along a flow that does not
+//! vary (Scharfetter, Gummel, IEEE Trans. Electron Devices 16 (1969) 64, for the idea). The faces are exact and central where theta = 1. The residual distributions carry oil where theta < 1 without
 //! the crosswind smearing of faces: N is positive and of first order; LDA (low diffusion, type A) is of second order
 //! and keeps the edges of oil streaks sharp on any mesh, but may overshoot there. Columns sum to zero in all, but for
 //! what is stored.
@@ -21,6 +22,7 @@ use oilwedge_fem::control_volumes::SUB_TRIANGLES;
 use oilwedge_mesh::Mesh;
 use rayon::prelude::*;
 
+use crate::FilmFlow;
 use crate::film_law::FilmLaw;
 
 /// Sides of a sub-triangle, from corner to corner.
@@ -59,39 +61,71 @@ pub(super) struct Block {
 /// `K`, row by row.
 pub(super) type Square = [[f64; 3]; 3];
 
-/// The coefficients of all sub-triangles under `law`.
-pub(super) fn blocks(law: &FilmLaw, mesh: &Mesh, volumes: &ControlVolumes) -> Vec<Block> {
+/// The coefficients of all sub-triangles under `law`, or how those change under the change `changed` of the law.
+pub(super) fn blocks(law: &FilmLaw, changed: Option<&FilmLaw>, mesh: &Mesh, volumes: &ControlVolumes) -> Vec<Block> {
     let mut blocks = vec![Block::default(); volumes.triangles.len()];
-    blocks
-        .par_chunks_mut(4 * CELLS_A_TASK)
-        .enumerate()
-        .for_each(|(task, chunk)| {
-            for (k, blocks) in chunk.chunks_mut(4).enumerate() {
-                let cell = task * CELLS_A_TASK + k;
-                let nodes = mesh.nodes(cell);
-                for (block, corners) in blocks.iter_mut().zip(SUB_TRIANGLES) {
-                    *block = Block::new(law, cell, corners.map(|node| nodes[node]));
-                }
+    let tasks = blocks.par_chunks_mut(4 * CELLS_A_TASK).enumerate();
+    tasks.for_each(|(task, chunk)| {
+        for (k, blocks) in chunk.chunks_mut(4).enumerate() {
+            let cell = task * CELLS_A_TASK + k;
+            let nodes = mesh.nodes(cell);
+            for (block, corners) in blocks.iter_mut().zip(SUB_TRIANGLES) {
+                *block = Block::new(law, changed, cell, corners.map(|node| nodes[node]));
             }
-        });
+        }
+    });
     blocks
 }
 
-impl Block {
-    fn new(law: &FilmLaw, cell: usize, x: [[f64; 2]; 3]) -> Self {
-        let between = |a: [f64; 2], b: [f64; 2], s: f64| [a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])];
-        let middles = SIDES.map(|(a, b)| between(x[a], x[b], 0.5));
-        let centroid = [0, 1].map(|d| (x[0][d] + x[1][d] + x[2][d]) / 3.0);
-        // Two Gauss points on each of the three faces, the corners, the middles of the sides.
-        let gauss = [0.5 - 0.5 / 3f64.sqrt(), 0.5 + 0.5 / 3f64.sqrt()];
-        let mut points = [[0.0; 2]; 12];
-        for k in 0..3 {
-            points[2 * k] = between(middles[k], centroid, gauss[0]);
-            points[2 * k + 1] = between(middles[k], centroid, gauss[1]);
-            points[6 + k] = x[k];
-            points[9 + k] = middles[k];
+/// What flows in a sub-triangle: conductance and flux that are exact for a flow that does not vary along it, however its
+/// thickness does: `J = F - k grad p` with `1/k` and `F/k` the means of those at the points.
+#[derive(Debug, Clone, Copy, Default)]
+struct Flow {
+    conductance: f64,
+    flux: [f64; 2],
+}
+
+impl Flow {
+    fn mean(points: &[FilmFlow]) -> Self {
+        let resistance: f64 = points.iter().map(|flow| 1.0 / flow.conductance).sum();
+        let drive = |d: usize| points.iter().map(|flow| flow.flux[d] / flow.conductance).sum::<f64>();
+        Self {
+            conductance: points.len() as f64 / resistance,
+            flux: [drive(0) / resistance, drive(1) / resistance],
         }
-        let (film, flows) = law.film_and_flows(cell, &points);
+    }
+
+    /// First-order change of [`Flow::mean`].
+    fn change(points: &[FilmFlow], changes: &[FilmFlow]) -> Self {
+        let mean = Self::mean(points);
+        let weights = points
+            .iter()
+            .map(|flow| mean.conductance / flow.conductance / points.len() as f64);
+        let mut change = Self::default();
+        for ((weight, flow), by) in weights.zip(points).zip(changes) {
+            let relative = by.conductance / flow.conductance;
+            change.conductance += weight * mean.conductance * relative;
+            for d in 0..2 {
+                change.flux[d] += weight * (by.flux[d] - relative * (flow.flux[d] - mean.flux[d]));
+            }
+        }
+        change
+    }
+}
+
+impl Block {
+    fn new(law: &FilmLaw, changed: Option<&FilmLaw>, cell: usize, x: [[f64; 2]; 3]) -> Self {
+        // The corners, then the middles of the sides.
+        let between = |(a, b): (usize, usize)| [0.5 * (x[a][0] + x[b][0]), 0.5 * (x[a][1] + x[b][1])];
+        let middles = SIDES.map(between);
+        let points = [x[0], x[1], x[2], middles[0], middles[1], middles[2]];
+        let (mut film, mut flows) = law.film_and_flows(cell, &points);
+        let mut flow = Flow::mean(&flows[3..6]);
+        if let Some(changed) = changed {
+            let base = flows;
+            (film, flows) = changed.film_and_flows(cell, &points);
+            flow = Flow::change(&base[3..6], &flows[3..6]);
+        }
         let doubled = (x[1][0] - x[0][0]) * (x[2][1] - x[0][1]) - (x[1][1] - x[0][1]) * (x[2][0] - x[0][0]);
         let area = 0.5 * doubled;
         // Gradients of the linear functions: the opposite side turned by 90 degrees.
@@ -99,23 +133,21 @@ impl Block {
             let (b, c) = (x[(i + 1) % 3], x[(i + 2) % 3]);
             [(b[1] - c[1]) / doubled, (c[0] - b[0]) / doubled]
         });
-        let conductance = (flows[9].conductance + flows[10].conductance + flows[11].conductance) / 3.0;
         let velocity = law.velocity();
         let mut block = Self {
             weight: gradient.map(|g| 0.5 * area * (velocity[0] * g[0] + velocity[1] * g[1])),
-            thickness: [6, 7, 8].map(|k| film[k].thickness),
+            thickness: [0, 1, 2].map(|k| film[k].thickness),
             // The centroid of a cell's piece lies at (22, 7, 7)/36.
-            storage: [0, 1, 2].map(|i| weighted(i, |k| flows[6 + k].storage) * area / 3.0),
-            volume: [0, 1, 2].map(|i| weighted(i, |k| film[6 + k].thickness) * area / 3.0),
+            storage: [0, 1, 2].map(|i| weighted(i, |k| flows[k].storage) * area / 3.0),
+            volume: [0, 1, 2].map(|i| weighted(i, |k| film[k].thickness) * area / 3.0),
             ..Self::default()
         };
+        let centroid = [0, 1].map(|d| (x[0][d] + x[1][d] + x[2][d]) / 3.0);
         for (k, (a, b)) in SIDES.into_iter().enumerate() {
             let (g, h) = (gradient[a], gradient[b]);
-            block.stiffness[k] = conductance * area * (g[0] * h[0] + g[1] * h[1]);
+            block.stiffness[k] = flow.conductance * area * (g[0] * h[0] + g[1] * h[1]);
             let along = [centroid[0] - middles[k][0], centroid[1] - middles[k][1]];
-            let normal = [along[1], -along[0]];
-            let (one, two) = (flows[2 * k].flux, flows[2 * k + 1].flux);
-            block.couette[k] = 0.5 * (normal[0] * (one[0] + two[0]) + normal[1] * (one[1] + two[1]));
+            block.couette[k] = along[1] * flow.flux[0] - along[0] * flow.flux[1];
         }
         block
     }

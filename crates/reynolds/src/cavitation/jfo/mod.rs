@@ -77,7 +77,7 @@ pub(crate) fn solve(
     rows.check_supply(problem, system, volumes)?;
     let film = Film {
         volumes,
-        blocks: blocks(&law, system.space().mesh(), volumes),
+        blocks: blocks(&law, None, system.space().mesh(), volumes),
         rows,
         floor,
         scale: problem.pressure_scale(&system.supply.constraints(|p| problem.unknown_at(p))),
@@ -123,7 +123,10 @@ pub(crate) fn residual_change(
     let volumes = system.volumes()?;
     let mesh = system.space().mesh();
     let (law, changed) = (FilmLaw::new(problem, 1.0), FilmLaw::changed(problem, *change));
-    let (upwind, moved) = (blocks(&law, mesh, volumes), blocks(&changed, mesh, volumes));
+    let (upwind, moved) = (
+        blocks(&law, None, mesh, volumes),
+        blocks(&law, Some(&changed), mesh, volumes),
+    );
     let mut residual = vec![0.0; film.unknown.len()];
     for (t, nodes) in volumes.triangles.iter().enumerate() {
         let (k, b) = (moved[t].pressure(), moved[t].transport(fraction.forms[t], &upwind[t]));
