@@ -18,6 +18,10 @@ const MOST_STEPS: usize = 300;
 const SIGN_TOLERANCE: f64 = 1e-12;
 /// A node that changes sides so often in the second pass cannot settle with the LDA scheme.
 const RESTLESS: u8 = 2;
+/// A sub-triangle whose cavity comes back more often in the first pass keeps the N scheme there.
+const MOST_RETURNS: u8 = 1;
+/// Nodes that hold less than no oil are looked for once fewer signs are wrong than this part of those at first.
+const NEARLY: f64 = 0.3;
 /// Pseudo-time steps: the first as a part of the time that the journal takes over a radius, growth, number.
 const FIRST_TIME_STEP: f64 = 0.01;
 const TIME_GROWTH: f64 = 3.0;
@@ -31,6 +35,8 @@ pub(super) struct Search<'a> {
     cavity: Vec<bool>,
     /// How the oil of each sub-triangle is carried.
     forms: Vec<Transport>,
+    /// How often the cavity has left each sub-triangle in the first pass.
+    left: Vec<u8>,
     /// How often each node has changed sides in the second pass.
     turns: Vec<u8>,
     first: Option<f64>,
@@ -80,6 +86,7 @@ impl<'a> Search<'a> {
             p,
             cavity: held,
             forms: vec![Transport::Faces; film.blocks.len()],
+            left: vec![0; film.blocks.len()],
             turns: Vec::new(),
             first: None,
             history: Vec::new(),
@@ -97,8 +104,13 @@ impl<'a> Search<'a> {
         self.turns = vec![0; self.p.len()];
         let mut end = self.iterate(false, None)?;
         if let End::Repeated = end {
-            self.fallbacks
-                .push("the cavity was found in pseudo-time, since its set of nodes came back".into());
+            self.fall_back("the N scheme carries the oil everywhere, since a set of nodes of the cavity came back");
+            let everywhere: Vec<usize> = (0..self.p.len()).collect();
+            self.calm(&everywhere, &[Transport::LowDiffusion]);
+            end = self.iterate(false, None)?;
+        }
+        if let End::Repeated = end {
+            self.fall_back("the cavity was found in pseudo-time, since its set of nodes came back");
             self.pseudo_time(radius / velocity[0].hypot(velocity[1]))?;
             end = self.iterate(false, None)?;
         }
@@ -118,21 +130,24 @@ impl<'a> Search<'a> {
         }
     }
 
+    fn fall_back(&mut self, how: &str) {
+        self.fallbacks.push(how.to_owned());
+    }
+
     fn corners<T>(&self, t: usize, of: impl Fn(usize) -> T) -> [T; 3] {
         self.film.volumes.triangles[t].map(|node| of(node as usize))
     }
 
-    /// The N scheme in every sub-triangle with a node in the cavity.
-    fn first_forms(&self) -> Vec<Transport> {
-        let touches = |t: usize| self.corners(t, |node| self.cavity[node]).contains(&true);
-        let form = |t: usize| {
-            if touches(t) {
-                Transport::Positive
-            } else {
-                Transport::Faces
+    /// The N scheme in every sub-triangle with a node in the cavity, and where the cavity comes and goes.
+    fn choose_first_forms(&mut self) {
+        for t in 0..self.forms.len() {
+            if self.corners(t, |node| self.cavity[node]).contains(&true) {
+                self.forms[t] = Transport::Positive;
+            } else if self.forms[t] == Transport::Positive && self.left[t] < MOST_RETURNS {
+                self.left[t] += 1;
+                self.forms[t] = Transport::Faces;
             }
-        };
-        (0..self.film.blocks.len()).map(form).collect()
+        }
     }
 
     /// LDA where the inflow side is starved.
@@ -144,7 +159,7 @@ impl<'a> Search<'a> {
         self.film.blocks.iter().enumerate().map(form).collect()
     }
 
-    /// Nodes that have turned too often.
+    /// Nodes that have turned so often.
     fn restless(&mut self, turned: &[(usize, f64)]) -> Vec<usize> {
         let mut restless = Vec::new();
         for &(dof, _) in turned {
@@ -156,8 +171,8 @@ impl<'a> Search<'a> {
         restless
     }
 
-    /// Carries the oil round these nodes by the N scheme. True if that is new.
-    fn calm(&mut self, nodes: &[usize]) -> bool {
+    /// Carries the oil round these nodes by the N scheme where that is by one of `others`. True if that is new.
+    fn calm(&mut self, nodes: &[usize], others: &[Transport]) -> bool {
         if nodes.is_empty() {
             return false;
         }
@@ -165,7 +180,7 @@ impl<'a> Search<'a> {
         nodes.iter().for_each(|&dof| marked[dof] = true);
         let mut new = false;
         for t in 0..self.forms.len() {
-            if self.forms[t] == Transport::LowDiffusion && self.corners(t, |node| marked[node]).contains(&true) {
+            if others.contains(&self.forms[t]) && self.corners(t, |node| marked[node]).contains(&true) {
                 self.forms[t] = Transport::Positive;
                 new = true;
             }
@@ -173,27 +188,31 @@ impl<'a> Search<'a> {
         new
     }
 
+    /// Carries the oil round nodes that hold less than no oil by the N scheme. True if that is new.
+    fn calm_overdrawn(&mut self) -> bool {
+        let overdrawn: Vec<usize> = (0..self.p.len()).filter(|&dof| self.theta[dof] < 0.0).collect();
+        self.calm(&overdrawn, &[Transport::LowDiffusion, Transport::Faces])
+    }
+
     /// Solves and exchanges until every sign is right; `choosing` chooses the forms of the first pass anew at each step.
     fn iterate(&mut self, choosing: bool, time: Option<&TimeStep>) -> Result<End, Failure> {
         let mut seen = HashSet::new();
+        let mut at_first = None;
         while self.history.len() < MOST_STEPS {
             if choosing {
-                self.forms = self.first_forms();
+                self.choose_first_forms();
             }
             let (linearisation, residual) = self.solve(time)?;
             let wrong = self.wrong_signs(&residual);
-            let active = self.cavity.iter().filter(|cavity| **cavity).count();
-            let violation = wrong.iter().map(|(_, size)| size * size).sum::<f64>().sqrt();
-            let first = *self.first.get_or_insert(if violation > 0.0 { violation } else { 1.0 });
-            self.history.push(HistoryStep {
-                residual: violation / first,
-                damping: 1.0,
-                active,
-            });
+            self.record(&wrong);
+            let at_first = *at_first.get_or_insert(wrong.len());
+            let nearly = wrong.is_empty() || (wrong.len() as f64) < NEARLY * at_first as f64;
+            let calmed = !choosing && nearly && self.calm_overdrawn();
+            if calmed {
+                seen.clear();
+            }
             if wrong.is_empty() {
-                let overdrawn: Vec<usize> = (0..self.p.len()).filter(|&dof| self.theta[dof] < 0.0).collect();
-                if self.calm(&overdrawn) {
-                    seen.clear();
+                if calmed {
                     continue;
                 }
                 return Ok(End::Settled(Box::new((linearisation, residual))));
@@ -204,7 +223,7 @@ impl<'a> Search<'a> {
                 return Ok(End::Repeated);
             }
             let restless = self.restless(&wrong);
-            if self.calm(&restless) {
+            if self.calm(&restless, &[Transport::LowDiffusion]) {
                 seen.clear();
             }
             for (dof, _) in wrong {
@@ -214,6 +233,18 @@ impl<'a> Search<'a> {
         Err(Failure::TooManySteps {
             history: std::mem::take(&mut self.history),
         })
+    }
+
+    /// A step's entry in the history.
+    fn record(&mut self, wrong: &[(usize, f64)]) {
+        let violation = wrong.iter().map(|(_, size)| size * size).sum::<f64>().sqrt();
+        let first = *self.first.get_or_insert(if violation > 0.0 { violation } else { 1.0 });
+        let active = self.cavity.iter().filter(|cavity| **cavity).count();
+        self.history.push(HistoryStep {
+            residual: violation / first,
+            damping: 1.0,
+            active,
+        });
     }
 
     /// The balance of all nodes for the present cavity: it is linear.

@@ -95,8 +95,8 @@ pub(crate) fn solve(
         });
     }
     Ok(FilmSolution {
+        inflow: film.rows.boundary_inflow(&found.residual, &found.cavity, &found.theta),
         unknown: found.p,
-        inflow: found.residual,
         cavity: found.cavity,
         film_fraction: Some(FilmFraction {
             values: found.theta,
