@@ -97,6 +97,21 @@ impl Rows {
         rows
     }
 
+    /// Volume flow [m3/s] into the film through the boundary near each node, given the residual of its balance: what
+    /// starved inlets bring and a cavity takes out at an edge are in the balance already.
+    pub(super) fn boundary_inflow(&self, residual: &[f64], cavity: &[bool], theta: &[f64]) -> Vec<f64> {
+        let carried_out = |dof: usize| {
+            if cavity[dof] {
+                self.outflow[dof] * theta[dof]
+            } else {
+                0.0
+            }
+        };
+        (0..residual.len())
+            .map(|dof| residual[dof] + self.inflow[dof] - carried_out(dof))
+            .collect()
+    }
+
     /// Each connected part of the film must touch a given node or a starved inlet: nothing else settles how much
     /// oil it holds.
     pub(super) fn check_supply(
