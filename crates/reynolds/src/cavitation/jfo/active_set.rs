@@ -20,8 +20,6 @@ const MOST_STEPS: usize = 300;
 const SIGN_TOLERANCE: f64 = 1e-12;
 /// A node that changes sides so often in the second pass cannot settle with the LDA scheme.
 const RESTLESS: u8 = 2;
-/// Choices of forms after the second pass has settled.
-const MOST_CHOICES: usize = 3;
 /// A sub-triangle whose cavity comes back more often in the first pass keeps the N scheme there.
 const MOST_RETURNS: u8 = 1;
 /// Nodes that hold less than no oil are looked for once fewer signs are wrong than this part of those at first.
@@ -111,13 +109,6 @@ impl<'a> Search<'a> {
         };
         self.turns = vec![0; self.state.p.len()];
         let mut end = self.iterate(false, None)?;
-        for _ in 0..MOST_CHOICES {
-            let settled = kept.is_some() || matches!(end, End::Repeated);
-            if settled || !self.choose_second_forms() {
-                break;
-            }
-            end = self.iterate(false, None)?;
-        }
         if let End::Repeated = end {
             self.fall_back("the N scheme carries the oil everywhere, since a set of nodes of the cavity came back");
             let everywhere: Vec<usize> = (0..self.state.p.len()).collect();
@@ -171,19 +162,6 @@ impl<'a> Search<'a> {
             false => Transport::Faces,
         };
         self.film.blocks.iter().enumerate().map(form).collect()
-    }
-
-    /// The forms of the second pass for the cavity it has led to; the N scheme stays. True if any is new.
-    fn choose_second_forms(&mut self) -> bool {
-        let mut new = false;
-        let chosen = self.second_forms();
-        for (form, chosen) in self.forms.iter_mut().zip(chosen) {
-            if *form != Transport::Positive && *form != chosen {
-                *form = chosen;
-                new = true;
-            }
-        }
-        new
     }
 
     /// Nodes that have turned so often.
