@@ -82,13 +82,8 @@ pub fn flows(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) ->
             outward: 0.0,
         })
         .collect();
-    let carried = match &film.film_fraction {
-        Some(fraction) => carried_in(problem, system, film, fraction),
-        None => Vec::new(),
-    };
     let mut cavity = 0.0;
-    for (dof, &balance) in film.inflow.iter().enumerate() {
-        let inflow = balance + carried.get(dof).unwrap_or(&0.0);
+    for (dof, &inflow) in film.inflow.iter().enumerate() {
         match system.supply.owner(dof) {
             Some(region) => regions[region].add(inflow),
             None if film.cavity[dof] && film.film_fraction.is_none() => cavity += inflow,
@@ -118,30 +113,6 @@ impl RegionFlow {
         self.inward += inflow.max(0.0);
         self.outward += (-inflow).max(0.0);
     }
-}
-
-/// Where a mass-conserving film is not full at an edge, and at starved inlets, the journal carries oil through the boundary
-/// [m3/s, inwards] that the balance of the node counts already.
-fn carried_in(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, fraction: &FilmFraction) -> Vec<f64> {
-    let Ok(volumes) = system.volumes() else {
-        return Vec::new();
-    };
-    let law = FilmLaw::new(problem, 1.0);
-    let mut outward = vec![0.0; film.inflow.len()];
-    for face in &volumes.faces {
-        let flux = law.film_and_flows(face.cell, &[face.middle]).1[0].flux;
-        outward[face.dof] += flux[0] * face.normal[0] + flux[1] * face.normal[1];
-    }
-    for (dof, outward) in outward.iter_mut().enumerate() {
-        let region = system.supply.owner(dof).map(|owner| &system.supply.regions()[owner]);
-        let starved = region.and_then(|region| region.film_fraction);
-        *outward *= match (starved, *outward < 0.0) {
-            (Some(given), true) => given,
-            (_, false) if film.cavity[dof] => fraction.values[dof],
-            _ => 0.0,
-        };
-    }
-    outward.into_iter().map(|outward| -outward).collect()
 }
 
 /// True if a term takes oil up where the film grows.

@@ -8,7 +8,9 @@ use oilwedge_fem::complementarity::Start;
 use oilwedge_fem::newton::{Failure, HistoryStep, Seconds};
 use oilwedge_fem::{Constraints, Error, Linearisation, Matrix};
 
+use super::balance::Balance;
 use super::blocks::{Block, Transport};
+use super::relaxation::State;
 use super::rows::Condition;
 use super::{Film, FilmFraction};
 
@@ -18,6 +20,10 @@ const MOST_STEPS: usize = 300;
 const SIGN_TOLERANCE: f64 = 1e-12;
 /// A node that changes sides so often in the second pass cannot settle with the LDA scheme.
 const RESTLESS: u8 = 2;
+/// A sub-triangle whose cavity comes back more often in the first pass keeps the N scheme there.
+const MOST_RETURNS: u8 = 1;
+/// Nodes that hold less than no oil are looked for once fewer signs are wrong than this part of those at first.
+const NEARLY: f64 = 0.3;
 /// Pseudo-time steps: the first as a part of the time that the journal takes over a radius, growth, number.
 const FIRST_TIME_STEP: f64 = 0.01;
 const TIME_GROWTH: f64 = 3.0;
@@ -26,11 +32,11 @@ const TIME_STEPS: usize = 24;
 /// Which nodes are in the cavity, and how the film got there.
 pub(super) struct Search<'a> {
     film: &'a Film<'a>,
-    p: Vec<f64>,
-    theta: Vec<f64>,
-    cavity: Vec<bool>,
+    state: State,
     /// How the oil of each sub-triangle is carried.
     forms: Vec<Transport>,
+    /// How often the cavity has left each sub-triangle in the first pass.
+    left: Vec<u8>,
     /// How often each node has changed sides in the second pass.
     turns: Vec<u8>,
     first: Option<f64>,
@@ -41,9 +47,7 @@ pub(super) struct Search<'a> {
 
 /// A film whose signs are all right.
 pub(super) struct Found {
-    pub(super) p: Vec<f64>,
-    pub(super) theta: Vec<f64>,
-    pub(super) cavity: Vec<bool>,
+    pub(super) state: State,
     pub(super) forms: Vec<Transport>,
     /// Inflow near each node where pressure is given; rounding elsewhere.
     pub(super) residual: Vec<f64>,
@@ -76,10 +80,9 @@ impl<'a> Search<'a> {
         }
         Self {
             film,
-            theta: vec![1.0; p.len()],
-            p,
-            cavity: held,
+            state: State::new(p, held),
             forms: vec![Transport::Faces; film.blocks.len()],
+            left: vec![0; film.blocks.len()],
             turns: Vec::new(),
             first: None,
             history: Vec::new(),
@@ -104,19 +107,22 @@ impl<'a> Search<'a> {
                 self.second_forms()
             }
         };
-        self.turns = vec![0; self.p.len()];
+        self.turns = vec![0; self.state.p.len()];
         let mut end = self.iterate(false, None)?;
         if let End::Repeated = end {
-            self.fallbacks
-                .push("the cavity was found in pseudo-time, since its set of nodes came back".into());
+            self.fall_back("the N scheme carries the oil everywhere, since a set of nodes of the cavity came back");
+            let everywhere: Vec<usize> = (0..self.state.p.len()).collect();
+            self.calm(&everywhere, &[Transport::LowDiffusion]);
+            end = self.iterate(false, None)?;
+        }
+        if let End::Repeated = end {
+            self.fall_back("the cavity was found in pseudo-time, since its set of nodes came back");
             self.pseudo_time(radius / velocity[0].hypot(velocity[1]))?;
             end = self.iterate(false, None)?;
         }
         match end {
             End::Settled(solved) => Ok(Found {
-                p: self.p,
-                theta: self.theta,
-                cavity: self.cavity,
+                state: self.state,
                 forms: self.forms,
                 linearisation: solved.0,
                 residual: solved.1,
@@ -128,33 +134,37 @@ impl<'a> Search<'a> {
         }
     }
 
+    fn fall_back(&mut self, how: &str) {
+        self.fallbacks.push(how.to_owned());
+    }
+
     fn corners<T>(&self, t: usize, of: impl Fn(usize) -> T) -> [T; 3] {
         self.film.volumes.triangles[t].map(|node| of(node as usize))
     }
 
-    /// The N scheme in every sub-triangle with a node in the cavity.
-    fn first_forms(&self) -> Vec<Transport> {
-        let touches = |t: usize| self.corners(t, |node| self.cavity[node]).contains(&true);
-        let form = |t: usize| {
-            if touches(t) {
-                Transport::Positive
-            } else {
-                Transport::Faces
+    /// The N scheme in every sub-triangle with a node in the cavity, and where the cavity comes and goes.
+    fn choose_first_forms(&mut self) {
+        for t in 0..self.forms.len() {
+            if self.corners(t, |node| self.state.cavity[node]).contains(&true) {
+                self.forms[t] = Transport::Positive;
+            } else if self.forms[t] == Transport::Positive && self.left[t] < MOST_RETURNS {
+                self.left[t] += 1;
+                self.forms[t] = Transport::Faces;
             }
-        };
-        (0..self.film.blocks.len()).map(form).collect()
+        }
     }
 
     /// LDA where the inflow side is starved.
     fn second_forms(&self) -> Vec<Transport> {
-        let form = |(t, block): (usize, &Block)| match block.is_starved(self.corners(t, |node| self.cavity[node])) {
+        let form = |(t, block): (usize, &Block)| match block.is_starved(self.corners(t, |node| self.state.cavity[node]))
+        {
             true => Transport::LowDiffusion,
             false => Transport::Faces,
         };
         self.film.blocks.iter().enumerate().map(form).collect()
     }
 
-    /// Nodes that have turned too often.
+    /// Nodes that have turned so often.
     fn restless(&mut self, turned: &[(usize, f64)]) -> Vec<usize> {
         let mut restless = Vec::new();
         for &(dof, _) in turned {
@@ -166,16 +176,16 @@ impl<'a> Search<'a> {
         restless
     }
 
-    /// Carries the oil round these nodes by the N scheme. True if that is new.
-    fn calm(&mut self, nodes: &[usize]) -> bool {
+    /// Carries the oil round these nodes by the N scheme where that is by one of `others`. True if that is new.
+    fn calm(&mut self, nodes: &[usize], others: &[Transport]) -> bool {
         if nodes.is_empty() {
             return false;
         }
-        let mut marked = vec![false; self.p.len()];
+        let mut marked = vec![false; self.state.p.len()];
         nodes.iter().for_each(|&dof| marked[dof] = true);
         let mut new = false;
         for t in 0..self.forms.len() {
-            if self.forms[t] == Transport::LowDiffusion && self.corners(t, |node| marked[node]).contains(&true) {
+            if others.contains(&self.forms[t]) && self.corners(t, |node| marked[node]).contains(&true) {
                 self.forms[t] = Transport::Positive;
                 new = true;
             }
@@ -183,65 +193,84 @@ impl<'a> Search<'a> {
         new
     }
 
+    /// Carries the oil round nodes that hold less than no oil by the N scheme. True if that is new.
+    fn calm_overdrawn(&mut self) -> bool {
+        let overdrawn: Vec<usize> = (0..self.state.p.len())
+            .filter(|&dof| self.state.theta[dof] < 0.0)
+            .collect();
+        self.calm(&overdrawn, &[Transport::LowDiffusion, Transport::Faces])
+    }
+
     /// Solves and exchanges until every sign is right; `choosing` chooses the forms of the first pass anew at each step.
     fn iterate(&mut self, choosing: bool, time: Option<&TimeStep>) -> Result<End, Failure> {
         let mut seen = HashSet::new();
+        let mut at_first = None;
         while self.history.len() < MOST_STEPS {
             if choosing {
-                self.forms = self.first_forms();
+                self.choose_first_forms();
             }
-            let (linearisation, residual) = self.solve(time)?;
+            let (linearisation, residual, balance) = self.solve(time)?;
             let wrong = self.wrong_signs(&residual);
-            let active = self.cavity.iter().filter(|cavity| **cavity).count();
-            let violation = wrong.iter().map(|(_, size)| size * size).sum::<f64>().sqrt();
-            let first = *self.first.get_or_insert(if violation > 0.0 { violation } else { 1.0 });
-            self.history.push(HistoryStep {
-                residual: violation / first,
-                damping: 1.0,
-                active,
-            });
+            self.record(&wrong);
+            let at_first = *at_first.get_or_insert(wrong.len());
+            let nearly = wrong.is_empty() || (wrong.len() as f64) < NEARLY * at_first as f64;
+            let calmed = !choosing && nearly && self.calm_overdrawn();
+            if calmed {
+                seen.clear();
+            }
             if wrong.is_empty() {
-                let overdrawn: Vec<usize> = (0..self.p.len()).filter(|&dof| self.theta[dof] < 0.0).collect();
-                if self.calm(&overdrawn) {
-                    seen.clear();
+                if calmed {
                     continue;
                 }
                 return Ok(End::Settled(Box::new((linearisation, residual))));
             }
             let mut hasher = DefaultHasher::new();
-            self.cavity.hash(&mut hasher);
+            self.state.cavity.hash(&mut hasher);
             if !seen.insert(hasher.finish()) {
                 return Ok(End::Repeated);
             }
             let restless = self.restless(&wrong);
-            if self.calm(&restless) {
+            if self.calm(&restless, &[Transport::LowDiffusion]) {
                 seen.clear();
             }
-            for (dof, _) in wrong {
-                self.cavity[dof] = !self.cavity[dof];
-            }
+            let turned: Vec<usize> = wrong.into_iter().map(|(dof, _)| dof).collect();
+            self.state.turn(self.film, &turned);
+            self.state.relax(self.film, &balance, &turned);
         }
         Err(Failure::TooManySteps {
             history: std::mem::take(&mut self.history),
         })
     }
 
+    /// A step's entry in the history.
+    fn record(&mut self, wrong: &[(usize, f64)]) {
+        let violation = wrong.iter().map(|(_, size)| size * size).sum::<f64>().sqrt();
+        let first = *self.first.get_or_insert(if violation > 0.0 { violation } else { 1.0 });
+        let active = self.state.cavity.iter().filter(|cavity| **cavity).count();
+        self.history.push(HistoryStep {
+            residual: violation / first,
+            damping: 1.0,
+            active,
+        });
+    }
+
     /// The balance of all nodes for the present cavity: it is linear.
-    fn solve(&mut self, time: Option<&TimeStep>) -> Result<(Linearisation, Vec<f64>), Failure> {
+    fn solve(&mut self, time: Option<&TimeStep>) -> Result<(Linearisation, Vec<f64>, Balance), Failure> {
         let clock = Instant::now();
         let (film, rows) = (self.film, &self.film.rows);
-        let mut constraints = Constraints::none(self.p.len());
-        for dof in 0..self.p.len() {
-            if self.cavity[dof] || rows.condition[dof] != Condition::Interior {
-                self.p[dof] = rows.value[dof];
+        let mut constraints = Constraints::none(self.state.p.len());
+        for dof in 0..self.state.p.len() {
+            if self.state.cavity[dof] || rows.condition[dof] != Condition::Interior {
+                self.state.p[dof] = rows.value[dof];
             }
-            if !self.cavity[dof] {
-                self.theta[dof] = 1.0;
+            if !self.state.cavity[dof] {
+                self.state.theta[dof] = 1.0;
                 constraints.fixed[dof] = rows.condition[dof] != Condition::Interior;
             }
         }
-        let mut matrix = Matrix::zero(film.volumes.pattern.clone());
-        let before = self.assemble(time, &mut matrix);
+        let balance = self.balance(time);
+        let before = balance.residual(&self.state.p, &self.state.theta);
+        let matrix = balance.tangent(&self.state.cavity);
         let assembled = Instant::now();
         let factor = film.volumes.analysis.factorise(&matrix, &constraints.fixed)?;
         let factorised = Instant::now();
@@ -249,9 +278,9 @@ impl<'a> Search<'a> {
         let minus: Vec<f64> = before.iter().map(|r| -r).collect();
         let step = linearisation.solve(&minus)?;
         for (dof, step) in step.iter().enumerate() {
-            match self.cavity[dof] {
-                true => self.theta[dof] += step,
-                false => self.p[dof] += step,
+            match self.state.cavity[dof] {
+                true => self.state.theta[dof] += step,
+                false => self.state.p[dof] += step,
             }
         }
         let change = linearisation.matrix().multiply(&step);
@@ -259,40 +288,38 @@ impl<'a> Search<'a> {
         self.seconds.assemble += (assembled - clock).as_secs_f64();
         self.seconds.factorise += (factorised - assembled).as_secs_f64();
         self.seconds.solve += factorised.elapsed().as_secs_f64();
-        Ok((linearisation, residual))
+        Ok((linearisation, residual, balance))
     }
 
-    /// The balance `K p + B theta` of every node, with what the boundary brings and takes, and its tangent by the
-    /// unknown of each node.
-    fn assemble(&self, time: Option<&TimeStep>, matrix: &mut Matrix) -> Vec<f64> {
+    /// The balance of every node, with what the boundary brings and takes.
+    fn balance(&self, time: Option<&TimeStep>) -> Balance {
         let (volumes, rows) = (self.film.volumes, &self.film.rows);
-        let mut residual: Vec<f64> = rows.inflow.iter().map(|inflow| -inflow).collect();
-        for (t, nodes) in volumes.triangles.iter().enumerate() {
-            let block = &self.film.blocks[t];
-            let (k, b) = (block.pressure(), block.transport(self.forms[t], block));
+        let mut balance = Balance {
+            pressure: Matrix::zero(volumes.pattern.clone()),
+            transport: Matrix::zero(volumes.pattern.clone()),
+            constant: rows.inflow.iter().map(|inflow| -inflow).collect(),
+        };
+        for (block, (form, addresses)) in self.film.blocks.iter().zip(self.forms.iter().zip(&volumes.addresses)) {
+            let (k, b) = (block.pressure(), block.transport(*form, block));
             for i in 0..3 {
                 for j in 0..3 {
-                    let node = nodes[j] as usize;
-                    residual[nodes[i] as usize] += k[i][j] * self.p[node] + b[i][j] * self.theta[node];
-                    let address = volumes.addresses[t][i][j] as usize;
-                    matrix.values[address] += if self.cavity[node] { b[i][j] } else { k[i][j] };
+                    let address = addresses[i][j] as usize;
+                    balance.pressure.values[address] += k[i][j];
+                    balance.transport.values[address] += b[i][j];
                 }
             }
         }
-        for dof in (0..residual.len()).filter(|&dof| self.cavity[dof]) {
-            residual[dof] += rows.outflow[dof] * self.theta[dof];
-            matrix.add_to_diagonal(dof, rows.outflow[dof]);
+        for (dof, &outflow) in rows.outflow.iter().enumerate() {
+            balance.transport.add_to_diagonal(dof, outflow);
         }
         if let Some(time) = time {
-            for dof in (0..residual.len()).filter(|&dof| self.film.may_cavitate(dof)) {
+            for dof in (0..self.state.p.len()).filter(|&dof| self.film.may_cavitate(dof)) {
                 let capacity = time.rate * time.volume[dof];
-                residual[dof] += capacity * (self.theta[dof] - time.before[dof]);
-                if self.cavity[dof] {
-                    matrix.add_to_diagonal(dof, capacity);
-                }
+                balance.constant[dof] -= capacity * time.before[dof];
+                balance.transport.add_to_diagonal(dof, capacity);
             }
         }
-        residual
+        balance
     }
 
     /// Nodes on the wrong side, and by how much in natural units: full ones with tension, or at an edge through which oil
@@ -300,13 +327,13 @@ impl<'a> Search<'a> {
     /// there is room for.
     fn wrong_signs(&self, residual: &[f64]) -> Vec<(usize, f64)> {
         let largest = residual.iter().fold(0.0f64, |m, r| m.max(r.abs()));
-        let size = |dof: usize| match (self.cavity[dof], self.film.rows.condition[dof]) {
-            (true, _) => self.theta[dof] - 1.0,
-            (false, Condition::Interior) => (self.film.floor - self.p[dof]) / self.film.scale,
-            (false, Condition::Edge) => (residual[dof] + self.film.rows.outflow[dof]) / largest.max(f64::MIN_POSITIVE),
+        let size = |dof: usize| match (self.state.cavity[dof], self.film.rows.condition[dof]) {
+            (true, _) => self.state.theta[dof] - 1.0,
+            (false, Condition::Interior) => (self.film.floor - self.state.p[dof]) / self.film.scale,
+            (false, Condition::Edge) => residual[dof] / largest.max(f64::MIN_POSITIVE),
             (false, Condition::Given) => 0.0,
         };
-        let sizes = (0..self.p.len()).map(|dof| (dof, size(dof)));
+        let sizes = (0..self.state.p.len()).map(|dof| (dof, size(dof)));
         sizes
             .filter(|(_, size)| *size > SIGN_TOLERANCE || size.is_nan())
             .collect()
@@ -314,7 +341,7 @@ impl<'a> Search<'a> {
 
     /// Backward Euler in the film fraction with growing steps, towards the steady film.
     fn pseudo_time(&mut self, unit: f64) -> Result<(), Failure> {
-        let mut volume = vec![0.0; self.p.len()];
+        let mut volume = vec![0.0; self.state.p.len()];
         for (nodes, block) in self.film.volumes.triangles.iter().zip(&self.film.blocks) {
             for i in 0..3 {
                 volume[nodes[i] as usize] += block.volume[i];
@@ -322,7 +349,7 @@ impl<'a> Search<'a> {
         }
         let mut time = TimeStep {
             rate: 1.0 / (FIRST_TIME_STEP * unit),
-            before: self.theta.iter().map(|theta| theta.clamp(0.0, 1.0)).collect(),
+            before: self.state.theta.iter().map(|theta| theta.clamp(0.0, 1.0)).collect(),
             volume,
         };
         if !time.rate.is_finite() {
@@ -330,7 +357,7 @@ impl<'a> Search<'a> {
         }
         for _ in 0..TIME_STEPS {
             self.iterate(false, Some(&time))?;
-            time.before.clone_from(&self.theta);
+            time.before.clone_from(&self.state.theta);
             time.rate /= TIME_GROWTH;
         }
         Ok(())

@@ -229,11 +229,17 @@ impl Block {
         self.weight.iter().map(|k| k.min(0.0)).sum()
     }
 
-    /// True if a corner that is not downstream is in the cavity: the inflow side is starved, or the side along the flow.
+    /// True if the inflow side is starved: a corner upstream is in the cavity; or one to the side of the flow while none
+    /// downstream is (the film's edge along a supply; downstream it would be the rupture line).
     pub(super) fn is_starved(&self, cavity: [bool; 3]) -> bool {
-        const ALONG: f64 = 0.1;
+        const ROUNDING: f64 = 1e-9;
+        const ASIDE: f64 = 0.1;
         let largest = self.weight.iter().fold(0.0f64, |m, k| m.max(k.abs()));
-        (0..3).any(|i| cavity[i] && self.weight[i] < ALONG * largest)
+        let any = |from: f64, to: f64| {
+            (0..3).any(|i| cavity[i] && self.weight[i] >= from * largest && self.weight[i] < to * largest)
+        };
+        let (upstream, aside, downstream) = (any(-1.0, -ROUNDING), any(-ROUNDING, ASIDE), any(ASIDE, 2.0));
+        upstream || (aside && !downstream)
     }
 }
 

@@ -10,13 +10,15 @@
 //!
 //! Finite volumes on the linear sub-mesh ([`oilwedge_fem::ControlVolumes`]): one q and one theta a node, each node
 //! either full (theta = 1, q unknown) or in the cavity (q = q(p_cav), theta unknown); [`blocks`] has the balance of
-//! one sub-triangle, [`rows`] the conditions, [`active_set`] the search for the cavity. The load is integrated with
+//! one sub-triangle, [`rows`] the conditions, [`active_set`] the search for the cavity, [`relaxation`] what makes it
+//! short. The load is integrated with
 //! the quadratic functions of the nodal q, which is several times better than with linear ones.
 //!
 //! Two passes. Where oil is transported a residual distribution is used, else faces: in pass one the N scheme wherever
 //! a node is in the cavity, chosen anew each step; in pass two, from the cavity of pass one, the LDA scheme
 //! only where the inflow side of a sub-triangle is starved, and kept. (Chosen by inflow inside the loop, nodes along the
 //! rupture line chatter.) Round the few nodes that do not settle so, or would hold less than no oil, the N scheme stays.
+//! A set of nodes that comes back is answered by the N scheme everywhere, and then by pseudo-time.
 //!
 //! **Source.** Jakobsson and Floberg, Chalmers Report 190 (1957); Olsson, Chalmers Report 272 (1965); Elrod,
 //! J. Lubr. Technol. 103 (1981) 350. **Range.** Steady with rotation; incompressible oil; triangles without
@@ -24,7 +26,9 @@
 //! balances, and random bearings.
 
 mod active_set;
+mod balance;
 mod blocks;
+mod relaxation;
 mod rows;
 
 use oilwedge_fem::ControlVolumes;
@@ -33,6 +37,7 @@ use oilwedge_fem::complementarity::Start;
 use self::active_set::Search;
 pub use self::blocks::Transport;
 use self::blocks::{Block, blocks};
+use self::relaxation::State;
 use self::rows::{Condition, Rows};
 use crate::existence::NoFilm;
 use crate::film_law::FilmLaw;
@@ -85,22 +90,23 @@ pub(crate) fn solve(
     let mut search = Search::new(&film, start);
     search.seconds.assemble += clock.elapsed().as_secs_f64();
     let found = search.run(kept, problem.bearing.radius, law.velocity())?;
-    let least = (0..found.theta.len()).min_by(|&a, &b| found.theta[a].total_cmp(&found.theta[b]));
-    if let Some(least) = least.filter(|&dof| found.theta[dof] < -ROUNDING) {
+    let State { p, theta, cavity } = found.state;
+    let least = (0..theta.len()).min_by(|&a, &b| theta[a].total_cmp(&theta[b]));
+    if let Some(least) = least.filter(|&dof| theta[dof] < -ROUNDING) {
         let [x, z] = system.space().positions()[least];
         return Err(NoFilm::FilmFraction {
-            fraction: found.theta[least],
+            fraction: theta[least],
             angle: x / problem.bearing.radius,
             z,
             couplings: film.wrong_couplings(),
         });
     }
     Ok(FilmSolution {
-        unknown: found.p,
-        inflow: found.residual,
-        cavity: found.cavity,
+        inflow: film.rows.boundary_inflow(&found.residual, &theta),
+        unknown: p,
+        cavity,
         film_fraction: Some(FilmFraction {
-            values: found.theta,
+            values: theta,
             forms: found.forms,
         }),
         linearisation: found.linearisation,

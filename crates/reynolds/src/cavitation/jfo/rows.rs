@@ -92,9 +92,19 @@ impl Rows {
                 true => Condition::Edge,
                 false => Condition::Given,
             };
-            rows.outflow[dof] = carried[dof].max(0.0);
+            if rows.condition[dof] == Condition::Edge {
+                rows.outflow[dof] = carried[dof].max(0.0);
+            }
         }
         rows
+    }
+
+    /// Volume flow [m3/s] into the film through the boundary near each node, given the residual of its balance: what
+    /// starved inlets bring and the journal carries out at an edge are in the balance already.
+    pub(super) fn boundary_inflow(&self, residual: &[f64], theta: &[f64]) -> Vec<f64> {
+        (0..residual.len())
+            .map(|dof| residual[dof] + self.inflow[dof] - self.outflow[dof] * theta[dof])
+            .collect()
     }
 
     /// Each connected part of the film must touch a given node or a starved inlet: nothing else settles how much

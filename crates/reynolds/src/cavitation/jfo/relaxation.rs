@@ -1,0 +1,115 @@
+//! Relaxation near nodes that changed sides, to foresee which of their neighbours will.
+//!
+//! A solve of all balances tells which nodes are on the wrong side, but the edge of a streak of oil then walks by one
+//! node a solve. So between solves each node near a change is given the pressure, or the film fraction, that balances it
+//! while its neighbours stay; where that changes, its neighbours follow (projected Gauss-Seidel relaxation).
+//! Only the sides of the nodes are kept: the next solve is of all balances again, and has the last word.
+//!
+//! Cryer, SIAM J. Control 9 (1971) 385 (the relaxation); Brandt, Cryer, SIAM J. Sci. Stat. Comput. 4 (1983) 655.
+
+use super::Film;
+use super::balance::Balance;
+use super::rows::Condition;
+
+/// Most visits of one node.
+const SWEEPS: usize = 30;
+/// Changes below this, in natural units, end at their node.
+const STILL: f64 = 1e-6;
+
+/// Pressure, film fraction and side of every node.
+#[derive(Debug, Clone)]
+pub(super) struct State {
+    /// Reduced pressure [Pa].
+    pub(super) p: Vec<f64>,
+    pub(super) theta: Vec<f64>,
+    /// True in the cavity.
+    pub(super) cavity: Vec<bool>,
+}
+
+impl State {
+    /// A film that is full but for the nodes of `cavity`.
+    pub(super) fn new(p: Vec<f64>, cavity: Vec<bool>) -> Self {
+        let theta = vec![1.0; p.len()];
+        Self { p, theta, cavity }
+    }
+
+    /// Takes nodes to the other side.
+    pub(super) fn turn(&mut self, film: &Film<'_>, nodes: &[usize]) {
+        for &dof in nodes {
+            self.cavity[dof] = !self.cavity[dof];
+            self.theta[dof] = 1.0;
+            self.p[dof] = film.rows.value[dof];
+        }
+    }
+
+    /// Relaxes the surroundings of nodes that have turned.
+    pub(super) fn relax(&mut self, film: &Film<'_>, balance: &Balance, turned: &[usize]) {
+        let mut front = Front::new(film, self.p.len());
+        turned.iter().for_each(|&dof| front.reach(dof));
+        for _ in 0..SWEEPS {
+            for dof in front.advance() {
+                let (p, theta, cavity) = self.balanced(film, balance, dof);
+                let change = (p - self.p[dof]).abs() / film.scale + (theta - self.theta[dof]).abs();
+                if change > STILL || cavity != self.cavity[dof] {
+                    front.reach(dof);
+                }
+                (self.p[dof], self.theta[dof], self.cavity[dof]) = (p, theta, cavity);
+            }
+        }
+    }
+
+    /// The state of one node that balances it while its neighbours stay.
+    fn balanced(&self, film: &Film<'_>, balance: &Balance, dof: usize) -> (f64, f64, bool) {
+        let floor = film.rows.value[dof];
+        let pattern = &balance.pressure.pattern;
+        let (mut left, mut driven, mut carried) = (balance.constant[dof], 0.0, 0.0);
+        for k in pattern.row(dof) {
+            let (by_pressure, by_theta) = (balance.pressure.values[k], balance.transport.values[k]);
+            match pattern.columns[k] as usize {
+                other if other == dof => (driven, carried) = (by_pressure, by_theta),
+                other => left += by_pressure * self.p[other] + by_theta * self.theta[other],
+            }
+        }
+        left += driven * floor;
+        // What it loses while it is full and without pressure.
+        let loss = left + carried;
+        match film.rows.condition[dof] {
+            Condition::Given => (self.p[dof], 1.0, false),
+            _ if loss > 0.0 && carried > 0.0 => (floor, -left / carried, true),
+            Condition::Interior if driven > 0.0 => (floor + (-loss / driven).max(0.0), 1.0, false),
+            _ => (floor, 1.0, false),
+        }
+    }
+}
+
+/// Nodes to be visited next.
+struct Front<'a> {
+    film: &'a Film<'a>,
+    next: Vec<usize>,
+    waits: Vec<bool>,
+}
+
+impl<'a> Front<'a> {
+    fn new(film: &'a Film<'a>, nodes: usize) -> Self {
+        let (next, waits) = (Vec::new(), vec![false; nodes]);
+        Self { film, next, waits }
+    }
+
+    /// Adds a node and its neighbours.
+    fn reach(&mut self, dof: usize) {
+        let pattern = &self.film.volumes.pattern;
+        for k in pattern.row(dof) {
+            let neighbour = pattern.columns[k] as usize;
+            if !std::mem::replace(&mut self.waits[neighbour], true) {
+                self.next.push(neighbour);
+            }
+        }
+    }
+
+    /// Takes the nodes that wait.
+    fn advance(&mut self) -> Vec<usize> {
+        let now = std::mem::take(&mut self.next);
+        now.iter().for_each(|&dof| self.waits[dof] = false);
+        now
+    }
+}
