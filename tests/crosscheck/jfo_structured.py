@@ -27,6 +27,7 @@ class Film:
     thickness   h(x), asked for off the nodes
     given       (nx, nz) pressures, NaN where free; theta = 1 is held where p is given above zero
     cut         (side, nx, nz) part of the link to the next node along x (side 0) or z (side 1) that lies in the film
+    inlet       theta of the oil brought in at x[0] where no pressure is given (speed > 0), or None
     """
 
     x: np.ndarray
@@ -37,6 +38,7 @@ class Film:
     viscosity: float
     given: np.ndarray
     cut: np.ndarray | None = None
+    inlet: float | None = None
 
 
 @dataclass
@@ -63,13 +65,14 @@ def solve(film, guess=None):
     given = film.given.ravel()
     free = np.isnan(given)
     held = np.where(free, 0.0, given) / scale
+    brought = _brought(film)
     cavity = free & (guess.ravel() if guess is not None else False)
     seen = set()
     for iteration in range(1, ITERATIONS):
         full = (~cavity).astype(float)
         # One unknown a node: p where full, theta in the cavity. Given nodes: p and theta are known.
         matrix = (scale * pressures @ diags_array(full) + drag @ diags_array(1 - full)).tocsr()
-        right = -(drag @ full) - scale * (pressures @ held)
+        right = brought - drag @ full - scale * (pressures @ held)
         unknown = np.zeros(len(given))
         unknown[free] = splu(matrix[free][:, free].tocsc(), permc_spec="MMD_AT_PLUS_A").solve(right[free])
         p = np.where(cavity, 0.0, unknown + held)
@@ -84,6 +87,14 @@ def solve(film, guess=None):
         assert key not in seen, "the active set repeats"
         seen.add(key)
     raise RuntimeError("the active set did not settle")
+
+
+def _brought(film):
+    """Oil that a starved inlet brings to each node."""
+    brought = np.zeros(film.given.shape)
+    if film.inlet is not None:
+        brought[0] = film.inlet * film.speed / 2 * film.thickness(film.x[:1]) * _widths(film.z)
+    return np.where(np.isnan(film.given), brought, 0.0).ravel()
 
 
 def _widths(nodes, period=None):
@@ -193,3 +204,11 @@ class Bearing:
             return np.array(parts)
 
         return self.film(columns, rows, given, cut)
+
+    def starved_arc(self, columns, rows, start, end, inlet):
+        """Arc from one angle to the other [rad] whose inlet is filled to the part `inlet`; the rest is open."""
+        x = self.radius * np.linspace(start, end, columns + 1)
+        z = self.length / 2 * np.arange(rows + 1) / rows
+        given = np.full((columns + 1, rows + 1), np.nan)
+        given[-1], given[:, -1] = 0.0, 0.0
+        return Film(x, z, None, self.thickness, self.speed * self.radius, self.viscosity, given, None, inlet)

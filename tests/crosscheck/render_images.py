@@ -2,12 +2,14 @@
 
     python render_images.py FOLDER [SCENE]
 
-SCENE is scenes/02_flexpde_shell.toml unless given. No display is needed: without one VTK warns
+SCENE is scenes/02_flexpde_shell.toml unless given; of a mass-conserving film, film fraction and pressure in one
+picture (docs/images/grooved_ring.png: scene 13; engine_main_bearing.png: scene 17), and nothing else. No display is needed: without one VTK warns
 once ("bad X server connection") and draws off screen all the same.
 """
 
 import sys
 import tempfile
+import tomllib
 from pathlib import Path
 
 import matplotlib
@@ -16,9 +18,10 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 import pyvista
+from matplotlib.tri import Triangulation
 
 from oilwedge_run import SCENES, solve
-from scene_file import read_scene
+from scene_file import read_scene, si
 
 SIZE = (1400, 950)
 FIELDS = {  # field: (title with unit, scale, colour map)
@@ -103,6 +106,28 @@ def surface_picture(grid, radius, path):
     save(window, path)
 
 
+def conserving_picture(grid, radius, path):
+    """Film fraction and pressure, unrolled. Each quadratic triangle is drawn as the four linear ones of the scheme:
+    its own interpolation would overshoot where the film breaks."""
+    x, z = np.asarray(grid.points).T[:2]
+    corners = grid.cells.reshape(-1, 7)[:, 1:]
+    parts = np.concatenate([corners[:, part] for part in ([0, 3, 5], [3, 1, 4], [5, 4, 2], [3, 4, 5])])
+    drawn = Triangulation(np.degrees(x / radius), 1e3 * z, parts)
+    figure, axes = plt.subplots(2, 1, figsize=(11, 6.4), dpi=100, sharex=True, layout="constrained")
+    fields = (
+        ("Film fraction", grid.point_data["film_fraction"], "cividis", (0, 1)),
+        ("Pressure, kPa", 1e-3 * grid.point_data["pressure"], "viridis", (None, None)),
+    )
+    for axis, (title, values, colours, (low, high)) in zip(axes, fields):
+        shown = axis.tripcolor(drawn, values, shading="gouraud", cmap=colours, vmin=low, vmax=high)
+        figure.colorbar(shown, ax=axis, label=title, pad=0.01)
+        axis.set(ylabel="z, mm", xlim=(drawn.x.min(), drawn.x.max()))
+    ticks = np.arange(-360, 721, 45)
+    axes[1].set(xlabel="Angle phi, deg", xticks=ticks[(ticks >= drawn.x.min() - 1) & (ticks <= drawn.x.max() + 1)])
+    figure.savefig(path)
+    plt.close(figure)
+
+
 def line_picture(grid, scene, path):
     """Pressure along the length and around the film, both through its highest node."""
     x_top, z_top = np.asarray(grid.points)[np.argmax(grid.point_data["pressure"])][:2]
@@ -130,6 +155,13 @@ def line_picture(grid, scene, path):
 
 def main(folder, scene_path):
     folder.mkdir(parents=True, exist_ok=True)
+    table = tomllib.loads(scene_path.read_text())
+    if table.get("cavitation", {}).get("model") == "jfo":
+        with tempfile.TemporaryDirectory() as out:
+            _, plane = solve(scene_path, Path(out), unrolled=True)
+        name = scene_path.stem.partition("_")[2]
+        conserving_picture(plane, si(table["bearing"]["diameter"]) / 2, folder / f"{name}.png")
+        return
     scene = read_scene(scene_path)
     with tempfile.TemporaryDirectory() as out:
         _, plane = solve(scene_path, Path(out) / "plane", unrolled=True)

@@ -1,5 +1,6 @@
 //! What the tests share: structured liners and plain films, made without files.
 
+pub mod cavitation_page;
 pub mod flexpde_study;
 pub mod journal_bearings;
 pub mod mesh_page;

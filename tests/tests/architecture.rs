@@ -29,7 +29,13 @@ const PUBLIC_TRAITS: [&str; 6] = [
 /// Longest source file [lines], tests within it included.
 const LONGEST: usize = 470;
 
+/// Folders of `crates/reynolds` whose files are physics, but for `mod.rs`.
 const PHYSICS: [&str; 5] = ["terms", "film_thickness", "lubricant", "quantities", "analytical"];
+/// Physics that has another place.
+const PHYSICS_FILES: [&str; 2] = [
+    "crates/reynolds/src/cavitation/jfo/mod.rs",
+    "crates/bearing/src/equilibrium.rs",
+];
 
 #[test]
 fn crates_use_only_crates_below_them() {
@@ -89,7 +95,8 @@ fn physics_files_open_with_their_headings() {
         let folder = path.parent().and_then(Path::file_name).and_then(|name| name.to_str());
         let in_reynolds = path.starts_with(repository().join("crates/reynolds"));
         let is_physics = folder.is_some_and(|folder| PHYSICS.contains(&folder)) && !path.ends_with("mod.rs");
-        if !(in_reynolds && is_physics) {
+        let is_listed = PHYSICS_FILES.iter().any(|file| path == repository().join(file));
+        if !(in_reynolds && is_physics || is_listed) {
             continue;
         }
         seen += 1;
@@ -106,7 +113,7 @@ fn physics_files_open_with_their_headings() {
             path.display()
         );
     }
-    assert!(seen >= 11, "only {seen} physics files were found");
+    assert!(seen >= 16, "only {seen} physics files were found");
 }
 
 #[test]

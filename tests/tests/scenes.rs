@@ -7,8 +7,12 @@
 
 use oilwedge_scene::compile::{CompileError, compile};
 use oilwedge_scene::measure::warnings;
-use oilwedge_tests::mesh_page;
+use oilwedge_scene::report::RunResult;
+use oilwedge_scene::scene::Scene;
+use oilwedge_scene::{RunOptions, run};
+use oilwedge_tests::journal_bearings::{block, number};
 use oilwedge_tests::scenes::{Solved, solve, table, variant};
+use oilwedge_tests::{cavitation_page, mesh_page};
 
 fn shipped(name: &str) -> Solved {
     solved(name, |_| ())
@@ -310,6 +314,137 @@ fn scene_10_drawn_liner() {
     assert!(drawn.measured.flows.imbalance < 1e-10);
 }
 
+/// The row B/D 1, eps 0.6 of `plain360_swift_stieber`: four to five digits.
+#[test]
+fn scene_11_swift_stieber_ring() {
+    let film = shipped("11_swift_stieber_ring");
+    close(film.quantity("sommerfeld_number"), 1.316, 3e-4);
+    assert!((film.quantity("attitude_angle") - 50.529).abs() < 0.01);
+}
+
+#[test]
+fn scene_12_flexpde_shell_cavitated() {
+    converged("12_flexpde_shell_cavitated", 23.421627, 49.290465, 5e-5);
+}
+
+/// Pfeil's bearing (`literature/pfeil_groove.rs`). What the groove delivers leaves at the ends.
+#[test]
+fn scene_13_grooved_ring() {
+    let film = shipped("13_grooved_ring");
+    let case = &block("jfo_groove_bearing")["groove"];
+    close(film.quantity("load"), number(case, "F"), 2e-4);
+    close(film.quantity("load_x"), number(case, "W_X0"), 3e-4);
+    close(film.quantity("load_y"), number(case, "W_X90"), 3e-4);
+    close(film.quantity("side_flow"), film.quantity("feed_flow.groove"), 1e-10);
+    assert!(film.measured.flows.imbalance < 1e-10);
+}
+
+/// `jfo_starved_arc` is extrapolated from three grids along the flow (`tests/crosscheck/jfo_structured.py`).
+#[test]
+fn scene_14_starved_pad() {
+    let film = shipped("14_starved_pad");
+    let reference = &block("jfo_starved_arc")["results"];
+    close(film.quantity("load"), number(reference, "F"), 3e-4);
+    close(film.quantity("load_y"), number(reference, "W_y"), 3e-4);
+    close(film.quantity("pressure_max"), number(reference, "p_max"), 3e-4);
+    // The journal carries in half of U h/2 over the length, and all of it leaves.
+    let problem = &film.study.problem;
+    let inlet = 1e-4 * (1.0 - 0.6 * 90f64.to_radians().cos());
+    let brought = 0.5 * 0.5 * problem.surface_velocity()[0] * inlet * 0.08;
+    let flows = &film.measured.flows;
+    close(flows.throughput, brought, 1e-10);
+    assert!(flows.imbalance < 1e-10, "{flows:?}");
+    // Flooded, the edge holds the pressure of the ends and lets more in.
+    let flooded = solved("14_starved_pad", |scene| {
+        let bearing = table(scene, "bearing");
+        table(bearing, "arc").remove("inlet_fraction");
+    });
+    close(flooded.quantity("load") / film.quantity("load"), 1.87, 5e-3);
+}
+
+/// The mirror image, with reversed speed: the inlet is the other edge of the arc.
+#[test]
+fn a_starved_inlet_is_where_the_journal_enters() {
+    let ahead = shipped("14_starved_pad");
+    let back = solved("14_starved_pad", |scene| {
+        set(scene, "journal", "speed", "-600 rpm");
+        set(scene, "journal", "min_film_angle", "240 deg");
+    });
+    // Another mesh: each is some 2e-4 off.
+    close(back.quantity("load"), ahead.quantity("load"), 1e-3);
+    close(back.quantity("load_x"), -ahead.quantity("load_x"), 3e-3);
+    close(back.quantity("attitude_angle"), ahead.quantity("attitude_angle"), 2e-3);
+}
+
+/// Butenschoen 1976, So_V at eps 0.5 and B/D 1/2: 3.675, a grid of 1976 (`literature/butenschoen_1976.rs`).
+#[test]
+fn scene_15_squeezed_ring() {
+    let film = shipped("15_squeezed_ring");
+    let psi: f64 = 1e-3;
+    let so = film.quantity("load") * psi * psi / (0.0375 * 0.075 * 0.4);
+    close(so, 3.675, 1e-3);
+    assert!(
+        film.quantity("attitude_angle").abs() < 1e-2,
+        "the load is that of the approach"
+    );
+}
+
+fn answer(scene: &Scene) -> RunResult {
+    let run = run(scene, &RunOptions::default()).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(run.result.reason, None);
+    run.result
+}
+
+fn value(result: &RunResult, name: &str) -> f64 {
+    result.quantity(name).unwrap_or_else(|| panic!("no {name}")).value
+}
+
+/// The load of scene 12 finds the position of scene 12, whose C_w and attitude another code has.
+#[test]
+fn scene_16_loaded_shell() {
+    let found = answer(&variant("16_loaded_shell", |_| ()));
+    assert!(found.balances.force < 1e-10, "{:e}", found.balances.force);
+    close(value(&found, "load"), 12911.0, 1e-9);
+    close(value(&found, "load_angle"), 130.71, 1e-9);
+    close(value(&found, "eccentricity"), 0.6, 5e-5);
+    close(value(&found, "min_film_angle"), 180.0, 5e-5);
+}
+
+/// The structured code carries 5 kN at this position (`tests/crosscheck/test_jfo.py`). Solved there, on a mesh graded
+/// for it, the film carries the load again.
+#[test]
+fn scene_17_engine_main_bearing() {
+    let found = answer(&variant("17_engine_main_bearing", |_| ()));
+    assert!(found.balances.force < 1e-10 && found.balances.mass.abs() < 1e-10);
+    close(value(&found, "load"), 5000.0, 1e-9);
+    close(value(&found, "eccentricity"), 0.8113, 5e-4);
+    close(value(&found, "min_film_angle"), 301.02, 2e-4);
+    let there = solved("17_engine_main_bearing", |scene| {
+        scene.remove("load");
+        set(scene, "journal", "eccentricity", value(&found, "eccentricity"));
+        let angle = format!("{} deg", value(&found, "min_film_angle"));
+        set(scene, "journal", "min_film_angle", angle);
+    });
+    close(there.quantity("load"), 5000.0, 3e-3);
+    close(there.quantity("load_angle"), 270.0, 1e-3);
+}
+
+/// A starved pad under the load of a known position is found there, with the exact tangent of its inlet.
+#[test]
+fn a_starved_pad_finds_its_position_under_load() {
+    let known = shipped("14_starved_pad");
+    let found = answer(&variant("14_starved_pad", |scene| {
+        let journal = table(scene, "journal");
+        journal.retain(|key, _| key == "speed");
+        set(scene, "load", "force", format!("{} N", known.quantity("load")));
+        set(scene, "load", "angle", format!("{} deg", known.quantity("load_angle")));
+    }));
+    assert!(found.balances.force < 1e-10);
+    close(value(&found, "eccentricity"), 0.6, 1e-3);
+    close(value(&found, "min_film_angle"), 300.0, 1e-3);
+    assert!(found.counts.position_steps < 20, "{}", found.counts.position_steps);
+}
+
 #[test]
 fn own_meshes_are_no_worse_than_those_of_gmsh() {
     // Error at equal unknowns: 0.9 of gmsh's on the shell, 1.24 on the liner with a groove.
@@ -327,14 +462,24 @@ fn own_meshes_are_no_worse_than_those_of_gmsh() {
     assert!(mesh_page::error_and_merit(&own, converged).1 < merit);
 }
 
-#[test]
-fn the_page_of_meshes_is_up_to_date() {
-    let path = oilwedge_tests::program::repository().join("docs/howto/mesh.md");
+#[track_caller]
+fn up_to_date(name: &str, page: fn(&str) -> String) {
+    let path = oilwedge_tests::program::repository().join("docs").join(name);
     let written = std::fs::read_to_string(path).expect("page");
     assert!(
-        written == mesh_page::page(&written),
+        written == page(&written),
         "run: cargo run --release -p oilwedge-tests --bin validation"
     );
+}
+
+#[test]
+fn the_page_of_meshes_is_up_to_date() {
+    up_to_date("howto/mesh.md", mesh_page::page);
+}
+
+#[test]
+fn the_page_of_cavitation_is_up_to_date() {
+    up_to_date("theory/cavitation.md", cavitation_page::page);
 }
 
 #[test]

@@ -29,7 +29,7 @@ const QUANTITIES: [(&str, &str); 21] = [
 ];
 
 /// Names of effects; what follows a colon is the model.
-const EFFECTS: [(&str, &str); 11] = [
+const EFFECTS: [(&str, &str); 12] = [
     ("poiseuille", "oil driven by the pressure gradient"),
     ("couette", "oil dragged along by the journal"),
     ("squeeze", "oil pressed out as the journal's centre moves"),
@@ -39,6 +39,10 @@ const EFFECTS: [(&str, &str); 11] = [
         "viscosity grows with pressure, where the FlexPDE study prints it: no mass balance",
     ),
     ("groove depth", "the film is deeper there, its pressure is found"),
+    (
+        "starved inlet",
+        "the oil brought in at the edge of the arc fills part of the gap",
+    ),
     ("roelands", "viscosity grows with a power of pressure in the exponent"),
     ("cavitation: guembel", "pressures below that of the cavity are dropped"),
     (

@@ -325,7 +325,11 @@ fn supply(scene: &Scene, mesh: &Mesh) -> Result<Vec<SupplyRegion>, CompileError>
     let p_e = scene.ends.pressure;
     let mut regions = vec![region("end_low", Place::End, p_e), region("end_high", Place::End, p_e)];
     if scene.bearing.arc.is_some() {
-        regions.extend(["arc_from", "arc_to"].map(|name| region(name, Place::Line, p_e)));
+        // The journal brings oil in at one of them; the other ignores its film fraction.
+        regions.extend(["arc_from", "arc_to"].map(|name| SupplyRegion {
+            film_fraction: scene.bearing.inlet_fraction,
+            ..region(name, Place::Line, p_e)
+        }));
     }
     if let Some(angle) = scene.bearing.film_start {
         let edges =
@@ -383,6 +387,9 @@ fn effects(scene: &Scene, problem: &FilmProblem) -> Effects {
     }
     if scene.feeds.iter().any(|feed| feed.pressure.is_none()) {
         simulated.push("groove depth".to_owned());
+    }
+    if scene.bearing.inlet_fraction.is_some() {
+        simulated.push("starved inlet".to_owned());
     }
     match problem.cavitation {
         Cavitation::None => not_simulated.push("cavitation".to_owned()),

@@ -53,6 +53,8 @@ pub struct Bearing {
     pub clearance: f64,
     /// The part of the circumference that is liner; `None`: a full ring, periodic.
     pub arc: Option<Arc>,
+    /// Arc only: film fraction of the oil that the journal brings in at its leading edge; `None`: that edge is flooded.
+    pub inlet_fraction: Option<f64>,
     /// Ring only: angle of an axial line held at the pressure of the ends [rad].
     pub film_start: Option<f64>,
 }

@@ -60,6 +60,7 @@ fn scene(mut root: TableReader<'_>, path: &Path) -> Scene {
 const MESH_FILE: &str = "../meshes/liner.msh";
 
 fn bearing(mut table: TableReader<'_>) -> Bearing {
+    let mut inlet_fraction = None;
     let bearing = Bearing {
         diameter: table.quantity("diameter", Dimension::Length, "75 mm"),
         length: table.quantity("length", Dimension::Length, "75 mm"),
@@ -67,9 +68,11 @@ fn bearing(mut table: TableReader<'_>) -> Bearing {
         arc: table.table_if_given("arc").map(|mut arc| {
             let from = arc.quantity("from", Dimension::Angle, "40 deg");
             let to = arc.quantity("to", Dimension::Angle, "220 deg");
+            inlet_fraction = arc.number_if_given("inlet_fraction", "0.6");
             arc.finish();
             Arc { from, to }
         }),
+        inlet_fraction,
         film_start: table.quantity_if_given("film_start", Dimension::Angle, "180 deg"),
     };
     table.finish();

@@ -27,9 +27,19 @@ pub fn words(scene: &Scene) -> Vec<String> {
     );
     [size]
         .into_iter()
+        .chain(inlet_in_words(scene))
         .chain(scene.feeds.iter().map(feed_in_words))
         .chain(load_in_words(&scene.journal))
         .collect()
+}
+
+fn inlet_in_words(scene: &Scene) -> Option<String> {
+    let (arc, fraction) = (scene.bearing.arc?, scene.bearing.inlet_fraction?);
+    let edge = if scene.journal.speed > 0.0 { arc.from } else { arc.to };
+    Some(format!(
+        "starved inlet: the oil brought in at {} fills {fraction} of the gap",
+        degrees(edge)
+    ))
 }
 
 fn load_in_words(journal: &Journal) -> Option<String> {

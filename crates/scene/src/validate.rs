@@ -38,6 +38,7 @@ pub(crate) fn complaints(scene: &Scene, marks: &Marks) -> Vec<Complaint> {
     checks.journal(&scene.journal);
     checks.oil(scene);
     checks.cavitation(scene);
+    checks.inlet(scene);
     checks.complaints
 }
 

@@ -1,7 +1,7 @@
 //! `validation`: writes the computed tables of the pages in `docs` anew.
 
 use oilwedge_tests::program::repository;
-use oilwedge_tests::{flexpde_study, mesh_page};
+use oilwedge_tests::{cavitation_page, flexpde_study, mesh_page};
 
 fn main() -> std::io::Result<()> {
     let write = |name: &str, page: fn(&str) -> String| {
@@ -10,5 +10,6 @@ fn main() -> std::io::Result<()> {
         std::fs::write(&path, page(&written))
     };
     write("validation/flexpde_study.md", flexpde_study::page)?;
+    write("theory/cavitation.md", cavitation_page::page)?;
     write("howto/mesh.md", mesh_page::page)
 }

@@ -22,3 +22,59 @@ pub trait FilmContribution: Send + Sync + std::fmt::Debug {
     /// The same part of the film on another mesh of the liner, whose triangle `t` lies in triangle `parents[t]` of this one.
     fn carried(&self, parents: &[u32]) -> Arc<dyn FilmContribution>;
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every contribution against finite differences: its slope, and what it changes where the journal moves.
+    #[test]
+    fn slopes_and_variations_match_differences() {
+        let eccentricity = Eccentricity {
+            radius: 0.04,
+            clearance: 4e-5,
+        };
+        let groove = GrooveDepth {
+            depth: 2e-5,
+            inside: vec![true],
+        };
+        let journal = JournalState {
+            offset: [1e-5, -2e-5],
+            velocity: [3e-5, 1e-5],
+            speed: 10.0,
+            axial_velocity: 0.0,
+        };
+        let change = JournalChange {
+            offset: [-0.7e-5, 0.4e-5],
+            velocity: [0.2e-5, -0.9e-5],
+        };
+        let contributions: [&dyn FilmContribution; 2] = [&eccentricity, &groove];
+        for contribution in contributions {
+            let at = |step: f64, x: f64| {
+                let moved = JournalState {
+                    offset: [0, 1].map(|k| journal.offset[k] + step * change.offset[k]),
+                    velocity: [0, 1].map(|k| journal.velocity[k] + step * change.velocity[k]),
+                    ..journal
+                };
+                let mut point = [FilmPoint::default()];
+                contribution.add(&moved, 0, &[[x, 0.01]], &mut point);
+                point[0]
+            };
+            for x in [0.0, 0.03, 0.11] {
+                let slope = (at(0.0, x + 1e-6).thickness - at(0.0, x - 1e-6).thickness) / 2e-6;
+                assert!((at(0.0, x).slope[0] - slope).abs() < 1e-11, "{contribution:?}");
+                let mut varied = [FilmPoint::default()];
+                contribution.vary(&change, 0, &[[x, 0.01]], &mut varied);
+                let (ahead, behind) = (at(1e-3, x), at(-1e-3, x));
+                let pairs = [
+                    (ahead.thickness - behind.thickness, varied[0].thickness),
+                    (ahead.slope[0] - behind.slope[0], varied[0].slope[0]),
+                    (ahead.rate - behind.rate, varied[0].rate),
+                ];
+                for (difference, variation) in pairs {
+                    assert!((difference / 2e-3 - variation).abs() < 1e-12, "{contribution:?}");
+                }
+            }
+        }
+    }
+}

@@ -25,6 +25,27 @@ impl Checks<'_> {
         }
     }
 
+    /// How full the film is where it begins: only a cavity that conserves oil knows of it.
+    pub(super) fn inlet(&mut self, scene: &Scene) {
+        let Some(fraction) = scene.bearing.inlet_fraction else {
+            return;
+        };
+        let key = "bearing.arc.inlet_fraction";
+        self.refuse_if(
+            fraction <= 0.0 || fraction > 1.0,
+            key,
+            format!("is {fraction}, outside 0 < inlet_fraction <= 1"),
+            "give the part of the gap that the oil brought in fills, or remove it: the edge is flooded then",
+        );
+        let conserves = scene.cavitation.is_some_and(|it| it.model == CavitationModel::Jfo);
+        self.refuse_if(
+            !conserves,
+            key,
+            "has a meaning with cavitation.model = \"jfo\" only: other films are full where they begin",
+            "take cavitation.model = \"jfo\", or remove inlet_fraction: the edge is flooded then",
+        );
+    }
+
     /// Oil that is supplied below the pressure of the cavity would not be liquid.
     fn supply_above_cavity(&mut self, cavitation: &Cavitation, given: f64, key: &str, group: &str) {
         let cavity = cavitation.pressure;
@@ -135,5 +156,35 @@ mod tests {
                 "{error}"
             );
         }
+    }
+
+    #[test]
+    fn a_starved_inlet_needs_a_cavity_that_conserves_oil() {
+        let starved = |fraction: &str| format!("to = \"220 deg\", inlet_fraction = {fraction} }}");
+        let to = "to = \"220 deg\" }";
+        for model in ["none", "guembel", "reynolds"] {
+            let error = with_model(&[(to, &starved("0.6")), ("guembel", model)])
+                .expect_err("no film fraction")
+                .to_string();
+            let wanted = "bearing.arc.inlet_fraction: has a meaning with cavitation.model = \"jfo\" only";
+            assert!(error.contains(wanted) && !error.contains("outside"), "{error}");
+        }
+        for good in ["0.6", "1", "1e-3"] {
+            let scene = with_model(&[(to, &starved(good)), ("guembel", "jfo")]);
+            assert_eq!(
+                scene.map(|scene| scene.bearing.inlet_fraction).ok(),
+                Some(good.parse().ok())
+            );
+        }
+        for bad in ["0", "-0.1", "1.01"] {
+            let error = with_model(&[(to, &starved(bad)), ("guembel", "jfo")])
+                .expect_err("out of range")
+                .to_string();
+            let wanted = format!("bearing.arc.inlet_fraction: is {bad}, outside 0 < inlet_fraction <= 1");
+            assert!(error.contains(&wanted), "{error}");
+        }
+        let at_rest = [(to, &starved("0.6")[..]), ("guembel", "jfo"), ("10 rad/s", "0 rad/s")];
+        let error = with_model(&at_rest).expect_err("nothing brings oil in").to_string();
+        assert!(error.contains("is \"jfo\", but journal.speed is 0"), "{error}");
     }
 }

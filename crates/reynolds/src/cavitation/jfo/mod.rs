@@ -103,7 +103,7 @@ pub(crate) fn solve(
         });
     }
     Ok(FilmSolution {
-        inflow: film.rows.boundary_inflow(&found.residual, &cavity, &theta),
+        inflow: film.rows.boundary_inflow(&found.residual, &theta),
         unknown: p,
         cavity,
         film_fraction: Some(FilmFraction {
@@ -145,11 +145,21 @@ pub(crate) fn residual_change(
         }
     }
     for face in &volumes.faces {
-        if film.cavity[face.dof] {
-            let flux = changed.film_and_flows(face.cell, &[face.middle]).1[0].flux;
-            let out = flux[0] * face.normal[0] + flux[1] * face.normal[1];
-            residual[face.dof] += fraction.values[face.dof] * out;
-        }
+        let out = |law: &FilmLaw| {
+            let flux = law.film_and_flows(face.cell, &[face.middle]).1[0].flux;
+            flux[0] * face.normal[0] + flux[1] * face.normal[1]
+        };
+        let region = system
+            .supply
+            .owner(face.dof)
+            .map(|owner| &system.supply.regions()[owner]);
+        let starved = region.and_then(|region| region.film_fraction);
+        let carried = match starved.filter(|_| out(&law) < 0.0) {
+            Some(given) => given,
+            None if film.cavity[face.dof] => fraction.values[face.dof],
+            None => continue,
+        };
+        residual[face.dof] += carried * out(&changed);
     }
     Ok(residual)
 }

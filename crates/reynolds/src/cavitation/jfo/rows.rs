@@ -4,7 +4,7 @@
 //! |---|---|---|---|
 //! | interior | unknown while full | unknown in the cavity | the unknown |
 //! | given: feeds, flooded lines, ends above the cavitation pressure | given | one | its inflow |
-//! | edge: ends at the cavitation pressure, where no oil comes in; lines that it leaves by | given | unknown in the cavity, one while oil leaves | outflow, or the unknown |
+//! | edge: ends at the cavitation pressure, where no oil comes in; lines that it leaves by | given | unknown in the cavity, one while as much oil leaves as a full film carries | outflow, or the unknown |
 
 use oilwedge_fem::ControlVolumes;
 
@@ -92,23 +92,18 @@ impl Rows {
                 true => Condition::Edge,
                 false => Condition::Given,
             };
-            rows.outflow[dof] = carried[dof].max(0.0);
+            if rows.condition[dof] == Condition::Edge {
+                rows.outflow[dof] = carried[dof].max(0.0);
+            }
         }
         rows
     }
 
     /// Volume flow [m3/s] into the film through the boundary near each node, given the residual of its balance: what
-    /// starved inlets bring and a cavity takes out at an edge are in the balance already.
-    pub(super) fn boundary_inflow(&self, residual: &[f64], cavity: &[bool], theta: &[f64]) -> Vec<f64> {
-        let carried_out = |dof: usize| {
-            if cavity[dof] {
-                self.outflow[dof] * theta[dof]
-            } else {
-                0.0
-            }
-        };
+    /// starved inlets bring and the journal carries out at an edge are in the balance already.
+    pub(super) fn boundary_inflow(&self, residual: &[f64], theta: &[f64]) -> Vec<f64> {
         (0..residual.len())
-            .map(|dof| residual[dof] + self.inflow[dof] - carried_out(dof))
+            .map(|dof| residual[dof] + self.inflow[dof] - self.outflow[dof] * theta[dof])
             .collect()
     }
 
