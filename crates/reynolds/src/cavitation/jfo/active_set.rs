@@ -39,6 +39,8 @@ pub(super) struct Search<'a> {
     left: Vec<u8>,
     /// How often each node has changed sides in the second pass.
     turns: Vec<u8>,
+    /// Sub-triangles whose form has changed in the second pass.
+    changed: Vec<bool>,
     first: Option<f64>,
     history: Vec<HistoryStep>,
     pub(super) seconds: Seconds,
@@ -66,6 +68,17 @@ struct TimeStep {
     volume: Vec<f64>,
 }
 
+/// How the forms by which oil is carried are chosen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Pass {
+    /// Anew at each step, by the N scheme wherever a node is in the cavity.
+    First,
+    /// Where the inflow side is starved, by LDA.
+    Second,
+    /// Not at all.
+    Kept,
+}
+
 /// How an iteration over sets ended.
 enum End {
     Settled(Box<(Linearisation, Vec<f64>)>),
@@ -84,6 +97,7 @@ impl<'a> Search<'a> {
             forms: vec![Transport::Faces; film.blocks.len()],
             left: vec![0; film.blocks.len()],
             turns: Vec::new(),
+            changed: vec![false; film.blocks.len()],
             first: None,
             history: Vec::new(),
             seconds: Seconds::default(),
@@ -101,24 +115,25 @@ impl<'a> Search<'a> {
         self.forms = match kept {
             Some(kept) => kept.forms.clone(),
             None => {
-                if let End::Repeated = self.iterate(true, None)? {
-                    self.iterate(false, None)?;
+                if let End::Repeated = self.iterate(Pass::First, None)? {
+                    self.iterate(Pass::Kept, None)?;
                 }
                 self.second_forms()
             }
         };
         self.turns = vec![0; self.state.p.len()];
-        let mut end = self.iterate(false, None)?;
+        let pass = if kept.is_some() { Pass::Kept } else { Pass::Second };
+        let mut end = self.iterate(pass, None)?;
         if let End::Repeated = end {
             self.fall_back("the N scheme carries the oil everywhere, since a set of nodes of the cavity came back");
             let everywhere: Vec<usize> = (0..self.state.p.len()).collect();
             self.calm(&everywhere, &[Transport::LowDiffusion]);
-            end = self.iterate(false, None)?;
+            end = self.iterate(Pass::Kept, None)?;
         }
         if let End::Repeated = end {
             self.fall_back("the cavity was found in pseudo-time, since its set of nodes came back");
             self.pseudo_time(radius / velocity[0].hypot(velocity[1]))?;
-            end = self.iterate(false, None)?;
+            end = self.iterate(Pass::Kept, None)?;
         }
         match end {
             End::Settled(solved) => Ok(Found {
@@ -201,20 +216,35 @@ impl<'a> Search<'a> {
         self.calm(&overdrawn, &[Transport::LowDiffusion, Transport::Faces])
     }
 
-    /// Solves and exchanges until every sign is right; `choosing` chooses the forms of the first pass anew at each step.
-    fn iterate(&mut self, choosing: bool, time: Option<&TimeStep>) -> Result<End, Failure> {
+    /// The forms of the second pass for the present cavity. Each sub-triangle changes once: some along the rupture line
+    /// would chatter. True if any changed.
+    fn choose_second_forms(&mut self) -> bool {
+        let chosen = self.second_forms();
+        let mut new = false;
+        for ((form, chosen), changed) in self.forms.iter_mut().zip(chosen).zip(&mut self.changed) {
+            if *form != Transport::Positive && *form != chosen && !*changed {
+                (*form, *changed, new) = (chosen, true, true);
+            }
+        }
+        new
+    }
+
+    /// Solves and exchanges until every sign is right.
+    fn iterate(&mut self, pass: Pass, time: Option<&TimeStep>) -> Result<End, Failure> {
         let mut seen = HashSet::new();
         let mut at_first = None;
         while self.history.len() < MOST_STEPS {
-            if choosing {
-                self.choose_first_forms();
+            match pass {
+                Pass::First => self.choose_first_forms(),
+                Pass::Second if self.choose_second_forms() => seen.clear(),
+                Pass::Second | Pass::Kept => {}
             }
             let (linearisation, residual, balance) = self.solve(time)?;
             let wrong = self.wrong_signs(&residual);
             self.record(&wrong);
             let at_first = *at_first.get_or_insert(wrong.len());
             let nearly = wrong.is_empty() || (wrong.len() as f64) < NEARLY * at_first as f64;
-            let calmed = !choosing && nearly && self.calm_overdrawn();
+            let calmed = pass != Pass::First && nearly && self.calm_overdrawn();
             if calmed {
                 seen.clear();
             }
@@ -356,7 +386,7 @@ impl<'a> Search<'a> {
             return Err(Error::NotFinite { what: "time step" }.into());
         }
         for _ in 0..TIME_STEPS {
-            self.iterate(false, Some(&time))?;
+            self.iterate(Pass::Kept, Some(&time))?;
             time.before.clone_from(&self.state.theta);
             time.rate /= TIME_GROWTH;
         }

@@ -16,8 +16,9 @@
 //!
 //! Two passes. Where oil is transported a residual distribution is used, else faces: in pass one the N scheme wherever
 //! a node is in the cavity, chosen anew each step; in pass two, from the cavity of pass one, the LDA scheme
-//! only where the inflow side of a sub-triangle is starved, and kept. (Chosen by inflow inside the loop, nodes along the
-//! rupture line chatter.) Round the few nodes that do not settle so, or would hold less than no oil, the N scheme stays.
+//! only where the inflow side of a sub-triangle is starved. Each sub-triangle may change its form once as the cavity
+//! settles; with more changes nodes along the rupture line chatter. Round the few nodes that do not settle so, or
+//! would hold less than no oil, the N scheme stays.
 //! A set of nodes that comes back is answered by the N scheme everywhere, and then by pseudo-time.
 //!
 //! **Source.** Jakobsson and Floberg, Chalmers Report 190 (1957); Olsson, Chalmers Report 272 (1965); Elrod,
