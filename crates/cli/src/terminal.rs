@@ -82,6 +82,10 @@ fn work(counts: Counts) -> Option<String> {
         let meshes = plural(counts.levels, "coarser mesh", "coarser meshes");
         counted.push(format!("started from {meshes}"));
     }
+    if counts.position_steps > 0 {
+        let positions = plural(counts.position_steps, "position", "positions");
+        counted.push(format!("{positions} of the journal tried"));
+    }
     (!counted.is_empty()).then(|| format!("work      {}", counted.join(", ")))
 }
 

@@ -1,5 +1,7 @@
 //! What is asked of a film: its solution at a given position, or the position in which it carries a load.
 
+use std::time::Instant;
+
 use oilwedge_bearing::{Equilibrium, NoEquilibrium, Squeeze, find};
 use oilwedge_reynolds::{FilmSolution, JournalState, NoFilm};
 
@@ -31,6 +33,8 @@ pub struct Balance {
     pub residual: f64,
     /// Positions tried on the mesh of the result.
     pub steps: usize,
+    /// Seconds that the search took, but for the film of the result; gradings of the mesh count.
+    pub seconds: f64,
 }
 
 /// Why there is nothing to report.
@@ -50,6 +54,7 @@ pub enum NoAnswer {
 /// The scene does not become a film. That there is no answer is no error.
 pub fn analyse(scene: &Scene) -> Result<(Study, Result<Solved, NoAnswer>), CompileError> {
     let mut study = compile(scene)?;
+    let clock = Instant::now();
     let Some(load) = study.load else {
         let film = study.problem.solve(&study.system);
         return Ok((
@@ -92,11 +97,13 @@ pub fn analyse(scene: &Scene) -> Result<(Study, Result<Solved, NoAnswer>), Compi
     Ok(match find(&study.problem, &study.system, load, squeeze) {
         Ok(found) => {
             study.problem = found.problem;
+            let film = found.film;
+            let parts = film.seconds;
             let balance = Balance {
                 residual: found.residual,
                 steps: found.steps,
+                seconds: clock.elapsed().as_secs_f64() - parts.assemble - parts.factorise - parts.solve,
             };
-            let film = found.film;
             (
                 study,
                 Ok(Solved {

@@ -93,6 +93,7 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, Error> {
             if let Some(balance) = balance {
                 result.balances.force = balance.residual;
                 result.counts.position_steps = balance.steps;
+                result.timing_s.push(("search".to_owned(), balance.seconds));
             }
             Some(picture(&study, &film, options.unrolled))
         }
