@@ -9,7 +9,7 @@ import numpy as np
 UNITS = {
     "m": 1.0, "mm": 1e-3, "um": 1e-6,
     "Pa": 1.0, "kPa": 1e3, "bar": 1e5, "MPa": 1e6,
-    "deg": np.pi / 180, "rad": 1.0, "rad/s": 1.0, "rpm": np.pi / 30, "m/s": 1.0, "mm/s": 1e-3,
+    "deg": np.pi / 180, "rad": 1.0, "rad/s": 1.0, "rpm": np.pi / 30, "m/s": 1.0, "mm/s": 1e-3, "um/s": 1e-6,
     "Pa.s": 1.0, "mPa.s": 1e-3, "1/Pa": 1.0, "kN": 1e3,
 }  # fmt: skip
 

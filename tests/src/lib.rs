@@ -1,10 +1,12 @@
 //! What the tests share: structured liners and plain films, made without files.
 
+pub mod cavitation_counts;
 pub mod cavitation_page;
 pub mod flexpde_study;
 pub mod journal_bearings;
 pub mod mesh_page;
 pub mod program;
+pub mod random_bearings;
 pub mod scenes;
 pub mod tables;
 

@@ -218,3 +218,65 @@ fn count(held: &[bool]) -> usize {
 fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |m, v| m.max(v.abs()))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `z >= 0`, `A z + q >= 0`, one of the two an equality: block exchange goes round in circles of four.
+    const A: [[f64; 3]; 3] = [[13.0, 13.0, -7.0], [13.0, 14.0, -5.0], [-7.0, -5.0, 9.0]];
+    const Q: [f64; 3] = [-3.0, -1.0, 4.0];
+
+    /// The solution with `held` at zero, by elimination; what is wrong with it.
+    fn solve(held: [bool; 3]) -> ([f64; 3], Vec<usize>) {
+        let free: Vec<usize> = (0..3).filter(|&i| !held[i]).collect();
+        let (mut a, mut z) = (A, Q.map(|q| -q));
+        for (step, &i) in free.iter().enumerate() {
+            for &j in &free[step + 1..] {
+                let factor = a[j][i] / a[i][i];
+                (0..3).for_each(|k| a[j][k] -= factor * a[i][k]);
+                z[j] -= factor * z[i];
+            }
+        }
+        for (step, &i) in free.iter().enumerate().rev() {
+            z[i] = (z[i] - free[step + 1..].iter().map(|&k| a[i][k] * z[k]).sum::<f64>()) / a[i][i];
+        }
+        (0..3).filter(|&i| held[i]).for_each(|i| z[i] = 0.0);
+        let reaction = |i: usize| Q[i] + (0..3).map(|k| A[i][k] * z[k]).sum::<f64>();
+        let wrong = |i: usize| if held[i] { reaction(i) < -1e-12 } else { z[i] < -1e-12 };
+        let wrong = (0..3).filter(|&i| wrong(i)).collect();
+        (z, wrong)
+    }
+
+    #[test]
+    fn single_exchanges_end_what_block_exchange_repeats() {
+        let mut held = [false; 3];
+        let mut sets = Vec::new();
+        while !sets.contains(&held) {
+            sets.push(held);
+            let wrong = solve(held).1;
+            assert!(
+                !wrong.is_empty(),
+                "block exchange alone found it: the example shows nothing"
+            );
+            wrong.into_iter().for_each(|i| held[i] = !held[i]);
+        }
+
+        // A positive definite matrix has one solution, whatever the start.
+        let starts = (0..8u8).map(|bits| [0, 1, 2].map(|i| bits >> i & 1 == 1));
+        let mut solutions = starts.map(|start| {
+            let (mut held, mut exchange) = (start, Exchange::default());
+            for _ in 0..20 {
+                let (z, wrong) = solve(held);
+                if wrong.is_empty() {
+                    return z;
+                }
+                exchange.apply(&wrong, &mut held);
+            }
+            panic!("no end from {start:?}");
+        });
+        let first = solutions.next().expect("eight");
+        assert!(first.iter().all(|z| *z >= 0.0) && first.iter().any(|z| *z > 0.0));
+        assert!(solutions.all(|z| (0..3).all(|i| (z[i] - first[i]).abs() < 1e-12)));
+    }
+}

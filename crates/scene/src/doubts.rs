@@ -81,7 +81,11 @@ fn closure(study: &Study, measured: &Measured) -> Option<String> {
             "note: the cavity of this model makes {} of the oil that passes (cavity_flow), for Swift and Stieber conserve none where the film forms again{}",
             percent(flows.cavity / flows.throughput),
             // Without rotation nothing carries oil in a cavity that conserves it.
-            if study.problem.journal.speed == 0.0 { "" } else { "; model = \"jfo\" does" }
+            if study.problem.journal.speed == 0.0 {
+                ""
+            } else {
+                "; model = \"jfo\" does"
+            }
         )),
         Cavitation::None | Cavitation::Reynolds { .. } | Cavitation::Jfo { .. } => None,
     }

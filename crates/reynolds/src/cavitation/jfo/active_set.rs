@@ -339,7 +339,7 @@ impl<'a> Search<'a> {
                 }
             }
         }
-        for (dof, &outflow) in rows.outflow.iter().enumerate() {
+        for (dof, &outflow) in rows.outflow.iter().enumerate().filter(|(_, outflow)| **outflow > 0.0) {
             balance.transport.add_to_diagonal(dof, outflow);
         }
         if let Some(time) = time {
@@ -352,9 +352,8 @@ impl<'a> Search<'a> {
         balance
     }
 
-    /// Nodes on the wrong side, and by how much in natural units: full ones with tension, or at an edge through which oil
-    /// would come in or less leaves than the journal carries out of a full film; those of the cavity with more oil than
-    /// there is room for.
+    /// Nodes on the wrong side, and by how much in natural units: full ones with tension, or at an edge through which
+    /// pressure would drive oil in; those of the cavity with more oil than there is room for.
     fn wrong_signs(&self, residual: &[f64]) -> Vec<(usize, f64)> {
         let largest = residual.iter().fold(0.0f64, |m, r| m.max(r.abs()));
         let size = |dof: usize| match (self.state.cavity[dof], self.film.rows.condition[dof]) {

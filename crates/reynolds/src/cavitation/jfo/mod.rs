@@ -38,7 +38,7 @@ use oilwedge_fem::complementarity::Start;
 use self::active_set::Search;
 pub use self::blocks::Transport;
 use self::blocks::{Block, blocks};
-use self::relaxation::State;
+use self::relaxation::{State, downstream};
 use self::rows::{Condition, Rows};
 use crate::existence::NoFilm;
 use crate::film_law::FilmLaw;
@@ -61,6 +61,8 @@ struct Film<'a> {
     volumes: &'a ControlVolumes,
     blocks: Vec<Block>,
     rows: Rows,
+    /// The place of each node on the way of the journal.
+    downstream: Vec<u32>,
     /// Reduced pressure of the cavity [Pa].
     floor: f64,
     /// Natural size of q [Pa].
@@ -78,13 +80,15 @@ pub(crate) fn solve(
     let volumes = system.volumes().map_err(oilwedge_fem::newton::Failure::from)?;
     let law = FilmLaw::new(problem, motion);
     let clock = std::time::Instant::now();
-    let floor = problem.cavitation.pressure().map_or(0.0, |p| problem.unknown_at(p));
+    let floor = cavity_floor(problem);
     let rows = Rows::new(problem, system, volumes, &law, floor);
     rows.check_supply(problem, system, volumes)?;
+    let narrowest = problem.bearing.radius * problem.journal.min_film_angle();
     let film = Film {
         volumes,
         blocks: blocks(&law, None, system.space().mesh(), volumes),
         rows,
+        downstream: downstream(system.space(), law.velocity(), narrowest),
         floor,
         scale: problem.pressure_scale(&system.supply.constraints(|p| problem.unknown_at(p))),
     };
@@ -118,6 +122,11 @@ pub(crate) fn solve(
     })
 }
 
+/// Reduced pressure [Pa] of the cavity.
+fn cavity_floor(problem: &FilmProblem) -> f64 {
+    problem.cavitation.pressure().map_or(0.0, |p| problem.unknown_at(p))
+}
+
 /// First-order change of every balance where the journal moves by `change`: cavity, film fraction and the
 /// choice of forms stay.
 pub(crate) fn residual_change(
@@ -144,22 +153,14 @@ pub(crate) fn residual_change(
             }
         }
     }
+    let rows = Rows::new(problem, system, volumes, &law, cavity_floor(problem));
     for face in &volumes.faces {
-        let out = |law: &FilmLaw| {
-            let flux = law.film_and_flows(face.cell, &[face.middle]).1[0].flux;
-            flux[0] * face.normal[0] + flux[1] * face.normal[1]
-        };
-        let region = system
-            .supply
-            .owner(face.dof)
-            .map(|owner| &system.supply.regions()[owner]);
-        let starved = region.and_then(|region| region.film_fraction);
-        let carried = match starved.filter(|_| out(&law) < 0.0) {
-            Some(given) => given,
-            None if film.cavity[face.dof] => fraction.values[face.dof],
-            None => continue,
-        };
-        residual[face.dof] += carried * out(&changed);
+        let share = rows.share(system, face.dof, fraction.values[face.dof]);
+        if share != 0.0 {
+            let flux = changed.film_and_flows(face.cell, &[face.middle]).1[0].flux;
+            let out = flux[0] * face.normal[0] + flux[1] * face.normal[1];
+            residual[face.dof] += share * out;
+        }
     }
     Ok(residual)
 }

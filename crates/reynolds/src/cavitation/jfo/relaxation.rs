@@ -2,17 +2,19 @@
 //!
 //! A solve of all balances tells which nodes are on the wrong side, but the edge of a streak of oil then walks by one
 //! node a solve. So between solves each node near a change is given the pressure, or the film fraction, that balances it
-//! while its neighbours stay; where that changes, its neighbours follow (projected Gauss-Seidel relaxation).
-//! Only the sides of the nodes are kept: the next solve is of all balances again, and has the last word.
+//! while its neighbours stay; where that changes, its neighbours follow (projected Gauss-Seidel relaxation). They are
+//! visited downstream, so that neither their numbers nor a mirror change the answer. Only the sides of the nodes are kept: the next solve is of all balances again, and has the last word.
 //!
 //! Cryer, SIAM J. Control 9 (1971) 385 (the relaxation); Brandt, Cryer, SIAM J. Sci. Stat. Comput. 4 (1983) 655.
+
+use oilwedge_fem::Space;
 
 use super::Film;
 use super::balance::Balance;
 use super::rows::Condition;
 
 /// Most visits of one node.
-const SWEEPS: usize = 30;
+const SWEEPS: usize = 40;
 /// Changes below this, in natural units, end at their node.
 const STILL: f64 = 1e-6;
 
@@ -82,6 +84,38 @@ impl State {
     }
 }
 
+/// The place of each node in the order in which the journal, moving at `velocity` [m/s], passes them; a ring is cut at
+/// the narrowest film, `cut` [m].
+pub(super) fn downstream(space: &Space, velocity: [f64; 2], cut: f64) -> Vec<u32> {
+    /// Places are told apart by so much of the extent of the film.
+    const APART: f64 = 1e-9;
+    let mesh = space.mesh();
+    let speed = velocity[0].hypot(velocity[1]).max(f64::MIN_POSITIVE);
+    let direction = velocity.map(|v| v / speed);
+    let along = |x: f64| match mesh.period() {
+        // On the way from the cut; its end is its start.
+        Some(period) => {
+            let way = ((x - cut) * direction[0].signum()).rem_euclid(period);
+            direction[0].abs() * if way > period * (1.0 - APART) { 0.0 } else { way }
+        }
+        None => x * direction[0],
+    };
+    let way: Vec<[f64; 2]> = (space.positions().into_iter())
+        .map(|[x, z]| [along(x) + z * direction[1], z])
+        .collect();
+    let extent = way
+        .iter()
+        .fold(f64::MIN_POSITIVE, |most, [s, z]| most.max(s.abs()).max(z.abs()));
+    let steps = |length: f64| (length / (APART * extent)).round() as i64;
+    let mut order: Vec<u32> = (0..way.len() as u32).collect();
+    order.sort_by_cached_key(|&dof| way[dof as usize].map(steps));
+    let mut places = vec![0; order.len()];
+    for (place, &dof) in (0..).zip(&order) {
+        places[dof as usize] = place;
+    }
+    places
+}
+
 /// Nodes to be visited next.
 struct Front<'a> {
     film: &'a Film<'a>,
@@ -106,9 +140,10 @@ impl<'a> Front<'a> {
         }
     }
 
-    /// Takes the nodes that wait.
+    /// Takes the nodes that wait, downstream.
     fn advance(&mut self) -> Vec<usize> {
-        let now = std::mem::take(&mut self.next);
+        let mut now = std::mem::take(&mut self.next);
+        now.sort_unstable_by_key(|&dof| self.film.downstream[dof]);
         now.iter().for_each(|&dof| self.waits[dof] = false);
         now
     }

@@ -4,7 +4,7 @@
 //! |---|---|---|---|
 //! | interior | unknown while full | unknown in the cavity | the unknown |
 //! | given: feeds, flooded lines, ends above the cavitation pressure | given | one | its inflow |
-//! | edge: ends at the cavitation pressure, where no oil comes in; lines that it leaves by | given | unknown in the cavity, one while as much oil leaves as a full film carries | outflow, or the unknown |
+//! | edge: ends at the cavitation pressure, where no oil comes in; lines that it leaves by | given | unknown in the cavity, one while pressure drives oil out | what pressure drives out, or the unknown |
 
 use oilwedge_fem::ControlVolumes;
 
@@ -32,7 +32,8 @@ pub(super) struct Rows {
     pub(super) value: Vec<f64>,
     /// What a starved inlet brings in [m3/s].
     pub(super) inflow: Vec<f64>,
-    /// What the journal carries out through the boundary at an edge node while the film is full [m3/s].
+    /// What the journal carries out through the boundary at an edge node while the film is full [m3/s]; pressure may
+    /// drive out more.
     pub(super) outflow: Vec<f64>,
 }
 
@@ -100,11 +101,21 @@ impl Rows {
     }
 
     /// Volume flow [m3/s] into the film through the boundary near each node, given the residual of its balance: what
-    /// starved inlets bring and the journal carries out at an edge are in the balance already.
+    /// starved inlets bring and the journal carries out at edges are in the balance already.
     pub(super) fn boundary_inflow(&self, residual: &[f64], theta: &[f64]) -> Vec<f64> {
         (0..residual.len())
             .map(|dof| residual[dof] + self.inflow[dof] - self.outflow[dof] * theta[dof])
             .collect()
+    }
+
+    /// The part of a full film that is carried through the boundary near a node, where that is in its balance.
+    pub(super) fn share(&self, system: &FilmSystem, dof: usize, theta: f64) -> f64 {
+        let owner = system.supply.owner(dof).map(|owner| &system.supply.regions()[owner]);
+        match owner.and_then(|region| region.film_fraction) {
+            Some(fraction) if self.inflow[dof] > 0.0 => fraction,
+            _ if self.outflow[dof] > 0.0 => theta,
+            _ => 0.0,
+        }
     }
 
     /// Each connected part of the film must touch a given node or a starved inlet: nothing else settles how much

@@ -1,0 +1,41 @@
+//! `cavitation_iterations`: how many iterations find the cavity, on meshes from 1e3 to 1e6 unknowns.
+
+use oilwedge_reynolds::Cavitation;
+use oilwedge_scene::compile::Study;
+use oilwedge_tests::cavitation_counts::{count, drawn, imported};
+
+/// Most unknowns of a mass-conserving film: its factors are unsymmetric.
+const MOST_CONSERVING: usize = 150_000;
+
+fn main() {
+    println!("| model | mesh | unknowns | levels | iterations | seconds | fallbacks |");
+    println!("|---|---|---|---|---|---|---|");
+    for unknowns in [1e3, 3e3, 1e4, 3e4, 1e5, 3e5, 1e6] {
+        rows("drawn", &drawn(unknowns));
+    }
+    for times in 0..4 {
+        rows("imported", &imported(times));
+    }
+}
+
+fn rows(mesh: &str, study: &Study) {
+    for cavitation in [
+        Cavitation::Reynolds { pressure: 0.0 },
+        Cavitation::Jfo { pressure: 0.0 },
+    ] {
+        let conserving = matches!(cavitation, Cavitation::Jfo { .. });
+        if conserving && study.system.space().dofs() > MOST_CONSERVING {
+            continue;
+        }
+        let row = count(study, cavitation).0;
+        println!(
+            "| {} | {mesh} | {} | {} | {} | {:.2} | {} |",
+            cavitation.name(),
+            row.unknowns,
+            row.levels,
+            row.iterations,
+            row.seconds,
+            row.fallbacks
+        );
+    }
+}

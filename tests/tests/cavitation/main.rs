@@ -1,0 +1,8 @@
+//! Films that break: random bearings, counts of iterations, cases whose answer is known.
+
+mod counts;
+mod dry;
+mod invariant;
+mod random;
+mod starved;
+mod swift_stieber;
