@@ -195,11 +195,6 @@ fn what_a_swift_stieber_cavity_makes_is_told() {
             assert!((made + surplus(flows)).abs() < 1e-10 * flows.throughput);
             assert!(film.quantity("cavity_share") > 0.05);
             assert_eq!(film.quantity("pressure_min"), 0.0);
-            let told = warnings(&film.study, &film.measured);
-            let note = told
-                .iter()
-                .any(|it| it.starts_with("note: ") && it.contains("cavity_flow"));
-            assert!(note, "{told:?}");
         }
     }
 }

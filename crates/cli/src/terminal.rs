@@ -38,8 +38,7 @@ pub(crate) fn run_report(result: &RunResult, folder: &Path, picture: bool) -> St
     if !result.quantities.is_empty() {
         lines.push(balances(result.balances));
     }
-    let cavity = result.quantity("cavity_share");
-    lines.extend(cavity.map(|share| format!("cavity    {} % of the film", significant(100.0 * share.value, 2))));
+    lines.extend(cavity(result));
     lines.push(format!("mesh      {}", mesh(&result.mesh)));
     lines.extend(work(result.counts));
     lines.push(format!("time      {}", timing(&result.timing_s)));
@@ -64,6 +63,22 @@ fn balances(balances: Balances) -> String {
         line += &format!(", load and film force by {force} of the load");
     }
     line
+}
+
+/// How large the cavity is, and the oil that it makes where its model conserves none.
+fn cavity(result: &RunResult) -> Option<String> {
+    let share = significant(100.0 * result.quantity("cavity_share")?.value, 2);
+    let made = result
+        .quantity("cavity_flow")
+        .filter(|made| made.value > 0.0)
+        .map(|made| {
+            let (unit, size) = readable_unit(made.value, &made.unit);
+            format!(
+                "; it makes {} {unit} of oil, for this model conserves none there",
+                significant(made.value / size, 2)
+            )
+        });
+    Some(format!("cavity    {share} % of the film{}", made.unwrap_or_default()))
 }
 
 /// What was done; nothing where nothing was counted.

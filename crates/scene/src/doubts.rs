@@ -77,16 +77,6 @@ fn closure(study: &Study, measured: &Measured) -> Option<String> {
                 lost => format!("some {} of the oil that passes is lost there", percent(-lost)),
             }
         )),
-        Cavitation::Reynolds { .. } if flows.cavity > NOTHING * flows.throughput => Some(format!(
-            "note: the cavity of this model makes {} of the oil that passes (cavity_flow), for Swift and Stieber conserve none where the film forms again{}",
-            percent(flows.cavity / flows.throughput),
-            // Without rotation nothing carries oil in a cavity that conserves it.
-            if study.problem.journal.speed == 0.0 {
-                ""
-            } else {
-                "; model = \"jfo\" does"
-            }
-        )),
         Cavitation::None | Cavitation::Reynolds { .. } | Cavitation::Jfo { .. } => None,
     }
 }

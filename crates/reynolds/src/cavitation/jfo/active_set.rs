@@ -123,9 +123,15 @@ impl<'a> Search<'a> {
         };
         self.turns = vec![0; self.state.p.len()];
         let pass = if kept.is_some() { Pass::Kept } else { Pass::Second };
-        let mut end = self.iterate(pass, None)?;
+        let mut end = match self.iterate(pass, None) {
+            // Oil that goes round in the cavity for ever, without a supply, is diluted by the N scheme only.
+            Err(Failure::Linear(_)) => End::Repeated,
+            other => other?,
+        };
         if let End::Repeated = end {
-            self.fall_back("the N scheme carries the oil everywhere, since a set of nodes of the cavity came back");
+            self.fall_back(
+                "the N scheme carries the oil everywhere, since a set of nodes of the cavity came back or oil goes round in it",
+            );
             let everywhere: Vec<usize> = (0..self.state.p.len()).collect();
             self.calm(&everywhere, &[Transport::LowDiffusion]);
             end = self.iterate(Pass::Kept, None)?;

@@ -77,7 +77,8 @@ impl State {
         let loss = left + carried;
         match film.rows.condition[dof] {
             Condition::Given => (self.p[dof], 1.0, false),
-            _ if loss > 0.0 && carried > 0.0 => (floor, -left / carried, true),
+            // At least none: overdrawn nodes of the LDA scheme would draw on each other without end.
+            _ if loss > 0.0 && carried > 0.0 => (floor, (-left / carried).max(0.0), true),
             Condition::Interior if driven > 0.0 => (floor + (-loss / driven).max(0.0), 1.0, false),
             _ => (floor, 1.0, false),
         }
