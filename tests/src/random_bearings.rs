@@ -16,7 +16,7 @@ const SPEED: f64 = 200.0;
 pub const PRESSURE_UNIT: f64 = VISCOSITY * SPEED * (RADIUS / CLEARANCE) * (RADIUS / CLEARANCE);
 
 /// Least land [m] between features, and from them to edges of the liner.
-const LAND: f64 = 0.04 * RADIUS;
+const LAND: f64 = 0.06 * RADIUS;
 
 /// A sequence of numbers without order (PCG of 64 bits, XSH-RR; O'Neill, HMC-CS-2014-0905).
 #[derive(Debug, Clone)]

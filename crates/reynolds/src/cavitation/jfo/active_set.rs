@@ -106,12 +106,7 @@ impl<'a> Search<'a> {
     }
 
     /// Both passes, and pseudo-time where a set of nodes comes back.
-    pub(super) fn run(
-        mut self,
-        kept: Option<&FilmFraction>,
-        radius: f64,
-        velocity: [f64; 2],
-    ) -> Result<Found, Failure> {
+    pub(super) fn run(mut self, kept: Option<&FilmFraction>) -> Result<Found, Failure> {
         self.forms = match kept {
             Some(kept) => kept.forms.clone(),
             None => {
@@ -138,9 +133,22 @@ impl<'a> Search<'a> {
         }
         if let End::Repeated = end {
             self.fall_back("the cavity was found in pseudo-time, since its set of nodes came back");
-            self.pseudo_time(radius / velocity[0].hypot(velocity[1]))?;
+            self.pseudo_time()?;
             end = self.iterate(Pass::Kept, None)?;
         }
+        self.found(end)
+    }
+
+    /// In pseudo-time from the start, by forms that are given.
+    #[cfg(test)]
+    pub(super) fn run_in_time(mut self, forms: &[Transport]) -> Result<Found, Failure> {
+        self.forms = forms.to_vec();
+        self.pseudo_time()?;
+        let end = self.iterate(Pass::Kept, None)?;
+        self.found(end)
+    }
+
+    fn found(self, end: End) -> Result<Found, Failure> {
         match end {
             End::Settled(solved) => Ok(Found {
                 state: self.state,
@@ -375,7 +383,7 @@ impl<'a> Search<'a> {
     }
 
     /// Backward Euler in the film fraction with growing steps, towards the steady film.
-    fn pseudo_time(&mut self, unit: f64) -> Result<(), Failure> {
+    fn pseudo_time(&mut self) -> Result<(), Failure> {
         let mut volume = vec![0.0; self.state.p.len()];
         for (nodes, block) in self.film.volumes.triangles.iter().zip(&self.film.blocks) {
             for i in 0..3 {
@@ -383,7 +391,7 @@ impl<'a> Search<'a> {
             }
         }
         let mut time = TimeStep {
-            rate: 1.0 / (FIRST_TIME_STEP * unit),
+            rate: 1.0 / (FIRST_TIME_STEP * self.film.time),
             before: self.state.theta.iter().map(|theta| theta.clamp(0.0, 1.0)).collect(),
             volume,
         };

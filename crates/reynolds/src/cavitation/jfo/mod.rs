@@ -31,6 +31,8 @@ mod balance;
 mod blocks;
 mod relaxation;
 mod rows;
+#[cfg(test)]
+mod tests;
 
 use oilwedge_fem::ControlVolumes;
 use oilwedge_fem::complementarity::Start;
@@ -67,6 +69,8 @@ struct Film<'a> {
     floor: f64,
     /// Natural size of q [Pa].
     scale: f64,
+    /// The time [s] in which the journal moves by a radius.
+    time: f64,
 }
 
 /// Solves the film from the cavity of `start`; oil is carried as `kept` says, or as the two passes find best.
@@ -77,24 +81,11 @@ pub(crate) fn solve(
     start: Start,
     kept: Option<&FilmFraction>,
 ) -> Result<FilmSolution, NoFilm> {
-    let volumes = system.volumes().map_err(oilwedge_fem::newton::Failure::from)?;
-    let law = FilmLaw::new(problem, motion);
     let clock = std::time::Instant::now();
-    let floor = cavity_floor(problem);
-    let rows = Rows::new(problem, system, volumes, &law, floor);
-    rows.check_supply(problem, system, volumes)?;
-    let narrowest = problem.bearing.radius * problem.journal.min_film_angle();
-    let film = Film {
-        volumes,
-        blocks: blocks(&law, None, system.space().mesh(), volumes),
-        rows,
-        downstream: downstream(system.space(), law.velocity(), narrowest),
-        floor,
-        scale: problem.pressure_scale(&system.supply.constraints(|p| problem.unknown_at(p))),
-    };
+    let film = Film::new(problem, system, motion)?;
     let mut search = Search::new(&film, start);
     search.seconds.assemble += clock.elapsed().as_secs_f64();
-    let found = search.run(kept, problem.bearing.radius, law.velocity())?;
+    let found = search.run(kept)?;
     let State { p, theta, cavity } = found.state;
     let least = (0..theta.len()).min_by(|&a, &b| theta[a].total_cmp(&theta[b]));
     if let Some(least) = least.filter(|&dof| theta[dof] < -ROUNDING) {
@@ -165,7 +156,25 @@ pub(crate) fn residual_change(
     Ok(residual)
 }
 
-impl Film<'_> {
+impl<'a> Film<'a> {
+    fn new(problem: &FilmProblem, system: &'a FilmSystem, motion: f64) -> Result<Self, NoFilm> {
+        let volumes = system.volumes().map_err(oilwedge_fem::newton::Failure::from)?;
+        let law = FilmLaw::new(problem, motion);
+        let floor = cavity_floor(problem);
+        let rows = Rows::new(problem, system, volumes, &law, floor);
+        rows.check_supply(problem, system, volumes)?;
+        let (radius, velocity) = (problem.bearing.radius, law.velocity());
+        Ok(Film {
+            volumes,
+            blocks: blocks(&law, None, system.space().mesh(), volumes),
+            rows,
+            downstream: downstream(system.space(), velocity, radius * problem.journal.min_film_angle()),
+            floor,
+            scale: problem.pressure_scale(&system.supply.constraints(|p| problem.unknown_at(p))),
+            time: radius / velocity[0].hypot(velocity[1]),
+        })
+    }
+
     /// Couplings of neighbours that are positive: the scheme is monotone without them.
     fn wrong_couplings(&self) -> usize {
         let pattern = &self.volumes.pattern;
