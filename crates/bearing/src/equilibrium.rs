@@ -18,8 +18,10 @@
 //! with squeeze the centre's velocity turns with the line of centres. **Verified by** `tests/tests/equilibrium.rs`: the
 //! tangent against differences, and eccentricities given back by their loads.
 
+use std::cell::Cell;
+
+use crate::NoEquilibrium;
 use crate::stretched::{eccentricity_at, stretched};
-use oilwedge_reynolds::existence::readable;
 use oilwedge_reynolds::quantities::load::{load, load_change};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalChange, JournalState, NoFilm};
@@ -71,56 +73,6 @@ pub struct Equilibrium {
     pub stiffness: [[f64; 2]; 2],
 }
 
-/// Why no position was found.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum NoEquilibrium {
-    /// No film at the first position or near it.
-    #[error(transparent)]
-    Film(#[from] NoFilm),
-    /// No position balances the load.
-    #[error(
-        "no position of the journal carries {} N towards {towards:.1} deg: the nearest force found is {} N towards {nearest_towards:.1} deg, at eccentricity {eccentricity:.4} ({why}); change the load, its angle, or the pressure and place of feeds",
-        readable(*asked), readable(*nearest)
-    )]
-    Unreachable {
-        /// Load asked for [N].
-        asked: f64,
-        /// Its direction [deg].
-        towards: f64,
-        /// Nearest force found [N].
-        nearest: f64,
-        /// Its direction [deg].
-        nearest_towards: f64,
-        /// Eccentricity there.
-        eccentricity: f64,
-        /// The journal there.
-        journal: Box<JournalState>,
-        /// What stopped the search.
-        why: &'static str,
-    },
-    /// The search did not end.
-    #[error("not converged: after {steps} positions force and load still differ by {residual:.1e} of the load")]
-    NotConverged {
-        /// Positions tried.
-        steps: usize,
-        /// Load less force, relative to the load.
-        residual: f64,
-        /// The journal at the last of them.
-        journal: Box<JournalState>,
-    },
-}
-
-impl NoEquilibrium {
-    /// The last position of the search, if it had one.
-    pub fn last_position(&self) -> Option<JournalState> {
-        match self {
-            Self::Film(_) => None,
-            Self::Unreachable { journal, .. } | Self::NotConverged { journal, .. } => Some(**journal),
-        }
-    }
-}
-
 /// Finds the position in which the film carries `load` [N], searched from that of `problem`. On coarser
 /// meshes first, if the system has any.
 ///
@@ -138,12 +90,17 @@ pub fn find(
         squeeze,
         clearance: problem.bearing.clearance,
         natural: natural_load(problem, load),
+        nearest: Cell::new(None),
     };
     let Some(coarser) = &system.coarser else {
         return search.everywhere(problem);
     };
-    let start = find(&coarser.problem(problem), &coarser.system, load, squeeze);
-    search.run(problem, start.map_or(problem.journal, |found| found.problem.journal))
+    // Where a coarser mesh leads nowhere its last position is still the best known.
+    let start = match find(&coarser.problem(problem), &coarser.system, load, squeeze) {
+        Ok(found) => found.problem.journal,
+        Err(reason) => reason.last_position().unwrap_or(problem.journal),
+    };
+    search.run(problem, start)
 }
 
 /// The load, or that of drag through the clearance where there is none.
@@ -164,6 +121,16 @@ struct Search<'a> {
     clearance: f64,
     /// What residuals are relative to [N].
     natural: f64,
+    /// The trial whose force was nearest to the load.
+    nearest: Cell<Option<Nearest>>,
+}
+
+/// What is told of a trial: its distance from the load, its force [N] and its journal.
+#[derive(Debug, Clone, Copy)]
+struct Nearest {
+    distance: f64,
+    force: [f64; 2],
+    journal: JournalState,
 }
 
 /// A position, its film and its force.
@@ -179,22 +146,30 @@ impl Search<'_> {
     fn run(&self, problem: &FilmProblem, start: JournalState) -> Result<Equilibrium, NoEquilibrium> {
         let mut tried = 1;
         let mut trial = self.balanced(self.first(problem, start)?, &mut tried)?;
+        let mut at_rest = trial.film.film_fraction.is_none();
         for _ in 0..MOST_CHOICES {
-            if trial.film.film_fraction.is_none() {
+            if at_rest {
                 break;
             }
             tried += 1;
-            let chosen = self.trial(&trial.problem, trial.problem.journal.offset, Neighbour::None)?;
-            let at_rest = self.residual(&chosen) < BALANCED_ENOUGH;
+            let offset = trial.problem.journal.offset;
+            // Where the choice fails the position balanced before stands, with the forms chosen near it.
+            let Ok(chosen) = self.trial(&trial.problem, offset, Neighbour::None) else {
+                break;
+            };
+            at_rest = self.residual(&chosen) < BALANCED_ENOUGH;
             if at_rest {
                 trial = chosen;
                 break;
             }
             match self.balanced(chosen, &mut tried) {
                 Ok(balanced) => trial = balanced,
-                // The position balanced before, with the forms chosen near it, stands.
                 Err(_) => break,
             }
+        }
+        if !at_rest {
+            let told = "the forms by which oil is carried did not come to rest at the balanced position: those chosen near it are kept";
+            trial.film.fallbacks.push(told.to_owned());
         }
         Ok(Equilibrium {
             residual: self.residual(&trial),
@@ -206,7 +181,8 @@ impl Search<'_> {
     }
 
     fn balanced(&self, mut trial: Trial, tried: &mut usize) -> Result<Trial, NoEquilibrium> {
-        while *tried < MOST_STEPS {
+        let last = *tried + MOST_STEPS;
+        while *tried < last {
             let residual = self.residual(&trial);
             if residual < BALANCED {
                 return Ok(trial);
@@ -237,32 +213,34 @@ impl Search<'_> {
 
     /// From the start of `problem` or, where that leads nowhere, from the best of positions all over the bearing.
     fn everywhere(&self, problem: &FilmProblem) -> Result<Equilibrium, NoEquilibrium> {
-        match self.run(problem, problem.journal) {
-            Err(unreachable @ NoEquilibrium::Unreachable { .. }) => {
-                let again = self.nearest_start(problem).map(|start| self.run(problem, start));
-                again.and_then(Result::ok).ok_or(unreachable)
-            }
-            other => other,
-        }
-    }
-
-    /// The position whose force is nearest to the load, of a few all over the bearing.
-    fn nearest_start(&self, problem: &FilmProblem) -> Option<JournalState> {
-        let mut nearest: Option<(f64, JournalState)> = None;
-        for eps in [0.2, 0.5, 0.8, 0.95, 0.99] {
-            for k in 0..12 {
-                let angle = std::f64::consts::TAU * f64::from(k) / 12.0;
-                let e = eps * self.clearance;
-                let Ok(trial) = self.trial(problem, [e * angle.cos(), e * angle.sin()], Neighbour::None) else {
-                    continue;
-                };
-                let distance = self.distance(&trial);
-                if nearest.is_none_or(|(least, _)| distance < least) {
-                    nearest = Some((distance, trial.problem.journal));
+        const STARTS: usize = 3;
+        let mut outcome = self.run(problem, problem.journal);
+        if let Err(NoEquilibrium::Unreachable { .. }) = outcome {
+            for start in self.starts(problem).into_iter().take(STARTS) {
+                outcome = self.run(problem, start);
+                if outcome.is_ok() {
+                    break;
                 }
             }
         }
-        Some(nearest?.1)
+        outcome
+    }
+
+    /// Positions all over the bearing, those with the force nearest to the load first.
+    fn starts(&self, problem: &FilmProblem) -> Vec<JournalState> {
+        const ANGLES: u32 = 12;
+        let mut starts: Vec<(f64, JournalState)> = Vec::new();
+        for eps in [0.3, 0.7, 0.95, 0.99] {
+            for k in 0..ANGLES {
+                let angle = std::f64::consts::TAU * f64::from(k) / f64::from(ANGLES);
+                let e = eps * self.clearance;
+                if let Ok(trial) = self.trial(problem, [e * angle.cos(), e * angle.sin()], Neighbour::None) {
+                    starts.push((self.distance(&trial), trial.problem.journal));
+                }
+            }
+        }
+        starts.sort_by(|a, b| a.0.total_cmp(&b.0));
+        starts.into_iter().map(|(_, start)| start).collect()
     }
 
     /// The film at the start or, where there is none, nearer to the middle.
@@ -270,7 +248,10 @@ impl Search<'_> {
         const RETREATS: usize = 12;
         for _ in 0..RETREATS {
             match self.trial(problem, start.offset, Neighbour::None) {
-                Err(NoFilm::AboveLimit { .. }) => start.offset = start.offset.map(|e| 0.5 * e),
+                // Without a supply there is no film anywhere.
+                Err(reason) if !matches!(reason, NoFilm::NoSupply { .. }) => {
+                    start.offset = start.offset.map(|e| 0.5 * e)
+                }
                 other => return other,
             }
         }
@@ -290,7 +271,16 @@ impl Search<'_> {
         .with_squeeze(self.squeeze.radial, self.squeeze.tangential, angle);
         let film = problem.solve_from(self.system, from)?;
         let force = load(&problem, self.system, &film).total.force;
-        Ok(Trial { problem, film, force })
+        let trial = Trial { problem, film, force };
+        let distance = self.distance(&trial);
+        if self.nearest.get().is_none_or(|nearest| distance < nearest.distance) {
+            self.nearest.set(Some(Nearest {
+                distance,
+                force,
+                journal: trial.problem.journal,
+            }));
+        }
+        Ok(trial)
     }
 
     fn residual(&self, trial: &Trial) -> f64 {
@@ -385,13 +375,13 @@ impl Search<'_> {
             let [x, y] = at(part);
             self.clearance - x.hypot(y) < LEAST_SHRINK * gap
         };
-        let mut part = 1.0;
-        while thin(part) {
-            part *= 0.8;
-        }
         let length = step[0].hypot(step[1]);
         if !length.is_finite() {
             return None;
+        }
+        let mut part = 1.0;
+        while thin(part) {
+            part *= 0.8;
         }
         for _ in 0..MOST_HALVINGS {
             let near = match part * length < SHORT_MOVE * gap {
@@ -423,15 +413,26 @@ impl Search<'_> {
         (load / force).ln().hypot(across.atan2(along))
     }
 
+    /// Tells of the nearest of all trials.
     fn unreachable(&self, trial: &Trial, why: &'static str) -> NoEquilibrium {
         let degrees = |[x, y]: [f64; 2]| y.atan2(x).to_degrees().rem_euclid(360.0);
+        let last = Nearest {
+            distance: self.distance(trial),
+            force: trial.force,
+            journal: trial.problem.journal,
+        };
+        let nearest = self
+            .nearest
+            .get()
+            .filter(|nearest| nearest.distance < last.distance)
+            .unwrap_or(last);
         NoEquilibrium::Unreachable {
             asked: self.load[0].hypot(self.load[1]),
             towards: degrees(self.load),
-            nearest: trial.force[0].hypot(trial.force[1]),
-            nearest_towards: degrees(trial.force),
-            eccentricity: trial.problem.journal.eccentricity() / self.clearance,
-            journal: Box::new(trial.problem.journal),
+            nearest: nearest.force[0].hypot(nearest.force[1]),
+            nearest_towards: degrees(nearest.force),
+            eccentricity: nearest.journal.eccentricity() / self.clearance,
+            journal: Box::new(nearest.journal),
             why,
         }
     }

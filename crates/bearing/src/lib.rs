@@ -7,6 +7,8 @@
 //! The film knows its own tangent ([`oilwedge_reynolds::FilmProblem::unknown_change`]); a balance borders it.
 
 pub mod equilibrium;
+pub mod no_equilibrium;
 mod stretched;
 
-pub use equilibrium::{Equilibrium, NoEquilibrium, Squeeze, find};
+pub use equilibrium::{Equilibrium, Squeeze, find};
+pub use no_equilibrium::NoEquilibrium;

@@ -59,7 +59,7 @@ pub enum NoFilm {
     },
     /// The scheme of the mass-conserving film is not positive on this mesh.
     #[error(
-        "no trustworthy film: the film fraction is {fraction:.4} at {} deg, z = {z:.4} m, outside 0 to 1, since obtuse triangles there ({couplings} couplings of the wrong sign) break the scheme; use a mesh without obtuse angles ([mesh] size draws one)",
+        "no trustworthy film: the film fraction is {fraction:.4} at {} deg, z = {z:.4} m, outside 0 to 1, where the scheme is not monotone ({couplings} couplings of the mesh have the wrong sign: obtuse triangles, or a film that changes much within one); use another mesh, without obtuse angles and finer where the film is thin ([mesh] size draws one)",
         readable(angle.to_degrees())
     )]
     FilmFraction {
@@ -80,7 +80,7 @@ pub enum NoFilm {
 /// Six significant digits, without an exponent where that is short.
 pub fn readable(value: f64) -> String {
     let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
-    if (1e-4..1e7).contains(&rounded.abs()) {
+    if rounded == 0.0 || (1e-4..1e7).contains(&rounded.abs()) {
         format!("{rounded}")
     } else {
         format!("{rounded:e}")
@@ -98,7 +98,7 @@ impl FilmProblem {
                 reached,
                 limit,
                 ratio: reached / limit,
-                greatest_speed: self.greatest_speed(system, limit),
+                greatest_speed: None,
             });
         }
         let field = Field {
@@ -115,7 +115,7 @@ impl FilmProblem {
     }
 
     /// The greatest speed [rad/s] with a film, by regula falsi (Illinois) between a speed that has one and this one.
-    fn greatest_speed(&self, system: &FilmSystem, limit: f64) -> Option<f64> {
+    pub(crate) fn greatest_speed(&self, system: &FilmSystem, limit: f64) -> Option<f64> {
         const HALVINGS: usize = 40;
         const STEPS: usize = 60;
         if self.journal.velocity != [0.0; 2] {

@@ -28,13 +28,23 @@ impl FilmProblem {
     /// # Errors
     /// [`NoFilm`]: the reason why there is none.
     pub fn solve(&self, system: &FilmSystem) -> Result<FilmSolution, NoFilm> {
-        self.solve_from(system, Neighbour::None)
+        self.solve_from(system, Neighbour::None).map_err(|reason| match reason {
+            NoFilm::AboveLimit {
+                reached, limit, ratio, ..
+            } => NoFilm::AboveLimit {
+                reached,
+                limit,
+                ratio,
+                greatest_speed: self.greatest_speed(system, limit),
+            },
+            other => other,
+        })
     }
 
     /// Solves the film, started from that of a neighbouring operating point on the same system.
     ///
     /// # Errors
-    /// [`NoFilm`]: the reason why there is none.
+    /// [`NoFilm`]: the reason why there is none; up to which speed there is one is not sought here.
     pub fn solve_from(&self, system: &FilmSystem, neighbour: Neighbour) -> Result<FilmSolution, NoFilm> {
         let film = self.closed_film(system, 1.0, neighbour);
         match self.form {

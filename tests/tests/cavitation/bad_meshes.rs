@@ -1,9 +1,10 @@
 //! Meshes with obtuse angles, on which the scheme of the mass-conserving film is not positive: a film is right, or
-//! refused with the place where it is not; it never fails to settle, and nothing is NaN.
+//! refused with the place where it is not, or with its circles; nothing is NaN.
 
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
+use oilwedge_fem::newton::Failure;
 use oilwedge_mesh::Mesh;
 use oilwedge_reynolds::quantities::{flow::flows, load::load};
 use oilwedge_reynolds::supply::Place;
@@ -66,6 +67,7 @@ fn shaken_meshes_have_a_film_or_a_place_where_it_is_wrong() {
                     assert!(fraction < 0.0 && couplings > 0, "{told}: {fraction} {couplings}");
                     assert!(z.abs() <= 0.5 * LENGTH && angle.abs() < 7.0, "{told}: {angle} {z}");
                 }
+                Err(NoFilm::NotConverged(Failure::Cycling { .. })) => refused += 1,
                 Err(other) => panic!("{told}: {other}"),
             }
         }

@@ -123,13 +123,15 @@ impl<'a> Search<'a> {
             Err(Failure::Linear(_)) => End::Repeated,
             other => other?,
         };
+        // Overdrawn nodes that calming their surroundings has not helped.
+        if self.state.theta.iter().any(|&theta| theta < 0.0) {
+            end = End::Repeated;
+        }
         if let End::Repeated = end {
             self.fall_back(
-                "the N scheme carries the oil everywhere, since a set of nodes of the cavity came back or oil goes round in it",
+                "the N scheme carries the oil all round the cavity, since a set of nodes of the cavity came back, oil goes round in it, or nodes would hold less than none",
             );
-            let everywhere: Vec<usize> = (0..self.state.p.len()).collect();
-            self.calm(&everywhere, &[Transport::LowDiffusion]);
-            end = self.iterate(Pass::Kept, None)?;
+            end = self.iterate(Pass::First, None)?;
         }
         if let End::Repeated = end {
             self.fall_back("the cavity was found in pseudo-time, since its set of nodes came back");

@@ -19,7 +19,7 @@
 //! only where the inflow side of a sub-triangle is starved. Each sub-triangle may change its form once as the cavity
 //! settles; with more changes nodes along the rupture line chatter. Round the few nodes that do not settle so, or
 //! would hold less than no oil, the N scheme stays.
-//! A set of nodes that comes back is answered by the N scheme everywhere, and then by pseudo-time.
+//! A set of nodes that comes back is answered by the N scheme all round the cavity, and then by pseudo-time.
 //!
 //! **Source.** Jakobsson and Floberg, Chalmers Report 190 (1957); Olsson, Chalmers Report 272 (1965); Elrod,
 //! J. Lubr. Technol. 103 (1981) 350. **Range.** Steady with rotation; incompressible oil; triangles without
@@ -92,7 +92,7 @@ pub(crate) fn solve(
         let [x, z] = system.space().positions()[least];
         return Err(NoFilm::FilmFraction {
             fraction: theta[least],
-            angle: x / problem.bearing.radius,
+            angle: (x / problem.bearing.radius).rem_euclid(std::f64::consts::TAU),
             z,
             couplings: film.wrong_couplings(),
         });

@@ -151,7 +151,7 @@ impl Rows {
             None => Ok(()),
             Some(node) => {
                 let [x, z] = system.space().positions()[node as usize];
-                let angle = x / problem.bearing.radius;
+                let angle = (x / problem.bearing.radius).rem_euclid(std::f64::consts::TAU);
                 Err(NoFilm::NoSupply { angle, z })
             }
         }

@@ -1,0 +1,54 @@
+//! Why a load is not balanced.
+
+use oilwedge_reynolds::existence::readable;
+use oilwedge_reynolds::{JournalState, NoFilm};
+
+/// Why no position was found.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum NoEquilibrium {
+    /// No film at the first position or near it.
+    #[error(transparent)]
+    Film(#[from] NoFilm),
+    /// No position balances the load.
+    #[error(
+        "no position of the journal carries {} N towards {towards:.1} deg: the nearest force found is {} N towards {nearest_towards:.1} deg, at eccentricity {eccentricity:.4} ({why}); change the load, its angle, or the pressure and place of feeds",
+        readable(*asked), readable(*nearest)
+    )]
+    Unreachable {
+        /// Load asked for [N].
+        asked: f64,
+        /// Its direction [deg].
+        towards: f64,
+        /// Nearest force found [N].
+        nearest: f64,
+        /// Its direction [deg].
+        nearest_towards: f64,
+        /// Eccentricity there.
+        eccentricity: f64,
+        /// The journal there.
+        journal: Box<JournalState>,
+        /// What stopped the search.
+        why: &'static str,
+    },
+    /// The search did not end.
+    #[error("not converged: after {steps} positions force and load still differ by {residual:.1e} of the load")]
+    NotConverged {
+        /// Positions tried.
+        steps: usize,
+        /// Load less force, relative to the load.
+        residual: f64,
+        /// The journal at the last of them.
+        journal: Box<JournalState>,
+    },
+}
+
+impl NoEquilibrium {
+    /// The last position of the search, if it had one.
+    pub fn last_position(&self) -> Option<JournalState> {
+        match self {
+            Self::Film(_) => None,
+            Self::Unreachable { journal, .. } | Self::NotConverged { journal, .. } => Some(**journal),
+        }
+    }
+}
