@@ -7,13 +7,30 @@
 //!     / \ / \        middles of the sides to the centroids.
 //!    0---3---1
 //! ```
+//! In a triangle with an obtuse corner the inner side across from it is flipped (0-4 instead of 3-5): both angles
+//! across from it would be obtuse, and its coupling of the wrong sign.
 
 use std::sync::Arc;
 
+use oilwedge_mesh::Mesh;
+
 use crate::{Error, Pattern, Space, UnsymmetricAnalysis};
 
-/// The four sub-triangles of a triangle, by its local nodes, counter-clockwise.
-pub const SUB_TRIANGLES: [[usize; 3]; 4] = [[0, 3, 5], [3, 1, 4], [5, 4, 2], [3, 4, 5]];
+/// The four sub-triangles of triangle `t`, by its local nodes, counter-clockwise.
+pub fn sub_triangles(mesh: &Mesh, t: usize) -> [[usize; 3]; 4] {
+    let corners = mesh.corners(t);
+    let is_obtuse = |k: usize| {
+        let (at, next, previous) = (corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3]);
+        let along = |d: usize| (next[d] - at[d]) * (previous[d] - at[d]);
+        along(0) + along(1) < 0.0
+    };
+    match (0..3).find(|&k| is_obtuse(k)) {
+        None => [[0, 3, 5], [3, 1, 4], [5, 4, 2], [3, 4, 5]],
+        Some(0) => [[0, 3, 4], [3, 1, 4], [5, 4, 2], [0, 4, 5]],
+        Some(1) => [[0, 3, 5], [3, 1, 5], [5, 4, 2], [1, 4, 5]],
+        Some(_) => [[0, 3, 5], [3, 1, 4], [3, 4, 2], [3, 2, 5]],
+    }
+}
 
 /// The sub-mesh of a space of quadratic elements and the pattern of couplings between its nodes.
 #[derive(Debug)]
@@ -52,7 +69,7 @@ impl ControlVolumes {
         let triangles: Vec<[u32; 3]> = (0..space.mesh().triangles().len())
             .flat_map(|t| {
                 let dofs = space.element_dofs(t);
-                SUB_TRIANGLES.map(|nodes| nodes.map(|node| dofs[node] as u32))
+                sub_triangles(space.mesh(), t).map(|nodes| nodes.map(|node| dofs[node] as u32))
             })
             .collect();
         let pattern = Arc::new(pattern(space.dofs(), &triangles));
@@ -139,6 +156,33 @@ fn boundary_faces(space: &Space) -> Vec<BoundaryFace> {
 mod tests {
     use super::*;
     use crate::assembly::tests::wavy_ring;
+
+    /// Whichever corner is obtuse, the four have the area and the orientation of the whole.
+    #[test]
+    fn sub_triangles_fill_the_triangle() {
+        let corners = [[0.0, 0.0], [1.0, 0.0], [-0.4, 0.3]];
+        for turn in 0..4 {
+            let points = match turn {
+                3 => vec![[0.0, 0.0], [1.0, 0.0], [0.4, 0.9]],
+                _ => (0..3).map(|k| corners[(k + turn) % 3]).collect(),
+            };
+            let raw = oilwedge_mesh::RawMesh {
+                points,
+                triangles: vec![[0, 1, 2]],
+                ..oilwedge_mesh::RawMesh::default()
+            };
+            let mesh = Mesh::build(raw).unwrap();
+            let nodes = mesh.nodes(0);
+            let doubled = |[a, b, c]: [usize; 3]| {
+                let [a, b, c] = [nodes[a], nodes[b], nodes[c]];
+                (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+            };
+            let quarter = 0.25 * doubled([0, 1, 2]);
+            for sub in sub_triangles(&mesh, 0) {
+                assert!((doubled(sub) - quarter).abs() < 1e-15, "{turn}: {sub:?}");
+            }
+        }
+    }
 
     #[test]
     fn addresses_hold_their_columns_and_faces_close_the_boundary() {

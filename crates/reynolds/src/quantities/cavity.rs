@@ -12,7 +12,7 @@
 //! of an edge of Swift-Stieber's for a third of each triangle; nodes of given pressure stand for nothing.
 //! **Range.** First order in the size of the cells. **Verified by** `tests/oil_balance.rs`, a film that breaks on half of a ring.
 
-use oilwedge_fem::control_volumes::SUB_TRIANGLES;
+use oilwedge_fem::control_volumes::sub_triangles;
 use oilwedge_fem::mapping::Mapping;
 use oilwedge_fem::{Field, Quadrature};
 
@@ -37,18 +37,17 @@ pub fn cavity(system: &FilmSystem, film: &FilmSolution) -> Cavity {
 }
 
 fn share(system: &FilmSystem, film: &FilmSolution) -> f64 {
-    const MIDDLES: [[usize; 3]; 1] = [[3, 4, 5]];
-    let groups: &[[usize; 3]] = match film.film_fraction {
-        Some(_) => &SUB_TRIANGLES,
-        None => &MIDDLES,
-    };
     let mesh = system.space().mesh();
     let (mut held, mut whole) = (0.0, 0.0);
     for t in 0..mesh.triangles().len() {
         let dofs = system.space().element_dofs(t);
         let [a, b, c] = mesh.corners(t);
+        let groups = match film.film_fraction {
+            Some(_) => sub_triangles(mesh, t).to_vec(),
+            None => vec![[3, 4, 5]],
+        };
         let area = 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / groups.len() as f64;
-        for group in groups {
+        for group in &groups {
             let (mut broken, mut free) = (0, 0);
             for dof in group.map(|node| dofs[node]) {
                 broken += u32::from(film.cavity[dof]);

@@ -16,7 +16,7 @@
 //! `tests/oil_balance.rs`.
 
 use oilwedge_fem::Quadrature;
-use oilwedge_fem::control_volumes::SUB_TRIANGLES;
+use oilwedge_fem::control_volumes::sub_triangles;
 use oilwedge_fem::mapping::Mapping;
 
 use crate::cavitation::FilmFraction;
@@ -165,7 +165,8 @@ fn taken_up_by_volumes(law: &FilmLaw, system: &FilmSystem, fraction: &FilmFracti
         let pieces = (0..3).map(|i| fraction.values[dofs[corners[i]]] * (7.0 * all + 15.0 * rates[i]));
         area / 108.0 * pieces.sum::<f64>()
     };
-    SUB_TRIANGLES.into_iter().map(sub_triangle).sum()
+    let subs = sub_triangles(system.space().mesh(), t);
+    subs.into_iter().map(sub_triangle).sum()
 }
 
 /// What is out of balance at the free nodes once low pressures are dropped, over the oil that passes then.

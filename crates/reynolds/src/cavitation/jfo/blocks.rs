@@ -18,7 +18,7 @@
 //! Roe, Cranfield CoA 8703 (1987); Struijs, Deconinck, Roe, VKI LS 1991-01.
 
 use oilwedge_fem::ControlVolumes;
-use oilwedge_fem::control_volumes::SUB_TRIANGLES;
+use oilwedge_fem::control_volumes::sub_triangles;
 use oilwedge_mesh::Mesh;
 use rayon::prelude::*;
 
@@ -69,7 +69,7 @@ pub(super) fn blocks(law: &FilmLaw, changed: Option<&FilmLaw>, mesh: &Mesh, volu
         for (k, blocks) in chunk.chunks_mut(4).enumerate() {
             let cell = task * CELLS_A_TASK + k;
             let nodes = mesh.nodes(cell);
-            for (block, corners) in blocks.iter_mut().zip(SUB_TRIANGLES) {
+            for (block, corners) in blocks.iter_mut().zip(sub_triangles(mesh, cell)) {
                 *block = Block::new(law, changed, cell, corners.map(|node| nodes[node]));
             }
         }
