@@ -44,6 +44,8 @@ const LONGEST_TURN: f64 = 1.0;
 const SMOOTH: f64 = 1e-2;
 /// Choices of these forms: the last is that of the balanced position, if they come to rest.
 const MOST_CHOICES: usize = 6;
+/// Eccentricity up to which a coarser mesh that led nowhere is trusted.
+const RESOLVED: f64 = 0.99;
 /// A journal whose film is thinner than this part of the clearance touches.
 const CONTACT: f64 = 1e-6;
 /// Moves by less than this part of the least film thickness are started from the film before.
@@ -95,10 +97,12 @@ pub fn find(
     let Some(coarser) = &system.coarser else {
         return search.everywhere(problem);
     };
-    // Where a coarser mesh leads nowhere its last position is still the best known.
+    // Where a coarser mesh leads nowhere its last position is the best known, unless it is too thin a film for it.
     let start = match find(&coarser.problem(problem), &coarser.system, load, squeeze) {
         Ok(found) => found.problem.journal,
-        Err(reason) => reason.last_position().unwrap_or(problem.journal),
+        Err(reason) => (reason.last_position())
+            .filter(|journal| journal.eccentricity() < RESOLVED * search.clearance)
+            .unwrap_or(problem.journal),
     };
     search.run(problem, start)
 }
@@ -405,8 +409,11 @@ impl Search<'_> {
     fn distance(&self, trial: &Trial) -> f64 {
         let residual = self.residual(trial);
         let (force, load) = (trial.force[0].hypot(trial.force[1]), self.load[0].hypot(self.load[1]));
-        if residual < NEAR || force == 0.0 || load == 0.0 {
+        if residual < NEAR || load == 0.0 {
             return residual;
+        }
+        if force == 0.0 {
+            return f64::MAX;
         }
         let along = trial.force[0] * self.load[0] + trial.force[1] * self.load[1];
         let across = trial.force[0] * self.load[1] - trial.force[1] * self.load[0];
@@ -432,7 +439,7 @@ impl Search<'_> {
             nearest: nearest.force[0].hypot(nearest.force[1]),
             nearest_towards: degrees(nearest.force),
             eccentricity: nearest.journal.eccentricity() / self.clearance,
-            journal: Box::new(nearest.journal),
+            journal: Box::new(trial.problem.journal),
             why,
         }
     }

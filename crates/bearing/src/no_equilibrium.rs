@@ -26,7 +26,7 @@ pub enum NoEquilibrium {
         nearest_towards: f64,
         /// Eccentricity there.
         eccentricity: f64,
-        /// The journal there.
+        /// The journal where the search ended.
         journal: Box<JournalState>,
         /// What stopped the search.
         why: &'static str,

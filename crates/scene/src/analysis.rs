@@ -15,7 +15,7 @@ const ELSEWHERE: f64 = 0.2;
 /// No mesh is graded for films thinner than at this eccentricity.
 const THICK_ENOUGH: f64 = 0.9999;
 /// Gradings of one search.
-const GRADINGS: usize = 6;
+const GRADINGS: usize = 4;
 
 /// A solved film of a study.
 #[derive(Debug)]
