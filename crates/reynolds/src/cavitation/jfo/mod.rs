@@ -9,8 +9,8 @@
 //! | theta (film fraction) | - | `theta` |
 //!
 //! Finite volumes on the linear sub-mesh ([`oilwedge_fem::ControlVolumes`]): one q and one theta a node, each node
-//! either full (theta = 1, q unknown) or in the cavity (q = q(p_cav), theta unknown); [`blocks`] has the balance of
-//! one sub-triangle, [`rows`] the conditions, [`active_set`] the search for the cavity, [`relaxation`] what makes it
+//! either full (theta = 1, q unknown) or in the cavity (q = q(p_cav), theta unknown); `blocks` has the balance of
+//! one sub-triangle, `rows` the conditions, `active_set` the search for the cavity, `relaxation` what makes it
 //! short. The load is integrated with
 //! the quadratic functions of the nodal q, which is several times better than with linear ones.
 //!
