@@ -97,14 +97,17 @@ pub fn find(
     let Some(coarser) = &system.coarser else {
         return search.everywhere(problem);
     };
-    // Where a coarser mesh leads nowhere its last position is the best known, unless it is too thin a film for it.
-    let start = match find(&coarser.problem(problem), &coarser.system, load, squeeze) {
-        Ok(found) => found.problem.journal,
-        Err(reason) => (reason.last_position())
-            .filter(|journal| journal.eccentricity() < RESOLVED * search.clearance)
-            .unwrap_or(problem.journal),
+    let reason = match find(&coarser.problem(problem), &coarser.system, load, squeeze) {
+        Ok(found) => return search.run(problem, found.problem.journal),
+        Err(reason) => reason,
     };
-    search.run(problem, start)
+    // Where a coarser mesh leads nowhere its last position may still be a start, unless the film there is too thin for it.
+    let is_resolved = |journal: &JournalState| journal.eccentricity() < RESOLVED * search.clearance;
+    let outcome = search.run(problem, problem.journal);
+    match reason.last_position().filter(is_resolved) {
+        Some(start) if outcome.is_err() => search.run(problem, start),
+        _ => outcome,
+    }
 }
 
 /// The load, or that of drag through the clearance where there is none.
