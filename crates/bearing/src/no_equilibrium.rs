@@ -32,7 +32,9 @@ pub enum NoEquilibrium {
         why: &'static str,
     },
     /// The search did not end.
-    #[error("not converged: after {steps} positions force and load still differ by {residual:.1e} of the load")]
+    #[error(
+        "not converged: after {steps} positions force and load still differ by {residual:.1e} of the load; give another mesh ([mesh] size), or solve at a given position to see the film"
+    )]
     NotConverged {
         /// Positions tried.
         steps: usize,

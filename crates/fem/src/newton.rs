@@ -55,7 +55,7 @@ pub enum Failure {
         history: Vec<HistoryStep>,
     },
     /// An active set came back.
-    #[error("the set of nodes in the cavity goes round in circles (after {} steps)", history.len())]
+    #[error("the set of nodes in the cavity goes round in circles (after {} steps); another mesh may help", history.len())]
     Cycling {
         /// What was tried.
         history: Vec<HistoryStep>,

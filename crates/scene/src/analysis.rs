@@ -5,8 +5,8 @@ use std::time::Instant;
 use oilwedge_bearing::{Equilibrium, NoEquilibrium, Squeeze, find};
 use oilwedge_reynolds::{FilmSolution, JournalState, NoFilm};
 
-use crate::compile::{CompileError, Study, compile};
-use crate::scene::{Journal, Position, Scene};
+use crate::compile::{CompileError, Study, compile, compile_near};
+use crate::scene::Scene;
 
 /// A mesh is graded anew where the least film thickness found is another one than it was graded for by this factor,
 const REGRADED: f64 = 1.3;
@@ -66,7 +66,6 @@ pub fn analyse(scene: &Scene) -> Result<(Study, Result<Solved, NoAnswer>), Compi
         radial: motion.radial,
         tangential: motion.tangential,
     });
-    let mut graded_for = study.problem.journal;
     for _ in 1..GRADINGS {
         if !scene.mesh.is_graded() {
             break;
@@ -79,20 +78,14 @@ pub fn analyse(scene: &Scene) -> Result<(Study, Result<Solved, NoAnswer>), Compi
             Ok(Equilibrium { problem, .. }) => Some(problem.journal),
             Err(reason) => reason.last_position(),
         };
-        let is_film = |found: &JournalState| found.eccentricity() < THICK_ENOUGH * scene.bearing.clearance;
-        let Some(found) = found.filter(is_film) else {
+        let clearance = scene.bearing.clearance;
+        let Some(found) = found.filter(|found| found.eccentricity() < THICK_ENOUGH * clearance) else {
             break;
         };
-        if is_near(&study, &graded_for, &found) {
+        if is_near(clearance, &study.problem.journal, &found) {
             break;
         }
-        graded_for = found;
-        let effects = study.effects;
-        study = Study {
-            effects,
-            load: Some(load),
-            ..compile(&graded(scene, &graded_for))?
-        };
+        study = compile_near(scene, (found.eccentricity() / clearance, found.min_film_angle()))?;
     }
     Ok(match find(&study.problem, &study.system, load, squeeze) {
         Ok(found) => {
@@ -116,24 +109,9 @@ pub fn analyse(scene: &Scene) -> Result<(Study, Result<Solved, NoAnswer>), Compi
     })
 }
 
-/// The scene with the journal at the position found.
-fn graded(scene: &Scene, found: &JournalState) -> Scene {
-    let position = Position::Given {
-        eccentricity: found.eccentricity() / scene.bearing.clearance,
-        min_film_angle: found.min_film_angle(),
-    };
-    Scene {
-        journal: Journal {
-            position,
-            ..scene.journal
-        },
-        ..scene.clone()
-    }
-}
-
 /// Whether a mesh graded for one position suits another.
-fn is_near(study: &Study, graded_for: &JournalState, found: &JournalState) -> bool {
-    let gap = |journal: &JournalState| study.problem.bearing.clearance - journal.eccentricity();
+fn is_near(clearance: f64, graded_for: &JournalState, found: &JournalState) -> bool {
+    let gap = |journal: &JournalState| clearance - journal.eccentricity();
     let ratio = gap(graded_for) / gap(found);
     let turn = graded_for.min_film_angle() - found.min_film_angle();
     let turn = turn.sin().atan2(turn.cos()).abs();

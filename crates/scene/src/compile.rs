@@ -124,13 +124,22 @@ fn list(faults: &[impl std::fmt::Display]) -> String {
 /// # Errors
 /// [`CompileError`]: the mesh is unreadable, defective, or not that of the scene.
 pub fn compile(scene: &Scene) -> Result<Study, CompileError> {
+    compile_near(scene, scene.journal.start())
+}
+
+/// The same with the journal, and the mesh graded for it, at the position `near` (eccentricity [1], angle of the minimum
+/// film [rad]): where the search for the position under a load begins.
+///
+/// # Errors
+/// As [`compile`].
+pub fn compile_near(scene: &Scene, near: (f64, f64)) -> Result<Study, CompileError> {
     let start = Instant::now();
-    let (mesh, mesh_sha256) = liner_mesh(scene)?;
+    let (mesh, mesh_sha256) = liner_mesh(scene, near)?;
     let (mesh, flips) = suited(scene, mesh);
     let read = start.elapsed().as_secs_f64();
     check_feed_groups(scene, &mesh)?;
     let regions = supply(scene, &mesh)?;
-    let journal = journal(scene);
+    let journal = journal(scene, near);
     let film_thickness = film_thickness(scene, &mesh);
     let start = Instant::now();
     let system = FilmSystem::new(Arc::new(mesh), DEGREE, regions).map_err(|error| match error {
@@ -181,8 +190,7 @@ fn bearing(scene: &Scene) -> Bearing {
 }
 
 /// Where the journal is or, under a load, where the search for it begins.
-fn journal(scene: &Scene) -> JournalState {
-    let (eccentricity, angle) = scene.journal.start();
+fn journal(scene: &Scene, (eccentricity, angle): (f64, f64)) -> JournalState {
     let state = JournalState::at_eccentricity(eccentricity, angle, scene.bearing.clearance, scene.journal.speed);
     match scene.journal.motion() {
         Some(squeeze) => state.with_squeeze(squeeze.radial, squeeze.tangential, angle),

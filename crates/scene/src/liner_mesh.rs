@@ -17,24 +17,25 @@ const ON_RIM: f64 = 1e-3;
 /// Edges along the axis, at least, of a mesh without a wanted size.
 const ACROSS: f64 = 4.0;
 
-/// The mesh of the liner with round rims on their circles, and the SHA-256 of its file or, drawn, of its vertices and triangles.
+/// The mesh of the liner with round rims on their circles, and the SHA-256 of its file or, drawn, of its vertices and
+/// triangles. A mesh made here is graded for the film of the position `near`: eccentricity [1], angle of its minimum [rad].
 ///
 /// # Errors
 /// The file is unreadable, defective or not that of the scene; the liner described cannot be meshed.
-pub fn liner_mesh(scene: &Scene) -> Result<(Mesh, String), CompileError> {
+pub fn liner_mesh(scene: &Scene, near: (f64, f64)) -> Result<(Mesh, String), CompileError> {
     match &scene.mesh {
         MeshSource::File { path, unit, size } => {
             let bytes = gmsh::read_bytes(path)?;
             let mesh = from_file(scene, &bytes, *unit).map_err(|error| error.in_file(path))?;
             check_grooves(scene, &mesh)?;
             let mesh = match size {
-                Some(size) => meshed_anew(scene, &mesh, *size).map_err(CompileError::Drawing)?,
+                Some(size) => meshed_anew(scene, &mesh, *size, near).map_err(CompileError::Drawing)?,
                 None => mesh,
             };
             Ok((mesh, hexadecimal(Sha256::digest(&bytes))))
         }
         MeshSource::Drawing { size } => {
-            let mesh = drawn(scene, *size).map_err(CompileError::Drawing)?;
+            let mesh = drawn(scene, *size, near).map_err(CompileError::Drawing)?;
             let mut hash = Sha256::new();
             for x in mesh.points().iter().flatten() {
                 hash.update(x.to_le_bytes());
@@ -118,7 +119,7 @@ fn check_grooves(scene: &Scene, mesh: &Mesh) -> Result<(), CompileError> {
     Ok(())
 }
 
-fn drawn(scene: &Scene, size: Option<f64>) -> Result<Mesh, Vec<DrawingError>> {
+fn drawn(scene: &Scene, size: Option<f64>, near: (f64, f64)) -> Result<Mesh, Vec<DrawingError>> {
     let blueprint = Blueprint {
         liner: liner(scene),
         features: (scene.feeds.iter()).filter_map(|feed| feature(scene, feed)).collect(),
@@ -126,7 +127,7 @@ fn drawn(scene: &Scene, size: Option<f64>) -> Result<Mesh, Vec<DrawingError>> {
     };
     let needed = (FINENESS * LONGEST * scene.bearing.radius()).min(scene.bearing.length / ACROSS);
     let longest = size.unwrap_or(needed);
-    graded(scene, &blueprint, longest)
+    graded(scene, &blueprint, longest, near)
 }
 
 /// A feed that the scene describes, as it is drawn.
@@ -141,7 +142,7 @@ fn feature(scene: &Scene, feed: &Feed) -> Option<Feature> {
 }
 
 /// The geometry of a file, meshed as the film needs it.
-fn meshed_anew(scene: &Scene, mesh: &Mesh, size: f64) -> Result<Mesh, Vec<DrawingError>> {
+fn meshed_anew(scene: &Scene, mesh: &Mesh, size: f64, near: (f64, f64)) -> Result<Mesh, Vec<DrawingError>> {
     let (described, shown): (Vec<&Feed>, Vec<&Feed>) =
         (scene.feeds.iter()).partition(|feed| shape(scene, feed).is_some());
     let names: Vec<&str> = shown.iter().map(|feed| feed.group.as_str()).collect();
@@ -152,13 +153,13 @@ fn meshed_anew(scene: &Scene, mesh: &Mesh, size: f64) -> Result<Mesh, Vec<Drawin
     blueprint
         .features
         .extend(described.into_iter().filter_map(|feed| feature(scene, feed)));
-    graded(scene, &blueprint, size)
+    graded(scene, &blueprint, size, near)
 }
 
 /// Edges of at most `longest` [m], shorter where the film is thin.
-fn graded(scene: &Scene, blueprint: &Blueprint, longest: f64) -> Result<Mesh, Vec<DrawingError>> {
+fn graded(scene: &Scene, blueprint: &Blueprint, longest: f64, near: (f64, f64)) -> Result<Mesh, Vec<DrawingError>> {
     let radius = scene.bearing.radius();
-    generate(blueprint, &|[x, _]| longest * film_scale(scene, x / radius) / LONGEST)
+    generate(blueprint, &|[x, _]| longest * film_scale(near, x / radius) / LONGEST)
 }
 
 /// Bounds of the size that resolves the film, in radii.
@@ -166,9 +167,8 @@ const LONGEST: f64 = 0.6;
 const SHORTEST: f64 = 0.01;
 
 /// Size [radii] that resolves the film at the angle `phi` [rad]: 0.65 of the film length `sqrt(2 h/(c eps))`,
-/// over which the thickness doubles at its minimum. Under a load it is the film that the search begins with.
-fn film_scale(scene: &Scene, phi: f64) -> f64 {
-    let (eccentricity, min_film_angle) = scene.journal.start();
+/// over which the thickness doubles at its minimum.
+fn film_scale((eccentricity, min_film_angle): (f64, f64), phi: f64) -> f64 {
     let thickness = 1.0 - eccentricity * (phi - min_film_angle).cos();
     (0.65 * (2.0 * thickness / eccentricity).sqrt()).clamp(SHORTEST, LONGEST)
 }

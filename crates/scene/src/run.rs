@@ -190,7 +190,7 @@ pub fn check_mesh(path: &Path) -> Result<CheckReport, Error> {
 /// # Errors
 /// [`Error::Compile`] where the mesh cannot be read or made.
 pub fn mesh_scene(scene: &Scene) -> Result<Mesh, Error> {
-    Ok(liner_mesh(scene)?.0)
+    Ok(liner_mesh(scene, scene.journal.start())?.0)
 }
 
 /// Writes a mesh as a gmsh 4.1 file, whole or not at all.

@@ -38,16 +38,15 @@ pub fn cavity(system: &FilmSystem, film: &FilmSolution) -> Cavity {
 
 fn share(system: &FilmSystem, film: &FilmSolution) -> f64 {
     let mesh = system.space().mesh();
+    let conserving = film.film_fraction.is_some();
     let (mut held, mut whole) = (0.0, 0.0);
     for t in 0..mesh.triangles().len() {
         let dofs = system.space().element_dofs(t);
         let [a, b, c] = mesh.corners(t);
-        let groups = match film.film_fraction {
-            Some(_) => sub_triangles(mesh, t).to_vec(),
-            None => vec![[3, 4, 5]],
-        };
+        let subs = sub_triangles(mesh, t);
+        let groups: &[[usize; 3]] = if conserving { &subs } else { &[[3, 4, 5]] };
         let area = 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / groups.len() as f64;
-        for group in &groups {
+        for group in groups {
             let (mut broken, mut free) = (0, 0);
             for dof in group.map(|node| dofs[node]) {
                 broken += u32::from(film.cavity[dof]);

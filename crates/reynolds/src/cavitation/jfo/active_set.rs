@@ -12,7 +12,7 @@ use super::balance::Balance;
 use super::blocks::{Block, Transport};
 use super::relaxation::State;
 use super::rows::Condition;
-use super::{Film, FilmFraction};
+use super::{Film, FilmFraction, ROUNDING};
 
 /// Most steps of one search.
 const MOST_STEPS: usize = 300;
@@ -124,7 +124,7 @@ impl<'a> Search<'a> {
             other => other?,
         };
         // Overdrawn nodes that calming their surroundings has not helped.
-        if self.state.theta.iter().any(|&theta| theta < 0.0) {
+        if self.state.theta.iter().any(|&theta| theta < -ROUNDING) {
             end = End::Repeated;
         }
         if let End::Repeated = end {
@@ -227,7 +227,7 @@ impl<'a> Search<'a> {
     /// Carries the oil round nodes that hold less than no oil by the N scheme. True if that is new.
     fn calm_overdrawn(&mut self) -> bool {
         let overdrawn: Vec<usize> = (0..self.state.p.len())
-            .filter(|&dof| self.state.theta[dof] < 0.0)
+            .filter(|&dof| self.state.theta[dof] < -ROUNDING)
             .collect();
         self.calm(&overdrawn, &[Transport::LowDiffusion, Transport::Faces])
     }
