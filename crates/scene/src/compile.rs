@@ -45,7 +45,7 @@ pub struct Study {
     pub pockets: Vec<String>,
     /// The common pressure [Pa] of all feeds, if they have one.
     pub supply_pressure: Option<f64>,
-    /// SHA-256 of the mesh file or, drawn, of its vertices and triangles; 64 hexadecimal digits.
+    /// SHA-256 of the mesh file or, drawn, of its vertices and triangles; 64 hexadecimal digits, empty for a mesh that was at hand.
     pub mesh_sha256: String,
     /// Edge flips that made the mesh one for a mass-conserving film.
     pub flips: usize,
@@ -135,14 +135,29 @@ pub fn compile(scene: &Scene) -> Result<Study, CompileError> {
 pub fn compile_near(scene: &Scene, near: (f64, f64)) -> Result<Study, CompileError> {
     let start = Instant::now();
     let (mesh, mesh_sha256) = liner_mesh(scene, near)?;
-    let (mesh, flips) = suited(scene, mesh);
     let read = start.elapsed().as_secs_f64();
+    let study = compile_on(scene, mesh, near, DEGREE)?;
+    let [_, order] = study.seconds;
+    let part = if scene.mesh.path().is_some() { "read" } else { "mesh" };
+    Ok(Study {
+        mesh_sha256,
+        seconds: [(part, read), order],
+        ..study
+    })
+}
+
+/// The same on a mesh that is at hand, with a pressure of the given degree (1 or 2) and the journal at the position `near`.
+///
+/// # Errors
+/// As [`compile`].
+pub fn compile_on(scene: &Scene, mesh: Mesh, near: (f64, f64), degree: usize) -> Result<Study, CompileError> {
+    let start = Instant::now();
+    let (mesh, flips) = suited(scene, mesh);
     check_feed_groups(scene, &mesh)?;
     let regions = supply(scene, &mesh)?;
     let journal = journal(scene, near);
     let film_thickness = film_thickness(scene, &mesh);
-    let start = Instant::now();
-    let system = FilmSystem::new(Arc::new(mesh), DEGREE, regions).map_err(|error| match error {
+    let system = FilmSystem::new(Arc::new(mesh), degree, regions).map_err(|error| match error {
         SystemError::Supply(faults) => unfit(scene, faults),
         SystemError::Fem(error) => error.into(),
     })?;
@@ -160,7 +175,6 @@ pub fn compile_near(scene: &Scene, near: (f64, f64)) -> Result<Study, CompileErr
         true => system.with_coarser(&problem.bearing, &problem.film_thickness),
         false => system,
     };
-    let order = start.elapsed().as_secs_f64();
     Ok(Study {
         load: scene.journal.load(),
         effects: effects(scene, &problem),
@@ -171,12 +185,9 @@ pub fn compile_near(scene: &Scene, near: (f64, f64)) -> Result<Study, CompileErr
             .map(|feed| feed.group.clone())
             .collect(),
         supply_pressure: supply_pressure(scene),
-        mesh_sha256,
+        mesh_sha256: String::new(),
         flips,
-        seconds: [
-            (if scene.mesh.path().is_some() { "read" } else { "mesh" }, read),
-            ("order", order),
-        ],
+        seconds: [("mesh", 0.0), ("order", start.elapsed().as_secs_f64())],
     })
 }
 
