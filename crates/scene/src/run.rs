@@ -171,7 +171,7 @@ pub fn check_scene(scene: &Scene) -> Result<CheckReport, Error> {
     let free = |dof: &usize| study.system.supply.owner(*dof).is_none();
     report.cost = Some(Cost {
         unknowns: (0..study.system.space().dofs()).filter(free).count(),
-        factor_entries: study.system.analysis.factor_entries(),
+        factor_entries: study.system.analysis().map_err(CompileError::from)?.factor_entries(),
     });
     Ok(report)
 }
