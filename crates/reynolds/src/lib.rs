@@ -39,6 +39,7 @@ pub mod analytical;
 pub mod bearing;
 pub mod cavitation;
 mod enriched;
+pub mod error_bar;
 pub mod existence;
 mod film_law;
 pub mod film_point;
