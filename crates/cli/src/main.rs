@@ -6,6 +6,7 @@
 mod check;
 mod complain;
 mod mesh;
+mod quantities;
 mod readable;
 mod solve;
 mod terminal;

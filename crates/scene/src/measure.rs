@@ -87,13 +87,7 @@ pub fn quantities(study: &Study, measured: &Measured) -> Vec<Quantity> {
     let force = load.magnitude();
     let mut list = Vec::new();
     let mut add = |name: &str, symbol: &str, value: f64, unit: &str| {
-        list.push(Quantity {
-            name: name.to_owned(),
-            symbol: symbol.to_owned(),
-            value,
-            unit: unit.to_owned(),
-            error: None,
-        });
+        list.push(Quantity::new(name, symbol, value, unit));
     };
     add("load", "W", force, "N");
     add("load_x", "W_x", load.total.force[0], "N");

@@ -29,11 +29,28 @@ const DRAWN: &str = "made of the liner described";
 /// Angles below this [deg] are worth a warning.
 const SHARP: f64 = 15.0;
 
-/// How a scene is run. None of this changes a number.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+/// How a scene is run.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RunOptions {
     /// Draw the film on the developed surface (x = R phi, y = z) instead of on the cylinder.
     pub unrolled: bool,
+    /// Estimate error bars. Without them a tolerance that the scene does not give itself is dropped.
+    pub bars: bool,
+    /// The refinement towards a tolerance ends after this time [s].
+    pub max_seconds: f64,
+    /// No mesh of that refinement has more unknowns.
+    pub max_unknowns: usize,
+}
+
+impl Default for RunOptions {
+    fn default() -> Self {
+        Self {
+            unrolled: false,
+            bars: true,
+            max_seconds: 60.0,
+            max_unknowns: 1_000_000,
+        }
+    }
 }
 
 /// What a run found.
@@ -81,6 +98,9 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, Error> {
         effects: study.effects.clone(),
         mesh: facts(&Quality::of(study.system.space().mesh())),
         quantities: Vec::new(),
+        // Errors are not estimated yet.
+        bars: false,
+        levels: Vec::new(),
         balances: Balances::default(),
         history: Vec::new(),
         counts: Counts::default(),
@@ -95,7 +115,7 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, Error> {
                 result.counts.position_steps = balance.steps;
                 result.timing_s.push(("search".to_owned(), balance.seconds));
             }
-            Some(picture(&study, &film, options.unrolled))
+            Some(picture(&study, &film, None, options.unrolled))
         }
         Err(reason) => {
             result.status = match &reason {
@@ -165,6 +185,10 @@ pub fn check_scene(scene: &Scene) -> Result<CheckReport, Error> {
     let pockets: Vec<_> = study.pockets.iter().filter_map(|name| mesh.region(name)).collect();
     report.sketch = sketch(mesh, &study.system.supply, &pockets, scene.bearing.radius());
     report.liner = words(scene);
+    report.tolerance = (scene.tolerance.iter())
+        .flat_map(|tolerance| &tolerance.targets)
+        .map(|target| (target.quantity.clone(), target.relative))
+        .collect();
     report.title = Some(scene.title.clone());
     report.effects = Some(study.effects.clone());
     report.warnings.extend(crate::doubts::flips(&study));
@@ -237,6 +261,7 @@ fn check_report(path: &Path, mesh: &Mesh) -> CheckReport {
             })
             .collect(),
         quality,
+        tolerance: Vec::new(),
         liner: Vec::new(),
         sketch: String::new(),
         cost: None,

@@ -1,8 +1,10 @@
 //! A scene: everything a user says about one bearing, in SI. `Scene::read` is the only way to get one from a file.
 
 mod journal;
+mod tolerance;
 
 pub use journal::{Journal, Position, Squeeze};
+pub use tolerance::{Target, Tolerance};
 
 use crate::complaint::{Complaint, SceneError};
 use crate::{schema, validate};
@@ -28,6 +30,8 @@ pub struct Scene {
     pub bearing: Bearing,
     /// Where the mesh comes from.
     pub mesh: MeshSource,
+    /// How small error bars must become by refinement of that mesh; `None`: it is used as it is.
+    pub tolerance: Option<Tolerance>,
     /// The open ends.
     pub ends: Ends,
     /// Regions of given pressure, in the order of the scene.
