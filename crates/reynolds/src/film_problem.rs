@@ -57,6 +57,8 @@ pub struct FilmSystem {
     pub coarser: Option<Box<Coarser>>,
     /// Made when a mass-conserving film is first solved.
     volumes: OnceLock<Result<ControlVolumes, oilwedge_fem::Error>>,
+    /// Made when the error of a mass-conserving film is first judged.
+    pub(crate) vertices: OnceLock<Result<Box<FilmSystem>, oilwedge_fem::Error>>,
 }
 
 /// Why a mesh and its supply make no system.
@@ -94,6 +96,7 @@ impl FilmSystem {
             supply,
             coarser: None,
             volumes: OnceLock::new(),
+            vertices: OnceLock::new(),
         })
     }
 

@@ -38,6 +38,7 @@
 pub mod analytical;
 pub mod bearing;
 pub mod cavitation;
+mod companion;
 pub mod existence;
 mod film_law;
 pub mod film_point;

@@ -173,6 +173,14 @@ impl Supply {
         Some(Self { regions, owner })
     }
 
+    /// The same given pressures on a space whose dofs are these of the present one.
+    pub(crate) fn at(&self, dofs: &[usize]) -> Self {
+        Self {
+            regions: self.regions.clone(),
+            owner: dofs.iter().map(|&dof| self.owner[dof]).collect(),
+        }
+    }
+
     fn sample_feeds(&self, fine: &Space, coarse: &Space, owner: &mut [Option<u16>]) {
         let is_feed = |region: &u16| self.regions[usize::from(*region)].place == Place::Feed;
         let feed_at = |dof: usize| self.owner[dof].filter(is_feed);
