@@ -59,6 +59,8 @@ pub struct FilmSystem {
     volumes: OnceLock<Result<ControlVolumes, oilwedge_fem::Error>>,
     /// Made when an error bar is first estimated.
     enriched: OnceLock<Box<Enriched>>,
+    /// Made when the error of a mass-conserving film is first judged.
+    pub(crate) vertices: OnceLock<Box<FilmSystem>>,
 }
 
 /// The same mesh and supply with cubic elements.
@@ -103,6 +105,7 @@ impl FilmSystem {
             analysis: OnceLock::new(),
             volumes: OnceLock::new(),
             enriched: OnceLock::new(),
+            vertices: OnceLock::new(),
         }
     }
 

@@ -38,6 +38,7 @@
 pub mod analytical;
 pub mod bearing;
 pub mod cavitation;
+mod companion;
 mod enriched;
 pub mod error_bar;
 pub mod existence;

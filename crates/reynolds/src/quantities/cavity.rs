@@ -27,7 +27,7 @@ pub struct Cavity {
     pub least_fraction: Option<f64>,
 }
 
-/// The cavity of a film of quadratic elements, also where it is empty.
+/// The cavity of a film of quadratic elements, also where it is empty; a mass-conserving one may have linear elements.
 pub fn cavity(system: &FilmSystem, film: &FilmSolution) -> Cavity {
     let fraction = film.film_fraction.as_ref();
     Cavity {
@@ -43,8 +43,11 @@ fn share(system: &FilmSystem, film: &FilmSolution) -> f64 {
     for t in 0..mesh.triangles().len() {
         let dofs = system.space().element_dofs(t);
         let [a, b, c] = mesh.corners(t);
-        let subs = sub_triangles(mesh, t);
-        let groups: &[[usize; 3]] = if conserving { &subs } else { &[[3, 4, 5]] };
+        let groups = if conserving {
+            sub_triangles(system.space(), t)
+        } else {
+            &[[3, 4, 5]]
+        };
         let area = 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / groups.len() as f64;
         for group in groups {
             let (mut broken, mut free) = (0, 0);

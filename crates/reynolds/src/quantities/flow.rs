@@ -166,7 +166,7 @@ fn taken_up_by_element(law: &FilmLaw, system: &FilmSystem, rule: &Quadrature, t:
 fn taken_up_by_volumes(law: &FilmLaw, system: &FilmSystem, fraction: &FilmFraction, t: usize) -> f64 {
     let (nodes, dofs) = (system.space().mesh().nodes(t), system.space().element_dofs(t));
     let flows = law.film_and_flows(t, &nodes).1;
-    let sub_triangle = |corners: [usize; 3]| {
+    let sub_triangle = |corners: &[usize; 3]| {
         let [a, b, c] = corners.map(|node| nodes[node]);
         let area = 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
         let rates = corners.map(|node| flows[node].storage);
@@ -174,8 +174,7 @@ fn taken_up_by_volumes(law: &FilmLaw, system: &FilmSystem, fraction: &FilmFracti
         let pieces = (0..3).map(|i| fraction.values[dofs[corners[i]]] * (7.0 * all + 15.0 * rates[i]));
         area / 108.0 * pieces.sum::<f64>()
     };
-    let subs = sub_triangles(system.space().mesh(), t);
-    subs.into_iter().map(sub_triangle).sum()
+    sub_triangles(system.space(), t).iter().map(sub_triangle).sum()
 }
 
 /// What is out of balance at the free nodes once low pressures are dropped, over the oil that passes then.
