@@ -168,11 +168,11 @@ fn facts(found: &CheckReport) -> String {
     lines.join("\n")
 }
 
-fn heading(title: &str, status: &str) -> String {
+pub(crate) fn heading(title: &str, status: &str) -> String {
     format!("{}: {status}", printable(title))
 }
 
-fn status(status: Status) -> &'static str {
+pub(crate) fn status(status: Status) -> &'static str {
     match status {
         Status::Converged => "converged",
         Status::NoSolution => "there is no solution",
@@ -193,7 +193,7 @@ fn mesh(facts: &MeshFacts) -> String {
     )
 }
 
-fn effects(effects: &Effects) -> String {
+pub(crate) fn effects(effects: &Effects) -> String {
     let width = effects.simulated.iter().map(|name| name.chars().count()).max();
     let width = width.unwrap_or(0);
     let simulated: Vec<_> = (effects.simulated.iter())
@@ -239,7 +239,7 @@ fn quantities(quantities: &[Quantity]) -> String {
     table.to_string()
 }
 
-fn table<const N: usize>(header: [&str; N]) -> Table {
+pub(crate) fn table<const N: usize>(header: [&str; N]) -> Table {
     let mut table = Table::new();
     table
         .load_style(presets::UTF8_FULL_CONDENSED)
@@ -248,13 +248,13 @@ fn table<const N: usize>(header: [&str; N]) -> Table {
     table
 }
 
-fn align_right(table: &mut Table, column: usize) {
+pub(crate) fn align_right(table: &mut Table, column: usize) {
     if let Some(column) = table.column_mut(column) {
         column.set_cell_alignment(CellAlignment::Right);
     }
 }
 
-fn time(seconds: f64) -> String {
+pub(crate) fn time(seconds: f64) -> String {
     match seconds < 1.0 {
         true => format!("{} ms", significant(1e3 * seconds, 3)),
         false => format!("{} s", significant(seconds, 3)),

@@ -39,6 +39,14 @@ impl Obstacle {
         }
         Self { value, candidates }
     }
+
+    /// An obstacle for linear elements: asked at every vertex, where their functions have positive means.
+    pub fn at_nodes(space: &crate::Space, value: f64) -> Self {
+        Self {
+            value,
+            candidates: vec![true; space.dofs()],
+        }
+    }
 }
 
 /// Where to start from.

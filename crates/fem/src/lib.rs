@@ -4,7 +4,7 @@
 //! [`lagrange`] and [`quadrature`] (the reference triangle), [`mapping`], [`space`] (degrees of
 //! freedom), [`field`] (functions), [`conservation_law`], [`element`] and [`assembly`] (the one
 //! element loop), [`sparsity`], [`ordering`], [`factorization`] and [`unsymmetric`], [`newton`], [`complementarity`] (obstacles), [`linearisation`].
-//! [`transfer`](mod@transfer) carries a field to a refined mesh. [`control_volumes`] is the sub-mesh of schemes of finite volumes.
+//! [`marking`] chooses triangles to refine; [`transfer`](mod@transfer) carries a field to the refined mesh. [`control_volumes`] is the sub-mesh of schemes of finite volumes.
 
 pub mod assembly;
 pub mod complementarity;
@@ -19,6 +19,7 @@ pub mod field;
 pub mod lagrange;
 pub mod linearisation;
 pub mod mapping;
+pub mod marking;
 pub mod matrix;
 pub mod newton;
 pub mod ordering;

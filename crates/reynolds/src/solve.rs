@@ -121,7 +121,11 @@ impl FilmProblem {
             let solution = newton::solve(assembler, analysis, &law, &constraints, scale, start.u)?;
             return Ok(FilmSolution::full(solution));
         };
-        let obstacle = Obstacle::at_midpoints(system.space(), self.unknown_at(pressure));
+        let floor = self.unknown_at(pressure);
+        let obstacle = match system.space().degree() {
+            1 => Obstacle::at_nodes(system.space(), floor),
+            _ => Obstacle::at_midpoints(system.space(), floor),
+        };
         let contact = complementarity::solve(assembler, analysis, &law, &constraints, &obstacle, scale, start)?;
         Ok(FilmSolution {
             cavity: contact.held,

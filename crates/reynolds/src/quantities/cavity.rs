@@ -9,7 +9,7 @@
 //! | theta_min | 1 | `least_fraction` |
 //!
 //! **Source.** Definition: a node of a mass-conserving film stands for a third of each sub-triangle that it bounds, the middle
-//! of an edge of Swift-Stieber's for a third of each triangle; nodes of given pressure stand for nothing.
+//! of an edge (a vertex of linear elements) of Swift-Stieber's for a third of each triangle; nodes of given pressure stand for nothing.
 //! **Range.** First order in the size of the cells. **Verified by** `tests/oil_balance.rs`, a film that breaks on half of a ring.
 
 use oilwedge_fem::control_volumes::sub_triangles;
@@ -27,7 +27,7 @@ pub struct Cavity {
     pub least_fraction: Option<f64>,
 }
 
-/// The cavity of a film of quadratic elements, also where it is empty.
+/// The cavity of a film, also where it is empty.
 pub fn cavity(system: &FilmSystem, film: &FilmSolution) -> Cavity {
     let fraction = film.film_fraction.as_ref();
     Cavity {
@@ -44,7 +44,11 @@ fn share(system: &FilmSystem, film: &FilmSolution) -> f64 {
         let dofs = system.space().element_dofs(t);
         let [a, b, c] = mesh.corners(t);
         let subs = sub_triangles(mesh, t);
-        let groups: &[[usize; 3]] = if conserving { &subs } else { &[[3, 4, 5]] };
+        let groups: &[[usize; 3]] = match system.space().degree() {
+            1 => &[[0, 1, 2]],
+            _ if conserving => &subs,
+            _ => &[[3, 4, 5]],
+        };
         let area = 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / groups.len() as f64;
         for group in groups {
             let (mut broken, mut free) = (0, 0);
