@@ -121,7 +121,8 @@ impl Solve {
     }
 }
 
-fn default_folder(scene: &Path) -> PathBuf {
+/// `out/NAME` for `NAME.toml`.
+pub(crate) fn default_folder(scene: &Path) -> PathBuf {
     Path::new("out").join(scene.file_stem().unwrap_or("scene".as_ref()))
 }
 

@@ -182,11 +182,11 @@ fn tolerance(targets: &[(String, f64)]) -> Option<String> {
     (!told.is_empty()).then(|| format!("tolerance {}", told.join(", ")))
 }
 
-fn heading(title: &str, status: &str) -> String {
+pub(crate) fn heading(title: &str, status: &str) -> String {
     format!("{}: {status}", printable(title))
 }
 
-fn status(status: Status) -> &'static str {
+pub(crate) fn status(status: Status) -> &'static str {
     match status {
         Status::Converged => "converged",
         Status::NoSolution => "there is no solution",
@@ -207,7 +207,7 @@ fn mesh(facts: &MeshFacts) -> String {
     )
 }
 
-fn effects(effects: &Effects) -> String {
+pub(crate) fn effects(effects: &Effects) -> String {
     let width = effects.simulated.iter().map(|name| name.chars().count()).max();
     let width = width.unwrap_or(0);
     let simulated: Vec<_> = (effects.simulated.iter())

@@ -5,7 +5,7 @@
 //! freedom), [`field`] (functions), [`conservation_law`], [`element`] and [`assembly`] (the one
 //! element loop), [`sparsity`], [`ordering`], [`factorization`] and [`unsymmetric`], [`newton`], [`complementarity`] (obstacles), [`linear_solver`], [`linearisation`].
 //! [`prolongation`] and [`nested`]: cubic elements on top of quadratic ones, for error bars.
-//! [`transfer`](mod@transfer) carries a field to a refined mesh. [`control_volumes`] is the sub-mesh of schemes of finite volumes.
+//! [`marking`] chooses triangles to refine; [`transfer`](mod@transfer) carries a field to the refined mesh. [`control_volumes`] is the sub-mesh of schemes of finite volumes.
 
 pub mod assembly;
 pub mod complementarity;
@@ -22,6 +22,7 @@ pub mod lagrange;
 pub mod linear_solver;
 pub mod linearisation;
 pub mod mapping;
+pub mod marking;
 pub mod matrix;
 pub mod nested;
 pub mod newton;

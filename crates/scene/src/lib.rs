@@ -12,16 +12,21 @@
 //! say), [`schema`] (how it is written, over the collecting `reader.rs`), [`validate`] (what can be computed),
 //! [`complaint`] (what is said where it cannot), [`mod@compile`] (the one place that knows all effects), [`analysis`] (given
 //! position or given load), [`mod@run`], [`mod@measure`] and [`report`] (the numbers, and in `doubts.rs` what to doubt),
-//! [`mod@picture`] and [`vtu`] (the fields), [`results`] (the files).
+//! [`mod@picture`] and [`vtu`] (the fields), [`results`] (the files). What accuracy costs: [`convergence`], over [`level`] and
+//! with [`plot`].
 
 pub mod analysis;
 pub mod compile;
 pub mod complaint;
+pub mod convergence;
 mod dimension;
 mod doubts;
+mod folder;
+pub mod level;
 pub mod liner_mesh;
 pub mod measure;
 pub mod picture;
+pub mod plot;
 mod reader;
 pub mod report;
 pub mod results;
@@ -36,5 +41,6 @@ pub mod vtu;
 mod wording;
 
 pub use complaint::{Complaint, SceneError};
+pub use convergence::converge;
 pub use run::{Error, Run, RunOptions, check_mesh, check_scene, mesh_scene, run, write_mesh};
 pub use scene::Scene;

@@ -13,6 +13,7 @@ use crate::compile::{CompileError, Study, compile};
 use crate::liner_mesh::liner_mesh;
 use crate::measure::{measure, quantities, warnings};
 use crate::picture::picture;
+use crate::plot::PlotError;
 use crate::report::{
     Balances, CHECK_FORMAT, CheckReport, Cost, Counts, HistoryStep, MeshFacts, RESULT_FORMAT, RegionFacts, ReportError,
     RunResult, Status,
@@ -78,6 +79,17 @@ pub enum Error {
     /// The results cannot be written.
     #[error(transparent)]
     Write(#[from] WriteError),
+    /// The number whose convergence was asked for is zero.
+    #[error(
+        "the {goal} of this film is zero, so it has no relative error and nothing converges; give an eccentricity, a feed or a load that is not zero"
+    )]
+    NothingToConverge {
+        /// Name of the quantity.
+        goal: String,
+    },
+    /// The plots cannot be drawn.
+    #[error(transparent)]
+    Plot(#[from] PlotError),
 }
 
 /// Computes the film of a scene. A film that does not exist or is not reached is a result, with its reason.
