@@ -12,11 +12,12 @@
 //! say), [`schema`] (how it is written, over the collecting `reader.rs`), [`validate`] (what can be computed),
 //! [`complaint`] (what is said where it cannot), [`mod@compile`] (the one place that knows all effects), [`analysis`] (given
 //! position or given load), [`mod@run`], [`mod@measure`] and [`report`] (the numbers, and in `doubts.rs` what to doubt),
-//! [`mod@picture`] and [`vtu`] (the fields), [`results`] (the files).
+//! [`mod@picture`] and [`vtu`] (the fields), [`results`] (the files), [`cost`] (the same again without each effect).
 
 pub mod analysis;
 pub mod compile;
 pub mod complaint;
+pub mod cost;
 mod dimension;
 mod doubts;
 pub mod liner_mesh;
@@ -36,5 +37,6 @@ pub mod vtu;
 mod wording;
 
 pub use complaint::{Complaint, SceneError};
+pub use cost::effect_costs;
 pub use run::{Error, Run, RunOptions, check_mesh, check_scene, mesh_scene, run, write_mesh};
 pub use scene::Scene;
