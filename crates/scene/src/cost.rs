@@ -139,7 +139,7 @@ fn without_each(scene: &Scene) -> Vec<Variant> {
         variants.push(Variant { effect, instead, scene });
     };
     if scene.journal.speed != 0.0 && scene.feeds.iter().any(|feed| feed.pressure.is_some()) {
-        add("couette", "a journal at rest", |scene| scene.journal.speed = 0.0);
+        add("couette", "a journal at rest", stop);
     }
     if scene.journal.motion().is_some() {
         add("squeeze", "a centre at rest", |scene| scene.journal.squeeze = None);
@@ -173,6 +173,17 @@ fn without_each(scene: &Scene) -> Vec<Variant> {
         );
     }
     variants
+}
+
+/// At rest there is no Sommerfeld number, and so no tolerance of it.
+fn stop(scene: &mut Scene) {
+    scene.journal.speed = 0.0;
+    if let Some(tolerance) = &mut scene.tolerance {
+        tolerance
+            .targets
+            .retain(|target| target.quantity != "sommerfeld_number");
+    }
+    scene.tolerance.take_if(|tolerance| tolerance.targets.is_empty());
 }
 
 /// Why a scene without an effect cannot be computed: a journal at rest carries no oil into a cavity that conserves it.
@@ -269,6 +280,62 @@ mod tests {
 
     fn between(with: Option<Quantity>, without: Option<Quantity>) -> Change {
         change(with.as_ref(), without.as_ref()).expect("one of two")
+    }
+
+    #[test]
+    fn every_effect_is_left_out_once_and_alone() {
+        let text = r#"
+bearing = { diameter = "75 mm", length = "75 mm", clearance = "37.5 um", arc = { from = "40 deg", to = "220 deg", inlet_fraction = 0.6 } }
+feed = [{ group = "pocket", hole = { diameter = "9 mm", angle = "90 deg" }, depth = "20 um" },
+        { group = "hole", hole = { diameter = "9 mm", angle = "150 deg" }, pressure = "1 bar" }]
+journal = { speed = "10 rad/s", eccentricity = 0.6, min_film_angle = "180 deg", squeeze = { radial = "1 um/s" } }
+oil = { viscosity = "0.4 Pa.s", roelands = { z = 0.6 } }
+cavitation = { model = "jfo" }
+"#;
+        let scene = Scene::parse(text, std::path::Path::new("all.toml")).unwrap_or_else(|error| panic!("{error}"));
+        let variants = without_each(&scene);
+        let names: Vec<_> = variants
+            .iter()
+            .map(|it| (it.effect.as_str(), unfit(&it.scene).is_none()))
+            .collect();
+        let wanted = [
+            ("couette", false),
+            ("squeeze", true),
+            ("roelands", true),
+            ("groove depth", true),
+            ("starved inlet", true),
+            ("cavitation: jfo", true),
+        ];
+        assert_eq!(names, wanted);
+        for variant in &variants[1..] {
+            let left = without_each(&variant.scene).len();
+            let fewer = match variant.effect.as_str() {
+                "cavitation: jfo" => 2,
+                // The pocket stays, without a depth.
+                "groove depth" => 0,
+                _ => 1,
+            };
+            assert_eq!(left + fewer, variants.len(), "{}", variant.effect);
+        }
+    }
+
+    #[test]
+    fn a_journal_at_rest_has_no_tolerance_of_its_sommerfeld_number() {
+        let text = r#"
+bearing = { diameter = "75 mm", length = "75 mm", clearance = "37.5 um" }
+mesh = { tolerance = { sommerfeld_number = "1 %" } }
+feed = [{ group = "hole", hole = { diameter = "9 mm", angle = "150 deg" }, pressure = "1 bar" }]
+journal = { speed = "10 rad/s", eccentricity = 0.6, min_film_angle = "180 deg" }
+oil = { viscosity = "0.4 Pa.s" }
+"#;
+        let left = |text: &str| {
+            let scene = Scene::parse(text, std::path::Path::new("rest.toml")).unwrap_or_else(|error| panic!("{error}"));
+            let variants = without_each(&scene);
+            assert!(variants.len() == 1 && unfit(&variants[0].scene).is_none());
+            variants[0].scene.tolerance.as_ref().map(|it| it.targets.len())
+        };
+        assert_eq!(left(text), None);
+        assert_eq!(left(&text.replace("{ sommer", "{ load = \"1 %\", sommer")), Some(1));
     }
 
     #[test]
