@@ -4,7 +4,7 @@ use crate::complain::{self, Failure};
 use crate::terminal;
 use oilwedge_scene::report::Status;
 use oilwedge_scene::results::write_results;
-use oilwedge_scene::{Error, RunOptions, Scene};
+use oilwedge_scene::{Error, RunOptions, Scene, effect_costs};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -28,7 +28,7 @@ pub(crate) struct Solve {
     #[arg(long)]
     unrolled: bool,
 
-    /// Error bars: estimate them, or none (a little faster; not with a tolerance in the scene).
+    /// Estimate error bars, or none (not with a tolerance in the scene).
     #[arg(long, value_enum, default_value_t = Bars::Auto)]
     bars: Bars,
 
@@ -39,6 +39,10 @@ pub(crate) struct Solve {
     /// Refine towards a tolerance to this many unknowns at most.
     #[arg(long, value_name = "N", default_value_t = 1_000_000, value_parser = unknowns)]
     max_unknowns: usize,
+
+    /// Solve again without each effect, and tell what it changes and costs.
+    #[arg(long)]
+    cost: bool,
 }
 
 /// Whether error bars are estimated.
@@ -68,6 +72,7 @@ Examples:
   oilwedge solve bearing.toml
   oilwedge solve bearing.toml --out results/today --unrolled
   oilwedge solve bearing.toml --json | jq .quantities.load.value
+  oilwedge solve bearing.toml --cost
   oilwedge solve bearing.toml --bars none
   oilwedge solve bearing.toml --max-seconds 600 --max-unknowns 5000000
 
@@ -82,7 +87,10 @@ impl Solve {
     pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
         let scene = Scene::read(&self.scene)?;
         let options = self.options(&scene)?;
-        let run = oilwedge_scene::run(&scene, &options)?;
+        let mut run = oilwedge_scene::run(&scene, &options)?;
+        if self.cost {
+            run.result.cost = Some(effect_costs(&scene, &options, &run.result)?);
+        }
         let json = run.result.to_json().map_err(Error::from)?;
         let picture = run
             .picture

@@ -2,6 +2,7 @@
 
 use crate::complain::Failure;
 use crate::complain::printable;
+use crate::cost::cost;
 use crate::quantities::{bars, quantities};
 use crate::readable::{readable_unit, significant};
 use crate::words;
@@ -32,6 +33,7 @@ pub(crate) fn run_report(result: &RunResult, folder: &Path, picture: bool) -> St
     if !result.quantities.is_empty() {
         parts.push(quantities(&result.quantities, result.bars));
     }
+    parts.extend(cost(result));
     let mut lines = Vec::new();
     if !result.quantities.is_empty() {
         lines.extend(bars(result));
@@ -292,6 +294,7 @@ pub(crate) mod tests {
             },
             timing_s: vec![("read".into(), 0.0123), ("total".into(), 1.5)],
             warnings: vec![],
+            cost: None,
         }
     }
 

@@ -4,8 +4,8 @@
 //! middles the same scheme is left on the triangles themselves: cells twice as wide, a quarter of the unknowns, the
 //! same holes, grooves and lines. Its search starts from the film that is there, so it takes few steps.
 
-use oilwedge_fem::complementarity::Start;
 use oilwedge_fem::Space;
+use oilwedge_fem::complementarity::Start;
 
 use crate::cavitation::jfo;
 use crate::{FilmProblem, FilmSolution, FilmSystem, NoFilm};

@@ -392,17 +392,9 @@ fn effects(scene: &Scene, problem: &FilmProblem) -> Effects {
     if scene.journal.speed == 0.0 {
         not_simulated.push("couette".to_owned());
     }
-    match scene.oil.pressure_law {
-        scene::PressureLaw::Constant => not_simulated.push("viscosity growing with pressure".to_owned()),
-        scene::PressureLaw::Barus {
-            form: BarusForm::Conservative,
-            ..
-        } => simulated.push("barus".to_owned()),
-        scene::PressureLaw::Barus {
-            form: BarusForm::AsPrinted,
-            ..
-        } => simulated.push("barus: as-printed".to_owned()),
-        scene::PressureLaw::Roelands { .. } => simulated.push("roelands".to_owned()),
+    match scene.oil.pressure_law.name() {
+        None => not_simulated.push("viscosity growing with pressure".to_owned()),
+        Some(law) => simulated.push(law.to_owned()),
     }
     if scene.feeds.iter().any(|feed| feed.pressure.is_none()) {
         simulated.push("groove depth".to_owned());

@@ -12,13 +12,14 @@
 //! say), [`schema`] (how it is written, over the collecting `reader.rs`), [`validate`] (what can be computed),
 //! [`complaint`] (what is said where it cannot), [`mod@compile`] (the one place that knows all effects), [`analysis`] (given
 //! position or given load), [`mod@run`], [`mod@measure`] and [`report`] (the numbers, and in `doubts.rs` what to doubt),
-//! [`mod@picture`] and [`vtu`] (the fields), [`results`] (the files). What accuracy costs: [`convergence`], over [`level`] and
-//! with [`plot`].
+//! [`mod@picture`] and [`vtu`] (the fields), [`results`] (the files), [`cost`] (the same again without each effect).
+//! What accuracy costs: [`convergence`], over [`level`] and with [`plot`].
 
 pub mod analysis;
 pub mod compile;
 pub mod complaint;
 pub mod convergence;
+pub mod cost;
 mod dimension;
 mod doubts;
 mod folder;
@@ -42,5 +43,6 @@ mod wording;
 
 pub use complaint::{Complaint, SceneError};
 pub use convergence::converge;
+pub use cost::effect_costs;
 pub use run::{Error, Run, RunOptions, check_mesh, check_scene, mesh_scene, run, write_mesh};
 pub use scene::Scene;

@@ -8,6 +8,7 @@ mod check;
 pub use bars::{ErrorParts, LevelFacts, Refinement};
 pub use check::{CHECK_FORMAT, CheckReport, Cost, RegionFacts};
 
+use crate::cost::EffectCost;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
@@ -157,6 +158,9 @@ pub struct RunResult {
     pub timing_s: Vec<(String, f64)>,
     /// Doubts about the result, in sentences.
     pub warnings: Vec<String>,
+    /// What each effect changes and costs; `None`, and absent in JSON, where that was not asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cost: Option<Vec<EffectCost>>,
 }
 
 /// Why a result was not written.
@@ -221,6 +225,9 @@ impl RunResult {
         }
         for (part, seconds) in &self.timing_s {
             finite(&format!("timing_s.{part}"), *seconds)?;
+        }
+        for (name, number) in self.cost.iter().flatten().flat_map(EffectCost::numbers) {
+            finite(&name, number)?;
         }
         json(self)
     }
@@ -298,6 +305,7 @@ pub(crate) mod tests {
             counts: Counts::default(),
             timing_s: vec![("read".into(), 0.25), ("assemble".into(), 0.5)],
             warnings: vec![],
+            cost: None,
         }
     }
 

@@ -118,6 +118,7 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, Error> {
         counts: Counts::default(),
         timing_s: study.seconds.map(|(part, seconds)| (part.to_owned(), seconds)).into(),
         warnings: Vec::new(),
+        cost: None,
     };
     let picture = match outcome {
         Ok(Solved { film, balance }) => {

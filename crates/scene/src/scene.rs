@@ -192,6 +192,24 @@ pub enum PressureLaw {
     },
 }
 
+impl PressureLaw {
+    /// Name among the effects of a report; `None` where the viscosity is constant.
+    pub fn name(&self) -> Option<&'static str> {
+        match self {
+            Self::Constant => None,
+            Self::Barus {
+                form: BarusForm::Conservative,
+                ..
+            } => Some("barus"),
+            Self::Barus {
+                form: BarusForm::AsPrinted,
+                ..
+            } => Some("barus: as-printed"),
+            Self::Roelands { .. } => Some("roelands"),
+        }
+    }
+}
+
 /// Where the viscosity stands in Reynolds' equation with Barus' law.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum BarusForm {
@@ -231,6 +249,18 @@ pub enum CavitationModel {
     Reynolds,
     /// Jakobsson-Floberg-Olsson: oil is conserved; the cavity holds a film fraction that is carried along.
     Jfo,
+}
+
+impl CavitationModel {
+    /// Name in scenes and reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::Guembel => "guembel",
+            Self::Reynolds => "reynolds",
+            Self::Jfo => "jfo",
+        }
+    }
 }
 
 impl Scene {

@@ -135,11 +135,12 @@ fn ends(mut table: TableReader<'_>) -> Ends {
 
 fn cavitation(mut table: TableReader<'_>) -> Option<Cavitation> {
     let models = [
-        ("none", CavitationModel::None),
-        ("guembel", CavitationModel::Guembel),
-        ("reynolds", CavitationModel::Reynolds),
-        ("jfo", CavitationModel::Jfo),
-    ];
+        CavitationModel::None,
+        CavitationModel::Guembel,
+        CavitationModel::Reynolds,
+        CavitationModel::Jfo,
+    ]
+    .map(|model| (model.name(), model));
     if !table.has("model") && table.is_readable() {
         let help = "write model = \"none\", \"guembel\", \"reynolds\" or \"jfo\"";
         table.complain("model", "is missing", help);

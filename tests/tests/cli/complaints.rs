@@ -217,7 +217,7 @@ fn a_tolerance_needs_error_bars() {
         told.stdout
     );
     // The tolerance of a scene that gives none is no reason to refuse.
-    bench.scene("01_plain_ring", &[]);
+    bench.scene("15_squeezed_ring", &[]);
     let told = bench.run(&["solve", "scene.toml", "--bars", "none"]);
     assert_eq!(told.status, 0, "{}", told.stderr);
     let told = bench.run(&["check", "scene.toml"]);
