@@ -289,7 +289,7 @@ fn stretched_meshes_are_flipped() {
         assert!(study.flips > 1000, "{}", study.flips);
         let film = study.problem.solve(&study.system);
         let film = film.unwrap_or_else(|reason| panic!("{reason}"));
-        let measured = measure(&study, &film);
+        let measured = measure(&study.problem, &study.system, &film);
         let least = measured.cavity.and_then(|cavity| cavity.least_fraction);
         assert!(least.is_some_and(|least| 0.0 < least && least < 1.0), "{least:?}");
         balanced(&measured.flows);

@@ -22,7 +22,7 @@ use crate::NoEquilibrium;
 use crate::search::{Search, Trial};
 use crate::stretched::{eccentricity_at, stretched};
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalState};
+use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalChange, JournalState};
 
 /// The balance has been found when force and load differ by this part of the load.
 const BALANCED: f64 = 1e-12;
@@ -56,6 +56,23 @@ pub struct Squeeze {
     pub radial: f64,
     /// Across.
     pub tangential: f64,
+}
+
+impl Squeeze {
+    /// The change of a journal that moves by `step` [m]: the velocity of squeeze turns with the line of centres.
+    pub fn moved(&self, journal: &JournalState, step: [f64; 2]) -> JournalChange {
+        let e = journal.eccentricity();
+        let velocity = match e > 0.0 {
+            true => {
+                let along = journal.offset.map(|x| x / e);
+                let across = [-along[1], along[0]];
+                let turn = (across[0] * step[0] + across[1] * step[1]) / e;
+                [0, 1].map(|d| turn * (self.radial * across[d] - self.tangential * along[d]))
+            }
+            false => [0.0; 2],
+        };
+        JournalChange { offset: step, velocity }
+    }
 }
 
 /// A journal in balance.
@@ -267,7 +284,7 @@ impl Search<'_> {
 }
 
 /// The step [m] that takes away the `excess` of force [N] to first order; not finite for a singular stiffness.
-pub(crate) fn newton_step(stiffness: [[f64; 2]; 2], excess: [f64; 2]) -> [f64; 2] {
+pub fn newton_step(stiffness: [[f64; 2]; 2], excess: [f64; 2]) -> [f64; 2] {
     solve(stiffness, excess.map(|x| -x))
 }
 

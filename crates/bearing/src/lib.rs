@@ -13,5 +13,5 @@ mod search;
 mod stretched;
 
 pub use cubic::find_cubic;
-pub use equilibrium::{Equilibrium, Squeeze, find};
+pub use equilibrium::{Equilibrium, Squeeze, find, newton_step};
 pub use no_equilibrium::NoEquilibrium;

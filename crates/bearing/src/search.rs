@@ -4,7 +4,7 @@ use std::cell::Cell;
 
 use oilwedge_reynolds::quantities::load::{load, load_change};
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalChange, JournalState, NoFilm};
+use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalState, NoFilm};
 
 use crate::NoEquilibrium;
 use crate::equilibrium::{NEAR, Squeeze};
@@ -145,7 +145,9 @@ impl<'a> Search<'a> {
     pub(crate) fn stiffness(&self, trial: &Trial) -> Result<[[f64; 2]; 2], NoFilm> {
         let mut stiffness = [[0.0; 2]; 2];
         for k in 0..2 {
-            let change = self.change(&trial.problem.journal, k);
+            let mut unit = [0.0; 2];
+            unit[k] = 1.0;
+            let change = self.squeeze.moved(&trial.problem.journal, unit);
             let unknown = (trial.problem)
                 .unknown_change(self.system, &trial.film, &change)
                 .map_err(oilwedge_fem::newton::Failure::from)?;
@@ -154,23 +156,6 @@ impl<'a> Search<'a> {
             stiffness[1][k] = by_offset[1];
         }
         Ok(stiffness)
-    }
-
-    /// A unit move along axis `k`; the velocity of squeeze turns with the line of centres.
-    fn change(&self, journal: &JournalState, k: usize) -> JournalChange {
-        let mut offset = [0.0; 2];
-        offset[k] = 1.0;
-        let e = journal.eccentricity();
-        let velocity = match e > 0.0 {
-            true => {
-                let along = journal.offset.map(|x| x / e);
-                let across = [-along[1], along[0]];
-                let turn = across[k] / e;
-                [0, 1].map(|d| turn * (self.squeeze.radial * across[d] - self.squeeze.tangential * along[d]))
-            }
-            false => [0.0; 2],
-        };
-        JournalChange { offset, velocity }
     }
 
     /// How far the force is from the load: by logarithm and angle, so that forces much too large and much too small

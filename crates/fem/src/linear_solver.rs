@@ -6,7 +6,7 @@ use crate::nested::Nested;
 use crate::{Analysis, Constraints, Error, Linearisation, Matrix};
 
 /// Part of the first residual down to which conjugate gradients are run.
-const ENOUGH: f64 = 1e-6;
+const ENOUGH: f64 = 1e-8;
 
 /// The way to solve.
 #[derive(Debug, Clone)]

@@ -39,6 +39,8 @@ pub struct Study {
     /// Force `(F cos, F sin)` on the journal [N] under which its position is found, from that of the problem;
     /// `None` at a given position.
     pub load: Option<[f64; 2]>,
+    /// Velocity of the journal's centre under a load.
+    pub squeeze: oilwedge_bearing::Squeeze,
     /// What is simulated and what is not.
     pub effects: Effects,
     /// Groups of the pockets that deepen the film.
@@ -177,6 +179,13 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, near: (f64, f64), degree: usize) ->
     };
     Ok(Study {
         load: scene.journal.load(),
+        squeeze: scene
+            .journal
+            .motion()
+            .map_or(Default::default(), |motion| oilwedge_bearing::Squeeze {
+                radial: motion.radial,
+                tangential: motion.tangential,
+            }),
         effects: effects(scene, &problem),
         problem,
         system,

@@ -16,6 +16,8 @@
 //! What accuracy costs: [`convergence`], over [`level`] and with [`plot`].
 
 pub mod analysis;
+pub mod bars;
+mod companion_bars;
 pub mod compile;
 pub mod complaint;
 pub mod convergence;
@@ -26,9 +28,11 @@ mod folder;
 pub mod level;
 pub mod liner_mesh;
 pub mod measure;
+mod moved;
 pub mod picture;
 pub mod plot;
 mod reader;
+pub mod refinement;
 pub mod report;
 pub mod results;
 pub mod run;

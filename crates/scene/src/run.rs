@@ -6,14 +6,16 @@ use std::time::Instant;
 use oilwedge_bearing::NoEquilibrium;
 use oilwedge_fem::newton;
 use oilwedge_mesh::{Mesh, Quality, developed};
-use oilwedge_reynolds::{FilmSolution, NoFilm};
+use oilwedge_reynolds::NoFilm;
 
-use crate::analysis::{NoAnswer, Solved, analyse};
+use crate::analysis::{NoAnswer, Solved, Witness};
+use crate::bars::Judged;
 use crate::compile::{CompileError, Study, compile};
 use crate::liner_mesh::liner_mesh;
-use crate::measure::{measure, quantities, warnings};
+use crate::measure::warnings;
 use crate::picture::picture;
 use crate::plot::PlotError;
+use crate::refinement::{Answer, answer};
 use crate::report::{
     Balances, CHECK_FORMAT, CheckReport, Cost, Counts, HistoryStep, MeshFacts, RESULT_FORMAT, RegionFacts, ReportError,
     RunResult, Status,
@@ -98,7 +100,12 @@ pub enum Error {
 /// [`Error::Compile`] where the mesh cannot be read or does not fit the scene.
 pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, Error> {
     let start = Instant::now();
-    let (study, outcome) = analyse(scene)?;
+    let Answer {
+        study,
+        outcome,
+        levels,
+        limit,
+    } = answer(scene, options)?;
     let mut result = RunResult {
         format: RESULT_FORMAT.to_owned(),
         title: scene.title.clone(),
@@ -110,9 +117,8 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, Error> {
         effects: study.effects.clone(),
         mesh: facts(&Quality::of(study.system.space().mesh())),
         quantities: Vec::new(),
-        // Errors are not estimated yet.
-        bars: false,
-        levels: Vec::new(),
+        bars: options.bars,
+        levels,
         balances: Balances::default(),
         history: Vec::new(),
         counts: Counts::default(),
@@ -121,14 +127,14 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, Error> {
         cost: None,
     };
     let picture = match outcome {
-        Ok(Solved { film, balance }) => {
-            report(&study, &film, &mut result);
-            if let Some(balance) = balance {
-                result.balances.force = balance.residual;
-                result.counts.position_steps = balance.steps;
-                result.timing_s.push(("search".to_owned(), balance.seconds));
+        Ok((solved, judged)) => {
+            let indicator = judged.indicator.clone();
+            report(&study, &solved, judged, &mut result);
+            if limit.is_some() {
+                result.status = Status::NotConverged;
+                result.reason = limit;
             }
-            Some(picture(&study, &film, None, options.unrolled))
+            Some(picture(&study, &solved.film, indicator.as_deref(), options.unrolled))
         }
         Err(reason) => {
             result.status = match &reason {
@@ -162,27 +168,35 @@ fn history(steps: &[newton::HistoryStep]) -> Vec<HistoryStep> {
 }
 
 /// Fills in what a solved film tells.
-fn report(study: &Study, film: &FilmSolution, result: &mut RunResult) {
-    let start = Instant::now();
-    let measured = measure(study, film);
-    result.quantities = quantities(study, &measured);
-    result.warnings = warnings(study, &measured);
-    result.balances.mass = measured.flows.imbalance;
+fn report(study: &Study, solved: &Solved, judged: Judged, result: &mut RunResult) {
+    let film = &solved.film;
+    result.quantities = judged.quantities;
+    result.warnings = warnings(study, &judged.measured);
+    result.balances.mass = judged.measured.flows.imbalance;
     result.history = history(&film.history);
     result.counts = Counts {
         linear_solves: film.history.len(),
         factorisations: film.history.len(),
         nonlinear_iterations: film.history.len(),
         levels: film.levels,
-        ..Counts::default()
+        bars: match &solved.witness {
+            Witness::None => 0,
+            Witness::Cubic(second) | Witness::Vertices(second) => second.history.len(),
+        },
+        position_steps: solved.balance.map_or(0, |balance| balance.steps),
     };
-    let parts = [
+    result.balances.force = solved.balance.map_or(0.0, |balance| balance.residual);
+    let mut parts = vec![
         ("assemble", film.seconds.assemble),
         ("factorise", film.seconds.factorise),
         ("solve", film.seconds.solve),
-        ("measure", start.elapsed().as_secs_f64()),
+        ("measure", judged.seconds),
     ];
-    let parts = parts.map(|(part, seconds)| (part.to_owned(), seconds));
+    if result.bars {
+        parts.push(("bars", solved.judging));
+    }
+    parts.extend(solved.balance.map(|balance| ("search", balance.seconds)));
+    let parts = parts.into_iter().map(|(part, seconds)| (part.to_owned(), seconds));
     result.timing_s.extend(parts);
 }
 

@@ -25,6 +25,11 @@ pub(crate) fn percent(ratio: f64) -> String {
     format!("{} %", rounded(100.0 * ratio))
 }
 
+/// A factor with two significant digits.
+pub(crate) fn factor(value: f64) -> String {
+    format!("{}", format!("{value:.1e}").parse().unwrap_or(f64::NAN))
+}
+
 fn rounded(value: f64) -> f64 {
     format!("{value:.5e}").parse().unwrap_or(f64::NAN)
 }
