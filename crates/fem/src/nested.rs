@@ -25,7 +25,7 @@ pub struct Nested {
 
 impl Nested {
     /// Solves `matrix x = b` on the dofs that are not given; `x` is zero at given ones. A residual (Euclidean norm) of
-    /// `enough` will do.
+    /// `enough` will do; zero stands for 1e-7 of that of `b`.
     ///
     /// # Errors
     /// [`Error::NotFinite`], [`Error::NotPositiveDefinite`], or [`Error::Inaccurate`] if steps do not lead there.
@@ -54,7 +54,7 @@ impl Nested {
         let mut x = vec![0.0; b.len()];
         let mut r = free(b.to_vec());
         let first = dot(&r, &r).sqrt();
-        let enough = enough.max(TOLERANCE * first);
+        let enough = if enough > 0.0 { enough } else { TOLERANCE * first };
         if first <= enough {
             return Ok(x);
         }
