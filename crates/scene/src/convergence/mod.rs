@@ -180,9 +180,15 @@ fn finish(
         reference::measure(&mut report.strategies, finest);
         let offers: Vec<Offer> = report.strategies.iter().map(|course| offer(course, finest)).collect();
         for (course, offer) in report.strategies.iter_mut().zip(&offers) {
+            course.order = offer.order();
             course.time_exponent = (!offer.levels.is_empty()).then(|| offer.exponent());
         }
         report.prices = price_list(&offers);
+        if finest.uncertainty.is_none() {
+            let why =
+                "errors are not known: the finest answer has no coarser one beside it; give more time (--max-seconds)";
+            report.left_out.push(why.to_owned());
+        }
     }
     report.seconds = budget.spent();
     Ok(Convergence { report, mesh })

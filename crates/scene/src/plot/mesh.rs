@@ -82,11 +82,14 @@ pub(super) fn draw(
         .as_deref()
         .and_then(|indicator| Colours::of(indicator, report));
     let what = match &colours {
-        Some(_) => format!("coloured by their share of the error of the {}", report.goal.name),
+        Some(_) => format!(
+            "colour: contribution of each to the relative error of the {}",
+            report.goal.name
+        ),
         None => "where the error comes from is not estimated".to_owned(),
     };
     let title = format!(
-        "Adaptive mesh, level {}: {} triangles, {what}",
+        "Adaptive mesh, level {}: {} triangles; {what}",
         marked.level,
         mesh.triangles().len()
     );
