@@ -162,16 +162,14 @@ fn round(unknowns: f64) -> String {
 
 /// A relative number in percent, as a power of ten where that is shorter.
 fn percent(part: f64) -> String {
+    let digits = if (part.log10().round() - part.log10()).abs() < 1e-9 {
+        1
+    } else {
+        2
+    };
     match part {
-        small if small < 0.95e-6 => significant(part, 2),
-        part => {
-            let digits = if (part.log10().round() - part.log10()).abs() < 1e-9 {
-                1
-            } else {
-                2
-            };
-            format!("{} %", significant(100.0 * part, digits))
-        }
+        small if small < 0.95e-6 => significant(part, digits),
+        part => format!("{} %", significant(100.0 * part, digits)),
     }
 }
 
@@ -185,7 +183,7 @@ mod tests {
         assert_eq!(percent(0.1), "10 %");
         assert_eq!(percent(0.0123), "1.2 %");
         assert_eq!(percent(1e-6), "0.0001 %");
-        assert_eq!(percent(1.234e-9), "1.2e-9");
+        assert_eq!([1.234e-9, 1e-7].map(percent), ["1.2e-9", "1e-7"]);
         assert_eq!(round(12_345.6), "12000");
         assert_eq!(
             [0.000_123_4, 0.012_34, 1.234].map(milliseconds),

@@ -92,10 +92,11 @@ fn subtitle(report: &ConvergenceReport) -> String {
     };
     let known = reference
         .uncertainty
-        .map(|known| format!(", known to {known:.0e}"))
+        .map(|known| format!(", itself known to {known:.0e}"))
         .unwrap_or_default();
+    let decimals = (9.0 - reference.value.abs().log10().floor()).clamp(0.0, 15.0) as usize;
     format!(
-        "Error of the {} against the finest answer, {:.9} {unit}: {}, level {}, {} unknowns{known}",
+        "Error of the {} against the finest answer, {:.decimals$} {unit}: {}, level {}, {} unknowns{known}",
         report.goal.name,
         reference.value,
         reference.strategy.name(),
