@@ -6,19 +6,20 @@ use crate::terminal::{align_right, effects, heading, status, table, time};
 use oilwedge_scene::convergence::{ConvergenceReport, Course, LevelReport, Price};
 use std::path::Path;
 
-/// Parts of the time and their headings; a part that is nowhere needed has no column.
-const PARTS: [(&str, &str); 10] = [
-    ("mesh", "mesh"),
-    ("earlier", "earlier"),
-    ("order", "order"),
-    ("search", "search"),
-    ("assemble", "assemble"),
-    ("factorise", "factorise"),
-    ("solve", "solve"),
-    ("bars", "bars"),
-    ("measure", "measure"),
-    ("other", "other"),
+/// Parts of the time; one that is nowhere worth telling is told with the others.
+const PARTS: [&str; 9] = [
+    "mesh",
+    "earlier",
+    "order",
+    "search",
+    "assemble",
+    "factorise",
+    "solve",
+    "bars",
+    "measure",
 ];
+/// The least part of the time of a level that is worth a column.
+const WORTH_TELLING: f64 = 0.02;
 
 /// Everything about a study.
 pub(crate) fn convergence_report(report: &ConvergenceReport, folder: &Path) -> String {
@@ -64,7 +65,7 @@ fn reference(report: &ConvergenceReport) -> Option<String> {
     };
     Some(format!(
         "finest    {} {} {unit}: {}, level {}, {} unknowns; {known}\n          errors are differences from it, \
-         bars are estimates of each level for itself; both relative",
+         bars are each level's own estimate, both relative; parts of the time in ms",
         report.goal.name,
         significant(reference.value / size, 10),
         reference.strategy.name(),
@@ -74,8 +75,9 @@ fn reference(report: &ConvergenceReport) -> Option<String> {
 }
 
 fn levels(course: &Course, report: &ConvergenceReport) -> String {
-    let needed: Vec<_> = (PARTS.iter())
-        .filter(|(part, _)| course.levels.iter().any(|level| level.seconds.part(part) > 0.0))
+    let share = |level: &LevelReport, part: &str| level.seconds.part(part) / level.seconds.total;
+    let needed: Vec<&str> = (PARTS.into_iter())
+        .filter(|part| course.levels.iter().any(|level| share(level, part) > WORTH_TELLING))
         .collect();
     let scale = report.reference.as_ref().map_or(1.0, |reference| reference.value);
     let (unit, size) = readable_unit(scale, &report.goal.unit);
@@ -87,7 +89,7 @@ fn levels(course: &Course, report: &ConvergenceReport) -> String {
     let mut header = vec!["unknowns".to_owned(), value];
     header.extend(bars.then(|| "± bar".to_owned()));
     header.extend(["error", "time", "spread"].map(str::to_owned));
-    header.extend(needed.iter().map(|(_, heading)| (*heading).to_owned()));
+    header.extend(needed.iter().chain(&["other"]).map(|part| (*part).to_owned()));
     let columns = header.len();
     let mut table = table::<0>([]);
     table.set_header(header);
@@ -95,11 +97,22 @@ fn levels(course: &Course, report: &ConvergenceReport) -> String {
         let mut row = vec![level.unknowns.to_string(), significant(level.value / size, 9)];
         row.extend(bars.then(|| level.relative_bar.map_or(String::new(), percent)));
         row.extend([error(level, report), time(level.seconds.total), spread(level)]);
-        row.extend(needed.iter().map(|(part, _)| time(level.seconds.part(part))));
+        let told: Vec<f64> = needed.iter().map(|part| level.seconds.part(part)).collect();
+        let other = f64::max(level.seconds.total - told.iter().sum::<f64>(), 0.0);
+        row.extend(told.into_iter().chain([other]).map(milliseconds));
         table.add_row(row);
     }
     (0..columns).for_each(|column| align_right(&mut table, column));
     table.to_string()
+}
+
+/// A time in ms with as many decimals as a clock can give.
+fn milliseconds(seconds: f64) -> String {
+    match 1e3 * seconds {
+        short if short < 9.995 => format!("{short:.2}"),
+        short if short < 99.95 => format!("{short:.1}"),
+        long => format!("{long:.0}"),
+    }
 }
 
 /// The error, or what it is known to be below.
@@ -149,16 +162,14 @@ fn round(unknowns: f64) -> String {
 
 /// A relative number in percent, as a power of ten where that is shorter.
 fn percent(part: f64) -> String {
+    let digits = if (part.log10().round() - part.log10()).abs() < 1e-9 {
+        1
+    } else {
+        2
+    };
     match part {
-        small if small < 0.95e-6 => significant(part, 2),
-        part => {
-            let digits = if (part.log10().round() - part.log10()).abs() < 1e-9 {
-                1
-            } else {
-                2
-            };
-            format!("{} %", significant(100.0 * part, digits))
-        }
+        small if small < 0.95e-6 => significant(part, digits),
+        part => format!("{} %", significant(100.0 * part, digits)),
     }
 }
 
@@ -172,7 +183,11 @@ mod tests {
         assert_eq!(percent(0.1), "10 %");
         assert_eq!(percent(0.0123), "1.2 %");
         assert_eq!(percent(1e-6), "0.0001 %");
-        assert_eq!(percent(1.234e-9), "1.2e-9");
+        assert_eq!([1.234e-9, 1e-7].map(percent), ["1.2e-9", "1e-7"]);
         assert_eq!(round(12_345.6), "12000");
+        assert_eq!(
+            [0.000_123_4, 0.012_34, 1.234].map(milliseconds),
+            ["0.12", "12.3", "1234"]
+        );
     }
 }

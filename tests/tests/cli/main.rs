@@ -3,6 +3,7 @@
 mod bench;
 mod complaints;
 mod cost;
+mod converge;
 mod drawing;
 mod files;
 mod meshes;

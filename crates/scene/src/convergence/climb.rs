@@ -70,8 +70,6 @@ pub(super) struct Climb<'a> {
     pub(super) effects: Option<Effects>,
     /// The quantity of the goal on the last level.
     pub(super) quantity: Option<Quantity>,
-    /// Whether the load had a direction there.
-    pub(super) directed: bool,
     /// The finest mesh that can be drawn.
     pub(super) drawn: Option<MarkedMesh>,
 }
@@ -94,7 +92,6 @@ impl<'a> Climb<'a> {
             failure: None,
             effects: None,
             quantity: None,
-            directed: false,
             drawn: None,
         }
     }
@@ -263,7 +260,6 @@ impl<'a> Climb<'a> {
             });
         }
         self.quantity = goal.cloned();
-        self.directed = level.quantities.iter().any(|quantity| quantity.name == "load_angle");
         self.effects = Some(level.study.effects);
         self.marked = Some(chosen);
         self.mesh = mesh;

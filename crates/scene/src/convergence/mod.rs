@@ -33,8 +33,8 @@ use crate::report::{Effects, Status};
 use crate::run::Error;
 use crate::scene::Scene;
 
-/// An eccentricity below this [1] is rounding.
-const CENTRED: f64 = 1e-9;
+/// A goal below this part of what is natural for it is rounding.
+const NOTHING: f64 = 1e-9;
 
 /// What a study found.
 #[derive(Debug, Clone)]
@@ -151,11 +151,11 @@ fn finish(
         if let Some(quantity) = &climb.quantity {
             report.goal.symbol.clone_from(&quantity.symbol);
             report.goal.unit.clone_from(&quantity.unit);
-            let nothing = match scene.journal.load() {
-                Some(_) => quantity.value < CENTRED,
-                None => !climb.directed,
+            let natural = match scene.journal.load() {
+                Some(_) => 1.0,
+                None => natural_load(scene),
             };
-            if nothing {
+            if quantity.value.abs() <= NOTHING * natural {
                 return Err(Error::NothingToConverge {
                     goal: quantity.name.clone(),
                 });
@@ -180,12 +180,31 @@ fn finish(
         reference::measure(&mut report.strategies, finest);
         let offers: Vec<Offer> = report.strategies.iter().map(|course| offer(course, finest)).collect();
         for (course, offer) in report.strategies.iter_mut().zip(&offers) {
+            course.order = offer.order();
             course.time_exponent = (!offer.levels.is_empty()).then(|| offer.exponent());
         }
         report.prices = price_list(&offers);
+        if finest.uncertainty.is_none() {
+            let why =
+                "errors are not known: the finest answer has no coarser one beside it; give more time (--max-seconds)";
+            report.left_out.push(why.to_owned());
+        }
     }
     report.seconds = budget.spent();
     Ok(Convergence { report, mesh })
+}
+
+/// The load [N] that drag, squeeze and given pressures would make of the whole projected area.
+fn natural_load(scene: &Scene) -> f64 {
+    let (bearing, journal) = (&scene.bearing, &scene.journal);
+    let motion = (journal.motion()).map_or(0.0, |squeeze| {
+        squeeze.radial.hypot(squeeze.tangential) / bearing.clearance
+    });
+    let dragged = scene.oil.viscosity * (journal.speed.abs() + motion) * (bearing.radius() / bearing.clearance).powi(2);
+    let given = scene.feeds.iter().filter_map(|feed| feed.pressure);
+    let given = given.chain(scene.cavitation.map(|cavitation| cavitation.pressure));
+    let driven = given.map(|pressure| (pressure - scene.ends.pressure).abs());
+    driven.fold(dragged, f64::max) * bearing.diameter * bearing.length
 }
 
 /// What a course sells: levels whose error is known.

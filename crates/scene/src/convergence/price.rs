@@ -4,7 +4,9 @@
 //! error(n') = error(n) (n'/n)^-s      from the last level on, s the order of the strategy
 //! seconds(n') = seconds(n) (n'/n)^t   likewise, t fitted to the last levels and kept within [1, 1.6]
 //! ```
-//! Between levels both are interpolated in logarithms. A level counts as accurate only where all later ones are too.
+//! Between levels both are interpolated in logarithms. A level counts as accurate only where all later ones are too. The order s
+//! is that of theory: orders fitted to few levels are bad prophets. Only where the last steps all stay clearly behind it, as they
+//! do at sharp corners of grooves, their mean is taken.
 
 use serde::Serialize;
 
@@ -16,6 +18,12 @@ const EXPONENTS: (f64, f64) = (1.0, 1.6);
 const USUAL_EXPONENT: f64 = 1.3;
 /// How many of the last levels tell the exponent.
 const LAST: usize = 3;
+/// Steps that gain less than this part of the order stay behind it.
+const BEHIND: f64 = 0.8;
+/// The least order that is believed, as a part of that of theory: that of quadratic elements at a corner of 270 degrees.
+pub(super) const LEAST_PART: f64 = 1.0 / 3.0;
+/// A strategy is quicker than a simpler one only if its time is below this part of the other: clocks are not better.
+const QUICKER: f64 = 0.9;
 /// The coarsest accuracy of the list, as a power of ten, and the finest that numbers of 16 digits can carry.
 const DIGITS: (i32, i32) = (2, 11);
 
@@ -35,7 +43,7 @@ pub struct Bought {
 pub struct Offer {
     /// The strategy.
     pub strategy: Strategy,
-    /// Its order s.
+    /// Its order s by theory.
     pub order: f64,
     /// Its levels, from coarse to fine.
     pub levels: Vec<Bought>,
@@ -56,8 +64,8 @@ pub struct Price {
     pub extrapolated: bool,
 }
 
-/// The price of 1 %, 0.1 % and so on to one digit beyond what was run. Of what was run the quickest
-/// strategy, else the one that is predicted to be; nothing where there are no levels.
+/// The price of 1 %, 0.1 % and so on to one digit beyond what was run. Of what was run the quickest strategy, else the
+/// one that is predicted to be; of equally quick ones the first offer. Nothing where there are no levels.
 pub fn price_list(offers: &[Offer]) -> Vec<Price> {
     let reached = (offers.iter())
         .filter_map(|offer| offer.levels.last())
@@ -72,7 +80,12 @@ pub fn price_list(offers: &[Offer]) -> Vec<Price> {
     let accuracies = (DIGITS.0..=finest.clamp(DIGITS.0, DIGITS.1)).map(|digit| 10f64.powi(-digit));
     let price = |accuracy: f64| {
         let prices = offers.iter().filter_map(|offer| offer.price(accuracy));
-        prices.min_by(|a, b| (a.extrapolated.cmp(&b.extrapolated)).then(a.seconds.total_cmp(&b.seconds)))
+        prices.reduce(|best, other| match (best.extrapolated, other.extrapolated) {
+            (true, false) => other,
+            (false, true) => best,
+            _ if other.seconds < QUICKER * best.seconds => other,
+            _ => best,
+        })
     };
     accuracies.filter_map(price).collect()
 }
@@ -90,7 +103,7 @@ impl Offer {
         let accurate = |level: &Bought| level.error <= accuracy * (1.0 + 1e-9);
         let last = self.levels.last()?;
         if !accurate(last) {
-            let growth = (last.error / accuracy).powf(1.0 / self.order);
+            let growth = (last.error / accuracy).powf(1.0 / self.order());
             let seconds = last.seconds * growth.powf(self.exponent());
             return Some(row(last.unknowns * growth, seconds, true));
         }
@@ -106,6 +119,19 @@ impl Offer {
         let between = |coarse: f64, fine: f64| coarse * (fine / coarse).powf(part.clamp(0.0, 1.0));
         let unknowns = between(coarse.unknowns, fine.unknowns);
         Some(row(unknowns, between(coarse.seconds, fine.seconds), false))
+    }
+
+    /// The order s with which the price is predicted.
+    pub fn order(&self) -> f64 {
+        let last = &self.levels[self.levels.len().saturating_sub(LAST)..];
+        let gained =
+            |pair: &[Bought]| (pair[0].error / pair[1].error).ln() / (pair[1].unknowns / pair[0].unknowns).ln();
+        let steps: Vec<f64> = last.windows(2).map(gained).collect();
+        let all_behind = last.len() == LAST && steps.iter().all(|step| *step < BEHIND * self.order);
+        match all_behind {
+            true => (steps.iter().sum::<f64>() / steps.len() as f64).clamp(LEAST_PART * self.order, self.order),
+            false => self.order,
+        }
     }
 
     /// The exponent t of `seconds ~ unknowns^t`.
@@ -200,6 +226,31 @@ mod tests {
         let (p1, p2) = (Strategy::P1Uniform, Strategy::P2Uniform);
         // Linear elements reach 1e-5 at the last level, quadratic ones 4e-4.
         assert_eq!(sold, [(p1, false), (p1, false), (p1, false), (p1, false), (p2, true)]);
+    }
+
+    #[test]
+    fn an_order_is_that_of_theory_unless_all_steps_stay_behind_it() {
+        let mut slow = offer(Strategy::P2Uniform, (1.0, 1.0), (1e-6, 1.0), 4);
+        assert_eq!(slow.order(), 1.0);
+        slow.order = 2.0;
+        assert!((slow.order() - 1.0).abs() < 1e-12);
+        // One good step is enough to believe in the theory.
+        slow.levels[3].error *= 0.2;
+        assert_eq!(slow.order(), 2.0);
+        slow.levels[3].error *= 100.0;
+        assert_eq!(slow.order(), 2.0 / 3.0);
+        slow.levels.truncate(2);
+        assert_eq!(slow.order(), 2.0);
+    }
+
+    #[test]
+    fn a_strategy_that_is_not_clearly_quicker_does_not_win() {
+        let simple = offer(Strategy::P2Uniform, (1e3, 2.0), (1e-6, 1.0), 3);
+        let mut other = offer(Strategy::P2Adaptive, (1e3, 2.0), (0.95e-6, 1.0), 3);
+        let sold = |offers: &[Offer]| price_list(offers)[0].strategy;
+        assert_eq!(sold(&[simple.clone(), other.clone()]), Strategy::P2Uniform);
+        other.levels.iter_mut().for_each(|level| level.seconds *= 0.9);
+        assert_eq!(sold(&[simple, other]), Strategy::P2Adaptive);
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! The finest answer of a study, and how far the others are from it.
 
+use super::price::LEAST_PART;
 use super::report::{Course, LevelReport, Reference};
 
 /// Answers are not known better than this, however small their bars: rounding of long sums.
@@ -19,8 +20,9 @@ pub(super) fn finest(courses: &[Course]) -> Option<Reference> {
         });
     let (course, place) = best?;
     let level = &course.levels[place];
-    let before = place.checked_sub(1).map(|before| &course.levels[before]);
-    let uncertainty = level.relative_bar.or_else(|| predicted(course.order, before?, level));
+    let uncertainty = level
+        .relative_bar
+        .or_else(|| predicted(course.order, &course.levels[..=place]));
     Some(Reference {
         strategy: course.strategy,
         level: level.level,
@@ -30,11 +32,20 @@ pub(super) fn finest(courses: &[Course]) -> Option<Reference> {
     })
 }
 
-/// The relative error of a level by that law of order s which its distance from the level before obeys:
-/// `e = d r/(1 - r)`, r the ratio of the errors.
-fn predicted(order: f64, before: &LevelReport, level: &LevelReport) -> Option<f64> {
-    let ratio = (before.unknowns as f64 / level.unknowns as f64).powf(order);
+/// The relative error of the last level by a law of order s, `e = d r/(1 - r)`: d its distance from the level before, r the ratio
+/// of their errors. s is that of theory or, if it is less, the one by which the last two distances shrank.
+fn predicted(order: f64, levels: &[LevelReport]) -> Option<f64> {
+    let [.., before, level] = levels else { return None };
+    let growth = level.unknowns as f64 / before.unknowns as f64;
     let distance = (level.value - before.value).abs() / level.value.abs();
+    let order = match levels {
+        [.., first, before, _] => {
+            let earlier = (before.value - first.value).abs() / level.value.abs();
+            ((earlier / distance).ln() / growth.ln()).clamp(LEAST_PART * order, order)
+        }
+        _ => order,
+    };
+    let ratio = growth.powf(-order);
     Some(distance * ratio / (1.0 - ratio)).filter(|error| error.is_finite() && *error >= 0.0)
 }
 
@@ -82,6 +93,24 @@ mod tests {
         let known = reference.uncertainty.expect("there are two levels");
         assert!((known / (error / (1.0 - error)) - 1.0).abs() < 1e-12, "{known} {error}");
         assert!(finest(&[]).is_none());
+    }
+
+    #[test]
+    fn differences_that_shrink_slowly_tell_of_a_greater_error() {
+        let mut levels = courses().remove(1).levels;
+        let mut third = levels[1].clone();
+        (third.level, third.unknowns) = (3, 760);
+        levels.push(third);
+        // Errors 1, 1/2, 1/4 over twice the unknowns each: order 1.
+        for (level, error) in levels.iter_mut().zip([1.0, 0.5, 0.25]) {
+            level.value = 1000.0 + error;
+        }
+        let error = predicted(2.0, &levels).expect("three levels");
+        assert!((error * levels[2].value - 0.25).abs() < 1e-12, "{error}");
+        assert!(predicted(2.0, &levels[..1]).is_none());
+        // No difference at all is no error.
+        levels[2].value = levels[1].value;
+        assert_eq!(predicted(2.0, &levels), Some(0.0));
     }
 
     #[test]

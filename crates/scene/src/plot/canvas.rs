@@ -80,7 +80,7 @@ impl<'a> Canvas<'a> {
     pub(super) fn dashed(&self, points: &[[f64; 2]], [dash, gap]: [f64; 2], pen: Pen) -> Result<(), PlotError> {
         let points: Vec<_> = points.iter().copied().map(units).collect();
         let [dash, gap] = [dash, gap].map(|length| (UNITS * length) as u32);
-        let path = DashedPathElement::new(points.into_iter(), dash, gap, style(pen));
+        let path = DashedPathElement::new(points, dash, gap, style(pen));
         self.area.draw(&path).map_err(refused)
     }
 

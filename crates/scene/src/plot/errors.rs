@@ -55,7 +55,7 @@ fn bars(course: &Course, against: Against) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// What is predicted: the last known point of the strategy and the prices beyond.
+/// What is predicted: from the last known points of a strategy to its prices beyond.
 fn predictions(report: &ConvergenceReport, against: Against) -> Vec<(Strategy, Vec<(f64, f64)>)> {
     let Some(reference) = &report.reference else {
         return Vec::new();
@@ -70,7 +70,12 @@ fn predictions(report: &ConvergenceReport, against: Against) -> Vec<(Strategy, V
             .collect();
         let last = course.levels.last()?;
         let start = (against.of(last), last.known_error(reference)?);
-        (!beyond.is_empty()).then(|| (course.strategy, [vec![start], beyond].concat()))
+        // From the last point that is drawn on.
+        let drawn = errors(report, course, against)
+            .pop()
+            .filter(|_| last.relative_bar.is_none());
+        let points = drawn.into_iter().chain([start]).chain(beyond.iter().copied()).collect();
+        (!beyond.is_empty()).then_some((course.strategy, points))
     };
     report.strategies.iter().filter_map(predicted).collect()
 }
@@ -86,7 +91,7 @@ pub(super) fn draw(
     report: &ConvergenceReport,
     [left, top, width, height]: [f64; 4],
 ) -> Result<(), PlotError> {
-    const GAP: f64 = 40.0;
+    const GAP: f64 = 64.0;
     const NUMBERS: f64 = 74.0;
     let half = 0.5 * (width - GAP - NUMBERS);
     let known = (report.strategies.iter())
@@ -145,11 +150,16 @@ fn panel(canvas: &Canvas, report: &ConvergenceReport, against: Against, frame: &
             note,
         )?;
     }
+    if floor(report).is_none() {
+        let middle = [0.5 * (frame.left + right), 0.5 * (frame.top + bottom)];
+        let anchor = (HPos::Center, VPos::Center);
+        canvas.text(middle, "one level only: no error is known", plain(13.0, anchor))?;
+    }
     let place = |points: &[(f64, f64)]| -> Vec<[f64; 2]> { points.iter().map(|&(x, y)| frame.at(x, y)).collect() };
     for (strategy, points) in predictions(report, against) {
         let points = place(&points);
         canvas.dashed(&points, PREDICTED, Pen(1.6, of_strategy(strategy)))?;
-        for &point in &points[1..] {
+        if let Some(&point) = points.last() {
             canvas.mark(point, Mark::Diamond, of_strategy(strategy), false)?;
         }
     }

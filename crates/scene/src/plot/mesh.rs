@@ -82,16 +82,19 @@ pub(super) fn draw(
         .as_deref()
         .and_then(|indicator| Colours::of(indicator, report));
     let what = match &colours {
-        Some(_) => format!("coloured by their share of the error of the {}", report.goal.name),
+        Some(_) => format!(
+            "colour: contribution of each to the relative error of the {}",
+            report.goal.name
+        ),
         None => "where the error comes from is not estimated".to_owned(),
     };
     let title = format!(
-        "Adaptive mesh, level {}: {} triangles, {what}",
+        "Adaptive mesh, level {}: {} triangles; {what}",
         marked.level,
         mesh.triangles().len()
     );
     canvas.text(
-        [left + MARGINS[0], top + 12.0],
+        [place.left, top + 12.0],
         &title,
         plain(13.0, (HPos::Left, VPos::Center)),
     )?;
@@ -251,14 +254,15 @@ impl Colours {
         let (left, right, top) = (right + 20.0, right + 34.0, place.top);
         let at = |part: f64| bottom - part * (bottom - top);
         for k in 0..STRIPES {
-            let [lower, upper] = [k, k + 1].map(|k| k as f64 / STRIPES as f64);
+            // Each reaches below the next, so that no seam shows between them.
+            let [lower, upper] = [k, (k + 2).min(STRIPES)].map(|k| k as f64 / STRIPES as f64);
             let corners = [
                 [left, at(lower)],
                 [right, at(lower)],
                 [right, at(upper)],
                 [left, at(upper)],
             ];
-            canvas.polygon(&corners, of_share(0.5 * (lower + upper)))?;
+            canvas.polygon(&corners, of_share((k as f64 + 0.5) / STRIPES as f64))?;
         }
         canvas.line(
             &[[left, top], [right, top], [right, bottom], [left, bottom], [left, top]],

@@ -92,14 +92,94 @@ fn subtitle(report: &ConvergenceReport) -> String {
     };
     let known = reference
         .uncertainty
-        .map(|known| format!(", known to {known:.0e}"))
+        .map(|known| format!(", itself known to {known:.0e}"))
         .unwrap_or_default();
+    let decimals = (9.0 - reference.value.abs().log10().floor()).clamp(0.0, 15.0) as usize;
     format!(
-        "Error of the {} against the finest answer, {:.9} {unit}: {}, level {}, {} unknowns{known}",
+        "Error of the {} against the finest answer, {:.decimals$} {unit}: {}, level {}, {} unknowns{known}",
         report.goal.name,
         reference.value,
         reference.strategy.name(),
         reference.level,
         reference.unknowns
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::convergence::MarkedMesh;
+    use crate::convergence::report::tests::example;
+    use oilwedge_mesh::{Mesh, RawMesh};
+    use std::sync::Arc;
+
+    /// A strip of `n` by 4 squares, and a share of the error that falls with the distance from its middle.
+    fn marked(n: u32) -> MarkedMesh {
+        let mut raw = RawMesh::default();
+        for k in 0..=n {
+            raw.points
+                .extend((0..5).map(|j| [0.1 * f64::from(k) / f64::from(n), 0.01 * f64::from(j) - 0.02]));
+        }
+        for k in 0..n {
+            for j in 0..4 {
+                let [a, b] = [5 * k + j, 5 * k + 5 + j];
+                raw.triangles.extend([[a, b, b + 1], [a, b + 1, a + 1]]);
+            }
+        }
+        let mesh = Mesh::build(raw).expect("a strip");
+        let share = |t: usize| 10.0 * (-200.0 * (mesh.corners(t)[0][0] - 0.05).abs()).exp();
+        let indicator = (0..mesh.triangles().len()).map(share).collect();
+        MarkedMesh {
+            level: 2,
+            mesh: Arc::new(mesh),
+            radius: 0.0375,
+            indicator: Some(indicator),
+        }
+    }
+
+    #[test]
+    fn the_picture_tells_title_curves_bars_and_the_mesh() {
+        let mut report = example();
+        report.title = "A <bearing> & \u{1b}co".into();
+        report.prices[0].extrapolated = true;
+        let study = Convergence {
+            report,
+            mesh: Some(marked(20)),
+        };
+        let svg = to_svg(&study).expect("a drawing");
+        let told = [
+            "A &lt;bearing&gt; &amp; co",
+            "P2 uniform",
+            "estimated error bar",
+            "predicted",
+            "time from the scene to the answer",
+            "relative error of the load",
+            "Adaptive mesh, level 2: 160 triangles; colour",
+            "axis [mm]",
+        ];
+        for words in told {
+            assert!(svg.contains(words), "no {words}");
+        }
+        assert!(svg.starts_with("<svg width=\"1200\" height="));
+        let height = mesh::height(&marked(20), INNER[1]);
+        let png = to_png(&svg).expect("dots");
+        let dots = |place: usize| u32::from_be_bytes([0, 1, 2, 3].map(|k| png[place + k]));
+        assert_eq!(dots(16), 1920);
+        assert_eq!(dots(20), (1.6 * (MESH + height).ceil()).ceil() as u32);
+    }
+
+    #[test]
+    fn one_level_has_a_picture_too() {
+        let mut report = example();
+        report.strategies[0].levels.truncate(1);
+        report.strategies[0].levels[0].relative_error = None;
+        report.strategies[0].levels[0].relative_bar = None;
+        report.prices.clear();
+        if let Some(reference) = &mut report.reference {
+            reference.uncertainty = None;
+        }
+        let study = Convergence { report, mesh: None };
+        assert!(to_svg(&study).is_ok_and(|svg| svg.contains("one level only") && !svg.contains("Adaptive mesh")));
+        assert_eq!(shortened(&"x".repeat(200)).chars().count(), LONGEST_TITLE + 1);
+    }
 }

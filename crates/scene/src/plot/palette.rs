@@ -41,7 +41,7 @@ const SEQUENCE: [[f64; 3]; 9] = [
 
 /// Colour of a share from 0 (light) to 1 (dark); others count as the nearer of these, what is no number as 0.
 pub(super) fn of_share(share: f64) -> RGBColor {
-    let place = share.max(0.0).min(1.0) * (SEQUENCE.len() - 1) as f64;
+    let place = if share.is_nan() { 0.0 } else { share.clamp(0.0, 1.0) } * (SEQUENCE.len() - 1) as f64;
     let lower = (place as usize).min(SEQUENCE.len() - 2);
     let part = place - lower as f64;
     let [r, g, b] = [0, 1, 2].map(|k| {
