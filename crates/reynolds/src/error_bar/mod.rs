@@ -112,6 +112,8 @@ pub struct FilmError {
     pub flows: Vec<(FlowGoal, GoalError)>,
     /// Triangles in the cavity and at its edge.
     pub front: Vec<bool>,
+    /// Triangles in the cavity, away from its edge.
+    pub deep: Vec<bool>,
     /// True if the equation is nonlinear, so that the algebra part is one of the nonlinear iteration.
     pub nonlinear: bool,
 }
@@ -221,6 +223,10 @@ impl FilmError {
     /// Share of each triangle in the error of the load and its angle [N]: what refinement should look at.
     pub fn indicator(&self) -> Vec<f64> {
         let [along, across] = [0, 1].map(|direction| self.along(direction).shares);
-        along.iter().zip(&across).map(|(a, b)| a.abs().max(b.abs())).collect()
+        // Deep in the cavity quadratics waver about its pressure, for they are held amid edges only: nothing to refine for.
+        let parts = along.iter().zip(&across).zip(&self.deep);
+        parts
+            .map(|((a, b), &deep)| if deep { 0.0 } else { a.abs().max(b.abs()) })
+            .collect()
     }
 }

@@ -65,11 +65,13 @@ pub(super) fn film_error(
             Ok((goal, error))
         })
         .collect::<Result<_, Error>>()?;
+    let (front, deep) = front(&enriched.system, cubic);
     Ok(FilmError {
         force: load_of(problem, &enriched.system, cubic).total.force,
         goals,
         flows,
-        front: front(&enriched.system, cubic),
+        front,
+        deep,
         nonlinear: matches!(problem.form, Form::AsPrinted(_)),
     })
 }
@@ -164,8 +166,9 @@ fn secant(problem: &FilmProblem, a: f64, b: f64) -> f64 {
     }
 }
 
-/// Triangles in the cavity of the cubic film, and those that share a vertex with one at its edge.
-fn front(cubic: &FilmSystem, film: &FilmSolution) -> Vec<bool> {
+/// Triangles in the cavity of the cubic film with those that share a vertex with one at its edge, and those in the cavity
+/// that do not.
+fn front(cubic: &FilmSystem, film: &FilmSolution) -> (Vec<bool>, Vec<bool>) {
     let space = cubic.space();
     let mesh = space.mesh();
     let mut near = vec![false; mesh.points().len()];
@@ -180,7 +183,9 @@ fn front(cubic: &FilmSystem, film: &FilmSolution) -> Vec<bool> {
             }
         }
     }
-    (inside.into_iter().enumerate())
-        .map(|(t, inside)| inside || mesh.triangles()[t].iter().any(|&v| near[v as usize]))
-        .collect()
+    let at_edge = |t: usize| mesh.triangles()[t].iter().any(|&v| near[v as usize]);
+    let places = inside.iter().enumerate();
+    places
+        .map(|(t, &inside)| (inside || at_edge(t), inside && !at_edge(t)))
+        .unzip()
 }
