@@ -5,7 +5,12 @@
 
 mod check;
 mod complain;
+mod converge;
+mod cost;
+mod levels_table;
 mod mesh;
+mod progress;
+mod quantities;
 mod readable;
 mod solve;
 mod terminal;
@@ -31,9 +36,11 @@ const EXAMPLES: &str = "\
 Examples:
   oilwedge solve scenes/01_plain_ring.toml         solve, tell the numbers, write out/01_plain_ring/
   oilwedge solve bearing.toml --json > load.json   the same numbers for a script
+  oilwedge solve bearing.toml --cost               and what each effect changes, and in which time
   oilwedge check bearing.toml                      what would be computed, and is the mesh good?
   oilwedge check liner.msh                         a gmsh 4.1 mesh by itself
   oilwedge mesh bearing.toml -o liner.msh          the mesh that a solve would use, for gmsh
+  oilwedge converge bearing.toml                   what each digit costs, in unknowns and seconds
 
 Exit status: 0 done; 1 no solution or not converged; 2 bad scene, mesh or arguments (nothing was written).";
 
@@ -45,6 +52,8 @@ enum Verb {
     Check(check::Check),
     /// Mesh the liner that a scene describes and write it for gmsh.
     Mesh(mesh::Mesh),
+    /// Solve a scene on ever finer meshes by three strategies, and tell what accuracy costs.
+    Converge(converge::Converge),
 }
 
 fn main() -> ExitCode {
@@ -54,6 +63,7 @@ fn main() -> ExitCode {
         Verb::Solve(solve) => solve.run(),
         Verb::Check(check) => check.run(),
         Verb::Mesh(mesh) => mesh.run(),
+        Verb::Converge(converge) => converge.run(),
     });
     outcome.unwrap_or_else(|failure| {
         failure.tell();

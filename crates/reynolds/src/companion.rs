@@ -4,9 +4,8 @@
 //! middles the same scheme is left on the triangles themselves: cells twice as wide, a quarter of the unknowns, the
 //! same holes, grooves and lines. Its search starts from the film that is there, so it takes few steps.
 
+use oilwedge_fem::Space;
 use oilwedge_fem::complementarity::Start;
-use oilwedge_fem::newton::Failure;
-use oilwedge_fem::{Error, Space};
 
 use crate::cavitation::jfo;
 use crate::{FilmProblem, FilmSolution, FilmSystem, NoFilm};
@@ -14,16 +13,12 @@ use crate::{FilmProblem, FilmSolution, FilmSystem, NoFilm};
 impl FilmSystem {
     /// The system of linear elements on the same mesh with the same given pressures; made once. Of a system of linear
     /// elements, the same again.
-    ///
-    /// # Errors
-    /// A system that does not fit in memory.
-    pub fn vertices_only(&self) -> Result<&Self, Error> {
-        let made = self.vertices.get_or_init(|| {
+    pub fn vertices_only(&self) -> &Self {
+        self.vertices.get_or_init(|| {
             let space = Space::new(self.space().mesh().clone(), 1);
-            let supply = self.supply.at(&vertex_dofs(self.space()));
-            Self::with_supply(space, supply).map(Box::new)
-        });
-        made.as_deref().map_err(Clone::clone)
+            let supply = self.supply.on_space(&space);
+            Box::new(Self::with_supply(space, supply))
+        })
     }
 }
 
@@ -33,7 +28,7 @@ impl FilmProblem {
     /// # Errors
     /// [`NoFilm`]: the reason why there is none; the film itself may still be sound.
     pub fn companion(&self, system: &FilmSystem, film: &FilmSolution) -> Result<FilmSolution, NoFilm> {
-        let vertices = system.vertices_only().map_err(Failure::from)?;
+        let vertices = system.vertices_only();
         let dofs = vertex_dofs(system.space());
         let start = Start {
             u: dofs.iter().map(|&dof| film.unknown[dof]).collect(),

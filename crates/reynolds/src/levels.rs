@@ -55,7 +55,7 @@ impl Coarser {
             .map(|position| locator.nearest(position))
             .map(|place| place.map(|(triangle, point)| (triangle as u32, point)))
             .collect::<Option<_>>()?;
-        let system = FilmSystem::with_supply(space, supply).ok()?;
+        let system = FilmSystem::with_supply(space, supply);
         Some(Self {
             system: system.with_coarser(bearing, &film_thickness),
             film_thickness,
@@ -72,13 +72,13 @@ impl Coarser {
     }
 
     /// A film of the coarser mesh as a start on the finer one. A dof is in the cavity if the nearest node is that
-    /// can be: any one of a mass-conserving film, those amid edges of Swift-Stieber's.
+    /// can be: any one of a mass-conserving film or of linear elements, those amid edges of Swift-Stieber's quadratic ones.
     pub(crate) fn carried(&self, film: &FilmSolution, cavitation: Cavitation) -> Start {
         let space = self.system.space();
         let nodes = lagrange::nodes(space.degree());
         let voters = match cavitation {
-            Cavitation::Jfo { .. } => 0..nodes.len(),
-            _ => 3..nodes.len(),
+            Cavitation::Reynolds { .. } if space.degree() > 1 => 3..nodes.len(),
+            _ => 0..nodes.len(),
         };
         let field = Field {
             space,

@@ -125,9 +125,22 @@ fn drawn(scene: &Scene, size: Option<f64>, near: (f64, f64)) -> Result<Mesh, Vec
         features: (scene.feeds.iter()).filter_map(|feed| feature(scene, feed)).collect(),
         line: scene.bearing.film_start,
     };
-    let needed = (FINENESS * LONGEST * scene.bearing.radius()).min(scene.bearing.length / ACROSS);
-    let longest = size.unwrap_or(needed);
-    graded(scene, &blueprint, longest, near)
+    graded(scene, &blueprint, size.unwrap_or(needed_size(scene)), near)
+}
+
+/// Longest edges [m] of a mesh without a wanted size.
+fn needed_size(scene: &Scene) -> f64 {
+    (FINENESS * LONGEST * scene.bearing.radius()).min(scene.bearing.length / ACROSS)
+}
+
+/// The scene with the longest edges of its mesh `factor` times as long; `None` where its mesh is that of a file.
+pub(crate) fn resized(scene: &Scene, factor: f64) -> Option<Scene> {
+    let mut resized = scene.clone();
+    match &mut resized.mesh {
+        MeshSource::File { size, .. } => *size = Some(factor * (*size)?),
+        MeshSource::Drawing { size } => *size = Some(factor * size.unwrap_or(needed_size(scene))),
+    }
+    Some(resized)
 }
 
 /// A feed that the scene describes, as it is drawn.

@@ -1,6 +1,7 @@
 //! Obstacles that are no zero, and an equation that is not linear, under the model of Swift and Stieber.
 
 use oilwedge_reynolds::lubricant::{Barus, PressureLaw};
+use oilwedge_reynolds::quantities::{cavity::cavity, load::load};
 use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSolution, FilmSystem, Form};
 use oilwedge_tests::*;
 
@@ -99,4 +100,29 @@ fn as_printed_barus_film() {
         assert!(small > 0.0 && (half / small - 2.0).abs() < 0.02, "{small:e} {half:e}");
         assert!(large > 500.0 * small && large < 1.0, "{large}");
     }
+}
+
+/// Linear elements ask at their vertices. Both their load and their cavity come to those of quadratic elements on the finest mesh;
+/// the load at order 2 in the size, of which 1.6 leaves room for a front that moves from vertex to vertex.
+#[test]
+fn linear_elements_come_to_the_same_film() {
+    let film = film(0.6, 0.0);
+    let of_degree = |degree: usize, rows: u32| {
+        let mesh = ring(4 * rows, rows, LENGTH, 0.0);
+        let regions = ends(&mesh, LENGTH, None);
+        let system = FilmSystem::new(std::sync::Arc::new(mesh), degree, regions).expect("the ends close the ring");
+        let system = system.with_coarser(&film.bearing, &film.film_thickness);
+        let solution = film.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
+        let least = solution.unknown.iter().copied().fold(f64::INFINITY, f64::min);
+        assert!(least >= -1e-10 * pressure_scale() || degree > 1, "{least}");
+        (
+            load(&film, &system, &solution).magnitude(),
+            cavity(&system, &solution).share,
+        )
+    };
+    let (exact, share) = of_degree(2, 64);
+    let linear = [8, 16, 32].map(|rows| of_degree(1, rows));
+    let errors = linear.map(|(load, _)| (load / exact - 1.0).abs());
+    assert!(order(&errors) > 1.6 && errors[2] < 3e-3, "{errors:?}");
+    assert!((linear[2].1 / share - 1.0).abs() < 0.03, "{} {share}", linear[2].1);
 }

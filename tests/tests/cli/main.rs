@@ -2,6 +2,8 @@
 
 mod bench;
 mod complaints;
+mod converge;
+mod cost;
 mod drawing;
 mod files;
 mod meshes;

@@ -21,6 +21,7 @@ use oilwedge_fem::mapping::Mapping;
 
 use crate::cavitation::FilmFraction;
 use crate::film_law::FilmLaw;
+use crate::quantities::edge;
 use crate::{Cavitation, FilmFlow, FilmPoint, FilmProblem, FilmSolution, FilmSystem};
 
 /// Volume flow [m3/s] of one region, into the film.
@@ -34,6 +35,8 @@ pub struct RegionFlow {
     pub inward: f64,
     /// The part that leaves [m3/s].
     pub outward: f64,
+    /// What is booked by where the edge of a Swift-Stieber cavity runs within a triangle [m3/s].
+    pub unsure: f64,
 }
 
 /// All flows.
@@ -80,12 +83,18 @@ pub fn flows(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) ->
             net: 0.0,
             inward: 0.0,
             outward: 0.0,
+            unsure: 0.0,
         })
         .collect();
-    let mut cavity = 0.0;
-    for (dof, &inflow) in film.inflow.iter().enumerate() {
+    let mut cavity = 0.0_f64;
+    let beside = edge::made_beside(problem, system, film);
+    for (dof, (&inflow, beside)) in film.inflow.iter().zip(&beside).enumerate() {
         match system.supply.owner(dof) {
-            Some(region) => regions[region].add(inflow),
+            Some(region) => {
+                regions[region].add(inflow - beside.made);
+                regions[region].unsure += beside.unsure;
+                cavity += beside.made;
+            }
             None if film.cavity[dof] && film.film_fraction.is_none() => cavity += inflow,
             None => {}
         }

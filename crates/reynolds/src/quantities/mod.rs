@@ -1,7 +1,7 @@
 //! What is reported: one idea a file.
 
 pub mod cavity;
-pub mod error_bars;
+mod edge;
 pub mod flow;
 pub mod load;
 pub mod pressure;

@@ -105,7 +105,7 @@ pub(crate) fn solve(
             values: theta,
             forms: found.forms,
         }),
-        linearisation: found.linearisation,
+        linearisation: std::sync::Arc::new(found.linearisation),
         history: found.history,
         seconds: found.seconds,
         levels: 0,

@@ -1,24 +1,29 @@
-//! # How far the quantities of a mass-conserving film may be from their limit
+//! # Error bars of a mass-conserving film: its distance from the film on the vertices alone
 //!
-//! **Equation.** With d = |p - p_2h| at the vertices, where p_2h is the pressure of the companion (the film on the vertices
-//! alone), and s = the integral of p by quadratic less that by linear functions over a triangle at the edge of the cavity:
-//! `bar of Int p w dA = c Int d |w| dA + Sum |w s|`. Of second order the error at a node is a third of d, here without
-//! its sign, since signs change from mesh to mesh: c is a little more than a third. Other quantities are judged by their own differences J - J_2h and by
+//! **Equation.** With d = |p - p_2h| at the vertices, p_2h the pressure of the companion, and s = the integral of p by quadratic less
+//! that by linear functions over a triangle at the edge of the cavity:
+//! ```text
+//! bar of Int p w dA = c Int d |w| dA + Sum |w s|
+//! ```
+//! Of second order the error at a node is a third of d, here without its sign, since signs change from mesh to mesh: c is a
+//! little more than a third. Flows are judged by their own differences `Q - Q_2h`, all of them and what the cavity carries;
+//! the extent of the cavity by how much of the mesh its edge takes up.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
-//! | d | Pa | `Pair::difference` |
+//! | d | Pa | `difference` |
 //! | beta: share of the mesh in sub-triangles at the edge of the cavity | 1 | `front` |
-//! | delta: mean of the difference of the film fraction at the vertices | 1 | `carried` |
+//! | delta: mean difference of the film fraction at the vertices | 1 | `carried` |
 //!
-//! **Source.** Constants: measured on random bearings, then held against others (`docs/theory/error_estimation_jfo.md`).
-//! **Range.** Mass-conserving films of quadratic elements; steady. A bar of the load above a twentieth of it is none.
-//! **Verified by** `cavitation/bars`, bearings against finer meshes.
+//! **Source.** Constants: measured on random bearings, held against others, `docs/theory/error_estimation_jfo.md`.
+//! **Range.** Mass-conserving films of quadratic elements. No bar can be trusted where that of the load exceeds a twentieth of it.
+//! **Verified by** `cavitation/bars`: finer meshes.
 
 use oilwedge_fem::control_volumes::sub_triangles;
 
-use super::flow::{self, Flows};
-use super::load;
+use super::{Bar, UNRESOLVED};
+use crate::quantities::flow::{self, Flows};
+use crate::quantities::load;
 use crate::supply::Place;
 use crate::{FilmProblem, FilmSolution, FilmSystem};
 
@@ -42,32 +47,32 @@ const LEAST_OIL: f64 = 0.8;
 const LEAST_PART: f64 = 0.1;
 const LEAST_FRONT: f64 = 0.3;
 const LEAST_BAR: f64 = 0.03;
-/// Bars of the load above this part of it are not to be trusted, nor any other of that film.
-const UNRESOLVED: f64 = 0.05;
 
-/// Half the widths of the error bars of a film.
+/// What is known of the errors of a mass-conserving film; each number is half the width of a bar.
 #[derive(Debug, Clone, PartialEq)]
-pub struct ErrorBars {
+pub struct ConservingError {
     /// Of the magnitude of the load [N].
-    pub load: f64,
-    /// Of the load towards 0 and 90 degrees [N].
-    pub force: [f64; 2],
-    /// Of the direction of the load, and of the attitude [rad].
-    pub angle: f64,
+    pub load: Bar,
+    /// Of the load across its direction [N]: over the magnitude, that of its angle [rad].
+    pub across: Bar,
+    /// Of the load towards 0 and towards 90 degrees [N].
+    pub force: [Bar; 2],
     /// Of `Int p dA` [N].
-    pub pressure_integral: f64,
+    pub pressure_integral: Bar,
     /// Of the greatest pressure [Pa].
     pub greatest_pressure: f64,
     /// Of the net flow of each region of the supply [m3/s].
     pub flows: Vec<f64>,
-    /// Of the flow out at all ends [m3/s].
+    /// Of the flow through all ends together [m3/s].
     pub side_flow: f64,
     /// Of the share of the cavity [1].
     pub cavity_share: f64,
     /// Of the least film fraction [1].
     pub least_fraction: f64,
-    /// False if the mesh is too coarse for any bar.
-    pub resolved: bool,
+    /// False where the mesh does not resolve the film, and no bar can be trusted.
+    pub is_resolved: bool,
+    /// Share of each triangle in the bars of the load and its angle [N]: what refinement should look at.
+    pub indicator: Vec<f64>,
 }
 
 /// A film and its companion.
@@ -81,28 +86,24 @@ struct Pair<'a> {
     difference: Vec<f64>,
 }
 
-/// Bars of a mass-conserving `film` of quadratic elements, from its companion ([`FilmProblem::companion`]); none for
-/// others.
-///
-/// # Errors
-/// The system of the vertices does not fit in memory.
-pub fn error_bars(
+/// Judges a mass-conserving `film` of quadratic elements by its companion ([`FilmProblem::companion`]); none for other films.
+pub fn conserving_error(
     problem: &FilmProblem,
     system: &FilmSystem,
     film: &FilmSolution,
     companion: &FilmSolution,
-) -> Result<Option<ErrorBars>, oilwedge_fem::Error> {
-    let (Some(fraction), Some(other)) = (&film.film_fraction, &companion.film_fraction) else {
-        return Ok(None);
-    };
+) -> Option<ConservingError> {
+    let (fraction, other) = (film.film_fraction.as_ref()?, companion.film_fraction.as_ref()?);
     if system.space().degree() != 2 {
-        return Ok(None);
+        return None;
     }
     let pair = Pair::new(problem, system, film, companion);
     let total = load::load(problem, system, film);
-    let (magnitude, towards) = (total.magnitude(), total.angle());
-    let across = pair.integral(|angle| (angle - towards).sin());
-    let along = pair.integral(|angle| (angle - towards).cos());
+    let towards = total.angle();
+    let [along, across] = [
+        pair.shares(|angle| (angle - towards).cos()),
+        pair.shares(|angle| (angle - towards).sin()),
+    ];
     let fractions: Vec<[f64; 2]> = (pair.vertices().enumerate())
         .map(|(vertex, dof)| [fraction.values[dof], other.values[vertex]])
         .collect();
@@ -116,33 +117,29 @@ pub fn error_bars(
     let (flows, side_flow) = flow_bars(
         system,
         &flow::flows(problem, system, film),
-        &flow::flows(problem, system.vertices_only()?, companion),
+        &flow::flows(problem, system.vertices_only(), companion),
         carried,
     );
-    Ok(Some(ErrorBars {
-        load: along,
-        force: [pair.integral(f64::cos), pair.integral(f64::sin)],
-        angle: if across > 0.0 { across / magnitude } else { 0.0 },
-        pressure_integral: pair.integral(|_| 1.0),
+    let load = sum(&along);
+    Some(ConservingError {
+        is_resolved: load.total() <= UNRESOLVED * total.magnitude(),
+        load,
+        across: sum(&across),
+        force: [sum(&pair.shares(f64::cos)), sum(&pair.shares(f64::sin))],
+        pressure_integral: sum(&pair.shares(|_| 1.0)),
         greatest_pressure: pair.greatest_pressure(),
         flows,
         side_flow,
         cavity_share: OF_FRONT * front + OF_CARRIED * carried,
         least_fraction: (LEAST_OIL * where_least(in_both) + LEAST_FRONT * front).min(least.max(LEAST_BAR)),
-        resolved: along <= UNRESOLVED * magnitude,
-    }))
+        indicator: (along.iter().zip(&across))
+            .map(|(along, across)| along.total().max(across.total()))
+            .collect(),
+    })
 }
 
-/// What each triangle has in the bar of the load [N]: where to refine.
-pub fn load_shares(
-    problem: &FilmProblem,
-    system: &FilmSystem,
-    film: &FilmSolution,
-    companion: &FilmSolution,
-) -> Vec<f64> {
-    let towards = load::load(problem, system, film).angle();
-    let pair = Pair::new(problem, system, film, companion);
-    pair.shares(|angle| (angle - towards).cos()).collect()
+fn sum(shares: &[Bar]) -> Bar {
+    shares.iter().fold(Bar::default(), |sum, &share| sum + share)
 }
 
 impl<'a> Pair<'a> {
@@ -167,27 +164,30 @@ impl<'a> Pair<'a> {
         (0..space.mesh().points().len() as u32).map(|vertex| space.vertex_dof(vertex))
     }
 
-    /// `c Int d |w| dA + Sum |w s|`, w given by the angle.
-    fn integral(&self, weight: impl Fn(f64) -> f64) -> f64 {
-        self.shares(weight).sum()
+    /// `c Int d |w| dA` and `|w s|` of each triangle, w given by the angle.
+    fn shares(&self, weight: impl Fn(f64) -> f64) -> Vec<Bar> {
+        let weight = |x: f64| weight(x / self.radius).abs();
+        let cells = 0..self.system.space().mesh().triangles().len();
+        cells.map(|t| self.share(t, &weight)).collect()
     }
 
-    /// The same, triangle by triangle.
-    fn shares(&self, weight: impl Fn(f64) -> f64) -> impl Iterator<Item = f64> {
+    fn share(&self, t: usize, weight: &dyn Fn(f64) -> f64) -> Bar {
         let mesh = self.system.space().mesh();
-        (0..mesh.triangles().len()).map(move |t| {
-            let (corners, area) = (mesh.corners(t), self.area(t));
-            let weight = |x: f64| weight(x / self.radius).abs();
-            let at_vertices = (0..3).map(|k| weight(corners[k][0]) * self.difference[mesh.triangles()[t][k] as usize]);
-            let smooth = OF_PRESSURE * area / 3.0 * at_vertices.sum::<f64>();
-            if !self.is_front(t, &[0, 1, 2, 3, 4, 5]) {
-                return smooth;
-            }
+        let (corners, area) = (mesh.corners(t), self.area(t));
+        let at_vertices = (0..3).map(|k| weight(corners[k][0]) * self.difference[mesh.triangles()[t][k] as usize]);
+        let discretisation = OF_PRESSURE * area / 3.0 * at_vertices.sum::<f64>();
+        let mut front = 0.0;
+        if self.is_front(t, &[0, 1, 2, 3, 4, 5]) {
             let dofs = self.system.space().element_dofs(t);
             let sum = |nodes: [usize; 3]| nodes.iter().map(|&node| self.pressure[dofs[node]]).sum::<f64>();
             let surplus = area / 12.0 * (sum([3, 4, 5]) - sum([0, 1, 2]));
-            smooth + surplus.abs() * weight((corners[0][0] + corners[1][0] + corners[2][0]) / 3.0)
-        })
+            front = surplus.abs() * weight((corners[0][0] + corners[1][0] + corners[2][0]) / 3.0);
+        }
+        Bar {
+            discretisation,
+            front,
+            ..Bar::default()
+        }
     }
 
     /// By the difference at the vertex of the greatest pressure.

@@ -1,0 +1,92 @@
+//! `oilwedge converge`: what accuracy costs for one scene.
+
+use crate::complain::Failure;
+use crate::levels_table::convergence_report;
+use crate::progress::Progress;
+use crate::{solve, terminal};
+use oilwedge_scene::convergence::{Budget, converge, files};
+use oilwedge_scene::report::Status;
+use oilwedge_scene::{Error, Scene};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Arguments of `oilwedge converge`.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Converge {
+    /// The scene: a TOML file that describes one bearing.
+    #[arg(value_name = "SCENE")]
+    scene: PathBuf,
+
+    /// Folder of converge.csv, .json, .svg and .png [default: out/NAME for NAME.toml]. Earlier ones there are replaced.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+
+    /// Print the study as one JSON object instead of tables.
+    #[arg(long)]
+    json: bool,
+
+    /// Seconds that the study may take. It ends with the levels that it has then.
+    #[arg(long, value_name = "S", default_value = "30", value_parser = seconds)]
+    max_seconds: f64,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  oilwedge converge bearing.toml
+  oilwedge converge bearing.toml --max-seconds 120 --out results/accuracy
+  oilwedge converge bearing.toml --json | jq '.prices[] | [.accuracy, .seconds]'
+
+Exit status: 0 done, with the levels that fitted; 1 no solution or not converged on any mesh (the reason is in
+converge.json); 2 bad scene, mesh or arguments.";
+
+/// Longest study [s]: a day.
+const LONGEST: f64 = 86_400.0;
+
+fn seconds(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(seconds) if seconds > 0.0 && seconds <= LONGEST => Ok(seconds),
+        _ => Err(format!("give seconds above 0 and up to {LONGEST}, as 30 or 2.5")),
+    }
+}
+
+impl Converge {
+    /// Runs the study, writes its files, and prints it.
+    ///
+    /// # Errors
+    /// [`Failure`]: the scene or its mesh cannot be used, or the files cannot be written.
+    pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
+        let budget = Budget::seconds(self.max_seconds);
+        let scene = Scene::read(&self.scene)?;
+        let mut progress = Progress::new(self.max_seconds);
+        let study = converge(&scene, &budget, &mut progress)?;
+        progress.end();
+        let report = &study.report;
+        let folder = self.out.clone().unwrap_or_else(|| solve::default_folder(&self.scene));
+        files::write(&folder, &study)?;
+        match self.json {
+            true => terminal::print(&report.to_json().map_err(Error::from)?)?,
+            false => terminal::print(&convergence_report(report, &folder))?,
+        }
+        Ok(match report.status {
+            Status::Converged => ExitCode::SUCCESS,
+            Status::NoSolution | Status::NotConverged => ExitCode::from(1),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_time_is_positive_and_ends() {
+        assert_eq!(seconds("2.5"), Ok(2.5));
+        for text in ["0", "-1", "nan", "inf", "1e9", "ten", ""] {
+            assert!(
+                seconds(text).is_err_and(|message| message.contains("as 30 or 2.5")),
+                "{text}"
+            );
+        }
+    }
+}

@@ -1,0 +1,59 @@
+//! How a long run gets on, on stderr; nothing where nobody looks.
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use oilwedge_scene::convergence::{LevelReport, Observer, Strategy};
+use std::io::IsTerminal;
+use std::time::{Duration, Instant};
+
+/// Between two looks at the clock.
+const TICK: Duration = Duration::from_millis(100);
+
+/// A bar that fills as the given time passes, with what is being computed.
+pub(crate) struct Progress {
+    bar: ProgressBar,
+    started: Instant,
+}
+
+impl Progress {
+    /// For a run of at most so many seconds [s].
+    pub(crate) fn new(max_seconds: f64) -> Self {
+        let target = match std::io::stderr().is_terminal() {
+            true => ProgressDrawTarget::stderr(),
+            false => ProgressDrawTarget::hidden(),
+        };
+        let bar = ProgressBar::with_draw_target(Some((1e3 * max_seconds) as u64), target);
+        if let Ok(style) = ProgressStyle::with_template("{spinner} {elapsed} [{bar:24}] {msg}") {
+            bar.set_style(style.progress_chars("=> "));
+        }
+        bar.set_message("the first mesh");
+        bar.enable_steady_tick(TICK);
+        Self {
+            bar,
+            started: Instant::now(),
+        }
+    }
+
+    fn move_on(&self) {
+        self.bar.set_position(self.started.elapsed().as_millis() as u64);
+    }
+
+    /// Takes the bar away.
+    pub(crate) fn end(&self) {
+        self.bar.finish_and_clear();
+    }
+}
+
+impl Observer for Progress {
+    fn begins(&mut self, strategy: Strategy, level: usize, cells: usize, expected: Option<f64>) {
+        let expected = expected.map_or(String::new(), |seconds| format!(", some {seconds:.1} s"));
+        self.move_on();
+        self.bar.set_message(format!(
+            "{}, level {level}: some {cells} triangles{expected}",
+            strategy.name()
+        ));
+    }
+
+    fn ended(&mut self, _: Strategy, _: &LevelReport) {
+        self.move_on();
+    }
+}

@@ -1,0 +1,35 @@
+//! The folder of a study: `converge.csv`, `.json`, `.svg` and `.png`, written whole or not at all.
+
+use std::path::Path;
+
+use super::{Convergence, csv};
+use crate::folder::replace;
+use crate::plot;
+use crate::run::Error;
+
+/// The files of a study; the numbers for scripts come last, so they are the sign that all are there.
+pub const FILES: [&str; 4] = ["converge.csv", "converge.svg", "converge.png", "converge.json"];
+
+/// Writes the files of a study into the folder `dir`, which is made if need be. Those of an earlier study are replaced;
+/// where there are no levels only `converge.json` is written, and the others of an earlier study are removed.
+///
+/// # Errors
+/// A number is not finite, the plots cannot be drawn, or the system refuses; the old files are then left as they were.
+pub fn write(dir: &Path, study: &Convergence) -> Result<(), Error> {
+    let json = study.report.to_json()?;
+    let (mut table, mut svg, mut png) = (None, None, None);
+    if study.report.levels().next().is_some() {
+        let drawing = plot::to_svg(study)?;
+        png = Some(plot::to_png(&drawing)?);
+        svg = Some(drawing);
+        table = Some(csv::to_csv(&study.report));
+    }
+    let [csv_file, svg_file, png_file, json_file] = FILES;
+    let files = [
+        (csv_file, table.as_deref().map(str::as_bytes)),
+        (svg_file, svg.as_deref().map(str::as_bytes)),
+        (png_file, png.as_deref()),
+        (json_file, Some(json.as_bytes())),
+    ];
+    Ok(replace(dir, &files)?)
+}

@@ -1,0 +1,20 @@
+//! Who is told how a study gets on.
+
+use super::report::LevelReport;
+use super::strategy::Strategy;
+
+/// Is told how a study gets on, while it runs.
+pub trait Observer {
+    /// Level `level` begins, of some `cells` triangles; `expected` seconds, where that can be told.
+    fn begins(&mut self, strategy: Strategy, level: usize, cells: usize, expected: Option<f64>);
+
+    /// A level has ended with an answer; its error is not known yet.
+    fn ended(&mut self, strategy: Strategy, level: &LevelReport);
+}
+
+/// Nobody.
+impl Observer for () {
+    fn begins(&mut self, _: Strategy, _: usize, _: usize, _: Option<f64>) {}
+
+    fn ended(&mut self, _: Strategy, _: &LevelReport) {}
+}

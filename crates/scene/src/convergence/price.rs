@@ -1,0 +1,276 @@
+//! The price list: what accuracy costs in unknowns and seconds, and what the next digit would cost.
+//!
+//! ```text
+//! error(n') = error(n) (n'/n)^-s      from the last level on, s the order of the strategy
+//! seconds(n') = seconds(n) (n'/n)^t   likewise, t fitted to the last levels and kept within [1, 1.6]
+//! ```
+//! Between levels both are interpolated in logarithms. A level counts as accurate only where all later ones are too. The order s
+//! is that of theory: orders fitted to few levels are bad prophets. Only where the last steps all stay clearly behind it, as they
+//! do at sharp corners of grooves, their mean is taken.
+
+use serde::Serialize;
+
+use super::strategy::Strategy;
+
+/// Bounds of the exponent t: no solve is cheaper than to look at each unknown, and nested dissection needs n^1.5.
+const EXPONENTS: (f64, f64) = (1.0, 1.6);
+/// The exponent where one level tells nothing.
+const USUAL_EXPONENT: f64 = 1.3;
+/// How many of the last levels tell the exponent.
+const LAST: usize = 3;
+/// Steps that gain less than this part of the order stay behind it.
+const BEHIND: f64 = 0.8;
+/// The least order that is believed, as a part of that of theory: that of quadratic elements at a corner of 270 degrees.
+pub(super) const LEAST_PART: f64 = 1.0 / 3.0;
+/// A strategy is quicker than a simpler one only if its time is below this part of the other: clocks are not better.
+const QUICKER: f64 = 0.9;
+/// The coarsest accuracy of the list, as a power of ten, and the finest that numbers of 16 digits can carry.
+const DIGITS: (i32, i32) = (2, 11);
+
+/// What one level costs and gives.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bought {
+    /// Unknowns.
+    pub unknowns: f64,
+    /// Seconds [s] to get there.
+    pub seconds: f64,
+    /// Relative error, estimated or true.
+    pub error: f64,
+}
+
+/// What a strategy offers.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Offer {
+    /// The strategy.
+    pub strategy: Strategy,
+    /// Its order s by theory.
+    pub order: f64,
+    /// Its levels, from coarse to fine.
+    pub levels: Vec<Bought>,
+}
+
+/// One row of the price list.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Price {
+    /// The relative error asked for.
+    pub accuracy: f64,
+    /// Who sells it cheapest.
+    pub strategy: Strategy,
+    /// Unknowns.
+    pub unknowns: f64,
+    /// Seconds [s].
+    pub seconds: f64,
+    /// Whether it lies beyond what was run.
+    pub extrapolated: bool,
+}
+
+/// The price of 1 %, 0.1 % and so on to one digit beyond what was run. Of what was run the quickest strategy, else the
+/// one that is predicted to be; of equally quick ones the first offer. Nothing where there are no levels.
+pub fn price_list(offers: &[Offer]) -> Vec<Price> {
+    let reached = (offers.iter())
+        .filter_map(|offer| offer.levels.last())
+        .map(|level| level.error)
+        .fold(f64::INFINITY, f64::min);
+    if !reached.is_finite() {
+        return Vec::new();
+    }
+    let digits = if reached > 0.0 { -reached.log10() } else { f64::INFINITY };
+    // Rounding must not cost a digit.
+    let finest = (digits + 1e-9).floor().clamp(-1.0, f64::from(DIGITS.1)) as i32 + 1;
+    let accuracies = (DIGITS.0..=finest.clamp(DIGITS.0, DIGITS.1)).map(|digit| 10f64.powi(-digit));
+    let price = |accuracy: f64| {
+        let prices = offers.iter().filter_map(|offer| offer.price(accuracy));
+        prices.reduce(|best, other| match (best.extrapolated, other.extrapolated) {
+            (true, false) => other,
+            (false, true) => best,
+            _ if other.seconds < QUICKER * best.seconds => other,
+            _ => best,
+        })
+    };
+    accuracies.filter_map(price).collect()
+}
+
+impl Offer {
+    /// What this strategy takes for an accuracy.
+    fn price(&self, accuracy: f64) -> Option<Price> {
+        let row = |unknowns: f64, seconds: f64, extrapolated: bool| Price {
+            accuracy,
+            strategy: self.strategy,
+            unknowns,
+            seconds,
+            extrapolated,
+        };
+        let accurate = |level: &Bought| level.error <= accuracy * (1.0 + 1e-9);
+        let last = self.levels.last()?;
+        if !accurate(last) {
+            let growth = (last.error / accuracy).powf(1.0 / self.order());
+            let seconds = last.seconds * growth.powf(self.exponent());
+            return Some(row(last.unknowns * growth, seconds, true));
+        }
+        let first = (self.levels.iter().rposition(|level| !accurate(level))).map_or(0, |coarse| coarse + 1);
+        let fine = self.levels[first];
+        let Some(coarse) = first.checked_sub(1).map(|coarse| self.levels[coarse]) else {
+            return Some(row(fine.unknowns, fine.seconds, false));
+        };
+        let part = match fine.error > 0.0 {
+            true => (coarse.error / accuracy).ln() / (coarse.error / fine.error).ln(),
+            false => 1.0,
+        };
+        let between = |coarse: f64, fine: f64| coarse * (fine / coarse).powf(part.clamp(0.0, 1.0));
+        let unknowns = between(coarse.unknowns, fine.unknowns);
+        Some(row(unknowns, between(coarse.seconds, fine.seconds), false))
+    }
+
+    /// The order s with which the price is predicted.
+    pub fn order(&self) -> f64 {
+        let last = &self.levels[self.levels.len().saturating_sub(LAST)..];
+        let gained =
+            |pair: &[Bought]| (pair[0].error / pair[1].error).ln() / (pair[1].unknowns / pair[0].unknowns).ln();
+        let steps: Vec<f64> = last.windows(2).map(gained).collect();
+        let all_behind = last.len() == LAST && steps.iter().all(|step| *step < BEHIND * self.order);
+        match all_behind {
+            true => (steps.iter().sum::<f64>() / steps.len() as f64).clamp(LEAST_PART * self.order, self.order),
+            false => self.order,
+        }
+    }
+
+    /// The exponent t of `seconds ~ unknowns^t`.
+    pub fn exponent(&self) -> f64 {
+        let last = &self.levels[self.levels.len().saturating_sub(LAST)..];
+        let points: Vec<_> = last
+            .iter()
+            .map(|level| (level.unknowns.ln(), level.seconds.ln()))
+            .collect();
+        exponent(&points)
+    }
+}
+
+/// Slope of the line nearest to points of logarithms, kept within its bounds.
+pub(super) fn exponent(points: &[(f64, f64)]) -> f64 {
+    let count = points.len() as f64;
+    let mean = |of: fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / count;
+    let (x, y) = (mean(|point| point.0), mean(|point| point.1));
+    let spread: f64 = points.iter().map(|point| (point.0 - x).powi(2)).sum();
+    let slope = points.iter().map(|point| (point.0 - x) * (point.1 - y)).sum::<f64>() / spread;
+    match slope.is_finite() {
+        true => slope.clamp(EXPONENTS.0, EXPONENTS.1),
+        false => USUAL_EXPONENT,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Levels of `error = a n^-s`, `seconds = b n^t`, each with four times the unknowns of the one before.
+    fn offer(strategy: Strategy, (a, s): (f64, f64), (b, t): (f64, f64), levels: i32) -> Offer {
+        let level = |k: i32| {
+            let n = 100.0 * 4f64.powi(k);
+            Bought {
+                unknowns: n,
+                seconds: b * n.powf(t),
+                error: a * n.powf(-s),
+            }
+        };
+        Offer {
+            strategy,
+            order: s,
+            levels: (0..levels).map(level).collect(),
+        }
+    }
+
+    #[test]
+    fn powers_are_met_exactly_within_and_beyond_what_was_run() {
+        // Errors from 1e-1 to 1e-1 4^-8 = 1.5e-6.
+        let offer = offer(Strategy::P2Uniform, (1e3, 2.0), (1e-6, 1.25), 5);
+        let prices = price_list(std::slice::from_ref(&offer));
+        let accuracies: Vec<f64> = prices.iter().map(|price| price.accuracy).collect();
+        assert_eq!(accuracies, [1e-2, 1e-3, 1e-4, 1e-5, 1e-6]);
+        for price in &prices {
+            let n = (1e3 / price.accuracy).sqrt();
+            assert!((price.unknowns / n - 1.0).abs() < 1e-12, "{price:?}");
+            assert!((price.seconds / (1e-6 * n.powf(1.25)) - 1.0).abs() < 1e-12, "{price:?}");
+            assert_eq!(price.extrapolated, price.accuracy < 1.5e-6);
+        }
+        assert!((offer.exponent() - 1.25).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_level_is_trusted_only_if_all_later_ones_are_better() {
+        let mut offer = offer(Strategy::P2Uniform, (1e3, 2.0), (1e-6, 1.0), 4);
+        // Errors 1e-1, 6e-3, 4e-4, 2.4e-5: by chance the first level is good.
+        offer.levels[0].error = 1e-7;
+        let prices = price_list(std::slice::from_ref(&offer));
+        assert!(
+            prices
+                .iter()
+                .find(|price| price.accuracy == 1e-3)
+                .is_some_and(|price| price.unknowns > 400.0)
+        );
+        assert!(
+            prices
+                .iter()
+                .find(|price| price.accuracy == 1e-2)
+                .is_some_and(|price| price.unknowns == 100.0)
+        );
+    }
+
+    #[test]
+    fn the_quickest_sells_and_what_was_run_goes_first() {
+        let linear = offer(Strategy::P1Uniform, (1.0, 1.0), (1e-7, 1.0), 6);
+        let quadratic = offer(Strategy::P2Uniform, (1e3, 2.0), (1e-6, 1.0), 3);
+        let prices = price_list(&[linear, quadratic]);
+        let sold: Vec<_> = (prices.iter())
+            .map(|price| (price.strategy, price.extrapolated))
+            .collect();
+        let (p1, p2) = (Strategy::P1Uniform, Strategy::P2Uniform);
+        // Linear elements reach 1e-5 at the last level, quadratic ones 4e-4.
+        assert_eq!(sold, [(p1, false), (p1, false), (p1, false), (p1, false), (p2, true)]);
+    }
+
+    #[test]
+    fn an_order_is_that_of_theory_unless_all_steps_stay_behind_it() {
+        let mut slow = offer(Strategy::P2Uniform, (1.0, 1.0), (1e-6, 1.0), 4);
+        assert_eq!(slow.order(), 1.0);
+        slow.order = 2.0;
+        assert!((slow.order() - 1.0).abs() < 1e-12);
+        // One good step is enough to believe in the theory.
+        slow.levels[3].error *= 0.2;
+        assert_eq!(slow.order(), 2.0);
+        slow.levels[3].error *= 100.0;
+        assert_eq!(slow.order(), 2.0 / 3.0);
+        slow.levels.truncate(2);
+        assert_eq!(slow.order(), 2.0);
+    }
+
+    #[test]
+    fn a_strategy_that_is_not_clearly_quicker_does_not_win() {
+        let simple = offer(Strategy::P2Uniform, (1e3, 2.0), (1e-6, 1.0), 3);
+        let mut other = offer(Strategy::P2Adaptive, (1e3, 2.0), (0.95e-6, 1.0), 3);
+        let sold = |offers: &[Offer]| price_list(offers)[0].strategy;
+        assert_eq!(sold(&[simple.clone(), other.clone()]), Strategy::P2Uniform);
+        other.levels.iter_mut().for_each(|level| level.seconds *= 0.9);
+        assert_eq!(sold(&[simple, other]), Strategy::P2Adaptive);
+    }
+
+    #[test]
+    fn exponents_stay_within_bounds_and_one_level_has_the_usual_one() {
+        for (t, found) in [(0.5, 1.0), (1.3, 1.3), (2.0, 1.6)] {
+            let offer = offer(Strategy::P2Uniform, (1.0, 2.0), (1e-6, t), 4);
+            assert!((offer.exponent() - found).abs() < 1e-12);
+        }
+        assert_eq!(
+            offer(Strategy::P2Uniform, (1.0, 2.0), (1e-6, 1.0), 1).exponent(),
+            USUAL_EXPONENT
+        );
+        assert!(price_list(&[]).is_empty());
+    }
+
+    #[test]
+    fn a_coarse_answer_still_has_the_price_of_one_percent() {
+        let offer = offer(Strategy::P2Uniform, (1e4, 2.0), (1e-6, 1.0), 1);
+        let prices = price_list(&[offer]);
+        assert_eq!(prices.len(), 1);
+        assert!(prices[0].extrapolated && (prices[0].unknowns - 1000.0).abs() < 1e-9);
+    }
+}

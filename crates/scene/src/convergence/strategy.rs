@@ -1,0 +1,66 @@
+//! The ways to more accuracy that are compared.
+
+use serde::Serialize;
+
+use crate::scene::{CavitationModel, Scene};
+
+/// How accuracy is bought.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Strategy {
+    /// Linear elements, every triangle divided into four from level to level.
+    P1Uniform,
+    /// Quadratic elements, likewise.
+    P2Uniform,
+    /// Quadratic elements, triangles divided where the error of the goal comes from.
+    P2Adaptive,
+}
+
+impl Strategy {
+    /// All, in the order of the report.
+    pub const ALL: [Self; 3] = [Self::P1Uniform, Self::P2Uniform, Self::P2Adaptive];
+
+    /// Degree of the pressure.
+    pub fn degree(self) -> usize {
+        match self {
+            Self::P1Uniform => 1,
+            Self::P2Uniform | Self::P2Adaptive => 2,
+        }
+    }
+
+    /// Name for people.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::P1Uniform => "P1 uniform",
+            Self::P2Uniform => "P2 uniform",
+            Self::P2Adaptive => "P2 adaptive",
+        }
+    }
+
+    /// Name in files.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::P1Uniform => "p1_uniform",
+            Self::P2Uniform => "p2_uniform",
+            Self::P2Adaptive => "p2_adaptive",
+        }
+    }
+
+    /// The order s of the error of a load, `error ~ unknowns^-s`: 2 for quadratic elements and a smooth film, 7/4 where they
+    /// meet a free boundary, 1 for linear elements and for the control volumes of a film that conserves its oil.
+    pub fn order(self, scene: &Scene) -> f64 {
+        match scene.cavitation.map(|cavitation| cavitation.model) {
+            _ if self.degree() == 1 => 1.0,
+            Some(CavitationModel::Jfo) => 1.0,
+            Some(CavitationModel::Reynolds) => 1.75,
+            Some(CavitationModel::None | CavitationModel::Guembel) | None => 2.0,
+        }
+    }
+
+    /// Why this one is not tried for a scene, if it is not.
+    pub(super) fn left_out(self, scene: &Scene) -> Option<&'static str> {
+        let conserving = scene.cavitation.is_some_and(|it| it.model == CavitationModel::Jfo);
+        (conserving && self.degree() == 1)
+            .then_some("a film that conserves its oil (jfo) is not computed with linear elements")
+    }
+}
