@@ -18,9 +18,10 @@
 //!
 //! **Source.** Bank and Smith, SIAM J. Numer. Anal. 30 (1993) 921 (two degrees); Becker and Rannacher, Acta Numerica 10 (2001) 1
 //! (duals); constants: measured, `docs/theory/error_estimation.md`. **Range.** Pressure films; a mass-conserving film is
-//! judged otherwise. No bar where `|eta|` exceeds a twentieth of the load: the mesh does not resolve the film.
+//! judged otherwise ([`conserving`]). No bar where `|eta|` exceeds a twentieth of the load: the mesh does not resolve the film.
 //! **Verified by** `tests/tests/error_bars`: shares sum to eta, coverage of true errors, a straight rim.
 
+pub mod conserving;
 pub mod geometry;
 mod shares;
 
