@@ -1,8 +1,8 @@
 //! A convergence study: a scene solved on ever finer meshes by three strategies, for what accuracy costs.
 //!
-//! Reading order: [`strategy`], [`mod@first_mesh`], [`climb`] (one strategy from level to level, by [`crate::level`]), [`budget`]
-//! (when to stop), [`mod@reference`] (errors against the finest answer), [`price`] (what the next digit costs),
-//! [`report`] and [`csv`] (the numbers for scripts), [`crate::plot`] (the picture).
+//! Reading order: [`strategy`], `first_mesh.rs`, `climb.rs` (one strategy from level to level, by [`crate::level`]), [`budget`]
+//! (when to stop), `reference.rs` (errors against the finest answer), [`price`] (what the next digit costs),
+//! [`report`], [`csv`] and [`files`] (the numbers for scripts), [`crate::plot`] (the picture).
 
 pub mod budget;
 mod climb;
