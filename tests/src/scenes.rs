@@ -62,6 +62,6 @@ impl Solved {
 pub fn solve(scene: &Scene) -> Result<Solved, NoFilm> {
     let study = compile(scene).unwrap_or_else(|error| panic!("{error}"));
     let film = study.problem.solve(&study.system)?;
-    let measured = measure(&study, &film);
+    let measured = measure(&study.problem, &study.system, &film);
     Ok(Solved { study, film, measured })
 }

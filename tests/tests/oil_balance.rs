@@ -289,7 +289,7 @@ fn stretched_meshes_are_flipped() {
         assert!(study.flips > 1000, "{}", study.flips);
         let film = study.problem.solve(&study.system);
         let film = film.unwrap_or_else(|reason| panic!("{reason}"));
-        let measured = measure(&study, &film);
+        let measured = measure(&study.problem, &study.system, &film);
         let least = measured.cavity.and_then(|cavity| cavity.least_fraction);
         assert!(least.is_some_and(|least| 0.0 < least && least < 1.0), "{least:?}");
         balanced(&measured.flows);
@@ -316,7 +316,9 @@ fn stretched_meshes_are_flipped() {
 fn fields_of_broken_films() {
     for (model, fields) in [("reynolds", 3), ("jfo", 4)] {
         let film = solved(&LINERS[2].scene(model, 3000.0, ""));
-        let drawn = picture(&film.study, &film.film, true);
+        let indicator = vec![0.5; film.study.system.space().mesh().triangles().len()];
+        let drawn = picture(&film.study, &film.film, Some(&indicator), true);
+        assert_eq!(drawn.cell_data, [("error_indicator".to_owned(), indicator)]);
         assert_eq!(drawn.point_data.len(), fields);
         let field = |name: &str| {
             drawn

@@ -18,20 +18,18 @@
 //! with squeeze the centre's velocity turns with the line of centres. **Verified by** `tests/tests/equilibrium.rs`: the
 //! tangent against differences, and eccentricities given back by their loads.
 
-use std::cell::Cell;
-
 use crate::NoEquilibrium;
+use crate::search::{Search, Trial};
 use crate::stretched::{eccentricity_at, stretched};
-use oilwedge_reynolds::quantities::load::{load, load_change};
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalChange, JournalState, NoFilm};
+use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalChange, JournalState};
 
 /// The balance has been found when force and load differ by this part of the load.
 const BALANCED: f64 = 1e-12;
 /// A balance that rounding keeps from [`BALANCED`] is one below this part.
 const BALANCED_ENOUGH: f64 = 1e-10;
 /// Steps are taken in `e` below this part.
-const NEAR: f64 = 0.1;
+pub(crate) const NEAR: f64 = 0.1;
 /// Most positions tried.
 const MOST_STEPS: usize = 40;
 /// Most halvings of one step.
@@ -60,6 +58,23 @@ pub struct Squeeze {
     pub tangential: f64,
 }
 
+impl Squeeze {
+    /// The change of a journal that moves by `step` [m]: the velocity of squeeze turns with the line of centres.
+    pub fn moved(&self, journal: &JournalState, step: [f64; 2]) -> JournalChange {
+        let e = journal.eccentricity();
+        let velocity = match e > 0.0 {
+            true => {
+                let along = journal.offset.map(|x| x / e);
+                let across = [-along[1], along[0]];
+                let turn = (across[0] * step[0] + across[1] * step[1]) / e;
+                [0, 1].map(|d| turn * (self.radial * across[d] - self.tangential * along[d]))
+            }
+            false => [0.0; 2],
+        };
+        JournalChange { offset: step, velocity }
+    }
+}
+
 /// A journal in balance.
 #[derive(Debug)]
 pub struct Equilibrium {
@@ -67,6 +82,8 @@ pub struct Equilibrium {
     pub problem: FilmProblem,
     /// The film there.
     pub film: FilmSolution,
+    /// The film there in cubic elements, where it is that which carries the load.
+    pub cubic: Option<FilmSolution>,
     /// Load less force of the film, relative to the load (to the natural one if there is none).
     pub residual: f64,
     /// Positions tried on the mesh of the film.
@@ -86,14 +103,7 @@ pub fn find(
     load: [f64; 2],
     squeeze: Squeeze,
 ) -> Result<Equilibrium, NoEquilibrium> {
-    let search = Search {
-        system,
-        load,
-        squeeze,
-        clearance: problem.bearing.clearance,
-        natural: natural_load(problem, load),
-        nearest: Cell::new(None),
-    };
+    let search = Search::new(problem, system, load, squeeze);
     let Some(coarser) = &system.coarser else {
         return search.everywhere(problem);
     };
@@ -108,43 +118,6 @@ pub fn find(
         Some(start) if outcome.is_err() => search.run(problem, start),
         _ => outcome,
     }
-}
-
-/// The load, or that of drag through the clearance where there is none.
-fn natural_load(problem: &FilmProblem, load: [f64; 2]) -> f64 {
-    let bearing = &problem.bearing;
-    let pressure =
-        problem.lubricant.viscosity * problem.journal.speed.abs() * (bearing.radius / bearing.clearance).powi(2);
-    match load[0].hypot(load[1]) {
-        0.0 => (pressure * 2.0 * bearing.radius * bearing.length).max(f64::MIN_POSITIVE),
-        load => load,
-    }
-}
-
-struct Search<'a> {
-    system: &'a FilmSystem,
-    load: [f64; 2],
-    squeeze: Squeeze,
-    clearance: f64,
-    /// What residuals are relative to [N].
-    natural: f64,
-    /// The trial whose force was nearest to the load.
-    nearest: Cell<Option<Nearest>>,
-}
-
-/// What is told of a trial: its distance from the load, its force [N] and its journal.
-#[derive(Debug, Clone, Copy)]
-struct Nearest {
-    distance: f64,
-    force: [f64; 2],
-    journal: JournalState,
-}
-
-/// A position, its film and its force.
-struct Trial {
-    problem: FilmProblem,
-    film: FilmSolution,
-    force: [f64; 2],
 }
 
 impl Search<'_> {
@@ -183,6 +156,7 @@ impl Search<'_> {
             stiffness: self.stiffness(&trial)?,
             problem: trial.problem,
             film: trial.film,
+            cubic: trial.cubic,
             steps: tried,
         })
     }
@@ -233,111 +207,12 @@ impl Search<'_> {
         outcome
     }
 
-    /// Positions all over the bearing, those with the force nearest to the load first.
-    fn starts(&self, problem: &FilmProblem) -> Vec<JournalState> {
-        const ANGLES: u32 = 12;
-        let mut starts: Vec<(f64, JournalState)> = Vec::new();
-        for eps in [0.3, 0.7, 0.95, 0.99] {
-            for k in 0..ANGLES {
-                let angle = std::f64::consts::TAU * f64::from(k) / f64::from(ANGLES);
-                let e = eps * self.clearance;
-                if let Ok(trial) = self.trial(problem, [e * angle.cos(), e * angle.sin()], Neighbour::None) {
-                    starts.push((self.distance(&trial), trial.problem.journal));
-                }
-            }
-        }
-        starts.sort_by(|a, b| a.0.total_cmp(&b.0));
-        starts.into_iter().map(|(_, start)| start).collect()
-    }
-
-    /// The film at the start or, where there is none, nearer to the middle.
-    fn first(&self, problem: &FilmProblem, mut start: JournalState) -> Result<Trial, NoFilm> {
-        const RETREATS: usize = 12;
-        for _ in 0..RETREATS {
-            match self.trial(problem, start.offset, Neighbour::None) {
-                // Without a supply there is no film anywhere.
-                Err(reason) if !matches!(reason, NoFilm::NoSupply { .. }) => {
-                    start.offset = start.offset.map(|e| 0.5 * e)
-                }
-                other => return other,
-            }
-        }
-        self.trial(problem, start.offset, Neighbour::None)
-    }
-
-    fn trial(&self, problem: &FilmProblem, offset: [f64; 2], from: Neighbour) -> Result<Trial, NoFilm> {
-        let mut problem = problem.clone();
-        let angle = match offset {
-            [0.0, 0.0] => problem.journal.min_film_angle(),
-            [x, y] => y.atan2(x),
-        };
-        problem.journal = JournalState {
-            offset,
-            ..problem.journal
-        }
-        .with_squeeze(self.squeeze.radial, self.squeeze.tangential, angle);
-        let film = problem.solve_from(self.system, from)?;
-        let force = load(&problem, self.system, &film).total.force;
-        let trial = Trial { problem, film, force };
-        let distance = self.distance(&trial);
-        if self.nearest.get().is_none_or(|nearest| distance < nearest.distance) {
-            self.nearest.set(Some(Nearest {
-                distance,
-                force,
-                journal: trial.problem.journal,
-            }));
-        }
-        Ok(trial)
-    }
-
-    fn residual(&self, trial: &Trial) -> f64 {
-        let [x, y] = self.excess(trial);
-        x.hypot(y) / self.natural
-    }
-
-    /// Force of the film less the load [N].
-    fn excess(&self, trial: &Trial) -> [f64; 2] {
-        [trial.force[0] - self.load[0], trial.force[1] - self.load[1]]
-    }
-
-    /// `dW/de`.
-    fn stiffness(&self, trial: &Trial) -> Result<[[f64; 2]; 2], NoFilm> {
-        let mut stiffness = [[0.0; 2]; 2];
-        for k in 0..2 {
-            let change = self.change(&trial.problem.journal, k);
-            let unknown = (trial.problem)
-                .unknown_change(self.system, &trial.film, &change)
-                .map_err(oilwedge_fem::newton::Failure::from)?;
-            let by_offset = load_change(&trial.problem, self.system, &trial.film, &unknown);
-            stiffness[0][k] = by_offset[0];
-            stiffness[1][k] = by_offset[1];
-        }
-        Ok(stiffness)
-    }
-
-    /// A unit move along axis `k`; the velocity of squeeze turns with the line of centres.
-    fn change(&self, journal: &JournalState, k: usize) -> JournalChange {
-        let mut offset = [0.0; 2];
-        offset[k] = 1.0;
-        let e = journal.eccentricity();
-        let velocity = match e > 0.0 {
-            true => {
-                let along = journal.offset.map(|x| x / e);
-                let across = [-along[1], along[0]];
-                let turn = across[k] / e;
-                [0, 1].map(|d| turn * (self.squeeze.radial * across[d] - self.squeeze.tangential * along[d]))
-            }
-            false => [0.0; 2],
-        };
-        JournalChange { offset, velocity }
-    }
-
     /// Newton's step [m].
     fn step(&self, trial: &Trial, stiffness: [[f64; 2]; 2]) -> [f64; 2] {
         let stretched = (self.residual(trial) > NEAR)
             .then(|| self.stretched_step(trial, stiffness))
             .flatten();
-        stretched.unwrap_or_else(|| solve(stiffness, self.excess(trial).map(|x| -x)))
+        stretched.unwrap_or_else(|| newton_step(stiffness, self.excess(trial)))
     }
 
     /// The step in `s` and the angle of the line of centres that brings `ln |W|` and the angle of W to those of the load.
@@ -406,46 +281,11 @@ impl Search<'_> {
         }
         None
     }
+}
 
-    /// How far the force is from the load: by logarithm and angle, so that forces much too large and much too small
-    /// count alike; by the residual where that is small.
-    fn distance(&self, trial: &Trial) -> f64 {
-        let residual = self.residual(trial);
-        let (force, load) = (trial.force[0].hypot(trial.force[1]), self.load[0].hypot(self.load[1]));
-        if residual < NEAR || load == 0.0 {
-            return residual;
-        }
-        if force == 0.0 {
-            return f64::MAX;
-        }
-        let along = trial.force[0] * self.load[0] + trial.force[1] * self.load[1];
-        let across = trial.force[0] * self.load[1] - trial.force[1] * self.load[0];
-        (load / force).ln().hypot(across.atan2(along))
-    }
-
-    /// Tells of the nearest of all trials.
-    fn unreachable(&self, trial: &Trial, why: &'static str) -> NoEquilibrium {
-        let degrees = |[x, y]: [f64; 2]| y.atan2(x).to_degrees().rem_euclid(360.0);
-        let last = Nearest {
-            distance: self.distance(trial),
-            force: trial.force,
-            journal: trial.problem.journal,
-        };
-        let nearest = self
-            .nearest
-            .get()
-            .filter(|nearest| nearest.distance < last.distance)
-            .unwrap_or(last);
-        NoEquilibrium::Unreachable {
-            asked: self.load[0].hypot(self.load[1]),
-            towards: degrees(self.load),
-            nearest: nearest.force[0].hypot(nearest.force[1]),
-            nearest_towards: degrees(nearest.force),
-            eccentricity: nearest.journal.eccentricity() / self.clearance,
-            journal: Box::new(trial.problem.journal),
-            why,
-        }
-    }
+/// The step [m] that takes away the `excess` of force [N] to first order; not finite for a singular stiffness.
+pub fn newton_step(stiffness: [[f64; 2]; 2], excess: [f64; 2]) -> [f64; 2] {
+    solve(stiffness, excess.map(|x| -x))
 }
 
 /// Solves a system of two equations; not finite if it is singular.

@@ -6,9 +6,12 @@
 //!
 //! The film knows its own tangent ([`oilwedge_reynolds::FilmProblem::unknown_change`]); a balance borders it.
 
+pub mod cubic;
 pub mod equilibrium;
 pub mod no_equilibrium;
+mod search;
 mod stretched;
 
-pub use equilibrium::{Equilibrium, Squeeze, find};
+pub use cubic::find_cubic;
+pub use equilibrium::{Equilibrium, Squeeze, find, newton_step};
 pub use no_equilibrium::NoEquilibrium;

@@ -6,9 +6,11 @@
 mod check;
 mod complain;
 mod converge;
+mod cost;
 mod levels_table;
 mod mesh;
 mod progress;
+mod quantities;
 mod readable;
 mod solve;
 mod terminal;
@@ -34,6 +36,7 @@ const EXAMPLES: &str = "\
 Examples:
   oilwedge solve scenes/01_plain_ring.toml         solve, tell the numbers, write out/01_plain_ring/
   oilwedge solve bearing.toml --json > load.json   the same numbers for a script
+  oilwedge solve bearing.toml --cost               and what each effect changes, and in which time
   oilwedge check bearing.toml                      what would be computed, and is the mesh good?
   oilwedge check liner.msh                         a gmsh 4.1 mesh by itself
   oilwedge mesh bearing.toml -o liner.msh          the mesh that a solve would use, for gmsh

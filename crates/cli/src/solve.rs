@@ -4,7 +4,7 @@ use crate::complain::{self, Failure};
 use crate::terminal;
 use oilwedge_scene::report::Status;
 use oilwedge_scene::results::write_results;
-use oilwedge_scene::{Error, RunOptions, Scene};
+use oilwedge_scene::{Error, RunOptions, Scene, effect_costs};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -27,6 +27,44 @@ pub(crate) struct Solve {
     /// Draw film.vtu on the unrolled liner (x = R phi, y = z) instead of on the cylinder.
     #[arg(long)]
     unrolled: bool,
+
+    /// Estimate error bars, or none (not with a tolerance in the scene).
+    #[arg(long, value_enum, default_value_t = Bars::Auto)]
+    bars: Bars,
+
+    /// End the refinement towards a tolerance after this many seconds.
+    #[arg(long, value_name = "S", default_value_t = 60.0, value_parser = seconds)]
+    max_seconds: f64,
+
+    /// Refine towards a tolerance to this many unknowns at most.
+    #[arg(long, value_name = "N", default_value_t = 1_000_000, value_parser = unknowns)]
+    max_unknowns: usize,
+
+    /// Solve again without each effect, and tell what it changes and costs.
+    #[arg(long)]
+    cost: bool,
+}
+
+/// Whether error bars are estimated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum Bars {
+    /// For every quantity whose error can be resolved.
+    Auto,
+    /// For none.
+    None,
+}
+
+fn seconds(text: &str) -> Result<f64, String> {
+    let seconds = text
+        .parse()
+        .ok()
+        .filter(|seconds: &f64| seconds.is_finite() && *seconds > 0.0);
+    seconds.ok_or_else(|| "a number of seconds above zero is wanted".to_owned())
+}
+
+fn unknowns(text: &str) -> Result<usize, String> {
+    let count = text.parse().ok().filter(|count| *count > 0);
+    count.ok_or_else(|| "a whole number above zero is wanted".to_owned())
 }
 
 const EXAMPLES: &str = "\
@@ -34,8 +72,12 @@ Examples:
   oilwedge solve bearing.toml
   oilwedge solve bearing.toml --out results/today --unrolled
   oilwedge solve bearing.toml --json | jq .quantities.load.value
+  oilwedge solve bearing.toml --cost
+  oilwedge solve bearing.toml --bars none
+  oilwedge solve bearing.toml --max-seconds 600 --max-unknowns 5000000
 
-Exit status: 0 done; 1 no solution or not converged (the reason is in the result); 2 bad scene, mesh or arguments.";
+Exit status: 0 done; 1 no solution, not converged, or a tolerance that a limit left unmet (the reason is in the result);
+2 bad scene, mesh or arguments.";
 
 impl Solve {
     /// Solves the scene, writes the results, and prints them.
@@ -44,12 +86,11 @@ impl Solve {
     /// [`Failure`]: the scene or its mesh cannot be used, or the results cannot be written.
     pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
         let scene = Scene::read(&self.scene)?;
-        let run = oilwedge_scene::run(
-            &scene,
-            &RunOptions {
-                unrolled: self.unrolled,
-            },
-        )?;
+        let options = self.options(&scene)?;
+        let mut run = oilwedge_scene::run(&scene, &options)?;
+        if self.cost {
+            run.result.cost = Some(effect_costs(&scene, &options, &run.result)?);
+        }
         let json = run.result.to_json().map_err(Error::from)?;
         let picture = run
             .picture
@@ -66,6 +107,24 @@ impl Solve {
         Ok(match run.result.status {
             Status::Converged => ExitCode::SUCCESS,
             Status::NoSolution | Status::NotConverged => ExitCode::from(1),
+        })
+    }
+
+    fn options(&self, scene: &Scene) -> Result<RunOptions, Failure> {
+        let bars = self.bars == Bars::Auto;
+        if !bars && scene.tolerance.as_ref().is_some_and(|tolerance| tolerance.is_given) {
+            return Err(Failure::Argument {
+                message: format!(
+                    "--bars none does not go with the mesh.tolerance of the scene {}: without error bars nothing tells when it is met; leave out --bars none, or remove tolerance from [mesh]",
+                    self.scene.display()
+                ),
+            });
+        }
+        Ok(RunOptions {
+            unrolled: self.unrolled,
+            bars,
+            max_seconds: self.max_seconds,
+            max_unknowns: self.max_unknowns,
         })
     }
 }

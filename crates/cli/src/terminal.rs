@@ -2,15 +2,14 @@
 
 use crate::complain::Failure;
 use crate::complain::printable;
+use crate::cost::cost;
+use crate::quantities::{bars, quantities};
 use crate::readable::{readable_unit, significant};
 use crate::words;
 use comfy_table::{CellAlignment, ContentArrangement, Table, presets};
-use oilwedge_scene::report::{Balances, CheckReport, Counts, Effects, MeshFacts, Quantity, RunResult, Status};
+use oilwedge_scene::report::{Balances, CheckReport, Counts, Effects, MeshFacts, RunResult, Status};
 use std::io::{ErrorKind, Write};
 use std::path::Path;
-
-/// A quantity below this in its smallest unit is nothing: 1e-9 N, um, ml/s or deg.
-const ROUNDING: f64 = 1e-9;
 
 /// Prints a text to stdout; that the reader has gone away already (`| head`) is no fault.
 ///
@@ -32,10 +31,12 @@ pub(crate) fn run_report(result: &RunResult, folder: &Path, picture: bool) -> St
     }
     parts.push(effects(&result.effects));
     if !result.quantities.is_empty() {
-        parts.push(quantities(&result.quantities));
+        parts.push(quantities(&result.quantities, result.bars));
     }
+    parts.extend(cost(result));
     let mut lines = Vec::new();
     if !result.quantities.is_empty() {
+        lines.extend(bars(result));
         lines.push(balances(result.balances));
     }
     lines.extend(cavity(result));
@@ -158,6 +159,7 @@ fn facts(found: &CheckReport) -> String {
             quality.boundary_loops
         ),
     ];
+    lines.extend(tolerance(&found.tolerance));
     lines.extend(found.cost.map(|cost| {
         let factor = significant(8e-6 * cost.factor_entries as f64, 3);
         format!(
@@ -166,6 +168,20 @@ fn facts(found: &CheckReport) -> String {
         )
     }));
     lines.join("\n")
+}
+
+/// How small error bars shall become; nothing without a tolerance.
+fn tolerance(targets: &[(String, f64)]) -> Option<String> {
+    let told: Vec<_> = (targets.iter())
+        .map(|(name, relative)| {
+            let percent = 100.0 * relative;
+            match name.contains("angle") {
+                true => format!("{} to {percent} % of 1 rad", printable(name)),
+                false => format!("{} to {percent} %", printable(name)),
+            }
+        })
+        .collect();
+    (!told.is_empty()).then(|| format!("tolerance {}", told.join(", ")))
 }
 
 pub(crate) fn heading(title: &str, status: &str) -> String {
@@ -210,35 +226,7 @@ pub(crate) fn effects(effects: &Effects) -> String {
     )
 }
 
-fn quantities(quantities: &[Quantity]) -> String {
-    let bars = quantities.iter().any(|quantity| quantity.error.is_some());
-    let mut table = match bars {
-        true => table(["quantity", "symbol", "value", "± error", "unit", "what it is"]),
-        false => table(["quantity", "symbol", "value", "unit", "what it is"]),
-    };
-    for quantity in quantities {
-        let (unit, size) = readable_unit(quantity.value, &quantity.unit);
-        let value = match quantity.value / size {
-            nothing if nothing.abs() < ROUNDING => "0".to_owned(),
-            value => significant(value, 6),
-        };
-        let error = quantity
-            .error
-            .map_or(String::new(), |error| significant(error / size, 2));
-        let (name, symbol, unit) = (printable(&quantity.name), quantity.symbol.clone(), unit.to_string());
-        let words = words::of_quantity(&quantity.name).to_owned();
-        match bars {
-            true => table.add_row([name, symbol, value, error, unit, words]),
-            false => table.add_row([name, symbol, value, unit, words]),
-        };
-    }
-    align_right(&mut table, 2);
-    if bars {
-        align_right(&mut table, 3);
-    }
-    table.to_string()
-}
-
+/// An empty table with this header.
 pub(crate) fn table<const N: usize>(header: [&str; N]) -> Table {
     let mut table = Table::new();
     table
@@ -248,12 +236,14 @@ pub(crate) fn table<const N: usize>(header: [&str; N]) -> Table {
     table
 }
 
+/// Numbers stand under each other.
 pub(crate) fn align_right(table: &mut Table, column: usize) {
     if let Some(column) = table.column_mut(column) {
         column.set_cell_alignment(CellAlignment::Right);
     }
 }
 
+/// Seconds, or milliseconds where they are few.
 pub(crate) fn time(seconds: f64) -> String {
     match seconds < 1.0 {
         true => format!("{} ms", significant(1e3 * seconds, 3)),
@@ -262,13 +252,11 @@ pub(crate) fn time(seconds: f64) -> String {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
-    use oilwedge_scene::report::{CHECK_FORMAT, RESULT_FORMAT, RegionFacts};
+    use oilwedge_scene::report::{CHECK_FORMAT, Quantity, RESULT_FORMAT, RegionFacts};
 
-    fn result() -> RunResult {
-        let mut angle = Quantity::new("attitude_angle", "beta", 49.29, "deg");
-        angle.error = Some(0.0123);
+    pub(crate) fn result() -> RunResult {
         RunResult {
             format: RESULT_FORMAT.into(),
             title: "Hole-fed shell".into(),
@@ -287,7 +275,12 @@ mod tests {
                 order: 2,
                 min_angle_deg: 31.04,
             },
-            quantities: vec![Quantity::new("load", "W", 12_910.0, "N"), angle],
+            quantities: vec![
+                Quantity::new("load", "W", 12_910.0, "N"),
+                Quantity::new("attitude_angle", "beta", 49.29, "deg"),
+            ],
+            bars: false,
+            levels: vec![],
             balances: Balances {
                 mass: 1.2e-12,
                 force: 0.0,
@@ -301,6 +294,7 @@ mod tests {
             },
             timing_s: vec![("read".into(), 0.0123), ("total".into(), 1.5)],
             warnings: vec![],
+            cost: None,
         }
     }
 
@@ -313,7 +307,6 @@ mod tests {
             "12.9100",
             "kN",
             "49.2900",
-            "0.012",
             "simulated      poiseuille  oil driven by the pressure gradient\n               couette     oil dragged",
             "force that the film carries",
             "differ by 1.2e-12 of",
@@ -384,6 +377,7 @@ mod tests {
             mesh_file: "liner.msh".into(),
             effects: None,
             mesh: MeshFacts::default(),
+            tolerance: vec![("load".into(), 0.001), ("attitude_angle".into(), 1e-4)],
             liner: Vec::new(),
             sketch: String::new(),
             quality: Default::default(),
@@ -396,5 +390,7 @@ mod tests {
             text.contains("liner.msh: can be used") && text.contains("end_low"),
             "{text}"
         );
+        let tolerance = "tolerance load to 0.1 %, attitude_angle to 0.01 % of 1 rad\n";
+        assert!(text.contains(tolerance), "{text}");
     }
 }

@@ -56,6 +56,21 @@ const EFFECTS: [(&str, &str); 12] = [
     ("equilibrium", "the position is found where the film carries the load"),
 ];
 
+/// Where errors come from.
+const ERRORS: [(&str, &str); 6] = [
+    ("discretisation", "triangles"),
+    ("front", "edge of the cavity"),
+    ("geometry", "shape of the liner"),
+    ("nonlinear", "nonlinear iteration"),
+    ("algebra", "rounding"),
+    ("position", "search for the position"),
+];
+
+/// Where a part of an error comes from.
+pub(crate) fn of_error(name: &str) -> &'static str {
+    find(&ERRORS, name)
+}
+
 /// What a quantity is.
 pub(crate) fn of_quantity(name: &str) -> &'static str {
     let key = name.find('.').map_or(name, |dot| &name[..=dot]);
@@ -82,5 +97,7 @@ mod tests {
         assert_eq!(of_quantity("load_x"), "its part along x (angle 0)");
         assert_eq!(of_quantity("load_x.hole.b"), "part of W_x over that region");
         assert_eq!(of_quantity("temperature_outlet"), "");
+        let parts = oilwedge_scene::report::ErrorParts::default().by_name();
+        assert!(parts.iter().all(|(name, _)| !of_error(name).is_empty()));
     }
 }

@@ -9,16 +9,13 @@
 
 use std::collections::HashSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
-use std::sync::Arc;
 
 use crate::conservation_law::{ConservationLaw, Tangent};
 use crate::newton::{Failure, HistoryStep, STEP_TOLERANCE, Seconds, Solution};
-use crate::{Analysis, Assembler, Constraints, Error, Linearisation, Matrix};
+use crate::{Assembler, Constraints, Error, LinearSolver, Matrix};
 
 /// Most steps of one solve.
 const MOST_STEPS: usize = 400;
-/// A sign is wrong by more than this part of what is natural at the dof.
-const SIGN_TOLERANCE: f64 = 1e-12;
 
 /// What the solution must not fall below, and where that is asked.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,6 +27,14 @@ pub struct Obstacle {
 }
 
 impl Obstacle {
+    /// Asked at every node: for linear and for cubic elements, none of whose functions has a negative mean.
+    pub fn at_nodes(space: &crate::Space, value: f64) -> Self {
+        Self {
+            value,
+            candidates: vec![true; space.dofs()],
+        }
+    }
+
     /// An obstacle for quadratic elements: asked at the middles of edges. Functions of vertices have no mean, so a
     /// multiplier there has no sign (Brezzi, Hager, Raviart, Numer. Math. 28 (1977) 431).
     pub fn at_midpoints(space: &crate::Space, value: f64) -> Self {
@@ -38,14 +43,6 @@ impl Obstacle {
             candidates[space.edge_dof(edge)] = true;
         }
         Self { value, candidates }
-    }
-
-    /// An obstacle for linear elements: asked at every vertex, where their functions have positive means.
-    pub fn at_nodes(space: &crate::Space, value: f64) -> Self {
-        Self {
-            value,
-            candidates: vec![true; space.dofs()],
-        }
     }
 }
 
@@ -74,7 +71,7 @@ pub struct Contact {
 /// [`Failure`] with the history.
 pub fn solve(
     assembler: &Assembler,
-    analysis: &Arc<Analysis>,
+    solver: &LinearSolver,
     law: &dyn ConservationLaw,
     constraints: &Constraints,
     obstacle: &Obstacle,
@@ -101,10 +98,11 @@ pub fn solve(
         _ => 1.0,
     };
     while history.len() < MOST_STEPS {
-        let factorization = Seconds::time(&mut seconds.factorise, || analysis.factorise(&matrix, &masked.fixed))?;
-        let linearisation = Linearisation::new(matrix, factorization, masked);
+        let linearisation = Seconds::time(&mut seconds.factorise, || solver.linearise(matrix, masked))?;
         let minus: Vec<f64> = residual.iter().map(|r| -r).collect();
-        let step = Seconds::time(&mut seconds.solve, || linearisation.solve(&minus))?;
+        let step = Seconds::time(&mut seconds.solve, || {
+            linearisation.solve_to(&minus, solver.enough(first))
+        })?;
         for (u, step) in u.iter_mut().zip(&step) {
             *u += step;
         }
@@ -119,7 +117,7 @@ pub fn solve(
             &u,
             &reactions,
             linearisation.matrix(),
-            scale,
+            solver.accuracy() * largest(&u).max(scale),
         );
         if wrong.is_empty() && settled {
             let left = match linear {
@@ -191,7 +189,8 @@ impl Exchange {
     }
 }
 
-/// Dofs below the obstacle, and held dofs that the obstacle would have to pull down.
+/// Dofs below the obstacle, and held dofs that the obstacle would have to pull down; by more than `natural`, which is
+/// a value of `u` that means nothing.
 fn wrong_signs(
     constraints: &Constraints,
     obstacle: &Obstacle,
@@ -199,9 +198,8 @@ fn wrong_signs(
     u: &[f64],
     reactions: &[f64],
     matrix: &Matrix,
-    scale: f64,
+    natural: f64,
 ) -> Vec<usize> {
-    let natural = SIGN_TOLERANCE * scale.max(largest(u));
     (0..u.len())
         .filter(|&i| obstacle.candidates[i] && !constraints.fixed[i])
         .filter(|&i| match held[i] {

@@ -1,5 +1,7 @@
 //! Median dual cells on the linear sub-mesh of quadratic triangles, for schemes of finite volumes.
 //!
+//! A space of linear elements is its own sub-mesh: the same scheme on the vertices alone.
+//!
 //! ```text
 //!        2
 //!       / \          each triangle is four on its six nodes: (0 3 5) (3 1 4) (5 4 2) (3 4 5),
@@ -16,8 +18,15 @@ use oilwedge_mesh::Mesh;
 
 use crate::{Error, Pattern, Space, UnsymmetricAnalysis};
 
-/// The four sub-triangles of triangle `t`, by its local nodes, counter-clockwise.
-pub fn sub_triangles(mesh: &Mesh, t: usize) -> [[usize; 3]; 4] {
+/// The sub-triangles of triangle `t` by its local nodes, counter-clockwise: four, or itself where the elements are linear.
+pub fn sub_triangles(space: &Space, t: usize) -> &'static [[usize; 3]] {
+    match space.degree() {
+        1 => &[[0, 1, 2]],
+        _ => quarters(space.mesh(), t),
+    }
+}
+
+fn quarters(mesh: &Mesh, t: usize) -> &'static [[usize; 3]; 4] {
     let corners = mesh.corners(t);
     let is_obtuse = |k: usize| {
         let (at, next, previous) = (corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3]);
@@ -25,18 +34,20 @@ pub fn sub_triangles(mesh: &Mesh, t: usize) -> [[usize; 3]; 4] {
         along(0) + along(1) < 0.0
     };
     match (0..3).find(|&k| is_obtuse(k)) {
-        None => [[0, 3, 5], [3, 1, 4], [5, 4, 2], [3, 4, 5]],
-        Some(0) => [[0, 3, 4], [3, 1, 4], [5, 4, 2], [0, 4, 5]],
-        Some(1) => [[0, 3, 5], [3, 1, 5], [5, 4, 2], [1, 4, 5]],
-        Some(_) => [[0, 3, 5], [3, 1, 4], [3, 4, 2], [3, 2, 5]],
+        None => &[[0, 3, 5], [3, 1, 4], [5, 4, 2], [3, 4, 5]],
+        Some(0) => &[[0, 3, 4], [3, 1, 4], [5, 4, 2], [0, 4, 5]],
+        Some(1) => &[[0, 3, 5], [3, 1, 5], [5, 4, 2], [1, 4, 5]],
+        Some(_) => &[[0, 3, 5], [3, 1, 4], [3, 4, 2], [3, 2, 5]],
     }
 }
 
-/// The sub-mesh of a space of quadratic elements and the pattern of couplings between its nodes.
+/// The sub-mesh of a space of quadratic or linear elements and the pattern of couplings between its nodes.
 #[derive(Debug)]
 pub struct ControlVolumes {
-    /// Dofs at the corners of each sub-triangle; those of triangle `t` are `4 t` to `4 t + 3`.
+    /// Dofs at the corners of each sub-triangle, triangle by triangle.
     pub triangles: Vec<[u32; 3]>,
+    /// Sub-triangles of each triangle: four of a quadratic one, one of a linear one.
+    pub per_triangle: usize,
     /// Address of entry `[row][column]` of each sub-triangle's matrix.
     pub addresses: Vec<[[u32; 3]; 3]>,
     /// The pattern, columns ascending.
@@ -61,7 +72,7 @@ pub struct BoundaryFace {
 }
 
 impl ControlVolumes {
-    /// The sub-mesh of `space`, whose degree must be two.
+    /// The sub-mesh of `space`, whose degree must be one or two.
     ///
     /// # Errors
     /// [`Error::TooLarge`] if the factor's indices do not fit in memory.
@@ -69,7 +80,8 @@ impl ControlVolumes {
         let triangles: Vec<[u32; 3]> = (0..space.mesh().triangles().len())
             .flat_map(|t| {
                 let dofs = space.element_dofs(t);
-                sub_triangles(space.mesh(), t).map(|nodes| nodes.map(|node| dofs[node] as u32))
+                let subs = sub_triangles(space, t).iter();
+                subs.map(move |nodes| nodes.map(|node| dofs[node] as u32))
             })
             .collect();
         let pattern = Arc::new(pattern(space.dofs(), &triangles));
@@ -86,6 +98,7 @@ impl ControlVolumes {
             addresses,
             analysis: Arc::new(UnsymmetricAnalysis::new(pattern.clone())?),
             pattern,
+            per_triangle: space.degree() * space.degree(),
             triangles,
             faces: boundary_faces(space),
         })
@@ -134,9 +147,13 @@ fn boundary_faces(space: &Space) -> Vec<BoundaryFace> {
         let cell = topology.edge_triangles[edge as usize][0] as usize;
         let k = mesh.local_edge(cell, edge);
         let (dofs, nodes) = (space.element_dofs(cell), mesh.nodes(cell));
-        // The film lies on the left of the way from corner k over the middle to the next corner.
-        let way = [k, 3 + k, (k + 1) % 3];
-        for (from, to) in [(way[0], way[1]), (way[1], way[2])] {
+        // The film lies on the left of the way from corner k, over the middle if that is a node, to the next corner.
+        let (corner, middle, next) = (k, 3 + k, (k + 1) % 3);
+        let pieces: &[(usize, usize)] = match space.degree() {
+            1 => &[(corner, next)],
+            _ => &[(corner, middle), (middle, next)],
+        };
+        for &(from, to) in pieces {
             let (a, b) = (nodes[from], nodes[to]);
             let normal = [0.5 * (b[1] - a[1]), -0.5 * (b[0] - a[0])];
             for (node, share) in [(from, 0.25), (to, 0.75)] {
@@ -178,7 +195,7 @@ mod tests {
                 (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
             };
             let quarter = 0.25 * doubled([0, 1, 2]);
-            for sub in sub_triangles(&mesh, 0) {
+            for &sub in quarters(&mesh, 0) {
                 assert!((doubled(sub) - quarter).abs() < 1e-15, "{turn}: {sub:?}");
             }
         }
@@ -186,26 +203,28 @@ mod tests {
 
     #[test]
     fn addresses_hold_their_columns_and_faces_close_the_boundary() {
-        let space = Space::new(wavy_ring(7, 3), 2);
-        let volumes = ControlVolumes::new(&space).unwrap();
-        for (nodes, addresses) in volumes.triangles.iter().zip(&volumes.addresses) {
-            for i in 0..3 {
-                for j in 0..3 {
-                    assert_eq!(volumes.pattern.columns[addresses[i][j] as usize], nodes[j]);
-                    assert!(
-                        volumes
-                            .pattern
-                            .row(nodes[i] as usize)
-                            .contains(&(addresses[i][j] as usize))
-                    );
+        for degree in [1, 2] {
+            let space = Space::new(wavy_ring(7, 3), degree);
+            let volumes = ControlVolumes::new(&space).unwrap();
+            assert_eq!(
+                volumes.triangles.len(),
+                volumes.per_triangle * space.mesh().triangles().len()
+            );
+            for (nodes, addresses) in volumes.triangles.iter().zip(&volumes.addresses) {
+                for i in 0..3 {
+                    for j in 0..3 {
+                        let address = addresses[i][j] as usize;
+                        assert_eq!(volumes.pattern.columns[address], nodes[j]);
+                        assert!(volumes.pattern.row(nodes[i] as usize).contains(&address));
+                    }
                 }
             }
+            // The ends of a ring face -z and +z and have its period each.
+            let total = |sign: f64| {
+                let faces = volumes.faces.iter().filter(|face| face.normal[1] * sign > 0.0);
+                faces.map(|face| face.normal[1]).sum::<f64>()
+            };
+            assert!((total(1.0) - 7.0).abs() < 1e-12 && (total(-1.0) + 7.0).abs() < 1e-12);
         }
-        // The ends of a ring face -z and +z and have its period each.
-        let total = |sign: f64| {
-            let faces = volumes.faces.iter().filter(|face| face.normal[1] * sign > 0.0);
-            faces.map(|face| face.normal[1]).sum::<f64>()
-        };
-        assert!((total(1.0) - 7.0).abs() < 1e-12 && (total(-1.0) + 7.0).abs() < 1e-12);
     }
 }

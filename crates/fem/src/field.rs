@@ -1,6 +1,7 @@
 //! A function of a [`Space`]: values, gradients, and extrema of the polynomials themselves.
 
 use crate::Space;
+use crate::extrema;
 use crate::lagrange::{self, MOST_SHAPES};
 use crate::mapping::Mapping;
 
@@ -55,8 +56,7 @@ impl Field<'_> {
         (self.value(t, point), place.gradient(gradient))
     }
 
-    /// The greatest value of the piecewise polynomial, between nodes too. Exact for degree 1 and 2;
-    /// of a cubic only the nodes count. Not a number if a coefficient is not.
+    /// The greatest value of the piecewise polynomial, between nodes too. Not a number if a coefficient is not.
     pub fn maximum(&self) -> Extremum {
         self.extremum(1.0, &|_| true)
     }
@@ -81,7 +81,8 @@ impl Field<'_> {
             triangle: 0,
             point: [0.0; 2],
         };
-        let nodes = lagrange::nodes(self.space.degree());
+        let degree = self.space.degree();
+        let nodes = lagrange::nodes(degree);
         for t in 0..self.space.mesh().triangles().len() {
             let values = self.element_values(t).map(|value| sign * value);
             let mut offer = |value: f64, point: [f64; 2]| {
@@ -96,9 +97,9 @@ impl Field<'_> {
             for (i, &node) in nodes.iter().enumerate() {
                 offer(values[i], node);
             }
-            if self.space.degree() == 2 && quadratic_bound(&values) > best.value && smooth(t) {
-                for point in quadratic_candidates(&values) {
-                    let value = evaluate(2, &values, point);
+            if extrema::bound(degree, &values) > best.value && smooth(t) {
+                for point in extrema::candidates(degree, &values) {
+                    let value = evaluate(degree, &values, point);
                     if value > best.value {
                         best = Extremum {
                             value,
@@ -121,51 +122,41 @@ pub fn evaluate(degree: usize, nodal: &[f64; MOST_SHAPES], point: [f64; 2]) -> f
     (0..n).map(|i| nodal[i] * shapes[i]).sum()
 }
 
-/// An upper bound of a quadratic over its triangle: the greatest Bernstein coefficient.
-fn quadratic_bound(nodal: &[f64; MOST_SHAPES]) -> f64 {
-    (0..3)
-        .map(|k| nodal[k].max(2.0 * nodal[3 + k] - 0.5 * (nodal[k] + nodal[(k + 1) % 3])))
-        .fold(f64::NEG_INFINITY, f64::max)
-}
-
-/// Where a quadratic may have its maximum besides the nodes: its stationary points on the edges
-/// and inside the triangle.
-fn quadratic_candidates(nodal: &[f64; MOST_SHAPES]) -> Vec<[f64; 2]> {
-    let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
-    let mut candidates = Vec::with_capacity(4);
-    for k in 0..3 {
-        // On the edge u(s) = u_a + (4 u_m - 3 u_a - u_b) s + 2 (u_a + u_b - 2 u_m) s^2.
-        let (a, b, m) = (nodal[k], nodal[(k + 1) % 3], nodal[3 + k]);
-        let s = (4.0 * m - 3.0 * a - b) / (-4.0 * (a + b - 2.0 * m));
-        if s > 0.0 && s < 1.0 {
-            let (from, to) = (corners[k], corners[(k + 1) % 3]);
-            candidates.push([from[0] + s * (to[0] - from[0]), from[1] + s * (to[1] - from[1])]);
-        }
-    }
-    // Inside, grad u = g + H (xi, eta) = 0 with the constant Hessian H.
-    let [u0, u1, u2, u01, u12, u20] = [nodal[0], nodal[1], nodal[2], nodal[3], nodal[4], nodal[5]];
-    let g = [4.0 * u01 - 3.0 * u0 - u1, 4.0 * u20 - 3.0 * u0 - u2];
-    let h = [
-        4.0 * (u0 + u1 - 2.0 * u01),
-        4.0 * (u0 + u12 - u01 - u20),
-        4.0 * (u0 + u2 - 2.0 * u20),
-    ];
-    let determinant = h[0] * h[2] - h[1] * h[1];
-    let inside = [
-        (-g[0] * h[2] + g[1] * h[1]) / determinant,
-        (-g[1] * h[0] + g[0] * h[1]) / determinant,
-    ];
-    if inside[0] > 0.0 && inside[1] > 0.0 && inside[0] + inside[1] < 1.0 {
-        candidates.push(inside);
-    }
-    candidates
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use oilwedge_mesh::{Mesh, RawMesh};
     use std::sync::Arc;
+
+    #[test]
+    fn maximum_of_a_cubic_lies_between_the_nodes() {
+        let raw = RawMesh {
+            points: vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]],
+            triangles: vec![[0, 1, 2], [0, 2, 3]],
+            ..RawMesh::default()
+        };
+        let space = Space::new(Arc::new(Mesh::build(raw).unwrap()), 3);
+        for centre in [[0.7, 0.2], [0.3, 0.0], [0.31, 0.31], [0.05, 0.9]] {
+            let u = |x: [f64; 2]| {
+                let (a, b) = (x[0] - centre[0], x[1] - centre[1]);
+                3.0 - a * a - 2.0 * b * b + 0.4 * a * b - 0.3 * a * a * a + 0.2 * a * b * b
+            };
+            let values = space.interpolate(u);
+            let top = Field {
+                space: &space,
+                values: &values,
+            }
+            .maximum();
+            assert!((top.value - 3.0).abs() < 1e-13, "{centre:?}: {}", top.value);
+            let bottom = Field {
+                space: &space,
+                values: &values,
+            }
+            .minimum();
+            let sampled = (0..=100).flat_map(|i| (0..=100).map(move |j| u([0.01 * f64::from(i), 0.01 * f64::from(j)])));
+            assert!(bottom.value <= sampled.fold(f64::INFINITY, f64::min) + 1e-13);
+        }
+    }
 
     #[test]
     fn maximum_of_a_paraboloid_lies_between_the_nodes() {

@@ -3,7 +3,8 @@
 //! Physics states a [`ConservationLaw`]: flux and source at a point. Reading order:
 //! [`lagrange`] and [`quadrature`] (the reference triangle), [`mapping`], [`space`] (degrees of
 //! freedom), [`field`] (functions), [`conservation_law`], [`element`] and [`assembly`] (the one
-//! element loop), [`sparsity`], [`ordering`], [`factorization`] and [`unsymmetric`], [`newton`], [`complementarity`] (obstacles), [`linearisation`].
+//! element loop), [`sparsity`], [`ordering`], [`factorization`] and [`unsymmetric`], [`newton`], [`complementarity`] (obstacles), [`linear_solver`], [`linearisation`].
+//! [`prolongation`] and [`nested`]: cubic elements on top of quadratic ones, for error bars.
 //! [`marking`] chooses triangles to refine; [`transfer`](mod@transfer) carries a field to the refined mesh. [`control_volumes`] is the sub-mesh of schemes of finite volumes.
 
 pub mod assembly;
@@ -14,16 +15,20 @@ pub mod control_volumes;
 pub mod dual;
 pub mod element;
 pub mod error;
+mod extrema;
 pub mod factorization;
 pub mod field;
 pub mod lagrange;
+pub mod linear_solver;
 pub mod linearisation;
 pub mod mapping;
 pub mod marking;
 pub mod matrix;
+pub mod nested;
 pub mod newton;
 pub mod ordering;
 pub mod pattern;
+pub mod prolongation;
 pub mod quadrature;
 pub mod space;
 pub mod sparsity;
@@ -38,9 +43,11 @@ pub use dual::Dual;
 pub use error::Error;
 pub use factorization::{Analysis, Factorization};
 pub use field::Field;
+pub use linear_solver::LinearSolver;
 pub use linearisation::Linearisation;
 pub use matrix::Matrix;
 pub use pattern::Pattern;
+pub use prolongation::Prolongation;
 pub use quadrature::Quadrature;
 pub use space::Space;
 pub use transfer::transfer;

@@ -1,26 +1,18 @@
 //! The factorised tangent at a solution.
 
+use crate::nested::Nested;
 use crate::{Constraints, Error, Factorization, Matrix, UnsymmetricFactorization};
 
 /// A residual above this fraction of the right-hand side is refined once, and refused after.
 const REFINE_ABOVE: f64 = 1e-12;
 const REFUSE_ABOVE: f64 = 1e-7;
 
-/// The factors of a tangent.
+/// What a tangent is solved with.
 #[derive(Debug)]
 enum Factor {
     Cholesky(Factorization),
     Lu(Box<UnsymmetricFactorization>),
-}
-
-impl Factor {
-    fn solve(&self, x: &mut [f64], transposed: bool) -> Result<(), Error> {
-        match (self, transposed) {
-            (Self::Cholesky(factor), _) => factor.solve(x),
-            (Self::Lu(factor), false) => factor.solve(x),
-            (Self::Lu(factor), true) => factor.solve_transposed(x),
-        }
-    }
+    Nested(Nested),
 }
 
 /// The tangent `dR/du` with the given dofs masked, and its factors.
@@ -52,6 +44,15 @@ impl Linearisation {
         }
     }
 
+    /// A symmetric tangent of cubic elements, on top of the factor of quadratic ones.
+    pub(crate) fn nested(matrix: Matrix, nested: Nested, constraints: Constraints) -> Self {
+        Self {
+            matrix,
+            factor: Factor::Nested(nested),
+            constraints,
+        }
+    }
+
     /// The tangent, unmasked.
     pub fn matrix(&self) -> &Matrix {
         &self.matrix
@@ -74,7 +75,15 @@ impl Linearisation {
     /// # Errors
     /// [`Error::NotFinite`], or [`Error::Inaccurate`] if the residual stays above 1e-7 of `b`.
     pub fn solve(&self, b: &[f64]) -> Result<Vec<f64>, Error> {
-        self.refined(b, false)
+        self.refined(b, false, 0.0)
+    }
+
+    /// The same where a residual (Euclidean norm) of `enough` will do; a factor gives what it has.
+    ///
+    /// # Errors
+    /// As [`Linearisation::solve`].
+    pub fn solve_to(&self, b: &[f64], enough: f64) -> Result<Vec<f64>, Error> {
+        self.refined(b, false, enough)
     }
 
     /// Solves `(dR/du)^T x = b`, likewise.
@@ -82,13 +91,39 @@ impl Linearisation {
     /// # Errors
     /// As [`Linearisation::solve`].
     pub fn solve_transposed(&self, b: &[f64]) -> Result<Vec<f64>, Error> {
-        self.refined(b, true)
+        self.refined(b, true, 0.0)
     }
 
-    fn refined(&self, b: &[f64], transposed: bool) -> Result<Vec<f64>, Error> {
+    /// `b` masked and put through the factor once: what preconditions larger systems.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`].
+    pub(crate) fn apply_factor(&self, b: Vec<f64>) -> Result<Vec<f64>, Error> {
+        let mut x = self.masked(b);
+        self.back_solve(&mut x, false, 0.0)?;
+        Ok(x)
+    }
+
+    fn back_solve(&self, x: &mut Vec<f64>, transposed: bool, enough: f64) -> Result<(), Error> {
+        match (&self.factor, transposed) {
+            (Factor::Cholesky(factor), _) => factor.solve(x),
+            (Factor::Lu(factor), false) => factor.solve(x),
+            (Factor::Lu(factor), true) => factor.solve_transposed(x),
+            (Factor::Nested(nested), _) => {
+                *x = nested.solve(&self.matrix, &self.constraints, x, enough)?;
+                Ok(())
+            }
+        }
+    }
+
+    fn refined(&self, b: &[f64], transposed: bool, enough: f64) -> Result<Vec<f64>, Error> {
         let b = self.masked(b.to_vec());
         let mut x = b.clone();
-        self.factor.solve(&mut x, transposed)?;
+        self.back_solve(&mut x, transposed, enough)?;
+        if matches!(self.factor, Factor::Nested(_)) {
+            // It checks its residual itself.
+            return Ok(x);
+        }
         let size = self.constraints.free_norm(&b);
         if size == 0.0 {
             return Ok(x);
@@ -96,7 +131,7 @@ impl Linearisation {
         let mut correction = self.residual(&b, &x, transposed);
         let left = self.constraints.free_norm(&correction);
         if left.is_nan() || left > REFINE_ABOVE * size {
-            self.factor.solve(&mut correction, transposed)?;
+            self.back_solve(&mut correction, transposed, enough)?;
             for (x, correction) in x.iter_mut().zip(&correction) {
                 *x += correction;
             }

@@ -4,10 +4,8 @@
 //! the solution to [`STEP_TOLERANCE`]: the tangent is exact, so what is left is its square.
 //! A linear law needs one step and nothing to test.
 
-use std::sync::Arc;
-
 use crate::conservation_law::{ConservationLaw, Tangent};
-use crate::{Analysis, Assembler, Constraints, Error, Linearisation, Matrix};
+use crate::{Assembler, Constraints, Error, LinearSolver, Linearisation, Matrix};
 
 /// Relative size (greatest value) of a step after which its square is below rounding.
 pub const STEP_TOLERANCE: f64 = 1e-9;
@@ -117,7 +115,7 @@ impl Seconds {
 /// [`Failure`] with the history.
 pub fn solve(
     assembler: &Assembler,
-    analysis: &Arc<Analysis>,
+    solver: &LinearSolver,
     law: &dyn ConservationLaw,
     constraints: &Constraints,
     scale: f64,
@@ -138,12 +136,11 @@ pub fn solve(
             return Err(Error::NotFinite { what: "residual" }.into());
         }
         let first = *first_norm.get_or_insert(if norm > 0.0 { norm } else { 1.0 });
-        let factorization = Seconds::time(&mut seconds.factorise, || {
-            analysis.factorise(&matrix, &constraints.fixed)
-        })?;
-        let linearisation = Linearisation::new(matrix, factorization, constraints.clone());
+        let linearisation = Seconds::time(&mut seconds.factorise, || solver.linearise(matrix, constraints.clone()))?;
         let minus: Vec<f64> = residual.iter().map(|r| -r).collect();
-        let step = Seconds::time(&mut seconds.solve, || linearisation.solve(&minus))?;
+        let step = Seconds::time(&mut seconds.solve, || {
+            linearisation.solve_to(&minus, solver.enough(first))
+        })?;
         if linear {
             let change = Seconds::time(&mut seconds.solve, || linearisation.matrix().multiply(&step));
             let reactions: Vec<f64> = residual.iter().zip(change).map(|(r, c)| r + c).collect();

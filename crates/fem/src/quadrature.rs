@@ -29,6 +29,26 @@ impl Quadrature {
         }
     }
 
+    /// The rule on `4^levels` congruent parts of the reference triangle.
+    pub fn quartered(&self, levels: usize) -> Self {
+        let mut fine = self.clone();
+        for _ in 0..levels {
+            let coarse = fine;
+            fine = Self {
+                degree: coarse.degree,
+                points: Vec::new(),
+                weights: Vec::new(),
+            };
+            for (&[xi, eta], weight) in coarse.points.iter().zip(&coarse.weights) {
+                let (a, b) = (0.5 * xi, 0.5 * eta);
+                fine.points
+                    .extend([[a, b], [a + 0.5, b], [a, b + 0.5], [0.5 - a, 0.5 - b]]);
+                fine.weights.extend([0.25 * weight; 4]);
+            }
+        }
+        fine
+    }
+
     /// From orbits of the triangle's symmetry: its centre (weight), three points `(a, a)`
     /// (weight, a), six points `(a, b)` (weight, a, b). Weights relative to area one.
     fn from_orbits(degree: usize, centre: Option<f64>, three: &[(f64, f64)], six: &[(f64, f64, f64)]) -> Self {
@@ -109,6 +129,18 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn quartered_rule_keeps_its_degree() {
+        let fine = Quadrature::for_degree(2).quartered(2);
+        let sum: f64 = fine
+            .points
+            .iter()
+            .zip(&fine.weights)
+            .map(|(p, w)| w * p[0] * p[0] * p[1])
+            .sum();
+        assert!((sum - 2.0 / 120.0).abs() < 1e-16);
     }
 
     #[test]

@@ -4,7 +4,7 @@ use std::sync::{Arc, OnceLock};
 
 use oilwedge_fem::complementarity::Start;
 use oilwedge_fem::newton::{self, HistoryStep, Seconds};
-use oilwedge_fem::{Analysis, Assembler, ControlVolumes, Linearisation, Space};
+use oilwedge_fem::{Analysis, Assembler, ControlVolumes, LinearSolver, Linearisation, Prolongation, Space};
 use oilwedge_mesh::Mesh;
 
 use crate::cavitation::FilmFraction;
@@ -47,16 +47,29 @@ pub struct FilmProblem {
 /// Everything that depends on mesh and supply only: numbered, analysed once, used for every solve.
 #[derive(Debug)]
 pub struct FilmSystem {
-    /// Assembles on the space of quadratic elements.
+    /// Assembles on the space of the unknown.
     pub assembler: Assembler,
-    /// The analysed pattern of the Cholesky factor.
-    pub analysis: Arc<Analysis>,
     /// Where pressure is given.
     pub supply: Supply,
     /// The next coarser mesh, to start from; none where a solve needs no start.
     pub coarser: Option<Box<Coarser>>,
+    /// The analysed pattern of the Cholesky factor.
+    analysis: OnceLock<Result<Arc<Analysis>, oilwedge_fem::Error>>,
     /// Made when a mass-conserving film is first solved.
     volumes: OnceLock<Result<ControlVolumes, oilwedge_fem::Error>>,
+    /// Made when an error bar is first estimated.
+    enriched: OnceLock<Box<Enriched>>,
+    /// Made when the error of a mass-conserving film is first judged.
+    pub(crate) vertices: OnceLock<Box<FilmSystem>>,
+}
+
+/// The same mesh and supply with cubic elements.
+#[derive(Debug)]
+pub struct Enriched {
+    /// Assembles cubic elements; never factorised.
+    pub system: FilmSystem,
+    /// From quadratic elements.
+    pub prolongation: Arc<Prolongation>,
 }
 
 /// Why a mesh and its supply make no system.
@@ -78,22 +91,49 @@ impl FilmSystem {
     pub fn new(mesh: Arc<Mesh>, degree: usize, regions: Vec<SupplyRegion>) -> Result<Self, SystemError> {
         let space = Space::new(mesh, degree);
         let supply = Supply::new(&space, regions).map_err(SystemError::Supply)?;
-        Ok(Self::with_supply(space, supply)?)
+        let system = Self::with_supply(space, supply);
+        system.analysis()?;
+        Ok(system)
     }
 
     /// The system of `space` with given pressures.
+    pub(crate) fn with_supply(space: Space, supply: Supply) -> Self {
+        Self {
+            assembler: Assembler::new(space),
+            supply,
+            coarser: None,
+            analysis: OnceLock::new(),
+            volumes: OnceLock::new(),
+            enriched: OnceLock::new(),
+            vertices: OnceLock::new(),
+        }
+    }
+
+    /// The analysed pattern of the Cholesky factor.
     ///
     /// # Errors
     /// A system that does not fit in memory.
-    pub(crate) fn with_supply(space: Space, supply: Supply) -> Result<Self, oilwedge_fem::Error> {
-        let assembler = Assembler::new(space);
-        let analysis = Arc::new(Analysis::new(assembler.space(), assembler.pattern().clone())?);
-        Ok(Self {
-            assembler,
-            analysis,
-            supply,
-            coarser: None,
-            volumes: OnceLock::new(),
+    pub fn analysis(&self) -> Result<&Arc<Analysis>, oilwedge_fem::Error> {
+        let analysis = (self.analysis)
+            .get_or_init(|| Analysis::new(self.assembler.space(), self.assembler.pattern().clone()).map(Arc::new));
+        analysis.as_ref().map_err(Clone::clone)
+    }
+
+    /// How linear systems are solved that come without another one.
+    pub(crate) fn direct(&self) -> Result<LinearSolver, oilwedge_fem::Error> {
+        Ok(LinearSolver::Direct(self.analysis()?.clone()))
+    }
+
+    /// The same mesh and supply with cubic elements.
+    pub fn enriched(&self) -> &Enriched {
+        self.enriched.get_or_init(|| {
+            let prolongation = Prolongation::new(self.space());
+            let cubic = prolongation.cubic().clone();
+            let supply = self.supply.on_space(&cubic);
+            Box::new(Enriched {
+                system: Self::with_supply(cubic, supply),
+                prolongation: Arc::new(prolongation),
+            })
         })
     }
 
@@ -125,7 +165,7 @@ pub struct FilmSolution {
     /// How full a mass-conserving film is; none for other models.
     pub film_fraction: Option<FilmFraction>,
     /// The factorised tangent.
-    pub linearisation: Linearisation,
+    pub linearisation: Arc<Linearisation>,
     /// One entry a linear solve on the way.
     pub history: Vec<HistoryStep>,
     /// Where the time went.
@@ -152,7 +192,7 @@ impl FilmSolution {
             unknown: solution.u,
             inflow: solution.reactions,
             film_fraction: None,
-            linearisation: solution.linearisation,
+            linearisation: Arc::new(solution.linearisation),
             history: solution.history,
             seconds: solution.seconds,
             levels: 0,

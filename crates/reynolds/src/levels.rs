@@ -55,7 +55,7 @@ impl Coarser {
             .map(|position| locator.nearest(position))
             .map(|place| place.map(|(triangle, point)| (triangle as u32, point)))
             .collect::<Option<_>>()?;
-        let system = FilmSystem::with_supply(space, supply).ok()?;
+        let system = FilmSystem::with_supply(space, supply);
         Some(Self {
             system: system.with_coarser(bearing, &film_thickness),
             film_thickness,

@@ -38,6 +38,9 @@
 pub mod analytical;
 pub mod bearing;
 pub mod cavitation;
+mod companion;
+mod enriched;
+pub mod error_bar;
 pub mod existence;
 mod film_law;
 pub mod film_point;

@@ -1,12 +1,55 @@
 //! How a solved film changes, to first order, where the journal moves: with the factors that are there.
 
 use oilwedge_fem::Error;
+use oilwedge_fem::newton::Failure;
 
 use crate::cavitation::jfo;
 use crate::film_law::FilmLaw;
-use crate::{FilmProblem, FilmSolution, FilmSystem, JournalChange};
+use crate::solve::Neighbour;
+use crate::{FilmProblem, FilmSolution, FilmSystem, JournalChange, NoFilm};
 
 impl FilmProblem {
+    /// The film where the journal has moved by a small `change`: along the tangent, but for a mass-conserving one, which is
+    /// solved again from the film that is there.
+    ///
+    /// # Errors
+    /// [`NoFilm`]: the reason why there is none.
+    pub fn moved(
+        &self,
+        system: &FilmSystem,
+        film: &FilmSolution,
+        change: &JournalChange,
+    ) -> Result<(Self, FilmSolution), NoFilm> {
+        let mut problem = self.clone();
+        for d in 0..2 {
+            problem.journal.offset[d] += change.offset[d];
+            problem.journal.velocity[d] += change.velocity[d];
+        }
+        if film.film_fraction.is_some() {
+            let film = problem.solve_from(system, Neighbour::Kept(film))?;
+            return Ok((problem, film));
+        }
+        let unknown = self.unknown_change(system, film, change).map_err(Failure::from)?;
+        let direct = system
+            .assembler
+            .residual(&FilmLaw::changed(self, *change), &film.unknown);
+        let through = film.linearisation.matrix().multiply(&unknown);
+        let add = |base: &[f64], change: Vec<f64>| base.iter().zip(change).map(|(b, c)| b + c).collect::<Vec<f64>>();
+        let inflow = add(&add(&film.inflow, direct), through);
+        let moved = FilmSolution {
+            unknown: add(&film.unknown, unknown),
+            inflow,
+            cavity: film.cavity.clone(),
+            film_fraction: None,
+            linearisation: film.linearisation.clone(),
+            history: Vec::new(),
+            seconds: film.seconds,
+            levels: 0,
+            fallbacks: Vec::new(),
+        };
+        Ok((problem, moved))
+    }
+
     /// First-order change of the unknown at each dof [Pa] where the journal moves by `change`. The cavity stays, as
     /// it does to first order: the pressure is level at its edge.
     ///

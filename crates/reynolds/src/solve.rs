@@ -2,7 +2,7 @@
 
 use oilwedge_fem::complementarity::{self, Obstacle, Start};
 use oilwedge_fem::newton::{self, Failure};
-use oilwedge_fem::{Constraints, Field};
+use oilwedge_fem::{Constraints, Field, LinearSolver};
 
 use crate::cavitation::jfo;
 use crate::film_law::FilmLaw;
@@ -81,7 +81,7 @@ impl FilmProblem {
         };
         let film = match self.cavitation {
             Cavitation::Jfo { .. } => jfo::solve(self, system, motion, start, kept)?,
-            _ => self.pressure_film(system, motion, start)?,
+            _ => self.pressure_film(system, &system.direct().map_err(Failure::from)?, motion, start)?,
         };
         Ok(FilmSolution { levels, ..film })
     }
@@ -112,21 +112,27 @@ impl FilmProblem {
     }
 
     /// A film described by its pressure alone: full, or nowhere below the cavitation pressure.
-    fn pressure_film(&self, system: &FilmSystem, motion: f64, start: Start) -> Result<FilmSolution, Failure> {
+    pub(crate) fn pressure_film(
+        &self,
+        system: &FilmSystem,
+        solver: &LinearSolver,
+        motion: f64,
+        start: Start,
+    ) -> Result<FilmSolution, Failure> {
         let law = FilmLaw::new(self, motion);
         let constraints = system.supply.constraints(|p| self.unknown_at(p));
         let scale = self.pressure_scale(&constraints);
-        let (assembler, analysis) = (&system.assembler, &system.analysis);
+        let assembler = &system.assembler;
         let Cavitation::Reynolds { pressure } = self.cavitation else {
-            let solution = newton::solve(assembler, analysis, &law, &constraints, scale, start.u)?;
+            let solution = newton::solve(assembler, solver, &law, &constraints, scale, start.u)?;
             return Ok(FilmSolution::full(solution));
         };
         let floor = self.unknown_at(pressure);
         let obstacle = match system.space().degree() {
-            1 => Obstacle::at_nodes(system.space(), floor),
-            _ => Obstacle::at_midpoints(system.space(), floor),
+            2 => Obstacle::at_midpoints(system.space(), floor),
+            _ => Obstacle::at_nodes(system.space(), floor),
         };
-        let contact = complementarity::solve(assembler, analysis, &law, &constraints, &obstacle, scale, start)?;
+        let contact = complementarity::solve(assembler, solver, &law, &constraints, &obstacle, scale, start)?;
         Ok(FilmSolution {
             cavity: contact.held,
             ..FilmSolution::full(contact.solution)

@@ -116,13 +116,8 @@ impl Supply {
         let mut errors = Vec::new();
         let mut owner: Vec<Option<u16>> = vec![None; space.dofs()];
         for (index, region) in (0u16..).zip(&regions) {
-            let on_edges = region.edges.iter().flat_map(|&edge| space.dofs_on_edge(edge));
-            let on_cells = region
-                .cells
-                .iter()
-                .flat_map(|&cell| space.element_dofs(cell as usize).into_iter().take(space.shapes()));
             let mut conflict = None;
-            for dof in on_edges.chain(on_cells) {
+            for dof in dofs_of(space, region) {
                 let other = owner[dof].map(|other| &regions[usize::from(other)]);
                 conflict = conflict.or(other.filter(|other| {
                     other.name != region.name
@@ -145,6 +140,20 @@ impl Supply {
             Ok(Self { regions, owner })
         } else {
             Err(errors)
+        }
+    }
+
+    /// The same given pressures on another space of the same mesh.
+    pub(crate) fn on_space(&self, space: &Space) -> Self {
+        let mut owner = vec![None; space.dofs()];
+        for (index, region) in (0u16..).zip(&self.regions) {
+            for dof in dofs_of(space, region) {
+                owner[dof] = Some(index);
+            }
+        }
+        Self {
+            regions: self.regions.clone(),
+            owner,
         }
     }
 
@@ -234,6 +243,13 @@ impl Supply {
     pub fn owner(&self, dof: usize) -> Option<usize> {
         self.owner[dof].map(usize::from)
     }
+}
+
+/// Dofs on the edges and in the cells of a region; some come more than once.
+fn dofs_of<'a>(space: &'a Space, region: &'a SupplyRegion) -> impl Iterator<Item = usize> + 'a {
+    let on_edges = region.edges.iter().flat_map(|&edge| space.dofs_on_edge(edge));
+    let on_cell = |&cell: &u32| space.element_dofs(cell as usize).into_iter().take(space.shapes());
+    on_edges.chain(region.cells.iter().flat_map(on_cell))
 }
 
 /// Edges of `region` along which it is cut out of the film: those with a triangle on one side only.

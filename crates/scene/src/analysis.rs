@@ -1,9 +1,10 @@
-//! What is asked of a film: its solution at a given position, or the position in which it carries a load.
+//! What is asked of a film: its solution at a given position, or the position in which it carries a load; and what
+//! judges it.
 
 use std::time::Instant;
 
-use oilwedge_bearing::{Equilibrium, NoEquilibrium, Squeeze, find};
-use oilwedge_reynolds::{FilmSolution, JournalState, NoFilm};
+use oilwedge_bearing::{Equilibrium, NoEquilibrium, find, find_cubic};
+use oilwedge_reynolds::{Cavitation, FilmSolution, JournalState, NoFilm};
 
 use crate::compile::{CompileError, Study, compile, compile_near};
 use crate::scene::Scene;
@@ -22,18 +23,37 @@ const GRADINGS: usize = 4;
 pub struct Solved {
     /// The film.
     pub film: FilmSolution,
+    /// What judges it.
+    pub witness: Witness,
     /// How the load is balanced, where the position was sought.
     pub balance: Option<Balance>,
+    /// Seconds that the witness took at the position of the film.
+    pub judging: f64,
+}
+
+/// A second film at the same position.
+#[derive(Debug)]
+pub enum Witness {
+    /// None: errors were not asked for, or the second film was not found.
+    None,
+    /// In cubic elements: the better one, whose numbers are reported.
+    Cubic(FilmSolution),
+    /// On the vertices alone, of a mass-conserving film: the worse one.
+    Vertices(FilmSolution),
 }
 
 /// How well a load is balanced, and what it took.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Balance {
+    /// Load [N].
+    pub load: f64,
     /// Load less force of the film, relative to the load.
     pub residual: f64,
+    /// `dW/de` [N/m] of the film, row: component of W.
+    pub stiffness: [[f64; 2]; 2],
     /// Positions tried on the mesh of the result.
     pub steps: usize,
-    /// Seconds that the search took, but for the film of the result; gradings of the mesh count.
+    /// Seconds that the search took, but for the film of the result.
     pub seconds: f64,
 }
 
@@ -48,28 +68,75 @@ pub enum NoAnswer {
     Equilibrium(#[from] NoEquilibrium),
 }
 
-/// Compiles a scene and answers what it asks. Under a load the journal of the study's problem is where it was found.
+/// Solves a study, with a witness if errors are asked for (`bars`). Under a load the journal of its problem is where it was
+/// found then.
 ///
 /// # Errors
-/// The scene does not become a film. That there is no answer is no error.
-pub fn analyse(scene: &Scene) -> Result<(Study, Result<Solved, NoAnswer>), CompileError> {
-    let mut study = compile(scene)?;
+/// [`NoAnswer`]: the reason why there is no film or no position.
+pub fn solve(study: &mut Study, bars: bool) -> Result<Solved, NoAnswer> {
     let clock = Instant::now();
+    let conserving = matches!(study.problem.cavitation, Cavitation::Jfo { .. });
     let Some(load) = study.load else {
-        let film = study.problem.solve(&study.system);
-        return Ok((
-            study,
-            film.map(|film| Solved { film, balance: None }).map_err(Into::into),
-        ));
+        let film = study.problem.solve(&study.system)?;
+        let clock = Instant::now();
+        let witness = match (bars, conserving) {
+            (false, _) => Witness::None,
+            (true, false) => Witness::Cubic(study.problem.enriched(&study.system, &film)?),
+            (true, true) => companion(study, &film),
+        };
+        return Ok(Solved {
+            film,
+            witness,
+            balance: None,
+            judging: clock.elapsed().as_secs_f64(),
+        });
     };
-    let squeeze = scene.journal.motion().map_or(Squeeze::default(), |motion| Squeeze {
-        radial: motion.radial,
-        tangential: motion.tangential,
-    });
+    let found = match bars && !conserving {
+        true => find_cubic(&study.problem, &study.system, load, study.squeeze)?,
+        false => find(&study.problem, &study.system, load, study.squeeze)?,
+    };
+    let seconds = clock.elapsed().as_secs_f64();
+    let Equilibrium {
+        problem, film, cubic, ..
+    } = found;
+    study.problem = problem;
+    let parts = film.seconds;
+    let clock = Instant::now();
+    let witness = match cubic {
+        Some(cubic) => Witness::Cubic(cubic),
+        None if bars => companion(study, &film),
+        None => Witness::None,
+    };
+    Ok(Solved {
+        film,
+        witness,
+        balance: Some(Balance {
+            load: load[0].hypot(load[1]),
+            residual: found.residual,
+            stiffness: found.stiffness,
+            steps: found.steps,
+            seconds: seconds - parts.assemble - parts.factorise - parts.solve,
+        }),
+        judging: clock.elapsed().as_secs_f64(),
+    })
+}
+
+fn companion(study: &Study, film: &FilmSolution) -> Witness {
+    let companion = study.problem.companion(&study.system, film);
+    companion.map_or(Witness::None, Witness::Vertices)
+}
+
+/// Compiles a scene; under a load a mesh that is made here is graded for the position that the load leads to.
+///
+/// # Errors
+/// The scene does not become a film.
+pub fn graded(scene: &Scene) -> Result<Study, CompileError> {
+    let mut study = compile(scene)?;
+    let Some(load) = study.load.filter(|_| scene.mesh.is_graded()) else {
+        return Ok(study);
+    };
+    let squeeze = study.squeeze;
     for _ in 1..GRADINGS {
-        if !scene.mesh.is_graded() {
-            break;
-        }
         // A coarser mesh is good enough to grade a mesh for, if it leads to a position. A load may be out of reach only
         // because the mesh is too coarse there.
         let on_coarser = (study.system.coarser.as_ref())
@@ -87,26 +154,7 @@ pub fn analyse(scene: &Scene) -> Result<(Study, Result<Solved, NoAnswer>), Compi
         }
         study = compile_near(scene, (found.eccentricity() / clearance, found.min_film_angle()))?;
     }
-    Ok(match find(&study.problem, &study.system, load, squeeze) {
-        Ok(found) => {
-            study.problem = found.problem;
-            let film = found.film;
-            let parts = film.seconds;
-            let balance = Balance {
-                residual: found.residual,
-                steps: found.steps,
-                seconds: clock.elapsed().as_secs_f64() - parts.assemble - parts.factorise - parts.solve,
-            };
-            (
-                study,
-                Ok(Solved {
-                    film,
-                    balance: Some(balance),
-                }),
-            )
-        }
-        Err(reason) => (study, Err(reason.into())),
-    })
+    Ok(study)
 }
 
 /// Whether a mesh graded for one position suits another.

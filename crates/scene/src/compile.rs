@@ -39,6 +39,8 @@ pub struct Study {
     /// Force `(F cos, F sin)` on the journal [N] under which its position is found, from that of the problem;
     /// `None` at a given position.
     pub load: Option<[f64; 2]>,
+    /// Velocity of the journal's centre under a load.
+    pub squeeze: oilwedge_bearing::Squeeze,
     /// What is simulated and what is not.
     pub effects: Effects,
     /// Groups of the pockets that deepen the film.
@@ -177,6 +179,13 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, near: (f64, f64), degree: usize) ->
     };
     Ok(Study {
         load: scene.journal.load(),
+        squeeze: scene
+            .journal
+            .motion()
+            .map_or(Default::default(), |motion| oilwedge_bearing::Squeeze {
+                radial: motion.radial,
+                tangential: motion.tangential,
+            }),
         effects: effects(scene, &problem),
         problem,
         system,
@@ -392,17 +401,9 @@ fn effects(scene: &Scene, problem: &FilmProblem) -> Effects {
     if scene.journal.speed == 0.0 {
         not_simulated.push("couette".to_owned());
     }
-    match scene.oil.pressure_law {
-        scene::PressureLaw::Constant => not_simulated.push("viscosity growing with pressure".to_owned()),
-        scene::PressureLaw::Barus {
-            form: BarusForm::Conservative,
-            ..
-        } => simulated.push("barus".to_owned()),
-        scene::PressureLaw::Barus {
-            form: BarusForm::AsPrinted,
-            ..
-        } => simulated.push("barus: as-printed".to_owned()),
-        scene::PressureLaw::Roelands { .. } => simulated.push("roelands".to_owned()),
+    match scene.oil.pressure_law.name() {
+        None => not_simulated.push("viscosity growing with pressure".to_owned()),
+        Some(law) => simulated.push(law.to_owned()),
     }
     if scene.feeds.iter().any(|feed| feed.pressure.is_none()) {
         simulated.push("groove depth".to_owned());

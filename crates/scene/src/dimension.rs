@@ -21,7 +21,7 @@ pub enum Dimension {
     Force,
     /// Velocity [m/s].
     Velocity,
-    /// Ratio [1]; a number without a unit is allowed here, and only here.
+    /// Ratio [1].
     Ratio,
 }
 

@@ -2,14 +2,14 @@
 
 use std::time::Instant;
 
-use oilwedge_bearing::{NoEquilibrium, Squeeze, find};
 use oilwedge_mesh::Mesh;
-use oilwedge_reynolds::NoFilm;
 
-use crate::analysis::NoAnswer;
+use crate::analysis::{NoAnswer, solve};
+use crate::bars::judge;
 use crate::compile::{CompileError, Study, compile_on};
-use crate::measure::{measure, quantities};
+use crate::refinement::unknowns;
 use crate::report::Quantity;
+use crate::run::DEGREE;
 use crate::scene::Scene;
 
 /// What one mesh gives.
@@ -37,18 +37,6 @@ pub enum LevelError {
     NoAnswer(#[from] NoAnswer),
 }
 
-impl From<NoFilm> for LevelError {
-    fn from(reason: NoFilm) -> Self {
-        Self::NoAnswer(reason.into())
-    }
-}
-
-impl From<NoEquilibrium> for LevelError {
-    fn from(reason: NoEquilibrium) -> Self {
-        Self::NoAnswer(reason.into())
-    }
-}
-
 /// Solves `scene` on `mesh` with elements of the given degree, the journal at the position `near` (eccentricity [1], angle
 /// of the minimum film [rad]) or, under a load, sought from there. With `bars` errors are estimated where they can be.
 ///
@@ -59,42 +47,27 @@ pub fn solve_level(
     mesh: Mesh,
     near: (f64, f64),
     degree: usize,
-    _bars: bool,
+    bars: bool,
 ) -> Result<Level, LevelError> {
     let clock = Instant::now();
     let mut study = compile_on(scene, mesh, near, degree)?;
     let order = clock.elapsed().as_secs_f64();
+    let solved = solve(&mut study, bars && degree == DEGREE)?;
     let clock = Instant::now();
-    let film = match study.load {
-        None => study.problem.solve(&study.system)?,
-        Some(load) => {
-            let squeeze = scene.journal.motion().map_or(Squeeze::default(), |motion| Squeeze {
-                radial: motion.radial,
-                tangential: motion.tangential,
-            });
-            let found = find(&study.problem, &study.system, load, squeeze)?;
-            study.problem = found.problem;
-            found.film
-        }
-    };
-    let parts = film.seconds;
-    let search = clock.elapsed().as_secs_f64() - parts.assemble - parts.factorise - parts.solve;
-    let clock = Instant::now();
-    let quantities = quantities(&study, &measure(&study, &film));
-    let owner = |dof: &usize| study.system.supply.owner(*dof);
+    let judged = judge(&study, &solved);
+    let (measuring, parts) = (clock.elapsed().as_secs_f64(), solved.film.seconds);
     Ok(Level {
-        unknowns: (0..study.system.space().dofs())
-            .filter(|dof| owner(dof).is_none())
-            .count(),
-        quantities,
-        indicator: None,
+        unknowns: unknowns(&study),
+        quantities: judged.quantities,
+        indicator: judged.indicator,
         seconds: vec![
             ("order", order),
-            ("search", search),
+            ("search", solved.balance.map_or(0.0, |balance| balance.seconds)),
             ("assemble", parts.assemble),
             ("factorise", parts.factorise),
             ("solve", parts.solve),
-            ("measure", clock.elapsed().as_secs_f64()),
+            ("bars", solved.judging + if bars { measuring } else { 0.0 }),
+            ("measure", if bars { 0.0 } else { measuring }),
         ],
         study,
     })

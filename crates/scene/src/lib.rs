@@ -12,22 +12,27 @@
 //! say), [`schema`] (how it is written, over the collecting `reader.rs`), [`validate`] (what can be computed),
 //! [`complaint`] (what is said where it cannot), [`mod@compile`] (the one place that knows all effects), [`analysis`] (given
 //! position or given load), [`mod@run`], [`mod@measure`] and [`report`] (the numbers, and in `doubts.rs` what to doubt),
-//! [`mod@picture`] and [`vtu`] (the fields), [`results`] (the files). What accuracy costs: [`convergence`], over [`level`] and
-//! with [`plot`].
+//! [`mod@picture`] and [`vtu`] (the fields), [`results`] (the files), [`cost`] (the same again without each effect).
+//! What accuracy costs: [`convergence`], over [`level`] and with [`plot`].
 
 pub mod analysis;
+pub mod bars;
+mod companion_bars;
 pub mod compile;
 pub mod complaint;
 pub mod convergence;
+pub mod cost;
 mod dimension;
 mod doubts;
 mod folder;
 pub mod level;
 pub mod liner_mesh;
 pub mod measure;
+mod moved;
 pub mod picture;
 pub mod plot;
 mod reader;
+pub mod refinement;
 pub mod report;
 pub mod results;
 pub mod run;
@@ -42,5 +47,6 @@ mod wording;
 
 pub use complaint::{Complaint, SceneError};
 pub use convergence::converge;
+pub use cost::effect_costs;
 pub use run::{Error, Run, RunOptions, check_mesh, check_scene, mesh_scene, run, write_mesh};
 pub use scene::Scene;

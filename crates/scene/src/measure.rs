@@ -6,7 +6,7 @@ use oilwedge_reynolds::quantities::load::{self, Load};
 use oilwedge_reynolds::quantities::pressure::{self, Extremes};
 use oilwedge_reynolds::quantities::similarity;
 use oilwedge_reynolds::supply::Place;
-use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSolution};
+use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSolution, FilmSystem};
 
 use crate::compile::Study;
 pub use crate::doubts::warnings;
@@ -38,8 +38,7 @@ pub struct Measured {
 }
 
 /// Measures a solved film.
-pub fn measure(study: &Study, film: &FilmSolution) -> Measured {
-    let Study { problem, system, .. } = study;
+pub fn measure(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Measured {
     let extremes = pressure::extremes(problem, system, film);
     let breaks = matches!(problem.cavitation, Cavitation::Reynolds { .. } | Cavitation::Jfo { .. });
     Measured {
@@ -69,12 +68,12 @@ fn has_tension(problem: &FilmProblem, extremes: &Extremes) -> bool {
 
 /// The quantities of the report; one without a meaning in this film is absent.
 pub fn quantities(study: &Study, measured: &Measured) -> Vec<Quantity> {
-    let Study {
-        problem,
-        system,
-        supply_pressure,
-        ..
-    } = study;
+    quantities_at(study, &study.problem, measured)
+}
+
+/// The same of a film of the study whose journal is elsewhere.
+pub(crate) fn quantities_at(study: &Study, problem: &FilmProblem, measured: &Measured) -> Vec<Quantity> {
+    let (system, supply_pressure) = (&study.system, study.supply_pressure);
     let Measured {
         load,
         extremes,
@@ -87,13 +86,7 @@ pub fn quantities(study: &Study, measured: &Measured) -> Vec<Quantity> {
     let force = load.magnitude();
     let mut list = Vec::new();
     let mut add = |name: &str, symbol: &str, value: f64, unit: &str| {
-        list.push(Quantity {
-            name: name.to_owned(),
-            symbol: symbol.to_owned(),
-            value,
-            unit: unit.to_owned(),
-            error: None,
-        });
+        list.push(Quantity::new(name, symbol, value, unit));
     };
     add("load", "W", force, "N");
     add("load_x", "W_x", load.total.force[0], "N");

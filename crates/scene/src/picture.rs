@@ -9,8 +9,9 @@ use crate::vtu::FilmPicture;
 
 /// Pressure [Pa] (nowhere below that of a cavity), film thickness [m], viscosity [Pa s] and, of a mass-conserving film,
 /// film fraction at the nodes of the solved film, on the cylinder `(R cos phi, R sin phi, z)` or unrolled `(R phi, z, 0)`, where nodes on the cut of a ring stand on both sides of it.
-/// Nodes on the edge of a pocket stand on both sides of it too, for the film is thicker on one.
-pub fn picture(study: &Study, film: &FilmSolution, unrolled: bool) -> FilmPicture {
+/// Nodes on the edge of a pocket stand on both sides of it too, for the film is thicker on one. The indicator, a value for
+/// each triangle, tells what each adds to the error.
+pub fn picture(study: &Study, film: &FilmSolution, indicator: Option<&[f64]>, unrolled: bool) -> FilmPicture {
     let mesh = study.system.space().mesh();
     let leftmost = mesh.points().iter().map(|point| point[0]).fold(f64::INFINITY, f64::min);
     // The far side of the cut of a ring; rounding of the last column does not count.
@@ -66,7 +67,10 @@ pub fn picture(study: &Study, film: &FilmSolution, unrolled: bool) -> FilmPictur
         points: nodes.positions.iter().map(place).collect(),
         cells,
         point_data,
-        cell_data: Vec::new(),
+        cell_data: indicator
+            .map(|values| ("error_indicator".to_owned(), values.to_vec()))
+            .into_iter()
+            .collect(),
     }
 }
 

@@ -86,7 +86,7 @@ pub(crate) struct TableReader<'a> {
     /// `None`: the table is not there or not a table, and was complained about.
     table: Option<&'a DeTable<'a>>,
     path: String,
-    known: Vec<&'static str>,
+    known: Vec<&'a str>,
     /// Keys of later versions.
     later: Vec<&'static str>,
     /// Keys that must be there and are not, with an example.
@@ -129,6 +129,21 @@ impl<'a> TableReader<'a> {
         self.table.is_some()
     }
 
+    /// Whether the value of the key is a table.
+    pub(crate) fn holds_table(&self, key: &str) -> bool {
+        self.table
+            .and_then(|table| table.get(key))
+            .is_some_and(|value| value.get_ref().is_table())
+    }
+
+    /// The keys as they are written, where they are names that the scene gives.
+    pub(crate) fn keys(&self) -> Vec<&'a str> {
+        let table = self.table.into_iter();
+        table
+            .flat_map(|table| table.iter().map(|(key, _)| key.get_ref().as_ref()))
+            .collect()
+    }
+
     /// Complains about a key of this table.
     pub(crate) fn complain(&self, key: &str, message: impl Into<String>, help: impl Into<String>) {
         self.collector.complain(&self.key(key), message, help);
@@ -141,7 +156,7 @@ impl<'a> TableReader<'a> {
     }
 
     /// A physical quantity in SI, if it is written.
-    pub(crate) fn quantity_if_given(&mut self, key: &'static str, dimension: Dimension, example: &str) -> Option<f64> {
+    pub(crate) fn quantity_if_given(&mut self, key: &'a str, dimension: Dimension, example: &str) -> Option<f64> {
         let write = format!("write {key} = \"{example}\"");
         match self.take(key)? {
             DeValue::String(text) => match unit::parse(text, dimension) {
@@ -245,7 +260,7 @@ impl<'a> TableReader<'a> {
     }
 
     /// A table, if it is written.
-    pub(crate) fn table_if_given(&mut self, key: &'static str) -> Option<TableReader<'a>> {
+    pub(crate) fn table_if_given(&mut self, key: &'a str) -> Option<TableReader<'a>> {
         let value = self.take(key)?;
         if !value.is_table() {
             let message = format!("a table is wanted, not {}", kind(value));
@@ -329,7 +344,7 @@ impl<'a> TableReader<'a> {
         }
     }
 
-    fn take(&mut self, key: &'static str) -> Option<&'a DeValue<'a>> {
+    fn take(&mut self, key: &'a str) -> Option<&'a DeValue<'a>> {
         self.known.push(key);
         self.value(key)
     }

@@ -2,14 +2,18 @@
 //!
 //! Every number is SI, angles excepted (degrees). A number that is not finite is never written.
 
-use oilwedge_mesh::Quality;
+mod bars;
+mod check;
+
+pub use bars::{ErrorParts, LevelFacts, Refinement};
+pub use check::{CHECK_FORMAT, CheckReport, Cost, RegionFacts};
+
+use crate::cost::EffectCost;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
 /// Name and version of the form of `result.json`.
 pub const RESULT_FORMAT: &str = "oilwedge-result/1";
-/// Name and version of the form of what `oilwedge check --json` prints.
-pub const CHECK_FORMAT: &str = "oilwedge-check/1";
 
 /// One reported number.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -23,8 +27,10 @@ pub struct Quantity {
     pub value: f64,
     /// `N m m3/s N.m Pa Pa.s W deg rad/s` or `1`.
     pub unit: String,
-    /// Half width of the error bar in `unit`; `None` until it is estimated.
+    /// Half width of the error bar in `unit`, the sum of its parts; `None` where it is not estimated or not resolved.
     pub error: Option<f64>,
+    /// Where the error comes from, wherever there is a bar.
+    pub error_parts: Option<ErrorParts>,
 }
 
 impl Quantity {
@@ -36,6 +42,7 @@ impl Quantity {
             value,
             unit: unit.into(),
             error: None,
+            error_parts: None,
         }
     }
 }
@@ -48,7 +55,8 @@ pub enum Status {
     Converged,
     /// The problem has no solution; the reason says why, and there are no quantities.
     NoSolution,
-    /// A solution may exist but was not reached, or not well enough.
+    /// A solution may exist but was not reached; or there is one, but a limit ended the refinement before its bars were
+    /// small enough: the reason begins with `limit` then, and quantities and bars are there.
     NotConverged,
 }
 
@@ -135,6 +143,10 @@ pub struct RunResult {
     /// The numbers, in the order of the report; an object keyed by name in JSON.
     #[serde(serialize_with = "by_name")]
     pub quantities: Vec<Quantity>,
+    /// Whether error bars were asked for and estimated; one that is missing then could not be resolved.
+    pub bars: bool,
+    /// The meshes on the way to a tolerance, the last being that of the result; none without a tolerance.
+    pub levels: Vec<LevelFacts>,
     /// What must vanish.
     pub balances: Balances,
     /// The nonlinear iteration.
@@ -146,6 +158,9 @@ pub struct RunResult {
     pub timing_s: Vec<(String, f64)>,
     /// Doubts about the result, in sentences.
     pub warnings: Vec<String>,
+    /// What each effect changes and costs; `None`, and absent in JSON, where that was not asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cost: Option<Vec<EffectCost>>,
 }
 
 /// Why a result was not written.
@@ -192,6 +207,15 @@ impl RunResult {
                 &format!("quantities.{}.error", quantity.name),
                 quantity.error.unwrap_or(0.0),
             )?;
+            for (part, value) in quantity.error_parts.iter().flat_map(ErrorParts::by_name) {
+                finite(&format!("quantities.{}.error_parts.{part}", quantity.name), value)?;
+            }
+        }
+        for (number, level) in (1..).zip(&self.levels) {
+            for (name, error) in &level.errors {
+                finite(&format!("levels, level {number}, error of {name}"), *error)?;
+            }
+            finite(&format!("levels, level {number}, seconds"), level.seconds)?;
         }
         finite("mesh.min_angle_deg", self.mesh.min_angle_deg)?;
         finite("balances.mass", self.balances.mass)?;
@@ -202,64 +226,9 @@ impl RunResult {
         for (part, seconds) in &self.timing_s {
             finite(&format!("timing_s.{part}"), *seconds)?;
         }
-        json(self)
-    }
-}
-
-/// What `oilwedge check` found in a scene or mesh that can be used.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct CheckReport {
-    /// [`CHECK_FORMAT`].
-    pub format: String,
-    /// Title of the scene; `None` where a mesh was checked.
-    pub title: Option<String>,
-    /// The mesh file.
-    pub mesh_file: String,
-    /// What would be computed; `None` where a mesh was checked.
-    pub effects: Option<Effects>,
-    /// The mesh.
-    pub mesh: MeshFacts,
-    /// The liner in words, a line each; empty where a mesh was checked.
-    pub liner: Vec<String>,
-    /// The unrolled liner drawn in letters; empty where a mesh was checked.
-    pub sketch: String,
-    /// How good the mesh is.
-    pub quality: Quality,
-    /// The named regions of the mesh.
-    pub regions: Vec<RegionFacts>,
-    /// Unknowns and the entries of the Cholesky factor (8 bytes each): the cost of a solve; `None` where a mesh was checked.
-    pub cost: Option<Cost>,
-    /// Doubts, in sentences.
-    pub warnings: Vec<String>,
-}
-
-/// What a solve costs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-pub struct Cost {
-    /// Nodes whose pressure is not given.
-    pub unknowns: usize,
-    /// Entries of the Cholesky factor.
-    pub factor_entries: usize,
-}
-
-/// Facts about a named region of a mesh.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct RegionFacts {
-    /// Name of the physical group.
-    pub name: String,
-    /// `curve` or `surface`.
-    pub kind: String,
-    /// Number of its edges or cells.
-    pub parts: usize,
-}
-
-impl CheckReport {
-    /// The report as JSON, with a line break at its end.
-    ///
-    /// # Errors
-    /// [`ReportError`] where a number is not finite.
-    pub fn to_json(&self) -> Result<String, ReportError> {
-        finite("mesh.min_angle_deg", self.mesh.min_angle_deg)?;
+        for (name, number) in self.cost.iter().flatten().flat_map(EffectCost::numbers) {
+            finite(&name, number)?;
+        }
         json(self)
     }
 }
@@ -322,6 +291,8 @@ pub(crate) mod tests {
                 Quantity::new("load", "W", 12910.0, "N"),
                 Quantity::new("attitude_angle", "beta", 49.29, "deg"),
             ],
+            bars: false,
+            levels: vec![],
             balances: Balances {
                 mass: 1e-12,
                 force: 0.0,
@@ -334,6 +305,7 @@ pub(crate) mod tests {
             counts: Counts::default(),
             timing_s: vec![("read".into(), 0.25), ("assemble".into(), 0.5)],
             warnings: vec![],
+            cost: None,
         }
     }
 
@@ -343,7 +315,8 @@ pub(crate) mod tests {
         let value: serde_json::Value = serde_json::from_str(&text).expect("it is JSON");
         assert_eq!(value["status"], "not_converged");
         assert_eq!(value["reason"], serde_json::Value::Null);
-        let load = serde_json::json!({ "symbol": "W", "value": 12910.0, "unit": "N", "error": null });
+        let load =
+            serde_json::json!({ "symbol": "W", "value": 12910.0, "unit": "N", "error": null, "error_parts": null });
         assert_eq!(value["quantities"]["load"], load);
         assert_eq!(value["timing_s"]["assemble"], 0.5);
         let place = |word: &str| text.find(word).expect(word);
@@ -360,6 +333,8 @@ pub(crate) mod tests {
             "quantities",
             "\"load",
             "attitude_angle",
+            "bars",
+            "levels",
             "balances",
             "history",
             "counts",
@@ -373,13 +348,29 @@ pub(crate) mod tests {
 
     #[test]
     fn what_is_not_finite_is_not_written() {
-        let spoil: [fn(&mut RunResult); 6] = [
-            |result| result.quantities[1].value = f64::NAN,
-            |result| result.quantities[0].error = Some(f64::INFINITY),
-            |result| result.balances.mass = f64::NAN,
-            |result| result.history[0].residual = f64::INFINITY,
-            |result| result.timing_s[1].1 = f64::NAN,
-            |result| result.mesh.min_angle_deg = f64::NAN,
+        let level = |result: &mut RunResult, error: f64, seconds: f64| {
+            result.levels = vec![LevelFacts {
+                errors: vec![("load".into(), error)],
+                seconds,
+                ..LevelFacts::default()
+            }];
+        };
+        let spoil: [&dyn Fn(&mut RunResult); 9] = [
+            &|result| result.quantities[1].value = f64::NAN,
+            &|result| result.quantities[0].error = Some(f64::INFINITY),
+            &|result| result.balances.mass = f64::NAN,
+            &|result| result.history[0].residual = f64::INFINITY,
+            &|result| result.timing_s[1].1 = f64::NAN,
+            &|result| result.mesh.min_angle_deg = f64::NAN,
+            &|result| {
+                let front = f64::NAN;
+                result.quantities[0].error_parts = Some(ErrorParts {
+                    front,
+                    ..ErrorParts::default()
+                });
+            },
+            &|result| level(result, f64::INFINITY, 0.0),
+            &|result| level(result, 0.0, f64::NAN),
         ];
         for spoil in spoil {
             let mut result = example();

@@ -1,8 +1,10 @@
 //! A scene: everything a user says about one bearing, in SI. `Scene::read` is the only way to get one from a file.
 
 mod journal;
+mod tolerance;
 
 pub use journal::{Journal, Position, Squeeze};
+pub use tolerance::{Target, Tolerance};
 
 use crate::complaint::{Complaint, SceneError};
 use crate::{schema, validate};
@@ -28,6 +30,8 @@ pub struct Scene {
     pub bearing: Bearing,
     /// Where the mesh comes from.
     pub mesh: MeshSource,
+    /// How small error bars must become by refinement of that mesh; `None`: it is used as it is.
+    pub tolerance: Option<Tolerance>,
     /// The open ends.
     pub ends: Ends,
     /// Regions of given pressure, in the order of the scene.
@@ -188,6 +192,24 @@ pub enum PressureLaw {
     },
 }
 
+impl PressureLaw {
+    /// Name among the effects of a report; `None` where the viscosity is constant.
+    pub fn name(&self) -> Option<&'static str> {
+        match self {
+            Self::Constant => None,
+            Self::Barus {
+                form: BarusForm::Conservative,
+                ..
+            } => Some("barus"),
+            Self::Barus {
+                form: BarusForm::AsPrinted,
+                ..
+            } => Some("barus: as-printed"),
+            Self::Roelands { .. } => Some("roelands"),
+        }
+    }
+}
+
 /// Where the viscosity stands in Reynolds' equation with Barus' law.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum BarusForm {
@@ -227,6 +249,18 @@ pub enum CavitationModel {
     Reynolds,
     /// Jakobsson-Floberg-Olsson: oil is conserved; the cavity holds a film fraction that is carried along.
     Jfo,
+}
+
+impl CavitationModel {
+    /// Name in scenes and reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::Guembel => "guembel",
+            Self::Reynolds => "reynolds",
+            Self::Jfo => "jfo",
+        }
+    }
 }
 
 impl Scene {

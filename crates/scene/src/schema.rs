@@ -3,12 +3,13 @@
 mod feed;
 mod journal;
 mod oil;
+mod tolerance;
 
 pub use oil::ROELANDS_REFERENCE_PRESSURE;
 
 use crate::complaint::Complaint;
 use crate::reader::{Collector, Marks, TableReader};
-use crate::scene::{Arc, Bearing, Cavitation, CavitationModel, Ends, MeshSource, Scene};
+use crate::scene::{Arc, Bearing, Cavitation, CavitationModel, Ends, MeshSource, Scene, Tolerance};
 use crate::unit::{self, Dimension};
 use std::path::Path;
 use toml::de::DeTable;
@@ -32,14 +33,21 @@ fn scene(mut root: TableReader<'_>, path: &Path) -> Scene {
         false => "[journal] with speed, eccentricity and min_film_angle",
     };
     let load = root.table_if_given("load");
+    let under_load = load.is_some();
+    let (source, tolerance) = match root.table_if_given("mesh") {
+        Some(table) => mesh(table, path, under_load),
+        None => (
+            MeshSource::Drawing { size: None },
+            Some(Tolerance::where_nothing_is_given(under_load)),
+        ),
+    };
     let scene = Scene {
         title: root
             .text_if_given("title", "Plain journal bearing")
             .unwrap_or_else(stem),
         bearing: bearing(root.table("bearing", "[bearing] with diameter, length and clearance")),
-        mesh: root
-            .table_if_given("mesh")
-            .map_or(MeshSource::Drawing { size: None }, |table| mesh(table, path)),
+        mesh: source,
+        tolerance,
         // Open to the zero of all pressures unless said.
         ends: root.table_if_given("ends").map_or(Ends { pressure: 0.0 }, ends),
         feeds: root.tables("feed").into_iter().map(feed::read).collect(),
@@ -79,8 +87,9 @@ fn bearing(mut table: TableReader<'_>) -> Bearing {
     bearing
 }
 
-/// Without a table, a file or a size the liner is meshed as the film needs; a file with a size is meshed anew.
-fn mesh(mut table: TableReader<'_>, scene: &Path) -> MeshSource {
+/// Without a table, a file or a size the liner is meshed as the film needs, also if no tolerance says how well; a file
+/// with a size is meshed anew.
+fn mesh(mut table: TableReader<'_>, scene: &Path, under_load: bool) -> (MeshSource, Option<Tolerance>) {
     let file = table.text_if_given("file", MESH_FILE);
     let size = table.quantity_if_given("size", Dimension::Length, "3 mm");
     let unit = table
@@ -99,17 +108,23 @@ fn mesh(mut table: TableReader<'_>, scene: &Path) -> MeshSource {
             "remove unit, or give the file",
         );
     }
-    table.not_served("tolerance", "give a size, or remove it; errors are not estimated yet");
+    let tolerance = tolerance::read(&mut table, under_load);
     let described = !table.has("file");
+    let is_bare = described && !table.has("size") && !table.has("tolerance");
     table.finish();
-    match file {
+    let tolerance = match is_bare {
+        true => Some(Tolerance::where_nothing_is_given(under_load)),
+        false => tolerance,
+    };
+    let source = match file {
         None if described => MeshSource::Drawing { size },
         file => MeshSource::File {
             path: scene.parent().unwrap_or(Path::new("")).join(file.unwrap_or_default()),
             unit: unit.unwrap_or(1.0),
             size,
         },
-    }
+    };
+    (source, tolerance)
 }
 
 fn ends(mut table: TableReader<'_>) -> Ends {
@@ -120,11 +135,12 @@ fn ends(mut table: TableReader<'_>) -> Ends {
 
 fn cavitation(mut table: TableReader<'_>) -> Option<Cavitation> {
     let models = [
-        ("none", CavitationModel::None),
-        ("guembel", CavitationModel::Guembel),
-        ("reynolds", CavitationModel::Reynolds),
-        ("jfo", CavitationModel::Jfo),
-    ];
+        CavitationModel::None,
+        CavitationModel::Guembel,
+        CavitationModel::Reynolds,
+        CavitationModel::Jfo,
+    ]
+    .map(|model| (model.name(), model));
     if !table.has("model") && table.is_readable() {
         let help = "write model = \"none\", \"guembel\", \"reynolds\" or \"jfo\"";
         table.complain("model", "is missing", help);
@@ -197,7 +213,7 @@ oil = { viscosity = "0.4 Pa.s", barus = { alpha = "2.5e-8 1/Pa" } }
             form: BarusForm::Conservative,
         };
         assert_eq!((scene.oil.pressure_law, scene.cavitation), (law, None));
-        assert_eq!(scene.sha256.len(), 64);
+        assert_eq!((scene.sha256.len(), scene.tolerance), (64, None));
         assert_eq!(
             read(&STUDY.replace("title = \"Hole-fed shell\"", ""))
                 .map(|scene| scene.title)
@@ -259,7 +275,6 @@ oil = { viscosity = "0.4 Pa.s", barus = { alpha = "2.5e-8 1/Pa" } }
     #[test]
     fn keys_of_later_versions_are_refused_by_name() {
         let later = [
-            ("unit = \"mm\"", "tolerance = \"0.1 %\"", "mesh.tolerance"),
             ("title = ", "heat = {}\ntitle = ", "heat"),
             ("title = ", "sweep = 5\ntitle = ", "sweep"),
         ];

@@ -111,16 +111,13 @@ pub fn parse(text: &str, expected: Dimension) -> Result<f64, UnitError> {
             expected,
         });
     }
-    let value = match (unit.is_empty(), expected) {
-        (true, Dimension::Ratio) => number,
-        (true, _) => {
-            return Err(UnitError::NoUnit {
-                text: owned(),
-                expected,
-            });
-        }
-        (false, _) => number * unit_size(unit, expected)?,
-    };
+    if unit.is_empty() {
+        return Err(UnitError::NoUnit {
+            text: owned(),
+            expected,
+        });
+    }
+    let value = number * unit_size(unit, expected)?;
     if value.is_finite() {
         Ok(value)
     } else {
@@ -253,7 +250,7 @@ mod tests {
         close("36 km/h", Velocity, 10.0);
         close("1 in/s", Velocity, 0.0254);
         close("0.1 %", Ratio, 1e-3);
-        close("0.001", Ratio, 1e-3);
+        close("50 ppm", Ratio, 5e-5);
     }
 
     #[test]
@@ -270,6 +267,7 @@ mod tests {
     fn the_wrong_texts_are_refused_with_a_way_out() {
         let refused = |text: &str, dimension: Dimension| parse(text, dimension).expect_err(text);
         assert!(matches!(refused("25", Length), UnitError::NoUnit { .. }));
+        assert!(matches!(refused("0.001", Ratio), UnitError::NoUnit { .. }));
         for text in ["", "mm", "nan mm", "inf mm", "- 5 mm", "- mm", ". mm"] {
             assert!(matches!(refused(text, Length), UnitError::NotANumber { .. }), "{text}");
         }

@@ -1,4 +1,4 @@
-//! Lengths, angles, pressures and forces as sentences give them: six significant digits, no zeros at the end.
+//! Lengths, angles, pressures, forces and ratios as sentences give them: six significant digits, no zeros at the end.
 
 /// A length [m] in millimetres.
 pub(crate) fn millimetres(metres: f64) -> String {
@@ -20,6 +20,16 @@ pub(crate) fn newtons(force: f64) -> String {
     format!("{} N", rounded(force))
 }
 
+/// A ratio [1] in percent.
+pub(crate) fn percent(ratio: f64) -> String {
+    format!("{} %", rounded(100.0 * ratio))
+}
+
+/// A factor with two significant digits.
+pub(crate) fn factor(value: f64) -> String {
+    format!("{}", format!("{value:.1e}").parse().unwrap_or(f64::NAN))
+}
+
 fn rounded(value: f64) -> f64 {
     format!("{value:.5e}").parse().unwrap_or(f64::NAN)
 }
@@ -33,6 +43,6 @@ mod tests {
         assert_eq!(millimetres(0.05625), "56.25 mm");
         assert_eq!(degrees(130f64.to_radians()), "130 deg");
         assert_eq!((bars(98_000.0), bars(-7e3)), ("0.98 bar".into(), "-0.07 bar".into()));
-        assert_eq!(newtons(5e3), "5000 N");
+        assert_eq!((newtons(5e3), percent(1e-3)), ("5000 N".into(), "0.1 %".into()));
     }
 }

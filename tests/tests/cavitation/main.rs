@@ -4,6 +4,7 @@ mod bad_meshes;
 mod counts;
 mod dry;
 mod invariant;
+mod linear_elements;
 mod random;
 mod starved;
 mod swift_stieber;

@@ -165,14 +165,63 @@ fn a_squeeze_without_a_direction_is_refused() {
 
 #[test]
 fn keys_that_are_not_served_are_named() {
-    let later = [
-        ("file = ", "tolerance = \"0.1 %\"\nfile = ", "mesh.tolerance"),
-        ("[oil]", "[heat]\n[oil]", "heat"),
-        ("[oil]", "[sweep]\n[oil]", "sweep"),
-    ];
+    let later = [("[oil]", "[heat]\n[oil]", "heat"), ("[oil]", "[sweep]\n[oil]", "sweep")];
     for (from, to, key) in later {
         refused(from, to, &[&format!("{key}: "), "is not served yet", "help: "]);
     }
+}
+
+#[test]
+fn a_tolerance_that_cannot_be_met_is_refused() {
+    let tolerance = |value: &str| format!("tolerance = {value}\nfile = ");
+    let one = |value: &str, words: &[&str]| refused("file = ", &tolerance(value), words);
+    let range = "give a tolerance within 1e-8 % and 50 %";
+    one(
+        "\"0 %\"",
+        &["mesh.tolerance: is 0 %, but rounding hides errors below", range],
+    );
+    one("\"60 %\"", &["mesh.tolerance: is 60 %", "tells nothing", range]);
+    one(
+        "0.001",
+        &["mesh.tolerance", "a ratio is wanted", "write tolerance = \"0.1 %\""],
+    );
+    one("\"0.1\"", &["mesh.tolerance", "\"0.1\" has no unit", "%, ppm"]);
+    one(
+        "{ laod = \"1 %\" }",
+        &["mesh.tolerance.laod", "not known", "did you mean \"load\"?"],
+    );
+    one(
+        "{ eccentricity = \"1 %\" }",
+        &["mesh.tolerance.eccentricity: follows from the position", "or [load]"],
+    );
+    let words = [
+        "mesh.tolerance.feed_flow.fed_hole: belongs to no [[feed]]",
+        "did you mean \"feed_flow.feed_hole\"?",
+    ];
+    one("{ feed_flow.fed_hole = \"1 %\" }", &words);
+}
+
+#[test]
+fn a_tolerance_needs_error_bars() {
+    let bench = Bench::new();
+    bench.scene(SHELL, &[("file = ", "tolerance = \"1 %\"\nfile = ")]);
+    let words = [
+        "--bars none does not go with the mesh.tolerance of the scene scene.toml",
+        "leave out --bars none, or remove tolerance",
+    ];
+    bench.refuses(&["solve", "scene.toml", "--bars", "none"], &words);
+    let told = bench.run(&["check", "scene.toml"]);
+    assert!(
+        told.status == 0 && told.stdout.contains("\ntolerance load to 1 %\n"),
+        "{}",
+        told.stdout
+    );
+    // The tolerance of a scene that gives none is no reason to refuse.
+    bench.scene("15_squeezed_ring", &[]);
+    let told = bench.run(&["solve", "scene.toml", "--bars", "none"]);
+    assert_eq!(told.status, 0, "{}", told.stderr);
+    let told = bench.run(&["check", "scene.toml"]);
+    assert!(told.stdout.contains("\ntolerance load to 0.5 %\n"), "{}", told.stdout);
 }
 
 #[test]
@@ -335,4 +384,13 @@ fn wrong_arguments_are_refused() {
     bench.refuses(&["solve", "scene.toml", "--threads", "0"], &["'0'", "1..=1024"]);
     bench.refuses(&["solve", "scene.toml", "--threads", "many"], &["'many'"]);
     bench.refuses(&["solve", "scene.toml", "--out", ""], &["--out"]);
+    bench.refuses(&["solve", "scene.toml", "--bars", "some"], &["'some'", "auto, none"]);
+    for (limit, wanted) in [
+        ("--max-seconds", "seconds above zero"),
+        ("--max-unknowns", "whole number above zero"),
+    ] {
+        for wrong in ["0", "-1", "nan", "many"] {
+            bench.refuses(&["solve", "scene.toml", &format!("{limit}={wrong}")], &[wrong, wanted]);
+        }
+    }
 }

@@ -2,6 +2,7 @@
 
 mod bench;
 mod complaints;
+mod cost;
 mod converge;
 mod drawing;
 mod files;

@@ -16,10 +16,12 @@ fn keys(value: &Value) -> Vec<&str> {
 fn check_keys(result: &Value) {
     let top = [
         "balances",
+        "bars",
         "counts",
         "effects",
         "format",
         "history",
+        "levels",
         "mesh",
         "mesh_sha256",
         "quantities",
@@ -54,7 +56,8 @@ fn check_keys(result: &Value) {
         assert_eq!(result[key].as_str().map(str::len), Some(64));
     }
     for (name, quantity) in result["quantities"].as_object().expect("quantities") {
-        assert_eq!(sorted(quantity), ["error", "symbol", "unit", "value"], "{name}");
+        let keys = ["error", "error_parts", "symbol", "unit", "value"];
+        assert_eq!(sorted(quantity), keys, "{name}");
         assert!(quantity["value"].is_f64(), "{name}");
     }
     for step in result["history"].as_array().expect("history") {

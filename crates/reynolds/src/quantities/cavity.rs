@@ -36,30 +36,45 @@ pub fn cavity(system: &FilmSystem, film: &FilmSolution) -> Cavity {
     }
 }
 
+/// Shares of a triangle that its nodes stand for: the means of their functions.
+fn node_shares(degree: usize) -> Vec<f64> {
+    match degree {
+        1 => vec![1.0 / 3.0; 3],
+        2 => [[0.0; 3], [1.0 / 3.0; 3]].concat(),
+        _ => [&[1.0 / 30.0; 3][..], &[3.0 / 40.0; 6], &[9.0 / 20.0]].concat(),
+    }
+}
+
 fn share(system: &FilmSystem, film: &FilmSolution) -> f64 {
-    let mesh = system.space().mesh();
-    let conserving = film.film_fraction.is_some();
+    let space = system.space();
+    let mesh = space.mesh();
+    let whole_cell: Vec<(usize, f64)> = node_shares(space.degree()).into_iter().enumerate().collect();
     let (mut held, mut whole) = (0.0, 0.0);
     for t in 0..mesh.triangles().len() {
-        let dofs = system.space().element_dofs(t);
+        let dofs = space.element_dofs(t);
         let [a, b, c] = mesh.corners(t);
-        let subs = sub_triangles(mesh, t);
-        let groups: &[[usize; 3]] = match system.space().degree() {
-            1 => &[[0, 1, 2]],
-            _ if conserving => &subs,
-            _ => &[[3, 4, 5]],
-        };
-        let area = 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / groups.len() as f64;
-        for group in groups {
-            let (mut broken, mut free) = (0, 0);
-            for dof in group.map(|node| dofs[node]) {
-                broken += u32::from(film.cavity[dof]);
-                free += u32::from(film.cavity[dof] || system.supply.owner(dof).is_none());
+        let area = 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
+        let mut add = |area: f64, nodes: &[(usize, f64)]| {
+            let (mut broken, mut free) = (0.0, 0.0);
+            for &(node, share) in nodes {
+                let dof = dofs[node];
+                broken += if film.cavity[dof] { share } else { 0.0 };
+                let counts = film.cavity[dof] || system.supply.owner(dof).is_none();
+                free += if counts { share } else { 0.0 };
             }
-            if free > 0 {
-                held += area * f64::from(broken) / f64::from(free);
+            if free > 0.0 {
+                held += area * broken / free;
                 whole += area;
             }
+        };
+        match film.film_fraction {
+            Some(_) => {
+                let pieces = sub_triangles(space, t);
+                for piece in pieces {
+                    add(area / pieces.len() as f64, &piece.map(|node| (node, 1.0 / 3.0)));
+                }
+            }
+            None => add(area, &whole_cell),
         }
     }
     if whole > 0.0 { held / whole } else { 0.0 }

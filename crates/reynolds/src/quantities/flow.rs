@@ -21,6 +21,7 @@ use oilwedge_fem::mapping::Mapping;
 
 use crate::cavitation::FilmFraction;
 use crate::film_law::FilmLaw;
+use crate::quantities::edge;
 use crate::{Cavitation, FilmFlow, FilmPoint, FilmProblem, FilmSolution, FilmSystem};
 
 /// Volume flow [m3/s] of one region, into the film.
@@ -34,6 +35,8 @@ pub struct RegionFlow {
     pub inward: f64,
     /// The part that leaves [m3/s].
     pub outward: f64,
+    /// What is booked by where the edge of a Swift-Stieber cavity runs within a triangle [m3/s].
+    pub unsure: f64,
 }
 
 /// All flows.
@@ -80,12 +83,18 @@ pub fn flows(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) ->
             net: 0.0,
             inward: 0.0,
             outward: 0.0,
+            unsure: 0.0,
         })
         .collect();
-    let mut cavity = 0.0;
-    for (dof, &inflow) in film.inflow.iter().enumerate() {
+    let mut cavity = 0.0_f64;
+    let beside = edge::made_beside(problem, system, film);
+    for (dof, (&inflow, beside)) in film.inflow.iter().zip(&beside).enumerate() {
         match system.supply.owner(dof) {
-            Some(region) => regions[region].add(inflow),
+            Some(region) => {
+                regions[region].add(inflow - beside.made);
+                regions[region].unsure += beside.unsure;
+                cavity += beside.made;
+            }
             None if film.cavity[dof] && film.film_fraction.is_none() => cavity += inflow,
             None => {}
         }
@@ -157,7 +166,7 @@ fn taken_up_by_element(law: &FilmLaw, system: &FilmSystem, rule: &Quadrature, t:
 fn taken_up_by_volumes(law: &FilmLaw, system: &FilmSystem, fraction: &FilmFraction, t: usize) -> f64 {
     let (nodes, dofs) = (system.space().mesh().nodes(t), system.space().element_dofs(t));
     let flows = law.film_and_flows(t, &nodes).1;
-    let sub_triangle = |corners: [usize; 3]| {
+    let sub_triangle = |corners: &[usize; 3]| {
         let [a, b, c] = corners.map(|node| nodes[node]);
         let area = 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
         let rates = corners.map(|node| flows[node].storage);
@@ -165,8 +174,7 @@ fn taken_up_by_volumes(law: &FilmLaw, system: &FilmSystem, fraction: &FilmFracti
         let pieces = (0..3).map(|i| fraction.values[dofs[corners[i]]] * (7.0 * all + 15.0 * rates[i]));
         area / 108.0 * pieces.sum::<f64>()
     };
-    let subs = sub_triangles(system.space().mesh(), t);
-    subs.into_iter().map(sub_triangle).sum()
+    sub_triangles(system.space(), t).iter().map(sub_triangle).sum()
 }
 
 /// What is out of balance at the free nodes once low pressures are dropped, over the oil that passes then.

@@ -127,7 +127,7 @@ fn integrated(
 ) -> Integral {
     let space = system.space();
     let rule = Quadrature::for_degree(space.degree());
-    let quartered = quartered(&rule, KINK_QUARTERINGS);
+    let quartered = rule.quartered(KINK_QUARTERINGS);
     let field = Field {
         space,
         values: &film.unknown,
@@ -178,26 +178,6 @@ fn cell_integral(
         };
     }
     sum
-}
-
-/// The rule on `4^levels` congruent parts of the reference triangle.
-fn quartered(rule: &Quadrature, levels: usize) -> Quadrature {
-    let mut fine = rule.clone();
-    for _ in 0..levels {
-        let coarse = fine;
-        fine = Quadrature {
-            degree: coarse.degree,
-            points: Vec::new(),
-            weights: Vec::new(),
-        };
-        for (&[xi, eta], weight) in coarse.points.iter().zip(&coarse.weights) {
-            let (a, b) = (0.5 * xi, 0.5 * eta);
-            fine.points
-                .extend([[a, b], [a + 0.5, b], [a, b + 0.5], [0.5 - a, 0.5 - b]]);
-            fine.weights.extend([0.25 * weight; 4]);
-        }
-    }
-    fine
 }
 
 /// Integrals of `cos phi`, `sin phi` and one over a region [m2].
@@ -257,18 +237,6 @@ mod tests {
     use super::*;
     use crate::supply::Place;
     use oilwedge_mesh::RawMesh;
-
-    #[test]
-    fn quartered_rule_keeps_its_degree() {
-        let fine = quartered(&Quadrature::for_degree(2), 2);
-        let sum: f64 = fine
-            .points
-            .iter()
-            .zip(&fine.weights)
-            .map(|(p, w)| w * p[0] * p[0] * p[1])
-            .sum();
-        assert!((sum - 2.0 / 120.0).abs() < 1e-16);
-    }
 
     /// A ring of quadrilaterals round a hole, rims on circles.
     fn annulus(n: u32, hole: &Disc) -> Mesh {

@@ -1,6 +1,7 @@
 //! What is reported: one idea a file.
 
 pub mod cavity;
+mod edge;
 pub mod flow;
 pub mod load;
 pub mod pressure;

@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use oilwedge_mesh::Mesh;
 
-use crate::analysis::{NoAnswer, analyse};
+use crate::analysis::{NoAnswer, graded, solve};
 use crate::compile::CompileError;
 use crate::liner_mesh::{liner_mesh, resized};
 use crate::scene::Scene;
@@ -44,8 +44,9 @@ pub(super) fn first_mesh(scene: &Scene) -> Result<Result<First, NoAnswer>, Compi
             }
             continue;
         }
-        match analyse(&coarse) {
-            Ok((study, Ok(_))) => {
+        let mut study = graded(&coarse)?;
+        match solve(&mut study, false) {
+            Ok(_) => {
                 let journal = &study.problem.journal;
                 let near = (
                     journal.eccentricity() / scene.bearing.clearance,
@@ -53,8 +54,7 @@ pub(super) fn first_mesh(scene: &Scene) -> Result<Result<First, NoAnswer>, Compi
                 );
                 return Ok(Ok(first(Mesh::clone(study.system.space().mesh()), near)));
             }
-            Ok((_, Err(reason))) => tried = Ok(Some(reason)),
-            Err(error) => tried = Err(error),
+            Err(reason) => tried = Ok(Some(reason)),
         }
     }
     match tried? {

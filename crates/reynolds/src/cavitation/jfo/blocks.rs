@@ -17,9 +17,8 @@
 //!
 //! Roe, Cranfield CoA 8703 (1987); Struijs, Deconinck, Roe, VKI LS 1991-01.
 
-use oilwedge_fem::ControlVolumes;
 use oilwedge_fem::control_volumes::sub_triangles;
-use oilwedge_mesh::Mesh;
+use oilwedge_fem::{ControlVolumes, Space};
 use rayon::prelude::*;
 
 use crate::FilmFlow;
@@ -62,14 +61,14 @@ pub(super) struct Block {
 pub(super) type Square = [[f64; 3]; 3];
 
 /// The coefficients of all sub-triangles under `law`, or how those change under the change `changed` of the law.
-pub(super) fn blocks(law: &FilmLaw, changed: Option<&FilmLaw>, mesh: &Mesh, volumes: &ControlVolumes) -> Vec<Block> {
+pub(super) fn blocks(law: &FilmLaw, changed: Option<&FilmLaw>, space: &Space, volumes: &ControlVolumes) -> Vec<Block> {
     let mut blocks = vec![Block::default(); volumes.triangles.len()];
-    let tasks = blocks.par_chunks_mut(4 * CELLS_A_TASK).enumerate();
+    let tasks = blocks.par_chunks_mut(volumes.per_triangle * CELLS_A_TASK).enumerate();
     tasks.for_each(|(task, chunk)| {
-        for (k, blocks) in chunk.chunks_mut(4).enumerate() {
+        for (k, blocks) in chunk.chunks_mut(volumes.per_triangle).enumerate() {
             let cell = task * CELLS_A_TASK + k;
-            let nodes = mesh.nodes(cell);
-            for (block, corners) in blocks.iter_mut().zip(sub_triangles(mesh, cell)) {
+            let nodes = space.mesh().nodes(cell);
+            for (block, corners) in blocks.iter_mut().zip(sub_triangles(space, cell)) {
                 *block = Block::new(law, changed, cell, corners.map(|node| nodes[node]));
             }
         }

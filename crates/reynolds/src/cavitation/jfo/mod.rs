@@ -105,7 +105,7 @@ pub(crate) fn solve(
             values: theta,
             forms: found.forms,
         }),
-        linearisation: found.linearisation,
+        linearisation: std::sync::Arc::new(found.linearisation),
         history: found.history,
         seconds: found.seconds,
         levels: 0,
@@ -128,11 +128,11 @@ pub(crate) fn residual_change(
     change: &JournalChange,
 ) -> Result<Vec<f64>, oilwedge_fem::Error> {
     let volumes = system.volumes()?;
-    let mesh = system.space().mesh();
+    let space = system.space();
     let (law, changed) = (FilmLaw::new(problem, 1.0), FilmLaw::changed(problem, *change));
     let (upwind, moved) = (
-        blocks(&law, None, mesh, volumes),
-        blocks(&law, Some(&changed), mesh, volumes),
+        blocks(&law, None, space, volumes),
+        blocks(&law, Some(&changed), space, volumes),
     );
     let mut residual = vec![0.0; film.unknown.len()];
     for (t, nodes) in volumes.triangles.iter().enumerate() {
@@ -166,7 +166,7 @@ impl<'a> Film<'a> {
         let (radius, velocity) = (problem.bearing.radius, law.velocity());
         Ok(Film {
             volumes,
-            blocks: blocks(&law, None, system.space().mesh(), volumes),
+            blocks: blocks(&law, None, system.space(), volumes),
             rows,
             downstream: downstream(system.space(), velocity, radius * problem.journal.min_film_angle()),
             floor,

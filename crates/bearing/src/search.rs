@@ -1,0 +1,200 @@
+//! One position of the journal tried: its film, its force, and the tangent of the force.
+
+use std::cell::Cell;
+
+use oilwedge_reynolds::quantities::load::{load, load_change};
+use oilwedge_reynolds::solve::Neighbour;
+use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalState, NoFilm};
+
+use crate::NoEquilibrium;
+use crate::equilibrium::{NEAR, Squeeze};
+
+/// A search for the position that balances a load on one mesh.
+pub(crate) struct Search<'a> {
+    pub(crate) system: &'a FilmSystem,
+    pub(crate) load: [f64; 2],
+    pub(crate) squeeze: Squeeze,
+    pub(crate) clearance: f64,
+    /// What residuals are relative to [N].
+    pub(crate) natural: f64,
+    /// The trial whose force was nearest to the load.
+    pub(crate) nearest: Cell<Option<Nearest>>,
+    /// True where the force is that of the film in cubic elements.
+    pub(crate) cubic: bool,
+}
+
+/// What is told of a trial: its distance from the load, its force [N] and its journal.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Nearest {
+    pub(crate) distance: f64,
+    pub(crate) force: [f64; 2],
+    pub(crate) journal: JournalState,
+}
+
+/// A position, its film and its force.
+pub(crate) struct Trial {
+    pub(crate) problem: FilmProblem,
+    pub(crate) film: FilmSolution,
+    /// The film in cubic elements, where the force is that of it.
+    pub(crate) cubic: Option<FilmSolution>,
+    pub(crate) force: [f64; 2],
+}
+
+/// The load, or that of drag through the clearance where there is none.
+fn natural_load(problem: &FilmProblem, load: [f64; 2]) -> f64 {
+    let bearing = &problem.bearing;
+    let pressure =
+        problem.lubricant.viscosity * problem.journal.speed.abs() * (bearing.radius / bearing.clearance).powi(2);
+    match load[0].hypot(load[1]) {
+        0.0 => (pressure * 2.0 * bearing.radius * bearing.length).max(f64::MIN_POSITIVE),
+        load => load,
+    }
+}
+
+impl<'a> Search<'a> {
+    /// A search for `load` [N] on `system`, by the force of the film there.
+    pub(crate) fn new(problem: &FilmProblem, system: &'a FilmSystem, load: [f64; 2], squeeze: Squeeze) -> Self {
+        Self {
+            system,
+            load,
+            squeeze,
+            clearance: problem.bearing.clearance,
+            natural: natural_load(problem, load),
+            nearest: Cell::new(None),
+            cubic: false,
+        }
+    }
+
+    /// Positions all over the bearing, those with the force nearest to the load first.
+    pub(crate) fn starts(&self, problem: &FilmProblem) -> Vec<JournalState> {
+        const ANGLES: u32 = 12;
+        let mut starts: Vec<(f64, JournalState)> = Vec::new();
+        for eps in [0.3, 0.7, 0.95, 0.99] {
+            for k in 0..ANGLES {
+                let angle = std::f64::consts::TAU * f64::from(k) / f64::from(ANGLES);
+                let e = eps * self.clearance;
+                if let Ok(trial) = self.trial(problem, [e * angle.cos(), e * angle.sin()], Neighbour::None) {
+                    starts.push((self.distance(&trial), trial.problem.journal));
+                }
+            }
+        }
+        starts.sort_by(|a, b| a.0.total_cmp(&b.0));
+        starts.into_iter().map(|(_, start)| start).collect()
+    }
+
+    /// The film at the start or, where there is none, nearer to the middle.
+    pub(crate) fn first(&self, problem: &FilmProblem, mut start: JournalState) -> Result<Trial, NoFilm> {
+        const RETREATS: usize = 12;
+        for _ in 0..RETREATS {
+            match self.trial(problem, start.offset, Neighbour::None) {
+                // Without a supply there is no film anywhere.
+                Err(reason) if !matches!(reason, NoFilm::NoSupply { .. }) => {
+                    start.offset = start.offset.map(|e| 0.5 * e)
+                }
+                other => return other,
+            }
+        }
+        self.trial(problem, start.offset, Neighbour::None)
+    }
+
+    pub(crate) fn trial(&self, problem: &FilmProblem, offset: [f64; 2], from: Neighbour) -> Result<Trial, NoFilm> {
+        let mut problem = problem.clone();
+        let angle = match offset {
+            [0.0, 0.0] => problem.journal.min_film_angle(),
+            [x, y] => y.atan2(x),
+        };
+        problem.journal = JournalState {
+            offset,
+            ..problem.journal
+        }
+        .with_squeeze(self.squeeze.radial, self.squeeze.tangential, angle);
+        let film = problem.solve_from(self.system, from)?;
+        let cubic = (self.cubic.then(|| problem.enriched(self.system, &film))).transpose()?;
+        let force = match &cubic {
+            Some(cubic) => load(&problem, &self.system.enriched().system, cubic).total.force,
+            None => load(&problem, self.system, &film).total.force,
+        };
+        let trial = Trial {
+            problem,
+            film,
+            cubic,
+            force,
+        };
+        let distance = self.distance(&trial);
+        if self.nearest.get().is_none_or(|nearest| distance < nearest.distance) {
+            self.nearest.set(Some(Nearest {
+                distance,
+                force,
+                journal: trial.problem.journal,
+            }));
+        }
+        Ok(trial)
+    }
+
+    pub(crate) fn residual(&self, trial: &Trial) -> f64 {
+        let [x, y] = self.excess(trial);
+        x.hypot(y) / self.natural
+    }
+
+    /// Force of the film less the load [N].
+    pub(crate) fn excess(&self, trial: &Trial) -> [f64; 2] {
+        [trial.force[0] - self.load[0], trial.force[1] - self.load[1]]
+    }
+
+    /// `dW/de`.
+    pub(crate) fn stiffness(&self, trial: &Trial) -> Result<[[f64; 2]; 2], NoFilm> {
+        let mut stiffness = [[0.0; 2]; 2];
+        for k in 0..2 {
+            let mut unit = [0.0; 2];
+            unit[k] = 1.0;
+            let change = self.squeeze.moved(&trial.problem.journal, unit);
+            let unknown = (trial.problem)
+                .unknown_change(self.system, &trial.film, &change)
+                .map_err(oilwedge_fem::newton::Failure::from)?;
+            let by_offset = load_change(&trial.problem, self.system, &trial.film, &unknown);
+            stiffness[0][k] = by_offset[0];
+            stiffness[1][k] = by_offset[1];
+        }
+        Ok(stiffness)
+    }
+
+    /// How far the force is from the load: by logarithm and angle, so that forces much too large and much too small
+    /// count alike; by the residual where that is small.
+    pub(crate) fn distance(&self, trial: &Trial) -> f64 {
+        let residual = self.residual(trial);
+        let (force, load) = (trial.force[0].hypot(trial.force[1]), self.load[0].hypot(self.load[1]));
+        if residual < NEAR || load == 0.0 {
+            return residual;
+        }
+        if force == 0.0 {
+            return f64::MAX;
+        }
+        let along = trial.force[0] * self.load[0] + trial.force[1] * self.load[1];
+        let across = trial.force[0] * self.load[1] - trial.force[1] * self.load[0];
+        (load / force).ln().hypot(across.atan2(along))
+    }
+
+    /// Tells of the nearest of all trials.
+    pub(crate) fn unreachable(&self, trial: &Trial, why: &'static str) -> NoEquilibrium {
+        let degrees = |[x, y]: [f64; 2]| y.atan2(x).to_degrees().rem_euclid(360.0);
+        let last = Nearest {
+            distance: self.distance(trial),
+            force: trial.force,
+            journal: trial.problem.journal,
+        };
+        let nearest = self
+            .nearest
+            .get()
+            .filter(|nearest| nearest.distance < last.distance)
+            .unwrap_or(last);
+        NoEquilibrium::Unreachable {
+            asked: self.load[0].hypot(self.load[1]),
+            towards: degrees(self.load),
+            nearest: nearest.force[0].hypot(nearest.force[1]),
+            nearest_towards: degrees(nearest.force),
+            eccentricity: nearest.journal.eccentricity() / self.clearance,
+            journal: Box::new(trial.problem.journal),
+            why,
+        }
+    }
+}

@@ -1,0 +1,47 @@
+//! The same film on the vertices alone, to judge by the difference how far a film is from its limit.
+//!
+//! A mass-conserving film lives on the linear sub-mesh of its nodes: vertices and the middles of edges. Without the
+//! middles the same scheme is left on the triangles themselves: cells twice as wide, a quarter of the unknowns, the
+//! same holes, grooves and lines. Its search starts from the film that is there, so it takes few steps.
+
+use oilwedge_fem::Space;
+use oilwedge_fem::complementarity::Start;
+
+use crate::cavitation::jfo;
+use crate::{FilmProblem, FilmSolution, FilmSystem, NoFilm};
+
+impl FilmSystem {
+    /// The system of linear elements on the same mesh with the same given pressures; made once. Of a system of linear
+    /// elements, the same again.
+    pub fn vertices_only(&self) -> &Self {
+        self.vertices.get_or_init(|| {
+            let space = Space::new(self.space().mesh().clone(), 1);
+            let supply = self.supply.on_space(&space);
+            Box::new(Self::with_supply(space, supply))
+        })
+    }
+}
+
+impl FilmProblem {
+    /// The companion of a mass-conserving `film` of `system`: the film of [`FilmSystem::vertices_only`], found from it.
+    ///
+    /// # Errors
+    /// [`NoFilm`]: the reason why there is none; the film itself may still be sound.
+    pub fn companion(&self, system: &FilmSystem, film: &FilmSolution) -> Result<FilmSolution, NoFilm> {
+        let vertices = system.vertices_only();
+        let dofs = vertex_dofs(system.space());
+        let start = Start {
+            u: dofs.iter().map(|&dof| film.unknown[dof]).collect(),
+            held: dofs.iter().map(|&dof| film.cavity[dof]).collect(),
+        };
+        let companion = jfo::solve(self, vertices, 1.0, start, None)?;
+        self.check_existence(vertices, &companion)?;
+        Ok(companion)
+    }
+}
+
+/// The dof of each vertex.
+fn vertex_dofs(space: &Space) -> Vec<usize> {
+    let vertices = 0..space.mesh().points().len() as u32;
+    vertices.map(|vertex| space.vertex_dof(vertex)).collect()
+}

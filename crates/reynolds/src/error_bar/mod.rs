@@ -1,0 +1,226 @@
+//! # Error bars: what the film in cubic elements tells of the error of the load
+//!
+//! **Equation.** For a goal J (a component of the load, the integral of the pressure)
+//! ```text
+//! eta = J(p3) - J(p2) = sum over K of eta_K
+//! bar of J(p2) = 1.25 |eta| + 0.2 F + G + A,    bar of J(p3) = 0.3 |eta| (0.4 for the angle) + 0.25 F + G + A
+//! ```
+//! with the front part `F = sum of |eta_K|` over the triangles at the edge of a cavity and in it, where parts of either sign
+//! cancel by chance; the geometry part `G` of round rims ([`geometry`]); and the algebra part `A = |r . z|` of an equation solved
+//! to the residual r, z the dual.
+//!
+//! | symbol | unit | code |
+//! |---|---|---|
+//! | eta_K | unit of J | [`GoalError::shares`] |
+//! | G | unit of J | [`GoalError::geometry`] |
+//! | A | unit of J | [`GoalError::algebra`] |
+//! | W, beta | N, rad | [`FilmError::load`], [`FilmError::across`] |
+//!
+//! **Source.** Bank and Smith, SIAM J. Numer. Anal. 30 (1993) 921 (two degrees); Becker and Rannacher, Acta Numerica 10 (2001) 1
+//! (duals); constants: measured, `docs/theory/error_estimation.md`. **Range.** Pressure films; a mass-conserving film is
+//! judged otherwise. No bar where `|eta|` exceeds a twentieth of the load: the mesh does not resolve the film.
+//! **Verified by** `tests/tests/error_bars`: shares sum to eta, coverage of true errors, a straight rim.
+
+pub mod geometry;
+mod shares;
+
+use crate::{FilmProblem, FilmSolution, FilmSystem};
+
+/// A load of which this part is in question is not resolved.
+const UNRESOLVED: f64 = 0.05;
+
+/// Parts of an error bar, in the unit of what they are the bar of.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Bar {
+    /// What the elements do not resolve.
+    pub discretisation: f64,
+    /// The edge of the cavity.
+    pub front: f64,
+    /// Round rims that are not quite round.
+    pub geometry: f64,
+    /// Nonlinear equations that are not quite solved.
+    pub nonlinear: f64,
+    /// Linear equations that are not quite solved.
+    pub algebra: f64,
+    /// The position of a journal under a load that is not quite known.
+    pub position: f64,
+}
+
+impl Bar {
+    /// The whole bar.
+    pub fn total(&self) -> f64 {
+        self.discretisation + self.front + self.geometry + self.nonlinear + self.algebra + self.position
+    }
+
+    /// The bar of `factor` times as much.
+    pub fn scaled(self, factor: f64) -> Self {
+        let factor = factor.abs();
+        Self {
+            discretisation: factor * self.discretisation,
+            front: factor * self.front,
+            geometry: factor * self.geometry,
+            nonlinear: factor * self.nonlinear,
+            algebra: factor * self.algebra,
+            position: factor * self.position,
+        }
+    }
+}
+
+impl std::ops::Add for Bar {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            discretisation: self.discretisation + other.discretisation,
+            front: self.front + other.front,
+            geometry: self.geometry + other.geometry,
+            nonlinear: self.nonlinear + other.nonlinear,
+            algebra: self.algebra + other.algebra,
+            position: self.position + other.position,
+        }
+    }
+}
+
+/// Which value is judged.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Value {
+    /// That of the quadratic film.
+    Quadratic,
+    /// That of the cubic film.
+    Cubic,
+}
+
+/// What is known of the error of one goal.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct GoalError {
+    /// Share of each triangle in `J(p3) - J(p2)`.
+    pub shares: Vec<f64>,
+    /// Error of the round rims: exact less computed.
+    pub geometry: f64,
+    /// Error of the equation solved: exact less computed.
+    pub algebra: f64,
+}
+
+/// What is known of the errors of a film.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FilmError {
+    /// Load `(W_x, W_y)` [N] of the cubic film.
+    pub force: [f64; 2],
+    /// Of `W_x`, `W_y` and `Int p dA` [N].
+    pub goals: [GoalError; 3],
+    /// Of the flow into the film [m3/s] through both ends together and through each feed, by the name of its region.
+    pub flows: Vec<(FlowGoal, GoalError)>,
+    /// Triangles in the cavity and at its edge.
+    pub front: Vec<bool>,
+    /// True if the equation is nonlinear, so that the algebra part is one of the nonlinear iteration.
+    pub nonlinear: bool,
+}
+
+/// Where a flow is asked for.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum FlowGoal {
+    /// Both ends together.
+    Ends,
+    /// The feed of this name.
+    Feed(String),
+}
+
+/// Judges `film` by the `cubic` film of `system.enriched()`.
+///
+/// # Errors
+/// The linear systems of the duals could not be solved.
+pub fn film_error(
+    problem: &FilmProblem,
+    system: &FilmSystem,
+    film: &FilmSolution,
+    cubic: &FilmSolution,
+) -> Result<FilmError, oilwedge_fem::Error> {
+    shares::film_error(problem, system, film, cubic)
+}
+
+impl FilmError {
+    /// Unit vectors along and across the load, as weights of the goals.
+    fn directions(&self) -> [[f64; 3]; 2] {
+        let [x, y] = self.force;
+        let size = x.hypot(y).max(f64::MIN_POSITIVE);
+        [[x / size, y / size, 0.0], [-y / size, x / size, 0.0]]
+    }
+
+    /// Bar of a goal. `per_eta` tells what part of `|eta|` counts for a cubic value.
+    fn bar(&self, goal: &GoalError, value: Value, per_eta: f64) -> Bar {
+        let (mut eta, mut front) = (0.0, 0.0);
+        for (&share, &at_front) in goal.shares.iter().zip(&self.front) {
+            eta += share;
+            front += if at_front { share.abs() } else { 0.0 };
+        }
+        let (per_eta, per_front) = match value {
+            Value::Quadratic => (1.25, 0.2),
+            Value::Cubic => (per_eta, 0.25),
+        };
+        let algebra = goal.algebra.abs();
+        Bar {
+            discretisation: per_eta * eta.abs(),
+            front: per_front * front,
+            geometry: goal.geometry.abs(),
+            nonlinear: if self.nonlinear { algebra } else { 0.0 },
+            algebra: if self.nonlinear { 0.0 } else { algebra },
+            position: 0.0,
+        }
+    }
+
+    /// Bar of the magnitude of the load [N].
+    pub fn load(&self, value: Value) -> Bar {
+        self.bar(&self.along(0), value, 0.3)
+    }
+
+    /// Bar of the load across its direction [N]: over the magnitude, that of its angle [rad].
+    pub fn across(&self, value: Value) -> Bar {
+        self.bar(&self.along(1), value, 0.4)
+    }
+
+    /// Bar of `Int p dA` [N].
+    pub fn pressure_integral(&self, value: Value) -> Bar {
+        self.bar(&self.goals[2], value, 0.3)
+    }
+
+    /// Bar of a flow [m3/s]; `unsure` [m3/s] is booked by where the edge of a cavity runs within a triangle.
+    pub fn flow(&self, goal: &GoalError, unsure: f64, value: Value) -> Bar {
+        let bar = self.bar(goal, value, 1.0);
+        Bar {
+            front: bar.front + unsure,
+            ..bar
+        }
+    }
+
+    /// The goal along the load (0) or across it (1).
+    fn along(&self, direction: usize) -> GoalError {
+        let [x, y, _] = self.directions()[direction];
+        let [along_x, along_y, _] = &self.goals;
+        let both = |of_x: f64, of_y: f64| x * of_x + y * of_y;
+        GoalError {
+            shares: (along_x.shares.iter().zip(&along_y.shares))
+                .map(|(&of_x, &of_y)| both(of_x, of_y))
+                .collect(),
+            geometry: both(along_x.geometry, along_y.geometry),
+            algebra: both(along_x.algebra, along_y.algebra),
+        }
+    }
+
+    /// `J(p3) - J(p2)` [N] along and across the load.
+    pub fn eta(&self) -> [f64; 2] {
+        [0, 1].map(|direction| self.along(direction).shares.iter().sum())
+    }
+
+    /// False where the mesh does not resolve the film, and no bar can be trusted.
+    pub fn is_resolved(&self) -> bool {
+        let [along, across] = self.eta();
+        let force = self.force[0].hypot(self.force[1]);
+        along.abs() <= UNRESOLVED * force && across.abs() <= UNRESOLVED * force
+    }
+
+    /// Share of each triangle in the error of the load and its angle [N]: what refinement should look at.
+    pub fn indicator(&self) -> Vec<f64> {
+        let [along, across] = [0, 1].map(|direction| self.along(direction).shares);
+        along.iter().zip(&across).map(|(a, b)| a.abs().max(b.abs())).collect()
+    }
+}

@@ -1,0 +1,186 @@
+//! Where in the film the difference of two degrees comes from.
+//!
+//! With `e = p3 - p2`, the goal's vector j and the quadratic dual z, for any z, split exactly:
+//! `j . e = z . K e + (j - K z) . e`. The first term is local because z stands before a residual, the second because e is small
+//! where j - K z is not. In the hierarchical basis each product belongs to a function, and is shared
+//! equally among the triangles that it lives on.
+
+use oilwedge_fem::mapping::Mapping;
+use oilwedge_fem::prolongation::Hierarchical;
+use oilwedge_fem::{Error, Field, Matrix, Quadrature, lagrange};
+
+use super::{FilmError, FlowGoal, GoalError, geometry};
+use crate::quantities::load::load as load_of;
+use crate::supply::{Place, SupplyRegion};
+use crate::{FilmProblem, FilmSolution, FilmSystem, Form};
+
+/// Flows beyond these are not judged: each takes a dual.
+const MOST_FLOWS: usize = 9;
+
+pub(super) fn film_error(
+    problem: &FilmProblem,
+    system: &FilmSystem,
+    film: &FilmSolution,
+    cubic: &FilmSolution,
+) -> Result<FilmError, Error> {
+    let enriched = system.enriched();
+    let between = &enriched.prolongation;
+    let raised = between.prolong(&film.unknown);
+    let e: Vec<f64> = cubic.unknown.iter().zip(&raised).map(|(p3, p2)| p3 - p2).collect();
+    let stiffness = cubic.linearisation.matrix();
+    let fixed = &cubic.linearisation.constraints().fixed;
+    let residual = cubic
+        .inflow
+        .iter()
+        .zip(fixed)
+        .map(|(&r, &fixed)| if fixed { 0.0 } else { r });
+    let split = Split {
+        system,
+        film,
+        stiffness,
+        reaction: between.restrict(&stiffness.multiply(&e)),
+        difference: between.split(&e),
+        residual: residual.collect(),
+    };
+    let [x, y, thrust] = goal_vectors(problem, &enriched.system, &cubic.unknown, &raised);
+    let load = |goal: &[f64], k: usize| -> Result<GoalError, Error> {
+        let (dual, error) = split.goal(goal)?;
+        let geometry = geometry::rims(problem, system, film, &dual, k);
+        Ok(GoalError { geometry, ..error })
+    };
+    let goals = [load(&x, 0)?, load(&y, 1)?, load(&thrust, 2)?];
+    let regions = system.supply.regions();
+    let feeds = regions.iter().filter(|region| region.place == Place::Feed);
+    let asked = std::iter::once(FlowGoal::Ends).chain(feeds.map(|region| FlowGoal::Feed(region.name.clone())));
+    let flows = asked
+        .take(MOST_FLOWS)
+        .map(|goal| {
+            let is_asked = |region: &SupplyRegion| match &goal {
+                FlowGoal::Ends => region.place == Place::End,
+                FlowGoal::Feed(name) => region.place == Place::Feed && region.name == *name,
+            };
+            let owned = |dof: usize| enriched.system.supply.owner(dof).is_some_and(|k| is_asked(&regions[k]));
+            let chi: Vec<f64> = (0..e.len()).map(|dof| f64::from(u8::from(owned(dof)))).collect();
+            let error = split.goal(&stiffness.multiply(&chi))?.1;
+            Ok((goal, error))
+        })
+        .collect::<Result<_, Error>>()?;
+    Ok(FilmError {
+        force: load_of(problem, &enriched.system, cubic).total.force,
+        goals,
+        flows,
+        front: front(&enriched.system, cubic),
+        nonlinear: matches!(problem.form, Form::AsPrinted(_)),
+    })
+}
+
+/// The difference of the two films, ready to be weighed by duals.
+struct Split<'a> {
+    system: &'a FilmSystem,
+    film: &'a FilmSolution,
+    stiffness: &'a Matrix,
+    /// `K e`, tested with quadratic functions.
+    reaction: Vec<f64>,
+    /// `e`.
+    difference: Hierarchical,
+    /// What the equation of the cubic film leaves at free dofs.
+    residual: Vec<f64>,
+}
+
+impl Split<'_> {
+    /// The dual of a goal with this vector, and its error but for the geometry.
+    fn goal(&self, goal: &[f64]) -> Result<(Vec<f64>, GoalError), Error> {
+        let between = &self.system.enriched().prolongation;
+        let space = self.system.space();
+        let dual = self.film.linearisation.solve_transposed(&between.restrict(goal))?;
+        let raised = between.prolong(&dual);
+        let image = self.stiffness.multiply(&raised);
+        let left: Vec<f64> = goal.iter().zip(image).map(|(j, kz)| j - kz).collect();
+        let by_field = self.difference.shared_products(&between.test(&left), space);
+        let by_dual = shared(&dual, &self.reaction, self.system);
+        let error = GoalError {
+            shares: by_field.iter().zip(by_dual).map(|(a, b)| a + b).collect(),
+            geometry: 0.0,
+            algebra: -self.residual.iter().zip(&raised).map(|(r, z)| r * z).sum::<f64>(),
+        };
+        Ok((dual, error))
+    }
+}
+
+/// Products node by node, shared equally among the triangles at the node.
+fn shared(a: &[f64], b: &[f64], system: &FilmSystem) -> Vec<f64> {
+    let space = system.space();
+    let cells = space.mesh().triangles().len();
+    let mut around = vec![0u32; space.dofs()];
+    for t in 0..cells {
+        for &dof in &space.element_dofs(t)[..space.shapes()] {
+            around[dof] += 1;
+        }
+    }
+    let share = |&dof: &usize| a[dof] * b[dof] / f64::from(around[dof]);
+    (0..cells)
+        .map(|t| space.element_dofs(t)[..space.shapes()].iter().map(share).sum())
+        .collect()
+}
+
+/// `Int s phi_i (cos phi, sin phi, 1) dA` for each cubic function, with the secant s of the pressure between the two films.
+fn goal_vectors(problem: &FilmProblem, cubic: &FilmSystem, better: &[f64], raised: &[f64]) -> [Vec<f64>; 3] {
+    let space = cubic.space();
+    let rule = Quadrature::for_degree(space.degree());
+    let shapes: Vec<[f64; lagrange::MOST_SHAPES]> = (rule.points.iter())
+        .map(|&point| {
+            let mut values = [0.0; lagrange::MOST_SHAPES];
+            lagrange::values(space.degree(), point, &mut values);
+            values
+        })
+        .collect();
+    let mut goals = [0, 1, 2].map(|_| vec![0.0; space.dofs()]);
+    for t in 0..space.mesh().triangles().len() {
+        let mapping = Mapping::of(space.mesh(), t);
+        let dofs = space.element_dofs(t);
+        let [p3, p2] = [better, raised].map(|values| Field { space, values }.element_values(t));
+        for (shapes, (&point, weight)) in shapes.iter().zip(rule.points.iter().zip(&rule.weights)) {
+            let place = mapping.at(point);
+            let at =
+                |nodal: &[f64; lagrange::MOST_SHAPES]| -> f64 { nodal.iter().zip(shapes).map(|(u, s)| u * s).sum() };
+            let area = weight * place.determinant * secant(problem, at(&p3), at(&p2));
+            let (sin, cos) = (place.position[0] / problem.bearing.radius).sin_cos();
+            for (&dof, shape) in dofs.iter().zip(shapes) {
+                goals[0][dof] += area * cos * shape;
+                goals[1][dof] += area * sin * shape;
+                goals[2][dof] += area * shape;
+            }
+        }
+    }
+    goals
+}
+
+/// Slope of the pressure that the film exerts, between two values of the unknown.
+fn secant(problem: &FilmProblem, a: f64, b: f64) -> f64 {
+    let step = a - b;
+    match step.abs() > 1e-6 * a.abs().max(b.abs()) {
+        true => (problem.pressure_at(a) - problem.pressure_at(b)) / step,
+        false => problem.pressure_slope_at(a),
+    }
+}
+
+/// Triangles in the cavity of the cubic film, and those that share a vertex with one at its edge.
+fn front(cubic: &FilmSystem, film: &FilmSolution) -> Vec<bool> {
+    let space = cubic.space();
+    let mesh = space.mesh();
+    let mut near = vec![false; mesh.points().len()];
+    let mut inside = vec![false; mesh.triangles().len()];
+    for (t, inside) in inside.iter_mut().enumerate() {
+        let dofs = &space.element_dofs(t)[..space.shapes()];
+        *inside = dofs.iter().any(|&dof| film.cavity[dof]);
+        let outside = |&dof: &usize| !film.cavity[dof] && cubic.supply.owner(dof).is_none();
+        if *inside && dofs.iter().any(outside) {
+            for v in mesh.triangles()[t] {
+                near[v as usize] = true;
+            }
+        }
+    }
+    (inside.into_iter().enumerate())
+        .map(|(t, inside)| inside || mesh.triangles()[t].iter().any(|&v| near[v as usize]))
+        .collect()
+}

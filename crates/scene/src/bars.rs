@@ -1,0 +1,274 @@
+//! The error bars of all quantities: what judges a film, and by which rule each number.
+//!
+//! | film | judged by | value reported |
+//! |---|---|---|
+//! | pressure film | the film in cubic elements on the same mesh | the cubic one |
+//! | mass-conserving film | its companion on the vertices alone | that of the film itself |
+//!
+//! Under a load what is uncertain is the position: its bar comes from that of the load through the stiffness, and the bars
+//! of all other numbers from the film moved that far along its tangent. `docs/theory/error_estimation.md` has the rules and how often they hold.
+
+use std::time::Instant;
+
+use oilwedge_fem::Field;
+use oilwedge_reynolds::error_bar::{Bar, FilmError, FlowGoal, Value, film_error};
+use oilwedge_reynolds::{FilmSolution, FilmSystem};
+
+use crate::analysis::{Balance, Solved, Witness};
+use crate::compile::Study;
+use crate::measure::{Measured, measure, quantities};
+use crate::moved::position_bars;
+use crate::report::{ErrorParts, Quantity};
+
+/// A film, measured and judged.
+#[derive(Debug)]
+pub struct Judged {
+    /// What was measured on the film whose numbers are reported.
+    pub measured: Measured,
+    /// The quantities, with their errors where bars were asked for and can be trusted.
+    pub quantities: Vec<Quantity>,
+    /// Share of each triangle in the error of the load [N]; none without bars.
+    pub indicator: Option<Vec<f64>>,
+    /// True if the error comes from the edge of a cavity more than from anything else.
+    pub at_front: bool,
+    /// Seconds that measuring and judging took.
+    pub seconds: f64,
+}
+
+/// Measures and judges a solved film.
+pub fn judge(study: &Study, solved: &Solved) -> Judged {
+    let clock = Instant::now();
+    let judged = match &solved.witness {
+        Witness::None => {
+            let measured = measure(&study.problem, &study.system, &solved.film);
+            Judged {
+                quantities: quantities(study, &measured),
+                measured,
+                indicator: None,
+                at_front: false,
+                seconds: 0.0,
+            }
+        }
+        Witness::Cubic(cubic) => judge_by_cubic(study, solved, cubic),
+        Witness::Vertices(companion) => crate::companion_bars::judge(study, solved, companion),
+    };
+    Judged {
+        seconds: clock.elapsed().as_secs_f64(),
+        ..judged
+    }
+}
+
+fn judge_by_cubic(study: &Study, solved: &Solved, cubic: &FilmSolution) -> Judged {
+    let better = &study.system.enriched().system;
+    let measured = measure(&study.problem, better, cubic);
+    let mut list = quantities(study, &measured);
+    let Ok(error) = film_error(&study.problem, &study.system, &solved.film, cubic) else {
+        return Judged {
+            quantities: list,
+            measured,
+            indicator: None,
+            at_front: false,
+            seconds: 0.0,
+        };
+    };
+    let quadratic = measure(&study.problem, &study.system, &solved.film);
+    let before = quantities(study, &quadratic);
+    let rules = Rules {
+        study,
+        film: &solved.film,
+        cubic,
+        error: &error,
+        measured: &measured,
+    };
+    let load = error.load(Value::Cubic);
+    let moved = solved.balance.as_ref().map(|balance| {
+        let across = error.across(Value::Cubic);
+        position_bars(study, &solved.film, balance, [load.total(), across.total()], &before)
+    });
+    for (k, quantity) in list.iter_mut().enumerate() {
+        let own = match (&solved.balance, error.is_resolved()) {
+            (Some(balance), true) => balanced(quantity, balance),
+            _ => None,
+        };
+        let before = before.iter().find(|other| other.name == quantity.name);
+        let bar = own.or_else(|| {
+            let bar = rules.bar(quantity, before?)?;
+            let position = moved.as_ref().map_or(0.0, |moved| moved[k]);
+            Some(Bar { position, ..bar })
+        });
+        set(quantity, bar);
+    }
+    Judged {
+        quantities: list,
+        measured,
+        at_front: load.front > load.discretisation,
+        indicator: Some(error.indicator()),
+        seconds: 0.0,
+    }
+}
+
+/// Gives a quantity its bar, or says that there is none.
+pub(crate) fn set(quantity: &mut Quantity, bar: Option<Bar>) {
+    let bar = bar.filter(|bar| bar.total().is_finite());
+    quantity.error = bar.map(|bar| bar.total());
+    quantity.error_parts = bar.map(|bar| ErrorParts {
+        discretisation: bar.discretisation,
+        front: bar.front,
+        geometry: bar.geometry,
+        nonlinear: bar.nonlinear,
+        algebra: bar.algebra,
+        position: bar.position,
+    });
+}
+
+/// The bar of what a load fixes: how far it is from balanced. None for what it does not fix.
+pub(crate) fn balanced(quantity: &Quantity, balance: &Balance) -> Option<Bar> {
+    let unbalanced = match quantity.name.as_str() {
+        "load" | "load_coefficient" | "sommerfeld_number" => balance.residual * quantity.value.abs(),
+        "load_x" | "load_y" => balance.residual * balance.load,
+        "load_angle" => balance.residual.to_degrees(),
+        _ => return None,
+    };
+    Some(Bar {
+        algebra: unbalanced,
+        ..Bar::default()
+    })
+}
+
+/// A bar without a name for its origin.
+fn plain(discretisation: f64) -> Bar {
+    Bar {
+        discretisation,
+        ..Bar::default()
+    }
+}
+
+/// What the rules look at.
+struct Rules<'a> {
+    study: &'a Study,
+    film: &'a FilmSolution,
+    cubic: &'a FilmSolution,
+    error: &'a FilmError,
+    measured: &'a Measured,
+}
+
+impl Rules<'_> {
+    /// The bar of a number at the position of the film; `before` is that of the quadratic film. None if it cannot be trusted.
+    fn bar(&self, quantity: &Quantity, before: &Quantity) -> Option<Bar> {
+        let error = self.error;
+        let name = quantity.name.as_str();
+        if matches!(name, "eccentricity" | "min_film_angle" | "film_thickness_min") || is_cut_out(name) {
+            return Some(Bar::default());
+        }
+        if !error.is_resolved() {
+            return None;
+        }
+        let change = (quantity.value - before.value).abs();
+        let (along, across) = (error.load(Value::Cubic), error.across(Value::Cubic));
+        let [x, y] = error.force;
+        let force = x.hypot(y);
+        let bar = match name {
+            "load" => along,
+            "load_x" => along.scaled(x / force) + across.scaled(y / force),
+            "load_y" => along.scaled(y / force) + across.scaled(x / force),
+            "load_angle" | "attitude_angle" => across.scaled(1f64.to_degrees() / force),
+            "load_coefficient" | "sommerfeld_number" => along.scaled(quantity.value / force),
+            "pressure_integral" => error.pressure_integral(Value::Cubic),
+            "pressure_max" => plain(self.greatest(change)),
+            "pressure_min" if self.film.cavity.contains(&true) => Bar::default(),
+            "pressure_min" => plain(change.max(1e-3 * self.greatest(change))),
+            "viscosity_max" => plain(self.viscosity(quantity.value)),
+            "cavity_share" => plain(change + 0.25 * self.front_share()),
+            "side_flow" => self.flow(&FlowGoal::Ends)?,
+            "cavity_flow" => self.cavity_flow(change)?,
+            feed => self.flow(&FlowGoal::Feed(feed.strip_prefix("feed_flow.")?.to_owned()))?,
+        };
+        Some(bar)
+    }
+
+    /// Bar [Pa] of the greatest pressure: how far the two films are apart in the triangles that hold their greatest values.
+    fn greatest(&self, change: f64) -> f64 {
+        let Study { problem, system, .. } = self.study;
+        let quadratic = Field {
+            space: system.space(),
+            values: &self.film.unknown,
+        };
+        let cubic = Field {
+            space: system.enriched().system.space(),
+            values: &self.cubic.unknown,
+        };
+        const LATTICE: u32 = 6;
+        let step = 1.0 / f64::from(LATTICE);
+        let apart = |t: usize| {
+            let points = (0..=LATTICE).flat_map(|i| (0..=LATTICE - i).map(move |j| [f64::from(i), f64::from(j)]));
+            let gap = |[i, j]: [f64; 2]| {
+                let point = [step * i, step * j];
+                (problem.pressure_at(cubic.value(t, point)) - problem.pressure_at(quadratic.value(t, point))).abs()
+            };
+            points.map(gap).fold(0.0, f64::max)
+        };
+        let furthest = apart(quadratic.maximum().triangle).max(apart(cubic.maximum().triangle));
+        (0.3 * change).max(0.25 * furthest)
+    }
+
+    /// Bar [Pa s] of the greatest viscosity, by that of the greatest pressure.
+    fn viscosity(&self, value: f64) -> f64 {
+        let problem = &self.study.problem;
+        let greatest = self.measured.extremes.greatest;
+        let quadratic = oilwedge_reynolds::quantities::pressure::extremes(problem, &self.study.system, self.film);
+        let bar = self.greatest((greatest - quadratic.greatest).abs());
+        let above = (problem.viscosity_at(greatest + bar) - value).abs();
+        above.max((problem.viscosity_at(greatest - bar) - value).abs())
+    }
+
+    /// Share of the area [1] in triangles through which the edge of the cavity runs.
+    fn front_share(&self) -> f64 {
+        let system: &FilmSystem = &self.study.system.enriched().system;
+        let (space, mesh) = (system.space(), system.space().mesh());
+        let (mut edge, mut whole) = (0.0, 0.0);
+        for t in 0..mesh.triangles().len() {
+            let [a, b, c] = mesh.corners(t);
+            let area = 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
+            let dofs = &space.element_dofs(t)[..space.shapes()];
+            let held = dofs.iter().any(|&dof| self.cubic.cavity[dof]);
+            let free = |&dof: &usize| !self.cubic.cavity[dof] && system.supply.owner(dof).is_none();
+            edge += if held && dofs.iter().any(free) { area } else { 0.0 };
+            whole += area;
+        }
+        edge / whole
+    }
+
+    fn unsure(&self, goal: &FlowGoal) -> f64 {
+        let regions = self
+            .study
+            .system
+            .supply
+            .regions()
+            .iter()
+            .zip(&self.measured.flows.regions);
+        let counts = |region: &oilwedge_reynolds::supply::SupplyRegion| match goal {
+            FlowGoal::Ends => region.place == oilwedge_reynolds::supply::Place::End,
+            FlowGoal::Feed(name) => region.name == *name,
+        };
+        regions
+            .filter(|(region, _)| counts(region))
+            .map(|(_, flow)| flow.unsure)
+            .sum()
+    }
+
+    fn flow(&self, goal: &FlowGoal) -> Option<Bar> {
+        let (_, error) = self.error.flows.iter().find(|(other, _)| other == goal)?;
+        Some(self.error.flow(error, self.unsure(goal), Value::Cubic))
+    }
+
+    /// What the cavity makes is what all others bring and take.
+    fn cavity_flow(&self, change: f64) -> Option<Bar> {
+        let all: Option<Vec<Bar>> = self.error.flows.iter().map(|(goal, _)| self.flow(goal)).collect();
+        Some(all?.into_iter().fold(plain(change), |sum, bar| sum + bar))
+    }
+}
+
+/// Parts of the load over regions cut out: their pressure and shape are given.
+pub(crate) fn is_cut_out(name: &str) -> bool {
+    name.starts_with("load_x.") || name.starts_with("load_y.")
+}

@@ -1,0 +1,56 @@
+//! What an uncertain position makes uncertain: the film moved along its tangent as far as its bar, and measured again.
+
+use oilwedge_bearing::newton_step;
+use oilwedge_reynolds::FilmSolution;
+
+use crate::analysis::Balance;
+use crate::compile::Study;
+use crate::measure::{measure, quantities_at};
+use crate::report::Quantity;
+
+/// For each quantity of `list` (measured on `film`) how much it changes where the journal moves as far as the bars of the load,
+/// `[along, across]` [N], let it. Not finite where the film has no tangent.
+pub(crate) fn position_bars(
+    study: &Study,
+    film: &FilmSolution,
+    balance: &Balance,
+    bars: [f64; 2],
+    list: &[Quantity],
+) -> Vec<f64> {
+    let [x, y] = study.load.unwrap_or_default();
+    let size = x.hypot(y);
+    let along = match size > 0.0 {
+        true => [x / size, y / size],
+        false => [1.0, 0.0],
+    };
+    let across = [-along[1], along[0]];
+    let mut changes = vec![0.0; list.len()];
+    for (direction, bar) in [along, across].into_iter().zip(bars) {
+        let by = newton_step(balance.stiffness, direction.map(|d| -d * bar));
+        let change = study.squeeze.moved(&study.problem.journal, by);
+        let moved = study
+            .problem
+            .moved(&study.system, film, &change)
+            .map(|(problem, film)| {
+                let measured = measure(&problem, &study.system, &film);
+                quantities_at(study, &problem, &measured)
+            });
+        for (change, here) in changes.iter_mut().zip(list) {
+            let there = moved
+                .as_ref()
+                .ok()
+                .and_then(|moved| moved.iter().find(|there| there.name == here.name));
+            *change += there.map_or(f64::NAN, |there| distance(here, there));
+        }
+    }
+    changes
+}
+
+/// Angles differ by less than half a turn.
+fn distance(a: &Quantity, b: &Quantity) -> f64 {
+    let difference = (a.value - b.value).abs();
+    match a.unit == "deg" {
+        true => difference.min((difference - 360.0).abs()),
+        false => difference,
+    }
+}

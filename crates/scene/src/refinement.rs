@@ -1,0 +1,288 @@
+//! Solve, estimate, mark, refine: from mesh to mesh until every bar is as small as the scene asks.
+//!
+//! A smooth film is refined everywhere: a mesh drawn here is drawn anew, as fine as the law of the bar,
+//! `bar ~ unknowns^-s`, says that it must be; that of a file is divided. Where the error comes from the edge of a cavity
+//! the triangles are divided that carry most of it.
+//!
+//! Source: Doerfler, SIAM J. Numer. Anal. 33 (1996) 1106; s measured, `docs/theory/error_estimation.md`.
+
+use std::sync::Arc;
+use std::time::Instant;
+
+use oilwedge_fem::marking::doerfler;
+use oilwedge_mesh::{Mesh, refine};
+
+use crate::analysis::{NoAnswer, Solved, graded, solve};
+use crate::bars::{Judged, judge};
+use crate::compile::{CompileError, Study, compile_on};
+use crate::liner_mesh::resized;
+use crate::report::{LevelFacts, Quantity, Refinement};
+use crate::run::{DEGREE, RunOptions};
+use crate::scene::{CavitationModel, MeshSource, Scene, Target};
+
+/// Edges of the first mesh towards a tolerance over those of a mesh that is used as it is.
+const FIRST: f64 = 3.0;
+/// Share of the indicator that the triangles divided carry.
+const SHARE: f64 = 0.7;
+/// A mesh is drawn for bars this much smaller than asked for,
+const SAFETY: f64 = 0.7;
+/// with at least and at most this many times the unknowns of the one before.
+const GROWTH: [f64; 2] = [1.4, 16.0];
+/// Growth where no bar can be trusted yet.
+const UNRESOLVED_GROWTH: f64 = 3.0;
+/// Seconds of a level grow like this power of the unknowns at most.
+const TIME_EXPONENT: f64 = 1.2;
+/// Most meshes.
+const MOST_LEVELS: usize = 30;
+
+/// A scene answered.
+pub struct Answer {
+    /// The scene on the last mesh.
+    pub study: Study,
+    /// The film there, or why there is none.
+    pub outcome: Result<(Solved, Judged), NoAnswer>,
+    /// The meshes on the way to a tolerance.
+    pub levels: Vec<LevelFacts>,
+    /// Why a tolerance is not met.
+    pub limit: Option<String>,
+}
+
+/// Answers a scene, on meshes as fine as its tolerance asks for if errors are estimated.
+///
+/// # Errors
+/// The scene does not become a film.
+pub fn answer(scene: &Scene, options: &RunOptions) -> Result<Answer, CompileError> {
+    let tolerance = scene.tolerance.as_ref().filter(|_| options.bars);
+    let Some(tolerance) = tolerance else {
+        let mut study = graded(scene)?;
+        let outcome = solved(&mut study, options.bars);
+        return Ok(Answer {
+            study,
+            outcome,
+            levels: Vec::new(),
+            limit: None,
+        });
+    };
+    towards(scene, &tolerance.targets, options)
+}
+
+fn solved(study: &mut Study, bars: bool) -> Result<(Solved, Judged), NoAnswer> {
+    let solved = solve(study, bars)?;
+    let judged = judge(study, &solved);
+    Ok((solved, judged))
+}
+
+/// Unknown pressures of a study.
+pub fn unknowns(study: &Study) -> usize {
+    let system = &study.system;
+    (0..system.space().dofs())
+        .filter(|&dof| system.supply.owner(dof).is_none())
+        .count()
+}
+
+fn towards(scene: &Scene, targets: &[Target], options: &RunOptions) -> Result<Answer, CompileError> {
+    let clock = Instant::now();
+    let mut next = Next::first(scene);
+    let mut levels: Vec<LevelFacts> = Vec::new();
+    loop {
+        let start = Instant::now();
+        let (refinement, mut study) = next.study(scene)?;
+        let outcome = solved(&mut study, true);
+        let (solved, judged) = match outcome {
+            Ok(found) => found,
+            // The first mesh is coarse; what it cannot answer one as fine as usual may.
+            Err(reason) => {
+                if let Some(finer) = next.finer_first(scene) {
+                    next = finer;
+                    continue;
+                }
+                return Ok(Answer {
+                    study,
+                    outcome: Err(reason),
+                    levels,
+                    limit: None,
+                });
+            }
+        };
+        let size = unknowns(&study);
+        levels.push(LevelFacts {
+            unknowns: size,
+            cells: study.system.space().mesh().triangles().len(),
+            refinement,
+            errors: (targets.iter())
+                .filter_map(|target| {
+                    let quantity = judged
+                        .quantities
+                        .iter()
+                        .find(|quantity| quantity.name == target.quantity)?;
+                    Some((target.quantity.clone(), quantity.error?))
+                })
+                .collect(),
+            seconds: start.elapsed().as_secs_f64(),
+        });
+        let worst = worst(&judged.quantities, targets);
+        let growth = growth(scene, worst);
+        let limit = match worst <= 1.0 {
+            true => None,
+            false => Some(limit(&levels, clock.elapsed().as_secs_f64(), growth, worst, options)),
+        };
+        match limit {
+            Some(None) => {}
+            limit => {
+                return Ok(Answer {
+                    study,
+                    outcome: Ok((solved, judged)),
+                    levels,
+                    limit: limit.flatten(),
+                });
+            }
+        }
+        next = match Next::refined(scene, &next, &study, &judged, growth) {
+            Ok(next) => next,
+            Err(limit) => {
+                return Ok(Answer {
+                    study,
+                    outcome: Ok((solved, judged)),
+                    levels,
+                    limit: Some(limit),
+                });
+            }
+        };
+    }
+}
+
+/// The greatest bar over what it may be; infinite where one is missing. A quantity that this film does not have is met.
+fn worst(quantities: &[Quantity], targets: &[Target]) -> f64 {
+    let ratio = |target: &Target| {
+        let Some(quantity) = quantities.iter().find(|quantity| quantity.name == target.quantity) else {
+            return 0.0;
+        };
+        let size = match quantity.unit.as_str() {
+            "deg" => 1f64.to_degrees(),
+            _ => quantity.value.abs(),
+        };
+        let Some(error) = quantity.error else {
+            return f64::INFINITY;
+        };
+        // A load that is rounding has no direction, and no relative error.
+        let nothing = quantity.unit == "N" && !quantities.iter().any(|other| other.name == "load_angle");
+        if nothing || error == 0.0 {
+            return 0.0;
+        }
+        error / (target.relative * size)
+    };
+    targets.iter().map(ratio).fold(0.0, f64::max)
+}
+
+/// How many times the unknowns the next mesh needs.
+fn growth(scene: &Scene, worst: f64) -> f64 {
+    let [least, most] = GROWTH;
+    match worst.is_finite() {
+        true => (worst / SAFETY).powf(1.0 / order(scene)).clamp(least, most),
+        false => UNRESOLVED_GROWTH,
+    }
+}
+
+/// The power s of `bar ~ unknowns^-s`.
+fn order(scene: &Scene) -> f64 {
+    match scene.cavitation.map(|cavitation| cavitation.model) {
+        Some(CavitationModel::Jfo) => 1.0,
+        Some(CavitationModel::Reynolds) => 1.75,
+        _ => 2.0,
+    }
+}
+
+/// Why there must not be another mesh, if so.
+fn limit(levels: &[LevelFacts], elapsed: f64, growth: f64, worst: f64, options: &RunOptions) -> Option<String> {
+    let last = levels.last()?;
+    let wanted = growth * last.unknowns as f64;
+    let away = match worst.is_finite() {
+        true => format!(
+            "the bars are {} times as wide as asked for",
+            crate::wording::factor(worst)
+        ),
+        false => "the mesh does not resolve the film yet".to_owned(),
+    };
+    let seconds = last.seconds * growth.powf(TIME_EXPONENT);
+    if wanted > options.max_unknowns as f64 {
+        return Some(format!(
+            "limit: {away} on {} unknowns, and the next mesh would need some {wanted:.0}, more than {}; give --max-unknowns a higher limit, or a wider tolerance",
+            last.unknowns, options.max_unknowns
+        ));
+    }
+    if elapsed + seconds > options.max_seconds {
+        return Some(format!(
+            "limit: {away} after {elapsed:.1} s, and the next mesh would take some {seconds:.1} s, beyond {:.1} s in all; give --max-seconds a higher limit, or a wider tolerance",
+            options.max_seconds
+        ));
+    }
+    (levels.len() >= MOST_LEVELS).then(|| format!("limit: {away} after {MOST_LEVELS} meshes; give a wider tolerance"))
+}
+
+/// The next mesh.
+enum Next {
+    /// Made of the scene with longest edges times this.
+    Drawn(f64),
+    /// That of the scene as it is.
+    Given,
+    /// One at hand, for the journal at this position.
+    Divided(Arc<Mesh>, Refinement, (f64, f64)),
+}
+
+impl Next {
+    fn first(scene: &Scene) -> Self {
+        match scene.mesh {
+            MeshSource::Drawing { size: None } => Self::Drawn(FIRST),
+            _ => Self::Given,
+        }
+    }
+
+    fn study(&self, scene: &Scene) -> Result<(Refinement, Study), CompileError> {
+        match self {
+            Self::Given => Ok((Refinement::Given, graded(scene)?)),
+            Self::Drawn(factor) => {
+                let resized = resized(scene, *factor).unwrap_or_else(|| scene.clone());
+                let refinement = if *factor == FIRST {
+                    Refinement::Given
+                } else {
+                    Refinement::Uniform
+                };
+                Ok((refinement, graded(&resized)?))
+            }
+            Self::Divided(mesh, refinement, near) => {
+                Ok((*refinement, compile_on(scene, Mesh::clone(mesh), *near, DEGREE)?))
+            }
+        }
+    }
+
+    /// Another start where the first mesh was too coarse to have an answer.
+    fn finer_first(&self, scene: &Scene) -> Option<Self> {
+        match (self, &scene.mesh) {
+            (Self::Drawn(factor), MeshSource::Drawing { size: None }) if *factor > 1.0 => Some(Self::Drawn(1.0)),
+            _ => None,
+        }
+    }
+
+    /// The mesh after that of `study`, or why it cannot be made.
+    fn refined(scene: &Scene, last: &Self, study: &Study, judged: &Judged, growth: f64) -> Result<Self, String> {
+        let mesh = study.system.space().mesh();
+        let journal = &study.problem.journal;
+        let near = match study.load {
+            None => scene.journal.start(),
+            Some(_) => (
+                journal.eccentricity() / scene.bearing.clearance,
+                journal.min_film_angle(),
+            ),
+        };
+        let local = judged.indicator.as_ref().filter(|_| judged.at_front);
+        let (divided, refinement) = match (local, last) {
+            (Some(indicator), _) => (refine::local(mesh, &doerfler(indicator, SHARE)), Refinement::Local),
+            (None, Self::Drawn(factor)) => return Ok(Self::Drawn(factor / growth.sqrt())),
+            (None, _) => (refine::uniform(mesh), Refinement::Uniform),
+        };
+        let divided = divided.map_err(|_| {
+            "limit: the mesh cannot be divided, for a round rim of it is too coarse; give a finer mesh".to_owned()
+        })?;
+        Ok(Self::Divided(Arc::new(divided.mesh), refinement, near))
+    }
+}
