@@ -1,6 +1,6 @@
 //! A study of a scene: its levels, what its observer is told, and its time.
 
-use oilwedge_scene::convergence::{Budget, LevelReport, Observer, Strategy, converge};
+use oilwedge_scene::convergence::{Budget, LevelReport, Measure, Observer, Strategy, converge};
 use oilwedge_scene::scene::Scene;
 use oilwedge_tests::scenes::path;
 
@@ -26,7 +26,7 @@ impl Observer for Diary {
 fn levels_are_told_in_their_order_and_errors_fall_by_theirs() {
     let scene = Scene::read(&path("09_drawn_ring")).expect("a shipped scene");
     let mut diary = Diary::default();
-    let study = converge(&scene, &Budget::seconds(1.5), &mut diary).expect("it has a film");
+    let study = converge(&scene, &Budget::seconds(3.0), &mut diary).expect("it has a film");
     let report = study.report;
     for course in report
         .strategies
@@ -36,19 +36,16 @@ fn levels_are_told_in_their_order_and_errors_fall_by_theirs() {
         for pair in course.levels.windows(2) {
             assert_eq!(pair[1].cells, 4 * pair[0].cells);
         }
-        let gains = course.levels.windows(2).filter_map(|pair| {
-            Some(
-                (pair[0].relative_error? / pair[1].relative_error?).ln()
-                    / (pair[1].unknowns as f64 / pair[0].unknowns as f64).ln(),
-            )
-        });
-        // The first level is coarse; the last ones may be as good as the finest answer.
-        let gain = gains.skip(1).take(1).next().expect("three levels");
-        assert!(
-            (gain / course.order - 1.0).abs() < 0.15,
-            "{:?}: {gain}",
-            course.strategy
-        );
+        // The bar of quadratic elements, the true error of linear ones. The first level is coarse.
+        let told = |level: &LevelReport| level.relative_bar.or(level.relative_error);
+        let points: Vec<(f64, f64)> = (course.levels.iter().skip(1))
+            .filter_map(|level| Some((level.unknowns as f64, told(level)?)))
+            .collect();
+        let [first, second, ..] = points[..] else {
+            panic!("{:?}: too few levels", course.strategy)
+        };
+        let gain = (first.1 / second.1).ln() / (second.0 / first.0).ln();
+        assert!((gain / course.order - 1.0).abs() < 0.2, "{:?}: {gain}", course.strategy);
         assert!(!course.ended.is_empty());
     }
     let told: Vec<_> = report
@@ -67,18 +64,14 @@ fn levels_are_told_in_their_order_and_errors_fall_by_theirs() {
             .into();
         assert_eq!(places[1], places[0] + 1);
     }
-    assert!(report.prices.len() > 3 && report.prices.iter().rev().skip(1).all(|price| !price.extrapolated));
+    for measure in [Measure::Bar, Measure::Error] {
+        let prices: Vec<_> = report.prices.iter().filter(|price| price.measure == measure).collect();
+        assert!(prices.len() > 3 && prices.iter().rev().skip(1).all(|price| !price.extrapolated));
+    }
     assert!(study.mesh.is_some_and(|marked| marked.mesh.triangles().len() <= 5000));
 
     let short = converge(&scene, &Budget::seconds(1e-6), &mut ())
         .expect("it has a film")
         .report;
     assert_eq!(short.levels().count(), 1);
-    assert!(short.prices.is_empty() && short.reference.is_some_and(|reference| reference.uncertainty.is_none()));
-    assert!(
-        short
-            .left_out
-            .iter()
-            .any(|sentence| sentence.contains("errors are not known"))
-    );
 }

@@ -56,11 +56,4 @@ impl Strategy {
             Some(CavitationModel::None | CavitationModel::Guembel) | None => 2.0,
         }
     }
-
-    /// Why this one is not tried for a scene, if it is not.
-    pub(super) fn left_out(self, scene: &Scene) -> Option<&'static str> {
-        let conserving = scene.cavitation.is_some_and(|it| it.model == CavitationModel::Jfo);
-        (conserving && self.degree() == 1)
-            .then_some("a film that conserves its oil (jfo) is not computed with linear elements")
-    }
 }
