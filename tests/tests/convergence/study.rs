@@ -21,7 +21,8 @@ impl Observer for Diary {
 }
 
 /// Uniform refinement divides each triangle into four, and the error falls with the order of the degree. What is told as begun
-/// ends, level by level. An empty budget still has one level.
+/// ends, level by level. An empty budget still has the
+/// first level of quadratic elements, with which both of their strategies begin.
 #[test]
 fn levels_are_told_in_their_order_and_errors_fall_by_theirs() {
     let scene = Scene::read(&path("09_drawn_ring")).expect("a shipped scene");
@@ -52,7 +53,8 @@ fn levels_are_told_in_their_order_and_errors_fall_by_theirs() {
         .levels()
         .map(|(course, level)| (course.strategy, level.level))
         .collect();
-    for (strategy, level) in told {
+    // Both strategies of quadratic elements begin with the same level.
+    for (strategy, level) in told.into_iter().filter(|told| *told != (Strategy::P2Adaptive, 1)) {
         let places: Vec<usize> = [false, true]
             .map(|ended| {
                 diary
@@ -73,5 +75,5 @@ fn levels_are_told_in_their_order_and_errors_fall_by_theirs() {
     let short = converge(&scene, &Budget::seconds(1e-6), &mut ())
         .expect("it has a film")
         .report;
-    assert_eq!(short.levels().count(), 1);
+    assert_eq!(short.levels().count(), 2);
 }

@@ -60,16 +60,17 @@ pub fn converge(scene: &Scene, budget: &Budget, observer: &mut dyn Observer) -> 
         Ok(first) => first,
         Err(reason) => return Ok(unanswered(report, &reason, budget)),
     };
-    let mut climbs = Strategy::ALL.map(|strategy| Climb::new(scene, &first, strategy, goal));
+    let climb = |strategy: Strategy| Climb::new(scene, &first, strategy, goal);
+    // Both strategies of quadratic elements begin on the same mesh.
+    let mut uniform = climb(Strategy::P2Uniform);
+    uniform.step(budget, observer)?;
+    let linear = climb(Strategy::P1Uniform).no_longer_than(&uniform);
+    let adaptive = uniform.turned(Strategy::P2Adaptive);
+    let mut climbs = [linear, uniform, adaptive];
     let next = |climbs: &[Climb]| {
         let open = climbs.iter().enumerate().filter(|(_, climb)| climb.ended.is_none());
-        // Quadratic elements first: without them there is nothing to compare with.
-        let rank = |climb: &Climb| (climb.urgency(), climb.strategy == Strategy::P1Uniform);
-        open.min_by(|(_, a), (_, b)| {
-            let (a, b) = (rank(a), rank(b));
-            a.0.total_cmp(&b.0).then(a.1.cmp(&b.1))
-        })
-        .map(|(place, _)| place)
+        open.min_by(|(_, a), (_, b)| a.urgency().total_cmp(&b.urgency()))
+            .map(|(place, _)| place)
     };
     while let Some(place) = next(&climbs) {
         climbs[place].step(budget, observer)?;

@@ -17,9 +17,6 @@ pub enum Strategy {
 }
 
 impl Strategy {
-    /// All, in the order of the report.
-    pub const ALL: [Self; 3] = [Self::P1Uniform, Self::P2Uniform, Self::P2Adaptive];
-
     /// Degree of the pressure.
     pub fn degree(self) -> usize {
         match self {
