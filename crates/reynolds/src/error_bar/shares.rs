@@ -92,7 +92,7 @@ impl Split<'_> {
     fn goal(&self, goal: &[f64]) -> Result<(Vec<f64>, GoalError), Error> {
         let between = &self.system.enriched().prolongation;
         let space = self.system.space();
-        let dual = self.film.linearisation.solve_transposed(&between.restrict(goal))?;
+        let dual = self.film.linearisation.apply_factor(between.restrict(goal), true)?;
         let raised = between.prolong(&dual);
         let image = self.stiffness.multiply(&raised);
         let left: Vec<f64> = goal.iter().zip(image).map(|(j, kz)| j - kz).collect();
