@@ -36,19 +36,26 @@ pub struct Judged {
     pub seconds: f64,
 }
 
+impl Judged {
+    /// A film that nothing judges.
+    pub(crate) fn without_bars(quantities: Vec<Quantity>, measured: Measured) -> Self {
+        Self {
+            measured,
+            quantities,
+            indicator: None,
+            at_front: false,
+            seconds: 0.0,
+        }
+    }
+}
+
 /// Measures and judges a solved film.
 pub fn judge(study: &Study, solved: &Solved) -> Judged {
     let clock = Instant::now();
     let judged = match &solved.witness {
         Witness::None => {
             let measured = measure(&study.problem, &study.system, &solved.film);
-            Judged {
-                quantities: quantities(study, &measured),
-                measured,
-                indicator: None,
-                at_front: false,
-                seconds: 0.0,
-            }
+            Judged::without_bars(quantities(study, &measured), measured)
         }
         Witness::Cubic(cubic) => judge_by_cubic(study, solved, cubic),
         Witness::Vertices(companion) => crate::companion_bars::judge(study, solved, companion),
@@ -64,13 +71,7 @@ fn judge_by_cubic(study: &Study, solved: &Solved, cubic: &FilmSolution) -> Judge
     let measured = measure(&study.problem, better, cubic);
     let mut list = quantities(study, &measured);
     let Ok(error) = film_error(&study.problem, &study.system, &solved.film, cubic) else {
-        return Judged {
-            quantities: list,
-            measured,
-            indicator: None,
-            at_front: false,
-            seconds: 0.0,
-        };
+        return Judged::without_bars(list, measured);
     };
     let quadratic = measure(&study.problem, &study.system, &solved.film);
     let before = quantities(study, &quadratic);
