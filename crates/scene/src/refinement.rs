@@ -72,6 +72,14 @@ fn solved(study: &mut Study, bars: bool) -> Result<(Solved, Judged), NoAnswer> {
     Ok((solved, judged))
 }
 
+/// The scene with the first mesh on the way to its tolerance.
+pub(crate) fn at_first(scene: &Scene) -> Scene {
+    match scene.mesh {
+        MeshSource::Drawing { size: None } => resized(scene, FIRST).unwrap_or_else(|| scene.clone()),
+        _ => scene.clone(),
+    }
+}
+
 /// Unknown pressures of a study.
 pub fn unknowns(study: &Study) -> usize {
     let system = &study.system;
