@@ -6,7 +6,7 @@ use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmProblem, FilmSystem};
 
 use crate::NoEquilibrium;
-use crate::equilibrium::{Equilibrium, Squeeze, find, newton_step};
+use crate::equilibrium::{Equilibrium, ROUGHLY_BALANCED, Squeeze, find_within, newton_step};
 use crate::search::Search;
 
 /// The balance has been found when force and load differ by this part of the load.
@@ -27,7 +27,7 @@ pub fn find_cubic(
     load: [f64; 2],
     squeeze: Squeeze,
 ) -> Result<Equilibrium, NoEquilibrium> {
-    let found = find(problem, system, load, squeeze)?;
+    let found = find_within(problem, system, load, squeeze, ROUGHLY_BALANCED)?;
     let search = Search {
         cubic: true,
         ..Search::new(problem, system, load, squeeze)

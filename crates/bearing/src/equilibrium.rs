@@ -25,7 +25,9 @@ use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalChange, JournalState};
 
 /// The balance has been found when force and load differ by this part of the load.
-const BALANCED: f64 = 1e-12;
+pub(crate) const BALANCED: f64 = 1e-12;
+/// On coarser meshes, that are only to start from, this part will do.
+pub(crate) const ROUGHLY_BALANCED: f64 = 1e-4;
 /// A balance that rounding keeps from [`BALANCED`] is one below this part.
 const BALANCED_ENOUGH: f64 = 1e-10;
 /// Steps are taken in `e` below this part.
@@ -103,11 +105,28 @@ pub fn find(
     load: [f64; 2],
     squeeze: Squeeze,
 ) -> Result<Equilibrium, NoEquilibrium> {
-    let search = Search::new(problem, system, load, squeeze);
+    find_within(problem, system, load, squeeze, BALANCED)
+}
+
+/// The same where force and load may differ by the part `balanced` of the load.
+///
+/// # Errors
+/// As [`find`].
+pub(crate) fn find_within(
+    problem: &FilmProblem,
+    system: &FilmSystem,
+    load: [f64; 2],
+    squeeze: Squeeze,
+    balanced: f64,
+) -> Result<Equilibrium, NoEquilibrium> {
+    let search = Search {
+        balanced,
+        ..Search::new(problem, system, load, squeeze)
+    };
     let Some(coarser) = &system.coarser else {
         return search.everywhere(problem);
     };
-    let reason = match find(&coarser.problem(problem), &coarser.system, load, squeeze) {
+    let reason = match find_within(&coarser.problem(problem), &coarser.system, load, squeeze, ROUGHLY_BALANCED) {
         Ok(found) => return search.run(problem, found.problem.journal),
         Err(reason) => reason,
     };
@@ -165,7 +184,7 @@ impl Search<'_> {
         let last = *tried + MOST_STEPS;
         while *tried < last {
             let residual = self.residual(&trial);
-            if residual < BALANCED {
+            if residual < self.balanced {
                 return Ok(trial);
             }
             let stiffness = self.stiffness(&trial)?;

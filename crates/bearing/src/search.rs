@@ -7,7 +7,7 @@ use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalState, NoFilm};
 
 use crate::NoEquilibrium;
-use crate::equilibrium::{NEAR, Squeeze};
+use crate::equilibrium::{BALANCED, NEAR, Squeeze};
 
 /// A search for the position that balances a load on one mesh.
 pub(crate) struct Search<'a> {
@@ -21,6 +21,8 @@ pub(crate) struct Search<'a> {
     pub(crate) nearest: Cell<Option<Nearest>>,
     /// True where the force is that of the film in cubic elements.
     pub(crate) cubic: bool,
+    /// The balance has been found when force and load differ by this part of the load.
+    pub(crate) balanced: f64,
 }
 
 /// What is told of a trial: its distance from the load, its force [N] and its journal.
@@ -62,6 +64,7 @@ impl<'a> Search<'a> {
             natural: natural_load(problem, load),
             nearest: Cell::new(None),
             cubic: false,
+            balanced: BALANCED,
         }
     }
 

@@ -39,7 +39,7 @@ Examples:
   oilwedge solve bearing.toml --cost               and what each effect changes, and in which time
   oilwedge check bearing.toml                      what would be computed, and is the mesh good?
   oilwedge check liner.msh                         a gmsh 4.1 mesh by itself
-  oilwedge mesh bearing.toml -o liner.msh          the mesh that a solve would use, for gmsh
+  oilwedge mesh bearing.toml -o liner.msh          a mesh of its liner, fine enough as it is, for gmsh
   oilwedge converge bearing.toml                   what each digit costs, in unknowns and seconds
 
 Exit status: 0 done; 1 no solution or not converged; 2 bad scene, mesh or arguments (nothing was written).";

@@ -72,6 +72,14 @@ fn solved(study: &mut Study, bars: bool) -> Result<(Solved, Judged), NoAnswer> {
     Ok((solved, judged))
 }
 
+/// The scene with the first mesh on the way to its tolerance.
+pub(crate) fn at_first(scene: &Scene) -> Scene {
+    match scene.mesh {
+        MeshSource::Drawing { size: None } => resized(scene, FIRST).unwrap_or_else(|| scene.clone()),
+        _ => scene.clone(),
+    }
+}
+
 /// Unknown pressures of a study.
 pub fn unknowns(study: &Study) -> usize {
     let system = &study.system;
@@ -274,7 +282,9 @@ impl Next {
                 journal.min_film_angle(),
             ),
         };
-        let local = judged.indicator.as_ref().filter(|_| judged.at_front);
+        // A mesh once divided at a front is as fine there as it must be: what is left is divided where it is too coarse.
+        let fitted = matches!(last, Self::Divided(_, Refinement::Local, _));
+        let local = judged.indicator.as_ref().filter(|_| judged.at_front || fitted);
         let (divided, refinement) = match (local, last) {
             (Some(indicator), _) => (refine::local(mesh, &doerfler(indicator, SHARE)), Refinement::Local),
             (None, Self::Drawn(factor)) => return Ok(Self::Drawn(factor / growth.sqrt())),

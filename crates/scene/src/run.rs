@@ -15,7 +15,7 @@ use crate::liner_mesh::liner_mesh;
 use crate::measure::warnings;
 use crate::picture::picture;
 use crate::plot::PlotError;
-use crate::refinement::{Answer, answer};
+use crate::refinement::{Answer, answer, at_first};
 use crate::report::{
     Balances, CHECK_FORMAT, CheckReport, Cost, Counts, HistoryStep, MeshFacts, RESULT_FORMAT, RegionFacts, ReportError,
     RunResult, Status,
@@ -29,6 +29,8 @@ use crate::vtu::{FilmPicture, PictureError};
 pub(crate) const DEGREE: usize = 2;
 /// What stands for a file name where the liner described is meshed.
 const DRAWN: &str = "made of the liner described";
+/// What stands there where finer meshes may follow.
+const FIRST_DRAWN: &str = "made of the liner described, the first towards the tolerance";
 /// Angles below this [deg] are worth a warning.
 const SHARP: f64 = 15.0;
 
@@ -205,9 +207,10 @@ fn report(study: &Study, solved: &Solved, judged: Judged, result: &mut RunResult
 /// # Errors
 /// [`Error::Compile`] where the mesh cannot be read or does not fit the scene.
 pub fn check_scene(scene: &Scene) -> Result<CheckReport, Error> {
-    let study = compile(scene)?;
+    let study = compile(&at_first(scene))?;
     let mesh = study.system.space().mesh();
-    let name = scene.mesh.path().unwrap_or(Path::new(DRAWN));
+    let drawn = if scene.tolerance.is_some() { FIRST_DRAWN } else { DRAWN };
+    let name = scene.mesh.path().unwrap_or(Path::new(drawn));
     let mut report = check_report(name, mesh);
     let pockets: Vec<_> = study.pockets.iter().filter_map(|name| mesh.region(name)).collect();
     report.sketch = sketch(mesh, &study.system.supply, &pockets, scene.bearing.radius());

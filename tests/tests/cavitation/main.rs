@@ -1,6 +1,7 @@
 //! Films that break: random bearings, counts of iterations, cases whose answer is known.
 
 mod bad_meshes;
+mod bars;
 mod counts;
 mod dry;
 mod invariant;

@@ -2,8 +2,8 @@
 
 mod bench;
 mod complaints;
-mod cost;
 mod converge;
+mod cost;
 mod drawing;
 mod files;
 mod meshes;

@@ -1,0 +1,272 @@
+//! # Error bars of a mass-conserving film: its distance from the film on the vertices alone
+//!
+//! **Equation.** With d = |p - p_2h| at the vertices, p_2h the pressure of the companion, and s = the integral of p by quadratic less
+//! that by linear functions over a triangle at the edge of the cavity:
+//! ```text
+//! bar of Int p w dA = c Int d |w| dA + Sum |w s|
+//! ```
+//! Of second order the error at a node is a third of d, here without its sign, since signs change from mesh to mesh: c is a
+//! little more than a third. Flows are judged by their own differences `Q - Q_2h`, all of them and what the cavity carries;
+//! the extent of the cavity by how much of the mesh its edge takes up.
+//!
+//! | symbol | unit | code |
+//! |---|---|---|
+//! | d | Pa | `difference` |
+//! | beta: share of the mesh in sub-triangles at the edge of the cavity | 1 | `front` |
+//! | delta: mean difference of the film fraction at the vertices | 1 | `carried` |
+//!
+//! **Source.** Constants: measured on random bearings, held against others, `docs/theory/error_estimation_jfo.md`.
+//! **Range.** Mass-conserving films of quadratic elements. No bar can be trusted where that of the load exceeds a twentieth of it.
+//! **Verified by** `cavitation/bars`: finer meshes.
+
+use oilwedge_fem::control_volumes::sub_triangles;
+
+use super::{Bar, UNRESOLVED};
+use crate::quantities::flow::{self, Flows};
+use crate::quantities::load;
+use crate::supply::Place;
+use crate::{FilmProblem, FilmSolution, FilmSystem};
+
+/// c: of the difference of pressures, under an integral.
+const OF_PRESSURE: f64 = 0.42;
+/// Of the difference where the pressure is greatest, and of the greatest difference.
+const AT_TOP: f64 = 0.33;
+const ANYWHERE: f64 = 0.1;
+/// Of the difference of a flow, and of those of all flows together.
+const OF_FLOW: f64 = 0.5;
+const OF_ALL_FLOWS: f64 = 0.2;
+/// Of delta times what passes through a region, at ends and elsewhere.
+const CARRIED_TO_ENDS: f64 = 0.5;
+const CARRIED_ELSEWHERE: f64 = 0.25;
+/// Of beta and delta, in the share of the cavity.
+const OF_FRONT: f64 = 0.35;
+const OF_CARRIED: f64 = 0.7;
+/// In the least film fraction: of the greatest difference where there is least oil, in that part of the cavity, and of beta;
+/// the bar ends at zero oil, but not below the last.
+const LEAST_OIL: f64 = 0.8;
+const LEAST_PART: f64 = 0.1;
+const LEAST_FRONT: f64 = 0.3;
+const LEAST_BAR: f64 = 0.03;
+
+/// What is known of the errors of a mass-conserving film; each number is half the width of a bar.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ConservingError {
+    /// Of the magnitude of the load [N].
+    pub load: Bar,
+    /// Of the load across its direction [N]: over the magnitude, that of its angle [rad].
+    pub across: Bar,
+    /// Of the load towards 0 and towards 90 degrees [N].
+    pub force: [Bar; 2],
+    /// Of `Int p dA` [N].
+    pub pressure_integral: Bar,
+    /// Of the greatest pressure [Pa].
+    pub greatest_pressure: f64,
+    /// Of the net flow of each region of the supply [m3/s].
+    pub flows: Vec<f64>,
+    /// Of the flow through all ends together [m3/s].
+    pub side_flow: f64,
+    /// Of the share of the cavity [1].
+    pub cavity_share: f64,
+    /// Of the least film fraction [1].
+    pub least_fraction: f64,
+    /// False where the mesh does not resolve the film, and no bar can be trusted.
+    pub is_resolved: bool,
+    /// Share of each triangle in the bars of the load and its angle [N]: what refinement should look at.
+    pub indicator: Vec<f64>,
+}
+
+/// A film and its companion.
+struct Pair<'a> {
+    system: &'a FilmSystem,
+    film: &'a FilmSolution,
+    radius: f64,
+    /// Pressure [Pa] at each dof of the film.
+    pressure: Vec<f64>,
+    /// |p - p_2h| [Pa] at each vertex.
+    difference: Vec<f64>,
+}
+
+/// Judges a mass-conserving `film` of quadratic elements by its companion ([`FilmProblem::companion`]); none for other films.
+pub fn conserving_error(
+    problem: &FilmProblem,
+    system: &FilmSystem,
+    film: &FilmSolution,
+    companion: &FilmSolution,
+) -> Option<ConservingError> {
+    let (fraction, other) = (film.film_fraction.as_ref()?, companion.film_fraction.as_ref()?);
+    if system.space().degree() != 2 {
+        return None;
+    }
+    let pair = Pair::new(problem, system, film, companion);
+    let total = load::load(problem, system, film);
+    let towards = total.angle();
+    let [along, across] = [
+        pair.shares(|angle| (angle - towards).cos()),
+        pair.shares(|angle| (angle - towards).sin()),
+    ];
+    let fractions: Vec<[f64; 2]> = (pair.vertices().enumerate())
+        .map(|(vertex, dof)| [fraction.values[dof], other.values[vertex]])
+        .collect();
+    let front = pair.front();
+    let carried = pair.mean(|vertex| (fractions[vertex][0] - fractions[vertex][1]).abs());
+    let in_both: Vec<[f64; 2]> = (pair.vertices().enumerate())
+        .filter(|&(vertex, dof)| film.cavity[dof] && companion.cavity[vertex])
+        .map(|(vertex, _)| fractions[vertex])
+        .collect();
+    let least = fraction.values.iter().copied().fold(1.0, f64::min);
+    let (flows, side_flow) = flow_bars(
+        system,
+        &flow::flows(problem, system, film),
+        &flow::flows(problem, system.vertices_only(), companion),
+        carried,
+    );
+    let load = sum(&along);
+    Some(ConservingError {
+        is_resolved: load.total() <= UNRESOLVED * total.magnitude(),
+        load,
+        across: sum(&across),
+        force: [sum(&pair.shares(f64::cos)), sum(&pair.shares(f64::sin))],
+        pressure_integral: sum(&pair.shares(|_| 1.0)),
+        greatest_pressure: pair.greatest_pressure(),
+        flows,
+        side_flow,
+        cavity_share: OF_FRONT * front + OF_CARRIED * carried,
+        least_fraction: (LEAST_OIL * where_least(in_both) + LEAST_FRONT * front).min(least.max(LEAST_BAR)),
+        indicator: (along.iter().zip(&across))
+            .map(|(along, across)| along.total().max(across.total()))
+            .collect(),
+    })
+}
+
+fn sum(shares: &[Bar]) -> Bar {
+    shares.iter().fold(Bar::default(), |sum, &share| sum + share)
+}
+
+impl<'a> Pair<'a> {
+    fn new(problem: &FilmProblem, system: &'a FilmSystem, film: &'a FilmSolution, companion: &FilmSolution) -> Self {
+        let pressure: Vec<f64> = film.unknown.iter().map(|&u| problem.pressure_at(u)).collect();
+        let mut pair = Self {
+            system,
+            film,
+            radius: problem.bearing.radius,
+            pressure,
+            difference: Vec::new(),
+        };
+        let differences = (pair.vertices().zip(&companion.unknown))
+            .map(|(dof, &unknown)| (problem.pressure_at(unknown) - pair.pressure[dof]).abs());
+        pair.difference = differences.collect();
+        pair
+    }
+
+    /// The dof of each vertex.
+    fn vertices(&self) -> impl Iterator<Item = usize> {
+        let space = self.system.space();
+        (0..space.mesh().points().len() as u32).map(|vertex| space.vertex_dof(vertex))
+    }
+
+    /// `c Int d |w| dA` and `|w s|` of each triangle, w given by the angle.
+    fn shares(&self, weight: impl Fn(f64) -> f64) -> Vec<Bar> {
+        let weight = |x: f64| weight(x / self.radius).abs();
+        let cells = 0..self.system.space().mesh().triangles().len();
+        cells.map(|t| self.share(t, &weight)).collect()
+    }
+
+    fn share(&self, t: usize, weight: &dyn Fn(f64) -> f64) -> Bar {
+        let mesh = self.system.space().mesh();
+        let (corners, area) = (mesh.corners(t), self.area(t));
+        let at_vertices = (0..3).map(|k| weight(corners[k][0]) * self.difference[mesh.triangles()[t][k] as usize]);
+        let discretisation = OF_PRESSURE * area / 3.0 * at_vertices.sum::<f64>();
+        let mut front = 0.0;
+        if self.is_front(t, &[0, 1, 2, 3, 4, 5]) {
+            let dofs = self.system.space().element_dofs(t);
+            let sum = |nodes: [usize; 3]| nodes.iter().map(|&node| self.pressure[dofs[node]]).sum::<f64>();
+            let surplus = area / 12.0 * (sum([3, 4, 5]) - sum([0, 1, 2]));
+            front = surplus.abs() * weight((corners[0][0] + corners[1][0] + corners[2][0]) / 3.0);
+        }
+        Bar {
+            discretisation,
+            front,
+            ..Bar::default()
+        }
+    }
+
+    /// By the difference at the vertex of the greatest pressure.
+    fn greatest_pressure(&self) -> f64 {
+        let top =
+            (self.vertices().zip(&self.difference)).max_by(|a, b| self.pressure[a.0].total_cmp(&self.pressure[b.0]));
+        let anywhere = self.difference.iter().copied().fold(0.0, f64::max);
+        AT_TOP * top.map_or(0.0, |(_, difference)| *difference) + ANYWHERE * anywhere
+    }
+
+    /// Area [m2] of a triangle, its sides taken straight.
+    fn area(&self, t: usize) -> f64 {
+        let [a, b, c] = self.system.space().mesh().corners(t);
+        0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
+    }
+
+    /// True if some of these nodes of a triangle are in the cavity and some are not.
+    fn is_front(&self, t: usize, nodes: &[usize]) -> bool {
+        let dofs = self.system.space().element_dofs(t);
+        let broken = nodes.iter().filter(|&&node| self.film.cavity[dofs[node]]).count();
+        broken > 0 && broken < nodes.len()
+    }
+
+    /// beta.
+    fn front(&self) -> f64 {
+        let space = self.system.space();
+        let (mut front, mut whole) = (0.0, 0.0);
+        for t in 0..space.mesh().triangles().len() {
+            let subs = sub_triangles(space, t);
+            let at_front = subs.iter().filter(|&sub| self.is_front(t, sub)).count();
+            front += self.area(t) * at_front as f64 / subs.len() as f64;
+            whole += self.area(t);
+        }
+        front / whole
+    }
+
+    /// Mean over the mesh of a function of the vertex.
+    fn mean(&self, of: impl Fn(usize) -> f64) -> f64 {
+        let mesh = self.system.space().mesh();
+        let (mut sum, mut whole) = (0.0, 0.0);
+        for (t, corners) in mesh.triangles().iter().enumerate() {
+            sum += self.area(t) / 3.0 * corners.iter().map(|&vertex| of(vertex as usize)).sum::<f64>();
+            whole += self.area(t);
+        }
+        sum / whole
+    }
+}
+
+/// The greatest difference of pairs of film fractions where there is least oil.
+fn where_least(mut pairs: Vec<[f64; 2]>) -> f64 {
+    pairs.sort_by(|[a, b], [c, d]| a.min(*b).total_cmp(&c.min(*d)));
+    let part = (pairs.len() as f64 * LEAST_PART).ceil() as usize;
+    pairs
+        .iter()
+        .take(part)
+        .fold(0.0, |most, [a, b]| most.max((a - b).abs()))
+}
+
+/// Of each region and of all ends together.
+fn flow_bars(system: &FilmSystem, flows: &Flows, others: &Flows, carried: f64) -> (Vec<f64>, f64) {
+    let pairs = || {
+        system
+            .supply
+            .regions()
+            .iter()
+            .zip(flows.regions.iter().zip(&others.regions))
+    };
+    let all: f64 = pairs().map(|(_, (flow, other))| (flow.net - other.net).abs()).sum();
+    let bar = |difference: f64, passing: f64, place: Place| {
+        let by_carried = match place {
+            Place::End => CARRIED_TO_ENDS,
+            Place::Line | Place::Feed => CARRIED_ELSEWHERE,
+        };
+        OF_FLOW * difference.abs() + OF_ALL_FLOWS * all + by_carried * carried * passing
+    };
+    let each =
+        pairs().map(|(region, (flow, other))| bar(flow.net - other.net, flow.inward + flow.outward, region.place));
+    let ends = || pairs().filter(|(region, _)| region.place == Place::End);
+    let difference = ends().map(|(_, (flow, other))| flow.net - other.net).sum();
+    let passing = ends().map(|(_, (flow, _))| flow.inward + flow.outward).sum();
+    (each.collect(), bar(difference, passing, Place::End))
+}

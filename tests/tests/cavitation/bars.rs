@@ -1,0 +1,125 @@
+//! Error bars of mass-conserving films: what finer meshes give lies inside, and they are not many times too wide.
+
+use oilwedge_mesh::refine;
+use oilwedge_reynolds::FilmSolution;
+use oilwedge_reynolds::error_bar::conserving::{ConservingError, conserving_error};
+use oilwedge_scene::Scene;
+use oilwedge_scene::compile::{Study, compile, compile_on};
+use oilwedge_scene::measure::{Measured, measure};
+use oilwedge_tests::random_bearings::RandomBearing;
+use oilwedge_tests::scenes::{table, variant};
+
+fn film(study: &Study) -> FilmSolution {
+    study
+        .problem
+        .solve(&study.system)
+        .unwrap_or_else(|reason| panic!("{reason}"))
+}
+
+fn bars(study: &Study, film: &FilmSolution) -> ConservingError {
+    let (problem, system) = (&study.problem, &study.system);
+    let companion = problem
+        .companion(system, film)
+        .unwrap_or_else(|reason| panic!("{reason}"));
+    let bars = conserving_error(problem, system, film, &companion).expect("a mass-conserving film");
+    assert!(bars.indicator.iter().sum::<f64>() >= bars.load.total().max(bars.across.total()));
+    bars
+}
+
+/// On the mesh of `study`, refined uniformly so often.
+fn finer(scene: &Scene, study: &Study, times: usize) -> Measured {
+    let mut mesh = (**study.system.space().mesh()).clone();
+    for _ in 0..times {
+        mesh = refine::uniform(&mesh).expect("a sound mesh").mesh;
+    }
+    let study = compile_on(scene, mesh, scene.journal.start(), 2).unwrap_or_else(|error| panic!("{error}"));
+    {
+        let film = film(&study);
+        measure(&study.problem, &study.system, &film)
+    }
+}
+
+/// A ring that breaks once, a groove and its streaks, a starved pad, a groove and holes.
+#[test]
+fn finer_meshes_lie_inside() {
+    for (name, size, times) in [
+        ("11_swift_stieber_ring", "8 mm", 2),
+        ("13_grooved_ring", "8 mm", 1),
+        ("14_starved_pad", "6 mm", 2),
+        ("10_drawn_liner", "10 mm", 1),
+    ] {
+        let scene = variant(name, |scene| {
+            table(scene, "cavitation").insert("model".into(), "jfo".into());
+            table(scene, "mesh").insert("size".into(), size.into());
+        });
+        let study = compile(&scene).unwrap_or_else(|error| panic!("{error}"));
+        let coarse_film = film(&study);
+        let bars = bars(&study, &coarse_film);
+        assert!(bars.is_resolved, "{name}");
+        let (coarse, fine) = (
+            measure(&study.problem, &study.system, &coarse_film),
+            finer(&scene, &study, times),
+        );
+        let side = |measured: &Measured| -measured.flows.regions[..2].iter().map(|flow| flow.net).sum::<f64>();
+        let cavity = |measured: &Measured| measured.cavity.expect("a cavity");
+        let turned = (coarse.load.angle() - fine.load.angle()).sin();
+        for (what, error, bar) in [
+            (
+                "load",
+                coarse.load.magnitude() - fine.load.magnitude(),
+                bars.load.total(),
+            ),
+            (
+                "load_x",
+                coarse.load.total.force[0] - fine.load.total.force[0],
+                bars.force[0].total(),
+            ),
+            (
+                "load_y",
+                coarse.load.total.force[1] - fine.load.total.force[1],
+                bars.force[1].total(),
+            ),
+            ("angle", turned, bars.across.total() / coarse.load.magnitude()),
+            (
+                "pressure_integral",
+                coarse.load.total.pressure - fine.load.total.pressure,
+                bars.pressure_integral.total(),
+            ),
+            (
+                "pressure_max",
+                coarse.extremes.greatest - fine.extremes.greatest,
+                bars.greatest_pressure,
+            ),
+            ("side_flow", side(&coarse) - side(&fine), bars.side_flow),
+            (
+                "cavity_share",
+                cavity(&coarse).share - cavity(&fine).share,
+                bars.cavity_share,
+            ),
+        ] {
+            assert!(error.abs() <= bar, "{name}: {what} is {error:e} off, bar {bar:e}");
+            assert!(
+                what != "load" || bar < 30.0 * error.abs(),
+                "{name}: {what} is {error:e} off, bar {bar:e}"
+            );
+        }
+    }
+}
+
+/// Bars of bearings by chance are finite, and shrink with the mesh.
+#[test]
+fn bars_shrink_with_the_mesh() {
+    let mut ratios = Vec::new();
+    for number in 2000..2009 {
+        let scene = RandomBearing::new(number).scene();
+        let study = compile(&scene).unwrap_or_else(|error| panic!("{error}"));
+        let mesh = refine::uniform(study.system.space().mesh()).expect("a sound mesh").mesh;
+        let finer = compile_on(&scene, mesh, scene.journal.start(), 2).unwrap_or_else(|error| panic!("{error}"));
+        let [before, after] = [&study, &finer].map(|study| bars(study, &film(study)));
+        assert!(before.load.total().is_finite() && before.flows.iter().all(|bar| bar.is_finite()));
+        ratios.push(before.load.total() / after.load.total());
+    }
+    ratios.sort_by(f64::total_cmp);
+    println!("{ratios:.2?}");
+    assert!((2.5..6.0).contains(&ratios[ratios.len() / 2]), "{ratios:.2?}");
+}
