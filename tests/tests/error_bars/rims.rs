@@ -1,7 +1,5 @@
 //! What round rims are off, and what a mesh that does not resolve a film is told.
 
-use std::sync::Arc;
-
 use oilwedge_reynolds::FilmSystem;
 use oilwedge_reynolds::error_bar::Value;
 use oilwedge_reynolds::supply::{Disc, Place};
@@ -35,7 +33,7 @@ fn chords() -> Judged {
         region.disc = (region.place == Place::Feed).then_some(HOLE);
         region
     });
-    let system = FilmSystem::new(Arc::new(mesh.clone()), 2, regions.collect()).expect("the same system");
+    let system = FilmSystem::new(mesh.clone(), 2, regions.collect()).expect("the same system");
     Judged::of(study.problem, system)
 }
 
