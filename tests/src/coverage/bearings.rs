@@ -152,7 +152,10 @@ fn drawn(name: String, family: Family, number: u64) -> Bearing {
     };
     let minimum = dice.between(-PI, PI);
     let speed = if dice.chance(0.5) { SPEED } else { -SPEED };
-    let mixed = matches!(family, Family::Thickening | Family::Squeeze | Family::Thin | Family::Loaded);
+    let mixed = matches!(
+        family,
+        Family::Thickening | Family::Squeeze | Family::Thin | Family::Loaded
+    );
     let has_start = family == Family::Start || (mixed && dice.chance(0.5));
     let opens = matches!(family, Family::Holes | Family::Grooves | Family::Pockets) || (mixed && dice.chance(0.5));
     let shell = !has_start && opens && family != Family::Pockets && dice.chance(0.3);
@@ -165,7 +168,11 @@ fn drawn(name: String, family: Family, number: u64) -> Bearing {
     );
     let _ = match (has_start, shell) {
         (true, _) => writeln!(text, "film_start = \"{first} rad\""),
-        (_, true) => writeln!(text, "arc = {{ from = \"{first} rad\", to = \"{} rad\" }}", first + span),
+        (_, true) => writeln!(
+            text,
+            "arc = {{ from = \"{first} rad\", to = \"{} rad\" }}",
+            first + span
+        ),
         _ => Ok(()),
     };
     let at_rest = family == Family::Squeeze && dice.chance(0.5);
@@ -178,11 +185,17 @@ fn drawn(name: String, family: Family, number: u64) -> Bearing {
         let force = dice.decades(-0.3, 0.7) * PRESSURE_UNIT * 2.0 * RADIUS * length * (length / RADIUS).min(1.0);
         let _ = writeln!(text, "[load]\nforce = \"{force} N\"\nangle = \"{minimum} rad\"");
     } else {
-        let _ = writeln!(text, "eccentricity = {eccentricity}\nmin_film_angle = \"{minimum} rad\"");
+        let _ = writeln!(
+            text,
+            "eccentricity = {eccentricity}\nmin_film_angle = \"{minimum} rad\""
+        );
     }
     if family == Family::Squeeze {
         let [radial, tangential] = [0, 1].map(|_| CLEARANCE * SPEED * dice.between(-0.5, 0.5));
-        let _ = writeln!(text, "squeeze = {{ radial = \"{radial} m/s\", tangential = \"{tangential} m/s\" }}");
+        let _ = writeln!(
+            text,
+            "squeeze = {{ radial = \"{radial} m/s\", tangential = \"{tangential} m/s\" }}"
+        );
     }
     let _ = writeln!(text, "[oil]\nviscosity = \"{VISCOSITY} Pa.s\"");
     if family == Family::Thickening {
@@ -200,7 +213,16 @@ fn drawn(name: String, family: Family, number: u64) -> Bearing {
             let middle = first + sector * (k as f64 + 0.5);
             let as_pocket = family == Family::Pockets && k == 0;
             let round = family == Family::Holes || (mixed && dice.chance(0.5));
-            opening(&mut text, &mut dice, k, [middle, sector], length, round, as_pocket, ends);
+            opening(
+                &mut text,
+                &mut dice,
+                k,
+                [middle, sector],
+                length,
+                round,
+                as_pocket,
+                ends,
+            );
         }
     }
     Bearing {
@@ -301,4 +323,36 @@ fn imported(name: String, number: u64) -> Bearing {
         model,
         table: edited,
     }
+}
+
+/// The shipped scenes as they are.
+pub fn shipped() -> Vec<Bearing> {
+    let folder = path("any").with_file_name("");
+    let mut names: Vec<String> = (std::fs::read_dir(folder).expect("scenes").flatten())
+        .filter_map(|entry| Some(entry.file_name().to_str()?.strip_suffix(".toml")?.to_owned()))
+        .collect();
+    names.sort();
+    let one = |name: String| {
+        let text = std::fs::read_to_string(path(&name)).expect("shipped scene");
+        let table: toml::Table = text.parse().expect("shipped scene is TOML");
+        let cavitation = table.get("cavitation").and_then(|cavitation| cavitation.get("model"));
+        let model = match cavitation.and_then(toml::Value::as_str) {
+            Some("reynolds") => "reynolds",
+            Some("jfo") => "jfo",
+            Some("guembel") => "guembel",
+            _ => "none",
+        };
+        let family = match (table.contains_key("load"), model) {
+            (_, "jfo") => Family::Conserving,
+            (true, _) => Family::Loaded,
+            _ => Family::Imported,
+        };
+        Bearing {
+            name,
+            family,
+            model,
+            table,
+        }
+    };
+    names.into_iter().map(one).collect()
 }

@@ -69,7 +69,9 @@ pub fn reference(bearing: &Bearing, most: usize) -> Result<Reference, String> {
     }
     let known = last.judged.quantities.iter().map(|quantity| {
         let earlier = before.iter().find(|earlier| earlier.name == quantity.name);
-        let change = earlier.map_or(f64::INFINITY, |earlier| distance(&quantity.unit, quantity.value, earlier.value));
+        let change = earlier.map_or(f64::INFINITY, |earlier| {
+            distance(&quantity.unit, quantity.value, earlier.value)
+        });
         let bar = quantity.error.unwrap_or(f64::INFINITY);
         Known {
             name: quantity.name.clone(),
