@@ -2,6 +2,7 @@
 
 pub mod cavitation_counts;
 pub mod cavitation_page;
+pub mod coverage;
 pub mod flexpde_study;
 pub mod journal_bearings;
 pub mod mesh_page;

@@ -49,7 +49,8 @@ impl Dice {
         self.between(0.0, 1.0) < share
     }
 
-    fn decades(&mut self, low: f64, high: f64) -> f64 {
+    /// Ten to the power of a number between two.
+    pub fn decades(&mut self, low: f64, high: f64) -> f64 {
         10f64.powf(self.between(low, high))
     }
 }

@@ -3,7 +3,7 @@
 use crate::complain::printable;
 use crate::readable::{readable_unit, significant};
 use crate::terminal::{align_right, effects, heading, status, table, time};
-use oilwedge_scene::convergence::{ConvergenceReport, Course, LevelReport, Price};
+use oilwedge_scene::convergence::{ConvergenceReport, Course, LevelReport, Measure, Price};
 use std::path::Path;
 
 /// Parts of the time; one that is nowhere worth telling is told with the others.
@@ -35,10 +35,20 @@ pub(crate) fn convergence_report(report: &ConvergenceReport, folder: &Path) -> S
         let title = format!("{} ({})", course.strategy.name(), printable(&course.ended));
         parts.push(format!("{title}\n{}", levels(course, report)));
     }
-    if !report.prices.is_empty() {
-        parts.push(format!("What accuracy costs\n{}", prices(&report.prices)));
+    let lists = [
+        (Measure::Bar, "What accuracy costs that is vouched for by error bars"),
+        (
+            Measure::Error,
+            "What accuracy costs by the true error, which only finer meshes tell",
+        ),
+    ];
+    for (measure, title) in lists {
+        let list: Vec<&Price> = report.prices.iter().filter(|price| price.measure == measure).collect();
+        if !list.is_empty() {
+            parts.push(format!("{title}\n{}", prices(&list)));
+        }
     }
-    let mut lines: Vec<String> = report.left_out.clone();
+    let mut lines: Vec<String> = report.notes.clone();
     let without = report.strategies.iter().filter(|course| course.levels.is_empty());
     lines.extend(without.map(|course| format!("{} has no level: {}", course.strategy.name(), course.ended)));
     lines.push(format!(
@@ -137,7 +147,7 @@ fn spread(level: &LevelReport) -> String {
     }
 }
 
-fn prices(prices: &[Price]) -> String {
+fn prices(prices: &[&Price]) -> String {
     let mut table = table(["accuracy", "unknowns", "time", "by", ""]);
     for price in prices {
         let about = if price.extrapolated { "~ " } else { "" };

@@ -97,11 +97,20 @@ pub fn solve(
         norm if norm > 0.0 => norm,
         _ => 1.0,
     };
+    // Rough solves lead to the set of contact; the last one is not rough.
+    let mut sure = solver.roughly_enough(first) == 0.0;
     while history.len() < MOST_STEPS {
         let linearisation = Seconds::time(&mut seconds.factorise, || solver.linearise(matrix, masked))?;
         let minus: Vec<f64> = residual.iter().map(|r| -r).collect();
         let step = Seconds::time(&mut seconds.solve, || {
-            linearisation.solve_to(&minus, solver.enough(first))
+            linearisation.solve_to(
+                &minus,
+                if sure {
+                    solver.enough(first)
+                } else {
+                    solver.roughly_enough(first)
+                },
+            )
         })?;
         for (u, step) in u.iter_mut().zip(&step) {
             *u += step;
@@ -119,7 +128,7 @@ pub fn solve(
             linearisation.matrix(),
             solver.accuracy() * largest(&u).max(scale),
         );
-        if wrong.is_empty() && settled {
+        if wrong.is_empty() && settled && sure {
             let left = match linear {
                 true => reactions,
                 false => assembler.residual(law, &u),
@@ -135,6 +144,7 @@ pub fn solve(
             };
             return Ok(Contact { solution, held });
         }
+        sure = wrong.is_empty() || solver.roughly_enough(first) == 0.0;
         exchange.apply(&wrong, &mut held);
         masked = with_contact(constraints, obstacle, &held);
         let before = u.clone();

@@ -35,7 +35,14 @@ pub struct ElementKernel {
     weights: Vec<f64>,
     values: Vec<[f64; MOST_SHAPES]>,
     gradients: Vec<[[f64; 2]; MOST_SHAPES]>,
+    /// Products of reference gradients for cubic elements, empty for others.
+    products: Vec<GradientProducts>,
 }
+
+/// Pairs of shape functions `i <= j` of a cubic element.
+const CUBIC_PAIRS: usize = MOST_SHAPES * (MOST_SHAPES + 1) / 2;
+/// For each pair at one point: products of the derivatives by xi, mixed ones in both orders, and those by eta.
+type GradientProducts = [[f64; CUBIC_PAIRS]; 3];
 
 /// Geometry at the quadrature points of one element.
 struct Geometry {
@@ -57,6 +64,7 @@ impl ElementKernel {
             weights: rule.weights,
             values: Vec::new(),
             gradients: Vec::new(),
+            products: Vec::new(),
         };
         for &point in &kernel.points {
             let (mut values, mut gradients) = ([0.0; MOST_SHAPES], [[0.0; 2]; MOST_SHAPES]);
@@ -64,6 +72,9 @@ impl ElementKernel {
             lagrange::gradients(degree, point, &mut gradients[..shapes]);
             kernel.values.push(values);
             kernel.gradients.push(gradients);
+            if degree == 3 {
+                kernel.products.push(gradient_products(&gradients));
+            }
         }
         kernel
     }
@@ -105,6 +116,11 @@ impl ElementKernel {
                 let (positions, determinant) = self.straight_positions(corners);
                 law.conduction(t, &positions[..n], &mut points[..n]);
                 self.straight_quadratic(corners, determinant, &points[..n], out);
+            }
+            (Mapping::Straight(corners), 3) => {
+                let (positions, determinant) = self.straight_positions(corners);
+                law.conduction(t, &positions[..n], &mut points[..n]);
+                self.straight_cubic(corners, determinant, &points[..n], out);
             }
             _ => {
                 let geometry = self.geometry(&mapping);
@@ -214,6 +230,43 @@ impl ElementKernel {
         }
     }
 
+    /// A straight cubic triangle: its metric does not vary, so the conductance weighs products of reference gradients. Without the
+    /// part of `u` in the residual.
+    fn straight_cubic(&self, [a, b, c]: &[[f64; 2]; 3], determinant: f64, points: &[Conduction], out: &mut Element) {
+        *out = Element::default();
+        let (ab, ac) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
+        // Rows of the inverse Jacobian: gradients of xi and eta.
+        let xi = [ac[1] / determinant, -ac[0] / determinant];
+        let eta = [-ab[1] / determinant, ab[0] / determinant];
+        let mut weighed = [[0.0; CUBIC_PAIRS]; 3];
+        for (q, point) in points.iter().enumerate() {
+            let area = self.weights[q] * determinant;
+            let conductance = area * point.conductance;
+            for (sum, products) in weighed.iter_mut().zip(&self.products[q]) {
+                for (sum, product) in sum.iter_mut().zip(products) {
+                    *sum += conductance * product;
+                }
+            }
+            let along = [xi, eta].map(|to| area * (point.flux[0] * to[0] + point.flux[1] * to[1]));
+            let source = area * point.source;
+            for (i, residual) in out.residual.iter_mut().enumerate() {
+                let g = self.gradients[q][i];
+                *residual += source * self.values[q][i] - along[0] * g[0] - along[1] * g[1];
+            }
+        }
+        let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
+        let metric = [dot(xi, xi), dot(xi, eta), dot(eta, eta)];
+        let mut pair = 0;
+        for i in 0..MOST_SHAPES {
+            for j in i..MOST_SHAPES {
+                let entry = (0..3).map(|k| metric[k] * weighed[k][pair]).sum();
+                out.tangent[i][j] = entry;
+                out.tangent[j][i] = entry;
+                pair += 1;
+            }
+        }
+    }
+
     /// Element of any law, at the nodal values `u`, by quadrature and dual numbers.
     pub fn response(
         &self,
@@ -272,6 +325,20 @@ impl ElementKernel {
         }
         gradients
     }
+}
+
+fn gradient_products(gradients: &[[f64; 2]; MOST_SHAPES]) -> GradientProducts {
+    let mut products = [[0.0; CUBIC_PAIRS]; 3];
+    let mut pair = 0;
+    for (i, a) in gradients.iter().enumerate() {
+        for b in &gradients[i..] {
+            products[0][pair] = a[0] * b[0];
+            products[1][pair] = a[0] * b[1] + a[1] * b[0];
+            products[2][pair] = a[1] * b[1];
+            pair += 1;
+        }
+    }
+    products
 }
 
 #[cfg(test)]

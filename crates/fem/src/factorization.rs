@@ -112,6 +112,57 @@ impl Factorization {
     }
 }
 
+/// The factor in single precision: half the bytes, for those who only need a rough inverse.
+#[derive(Debug)]
+pub struct SingleFactor {
+    analysis: Arc<Analysis>,
+    factor: Vec<f32>,
+}
+
+impl Factorization {
+    /// The same factor in single precision.
+    pub fn single(&self) -> SingleFactor {
+        SingleFactor {
+            analysis: Arc::clone(&self.analysis),
+            factor: self.factor.iter().map(|&value| value as f32).collect(),
+        }
+    }
+}
+
+impl SingleFactor {
+    /// Solves `A x = b` in place to some seven digits, less the condition of `A`.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] if the solution is not finite.
+    pub fn solve(&self, x: &mut [f64]) -> Result<(), Error> {
+        let greatest = x.iter().fold(0.0, |greatest: f64, x| greatest.max(x.abs()));
+        if greatest == 0.0 {
+            return Ok(());
+        }
+        // The range of single precision is small.
+        let mut rough: Vec<f32> = x.iter().map(|x| (x / greatest) as f32).collect();
+        let symbolic = &self.analysis.symbolic;
+        let unknowns = x.len();
+        let requirement = symbolic.solve_in_place_scratch::<f32>(1, Par::Seq);
+        let mut memory = MemBuffer::try_new(requirement).map_err(|_| Error::TooLarge { unknowns })?;
+        LltRef::new(symbolic, &self.factor).solve_in_place_with_conj(
+            Conj::No,
+            MatMut::from_column_major_slice_mut(&mut rough, unknowns, 1),
+            Par::Seq,
+            MemStack::new(&mut memory),
+        );
+        for (x, rough) in x.iter_mut().zip(&rough) {
+            *x = greatest * f64::from(*rough);
+        }
+        match x.iter().all(|x| x.is_finite()) {
+            true => Ok(()),
+            false => Err(Error::NotFinite {
+                what: "solution of the linear system",
+            }),
+        }
+    }
+}
+
 /// The pattern as faer sees it: symmetric, so rows may be read as columns.
 fn faer_pattern(pattern: &Pattern) -> SymbolicSparseColMatRef<'_, u32> {
     let n = pattern.dimension();

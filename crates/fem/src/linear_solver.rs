@@ -5,8 +5,10 @@ use std::sync::Arc;
 use crate::nested::Nested;
 use crate::{Analysis, Constraints, Error, Linearisation, Matrix};
 
-/// Part of the first residual down to which conjugate gradients are run.
+/// Part of the first residual down to which conjugate gradients are run at last,
 const ENOUGH: f64 = 1e-8;
+/// and while a set of contact is still sought.
+const ROUGHLY_ENOUGH: f64 = 1e-4;
 
 /// The way to solve.
 #[derive(Debug, Clone)]
@@ -37,6 +39,14 @@ impl LinearSolver {
         match self {
             Self::Direct(_) => 0.0,
             Self::Nested(_) => ENOUGH * first,
+        }
+    }
+
+    /// The same while the set of contact may still change.
+    pub fn roughly_enough(&self, first: f64) -> f64 {
+        match self {
+            Self::Direct(_) => 0.0,
+            Self::Nested(_) => ROUGHLY_ENOUGH * first,
         }
     }
 

@@ -1,5 +1,8 @@
 //! The factorised tangent at a solution.
 
+use std::sync::OnceLock;
+
+use crate::factorization::SingleFactor;
 use crate::nested::Nested;
 use crate::{Constraints, Error, Factorization, Matrix, UnsymmetricFactorization};
 
@@ -23,6 +26,8 @@ pub struct Linearisation {
     matrix: Matrix,
     factor: Factor,
     constraints: Constraints,
+    /// Made when it first preconditions.
+    rough: OnceLock<SingleFactor>,
 }
 
 impl Linearisation {
@@ -32,6 +37,7 @@ impl Linearisation {
             matrix,
             factor: Factor::Cholesky(factorization),
             constraints,
+            rough: OnceLock::new(),
         }
     }
 
@@ -41,6 +47,7 @@ impl Linearisation {
             matrix,
             factor: Factor::Lu(Box::new(factorization)),
             constraints,
+            rough: OnceLock::new(),
         }
     }
 
@@ -50,6 +57,7 @@ impl Linearisation {
             matrix,
             factor: Factor::Nested(nested),
             constraints,
+            rough: OnceLock::new(),
         }
     }
 
@@ -94,14 +102,31 @@ impl Linearisation {
         self.refined(b, true, 0.0)
     }
 
-    /// `b` masked and put through the factor once: what preconditions larger systems.
+    /// `b` masked and put through the factor once, without a look at the residual: for those who need no more.
     ///
     /// # Errors
     /// [`Error::NotFinite`].
-    pub(crate) fn apply_factor(&self, b: Vec<f64>) -> Result<Vec<f64>, Error> {
+    pub fn apply_factor(&self, b: Vec<f64>, transposed: bool) -> Result<Vec<f64>, Error> {
         let mut x = self.masked(b);
-        self.back_solve(&mut x, false, 0.0)?;
+        self.back_solve(&mut x, transposed, 0.0)?;
         Ok(x)
+    }
+
+    /// The same of a symmetric tangent in single precision: what preconditions larger systems.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`].
+    pub(crate) fn apply_rough_factor(&self, b: Vec<f64>) -> Result<Vec<f64>, Error> {
+        let Factor::Cholesky(factor) = &self.factor else {
+            return self.apply_factor(b, false);
+        };
+        let b = self.masked(b);
+        let mut x = b.clone();
+        match self.rough.get_or_init(|| factor.single()).solve(&mut x) {
+            Ok(()) => Ok(x),
+            // Numbers beyond the range of single precision.
+            Err(_) => self.apply_factor(b, false),
+        }
     }
 
     fn back_solve(&self, x: &mut Vec<f64>, transposed: bool, enough: f64) -> Result<(), Error> {

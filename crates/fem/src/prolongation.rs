@@ -21,7 +21,14 @@ const BUBBLE_VALUE: f64 = 1.0 / 27.0;
 pub struct Prolongation {
     quadratic: Space,
     cubic: Space,
+    edges: Vec<EdgeDofs>,
+    triangles: Vec<TriangleDofs>,
 }
+
+/// Dofs of an edge: its ends and middle in the quadratic space, its ends and thirds in the cubic one.
+type EdgeDofs = ([u32; 3], [u32; 4]);
+/// Dofs of a triangle: its corners and middles in the quadratic space, its centroid in the cubic one.
+type TriangleDofs = ([u32; 6], u32);
 
 /// Coefficients of a cubic, or the entries of a residual, in the hierarchical basis.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,9 +44,26 @@ pub struct Hierarchical {
 impl Prolongation {
     /// Between the spaces of degree 2 and 3 on the mesh of `space`.
     pub fn new(space: &Space) -> Self {
+        let (quadratic, cubic) = (Space::new(space.mesh().clone(), 2), Space::new(space.mesh().clone(), 3));
+        let topology = space.mesh().topology();
+        let edge = |(e, ends): (u32, &[u32; 2])| {
+            let [a, b] = ends.map(|v| quadratic.vertex_dof(v) as u32);
+            let [a3, b3] = ends.map(|v| cubic.vertex_dof(v) as u32);
+            let (middle, first) = (quadratic.edge_dof(e) as u32, cubic.edge_dof(e) as u32);
+            ([a, b, middle], [a3, b3, first, first + 1])
+        };
+        let triangle = |t: usize| {
+            let dofs = quadratic.element_dofs(t);
+            (
+                std::array::from_fn(|i| dofs[i] as u32),
+                cubic.triangle_dof(t as u32) as u32,
+            )
+        };
         Self {
-            quadratic: Space::new(space.mesh().clone(), 2),
-            cubic: Space::new(space.mesh().clone(), 3),
+            edges: (0u32..).zip(&topology.edges).map(edge).collect(),
+            triangles: (0..space.mesh().triangles().len()).map(triangle).collect(),
+            quadratic,
+            cubic,
         }
     }
 
@@ -52,19 +76,14 @@ impl Prolongation {
         self.quadratic.mesh()
     }
 
-    /// Dofs of an edge: its ends and middle in the quadratic space, its ends and thirds in the cubic one.
     fn edge(&self, e: usize) -> ([usize; 3], [usize; 4]) {
-        let ends = self.mesh().topology().edges[e];
-        let [a, b] = ends.map(|v| self.quadratic.vertex_dof(v));
-        let [a3, b3] = ends.map(|v| self.cubic.vertex_dof(v));
-        let (middle, first) = (self.quadratic.edge_dof(e as u32), self.cubic.edge_dof(e as u32));
-        ([a, b, middle], [a3, b3, first, first + 1])
+        let (quadratic, cubic) = self.edges[e];
+        (quadratic.map(|dof| dof as usize), cubic.map(|dof| dof as usize))
     }
 
-    /// Dofs of the corners and middles of triangle `t` in the quadratic space, of its centroid in the cubic one.
     fn triangle(&self, t: usize) -> ([usize; 6], usize) {
-        let dofs = self.quadratic.element_dofs(t);
-        (std::array::from_fn(|i| dofs[i]), self.cubic.triangle_dof(t as u32))
+        let (quadratic, centroid) = self.triangles[t];
+        (quadratic.map(|dof| dof as usize), centroid as usize)
     }
 
     /// Values at the cubic nodes of the quadratic with the nodal values `u`.

@@ -223,6 +223,21 @@ impl Supply {
         }
     }
 
+    /// Dofs that lie in two regions: that which owns the dof, and the one it takes it from.
+    pub(crate) fn meeting(&self, space: &Space) -> Vec<(usize, [usize; 2])> {
+        let mut found = Vec::new();
+        for (index, region) in self.regions.iter().enumerate() {
+            for dof in dofs_of(space, region) {
+                if let Some(owner) = self.owner(dof).filter(|&owner| owner != index) {
+                    found.push((dof, [owner, index]));
+                }
+            }
+        }
+        found.sort_unstable();
+        found.dedup();
+        found
+    }
+
     /// The regions: ends, then lines, then feeds.
     pub fn regions(&self) -> &[SupplyRegion] {
         &self.regions

@@ -12,6 +12,7 @@ use std::time::Instant;
 
 use oilwedge_fem::Field;
 use oilwedge_reynolds::error_bar::{Bar, FilmError, FlowGoal, Value, film_error};
+use oilwedge_reynolds::quantities::pressure;
 use oilwedge_reynolds::{FilmSolution, FilmSystem};
 
 use crate::analysis::{Balance, Solved, Witness};
@@ -35,19 +36,26 @@ pub struct Judged {
     pub seconds: f64,
 }
 
+impl Judged {
+    /// A film that nothing judges.
+    pub(crate) fn without_bars(quantities: Vec<Quantity>, measured: Measured) -> Self {
+        Self {
+            measured,
+            quantities,
+            indicator: None,
+            at_front: false,
+            seconds: 0.0,
+        }
+    }
+}
+
 /// Measures and judges a solved film.
 pub fn judge(study: &Study, solved: &Solved) -> Judged {
     let clock = Instant::now();
     let judged = match &solved.witness {
         Witness::None => {
             let measured = measure(&study.problem, &study.system, &solved.film);
-            Judged {
-                quantities: quantities(study, &measured),
-                measured,
-                indicator: None,
-                at_front: false,
-                seconds: 0.0,
-            }
+            Judged::without_bars(quantities(study, &measured), measured)
         }
         Witness::Cubic(cubic) => judge_by_cubic(study, solved, cubic),
         Witness::Vertices(companion) => crate::companion_bars::judge(study, solved, companion),
@@ -63,13 +71,7 @@ fn judge_by_cubic(study: &Study, solved: &Solved, cubic: &FilmSolution) -> Judge
     let measured = measure(&study.problem, better, cubic);
     let mut list = quantities(study, &measured);
     let Ok(error) = film_error(&study.problem, &study.system, &solved.film, cubic) else {
-        return Judged {
-            quantities: list,
-            measured,
-            indicator: None,
-            at_front: false,
-            seconds: 0.0,
-        };
+        return Judged::without_bars(list, measured);
     };
     let quadratic = measure(&study.problem, &study.system, &solved.film);
     let before = quantities(study, &quadratic);
@@ -79,6 +81,7 @@ fn judge_by_cubic(study: &Study, solved: &Solved, cubic: &FilmSolution) -> Judge
         cubic,
         error: &error,
         measured: &measured,
+        value: Value::Cubic,
     };
     let load = error.load(Value::Cubic);
     let moved = solved.balance.as_ref().map(|balance| {
@@ -105,6 +108,32 @@ fn judge_by_cubic(study: &Study, solved: &Solved, cubic: &FilmSolution) -> Judge
         indicator: Some(error.indicator()),
         seconds: 0.0,
     }
+}
+
+/// The numbers of the quadratic film of a solved study with their bars: what would be reported without the cubic film.
+/// `None` where there is no cubic film, and under a load, where the position is that of the cubic film.
+pub fn judge_quadratic(study: &Study, solved: &Solved) -> Option<Vec<Quantity>> {
+    let (Witness::Cubic(cubic), None) = (&solved.witness, &solved.balance) else {
+        return None;
+    };
+    let error = film_error(&study.problem, &study.system, &solved.film, cubic).ok()?;
+    let measured = measure(&study.problem, &study.system, &solved.film);
+    let after = quantities(study, &measure(&study.problem, &study.system.enriched().system, cubic));
+    let mut list = quantities(study, &measured);
+    let rules = Rules {
+        study,
+        film: &solved.film,
+        cubic,
+        error: &error,
+        measured: &measured,
+        value: Value::Quadratic,
+    };
+    for quantity in &mut list {
+        let after = after.iter().find(|other| other.name == quantity.name);
+        let bar = after.and_then(|after| rules.bar(quantity, after));
+        set(quantity, bar);
+    }
+    Some(list)
 }
 
 /// Gives a quantity its bar, or says that there is none.
@@ -149,12 +178,15 @@ struct Rules<'a> {
     film: &'a FilmSolution,
     cubic: &'a FilmSolution,
     error: &'a FilmError,
+    /// On the film whose numbers are judged.
     measured: &'a Measured,
+    /// Which film that is.
+    value: Value,
 }
 
 impl Rules<'_> {
-    /// The bar of a number at the position of the film; `before` is that of the quadratic film. None if it cannot be trusted.
-    fn bar(&self, quantity: &Quantity, before: &Quantity) -> Option<Bar> {
+    /// The bar of a number at the position of the film; `other` is that of the other film. None if it cannot be trusted.
+    fn bar(&self, quantity: &Quantity, other: &Quantity) -> Option<Bar> {
         let error = self.error;
         let name = quantity.name.as_str();
         if matches!(name, "eccentricity" | "min_film_angle" | "film_thickness_min") || is_cut_out(name) {
@@ -163,8 +195,8 @@ impl Rules<'_> {
         if !error.is_resolved() {
             return None;
         }
-        let change = (quantity.value - before.value).abs();
-        let (along, across) = (error.load(Value::Cubic), error.across(Value::Cubic));
+        let change = (quantity.value - other.value).abs();
+        let (along, across) = (error.load(self.value), error.across(self.value));
         let [x, y] = error.force;
         let force = x.hypot(y);
         let bar = match name {
@@ -173,15 +205,15 @@ impl Rules<'_> {
             "load_y" => along.scaled(y / force) + across.scaled(x / force),
             "load_angle" | "attitude_angle" => across.scaled(1f64.to_degrees() / force),
             "load_coefficient" | "sommerfeld_number" => along.scaled(quantity.value / force),
-            "pressure_integral" => error.pressure_integral(Value::Cubic),
+            "pressure_integral" => error.pressure_integral(self.value),
             "pressure_max" => plain(self.greatest(change)),
             "pressure_min" if self.film.cavity.contains(&true) => Bar::default(),
             "pressure_min" => plain(change.max(1e-3 * self.greatest(change))),
             "viscosity_max" => plain(self.viscosity(quantity.value)),
             "cavity_share" => plain(change + 0.25 * self.front_share()),
-            "side_flow" => self.flow(&FlowGoal::Ends)?,
+            "side_flow" => self.flow(&FlowGoal::Ends, change)?,
             "cavity_flow" => self.cavity_flow(change)?,
-            feed => self.flow(&FlowGoal::Feed(feed.strip_prefix("feed_flow.")?.to_owned()))?,
+            feed => self.flow(&FlowGoal::Feed(feed.strip_prefix("feed_flow.")?.to_owned()), change)?,
         };
         Some(bar)
     }
@@ -208,15 +240,22 @@ impl Rules<'_> {
             points.map(gap).fold(0.0, f64::max)
         };
         let furthest = apart(quadratic.maximum().triangle).max(apart(cubic.maximum().triangle));
-        (0.3 * change).max(0.25 * furthest)
+        match self.value {
+            Value::Quadratic => (1.25 * change).max(furthest),
+            Value::Cubic => (0.3 * change).max(0.4 * furthest),
+        }
     }
 
     /// Bar [Pa s] of the greatest viscosity, by that of the greatest pressure.
     fn viscosity(&self, value: f64) -> f64 {
         let problem = &self.study.problem;
         let greatest = self.measured.extremes.greatest;
-        let quadratic = oilwedge_reynolds::quantities::pressure::extremes(problem, &self.study.system, self.film);
-        let bar = self.greatest((greatest - quadratic.greatest).abs());
+        let [quadratic, cubic] = [
+            (&self.study.system, self.film),
+            (&self.study.system.enriched().system, self.cubic),
+        ]
+        .map(|(system, film)| pressure::extremes(problem, system, film).greatest);
+        let bar = self.greatest((cubic - quadratic).abs());
         let above = (problem.viscosity_at(greatest + bar) - value).abs();
         above.max((problem.viscosity_at(greatest - bar) - value).abs())
     }
@@ -256,14 +295,20 @@ impl Rules<'_> {
             .sum()
     }
 
-    fn flow(&self, goal: &FlowGoal) -> Option<Bar> {
+    /// Bar of a flow that differs by `change` between the two films.
+    fn flow(&self, goal: &FlowGoal, change: f64) -> Option<Bar> {
         let (_, error) = self.error.flows.iter().find(|(other, _)| other == goal)?;
-        Some(self.error.flow(error, self.unsure(goal), Value::Cubic))
+        let bar = self.error.flow(error, self.unsure(goal), self.value);
+        // What a cavity makes beside an end is booked apart from the residuals, so that the two may change by another amount.
+        Some(Bar {
+            discretisation: bar.discretisation.max(change),
+            ..bar
+        })
     }
 
     /// What the cavity makes is what all others bring and take.
     fn cavity_flow(&self, change: f64) -> Option<Bar> {
-        let all: Option<Vec<Bar>> = self.error.flows.iter().map(|(goal, _)| self.flow(goal)).collect();
+        let all: Option<Vec<Bar>> = self.error.flows.iter().map(|(goal, _)| self.flow(goal, 0.0)).collect();
         Some(all?.into_iter().fold(plain(change), |sum, bar| sum + bar))
     }
 }

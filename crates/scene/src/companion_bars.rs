@@ -1,10 +1,10 @@
-//! The error bars of a mass-conserving film: its distance from the same film on cells twice as wide.
+//! The error bars of a mass-conserving film, by its companion on the vertices alone: cells twice as wide.
 //!
-//! The scheme is of second order in the full film and carries the film fraction at first order or better, so that what halving the
-//! cells changes covers what is left. `docs/theory/error_estimation.md` has the figures.
+//! `docs/theory/error_estimation.md` has the rules and how often they hold.
 
 use oilwedge_reynolds::FilmSolution;
 use oilwedge_reynolds::error_bar::Bar;
+use oilwedge_reynolds::error_bar::conserving::{ConservingError, conserving_error};
 
 use crate::analysis::Solved;
 use crate::bars::{Judged, balanced, is_cut_out, set};
@@ -13,81 +13,78 @@ use crate::measure::{Measured, measure, quantities};
 use crate::moved::position_bars;
 use crate::report::Quantity;
 
-/// Loads of which the companion is off by more than this part are not resolved.
-const UNRESOLVED: f64 = 0.2;
-
-/// Judges a mass-conserving film by its `companion` on the vertices alone.
+/// Judges a mass-conserving film by its `companion`.
 pub(crate) fn judge(study: &Study, solved: &Solved, companion: &FilmSolution) -> Judged {
     let measured = measure(&study.problem, &study.system, &solved.film);
-    let coarse = measure(&study.problem, study.system.vertices_only(), companion);
     let mut list = quantities(study, &measured);
-    let other = quantities(study, &coarse);
-    let [along, across] = apart(&measured, &coarse);
-    let force = measured.load.magnitude();
-    let resolved = along.max(across) <= UNRESOLVED * force;
-    let moved =
-        (solved.balance.as_ref()).map(|balance| position_bars(study, &solved.film, balance, [along, across], &list));
+    let error = conserving_error(&study.problem, &study.system, &solved.film, companion);
+    let Some(error) = error else {
+        return Judged::without_bars(list, measured);
+    };
+    let moved = solved.balance.as_ref().map(|balance| {
+        let bars = [error.load.total(), error.across.total()];
+        position_bars(study, &solved.film, balance, bars, &list)
+    });
     for (k, quantity) in list.iter_mut().enumerate() {
-        let own = match (&solved.balance, resolved) {
+        let own = match (&solved.balance, error.is_resolved) {
             (Some(balance), true) => balanced(quantity, balance),
             _ => None,
         };
-        let other = other.iter().find(|other| other.name == quantity.name);
         let bar = own.or_else(|| {
-            let discretisation = own_bar(quantity, other?, resolved, [along, across], &measured)?;
+            let bar = bar(study, quantity, &error, &measured)?;
             let position = moved.as_ref().map_or(0.0, |moved| moved[k]);
-            Some(Bar {
-                discretisation,
-                position,
-                ..Bar::default()
-            })
+            Some(Bar { position, ..bar })
         });
         set(quantity, bar);
     }
     Judged {
-        quantities: list,
-        measured,
-        indicator: None,
-        at_front: false,
-        seconds: 0.0,
+        indicator: Some(error.indicator),
+        ..Judged::without_bars(list, measured)
     }
-}
-
-/// Distance [N] of the two loads along and across.
-fn apart(fine: &Measured, coarse: &Measured) -> [f64; 2] {
-    let ([x, y], [other_x, other_y]) = (fine.load.total.force, coarse.load.total.force);
-    let size = x.hypot(y).max(f64::MIN_POSITIVE);
-    let change = [other_x - x, other_y - y];
-    [
-        ((change[0] * x + change[1] * y) / size).abs(),
-        ((change[1] * x - change[0] * y) / size).abs(),
-    ]
 }
 
 /// The bar of a number at the position of the film; none if it cannot be trusted.
-fn own_bar(
-    quantity: &Quantity,
-    other: &Quantity,
-    resolved: bool,
-    [along, across]: [f64; 2],
-    measured: &Measured,
-) -> Option<f64> {
+fn bar(study: &Study, quantity: &Quantity, error: &ConservingError, measured: &Measured) -> Option<Bar> {
     let name = quantity.name.as_str();
+    let plain = |discretisation: f64| Bar {
+        discretisation,
+        ..Bar::default()
+    };
     if matches!(name, "eccentricity" | "min_film_angle" | "film_thickness_min") || is_cut_out(name) {
-        return Some(0.0);
+        return Some(Bar::default());
     }
-    if !resolved {
+    if !error.is_resolved {
         return None;
     }
-    let change = (quantity.value - other.value).abs();
-    let [x, y] = measured.load.total.force;
-    let force = x.hypot(y);
+    let force = measured.load.magnitude();
     Some(match name {
-        "load" => along,
-        "load_x" => (along * x.abs() + across * y.abs()) / force,
-        "load_y" => (along * y.abs() + across * x.abs()) / force,
-        "load_angle" | "attitude_angle" => (across / force).to_degrees(),
-        "load_coefficient" | "sommerfeld_number" => along / force * quantity.value.abs(),
-        _ => change,
+        "load" => error.load,
+        "load_x" => error.force[0],
+        "load_y" => error.force[1],
+        "load_angle" | "attitude_angle" => error.across.scaled(1f64.to_degrees() / force),
+        "load_coefficient" | "sommerfeld_number" => error.load.scaled(quantity.value / force),
+        "pressure_integral" => error.pressure_integral,
+        "pressure_max" => plain(error.greatest_pressure),
+        // That of the cavity.
+        "pressure_min" if measured.cavity.is_some_and(|cavity| cavity.share > 0.0) => Bar::default(),
+        "pressure_min" => plain(error.greatest_pressure),
+        "viscosity_max" => {
+            let (problem, greatest) = (&study.problem, measured.extremes.greatest);
+            let at = |p: f64| (problem.viscosity_at(p) - quantity.value).abs();
+            plain(at(greatest + error.greatest_pressure).max(at(greatest - error.greatest_pressure)))
+        }
+        "cavity_share" => plain(error.cavity_share),
+        "film_fraction_min" => plain(error.least_fraction),
+        "side_flow" => plain(error.side_flow),
+        feed => {
+            let feed = feed.strip_prefix("feed_flow.")?;
+            let place = study
+                .system
+                .supply
+                .regions()
+                .iter()
+                .position(|region| region.name == feed)?;
+            plain(*error.flows.get(place)?)
+        }
     })
 }

@@ -2,3 +2,4 @@
 
 mod film;
 mod manufactured;
+mod study;

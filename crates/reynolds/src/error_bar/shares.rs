@@ -14,6 +14,11 @@ use crate::quantities::load::load as load_of;
 use crate::supply::{Place, SupplyRegion};
 use crate::{FilmProblem, FilmSolution, FilmSystem, Form};
 
+/// Angles of the film [rad] from which on a corner spoils the order: 225 degrees. The sides of a round hole turn by less.
+const REENTRANT: f64 = 1.25 * std::f64::consts::PI;
+/// All around a vertex inside the film [rad], but for rounding.
+const WHOLE: f64 = 1.99 * std::f64::consts::PI;
+
 /// Flows beyond these are not judged: each takes a dual.
 const MOST_FLOWS: usize = 9;
 
@@ -59,17 +64,24 @@ pub(super) fn film_error(
                 FlowGoal::Ends => region.place == Place::End,
                 FlowGoal::Feed(name) => region.place == Place::Feed && region.name == *name,
             };
-            let owned = |dof: usize| enriched.system.supply.owner(dof).is_some_and(|k| is_asked(&regions[k]));
-            let chi: Vec<f64> = (0..e.len()).map(|dof| f64::from(u8::from(owned(dof)))).collect();
+            // Both films weigh their residuals with this one function, up to one that is orthogonal to that of the cubic film.
+            let owned = |dof: usize| system.supply.owner(dof).is_some_and(|k| is_asked(&regions[k]));
+            let chi: Vec<f64> = (film.unknown.iter().enumerate())
+                .map(|(dof, _)| f64::from(u8::from(owned(dof))))
+                .collect();
+            let chi = between.prolong(&chi);
             let error = split.goal(&stiffness.multiply(&chi))?.1;
             Ok((goal, error))
         })
         .collect::<Result<_, Error>>()?;
+    let (front, deep) = front(&enriched.system, cubic);
     Ok(FilmError {
         force: load_of(problem, &enriched.system, cubic).total.force,
         goals,
         flows,
-        front: front(&enriched.system, cubic),
+        front,
+        deep,
+        corner: corner(system),
         nonlinear: matches!(problem.form, Form::AsPrinted(_)),
     })
 }
@@ -92,7 +104,7 @@ impl Split<'_> {
     fn goal(&self, goal: &[f64]) -> Result<(Vec<f64>, GoalError), Error> {
         let between = &self.system.enriched().prolongation;
         let space = self.system.space();
-        let dual = self.film.linearisation.solve_transposed(&between.restrict(goal))?;
+        let dual = self.film.linearisation.apply_factor(between.restrict(goal), true)?;
         let raised = between.prolong(&dual);
         let image = self.stiffness.multiply(&raised);
         let left: Vec<f64> = goal.iter().zip(image).map(|(j, kz)| j - kz).collect();
@@ -164,8 +176,9 @@ fn secant(problem: &FilmProblem, a: f64, b: f64) -> f64 {
     }
 }
 
-/// Triangles in the cavity of the cubic film, and those that share a vertex with one at its edge.
-fn front(cubic: &FilmSystem, film: &FilmSolution) -> Vec<bool> {
+/// Triangles in the cavity of the cubic film with those that share a vertex with one at its edge, and those in the cavity
+/// that do not.
+fn front(cubic: &FilmSystem, film: &FilmSolution) -> (Vec<bool>, Vec<bool>) {
     let space = cubic.space();
     let mesh = space.mesh();
     let mut near = vec![false; mesh.points().len()];
@@ -180,7 +193,33 @@ fn front(cubic: &FilmSystem, film: &FilmSolution) -> Vec<bool> {
             }
         }
     }
-    (inside.into_iter().enumerate())
-        .map(|(t, inside)| inside || mesh.triangles()[t].iter().any(|&v| near[v as usize]))
-        .collect()
+    let at_edge = |t: usize| mesh.triangles()[t].iter().any(|&v| near[v as usize]);
+    let places = inside.iter().enumerate();
+    places
+        .map(|(t, &inside)| (inside || at_edge(t), inside && !at_edge(t)))
+        .unzip()
+}
+
+/// Triangles at vertices around which the film takes up more than [`REENTRANT`].
+fn corner(system: &FilmSystem) -> Vec<bool> {
+    let mesh = system.space().mesh();
+    let mut is_film = vec![true; mesh.triangles().len()];
+    for &cell in system.supply.regions().iter().flat_map(|region| &region.cells) {
+        is_film[cell as usize] = false;
+    }
+    let mut angles = vec![0.0; mesh.points().len()];
+    for t in (0..is_film.len()).filter(|&t| is_film[t]) {
+        let corners = mesh.corners(t);
+        for (k, &vertex) in mesh.triangles()[t].iter().enumerate() {
+            let to = |other: usize| [0, 1].map(|d| corners[other % 3][d] - corners[k][d]);
+            let (a, b) = (to(k + 1), to(k + 2));
+            angles[vertex as usize] += (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]);
+        }
+    }
+    let is_corner = |vertex: &u32| {
+        let angle = angles[*vertex as usize];
+        angle > REENTRANT && angle < WHOLE
+    };
+    let at_corner = |t: usize| is_film[t] && mesh.triangles()[t].iter().any(is_corner);
+    (0..is_film.len()).map(at_corner).collect()
 }

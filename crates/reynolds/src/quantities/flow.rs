@@ -21,7 +21,7 @@ use oilwedge_fem::mapping::Mapping;
 
 use crate::cavitation::FilmFraction;
 use crate::film_law::FilmLaw;
-use crate::quantities::edge;
+use crate::quantities::{edge, junction};
 use crate::{Cavitation, FilmFlow, FilmPoint, FilmProblem, FilmSolution, FilmSystem};
 
 /// Volume flow [m3/s] of one region, into the film.
@@ -35,7 +35,8 @@ pub struct RegionFlow {
     pub inward: f64,
     /// The part that leaves [m3/s].
     pub outward: f64,
-    /// What is booked by where the edge of a Swift-Stieber cavity runs within a triangle [m3/s].
+    /// What is booked by where the edge of a Swift-Stieber cavity runs within a triangle, and at nodes that another region
+    /// has too [m3/s].
     pub unsure: f64,
 }
 
@@ -97,6 +98,11 @@ pub fn flows(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) ->
             }
             None if film.cavity[dof] && film.film_fraction.is_none() => cavity += inflow,
             None => {}
+        }
+    }
+    for (shared, unsure) in junction::unsure(problem, system, film, &beside) {
+        for region in shared {
+            regions[region].unsure += unsure;
         }
     }
     let taken_up = taken_up(problem, system, film);

@@ -3,6 +3,7 @@
 pub mod cavity;
 mod edge;
 pub mod flow;
+mod junction;
 pub mod load;
 pub mod pressure;
 pub mod similarity;

@@ -61,6 +61,8 @@ pub(super) struct Climb<'a> {
     earlier: f64,
     /// Triangles of the levels tried and their seconds [s].
     tried: Vec<(f64, f64)>,
+    /// Seconds [s] that the first level takes at most, where another strategy tells.
+    first: Option<f64>,
     failures: usize,
     pub(super) levels: Vec<LevelReport>,
     /// Why there are no more levels.
@@ -86,6 +88,7 @@ impl<'a> Climb<'a> {
             making: first.seconds,
             earlier: 0.0,
             tried: Vec::new(),
+            first: None,
             failures: 0,
             levels: Vec::new(),
             ended: None,
@@ -94,6 +97,32 @@ impl<'a> Climb<'a> {
             quantity: None,
             drawn: None,
         }
+    }
+
+    /// Another strategy from the levels of this one on.
+    pub(super) fn turned(&self, strategy: Strategy) -> Self {
+        let indicator = self.drawn.as_ref().and_then(|drawn| drawn.indicator.as_deref());
+        let last = self.levels.last();
+        Self {
+            strategy,
+            mesh: self.mesh.clone(),
+            marked: Some(chosen(strategy, indicator, self.mesh.triangles().len())),
+            earlier: last.map_or(0.0, |level| level.seconds.total - self.making),
+            tried: self.tried.clone(),
+            levels: self.levels.clone(),
+            ended: self.ended.clone(),
+            failure: None,
+            effects: self.effects.clone(),
+            quantity: self.quantity.clone(),
+            drawn: self.drawn.clone(),
+            ..*self
+        }
+    }
+
+    /// The first level takes no longer than that of `other`.
+    pub(super) fn no_longer_than(mut self, other: &Self) -> Self {
+        self.first = other.tried.first().map(|(_, seconds)| *seconds);
+        self
     }
 
     /// Triangles of the next level, roughly.
@@ -108,7 +137,9 @@ impl<'a> Climb<'a> {
 
     /// Seconds [s] of the next level; `None` where no level tells.
     fn expected(&self) -> Option<f64> {
-        let (cells, seconds) = *self.tried.last()?;
+        let Some(&(cells, seconds)) = self.tried.last() else {
+            return self.first;
+        };
         let last = &self.tried[self.tried.len().saturating_sub(2)..];
         let points: Vec<_> = last.iter().map(|(cells, seconds)| (cells.ln(), seconds.ln())).collect();
         Some(seconds * (self.cells() / cells).powf(exponent(&points)))
@@ -237,18 +268,8 @@ impl<'a> Climb<'a> {
             relative_error: None,
             seconds: timing,
         };
-        let adaptive = self.strategy == Strategy::P2Adaptive;
-        let chosen = match &level.indicator {
-            Some(indicator) if adaptive => doerfler(indicator, SHARE),
-            _ => Vec::new(),
-        };
-        // Without an indicator every triangle is as good as another.
-        let chosen = if chosen.contains(&true) {
-            chosen
-        } else {
-            vec![true; cells]
-        };
-        if adaptive {
+        let marked = chosen(self.strategy, level.indicator.as_deref(), cells);
+        if self.strategy == Strategy::P2Adaptive {
             self.earlier = report.seconds.total - self.making;
         }
         if cells <= DRAWN || self.drawn.is_none() {
@@ -261,9 +282,22 @@ impl<'a> Climb<'a> {
         }
         self.quantity = goal.cloned();
         self.effects = Some(level.study.effects);
-        self.marked = Some(chosen);
+        self.marked = Some(marked);
         self.mesh = mesh;
         report
+    }
+}
+
+/// Which triangles a strategy divides: without an indicator one is as good as another.
+fn chosen(strategy: Strategy, indicator: Option<&[f64]>, cells: usize) -> Vec<bool> {
+    let marked = match (strategy, indicator) {
+        (Strategy::P2Adaptive, Some(indicator)) => doerfler(indicator, SHARE),
+        _ => Vec::new(),
+    };
+    if marked.contains(&true) {
+        marked
+    } else {
+        vec![true; cells]
     }
 }
 
@@ -283,7 +317,16 @@ fn median(mut values: Vec<f64>) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::median;
+    use super::{Strategy, chosen, median};
+
+    #[test]
+    fn an_indicator_chooses_for_the_adaptive_strategy_only() {
+        let indicator = Some(&[0.1, -0.8, 0.1][..]);
+        assert_eq!(chosen(Strategy::P2Adaptive, indicator, 3), [false, true, false]);
+        assert_eq!(chosen(Strategy::P2Uniform, indicator, 3), [true; 3]);
+        assert_eq!(chosen(Strategy::P2Adaptive, None, 3), [true; 3]);
+        assert_eq!(chosen(Strategy::P2Adaptive, Some(&[0.0; 3]), 3), [true; 3]);
+    }
 
     #[test]
     fn medians_of_few() {

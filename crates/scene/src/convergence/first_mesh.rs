@@ -44,7 +44,13 @@ pub(super) fn first_mesh(scene: &Scene) -> Result<Result<First, NoAnswer>, Compi
             }
             continue;
         }
-        let mut study = graded(&coarse)?;
+        let mut study = match graded(&coarse) {
+            Ok(study) => study,
+            Err(error) => {
+                tried = Err(error);
+                continue;
+            }
+        };
         match solve(&mut study, false) {
             Ok(_) => {
                 let journal = &study.problem.journal;

@@ -1,8 +1,8 @@
 //! A convergence study: a scene solved on ever finer meshes by three strategies, for what accuracy costs.
 //!
-//! Reading order: [`strategy`], [`mod@first_mesh`], [`climb`] (one strategy from level to level, by [`crate::level`]), [`budget`]
-//! (when to stop), [`mod@reference`] (errors against the finest answer), [`price`] (what the next digit costs),
-//! [`report`] and [`csv`] (the numbers for scripts), [`crate::plot`] (the picture).
+//! Reading order: [`strategy`], `first_mesh.rs`, `climb.rs` (one strategy from level to level, by [`crate::level`]), [`budget`]
+//! (when to stop), `reference.rs` (errors against the finest answer), [`price`] (what the next digit costs),
+//! [`report`], [`csv`] and [`files`] (the numbers for scripts), [`crate::plot`] (the picture).
 
 pub mod budget;
 mod climb;
@@ -18,7 +18,7 @@ pub mod strategy;
 pub use budget::Budget;
 pub use climb::MarkedMesh;
 pub use observer::Observer;
-pub use price::Price;
+pub use price::{Measure, Price};
 pub use report::{ConvergenceReport, Course, LevelReport};
 pub use strategy::Strategy;
 
@@ -55,32 +55,27 @@ pub fn converge(scene: &Scene, budget: &Budget, observer: &mut dyn Observer) -> 
         Some(_) => "eccentricity",
         None => "load",
     };
-    let mut report = blank(scene, budget, goal);
+    let report = blank(scene, budget, goal);
     let first = match first_mesh::first_mesh(scene)? {
         Ok(first) => first,
         Err(reason) => return Ok(unanswered(report, &reason, budget)),
     };
-    let mut climbs: Vec<Climb> = Vec::new();
-    for strategy in Strategy::ALL {
-        match strategy.left_out(scene) {
-            Some(why) => report.left_out.push(format!("{} is left out: {why}", strategy.name())),
-            None => climbs.push(Climb::new(scene, &first, strategy, goal)),
-        }
-    }
+    let climb = |strategy: Strategy| Climb::new(scene, &first, strategy, goal);
+    // Both strategies of quadratic elements begin on the same mesh.
+    let mut uniform = climb(Strategy::P2Uniform);
+    uniform.step(budget, observer)?;
+    let linear = climb(Strategy::P1Uniform).no_longer_than(&uniform);
+    let adaptive = uniform.turned(Strategy::P2Adaptive);
+    let mut climbs = [linear, uniform, adaptive];
     let next = |climbs: &[Climb]| {
         let open = climbs.iter().enumerate().filter(|(_, climb)| climb.ended.is_none());
-        // Quadratic elements first: without them there is nothing to compare with.
-        let rank = |climb: &Climb| (climb.urgency(), climb.strategy == Strategy::P1Uniform);
-        open.min_by(|(_, a), (_, b)| {
-            let (a, b) = (rank(a), rank(b));
-            a.0.total_cmp(&b.0).then(a.1.cmp(&b.1))
-        })
-        .map(|(place, _)| place)
+        open.min_by(|(_, a), (_, b)| a.urgency().total_cmp(&b.urgency()))
+            .map(|(place, _)| place)
     };
     while let Some(place) = next(&climbs) {
         climbs[place].step(budget, observer)?;
     }
-    finish(report, climbs, scene, budget)
+    finish(report, climbs.into(), scene, budget)
 }
 
 /// A report without any levels.
@@ -101,7 +96,7 @@ fn blank(scene: &Scene, budget: &Budget, goal: &str) -> ConvergenceReport {
         reference: None,
         strategies: Vec::new(),
         prices: Vec::new(),
-        left_out: Vec::new(),
+        notes: Vec::new(),
         max_seconds: budget.max_seconds(),
         seconds: 0.0,
     }
@@ -178,16 +173,23 @@ fn finish(
     report.reference = reference::finest(&report.strategies);
     if let Some(finest) = &report.reference {
         reference::measure(&mut report.strategies, finest);
-        let offers: Vec<Offer> = report.strategies.iter().map(|course| offer(course, finest)).collect();
-        for (course, offer) in report.strategies.iter_mut().zip(&offers) {
-            course.order = offer.order();
-            course.time_exponent = (!offer.levels.is_empty()).then(|| offer.exponent());
+        for measure in [Measure::Bar, Measure::Error] {
+            let offers: Vec<Offer> = (report.strategies.iter())
+                .map(|course| offer(course, finest, measure))
+                .collect();
+            report.prices.extend(price_list(&offers, measure));
+            // Those by bars, where there are bars, are what is told of a course.
+            for (course, offer) in report.strategies.iter_mut().zip(&offers) {
+                if course.time_exponent.is_none() && !offer.levels.is_empty() {
+                    course.order = offer.order();
+                    course.time_exponent = Some(offer.exponent());
+                }
+            }
         }
-        report.prices = price_list(&offers);
         if finest.uncertainty.is_none() {
             let why =
                 "errors are not known: the finest answer has no coarser one beside it; give more time (--max-seconds)";
-            report.left_out.push(why.to_owned());
+            report.notes.push(why.to_owned());
         }
     }
     report.seconds = budget.spent();
@@ -207,13 +209,13 @@ fn natural_load(scene: &Scene) -> f64 {
     driven.fold(dragged, f64::max) * bearing.diameter * bearing.length
 }
 
-/// What a course sells: levels whose error is known.
-fn offer(course: &Course, reference: &report::Reference) -> Offer {
+/// What a course sells: levels whose error is known by that measure.
+fn offer(course: &Course, reference: &report::Reference, measure: Measure) -> Offer {
     let bought = |level: &LevelReport| {
         Some(Bought {
             unknowns: level.unknowns as f64,
             seconds: level.seconds.total,
-            error: level.known_error(reference)?,
+            error: level.error(measure, reference)?,
         })
     };
     Offer {

@@ -27,6 +27,16 @@ const QUICKER: f64 = 0.9;
 /// The coarsest accuracy of the list, as a power of ten, and the finest that numbers of 16 digits can carry.
 const DIGITS: (i32, i32) = (2, 11);
 
+/// By what a price counts accuracy.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Measure {
+    /// The error bar: what the level vouches for by itself.
+    Bar,
+    /// The true error, which only finer levels tell.
+    Error,
+}
+
 /// What one level costs and gives.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bought {
@@ -52,6 +62,8 @@ pub struct Offer {
 /// One row of the price list.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Price {
+    /// By what accuracy is counted.
+    pub measure: Measure,
     /// The relative error asked for.
     pub accuracy: f64,
     /// Who sells it cheapest.
@@ -66,7 +78,7 @@ pub struct Price {
 
 /// The price of 1 %, 0.1 % and so on to one digit beyond what was run. Of what was run the quickest strategy, else the
 /// one that is predicted to be; of equally quick ones the first offer. Nothing where there are no levels.
-pub fn price_list(offers: &[Offer]) -> Vec<Price> {
+pub fn price_list(offers: &[Offer], measure: Measure) -> Vec<Price> {
     let reached = (offers.iter())
         .filter_map(|offer| offer.levels.last())
         .map(|level| level.error)
@@ -79,7 +91,7 @@ pub fn price_list(offers: &[Offer]) -> Vec<Price> {
     let finest = (digits + 1e-9).floor().clamp(-1.0, f64::from(DIGITS.1)) as i32 + 1;
     let accuracies = (DIGITS.0..=finest.clamp(DIGITS.0, DIGITS.1)).map(|digit| 10f64.powi(-digit));
     let price = |accuracy: f64| {
-        let prices = offers.iter().filter_map(|offer| offer.price(accuracy));
+        let prices = offers.iter().filter_map(|offer| offer.price(accuracy, measure));
         prices.reduce(|best, other| match (best.extrapolated, other.extrapolated) {
             (true, false) => other,
             (false, true) => best,
@@ -92,8 +104,9 @@ pub fn price_list(offers: &[Offer]) -> Vec<Price> {
 
 impl Offer {
     /// What this strategy takes for an accuracy.
-    fn price(&self, accuracy: f64) -> Option<Price> {
+    fn price(&self, accuracy: f64, measure: Measure) -> Option<Price> {
         let row = |unknowns: f64, seconds: f64, extrapolated: bool| Price {
+            measure,
             accuracy,
             strategy: self.strategy,
             unknowns,
@@ -183,7 +196,7 @@ mod tests {
     fn powers_are_met_exactly_within_and_beyond_what_was_run() {
         // Errors from 1e-1 to 1e-1 4^-8 = 1.5e-6.
         let offer = offer(Strategy::P2Uniform, (1e3, 2.0), (1e-6, 1.25), 5);
-        let prices = price_list(std::slice::from_ref(&offer));
+        let prices = price_list(std::slice::from_ref(&offer), Measure::Bar);
         let accuracies: Vec<f64> = prices.iter().map(|price| price.accuracy).collect();
         assert_eq!(accuracies, [1e-2, 1e-3, 1e-4, 1e-5, 1e-6]);
         for price in &prices {
@@ -200,7 +213,7 @@ mod tests {
         let mut offer = offer(Strategy::P2Uniform, (1e3, 2.0), (1e-6, 1.0), 4);
         // Errors 1e-1, 6e-3, 4e-4, 2.4e-5: by chance the first level is good.
         offer.levels[0].error = 1e-7;
-        let prices = price_list(std::slice::from_ref(&offer));
+        let prices = price_list(std::slice::from_ref(&offer), Measure::Bar);
         assert!(
             prices
                 .iter()
@@ -219,7 +232,7 @@ mod tests {
     fn the_quickest_sells_and_what_was_run_goes_first() {
         let linear = offer(Strategy::P1Uniform, (1.0, 1.0), (1e-7, 1.0), 6);
         let quadratic = offer(Strategy::P2Uniform, (1e3, 2.0), (1e-6, 1.0), 3);
-        let prices = price_list(&[linear, quadratic]);
+        let prices = price_list(&[linear, quadratic], Measure::Bar);
         let sold: Vec<_> = (prices.iter())
             .map(|price| (price.strategy, price.extrapolated))
             .collect();
@@ -247,7 +260,7 @@ mod tests {
     fn a_strategy_that_is_not_clearly_quicker_does_not_win() {
         let simple = offer(Strategy::P2Uniform, (1e3, 2.0), (1e-6, 1.0), 3);
         let mut other = offer(Strategy::P2Adaptive, (1e3, 2.0), (0.95e-6, 1.0), 3);
-        let sold = |offers: &[Offer]| price_list(offers)[0].strategy;
+        let sold = |offers: &[Offer]| price_list(offers, Measure::Bar)[0].strategy;
         assert_eq!(sold(&[simple.clone(), other.clone()]), Strategy::P2Uniform);
         other.levels.iter_mut().for_each(|level| level.seconds *= 0.9);
         assert_eq!(sold(&[simple, other]), Strategy::P2Adaptive);
@@ -263,13 +276,13 @@ mod tests {
             offer(Strategy::P2Uniform, (1.0, 2.0), (1e-6, 1.0), 1).exponent(),
             USUAL_EXPONENT
         );
-        assert!(price_list(&[]).is_empty());
+        assert!(price_list(&[], Measure::Bar).is_empty());
     }
 
     #[test]
     fn a_coarse_answer_still_has_the_price_of_one_percent() {
         let offer = offer(Strategy::P2Uniform, (1e4, 2.0), (1e-6, 1.0), 1);
-        let prices = price_list(&[offer]);
+        let prices = price_list(&[offer], Measure::Bar);
         assert_eq!(prices.len(), 1);
         assert!(prices[0].extrapolated && (prices[0].unknowns - 1000.0).abs() < 1e-9);
     }

@@ -20,9 +20,8 @@ pub(super) fn finest(courses: &[Course]) -> Option<Reference> {
         });
     let (course, place) = best?;
     let level = &course.levels[place];
-    let uncertainty = level
-        .relative_bar
-        .or_else(|| predicted(course.order, &course.levels[..=place]));
+    let told = [level.relative_bar, predicted(course.order, &course.levels[..=place])];
+    let uncertainty = told.into_iter().flatten().reduce(f64::min);
     Some(Reference {
         strategy: course.strategy,
         level: level.level,
@@ -32,21 +31,33 @@ pub(super) fn finest(courses: &[Course]) -> Option<Reference> {
     })
 }
 
-/// The relative error of the last level by a law of order s, `e = d r/(1 - r)`: d its distance from the level before, r the ratio
-/// of their errors. s is that of theory or, if it is less, the one by which the last two distances shrank.
+/// The relative error of the last level by a law of order s, `e = d r/(1 - r)`: d the distance of a level from the one before, r
+/// the ratio of their errors. s is that of theory or, if it is less, the one by which the last two distances shrank. The
+/// greater of what the last two distances predict counts, since one of them may be small by chance.
 fn predicted(order: f64, levels: &[LevelReport]) -> Option<f64> {
-    let [.., before, level] = levels else { return None };
-    let growth = level.unknowns as f64 / before.unknowns as f64;
-    let distance = (level.value - before.value).abs() / level.value.abs();
-    let order = match levels {
-        [.., first, before, _] => {
-            let earlier = (before.value - first.value).abs() / level.value.abs();
-            ((earlier / distance).ln() / growth.ln()).clamp(LEAST_PART * order, order)
+    let last = levels.last()?;
+    let growth = |from: &LevelReport, to: &LevelReport| to.unknowns as f64 / from.unknowns as f64;
+    let distance = |pair: &[LevelReport]| (pair[1].value - pair[0].value).abs() / last.value.abs();
+    let pairs: Vec<&[LevelReport]> = levels.windows(2).rev().take(2).collect();
+    let order = match pairs[..] {
+        [pair, earlier] => {
+            let observed = (distance(earlier) / distance(pair)).ln() / growth(&pair[0], &pair[1]).ln();
+            if observed.is_nan() {
+                order
+            } else {
+                observed.clamp(LEAST_PART * order, order)
+            }
         }
         _ => order,
     };
-    let ratio = growth.powf(-order);
-    Some(distance * ratio / (1.0 - ratio)).filter(|error| error.is_finite() && *error >= 0.0)
+    let error = |pair: &&[LevelReport]| {
+        let ratio = growth(&pair[0], &pair[1]).powf(-order);
+        distance(pair) * ratio / (1.0 - ratio) * growth(&pair[1], last).powf(-order)
+    };
+    let errors = pairs.iter().map(error);
+    errors
+        .filter(|error| error.is_finite() && *error >= 0.0)
+        .reduce(f64::max)
 }
 
 /// Fills in the relative errors of all levels, and makes their bars, so far relative to their own values, relative to the
@@ -108,18 +119,26 @@ mod tests {
         let error = predicted(2.0, &levels).expect("three levels");
         assert!((error * levels[2].value - 0.25).abs() < 1e-12, "{error}");
         assert!(predicted(2.0, &levels[..1]).is_none());
-        // No difference at all is no error.
+        // That the last two agree by chance is not believed: the level before was 1/2 r/(1 - r) off, r = 1/4.
         levels[2].value = levels[1].value;
-        assert_eq!(predicted(2.0, &levels), Some(0.0));
+        let error = predicted(2.0, &levels).expect("three levels");
+        assert!((error * levels[2].value - 0.5 / 3.0 / 4.0).abs() < 1e-12, "{error}");
     }
 
     #[test]
-    fn the_smallest_bar_is_the_finest_answer() {
+    fn the_smallest_bar_is_the_finest_answer_and_differences_may_tell_more() {
         let mut courses = courses();
         courses[1].levels[0].relative_bar = Some(1e-3);
         courses[1].levels[1].relative_bar = Some(2e-3);
         let reference = finest(&courses).expect("there are levels");
         assert_eq!((reference.level, reference.uncertainty), (1, Some(1e-3)));
+        courses[1].levels[1].relative_bar = Some(0.9e-3);
+        courses[1].levels[1].value = courses[1].levels[0].value * (1.0 + 3e-5);
+        let known = finest(&courses).and_then(|reference| reference.uncertainty);
+        assert!(
+            known.is_some_and(|known| (known / 1e-5 - 1.0).abs() < 1e-3),
+            "{known:?}"
+        );
     }
 
     #[test]

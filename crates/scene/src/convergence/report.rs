@@ -5,7 +5,7 @@
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
-use super::price::Price;
+use super::price::{Measure, Price};
 use super::strategy::Strategy;
 use crate::report::{Effects, ReportError, Status};
 
@@ -35,10 +35,10 @@ pub struct ConvergenceReport {
     pub reference: Option<Reference>,
     /// The ways to more accuracy.
     pub strategies: Vec<Course>,
-    /// What each digit costs.
+    /// What each digit costs: by error bars, where there are any, and then by true errors.
     pub prices: Vec<Price>,
-    /// What was left out, in sentences.
-    pub left_out: Vec<String>,
+    /// What to know of the study, in sentences.
+    pub notes: Vec<String>,
     /// The time that was given [s].
     pub max_seconds: f64,
     /// The time that was taken [s], without drawing and writing.
@@ -67,8 +67,8 @@ pub struct Reference {
     pub unknowns: usize,
     /// The value.
     pub value: f64,
-    /// How well it is itself known, relative: its bar or, without one, what its distance from the level before predicts;
-    /// `None` where there is only one level. Errors below this mean nothing.
+    /// How well it is itself known, relative: its bar or, if that is less, what its distances from the levels before predict;
+    /// `None` with one level and no bar. Errors below this mean nothing.
     pub uncertainty: Option<f64>,
 }
 
@@ -107,12 +107,13 @@ pub struct LevelReport {
 }
 
 impl LevelReport {
-    /// The relative error as it is best known: the bar or, without one, the distance from the finest
-    /// answer, but not less than that one is known to.
-    pub fn known_error(&self, reference: &Reference) -> Option<f64> {
-        let distance = self.relative_error.unwrap_or(0.0);
-        self.relative_bar
-            .or_else(|| reference.uncertainty.map(|uncertainty| distance.max(uncertainty)))
+    /// The relative error by a measure: the bar, or the distance from the finest answer, but not less than
+    /// that one is known to.
+    pub fn error(&self, measure: Measure, reference: &Reference) -> Option<f64> {
+        match measure {
+            Measure::Bar => self.relative_bar,
+            Measure::Error => Some(self.relative_error.unwrap_or(0.0).max(reference.uncertainty?)),
+        }
     }
 }
 
@@ -229,13 +230,14 @@ pub(crate) mod tests {
                 ended: "the time is up".into(),
             }],
             prices: vec![Price {
+                measure: Measure::Bar,
                 accuracy: 0.01,
                 strategy: Strategy::P2Uniform,
                 unknowns: 190.0,
                 seconds: 0.25,
                 extrapolated: false,
             }],
-            left_out: vec![],
+            notes: vec![],
             max_seconds: 30.0,
             seconds: 1.5,
         }
@@ -272,15 +274,11 @@ pub(crate) mod tests {
     }
 
     #[test]
-    fn an_error_is_known_by_its_bar_or_as_well_as_the_reference() {
+    fn a_true_error_is_known_as_well_as_the_reference() {
         let report = example();
         let (reference, levels) = (report.reference.expect("one"), &report.strategies[0].levels);
-        assert_eq!(levels[0].known_error(&reference), Some(0.015));
-        assert_eq!(levels[1].known_error(&reference), Some(1e-4));
-        let without_bar = LevelReport {
-            relative_bar: None,
-            ..levels[0].clone()
-        };
-        assert_eq!(without_bar.known_error(&reference), Some(0.01));
+        let errors = |measure: Measure| [0, 1].map(|level| levels[level].error(measure, &reference));
+        assert_eq!(errors(Measure::Bar), [Some(0.015), None]);
+        assert_eq!(errors(Measure::Error), [Some(0.01), Some(1e-4)]);
     }
 }

@@ -17,9 +17,6 @@ pub enum Strategy {
 }
 
 impl Strategy {
-    /// All, in the order of the report.
-    pub const ALL: [Self; 3] = [Self::P1Uniform, Self::P2Uniform, Self::P2Adaptive];
-
     /// Degree of the pressure.
     pub fn degree(self) -> usize {
         match self {
@@ -55,12 +52,5 @@ impl Strategy {
             Some(CavitationModel::Reynolds) => 1.75,
             Some(CavitationModel::None | CavitationModel::Guembel) | None => 2.0,
         }
-    }
-
-    /// Why this one is not tried for a scene, if it is not.
-    pub(super) fn left_out(self, scene: &Scene) -> Option<&'static str> {
-        let conserving = scene.cavitation.is_some_and(|it| it.model == CavitationModel::Jfo);
-        (conserving && self.degree() == 1)
-            .then_some("a film that conserves its oil (jfo) is not computed with linear elements")
     }
 }

@@ -4,7 +4,7 @@ use super::PlotError;
 use super::axes::{Decades, Frame, Numbers, plain};
 use super::canvas::{Canvas, Mark, Pen};
 use super::palette::{BAND, GREY, INK, of_strategy};
-use crate::convergence::{ConvergenceReport, Course, LevelReport, Strategy};
+use crate::convergence::{ConvergenceReport, Course, LevelReport, Measure, Strategy};
 use plotters::style::RGBColor;
 use plotters::style::text_anchor::{HPos, VPos};
 
@@ -55,25 +55,26 @@ fn bars(course: &Course, against: Against) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// What is predicted: from the last known points of a strategy to its prices beyond.
+/// What is predicted: from the last known points of a strategy to its price beyond. Bars are what is predicted, if there are any.
 fn predictions(report: &ConvergenceReport, against: Against) -> Vec<(Strategy, Vec<(f64, f64)>)> {
-    let Some(reference) = &report.reference else {
+    let (Some(reference), Some(first)) = (&report.reference, report.prices.first()) else {
         return Vec::new();
     };
+    let measure = first.measure;
     let predicted = |course: &Course| {
         let beyond: Vec<_> = (report.prices.iter())
-            .filter(|price| price.extrapolated && price.strategy == course.strategy)
+            .filter(|price| price.extrapolated && price.measure == measure && price.strategy == course.strategy)
             .map(|price| match against {
                 Against::Time => (price.seconds, price.accuracy),
                 Against::Unknowns => (price.unknowns, price.accuracy),
             })
             .collect();
         let last = course.levels.last()?;
-        let start = (against.of(last), last.known_error(reference)?);
+        let start = (against.of(last), last.error(measure, reference)?);
         // From the last point that is drawn on.
         let drawn = errors(report, course, against)
             .pop()
-            .filter(|_| last.relative_bar.is_none());
+            .filter(|_| measure == Measure::Error);
         let points = drawn.into_iter().chain([start]).chain(beyond.iter().copied()).collect();
         (!beyond.is_empty()).then_some((course.strategy, points))
     };

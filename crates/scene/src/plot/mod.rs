@@ -1,7 +1,7 @@
 //! The picture of a convergence study: error against time and unknowns, and the mesh.
 //!
-//! Reading order: [`canvas`] (points on a sheet, over plotters), [`axes`], [`errors`], [`mesh`], [`palette`], [`raster`]
-//! (the same drawing as dots).
+//! Reading order: `canvas.rs` (points on a sheet, over plotters), `axes.rs`, `errors.rs`, `mesh.rs`, `palette.rs`, `raster.rs` (the
+//! same drawing as dots).
 
 mod axes;
 mod canvas;
