@@ -1,0 +1,103 @@
+//! The shares of the triangles are all of the difference: nothing is lost where it is told where the error comes from.
+
+use oilwedge_reynolds::error_bar::FlowGoal;
+use oilwedge_reynolds::quantities::load::load;
+use oilwedge_reynolds::supply::Place;
+use oilwedge_reynolds::{FilmSolution, FilmSystem};
+
+use crate::films::{Judged, constant, drawn, set};
+
+/// The quadratic film as a cubic one, so that both loads are integrated by one rule.
+fn raised(judged: &Judged) -> FilmSolution {
+    let film = &judged.film;
+    FilmSolution {
+        unknown: judged.system.enriched().prolongation.prolong(&film.unknown),
+        inflow: Vec::new(),
+        cavity: vec![false; judged.cubic.unknown.len()],
+        film_fraction: None,
+        linearisation: film.linearisation.clone(),
+        history: Vec::new(),
+        seconds: film.seconds,
+        levels: 0,
+        fallbacks: Vec::new(),
+    }
+}
+
+fn net(film: &FilmSolution, system: &FilmSystem, is_asked: impl Fn(&str, Place) -> bool) -> f64 {
+    let regions = system.supply.regions();
+    let owned = |dof: usize| {
+        let owner = system.supply.owner(dof);
+        owner.is_some_and(|k| is_asked(&regions[k].name, regions[k].place))
+    };
+    let dofs = film.inflow.iter().enumerate();
+    dofs.filter(|(dof, _)| owned(*dof)).map(|(_, inflow)| inflow).sum()
+}
+
+#[track_caller]
+fn add_up(judged: &Judged) {
+    let system = &judged.system.enriched().system;
+    let before = load(&judged.problem, system, &raised(judged)).total;
+    let after = load(&judged.problem, system, &judged.cubic).total;
+    let wanted = [
+        after.force[0] - before.force[0],
+        after.force[1] - before.force[1],
+        after.pressure - before.pressure,
+    ];
+    let size = wanted.iter().fold(0.0_f64, |size, eta| size.max(eta.abs()));
+    assert!(size > 0.0);
+    for (goal, wanted) in judged.error.goals.iter().zip(wanted) {
+        let sum: f64 = goal.shares.iter().sum();
+        assert!((sum - wanted).abs() < 1e-10 * size, "{sum:e} is not {wanted:e}");
+    }
+}
+
+#[test]
+fn of_a_plain_ring() {
+    add_up(&Judged::of_scene(&drawn("09_drawn_ring", 8.0, |_| ())));
+}
+
+#[test]
+fn of_a_ring_fed_by_a_hole() {
+    add_up(&Judged::of_scene(&drawn("04_flexpde_ring", 8.0, constant)));
+}
+
+#[test]
+fn of_barus_oil() {
+    add_up(&Judged::of_scene(&drawn("02_flexpde_shell", 8.0, |_| ())));
+}
+
+#[test]
+fn of_the_as_printed_equation() {
+    add_up(&Judged::of_scene(&drawn("06_flexpde_as_printed", 8.0, |_| ())));
+}
+
+#[test]
+fn of_a_film_with_a_cavity() {
+    add_up(&Judged::of_scene(&drawn("12_flexpde_shell_cavitated", 8.0, |_| ())));
+    add_up(&Judged::of_scene(&drawn("11_swift_stieber_ring", 8.0, |scene| {
+        set(scene, "journal", "eccentricity", 0.9)
+    })));
+}
+
+/// Flows: what the nodes of given pressure let through in cubic elements, less what they do in quadratic ones.
+#[test]
+fn of_flows() {
+    for scene in [
+        drawn("04_flexpde_ring", 8.0, constant),
+        drawn("02_flexpde_shell", 8.0, |_| ()),
+    ] {
+        let judged = Judged::of_scene(&scene);
+        let better = &judged.system.enriched().system;
+        for (goal, error) in &judged.error.flows {
+            let is_asked = |name: &str, place: Place| match goal {
+                FlowGoal::Ends => place == Place::End,
+                FlowGoal::Feed(feed) => place == Place::Feed && name == feed,
+            };
+            let after = net(&judged.cubic, better, is_asked);
+            let wanted = after - net(&judged.film, &judged.system, is_asked);
+            let sum: f64 = error.shares.iter().sum();
+            println!("{goal:?}: {after:e}, {wanted:e}, {sum:e}");
+            assert!((sum - wanted).abs() < 1e-8 * wanted.abs(), "{sum:e} is not {wanted:e}");
+        }
+    }
+}
