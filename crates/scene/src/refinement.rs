@@ -147,7 +147,8 @@ fn towards(scene: &Scene, targets: &[Target], options: &RunOptions) -> Result<An
                 });
             }
         }
-        let bound = matches!(&levels[..], [.., before, last] if (last.unknowns as f64) < BOUND * before.unknowns as f64);
+        let bound =
+            matches!(&levels[..], [.., before, last] if (last.unknowns as f64) < BOUND * before.unknowns as f64);
         next = match Next::refined(scene, &next, &study, &judged, growth, bound) {
             Ok(next) => next,
             Err(limit) => {
