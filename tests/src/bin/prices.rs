@@ -12,5 +12,5 @@ fn main() -> std::io::Result<()> {
     let program = std::env::current_exe()?.with_file_name("oilwedge");
     let path = repository().join("docs/validation/prices.md");
     let written = std::fs::read_to_string(&path)?;
-    std::fs::write(&path, page(&written, &program(), seconds))
+    std::fs::write(&path, page(&written, &program, seconds))
 }
