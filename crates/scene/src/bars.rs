@@ -206,9 +206,9 @@ impl Rules<'_> {
             "load_angle" | "attitude_angle" => across.scaled(1f64.to_degrees() / force),
             "load_coefficient" | "sommerfeld_number" => along.scaled(quantity.value / force),
             "pressure_integral" => error.pressure_integral(self.value),
-            "pressure_max" => plain(self.extreme(change, Field::maximum)),
+            "pressure_max" => plain(self.extreme(change, |field| field.maximum())),
             "pressure_min" if self.film.cavity.contains(&true) => Bar::default(),
-            "pressure_min" => plain(self.extreme(change, Field::minimum)),
+            "pressure_min" => plain(self.extreme(change, |field| field.minimum())),
             "viscosity_max" => plain(self.viscosity(quantity.value)),
             "cavity_share" => plain(change + 0.4 * self.front_share()),
             "side_flow" => self.flow(&FlowGoal::Ends, change)?,
@@ -255,7 +255,7 @@ impl Rules<'_> {
             (&self.study.system.enriched().system, self.cubic),
         ]
         .map(|(system, film)| pressure::extremes(problem, system, film).greatest);
-        let bar = self.extreme((cubic - quadratic).abs(), Field::maximum);
+        let bar = self.extreme((cubic - quadratic).abs(), |field| field.maximum());
         let above = (problem.viscosity_at(greatest + bar) - value).abs();
         above.max((problem.viscosity_at(greatest - bar) - value).abs())
     }
