@@ -243,7 +243,7 @@ impl Rules<'_> {
         let furthest = apart(extremum(&quadratic).triangle).max(apart(extremum(&cubic).triangle));
         match self.value {
             Value::Quadratic => (1.25 * change).max(furthest),
-            Value::Cubic => (0.3 * change).max(0.4 * furthest),
+            Value::Cubic => (0.3 * change).max(0.5 * furthest),
         }
     }
 
