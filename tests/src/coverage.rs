@@ -7,7 +7,12 @@
 //! | `meshes` | each on several meshes, drawn and locally refined |
 //! | `reference` | its numbers on a mesh refined for all of them |
 //! | `tally` | how often and how closely bars hold |
+//! | `tolerances` | tolerances asked for and what they cost |
+//! | `page` | the tables of `docs/validation/accuracy.md` |
 
 pub mod bearings;
 pub mod meshes;
+pub mod page;
 pub mod reference;
+pub mod tally;
+pub mod tolerances;

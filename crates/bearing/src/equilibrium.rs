@@ -126,7 +126,13 @@ pub(crate) fn find_within(
     let Some(coarser) = &system.coarser else {
         return search.everywhere(problem);
     };
-    let reason = match find_within(&coarser.problem(problem), &coarser.system, load, squeeze, ROUGHLY_BALANCED) {
+    let reason = match find_within(
+        &coarser.problem(problem),
+        &coarser.system,
+        load,
+        squeeze,
+        ROUGHLY_BALANCED,
+    ) {
         Ok(found) => return search.run(problem, found.problem.journal),
         Err(reason) => reason,
     };

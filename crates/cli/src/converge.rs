@@ -58,11 +58,12 @@ impl Converge {
     pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
         let budget = Budget::seconds(self.max_seconds);
         let scene = Scene::read(&self.scene)?;
+        let folder = self.out.clone().unwrap_or_else(|| solve::default_folder(&self.scene));
+        files::check(&folder)?;
         let mut progress = Progress::new(self.max_seconds);
         let study = converge(&scene, &budget, &mut progress)?;
         progress.end();
         let report = &study.report;
-        let folder = self.out.clone().unwrap_or_else(|| solve::default_folder(&self.scene));
         files::write(&folder, &study)?;
         match self.json {
             true => terminal::print(&report.to_json().map_err(Error::from)?)?,

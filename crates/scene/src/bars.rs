@@ -11,6 +11,7 @@
 use std::time::Instant;
 
 use oilwedge_fem::Field;
+use oilwedge_fem::field::Extremum;
 use oilwedge_reynolds::error_bar::{Bar, FilmError, FlowGoal, Value, film_error};
 use oilwedge_reynolds::quantities::pressure;
 use oilwedge_reynolds::{FilmSolution, FilmSystem};
@@ -206,11 +207,11 @@ impl Rules<'_> {
             "load_angle" | "attitude_angle" => across.scaled(1f64.to_degrees() / force),
             "load_coefficient" | "sommerfeld_number" => along.scaled(quantity.value / force),
             "pressure_integral" => error.pressure_integral(self.value),
-            "pressure_max" => plain(self.greatest(change)),
+            "pressure_max" => plain(self.extreme(change, |field| field.maximum())),
             "pressure_min" if self.film.cavity.contains(&true) => Bar::default(),
-            "pressure_min" => plain(change.max(1e-3 * self.greatest(change))),
+            "pressure_min" => plain(self.extreme(change, |field| field.minimum())),
             "viscosity_max" => plain(self.viscosity(quantity.value)),
-            "cavity_share" => plain(change + 0.25 * self.front_share()),
+            "cavity_share" => plain(change + 0.4 * self.front_share()),
             "side_flow" => self.flow(&FlowGoal::Ends, change)?,
             "cavity_flow" => self.cavity_flow(change)?,
             feed => self.flow(&FlowGoal::Feed(feed.strip_prefix("feed_flow.")?.to_owned()), change)?,
@@ -218,8 +219,8 @@ impl Rules<'_> {
         Some(bar)
     }
 
-    /// Bar [Pa] of the greatest pressure: how far the two films are apart in the triangles that hold their greatest values.
-    fn greatest(&self, change: f64) -> f64 {
+    /// Bar [Pa] of an extreme pressure: how far the two films are apart in the triangles that hold their extremes.
+    fn extreme(&self, change: f64, extremum: impl Fn(&Field) -> Extremum) -> f64 {
         let Study { problem, system, .. } = self.study;
         let quadratic = Field {
             space: system.space(),
@@ -239,10 +240,10 @@ impl Rules<'_> {
             };
             points.map(gap).fold(0.0, f64::max)
         };
-        let furthest = apart(quadratic.maximum().triangle).max(apart(cubic.maximum().triangle));
+        let furthest = apart(extremum(&quadratic).triangle).max(apart(extremum(&cubic).triangle));
         match self.value {
             Value::Quadratic => (1.25 * change).max(furthest),
-            Value::Cubic => (0.3 * change).max(0.4 * furthest),
+            Value::Cubic => (0.3 * change).max(0.5 * furthest),
         }
     }
 
@@ -255,7 +256,7 @@ impl Rules<'_> {
             (&self.study.system.enriched().system, self.cubic),
         ]
         .map(|(system, film)| pressure::extremes(problem, system, film).greatest);
-        let bar = self.greatest((cubic - quadratic).abs());
+        let bar = self.extreme((cubic - quadratic).abs(), |field| field.maximum());
         let above = (problem.viscosity_at(greatest + bar) - value).abs();
         above.max((problem.viscosity_at(greatest - bar) - value).abs())
     }

@@ -16,12 +16,7 @@ pub(crate) fn replace(dir: &Path, files: &[(&str, Option<&[u8]>)]) -> Result<(),
         let path = path.to_path_buf();
         move |source| WriteError::System { path, source }
     };
-    for (name, _) in files {
-        let path = dir.join(name);
-        if path.is_dir() {
-            return Err(WriteError::Folder { path });
-        }
-    }
+    check(dir, files.iter().map(|(name, _)| *name))?;
     fs::create_dir_all(dir).map_err(fail(dir))?;
     let beside = tempfile::Builder::new()
         .prefix(".oilwedge-")
@@ -55,6 +50,23 @@ pub(crate) fn replace(dir: &Path, files: &[(&str, Option<&[u8]>)]) -> Result<(),
         }
     }
     Ok(())
+}
+
+/// Whether files of these names may stand in the folder `dir`, as far as that can be told without writing.
+///
+/// # Errors
+/// [`WriteError`]: `dir` is no folder, or a folder stands in the place of a file.
+pub(crate) fn check<'a>(dir: &Path, mut names: impl Iterator<Item = &'a str>) -> Result<(), WriteError> {
+    if dir.exists() && !dir.is_dir() {
+        return Err(WriteError::System {
+            path: dir.to_path_buf(),
+            source: io::ErrorKind::NotADirectory.into(),
+        });
+    }
+    match names.find(|name| dir.join(name).is_dir()) {
+        Some(name) => Err(WriteError::Folder { path: dir.join(name) }),
+        None => Ok(()),
+    }
 }
 
 /// Puts back what stood there, or nothing. Of two refusals the first is told: it is the cause of this one.

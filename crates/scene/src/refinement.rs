@@ -28,6 +28,8 @@ const SHARE: f64 = 0.7;
 const SAFETY: f64 = 0.7;
 /// with at least and at most this many times the unknowns of the one before.
 const GROWTH: [f64; 2] = [1.4, 16.0];
+/// A mesh that was drawn finer and has not this many times the unknowns is bound by its features.
+const BOUND: f64 = 1.25;
 /// Growth where no bar can be trusted yet.
 const UNRESOLVED_GROWTH: f64 = 3.0;
 /// Seconds of a level grow like this power of the unknowns at most.
@@ -145,7 +147,9 @@ fn towards(scene: &Scene, targets: &[Target], options: &RunOptions) -> Result<An
                 });
             }
         }
-        next = match Next::refined(scene, &next, &study, &judged, growth) {
+        let bound =
+            matches!(&levels[..], [.., before, last] if (last.unknowns as f64) < BOUND * before.unknowns as f64);
+        next = match Next::refined(scene, &next, &study, &judged, growth, bound) {
             Ok(next) => next,
             Err(limit) => {
                 return Ok(Answer {
@@ -271,8 +275,16 @@ impl Next {
         }
     }
 
-    /// The mesh after that of `study`, or why it cannot be made.
-    fn refined(scene: &Scene, last: &Self, study: &Study, judged: &Judged, growth: f64) -> Result<Self, String> {
+    /// The mesh after that of `study`, or why it cannot be made. `bound` tells that drawing it finer made it hardly larger:
+    /// its sizes are those of holes and grooves.
+    fn refined(
+        scene: &Scene,
+        last: &Self,
+        study: &Study,
+        judged: &Judged,
+        growth: f64,
+        bound: bool,
+    ) -> Result<Self, String> {
         let mesh = study.system.space().mesh();
         let journal = &study.problem.journal;
         let near = match study.load {
@@ -284,7 +296,7 @@ impl Next {
         };
         // A mesh once divided at a front is as fine there as it must be: what is left is divided where it is too coarse.
         let fitted = matches!(last, Self::Divided(_, Refinement::Local, _));
-        let local = judged.indicator.as_ref().filter(|_| judged.at_front || fitted);
+        let local = judged.indicator.as_ref().filter(|_| judged.at_front || fitted || bound);
         let (divided, refinement) = match (local, last) {
             (Some(indicator), _) => (refine::local(mesh, &doerfler(indicator, SHARE)), Refinement::Local),
             (None, Self::Drawn(factor)) => return Ok(Self::Drawn(factor / growth.sqrt())),

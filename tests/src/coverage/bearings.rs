@@ -324,3 +324,35 @@ fn imported(name: String, number: u64) -> Bearing {
         table: edited,
     }
 }
+
+/// The shipped scenes as they are.
+pub fn shipped() -> Vec<Bearing> {
+    let folder = path("any").with_file_name("");
+    let mut names: Vec<String> = (std::fs::read_dir(folder).expect("scenes").flatten())
+        .filter_map(|entry| Some(entry.file_name().to_str()?.strip_suffix(".toml")?.to_owned()))
+        .collect();
+    names.sort();
+    let one = |name: String| {
+        let text = std::fs::read_to_string(path(&name)).expect("shipped scene");
+        let table: toml::Table = text.parse().expect("shipped scene is TOML");
+        let cavitation = table.get("cavitation").and_then(|cavitation| cavitation.get("model"));
+        let model = match cavitation.and_then(toml::Value::as_str) {
+            Some("reynolds") => "reynolds",
+            Some("jfo") => "jfo",
+            Some("guembel") => "guembel",
+            _ => "none",
+        };
+        let family = match (table.contains_key("load"), model) {
+            (_, "jfo") => Family::Conserving,
+            (true, _) => Family::Loaded,
+            _ => Family::Imported,
+        };
+        Bearing {
+            name,
+            family,
+            model,
+            table,
+        }
+    };
+    names.into_iter().map(one).collect()
+}

@@ -7,7 +7,11 @@ use crate::films::{Judged, answer, bar, constant, drawn, quantity, set};
 
 /// A smooth film on a mesh of this size [mm].
 fn ring(eccentricity: f64) -> impl Fn(f64) -> Scene {
-    move |size| drawn("09_drawn_ring", size, |scene| set(scene, "journal", "eccentricity", eccentricity))
+    move |size| {
+        drawn("09_drawn_ring", size, |scene| {
+            set(scene, "journal", "eccentricity", eccentricity)
+        })
+    }
 }
 
 fn hole_fed(eccentricity: f64) -> impl Fn(f64) -> Scene {
@@ -69,8 +73,11 @@ fn a_hole_fed_ring_is_known_to_a_millionth_on_less_than_3000_unknowns() {
 #[test]
 fn the_bars_of_a_report_hold() {
     let cavitated = |size| drawn("12_flexpde_shell_cavitated", size, |_| ());
-    let films: [(&dyn Fn(f64) -> Scene, [f64; 2]); 3] =
-        [(&ring(0.8), [6.0, 1.5]), (&hole_fed(0.6), [6.0, 1.5]), (&cavitated, [5.0, 0.9])];
+    let films: [(&dyn Fn(f64) -> Scene, [f64; 2]); 3] = [
+        (&ring(0.8), [6.0, 1.5]),
+        (&hole_fed(0.6), [6.0, 1.5]),
+        (&cavitated, [5.0, 0.9]),
+    ];
     for (scene, [coarse, fine]) in films {
         let [coarse, fine] = [coarse, fine].map(|size| answer(&scene(size), &RunOptions::default()));
         for found in &coarse.quantities {
@@ -78,7 +85,10 @@ fn the_bars_of_a_report_hold() {
             let exact = quantity(&fine, &found.name);
             let own = exact.error.unwrap_or_else(|| panic!("{} has no bar", found.name));
             let off = (value - exact.value).abs();
-            println!("{}: {} {value:e} ± {error:e}, off {off:e} ± {own:e}", coarse.title, found.name);
+            println!(
+                "{}: {} {value:e} ± {error:e}, off {off:e} ± {own:e}",
+                coarse.title, found.name
+            );
             // Rounding of numbers that are given.
             let rounding = 1e-9 * value.abs();
             assert!(off <= error + own + rounding, "{}: {off:e}, bar {error:e}", found.name);

@@ -8,12 +8,21 @@ use crate::films::{answer, bar, drawn, quantity, set};
 #[test]
 fn the_bars_of_a_mass_conserving_film_hold() {
     let ring = |size| {
-        drawn("13_grooved_ring", size, |scene| set(scene, "mesh", "size", format!("{size} mm")))
+        drawn("13_grooved_ring", size, |scene| {
+            set(scene, "mesh", "size", format!("{size} mm"))
+        })
     };
     let fine = answer(&ring(2.0), &RunOptions::default());
     for size in [8.0, 5.0] {
         let coarse = answer(&ring(size), &RunOptions::default());
-        for name in ["load", "load_x", "load_y", "attitude_angle", "pressure_max", "side_flow"] {
+        for name in [
+            "load",
+            "load_x",
+            "load_y",
+            "attitude_angle",
+            "pressure_max",
+            "side_flow",
+        ] {
             let (value, error) = bar(&coarse, name);
             let off = (value - quantity(&fine, name).value).abs();
             let own = quantity(&fine, name).error.expect("a bar");

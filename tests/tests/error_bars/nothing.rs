@@ -18,7 +18,11 @@ fn without_bars_nothing_is_estimated_and_nothing_is_done() {
         assert!(!result.bars && result.levels.is_empty() && result.counts.bars == 0);
         assert!(result.timing_s.iter().all(|(part, _)| part != "bars"));
         for quantity in &result.quantities {
-            assert!(quantity.error.is_none() && quantity.error_parts.is_none(), "{}", quantity.name);
+            assert!(
+                quantity.error.is_none() && quantity.error_parts.is_none(),
+                "{}",
+                quantity.name
+            );
         }
     }
 }
@@ -39,7 +43,10 @@ fn every_quantity_has_a_bar() {
         let result = answer(&variant(name, |_| ()), &RunOptions::default());
         assert!(result.bars && result.counts.bars > 0);
         for quantity in &result.quantities {
-            let (error, parts) = quantity.error.zip(quantity.error_parts).unwrap_or_else(|| panic!("{name}: {}", quantity.name));
+            let (error, parts) = quantity
+                .error
+                .zip(quantity.error_parts)
+                .unwrap_or_else(|| panic!("{name}: {}", quantity.name));
             assert_eq!(error, parts.sum(), "{name}: {}", quantity.name);
             assert!(error >= 0.0);
         }
@@ -62,8 +69,13 @@ fn a_film_of_nothing_is_certain() {
             );
             assert!(result.levels.len() <= 1, "{scene} {model:?}: {:?}", result.levels);
             for quantity in &result.quantities {
-                println!("{scene} {model:?} {}: {:e} {:?}", quantity.name, quantity.value, quantity.error);
-                let error = quantity.error.unwrap_or_else(|| panic!("{scene} {model:?}: {}", quantity.name));
+                println!(
+                    "{scene} {model:?} {}: {:e} {:?}",
+                    quantity.name, quantity.value, quantity.error
+                );
+                let error = quantity
+                    .error
+                    .unwrap_or_else(|| panic!("{scene} {model:?}: {}", quantity.name));
                 let scale = match quantity.unit.as_str() {
                     "N" => 1e4,
                     "Pa" => 1e6,

@@ -40,7 +40,9 @@ fn chords() -> Judged {
 #[test]
 fn a_straight_rim_raises_the_geometry_part() {
     let straight = chords();
-    let exact = Judged::of_scene(&drawn("04_flexpde_ring", 2.5, constant)).cubic_load().total;
+    let exact = Judged::of_scene(&drawn("04_flexpde_ring", 2.5, constant))
+        .cubic_load()
+        .total;
     let found = straight.cubic_load().total;
     let wanted = [
         exact.force[0] - found.force[0],
@@ -50,7 +52,11 @@ fn a_straight_rim_raises_the_geometry_part() {
     let size = wanted[0].hypot(wanted[1]);
     for (goal, wanted) in straight.error.goals[..2].iter().zip(wanted) {
         println!("{:e} {wanted:e}", goal.geometry);
-        assert!((goal.geometry - wanted).abs() < 0.1 * size, "{:e} {wanted:e}", goal.geometry);
+        assert!(
+            (goal.geometry - wanted).abs() < 0.1 * size,
+            "{:e} {wanted:e}",
+            goal.geometry
+        );
     }
     // With the key `hole` the same triangles have a round rim.
     let round = Judged::of_scene(&variant("04_flexpde_ring", |scene| {

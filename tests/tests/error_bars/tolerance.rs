@@ -11,8 +11,14 @@ use crate::films::{NO_BARS, answer, bar, quantity, set};
 fn a_tolerance_is_met_by_the_bars() {
     for (name, asked) in [
         ("09_drawn_ring", "{ load = \"0.01 %\", pressure_max = \"0.1 %\" }"),
-        ("02_flexpde_shell", "{ load = \"0.0005 %\", attitude_angle = \"0.001 %\" }"),
-        ("12_flexpde_shell_cavitated", "{ load = \"0.02 %\", side_flow = \"1 %\" }"),
+        (
+            "02_flexpde_shell",
+            "{ load = \"0.0005 %\", attitude_angle = \"0.001 %\" }",
+        ),
+        (
+            "12_flexpde_shell_cavitated",
+            "{ load = \"0.02 %\", side_flow = \"1 %\" }",
+        ),
         ("16_loaded_shell", "{ eccentricity = \"0.01 %\" }"),
     ] {
         let tolerance: toml::Table = format!("tolerance = {asked}").parse().expect("TOML");
@@ -23,10 +29,21 @@ fn a_tolerance_is_met_by_the_bars() {
         let targets = tolerance["tolerance"].as_table().expect("a table");
         let last = result.levels.last().expect("a level");
         for (name, relative) in targets {
-            let relative: f64 = relative.as_str().and_then(|it| it.strip_suffix(" %")?.parse().ok()).expect("a percentage");
+            let relative: f64 = relative
+                .as_str()
+                .and_then(|it| it.strip_suffix(" %")?.parse().ok())
+                .expect("a percentage");
             let (value, error) = bar(&result, name);
-            let size = if name.ends_with("angle") { 1f64.to_degrees() } else { value.abs() };
-            println!("{}: {} levels, {name} {value:e} ± {error:e}", result.title, result.levels.len());
+            let size = if name.ends_with("angle") {
+                1f64.to_degrees()
+            } else {
+                value.abs()
+            };
+            println!(
+                "{}: {} levels, {name} {value:e} ± {error:e}",
+                result.title,
+                result.levels.len()
+            );
             assert!(error <= 0.01 * relative * size, "{name}: {error:e}");
             let told = last.errors.iter().find(|(told, _)| told == name).expect("its bar");
             assert_eq!(told.1, error);
@@ -53,7 +70,9 @@ fn half_a_percent_is_what_is_meant() {
 
 #[test]
 fn a_limit_that_is_reached_is_told_with_the_best_numbers() {
-    let scene = variant("12_flexpde_shell_cavitated", |scene| set(scene, "mesh", "tolerance", "0.00001 %"));
+    let scene = variant("12_flexpde_shell_cavitated", |scene| {
+        set(scene, "mesh", "tolerance", "0.00001 %")
+    });
     for options in [
         RunOptions {
             max_unknowns: 10_000,
@@ -68,10 +87,18 @@ fn a_limit_that_is_reached_is_told_with_the_best_numbers() {
         assert_eq!(result.status, Status::NotConverged);
         let reason = result.reason.as_deref().expect("a reason");
         assert!(reason.starts_with("limit: "), "{reason}");
-        let flag = if options.max_unknowns < 1_000_000 { "--max-unknowns" } else { "--max-seconds" };
+        let flag = if options.max_unknowns < 1_000_000 {
+            "--max-unknowns"
+        } else {
+            "--max-seconds"
+        };
         assert!(reason.contains(flag), "{reason}");
         assert!(quantity(&result, "load").error.is_some() && !result.levels.is_empty());
-        assert!(result.levels.iter().all(|level| level.unknowns <= options.max_unknowns), "{:?}", result.levels);
+        assert!(
+            result.levels.iter().all(|level| level.unknowns <= options.max_unknowns),
+            "{:?}",
+            result.levels
+        );
         assert!(result.mesh.nodes > 0 && result.to_json().is_ok());
     }
 }
@@ -88,7 +115,11 @@ fn no_mesh_has_more_unknowns_than_allowed() {
             };
             let result = run(&scene, &options).expect("a mesh").result;
             let most = result.levels.iter().map(|level| level.unknowns).max();
-            assert!(most <= Some(max_unknowns), "{tolerance}, {max_unknowns}: {:?}", result.levels);
+            assert!(
+                most <= Some(max_unknowns),
+                "{tolerance}, {max_unknowns}: {:?}",
+                result.levels
+            );
         }
     }
 }
@@ -99,11 +130,18 @@ fn the_program_ends_with_one_where_a_limit_left_a_tolerance_unmet() {
     let text = std::fs::read_to_string(path("09_drawn_ring")).expect("scene 09");
     let text = format!("{text}\n[mesh]\ntolerance = \"0.000001 %\"\n");
     std::fs::write(folder.path().join("scene.toml"), text).expect("a scene");
-    let told = oilwedge(folder.path(), &["solve", "scene.toml", "--json", "--max-unknowns", "3000"]);
+    let told = oilwedge(
+        folder.path(),
+        &["solve", "scene.toml", "--json", "--max-unknowns", "3000"],
+    );
     assert_eq!(told.status.code(), Some(1));
     let result: serde_json::Value = serde_json::from_slice(&told.stdout).expect("JSON");
     assert_eq!(result["status"], "not_converged");
-    assert!(result["reason"].as_str().is_some_and(|reason| reason.starts_with("limit: ")));
+    assert!(
+        result["reason"]
+            .as_str()
+            .is_some_and(|reason| reason.starts_with("limit: "))
+    );
     assert!(result["quantities"]["load"]["error"].is_f64());
 }
 
@@ -115,11 +153,23 @@ fn the_edge_of_a_cavity_is_refined_where_it_dominates() {
         set(scene, "journal", "eccentricity", 0.9);
     });
     let result = answer(&scene, &RunOptions::default());
-    let levels: Vec<_> = result.levels.iter().map(|level| (level.unknowns, level.refinement, &level.errors)).collect();
+    let levels: Vec<_> = result
+        .levels
+        .iter()
+        .map(|level| (level.unknowns, level.refinement, &level.errors))
+        .collect();
     println!("{levels:?}");
-    let local = result.levels.windows(2).filter(|pair| pair[1].refinement == Refinement::Local);
-    let growths: Vec<f64> = local.map(|pair| pair[1].unknowns as f64 / pair[0].unknowns as f64).collect();
-    assert!(!growths.is_empty() && growths.iter().all(|growth| *growth < 3.0), "{growths:?}");
+    let local = result
+        .levels
+        .windows(2)
+        .filter(|pair| pair[1].refinement == Refinement::Local);
+    let growths: Vec<f64> = local
+        .map(|pair| pair[1].unknowns as f64 / pair[0].unknowns as f64)
+        .collect();
+    assert!(
+        !growths.is_empty() && growths.iter().all(|growth| *growth < 3.0),
+        "{growths:?}"
+    );
     let (load, error) = bar(&result, "load");
     assert!(error < 1e-4 * load);
 }

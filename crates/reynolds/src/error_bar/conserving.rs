@@ -6,7 +6,7 @@
 //! bar of Int p w dA = c Int d |w| dA + Sum |w s|
 //! ```
 //! Of second order the error at a node is a third of d, here without its sign, since signs change from mesh to mesh: c is a
-//! little more than a third. Flows are judged by their own differences `Q - Q_2h`, all of them and what the cavity carries;
+//! little more than a third. Flows are judged by their own differences `Q - Q_2h` and by that of what the cavity carries,
 //! the extent of the cavity by how much of the mesh its edge takes up.
 //!
 //! | symbol | unit | code |
@@ -28,16 +28,15 @@ use crate::supply::Place;
 use crate::{FilmProblem, FilmSolution, FilmSystem};
 
 /// c: of the difference of pressures, under an integral.
-const OF_PRESSURE: f64 = 0.42;
+const OF_PRESSURE: f64 = 0.46;
 /// Of the difference where the pressure is greatest, and of the greatest difference.
 const AT_TOP: f64 = 0.33;
 const ANYWHERE: f64 = 0.1;
-/// Of the difference of a flow, and of those of all flows together.
-const OF_FLOW: f64 = 0.5;
-const OF_ALL_FLOWS: f64 = 0.2;
+/// Of the difference of a flow.
+const OF_FLOW: f64 = 0.9;
 /// Of delta times what passes through a region, at ends and elsewhere.
-const CARRIED_TO_ENDS: f64 = 0.5;
-const CARRIED_ELSEWHERE: f64 = 0.25;
+const CARRIED_TO_ENDS: f64 = 0.65;
+const CARRIED_ELSEWHERE: f64 = 0.3;
 /// Of beta and delta, in the share of the cavity.
 const OF_FRONT: f64 = 0.35;
 const OF_CARRIED: f64 = 0.7;
@@ -255,13 +254,12 @@ fn flow_bars(system: &FilmSystem, flows: &Flows, others: &Flows, carried: f64) -
             .iter()
             .zip(flows.regions.iter().zip(&others.regions))
     };
-    let all: f64 = pairs().map(|(_, (flow, other))| (flow.net - other.net).abs()).sum();
     let bar = |difference: f64, passing: f64, place: Place| {
         let by_carried = match place {
             Place::End => CARRIED_TO_ENDS,
             Place::Line | Place::Feed => CARRIED_ELSEWHERE,
         };
-        OF_FLOW * difference.abs() + OF_ALL_FLOWS * all + by_carried * carried * passing
+        OF_FLOW * difference.abs() + by_carried * carried * passing
     };
     let each =
         pairs().map(|(region, (flow, other))| bar(flow.net - other.net, flow.inward + flow.outward, region.place));

@@ -10,7 +10,7 @@ use oilwedge_fem::prolongation::Hierarchical;
 use oilwedge_fem::{Error, Field, Matrix, Quadrature, lagrange};
 
 use super::{FilmError, FlowGoal, GoalError, geometry};
-use crate::quantities::load::load as load_of;
+use crate::quantities::load::{KINK_QUARTERINGS, load as load_of};
 use crate::supply::{Place, SupplyRegion};
 use crate::{FilmProblem, FilmSolution, FilmSystem, Form};
 
@@ -139,18 +139,20 @@ fn shared(a: &[f64], b: &[f64], system: &FilmSystem) -> Vec<f64> {
 fn goal_vectors(problem: &FilmProblem, cubic: &FilmSystem, better: &[f64], raised: &[f64]) -> [Vec<f64>; 3] {
     let space = cubic.space();
     let rule = Quadrature::for_degree(space.degree());
-    let shapes: Vec<[f64; lagrange::MOST_SHAPES]> = (rule.points.iter())
-        .map(|&point| {
-            let mut values = [0.0; lagrange::MOST_SHAPES];
-            lagrange::values(space.degree(), point, &mut values);
-            values
-        })
-        .collect();
+    let fine = rule.quartered(KINK_QUARTERINGS);
+    let [plain_shapes, fine_shapes] = [&rule, &fine].map(|rule| shapes(space.degree(), rule));
+    let kink = problem.cavitation.kink().map(|p| problem.unknown_at(p));
     let mut goals = [0, 1, 2].map(|_| vec![0.0; space.dofs()]);
     for t in 0..space.mesh().triangles().len() {
         let mapping = Mapping::of(space.mesh(), t);
         let dofs = space.element_dofs(t);
         let [p3, p2] = [better, raised].map(|values| Field { space, values }.element_values(t));
+        let values = [&p3, &p2].map(|nodal| &nodal[..space.shapes()]).concat();
+        let kinked = kink.is_some_and(|kink| values.iter().any(|&u| u < kink) && values.iter().any(|&u| u > kink));
+        let (rule, shapes) = match kinked {
+            true => (&fine, &fine_shapes),
+            false => (&rule, &plain_shapes),
+        };
         for (shapes, (&point, weight)) in shapes.iter().zip(rule.points.iter().zip(&rule.weights)) {
             let place = mapping.at(point);
             let at =
@@ -165,6 +167,16 @@ fn goal_vectors(problem: &FilmProblem, cubic: &FilmSystem, better: &[f64], raise
         }
     }
     goals
+}
+
+/// Values of the functions at the points of a rule.
+fn shapes(degree: usize, rule: &Quadrature) -> Vec<[f64; lagrange::MOST_SHAPES]> {
+    let at = |&point: &[f64; 2]| {
+        let mut values = [0.0; lagrange::MOST_SHAPES];
+        lagrange::values(degree, point, &mut values);
+        values
+    };
+    rule.points.iter().map(at).collect()
 }
 
 /// Slope of the pressure that the film exerts, between two values of the unknown.

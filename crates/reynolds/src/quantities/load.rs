@@ -26,7 +26,7 @@ use crate::{FilmProblem, FilmSolution, FilmSystem};
 /// Cells that one task sums; fixed, so that threads do not change a bit.
 const CELLS_A_TASK: usize = 2048;
 /// Cells through which a kink of the effective pressure runs are quartered this many times.
-const KINK_QUARTERINGS: usize = 4;
+pub(crate) const KINK_QUARTERINGS: usize = 4;
 
 /// Integrals over a part of the developed surface.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]

@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 /// What a level is expected to take, over what it was predicted to: machines are shared, and bad luck is no excuse.
-const CAUTION: f64 = 1.5;
+const CAUTION: f64 = 1.25;
 /// Part of the time, and most seconds of it, that is kept for drawing and writing.
 const KEPT: (f64, f64) = (0.1, 1.0);
 /// Part of the time that may go into repeating one level.
@@ -63,7 +63,7 @@ mod tests {
     #[test]
     fn what_would_not_end_in_time_does_not_fit() {
         let budget = Budget::seconds(100.0);
-        assert!(budget.fits(60.0) && !budget.fits(70.0));
+        assert!(budget.fits(75.0) && !budget.fits(82.0));
         assert!(budget.left() < 99.0 && budget.spent() < 50.0);
         assert_eq!(Budget::seconds(0.0).left(), 0.0);
         assert!(!Budget::seconds(0.0).fits(0.0));

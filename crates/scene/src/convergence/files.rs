@@ -3,12 +3,20 @@
 use std::path::Path;
 
 use super::{Convergence, csv};
-use crate::folder::replace;
+use crate::folder;
 use crate::plot;
 use crate::run::Error;
 
 /// The files of a study; the numbers for scripts come last, so they are the sign that all are there.
 pub const FILES: [&str; 4] = ["converge.csv", "converge.svg", "converge.png", "converge.json"];
+
+/// Whether the files of a study may stand in the folder `dir`: better asked before the study than after it.
+///
+/// # Errors
+/// `dir` is no folder, or a folder stands in the place of a file.
+pub fn check(dir: &Path) -> Result<(), Error> {
+    Ok(folder::check(dir, FILES.into_iter())?)
+}
 
 /// Writes the files of a study into the folder `dir`, which is made if need be. Those of an earlier study are replaced;
 /// where there are no levels only `converge.json` is written, and the others of an earlier study are removed.
@@ -31,5 +39,5 @@ pub fn write(dir: &Path, study: &Convergence) -> Result<(), Error> {
         (png_file, png.as_deref()),
         (json_file, Some(json.as_bytes())),
     ];
-    Ok(replace(dir, &files)?)
+    Ok(folder::replace(dir, &files)?)
 }
