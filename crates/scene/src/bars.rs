@@ -89,7 +89,7 @@ fn judge_by_cubic(study: &Study, solved: &Solved, cubic: &FilmSolution) -> Judge
         let across = error.across(Value::Cubic);
         position_bars(study, &solved.film, balance, [load.total(), across.total()], &before)
     });
-    for (k, quantity) in list.iter_mut().enumerate() {
+    for quantity in &mut list {
         let own = match (&solved.balance, error.is_resolved()) {
             (Some(balance), true) => balanced(quantity, balance),
             _ => None,
@@ -97,7 +97,10 @@ fn judge_by_cubic(study: &Study, solved: &Solved, cubic: &FilmSolution) -> Judge
         let before = before.iter().find(|other| other.name == quantity.name);
         let bar = own.or_else(|| {
             let bar = rules.bar(quantity, before?)?;
-            let position = moved.as_ref().map_or(0.0, |moved| moved[k]);
+            let position = match &moved {
+                Some(moved) => *moved.get(&quantity.name)?,
+                None => 0.0,
+            };
             Some(Bar { position, ..bar })
         });
         set(quantity, bar);
@@ -154,6 +157,11 @@ pub(crate) fn set(quantity: &mut Quantity, bar: Option<Bar>) {
 /// The bar of what a load fixes: how far it is from balanced. None for what it does not fix.
 pub(crate) fn balanced(quantity: &Quantity, balance: &Balance) -> Option<Bar> {
     let unbalanced = match quantity.name.as_str() {
+        // No load: what there is of one is off.
+        "load" | "load_x" | "load_y" | "load_coefficient" | "sommerfeld_number" if balance.load == 0.0 => {
+            quantity.value.abs()
+        }
+        "load_angle" if balance.load == 0.0 => 180.0,
         "load" | "load_coefficient" | "sommerfeld_number" => balance.residual * quantity.value.abs(),
         "load_x" | "load_y" => balance.residual * balance.load,
         "load_angle" => balance.residual.to_degrees(),
@@ -200,7 +208,13 @@ impl Rules<'_> {
         let (along, across) = (error.load(self.value), error.across(self.value));
         let [x, y] = error.force;
         let force = x.hypot(y);
+        // A load that cannot be told from none has no direction along which or across which it may be off.
+        let vanishes = along.total() + across.total() >= force;
         let bar = match name {
+            "load" | "load_x" | "load_y" if vanishes => along + across,
+            "load_angle" | "attitude_angle" if vanishes => plain(180.0),
+            "load_coefficient" | "sommerfeld_number" if force == 0.0 => Bar::default(),
+            "load_coefficient" | "sommerfeld_number" if vanishes => (along + across).scaled(quantity.value / force),
             "load" => along,
             "load_x" => along.scaled(x / force) + across.scaled(y / force),
             "load_y" => along.scaled(y / force) + across.scaled(x / force),

@@ -21,7 +21,7 @@
 
 use oilwedge_fem::control_volumes::sub_triangles;
 
-use super::{Bar, UNRESOLVED};
+use super::{Bar, CANCELLING, UNRESOLVED};
 use crate::quantities::flow::{self, Flows};
 use crate::quantities::load;
 use crate::supply::Place;
@@ -120,8 +120,10 @@ pub fn conserving_error(
         carried,
     );
     let load = sum(&along);
+    let excess = |p: f64, &other: &f64| p.max((other - problem.bearing.end_pressure).abs());
+    let possible = load::possible_load(problem, pair.pressure.iter().fold(0.0, excess));
     Some(ConservingError {
-        is_resolved: load.total() <= UNRESOLVED * total.magnitude(),
+        is_resolved: load.total() <= UNRESOLVED * total.magnitude().max(CANCELLING * possible),
         load,
         across: sum(&across),
         force: [sum(&pair.shares(f64::cos)), sum(&pair.shares(f64::sin))],

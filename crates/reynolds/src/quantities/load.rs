@@ -80,6 +80,15 @@ pub fn load(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> 
     Load { total, cut_out }
 }
 
+/// Load [N] of a film whose pressure differs by `excess` [Pa] from that of the ends all over one side: what loads are small
+/// against. At least what is rounding against drag.
+pub fn possible_load(problem: &FilmProblem, excess: f64) -> f64 {
+    const ROUNDING: f64 = 1e-6;
+    let bearing = &problem.bearing;
+    let drag = problem.lubricant.viscosity * problem.journal.speed.abs() * (bearing.radius / bearing.clearance).powi(2);
+    excess.max(ROUNDING * drag) * 2.0 * bearing.radius * bearing.length
+}
+
 /// First-order change of the load [N] where the unknown changes by `change` at each dof; regions cut out keep their
 /// pressure.
 pub fn load_change(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, change: &[f64]) -> [f64; 2] {
