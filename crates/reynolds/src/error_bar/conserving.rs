@@ -30,25 +30,26 @@ use crate::supply::Place;
 use crate::{FilmProblem, FilmSolution, FilmSystem};
 
 /// c: of the difference of pressures, under an integral.
-const OF_PRESSURE: f64 = 0.4;
+const OF_PRESSURE: f64 = 0.36;
 /// chi_1: where bars of the load double.
-const DOUBTFUL: f64 = 0.02;
+const DOUBTFUL: f64 = 0.015;
 /// Of the difference where the pressure is greatest, and of the greatest difference.
 const AT_TOP: f64 = 0.33;
 const ANYWHERE: f64 = 0.1;
 /// Of the difference of a flow.
-const OF_FLOW: f64 = 0.9;
+const OF_FLOW: f64 = 1.0;
 /// Of delta times what passes through a region, at ends and elsewhere.
-const CARRIED_TO_ENDS: f64 = 0.65;
-const CARRIED_ELSEWHERE: f64 = 0.3;
-/// Of beta and delta, in the share of the cavity.
+const CARRIED_TO_ENDS: f64 = 0.8;
+const CARRIED_ELSEWHERE: f64 = 0.4;
+/// Of beta, delta and chi, in the share of the cavity.
 const OF_FRONT: f64 = 0.35;
-const OF_CARRIED: f64 = 0.7;
+const OF_CARRIED: f64 = 0.5;
+const OF_DOUBT: f64 = 0.5;
 /// In the least film fraction: of the greatest difference where there is least oil, in that part of the cavity, and of beta;
 /// the bar ends at zero oil, but not below the last.
-const LEAST_OIL: f64 = 0.75;
+const LEAST_OIL: f64 = 0.9;
 const LEAST_PART: f64 = 0.1;
-const LEAST_FRONT: f64 = 0.25;
+const LEAST_FRONT: f64 = 0.3;
 const LEAST_BAR: f64 = 0.03;
 
 /// What is known of the errors of a mass-conserving film; each number is half the width of a bar.
@@ -114,7 +115,8 @@ pub fn conserving_error(
     let in_doubt: Vec<bool> = (pair.vertices().zip(&companion.cavity))
         .map(|(dof, &other)| film.cavity[dof] != other)
         .collect();
-    let doubt = 1.0 + pair.mean(|vertex| f64::from(u8::from(in_doubt[vertex]))) / DOUBTFUL;
+    let doubt = pair.mean(|vertex| f64::from(u8::from(in_doubt[vertex])));
+    let widened = 1.0 + doubt / DOUBTFUL;
     let carried = pair.mean(|vertex| (fractions[vertex][0] - fractions[vertex][1]).abs());
     let in_both: Vec<[f64; 2]> = (pair.vertices().enumerate())
         .filter(|&(vertex, dof)| film.cavity[dof] && companion.cavity[vertex])
@@ -131,7 +133,7 @@ pub fn conserving_error(
         shares
             .iter()
             .fold(Bar::default(), |sum, &share| sum + share)
-            .scaled(doubt)
+            .scaled(widened)
     };
     let load = bar(&along);
     Some(ConservingError {
@@ -143,10 +145,10 @@ pub fn conserving_error(
         greatest_pressure: pair.greatest_pressure(),
         flows,
         side_flow,
-        cavity_share: OF_FRONT * front + OF_CARRIED * carried,
+        cavity_share: OF_FRONT * front + OF_CARRIED * carried + OF_DOUBT * doubt,
         least_fraction: (LEAST_OIL * where_least(in_both) + LEAST_FRONT * front).min(least.max(LEAST_BAR)),
         indicator: (along.iter().zip(&across))
-            .map(|(along, across)| doubt * along.total().max(across.total()))
+            .map(|(along, across)| widened * along.total().max(across.total()))
             .collect(),
     })
 }
