@@ -26,10 +26,7 @@ pub(crate) fn judge(study: &Study, solved: &Solved, companion: &FilmSolution) ->
         position_bars(study, &solved.film, balance, bars, &list)
     });
     for quantity in &mut list {
-        let own = match (&solved.balance, error.is_resolved) {
-            (Some(balance), true) => balanced(quantity, balance),
-            _ => None,
-        };
+        let own = solved.balance.as_ref().and_then(|balance| balanced(quantity, balance));
         let bar = own.or_else(|| {
             let bar = bar(study, quantity, &error, &measured)?;
             let position = moved.as_ref().map_or(0.0, |moved| moved[&quantity.name]);
@@ -50,16 +47,20 @@ fn bar(study: &Study, quantity: &Quantity, error: &ConservingError, measured: &M
         discretisation,
         ..Bar::default()
     };
-    if matches!(name, "eccentricity" | "min_film_angle" | "film_thickness_min") || is_cut_out(name) {
+    let of_position = matches!(name, "eccentricity" | "min_film_angle" | "film_thickness_min");
+    if is_cut_out(name) || (of_position && study.load.is_none()) {
         return Some(Bar::default());
     }
     if !error.is_resolved {
         return None;
     }
-    let force = measured.load.magnitude();
+    if of_position {
+        return Some(Bar::default());
+    }
+    let force = measured.load.magnitude().max(f64::MIN_POSITIVE);
     Some(match name {
-        "load_angle" | "attitude_angle" if error.across.total() > force => plain(180.0),
-        "load_coefficient" | "sommerfeld_number" if force == 0.0 => Bar::default(),
+        // A load that cannot be told from none may have any direction.
+        "load_angle" | "attitude_angle" if error.across.total() >= force => plain(180.0),
         "load" => error.load,
         "load_x" => error.force[0],
         "load_y" => error.force[1],

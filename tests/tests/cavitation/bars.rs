@@ -22,7 +22,8 @@ fn bars(study: &Study, film: &FilmSolution) -> ConservingError {
         .companion(system, film)
         .unwrap_or_else(|reason| panic!("{reason}"));
     let bars = conserving_error(problem, system, film, &companion).expect("a mass-conserving film");
-    assert!(bars.indicator.iter().sum::<f64>() >= bars.load.total().max(bars.across.total()));
+    let greatest = bars.load.total().max(bars.across.total());
+    assert!(bars.indicator.iter().sum::<f64>() > (1.0 - 1e-12) * greatest);
     bars
 }
 
