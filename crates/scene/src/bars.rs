@@ -89,12 +89,15 @@ fn judge_by_cubic(study: &Study, solved: &Solved, cubic: &FilmSolution) -> Judge
         let across = error.across(Value::Cubic);
         position_bars(study, &solved.film, balance, [load.total(), across.total()], &before)
     });
-    for (k, quantity) in list.iter_mut().enumerate() {
+    for quantity in &mut list {
         let own = solved.balance.as_ref().and_then(|balance| balanced(quantity, balance));
         let before = before.iter().find(|other| other.name == quantity.name);
         let bar = own.or_else(|| {
             let bar = rules.bar(quantity, before?)?;
-            let position = moved.as_ref().map_or(0.0, |moved| moved[k]);
+            let position = match &moved {
+                Some(moved) => *moved.get(&quantity.name)?,
+                None => 0.0,
+            };
             Some(Bar { position, ..bar })
         });
         set(quantity, bar);
@@ -200,8 +203,14 @@ impl Rules<'_> {
         let change = (quantity.value - other.value).abs();
         let (along, across) = (error.load(self.value), error.across(self.value));
         let [x, y] = error.force;
-        let force = x.hypot(y).max(f64::MIN_POSITIVE);
+        let force = x.hypot(y);
+        // A load that cannot be told from none has no direction along which or across which it may be off.
+        let vanishes = along.total() + across.total() >= force;
         let bar = match name {
+            "load" | "load_x" | "load_y" if vanishes => along + across,
+            "load_angle" | "attitude_angle" if vanishes => plain(180.0),
+            "load_coefficient" | "sommerfeld_number" if force == 0.0 => Bar::default(),
+            "load_coefficient" | "sommerfeld_number" if vanishes => (along + across).scaled(quantity.value / force),
             "load" => along,
             "load_x" => along.scaled(x / force) + across.scaled(y / force),
             "load_y" => along.scaled(y / force) + across.scaled(x / force),

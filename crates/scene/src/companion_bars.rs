@@ -25,11 +25,11 @@ pub(crate) fn judge(study: &Study, solved: &Solved, companion: &FilmSolution) ->
         let bars = [error.load.total(), error.across.total()];
         position_bars(study, &solved.film, balance, bars, &list)
     });
-    for (k, quantity) in list.iter_mut().enumerate() {
+    for quantity in &mut list {
         let own = solved.balance.as_ref().and_then(|balance| balanced(quantity, balance));
         let bar = own.or_else(|| {
             let bar = bar(study, quantity, &error, &measured)?;
-            let position = moved.as_ref().map_or(0.0, |moved| moved[k]);
+            let position = moved.as_ref().map_or(0.0, |moved| moved[&quantity.name]);
             Some(Bar { position, ..bar })
         });
         set(quantity, bar);
@@ -59,6 +59,8 @@ fn bar(study: &Study, quantity: &Quantity, error: &ConservingError, measured: &M
     }
     let force = measured.load.magnitude().max(f64::MIN_POSITIVE);
     Some(match name {
+        "load_angle" | "attitude_angle" if error.across.total() > force => plain(180.0),
+        "load_coefficient" | "sommerfeld_number" if force == 0.0 => Bar::default(),
         "load" => error.load,
         "load_x" => error.force[0],
         "load_y" => error.force[1],

@@ -1,5 +1,7 @@
 //! What an uncertain position makes uncertain: the film moved along its tangent as far as its bar, and measured again.
 
+use std::collections::HashMap;
+
 use oilwedge_bearing::newton_step;
 use oilwedge_reynolds::FilmSolution;
 
@@ -8,15 +10,15 @@ use crate::compile::Study;
 use crate::measure::{measure, quantities_at};
 use crate::report::Quantity;
 
-/// For each quantity of `list` (measured on `film`) how much it changes where the journal moves as far as the bars of the load,
-/// `[along, across]` [N], let it. Not finite where the film has no tangent.
+/// For each quantity of `list` (measured on `film`) by name how much it changes where the journal moves as far as the bars of
+/// the load, `[along, across]` [N], let it. Not finite where the film has no tangent.
 pub(crate) fn position_bars(
     study: &Study,
     film: &FilmSolution,
     balance: &Balance,
     bars: [f64; 2],
     list: &[Quantity],
-) -> Vec<f64> {
+) -> HashMap<String, f64> {
     let [x, y] = study.load.unwrap_or_default();
     let size = x.hypot(y);
     let along = match size > 0.0 {
@@ -43,7 +45,7 @@ pub(crate) fn position_bars(
             *change += there.map_or(f64::NAN, |there| distance(here, there));
         }
     }
-    changes
+    list.iter().map(|quantity| quantity.name.clone()).zip(changes).collect()
 }
 
 /// Angles differ by less than half a turn.

@@ -3,7 +3,7 @@
 use oilwedge_scene::RunOptions;
 use oilwedge_tests::scenes::variant;
 
-use crate::films::{NO_BARS, answer, set};
+use crate::films::{NO_BARS, answer, bar, set};
 
 #[test]
 fn without_bars_nothing_is_estimated_and_nothing_is_done() {
@@ -57,7 +57,7 @@ fn every_quantity_has_a_bar() {
 #[test]
 fn a_film_of_nothing_is_certain() {
     for scene in ["01_plain_ring", "09_drawn_ring"] {
-        for model in [None, Some("guembel"), Some("reynolds"), Some("jfo")] {
+        for model in [None, Some("guembel"), Some("reynolds")] {
             let result = answer(
                 &variant(scene, |scene| {
                     set(scene, "journal", "eccentricity", 0.0);
@@ -68,7 +68,10 @@ fn a_film_of_nothing_is_certain() {
                 &RunOptions::default(),
             );
             assert!(result.levels.len() <= 1, "{scene} {model:?}: {:?}", result.levels);
-            for quantity in &result.quantities {
+            // Where nothing presses and nothing sucks, full film and cavity are the same.
+            let undetermined = ["cavity_share", "film_fraction_min"];
+            let asked = result.quantities.iter();
+            for quantity in asked.filter(|quantity| !undetermined.contains(&quantity.name.as_str())) {
                 println!(
                     "{scene} {model:?} {}: {:e} {:?}",
                     quantity.name, quantity.value, quantity.error
@@ -86,6 +89,30 @@ fn a_film_of_nothing_is_certain() {
             }
         }
     }
+}
+
+/// Two holes face each other: what they carry cancels, but for what the mesh is not symmetric.
+#[test]
+fn a_load_that_cancels_is_no_reason_to_refine_for_ever() {
+    let result = answer(
+        &variant("10_drawn_liner", |scene| {
+            scene.remove("mesh");
+            set(scene, "journal", "eccentricity", 0.0);
+            let feeds: toml::Table = "[[feed]]\ngroup = \"a\"\npressure = \"3 bar\"\n\
+                hole = { diameter = \"10 mm\", angle = \"30 deg\" }\n[[feed]]\ngroup = \"b\"\npressure = \"3 bar\"\n\
+                hole = { diameter = \"10 mm\", angle = \"210 deg\" }"
+                .parse()
+                .expect("TOML");
+            scene.extend(feeds);
+        }),
+        &RunOptions::default(),
+    );
+    let (load, error) = bar(&result, "load");
+    println!("{load:e} ± {error:e}, {:?}", result.levels);
+    assert!(load <= error && error < 0.01, "{load:e} ± {error:e}");
+    assert!(result.levels.len() <= 3, "{:?}", result.levels);
+    let (_, error) = bar(&result, "pressure_max");
+    assert!(error < 1e3);
 }
 
 /// No load: the journal of a plain ring stands in the middle, and that is no reason to refine for ever.
