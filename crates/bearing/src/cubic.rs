@@ -67,6 +67,7 @@ pub fn find_cubic(
     }
     Ok(Equilibrium {
         residual,
+        unbalanced: residual * search.natural,
         stiffness: search.stiffness(&trial)?,
         problem: trial.problem,
         film: trial.film,

@@ -88,6 +88,8 @@ pub struct Equilibrium {
     pub cubic: Option<FilmSolution>,
     /// Load less force of the film, relative to the load (to the natural one if there is none).
     pub residual: f64,
+    /// The same in newtons.
+    pub unbalanced: f64,
     /// Positions tried on the mesh of the film.
     pub steps: usize,
     /// `dW/de` [N/m], row: component of W.
@@ -178,6 +180,7 @@ impl Search<'_> {
         }
         Ok(Equilibrium {
             residual: self.residual(&trial),
+            unbalanced: self.residual(&trial) * self.natural,
             stiffness: self.stiffness(&trial)?,
             problem: trial.problem,
             film: trial.film,

@@ -45,8 +45,8 @@ pub enum Witness {
 /// How well a load is balanced, and what it took.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Balance {
-    /// Load [N].
-    pub load: f64,
+    /// Load less force of the film [N].
+    pub unbalanced: f64,
     /// Load less force of the film, relative to the load.
     pub residual: f64,
     /// `dW/de` [N/m] of the film, row: component of W.
@@ -111,7 +111,7 @@ pub fn solve(study: &mut Study, bars: bool) -> Result<Solved, NoAnswer> {
         film,
         witness,
         balance: Some(Balance {
-            load: load[0].hypot(load[1]),
+            unbalanced: found.unbalanced,
             residual: found.residual,
             stiffness: found.stiffness,
             steps: found.steps,

@@ -90,10 +90,7 @@ fn judge_by_cubic(study: &Study, solved: &Solved, cubic: &FilmSolution) -> Judge
         position_bars(study, &solved.film, balance, [load.total(), across.total()], &before)
     });
     for (k, quantity) in list.iter_mut().enumerate() {
-        let own = match (&solved.balance, error.is_resolved()) {
-            (Some(balance), true) => balanced(quantity, balance),
-            _ => None,
-        };
+        let own = solved.balance.as_ref().and_then(|balance| balanced(quantity, balance));
         let before = before.iter().find(|other| other.name == quantity.name);
         let bar = own.or_else(|| {
             let bar = rules.bar(quantity, before?)?;
@@ -154,8 +151,8 @@ pub(crate) fn set(quantity: &mut Quantity, bar: Option<Bar>) {
 /// The bar of what a load fixes: how far it is from balanced. None for what it does not fix.
 pub(crate) fn balanced(quantity: &Quantity, balance: &Balance) -> Option<Bar> {
     let unbalanced = match quantity.name.as_str() {
-        "load" | "load_coefficient" | "sommerfeld_number" => balance.residual * quantity.value.abs(),
-        "load_x" | "load_y" => balance.residual * balance.load,
+        "load" | "load_x" | "load_y" => balance.unbalanced,
+        "load_coefficient" | "sommerfeld_number" => balance.residual * quantity.value.abs(),
         "load_angle" => balance.residual.to_degrees(),
         _ => return None,
     };
@@ -190,16 +187,20 @@ impl Rules<'_> {
     fn bar(&self, quantity: &Quantity, other: &Quantity) -> Option<Bar> {
         let error = self.error;
         let name = quantity.name.as_str();
-        if matches!(name, "eccentricity" | "min_film_angle" | "film_thickness_min") || is_cut_out(name) {
+        let of_position = matches!(name, "eccentricity" | "min_film_angle" | "film_thickness_min");
+        if is_cut_out(name) || (of_position && self.study.load.is_none()) {
             return Some(Bar::default());
         }
         if !error.is_resolved() {
             return None;
         }
+        if of_position {
+            return Some(Bar::default());
+        }
         let change = (quantity.value - other.value).abs();
         let (along, across) = (error.load(self.value), error.across(self.value));
         let [x, y] = error.force;
-        let force = x.hypot(y);
+        let force = x.hypot(y).max(f64::MIN_POSITIVE);
         let bar = match name {
             "load" => along,
             "load_x" => along.scaled(x / force) + across.scaled(y / force),

@@ -26,10 +26,7 @@ pub(crate) fn judge(study: &Study, solved: &Solved, companion: &FilmSolution) ->
         position_bars(study, &solved.film, balance, bars, &list)
     });
     for (k, quantity) in list.iter_mut().enumerate() {
-        let own = match (&solved.balance, error.is_resolved) {
-            (Some(balance), true) => balanced(quantity, balance),
-            _ => None,
-        };
+        let own = solved.balance.as_ref().and_then(|balance| balanced(quantity, balance));
         let bar = own.or_else(|| {
             let bar = bar(study, quantity, &error, &measured)?;
             let position = moved.as_ref().map_or(0.0, |moved| moved[k]);
@@ -50,13 +47,17 @@ fn bar(study: &Study, quantity: &Quantity, error: &ConservingError, measured: &M
         discretisation,
         ..Bar::default()
     };
-    if matches!(name, "eccentricity" | "min_film_angle" | "film_thickness_min") || is_cut_out(name) {
+    let of_position = matches!(name, "eccentricity" | "min_film_angle" | "film_thickness_min");
+    if is_cut_out(name) || (of_position && study.load.is_none()) {
         return Some(Bar::default());
     }
     if !error.is_resolved {
         return None;
     }
-    let force = measured.load.magnitude();
+    if of_position {
+        return Some(Bar::default());
+    }
+    let force = measured.load.magnitude().max(f64::MIN_POSITIVE);
     Some(match name {
         "load" => error.load,
         "load_x" => error.force[0],

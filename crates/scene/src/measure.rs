@@ -94,7 +94,10 @@ pub(crate) fn quantities_at(study: &Study, problem: &FilmProblem, measured: &Mea
     let excess = (extremes.greatest - bearing.end_pressure)
         .abs()
         .max((extremes.least - bearing.end_pressure).abs());
-    let directed = force > NO_LOAD * excess * 2.0 * bearing.radius * bearing.length;
+    // What rounding leaves of the drag of a centred journal has no direction either.
+    let drag = problem.lubricant.viscosity * problem.journal.speed.abs();
+    let natural = excess.max(drag * (bearing.radius / bearing.clearance).powi(2));
+    let directed = force > NO_LOAD * natural * 2.0 * bearing.radius * bearing.length;
     let degrees = |angle: f64| angle.to_degrees().rem_euclid(360.0);
     if directed {
         add("load_angle", "phi_W", degrees(load.angle()), "deg");

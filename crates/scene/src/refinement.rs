@@ -131,7 +131,8 @@ fn towards(scene: &Scene, targets: &[Target], options: &RunOptions) -> Result<An
             seconds: start.elapsed().as_secs_f64(),
         });
         let worst = worst(&judged.quantities, targets);
-        let growth = growth(scene, worst);
+        let left = options.max_seconds - clock.elapsed().as_secs_f64();
+        let growth = within(growth(scene, worst), levels.last(), left, options.max_unknowns);
         let limit = match worst <= 1.0 {
             true => None,
             false => Some(limit(&levels, clock.elapsed().as_secs_f64(), growth, worst, options)),
@@ -173,12 +174,14 @@ fn worst(quantities: &[Quantity], targets: &[Target]) -> f64 {
             "deg" => 1f64.to_degrees(),
             _ => quantity.value.abs(),
         };
+        // A load that is rounding has no direction, and no relative error.
+        if quantity.unit == "N" && !quantities.iter().any(|other| other.name == "load_angle") {
+            return 0.0;
+        }
         let Some(error) = quantity.error else {
             return f64::INFINITY;
         };
-        // A load that is rounding has no direction, and no relative error.
-        let nothing = quantity.unit == "N" && !quantities.iter().any(|other| other.name == "load_angle");
-        if nothing || error == 0.0 {
+        if error == 0.0 {
             return 0.0;
         }
         error / (target.relative * size)
@@ -192,6 +195,20 @@ fn growth(scene: &Scene, worst: f64) -> f64 {
     match worst.is_finite() {
         true => (worst / SAFETY).powf(1.0 / order(scene)).clamp(least, most),
         false => UNRESOLVED_GROWTH,
+    }
+}
+
+/// The growth, or less where that would be too long for the time left [s] or too large: a smaller step is better than none.
+fn within(growth: f64, last: Option<&LevelFacts>, left: f64, max_unknowns: usize) -> f64 {
+    let Some(last) = last else {
+        return growth;
+    };
+    let in_time = (left / last.seconds).max(0.0).powf(1.0 / TIME_EXPONENT);
+    let in_size = max_unknowns as f64 / last.unknowns as f64;
+    let fits = (SAFETY * in_time).min(in_size);
+    match fits >= GROWTH[0] {
+        true => growth.min(fits),
+        false => growth,
     }
 }
 

@@ -137,7 +137,7 @@ pub fn conserving_error(
     };
     let load = bar(&along);
     Some(ConservingError {
-        is_resolved: load.total() <= UNRESOLVED * total.magnitude(),
+        is_resolved: load.total() <= UNRESOLVED * total.magnitude().max(load::natural_force(problem, system, film)),
         load,
         across: bar(&across),
         force: [bar(&pair.shares(f64::cos)), bar(&pair.shares(f64::sin))],

@@ -122,6 +122,8 @@ pub struct GoalError {
 pub struct FilmError {
     /// Load `(W_x, W_y)` [N] of the cubic film.
     pub force: [f64; 2],
+    /// A force that is natural for the film [N].
+    pub natural: f64,
     /// Of `W_x`, `W_y` and `Int p dA` [N].
     pub goals: [GoalError; 3],
     /// Of the flow into the film [m3/s] through both ends together and through each feed, by the name of its region.
@@ -237,8 +239,8 @@ impl FilmError {
     /// False where the mesh does not resolve the film, and no bar can be trusted.
     pub fn is_resolved(&self) -> bool {
         let [along, across] = self.eta();
-        let force = self.force[0].hypot(self.force[1]);
-        along.abs() <= UNRESOLVED * force && across.abs() <= UNRESOLVED * force
+        let size = self.force[0].hypot(self.force[1]).max(self.natural);
+        along.abs().max(across.abs()) <= UNRESOLVED * size
     }
 
     /// Share of each triangle in the error of the load and its angle [N]: what refinement should look at.

@@ -10,7 +10,7 @@ use oilwedge_fem::prolongation::Hierarchical;
 use oilwedge_fem::{Error, Field, Matrix, Quadrature, lagrange};
 
 use super::{FilmError, FlowGoal, GoalError, geometry};
-use crate::quantities::load::{KINK_QUARTERINGS, load as load_of};
+use crate::quantities::load::{KINK_QUARTERINGS, load as load_of, natural_force};
 use crate::supply::{Place, SupplyRegion};
 use crate::{FilmProblem, FilmSolution, FilmSystem, Form};
 
@@ -77,6 +77,7 @@ pub(super) fn film_error(
     let (front, deep) = front(&enriched.system, cubic);
     Ok(FilmError {
         force: load_of(problem, &enriched.system, cubic).total.force,
+        natural: natural_force(problem, &enriched.system, cubic),
         goals,
         flows,
         front,
