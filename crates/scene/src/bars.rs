@@ -203,10 +203,14 @@ impl Rules<'_> {
         let change = (quantity.value - other.value).abs();
         let (along, across) = (error.load(self.value), error.across(self.value));
         let [x, y] = error.force;
-        let force = x.hypot(y).max(f64::MIN_POSITIVE);
+        let force = x.hypot(y);
+        // A load that cannot be told from none has no direction along which or across which it may be off.
+        let vanishes = along.total() + across.total() >= force;
         let bar = match name {
-            // A load that cannot be told from none may have any direction.
-            "load_angle" | "attitude_angle" if across.total() >= force => plain(180.0),
+            "load" | "load_x" | "load_y" if vanishes => along + across,
+            "load_angle" | "attitude_angle" if vanishes => plain(180.0),
+            "load_coefficient" | "sommerfeld_number" if force == 0.0 => Bar::default(),
+            "load_coefficient" | "sommerfeld_number" if vanishes => (along + across).scaled(quantity.value / force),
             "load" => along,
             "load_x" => along.scaled(x / force) + across.scaled(y / force),
             "load_y" => along.scaled(y / force) + across.scaled(x / force),

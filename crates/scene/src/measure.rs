@@ -12,7 +12,7 @@ use crate::compile::Study;
 pub use crate::doubts::warnings;
 use crate::report::Quantity;
 
-/// A load below this fraction of (greatest pressure difference) x (projected area) has no direction.
+/// A load below this fraction of (greatest pressure difference, or pressure of drag) x (projected area) has no direction.
 const NO_LOAD: f64 = 1e-12;
 
 /// Tension below this fraction of the range of pressure may be that of the interpolation.
@@ -60,10 +60,25 @@ pub fn measure(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) 
 /// True if the pressure falls below that of the ends by more than rounding and interpolation explain.
 fn has_tension(problem: &FilmProblem, extremes: &Extremes) -> bool {
     // A centred journal makes no pressure: what is left of its drag then is rounding.
-    let bearing = &problem.bearing;
-    let drag = problem.lubricant.viscosity * problem.journal.speed.abs();
-    let rounding = NO_LOAD * drag * (bearing.radius / bearing.clearance).powi(2);
-    bearing.end_pressure - extremes.least > (TENSION * (extremes.greatest - extremes.least)).max(rounding)
+    let tension = problem.bearing.end_pressure - extremes.least;
+    tension > (TENSION * (extremes.greatest - extremes.least)).max(NO_LOAD * drag(problem))
+}
+
+/// Pressure [Pa] that drag through the clearance makes.
+fn drag(problem: &FilmProblem) -> f64 {
+    let slenderness = problem.bearing.radius / problem.bearing.clearance;
+    problem.lubricant.viscosity * problem.journal.speed.abs() * slenderness.powi(2)
+}
+
+/// Load [N] that the pressures of the film could carry, all on one side.
+pub(crate) fn possible_load(problem: &FilmProblem, measured: &Measured) -> f64 {
+    load::possible_load(problem, excess(problem, &measured.extremes))
+}
+
+/// Greatest difference [Pa] of the pressure from that of the ends.
+fn excess(problem: &FilmProblem, extremes: &Extremes) -> f64 {
+    let off = |p: f64| (p - problem.bearing.end_pressure).abs();
+    off(extremes.greatest).max(off(extremes.least))
 }
 
 /// The quantities of the report; one without a meaning in this film is absent.
@@ -91,13 +106,8 @@ pub(crate) fn quantities_at(study: &Study, problem: &FilmProblem, measured: &Mea
     add("load", "W", force, "N");
     add("load_x", "W_x", load.total.force[0], "N");
     add("load_y", "W_y", load.total.force[1], "N");
-    let excess = (extremes.greatest - bearing.end_pressure)
-        .abs()
-        .max((extremes.least - bearing.end_pressure).abs());
-    // What rounding leaves of the drag of a centred journal has no direction either.
-    let drag = problem.lubricant.viscosity * problem.journal.speed.abs();
-    let natural = excess.max(drag * (bearing.radius / bearing.clearance).powi(2));
-    let directed = force > NO_LOAD * natural * 2.0 * bearing.radius * bearing.length;
+    let natural = excess(problem, extremes).max(drag(problem)) * 2.0 * bearing.radius * bearing.length;
+    let directed = force > NO_LOAD * natural;
     let degrees = |angle: f64| angle.to_degrees().rem_euclid(360.0);
     if directed {
         add("load_angle", "phi_W", degrees(load.angle()), "deg");

@@ -11,12 +11,12 @@ use std::time::Instant;
 
 use oilwedge_fem::marking::doerfler;
 use oilwedge_mesh::{Mesh, refine};
-use oilwedge_reynolds::quantities::load::natural_force;
 
 use crate::analysis::{NoAnswer, Solved, graded, solve};
 use crate::bars::{Judged, judge};
 use crate::compile::{CompileError, Study, compile_on};
 use crate::liner_mesh::resized;
+use crate::measure::possible_load;
 use crate::report::{LevelFacts, Quantity, Refinement};
 use crate::run::{DEGREE, RunOptions};
 use crate::scene::{CavitationModel, MeshSource, Scene, Target};
@@ -35,9 +35,9 @@ const BOUND: f64 = 1.25;
 const UNRESOLVED_GROWTH: f64 = 3.0;
 /// Seconds of a level grow like this power of the unknowns at most.
 const TIME_EXPONENT: f64 = 1.2;
-/// Tolerances of what is less than this part of what is natural for it count against that part: those of loads against the natural
-/// force, that of the eccentricity against the clearance.
-const LEAST: [f64; 2] = [1e-2, 1e-3];
+/// Tolerances of what is less than this part of what it could be count against that part: loads against those that the pressures
+/// could carry, the eccentricity against the clearance.
+const LEAST: f64 = 1e-3;
 /// Most meshes.
 const MOST_LEVELS: usize = 30;
 
@@ -134,24 +134,29 @@ fn towards(scene: &Scene, targets: &[Target], options: &RunOptions) -> Result<An
                 .collect(),
             seconds: start.elapsed().as_secs_f64(),
         });
-        let natural = natural_force(&study.problem, &study.system, &solved.film);
-        let worst = worst(&judged.quantities, targets, natural);
-        let left = options.max_seconds - clock.elapsed().as_secs_f64();
-        let growth = within(growth(scene, worst), levels.last(), left, options.max_unknowns);
+        let worst = worst(
+            &judged.quantities,
+            targets,
+            possible_load(&study.problem, &judged.measured),
+        );
         let bound =
             matches!(&levels[..], [.., before, last] if (last.unknowns as f64) < BOUND * before.unknowns as f64);
         let finer = match worst <= 1.0 {
             true => Err(None),
-            false => Next::refined(scene, &next, &study, &judged, growth, bound).map_err(Some),
-        };
-        // A mesh that is divided grows as it must, not as it should.
-        let finer = finer.and_then(|next| {
-            let growth = next.growth(&study).unwrap_or(growth);
-            match limit(&levels, clock.elapsed().as_secs_f64(), growth, worst, options) {
-                None => Ok(next),
-                limit => Err(limit),
+            false => {
+                let left = options.max_seconds - clock.elapsed().as_secs_f64();
+                let growth = within(growth(scene, worst), levels.last(), left, options.max_unknowns);
+                Next::refined(scene, &next, &study, &judged, growth, bound)
+                    .map_err(Some)
+                    .and_then(|next| {
+                        let growth = next.growth(&study).unwrap_or(growth);
+                        match limit(&levels, clock.elapsed().as_secs_f64(), growth, worst, options) {
+                            None => Ok(next),
+                            limit => Err(limit),
+                        }
+                    })
             }
-        });
+        };
         next = match finer {
             Ok(next) => next,
             Err(limit) => {
@@ -167,29 +172,25 @@ fn towards(scene: &Scene, targets: &[Target], options: &RunOptions) -> Result<An
 }
 
 /// The greatest bar over what it may be; infinite where one is missing. A quantity that this film does not have is met.
-/// `natural` is the natural force of the film [N].
-fn worst(quantities: &[Quantity], targets: &[Target], natural: f64) -> f64 {
+/// `possible` is the load [N] that its pressures could carry.
+fn worst(quantities: &[Quantity], targets: &[Target], possible: f64) -> f64 {
     let ratio = |target: &Target| {
         let Some(quantity) = quantities.iter().find(|quantity| quantity.name == target.quantity) else {
             return 0.0;
         };
         let size = match quantity.unit.as_str() {
             "deg" => 1f64.to_degrees(),
-            "N" => quantity.value.abs().max(LEAST[0] * natural),
-            _ if quantity.name == "eccentricity" => quantity.value.abs().max(LEAST[1]),
+            "N" => quantity.value.abs().max(LEAST * possible),
+            _ if quantity.name == "eccentricity" => quantity.value.abs().max(LEAST),
             _ => quantity.value.abs(),
         };
-        // A load that is rounding has no direction, and no relative error.
-        if quantity.unit == "N" && !quantities.iter().any(|other| other.name == "load_angle") {
-            return 0.0;
-        }
         let Some(error) = quantity.error else {
             return f64::INFINITY;
         };
-        if error == 0.0 {
-            return 0.0;
+        match error {
+            0.0 => 0.0,
+            _ => error / (target.relative * size),
         }
-        error / (target.relative * size)
     };
     targets.iter().map(ratio).fold(0.0, f64::max)
 }

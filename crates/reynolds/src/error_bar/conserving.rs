@@ -23,7 +23,7 @@
 
 use oilwedge_fem::control_volumes::sub_triangles;
 
-use super::{Bar, UNRESOLVED};
+use super::{Bar, CANCELLING, UNRESOLVED};
 use crate::quantities::flow::{self, Flows};
 use crate::quantities::load;
 use crate::supply::Place;
@@ -136,8 +136,10 @@ pub fn conserving_error(
             .scaled(widened)
     };
     let load = bar(&along);
+    let excess = |p: f64, &other: &f64| p.max((other - problem.bearing.end_pressure).abs());
+    let possible = load::possible_load(problem, pair.pressure.iter().fold(0.0, excess));
     Some(ConservingError {
-        is_resolved: load.total() <= UNRESOLVED * total.magnitude().max(load::natural_force(problem, system, film)),
+        is_resolved: load.total() <= UNRESOLVED * total.magnitude().max(CANCELLING * possible),
         load,
         across: bar(&across),
         force: [bar(&pair.shares(f64::cos)), bar(&pair.shares(f64::sin))],

@@ -32,6 +32,8 @@ use crate::{FilmProblem, FilmSolution, FilmSystem};
 
 /// A load of which this part is in question is not resolved.
 const UNRESOLVED: f64 = 0.05;
+/// A load below this part of what its pressures could carry is one of parts that cancel: it is these that are resolved or not.
+const CANCELLING: f64 = 0.01;
 
 /// At a re-entrant corner of angle a both films err by a part of the same term: with functions of degree p by
 /// `p^(-4 pi/a)` of the energy (Babuska and Suri, SIAM J. Numer. Anal. 24 (1987) 750). So `J(p3)` is left with 0.51 of their
@@ -40,7 +42,7 @@ const PER_CORNER: f64 = 0.7;
 
 /// Both films book alike where the edge of a cavity crosses an end, so their difference does not tell; the edge may lie in the next
 /// triangle, and more be booked wrongly than the triangles that it crosses hold. Measured: up to 1.4 times that.
-const PER_UNSURE: f64 = 1.5;
+const PER_UNSURE: f64 = 2.0;
 
 /// What the pieces of a difference leave where they cancel.
 const PER_SUM: f64 = 0.05;
@@ -122,8 +124,8 @@ pub struct GoalError {
 pub struct FilmError {
     /// Load `(W_x, W_y)` [N] of the cubic film.
     pub force: [f64; 2],
-    /// A force that is natural for the film [N].
-    pub natural: f64,
+    /// Load [N] that its pressures could carry, all on one side.
+    pub possible: f64,
     /// Of `W_x`, `W_y` and `Int p dA` [N].
     pub goals: [GoalError; 3],
     /// Of the flow into the film [m3/s] through both ends together and through each feed, by the name of its region.
@@ -239,8 +241,8 @@ impl FilmError {
     /// False where the mesh does not resolve the film, and no bar can be trusted.
     pub fn is_resolved(&self) -> bool {
         let [along, across] = self.eta();
-        let size = self.force[0].hypot(self.force[1]).max(self.natural);
-        along.abs().max(across.abs()) <= UNRESOLVED * size
+        let force = self.force[0].hypot(self.force[1]).max(CANCELLING * self.possible);
+        along.abs() <= UNRESOLVED * force && across.abs() <= UNRESOLVED * force
     }
 
     /// Share of each triangle in the error of the load and its angle [N]: what refinement should look at.

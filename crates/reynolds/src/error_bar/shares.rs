@@ -10,7 +10,7 @@ use oilwedge_fem::prolongation::Hierarchical;
 use oilwedge_fem::{Error, Field, Matrix, Quadrature, lagrange};
 
 use super::{FilmError, FlowGoal, GoalError, geometry};
-use crate::quantities::load::{KINK_QUARTERINGS, load as load_of, natural_force};
+use crate::quantities::load::{KINK_QUARTERINGS, load as load_of, possible_load};
 use crate::supply::{Place, SupplyRegion};
 use crate::{FilmProblem, FilmSolution, FilmSystem, Form};
 
@@ -75,9 +75,10 @@ pub(super) fn film_error(
         })
         .collect::<Result<_, Error>>()?;
     let (front, deep) = front(&enriched.system, cubic);
+    let excess = |&u: &f64| (problem.pressure_at(u) - problem.bearing.end_pressure).abs();
     Ok(FilmError {
+        possible: possible_load(problem, cubic.unknown.iter().map(excess).fold(0.0, f64::max)),
         force: load_of(problem, &enriched.system, cubic).total.force,
-        natural: natural_force(problem, &enriched.system, cubic),
         goals,
         flows,
         front,

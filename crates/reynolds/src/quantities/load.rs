@@ -80,15 +80,13 @@ pub fn load(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> 
     Load { total, cut_out }
 }
 
-/// A force [N] that is natural for the film: a tenth of `Int |p - p_e| dA`, and what rounding leaves of drag in any case.
-/// Loads far below it are differences of large forces.
-pub fn natural_force(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> f64 {
-    const PART: f64 = 0.1;
-    const ROUNDING: f64 = 1e-9;
-    let (bearing, p_e) = (&problem.bearing, problem.bearing.end_pressure);
-    let pressing = integrated(problem, system, film, &|_, _, u| (problem.pressure_at(u) - p_e).abs()).thrust;
+/// Load [N] of a film whose pressure differs by `excess` [Pa] from that of the ends all over one side: what loads are small
+/// against. At least what is rounding against drag.
+pub fn possible_load(problem: &FilmProblem, excess: f64) -> f64 {
+    const ROUNDING: f64 = 1e-6;
+    let bearing = &problem.bearing;
     let drag = problem.lubricant.viscosity * problem.journal.speed.abs() * (bearing.radius / bearing.clearance).powi(2);
-    PART * pressing + ROUNDING * drag * 2.0 * bearing.radius * bearing.length
+    excess.max(ROUNDING * drag) * 2.0 * bearing.radius * bearing.length
 }
 
 /// First-order change of the load [N] where the unknown changes by `change` at each dof; regions cut out keep their
