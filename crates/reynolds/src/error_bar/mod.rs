@@ -42,7 +42,7 @@ const PER_CORNER: f64 = 0.7;
 
 /// Both films book alike where the edge of a cavity crosses an end, so their difference does not tell; the edge may lie in the next
 /// triangle, and more be booked wrongly than the triangles that it crosses hold. Measured: up to 1.4 times that.
-const PER_UNSURE: f64 = 1.5;
+const PER_UNSURE: f64 = 2.0;
 
 /// What the pieces of a difference leave where they cancel.
 const PER_SUM: f64 = 0.05;
