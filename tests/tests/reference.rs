@@ -125,6 +125,22 @@ fn every_unit_is_listed() {
     }
 }
 
+/// The page on error estimation and the code have the same rules.
+#[test]
+fn the_rules_of_error_bars_are_those_of_the_code() {
+    let read = |path: &str| std::fs::read_to_string(repository().join(path)).expect(path);
+    let page = read("docs/theory/error_estimation.md");
+    let code = read("crates/reynolds/src/error_bar/mod.rs");
+    let rules: Vec<&str> = (code.lines())
+        .filter_map(|line| line.strip_prefix("//! "))
+        .filter(|line| line.starts_with("bar of J("))
+        .collect();
+    assert_eq!(rules.len(), 2);
+    for rule in rules {
+        assert!(page.contains(&format!("\n{rule}\n")), "{rule}");
+    }
+}
+
 /// The result of a shipped scene as its reader meets it.
 fn result(name: &str) -> Value {
     result_of(&Scene::read(&path(name)).unwrap_or_else(|error| panic!("{error}")))

@@ -161,7 +161,7 @@ balance";
         });
         result.quantities[2].error = Some(2e-5);
         let text = run_report(&result, Path::new("out"), true);
-        let wanted = "bar       of the eccentricity, ± 2e-5: search for the position 2e-5\n";
+        let wanted = "bar       of the eccentricity, ± 2e-5: position under the load 2e-5\n";
         assert!(text.contains(wanted), "{text}");
     }
 }

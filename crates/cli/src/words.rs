@@ -63,7 +63,7 @@ const ERRORS: [(&str, &str); 6] = [
     ("geometry", "shape of the liner"),
     ("nonlinear", "nonlinear iteration"),
     ("algebra", "rounding"),
-    ("position", "search for the position"),
+    ("position", "position under the load"),
 ];
 
 /// Where a part of an error comes from.

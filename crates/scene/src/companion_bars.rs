@@ -59,8 +59,8 @@ fn bar(study: &Study, quantity: &Quantity, error: &ConservingError, measured: &M
     }
     let force = measured.load.magnitude().max(f64::MIN_POSITIVE);
     Some(match name {
-        "load_angle" | "attitude_angle" if error.across.total() > force => plain(180.0),
-        "load_coefficient" | "sommerfeld_number" if force == 0.0 => Bar::default(),
+        // A load that cannot be told from none may have any direction.
+        "load_angle" | "attitude_angle" if error.across.total() >= force => plain(180.0),
         "load" => error.load,
         "load_x" => error.force[0],
         "load_y" => error.force[1],

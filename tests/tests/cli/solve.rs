@@ -204,6 +204,53 @@ fn the_printed_equation_past_its_fold_has_no_solution() {
 }
 
 #[test]
+fn a_limit_that_leaves_a_tolerance_unmet_ends_with_one() {
+    let bench = Bench::new();
+    let clearance = "clearance = \"37.5 um\"\n";
+    let tolerance = format!("{clearance}[mesh]\ntolerance = \"0.000001 %\"\n");
+    bench.scene("09_drawn_ring", &[(clearance, &tolerance)]);
+    let told = bench.run(&["solve", "scene.toml", "--json", "--max-unknowns", "3000"]);
+    assert_eq!(told.status, 1, "{}", told.stderr);
+    let result = object(&told.stdout);
+    check_keys(&result);
+    assert_eq!(result["status"], "not_converged");
+    let reason = result["reason"].as_str().expect("a reason");
+    assert!(
+        reason.starts_with("limit: ") && reason.contains("--max-unknowns"),
+        "{reason}"
+    );
+    assert!(result["quantities"]["load"]["error"].is_f64());
+    assert!(result["levels"].as_array().is_some_and(|levels| levels.len() > 1));
+    assert!(bench.path().join("out/scene/film.vtu").is_file());
+    let people = bench.run(&["solve", "scene.toml", "--max-unknowns", "3000"]);
+    assert_eq!(people.status, 1);
+    for part in ["bar       of the load", "levels    ", reason] {
+        assert!(people.stdout.contains(part), "no {part:?} in\n{}", people.stdout);
+    }
+}
+
+#[test]
+fn bars_are_left_out_where_they_are_not_wanted() {
+    let bench = Bench::new();
+    bench.scene("09_drawn_ring", &[]);
+    let told = bench.run(&["solve", "scene.toml", "--json", "--bars", "none"]);
+    assert_eq!(told.status, 0, "{}", told.stderr);
+    let result = object(&told.stdout);
+    check_keys(&result);
+    assert_eq!((&result["bars"], &result["counts"]["bars"]), (&false.into(), &0.into()));
+    let quantities = result["quantities"].as_object().expect("quantities");
+    assert!(
+        quantities
+            .values()
+            .all(|it| it["error"].is_null() && it["error_parts"].is_null())
+    );
+    let people = bench.run(&["solve", "scene.toml", "--bars", "none"]);
+    assert!(!people.stdout.contains("± error") && !people.stdout.contains("levels    "));
+    let people = bench.run(&["solve", "scene.toml"]);
+    assert!(people.stdout.contains("± error") && people.stdout.contains("levels    "));
+}
+
+#[test]
 fn threads_do_not_change_the_result() {
     let bench = Bench::new();
     bench.scene("07_grooved_liner", &[]);

@@ -2,8 +2,7 @@
 
 use oilwedge_scene::report::{Refinement, Status};
 use oilwedge_scene::{RunOptions, run};
-use oilwedge_tests::program::oilwedge;
-use oilwedge_tests::scenes::{path, table, variant};
+use oilwedge_tests::scenes::{table, variant};
 
 use crate::films::{NO_BARS, answer, bar, quantity, set};
 
@@ -122,27 +121,6 @@ fn no_mesh_has_more_unknowns_than_allowed() {
             );
         }
     }
-}
-
-#[test]
-fn the_program_ends_with_one_where_a_limit_left_a_tolerance_unmet() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let text = std::fs::read_to_string(path("09_drawn_ring")).expect("scene 09");
-    let text = format!("{text}\n[mesh]\ntolerance = \"0.000001 %\"\n");
-    std::fs::write(folder.path().join("scene.toml"), text).expect("a scene");
-    let told = oilwedge(
-        folder.path(),
-        &["solve", "scene.toml", "--json", "--max-unknowns", "3000"],
-    );
-    assert_eq!(told.status.code(), Some(1));
-    let result: serde_json::Value = serde_json::from_slice(&told.stdout).expect("JSON");
-    assert_eq!(result["status"], "not_converged");
-    assert!(
-        result["reason"]
-            .as_str()
-            .is_some_and(|reason| reason.starts_with("limit: "))
-    );
-    assert!(result["quantities"]["load"]["error"].is_f64());
 }
 
 /// Where the edge of the cavity is what is uncertain, only triangles there are divided.
