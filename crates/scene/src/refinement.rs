@@ -330,7 +330,7 @@ impl Next {
         };
         // A mesh once divided at a front is as fine there as it must be: what is left is divided where it is too coarse.
         let fitted = matches!(last, Self::Divided(_, Refinement::Local, _));
-        let local = judged.indicator.as_ref().filter(|_| judged.at_front || fitted || bound);
+        let local = judged.indicator.as_ref().filter(|_| judged.is_local || fitted || bound);
         let (divided, refinement) = match (local, last) {
             (Some(indicator), _) => (refine::local(mesh, &doerfler(indicator, SHARE)), Refinement::Local),
             (None, Self::Drawn(factor)) => return Ok(Self::Drawn(factor / growth.sqrt())),
