@@ -22,7 +22,7 @@ from scipy.sparse.linalg import spsolve
 from scipy.spatial import cKDTree
 from scipy.special import j1
 
-from liner_mesh import LinerMesh, read_liner
+from liner_mesh import LinerMesh, read_liner, refined
 from obstacle import solve_bounded
 
 EDGE_RULE = np.polynomial.legendre.leggauss(8)
@@ -47,9 +47,11 @@ def rule_of_degree(degree):
     return skfem.quadrature.get_quadrature_tri(degree)
 
 
-def solve_film(scene, rule):
-    """Solve a scene (see `scene_file.Scene`) with a quadrature rule."""
+def solve_film(scene, rule, refinements=0):
+    """Solve a scene (see `scene_file.Scene`) with a quadrature rule, on its mesh refined so many times."""
     mesh = read_liner(scene.mesh, scene.radius, scene.holes())
+    for _ in range(refinements):
+        mesh = refined(mesh, scene.radius, scene.holes())
     film = Film(scene, mesh, rule)
     if scene.cavitation not in ("none", "reynolds") or (scene.as_printed and scene.cavitation != "none"):
         raise NotImplementedError(scene.cavitation)
@@ -244,6 +246,16 @@ def curve_integral(mesh, group, radius):
         phi = place[:, 0] / radius
         total -= weight * radius * np.array([np.sum(np.sin(phi) * dz), np.sum(-np.cos(phi) * dz)])
     return total
+
+
+def curve_area(mesh, group):
+    """Area [m2] of the region inside a closed curve of edges: x dz is a cubic along each, so Simpson's rule is exact."""
+    start, end, middle = (mesh.points[mesh.curves[group][:, k]] for k in range(3))
+    slopes = (4 * middle - 3 * start - end, end - start, 3 * end + start - 4 * middle)  # by t at t = 0, 1/2, 1
+    return -sum(
+        weight * np.sum(place[:, 0] * slope[:, 1])
+        for place, slope, weight in zip((start, middle, end), slopes, (1 / 6, 2 / 3, 1 / 6))
+    )
 
 
 def _solution(scene, mesh, pressure, load):

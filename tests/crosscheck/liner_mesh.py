@@ -90,6 +90,44 @@ def read_liner(path, radius, holes=()):
     return mesh
 
 
+def refined(mesh, radius, holes=()):
+    """Every cell divided into four along its quadratic map; rims of `holes` stay on their circles.
+
+    Each new node halves the way between a vertex and the middle of an edge, or between two middles, of one cell: a pair
+    of old nodes names it, and a pair of old unknowns its unknown."""
+    corner = np.array([[0, 0], [1, 0], [0, 1], [0.5, 0], [0.5, 0.5], [0, 0.5]])
+    pairs = [(0, 3), (3, 1), (1, 4), (4, 2), (2, 5), (5, 0), (3, 4), (4, 5), (5, 3)]
+    number = {pair: 6 + k for k, pair in enumerate(pairs)} | {pair[::-1]: 6 + k for k, pair in enumerate(pairs)}
+    keys = np.sort(np.stack([mesh.cells[:, list(pair)] for pair in pairs], axis=1), axis=2).reshape(-1, 2)
+    keys, first, new = np.unique(keys, axis=0, return_index=True, return_inverse=True)
+    xi, eta = np.array([(corner[a] + corner[b]) / 2 for a, b in pairs]).T
+    zeta = 1 - xi - eta
+    vertices = [zeta * (2 * zeta - 1), xi * (2 * xi - 1), eta * (2 * eta - 1)]
+    quadratic = np.array([*vertices, 4 * zeta * xi, 4 * xi * eta, 4 * eta * zeta])
+    places = np.einsum("kp,mkc->mpc", quadratic, mesh.points[mesh.cells]).reshape(-1, 2)[first]
+    count = len(mesh.points)
+    wide = np.hstack([mesh.cells, count + new.reshape(-1, len(pairs))])
+    children = [(0, 3, 5), (3, 1, 4), (5, 4, 2), (3, 4, 5)]
+    local = [[a, b, c, number[a, b], number[b, c], number[c, a]] for a, b, c in children]
+    cells = wide[:, local].reshape(-1, 6)
+    surfaces = {name: (4 * k[:, None] + np.arange(4)).ravel() for name, k in mesh.surfaces.items()}
+    place = {tuple(key): count + k for k, key in enumerate(keys.tolist())}
+    curves = {
+        name: np.array([
+            [a, b, place[min(a, b), max(a, b)]] for s, e, m in edges.tolist() for a, b in ((s, m), (m, e))
+        ])
+        for name, edges in mesh.curves.items()
+    }  # fmt: skip
+    unknowns = np.sort(mesh.unknown[keys], axis=1)
+    _, unknown = np.unique(unknowns, axis=0, return_inverse=True)
+    unknown = np.concatenate([mesh.unknown, mesh.unknown.max() + 1 + unknown.ravel()])
+    points = np.vstack([mesh.points, places])
+    fine = LinerMesh(points, cells, unknown, surfaces, curves, mesh.straight)
+    for group, x, z, hole_radius in holes:
+        _project_rim(fine, _rim_nodes(fine, group), (x, z), hole_radius, 2 * np.pi * radius)
+    return fine
+
+
 def _with_midpoint_numbers(triangles):
     """Six node numbers a cell: one new number for each edge of a 3-node mesh."""
     pairs = np.sort(np.stack([triangles[:, [a, b]] for a, b, _ in EDGES], axis=1), axis=2)

@@ -33,9 +33,12 @@ def program(variable, name):
     return str(path)
 
 
-def solve(scene, out, unrolled):
-    """Result (the JSON object) and film (pyvista grid) of a scene."""
+def solve(scene, out, unrolled, bars=True):
+    """Result (the JSON object) and film (pyvista grid) of a scene.
+
+    With error bars the numbers are those of the film in cubic elements, without those of the quadratic one."""
     command = [program("OILWEDGE_BIN", "oilwedge"), "solve", str(scene), "--out", str(out), "--json"]
+    command += ["--bars", "auto" if bars else "none"]
     subprocess.run(command + ["--unrolled"] * unrolled, check=True, stdout=subprocess.DEVNULL)
     result = json.loads((Path(out) / "result.json").read_text())
     return result, pyvista.read(Path(out) / "film.vtu")

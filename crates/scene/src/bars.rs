@@ -31,8 +31,8 @@ pub struct Judged {
     pub quantities: Vec<Quantity>,
     /// Share of each triangle in the error of the load [N]; none without bars.
     pub indicator: Option<Vec<f64>>,
-    /// True if the error comes from the edge of a cavity more than from anything else.
-    pub at_front: bool,
+    /// True if triangles should be divided where the error comes from, rather than all of them.
+    pub is_local: bool,
     /// Seconds that measuring and judging took.
     pub seconds: f64,
 }
@@ -44,7 +44,7 @@ impl Judged {
             measured,
             quantities,
             indicator: None,
-            at_front: false,
+            is_local: false,
             seconds: 0.0,
         }
     }
@@ -105,7 +105,7 @@ fn judge_by_cubic(study: &Study, solved: &Solved, cubic: &FilmSolution) -> Judge
     Judged {
         quantities: list,
         measured,
-        at_front: load.front > load.discretisation,
+        is_local: load.front > load.discretisation,
         indicator: Some(error.indicator()),
         seconds: 0.0,
     }

@@ -377,7 +377,7 @@ impl Next {
         let local = judged
             .indicator
             .as_ref()
-            .filter(|_| !stuck && (judged.at_front || fitted || bound));
+            .filter(|_| !stuck && (judged.is_local || fitted || bound));
         let (divided, refinement) = match (local, last) {
             (Some(indicator), _) => (refine::local(mesh, &doerfler(indicator, SHARE)), Refinement::Local),
             (None, Self::Drawn(factor)) => return Ok(Self::Drawn(factor / growth.sqrt())),

@@ -8,6 +8,7 @@ use crate::films::{Judged, answer, bar, constant, drawn, quantity, set};
 /// A film on a mesh of this size [mm].
 type BySize<'a> = &'a dyn Fn(f64) -> Scene;
 
+/// A smooth film.
 fn ring(eccentricity: f64) -> impl Fn(f64) -> Scene {
     move |size| {
         drawn("09_drawn_ring", size, |scene| {

@@ -174,6 +174,11 @@ impl FilmError {
     fn bar(&self, goal: &GoalError, value: Value, per_eta: f64) -> Bar {
         let (mut eta, mut all, mut front, mut corner) = (0.0, 0.0, 0.0, 0.0);
         for (k, &share) in goal.shares.iter().enumerate() {
+            // Deep in the cavity the cubic film is exact, and only the quadratic one is off: it wavers about it.
+            if self.deep[k] {
+                eta += if value == Value::Quadratic { share } else { 0.0 };
+                continue;
+            }
             eta += share;
             all += share.abs();
             front += if self.front[k] { share.abs() } else { 0.0 };
