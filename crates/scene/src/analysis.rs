@@ -68,6 +68,17 @@ pub enum NoAnswer {
     Equilibrium(#[from] NoEquilibrium),
 }
 
+impl NoAnswer {
+    /// True if an answer may exist but was not reached.
+    pub fn is_unreached(&self) -> bool {
+        let film = match self {
+            Self::Film(film) | Self::Equilibrium(NoEquilibrium::Film(film)) => film,
+            Self::Equilibrium(reason) => return matches!(reason, NoEquilibrium::NotConverged { .. }),
+        };
+        matches!(film, NoFilm::NotConverged(_))
+    }
+}
+
 /// Solves a study, with a witness if errors are asked for (`bars`). Under a load the journal of its problem is where it was
 /// found then.
 ///

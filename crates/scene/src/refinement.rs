@@ -114,10 +114,10 @@ fn towards(scene: &Scene, targets: &[Target], options: &RunOptions) -> Result<An
         let (solved, judged) = match (solved(&mut study, true), best.take()) {
             (Ok(found), _) => found,
             // The numbers of the mesh before are still good.
-            (Err(reason), Some(best)) => return Ok(last_resort(best, levels, &reason)),
-            // The first mesh is coarse; what it cannot answer one as fine as usual may.
-            (Err(reason), None) => {
-                if let Some(finer) = next.finer_first(scene) {
+            (Err(reason), Some(best)) if reason.is_unreached() => return Ok(last_resort(best, levels, &reason)),
+            (Err(reason), before) => {
+                // The first mesh is coarse; what it cannot answer one as fine as usual may.
+                if let (Some(finer), None) = (next.finer_first(scene), before) {
                     next = finer;
                     continue;
                 }

@@ -140,14 +140,14 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, Error> {
             Some(picture(&study, &solved.film, indicator.as_deref(), options.unrolled))
         }
         Err(reason) => {
-            result.status = match &reason {
-                NoAnswer::Film(NoFilm::NotConverged(failure))
-                | NoAnswer::Equilibrium(NoEquilibrium::Film(NoFilm::NotConverged(failure))) => {
-                    result.history = history(failure.history());
-                    Status::NotConverged
-                }
-                NoAnswer::Equilibrium(NoEquilibrium::NotConverged { .. }) => Status::NotConverged,
-                _ => Status::NoSolution,
+            if let NoAnswer::Film(NoFilm::NotConverged(failure))
+            | NoAnswer::Equilibrium(NoEquilibrium::Film(NoFilm::NotConverged(failure))) = &reason
+            {
+                result.history = history(failure.history());
+            }
+            result.status = match reason.is_unreached() {
+                true => Status::NotConverged,
+                false => Status::NoSolution,
             };
             result.reason = Some(reason.to_string());
             None

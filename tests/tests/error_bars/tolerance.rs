@@ -4,7 +4,7 @@ use oilwedge_scene::report::{Refinement, Status};
 use oilwedge_scene::{RunOptions, run};
 use oilwedge_tests::scenes::{table, variant};
 
-use crate::films::{NO_BARS, answer, bar, quantity, set};
+use crate::films::{NO_BARS, answer, bar, drawn, quantity, set};
 
 #[test]
 fn a_tolerance_is_met_by_the_bars() {
@@ -121,6 +121,58 @@ fn no_mesh_has_more_unknowns_than_allowed() {
             );
         }
     }
+}
+
+/// The side flow is unsure where the edge of the cavity crosses an end, which triangles that matter to the load do not cure.
+#[test]
+fn a_bar_that_local_division_does_not_serve_is_narrowed_by_uniform_division() {
+    let result = answer(
+        &variant("11_swift_stieber_ring", |scene| {
+            let tolerance: toml::Table = "tolerance = { load = \"0.05 %\", side_flow = \"0.2 %\" }"
+                .parse()
+                .expect("TOML");
+            table(scene, "mesh").extend(tolerance);
+            set(scene, "journal", "eccentricity", 0.97);
+        }),
+        &RunOptions::default(),
+    );
+    println!("{:?}", result.levels);
+    assert!(result.levels.len() < 8, "{:?}", result.levels);
+    let (flow, error) = bar(&result, "side_flow");
+    assert!(error < 0.002 * flow);
+}
+
+/// Near the limit of Barus' law a coarse mesh may have a film that a finer one has not.
+#[test]
+fn a_film_that_a_finer_mesh_has_not_is_no_solution() {
+    let at = |speed: &str| {
+        let scene = drawn("02_flexpde_shell", 12.0, |scene| {
+            set(scene, "mesh", "tolerance", "0.01 %");
+            set(scene, "journal", "speed", speed);
+        });
+        run(&scene, &RunOptions::default()).expect("a mesh").result
+    };
+    let below = at("81.47 rad/s");
+    assert_eq!(below.status, Status::Converged);
+    assert!(below.levels.len() > 1);
+    let above = at("81.474 rad/s");
+    assert_eq!((above.status, above.levels.len()), (Status::NoSolution, 1));
+    assert!(above.quantities.is_empty() && above.reason.is_some_and(|reason| reason.starts_with("no steady film")));
+}
+
+/// A bar tells how well a mesh resolves a film; without one its steepest triangle does.
+#[test]
+fn a_film_with_bars_is_not_called_unresolved() {
+    let thin = |options: &RunOptions| {
+        let scene = drawn("09_drawn_ring", 16.0, |scene| {
+            set(scene, "journal", "eccentricity", 0.999)
+        });
+        let warnings = answer(&scene, options).warnings;
+        warnings
+            .iter()
+            .any(|warning| warning.starts_with("the film is not resolved"))
+    };
+    assert!(!thin(&RunOptions::default()) && thin(&NO_BARS));
 }
 
 /// Where the edge of the cavity is what is uncertain, only triangles there are divided.
