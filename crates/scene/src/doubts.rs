@@ -12,10 +12,14 @@ const NOTHING: f64 = 1e-9;
 
 /// What the reader should be warned of.
 pub fn warnings(study: &Study, measured: &Measured) -> Vec<String> {
-    let mut warnings: Vec<String> = [mesh(study), flips(study), closure(study, measured)]
-        .into_iter()
-        .flatten()
-        .collect();
+    let mut warnings = Vec::from_iter(mesh(study));
+    warnings.extend(warnings_beside_bars(study, measured));
+    warnings
+}
+
+/// The same where error bars tell how well the mesh resolves the film.
+pub(crate) fn warnings_beside_bars(study: &Study, measured: &Measured) -> Vec<String> {
+    let mut warnings: Vec<String> = [flips(study), closure(study, measured)].into_iter().flatten().collect();
     if matches!(study.problem.form, Form::AsPrinted(_)) {
         warnings.push(format!(
             "the as-printed equation is no mass balance: in and out differ by {:.2} % of the oil that enters",

@@ -31,6 +31,8 @@ const SAFETY: f64 = 0.7;
 const GROWTH: [f64; 2] = [1.4, 16.0];
 /// A mesh that was drawn finer and has not this many times the unknowns is bound by its features.
 const BOUND: f64 = 1.25;
+/// Local division that leaves this part of a bar did not serve it.
+const STUCK: f64 = 0.8;
 /// Growth where no bar can be trusted yet.
 const UNRESOLVED_GROWTH: f64 = 3.0;
 /// Seconds of a level grow like this power of the unknowns at most.
@@ -98,14 +100,23 @@ fn towards(scene: &Scene, targets: &[Target], options: &RunOptions) -> Result<An
     let clock = Instant::now();
     let mut next = Next::first(scene);
     let mut levels: Vec<LevelFacts> = Vec::new();
+    let mut best: Option<(Study, Solved, Judged)> = None;
     loop {
         let start = Instant::now();
-        let (refinement, mut study) = next.study(scene)?;
-        let outcome = solved(&mut study, true);
-        let (solved, judged) = match outcome {
-            Ok(found) => found,
+        let (refinement, mut study) = match (next.study(scene), best.take()) {
+            (Ok(made), before) => {
+                best = before;
+                made
+            }
+            (Err(reason), Some(best)) => return Ok(last_resort(best, levels, &reason)),
+            (Err(reason), None) => return Err(reason),
+        };
+        let (solved, judged) = match (solved(&mut study, true), best.take()) {
+            (Ok(found), _) => found,
+            // The numbers of the mesh before are still good.
+            (Err(reason), Some(best)) => return Ok(last_resort(best, levels, &reason)),
             // The first mesh is coarse; what it cannot answer one as fine as usual may.
-            Err(reason) => {
+            (Err(reason), None) => {
                 if let Some(finer) = next.finer_first(scene) {
                     next = finer;
                     continue;
@@ -134,19 +145,20 @@ fn towards(scene: &Scene, targets: &[Target], options: &RunOptions) -> Result<An
                 .collect(),
             seconds: start.elapsed().as_secs_f64(),
         });
-        let worst = worst(
+        let (worst, name) = worst(
             &judged.quantities,
             targets,
             possible_load(&study.problem, &judged.measured),
         );
         let bound =
             matches!(&levels[..], [.., before, last] if (last.unknowns as f64) < BOUND * before.unknowns as f64);
+        let stuck = is_stuck(&levels, name);
         let finer = match worst <= 1.0 {
             true => Err(None),
             false => {
                 let left = options.max_seconds - clock.elapsed().as_secs_f64();
                 let growth = within(growth(scene, worst), levels.last(), left, options.max_unknowns);
-                Next::refined(scene, &next, &study, &judged, growth, bound)
+                Next::refined(scene, &next, &study, &judged, growth, [bound, stuck])
                     .map_err(Some)
                     .and_then(|next| {
                         let growth = next.growth(&study).unwrap_or(growth);
@@ -158,7 +170,10 @@ fn towards(scene: &Scene, targets: &[Target], options: &RunOptions) -> Result<An
             }
         };
         next = match finer {
-            Ok(next) => next,
+            Ok(finer) => {
+                best = Some((study, solved, judged));
+                finer
+            }
             Err(limit) => {
                 return Ok(Answer {
                     study,
@@ -171,9 +186,36 @@ fn towards(scene: &Scene, targets: &[Target], options: &RunOptions) -> Result<An
     }
 }
 
-/// The greatest bar over what it may be; infinite where one is missing. A quantity that this film does not have is met.
-/// `possible` is the load [N] that its pressures could carry.
-fn worst(quantities: &[Quantity], targets: &[Target], possible: f64) -> f64 {
+/// The mesh before is the answer where the next has none.
+fn last_resort(
+    (study, solved, judged): (Study, Solved, Judged),
+    levels: Vec<LevelFacts>,
+    reason: &dyn std::fmt::Display,
+) -> Answer {
+    Answer {
+        study,
+        outcome: Ok((solved, judged)),
+        levels,
+        limit: Some(format!(
+            "limit: the bars are wider than asked for, and the next mesh has no answer: {reason}"
+        )),
+    }
+}
+
+/// True where dividing triangles locally, for the load, hardly narrowed the bar of this name.
+fn is_stuck(levels: &[LevelFacts], name: &str) -> bool {
+    let error = |level: &LevelFacts| Some(level.errors.iter().find(|(other, _)| other == name)?.1);
+    match levels {
+        [.., before, last] if last.refinement == Refinement::Local => error(before)
+            .zip(error(last))
+            .is_some_and(|(before, last)| last > STUCK * before),
+        _ => false,
+    }
+}
+
+/// The greatest bar over what it may be, and of which quantity; infinite where one is missing. A quantity that this film does not
+/// have is met. `possible` is the load [N] that its pressures could carry.
+fn worst<'a>(quantities: &[Quantity], targets: &'a [Target], possible: f64) -> (f64, &'a str) {
     let ratio = |target: &Target| {
         let Some(quantity) = quantities.iter().find(|quantity| quantity.name == target.quantity) else {
             return 0.0;
@@ -192,7 +234,9 @@ fn worst(quantities: &[Quantity], targets: &[Target], possible: f64) -> f64 {
             _ => error / (target.relative * size),
         }
     };
-    targets.iter().map(ratio).fold(0.0, f64::max)
+    (targets.iter())
+        .map(|target| (ratio(target), target.quantity.as_str()))
+        .fold((0.0, ""), |worst, next| if next.0 > worst.0 { next } else { worst })
 }
 
 /// How many times the unknowns the next mesh needs.
@@ -310,14 +354,14 @@ impl Next {
     }
 
     /// The mesh after that of `study`, or why it cannot be made. `bound` tells that drawing it finer made it hardly larger:
-    /// its sizes are those of holes and grooves.
+    /// its sizes are those of holes and grooves; `stuck` that local division does not help.
     fn refined(
         scene: &Scene,
         last: &Self,
         study: &Study,
         judged: &Judged,
         growth: f64,
-        bound: bool,
+        [bound, stuck]: [bool; 2],
     ) -> Result<Self, String> {
         let mesh = study.system.space().mesh();
         let journal = &study.problem.journal;
@@ -330,7 +374,10 @@ impl Next {
         };
         // A mesh once divided at a front is as fine there as it must be: what is left is divided where it is too coarse.
         let fitted = matches!(last, Self::Divided(_, Refinement::Local, _));
-        let local = judged.indicator.as_ref().filter(|_| judged.is_local || fitted || bound);
+        let local = judged
+            .indicator
+            .as_ref()
+            .filter(|_| !stuck && (judged.is_local || fitted || bound));
         let (divided, refinement) = match (local, last) {
             (Some(indicator), _) => (refine::local(mesh, &doerfler(indicator, SHARE)), Refinement::Local),
             (None, Self::Drawn(factor)) => return Ok(Self::Drawn(factor / growth.sqrt())),

@@ -11,6 +11,7 @@ use oilwedge_reynolds::NoFilm;
 use crate::analysis::{NoAnswer, Solved, Witness};
 use crate::bars::Judged;
 use crate::compile::{CompileError, Study, compile};
+use crate::doubts::warnings_beside_bars;
 use crate::liner_mesh::liner_mesh;
 use crate::measure::warnings;
 use crate::picture::picture;
@@ -173,7 +174,11 @@ fn history(steps: &[newton::HistoryStep]) -> Vec<HistoryStep> {
 fn report(study: &Study, solved: &Solved, judged: Judged, result: &mut RunResult) {
     let film = &solved.film;
     result.quantities = judged.quantities;
-    result.warnings = warnings(study, &judged.measured);
+    let has_bars = result.quantities.iter().all(|quantity| quantity.error.is_some());
+    result.warnings = match has_bars {
+        true => warnings_beside_bars(study, &judged.measured),
+        false => warnings(study, &judged.measured),
+    };
     result.balances.mass = judged.measured.flows.imbalance;
     result.history = history(&film.history);
     result.counts = Counts {
