@@ -6,8 +6,8 @@
 //! bar of J(p2) = 1.25 |eta| + 0.4 F + 0.7 C + 0.05 S + G + A
 //! bar of J(p3) = 0.3 |eta| (0.4 for the angle) + 0.45 F + 0.7 C + 0.05 S + G + A
 //! ```
-//! with `S = sum of |eta_K|`, of which F is the part of the triangles at the edge of a cavity and in it, and C that of the triangles
-//! at re-entrant corners; the geometry part `G` of round rims ([`geometry`]); and the algebra part `A = |r . z|` of an equation
+//! with `S = sum of |eta_K|`, of which F is the part of the triangles at the edge of a cavity, and C that of the triangles
+//! at re-entrant corners, none of them deep in a cavity; the geometry part `G` of round rims ([`geometry`]); and the algebra part `A = |r . z|` of an equation
 //! solved to the residual r, z the dual. F is there because at a free edge errors of either sign cancel by chance and
 //! both films have some; C because at a corner both films have a part of the same error; S because where much cancels in eta, what the
 //! pieces leave need not.
