@@ -139,6 +139,15 @@ fn the_rules_of_error_bars_are_those_of_the_code() {
     for rule in rules {
         assert!(page.contains(&format!("\n{rule}\n")), "{rule}");
     }
+    let unsure = code
+        .split("const PER_UNSURE: f64 = ")
+        .nth(1)
+        .and_then(|rest| rest.split(';').next());
+    let unsure: f64 = unsure.and_then(|number| number.parse().ok()).expect("a factor");
+    assert!(
+        page.contains(&format!("+ {unsure} (what is booked by chance)")),
+        "{unsure}"
+    );
 }
 
 /// The result of a shipped scene as its reader meets it.
