@@ -49,6 +49,7 @@ pub mod film_thickness;
 pub mod journal_state;
 pub mod levels;
 pub mod lubricant;
+mod nearby_angles;
 pub mod quantities;
 mod renewal;
 mod sensitivity;

@@ -17,6 +17,7 @@ use std::sync::Arc;
 
 use super::FilmContribution;
 use crate::journal_state::JournalChange;
+use crate::nearby_angles::NearbyAngles;
 use crate::{FilmPoint, JournalState};
 
 /// Radial clearance less the journal's offset.
@@ -43,8 +44,9 @@ impl FilmContribution for Eccentricity {
     /// Linear in the offset and its velocity.
     fn vary(&self, change: &JournalChange, _cell: usize, positions: &[[f64; 2]], film: &mut [FilmPoint]) {
         let ([e_x, e_y], [v_x, v_y]) = (change.offset, change.velocity);
+        let near = NearbyAngles::of(positions.first().map_or(0.0, |[x, _]| x / self.radius));
         for (&[x, _], point) in positions.iter().zip(film) {
-            let (sin, cos) = (x / self.radius).sin_cos();
+            let (sin, cos) = near.sin_cos(x / self.radius);
             point.thickness -= e_x * cos + e_y * sin;
             point.slope[0] += (e_x * sin - e_y * cos) / self.radius;
             point.rate -= v_x * cos + v_y * sin;

@@ -20,6 +20,7 @@ use oilwedge_fem::{Field, Quadrature};
 use oilwedge_mesh::Mesh;
 use rayon::prelude::*;
 
+use crate::nearby_angles::NearbyAngles;
 use crate::supply::{self, Disc, SupplyRegion};
 use crate::{FilmProblem, FilmSolution, FilmSystem};
 
@@ -173,12 +174,14 @@ fn cell_integral(
 ) -> Integral {
     let mapping = Mapping::of(field.space.mesh(), t);
     let nodal = field.element_values(t);
+    let radius = problem.bearing.radius;
+    let near = NearbyAngles::of(field.space.mesh().corners(t)[0][0] / radius);
     let mut sum = Integral::default();
     for (&point, weight) in rule.points.iter().zip(&rule.weights) {
         let place = mapping.at(point);
         let area = weight * place.determinant;
         let u = oilwedge_fem::field::evaluate(field.space.degree(), &nodal, point);
-        let (sin, cos) = (place.position[0] / problem.bearing.radius).sin_cos();
+        let (sin, cos) = near.sin_cos(place.position[0] / radius);
         let thrust = area * density(t, point, u);
         sum += Integral {
             force: [thrust * cos, thrust * sin],

@@ -4,7 +4,7 @@
 
 use std::time::Instant;
 
-use oilwedge_bearing::{Visited, predicted};
+use oilwedge_bearing::{Point, Visited, predicted};
 use oilwedge_reynolds::{FilmSolution, JournalState};
 
 use crate::analysis::{NoAnswer, Solved, Start, graded, is_near, solve, solve_from};
@@ -120,7 +120,7 @@ impl<'a> Walker<'a> {
                 let judged = judge(&held.study, &solved);
                 let journal = &held.study.problem.journal;
                 self.visited.push(Visited {
-                    coordinate,
+                    point: point(scene, coordinate),
                     eccentricity: journal.eccentricity() / scene.bearing.clearance,
                     angle: journal.min_film_angle(),
                 });
@@ -165,7 +165,7 @@ impl<'a> Walker<'a> {
     fn from_before(&mut self, scene: &Scene, coordinate: f64) -> Result<Option<(Held, Solved)>, CompileError> {
         let told = match scene.journal.load() {
             None => Some(scene.journal.start()),
-            Some(_) => predicted(&self.visited, coordinate),
+            Some(_) => predicted(&self.visited, point(scene, coordinate)),
         };
         let is_neighbour = |held: &Held| held.film.is_some() && has_same_system(&held.scene, scene);
         let (Some(near), true) = (told, self.held.as_ref().is_some_and(is_neighbour)) else {
@@ -213,6 +213,19 @@ fn redrawn(scene: &Scene, near: (f64, f64)) -> Result<Held, CompileError> {
         study,
         film: None,
     })
+}
+
+/// What tells the position of a case from those of its neighbours.
+fn point(scene: &Scene, coordinate: f64) -> Point {
+    let (bearing, journal) = (&scene.bearing, &scene.journal);
+    let [x, y] = journal.load().unwrap_or_default();
+    let slenderness = bearing.radius() / bearing.clearance;
+    let drag = scene.oil.viscosity * journal.speed.abs() * slenderness.powi(2) * bearing.diameter * bearing.length;
+    let duty = (x.hypot(y) / drag).ln();
+    Point {
+        coordinate,
+        duty: if duty.is_finite() { duty } else { 0.0 },
+    }
 }
 
 /// Offset of the journal over the clearance.
