@@ -65,7 +65,11 @@ pub fn predicted(visited: &[Visited], point: Point) -> Option<(f64, f64)> {
     let eccentricity = eccentricity_at(s);
     let shrink = (1.0 - eccentricity) / (1.0 - last.eccentricity);
     let is_near = shrink > LEAST_SHRINK && shrink < 1.0 / LEAST_SHRINK && turn.abs() < 1.0;
-    if is_near { Some((eccentricity, last.angle + turn)) } else { here }
+    if is_near {
+        Some((eccentricity, last.angle + turn))
+    } else {
+        here
+    }
 }
 
 /// Whether all values differ, also from the one asked for.
@@ -106,7 +110,10 @@ mod tests {
         assert!(close(predicted(&visited, at(3.0, 1.0).point), at(3.0, 1.0)));
         // Over the duty, where that runs.
         let visited = [at(0.5, 0.5), at(1.0, 1.0), at(2.0, 2.0)].map(|it| Visited {
-            point: Point { coordinate: it.point.duty.exp(), ..it.point },
+            point: Point {
+                coordinate: it.point.duty.exp(),
+                ..it.point
+            },
             ..it
         });
         assert!(close(predicted(&visited, at(3.0, 3.0).point), at(3.0, 3.0)));

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::LltRegularization;
 use faer::perm::PermRef;
+use faer::sparse::linalg::SupernodalThreshold;
 use faer::sparse::linalg::cholesky::{
     CholeskySymbolicParams, LltRef, SymbolicCholesky, SymmetricOrdering, factorize_symbolic_cholesky,
 };
@@ -38,7 +39,11 @@ impl Analysis {
             faer_pattern(&pattern),
             Side::Lower,
             SymmetricOrdering::Custom(PermRef::new_checked(&order, &inverse, n)),
-            CholeskySymbolicParams::default(),
+            // Blocks of columns pay from a thousand unknowns on, a half at five thousand.
+            CholeskySymbolicParams {
+                supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SUPERNODAL,
+                ..CholeskySymbolicParams::default()
+            },
         )
         .map_err(|_| Error::TooLarge { unknowns: n })?;
         Ok(Self { symbolic, pattern })

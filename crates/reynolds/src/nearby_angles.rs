@@ -29,7 +29,8 @@ impl NearbyAngles {
         const fn over(n: f64) -> f64 {
             1.0 / n
         }
-        let sin = turn * (1.0 - t * over(6.0) * (1.0 - t * over(20.0) * (1.0 - t * over(42.0) * (1.0 - t * over(72.0)))));
+        let sin =
+            turn * (1.0 - t * over(6.0) * (1.0 - t * over(20.0) * (1.0 - t * over(42.0) * (1.0 - t * over(72.0)))));
         let fourth = 1.0 - t * over(30.0) * (1.0 - t * over(56.0) * (1.0 - t * over(90.0)));
         // One less the cosine, so that its rounding is that of a small number.
         let versine = 0.5 * t * (1.0 - t * over(12.0) * fourth);
@@ -52,7 +53,10 @@ mod tests {
             for turn in [-0.5, -0.2, -0.11, -1e-3, 0.0, 1e-9, 0.04, 0.17, 0.2, 0.21] {
                 let (sin, cos) = near.sin_cos(angle + turn);
                 let (right_sin, right_cos) = (angle + turn).sin_cos();
-                assert!((sin - right_sin).abs() < 4e-16 && (cos - right_cos).abs() < 4e-16, "{angle} {turn}");
+                assert!(
+                    (sin - right_sin).abs() < 4e-16 && (cos - right_cos).abs() < 4e-16,
+                    "{angle} {turn}"
+                );
             }
         }
     }
