@@ -2,7 +2,7 @@
 //!
 //! Wraps faer, whose threads do not pay on two-dimensional problems: it runs sequentially.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::LltRegularization;
@@ -34,13 +34,29 @@ impl Analysis {
             inverse[dof as usize] = k as u32;
         }
         let n = pattern.dimension();
+        Self::ordered(
+            pattern,
+            SymmetricOrdering::Custom(PermRef::new_checked(&order, &inverse, n)),
+        )
+    }
+
+    /// Analyses a symmetric pattern of which no positions are known, in an order of minimum degree.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`] if the factor's indices or its memory do not fit.
+    pub(crate) fn of_pattern(pattern: Arc<Pattern>) -> Result<Self, Error> {
+        Self::ordered(pattern, SymmetricOrdering::Amd)
+    }
+
+    fn ordered(pattern: Arc<Pattern>, order: SymmetricOrdering<'_, u32>) -> Result<Self, Error> {
+        let unknowns = pattern.dimension();
         let symbolic = factorize_symbolic_cholesky(
             faer_pattern(&pattern),
             Side::Lower,
-            SymmetricOrdering::Custom(PermRef::new_checked(&order, &inverse, n)),
+            order,
             CholeskySymbolicParams::default(),
         )
-        .map_err(|_| Error::TooLarge { unknowns: n })?;
+        .map_err(|_| Error::TooLarge { unknowns })?;
         Ok(Self { symbolic, pattern })
     }
 
@@ -76,6 +92,34 @@ impl Analysis {
             analysis: Arc::clone(self),
             factor,
         })
+    }
+}
+
+/// An analysis that is made when it is first asked for.
+#[derive(Debug)]
+pub struct LazyAnalysis {
+    space: Space,
+    pattern: Arc<Pattern>,
+    made: OnceLock<Result<Arc<Analysis>, Error>>,
+}
+
+impl LazyAnalysis {
+    /// Of matrices with `pattern` on `space`.
+    pub fn new(space: Space, pattern: Arc<Pattern>) -> Self {
+        Self {
+            space,
+            pattern,
+            made: OnceLock::new(),
+        }
+    }
+
+    /// The analysis.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`] as [`Analysis::new`].
+    pub fn get(&self) -> Result<&Arc<Analysis>, Error> {
+        let made = (self.made).get_or_init(|| Analysis::new(&self.space, self.pattern.clone()).map(Arc::new));
+        made.as_ref().map_err(Clone::clone)
     }
 }
 

@@ -39,6 +39,19 @@ pub struct Quality {
     pub unnamed_boundary_edges: usize,
 }
 
+/// Share of the triangles whose longest edge is more than `aspect` times the height on it.
+pub fn needle_share(mesh: &Mesh, aspect: f64) -> f64 {
+    let is_needle = |t: usize| {
+        let corners = mesh.corners(t);
+        let longest = (0..3)
+            .map(|k| distance(corners[k], corners[(k + 1) % 3]))
+            .fold(0.0, f64::max);
+        longest * longest > aspect * doubled_area(corners)
+    };
+    let cells = mesh.triangles().len();
+    (0..cells).filter(|&t| is_needle(t)).count() as f64 / cells as f64
+}
+
 impl Quality {
     /// Measures `mesh`.
     pub fn of(mesh: &Mesh) -> Self {

@@ -4,6 +4,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use oilwedge_bearing::NoEquilibrium;
+use oilwedge_fem::linearisation::Route;
 use oilwedge_fem::newton;
 use oilwedge_mesh::{Mesh, Quality, developed};
 use oilwedge_reynolds::NoFilm;
@@ -18,8 +19,8 @@ use crate::picture::picture;
 use crate::plot::PlotError;
 use crate::refinement::{Answer, answer, at_first};
 use crate::report::{
-    Balances, CHECK_FORMAT, CheckReport, Cost, Counts, HistoryStep, MeshFacts, RESULT_FORMAT, RegionFacts, ReportError,
-    RunResult, Status,
+    Balances, CHECK_FORMAT, CheckReport, Cost, Counts, HistoryStep, LinearSolver, MeshFacts, RESULT_FORMAT,
+    RegionFacts, ReportError, RunResult, Status,
 };
 use crate::results::WriteError;
 use crate::scene::Scene;
@@ -125,6 +126,7 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, Error> {
         balances: Balances::default(),
         history: Vec::new(),
         counts: Counts::default(),
+        linear_solver: None,
         timing_s: study.seconds.map(|(part, seconds)| (part.to_owned(), seconds)).into(),
         warnings: Vec::new(),
         cost: None,
@@ -192,6 +194,14 @@ fn report(study: &Study, solved: &Solved, judged: Judged, result: &mut RunResult
         },
         position_steps: solved.balance.map_or(0, |balance| balance.steps),
     };
+    result.linear_solver = Some(LinearSolver {
+        route: match film.linearisation.route() {
+            Route::Direct => "direct",
+            Route::Multigrid => "multigrid",
+            Route::Switched => "switched",
+        },
+        steps: film.linearisation.steps(),
+    });
     result.balances.force = solved.balance.map_or(0.0, |balance| balance.residual);
     let mut parts = vec![
         ("assemble", film.seconds.assemble),
