@@ -22,34 +22,43 @@ use crate::{FilmProblem, FilmSolution, FilmSystem};
 pub struct Extremes {
     /// Greatest pressure of the field [Pa gauge].
     pub greatest: f64,
+    /// Triangle that it lies in.
+    pub greatest_in: usize,
     /// Least pressure of the field [Pa gauge].
     pub least: f64,
+    /// Triangle that it lies in; none where it is that of a cavity.
+    pub least_in: Option<usize>,
     /// Viscosity [Pa s] at the greatest pressure.
     pub viscosity: f64,
 }
 
 /// Extremes of the pressure. Pressure grows with the unknown, so they are those of the unknown.
 pub fn extremes(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Extremes {
-    let greatest = problem.pressure_at(problem.greatest_unknown(system, film));
+    let top = problem.greatest_unknown(system, film);
+    let greatest = problem.pressure_at(top.value);
+    let (least, least_in) = least(problem, system, film);
     Extremes {
         greatest,
-        least: least(problem, system, film),
+        greatest_in: top.triangle,
+        least,
+        least_in,
         viscosity: problem.viscosity_at(greatest),
     }
 }
 
-/// Least pressure [Pa]: that of the cavity where there is one, and never below it.
-fn least(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> f64 {
+/// Least pressure [Pa]: that of the cavity where there is one, and never below it; else also the triangle.
+fn least(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> (f64, Option<usize>) {
     let floor = problem.cavitation.pressure();
     if let Some(pressure) = floor.filter(|_| film.cavity.contains(&true)) {
-        return pressure;
+        return (pressure, None);
     }
     let field = Field {
         space: system.space(),
         values: &film.unknown,
     };
-    let least = problem.pressure_at(field.minimum().value);
-    floor.map_or(least, |floor| least.max(floor))
+    let bottom = field.minimum();
+    let least = problem.pressure_at(bottom.value);
+    (floor.map_or(least, |floor| least.max(floor)), Some(bottom.triangle))
 }
 
 /// Least film thickness [m] over the mesh and where `phi_min` lies on the liner there.
