@@ -18,6 +18,7 @@ pub mod error;
 mod extrema;
 pub mod factorization;
 pub mod field;
+mod front;
 pub mod lagrange;
 pub mod linear_solver;
 pub mod linearisation;
