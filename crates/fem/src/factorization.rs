@@ -213,7 +213,8 @@ fn faer_pattern(pattern: &Pattern) -> SymbolicSparseColMatRef<'_, u32> {
     SymbolicSparseColMatRef::new_unsorted_checked(n, n, &pattern.row_start, None, &pattern.columns)
 }
 
-fn masked_values(matrix: &Matrix, fixed: &[bool]) -> Result<Vec<f64>, Error> {
+/// The values of `matrix` with the rows and columns of fixed dofs replaced by those of the identity.
+pub(crate) fn masked_values(matrix: &Matrix, fixed: &[bool]) -> Result<Vec<f64>, Error> {
     let Pattern { row_start, columns } = &*matrix.pattern;
     let mut masked = matrix.values.clone();
     for (i, &row_fixed) in fixed.iter().enumerate() {

@@ -21,6 +21,7 @@ pub mod error;
 mod extrema;
 pub mod factorization;
 pub mod field;
+mod front;
 mod iterated;
 pub mod lagrange;
 pub mod linear_prolongation;

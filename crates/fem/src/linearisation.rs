@@ -138,6 +138,14 @@ impl Linearisation {
         self.matrix
     }
 
+    /// Gives LU factors back, to be renewed.
+    pub fn into_unsymmetric(self) -> Option<UnsymmetricFactorization> {
+        match self.factor {
+            Factor::Lu(factor) => Some(*factor),
+            Factor::Cholesky(_) | Factor::Nested(_) => None,
+        }
+    }
+
     /// The given dofs.
     pub fn constraints(&self) -> &Constraints {
         &self.constraints
