@@ -14,7 +14,7 @@
 
 use oilwedge_fem::control_volumes::sub_triangles;
 use oilwedge_fem::mapping::Mapping;
-use oilwedge_fem::{Field, Quadrature};
+use oilwedge_fem::{Field, Quadrature, lagrange};
 
 use crate::{FilmProblem, FilmSolution, FilmSystem};
 
@@ -88,13 +88,16 @@ pub fn share_below(problem: &FilmProblem, system: &FilmSystem, film: &FilmSoluti
         space,
         values: &film.unknown,
     };
+    let shapes = lagrange::tabulated(space.degree(), &rule.points);
     let (mut below, mut whole) = (0.0, 0.0);
     for t in 0..space.mesh().triangles().len() {
         let mapping = Mapping::of(space.mesh(), t);
-        for (&point, weight) in rule.points.iter().zip(&rule.weights) {
-            let area = weight * mapping.at(point).determinant;
+        let nodal = field.element_values(t);
+        for ((&point, weight), shapes) in rule.points.iter().zip(&rule.weights).zip(&shapes) {
+            let area = weight * mapping.determinant(point);
             whole += area;
-            if problem.pressure_at(field.value(t, point)) < level {
+            let unknown = nodal.iter().zip(shapes).map(|(u, shape)| u * shape).sum();
+            if problem.pressure_at(unknown) < level {
                 below += area;
             }
         }
