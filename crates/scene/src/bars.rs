@@ -13,6 +13,7 @@ use std::time::Instant;
 use oilwedge_fem::Field;
 use oilwedge_fem::field::Extremum;
 use oilwedge_reynolds::error_bar::{Bar, FilmError, FlowGoal, Value, film_error};
+use oilwedge_reynolds::lubricant::PressureLaw;
 use oilwedge_reynolds::quantities::pressure;
 use oilwedge_reynolds::{FilmSolution, FilmSystem};
 
@@ -260,6 +261,9 @@ impl Rules<'_> {
     /// Bar [Pa s] of the greatest viscosity, by that of the greatest pressure.
     fn viscosity(&self, value: f64) -> f64 {
         let problem = &self.study.problem;
+        if problem.lubricant.pressure_law == PressureLaw::Constant {
+            return 0.0;
+        }
         let greatest = self.measured.extremes.greatest;
         let [quadratic, cubic] = [
             (&self.study.system, self.film),

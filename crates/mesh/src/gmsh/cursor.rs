@@ -113,16 +113,18 @@ impl<'a> Cursor<'a> {
             return Ok(());
         }
         for _ in 0..count {
-            values.push([self.real()?, self.real()?, self.real()?]);
+            let axes = ["the x coordinate", "the y coordinate", "the z coordinate"];
+            let [x, y, z] = axes.map(|wanted| self.real(wanted));
+            values.push([x?, y?, z?]);
         }
         Ok(())
     }
 
-    /// The next number of a text with a fraction or an exponent.
-    fn real(&mut self) -> Result<f64, Error> {
+    /// The next number of a text, called `wanted` if it is none.
+    fn real(&mut self, wanted: &str) -> Result<f64, Error> {
         let token = self.token()?;
         let value = std::str::from_utf8(token).ok().and_then(|text| text.parse().ok());
-        value.ok_or_else(|| self.not_a_number(token, "a number"))
+        value.ok_or_else(|| self.not_a_number(token, wanted))
     }
 
     /// A count and as many signed numbers.
