@@ -66,9 +66,7 @@ impl<'a> FilmLaw<'a> {
         let mut flows = [FilmFlow::default(); MOST_POINTS];
         let Some(change) = &self.change else {
             for term in &self.problem.terms {
-                for (point, flow) in film[..positions.len()].iter().zip(&mut flows) {
-                    term.add(point, flow);
-                }
+                term.add_all(&film[..positions.len()], &mut flows);
             }
             return (film, flows);
         };

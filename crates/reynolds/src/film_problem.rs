@@ -289,11 +289,11 @@ impl FilmProblem {
     }
 
     /// Film thickness [m] at positions [m] in triangle `cell`.
-    pub fn thickness_at(&self, cell: usize, positions: &[[f64; 2]]) -> Vec<f64> {
-        let mut film = vec![FilmPoint::default(); positions.len()];
+    pub fn thickness_at<const N: usize>(&self, cell: usize, positions: &[[f64; 2]; N]) -> [f64; N] {
+        let mut film = [FilmPoint::default(); N];
         for contribution in &self.film_thickness {
             contribution.add(&self.journal, cell, positions, &mut film);
         }
-        film.into_iter().map(|point| point.thickness).collect()
+        film.map(|point| point.thickness)
     }
 }

@@ -6,6 +6,7 @@ use std::time::Instant;
 use oilwedge_bearing::NoEquilibrium;
 use oilwedge_fem::linearisation::Route;
 use oilwedge_fem::newton;
+use oilwedge_mesh::quality::least_angle_of;
 use oilwedge_mesh::{Mesh, Quality, developed};
 use oilwedge_reynolds::NoFilm;
 
@@ -119,7 +120,7 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, Error> {
         status: Status::Converged,
         reason: None,
         effects: study.effects.clone(),
-        mesh: facts(&Quality::of(study.system.space().mesh())),
+        mesh: facts(study.system.space().mesh()),
         quantities: Vec::new(),
         bars: options.bars,
         levels,
@@ -297,7 +298,7 @@ fn check_report(path: &Path, mesh: &Mesh) -> CheckReport {
         title: None,
         mesh_file: path.display().to_string(),
         effects: None,
-        mesh: facts(&quality),
+        mesh: facts(mesh),
         regions: (mesh.regions().iter())
             .flat_map(|region| {
                 let curve = parts(&region.name, "curve", region.edges.len());
@@ -314,11 +315,11 @@ fn check_report(path: &Path, mesh: &Mesh) -> CheckReport {
     }
 }
 
-fn facts(quality: &Quality) -> MeshFacts {
+fn facts(mesh: &Mesh) -> MeshFacts {
     MeshFacts {
-        cells: quality.cells,
-        nodes: quality.quadratic_nodes,
+        cells: mesh.triangles().len(),
+        nodes: mesh.quadratic_nodes(),
         order: DEGREE,
-        min_angle_deg: quality.least_angle,
+        min_angle_deg: least_angle_of(mesh),
     }
 }

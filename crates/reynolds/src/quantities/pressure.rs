@@ -66,9 +66,6 @@ fn least(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> (f6
 /// The film is least at `phi_min` if the liner covers it, else at an edge: the nodes tell.
 pub fn least_thickness(problem: &FilmProblem, system: &FilmSystem) -> f64 {
     let mesh = system.space().mesh();
-    let at_vertices = (0..mesh.triangles().len())
-        .flat_map(|t| problem.thickness_at(t, &mesh.nodes(t)))
-        .fold(f64::INFINITY, f64::min);
     let covered = match mesh.period() {
         Some(_) => true,
         None => {
@@ -79,6 +76,10 @@ pub fn least_thickness(problem: &FilmProblem, system: &FilmSystem) -> f64 {
             (x - low).rem_euclid(turn) <= high - low
         }
     };
-    let wedge = problem.bearing.clearance - problem.journal.eccentricity();
-    if covered { at_vertices.min(wedge) } else { at_vertices }
+    if covered {
+        return problem.bearing.clearance - problem.journal.eccentricity();
+    }
+    (0..mesh.triangles().len())
+        .flat_map(|t| problem.thickness_at(t, &mesh.nodes(t)))
+        .fold(f64::INFINITY, f64::min)
 }
