@@ -8,7 +8,8 @@ use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::LltRegularization;
 use faer::perm::PermRef;
 use faer::sparse::linalg::cholesky::{
-    CholeskySymbolicParams, LltRef, SymbolicCholesky, SymmetricOrdering, factorize_symbolic_cholesky,
+    CholeskySymbolicParams, LltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering,
+    factorize_symbolic_cholesky,
 };
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::{Conj, MatMut, Par, Side};
@@ -63,6 +64,26 @@ impl Analysis {
     /// Entries of the Cholesky factor.
     pub fn factor_entries(&self) -> usize {
         self.symbolic.len_val()
+    }
+
+    /// Multiplications and additions of a factorisation: the sum of the squares of the column counts.
+    pub fn factor_flops(&self) -> f64 {
+        let squares = |longest: usize, columns: usize| -> f64 {
+            let counts = (0..columns).map(|k| (longest - k) as f64);
+            counts.map(|count| count * count).sum()
+        };
+        match self.symbolic.raw() {
+            SymbolicCholeskyRaw::Simplicial(columns) => {
+                let ends = columns.col_ptr().windows(2);
+                ends.map(|ends| squares((ends[1] - ends[0]) as usize, 1)).sum()
+            }
+            SymbolicCholeskyRaw::Supernodal(blocks) => {
+                let width = |s: usize| (blocks.supernode_end()[s] - blocks.supernode_begin()[s]) as usize;
+                let below = |s: usize| blocks.supernode(s).pattern().len();
+                let blocks = 0..blocks.n_supernodes();
+                blocks.map(|s| squares(width(s) + below(s), width(s))).sum()
+            }
+        }
     }
 
     /// Factorises `matrix` with the rows and columns of fixed dofs replaced by those of the identity.

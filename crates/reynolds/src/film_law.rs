@@ -16,6 +16,13 @@ pub(crate) struct FilmLaw<'a> {
     change: Option<JournalChange>,
 }
 
+impl FilmProblem {
+    /// The law whose flux balances in this film.
+    pub fn law(&self) -> impl ConservationLaw + '_ {
+        FilmLaw::new(self, 1.0)
+    }
+}
+
 /// As many points as a law is asked for at once.
 pub(crate) type AtPoints<T> = [T; MOST_POINTS];
 
