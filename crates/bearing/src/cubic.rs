@@ -3,10 +3,10 @@
 //! The tangent of the quadratic film does: the two forces differ by a thousandth or so, and each step gains as much.
 
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{FilmProblem, FilmSystem};
+use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem};
 
 use crate::NoEquilibrium;
-use crate::equilibrium::{Equilibrium, ROUGHLY_BALANCED, Squeeze, find_within, newton_step};
+use crate::equilibrium::{Equilibrium, ROUGHLY_BALANCED, Squeeze, find_near_within, find_within, newton_step};
 use crate::search::Search;
 
 /// The balance has been found when force and load differ by this part of the load.
@@ -28,6 +28,32 @@ pub fn find_cubic(
     squeeze: Squeeze,
 ) -> Result<Equilibrium, NoEquilibrium> {
     let found = find_within(problem, system, load, squeeze, ROUGHLY_BALANCED)?;
+    balance_cubic(found, problem, system, load, squeeze)
+}
+
+/// The same from the position of `problem`, as [`crate::find_near`].
+///
+/// # Errors
+/// As there.
+pub fn find_cubic_near(
+    problem: &FilmProblem,
+    system: &FilmSystem,
+    load: [f64; 2],
+    squeeze: Squeeze,
+    film: Option<&FilmSolution>,
+) -> Result<Equilibrium, NoEquilibrium> {
+    let found = find_near_within(problem, system, load, squeeze, film, ROUGHLY_BALANCED)?;
+    balance_cubic(found, problem, system, load, squeeze)
+}
+
+/// From the balance of the quadratic film to that of the cubic one.
+fn balance_cubic(
+    found: Equilibrium,
+    problem: &FilmProblem,
+    system: &FilmSystem,
+    load: [f64; 2],
+    squeeze: Squeeze,
+) -> Result<Equilibrium, NoEquilibrium> {
     let search = Search {
         cubic: true,
         ..Search::new(problem, system, load, squeeze)

@@ -28,6 +28,8 @@ use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalChange, Jo
 pub(crate) const BALANCED: f64 = 1e-12;
 /// On coarser meshes, that are only to start from, this part will do.
 pub(crate) const ROUGHLY_BALANCED: f64 = 1e-4;
+/// Of a search that begins nearby, as a step of Newton's method more would leave rounding.
+const NEARLY_BALANCED: f64 = 1e-10;
 /// A balance that rounding keeps from [`BALANCED`] is one below this part.
 const BALANCED_ENOUGH: f64 = 1e-10;
 /// Steps are taken in `e` below this part.
@@ -147,12 +149,53 @@ pub(crate) fn find_within(
     }
 }
 
+/// The same from the position of `problem`, which a neighbouring operating point suggests, with the film of that point on the same
+/// system if there is one to start from; no coarser mesh is asked for a position.
+///
+/// # Errors
+/// As [`find`]. A search that begins elsewhere may still find a position.
+pub fn find_near(
+    problem: &FilmProblem,
+    system: &FilmSystem,
+    load: [f64; 2],
+    squeeze: Squeeze,
+    film: Option<&FilmSolution>,
+) -> Result<Equilibrium, NoEquilibrium> {
+    find_near_within(problem, system, load, squeeze, film, NEARLY_BALANCED)
+}
+
+/// The same where force and load may differ by the part `balanced` of the load.
+///
+/// # Errors
+/// As [`find_near`].
+pub(crate) fn find_near_within(
+    problem: &FilmProblem,
+    system: &FilmSystem,
+    load: [f64; 2],
+    squeeze: Squeeze,
+    film: Option<&FilmSolution>,
+    balanced: f64,
+) -> Result<Equilibrium, NoEquilibrium> {
+    let search = Search {
+        balanced,
+        ..Search::new(problem, system, load, squeeze)
+    };
+    let near = film.map_or(Neighbour::None, Neighbour::Start);
+    let first = search.trial(problem, problem.journal.offset, near)?;
+    search.at_rest(first)
+}
+
 impl Search<'_> {
+    /// Balances the load from this start.
+    fn run(&self, problem: &FilmProblem, start: JournalState) -> Result<Equilibrium, NoEquilibrium> {
+        self.at_rest(self.first(problem, start)?)
+    }
+
     /// Balances the load and, in a mass-conserving film, chooses the forms by which oil is carried anew at the balanced
     /// position until they come to rest.
-    fn run(&self, problem: &FilmProblem, start: JournalState) -> Result<Equilibrium, NoEquilibrium> {
+    fn at_rest(&self, first: Trial) -> Result<Equilibrium, NoEquilibrium> {
         let mut tried = 1;
-        let mut trial = self.balanced(self.first(problem, start)?, &mut tried)?;
+        let mut trial = self.balanced(first, &mut tried)?;
         let mut at_rest = trial.film.film_fraction.is_none();
         for _ in 0..MOST_CHOICES {
             if at_rest {

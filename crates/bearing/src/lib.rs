@@ -9,9 +9,11 @@
 pub mod cubic;
 pub mod equilibrium;
 pub mod no_equilibrium;
+mod prediction;
 mod search;
 mod stretched;
 
-pub use cubic::find_cubic;
-pub use equilibrium::{Equilibrium, Squeeze, find, newton_step};
+pub use cubic::{find_cubic, find_cubic_near};
+pub use equilibrium::{Equilibrium, Squeeze, find, find_near, newton_step};
 pub use no_equilibrium::NoEquilibrium;
+pub use prediction::{Visited, predicted};

@@ -13,6 +13,7 @@ mod progress;
 mod quantities;
 mod readable;
 mod solve;
+mod sweep;
 mod terminal;
 mod words;
 
@@ -41,6 +42,7 @@ Examples:
   oilwedge check liner.msh                         a gmsh 4.1 mesh by itself
   oilwedge mesh bearing.toml -o liner.msh          a mesh of its liner, fine enough as it is, for gmsh
   oilwedge converge bearing.toml                   what each digit costs, in unknowns and seconds
+  oilwedge sweep bearing.toml                      all cases of its [sweep], to a table
 
 Exit status: 0 done; 1 no solution or not converged; 2 bad scene, mesh or arguments (nothing was written).";
 
@@ -54,6 +56,8 @@ enum Verb {
     Mesh(mesh::Mesh),
     /// Solve a scene on ever finer meshes by three strategies, and tell what accuracy costs.
     Converge(converge::Converge),
+    /// Solve a scene for all values of its [sweep], to a table with one row a case.
+    Sweep(sweep::Sweep),
 }
 
 fn main() -> ExitCode {
@@ -64,6 +68,7 @@ fn main() -> ExitCode {
         Verb::Check(check) => check.run(),
         Verb::Mesh(mesh) => mesh.run(),
         Verb::Converge(converge) => converge.run(),
+        Verb::Sweep(sweep) => sweep.run(),
     });
     outcome.unwrap_or_else(|failure| {
         failure.tell();

@@ -2,6 +2,7 @@
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use oilwedge_scene::convergence::{LevelReport, Observer, Strategy};
+use oilwedge_scene::sweep::Progress as Progressed;
 use std::io::IsTerminal;
 use std::time::{Duration, Instant};
 
@@ -17,11 +18,7 @@ pub(crate) struct Progress {
 impl Progress {
     /// For a run of at most so many seconds [s].
     pub(crate) fn new(max_seconds: f64) -> Self {
-        let target = match std::io::stderr().is_terminal() {
-            true => ProgressDrawTarget::stderr(),
-            false => ProgressDrawTarget::hidden(),
-        };
-        let bar = ProgressBar::with_draw_target(Some((1e3 * max_seconds) as u64), target);
+        let bar = ProgressBar::with_draw_target(Some((1e3 * max_seconds) as u64), target());
         if let Ok(style) = ProgressStyle::with_template("{spinner} {elapsed} [{bar:24}] {msg}") {
             bar.set_style(style.progress_chars("=> "));
         }
@@ -55,5 +52,47 @@ impl Observer for Progress {
 
     fn ended(&mut self, _: Strategy, _: &LevelReport) {
         self.move_on();
+    }
+}
+
+/// A bar that fills as cases end, with the time left.
+pub(crate) struct SweepProgress {
+    bar: ProgressBar,
+    begun: bool,
+}
+
+impl SweepProgress {
+    /// Before the first case.
+    pub(crate) fn new() -> Self {
+        let bar = ProgressBar::with_draw_target(None, target());
+        if let Ok(style) = ProgressStyle::with_template("{spinner} {elapsed} [{bar:24}] {pos} of {len} cases, {eta} left") {
+            bar.set_style(style.progress_chars("=> "));
+        }
+        bar.enable_steady_tick(TICK);
+        Self { bar, begun: false }
+    }
+
+    /// So many cases have ended. Those of an earlier run tell nothing of the time left.
+    pub(crate) fn move_on(&mut self, now: Progressed) {
+        if !self.begun {
+            self.begun = true;
+            self.bar.set_length(now.cases as u64);
+            self.bar.set_position(now.done as u64);
+            self.bar.reset_eta();
+        }
+        self.bar.set_position(now.done as u64);
+    }
+
+    /// Takes the bar away.
+    pub(crate) fn end(&self) {
+        self.bar.finish_and_clear();
+    }
+}
+
+/// Nothing is drawn where nobody looks.
+fn target() -> ProgressDrawTarget {
+    match std::io::stderr().is_terminal() {
+        true => ProgressDrawTarget::stderr(),
+        false => ProgressDrawTarget::hidden(),
     }
 }

@@ -47,14 +47,14 @@ pub(crate) struct Solve {
 
 /// Whether error bars are estimated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-enum Bars {
+pub(crate) enum Bars {
     /// For every quantity whose error can be resolved.
     Auto,
     /// For none.
     None,
 }
 
-fn seconds(text: &str) -> Result<f64, String> {
+pub(crate) fn seconds(text: &str) -> Result<f64, String> {
     let seconds = text
         .parse()
         .ok()
@@ -62,7 +62,7 @@ fn seconds(text: &str) -> Result<f64, String> {
     seconds.ok_or_else(|| "a number of seconds above zero is wanted".to_owned())
 }
 
-fn unknowns(text: &str) -> Result<usize, String> {
+pub(crate) fn unknowns(text: &str) -> Result<usize, String> {
     let count = text.parse().ok().filter(|count| *count > 0);
     count.ok_or_else(|| "a whole number above zero is wanted".to_owned())
 }
@@ -111,15 +111,7 @@ impl Solve {
     }
 
     fn options(&self, scene: &Scene) -> Result<RunOptions, Failure> {
-        let bars = self.bars == Bars::Auto;
-        if !bars && scene.tolerance.as_ref().is_some_and(|tolerance| tolerance.is_given) {
-            return Err(Failure::Argument {
-                message: format!(
-                    "--bars none does not go with the mesh.tolerance of the scene {}: without error bars nothing tells when it is met; leave out --bars none, or remove tolerance from [mesh]",
-                    self.scene.display()
-                ),
-            });
-        }
+        let bars = wanted_bars(self.bars, scene, &self.scene)?;
         Ok(RunOptions {
             unrolled: self.unrolled,
             bars,
@@ -127,6 +119,23 @@ impl Solve {
             max_unknowns: self.max_unknowns,
         })
     }
+}
+
+/// Whether error bars are wanted.
+///
+/// # Errors
+/// None are, but the scene at `path` asks for a tolerance.
+pub(crate) fn wanted_bars(bars: Bars, scene: &Scene, path: &Path) -> Result<bool, Failure> {
+    let bars = bars == Bars::Auto;
+    if !bars && scene.tolerance.as_ref().is_some_and(|tolerance| tolerance.is_given) {
+        return Err(Failure::Argument {
+            message: format!(
+                "--bars none does not go with the mesh.tolerance of the scene {}: without error bars nothing tells when it is met; leave out --bars none, or remove tolerance from [mesh]",
+                path.display()
+            ),
+        });
+    }
+    Ok(bars)
 }
 
 /// `out/NAME` for `NAME.toml`.

@@ -142,7 +142,7 @@ impl Linearisation {
     pub fn into_unsymmetric(self) -> Option<UnsymmetricFactorization> {
         match self.factor {
             Factor::Lu(factor) => Some(*factor),
-            Factor::Cholesky(_) | Factor::Nested(_) => None,
+            Factor::Cholesky(_) | Factor::Multigrid(_) | Factor::Nested(_) => None,
         }
     }
 

@@ -76,7 +76,7 @@ pub struct FilmSystem {
     /// Made when a mass-conserving film is first solved.
     volumes: OnceLock<Result<ControlVolumes, oilwedge_fem::Error>>,
     /// Made when an error bar is first estimated.
-    enriched: OnceLock<Box<Enriched>>,
+    pub(crate) enriched: OnceLock<Box<Enriched>>,
     /// Made when the error of a mass-conserving film is first judged.
     pub(crate) vertices: OnceLock<Box<FilmSystem>>,
 }

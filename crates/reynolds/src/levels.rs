@@ -24,7 +24,9 @@ const RATIO: f64 = 2.0;
 pub struct Coarser {
     /// Unknowns and given pressures there.
     pub system: FilmSystem,
-    film_thickness: Vec<Arc<dyn FilmContribution>>,
+    pub(crate) film_thickness: Vec<Arc<dyn FilmContribution>>,
+    /// For each triangle the one of the finer mesh in which it lies.
+    pub(crate) parents: Vec<u32>,
     /// Where each dof of the finer mesh lies: triangle of the coarser mesh and reference point.
     places: Vec<(u32, [f64; 2])>,
 }
@@ -59,6 +61,7 @@ impl Coarser {
         Some(Self {
             system: system.with_coarser(bearing, &film_thickness),
             film_thickness,
+            parents: coarse.parents,
             places,
         })
     }

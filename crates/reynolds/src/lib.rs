@@ -51,6 +51,7 @@ pub mod journal_state;
 pub mod levels;
 pub mod lubricant;
 pub mod quantities;
+mod renewal;
 mod sensitivity;
 pub mod solve;
 pub mod supply;

@@ -243,6 +243,13 @@ impl Supply {
         &self.regions
     }
 
+    /// Gives each region the pressure [Pa] that `pressure` has for it.
+    pub(crate) fn set_pressures(&mut self, pressure: &dyn Fn(&SupplyRegion) -> f64) {
+        for region in &mut self.regions {
+            region.pressure = pressure(region);
+        }
+    }
+
     /// Given values at dofs, each the `unknown(pressure)` of its region.
     pub fn constraints(&self, unknown: impl Fn(f64) -> f64) -> Constraints {
         let mut constraints = Constraints::none(self.owner.len());

@@ -3,10 +3,12 @@
 
 use std::time::Instant;
 
-use oilwedge_bearing::{Equilibrium, NoEquilibrium, find, find_cubic};
+use oilwedge_bearing::{Equilibrium, NoEquilibrium, find, find_cubic, find_cubic_near, find_near};
+use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{Cavitation, FilmSolution, JournalState, NoFilm};
 
 use crate::compile::{CompileError, Study, compile, compile_near};
+use crate::report::Status;
 use crate::scene::Scene;
 
 /// A mesh is graded anew where the least film thickness found is another one than it was graded for by this factor,
@@ -77,6 +79,14 @@ impl NoAnswer {
         };
         matches!(film, NoFilm::NotConverged(_))
     }
+
+    /// What is said of a run that ends so.
+    pub fn status(&self) -> Status {
+        match self.is_unreached() {
+            true => Status::NotConverged,
+            false => Status::NoSolution,
+        }
+    }
 }
 
 /// Solves a study, with a witness if errors are asked for (`bars`). Under a load the journal of its problem is where it was
@@ -85,10 +95,31 @@ impl NoAnswer {
 /// # Errors
 /// [`NoAnswer`]: the reason why there is no film or no position.
 pub fn solve(study: &mut Study, bars: bool) -> Result<Solved, NoAnswer> {
+    solve_from(study, bars, Start::Scene)
+}
+
+/// Where a solve begins.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Start<'a> {
+    /// As the scene says; a position on coarser meshes first.
+    Scene,
+    /// At the position of the study's problem, which a neighbouring operating point suggests; with the film of that point, if it is
+    /// of the same system.
+    Near(Option<&'a FilmSolution>),
+}
+
+/// The same from a given start.
+///
+/// # Errors
+/// As [`solve`]; from near another operating point also where a solve that begins as the scene says finds an answer.
+pub(crate) fn solve_from(study: &mut Study, bars: bool, start: Start) -> Result<Solved, NoAnswer> {
     let clock = Instant::now();
     let conserving = matches!(study.problem.cavitation, Cavitation::Jfo { .. });
     let Some(load) = study.load else {
-        let film = study.problem.solve(&study.system)?;
+        let film = match start {
+            Start::Near(Some(film)) => study.problem.solve_from(&study.system, Neighbour::Start(film))?,
+            _ => study.problem.solve(&study.system)?,
+        };
         let clock = Instant::now();
         let witness = match (bars, conserving) {
             (false, _) => Witness::None,
@@ -102,9 +133,12 @@ pub fn solve(study: &mut Study, bars: bool) -> Result<Solved, NoAnswer> {
             judging: clock.elapsed().as_secs_f64(),
         });
     };
-    let found = match bars && !conserving {
-        true => find_cubic(&study.problem, &study.system, load, study.squeeze)?,
-        false => find(&study.problem, &study.system, load, study.squeeze)?,
+    let (problem, system, squeeze) = (&study.problem, &study.system, study.squeeze);
+    let found = match (start, bars && !conserving) {
+        (Start::Scene, true) => find_cubic(problem, system, load, squeeze)?,
+        (Start::Scene, false) => find(problem, system, load, squeeze)?,
+        (Start::Near(film), true) => find_cubic_near(problem, system, load, squeeze, film)?,
+        (Start::Near(film), false) => find_near(problem, system, load, squeeze, film)?,
     };
     let seconds = clock.elapsed().as_secs_f64();
     let Equilibrium {
@@ -169,7 +203,7 @@ pub fn graded(scene: &Scene) -> Result<Study, CompileError> {
 }
 
 /// Whether a mesh graded for one position suits another.
-fn is_near(clearance: f64, graded_for: &JournalState, found: &JournalState) -> bool {
+pub(crate) fn is_near(clearance: f64, graded_for: &JournalState, found: &JournalState) -> bool {
     let gap = |journal: &JournalState| clearance - journal.eccentricity();
     let ratio = gap(graded_for) / gap(found);
     let turn = graded_for.min_film_angle() - found.min_film_angle();

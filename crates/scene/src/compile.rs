@@ -12,6 +12,10 @@
 //!
 //! What is simulated and what is not is written down here too, and opens every report.
 
+mod renewal;
+
+pub(crate) use renewal::{has_same_system, renewed};
+
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
@@ -163,15 +167,7 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, near: (f64, f64), degree: usize) ->
         SystemError::Supply(faults) => unfit(scene, faults),
         SystemError::Fem(error) => error.into(),
     })?;
-    let problem = FilmProblem {
-        bearing: bearing(scene),
-        journal,
-        film_thickness,
-        lubricant: lubricant(scene),
-        form: form(scene),
-        terms: terms(scene),
-        cavitation: cavitation(scene),
-    };
+    let problem = problem(scene, journal, film_thickness);
     // A position is sought on coarser meshes first, and by many films.
     let is_sought = scene.journal.load().is_some();
     let system = match is_sought {
@@ -187,13 +183,7 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, near: (f64, f64), degree: usize) ->
     };
     Ok(Study {
         load: scene.journal.load(),
-        squeeze: scene
-            .journal
-            .motion()
-            .map_or(Default::default(), |motion| oilwedge_bearing::Squeeze {
-                radial: motion.radial,
-                tangential: motion.tangential,
-            }),
+        squeeze: squeeze(scene),
         effects: effects(scene, &problem),
         problem,
         system,
@@ -206,6 +196,18 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, near: (f64, f64), degree: usize) ->
         flips,
         seconds: [("mesh", 0.0), ("order", start.elapsed().as_secs_f64())],
     })
+}
+
+fn problem(scene: &Scene, journal: JournalState, film_thickness: Vec<Arc<dyn FilmContribution>>) -> FilmProblem {
+    FilmProblem {
+        bearing: bearing(scene),
+        journal,
+        film_thickness,
+        lubricant: lubricant(scene),
+        form: form(scene),
+        terms: terms(scene),
+        cavitation: cavitation(scene),
+    }
 }
 
 fn bearing(scene: &Scene) -> Bearing {
@@ -224,6 +226,14 @@ fn journal(scene: &Scene, (eccentricity, angle): (f64, f64)) -> JournalState {
         Some(squeeze) => state.with_squeeze(squeeze.radial, squeeze.tangential, angle),
         None => state,
     }
+}
+
+fn squeeze(scene: &Scene) -> oilwedge_bearing::Squeeze {
+    let motion = scene.journal.motion();
+    motion.map_or(Default::default(), |motion| oilwedge_bearing::Squeeze {
+        radial: motion.radial,
+        tangential: motion.tangential,
+    })
 }
 
 /// The clearance less the journal's offset, and the pockets that deepen it.

@@ -40,6 +40,7 @@ pub mod scene;
 pub mod schema;
 pub mod sketch;
 pub mod spelling;
+pub mod sweep;
 pub mod unit;
 pub mod validate;
 pub mod vtu;

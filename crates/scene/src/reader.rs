@@ -144,9 +144,30 @@ impl<'a> TableReader<'a> {
             .collect()
     }
 
+    /// The keys in the order of the text.
+    pub(crate) fn keys_in_order(&self) -> Vec<&'a str> {
+        let table = self.table.into_iter();
+        let mut keys: Vec<_> = table
+            .flat_map(|table| table.iter().map(|(key, _)| (key.span().start, key.get_ref().as_ref())))
+            .collect();
+        keys.sort_unstable();
+        keys.into_iter().map(|(_, key)| key).collect()
+    }
+
+    /// The value of the key as it is written.
+    pub(crate) fn written(&mut self, key: &'a str) -> Option<&'a Spanned<DeValue<'a>>> {
+        self.take(key)?;
+        self.table?.get(key)
+    }
+
     /// Complains about a key of this table.
     pub(crate) fn complain(&self, key: &str, message: impl Into<String>, help: impl Into<String>) {
         self.collector.complain(&self.key(key), message, help);
+    }
+
+    /// Complains about this table itself.
+    pub(crate) fn complain_here(&self, message: impl Into<String>, help: impl Into<String>) {
+        self.collector.complain(&self.path, message, help);
     }
 
     /// A physical quantity in SI that must be there.
@@ -182,23 +203,17 @@ impl<'a> TableReader<'a> {
 
     /// A plain number, if it is written.
     pub(crate) fn number_if_given(&mut self, key: &'static str, example: &str) -> Option<f64> {
-        let value = match self.take(key)? {
-            DeValue::Integer(digits) if digits.radix() == 10 => digits.as_str().parse().ok(),
-            DeValue::Integer(digits) => i64::from_str_radix(digits.as_str(), digits.radix())
-                .ok()
-                .map(|value| value as f64),
-            DeValue::Float(digits) => digits.as_str().parse().ok(),
-            other => {
-                let message = format!("a plain number is wanted, not {}", kind(other));
-                self.complain(
-                    key,
-                    message,
-                    format!("write {key} = {example}, without quotes and unit"),
-                );
-                return Some(f64::NAN);
-            }
-        };
-        match value.filter(|value: &f64| value.is_finite()) {
+        let value = self.take(key)?;
+        if !matches!(value, DeValue::Integer(_) | DeValue::Float(_)) {
+            let message = format!("a plain number is wanted, not {}", kind(value));
+            self.complain(
+                key,
+                message,
+                format!("write {key} = {example}, without quotes and unit"),
+            );
+            return Some(f64::NAN);
+        }
+        match plain_number(value) {
             Some(value) => Some(value),
             None => {
                 self.complain(
@@ -356,7 +371,21 @@ impl<'a> TableReader<'a> {
     }
 }
 
-fn kind(value: &DeValue<'_>) -> &'static str {
+/// The finite number that a value without quotes is.
+pub(crate) fn plain_number(value: &DeValue<'_>) -> Option<f64> {
+    let number: Option<f64> = match value {
+        DeValue::Integer(digits) if digits.radix() == 10 => digits.as_str().parse().ok(),
+        DeValue::Integer(digits) => i64::from_str_radix(digits.as_str(), digits.radix())
+            .ok()
+            .map(|value| value as f64),
+        DeValue::Float(digits) => digits.as_str().parse().ok(),
+        _ => None,
+    };
+    number.filter(|number| number.is_finite())
+}
+
+/// The kind of a value in words, with its article.
+pub(crate) fn kind(value: &DeValue<'_>) -> &'static str {
     match value {
         DeValue::String(_) => "a text in quotes",
         DeValue::Integer(_) | DeValue::Float(_) => "a bare number",

@@ -254,7 +254,7 @@ fn finite(name: &str, value: f64) -> Result<(), ReportError> {
     }
 }
 
-fn json(value: &impl Serialize) -> Result<String, ReportError> {
+pub(crate) fn json(value: &impl Serialize) -> Result<String, ReportError> {
     let text = serde_json::to_string_pretty(value).map_err(|error| ReportError::Json(error.to_string()))?;
     Ok(text + "\n")
 }

@@ -1,6 +1,6 @@
 //! From a scene to its numbers and fields: what a caller asks, and what it is given.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use oilwedge_bearing::NoEquilibrium;
@@ -97,6 +97,31 @@ pub enum Error {
     /// The plots cannot be drawn.
     #[error(transparent)]
     Plot(#[from] PlotError),
+    /// A sweep has no cases.
+    #[error("the sweep has no cases; give each axis below [sweep] a value at least")]
+    NoCases,
+    /// The folder of a sweep holds another one.
+    #[error(
+        "{} holds a sweep {why}; choose another folder with --out, or replace it with --fresh",
+        folder.display()
+    )]
+    OtherSweep {
+        /// The folder.
+        folder: PathBuf,
+        /// What is other about it.
+        why: &'static str,
+    },
+    /// What an earlier run of a sweep wrote cannot be read.
+    #[error("cannot read {}: {source}; choose another folder with --out, or replace it with --fresh", path.display())]
+    Earlier {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        source: std::io::Error,
+    },
+    /// Threads cannot be started.
+    #[error("cannot start the threads of a sweep: {0}; give fewer with --threads")]
+    Threads(String),
 }
 
 /// Computes the film of a scene. A film that does not exist or is not reached is a result, with its reason.
@@ -148,10 +173,7 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, Error> {
             {
                 result.history = history(failure.history());
             }
-            result.status = match reason.is_unreached() {
-                true => Status::NotConverged,
-                false => Status::NoSolution,
-            };
+            result.status = reason.status();
             result.reason = Some(reason.to_string());
             None
         }

@@ -7,10 +7,12 @@ pub use journal::{Journal, Position, Squeeze};
 pub use tolerance::{Target, Tolerance};
 
 use crate::complaint::{Complaint, SceneError};
+use crate::sweep::Plan;
 use crate::{schema, validate};
 use sha2::{Digest, Sha256};
 use std::io::Read;
 use std::path::{Path, PathBuf};
+use toml::de::DeTable;
 
 /// The largest scene file that is read [bytes].
 pub const SCENE_LIMIT: u64 = 1 << 20;
@@ -42,6 +44,8 @@ pub struct Scene {
     pub oil: Oil,
     /// What happens where the film would break; `None`: a full film, whatever its pressure.
     pub cavitation: Option<Cavitation>,
+    /// The cases that `oilwedge sweep` makes of it; nothing else looks at them.
+    pub sweep: Option<Plan>,
     /// SHA-256 of the scene's text, 64 hexadecimal digits.
     pub sha256: String,
 }
@@ -321,31 +325,45 @@ impl Scene {
                 complaints,
             });
         }
-        let (mut scene, marks, mut complaints) = schema::read_scene(document.get_ref(), text, path);
+        match Self::of_document(document.get_ref(), text, path, no_mesh) {
+            Ok(mut scene) => {
+                scene.sha256 = Sha256::digest(text.as_bytes())
+                    .iter()
+                    .map(|byte| format!("{byte:02x}"))
+                    .collect();
+                Ok(scene)
+            }
+            Err(complaints) => Err(SceneError::Complaints {
+                path: path.to_path_buf(),
+                text: text.to_string(),
+                complaints: in_order(complaints),
+            }),
+        }
+    }
+
+    /// The scene that a document makes, whose values stand in `text`; or everything that is wrong with it.
+    pub(crate) fn of_document(
+        document: &DeTable<'_>,
+        text: &str,
+        path: &Path,
+        no_mesh: impl Fn(&Path) -> Option<String>,
+    ) -> Result<Self, Vec<Complaint>> {
+        let (scene, marks, mut complaints) = schema::read_scene(document, text, path);
         complaints.extend(validate::complaints(&scene, &marks));
         let named = marks.has("mesh.file") && complaints.iter().all(|complaint| complaint.key != "mesh.file");
         if let Some(message) = scene.mesh.path().and_then(no_mesh).filter(|_| named) {
             let help = "give the path of a gmsh 4.1 file, counted from the folder of the scene";
             complaints.push(marks.complaint("mesh.file", message, help));
         }
-        if complaints.is_empty() {
-            scene.sha256 = Sha256::digest(text.as_bytes())
-                .iter()
-                .map(|byte| format!("{byte:02x}"))
-                .collect();
-            return Ok(scene);
+        match complaints.is_empty() {
+            true => Ok(scene),
+            false => Err(complaints),
         }
-        let complaints = in_order(complaints);
-        Err(SceneError::Complaints {
-            path: path.to_path_buf(),
-            text: text.to_string(),
-            complaints,
-        })
     }
 }
 
 /// Why there is no plain file `path`, as the end of a sentence.
-fn no_file(path: &Path) -> Option<String> {
+pub(crate) fn no_file(path: &Path) -> Option<String> {
     let path_text = path.display();
     match std::fs::metadata(path) {
         Ok(metadata) if metadata.is_file() => None,
@@ -367,7 +385,7 @@ fn fault(error: &toml::de::Error) -> Complaint {
 }
 
 /// In the order of the text; complaints without a place come last.
-fn in_order(mut complaints: Vec<Complaint>) -> Vec<Complaint> {
+pub(crate) fn in_order(mut complaints: Vec<Complaint>) -> Vec<Complaint> {
     complaints.sort_by_key(|complaint| complaint.span.as_ref().map_or(usize::MAX, |span| span.start));
     complaints
 }

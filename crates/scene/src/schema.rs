@@ -3,6 +3,7 @@
 mod feed;
 mod journal;
 mod oil;
+mod sweep;
 mod tolerance;
 
 pub use oil::ROELANDS_REFERENCE_PRESSURE;
@@ -10,6 +11,7 @@ pub use oil::ROELANDS_REFERENCE_PRESSURE;
 use crate::complaint::Complaint;
 use crate::reader::{Collector, Marks, TableReader};
 use crate::scene::{Arc, Bearing, Cavitation, CavitationModel, Ends, MeshSource, Scene, Tolerance};
+use crate::sweep::Plan;
 use crate::unit::{self, Dimension};
 use std::path::Path;
 use toml::de::DeTable;
@@ -18,12 +20,12 @@ use toml::de::DeTable;
 /// the scene may be NaN and texts empty.
 pub(crate) fn read_scene<'a>(table: &'a DeTable<'a>, text: &str, path: &Path) -> (Scene, Marks, Vec<Complaint>) {
     let collector = Collector::new(text);
-    let scene = scene(TableReader::root(&collector, table), path);
+    let scene = scene(TableReader::root(&collector, table), text, path);
     let (marks, complaints) = collector.finish();
     (scene, marks, complaints)
 }
 
-fn scene(mut root: TableReader<'_>, path: &Path) -> Scene {
+fn scene(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene {
     let stem = || {
         path.file_stem()
             .map_or(String::new(), |stem| stem.to_string_lossy().into_owned())
@@ -54,13 +56,17 @@ fn scene(mut root: TableReader<'_>, path: &Path) -> Scene {
         journal: journal::read(root.table("journal", journal_keys), load),
         oil: oil::read(root.table("oil", "[oil] with viscosity = \"40 mPa.s\"")),
         cavitation: root.table_if_given("cavitation").and_then(cavitation),
+        sweep: root.table_if_given("sweep").map(|table| Plan {
+            axes: sweep::read(table),
+            text: text.to_owned(),
+            path: path.to_owned(),
+        }),
         sha256: String::new(),
     };
     root.not_served(
         "heat",
         "remove it; the oil has one temperature, that of the viscosity given",
     );
-    root.not_served("sweep", "remove it, and solve one scene for each point");
     root.finish();
     scene
 }
@@ -274,10 +280,7 @@ oil = { viscosity = "0.4 Pa.s", barus = { alpha = "2.5e-8 1/Pa" } }
 
     #[test]
     fn keys_of_later_versions_are_refused_by_name() {
-        let later = [
-            ("title = ", "heat = {}\ntitle = ", "heat"),
-            ("title = ", "sweep = 5\ntitle = ", "sweep"),
-        ];
+        let later = [("title = ", "heat = {}\ntitle = ", "heat")];
         for (from, to, key) in later {
             let told = told(from, to);
             assert_eq!(told.len(), 1, "{to}: {told:?}");

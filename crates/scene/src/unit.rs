@@ -125,6 +125,16 @@ pub fn parse(text: &str, expected: Dimension) -> Result<f64, UnitError> {
     }
 }
 
+/// The number and the unit of a quantity as they are written; `None` where the text does not begin with a finite number or has no
+/// unit behind it.
+pub(crate) fn split(text: &str) -> Option<(f64, &str)> {
+    let trimmed = text.trim();
+    let (number, unit) = trimmed.split_at(number_length(trimmed));
+    let number: f64 = number.parse().ok()?;
+    let unit = unit.trim();
+    (number.is_finite() && !unit.is_empty()).then_some((number, unit))
+}
+
 /// The size of one `unit` of the kind `expected` in SI: `unit_size("mm", Dimension::Length)` is 1e-3.
 ///
 /// # Errors

@@ -1,0 +1,226 @@
+//! The keys of `[sweep]`: axes, each a list or a range of values of one key of the scene.
+
+use toml::Spanned;
+use toml::de::DeValue;
+
+use crate::reader::{TableReader, kind, plain_number};
+use crate::spelling::nearest;
+use crate::sweep::axis::{Axis, AxisValue, SHORT_NAMES};
+use crate::unit;
+
+/// Most cases of one sweep.
+const MOST_CASES: usize = 100_000;
+/// Tables of a scene whose keys can be swept.
+const TABLES: [&str; 8] = ["bearing", "mesh", "ends", "feed", "journal", "load", "oil", "cavitation"];
+/// How an axis is written.
+const EXAMPLE: &str = "eccentricity = { from = 0.1, to = 0.95, steps = 18 } or speed = [\"1000 rpm\", \"3000 rpm\"]";
+
+/// Reads `[sweep]`: its axes in the order of the text.
+pub(super) fn read(table: TableReader<'_>) -> Vec<Axis> {
+    let mut axes = Vec::new();
+    if table.is_readable() && table.keys().is_empty() {
+        table.complain_here("names no axis", format!("write for example {EXAMPLE}"));
+    }
+    read_table(table, "", &mut axes);
+    axes
+}
+
+/// Reads a table of axes whose names begin with `prefix`.
+fn read_table(mut table: TableReader<'_>, prefix: &str, axes: &mut Vec<Axis>) {
+    for key in table.keys_in_order() {
+        let name = format!("{prefix}{key}");
+        let Some(written) = table.written(key) else { continue };
+        match written.get_ref() {
+            DeValue::Table(inner) if !is_range(inner) => {
+                if let Some(inner) = table.table_if_given(key) {
+                    read_table(inner, &format!("{name}."), axes);
+                }
+                continue;
+            }
+            _ => {}
+        }
+        let path = path(&table, key, &name);
+        let values = match written.get_ref() {
+            DeValue::Table(_) => table.table_if_given(key).and_then(|range| read_range(range, key)),
+            DeValue::Array(list) => read_list(&table, key, list),
+            other => {
+                let message = format!("a list or a range of values is wanted, not {}", kind(other));
+                table.complain(key, message, format!("write for example {EXAMPLE}"));
+                None
+            }
+        };
+        let (Some(path), Some((unit, values))) = (path, values) else {
+            continue;
+        };
+        if let Some(other) = axes.iter().find(|other| other.path == path) {
+            let message = format!("is the same key of the scene as {}", other.name);
+            table.complain(key, message, "remove one of the two");
+            continue;
+        }
+        axes.push(Axis {
+            name,
+            path,
+            unit,
+            values,
+            span: written.span(),
+        });
+        let cases = (axes.iter()).fold(1usize, |cases, axis| cases.saturating_mul(axis.values.len()));
+        if cases > MOST_CASES {
+            let message = format!("makes {cases} cases, more than {MOST_CASES}");
+            table.complain(key, message, "give fewer values, or split the sweep into several scenes");
+            return;
+        }
+    }
+    table.finish();
+}
+
+/// A table is a range unless all in it are lists and tables: these are axes whose names go on.
+fn is_range(table: &toml::de::DeTable<'_>) -> bool {
+    let mut values = table.iter().map(|(_, value)| value.get_ref());
+    table.is_empty() || values.any(|value| !(value.is_array() || value.is_table()))
+}
+
+/// Where the key stands in the scene.
+fn path(table: &TableReader<'_>, key: &str, name: &str) -> Option<String> {
+    let head = name.split('.').next().unwrap_or_default();
+    if name.contains('.') {
+        if TABLES.contains(&head) {
+            return Some(name.to_owned());
+        }
+        let near = nearest(head, TABLES).map_or(String::new(), |near| format!("did you mean \"{near}\"? "));
+        let message = format!("begins with \"{head}\", which is no table of a scene");
+        table.complain(key, message, format!("{near}Tables: {}", TABLES.join(", ")));
+        return None;
+    }
+    if let Some((_, path)) = SHORT_NAMES.iter().find(|(short, _)| *short == name) {
+        return Some((*path).to_owned());
+    }
+    let names = SHORT_NAMES.map(|(short, _)| short);
+    let help = match nearest(name, names) {
+        Some(near) => format!("did you mean \"{near}\"?"),
+        None => format!(
+            "short names: {}; any other key with its table, as \"oil.barus.alpha\" or \"feed.GROUP.pressure\"",
+            names.join(", ")
+        ),
+    };
+    table.complain(key, "this key is not known as an axis", help);
+    None
+}
+
+type Values = (String, Vec<AxisValue>);
+
+/// Values that are listed; all in one unit.
+fn read_list(table: &TableReader<'_>, key: &str, list: &[Spanned<DeValue<'_>>]) -> Option<Values> {
+    let mut unit: Option<String> = None;
+    let mut values = Vec::new();
+    for item in list {
+        let Some((own, value)) = read_value(item.get_ref()) else {
+            let message = format!("{} is no value of an axis", kind(item.get_ref()));
+            table.complain(key, message, format!("write for example {EXAMPLE}"));
+            return None;
+        };
+        if unit.as_ref().is_some_and(|unit| *unit != own) {
+            let message = format!("has values in {} and in {}", of_unit(unit.as_deref()), of_unit(Some(&own)));
+            table.complain(key, message, "write all values of an axis in one unit");
+            return None;
+        }
+        unit = Some(own);
+        values.push(value);
+    }
+    if values.is_empty() {
+        table.complain(key, "has no values", format!("write for example {EXAMPLE}"));
+        return None;
+    }
+    Some((unit.unwrap_or_default(), values))
+}
+
+fn of_unit(unit: Option<&str>) -> String {
+    match unit {
+        None | Some("") => "no unit".to_owned(),
+        Some(unit) => unit.to_owned(),
+    }
+}
+
+/// A value and its unit.
+fn read_value(value: &DeValue<'_>) -> Option<(String, AxisValue)> {
+    if let Some(number) = plain_number(value) {
+        return Some((String::new(), AxisValue::Number(number)));
+    }
+    let text = value.as_str()?;
+    Some(match unit::split(text) {
+        Some((number, unit)) => (unit.to_owned(), AxisValue::Number(number)),
+        None => (String::new(), AxisValue::Word(text.to_owned())),
+    })
+}
+
+/// How the values of a range are spaced.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Spacing {
+    Linear,
+    Log,
+}
+
+/// `steps` values from one to the other, both included.
+fn read_range(mut range: TableReader<'_>, name: &str) -> Option<Values> {
+    for (end, example) in [("from", "0.1"), ("to", "0.95"), ("steps", "18")] {
+        range.require(end, example);
+    }
+    let [from, to] = ["from", "to"].map(|end| {
+        let written = range.written(end)?;
+        match read_value(written.get_ref()) {
+            Some((unit, AxisValue::Number(number))) => Some((unit, number)),
+            _ => {
+                let help = format!("write for example {name} = {{ from = \"1 kN\", to = \"5 kN\", steps = 9 }}");
+                range.complain(end, "is no number, with its unit where it has one", help);
+                None
+            }
+        }
+    });
+    let steps = range.number_if_given("steps", "18");
+    let spacings = [("linear", Spacing::Linear), ("log", Spacing::Log)];
+    let spacing = range.word_if_given("spacing", &spacings).unwrap_or(Spacing::Linear);
+    let values = values(&range, from, to, steps, spacing);
+    range.finish();
+    values
+}
+
+fn values(
+    range: &TableReader<'_>,
+    from: Option<(String, f64)>,
+    to: Option<(String, f64)>,
+    steps: Option<f64>,
+    spacing: Spacing,
+) -> Option<Values> {
+    let ((unit, from), (other, to), steps) = (from?, to?, steps.filter(|steps| steps.is_finite())?);
+    if unit != other {
+        let message = format!("is in {}, but from in {}", of_unit(Some(&other)), of_unit(Some(&unit)));
+        range.complain("to", message, "write both in one unit");
+        return None;
+    }
+    if steps.fract() != 0.0 || !(2.0..=MOST_CASES as f64).contains(&steps) {
+        let message = format!("is not a whole number from 2 to {MOST_CASES}");
+        range.complain("steps", message, "it is the number of values, both ends included");
+        return None;
+    }
+    if spacing == Spacing::Log && from * to <= 0.0 {
+        let help = "give both ends the same sign and none zero, or remove spacing";
+        range.complain("spacing", "goes through zero", help);
+        return None;
+    }
+    let last = steps as usize - 1;
+    let at = |k: usize| {
+        let part = k as f64 / last as f64;
+        match (k, spacing) {
+            (0, _) => from,
+            (k, _) if k == last => to,
+            (_, Spacing::Linear) => decimal(from + part * (to - from)),
+            (_, Spacing::Log) => decimal(from * (to / from).powf(part)),
+        }
+    };
+    Some((unit, (0..=last).map(|k| AxisValue::Number(at(k))).collect()))
+}
+
+/// To twelve digits, so that a range of tenths has tenths.
+fn decimal(number: f64) -> f64 {
+    format!("{number:.11e}").parse().unwrap_or(number)
+}

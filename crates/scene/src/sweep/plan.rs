@@ -1,0 +1,179 @@
+//! The cases of a sweep: all combinations of the values of its axes, the last axis running fastest.
+
+use std::borrow::Cow;
+use std::ops::Range;
+use std::path::PathBuf;
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::axis::{Axis, AxisValue};
+use crate::complaint::{Complaint, SceneError};
+use crate::scene::{Scene, in_order, no_file};
+
+/// How many complaints about cases are told.
+const MOST_COMPLAINTS: usize = 5;
+
+/// What a scene says of its sweep.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plan {
+    /// The axes, in the order of the text.
+    pub axes: Vec<Axis>,
+    /// Text of the scene.
+    pub(crate) text: String,
+    /// Where the scene stands.
+    pub(crate) path: PathBuf,
+}
+
+impl Plan {
+    /// Number of cases.
+    pub fn cases(&self) -> usize {
+        self.axes.iter().map(|axis| axis.values.len()).product()
+    }
+
+    /// For each axis which of its values case `number` (from 0) has.
+    pub fn indices(&self, mut number: usize) -> Vec<usize> {
+        let mut indices = vec![0; self.axes.len()];
+        for (index, axis) in indices.iter_mut().zip(&self.axes).rev() {
+            *index = number % axis.values.len();
+            number /= axis.values.len();
+        }
+        indices
+    }
+
+    /// The scene of every case: the text of the scene with the keys of the axes replaced, read as any other.
+    ///
+    /// # Errors
+    /// Everything that is wrong with a case, told with its axis and value.
+    pub fn scenes(&self) -> Result<Vec<Scene>, SceneError> {
+        let mut complaints: Vec<Complaint> = Vec::new();
+        let mut scenes = Vec::with_capacity(self.cases());
+        for number in 0..self.cases() {
+            match self.scene(&self.indices(number)) {
+                Ok(scene) => scenes.push(scene),
+                Err(told) => {
+                    for complaint in told {
+                        let is_new = complaints.iter().all(|other| {
+                            (&other.key, &other.message) != (&complaint.key, &complaint.message)
+                        });
+                        if is_new {
+                            complaints.push(complaint);
+                        }
+                    }
+                    if complaints.len() >= MOST_COMPLAINTS {
+                        complaints.truncate(MOST_COMPLAINTS);
+                        break;
+                    }
+                }
+            }
+        }
+        match complaints.is_empty() {
+            true => Ok(scenes),
+            false => Err(SceneError::Complaints {
+                path: self.path.clone(),
+                text: self.text.clone(),
+                complaints: in_order(complaints),
+            }),
+        }
+    }
+
+    /// The scene with these values of the axes.
+    fn scene(&self, indices: &[usize]) -> Result<Scene, Vec<Complaint>> {
+        let (mut document, _) = DeTable::parse_recoverable(&self.text);
+        let document = document.get_mut();
+        document.remove("sweep");
+        let numbers: Vec<String> = (self.axes.iter().zip(indices))
+            .map(|(axis, &index)| match &axis.values[index] {
+                AxisValue::Number(number) if axis.unit.is_empty() => format!("{number:?}"),
+                _ => String::new(),
+            })
+            .collect();
+        for ((axis, &index), number) in self.axes.iter().zip(indices).zip(&numbers) {
+            let value = match &axis.values[index] {
+                AxisValue::Number(_) if axis.unit.is_empty() => match DeValue::parse(number) {
+                    Ok(value) => value.into_inner(),
+                    Err(_) => continue,
+                },
+                _ => DeValue::String(Cow::Owned(axis.told(index))),
+            };
+            put(document, axis, value).map_err(|complaint| vec![complaint])?;
+        }
+        Scene::of_document(document, &self.text, &self.path, no_file)
+            .map_err(|complaints| complaints.into_iter().map(|it| self.of_case(it, indices)).collect())
+    }
+
+    /// A complaint about a case as one about the axis it comes from, or about all of them where it comes from none alone.
+    fn of_case(&self, complaint: Complaint, indices: &[usize]) -> Complaint {
+        let axis = (self.axes.iter().zip(indices)).find(|(axis, _)| Some(&axis.span) == complaint.span.as_ref());
+        let told = |(axis, &index): (&Axis, &usize)| format!("{} = {}", axis.name, axis.told(index));
+        let (key, value) = match axis {
+            Some((axis, index)) => (format!("sweep.{}", axis.name), told((axis, index))),
+            None => {
+                let all: Vec<String> = self.axes.iter().zip(indices).map(told).collect();
+                ("sweep".to_owned(), all.join(", "))
+            }
+        };
+        Complaint {
+            message: format!("with {value}, {complaint}"),
+            key,
+            value,
+            help: complaint.help,
+            span: complaint.span,
+        }
+    }
+}
+
+/// Sets the key of an axis in a scene's document. Tables that are not there are made.
+fn put<'a>(document: &mut DeTable<'a>, axis: &Axis, value: DeValue<'a>) -> Result<(), Complaint> {
+    let value = Spanned::new(axis.span.clone(), value);
+    match axis.path.strip_prefix("feed.") {
+        None => {
+            set(document, &axis.path, &axis.span, value);
+            Ok(())
+        }
+        Some(rest) => {
+            let (feed, key) = feed(document, rest).ok_or_else(|| no_feed(axis))?;
+            set(feed, key, &axis.span, value);
+            Ok(())
+        }
+    }
+}
+
+fn set<'a>(table: &mut DeTable<'a>, path: &str, span: &Range<usize>, value: Spanned<DeValue<'a>>) {
+    let Some((head, rest)) = path.split_once('.') else {
+        table.insert(Spanned::new(span.clone(), Cow::Owned(path.to_owned())), value);
+        return;
+    };
+    let key = Spanned::new(span.clone(), Cow::Owned(head.to_owned()));
+    let inner = table
+        .entry(key)
+        .or_insert_with(|| Spanned::new(span.clone(), DeValue::Table(DeTable::new())));
+    match inner.get_mut() {
+        DeValue::Table(inner) => set(inner, rest, span, value),
+        // What stands there is no table: its reader says so.
+        other => *other = value.into_inner(),
+    }
+}
+
+/// The feed whose group begins `rest`, and the key behind it.
+fn feed<'d, 'a, 'r>(document: &'d mut DeTable<'a>, rest: &'r str) -> Option<(&'d mut DeTable<'a>, &'r str)> {
+    let DeValue::Array(feeds) = document.get_mut("feed")?.get_mut() else {
+        return None;
+    };
+    feeds.iter_mut().find_map(|feed| {
+        let DeValue::Table(feed) = feed.get_mut() else { return None };
+        let group = feed.get("group")?.get_ref().as_str()?;
+        let key = rest.strip_prefix(group)?.strip_prefix('.')?;
+        Some((feed, key))
+    })
+}
+
+fn no_feed(axis: &Axis) -> Complaint {
+    Complaint {
+        key: format!("sweep.{}", axis.name),
+        value: String::new(),
+        message: "names no [[feed]] of the scene and a key of it".to_owned(),
+        help: "write its group and its key, as \"feed.feed_hole.pressure\"".to_owned(),
+        span: Some(axis.span.clone()),
+    }
+}

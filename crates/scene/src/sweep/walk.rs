@@ -1,0 +1,237 @@
+//! A walk along a chain of neighbouring cases: each begins where the ones before it lead.
+//!
+//! What a case finds depends on its chain alone: not on the threads, nor on what was computed before the chain.
+
+use std::time::Instant;
+
+use oilwedge_bearing::{Visited, predicted};
+use oilwedge_reynolds::{FilmSolution, JournalState};
+
+use crate::analysis::{NoAnswer, Solved, Start, graded, is_near, solve, solve_from};
+use crate::bars::judge;
+use crate::compile::{CompileError, Study, compile_near, has_same_system, renewed};
+use crate::refinement::{answer, unknowns};
+use crate::report::{Quantity, Status};
+use crate::run::RunOptions;
+use crate::scene::Scene;
+
+/// Moves by less than this part of the least film thickness are started from the film before.
+const SHORT_MOVE: f64 = 0.2;
+
+/// How a case ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum CaseStatus {
+    /// As a run ends.
+    Run(Status),
+    /// The scene of the case does not fit its mesh, or cannot be meshed.
+    BadScene,
+}
+
+/// What a case gives.
+#[derive(Debug, Clone)]
+pub(crate) struct Found {
+    pub(crate) status: CaseStatus,
+    pub(crate) reason: Option<String>,
+    pub(crate) quantities: Vec<Quantity>,
+    pub(crate) unknowns: Option<usize>,
+    pub(crate) seconds: f64,
+}
+
+/// A study of the case before, and where its mesh was graded for.
+struct Held {
+    scene: Scene,
+    study: Study,
+    graded_for: JournalState,
+    /// The film of the case before, on this system.
+    film: Option<FilmSolution>,
+}
+
+/// Walks along chains.
+pub(crate) struct Walker<'a> {
+    options: &'a RunOptions,
+    held: Option<Held>,
+    visited: Vec<Visited>,
+}
+
+impl<'a> Walker<'a> {
+    pub(crate) fn new(options: &'a RunOptions) -> Self {
+        Self {
+            options,
+            held: None,
+            visited: Vec::new(),
+        }
+    }
+
+    /// Forgets all that a new chain must not know: a mesh that no position has shaped may stay.
+    pub(crate) fn begin(&mut self) {
+        self.visited.clear();
+        self.held = self.held.take().filter(|held| !held.scene.mesh.is_graded());
+        if let Some(held) = &mut self.held {
+            held.film = None;
+        }
+    }
+
+    /// Computes the next case of the chain; `coordinate` is its value on the axis along which the chain runs.
+    pub(crate) fn case(&mut self, scene: &Scene, coordinate: f64) -> Found {
+        let clock = Instant::now();
+        let found = match scene.tolerance.is_some() && self.options.bars {
+            true => self.refined(scene),
+            false => self.walked(scene, coordinate),
+        };
+        let mut found = found.unwrap_or_else(|error| Found {
+            status: CaseStatus::BadScene,
+            reason: Some(error.to_string()),
+            quantities: Vec::new(),
+            unknowns: None,
+            seconds: 0.0,
+        });
+        found.seconds = clock.elapsed().as_secs_f64();
+        found
+    }
+
+    /// With a tolerance each case has meshes of its own, as when it is solved by itself.
+    fn refined(&mut self, scene: &Scene) -> Result<Found, CompileError> {
+        let answer = answer(scene, self.options)?;
+        let size = unknowns(&answer.study);
+        Ok(match answer.outcome {
+            Ok((_, judged)) => Found {
+                status: CaseStatus::Run(match answer.limit {
+                    Some(_) => Status::NotConverged,
+                    None => Status::Converged,
+                }),
+                reason: answer.limit,
+                quantities: judged.quantities,
+                unknowns: Some(size),
+                seconds: 0.0,
+            },
+            Err(reason) => failed(&reason, size),
+        })
+    }
+
+    /// On one mesh, from the case before if there is one.
+    fn walked(&mut self, scene: &Scene, coordinate: f64) -> Result<Found, CompileError> {
+        let (mut held, outcome) = match self.from_before(scene, coordinate)? {
+            Some((held, solved)) => (held, Ok(solved)),
+            None => self.from_nothing(scene)?,
+        };
+        let size = unknowns(&held.study);
+        let found = match outcome {
+            Ok(solved) => {
+                let judged = judge(&held.study, &solved);
+                let journal = &held.study.problem.journal;
+                self.visited.push(Visited {
+                    coordinate,
+                    eccentricity: journal.eccentricity() / scene.bearing.clearance,
+                    angle: journal.min_film_angle(),
+                });
+                held.film = Some(solved.film);
+                Found {
+                    status: CaseStatus::Run(Status::Converged),
+                    reason: None,
+                    quantities: judged.quantities,
+                    unknowns: Some(size),
+                    seconds: 0.0,
+                }
+            }
+            Err(reason) => {
+                self.visited.clear();
+                held.film = None;
+                failed(&reason, size)
+            }
+        };
+        self.held = Some(held);
+        Ok(found)
+    }
+
+    /// As the case is solved by itself.
+    fn from_nothing(&mut self, scene: &Scene) -> Result<(Held, Result<Solved, NoAnswer>), CompileError> {
+        let ungraded = self.held.take().filter(|held| !scene.mesh.is_graded() && has_same_system(&held.scene, scene));
+        let mut study = match ungraded {
+            Some(held) => renewed(held.study, scene, scene.journal.start()),
+            None => graded(scene)?,
+        };
+        let graded_for = study.problem.journal;
+        let outcome = solve(&mut study, self.options.bars);
+        let held = Held {
+            scene: scene.clone(),
+            study,
+            graded_for,
+            film: None,
+        };
+        Ok((held, outcome))
+    }
+
+    /// From the case before, if there is one and it leads to an answer.
+    fn from_before(&mut self, scene: &Scene, coordinate: f64) -> Result<Option<(Held, Solved)>, CompileError> {
+        let told = match scene.journal.load() {
+            None => Some(scene.journal.start()),
+            Some(_) => predicted(&self.visited, coordinate),
+        };
+        let is_neighbour = |held: &Held| held.film.is_some() && has_same_system(&held.scene, scene);
+        let (Some(near), true) = (told, self.held.as_ref().is_some_and(is_neighbour)) else {
+            return Ok(None);
+        };
+        let Some(held) = self.held.take() else { return Ok(None) };
+        let before = relative(&held.study);
+        let study = renewed(held.study, scene, near);
+        let film = held.film.filter(|_| is_short(before, relative(&study)));
+        let mut held = Held {
+            scene: scene.clone(),
+            study,
+            graded_for: held.graded_for,
+            film,
+        };
+        let clearance = scene.bearing.clearance;
+        let suits = |held: &Held, clearance: f64| {
+            !held.scene.mesh.is_graded() || is_near(clearance, &held.graded_for, &held.study.problem.journal)
+        };
+        if !suits(&held, clearance) {
+            held = redrawn(scene, near)?;
+        }
+        for _ in 0..2 {
+            let Ok(solved) = solve_from(&mut held.study, self.options.bars, Start::Near(held.film.as_ref())) else {
+                // A mesh that a film has not shaped is good for another start.
+                self.held = Some(held);
+                return Ok(None);
+            };
+            if suits(&held, clearance) {
+                return Ok(Some((held, solved)));
+            }
+            let journal = &held.study.problem.journal;
+            held = redrawn(scene, (journal.eccentricity() / clearance, journal.min_film_angle()))?;
+        }
+        Ok(None)
+    }
+}
+
+/// The case on a mesh drawn for the position `near`.
+fn redrawn(scene: &Scene, near: (f64, f64)) -> Result<Held, CompileError> {
+    let study = compile_near(scene, near)?;
+    Ok(Held {
+        scene: scene.clone(),
+        graded_for: study.problem.journal,
+        study,
+        film: None,
+    })
+}
+
+/// Offset of the journal over the clearance.
+fn relative(study: &Study) -> [f64; 2] {
+    study.problem.journal.offset.map(|e| e / study.problem.bearing.clearance)
+}
+
+/// Whether a film is a good start after the journal has moved so far.
+fn is_short(before: [f64; 2], after: [f64; 2]) -> bool {
+    let gap = 1.0 - before[0].hypot(before[1]);
+    (after[0] - before[0]).hypot(after[1] - before[1]) < SHORT_MOVE * gap
+}
+
+fn failed(reason: &NoAnswer, size: usize) -> Found {
+    Found {
+        status: CaseStatus::Run(reason.status()),
+        reason: Some(reason.to_string()),
+        quantities: Vec::new(),
+        unknowns: Some(size),
+        seconds: 0.0,
+    }
+}
