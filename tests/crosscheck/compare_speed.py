@@ -1,10 +1,12 @@
-"""CPU seconds from mesh file to load, oilwedge against scikit-fem with SuperLU, on the same mesh in one run.
+"""CPU seconds from mesh file to load, oilwedge against scikit-fem, on the same mesh in one run.
 
     python compare_speed.py [N_UNKNOWNS ...]        (default 10000 100000)
 
 One thread each, the median of three runs; the mesh is a ring with a feed hole, made by meshes/benchmark.py.
+scikit-fem solves with CHOLMOD where scikit-sparse is installed, else with SuperLU; the head of the table says which.
 Compare the ratio, not the seconds: machines differ and are shared. The time of oilwedge is that of
-the whole process, its output files included; imports of Python are not counted.
+the whole process without error bars, its output files included; imports of Python are not counted.
+Prints a table in Markdown; `performance` puts it into docs/performance.md.
 """
 
 import os
@@ -12,6 +14,7 @@ import os
 for variable in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
     os.environ[variable] = "1"
 
+import json
 import resource
 import statistics
 import subprocess
@@ -20,7 +23,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from film import rule_of_degree, solve_film
+from film import rule_of_degree, solve_film, spsolve
 from oilwedge_run import REPOSITORY, program
 from scene_file import read_scene
 
@@ -46,37 +49,62 @@ viscosity = "0.4 Pa.s"
 RUNS = 3
 
 
+def direct_solver():
+    """(name, solve(matrix, right)) of the quickest direct solver that is installed."""
+    try:
+        from sksparse.cholmod import cholesky
+    except ImportError:
+        return "SuperLU", spsolve
+    return "CHOLMOD", lambda matrix, right: cholesky(matrix)(right)
+
+
 def children_seconds():
     usage = resource.getrusage(resource.RUSAGE_CHILDREN)
     return usage.ru_utime + usage.ru_stime
 
 
-def oilwedge_seconds(scene, out):
-    """CPU seconds of the whole process on one thread."""
+def oilwedge(scene, out):
+    """(CPU seconds of the whole process on one thread, its result)."""
     before = children_seconds()
-    command = [program("OILWEDGE_BIN", "oilwedge"), "solve", str(scene), "--out", str(out), "--threads", "1"]
+    command = [program("OILWEDGE_BIN", "oilwedge"), "solve", str(scene), "--out", str(out)]
+    command += ["--threads", "1", "--bars", "none"]
     subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    return children_seconds() - before
+    return children_seconds() - before, json.loads((out / "result.json").read_text())
 
 
-def scikit_fem_seconds(scene):
-    """CPU seconds from the mesh file to the load, with the quadrature degree of oilwedge."""
+def scikit_fem(scene, solver):
+    """(CPU seconds from the mesh file to the load, with the quadrature degree of oilwedge, the load)."""
     before = time.process_time()
-    solve_film(read_scene(scene), rule_of_degree(6))
-    return time.process_time() - before
+    load = solve_film(read_scene(scene), rule_of_degree(6), solver=solver).load
+    return time.process_time() - before, load
+
+
+def median(run):
+    """(the median of the seconds, the last answer) of some runs."""
+    runs = [run() for _ in range(RUNS)]
+    return statistics.median(seconds for seconds, _ in runs), runs[-1][1]
+
+
+def compare(size, folder, solver):
+    """One row of the table."""
+    maker = [sys.executable, REPOSITORY / "meshes" / "benchmark.py", str(size), f"{folder}/ring.msh"]
+    subprocess.run(maker, check=True, stdout=subprocess.DEVNULL)
+    scene = folder / "scene.toml"
+    scene.write_text(SCENE)
+    own, result = median(lambda: oilwedge(scene, folder / "out"))
+    peer, load = median(lambda: scikit_fem(scene, solver))
+    off = result["quantities"]["load"]["value"] / load - 1
+    nodes = result["mesh"]["nodes"]
+    return f"| {nodes} | {own:.3f} | {peer:.3f} | {peer / own:.1f} | {off:.0e} |"
 
 
 def main(sizes):
-    print(f"{'unknowns':>10} {'oilwedge [s]':>14} {'scikit-fem [s]':>15} {'ratio':>7}")
+    name, solver = direct_solver()
+    print(f"| unknowns | oilwedge [s] | scikit-fem with {name} [s] | ratio | loads differ by |")
+    print("|---|---|---|---|---|")
     for size in sizes:
         with tempfile.TemporaryDirectory() as folder:
-            maker = [sys.executable, REPOSITORY / "meshes" / "benchmark.py", str(size), f"{folder}/ring.msh"]
-            subprocess.run(maker, check=True, stdout=subprocess.DEVNULL)
-            scene = Path(folder) / "scene.toml"
-            scene.write_text(SCENE)
-            own = statistics.median(oilwedge_seconds(scene, Path(folder) / "out") for _ in range(RUNS))
-            peer = statistics.median(scikit_fem_seconds(scene) for _ in range(RUNS))
-            print(f"{size:>10} {own:>14.3f} {peer:>15.3f} {peer / own:>7.1f}")
+            print(compare(size, Path(folder), solver), flush=True)
 
 
 if __name__ == "__main__":

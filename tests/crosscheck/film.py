@@ -47,12 +47,14 @@ def rule_of_degree(degree):
     return skfem.quadrature.get_quadrature_tri(degree)
 
 
-def solve_film(scene, rule, refinements=0):
-    """Solve a scene (see `scene_file.Scene`) with a quadrature rule, on its mesh refined so many times."""
+def solve_film(scene, rule, refinements=0, solver=spsolve):
+    """Solve a scene (see `scene_file.Scene`) with a quadrature rule, on its mesh refined so many times.
+
+    solver(matrix, right) solves linear systems; the matrix is symmetric but for the printed form."""
     mesh = read_liner(scene.mesh, scene.radius, scene.holes())
     for _ in range(refinements):
         mesh = refined(mesh, scene.radius, scene.holes())
-    film = Film(scene, mesh, rule)
+    film = Film(scene, mesh, rule, solver)
     if scene.cavitation not in ("none", "reynolds") or (scene.as_printed and scene.cavitation != "none"):
         raise NotImplementedError(scene.cavitation)
     if scene.as_printed:
@@ -80,8 +82,8 @@ def barus_pressure(q, alpha):
 class Film:
     """Discrete film: basis with the given rule, seam glued, Dirichlet values known."""
 
-    def __init__(self, scene, mesh, rule):
-        self.scene, self.mesh = scene, mesh
+    def __init__(self, scene, mesh, rule, solver=spsolve):
+        self.scene, self.mesh, self.solver = scene, mesh, solver
         self.basis = skfem.Basis(_skfem_mesh(mesh), skfem.ElementTriP2(), quadrature=rule)
         self.node = _nodes_of_dofs(self.basis, mesh)
         count = mesh.unknown.max() + 1
@@ -141,7 +143,7 @@ class Film:
         x[known] = np.fromiter(fixed.values(), float)
         matrix = matrix.tocsr()
         reduced = (right - matrix @ x)[free]
-        x[free] = spsolve(matrix[free][:, free].tocsc(), reduced)
+        x[free] = self.solver(matrix[free][:, free].tocsc(), reduced)
         return x
 
     def solve_reduced_pressure(self):

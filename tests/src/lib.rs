@@ -6,6 +6,7 @@ pub mod coverage;
 pub mod flexpde_study;
 pub mod journal_bearings;
 pub mod mesh_page;
+pub mod performance;
 pub mod prices_page;
 pub mod program;
 pub mod random_bearings;

@@ -76,10 +76,12 @@ fn main() -> ExitCode {
     })
 }
 
+/// The main thread is one of the pool's, so that no work is handed over where there is nothing to share.
 fn use_threads(threads: Option<u16>) -> Result<(), Failure> {
-    let Some(threads) = threads else { return Ok(()) };
+    let threads = threads.map_or(0, usize::from);
     let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(usize::from(threads))
+        .num_threads(threads)
+        .use_current_thread()
         .build_global();
     pool.map_err(|error| Failure::Argument {
         message: format!("cannot start {threads} threads: {error}"),

@@ -7,7 +7,7 @@ use crate::quantities::{bars, quantities};
 use crate::readable::{readable_unit, significant};
 use crate::words;
 use comfy_table::{CellAlignment, ContentArrangement, Table, presets};
-use oilwedge_scene::report::{Balances, CheckReport, Counts, Effects, MeshFacts, RunResult, Status};
+use oilwedge_scene::report::{Balances, CheckReport, Counts, Effects, LinearSolver, MeshFacts, RunResult, Status};
 use std::io::{ErrorKind, Write};
 use std::path::Path;
 
@@ -41,7 +41,7 @@ pub(crate) fn run_report(result: &RunResult, folder: &Path, picture: bool) -> St
     }
     lines.extend(cavity(result));
     lines.push(format!("mesh      {}", mesh(&result.mesh)));
-    lines.extend(work(result.counts));
+    lines.extend(work(result.counts, result.linear_solver));
     lines.push(format!("time      {}", timing(&result.timing_s)));
     let files = if picture {
         "result.json, film.vtu"
@@ -83,7 +83,7 @@ fn cavity(result: &RunResult) -> Option<String> {
 }
 
 /// What was done; nothing where nothing was counted.
-fn work(counts: Counts) -> Option<String> {
+fn work(counts: Counts, solver: Option<LinearSolver>) -> Option<String> {
     let work = [
         (counts.linear_solves, "linear solve"),
         (counts.factorisations, "factorisation"),
@@ -94,6 +94,18 @@ fn work(counts: Counts) -> Option<String> {
         .filter(|(count, _)| *count > 0)
         .map(|(count, what)| plural(*count, what, &format!("{what}s")))
         .collect();
+    match solver {
+        Some(LinearSolver {
+            route: "multigrid",
+            steps,
+        }) => {
+            counted.push(format!("multigrid in {steps} steps of conjugate gradients"));
+        }
+        Some(LinearSolver { route: "switched", .. }) => {
+            counted.push("by a factor, since multigrid was slow".to_owned());
+        }
+        _ => {}
+    }
     if counts.levels > 0 {
         let meshes = plural(counts.levels, "coarser mesh", "coarser meshes");
         counted.push(format!("started from {meshes}"));
@@ -302,6 +314,7 @@ pub(crate) mod tests {
                 linear_solves: 1,
                 ..Counts::default()
             },
+            linear_solver: None,
             timing_s: vec![("read".into(), 0.0123), ("total".into(), 1.5)],
             warnings: vec![],
             cost: None,

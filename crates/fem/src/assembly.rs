@@ -72,7 +72,6 @@ impl Assembler {
 
     /// Tangent and residual of `law` at `u`; `matrix` is overwritten.
     pub fn tangent_and_residual(&self, law: &dyn ConservationLaw, u: &[f64], matrix: &mut Matrix) -> Vec<f64> {
-        matrix.values.fill(0.0);
         self.assemble(law, u, &mut matrix.values)
     }
 
@@ -116,6 +115,9 @@ impl Assembler {
         entries: &mut [f64],
     ) -> Owed {
         let n = self.space.shapes();
+        let tangent = law.tangent();
+        // Here rather than all at once: by the thread that needs this block, while it is at hand.
+        entries.fill(0.0);
         let mut owed = Owed::default();
         let mut element = Element::default();
         let mut nodal = [0.0; crate::lagrange::MOST_SHAPES];
@@ -124,7 +126,7 @@ impl Assembler {
             for i in 0..n {
                 nodal[i] = u[dofs[i]];
             }
-            match law.tangent() {
+            match tangent {
                 Tangent::Conduction => self.kernel.conduction(law, self.space.mesh(), t, &nodal, &mut element),
                 Tangent::Symmetric => self.kernel.response(law, self.space.mesh(), t, &nodal, &mut element),
             }
@@ -142,12 +144,13 @@ impl Assembler {
             }
             let addresses = self.sparsity.addresses(&self.space, t, &dofs);
             for i in 0..n {
-                for j in 0..n {
-                    let address = addresses[i][j];
-                    match entries.get_mut((address as usize).wrapping_sub(range.entries.start)) {
-                        Some(own) => *own += element.tangent[i][j],
-                        None => owed.entries.push((address, element.tangent[i][j])),
+                let row = addresses[i][..n].iter().zip(&element.tangent[i]);
+                if range.rows.contains(&dofs[i]) {
+                    for (&address, value) in row {
+                        entries[address as usize - range.entries.start] += value;
                     }
+                } else {
+                    owed.entries.extend(row.map(|(&address, &value)| (address, value)));
                 }
             }
         }

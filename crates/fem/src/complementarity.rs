@@ -86,7 +86,7 @@ pub fn solve(
     let mut seconds = Seconds::default();
     let mut history: Vec<HistoryStep> = Vec::new();
     let mut exchange = Exchange::default();
-    let mut masked = with_contact(constraints, obstacle, &held);
+    let masked = with_contact(constraints, obstacle, &held);
     masked.impose(&mut u);
     let mut matrix = Matrix::zero(assembler.pattern().clone());
     let mut residual = Seconds::time(&mut seconds.assemble, || {
@@ -99,8 +99,8 @@ pub fn solve(
     };
     // Rough solves lead to the set of contact; the last one is not rough.
     let mut sure = solver.roughly_enough(first) == 0.0;
+    let mut linearisation = Seconds::time(&mut seconds.factorise, || solver.linearise(matrix, masked))?;
     while history.len() < MOST_STEPS {
-        let linearisation = Seconds::time(&mut seconds.factorise, || solver.linearise(matrix, masked))?;
         let minus: Vec<f64> = residual.iter().map(|r| -r).collect();
         let step = Seconds::time(&mut seconds.solve, || {
             linearisation.solve_to(
@@ -146,21 +146,24 @@ pub fn solve(
         }
         sure = wrong.is_empty() || solver.roughly_enough(first) == 0.0;
         exchange.apply(&wrong, &mut held);
-        masked = with_contact(constraints, obstacle, &held);
+        let masked = with_contact(constraints, obstacle, &held);
         let before = u.clone();
         masked.impose(&mut u);
-        matrix = linearisation.into_matrix();
-        residual = match linear {
-            true => Seconds::time(&mut seconds.solve, || {
+        if linear {
+            residual = Seconds::time(&mut seconds.solve, || {
                 let jump: Vec<f64> = u.iter().zip(&before).map(|(u, before)| u - before).collect();
-                let change = matrix.multiply(&jump);
+                let change = linearisation.matrix().multiply(&jump);
                 reactions.iter().zip(change).map(|(r, c)| r + c).collect()
-            }),
-            false => Seconds::time(&mut seconds.assemble, || {
+            });
+            linearisation = Seconds::time(&mut seconds.factorise, || linearisation.masked_anew(solver, masked))?;
+        } else {
+            let mut matrix = linearisation.into_matrix();
+            residual = Seconds::time(&mut seconds.assemble, || {
                 assembler.tangent_and_residual(law, &u, &mut matrix)
-            }),
-        };
-        let norm = masked.free_norm(&residual) / first;
+            });
+            linearisation = Seconds::time(&mut seconds.factorise, || solver.linearise(matrix, masked))?;
+        }
+        let norm = linearisation.constraints().free_norm(&residual) / first;
         if !norm.is_finite() {
             return Err(Error::NotFinite { what: "residual" }.into());
         }

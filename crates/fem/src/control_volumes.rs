@@ -16,6 +16,7 @@ use std::sync::Arc;
 
 use oilwedge_mesh::Mesh;
 
+use crate::ordering::elimination_order;
 use crate::{Error, Pattern, Space, UnsymmetricAnalysis};
 
 /// The sub-triangles of triangle `t` by its local nodes, counter-clockwise: four, or itself where the elements are linear.
@@ -96,7 +97,7 @@ impl ControlVolumes {
             .collect();
         Ok(Self {
             addresses,
-            analysis: Arc::new(UnsymmetricAnalysis::new(pattern.clone())?),
+            analysis: Arc::new(UnsymmetricAnalysis::new(pattern.clone(), elimination_order(space))?),
             pattern,
             per_triangle: space.degree() * space.degree(),
             triangles,

@@ -35,10 +35,14 @@ pub struct ElementKernel {
     weights: Vec<f64>,
     values: Vec<[f64; MOST_SHAPES]>,
     gradients: Vec<[[f64; 2]; MOST_SHAPES]>,
+    /// Weights times barycentric coordinates `l_i`, and times `l_i l_j` in the order of [`PAIRS`].
+    moments: Vec<([f64; 3], [f64; 6])>,
     /// Products of reference gradients for cubic elements, empty for others.
     products: Vec<GradientProducts>,
 }
 
+/// Pairs of barycentric coordinates.
+const PAIRS: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0)];
 /// Pairs of shape functions `i <= j` of a cubic element.
 const CUBIC_PAIRS: usize = MOST_SHAPES * (MOST_SHAPES + 1) / 2;
 /// For each pair at one point: products of the derivatives by xi, mixed ones in both orders, and those by eta.
@@ -64,9 +68,14 @@ impl ElementKernel {
             weights: rule.weights,
             values: Vec::new(),
             gradients: Vec::new(),
+            moments: Vec::new(),
             products: Vec::new(),
         };
-        for &point in &kernel.points {
+        for (&point, weight) in kernel.points.iter().zip(&kernel.weights) {
+            let l = lagrange::barycentric(point);
+            kernel
+                .moments
+                .push((l.map(|l| weight * l), PAIRS.map(|(i, j)| weight * l[i] * l[j])));
             let (mut values, mut gradients) = ([0.0; MOST_SHAPES], [[0.0; 2]; MOST_SHAPES]);
             lagrange::values(degree, point, &mut values[..shapes]);
             lagrange::gradients(degree, point, &mut gradients[..shapes]);
@@ -128,9 +137,12 @@ impl ElementKernel {
                 self.general_conduction(&geometry, &points[..n], out);
             }
         }
-        for i in 0..self.shapes {
-            for j in 0..self.shapes {
-                out.residual[i] += out.tangent[i][j] * u[j];
+        // A film that starts from nothing has few values: those that are given.
+        if u.iter().any(|&u| u != 0.0) {
+            for i in 0..self.shapes {
+                for j in 0..self.shapes {
+                    out.residual[i] += out.tangent[i][j] * u[j];
+                }
             }
         }
     }
@@ -170,7 +182,7 @@ impl ElementKernel {
         points: &[Conduction],
         out: &mut Element,
     ) {
-        *out = Element::default();
+        out.residual = [0.0; MOST_SHAPES];
         // Gradients of the barycentric coordinates: the opposite edge turned by 90 degrees.
         let gradient =
             |from: &[f64; 2], to: &[f64; 2]| [(from[1] - to[1]) / determinant, (to[0] - from[0]) / determinant];
@@ -181,29 +193,28 @@ impl ElementKernel {
                 g[i][j] = slope[i][0] * slope[j][0] + slope[i][1] * slope[j][1];
             }
         }
-        let mut moment = [[0.0; 3]; 3];
+        let mut pairs = [0.0; 6];
         let mut rest = [[0.0; 2]; 3];
-        for (q, point) in points.iter().enumerate() {
-            let l = lagrange::barycentric(self.points[q]);
-            let area = self.weights[q] * determinant;
+        for (q, (point, (l, l_l))) in points.iter().zip(&self.moments).enumerate() {
+            for k in 0..6 {
+                pairs[k] += point.conductance * l_l[k];
+            }
             for i in 0..3 {
-                let weighted = area * point.conductance * l[i];
-                for j in i..3 {
-                    moment[i][j] += weighted * l[j];
-                }
-                rest[i][0] += area * point.flux[0] * l[i];
-                rest[i][1] += area * point.flux[1] * l[i];
+                rest[i][0] += point.flux[0] * l[i];
+                rest[i][1] += point.flux[1] * l[i];
             }
             if point.source != 0.0 {
+                let area = self.weights[q] * determinant;
                 for i in 0..6 {
                     out.residual[i] += area * point.source * self.values[q][i];
                 }
             }
         }
-        for i in 0..3 {
-            for j in 0..i {
-                moment[i][j] = moment[j][i];
-            }
+        let rest = rest.map(|flux| flux.map(|flux| determinant * flux));
+        let mut moment = [[0.0; 3]; 3];
+        for ((i, j), pair) in PAIRS.into_iter().zip(pairs) {
+            moment[i][j] = determinant * pair;
+            moment[j][i] = moment[i][j];
         }
         let m: [f64; 3] = std::array::from_fn(|i| moment[i].iter().sum());
         let total: f64 = m.iter().sum();
@@ -233,7 +244,7 @@ impl ElementKernel {
     /// A straight cubic triangle: its metric does not vary, so the conductance weighs products of reference gradients. Without the
     /// part of `u` in the residual.
     fn straight_cubic(&self, [a, b, c]: &[[f64; 2]; 3], determinant: f64, points: &[Conduction], out: &mut Element) {
-        *out = Element::default();
+        out.residual = [0.0; MOST_SHAPES];
         let (ab, ac) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
         // Rows of the inverse Jacobian: gradients of xi and eta.
         let xi = [ac[1] / determinant, -ac[0] / determinant];

@@ -2,14 +2,15 @@
 //!
 //! Wraps faer, whose threads do not pay on two-dimensional problems: it runs sequentially.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::LltRegularization;
 use faer::perm::PermRef;
 use faer::sparse::linalg::SupernodalThreshold;
 use faer::sparse::linalg::cholesky::{
-    CholeskySymbolicParams, LltRef, SymbolicCholesky, SymmetricOrdering, factorize_symbolic_cholesky,
+    CholeskySymbolicParams, LltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering,
+    factorize_symbolic_cholesky,
 };
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::{Conj, MatMut, Par, Side};
@@ -35,23 +36,59 @@ impl Analysis {
             inverse[dof as usize] = k as u32;
         }
         let n = pattern.dimension();
+        Self::ordered(
+            pattern,
+            SymmetricOrdering::Custom(PermRef::new_checked(&order, &inverse, n)),
+        )
+    }
+
+    /// Analyses a symmetric pattern of which no positions are known, in an order of minimum degree.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`] if the factor's indices or its memory do not fit.
+    pub(crate) fn of_pattern(pattern: Arc<Pattern>) -> Result<Self, Error> {
+        Self::ordered(pattern, SymmetricOrdering::Amd)
+    }
+
+    fn ordered(pattern: Arc<Pattern>, order: SymmetricOrdering<'_, u32>) -> Result<Self, Error> {
+        let unknowns = pattern.dimension();
         let symbolic = factorize_symbolic_cholesky(
             faer_pattern(&pattern),
             Side::Lower,
-            SymmetricOrdering::Custom(PermRef::new_checked(&order, &inverse, n)),
+            order,
             // Blocks of columns pay from a thousand unknowns on, a half at five thousand.
             CholeskySymbolicParams {
                 supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SUPERNODAL,
                 ..CholeskySymbolicParams::default()
             },
         )
-        .map_err(|_| Error::TooLarge { unknowns: n })?;
+        .map_err(|_| Error::TooLarge { unknowns })?;
         Ok(Self { symbolic, pattern })
     }
 
     /// Entries of the Cholesky factor.
     pub fn factor_entries(&self) -> usize {
         self.symbolic.len_val()
+    }
+
+    /// Multiplications and additions of a factorisation: the sum of the squares of the column counts.
+    pub fn factor_flops(&self) -> f64 {
+        let squares = |longest: usize, columns: usize| -> f64 {
+            let counts = (0..columns).map(|k| (longest - k) as f64);
+            counts.map(|count| count * count).sum()
+        };
+        match self.symbolic.raw() {
+            SymbolicCholeskyRaw::Simplicial(columns) => {
+                let ends = columns.col_ptr().windows(2);
+                ends.map(|ends| squares((ends[1] - ends[0]) as usize, 1)).sum()
+            }
+            SymbolicCholeskyRaw::Supernodal(blocks) => {
+                let width = |s: usize| (blocks.supernode_end()[s] - blocks.supernode_begin()[s]) as usize;
+                let below = |s: usize| blocks.supernode(s).pattern().len();
+                let blocks = 0..blocks.n_supernodes();
+                blocks.map(|s| squares(width(s) + below(s), width(s))).sum()
+            }
+        }
     }
 
     /// Factorises `matrix` with the rows and columns of fixed dofs replaced by those of the identity.
@@ -81,6 +118,34 @@ impl Analysis {
             analysis: Arc::clone(self),
             factor,
         })
+    }
+}
+
+/// An analysis that is made when it is first asked for.
+#[derive(Debug)]
+pub struct LazyAnalysis {
+    space: Space,
+    pattern: Arc<Pattern>,
+    made: OnceLock<Result<Arc<Analysis>, Error>>,
+}
+
+impl LazyAnalysis {
+    /// Of matrices with `pattern` on `space`.
+    pub fn new(space: Space, pattern: Arc<Pattern>) -> Self {
+        Self {
+            space,
+            pattern,
+            made: OnceLock::new(),
+        }
+    }
+
+    /// The analysis.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`] as [`Analysis::new`].
+    pub fn get(&self) -> Result<&Arc<Analysis>, Error> {
+        let made = (self.made).get_or_init(|| Analysis::new(&self.space, self.pattern.clone()).map(Arc::new));
+        made.as_ref().map_err(Clone::clone)
     }
 }
 
@@ -174,7 +239,8 @@ fn faer_pattern(pattern: &Pattern) -> SymbolicSparseColMatRef<'_, u32> {
     SymbolicSparseColMatRef::new_unsorted_checked(n, n, &pattern.row_start, None, &pattern.columns)
 }
 
-fn masked_values(matrix: &Matrix, fixed: &[bool]) -> Result<Vec<f64>, Error> {
+/// The values of `matrix` with the rows and columns of fixed dofs replaced by those of the identity.
+pub(crate) fn masked_values(matrix: &Matrix, fixed: &[bool]) -> Result<Vec<f64>, Error> {
     let Pattern { row_start, columns } = &*matrix.pattern;
     let mut masked = matrix.values.clone();
     for (i, &row_fixed) in fixed.iter().enumerate() {

@@ -67,6 +67,16 @@ pub fn values(degree: usize, point: [f64; 2], out: &mut [f64]) {
     }
 }
 
+/// Values of the shape functions at several points; entries past [`shapes`]`(degree)` are zero.
+pub fn tabulated(degree: usize, points: &[[f64; 2]]) -> Vec<[f64; MOST_SHAPES]> {
+    let at = |&point: &[f64; 2]| {
+        let mut out = [0.0; MOST_SHAPES];
+        values(degree, point, &mut out[..shapes(degree)]);
+        out
+    };
+    points.iter().map(at).collect()
+}
+
 /// Gradients in `(xi, eta)` of the shape functions at `(xi, eta)`.
 pub fn gradients(degree: usize, point: [f64; 2], out: &mut [[f64; 2]]) {
     let l = barycentric(point);

@@ -3,12 +3,15 @@
 //! Physics states a [`ConservationLaw`]: flux and source at a point. Reading order:
 //! [`lagrange`] and [`quadrature`] (the reference triangle), [`mapping`], [`space`] (degrees of
 //! freedom), [`field`] (functions), [`conservation_law`], [`element`] and [`assembly`] (the one
-//! element loop), [`sparsity`], [`ordering`], [`factorization`] and [`unsymmetric`], [`newton`], [`complementarity`] (obstacles), [`linear_solver`], [`linearisation`].
+//! element loop), [`sparsity`], [`ordering`], [`factorization`] and [`unsymmetric`], [`newton`], [`complementarity`] (obstacles), [`linear_solver`], [`linearisation`];
+//! for large systems `conjugate_gradients`, `multigrid` (on `sweeps`, [`linear_prolongation`] and `aggregation`), and `iterated`, which gives up on it where it is slow.
 //! [`prolongation`] and [`nested`]: cubic elements on top of quadratic ones, for error bars.
 //! [`marking`] chooses triangles to refine; [`transfer`](mod@transfer) carries a field to the refined mesh. [`control_volumes`] is the sub-mesh of schemes of finite volumes.
 
+mod aggregation;
 pub mod assembly;
 pub mod complementarity;
+mod conjugate_gradients;
 pub mod conservation_law;
 pub mod constraints;
 pub mod control_volumes;
@@ -18,12 +21,16 @@ pub mod error;
 mod extrema;
 pub mod factorization;
 pub mod field;
+mod front;
+mod iterated;
 pub mod lagrange;
+pub mod linear_prolongation;
 pub mod linear_solver;
 pub mod linearisation;
 pub mod mapping;
 pub mod marking;
 pub mod matrix;
+mod multigrid;
 pub mod nested;
 pub mod newton;
 pub mod ordering;
@@ -32,6 +39,7 @@ pub mod prolongation;
 pub mod quadrature;
 pub mod space;
 pub mod sparsity;
+mod sweeps;
 pub mod transfer;
 pub mod unsymmetric;
 
@@ -43,6 +51,7 @@ pub use dual::Dual;
 pub use error::Error;
 pub use factorization::{Analysis, Factorization};
 pub use field::Field;
+pub use linear_prolongation::LinearProlongation;
 pub use linear_solver::LinearSolver;
 pub use linearisation::Linearisation;
 pub use matrix::Matrix;

@@ -1,22 +1,40 @@
-//! How the linear systems of a space are solved: by a factor of their own, or on top of a smaller one.
+//! How the linear systems of a space are solved: by a factor of their own, by multigrid, or on top of a smaller one.
 
 use std::sync::Arc;
 
+use crate::factorization::LazyAnalysis;
+use crate::linear_prolongation::LinearProlongation;
 use crate::nested::Nested;
 use crate::{Analysis, Constraints, Error, Linearisation, Matrix};
-
-/// Part of the first residual down to which conjugate gradients are run at last,
-const ENOUGH: f64 = 1e-8;
-/// and while a set of contact is still sought.
-const ROUGHLY_ENOUGH: f64 = 1e-4;
 
 /// The way to solve.
 #[derive(Debug, Clone)]
 pub enum LinearSolver {
     /// Cholesky factorisation on an analysed pattern.
     Direct(Arc<Analysis>),
-    /// Cubic elements by conjugate gradients, preconditioned with the factor of quadratic ones.
+    /// Quadratic elements by conjugate gradients, preconditioned by multigrid.
+    Multigrid(MultigridSolver),
+    /// Cubic elements by conjugate gradients, preconditioned with what solves quadratic ones.
     Nested(Nested),
+}
+
+/// What multigrid needs, whatever the matrix.
+#[derive(Debug, Clone)]
+pub struct MultigridSolver {
+    /// From the vertices to the quadratic elements.
+    pub between: Arc<LinearProlongation>,
+    /// For the factor that takes over where multigrid is slow.
+    pub direct: Arc<LazyAnalysis>,
+}
+
+/// Parts of the first residual down to which an iteration solves its systems.
+struct Ends {
+    /// At last,
+    enough: f64,
+    /// while a set of contact is still sought,
+    rough: f64,
+    /// and the part of what is natural by which solutions may be off then: signs below it mean nothing.
+    accuracy: f64,
 }
 
 impl LinearSolver {
@@ -30,31 +48,49 @@ impl LinearSolver {
                 let factorization = analysis.factorise(&matrix, &constraints.fixed)?;
                 Ok(Linearisation::new(matrix, factorization, constraints))
             }
+            Self::Multigrid(solver) => Linearisation::multigrid(matrix, solver, constraints),
             Self::Nested(nested) => Ok(Linearisation::nested(matrix, nested.clone(), constraints)),
+        }
+    }
+
+    fn ends(&self) -> Ends {
+        match self {
+            Self::Direct(_) => Ends {
+                enough: 0.0,
+                rough: 0.0,
+                accuracy: 1e-12,
+            },
+            Self::Multigrid(_) => Ends {
+                enough: 1e-10,
+                rough: 1e-4,
+                accuracy: 1e-9,
+            },
+            Self::Nested(nested) if nested.quadratic.has_factor() => Ends {
+                enough: 1e-8,
+                rough: 1e-4,
+                accuracy: 1e-8,
+            },
+            // What the quadratic elements leave is reduced to this part: far below what the bars say of it.
+            Self::Nested(_) => Ends {
+                enough: 1e-5,
+                rough: 1e-3,
+                accuracy: 1e-8,
+            },
         }
     }
 
     /// The residual (Euclidean norm) that will do in an iteration that began with the residual `first`.
     pub fn enough(&self, first: f64) -> f64 {
-        match self {
-            Self::Direct(_) => 0.0,
-            Self::Nested(_) => ENOUGH * first,
-        }
+        self.ends().enough * first
     }
 
     /// The same while the set of contact may still change.
     pub fn roughly_enough(&self, first: f64) -> f64 {
-        match self {
-            Self::Direct(_) => 0.0,
-            Self::Nested(_) => ROUGHLY_ENOUGH * first,
-        }
+        self.ends().rough * first
     }
 
     /// Part of what is natural by which solutions may be off: signs below it mean nothing.
     pub fn accuracy(&self) -> f64 {
-        match self {
-            Self::Direct(_) => 1e-12,
-            Self::Nested(_) => 1e-8,
-        }
+        self.ends().accuracy
     }
 }

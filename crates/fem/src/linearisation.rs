@@ -3,18 +3,34 @@
 use std::sync::OnceLock;
 
 use crate::factorization::SingleFactor;
+use crate::iterated::Iterated;
+use crate::linear_solver::MultigridSolver;
 use crate::nested::Nested;
-use crate::{Constraints, Error, Factorization, Matrix, UnsymmetricFactorization};
+use crate::{Constraints, Error, Factorization, LinearSolver, Matrix, UnsymmetricFactorization};
 
 /// A residual above this fraction of the right-hand side is refined once, and refused after.
 const REFINE_ABOVE: f64 = 1e-12;
 const REFUSE_ABOVE: f64 = 1e-7;
+/// Residual over right-hand side of a solve that needs no more.
+const TWO_DIGITS: f64 = 1e-2;
+
+/// How linear systems are solved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Route {
+    /// By a factor.
+    Direct,
+    /// By conjugate gradients with multigrid.
+    Multigrid,
+    /// By a factor, after multigrid was found to be slow.
+    Switched,
+}
 
 /// What a tangent is solved with.
 #[derive(Debug)]
 enum Factor {
     Cholesky(Factorization),
     Lu(Box<UnsymmetricFactorization>),
+    Multigrid(Box<Iterated>),
     Nested(Nested),
 }
 
@@ -51,6 +67,17 @@ impl Linearisation {
         }
     }
 
+    /// A symmetric tangent of quadratic elements, solved by multigrid.
+    pub(crate) fn multigrid(matrix: Matrix, solver: &MultigridSolver, constraints: Constraints) -> Result<Self, Error> {
+        let iterated = Iterated::new(solver, &matrix, &constraints.fixed)?;
+        Ok(Self {
+            matrix,
+            factor: Factor::Multigrid(Box::new(iterated)),
+            constraints,
+            rough: OnceLock::new(),
+        })
+    }
+
     /// A symmetric tangent of cubic elements, on top of the factor of quadratic ones.
     pub(crate) fn nested(matrix: Matrix, nested: Nested, constraints: Constraints) -> Self {
         Self {
@@ -58,6 +85,46 @@ impl Linearisation {
             factor: Factor::Nested(nested),
             constraints,
             rough: OnceLock::new(),
+        }
+    }
+
+    /// The same tangent with other given dofs.
+    ///
+    /// # Errors
+    /// As [`crate::LinearSolver::linearise`].
+    pub(crate) fn masked_anew(self, solver: &LinearSolver, constraints: Constraints) -> Result<Self, Error> {
+        let Factor::Multigrid(mut iterated) = self.factor else {
+            return solver.linearise(self.matrix, constraints);
+        };
+        iterated.mask(&self.matrix, &constraints.fixed)?;
+        Ok(Self {
+            matrix: self.matrix,
+            factor: Factor::Multigrid(iterated),
+            constraints,
+            rough: OnceLock::new(),
+        })
+    }
+
+    /// How systems with this tangent are solved.
+    pub fn route(&self) -> Route {
+        match &self.factor {
+            Factor::Cholesky(_) | Factor::Lu(_) => Route::Direct,
+            Factor::Multigrid(iterated) if iterated.factor().is_some() => Route::Switched,
+            Factor::Multigrid(_) => Route::Multigrid,
+            Factor::Nested(nested) => nested.quadratic.route(),
+        }
+    }
+
+    /// True if a factor of its own solves the system, false for an iteration.
+    pub(crate) fn has_factor(&self) -> bool {
+        !matches!(self.factor, Factor::Nested(_)) && self.route() != Route::Multigrid
+    }
+
+    /// Steps of conjugate gradients made so far; zero with a factor of its own.
+    pub fn steps(&self) -> usize {
+        match &self.factor {
+            Factor::Multigrid(iterated) => iterated.steps(),
+            Factor::Cholesky(_) | Factor::Lu(_) | Factor::Nested(_) => 0,
         }
     }
 
@@ -69,6 +136,14 @@ impl Linearisation {
     /// Gives the tangent back, to be assembled anew.
     pub fn into_matrix(self) -> Matrix {
         self.matrix
+    }
+
+    /// Gives LU factors back, to be renewed.
+    pub fn into_unsymmetric(self) -> Option<UnsymmetricFactorization> {
+        match self.factor {
+            Factor::Lu(factor) => Some(*factor),
+            Factor::Cholesky(_) | Factor::Multigrid(_) | Factor::Nested(_) => None,
+        }
     }
 
     /// The given dofs.
@@ -102,13 +177,15 @@ impl Linearisation {
         self.refined(b, true, 0.0)
     }
 
-    /// `b` masked and put through the factor once, without a look at the residual: for those who need no more.
+    /// `b` masked and put through the factor once, without a look at the residual, or solved to two digits where there is
+    /// no factor: for those who need no more.
     ///
     /// # Errors
     /// [`Error::NotFinite`].
     pub fn apply_factor(&self, b: Vec<f64>, transposed: bool) -> Result<Vec<f64>, Error> {
         let mut x = self.masked(b);
-        self.back_solve(&mut x, transposed, 0.0)?;
+        let enough = TWO_DIGITS * self.constraints.free_norm(&x);
+        self.back_solve(&mut x, transposed, enough)?;
         Ok(x)
     }
 
@@ -117,10 +194,12 @@ impl Linearisation {
     /// # Errors
     /// [`Error::NotFinite`].
     pub(crate) fn apply_rough_factor(&self, b: Vec<f64>) -> Result<Vec<f64>, Error> {
-        let Factor::Cholesky(factor) = &self.factor else {
-            return self.apply_factor(b, false);
-        };
         let b = self.masked(b);
+        let factor = match &self.factor {
+            Factor::Cholesky(factor) => factor,
+            Factor::Multigrid(iterated) => return iterated.precondition(b),
+            Factor::Lu(_) | Factor::Nested(_) => return self.apply_factor(b, false),
+        };
         let mut x = b.clone();
         match self.rough.get_or_init(|| factor.single()).solve(&mut x) {
             Ok(()) => Ok(x),
@@ -134,6 +213,10 @@ impl Linearisation {
             (Factor::Cholesky(factor), _) => factor.solve(x),
             (Factor::Lu(factor), false) => factor.solve(x),
             (Factor::Lu(factor), true) => factor.solve_transposed(x),
+            (Factor::Multigrid(iterated), _) => {
+                *x = iterated.solve(&self.matrix, &self.constraints, x, enough)?;
+                Ok(())
+            }
             (Factor::Nested(nested), _) => {
                 *x = nested.solve(&self.matrix, &self.constraints, x, enough)?;
                 Ok(())
@@ -145,7 +228,7 @@ impl Linearisation {
         let b = self.masked(b.to_vec());
         let mut x = b.clone();
         self.back_solve(&mut x, transposed, enough)?;
-        if matches!(self.factor, Factor::Nested(_)) {
+        if !self.has_factor() {
             // It checks its residual itself.
             return Ok(x);
         }

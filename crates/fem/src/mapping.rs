@@ -42,6 +42,14 @@ impl Mapping {
         }
     }
 
+    /// Jacobian determinant [m2] at the reference point `(xi, eta)`.
+    pub fn determinant(&self, point: [f64; 2]) -> f64 {
+        match self {
+            Self::Straight([a, b, c]) => (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]),
+            Self::Curved(_) => self.at(point).determinant,
+        }
+    }
+
     /// Position and derivatives at the reference point `(xi, eta)`.
     pub fn at(&self, point: [f64; 2]) -> Place {
         match self {

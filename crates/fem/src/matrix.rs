@@ -41,10 +41,25 @@ impl Matrix {
     /// `A x`.
     pub fn multiply(&self, x: &[f64]) -> Vec<f64> {
         let mut product = vec![0.0; x.len()];
+        self.rows_of_product(x, &mut product, |_| true);
+        product
+    }
+
+    /// `A x` into `product`, zero at `fixed` dofs.
+    pub(crate) fn multiply_free(&self, x: &[f64], fixed: &[bool], product: &mut [f64]) {
+        self.rows_of_product(x, product, |i| !fixed[i]);
+    }
+
+    /// The wanted rows of `A x`; others are zero.
+    fn rows_of_product(&self, x: &[f64], product: &mut [f64], is_wanted: impl Fn(usize) -> bool + Sync) {
         let Pattern { row_start, columns } = &*self.pattern;
         product.par_chunks_mut(ROWS_A_TASK).enumerate().for_each(|(task, out)| {
             for (k, y) in out.iter_mut().enumerate() {
                 let i = task * ROWS_A_TASK + k;
+                if !is_wanted(i) {
+                    *y = 0.0;
+                    continue;
+                }
                 let row = row_start[i] as usize..row_start[i + 1] as usize;
                 *y = columns[row.clone()]
                     .iter()
@@ -53,7 +68,6 @@ impl Matrix {
                     .sum();
             }
         });
-        product
     }
 
     /// `A^T x`.

@@ -5,6 +5,7 @@
 
 use std::sync::Arc;
 
+use crate::conjugate_gradients::{Ending, Outcome, conjugate_gradients};
 use crate::{Constraints, Error, Linearisation, Matrix, Prolongation};
 
 /// Steps end when the residual has fallen to this part of the right-hand side.
@@ -40,52 +41,19 @@ impl Nested {
         let inverse: Vec<f64> = (constraints.fixed.iter().enumerate())
             .map(|(i, &fixed)| if fixed { 0.0 } else { 1.0 / matrix.diagonal(i) })
             .collect();
-        let mask = |v: &mut [f64]| {
-            for (v, &inverse) in v.iter_mut().zip(&inverse) {
-                *v = if inverse == 0.0 { 0.0 } else { *v };
-            }
+        let first = constraints.free_norm(b);
+        let ending = Ending {
+            enough: if enough > 0.0 { enough } else { TOLERANCE * first },
+            most_steps: MOST_STEPS,
+            foresees: false,
         };
-        let mut r = b.to_vec();
-        mask(&mut r);
-        let first = dot(&r, &r).sqrt();
-        let enough = if enough > 0.0 { enough } else { TOLERANCE * first };
-        let mut x = vec![0.0; b.len()];
-        if first <= enough {
-            return Ok(x);
-        }
-        let mut z = self.precondition(&r, &inverse)?;
-        let mut direction = z.clone();
-        let mut product = dot(&r, &z);
-        for _ in 0..MOST_STEPS {
-            let mut image = matrix.multiply(&direction);
-            mask(&mut image);
-            let curvature = dot(&direction, &image);
-            if !curvature.is_finite() || !product.is_finite() {
-                return Err(Error::NotFinite {
-                    what: "solution of the linear system",
-                });
-            }
-            if curvature <= 0.0 {
-                return Err(Error::NotPositiveDefinite);
-            }
-            let length = product / curvature;
-            add(&mut x, length, &direction);
-            add(&mut r, -length, &image);
-            if dot(&r, &r).sqrt() <= enough {
-                return Ok(x);
-            }
-            z = self.precondition(&r, &inverse)?;
-            let next = dot(&r, &z);
-            let turn = next / product;
-            product = next;
-            for (direction, z) in direction.iter_mut().zip(&z) {
-                *direction = z + turn * *direction;
-            }
-        }
-        let relative = dot(&r, &r).sqrt() / first;
-        match relative < REFUSE_ABOVE {
-            true => Ok(x),
-            false => Err(Error::Inaccurate { relative }),
+        let precondition = |r: &[f64]| self.precondition(r, &inverse);
+        match conjugate_gradients(matrix, &constraints.fixed, b, ending, precondition)? {
+            Outcome::Solved { x } => Ok(x),
+            Outcome::Slow { x, residual } if residual < REFUSE_ABOVE * first => Ok(x),
+            Outcome::Slow { residual, .. } => Err(Error::Inaccurate {
+                relative: residual / first,
+            }),
         }
     }
 
@@ -97,15 +65,5 @@ impl Nested {
             *z = if inverse == 0.0 { 0.0 } else { *z + inverse * r };
         }
         Ok(z)
-    }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-fn add(x: &mut [f64], factor: f64, direction: &[f64]) {
-    for (x, d) in x.iter_mut().zip(direction) {
-        *x += factor * d;
     }
 }

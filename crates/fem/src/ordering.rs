@@ -17,9 +17,11 @@ const LEAF: usize = 16;
 pub fn elimination_order(space: &Space) -> Vec<u32> {
     let mesh = space.mesh();
     let neighbours = Neighbours::of(mesh);
-    let mut vertices: Vec<u32> = (0..mesh.points().len() as u32).collect();
+    let mut vertices: Vec<Vertex> = (0..)
+        .zip(mesh.points())
+        .map(|(number, &point)| Vertex { point, number })
+        .collect();
     let mut dissection = Dissection {
-        points: mesh.points(),
         neighbours: &neighbours,
         stamps: vec![0; vertices.len()],
         stamp: 0,
@@ -108,8 +110,24 @@ impl Neighbours {
     }
 }
 
+/// A vertex with its place at hand: halving looks at little else.
+#[derive(Debug, Clone, Copy)]
+struct Vertex {
+    point: [f64; 2],
+    number: u32,
+}
+
+impl Vertex {
+    /// By coordinate `axis`, then by the other, then by number: a strict order.
+    fn compare(&self, other: &Self, axis: usize) -> std::cmp::Ordering {
+        self.point[axis]
+            .total_cmp(&other.point[axis])
+            .then(self.point[1 - axis].total_cmp(&other.point[1 - axis]))
+            .then(self.number.cmp(&other.number))
+    }
+}
+
 struct Dissection<'a> {
-    points: &'a [[f64; 2]],
     neighbours: &'a Neighbours,
     /// Marks the second half of the split that is looked at.
     stamps: Vec<u32>,
@@ -118,70 +136,56 @@ struct Dissection<'a> {
 }
 
 impl Dissection<'_> {
-    fn dissect(&mut self, part: &mut [u32]) {
+    fn dissect(&mut self, part: &mut [Vertex]) {
         if part.len() <= LEAF {
-            self.order.extend_from_slice(part);
+            self.eliminate(part);
             return;
         }
         let half = part.len() / 2;
-        self.halve(part, half, 0);
+        part.select_nth_unstable_by(half, |a, b| a.compare(b, 0));
         let by_x = self.separator_size(&part[..half], &part[half..]);
-        self.halve(part, half, 1);
+        let halved_by_x = part.to_vec();
+        part.select_nth_unstable_by(half, |a, b| a.compare(b, 1));
         let by_z = self.separator_size(&part[..half], &part[half..]);
         if by_x <= by_z {
-            self.halve(part, half, 0);
+            part.copy_from_slice(&halved_by_x);
             self.separator_size(&part[..half], &part[half..]);
         }
+        drop(halved_by_x);
         let (first, second) = part.split_at_mut(half);
-        let stamp = self.stamp;
-        let touches = |v: u32| {
-            self.neighbours
-                .of_vertex(v)
-                .iter()
-                .any(|&n| self.stamps[n as usize] == stamp)
-        };
         // Separator to the end of the first half, in coordinate order.
-        let (inner, mut separator): (Vec<u32>, Vec<u32>) = first.iter().partition(|&&v| !touches(v));
-        separator.sort_unstable_by(|&a, &b| self.compare(a, b, 0));
-        first[..inner.len()].copy_from_slice(&inner);
-        if inner.is_empty() {
+        let (inner, mut separator): (Vec<Vertex>, Vec<Vertex>) = first.iter().partition(|v| !self.touches(v));
+        separator.sort_unstable_by(|a, b| a.compare(b, 0));
+        let kept = inner.len();
+        first[..kept].copy_from_slice(&inner);
+        drop(inner);
+        if kept == 0 {
             // Everything touches: no split is left to gain.
-            self.order.extend_from_slice(second);
-            self.order.extend_from_slice(&separator);
-            return;
+            self.eliminate(second);
+        } else {
+            self.dissect(&mut first[..kept]);
+            self.dissect(second);
         }
-        self.dissect(&mut first[..inner.len()]);
-        self.dissect(second);
-        self.order.extend_from_slice(&separator);
+        self.eliminate(&separator);
     }
 
-    /// By coordinate `axis`, then by the other, then by number: a strict order.
-    fn compare(&self, a: u32, b: u32, axis: usize) -> std::cmp::Ordering {
-        let (pa, pb) = (self.points[a as usize], self.points[b as usize]);
-        pa[axis]
-            .total_cmp(&pb[axis])
-            .then(pa[1 - axis].total_cmp(&pb[1 - axis]))
-            .then(a.cmp(&b))
-    }
-
-    fn halve(&self, part: &mut [u32], half: usize, axis: usize) {
-        part.select_nth_unstable_by(half, |&a, &b| self.compare(a, b, axis));
+    fn eliminate(&mut self, part: &[Vertex]) {
+        self.order.extend(part.iter().map(|v| v.number));
     }
 
     /// Stamps the second half and counts the vertices of the first that touch it.
-    fn separator_size(&mut self, first: &[u32], second: &[u32]) -> usize {
+    fn separator_size(&mut self, first: &[Vertex], second: &[Vertex]) -> usize {
         self.stamp += 1;
-        for &v in second {
-            self.stamps[v as usize] = self.stamp;
+        for v in second {
+            self.stamps[v.number as usize] = self.stamp;
         }
-        let stamp = self.stamp;
-        let touches = |v: &&u32| {
-            self.neighbours
-                .of_vertex(**v)
-                .iter()
-                .any(|&n| self.stamps[n as usize] == stamp)
-        };
-        first.iter().filter(touches).count()
+        first.iter().filter(|v| self.touches(v)).count()
+    }
+
+    /// Whether a vertex touches the half that was stamped last.
+    fn touches(&self, v: &Vertex) -> bool {
+        let neighbours = self.neighbours.of_vertex(v.number);
+        neighbours.iter().any(|&n| self.stamps[n as usize] == self.stamp)
     }
 }
 

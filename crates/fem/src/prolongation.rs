@@ -8,6 +8,7 @@
 //! `l_0 l_1 l_2`: the hierarchical basis, in which the part that quadratics lack stands by itself.
 
 use oilwedge_mesh::Mesh;
+use rayon::prelude::*;
 
 use crate::Space;
 
@@ -173,34 +174,38 @@ impl Prolongation {
             triangles,
         }
     }
+
+    /// Each entry shared equally among the triangles that its function lives on: one sum a triangle.
+    pub fn shared(&self, entries: &Hierarchical) -> Vec<f64> {
+        let topology = self.mesh().topology();
+        let mut around = vec![0u32; self.mesh().points().len()];
+        for &v in self.mesh().triangles().iter().flatten() {
+            around[v as usize] += 1;
+        }
+        let sides = |e: u32| if topology.is_boundary(e) { 1.0 } else { 2.0 };
+        let share = |t: usize| {
+            let dofs = self.triangle(t).0.map(|dof| entries.quadratic[dof]);
+            let corners = self.mesh().triangles()[t].iter().zip(&dofs);
+            let corners: f64 = corners.map(|(&v, entry)| entry / f64::from(around[v as usize])).sum();
+            let edges = topology.triangle_edges[t].iter().zip(&dofs[3..]);
+            let edges: f64 = edges
+                .map(|(&e, entry)| (entry + entries.edges[e as usize]) / sides(e))
+                .sum();
+            corners + edges + entries.triangles[t]
+        };
+        (0..self.mesh().triangles().len()).into_par_iter().map(share).collect()
+    }
 }
 
 impl Hierarchical {
-    /// Products entry by entry, each shared equally among the triangles that its function lives on: one sum a triangle.
-    pub fn shared_products(&self, other: &Self, space: &Space) -> Vec<f64> {
-        let mesh = space.mesh();
-        let topology = mesh.topology();
-        let mut around = vec![0u32; space.dofs()];
-        for t in 0..mesh.triangles().len() {
-            for &dof in &space.element_dofs(t)[..space.shapes()] {
-                around[dof] += 1;
-            }
+    /// Products entry by entry.
+    pub fn times(&self, other: &Self) -> Self {
+        let products = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).collect();
+        Self {
+            quadratic: products(&self.quadratic, &other.quadratic),
+            edges: products(&self.edges, &other.edges),
+            triangles: products(&self.triangles, &other.triangles),
         }
-        (0..mesh.triangles().len())
-            .map(|t| {
-                let dofs = space.element_dofs(t);
-                let quadratic: f64 = (dofs[..space.shapes()].iter())
-                    .map(|&dof| self.quadratic[dof] * other.quadratic[dof] / f64::from(around[dof]))
-                    .sum();
-                let edges: f64 = (topology.triangle_edges[t].iter())
-                    .map(|&e| {
-                        let sides = if topology.is_boundary(e) { 1.0 } else { 2.0 };
-                        self.edges[e as usize] * other.edges[e as usize] / sides
-                    })
-                    .sum();
-                quadratic + edges + self.triangles[t] * other.triangles[t]
-            })
-            .collect()
     }
 }
 
@@ -245,7 +250,7 @@ mod tests {
         let (u, r) = (wave(between.cubic().dofs(), 0.7), wave(between.cubic().dofs(), 2.1));
         let v = wave(space.dofs(), 0.4);
         assert!((dot(&between.prolong(&v), &r) - dot(&v, &between.restrict(&r))).abs() < 1e-12);
-        let shares = between.split(&u).shared_products(&between.test(&r), &space);
+        let shares = between.shared(&between.split(&u).times(&between.test(&r)));
         assert!((shares.iter().sum::<f64>() - dot(&u, &r)).abs() < 1e-12);
     }
 }

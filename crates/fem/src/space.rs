@@ -66,12 +66,12 @@ impl Space {
             + self.per_triangle() * topology.triangle_start[v as usize] as usize
     }
 
-    /// First dof inside edge `e`.
+    /// First dof inside edge `e`. Edges are numbered as their dofs are, owner by owner.
     pub fn edge_dof(&self, e: u32) -> usize {
         let topology = self.mesh.topology();
-        let owner = topology.edges[e as usize][0];
-        let place = e - topology.edge_start[owner as usize];
-        self.vertex_dof(owner) + 1 + self.per_edge() * place as usize
+        let owner = topology.edges[e as usize][0] as usize;
+        let triangles_before = topology.triangle_start[owner] as usize;
+        owner + 1 + self.per_edge() * e as usize + self.per_triangle() * triangles_before
     }
 
     /// First dof inside triangle `t`.
@@ -85,32 +85,37 @@ impl Space {
 
     /// Dofs of triangle `t` in the local order of [`lagrange`]; entries past [`Space::shapes`] are zero.
     pub fn element_dofs(&self, t: usize) -> [usize; MOST_SHAPES] {
-        let mut dofs = [0; MOST_SHAPES];
-        let triangle = self.mesh.triangles()[t];
-        let edges = self.mesh.topology().triangle_edges[t];
-        let per_edge = self.per_edge();
-        for k in 0..3 {
-            dofs[k] = self.vertex_dof(triangle[k]);
-            if per_edge > 0 {
-                let first = self.edge_dof(edges[k]);
-                for m in 0..per_edge {
-                    dofs[3 + per_edge * k + m] = first + self.along_edge(triangle, k, m);
-                }
-            }
+        match self.degree {
+            1 => self.dofs_in::<0, 0>(t),
+            2 => self.dofs_in::<1, 0>(t),
+            _ => self.dofs_in::<2, 1>(t),
         }
-        if self.per_triangle() > 0 {
-            dofs[3 + 3 * per_edge] = self.triangle_dof(t as u32);
-        }
-        dofs
     }
 
-    /// Number, from the lesser vertex of the edge, of the node that is `m`-th along local edge `k`.
-    pub(crate) fn along_edge(&self, triangle: [u32; 3], k: usize, m: usize) -> usize {
-        if triangle[k] < triangle[(k + 1) % 3] {
-            m
-        } else {
-            self.per_edge() - 1 - m
+    /// With `NE` dofs inside an edge and `NT` inside a triangle: known when compiled, all loops are straight code.
+    fn dofs_in<const NE: usize, const NT: usize>(&self, t: usize) -> [usize; MOST_SHAPES] {
+        let topology = self.mesh.topology();
+        let (triangle, edges) = (self.mesh.triangles()[t], topology.triangle_edges[t]);
+        let triangles_before = |v: u32| match NT {
+            0 => 0,
+            _ => NT * topology.triangle_start[v as usize] as usize,
+        };
+        let mut dofs = [0; MOST_SHAPES];
+        for k in 0..3 {
+            let (v, next) = (triangle[k], triangle[(k + 1) % 3]);
+            dofs[k] = v as usize + NE * topology.edge_start[v as usize] as usize + triangles_before(v);
+            let owner = v.min(next);
+            let first = owner as usize + 1 + NE * edges[k] as usize + triangles_before(owner);
+            for m in 0..NE {
+                // Counted from the lesser vertex.
+                let place = if v < next { m } else { NE - 1 - m };
+                dofs[3 + NE * k + m] = first + place;
+            }
         }
+        if NT > 0 {
+            dofs[3 + 3 * NE] = self.triangle_dof(t as u32);
+        }
+        dofs
     }
 
     /// All dofs on edge `e`: its two ends and its interior.

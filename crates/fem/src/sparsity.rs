@@ -92,10 +92,18 @@ impl Sparsity {
 
     /// Visits every element once; shared entries are written again with the same column.
     fn fill_columns(&self, space: &Space, row_start: &[u32], columns: &mut [u32]) {
-        let n = space.shapes();
+        match space.degree() {
+            1 => self.fill_columns_of::<0, 0>(space, row_start, columns),
+            2 => self.fill_columns_of::<1, 0>(space, row_start, columns),
+            _ => self.fill_columns_of::<2, 1>(space, row_start, columns),
+        }
+    }
+
+    fn fill_columns_of<const NE: usize, const NT: usize>(&self, space: &Space, row_start: &[u32], columns: &mut [u32]) {
+        let n = 3 + 3 * NE + NT;
         for t in 0..space.mesh().triangles().len() {
             let dofs = space.element_dofs(t);
-            let addresses = self.addresses_in(row_start, space, t, &dofs);
+            let addresses = self.addresses_in::<NE, NT>(row_start, space, t, &dofs);
             for i in 0..n {
                 for j in 0..n {
                     columns[addresses[i][j] as usize] = dofs[j] as u32;
@@ -106,26 +114,37 @@ impl Sparsity {
 
     /// Addresses of the element matrix of triangle `t` with the dofs `dofs`.
     pub fn addresses(&self, space: &Space, t: usize, dofs: &[usize; MOST_SHAPES]) -> Addresses {
-        self.addresses_in(&self.pattern.row_start, space, t, dofs)
+        let row_start = &self.pattern.row_start;
+        match space.degree() {
+            1 => self.addresses_in::<0, 0>(row_start, space, t, dofs),
+            2 => self.addresses_in::<1, 0>(row_start, space, t, dofs),
+            _ => self.addresses_in::<2, 1>(row_start, space, t, dofs),
+        }
     }
 
-    fn addresses_in(&self, row_start: &[u32], space: &Space, t: usize, dofs: &[usize; MOST_SHAPES]) -> Addresses {
+    /// With `NE` dofs inside an edge and `NT` inside a triangle: known when compiled, all loops are straight code.
+    fn addresses_in<const NE: usize, const NT: usize>(
+        &self,
+        row_start: &[u32],
+        space: &Space,
+        t: usize,
+        dofs: &[usize; MOST_SHAPES],
+    ) -> Addresses {
         let topology = space.mesh().topology();
         let triangle = space.mesh().triangles()[t];
         let edges = topology.triangle_edges[t];
-        let (ne, nt) = (space.per_edge(), space.per_triangle());
-        // Where the interior dofs of local edge k begin in a block of them, by their place along the local edge.
-        let along = |k: usize, m: usize| space.along_edge(triangle, k, m) as u32;
+        let (ne, nt) = (NE, NT);
+        let is_ascending = |k: usize| triangle[k] < triangle[(k + 1) % 3];
+        // Where the m-th interior dof along local edge k stands in a block of them.
+        let along = |k: usize, m: usize| if is_ascending(k) { m as u32 } else { (NE - 1 - m) as u32 };
         let mut out = [[0u32; MOST_SHAPES]; MOST_SHAPES];
         for k in 0..3 {
             let (next, previous) = ((k + 1) % 3, (k + 2) % 3);
             let row = row_start[dofs[k]];
             let [edges_here, triangles_here] = self.valence[triangle[k] as usize];
-            let place_of = |edge: u32| {
-                let end = usize::from(topology.edges[edge as usize][0] != triangle[k]);
-                self.edge_places[edge as usize][end]
-            };
-            let (to_next, to_previous) = (place_of(edges[k]), place_of(edges[previous]));
+            // The vertex is the greater end of an edge that does not rise from it.
+            let to_next = self.edge_places[edges[k] as usize][usize::from(!is_ascending(k))];
+            let to_previous = self.edge_places[edges[previous] as usize][usize::from(is_ascending(previous))];
             let place = self.triangle_places[t][k];
             let incident = row + 1 + edges_here;
             let opposite = incident + ne as u32 * edges_here;
@@ -146,7 +165,7 @@ impl Sparsity {
             let (next, previous) = ((k + 1) % 3, (k + 2) % 3);
             let side = u32::from(topology.edge_triangles[edges[k] as usize][0] != t as u32);
             let base = (2 + ne) as u32 + side * (1 + 2 * ne + nt) as u32;
-            let lesser_first = triangle[k] < triangle[next];
+            let lesser_first = is_ascending(k);
             for i in 0..ne {
                 let row = row_start[dofs[3 + ne * k + i]];
                 let target = &mut out[3 + ne * k + i];
@@ -166,7 +185,7 @@ impl Sparsity {
         for i in 0..nt {
             let row = row_start[dofs[3 + 3 * ne + i]];
             let target = &mut out[3 + 3 * ne + i];
-            for j in 0..space.shapes() {
+            for j in 0..3 + 3 * ne + nt {
                 target[j] = row + j as u32;
             }
         }

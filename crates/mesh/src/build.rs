@@ -240,14 +240,15 @@ fn check_shapes(raw: &RawMesh) -> Vec<Defect> {
         let corners = raw.corners(t);
         let nodes = || raw.triangles[t].map(|v| raw.label(v));
         let [x, z] = corners[0];
+        // Squared.
         let longest = (0..3)
             .map(|k| {
                 let (a, b) = (corners[k], corners[(k + 1) % 3]);
-                (b[0] - a[0]).hypot(b[1] - a[1])
+                (b[0] - a[0]).powi(2) + (b[1] - a[1]).powi(2)
             })
             .fold(0.0, f64::max);
         let area = 0.5 * doubled_area(corners);
-        if area.abs() <= LEAST_SHAPE * longest * longest {
+        if area.abs() <= LEAST_SHAPE * longest {
             defects.push(Defect::Degenerate {
                 nodes: nodes(),
                 x,

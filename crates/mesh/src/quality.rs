@@ -39,6 +39,19 @@ pub struct Quality {
     pub unnamed_boundary_edges: usize,
 }
 
+/// Share of the triangles whose longest edge is more than `aspect` times the height on it.
+pub fn needle_share(mesh: &Mesh, aspect: f64) -> f64 {
+    let is_needle = |t: usize| {
+        let corners = mesh.corners(t);
+        let longest = (0..3)
+            .map(|k| distance(corners[k], corners[(k + 1) % 3]))
+            .fold(0.0, f64::max);
+        longest * longest > aspect * doubled_area(corners)
+    };
+    let cells = mesh.triangles().len();
+    (0..cells).filter(|&t| is_needle(t)).count() as f64 / cells as f64
+}
+
 impl Quality {
     /// Measures `mesh`.
     pub fn of(mesh: &Mesh) -> Self {
@@ -81,6 +94,21 @@ impl Quality {
     }
 }
 
+/// Least angle [deg] of any triangle, as in [`Quality`] and without the rest.
+pub fn least_angle_of(mesh: &Mesh) -> f64 {
+    // The angle with the greatest cotangent: only that of one triangle is worked out.
+    let (mut sharpest, mut greatest) = (0, f64::NEG_INFINITY);
+    for t in 0..mesh.triangles().len() {
+        let corners = mesh.corners(t);
+        let dots = [0, 1, 2].map(|k| corner_dot(corners, k));
+        let cotangent = dots[0].max(dots[1]).max(dots[2]) / doubled_area(corners);
+        if cotangent > greatest {
+            (sharpest, greatest) = (t, cotangent);
+        }
+    }
+    least_angle(mesh.corners(sharpest))
+}
+
 /// Area [m2] of triangle `t` with its curved edges: a parabola holds two thirds of the
 /// parallelogram over its chord.
 pub fn triangle_area(mesh: &Mesh, t: usize) -> f64 {
@@ -103,12 +131,14 @@ fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
 /// Least corner angle [deg].
 fn least_angle(corners: [[f64; 2]; 3]) -> f64 {
     let area = doubled_area(corners);
-    let angle = |k: usize| {
-        let [p, a, b] = [corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3]];
-        let dot = (a[0] - p[0]) * (b[0] - p[0]) + (a[1] - p[1]) * (b[1] - p[1]);
-        area.atan2(dot).to_degrees()
-    };
+    let angle = |k: usize| area.atan2(corner_dot(corners, k)).to_degrees();
     angle(0).min(angle(1)).min(angle(2))
+}
+
+/// Dot product [m2] of the two edges that leave corner `k`.
+fn corner_dot(corners: [[f64; 2]; 3], k: usize) -> f64 {
+    let [p, a, b] = [corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3]];
+    (a[0] - p[0]) * (b[0] - p[0]) + (a[1] - p[1]) * (b[1] - p[1])
 }
 
 fn median(values: &mut [f64]) -> f64 {
@@ -164,9 +194,11 @@ mod tests {
             curves: vec![("side".to_owned(), vec![[0, 1]])],
             ..RawMesh::default()
         };
-        let quality = Quality::of(&Mesh::build(raw).unwrap());
+        let mesh = Mesh::build(raw).unwrap();
+        let quality = Quality::of(&mesh);
         assert!((quality.area - (1.0 + 0.2 - 0.02)).abs() < 1e-15);
         assert!((quality.least_angle - 45.0).abs() < 1e-12);
+        assert_eq!(quality.least_angle, least_angle_of(&mesh));
         assert!((quality.median_angle - 45.0).abs() < 1e-12);
         assert!((quality.worst_aspect - 2.0).abs() < 1e-15);
         assert_eq!((quality.shortest_edge, quality.longest_edge), (1.0, 2f64.sqrt()));

@@ -92,7 +92,10 @@ impl FilmProblem {
     pub(crate) fn check_existence(&self, system: &FilmSystem, film: &FilmSolution) -> Result<(), NoFilm> {
         let law = &self.lubricant.pressure_law;
         let (limit, floor) = (law.limit(), law.floor());
-        let reached = self.greatest_unknown(system, film);
+        if limit == f64::INFINITY && floor == f64::NEG_INFINITY {
+            return Ok(());
+        }
+        let reached = self.greatest_unknown(system, film).value;
         if reached >= limit {
             return Err(NoFilm::AboveLimit {
                 reached,
@@ -123,7 +126,7 @@ impl FilmProblem {
         }
         let above = |motion: f64| {
             let film = self.closed_film(system, motion, Neighbour::None).ok()?;
-            Some(self.greatest_unknown(system, &film) / limit - 1.0)
+            Some(self.greatest_unknown(system, &film).value / limit - 1.0)
         };
         let (mut low, mut high) = (0.5, 1.0);
         let (mut at_low, mut at_high) = (above(low)?, above(high)?);

@@ -16,6 +16,13 @@ pub(crate) struct FilmLaw<'a> {
     change: Option<JournalChange>,
 }
 
+impl FilmProblem {
+    /// The law whose flux balances in this film.
+    pub fn law(&self) -> impl ConservationLaw + '_ {
+        FilmLaw::new(self, 1.0)
+    }
+}
+
 /// As many points as a law is asked for at once.
 pub(crate) type AtPoints<T> = [T; MOST_POINTS];
 
@@ -66,9 +73,7 @@ impl<'a> FilmLaw<'a> {
         let mut flows = [FilmFlow::default(); MOST_POINTS];
         let Some(change) = &self.change else {
             for term in &self.problem.terms {
-                for (point, flow) in film[..positions.len()].iter().zip(&mut flows) {
-                    term.add(point, flow);
-                }
+                term.add_all(&film[..positions.len()], &mut flows);
             }
             return (film, flows);
         };

@@ -3,9 +3,14 @@
 use std::sync::{Arc, OnceLock};
 
 use oilwedge_fem::complementarity::Start;
+use oilwedge_fem::factorization::LazyAnalysis;
+use oilwedge_fem::linear_solver::MultigridSolver;
 use oilwedge_fem::newton::{self, HistoryStep, Seconds};
-use oilwedge_fem::{Analysis, Assembler, ControlVolumes, LinearSolver, Linearisation, Prolongation, Space};
+use oilwedge_fem::{
+    Analysis, Assembler, ControlVolumes, LinearProlongation, LinearSolver, Linearisation, Prolongation, Space,
+};
 use oilwedge_mesh::Mesh;
+use oilwedge_mesh::quality::needle_share;
 
 use crate::cavitation::FilmFraction;
 use crate::film_thickness::FilmContribution;
@@ -14,6 +19,15 @@ use crate::lubricant::{Barus, Lubricant};
 use crate::supply::{Supply, SupplyError, SupplyRegion};
 use crate::terms::Term;
 use crate::{Bearing, Cavitation, FilmPoint, JournalState};
+
+/// Unknowns from which on multigrid is quicker than a factor,
+const WORTH_MULTIGRID: usize = 8_000;
+/// and where a factor serves many right-hand sides.
+const WORTH_MULTIGRID_OFTEN: usize = 150_000;
+/// A triangle with a longer edge than this many times the height on it is a needle,
+const NEEDLE: f64 = 5.0;
+/// and this share of them slows multigrid down.
+const MANY_NEEDLES: f64 = 0.02;
 
 /// How viscosity that depends on pressure enters the equation.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -54,7 +68,11 @@ pub struct FilmSystem {
     /// The next coarser mesh, to start from; none where a solve needs no start.
     pub coarser: Option<Box<Coarser>>,
     /// The analysed pattern of the Cholesky factor.
-    analysis: OnceLock<Result<Arc<Analysis>, oilwedge_fem::Error>>,
+    analysis: Arc<LazyAnalysis>,
+    /// From how many unknowns on multigrid is worth while.
+    worth_multigrid: usize,
+    /// Made when a film is first solved; none where multigrid does not serve.
+    between: OnceLock<Option<Arc<LinearProlongation>>>,
     /// Made when a mass-conserving film is first solved.
     volumes: OnceLock<Result<ControlVolumes, oilwedge_fem::Error>>,
     /// Made when an error bar is first estimated.
@@ -87,22 +105,24 @@ impl FilmSystem {
     /// Elements of degree `degree` on `mesh`, with pressures given on `regions`.
     ///
     /// # Errors
-    /// Every misfit of mesh and regions, or a system that does not fit in memory.
+    /// Every misfit of mesh and regions.
     pub fn new(mesh: Arc<Mesh>, degree: usize, regions: Vec<SupplyRegion>) -> Result<Self, SystemError> {
         let space = Space::new(mesh, degree);
         let supply = Supply::new(&space, regions).map_err(SystemError::Supply)?;
-        let system = Self::with_supply(space, supply);
-        system.analysis()?;
-        Ok(system)
+        Ok(Self::with_supply(space, supply))
     }
 
     /// The system of `space` with given pressures.
     pub(crate) fn with_supply(space: Space, supply: Supply) -> Self {
+        let assembler = Assembler::new(space);
+        let analysis = LazyAnalysis::new(assembler.space().clone(), assembler.pattern().clone());
         Self {
-            assembler: Assembler::new(space),
+            assembler,
             supply,
             coarser: None,
-            analysis: OnceLock::new(),
+            analysis: Arc::new(analysis),
+            worth_multigrid: WORTH_MULTIGRID,
+            between: OnceLock::new(),
             volumes: OnceLock::new(),
             enriched: OnceLock::new(),
             vertices: OnceLock::new(),
@@ -114,14 +134,39 @@ impl FilmSystem {
     /// # Errors
     /// A system that does not fit in memory.
     pub fn analysis(&self) -> Result<&Arc<Analysis>, oilwedge_fem::Error> {
-        let analysis = (self.analysis)
-            .get_or_init(|| Analysis::new(self.assembler.space(), self.assembler.pattern().clone()).map(Arc::new));
-        analysis.as_ref().map_err(Clone::clone)
+        self.analysis.get()
     }
 
-    /// How linear systems are solved that come without another one.
-    pub(crate) fn direct(&self) -> Result<LinearSolver, oilwedge_fem::Error> {
-        Ok(LinearSolver::Direct(self.analysis()?.clone()))
+    /// The system for many solves of neighbouring films, as the search for a position makes them.
+    pub fn for_many_solves(mut self) -> Self {
+        self.worth_multigrid = WORTH_MULTIGRID_OFTEN;
+        self
+    }
+
+    /// Makes ready at once what a film that is described by its pressure alone is solved with.
+    ///
+    /// # Errors
+    /// A system that does not fit in memory.
+    pub fn prepare(&self) -> Result<(), oilwedge_fem::Error> {
+        self.solver().map(drop)
+    }
+
+    /// How linear systems are solved that come without another one: by a factor where there are few unknowns, and on meshes of
+    /// needles, which multigrid does not serve; else by multigrid.
+    pub(crate) fn solver(&self) -> Result<LinearSolver, oilwedge_fem::Error> {
+        let between = self.between.get_or_init(|| {
+            let serves = self.space().degree() == 2
+                && self.space().dofs() >= self.worth_multigrid
+                && needle_share(self.space().mesh(), NEEDLE) < MANY_NEEDLES;
+            serves.then(|| Arc::new(LinearProlongation::new(self.space(), self.assembler.pattern().clone())))
+        });
+        Ok(match between {
+            None => LinearSolver::Direct(self.analysis()?.clone()),
+            Some(between) => LinearSolver::Multigrid(MultigridSolver {
+                between: between.clone(),
+                direct: self.analysis.clone(),
+            }),
+        })
     }
 
     /// The same mesh and supply with cubic elements.
@@ -244,11 +289,11 @@ impl FilmProblem {
     }
 
     /// Film thickness [m] at positions [m] in triangle `cell`.
-    pub fn thickness_at(&self, cell: usize, positions: &[[f64; 2]]) -> Vec<f64> {
-        let mut film = vec![FilmPoint::default(); positions.len()];
+    pub fn thickness_at<const N: usize>(&self, cell: usize, positions: &[[f64; 2]; N]) -> [f64; N] {
+        let mut film = [FilmPoint::default(); N];
         for contribution in &self.film_thickness {
             contribution.add(&self.journal, cell, positions, &mut film);
         }
-        film.into_iter().map(|point| point.thickness).collect()
+        film.map(|point| point.thickness)
     }
 }

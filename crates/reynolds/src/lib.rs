@@ -36,6 +36,7 @@
 //! An effect is an entry in one of these places; an empty place costs nothing.
 
 pub mod analytical;
+mod angles;
 pub mod bearing;
 pub mod cavitation;
 mod companion;
@@ -49,7 +50,6 @@ pub mod film_thickness;
 pub mod journal_state;
 pub mod levels;
 pub mod lubricant;
-mod nearby_angles;
 pub mod quantities;
 mod renewal;
 mod sensitivity;

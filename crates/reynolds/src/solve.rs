@@ -1,6 +1,7 @@
 //! How a film is solved: cold, from coarser meshes, from a neighbouring film, and by continuation in the speed.
 
 use oilwedge_fem::complementarity::{self, Obstacle, Start};
+use oilwedge_fem::field::Extremum;
 use oilwedge_fem::newton::{self, Failure};
 use oilwedge_fem::{Constraints, Field, LinearSolver};
 
@@ -81,7 +82,7 @@ impl FilmProblem {
         };
         let film = match self.cavitation {
             Cavitation::Jfo { .. } => jfo::solve(self, system, motion, start, kept)?,
-            _ => self.pressure_film(system, &system.direct().map_err(Failure::from)?, motion, start)?,
+            _ => self.pressure_film(system, &system.solver().map_err(Failure::from)?, motion, start)?,
         };
         Ok(FilmSolution { levels, ..film })
     }
@@ -171,7 +172,7 @@ impl FilmProblem {
     }
 
     /// The greatest value of the unknown, between nodes too where the film is full.
-    pub fn greatest_unknown(&self, system: &FilmSystem, film: &FilmSolution) -> f64 {
+    pub fn greatest_unknown(&self, system: &FilmSystem, film: &FilmSolution) -> Extremum {
         let field = Field {
             space: system.space(),
             values: &film.unknown,
@@ -182,8 +183,8 @@ impl FilmProblem {
                 .all(|&dof| !film.cavity[dof])
         };
         match film.film_fraction {
-            Some(_) => field.maximum_where(&full).value,
-            None => field.maximum().value,
+            Some(_) => field.maximum_where(&full),
+            None => field.maximum(),
         }
     }
 }

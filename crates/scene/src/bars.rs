@@ -11,9 +11,8 @@
 use std::time::Instant;
 
 use oilwedge_fem::Field;
-use oilwedge_fem::field::Extremum;
 use oilwedge_reynolds::error_bar::{Bar, FilmError, FlowGoal, Value, film_error};
-use oilwedge_reynolds::quantities::pressure;
+use oilwedge_reynolds::quantities::pressure::Extremes;
 use oilwedge_reynolds::{FilmSolution, FilmSystem};
 
 use crate::analysis::{Balance, Solved, Witness};
@@ -71,7 +70,8 @@ fn judge_by_cubic(study: &Study, solved: &Solved, cubic: &FilmSolution) -> Judge
     let better = &study.system.enriched().system;
     let measured = measure(&study.problem, better, cubic);
     let mut list = quantities(study, &measured);
-    let Ok(error) = film_error(&study.problem, &study.system, &solved.film, cubic) else {
+    let force = measured.load.total.force;
+    let Ok(error) = film_error(&study.problem, &study.system, &solved.film, cubic, force) else {
         return Judged::without_bars(list, measured);
     };
     let quadratic = measure(&study.problem, &study.system, &solved.film);
@@ -81,7 +81,7 @@ fn judge_by_cubic(study: &Study, solved: &Solved, cubic: &FilmSolution) -> Judge
         film: &solved.film,
         cubic,
         error: &error,
-        measured: &measured,
+        measured: [&quadratic, &measured],
         value: Value::Cubic,
     };
     let load = error.load(Value::Cubic);
@@ -117,16 +117,18 @@ pub fn judge_quadratic(study: &Study, solved: &Solved) -> Option<Vec<Quantity>> 
     let (Witness::Cubic(cubic), None) = (&solved.witness, &solved.balance) else {
         return None;
     };
-    let error = film_error(&study.problem, &study.system, &solved.film, cubic).ok()?;
+    let better = measure(&study.problem, &study.system.enriched().system, cubic);
+    let force = better.load.total.force;
+    let error = film_error(&study.problem, &study.system, &solved.film, cubic, force).ok()?;
     let measured = measure(&study.problem, &study.system, &solved.film);
-    let after = quantities(study, &measure(&study.problem, &study.system.enriched().system, cubic));
+    let after = quantities(study, &better);
     let mut list = quantities(study, &measured);
     let rules = Rules {
         study,
         film: &solved.film,
         cubic,
         error: &error,
-        measured: &measured,
+        measured: [&measured, &better],
         value: Value::Quadratic,
     };
     for quantity in &mut list {
@@ -179,8 +181,8 @@ struct Rules<'a> {
     film: &'a FilmSolution,
     cubic: &'a FilmSolution,
     error: &'a FilmError,
-    /// On the film whose numbers are judged.
-    measured: &'a Measured,
+    /// On either film.
+    measured: [&'a Measured; 2],
     /// Which film that is.
     value: Value,
 }
@@ -217,9 +219,12 @@ impl Rules<'_> {
             "load_angle" | "attitude_angle" => across.scaled(1f64.to_degrees() / force),
             "load_coefficient" | "sommerfeld_number" => along.scaled(quantity.value / force),
             "pressure_integral" => error.pressure_integral(self.value),
-            "pressure_max" => plain(self.extreme(change, |field| field.maximum())),
+            "pressure_max" => plain(self.greatest_pressure(change)),
             "pressure_min" if self.film.cavity.contains(&true) => Bar::default(),
-            "pressure_min" => plain(self.extreme(change, |field| field.minimum())),
+            "pressure_min" => plain(self.apart(
+                change,
+                self.extremes().into_iter().filter_map(|extremes| extremes.least_in),
+            )),
             "viscosity_max" => plain(self.viscosity(quantity.value)),
             "cavity_share" => plain(change + 0.4 * self.front_share()),
             "side_flow" => self.flow(&FlowGoal::Ends, change)?,
@@ -229,8 +234,18 @@ impl Rules<'_> {
         Some(bar)
     }
 
+    /// Extremes of pressure of the quadratic and of the cubic film.
+    fn extremes(&self) -> [Extremes; 2] {
+        self.measured.map(|measured| measured.extremes)
+    }
+
+    /// Bar [Pa] of the greatest pressure, which changes by `change` between the two films.
+    fn greatest_pressure(&self, change: f64) -> f64 {
+        self.apart(change, self.extremes().map(|extremes| extremes.greatest_in))
+    }
+
     /// Bar [Pa] of an extreme pressure: how far the two films are apart in the triangles that hold their extremes.
-    fn extreme(&self, change: f64, extremum: impl Fn(&Field) -> Extremum) -> f64 {
+    fn apart(&self, change: f64, triangles: impl IntoIterator<Item = usize>) -> f64 {
         let Study { problem, system, .. } = self.study;
         let quadratic = Field {
             space: system.space(),
@@ -250,7 +265,7 @@ impl Rules<'_> {
             };
             points.map(gap).fold(0.0, f64::max)
         };
-        let furthest = apart(extremum(&quadratic).triangle).max(apart(extremum(&cubic).triangle));
+        let furthest = triangles.into_iter().map(apart).fold(0.0, f64::max);
         match self.value {
             Value::Quadratic => (1.25 * change).max(furthest),
             Value::Cubic => (0.3 * change).max(0.5 * furthest),
@@ -260,15 +275,19 @@ impl Rules<'_> {
     /// Bar [Pa s] of the greatest viscosity, by that of the greatest pressure.
     fn viscosity(&self, value: f64) -> f64 {
         let problem = &self.study.problem;
-        let greatest = self.measured.extremes.greatest;
-        let [quadratic, cubic] = [
-            (&self.study.system, self.film),
-            (&self.study.system.enriched().system, self.cubic),
-        ]
-        .map(|(system, film)| pressure::extremes(problem, system, film).greatest);
-        let bar = self.extreme((cubic - quadratic).abs(), |field| field.maximum());
+        let [quadratic, cubic] = self.extremes().map(|extremes| extremes.greatest);
+        let greatest = self.judged().extremes.greatest;
+        let bar = self.greatest_pressure((cubic - quadratic).abs());
         let above = (problem.viscosity_at(greatest + bar) - value).abs();
         above.max((problem.viscosity_at(greatest - bar) - value).abs())
+    }
+
+    /// What was measured on the film whose numbers are judged.
+    fn judged(&self) -> &Measured {
+        match self.value {
+            Value::Quadratic => self.measured[0],
+            Value::Cubic => self.measured[1],
+        }
     }
 
     /// Share of the area [1] in triangles through which the edge of the cavity runs.
@@ -295,7 +314,7 @@ impl Rules<'_> {
             .supply
             .regions()
             .iter()
-            .zip(&self.measured.flows.regions);
+            .zip(&self.judged().flows.regions);
         let counts = |region: &oilwedge_reynolds::supply::SupplyRegion| match goal {
             FlowGoal::Ends => region.place == oilwedge_reynolds::supply::Place::End,
             FlowGoal::Feed(name) => region.name == *name,

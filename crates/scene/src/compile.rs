@@ -168,8 +168,16 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, near: (f64, f64), degree: usize) ->
         SystemError::Fem(error) => error.into(),
     })?;
     let problem = problem(scene, journal, film_thickness);
-    // A position is sought on coarser meshes first.
-    let system = match problem.needs_start() || scene.journal.load().is_some() {
+    // A position is sought on coarser meshes first, and by many films.
+    let is_sought = scene.journal.load().is_some();
+    let system = match is_sought {
+        true => system.for_many_solves(),
+        false => system,
+    };
+    if !matches!(problem.cavitation, Cavitation::Jfo { .. }) {
+        system.prepare()?;
+    }
+    let system = match problem.needs_start() || is_sought {
         true => system.with_coarser(&problem.bearing, &problem.film_thickness),
         false => system,
     };

@@ -1,13 +1,15 @@
 //! Files of one folder that are replaced together, whole or not at all.
 
 use std::fs;
-use std::io::{self, Write};
+use std::io;
 use std::path::Path;
 
 use crate::results::WriteError;
 
 /// Writes files into the folder `dir`, which is made if need be, and removes those without content. All are written beside
-/// their places first and then moved there in their order, so the last is the sign that all are there.
+/// their places first and then moved there in their order, so the last is the sign that all are there. A program that is
+/// ended leaves the old files or the new ones. The disk is not waited for: it may take longer than the whole run, and what a
+/// machine loses that fails in the next seconds is computed again sooner.
 ///
 /// # Errors
 /// [`WriteError`]: the system refuses, or a folder stands in the place of a file; the old files are then left as they were.
@@ -29,7 +31,7 @@ pub(crate) fn replace(dir: &Path, files: &[(&str, Option<&[u8]>)]) -> Result<(),
     for (name, content) in files {
         let path = dir.join(name);
         if let Some(bytes) = content {
-            write_file(&new.join(name), bytes).map_err(fail(&path))?;
+            fs::write(new.join(name), bytes).map_err(fail(&path))?;
         }
         if path.exists() {
             keep(&path, &old.join(name)).map_err(fail(&path))?;
@@ -76,12 +78,6 @@ fn restore(old: &Path, place: &Path) {
         false => fs::remove_file(place),
     };
     drop(restored);
-}
-
-fn write_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let mut file = fs::File::create(path)?;
-    file.write_all(bytes)?;
-    file.sync_all()
 }
 
 /// A second name for a file; a copy where the file system has no second names.

@@ -25,13 +25,14 @@ pub fn picture(study: &Study, film: &FilmSolution, indicator: Option<&[f64]>, un
             pocket_of[cell as usize] = number;
         }
     }
-    let mut nodes = Nodes::default();
+    let mut nodes = Nodes::on(study.system.space().dofs());
     let mut cells = Vec::with_capacity(mesh.triangles().len());
     for t in 0..mesh.triangles().len() {
         let dofs = study.system.space().element_dofs(t);
         let positions = mesh.nodes(t);
+        let pocket = pocket_of[t];
         cells.push(std::array::from_fn(|i| {
-            let side = (positions[i][0] >= cut, pocket_of[t]);
+            let side = (positions[i][0] >= cut, pocket);
             nodes.number(dofs[i], side, positions[i], t)
         }));
     }
@@ -51,7 +52,7 @@ pub fn picture(study: &Study, film: &FilmSolution, indicator: Option<&[f64]>, un
         .map(|&dof| problem.pressure_at(film.unknown[dof]).max(floor))
         .collect();
     let thickness = (nodes.cells.iter().zip(&nodes.positions))
-        .flat_map(|(&cell, position)| problem.thickness_at(cell, std::slice::from_ref(position)))
+        .flat_map(|(&cell, position)| problem.thickness_at(cell, &[*position]))
         .collect();
     let viscosity = pressure.iter().map(|&p| problem.viscosity_at(p)).collect();
     let mut point_data = vec![
@@ -77,10 +78,17 @@ pub fn picture(study: &Study, film: &FilmSolution, indicator: Option<&[f64]>, un
 /// On which side of the cut and in which pocket a node stands.
 type Side = (bool, u8);
 
+/// The side of most nodes.
+const MAIN: Side = (false, 0);
+/// Marks dofs not met yet.
+const UNMET: u32 = u32::MAX;
+
 /// Nodes numbered in the order in which they are met.
-#[derive(Default)]
 struct Nodes {
-    numbers: HashMap<(usize, Side), u32>,
+    /// Of each dof on the main side,
+    on_main: Vec<u32>,
+    /// and elsewhere.
+    beside: HashMap<(usize, Side), u32>,
     dofs: Vec<usize>,
     positions: Vec<[f64; 2]>,
     /// A cell at each node, on its side.
@@ -88,12 +96,27 @@ struct Nodes {
 }
 
 impl Nodes {
+    fn on(dofs: usize) -> Self {
+        Self {
+            on_main: vec![UNMET; dofs],
+            beside: HashMap::new(),
+            dofs: Vec::with_capacity(dofs),
+            positions: Vec::with_capacity(dofs),
+            cells: Vec::with_capacity(dofs),
+        }
+    }
+
     fn number(&mut self, dof: usize, side: Side, position: [f64; 2], cell: usize) -> u32 {
-        *self.numbers.entry((dof, side)).or_insert_with(|| {
+        let number = match side {
+            MAIN => &mut self.on_main[dof],
+            _ => self.beside.entry((dof, side)).or_insert(UNMET),
+        };
+        if *number == UNMET {
+            *number = self.dofs.len() as u32;
             self.dofs.push(dof);
             self.positions.push(position);
             self.cells.push(cell);
-            (self.dofs.len() - 1) as u32
-        })
+        }
+        *number
     }
 }

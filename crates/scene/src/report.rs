@@ -107,7 +107,7 @@ pub struct HistoryStep {
 pub struct Counts {
     /// Linear solves of the problem of the result.
     pub linear_solves: usize,
-    /// Numerical factorisations of the problem of the result.
+    /// Numerical factorisations of the problem of the result; with multigrid, of its coarsest level.
     pub factorisations: usize,
     /// Steps of the nonlinear iteration.
     pub nonlinear_iterations: usize,
@@ -117,6 +117,15 @@ pub struct Counts {
     pub bars: usize,
     /// Positions of the journal that were tried.
     pub position_steps: usize,
+}
+
+/// How the linear systems of the problem of the result were solved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct LinearSolver {
+    /// `direct`: by a factor; `multigrid`; `switched`: by a factor, after multigrid was found to be slow.
+    pub route: &'static str,
+    /// Steps of conjugate gradients with multigrid.
+    pub steps: usize,
 }
 
 /// Everything that a run found: the whole of `result.json`.
@@ -153,6 +162,8 @@ pub struct RunResult {
     pub history: Vec<HistoryStep>,
     /// How often the dear things were done.
     pub counts: Counts,
+    /// How linear systems were solved; `null` where there is no film.
+    pub linear_solver: Option<LinearSolver>,
     /// Wall time of each part [s], in the order of the run; an object keyed by part in JSON.
     #[serde(serialize_with = "in_parts")]
     pub timing_s: Vec<(String, f64)>,
@@ -303,6 +314,7 @@ pub(crate) mod tests {
                 active: 0,
             }],
             counts: Counts::default(),
+            linear_solver: None,
             timing_s: vec![("read".into(), 0.25), ("assemble".into(), 0.5)],
             warnings: vec![],
             cost: None,
@@ -338,6 +350,7 @@ pub(crate) mod tests {
             "balances",
             "history",
             "counts",
+            "linear_solver",
             "timing_s",
             "read",
             "assemble",

@@ -4,7 +4,9 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use oilwedge_bearing::NoEquilibrium;
+use oilwedge_fem::linearisation::Route;
 use oilwedge_fem::newton;
+use oilwedge_mesh::quality::least_angle_of;
 use oilwedge_mesh::{Mesh, Quality, developed};
 use oilwedge_reynolds::NoFilm;
 
@@ -18,8 +20,8 @@ use crate::picture::picture;
 use crate::plot::PlotError;
 use crate::refinement::{Answer, answer, at_first};
 use crate::report::{
-    Balances, CHECK_FORMAT, CheckReport, Cost, Counts, HistoryStep, MeshFacts, RESULT_FORMAT, RegionFacts, ReportError,
-    RunResult, Status,
+    Balances, CHECK_FORMAT, CheckReport, Cost, Counts, HistoryStep, LinearSolver, MeshFacts, RESULT_FORMAT,
+    RegionFacts, ReportError, RunResult, Status,
 };
 use crate::results::WriteError;
 use crate::scene::Scene;
@@ -143,13 +145,14 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, Error> {
         status: Status::Converged,
         reason: None,
         effects: study.effects.clone(),
-        mesh: facts(&Quality::of(study.system.space().mesh())),
+        mesh: facts(study.system.space().mesh()),
         quantities: Vec::new(),
         bars: options.bars,
         levels,
         balances: Balances::default(),
         history: Vec::new(),
         counts: Counts::default(),
+        linear_solver: None,
         timing_s: study.seconds.map(|(part, seconds)| (part.to_owned(), seconds)).into(),
         warnings: Vec::new(),
         cost: None,
@@ -214,6 +217,14 @@ fn report(study: &Study, solved: &Solved, judged: Judged, result: &mut RunResult
         },
         position_steps: solved.balance.map_or(0, |balance| balance.steps),
     };
+    result.linear_solver = Some(LinearSolver {
+        route: match film.linearisation.route() {
+            Route::Direct => "direct",
+            Route::Multigrid => "multigrid",
+            Route::Switched => "switched",
+        },
+        steps: film.linearisation.steps(),
+    });
     result.balances.force = solved.balance.map_or(0.0, |balance| balance.residual);
     let mut parts = vec![
         ("assemble", film.seconds.assemble),
@@ -313,7 +324,7 @@ fn check_report(path: &Path, mesh: &Mesh) -> CheckReport {
         title: None,
         mesh_file: path.display().to_string(),
         effects: None,
-        mesh: facts(&quality),
+        mesh: facts(mesh),
         regions: (mesh.regions().iter())
             .flat_map(|region| {
                 let curve = parts(&region.name, "curve", region.edges.len());
@@ -331,11 +342,11 @@ fn check_report(path: &Path, mesh: &Mesh) -> CheckReport {
     }
 }
 
-fn facts(quality: &Quality) -> MeshFacts {
+fn facts(mesh: &Mesh) -> MeshFacts {
     MeshFacts {
-        cells: quality.cells,
-        nodes: quality.quadratic_nodes,
+        cells: mesh.triangles().len(),
+        nodes: mesh.quadratic_nodes(),
         order: DEGREE,
-        min_angle_deg: quality.least_angle,
+        min_angle_deg: least_angle_of(mesh),
     }
 }

@@ -21,7 +21,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let space = solved.study.system.space();
     let problem = &solved.study.problem;
     let pressure: Vec<f64> = solved.film.unknown.iter().map(|&u| problem.pressure_at(u)).collect();
-    let thickness = problem.thickness_at(0, &space.positions());
+    let thickness: Vec<f64> = (space.positions().iter())
+        .flat_map(|&position| problem.thickness_at(0, &[position]))
+        .collect();
     let (mut points, mut pressures, mut thicknesses) = (Vec::new(), Vec::new(), Vec::new());
     for t in 0..space.mesh().triangles().len() {
         if t % STRIDE == 0 || space.mesh().is_curved(t) {

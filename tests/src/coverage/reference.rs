@@ -100,7 +100,14 @@ fn indicator(solve: &Solve) -> Option<Vec<f64>> {
         return None;
     };
     let study = &solve.study;
-    let error = film_error(&study.problem, &study.system, &solve.solved.film, cubic).ok()?;
+    let error = film_error(
+        &study.problem,
+        &study.system,
+        &solve.solved.film,
+        cubic,
+        solve.judged.measured.load.total.force,
+    )
+    .ok()?;
     let force = error.force[0].hypot(error.force[1]);
     let flows = &solve.judged.measured.flows;
     let goals = error.goals[..2].iter().map(|goal| (goal, force));

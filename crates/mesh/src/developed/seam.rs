@@ -39,11 +39,11 @@ pub(super) fn glue(raw: &mut RawMesh, periodic: &[[u32; 2]], length: f64) -> Res
         });
     }
 
-    let merge = |v: &mut u32| {
-        if let Some(&partner) = partners.get(v) {
-            *v = partner;
-        }
-    };
+    let mut merged: Vec<u32> = (0..raw.points.len() as u32).collect();
+    for (&upper, &lower) in &partners {
+        merged[upper as usize] = lower;
+    }
+    let merge = |v: &mut u32| *v = merged[*v as usize];
     raw.triangles.iter_mut().flatten().for_each(merge);
     raw.curves
         .iter_mut()

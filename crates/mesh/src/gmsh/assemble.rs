@@ -3,37 +3,13 @@
 use std::collections::HashMap;
 
 use super::MshFile;
-use super::decode::Decoded;
-use super::scan::{Block, Scan, kind};
+use super::scan::{Block, Entity, Scan, kind};
 use crate::{Defect, Error};
 
-/// Puts together what the scan and mshio found.
-pub(super) fn assemble(scan: Scan, decoded: Decoded) -> Result<MshFile, Error> {
-    let groups = Groups::new(&scan, &decoded);
-    let node_blocks = decoded.data.nodes.map_or(Vec::new(), |nodes| nodes.node_blocks);
-    let element_blocks = decoded
-        .data
-        .elements
-        .map_or(Vec::new(), |elements| elements.element_blocks);
-    let (scanned_nodes, scanned_elements) = match (&scan.nodes, &scan.elements) {
-        (Some(nodes), Some(elements)) => (&nodes.blocks, &elements.blocks),
-        _ => return Err(Error::NoGroups),
-    };
-    let alike = node_blocks.iter().map(|block| block.nodes.len());
-    let alike = alike.eq(scanned_nodes.iter().map(|block| block.count));
-    let also = element_blocks.iter().map(|block| block.elements.len());
-    if !alike || !also.eq(scanned_elements.iter().map(|block| block.count)) {
-        return Err(Error::Damaged {
-            section: "Nodes".to_owned(),
-            position: crate::error::Position::Byte(0),
-            what: "two readings of the file differ".to_owned(),
-        });
-    }
-
-    let mut nodes = Vec::with_capacity(scan.node_tags.len());
-    for block in &node_blocks {
-        nodes.extend(block.nodes.iter().map(|node| [node.x, node.y, node.z]));
-    }
+/// Puts together what the scan found.
+pub(super) fn assemble(scan: Scan) -> Result<MshFile, Error> {
+    let groups = Groups::new(&scan);
+    let (nodes, elements) = (scan.nodes.unwrap_or_default(), scan.elements.unwrap_or_default());
     let wrong: Vec<Defect> = nodes
         .iter()
         .zip(&scan.node_tags)
@@ -48,7 +24,7 @@ pub(super) fn assemble(scan: Scan, decoded: Decoded) -> Result<MshFile, Error> {
     }
 
     let index = TagIndex::new(&scan.node_tags)?;
-    let (straight, curved) = count_triangles(scanned_elements);
+    let (straight, curved) = count_triangles(&elements);
     if straight > 0 && curved > 0 {
         return Err(Error::MixedOrders { straight, curved });
     }
@@ -65,20 +41,17 @@ pub(super) fn assemble(scan: Scan, decoded: Decoded) -> Result<MshFile, Error> {
         ..MshFile::default()
     };
     let mut in_group: Vec<Members> = groups.names.iter().map(|_| Members::default()).collect();
-    for (block, scanned) in element_blocks.iter().zip(scanned_elements) {
-        if scanned.kind == kind::POINT {
+    for block in &elements {
+        if block.kind == kind::POINT {
             continue;
         }
-        let members = groups.of(scanned)?;
-        for element in &block.elements {
+        let members = groups.of(block)?;
+        for element in block.numbers.chunks_exact(1 + block.nodes) {
             let node = |k: usize| {
-                let tag = element.nodes.get(k).copied().unwrap_or(0);
-                index.of(tag).ok_or(Error::Dangling {
-                    element: element.element_tag,
-                    node: tag,
-                })
+                let (element, node) = (element[0], element[1 + k]);
+                index.of(node).ok_or(Error::Dangling { element, node })
             };
-            if matches!(scanned.kind, kind::LINE | kind::LINE_3) {
+            if matches!(block.kind, kind::LINE | kind::LINE_3) {
                 let edge = [node(0)?, node(1)?];
                 for &group in members {
                     in_group[group].edges.push(edge);
@@ -129,7 +102,7 @@ fn count_triangles(blocks: &[Block]) -> (usize, usize) {
         blocks
             .iter()
             .filter(|block| block.kind == kind)
-            .map(|block| block.count)
+            .map(|block| block.numbers.len() / (1 + block.nodes))
             .sum()
     };
     (count(kind::TRIANGLE), count(kind::TRIANGLE_6))
@@ -144,7 +117,7 @@ struct Groups {
 }
 
 impl Groups {
-    fn new(scan: &Scan, decoded: &Decoded) -> Self {
+    fn new(scan: &Scan) -> Self {
         let mut names = Vec::new();
         let mut number = HashMap::new();
         for (dim, tag, name) in &scan.names {
@@ -154,10 +127,9 @@ impl Groups {
             });
         }
         let mut of_entity = HashMap::new();
-        let mut enter = |dim: i32, entity: i32, tags: &[i32]| {
-            let groups: Vec<usize> = tags
+        for &Entity { dim, tag, ref groups } in scan.entities.iter().flatten() {
+            let groups: Vec<usize> = groups
                 .iter()
-                // The sign is the orientation in the group.
                 .map(|tag| tag.saturating_abs())
                 .map(|tag| {
                     *number.entry((dim, tag)).or_insert_with(|| {
@@ -166,15 +138,7 @@ impl Groups {
                     })
                 })
                 .collect();
-            of_entity.insert((dim, entity), groups);
-        };
-        if let Some(entities) = &decoded.data.entities {
-            for curve in &entities.curves {
-                enter(1, curve.tag, &curve.physical_tags);
-            }
-            for surface in &entities.surfaces {
-                enter(2, surface.tag, &surface.physical_tags);
-            }
+            of_entity.insert((dim, tag), groups);
         }
         Self { names, of_entity }
     }

@@ -3,6 +3,9 @@
 use crate::Error;
 use crate::error::Position;
 
+/// What most words of a text are.
+const WHOLE: &str = "a whole number";
+
 /// A reading position in one section of a file.
 pub(super) struct Cursor<'a> {
     bytes: &'a [u8],
@@ -19,11 +22,6 @@ impl<'a> Cursor<'a> {
             binary,
             section,
         }
-    }
-
-    /// Offset of the next byte to be read.
-    pub(super) fn at(&self) -> usize {
-        self.at
     }
 
     pub(super) fn position(&self) -> Position {
@@ -55,7 +53,7 @@ impl<'a> Cursor<'a> {
                 .and_then(|tens| tens.checked_add(u64::from(digit)));
             match grown {
                 Some(grown) if digit < 10 => value = grown,
-                _ => return Err(self.not_a_number(token)),
+                _ => return Err(self.not_a_number(token, WHOLE)),
             }
         }
         Ok(value)
@@ -71,7 +69,7 @@ impl<'a> Cursor<'a> {
         }
         let token = self.token()?;
         let value = std::str::from_utf8(token).ok().and_then(|text| text.parse().ok());
-        value.ok_or_else(|| self.not_a_number(token))
+        value.ok_or_else(|| self.not_a_number(token, WHOLE))
     }
 
     /// The next number, a count of things of at least `values` numbers each: refused if the rest
@@ -102,6 +100,37 @@ impl<'a> Cursor<'a> {
             values.push(self.size()?);
         }
         Ok(())
+    }
+
+    /// Appends `count` points `(x, y, z)` to `values`.
+    pub(super) fn points(&mut self, count: usize, values: &mut Vec<[f64; 3]>) -> Result<(), Error> {
+        if self.binary {
+            let start = self.at;
+            self.skip(3 * count)?;
+            let (words, _) = self.bytes[start..self.at].as_chunks::<8>();
+            let (points, _) = words.as_chunks::<3>();
+            values.extend(points.iter().map(|point| point.map(f64::from_le_bytes)));
+            return Ok(());
+        }
+        for _ in 0..count {
+            let axes = ["the x coordinate", "the y coordinate", "the z coordinate"];
+            let [x, y, z] = axes.map(|wanted| self.real(wanted));
+            values.push([x?, y?, z?]);
+        }
+        Ok(())
+    }
+
+    /// The next number of a text, called `wanted` if it is none.
+    fn real(&mut self, wanted: &str) -> Result<f64, Error> {
+        let token = self.token()?;
+        let value = std::str::from_utf8(token).ok().and_then(|text| text.parse().ok());
+        value.ok_or_else(|| self.not_a_number(token, wanted))
+    }
+
+    /// A count and as many signed numbers.
+    pub(super) fn ints(&mut self, what: &str) -> Result<Vec<i32>, Error> {
+        let count = self.count(1, what)?;
+        (0..count).map(|_| self.int()).collect()
     }
 
     /// Passes over `count` numbers of eight bytes, or as many words of text.
@@ -154,9 +183,9 @@ impl<'a> Cursor<'a> {
         Ok(&rest[..length])
     }
 
-    fn not_a_number(&self, token: &[u8]) -> Error {
+    fn not_a_number(&self, token: &[u8], wanted: &str) -> Error {
         let shown = String::from_utf8_lossy(&token[..token.len().min(24)]).into_owned();
-        self.damaged(format!("\"{shown}\" where a whole number should be"))
+        self.damaged(format!("\"{shown}\" where {wanted} should be"))
     }
 }
 

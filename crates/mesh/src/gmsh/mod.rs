@@ -1,12 +1,10 @@
 //! gmsh 4.1 mesh files, text and binary: 3- or 6-node triangles, lines, physical groups.
 //!
-//! [`read`] looks the file over first (`scan`), lets mshio decode coordinates and connectivity
-//! behind a guard (`decode`), and puts groups and names to them (`assemble`). Nothing about
-//! bearings is known here: [`crate::developed`] makes a liner of it. [`write()`] is the way back.
+//! [`read`] takes the numbers out of the sections (`scan`), and makes nodes, triangles and named groups of them
+//! (`assemble`). Nothing about bearings is known here: [`crate::developed`] makes a liner of it. [`write()`] is the way back.
 
 mod assemble;
 mod cursor;
-mod decode;
 mod scan;
 mod write;
 
@@ -103,6 +101,5 @@ pub fn parse(bytes: &[u8]) -> Result<MshFile, Error> {
             return Err(Error::NoSection { section, remedy });
         }
     }
-    let decoded = decode::decode(bytes, &scan)?;
-    assemble::assemble(scan, decoded)
+    assemble::assemble(scan)
 }

@@ -1,65 +1,58 @@
-//! A first look at a file: its sections, what mshio does not tell, and what it would stumble over.
+//! One pass over a file: its sections, and the numbers in them.
 //!
-//! mshio passes over `$PhysicalNames` and `$Periodic`, forgets the tags of nodes that are numbered
-//! densely but not in the order of the file, trusts every count, and panics on some headers. So
-//! everything but coordinates, connectivity and entities is read here, and every count is held
-//! against the bytes that are there before mshio sees them.
-
-use std::ops::Range;
+//! Text and binary are read by the same code over a [`Cursor`]. Every count is held against the bytes that are left
+//! before anything is allocated for it, and nothing that the file says is trusted: what is found here is put together
+//! and checked in [`super::assemble`].
 
 use super::cursor::{Cursor, position};
 use crate::Error;
 
-/// What the first look finds.
+/// What a file holds.
 #[derive(Debug, Default)]
 pub(super) struct Scan {
     pub(super) binary: bool,
-    pub(super) entities: Option<Range<usize>>,
-    pub(super) nodes: Option<Blocks>,
-    pub(super) elements: Option<Blocks>,
-    /// Tags of all nodes, in the order of the file.
+    /// Curves and surfaces with the tags of their physical groups.
+    pub(super) entities: Option<Vec<Entity>>,
+    /// Coordinates of all nodes, in the order of the file, and their tags.
+    pub(super) nodes: Option<Vec<[f64; 3]>>,
     pub(super) node_tags: Vec<u64>,
+    pub(super) elements: Option<Vec<Block>>,
     /// `(dimension, tag, name)` of the named physical groups.
     pub(super) names: Vec<(i32, i32, String)>,
     /// Tags of nodes that correspond, `[node, master]`.
     pub(super) periodic: Vec<[u64; 2]>,
-    /// True if something lies between the sections that mshio would not pass over.
-    pub(super) odd: bool,
 }
 
-/// A section made of blocks: `$Nodes` or `$Elements`.
+/// A curve (dimension 1) or surface (2) of the geometry.
 #[derive(Debug)]
-pub(super) struct Blocks {
-    /// Bytes of the section with its opening and closing words.
-    pub(super) whole: Range<usize>,
-    /// Offset after the four numbers that open the section.
-    pub(super) body: usize,
-    pub(super) blocks: Vec<Block>,
-    /// Number of nodes or elements.
-    pub(super) total: usize,
-    /// True if mshio would build tables of tags, which nobody needs.
-    pub(super) sparse: bool,
+pub(super) struct Entity {
+    pub(super) dim: i32,
+    pub(super) tag: i32,
+    /// Tags of its physical groups; the sign is the orientation in the group.
+    pub(super) groups: Vec<i32>,
 }
 
-/// A block of nodes or elements of one entity.
-#[derive(Debug, Clone, Copy)]
+/// The elements of one kind on one entity.
+#[derive(Debug)]
 pub(super) struct Block {
     pub(super) dim: i32,
     pub(super) entity: i32,
-    /// gmsh's element type; 0 for nodes.
+    /// gmsh's element type.
     pub(super) kind: i32,
-    pub(super) count: usize,
+    /// Nodes of one element.
+    pub(super) nodes: usize,
+    /// For each element its tag and those of its nodes.
+    pub(super) numbers: Vec<u64>,
 }
 
-/// Finds the sections of a file and reads those that mshio does not.
+/// Finds the sections of a file and reads them.
 pub(super) fn scan(bytes: &[u8]) -> Result<Scan, Error> {
     let mut scan = Scan::default();
     let mut format_seen = false;
     let mut at = 0;
-    while let Some(start) = next_section(bytes, &mut at, &mut scan.odd) {
+    while let Some(start) = next_section(bytes, &mut at) {
         let line = &bytes[start..at];
         let name = String::from_utf8_lossy(line[1..].trim_ascii()).into_owned();
-        scan.odd |= !matches!(line[1..].strip_prefix(name.as_bytes()), Some(b"\n" | b"\r\n"));
         if !format_seen && name != "MeshFormat" && name != "Comments" {
             return Err(Error::NotMsh);
         }
@@ -80,8 +73,9 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, Error> {
             ));
         }
         at = match name.as_str() {
-            "Nodes" => scan_nodes(bytes, start, at, &mut scan)?,
-            "Elements" => scan_elements(bytes, start, at, &mut scan)?,
+            "Entities" => scan_entities(bytes, at, &mut scan)?,
+            "Nodes" => scan_nodes(bytes, at, &mut scan)?,
+            "Elements" => scan_elements(bytes, at, &mut scan)?,
             "Periodic" => scan_periodic(bytes, at, &mut scan)?,
             "PartitionedEntities" => return Err(Error::Partitioned),
             _ => {
@@ -92,15 +86,13 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, Error> {
                 match name.as_str() {
                     "MeshFormat" => {
                         scan.binary = mesh_format(&bytes[body..end])?;
-                        scan.odd |= !bytes[body..end].starts_with(format_line(scan.binary).as_bytes());
                         format_seen = true;
                     }
                     "PhysicalNames" => {
                         scan.names = physical_names(&bytes[body..end])
                             .map_err(|what| damaged(bytes, scan.binary, &name, body, &what))?;
                     }
-                    "Entities" => scan.entities = Some(start..after),
-                    _ => scan.odd = true,
+                    _ => {}
                 }
                 after
             }
@@ -110,7 +102,7 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, Error> {
 }
 
 /// Offset of the next line that opens a section; `at` moves behind that line.
-fn next_section(bytes: &[u8], at: &mut usize, odd: &mut bool) -> Option<usize> {
+fn next_section(bytes: &[u8], at: &mut usize) -> Option<usize> {
     while *at < bytes.len() {
         let start = *at;
         let length = bytes[start..].iter().position(|&byte| byte == b'\n');
@@ -118,7 +110,6 @@ fn next_section(bytes: &[u8], at: &mut usize, odd: &mut bool) -> Option<usize> {
         if bytes[start] == b'$' {
             return Some(start);
         }
-        *odd |= !bytes[start..*at].trim_ascii().is_empty();
     }
     None
 }
@@ -142,11 +133,6 @@ fn damaged(bytes: &[u8], binary: bool, section: &str, at: usize, what: &str) -> 
         position: position(bytes, at, binary),
         what: what.to_owned(),
     }
-}
-
-/// What `$MeshFormat` holds, as gmsh writes it.
-pub(super) fn format_line(binary: bool) -> &'static str {
-    if binary { "4.1 1 8\n\x01\0\0\0" } else { "4.1 0 8" }
 }
 
 /// True if the file is binary.
@@ -208,8 +194,35 @@ fn physical_names(body: &[u8]) -> Result<Vec<(i32, i32, String)>, String> {
     Ok(names)
 }
 
+fn scan_entities(bytes: &[u8], body: usize, scan: &mut Scan) -> Result<usize, Error> {
+    let mut cursor = Cursor::new(bytes, body, scan.binary, "Entities");
+    let counts = [
+        cursor.count(4, "points")?,
+        cursor.count(7, "curves")?,
+        cursor.count(7, "surfaces")?,
+        cursor.count(7, "volumes")?,
+    ];
+    let mut entities = Vec::with_capacity(counts[1] + counts[2]);
+    for (dim, count) in (0..).zip(counts) {
+        for _ in 0..count {
+            let tag = cursor.int()?;
+            // A point, or the corners of a box.
+            cursor.skip(if dim == 0 { 3 } else { 6 })?;
+            let groups = cursor.ints("physical groups")?;
+            if dim > 0 {
+                let _bounds = cursor.ints("bounding entities")?;
+            }
+            if dim == 1 || dim == 2 {
+                entities.push(Entity { dim, tag, groups });
+            }
+        }
+    }
+    scan.entities = Some(entities);
+    cursor.close()
+}
+
 /// The numbers that open `$Nodes` and `$Elements`: blocks, total, and the span of the tags.
-fn opening(cursor: &mut Cursor<'_>, values: usize, what: &str) -> Result<(usize, usize, bool), Error> {
+fn opening(cursor: &mut Cursor<'_>, values: usize, what: &str) -> Result<(usize, usize), Error> {
     let blocks = cursor.count(2, "blocks")?;
     let total = cursor.count(values, what)?;
     let (least, greatest) = (cursor.size()?, cursor.size()?);
@@ -219,17 +232,16 @@ fn opening(cursor: &mut Cursor<'_>, values: usize, what: &str) -> Result<(usize,
     if least == 0 || least > greatest {
         return Err(cursor.damaged(format!("the tags cannot run from {least} to {greatest}")));
     }
-    Ok((blocks, total, greatest - least >= total as u64))
+    Ok((blocks, total))
 }
 
-fn scan_nodes(bytes: &[u8], start: usize, body: usize, scan: &mut Scan) -> Result<usize, Error> {
+fn scan_nodes(bytes: &[u8], body: usize, scan: &mut Scan) -> Result<usize, Error> {
     let mut cursor = Cursor::new(bytes, body, scan.binary, "Nodes");
-    let (block_count, total, sparse) = opening(&mut cursor, 4, "nodes")?;
-    let body = cursor.at();
-    let mut blocks = Vec::with_capacity(block_count);
+    let (block_count, total) = opening(&mut cursor, 4, "nodes")?;
     let mut tags = Vec::with_capacity(total);
+    let mut nodes = Vec::with_capacity(total);
     for _ in 0..block_count {
-        let (dim, entity, parametric) = (cursor.int()?, cursor.int()?, cursor.int()?);
+        let (_dim, _entity, parametric) = (cursor.int()?, cursor.int()?, cursor.int()?);
         if parametric != 0 {
             let position = cursor.position();
             return match parametric {
@@ -239,60 +251,41 @@ fn scan_nodes(bytes: &[u8], start: usize, body: usize, scan: &mut Scan) -> Resul
         }
         let count = cursor.count(4, "nodes")?;
         cursor.sizes(count, &mut tags)?;
-        cursor.skip(3 * count)?;
-        blocks.push(Block {
-            dim,
-            entity,
-            kind: 0,
-            count,
-        });
+        cursor.points(count, &mut nodes)?;
     }
     if tags.len() != total {
         return Err(cursor.damaged(format!("{total} nodes announced, {} present", tags.len())));
     }
-    let end = cursor.close()?;
     scan.node_tags = tags;
-    scan.nodes = Some(Blocks {
-        whole: start..end,
-        body,
-        blocks,
-        total,
-        sparse,
-    });
-    Ok(end)
+    scan.nodes = Some(nodes);
+    cursor.close()
 }
 
-fn scan_elements(bytes: &[u8], start: usize, body: usize, scan: &mut Scan) -> Result<usize, Error> {
+fn scan_elements(bytes: &[u8], body: usize, scan: &mut Scan) -> Result<usize, Error> {
     let mut cursor = Cursor::new(bytes, body, scan.binary, "Elements");
-    let (block_count, total, sparse) = opening(&mut cursor, 2, "elements")?;
-    let body = cursor.at();
+    let (block_count, total) = opening(&mut cursor, 2, "elements")?;
     let mut blocks = Vec::with_capacity(block_count);
     let mut present = 0;
     for _ in 0..block_count {
         let (dim, entity, kind) = (cursor.int()?, cursor.int()?, cursor.int()?);
         let nodes = nodes_of(kind, &cursor)?;
         let count = cursor.count(1 + nodes, "elements")?;
-        cursor.skip((1 + nodes) * count)?;
+        let mut numbers = Vec::with_capacity((1 + nodes) * count);
+        cursor.sizes((1 + nodes) * count, &mut numbers)?;
         present += count;
         blocks.push(Block {
             dim,
             entity,
             kind,
-            count,
+            nodes,
+            numbers,
         });
     }
     if present != total {
         return Err(cursor.damaged(format!("{total} elements announced, {present} present")));
     }
-    let end = cursor.close()?;
-    scan.elements = Some(Blocks {
-        whole: start..end,
-        body,
-        blocks,
-        total,
-        sparse,
-    });
-    Ok(end)
+    scan.elements = Some(blocks);
+    cursor.close()
 }
 
 /// gmsh's element types of use here.

@@ -158,8 +158,9 @@ pub fn film_error(
     system: &FilmSystem,
     film: &FilmSolution,
     cubic: &FilmSolution,
+    force: [f64; 2],
 ) -> Result<FilmError, oilwedge_fem::Error> {
-    shares::film_error(problem, system, film, cubic)
+    shares::film_error(problem, system, film, cubic, force)
 }
 
 impl FilmError {

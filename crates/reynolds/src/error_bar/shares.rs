@@ -10,7 +10,7 @@ use oilwedge_fem::prolongation::Hierarchical;
 use oilwedge_fem::{Error, Field, Matrix, Quadrature, lagrange};
 
 use super::{FilmError, FlowGoal, GoalError, geometry};
-use crate::quantities::load::{KINK_QUARTERINGS, load as load_of, possible_load};
+use crate::quantities::load::{KINK_QUARTERINGS, possible_load};
 use crate::supply::{Place, SupplyRegion};
 use crate::{FilmProblem, FilmSolution, FilmSystem, Form};
 
@@ -27,6 +27,7 @@ pub(super) fn film_error(
     system: &FilmSystem,
     film: &FilmSolution,
     cubic: &FilmSolution,
+    force: [f64; 2],
 ) -> Result<FilmError, Error> {
     let enriched = system.enriched();
     let between = &enriched.prolongation;
@@ -78,7 +79,7 @@ pub(super) fn film_error(
     let excess = |&u: &f64| (problem.pressure_at(u) - problem.bearing.end_pressure).abs();
     Ok(FilmError {
         possible: possible_load(problem, cubic.unknown.iter().map(excess).fold(0.0, f64::max)),
-        force: load_of(problem, &enriched.system, cubic).total.force,
+        force,
         goals,
         flows,
         front,
@@ -105,36 +106,21 @@ impl Split<'_> {
     /// The dual of a goal with this vector, and its error but for the geometry.
     fn goal(&self, goal: &[f64]) -> Result<(Vec<f64>, GoalError), Error> {
         let between = &self.system.enriched().prolongation;
-        let space = self.system.space();
         let dual = self.film.linearisation.apply_factor(between.restrict(goal), true)?;
         let raised = between.prolong(&dual);
         let image = self.stiffness.multiply(&raised);
         let left: Vec<f64> = goal.iter().zip(image).map(|(j, kz)| j - kz).collect();
-        let by_field = self.difference.shared_products(&between.test(&left), space);
-        let by_dual = shared(&dual, &self.reaction, self.system);
+        let mut products = self.difference.times(&between.test(&left));
+        for (product, (z, reaction)) in products.quadratic.iter_mut().zip(dual.iter().zip(&self.reaction)) {
+            *product += z * reaction;
+        }
         let error = GoalError {
-            shares: by_field.iter().zip(by_dual).map(|(a, b)| a + b).collect(),
+            shares: between.shared(&products),
             geometry: 0.0,
             algebra: -self.residual.iter().zip(&raised).map(|(r, z)| r * z).sum::<f64>(),
         };
         Ok((dual, error))
     }
-}
-
-/// Products node by node, shared equally among the triangles at the node.
-fn shared(a: &[f64], b: &[f64], system: &FilmSystem) -> Vec<f64> {
-    let space = system.space();
-    let cells = space.mesh().triangles().len();
-    let mut around = vec![0u32; space.dofs()];
-    for t in 0..cells {
-        for &dof in &space.element_dofs(t)[..space.shapes()] {
-            around[dof] += 1;
-        }
-    }
-    let share = |&dof: &usize| a[dof] * b[dof] / f64::from(around[dof]);
-    (0..cells)
-        .map(|t| space.element_dofs(t)[..space.shapes()].iter().map(share).sum())
-        .collect()
 }
 
 /// `Int s phi_i (cos phi, sin phi, 1) dA` for each cubic function, with the secant s of the pressure between the two films.

@@ -15,9 +15,11 @@
 
 use std::sync::Arc;
 
+use oilwedge_fem::quadrature::MOST_POINTS;
+
 use super::FilmContribution;
+use crate::angles::sines_and_cosines;
 use crate::journal_state::JournalChange;
-use crate::nearby_angles::NearbyAngles;
 use crate::{FilmPoint, JournalState};
 
 /// Radial clearance less the journal's offset.
@@ -44,12 +46,14 @@ impl FilmContribution for Eccentricity {
     /// Linear in the offset and its velocity.
     fn vary(&self, change: &JournalChange, _cell: usize, positions: &[[f64; 2]], film: &mut [FilmPoint]) {
         let ([e_x, e_y], [v_x, v_y]) = (change.offset, change.velocity);
-        let near = NearbyAngles::of(positions.first().map_or(0.0, |[x, _]| x / self.radius));
-        for (&[x, _], point) in positions.iter().zip(film) {
-            let (sin, cos) = near.sin_cos(x / self.radius);
-            point.thickness -= e_x * cos + e_y * sin;
-            point.slope[0] += (e_x * sin - e_y * cos) / self.radius;
-            point.rate -= v_x * cos + v_y * sin;
+        // As many points as their sines are made for at once.
+        for (positions, film) in positions.chunks(MOST_POINTS).zip(film.chunks_mut(MOST_POINTS)) {
+            let [sines, cosines] = sines_and_cosines(positions, self.radius);
+            for ((sin, cos), point) in sines.iter().zip(&cosines).zip(film) {
+                point.thickness -= e_x * cos + e_y * sin;
+                point.slope[0] += (e_x * sin - e_y * cos) / self.radius;
+                point.rate -= v_x * cos + v_y * sin;
+            }
         }
     }
 

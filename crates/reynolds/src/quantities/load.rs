@@ -14,13 +14,14 @@
 
 use std::f64::consts::TAU;
 
+use oilwedge_fem::lagrange::{self, MOST_SHAPES};
 use oilwedge_fem::mapping::Mapping;
-use oilwedge_fem::quadrature::gauss_interval;
+use oilwedge_fem::quadrature::{MOST_POINTS, gauss_interval};
 use oilwedge_fem::{Field, Quadrature};
 use oilwedge_mesh::Mesh;
 use rayon::prelude::*;
 
-use crate::nearby_angles::NearbyAngles;
+use crate::angles::sines_and_cosines;
 use crate::supply::{self, Disc, SupplyRegion};
 use crate::{FilmProblem, FilmSolution, FilmSystem};
 
@@ -137,12 +138,13 @@ fn integrated(
 ) -> Integral {
     let space = system.space();
     let rule = Quadrature::for_degree(space.degree());
-    let quartered = rule.quartered(KINK_QUARTERINGS);
+    let kink = problem.cavitation.kink().map(|p| problem.unknown_at(p));
+    let quartered = kink.map(|_| Rule::new(rule.quartered(KINK_QUARTERINGS), space.degree()));
+    let rule = Rule::new(rule, space.degree());
     let field = Field {
         space,
         values: &film.unknown,
     };
-    let kink = problem.cavitation.kink().map(|p| problem.unknown_at(p));
     let cells = space.mesh().triangles().len();
     let tasks: Vec<Integral> = (0..cells.div_ceil(CELLS_A_TASK))
         .into_par_iter()
@@ -150,10 +152,10 @@ fn integrated(
             let mut sum = Integral::default();
             for t in task * CELLS_A_TASK..((task + 1) * CELLS_A_TASK).min(cells) {
                 let nodal = field.element_values(t);
-                let nodal = &nodal[..space.shapes()];
-                let kinked =
-                    kink.is_some_and(|kink| nodal.iter().any(|&u| u < kink) && nodal.iter().any(|&u| u > kink));
-                sum += cell_integral(problem, &field, t, if kinked { &quartered } else { &rule }, density);
+                let own = &nodal[..space.shapes()];
+                let kinked = kink.is_some_and(|kink| own.iter().any(|&u| u < kink) && own.iter().any(|&u| u > kink));
+                let rule = quartered.as_ref().filter(|_| kinked).unwrap_or(&rule);
+                sum += cell_integral(problem, space.mesh(), t, &nodal, rule, density);
             }
             sum
         })
@@ -165,29 +167,46 @@ fn integrated(
     total
 }
 
+/// A quadrature rule and the shape functions at its points.
+struct Rule {
+    rule: Quadrature,
+    shapes: Vec<[f64; MOST_SHAPES]>,
+}
+
+impl Rule {
+    fn new(rule: Quadrature, degree: usize) -> Self {
+        let shapes = lagrange::tabulated(degree, &rule.points);
+        Self { rule, shapes }
+    }
+}
+
 fn cell_integral(
     problem: &FilmProblem,
-    field: &Field,
+    mesh: &Mesh,
     t: usize,
-    rule: &Quadrature,
+    nodal: &[f64; MOST_SHAPES],
+    Rule { rule, shapes }: &Rule,
     density: &dyn Fn(usize, [f64; 2], f64) -> f64,
 ) -> Integral {
-    let mapping = Mapping::of(field.space.mesh(), t);
-    let nodal = field.element_values(t);
-    let radius = problem.bearing.radius;
-    let near = NearbyAngles::of(field.space.mesh().corners(t)[0][0] / radius);
+    let mapping = Mapping::of(mesh, t);
     let mut sum = Integral::default();
-    for (&point, weight) in rule.points.iter().zip(&rule.weights) {
-        let place = mapping.at(point);
-        let area = weight * place.determinant;
-        let u = oilwedge_fem::field::evaluate(field.space.degree(), &nodal, point);
-        let (sin, cos) = near.sin_cos(place.position[0] / radius);
-        let thrust = area * density(t, point, u);
-        sum += Integral {
-            force: [thrust * cos, thrust * sin],
-            thrust,
-            area,
-        };
+    let parts = rule.points.chunks(MOST_POINTS).zip(rule.weights.chunks(MOST_POINTS));
+    for ((points, weights), shapes) in parts.zip(shapes.chunks(MOST_POINTS)) {
+        let (mut positions, mut areas) = ([[0.0; 2]; MOST_POINTS], [0.0; MOST_POINTS]);
+        for (q, (&point, weight)) in points.iter().zip(weights).enumerate() {
+            let place = mapping.at(point);
+            (positions[q], areas[q]) = (place.position, weight * place.determinant);
+        }
+        let [sines, cosines] = sines_and_cosines(&positions[..points.len()], problem.bearing.radius);
+        for (q, (&point, shapes)) in points.iter().zip(shapes).enumerate() {
+            let u = nodal.iter().zip(shapes).map(|(u, shape)| u * shape).sum();
+            let thrust = areas[q] * density(t, point, u);
+            sum += Integral {
+                force: [thrust * cosines[q], thrust * sines[q]],
+                thrust,
+                area: areas[q],
+            };
+        }
     }
     sum
 }

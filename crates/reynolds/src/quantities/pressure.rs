@@ -22,34 +22,43 @@ use crate::{FilmProblem, FilmSolution, FilmSystem};
 pub struct Extremes {
     /// Greatest pressure of the field [Pa gauge].
     pub greatest: f64,
+    /// Triangle that it lies in.
+    pub greatest_in: usize,
     /// Least pressure of the field [Pa gauge].
     pub least: f64,
+    /// Triangle that it lies in; none where it is that of a cavity.
+    pub least_in: Option<usize>,
     /// Viscosity [Pa s] at the greatest pressure.
     pub viscosity: f64,
 }
 
 /// Extremes of the pressure. Pressure grows with the unknown, so they are those of the unknown.
 pub fn extremes(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Extremes {
-    let greatest = problem.pressure_at(problem.greatest_unknown(system, film));
+    let top = problem.greatest_unknown(system, film);
+    let greatest = problem.pressure_at(top.value);
+    let (least, least_in) = least(problem, system, film);
     Extremes {
         greatest,
-        least: least(problem, system, film),
+        greatest_in: top.triangle,
+        least,
+        least_in,
         viscosity: problem.viscosity_at(greatest),
     }
 }
 
-/// Least pressure [Pa]: that of the cavity where there is one, and never below it.
-fn least(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> f64 {
+/// Least pressure [Pa]: that of the cavity where there is one, and never below it; else also the triangle.
+fn least(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> (f64, Option<usize>) {
     let floor = problem.cavitation.pressure();
     if let Some(pressure) = floor.filter(|_| film.cavity.contains(&true)) {
-        return pressure;
+        return (pressure, None);
     }
     let field = Field {
         space: system.space(),
         values: &film.unknown,
     };
-    let least = problem.pressure_at(field.minimum().value);
-    floor.map_or(least, |floor| least.max(floor))
+    let bottom = field.minimum();
+    let least = problem.pressure_at(bottom.value);
+    (floor.map_or(least, |floor| least.max(floor)), Some(bottom.triangle))
 }
 
 /// Least film thickness [m] over the mesh and where `phi_min` lies on the liner there.
@@ -57,9 +66,6 @@ fn least(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> f64
 /// The film is least at `phi_min` if the liner covers it, else at an edge: the nodes tell.
 pub fn least_thickness(problem: &FilmProblem, system: &FilmSystem) -> f64 {
     let mesh = system.space().mesh();
-    let at_vertices = (0..mesh.triangles().len())
-        .flat_map(|t| problem.thickness_at(t, &mesh.nodes(t)))
-        .fold(f64::INFINITY, f64::min);
     let covered = match mesh.period() {
         Some(_) => true,
         None => {
@@ -70,6 +76,10 @@ pub fn least_thickness(problem: &FilmProblem, system: &FilmSystem) -> f64 {
             (x - low).rem_euclid(turn) <= high - low
         }
     };
-    let wedge = problem.bearing.clearance - problem.journal.eccentricity();
-    if covered { at_vertices.min(wedge) } else { at_vertices }
+    if covered {
+        return problem.bearing.clearance - problem.journal.eccentricity();
+    }
+    (0..mesh.triangles().len())
+        .flat_map(|t| problem.thickness_at(t, &mesh.nodes(t)))
+        .fold(f64::INFINITY, f64::min)
 }

@@ -18,6 +18,13 @@ pub trait Term: Send + Sync + std::fmt::Debug {
     /// Adds its flow at a point of the film.
     fn add(&self, film: &FilmPoint, flow: &mut FilmFlow);
 
+    /// Adds its flow at all points of a triangle: one call of an unknown function, the loop inside.
+    fn add_all(&self, film: &[FilmPoint], flows: &mut [FilmFlow]) {
+        for (point, flow) in film.iter().zip(flows) {
+            self.add(point, flow);
+        }
+    }
+
     /// Adds what its flow changes, to first order, where thickness, slope and rate change by those of `change`.
     fn vary(&self, film: &FilmPoint, change: &FilmPoint, flow: &mut FilmFlow);
 }

@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use oilwedge_fem::complementarity::Start;
 use oilwedge_fem::newton::{Failure, HistoryStep, Seconds};
-use oilwedge_fem::{Constraints, Error, Linearisation, Matrix};
+use oilwedge_fem::{Constraints, Error, Linearisation, Matrix, UnsymmetricFactorization};
 
 use super::balance::Balance;
 use super::blocks::{Block, Transport};
@@ -42,6 +42,8 @@ pub(super) struct Search<'a> {
     /// Sub-triangles whose form has changed in the second pass.
     changed: Vec<bool>,
     first: Option<f64>,
+    /// The factor of the step before, to be renewed.
+    factor: Option<UnsymmetricFactorization>,
     history: Vec<HistoryStep>,
     pub(super) seconds: Seconds,
     fallbacks: Vec<String>,
@@ -99,6 +101,7 @@ impl<'a> Search<'a> {
             turns: Vec::new(),
             changed: vec![false; film.blocks.len()],
             first: None,
+            factor: None,
             history: Vec::new(),
             seconds: Seconds::default(),
             fallbacks: Vec::new(),
@@ -266,6 +269,7 @@ impl<'a> Search<'a> {
             }
             if wrong.is_empty() {
                 if calmed {
+                    self.factor = linearisation.into_unsymmetric();
                     continue;
                 }
                 return Ok(End::Settled(Box::new((linearisation, residual))));
@@ -279,6 +283,7 @@ impl<'a> Search<'a> {
             if self.calm(&restless, &[Transport::LowDiffusion]) {
                 seen.clear();
             }
+            self.factor = linearisation.into_unsymmetric();
             let turned: Vec<usize> = wrong.into_iter().map(|(dof, _)| dof).collect();
             self.state.turn(self.film, &turned);
             self.state.relax(self.film, &balance, &turned);
@@ -318,7 +323,10 @@ impl<'a> Search<'a> {
         let before = balance.residual(&self.state.p, &self.state.theta);
         let matrix = balance.tangent(&self.state.cavity);
         let assembled = Instant::now();
-        let factor = film.volumes.analysis.factorise(&matrix, &constraints.fixed)?;
+        let factor = film
+            .volumes
+            .analysis
+            .factorise(&matrix, &constraints.fixed, self.factor.take())?;
         let factorised = Instant::now();
         let linearisation = Linearisation::unsymmetric(matrix, factor, constraints);
         let minus: Vec<f64> = before.iter().map(|r| -r).collect();

@@ -1,0 +1,123 @@
+//! Preconditioned conjugate gradients on the dofs that are not given.
+//!
+//! Flexible (Golub and Ye, SIAM J. Sci. Comput. 21 (1999) 1305): the preconditioner may be rounded to single precision, or be an
+//! iteration itself. Sums are made in fixed portions, so that threads do not change a bit.
+
+use rayon::prelude::*;
+
+use crate::{Error, Matrix};
+
+/// Entries that one task sums or updates.
+const PORTION: usize = 16_384;
+/// Steps after which it is known how quickly residuals fall.
+const TRIAL_STEPS: usize = 5;
+
+/// When to end.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Ending {
+    /// Residual (Euclidean norm) that will do.
+    pub(crate) enough: f64,
+    /// Most steps.
+    pub(crate) most_steps: usize,
+    /// Whether to end as soon as the pace tells that these will not do.
+    pub(crate) foresees: bool,
+}
+
+/// What came of it.
+#[derive(Debug)]
+pub(crate) enum Outcome {
+    /// The residual is small enough.
+    Solved {
+        /// Zero at given dofs.
+        x: Vec<f64>,
+    },
+    /// The residual falls too slowly.
+    Slow {
+        /// As far as it came.
+        x: Vec<f64>,
+        /// Residual (Euclidean norm) there.
+        residual: f64,
+    },
+}
+
+/// Solves `matrix x = b`. `fixed` dofs are given: rows and columns there do not count. `precondition` gives zero there.
+///
+/// # Errors
+/// [`Error::NotFinite`], [`Error::NotPositiveDefinite`], or an error of `precondition`.
+pub(crate) fn conjugate_gradients(
+    matrix: &Matrix,
+    fixed: &[bool],
+    b: &[f64],
+    ending: Ending,
+    precondition: impl Fn(&[f64]) -> Result<Vec<f64>, Error>,
+) -> Result<Outcome, Error> {
+    let mut r = b.to_vec();
+    for (r, &fixed) in r.iter_mut().zip(fixed) {
+        *r = if fixed { 0.0 } else { *r };
+    }
+    let mut x = vec![0.0; r.len()];
+    let first = dot(&r, &r).sqrt();
+    let mut residual = first;
+    let mut direction: Vec<f64> = Vec::new();
+    let mut image = vec![0.0; r.len()];
+    let (mut product, mut length) = (0.0, 0.0);
+    for steps in 0.. {
+        if residual <= ending.enough {
+            return Ok(Outcome::Solved { x });
+        }
+        if steps >= ending.most_steps || is_slow(ending, first, residual, steps) {
+            return Ok(Outcome::Slow { x, residual });
+        }
+        let z = precondition(&r)?;
+        let next = dot(&r, &z);
+        if steps == 0 {
+            direction = z;
+        } else {
+            // (z, r - r before) over (z before, r before): exact also for a preconditioner that varies.
+            let turn = -length * dot(&z, &image) / product;
+            update(&mut direction, |i, d| z[i] + turn * d);
+        }
+        product = next;
+        matrix.multiply_free(&direction, fixed, &mut image);
+        let curvature = dot(&direction, &image);
+        if !curvature.is_finite() || !product.is_finite() {
+            return Err(Error::NotFinite {
+                what: "solution of the linear system",
+            });
+        }
+        if curvature <= 0.0 || product <= 0.0 {
+            return Err(Error::NotPositiveDefinite);
+        }
+        length = product / curvature;
+        update(&mut x, |i, x| x + length * direction[i]);
+        update(&mut r, |i, r| r - length * image[i]);
+        residual = dot(&r, &r).sqrt();
+    }
+    unreachable!("the steps are bounded")
+}
+
+/// True if at the pace so far more steps than allowed would be needed.
+fn is_slow(ending: Ending, first: f64, residual: f64, steps: usize) -> bool {
+    if !ending.foresees || steps < TRIAL_STEPS {
+        return false;
+    }
+    let pace = (residual / first).ln() / steps as f64;
+    let left = (ending.enough / residual).ln() / pace;
+    pace >= 0.0 || steps as f64 + left > ending.most_steps as f64
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let portions: Vec<f64> = (a.par_chunks(PORTION).zip(b.par_chunks(PORTION)))
+        .map(|(a, b)| a.iter().zip(b).map(|(a, b)| a * b).sum())
+        .collect();
+    portions.iter().sum()
+}
+
+/// Replaces each entry by a function of its place and itself.
+fn update(x: &mut [f64], new: impl Fn(usize, f64) -> f64 + Sync) {
+    x.par_chunks_mut(PORTION).enumerate().for_each(|(portion, x)| {
+        for (k, x) in x.iter_mut().enumerate() {
+            *x = new(portion * PORTION + k, *x);
+        }
+    });
+}

@@ -1,0 +1,115 @@
+//! A large symmetric system by conjugate gradients with multigrid, and by a factor where that is slow.
+
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use crate::conjugate_gradients::{Ending, Outcome, conjugate_gradients};
+use crate::linear_solver::MultigridSolver;
+use crate::multigrid::Multigrid;
+use crate::{Constraints, Error, Factorization, Matrix};
+
+/// Steps that cost as much as a factor.
+const WORTH_A_FACTOR: usize = 30;
+/// Part of the right-hand side to which a residual is brought where nothing else is asked for.
+const TOLERANCE: f64 = 1e-10;
+
+/// A system and how it is solved.
+#[derive(Debug)]
+pub(crate) struct Iterated {
+    solver: MultigridSolver,
+    multigrid: Multigrid,
+    /// Made where multigrid is slow.
+    factor: OnceLock<Result<Factorization, Error>>,
+    /// Steps of conjugate gradients made so far.
+    steps: AtomicUsize,
+}
+
+impl Iterated {
+    /// The levels of `matrix`.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] or [`Error::NotPositiveDefinite`].
+    pub(crate) fn new(solver: &MultigridSolver, matrix: &Matrix, fixed: &[bool]) -> Result<Self, Error> {
+        Ok(Self {
+            multigrid: Multigrid::new(solver.between.clone(), matrix, fixed)?,
+            solver: solver.clone(),
+            factor: OnceLock::new(),
+            steps: AtomicUsize::new(0),
+        })
+    }
+
+    /// The same matrix with other given dofs.
+    ///
+    /// # Errors
+    /// [`Error::NotPositiveDefinite`].
+    pub(crate) fn mask(&mut self, matrix: &Matrix, fixed: &[bool]) -> Result<(), Error> {
+        self.factor = OnceLock::new();
+        self.multigrid.mask(matrix, fixed)
+    }
+
+    /// The factor, if multigrid was slow.
+    pub(crate) fn factor(&self) -> Option<&Factorization> {
+        self.factor.get()?.as_ref().ok()
+    }
+
+    /// Steps of conjugate gradients made so far.
+    pub(crate) fn steps(&self) -> usize {
+        self.steps.load(Ordering::Relaxed)
+    }
+
+    /// Solves `matrix x = b` to a residual (Euclidean norm) of `enough`; zero stands for 1e-10 of `b`.
+    ///
+    /// # Errors
+    /// Those of conjugate gradients and of a factor.
+    pub(crate) fn solve(
+        &self,
+        matrix: &Matrix,
+        constraints: &Constraints,
+        b: &[f64],
+        enough: f64,
+    ) -> Result<Vec<f64>, Error> {
+        let enough = match enough {
+            0.0 => TOLERANCE * constraints.free_norm(b),
+            enough => enough,
+        };
+        let ending = Ending {
+            enough,
+            most_steps: WORTH_A_FACTOR,
+            foresees: true,
+        };
+        if self.factor.get().is_none() {
+            let precondition = |r: &[f64]| {
+                self.steps.fetch_add(1, Ordering::Relaxed);
+                self.multigrid.cycle(r)
+            };
+            let outcome = conjugate_gradients(matrix, &constraints.fixed, b, ending, precondition)?;
+            if let Outcome::Solved { x } = outcome {
+                return Ok(x);
+            }
+        }
+        let factor = self.factor.get_or_init(|| {
+            let analysis = self.solver.direct.get()?;
+            analysis.factorise(matrix, &constraints.fixed)
+        });
+        let mut x = b.to_vec();
+        factor.as_ref().map_err(Clone::clone)?.solve(&mut x)?;
+        Ok(x)
+    }
+
+    /// One cycle, or one application of the factor, times `r`.
+    ///
+    /// # Errors
+    /// Those of a factor.
+    pub(crate) fn precondition(&self, mut r: Vec<f64>) -> Result<Vec<f64>, Error> {
+        match self.factor() {
+            Some(factor) => {
+                factor.solve(&mut r)?;
+                Ok(r)
+            }
+            None => self.multigrid.cycle(&r),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

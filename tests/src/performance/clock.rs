@@ -1,0 +1,63 @@
+//! Seconds that a function takes: of the processor, and on the wall.
+
+use std::time::Instant;
+
+use cpu_time::ProcessTime;
+
+/// What something took.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Spent {
+    /// Processor time of all threads [s].
+    pub cpu: f64,
+    /// Time on the wall [s].
+    pub wall: f64,
+}
+
+/// The value of `work`, and what it took.
+pub fn timed<T>(work: impl FnOnce() -> T) -> (T, Spent) {
+    let (cpu, wall) = (ProcessTime::now(), Instant::now());
+    let value = work();
+    let spent = Spent {
+        cpu: cpu.elapsed().as_secs_f64(),
+        wall: wall.elapsed().as_secs_f64(),
+    };
+    (value, spent)
+}
+
+/// The median of what `work` took in `runs` runs, each part by itself.
+pub fn median<T>(runs: usize, mut work: impl FnMut() -> T) -> Spent {
+    median_of((0..runs).map(|_| timed(&mut work).1).collect())
+}
+
+/// The median of each part.
+pub fn median_of(spent: Vec<Spent>) -> Spent {
+    let middle = |mut seconds: Vec<f64>| {
+        seconds.sort_by(f64::total_cmp);
+        seconds[seconds.len() / 2]
+    };
+    Spent {
+        cpu: middle(spent.iter().map(|it| it.cpu).collect()),
+        wall: middle(spent.iter().map(|it| it.wall).collect()),
+    }
+}
+
+/// `work` on so many threads.
+///
+/// # Panics
+/// If the threads do not start.
+pub fn on_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    pool.expect("threads start").install(work)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_median_is_that_of_each_part() {
+        let spent = |cpu, wall| Spent { cpu, wall };
+        let list = vec![spent(3.0, 1.0), spent(1.0, 2.0), spent(2.0, 9.0)];
+        assert_eq!(median_of(list), spent(2.0, 2.0));
+    }
+}
