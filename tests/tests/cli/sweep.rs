@@ -230,10 +230,7 @@ fn drawn_meshes_follow_the_journal() {
     let report = done(&bench.run(&["sweep", "scene.toml", "--json"]));
     let rows = report["rows"].as_array().expect("rows");
     let unknowns: Vec<u64> = rows.iter().filter_map(|row| row["unknowns"].as_u64()).collect();
-    assert!(
-        unknowns[0] == unknowns[1] && unknowns[1] < unknowns[3],
-        "{unknowns:?}"
-    );
+    assert!(unknowns[0] == unknowns[1] && unknowns[1] < unknowns[3], "{unknowns:?}");
     bench.write(
         "alone.toml",
         sized

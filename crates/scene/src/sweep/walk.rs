@@ -110,9 +110,9 @@ impl<'a> Walker<'a> {
 
     /// On one mesh, from the case before if there is one.
     fn walked(&mut self, scene: &Scene, coordinate: f64) -> Result<Found, CompileError> {
-        let (mut held, outcome) = match self.from_before(scene, coordinate)? {
+        let (mut held, outcome) = match self.following(scene, coordinate)? {
             Some((held, solved)) => (held, Ok(solved)),
-            None => self.from_nothing(scene)?,
+            None => self.by_itself(scene)?,
         };
         let size = unknowns(&held.study);
         let found = match outcome {
@@ -144,7 +144,7 @@ impl<'a> Walker<'a> {
     }
 
     /// As the case is solved by itself.
-    fn from_nothing(&mut self, scene: &Scene) -> Result<(Held, Result<Solved, NoAnswer>), CompileError> {
+    fn by_itself(&mut self, scene: &Scene) -> Result<(Held, Result<Solved, NoAnswer>), CompileError> {
         let ungraded = self
             .held
             .take()
@@ -165,7 +165,7 @@ impl<'a> Walker<'a> {
     }
 
     /// From the case before, if there is one and it leads to an answer.
-    fn from_before(&mut self, scene: &Scene, coordinate: f64) -> Result<Option<(Held, Solved)>, CompileError> {
+    fn following(&mut self, scene: &Scene, coordinate: f64) -> Result<Option<(Held, Solved)>, CompileError> {
         let told = match scene.journal.load() {
             None => Some(scene.journal.start()),
             Some(_) => predicted(&self.visited, point(scene, coordinate)),
