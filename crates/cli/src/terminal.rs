@@ -401,6 +401,7 @@ pub(crate) mod tests {
             effects: None,
             mesh: MeshFacts::default(),
             tolerance: vec![("load".into(), 0.001), ("attitude_angle".into(), 1e-4)],
+            sweep: vec![("speed [rpm]".into(), 5), ("eccentricity".into(), 18)],
             liner: Vec::new(),
             sketch: String::new(),
             quality: Default::default(),
@@ -415,5 +416,7 @@ pub(crate) mod tests {
         );
         let tolerance = "tolerance load to 0.1 %, attitude_angle to 0.01 % of 1 rad\n";
         assert!(text.contains(tolerance), "{text}");
+        let sweep = "sweep     90 cases: 5 of speed [rpm] by 18 of eccentricity\n";
+        assert!(text.contains(sweep), "{text}");
     }
 }
