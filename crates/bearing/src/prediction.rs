@@ -51,7 +51,11 @@ pub fn predicted(visited: &[Visited], coordinate: f64) -> Option<(f64, f64)> {
     let eccentricity = eccentricity_at(s);
     let shrink = (1.0 - eccentricity) / (1.0 - last.eccentricity);
     let is_near = shrink > LEAST_SHRINK && shrink < 1.0 / LEAST_SHRINK && turn.abs() < 1.0;
-    Some(if is_near { (eccentricity, last.angle + turn) } else { here })
+    Some(if is_near {
+        (eccentricity, last.angle + turn)
+    } else {
+        here
+    })
 }
 
 #[cfg(test)]
@@ -71,7 +75,10 @@ mod tests {
         assert!((angle - at(3.0).angle).abs() < 1e-12);
         let last = (at(2.0).eccentricity, at(2.0).angle);
         assert_eq!(predicted(&visited, 60.0), Some(last));
-        assert_eq!(predicted(&[at(1.0), at(1.0)], 3.0), Some((at(1.0).eccentricity, at(1.0).angle)));
+        assert_eq!(
+            predicted(&[at(1.0), at(1.0)], 3.0),
+            Some((at(1.0).eccentricity, at(1.0).angle))
+        );
         assert_eq!(predicted(&[], 3.0), None);
     }
 }

@@ -65,7 +65,9 @@ impl SweepProgress {
     /// Before the first case.
     pub(crate) fn new() -> Self {
         let bar = ProgressBar::with_draw_target(None, target());
-        if let Ok(style) = ProgressStyle::with_template("{spinner} {elapsed} [{bar:24}] {pos} of {len} cases, {eta} left") {
+        if let Ok(style) =
+            ProgressStyle::with_template("{spinner} {elapsed} [{bar:24}] {pos} of {len} cases, {eta} left")
+        {
             bar.set_style(style.progress_chars("=> "));
         }
         bar.enable_steady_tick(TICK);

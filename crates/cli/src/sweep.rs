@@ -83,10 +83,12 @@ impl Sweep {
             true => terminal::print(&report.to_json().map_err(Error::from)?)?,
             false => terminal::print(&sweep_report(&report, &folder))?,
         }
-        Ok(match report.rows.iter().any(|row| report.value(row, "load").is_some()) {
-            true => ExitCode::SUCCESS,
-            false => ExitCode::from(1),
-        })
+        Ok(
+            match report.rows.iter().any(|row| report.value(row, "load").is_some()) {
+                true => ExitCode::SUCCESS,
+                false => ExitCode::from(1),
+            },
+        )
     }
 
     fn options(&self, scene: &Scene) -> Result<SweepOptions, Failure> {

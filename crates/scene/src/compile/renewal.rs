@@ -16,7 +16,13 @@ pub(crate) fn has_same_system(one: &Scene, other: &Scene) -> bool {
     let model = |scene: &Scene| scene.cavitation.map(|cavitation| cavitation.model);
     let bearing = |scene: &Scene| {
         let bearing = scene.bearing.clone();
-        (bearing.diameter, bearing.length, bearing.arc, bearing.inlet_fraction, bearing.film_start)
+        (
+            bearing.diameter,
+            bearing.length,
+            bearing.arc,
+            bearing.inlet_fraction,
+            bearing.film_start,
+        )
     };
     one.mesh == other.mesh
         && bearing(one) == bearing(other)

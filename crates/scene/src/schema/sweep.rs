@@ -11,7 +11,16 @@ use crate::unit;
 /// Most cases of one sweep.
 const MOST_CASES: usize = 100_000;
 /// Tables of a scene whose keys can be swept.
-const TABLES: [&str; 8] = ["bearing", "mesh", "ends", "feed", "journal", "load", "oil", "cavitation"];
+const TABLES: [&str; 8] = [
+    "bearing",
+    "mesh",
+    "ends",
+    "feed",
+    "journal",
+    "load",
+    "oil",
+    "cavitation",
+];
 /// How an axis is written.
 const EXAMPLE: &str = "eccentricity = { from = 0.1, to = 0.95, steps = 18 } or speed = [\"1000 rpm\", \"3000 rpm\"]";
 
@@ -67,7 +76,11 @@ fn read_table(mut table: TableReader<'_>, prefix: &str, axes: &mut Vec<Axis>) {
         let cases = (axes.iter()).fold(1usize, |cases, axis| cases.saturating_mul(axis.values.len()));
         if cases > MOST_CASES {
             let message = format!("makes {cases} cases, more than {MOST_CASES}");
-            table.complain(key, message, "give fewer values, or split the sweep into several scenes");
+            table.complain(
+                key,
+                message,
+                "give fewer values, or split the sweep into several scenes",
+            );
             return;
         }
     }
@@ -120,7 +133,11 @@ fn read_list(table: &TableReader<'_>, key: &str, list: &[Spanned<DeValue<'_>>]) 
             return None;
         };
         if unit.as_ref().is_some_and(|unit| *unit != own) {
-            let message = format!("has values in {} and in {}", of_unit(unit.as_deref()), of_unit(Some(&own)));
+            let message = format!(
+                "has values in {} and in {}",
+                of_unit(unit.as_deref()),
+                of_unit(Some(&own))
+            );
             table.complain(key, message, "write all values of an axis in one unit");
             return None;
         }

@@ -48,7 +48,10 @@ impl Table {
             complete: false,
         };
         let about = json(&begun)?;
-        folder::replace(dir, &[(TABLE_FILE, Some(&table)), (REPORT_FILE, Some(about.as_bytes()))])?;
+        folder::replace(
+            dir,
+            &[(TABLE_FILE, Some(&table)), (REPORT_FILE, Some(about.as_bytes()))],
+        )?;
         let path = dir.join(TABLE_FILE);
         let opened = OpenOptions::new().append(true).open(&path);
         match opened {

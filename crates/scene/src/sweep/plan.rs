@@ -53,9 +53,9 @@ impl Plan {
                 Ok(scene) => scenes.push(scene),
                 Err(told) => {
                     for complaint in told {
-                        let is_new = complaints.iter().all(|other| {
-                            (&other.key, &other.message) != (&complaint.key, &complaint.message)
-                        });
+                        let is_new = complaints
+                            .iter()
+                            .all(|other| (&other.key, &other.message) != (&complaint.key, &complaint.message));
                         if is_new {
                             complaints.push(complaint);
                         }
@@ -161,7 +161,9 @@ fn feed<'d, 'a, 'r>(document: &'d mut DeTable<'a>, rest: &'r str) -> Option<(&'d
         return None;
     };
     feeds.iter_mut().find_map(|feed| {
-        let DeValue::Table(feed) = feed.get_mut() else { return None };
+        let DeValue::Table(feed) = feed.get_mut() else {
+            return None;
+        };
         let group = feed.get("group")?.get_ref().as_str()?;
         let key = rest.strip_prefix(group)?.strip_prefix('.')?;
         Some((feed, key))

@@ -8,12 +8,12 @@ use std::time::Instant;
 
 use sha2::{Digest, Sha256};
 
+use super::Plan;
 use super::chain::chains;
 use super::files::{Table, finish};
 use super::report::{Identity, SWEEP_FORMAT, SweepReport};
 use super::table::Columns;
 use super::walk::{Found, Walker};
-use super::Plan;
 use crate::compile::{CompileError, compile};
 use crate::refinement::at_first;
 use crate::run::{Error, RunOptions};
@@ -97,7 +97,9 @@ impl Sweep {
             cases: self.scenes.len(),
         };
         progress(told);
-        let left: Vec<Range<usize>> = (chains.into_iter()).filter(|chain| !rows.contains_key(&chain.start)).collect();
+        let left: Vec<Range<usize>> = (chains.into_iter())
+            .filter(|chain| !rows.contains_key(&chain.start))
+            .collect();
         self.walk(&left, &options.case, &mut |case, found| {
             let row = columns.row(&self.plan, case, &found)?;
             table.add(&row)?;

@@ -31,7 +31,9 @@ impl Columns {
         };
         let any = |wanted: &[CavitationModel]| {
             let model = |scene: &Scene| scene.cavitation.map(|cavitation| cavitation.model);
-            scenes.iter().any(|scene| model(scene).is_some_and(|model| wanted.contains(&model)))
+            scenes
+                .iter()
+                .any(|scene| model(scene).is_some_and(|model| wanted.contains(&model)))
         };
         let mut fed: Vec<&str> = Vec::new();
         for feed in scenes.iter().flat_map(|scene| &scene.feeds) {
@@ -168,7 +170,10 @@ pub(crate) fn to_csv<'a>(rows: impl IntoIterator<Item = &'a Row>) -> Vec<u8> {
 /// The rows of a table whose writer may have been killed: whole ones, up to the first that is not. `None` where the table has other
 /// headings.
 pub(crate) fn whole_rows(bytes: &[u8], headings: &Row) -> Option<Vec<Row>> {
-    let end = bytes.iter().rposition(|byte| *byte == b'\n').map_or(0, |place| place + 1);
+    let end = bytes
+        .iter()
+        .rposition(|byte| *byte == b'\n')
+        .map_or(0, |place| place + 1);
     let mut reader = csv::ReaderBuilder::new()
         .has_headers(false)
         .flexible(true)

@@ -145,7 +145,10 @@ impl<'a> Walker<'a> {
 
     /// As the case is solved by itself.
     fn from_nothing(&mut self, scene: &Scene) -> Result<(Held, Result<Solved, NoAnswer>), CompileError> {
-        let ungraded = self.held.take().filter(|held| !scene.mesh.is_graded() && has_same_system(&held.scene, scene));
+        let ungraded = self
+            .held
+            .take()
+            .filter(|held| !scene.mesh.is_graded() && has_same_system(&held.scene, scene));
         let mut study = match ungraded {
             Some(held) => renewed(held.study, scene, scene.journal.start()),
             None => graded(scene)?,
@@ -217,7 +220,11 @@ fn redrawn(scene: &Scene, near: (f64, f64)) -> Result<Held, CompileError> {
 
 /// Offset of the journal over the clearance.
 fn relative(study: &Study) -> [f64; 2] {
-    study.problem.journal.offset.map(|e| e / study.problem.bearing.clearance)
+    study
+        .problem
+        .journal
+        .offset
+        .map(|e| e / study.problem.bearing.clearance)
 }
 
 /// Whether a film is a good start after the journal has moved so far.
