@@ -153,7 +153,7 @@ pub fn rows(columns: &[Column], threads: usize) -> Vec<Vec<String>> {
         row.extend(columns.iter().map(|column| {
             let timed = column.paths.iter().find(|timed| timed.name == name);
             timed.map_or(String::new(), |timed| {
-                let seconds = seconds(timed.spent, threads);
+                let seconds = timed.spent.on(threads);
                 format!(
                     "{} / {} = {:.1}",
                     milliseconds(seconds),
@@ -165,11 +165,6 @@ pub fn rows(columns: &[Column], threads: usize) -> Vec<Vec<String>> {
         rows.push(row);
     }
     rows
-}
-
-/// The time that counts on so many threads [s].
-pub fn seconds(spent: Spent, threads: usize) -> f64 {
-    if threads == 1 { spent.cpu } else { spent.wall }
 }
 
 /// Three digits of a time, in ms.
@@ -184,7 +179,7 @@ pub fn exponent(columns: &[Column], threads: usize) -> Option<f64> {
     let points: Vec<[f64; 2]> = (columns.iter().filter(|column| column.unknowns > 7000))
         .filter_map(|column| {
             let timed = column.paths.iter().find(|timed| timed.name == FILE_TO_LOAD)?;
-            Some([(column.unknowns as f64).ln(), seconds(timed.spent, threads).ln()])
+            Some([(column.unknowns as f64).ln(), timed.spent.on(threads).ln()])
         })
         .collect();
     let count = points.len() as f64;
