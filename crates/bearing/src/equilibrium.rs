@@ -153,7 +153,8 @@ impl Search<'_> {
     fn run(&self, problem: &FilmProblem, start: JournalState) -> Result<Equilibrium, NoEquilibrium> {
         let mut tried = 1;
         let mut trial = self.balanced(self.first(problem, start)?, &mut tried)?;
-        let mut at_rest = trial.film.film_fraction.is_none();
+        // A position on a coarser mesh is only to start from.
+        let mut at_rest = trial.film.film_fraction.is_none() || self.balanced > BALANCED_ENOUGH;
         for _ in 0..MOST_CHOICES {
             if at_rest {
                 break;
