@@ -138,10 +138,10 @@ impl Linearisation {
         self.matrix
     }
 
-    /// Gives LU factors back, to be renewed.
-    pub fn into_unsymmetric(self) -> Option<UnsymmetricFactorization> {
+    /// Gives an unsymmetric tangent and its factors back, to be assembled anew and renewed.
+    pub fn into_unsymmetric(self) -> Option<(Matrix, UnsymmetricFactorization)> {
         match self.factor {
-            Factor::Lu(factor) => Some(*factor),
+            Factor::Lu(factor) => Some((self.matrix, *factor)),
             Factor::Cholesky(_) | Factor::Multigrid(_) | Factor::Nested(_) => None,
         }
     }
