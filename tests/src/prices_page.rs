@@ -64,10 +64,11 @@ pub fn predictions(course: &Course) -> Vec<Prediction> {
     (0..levels.len()).filter_map(predict).collect()
 }
 
+/// Without those with a sweep, which are another one again.
 fn scenes() -> Vec<String> {
     let entries = std::fs::read_dir(repository().join("scenes")).expect("scenes");
     let names = entries.filter_map(|entry| Some(entry.ok()?.path().file_stem()?.to_str()?.to_owned()));
-    let mut names: Vec<String> = names.collect();
+    let mut names: Vec<String> = names.filter(|name| !name.contains("_sweep_")).collect();
     names.sort();
     names
 }

@@ -22,7 +22,7 @@ use crate::NoEquilibrium;
 use crate::search::{Search, Trial};
 use crate::stretched::{eccentricity_at, stretched};
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalChange, JournalState};
+use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSolution, FilmSystem, JournalChange, JournalState};
 
 /// The balance has been found when force and load differ by this part of the load.
 pub(crate) const BALANCED: f64 = 1e-12;
@@ -52,6 +52,9 @@ const RESOLVED: f64 = 0.99;
 const CONTACT: f64 = 1e-6;
 /// Moves by less than this part of the least film thickness are started from the film before.
 const SHORT_MOVE: f64 = 0.2;
+
+/// `dW/de` [N/m], row: component of W.
+type Stiffness = [[f64; 2]; 2];
 
 /// Velocity of the journal's centre [m/s], along the line of centres (outwards) and across (towards growing angles).
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -94,8 +97,8 @@ pub struct Equilibrium {
     pub unbalanced: f64,
     /// Positions tried on the mesh of the film.
     pub steps: usize,
-    /// `dW/de` [N/m], row: component of W.
-    pub stiffness: [[f64; 2]; 2],
+    /// `dW/de` [N/m], row: component of W; of a search from nearby as its steps have left it, off by the square root of what they gained.
+    pub stiffness: Stiffness,
 }
 
 /// Finds the position in which the film carries `load` [N], searched from that of `problem`. On coarser
@@ -178,6 +181,8 @@ pub(crate) fn find_near_within(
 ) -> Result<Equilibrium, NoEquilibrium> {
     let search = Search {
         balanced,
+        // A mass-conserving film is not smooth enough.
+        keeps_tangent: !matches!(problem.cavitation, Cavitation::Jfo { .. }),
         ..Search::new(problem, system, load, squeeze)
     };
     let near = film.map_or(Neighbour::None, Neighbour::Start);
@@ -195,7 +200,7 @@ impl Search<'_> {
     /// position until they come to rest.
     fn at_rest(&self, first: Trial) -> Result<Equilibrium, NoEquilibrium> {
         let mut tried = 1;
-        let mut trial = self.balanced(first, &mut tried)?;
+        let (mut trial, mut tangent) = self.balanced(first, &mut tried)?;
         // A position on a coarser mesh is only to start from.
         let mut at_rest = trial.film.film_fraction.is_none() || self.balanced > BALANCED_ENOUGH;
         for _ in 0..MOST_CHOICES {
@@ -210,11 +215,11 @@ impl Search<'_> {
             };
             at_rest = self.residual(&chosen) < BALANCED_ENOUGH;
             if at_rest {
-                trial = chosen;
+                (trial, tangent) = (chosen, None);
                 break;
             }
             match self.balanced(chosen, &mut tried) {
-                Ok(balanced) => trial = balanced,
+                Ok(balanced) => (trial, tangent) = balanced,
                 Err(_) => break,
             }
         }
@@ -225,7 +230,7 @@ impl Search<'_> {
         Ok(Equilibrium {
             residual: self.residual(&trial),
             unbalanced: self.residual(&trial) * self.natural,
-            stiffness: self.stiffness(&trial)?,
+            stiffness: tangent.map_or_else(|| self.stiffness(&trial), Ok)?,
             problem: trial.problem,
             film: trial.film,
             cubic: trial.cubic,
@@ -233,22 +238,29 @@ impl Search<'_> {
         })
     }
 
-    fn balanced(&self, mut trial: Trial, tried: &mut usize) -> Result<Trial, NoEquilibrium> {
+    /// The balanced trial, and the tangent that the search has for it, if it kept one.
+    fn balanced(&self, mut trial: Trial, tried: &mut usize) -> Result<(Trial, Option<Stiffness>), NoEquilibrium> {
         let last = *tried + MOST_STEPS;
+        let mut kept = None;
         while *tried < last {
             let residual = self.residual(&trial);
             if residual < self.balanced {
-                return Ok(trial);
+                return Ok((trial, kept));
             }
-            let stiffness = self.stiffness(&trial)?;
-            let step = self.step(&trial, stiffness);
+            let tangent = kept.map_or_else(|| self.stiffness(&trial), Ok)?;
+            let step = self.step(&trial, tangent);
             match self.damped(&trial, step, tried) {
+                // Perhaps the tangent was too old.
+                None if kept.take().is_some() => continue,
                 // Rounding is reached.
-                None if residual < BALANCED_ENOUGH => return Ok(trial),
+                None if residual < BALANCED_ENOUGH => return Ok((trial, None)),
                 None => {
                     return Err(self.unreachable(&trial, "no shorter step brings the force nearer to the load"));
                 }
-                Some(next) => trial = next,
+                Some(next) => {
+                    kept = self.keeps_tangent.then(|| Self::corrected(tangent, &trial, &next));
+                    trial = next;
+                }
             }
             if self.clearance - trial.problem.journal.eccentricity() < CONTACT * self.clearance {
                 return Err(self.unreachable(&trial, "the journal touches the bearing"));

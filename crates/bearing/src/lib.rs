@@ -16,4 +16,4 @@ mod stretched;
 pub use cubic::{find_cubic, find_cubic_near};
 pub use equilibrium::{Equilibrium, Squeeze, find, find_near, newton_step};
 pub use no_equilibrium::NoEquilibrium;
-pub use prediction::{Visited, predicted};
+pub use prediction::{Point, Visited, predicted};

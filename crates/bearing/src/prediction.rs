@@ -7,78 +7,126 @@ use crate::stretched::{eccentricity_at, stretched};
 
 /// Points that a prediction goes through, at most.
 const MOST_POINTS: usize = 3;
+/// Values that differ by less than this part are the same.
+const APART: f64 = 1e-9;
 /// A centred journal has no line of centres.
 const CENTRED: f64 = 1e-6;
 /// A predicted film is no thinner than this part of the last one, and no thicker than its inverse.
 const LEAST_SHRINK: f64 = 0.3;
 
+/// An operating point: what a prediction knows of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Point {
+    /// What tells it apart from its neighbours, at even pace.
+    pub coordinate: f64,
+    /// Logarithm of the load over that of drag through the clearance.
+    pub duty: f64,
+}
+
 /// A position in balance at one operating point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Visited {
-    /// What the operating points are told apart by.
-    pub coordinate: f64,
+    /// The operating point.
+    pub point: Point,
     /// Eccentricity ratio.
     pub eccentricity: f64,
     /// Angle of the thinnest film [rad].
     pub angle: f64,
 }
 
-/// Eccentricity ratio and angle of the thinnest film [rad] at `coordinate`, told from the positions visited last; the last one itself
+/// Eccentricity ratio and angle of the thinnest film [rad] at `point`, told from the positions visited last; the last one itself
 /// where they tell nothing better. `None` where none was visited.
-pub fn predicted(visited: &[Visited], coordinate: f64) -> Option<(f64, f64)> {
+///
+/// Over the duty where that changes: the logarithm of the load is nearly linear in the stretched eccentricity, with a slope of one.
+pub fn predicted(visited: &[Visited], point: Point) -> Option<(f64, f64)> {
     let last = visited.last()?;
-    let here = (last.eccentricity, last.angle);
     let points = &visited[visited.len().saturating_sub(MOST_POINTS)..];
-    let is_told = |point: &Visited| point.eccentricity > CENTRED;
-    let apart = |i: usize| {
-        let mut others = points[..i].iter().map(|other| other.coordinate);
-        others.all(|other| other != points[i].coordinate) && points[i].coordinate != coordinate
+    let duties: Vec<f64> = points.iter().map(|it| it.point.duty).collect();
+    let coordinates: Vec<f64> = points.iter().map(|it| it.point.coordinate).collect();
+    let by_duty = are_apart(&duties, point.duty);
+    let weights = match by_duty {
+        true => weights(&duties, point.duty),
+        false if are_apart(&coordinates, point.coordinate) => weights(&coordinates, point.coordinate),
+        false => Vec::new(),
     };
-    if !points.iter().all(is_told) || !(0..points.len()).all(apart) {
-        return Some(here);
+    let here = Some((last.eccentricity, last.angle));
+    if weights.is_empty() || points.iter().any(|it| it.eccentricity < CENTRED) {
+        return here;
     }
-    let weights = (0..points.len()).map(|i| {
-        let others = points.iter().enumerate().filter(|(j, _)| *j != i);
-        let part = |other: &Visited| (coordinate - other.coordinate) / (points[i].coordinate - other.coordinate);
-        others.map(|(_, other)| part(other)).product::<f64>()
-    });
     let (mut s, mut turn) = (0.0, 0.0);
-    for (weight, point) in weights.zip(points) {
-        let from_last = point.angle - last.angle;
-        s += weight * stretched(point.eccentricity);
+    for (weight, visited) in weights.iter().zip(points) {
+        let from_last = visited.angle - last.angle;
+        s += weight * stretched(visited.eccentricity);
         turn += weight * from_last.sin().atan2(from_last.cos());
+    }
+    if by_duty && points.len() == 1 {
+        s += point.duty - last.point.duty;
     }
     let eccentricity = eccentricity_at(s);
     let shrink = (1.0 - eccentricity) / (1.0 - last.eccentricity);
     let is_near = shrink > LEAST_SHRINK && shrink < 1.0 / LEAST_SHRINK && turn.abs() < 1.0;
-    Some(if is_near {
-        (eccentricity, last.angle + turn)
+    if is_near {
+        Some((eccentricity, last.angle + turn))
     } else {
         here
-    })
+    }
+}
+
+/// Whether all values differ, also from the one asked for.
+fn are_apart(values: &[f64], asked: f64) -> bool {
+    let differ = |a: f64, b: f64| (a - b).abs() > APART * a.abs().max(b.abs());
+    (0..values.len()).all(|i| differ(values[i], asked) && values[..i].iter().all(|&other| differ(values[i], other)))
+}
+
+/// Lagrange's weights of the values at `asked`.
+fn weights(values: &[f64], asked: f64) -> Vec<f64> {
+    let weight = |i: usize| {
+        let others = (0..values.len()).filter(|&j| j != i);
+        others.map(|j| (asked - values[j]) / (values[i] - values[j])).product()
+    };
+    (0..values.len()).map(weight).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    #[test]
-    fn parabolas_are_followed_and_leaps_are_not() {
-        let at = |t: f64| Visited {
-            coordinate: t,
+    fn at(t: f64, duty: f64) -> Visited {
+        Visited {
+            point: Point { coordinate: t, duty },
             eccentricity: eccentricity_at(0.3 * t + 0.02 * t * t),
             angle: 6.2 + 0.1 * t,
-        };
-        let visited = [at(0.5), at(1.0), at(2.0)];
-        let (eccentricity, angle) = predicted(&visited, 3.0).expect("a position");
-        assert!((eccentricity / at(3.0).eccentricity - 1.0).abs() < 1e-12);
-        assert!((angle - at(3.0).angle).abs() < 1e-12);
-        let last = (at(2.0).eccentricity, at(2.0).angle);
-        assert_eq!(predicted(&visited, 60.0), Some(last));
-        assert_eq!(
-            predicted(&[at(1.0), at(1.0)], 3.0),
-            Some((at(1.0).eccentricity, at(1.0).angle))
-        );
-        assert_eq!(predicted(&[], 3.0), None);
+        }
+    }
+
+    fn close(told: Option<(f64, f64)>, wanted: Visited) -> bool {
+        let (eccentricity, angle) = told.expect("a position");
+        (eccentricity / wanted.eccentricity - 1.0).abs() < 1e-12 && (angle - wanted.angle).abs() < 1e-12
+    }
+
+    #[test]
+    fn parabolas_are_followed_and_leaps_are_not() {
+        let visited = [at(0.5, 1.0), at(1.0, 1.0), at(2.0, 1.0)];
+        assert!(close(predicted(&visited, at(3.0, 1.0).point), at(3.0, 1.0)));
+        // Over the duty, where that runs.
+        let visited = [at(0.5, 0.5), at(1.0, 1.0), at(2.0, 2.0)].map(|it| Visited {
+            point: Point {
+                coordinate: it.point.duty.exp(),
+                ..it.point
+            },
+            ..it
+        });
+        assert!(close(predicted(&visited, at(3.0, 3.0).point), at(3.0, 3.0)));
+        let here = Some((at(2.0, 2.0).eccentricity, at(2.0, 2.0).angle));
+        assert_eq!(predicted(&visited, at(60.0, 60.0).point), here);
+        assert_eq!(predicted(&[at(2.0, 1.0), at(2.0, 1.0)], at(2.0, 1.0).point), here);
+        assert_eq!(predicted(&[], at(3.0, 3.0).point), None);
+    }
+
+    #[test]
+    fn one_position_tells_the_next_by_its_duty() {
+        let (eccentricity, angle) = predicted(&[at(1.0, 1.0)], at(2.0, 1.1).point).expect("a position");
+        assert!((stretched(eccentricity) - stretched(at(1.0, 1.0).eccentricity) - 0.1).abs() < 1e-12);
+        assert_eq!(angle, at(1.0, 1.0).angle);
     }
 }

@@ -23,6 +23,8 @@ pub(crate) struct Search<'a> {
     pub(crate) cubic: bool,
     /// The balance has been found when force and load differ by this part of the load.
     pub(crate) balanced: f64,
+    /// True where the tangent at the first position is kept and corrected by what the force did: for starts near the balance.
+    pub(crate) keeps_tangent: bool,
 }
 
 /// What is told of a trial: its distance from the load, its force [N] and its journal.
@@ -65,6 +67,7 @@ impl<'a> Search<'a> {
             nearest: Cell::new(None),
             cubic: false,
             balanced: BALANCED,
+            keeps_tangent: false,
         }
     }
 
@@ -159,6 +162,21 @@ impl<'a> Search<'a> {
             stiffness[1][k] = by_offset[1];
         }
         Ok(stiffness)
+    }
+
+    /// The tangent `dW/de` corrected by what the force did from one trial to the next (Broyden, Math. Comp. 19 (1965) 577).
+    pub(crate) fn corrected(tangent: [[f64; 2]; 2], from: &Trial, to: &Trial) -> [[f64; 2]; 2] {
+        let step = [0, 1].map(|k| to.problem.journal.offset[k] - from.problem.journal.offset[k]);
+        let square = step[0] * step[0] + step[1] * step[1];
+        let mut corrected = tangent;
+        for d in 0..2 {
+            let told = tangent[d][0] * step[0] + tangent[d][1] * step[1];
+            let missed = (to.force[d] - from.force[d] - told) / square;
+            for k in 0..2 {
+                corrected[d][k] += if square > 0.0 { missed * step[k] } else { 0.0 };
+            }
+        }
+        corrected
     }
 
     /// How far the force is from the load: by logarithm and angle, so that forces much too large and much too small

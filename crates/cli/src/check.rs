@@ -2,6 +2,7 @@
 
 use crate::complain::{self, Failure};
 use crate::terminal;
+use oilwedge_scene::sweep::Sweep;
 use oilwedge_scene::{Error, Scene};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -34,7 +35,12 @@ impl Check {
     pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
         let found = match is_mesh(&self.file) {
             true => oilwedge_scene::check_mesh(&self.file)?,
-            false => oilwedge_scene::check_scene(&Scene::read(&self.file)?)?,
+            false => {
+                let scene = Scene::read(&self.file)?;
+                // Every case must be a good scene.
+                Sweep::of(&scene)?;
+                oilwedge_scene::check_scene(&scene)?
+            }
         };
         let json = found.to_json().map_err(Error::from)?;
         complain::warn(&found.warnings);

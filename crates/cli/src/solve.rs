@@ -99,6 +99,12 @@ impl Solve {
             .map_err(Error::from)?;
         let folder = self.out.clone().unwrap_or_else(|| default_folder(&self.scene));
         write_results(&folder, &run.result, picture.as_deref()).map_err(Error::from)?;
+        if let Some(plan) = &scene.sweep {
+            let cases = plan.cases();
+            complain::warn(&[format!(
+                "the {cases} cases of [sweep] are not run here, but the scene as it is without them; run them with oilwedge sweep"
+            )]);
+        }
         complain::warn(&run.result.warnings);
         match self.json {
             true => terminal::print(&json)?,

@@ -172,6 +172,7 @@ fn facts(found: &CheckReport) -> String {
         ),
     ];
     lines.extend(tolerance(&found.tolerance));
+    lines.extend(sweep(&found.sweep));
     lines.extend(found.cost.map(|cost| {
         let factor = significant(8e-6 * cost.factor_entries as f64, 3);
         format!(
@@ -194,6 +195,15 @@ fn tolerance(targets: &[(String, f64)]) -> Option<String> {
         })
         .collect();
     (!told.is_empty()).then(|| format!("tolerance {}", told.join(", ")))
+}
+
+/// The cases of a sweep; nothing without one.
+fn sweep(axes: &[(String, usize)]) -> Option<String> {
+    let cases: usize = axes.iter().map(|(_, values)| values).product();
+    let told: Vec<_> = (axes.iter())
+        .map(|(name, values)| format!("{values} of {}", printable(name)))
+        .collect();
+    (!axes.is_empty()).then(|| format!("sweep     {cases} cases: {}", told.join(" by ")))
 }
 
 pub(crate) fn heading(title: &str, status: &str) -> String {

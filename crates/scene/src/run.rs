@@ -258,6 +258,10 @@ pub fn check_scene(scene: &Scene) -> Result<CheckReport, Error> {
         .map(|target| (target.quantity.clone(), target.relative))
         .collect();
     report.title = Some(scene.title.clone());
+    report.sweep = (scene.sweep.iter())
+        .flat_map(|plan| &plan.axes)
+        .map(|axis| (axis.heading(), axis.values.len()))
+        .collect();
     report.effects = Some(study.effects.clone());
     report.warnings.extend(crate::doubts::flips(&study));
     let free = |dof: &usize| study.system.supply.owner(*dof).is_none();
@@ -330,6 +334,7 @@ fn check_report(path: &Path, mesh: &Mesh) -> CheckReport {
             .collect(),
         quality,
         tolerance: Vec::new(),
+        sweep: Vec::new(),
         liner: Vec::new(),
         sketch: String::new(),
         cost: None,

@@ -325,11 +325,12 @@ fn imported(name: String, number: u64) -> Bearing {
     }
 }
 
-/// The shipped scenes as they are.
+/// The shipped scenes as they are; those with a sweep are another one again.
 pub fn shipped() -> Vec<Bearing> {
     let folder = path("any").with_file_name("");
     let mut names: Vec<String> = (std::fs::read_dir(folder).expect("scenes").flatten())
         .filter_map(|entry| Some(entry.file_name().to_str()?.strip_suffix(".toml")?.to_owned()))
+        .filter(|name| !name.contains("_sweep_"))
         .collect();
     names.sort();
     let one = |name: String| {

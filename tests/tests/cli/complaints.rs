@@ -165,7 +165,7 @@ fn a_squeeze_without_a_direction_is_refused() {
 
 #[test]
 fn keys_that_are_not_served_are_named() {
-    let later = [("[oil]", "[heat]\n[oil]", "heat"), ("[oil]", "[sweep]\n[oil]", "sweep")];
+    let later = [("[oil]", "[heat]\n[oil]", "heat")];
     for (from, to, key) in later {
         refused(from, to, &[&format!("{key}: "), "is not served yet", "help: "]);
     }

@@ -9,3 +9,4 @@ mod files;
 mod meshes;
 mod shipped;
 mod solve;
+mod sweep;

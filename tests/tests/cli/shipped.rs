@@ -7,7 +7,7 @@ const TENSION: &str = "full Sommerfeld film: the pressure falls to";
 const PRINTED: &str = "the as-printed equation is no mass balance";
 
 /// Every shipped scene and the beginnings of its warnings.
-const SCENES: [(&str, &[&str]); 17] = [
+const SCENES: [(&str, &[&str]); 18] = [
     ("01_plain_ring", &[TENSION]),
     ("02_flexpde_shell", &[TENSION]),
     ("03_hydrostatic_shell", &[]),
@@ -25,6 +25,7 @@ const SCENES: [(&str, &[&str]); 17] = [
     ("15_squeezed_ring", &[]),
     ("16_loaded_shell", &[]),
     ("17_engine_main_bearing", &[]),
+    ("18_sweep_eccentricity", &[TENSION]),
 ];
 
 #[test]
@@ -92,6 +93,7 @@ fn help_has_examples_and_the_exit_status() {
         &["solve", "--help"],
         &["check", "--help"],
         &["mesh", "--help"],
+        &["sweep", "--help"],
     ];
     for arguments in verbs {
         let told = bench.run(arguments);

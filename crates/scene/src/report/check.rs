@@ -24,6 +24,9 @@ pub struct CheckReport {
     /// How small error bars would be made by refinement, relative, by name of quantity; empty without a tolerance.
     #[serde(serialize_with = "in_parts")]
     pub tolerance: Vec<(String, f64)>,
+    /// The axes of the sweep and their numbers of values; empty without one.
+    #[serde(serialize_with = "in_axes")]
+    pub sweep: Vec<(String, usize)>,
     /// The liner in words, a line each; empty where a mesh was checked.
     pub liner: Vec<String>,
     /// The unrolled liner drawn in letters; empty where a mesh was checked.
@@ -56,6 +59,10 @@ pub struct RegionFacts {
     pub kind: String,
     /// Number of its edges or cells.
     pub parts: usize,
+}
+
+fn in_axes<S: serde::Serializer>(axes: &[(String, usize)], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(axes.iter().map(|(name, values)| (name, values)))
 }
 
 impl CheckReport {

@@ -4,7 +4,7 @@
 
 use std::time::Instant;
 
-use oilwedge_bearing::{Visited, predicted};
+use oilwedge_bearing::{Point, Visited, predicted};
 use oilwedge_reynolds::{FilmSolution, JournalState};
 
 use crate::analysis::{NoAnswer, Solved, Start, graded, is_near, solve, solve_from};
@@ -110,9 +110,9 @@ impl<'a> Walker<'a> {
 
     /// On one mesh, from the case before if there is one.
     fn walked(&mut self, scene: &Scene, coordinate: f64) -> Result<Found, CompileError> {
-        let (mut held, outcome) = match self.from_before(scene, coordinate)? {
+        let (mut held, outcome) = match self.following(scene, coordinate)? {
             Some((held, solved)) => (held, Ok(solved)),
-            None => self.from_nothing(scene)?,
+            None => self.by_itself(scene)?,
         };
         let size = unknowns(&held.study);
         let found = match outcome {
@@ -120,7 +120,7 @@ impl<'a> Walker<'a> {
                 let judged = judge(&held.study, &solved);
                 let journal = &held.study.problem.journal;
                 self.visited.push(Visited {
-                    coordinate,
+                    point: point(scene, coordinate),
                     eccentricity: journal.eccentricity() / scene.bearing.clearance,
                     angle: journal.min_film_angle(),
                 });
@@ -144,7 +144,7 @@ impl<'a> Walker<'a> {
     }
 
     /// As the case is solved by itself.
-    fn from_nothing(&mut self, scene: &Scene) -> Result<(Held, Result<Solved, NoAnswer>), CompileError> {
+    fn by_itself(&mut self, scene: &Scene) -> Result<(Held, Result<Solved, NoAnswer>), CompileError> {
         let ungraded = self
             .held
             .take()
@@ -165,10 +165,10 @@ impl<'a> Walker<'a> {
     }
 
     /// From the case before, if there is one and it leads to an answer.
-    fn from_before(&mut self, scene: &Scene, coordinate: f64) -> Result<Option<(Held, Solved)>, CompileError> {
+    fn following(&mut self, scene: &Scene, coordinate: f64) -> Result<Option<(Held, Solved)>, CompileError> {
         let told = match scene.journal.load() {
             None => Some(scene.journal.start()),
-            Some(_) => predicted(&self.visited, coordinate),
+            Some(_) => predicted(&self.visited, point(scene, coordinate)),
         };
         let is_neighbour = |held: &Held| held.film.is_some() && has_same_system(&held.scene, scene);
         let (Some(near), true) = (told, self.held.as_ref().is_some_and(is_neighbour)) else {
@@ -216,6 +216,19 @@ fn redrawn(scene: &Scene, near: (f64, f64)) -> Result<Held, CompileError> {
         study,
         film: None,
     })
+}
+
+/// What tells the position of a case from those of its neighbours.
+fn point(scene: &Scene, coordinate: f64) -> Point {
+    let (bearing, journal) = (&scene.bearing, &scene.journal);
+    let [x, y] = journal.load().unwrap_or_default();
+    let slenderness = bearing.radius() / bearing.clearance;
+    let drag = scene.oil.viscosity * journal.speed.abs() * slenderness.powi(2) * bearing.diameter * bearing.length;
+    let duty = (x.hypot(y) / drag).ln();
+    Point {
+        coordinate,
+        duty: if duty.is_finite() { duty } else { 0.0 },
+    }
 }
 
 /// Offset of the journal over the clearance.
