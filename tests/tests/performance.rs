@@ -2,7 +2,7 @@
 
 use oilwedge_mesh::{Quality, gmsh};
 use oilwedge_tests::performance::films::{Films, Kind, scene};
-use oilwedge_tests::performance::floor::Sizes;
+use oilwedge_tests::performance::floor::Path;
 use oilwedge_tests::performance::{gate, phases};
 use oilwedge_tests::program::repository;
 
@@ -29,26 +29,31 @@ fn the_binary_file_is_the_ring() {
     assert!((binary / text - 1.0).abs() < 1e-9, "{binary} N, {text} N");
 }
 
-/// Benches tell floors before there is a mesh: from the sizes to be expected of one.
+/// Floors are those of what is there: sizes of a mesh whose numbers are known by heart, and their bytes.
 #[test]
-fn expected_sizes_are_those_of_a_ring() {
+fn sizes_are_those_of_a_ring() {
     let films = Films::new();
-    for unknowns in [10_000, 40_000] {
-        let ring = scene(&films.ring(Kind::Linear, unknowns));
-        let file = std::fs::metadata(films.folder().join(format!("{unknowns}.msh"))).expect("the mesh");
-        let mesh = phases::mesh(&ring).into();
-        let assembler = phases::number(&mesh);
-        let is = Sizes::of(&assembler, &phases::analyse(&assembler), file.len());
-        let told = Sizes::expected(is.rows);
-        let near = |a: f64, b: f64, within: f64| assert!((a / b - 1.0).abs() < within, "{is:?}\n{told:?}");
-        near(told.entries, is.entries, 0.02);
-        for k in 0..3 {
-            near(told.mesh[k], is.mesh[k], 0.05);
-        }
-        near(told.file, is.file, 0.05);
-        near(told.factor, is.factor, 0.15);
-        near(told.factor_flops, is.factor_flops, 0.3);
-    }
+    let sizes = phases::sizes(&scene(&films.ring(Kind::Linear, 10_000)));
+    let [vertices, edges, triangles] = sizes.mesh;
+    // Euler: a ring with a hole has the characteristic -1.
+    assert_eq!(vertices - edges + triangles, -1.0);
+    assert_eq!(sizes.rows, vertices + edges);
+    // A vertex meets itself, its neighbours, their edges and the opposite ones; an edge inside nine nodes.
+    assert!((11.0..11.6).contains(&(sizes.entries / sizes.rows)), "{sizes:?}");
+    // The factor holds the lower half of the matrix and its fill; Cauchy and Schwarz bound its operations.
+    assert!(sizes.factor > 0.5 * (sizes.entries + sizes.rows));
+    assert!(sizes.factor_flops > sizes.factor * sizes.factor / sizes.rows);
+    let [bytes, operations] = sizes.work(Path::Substitute);
+    assert_eq!(
+        [bytes, operations],
+        [16.0 * sizes.factor + 32.0 * sizes.rows, 4.0 * sizes.factor]
+    );
+    let whole = sizes.work(Path::FileToLoad)[0];
+    let parts: f64 = [Path::Read, Path::Number, Path::Assemble]
+        .map(|path| sizes.work(path)[0])
+        .iter()
+        .sum();
+    assert_eq!(whole, parts + 12.0 * sizes.entries);
 }
 
 /// The page holds a count to compare with.

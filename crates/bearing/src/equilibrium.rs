@@ -201,7 +201,8 @@ impl Search<'_> {
     fn at_rest(&self, first: Trial) -> Result<Equilibrium, NoEquilibrium> {
         let mut tried = 1;
         let (mut trial, mut tangent) = self.balanced(first, &mut tried)?;
-        let mut at_rest = trial.film.film_fraction.is_none();
+        // A position on a coarser mesh is only to start from.
+        let mut at_rest = trial.film.film_fraction.is_none() || self.balanced > BALANCED_ENOUGH;
         for _ in 0..MOST_CHOICES {
             if at_rest {
                 break;

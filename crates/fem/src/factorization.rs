@@ -257,3 +257,24 @@ pub(crate) fn masked_values(matrix: &Matrix, fixed: &[bool]) -> Result<Vec<f64>,
         Err(Error::NotFinite { what: "matrix" })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Assembler;
+    use oilwedge_mesh::{Mesh, RawMesh};
+
+    /// All nodes of one triangle meet: the factor is a full triangle, with columns of 6, 5, ... 1 entries.
+    #[test]
+    fn operations_are_the_squares_of_the_columns() {
+        let raw = RawMesh {
+            points: vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]],
+            triangles: vec![[0, 1, 2]],
+            ..RawMesh::default()
+        };
+        let assembler = Assembler::new(Space::new(Arc::new(Mesh::build(raw).unwrap()), 2));
+        let analysis = Analysis::new(assembler.space(), assembler.pattern().clone()).unwrap();
+        assert_eq!(analysis.factor_entries(), 21);
+        assert_eq!(analysis.factor_flops(), 91.0);
+    }
+}

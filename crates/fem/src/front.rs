@@ -13,7 +13,7 @@ use faer::linalg::matmul::matmul;
 use faer::{Accum, MatMut, MatRef, Par};
 
 /// Columns that are eliminated one by one, before the others are brought up to date by a product of matrices.
-const BLOCK: usize = 16;
+const BLOCK: usize = 8;
 /// Partial sums of a dot product: a fixed number, so that its bits are always the same.
 const LANES: usize = 8;
 

@@ -12,7 +12,7 @@ use crate::{Constraints, Error, Factorization, LinearSolver, Matrix, Unsymmetric
 const REFINE_ABOVE: f64 = 1e-12;
 const REFUSE_ABOVE: f64 = 1e-7;
 /// Residual over right-hand side of a solve that needs no more.
-const TWO_DIGITS: f64 = 1e-2;
+const ONE_DIGIT: f64 = 1e-1;
 
 /// How linear systems are solved.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -138,10 +138,10 @@ impl Linearisation {
         self.matrix
     }
 
-    /// Gives LU factors back, to be renewed.
-    pub fn into_unsymmetric(self) -> Option<UnsymmetricFactorization> {
+    /// Gives an unsymmetric tangent and its factors back, to be assembled anew and renewed.
+    pub fn into_unsymmetric(self) -> Option<(Matrix, UnsymmetricFactorization)> {
         match self.factor {
-            Factor::Lu(factor) => Some(*factor),
+            Factor::Lu(factor) => Some((self.matrix, *factor)),
             Factor::Cholesky(_) | Factor::Multigrid(_) | Factor::Nested(_) => None,
         }
     }
@@ -177,14 +177,14 @@ impl Linearisation {
         self.refined(b, true, 0.0)
     }
 
-    /// `b` masked and put through the factor once, without a look at the residual, or solved to two digits where there is
+    /// `b` masked and put through the factor once, without a look at the residual, or solved to one digit where there is
     /// no factor: for those who need no more.
     ///
     /// # Errors
     /// [`Error::NotFinite`].
     pub fn apply_factor(&self, b: Vec<f64>, transposed: bool) -> Result<Vec<f64>, Error> {
         let mut x = self.masked(b);
-        let enough = TWO_DIGITS * self.constraints.free_norm(&x);
+        let enough = ONE_DIGIT * self.constraints.free_norm(&x);
         self.back_solve(&mut x, transposed, enough)?;
         Ok(x)
     }

@@ -346,7 +346,8 @@ type Step = fn(Extent, &[f64], &mut [f64]);
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Constraints, Linearisation};
+    use crate::assembly::tests::wavy_ring;
+    use crate::{Constraints, ControlVolumes, Linearisation, Space};
 
     /// Upwind transport with diffusion on a line of `n` points.
     fn line(n: u32) -> Matrix {
@@ -408,5 +409,39 @@ mod tests {
             .factorise(&matrix, &constraints.fixed, None)
             .and_then(|factor| Linearisation::unsymmetric(matrix, factor, constraints).solve(&[1.0; 12]));
         assert!(solved.is_err());
+    }
+
+    /// On a mesh, whose fronts have several levels; a factor that is renewed is the one made anew, to the last bit.
+    #[test]
+    fn a_renewed_factor_is_a_new_one() {
+        let space = Space::new(wavy_ring(40, 12), 2);
+        let volumes = ControlVolumes::new(&space).unwrap();
+        let n = space.dofs();
+        let mut matrix = Matrix::zero(volumes.pattern.clone());
+        for i in 0..n {
+            for k in volumes.pattern.row(i) {
+                matrix.values[k] = match volumes.pattern.columns[k] as usize {
+                    j if j == i => 9.0,
+                    j => -0.5 - (0.37 * (i + 3 * j) as f64).sin(),
+                };
+            }
+        }
+        let b: Vec<f64> = (0..n).map(|i| (i as f64).cos()).collect();
+        let off = |ax: Vec<f64>| ax.iter().zip(&b).map(|(ax, b)| (ax - b).abs()).fold(0.0, f64::max);
+        let fixed = vec![false; n];
+        let first = volumes.analysis.factorise(&matrix, &fixed, None).unwrap();
+        let (mut x, mut y) = (b.clone(), b.clone());
+        first.solve(&mut x).unwrap();
+        first.solve_transposed(&mut y).unwrap();
+        assert!(off(matrix.multiply(&x)) < 1e-12 && off(matrix.multiply_transposed(&y)) < 1e-12);
+        for i in [3, n / 2, n / 2 + 1] {
+            matrix.add_to_diagonal(i, 0.25);
+        }
+        let renewed = volumes.analysis.factorise(&matrix, &fixed, Some(first)).unwrap();
+        let anew = volumes.analysis.factorise(&matrix, &fixed, None).unwrap();
+        assert!(renewed.panels == anew.panels);
+        x.clone_from(&b);
+        renewed.solve(&mut x).unwrap();
+        assert!(off(matrix.multiply(&x)) < 1e-12);
     }
 }

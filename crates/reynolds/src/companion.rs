@@ -34,7 +34,7 @@ impl FilmProblem {
             u: dofs.iter().map(|&dof| film.unknown[dof]).collect(),
             held: dofs.iter().map(|&dof| film.cavity[dof]).collect(),
         };
-        let companion = jfo::solve(self, vertices, 1.0, start, None)?;
+        let companion = jfo::solve(self, vertices, 1.0, start, jfo::Choice::Anew)?;
         self.check_existence(vertices, &companion)?;
         Ok(companion)
     }

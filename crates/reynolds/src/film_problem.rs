@@ -90,25 +90,14 @@ pub struct Enriched {
     pub prolongation: Arc<Prolongation>,
 }
 
-/// Why a mesh and its supply make no system.
-#[derive(Debug, thiserror::Error)]
-pub enum SystemError {
-    /// Given pressures and mesh do not fit.
-    #[error("the given pressures do not fit the mesh")]
-    Supply(Vec<SupplyError>),
-    /// The system is too large.
-    #[error(transparent)]
-    Fem(#[from] oilwedge_fem::Error),
-}
-
 impl FilmSystem {
     /// Elements of degree `degree` on `mesh`, with pressures given on `regions`.
     ///
     /// # Errors
     /// Every misfit of mesh and regions.
-    pub fn new(mesh: Arc<Mesh>, degree: usize, regions: Vec<SupplyRegion>) -> Result<Self, SystemError> {
+    pub fn new(mesh: Arc<Mesh>, degree: usize, regions: Vec<SupplyRegion>) -> Result<Self, Vec<SupplyError>> {
         let space = Space::new(mesh, degree);
-        let supply = Supply::new(&space, regions).map_err(SystemError::Supply)?;
+        let supply = Supply::new(&space, regions)?;
         Ok(Self::with_supply(space, supply))
     }
 

@@ -5,7 +5,7 @@ use oilwedge_fem::field::Extremum;
 use oilwedge_fem::newton::{self, Failure};
 use oilwedge_fem::{Constraints, Field, LinearSolver};
 
-use crate::cavitation::jfo;
+use crate::cavitation::jfo::{self, Choice};
 use crate::film_law::FilmLaw;
 use crate::{Cavitation, FilmProblem, FilmSolution, FilmSystem, Form, NoFilm};
 
@@ -72,16 +72,30 @@ impl FilmProblem {
         motion: f64,
         neighbour: Neighbour,
     ) -> Result<FilmSolution, NoFilm> {
-        let (start, levels, kept) = match neighbour {
-            Neighbour::Start(film) => (film.as_start(), 0, None),
-            Neighbour::Kept(film) => (film.as_start(), 0, film.film_fraction.as_ref()),
-            Neighbour::None => {
-                let (start, levels) = self.start(system, motion);
-                (start, levels, None)
-            }
+        let choice = match neighbour {
+            Neighbour::Kept(FilmSolution {
+                film_fraction: Some(kept),
+                ..
+            }) => Choice::Kept(kept),
+            _ => Choice::Anew,
+        };
+        self.film_by(system, motion, neighbour, choice)
+    }
+
+    /// The same where the `choice` of forms by which a mass-conserving film carries its oil is given.
+    fn film_by(
+        &self,
+        system: &FilmSystem,
+        motion: f64,
+        neighbour: Neighbour,
+        choice: Choice,
+    ) -> Result<FilmSolution, NoFilm> {
+        let (start, levels) = match neighbour {
+            Neighbour::Start(film) | Neighbour::Kept(film) => (film.as_start(), 0),
+            Neighbour::None => self.start(system, motion),
         };
         let film = match self.cavitation {
-            Cavitation::Jfo { .. } => jfo::solve(self, system, motion, start, kept)?,
+            Cavitation::Jfo { .. } => jfo::solve(self, system, motion, start, choice)?,
             _ => self.pressure_film(system, &system.solver().map_err(Failure::from)?, motion, start)?,
         };
         Ok(FilmSolution { levels, ..film })
@@ -91,7 +105,7 @@ impl FilmProblem {
     fn start(&self, system: &FilmSystem, motion: f64) -> (Start, usize) {
         let coarse = system.coarser.as_ref().and_then(|coarser| {
             let film = (coarser.problem(self))
-                .closed_film(&coarser.system, motion, Neighbour::None)
+                .film_by(&coarser.system, motion, Neighbour::None, Choice::Roughly)
                 .ok()?;
             Some((coarser.carried(&film, self.cavitation), film.levels + 1))
         });

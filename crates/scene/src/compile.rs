@@ -22,7 +22,6 @@ use std::time::Instant;
 
 use oilwedge_mesh::Mesh;
 use oilwedge_mesh::generate::DrawingError;
-use oilwedge_reynolds::film_problem::SystemError;
 use oilwedge_reynolds::film_thickness::{Eccentricity, FilmContribution, GrooveDepth};
 use oilwedge_reynolds::lubricant::{Barus, Lubricant, PressureLaw, Roelands};
 use oilwedge_reynolds::supply::{self as given, Disc, Place, SupplyError, SupplyRegion};
@@ -163,10 +162,7 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, near: (f64, f64), degree: usize) ->
     let regions = supply(scene, &mesh)?;
     let journal = journal(scene, near);
     let film_thickness = film_thickness(scene, &mesh);
-    let system = FilmSystem::new(Arc::new(mesh), degree, regions).map_err(|error| match error {
-        SystemError::Supply(faults) => unfit(scene, faults),
-        SystemError::Fem(error) => error.into(),
-    })?;
+    let system = FilmSystem::new(Arc::new(mesh), degree, regions).map_err(|faults| unfit(scene, faults))?;
     let problem = problem(scene, journal, film_thickness);
     // A position is sought on coarser meshes first, and by many films.
     let is_sought = scene.journal.load().is_some();

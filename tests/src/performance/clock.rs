@@ -13,6 +13,13 @@ pub struct Spent {
     pub wall: f64,
 }
 
+impl Spent {
+    /// The time that counts on so many threads [s]: on one that of the processor, which a busy machine leaves alone.
+    pub fn on(self, threads: usize) -> f64 {
+        if threads == 1 { self.cpu } else { self.wall }
+    }
+}
+
 /// The value of `work`, and what it took.
 pub fn timed<T>(work: impl FnOnce() -> T) -> (T, Spent) {
     let (cpu, wall) = (ProcessTime::now(), Instant::now());

@@ -5,7 +5,7 @@ use std::path::Path;
 use super::clock::{median, median_of, on_threads};
 use super::films::{Films, Kind, scene};
 use super::machine::Machine;
-use super::phase_table::{Column, FILE_TO_LOAD, exponent, milliseconds, seconds};
+use super::phase_table::{Column, FILE_TO_LOAD, exponent, milliseconds};
 use super::phases;
 use super::process::apart;
 use crate::tables::row;
@@ -65,7 +65,7 @@ pub fn rows(
     let load = |columns: &[Column], near: usize, threads| {
         let column = (columns.iter()).find(|column| (0.7..1.4).contains(&(column.unknowns as f64 / near as f64)))?;
         let timed = column.paths.iter().find(|timed| timed.name == FILE_TO_LOAD)?;
-        Some(seconds(timed.spent, threads))
+        Some(timed.spent.on(threads))
     };
     for (near, figure) in [(10_000, 0.015), (100_000, 0.14), (1_000_000, 1.4)] {
         if let Some(measured) = load(one, near, 1) {

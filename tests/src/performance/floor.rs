@@ -83,19 +83,6 @@ impl Sizes {
         }
     }
 
-    /// Those to be expected of a ring with `rows` unknowns: Euler's formula, and fill and operations of nested dissection,
-    /// `n log n` and `n^(3/2)`, with factors measured at 1e5 unknowns.
-    pub fn expected(rows: f64) -> Self {
-        Self {
-            rows,
-            entries: 11.4 * rows,
-            mesh: [rows / 4.0, 0.75 * rows, rows / 2.0],
-            file: 24.0 * rows,
-            factor: 3.6 * rows * rows.log2(),
-            factor_flops: 32.0 * rows.powf(1.5),
-        }
-    }
-
     fn mesh_bytes(&self) -> f64 {
         let [vertices, edges, triangles] = self.mesh;
         16.0 * vertices + 16.0 * edges + 12.0 * triangles

@@ -51,9 +51,9 @@ impl Machine {
     }
 }
 
-/// Seconds of the processor, each thread's share: on a busy machine time on the wall is that of others too.
+/// Seconds of the processor on one thread, on the wall on more, as everything is timed here.
 fn quickest<T>(threads: usize, mut work: impl FnMut() -> T) -> f64 {
-    let seconds = (0..RUNS).map(|_| timed(&mut work).1.cpu / threads as f64);
+    let seconds = (0..RUNS).map(|_| timed(&mut work).1.on(threads));
     seconds.fold(f64::INFINITY, f64::min)
 }
 

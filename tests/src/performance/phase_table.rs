@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::clock::{Spent, median, on_threads};
 use super::films::{Films, Kind, scene};
-use super::floor::{Path, Sizes};
+use super::floor::Path;
 use super::machine::Machine;
 use super::phases;
 
@@ -60,13 +60,8 @@ pub fn column(films: &Films, unknowns: usize, threads: usize, machine: &Machine)
 fn timed_paths(films: &Films, unknowns: usize, threads: usize, machine: &Machine) -> Column {
     let runs = if unknowns < 300_000 { 5 } else { 3 };
     let ring = scene(&films.ring(Kind::Linear, unknowns));
-    let file = ring.mesh.path().and_then(|path| std::fs::metadata(path).ok());
+    let sizes = phases::sizes(&ring);
     let drawn = scene(&films.drawn_ring(unknowns));
-    let mesh = Arc::new(phases::mesh(&ring));
-    let assembler = phases::number(&mesh);
-    let analysis = phases::analyse(&assembler);
-    let sizes = Sizes::of(&assembler, &analysis, file.map_or(0, |file| file.len()));
-    drop(assembler);
     let mut column = Column {
         unknowns: sizes.rows as usize,
         paths: Vec::new(),
@@ -75,6 +70,7 @@ fn timed_paths(films: &Films, unknowns: usize, threads: usize, machine: &Machine
         let floor = sizes.floor(path, machine, threads);
         column.paths.push(Timed { name, spent, floor });
     };
+    let mesh = Arc::new(phases::mesh(&ring));
     add("read", Path::Read, median(runs, || phases::mesh(&ring)));
     add(
         "draw the mesh",
@@ -90,6 +86,7 @@ fn timed_paths(films: &Films, unknowns: usize, threads: usize, machine: &Machine
         Path::Analyse,
         median(runs, || phases::analyse(assembler)),
     );
+    let analysis = phases::analyse(assembler);
     let mut linear = phases::Linear::of(&study);
     add(
         "assemble",
@@ -156,7 +153,7 @@ pub fn rows(columns: &[Column], threads: usize) -> Vec<Vec<String>> {
         row.extend(columns.iter().map(|column| {
             let timed = column.paths.iter().find(|timed| timed.name == name);
             timed.map_or(String::new(), |timed| {
-                let seconds = seconds(timed.spent, threads);
+                let seconds = timed.spent.on(threads);
                 format!(
                     "{} / {} = {:.1}",
                     milliseconds(seconds),
@@ -168,11 +165,6 @@ pub fn rows(columns: &[Column], threads: usize) -> Vec<Vec<String>> {
         rows.push(row);
     }
     rows
-}
-
-/// The time that counts on so many threads [s].
-pub fn seconds(spent: Spent, threads: usize) -> f64 {
-    if threads == 1 { spent.cpu } else { spent.wall }
 }
 
 /// Three digits of a time, in ms.
@@ -187,7 +179,7 @@ pub fn exponent(columns: &[Column], threads: usize) -> Option<f64> {
     let points: Vec<[f64; 2]> = (columns.iter().filter(|column| column.unknowns > 7000))
         .filter_map(|column| {
             let timed = column.paths.iter().find(|timed| timed.name == FILE_TO_LOAD)?;
-            Some([(column.unknowns as f64).ln(), seconds(timed.spent, threads).ln()])
+            Some([(column.unknowns as f64).ln(), timed.spent.on(threads).ln()])
         })
         .collect();
     let count = points.len() as f64;

@@ -13,6 +13,8 @@ use oilwedge_scene::measure::{Measured, measure};
 use oilwedge_scene::scene::Scene;
 use oilwedge_scene::{Run, RunOptions, run};
 
+use super::floor::Sizes;
+
 /// Degree of the elements.
 const DEGREE: usize = 2;
 
@@ -135,4 +137,11 @@ pub fn whole_run(scene: &Scene, bars: bool) -> Run {
         ..RunOptions::default()
     };
     run(scene, &options).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// The sizes on which the floors of a scene depend.
+pub fn sizes(scene: &Scene) -> Sizes {
+    let file = scene.mesh.path().and_then(|path| std::fs::metadata(path).ok());
+    let assembler = number(&Arc::new(mesh(scene)));
+    Sizes::of(&assembler, &analyse(&assembler), file.map_or(0, |file| file.len()))
 }

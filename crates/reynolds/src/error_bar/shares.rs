@@ -7,9 +7,11 @@
 
 use oilwedge_fem::mapping::Mapping;
 use oilwedge_fem::prolongation::Hierarchical;
+use oilwedge_fem::quadrature::MOST_POINTS;
 use oilwedge_fem::{Error, Field, Matrix, Quadrature, lagrange};
 
 use super::{FilmError, FlowGoal, GoalError, geometry};
+use crate::angles::sines_and_cosines;
 use crate::quantities::load::{KINK_QUARTERINGS, possible_load};
 use crate::supply::{Place, SupplyRegion};
 use crate::{FilmProblem, FilmSolution, FilmSystem, Form};
@@ -128,43 +130,59 @@ fn goal_vectors(problem: &FilmProblem, cubic: &FilmSystem, better: &[f64], raise
     let space = cubic.space();
     let rule = Quadrature::for_degree(space.degree());
     let fine = rule.quartered(KINK_QUARTERINGS);
-    let [plain_shapes, fine_shapes] = [&rule, &fine].map(|rule| shapes(space.degree(), rule));
+    let [plain_shapes, fine_shapes] = [&rule, &fine].map(|rule| lagrange::tabulated(space.degree(), &rule.points));
     let kink = problem.cavitation.kink().map(|p| problem.unknown_at(p));
     let mut goals = [0, 1, 2].map(|_| vec![0.0; space.dofs()]);
     for t in 0..space.mesh().triangles().len() {
         let mapping = Mapping::of(space.mesh(), t);
-        let dofs = space.element_dofs(t);
+        let dofs = &space.element_dofs(t)[..space.shapes()];
         let [p3, p2] = [better, raised].map(|values| Field { space, values }.element_values(t));
-        let values = [&p3, &p2].map(|nodal| &nodal[..space.shapes()]).concat();
-        let kinked = kink.is_some_and(|kink| values.iter().any(|&u| u < kink) && values.iter().any(|&u| u > kink));
-        let (rule, shapes) = match kinked {
-            true => (&fine, &fine_shapes),
-            false => (&rule, &plain_shapes),
+        let mut values = p3[..dofs.len()].iter().chain(&p2[..dofs.len()]);
+        let kinked = kink.is_some_and(|kink| values.clone().any(|&u| u < kink) && values.any(|&u| u > kink));
+        let tabulated = match kinked {
+            true => (&fine, &fine_shapes[..]),
+            false => (&rule, &plain_shapes[..]),
         };
-        for (shapes, (&point, weight)) in shapes.iter().zip(rule.points.iter().zip(&rule.weights)) {
-            let place = mapping.at(point);
-            let at =
-                |nodal: &[f64; lagrange::MOST_SHAPES]| -> f64 { nodal.iter().zip(shapes).map(|(u, s)| u * s).sum() };
-            let area = weight * place.determinant * secant(problem, at(&p3), at(&p2));
-            let (sin, cos) = (place.position[0] / problem.bearing.radius).sin_cos();
-            for (&dof, shape) in dofs.iter().zip(shapes) {
-                goals[0][dof] += area * cos * shape;
-                goals[1][dof] += area * sin * shape;
-                goals[2][dof] += area * shape;
+        let element = element_goals(problem, &mapping, tabulated, [&p3, &p2]);
+        for (goal, element) in goals.iter_mut().zip(&element) {
+            for (&dof, entry) in dofs.iter().zip(element) {
+                goal[dof] += entry;
             }
         }
     }
     goals
 }
 
-/// Values of the functions at the points of a rule.
-fn shapes(degree: usize, rule: &Quadrature) -> Vec<[f64; lagrange::MOST_SHAPES]> {
-    let at = |&point: &[f64; 2]| {
-        let mut values = [0.0; lagrange::MOST_SHAPES];
-        lagrange::values(degree, point, &mut values);
-        values
-    };
-    rule.points.iter().map(at).collect()
+/// Values at the nodes of one element.
+type Nodal = [f64; lagrange::MOST_SHAPES];
+
+/// The part of one triangle in [`goal_vectors`]; `shapes` are tabulated at the points of the rule.
+fn element_goals(
+    problem: &FilmProblem,
+    mapping: &Mapping,
+    (rule, shapes): (&Quadrature, &[Nodal]),
+    [p3, p2]: [&Nodal; 2],
+) -> [Nodal; 3] {
+    let mut element = [[0.0; lagrange::MOST_SHAPES]; 3];
+    for (first, points) in (0..).step_by(MOST_POINTS).zip(rule.points.chunks(MOST_POINTS)) {
+        let mut positions = [[0.0; 2]; MOST_POINTS];
+        for (position, &point) in positions.iter_mut().zip(points) {
+            *position = mapping.at(point).position;
+        }
+        let [sines, cosines] = sines_and_cosines(&positions[..points.len()], problem.bearing.radius);
+        for (k, &point) in points.iter().enumerate() {
+            let shapes = &shapes[first + k];
+            let at = |nodal: &Nodal| -> f64 { nodal.iter().zip(shapes).map(|(u, s)| u * s).sum() };
+            let secant = secant(problem, at(p3), at(p2));
+            let area = rule.weights[first + k] * mapping.determinant(point) * secant;
+            for (goal, weight) in element.iter_mut().zip([area * cosines[k], area * sines[k], area]) {
+                for (entry, shape) in goal.iter_mut().zip(shapes) {
+                    *entry += weight * shape;
+                }
+            }
+        }
+    }
+    element
 }
 
 /// Slope of the pressure that the film exerts, between two values of the unknown.

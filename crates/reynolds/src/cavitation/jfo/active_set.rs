@@ -8,11 +8,11 @@ use oilwedge_fem::complementarity::Start;
 use oilwedge_fem::newton::{Failure, HistoryStep, Seconds};
 use oilwedge_fem::{Constraints, Error, Linearisation, Matrix, UnsymmetricFactorization};
 
-use super::balance::Balance;
+use super::balance::{Balance, add};
 use super::blocks::{Block, Transport};
 use super::relaxation::State;
 use super::rows::Condition;
-use super::{Film, FilmFraction, ROUNDING};
+use super::{Choice, Film, ROUNDING};
 
 /// Most steps of one search.
 const MOST_STEPS: usize = 300;
@@ -42,8 +42,9 @@ pub(super) struct Search<'a> {
     /// Sub-triangles whose form has changed in the second pass.
     changed: Vec<bool>,
     first: Option<f64>,
-    /// The factor of the step before, to be renewed.
-    factor: Option<UnsymmetricFactorization>,
+    balance: Balance,
+    /// Tangent and factor of the step before, to be renewed.
+    renewed: Option<(Matrix, UnsymmetricFactorization)>,
     history: Vec<HistoryStep>,
     pub(super) seconds: Seconds,
     fallbacks: Vec<String>,
@@ -83,7 +84,7 @@ enum Pass {
 
 /// How an iteration over sets ended.
 enum End {
-    Settled(Box<(Linearisation, Vec<f64>)>),
+    Settled(Box<Linearisation>),
     Repeated,
 }
 
@@ -101,7 +102,8 @@ impl<'a> Search<'a> {
             turns: Vec::new(),
             changed: vec![false; film.blocks.len()],
             first: None,
-            factor: None,
+            balance: Balance::of_pressure(film),
+            renewed: None,
             history: Vec::new(),
             seconds: Seconds::default(),
             fallbacks: Vec::new(),
@@ -109,18 +111,24 @@ impl<'a> Search<'a> {
     }
 
     /// Both passes, and pseudo-time where a set of nodes comes back.
-    pub(super) fn run(mut self, kept: Option<&FilmFraction>) -> Result<Found, Failure> {
-        self.forms = match kept {
-            Some(kept) => kept.forms.clone(),
-            None => {
-                if let End::Repeated = self.iterate(Pass::First, None)? {
-                    self.iterate(Pass::Kept, None)?;
-                }
-                self.second_forms()
+    pub(super) fn run(mut self, choice: Choice) -> Result<Found, Failure> {
+        let mut pass = Pass::Kept;
+        if let Choice::Kept(kept) = choice {
+            self.forms = kept.forms.clone();
+        } else {
+            let mut end = self.iterate(Pass::First, None)?;
+            if let End::Repeated = end {
+                end = self.iterate(Pass::Kept, None)?;
             }
-        };
+            match (choice, end) {
+                (Choice::Roughly, settled @ End::Settled(_)) => return self.found(settled),
+                (_, End::Settled(solved)) => self.renewed = solved.into_unsymmetric(),
+                (_, End::Repeated) => {}
+            }
+            self.forms = self.second_forms();
+            pass = Pass::Second;
+        }
         self.turns = vec![0; self.state.p.len()];
-        let pass = if kept.is_some() { Pass::Kept } else { Pass::Second };
         let mut end = match self.iterate(pass, None) {
             // Oil that goes round in the cavity for ever, without a supply, is diluted by the N scheme only.
             Err(Failure::Linear(_)) => End::Repeated,
@@ -153,19 +161,36 @@ impl<'a> Search<'a> {
         self.found(end)
     }
 
-    fn found(self, end: End) -> Result<Found, Failure> {
-        match end {
-            End::Settled(solved) => Ok(Found {
-                state: self.state,
-                forms: self.forms,
-                linearisation: solved.0,
-                residual: solved.1,
-                history: self.history,
-                seconds: self.seconds,
-                fallbacks: self.fallbacks,
-            }),
-            End::Repeated => Err(Failure::Cycling { history: self.history }),
+    fn found(mut self, end: End) -> Result<Found, Failure> {
+        let End::Settled(solved) = end else {
+            return Err(Failure::Cycling { history: self.history });
+        };
+        // What rounding has left in the balances is solved for once more: their sum is the balance of the oil.
+        let linearisation = *solved;
+        let left = self.balance.residual(&self.state.p, &self.state.theta);
+        self.advance(&linearisation, &left)?;
+        Ok(Found {
+            residual: self.balance.residual(&self.state.p, &self.state.theta),
+            state: self.state,
+            forms: self.forms,
+            linearisation,
+            history: self.history,
+            seconds: self.seconds,
+            fallbacks: self.fallbacks,
+        })
+    }
+
+    /// The step that takes away the residual `before`, made.
+    fn advance(&mut self, linearisation: &Linearisation, before: &[f64]) -> Result<Vec<f64>, Failure> {
+        let minus: Vec<f64> = before.iter().map(|r| -r).collect();
+        let step = linearisation.solve(&minus)?;
+        for (dof, step) in step.iter().enumerate() {
+            match self.state.cavity[dof] {
+                true => self.state.theta[dof] += step,
+                false => self.state.p[dof] += step,
+            }
         }
+        Ok(step)
     }
 
     fn fall_back(&mut self, how: &str) {
@@ -258,7 +283,7 @@ impl<'a> Search<'a> {
                 Pass::Second if self.choose_second_forms() => seen.clear(),
                 Pass::Second | Pass::Kept => {}
             }
-            let (linearisation, residual, balance) = self.solve(time)?;
+            let (linearisation, residual) = self.solve(time)?;
             let wrong = self.wrong_signs(&residual);
             self.record(&wrong);
             let at_first = *at_first.get_or_insert(wrong.len());
@@ -269,10 +294,10 @@ impl<'a> Search<'a> {
             }
             if wrong.is_empty() {
                 if calmed {
-                    self.factor = linearisation.into_unsymmetric();
+                    self.renewed = linearisation.into_unsymmetric();
                     continue;
                 }
-                return Ok(End::Settled(Box::new((linearisation, residual))));
+                return Ok(End::Settled(Box::new(linearisation)));
             }
             let mut hasher = DefaultHasher::new();
             self.state.cavity.hash(&mut hasher);
@@ -283,10 +308,10 @@ impl<'a> Search<'a> {
             if self.calm(&restless, &[Transport::LowDiffusion]) {
                 seen.clear();
             }
-            self.factor = linearisation.into_unsymmetric();
+            self.renewed = linearisation.into_unsymmetric();
             let turned: Vec<usize> = wrong.into_iter().map(|(dof, _)| dof).collect();
             self.state.turn(self.film, &turned);
-            self.state.relax(self.film, &balance, &turned);
+            self.state.relax(self.film, &self.balance, &turned);
         }
         Err(Failure::TooManySteps {
             history: std::mem::take(&mut self.history),
@@ -306,7 +331,7 @@ impl<'a> Search<'a> {
     }
 
     /// The balance of all nodes for the present cavity: it is linear.
-    fn solve(&mut self, time: Option<&TimeStep>) -> Result<(Linearisation, Vec<f64>, Balance), Failure> {
+    fn solve(&mut self, time: Option<&TimeStep>) -> Result<(Linearisation, Vec<f64>), Failure> {
         let clock = Instant::now();
         let (film, rows) = (self.film, &self.film.rows);
         let mut constraints = Constraints::none(self.state.p.len());
@@ -319,61 +344,46 @@ impl<'a> Search<'a> {
                 constraints.fixed[dof] = rows.condition[dof] != Condition::Interior;
             }
         }
-        let balance = self.balance(time);
-        let before = balance.residual(&self.state.p, &self.state.theta);
-        let matrix = balance.tangent(&self.state.cavity);
+        self.carry(time);
+        let before = self.balance.residual(&self.state.p, &self.state.theta);
+        let (spare, renewed) = self.renewed.take().unzip();
+        let matrix = self.balance.tangent(&self.state.cavity, spare);
         let assembled = Instant::now();
-        let factor = film
-            .volumes
-            .analysis
-            .factorise(&matrix, &constraints.fixed, self.factor.take())?;
+        let factor = film.volumes.analysis.factorise(&matrix, &constraints.fixed, renewed)?;
         let factorised = Instant::now();
         let linearisation = Linearisation::unsymmetric(matrix, factor, constraints);
-        let minus: Vec<f64> = before.iter().map(|r| -r).collect();
-        let step = linearisation.solve(&minus)?;
-        for (dof, step) in step.iter().enumerate() {
-            match self.state.cavity[dof] {
-                true => self.state.theta[dof] += step,
-                false => self.state.p[dof] += step,
-            }
-        }
+        let step = self.advance(&linearisation, &before)?;
         let change = linearisation.matrix().multiply(&step);
         let residual = before.iter().zip(change).map(|(r, c)| r + c).collect();
         self.seconds.assemble += (assembled - clock).as_secs_f64();
         self.seconds.factorise += (factorised - assembled).as_secs_f64();
         self.seconds.solve += factorised.elapsed().as_secs_f64();
-        Ok((linearisation, residual, balance))
+        Ok((linearisation, residual))
     }
 
-    /// The balance of every node, with what the boundary brings and takes.
-    fn balance(&self, time: Option<&TimeStep>) -> Balance {
+    /// What is carried by the present forms, with what the boundary brings and takes.
+    fn carry(&mut self, time: Option<&TimeStep>) {
         let (volumes, rows) = (self.film.volumes, &self.film.rows);
-        let mut balance = Balance {
-            pressure: Matrix::zero(volumes.pattern.clone()),
-            transport: Matrix::zero(volumes.pattern.clone()),
-            constant: rows.inflow.iter().map(|inflow| -inflow).collect(),
-        };
+        let Balance {
+            transport, constant, ..
+        } = &mut self.balance;
+        transport.values.fill(0.0);
         for (block, (form, addresses)) in self.film.blocks.iter().zip(self.forms.iter().zip(&volumes.addresses)) {
-            let (k, b) = (block.pressure(), block.transport(*form, block));
-            for i in 0..3 {
-                for j in 0..3 {
-                    let address = addresses[i][j] as usize;
-                    balance.pressure.values[address] += k[i][j];
-                    balance.transport.values[address] += b[i][j];
-                }
-            }
+            add(transport, addresses, &block.transport(*form, block));
         }
         for (dof, &outflow) in rows.outflow.iter().enumerate().filter(|(_, outflow)| **outflow > 0.0) {
-            balance.transport.add_to_diagonal(dof, outflow);
+            transport.add_to_diagonal(dof, outflow);
+        }
+        for (constant, inflow) in constant.iter_mut().zip(&rows.inflow) {
+            *constant = -inflow;
         }
         if let Some(time) = time {
             for dof in (0..self.state.p.len()).filter(|&dof| self.film.may_cavitate(dof)) {
                 let capacity = time.rate * time.volume[dof];
-                balance.constant[dof] -= capacity * time.before[dof];
-                balance.transport.add_to_diagonal(dof, capacity);
+                constant[dof] -= capacity * time.before[dof];
+                transport.add_to_diagonal(dof, capacity);
             }
         }
-        balance
     }
 
     /// Nodes on the wrong side, and by how much in natural units: full ones with tension, or at an edge through which

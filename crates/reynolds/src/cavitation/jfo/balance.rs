@@ -1,6 +1,10 @@
 //! The balances of all nodes, linear in pressure and film fraction.
 
 use oilwedge_fem::Matrix;
+use rayon::prelude::*;
+
+use super::Film;
+use super::blocks::Square;
 
 /// `K p + B theta + constant`: outflow of every cell.
 pub(super) struct Balance {
@@ -13,28 +17,49 @@ pub(super) struct Balance {
 }
 
 impl Balance {
-    /// The balance of every node.
-    pub(super) fn residual(&self, p: &[f64], theta: &[f64]) -> Vec<f64> {
-        let (driven, carried) = (self.pressure.multiply(p), self.transport.multiply(theta));
-        let parts = driven.iter().zip(&carried).zip(&self.constant);
-        parts
-            .map(|((driven, carried), constant)| driven + carried + constant)
-            .collect()
+    /// What pressure drives, which the forms by which oil is carried do not change; the rest is zero.
+    pub(super) fn of_pressure(film: &Film<'_>) -> Self {
+        let mut pressure = Matrix::zero(film.volumes.pattern.clone());
+        for (block, addresses) in film.blocks.iter().zip(&film.volumes.addresses) {
+            add(&mut pressure, addresses, &block.pressure());
+        }
+        Self {
+            transport: Matrix::zero(pressure.pattern.clone()),
+            constant: vec![0.0; pressure.pattern.dimension()],
+            pressure,
+        }
     }
 
-    /// Its change with the unknown of each node: the film fraction in the cavity, the pressure elsewhere.
-    pub(super) fn tangent(&self, cavity: &[bool]) -> Matrix {
-        let mut matrix = self.pressure.clone();
-        let entries = matrix
-            .values
-            .iter_mut()
-            .zip(&self.transport.values)
-            .zip(&matrix.pattern.columns);
-        for ((value, transport), &column) in entries {
-            if cavity[column as usize] {
-                *value = *transport;
-            }
+    /// The balance of every node. What pressure drives between two nodes is their coupling times the difference of their
+    /// pressures, the same for both to the last bit: no oil is lost by rounding where pressures are high.
+    pub(super) fn residual(&self, p: &[f64], theta: &[f64]) -> Vec<f64> {
+        let carried = self.transport.multiply(theta);
+        let pattern = &self.pressure.pattern;
+        let balance = |(i, carried): (usize, &f64)| {
+            let driven = |k: usize| self.pressure.values[k] * (p[pattern.columns[k] as usize] - p[i]);
+            pattern.row(i).map(driven).sum::<f64>() + carried + self.constant[i]
+        };
+        carried.par_iter().enumerate().map(balance).collect()
+    }
+
+    /// Its change with the unknown of each node: the film fraction in the cavity, the pressure elsewhere. Into `spare`
+    /// memory, if there is any.
+    pub(super) fn tangent(&self, cavity: &[bool], spare: Option<Matrix>) -> Matrix {
+        let mut matrix = spare.unwrap_or_else(|| Matrix::zero(self.pressure.pattern.clone()));
+        let entries = self.pressure.values.iter().zip(&self.transport.values);
+        let columns = &self.pressure.pattern.columns;
+        for (value, ((pressure, transport), &column)) in matrix.values.iter_mut().zip(entries.zip(columns)) {
+            *value = if cavity[column as usize] { *transport } else { *pressure };
         }
         matrix
+    }
+}
+
+/// Adds what a sub-triangle contributes.
+pub(super) fn add(matrix: &mut Matrix, addresses: &[[u32; 3]; 3], square: &Square) {
+    for (addresses, row) in addresses.iter().zip(square) {
+        for (&address, value) in addresses.iter().zip(row) {
+            matrix.values[address as usize] += value;
+        }
     }
 }

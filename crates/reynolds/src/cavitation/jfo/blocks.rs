@@ -21,8 +21,8 @@ use oilwedge_fem::control_volumes::sub_triangles;
 use oilwedge_fem::{ControlVolumes, Space};
 use rayon::prelude::*;
 
-use crate::FilmFlow;
-use crate::film_law::FilmLaw;
+use crate::film_law::{AtPoints, FilmLaw};
+use crate::{FilmFlow, FilmPoint};
 
 /// Sides of a sub-triangle, from corner to corner.
 pub(super) const SIDES: [(usize, usize); 3] = [(0, 1), (1, 2), (2, 0)];
@@ -60,20 +60,111 @@ pub(super) struct Block {
 /// `K`, row by row.
 pub(super) type Square = [[f64; 3]; 3];
 
-/// The coefficients of all sub-triangles under `law`, or how those change under the change `changed` of the law.
-pub(super) fn blocks(law: &FilmLaw, changed: Option<&FilmLaw>, space: &Space, volumes: &ControlVolumes) -> Vec<Block> {
+/// The coefficients of all sub-triangles under `law`.
+pub(super) fn blocks(law: &FilmLaw, space: &Space, volumes: &ControlVolumes) -> Vec<Block> {
     let mut blocks = vec![Block::default(); volumes.triangles.len()];
     let tasks = blocks.par_chunks_mut(volumes.per_triangle * CELLS_A_TASK).enumerate();
     tasks.for_each(|(task, chunk)| {
         for (k, blocks) in chunk.chunks_mut(volumes.per_triangle).enumerate() {
             let cell = task * CELLS_A_TASK + k;
-            let nodes = space.mesh().nodes(cell);
-            for (block, corners) in blocks.iter_mut().zip(sub_triangles(space, cell)) {
-                *block = Block::new(law, changed, cell, corners.map(|node| nodes[node]));
+            let points = Points::new(space, cell);
+            let at = law.film_and_flows(cell, points.positions());
+            for (t, block) in blocks.iter_mut().enumerate() {
+                *block = points.block(t, &at, None);
             }
         }
     });
     blocks
+}
+
+/// The same, and how they change under the change `changed` of the law.
+pub(super) fn blocks_and_changes(
+    law: &FilmLaw,
+    changed: &FilmLaw,
+    space: &Space,
+    volumes: &ControlVolumes,
+) -> Vec<[Block; 2]> {
+    let mut blocks = vec![[Block::default(); 2]; volumes.triangles.len()];
+    let tasks = blocks.par_chunks_mut(volumes.per_triangle * CELLS_A_TASK).enumerate();
+    tasks.for_each(|(task, chunk)| {
+        for (k, blocks) in chunk.chunks_mut(volumes.per_triangle).enumerate() {
+            let cell = task * CELLS_A_TASK + k;
+            let points = Points::new(space, cell);
+            let at = law.film_and_flows(cell, points.positions());
+            let change = changed.film_and_flows(cell, points.positions());
+            for (t, block) in blocks.iter_mut().enumerate() {
+                *block = [points.block(t, &at, None), points.block(t, &at, Some(&change))];
+            }
+        }
+    });
+    blocks
+}
+
+/// Film and flows, or their changes, at the points of a triangle.
+type FilmAndFlows = (AtPoints<FilmPoint>, AtPoints<FilmFlow>);
+
+/// Where the film of a triangle is evaluated: at its nodes, and in the middle of every side of its sub-triangles.
+struct Points {
+    positions: AtPoints<[f64; 2]>,
+    number: usize,
+    sub_triangles: &'static [[usize; 3]],
+    /// The points in the middles of the sides of each sub-triangle.
+    middles: [[usize; 3]; 4],
+}
+
+impl Points {
+    fn new(space: &Space, cell: usize) -> Self {
+        let nodes = space.mesh().nodes(cell);
+        let mut points = Self {
+            positions: AtPoints::default(),
+            number: space.shapes(),
+            sub_triangles: sub_triangles(space, cell),
+            middles: [[0; 3]; 4],
+        };
+        points.positions[..points.number].copy_from_slice(&nodes[..points.number]);
+        // A side inside the triangle belongs to two of them.
+        let mut ends = AtPoints::<[usize; 2]>::default();
+        for (t, corners) in points.sub_triangles.iter().enumerate() {
+            for (k, (i, j)) in SIDES.into_iter().enumerate() {
+                let (a, b) = (corners[i].min(corners[j]), corners[i].max(corners[j]));
+                let known = (space.shapes()..points.number).find(|&point| ends[point] == [a, b]);
+                points.middles[t][k] = known.unwrap_or_else(|| {
+                    ends[points.number] = [a, b];
+                    points.positions[points.number] = [0, 1].map(|d| 0.5 * (nodes[a][d] + nodes[b][d]));
+                    points.number += 1;
+                    points.number - 1
+                });
+            }
+        }
+        points
+    }
+
+    fn positions(&self) -> &[[f64; 2]] {
+        &self.positions[..self.number]
+    }
+
+    /// Coefficients of sub-triangle `t`, or their change with a change of film and flows.
+    fn block(&self, t: usize, at: &FilmAndFlows, change: Option<&FilmAndFlows>) -> Block {
+        let (corners, middles) = (self.sub_triangles[t], self.middles[t]);
+        let flow = match change {
+            None => Flow::mean(&middles.map(|point| at.1[point])),
+            Some(change) => Flow::change(&middles.map(|point| at.1[point]), &middles.map(|point| change.1[point])),
+        };
+        let (film, flows) = change.unwrap_or(at);
+        let velocity = at.0[corners[0]].velocity;
+        let (x, middles) = (
+            corners.map(|point| self.positions[point]),
+            middles.map(|point| self.positions[point]),
+        );
+        Block::new(
+            velocity,
+            x,
+            middles,
+            corners.map(|point| film[point]),
+            corners.map(|point| flows[point]),
+            flow,
+        )
+    }
 }
 
 /// What flows in a sub-triangle: conductance and flux that are exact for a flow that does not vary along it, however its
@@ -113,18 +204,15 @@ impl Flow {
 }
 
 impl Block {
-    fn new(law: &FilmLaw, changed: Option<&FilmLaw>, cell: usize, x: [[f64; 2]; 3]) -> Self {
-        // The corners, then the middles of the sides.
-        let between = |(a, b): (usize, usize)| [0.5 * (x[a][0] + x[b][0]), 0.5 * (x[a][1] + x[b][1])];
-        let middles = SIDES.map(between);
-        let points = [x[0], x[1], x[2], middles[0], middles[1], middles[2]];
-        let (mut film, mut flows) = law.film_and_flows(cell, &points);
-        let mut flow = Flow::mean(&flows[3..6]);
-        if let Some(changed) = changed {
-            let base = flows;
-            (film, flows) = changed.film_and_flows(cell, &points);
-            flow = Flow::change(&base[3..6], &flows[3..6]);
-        }
+    /// From what is at the corners `x`, and what flows on the whole.
+    fn new(
+        velocity: [f64; 2],
+        x: [[f64; 2]; 3],
+        middles: [[f64; 2]; 3],
+        film: [FilmPoint; 3],
+        flows: [FilmFlow; 3],
+        flow: Flow,
+    ) -> Self {
         let doubled = (x[1][0] - x[0][0]) * (x[2][1] - x[0][1]) - (x[1][1] - x[0][1]) * (x[2][0] - x[0][0]);
         let area = 0.5 * doubled;
         // Gradients of the linear functions: the opposite side turned by 90 degrees.
@@ -132,7 +220,6 @@ impl Block {
             let (b, c) = (x[(i + 1) % 3], x[(i + 2) % 3]);
             [(b[1] - c[1]) / doubled, (c[0] - b[0]) / doubled]
         });
-        let velocity = law.velocity();
         let mut block = Self {
             weight: gradient.map(|g| 0.5 * area * (velocity[0] * g[0] + velocity[1] * g[1])),
             thickness: [0, 1, 2].map(|k| film[k].thickness),

@@ -38,9 +38,10 @@ use oilwedge_fem::ControlVolumes;
 use oilwedge_fem::complementarity::Start;
 
 use self::active_set::Search;
+use self::balance::Balance;
 pub use self::blocks::Transport;
-use self::blocks::{Block, blocks};
-use self::relaxation::{State, downstream};
+use self::blocks::{Block, blocks, blocks_and_changes};
+use self::relaxation::{Downstream, State};
 use self::rows::{Condition, Rows};
 use crate::existence::NoFilm;
 use crate::film_law::FilmLaw;
@@ -63,8 +64,7 @@ struct Film<'a> {
     volumes: &'a ControlVolumes,
     blocks: Vec<Block>,
     rows: Rows,
-    /// The place of each node on the way of the journal.
-    downstream: Vec<u32>,
+    downstream: Downstream,
     /// Reduced pressure of the cavity [Pa].
     floor: f64,
     /// Natural size of q [Pa].
@@ -73,19 +73,30 @@ struct Film<'a> {
     time: f64,
 }
 
-/// Solves the film from the cavity of `start`; oil is carried as `kept` says, or as the two passes find best.
+/// How it is chosen by which forms oil is carried.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Choice<'a> {
+    /// In two passes.
+    Anew,
+    /// In the first alone: the film is only to start from.
+    Roughly,
+    /// As in this film.
+    Kept(&'a FilmFraction),
+}
+
+/// Solves the film from the cavity of `start`.
 pub(crate) fn solve(
     problem: &FilmProblem,
     system: &FilmSystem,
     motion: f64,
     start: Start,
-    kept: Option<&FilmFraction>,
+    choice: Choice,
 ) -> Result<FilmSolution, NoFilm> {
     let clock = std::time::Instant::now();
     let film = Film::new(problem, system, motion)?;
     let mut search = Search::new(&film, start);
     search.seconds.assemble += clock.elapsed().as_secs_f64();
-    let found = search.run(kept)?;
+    let found = search.run(choice)?;
     let State { p, theta, cavity } = found.state;
     let least = (0..theta.len()).min_by(|&a, &b| theta[a].total_cmp(&theta[b]));
     if let Some(least) = least.filter(|&dof| theta[dof] < -ROUNDING) {
@@ -130,13 +141,11 @@ pub(crate) fn residual_change(
     let volumes = system.volumes()?;
     let space = system.space();
     let (law, changed) = (FilmLaw::new(problem, 1.0), FilmLaw::changed(problem, *change));
-    let (upwind, moved) = (
-        blocks(&law, None, space, volumes),
-        blocks(&law, Some(&changed), space, volumes),
-    );
+    let blocks = blocks_and_changes(&law, &changed, space, volumes);
     let mut residual = vec![0.0; film.unknown.len()];
     for (t, nodes) in volumes.triangles.iter().enumerate() {
-        let (k, b) = (moved[t].pressure(), moved[t].transport(fraction.forms[t], &upwind[t]));
+        let [upwind, moved] = &blocks[t];
+        let (k, b) = (moved.pressure(), moved.transport(fraction.forms[t], upwind));
         for i in 0..3 {
             for j in 0..3 {
                 let node = nodes[j] as usize;
@@ -166,9 +175,9 @@ impl<'a> Film<'a> {
         let (radius, velocity) = (problem.bearing.radius, law.velocity());
         Ok(Film {
             volumes,
-            blocks: blocks(&law, None, system.space(), volumes),
+            blocks: blocks(&law, system.space(), volumes),
             rows,
-            downstream: downstream(system.space(), velocity, radius * problem.journal.min_film_angle()),
+            downstream: Downstream::new(system.space(), velocity, radius * problem.journal.min_film_angle()),
             floor,
             scale: problem.pressure_scale(&system.supply.constraints(|p| problem.unknown_at(p))),
             time: radius / velocity[0].hypot(velocity[1]),
@@ -177,16 +186,10 @@ impl<'a> Film<'a> {
 
     /// Couplings of neighbours that are positive: the scheme is monotone without them.
     fn wrong_couplings(&self) -> usize {
-        let pattern = &self.volumes.pattern;
-        let mut couplings = vec![0.0; pattern.columns.len()];
-        for (t, addresses) in self.volumes.addresses.iter().enumerate() {
-            let square = self.blocks[t].pressure();
-            for i in 0..3 {
-                for j in 0..3 {
-                    couplings[addresses[i][j] as usize] += square[i][j];
-                }
-            }
-        }
+        let oilwedge_fem::Matrix {
+            pattern,
+            values: couplings,
+        } = Balance::of_pressure(self).pressure;
         let wrong = |i: usize| {
             let row = pattern.row(i);
             let largest = couplings[row.clone()].iter().fold(0.0f64, |m, k| m.max(k.abs()));

@@ -85,42 +85,56 @@ impl State {
     }
 }
 
-/// The place of each node in the order in which the journal, moving at `velocity` [m/s], passes them; a ring is cut at
-/// the narrowest film, `cut` [m].
-pub(super) fn downstream(space: &Space, velocity: [f64; 2], cut: f64) -> Vec<u32> {
-    /// Places are told apart by so much of the extent of the film.
-    const APART: f64 = 1e-9;
-    let mesh = space.mesh();
-    let speed = velocity[0].hypot(velocity[1]).max(f64::MIN_POSITIVE);
-    let direction = velocity.map(|v| v / speed);
-    let along = |x: f64| match mesh.period() {
-        // On the way from the cut; its end is its start.
-        Some(period) => {
-            let way = ((x - cut) * direction[0].signum()).rem_euclid(period);
-            direction[0].abs() * if way > period * (1.0 - APART) { 0.0 } else { way }
+/// The order in which the journal passes the nodes.
+#[derive(Debug)]
+pub(super) struct Downstream {
+    order: Vec<u32>,
+    /// The place of each node in it.
+    places: Vec<u32>,
+}
+
+impl Downstream {
+    /// A journal that moves at `velocity` [m/s]; a ring is cut at the narrowest film, `cut` [m].
+    pub(super) fn new(space: &Space, velocity: [f64; 2], cut: f64) -> Self {
+        /// Places are told apart by so much of the extent of the film.
+        const APART: f64 = 1e-9;
+        let mesh = space.mesh();
+        let speed = velocity[0].hypot(velocity[1]).max(f64::MIN_POSITIVE);
+        let direction = velocity.map(|v| v / speed);
+        let along = |x: f64| match mesh.period() {
+            // On the way from the cut; its end is its start.
+            Some(period) => {
+                let way = ((x - cut) * direction[0].signum()).rem_euclid(period);
+                direction[0].abs() * if way > period * (1.0 - APART) { 0.0 } else { way }
+            }
+            None => x * direction[0],
+        };
+        let way: Vec<[f64; 2]> = (space.positions().into_iter())
+            .map(|[x, z]| [along(x) + z * direction[1], z])
+            .collect();
+        let extent = way
+            .iter()
+            .fold(f64::MIN_POSITIVE, |most, [s, z]| most.max(s.abs()).max(z.abs()));
+        // Between -1/APART and 1/APART: 32 bits each, the way first.
+        let steps = |length: f64| ((length / extent + 1.0) / APART).round() as u64;
+        let mut keys: Vec<(u64, u32)> = (way.iter().zip(0..))
+            .map(|([s, z], dof)| (steps(*s) << 32 | steps(*z), dof))
+            .collect();
+        keys.sort_unstable();
+        let order: Vec<u32> = keys.into_iter().map(|(_, dof)| dof).collect();
+        let mut places = vec![0; order.len()];
+        for (place, &dof) in (0..).zip(&order) {
+            places[dof as usize] = place;
         }
-        None => x * direction[0],
-    };
-    let way: Vec<[f64; 2]> = (space.positions().into_iter())
-        .map(|[x, z]| [along(x) + z * direction[1], z])
-        .collect();
-    let extent = way
-        .iter()
-        .fold(f64::MIN_POSITIVE, |most, [s, z]| most.max(s.abs()).max(z.abs()));
-    let steps = |length: f64| (length / (APART * extent)).round() as i64;
-    let mut order: Vec<u32> = (0..way.len() as u32).collect();
-    order.sort_by_cached_key(|&dof| way[dof as usize].map(steps));
-    let mut places = vec![0; order.len()];
-    for (place, &dof) in (0..).zip(&order) {
-        places[dof as usize] = place;
+        Self { order, places }
     }
-    places
 }
 
 /// Nodes to be visited next.
 struct Front<'a> {
     film: &'a Film<'a>,
-    next: Vec<usize>,
+    /// By their places downstream.
+    next: Vec<u32>,
     waits: Vec<bool>,
 }
 
@@ -136,7 +150,7 @@ impl<'a> Front<'a> {
         for k in pattern.row(dof) {
             let neighbour = pattern.columns[k] as usize;
             if !std::mem::replace(&mut self.waits[neighbour], true) {
-                self.next.push(neighbour);
+                self.next.push(self.film.downstream.places[neighbour]);
             }
         }
     }
@@ -144,8 +158,12 @@ impl<'a> Front<'a> {
     /// Takes the nodes that wait, downstream.
     fn advance(&mut self) -> Vec<usize> {
         let mut now = std::mem::take(&mut self.next);
-        now.sort_unstable_by_key(|&dof| self.film.downstream[dof]);
-        now.iter().for_each(|&dof| self.waits[dof] = false);
-        now
+        now.sort_unstable();
+        let nodes = now
+            .iter()
+            .map(|&place| self.film.downstream.order[place as usize] as usize);
+        let nodes: Vec<usize> = nodes.collect();
+        nodes.iter().for_each(|&dof| self.waits[dof] = false);
+        nodes
     }
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use oilwedge_fem::complementarity::Start;
 use oilwedge_mesh::{Mesh, RawMesh};
 
-use super::{Film, Search};
+use super::{Choice, Film, Search};
 use crate::film_thickness::Eccentricity;
 use crate::lubricant::{Lubricant, PressureLaw};
 use crate::supply::{Place, SupplyRegion};
@@ -87,7 +87,7 @@ fn pseudo_time_arrives_at_the_film_of_the_two_passes() {
             u: vec![0.0; system.space().dofs()],
             held: vec![broken; system.space().dofs()],
         };
-        let expected = Search::new(&film, start(false)).run(None).expect("a film");
+        let expected = Search::new(&film, start(false)).run(Choice::Anew).expect("a film");
         assert!(expected.state.cavity.contains(&true) && expected.fallbacks.is_empty());
         for broken in [false, true] {
             let found = Search::new(&film, start(broken));
