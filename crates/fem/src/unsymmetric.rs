@@ -229,11 +229,11 @@ impl UnsymmetricAnalysis {
         // Children of each front.
         let mut first_child = vec![None; self.fronts.len()];
         let mut next_child = vec![None; self.fronts.len()];
-        for s in 0..self.fronts.len() {
+        for (s, stale) in stale.into_iter().enumerate() {
             if let Some(parent) = self.fronts[s].parent {
                 next_child[s] = first_child[parent].replace(s);
             }
-            if stale[s] {
+            if stale {
                 let children = std::iter::successors(first_child[s], |&child| next_child[child]);
                 factor.renew(s, children);
             }

@@ -118,7 +118,7 @@ impl Downstream {
         // Between -1/APART and 1/APART: 32 bits each, the way first.
         let steps = |length: f64| ((length / extent + 1.0) / APART).round() as u64;
         let mut keys: Vec<(u64, u32)> = (way.iter().zip(0..))
-            .map(|([s, z], dof)| (steps(*s) << 32 | steps(*z), dof))
+            .map(|([s, z], dof)| ((steps(*s) << 32) | steps(*z), dof))
             .collect();
         keys.sort_unstable();
         let order: Vec<u32> = keys.into_iter().map(|(_, dof)| dof).collect();
