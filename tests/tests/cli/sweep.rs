@@ -122,7 +122,9 @@ fn cases_come_in_the_order_of_the_grid_with_units_in_the_headings() {
         .position(|heading| *heading == "load [N]")
         .expect("a load");
     for (line, row) in lines[1..].iter().zip(report["rows"].as_array().expect("rows")) {
-        assert_eq!(line[place].parse::<f64>().expect("a number"), value(row, "load"));
+        // The reader of JSON here is good to the last digit but one.
+        let (told, load) = (line[place].parse::<f64>().expect("a number"), value(row, "load"));
+        assert!((told / load - 1.0).abs() < 1e-15, "{told} {load}");
         assert_eq!(row["quantities"]["load"]["error"], Value::Null);
     }
     let told = bench.run(&["sweep", "scene.toml", "--bars", "none"]);
@@ -240,7 +242,8 @@ fn drawn_meshes_follow_the_journal() {
             .replace("eccentricity = 0.6", "eccentricity = 0.9"),
     );
     let alone = object(&bench.run(&["solve", "alone.toml", "--json"]).stdout);
-    assert_eq!(alone["quantities"]["eccentricity"]["value"].as_f64(), Some(0.9));
+    let eccentricity = alone["quantities"]["eccentricity"]["value"].as_f64();
+    assert!((eccentricity.expect("a value") - 0.9).abs() < 1e-12);
     let load = &alone["quantities"]["load"];
     assert!(
         (value(&rows[3], "load") - load["value"].as_f64().expect("a load")).abs()
