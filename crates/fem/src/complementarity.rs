@@ -126,7 +126,10 @@ pub fn solve(
             &u,
             &reactions,
             linearisation.matrix(),
-            solver.accuracy() * largest(&u).max(scale),
+            Meaningless {
+                value: solver.accuracy() * largest(&u).max(scale),
+                reaction: solver.enough(first),
+            },
         );
         if wrong.is_empty() && settled && sure {
             let left = match linear {
@@ -202,8 +205,15 @@ impl Exchange {
     }
 }
 
-/// Dofs below the obstacle, and held dofs that the obstacle would have to pull down; by more than `natural`, which is
-/// a value of `u` that means nothing.
+/// What means nothing: less is rounding, or what an iteration leaves.
+struct Meaningless {
+    /// Of `u`.
+    value: f64,
+    /// Of a residual; zero where a factor leaves rounding only.
+    reaction: f64,
+}
+
+/// Dofs below the obstacle, and held dofs that the obstacle would have to pull down; by more than what means nothing.
 fn wrong_signs(
     constraints: &Constraints,
     obstacle: &Obstacle,
@@ -211,13 +221,21 @@ fn wrong_signs(
     u: &[f64],
     reactions: &[f64],
     matrix: &Matrix,
-    natural: f64,
+    least: Meaningless,
 ) -> Vec<usize> {
     (0..u.len())
         .filter(|&i| obstacle.candidates[i] && !constraints.fixed[i])
         .filter(|&i| match held[i] {
-            true => reactions[i] < -natural * matrix.diagonal(i),
-            false => u[i] < obstacle.value - natural,
+            true => {
+                let by_value = least.value * matrix.diagonal(i);
+                let natural = if least.reaction > 0.0 {
+                    least.reaction.min(by_value)
+                } else {
+                    by_value
+                };
+                reactions[i] < -natural
+            }
+            false => u[i] < obstacle.value - least.value,
         })
         .collect()
 }

@@ -22,6 +22,7 @@ fn check_keys(result: &Value) {
         "format",
         "history",
         "levels",
+        "linear_solver",
         "mesh",
         "mesh_sha256",
         "quantities",
