@@ -1,6 +1,6 @@
 //! The balance of the better force: a load is carried by the film in cubic elements where that is the one reported.
 //!
-//! The tangent of the quadratic film does: the two forces differ by a thousandth or so, and each step gains as much.
+//! The tangent of the quadratic film does to begin with, for the two forces differ by a thousandth or so; each step corrects it.
 
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem};
@@ -65,19 +65,21 @@ fn balance_cubic(
         Neighbour::Start(&found.film),
     )?;
     let mut residual = search.residual(&trial);
+    let mut stiffness = search.stiffness(&trial)?;
     for _ in 0..MOST_STEPS {
         if residual < BALANCED {
             break;
         }
-        let stiffness = search.stiffness(&trial)?;
         let step = newton_step(stiffness, search.excess(&trial));
         let [x, y] = trial.problem.journal.offset;
-        let next = search.trial(
+        let next = search.trial_near(
             &trial.problem,
             [x + step[0], y + step[1]],
             Neighbour::Start(&trial.film),
+            trial.cubic.as_ref(),
         )?;
         steps += 1;
+        stiffness = Search::corrected(stiffness, &trial, &next);
         let next_residual = search.residual(&next);
         if next_residual >= residual {
             break;
@@ -94,7 +96,7 @@ fn balance_cubic(
     Ok(Equilibrium {
         residual,
         unbalanced: residual * search.natural,
-        stiffness: search.stiffness(&trial)?,
+        stiffness,
         problem: trial.problem,
         film: trial.film,
         cubic: trial.cubic,

@@ -104,6 +104,17 @@ impl<'a> Search<'a> {
     }
 
     pub(crate) fn trial(&self, problem: &FilmProblem, offset: [f64; 2], from: Neighbour) -> Result<Trial, NoFilm> {
+        self.trial_near(problem, offset, from, None)
+    }
+
+    /// The same with a film in cubic elements of a neighbouring position, if there is one.
+    pub(crate) fn trial_near(
+        &self,
+        problem: &FilmProblem,
+        offset: [f64; 2],
+        from: Neighbour,
+        cubic: Option<&FilmSolution>,
+    ) -> Result<Trial, NoFilm> {
         let mut problem = problem.clone();
         let angle = match offset {
             [0.0, 0.0] => problem.journal.min_film_angle(),
@@ -115,7 +126,11 @@ impl<'a> Search<'a> {
         }
         .with_squeeze(self.squeeze.radial, self.squeeze.tangential, angle);
         let film = problem.solve_from(self.system, from)?;
-        let cubic = (self.cubic.then(|| problem.enriched(self.system, &film))).transpose()?;
+        let cubic = match (self.cubic, cubic) {
+            (false, _) => None,
+            (true, None) => Some(problem.enriched(self.system, &film)?),
+            (true, Some(neighbour)) => Some(problem.enriched_near(self.system, &film, neighbour)?),
+        };
         let force = match &cubic {
             Some(cubic) => load(&problem, &self.system.enriched().system, cubic).total.force,
             None => load(&problem, self.system, &film).total.force,

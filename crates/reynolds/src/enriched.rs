@@ -17,12 +17,7 @@ impl FilmProblem {
     /// # Errors
     /// [`NoFilm`]: the reason why there is none.
     pub fn enriched(&self, system: &FilmSystem, film: &FilmSolution) -> Result<FilmSolution, NoFilm> {
-        let enriched = system.enriched();
-        let solver = LinearSolver::Nested(Nested {
-            quadratic: film.linearisation.clone(),
-            prolongation: enriched.prolongation.clone(),
-        });
-        let u = enriched.prolongation.prolong(&film.unknown);
+        let u = system.enriched().prolongation.prolong(&film.unknown);
         let held = match self.cavitation.pressure() {
             Some(pressure) => {
                 let level = self.unknown_at(pressure);
@@ -30,7 +25,31 @@ impl FilmProblem {
             }
             None => vec![false; u.len()],
         };
-        let film = self.pressure_film(&enriched.system, &solver, 1.0, Start { u, held })?;
+        self.enriched_from(system, film, Start { u, held })
+    }
+
+    /// The same with the cavity of the cubic film of a neighbouring operating point to start from.
+    ///
+    /// # Errors
+    /// As [`FilmProblem::enriched`].
+    pub fn enriched_near(
+        &self,
+        system: &FilmSystem,
+        film: &FilmSolution,
+        neighbour: &FilmSolution,
+    ) -> Result<FilmSolution, NoFilm> {
+        let u = system.enriched().prolongation.prolong(&film.unknown);
+        let held = neighbour.cavity.clone();
+        self.enriched_from(system, film, Start { u, held })
+    }
+
+    fn enriched_from(&self, system: &FilmSystem, film: &FilmSolution, start: Start) -> Result<FilmSolution, NoFilm> {
+        let enriched = system.enriched();
+        let solver = LinearSolver::Nested(Nested {
+            quadratic: film.linearisation.clone(),
+            prolongation: enriched.prolongation.clone(),
+        });
+        let film = self.pressure_film(&enriched.system, &solver, 1.0, start)?;
         self.check_existence(&enriched.system, &film)?;
         Ok(film)
     }

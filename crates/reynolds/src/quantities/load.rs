@@ -94,15 +94,14 @@ pub fn possible_load(problem: &FilmProblem, excess: f64) -> f64 {
 /// First-order change of the load [N] where the unknown changes by `change` at each dof; regions cut out keep their
 /// pressure.
 pub fn load_change(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, change: &[f64]) -> [f64; 2] {
-    let space = system.space();
-    let by_unknown = Field { space, values: change };
-    let excess = |t: usize, point: [f64; 2], u: f64| problem.pressure_slope_at(u) * by_unknown.value(t, point);
-    integrated(problem, system, film, &excess).force
+    let excess = |u: f64, change: f64| problem.pressure_slope_at(u) * change;
+    integrated(problem, system, [&film.unknown, change], &excess).force
 }
 
 fn film_share(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Share {
     let p_e = problem.bearing.end_pressure;
-    let excess = integrated(problem, system, film, &|_, _, u| problem.pressure_at(u) - p_e);
+    let u = &film.unknown;
+    let excess = integrated(problem, system, [u, u], &|u, _| problem.pressure_at(u) - p_e);
     Share {
         force: excess.force,
         pressure: excess.thrust + p_e * excess.area,
@@ -129,30 +128,27 @@ impl std::ops::AddAssign for Integral {
     }
 }
 
-/// Integrals of a density [Pa] that depends on triangle, reference point and the unknown there.
+/// Integrals of a density [Pa] that depends on the unknown and a second function, given by their nodal values.
 fn integrated(
     problem: &FilmProblem,
     system: &FilmSystem,
-    film: &FilmSolution,
-    density: &(dyn Fn(usize, [f64; 2], f64) -> f64 + Sync),
+    fields: [&[f64]; 2],
+    density: &(dyn Fn(f64, f64) -> f64 + Sync),
 ) -> Integral {
     let space = system.space();
     let rule = Quadrature::for_degree(space.degree());
     let kink = problem.cavitation.kink().map(|p| problem.unknown_at(p));
     let quartered = kink.map(|_| Rule::new(rule.quartered(KINK_QUARTERINGS), space.degree()));
     let rule = Rule::new(rule, space.degree());
-    let field = Field {
-        space,
-        values: &film.unknown,
-    };
+    let fields = fields.map(|values| Field { space, values });
     let cells = space.mesh().triangles().len();
     let tasks: Vec<Integral> = (0..cells.div_ceil(CELLS_A_TASK))
         .into_par_iter()
         .map(|task| {
             let mut sum = Integral::default();
             for t in task * CELLS_A_TASK..((task + 1) * CELLS_A_TASK).min(cells) {
-                let nodal = field.element_values(t);
-                let own = &nodal[..space.shapes()];
+                let nodal = fields.map(|field| field.element_values(t));
+                let own = &nodal[0][..space.shapes()];
                 let kinked = kink.is_some_and(|kink| own.iter().any(|&u| u < kink) && own.iter().any(|&u| u > kink));
                 let rule = quartered.as_ref().filter(|_| kinked).unwrap_or(&rule);
                 sum += cell_integral(problem, space.mesh(), t, &nodal, rule, density);
@@ -184,9 +180,9 @@ fn cell_integral(
     problem: &FilmProblem,
     mesh: &Mesh,
     t: usize,
-    nodal: &[f64; MOST_SHAPES],
+    nodal: &[[f64; MOST_SHAPES]; 2],
     Rule { rule, shapes }: &Rule,
-    density: &dyn Fn(usize, [f64; 2], f64) -> f64,
+    density: &dyn Fn(f64, f64) -> f64,
 ) -> Integral {
     let mapping = Mapping::of(mesh, t);
     let mut sum = Integral::default();
@@ -198,9 +194,11 @@ fn cell_integral(
             (positions[q], areas[q]) = (place.position, weight * place.determinant);
         }
         let [sines, cosines] = sines_and_cosines(&positions[..points.len()], problem.bearing.radius);
-        for (q, (&point, shapes)) in points.iter().zip(shapes).enumerate() {
-            let u = nodal.iter().zip(shapes).map(|(u, shape)| u * shape).sum();
-            let thrust = areas[q] * density(t, point, u);
+        for (q, shapes) in shapes.iter().take(points.len()).enumerate() {
+            let [u, change] = nodal
+                .each_ref()
+                .map(|nodal| nodal.iter().zip(shapes).map(|(u, shape)| u * shape).sum());
+            let thrust = areas[q] * density(u, change);
             sum += Integral {
                 force: [thrust * cosines[q], thrust * sines[q]],
                 thrust,
