@@ -144,6 +144,14 @@ fn whole_process(bencher: Bencher, at: &At) {
     bencher.bench_local(|| process::run(&program, &scene, 1, false));
 }
 
+/// 1000 operating points.
+#[divan::bench(sample_count = 1)]
+fn sweep(bencher: Bencher) {
+    let program = build("oilwedge", "oilwedge");
+    let map = FILMS.map(5000);
+    bencher.bench_local(|| process::sweep(&program, &map, 1));
+}
+
 /// The shipped plain scene: no effect may move it.
 #[divan::bench]
 fn plain_scene(bencher: Bencher) {

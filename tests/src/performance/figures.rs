@@ -7,7 +7,7 @@ use super::films::{Films, Kind, scene};
 use super::machine::Machine;
 use super::phase_table::{Column, FILE_TO_LOAD, exponent, milliseconds};
 use super::phases;
-use super::process::apart;
+use super::process::{apart, sweep};
 use crate::tables::row;
 
 /// Bytes that the machine for which the figures are told copies a second.
@@ -16,6 +16,8 @@ const COPIED: f64 = 10e9;
 const ITERATED: usize = 100_000;
 /// Unknowns of the films whose bars are priced.
 const PRICED: [usize; 2] = [10_000, 100_000];
+/// Unknowns of the films of a sweep.
+const MAPPED: usize = 5_000;
 /// Runs of the smallest scene.
 const RUNS: usize = 21;
 
@@ -93,8 +95,16 @@ pub fn rows(
             let [with, without] =
                 [true, false].map(|bars| on_threads(1, || median(3, || phases::whole_run(&scene, bars)).cpu));
             let case = format!("price of bars, {kind:?}, {unknowns} unknowns");
-            rows.number(&case, 1.5, with / without, "");
+            rows.number(&case, 1.5, with / without - 1.0, "");
         }
+    }
+    if most >= ITERATED {
+        eprintln!("figures: sweep");
+        let map = films.map(MAPPED);
+        let [one, two] = [1, 2].map(|threads| sweep(program, &map, threads).wall);
+        let case = format!("sweep, 1000 loads and speeds, Swift-Stieber, {MAPPED} unknowns, two threads, wall");
+        rows.seconds(&case, 10.0, two);
+        rows.number("the same on one thread over two, at least", 1.8, one / two, "");
     }
     eprintln!("figures: whole process");
     let plain = films.plain_ring(1000);

@@ -50,6 +50,13 @@ force = "50 kN"
 angle = "130 deg"
 "#;
 
+/// Operating points of the ring.
+const MAP: &str = r#"
+[sweep]
+speed = { from = "4 rad/s", to = "40 rad/s", steps = 40 }
+force = { from = "10 kN", to = "90 kN", steps = 25 }
+"#;
+
 /// What is simulated on the ring.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Kind {
@@ -132,6 +139,13 @@ impl Films {
     pub fn plain_ring(&self, unknowns: usize) -> PathBuf {
         let text = shipped("01_plain_ring").replace("[mesh]\nfile = \"../meshes/ring.msh\"\n", "");
         self.drawn("plain_ring", &text, unknowns)
+    }
+
+    /// A map of 40 speeds by 25 loads, on the ring with Swift and Stieber's cavity and about so many `unknowns`.
+    pub fn map(&self, unknowns: usize) -> PathBuf {
+        let ring = self.ring(Kind::Loaded, unknowns);
+        let text = std::fs::read_to_string(&ring).expect("our own scene");
+        self.written(&format!("map{unknowns}"), &(text + MAP))
     }
 
     /// `text` with a size for about so many `unknowns`, found from two coarser meshes.

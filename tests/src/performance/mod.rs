@@ -5,7 +5,7 @@
 //! [`floor`] (what a part must move and do, and how long that takes at least), [`process`] (the whole program),
 //! [`clock`], [`page`] with its tables.
 //!
-//! A new path, say a sweep, is a function in [`phases`] or [`process`], its floor, a group in the benches, and a row of the page.
+//! A new path is a function in [`phases`] or [`process`], its floor, a group in the benches, and a row of the page.
 
 pub mod clock;
 pub mod figures;

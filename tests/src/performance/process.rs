@@ -36,6 +36,36 @@ pub fn run(program: &Path, scene: &Path, threads: usize, bars: bool) -> Process 
     }
 }
 
+/// `oilwedge sweep SCENE` on so many threads, without error bars.
+///
+/// # Panics
+/// If it fails.
+pub fn sweep(program: &Path, scene: &Path, threads: usize) -> Spent {
+    let start = Instant::now();
+    let mut child = Command::new(program)
+        .args([
+            "sweep",
+            "--fresh",
+            "--bars",
+            "none",
+            "--threads",
+            &threads.to_string(),
+            "--out",
+        ])
+        .arg(scene.with_extension("out"))
+        .arg(scene)
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("the program starts");
+    let ended = child.wait4().expect("the program ends");
+    assert!(ended.status.success(), "{} fails", scene.display());
+    Spent {
+        cpu: (ended.rusage.utime + ended.rusage.stime).as_secs_f64(),
+        wall: start.elapsed().as_secs_f64(),
+    }
+}
+
 /// The command of [`run`].
 pub fn command(program: &Path, scene: &Path, threads: usize, bars: bool) -> Command {
     let mut command = Command::new(program);
