@@ -11,7 +11,7 @@ use crate::{Constraints, Error, Factorization, Matrix};
 /// Steps that cost as much as a factor.
 const WORTH_A_FACTOR: usize = 30;
 /// Part of the right-hand side to which a residual is brought where nothing else is asked for.
-const TOLERANCE: f64 = 1e-10;
+const TOLERANCE: f64 = 1e-11;
 
 /// A system and how it is solved.
 #[derive(Debug)]
@@ -57,7 +57,7 @@ impl Iterated {
         self.steps.load(Ordering::Relaxed)
     }
 
-    /// Solves `matrix x = b` to a residual (Euclidean norm) of `enough`; zero stands for 1e-10 of `b`.
+    /// Solves `matrix x = b` to a residual (Euclidean norm) of `enough`; zero stands for 1e-11 of `b`.
     ///
     /// # Errors
     /// Those of conjugate gradients and of a factor.

@@ -61,7 +61,7 @@ impl LinearSolver {
                 accuracy: 1e-12,
             },
             Self::Multigrid(_) => Ends {
-                enough: 1e-10,
+                enough: 1e-11,
                 rough: 1e-4,
                 accuracy: 1e-9,
             },
