@@ -1,6 +1,6 @@
 //! Sparse LU factorisation of unsymmetric matrices on a symmetric pattern: analysed once a mesh, factorised once a tangent.
 //!
-//! Multifrontal: dofs that are eliminated together, and those that they touch, make a dense [`front`](crate::front); what
+//! Multifrontal: dofs that are eliminated together, and those that they touch, make a dense front (`front.rs`); what
 //! its elimination leaves is added to the front above. Fronts are those of the Cholesky factor of the same pattern, in the
 //! geometric order of elimination, and faer finds them. There is no pivoting, and a singular matrix is not noticed here:
 //! every solve is followed by a check of its residual ([`crate::Linearisation`]).

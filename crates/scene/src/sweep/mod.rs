@@ -5,7 +5,7 @@
 //! chains of neighbours, which are walked along: the mesh, its numbering and analysis stay as long as they fit, films and positions begin
 //! where those before lead.
 //!
-//! Reading order: [`axis`], `plan.rs` (cases), `chain.rs`, `walk.rs` (one chain), `run.rs` (all of them), `table.rs` (rows), `files.rs` (a
+//! Reading order: `axis.rs`, `plan.rs` (cases), `chain.rs`, `walk.rs` (one chain), `run.rs` (all of them), `table.rs` (rows), `files.rs` (a
 //! table that can be taken up again), `report.rs` (for scripts).
 
 pub(crate) mod axis;
