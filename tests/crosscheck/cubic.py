@@ -11,7 +11,7 @@ import numpy as np
 import skfem
 from scipy.sparse import coo_matrix, csr_matrix
 from scipy.sparse.csgraph import connected_components
-from scipy.sparse.linalg import splu
+from scipy.sparse.linalg import splu, spsolve
 from scipy.spatial import cKDTree
 
 from film import Film, barus_pressure, curve_area, cut_out_share, reduced_pressure, rule_of_degree
@@ -51,7 +51,7 @@ class CubicFilm(Film):
     """Dofs are those of scikit-fem; `unknown` numbers them with the two sides of a seam glued."""
 
     def __init__(self, scene, mesh, rule):
-        self.scene, self.mesh = scene, mesh
+        self.scene, self.mesh, self.solver = scene, mesh, spsolve
         cells, self.vertices = ascending(mesh.cells), np.unique(mesh.cells[:, :3])
         grid = skfem.MeshTri2(np.ascontiguousarray(mesh.points.T), np.ascontiguousarray(cells.T))
         self.basis = skfem.Basis(grid, skfem.ElementTriP3(), quadrature=rule)
