@@ -78,7 +78,7 @@ fn share(system: &FilmSystem, film: &FilmSolution) -> f64 {
     if whole > 0.0 { held / whole } else { 0.0 }
 }
 
-/// Share of the meshed area [1] where the pressure lies below `level` [Pa], as the nodes tell.
+/// Share of the meshed area [1] where the pressure lies below `level` [Pa], as the nodes tell at which none is given.
 pub fn share_below(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, level: f64) -> f64 {
     let space = system.space();
     let mesh = space.mesh();
@@ -87,12 +87,21 @@ pub fn share_below(problem: &FilmProblem, system: &FilmSystem, film: &FilmSoluti
     for t in 0..mesh.triangles().len() {
         let [a, b, c] = mesh.corners(t);
         let area = 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
-        for (&dof, share) in space.element_dofs(t).iter().zip(&shares) {
-            whole += area * share;
-            if problem.pressure_at(film.unknown[dof]) < level {
-                below += area * share;
-            }
+        let (mut under, mut free) = (0.0, 0.0);
+        // Where pressure is given it may be just that level, and tells nothing.
+        let nodes = space.element_dofs(t).into_iter().zip(&shares);
+        for (dof, share) in nodes.filter(|&(dof, _)| system.supply.owner(dof).is_none()) {
+            free += share;
+            under += if problem.pressure_at(film.unknown[dof]) < level {
+                *share
+            } else {
+                0.0
+            };
+        }
+        if free > 0.0 {
+            below += area * under / free;
+            whole += area;
         }
     }
-    below / whole
+    if whole > 0.0 { below / whole } else { 0.0 }
 }
