@@ -66,6 +66,7 @@ fn balance_cubic(
     )?;
     let mut residual = search.residual(&trial);
     let mut stiffness = search.stiffness(&trial)?;
+    let mut is_exact = true;
     for _ in 0..MOST_STEPS {
         if residual < BALANCED {
             break;
@@ -79,12 +80,16 @@ fn balance_cubic(
             trial.cubic.as_ref(),
         )?;
         steps += 1;
-        stiffness = Search::corrected(stiffness, &trial, &next);
         let next_residual = search.residual(&next);
-        if next_residual >= residual {
+        if next_residual < residual {
+            stiffness = Search::corrected(stiffness, &trial, &next);
+            (trial, residual, is_exact) = (next, next_residual, false);
+        } else if is_exact {
             break;
+        } else {
+            // Perhaps the tangent was too old.
+            (stiffness, is_exact) = (search.stiffness(&trial)?, true);
         }
-        (trial, residual) = (next, next_residual);
     }
     if residual > BALANCED_ENOUGH {
         return Err(NoEquilibrium::NotConverged {

@@ -51,7 +51,7 @@ const RESOLVED: f64 = 0.99;
 /// A journal whose film is thinner than this part of the clearance touches.
 const CONTACT: f64 = 1e-6;
 /// Moves by less than this part of the least film thickness are started from the film before.
-const SHORT_MOVE: f64 = 0.2;
+pub const SHORT_MOVE: f64 = 0.2;
 
 /// `dW/de` [N/m], row: component of W.
 type Stiffness = [[f64; 2]; 2];
@@ -97,7 +97,7 @@ pub struct Equilibrium {
     pub unbalanced: f64,
     /// Positions tried on the mesh of the film.
     pub steps: usize,
-    /// `dW/de` [N/m], row: component of W; of a search from nearby as its steps have left it, off by the square root of what they gained.
+    /// `dW/de` [N/m], row: component of W; of a search from nearby and of a cubic balance as its steps have left it, off by the square root of what they gained.
     pub stiffness: Stiffness,
 }
 

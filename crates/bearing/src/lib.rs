@@ -14,6 +14,6 @@ mod search;
 mod stretched;
 
 pub use cubic::{find_cubic, find_cubic_near};
-pub use equilibrium::{Equilibrium, Squeeze, find, find_near, newton_step};
+pub use equilibrium::{Equilibrium, SHORT_MOVE, Squeeze, find, find_near, newton_step};
 pub use no_equilibrium::NoEquilibrium;
 pub use prediction::{Point, Visited, predicted};

@@ -11,7 +11,7 @@ use crate::{Constraints, Error, Factorization, Matrix};
 /// Steps that cost as much as a factor.
 const WORTH_A_FACTOR: usize = 30;
 /// Part of the right-hand side to which a residual is brought where nothing else is asked for.
-const TOLERANCE: f64 = 1e-11;
+pub(crate) const TOLERANCE: f64 = 1e-11;
 
 /// A system and how it is solved.
 #[derive(Debug)]
@@ -82,9 +82,11 @@ impl Iterated {
                 self.steps.fetch_add(1, Ordering::Relaxed);
                 self.multigrid.cycle(r)
             };
-            let outcome = conjugate_gradients(matrix, &constraints.fixed, b, ending, precondition)?;
-            if let Outcome::Solved { x } = outcome {
-                return Ok(x);
+            match conjugate_gradients(matrix, &constraints.fixed, b, ending, precondition) {
+                Ok(Outcome::Solved { x }) => return Ok(x),
+                // Perhaps only the preconditioner is not, in single precision: a factor can tell.
+                Ok(Outcome::Slow { .. }) | Err(Error::NotPositiveDefinite) => {}
+                Err(error) => return Err(error),
             }
         }
         let factor = self.factor.get_or_init(|| {

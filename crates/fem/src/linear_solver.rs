@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::factorization::LazyAnalysis;
+use crate::iterated;
 use crate::linear_prolongation::LinearProlongation;
 use crate::nested::Nested;
 use crate::{Analysis, Constraints, Error, Linearisation, Matrix};
@@ -61,7 +62,7 @@ impl LinearSolver {
                 accuracy: 1e-12,
             },
             Self::Multigrid(_) => Ends {
-                enough: 1e-11,
+                enough: iterated::TOLERANCE,
                 rough: 1e-4,
                 accuracy: 1e-9,
             },

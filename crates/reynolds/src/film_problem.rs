@@ -20,9 +20,10 @@ use crate::supply::{Supply, SupplyError, SupplyRegion};
 use crate::terms::Term;
 use crate::{Bearing, Cavitation, FilmPoint, JournalState};
 
-/// Unknowns from which on multigrid is quicker than a factor,
+/// Unknowns from which on systems are solved by multigrid: half the memory and both cores from there on, time that grows with the
+/// unknowns; on one core a factor is as quick up to a million (docs/performance.md);
 const WORTH_MULTIGRID: usize = 8_000;
-/// and where a factor serves many right-hand sides.
+/// the same where a factor serves many right-hand sides.
 const WORTH_MULTIGRID_OFTEN: usize = 150_000;
 /// A triangle with a longer edge than this many times the height on it is a needle,
 const NEEDLE: f64 = 5.0;

@@ -4,7 +4,7 @@
 
 use std::time::Instant;
 
-use oilwedge_bearing::{Point, Visited, predicted};
+use oilwedge_bearing::{Point, SHORT_MOVE, Visited, predicted};
 use oilwedge_reynolds::{FilmSolution, JournalState};
 
 use crate::analysis::{NoAnswer, Solved, Start, graded, is_near, solve, solve_from};
@@ -14,9 +14,6 @@ use crate::refinement::{answer, unknowns};
 use crate::report::{Quantity, Status};
 use crate::run::RunOptions;
 use crate::scene::Scene;
-
-/// Moves by less than this part of the least film thickness are started from the film before.
-const SHORT_MOVE: f64 = 0.2;
 
 /// How a case ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
