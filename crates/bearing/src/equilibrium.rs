@@ -19,6 +19,7 @@
 //! tangent against differences, and eccentricities given back by their loads.
 
 use crate::NoEquilibrium;
+use crate::estimate::GREATEST_ECCENTRICITY;
 use crate::search::{Search, Trial};
 use crate::stretched::{eccentricity_at, stretched};
 use oilwedge_reynolds::solve::Neighbour;
@@ -130,25 +131,11 @@ pub(crate) fn find_within(
         balanced,
         ..Search::new(problem, system, load, squeeze)
     };
-    let Some(coarser) = &system.coarser else {
-        return search.everywhere(problem);
-    };
-    let reason = match find_within(
-        &coarser.problem(problem),
-        &coarser.system,
-        load,
-        squeeze,
-        ROUGHLY_BALANCED,
-    ) {
-        Ok(found) => return search.run(problem, found.problem.journal),
-        Err(reason) => reason,
-    };
-    // Where a coarser mesh leads nowhere its last position may still be a start, unless the film there is too thin for it.
-    let is_resolved = |journal: &JournalState| journal.eccentricity() < RESOLVED * search.clearance;
-    let outcome = search.run(problem, problem.journal);
-    match reason.last_position().filter(is_resolved) {
-        Some(start) if outcome.is_err() => search.run(problem, start),
-        _ => outcome,
+    search.check_reach(problem)?;
+    let found = search.on_levels(problem)?;
+    match found.problem.journal.eccentricity() > GREATEST_ECCENTRICITY * search.clearance {
+        true => search.beyond_reach(problem).map_or(Ok(found), Err),
+        false => Ok(found),
     }
 }
 
@@ -191,6 +178,38 @@ pub(crate) fn find_near_within(
 }
 
 impl Search<'_> {
+    /// Refuses a load that is below rounding and, where the search begins at the greatest eccentricity, one that is beyond reach there.
+    fn check_reach(&self, problem: &FilmProblem) -> Result<(), NoEquilibrium> {
+        let begins_at_contact =
+            problem.journal.eccentricity() > (1.0 - f64::EPSILON.sqrt()) * GREATEST_ECCENTRICITY * self.clearance;
+        let beyond = || begins_at_contact.then(|| self.beyond_reach(problem)).flatten();
+        self.below_rounding(problem).or_else(beyond).map_or(Ok(()), Err)
+    }
+
+    /// Balances the load from where it is balanced on coarser meshes, if the system has any.
+    fn on_levels(&self, problem: &FilmProblem) -> Result<Equilibrium, NoEquilibrium> {
+        let Some(coarser) = &self.system.coarser else {
+            return self.everywhere(problem);
+        };
+        let reason = match find_within(
+            &coarser.problem(problem),
+            &coarser.system,
+            self.load,
+            self.squeeze,
+            ROUGHLY_BALANCED,
+        ) {
+            Ok(found) => return self.run(problem, found.problem.journal),
+            Err(reason) => reason,
+        };
+        // Where a coarser mesh leads nowhere its last position may still be a start, unless the film there is too thin for it.
+        let is_resolved = |journal: &JournalState| journal.eccentricity() < RESOLVED * self.clearance;
+        let outcome = self.run(problem, problem.journal);
+        match reason.last_position().filter(is_resolved) {
+            Some(start) if outcome.is_err() => self.run(problem, start),
+            _ => outcome,
+        }
+    }
+
     /// Balances the load from this start.
     fn run(&self, problem: &FilmProblem, start: JournalState) -> Result<Equilibrium, NoEquilibrium> {
         self.at_rest(self.first(problem, start)?)

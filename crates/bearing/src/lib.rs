@@ -8,12 +8,15 @@
 
 pub mod cubic;
 pub mod equilibrium;
+pub mod estimate;
 pub mod no_equilibrium;
 mod prediction;
+mod reach;
 mod search;
 mod stretched;
 
 pub use cubic::{find_cubic, find_cubic_near};
 pub use equilibrium::{Equilibrium, SHORT_MOVE, Squeeze, find, find_near, newton_step};
+pub use estimate::{GREATEST_ECCENTRICITY, first_position};
 pub use no_equilibrium::NoEquilibrium;
 pub use prediction::{Point, Visited, predicted};

@@ -1,5 +1,6 @@
 //! Why a load is not balanced.
 
+use crate::estimate::GREATEST_ECCENTRICITY;
 use oilwedge_reynolds::existence::readable;
 use oilwedge_reynolds::{JournalState, NoFilm};
 
@@ -31,6 +32,36 @@ pub enum NoEquilibrium {
         /// What stopped the search.
         why: &'static str,
     },
+    /// The film carries less than the load even at the greatest eccentricity at which a position is sought.
+    #[error(
+        "no position of the journal carries {} N towards {towards:.1} deg: at eccentricity {GREATEST_ECCENTRICITY}, where the film is {} m thin, it carries {} N that way, and the load is {} times as much; lower the load, or raise speed, viscosity or size",
+        readable(*asked), readable(*thickness), readable(*greatest), readable(*ratio)
+    )]
+    BeyondReach {
+        /// Load asked for [N].
+        asked: f64,
+        /// Its direction [deg].
+        towards: f64,
+        /// What the film carries there [N].
+        greatest: f64,
+        /// The load over that.
+        ratio: f64,
+        /// Least film thickness there [m].
+        thickness: f64,
+        /// The journal there.
+        journal: Box<JournalState>,
+    },
+    /// The load is too small for the film's force to be told from rounding errors.
+    #[error(
+        "not converged: the load of {} N is lost among rounding errors of the film's force, which are of the size of {} N; give no load (0 N), or a larger one",
+        readable(*asked), readable(*least)
+    )]
+    BelowRounding {
+        /// Load asked for [N].
+        asked: f64,
+        /// The least load that can be balanced [N].
+        least: f64,
+    },
     /// The search did not end.
     #[error(
         "not converged: after {steps} positions force and load still differ by {residual:.1e} of the load; give another mesh ([mesh] size), or solve at a given position to see the film"
@@ -49,8 +80,8 @@ impl NoEquilibrium {
     /// The last position of the search, if it had one.
     pub fn last_position(&self) -> Option<JournalState> {
         match self {
-            Self::Film(_) => None,
-            Self::Unreachable { journal, .. } | Self::NotConverged { journal, .. } => Some(**journal),
+            Self::Film(_) | Self::BelowRounding { .. } => None,
+            Self::BeyondReach { journal, .. } | Self::Unreachable { journal, .. } | Self::NotConverged { journal, .. } => Some(**journal),
         }
     }
 }

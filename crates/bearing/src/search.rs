@@ -8,6 +8,7 @@ use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalState, NoF
 
 use crate::NoEquilibrium;
 use crate::equilibrium::{BALANCED, NEAR, Squeeze};
+use crate::reach::natural_force;
 
 /// A search for the position that balances a load on one mesh.
 pub(crate) struct Search<'a> {
@@ -44,17 +45,6 @@ pub(crate) struct Trial {
     pub(crate) force: [f64; 2],
 }
 
-/// The load, or that of drag through the clearance where there is none.
-fn natural_load(problem: &FilmProblem, load: [f64; 2]) -> f64 {
-    let bearing = &problem.bearing;
-    let pressure =
-        problem.lubricant.viscosity * problem.journal.speed.abs() * (bearing.radius / bearing.clearance).powi(2);
-    match load[0].hypot(load[1]) {
-        0.0 => (pressure * 2.0 * bearing.radius * bearing.length).max(f64::MIN_POSITIVE),
-        load => load,
-    }
-}
-
 impl<'a> Search<'a> {
     /// A search for `load` [N] on `system`, by the force of the film there.
     pub(crate) fn new(problem: &FilmProblem, system: &'a FilmSystem, load: [f64; 2], squeeze: Squeeze) -> Self {
@@ -63,7 +53,10 @@ impl<'a> Search<'a> {
             load,
             squeeze,
             clearance: problem.bearing.clearance,
-            natural: natural_load(problem, load),
+            natural: match load[0].hypot(load[1]) {
+                0.0 => natural_force(problem, system, squeeze).max(f64::MIN_POSITIVE),
+                load => load,
+            },
             nearest: Cell::new(None),
             cubic: false,
             balanced: BALANCED,

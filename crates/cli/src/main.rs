@@ -15,6 +15,7 @@ mod readable;
 mod solve;
 mod sweep;
 mod terminal;
+mod verify;
 mod words;
 
 use clap::{Parser, Subcommand};
@@ -43,6 +44,7 @@ Examples:
   oilwedge mesh bearing.toml -o liner.msh          a mesh of its liner, fine enough as it is, for gmsh
   oilwedge converge bearing.toml                   what each digit costs, in unknowns and seconds
   oilwedge sweep bearing.toml                      all cases of its [sweep], to a table
+  oilwedge verify                                  does this program give the answers that are known?
 
 Exit status: 0 done; 1 no solution or not converged; 2 bad scene, mesh or arguments (nothing was written).";
 
@@ -58,6 +60,8 @@ enum Verb {
     Converge(converge::Converge),
     /// Solve a scene for all values of its [sweep], to a table with one row a case.
     Sweep(sweep::Sweep),
+    /// Solve cases whose answers are known, or all hard cases, and judge the solver by them.
+    Verify(verify::Verify),
 }
 
 fn main() -> ExitCode {
@@ -69,6 +73,7 @@ fn main() -> ExitCode {
         Verb::Mesh(mesh) => mesh.run(),
         Verb::Converge(converge) => converge.run(),
         Verb::Sweep(sweep) => sweep.run(),
+        Verb::Verify(verify) => verify.run(),
     });
     outcome.unwrap_or_else(|failure| {
         failure.tell();

@@ -74,6 +74,12 @@ impl SweepProgress {
         Self { bar, begun: false }
     }
 
+    /// So many cases have ended of so many.
+    pub(crate) fn ended(&mut self, done: usize, cases: usize) {
+        self.bar.set_length(cases as u64);
+        self.bar.set_position(done as u64);
+    }
+
     /// So many cases have ended. Those of an earlier run tell nothing of the time left.
     pub(crate) fn move_on(&mut self, now: Progressed) {
         if !self.begun {

@@ -17,6 +17,12 @@ impl FilmProblem {
     /// # Errors
     /// [`NoFilm`]: the reason why there is none.
     pub fn enriched(&self, system: &FilmSystem, film: &FilmSolution) -> Result<FilmSolution, NoFilm> {
+        let start = self.quadratic_start(system, film);
+        self.enriched_from(system, film, start)
+    }
+
+    /// The quadratic film as one of cubic elements, its cavity where it is at the pressure of the cavity.
+    fn quadratic_start(&self, system: &FilmSystem, film: &FilmSolution) -> Start {
         let u = system.enriched().prolongation.prolong(&film.unknown);
         let held = match self.cavitation.pressure() {
             Some(pressure) => {
@@ -25,7 +31,7 @@ impl FilmProblem {
             }
             None => vec![false; u.len()],
         };
-        self.enriched_from(system, film, Start { u, held })
+        Start { u, held }
     }
 
     /// The same with the cavity of the cubic film of a neighbouring operating point to start from.
@@ -43,14 +49,31 @@ impl FilmProblem {
         self.enriched_from(system, film, Start { u, held })
     }
 
+    /// The same whether or not the viscosity law has a pressure for it.
+    ///
+    /// # Errors
+    /// [`NoFilm`]: it was not reached.
+    pub(crate) fn enriched_unchecked(&self, system: &FilmSystem, film: &FilmSolution) -> Result<FilmSolution, NoFilm> {
+        let start = self.quadratic_start(system, film);
+        self.cubic_film(system, film, start)
+    }
+
     fn enriched_from(&self, system: &FilmSystem, film: &FilmSolution, start: Start) -> Result<FilmSolution, NoFilm> {
+        let cubic = self.cubic_film(system, film, start)?;
+        match self.check_existence(&system.enriched().system, &cubic) {
+            Ok(()) => Ok(cubic),
+            // Quadratic elements have a film.
+            Err(NoFilm::AboveLimit { limit, .. }) => Err(self.beyond(system, film, limit)),
+            Err(reason) => Err(reason),
+        }
+    }
+
+    fn cubic_film(&self, system: &FilmSystem, film: &FilmSolution, start: Start) -> Result<FilmSolution, NoFilm> {
         let enriched = system.enriched();
         let solver = LinearSolver::Nested(Nested {
             quadratic: film.linearisation.clone(),
             prolongation: enriched.prolongation.clone(),
         });
-        let film = self.pressure_film(&enriched.system, &solver, 1.0, start)?;
-        self.check_existence(&enriched.system, &film)?;
-        Ok(film)
+        Ok(self.pressure_film(&enriched.system, &solver, 1.0, start)?)
     }
 }

@@ -4,7 +4,12 @@ use oilwedge_fem::Field;
 use oilwedge_fem::newton::Failure;
 
 use crate::solve::Neighbour;
-use crate::{FilmProblem, FilmSolution, FilmSystem};
+use crate::{Cavitation, FilmProblem, FilmSolution, FilmSystem};
+
+/// Reduced pressures beyond this many limits need no second look.
+const FAR_ABOVE: f64 = 1.2;
+/// The greatest reduced pressure is known to this many differences of quadratic and cubic elements.
+const SAFETY: f64 = 2.0;
 
 /// Why there is no film to report.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -24,6 +29,19 @@ pub enum NoFilm {
         ratio: f64,
         /// Speed [rad/s] up to which there is a film, where it can be told.
         greatest_speed: Option<f64>,
+    },
+    /// The mesh cannot tell on which side of the limit of the viscosity law the film is.
+    #[error(
+        "not converged: the reduced pressure q reaches {} of the {limit:.4e} Pa at which the viscosity law makes the pressure infinite, and this mesh tells that ratio to {known_to:.1e} only, so not whether there is a film; give a finer mesh ([mesh] size or tolerance), or another speed",
+        readable(*ratio)
+    )]
+    NearLimit {
+        /// Limit of the law [Pa].
+        limit: f64,
+        /// Greatest reduced pressure over the limit, in cubic elements.
+        ratio: f64,
+        /// How well the mesh tells the ratio.
+        known_to: f64,
     },
     /// The pressure falls below what the viscosity law covers.
     #[error(
@@ -115,6 +133,34 @@ impl FilmProblem {
             return Err(NoFilm::BelowFloor { reached: least, floor });
         }
         Ok(())
+    }
+
+    /// What is said where the reduced pressure `reached` of quadratic elements [Pa] is beyond the limit of the viscosity law, or that of
+    /// cubic ones is: that there is no film, or that this mesh cannot tell.
+    pub(crate) fn beyond(&self, system: &FilmSystem, film: &FilmSolution, limit: f64) -> NoFilm {
+        let reached = self.greatest_unknown(system, film).value;
+        let plainly = NoFilm::AboveLimit {
+            reached,
+            limit,
+            ratio: reached / limit,
+            greatest_speed: None,
+        };
+        if reached > FAR_ABOVE * limit || matches!(self.cavitation, Cavitation::Jfo { .. }) {
+            return plainly;
+        }
+        let better = match self.enriched_unchecked(system, film) {
+            Ok(cubic) => self.greatest_unknown(&system.enriched().system, &cubic).value,
+            Err(_) => return plainly,
+        };
+        let known_to = SAFETY * (better - reached).abs() / limit;
+        match better / limit - 1.0 > known_to {
+            true => plainly,
+            false => NoFilm::NearLimit {
+                limit,
+                ratio: better / limit,
+                known_to,
+            },
+        }
     }
 
     /// The greatest speed [rad/s] with a film, by regula falsi (Illinois) between a speed that has one and this one.

@@ -51,8 +51,11 @@ impl FilmProblem {
         match self.form {
             Form::Conservative => {
                 let film = film?;
-                self.check_existence(system, &film)?;
-                Ok(film)
+                match self.check_existence(system, &film) {
+                    Ok(()) => Ok(film),
+                    Err(NoFilm::AboveLimit { limit, .. }) => Err(self.beyond(system, &film, limit)),
+                    Err(reason) => Err(reason),
+                }
             }
             Form::AsPrinted(_) => film.or_else(|_| self.continue_in_speed(system)),
         }

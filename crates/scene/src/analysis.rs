@@ -3,7 +3,9 @@
 
 use std::time::Instant;
 
-use oilwedge_bearing::{Equilibrium, NoEquilibrium, find, find_cubic, find_cubic_near, find_near};
+use oilwedge_bearing::{
+    Equilibrium, GREATEST_ECCENTRICITY, NoEquilibrium, find, find_cubic, find_cubic_near, find_near,
+};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{Cavitation, FilmSolution, JournalState, NoFilm};
 
@@ -15,8 +17,6 @@ use crate::scene::Scene;
 const REGRADED: f64 = 1.3;
 /// or where the thinnest film lies elsewhere by this angle [rad].
 const ELSEWHERE: f64 = 0.2;
-/// No mesh is graded for films thinner than at this eccentricity.
-const THICK_ENOUGH: f64 = 0.9999;
 /// Gradings of one search.
 const GRADINGS: usize = 4;
 
@@ -75,9 +75,11 @@ impl NoAnswer {
     pub fn is_unreached(&self) -> bool {
         let film = match self {
             Self::Film(film) | Self::Equilibrium(NoEquilibrium::Film(film)) => film,
-            Self::Equilibrium(reason) => return matches!(reason, NoEquilibrium::NotConverged { .. }),
+            Self::Equilibrium(reason) => {
+                return matches!(reason, NoEquilibrium::NotConverged { .. } | NoEquilibrium::BelowRounding { .. });
+            }
         };
-        matches!(film, NoFilm::NotConverged(_))
+        matches!(film, NoFilm::NotConverged(_) | NoFilm::NearLimit { .. })
     }
 
     /// What is said of a run that ends so.
@@ -181,6 +183,7 @@ pub fn graded(scene: &Scene) -> Result<Study, CompileError> {
         return Ok(study);
     };
     let squeeze = study.squeeze;
+    let mut middle = Some(scene.journal.middle());
     for _ in 1..GRADINGS {
         // A coarser mesh is good enough to grade a mesh for, if it leads to a position. A load may be out of reach only
         // because the mesh is too coarse there.
@@ -188,10 +191,16 @@ pub fn graded(scene: &Scene) -> Result<Study, CompileError> {
             .and_then(|coarser| find(&coarser.problem(&study.problem), &coarser.system, load, squeeze).ok());
         let found = match on_coarser.map_or_else(|| find(&study.problem, &study.system, load, squeeze), Ok) {
             Ok(Equilibrium { problem, .. }) => Some(problem.journal),
+            Err(NoEquilibrium::BeyondReach { .. } | NoEquilibrium::BelowRounding { .. }) => break,
+            // Feeds may carry what the estimate would have a thin film carry.
+            Err(_) if middle.is_some() => {
+                study = compile_near(scene, middle.take().unwrap_or_default())?;
+                continue;
+            }
             Err(reason) => reason.last_position(),
         };
         let clearance = scene.bearing.clearance;
-        let Some(found) = found.filter(|found| found.eccentricity() < THICK_ENOUGH * clearance) else {
+        let Some(found) = found.filter(|found| found.eccentricity() <= GREATEST_ECCENTRICITY * clearance) else {
             break;
         };
         if is_near(clearance, &study.problem.journal, &found) {

@@ -57,6 +57,9 @@ fn bar(study: &Study, quantity: &Quantity, error: &ConservingError, measured: &M
     if of_position {
         return Some(Bar::default());
     }
+    if !error.greatest_pressure.is_finite() && matches!(name, "pressure_max" | "viscosity_max") {
+        return None;
+    }
     let force = measured.load.magnitude().max(f64::MIN_POSITIVE);
     Some(match name {
         // A load that cannot be told from none may have any direction.
@@ -70,7 +73,8 @@ fn bar(study: &Study, quantity: &Quantity, error: &ConservingError, measured: &M
         "pressure_max" => plain(error.greatest_pressure),
         // That of the cavity.
         "pressure_min" if measured.cavity.is_some_and(|cavity| cavity.share > 0.0) => Bar::default(),
-        "pressure_min" => plain(error.greatest_pressure),
+        "pressure_min" if error.greatest_pressure.is_finite() => plain(error.greatest_pressure),
+        "pressure_min" => return None,
         "viscosity_max" => {
             let (problem, greatest) = (&study.problem, measured.extremes.greatest);
             let at = |p: f64| (problem.viscosity_at(p) - quantity.value).abs();

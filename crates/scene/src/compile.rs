@@ -129,7 +129,7 @@ fn list(faults: &[impl std::fmt::Display]) -> String {
 /// # Errors
 /// [`CompileError`]: the mesh is unreadable, defective, or not that of the scene.
 pub fn compile(scene: &Scene) -> Result<Study, CompileError> {
-    compile_near(scene, scene.journal.start())
+    compile_near(scene, scene.start())
 }
 
 /// The same with the journal, and the mesh graded for it, at the position `near` (eccentricity [1], angle of the minimum

@@ -13,7 +13,7 @@ use crate::results::WriteError;
 ///
 /// # Errors
 /// [`WriteError`]: the system refuses, or a folder stands in the place of a file; the old files are then left as they were.
-pub(crate) fn replace(dir: &Path, files: &[(&str, Option<&[u8]>)]) -> Result<(), WriteError> {
+pub fn replace(dir: &Path, files: &[(&str, Option<&[u8]>)]) -> Result<(), WriteError> {
     let fail = |path: &Path| {
         let path = path.to_path_buf();
         move |source| WriteError::System { path, source }

@@ -11,7 +11,7 @@
 //! Reading order: [`unit`] (quantities with units, over the table in `dimension.rs`), [`scene`] (what a user can
 //! say), [`schema`] (how it is written, over the collecting `reader.rs`), [`validate`] (what can be computed),
 //! [`complaint`] (what is said where it cannot), [`mod@compile`] (the one place that knows all effects), [`analysis`] (given
-//! position or given load), [`mod@run`], [`mod@measure`] and [`report`] (the numbers, and in `doubts.rs` what to doubt),
+//! position or given load), [`mod@run`], [`mod@measure`] and [`report`] (the numbers, in `doubts.rs` what to doubt, and in [`regime`] which assumptions hold),
 //! [`mod@picture`] and [`vtu`] (the fields), [`results`] (the files), [`cost`] (the same again without each effect).
 //! What accuracy costs: [`convergence`], over [`level`] and with [`plot`].
 
@@ -24,7 +24,7 @@ pub mod convergence;
 pub mod cost;
 mod dimension;
 mod doubts;
-mod folder;
+pub mod folder;
 pub mod level;
 pub mod liner_mesh;
 pub mod measure;
@@ -33,6 +33,7 @@ pub mod picture;
 pub mod plot;
 mod reader;
 pub mod refinement;
+pub mod regime;
 pub mod report;
 pub mod results;
 pub mod run;

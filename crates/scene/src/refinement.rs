@@ -366,7 +366,7 @@ impl Next {
         let mesh = study.system.space().mesh();
         let journal = &study.problem.journal;
         let near = match study.load {
-            None => scene.journal.start(),
+            None => scene.start(),
             Some(_) => (
                 journal.eccentricity() / scene.bearing.clearance,
                 journal.min_film_angle(),

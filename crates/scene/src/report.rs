@@ -9,6 +9,7 @@ pub use bars::{ErrorParts, LevelFacts, Refinement};
 pub use check::{CHECK_FORMAT, CheckReport, Cost, RegionFacts};
 
 use crate::cost::EffectCost;
+use crate::regime::Regime;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
@@ -158,6 +159,8 @@ pub struct RunResult {
     pub levels: Vec<LevelFacts>,
     /// What must vanish.
     pub balances: Balances,
+    /// Which assumptions the film meets; `null` where there is none.
+    pub regime: Option<Regime>,
     /// The nonlinear iteration.
     pub history: Vec<HistoryStep>,
     /// How often the dear things were done.
@@ -230,6 +233,9 @@ impl RunResult {
         }
         finite("mesh.min_angle_deg", self.mesh.min_angle_deg)?;
         finite("balances.mass", self.balances.mass)?;
+        for (name, value) in self.regime.iter().flat_map(Regime::by_name) {
+            finite(&format!("regime.{name}"), value)?;
+        }
         finite("balances.force", self.balances.force)?;
         for step in &self.history {
             finite(&format!("history, step {}, residual", step.step), step.residual)?;
@@ -308,6 +314,7 @@ pub(crate) mod tests {
                 mass: 1e-12,
                 force: 0.0,
             },
+            regime: None,
             history: vec![HistoryStep {
                 step: 1,
                 residual: 1.0,
@@ -348,6 +355,7 @@ pub(crate) mod tests {
             "bars",
             "levels",
             "balances",
+            "regime",
             "history",
             "counts",
             "linear_solver",

@@ -19,6 +19,7 @@ use crate::measure::warnings;
 use crate::picture::picture;
 use crate::plot::PlotError;
 use crate::refinement::{Answer, answer, at_first};
+use crate::regime::Regime;
 use crate::report::{
     Balances, CHECK_FORMAT, CheckReport, Cost, Counts, HistoryStep, LinearSolver, MeshFacts, RESULT_FORMAT,
     RegionFacts, ReportError, RunResult, Status,
@@ -150,6 +151,7 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, Error> {
         bars: options.bars,
         levels,
         balances: Balances::default(),
+        regime: None,
         history: Vec::new(),
         counts: Counts::default(),
         linear_solver: None,
@@ -160,7 +162,11 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, Error> {
     let picture = match outcome {
         Ok((solved, judged)) => {
             let indicator = judged.indicator.clone();
+            let regime = Regime::of(scene, &study.problem, &judged.measured);
+            let broken = regime.warnings(scene, &judged.measured);
             report(&study, &solved, judged, &mut result);
+            result.regime = Some(regime);
+            result.warnings.extend(broken);
             if limit.is_some() {
                 result.status = Status::NotConverged;
                 result.reason = limit;
@@ -286,7 +292,7 @@ pub fn check_mesh(path: &Path) -> Result<CheckReport, Error> {
 /// # Errors
 /// [`Error::Compile`] where the mesh cannot be read or made.
 pub fn mesh_scene(scene: &Scene) -> Result<Mesh, Error> {
-    Ok(liner_mesh(scene, scene.journal.start())?.0)
+    Ok(liner_mesh(scene, scene.start())?.0)
 }
 
 /// Writes a mesh as a gmsh 4.1 file, whole or not at all.

@@ -1,6 +1,7 @@
 //! A scene: everything a user says about one bearing, in SI. `Scene::read` is the only way to get one from a file.
 
 mod journal;
+mod start;
 mod tolerance;
 
 pub use journal::{Journal, Position, Squeeze};
@@ -65,6 +66,8 @@ pub struct Bearing {
     pub inlet_fraction: Option<f64>,
     /// Ring only: angle of an axial line held at the pressure of the ends [rad].
     pub film_start: Option<f64>,
+    /// Combined roughness of journal and liner (root mean square) [m], to tell whether they touch; nothing is computed with it.
+    pub roughness: Option<f64>,
 }
 
 impl Bearing {

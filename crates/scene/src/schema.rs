@@ -88,6 +88,7 @@ fn bearing(mut table: TableReader<'_>) -> Bearing {
         }),
         inlet_fraction,
         film_start: table.quantity_if_given("film_start", Dimension::Angle, "180 deg"),
+        roughness: table.quantity_if_given("roughness", Dimension::Length, "0.4 um"),
     };
     table.finish();
     bearing

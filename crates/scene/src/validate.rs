@@ -64,6 +64,9 @@ impl Checks<'_> {
         self.positive(bearing.diameter, "bearing.diameter");
         self.positive(bearing.length, "bearing.length");
         self.positive(bearing.clearance, "bearing.clearance");
+        if let Some(roughness) = bearing.roughness {
+            self.positive(roughness, "bearing.roughness");
+        }
         self.refuse_if(
             bearing.diameter > 0.0 && bearing.clearance >= bearing.radius(),
             "bearing.clearance",

@@ -75,7 +75,7 @@ impl Solve {
     pub fn on(&self, scene: &Scene, mesh: Mesh) -> Result<Self, String> {
         let journal = &self.study.problem.journal;
         let near = match self.study.load {
-            None => scene.journal.start(),
+            None => scene.start(),
             Some(_) => (
                 journal.eccentricity() / scene.bearing.clearance,
                 journal.min_film_angle(),
@@ -113,7 +113,7 @@ pub fn sized(bearing: &Bearing, wanted: f64) -> Scene {
     let mut size = (2.0 * area(&first) / (0.433 * wanted)).sqrt();
     for _ in 0..2 {
         let scene = bearing.scene(Some(size));
-        let Ok((mesh, _)) = liner_mesh(&scene, scene.journal.start()) else {
+        let Ok((mesh, _)) = liner_mesh(&scene, scene.start()) else {
             break;
         };
         let ratio = 2.0 * mesh.triangles().len() as f64 / wanted;

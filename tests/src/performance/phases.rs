@@ -23,7 +23,7 @@ const DEGREE: usize = 2;
 /// # Panics
 /// If there is none.
 pub fn mesh(scene: &Scene) -> Mesh {
-    liner_mesh(scene, scene.journal.start())
+    liner_mesh(scene, scene.start())
         .unwrap_or_else(|error| panic!("{error}"))
         .0
 }

@@ -33,7 +33,7 @@ fn finer(scene: &Scene, study: &Study, times: usize) -> Measured {
     for _ in 0..times {
         mesh = refine::uniform(&mesh).expect("a sound mesh").mesh;
     }
-    let study = compile_on(scene, mesh, scene.journal.start(), 2).unwrap_or_else(|error| panic!("{error}"));
+    let study = compile_on(scene, mesh, scene.start(), 2).unwrap_or_else(|error| panic!("{error}"));
     {
         let film = film(&study);
         measure(&study.problem, &study.system, &film)
@@ -115,7 +115,7 @@ fn bars_shrink_with_the_mesh() {
         let scene = RandomBearing::new(number).scene();
         let study = compile(&scene).unwrap_or_else(|error| panic!("{error}"));
         let mesh = refine::uniform(study.system.space().mesh()).expect("a sound mesh").mesh;
-        let finer = compile_on(&scene, mesh, scene.journal.start(), 2).unwrap_or_else(|error| panic!("{error}"));
+        let finer = compile_on(&scene, mesh, scene.start(), 2).unwrap_or_else(|error| panic!("{error}"));
         let [before, after] = [&study, &finer].map(|study| bars(study, &film(study)));
         assert!(before.load.total().is_finite() && before.flows.iter().all(|bar| bar.is_finite()));
         ratios.push(before.load.total() / after.load.total());

@@ -26,7 +26,7 @@ fn loads(scene: &Scene, times: usize) -> Vec<f64> {
 }
 
 fn linear(scene: &Scene, mesh: oilwedge_mesh::Mesh) -> Study {
-    compile_on(scene, mesh, scene.journal.start(), 1).unwrap_or_else(|error| panic!("{error}"))
+    compile_on(scene, mesh, scene.start(), 1).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// Second order, towards Swift and Stieber's flooded ring of B/D 0.5 and eps 0.8 by a structured code (its last change: 2e-4).

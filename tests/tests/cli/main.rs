@@ -10,3 +10,4 @@ mod meshes;
 mod shipped;
 mod solve;
 mod sweep;
+mod verify;

@@ -46,11 +46,11 @@ const OF_FRONT: f64 = 0.35;
 const OF_CARRIED: f64 = 0.5;
 const OF_DOUBT: f64 = 0.5;
 /// In the least film fraction: of the greatest difference where there is least oil, in that part of the cavity, and of beta;
-/// the bar ends at zero oil, but not below the last.
+/// the bar ends at zero oil, but is no less than the last, by which the transport over- and undershoots at edges of streaks.
 const LEAST_OIL: f64 = 0.9;
 const LEAST_PART: f64 = 0.1;
 const LEAST_FRONT: f64 = 0.3;
-const LEAST_BAR: f64 = 0.03;
+const LEAST_BAR: f64 = 0.1;
 
 /// What is known of the errors of a mass-conserving film; each number is half the width of a bar.
 #[derive(Debug, Clone, PartialEq)]
@@ -63,7 +63,7 @@ pub struct ConservingError {
     pub force: [Bar; 2],
     /// Of `Int p dA` [N].
     pub pressure_integral: Bar,
-    /// Of the greatest pressure [Pa].
+    /// Of the greatest pressure [Pa]; not finite where the limit of the viscosity law lies within it.
     pub greatest_pressure: f64,
     /// Of the net flow of each region of the supply [m3/s].
     pub flows: Vec<f64>,
@@ -144,11 +144,13 @@ pub fn conserving_error(
         across: bar(&across),
         force: [bar(&pair.shares(f64::cos)), bar(&pair.shares(f64::sin))],
         pressure_integral: bar(&pair.shares(|_| 1.0)),
-        greatest_pressure: pair.greatest_pressure(),
+        greatest_pressure: pair.greatest_pressure(problem, companion),
         flows,
         side_flow,
         cavity_share: OF_FRONT * front + OF_CARRIED * carried + OF_DOUBT * doubt,
-        least_fraction: (LEAST_OIL * where_least(in_both) + LEAST_FRONT * front).min(least.max(LEAST_BAR)),
+        least_fraction: (LEAST_OIL * where_least(in_both) + LEAST_FRONT * front)
+            .min(least)
+            .max(LEAST_BAR),
         indicator: (along.iter().zip(&across))
             .map(|(along, across)| widened * along.total().max(across.total()))
             .collect(),
@@ -203,12 +205,21 @@ impl<'a> Pair<'a> {
         }
     }
 
-    /// By the difference at the vertex of the greatest pressure.
-    fn greatest_pressure(&self) -> f64 {
-        let top =
-            (self.vertices().zip(&self.difference)).max_by(|a, b| self.pressure[a.0].total_cmp(&self.pressure[b.0]));
-        let anywhere = self.difference.iter().copied().fold(0.0, f64::max);
-        AT_TOP * top.map_or(0.0, |(_, difference)| *difference) + ANYWHERE * anywhere
+    /// By the difference at the vertex of the greatest pressure. In the unknown: where the viscosity law nears its limit pressures are
+    /// far more uncertain than it; not finite where the limit lies within the bar.
+    fn greatest_pressure(&self, problem: &FilmProblem, companion: &FilmSolution) -> f64 {
+        let unknown = |dof: usize| self.film.unknown[dof];
+        let difference = |(dof, other): (usize, &f64)| (dof, (other - unknown(dof)).abs());
+        let pairs = || self.vertices().zip(&companion.unknown).map(difference);
+        let Some((top, at_top)) = pairs().max_by(|a, b| unknown(a.0).total_cmp(&unknown(b.0))) else {
+            return 0.0;
+        };
+        let anywhere = pairs().map(|(_, difference)| difference).fold(0.0, f64::max);
+        let bar = AT_TOP * at_top + ANYWHERE * anywhere;
+        match unknown(top) + bar < problem.lubricant.pressure_law.limit() {
+            true => problem.pressure_at(unknown(top) + bar) - self.pressure[top],
+            false => f64::INFINITY,
+        }
     }
 
     /// Area [m2] of a triangle, its sides taken straight.

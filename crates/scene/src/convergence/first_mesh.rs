@@ -29,7 +29,7 @@ pub(super) struct First {
 /// The mesh cannot be read or drawn; or, within, there is no position for the load on any of the coarse meshes.
 pub(super) fn first_mesh(scene: &Scene) -> Result<Result<First, NoAnswer>, CompileError> {
     let clock = Instant::now();
-    let start = scene.journal.start();
+    let start = scene.start();
     let first = |mesh: Mesh, near: (f64, f64)| First {
         mesh: Arc::new(mesh),
         near,

@@ -1,15 +1,17 @@
-//! The picture of a convergence study: error against time and unknowns, and the mesh.
+//! Pictures: a convergence study (error against time and unknowns, and the mesh), and maps of cells.
 //!
 //! Reading order: `canvas.rs` (points on a sheet, over plotters), `axes.rs`, `errors.rs`, `mesh.rs`, `palette.rs`, `raster.rs` (the
-//! same drawing as dots).
+//! same drawing as dots); `cells.rs` (maps).
 
 mod axes;
 mod canvas;
+mod cells;
 mod errors;
 mod mesh;
 mod palette;
 mod raster;
 
+pub use cells::{Cell, CellMap, cells_to_svg};
 pub use raster::to_png;
 
 use axes::plain;

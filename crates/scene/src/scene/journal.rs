@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_4;
 
-/// Eccentricity ratio at which the search for the position under a load begins.
+/// Eccentricity ratio at which the search for the position under a load begins where nothing is known.
 const START_ECCENTRICITY: f64 = 0.5;
 /// Angle [rad] from the load to the thinnest film, against the rotation, at which it begins.
 const START_ATTITUDE: f64 = FRAC_PI_4;
@@ -54,9 +54,9 @@ impl Squeeze {
 }
 
 impl Journal {
-    /// Eccentricity ratio and angle of the thinnest film [rad] that a computation begins with: those given, or for a
-    /// load eps = 0.5 at 45 degrees from the load in the sense of the rotation.
-    pub fn start(&self) -> (f64, f64) {
+    /// Eccentricity ratio and angle of the thinnest film [rad] that a computation begins with where nothing else is known: those
+    /// given, or for a load eps = 0.5 at 45 degrees from the load in the sense of the rotation.
+    pub fn middle(&self) -> (f64, f64) {
         match self.position {
             Position::Given {
                 eccentricity,
@@ -96,16 +96,16 @@ mod tests {
     }
 
     #[test]
-    fn the_start_is_the_position_or_lies_behind_the_load() {
+    fn the_middle_is_the_position_or_lies_behind_the_load() {
         let given = Position::Given {
             eccentricity: 0.6,
             min_film_angle: 3.0,
         };
-        assert_eq!(journal(10.0, given).start(), (0.6, 3.0));
+        assert_eq!(journal(10.0, given).middle(), (0.6, 3.0));
         assert_eq!(journal(10.0, given).load(), None);
         let load = Position::Load { force: 5e3, angle: 1.5 };
         for (speed, sense) in [(10.0, 1.0), (-10.0, -1.0), (0.0, 1.0), (-0.0, 1.0)] {
-            assert_eq!(journal(speed, load).start(), (0.5, 1.5 + sense * FRAC_PI_4));
+            assert_eq!(journal(speed, load).middle(), (0.5, 1.5 + sense * FRAC_PI_4));
         }
         let [x, y] = journal(10.0, load).load().expect("a load");
         assert!((x.hypot(y) - 5e3).abs() < 1e-9 && (y.atan2(x) - 1.5).abs() < 1e-15);

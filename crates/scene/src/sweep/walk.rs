@@ -147,7 +147,7 @@ impl<'a> Walker<'a> {
             .take()
             .filter(|held| !scene.mesh.is_graded() && has_same_system(&held.scene, scene));
         let mut study = match ungraded {
-            Some(held) => renewed(held.study, scene, scene.journal.start()),
+            Some(held) => renewed(held.study, scene, scene.start()),
             None => graded(scene)?,
         };
         let graded_for = study.problem.journal;
@@ -164,7 +164,7 @@ impl<'a> Walker<'a> {
     /// From the case before, if there is one and it leads to an answer.
     fn following(&mut self, scene: &Scene, coordinate: f64) -> Result<Option<(Held, Solved)>, CompileError> {
         let told = match scene.journal.load() {
-            None => Some(scene.journal.start()),
+            None => Some(scene.start()),
             Some(_) => predicted(&self.visited, point(scene, coordinate)),
         };
         let is_neighbour = |held: &Held| held.film.is_some() && has_same_system(&held.scene, scene);

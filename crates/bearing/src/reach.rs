@@ -1,0 +1,62 @@
+//! Whether a load is beyond what the film carries at the greatest eccentricity.
+
+use oilwedge_reynolds::solve::Neighbour;
+use oilwedge_reynolds::{FilmProblem, FilmSystem};
+
+use crate::NoEquilibrium;
+use crate::equilibrium::Squeeze;
+use crate::estimate::GREATEST_ECCENTRICITY;
+use crate::search::Search;
+
+/// The line of centres is turned so often until the film's force points where the load does.
+const TURNS: usize = 12;
+/// It does within this angle [rad].
+const ALIGNED: f64 = 0.02;
+/// Loads below this part of the natural force are lost among rounding errors of the film's force.
+pub(crate) const ROUNDING: f64 = 1e-10;
+
+impl Search<'_> {
+    /// That the film carries less than the load at the greatest eccentricity, in the direction of the load, if that is so.
+    pub(crate) fn beyond_reach(&self, problem: &FilmProblem) -> Option<NoEquilibrium> {
+        let asked = self.load[0].hypot(self.load[1]);
+        let towards = self.load[1].atan2(self.load[0]);
+        let mut angle = problem.journal.min_film_angle();
+        for _ in 0..TURNS {
+            let e = GREATEST_ECCENTRICITY * self.clearance;
+            let offset = [e * angle.cos(), e * angle.sin()];
+            let trial = self.trial(problem, offset, Neighbour::None).ok()?;
+            let [x, y] = trial.force;
+            let (sin, cos) = (towards - y.atan2(x)).sin_cos();
+            let turn = sin.atan2(cos);
+            if turn.abs() < ALIGNED {
+                let greatest = x.hypot(y);
+                return (greatest < asked).then(|| NoEquilibrium::BeyondReach {
+                    asked,
+                    towards: towards.to_degrees().rem_euclid(360.0),
+                    greatest,
+                    ratio: asked / greatest,
+                    thickness: self.clearance - e,
+                    journal: Box::new(trial.problem.journal),
+                });
+            }
+            angle += turn;
+        }
+        None
+    }
+
+    /// That the load is so small that rounding errors of the film's force hide it, if that is so.
+    pub(crate) fn below_rounding(&self, problem: &FilmProblem) -> Option<NoEquilibrium> {
+        let asked = self.load[0].hypot(self.load[1]);
+        let least = ROUNDING * natural_force(problem, self.system, self.squeeze);
+        (asked > 0.0 && asked < least).then_some(NoEquilibrium::BelowRounding { asked, least })
+    }
+}
+
+/// The force [N] of drag through the clearance, or that of the greatest pressure given on the projected area.
+pub(crate) fn natural_force(problem: &FilmProblem, system: &FilmSystem, squeeze: Squeeze) -> f64 {
+    let bearing = &problem.bearing;
+    let rate = problem.journal.speed.abs() + squeeze.radial.hypot(squeeze.tangential) / bearing.clearance;
+    let drag = problem.lubricant.viscosity * rate * (bearing.radius / bearing.clearance).powi(2);
+    let given = system.supply.regions().iter().map(|region| region.pressure.abs());
+    given.fold(drag, f64::max) * 2.0 * bearing.radius * bearing.length
+}

@@ -1,0 +1,133 @@
+//! `oilwedge verify`: cases whose answers are known, and hard cases, against this program.
+
+use crate::complain::Failure;
+use crate::progress::SweepProgress;
+use crate::readable::significant;
+use crate::terminal::{self, align_right, heading, table, time};
+use oilwedge_scene::plot::{CellMap, cells_to_svg, to_png};
+use oilwedge_scene::{Error, folder};
+use oilwedge_verification::cases::KNOWN_VALUES;
+use oilwedge_verification::map::{CELLS, unexplained};
+use oilwedge_verification::page::page;
+use oilwedge_verification::suite::{self, Verdict};
+use oilwedge_verification::{SuiteError, run_map, run_suite};
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::time::Instant;
+
+/// Arguments of `oilwedge verify`.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Verify {
+    /// Solve all hard cases and the map of stability, and write the page about them; some minutes.
+    #[arg(long)]
+    hard: bool,
+
+    /// Only this family of hard cases, without map and page; may be given more than once.
+    #[arg(long, value_name = "NAME", conflicts_with = "hard")]
+    family: Vec<String>,
+
+    /// Folder of stability.md, stability.svg and stability.png.
+    #[arg(long, value_name = "DIR", default_value = "docs/validation", requires = "hard")]
+    out: PathBuf,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  oilwedge verify                      answers that are known: is this program what it should be? (a second)
+  oilwedge verify --hard               all hard cases and the map, to docs/validation/stability.md
+  oilwedge verify --family loads       one family of them
+
+Exit status: 0 every case ends as it must; 1 some do not: they are told with what does not hold; 2 bad arguments, or the
+page cannot be written.";
+
+impl From<SuiteError> for Failure {
+    fn from(error: SuiteError) -> Self {
+        Self::Argument {
+            message: error.to_string(),
+        }
+    }
+}
+
+impl Verify {
+    /// Runs the cases, and prints what was found.
+    ///
+    /// # Errors
+    /// [`Failure`]: there is no such family, or the page cannot be written.
+    pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
+        let clock = Instant::now();
+        let names = match (self.hard, self.family.is_empty()) {
+            (true, _) => Vec::new(),
+            (false, true) => vec![KNOWN_VALUES.to_owned()],
+            (false, false) => self.family.clone(),
+        };
+        let cases = suite::count(&names)? + if self.hard { CELLS } else { 0 };
+        let mut progress = SweepProgress::new();
+        let mut done = 0;
+        let verdicts = run_suite(&names, &mut |_| {
+            done += 1;
+            progress.ended(done, cases);
+        })?;
+        let maps = match self.hard {
+            true => Vec::from(run_map(&mut |cells| {
+                done += cells;
+                progress.ended(done, cases);
+            })?),
+            false => Vec::new(),
+        };
+        progress.end();
+        let faults = verdicts.iter().filter(|verdict| !verdict.faults.is_empty()).count()
+            + maps.iter().flat_map(unexplained).count();
+        let mut text = report(&verdicts, &maps, clock.elapsed().as_secs_f64());
+        if self.hard {
+            self.write(&verdicts, &maps)?;
+            text += &format!("written   {}: stability.md, stability.svg, stability.png\n", self.out.display());
+        }
+        terminal::print(&text)?;
+        Ok(if faults == 0 { ExitCode::SUCCESS } else { ExitCode::from(1) })
+    }
+
+    fn write(&self, verdicts: &[Verdict], maps: &[CellMap]) -> Result<(), Failure> {
+        let svg = cells_to_svg(maps).map_err(Error::from)?;
+        let png = to_png(&svg).map_err(Error::from)?;
+        let text = page(verdicts, maps, "stability.png");
+        let files = [
+            ("stability.svg", Some(svg.as_bytes())),
+            ("stability.png", Some(&png[..])),
+            ("stability.md", Some(text.as_bytes())),
+        ];
+        Ok(folder::replace(&self.out, &files).map_err(Error::from)?)
+    }
+}
+
+/// The cases in a table, what does not hold below it.
+fn report(verdicts: &[Verdict], maps: &[CellMap], seconds: f64) -> String {
+    let mut cells = table(["case", "ends", "seconds", "load [N]", "bar", "against it stands"]);
+    [2, 3, 4].into_iter().for_each(|column| align_right(&mut cells, column));
+    let number = |value: Option<f64>, digits| value.map_or(String::new(), |value| significant(value, digits));
+    for verdict in verdicts {
+        let mark = if verdict.faults.is_empty() { "" } else { "! " };
+        cells.add_row([
+            format!("{mark}{}", verdict.case.name()),
+            verdict.end.name().to_owned(),
+            format!("{:.2}", verdict.seconds),
+            number(verdict.load.map(|(load, _)| load), 5),
+            number(verdict.load.and_then(|(_, bar)| bar), 2),
+            verdict.against.clone(),
+        ]);
+    }
+    let faulty: Vec<&Verdict> = verdicts.iter().filter(|verdict| !verdict.faults.is_empty()).collect();
+    let told = match faulty.len() {
+        0 => "all as they must".to_owned(),
+        count => format!("{count} unexplained"),
+    };
+    let mut text = heading("Verification", &format!("{} cases, {told}", verdicts.len())) + "\n\n" + &cells.to_string() + "\n";
+    for verdict in faulty {
+        text += &format!("\n! {} ({})\n", verdict.case.name(), verdict.case.family);
+        text += &verdict.faults.iter().map(|fault| format!("    {fault}\n")).collect::<String>();
+    }
+    for told in maps.iter().flat_map(unexplained) {
+        text += &format!("\n! map: {told}\n");
+    }
+    text + &format!("\ntime      {}\n", time(seconds))
+}

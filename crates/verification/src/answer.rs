@@ -1,0 +1,156 @@
+//! What the solver says to a case.
+
+use std::path::Path;
+
+use oilwedge_scene::report::Status;
+use oilwedge_scene::{Error, Run, RunOptions, Scene, SceneError, run};
+use toml::{Table, Value};
+
+use crate::cases::{Case, put};
+use crate::family::{BarusForm, Expect};
+use crate::made_mesh;
+
+/// How a run of a case ended.
+#[derive(Debug)]
+pub(crate) enum Answer {
+    /// With a result.
+    Run(Box<Run>),
+    /// The scene or its mesh was refused, with this message.
+    Refused(String),
+}
+
+impl Answer {
+    /// How it ended, in one word.
+    pub(crate) fn end(&self) -> Expect {
+        match self {
+            Self::Refused(_) => Expect::Refused,
+            Self::Run(run) => match run.result.status {
+                Status::Converged => Expect::Converged,
+                Status::NoSolution => Expect::NoSolution,
+                Status::NotConverged => Expect::NotConverged,
+            },
+        }
+    }
+
+    /// Value of a quantity, of a film that was found.
+    pub(crate) fn value(&self, name: &str) -> Option<f64> {
+        match self {
+            Self::Run(run) => run.result.quantity(name).map(|quantity| quantity.value),
+            Self::Refused(_) => None,
+        }
+    }
+
+    /// Why there is no answer.
+    pub(crate) fn reason(&self) -> Option<&str> {
+        match self {
+            Self::Refused(message) => Some(message),
+            Self::Run(run) => run.result.reason.as_deref(),
+        }
+    }
+}
+
+/// Unknowns of a case whose mesh is refined at most.
+const MOST_UNKNOWNS: usize = 60_000;
+
+/// Solves the scene of a table.
+pub(crate) fn solve(table: &Table) -> Answer {
+    solve_within(table, MOST_UNKNOWNS)
+}
+
+/// The same on meshes of at most so many unknowns; where they do not reach the tolerance asked for, the best of them is the answer.
+pub(crate) fn solve_within(table: &Table, max_unknowns: usize) -> Answer {
+    let scene = match read(table) {
+        Ok(scene) => scene,
+        Err(message) => return Answer::Refused(message),
+    };
+    let options = RunOptions {
+        max_unknowns,
+        ..RunOptions::default()
+    };
+    match run(&scene, &options) {
+        Ok(run) => Answer::Run(Box::new(run)),
+        Err(error) => Answer::Refused(told(&error)),
+    }
+}
+
+fn read(table: &Table) -> Result<Scene, String> {
+    let text = toml::to_string(table).map_err(|error| error.to_string())?;
+    Scene::parse(&text, Path::new("case.toml")).map_err(|error| match error {
+        SceneError::Complaints { complaints, .. } | SceneError::Syntax { complaints, .. } => complaints
+            .iter()
+            .map(|complaint| format!("{complaint}; {}", complaint.help))
+            .collect::<Vec<_>>()
+            .join("\n"),
+        other => other.to_string(),
+    })
+}
+
+/// A message with its causes.
+fn told(error: &Error) -> String {
+    let mut words = error.to_string();
+    let mut cause = std::error::Error::source(error);
+    while let Some(inner) = cause {
+        words += &format!(": {inner}");
+        cause = inner.source();
+    }
+    words
+}
+
+/// The scene of a case as it is solved: its mesh file is made in the folder `dir`, and its Barus coefficient is found.
+///
+/// # Errors
+/// Why it cannot be made, in words.
+pub(crate) fn prepare(case: &Case, dir: &Path, number: usize) -> Result<Table, String> {
+    let mut scene = case.scene.clone();
+    if let Some(recipe) = &case.mesh {
+        let path = dir.join(format!("{number}.msh"));
+        made_mesh::write(recipe, &read(&scene)?, &path)?;
+        let path = path.to_str().ok_or("the folder for meshes has a name that is no text")?;
+        put(&mut scene, "mesh.file", Value::String(path.to_owned()));
+        put(&mut scene, "mesh.unit", Value::String(recipe.unit.clone()));
+    }
+    if let Some((part, form)) = case.of_limit {
+        let alpha = part * limit(&scene, form)?;
+        scene = with_barus(&scene, alpha, form);
+    }
+    Ok(scene)
+}
+
+/// A scene with Barus' law.
+pub(crate) fn with_barus(scene: &Table, alpha: f64, form: BarusForm) -> Table {
+    let mut scene = scene.clone();
+    let law = [
+        ("alpha".to_owned(), Value::String(format!("{alpha} 1/Pa"))),
+        ("form".to_owned(), Value::String(form.name().to_owned())),
+    ];
+    put(&mut scene, "oil.barus", Value::Table(law.into_iter().collect()));
+    scene
+}
+
+/// Halvings of the interval in which a fold lies.
+const HALVINGS: usize = 16;
+
+/// The greatest Barus coefficient [1/Pa] with a film: the reciprocal of the greatest pressure of the oil without it, or
+/// the fold of the as-printed equation, which lies below that.
+///
+/// # Errors
+/// There is no film without it.
+pub(crate) fn limit(scene: &Table, form: BarusForm) -> Result<f64, String> {
+    let plain = solve(scene);
+    let pressure = plain.value("pressure_max").filter(|pressure| *pressure > 0.0);
+    let conservative = match pressure {
+        Some(pressure) => 1.0 / pressure,
+        None => return Err(format!("no film without Barus' law: {:?}", plain.reason())),
+    };
+    if form == BarusForm::Conservative {
+        return Ok(conservative);
+    }
+    let (low, high) = (0..HALVINGS).fold((0.0, conservative), |(low, high), _| {
+        let middle = 0.5 * (low + high);
+        match solve(&with_barus(scene, middle, form)).end() {
+            Expect::Converged => (middle, high),
+            _ => (low, middle),
+        }
+    });
+    Ok(0.5 * (low + high))
+}

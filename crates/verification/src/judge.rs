@@ -1,0 +1,128 @@
+//! What must hold of an answer, whatever the case.
+
+use oilwedge_scene::Run;
+use oilwedge_scene::report::{Quantity, RunResult};
+
+use crate::answer::Answer;
+use crate::cases::Case;
+use crate::family::Expect;
+
+/// Relative imbalance of oil or force of a solved film; that of a film of rounding errors apart.
+const BALANCED: f64 = 1e-5;
+/// Part of the greatest pressure by which quadratics waver below the pressure of a cavity.
+const WAVER: f64 = 0.02;
+/// The same of film fractions, at the edges of streaks.
+const STREAK: f64 = 0.15;
+
+/// What is wrong with the answer to a case by itself; nothing where all is well.
+pub(crate) fn faults(case: &Case, answer: &Answer) -> Vec<String> {
+    let mut faults = Vec::new();
+    let end = answer.end();
+    if end != case.expect {
+        let reason = answer.reason().map_or(String::new(), |reason| format!(": {reason}"));
+        faults.push(format!("ended {}, not {}{reason}", end.name(), case.expect.name()));
+        return faults;
+    }
+    let warnings = match answer {
+        Answer::Run(run) => run.result.warnings.join("\n"),
+        Answer::Refused(_) => String::new(),
+    };
+    let said = format!("{}\n{warnings}", answer.reason().unwrap_or_default());
+    if let Some(words) = case.says.as_ref().filter(|words| !said.contains(words.as_str())) {
+        faults.push(format!("does not say \"{words}\": {said}"));
+    }
+    match answer {
+        Answer::Refused(_) => {}
+        Answer::Run(run) => match end {
+            Expect::Converged => film(case, run, &mut faults),
+            _ => unanswered(&run.result, &mut faults),
+        },
+    }
+    faults
+}
+
+/// A run without an answer has a reason, and numbers only where they are the best so far.
+fn unanswered(result: &RunResult, faults: &mut Vec<String>) {
+    if result.reason.as_ref().is_none_or(|reason| reason.len() < 20) {
+        faults.push("tells no reason".to_owned());
+    }
+    let silent = result.history.is_empty() && result.levels.is_empty();
+    if result.status == oilwedge_scene::report::Status::NotConverged && silent {
+        faults.push("is not converged, but shows no history".to_owned());
+    }
+    if result.status == oilwedge_scene::report::Status::NoSolution && !result.quantities.is_empty() {
+        faults.push("has no solution, but numbers".to_owned());
+    }
+}
+
+fn film(case: &Case, run: &Run, faults: &mut Vec<String>) {
+    let result = &run.result;
+    if let Err(error) = result.to_json() {
+        faults.push(error.to_string());
+    }
+    let as_printed = result.effects.simulated.iter().any(|effect| effect.contains("as-printed"));
+    if result.balances.mass > BALANCED && !as_printed {
+        faults.push(format!("oil is out of balance by {:.1e}", result.balances.mass));
+    }
+    if result.balances.force > BALANCED {
+        faults.push(format!("force is out of balance by {:.1e}", result.balances.force));
+    }
+    bars(result, faults);
+    pressures(result, faults);
+    if let Some(picture) = &run.picture {
+        fractions(picture, case, faults);
+    }
+}
+
+/// Each number has a bar, or the result tells why not.
+fn bars(result: &RunResult, faults: &mut Vec<String>) {
+    let bare: Vec<&str> = (result.quantities.iter())
+        .filter(|quantity| quantity.error.is_none())
+        .map(|quantity| quantity.name.as_str())
+        .collect();
+    let explained = result.warnings.iter().any(|warning| warning.contains("resolve"));
+    if !bare.is_empty() && !explained {
+        faults.push(format!("no bar, and no warning: {}", bare.join(", ")));
+    }
+    for quantity in &result.quantities {
+        if quantity.error.is_some_and(|error| error < 0.0) {
+            faults.push(format!("the bar of {} is negative", quantity.name));
+        }
+    }
+}
+
+/// No pressure lies below that of a cavity, beyond how quadratics waver.
+fn pressures(result: &RunResult, faults: &mut Vec<String>) {
+    let value = |name: &str| result.quantity(name).map(|quantity: &Quantity| quantity.value);
+    let (Some(least), Some(greatest)) = (value("pressure_min"), value("pressure_max")) else {
+        return;
+    };
+    if least > greatest {
+        faults.push(format!("the least pressure {least:.3e} Pa is above the greatest {greatest:.3e} Pa"));
+    }
+    let has_cavity = (result.effects.simulated.iter())
+        .any(|effect| effect.starts_with("cavitation") && !effect.ends_with("none"));
+    // Cases give the pressure of a cavity as zero, but where they are about it.
+    if has_cavity && least < -WAVER * greatest.abs() && value("cavity_share").is_none() {
+        faults.push(format!("the pressure falls to {least:.3e} Pa, below that of the cavity"));
+    }
+}
+
+/// Film fractions lie between 0 and 1, and are 1 where there is pressure.
+fn fractions(picture: &oilwedge_scene::vtu::FilmPicture, case: &Case, faults: &mut Vec<String>) {
+    let field = |name: &str| (picture.point_data.iter()).find(|(field, _)| field == name).map(|(_, values)| values);
+    let (Some(pressure), Some(fraction)) = (field("pressure"), field("film_fraction")) else {
+        return;
+    };
+    let outside = fraction.iter().filter(|theta| **theta <= 0.0 || **theta > 1.0 + STREAK).count();
+    if outside > 0 {
+        faults.push(format!("{outside} film fractions of {} lie outside 0 to 1", case.name()));
+    }
+    let least = pressure.iter().copied().fold(f64::INFINITY, f64::min);
+    let greatest = pressure.iter().copied().fold(0.0, f64::max);
+    let both = pressure.iter().zip(fraction).filter(|(p, theta)| **p > least + WAVER * greatest && **theta < 1.0 - STREAK);
+    let both = both.count();
+    if both > 0 {
+        faults.push(format!("{both} nodes have pressure and are not full"));
+    }
+}

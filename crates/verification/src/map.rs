@@ -1,0 +1,101 @@
+//! The map of where the solver is stable: eccentricity against the Barus coefficient over its limit, and against slenderness.
+
+use oilwedge_scene::plot::{Cell, CellMap};
+use toml::{Table, Value};
+
+use crate::answer::{Answer, limit, solve, with_barus};
+use crate::cases::put;
+use crate::family::{BarusForm, Expect};
+use crate::suite::{SuiteError, in_threads};
+
+/// Eccentricities of both maps.
+const ECCENTRICITIES: [f64; 12] = [0.1, 0.3, 0.5, 0.7, 0.8, 0.9, 0.95, 0.98, 0.99, 0.995, 0.999, 0.9999];
+/// Barus coefficients over the greatest with a film.
+const OF_LIMIT: [f64; 9] = [0.1, 0.5, 0.8, 0.9, 0.99, 1.01, 1.1, 2.0, 10.0];
+/// Lengths over diameter.
+const SLENDERNESS: [f64; 11] = [0.01, 0.03, 0.1, 0.3, 0.5, 1.0, 2.0, 5.0, 10.0, 30.0, 100.0];
+
+/// The scene of all cells: Swift-Stieber's film of a ring.
+const SCENE: &str = r#"
+bearing = { diameter = "100 mm", length = "50 mm", clearance = "50 um" }
+journal = { speed = "1000 rpm", eccentricity = 0.5, min_film_angle = "180 deg" }
+oil = { viscosity = "20 mPa.s" }
+cavitation = { model = "reynolds" }
+"#;
+
+/// Cells of both maps.
+pub const CELLS: usize = ECCENTRICITIES.len() * (OF_LIMIT.len() + SLENDERNESS.len());
+
+/// A column: cells of all rows at one eccentricity.
+fn column(place: usize) -> Vec<Cell> {
+    let eccentricity = ECCENTRICITIES[place % ECCENTRICITIES.len()];
+    let mut scene: Table = toml::from_str(SCENE).unwrap_or_default();
+    put(&mut scene, "journal.eccentricity", Value::Float(eccentricity));
+    match place < ECCENTRICITIES.len() {
+        true => match limit(&scene, BarusForm::Conservative) {
+            Ok(limit) => (OF_LIMIT.iter())
+                .map(|&part| {
+                    let answer = solve(&with_barus(&scene, part * limit, BarusForm::Conservative));
+                    cell(&answer, part > 1.0)
+                })
+                .collect(),
+            Err(reason) => vec![Cell::Unexplained(reason); OF_LIMIT.len()],
+        },
+        false => (SLENDERNESS.iter())
+            .map(|slenderness| {
+                put(&mut scene, "bearing.length", Value::String(format!("{} mm", 100.0 * slenderness)));
+                cell(&solve(&scene), false)
+            })
+            .collect(),
+    }
+}
+
+/// What became of a cell whose film must not exist (`beyond`), or must.
+fn cell(answer: &Answer, beyond: bool) -> Cell {
+    match (answer, answer.end(), beyond) {
+        (Answer::Run(run), Expect::Converged, false) => Cell::Answer(run.result.counts.nonlinear_iterations),
+        (_, Expect::NoSolution, true) => Cell::Absent("no film".to_owned()),
+        (_, end, _) => Cell::Unexplained(end.name().to_owned()),
+    }
+}
+
+/// Solves all cells, and tells after each column how many cells it has.
+///
+/// # Errors
+/// [`SuiteError::Threads`].
+pub fn run_map(ended: &mut dyn FnMut(usize)) -> Result<[CellMap; 2], SuiteError> {
+    let columns = 2 * ECCENTRICITIES.len();
+    let mut found = in_threads(columns, column, &mut |cells: &Vec<Cell>| ended(cells.len()))?;
+    found.sort_by_key(|(place, _)| *place);
+    let mut columns = found.into_iter().map(|(_, cells)| cells);
+    let mut map = |title: &str, y: &str, rows: &[f64]| {
+        let columns: Vec<Vec<Cell>> = columns.by_ref().take(ECCENTRICITIES.len()).collect();
+        CellMap {
+            title: title.to_owned(),
+            x: "eccentricity".to_owned(),
+            columns: ECCENTRICITIES.iter().map(f64::to_string).collect(),
+            y: y.to_owned(),
+            rows: rows.iter().map(f64::to_string).collect(),
+            cells: (0..rows.len())
+                .map(|row| columns.iter().map(|column| column[row].clone()).collect())
+                .collect(),
+        }
+    };
+    Ok([
+        map("Barus' law towards its limit, B/D = 0.5", "alpha over its limit", &OF_LIMIT),
+        map("From short to long, constant viscosity", "B/D", &SLENDERNESS),
+    ])
+}
+
+/// Cells of a map that nobody explained, in words.
+pub fn unexplained(map: &CellMap) -> Vec<String> {
+    let mut list = Vec::new();
+    for (row, cells) in map.rows.iter().zip(&map.cells) {
+        for (column, cell) in map.columns.iter().zip(cells) {
+            if let Cell::Unexplained(word) = cell {
+                list.push(format!("{} {column}, {} {row}: {word}", map.x, map.y));
+            }
+        }
+    }
+    list
+}

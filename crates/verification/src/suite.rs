@@ -1,0 +1,198 @@
+//! The suite: every case solved, judged by itself, by its series and by a second method.
+
+use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc::channel;
+use std::time::Instant;
+
+use crate::answer::{self, Answer};
+use crate::cases::{BadFamily, Case, cases, families};
+use crate::family::{Expect, Family, Series};
+use crate::judge::faults;
+use crate::series::across;
+use crate::witness::against;
+
+/// What was found of one case.
+#[derive(Debug)]
+pub struct Verdict {
+    /// The case.
+    pub case: Case,
+    /// Name of its family in words.
+    pub title: String,
+    /// Why the family is there.
+    pub reason_of_family: String,
+    /// Why the case is there.
+    pub why: String,
+    /// How it ended.
+    pub end: Expect,
+    /// Seconds that it took.
+    pub seconds: f64,
+    /// Nonlinear iterations on the mesh of the result.
+    pub iterations: usize,
+    /// Triangles of the mesh of the result.
+    pub triangles: usize,
+    /// Load [N] and its bar.
+    pub load: Option<(f64, Option<f64>)>,
+    /// Why there is no answer.
+    pub reason: Option<String>,
+    /// What stood against the answer, in words; empty where there is none.
+    pub against: String,
+    /// What does not hold; nothing where all is well.
+    pub faults: Vec<String>,
+}
+
+/// Why the suite was not run.
+#[derive(Debug, thiserror::Error)]
+pub enum SuiteError {
+    /// A family of cases cannot be read.
+    #[error(transparent)]
+    Family(#[from] BadFamily),
+    /// There is no such family.
+    #[error("there is no family of hard cases {asked}; there are {}", known.join(", "))]
+    Unknown {
+        /// The name given.
+        asked: String,
+        /// The names that there are.
+        known: Vec<&'static str>,
+    },
+    /// No folder for the meshes of cases.
+    #[error("cannot make a folder for meshes: {0}")]
+    Folder(#[from] std::io::Error),
+    /// Threads cannot be started.
+    #[error("cannot start the threads of the suite: {0}; give fewer with --threads")]
+    Threads(String),
+}
+
+/// The cases of one series, which are judged together.
+struct Work {
+    name: &'static str,
+    family: Family,
+    series: Series,
+    cases: Vec<Case>,
+}
+
+/// The families asked for, all if none is named.
+fn work(names: &[String]) -> Result<Vec<Work>, SuiteError> {
+    let families = families()?;
+    let known: Vec<&'static str> = families.iter().map(|(name, _)| *name).collect();
+    if let Some(asked) = names.iter().find(|name| !known.contains(&name.as_str())) {
+        let asked = asked.clone();
+        return Err(SuiteError::Unknown { asked, known });
+    }
+    let wanted = |name: &str| names.is_empty() || names.iter().any(|wanted| wanted == name);
+    let series = (families.iter().filter(|(name, _)| wanted(name))).flat_map(|(name, family)| {
+        family.series.iter().map(|series| Work {
+            name,
+            family: family.clone(),
+            series: series.clone(),
+            cases: cases(name, family, series),
+        })
+    });
+    Ok(series.collect())
+}
+
+/// Cases of the families asked for, all if none is named.
+///
+/// # Errors
+/// [`SuiteError::Family`], [`SuiteError::Unknown`].
+pub fn count(names: &[String]) -> Result<usize, SuiteError> {
+    Ok(work(names)?.iter().map(|work| work.cases.len()).sum())
+}
+
+/// Runs the cases of the families asked for (all if none is named), as many series at once as there are threads, and tells each case
+/// as it ends. The verdicts come in the order of the files.
+///
+/// # Errors
+/// [`SuiteError`].
+pub fn run_suite(names: &[String], ended: &mut dyn FnMut(&Verdict)) -> Result<Vec<Verdict>, SuiteError> {
+    let all = work(names)?;
+    let folder = tempfile::tempdir()?;
+    let mut found = in_threads(all.len(), |place| judged(&all[place], folder.path(), place), &mut |verdicts: &Vec<Verdict>| {
+        verdicts.iter().for_each(&mut *ended);
+    })?;
+    found.sort_by_key(|(place, _)| *place);
+    Ok(found.into_iter().flat_map(|(_, verdicts)| verdicts).collect())
+}
+
+/// Does `count` pieces of work on threads of their own, each with one thread for its parts, and hands on what ends.
+///
+/// # Errors
+/// [`SuiteError::Threads`].
+pub(crate) fn in_threads<T: Send>(
+    count: usize,
+    piece: impl Fn(usize) -> T + Sync,
+    ended: &mut dyn FnMut(&T),
+) -> Result<Vec<(usize, T)>, SuiteError> {
+    let next = AtomicUsize::new(0);
+    let (sender, receiver) = channel();
+    std::thread::scope(|scope| {
+        for _ in 0..rayon::current_num_threads().min(count) {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
+            let pool = pool.map_err(|error| SuiteError::Threads(error.to_string()))?;
+            let (sender, next, piece) = (sender.clone(), &next, &piece);
+            scope.spawn(move || {
+                pool.install(|| {
+                    loop {
+                        let place = next.fetch_add(1, Ordering::Relaxed);
+                        if place >= count || sender.send((place, piece(place))).is_err() {
+                            return;
+                        }
+                    }
+                });
+            });
+        }
+        drop(sender);
+        Ok(receiver.iter().inspect(|(_, found)| ended(found)).collect())
+    })
+}
+
+/// All cases of a series.
+fn judged(work: &Work, folder: &Path, place: usize) -> Vec<Verdict> {
+    let mut verdicts = Vec::new();
+    let mut answers = Vec::new();
+    for (number, case) in work.cases.iter().enumerate() {
+        let (verdict, answer) = one(work, case, folder, 1000 * place + number);
+        verdicts.push(verdict);
+        answers.push(answer);
+    }
+    for (verdict, faults) in verdicts.iter_mut().zip(across(&work.series, &answers)) {
+        verdict.faults.extend(faults);
+    }
+    verdicts
+}
+
+fn one(work: &Work, case: &Case, folder: &Path, number: usize) -> (Verdict, Answer) {
+    let scene = answer::prepare(case, folder, number);
+    let clock = Instant::now();
+    let answer = match &scene {
+        Ok(scene) => answer::solve(scene),
+        Err(message) => Answer::Refused(message.clone()),
+    };
+    let seconds = clock.elapsed().as_secs_f64();
+    let mut faults = faults(case, &answer);
+    let mut second = String::new();
+    if let (Ok(scene), Answer::Run(run), true) = (&scene, &answer, faults.is_empty()) {
+        second = against(&work.series, scene, run, &mut faults);
+    }
+    let result = match &answer {
+        Answer::Run(run) => Some(&run.result),
+        Answer::Refused(_) => None,
+    };
+    let load = result.and_then(|result| result.quantity("load"));
+    let verdict = Verdict {
+        case: case.clone(),
+        title: work.family.title.clone(),
+        reason_of_family: work.family.reason.clone(),
+        why: work.series.why.clone(),
+        end: answer.end(),
+        seconds,
+        iterations: result.map_or(0, |result| result.counts.nonlinear_iterations),
+        triangles: result.map_or(0, |result| result.mesh.cells),
+        load: load.map(|load| (load.value, load.error)),
+        reason: answer.reason().map(str::to_owned),
+        against: second,
+        faults,
+    };
+    debug_assert_eq!(work.name, case.family);
+    (verdict, answer)
+}

@@ -1,0 +1,158 @@
+//! A second method for every answer: the same film on a finer mesh, another scene that must agree, or known values.
+
+use oilwedge_reynolds::analytical::{ocvirk, sommerfeld};
+use oilwedge_scene::Run;
+use oilwedge_scene::report::Quantity;
+use toml::{Table, Value};
+
+use crate::answer::{Answer, solve, solve_within};
+use crate::cases::{finer, other};
+use crate::family::{Against, ClosedForm, Known, Other, Series};
+
+/// A finer mesh has error bars of this part of those of the case.
+const FINER: f64 = 0.25;
+/// Bars of mass-conserving films hold in some 95 of 100 cases (docs/theory/error_estimation_jfo.md); this many bars must in all.
+const CONSERVING: f64 = 2.0;
+/// Unknowns of the finer mesh at most.
+const MOST_UNKNOWNS: usize = 40_000;
+/// Finest and coarsest tolerance asked for.
+const TOLERANCES: [f64; 2] = [1e-7, 0.1];
+
+/// Holds another method against an answer; what does not agree goes to `faults`. Tells the method in words.
+pub(crate) fn against(series: &Series, scene: &Table, run: &Run, faults: &mut Vec<String>) -> String {
+    let mut methods = Vec::new();
+    if run.result.status == oilwedge_scene::report::Status::Converged {
+        match &series.against {
+            Against::Finer => methods.push(on_finer_mesh(scene, run, faults)),
+            Against::Other(wanted) => methods.push(elsewhere(wanted, scene, run, faults)),
+            Against::Known => {}
+        }
+        for (name, known) in &series.known {
+            methods.push(beside_known(name, known, scene, run, faults));
+        }
+        if methods.is_empty() {
+            faults.push("no second method stands against it".to_owned());
+        }
+    }
+    methods.join("; ")
+}
+
+fn on_finer_mesh(scene: &Table, run: &Run, faults: &mut Vec<String>) -> String {
+    let relative = |name: &str| {
+        let quantity = run.result.quantity(name)?;
+        let value = if quantity.value == 0.0 { 1.0 } else { quantity.value.abs() };
+        quantity.error.map(|error| error / value)
+    };
+    let name = match scene.contains_key("load") {
+        true => "eccentricity",
+        false => "load",
+    };
+    let tolerance = (FINER * relative(name).unwrap_or(TOLERANCES[1])).clamp(TOLERANCES[0], TOLERANCES[1]);
+    let answer = solve_within(&finer(scene, tolerance), MOST_UNKNOWNS);
+    let Answer::Run(second) = &answer else {
+        faults.push(format!("refused on a finer mesh: {:?}", answer.reason()));
+        return String::new();
+    };
+    if second.result.quantities.is_empty() {
+        faults.push(format!("no answer on a finer mesh: {:?}", answer.reason()));
+    }
+    let conserving = run.result.effects.simulated.iter().any(|effect| effect.ends_with("jfo"));
+    let widened = if conserving { CONSERVING } else { 1.0 };
+    for quantity in &run.result.quantities {
+        let Some(fine) = second.result.quantity(&quantity.name) else {
+            continue;
+        };
+        let (Some(error), Some(fine_error)) = (quantity.error, fine.error) else {
+            continue;
+        };
+        let distance = distance(quantity, fine.value);
+        let bars = widened * (error + fine_error);
+        let rounding = 1e-12 * quantity.value.abs().max(natural(run, &quantity.unit));
+        if distance > bars + rounding {
+            faults.push(format!(
+                "{} is {:.8e} with a bar of {error:.1e}, but {:.8e} with a bar of {fine_error:.1e} on {} triangles",
+                quantity.name, quantity.value, fine.value, second.result.mesh.cells
+            ));
+        }
+    }
+    format!("finer mesh, {} triangles", second.result.mesh.cells)
+}
+
+/// The greatest value in this unit: what rounding errors are measured by.
+fn natural(run: &Run, unit: &str) -> f64 {
+    let alike = run.result.quantities.iter().filter(|quantity| quantity.unit == unit);
+    alike.map(|quantity| quantity.value.abs()).fold(0.0, f64::max)
+}
+
+/// Distance of two values; angles go round.
+fn distance(quantity: &Quantity, other: f64) -> f64 {
+    let distance = (quantity.value - other).abs();
+    match quantity.unit == "deg" {
+        true => (distance % 360.0).min(360.0 - distance % 360.0),
+        false => distance,
+    }
+}
+
+fn elsewhere(wanted: &Other, scene: &Table, run: &Run, faults: &mut Vec<String>) -> String {
+    let answer = solve(&other(scene, wanted));
+    let Answer::Run(second) = &answer else {
+        faults.push(format!("{} is refused: {:?}", wanted.name, answer.reason()));
+        return String::new();
+    };
+    for (name, allowed) in &wanted.quantities {
+        let (Some(first), Some(second)) = (run.result.quantity(name), second.result.quantity(name)) else {
+            faults.push(format!("{name} is not in both: {:?}", answer.reason()));
+            continue;
+        };
+        let bars = first.error.unwrap_or(0.0) + second.error.unwrap_or(0.0);
+        if distance(first, second.value) > bars + allowed * first.value.abs() {
+            faults.push(format!(
+                "{name} is {:.8e}, but {:.8e} by {}, bars together {bars:.1e}",
+                first.value, second.value, wanted.name
+            ));
+        }
+    }
+    wanted.name.clone()
+}
+
+fn beside_known(name: &str, known: &Known, scene: &Table, run: &Run, faults: &mut Vec<String>) -> String {
+    let Some(quantity) = run.result.quantity(name) else {
+        faults.push(format!("{name} is not there"));
+        return String::new();
+    };
+    let form = known.form.and_then(|form| sommerfeld_number(form, scene, run));
+    let Some(value) = known.value.or(form) else {
+        faults.push(format!("no known value of {name}"));
+        return String::new();
+    };
+    let bar = quantity.error.unwrap_or(0.0);
+    if distance(quantity, value) > bar + known.to * value.abs() {
+        faults.push(format!(
+            "{name} is {:.8e} with a bar of {bar:.1e}, known is {value:.8e} to {:.0e}",
+            quantity.value, known.to
+        ));
+    }
+    match known.form {
+        Some(form) => format!("closed form ({form:?})"),
+        None => format!("known {name}"),
+    }
+}
+
+/// The Sommerfeld number of a closed form at the eccentricity and slenderness of a scene.
+fn sommerfeld_number(form: ClosedForm, scene: &Table, run: &Run) -> Option<f64> {
+    let length = |key: &str| {
+        let text = scene.get("bearing")?.get(key)?.as_str()?;
+        text.strip_suffix(" mm")?.parse::<f64>().ok()
+    };
+    let slenderness = length("length")? / length("diameter")?;
+    let eccentricity = match scene.get("journal")?.get("eccentricity") {
+        Some(Value::Float(number)) => *number,
+        Some(Value::Integer(number)) => *number as f64,
+        _ => run.result.quantity("eccentricity")?.value,
+    };
+    Some(match form {
+        ClosedForm::Sommerfeld => sommerfeld::sommerfeld_number(eccentricity),
+        ClosedForm::Ocvirk => ocvirk::full_film(eccentricity) * slenderness * slenderness,
+        ClosedForm::OcvirkHalf => ocvirk::half_film(eccentricity).0 * slenderness * slenderness,
+    })
+}
