@@ -9,6 +9,7 @@
 pub mod cubic;
 pub mod equilibrium;
 pub mod no_equilibrium;
+pub mod patience;
 mod prediction;
 mod search;
 mod stretched;
@@ -16,4 +17,5 @@ mod stretched;
 pub use cubic::{find_cubic, find_cubic_near};
 pub use equilibrium::{Equilibrium, SHORT_MOVE, Squeeze, find, find_near, newton_step};
 pub use no_equilibrium::NoEquilibrium;
+pub use patience::{Interrupt, Patience};
 pub use prediction::{Point, Visited, predicted};

@@ -1,6 +1,5 @@
 //! The program as its user meets it: exit status, stdout, stderr, and the files it leaves.
 
-mod bench;
 mod complaints;
 mod converge;
 mod cost;
@@ -10,3 +9,5 @@ mod meshes;
 mod shipped;
 mod solve;
 mod sweep;
+
+use oilwedge_tests::bench;

@@ -23,8 +23,6 @@ pub use report::{ConvergenceReport, Course, LevelReport};
 pub use strategy::Strategy;
 
 use climb::Climb;
-use oilwedge_bearing::NoEquilibrium;
-use oilwedge_reynolds::NoFilm;
 use price::{Bought, Offer, price_list};
 use report::{CONVERGE_FORMAT, GoalFacts};
 
@@ -56,7 +54,7 @@ pub fn converge(scene: &Scene, budget: &Budget, observer: &mut dyn Observer) -> 
         None => "load",
     };
     let report = blank(scene, budget, goal);
-    let first = match first_mesh::first_mesh(scene)? {
+    let first = match first_mesh::first_mesh(scene, budget.patience(true))? {
         Ok(first) => first,
         Err(reason) => return Ok(unanswered(report, &reason, budget)),
     };
@@ -104,16 +102,9 @@ fn blank(scene: &Scene, budget: &Budget, goal: &str) -> ConvergenceReport {
 
 /// What is told where there is no answer on any mesh.
 fn unanswered(report: ConvergenceReport, reason: &NoAnswer, budget: &Budget) -> Convergence {
-    let status = match reason {
-        NoAnswer::Film(NoFilm::NotConverged(_)) => Status::NotConverged,
-        NoAnswer::Equilibrium(NoEquilibrium::Film(NoFilm::NotConverged(_)) | NoEquilibrium::NotConverged { .. }) => {
-            Status::NotConverged
-        }
-        _ => Status::NoSolution,
-    };
     Convergence {
         report: ConvergenceReport {
-            status,
+            status: reason.status(),
             reason: Some(reason.to_string()),
             seconds: budget.spent(),
             ..report
