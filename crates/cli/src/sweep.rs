@@ -78,8 +78,9 @@ impl Sweep {
         };
         let folder = self.out.clone().unwrap_or_else(|| solve::default_folder(&self.scene));
         let mut progress = SweepProgress::new();
-        let report = cases.run(&options, &folder, &mut |now| progress.move_on(now))?;
+        let outcome = cases.run(&options, &folder, &mut |now| progress.move_on(now));
         progress.end();
+        let report = outcome?;
         match self.json {
             true => terminal::print(&report.to_json().map_err(Error::from)?)?,
             false => terminal::print(&sweep_report(&report, &folder))?,

@@ -31,7 +31,7 @@ fn until(is_so: impl Fn() -> bool) {
 #[test]
 fn a_sweep_ends_with_its_rows_and_goes_on_from_them() {
     let bench = Bench::new();
-    sweep(&bench, 60);
+    sweep(&bench, 30);
     let command = ["sweep", "scene.toml", "--out"];
     let folder = bench.path().join("out");
     let mut before = 0;
@@ -42,11 +42,11 @@ fn a_sweep_ends_with_its_rows_and_goes_on_from_them() {
         let (output, stderr) = ended(run);
         assert_eq!(output.status.code(), Some(130), "{stderr}");
         before = rows(&folder).len();
-        let told = format!("interrupted: {before} of 120 cases are in out/sweep.csv; the same command goes on");
+        let told = format!("interrupted: {before} of 60 cases are in out/sweep.csv; the same command goes on");
         assert!(stderr.contains(&told), "{stderr}");
         assert_eq!(names(&folder), ["sweep.csv", "sweep.json"]);
     }
-    assert!(before < 120, "the sweep ended before it was interrupted");
+    assert!(before < 60, "the sweep ended before it was interrupted");
     assert_eq!(bench.run(&[&command[..], &["out"]].concat()).status, 0);
     assert_eq!(bench.run(&[&command[..], &["whole"]].concat()).status, 0);
     assert_eq!(rows(&folder), rows(&bench.path().join("whole")));
@@ -124,7 +124,7 @@ fn a_study_ends_with_its_levels() {
 #[test]
 fn the_second_time_ends_at_once() {
     let bench = Bench::new();
-    sweep(&bench, 60);
+    sweep(&bench, 30);
     let run = start(&bench, &["sweep", "scene.toml", "--out", "out"]);
     until(|| rows(&bench.path().join("out")).len() > 3);
     send("-STOP", &run);

@@ -40,7 +40,7 @@ fn begun(bench: &Bench) -> std::process::Child {
 #[test]
 fn a_sweep_that_is_being_written_is_refused_to_others() {
     let bench = Bench::new();
-    sweep(&bench, 60);
+    sweep(&bench, 30);
     let mut first = begun(&bench);
     let process = format!("process {}", first.id());
     for fresh in [&[][..], &["--fresh"]] {
@@ -57,11 +57,11 @@ fn a_sweep_that_is_being_written_is_refused_to_others() {
     first.kill().expect("it can be killed");
     first.wait().expect("it ends");
     let before = rows(&bench.path().join("out")).len();
-    assert!(before < 120, "the sweep ended before it was killed");
+    assert!(before < 60, "the sweep ended before it was killed");
     let told = bench.run(&SWEEP);
     assert_eq!(told.status, 0, "{}", told.stderr);
     assert!(told.stdout.contains("cases of an earlier run"), "{}", told.stdout);
-    assert_eq!(rows(&bench.path().join("out")).len(), 120);
+    assert_eq!(rows(&bench.path().join("out")).len(), 60);
     assert_eq!(
         names(&bench.path().join("out")),
         ["film.vtu", "result.json", "sweep.csv", "sweep.json"]
