@@ -1,5 +1,6 @@
 //! What the tests share: structured liners and plain films, made without files.
 
+pub mod bench;
 pub mod cavitation_counts;
 pub mod cavitation_page;
 pub mod coverage;

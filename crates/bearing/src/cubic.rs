@@ -5,9 +5,9 @@
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem};
 
-use crate::NoEquilibrium;
 use crate::equilibrium::{Equilibrium, ROUGHLY_BALANCED, Squeeze, find_near_within, find_within, newton_step};
 use crate::search::Search;
+use crate::{NoEquilibrium, Patience};
 
 /// The balance has been found when force and load differ by this part of the load.
 const BALANCED: f64 = 1e-10;
@@ -26,9 +26,10 @@ pub fn find_cubic(
     system: &FilmSystem,
     load: [f64; 2],
     squeeze: Squeeze,
+    patience: Patience,
 ) -> Result<Equilibrium, NoEquilibrium> {
-    let found = find_within(problem, system, load, squeeze, ROUGHLY_BALANCED)?;
-    balance_cubic(found, problem, system, load, squeeze)
+    let found = find_within(problem, system, load, squeeze, patience, ROUGHLY_BALANCED)?;
+    balance_cubic(found, problem, system, load, squeeze, patience)
 }
 
 /// The same from the position of `problem`, as [`crate::find_near`].
@@ -40,10 +41,11 @@ pub fn find_cubic_near(
     system: &FilmSystem,
     load: [f64; 2],
     squeeze: Squeeze,
+    patience: Patience,
     film: Option<&FilmSolution>,
 ) -> Result<Equilibrium, NoEquilibrium> {
-    let found = find_near_within(problem, system, load, squeeze, film, ROUGHLY_BALANCED)?;
-    balance_cubic(found, problem, system, load, squeeze)
+    let found = find_near_within(problem, system, load, squeeze, patience, film, ROUGHLY_BALANCED)?;
+    balance_cubic(found, problem, system, load, squeeze, patience)
 }
 
 /// From the balance of the quadratic film to that of the cubic one.
@@ -53,10 +55,11 @@ fn balance_cubic(
     system: &FilmSystem,
     load: [f64; 2],
     squeeze: Squeeze,
+    patience: Patience,
 ) -> Result<Equilibrium, NoEquilibrium> {
     let search = Search {
         cubic: true,
-        ..Search::new(problem, system, load, squeeze)
+        ..Search::new(problem, system, load, squeeze, patience)
     };
     let mut steps = found.steps;
     let mut trial = search.trial(
@@ -68,7 +71,7 @@ fn balance_cubic(
     let mut stiffness = search.stiffness(&trial)?;
     let mut is_exact = true;
     for _ in 0..MOST_STEPS {
-        if residual < BALANCED {
+        if residual < BALANCED || patience.is_over() {
             break;
         }
         let step = newton_step(stiffness, search.excess(&trial));
@@ -91,7 +94,8 @@ fn balance_cubic(
             (stiffness, is_exact) = (search.stiffness(&trial)?, true);
         }
     }
-    if residual > BALANCED_ENOUGH {
+    let is_ended = residual > BALANCED_ENOUGH && patience.is_over();
+    if residual > BALANCED_ENOUGH && !is_ended {
         return Err(NoEquilibrium::NotConverged {
             steps,
             residual,
@@ -101,6 +105,7 @@ fn balance_cubic(
     Ok(Equilibrium {
         residual,
         unbalanced: residual * search.natural,
+        is_ended,
         stiffness,
         problem: trial.problem,
         film: trial.film,

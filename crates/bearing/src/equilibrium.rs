@@ -18,10 +18,10 @@
 //! with squeeze the centre's velocity turns with the line of centres. **Verified by** `tests/tests/equilibrium.rs`: the
 //! tangent against differences, and eccentricities given back by their loads.
 
-use crate::NoEquilibrium;
 use crate::estimate::GREATEST_ECCENTRICITY;
 use crate::search::{Search, Trial};
 use crate::stretched::{eccentricity_at, stretched};
+use crate::{NoEquilibrium, Patience};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSolution, FilmSystem, JournalChange, JournalState};
 
@@ -98,12 +98,14 @@ pub struct Equilibrium {
     pub unbalanced: f64,
     /// Positions tried on the mesh of the film.
     pub steps: usize,
+    /// True where patience was at its end before the load was balanced: the film is that of the position reached.
+    pub is_ended: bool,
     /// `dW/de` [N/m], row: component of W; of a search from nearby and of a cubic balance as its steps have left it, off by the square root of what they gained.
     pub stiffness: Stiffness,
 }
 
 /// Finds the position in which the film carries `load` [N], searched from that of `problem`. On coarser
-/// meshes first, if the system has any.
+/// meshes first, if the system has any. Where `patience` is at its end before, the position reached is the answer.
 ///
 /// # Errors
 /// [`NoEquilibrium`]: the reason why there is none.
@@ -112,8 +114,9 @@ pub fn find(
     system: &FilmSystem,
     load: [f64; 2],
     squeeze: Squeeze,
+    patience: Patience,
 ) -> Result<Equilibrium, NoEquilibrium> {
-    find_within(problem, system, load, squeeze, BALANCED)
+    find_within(problem, system, load, squeeze, patience, BALANCED)
 }
 
 /// The same where force and load may differ by the part `balanced` of the load.
@@ -125,14 +128,15 @@ pub(crate) fn find_within(
     system: &FilmSystem,
     load: [f64; 2],
     squeeze: Squeeze,
+    patience: Patience,
     balanced: f64,
 ) -> Result<Equilibrium, NoEquilibrium> {
     let search = Search {
         balanced,
-        ..Search::new(problem, system, load, squeeze)
+        ..Search::new(problem, system, load, squeeze, patience)
     };
     search.check_reach(problem)?;
-    let found = search.on_levels(problem)?;
+    let found = search.on_levels(problem).map_err(|reason| search.sure(reason))?;
     match found.problem.journal.eccentricity() > GREATEST_ECCENTRICITY * search.clearance {
         true => search.beyond_reach(problem).map_or(Ok(found), Err),
         false => Ok(found),
@@ -149,9 +153,10 @@ pub fn find_near(
     system: &FilmSystem,
     load: [f64; 2],
     squeeze: Squeeze,
+    patience: Patience,
     film: Option<&FilmSolution>,
 ) -> Result<Equilibrium, NoEquilibrium> {
-    find_near_within(problem, system, load, squeeze, film, NEARLY_BALANCED)
+    find_near_within(problem, system, load, squeeze, patience, film, NEARLY_BALANCED)
 }
 
 /// The same where force and load may differ by the part `balanced` of the load.
@@ -163,6 +168,7 @@ pub(crate) fn find_near_within(
     system: &FilmSystem,
     load: [f64; 2],
     squeeze: Squeeze,
+    patience: Patience,
     film: Option<&FilmSolution>,
     balanced: f64,
 ) -> Result<Equilibrium, NoEquilibrium> {
@@ -170,7 +176,7 @@ pub(crate) fn find_near_within(
         balanced,
         // A mass-conserving film is not smooth enough.
         keeps_tangent: !matches!(problem.cavitation, Cavitation::Jfo { .. }),
-        ..Search::new(problem, system, load, squeeze)
+        ..Search::new(problem, system, load, squeeze, patience)
     };
     let near = film.map_or(Neighbour::None, Neighbour::Start);
     let first = search.trial(problem, problem.journal.offset, near)?;
@@ -196,6 +202,7 @@ impl Search<'_> {
             &coarser.system,
             self.load,
             self.squeeze,
+            self.patience,
             ROUGHLY_BALANCED,
         ) {
             Ok(found) => return self.run(problem, found.problem.journal),
@@ -223,7 +230,7 @@ impl Search<'_> {
         // A position on a coarser mesh is only to start from.
         let mut at_rest = trial.film.film_fraction.is_none() || self.balanced > BALANCED_ENOUGH;
         for _ in 0..MOST_CHOICES {
-            if at_rest {
+            if at_rest || self.patience.is_over() {
                 break;
             }
             tried += 1;
@@ -242,11 +249,13 @@ impl Search<'_> {
                 Err(_) => break,
             }
         }
-        if !at_rest {
+        if !at_rest && !self.patience.is_over() {
             let told = "the forms by which oil is carried did not come to rest at the balanced position: those chosen near it are kept";
             trial.film.fallbacks.push(told.to_owned());
         }
+        let is_balanced = at_rest && self.residual(&trial) < self.balanced.max(BALANCED_ENOUGH);
         Ok(Equilibrium {
+            is_ended: !is_balanced && self.patience.is_over(),
             residual: self.residual(&trial),
             unbalanced: self.residual(&trial) * self.natural,
             stiffness: tangent.map_or_else(|| self.stiffness(&trial), Ok)?,
@@ -263,7 +272,7 @@ impl Search<'_> {
         let mut kept = None;
         while *tried < last {
             let residual = self.residual(&trial);
-            if residual < self.balanced {
+            if residual < self.balanced || self.patience.is_over() {
                 return Ok((trial, kept));
             }
             let tangent = kept.map_or_else(|| self.stiffness(&trial), Ok)?;
@@ -307,7 +316,7 @@ impl Search<'_> {
                 }
             }
         }
-        outcome
+        outcome.map_err(|reason| self.sure(reason))
     }
 
     /// Newton's step [m].

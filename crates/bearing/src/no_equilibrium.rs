@@ -74,6 +74,19 @@ pub enum NoEquilibrium {
         /// The journal at the last of them.
         journal: Box<JournalState>,
     },
+    /// The search was told to end before it had looked everywhere.
+    #[error(
+        "not converged: the search for the position was ended before it had looked everywhere; the nearest force found so far is {} N, {} N are asked for; give it more time (--max-seconds)",
+        readable(*nearest), readable(*asked)
+    )]
+    Ended {
+        /// Load asked for [N].
+        asked: f64,
+        /// Nearest force found [N].
+        nearest: f64,
+        /// The journal where the search ended.
+        journal: Box<JournalState>,
+    },
 }
 
 impl NoEquilibrium {
@@ -81,7 +94,10 @@ impl NoEquilibrium {
     pub fn last_position(&self) -> Option<JournalState> {
         match self {
             Self::Film(_) | Self::BelowRounding { .. } => None,
-            Self::BeyondReach { journal, .. } | Self::Unreachable { journal, .. } | Self::NotConverged { journal, .. } => Some(**journal),
+            Self::BeyondReach { journal, .. }
+            | Self::Unreachable { journal, .. }
+            | Self::NotConverged { journal, .. }
+            | Self::Ended { journal, .. } => Some(**journal),
         }
     }
 }

@@ -6,9 +6,9 @@ use oilwedge_reynolds::quantities::load::{load, load_change};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalState, NoFilm};
 
-use crate::NoEquilibrium;
 use crate::equilibrium::{BALANCED, NEAR, Squeeze};
 use crate::reach::natural_force;
+use crate::{NoEquilibrium, Patience};
 
 /// A search for the position that balances a load on one mesh.
 pub(crate) struct Search<'a> {
@@ -26,6 +26,8 @@ pub(crate) struct Search<'a> {
     pub(crate) balanced: f64,
     /// True where the tangent at the first position is kept and corrected by what the force did: for starts near the balance.
     pub(crate) keeps_tangent: bool,
+    /// How long the search may go on; the position reached then is its answer.
+    pub(crate) patience: Patience,
 }
 
 /// What is told of a trial: its distance from the load, its force [N] and its journal.
@@ -47,7 +49,13 @@ pub(crate) struct Trial {
 
 impl<'a> Search<'a> {
     /// A search for `load` [N] on `system`, by the force of the film there.
-    pub(crate) fn new(problem: &FilmProblem, system: &'a FilmSystem, load: [f64; 2], squeeze: Squeeze) -> Self {
+    pub(crate) fn new(
+        problem: &FilmProblem,
+        system: &'a FilmSystem,
+        load: [f64; 2],
+        squeeze: Squeeze,
+        patience: Patience,
+    ) -> Self {
         Self {
             system,
             load,
@@ -61,6 +69,7 @@ impl<'a> Search<'a> {
             cubic: false,
             balanced: BALANCED,
             keeps_tangent: false,
+            patience,
         }
     }
 
@@ -70,6 +79,9 @@ impl<'a> Search<'a> {
         let mut starts: Vec<(f64, JournalState)> = Vec::new();
         for eps in [0.3, 0.7, 0.95, 0.99] {
             for k in 0..ANGLES {
+                if self.patience.is_over() {
+                    break;
+                }
                 let angle = std::f64::consts::TAU * f64::from(k) / f64::from(ANGLES);
                 let e = eps * self.clearance;
                 if let Ok(trial) = self.trial(problem, [e * angle.cos(), e * angle.sin()], Neighbour::None) {
@@ -201,6 +213,23 @@ impl<'a> Search<'a> {
         let along = trial.force[0] * self.load[0] + trial.force[1] * self.load[1];
         let across = trial.force[0] * self.load[1] - trial.force[1] * self.load[0];
         (load / force).ln().hypot(across.atan2(along))
+    }
+
+    /// A search that was told to end has not looked everywhere, and does not say that there is no position.
+    pub(crate) fn sure(&self, reason: NoEquilibrium) -> NoEquilibrium {
+        match reason {
+            NoEquilibrium::Unreachable {
+                asked,
+                nearest,
+                journal,
+                ..
+            } if self.patience.is_over() => NoEquilibrium::Ended {
+                asked,
+                nearest,
+                journal,
+            },
+            reason => reason,
+        }
     }
 
     /// Tells of the nearest of all trials.

@@ -1,5 +1,6 @@
 //! Complaints and warnings on stderr, with the place in the scene and the way out.
 
+use crate::interrupt::INTERRUPTED;
 use miette::{Diagnostic, LabeledSpan, MietteHandlerOpts, NamedSource, Report, SourceCode};
 use oilwedge_scene::{Complaint, Error, SceneError};
 use std::io::IsTerminal;
@@ -35,6 +36,14 @@ impl From<Error> for Failure {
 }
 
 impl Failure {
+    /// The exit status.
+    pub(crate) fn status(&self) -> u8 {
+        match self {
+            Self::Run(Error::Interrupted { .. }) => INTERRUPTED,
+            _ => 2,
+        }
+    }
+
     /// Tells the failure on stderr.
     pub(crate) fn tell(self) {
         let told = match self {

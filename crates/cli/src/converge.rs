@@ -3,7 +3,7 @@
 use crate::complain::Failure;
 use crate::levels_table::convergence_report;
 use crate::progress::Progress;
-use crate::{solve, terminal};
+use crate::{interrupt, solve, terminal};
 use oilwedge_scene::convergence::{Budget, converge, files};
 use oilwedge_scene::report::Status;
 use oilwedge_scene::{Error, Scene};
@@ -26,7 +26,7 @@ pub(crate) struct Converge {
     #[arg(long)]
     json: bool,
 
-    /// Seconds that the study may take. It ends with the levels that it has then.
+    /// Seconds that the study may take. It ends with the levels that it has then, as it does at Ctrl-C.
     #[arg(long, value_name = "S", default_value = "30", value_parser = seconds)]
     max_seconds: f64,
 }
@@ -56,7 +56,7 @@ impl Converge {
     /// # Errors
     /// [`Failure`]: the scene or its mesh cannot be used, or the files cannot be written.
     pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
-        let budget = Budget::seconds(self.max_seconds);
+        let budget = Budget::seconds(self.max_seconds).until(interrupt::listen()?);
         let scene = Scene::read(&self.scene)?;
         let folder = self.out.clone().unwrap_or_else(|| solve::default_folder(&self.scene));
         files::check(&folder)?;

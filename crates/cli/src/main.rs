@@ -1,12 +1,13 @@
 //! `oilwedge`: the oil film of journal bearings at the command line. One file a verb.
 //!
 //! Exit status: 0 done; 1 the problem has no solution or was not converged; 2 bad scene, mesh or arguments, and then
-//! nothing was written. Results for people and `--json` go to stdout, everything else to stderr.
+//! nothing was written; 130 interrupted. Results for people and `--json` go to stdout, everything else to stderr.
 
 mod check;
 mod complain;
 mod converge;
 mod cost;
+mod interrupt;
 mod levels_table;
 mod mesh;
 mod progress;
@@ -46,7 +47,8 @@ Examples:
   oilwedge sweep bearing.toml                      all cases of its [sweep], to a table
   oilwedge verify                                  does this program give the answers that are known?
 
-Exit status: 0 done; 1 no solution or not converged; 2 bad scene, mesh or arguments (nothing was written).";
+Exit status: 0 done; 1 no solution or not converged; 2 bad scene, mesh or arguments (nothing was written);
+130 ended by Ctrl-C.";
 
 #[derive(Debug, Subcommand)]
 enum Verb {
@@ -76,8 +78,9 @@ fn main() -> ExitCode {
         Verb::Verify(verify) => verify.run(),
     });
     outcome.unwrap_or_else(|failure| {
+        let status = failure.status();
         failure.tell();
-        ExitCode::from(2)
+        ExitCode::from(status)
     })
 }
 

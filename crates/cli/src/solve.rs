@@ -1,10 +1,10 @@
 //! `oilwedge solve`: one scene to numbers and fields.
 
 use crate::complain::{self, Failure};
-use crate::terminal;
+use crate::{interrupt, terminal};
 use oilwedge_scene::report::Status;
 use oilwedge_scene::results::write_results;
-use oilwedge_scene::{Error, RunOptions, Scene, effect_costs};
+use oilwedge_scene::{Error, Interrupt, RunOptions, Scene, effect_costs};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -32,9 +32,10 @@ pub(crate) struct Solve {
     #[arg(long, value_enum, default_value_t = Bars::Auto)]
     bars: Bars,
 
-    /// End the refinement towards a tolerance after this many seconds.
-    #[arg(long, value_name = "S", default_value_t = 60.0, value_parser = seconds)]
-    max_seconds: f64,
+    /// End the refinement towards a tolerance, and the search for a position under a load, after this many seconds
+    /// [default: 60 with a tolerance, else none].
+    #[arg(long, value_name = "S", value_parser = seconds)]
+    max_seconds: Option<f64>,
 
     /// Refine towards a tolerance to this many unknowns at most.
     #[arg(long, value_name = "N", default_value_t = 1_000_000, value_parser = unknowns)]
@@ -76,8 +77,8 @@ Examples:
   oilwedge solve bearing.toml --bars none
   oilwedge solve bearing.toml --max-seconds 600 --max-unknowns 5000000
 
-Exit status: 0 done; 1 no solution, not converged, or a tolerance that a limit left unmet (the reason is in the result);
-2 bad scene, mesh or arguments.";
+Exit status: 0 done; 1 no solution, not converged, or a tolerance that a limit or Ctrl-C left unmet (the reason is in the result);
+2 bad scene, mesh or arguments; 130 ended by Ctrl-C at once, on its second or without a tolerance or load.";
 
 impl Solve {
     /// Solves the scene, writes the results, and prints them.
@@ -121,10 +122,23 @@ impl Solve {
         Ok(RunOptions {
             unrolled: self.unrolled,
             bars,
-            max_seconds: self.max_seconds,
+            max_seconds: time_limit(self.max_seconds, scene),
             max_unknowns: self.max_unknowns,
+            interrupt: match scene.tolerance.is_some() || scene.journal.load().is_some() {
+                true => interrupt::listen()?,
+                false => Interrupt::NEVER,
+            },
         })
     }
+}
+
+/// The time [s] that a run of the scene may take: what is asked for, else enough for most tolerances; a given mesh takes what it takes.
+pub(crate) fn time_limit(asked: Option<f64>, scene: &Scene) -> f64 {
+    let usual = match scene.tolerance {
+        Some(_) => RunOptions::default().max_seconds,
+        None => f64::INFINITY,
+    };
+    asked.unwrap_or(usual)
 }
 
 /// Whether error bars are wanted.

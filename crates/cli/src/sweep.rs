@@ -4,7 +4,7 @@ use crate::complain::{Failure, printable};
 use crate::progress::SweepProgress;
 use crate::readable::{readable_unit, significant};
 use crate::terminal::{align_right, heading, table, time};
-use crate::{solve, terminal};
+use crate::{interrupt, solve, terminal};
 use oilwedge_scene::sweep::{Row, Sweep as Cases, SweepOptions, SweepReport};
 use oilwedge_scene::{Error, RunOptions, Scene};
 use std::path::{Path, PathBuf};
@@ -34,9 +34,10 @@ pub(crate) struct Sweep {
     #[arg(long, value_enum, default_value_t = solve::Bars::Auto)]
     bars: solve::Bars,
 
-    /// End the refinement of a case towards a tolerance after this many seconds.
-    #[arg(long, value_name = "S", default_value_t = 60.0, value_parser = solve::seconds)]
-    max_seconds: f64,
+    /// End the refinement of a case towards a tolerance, and the search for its position under a load, after this many seconds
+    /// [default: 60 with a tolerance, else none].
+    #[arg(long, value_name = "S", value_parser = solve::seconds)]
+    max_seconds: Option<f64>,
 
     /// Refine a case towards a tolerance to this many unknowns at most.
     #[arg(long, value_name = "N", default_value_t = 1_000_000, value_parser = solve::unknowns)]
@@ -54,10 +55,10 @@ In the scene, each axis a list or a range, the last one running fastest:
   force = { from = \"1 kN\", to = \"9 kN\", steps = 9 }
   speed = [\"1000 rpm\", \"2000 rpm\", \"4000 rpm\"]
 
-Rows are written as cases end. A sweep that was killed goes on where it was when the same command is given again.
+Rows are written as cases end. A sweep that was killed or ended by Ctrl-C goes on where it was when the same command is given again.
 
 Exit status: 0 all cases are in the table, also those without a film (their row has the reason); 1 no case has an
-answer; 2 bad scene, mesh or arguments, or another sweep in the folder.";
+answer; 2 bad scene, mesh or arguments, or another sweep in the folder; 130 ended by Ctrl-C with its rows kept.";
 
 impl Sweep {
     /// Runs the sweep, and prints it.
@@ -77,8 +78,9 @@ impl Sweep {
         };
         let folder = self.out.clone().unwrap_or_else(|| solve::default_folder(&self.scene));
         let mut progress = SweepProgress::new();
-        let report = cases.run(&options, &folder, &mut |now| progress.move_on(now))?;
+        let outcome = cases.run(&options, &folder, &mut |now| progress.move_on(now));
         progress.end();
+        let report = outcome?;
         match self.json {
             true => terminal::print(&report.to_json().map_err(Error::from)?)?,
             false => terminal::print(&sweep_report(&report, &folder))?,
@@ -96,8 +98,9 @@ impl Sweep {
         Ok(SweepOptions {
             case: RunOptions {
                 bars,
-                max_seconds: self.max_seconds,
+                max_seconds: solve::time_limit(self.max_seconds, scene),
                 max_unknowns: self.max_unknowns,
+                interrupt: interrupt::listen()?,
                 ..RunOptions::default()
             },
             fresh: self.fresh,

@@ -92,9 +92,9 @@ impl Verify {
         let png = to_png(&svg).map_err(Error::from)?;
         let text = page(verdicts, maps, "stability.png");
         let files = [
-            ("stability.svg", Some(svg.as_bytes())),
-            ("stability.png", Some(&png[..])),
-            ("stability.md", Some(text.as_bytes())),
+            ("stability.svg".as_ref(), Some(svg.as_bytes())),
+            ("stability.png".as_ref(), Some(&png[..])),
+            ("stability.md".as_ref(), Some(text.as_bytes())),
         ];
         Ok(folder::replace(&self.out, &files).map_err(Error::from)?)
     }

@@ -4,7 +4,7 @@
 use std::time::Instant;
 
 use oilwedge_bearing::{
-    Equilibrium, GREATEST_ECCENTRICITY, NoEquilibrium, find, find_cubic, find_cubic_near, find_near,
+    Equilibrium, GREATEST_ECCENTRICITY, NoEquilibrium, Patience, find, find_cubic, find_cubic_near, find_near,
 };
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{Cavitation, FilmSolution, JournalState, NoFilm};
@@ -33,6 +33,13 @@ pub struct Solved {
     pub judging: f64,
 }
 
+impl Solved {
+    /// True where the film is that of a position reached, not found: the search was ended.
+    pub fn is_ended(&self) -> bool {
+        self.balance.is_some_and(|balance| balance.is_ended)
+    }
+}
+
 /// A second film at the same position.
 #[derive(Debug)]
 pub enum Witness {
@@ -55,6 +62,8 @@ pub struct Balance {
     pub stiffness: [[f64; 2]; 2],
     /// Positions tried on the mesh of the result.
     pub steps: usize,
+    /// True where the search was ended before the load was balanced.
+    pub is_ended: bool,
     /// Seconds that the search took, but for the film of the result.
     pub seconds: f64,
 }
@@ -76,10 +85,23 @@ impl NoAnswer {
         let film = match self {
             Self::Film(film) | Self::Equilibrium(NoEquilibrium::Film(film)) => film,
             Self::Equilibrium(reason) => {
-                return matches!(reason, NoEquilibrium::NotConverged { .. } | NoEquilibrium::BelowRounding { .. });
+                return matches!(
+                    reason,
+                    NoEquilibrium::NotConverged { .. }
+                        | NoEquilibrium::BelowRounding { .. }
+                        | NoEquilibrium::Ended { .. }
+                );
             }
         };
         matches!(film, NoFilm::NotConverged(_) | NoFilm::NearLimit { .. })
+    }
+
+    /// True if the mesh cannot tell on which side of the limit of the viscosity law the film is.
+    pub(crate) fn is_near_limit(&self) -> bool {
+        let (Self::Film(film) | Self::Equilibrium(NoEquilibrium::Film(film))) = self else {
+            return false;
+        };
+        matches!(film, NoFilm::NearLimit { .. })
     }
 
     /// What is said of a run that ends so.
@@ -92,12 +114,12 @@ impl NoAnswer {
 }
 
 /// Solves a study, with a witness if errors are asked for (`bars`). Under a load the journal of its problem is where it was
-/// found then.
+/// found then, or where the search was when `patience` was at its end.
 ///
 /// # Errors
 /// [`NoAnswer`]: the reason why there is no film or no position.
-pub fn solve(study: &mut Study, bars: bool) -> Result<Solved, NoAnswer> {
-    solve_from(study, bars, Start::Scene)
+pub fn solve(study: &mut Study, bars: bool, patience: Patience) -> Result<Solved, NoAnswer> {
+    solve_from(study, bars, patience, Start::Scene)
 }
 
 /// Where a solve begins.
@@ -114,7 +136,7 @@ pub(crate) enum Start<'a> {
 ///
 /// # Errors
 /// As [`solve`]; from near another operating point also where a solve that begins as the scene says finds an answer.
-pub(crate) fn solve_from(study: &mut Study, bars: bool, start: Start) -> Result<Solved, NoAnswer> {
+pub(crate) fn solve_from(study: &mut Study, bars: bool, patience: Patience, start: Start) -> Result<Solved, NoAnswer> {
     let clock = Instant::now();
     let conserving = matches!(study.problem.cavitation, Cavitation::Jfo { .. });
     let Some(load) = study.load else {
@@ -137,10 +159,10 @@ pub(crate) fn solve_from(study: &mut Study, bars: bool, start: Start) -> Result<
     };
     let (problem, system, squeeze) = (&study.problem, &study.system, study.squeeze);
     let found = match (start, bars && !conserving) {
-        (Start::Scene, true) => find_cubic(problem, system, load, squeeze)?,
-        (Start::Scene, false) => find(problem, system, load, squeeze)?,
-        (Start::Near(film), true) => find_cubic_near(problem, system, load, squeeze, film)?,
-        (Start::Near(film), false) => find_near(problem, system, load, squeeze, film)?,
+        (Start::Scene, true) => find_cubic(problem, system, load, squeeze, patience)?,
+        (Start::Scene, false) => find(problem, system, load, squeeze, patience)?,
+        (Start::Near(film), true) => find_cubic_near(problem, system, load, squeeze, patience, film)?,
+        (Start::Near(film), false) => find_near(problem, system, load, squeeze, patience, film)?,
     };
     let seconds = clock.elapsed().as_secs_f64();
     let Equilibrium {
@@ -162,6 +184,7 @@ pub(crate) fn solve_from(study: &mut Study, bars: bool, start: Start) -> Result<
             residual: found.residual,
             stiffness: found.stiffness,
             steps: found.steps,
+            is_ended: found.is_ended,
             seconds: seconds - parts.assemble - parts.factorise - parts.solve,
         }),
         judging: clock.elapsed().as_secs_f64(),
@@ -173,11 +196,12 @@ fn companion(study: &Study, film: &FilmSolution) -> Witness {
     companion.map_or(Witness::None, Witness::Vertices)
 }
 
-/// Compiles a scene; under a load a mesh that is made here is graded for the position that the load leads to.
+/// Compiles a scene; under a load a mesh that is made here is graded for the position that the load leads to, as far as `patience`
+/// reaches.
 ///
 /// # Errors
 /// The scene does not become a film.
-pub fn graded(scene: &Scene) -> Result<Study, CompileError> {
+pub fn graded(scene: &Scene, patience: Patience) -> Result<Study, CompileError> {
     let mut study = compile(scene)?;
     let Some(load) = study.load.filter(|_| scene.mesh.is_graded()) else {
         return Ok(study);
@@ -185,11 +209,22 @@ pub fn graded(scene: &Scene) -> Result<Study, CompileError> {
     let squeeze = study.squeeze;
     let mut middle = Some(scene.journal.middle());
     for _ in 1..GRADINGS {
+        if patience.is_over() {
+            break;
+        }
         // A coarser mesh is good enough to grade a mesh for, if it leads to a position. A load may be out of reach only
         // because the mesh is too coarse there.
-        let on_coarser = (study.system.coarser.as_ref())
-            .and_then(|coarser| find(&coarser.problem(&study.problem), &coarser.system, load, squeeze).ok());
-        let found = match on_coarser.map_or_else(|| find(&study.problem, &study.system, load, squeeze), Ok) {
+        let on_coarser = (study.system.coarser.as_ref()).and_then(|coarser| {
+            find(
+                &coarser.problem(&study.problem),
+                &coarser.system,
+                load,
+                squeeze,
+                patience,
+            )
+            .ok()
+        });
+        let found = match on_coarser.map_or_else(|| find(&study.problem, &study.system, load, squeeze, patience), Ok) {
             Ok(Equilibrium { problem, .. }) => Some(problem.journal),
             Err(NoEquilibrium::BeyondReach { .. } | NoEquilibrium::BelowRounding { .. }) => break,
             // Feeds may carry what the estimate would have a thin film carry.

@@ -2,6 +2,7 @@
 
 use std::time::Instant;
 
+use oilwedge_bearing::Patience;
 use oilwedge_mesh::Mesh;
 
 use crate::analysis::{NoAnswer, solve};
@@ -22,6 +23,8 @@ pub struct Level {
     pub quantities: Vec<Quantity>,
     /// Share of each triangle in the error of the goal, signed, in the goal's unit; `None` where it was not estimated.
     pub indicator: Option<Vec<f64>>,
+    /// True where the search for a position was ended before its load was balanced.
+    pub is_ended: bool,
     /// Where the time went [s], in the order of the run, without the making of the mesh.
     pub seconds: Vec<(&'static str, f64)>,
 }
@@ -48,16 +51,18 @@ pub fn solve_level(
     near: (f64, f64),
     degree: usize,
     bars: bool,
+    patience: Patience,
 ) -> Result<Level, LevelError> {
     let clock = Instant::now();
     let mut study = compile_on(scene, mesh, near, degree)?;
     let order = clock.elapsed().as_secs_f64();
-    let solved = solve(&mut study, bars && degree == DEGREE)?;
+    let solved = solve(&mut study, bars && degree == DEGREE, patience)?;
     let clock = Instant::now();
     let judged = judge(&study, &solved);
     let (measuring, parts) = (clock.elapsed().as_secs_f64(), solved.film.seconds);
     Ok(Level {
         unknowns: unknowns(&study),
+        is_ended: solved.is_ended(),
         quantities: judged.quantities,
         indicator: judged.indicator,
         seconds: vec![

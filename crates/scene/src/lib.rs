@@ -47,6 +47,8 @@ pub mod validate;
 pub mod vtu;
 mod wording;
 
+pub use oilwedge_bearing::Interrupt;
+
 pub use complaint::{Complaint, SceneError};
 pub use convergence::converge;
 pub use cost::effect_costs;

@@ -11,7 +11,7 @@ use crate::measure::{measure, quantities_at};
 use crate::report::Quantity;
 
 /// For each quantity of `list` (measured on `film`) by name how much it changes where the journal moves as far as the bars of
-/// the load, `[along, across]` [N], let it. Not finite where the film has no tangent.
+/// the load, `[along, across]` [N], and what is left unbalanced let it. Not finite where the film has no tangent, or so far away no film.
 pub(crate) fn position_bars(
     study: &Study,
     film: &FilmSolution,
@@ -28,7 +28,7 @@ pub(crate) fn position_bars(
     let across = [-along[1], along[0]];
     let mut changes = vec![0.0; list.len()];
     for (direction, bar) in [along, across].into_iter().zip(bars) {
-        let by = newton_step(balance.stiffness, direction.map(|d| -d * bar));
+        let by = newton_step(balance.stiffness, direction.map(|d| -d * (bar + balance.unbalanced)));
         let change = study.squeeze.moved(&study.problem.journal, by);
         let moved = study
             .problem

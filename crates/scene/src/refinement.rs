@@ -9,6 +9,7 @@
 use std::sync::Arc;
 use std::time::Instant;
 
+use oilwedge_bearing::Patience;
 use oilwedge_fem::marking::doerfler;
 use oilwedge_mesh::{Mesh, refine};
 
@@ -51,7 +52,7 @@ pub struct Answer {
     pub outcome: Result<(Solved, Judged), NoAnswer>,
     /// The meshes on the way to a tolerance.
     pub levels: Vec<LevelFacts>,
-    /// Why a tolerance is not met.
+    /// Why a tolerance is not met or a load not balanced: a limit, or an interrupt.
     pub limit: Option<String>,
 }
 
@@ -62,20 +63,35 @@ pub struct Answer {
 pub fn answer(scene: &Scene, options: &RunOptions) -> Result<Answer, CompileError> {
     let tolerance = scene.tolerance.as_ref().filter(|_| options.bars);
     let Some(tolerance) = tolerance else {
-        let mut study = graded(scene)?;
-        let outcome = solved(&mut study, options.bars);
+        let patience = options.patience();
+        let mut study = graded(scene, patience)?;
+        let outcome = solved(&mut study, options.bars, patience);
+        let limit = outcome.as_ref().ok().and_then(|(solved, _)| ended(solved, options));
         return Ok(Answer {
             study,
             outcome,
             levels: Vec::new(),
-            limit: None,
+            limit,
         });
     };
     towards(scene, &tolerance.targets, options)
 }
 
-fn solved(study: &mut Study, bars: bool) -> Result<(Solved, Judged), NoAnswer> {
-    let solved = solve(study, bars)?;
+/// Why a position under a load is only that which the search had reached, if so.
+pub(crate) fn ended(solved: &Solved, options: &RunOptions) -> Option<String> {
+    let balance = solved.balance.filter(|balance| balance.is_ended)?;
+    let (what, way_out) = match options.interrupt.is_asked() {
+        true => ("interrupted", ""),
+        false => ("limit", "; give --max-seconds a higher limit"),
+    };
+    Some(format!(
+        "{what}: the search for the position was ended where force and load differ by {:.1e} of the load{way_out}",
+        balance.residual
+    ))
+}
+
+fn solved(study: &mut Study, bars: bool, patience: Patience) -> Result<(Solved, Judged), NoAnswer> {
+    let solved = solve(study, bars, patience)?;
     let judged = judge(study, &solved);
     Ok((solved, judged))
 }
@@ -98,12 +114,13 @@ pub fn unknowns(study: &Study) -> usize {
 
 fn towards(scene: &Scene, targets: &[Target], options: &RunOptions) -> Result<Answer, CompileError> {
     let clock = Instant::now();
+    let patience = options.patience();
     let mut next = Next::first(scene);
     let mut levels: Vec<LevelFacts> = Vec::new();
     let mut best: Option<(Study, Solved, Judged)> = None;
     loop {
         let start = Instant::now();
-        let (refinement, mut study) = match (next.study(scene), best.take()) {
+        let (refinement, mut study) = match (next.study(scene, patience), best.take()) {
             (Ok(made), before) => {
                 best = before;
                 made
@@ -111,7 +128,27 @@ fn towards(scene: &Scene, targets: &[Target], options: &RunOptions) -> Result<An
             (Err(reason), Some(best)) => return Ok(last_resort(best, levels, &reason)),
             (Err(reason), None) => return Err(reason),
         };
-        let (solved, judged) = match (solved(&mut study, true), best.take()) {
+        let outcome = solved(&mut study, true, patience);
+        if let Err(reason) = &outcome
+            && reason.is_near_limit()
+            && may_divide(&study, patience, options)
+            && let Some(finer) = Next::divided(scene, &study)
+        {
+            // A finer mesh tells whether there is a film.
+            next = finer;
+            continue;
+        }
+        let (solved, judged) = match (outcome, best.take()) {
+            // A load balanced on the mesh before is better than one that is not balanced on this one.
+            (Ok((solved, _)), Some(best)) if solved.is_ended() => {
+                let worst = worst(
+                    &best.2.quantities,
+                    targets,
+                    possible_load(&best.0.problem, &best.2.measured),
+                );
+                let limit = stopped(&levels, clock.elapsed().as_secs_f64(), worst.0, options);
+                return Ok(best_so_far(best, levels, limit));
+            }
             (Ok(found), _) => found,
             // The numbers of the mesh before are still good.
             (Err(reason), Some(best)) if reason.is_unreached() => return Ok(last_resort(best, levels, &reason)),
@@ -153,7 +190,9 @@ fn towards(scene: &Scene, targets: &[Target], options: &RunOptions) -> Result<An
         let bound =
             matches!(&levels[..], [.., before, last] if (last.unknowns as f64) < BOUND * before.unknowns as f64);
         let stuck = is_stuck(&levels, name);
+        let limit_of_search = ended(&solved, options);
         let finer = match worst <= 1.0 {
+            _ if limit_of_search.is_some() => Err(limit_of_search),
             true => Err(None),
             false => {
                 let left = options.max_seconds - clock.elapsed().as_secs_f64();
@@ -187,18 +226,17 @@ fn towards(scene: &Scene, targets: &[Target], options: &RunOptions) -> Result<An
 }
 
 /// The mesh before is the answer where the next has none.
-fn last_resort(
-    (study, solved, judged): (Study, Solved, Judged),
-    levels: Vec<LevelFacts>,
-    reason: &dyn std::fmt::Display,
-) -> Answer {
+fn last_resort(best: (Study, Solved, Judged), levels: Vec<LevelFacts>, reason: &dyn std::fmt::Display) -> Answer {
+    let limit = format!("limit: the bars are wider than asked for, and the next mesh has no answer: {reason}");
+    best_so_far(best, levels, limit)
+}
+
+fn best_so_far((study, solved, judged): (Study, Solved, Judged), levels: Vec<LevelFacts>, limit: String) -> Answer {
     Answer {
         study,
         outcome: Ok((solved, judged)),
         levels,
-        limit: Some(format!(
-            "limit: the bars are wider than asked for, and the next mesh has no answer: {reason}"
-        )),
+        limit: Some(limit),
     }
 }
 
@@ -271,17 +309,37 @@ fn order(scene: &Scene) -> f64 {
     }
 }
 
-/// Why there must not be another mesh, if so.
-fn limit(levels: &[LevelFacts], elapsed: f64, growth: f64, worst: f64, options: &RunOptions) -> Option<String> {
-    let last = levels.last()?;
-    let wanted = growth * last.unknowns as f64;
-    let away = match worst.is_finite() {
+/// How far the tolerance is.
+fn away(worst: f64) -> String {
+    match worst.is_finite() {
         true => format!(
             "the bars are {} times as wide as asked for",
             crate::wording::factor(worst)
         ),
         false => "the mesh does not resolve the film yet".to_owned(),
-    };
+    }
+}
+
+/// Why the mesh after the last of `levels` was not finished.
+fn stopped(levels: &[LevelFacts], elapsed: f64, worst: f64, options: &RunOptions) -> String {
+    let unknowns = levels.last().map_or(0, |level| level.unknowns);
+    let away = format!("{} on {unknowns} unknowns", away(worst));
+    match options.interrupt.is_asked() {
+        true => format!("interrupted: {away}"),
+        false => format!(
+            "limit: {away}, and the next mesh was not finished after {elapsed:.1} s; give --max-seconds a higher limit, or a wider tolerance"
+        ),
+    }
+}
+
+/// Why there must not be another mesh, if so.
+fn limit(levels: &[LevelFacts], elapsed: f64, growth: f64, worst: f64, options: &RunOptions) -> Option<String> {
+    let last = levels.last()?;
+    let wanted = growth * last.unknowns as f64;
+    let away = away(worst);
+    if options.interrupt.is_asked() {
+        return Some(stopped(levels, elapsed, worst, options));
+    }
     let seconds = last.seconds * growth.powf(TIME_EXPONENT);
     if wanted > options.max_unknowns as f64 {
         return Some(format!(
@@ -308,7 +366,31 @@ enum Next {
     Divided(Arc<Mesh>, Refinement, (f64, f64)),
 }
 
+/// Whether the mesh of a study may be divided uniformly within the limits of a run.
+fn may_divide(study: &Study, patience: Patience, options: &RunOptions) -> bool {
+    !patience.is_over() && 4 * unknowns(study) <= options.max_unknowns
+}
+
+/// Where the journal of a study is: eccentricity [1] and angle of the minimum film [rad].
+fn position(scene: &Scene, study: &Study) -> (f64, f64) {
+    let journal = &study.problem.journal;
+    match study.load {
+        None => scene.start(),
+        Some(_) => (
+            journal.eccentricity() / scene.bearing.clearance,
+            journal.min_film_angle(),
+        ),
+    }
+}
+
 impl Next {
+    /// The mesh of a study divided uniformly, if its round rims are fine enough for that.
+    fn divided(scene: &Scene, study: &Study) -> Option<Self> {
+        let divided = refine::uniform(study.system.space().mesh()).ok()?;
+        let near = position(scene, study);
+        Some(Self::Divided(Arc::new(divided.mesh), Refinement::Uniform, near))
+    }
+
     fn first(scene: &Scene) -> Self {
         match scene.mesh {
             MeshSource::Drawing { size: None } => Self::Drawn(FIRST),
@@ -316,9 +398,9 @@ impl Next {
         }
     }
 
-    fn study(&self, scene: &Scene) -> Result<(Refinement, Study), CompileError> {
+    fn study(&self, scene: &Scene, patience: Patience) -> Result<(Refinement, Study), CompileError> {
         match self {
-            Self::Given => Ok((Refinement::Given, graded(scene)?)),
+            Self::Given => Ok((Refinement::Given, graded(scene, patience)?)),
             Self::Drawn(factor) => {
                 let resized = resized(scene, *factor).unwrap_or_else(|| scene.clone());
                 let refinement = if *factor == FIRST {
@@ -326,7 +408,7 @@ impl Next {
                 } else {
                     Refinement::Uniform
                 };
-                Ok((refinement, graded(&resized)?))
+                Ok((refinement, graded(&resized, patience)?))
             }
             Self::Divided(mesh, refinement, near) => {
                 Ok((*refinement, compile_on(scene, Mesh::clone(mesh), *near, DEGREE)?))
@@ -364,14 +446,7 @@ impl Next {
         [bound, stuck]: [bool; 2],
     ) -> Result<Self, String> {
         let mesh = study.system.space().mesh();
-        let journal = &study.problem.journal;
-        let near = match study.load {
-            None => scene.start(),
-            Some(_) => (
-                journal.eccentricity() / scene.bearing.clearance,
-                journal.min_film_angle(),
-            ),
-        };
+        let near = position(scene, study);
         // A mesh once divided at a front is as fine there as it must be: what is left is divided where it is too coarse.
         let fitted = matches!(last, Self::Divided(_, Refinement::Local, _));
         let local = judged

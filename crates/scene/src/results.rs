@@ -1,7 +1,11 @@
 //! The folder of a run: `result.json` and `film.vtu`, written whole or not at all.
+//!
+//! `result.json` stands beside the picture of its own run or not at all: an old one is taken away before the new picture
+//! comes, and the new one comes last.
 
 use crate::folder::replace;
 use crate::report::{ReportError, RunResult};
+use std::ffi::OsStr;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -24,6 +28,12 @@ pub enum WriteError {
         /// What the system says.
         source: io::Error,
     },
+    /// Another run does not end writing.
+    #[error("cannot write into {}: another run has been writing there for some time; wait for it, or choose another folder", path.display())]
+    Busy {
+        /// The folder.
+        path: PathBuf,
+    },
     /// A folder stands where a file shall go.
     #[error("cannot write {}: a folder stands there; move it away, or choose another folder with --out", path.display())]
     Folder {
@@ -40,7 +50,13 @@ pub enum WriteError {
 /// [`WriteError`]: a number is not finite, or the system refuses; the old files are then left as they were.
 pub fn write_results(dir: &Path, result: &RunResult, picture: Option<&[u8]>) -> Result<(), WriteError> {
     let json = result.to_json()?;
-    replace(dir, &[(PICTURE_FILE, picture), (RESULT_FILE, Some(json.as_bytes()))])
+    let result = OsStr::new(RESULT_FILE);
+    let steps = [
+        (result, None),
+        (PICTURE_FILE.as_ref(), picture),
+        (result, Some(json.as_bytes())),
+    ];
+    replace(dir, &steps)
 }
 
 #[cfg(test)]

@@ -3,17 +3,18 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use oilwedge_bearing::NoEquilibrium;
+use oilwedge_bearing::{Interrupt, NoEquilibrium, Patience};
 use oilwedge_fem::linearisation::Route;
 use oilwedge_fem::newton;
 use oilwedge_mesh::quality::least_angle_of;
-use oilwedge_mesh::{Mesh, Quality, developed};
+use oilwedge_mesh::{Mesh, Quality, developed, gmsh};
 use oilwedge_reynolds::NoFilm;
 
 use crate::analysis::{NoAnswer, Solved, Witness};
 use crate::bars::Judged;
 use crate::compile::{CompileError, Study, compile};
 use crate::doubts::warnings_beside_bars;
+use crate::folder::replace;
 use crate::liner_mesh::liner_mesh;
 use crate::measure::warnings;
 use crate::picture::picture;
@@ -39,16 +40,25 @@ const FIRST_DRAWN: &str = "made of the liner described, the first towards the to
 const SHARP: f64 = 15.0;
 
 /// How a scene is run.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct RunOptions {
     /// Draw the film on the developed surface (x = R phi, y = z) instead of on the cylinder.
     pub unrolled: bool,
     /// Estimate error bars. Without them a tolerance that the scene does not give itself is dropped.
     pub bars: bool,
-    /// The refinement towards a tolerance ends after this time [s].
+    /// The refinement towards a tolerance and the search for a position under a load end after this time [s], infinite for none.
     pub max_seconds: f64,
     /// No mesh of that refinement has more unknowns.
     pub max_unknowns: usize,
+    /// Ends them as well.
+    pub interrupt: Interrupt,
+}
+
+impl RunOptions {
+    /// How long a run that begins now may search.
+    pub(crate) fn patience(&self) -> Patience {
+        Patience::of(self.max_seconds, self.interrupt)
+    }
 }
 
 impl Default for RunOptions {
@@ -58,6 +68,7 @@ impl Default for RunOptions {
             bars: true,
             max_seconds: 60.0,
             max_unknowns: 1_000_000,
+            interrupt: Interrupt::default(),
         }
     }
 }
@@ -111,6 +122,31 @@ pub enum Error {
         folder: PathBuf,
         /// What is other about it.
         why: &'static str,
+    },
+    /// Another run writes the sweep in the folder.
+    #[error(
+        "{} holds a sweep that {} is still writing; wait until it ends, end it, or choose another folder with --out",
+        folder.display(),
+        process.map_or("another run".to_owned(), |process| format!("process {process}"))
+    )]
+    BusySweep {
+        /// The folder.
+        folder: PathBuf,
+        /// The process that writes it, where the folder tells.
+        process: Option<u64>,
+    },
+    /// A sweep was asked to end before it had.
+    #[error(
+        "interrupted: {done} of {cases} cases are in {}; the same command goes on from there",
+        table.display()
+    )]
+    Interrupted {
+        /// Cases in the table.
+        done: usize,
+        /// All cases.
+        cases: usize,
+        /// The table.
+        table: PathBuf,
     },
     /// What an earlier run of a sweep wrote cannot be read.
     #[error("cannot read {}: {source}; choose another folder with --out, or replace it with --fresh", path.display())]
@@ -295,12 +331,36 @@ pub fn mesh_scene(scene: &Scene) -> Result<Mesh, Error> {
     Ok(liner_mesh(scene, scene.start())?.0)
 }
 
-/// Writes a mesh as a gmsh 4.1 file, whole or not at all.
+/// Writes a mesh as a gmsh 4.1 file, whole or not at all. Through a link the file is replaced that it leads to; what is no plain file
+/// (`/dev/stdout`) is written into.
 ///
 /// # Errors
 /// [`Error::Compile`] where the file cannot be written.
 pub fn write_mesh(mesh: &Mesh, path: &Path) -> Result<(), Error> {
-    Ok(oilwedge_mesh::gmsh::write(mesh, path).map_err(CompileError::from)?)
+    let text = gmsh::to_text(mesh);
+    let failed = |source| {
+        let error = oilwedge_mesh::Error::Io {
+            action: "write",
+            path: path.to_owned(),
+            error: source,
+        };
+        Error::from(CompileError::from(error))
+    };
+    let place = path.canonicalize().unwrap_or_else(|_| path.to_owned());
+    let folder = match place.parent() {
+        Some(folder) if folder != Path::new("") => folder,
+        _ => Path::new("."),
+    };
+    let (true, Some(name)) = (place.is_file() || !place.exists(), place.file_name()) else {
+        return std::fs::write(path, text).map_err(failed);
+    };
+    if !folder.is_dir() {
+        return Err(failed(std::io::ErrorKind::NotFound.into()));
+    }
+    match replace(folder, &[(name, Some(text.as_bytes()))]) {
+        Err(WriteError::System { source, .. }) => Err(failed(source)),
+        other => Ok(other?),
+    }
 }
 
 fn check_report(path: &Path, mesh: &Mesh) -> CheckReport {

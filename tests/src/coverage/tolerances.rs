@@ -2,6 +2,7 @@
 
 use std::time::Instant;
 
+use oilwedge_bearing::Patience;
 use oilwedge_scene::analysis::graded;
 use oilwedge_scene::refinement::{Answer, answer, unknowns};
 use oilwedge_scene::run::RunOptions;
@@ -51,7 +52,7 @@ pub fn met(bearing: &Bearing, reference: &Reference) -> Vec<Met> {
     let relative = |load: f64| (load / known.value - 1.0).abs();
     let errors: Vec<(usize, f64)> = (0..MOST)
         .filter_map(|k| {
-            let study = graded(&sized(bearing, LEAST * GROWTH.powi(k))).ok()?;
+            let study = graded(&sized(bearing, LEAST * GROWTH.powi(k)), Patience::default()).ok()?;
             let solve = Solve::new(study, Kind::Drawn).ok()?;
             let load = solve
                 .judged

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use oilwedge_bearing::{Equilibrium, find};
+use oilwedge_bearing::{Equilibrium, Patience, find};
 use oilwedge_fem::{Analysis, Assembler, Constraints, Factorization, Matrix, Space};
 use oilwedge_mesh::Mesh;
 use oilwedge_reynolds::FilmSolution;
@@ -112,7 +112,8 @@ pub fn film(study: &Study) -> FilmSolution {
 /// If there is none.
 pub fn equilibrium(study: &Study) -> Equilibrium {
     let load = study.load.expect("a load");
-    (find(&study.problem, &study.system, load, study.squeeze)).unwrap_or_else(|reason| panic!("{reason}"))
+    (find(&study.problem, &study.system, load, study.squeeze, Patience::default()))
+        .unwrap_or_else(|reason| panic!("{reason}"))
 }
 
 /// **File to load.** Everything from the mesh to the load [N], but for start and output of the program.

@@ -1,6 +1,5 @@
 //! The program as its user meets it: exit status, stdout, stderr, and the files it leaves.
 
-mod bench;
 mod complaints;
 mod converge;
 mod cost;
@@ -11,3 +10,5 @@ mod shipped;
 mod solve;
 mod sweep;
 mod verify;
+
+use oilwedge_tests::bench;

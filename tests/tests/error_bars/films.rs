@@ -5,7 +5,7 @@ use oilwedge_reynolds::quantities::load::{Load, load};
 use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem};
 use oilwedge_scene::compile::{Study, compile};
 use oilwedge_scene::report::{Quantity, RunResult};
-use oilwedge_scene::{RunOptions, Scene, run};
+use oilwedge_scene::{Interrupt, RunOptions, Scene, run};
 use oilwedge_tests::scenes::{table, variant};
 
 /// A film in quadratic and in cubic elements, and what is known of the error.
@@ -86,6 +86,7 @@ pub(crate) const NO_BARS: RunOptions = RunOptions {
     bars: false,
     max_seconds: 60.0,
     max_unknowns: 1_000_000,
+    interrupt: Interrupt::NEVER,
 };
 
 pub(crate) fn quantity<'a>(result: &'a RunResult, name: &str) -> &'a Quantity {

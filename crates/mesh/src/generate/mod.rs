@@ -82,7 +82,7 @@ fn check_size(sheet: &Sheet, field: &SizeField) -> Result<(), DrawingError> {
     }
     if triangles > MOST_TRIANGLES {
         let reason = format!(
-            "that makes some {triangles:.0e} of them, more than {MOST_TRIANGLES:.0e}; choose a larger size, a wider liner or wider lands"
+            "that makes some {triangles:.0e} of them, more than {MOST_TRIANGLES:.0e}; choose a larger size ([mesh] size), a wider liner or wider lands"
         );
         return Err(DrawingError::Failed { size: least, reason });
     }

@@ -2,6 +2,8 @@
 
 use std::time::Instant;
 
+use oilwedge_bearing::{Interrupt, Patience};
+
 /// What a level is expected to take, over what it was predicted to: machines are shared, and bad luck is no excuse.
 const CAUTION: f64 = 1.25;
 /// Part of the time, and most seconds of it, that is kept for drawing and writing.
@@ -16,6 +18,7 @@ const MOST_RUNS: usize = 5;
 pub struct Budget {
     started: Instant,
     max_seconds: f64,
+    interrupt: Interrupt,
 }
 
 impl Budget {
@@ -24,7 +27,27 @@ impl Budget {
         Self {
             started: Instant::now(),
             max_seconds,
+            interrupt: Interrupt::default(),
         }
+    }
+
+    /// The same, at its end too when asked for.
+    pub fn until(self, interrupt: Interrupt) -> Self {
+        Self { interrupt, ..self }
+    }
+
+    /// Whether somebody asked for the end.
+    pub fn is_interrupted(&self) -> bool {
+        self.interrupt.is_asked()
+    }
+
+    /// How long a search that begins now may go on. A study without levels says nothing, so the first is only ended when asked for.
+    pub(super) fn patience(&self, is_first: bool) -> Patience {
+        let seconds = match is_first {
+            true => f64::INFINITY,
+            false => f64::max(self.max_seconds - self.spent(), 0.0),
+        };
+        Patience::of(seconds, self.interrupt)
     }
 
     /// The whole [s].
@@ -39,6 +62,9 @@ impl Budget {
 
     /// What is left for levels [s], not negative.
     pub fn left(&self) -> f64 {
+        if self.is_interrupted() {
+            return 0.0;
+        }
         let kept = f64::min(KEPT.0 * self.max_seconds, KEPT.1);
         f64::max(self.max_seconds - kept - self.spent(), 0.0)
     }

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 use std::time::Instant;
 
+use oilwedge_bearing::Patience;
 use oilwedge_fem::marking::doerfler;
 use oilwedge_mesh::{Mesh, refine};
 
@@ -160,7 +161,10 @@ impl<'a> Climb<'a> {
         // The first level of quadratic elements is run in any case: a study without levels says nothing.
         let must = number == 1 && self.strategy == Strategy::P2Uniform;
         if !must && !budget.fits(self.urgency()) {
-            let left = format!("{:.1} s of {} s were left", budget.left(), budget.max_seconds());
+            let left = match budget.is_interrupted() {
+                true => "the study was interrupted".to_owned(),
+                false => format!("{:.1} s of {} s were left", budget.left(), budget.max_seconds()),
+            };
             self.ended = Some(match expected {
                 Some(expected) => format!("level {number} would take some {expected:.1} s, {left}"),
                 None => format!("level {number} was not begun, {left}"),
@@ -186,7 +190,13 @@ impl<'a> Climb<'a> {
         let refining = clock.elapsed().as_secs_f64();
         self.making += refining;
         let triangles = self.mesh.triangles().len();
-        match self.solve(budget) {
+        match self.solve(budget, budget.patience(must)) {
+            Ok((level, _)) if level.is_ended => {
+                self.ended = Some(match budget.is_interrupted() {
+                    true => format!("interrupted: level {number} was not finished"),
+                    false => format!("limit: level {number} was not finished in {} s", budget.max_seconds()),
+                });
+            }
             Ok((level, timing)) => {
                 let slowest = timing.greatest - self.making - self.earlier;
                 self.tried.push((triangles as f64, refining + slowest));
@@ -210,13 +220,13 @@ impl<'a> Climb<'a> {
     }
 
     /// Solves on the mesh, again for the timing where that is cheap.
-    fn solve(&self, budget: &Budget) -> Result<(Level, Timing), LevelError> {
-        let (mut level, wall, run) = self.run()?;
+    fn solve(&self, budget: &Budget, patience: Patience) -> Result<(Level, Timing), LevelError> {
+        let (mut level, wall, run) = self.run(patience)?;
         let (mut walls, mut parts) = (vec![wall], vec![run]);
         while budget.repeats(&walls) {
             // Memory for one level at a time.
             drop(level);
-            let (again, wall, run) = self.run()?;
+            let (again, wall, run) = self.run(patience)?;
             level = again;
             walls.push(wall);
             parts.push(run);
@@ -241,11 +251,11 @@ impl<'a> Climb<'a> {
     }
 
     /// Solves on the mesh once: the level, its seconds [s], and these in parts.
-    fn run(&self) -> Result<(Level, f64, Parts), LevelError> {
+    fn run(&self, patience: Patience) -> Result<(Level, f64, Parts), LevelError> {
         let mesh = Mesh::clone(&self.mesh);
         let degree = self.strategy.degree();
         let clock = Instant::now();
-        let level = solve_level(self.scene, mesh, self.near, degree, degree > 1)?;
+        let level = solve_level(self.scene, mesh, self.near, degree, degree > 1, patience)?;
         let wall = clock.elapsed().as_secs_f64();
         let mut parts = level.seconds.clone();
         let told: f64 = parts.iter().map(|(_, seconds)| seconds).sum();

@@ -1,5 +1,6 @@
 //! The folder of a study: `converge.csv`, `.json`, `.svg` and `.png`, written whole or not at all.
 
+use std::ffi::OsStr;
 use std::path::Path;
 
 use super::{Convergence, csv};
@@ -7,7 +8,8 @@ use crate::folder;
 use crate::plot;
 use crate::run::Error;
 
-/// The files of a study; the numbers for scripts come last, so they are the sign that all are there.
+/// The files of a study. The numbers for scripts are taken away first and come last, so they are the sign that all are there and of one
+/// study.
 pub const FILES: [&str; 4] = ["converge.csv", "converge.svg", "converge.png", "converge.json"];
 
 /// Whether the files of a study may stand in the folder `dir`: better asked before the study than after it.
@@ -15,7 +17,7 @@ pub const FILES: [&str; 4] = ["converge.csv", "converge.svg", "converge.png", "c
 /// # Errors
 /// `dir` is no folder, or a folder stands in the place of a file.
 pub fn check(dir: &Path) -> Result<(), Error> {
-    Ok(folder::check(dir, FILES.into_iter())?)
+    Ok(folder::check(dir, FILES.iter().map(OsStr::new))?)
 }
 
 /// Writes the files of a study into the folder `dir`, which is made if need be. Those of an earlier study are replaced;
@@ -32,12 +34,13 @@ pub fn write(dir: &Path, study: &Convergence) -> Result<(), Error> {
         svg = Some(drawing);
         table = Some(csv::to_csv(&study.report));
     }
-    let [csv_file, svg_file, png_file, json_file] = FILES;
-    let files = [
+    let [csv_file, svg_file, png_file, json_file] = FILES.map(OsStr::new);
+    let steps = [
+        (json_file, None),
         (csv_file, table.as_deref().map(str::as_bytes)),
         (svg_file, svg.as_deref().map(str::as_bytes)),
         (png_file, png.as_deref()),
         (json_file, Some(json.as_bytes())),
     ];
-    Ok(folder::replace(dir, &files)?)
+    Ok(folder::replace(dir, &steps)?)
 }

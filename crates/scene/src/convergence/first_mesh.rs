@@ -3,6 +3,7 @@
 use std::sync::Arc;
 use std::time::Instant;
 
+use oilwedge_bearing::Patience;
 use oilwedge_mesh::Mesh;
 
 use crate::analysis::{NoAnswer, graded, solve};
@@ -27,7 +28,7 @@ pub(super) struct First {
 ///
 /// # Errors
 /// The mesh cannot be read or drawn; or, within, there is no position for the load on any of the coarse meshes.
-pub(super) fn first_mesh(scene: &Scene) -> Result<Result<First, NoAnswer>, CompileError> {
+pub(super) fn first_mesh(scene: &Scene, patience: Patience) -> Result<Result<First, NoAnswer>, CompileError> {
     let clock = Instant::now();
     let start = scene.start();
     let first = |mesh: Mesh, near: (f64, f64)| First {
@@ -44,14 +45,14 @@ pub(super) fn first_mesh(scene: &Scene) -> Result<Result<First, NoAnswer>, Compi
             }
             continue;
         }
-        let mut study = match graded(&coarse) {
+        let mut study = match graded(&coarse, patience) {
             Ok(study) => study,
             Err(error) => {
                 tried = Err(error);
                 continue;
             }
         };
-        match solve(&mut study, false) {
+        match solve(&mut study, false, patience) {
             Ok(_) => {
                 let journal = &study.problem.journal;
                 let near = (

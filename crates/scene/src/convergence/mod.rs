@@ -54,7 +54,7 @@ pub fn converge(scene: &Scene, budget: &Budget, observer: &mut dyn Observer) -> 
         None => "load",
     };
     let report = blank(scene, budget, goal);
-    let first = match first_mesh::first_mesh(scene)? {
+    let first = match first_mesh::first_mesh(scene, budget.patience(true))? {
         Ok(first) => first,
         Err(reason) => return Ok(unanswered(report, &reason, budget)),
     };

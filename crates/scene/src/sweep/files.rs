@@ -1,9 +1,9 @@
 //! The folder of a sweep: rows are added to `sweep.csv` as cases end; a sweep that was killed is taken up again from them.
 
 use std::collections::BTreeMap;
-use std::fs::{File, OpenOptions};
+use std::ffi::OsStr;
+use std::fs::{File, OpenOptions, TryLockError};
 use std::io::Write;
-use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use super::report::{Identity, SweepReport};
@@ -18,46 +18,57 @@ pub const TABLE_FILE: &str = "sweep.csv";
 /// What it was computed from and, once all is computed, everything again for scripts.
 pub const REPORT_FILE: &str = "sweep.json";
 
-/// A table that is being written.
+/// A table that is being written. No other run may write it as long as this one lives: its file is locked.
 pub(crate) struct Table {
     path: PathBuf,
     file: File,
 }
 
 impl Table {
-    /// Begins the table in the folder `dir`, or takes up the one that stands there: the rows of those chains are kept that are whole.
+    /// Begins the table in the folder `dir`, or takes up the one that stands there: its whole rows are kept.
     /// With `fresh` one that stands there is replaced.
     ///
     /// # Errors
-    /// Another sweep stands there, or the system refuses.
+    /// Another sweep stands there or is being written, or the system refuses.
     pub(crate) fn open(
         dir: &Path,
         identity: &Identity,
         columns: &Columns,
-        chains: &[Range<usize>],
         fresh: bool,
     ) -> Result<(Self, BTreeMap<usize, Row>), Error> {
+        let path = dir.join(TABLE_FILE);
+        let refused = |source| WriteError::System {
+            path: path.clone(),
+            source,
+        };
+        std::fs::create_dir_all(dir).map_err(refused)?;
+        let _alone = folder::alone_in(dir)?;
+        let _earlier = free(dir, &path)?;
         let kept = match fresh {
             true => BTreeMap::new(),
-            false => kept(dir, identity, columns, chains)?,
+            false => kept(dir, identity, columns)?,
         };
         let headings = columns.headings();
         let table = to_csv(std::iter::once(&headings).chain(kept.values()));
         let begun = Begun {
             identity,
             complete: false,
+            process: std::process::id(),
         };
         let about = json(&begun)?;
-        folder::replace(
-            dir,
-            &[(TABLE_FILE, Some(&table)), (REPORT_FILE, Some(about.as_bytes()))],
-        )?;
-        let path = dir.join(TABLE_FILE);
-        let opened = OpenOptions::new().append(true).open(&path);
-        match opened {
-            Ok(file) => Ok((Self { path, file }, kept)),
-            Err(source) => Err(WriteError::System { path, source }.into()),
+        let (about_step, table_step) = (
+            (OsStr::new(REPORT_FILE), Some(about.as_bytes())),
+            (OsStr::new(TABLE_FILE), Some(&table[..])),
+        );
+        // A table is never beside a report that is not its own. Rows that are kept are those of the report that stands there.
+        match kept.is_empty() {
+            true => folder::replace_alone(dir, &[(table_step.0, None), about_step, table_step])?,
+            false => folder::replace_alone(dir, &[about_step, table_step])?,
         }
+        let file = OpenOptions::new().append(true).open(&path).map_err(refused)?;
+        // Without locks in the file system runs must not share a folder.
+        let _ = file.try_lock();
+        Ok((Self { path, file }, kept))
     }
 
     /// Adds a row, whole.
@@ -80,9 +91,29 @@ struct Begun<'a> {
     #[serde(flatten)]
     identity: &'a Identity,
     complete: bool,
+    /// Number of the process that writes.
+    process: u32,
 }
 
-/// Replaces table and report by those of the finished sweep.
+/// The table that stands at `path`, locked, if there is one: nobody else writes it.
+///
+/// # Errors
+/// Another run writes it.
+fn free(dir: &Path, path: &Path) -> Result<Option<File>, Error> {
+    let Ok(earlier) = File::open(path) else { return Ok(None) };
+    match earlier.try_lock() {
+        Err(TryLockError::WouldBlock) => Err(Error::BusySweep {
+            folder: dir.to_path_buf(),
+            process: std::fs::read(dir.join(REPORT_FILE))
+                .ok()
+                .and_then(|about| serde_json::from_slice::<serde_json::Value>(&about).ok())
+                .and_then(|about| about.get("process")?.as_u64()),
+        }),
+        Ok(()) | Err(TryLockError::Error(_)) => Ok(Some(earlier)),
+    }
+}
+
+/// Replaces table and report by those of the finished sweep. Between the two the report says still that the sweep has not ended.
 ///
 /// # Errors
 /// The system refuses; the rows that were added stand there still.
@@ -90,19 +121,15 @@ pub(crate) fn finish(dir: &Path, report: &SweepReport) -> Result<(), Error> {
     let headings = report.columns.headings();
     let table = to_csv(std::iter::once(&headings).chain(&report.rows));
     let about = report.to_json()?;
-    Ok(folder::replace(
-        dir,
-        &[(TABLE_FILE, Some(&table)), (REPORT_FILE, Some(about.as_bytes()))],
-    )?)
+    let steps = [
+        (OsStr::new(TABLE_FILE), Some(&table[..])),
+        (OsStr::new(REPORT_FILE), Some(about.as_bytes())),
+    ];
+    Ok(folder::replace(dir, &steps)?)
 }
 
-/// The rows in the folder that are those of this sweep, by the number of their case, of all chains that are whole.
-fn kept(
-    dir: &Path,
-    identity: &Identity,
-    columns: &Columns,
-    chains: &[Range<usize>],
-) -> Result<BTreeMap<usize, Row>, Error> {
+/// The rows in the folder that are those of this sweep, by the number of their case.
+fn kept(dir: &Path, identity: &Identity, columns: &Columns) -> Result<BTreeMap<usize, Row>, Error> {
     let other = |why: &'static str| Error::OtherSweep {
         folder: dir.to_path_buf(),
         why,
@@ -140,13 +167,7 @@ fn kept(
     }
     let rows = whole_rows(&read(&table)?, &columns.headings()).ok_or_else(|| other("with other columns"))?;
     let number = |row: &Row| row[0].parse::<usize>().ok()?.checked_sub(1);
-    let mut all: BTreeMap<usize, Row> = (rows.into_iter())
-        .filter_map(|row| Some((number(&row)?, row)))
-        .collect();
-    let whole: Vec<bool> = (chains.iter())
-        .map(|chain| chain.clone().all(|case| all.contains_key(&case)))
-        .collect();
-    let chain_of = |case: &usize| chains.iter().position(|chain| chain.contains(case));
-    all.retain(|case, _| chain_of(case).is_some_and(|chain| whole[chain]));
-    Ok(all)
+    Ok((rows.into_iter())
+        .filter_map(|row| Some((number(&row).filter(|case| *case < identity.cases)?, row)))
+        .collect())
 }

@@ -1,5 +1,6 @@
 //! A sweep is run: chains of cases on all threads, rows written as they end.
 
+use std::ffi::OsStr;
 use std::ops::Range;
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -10,7 +11,7 @@ use sha2::{Digest, Sha256};
 
 use super::Plan;
 use super::chain::chains;
-use super::files::{Table, finish};
+use super::files::{REPORT_FILE, TABLE_FILE, Table, finish};
 use super::report::{Identity, SWEEP_FORMAT, SweepReport};
 use super::table::Columns;
 use super::walk::{Found, Walker};
@@ -21,7 +22,7 @@ use crate::scene::Scene;
 use crate::{SceneError, folder};
 
 /// How a sweep is run.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, Default)]
 pub struct SweepOptions {
     /// How each case is run; limits are those of one case.
     pub case: RunOptions,
@@ -66,7 +67,8 @@ impl Sweep {
     /// Runs all cases and writes them to the folder `dir`. Rows that stand there from an earlier run of the same sweep are kept.
     ///
     /// # Errors
-    /// The first case does not become a film, another sweep stands in the folder, or it cannot be written.
+    /// The first case does not become a film, another sweep stands in the folder, or it cannot be written; or the sweep was
+    /// interrupted, with its rows kept: [`Error::Interrupted`].
     pub fn run(
         &self,
         options: &SweepOptions,
@@ -77,7 +79,7 @@ impl Sweep {
         let Some(first) = self.scenes.first() else {
             return Err(Error::NoCases);
         };
-        folder::check(dir, [super::files::TABLE_FILE, super::files::REPORT_FILE].into_iter())?;
+        folder::check(dir, [TABLE_FILE, REPORT_FILE].iter().map(OsStr::new))?;
         let effects = compile(&at_first(first))?.effects;
         let identity = Identity {
             format: SWEEP_FORMAT.to_owned(),
@@ -90,17 +92,21 @@ impl Sweep {
         };
         let columns = Columns::new(&self.plan, &self.scenes, options.case.bars);
         let chains = chains(&self.plan);
-        let (mut table, mut rows) = Table::open(dir, &identity, &columns, &chains, options.fresh)?;
+        let (mut table, mut rows) = Table::open(dir, &identity, &columns, options.fresh)?;
         let mut told = Progress {
             kept: rows.len(),
             done: rows.len(),
             cases: self.scenes.len(),
         };
         progress(told);
+        // A case starts from its neighbours, so a chain that was not finished is walked along from its beginning.
         let left: Vec<Range<usize>> = (chains.into_iter())
-            .filter(|chain| !rows.contains_key(&chain.start))
+            .filter(|chain| !chain.clone().all(|case| rows.contains_key(&case)))
             .collect();
         self.walk(&left, &options.case, &mut |case, found| {
+            if rows.contains_key(&case) {
+                return Ok(());
+            }
             let row = columns.row(&self.plan, case, &found)?;
             table.add(&row)?;
             rows.insert(case, row);
@@ -108,6 +114,13 @@ impl Sweep {
             progress(told);
             Ok(())
         })?;
+        if told.done < told.cases {
+            return Err(Error::Interrupted {
+                done: told.done,
+                cases: told.cases,
+                table: dir.join(TABLE_FILE),
+            });
+        }
         let report = SweepReport {
             identity,
             effects,
@@ -156,7 +169,8 @@ impl Sweep {
             for case in chain.clone() {
                 let coordinate = self.coordinate(case);
                 let found = walker.case(&self.scenes[case], coordinate);
-                if sender.send((case, found)).is_err() {
+                // A case that was ended is none.
+                if options.interrupt.is_asked() || sender.send((case, found)).is_err() {
                     return;
                 }
             }

@@ -4,13 +4,13 @@
 
 use std::time::Instant;
 
-use oilwedge_bearing::{Point, SHORT_MOVE, Visited, predicted};
+use oilwedge_bearing::{Patience, Point, SHORT_MOVE, Visited, predicted};
 use oilwedge_reynolds::{FilmSolution, JournalState};
 
 use crate::analysis::{NoAnswer, Solved, Start, graded, is_near, solve, solve_from};
 use crate::bars::judge;
 use crate::compile::{CompileError, Study, compile_near, has_same_system, renewed};
-use crate::refinement::{answer, unknowns};
+use crate::refinement::{answer, ended, unknowns};
 use crate::report::{Quantity, Status};
 use crate::run::RunOptions;
 use crate::scene::Scene;
@@ -46,6 +46,8 @@ struct Held {
 /// Walks along chains.
 pub(crate) struct Walker<'a> {
     options: &'a RunOptions,
+    /// That of the case that is computed.
+    patience: Patience,
     held: Option<Held>,
     visited: Vec<Visited>,
 }
@@ -54,6 +56,7 @@ impl<'a> Walker<'a> {
     pub(crate) fn new(options: &'a RunOptions) -> Self {
         Self {
             options,
+            patience: Patience::default(),
             held: None,
             visited: Vec::new(),
         }
@@ -71,6 +74,7 @@ impl<'a> Walker<'a> {
     /// Computes the next case of the chain; `coordinate` is its value on the axis along which the chain runs.
     pub(crate) fn case(&mut self, scene: &Scene, coordinate: f64) -> Found {
         let clock = Instant::now();
+        self.patience = self.options.patience();
         let found = match scene.tolerance.is_some() && self.options.bars {
             true => self.refined(scene),
             false => self.walked(scene, coordinate),
@@ -115,16 +119,24 @@ impl<'a> Walker<'a> {
         let found = match outcome {
             Ok(solved) => {
                 let judged = judge(&held.study, &solved);
+                let limit = ended(&solved, self.options);
                 let journal = &held.study.problem.journal;
-                self.visited.push(Visited {
-                    point: point(scene, coordinate),
-                    eccentricity: journal.eccentricity() / scene.bearing.clearance,
-                    angle: journal.min_film_angle(),
-                });
-                held.film = Some(solved.film);
+                if limit.is_some() {
+                    self.visited.clear();
+                } else {
+                    self.visited.push(Visited {
+                        point: point(scene, coordinate),
+                        eccentricity: journal.eccentricity() / scene.bearing.clearance,
+                        angle: journal.min_film_angle(),
+                    });
+                    held.film = Some(solved.film);
+                }
                 Found {
-                    status: CaseStatus::Run(Status::Converged),
-                    reason: None,
+                    status: CaseStatus::Run(match limit {
+                        Some(_) => Status::NotConverged,
+                        None => Status::Converged,
+                    }),
+                    reason: limit,
                     quantities: judged.quantities,
                     unknowns: Some(size),
                     seconds: 0.0,
@@ -148,10 +160,10 @@ impl<'a> Walker<'a> {
             .filter(|held| !scene.mesh.is_graded() && has_same_system(&held.scene, scene));
         let mut study = match ungraded {
             Some(held) => renewed(held.study, scene, scene.start()),
-            None => graded(scene)?,
+            None => graded(scene, self.patience)?,
         };
         let graded_for = study.problem.journal;
-        let outcome = solve(&mut study, self.options.bars);
+        let outcome = solve(&mut study, self.options.bars, self.patience);
         let held = Held {
             scene: scene.clone(),
             study,
@@ -189,7 +201,8 @@ impl<'a> Walker<'a> {
             held = redrawn(scene, near)?;
         }
         for _ in 0..2 {
-            let Ok(solved) = solve_from(&mut held.study, self.options.bars, Start::Near(held.film.as_ref())) else {
+            let start = Start::Near(held.film.as_ref());
+            let Ok(solved) = solve_from(&mut held.study, self.options.bars, self.patience, start) else {
                 // A mesh that a film has not shaped is good for another start.
                 self.held = Some(held);
                 return Ok(None);

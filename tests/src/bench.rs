@@ -3,43 +3,51 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use oilwedge_tests::program::{oilwedge, repository};
+use crate::program::{oilwedge, repository};
 use serde_json::Value;
 use tempfile::TempDir;
 
 /// An empty folder outside of the repository, and the program run in it.
-pub(crate) struct Bench {
+pub struct Bench {
     folder: TempDir,
 }
 
 /// What a run told.
-pub(crate) struct Told {
-    pub(crate) status: i32,
-    pub(crate) stdout: String,
-    pub(crate) stderr: String,
+pub struct Told {
+    /// Exit status.
+    pub status: i32,
+    /// What is for people or scripts.
+    pub stdout: String,
+    /// Complaints and warnings.
+    pub stderr: String,
 }
 
 impl Bench {
-    pub(crate) fn new() -> Self {
+    /// An empty one.
+    #[allow(clippy::new_without_default)]
+    pub fn new() -> Self {
         let folder = tempfile::tempdir().expect("a temporary folder");
         Self { folder }
     }
 
-    pub(crate) fn path(&self) -> &Path {
+    /// The folder.
+    pub fn path(&self) -> &Path {
         self.folder.path()
     }
 
-    pub(crate) fn write(&self, name: &str, content: impl AsRef<[u8]>) {
+    /// Writes a file into it.
+    pub fn write(&self, name: &str, content: impl AsRef<[u8]>) {
         std::fs::write(self.path().join(name), content).expect("writing into a temporary folder");
     }
 
     /// Writes `scene.toml`: the shipped scene `name` with the first `from` of each edit replaced by its `to`.
     /// Meshes that are not edited stay those of the repository.
-    pub(crate) fn scene(&self, name: &str, edits: &[(&str, &str)]) {
+    pub fn scene(&self, name: &str, edits: &[(&str, &str)]) {
         self.write("scene.toml", edited(name, edits));
     }
 
-    pub(crate) fn run(&self, arguments: &[&str]) -> Told {
+    /// Runs the program there until it ends.
+    pub fn run(&self, arguments: &[&str]) -> Told {
         let output = oilwedge(self.path(), arguments);
         let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("UTF-8");
         Told {
@@ -50,7 +58,7 @@ impl Bench {
     }
 
     /// Every file below the folder with its content; folders end in `/`.
-    pub(crate) fn files(&self) -> BTreeMap<PathBuf, Vec<u8>> {
+    pub fn files(&self) -> BTreeMap<PathBuf, Vec<u8>> {
         let mut found = BTreeMap::new();
         let mut folders = vec![self.path().to_path_buf()];
         while let Some(folder) = folders.pop() {
@@ -69,7 +77,7 @@ impl Bench {
     }
 
     /// Runs the program, which must refuse with exit status 2, write nothing, and name all `words` on stderr.
-    pub(crate) fn refuses(&self, arguments: &[&str], words: &[&str]) -> Told {
+    pub fn refuses(&self, arguments: &[&str], words: &[&str]) -> Told {
         let before = self.files();
         let told = self.run(arguments);
         assert_eq!(told.status, 2, "{arguments:?}: {}{}", told.stdout, told.stderr);
@@ -90,7 +98,7 @@ impl Bench {
 }
 
 /// The text of a shipped scene with edits; its mesh by an absolute path.
-pub(crate) fn edited(name: &str, edits: &[(&str, &str)]) -> String {
+pub fn edited(name: &str, edits: &[(&str, &str)]) -> String {
     let path = repository().join(format!("scenes/{name}.toml"));
     let mut text = std::fs::read_to_string(path).expect("a shipped scene");
     for (from, to) in edits {
@@ -101,14 +109,14 @@ pub(crate) fn edited(name: &str, edits: &[(&str, &str)]) -> String {
 }
 
 /// The one JSON object that a text is.
-pub(crate) fn object(text: &str) -> Value {
+pub fn object(text: &str) -> Value {
     let value: Value = serde_json::from_str(text).unwrap_or_else(|error| panic!("{error}:\n{text}"));
     assert!(value.is_object(), "{text}");
     value
 }
 
 /// A result without its timings.
-pub(crate) fn timeless(mut result: Value) -> Value {
+pub fn timeless(mut result: Value) -> Value {
     let timings = result.as_object_mut().and_then(|object| object.remove("timing_s"));
     assert!(timings.is_some_and(|timings| timings.is_object()));
     result

@@ -1,0 +1,33 @@
+//! Ctrl-C, or the end asked for by the system: the first asks a run to end with what it has, the second ends the program at once.
+
+use crate::complain::Failure;
+use oilwedge_scene::Interrupt;
+use signal_hook::consts::{SIGINT, SIGTERM};
+use signal_hook::flag;
+use std::io;
+use std::sync::atomic::AtomicBool;
+use std::sync::{Arc, LazyLock};
+
+/// Exit status of a run that was interrupted and has no answer: that of a program ended by Ctrl-C.
+pub(crate) const INTERRUPTED: u8 = 130;
+
+static ASKED: LazyLock<Arc<AtomicBool>> = LazyLock::new(Arc::default);
+
+/// Turns the two signals into a wish. Only for runs that look after it: others are ended by the first, as any program is.
+///
+/// # Errors
+/// The system refuses to tell of signals.
+pub(crate) fn listen() -> Result<Interrupt, Failure> {
+    for signal in [SIGINT, SIGTERM] {
+        watch(signal).map_err(|error| Failure::Argument {
+            message: format!("cannot listen to Ctrl-C: {error}"),
+        })?;
+    }
+    Ok(Interrupt::when(&ASKED))
+}
+
+/// The end at once is asked for first, so that the first signal does not cause it.
+fn watch(signal: i32) -> io::Result<()> {
+    flag::register_conditional_shutdown(signal, INTERRUPTED.into(), Arc::clone(&ASKED))?;
+    flag::register(signal, Arc::clone(&ASKED)).map(drop)
+}

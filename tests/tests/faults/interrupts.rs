@@ -1,0 +1,147 @@
+//! Ctrl-C and the end that the system asks for: what is finished is kept, and the best answer so far is told.
+
+use std::process::{Child, Command, Output};
+use std::time::{Duration, Instant};
+
+use crate::bench::{Bench, edited, object};
+use crate::scenes::{names, rows, start, sweep};
+use serde_json::Value;
+
+fn send(signal: &str, run: &Child) {
+    let sent = Command::new("kill").args([signal, &run.id().to_string()]).status();
+    assert!(sent.is_ok_and(|status| status.success()));
+}
+
+fn ended(run: Child) -> (Output, String) {
+    let output = run.wait_with_output().expect("it ends");
+    let stderr = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(!stderr.contains("panicked"), "{stderr}");
+    (output, stderr)
+}
+
+/// Waits until it is so.
+fn until(is_so: impl Fn() -> bool) {
+    let clock = Instant::now();
+    while !is_so() {
+        assert!(clock.elapsed() < Duration::from_secs(60), "it does not come to that");
+        std::thread::sleep(Duration::from_millis(1));
+    }
+}
+
+#[test]
+fn a_sweep_ends_with_its_rows_and_goes_on_from_them() {
+    let bench = Bench::new();
+    sweep(&bench, 30);
+    let command = ["sweep", "scene.toml", "--out"];
+    let folder = bench.path().join("out");
+    let mut before = 0;
+    for signal in ["-INT", "-TERM"] {
+        let run = start(&bench, &[&command[..], &["out"]].concat());
+        until(|| rows(&folder).len() > before + 5);
+        send(signal, &run);
+        let (output, stderr) = ended(run);
+        assert_eq!(output.status.code(), Some(130), "{stderr}");
+        before = rows(&folder).len();
+        let told = format!("interrupted: {before} of 60 cases are in out/sweep.csv; the same command goes on");
+        assert!(stderr.contains(&told), "{stderr}");
+        assert_eq!(names(&folder), ["sweep.csv", "sweep.json"]);
+    }
+    assert!(before < 60, "the sweep ended before it was interrupted");
+    assert_eq!(bench.run(&[&command[..], &["out"]].concat()).status, 0);
+    assert_eq!(bench.run(&[&command[..], &["whole"]].concat()).status, 0);
+    assert_eq!(rows(&folder), rows(&bench.path().join("whole")));
+}
+
+/// What a run of `scene.toml` into `out` writes that is interrupted after some time.
+fn interrupted(bench: &Bench) -> Value {
+    let run = start(bench, &["solve", "scene.toml", "--out", "out"]);
+    std::thread::sleep(Duration::from_millis(1000));
+    send("-INT", &run);
+    let clock = Instant::now();
+    let (output, stderr) = ended(run);
+    assert_eq!(output.status.code(), Some(1), "{stderr}");
+    assert!(clock.elapsed() < Duration::from_secs(30));
+    let result = std::fs::read_to_string(bench.path().join("out/result.json")).expect("a result");
+    object(&result)
+}
+
+#[test]
+fn a_refinement_ends_with_the_best_answer_so_far() {
+    let bench = Bench::new();
+    bench.write(
+        "scene.toml",
+        edited("09_drawn_ring", &[]) + "\n[mesh]\ntolerance = \"0.0000001 %\"\n",
+    );
+    let result = interrupted(&bench);
+    assert_eq!(result["status"], "not_converged");
+    let reason = result["reason"].as_str().expect("a reason");
+    assert!(reason.starts_with("interrupted: the bars are "), "{reason}");
+    let load = &result["quantities"]["load"];
+    assert!(
+        load["value"].as_f64().is_some() && load["error"].as_f64().is_some(),
+        "{load}"
+    );
+    assert_eq!(names(&bench.path().join("out")), ["film.vtu", "result.json"]);
+}
+
+#[test]
+fn a_search_for_a_position_ends_where_it_is() {
+    let bench = Bench::new();
+    bench.scene("17_engine_main_bearing", &[("1.5 mm", "0.8 mm")]);
+    let result = interrupted(&bench);
+    assert_eq!(result["status"], "not_converged");
+    let reason = result["reason"].as_str().expect("a reason");
+    assert!(reason.starts_with("interrupted: "), "{reason}");
+    assert!(result["quantities"]["load"]["value"].as_f64().is_some(), "{result}");
+    assert!(
+        result["balances"]["force"].as_f64().is_some_and(|force| force > 1e-10),
+        "{result}"
+    );
+}
+
+#[test]
+fn a_study_ends_with_its_levels() {
+    let bench = Bench::new();
+    bench.scene("01_plain_ring", &[]);
+    let run = start(
+        &bench,
+        &["converge", "scene.toml", "--out", "out", "--max-seconds", "600"],
+    );
+    std::thread::sleep(Duration::from_millis(1500));
+    send("-INT", &run);
+    let (output, stderr) = ended(run);
+    assert_eq!(output.status.code(), Some(0), "{stderr}");
+    let report = std::fs::read_to_string(bench.path().join("out/converge.json")).expect("a report");
+    let report = object(&report);
+    assert!(report["seconds"].as_f64().is_some_and(|seconds| seconds < 100.0));
+    for course in report["strategies"].as_array().expect("strategies") {
+        assert!(!course["levels"].as_array().expect("levels").is_empty());
+        let why = course["ended"].as_str().expect("a reason");
+        assert!(why.contains("interrupted"), "{why}");
+    }
+}
+
+#[test]
+fn the_second_time_ends_at_once() {
+    let bench = Bench::new();
+    sweep(&bench, 30);
+    let run = start(&bench, &["sweep", "scene.toml", "--out", "out"]);
+    until(|| rows(&bench.path().join("out")).len() > 3);
+    send("-STOP", &run);
+    send("-INT", &run);
+    send("-CONT", &run);
+    send("-TERM", &run);
+    let (output, stderr) = ended(run);
+    assert_eq!(output.status.code(), Some(130), "{stderr}");
+    // A run that does not look for it is ended by the first, as any program is.
+    bench.scene(
+        "09_drawn_ring",
+        &[("[journal]", "[mesh]\nsize = \"0.3 mm\"\n[journal]")],
+    );
+    let run = start(&bench, &["solve", "scene.toml", "--out", "plain"]);
+    std::thread::sleep(Duration::from_millis(100));
+    send("-INT", &run);
+    let (output, _) = ended(run);
+    assert_eq!(output.status.code(), None);
+    assert!(!bench.path().join("plain").exists());
+}

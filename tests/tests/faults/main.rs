@@ -1,0 +1,14 @@
+//! Faults of the machine: a program that is killed, a disk that is full, a folder that cannot be written, two runs in one folder,
+//! Ctrl-C, limits of time and size. Results are whole or absent, and what was finished is kept.
+#![cfg(unix)]
+
+mod full_disk;
+mod interrupts;
+mod kill;
+mod limits;
+mod places;
+mod same_bits;
+mod scenes;
+mod shared;
+
+use oilwedge_tests::bench;
