@@ -81,10 +81,17 @@ impl Verify {
         let mut text = report(&verdicts, &maps, clock.elapsed().as_secs_f64());
         if self.hard {
             self.write(&verdicts, &maps)?;
-            text += &format!("written   {}: stability.md, stability.svg, stability.png\n", self.out.display());
+            text += &format!(
+                "written   {}: stability.md, stability.svg, stability.png\n",
+                self.out.display()
+            );
         }
         terminal::print(&text)?;
-        Ok(if faults == 0 { ExitCode::SUCCESS } else { ExitCode::from(1) })
+        Ok(if faults == 0 {
+            ExitCode::SUCCESS
+        } else {
+            ExitCode::from(1)
+        })
     }
 
     fn write(&self, verdicts: &[Verdict], maps: &[CellMap]) -> Result<(), Failure> {
@@ -121,10 +128,15 @@ fn report(verdicts: &[Verdict], maps: &[CellMap], seconds: f64) -> String {
         0 => "all as they must".to_owned(),
         count => format!("{count} unexplained"),
     };
-    let mut text = heading("Verification", &format!("{} cases, {told}", verdicts.len())) + "\n\n" + &cells.to_string() + "\n";
+    let mut text =
+        heading("Verification", &format!("{} cases, {told}", verdicts.len())) + "\n\n" + &cells.to_string() + "\n";
     for verdict in faulty {
         text += &format!("\n! {} ({})\n", verdict.case.name(), verdict.case.family);
-        text += &verdict.faults.iter().map(|fault| format!("    {fault}\n")).collect::<String>();
+        text += &verdict
+            .faults
+            .iter()
+            .map(|fault| format!("    {fault}\n"))
+            .collect::<String>();
     }
     for told in maps.iter().flat_map(unexplained) {
         text += &format!("\n! map: {told}\n");

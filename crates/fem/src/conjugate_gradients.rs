@@ -17,30 +17,12 @@ const TRIAL_STEPS: usize = 5;
 pub(crate) struct Ending {
     /// Residual (Euclidean norm) that will do.
     pub(crate) enough: f64,
-    /// Most steps.
+    /// Most steps; the iteration ends as soon as its pace tells that these will not do.
     pub(crate) most_steps: usize,
-    /// Whether to end as soon as the pace tells that these will not do.
-    pub(crate) foresees: bool,
 }
 
-/// What came of it.
-#[derive(Debug)]
-pub(crate) enum Outcome {
-    /// The residual is small enough.
-    Solved {
-        /// Zero at given dofs.
-        x: Vec<f64>,
-    },
-    /// The residual falls too slowly.
-    Slow {
-        /// As far as it came.
-        x: Vec<f64>,
-        /// Residual (Euclidean norm) there.
-        residual: f64,
-    },
-}
-
-/// Solves `matrix x = b`. `fixed` dofs are given: rows and columns there do not count. `precondition` gives zero there.
+/// Solves `matrix x = b`; nothing where residuals fall too slowly. `fixed` dofs are given: rows and columns there do not count, and
+/// `x` is zero there. `precondition` gives zero there.
 ///
 /// # Errors
 /// [`Error::NotFinite`], [`Error::NotPositiveDefinite`], or an error of `precondition`.
@@ -50,7 +32,7 @@ pub(crate) fn conjugate_gradients(
     b: &[f64],
     ending: Ending,
     precondition: impl Fn(&[f64]) -> Result<Vec<f64>, Error>,
-) -> Result<Outcome, Error> {
+) -> Result<Option<Vec<f64>>, Error> {
     let mut r = b.to_vec();
     for (r, &fixed) in r.iter_mut().zip(fixed) {
         *r = if fixed { 0.0 } else { *r };
@@ -63,10 +45,10 @@ pub(crate) fn conjugate_gradients(
     let (mut product, mut length) = (0.0, 0.0);
     for steps in 0.. {
         if residual <= ending.enough {
-            return Ok(Outcome::Solved { x });
+            return Ok(Some(x));
         }
         if steps >= ending.most_steps || is_slow(ending, first, residual, steps) {
-            return Ok(Outcome::Slow { x, residual });
+            return Ok(None);
         }
         let z = precondition(&r)?;
         let next = dot(&r, &z);
@@ -98,7 +80,7 @@ pub(crate) fn conjugate_gradients(
 
 /// True if at the pace so far more steps than allowed would be needed.
 fn is_slow(ending: Ending, first: f64, residual: f64, steps: usize) -> bool {
-    if !ending.foresees || steps < TRIAL_STEPS {
+    if steps < TRIAL_STEPS {
         return false;
     }
     let pace = (residual / first).ln() / steps as f64;

@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use crate::conjugate_gradients::{Ending, Outcome, conjugate_gradients};
+use crate::conjugate_gradients::{Ending, conjugate_gradients};
 use crate::linear_solver::MultigridSolver;
 use crate::multigrid::Multigrid;
 use crate::{Constraints, Error, Factorization, Matrix};
@@ -75,7 +75,6 @@ impl Iterated {
         let ending = Ending {
             enough,
             most_steps: WORTH_A_FACTOR,
-            foresees: true,
         };
         if self.factor.get().is_none() {
             let precondition = |r: &[f64]| {
@@ -83,9 +82,9 @@ impl Iterated {
                 self.multigrid.cycle(r)
             };
             match conjugate_gradients(matrix, &constraints.fixed, b, ending, precondition) {
-                Ok(Outcome::Solved { x }) => return Ok(x),
+                Ok(Some(x)) => return Ok(x),
                 // Perhaps only the preconditioner is not, in single precision: a factor can tell.
-                Ok(Outcome::Slow { .. }) | Err(Error::NotPositiveDefinite) => {}
+                Ok(None) | Err(Error::NotPositiveDefinite) => {}
                 Err(error) => return Err(error),
             }
         }

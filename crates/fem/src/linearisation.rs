@@ -5,12 +5,16 @@ use std::sync::OnceLock;
 use crate::factorization::SingleFactor;
 use crate::iterated::Iterated;
 use crate::linear_solver::MultigridSolver;
-use crate::nested::Nested;
+use crate::nested::{Nested, NestedSystem};
 use crate::{Constraints, Error, Factorization, LinearSolver, Matrix, UnsymmetricFactorization};
 
 /// A residual above this fraction of the right-hand side is refined once, and refused after.
 const REFINE_ABOVE: f64 = 1e-12;
 const REFUSE_ABOVE: f64 = 1e-7;
+/// Part of the terms of a row that its residual is at most where the solution is that of a system that differs by rounding.
+const ROUNDING: f64 = 1e-12;
+/// Terms of the rows over the right-hand side of a matrix that is singular for all that is known.
+const SINGULAR_ABOVE: f64 = 1e12;
 /// Residual over right-hand side of a solve that needs no more.
 const ONE_DIGIT: f64 = 1e-1;
 
@@ -31,7 +35,7 @@ enum Factor {
     Cholesky(Factorization),
     Lu(Box<UnsymmetricFactorization>),
     Multigrid(Box<Iterated>),
-    Nested(Nested),
+    Nested(Box<NestedSystem>),
 }
 
 /// The tangent `dR/du` with the given dofs masked, and its factors.
@@ -82,7 +86,7 @@ impl Linearisation {
     pub(crate) fn nested(matrix: Matrix, nested: Nested, constraints: Constraints) -> Self {
         Self {
             matrix,
-            factor: Factor::Nested(nested),
+            factor: Factor::Nested(Box::new(NestedSystem::new(nested))),
             constraints,
             rough: OnceLock::new(),
         }
@@ -111,7 +115,7 @@ impl Linearisation {
             Factor::Cholesky(_) | Factor::Lu(_) => Route::Direct,
             Factor::Multigrid(iterated) if iterated.factor().is_some() => Route::Switched,
             Factor::Multigrid(_) => Route::Multigrid,
-            Factor::Nested(nested) => nested.quadratic.route(),
+            Factor::Nested(system) => system.nested.quadratic.route(),
         }
     }
 
@@ -217,8 +221,8 @@ impl Linearisation {
                 *x = iterated.solve(&self.matrix, &self.constraints, x, enough)?;
                 Ok(())
             }
-            (Factor::Nested(nested), _) => {
-                *x = nested.solve(&self.matrix, &self.constraints, x, enough)?;
+            (Factor::Nested(system), _) => {
+                *x = system.solve(&self.matrix, &self.constraints, x, enough)?;
                 Ok(())
             }
         }
@@ -243,12 +247,30 @@ impl Linearisation {
             for (x, correction) in x.iter_mut().zip(&correction) {
                 *x += correction;
             }
-            let relative = self.constraints.free_norm(&self.residual(&b, &x, transposed)) / size;
-            if relative.is_nan() || relative > REFUSE_ABOVE {
+            let residual = self.residual(&b, &x, transposed);
+            let relative = self.constraints.free_norm(&residual) / size;
+            if (relative.is_nan() || relative > REFUSE_ABOVE) && !self.is_stable(&b, &x, &residual, transposed) {
                 return Err(Error::Inaccurate { relative });
             }
         }
         Ok(x)
+    }
+
+    /// True if `x` solves a system whose every entry is that of this one to rounding (Oettli, Prager, Numer. Math. 6 (1964) 405): where
+    /// conductances differ by many orders residuals over the right-hand side say little. Not of solutions so large that
+    /// the matrix must be singular.
+    fn is_stable(&self, b: &[f64], x: &[f64], residual: &[f64], transposed: bool) -> bool {
+        let absolute = Matrix {
+            pattern: self.matrix.pattern.clone(),
+            values: self.matrix.values.iter().map(|value| value.abs()).collect(),
+        };
+        let x: Vec<f64> = x.iter().map(|x| x.abs()).collect();
+        let sizes = self.masked(match (&self.factor, transposed) {
+            (Factor::Lu(_), true) => absolute.multiply_transposed(&x),
+            _ => absolute.multiply(&x),
+        });
+        let is_bounded = self.constraints.free_norm(&sizes) < SINGULAR_ABOVE * self.constraints.free_norm(b);
+        is_bounded && (residual.iter().zip(&sizes).zip(b)).all(|((r, size), b)| r.abs() <= ROUNDING * (size + b.abs()))
     }
 
     fn residual(&self, b: &[f64], x: &[f64], transposed: bool) -> Vec<f64> {

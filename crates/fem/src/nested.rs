@@ -1,19 +1,19 @@
 //! Conjugate gradients for cubic elements, preconditioned with the factor of the quadratic ones on the same mesh.
 //!
 //! `B r = P A_2^-1 P^T r + D^-1 r`: the quadratic part is solved, in single precision, the diagonal does for the rest. Some ten steps to
-//! a thousandth, whatever the size of the mesh. Given dofs are masked on both sides.
+//! a thousandth, whatever the size of the mesh; on needles and jumps of size, where the diagonal does not do, a factor of the cubic
+//! elements takes over. Given dofs are masked on both sides.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
-use crate::conjugate_gradients::{Ending, Outcome, conjugate_gradients};
-use crate::{Constraints, Error, Linearisation, Matrix, Prolongation};
+use crate::conjugate_gradients::{Ending, conjugate_gradients};
+use crate::factorization::LazyAnalysis;
+use crate::{Constraints, Error, Factorization, Linearisation, Matrix, Prolongation};
 
 /// Steps end when the residual has fallen to this part of the right-hand side.
 const TOLERANCE: f64 = 1e-7;
-/// A residual above this part of the right-hand side after [`MOST_STEPS`] steps is refused.
-const REFUSE_ABOVE: f64 = 1e-3;
-/// Most steps of one solve.
-const MOST_STEPS: usize = 200;
+/// Steps that cost as much as a factor of the cubic elements.
+const WORTH_A_FACTOR: usize = 80;
 
 /// What a cubic system is solved with.
 #[derive(Debug, Clone)]
@@ -22,14 +22,31 @@ pub struct Nested {
     pub quadratic: Arc<Linearisation>,
     /// Between the two spaces.
     pub prolongation: Arc<Prolongation>,
+    /// For the factor of the cubic elements that takes over where steps are too many.
+    pub direct: Arc<LazyAnalysis>,
 }
 
-impl Nested {
+/// A cubic system.
+#[derive(Debug)]
+pub(crate) struct NestedSystem {
+    pub(crate) nested: Nested,
+    /// Made where conjugate gradients are slow.
+    factor: OnceLock<Result<Factorization, Error>>,
+}
+
+impl NestedSystem {
+    pub(crate) fn new(nested: Nested) -> Self {
+        Self {
+            nested,
+            factor: OnceLock::new(),
+        }
+    }
+
     /// Solves `matrix x = b` on the dofs that are not given; `x` is zero at given ones. A residual (Euclidean norm) of
     /// `enough` will do; zero stands for 1e-7 of that of `b`.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::NotPositiveDefinite`], or [`Error::Inaccurate`] if steps do not lead there.
+    /// [`Error::NotFinite`], [`Error::NotPositiveDefinite`], or those of a factor.
     pub(crate) fn solve(
         &self,
         matrix: &Matrix,
@@ -37,6 +54,33 @@ impl Nested {
         b: &[f64],
         enough: f64,
     ) -> Result<Vec<f64>, Error> {
+        if self.factor.get().is_none()
+            && let Some(x) = self.nested.solve(matrix, constraints, b, enough)?
+        {
+            return Ok(x);
+        }
+        let factor = self.factor.get_or_init(|| {
+            let analysis = self.nested.direct.get()?;
+            analysis.factorise(matrix, &constraints.fixed)
+        });
+        let mut x = b.to_vec();
+        factor.as_ref().map_err(Clone::clone)?.solve(&mut x)?;
+        Ok(x)
+    }
+}
+
+impl Nested {
+    /// The solution by conjugate gradients; none where the steps would be too many.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`].
+    fn solve(
+        &self,
+        matrix: &Matrix,
+        constraints: &Constraints,
+        b: &[f64],
+        enough: f64,
+    ) -> Result<Option<Vec<f64>>, Error> {
         // Zero at given dofs, so that nothing comes from there.
         let inverse: Vec<f64> = (constraints.fixed.iter().enumerate())
             .map(|(i, &fixed)| if fixed { 0.0 } else { 1.0 / matrix.diagonal(i) })
@@ -44,16 +88,13 @@ impl Nested {
         let first = constraints.free_norm(b);
         let ending = Ending {
             enough: if enough > 0.0 { enough } else { TOLERANCE * first },
-            most_steps: MOST_STEPS,
-            foresees: false,
+            most_steps: WORTH_A_FACTOR,
         };
         let precondition = |r: &[f64]| self.precondition(r, &inverse);
-        match conjugate_gradients(matrix, &constraints.fixed, b, ending, precondition)? {
-            Outcome::Solved { x } => Ok(x),
-            Outcome::Slow { x, residual } if residual < REFUSE_ABOVE * first => Ok(x),
-            Outcome::Slow { residual, .. } => Err(Error::Inaccurate {
-                relative: residual / first,
-            }),
+        match conjugate_gradients(matrix, &constraints.fixed, b, ending, precondition) {
+            // Perhaps only the preconditioner is not positive, in single precision: a factor can tell.
+            Err(Error::NotPositiveDefinite) => Ok(None),
+            outcome => outcome,
         }
     }
 

@@ -73,6 +73,7 @@ impl FilmProblem {
         let solver = LinearSolver::Nested(Nested {
             quadratic: film.linearisation.clone(),
             prolongation: enriched.prolongation.clone(),
+            direct: enriched.system.analysis.clone(),
         });
         Ok(self.pressure_film(&enriched.system, &solver, 1.0, start)?)
     }

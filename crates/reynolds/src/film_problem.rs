@@ -69,7 +69,7 @@ pub struct FilmSystem {
     /// The next coarser mesh, to start from; none where a solve needs no start.
     pub coarser: Option<Box<Coarser>>,
     /// The analysed pattern of the Cholesky factor.
-    analysis: Arc<LazyAnalysis>,
+    pub(crate) analysis: Arc<LazyAnalysis>,
     /// From how many unknowns on multigrid is worth while.
     worth_multigrid: usize,
     /// Made when a film is first solved; none where multigrid does not serve.

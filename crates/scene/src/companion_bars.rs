@@ -7,7 +7,7 @@ use oilwedge_reynolds::error_bar::Bar;
 use oilwedge_reynolds::error_bar::conserving::{ConservingError, conserving_error};
 
 use crate::analysis::Solved;
-use crate::bars::{Judged, balanced, is_cut_out, set};
+use crate::bars::{Judged, balanced, is_cut_out, of_few, set};
 use crate::compile::Study;
 use crate::measure::{Measured, measure, quantities};
 use crate::moved::position_bars;
@@ -22,13 +22,13 @@ pub(crate) fn judge(study: &Study, solved: &Solved, companion: &FilmSolution) ->
         return Judged::without_bars(list, measured);
     };
     let moved = solved.balance.as_ref().map(|balance| {
-        let bars = [error.load.total(), error.across.total()];
+        let bars = [error.load, error.across].map(|bar| of_few(study, bar).total());
         position_bars(study, &solved.film, balance, bars, &list)
     });
     for quantity in &mut list {
         let own = solved.balance.as_ref().and_then(|balance| balanced(quantity, balance));
         let bar = own.or_else(|| {
-            let bar = bar(study, quantity, &error, &measured)?;
+            let bar = of_few(study, bar(study, quantity, &error, &measured)?);
             let position = moved.as_ref().map_or(0.0, |moved| moved[&quantity.name]);
             Some(Bar { position, ..bar })
         });

@@ -80,6 +80,7 @@ impl Dimension {
         match self {
             Self::Length => &[
                 ("m", 1.0),
+                ("km", 1e3),
                 ("cm", 1e-2),
                 ("mm", 1e-3),
                 ("um", 1e-6),

@@ -73,7 +73,10 @@ impl Regime {
             density: MINERAL_OIL,
             clearance_ratio,
             pressure_exponent: alpha.map(|alpha| alpha * measured.extremes.greatest),
-            roughness_ratio: scene.bearing.roughness.map(|roughness| measured.least_thickness / roughness),
+            roughness_ratio: scene
+                .bearing
+                .roughness
+                .map(|roughness| measured.least_thickness / roughness),
         }
     }
 
@@ -88,17 +91,30 @@ impl Regime {
             ("pressure_exponent", self.pressure_exponent),
             ("roughness_ratio", self.roughness_ratio),
         ];
-        given.into_iter().filter_map(|(name, value)| Some((name, value?))).collect()
+        given
+            .into_iter()
+            .filter_map(|(name, value)| Some((name, value?)))
+            .collect()
     }
 
     /// Assumptions that this film breaks, in sentences that name them.
     pub fn warnings(&self, scene: &Scene, measured: &Measured) -> Vec<String> {
         let pressure = measured.extremes.greatest;
         let bar = |pascal: f64| readable(1e-5 * pascal);
-        let flow = format!("Reynolds number {} at {} kg/m3", rounded(self.reynolds_number), self.density);
+        let flow = format!(
+            "Reynolds number {} at {} kg/m3",
+            rounded(self.reynolds_number),
+            self.density
+        );
         let law = match scene.oil.pressure_law {
-            PressureLaw::Constant => Some(("a viscosity that does not depend on pressure", CONSTANT, "give [oil] barus or roelands")),
-            PressureLaw::Barus { .. } => Some(("Barus' law", BARUS, "it overstates the viscosity there; take roelands")),
+            PressureLaw::Constant => Some((
+                "a viscosity that does not depend on pressure",
+                CONSTANT,
+                "give [oil] barus or roelands",
+            )),
+            PressureLaw::Barus { .. } => {
+                Some(("Barus' law", BARUS, "it overstates the viscosity there; take roelands"))
+            }
             PressureLaw::Roelands { .. } => Some(("Roelands' law", ROELANDS, "nothing was measured there")),
         };
         let broken = [

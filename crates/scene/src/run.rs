@@ -241,11 +241,19 @@ fn history(steps: &[newton::HistoryStep]) -> Vec<HistoryStep> {
 fn report(study: &Study, solved: &Solved, judged: Judged, result: &mut RunResult) {
     let film = &solved.film;
     result.quantities = judged.quantities;
-    let has_bars = result.quantities.iter().all(|quantity| quantity.error.is_some());
-    result.warnings = match has_bars {
+    let bare: Vec<&str> = (result.quantities.iter())
+        .filter(|quantity| quantity.error.is_none())
+        .map(|quantity| quantity.name.as_str())
+        .collect();
+    result.warnings = match bare.is_empty() {
         true => warnings_beside_bars(study, &judged.measured),
         false => warnings(study, &judged.measured),
     };
+    if result.bars && !bare.is_empty() {
+        let told = "this mesh does not resolve the film well enough for an error bar of";
+        let way_out = "give a finer one ([mesh] size or tolerance)";
+        result.warnings.push(format!("{told} {}; {way_out}", bare.join(", ")));
+    }
     result.balances.mass = judged.measured.flows.imbalance;
     result.history = history(&film.history);
     result.counts = Counts {

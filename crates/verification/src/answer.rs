@@ -105,7 +105,9 @@ pub(crate) fn prepare(case: &Case, dir: &Path, number: usize) -> Result<Table, S
     if let Some(recipe) = &case.mesh {
         let path = dir.join(format!("{number}.msh"));
         made_mesh::write(recipe, &read(&scene)?, &path)?;
-        let path = path.to_str().ok_or("the folder for meshes has a name that is no text")?;
+        let path = path
+            .to_str()
+            .ok_or("the folder for meshes has a name that is no text")?;
         put(&mut scene, "mesh.file", Value::String(path.to_owned()));
         put(&mut scene, "mesh.unit", Value::String(recipe.unit.clone()));
     }

@@ -9,11 +9,23 @@ pub const KNOWN_VALUES: &str = "known_values";
 
 /// The families, by the names of their files in `tests/hard_cases`.
 const FAMILIES: [(&str, &str); 15] = [
-    (KNOWN_VALUES, include_str!("../../../tests/hard_cases/known_values.toml")),
-    ("eccentricity", include_str!("../../../tests/hard_cases/eccentricity.toml")),
-    ("slenderness", include_str!("../../../tests/hard_cases/slenderness.toml")),
+    (
+        KNOWN_VALUES,
+        include_str!("../../../tests/hard_cases/known_values.toml"),
+    ),
+    (
+        "eccentricity",
+        include_str!("../../../tests/hard_cases/eccentricity.toml"),
+    ),
+    (
+        "slenderness",
+        include_str!("../../../tests/hard_cases/slenderness.toml"),
+    ),
     ("viscosity", include_str!("../../../tests/hard_cases/viscosity.toml")),
-    ("feed_pressure", include_str!("../../../tests/hard_cases/feed_pressure.toml")),
+    (
+        "feed_pressure",
+        include_str!("../../../tests/hard_cases/feed_pressure.toml"),
+    ),
     ("holes", include_str!("../../../tests/hard_cases/holes.toml")),
     ("grooves", include_str!("../../../tests/hard_cases/grooves.toml")),
     ("arcs", include_str!("../../../tests/hard_cases/arcs.toml")),
@@ -98,7 +110,11 @@ pub fn cases(name: &'static str, family: &Family, series: &Series) -> Vec<Case> 
     };
     let variants = match series.variants.is_empty() {
         true => vec![case],
-        false => series.variants.iter().map(|variant| variant_of(&case, variant)).collect(),
+        false => series
+            .variants
+            .iter()
+            .map(|variant| variant_of(&case, variant))
+            .collect(),
     };
     variants.iter().flat_map(|case| along(case, series)).collect()
 }
@@ -157,7 +173,11 @@ pub(crate) fn other(scene: &Table, other: &Other) -> Table {
 /// The scene of a case on a finer mesh.
 pub(crate) fn finer(scene: &Table, tolerance: f64) -> Table {
     let mut scene = scene.clone();
-    put(&mut scene, "mesh.tolerance", Value::String(format!("{} %", 100.0 * tolerance)));
+    put(
+        &mut scene,
+        "mesh.tolerance",
+        Value::String(format!("{} %", 100.0 * tolerance)),
+    );
     scene
 }
 
@@ -196,4 +216,3 @@ fn table_at<'a>(scene: &'a mut Table, path: &str) -> &'a mut Table {
         }
     })
 }
-

@@ -50,19 +50,20 @@ fn turned(point: [f64; 3], turns: [f64; 3]) -> [f64; 3] {
 /// The text of a plane mesh with its nodes elsewhere.
 fn placed(text: &str, place: impl Fn([f64; 2]) -> [f64; 3]) -> String {
     let mut in_nodes = false;
-    text.lines().fold(String::with_capacity(2 * text.len()), |mut all, line| {
-        in_nodes = (in_nodes || line == "$Nodes") && line != "$EndNodes";
-        let numbers: Vec<f64> = line.split(' ').filter_map(|word| word.parse().ok()).collect();
-        // Writing to a String cannot fail.
-        let _ = match numbers[..] {
-            [x, z, 0.0] if in_nodes => {
-                let [x, y, z] = place([x, z]);
-                writeln!(all, "{x} {y} {z}")
-            }
-            _ => writeln!(all, "{line}"),
-        };
-        all
-    })
+    text.lines()
+        .fold(String::with_capacity(2 * text.len()), |mut all, line| {
+            in_nodes = (in_nodes || line == "$Nodes") && line != "$EndNodes";
+            let numbers: Vec<f64> = line.split(' ').filter_map(|word| word.parse().ok()).collect();
+            // Writing to a String cannot fail.
+            let _ = match numbers[..] {
+                [x, z, 0.0] if in_nodes => {
+                    let [x, y, z] = place([x, z]);
+                    writeln!(all, "{x} {y} {z}")
+                }
+                _ => writeln!(all, "{line}"),
+            };
+            all
+        })
 }
 
 /// Columns around and rows along the liner of a scene, each rectangle cut into two triangles.

@@ -43,7 +43,11 @@ fn column(place: usize) -> Vec<Cell> {
         },
         false => (SLENDERNESS.iter())
             .map(|slenderness| {
-                put(&mut scene, "bearing.length", Value::String(format!("{} mm", 100.0 * slenderness)));
+                put(
+                    &mut scene,
+                    "bearing.length",
+                    Value::String(format!("{} mm", 100.0 * slenderness)),
+                );
                 cell(&solve(&scene), false)
             })
             .collect(),
@@ -82,7 +86,11 @@ pub fn run_map(ended: &mut dyn FnMut(usize)) -> Result<[CellMap; 2], SuiteError>
         }
     };
     Ok([
-        map("Barus' law towards its limit, B/D = 0.5", "alpha over its limit", &OF_LIMIT),
+        map(
+            "Barus' law towards its limit, B/D = 0.5",
+            "alpha over its limit",
+            &OF_LIMIT,
+        ),
         map("From short to long, constant viscosity", "B/D", &SLENDERNESS),
     ])
 }

@@ -10,7 +10,10 @@ pub(crate) fn across(series: &Series, answers: &[Answer]) -> Vec<Vec<String>> {
         Some(Vary::OfLimit { of_limit, .. }) => of_limit.len(),
         None => answers.len(),
     };
-    answers.chunks(together.max(1)).flat_map(|answers| compared(series, answers)).collect()
+    answers
+        .chunks(together.max(1))
+        .flat_map(|answers| compared(series, answers))
+        .collect()
 }
 
 fn compared(series: &Series, answers: &[Answer]) -> Vec<Vec<String>> {
@@ -25,7 +28,9 @@ fn compared(series: &Series, answers: &[Answer]) -> Vec<Vec<String>> {
                 Trend::Falls => after < before,
             };
             if !holds {
-                faults[place + 1].push(format!("{name} goes from {before:.6e} to {after:.6e}, but {trend:?} was known"));
+                faults[place + 1].push(format!(
+                    "{name} goes from {before:.6e} to {after:.6e}, but {trend:?} was known"
+                ));
             }
         }
     }

@@ -107,9 +107,13 @@ pub fn count(names: &[String]) -> Result<usize, SuiteError> {
 pub fn run_suite(names: &[String], ended: &mut dyn FnMut(&Verdict)) -> Result<Vec<Verdict>, SuiteError> {
     let all = work(names)?;
     let folder = tempfile::tempdir()?;
-    let mut found = in_threads(all.len(), |place| judged(&all[place], folder.path(), place), &mut |verdicts: &Vec<Verdict>| {
-        verdicts.iter().for_each(&mut *ended);
-    })?;
+    let mut found = in_threads(
+        all.len(),
+        |place| judged(&all[place], folder.path(), place),
+        &mut |verdicts: &Vec<Verdict>| {
+            verdicts.iter().for_each(&mut *ended);
+        },
+    )?;
     found.sort_by_key(|(place, _)| *place);
     Ok(found.into_iter().flat_map(|(_, verdicts)| verdicts).collect())
 }

@@ -40,7 +40,11 @@ pub(crate) fn against(series: &Series, scene: &Table, run: &Run, faults: &mut Ve
 fn on_finer_mesh(scene: &Table, run: &Run, faults: &mut Vec<String>) -> String {
     let relative = |name: &str| {
         let quantity = run.result.quantity(name)?;
-        let value = if quantity.value == 0.0 { 1.0 } else { quantity.value.abs() };
+        let value = if quantity.value == 0.0 {
+            1.0
+        } else {
+            quantity.value.abs()
+        };
         quantity.error.map(|error| error / value)
     };
     let name = match scene.contains_key("load") {
@@ -56,7 +60,12 @@ fn on_finer_mesh(scene: &Table, run: &Run, faults: &mut Vec<String>) -> String {
     if second.result.quantities.is_empty() {
         faults.push(format!("no answer on a finer mesh: {:?}", answer.reason()));
     }
-    let conserving = run.result.effects.simulated.iter().any(|effect| effect.ends_with("jfo"));
+    let conserving = run
+        .result
+        .effects
+        .simulated
+        .iter()
+        .any(|effect| effect.ends_with("jfo"));
     let widened = if conserving { CONSERVING } else { 1.0 };
     for quantity in &run.result.quantities {
         let Some(fine) = second.result.quantity(&quantity.name) else {

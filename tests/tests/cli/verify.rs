@@ -9,7 +9,10 @@ fn known_values_are_met() {
     let output = oilwedge(Path::new("."), &["verify"]);
     let text = String::from_utf8_lossy(&output.stdout);
     assert_eq!(output.status.code(), Some(0), "{text}");
-    assert!(text.contains("all as they must") && text.contains("known sommerfeld_number"), "{text}");
+    assert!(
+        text.contains("all as they must") && text.contains("known sommerfeld_number"),
+        "{text}"
+    );
 }
 
 #[test]

@@ -85,10 +85,18 @@ fn draw(canvas: &Canvas, map: &CellMap, top: f64) -> Result<(), PlotError> {
     };
     canvas.text([left, top + 45.0], legend, lesser)?;
     for (k, word) in map.columns.iter().enumerate() {
-        canvas.text([middle(k), bottom + 13.0], word, plain(11.0, (HPos::Center, VPos::Center)))?;
+        canvas.text(
+            [middle(k), bottom + 13.0],
+            word,
+            plain(11.0, (HPos::Center, VPos::Center)),
+        )?;
     }
     let across = left + 0.5 * CELL[0] * map.columns.len() as f64;
-    canvas.text([across, bottom + 36.0], &map.x, plain(12.0, (HPos::Center, VPos::Center)))?;
+    canvas.text(
+        [across, bottom + 36.0],
+        &map.x,
+        plain(12.0, (HPos::Center, VPos::Center)),
+    )?;
     let upright = Letters {
         upright: true,
         ..plain(12.0, (HPos::Center, VPos::Center))
@@ -143,7 +151,15 @@ mod tests {
             ],
         };
         let svg = cells_to_svg(&[map.clone(), map]).expect("a drawing");
-        for word in ["A map", "eccentricity", "slenderness", "\n7\n", "\nlimit\n", "\n23\n", "\n?\n"] {
+        for word in [
+            "A map",
+            "eccentricity",
+            "slenderness",
+            "\n7\n",
+            "\nlimit\n",
+            "\n23\n",
+            "\n?\n",
+        ] {
             assert!(svg.contains(word), "no {word:?} in {svg}");
         }
         assert!(crate::plot::to_png(&svg).is_ok());

@@ -40,7 +40,10 @@ mod tests {
             Scene::parse(&text, Path::new("a.toml")).expect("a scene").start()
         };
         let (light, heavy) = (start("1 kN", "1000 rpm"), start("1 MN", "1000 rpm"));
-        assert!(light.0 < 0.5 && heavy.0 > 0.98 && heavy.0 < 0.9999, "{light:?} {heavy:?}");
+        assert!(
+            light.0 < 0.5 && heavy.0 > 0.98 && heavy.0 < 0.9999,
+            "{light:?} {heavy:?}"
+        );
         assert!(light.1 > heavy.1 && heavy.1 > 0.0);
         assert_eq!(start("1 kN", "-1000 rpm"), (light.0, -light.1));
         assert_eq!(start("1 kN", "0 rpm"), (0.5, std::f64::consts::FRAC_PI_4));
