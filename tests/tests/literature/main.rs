@@ -2,6 +2,7 @@
 
 mod barus_1893;
 mod butenschoen_1976;
+mod connecting_rod_bolts;
 mod flexpde_2016;
 mod fowell_2007;
 mod ocvirk_1952;
