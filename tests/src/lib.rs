@@ -9,6 +9,7 @@ pub mod journal_bearings;
 pub mod mesh_page;
 pub mod performance;
 pub mod prices_page;
+pub mod printed;
 pub mod program;
 pub mod random_bearings;
 pub mod scenes;

@@ -433,6 +433,73 @@ fn scene_17_engine_main_bearing() {
     close(there.quantity("load_angle"), 270.0, 1e-3);
 }
 
+/// Forces of `literature/connecting_rod_bolts.rs`, which has 260 rad/s and the ratio 0.272 where the scene has 2500 rpm and
+/// 0.27174: 1.5e-4. The film bears all masses of the rod, the joint those beyond it.
+#[test]
+fn scene_20_connecting_rod_cap() {
+    let found = answer(&variant("20_connecting_rod_cap", |_| ()));
+    let speed = 2500.0 * std::f64::consts::PI / 30.0;
+    let pull = 25278.01 * (speed / 260.0f64).powi(2);
+    close(value(&found, "cap_force"), pull, 2e-4);
+    close(value(&found, "bolt_force"), 0.5 * pull, 2e-4);
+    close(value(&found, "cap_opening_force"), 3.0 * pull, 2e-4);
+    close(value(&found, "shell_force"), 5957.62, 1e-6);
+    let preload = 31091.94 * (speed / 260.0f64).powi(2) + 5957.62;
+    close(value(&found, "bolt_preload"), preload, 2e-4);
+    close(value(&found, "bolt_torque"), 0.15 * preload * 0.010, 2e-4);
+    close(value(&found, "bolt_stress_min"), preload / 56.7e-6, 2e-4);
+    close(value(&found, "cap_film_share"), 27e3 / (3.0 * pull), 2e-4);
+    let share = found.quantity("cap_film_share").and_then(|share| share.error);
+    assert!(share.is_some_and(|error| error < 1e-9), "the load is given: {share:?}");
+    let error = |name: &str| found.quantity(name).and_then(|quantity| quantity.error);
+    assert_eq!(
+        (error("cap_force"), error("bolt_stress_amplitude")),
+        (Some(0.0), Some(0.0))
+    );
+    // Of a load that turns only what points to the cap pulls at it.
+    let at = |angle: &str| {
+        let found = answer(&variant("20_connecting_rod_cap", |scene| {
+            set(scene, "cap", "angle", angle)
+        }));
+        value(&found, "cap_film_share")
+    };
+    close(at("330 deg"), 0.5 * value(&found, "cap_film_share"), 1e-9);
+    close(at("90 deg"), -value(&found, "cap_film_share"), 1e-9);
+}
+
+/// A film at a given position: the bar of the share is that of the load. At rest nothing pulls, and there is no share.
+#[test]
+fn a_cap_follows_the_film() {
+    for model in ["reynolds", "jfo"] {
+        let found = answer(&variant("20_connecting_rod_cap", |scene| {
+            scene.remove("load");
+            set(scene, "journal", "eccentricity", 0.7);
+            set(scene, "journal", "min_film_angle", "300 deg");
+            set(scene, "cavitation", "model", model);
+        }));
+        let [x, y] = ["load_x", "load_y"].map(|name| found.quantity(name).expect("a load"));
+        let share = found.quantity("cap_film_share").expect("a share");
+        let opening = value(&found, "cap_opening_force");
+        close(share.value, -y.value / opening, 1e-12);
+        let (error, of_y) = (share.error.expect("a bar"), y.error.expect("a bar") / opening);
+        assert!(
+            x.error.is_some() && (error / of_y - 1.0).abs() < 1e-6,
+            "{model}: {error:e} {of_y:e}"
+        );
+    }
+    let rest = answer(&variant("20_connecting_rod_cap", |scene| {
+        scene.remove("load");
+        set(scene, "journal", "speed", "0 rpm");
+        set(scene, "journal", "eccentricity", 0.7);
+        set(scene, "journal", "min_film_angle", "300 deg");
+        set(scene, "ends", "pressure", "1 bar");
+    }));
+    assert_eq!(
+        (value(&rest, "cap_force"), rest.quantity("cap_film_share")),
+        (0.0, None)
+    );
+}
+
 /// A starved pad under the load of a known position is found there, with the exact tangent of its inlet.
 #[test]
 fn a_starved_pad_finds_its_position_under_load() {

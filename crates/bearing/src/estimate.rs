@@ -6,7 +6,8 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use oilwedge_reynolds::analytical::{ocvirk, sommerfeld};
+use oilwedge_reynolds::analytical::ocvirk::ShortFilm;
+use oilwedge_reynolds::analytical::sommerfeld;
 
 use crate::stretched::{eccentricity_at, stretched};
 
@@ -21,10 +22,10 @@ pub fn first_position(sommerfeld_number: f64, slenderness: f64, full: bool) -> O
     }
     let carried = |eps: f64| {
         let (short, long) = match full {
-            true => (ocvirk::full_film(eps), sommerfeld::sommerfeld_number(eps)),
-            false => (ocvirk::half_film(eps).0, half_long(eps)),
+            true => (ShortFilm::steady(eps).full_film(), sommerfeld::sommerfeld_number(eps)),
+            false => (ShortFilm::steady(eps).half_film(), half_long(eps)),
         };
-        let short = short * slenderness * slenderness;
+        let short = short.magnitude() * slenderness * slenderness;
         short * long / (short + long)
     };
     let (mut low, mut high) = (stretched(1e-12), stretched(GREATEST_ECCENTRICITY));
@@ -38,7 +39,7 @@ pub fn first_position(sommerfeld_number: f64, slenderness: f64, full: bool) -> O
     let eps = eccentricity_at(high).min(GREATEST_ECCENTRICITY);
     let attitude = match full {
         true => FRAC_PI_2,
-        false => ocvirk::half_film(eps).1,
+        false => ShortFilm::steady(eps).half_film().attitude(),
     };
     Some((eps, attitude))
 }

@@ -4,8 +4,11 @@
 //! |---|---|---|
 //! | load = force of the film | position of the journal | [`equilibrium`] |
 //!
+//! [`cap_joint`] is what the bolts of a connecting rod's cap must hold, to compare the film's load with.
+//!
 //! The film knows its own tangent ([`oilwedge_reynolds::FilmProblem::unknown_change`]); a balance borders it.
 
+pub mod cap_joint;
 pub mod cubic;
 pub mod equilibrium;
 pub mod estimate;
@@ -16,6 +19,7 @@ mod reach;
 mod search;
 mod stretched;
 
+pub use cap_joint::{CapJoint, JointForces, Shell};
 pub use cubic::{find_cubic, find_cubic_near};
 pub use equilibrium::{Equilibrium, SHORT_MOVE, Squeeze, find, find_near, newton_step};
 pub use estimate::{GREATEST_ECCENTRICITY, first_position};

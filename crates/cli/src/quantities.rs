@@ -12,7 +12,7 @@ const ROUNDING: f64 = 1e-9;
 const DIGITS: usize = 6;
 
 /// All quantities; with bars where they were asked for.
-pub(crate) fn quantities(quantities: &[Quantity], bars: bool) -> String {
+pub(crate) fn quantities<'a>(quantities: impl IntoIterator<Item = &'a Quantity>, bars: bool) -> String {
     let mut table = match bars {
         true => table(["quantity", "symbol", "value", "± error", "unit", "what it is"]),
         false => table(["quantity", "symbol", "value", "unit", "what it is"]),

@@ -7,6 +7,7 @@ use crate::quantities::{bars, quantities};
 use crate::readable::{readable_unit, significant};
 use crate::words;
 use comfy_table::{CellAlignment, ContentArrangement, Table, presets};
+use oilwedge_scene::joint::is_of_cap;
 use oilwedge_scene::report::{Balances, CheckReport, Counts, Effects, LinearSolver, MeshFacts, RunResult, Status};
 use std::io::{ErrorKind, Write};
 use std::path::Path;
@@ -31,7 +32,12 @@ pub(crate) fn run_report(result: &RunResult, folder: &Path, picture: bool) -> St
     }
     parts.push(effects(&result.effects));
     if !result.quantities.is_empty() {
-        parts.push(quantities(&result.quantities, result.bars));
+        let (of_cap, of_film): (Vec<_>, Vec<_>) =
+            (result.quantities.iter()).partition(|quantity| is_of_cap(&quantity.name));
+        parts.push(quantities(of_film, result.bars));
+        if !of_cap.is_empty() {
+            parts.push(format!("joint of the cap\n{}", quantities(of_cap, result.bars)));
+        }
     }
     parts.extend(cost(result));
     let mut lines = Vec::new();
@@ -360,6 +366,18 @@ pub(crate) mod tests {
             );
         }
         assert!(!run_report(&self::result(), Path::new("out"), true).contains("cavity "));
+    }
+
+    #[test]
+    fn the_joint_of_a_cap_has_a_table_of_its_own() {
+        let mut result = result();
+        result
+            .quantities
+            .insert(1, Quantity::new("bolt_torque", "M", 55.6, "N.m"));
+        let text = run_report(&result, Path::new("out"), true);
+        let place = |part: &str| text.find(part).unwrap_or_else(|| panic!("no {part} in\n{text}"));
+        assert!(place("attitude_angle") < place("joint of the cap\n") && place("joint of the cap") < place("55.6000"));
+        assert!(!run_report(&self::result(), Path::new("out"), true).contains("cap"));
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! What the names of a result mean, in plain words. A name without an entry stands for itself.
 
 /// Names of quantities; one of a region, `load_x.GROUP`, is looked up with its dot.
-const QUANTITIES: [(&str, &str); 21] = [
+const QUANTITIES: [(&str, &str); 33] = [
     ("load", "force that the film carries"),
     ("load_x", "its part along x (angle 0)"),
     ("load_y", "its part along y (angle 90 deg)"),
@@ -26,6 +26,18 @@ const QUANTITIES: [(&str, &str); 21] = [
     ("pressure_integral", "pressure times area, summed"),
     ("load_x.", "part of W_x over that region"),
     ("load_y.", "part of W_y over that region"),
+    ("cap_force", "inertia that pulls at the cap"),
+    ("cap_opening_force", "pull at the cap that opens the joint"),
+    ("cap_film_share", "pull of this film at the cap / P_o (< 0: none)"),
+    ("shell_force", "presses one side of the shell into its seat"),
+    ("bolt_force", "pull on one bolt"),
+    ("bolt_preload", "preload of a bolt, its least force"),
+    ("bolt_torque", "tightening torque of a bolt"),
+    ("bolt_force_max", "greatest force of a bolt"),
+    ("bolt_stress_max", "greatest stress of a bolt"),
+    ("bolt_stress_min", "least stress of a bolt"),
+    ("bolt_stress_mean", "their mean"),
+    ("bolt_stress_amplitude", "half their difference"),
 ];
 
 /// Names of effects; what follows a colon is the model.

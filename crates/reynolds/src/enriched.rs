@@ -9,7 +9,7 @@ use oilwedge_fem::LinearSolver;
 use oilwedge_fem::complementarity::Start;
 use oilwedge_fem::nested::Nested;
 
-use crate::{FilmProblem, FilmSolution, FilmSystem, NoFilm};
+use crate::{FilmProblem, FilmSolution, FilmSystem, Form, NoFilm};
 
 impl FilmProblem {
     /// The film in cubic elements, on `system.enriched()`, from the quadratic `film`. Not for mass-conserving films.
@@ -63,6 +63,9 @@ impl FilmProblem {
         match self.check_existence(&system.enriched().system, &cubic) {
             Ok(()) => Ok(cubic),
             // Quadratic elements have a film.
+            Err(NoFilm::AboveLimit { .. }) if matches!(self.form, Form::AsPrinted(_)) => Err(NoFilm::AtFold {
+                asked: self.journal.speed.abs(),
+            }),
             Err(NoFilm::AboveLimit { limit, .. }) => Err(self.beyond(system, film, limit)),
             Err(reason) => Err(reason),
         }

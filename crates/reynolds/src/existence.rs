@@ -43,6 +43,15 @@ pub enum NoFilm {
         /// How well the mesh tells the ratio.
         known_to: f64,
     },
+    /// Quadratic elements have a film of the as-printed equation, cubic ones on the same mesh have none.
+    #[error(
+        "not converged: the as-printed equation is at its fold: quadratic elements have a film at {} rad/s and cubic ones have none, so this mesh cannot tell on which side of the fold it is; give a finer mesh ([mesh] size or tolerance), another speed, or form = \"conservative\"",
+        readable(*asked)
+    )]
+    AtFold {
+        /// Speed asked for [rad/s].
+        asked: f64,
+    },
     /// The pressure falls below what the viscosity law covers.
     #[error(
         "no steady film: the pressure falls to where Roelands' law ends (q = {reached:.4e} Pa below {floor:.4e} Pa); add [cavitation]"

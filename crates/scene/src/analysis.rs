@@ -93,7 +93,7 @@ impl NoAnswer {
                 );
             }
         };
-        matches!(film, NoFilm::NotConverged(_) | NoFilm::NearLimit { .. })
+        matches!(film, NoFilm::NotConverged(_) | NoFilm::NearLimit { .. } | NoFilm::AtFold { .. })
     }
 
     /// True if the mesh cannot tell on which side of the limit of the viscosity law the film is.
@@ -101,7 +101,7 @@ impl NoAnswer {
         let (Self::Film(film) | Self::Equilibrium(NoEquilibrium::Film(film))) = self else {
             return false;
         };
-        matches!(film, NoFilm::NearLimit { .. })
+        matches!(film, NoFilm::NearLimit { .. } | NoFilm::AtFold { .. })
     }
 
     /// What is said of a run that ends so.

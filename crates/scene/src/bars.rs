@@ -17,6 +17,7 @@ use oilwedge_reynolds::{FilmSolution, FilmSystem};
 
 use crate::analysis::{Balance, Solved, Witness};
 use crate::compile::Study;
+use crate::joint;
 use crate::measure::{Measured, measure, quantities};
 use crate::moved::position_bars;
 use crate::report::{ErrorParts, Quantity};
@@ -90,7 +91,10 @@ fn judge_by_cubic(study: &Study, solved: &Solved, cubic: &FilmSolution) -> Judge
         position_bars(study, &solved.film, balance, [load.total(), across.total()], &before)
     });
     for quantity in &mut list {
-        let own = solved.balance.as_ref().and_then(|balance| balanced(quantity, balance));
+        let own = solved
+            .balance
+            .as_ref()
+            .and_then(|balance| balanced(study, quantity, balance));
         let before = before.iter().find(|other| other.name == quantity.name);
         let bar = own.or_else(|| {
             let bar = of_few(study, rules.bar(quantity, before?)?);
@@ -169,11 +173,12 @@ pub(crate) fn set(quantity: &mut Quantity, bar: Option<Bar>) {
 }
 
 /// The bar of what a load fixes: how far it is from balanced. None for what it does not fix.
-pub(crate) fn balanced(quantity: &Quantity, balance: &Balance) -> Option<Bar> {
+pub(crate) fn balanced(study: &Study, quantity: &Quantity, balance: &Balance) -> Option<Bar> {
     let unbalanced = match quantity.name.as_str() {
         "load" | "load_x" | "load_y" => balance.unbalanced,
         "load_coefficient" | "sommerfeld_number" => balance.residual * quantity.value.abs(),
         "load_angle" => balance.residual.to_degrees(),
+        joint::FILM_SHARE => balance.unbalanced * study.film_share().map(|[x, y]| x.hypot(y))?,
         _ => return None,
     };
     Some(Bar {
@@ -208,7 +213,7 @@ impl Rules<'_> {
         let error = self.error;
         let name = quantity.name.as_str();
         let of_position = matches!(name, "eccentricity" | "min_film_angle" | "film_thickness_min");
-        if is_cut_out(name) || (of_position && self.study.load.is_none()) {
+        if is_given(name) || (of_position && self.study.load.is_none()) {
             return Some(Bar::default());
         }
         if !error.is_resolved() {
@@ -224,13 +229,14 @@ impl Rules<'_> {
         // A load that cannot be told from none has no direction along which or across which it may be off.
         let vanishes = along.total() + across.total() >= force;
         let bar = match name {
-            "load" | "load_x" | "load_y" if vanishes => along + across,
+            "load" if vanishes => along + across,
             "load_angle" | "attitude_angle" if vanishes => plain(180.0),
             "load_coefficient" | "sommerfeld_number" if force == 0.0 => Bar::default(),
             "load_coefficient" | "sommerfeld_number" if vanishes => (along + across).scaled(quantity.value / force),
             "load" => along,
-            "load_x" => along.scaled(x / force) + across.scaled(y / force),
-            "load_y" => along.scaled(y / force) + across.scaled(x / force),
+            "load_x" => self.product([1.0, 0.0]),
+            "load_y" => self.product([0.0, 1.0]),
+            joint::FILM_SHARE => self.product(self.study.film_share()?),
             "load_angle" | "attitude_angle" => across.scaled(1f64.to_degrees() / force),
             "load_coefficient" | "sommerfeld_number" => along.scaled(quantity.value / force),
             "pressure_integral" => error.pressure_integral(self.value),
@@ -247,6 +253,17 @@ impl Rules<'_> {
             feed => self.flow(&FlowGoal::Feed(feed.strip_prefix("feed_flow.")?.to_owned()), change)?,
         };
         Some(bar)
+    }
+
+    /// Bar of the product of the load with a vector.
+    fn product(&self, [u, v]: [f64; 2]) -> Bar {
+        let (along, across) = (self.error.load(self.value), self.error.across(self.value));
+        let [x, y] = self.error.force;
+        let force = x.hypot(y);
+        match along.total() + across.total() >= force {
+            true => (along + across).scaled(u.hypot(v)),
+            false => along.scaled((u * x + v * y) / force) + across.scaled((u * y - v * x) / force),
+        }
     }
 
     /// Extremes of pressure of the quadratic and of the cubic film.
@@ -358,7 +375,7 @@ impl Rules<'_> {
     }
 }
 
-/// Parts of the load over regions cut out: their pressure and shape are given.
-pub(crate) fn is_cut_out(name: &str) -> bool {
-    name.starts_with("load_x.") || name.starts_with("load_y.")
+/// Numbers without an error: parts of the load over regions cut out, whose pressure and shape are given, and what bolts must hold.
+pub(crate) fn is_given(name: &str) -> bool {
+    name.starts_with("load_x.") || name.starts_with("load_y.") || joint::is_given(name)
 }

@@ -7,8 +7,9 @@ use oilwedge_reynolds::error_bar::Bar;
 use oilwedge_reynolds::error_bar::conserving::{ConservingError, conserving_error};
 
 use crate::analysis::Solved;
-use crate::bars::{Judged, balanced, is_cut_out, of_few, set};
+use crate::bars::{Judged, balanced, is_given, of_few, set};
 use crate::compile::Study;
+use crate::joint;
 use crate::measure::{Measured, measure, quantities};
 use crate::moved::position_bars;
 use crate::report::Quantity;
@@ -26,7 +27,10 @@ pub(crate) fn judge(study: &Study, solved: &Solved, companion: &FilmSolution) ->
         position_bars(study, &solved.film, balance, bars, &list)
     });
     for quantity in &mut list {
-        let own = solved.balance.as_ref().and_then(|balance| balanced(quantity, balance));
+        let own = solved
+            .balance
+            .as_ref()
+            .and_then(|balance| balanced(study, quantity, balance));
         let bar = own.or_else(|| {
             let bar = of_few(study, bar(study, quantity, &error, &measured)?);
             let position = moved.as_ref().map_or(0.0, |moved| moved[&quantity.name]);
@@ -48,7 +52,7 @@ fn bar(study: &Study, quantity: &Quantity, error: &ConservingError, measured: &M
         ..Bar::default()
     };
     let of_position = matches!(name, "eccentricity" | "min_film_angle" | "film_thickness_min");
-    if is_cut_out(name) || (of_position && study.load.is_none()) {
+    if is_given(name) || (of_position && study.load.is_none()) {
         return Some(Bar::default());
     }
     if !error.is_resolved {
@@ -67,6 +71,10 @@ fn bar(study: &Study, quantity: &Quantity, error: &ConservingError, measured: &M
         "load" => error.load,
         "load_x" => error.force[0],
         "load_y" => error.force[1],
+        joint::FILM_SHARE => {
+            let [x, y] = study.film_share()?;
+            error.force[0].scaled(x) + error.force[1].scaled(y)
+        }
         "load_angle" | "attitude_angle" => error.across.scaled(1f64.to_degrees() / force),
         "load_coefficient" | "sommerfeld_number" => error.load.scaled(quantity.value / force),
         "pressure_integral" => error.pressure_integral,

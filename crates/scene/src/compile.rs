@@ -28,6 +28,7 @@ use oilwedge_reynolds::supply::{self as given, Disc, Place, SupplyError, SupplyR
 use oilwedge_reynolds::terms::{Couette, Poiseuille, Squeeze, Term};
 use oilwedge_reynolds::{Bearing, Cavitation, FilmProblem, FilmSystem, Form, JournalState};
 
+use crate::joint::share_per_force;
 use crate::liner_mesh::{liner_mesh, suited};
 use crate::report::Effects;
 use crate::run::DEGREE;
@@ -44,6 +45,8 @@ pub struct Study {
     pub load: Option<[f64; 2]>,
     /// Velocity of the journal's centre under a load.
     pub squeeze: oilwedge_bearing::Squeeze,
+    /// The cap that this bearing is in.
+    pub cap: Option<scene::Cap>,
     /// What is simulated and what is not.
     pub effects: Effects,
     /// Groups of the pockets that deepen the film.
@@ -56,6 +59,14 @@ pub struct Study {
     pub flips: usize,
     /// Seconds: reading and checking the mesh; numbering, pattern and analysis.
     pub seconds: [(&'static str, f64); 2],
+}
+
+impl Study {
+    /// The vector [1/N] whose product with the load is the film's share of the force that opens the joint of the cap; none
+    /// without a cap, and at rest.
+    pub(crate) fn film_share(&self) -> Option<[f64; 2]> {
+        share_per_force(&self.cap?, self.problem.journal.speed)
+    }
 }
 
 /// Why a scene does not become a film, though it is well written.
@@ -180,6 +191,7 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, near: (f64, f64), degree: usize) ->
     Ok(Study {
         load: scene.journal.load(),
         squeeze: squeeze(scene),
+        cap: scene.cap,
         effects: effects(scene, &problem),
         problem,
         system,

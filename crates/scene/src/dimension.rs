@@ -21,12 +21,16 @@ pub enum Dimension {
     Force,
     /// Velocity [m/s].
     Velocity,
+    /// Mass [kg].
+    Mass,
+    /// Area [m2].
+    Area,
     /// Ratio [1].
     Ratio,
 }
 
 /// All kinds.
-pub(crate) const ALL: [Dimension; 9] = [
+pub(crate) const ALL: [Dimension; 11] = [
     Dimension::Length,
     Dimension::Angle,
     Dimension::Pressure,
@@ -35,12 +39,15 @@ pub(crate) const ALL: [Dimension; 9] = [
     Dimension::InversePressure,
     Dimension::Force,
     Dimension::Velocity,
+    Dimension::Mass,
+    Dimension::Area,
     Dimension::Ratio,
 ];
 
 const BAR: f64 = 1e5;
 const ATMOSPHERE: f64 = 101_325.0;
 const INCH: f64 = 0.0254;
+const POUND: f64 = 0.453_592_37;
 const POUND_FORCE: f64 = 4.448_221_615_260_5;
 const PSI: f64 = POUND_FORCE / (INCH * INCH);
 
@@ -56,6 +63,8 @@ impl Dimension {
             Self::InversePressure => "an inverse pressure",
             Self::Force => "a force",
             Self::Velocity => "a velocity",
+            Self::Mass => "a mass",
+            Self::Area => "an area",
             Self::Ratio => "a ratio",
         }
     }
@@ -71,6 +80,8 @@ impl Dimension {
             Self::InversePressure => "2.5e-8 1/Pa",
             Self::Force => "5 kN",
             Self::Velocity => "2 m/s",
+            Self::Mass => "0.7 kg",
+            Self::Area => "58 mm2",
             Self::Ratio => "0.1 %",
         }
     }
@@ -145,6 +156,8 @@ impl Dimension {
                 ("km/h", 1.0 / 3.6),
                 ("in/s", INCH),
             ],
+            Self::Mass => &[("kg", 1.0), ("g", 1e-3), ("t", 1e3), ("lb", POUND)],
+            Self::Area => &[("m2", 1.0), ("cm2", 1e-4), ("mm2", 1e-6), ("in2", INCH * INCH)],
             Self::Ratio => &[("%", 1e-2), ("ppm", 1e-6)],
         }
     }

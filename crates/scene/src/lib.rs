@@ -11,7 +11,8 @@
 //! Reading order: [`unit`] (quantities with units, over the table in `dimension.rs`), [`scene`] (what a user can
 //! say), [`schema`] (how it is written, over the collecting `reader.rs`), [`validate`] (what can be computed),
 //! [`complaint`] (what is said where it cannot), [`mod@compile`] (the one place that knows all effects), [`analysis`] (given
-//! position or given load), [`mod@run`], [`mod@measure`] and [`report`] (the numbers, in `doubts.rs` what to doubt, and in [`regime`] which assumptions hold),
+//! position or given load), [`mod@run`], [`mod@measure`], [`joint`] and [`report`] (the numbers, in `doubts.rs` what to doubt, in
+//! [`regime`] which assumptions hold),
 //! [`mod@picture`] and [`vtu`] (the fields), [`results`] (the files), [`cost`] (the same again without each effect).
 //! What accuracy costs: [`convergence`], over [`level`] and with [`plot`].
 
@@ -25,6 +26,7 @@ pub mod cost;
 mod dimension;
 mod doubts;
 pub mod folder;
+pub mod joint;
 pub mod level;
 pub mod liner_mesh;
 pub mod measure;

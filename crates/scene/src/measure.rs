@@ -10,6 +10,7 @@ use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSolution, FilmSystem};
 
 use crate::compile::Study;
 pub use crate::doubts::warnings;
+use crate::joint;
 use crate::report::Quantity;
 
 /// A load below this fraction of (greatest pressure difference, or pressure of drag) x (projected area) has no direction.
@@ -152,6 +153,9 @@ pub(crate) fn quantities_at(study: &Study, problem: &FilmProblem, measured: &Mea
     for (name, share) in &load.cut_out {
         add(&format!("load_x.{name}"), "W_x", share.force[0], "N");
         add(&format!("load_y.{name}"), "W_y", share.force[1], "N");
+    }
+    if let Some(cap) = &study.cap {
+        list.extend(joint::quantities(cap, journal.speed, load.total.force));
     }
     list
 }

@@ -10,6 +10,7 @@ pub use tolerance::{Target, Tolerance};
 use crate::complaint::{Complaint, SceneError};
 use crate::sweep::Plan;
 use crate::{schema, validate};
+use oilwedge_bearing::CapJoint;
 use sha2::{Digest, Sha256};
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -45,6 +46,8 @@ pub struct Scene {
     pub oil: Oil,
     /// What happens where the film would break; `None`: a full film, whatever its pressure.
     pub cavitation: Option<Cavitation>,
+    /// The cap of the connecting rod whose bearing this is; nothing of the film depends on it.
+    pub cap: Option<Cap>,
     /// The cases that `oilwedge sweep` makes of it; nothing else looks at them.
     pub sweep: Option<Plan>,
     /// SHA-256 of the scene's text, 64 hexadecimal digits.
@@ -121,6 +124,15 @@ impl MeshSource {
             Self::Drawing { .. } => None,
         }
     }
+}
+
+/// The cap of a connecting rod.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cap {
+    /// The cap and its bolts.
+    pub joint: CapJoint,
+    /// Angle [rad] of the middle of the cap.
+    pub angle: f64,
 }
 
 /// The two open ends of the bearing.

@@ -1,5 +1,6 @@
 //! The keys of a scene: which there are, what each means, and which are promised but not served yet.
 
+mod cap;
 mod feed;
 mod journal;
 mod oil;
@@ -56,6 +57,7 @@ fn scene(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene {
         journal: journal::read(root.table("journal", journal_keys), load),
         oil: oil::read(root.table("oil", "[oil] with viscosity = \"40 mPa.s\"")),
         cavitation: root.table_if_given("cavitation").and_then(cavitation),
+        cap: root.table_if_given("cap").map(cap::read),
         sweep: root.table_if_given("sweep").map(|table| Plan {
             axes: sweep::read(table),
             text: text.to_owned(),

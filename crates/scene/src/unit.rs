@@ -1,6 +1,6 @@
 //! Quantities as people write them (`"25 mm"`, `"3000 rpm"`) become SI numbers here, once.
 //!
-//! Inside the program everything is SI: m, rad, Pa, Pa.s, rad/s, 1/Pa, N, m/s. A quantity is a number and a unit,
+//! Inside the program everything is SI: m, rad, Pa, Pa.s, rad/s, 1/Pa, N, m/s, kg, m2. A quantity is a number and a unit,
 //! with or without a space; `µ` and `u`, `Pa.s`, `Pa s` and `Pa·s`, `mm²` and `mm2` mean the same. Letter case
 //! matters, since mPa is not MPa. A count of turns is `rpm` or `Hz`; `1/s` is read as `rad/s`, as in SI.
 
@@ -259,6 +259,9 @@ mod tests {
         close("30 \u{b5}m/s", Velocity, 30e-6);
         close("36 km/h", Velocity, 10.0);
         close("1 in/s", Velocity, 0.0254);
+        close("405 g", Mass, 0.405);
+        close("1 lb", Mass, 0.453_592_37);
+        close("1.32 cm\u{b2}", Area, 1.32e-4);
         close("0.1 %", Ratio, 1e-3);
         close("50 ppm", Ratio, 5e-5);
     }

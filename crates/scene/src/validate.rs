@@ -2,6 +2,7 @@
 //!
 //! A value that was complained about already is NaN here; no comparison below is true of it.
 
+mod cap;
 mod cavitation;
 mod feeds;
 mod position;
@@ -41,6 +42,7 @@ pub(crate) fn complaints(scene: &Scene, marks: &Marks) -> Vec<Complaint> {
     checks.oil(scene);
     checks.cavitation(scene);
     checks.inlet(scene);
+    checks.cap(scene);
     checks.complaints
 }
 

@@ -1,6 +1,7 @@
 //! A second method for every answer: the same film on a finer mesh, another scene that must agree, or known values.
 
-use oilwedge_reynolds::analytical::{ocvirk, sommerfeld};
+use oilwedge_reynolds::analytical::ocvirk::ShortFilm;
+use oilwedge_reynolds::analytical::sommerfeld;
 use oilwedge_scene::Run;
 use oilwedge_scene::report::Quantity;
 use toml::{Table, Value};
@@ -161,7 +162,7 @@ fn sommerfeld_number(form: ClosedForm, scene: &Table, run: &Run) -> Option<f64> 
     };
     Some(match form {
         ClosedForm::Sommerfeld => sommerfeld::sommerfeld_number(eccentricity),
-        ClosedForm::Ocvirk => ocvirk::full_film(eccentricity) * slenderness * slenderness,
-        ClosedForm::OcvirkHalf => ocvirk::half_film(eccentricity).0 * slenderness * slenderness,
+        ClosedForm::Ocvirk => ShortFilm::steady(eccentricity).full_film().magnitude() * slenderness * slenderness,
+        ClosedForm::OcvirkHalf => ShortFilm::steady(eccentricity).half_film().magnitude() * slenderness * slenderness,
     })
 }

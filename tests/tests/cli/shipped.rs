@@ -7,7 +7,7 @@ const TENSION: &str = "full Sommerfeld film: the pressure falls to";
 const PRINTED: &str = "the as-printed equation is no mass balance";
 
 /// Every shipped scene and the beginnings of its warnings.
-const SCENES: [(&str, &[&str]); 18] = [
+const SCENES: [(&str, &[&str]); 19] = [
     ("01_plain_ring", &[TENSION]),
     ("02_flexpde_shell", &[TENSION]),
     ("03_hydrostatic_shell", &[]),
@@ -26,6 +26,7 @@ const SCENES: [(&str, &[&str]); 18] = [
     ("16_loaded_shell", &[]),
     ("17_engine_main_bearing", &[]),
     ("18_sweep_eccentricity", &[TENSION]),
+    ("20_connecting_rod_cap", &[]),
 ];
 
 #[test]

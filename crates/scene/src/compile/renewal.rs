@@ -56,6 +56,7 @@ pub(crate) fn renewed(mut study: Study, scene: &Scene, near: (f64, f64)) -> Stud
     study.problem = problem(scene, journal(scene, near), thickness);
     study.load = scene.journal.load();
     study.squeeze = squeeze(scene);
+    study.cap = scene.cap;
     study.effects = effects(scene, &study.problem);
     study.supply_pressure = supply_pressure(scene);
     study

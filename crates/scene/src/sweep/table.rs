@@ -2,6 +2,7 @@
 
 use super::Plan;
 use super::walk::{CaseStatus, Found};
+use crate::joint;
 use crate::report::{ReportError, Status};
 use crate::scene::{CavitationModel, Scene};
 
@@ -76,6 +77,14 @@ impl Columns {
         for group in &fed {
             add(&format!("load_x.{group}"), "N");
             add(&format!("load_y.{group}"), "N");
+        }
+        for (cap, speed) in scenes
+            .iter()
+            .filter_map(|scene| Some((scene.cap?, scene.journal.speed)))
+        {
+            for quantity in joint::quantities(&cap, speed, [0.0; 2]) {
+                add(&quantity.name, &quantity.unit);
+            }
         }
         Self {
             inputs: plan.axes.iter().map(|axis| axis.heading()).collect(),
