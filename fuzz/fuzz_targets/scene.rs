@@ -20,9 +20,11 @@ const BYTES_PER_BYTE: usize = 256;
 const MOST_CASES: usize = 16;
 
 fuzz_target!(|text: &str| {
-    bounded(&ALLOCATOR, BYTES_PER_BYTE * text.len(), || match Scene::parse(text, Path::new("scenes/fuzz.toml")) {
-        Ok(scene) => check(&scene),
-        Err(error) => refused(&error, text),
+    bounded(&ALLOCATOR, BYTES_PER_BYTE * text.len(), || {
+        match Scene::parse(text, Path::new("scenes/fuzz.toml")) {
+            Ok(scene) => check(&scene),
+            Err(error) => refused(&error, text),
+        }
     });
 });
 

@@ -29,7 +29,10 @@ fuzz_target!(|bytes: &[u8]| {
                 let (name, size) = dimension.units()[0];
                 let again = unit::parse(&format!("{:e} {name}", value / size), dimension);
                 let again = again.unwrap_or_else(|error| panic!("{text}: {error}"));
-                assert!((again - value).abs() <= 1e-15 * value.abs(), "{text}: {again} is not {value}");
+                assert!(
+                    (again - value).abs() <= 1e-15 * value.abs(),
+                    "{text}: {again} is not {value}"
+                );
             }
             Err(error) => {
                 assert!(!error.to_string().is_empty());

@@ -23,9 +23,34 @@ pub fn bounded<T>(allocator: &Cap<System>, most: usize, read: impl FnOnce() -> T
 
 /// Numbers and words at which readers stumble.
 const WORDS: [&str; 28] = [
-    "0", "1", "-1", "2", "3", "9", "15", "255", "65535", "65536", "2147483647", "-2147483648", "4294967295",
-    "4294967296", "1000000000000000000", "18446744073709551615", "18446744073709551616", "nan", "-nan", "inf", "-inf",
-    "1e308", "-1e308", "1e999", "1e-320", "0.1", "-0", "1e-9",
+    "0",
+    "1",
+    "-1",
+    "2",
+    "3",
+    "9",
+    "15",
+    "255",
+    "65535",
+    "65536",
+    "2147483647",
+    "-2147483648",
+    "4294967295",
+    "4294967296",
+    "1000000000000000000",
+    "18446744073709551615",
+    "18446744073709551616",
+    "nan",
+    "-nan",
+    "inf",
+    "-inf",
+    "1e308",
+    "-1e308",
+    "1e999",
+    "1e-320",
+    "0.1",
+    "-0",
+    "1e-9",
 ];
 
 /// One step of Marsaglia's xorshift.
@@ -42,7 +67,13 @@ pub fn mutate_words(data: &mut [u8], size: usize, most: usize, seed: u32) -> Opt
     let mut state = (u64::from(seed) << 20) | 0x9e37_79b9;
     let text = data[..size].to_vec();
     let of_line = step(&mut state).is_multiple_of(3);
-    let is_gap = |byte: &u8| if of_line { *byte == b'\n' } else { b" \t\r\n=,\"{}[]".contains(byte) };
+    let is_gap = |byte: &u8| {
+        if of_line {
+            *byte == b'\n'
+        } else {
+            b" \t\r\n=,\"{}[]".contains(byte)
+        }
+    };
     let mut parts = Vec::new();
     let mut start = None;
     for (at, byte) in text.iter().enumerate() {

@@ -145,11 +145,13 @@ impl Mesh {
         for column in rim.chunk_by_mut(|&a, &b| at(b)[0] - at(a)[0] <= near) {
             column.sort_unstable_by(|&a, &b| at(a)[1].total_cmp(&at(b)[1]).then(a.cmp(&b)));
             let pairs = column.windows(2).filter(|pair| at(pair[1])[1] - at(pair[0])[1] <= near);
-            defects.extend(pairs.take(MOST_DEFECTS.saturating_sub(defects.len())).map(|pair| Defect::CoincidentNodes {
-                first: self.label(pair[0]),
-                second: self.label(pair[1]),
-                x: self.points[pair[0] as usize][0],
-                z: self.points[pair[0] as usize][1],
+            defects.extend(pairs.take(MOST_DEFECTS.saturating_sub(defects.len())).map(|pair| {
+                Defect::CoincidentNodes {
+                    first: self.label(pair[0]),
+                    second: self.label(pair[1]),
+                    x: self.points[pair[0] as usize][0],
+                    z: self.points[pair[0] as usize][1],
+                }
             }));
         }
         defects

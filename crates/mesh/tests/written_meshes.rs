@@ -10,7 +10,11 @@ const RADIUS: f64 = 0.025;
 
 /// A liner of `columns` by `rows` cells, an arc of 2 rad or a ring, with uneven spacing.
 fn liner_mesh(columns: u32, rows: u32, steps: &[f64], is_ring: bool) -> Mesh {
-    let width = if is_ring { std::f64::consts::TAU * RADIUS } else { 2.0 * RADIUS };
+    let width = if is_ring {
+        std::f64::consts::TAU * RADIUS
+    } else {
+        2.0 * RADIUS
+    };
     let spaced = |count: u32, extent: f64, k: u32| {
         let step = |k: u32| 1.0 + steps[k as usize % steps.len()];
         let total: f64 = (0..count).map(step).sum();
@@ -34,7 +38,8 @@ fn liner_mesh(columns: u32, rows: u32, steps: &[f64], is_ring: bool) -> Mesh {
     let across = |i: u32| (0..rows).map(|j| [vertex(i, j), vertex(i, j + 1)]).collect();
     raw.curves = vec![("end_low".into(), along(0)), ("end_high".into(), along(rows))];
     if !is_ring {
-        raw.curves.extend([("arc_from".into(), across(0)), ("arc_to".into(), across(columns))]);
+        raw.curves
+            .extend([("arc_from".into(), across(0)), ("arc_to".into(), across(columns))]);
     }
     raw.surfaces = vec![("film".into(), (0..2 * columns * rows).collect())];
     Mesh::build(raw).expect("a mesh")
@@ -44,7 +49,11 @@ fn liner_mesh(columns: u32, rows: u32, steps: &[f64], is_ring: bool) -> Mesh {
 fn sections(text: &str) -> Vec<(String, String)> {
     let mut sections = Vec::new();
     let mut rest = text;
-    while let Some((name, behind)) = rest.trim_start().strip_prefix('$').and_then(|rest| rest.split_once('\n')) {
+    while let Some((name, behind)) = rest
+        .trim_start()
+        .strip_prefix('$')
+        .and_then(|rest| rest.split_once('\n'))
+    {
         let (body, after) = behind.split_once(&format!("$End{name}\n")).expect("a closed section");
         sections.push((name.to_owned(), body.to_owned()));
         rest = after;
@@ -159,7 +168,12 @@ fn rewritten(text: &str, turn: usize, is_binary: bool) -> Vec<u8> {
     let places = behind.len();
     behind.rotate_left(turn % places);
     let mut bytes = match is_binary {
-        true => [b"$MeshFormat\n4.1 1 8\n".as_slice(), &1i32.to_le_bytes(), b"\n$EndMeshFormat\n"].concat(),
+        true => [
+            b"$MeshFormat\n4.1 1 8\n".as_slice(),
+            &1i32.to_le_bytes(),
+            b"\n$EndMeshFormat\n",
+        ]
+        .concat(),
         false => b"$MeshFormat\n4.1 0 8\n$EndMeshFormat\n".to_vec(),
     };
     for (name, body) in behind {
@@ -188,8 +202,22 @@ fn read(file: &MshFile, is_ring: bool) -> Mesh {
 
 /// Words at which a reader stumbles.
 const WORDS: [&str; 16] = [
-    "", "0", "-1", "3", "nan", "inf", "-inf", "1e999", "1e308", "4294967296", "1000000000000000000",
-    "18446744073709551615", "99999999999999999999", "$", "\u{fffd}", "1.5",
+    "",
+    "0",
+    "-1",
+    "3",
+    "nan",
+    "inf",
+    "-inf",
+    "1e999",
+    "1e308",
+    "4294967296",
+    "1000000000000000000",
+    "18446744073709551615",
+    "99999999999999999999",
+    "$",
+    "\u{fffd}",
+    "1.5",
 ];
 
 proptest! {

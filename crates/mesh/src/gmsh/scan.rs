@@ -62,7 +62,13 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, Error> {
         }
         let name = shown(name);
         if name.chars().count() > LONGEST_NAME {
-            return Err(damaged(bytes, scan.binary, &name, start, "the name of this section is too long"));
+            return Err(damaged(
+                bytes,
+                scan.binary,
+                &name,
+                start,
+                "the name of this section is too long",
+            ));
         }
         let twice = match name.as_str() {
             "MeshFormat" => format_seen,
@@ -230,7 +236,10 @@ fn scan_entities(bytes: &[u8], body: usize, scan: &mut Scan) -> Result<usize, Er
             cursor.skip(if dim == 0 { 3 } else { 6 })?;
             let groups = cursor.ints("physical groups")?;
             if groups.len() > MOST_GROUPS {
-                let what = format!("{} physical groups of one entity, more than {MOST_GROUPS}", groups.len());
+                let what = format!(
+                    "{} physical groups of one entity, more than {MOST_GROUPS}",
+                    groups.len()
+                );
                 return Err(cursor.damaged(what));
             }
             if dim > 0 {
