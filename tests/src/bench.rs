@@ -76,6 +76,14 @@ impl Bench {
         found
     }
 
+    /// Names of what stands in the folder. Nothing is opened, as a pipe would be to read it.
+    pub(crate) fn files_named(&self) -> Vec<std::ffi::OsString> {
+        let entries = std::fs::read_dir(self.path()).expect("a folder");
+        let mut names: Vec<_> = entries.map(|entry| entry.expect("an entry").file_name()).collect();
+        names.sort();
+        names
+    }
+
     /// Runs the program, which must refuse with exit status 2, write nothing, and name all `words` on stderr.
     pub fn refuses(&self, arguments: &[&str], words: &[&str]) -> Told {
         let before = self.files();

@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use crate::defect::MOST_DEFECTS;
 use crate::mesh::least_jacobian;
 use crate::raw::doubled_area;
 use crate::region::{circles, regions};
@@ -13,6 +14,8 @@ const LEAST_SHAPE: f64 = 1e-10;
 /// A mid-side node within this fraction of the edge length from the middle is on the straight edge: mesh
 /// generators place periodic copies to 1e-11 only.
 const STRAIGHT: f64 = 1e-9;
+/// Most triangles at one vertex. Edges are sought among those of a vertex, one after the other.
+const MOST_AT_VERTEX: u32 = 1000;
 
 /// Where the vertices and triangles of a [`RawMesh`] went.
 #[derive(Debug, Clone)]
@@ -48,18 +51,17 @@ impl Mesh {
         let labels: Vec<_> = order.iter().map(|&old| raw.label(old)).collect();
         let (triangles, triangle_order) = order_triangles(&raw.triangles, &new_of_old, points.len());
         let name = |vertex: u32| labels[vertex as usize];
-        for pair in triangles.windows(2) {
-            if sorted(pair[0]) == sorted(pair[1]) {
-                defects.push(Defect::DuplicateTriangle {
-                    nodes: pair[0].map(name),
-                });
-            }
-        }
+        let same = |pair: &&[[u32; 3]]| sorted(pair[0]) == sorted(pair[1]);
+        let twice = triangles.windows(2).filter(same).take(MOST_DEFECTS);
+        defects.extend(twice.map(|pair| Defect::DuplicateTriangle {
+            nodes: pair[0].map(name),
+        }));
         let topology = match Topology::new(points.len(), &triangles) {
             Ok(topology) => topology,
             Err(crowded) => {
                 let crowded = crowded
                     .into_iter()
+                    .take(MOST_DEFECTS)
                     .map(|edge| Defect::CrowdedEdge { nodes: edge.map(name) });
                 defects.extend(crowded);
                 return Err(defects);
@@ -105,6 +107,7 @@ impl Mesh {
     fn folded_triangles(&self) -> Vec<Defect> {
         (0..self.triangles.len())
             .filter(|&t| self.curved[t] && least_jacobian(&self.nodes(t)) <= 0.0)
+            .take(MOST_DEFECTS)
             .map(|t| {
                 let [x, z] = self.corners(t)[0];
                 Defect::Inverted {
@@ -142,11 +145,13 @@ impl Mesh {
         for column in rim.chunk_by_mut(|&a, &b| at(b)[0] - at(a)[0] <= near) {
             column.sort_unstable_by(|&a, &b| at(a)[1].total_cmp(&at(b)[1]).then(a.cmp(&b)));
             let pairs = column.windows(2).filter(|pair| at(pair[1])[1] - at(pair[0])[1] <= near);
-            defects.extend(pairs.map(|pair| Defect::CoincidentNodes {
-                first: self.label(pair[0]),
-                second: self.label(pair[1]),
-                x: self.points[pair[0] as usize][0],
-                z: self.points[pair[0] as usize][1],
+            defects.extend(pairs.take(MOST_DEFECTS.saturating_sub(defects.len())).map(|pair| {
+                Defect::CoincidentNodes {
+                    first: self.label(pair[0]),
+                    second: self.label(pair[1]),
+                    x: self.points[pair[0] as usize][0],
+                    z: self.points[pair[0] as usize][1],
+                }
             }));
         }
         defects
@@ -205,18 +210,25 @@ fn check_triangles(raw: &RawMesh) -> Vec<Defect> {
         .zip(&raw.points)
         .filter(|(_, point)| !point.iter().all(|x| x.is_finite()));
     let mut defects: Vec<_> = bad_points
+        .take(MOST_DEFECTS)
         .map(|(v, point)| Defect::NotFinite {
             node: raw.label(v),
             coordinates: point.to_vec(),
         })
         .collect();
-    for &[a, b, c] in &raw.triangles {
-        if a == b || b == c || c == a {
-            defects.push(Defect::RepeatedNode {
-                nodes: [a, b, c].map(|v| raw.label(v)),
-            });
-        }
-    }
+    let repeats = |&&[a, b, c]: &&[u32; 3]| a == b || b == c || c == a;
+    let repeated = raw.triangles.iter().filter(repeats).take(MOST_DEFECTS);
+    defects.extend(repeated.map(|nodes| Defect::RepeatedNode {
+        nodes: nodes.map(|v| raw.label(v)),
+    }));
+    let mut at_vertex = vec![0u32; raw.points.len()];
+    raw.triangles.iter().flatten().for_each(|&v| at_vertex[v as usize] += 1);
+    let crowded = (0u32..).zip(&at_vertex).filter(|(_, count)| **count > MOST_AT_VERTEX);
+    defects.extend(crowded.take(MOST_DEFECTS).map(|(v, &triangles)| Defect::CrowdedNode {
+        node: raw.label(v),
+        triangles,
+        most: MOST_AT_VERTEX,
+    }));
     defects
 }
 
@@ -237,6 +249,9 @@ fn orient(raw: &mut RawMesh) {
 fn check_shapes(raw: &RawMesh) -> Vec<Defect> {
     let mut defects = Vec::new();
     for t in 0..raw.triangles.len() {
+        if defects.len() >= MOST_DEFECTS {
+            break;
+        }
         let corners = raw.corners(t);
         let nodes = || raw.triangles[t].map(|v| raw.label(v));
         let [x, z] = corners[0];

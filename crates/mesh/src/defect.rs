@@ -1,5 +1,8 @@
 //! What can be wrong with a mesh. All defects are found at once; each names what, where and the way out.
 
+/// Of each kind no more are kept than this.
+pub(crate) const MOST_DEFECTS: usize = 1000;
+
 /// One defect of a mesh. Positions are `(x, z)` [m] on the developed surface unless said.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -70,6 +73,16 @@ pub enum Defect {
     CrowdedEdge {
         /// Node tags of the edge.
         nodes: [u64; 2],
+    },
+    /// So many triangles stand on one vertex that they are needles.
+    #[error("{triangles} triangles share node {node}, more than {most}; mesh the surface again")]
+    CrowdedNode {
+        /// Node tag.
+        node: u64,
+        /// Number of triangles.
+        triangles: u32,
+        /// Most that are read.
+        most: u32,
     },
     /// A curve of a group runs where the triangles have no edge.
     #[error(

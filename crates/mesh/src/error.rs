@@ -4,9 +4,12 @@ use std::fmt;
 use std::path::PathBuf;
 
 use crate::Defect;
+use crate::defect::MOST_DEFECTS;
 
 /// How many of many like complaints are printed.
 const SHOWN: usize = 8;
+/// Groups listed in a message at most.
+const NAMES: usize = 20;
 
 /// Why a mesh could not be had. Positions are `(x, z)` [m] on the developed surface unless said.
 #[derive(Debug, thiserror::Error)]
@@ -142,7 +145,7 @@ pub enum Error {
     #[error(
         "the mesh lacks {}; it has {}; {remedy}",
         missing.join(", "),
-        if present.is_empty() { "no groups".to_owned() } else { present.join(", ") }
+        if present.is_empty() { "no groups".to_owned() } else { some_of(present) }
     )]
     MissingGroups {
         /// Each group that is missing: kind and name.
@@ -263,7 +266,7 @@ pub enum Error {
         needed: &'static str,
     },
     /// A region by that name does not exist.
-    #[error("the mesh has no region \"{region}\" with a rim; it has {}", present.join(", "))]
+    #[error("the mesh has no region \"{region}\" with a rim; it has {}", some_of(present))]
     NoRegion {
         /// The name asked for.
         region: String,
@@ -326,10 +329,20 @@ impl fmt::Display for Position {
     }
 }
 
+/// The names with commas between them; of many the first ones and how many more there are.
+pub fn some_of(names: &[String]) -> String {
+    let told = names[..names.len().min(NAMES)].join(", ");
+    match names.len().saturating_sub(NAMES) {
+        0 => told,
+        more => format!("{told} and {more} more"),
+    }
+}
+
 fn list(defects: &[Defect]) -> String {
     let mut lines: Vec<String> = defects.iter().take(SHOWN).map(Defect::to_string).collect();
     if defects.len() > SHOWN {
-        lines.push(format!("and {} more", defects.len() - SHOWN));
+        let at_least = if defects.len() < MOST_DEFECTS { "" } else { " at least" };
+        lines.push(format!("and {} more{at_least}", defects.len() - SHOWN));
     }
     lines.join("\n")
 }

@@ -1,5 +1,6 @@
 //! Named sets of edges and cells: ends, arc edges, seams, feeds. And circles with the edges on them.
 
+use crate::defect::MOST_DEFECTS;
 use crate::{Circle, Defect, RawMesh, Topology};
 
 /// A named part of the liner. A gmsh physical curve gives `edges`, a physical surface `cells`.
@@ -73,6 +74,7 @@ fn edges_of(
         let known = a != u32::MAX && b != u32::MAX;
         match known.then(|| topology.edge_between(a, b)).flatten() {
             Some(edge) => edges.push(edge),
+            None if defects.len() >= MOST_DEFECTS => {}
             None => defects.push(Defect::LooseEdge {
                 group: name(),
                 nodes: pair.map(|v| raw.label(v)),

@@ -21,6 +21,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use oilwedge_mesh::Mesh;
+use oilwedge_mesh::error::some_of;
 use oilwedge_mesh::generate::DrawingError;
 use oilwedge_reynolds::film_thickness::{Eccentricity, FilmContribution, GrooveDepth};
 use oilwedge_reynolds::lubricant::{Barus, Lubricant, PressureLaw, Roelands};
@@ -79,7 +80,7 @@ pub enum CompileError {
     /// The mesh lacks groups of feeds.
     #[error(
         "the mesh {} has no group for {}; its groups are {}; correct the name in the scene, or give the region that name in gmsh (Physical Curve for a hole that is cut out, Physical Surface for one that is meshed)",
-        mesh.display(), asked.join(" and "), present.join(", ")
+        mesh.display(), asked.join(" and "), some_of(present)
     )]
     NoFeedGroup {
         /// Key and name of each group asked for.

@@ -13,6 +13,13 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+/// No more complaints are collected than this: who wrote them has no use for more, and a hostile text makes a million.
+const MOST_COLLECTED: usize = 1000;
+/// Most tables of one list.
+const MOST_TABLES: usize = 1000;
+/// Longer keys, values and messages are cut [letters].
+const LONGEST_TOLD: usize = 600;
+
 /// Where the values of a scene stand in its text.
 #[derive(Debug, Default)]
 pub(crate) struct Marks {
@@ -35,12 +42,20 @@ impl Marks {
                 .and_then(|(table, _)| self.spans.get(table).cloned())
         };
         Complaint {
-            key: key.to_string(),
-            value: value.to_string(),
-            message: message.into(),
-            help: help.into(),
+            key: cut(key),
+            value: cut(value),
+            message: cut(&message.into()),
+            help: cut(&help.into()),
             span: written.or_else(above),
         }
+    }
+}
+
+/// The beginning of a long text.
+fn cut(text: &str) -> String {
+    match text.char_indices().nth(LONGEST_TOLD) {
+        Some((end, _)) => format!("{} ...", &text[..end]),
+        None => text.to_owned(),
     }
 }
 
@@ -70,8 +85,14 @@ impl Collector {
     }
 
     fn complain(&self, key: &str, message: impl Into<String>, help: impl Into<String>) {
-        let complaint = self.marks.borrow().complaint(key, message, help);
-        self.complaints.borrow_mut().push(complaint);
+        if !self.is_full() {
+            let complaint = self.marks.borrow().complaint(key, message, help);
+            self.complaints.borrow_mut().push(complaint);
+        }
+    }
+
+    fn is_full(&self) -> bool {
+        self.complaints.borrow().len() >= MOST_COLLECTED
     }
 
     fn mark(&self, key: &str, span: Range<usize>) {
@@ -300,6 +321,11 @@ impl<'a> TableReader<'a> {
             );
             return Vec::new();
         };
+        if items.len() > MOST_TABLES {
+            let message = format!("are {} tables, more than {MOST_TABLES}", items.len());
+            self.complain(key, message, "split the scene into several ones");
+            return Vec::new();
+        }
         let reader = |(index, item): (usize, &'a Spanned<DeValue<'a>>)| {
             let path = format!("{}[{index}]", self.key(key));
             self.collector.mark(&path, item.span());
@@ -331,6 +357,9 @@ impl<'a> TableReader<'a> {
             let name = key.get_ref().as_ref();
             if self.known.contains(&name) || self.later.contains(&name) {
                 continue;
+            }
+            if self.collector.is_full() {
+                break;
             }
             self.collector
                 .mark(&self.key(name), key.span().start..value.span().end.max(key.span().end));

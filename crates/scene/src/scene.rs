@@ -22,6 +22,9 @@ pub const SCENE_LIMIT: u64 = 1 << 20;
 /// How many faults of the TOML are told; more follow from the first ones.
 const FAULT_LIMIT: usize = 5;
 
+/// How many complaints about a scene are told.
+const COMPLAINT_LIMIT: usize = 100;
+
 /// How a gmsh file begins.
 const MESH_OPENING: &[u8] = b"$MeshFormat";
 
@@ -351,7 +354,7 @@ impl Scene {
             Err(complaints) => Err(SceneError::Complaints {
                 path: path.to_path_buf(),
                 text: text.to_string(),
-                complaints: in_order(complaints),
+                complaints,
             }),
         }
     }
@@ -372,7 +375,7 @@ impl Scene {
         }
         match complaints.is_empty() {
             true => Ok(scene),
-            false => Err(complaints),
+            false => Err(first_ones(complaints)),
         }
     }
 }
@@ -397,6 +400,22 @@ fn fault(error: &toml::de::Error) -> Complaint {
         help: "a scene is TOML: [table] lines, and key = \"value with unit\" lines below them".to_string(),
         span: error.span(),
     }
+}
+
+/// The first complaints in the order of the text; of many, the last one says that there are more.
+fn first_ones(complaints: Vec<Complaint>) -> Vec<Complaint> {
+    let mut complaints = in_order(complaints);
+    if complaints.len() > COMPLAINT_LIMIT {
+        complaints.truncate(COMPLAINT_LIMIT);
+        complaints.push(Complaint {
+            key: String::new(),
+            value: String::new(),
+            message: format!("there are more complaints; these are the first {COMPLAINT_LIMIT}"),
+            help: "put these right first".to_string(),
+            span: None,
+        });
+    }
+    complaints
 }
 
 /// In the order of the text; complaints without a place come last.

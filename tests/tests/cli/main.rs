@@ -5,6 +5,7 @@ mod converge;
 mod cost;
 mod drawing;
 mod files;
+mod hostile;
 mod meshes;
 mod shipped;
 mod solve;

@@ -14,9 +14,15 @@ use crate::{Error, Mesh};
 /// Those of [`gmsh::read`], of [`unroll`] and of [`Mesh::build`], with the path.
 pub fn read_alone(path: impl AsRef<Path>) -> Result<Mesh, Error> {
     let path = path.as_ref();
-    let file = gmsh::read(path)?;
-    let build = || Ok(Mesh::build(unroll(&file, &liner_of(&file)?, 1.0)?)?);
-    build().map_err(|error: Error| error.in_file(path))
+    alone(&gmsh::read(path)?).map_err(|error| error.in_file(path))
+}
+
+/// The mesh of a gmsh file, as [`read_alone`] makes it.
+///
+/// # Errors
+/// Those of [`unroll`] and of [`Mesh::build`].
+pub fn alone(file: &MshFile) -> Result<Mesh, Error> {
+    Ok(Mesh::build(unroll(file, &liner_of(file)?, 1.0)?)?)
 }
 
 fn liner_of(file: &MshFile) -> Result<Liner, Error> {

@@ -13,7 +13,7 @@ mod seam;
 use std::f64::consts::TAU;
 use std::path::Path;
 
-pub use alone::read_alone;
+pub use alone::{alone, read_alone};
 
 use crate::gmsh::{self, MshFile};
 use crate::{Error, Mesh, RawMesh, rim};

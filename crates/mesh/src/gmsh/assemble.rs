@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use super::MshFile;
 use super::scan::{Block, Entity, Scan, kind};
+use crate::defect::MOST_DEFECTS;
 use crate::{Defect, Error};
 
 /// Puts together what the scan found.
@@ -18,6 +19,7 @@ pub(super) fn assemble(scan: Scan) -> Result<MshFile, Error> {
             node: tag,
             coordinates: node.to_vec(),
         })
+        .take(MOST_DEFECTS)
         .collect();
     if !wrong.is_empty() {
         return Err(wrong.into());
@@ -128,7 +130,7 @@ impl Groups {
         }
         let mut of_entity = HashMap::new();
         for &Entity { dim, tag, ref groups } in scan.entities.iter().flatten() {
-            let groups: Vec<usize> = groups
+            let mut groups: Vec<usize> = groups
                 .iter()
                 .map(|tag| tag.saturating_abs())
                 .map(|tag| {
@@ -138,6 +140,8 @@ impl Groups {
                     })
                 })
                 .collect();
+            groups.sort_unstable();
+            groups.dedup();
             of_entity.insert((dim, tag), groups);
         }
         Self { names, of_entity }

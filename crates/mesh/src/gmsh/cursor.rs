@@ -6,6 +6,9 @@ use crate::error::Position;
 /// What most words of a text are.
 const WHOLE: &str = "a whole number";
 
+/// Most nodes or elements of a mesh: numbers of nodes, edges and sides of triangles have 32 bits.
+const MOST: u64 = 1 << 30;
+
 /// A reading position in one section of a file.
 pub(super) struct Cursor<'a> {
     bytes: &'a [u8],
@@ -22,6 +25,10 @@ impl<'a> Cursor<'a> {
             binary,
             section,
         }
+    }
+
+    pub(super) fn is_binary(&self) -> bool {
+        self.binary
     }
 
     pub(super) fn position(&self) -> Position {
@@ -79,9 +86,10 @@ impl<'a> Cursor<'a> {
         let room = (self.bytes.len() - self.at) / (if self.binary { 8 } else { 2 } * values.max(1));
         // A text may end without a line break after its last number.
         let room = room as u64 + u64::from(!self.binary);
-        if count > room || count >= u64::from(u32::MAX) {
+        if count > room.min(MOST) {
             return Err(self.damaged(format!(
-                "{count} {what} announced, but there is room for {room} at most"
+                "{count} {what} announced, but there is room for {} at most",
+                room.min(MOST)
             )));
         }
         Ok(count as usize)

@@ -8,11 +8,15 @@ mod cursor;
 mod scan;
 mod write;
 
+use std::io::Read;
 use std::path::Path;
 
 pub use write::{to_text, write};
 
 use crate::Error;
+
+/// Bytes within which the first section must open.
+const OPENING: u64 = 1 << 16;
 
 /// The triangles of a gmsh file, as listed there: nodes in space, no check but that all is there.
 ///
@@ -68,17 +72,29 @@ pub fn read(path: impl AsRef<Path>) -> Result<MshFile, Error> {
 /// The content of a plain file.
 ///
 /// # Errors
-/// What the operating system says; a directory, device or pipe is refused.
+/// What the operating system says; a directory, device or pipe is refused, and a file in whose first 64 kB no section
+/// opens: of a large one that is no mesh the rest is not read.
 pub fn read_bytes(path: &Path) -> Result<Vec<u8>, Error> {
     let failed = |error| Error::Io {
         action: "read",
         path: path.to_owned(),
         error,
     };
-    if !std::fs::metadata(path).map_err(failed)?.is_file() {
+    let metadata = std::fs::metadata(path).map_err(failed)?;
+    if !metadata.is_file() {
         return Err(Error::NotPlain { path: path.to_owned() });
     }
-    std::fs::read(path).map_err(failed)
+    let mut file = std::fs::File::open(path).map_err(failed)?;
+    let mut bytes = Vec::new();
+    (&mut file).take(OPENING).read_to_end(&mut bytes).map_err(failed)?;
+    let opens = bytes.split(|&byte| byte == b'\n').any(|line| line.starts_with(b"$"));
+    if !opens {
+        return Err(Error::NotMsh.in_file(path));
+    }
+    let rest = usize::try_from(metadata.len().saturating_sub(OPENING)).unwrap_or(usize::MAX);
+    bytes.try_reserve_exact(rest).map_err(|error| failed(error.into()))?;
+    file.read_to_end(&mut bytes).map_err(failed)?;
+    Ok(bytes)
 }
 
 /// Reads the content of a gmsh 4.1 file.

@@ -45,16 +45,30 @@ pub(super) struct Block {
     pub(super) numbers: Vec<u64>,
 }
 
+/// Most letters of a name in a file; gmsh itself writes no longer ones.
+const LONGEST_NAME: usize = 127;
+/// Most physical groups of one curve or surface: each element of it is listed in each of them.
+const MOST_GROUPS: usize = 8;
+
 /// Finds the sections of a file and reads them.
 pub(super) fn scan(bytes: &[u8]) -> Result<Scan, Error> {
     let mut scan = Scan::default();
     let mut format_seen = false;
     let mut at = 0;
     while let Some(start) = next_section(bytes, &mut at) {
-        let line = &bytes[start..at];
-        let name = String::from_utf8_lossy(line[1..].trim_ascii()).into_owned();
-        if !format_seen && name != "MeshFormat" && name != "Comments" {
+        let name = bytes[start + 1..at].trim_ascii();
+        if !format_seen && name != b"MeshFormat" && name != b"Comments" {
             return Err(Error::NotMsh);
+        }
+        let name = shown(name);
+        if name.chars().count() > LONGEST_NAME {
+            return Err(damaged(
+                bytes,
+                scan.binary,
+                &name,
+                start,
+                "the name of this section is too long",
+            ));
         }
         let twice = match name.as_str() {
             "MeshFormat" => format_seen,
@@ -126,10 +140,16 @@ fn find(bytes: &[u8], from: usize, needle: &[u8]) -> Option<usize> {
     None
 }
 
+/// A word or name of a file as it can be told, a letter more than the longest name at most.
+fn shown(bytes: &[u8]) -> String {
+    // A letter has four bytes at most.
+    let some = &bytes[..bytes.len().min(4 * (LONGEST_NAME + 1))];
+    String::from_utf8_lossy(some).chars().take(LONGEST_NAME + 1).collect()
+}
+
 fn damaged(bytes: &[u8], binary: bool, section: &str, at: usize, what: &str) -> Error {
-    let shown = section.chars().filter(|c| !c.is_control()).take(40).collect();
     Error::Damaged {
-        section: shown,
+        section: section.chars().filter(|c| !c.is_control()).take(40).collect(),
         position: position(bytes, at, binary),
         what: what.to_owned(),
     }
@@ -138,7 +158,7 @@ fn damaged(bytes: &[u8], binary: bool, section: &str, at: usize, what: &str) -> 
 /// True if the file is binary.
 fn mesh_format(body: &[u8]) -> Result<bool, Error> {
     let line = body.split_inclusive(|&byte| byte == b'\n').next().unwrap_or(&[]);
-    let words = String::from_utf8_lossy(line);
+    let words = shown(line);
     let mut words = words.split_ascii_whitespace();
     let version = words.next().unwrap_or("(none)");
     if version != "4.1" {
@@ -170,20 +190,26 @@ fn mesh_format(body: &[u8]) -> Result<bool, Error> {
 }
 
 fn physical_names(body: &[u8]) -> Result<Vec<(i32, i32, String)>, String> {
-    let text = String::from_utf8_lossy(body);
-    let mut lines = text.lines().map(str::trim).filter(|line| !line.is_empty());
-    let count = lines.next().unwrap_or("");
+    let lines = body.split(|&byte| byte == b'\n').map(<[u8]>::trim_ascii);
+    let mut lines = lines.filter(|line| !line.is_empty());
+    let count = shown(lines.next().unwrap_or(&[]));
     let names: Vec<_> = lines
-        .map(|line| {
+        .map(|bytes| {
+            let line = String::from_utf8_lossy(bytes);
             let mut words = line.splitn(3, char::is_whitespace);
             let dim = words.next().and_then(|word| word.parse().ok());
             let tag = words.next().and_then(|word| word.parse().ok());
             let name = words.next().map(str::trim);
             let name = name.and_then(|name| name.strip_prefix('"')?.strip_suffix('"'));
             match (dim, tag, name) {
+                (Some(_), Some(_), Some(name)) if name.chars().count() > LONGEST_NAME => Err(format!(
+                    "the name of a physical group that begins with \"{}\" has more than {LONGEST_NAME} letters",
+                    name.chars().take(20).collect::<String>()
+                )),
                 (Some(dim), Some(tag), Some(name)) => Ok((dim, tag, name.to_owned())),
                 _ => Err(format!(
-                    "\"{line}\" is not: dimension, tag and quoted name of a physical group"
+                    "\"{}\" is not: dimension, tag and quoted name of a physical group",
+                    shown(bytes)
                 )),
             }
         })
@@ -209,6 +235,13 @@ fn scan_entities(bytes: &[u8], body: usize, scan: &mut Scan) -> Result<usize, Er
             // A point, or the corners of a box.
             cursor.skip(if dim == 0 { 3 } else { 6 })?;
             let groups = cursor.ints("physical groups")?;
+            if groups.len() > MOST_GROUPS {
+                let what = format!(
+                    "{} physical groups of one entity, more than {MOST_GROUPS}",
+                    groups.len()
+                );
+                return Err(cursor.damaged(what));
+            }
             if dim > 0 {
                 let _bounds = cursor.ints("bounding entities")?;
             }
@@ -223,7 +256,7 @@ fn scan_entities(bytes: &[u8], body: usize, scan: &mut Scan) -> Result<usize, Er
 
 /// The numbers that open `$Nodes` and `$Elements`: blocks, total, and the span of the tags.
 fn opening(cursor: &mut Cursor<'_>, values: usize, what: &str) -> Result<(usize, usize), Error> {
-    let blocks = cursor.count(2, "blocks")?;
+    let blocks = cursor.count(if cursor.is_binary() { 2 } else { 4 }, "blocks")?;
     let total = cursor.count(values, what)?;
     let (least, greatest) = (cursor.size()?, cursor.size()?);
     if total == 0 {

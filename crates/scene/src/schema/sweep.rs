@@ -10,6 +10,8 @@ use crate::unit;
 
 /// Most cases of one sweep.
 const MOST_CASES: usize = 100_000;
+/// Most axes of one sweep.
+const MOST_AXES: usize = 32;
 /// Tables of a scene whose keys can be swept.
 const TABLES: [&str; 8] = [
     "bearing",
@@ -39,6 +41,9 @@ fn read_table(mut table: TableReader<'_>, prefix: &str, axes: &mut Vec<Axis>) {
     for key in table.keys_in_order() {
         let name = format!("{prefix}{key}");
         let Some(written) = table.written(key) else { continue };
+        if axes.len() > MOST_AXES {
+            return;
+        }
         match written.get_ref() {
             DeValue::Table(inner) if !is_range(inner) => {
                 if let Some(inner) = table.table_if_given(key) {
@@ -73,6 +78,11 @@ fn read_table(mut table: TableReader<'_>, prefix: &str, axes: &mut Vec<Axis>) {
             values,
             span: written.span(),
         });
+        if axes.len() > MOST_AXES {
+            let message = format!("is the axis after the {MOST_AXES}th, and no sweep has more");
+            table.complain(key, message, "split the sweep into several scenes");
+            return;
+        }
         let cases = (axes.iter()).fold(1usize, |cases, axis| cases.saturating_mul(axis.values.len()));
         if cases > MOST_CASES {
             let message = format!("makes {cases} cases, more than {MOST_CASES}");

@@ -23,18 +23,12 @@ impl Checks<'_> {
             }
             if let Some(hole) = feed.hole {
                 self.hole(index, &hole, &scene.bearing);
-                let clash = scene.feeds[..index]
-                    .iter()
-                    .filter_map(|other| other.hole.map(|rim| (other, rim)));
-                for (other, rim) in clash {
+                let radius = scene.bearing.radius();
+                let meets = |other: &&Feed| other.hole.is_some_and(|rim| overlap(&hole, &rim, radius));
+                if let Some(other) = scene.feeds[..index].iter().find(meets) {
                     let message = format!("overlaps the hole of \"{}\"", other.group);
-                    let wrong = overlap(&hole, &rim, scene.bearing.radius());
-                    self.refuse_if(
-                        wrong,
-                        &format!("feed[{index}].hole"),
-                        message,
-                        "move one of the two holes",
-                    );
+                    let key = format!("feed[{index}].hole");
+                    self.refuse_if(true, &key, message, "move one of the two holes");
                 }
             }
         }

@@ -1,0 +1,45 @@
+//! Text as a scene whose liner is drawn: it is meshed, coarsely.
+
+#![no_main]
+
+use std::path::Path;
+
+use libfuzzer_sys::{fuzz_mutator, fuzz_target, fuzzer_mutate};
+use oilwedge_fuzz::mutate_words;
+use oilwedge_mesh::Quality;
+use oilwedge_scene::scene::MeshSource;
+use oilwedge_scene::{Scene, mesh_scene};
+
+/// Edges along the axis; more would take too long.
+const ACROSS: f64 = 4.0;
+/// Scenes with more features are not meshed.
+const MOST_FEEDS: usize = 3;
+
+fuzz_target!(|text: &str| {
+    let Ok(mut scene) = Scene::parse(text, Path::new("fuzz.toml")) else {
+        return;
+    };
+    let MeshSource::Drawing { size } = scene.mesh else {
+        return;
+    };
+    if scene.feeds.len() > MOST_FEEDS {
+        return;
+    }
+    let coarse = (scene.bearing.length / ACROSS).max(scene.bearing.radius() / ACROSS);
+    scene.mesh = MeshSource::Drawing {
+        size: Some(size.unwrap_or(coarse).max(coarse)),
+    };
+    scene.tolerance = None;
+    match mesh_scene(&scene) {
+        Ok(mesh) => assert!(Quality::of(&mesh).area.is_finite()),
+        Err(error) => assert!(!error.to_string().is_empty()),
+    }
+});
+
+fuzz_mutator!(|data: &mut [u8], size: usize, max_size: usize, seed: u32| {
+    match seed.is_multiple_of(2) {
+        true => mutate_words(data, size, max_size, seed / 2),
+        false => None,
+    }
+    .unwrap_or_else(|| fuzzer_mutate(data, size, max_size))
+});
