@@ -64,8 +64,8 @@ pub enum NoFilm {
     },
     /// The as-printed equation has no solution at this speed.
     #[error(
-        "the as-printed equation has no solution above {} rad/s (its fold; asked for {} rad/s); lower speed or eccentricity, or use form = \"conservative\"",
-        readable(*last), readable(*asked)
+        "the as-printed equation has no solution above {} rad/s (its fold; asked for {} rad/s, {} times as much); lower speed or eccentricity, or use form = \"conservative\"",
+        readable(*last), readable(*asked), readable(asked / last)
     )]
     Fold {
         /// Last speed with a solution [rad/s].

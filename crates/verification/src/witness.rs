@@ -114,7 +114,9 @@ fn elsewhere(wanted: &Other, scene: &Table, run: &Run, faults: &mut Vec<String>)
             faults.push(format!("{name} is not in both: {:?}", answer.reason()));
             continue;
         };
-        let bars = first.error.unwrap_or(0.0) + second.error.unwrap_or(0.0);
+        // A number that has no bar claims nothing; the run has warned of it.
+        let Some(error) = first.error else { continue };
+        let bars = error + second.error.unwrap_or(0.0);
         if distance(first, second.value) > bars + allowed * first.value.abs() {
             faults.push(format!(
                 "{name} is {:.8e}, but {:.8e} by {}, bars together {bars:.1e}",
