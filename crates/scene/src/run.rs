@@ -205,6 +205,7 @@ fn report(study: &Study, solved: &Solved, judged: Judged, result: &mut RunResult
         false => warnings(study, &judged.measured),
     };
     result.balances.mass = judged.measured.flows.imbalance;
+    result.balances.power = judged.measured.power.imbalance;
     result.history = history(&film.history);
     result.counts = Counts {
         linear_solves: film.history.len(),

@@ -6,6 +6,8 @@ mod tolerance;
 pub use journal::{Journal, Position, Squeeze};
 pub use tolerance::{Target, Tolerance};
 
+pub use oilwedge_reynolds::Theory;
+
 use crate::complaint::{Complaint, SceneError};
 use crate::sweep::Plan;
 use crate::{schema, validate};
@@ -65,6 +67,8 @@ pub struct Bearing {
     pub inlet_fraction: Option<f64>,
     /// Ring only: angle of an axial line held at the pressure of the ends [rad].
     pub film_start: Option<f64>,
+    /// Which pressure flows there are.
+    pub theory: Theory,
 }
 
 impl Bearing {

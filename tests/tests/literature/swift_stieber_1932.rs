@@ -21,6 +21,27 @@ fn film_start_at_the_widest_film() {
     });
 }
 
+/// Friction from drag by shear of the whole ring and by pressure on the journal (five digits), the flow at the widest film and what
+/// of it leaves at the ends (four digits).
+#[test]
+fn friction_and_flow() {
+    let rows = reference("plain360_swift_stieber", "rows");
+    each(&rows, |row| {
+        let ring = Ring {
+            film_start: true,
+            ..Ring::of(row)
+        };
+        let film = ring.solve();
+        let expected = number(row, "RC_f");
+        film.off("RC_f", film.friction(), expected, 1e-3 * expected)?;
+        let [inlet, side] = film.flows();
+        let expected = number(row, "Q_RCNL");
+        film.off("Q", inlet, expected, 3e-3 * expected)?;
+        let expected = expected * number(row, "Qs_over_Q");
+        film.off("Qs", side, expected, 3e-3 * expected)
+    });
+}
+
 #[test]
 fn periodic_film() {
     let rows = reference("periodic_swift_stieber", "rows");
