@@ -6,7 +6,7 @@
 //! p_max; our mesh leaves 5e-5, 0.003 degrees and, as the quadratic field is searched, little of p_max. So
 //! 0.1 %, 0.05 degrees and 0.2 % are asked (0.15 % of So where the film is periodic: its front has two ends).
 
-use oilwedge_tests::journal_bearings::{Ring, each, reference};
+use oilwedge_tests::journal_bearings::{Ring, each, number, reference};
 
 #[test]
 fn film_start_at_the_widest_film() {
