@@ -170,6 +170,18 @@ impl SolvedRing {
         self.solved.quantity("attitude_angle")
     }
 
+    /// `(R/c) f`.
+    pub fn friction(&self) -> f64 {
+        self.solved.quantity("friction_coefficient") * 0.5 * DIAMETER / CLEARANCE
+    }
+
+    /// Flow into the loaded film and out of the ends, over `R c N B`.
+    pub fn flows(&self) -> [f64; 2] {
+        let speed = self.solved.study.problem.journal.speed.abs() / std::f64::consts::TAU;
+        let unit = 0.5 * DIAMETER * CLEARANCE * speed * self.ring.slenderness * DIAMETER;
+        ["inlet_flow", "side_flow"].map(|name| self.solved.quantity(name) / unit)
+    }
+
     /// Greatest reduced pressure over [`PRESSURE_UNIT`]; that of a given greatest pressure as second.
     fn reduced_pressures(&self, p_max: f64) -> [f64; 2] {
         let law = &self.solved.study.problem.lubricant.pressure_law;

@@ -23,7 +23,7 @@ use oilwedge_reynolds::film_thickness::Eccentricity;
 use oilwedge_reynolds::lubricant::{Lubricant, PressureLaw};
 use oilwedge_reynolds::supply::{Place, SupplyRegion, line_at_angle};
 use oilwedge_reynolds::terms::{Couette, Poiseuille};
-use oilwedge_reynolds::{Bearing, Cavitation, FilmProblem, FilmSystem, Form, JournalState};
+use oilwedge_reynolds::{Bearing, Cavitation, FilmProblem, FilmSystem, Form, JournalState, Theory};
 
 /// Journal radius of all films here [m].
 pub const RADIUS: f64 = 0.05;
@@ -129,6 +129,7 @@ pub fn ring_system(columns: u32, rows: u32, length: f64, film_start: Option<f64>
 pub fn plain_film(length: f64, eccentricity: f64, min_film_angle: f64, speed: f64) -> FilmProblem {
     let journal = JournalState::at_eccentricity(eccentricity, min_film_angle, CLEARANCE, speed);
     FilmProblem {
+        theory: Theory::Full,
         bearing: Bearing {
             radius: RADIUS,
             length,

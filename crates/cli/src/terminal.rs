@@ -65,6 +65,7 @@ fn balances(balances: Balances) -> String {
         "balance   oil in and oil out differ by {} of the oil that passes",
         significant(balances.mass, 2)
     );
+    line += &format!(", power and heat by {} of the power", significant(balances.power, 2));
     if balances.force != 0.0 {
         let force = significant(balances.force, 2);
         line += &format!(", load and film force by {force} of the load");
@@ -311,6 +312,7 @@ pub(crate) mod tests {
             levels: vec![],
             balances: Balances {
                 mass: 1.2e-12,
+                power: 2.5e-15,
                 force: 0.0,
             },
             history: vec![],

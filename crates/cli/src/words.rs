@@ -1,7 +1,7 @@
 //! What the names of a result mean, in plain words. A name without an entry stands for itself.
 
 /// Names of quantities; one of a region, `load_x.GROUP`, is looked up with its dot.
-const QUANTITIES: [(&str, &str); 33] = [
+const QUANTITIES: [(&str, &str); 45] = [
     ("load", "force that the film carries"),
     ("load_x", "its part along x (angle 0)"),
     ("load_y", "its part along y (angle 90 deg)"),
@@ -18,11 +18,23 @@ const QUANTITIES: [(&str, &str); 33] = [
     ("cavity_share", "share of the film that is cavity"),
     ("film_fraction_min", "least film fraction (1: full)"),
     ("side_flow", "oil that leaves at the ends (< 0: enters)"),
+    ("side_flow_low", "the part at the end z = -B/2"),
+    ("side_flow_high", "the part at the end z = +B/2"),
+    ("inlet_flow", "oil carried into the loaded film"),
+    ("side_flow_number", "Q_s / (D^3 (c/R) omega)"),
+    ("inlet_flow_number", "Q / (D^3 (c/R) omega)"),
     ("feed_flow.", "oil that enters there (< 0: leaves)"),
     (
         "cavity_flow",
         "oil that the cavity makes (Swift-Stieber conserves none there)",
     ),
+    ("friction_torque", "torque on the journal, against the rotation"),
+    ("friction_torque_bearing", "torque on the bearing, with the rotation"),
+    ("friction_coefficient", "T / (R W)"),
+    ("friction_power", "power that turns the journal, T omega"),
+    ("friction_shear_power", "its part against shear"),
+    ("friction_pressure_power", "its part against pressure"),
+    ("squeeze_power", "power of the load as the journal's centre moves"),
     ("pressure_integral", "pressure times area, summed"),
     ("load_x.", "part of W_x over that region"),
     ("load_y.", "part of W_y over that region"),
@@ -41,7 +53,9 @@ const QUANTITIES: [(&str, &str); 33] = [
 ];
 
 /// Names of effects; what follows a colon is the model.
-const EFFECTS: [(&str, &str); 12] = [
+const EFFECTS: [(&str, &str); 14] = [
+    ("theory: short", "pressure drives oil along the axis only"),
+    ("theory: long", "pressure drives oil around only, the ends are sealed"),
     ("poiseuille", "oil driven by the pressure gradient"),
     ("couette", "oil dragged along by the journal"),
     ("squeeze", "oil pressed out as the journal's centre moves"),

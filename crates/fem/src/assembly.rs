@@ -208,12 +208,15 @@ pub(crate) mod tests {
         Arc::new(Mesh::build(raw).unwrap())
     }
 
-    /// `F = (0.3 x, 0.1) - (1 + x^2) grad u`, `s = 0.7 z` in both forms.
-    struct Both(Tangent);
+    /// `F = (0.3 x, 0.1) - (1 + x^2) D grad u`, `s = 0.7 z` in both forms, with the diagonal D.
+    struct Both(Tangent, [f64; 2]);
 
     impl ConservationLaw for Both {
         fn tangent(&self) -> Tangent {
             self.0
+        }
+        fn directions(&self) -> [f64; 2] {
+            self.1
         }
         fn conduction(&self, _: usize, positions: &[[f64; 2]], out: &mut [Conduction]) {
             for (&[x, z], out) in positions.iter().zip(out) {
@@ -228,7 +231,10 @@ pub(crate) mod tests {
             for ((&[x, z], state), out) in positions.iter().zip(states).zip(out) {
                 let k = 1.0 + x * x;
                 *out = Response {
-                    flux: [state.gradient[0] * -k + 0.3 * x, state.gradient[1] * -k + 0.1],
+                    flux: [
+                        state.gradient[0] * (-k * self.1[0]) + 0.3 * x,
+                        state.gradient[1] * (-k * self.1[1]) + 0.1,
+                    ],
                     source: Dual::constant(0.7 * z),
                 };
             }
@@ -260,13 +266,13 @@ pub(crate) mod tests {
 
     #[test]
     fn closed_form_and_general_element_agree() {
-        for degree in 1..=3 {
+        for (degree, along) in (1..=3).flat_map(|degree| [(degree, [1.0; 2]), (degree, [0.0, 1.0])]) {
             let assembler = Assembler::new(Space::new(wavy_ring(9, 4), degree));
             let u = assembler.space().interpolate(|x| (0.7 * x[0]).sin() + x[1]);
             let mut closed = Matrix::zero(assembler.pattern().clone());
             let mut general = closed.clone();
-            let r = assembler.tangent_and_residual(&Both(Tangent::Conduction), &u, &mut closed);
-            let s = assembler.tangent_and_residual(&Both(Tangent::Symmetric), &u, &mut general);
+            let r = assembler.tangent_and_residual(&Both(Tangent::Conduction, along), &u, &mut closed);
+            let s = assembler.tangent_and_residual(&Both(Tangent::Symmetric, along), &u, &mut general);
             let scale = greatest(general.values.iter().copied());
             assert!(greatest(closed.values.iter().zip(&general.values).map(|(a, b)| a - b)) < 1e-13 * scale);
             assert!(greatest(r.iter().zip(&s).map(|(a, b)| a - b)) < 1e-13 * greatest(s.iter().copied()));
@@ -298,7 +304,10 @@ pub(crate) mod tests {
     fn residuals_sum_to_the_integral_of_the_source() {
         let assembler = Assembler::new(Space::new(wavy_ring(9, 4), 2));
         let u = assembler.space().interpolate(|x| x[1] * x[1]);
-        let sum: f64 = assembler.residual(&Both(Tangent::Conduction), &u).iter().sum();
+        let sum: f64 = assembler
+            .residual(&Both(Tangent::Conduction, [1.0; 2]), &u)
+            .iter()
+            .sum();
         // Int 0.7 z over a ring of circumference 9 and height 4.
         assert!((sum - 0.7 * 9.0 * 8.0).abs() < 1e-9, "{sum}");
     }

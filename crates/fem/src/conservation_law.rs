@@ -17,6 +17,11 @@ pub trait ConservationLaw: Sync {
     /// Conductance, rest flux and source of a law of kind [`Tangent::Conduction`] at `positions` [m] in triangle `cell`.
     fn conduction(&self, cell: usize, positions: &[[f64; 2]], out: &mut [Conduction]);
 
+    /// Parts of the conductance that count along x and along z [1]; not one where a law of kind [`Tangent::Conduction`] drops a direction.
+    fn directions(&self) -> [f64; 2] {
+        [1.0; 2]
+    }
+
     /// Flux and source at `positions` [m] in triangle `cell`, where `u` and its gradient are as in
     /// `states`: seeds 0, 1, 2 of the duals are `u`, `du/dx`, `du/dz`.
     fn response(&self, cell: usize, positions: &[[f64; 2]], states: &[State], out: &mut [Response]);

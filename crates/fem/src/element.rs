@@ -1,7 +1,8 @@
 //! Element matrices: contraction of a law's flux and source with the shape functions.
 //!
 //! A straight P2 triangle of a conducting law takes a closed form: with the moments
-//! `M_ij = Int k l_i l_j`, `m_i = sum_j M_ij`, `m = sum_i m_i` and `g_ij = grad l_i . grad l_j`,
+//! `M_ij = Int k l_i l_j`, `m_i = sum_j M_ij`, `m = sum_i m_i` and `g_ij = grad l_i . D grad l_j`,
+//! D the diagonal of the law's directions,
 //! ```text
 //! vertex i, vertex j:     g_ij (16 M_ij - 4 m_i - 4 m_j + m)
 //! vertex i, edge xy:      4 [g_ix (4 M_iy - m_y) + g_iy (4 M_ix - m_x)]
@@ -124,17 +125,17 @@ impl ElementKernel {
             (Mapping::Straight(corners), 2) => {
                 let (positions, determinant) = self.straight_positions(corners);
                 law.conduction(t, &positions[..n], &mut points[..n]);
-                self.straight_quadratic(corners, determinant, &points[..n], out);
+                self.straight_quadratic(law.directions(), corners, determinant, &points[..n], out);
             }
             (Mapping::Straight(corners), 3) => {
                 let (positions, determinant) = self.straight_positions(corners);
                 law.conduction(t, &positions[..n], &mut points[..n]);
-                self.straight_cubic(corners, determinant, &points[..n], out);
+                self.straight_cubic(law.directions(), corners, determinant, &points[..n], out);
             }
             _ => {
                 let geometry = self.geometry(&mapping);
                 law.conduction(t, &geometry.positions[..n], &mut points[..n]);
-                self.general_conduction(&geometry, &points[..n], out);
+                self.general_conduction(law.directions(), &geometry, &points[..n], out);
             }
         }
         // A film that starts from nothing has few values: those that are given.
@@ -156,7 +157,7 @@ impl ElementKernel {
         (positions, ab[0] * ac[1] - ab[1] * ac[0])
     }
 
-    fn general_conduction(&self, geometry: &Geometry, points: &[Conduction], out: &mut Element) {
+    fn general_conduction(&self, along: [f64; 2], geometry: &Geometry, points: &[Conduction], out: &mut Element) {
         *out = Element::default();
         let n = self.shapes;
         for (q, point) in points.iter().enumerate() {
@@ -166,7 +167,7 @@ impl ElementKernel {
                 let g = gradients[i];
                 out.residual[i] +=
                     area * (point.source * self.values[q][i] - point.flux[0] * g[0] - point.flux[1] * g[1]);
-                let weighted = [area * point.conductance * g[0], area * point.conductance * g[1]];
+                let weighted = [0, 1].map(|d| area * point.conductance * along[d] * g[d]);
                 for j in 0..n {
                     out.tangent[i][j] += weighted[0] * gradients[j][0] + weighted[1] * gradients[j][1];
                 }
@@ -177,6 +178,7 @@ impl ElementKernel {
     /// The closed form of the file's head, without the part of `u` in the residual.
     fn straight_quadratic(
         &self,
+        directions: [f64; 2],
         [a, b, c]: &[[f64; 2]; 3],
         determinant: f64,
         points: &[Conduction],
@@ -190,7 +192,7 @@ impl ElementKernel {
         let mut g = [[0.0; 3]; 3];
         for i in 0..3 {
             for j in 0..3 {
-                g[i][j] = slope[i][0] * slope[j][0] + slope[i][1] * slope[j][1];
+                g[i][j] = directions[0] * slope[i][0] * slope[j][0] + directions[1] * slope[i][1] * slope[j][1];
             }
         }
         let mut pairs = [0.0; 6];
@@ -243,7 +245,14 @@ impl ElementKernel {
 
     /// A straight cubic triangle: its metric does not vary, so the conductance weighs products of reference gradients. Without the
     /// part of `u` in the residual.
-    fn straight_cubic(&self, [a, b, c]: &[[f64; 2]; 3], determinant: f64, points: &[Conduction], out: &mut Element) {
+    fn straight_cubic(
+        &self,
+        directions: [f64; 2],
+        [a, b, c]: &[[f64; 2]; 3],
+        determinant: f64,
+        points: &[Conduction],
+        out: &mut Element,
+    ) {
         out.residual = [0.0; MOST_SHAPES];
         let (ab, ac) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
         // Rows of the inverse Jacobian: gradients of xi and eta.
@@ -265,7 +274,7 @@ impl ElementKernel {
                 *residual += source * self.values[q][i] - along[0] * g[0] - along[1] * g[1];
             }
         }
-        let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
+        let dot = |a: [f64; 2], b: [f64; 2]| directions[0] * a[0] * b[0] + directions[1] * a[1] * b[1];
         let metric = [dot(xi, xi), dot(xi, eta), dot(eta, eta)];
         let mut pair = 0;
         for i in 0..MOST_SHAPES {

@@ -102,6 +102,10 @@ impl ConservationLaw for FilmLaw<'_> {
         }
     }
 
+    fn directions(&self) -> [f64; 2] {
+        self.problem.theory.directions()
+    }
+
     /// `div(flux - conductance grad q) + storage = 0` in the reduced pressure q.
     fn conduction(&self, cell: usize, positions: &[[f64; 2]], out: &mut [Conduction]) {
         for (flow, out) in self.flows(cell, positions).iter().zip(out) {
@@ -121,9 +125,10 @@ impl ConservationLaw for FilmLaw<'_> {
             Form::AsPrinted(barus) => barus,
             Form::Conservative => Barus { alpha: 0.0 },
         };
+        let along = self.directions();
         for ((flow, state), out) in self.flows(cell, positions).iter().zip(states).zip(out) {
             *out = Response {
-                flux: [0, 1].map(|k| state.gradient[k] * -flow.conductance + flow.flux[k]),
+                flux: [0, 1].map(|k| state.gradient[k] * (-flow.conductance * along[k]) + flow.flux[k]),
                 source: (barus.viscosity_ratio(state.value) + -1.0) * (flow.divergence + flow.storage) + flow.storage,
             };
         }

@@ -18,7 +18,7 @@ use crate::levels::Coarser;
 use crate::lubricant::{Barus, Lubricant};
 use crate::supply::{Supply, SupplyError, SupplyRegion};
 use crate::terms::Term;
-use crate::{Bearing, Cavitation, FilmPoint, JournalState};
+use crate::{Bearing, Cavitation, FilmPoint, JournalState, Theory};
 
 /// Unknowns from which on systems are solved by multigrid: half the memory and both cores from there on, time that grows with the
 /// unknowns; on one core a factor is as quick up to a million (docs/performance.md);
@@ -45,6 +45,8 @@ pub enum Form {
 pub struct FilmProblem {
     /// Dimensions and end pressure.
     pub bearing: Bearing,
+    /// Which pressure flows there are.
+    pub theory: Theory,
     /// Position and rotation of the journal.
     pub journal: JournalState,
     /// Film thickness: a sum.

@@ -56,6 +56,7 @@ mod sensitivity;
 pub mod solve;
 pub mod supply;
 pub mod terms;
+pub mod theory;
 
 pub use bearing::Bearing;
 pub use cavitation::Cavitation;
@@ -63,3 +64,4 @@ pub use existence::NoFilm;
 pub use film_point::{FilmFlow, FilmPoint};
 pub use film_problem::{FilmProblem, FilmSolution, FilmSystem, Form};
 pub use journal_state::{JournalChange, JournalState};
+pub use theory::Theory;

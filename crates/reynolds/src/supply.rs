@@ -4,7 +4,7 @@
 //! groove). Regions may meet: a feed wins over a line, a line over an end. So the corner of an end
 //! and an arc edge is booked to the edge, through which oil is dragged, and no flow is counted twice.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use oilwedge_fem::{Constraints, Space};
 use oilwedge_mesh::Mesh;
@@ -12,9 +12,11 @@ use oilwedge_mesh::locate::Locator;
 
 use crate::Bearing;
 
-/// What kind of place a region of given pressure is.
+/// What kind of place a region is; all but one give a pressure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Place {
+    /// An axial end that nothing flows through and at which no pressure is given.
+    Sealed,
     /// An axial end of the bearing.
     End,
     /// An edge of an arc, or the line of a film start.
@@ -117,7 +119,7 @@ impl Supply {
         let mut owner: Vec<Option<u16>> = vec![None; space.dofs()];
         for (index, region) in (0u16..).zip(&regions) {
             let mut conflict = None;
-            for dof in dofs_of(space, region) {
+            for dof in given_dofs(space, region) {
                 let other = owner[dof].map(|other| &regions[usize::from(other)]);
                 conflict = conflict.or(other.filter(|other| {
                     other.name != region.name
@@ -135,7 +137,7 @@ impl Supply {
             }
             errors.extend(open_rim(space.mesh(), region));
         }
-        errors.extend(unassigned(space, &owner));
+        errors.extend(unassigned(space, &regions, &owner));
         if errors.is_empty() {
             Ok(Self { regions, owner })
         } else {
@@ -147,7 +149,7 @@ impl Supply {
     pub(crate) fn on_space(&self, space: &Space) -> Self {
         let mut owner = vec![None; space.dofs()];
         for (index, region) in (0u16..).zip(&self.regions) {
-            for dof in dofs_of(space, region) {
+            for dof in given_dofs(space, region) {
                 owner[dof] = Some(index);
             }
         }
@@ -174,7 +176,7 @@ impl Supply {
         }
         let mut owner = vec![None; coarse.dofs()];
         for (index, region) in (0u16..).zip(&regions) {
-            for dof in region.edges.iter().flat_map(|&edge| coarse.dofs_on_edge(edge)) {
+            for dof in given_dofs(coarse, region) {
                 owner[dof] = Some(index);
             }
         }
@@ -227,7 +229,7 @@ impl Supply {
     pub(crate) fn meeting(&self, space: &Space) -> Vec<(usize, [usize; 2])> {
         let mut found = Vec::new();
         for (index, region) in self.regions.iter().enumerate() {
-            for dof in dofs_of(space, region) {
+            for dof in given_dofs(space, region) {
                 if let Some(owner) = self.owner(dof).filter(|&owner| owner != index) {
                     found.push((dof, [owner, index]));
                 }
@@ -261,17 +263,27 @@ impl Supply {
         constraints
     }
 
+    /// True for each triangle of the film: not those of a region of given pressure.
+    pub(crate) fn film(&self, mesh: &Mesh) -> Vec<bool> {
+        let mut is_film = vec![true; mesh.triangles().len()];
+        for &cell in self.regions.iter().flat_map(|region| &region.cells) {
+            is_film[cell as usize] = false;
+        }
+        is_film
+    }
+
     /// Index of the region that dof `dof` belongs to.
     pub fn owner(&self, dof: usize) -> Option<usize> {
         self.owner[dof].map(usize::from)
     }
 }
 
-/// Dofs on the edges and in the cells of a region; some come more than once.
-fn dofs_of<'a>(space: &'a Space, region: &'a SupplyRegion) -> impl Iterator<Item = usize> + 'a {
+/// Dofs on the edges and in the cells of a region, if it gives a pressure; some come more than once.
+fn given_dofs<'a>(space: &'a Space, region: &'a SupplyRegion) -> impl Iterator<Item = usize> + 'a {
     let on_edges = region.edges.iter().flat_map(|&edge| space.dofs_on_edge(edge));
     let on_cell = |&cell: &u32| space.element_dofs(cell as usize).into_iter().take(space.shapes());
-    on_edges.chain(region.cells.iter().flat_map(on_cell))
+    let all = on_edges.chain(region.cells.iter().flat_map(on_cell));
+    all.filter(|_| region.place != Place::Sealed)
 }
 
 /// Edges of `region` along which it is cut out of the film: those with a triangle on one side only.
@@ -302,10 +314,12 @@ fn open_rim(mesh: &Mesh, region: &SupplyRegion) -> Option<SupplyError> {
     })
 }
 
-fn unassigned(space: &Space, owner: &[Option<u16>]) -> Option<SupplyError> {
+fn unassigned(space: &Space, regions: &[SupplyRegion], owner: &[Option<u16>]) -> Option<SupplyError> {
     let mesh = space.mesh();
+    let sealed = regions.iter().filter(|region| region.place == Place::Sealed);
+    let sealed: HashSet<u32> = sealed.flat_map(|region| region.edges.iter().copied()).collect();
     let bare: Vec<u32> = (0..mesh.topology().edges.len() as u32)
-        .filter(|&edge| mesh.topology().is_boundary(edge))
+        .filter(|&edge| mesh.topology().is_boundary(edge) && !sealed.contains(&edge))
         .filter(|&edge| space.dofs_on_edge(edge).any(|dof| owner[dof].is_none()))
         .collect();
     let [x, z] = mesh.edge_nodes(*bare.first()?)[2];

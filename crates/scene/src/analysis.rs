@@ -93,7 +93,10 @@ impl NoAnswer {
                 );
             }
         };
-        matches!(film, NoFilm::NotConverged(_) | NoFilm::NearLimit { .. } | NoFilm::AtFold { .. })
+        matches!(
+            film,
+            NoFilm::NotConverged(_) | NoFilm::NearLimit { .. } | NoFilm::AtFold { .. }
+        )
     }
 
     /// True if the mesh cannot tell on which side of the limit of the viscosity law the film is.

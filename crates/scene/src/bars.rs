@@ -13,6 +13,7 @@ use std::time::Instant;
 use oilwedge_fem::Field;
 use oilwedge_reynolds::error_bar::{Bar, FilmError, FlowGoal, Value, film_error};
 use oilwedge_reynolds::quantities::pressure::Extremes;
+use oilwedge_reynolds::quantities::similarity;
 use oilwedge_reynolds::{FilmSolution, FilmSystem};
 
 use crate::analysis::{Balance, Solved, Witness};
@@ -222,7 +223,8 @@ impl Rules<'_> {
         if of_position {
             return Some(Bar::default());
         }
-        let change = (quantity.value - other.value).abs();
+        let signed = quantity.value - other.value;
+        let change = signed.abs();
         let (along, across) = (error.load(self.value), error.across(self.value));
         let [x, y] = error.force;
         let force = x.hypot(y);
@@ -249,8 +251,15 @@ impl Rules<'_> {
             "viscosity_max" => plain(self.viscosity(quantity.value)),
             "cavity_share" => plain(change + 0.4 * self.front_share()),
             "side_flow" => self.flow(&FlowGoal::Ends, change)?,
+            "side_flow_number" => {
+                let unit = self.flow_unit()?;
+                self.flow(&FlowGoal::Ends, change * unit)?.scaled(1.0 / unit)
+            }
+            "inlet_flow" | "inlet_flow_number" => plain(change),
+            _ if name.starts_with("friction_") => self.friction(name, quantity.value, signed, vanishes)?,
+            "squeeze_power" => self.product(self.study.problem.journal.velocity),
             "cavity_flow" => self.cavity_flow(change)?,
-            feed => self.flow(&FlowGoal::Feed(feed.strip_prefix("feed_flow.")?.to_owned()), change)?,
+            _ => self.flow(&flow_goal(name)?, change)?,
         };
         Some(bar)
     }
@@ -264,6 +273,33 @@ impl Rules<'_> {
             true => (along + across).scaled(u.hypot(v)),
             false => along.scaled((u * x + v * y) / force) + across.scaled((u * y - v * x) / force),
         }
+    }
+
+    fn flow_unit(&self) -> Option<f64> {
+        similarity::flow_unit(&self.study.problem.bearing, &self.study.problem.journal)
+    }
+
+    /// Bar of a number of friction, which changes by `change` between the two films. None of the coefficient where the load may be none.
+    fn friction(&self, name: &str, value: f64, change: f64, vanishes: bool) -> Option<Bar> {
+        let speed = self.study.problem.journal.speed.abs();
+        let (parts, unit) = match name {
+            "friction_torque" => ([1.0, 1.0], 1.0 / speed),
+            "friction_torque_bearing" => ([1.0, -1.0], 1.0 / speed),
+            "friction_power" => ([1.0, 1.0], 1.0),
+            "friction_shear_power" => ([1.0, 0.0], 1.0),
+            "friction_pressure_power" => ([0.0, 1.0], 1.0),
+            _ => return self.friction_coefficient(value, vanishes),
+        };
+        Some(self.error.drag(parts, change / unit, self.value).scaled(unit))
+    }
+
+    /// Torque and load may both be off.
+    fn friction_coefficient(&self, value: f64, vanishes: bool) -> Option<Bar> {
+        let [quadratic, cubic] = self.measured.map(|measured| measured.power.friction());
+        let torque = self.error.drag([1.0, 1.0], cubic - quadratic, self.value);
+        let (power, force) = (self.judged().power.friction(), self.judged().load.magnitude());
+        let load = self.error.load(self.value).scaled(value / force);
+        (!vanishes).then(|| torque.scaled(value / power) + load)
     }
 
     /// Extremes of pressure of the quadratic and of the cubic film.
@@ -349,7 +385,7 @@ impl Rules<'_> {
             .zip(&self.judged().flows.regions);
         let counts = |region: &oilwedge_reynolds::supply::SupplyRegion| match goal {
             FlowGoal::Ends => region.place == oilwedge_reynolds::supply::Place::End,
-            FlowGoal::Feed(name) => region.name == *name,
+            FlowGoal::End(name) | FlowGoal::Feed(name) => region.name == *name,
         };
         regions
             .filter(|(region, _)| counts(region))
@@ -370,9 +406,19 @@ impl Rules<'_> {
 
     /// What the cavity makes is what all others bring and take.
     fn cavity_flow(&self, change: f64) -> Option<Bar> {
-        let all: Option<Vec<Bar>> = self.error.flows.iter().map(|(goal, _)| self.flow(goal, 0.0)).collect();
+        let goals = self.error.flows.iter().map(|(goal, _)| goal);
+        let once = goals.filter(|goal| !matches!(goal, FlowGoal::End(_)));
+        let all: Option<Vec<Bar>> = once.map(|goal| self.flow(goal, 0.0)).collect();
         Some(all?.into_iter().fold(plain(change), |sum, bar| sum + bar))
     }
+}
+
+/// The flow of this name.
+fn flow_goal(name: &str) -> Option<FlowGoal> {
+    let end = name
+        .strip_prefix("side_flow_")
+        .map(|end| FlowGoal::End(format!("end_{end}")));
+    end.or_else(|| Some(FlowGoal::Feed(name.strip_prefix("feed_flow.")?.to_owned())))
 }
 
 /// Numbers without an error: parts of the load over regions cut out, whose pressure and shape are given, and what bolts must hold.

@@ -5,6 +5,7 @@
 use oilwedge_reynolds::FilmSolution;
 use oilwedge_reynolds::error_bar::Bar;
 use oilwedge_reynolds::error_bar::conserving::{ConservingError, conserving_error};
+use oilwedge_reynolds::quantities::similarity;
 
 use crate::analysis::Solved;
 use crate::bars::{Judged, balanced, is_given, of_few, set};
@@ -65,6 +66,8 @@ fn bar(study: &Study, quantity: &Quantity, error: &ConservingError, measured: &M
         return None;
     }
     let force = measured.load.magnitude().max(f64::MIN_POSITIVE);
+    let speed = study.problem.journal.speed.abs();
+    let flow_unit = similarity::flow_unit(&study.problem.bearing, &study.problem.journal);
     Some(match name {
         // A load that cannot be told from none may have any direction.
         "load_angle" | "attitude_angle" if error.across.total() >= force => plain(180.0),
@@ -91,8 +94,26 @@ fn bar(study: &Study, quantity: &Quantity, error: &ConservingError, measured: &M
         "cavity_share" => plain(error.cavity_share),
         "film_fraction_min" => plain(error.least_fraction),
         "side_flow" => plain(error.side_flow),
-        feed => {
-            let feed = feed.strip_prefix("feed_flow.")?;
+        "side_flow_number" => plain(error.side_flow / flow_unit?),
+        "inlet_flow" => plain(error.inlet_flow),
+        "inlet_flow_number" => plain(error.inlet_flow / flow_unit?),
+        "friction_torque" => plain(error.power([1.0, 1.0]) / speed),
+        "friction_torque_bearing" => plain(error.power([1.0, -1.0]) / speed),
+        "friction_power" => plain(error.power([1.0, 1.0])),
+        "friction_shear_power" => plain(error.power([1.0, 0.0])),
+        "friction_pressure_power" => plain(error.power([0.0, 1.0])),
+        "friction_coefficient" if error.load.total() >= force => return None,
+        "friction_coefficient" => {
+            let torque = plain(error.power([1.0, 1.0]) * quantity.value / measured.power.friction());
+            torque.scaled(1.0) + error.load.scaled(quantity.value / force)
+        }
+        "squeeze_power" => {
+            let [x, y] = study.problem.journal.velocity;
+            error.force[0].scaled(x) + error.force[1].scaled(y)
+        }
+        region => {
+            let end = region.strip_prefix("side_flow_").map(|end| format!("end_{end}"));
+            let feed = end.or_else(|| Some(region.strip_prefix("feed_flow.")?.to_owned()))?;
             let place = study
                 .system
                 .supply

@@ -27,7 +27,7 @@ use oilwedge_reynolds::film_thickness::{Eccentricity, FilmContribution, GrooveDe
 use oilwedge_reynolds::lubricant::{Barus, Lubricant, PressureLaw, Roelands};
 use oilwedge_reynolds::supply::{self as given, Disc, Place, SupplyError, SupplyRegion};
 use oilwedge_reynolds::terms::{Couette, Poiseuille, Squeeze, Term};
-use oilwedge_reynolds::{Bearing, Cavitation, FilmProblem, FilmSystem, Form, JournalState};
+use oilwedge_reynolds::{Bearing, Cavitation, FilmProblem, FilmSystem, Form, JournalState, Theory};
 
 use crate::joint::share_per_force;
 use crate::liner_mesh::{liner_mesh, suited};
@@ -209,6 +209,7 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, near: (f64, f64), degree: usize) ->
 
 fn problem(scene: &Scene, journal: JournalState, film_thickness: Vec<Arc<dyn FilmContribution>>) -> FilmProblem {
     FilmProblem {
+        theory: scene.bearing.theory,
         bearing: bearing(scene),
         journal,
         film_thickness,
@@ -378,7 +379,11 @@ fn supply(scene: &Scene, mesh: &Mesh) -> Result<Vec<SupplyRegion>, CompileError>
         }
     };
     let p_e = scene.ends.pressure;
-    let mut regions = vec![region("end_low", Place::End, p_e), region("end_high", Place::End, p_e)];
+    let end = match scene.bearing.theory {
+        Theory::Long => Place::Sealed,
+        Theory::Full | Theory::Short => Place::End,
+    };
+    let mut regions = vec![region("end_low", end, p_e), region("end_high", end, p_e)];
     if scene.bearing.arc.is_some() {
         // The journal brings oil in at one of them; the other ignores its film fraction.
         regions.extend(["arc_from", "arc_to"].map(|name| SupplyRegion {
@@ -386,7 +391,8 @@ fn supply(scene: &Scene, mesh: &Mesh) -> Result<Vec<SupplyRegion>, CompileError>
             ..region(name, Place::Line, p_e)
         }));
     }
-    if let Some(angle) = scene.bearing.film_start {
+    // The lines of a short film stand by themselves: none can be held at another pressure.
+    if let Some(angle) = (scene.bearing.film_start).filter(|_| scene.bearing.theory != Theory::Short) {
         let edges =
             given::line_at_angle(mesh, scene.bearing.radius(), scene.bearing.length, angle).map_err(|fault| {
                 CompileError::FilmStart {
@@ -425,6 +431,9 @@ fn supply_pressure(scene: &Scene) -> Option<f64> {
 fn effects(scene: &Scene, problem: &FilmProblem) -> Effects {
     let mut simulated: Vec<String> = problem.terms.iter().map(|term| term.name().to_owned()).collect();
     let mut not_simulated = Vec::new();
+    if scene.bearing.theory != Theory::Full {
+        simulated.insert(0, format!("theory: {}", scene.bearing.theory.name()));
+    }
     if scene.journal.speed == 0.0 {
         not_simulated.push("couette".to_owned());
     }

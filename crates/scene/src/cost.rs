@@ -7,7 +7,7 @@ use serde::Serialize;
 use crate::reader::Marks;
 use crate::report::{Quantity, RunResult, Status};
 use crate::run::{Error, RunOptions, run};
-use crate::scene::{CavitationModel, PressureLaw, Scene};
+use crate::scene::{CavitationModel, PressureLaw, Scene, Theory};
 use crate::validate;
 
 /// Runs of one scene at most, of which the median time is told.
@@ -140,6 +140,12 @@ fn without_each(scene: &Scene) -> Vec<Variant> {
     };
     if scene.journal.speed != 0.0 && scene.feeds.iter().any(|feed| feed.pressure.is_some()) {
         add("couette", "a journal at rest", stop);
+    }
+    if scene.bearing.theory != Theory::Full {
+        let theory = format!("theory: {}", scene.bearing.theory.name());
+        add(&theory, "pressure flow in both directions", |scene| {
+            scene.bearing.theory = Theory::Full
+        });
     }
     if scene.journal.motion().is_some() {
         add("squeeze", "a centre at rest", |scene| scene.journal.squeeze = None);

@@ -1,6 +1,6 @@
 //! What the reader of a result should doubt, in sentences.
 
-use oilwedge_reynolds::{Cavitation, Form};
+use oilwedge_reynolds::{Cavitation, Form, Theory};
 
 use crate::compile::Study;
 use crate::measure::Measured;
@@ -19,7 +19,10 @@ pub fn warnings(study: &Study, measured: &Measured) -> Vec<String> {
 
 /// The same where error bars tell how well the mesh resolves the film.
 pub(crate) fn warnings_beside_bars(study: &Study, measured: &Measured) -> Vec<String> {
-    let mut warnings: Vec<String> = [flips(study), closure(study, measured)].into_iter().flatten().collect();
+    let mut warnings: Vec<String> = [flips(study), theory(study), closure(study, measured)]
+        .into_iter()
+        .flatten()
+        .collect();
     if matches!(study.problem.form, Form::AsPrinted(_)) {
         warnings.push(format!(
             "the as-printed equation is no mass balance: in and out differ by {:.2} % of the oil that enters",
@@ -61,6 +64,25 @@ pub(crate) fn flips(study: &Study) -> Option<String> {
             if study.flips == 1 { "" } else { "s" }
         )
     })
+}
+
+/// From which B/D on a short bearing is no bearing of this kind, and below which a long one is none.
+const SHORT_TO: f64 = 0.25;
+const LONG_FROM: f64 = 2.0;
+
+/// Which flow a theory leaves out, where it should not.
+fn theory(study: &Study) -> Option<String> {
+    let bearing = &study.problem.bearing;
+    let slenderness = 0.5 * bearing.length / bearing.radius;
+    let (left_out, fit) = match study.problem.theory {
+        Theory::Short if slenderness > SHORT_TO => ("around", format!("below {SHORT_TO}")),
+        Theory::Long if slenderness < LONG_FROM => ("along the axis", format!("above {LONG_FROM}")),
+        _ => return None,
+    };
+    Some(format!(
+        "theory = \"{}\" leaves out the flow that pressure drives {left_out}, as suits B/D {fit}, and here B/D is {slenderness:.2}; --cost tells how far the result is from that of both flows",
+        study.problem.theory.name()
+    ))
 }
 
 /// What the closure gets wrong in this film.

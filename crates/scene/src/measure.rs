@@ -2,7 +2,10 @@
 
 use oilwedge_reynolds::quantities::cavity::{self, Cavity};
 use oilwedge_reynolds::quantities::flow::{self, Flows};
+use oilwedge_reynolds::quantities::friction::friction;
+use oilwedge_reynolds::quantities::inlet::inlet_flow;
 use oilwedge_reynolds::quantities::load::{self, Load};
+use oilwedge_reynolds::quantities::power::{self, Power};
 use oilwedge_reynolds::quantities::pressure::{self, Extremes};
 use oilwedge_reynolds::quantities::similarity;
 use oilwedge_reynolds::supply::Place;
@@ -28,6 +31,10 @@ pub struct Measured {
     pub extremes: Extremes,
     /// Flows by region.
     pub flows: Flows,
+    /// Flow into the loaded film [m3/s]; none at rest.
+    pub inlet_flow: Option<f64>,
+    /// Powers, put in and turned into heat.
+    pub power: Power,
     /// Least film thickness on the liner [m].
     pub least_thickness: f64,
     /// The cavity, of models that have one while they solve.
@@ -45,6 +52,8 @@ pub fn measure(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) 
     Measured {
         load: load::load(problem, system, film),
         flows: flow::flows(problem, system, film),
+        inlet_flow: inlet_flow(problem, system, film),
+        power: power::power(problem, system, film),
         least_thickness: pressure::least_thickness(problem, system),
         cavity: breaks.then(|| cavity::cavity(system, film)),
         under_tension: match problem.cavitation {
@@ -93,7 +102,6 @@ pub(crate) fn quantities_at(study: &Study, problem: &FilmProblem, measured: &Mea
     let Measured {
         load,
         extremes,
-        flows,
         least_thickness,
         cavity,
         ..
@@ -138,24 +146,80 @@ pub(crate) fn quantities_at(study: &Study, problem: &FilmProblem, measured: &Mea
     if let Some(least) = cavity.and_then(|cavity| cavity.least_fraction) {
         add("film_fraction_min", "theta_min", least, "1");
     }
+    list.extend(flow_quantities(problem, system, measured));
+    list.extend(friction_quantities(problem, measured, directed));
+    list.push(Quantity::new("pressure_integral", "Int p dA", load.total.pressure, "N"));
+    for (name, share) in &load.cut_out {
+        list.push(Quantity::new(format!("load_x.{name}"), "W_x", share.force[0], "N"));
+        list.push(Quantity::new(format!("load_y.{name}"), "W_y", share.force[1], "N"));
+    }
+    if let Some(cap) = &study.cap {
+        list.extend(joint::quantities(cap, journal.speed, load.total.force));
+    }
+    list
+}
+
+/// Where the oil goes; sealed ends have no side flow.
+fn flow_quantities(problem: &FilmProblem, system: &FilmSystem, measured: &Measured) -> Vec<Quantity> {
+    let Measured { flows, inlet_flow, .. } = measured;
     let by_place = |place: Place| {
         (system.supply.regions().iter().zip(&flows.regions)).filter(move |(region, _)| region.place == place)
     };
-    let side: f64 = by_place(Place::End).map(|(_, flow)| -flow.net).sum();
-    add("side_flow", "Q_s", side, "m3/s");
+    let mut list = Vec::new();
+    let mut add = |name: &str, symbol: &str, value: f64, unit: &str| {
+        list.push(Quantity::new(name, symbol, value, unit));
+    };
+    let side: Vec<(&str, f64)> = by_place(Place::End)
+        .map(|(region, flow)| (region.name.trim_start_matches("end"), -flow.net))
+        .collect();
+    let both = side.iter().map(|(_, flow)| flow).sum::<f64>();
+    if !side.is_empty() {
+        add("side_flow", "Q_s", both, "m3/s");
+    }
+    for (end, flow) in &side {
+        add(&format!("side_flow{end}"), "Q_s", *flow, "m3/s");
+    }
+    if let Some(inlet) = *inlet_flow {
+        add("inlet_flow", "Q", inlet, "m3/s");
+    }
+    if let Some(unit) = similarity::flow_unit(&problem.bearing, &problem.journal) {
+        if !side.is_empty() {
+            add("side_flow_number", "Q_s*", both / unit, "1");
+        }
+        if let Some(inlet) = *inlet_flow {
+            add("inlet_flow_number", "Q*", inlet / unit, "1");
+        }
+    }
     for (region, flow) in by_place(Place::Feed) {
         add(&format!("feed_flow.{}", region.name), "Q_f", flow.net, "m3/s");
     }
     if matches!(problem.cavitation, Cavitation::Reynolds { .. }) {
         add("cavity_flow", "Q_c", flows.cavity, "m3/s");
     }
-    add("pressure_integral", "Int p dA", load.total.pressure, "N");
-    for (name, share) in &load.cut_out {
-        add(&format!("load_x.{name}"), "W_x", share.force[0], "N");
-        add(&format!("load_y.{name}"), "W_y", share.force[1], "N");
+    list
+}
+
+/// What it takes to turn and to move the journal; a load without direction has no coefficient of friction.
+fn friction_quantities(problem: &FilmProblem, measured: &Measured, directed: bool) -> Vec<Quantity> {
+    let (journal, power, load) = (&problem.journal, &measured.power, &measured.load);
+    let mut list = Vec::new();
+    let mut add = |name: &str, symbol: &str, value: f64, unit: &str| {
+        list.push(Quantity::new(name, symbol, value, unit));
+    };
+    if let Some(friction) = friction(journal, power) {
+        add("friction_torque", "T", friction.on_journal, "N.m");
+        add("friction_torque_bearing", "T_b", friction.on_bearing, "N.m");
+        if directed {
+            let coefficient = friction.coefficient(&problem.bearing, load.magnitude());
+            add("friction_coefficient", "f", coefficient, "1");
+        }
+        add("friction_power", "P", power.friction(), "W");
+        add("friction_shear_power", "P_s", power.shear, "W");
+        add("friction_pressure_power", "P_p", power.pressure, "W");
     }
-    if let Some(cap) = &study.cap {
-        list.extend(joint::quantities(cap, journal.speed, load.total.force));
+    if journal.velocity != [0.0; 2] {
+        let ([x, y], [by_x, by_y]) = (journal.velocity, load.total.force);
+        add("squeeze_power", "P_e", x * by_x + y * by_y, "W");
     }
     list
 }

@@ -88,6 +88,8 @@ pub struct MeshFacts {
 pub struct Balances {
     /// Oil that enters minus oil that leaves, relative to the oil that passes.
     pub mass: f64,
+    /// Power put in less heat, relative to the sum of all powers.
+    pub power: f64,
     /// Load minus the force of the film, relative to the load; zero where the position is given.
     pub force: f64,
 }
@@ -236,6 +238,7 @@ impl RunResult {
         for (name, value) in self.regime.iter().flat_map(Regime::by_name) {
             finite(&format!("regime.{name}"), value)?;
         }
+        finite("balances.power", self.balances.power)?;
         finite("balances.force", self.balances.force)?;
         for step in &self.history {
             finite(&format!("history, step {}, residual", step.step), step.residual)?;
@@ -312,6 +315,7 @@ pub(crate) mod tests {
             levels: vec![],
             balances: Balances {
                 mass: 1e-12,
+                power: 1e-12,
                 force: 0.0,
             },
             regime: None,
@@ -376,10 +380,11 @@ pub(crate) mod tests {
                 ..LevelFacts::default()
             }];
         };
-        let spoil: [&dyn Fn(&mut RunResult); 9] = [
+        let spoil: [&dyn Fn(&mut RunResult); 10] = [
             &|result| result.quantities[1].value = f64::NAN,
             &|result| result.quantities[0].error = Some(f64::INFINITY),
             &|result| result.balances.mass = f64::NAN,
+            &|result| result.balances.power = f64::NAN,
             &|result| result.history[0].residual = f64::INFINITY,
             &|result| result.timing_s[1].1 = f64::NAN,
             &|result| result.mesh.min_angle_deg = f64::NAN,

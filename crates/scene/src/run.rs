@@ -255,6 +255,7 @@ fn report(study: &Study, solved: &Solved, judged: Judged, result: &mut RunResult
         result.warnings.push(format!("{told} {}; {way_out}", bare.join(", ")));
     }
     result.balances.mass = judged.measured.flows.imbalance;
+    result.balances.power = judged.measured.power.imbalance;
     result.history = history(&film.history);
     result.counts = Counts {
         linear_solves: film.history.len(),

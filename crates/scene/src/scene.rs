@@ -7,6 +7,8 @@ mod tolerance;
 pub use journal::{Journal, Position, Squeeze};
 pub use tolerance::{Target, Tolerance};
 
+pub use oilwedge_reynolds::Theory;
+
 use crate::complaint::{Complaint, SceneError};
 use crate::sweep::Plan;
 use crate::{schema, validate};
@@ -74,6 +76,8 @@ pub struct Bearing {
     pub film_start: Option<f64>,
     /// Combined roughness of journal and liner (root mean square) [m], to tell whether they touch; nothing is computed with it.
     pub roughness: Option<f64>,
+    /// Which pressure flows there are.
+    pub theory: Theory,
 }
 
 impl Bearing {

@@ -11,7 +11,7 @@ pub use oil::ROELANDS_REFERENCE_PRESSURE;
 
 use crate::complaint::Complaint;
 use crate::reader::{Collector, Marks, TableReader};
-use crate::scene::{Arc, Bearing, Cavitation, CavitationModel, Ends, MeshSource, Scene, Tolerance};
+use crate::scene::{Arc, Bearing, Cavitation, CavitationModel, Ends, MeshSource, Scene, Theory, Tolerance};
 use crate::sweep::Plan;
 use crate::unit::{self, Dimension};
 use std::path::Path;
@@ -77,6 +77,7 @@ const MESH_FILE: &str = "../meshes/liner.msh";
 
 fn bearing(mut table: TableReader<'_>) -> Bearing {
     let mut inlet_fraction = None;
+    let theories = [Theory::Full, Theory::Short, Theory::Long].map(|theory| (theory.name(), theory));
     let bearing = Bearing {
         diameter: table.quantity("diameter", Dimension::Length, "75 mm"),
         length: table.quantity("length", Dimension::Length, "75 mm"),
@@ -91,6 +92,7 @@ fn bearing(mut table: TableReader<'_>) -> Bearing {
         inlet_fraction,
         film_start: table.quantity_if_given("film_start", Dimension::Angle, "180 deg"),
         roughness: table.quantity_if_given("roughness", Dimension::Length, "0.4 um"),
+        theory: table.word_if_given("theory", &theories).unwrap_or_default(),
     };
     table.finish();
     bearing

@@ -6,6 +6,7 @@ mod cap;
 mod cavitation;
 mod feeds;
 mod position;
+mod theory;
 mod tolerance;
 
 use crate::complaint::Complaint;
@@ -36,6 +37,7 @@ pub(crate) fn complaints(scene: &Scene, marks: &Marks) -> Vec<Complaint> {
     if let MeshSource::Drawing { size: Some(size) } | MeshSource::File { size: Some(size), .. } = scene.mesh {
         checks.positive(size, "mesh.size");
     }
+    checks.theory(scene);
     checks.tolerance(scene);
     checks.feeds(scene);
     checks.journal(&scene.journal);

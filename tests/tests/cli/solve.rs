@@ -51,7 +51,7 @@ fn check_keys(result: &Value) {
     assert_eq!(sorted(&result["counts"]), counts);
     assert_eq!(sorted(&result["effects"]), ["not_simulated", "simulated"]);
     assert_eq!(sorted(&result["mesh"]), ["cells", "min_angle_deg", "nodes", "order"]);
-    assert_eq!(sorted(&result["balances"]), ["force", "mass"]);
+    assert_eq!(sorted(&result["balances"]), ["force", "mass", "power"]);
     assert_eq!(result["format"], "oilwedge-result/1");
     for key in ["scene_sha256", "mesh_sha256"] {
         assert_eq!(result[key].as_str().map(str::len), Some(64));
@@ -117,7 +117,18 @@ fn names_of_quantities_are_those_of_the_contract() {
         "film_thickness_min",
         "viscosity_max",
         "side_flow",
+        "side_flow_low",
+        "side_flow_high",
+        "inlet_flow",
+        "side_flow_number",
+        "inlet_flow_number",
         "feed_flow.feed_hole",
+        "friction_torque",
+        "friction_torque_bearing",
+        "friction_coefficient",
+        "friction_power",
+        "friction_shear_power",
+        "friction_pressure_power",
         "pressure_integral",
         "load_x.feed_hole",
         "load_y.feed_hole",
@@ -134,7 +145,16 @@ fn names_of_quantities_are_those_of_the_contract() {
     ];
     bench.scene("02_flexpde_shell", &rest);
     let result = object(&bench.run(&["solve", "scene.toml", "--json"]).stdout);
-    for name in ["sommerfeld_number", "attitude_angle", "min_film_angle"] {
+    let friction = [
+        "friction_torque",
+        "friction_coefficient",
+        "inlet_flow",
+        "side_flow_number",
+    ];
+    for name in ["sommerfeld_number", "attitude_angle", "min_film_angle"]
+        .into_iter()
+        .chain(friction)
+    {
         assert!(result["quantities"].get(name).is_none(), "{name}");
     }
 }

@@ -2,6 +2,7 @@
 
 use oilwedge_reynolds::error_bar::FlowGoal;
 use oilwedge_reynolds::quantities::load::load;
+use oilwedge_reynolds::quantities::power::power;
 use oilwedge_reynolds::supply::Place;
 use oilwedge_reynolds::{FilmSolution, FilmSystem};
 
@@ -48,6 +49,18 @@ fn add_up(judged: &Judged) {
     for (goal, wanted) in judged.error.goals.iter().zip(wanted) {
         let sum: f64 = goal.shares.iter().sum();
         assert!((sum - wanted).abs() < 1e-10 * size, "{sum:e} is not {wanted:e}");
+    }
+    // The powers of shear and of pressure likewise: their vectors are the secants of what is reported.
+    let before = power(&judged.problem, system, &raised(judged));
+    let after = power(&judged.problem, system, &judged.cubic);
+    let wanted = [after.shear - before.shear, after.pressure - before.pressure];
+    for (goal, wanted) in judged.error.drag.iter().zip(wanted) {
+        let sum: f64 = goal.shares.iter().sum();
+        let rounding = 1e-13 * before.shear;
+        assert!(
+            (sum - wanted).abs() < 1e-7 * wanted.abs() + rounding,
+            "{sum:e} is not {wanted:e}"
+        );
     }
 }
 

@@ -9,6 +9,7 @@ mod ocvirk_1952;
 mod pfeil_groove;
 mod raimondi_boyd_1958;
 mod rayleigh_1918;
+mod short_bearing_finite_length;
 mod short_crankshaft_bearing;
 mod sommerfeld_1904;
 mod swift_stieber_1932;

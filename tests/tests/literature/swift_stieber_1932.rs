@@ -6,7 +6,7 @@
 //! p_max; our mesh leaves 5e-5, 0.003 degrees and, as the quadratic field is searched, little of p_max. So
 //! 0.1 %, 0.05 degrees and 0.2 % are asked (0.15 % of So where the film is periodic: its front has two ends).
 
-use oilwedge_tests::journal_bearings::{Ring, each, reference};
+use oilwedge_tests::journal_bearings::{Ring, each, number, reference};
 
 #[test]
 fn film_start_at_the_widest_film() {
@@ -18,6 +18,27 @@ fn film_start_at_the_widest_film() {
             ..Ring::of(row)
         };
         ring.solve().compare(row, 1e-3, 0.05, 2e-3)
+    });
+}
+
+/// Friction from drag by shear of the whole ring and by pressure on the journal (five digits), the flow at the widest film and what
+/// of it leaves at the ends (four digits).
+#[test]
+fn friction_and_flow() {
+    let rows = reference("plain360_swift_stieber", "rows");
+    each(&rows, |row| {
+        let ring = Ring {
+            film_start: true,
+            ..Ring::of(row)
+        };
+        let film = ring.solve();
+        let expected = number(row, "RC_f");
+        film.off("RC_f", film.friction(), expected, 1e-3 * expected)?;
+        let [inlet, side] = film.flows();
+        let expected = number(row, "Q_RCNL");
+        film.off("Q", inlet, expected, 3e-3 * expected)?;
+        let expected = expected * number(row, "Qs_over_Q");
+        film.off("Qs", side, expected, 3e-3 * expected)
     });
 }
 

@@ -25,7 +25,9 @@ use oilwedge_fem::control_volumes::sub_triangles;
 
 use super::{Bar, CANCELLING, UNRESOLVED};
 use crate::quantities::flow::{self, Flows};
+use crate::quantities::inlet::inlet_flow;
 use crate::quantities::load;
+use crate::quantities::power::power;
 use crate::supply::Place;
 use crate::{FilmProblem, FilmSolution, FilmSystem};
 
@@ -41,6 +43,8 @@ const OF_FLOW: f64 = 1.0;
 /// Of delta times what passes through a region, at ends and elsewhere.
 const CARRIED_TO_ENDS: f64 = 0.8;
 const CARRIED_ELSEWHERE: f64 = 0.4;
+/// Of delta times the power of shear.
+const CARRIED_IN_SHEAR: f64 = 0.2;
 /// Of beta, delta and chi, in the share of the cavity.
 const OF_FRONT: f64 = 0.35;
 const OF_CARRIED: f64 = 0.5;
@@ -69,6 +73,12 @@ pub struct ConservingError {
     pub flows: Vec<f64>,
     /// Of the flow through all ends together [m3/s].
     pub side_flow: f64,
+    /// Of the flow into the loaded film [m3/s].
+    pub inlet_flow: f64,
+    /// Differences of the powers [W] that the turning journal puts in against shear, and against pressure, from those of the companion.
+    pub power: [f64; 2],
+    /// Power [W] of shear that is in doubt because the film fraction is.
+    pub power_carried: f64,
     /// Of the share of the cavity [1].
     pub cavity_share: f64,
     /// Of the least film fraction [1].
@@ -129,6 +139,10 @@ pub fn conserving_error(
         &flow::flows(problem, system.vertices_only(), companion),
         carried,
     );
+    let others = system.vertices_only();
+    let [power, other_power] = [(system, film), (others, companion)].map(|(system, film)| power(problem, system, film));
+    let [inlet, other_inlet] =
+        [(system, film), (others, companion)].map(|(system, film)| inlet_flow(problem, system, film).unwrap_or(0.0));
     let bar = |shares: &[Bar]| {
         shares
             .iter()
@@ -147,6 +161,9 @@ pub fn conserving_error(
         greatest_pressure: pair.greatest_pressure(problem, companion),
         flows,
         side_flow,
+        inlet_flow: OF_FLOW * (inlet - other_inlet).abs() + CARRIED_ELSEWHERE * carried * inlet.abs(),
+        power: [power.shear - other_power.shear, power.pressure - other_power.pressure],
+        power_carried: CARRIED_IN_SHEAR * carried * power.shear,
         cavity_share: OF_FRONT * front + OF_CARRIED * carried + OF_DOUBT * doubt,
         least_fraction: (LEAST_OIL * where_least(in_both) + LEAST_FRONT * front)
             .min(least)
@@ -155,6 +172,13 @@ pub fn conserving_error(
             .map(|(along, across)| widened * along.total().max(across.total()))
             .collect(),
     })
+}
+
+impl ConservingError {
+    /// Bar of `shear` times the power of shear and `pressure` times that of pressure [W].
+    pub fn power(&self, [shear, pressure]: [f64; 2]) -> f64 {
+        (shear * self.power[0] + pressure * self.power[1]).abs() + shear.abs() * self.power_carried
+    }
 }
 
 impl<'a> Pair<'a> {
@@ -282,7 +306,7 @@ fn flow_bars(system: &FilmSystem, flows: &Flows, others: &Flows, carried: f64) -
     let bar = |difference: f64, passing: f64, place: Place| {
         let by_carried = match place {
             Place::End => CARRIED_TO_ENDS,
-            Place::Line | Place::Feed => CARRIED_ELSEWHERE,
+            Place::Line | Place::Feed | Place::Sealed => CARRIED_ELSEWHERE,
         };
         OF_FLOW * difference.abs() + by_carried * carried * passing
     };

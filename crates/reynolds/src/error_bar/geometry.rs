@@ -20,10 +20,19 @@ use oilwedge_mesh::Circle;
 
 use crate::film_law::FilmLaw;
 use crate::supply::{self, SupplyRegion};
-use crate::{FilmProblem, FilmSolution, FilmSystem};
+use crate::{FilmPoint, FilmProblem, FilmSolution, FilmSystem};
 
-/// The formula over all rims [N], for goal `k` of [`super::FilmError::goals`] with the dual `dual`: exact less computed.
-pub(super) fn rims(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, dual: &[f64], k: usize) -> f64 {
+/// The weight of a goal at a rim: from the region, the position [m] and the film there.
+pub(super) type RimWeight<'a> = &'a dyn Fn(&SupplyRegion, [f64; 2], &FilmPoint) -> f64;
+
+/// The formula over all rims, for the goal with the weight `given` and the dual `dual`: exact less computed.
+pub(super) fn rims(
+    problem: &FilmProblem,
+    system: &FilmSystem,
+    film: &FilmSolution,
+    dual: &[f64],
+    given: RimWeight,
+) -> f64 {
     let mesh = system.space().mesh();
     let regions = system.supply.regions().iter();
     regions
@@ -34,7 +43,7 @@ pub(super) fn rims(problem: &FilmProblem, system: &FilmSystem, film: &FilmSoluti
                 radius: disc.radius,
             });
             let circle = disc.or(mesh.circle(edge).copied())?;
-            Some(rim_edge(problem, system, film, dual, k, region, &circle, edge))
+            Some(rim_edge(problem, system, film, dual, given, region, &circle, edge))
         })
         .sum()
 }
@@ -45,7 +54,7 @@ fn rim_edge(
     system: &FilmSystem,
     film: &FilmSolution,
     dual: &[f64],
-    k: usize,
+    given: RimWeight,
     region: &SupplyRegion,
     circle: &Circle,
     edge: u32,
@@ -72,17 +81,13 @@ fn rim_edge(
             let [x, z] = field.value_and_gradient(t, point).1;
             x * normal[0] + z * normal[1]
         };
-        let flow = FilmLaw::new(problem, 1.0).film_and_flows(t, &[at]).1[0];
-        let (sin, cos) = (at[0] / problem.bearing.radius).sin_cos();
-        // What is cut out counts with its circle if it has one, else with the element edges.
-        let given = match k {
-            _ if region.disc.is_none() => 0.0,
-            0 => (region.pressure - problem.bearing.end_pressure) * cos,
-            1 => (region.pressure - problem.bearing.end_pressure) * sin,
-            _ => region.pressure,
-        };
+        let (film, flows) = FilmLaw::new(problem, 1.0).film_and_flows(t, &[at]);
+        let given = given(region, at, &film[0]);
         let gap = circle.radius - distance(mesh.period(), at, circle.centre);
-        sum -= weight * length * gap * (given + flow.conductance * by_normal(&pressure_field) * by_normal(&dual_field));
+        sum -= weight
+            * length
+            * gap
+            * (given + flows[0].conductance * by_normal(&pressure_field) * by_normal(&dual_field));
     }
     sum
 }

@@ -25,6 +25,7 @@
 //! **Verified by** `tests/tests/error_bars`: shares sum to eta, coverage of true errors, a straight rim.
 
 pub mod conserving;
+mod drag;
 pub mod geometry;
 mod shares;
 
@@ -119,6 +120,19 @@ pub struct GoalError {
     pub algebra: f64,
 }
 
+impl GoalError {
+    /// The error of this goal and `factor` times another one; a goal without shares is none.
+    pub(crate) fn plus(mut self, factor: f64, other: &Self) -> Self {
+        self.shares.resize(other.shares.len(), 0.0);
+        for (share, other) in self.shares.iter_mut().zip(&other.shares) {
+            *share += factor * other;
+        }
+        self.geometry += factor * other.geometry;
+        self.algebra += factor * other.algebra;
+        self
+    }
+}
+
 /// What is known of the errors of a film.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FilmError {
@@ -128,7 +142,9 @@ pub struct FilmError {
     pub possible: f64,
     /// Of `W_x`, `W_y` and `Int p dA` [N].
     pub goals: [GoalError; 3],
-    /// Of the flow into the film [m3/s] through both ends together and through each feed, by the name of its region.
+    /// Of the power [W] that the turning journal puts in against shear, and against pressure.
+    pub drag: [GoalError; 2],
+    /// Of the flow into the film [m3/s] through both ends together, each end and each feed, by the name of its region.
     pub flows: Vec<(FlowGoal, GoalError)>,
     /// Triangles in the cavity and at its edge.
     pub front: Vec<bool>,
@@ -145,6 +161,8 @@ pub struct FilmError {
 pub enum FlowGoal {
     /// Both ends together.
     Ends,
+    /// The end of this name.
+    End(String),
     /// The feed of this name.
     Feed(String),
 }
@@ -215,6 +233,20 @@ impl FilmError {
         self.bar(&self.goals[2], value, 0.3)
     }
 
+    /// Bar of `shear` times the power of shear and `pressure` times that of pressure [W], which changes by `change` between the two films:
+    /// what the rules of integration add to the change is all error.
+    pub fn drag(&self, [shear, pressure]: [f64; 2], change: f64, value: Value) -> Bar {
+        let goal = GoalError::default()
+            .plus(shear, &self.drag[0])
+            .plus(pressure, &self.drag[1]);
+        let bar = self.bar(&goal, value, 0.4);
+        let integration = change - goal.shares.iter().sum::<f64>();
+        Bar {
+            discretisation: bar.discretisation + integration.abs(),
+            ..bar
+        }
+    }
+
     /// Bar of a flow [m3/s]; `unsure` [m3/s] is booked by where the edge of a cavity runs within a triangle, or at nodes of two
     /// regions.
     pub fn flow(&self, goal: &GoalError, unsure: f64, value: Value) -> Bar {
@@ -229,14 +261,7 @@ impl FilmError {
     fn along(&self, direction: usize) -> GoalError {
         let [x, y, _] = self.directions()[direction];
         let [along_x, along_y, _] = &self.goals;
-        let both = |of_x: f64, of_y: f64| x * of_x + y * of_y;
-        GoalError {
-            shares: (along_x.shares.iter().zip(&along_y.shares))
-                .map(|(&of_x, &of_y)| both(of_x, of_y))
-                .collect(),
-            geometry: both(along_x.geometry, along_y.geometry),
-            algebra: both(along_x.algebra, along_y.algebra),
-        }
+        GoalError::default().plus(x, along_x).plus(y, along_y)
     }
 
     /// `J(p3) - J(p2)` [N] along and across the load.

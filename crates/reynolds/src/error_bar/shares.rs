@@ -10,11 +10,11 @@ use oilwedge_fem::prolongation::Hierarchical;
 use oilwedge_fem::quadrature::MOST_POINTS;
 use oilwedge_fem::{Error, Field, Matrix, Quadrature, lagrange};
 
-use super::{FilmError, FlowGoal, GoalError, geometry};
+use super::{FilmError, FlowGoal, GoalError, drag, geometry};
 use crate::angles::sines_and_cosines;
 use crate::quantities::load::{KINK_QUARTERINGS, possible_load};
 use crate::supply::{Place, SupplyRegion};
-use crate::{FilmProblem, FilmSolution, FilmSystem, Form};
+use crate::{FilmPoint, FilmProblem, FilmSolution, FilmSystem, Form};
 
 /// Angles of the film [rad] from which on a corner spoils the order: 225 degrees. The sides of a round hole turn by less.
 const REENTRANT: f64 = 1.25 * std::f64::consts::PI;
@@ -51,20 +51,42 @@ pub(super) fn film_error(
         residual: residual.collect(),
     };
     let [x, y, thrust] = goal_vectors(problem, &enriched.system, &cubic.unknown, &raised);
-    let load = |goal: &[f64], k: usize| -> Result<GoalError, Error> {
+    let judged = |goal: &[f64], given: geometry::RimWeight| -> Result<GoalError, Error> {
         let (dual, error) = split.goal(goal)?;
-        let geometry = geometry::rims(problem, system, film, &dual, k);
+        let geometry = geometry::rims(problem, system, film, &dual, given);
         Ok(GoalError { geometry, ..error })
     };
-    let goals = [load(&x, 0)?, load(&y, 1)?, load(&thrust, 2)?];
+    // What is cut out counts with its circle if it has one, else with the element edges.
+    let load = |goal: &[f64], weight: &dyn Fn(&SupplyRegion, f64) -> f64| {
+        let given = |region: &SupplyRegion, at: [f64; 2], _: &FilmPoint| match region.disc {
+            None => 0.0,
+            Some(_) => weight(region, at[0] / problem.bearing.radius),
+        };
+        judged(goal, &given)
+    };
+    let excess = |region: &SupplyRegion| region.pressure - problem.bearing.end_pressure;
+    let goals = [
+        load(&x, &|region, angle| excess(region) * angle.cos())?,
+        load(&y, &|region, angle| excess(region) * angle.sin())?,
+        load(&thrust, &|region, _| region.pressure)?,
+    ];
+    let [shear, pressure] = drag::goal_vectors(problem, &enriched.system, &cubic.unknown, &raised);
+    let drag = [
+        judged(&shear, &|region, _, film| drag::shear(problem, film, region.pressure))?,
+        // Pressure is even along a rim: the film that is too large and the drag on its edge cancel.
+        judged(&pressure, &|_, _, _| 0.0)?,
+    ];
     let regions = system.supply.regions();
-    let feeds = regions.iter().filter(|region| region.place == Place::Feed);
-    let asked = std::iter::once(FlowGoal::Ends).chain(feeds.map(|region| FlowGoal::Feed(region.name.clone())));
-    let flows = asked
+    let of = |place: Place| regions.iter().filter(move |region| region.place == place);
+    let ends = of(Place::End).map(|region| FlowGoal::End(region.name.clone()));
+    let feeds = of(Place::Feed).map(|region| FlowGoal::Feed(region.name.clone()));
+    let asked = ends.chain(feeds);
+    let mut flows = asked
         .take(MOST_FLOWS)
         .map(|goal| {
             let is_asked = |region: &SupplyRegion| match &goal {
                 FlowGoal::Ends => region.place == Place::End,
+                FlowGoal::End(name) => region.place == Place::End && region.name == *name,
                 FlowGoal::Feed(name) => region.place == Place::Feed && region.name == *name,
             };
             // Both films weigh their residuals with this one function, up to one that is orthogonal to that of the cubic film.
@@ -76,13 +98,17 @@ pub(super) fn film_error(
             let error = split.goal(&stiffness.multiply(&chi))?.1;
             Ok((goal, error))
         })
-        .collect::<Result<_, Error>>()?;
+        .collect::<Result<Vec<_>, Error>>()?;
+    let both = flows.iter().filter(|(goal, _)| matches!(goal, FlowGoal::End(_)));
+    let both = both.fold(GoalError::default(), |sum, (_, end)| sum.plus(1.0, end));
+    flows.insert(0, (FlowGoal::Ends, both));
     let (front, deep) = front(&enriched.system, cubic);
     let excess = |&u: &f64| (problem.pressure_at(u) - problem.bearing.end_pressure).abs();
     Ok(FilmError {
         possible: possible_load(problem, cubic.unknown.iter().map(excess).fold(0.0, f64::max)),
         force,
         goals,
+        drag,
         flows,
         front,
         deep,
@@ -108,6 +134,17 @@ impl Split<'_> {
     /// The dual of a goal with this vector, and its error but for the geometry.
     fn goal(&self, goal: &[f64]) -> Result<(Vec<f64>, GoalError), Error> {
         let between = &self.system.enriched().prolongation;
+        if goal.iter().all(|&entry| entry == 0.0) {
+            let shares = vec![0.0; self.system.space().mesh().triangles().len()];
+            let dual = vec![0.0; self.system.space().dofs()];
+            return Ok((
+                dual,
+                GoalError {
+                    shares,
+                    ..GoalError::default()
+                },
+            ));
+        }
         let dual = self.film.linearisation.apply_factor(between.restrict(goal), true)?;
         let raised = between.prolong(&dual);
         let image = self.stiffness.multiply(&raised);
@@ -221,10 +258,7 @@ fn front(cubic: &FilmSystem, film: &FilmSolution) -> (Vec<bool>, Vec<bool>) {
 /// Triangles at vertices around which the film takes up more than [`REENTRANT`].
 fn corner(system: &FilmSystem) -> Vec<bool> {
     let mesh = system.space().mesh();
-    let mut is_film = vec![true; mesh.triangles().len()];
-    for &cell in system.supply.regions().iter().flat_map(|region| &region.cells) {
-        is_film[cell as usize] = false;
-    }
+    let is_film = system.supply.film(mesh);
     let mut angles = vec![0.0; mesh.points().len()];
     for t in (0..is_film.len()).filter(|&t| is_film[t]) {
         let corners = mesh.corners(t);

@@ -41,6 +41,7 @@ pub(super) fn made_beside(problem: &FilmProblem, system: &FilmSystem, film: &Fil
     };
     let floor = problem.unknown_at(pressure);
     let law = FilmLaw::new(problem, 1.0);
+    let along = problem.theory.directions();
     let rule = Quadrature::for_degree(space.degree());
     let fine = rule.quartered(QUARTERINGS);
     let (mut values, mut gradients) = ([0.0; MOST_SHAPES], [[0.0; 2]; MOST_SHAPES]);
@@ -76,7 +77,7 @@ pub(super) fn made_beside(problem: &FilmProblem, system: &FilmSystem, film: &Fil
             let area = weight * place.determinant;
             for (i, made) in made[..dofs.len()].iter_mut().enumerate() {
                 let [x, z] = place.gradient(gradients[i]);
-                let driven = flow.conductance * (slope[0] * x + slope[1] * z);
+                let driven = flow.conductance * (along[0] * slope[0] * x + along[1] * slope[1] * z);
                 *made += area * ((flow.storage + flow.divergence) * values[i] + driven);
             }
         }

@@ -60,10 +60,10 @@ pub struct Flows {
 }
 
 /// A throughput below this part of the flow that the film could have is rounding.
-const STILL: f64 = 1e-10;
+pub(super) const STILL: f64 = 1e-10;
 
 /// Flow [m3/s] that speed, squeeze or given pressures would drive through the clearance.
-fn natural_flow(problem: &FilmProblem, system: &FilmSystem) -> f64 {
+pub(super) fn natural_flow(problem: &FilmProblem, system: &FilmSystem) -> f64 {
     let (bearing, journal) = (&problem.bearing, &problem.journal);
     let heads = system
         .supply

@@ -22,6 +22,7 @@ pub(crate) fn has_same_system(one: &Scene, other: &Scene) -> bool {
             bearing.arc,
             bearing.inlet_fraction,
             bearing.film_start,
+            bearing.theory,
         )
     };
     one.mesh == other.mesh
@@ -50,7 +51,7 @@ pub(crate) fn renewed(mut study: Study, scene: &Scene, near: (f64, f64)) -> Stud
     let fed = |name: &str| scene.feeds.iter().find(|feed| feed.group == name)?.pressure;
     let pressure = |region: &SupplyRegion| match region.place {
         Place::Feed => fed(&region.name).unwrap_or(region.pressure),
-        Place::End | Place::Line => scene.ends.pressure,
+        Place::End | Place::Line | Place::Sealed => scene.ends.pressure,
     };
     study.system.renew(&pressure, &thickness);
     study.problem = problem(scene, journal(scene, near), thickness);

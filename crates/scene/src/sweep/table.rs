@@ -66,12 +66,34 @@ impl Columns {
         if any(&[CavitationModel::Jfo]) {
             add("film_fraction_min", "1");
         }
-        add("side_flow", "m3/s");
+        for (name, unit) in [
+            ("side_flow", "m3/s"),
+            ("side_flow_low", "m3/s"),
+            ("side_flow_high", "m3/s"),
+            ("inlet_flow", "m3/s"),
+            ("side_flow_number", "1"),
+            ("inlet_flow_number", "1"),
+        ] {
+            add(name, unit);
+        }
         for group in &fed {
             add(&format!("feed_flow.{group}"), "m3/s");
         }
         if any(&[CavitationModel::Reynolds]) {
             add("cavity_flow", "m3/s");
+        }
+        for (name, unit) in [
+            ("friction_torque", "N.m"),
+            ("friction_torque_bearing", "N.m"),
+            ("friction_coefficient", "1"),
+            ("friction_power", "W"),
+            ("friction_shear_power", "W"),
+            ("friction_pressure_power", "W"),
+        ] {
+            add(name, unit);
+        }
+        if scenes.iter().any(|scene| scene.journal.motion().is_some()) {
+            add("squeeze_power", "W");
         }
         add("pressure_integral", "N");
         for group in &fed {

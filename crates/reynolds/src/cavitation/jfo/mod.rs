@@ -33,6 +33,7 @@ mod relaxation;
 mod rows;
 #[cfg(test)]
 mod tests;
+mod work;
 
 use oilwedge_fem::ControlVolumes;
 use oilwedge_fem::complementarity::Start;
@@ -43,6 +44,7 @@ pub use self::blocks::Transport;
 use self::blocks::{Block, blocks, blocks_and_changes};
 use self::relaxation::{Downstream, State};
 use self::rows::{Condition, Rows};
+pub(crate) use self::work::work;
 use crate::existence::NoFilm;
 use crate::film_law::FilmLaw;
 use crate::{FilmProblem, FilmSolution, FilmSystem, JournalChange};

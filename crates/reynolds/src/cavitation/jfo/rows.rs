@@ -85,7 +85,7 @@ impl Rows {
             };
             rows.value[dof] = problem.unknown_at(pressure);
             let open = match region.place {
-                Place::Feed => false,
+                Place::Feed | Place::Sealed => false,
                 Place::End => true,
                 Place::Line => carried[dof] > 0.0 || starved.is_some(),
             };

@@ -55,6 +55,7 @@ fn ring(columns: u32, rows: u32) -> FilmSystem {
 
 fn problem(eccentricity: f64) -> FilmProblem {
     FilmProblem {
+        theory: crate::Theory::Full,
         bearing: Bearing {
             radius: RADIUS,
             length: LENGTH,

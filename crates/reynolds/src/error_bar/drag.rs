@@ -1,0 +1,82 @@
+//! The power that the journal puts in, as a goal: its vectors in cubic functions.
+//!
+//! `j_i = Int h/2 U . grad(phi_i) dA s_i` for pressure, s_i the secant of the pressure at node i between the two films, and
+//! `j_i = Int |U|^2/h s phi_i dA` for shear, s the secant of the viscosity: nothing where that is constant. So the difference of the two films
+//! times the vector is the change of the power, but for what the rules of integration add.
+
+use oilwedge_fem::lagrange::{self, MOST_SHAPES};
+use oilwedge_fem::mapping::Mapping;
+use oilwedge_fem::quadrature::MOST_POINTS;
+use oilwedge_fem::{Field, Quadrature};
+
+use crate::film_law::FilmLaw;
+use crate::lubricant::PressureLaw;
+use crate::{FilmPoint, FilmProblem, FilmSystem};
+
+/// Steps of the unknown below this part of it are too small for a secant.
+const SMALL: f64 = 1e-6;
+
+/// Power of shear per area [W/m2] where the film has the pressure `p` [Pa].
+pub(super) fn shear(problem: &FilmProblem, film: &FilmPoint, p: f64) -> f64 {
+    let [x, z] = film.velocity;
+    problem.viscosity_at(p) * (x * x + z * z) / film.thickness
+}
+
+/// The vectors for shear and pressure [W/Pa]; zero for a journal at rest.
+pub(super) fn goal_vectors(problem: &FilmProblem, cubic: &FilmSystem, better: &[f64], raised: &[f64]) -> [Vec<f64>; 2] {
+    let space = cubic.space();
+    let mut goals = [0, 1].map(|_| vec![0.0; space.dofs()]);
+    let law = FilmLaw::new(problem, 1.0);
+    let velocity = law.velocity();
+    if velocity == [0.0; 2] {
+        return goals;
+    }
+    let is_film = cubic.supply.film(space.mesh());
+    let rule = Quadrature::for_degree(space.degree());
+    let values = lagrange::tabulated(space.degree(), &rule.points);
+    let mut gradients = vec![[[0.0; 2]; MOST_SHAPES]; rule.points.len()];
+    for (gradients, &point) in gradients.iter_mut().zip(&rule.points) {
+        lagrange::gradients(space.degree(), point, &mut gradients[..space.shapes()]);
+    }
+    let thickens = !matches!(problem.lubricant.pressure_law, PressureLaw::Constant);
+    for t in (0..is_film.len()).filter(|&t| is_film[t]) {
+        let mapping = Mapping::of(space.mesh(), t);
+        let places = rule.points.iter().map(|&point| mapping.at(point)).collect::<Vec<_>>();
+        let mut positions = [[0.0; 2]; MOST_POINTS];
+        for (position, place) in positions.iter_mut().zip(&places) {
+            *position = place.position;
+        }
+        let film = law.film_and_flows(t, &positions[..places.len()]).0;
+        let nodal = [better, raised].map(|values| Field { space, values }.element_values(t));
+        let dofs = &space.element_dofs(t)[..space.shapes()];
+        for (q, place) in places.iter().enumerate() {
+            let area = rule.weights[q] * place.determinant;
+            for (i, &dof) in dofs.iter().enumerate() {
+                let [x, z] = place.gradient(gradients[q][i]);
+                goals[1][dof] += area * 0.5 * film[q].thickness * (velocity[0] * x + velocity[1] * z);
+            }
+            if thickens {
+                let at = |nodal: &[f64; MOST_SHAPES]| nodal.iter().zip(&values[q]).map(|(u, s)| u * s).sum();
+                let at_unknown = |u: f64| shear(problem, &film[q], problem.pressure_at(u));
+                let density = area * secant(&at_unknown, at(&nodal[0]), at(&nodal[1]));
+                for (&dof, value) in dofs.iter().zip(&values[q]) {
+                    goals[0][dof] += density * value;
+                }
+            }
+        }
+    }
+    for (goal, (&a, &b)) in goals[1].iter_mut().zip(better.iter().zip(raised)) {
+        *goal *= secant(&|u| problem.pressure_at(u), a, b);
+    }
+    goals
+}
+
+/// Slope of a function between two values; about them where they are nearly the same.
+fn secant(function: &dyn Fn(f64) -> f64, a: f64, b: f64) -> f64 {
+    let least = SMALL * a.abs().max(b.abs()).max(1.0);
+    let (a, b) = match (a - b).abs() > least {
+        true => (a, b),
+        false => (0.5 * (a + b) + least, 0.5 * (a + b) - least),
+    };
+    (function(a) - function(b)) / (a - b)
+}

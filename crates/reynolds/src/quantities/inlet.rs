@@ -1,0 +1,97 @@
+//! # Flow into the loaded film
+//!
+//! **Equation.** `Q = Int (theta U h/2 - h^3/(12 mu0) dq/dx) dz`, in the sense of the rotation, along the line at which the loaded film begins:
+//! behind the film start, behind the leading edge of an arc; in a ring without such lines where the film is thickest.
+//!
+//! | symbol | unit | code |
+//! |---|---|---|
+//! | Q | m3/s | `inlet_flow` |
+//!
+//! **Source.** Raimondi, Boyd, Trans. ASLE 1 (1958) 159: their flow Q, of which the part Q_s leaves at the ends and the rest goes round.
+//! **Range.** A turning journal; the film alone, without what feeds on that line carry. **Verified by** `tests/friction.rs`.
+
+use oilwedge_fem::Field;
+use oilwedge_fem::mapping::Mapping;
+use oilwedge_fem::quadrature::gauss_interval;
+
+use crate::film_law::FilmLaw;
+use crate::supply::Place;
+use crate::{FilmProblem, FilmSolution, FilmSystem};
+
+/// The flow is taken behind the line by this part of the radius, for the pressure has a kink on it.
+const BEHIND: f64 = 1e-9;
+
+/// Flow [m3/s] into the loaded film; none at rest.
+pub fn inlet_flow(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Option<f64> {
+    let speed = problem.journal.speed;
+    if speed == 0.0 {
+        return None;
+    }
+    let sense = speed.signum();
+    let mesh = system.space().mesh();
+    let x = line(problem, system, sense) + sense * BEHIND * problem.bearing.radius;
+    let is_film = system.supply.film(mesh);
+    let law = FilmLaw::new(problem, 1.0);
+    let [around, _] = problem.theory.directions();
+    let cells = (0..is_film.len()).filter(|&t| is_film[t]);
+    Some(sense * cells.map(|t| across(system, film, &law, t, x, around)).sum::<f64>())
+}
+
+/// Position [m] of the line at which the loaded film begins.
+fn line(problem: &FilmProblem, system: &FilmSystem, sense: f64) -> f64 {
+    let mesh = system.space().mesh();
+    let lines = system
+        .supply
+        .regions()
+        .iter()
+        .filter(|region| region.place == Place::Line);
+    let positions = lines.filter_map(|region| Some(mesh.edge_nodes(*region.edges.first()?)[0][0]));
+    // Of the edges of an arc that which the journal leaves.
+    let first = positions.min_by(|a, b| (sense * a).total_cmp(&(sense * b)));
+    first.unwrap_or_else(|| problem.bearing.radius * (problem.journal.min_film_angle() + std::f64::consts::PI))
+}
+
+/// Flow [m3/s] towards growing x through the part of the line at `x` [m] that lies in triangle `t`; pressure drives the
+/// part `around` of it.
+fn across(system: &FilmSystem, film: &FilmSolution, law: &FilmLaw, t: usize, x: f64, around: f64) -> f64 {
+    let space = system.space();
+    let corners = space.mesh().corners(t);
+    let x = match space.mesh().period() {
+        Some(period) => {
+            let middle = (corners[0][0] + corners[1][0] + corners[2][0]) / 3.0;
+            x - period * ((x - middle) / period).round()
+        }
+        None => x,
+    };
+    let reference = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+    let cuts = (0..3).filter_map(|k| {
+        let (a, b) = (k, (k + 1) % 3);
+        let (from, to) = (corners[a][0], corners[b][0]);
+        let part = (x - from) / (to - from);
+        ((from < x) != (to < x)).then(|| [0, 1].map(|d| reference[a][d] + part * (reference[b][d] - reference[a][d])))
+    });
+    let cuts: Vec<[f64; 2]> = cuts.collect();
+    let &[from, to] = cuts.as_slice() else {
+        return 0.0;
+    };
+    let mapping = Mapping::of(space.mesh(), t);
+    let length = (mapping.at(to).position[1] - mapping.at(from).position[1]).abs();
+    let unknown = Field {
+        space,
+        values: &film.unknown,
+    };
+    let flux = |part: f64| {
+        let point = [0, 1].map(|d| from[d] + part * (to[d] - from[d]));
+        let flow = law.film_and_flows(t, &[mapping.at(point).position]).1[0];
+        let fraction = film.film_fraction.as_ref().map_or(1.0, |fraction| {
+            let values = &fraction.values;
+            Field { space, values }.value(t, point)
+        });
+        fraction * flow.flux[0] - around * flow.conductance * unknown.value_and_gradient(t, point).1[0]
+    };
+    length
+        * gauss_interval()
+            .into_iter()
+            .map(|(part, weight)| weight * flux(part))
+            .sum::<f64>()
+}
