@@ -315,6 +315,7 @@ pub(crate) mod tests {
                 power: 2.5e-15,
                 force: 0.0,
             },
+            regime: None,
             history: vec![],
             counts: Counts {
                 nonlinear_iterations: 1,
