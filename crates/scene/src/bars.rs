@@ -90,7 +90,10 @@ fn judge_by_cubic(study: &Study, solved: &Solved, cubic: &FilmSolution) -> Judge
         position_bars(study, &solved.film, balance, [load.total(), across.total()], &before)
     });
     for quantity in &mut list {
-        let own = solved.balance.as_ref().and_then(|balance| balanced(quantity, balance));
+        let own = solved
+            .balance
+            .as_ref()
+            .and_then(|balance| balanced(quantity, balance, &measured));
         let before = before.iter().find(|other| other.name == quantity.name);
         let bar = own.or_else(|| {
             let bar = rules.bar(quantity, before?)?;
@@ -154,11 +157,16 @@ pub(crate) fn set(quantity: &mut Quantity, bar: Option<Bar>) {
 }
 
 /// The bar of what a load fixes: how far it is from balanced. None for what it does not fix.
-pub(crate) fn balanced(quantity: &Quantity, balance: &Balance) -> Option<Bar> {
+pub(crate) fn balanced(quantity: &Quantity, balance: &Balance, measured: &Measured) -> Option<Bar> {
     let unbalanced = match quantity.name.as_str() {
         "load" | "load_x" | "load_y" => balance.unbalanced,
-        "load_coefficient" | "sommerfeld_number" => balance.residual * quantity.value.abs(),
-        "load_angle" => balance.residual.to_degrees(),
+        "load_coefficient" | "sommerfeld_number" => {
+            let force = measured.load.magnitude().max(f64::MIN_POSITIVE);
+            balance.unbalanced / force * quantity.value.abs()
+        }
+        // The force is within a circle around the load.
+        "load_angle" if balance.residual < 1.0 => balance.residual.asin().to_degrees(),
+        "load_angle" => 180.0,
         _ => return None,
     };
     Some(Bar {

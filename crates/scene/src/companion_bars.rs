@@ -26,7 +26,10 @@ pub(crate) fn judge(study: &Study, solved: &Solved, companion: &FilmSolution) ->
         position_bars(study, &solved.film, balance, bars, &list)
     });
     for quantity in &mut list {
-        let own = solved.balance.as_ref().and_then(|balance| balanced(quantity, balance));
+        let own = solved
+            .balance
+            .as_ref()
+            .and_then(|balance| balanced(quantity, balance, &measured));
         let bar = own.or_else(|| {
             let bar = bar(study, quantity, &error, &measured)?;
             let position = moved.as_ref().map_or(0.0, |moved| moved[&quantity.name]);
