@@ -57,14 +57,17 @@ impl Bench {
         }
     }
 
-    /// Every file below the folder with its content; folders end in `/`.
+    /// Every file below the folder with its content, links with where they lead; folders end in `/`.
     pub fn files(&self) -> BTreeMap<PathBuf, Vec<u8>> {
         let mut found = BTreeMap::new();
         let mut folders = vec![self.path().to_path_buf()];
         while let Some(folder) = folders.pop() {
             for entry in std::fs::read_dir(&folder).expect("a folder") {
                 let path = entry.expect("an entry").path();
-                if path.is_dir() {
+                if path.is_symlink() {
+                    let target = std::fs::read_link(&path).expect("a link");
+                    found.insert(path, target.into_os_string().into_encoded_bytes());
+                } else if path.is_dir() {
                     found.insert(path.join(""), Vec::new());
                     folders.push(path);
                 } else {

@@ -33,8 +33,8 @@ pub(crate) const ROUGHLY_BALANCED: f64 = 1e-4;
 const NEARLY_BALANCED: f64 = 1e-10;
 /// A balance that rounding keeps from [`BALANCED`] is one below this part.
 const BALANCED_ENOUGH: f64 = 1e-10;
-/// Steps are taken in `e` below this part.
-pub(crate) const NEAR: f64 = 0.1;
+/// Where force and load differ by less than this part of the load the tangent tells how far the balance is, and steps are taken in `e`.
+pub const NEAR: f64 = 0.1;
 /// Most positions tried.
 const MOST_STEPS: usize = 40;
 /// Most halvings of one step.

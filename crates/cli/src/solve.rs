@@ -33,11 +33,11 @@ pub(crate) struct Solve {
     bars: Bars,
 
     /// End the refinement towards a tolerance, and the search for a position under a load, after this many seconds
-    /// [default: 60 with a tolerance, else none].
+    /// [default: 60 with a tolerance, else none]. A film that was begun is finished.
     #[arg(long, value_name = "S", value_parser = seconds)]
     max_seconds: Option<f64>,
 
-    /// Refine towards a tolerance to this many unknowns at most.
+    /// Refine towards a tolerance to this many unknowns at most; the first mesh, and one that the scene gives, may have more.
     #[arg(long, value_name = "N", default_value_t = 1_000_000, value_parser = unknowns)]
     max_unknowns: usize,
 

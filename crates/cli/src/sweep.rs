@@ -39,7 +39,7 @@ pub(crate) struct Sweep {
     #[arg(long, value_name = "S", value_parser = solve::seconds)]
     max_seconds: Option<f64>,
 
-    /// Refine a case towards a tolerance to this many unknowns at most.
+    /// Refine a case towards a tolerance to this many unknowns at most; its first mesh, and one that the scene gives, may have more.
     #[arg(long, value_name = "N", default_value_t = 1_000_000, value_parser = solve::unknowns)]
     max_unknowns: usize,
 }

@@ -95,7 +95,7 @@ fn judge_by_cubic(study: &Study, solved: &Solved, cubic: &FilmSolution) -> Judge
         let own = solved
             .balance
             .as_ref()
-            .and_then(|balance| balanced(study, quantity, balance));
+            .and_then(|balance| balanced(study, quantity, balance, &measured));
         let before = before.iter().find(|other| other.name == quantity.name);
         let bar = own.or_else(|| {
             let bar = of_few(study, rules.bar(quantity, before?)?);
@@ -174,11 +174,16 @@ pub(crate) fn set(quantity: &mut Quantity, bar: Option<Bar>) {
 }
 
 /// The bar of what a load fixes: how far it is from balanced. None for what it does not fix.
-pub(crate) fn balanced(study: &Study, quantity: &Quantity, balance: &Balance) -> Option<Bar> {
+pub(crate) fn balanced(study: &Study, quantity: &Quantity, balance: &Balance, measured: &Measured) -> Option<Bar> {
     let unbalanced = match quantity.name.as_str() {
         "load" | "load_x" | "load_y" => balance.unbalanced,
-        "load_coefficient" | "sommerfeld_number" => balance.residual * quantity.value.abs(),
-        "load_angle" => balance.residual.to_degrees(),
+        "load_coefficient" | "sommerfeld_number" => {
+            let force = measured.load.magnitude().max(f64::MIN_POSITIVE);
+            balance.unbalanced / force * quantity.value.abs()
+        }
+        // The force is within a circle around the load.
+        "load_angle" if balance.residual < 1.0 => balance.residual.asin().to_degrees(),
+        "load_angle" => 180.0,
         joint::FILM_SHARE => balance.unbalanced * study.film_share().map(|[x, y]| x.hypot(y))?,
         _ => return None,
     };

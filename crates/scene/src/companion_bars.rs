@@ -31,7 +31,7 @@ pub(crate) fn judge(study: &Study, solved: &Solved, companion: &FilmSolution) ->
         let own = solved
             .balance
             .as_ref()
-            .and_then(|balance| balanced(study, quantity, balance));
+            .and_then(|balance| balanced(study, quantity, balance, &measured));
         let bar = own.or_else(|| {
             let bar = of_few(study, bar(study, quantity, &error, &measured)?);
             let position = moved.as_ref().map_or(0.0, |moved| moved[&quantity.name]);

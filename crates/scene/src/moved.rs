@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use oilwedge_bearing::newton_step;
+use oilwedge_bearing::{NEAR, newton_step};
 use oilwedge_reynolds::FilmSolution;
 
 use crate::analysis::Balance;
@@ -11,7 +11,8 @@ use crate::measure::{measure, quantities_at};
 use crate::report::Quantity;
 
 /// For each quantity of `list` (measured on `film`) by name how much it changes where the journal moves as far as the bars of
-/// the load, `[along, across]` [N], and what is left unbalanced let it. Not finite where the film has no tangent, or so far away no film.
+/// the load, `[along, across]` [N], and what is left unbalanced let it. Not finite where the film has no tangent, or so far away no film,
+/// and where the load is so far from balanced that the tangent does not tell how far the position is.
 pub(crate) fn position_bars(
     study: &Study,
     film: &FilmSolution,
@@ -19,6 +20,9 @@ pub(crate) fn position_bars(
     bars: [f64; 2],
     list: &[Quantity],
 ) -> HashMap<String, f64> {
+    if balance.residual >= NEAR {
+        return list.iter().map(|quantity| (quantity.name.clone(), f64::NAN)).collect();
+    }
     let [x, y] = study.load.unwrap_or_default();
     let size = x.hypot(y);
     let along = match size > 0.0 {

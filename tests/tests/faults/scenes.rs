@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 use std::path::Path;
-use std::process::{Child, Stdio};
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
 
 use crate::bench::{Bench, edited, object};
 use oilwedge_tests::program::oilwedge_command;
@@ -71,9 +72,25 @@ pub(crate) fn names(folder: &Path) -> Vec<String> {
 }
 
 /// What killed runs leave in a folder.
-pub(crate) fn left_over(folder: &Path) -> usize {
-    let left = names(folder);
-    left.iter().filter(|name| name.starts_with(".oilwedge-")).count()
+pub(crate) fn left_over(folder: &Path) -> Vec<String> {
+    let mut left = names(folder);
+    left.retain(|name| name.starts_with(".oilwedge-"));
+    left
+}
+
+/// Sends a signal to a run.
+pub(crate) fn send(signal: &str, run: &Child) {
+    let sent = Command::new("kill").args([signal, &run.id().to_string()]).status();
+    assert!(sent.is_ok_and(|status| status.success()));
+}
+
+/// Waits until it is so; a run that never comes to it is given up.
+pub(crate) fn until(is_so: impl Fn() -> bool) {
+    let clock = Instant::now();
+    while !is_so() {
+        assert!(clock.elapsed() < Duration::from_secs(300), "it does not come to that");
+        std::thread::sleep(Duration::from_millis(1));
+    }
 }
 
 /// The whole rows of a table by their case, without their seconds.

@@ -1,9 +1,7 @@
 //! Two runs in one folder: results belong together, and a sweep is written by one run only.
 
-use std::time::{Duration, Instant};
-
 use crate::bench::Bench;
-use crate::scenes::{TWO, names, pair, rows, start, sweep, two_scenes, whole_pairs};
+use crate::scenes::{TWO, names, pair, rows, send, start, sweep, two_scenes, until, whole_pairs};
 
 const ROUNDS: usize = 20;
 const SWEEP: [&str; 6] = ["sweep", "scene.toml", "--out", "out", "--threads", "1"];
@@ -26,14 +24,11 @@ fn solves_in_one_folder_leave_one_whole_result() {
     }
 }
 
-/// Starts a sweep in `out` and waits for its first rows.
+/// Starts a sweep in `out`, waits for its first rows and halts it.
 fn begun(bench: &Bench) -> std::process::Child {
     let run = start(bench, &SWEEP);
-    let clock = Instant::now();
-    while rows(&bench.path().join("out")).len() < 2 {
-        assert!(clock.elapsed() < Duration::from_secs(60), "the sweep does not begin");
-        std::thread::sleep(Duration::from_millis(1));
-    }
+    until(|| rows(&bench.path().join("out")).len() > 1);
+    send("-STOP", &run);
     run
 }
 

@@ -61,7 +61,6 @@ fn count(table: &mut TableReader<'_>) -> u32 {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::schema::tests::{STUDY, read, told};
 
     const CAP: &str = r#"[cap]

@@ -81,7 +81,7 @@ viscosity = "0.4 Pa.s"
     fn told(text: &str) -> Vec<String> {
         match Scene::parse(text, Path::new("ring.toml")) {
             Ok(_) => Vec::new(),
-            Err(SceneError::Bad { complaints, .. }) => complaints.iter().map(ToString::to_string).collect(),
+            Err(SceneError::Complaints { complaints, .. }) => complaints.iter().map(ToString::to_string).collect(),
             Err(other) => panic!("{other}"),
         }
     }
