@@ -56,14 +56,17 @@ fn a_centre_that_moves_adds_its_term() {
 
 #[test]
 fn under_a_load_the_search_begins_behind_it() {
-    for (speed, direction) in [("10 rad/s", -45f64), ("-10 rad/s", -135.0)] {
+    for (speed, sense) in [("10 rad/s", 1.0), ("-10 rad/s", -1.0)] {
         let tables = format!("journal.speed = \"{speed}\"\nload = {{ force = \"5 kN\", angle = \"270 deg\" }}");
         let study = study(&tables);
         assert!(is_near(study.load.expect("a load"), [0.0, -5e3]), "{:?}", study.load);
         assert_eq!(study.effects.simulated, ["poiseuille", "couette", "equilibrium"]);
-        let (sin, cos) = direction.to_radians().sin_cos();
-        let offset = 0.5 * 37.5e-6;
-        assert!(is_near(study.problem.journal.offset, [offset * cos, offset * sin]));
+        // A full film: at right angles to the load, as far out as a closed estimate says.
+        let [x, y] = study.problem.journal.offset;
+        assert!(
+            sense * x > 0.0 && x.abs() < 37.5e-6 && y.abs() < 1e-3 * x.abs(),
+            "{x:e} {y:e}"
+        );
     }
 }
 

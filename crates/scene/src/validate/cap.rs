@@ -66,7 +66,7 @@ impl Checks<'_> {
         let forces = joint.forces(joint.inertia_force(scene.journal.speed));
         let stress = joint.stress(forces.greatest);
         let shares = [forces.opening, forces.torque, stress, 1.0 / forces.opening];
-        let beyond = scene.journal.speed != 0.0 && shares.into_iter().any(f64::is_infinite);
+        let beyond = joint.bolts > 0 && scene.journal.speed != 0.0 && shares.into_iter().any(f64::is_infinite);
         self.refuse_if(
             beyond && self.complaints.is_empty(),
             "cap",
