@@ -307,6 +307,7 @@ pub(crate) mod tests {
                 mass: 1.2e-12,
                 force: 0.0,
             },
+            regime: None,
             history: vec![],
             counts: Counts {
                 nonlinear_iterations: 1,
