@@ -128,7 +128,7 @@ radius = "33.5 mm"
             ("\"33.5 mm\"", "\"0 mm\"", "cap.shell.radius: is not positive"),
             (
                 "\"190 GPa\"",
-                "\"1e300 GPa\"",
+                "\"1e298 GPa\"",
                 "cap: leads to forces or stresses that are beyond all numbers",
             ),
             (
