@@ -77,7 +77,7 @@ impl Bench {
     }
 
     /// Names of what stands in the folder. Nothing is opened, as a pipe would be to read it.
-    pub(crate) fn files_named(&self) -> Vec<std::ffi::OsString> {
+    pub fn files_named(&self) -> Vec<std::ffi::OsString> {
         let entries = std::fs::read_dir(self.path()).expect("a folder");
         let mut names: Vec<_> = entries.map(|entry| entry.expect("an entry").file_name()).collect();
         names.sort();
