@@ -94,9 +94,9 @@ impl Binary<'_> {
     }
 
     fn sizes(&mut self, count: u64) {
-        (0..count).for_each(|_| {
+        for _ in 0..count {
             self.size();
-        });
+        }
     }
 
     fn entities(&mut self) {
@@ -136,9 +136,9 @@ impl Binary<'_> {
 
     fn periodic(&mut self) {
         for _ in 0..self.size() {
-            (0..3).for_each(|_| {
+            for _ in 0..3 {
                 self.int();
-            });
+            }
             let affine = self.size();
             self.reals(affine);
             let pairs = self.size();

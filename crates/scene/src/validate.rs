@@ -83,7 +83,7 @@ impl Checks<'_> {
             let help = "count up from one to the other: from = \"320 deg\", to = \"400 deg\" crosses zero";
             self.refuse_if(arc.to <= arc.from, "bearing.arc.to", message, help);
             let message = format!(
-                "makes the arc {} wide, but an arc is less than 360 deg",
+                "makes the arc {} wide from {from} on, but an arc is less than 360 deg",
                 degrees(arc.to - arc.from)
             );
             let help = "for a full ring remove arc; bearing.film_start then holds a line at the end pressure";

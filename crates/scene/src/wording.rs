@@ -30,8 +30,14 @@ pub(crate) fn factor(value: f64) -> String {
     format!("{}", format!("{value:.1e}").parse().unwrap_or(f64::NAN))
 }
 
-fn rounded(value: f64) -> f64 {
-    format!("{value:.5e}").parse().unwrap_or(f64::NAN)
+/// Six digits; with an exponent where there would be a row of zeros.
+fn rounded(value: f64) -> String {
+    let value: f64 = format!("{value:.5e}").parse().unwrap_or(f64::NAN);
+    if value == 0.0 || (1e-6..1e15).contains(&value.abs()) {
+        value.to_string()
+    } else {
+        format!("{value:e}")
+    }
 }
 
 #[cfg(test)]
@@ -44,5 +50,6 @@ mod tests {
         assert_eq!(degrees(130f64.to_radians()), "130 deg");
         assert_eq!((bars(98_000.0), bars(-7e3)), ("0.98 bar".into(), "-0.07 bar".into()));
         assert_eq!((newtons(5e3), percent(1e-3)), ("5000 N".into(), "0.1 %".into()));
+        assert_eq!((newtons(-1e308), millimetres(0.0)), ("-1e308 N".into(), "0 mm".into()));
     }
 }

@@ -8,6 +8,9 @@ use crate::{Error, RawMesh};
 /// The groups of the two sides.
 pub(super) const SIDES: [&str; 2] = ["seam_low", "seam_high"];
 
+/// Of more nodes of one side at one z, these are compared.
+const MOST_AT_ONE_Z: usize = 1000;
+
 /// Merges the vertices of group `seam_high` with those of `seam_low`, which lie at the same place
 /// modulo the period of `raw`. Pairs in `periodic` are taken first, the rest is found by `z`.
 /// Vertices end up with `x` in one period from the low seam on. Without the two groups, or where
@@ -105,7 +108,8 @@ fn match_sides(
         let from = by_z.partition_point(|&v| z(v) < z(upper) - AGREEMENT * length);
         let near = by_z[from..]
             .iter()
-            .take_while(|&&v| z(v) <= z(upper) + AGREEMENT * length);
+            .take_while(|&&v| z(v) <= z(upper) + AGREEMENT * length)
+            .take(MOST_AT_ONE_Z);
         if let Some(&lower) = near.filter(|&&v| meet(upper, v)).find(|v| !taken.contains(v)) {
             taken.insert(lower);
             partners.insert(upper, lower);

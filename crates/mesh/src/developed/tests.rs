@@ -195,6 +195,25 @@ fn a_seam_that_does_not_fit_is_named_by_nodes() {
 }
 
 #[test]
+fn a_seam_of_many_nodes_at_one_place_is_refused_soon() {
+    // To compare each with each would be ten thousand million comparisons.
+    let mut file = named(plane(12, 0.0, TAU * RADIUS), "seam_low", "seam_high");
+    for (curve, x) in [(2, 0.0), (3, TAU * RADIUS)] {
+        for _ in 0..100_000 {
+            let node = file.nodes.len() as u32;
+            file.tags.push(u64::from(node) + 1);
+            file.nodes.push([x, 1.0, 0.0]);
+            file.triangles.push([node, 0, 1]);
+            file.curves[curve].1.push([node, node]);
+        }
+    }
+    let started = std::time::Instant::now();
+    let error = unroll(&file, &liner(None), 1.0).unwrap_err();
+    assert!(matches!(error, Error::Seam { count: 198_000, .. }), "{error}");
+    println!("{:?}", started.elapsed());
+}
+
+#[test]
 fn swapped_ends_are_refused() {
     let mut file = named(plane(12, 0.0, TAU * RADIUS), "seam_low", "seam_high");
     file.curves.swap(0, 1);

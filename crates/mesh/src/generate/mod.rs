@@ -67,7 +67,6 @@ pub fn generate(blueprint: &Blueprint, size: &dyn Fn([f64; 2]) -> f64) -> Result
 fn check_size(sheet: &Sheet, field: &SizeField) -> Result<(), DrawingError> {
     const ALONG: u32 = 256;
     const ACROSS: u32 = 32;
-    let patch = sheet.width * sheet.length / f64::from(ALONG * ACROSS);
     let (mut triangles, mut least) = (0.0, f64::INFINITY);
     for k in 0..ALONG * ACROSS {
         let x = sheet.start + sheet.width * (f64::from(k / ACROSS) + 0.5) / f64::from(ALONG);
@@ -78,15 +77,16 @@ fn check_size(sheet: &Sheet, field: &SizeField) -> Result<(), DrawingError> {
             return Err(DrawingError::Failed { size, reason });
         }
         least = size.min(least);
-        triangles += patch / (EQUILATERAL_AREA * size * size);
+        // Quotients: the squares of short lengths are zero.
+        triangles += (sheet.width / size) * (sheet.length / size) / (EQUILATERAL_AREA * f64::from(ALONG * ACROSS));
     }
-    if triangles > MOST_TRIANGLES {
-        let reason = format!(
-            "that makes some {triangles:.0e} of them, more than {MOST_TRIANGLES:.0e}; choose a larger size ([mesh] size), a wider liner or wider lands"
-        );
-        return Err(DrawingError::Failed { size: least, reason });
+    if triangles <= MOST_TRIANGLES {
+        return Ok(());
     }
-    Ok(())
+    let reason = format!(
+        "that makes some {triangles:.0e} of them, more than {MOST_TRIANGLES:.0e}; choose a larger size ([mesh] size), a wider liner or wider lands"
+    );
+    Err(DrawingError::Failed { size: least, reason })
 }
 
 #[cfg(test)]
@@ -220,5 +220,18 @@ mod tests {
         ];
         let faults = generate(&ring(features), &|_| 0.004).unwrap_err();
         assert_eq!(faults.len(), 3, "{faults:?}");
+    }
+
+    #[test]
+    fn too_many_triangles_are_counted_of_the_smallest_liner_too() {
+        // The squares of these lengths are zero.
+        let mut small = ring(Vec::new());
+        (small.liner.radius, small.liner.length) = (1e-170, 2e-170);
+        let faults = generate(&small, &|_| 1e-178).unwrap_err();
+        let [DrawingError::Failed { size, reason }] = &faults[..] else {
+            panic!("{faults:?}");
+        };
+        assert_eq!(*size, 1e-178);
+        assert!(reason.contains("that makes some 3e17 of them"), "{reason}");
     }
 }
