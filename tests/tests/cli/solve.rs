@@ -27,6 +27,7 @@ fn check_keys(result: &Value) {
         "mesh_sha256",
         "quantities",
         "reason",
+        "regime",
         "scene_sha256",
         "status",
         "timing_s",
