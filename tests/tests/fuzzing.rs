@@ -7,9 +7,9 @@ use std::process::Command;
 use oilwedge_tests::program::repository;
 
 /// Targets and for how long each is run [s].
-const TARGETS: [(&str, u32); 4] = [("msh", 24), ("scene", 18), ("liner", 12), ("unit", 6)];
+const TARGETS: [(&str, u32); 4] = [("msh", 15), ("scene", 15), ("liner", 15), ("unit", 5)];
 /// No input may take longer [s]. The counters make the programs some times slower, and machines of CI are busy.
-const LONGEST: u32 = 60;
+const LONGEST: u32 = 180;
 /// No target may hold more memory [MB]. What one input may take is bounded by the targets themselves.
 const MOST_MEMORY: u32 = 512;
 

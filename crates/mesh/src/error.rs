@@ -61,7 +61,9 @@ pub enum Error {
         what: String,
     },
     /// Nodes with parametric coordinates.
-    #[error("$Nodes, {position}: the nodes carry parametric coordinates; write the file with Mesh.SaveParametric = 0")]
+    #[error(
+        "$Nodes, {position}: the nodes carry parametric coordinates; write the file from gmsh with Mesh.SaveParametric = 0"
+    )]
     Parametric {
         /// Where.
         position: Position,

@@ -51,11 +51,13 @@ impl Marks {
     }
 }
 
-/// The beginning of a long text.
+/// The beginning and the end of a long text: a message begins with the value and ends with the reason.
 fn cut(text: &str) -> String {
-    match text.char_indices().nth(LONGEST_TOLD) {
-        Some((end, _)) => format!("{} ...", &text[..end]),
-        None => text.to_owned(),
+    let letter = |at| text.char_indices().nth(at).map(|(start, _)| start);
+    let tail = text.char_indices().rev().nth(LONGEST_TOLD / 2 - 1);
+    match (letter(LONGEST_TOLD), letter(LONGEST_TOLD / 2), tail) {
+        (Some(_), Some(head), Some((tail, _))) => format!("{} ... {}", &text[..head], &text[tail..]),
+        _ => text.to_owned(),
     }
 }
 

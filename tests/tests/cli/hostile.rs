@@ -10,8 +10,8 @@ use wait4::Wait4;
 
 /// Nothing is refused later than this: it would hang.
 const SOON: Duration = Duration::from_secs(60);
-/// Most memory [B] of the program beside what a file takes.
-const PROGRAM: u64 = 48 << 20;
+/// Most memory [B] of the program beside what a file takes: 14 MiB by itself. This test, which starts it, is counted with it.
+const PROGRAM: u64 = 64 << 20;
 
 /// Ends with exit status 2 and these words on stderr before long; the most memory held [B].
 fn refused_soon(bench: &Bench, file: &str, words: &[&str]) -> u64 {
@@ -257,8 +257,8 @@ fn a_count_of_a_quintillion_costs_nothing() {
 /// What reading and checking a mesh takes, over the size of its file. `docs/reference/mesh_files.md` states the bound.
 #[test]
 fn memory_is_a_small_multiple_of_the_file() {
-    const HONEST: u64 = 8;
-    const HOSTILE: u64 = 40;
+    const HONEST: u64 = 6;
+    const HOSTILE: u64 = 16;
     let bench = Bench::new();
     let header = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
     let surface = "$Entities\n0 0 1 0\n1 0 0 0 1 1 0 1 1 0\n$EndEntities\n";
@@ -331,7 +331,7 @@ fn memory_is_a_small_multiple_of_the_file() {
             text.len()
         );
     }
-    // Scene 01, drawn finer: 3 and 15 MB or so.
+    // Scene 09, drawn finer: the second makes 73 MB.
     for size in ["0.7 mm", "0.3 mm"] {
         bench.write(
             "fine.toml",
@@ -353,5 +353,6 @@ fn memory_is_a_small_multiple_of_the_file() {
         let peak = used.rusage.maxrss;
         println!("fine.msh: {:.1} MB, peak {} MB", length as f64 / 1e6, peak >> 20);
         assert!(peak < PROGRAM + HONEST * length, "{peak} of {length}");
+        std::fs::remove_file(bench.path().join("fine.msh")).expect("the file goes");
     }
 }
