@@ -61,10 +61,10 @@ impl Verify {
             (false, true) => vec![KNOWN_VALUES.to_owned()],
             (false, false) => self.family.clone(),
         };
-        let cases = suite::count(&names)? + if self.hard { CELLS } else { 0 };
+        let cases = suite::count(&names, true)? + if self.hard { CELLS } else { 0 };
         let mut progress = SweepProgress::new();
         let mut done = 0;
-        let verdicts = run_suite(&names, &mut |_| {
+        let verdicts = run_suite(&names, true, &mut |_| {
             done += 1;
             progress.ended(done, cases);
         })?;

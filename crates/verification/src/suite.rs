@@ -71,8 +71,8 @@ struct Work {
     cases: Vec<Case>,
 }
 
-/// The families asked for, all if none is named.
-fn work(names: &[String]) -> Result<Vec<Work>, SuiteError> {
+/// The families asked for, all if none is named; with the series that take long or without.
+fn work(names: &[String], long: bool) -> Result<Vec<Work>, SuiteError> {
     let families = families()?;
     let known: Vec<&'static str> = families.iter().map(|(name, _)| *name).collect();
     if let Some(asked) = names.iter().find(|name| !known.contains(&name.as_str())) {
@@ -81,7 +81,7 @@ fn work(names: &[String]) -> Result<Vec<Work>, SuiteError> {
     }
     let wanted = |name: &str| names.is_empty() || names.iter().any(|wanted| wanted == name);
     let series = (families.iter().filter(|(name, _)| wanted(name))).flat_map(|(name, family)| {
-        family.series.iter().map(|series| Work {
+        (family.series.iter().filter(|series| long || !series.long)).map(|series| Work {
             name,
             family: family.clone(),
             series: series.clone(),
@@ -91,21 +91,21 @@ fn work(names: &[String]) -> Result<Vec<Work>, SuiteError> {
     Ok(series.collect())
 }
 
-/// Cases of the families asked for, all if none is named.
+/// Cases of the families asked for, all if none is named; those that take `long` among them or not.
 ///
 /// # Errors
 /// [`SuiteError::Family`], [`SuiteError::Unknown`].
-pub fn count(names: &[String]) -> Result<usize, SuiteError> {
-    Ok(work(names)?.iter().map(|work| work.cases.len()).sum())
+pub fn count(names: &[String], long: bool) -> Result<usize, SuiteError> {
+    Ok(work(names, long)?.iter().map(|work| work.cases.len()).sum())
 }
 
-/// Runs the cases of the families asked for (all if none is named), as many series at once as there are threads, and tells each case
+/// Runs the cases of the families asked for (all if none is named), those that take `long` among them or not, as many series at once as there are threads, and tells each case
 /// as it ends. The verdicts come in the order of the files.
 ///
 /// # Errors
 /// [`SuiteError`].
-pub fn run_suite(names: &[String], ended: &mut dyn FnMut(&Verdict)) -> Result<Vec<Verdict>, SuiteError> {
-    let all = work(names)?;
+pub fn run_suite(names: &[String], long: bool, ended: &mut dyn FnMut(&Verdict)) -> Result<Vec<Verdict>, SuiteError> {
+    let all = work(names, long)?;
     let folder = tempfile::tempdir()?;
     let mut found = in_threads(
         all.len(),
