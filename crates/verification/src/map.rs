@@ -107,3 +107,22 @@ pub fn unexplained(map: &CellMap) -> Vec<String> {
     }
     list
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cells_are_explained_on_their_side_of_the_limit() {
+        let mut scene: Table = toml::from_str(SCENE).expect("the scene of the map");
+        put(&mut scene, "journal.eccentricity", Value::Float(0.7));
+        let alpha = limit(&scene, BarusForm::Conservative).expect("a film");
+        let at = |part: f64| solve(&with_barus(&scene, part * alpha, BarusForm::Conservative));
+        let (below, beyond) = (at(0.5), at(2.0));
+        assert!(matches!(cell(&below, false), Cell::Answer(1..)));
+        assert!(matches!(cell(&beyond, true), Cell::Absent(_)));
+        // On the wrong side both would be grey.
+        assert!(matches!(cell(&below, true), Cell::Unexplained(_)));
+        assert!(matches!(cell(&beyond, false), Cell::Unexplained(_)));
+    }
+}
