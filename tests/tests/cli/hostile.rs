@@ -101,7 +101,7 @@ fn what_may_not_be_read_is_told() {
     for name in ["closed.msh", "closed.toml"] {
         bench.write(name, "$MeshFormat\n");
         let path = bench.path().join(name);
-        std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0)).expect("chmod");
+        std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0o000)).expect("chmod");
         // The superuser may read it all the same.
         if std::fs::read(&path).is_err() {
             refused_soon(&bench, name, &[name, "ermission denied"]);

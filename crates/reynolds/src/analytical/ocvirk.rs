@@ -220,16 +220,19 @@ mod tests {
                 (film.full_integrals(), 0.0, TAU),
             ];
             for (a, from, span) in cases {
-                let named: [(f64, &dyn Fn(f64) -> f64, i32, &str); 6] = [
-                    (a.a1_00, &|_| 1.0, 1, "A1_00"),
-                    (a.a2_00, &|_| 1.0, 2, "A2_00"),
-                    (a.a3_00, &|_| 1.0, 3, "A3_00"),
-                    (a.a3_02, &|phi| phi.cos().powi(2), 3, "A3_02"),
-                    (a.a3_11, &|phi| phi.sin() * phi.cos(), 3, "A3_11"),
-                    (a.a3_20, &|phi| phi.sin().powi(2), 3, "A3_20"),
+                // Powers of sine and cosine above, of the film below.
+                let named = [
+                    (a.a1_00, [0, 0, 1], "A1_00"),
+                    (a.a2_00, [0, 0, 2], "A2_00"),
+                    (a.a3_00, [0, 0, 3], "A3_00"),
+                    (a.a3_02, [0, 2, 3], "A3_02"),
+                    (a.a3_11, [1, 1, 3], "A3_11"),
+                    (a.a3_20, [2, 0, 3], "A3_20"),
                 ];
-                for (found, above, power, what) in named {
-                    let right = sum(from, span, |phi| above(phi) / (1.0 - eps * phi.cos()).powi(power));
+                for (found, [m, n, k], what) in named {
+                    let right = sum(from, span, |phi| {
+                        phi.sin().powi(m) * phi.cos().powi(n) / (1.0 - eps * phi.cos()).powi(k)
+                    });
                     assert_near(found, right, what, &film);
                 }
             }

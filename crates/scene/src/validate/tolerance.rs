@@ -128,7 +128,7 @@ mod tests {
         told_one(
             FILE,
             &with("\"0 %\""),
-            "mesh.tolerance: is 0 %, but rounding hides errors below 0.00000001 %",
+            "mesh.tolerance: is 0 %, but rounding hides errors below 1e-8 %",
         );
         told_one(FILE, &with("\"-1 %\""), "mesh.tolerance: is -1 %");
         told_one(
