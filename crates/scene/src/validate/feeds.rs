@@ -125,7 +125,7 @@ impl Checks<'_> {
             too_wide,
             &key("diameter"),
             message,
-            "give the diameter of the hole, smaller than the liner",
+            "give the diameter of the hole, smaller than the liner's bearing.length and bearing.diameter",
         );
         if too_wide {
             return;
