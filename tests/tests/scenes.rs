@@ -477,7 +477,7 @@ fn a_cap_follows_the_film() {
             set(scene, "journal", "min_film_angle", "300 deg");
             set(scene, "cavitation", "model", model);
             // Oil for a film that conserves it.
-            set(scene, "ends", "pressure", "1 bar");
+            set(scene, "bearing", "film_start", "120 deg");
         }));
         let [x, y] = ["load_x", "load_y"].map(|name| found.quantity(name).expect("a load"));
         let share = found.quantity("cap_film_share").expect("a share");

@@ -75,7 +75,7 @@ impl Checks<'_> {
             bearing.diameter > 0.0 && bearing.clearance >= bearing.radius(),
             "bearing.clearance",
             format!("is not smaller than the radius, {}", millimetres(bearing.radius())),
-            "give the radial clearance, about a thousandth of the radius; is it in um?",
+            "give the radial clearance, about a thousandth of half the bearing.diameter; is it in um?",
         );
         if let Some(arc) = bearing.arc {
             let (from, to) = (degrees(arc.from), degrees(arc.to));

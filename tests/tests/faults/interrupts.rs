@@ -141,7 +141,7 @@ fn the_second_time_ends_at_once() {
     // A run that does not look for it is ended by the first, as any program is.
     bench.scene(
         "09_drawn_ring",
-        &[("[journal]", "[mesh]\nsize = \"0.3 mm\"\n[journal]")],
+        &[("[journal]", "[mesh]\nsize = \"0.1 mm\"\n[journal]")],
     );
     let run = start(&bench, &["solve", "scene.toml", "--out", "plain"]);
     std::thread::sleep(Duration::from_millis(100));
