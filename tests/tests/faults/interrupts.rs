@@ -138,15 +138,4 @@ fn the_second_time_ends_at_once() {
     send("-TERM", &run);
     let (output, stderr) = ended(run);
     assert_eq!(output.status.code(), Some(130), "{stderr}");
-    // A run that does not look for it is ended by the first, as any program is.
-    bench.scene(
-        "09_drawn_ring",
-        &[("[journal]", "[mesh]\nsize = \"0.1 mm\"\n[journal]")],
-    );
-    let run = start(&bench, &["solve", "scene.toml", "--out", "plain"]);
-    std::thread::sleep(Duration::from_millis(100));
-    send("-INT", &run);
-    let (output, _) = ended(run);
-    assert_eq!(output.status.code(), None);
-    assert!(!bench.path().join("plain").exists());
 }
