@@ -469,7 +469,6 @@ fn scene_20_connecting_rod_cap() {
 
 /// A film at a given position: the bar of the share is that of the load. At rest nothing pulls, and there is no share.
 #[test]
-#[ignore = "takes more than 25 s, not known why"]
 fn a_cap_follows_the_film() {
     for model in ["guembel", "reynolds"] {
         let found = answer(&variant("20_connecting_rod_cap", |scene| {

@@ -27,7 +27,7 @@ pub struct Series {
     pub name: String,
     /// Why they are there, or their source.
     pub why: String,
-    /// True for cases that take long: `verify --hard` solves them, the tests do not.
+    /// True for cases that take long: `verify --hard` solves each alone and on all threads, the tests do not.
     #[serde(default)]
     pub long: bool,
     /// Keys of the scene, with dots, and their values here.

@@ -3,7 +3,7 @@
 use oilwedge_scene::plot::{Cell, CellMap};
 use toml::{Table, Value};
 
-use crate::answer::{Answer, limit, solve, with_barus};
+use crate::answer::{Answer, limit, solve_within, with_barus};
 use crate::cases::put;
 use crate::family::{BarusForm, Expect};
 use crate::suite::{SuiteError, in_threads};
@@ -23,6 +23,9 @@ oil = { viscosity = "20 mPa.s" }
 cavitation = { model = "reynolds" }
 "#;
 
+/// Unknowns of a cell at most: films a hundred diameters long, and those that only a fine mesh tells from none, need many.
+const MOST_UNKNOWNS: usize = 300_000;
+
 /// Cells of both maps.
 pub const CELLS: usize = ECCENTRICITIES.len() * (OF_LIMIT.len() + SLENDERNESS.len());
 
@@ -35,7 +38,8 @@ fn column(place: usize) -> Vec<Cell> {
         true => match limit(&scene, BarusForm::Conservative) {
             Ok(limit) => (OF_LIMIT.iter())
                 .map(|&part| {
-                    let answer = solve(&with_barus(&scene, part * limit, BarusForm::Conservative));
+                    let scene = with_barus(&scene, part * limit, BarusForm::Conservative);
+                    let answer = solve_within(&scene, MOST_UNKNOWNS);
                     cell(&answer, part > 1.0)
                 })
                 .collect(),
@@ -48,7 +52,7 @@ fn column(place: usize) -> Vec<Cell> {
                     "bearing.length",
                     Value::String(format!("{} mm", 100.0 * slenderness)),
                 );
-                cell(&solve(&scene), false)
+                cell(&solve_within(&scene, MOST_UNKNOWNS), false)
             })
             .collect(),
     }
@@ -117,7 +121,12 @@ mod tests {
         let mut scene: Table = toml::from_str(SCENE).expect("the scene of the map");
         put(&mut scene, "journal.eccentricity", Value::Float(0.7));
         let alpha = limit(&scene, BarusForm::Conservative).expect("a film");
-        let at = |part: f64| solve(&with_barus(&scene, part * alpha, BarusForm::Conservative));
+        let at = |part: f64| {
+            solve_within(
+                &with_barus(&scene, part * alpha, BarusForm::Conservative),
+                MOST_UNKNOWNS,
+            )
+        };
         let (below, beyond) = (at(0.5), at(2.0));
         assert!(matches!(cell(&below, false), Cell::Answer(1..)));
         assert!(matches!(cell(&beyond, true), Cell::Absent(_)));

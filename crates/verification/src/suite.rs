@@ -99,21 +99,26 @@ pub fn count(names: &[String], long: bool) -> Result<usize, SuiteError> {
     Ok(work(names, long)?.iter().map(|work| work.cases.len()).sum())
 }
 
-/// Runs the cases of the families asked for (all if none is named), those that take `long` among them or not, as many series at once as there are threads, and tells each case
-/// as it ends. The verdicts come in the order of the files.
+/// Runs the cases of the families asked for (all if none is named), those that take `long` among them or not, and tells each
+/// case as it ends: as many series at once as there are threads, then those that take long, each on all threads. The
+/// verdicts come in the order of the files.
 ///
 /// # Errors
 /// [`SuiteError`].
 pub fn run_suite(names: &[String], long: bool, ended: &mut dyn FnMut(&Verdict)) -> Result<Vec<Verdict>, SuiteError> {
     let all = work(names, long)?;
     let folder = tempfile::tempdir()?;
-    let mut found = in_threads(
-        all.len(),
-        |place| judged(&all[place], folder.path(), place),
-        &mut |verdicts: &Vec<Verdict>| {
-            verdicts.iter().for_each(&mut *ended);
-        },
-    )?;
+    let mut told = |verdicts: &Vec<Verdict>| verdicts.iter().for_each(&mut *ended);
+    let (long, short): (Vec<usize>, Vec<usize>) = (0..all.len()).partition(|&place| all[place].series.long);
+    let piece = |place: usize| (place, judged(&all[place], folder.path(), place));
+    let mut found: Vec<_> = in_threads(short.len(), |k| piece(short[k]), &mut |(_, verdicts)| told(verdicts))?
+        .into_iter()
+        .map(|(_, found)| found)
+        .collect();
+    for place in long {
+        found.push(piece(place));
+        found.last().into_iter().for_each(|(_, verdicts)| told(verdicts));
+    }
     found.sort_by_key(|(place, _)| *place);
     Ok(found.into_iter().flat_map(|(_, verdicts)| verdicts).collect())
 }

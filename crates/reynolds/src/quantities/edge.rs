@@ -15,6 +15,7 @@
 use oilwedge_fem::field::evaluate;
 use oilwedge_fem::lagrange::{self, MOST_SHAPES};
 use oilwedge_fem::mapping::Mapping;
+use oilwedge_fem::quadrature::MOST_POINTS;
 use oilwedge_fem::{Field, Quadrature};
 
 use crate::film_law::FilmLaw;
@@ -63,22 +64,26 @@ pub(super) fn made_beside(problem: &FilmProblem, system: &FilmSystem, film: &Fil
         let mapping = Mapping::of(space.mesh(), t);
         let mut made = [0.0; MOST_SHAPES];
         let rule = if broken { &rule } else { &fine };
-        for (&point, weight) in rule.points.iter().zip(&rule.weights) {
-            if !broken && evaluate(space.degree(), &nodal, point) > floor {
-                continue;
-            }
-            let place = mapping.at(point);
-            let flow = law.film_and_flows(t, &[place.position]).1[0];
-            lagrange::values(space.degree(), point, &mut values[..dofs.len()]);
-            lagrange::gradients(space.degree(), point, &mut gradients[..dofs.len()]);
-            // In the cavity quadratics waver about its pressure; what that drives is none of the end's.
-            let slope = if broken { slope(&nodal, &gradients) } else { [0.0; 2] };
-            let slope = place.gradient(slope);
-            let area = weight * place.determinant;
-            for (i, made) in made[..dofs.len()].iter_mut().enumerate() {
-                let [x, z] = place.gradient(gradients[i]);
-                let driven = flow.conductance * (along[0] * slope[0] * x + along[1] * slope[1] * z);
-                *made += area * ((flow.storage + flow.divergence) * values[i] + driven);
+        let points = rule.points.iter().zip(&rule.weights);
+        let inside: Vec<_> = points
+            .filter(|(point, _)| broken || evaluate(space.degree(), &nodal, **point) <= floor)
+            .collect();
+        for inside in inside.chunks(MOST_POINTS) {
+            let places: Vec<_> = inside.iter().map(|(point, _)| mapping.at(**point)).collect();
+            let positions: Vec<_> = places.iter().map(|place| place.position).collect();
+            let flows = law.film_and_flows(t, &positions).1;
+            for (((point, weight), place), flow) in inside.iter().zip(&places).zip(&flows) {
+                lagrange::values(space.degree(), **point, &mut values[..dofs.len()]);
+                lagrange::gradients(space.degree(), **point, &mut gradients[..dofs.len()]);
+                // In the cavity quadratics waver about its pressure; what that drives is none of the end's.
+                let slope = if broken { slope(&nodal, &gradients) } else { [0.0; 2] };
+                let slope = place.gradient(slope);
+                let area = *weight * place.determinant;
+                for (i, made) in made[..dofs.len()].iter_mut().enumerate() {
+                    let [x, z] = place.gradient(gradients[i]);
+                    let driven = flow.conductance * (along[0] * slope[0] * x + along[1] * slope[1] * z);
+                    *made += area * ((flow.storage + flow.divergence) * values[i] + driven);
+                }
             }
         }
         for (&dof, made) in dofs.iter().zip(made).filter(|(dof, _)| is_given(**dof)) {

@@ -65,12 +65,9 @@ pub(super) const STILL: f64 = 1e-10;
 /// Flow [m3/s] that speed, squeeze or given pressures would drive through the clearance.
 pub(super) fn natural_flow(problem: &FilmProblem, system: &FilmSystem) -> f64 {
     let (bearing, journal) = (&problem.bearing, &problem.journal);
-    let heads = system
-        .supply
-        .regions()
-        .iter()
-        .map(|region| (region.pressure - bearing.end_pressure).abs());
-    let driven = bearing.clearance.powi(3) / (12.0 * problem.lubricant.viscosity) * heads.fold(0.0, f64::max);
+    // Not their differences: pressures that are alike leave the rounding of each.
+    let given = system.supply.regions().iter().map(|region| region.pressure.abs());
+    let driven = bearing.clearance.powi(3) / (12.0 * problem.lubricant.viscosity) * given.fold(0.0, f64::max);
     let dragged = 0.5 * (journal.speed * bearing.radius).abs() * bearing.clearance * bearing.length;
     let [e_x, e_y] = journal.velocity;
     dragged + driven + e_x.hypot(e_y) * bearing.radius * bearing.length

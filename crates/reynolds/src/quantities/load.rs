@@ -83,12 +83,12 @@ pub fn load(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> 
 }
 
 /// Load [N] of a film whose pressure differs by `excess` [Pa] from that of the ends all over one side: what loads are small
-/// against. At least what is rounding against drag.
+/// against. At least what is rounding against drag and against the pressure of the ends.
 pub fn possible_load(problem: &FilmProblem, excess: f64) -> f64 {
     const ROUNDING: f64 = 1e-6;
     let bearing = &problem.bearing;
     let drag = problem.lubricant.viscosity * problem.journal.speed.abs() * (bearing.radius / bearing.clearance).powi(2);
-    excess.max(ROUNDING * drag) * 2.0 * bearing.radius * bearing.length
+    excess.max(ROUNDING * (drag + bearing.end_pressure.abs())) * 2.0 * bearing.radius * bearing.length
 }
 
 /// First-order change of the load [N] where the unknown changes by `change` at each dof; regions cut out keep their
