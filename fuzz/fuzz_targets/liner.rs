@@ -2,6 +2,7 @@
 
 #![no_main]
 
+use std::f64::consts::TAU;
 use std::path::Path;
 
 use libfuzzer_sys::{fuzz_mutator, fuzz_target, fuzzer_mutate};
@@ -14,6 +15,19 @@ use oilwedge_scene::{Scene, mesh_scene};
 const ACROSS: f64 = 4.0;
 /// Scenes with more features are not meshed.
 const MOST_FEEDS: usize = 3;
+/// Liners and grooves that are longer than this many times their width are not meshed: their rims alone have 1e5 edges.
+const SLENDEREST: f64 = 50.0;
+
+fn is_slender(scene: &Scene) -> bool {
+    let ratio = |a: f64, b: f64| a.max(b) / a.min(b);
+    let radius = scene.bearing.radius();
+    let grooves = scene.feeds.iter().filter_map(|feed| feed.groove);
+    let mut ratios = grooves.map(|groove| {
+        let arc = groove.arc.map_or(TAU, |arc| arc.to - arc.from);
+        ratio(radius * arc, groove.width)
+    });
+    ratio(radius, scene.bearing.length) > SLENDEREST || ratios.any(|ratio| ratio > SLENDEREST)
+}
 
 fuzz_target!(|text: &str| {
     let Ok(mut scene) = Scene::parse(text, Path::new("fuzz.toml")) else {
@@ -22,7 +36,7 @@ fuzz_target!(|text: &str| {
     let MeshSource::Drawing { size } = scene.mesh else {
         return;
     };
-    if scene.feeds.len() > MOST_FEEDS {
+    if scene.feeds.len() > MOST_FEEDS || is_slender(&scene) {
         return;
     }
     let coarse = (scene.bearing.length / ACROSS).max(scene.bearing.radius() / ACROSS);

@@ -193,3 +193,49 @@ fn a_thousand_random_liners() {
 fn a_disc_is_a_disc() {
     assert!((Shape::disc([0.0, 0.0], 2.0).area(1.0) - 4.0 * PI).abs() < 1e-14);
 }
+
+fn liner_with_groove(length: f64, half: [f64; 2], corner: f64) -> Blueprint {
+    let liner = Liner {
+        radius: 0.0375,
+        length,
+        arc: None,
+    };
+    let shape = Shape {
+        centre: [0.1, 0.0],
+        half,
+        corner,
+    };
+    let groove = Feature {
+        name: "groove".to_owned(),
+        shape,
+        meshed: false,
+    };
+    Blueprint {
+        liner,
+        features: vec![groove],
+        line: None,
+    }
+}
+
+/// Corners rounded by 100 nm, and sides that round corners leave 100 um of, are refined where they are, not along the whole rim.
+#[test]
+fn small_corners_are_refined_for_themselves() {
+    for corner in [1e-7, 0.0029] {
+        let blueprint = liner_with_groove(0.075, [0.01, 0.003], corner);
+        let mesh = generate(&blueprint, &|_| 0.004).expect("a mesh");
+        let triangles = mesh.triangles().len();
+        assert!(triangles < 12_000, "corners of {corner} m: {triangles}");
+        assert!(Quality::of(&mesh).least_angle > 25.0);
+    }
+}
+
+/// A rim of millions of edges is refused before it is cut, also where it lies between the samples of sizes.
+#[test]
+fn a_rim_too_long_for_its_width_is_refused() {
+    let blueprint = liner_with_groove(1000.0, [2e-5, 450.0], 0.0);
+    let faults = generate(&blueprint, &|_| 1.0).expect_err("too many triangles");
+    assert!(
+        matches!(&faults[..], [DrawingError::Failed { reason, .. }] if reason.contains("of them")),
+        "{faults:?}"
+    );
+}

@@ -45,7 +45,7 @@ pub fn generate(blueprint: &Blueprint, size: &dyn Fn([f64; 2]) -> f64) -> Result
     let widest = (0.5 * sheet.length).min(0.25 * sheet.width);
     let size = &|point: [f64; 2]| size(point).min(widest);
     let field = SizeField::new(size, sheet.period(), &blueprint.features, &gaps);
-    check_size(&sheet, &field).map_err(|fault| vec![fault])?;
+    check_size(&sheet, &blueprint.features, &field).map_err(|fault| vec![fault])?;
     let outline = outline::outline(&sheet, &blueprint.features, &field);
     let domain = Domain {
         sheet,
@@ -64,7 +64,7 @@ pub fn generate(blueprint: &Blueprint, size: &dyn Fn([f64; 2]) -> f64) -> Result
 }
 
 /// The wanted sizes must be sizes, and make no more triangles than a machine can hold.
-fn check_size(sheet: &Sheet, field: &SizeField) -> Result<(), DrawingError> {
+fn check_size(sheet: &Sheet, features: &[Feature], field: &SizeField) -> Result<(), DrawingError> {
     const ALONG: u32 = 256;
     const ACROSS: u32 = 32;
     let (mut triangles, mut least) = (0.0, f64::INFINITY);
@@ -79,6 +79,11 @@ fn check_size(sheet: &Sheet, field: &SizeField) -> Result<(), DrawingError> {
         least = size.min(least);
         // Quotients: the squares of short lengths are zero.
         triangles += (sheet.width / size) * (sheet.length / size) / (EQUILATERAL_AREA * f64::from(ALONG * ACROSS));
+    }
+    // Those around a rim may be too few in number of rows to be met above: the integral of dA / (area of a triangle) beside an edge.
+    for feature in features {
+        let sides = if feature.meshed { 2.0 } else { 1.0 };
+        triangles += sides * outline::edges_along(sheet, feature, field) / (EQUILATERAL_AREA * size::GROWTH);
     }
     if triangles <= MOST_TRIANGLES {
         return Ok(());

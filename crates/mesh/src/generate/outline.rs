@@ -215,32 +215,47 @@ fn cut(piece: &Piece, size: &SizeField) -> Vec<[f64; 2]> {
             .ceil()
             .max(1.0),
     };
+    let count = counted(piece, size);
+    let samples = count.len() - 1;
+    let edges = count[samples].round().max(least);
+    let scale = count[samples] / edges;
+    let mut sample = 0;
+    let mut points = vec![piece.at(0.0)];
+    for k in 1..edges as usize {
+        let wanted = k as f64 * scale;
+        while count[sample + 1] < wanted {
+            sample += 1;
+        }
+        let inside = (wanted - count[sample]) / (count[sample + 1] - count[sample]);
+        points.push(piece.at((sample as f64 + inside) / samples as f64));
+    }
+    points.push(piece.at(1.0));
+    points
+}
+
+/// Edges of the wanted size up to each of a number of samples along a piece: the integral of ds / size.
+fn counted(piece: &Piece, size: &SizeField) -> Vec<f64> {
+    const MOST: usize = 1 << 20;
     let length = piece.length();
     let mut samples = 64usize;
     loop {
-        // Number of edges up to each sample: the integral of ds / size.
         let mut count = vec![0.0];
         for k in 0..samples {
             let s = (k as f64 + 0.5) / samples as f64;
             count.push(count[k] + length / samples as f64 / size.at(piece.at(s)));
         }
-        let edges = count[samples].round().max(least);
-        if edges * 8.0 > samples as f64 && samples < 1 << 20 {
-            samples = (16.0 * edges) as usize;
-            continue;
+        if count[samples] * 8.0 <= samples as f64 || samples == MOST {
+            return count;
         }
-        let scale = count[samples] / edges;
-        let mut sample = 0;
-        let mut points = vec![piece.at(0.0)];
-        for k in 1..edges as usize {
-            let wanted = k as f64 * scale;
-            while count[sample + 1] < wanted {
-                sample += 1;
-            }
-            let inside = (wanted - count[sample]) / (count[sample + 1] - count[sample]);
-            points.push(piece.at((sample as f64 + inside) / samples as f64));
-        }
-        points.push(piece.at(1.0));
-        return points;
+        samples = ((16.0 * count[samples]) as usize).min(MOST);
     }
+}
+
+/// Edges along the rim of a feature.
+pub(super) fn edges_along(sheet: &Sheet, feature: &Feature, size: &SizeField) -> f64 {
+    let pieces = on_sheet(sheet, feature);
+    pieces
+        .iter()
+        .filter_map(|piece| counted(piece, size).last().copied())
+        .sum()
 }

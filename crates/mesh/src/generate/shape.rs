@@ -82,6 +82,28 @@ impl Shape {
             .fold(f64::INFINITY, f64::min)
     }
 
+    /// Middle and length [m] of the straight sides, where round corners leave any; both of each kind.
+    pub(super) fn short_sides(&self) -> Vec<([f64; 2], f64)> {
+        if self.is_full_turn() || self.corner == 0.0 {
+            return Vec::new();
+        }
+        let [x, z] = self.centre;
+        let [a, b] = self.half;
+        let sides = [([x, z - b], a), ([x, z + b], a), ([x - a, z], b), ([x + a, z], b)];
+        let lengths = sides.map(|(middle, half)| (middle, 2.0 * (half - self.corner)));
+        lengths.into_iter().filter(|(_, side)| *side > 1e-12 * b).collect()
+    }
+
+    /// Centres of the round corners; four times that of a disc.
+    pub(super) fn round_corners(&self) -> Vec<[f64; 2]> {
+        if self.is_full_turn() || self.corner == 0.0 {
+            return Vec::new();
+        }
+        let [x, z] = self.centre;
+        let [a, b] = self.half.map(|half| half - self.corner);
+        vec![[x - a, z - b], [x + a, z - b], [x + a, z + b], [x - a, z + b]]
+    }
+
     /// Sharp corners of the outline.
     pub(super) fn sharp_corners(&self) -> Vec<[f64; 2]> {
         if self.is_full_turn() || self.corner > 0.0 {

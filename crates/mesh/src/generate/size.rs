@@ -1,10 +1,10 @@
 //! How large triangles should be: a base size, finer towards features and sharp corners.
 
-use super::shape::Feature;
+use super::shape::{Feature, Shape};
 
 /// Edge lengths grow by this much per length away from a feature.
-const GROWTH: f64 = 0.2;
-/// Edges along a round rim: its radius over this; along others: half the lesser half extent.
+pub(super) const GROWTH: f64 = 0.2;
+/// Edges along a round rim or corner: its radius over this; along others: half the lesser half extent.
 const PER_RADIUS: f64 = 4.0;
 /// Edges along any rim, over those far from it: with this and the growth above the load of the hole-fed
 /// shell has the least error at equal unknowns (0.15 to 0.6 and 0.15 to 0.45 were tried).
@@ -18,7 +18,14 @@ pub(super) struct SizeField<'a> {
     period: Option<f64>,
     features: &'a [Feature],
     at_feature: Vec<f64>,
-    corners: Vec<([f64; 2], f64)>,
+    spots: Vec<Spot>,
+}
+
+/// A circle, or a point, along which edges are finer than along the rest of the rim.
+struct Spot {
+    centre: [f64; 2],
+    radius: f64,
+    size: f64,
 }
 
 impl<'a> SizeField<'a> {
@@ -29,21 +36,16 @@ impl<'a> SizeField<'a> {
         features: &'a [Feature],
         gaps: &[f64],
     ) -> Self {
-        let mut corners = Vec::new();
+        let mut spots = Vec::new();
         let at_feature = features
             .iter()
             .zip(gaps)
             .map(|(feature, gap)| {
-                let half = feature.shape.half[0].min(feature.shape.half[1]);
-                let sharp = feature.shape.sharp_corners();
-                let far = base(feature.shape.centre);
-                corners.extend(sharp.into_iter().map(|corner| (corner, half.min(far) / PER_CORNER)));
-                let round = feature.shape.corner > 0.0;
-                let own = if round { feature.shape.corner / PER_RADIUS } else { half };
-                own.min(AT_RIM * far)
-                    .min(0.5 * half)
-                    .min(0.5 * gap)
-                    .min(feature.shape.shortest_side())
+                let shape = &feature.shape;
+                let half = shape.half[0].min(shape.half[1]);
+                let far = base(shape.centre);
+                spots.extend(spots_of(shape, half.min(far)));
+                (0.5 * half).min(AT_RIM * far).min(0.5 * gap)
             })
             .collect();
         Self {
@@ -51,7 +53,7 @@ impl<'a> SizeField<'a> {
             period,
             features,
             at_feature,
-            corners,
+            spots,
         }
     }
 
@@ -64,15 +66,38 @@ impl<'a> SizeField<'a> {
                 size = size.min(at_feature + GROWTH * distance);
             }
         }
-        for (corner, at_corner) in &self.corners {
-            if *at_corner < size {
-                let along = point[0] - corner[0];
-                let along = self
-                    .period
-                    .map_or(along, |period| crate::developed::shorter_way(along, period));
-                size = size.min(at_corner + GROWTH * along.hypot(point[1] - corner[1]));
+        for spot in &self.spots {
+            if spot.size >= size {
+                continue;
             }
+            let along = point[0] - spot.centre[0];
+            let along = self
+                .period
+                .map_or(along, |period| crate::developed::shorter_way(along, period));
+            let distance = along.hypot(point[1] - spot.centre[1]) - spot.radius;
+            size = size.min(spot.size + GROWTH * distance.abs());
         }
         size
     }
+}
+
+/// Corners of a shape, sharp or round, and straight sides that are shorter than their neighbours; `wide` [m] is its lesser half
+/// extent, or the size far from it.
+fn spots_of(shape: &Shape, wide: f64) -> Vec<Spot> {
+    let sharp = shape.sharp_corners().into_iter().map(|centre| Spot {
+        centre,
+        radius: 0.0,
+        size: wide / PER_CORNER,
+    });
+    let round = shape.round_corners().into_iter().map(|centre| Spot {
+        centre,
+        radius: shape.corner,
+        size: shape.corner / PER_RADIUS,
+    });
+    let sides = shape.short_sides().into_iter().map(|(centre, length)| Spot {
+        centre,
+        radius: 0.5 * length,
+        size: length,
+    });
+    sharp.chain(round).chain(sides).collect()
 }
