@@ -217,16 +217,19 @@ fn liner_with_groove(length: f64, half: [f64; 2], corner: f64) -> Blueprint {
     }
 }
 
-/// Corners rounded by 100 nm, and sides that round corners leave 100 um of, are refined where they are, not along the whole rim.
+/// Small round corners, and the short sides that large ones leave, are refined where they are, not along the whole rim.
 #[test]
 fn small_corners_are_refined_for_themselves() {
-    for corner in [1e-7, 0.0029] {
+    for corner in [2e-5, 0.0029] {
         let blueprint = liner_with_groove(0.075, [0.01, 0.003], corner);
         let mesh = generate(&blueprint, &|_| 0.004).expect("a mesh");
         let triangles = mesh.triangles().len();
         assert!(triangles < 12_000, "corners of {corner} m: {triangles}");
         assert!(Quality::of(&mesh).least_angle > 25.0);
     }
+    let blueprint = liner_with_groove(0.075, [0.01, 0.003], 1e-7);
+    let faults = generate(&blueprint, &|_| 0.004).expect_err("corners too small");
+    assert!(matches!(faults[..], [DrawingError::SmallCorner { .. }]), "{faults:?}");
 }
 
 /// A rim of millions of edges is refused before it is cut, also where it lies between the samples of sizes.

@@ -71,6 +71,18 @@ pub enum DrawingError {
         /// Shortest side that can be meshed [m].
         least: f64,
     },
+    /// Corners are round, but hardly.
+    #[error(
+        "\"{name}\" has corners of radius {corner:.3e} m, smaller than can be meshed ({least:.1e} m); leave the radius out for sharp corners, or give a larger one"
+    )]
+    SmallCorner {
+        /// Name of the feature.
+        name: String,
+        /// Radius of its corners [m].
+        corner: f64,
+        /// Smallest radius that can be meshed [m].
+        least: f64,
+    },
     /// A region of a mesh is no shape that can be drawn.
     #[error(
         "the region \"{name}\" of the mesh is neither a circle nor a rectangle along the axes, so it cannot be meshed anew; remove [mesh] size to take the mesh as it is, or give the feed's hole"
@@ -120,6 +132,14 @@ pub(super) fn faults(blueprint: &Blueprint) -> Vec<DrawingError> {
                 least,
             });
             continue;
+        }
+        let corner = feature.shape.corner;
+        if corner > 0.0 && corner < 0.5 * least {
+            faults.push(DrawingError::SmallCorner {
+                name: name.clone(),
+                corner,
+                least: 0.5 * least,
+            });
         }
         let shortest = feature.shape.shortest_side();
         if shortest < least {

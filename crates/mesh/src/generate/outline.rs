@@ -244,10 +244,11 @@ fn counted(piece: &Piece, size: &SizeField) -> Vec<f64> {
             let s = (k as f64 + 0.5) / samples as f64;
             count.push(count[k] + length / samples as f64 / size.at(piece.at(s)));
         }
-        if count[samples] * 8.0 <= samples as f64 || samples == MOST {
+        let edges = count[samples].round();
+        if edges * 8.0 <= samples as f64 || samples == MOST {
             return count;
         }
-        samples = ((16.0 * count[samples]) as usize).min(MOST);
+        samples = ((16.0 * edges) as usize).min(MOST);
     }
 }
 

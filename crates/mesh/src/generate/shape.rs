@@ -94,7 +94,12 @@ impl Shape {
         lengths.into_iter().filter(|(_, side)| *side > 1e-12 * b).collect()
     }
 
-    /// Centres of the round corners; four times that of a disc.
+    /// True if nothing of the outline is straight.
+    pub(super) fn is_disc(&self) -> bool {
+        self.half == [self.corner; 2]
+    }
+
+    /// Centres of the round corners.
     pub(super) fn round_corners(&self) -> Vec<[f64; 2]> {
         if self.is_full_turn() || self.corner == 0.0 {
             return Vec::new();

@@ -44,8 +44,13 @@ impl<'a> SizeField<'a> {
                 let shape = &feature.shape;
                 let half = shape.half[0].min(shape.half[1]);
                 let far = base(shape.centre);
-                spots.extend(spots_of(shape, half.min(far)));
-                (0.5 * half).min(AT_RIM * far).min(0.5 * gap)
+                let own = if shape.is_disc() {
+                    half / PER_RADIUS
+                } else {
+                    spots.extend(spots_of(shape, half.min(far)));
+                    0.5 * half
+                };
+                own.min(AT_RIM * far).min(0.5 * gap)
             })
             .collect();
         Self {
