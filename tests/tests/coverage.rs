@@ -29,6 +29,8 @@ fn bars_hold_and_are_not_much_wider_than_errors() {
         "eccentricity",
         "side_flow",
         "feed_flow",
+        "friction_power",
+        "friction_pressure_power",
     ] {
         for of in [Of::Reported, Of::Quadratic] {
             let ratios = tally.ratios(|pair: &Pair| pair.quantity == quantity && pair.of == of);

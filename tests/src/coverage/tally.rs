@@ -13,7 +13,7 @@ use super::meshes::{Kind, Solve, solves};
 use super::reference::{Reference, distance, reference};
 
 /// Quantities whose bars are counted; `feed_flow` stands for all feeds.
-pub const COUNTED: [&str; 11] = [
+pub const COUNTED: [&str; 14] = [
     "load",
     "attitude_angle",
     "pressure_max",
@@ -25,6 +25,9 @@ pub const COUNTED: [&str; 11] = [
     "cavity_share",
     "cavity_flow",
     "pressure_min",
+    "friction_power",
+    "friction_pressure_power",
+    "friction_torque_bearing",
 ];
 /// Errors below this part of the size of a quantity are rounding.
 const ROUNDING: f64 = 1e-9;
@@ -185,6 +188,7 @@ fn size(quantity: &Quantity, list: &[Quantity], solve: &Solve) -> f64 {
         "deg" => 1f64.to_degrees(),
         "Pa" => named("pressure_max"),
         "N" => named("load"),
+        "W" => named("friction_power"),
         "m3/s" => solve.judged.measured.flows.throughput,
         _ => quantity.value.abs(),
     }
