@@ -1,7 +1,7 @@
 //! What the names of a result mean, in plain words. A name without an entry stands for itself.
 
 /// Names of quantities; one of a region, `load_x.GROUP`, is looked up with its dot.
-const QUANTITIES: [(&str, &str); 45] = [
+const QUANTITIES: [(&str, &str); 47] = [
     ("load", "force that the film carries"),
     ("load_x", "its part along x (angle 0)"),
     ("load_y", "its part along y (angle 90 deg)"),
@@ -14,6 +14,8 @@ const QUANTITIES: [(&str, &str); 45] = [
     ("pressure_max", "greatest pressure, gauge"),
     ("pressure_min", "least pressure, gauge"),
     ("film_thickness_min", "thinnest film on the liner"),
+    ("temperature_effective", "temperature of the film"),
+    ("viscosity_effective", "viscosity at that temperature, without pressure"),
     ("viscosity_max", "viscosity at the greatest pressure"),
     ("cavity_share", "share of the film that is cavity"),
     ("film_fraction_min", "least film fraction (1: full)"),
@@ -53,12 +55,16 @@ const QUANTITIES: [(&str, &str); 45] = [
 ];
 
 /// Names of effects; what follows a colon is the model.
-const EFFECTS: [(&str, &str); 14] = [
+const EFFECTS: [(&str, &str); 15] = [
     ("theory: short", "pressure drives oil along the axis only"),
     ("theory: long", "pressure drives oil around only, the ends are sealed"),
     ("poiseuille", "oil driven by the pressure gradient"),
     ("couette", "oil dragged along by the journal"),
     ("squeeze", "oil pressed out as the journal's centre moves"),
+    (
+        "oil by temperature",
+        "viscosity and density are those at the temperature of the film",
+    ),
     ("barus", "viscosity grows with pressure, mu0 exp(alpha p)"),
     (
         "barus: as-printed",

@@ -426,7 +426,11 @@ fn flow_goal(name: &str) -> Option<FlowGoal> {
     end.or_else(|| Some(FlowGoal::Feed(name.strip_prefix("feed_flow.")?.to_owned())))
 }
 
-/// Numbers without an error: parts of the load over regions cut out, whose pressure and shape are given, and what bolts must hold.
+/// Numbers without an error: parts of the load over regions cut out, whose pressure and shape are given, the temperature of the film, and
+/// what bolts must hold.
 pub(crate) fn is_given(name: &str) -> bool {
-    name.starts_with("load_x.") || name.starts_with("load_y.") || joint::is_given(name)
+    matches!(name, "temperature_effective" | "viscosity_effective")
+        || name.starts_with("load_x.")
+        || name.starts_with("load_y.")
+        || joint::is_given(name)
 }

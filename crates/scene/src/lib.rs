@@ -14,7 +14,7 @@
 //! position or given load), [`mod@run`], [`mod@measure`], [`joint`] and [`report`] (the numbers, in `doubts.rs` what to doubt, in
 //! [`regime`] which assumptions hold),
 //! [`mod@picture`] and [`vtu`] (the fields), [`results`] (the files), [`cost`] (the same again without each effect).
-//! What accuracy costs: [`convergence`], over [`level`] and with [`plot`].
+//! What is known of oils: [`oil_sheet`]. What accuracy costs: [`convergence`], over [`level`] and with [`plot`].
 
 pub mod analysis;
 pub mod bars;
@@ -31,6 +31,7 @@ pub mod level;
 pub mod liner_mesh;
 pub mod measure;
 mod moved;
+pub mod oil_sheet;
 pub mod picture;
 pub mod plot;
 mod reader;

@@ -1,5 +1,6 @@
 //! The quantities of a solved film, in the order of the report.
 
+use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_reynolds::quantities::cavity::{self, Cavity};
 use oilwedge_reynolds::quantities::flow::{self, Flows};
 use oilwedge_reynolds::quantities::friction::friction;
@@ -139,6 +140,10 @@ pub(crate) fn quantities_at(study: &Study, problem: &FilmProblem, measured: &Mea
     add("pressure_max", "p_max", extremes.greatest, "Pa");
     add("pressure_min", "p_min", extremes.least, "Pa");
     add("film_thickness_min", "h_min", *least_thickness, "m");
+    if let Some(temperature) = study.oil.temperature {
+        add("temperature_effective", "t_m", temperature - ZERO_CELSIUS, "degC");
+        add("viscosity_effective", "mu0", problem.lubricant.viscosity, "Pa.s");
+    }
     add("viscosity_max", "mu_max", extremes.viscosity, "Pa.s");
     if let Some(cavity) = cavity {
         add("cavity_share", "A_c/A", cavity.share, "1");

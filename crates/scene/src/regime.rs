@@ -7,13 +7,12 @@
 
 use oilwedge_reynolds::FilmProblem;
 use oilwedge_reynolds::existence::readable;
+use oilwedge_reynolds::lubricant::density::MINERAL_OIL;
 use serde::Serialize;
 
 use crate::measure::Measured;
 use crate::scene::{PressureLaw, RoelandsExponent, Scene};
 
-/// Density [kg/m3] of a mineral oil, where the scene gives none.
-const MINERAL_OIL: f64 = 870.0;
 /// Clearance over radius of a film that curvature does not touch.
 const THIN: f64 = 1e-2;
 /// Film over roughness of surfaces that do not touch.
@@ -53,7 +52,8 @@ impl Regime {
     pub fn of(scene: &Scene, problem: &FilmProblem, measured: &Measured) -> Self {
         let bearing = &problem.bearing;
         let speed = problem.journal.speed.abs() * bearing.radius;
-        let reynolds_number = MINERAL_OIL * speed * bearing.clearance / problem.lubricant.viscosity;
+        let density = scene.oil.film_density().unwrap_or(MINERAL_OIL);
+        let reynolds_number = density * speed * bearing.clearance / problem.lubricant.viscosity;
         let clearance_ratio = bearing.clearance / bearing.radius;
         let alpha = match scene.oil.pressure_law {
             PressureLaw::Constant => None,
@@ -63,14 +63,14 @@ impl Regime {
                 reference_pressure,
             } => Some(match exponent {
                 RoelandsExponent::Alpha(alpha) => alpha,
-                RoelandsExponent::Z(z) => z * (scene.oil.viscosity.ln() + 9.67) / reference_pressure,
+                RoelandsExponent::Z(z) => z * (problem.lubricant.viscosity.ln() + 9.67) / reference_pressure,
             }),
         };
         Self {
             reynolds_number,
             taylor_limit: 41.3 / clearance_ratio.sqrt(),
             inertia: reynolds_number * clearance_ratio,
-            density: MINERAL_OIL,
+            density,
             clearance_ratio,
             pressure_exponent: alpha.map(|alpha| alpha * measured.extremes.greatest),
             roughness_ratio: scene
@@ -102,7 +102,7 @@ impl Regime {
         let pressure = measured.extremes.greatest;
         let bar = |pascal: f64| readable(1e-5 * pascal);
         let flow = format!(
-            "Reynolds number {} at {} kg/m3",
+            "Reynolds number {} at {:.0} kg/m3",
             rounded(self.reynolds_number),
             self.density
         );

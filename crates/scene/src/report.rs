@@ -1,6 +1,6 @@
 //! What a run found, as scripts read it: `result.json`, and the facts that `oilwedge check` tells.
 //!
-//! Every number is SI, angles excepted (degrees). A number that is not finite is never written.
+//! Every number is SI, angles (degrees) and temperatures (degrees C) excepted. A number that is not finite is never written.
 
 mod bars;
 mod check;
@@ -26,7 +26,7 @@ pub struct Quantity {
     pub symbol: String,
     /// The value in `unit`.
     pub value: f64,
-    /// `N m m3/s N.m Pa Pa.s W deg rad/s` or `1`.
+    /// `N m m3/s N.m Pa Pa.s W deg degC rad/s` or `1`.
     pub unit: String,
     /// Half width of the error bar in `unit`, the sum of its parts; `None` where it is not estimated or not resolved.
     pub error: Option<f64>,

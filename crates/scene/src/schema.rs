@@ -4,6 +4,7 @@ mod cap;
 mod feed;
 mod journal;
 mod oil;
+mod oil_law;
 mod sweep;
 mod tolerance;
 

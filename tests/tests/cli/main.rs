@@ -7,6 +7,7 @@ mod drawing;
 mod files;
 mod hostile;
 mod meshes;
+mod oil;
 mod shipped;
 mod solve;
 mod sweep;
