@@ -7,6 +7,7 @@ mod check;
 mod complain;
 mod converge;
 mod cost;
+mod heat;
 mod interrupt;
 mod levels_table;
 mod mesh;

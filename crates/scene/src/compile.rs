@@ -8,7 +8,7 @@
 //! | terms | `terms` |
 //! | cavitation | `cavitation` |
 //! | supply | `supply` |
-//! | balances | the load of [`Study`] |
+//! | balances | the load of [`Study`], and its heat |
 //!
 //! What is simulated and what is not is written down here too, and opens every report.
 
@@ -51,6 +51,8 @@ pub struct Study {
     pub cap: Option<scene::Cap>,
     /// The oil, at the temperature of the film.
     pub oil: scene::Oil,
+    /// What finds that temperature.
+    pub heat: Option<scene::Heat>,
     /// What is simulated and what is not.
     pub effects: Effects,
     /// Groups of the pockets that deepen the film.
@@ -66,6 +68,12 @@ pub struct Study {
 }
 
 impl Study {
+    /// Brings the film to this temperature [K].
+    pub(crate) fn heat_to(&mut self, temperature: f64) {
+        self.oil.heat_to(temperature);
+        self.problem.lubricant = lubricant(&self.oil);
+    }
+
     /// The vector [1/N] whose product with the load is the film's share of the force that opens the joint of the cap; none
     /// without a cap, and at rest.
     pub(crate) fn film_share(&self) -> Option<[f64; 2]> {
@@ -197,6 +205,7 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, near: (f64, f64), degree: usize) ->
         squeeze: squeeze(scene),
         cap: scene.cap,
         oil: scene.oil.clone(),
+        heat: scene.heat,
         effects: effects(scene, &problem),
         problem,
         system,
@@ -429,10 +438,14 @@ fn effects(scene: &Scene, problem: &FilmProblem) -> Effects {
     if scene.journal.load().is_some() {
         simulated.push("equilibrium".to_owned());
     }
+    match scene.heat {
+        Some(_) => simulated.push("heat".to_owned()),
+        None => not_simulated.push("heat".to_owned()),
+    }
     if scene.journal.motion().is_none() {
         not_simulated.push("squeeze".to_owned());
     }
-    let never = ["misalignment", "heat", "elastic liner", "roughness", "turbulence"];
+    let never = ["misalignment", "elastic liner", "roughness", "turbulence"];
     not_simulated.extend(never.map(str::to_owned));
     Effects {
         simulated,

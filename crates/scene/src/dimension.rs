@@ -39,10 +39,16 @@ pub enum Dimension {
     KinematicViscosity,
     /// Density [kg/m3].
     Density,
+    /// Heat capacity per volume [J/(m3 K)].
+    HeatCapacity,
+    /// Heat conductance [W/K].
+    Conductance,
+    /// Heat transfer coefficient [W/(m2 K)].
+    HeatTransfer,
 }
 
 /// All kinds.
-pub(crate) const ALL: [Dimension; 16] = [
+pub(crate) const ALL: [Dimension; 19] = [
     Dimension::Length,
     Dimension::Angle,
     Dimension::Pressure,
@@ -59,6 +65,9 @@ pub(crate) const ALL: [Dimension; 16] = [
     Dimension::InverseTemperature,
     Dimension::KinematicViscosity,
     Dimension::Density,
+    Dimension::HeatCapacity,
+    Dimension::Conductance,
+    Dimension::HeatTransfer,
 ];
 
 const BAR: f64 = 1e5;
@@ -88,6 +97,9 @@ impl Dimension {
             Self::InverseTemperature => "an inverse temperature",
             Self::KinematicViscosity => "a kinematic viscosity",
             Self::Density => "a density",
+            Self::HeatCapacity => "a heat capacity per volume",
+            Self::Conductance => "a heat conductance",
+            Self::HeatTransfer => "a heat transfer coefficient",
         }
     }
 
@@ -110,6 +122,9 @@ impl Dimension {
             Self::InverseTemperature => "68.8e-5 1/K",
             Self::KinematicViscosity => "95 mm2/s",
             Self::Density => "870 kg/m3",
+            Self::HeatCapacity => "1.8 MJ/(m3.K)",
+            Self::Conductance => "5 W/K",
+            Self::HeatTransfer => "17 W/(m2.K)",
         }
     }
 
@@ -203,6 +218,16 @@ impl Dimension {
                 ("cSt", 1e-6),
             ],
             Self::Density => &[("kg/m3", 1.0), ("kg/l", 1e3), ("g/cm3", 1e3), ("g/ml", 1e3)],
+            Self::HeatCapacity => &[
+                ("J/(m3.K)", 1.0),
+                ("kJ/(m3.K)", 1e3),
+                ("MJ/(m3.K)", 1e6),
+                ("J/m3/K", 1.0),
+                ("kJ/m3/K", 1e3),
+                ("MJ/m3/K", 1e6),
+            ],
+            Self::Conductance => &[("W/K", 1.0), ("kW/K", 1e3)],
+            Self::HeatTransfer => &[("W/(m2.K)", 1.0), ("W/m2/K", 1.0)],
         }
     }
 

@@ -11,7 +11,7 @@
 //! Reading order: [`unit`] (quantities with units, over the table in `dimension.rs`), [`scene`] (what a user can
 //! say), [`schema`] (how it is written, over the collecting `reader.rs`), [`validate`] (what can be computed),
 //! [`complaint`] (what is said where it cannot), [`mod@compile`] (the one place that knows all effects), [`analysis`] (given
-//! position or given load), [`mod@run`], [`mod@measure`], [`joint`] and [`report`] (the numbers, in `doubts.rs` what to doubt, in
+//! position or given load), [`thermal`] (its temperature), [`mod@run`], [`mod@measure`], [`joint`] and [`report`] (the numbers, in `doubts.rs` what to doubt, in
 //! [`regime`] which assumptions hold),
 //! [`mod@picture`] and [`vtu`] (the fields), [`results`] (the files), [`cost`] (the same again without each effect).
 //! What is known of oils: [`oil_sheet`]. What accuracy costs: [`convergence`], over [`level`] and with [`plot`].
@@ -45,6 +45,7 @@ pub mod schema;
 pub mod sketch;
 pub mod spelling;
 pub mod sweep;
+pub mod thermal;
 pub mod unit;
 pub mod validate;
 pub mod vtu;

@@ -16,6 +16,7 @@ use crate::compile::Study;
 pub use crate::doubts::warnings;
 use crate::joint;
 use crate::report::Quantity;
+use crate::thermal;
 
 /// A load below this fraction of (greatest pressure difference, or pressure of drag) x (projected area) has no direction.
 const NO_LOAD: f64 = 1e-12;
@@ -153,6 +154,7 @@ pub(crate) fn quantities_at(study: &Study, problem: &FilmProblem, measured: &Mea
     }
     list.extend(flow_quantities(problem, system, measured));
     list.extend(friction_quantities(problem, measured, directed));
+    list.extend(thermal::quantities(study, measured));
     list.push(Quantity::new("pressure_integral", "Int p dA", load.total.pressure, "N"));
     for (name, share) in &load.cut_out {
         list.push(Quantity::new(format!("load_x.{name}"), "W_x", share.force[0], "N"));

@@ -1,10 +1,12 @@
 //! A scene: everything a user says about one bearing, in SI. `Scene::read` is the only way to get one from a file.
 
+mod heat;
 mod journal;
 mod oil;
 mod start;
 mod tolerance;
 
+pub use heat::{Engine, Heat, Mixing};
 pub use journal::{Journal, Position, Squeeze};
 pub use oil::{BarusForm, Oil, PressureLaw, RoelandsExponent};
 pub use tolerance::{Target, Tolerance};
@@ -51,6 +53,8 @@ pub struct Scene {
     pub journal: Journal,
     /// The oil.
     pub oil: Oil,
+    /// The balance that finds the temperature of the film; `None`: it is given, or plays no part.
+    pub heat: Option<Heat>,
     /// What happens where the film would break; `None`: a full film, whatever its pressure.
     pub cavitation: Option<Cavitation>,
     /// The cap of the connecting rod whose bearing this is; nothing of the film depends on it.

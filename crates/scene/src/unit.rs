@@ -188,6 +188,7 @@ fn canonical(unit: &str) -> String {
             '\u{b5}' | '\u{3bc}' => plain.push('u'),
             '*' | '.' | '\u{b7}' | '\u{22c5}' => plain.push(' '),
             '\u{b2}' => plain.push('2'),
+            '\u{b3}' => plain.push('3'),
             '\u{b9}' => plain.push('1'),
             '\u{207b}' => plain.push('-'),
             '\u{b0}' => plain.push_str("deg"),
@@ -276,6 +277,10 @@ mod tests {
         close("14.3 mm\u{b2}/s", KinematicViscosity, 14.3e-6);
         close("14.3 cSt", KinematicViscosity, 14.3e-6);
         close("0.885 kg/l", Density, 885.0);
+        close("1.8 MJ/(m\u{b3} K)", HeatCapacity, 1.8e6);
+        close("1800 kJ/(m3 K)", HeatCapacity, 1.8e6);
+        close("17 W/(m2 K)", HeatTransfer, 17.0);
+        close("5 W/K", Conductance, 5.0);
         close("0.885 g / cm3", Density, 885.0);
     }
 

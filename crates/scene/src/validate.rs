@@ -5,6 +5,7 @@
 mod cap;
 mod cavitation;
 mod feeds;
+mod heat;
 mod oil;
 mod position;
 mod theory;
@@ -43,6 +44,7 @@ pub(crate) fn complaints(scene: &Scene, marks: &Marks) -> Vec<Complaint> {
     checks.feeds(scene);
     checks.journal(&scene.journal);
     checks.oil(scene);
+    checks.heat(scene);
     checks.cavitation(scene);
     checks.inlet(scene);
     checks.cap(scene);

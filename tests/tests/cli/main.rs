@@ -5,6 +5,7 @@ mod converge;
 mod cost;
 mod drawing;
 mod files;
+mod heat;
 mod hostile;
 mod meshes;
 mod oil;

@@ -83,3 +83,13 @@ pub enum RoelandsExponent {
     /// Pressure-viscosity coefficient at zero pressure alpha [1/Pa], not negative: z = alpha p_r/(ln mu0 + 9.67).
     Alpha(f64),
 }
+
+impl Oil {
+    /// Brings the oil to this temperature [K]; one whose viscosity does not depend on it stays as it is.
+    pub(crate) fn heat_to(&mut self, temperature: f64) {
+        if let Some(thermal) = &self.thermal {
+            self.viscosity = thermal.viscosity(temperature);
+            self.temperature = Some(temperature);
+        }
+    }
+}

@@ -5,7 +5,7 @@ use oilwedge_reynolds::lubricant::{Density, ThermalOil};
 
 use super::oil_law;
 use crate::reader::TableReader;
-use crate::scene::{BarusForm, Oil, PressureLaw, RoelandsExponent};
+use crate::scene::{BarusForm, Heat, Oil, PressureLaw, RoelandsExponent};
 use crate::unit::Dimension;
 
 /// Roelands' reference pressure where the scene gives none [Pa].
@@ -13,8 +13,8 @@ pub const ROELANDS_REFERENCE_PRESSURE: f64 = 196.2e6;
 /// Temperature [K] at which a density without its own is given.
 const AT_20: f64 = 293.15;
 
-/// Reads `[oil]`.
-pub(super) fn read(mut table: TableReader<'_>) -> Oil {
+/// Reads `[oil]`; with `[heat]` the temperature of the film is found, and is that at which the search begins.
+pub(super) fn read(mut table: TableReader<'_>, heat: Option<&Heat>) -> Oil {
     let viscosity = table.quantity_if_given("viscosity", Dimension::Viscosity, "40 mPa.s");
     let given_density = density(&mut table);
     let law = oil_law::read(&mut table, given_density);
@@ -29,6 +29,11 @@ pub(super) fn read(mut table: TableReader<'_>) -> Oil {
             "stands beside a law by which viscosity depends on temperature",
             "keep one of viscosity, grade, walther, vogel and table",
         ),
+        (Some(_), false) if heat.is_some() => table.complain(
+            "viscosity",
+            "is one viscosity, but [heat] needs one that falls with temperature",
+            "give grade = \"SAE 10W-40\", walther, vogel or table in place of it, or remove [heat]",
+        ),
         (Some(_), false) if temperature.is_some() => table.complain(
             "temperature",
             "has a meaning only where viscosity depends on it",
@@ -36,9 +41,19 @@ pub(super) fn read(mut table: TableReader<'_>) -> Oil {
         ),
         _ => {}
     }
-    if law.is_given {
-        table.require("temperature", "\"80 C\"");
+    match heat {
+        Some(_) if temperature.is_some() && law.is_given => table.complain(
+            "temperature",
+            "stands beside [heat], which finds it",
+            "remove it, or remove [heat]",
+        ),
+        None if law.is_given => table.require("temperature", "\"80 C\", or a table [heat] that finds it"),
+        _ => {}
     }
+    let temperature = match heat {
+        Some(heat) if law.is_given => Some(heat.first_temperature()),
+        _ => temperature,
+    };
     if table.has("barus") && table.has("roelands") {
         let help = "keep one law, and remove the other";
         table.complain(

@@ -20,8 +20,12 @@ impl Checks<'_> {
         self.density(scene);
         let source = match &scene.oil.thermal {
             Some(thermal) => {
-                self.law(thermal, scene.oil.temperature);
-                "oil.temperature"
+                self.law(thermal, scene);
+                if scene.heat.is_some() {
+                    "heat.inlet"
+                } else {
+                    "oil.temperature"
+                }
             }
             None => {
                 self.positive(viscosity, "oil.viscosity");
@@ -77,18 +81,27 @@ impl Checks<'_> {
     }
 
     /// A law must have a meaning at the temperature of the film.
-    fn law(&mut self, oil: &ThermalOil, temperature: Option<f64>) {
+    fn law(&mut self, oil: &ThermalOil, scene: &Scene) {
         if let TemperatureLaw::Vogel(law) = &oil.law {
             self.positive(law.factor, "oil.vogel.a");
             let help = "give a constant that is not negative, some 600 to 1500 K for mineral oil";
             self.refuse_if(law.exponent < 0.0, "oil.vogel.b", "is negative", help);
         }
-        let Some(temperature) = temperature.filter(|_| self.complaints.is_empty()) else {
+        let Some(temperature) = scene.oil.temperature.filter(|_| self.complaints.is_empty()) else {
             return;
         };
-        let key = "oil.temperature";
         let before = self.complaints.len();
-        self.temperature(temperature, key);
+        // Where the temperature is found the law must hold at that of the oil that is fed.
+        let (temperature, key) = match &scene.heat {
+            Some(heat) => (heat.inlet, "heat.inlet"),
+            None => (temperature, "oil.temperature"),
+        };
+        match scene.heat.is_none() {
+            true => self.temperature(temperature, key),
+            // That is told of [heat].
+            false if temperature < LIQUID[0] || temperature > LIQUID[1] => return,
+            false => {}
+        }
         match &oil.law {
             TemperatureLaw::Vogel(law) => {
                 let message = format!(
@@ -106,7 +119,8 @@ impl Checks<'_> {
                     celsius(to)
                 );
                 let help = "give a temperature within, or a point of the table beyond";
-                self.refuse_if(temperature < from || temperature > to, key, message, help);
+                let outside = temperature < from || temperature > to;
+                self.refuse_if(outside, key, message, help);
             }
             TemperatureLaw::Walther(_) => {}
         }
