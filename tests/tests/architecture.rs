@@ -33,10 +33,11 @@ const LONGEST: usize = 470;
 /// Folders of `crates/reynolds` whose files are physics, but for `mod.rs`.
 const PHYSICS: [&str; 5] = ["terms", "film_thickness", "lubricant", "quantities", "analytical"];
 /// Physics that has another place.
-const PHYSICS_FILES: [&str; 3] = [
+const PHYSICS_FILES: [&str; 4] = [
     "crates/reynolds/src/cavitation/jfo/mod.rs",
     "crates/bearing/src/cap_joint.rs",
     "crates/bearing/src/equilibrium.rs",
+    "crates/bearing/src/heat_balance.rs",
 ];
 
 #[test]

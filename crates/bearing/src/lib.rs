@@ -3,6 +3,7 @@
 //! | balance | unknown | where |
 //! |---|---|---|
 //! | load = force of the film | position of the journal | [`equilibrium`] |
+//! | friction = heat carried off | temperature of the film | [`heat_balance`] |
 //!
 //! [`cap_joint`] is what the bolts of a connecting rod's cap must hold, to compare the film's load with.
 //!
@@ -12,6 +13,7 @@ pub mod cap_joint;
 pub mod cubic;
 pub mod equilibrium;
 pub mod estimate;
+pub mod heat_balance;
 pub mod no_equilibrium;
 pub mod patience;
 mod prediction;
@@ -23,6 +25,7 @@ pub use cap_joint::{CapJoint, JointForces, Shell};
 pub use cubic::{find_cubic, find_cubic_near};
 pub use equilibrium::{Equilibrium, NEAR, SHORT_MOVE, Squeeze, find, find_near, newton_step};
 pub use estimate::{GREATEST_ECCENTRICITY, first_position};
+pub use heat_balance::{Balanced, FilmHeat, HeatBalance, Housing, NoBalance};
 pub use no_equilibrium::NoEquilibrium;
 pub use patience::{Interrupt, Patience};
 pub use prediction::{Point, Visited, predicted};

@@ -7,9 +7,11 @@ mod check;
 mod complain;
 mod converge;
 mod cost;
+mod heat;
 mod interrupt;
 mod levels_table;
 mod mesh;
+mod oil;
 mod progress;
 mod quantities;
 mod readable;
@@ -45,6 +47,7 @@ Examples:
   oilwedge mesh bearing.toml -o liner.msh          a mesh of its liner, fine enough as it is, for gmsh
   oilwedge converge bearing.toml                   what each digit costs, in unknowns and seconds
   oilwedge sweep bearing.toml                      all cases of its [sweep], to a table
+  oilwedge oil SAE 10W-40 --at \"80 C\"              viscosity and density of an oil
   oilwedge verify                                  does this program give the answers that are known?
 
 Exit status: 0 done; 1 no solution or not converged; 2 bad scene, mesh or arguments (nothing was written);
@@ -62,6 +65,8 @@ enum Verb {
     Converge(converge::Converge),
     /// Solve a scene for all values of its [sweep], to a table with one row a case.
     Sweep(sweep::Sweep),
+    /// Tell viscosity and density of an oil by temperature, or which oils a scene may name.
+    Oil(oil::Oil),
     /// Solve cases whose answers are known, or all hard cases, and judge the solver by them.
     Verify(verify::Verify),
 }
@@ -75,6 +80,7 @@ fn main() -> ExitCode {
         Verb::Mesh(mesh) => mesh.run(),
         Verb::Converge(converge) => converge.run(),
         Verb::Sweep(sweep) => sweep.run(),
+        Verb::Oil(oil) => oil.run(),
         Verb::Verify(verify) => verify.run(),
     });
     outcome.unwrap_or_else(|failure| {

@@ -3,6 +3,7 @@
 use crate::complain::Failure;
 use crate::complain::printable;
 use crate::cost::cost;
+use crate::heat;
 use crate::quantities::{bars, quantities};
 use crate::readable::{readable_unit, significant};
 use crate::words;
@@ -32,13 +33,15 @@ pub(crate) fn run_report(result: &RunResult, folder: &Path, picture: bool) -> St
     }
     parts.push(effects(&result.effects));
     if !result.quantities.is_empty() {
-        let (of_cap, of_film): (Vec<_>, Vec<_>) =
-            (result.quantities.iter()).partition(|quantity| is_of_cap(&quantity.name));
+        let (of_cap, of_film): (Vec<_>, Vec<_>) = (result.quantities.iter())
+            .filter(|quantity| !heat::belongs(&quantity.name))
+            .partition(|quantity| is_of_cap(&quantity.name));
         parts.push(quantities(of_film, result.bars));
         if !of_cap.is_empty() {
             parts.push(format!("joint of the cap\n{}", quantities(of_cap, result.bars)));
         }
     }
+    parts.extend(heat::heat(result));
     parts.extend(cost(result));
     let mut lines = Vec::new();
     if !result.quantities.is_empty() {
@@ -49,12 +52,13 @@ pub(crate) fn run_report(result: &RunResult, folder: &Path, picture: bool) -> St
     lines.push(format!("mesh      {}", mesh(&result.mesh)));
     lines.extend(work(result.counts, result.linear_solver));
     lines.push(format!("time      {}", timing(&result.timing_s)));
-    let files = if picture {
-        "result.json, film.vtu"
+    let film = if picture { ", film.vtu" } else { "" };
+    let heat = if result.heat.is_some() {
+        ", heat.svg, heat.png"
     } else {
-        "result.json"
+        ""
     };
-    lines.push(format!("written   {}: {files}", folder.display()));
+    lines.push(format!("written   {}: result.json{film}{heat}", folder.display()));
     parts.push(lines.join("\n"));
     parts.join("\n\n") + "\n"
 }
@@ -69,6 +73,10 @@ fn balances(balances: Balances) -> String {
     if balances.force != 0.0 {
         let force = significant(balances.force, 2);
         line += &format!(", load and film force by {force} of the load");
+    }
+    if balances.heat != 0.0 {
+        let heat = significant(balances.heat, 2);
+        line += &format!(", friction and heat carried off by {heat} of the friction");
     }
     line
 }
@@ -314,8 +322,10 @@ pub(crate) mod tests {
                 mass: 1.2e-12,
                 power: 2.5e-15,
                 force: 0.0,
+                heat: 0.0,
             },
             regime: None,
+            heat: None,
             history: vec![],
             counts: Counts {
                 nonlinear_iterations: 1,

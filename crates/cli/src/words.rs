@@ -1,7 +1,7 @@
 //! What the names of a result mean, in plain words. A name without an entry stands for itself.
 
 /// Names of quantities; one of a region, `load_x.GROUP`, is looked up with its dot.
-const QUANTITIES: [(&str, &str); 45] = [
+const QUANTITIES: [(&str, &str); 51] = [
     ("load", "force that the film carries"),
     ("load_x", "its part along x (angle 0)"),
     ("load_y", "its part along y (angle 90 deg)"),
@@ -14,6 +14,12 @@ const QUANTITIES: [(&str, &str); 45] = [
     ("pressure_max", "greatest pressure, gauge"),
     ("pressure_min", "least pressure, gauge"),
     ("film_thickness_min", "thinnest film on the liner"),
+    ("temperature_effective", "temperature of the film"),
+    ("temperature_inlet", "of the oil that enters the film, hot oil mixed in"),
+    ("temperature_outlet", "of the oil that leaves it"),
+    ("heat_carried", "heat that the oil carries off"),
+    ("heat_housing", "heat that the housing gives off"),
+    ("viscosity_effective", "viscosity at that temperature, without pressure"),
     ("viscosity_max", "viscosity at the greatest pressure"),
     ("cavity_share", "share of the film that is cavity"),
     ("film_fraction_min", "least film fraction (1: full)"),
@@ -53,12 +59,16 @@ const QUANTITIES: [(&str, &str); 45] = [
 ];
 
 /// Names of effects; what follows a colon is the model.
-const EFFECTS: [(&str, &str); 14] = [
+const EFFECTS: [(&str, &str); 16] = [
     ("theory: short", "pressure drives oil along the axis only"),
     ("theory: long", "pressure drives oil around only, the ends are sealed"),
     ("poiseuille", "oil driven by the pressure gradient"),
     ("couette", "oil dragged along by the journal"),
     ("squeeze", "oil pressed out as the journal's centre moves"),
+    (
+        "oil by temperature",
+        "viscosity and density are those at the temperature of the film",
+    ),
     ("barus", "viscosity grows with pressure, mu0 exp(alpha p)"),
     (
         "barus: as-printed",
@@ -79,17 +89,22 @@ const EFFECTS: [(&str, &str); 14] = [
         "cavitation: jfo",
         "oil is conserved, the cavity holds a film fraction that is carried along",
     ),
+    (
+        "heat",
+        "the temperature is found at which the oil carries off what friction makes",
+    ),
     ("equilibrium", "the position is found where the film carries the load"),
 ];
 
 /// Where errors come from.
-const ERRORS: [(&str, &str); 6] = [
+const ERRORS: [(&str, &str); 7] = [
     ("discretisation", "triangles"),
     ("front", "edge of the cavity"),
     ("geometry", "shape of the liner"),
     ("nonlinear", "nonlinear iteration"),
     ("algebra", "rounding"),
     ("position", "position under the load"),
+    ("temperature", "temperature of the film"),
 ];
 
 /// Where a part of an error comes from.
@@ -122,7 +137,7 @@ mod tests {
     fn names_of_regions_are_looked_up_with_their_dot() {
         assert_eq!(of_quantity("load_x"), "its part along x (angle 0)");
         assert_eq!(of_quantity("load_x.hole.b"), "part of W_x over that region");
-        assert_eq!(of_quantity("temperature_outlet"), "");
+        assert_eq!(of_quantity("colour"), "");
         let parts = oilwedge_scene::report::ErrorParts::default().by_name();
         assert!(parts.iter().all(|(name, _)| !of_error(name).is_empty()));
     }

@@ -12,6 +12,7 @@ use oilwedge_reynolds::{Cavitation, FilmSolution, JournalState, NoFilm};
 use crate::compile::{CompileError, Study, compile, compile_near};
 use crate::report::Status;
 use crate::scene::Scene;
+use crate::thermal::{self, HeatFound, NoTemperature};
 
 /// A mesh is graded anew where the least film thickness found is another one than it was graded for by this factor,
 const REGRADED: f64 = 1.3;
@@ -31,6 +32,8 @@ pub struct Solved {
     pub balance: Option<Balance>,
     /// Seconds that the witness took at the position of the film.
     pub judging: f64,
+    /// How the heat is balanced, where the temperature was sought.
+    pub heat: Option<HeatFound>,
 }
 
 impl Solved {
@@ -77,6 +80,9 @@ pub enum NoAnswer {
     /// There is no position for the load.
     #[error(transparent)]
     Equilibrium(#[from] NoEquilibrium),
+    /// There is no temperature for the heat.
+    #[error(transparent)]
+    Heat(#[from] NoTemperature),
 }
 
 impl NoAnswer {
@@ -84,6 +90,7 @@ impl NoAnswer {
     pub fn is_unreached(&self) -> bool {
         let film = match self {
             Self::Film(film) | Self::Equilibrium(NoEquilibrium::Film(film)) => film,
+            Self::Heat(reason) => return reason.is_unreached,
             Self::Equilibrium(reason) => {
                 return matches!(
                     reason,
@@ -140,6 +147,17 @@ pub(crate) enum Start<'a> {
 /// # Errors
 /// As [`solve`]; from near another operating point also where a solve that begins as the scene says finds an answer.
 pub(crate) fn solve_from(study: &mut Study, bars: bool, patience: Patience, start: Start) -> Result<Solved, NoAnswer> {
+    match study.heat {
+        Some(heat) => thermal::solve(study, &heat, bars, patience, start),
+        None => isothermal(study, bars, patience, start),
+    }
+}
+
+/// The same with the oil of the study as it is.
+///
+/// # Errors
+/// As [`solve_from`].
+pub(crate) fn isothermal(study: &mut Study, bars: bool, patience: Patience, start: Start) -> Result<Solved, NoAnswer> {
     let clock = Instant::now();
     let conserving = matches!(study.problem.cavitation, Cavitation::Jfo { .. });
     let Some(load) = study.load else {
@@ -158,6 +176,7 @@ pub(crate) fn solve_from(study: &mut Study, bars: bool, patience: Patience, star
             witness,
             balance: None,
             judging: clock.elapsed().as_secs_f64(),
+            heat: None,
         });
     };
     let (problem, system, squeeze) = (&study.problem, &study.system, study.squeeze);
@@ -191,6 +210,7 @@ pub(crate) fn solve_from(study: &mut Study, bars: bool, patience: Patience, star
             seconds: seconds - parts.assemble - parts.factorise - parts.solve,
         }),
         judging: clock.elapsed().as_secs_f64(),
+        heat: None,
     })
 }
 

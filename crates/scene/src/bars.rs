@@ -22,6 +22,7 @@ use crate::joint;
 use crate::measure::{Measured, measure, quantities};
 use crate::moved::position_bars;
 use crate::report::{ErrorParts, Quantity};
+use crate::thermal;
 
 /// A film, measured and judged.
 #[derive(Debug)]
@@ -54,7 +55,7 @@ impl Judged {
 /// Measures and judges a solved film.
 pub fn judge(study: &Study, solved: &Solved) -> Judged {
     let clock = Instant::now();
-    let judged = match &solved.witness {
+    let mut judged = match &solved.witness {
         Witness::None => {
             let measured = measure(&study.problem, &study.system, &solved.film);
             Judged::without_bars(quantities(study, &measured), measured)
@@ -62,6 +63,9 @@ pub fn judge(study: &Study, solved: &Solved) -> Judged {
         Witness::Cubic(cubic) => judge_by_cubic(study, solved, cubic),
         Witness::Vertices(companion) => crate::companion_bars::judge(study, solved, companion),
     };
+    if let Some(heat) = &solved.heat {
+        heat.widen(study, &judged.measured, &mut judged.quantities);
+    }
     Judged {
         seconds: clock.elapsed().as_secs_f64(),
         ..judged
@@ -170,6 +174,7 @@ pub(crate) fn set(quantity: &mut Quantity, bar: Option<Bar>) {
         nonlinear: bar.nonlinear,
         algebra: bar.algebra,
         position: bar.position,
+        temperature: 0.0,
     });
 }
 
@@ -426,7 +431,12 @@ fn flow_goal(name: &str) -> Option<FlowGoal> {
     end.or_else(|| Some(FlowGoal::Feed(name.strip_prefix("feed_flow.")?.to_owned())))
 }
 
-/// Numbers without an error: parts of the load over regions cut out, whose pressure and shape are given, and what bolts must hold.
+/// Numbers without an error: parts of the load over regions cut out, whose pressure and shape are given, what bolts must hold,
+/// and the temperature of the film, which is given or has a bar of its own.
 pub(crate) fn is_given(name: &str) -> bool {
-    name.starts_with("load_x.") || name.starts_with("load_y.") || joint::is_given(name)
+    matches!(name, "temperature_effective" | "viscosity_effective")
+        || thermal::is_of_heat(name)
+        || name.starts_with("load_x.")
+        || name.starts_with("load_y.")
+        || joint::is_given(name)
 }

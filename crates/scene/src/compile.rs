@@ -4,16 +4,18 @@
 //! |---|---|
 //! | mesh of the liner | [`crate::liner_mesh`] |
 //! | film_thickness | `film_thickness` |
-//! | lubricant | `lubricant` |
+//! | lubricant | `compile/lubricant.rs` |
 //! | terms | `terms` |
 //! | cavitation | `cavitation` |
 //! | supply | `supply` |
-//! | balances | the load of [`Study`] |
+//! | balances | the load of [`Study`], and its heat |
 //!
 //! What is simulated and what is not is written down here too, and opens every report.
 
+mod lubricant;
 mod renewal;
 
+use lubricant::{form, lubricant};
 pub(crate) use renewal::{has_same_system, renewed};
 
 use std::path::{Path, PathBuf};
@@ -24,16 +26,15 @@ use oilwedge_mesh::Mesh;
 use oilwedge_mesh::error::some_of;
 use oilwedge_mesh::generate::DrawingError;
 use oilwedge_reynolds::film_thickness::{Eccentricity, FilmContribution, GrooveDepth};
-use oilwedge_reynolds::lubricant::{Barus, Lubricant, PressureLaw, Roelands};
 use oilwedge_reynolds::supply::{self as given, Disc, Place, SupplyError, SupplyRegion};
 use oilwedge_reynolds::terms::{Couette, Poiseuille, Squeeze, Term};
-use oilwedge_reynolds::{Bearing, Cavitation, FilmProblem, FilmSystem, Form, JournalState, Theory};
+use oilwedge_reynolds::{Bearing, Cavitation, FilmProblem, FilmSystem, JournalState, Theory};
 
 use crate::joint::share_per_force;
 use crate::liner_mesh::{liner_mesh, suited};
 use crate::report::Effects;
 use crate::run::DEGREE;
-use crate::scene::{self, BarusForm, CavitationModel, RoelandsExponent, Scene};
+use crate::scene::{self, CavitationModel, Scene};
 
 /// A scene, ready to be solved.
 pub struct Study {
@@ -48,6 +49,10 @@ pub struct Study {
     pub squeeze: oilwedge_bearing::Squeeze,
     /// The cap that this bearing is in.
     pub cap: Option<scene::Cap>,
+    /// The oil, at the temperature of the film.
+    pub oil: scene::Oil,
+    /// What finds that temperature.
+    pub heat: Option<scene::Heat>,
     /// What is simulated and what is not.
     pub effects: Effects,
     /// Groups of the pockets that deepen the film.
@@ -63,6 +68,12 @@ pub struct Study {
 }
 
 impl Study {
+    /// Brings the film to this temperature [K].
+    pub(crate) fn heat_to(&mut self, temperature: f64) {
+        self.oil.heat_to(temperature);
+        self.problem.lubricant = lubricant(&self.oil);
+    }
+
     /// The vector [1/N] whose product with the load is the film's share of the force that opens the joint of the cap; none
     /// without a cap, and at rest.
     pub(crate) fn film_share(&self) -> Option<[f64; 2]> {
@@ -193,6 +204,8 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, near: (f64, f64), degree: usize) ->
         load: scene.journal.load(),
         squeeze: squeeze(scene),
         cap: scene.cap,
+        oil: scene.oil.clone(),
+        heat: scene.heat,
         effects: effects(scene, &problem),
         problem,
         system,
@@ -213,8 +226,8 @@ fn problem(scene: &Scene, journal: JournalState, film_thickness: Vec<Arc<dyn Fil
         bearing: bearing(scene),
         journal,
         film_thickness,
-        lubricant: lubricant(scene),
-        form: form(scene),
+        lubricant: lubricant(&scene.oil),
+        form: form(&scene.oil),
         terms: terms(scene),
         cavitation: cavitation(scene),
     }
@@ -262,38 +275,6 @@ fn film_thickness(scene: &Scene, mesh: &Mesh) -> Vec<Arc<dyn FilmContribution>> 
         }
     }
     film
-}
-
-fn lubricant(scene: &Scene) -> Lubricant {
-    let viscosity = scene.oil.viscosity;
-    let pressure_law = match scene.oil.pressure_law {
-        scene::PressureLaw::Constant => PressureLaw::Constant,
-        scene::PressureLaw::Barus { alpha, .. } => PressureLaw::Barus(Barus { alpha }),
-        scene::PressureLaw::Roelands {
-            exponent,
-            reference_pressure,
-        } => {
-            let index = match exponent {
-                RoelandsExponent::Z(z) => z,
-                RoelandsExponent::Alpha(alpha) => Roelands::index_of(alpha, viscosity, reference_pressure),
-            };
-            PressureLaw::Roelands(Roelands::new(viscosity, index, reference_pressure))
-        }
-    };
-    Lubricant {
-        viscosity,
-        pressure_law,
-    }
-}
-
-fn form(scene: &Scene) -> Form {
-    match scene.oil.pressure_law {
-        scene::PressureLaw::Barus {
-            alpha,
-            form: BarusForm::AsPrinted,
-        } => Form::AsPrinted(Barus { alpha }),
-        _ => Form::Conservative,
-    }
 }
 
 /// A journal at rest drags no oil, and one whose centre rests squeezes none.
@@ -437,6 +418,9 @@ fn effects(scene: &Scene, problem: &FilmProblem) -> Effects {
     if scene.journal.speed == 0.0 {
         not_simulated.push("couette".to_owned());
     }
+    if scene.oil.thermal.is_some() {
+        simulated.push("oil by temperature".to_owned());
+    }
     match scene.oil.pressure_law.name() {
         None => not_simulated.push("viscosity growing with pressure".to_owned()),
         Some(law) => simulated.push(law.to_owned()),
@@ -454,10 +438,14 @@ fn effects(scene: &Scene, problem: &FilmProblem) -> Effects {
     if scene.journal.load().is_some() {
         simulated.push("equilibrium".to_owned());
     }
+    match scene.heat {
+        Some(_) => simulated.push("heat".to_owned()),
+        None => not_simulated.push("heat".to_owned()),
+    }
     if scene.journal.motion().is_none() {
         not_simulated.push("squeeze".to_owned());
     }
-    let never = ["misalignment", "heat", "elastic liner", "roughness", "turbulence"];
+    let never = ["misalignment", "elastic liner", "roughness", "turbulence"];
     not_simulated.extend(never.map(str::to_owned));
     Effects {
         simulated,

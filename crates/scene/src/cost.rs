@@ -150,6 +150,13 @@ fn without_each(scene: &Scene) -> Vec<Variant> {
     if scene.journal.motion().is_some() {
         add("squeeze", "a centre at rest", |scene| scene.journal.squeeze = None);
     }
+    if scene.heat.is_some() {
+        add("heat", "a film as warm as the oil that is fed", |scene| {
+            if let Some(heat) = scene.heat.take() {
+                scene.oil.heat_to(heat.inlet);
+            }
+        });
+    }
     if let Some(law) = scene.oil.pressure_law.name() {
         add(law, "constant viscosity", |scene| {
             scene.oil.pressure_law = PressureLaw::Constant

@@ -2,6 +2,8 @@
 
 use std::f64::consts::PI;
 
+use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
+
 /// What kind of quantity a key asks for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Dimension {
@@ -27,10 +29,26 @@ pub enum Dimension {
     Area,
     /// Ratio [1].
     Ratio,
+    /// Temperature [K].
+    Temperature,
+    /// Difference of temperatures [K].
+    TemperatureDifference,
+    /// Inverse temperature [1/K].
+    InverseTemperature,
+    /// Kinematic viscosity [m2/s].
+    KinematicViscosity,
+    /// Density [kg/m3].
+    Density,
+    /// Heat capacity per volume [J/(m3 K)].
+    HeatCapacity,
+    /// Heat conductance [W/K].
+    Conductance,
+    /// Heat transfer coefficient [W/(m2 K)].
+    HeatTransfer,
 }
 
 /// All kinds.
-pub(crate) const ALL: [Dimension; 11] = [
+pub(crate) const ALL: [Dimension; 19] = [
     Dimension::Length,
     Dimension::Angle,
     Dimension::Pressure,
@@ -42,6 +60,14 @@ pub(crate) const ALL: [Dimension; 11] = [
     Dimension::Mass,
     Dimension::Area,
     Dimension::Ratio,
+    Dimension::Temperature,
+    Dimension::TemperatureDifference,
+    Dimension::InverseTemperature,
+    Dimension::KinematicViscosity,
+    Dimension::Density,
+    Dimension::HeatCapacity,
+    Dimension::Conductance,
+    Dimension::HeatTransfer,
 ];
 
 const BAR: f64 = 1e5;
@@ -66,6 +92,14 @@ impl Dimension {
             Self::Mass => "a mass",
             Self::Area => "an area",
             Self::Ratio => "a ratio",
+            Self::Temperature => "a temperature",
+            Self::TemperatureDifference => "a temperature difference",
+            Self::InverseTemperature => "an inverse temperature",
+            Self::KinematicViscosity => "a kinematic viscosity",
+            Self::Density => "a density",
+            Self::HeatCapacity => "a heat capacity per volume",
+            Self::Conductance => "a heat conductance",
+            Self::HeatTransfer => "a heat transfer coefficient",
         }
     }
 
@@ -83,6 +117,14 @@ impl Dimension {
             Self::Mass => "0.7 kg",
             Self::Area => "58 mm2",
             Self::Ratio => "0.1 %",
+            Self::Temperature => "80 C",
+            Self::TemperatureDifference => "1000 K",
+            Self::InverseTemperature => "68.8e-5 1/K",
+            Self::KinematicViscosity => "95 mm2/s",
+            Self::Density => "870 kg/m3",
+            Self::HeatCapacity => "1.8 MJ/(m3.K)",
+            Self::Conductance => "5 W/K",
+            Self::HeatTransfer => "17 W/(m2.K)",
         }
     }
 
@@ -159,6 +201,42 @@ impl Dimension {
             Self::Mass => &[("kg", 1.0), ("g", 1e-3), ("t", 1e3), ("lb", POUND)],
             Self::Area => &[("m2", 1.0), ("cm2", 1e-4), ("mm2", 1e-6), ("in2", INCH * INCH)],
             Self::Ratio => &[("%", 1e-2), ("ppm", 1e-6)],
+            Self::Temperature => &[
+                ("C", 1.0),
+                ("degC", 1.0),
+                ("K", 1.0),
+                ("F", 5.0 / 9.0),
+                ("degF", 5.0 / 9.0),
+            ],
+            Self::TemperatureDifference => &[("K", 1.0)],
+            Self::InverseTemperature => &[("1/K", 1.0)],
+            Self::KinematicViscosity => &[
+                ("m2/s", 1.0),
+                ("cm2/s", 1e-4),
+                ("mm2/s", 1e-6),
+                ("St", 1e-4),
+                ("cSt", 1e-6),
+            ],
+            Self::Density => &[("kg/m3", 1.0), ("kg/l", 1e3), ("g/cm3", 1e3), ("g/ml", 1e3)],
+            Self::HeatCapacity => &[
+                ("J/(m3.K)", 1.0),
+                ("kJ/(m3.K)", 1e3),
+                ("MJ/(m3.K)", 1e6),
+                ("J/m3/K", 1.0),
+                ("kJ/m3/K", 1e3),
+                ("MJ/m3/K", 1e6),
+            ],
+            Self::Conductance => &[("W/K", 1.0), ("kW/K", 1e3)],
+            Self::HeatTransfer => &[("W/(m2.K)", 1.0), ("W/m2/K", 1.0)],
+        }
+    }
+
+    /// What zero of a unit of this kind is in SI: not zero for temperatures alone.
+    pub fn zero(self, unit: &str) -> f64 {
+        match (self, unit) {
+            (Self::Temperature, "C" | "degC") => ZERO_CELSIUS,
+            (Self::Temperature, "F" | "degF") => ZERO_CELSIUS - 32.0 * 5.0 / 9.0,
+            _ => 0.0,
         }
     }
 

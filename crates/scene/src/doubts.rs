@@ -29,6 +29,7 @@ pub(crate) fn warnings_beside_bars(study: &Study, measured: &Measured) -> Vec<St
             100.0 * measured.flows.imbalance
         ));
     }
+    warnings.extend(crate::thermal::doubts(study, measured));
     let ways_out = measured.fallbacks.iter();
     warnings.extend(ways_out.map(|way| format!("{way}: a way out; compare with a finer mesh")));
     warnings

@@ -11,10 +11,10 @@
 //! Reading order: [`unit`] (quantities with units, over the table in `dimension.rs`), [`scene`] (what a user can
 //! say), [`schema`] (how it is written, over the collecting `reader.rs`), [`validate`] (what can be computed),
 //! [`complaint`] (what is said where it cannot), [`mod@compile`] (the one place that knows all effects), [`analysis`] (given
-//! position or given load), [`mod@run`], [`mod@measure`], [`joint`] and [`report`] (the numbers, in `doubts.rs` what to doubt, in
+//! position or given load), [`thermal`] (its temperature), [`mod@run`], [`mod@measure`], [`joint`] and [`report`] (the numbers, in `doubts.rs` what to doubt, in
 //! [`regime`] which assumptions hold),
 //! [`mod@picture`] and [`vtu`] (the fields), [`results`] (the files), [`cost`] (the same again without each effect).
-//! What accuracy costs: [`convergence`], over [`level`] and with [`plot`].
+//! What is known of oils: [`oil_sheet`]. What accuracy costs: [`convergence`], over [`level`] and with [`plot`].
 
 pub mod analysis;
 pub mod bars;
@@ -31,6 +31,7 @@ pub mod level;
 pub mod liner_mesh;
 pub mod measure;
 mod moved;
+pub mod oil_sheet;
 pub mod picture;
 pub mod plot;
 mod reader;
@@ -44,6 +45,7 @@ pub mod schema;
 pub mod sketch;
 pub mod spelling;
 pub mod sweep;
+pub mod thermal;
 pub mod unit;
 pub mod validate;
 pub mod vtu;

@@ -1,5 +1,6 @@
 //! The quantities of a solved film, in the order of the report.
 
+use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_reynolds::quantities::cavity::{self, Cavity};
 use oilwedge_reynolds::quantities::flow::{self, Flows};
 use oilwedge_reynolds::quantities::friction::friction;
@@ -15,6 +16,7 @@ use crate::compile::Study;
 pub use crate::doubts::warnings;
 use crate::joint;
 use crate::report::Quantity;
+use crate::thermal;
 
 /// A load below this fraction of (greatest pressure difference, or pressure of drag) x (projected area) has no direction.
 const NO_LOAD: f64 = 1e-12;
@@ -139,6 +141,10 @@ pub(crate) fn quantities_at(study: &Study, problem: &FilmProblem, measured: &Mea
     add("pressure_max", "p_max", extremes.greatest, "Pa");
     add("pressure_min", "p_min", extremes.least, "Pa");
     add("film_thickness_min", "h_min", *least_thickness, "m");
+    if let Some(temperature) = study.oil.temperature {
+        add("temperature_effective", "t_m", temperature - ZERO_CELSIUS, "degC");
+        add("viscosity_effective", "mu0", problem.lubricant.viscosity, "Pa.s");
+    }
     add("viscosity_max", "mu_max", extremes.viscosity, "Pa.s");
     if let Some(cavity) = cavity {
         add("cavity_share", "A_c/A", cavity.share, "1");
@@ -148,6 +154,7 @@ pub(crate) fn quantities_at(study: &Study, problem: &FilmProblem, measured: &Mea
     }
     list.extend(flow_quantities(problem, system, measured));
     list.extend(friction_quantities(problem, measured, directed));
+    list.extend(thermal::quantities(study, measured));
     list.push(Quantity::new("pressure_integral", "Int p dA", load.total.pressure, "N"));
     for (name, share) in &load.cut_out {
         list.push(Quantity::new(format!("load_x.{name}"), "W_x", share.force[0], "N"));

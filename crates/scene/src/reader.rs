@@ -110,8 +110,6 @@ pub(crate) struct TableReader<'a> {
     table: Option<&'a DeTable<'a>>,
     path: String,
     known: Vec<&'a str>,
-    /// Keys of later versions.
-    later: Vec<&'static str>,
     /// Keys that must be there and are not, with an example.
     missing: Vec<(&'static str, String)>,
 }
@@ -128,7 +126,6 @@ impl<'a> TableReader<'a> {
             table,
             path,
             known: Vec::new(),
-            later: Vec::new(),
             missing: Vec::new(),
         }
     }
@@ -341,14 +338,6 @@ impl<'a> TableReader<'a> {
         items.iter().enumerate().map(reader).collect()
     }
 
-    /// Refuses a key of the contract that this version does not serve.
-    pub(crate) fn not_served(&mut self, key: &'static str, instead: &str) {
-        self.later.push(key);
-        if self.value(key).is_some() {
-            self.complain(key, "is not served yet", instead);
-        }
-    }
-
     /// Complains about every key that nobody asked for, and about keys that are missing. A key that is misspelt is
     /// not missing too.
     pub(crate) fn finish(mut self) {
@@ -357,7 +346,7 @@ impl<'a> TableReader<'a> {
         let mut meant = Vec::new();
         for (key, value) in table {
             let name = key.get_ref().as_ref();
-            if self.known.contains(&name) || self.later.contains(&name) {
+            if self.known.contains(&name) {
                 continue;
             }
             if self.collector.is_full() {

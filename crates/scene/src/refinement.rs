@@ -61,6 +61,8 @@ pub struct Answer {
 /// # Errors
 /// The scene does not become a film.
 pub fn answer(scene: &Scene, options: &RunOptions) -> Result<Answer, CompileError> {
+    let warmed = crate::thermal::warmed(scene, options.patience())?;
+    let scene = warmed.as_ref().unwrap_or(scene);
     let tolerance = scene.tolerance.as_ref().filter(|_| options.bars);
     let Some(tolerance) = tolerance else {
         let patience = options.patience();

@@ -5,15 +5,15 @@
 //! of ISO 7902-1); inertia counts where `Re c/R` is about one (Szeri, Fluid Film Lubrication (1998), ch. 5); surfaces touch
 //! where the film is below three times their combined roughness (Hamrock, Schmid, Jacobson (2004), ch. 3).
 
-use oilwedge_reynolds::FilmProblem;
 use oilwedge_reynolds::existence::readable;
+use oilwedge_reynolds::lubricant::density::MINERAL_OIL;
 use serde::Serialize;
 
+use crate::compile::Study;
 use crate::measure::Measured;
 use crate::scene::{PressureLaw, RoelandsExponent, Scene};
+use crate::thermal::leaving;
 
-/// Density [kg/m3] of a mineral oil, where the scene gives none.
-const MINERAL_OIL: f64 = 870.0;
 /// Clearance over radius of a film that curvature does not touch.
 const THIN: f64 = 1e-2;
 /// Film over roughness of surfaces that do not touch.
@@ -26,6 +26,10 @@ const BARUS: f64 = 0.3e9;
 const CONSTANT: f64 = 5e7;
 /// Pressure [Pa] of the roller contacts from which Roelands' law was read.
 const ROELANDS: f64 = 1.2e9;
+/// Rise of temperature [K] at which a mineral oil loses a third of its viscosity in the mean.
+const WARM: f64 = 25.0;
+/// Heat capacity per volume [J/(m3 K)] of mineral oil.
+const HEAT_CAPACITY: f64 = 1.8e6;
 /// Pressure [Pa] that bends a steel liner by microns.
 const RIGID: f64 = 2e8;
 
@@ -46,14 +50,19 @@ pub struct Regime {
     pub pressure_exponent: Option<f64>,
     /// Least film thickness over roughness [1]; `None` where the scene gives no roughness.
     pub roughness_ratio: Option<f64>,
+    /// How much hotter [K] friction would make the oil that leaves than that which is fed, if all heat left with it; `None` where no oil leaves or
+    /// nothing turns.
+    pub temperature_rise: Option<f64>,
 }
 
 impl Regime {
     /// The numbers of a solved film.
-    pub fn of(scene: &Scene, problem: &FilmProblem, measured: &Measured) -> Self {
+    pub fn of(scene: &Scene, study: &Study, measured: &Measured) -> Self {
+        let problem = &study.problem;
         let bearing = &problem.bearing;
         let speed = problem.journal.speed.abs() * bearing.radius;
-        let reynolds_number = MINERAL_OIL * speed * bearing.clearance / problem.lubricant.viscosity;
+        let density = scene.oil.film_density().unwrap_or(MINERAL_OIL);
+        let reynolds_number = density * speed * bearing.clearance / problem.lubricant.viscosity;
         let clearance_ratio = bearing.clearance / bearing.radius;
         let alpha = match scene.oil.pressure_law {
             PressureLaw::Constant => None,
@@ -63,20 +72,21 @@ impl Regime {
                 reference_pressure,
             } => Some(match exponent {
                 RoelandsExponent::Alpha(alpha) => alpha,
-                RoelandsExponent::Z(z) => z * (scene.oil.viscosity.ln() + 9.67) / reference_pressure,
+                RoelandsExponent::Z(z) => z * (problem.lubricant.viscosity.ln() + 9.67) / reference_pressure,
             }),
         };
         Self {
             reynolds_number,
             taylor_limit: 41.3 / clearance_ratio.sqrt(),
             inertia: reynolds_number * clearance_ratio,
-            density: MINERAL_OIL,
+            density,
             clearance_ratio,
             pressure_exponent: alpha.map(|alpha| alpha * measured.extremes.greatest),
             roughness_ratio: scene
                 .bearing
                 .roughness
                 .map(|roughness| measured.least_thickness / roughness),
+            temperature_rise: temperature_rise(scene, study, measured),
         }
     }
 
@@ -90,6 +100,7 @@ impl Regime {
             ("clearance_ratio", Some(self.clearance_ratio)),
             ("pressure_exponent", self.pressure_exponent),
             ("roughness_ratio", self.roughness_ratio),
+            ("temperature_rise", self.temperature_rise),
         ];
         given
             .into_iter()
@@ -102,7 +113,7 @@ impl Regime {
         let pressure = measured.extremes.greatest;
         let bar = |pascal: f64| readable(1e-5 * pascal);
         let flow = format!(
-            "Reynolds number {} at {} kg/m3",
+            "Reynolds number {} at {:.0} kg/m3",
             rounded(self.reynolds_number),
             self.density
         );
@@ -140,12 +151,27 @@ impl Regime {
                 format!("rigid surfaces: {} bar bend the liner by as much as the film is thick", bar(pressure))
             }),
         ];
+        let rise = self
+            .temperature_rise
+            .filter(|rise| scene.heat.is_none() && *rise > WARM);
+        let heated = rise.map(|rise| {
+            format!("a film as warm as its oil is fed: friction would heat the oil that flows through by some {} K, and the viscosity is that of another temperature; give [heat]", rounded(rise))
+        });
         broken
             .into_iter()
+            .chain([heated])
             .flatten()
             .map(|told| format!("an assumption does not hold: {told}"))
             .collect()
     }
+}
+
+/// Friction over the heat that the oil which leaves takes up for each kelvin.
+fn temperature_rise(scene: &Scene, study: &Study, measured: &Measured) -> Option<f64> {
+    let capacity = scene.heat.map_or(HEAT_CAPACITY, |heat| heat.heat_capacity);
+    let flow = leaving(&study.system, measured);
+    let rise = measured.power.friction() / (capacity * flow);
+    (study.problem.journal.speed != 0.0 && rise.is_finite() && rise >= 0.0).then_some(rise)
 }
 
 /// Two significant digits.

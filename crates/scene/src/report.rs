@@ -1,12 +1,14 @@
 //! What a run found, as scripts read it: `result.json`, and the facts that `oilwedge check` tells.
 //!
-//! Every number is SI, angles excepted (degrees). A number that is not finite is never written.
+//! Every number is SI, angles (degrees) and temperatures (degrees C) excepted. A number that is not finite is never written.
 
 mod bars;
 mod check;
+mod heat;
 
 pub use bars::{ErrorParts, LevelFacts, Refinement};
 pub use check::{CHECK_FORMAT, CheckReport, Cost, RegionFacts};
+pub use heat::{Criterion, HeatPoint, HeatReport};
 
 use crate::cost::EffectCost;
 use crate::regime::Regime;
@@ -26,7 +28,7 @@ pub struct Quantity {
     pub symbol: String,
     /// The value in `unit`.
     pub value: f64,
-    /// `N m m3/s N.m Pa Pa.s W deg rad/s` or `1`.
+    /// `N m m3/s N.m Pa Pa.s W deg degC rad/s` or `1`.
     pub unit: String,
     /// Half width of the error bar in `unit`, the sum of its parts; `None` where it is not estimated or not resolved.
     pub error: Option<f64>,
@@ -92,6 +94,8 @@ pub struct Balances {
     pub power: f64,
     /// Load minus the force of the film, relative to the load; zero where the position is given.
     pub force: f64,
+    /// Heat of friction less what is carried off, relative to it; zero where the temperature is given.
+    pub heat: f64,
 }
 
 /// One step of the iteration.
@@ -163,6 +167,9 @@ pub struct RunResult {
     pub balances: Balances,
     /// Which assumptions the film meets; `null` where there is none.
     pub regime: Option<Regime>,
+    /// How the temperature of the film comes about, and whether the bearing will do; absent in JSON where it was not sought.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub heat: Option<HeatReport>,
     /// The nonlinear iteration.
     pub history: Vec<HistoryStep>,
     /// How often the dear things were done.
@@ -240,6 +247,10 @@ impl RunResult {
         }
         finite("balances.power", self.balances.power)?;
         finite("balances.force", self.balances.force)?;
+        finite("balances.heat", self.balances.heat)?;
+        for (name, value) in self.heat.iter().flat_map(HeatReport::numbers) {
+            finite(&format!("heat.{name}"), value)?;
+        }
         for step in &self.history {
             finite(&format!("history, step {}, residual", step.step), step.residual)?;
         }
@@ -317,8 +328,10 @@ pub(crate) mod tests {
                 mass: 1e-12,
                 power: 1e-12,
                 force: 0.0,
+                heat: 0.0,
             },
             regime: None,
+            heat: None,
             history: vec![HistoryStep {
                 step: 1,
                 residual: 1.0,

@@ -1,9 +1,10 @@
-//! The folder of a run: `result.json` and `film.vtu`, written whole or not at all.
+//! The folder of a run: `result.json`, `film.vtu` and, of a balance of heat, `heat.svg` and `heat.png`, written whole or not at all.
 //!
 //! `result.json` stands beside the picture of its own run or not at all: an old one is taken away before the new picture
 //! comes, and the new one comes last.
 
 use crate::folder::replace;
+use crate::plot::{PlotError, heat_to_svg, to_png};
 use crate::report::{ReportError, RunResult};
 use std::ffi::OsStr;
 use std::io;
@@ -14,12 +15,18 @@ pub const RESULT_FILE: &str = "result.json";
 /// File of the fields.
 pub const PICTURE_FILE: &str = "film.vtu";
 
+/// Files of the curves of a balance of heat.
+pub const HEAT_FILES: [&str; 2] = ["heat.svg", "heat.png"];
+
 /// Why the results were not written. What stood in the folder before stands there still.
 #[derive(Debug, thiserror::Error)]
 pub enum WriteError {
     /// The result holds something that must not be written.
     #[error(transparent)]
     Report(#[from] ReportError),
+    /// The curves cannot be drawn.
+    #[error(transparent)]
+    Plot(#[from] PlotError),
     /// The system refused.
     #[error("cannot write {}: {source}; choose another folder with --out", path.display())]
     System {
@@ -43,17 +50,34 @@ pub enum WriteError {
 }
 
 /// Writes `result.json` and, where there is a picture (the bytes of a VTU file), `film.vtu` into the folder `dir`,
-/// which is made if need be. Files of an earlier run are replaced; without a picture an earlier `film.vtu` is removed, since
-/// it shows another run.
+/// which is made if need be, and the curves of a balance of heat. Files of an earlier run are replaced; without a picture or curves earlier ones
+/// are removed, since they show another run.
 ///
 /// # Errors
 /// [`WriteError`]: a number is not finite, or the system refuses; the old files are then left as they were.
 pub fn write_results(dir: &Path, result: &RunResult, picture: Option<&[u8]>) -> Result<(), WriteError> {
     let json = result.to_json()?;
+    let (svg, png) = match &result.heat {
+        Some(heat) => {
+            let value = |name: &str| result.quantity(name).map(|quantity| quantity.value);
+            let found = value("temperature_effective").zip(value("friction_power"));
+            let svg = heat_to_svg(
+                &result.title,
+                heat,
+                found.map(|(temperature, power)| [temperature, power]),
+            )?;
+            let png = to_png(&svg)?;
+            (Some(svg), Some(png))
+        }
+        None => (None, None),
+    };
     let result = OsStr::new(RESULT_FILE);
+    let [svg_file, png_file] = HEAT_FILES.map(OsStr::new);
     let steps = [
         (result, None),
         (PICTURE_FILE.as_ref(), picture),
+        (svg_file, svg.as_deref().map(str::as_bytes)),
+        (png_file, png.as_deref()),
         (result, Some(json.as_bytes())),
     ];
     replace(dir, &steps)

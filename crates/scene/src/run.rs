@@ -28,6 +28,7 @@ use crate::report::{
 use crate::results::WriteError;
 use crate::scene::Scene;
 use crate::sketch::{sketch, words};
+use crate::thermal::{heat_report, left_over};
 use crate::vtu::{FilmPicture, PictureError};
 
 /// Degree of the unknown of a film [1].
@@ -168,7 +169,7 @@ pub enum Error {
 pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, Error> {
     let start = Instant::now();
     let Answer {
-        study,
+        mut study,
         outcome,
         levels,
         limit,
@@ -188,6 +189,7 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, Error> {
         levels,
         balances: Balances::default(),
         regime: None,
+        heat: None,
         history: Vec::new(),
         counts: Counts::default(),
         linear_solver: None,
@@ -198,9 +200,10 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, Error> {
     let picture = match outcome {
         Ok((solved, judged)) => {
             let indicator = judged.indicator.clone();
-            let regime = Regime::of(scene, &study.problem, &judged.measured);
+            let regime = Regime::of(scene, &study, &judged.measured);
             let broken = regime.warnings(scene, &judged.measured);
             report(&study, &solved, judged, &mut result);
+            result.heat = heat_report(&mut study, &solved, &result.quantities, options);
             result.regime = Some(regime);
             result.warnings.extend(broken);
             if limit.is_some() {
@@ -276,6 +279,7 @@ fn report(study: &Study, solved: &Solved, judged: Judged, result: &mut RunResult
         },
         steps: film.linearisation.steps(),
     });
+    result.balances.heat = left_over(&result.quantities);
     result.balances.force = solved.balance.map_or(0.0, |balance| balance.residual);
     let mut parts = vec![
         ("assemble", film.seconds.assemble),

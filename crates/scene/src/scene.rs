@@ -1,10 +1,14 @@
 //! A scene: everything a user says about one bearing, in SI. `Scene::read` is the only way to get one from a file.
 
+mod heat;
 mod journal;
+mod oil;
 mod start;
 mod tolerance;
 
+pub use heat::{Engine, Heat, Mixing};
 pub use journal::{Journal, Position, Squeeze};
+pub use oil::{BarusForm, Oil, PressureLaw, RoelandsExponent};
 pub use tolerance::{Target, Tolerance};
 
 pub use oilwedge_reynolds::Theory;
@@ -49,6 +53,8 @@ pub struct Scene {
     pub journal: Journal,
     /// The oil.
     pub oil: Oil,
+    /// The balance that finds the temperature of the film; `None`: it is given, or plays no part.
+    pub heat: Option<Heat>,
     /// What happens where the film would break; `None`: a full film, whatever its pressure.
     pub cavitation: Option<Cavitation>,
     /// The cap of the connecting rod whose bearing this is; nothing of the film depends on it.
@@ -186,73 +192,6 @@ pub struct Hole {
     pub angle: f64,
     /// Axial position of its centre [m]; 0 is midway between the ends.
     pub z: f64,
-}
-
-/// The oil.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Oil {
-    /// Dynamic viscosity mu0 at gauge pressure zero [Pa.s].
-    pub viscosity: f64,
-    /// How the viscosity depends on pressure.
-    pub pressure_law: PressureLaw,
-}
-
-/// How the viscosity depends on pressure.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum PressureLaw {
-    /// mu = mu0.
-    Constant,
-    /// mu = mu0 exp(alpha p).
-    Barus {
-        /// Pressure-viscosity coefficient alpha [1/Pa], not negative.
-        alpha: f64,
-        /// Which equation is solved.
-        form: BarusForm,
-    },
-    /// mu = mu0 exp((ln mu0 + 9.67) ((1 + p/p_r)^z - 1)), mu0 in Pa.s.
-    Roelands {
-        /// The exponent, directly or by the slope at zero pressure.
-        exponent: RoelandsExponent,
-        /// Reference pressure p_r [Pa].
-        reference_pressure: f64,
-    },
-}
-
-impl PressureLaw {
-    /// Name among the effects of a report; `None` where the viscosity is constant.
-    pub fn name(&self) -> Option<&'static str> {
-        match self {
-            Self::Constant => None,
-            Self::Barus {
-                form: BarusForm::Conservative,
-                ..
-            } => Some("barus"),
-            Self::Barus {
-                form: BarusForm::AsPrinted,
-                ..
-            } => Some("barus: as-printed"),
-            Self::Roelands { .. } => Some("roelands"),
-        }
-    }
-}
-
-/// Where the viscosity stands in Reynolds' equation with Barus' law.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum BarusForm {
-    /// Under the divergence: a balance of mass.
-    #[default]
-    Conservative,
-    /// On the right-hand side, div(h^3 grad p) = 12 mu(p) (...), as the FlexPDE study prints it.
-    AsPrinted,
-}
-
-/// How steep Roelands' law is.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum RoelandsExponent {
-    /// Roelands' exponent z [1], not negative.
-    Z(f64),
-    /// Pressure-viscosity coefficient at zero pressure alpha [1/Pa], not negative: z = alpha p_r/(ln mu0 + 9.67).
-    Alpha(f64),
 }
 
 /// What happens where the film would break.

@@ -1,9 +1,11 @@
-//! The keys of a scene: which there are, what each means, and which are promised but not served yet.
+//! The keys of a scene: which there are, and what each means.
 
 mod cap;
 mod feed;
+mod heat;
 mod journal;
 mod oil;
+mod oil_law;
 mod sweep;
 mod tolerance;
 
@@ -11,7 +13,7 @@ pub use oil::ROELANDS_REFERENCE_PRESSURE;
 
 use crate::complaint::Complaint;
 use crate::reader::{Collector, Marks, TableReader};
-use crate::scene::{Arc, Bearing, Cavitation, CavitationModel, Ends, MeshSource, Scene, Theory, Tolerance};
+use crate::scene::{Arc, Bearing, Cavitation, CavitationModel, Ends, Engine, MeshSource, Scene, Theory, Tolerance};
 use crate::sweep::Plan;
 use crate::unit::{self, Dimension};
 use std::path::Path;
@@ -44,18 +46,28 @@ fn scene(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene {
             Some(Tolerance::where_nothing_is_given(under_load)),
         ),
     };
+    let heat = root.table_if_given("heat").map(heat::read);
+    let engine = heat.and_then(|heat| heat.engine);
     let scene = Scene {
         title: root
             .text_if_given("title", "Plain journal bearing")
             .unwrap_or_else(stem),
-        bearing: bearing(root.table("bearing", "[bearing] with diameter, length and clearance")),
+        bearing: bearing(
+            root.table("bearing", "[bearing] with diameter, length and clearance"),
+            engine,
+        ),
         mesh: source,
         tolerance,
         // Open to the zero of all pressures unless said.
         ends: root.table_if_given("ends").map_or(Ends { pressure: 0.0 }, ends),
-        feeds: root.tables("feed").into_iter().map(feed::read).collect(),
+        feeds: root
+            .tables("feed")
+            .into_iter()
+            .map(|feed| feed::read(feed, engine))
+            .collect(),
         journal: journal::read(root.table("journal", journal_keys), load),
-        oil: oil::read(root.table("oil", "[oil] with viscosity = \"40 mPa.s\"")),
+        oil: oil::read(root.table("oil", "[oil] with viscosity = \"40 mPa.s\""), heat.as_ref()),
+        heat,
         cavitation: root.table_if_given("cavitation").and_then(cavitation),
         cap: root.table_if_given("cap").map(cap::read),
         sweep: root.table_if_given("sweep").map(|table| Plan {
@@ -65,23 +77,25 @@ fn scene(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene {
         }),
         sha256: String::new(),
     };
-    root.not_served(
-        "heat",
-        "remove it; the oil has one temperature, that of the viscosity given",
-    );
     root.finish();
     scene
 }
 
 const MESH_FILE: &str = "../meshes/liner.msh";
 
-fn bearing(mut table: TableReader<'_>) -> Bearing {
+/// An engine has a usual clearance, where none is written.
+fn bearing(mut table: TableReader<'_>, engine: Option<Engine>) -> Bearing {
     let mut inlet_fraction = None;
     let theories = [Theory::Full, Theory::Short, Theory::Long].map(|theory| (theory.name(), theory));
+    let diameter = table.quantity("diameter", Dimension::Length, "75 mm");
+    let usual = engine.filter(|_| !table.has("clearance"));
     let bearing = Bearing {
-        diameter: table.quantity("diameter", Dimension::Length, "75 mm"),
+        diameter,
         length: table.quantity("length", Dimension::Length, "75 mm"),
-        clearance: table.quantity("clearance", Dimension::Length, "37.5 um"),
+        clearance: match usual {
+            Some(engine) => 0.5 * diameter * Engine::middle(engine.clearance_ratio()),
+            None => table.quantity("clearance", Dimension::Length, "37.5 um"),
+        },
         arc: table.table_if_given("arc").map(|mut arc| {
             let from = arc.quantity("from", Dimension::Angle, "40 deg");
             let to = arc.quantity("to", Dimension::Angle, "220 deg");
@@ -280,19 +294,6 @@ oil = { viscosity = "0.4 Pa.s", barus = { alpha = "2.5e-8 1/Pa" } }
         ] {
             let told = told("\"37.5 um\"", wrong);
             assert!(told.len() == 1 && told[0].help.contains("\"37.5 um\""), "{told:?}");
-        }
-    }
-
-    #[test]
-    fn keys_of_later_versions_are_refused_by_name() {
-        let later = [("title = ", "heat = {}\ntitle = ", "heat")];
-        for (from, to, key) in later {
-            let told = told(from, to);
-            assert_eq!(told.len(), 1, "{to}: {told:?}");
-            assert!(
-                told[0].key == key && told[0].message.contains("not served yet"),
-                "{to}: {told:?}"
-            );
         }
     }
 

@@ -1,8 +1,9 @@
 //! Quantities as people write them (`"25 mm"`, `"3000 rpm"`) become SI numbers here, once.
 //!
-//! Inside the program everything is SI: m, rad, Pa, Pa.s, rad/s, 1/Pa, N, m/s, kg, m2. A quantity is a number and a unit,
+//! Inside the program everything is SI: m, rad, Pa, Pa.s, rad/s, 1/Pa, N, m/s, kg, m2, K. A quantity is a number and a unit,
 //! with or without a space; `µ` and `u`, `Pa.s`, `Pa s` and `Pa·s`, `mm²` and `mm2` mean the same. Letter case
 //! matters, since mPa is not MPa. A count of turns is `rpm` or `Hz`; `1/s` is read as `rad/s`, as in SI.
+//! Temperatures count from the absolute zero; only a temperature has units with a zero of their own (`C`, `F`), a difference is in `K`.
 
 use crate::dimension::ALL;
 pub use crate::dimension::Dimension;
@@ -117,7 +118,7 @@ pub fn parse(text: &str, expected: Dimension) -> Result<f64, UnitError> {
             expected,
         });
     }
-    let value = number * unit_size(unit, expected)?;
+    let value = number * unit_size(unit, expected)? + expected.zero(&canonical(unit));
     if value.is_finite() {
         Ok(value)
     } else {
@@ -187,6 +188,7 @@ fn canonical(unit: &str) -> String {
             '\u{b5}' | '\u{3bc}' => plain.push('u'),
             '*' | '.' | '\u{b7}' | '\u{22c5}' => plain.push(' '),
             '\u{b2}' => plain.push('2'),
+            '\u{b3}' => plain.push('3'),
             '\u{b9}' => plain.push('1'),
             '\u{207b}' => plain.push('-'),
             '\u{b0}' => plain.push_str("deg"),
@@ -264,6 +266,22 @@ mod tests {
         close("1.32 cm\u{b2}", Area, 1.32e-4);
         close("0.1 %", Ratio, 1e-3);
         close("50 ppm", Ratio, 5e-5);
+        close("80 C", Temperature, 353.15);
+        close("80 \u{b0}C", Temperature, 353.15);
+        close("-40degC", Temperature, 233.15);
+        close("353.15 K", Temperature, 353.15);
+        close("212 F", Temperature, 373.15);
+        close("1000 K", TemperatureDifference, 1000.0);
+        close("68.8e-5 1/K", InverseTemperature, 68.8e-5);
+        close("68.8e-5 K^-1", InverseTemperature, 68.8e-5);
+        close("14.3 mm\u{b2}/s", KinematicViscosity, 14.3e-6);
+        close("14.3 cSt", KinematicViscosity, 14.3e-6);
+        close("0.885 kg/l", Density, 885.0);
+        close("1.8 MJ/(m\u{b3} K)", HeatCapacity, 1.8e6);
+        close("1800 kJ/(m3 K)", HeatCapacity, 1.8e6);
+        close("17 W/(m2 K)", HeatTransfer, 17.0);
+        close("5 W/K", Conductance, 5.0);
+        close("0.885 g / cm3", Density, 885.0);
     }
 
     #[test]
@@ -297,6 +315,11 @@ mod tests {
         assert!(help("25 mmm", Length).contains("did you mean \"mm\""));
         assert!(help("1 Bar", Pressure).contains("did you mean \"bar\""));
         assert!(help("1 furlong", Length).contains("for example \"25 mm\""));
+        assert!(matches!(
+            refused("20 C", TemperatureDifference),
+            UnitError::OtherDimension { .. }
+        ));
+        assert!(help("80 Celsius", Temperature).contains("\"80 C\""));
         assert!(help("1 mpa", Pressure).contains("did you mean"));
     }
 }

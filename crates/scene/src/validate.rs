@@ -5,13 +5,15 @@
 mod cap;
 mod cavitation;
 mod feeds;
+mod heat;
+mod oil;
 mod position;
 mod theory;
 mod tolerance;
 
 use crate::complaint::Complaint;
 use crate::reader::Marks;
-use crate::scene::{Bearing, MeshSource, PressureLaw, RoelandsExponent, Scene};
+use crate::scene::{Bearing, MeshSource, Scene};
 use crate::wording::{degrees, millimetres};
 use std::f64::consts::TAU;
 
@@ -42,6 +44,7 @@ pub(crate) fn complaints(scene: &Scene, marks: &Marks) -> Vec<Complaint> {
     checks.feeds(scene);
     checks.journal(&scene.journal);
     checks.oil(scene);
+    checks.heat(scene);
     checks.cavitation(scene);
     checks.inlet(scene);
     checks.cap(scene);
@@ -99,36 +102,6 @@ impl Checks<'_> {
                 "has a meaning on a full ring only, and this bearing has an arc",
                 "remove film_start (the film starts at the edge of the arc), or remove arc",
             );
-        }
-    }
-
-    fn oil(&mut self, scene: &Scene) {
-        let viscosity = scene.oil.viscosity;
-        self.positive(viscosity, "oil.viscosity");
-        let reason = "is negative, so the oil would grow thinner under pressure";
-        let help = "give a value that is not negative, about 1e-8 to 4e-8 1/Pa for mineral oil";
-        match scene.oil.pressure_law {
-            PressureLaw::Constant => {}
-            PressureLaw::Barus { alpha, .. } => self.refuse_if(alpha < 0.0, "oil.barus.alpha", reason, help),
-            PressureLaw::Roelands {
-                exponent,
-                reference_pressure,
-            } => {
-                self.positive(reference_pressure, "oil.roelands.reference_pressure");
-                self.refuse_if(
-                    viscosity > 0.0 && viscosity.ln() + 9.67 <= 0.0,
-                    "oil.viscosity",
-                    "is below the range of Roelands' law, which needs ln(viscosity in Pa.s) + 9.67 > 0",
-                    "give more than 0.0632 mPa.s (is it in mPa.s?), or take barus",
-                );
-                match exponent {
-                    RoelandsExponent::Alpha(alpha) => self.refuse_if(alpha < 0.0, "oil.roelands.alpha", reason, help),
-                    RoelandsExponent::Z(z) => {
-                        let help = "give z >= 0, about 0.4 to 0.8 for mineral oil";
-                        self.refuse_if(z < 0.0, "oil.roelands.z", reason, help);
-                    }
-                }
-            }
         }
     }
 }

@@ -1,4 +1,6 @@
-//! Lengths, angles, pressures, forces and ratios as sentences give them: six significant digits, no zeros at the end.
+//! Lengths, angles, pressures, forces, temperatures and ratios as sentences give them: six significant digits, no zeros at the end.
+
+use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 
 /// A length [m] in millimetres.
 pub(crate) fn millimetres(metres: f64) -> String {
@@ -18,6 +20,11 @@ pub(crate) fn bars(pascals: f64) -> String {
 /// A force [N] in newtons.
 pub(crate) fn newtons(force: f64) -> String {
     format!("{} N", rounded(force))
+}
+
+/// A temperature [K] in degrees Celsius.
+pub(crate) fn celsius(temperature: f64) -> String {
+    format!("{} C", rounded(temperature - ZERO_CELSIUS))
 }
 
 /// A ratio [1] in percent.
@@ -50,6 +57,7 @@ mod tests {
         assert_eq!(degrees(130f64.to_radians()), "130 deg");
         assert_eq!((bars(98_000.0), bars(-7e3)), ("0.98 bar".into(), "-0.07 bar".into()));
         assert_eq!((newtons(5e3), percent(1e-3)), ("5000 N".into(), "0.1 %".into()));
+        assert_eq!((celsius(353.15), celsius(ZERO_CELSIUS)), ("80 C".into(), "0 C".into()));
         assert_eq!((newtons(-1e308), millimetres(0.0)), ("-1e308 N".into(), "0 mm".into()));
     }
 }

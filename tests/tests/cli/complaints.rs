@@ -164,11 +164,15 @@ fn a_squeeze_without_a_direction_is_refused() {
 }
 
 #[test]
-fn keys_that_are_not_served_are_named() {
-    let later = [("[oil]", "[heat]\n[oil]", "heat")];
-    for (from, to, key) in later {
-        refused(from, to, &[&format!("{key}: "), "is not served yet", "help: "]);
-    }
+fn a_balance_of_heat_needs_an_oil_that_grows_thinner() {
+    let heat = "[heat]\ninlet = \"75 C\"\n[oil]";
+    let words = [
+        "oil.viscosity: ",
+        "[heat] needs one that falls with temperature",
+        "grade = \"SAE 10W-40\"",
+    ];
+    refused("[oil]", heat, &words);
+    refused("[oil]", "[heat]\n[oil]", &["heat.inlet: is missing", "\"75 C\""]);
 }
 
 #[test]

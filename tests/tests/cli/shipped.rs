@@ -4,21 +4,22 @@ use crate::bench::{Bench, object};
 use oilwedge_tests::program::repository;
 
 const TENSION: &str = "full Sommerfeld film: the pressure falls to";
+const HEATED: &str = "an assumption does not hold: a film as warm as its oil is fed";
 const PRINTED: &str = "the as-printed equation is no mass balance";
 
 /// Every shipped scene and the beginnings of its warnings.
-const SCENES: [(&str, &[&str]); 19] = [
-    ("01_plain_ring", &[TENSION]),
+const SCENES: [(&str, &[&str]); 20] = [
+    ("01_plain_ring", &[TENSION, HEATED]),
     ("02_flexpde_shell", &[TENSION]),
     ("03_hydrostatic_shell", &[]),
-    ("04_flexpde_ring", &[TENSION]),
-    ("05_flexpde_ring_top", &[TENSION]),
+    ("04_flexpde_ring", &[TENSION, HEATED]),
+    ("05_flexpde_ring_top", &[TENSION, HEATED]),
     ("06_flexpde_as_printed", &[TENSION, PRINTED]),
-    ("07_grooved_liner", &[TENSION]),
+    ("07_grooved_liner", &[TENSION, HEATED]),
     ("08_flexpde_study_size", &[TENSION]),
-    ("09_drawn_ring", &[TENSION]),
-    ("10_drawn_liner", &[TENSION]),
-    ("11_swift_stieber_ring", &[]),
+    ("09_drawn_ring", &[TENSION, HEATED]),
+    ("10_drawn_liner", &[TENSION, HEATED]),
+    ("11_swift_stieber_ring", &[HEATED]),
     ("12_flexpde_shell_cavitated", &[]),
     ("13_grooved_ring", &[]),
     ("14_starved_pad", &[]),
@@ -28,8 +29,12 @@ const SCENES: [(&str, &[&str]); 19] = [
     ("18_sweep_eccentricity", &[TENSION]),
     (
         "20_connecting_rod_cap",
-        &["an assumption does not hold: a viscosity that does not depend on pressure"],
+        &[
+            "an assumption does not hold: a viscosity that does not depend on pressure",
+            HEATED,
+        ],
     ),
+    ("21_heat_balance", &[]),
 ];
 
 #[test]
@@ -98,6 +103,7 @@ fn help_has_examples_and_the_exit_status() {
         &["check", "--help"],
         &["mesh", "--help"],
         &["sweep", "--help"],
+        &["oil", "--help"],
     ];
     for arguments in verbs {
         let told = bench.run(arguments);

@@ -13,3 +13,4 @@ mod short_bearing_finite_length;
 mod short_crankshaft_bearing;
 mod sommerfeld_1904;
 mod swift_stieber_1932;
+mod thermal_balance;

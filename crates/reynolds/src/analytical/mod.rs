@@ -1,4 +1,5 @@
 //! Closed forms, once, cited: what the numerical film is tested against.
 
+pub mod iso7902;
 pub mod ocvirk;
 pub mod sommerfeld;

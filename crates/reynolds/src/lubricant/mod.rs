@@ -1,14 +1,26 @@
-//! The oil: viscosity as a function of pressure.
+//! The oil: viscosity as a function of pressure, and of temperature.
+//!
+//! A film has one temperature: [`ThermalOil`] gives its viscosity mu0, which enters the equation, and its density.
 //!
 //! The isothermal equation with any law `mu(p)` under the divergence is linear in the **reduced
 //! pressure** `q = Int_0^p mu0/mu(s) ds`: `grad q = (mu0/mu) grad p`. So each law gives `q(p)` and
 //! its inverse, and a limit of `q` above which no film exists.
 
 mod barus;
+pub mod density;
+pub mod grades;
 mod roelands;
+mod temperature;
+mod vogel;
+pub mod walther;
 
 pub use barus::Barus;
+pub use density::Density;
+pub use grades::Grade;
 pub use roelands::Roelands;
+pub use temperature::{TemperatureLaw, ThermalOil, ViscosityTable};
+pub use vogel::Vogel;
+pub use walther::Walther;
 
 /// An oil at one temperature.
 #[derive(Debug, Clone, PartialEq)]

@@ -58,6 +58,8 @@ pub(crate) fn renewed(mut study: Study, scene: &Scene, near: (f64, f64)) -> Stud
     study.load = scene.journal.load();
     study.squeeze = squeeze(scene);
     study.cap = scene.cap;
+    study.oil = scene.oil.clone();
+    study.heat = scene.heat;
     study.effects = effects(scene, &study.problem);
     study.supply_pressure = supply_pressure(scene);
     study

@@ -1,17 +1,19 @@
-//! Pictures: a convergence study (error against time and unknowns, and the mesh), and maps of cells.
+//! Pictures: a convergence study (error against time and unknowns, and the mesh), a balance of heat, and maps of cells.
 //!
 //! Reading order: `canvas.rs` (points on a sheet, over plotters), `axes.rs`, `errors.rs`, `mesh.rs`, `palette.rs`, `raster.rs` (the
-//! same drawing as dots); `cells.rs` (maps).
+//! same drawing as dots); `heat.rs` (two curves that cross), `cells.rs` (maps).
 
 mod axes;
 mod canvas;
 mod cells;
 mod errors;
+mod heat;
 mod mesh;
 mod palette;
 mod raster;
 
 pub use cells::{Cell, CellMap, cells_to_svg};
+pub use heat::heat_to_svg;
 pub use raster::to_png;
 
 use axes::plain;

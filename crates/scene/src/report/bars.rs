@@ -19,11 +19,13 @@ pub struct ErrorParts {
     pub algebra: f64,
     /// Of the journal's position, where it was sought.
     pub position: f64,
+    /// Of the film's temperature, where it was sought.
+    pub temperature: f64,
 }
 
 impl ErrorParts {
     /// The parts by the names of their fields.
-    pub fn by_name(&self) -> [(&'static str, f64); 6] {
+    pub fn by_name(&self) -> [(&'static str, f64); 7] {
         [
             ("discretisation", self.discretisation),
             ("front", self.front),
@@ -31,6 +33,7 @@ impl ErrorParts {
             ("nonlinear", self.nonlinear),
             ("algebra", self.algebra),
             ("position", self.position),
+            ("temperature", self.temperature),
         ]
     }
 
@@ -82,8 +85,9 @@ mod tests {
             nonlinear: 8.0,
             algebra: 16.0,
             position: 32.0,
+            temperature: 64.0,
         };
-        assert_eq!(parts.sum(), 63.0);
+        assert_eq!(parts.sum(), 127.0);
         let json = serde_json::to_value(parts).expect("numbers");
         assert!(parts.by_name().iter().all(|(name, value)| json[name] == *value));
     }

@@ -1,11 +1,13 @@
 //! The keys of `[[feed]]`: holes, grooves and pockets.
 
 use crate::reader::TableReader;
-use crate::scene::{Arc, Feed, Groove, Hole};
+use crate::scene::{Arc, Engine, Feed, Groove, Hole};
 use crate::unit::Dimension;
 use std::f64::consts::TAU;
 
-pub(super) fn read(mut table: TableReader<'_>) -> Feed {
+/// An engine has a usual pressure, where neither that nor a depth is written.
+pub(super) fn read(mut table: TableReader<'_>, engine: Option<Engine>) -> Feed {
+    let usual = engine.filter(|_| !table.has("pressure") && !table.has("depth"));
     let feed = Feed {
         group: table.text("group", "feed_hole"),
         hole: table.table_if_given("hole").map(|mut hole| {
@@ -16,7 +18,9 @@ pub(super) fn read(mut table: TableReader<'_>) -> Feed {
             Hole { diameter, angle, z }
         }),
         groove: table.table_if_given("groove").map(groove),
-        pressure: table.quantity_if_given("pressure", Dimension::Pressure, "1.96 bar"),
+        pressure: table
+            .quantity_if_given("pressure", Dimension::Pressure, "1.96 bar")
+            .or(usual.map(|engine| Engine::middle(engine.feed_pressure()))),
         depth: table.quantity_if_given("depth", Dimension::Length, "20 um"),
     };
     table.finish();

@@ -1,15 +1,59 @@
-//! The keys of `[oil]`: viscosity, and one law of pressure at most.
+//! The keys of `[oil]`: one viscosity or one law of temperature, and one law of pressure at most.
 
+use oilwedge_reynolds::lubricant::density::EXPANSION;
+use oilwedge_reynolds::lubricant::{Density, ThermalOil};
+
+use super::oil_law;
 use crate::reader::TableReader;
-use crate::scene::{BarusForm, Oil, PressureLaw, RoelandsExponent};
+use crate::scene::{BarusForm, Heat, Oil, PressureLaw, RoelandsExponent};
 use crate::unit::Dimension;
 
 /// Roelands' reference pressure where the scene gives none [Pa].
 pub const ROELANDS_REFERENCE_PRESSURE: f64 = 196.2e6;
+/// Temperature [K] at which a density without its own is given.
+const AT_20: f64 = 293.15;
 
-/// Reads `[oil]`.
-pub(super) fn read(mut table: TableReader<'_>) -> Oil {
-    let viscosity = table.quantity("viscosity", Dimension::Viscosity, "40 mPa.s");
+/// Reads `[oil]`; with `[heat]` the temperature of the film is found, and is that at which the search begins.
+pub(super) fn read(mut table: TableReader<'_>, heat: Option<&Heat>) -> Oil {
+    let viscosity = table.quantity_if_given("viscosity", Dimension::Viscosity, "40 mPa.s");
+    let given_density = density(&mut table);
+    let law = oil_law::read(&mut table, given_density);
+    let temperature = table.quantity_if_given("temperature", Dimension::Temperature, "80 C");
+    match (viscosity, law.is_given) {
+        (None, false) => table.require(
+            "viscosity",
+            "\"40 mPa.s\", or grade = \"SAE 10W-40\" with temperature = \"80 C\"",
+        ),
+        (Some(_), true) => table.complain(
+            "viscosity",
+            "stands beside a law by which viscosity depends on temperature",
+            "keep one of viscosity, grade, walther, vogel and table",
+        ),
+        (Some(_), false) if heat.is_some() => table.complain(
+            "viscosity",
+            "is one viscosity, but [heat] needs one that falls with temperature",
+            "give grade = \"SAE 10W-40\", walther, vogel or table in place of it, or remove [heat]",
+        ),
+        (Some(_), false) if temperature.is_some() => table.complain(
+            "temperature",
+            "has a meaning only where viscosity depends on it",
+            "remove it, or give grade = \"SAE 10W-40\", walther, vogel or table in place of viscosity",
+        ),
+        _ => {}
+    }
+    match heat {
+        Some(_) if temperature.is_some() && law.is_given => table.complain(
+            "temperature",
+            "stands beside [heat], which finds it",
+            "remove it, or remove [heat]",
+        ),
+        None if law.is_given => table.require("temperature", "\"80 C\", or a table [heat] that finds it"),
+        _ => {}
+    }
+    let temperature = match heat {
+        Some(heat) if law.is_given => Some(heat.first_temperature()),
+        _ => temperature,
+    };
     if table.has("barus") && table.has("roelands") {
         let help = "keep one law, and remove the other";
         table.complain(
@@ -21,10 +65,36 @@ pub(super) fn read(mut table: TableReader<'_>) -> Oil {
     let barus = table.table_if_given("barus").map(barus);
     let roelands = table.table_if_given("roelands").map(roelands);
     table.finish();
+    let of_law = law.law.map(|law_of_temperature| ThermalOil {
+        law: law_of_temperature,
+        density: law.density.unwrap_or_default(),
+    });
+    let at = |oil: &ThermalOil| temperature.map_or(f64::NAN, |temperature| oil.viscosity(temperature));
     Oil {
-        viscosity,
+        viscosity: viscosity.or_else(|| of_law.as_ref().map(at)).unwrap_or(f64::NAN),
         pressure_law: barus.or(roelands).unwrap_or(PressureLaw::Constant),
+        thermal: of_law,
+        temperature,
+        density: law.density,
     }
+}
+
+/// `density = "885 kg/m3"` at 20 degrees C, or a table with the temperature at which it was measured.
+fn density(table: &mut TableReader<'_>) -> Option<Density> {
+    if !table.holds_table("density") {
+        let density = table.quantity_if_given("density", Dimension::Density, "885 kg/m3")?;
+        return Some(Density::of(density, AT_20, EXPANSION));
+    }
+    let mut table = table.table_if_given("density")?;
+    let density = table.quantity("value", Dimension::Density, "868 kg/m3");
+    let at = table.quantity_if_given("at", Dimension::Temperature, "15 C");
+    let expansion = table.quantity_if_given("expansion", Dimension::InverseTemperature, "68.8e-5 1/K");
+    table.finish();
+    Some(Density::of(
+        density,
+        at.unwrap_or(AT_20),
+        expansion.unwrap_or(EXPANSION),
+    ))
 }
 
 fn barus(mut table: TableReader<'_>) -> PressureLaw {

@@ -13,7 +13,7 @@ const MOST_CASES: usize = 100_000;
 /// Most axes of one sweep.
 const MOST_AXES: usize = 32;
 /// Tables of a scene whose keys can be swept.
-const TABLES: [&str; 8] = [
+const TABLES: [&str; 9] = [
     "bearing",
     "mesh",
     "ends",
@@ -21,6 +21,7 @@ const TABLES: [&str; 8] = [
     "journal",
     "load",
     "oil",
+    "heat",
     "cavitation",
 ];
 /// How an axis is written.

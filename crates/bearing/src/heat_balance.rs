@@ -1,0 +1,412 @@
+//! # Heat balance: the temperature at which friction heats the oil as much as it carries off
+//!
+//! **Equation.** For the mean temperature t of the film, at which it has its viscosity,
+//! ```text
+//! P(t) = rho c Q(t) (t_out - t_0) + G (t - t_a),      t = (t_in + t_out)/2,      t_in = t_0 + (t_out - t_in) r
+//! ```
+//! Q is the oil that leaves the film, and is fed with the temperature t_0; r = q_0/q_1 is what goes round hot with the journal and mixes with
+//! it, over that. So `t_out - t_0 = 2 (t - t_0) (1 + r)/(1 + 2 r)`. P falls with t and the right side rises: there is one root.
+//!
+//! The flows at a temperature t tell another one, g(t), at which they would be balanced; as P falls and Q rises, the root lies between t and g(t):
+//! that brackets it from any start. Within, false position (Illinois), bisected where that is slow, so it always converges.
+//!
+//! | symbol | unit | code |
+//! |---|---|---|
+//! | P, Q, r | W, m3/s, - | `power`, `flow`, `carried_over` |
+//! | t_0, rho c | K, J/(m3 K) | `inlet`, `heat_capacity` |
+//! | G, t_a | W/K, K | `conductance`, `ambient` |
+//! | P - right side | W | `surplus` |
+//!
+//! **Source.** Heat balance of engine bearings in textbooks on engine design (eqs. 19.9 to 19.11 and eight steps), with hot oil carried over
+//! as in the design of a tractor engine (in Ukrainian); ISO 7902-1. **Range.** One temperature for all of the film; what
+//! the feeds' pressure puts in is left out. **Verified by** `tests/literature/thermal_balance.rs`, and the tests below.
+
+/// What heats and what cools one film at a temperature.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct FilmHeat {
+    /// Power of friction P [W].
+    pub power: f64,
+    /// Oil that leaves the film Q [m3/s].
+    pub flow: f64,
+    /// Oil that goes round hot and mixes with the fresh one, over that which leaves [1].
+    pub carried_over: f64,
+}
+
+/// What the heat goes into.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HeatBalance {
+    /// Temperature t_0 of the oil that is fed [K].
+    pub inlet: f64,
+    /// Heat capacity per volume rho c [J/(m3 K)].
+    pub heat_capacity: f64,
+    /// What the housing gives off, if it does.
+    pub housing: Option<Housing>,
+}
+
+/// A housing at the temperature of the film.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Housing {
+    /// Heat conductance G from the film to what is around [W/K].
+    pub conductance: f64,
+    /// Temperature t_a around [K].
+    pub ambient: f64,
+}
+
+/// The film's temperature is sought up to so much above the inlet [K].
+pub const HOTTEST: f64 = 250.0;
+/// Starts [K] above the inlet where there is no film at the first one.
+const STARTS: [f64; 7] = [0.0, 5.0, 10.0, 20.0, 40.0, 80.0, 160.0];
+/// A bracket is not narrowed further than this [K].
+const NARROW: f64 = 1e-10;
+/// A film that is sought between a temperature that has one and one that has none is sought to this [K].
+const EDGE: f64 = 0.05;
+/// Most films.
+const MOST_FILMS: usize = 200;
+
+impl HeatBalance {
+    /// Temperatures [K] with which oil enters and leaves a film of the mean temperature `mean` [K].
+    pub fn ends(&self, mean: f64, carried_over: f64) -> [f64; 2] {
+        let outlet = self.inlet + self.per_mean(carried_over) * (mean - self.inlet);
+        [2.0 * mean - outlet, outlet]
+    }
+
+    /// `(t_out - t_0)/(t - t_0)`.
+    fn per_mean(&self, carried_over: f64) -> f64 {
+        2.0 * (1.0 + carried_over) / (1.0 + 2.0 * carried_over)
+    }
+
+    /// Heat [W] that the oil carries off.
+    pub fn carried(&self, mean: f64, film: &FilmHeat) -> f64 {
+        self.heat_capacity * film.flow * self.per_mean(film.carried_over) * (mean - self.inlet)
+    }
+
+    /// Heat [W] that the housing gives off.
+    pub fn given_off(&self, mean: f64) -> f64 {
+        self.housing
+            .map_or(0.0, |housing| housing.conductance * (mean - housing.ambient))
+    }
+
+    /// Heat [W] that neither takes.
+    pub fn surplus(&self, mean: f64, film: &FilmHeat) -> f64 {
+        film.power - self.carried(mean, film) - self.given_off(mean)
+    }
+
+    /// The temperature [K] at which these flows would be balanced, infinite where nothing carries heat off.
+    fn balanced_by(&self, film: &FilmHeat) -> f64 {
+        let by_oil = (self.heat_capacity * film.flow * self.per_mean(film.carried_over)).max(0.0);
+        let (by_housing, ambient) = self
+            .housing
+            .map_or((0.0, 0.0), |housing| (housing.conductance, housing.ambient));
+        let heat = film.power + by_oil * self.inlet + by_housing * ambient;
+        heat / (by_oil + by_housing)
+    }
+
+    /// Temperatures [K] between which the film's is sought.
+    pub fn range(&self) -> [f64; 2] {
+        let ambient = self.housing.map_or(self.inlet, |housing| housing.ambient);
+        [self.inlet.min(ambient), self.inlet.max(ambient) + HOTTEST]
+    }
+}
+
+/// A balanced film.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Balanced {
+    /// Mean temperature of the film [K].
+    pub temperature: f64,
+    /// What heats and cools it there.
+    pub film: FilmHeat,
+    /// Heat that is left over [W].
+    pub surplus: f64,
+    /// How the surplus falls with temperature [W/K], negative; not a number where one film was enough.
+    pub slope: f64,
+    /// Films asked for.
+    pub films: usize,
+}
+
+/// Why there is no balance.
+#[derive(Debug, Clone, PartialEq)]
+pub enum NoBalance<E> {
+    /// There is no film at any temperature.
+    NoFilm(E),
+    /// Films end before the heat is carried off.
+    Ends {
+        /// Temperature [K] of the last film.
+        temperature: f64,
+        /// What heats and cools it.
+        film: FilmHeat,
+        /// Why there is none beyond.
+        reason: E,
+    },
+    /// The heat is not carried off at the greatest temperature.
+    TooHot {
+        /// That temperature [K].
+        temperature: f64,
+        /// What heats and cools the film there.
+        film: FilmHeat,
+    },
+}
+
+/// A film at a temperature.
+#[derive(Debug, Clone, Copy)]
+struct Point {
+    temperature: f64,
+    film: FilmHeat,
+    surplus: f64,
+}
+
+/// A search for the root.
+struct Search<'a, F> {
+    balance: &'a HeatBalance,
+    evaluate: F,
+    films: usize,
+}
+
+impl<E, F: FnMut(f64) -> Result<FilmHeat, E>> Search<'_, F> {
+    fn at(&mut self, temperature: f64) -> Result<Point, E> {
+        self.films += 1;
+        let film = (self.evaluate)(temperature)?;
+        Ok(Point {
+            temperature,
+            film,
+            surplus: self.balance.surplus(temperature, &film),
+        })
+    }
+
+    /// The first film: at the start or, where there is none, elsewhere.
+    fn first(&mut self, start: f64) -> Result<Point, NoBalance<E>> {
+        let reason = match self.at(start) {
+            Ok(point) => return Ok(point),
+            Err(reason) => reason,
+        };
+        let [coldest, _] = self.balance.range();
+        let found = STARTS.into_iter().find_map(|above| self.at(coldest + above).ok());
+        found.ok_or(NoBalance::NoFilm(reason))
+    }
+
+    /// A film on the other side of the root than `near`.
+    fn other_side(&mut self, mut near: Point) -> Result<[Point; 2], NoBalance<E>> {
+        let [coldest, hottest] = self.balance.range();
+        let mut none_beyond: Option<(f64, E)> = None;
+        loop {
+            let told = self.balance.balanced_by(&near.film).clamp(coldest, hottest);
+            // A little beyond, so that the root does not lie at the end of the bracket.
+            let beyond = told + 1e-3 * (told - near.temperature);
+            let mut next = if beyond.is_nan() {
+                hottest
+            } else {
+                beyond.clamp(coldest, hottest)
+            };
+            if let Some((edge, _)) = &none_beyond {
+                next = 0.5 * (near.temperature + edge);
+            }
+            match self.at(next) {
+                Ok(point) if (point.surplus > 0.0) != (near.surplus > 0.0) || point.surplus == 0.0 => {
+                    return Ok([near, point]);
+                }
+                Ok(point) => near = point,
+                Err(reason) => none_beyond = Some((next, reason)),
+            }
+            match none_beyond {
+                Some((edge, reason)) if (edge - near.temperature).abs() < EDGE || self.films > MOST_FILMS => {
+                    return Err(NoBalance::Ends {
+                        temperature: near.temperature,
+                        film: near.film,
+                        reason,
+                    });
+                }
+                other => none_beyond = other,
+            }
+            let is_last = near.temperature == hottest || near.temperature == coldest || self.films > MOST_FILMS;
+            if is_last && none_beyond.is_none() {
+                return Err(NoBalance::TooHot {
+                    temperature: near.temperature,
+                    film: near.film,
+                });
+            }
+        }
+    }
+
+    /// Narrows a bracket until the surplus is below `accuracy` of the power; with the slope of the surplus there [W/K].
+    fn narrowed(&mut self, [mut a, mut b]: [Point; 2], accuracy: f64) -> Result<(Point, f64), NoBalance<E>> {
+        let slope = |a: &Point, b: &Point| (b.surplus - a.surplus) / (b.temperature - a.temperature);
+        // What false position takes the surplus at `a` for; `b` is the last film.
+        let mut held = a.surplus;
+        let (mut last_slope, mut width, mut turns) = (slope(&a, &b), f64::INFINITY, 0);
+        loop {
+            let best = if a.surplus.abs() < b.surplus.abs() { a } else { b };
+            let [low, high] = [a.temperature.min(b.temperature), a.temperature.max(b.temperature)];
+            let is_narrow = high - low < NARROW || self.films > MOST_FILMS;
+            if best.surplus.abs() <= accuracy * best.film.power.abs() || is_narrow {
+                return Ok((best, last_slope));
+            }
+            let mut next = b.temperature - b.surplus * (b.temperature - a.temperature) / (b.surplus - held);
+            turns += 1;
+            let is_slow = turns % 3 == 0 && high - low > 0.5 * width;
+            if turns % 3 == 0 {
+                width = high - low;
+            }
+            if is_slow || !(next > low && next < high) {
+                next = 0.5 * (low + high);
+            }
+            let point = self.at(next).map_err(NoBalance::NoFilm)?;
+            if point.temperature != best.temperature {
+                last_slope = slope(&best, &point);
+            }
+            match (point.surplus > 0.0) == (b.surplus > 0.0) {
+                true => held *= 0.5,
+                false => (a, held) = (b, b.surplus),
+            }
+            b = point;
+        }
+    }
+}
+
+/// Finds the temperature at which the heat is balanced to the part `accuracy` of the power; sought from `start` [K]. `evaluate` gives what
+/// heats and cools the film at a temperature [K].
+///
+/// # Errors
+/// [`NoBalance`]: the reason why there is none.
+pub fn find<E>(
+    balance: &HeatBalance,
+    start: f64,
+    accuracy: f64,
+    evaluate: impl FnMut(f64) -> Result<FilmHeat, E>,
+) -> Result<Balanced, NoBalance<E>> {
+    let mut search = Search {
+        balance,
+        evaluate,
+        films: 0,
+    };
+    let [coldest, hottest] = balance.range();
+    let first = search.first(start.clamp(coldest, hottest))?;
+    let (found, slope) = match first.surplus.abs() <= accuracy * first.film.power.abs() {
+        true => (first, f64::NAN),
+        false => {
+            let bracket = search.other_side(first)?;
+            search.narrowed(bracket, accuracy)?
+        }
+    };
+    Ok(Balanced {
+        temperature: found.temperature,
+        film: found.film,
+        surplus: found.surplus,
+        slope,
+        films: search.films,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const OIL: HeatBalance = HeatBalance {
+        inlet: 348.15,
+        heat_capacity: 1.8e6,
+        housing: None,
+    };
+
+    /// Friction that falls, and a flow that grows with temperature.
+    fn film(temperature: f64) -> FilmHeat {
+        let thinner = (-0.03 * (temperature - 348.15)).exp();
+        FilmHeat {
+            power: 500.0 * thinner,
+            flow: 1e-5 + 2e-6 / thinner,
+            carried_over: 0.0,
+        }
+    }
+
+    fn found(balance: &HeatBalance, start: f64, film: impl Fn(f64) -> FilmHeat) -> Balanced {
+        find(balance, start, 1e-12, |t| Ok::<_, ()>(film(t))).expect("a balance")
+    }
+
+    #[test]
+    fn the_root_is_found_from_any_start() {
+        let housing = |conductance, ambient| HeatBalance {
+            housing: Some(Housing { conductance, ambient }),
+            ..OIL
+        };
+        for balance in [OIL, housing(5.0, 313.15), housing(500.0, 250.0), housing(3.0, 400.0)] {
+            let reference = found(&balance, balance.inlet, film);
+            for start in [0.0, 250.0, 300.0, 348.15, 349.0, 355.0, 400.0, 598.0, 1e9] {
+                let other = found(&balance, start, film);
+                assert!(
+                    (other.temperature - reference.temperature).abs() < 1e-8,
+                    "{balance:?} {start}"
+                );
+                assert!(
+                    other.surplus.abs() < 1e-9 * other.film.power && other.films < 40,
+                    "{other:?}"
+                );
+                let heat = balance.carried(other.temperature, &other.film) + balance.given_off(other.temperature);
+                assert!((heat / other.film.power - 1.0).abs() < 1e-6);
+            }
+            let at = |t: f64| balance.surplus(t, &film(t));
+            let t = reference.temperature;
+            let slope = (at(t + 1e-3) - at(t - 1e-3)) / 2e-3;
+            assert!(
+                (reference.slope / slope - 1.0).abs() < 0.05,
+                "{} {slope}",
+                reference.slope
+            );
+        }
+    }
+
+    /// Friction that hardly changes and then falls from a cliff: false position alone would creep.
+    #[test]
+    fn cliffs_are_bisected() {
+        for cliff in [349.0, 360.0, 500.0, 590.0] {
+            let film = |t: f64| FilmHeat {
+                power: if t < cliff { 1e5 } else { 1e-3 },
+                flow: 1e-6,
+                carried_over: 0.0,
+            };
+            let found = found(&OIL, 348.15, film);
+            assert!((found.temperature - cliff).abs() < 1e-9, "{found:?}");
+            assert!(found.films <= MOST_FILMS);
+        }
+    }
+
+    /// Fresh oil q_1 and hot oil q_0 mix to the oil that enters, and what is heated is both.
+    #[test]
+    fn carried_over_oil_balances() {
+        let film = |t: f64| FilmHeat {
+            carried_over: 0.7,
+            ..film(t)
+        };
+        let found = found(&OIL, 348.15, film);
+        let [inlet, outlet] = OIL.ends(found.temperature, 0.7);
+        assert!((inlet - (OIL.inlet + 0.7 * (outlet - inlet))).abs() < 1e-9);
+        assert!((0.5 * (inlet + outlet) - found.temperature).abs() < 1e-9);
+        let through = 1.7 * found.film.flow * OIL.heat_capacity * (outlet - inlet);
+        assert!((through / found.film.power - 1.0).abs() < 1e-9);
+        let without = super::find(&OIL, 348.15, 1e-12, |t| Ok::<_, ()>(super::tests::film(t))).expect("a balance");
+        assert!(found.temperature > without.temperature);
+    }
+
+    #[test]
+    fn what_has_no_balance_is_told() {
+        let dry = |t: f64| FilmHeat { flow: 0.0, ..film(t) };
+        let none = find(&OIL, 348.15, 1e-9, |t| Ok::<_, ()>(dry(t)));
+        assert!(
+            matches!(none, Err(NoBalance::TooHot { temperature, .. }) if temperature == OIL.inlet + HOTTEST),
+            "{none:?}"
+        );
+        let none = find(&OIL, 348.15, 1e-9, |_| Err::<FilmHeat, _>("torn"));
+        assert_eq!(none, Err(NoBalance::NoFilm("torn")));
+        // Films up to 350 K only, and the balance beyond; from above it is reached too.
+        let torn = |t: f64| if t < 350.0 { Ok(film(t)) } else { Err("torn") };
+        for start in [348.15, 500.0] {
+            match find(&OIL, start, 1e-9, torn) {
+                Err(NoBalance::Ends {
+                    temperature, reason, ..
+                }) => {
+                    assert!(reason == "torn" && (350.0 - temperature) < EDGE && temperature < 350.0);
+                }
+                other => panic!("{other:?}"),
+            }
+        }
+        // A film that begins only above the inlet, as with Barus' oil.
+        let late = |t: f64| if t > 351.0 { Ok(film(t)) } else { Err("thick") };
+        assert!(find(&OIL, 348.15, 1e-9, late).is_ok());
+    }
+}

@@ -1,0 +1,75 @@
+//! The balance of heat for people: two curves as a table, and what the bearing must meet.
+
+use crate::quantities::quantities;
+use crate::readable::significant;
+use crate::terminal::{align_right, table};
+use oilwedge_scene::report::{Criterion, HeatReport, Quantity, RunResult};
+use oilwedge_scene::thermal::is_of_heat;
+
+/// True of quantities that stand in the part of the heat.
+pub(crate) fn belongs(name: &str) -> bool {
+    is_of_heat(name)
+}
+
+/// Temperatures, heats, curves and criteria; nothing where no temperature was sought.
+pub(crate) fn heat(result: &RunResult) -> Option<String> {
+    let report = result.heat.as_ref()?;
+    let of_heat = |quantity: &&Quantity| belongs(&quantity.name) || quantity.name == "temperature_effective";
+    let list = quantities(result.quantities.iter().filter(of_heat), result.bars);
+    let parts = [format!("balance of heat\n{list}"), curve(report), criteria(report)];
+    Some(parts.join("\n"))
+}
+
+/// Friction and heat carried off at temperatures around that found.
+fn curve(report: &HeatReport) -> String {
+    let mut rows = table([
+        "film [C]",
+        "mu0 [mPa.s]",
+        "friction [W]",
+        "carried off [W]",
+        "eccentricity",
+    ]);
+    for point in &report.curve {
+        rows.add_row([
+            format!("{:.2}", point.temperature),
+            significant(1e3 * point.viscosity, 4),
+            significant(point.friction_power, 4),
+            significant(point.heat_carried + point.heat_housing, 4),
+            significant(point.eccentricity, 4),
+        ]);
+    }
+    (0..5).for_each(|column| align_right(&mut rows, column));
+    rows.to_string()
+}
+
+fn criteria(report: &HeatReport) -> String {
+    let lines = report.criteria.iter().map(|criterion| {
+        let verdict = match (criterion.is_met, criterion.decides) {
+            (true, _) => "met",
+            (false, true) => "NOT met",
+            (false, false) => "unusual",
+        };
+        format!("{verdict:9} {}: {} {}", criterion.what, told(criterion), criterion.unit)
+    });
+    let verdict = match report.is_fit {
+        true => "fit       the bearing meets what is asked of it",
+        false => "NOT fit   the bearing does not meet what is asked of it",
+    };
+    lines.chain([verdict.to_owned()]).collect::<Vec<_>>().join("\n")
+}
+
+fn told(criterion: &Criterion) -> String {
+    let value = significant(criterion.value, 4);
+    let bound = |bound: f64| {
+        significant(bound, 6)
+            .trim_end_matches('0')
+            .trim_end_matches('.')
+            .to_owned()
+    };
+    match (criterion.least, criterion.most) {
+        (Some(least), Some(most)) => format!("{value}, usual {} to {}", bound(least), bound(most)),
+        (Some(least), None) => format!("{value}, at least {}", bound(least)),
+        (None, Some(most)) => format!("{value}, at most {}", bound(most)),
+        (None, None) => value,
+    }
+}
