@@ -16,6 +16,7 @@ mod progress;
 mod quantities;
 mod readable;
 mod solve;
+mod standard;
 mod sweep;
 mod terminal;
 mod verify;

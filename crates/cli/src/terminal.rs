@@ -6,6 +6,7 @@ use crate::cost::cost;
 use crate::heat;
 use crate::quantities::{bars, quantities};
 use crate::readable::{readable_unit, significant};
+use crate::standard::standard;
 use crate::words;
 use comfy_table::{CellAlignment, ContentArrangement, Table, presets};
 use oilwedge_scene::joint::is_of_cap;
@@ -43,6 +44,7 @@ pub(crate) fn run_report(result: &RunResult, folder: &Path, picture: bool) -> St
     }
     parts.extend(heat::heat(result));
     parts.extend(cost(result));
+    parts.extend(standard(result));
     let mut lines = Vec::new();
     if !result.quantities.is_empty() {
         lines.extend(bars(result));
@@ -337,6 +339,7 @@ pub(crate) mod tests {
             timing_s: vec![("read".into(), 0.0123), ("total".into(), 1.5)],
             warnings: vec![],
             cost: None,
+            standard: None,
         }
     }
 

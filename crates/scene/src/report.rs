@@ -12,6 +12,7 @@ pub use heat::{Criterion, HeatPoint, HeatReport};
 
 use crate::cost::EffectCost;
 use crate::regime::Regime;
+use crate::standard::Standard;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
@@ -184,6 +185,9 @@ pub struct RunResult {
     /// What each effect changes and costs; `None`, and absent in JSON, where that was not asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cost: Option<Vec<EffectCost>>,
+    /// The bearing by ISO 7902; `None`, and absent in JSON, where that was not asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub standard: Option<Standard>,
 }
 
 /// Why a result was not written.
@@ -259,6 +263,9 @@ impl RunResult {
         }
         for (name, number) in self.cost.iter().flatten().flat_map(EffectCost::numbers) {
             finite(&name, number)?;
+        }
+        for (name, number) in self.standard.iter().flat_map(Standard::numbers) {
+            finite(&format!("standard.{name}"), number)?;
         }
         json(self)
     }
@@ -342,6 +349,7 @@ pub(crate) mod tests {
             timing_s: vec![("read".into(), 0.25), ("assemble".into(), 0.5)],
             warnings: vec![],
             cost: None,
+            standard: None,
         }
     }
 

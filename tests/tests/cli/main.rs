@@ -11,6 +11,7 @@ mod meshes;
 mod oil;
 mod shipped;
 mod solve;
+mod standard;
 mod sweep;
 mod verify;
 

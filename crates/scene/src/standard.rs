@@ -1,0 +1,356 @@
+//! The standard's twin: what ISO 7902 and DIN 31652 give for the bearing of a scene, beside its own film.
+//!
+//! Both are given the same: the load where the scene has one, else the eccentricity; and the viscosity of the film. A groove all around
+//! makes two bearings of the lands beside it, each with half of the load. The fits and their range: [`iso7902`].
+
+use oilwedge_reynolds::analytical::iso7902;
+use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
+use serde::Serialize;
+
+use crate::report::{Quantity, RunResult};
+use crate::scene::{CavitationModel, PressureLaw, Scene, Theory};
+
+mod feed;
+
+use feed::{fed, told};
+
+/// B/D for which the fits were made.
+const SLENDERNESS: [f64; 2] = [0.25, 1.5];
+/// Eccentricities for which they were made.
+const ECCENTRICITY: [f64; 2] = [0.1, 0.95];
+/// What the standard says, and the film.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Standard {
+    /// What both were given: `load` or `eccentricity`; `null` where the standard has no such bearing.
+    pub given: Option<&'static str>,
+    /// Viscosity [Pa.s] with which the standard was asked.
+    pub viscosity: f64,
+    /// The feed in the words of the standard; `null` where it has none like that, or the scene has none.
+    pub feed: Option<String>,
+    /// The numbers, in the order of the report.
+    pub numbers: Vec<Beside>,
+    /// What keeps the two apart, in sentences; or why there is no twin.
+    pub notes: Vec<String>,
+}
+
+/// A number of the standard and that of the film.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Beside {
+    /// Name of the quantity in the result.
+    pub quantity: &'static str,
+    /// Its unit.
+    pub unit: String,
+    /// What the standard gives, in that unit.
+    pub standard: f64,
+    /// What the film gives.
+    pub film: f64,
+    /// Error bar of the film's number; `null` where there is none.
+    pub error: Option<f64>,
+}
+
+impl Beside {
+    /// The standard's number less that of the film, over the latter; none of an angle, or where that is zero.
+    pub fn difference(&self) -> Option<f64> {
+        (self.unit != "deg" && self.film != 0.0).then(|| (self.standard - self.film) / self.film.abs())
+    }
+}
+
+impl Standard {
+    /// Its numbers by name, for a check that they are numbers.
+    pub(crate) fn numbers(&self) -> impl Iterator<Item = (&'static str, f64)> + '_ {
+        (self.numbers.iter()).flat_map(|beside| [(beside.quantity, beside.standard), (beside.quantity, beside.film)])
+    }
+
+    fn none(viscosity: f64, reason: &str) -> Self {
+        Self {
+            given: None,
+            viscosity,
+            feed: None,
+            numbers: Vec::new(),
+            notes: vec![format!("the standard has no such bearing: {reason}")],
+        }
+    }
+}
+
+/// Bearings side by side that the standard makes of the liner, and their common length over the diameter.
+struct Lands {
+    count: f64,
+    slenderness: f64,
+}
+
+fn lands(scene: &Scene) -> Lands {
+    let bearing = &scene.bearing;
+    let around = scene.feeds.iter().filter(|feed| feed.pressure.is_some());
+    let around = around
+        .filter_map(|feed| feed.groove)
+        .find(|groove| groove.arc.is_none());
+    match around {
+        Some(groove) => Lands {
+            count: 2.0,
+            slenderness: 0.5 * (bearing.length - groove.width) / bearing.diameter,
+        },
+        None => Lands {
+            count: 1.0,
+            slenderness: bearing.length / bearing.diameter,
+        },
+    }
+}
+
+/// The twin of a scene whose run ended with this result.
+pub fn standard(scene: &Scene, result: &RunResult) -> Standard {
+    let value = |name: &str| result.quantity(name).map(|quantity| quantity.value);
+    let mut oil = scene.oil.clone();
+    if let (Some(_), Some(celsius)) = (&scene.heat, value("temperature_effective")) {
+        oil.heat_to(celsius + ZERO_CELSIUS);
+    }
+    let viscosity = oil.viscosity;
+    let speed = scene.journal.speed.abs();
+    let none = |reason: &str| Standard::none(viscosity, reason);
+    if scene.bearing.arc.is_some() {
+        return none("its fits are those of full bearings, but this one is an arc");
+    }
+    if speed == 0.0 {
+        return none("the journal is at rest");
+    }
+    let (Some(load), Some(found)) = (value("load"), value("eccentricity")) else {
+        return none("there is no film");
+    };
+    let bearing = &scene.bearing;
+    let psi = bearing.clearance / bearing.radius();
+    let Lands { count, slenderness } = lands(scene);
+    let per_number = count * bearing.diameter.powi(2) * slenderness * viscosity * speed / psi.powi(2);
+    let (given, eccentricity) = match scene.journal.load().is_some() {
+        true => ("load", iso7902::eccentricity(load / per_number, slenderness)),
+        false => ("eccentricity", Some(found)),
+    };
+    let Some(eccentricity) = eccentricity.filter(|eccentricity| *eccentricity > 0.0) else {
+        return none("the film carries no load");
+    };
+    let number = iso7902::sommerfeld_number(eccentricity, slenderness);
+    let feed = fed(scene, value("load_angle").unwrap_or_default());
+    let twin = Twin {
+        number,
+        eccentricity,
+        slenderness,
+        lands: count,
+        load: number * per_number,
+    };
+    let flow = count * bearing.diameter.powi(3) * psi * speed * iso7902::side_flow_number(eccentricity, slenderness);
+    let pressed = feed
+        .as_ref()
+        .ok()
+        .and_then(|feed| feed.as_ref())
+        .map(|(kind, pressure)| {
+            let unit = bearing.diameter.powi(3) * psi.powi(3) * pressure / viscosity;
+            unit * iso7902::feed_flow_number(*kind, eccentricity, bearing.length / bearing.diameter)
+        });
+    let all = match (&feed, pressed) {
+        (Ok(_), pressed) => Some(flow + pressed.unwrap_or(0.0)),
+        (Err(_), _) => None,
+    };
+    let mut notes = notes(scene, &twin);
+    notes.extend(feed.as_ref().err().cloned());
+    Standard {
+        given: Some(given),
+        viscosity,
+        feed: feed.ok().flatten().map(|(kind, _)| told(kind).to_owned()),
+        numbers: twin.numbers(scene, result, all),
+        notes,
+    }
+}
+
+/// The bearing by the standard.
+struct Twin {
+    number: f64,
+    eccentricity: f64,
+    slenderness: f64,
+    lands: f64,
+    load: f64,
+}
+
+impl Twin {
+    /// Its numbers beside those of the film; `flow` [m3/s] leaves at the ends.
+    fn numbers(&self, scene: &Scene, result: &RunResult, flow: Option<f64>) -> Vec<Beside> {
+        let bearing = &scene.bearing;
+        let psi = bearing.clearance / bearing.radius();
+        let surface = scene.journal.speed.abs() * bearing.radius();
+        let coefficient = psi * iso7902::friction(self.number, self.eccentricity, self.slenderness);
+        let power = coefficient * self.load * surface;
+        let given_load = scene.journal.load().is_some();
+        let standard = [
+            ("load", (!given_load).then_some(self.load)),
+            ("eccentricity", given_load.then_some(self.eccentricity)),
+            (
+                "film_thickness_min",
+                given_load.then_some(bearing.clearance * (1.0 - self.eccentricity)),
+            ),
+            (
+                "sommerfeld_number",
+                (!given_load && self.lands == 1.0).then_some(self.number),
+            ),
+            (
+                "attitude_angle",
+                Some(iso7902::attitude(self.eccentricity, self.slenderness).to_degrees()),
+            ),
+            ("friction_coefficient", Some(coefficient)),
+            ("friction_power", Some(power)),
+            ("side_flow", flow),
+        ];
+        let beside = standard.into_iter().filter_map(|(name, standard)| {
+            let Quantity { value, unit, error, .. } = result.quantity(name)?;
+            Some(Beside {
+                quantity: name,
+                unit: unit.clone(),
+                standard: standard?,
+                film: *value,
+                error: *error,
+            })
+        });
+        beside.collect()
+    }
+}
+
+/// What keeps the film of the scene and that of the standard apart.
+fn notes(scene: &Scene, twin: &Twin) -> Vec<String> {
+    let outside = |what: &str, value: f64, [low, high]: [f64; 2]| {
+        (value < low || value > high).then(|| {
+            format!("{what} {value:.3} is outside of {low} to {high}, for which the standard's fits were made")
+        })
+    };
+    let model = match scene
+        .cavitation
+        .map_or(CavitationModel::None, |cavitation| cavitation.model)
+    {
+        CavitationModel::None => {
+            Some("this film bears tension; that of the standard ends where Swift and Stieber's does")
+        }
+        CavitationModel::Guembel => {
+            Some("low pressures of this film are dropped; that of the standard ends where Swift and Stieber's does")
+        }
+        CavitationModel::Reynolds | CavitationModel::Jfo => None,
+    };
+    let notes = [
+        outside("B/D", twin.slenderness, SLENDERNESS),
+        outside("eccentricity", twin.eccentricity, ECCENTRICITY),
+        model.map(str::to_owned),
+        (!matches!(scene.oil.pressure_law, PressureLaw::Constant))
+            .then(|| "the standard knows no viscosity that grows with pressure".to_owned()),
+        (scene.journal.motion().is_some()).then(|| "the standard's load is steady: no squeeze".to_owned()),
+        (scene.bearing.theory != Theory::Full)
+            .then(|| "the standard's film is that of full theory, this one's is not".to_owned()),
+    ];
+    notes.into_iter().flatten().collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::run::{RunOptions, run};
+    use std::path::Path;
+
+    /// The twin of a ring, eccentricity 0.7, B/D 0.6, with further lines of the scene.
+    fn twin(journal: &str, more: &str) -> Standard {
+        let text = format!(
+            r#"
+bearing = {{ diameter = "50 mm", length = "30 mm", clearance = "25 um" }}
+oil = {{ viscosity = "10 mPa.s" }}
+cavitation = {{ model = "reynolds" }}
+journal = {{ speed = "3000 rpm"{journal} }}
+{more}"#
+        );
+        let scene = Scene::parse(&text, Path::new("ring.toml")).expect("a scene");
+        let found = run(&scene, &RunOptions::default()).expect("a film");
+        standard(&scene, &found.result)
+    }
+
+    const AT: &str = r#", eccentricity = 0.7, min_film_angle = "300 deg""#;
+
+    fn off(twin: &Standard, name: &str) -> f64 {
+        let number = twin.numbers.iter().find(|it| it.quantity == name);
+        let number = number.unwrap_or_else(|| panic!("no {name} in {twin:?}"));
+        number.difference().unwrap_or(number.standard - number.film)
+    }
+
+    #[test]
+    fn a_ring_is_near_its_twin_at_its_eccentricity_and_under_its_load() {
+        let at = twin(AT, "");
+        assert_eq!(
+            (at.given, &at.feed, &at.notes[..]),
+            (Some("eccentricity"), &None, &[][..])
+        );
+        assert!(
+            off(&at, "load").abs() < 0.03 && off(&at, "attitude_angle").abs() < 2.0,
+            "{at:?}"
+        );
+        assert!(
+            off(&at, "friction_power").abs() < 0.03 && off(&at, "side_flow").abs() < 0.05,
+            "{at:?}"
+        );
+        let load = at.numbers[0].film;
+        let under = twin("", &format!("load = {{ force = \"{load} N\", angle = \"270 deg\" }}"));
+        assert_eq!(under.given, Some("load"));
+        assert!(off(&under, "eccentricity").abs() < 0.02, "{under:?}");
+        let thickness = under.numbers.iter().find(|it| it.quantity == "film_thickness_min");
+        assert!(thickness.is_some_and(|it| (it.standard - 7.5e-6).abs() < 5e-7));
+    }
+
+    #[test]
+    fn feeds_are_named_as_the_standard_does() {
+        // The load points to some 260 degrees.
+        let hole = |angle: f64| {
+            format!(
+                "{{ group = \"hole{angle}\", hole = {{ angle = \"{angle} deg\", diameter = \"5 mm\" }}, pressure = \"2 bar\" }}"
+            )
+        };
+        let groove = |extent: &str| {
+            format!("feed = [{{ group = \"g\", groove = {{ {extent}width = \"6 mm\" }}, pressure = \"2 bar\" }}]")
+        };
+        let feeds = |list: &[f64]| {
+            format!(
+                "feed = [{}]",
+                list.iter().map(|at| hole(*at)).collect::<Vec<_>>().join(", ")
+            )
+        };
+        for (more, wanted) in [
+            (feeds(&[80.0]), Some("a hole opposite to the load")),
+            (feeds(&[170.0]), Some("a hole at 90 degrees to the load")),
+            (feeds(&[170.0, 350.0]), Some("two holes at 90 degrees to the load")),
+            (feeds(&[260.0]), None),
+            (groove(""), Some("a groove all around")),
+            (
+                groove("from = \"70 deg\", to = \"90 deg\", "),
+                Some("a pocket opposite to the load"),
+            ),
+            (
+                groove("from = \"-10 deg\", to = \"170 deg\", "),
+                Some("a groove along the half opposite to the load"),
+            ),
+            (groove("from = \"20 deg\", to = \"140 deg\", "), None),
+        ] {
+            let twin = twin(AT, &more);
+            assert_eq!(twin.feed.as_deref(), wanted, "{more}: {twin:?}");
+            let has_flow = twin.numbers.iter().any(|it| it.quantity == "side_flow");
+            assert_eq!(
+                (has_flow, twin.notes.is_empty()),
+                (wanted.is_some(), wanted.is_some()),
+                "{more}: {twin:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn what_the_standard_has_not_is_told() {
+        let text = r#"
+bearing = { diameter = "50 mm", length = "30 mm", clearance = "25 um", arc = { from = "180 deg", to = "360 deg" } }
+oil = { viscosity = "10 mPa.s" }
+journal = { speed = "3000 rpm", eccentricity = 0.7, min_film_angle = "270 deg" }
+"#;
+        let scene = Scene::parse(text, Path::new("arc.toml")).expect("a scene");
+        let found = run(&scene, &RunOptions::default()).expect("a film");
+        let twin = standard(&scene, &found.result);
+        assert!(
+            twin.given.is_none() && twin.numbers.is_empty() && twin.notes[0].contains("arc"),
+            "{twin:?}"
+        );
+    }
+}
