@@ -303,7 +303,7 @@ journal = {{ speed = "3000 rpm"{journal} }}
             )
         };
         let groove = |extent: &str| {
-            format!("feed = [{{ group = \"g\", groove = {{ {extent}width = \"6 mm\" }}, pressure = \"2 bar\" }}]")
+            format!("feed = [{{ group = \"g\", groove = {{ {extent}width = \"4 mm\" }}, pressure = \"2 bar\" }}]")
         };
         let feeds = |list: &[f64]| {
             format!(
