@@ -338,3 +338,21 @@ fn inlet_of_a_full_ring() {
     let dragged = 0.5 * SPEED * RADIUS * CLEARANCE * 1.5 * 0.04;
     assert!(inlet < dragged && inlet > 0.8 * dragged, "{}", inlet / dragged);
 }
+
+/// Guembel drops the pressure on the half of a ring where the film widens: half of the shear, for the two are as thick. Of
+/// Swift-Stieber's film the cavity begins later.
+#[test]
+fn shear_in_the_cavity_is_told() {
+    let told = |cavitation| {
+        let problem = film(0.6, cavitation);
+        let system = ring_system(120, 20, 0.04, None);
+        let film = problem.solve(&system).expect("a film");
+        let power = power(&problem, &system, &film);
+        power.cavity_shear / power.shear
+    };
+    let guembel = told(Cavitation::Guembel { pressure: 0.0 });
+    assert!((guembel - 0.5).abs() < 5e-3, "{guembel}");
+    let reynolds = told(Cavitation::Reynolds { pressure: 0.0 });
+    assert!(reynolds > 0.2 && reynolds < 0.5, "{reynolds}");
+    assert_eq!(told(Cavitation::None), 0.0);
+}

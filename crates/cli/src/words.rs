@@ -40,6 +40,10 @@ const QUANTITIES: [(&str, &str); 51] = [
     ("friction_power", "power that turns the journal, T omega"),
     ("friction_shear_power", "its part against shear"),
     ("friction_pressure_power", "its part against pressure"),
+    (
+        "friction_cavity_power",
+        "part of P_s in the cavity, its whole gap sheared",
+    ),
     ("squeeze_power", "power of the load as the journal's centre moves"),
     ("pressure_integral", "pressure times area, summed"),
     ("load_x.", "part of W_x over that region"),

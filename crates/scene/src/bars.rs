@@ -266,6 +266,7 @@ impl Rules<'_> {
                 self.flow(&FlowGoal::Ends, change * unit)?.scaled(1.0 / unit)
             }
             "inlet_flow" | "inlet_flow_number" => plain(change),
+            "friction_cavity_power" => plain(change + self.front_share() * self.judged().power.shear),
             _ if name.starts_with("friction_") => self.friction(name, quantity.value, signed, vanishes)?,
             "squeeze_power" => self.product(self.study.problem.journal.velocity),
             "cavity_flow" => self.cavity_flow(change)?,

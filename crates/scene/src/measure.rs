@@ -223,6 +223,12 @@ fn friction_quantities(problem: &FilmProblem, measured: &Measured, directed: boo
         add("friction_power", "P", power.friction(), "W");
         add("friction_shear_power", "P_s", power.shear, "W");
         add("friction_pressure_power", "P_p", power.pressure, "W");
+        if matches!(
+            problem.cavitation,
+            Cavitation::Guembel { .. } | Cavitation::Reynolds { .. }
+        ) {
+            add("friction_cavity_power", "P_sc", power.cavity_shear, "W");
+        }
     }
     if journal.velocity != [0.0; 2] {
         let ([x, y], [by_x, by_y]) = (journal.velocity, load.total.force);

@@ -217,6 +217,11 @@ pub enum CavitationModel {
 }
 
 impl CavitationModel {
+    /// True where it leaves the pressure of a cavity, but no film fraction.
+    pub(crate) fn drops_pressures(self) -> bool {
+        matches!(self, Self::Guembel | Self::Reynolds)
+    }
+
     /// Name in scenes and reports.
     pub fn name(self) -> &'static str {
         match self {

@@ -14,7 +14,7 @@
 
 use oilwedge_fem::control_volumes::sub_triangles;
 
-use crate::{FilmProblem, FilmSolution, FilmSystem};
+use crate::{Cavitation, FilmProblem, FilmSolution, FilmSystem};
 
 /// What a cavity is like.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -76,6 +76,28 @@ fn share(system: &FilmSystem, film: &FilmSolution) -> f64 {
         }
     }
     if whole > 0.0 { held / whole } else { 0.0 }
+}
+
+/// Share of a triangle of a pressure film [1] that the cavity of Swift and Stieber takes, or where Guembel drops the pressure; zero for
+/// other models.
+pub(super) fn broken_share(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, t: usize) -> f64 {
+    let space = system.space();
+    let is_broken = |dof: usize| match problem.cavitation {
+        Cavitation::Reynolds { .. } => film.cavity[dof],
+        Cavitation::Guembel { pressure } => problem.pressure_at(film.unknown[dof]) < pressure,
+        _ => false,
+    };
+    let (mut broken, mut free) = (0.0, 0.0);
+    for (dof, share) in space.element_dofs(t).into_iter().zip(node_shares(space.degree())) {
+        let held = is_broken(dof);
+        broken += if held { share } else { 0.0 };
+        free += if held || system.supply.owner(dof).is_none() {
+            share
+        } else {
+            0.0
+        };
+    }
+    if free > 0.0 { broken / free } else { 0.0 }
 }
 
 /// Share of the meshed area [1] where the pressure lies below `level` [Pa], as the nodes tell at which none is given.

@@ -13,7 +13,7 @@
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
-//! | shear, pressure, squeeze | W | `shear`, `pressure`, `squeeze` |
+//! | shear, pressure, squeeze | W | `shear` (of which `cavity_shear` in the cavity), `pressure`, `squeeze` |
 //! | Q_i P_i | W | `supplied`, `cavity` |
 //! | h^3/(12 mu) grad p . grad P | W | `driven` |
 //!
@@ -27,6 +27,7 @@ use oilwedge_fem::quadrature::MOST_POINTS;
 use oilwedge_fem::{Field, Quadrature};
 use rayon::prelude::*;
 
+use super::cavity::broken_share;
 use super::flow::{STILL, natural_flow};
 use crate::cavitation::jfo;
 use crate::film_law::FilmLaw;
@@ -41,6 +42,9 @@ const CELLS_A_TASK: usize = 2048;
 pub struct Power {
     /// Put in by the turning journal against shear; all of it becomes heat.
     pub shear: f64,
+    /// The part of it in the cavity of Swift and Stieber, or where Guembel drops the pressure: these models know no film fraction, and
+    /// shear the whole gap there. Zero for others.
+    pub cavity_shear: f64,
     /// Put in by the turning journal against the pressure on it.
     pub pressure: f64,
     /// Put in by the journal's centre as it moves.
@@ -66,6 +70,7 @@ impl Power {
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Work {
     pub(crate) shear: f64,
+    pub(crate) cavity_shear: f64,
     pub(crate) pressure: f64,
     pub(crate) squeeze: f64,
     pub(crate) driven: f64,
@@ -74,6 +79,7 @@ pub(crate) struct Work {
 impl std::ops::AddAssign for Work {
     fn add_assign(&mut self, other: Self) {
         self.shear += other.shear;
+        self.cavity_shear += other.cavity_shear;
         self.pressure += other.pressure;
         self.squeeze += other.squeeze;
         self.driven += other.driven;
@@ -97,6 +103,7 @@ pub fn power(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) ->
     }
     let Work {
         shear,
+        cavity_shear,
         pressure,
         squeeze,
         driven,
@@ -107,6 +114,7 @@ pub fn power(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) ->
     let pressures = problem.pressure_scale(&system.supply.constraints(|p| problem.unknown_at(p)));
     Power {
         shear,
+        cavity_shear,
         pressure,
         squeeze,
         supplied,
@@ -169,8 +177,10 @@ fn integrated(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, e
                 let fields = [&film.unknown[..], excess].map(|values| nodal(values, t));
                 let mapping = Mapping::of(space.mesh(), t);
                 let work = cell_work(problem, &law, t, &mapping, &tabulated, &fields, fraction.as_ref());
+                let shear = if is_film[t] { work.shear } else { 0.0 };
                 sum += Work {
-                    shear: if is_film[t] { work.shear } else { 0.0 },
+                    shear,
+                    cavity_shear: shear * broken_share(problem, system, film, t),
                     ..work
                 };
             }
@@ -220,6 +230,7 @@ fn cell_work(
         };
         let thickness = film[q].thickness;
         work += Work {
+            cavity_shear: 0.0,
             shear: area * fraction.map_or(1.0, at) * viscosity / thickness * dot(velocity, velocity),
             pressure: area * 0.5 * thickness * dot(velocity, of_pressure),
             squeeze: -area * flows[q].storage * p,

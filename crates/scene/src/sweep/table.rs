@@ -92,6 +92,10 @@ impl Columns {
         ] {
             add(name, unit);
         }
+        let drops = |scene: &Scene| (scene.cavitation).is_some_and(|it| it.model.drops_pressures());
+        if scenes.iter().any(drops) {
+            add("friction_cavity_power", "W");
+        }
         if scenes.iter().any(|scene| scene.journal.motion().is_some()) {
             add("squeeze_power", "W");
         }

@@ -33,6 +33,7 @@ pub(crate) fn work(
         let (p, q, theta) = (at(excess), at(&film.unknown), at(&fraction.values));
         let (pressure, squeeze) = carried(&blocks[t], fraction, t, p, theta);
         sum += Work {
+            cavity_shear: 0.0,
             shear: 0.0,
             pressure,
             squeeze,
