@@ -4,7 +4,7 @@ use crate::complain::{self, Failure};
 use crate::{interrupt, terminal};
 use oilwedge_scene::report::Status;
 use oilwedge_scene::results::write_results;
-use oilwedge_scene::{Error, Interrupt, RunOptions, Scene, effect_costs};
+use oilwedge_scene::{Error, Interrupt, RunOptions, Scene, effect_costs, theories};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -44,6 +44,10 @@ pub(crate) struct Solve {
     /// Solve again without each effect, and tell what it changes and costs.
     #[arg(long)]
     cost: bool,
+
+    /// Solve again as a short and as a long bearing, and tell how far these theories are from the film of this length.
+    #[arg(long)]
+    theories: bool,
 }
 
 /// Whether error bars are estimated.
@@ -74,6 +78,7 @@ Examples:
   oilwedge solve bearing.toml --out results/today --unrolled
   oilwedge solve bearing.toml --json | jq .quantities.load.value
   oilwedge solve bearing.toml --cost
+  oilwedge solve bearing.toml --theories
   oilwedge solve bearing.toml --bars none
   oilwedge solve bearing.toml --max-seconds 600 --max-unknowns 5000000
 
@@ -91,6 +96,9 @@ impl Solve {
         let mut run = oilwedge_scene::run(&scene, &options)?;
         if self.cost {
             run.result.cost = Some(effect_costs(&scene, &options, &run.result)?);
+        }
+        if self.theories {
+            run.result.theories = Some(theories(&scene, &options, &run.result));
         }
         let json = run.result.to_json().map_err(Error::from)?;
         let picture = run

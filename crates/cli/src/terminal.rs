@@ -5,6 +5,7 @@ use crate::complain::printable;
 use crate::cost::cost;
 use crate::quantities::{bars, quantities};
 use crate::readable::{readable_unit, significant};
+use crate::theories::theories;
 use crate::words;
 use comfy_table::{CellAlignment, ContentArrangement, Table, presets};
 use oilwedge_scene::joint::is_of_cap;
@@ -40,6 +41,7 @@ pub(crate) fn run_report(result: &RunResult, folder: &Path, picture: bool) -> St
         }
     }
     parts.extend(cost(result));
+    parts.extend(theories(result));
     let mut lines = Vec::new();
     if !result.quantities.is_empty() {
         lines.extend(bars(result));
@@ -327,6 +329,7 @@ pub(crate) mod tests {
             timing_s: vec![("read".into(), 0.0123), ("total".into(), 1.5)],
             warnings: vec![],
             cost: None,
+            theories: None,
         }
     }
 

@@ -10,6 +10,7 @@ pub use check::{CHECK_FORMAT, CheckReport, Cost, RegionFacts};
 
 use crate::cost::EffectCost;
 use crate::regime::Regime;
+use crate::theories::Theories;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
@@ -177,6 +178,9 @@ pub struct RunResult {
     /// What each effect changes and costs; `None`, and absent in JSON, where that was not asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cost: Option<Vec<EffectCost>>,
+    /// The film as a short, a full and a long one; `None`, and absent in JSON, where that was not asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub theories: Option<Theories>,
 }
 
 /// Why a result was not written.
@@ -247,6 +251,9 @@ impl RunResult {
             finite(&format!("timing_s.{part}"), *seconds)?;
         }
         for (name, number) in self.cost.iter().flatten().flat_map(EffectCost::numbers) {
+            finite(&name, number)?;
+        }
+        for (name, number) in self.theories.iter().flat_map(Theories::numbers) {
             finite(&name, number)?;
         }
         json(self)
@@ -329,6 +336,7 @@ pub(crate) mod tests {
             timing_s: vec![("read".into(), 0.25), ("assemble".into(), 0.5)],
             warnings: vec![],
             cost: None,
+            theories: None,
         }
     }
 

@@ -194,6 +194,7 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, Error> {
         timing_s: study.seconds.map(|(part, seconds)| (part.to_owned(), seconds)).into(),
         warnings: Vec::new(),
         cost: None,
+        theories: None,
     };
     let picture = match outcome {
         Ok((solved, judged)) => {

@@ -10,6 +10,7 @@ mod meshes;
 mod shipped;
 mod solve;
 mod sweep;
+mod theories;
 mod verify;
 
 use oilwedge_tests::bench;
