@@ -1,17 +1,19 @@
-//! Pictures: a convergence study (error against time and unknowns, and the mesh), and maps of cells.
+//! Pictures: a convergence study (error against time and unknowns, and the mesh), maps of cells, and plain charts.
 //!
 //! Reading order: `canvas.rs` (points on a sheet, over plotters), `axes.rs`, `errors.rs`, `mesh.rs`, `palette.rs`, `raster.rs` (the
-//! same drawing as dots); `cells.rs` (maps).
+//! same drawing as dots); `cells.rs` (maps); `chart.rs` (curves and marks over linear axes).
 
 mod axes;
 mod canvas;
 mod cells;
+mod chart;
 mod errors;
 mod mesh;
 mod palette;
 mod raster;
 
 pub use cells::{Cell, CellMap, cells_to_svg};
+pub use chart::{COLOURS, Chart, Series, Style, charts_to_svg};
 pub use raster::to_png;
 
 use axes::plain;
