@@ -7,7 +7,7 @@ const TENSION: &str = "full Sommerfeld film: the pressure falls to";
 const PRINTED: &str = "the as-printed equation is no mass balance";
 
 /// Every shipped scene and the beginnings of its warnings.
-const SCENES: [(&str, &[&str]); 19] = [
+const SCENES: [(&str, &[&str]); 21] = [
     ("01_plain_ring", &[TENSION]),
     ("02_flexpde_shell", &[TENSION]),
     ("03_hydrostatic_shell", &[]),
@@ -30,6 +30,8 @@ const SCENES: [(&str, &[&str]); 19] = [
         "20_connecting_rod_cap",
         &["an assumption does not hold: a viscosity that does not depend on pressure"],
     ),
+    ("22_short_crankshaft_bearing", &[]),
+    ("23_squeezed_crankshaft_bearing", &[]),
 ];
 
 #[test]
