@@ -13,6 +13,7 @@ pub mod printed;
 pub mod program;
 pub mod random_bearings;
 pub mod scenes;
+pub mod short_crankshaft;
 pub mod tables;
 
 use std::sync::Arc;

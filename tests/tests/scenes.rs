@@ -467,6 +467,34 @@ fn scene_20_connecting_rod_cap() {
     close(at("90 deg"), -value(&found, "cap_film_share"), 1e-9);
 }
 
+/// At 3200 rpm the finite differences of `tests/data/source000/finite_length.csv`; as short bearings the closed form. All speeds:
+/// `cli/sweep.rs`.
+#[test]
+fn scenes_22_and_23_crankshaft_bearing() {
+    let cases = [
+        (
+            "22_short_crankshaft_bearing",
+            [2622.56, 31.8504],
+            [3500.8515, 30.500153],
+        ),
+        (
+            "23_squeezed_crankshaft_bearing",
+            [8839.39, 14.3979],
+            [11968.476, 13.936722],
+        ),
+    ];
+    for (name, full, short) in cases {
+        for (theory, [load, attitude]) in [("full", full), ("short", short)] {
+            let found = answer(&variant(name, |scene| set(scene, "bearing", "theory", theory)));
+            close(value(&found, "load"), load, 5e-3);
+            assert!(
+                (value(&found, "attitude_angle") - attitude).abs() < 0.1,
+                "{name}, {theory}"
+            );
+        }
+    }
+}
+
 /// A film at a given position: the bar of the share is that of the load. At rest nothing pulls, and there is no share.
 #[test]
 fn a_cap_follows_the_film() {

@@ -19,6 +19,7 @@ mod solve;
 mod standard;
 mod sweep;
 mod terminal;
+mod theories;
 mod verify;
 mod words;
 
@@ -43,6 +44,7 @@ Examples:
   oilwedge solve scenes/01_plain_ring.toml         solve, tell the numbers, write out/01_plain_ring/
   oilwedge solve bearing.toml --json > load.json   the same numbers for a script
   oilwedge solve bearing.toml --cost               and what each effect changes, and in which time
+  oilwedge solve bearing.toml --theories           and what short and long bearings would say
   oilwedge check bearing.toml                      what would be computed, and is the mesh good?
   oilwedge check liner.msh                         a gmsh 4.1 mesh by itself
   oilwedge mesh bearing.toml -o liner.msh          a mesh of its liner, fine enough as it is, for gmsh

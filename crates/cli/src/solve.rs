@@ -4,7 +4,7 @@ use crate::complain::{self, Failure};
 use crate::{interrupt, terminal};
 use oilwedge_scene::report::Status;
 use oilwedge_scene::results::write_results;
-use oilwedge_scene::{Error, Interrupt, RunOptions, Scene, effect_costs, standard};
+use oilwedge_scene::{Error, Interrupt, RunOptions, Scene, effect_costs, standard, theories};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -48,6 +48,9 @@ pub(crate) struct Solve {
     /// Tell what ISO 7902 (DIN 31652) gives for the same bearing, beside its film.
     #[arg(long)]
     standard: bool,
+    /// Solve again as a short and as a long bearing, and tell how far these theories are from the film of this length.
+    #[arg(long)]
+    theories: bool,
 }
 
 /// Whether error bars are estimated.
@@ -79,6 +82,7 @@ Examples:
   oilwedge solve bearing.toml --json | jq .quantities.load.value
   oilwedge solve bearing.toml --cost
   oilwedge solve bearing.toml --standard
+  oilwedge solve bearing.toml --theories
   oilwedge solve bearing.toml --bars none
   oilwedge solve bearing.toml --max-seconds 600 --max-unknowns 5000000
 
@@ -99,6 +103,9 @@ impl Solve {
         }
         if self.standard {
             run.result.standard = Some(standard(&scene, &run.result));
+        }
+        if self.theories {
+            run.result.theories = Some(theories(&scene, &options, &run.result));
         }
         let json = run.result.to_json().map_err(Error::from)?;
         let picture = run

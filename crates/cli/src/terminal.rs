@@ -7,6 +7,7 @@ use crate::heat;
 use crate::quantities::{bars, quantities};
 use crate::readable::{readable_unit, significant};
 use crate::standard::standard;
+use crate::theories::theories;
 use crate::words;
 use comfy_table::{CellAlignment, ContentArrangement, Table, presets};
 use oilwedge_scene::joint::is_of_cap;
@@ -45,6 +46,7 @@ pub(crate) fn run_report(result: &RunResult, folder: &Path, picture: bool) -> St
     parts.extend(heat::heat(result));
     parts.extend(cost(result));
     parts.extend(standard(result));
+    parts.extend(theories(result));
     let mut lines = Vec::new();
     if !result.quantities.is_empty() {
         lines.extend(bars(result));
@@ -340,6 +342,7 @@ pub(crate) mod tests {
             warnings: vec![],
             cost: None,
             standard: None,
+            theories: None,
         }
     }
 

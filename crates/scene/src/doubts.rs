@@ -4,6 +4,7 @@ use oilwedge_reynolds::{Cavitation, Form, Theory};
 
 use crate::compile::Study;
 use crate::measure::Measured;
+use crate::theories::{LONG_FROM, SHORT_TO};
 
 /// Greatest ratio of film thicknesses at the corners of a triangle of a resolved film.
 const RESOLVED: f64 = 2.0;
@@ -67,10 +68,6 @@ pub(crate) fn flips(study: &Study) -> Option<String> {
     })
 }
 
-/// From which B/D on a short bearing is no bearing of this kind, and below which a long one is none.
-const SHORT_TO: f64 = 0.25;
-const LONG_FROM: f64 = 2.0;
-
 /// Which flow a theory leaves out, where it should not.
 fn theory(study: &Study) -> Option<String> {
     let bearing = &study.problem.bearing;
@@ -81,7 +78,7 @@ fn theory(study: &Study) -> Option<String> {
         _ => return None,
     };
     Some(format!(
-        "theory = \"{}\" leaves out the flow that pressure drives {left_out}, as suits B/D {fit}, and here B/D is {slenderness:.2}; --cost tells how far the result is from that of both flows",
+        "theory = \"{}\" leaves out the flow that pressure drives {left_out}, as suits B/D {fit}, and here B/D is {slenderness:.2}; --theories tells how far the result is from that of both flows",
         study.problem.theory.name()
     ))
 }

@@ -13,7 +13,8 @@
 //! [`complaint`] (what is said where it cannot), [`mod@compile`] (the one place that knows all effects), [`analysis`] (given
 //! position or given load), [`thermal`] (its temperature), [`mod@run`], [`mod@measure`], [`joint`] and [`report`] (the numbers, in `doubts.rs` what to doubt, in
 //! [`regime`] which assumptions hold),
-//! [`mod@picture`] and [`vtu`] (the fields), [`results`] (the files), [`cost`] (the same again without each effect).
+//! [`mod@picture`] and [`vtu`] (the fields), [`results`] (the files), [`cost`] (the same again without each effect),
+//! [`mod@theories`] (the same again as a short and as a long bearing), [`mod@standard`] (the same by ISO 7902).
 //! What is known of oils: [`oil_sheet`]. What accuracy costs: [`convergence`], over [`level`] and with [`plot`].
 
 pub mod analysis;
@@ -46,6 +47,7 @@ pub mod sketch;
 pub mod spelling;
 pub mod standard;
 pub mod sweep;
+pub mod theories;
 pub mod thermal;
 pub mod unit;
 pub mod validate;
@@ -60,3 +62,4 @@ pub use cost::effect_costs;
 pub use run::{Error, Run, RunOptions, check_mesh, check_scene, mesh_scene, run, write_mesh};
 pub use scene::Scene;
 pub use standard::standard;
+pub use theories::theories;

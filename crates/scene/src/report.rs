@@ -13,6 +13,7 @@ pub use heat::{Criterion, HeatPoint, HeatReport};
 use crate::cost::EffectCost;
 use crate::regime::Regime;
 use crate::standard::Standard;
+use crate::theories::Theories;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
@@ -188,6 +189,9 @@ pub struct RunResult {
     /// The bearing by ISO 7902; `None`, and absent in JSON, where that was not asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub standard: Option<Standard>,
+    /// The film as a short, a full and a long one; `None`, and absent in JSON, where that was not asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub theories: Option<Theories>,
 }
 
 /// Why a result was not written.
@@ -266,6 +270,9 @@ impl RunResult {
         }
         for (name, number) in self.standard.iter().flat_map(Standard::numbers) {
             finite(&format!("standard.{name}"), number)?;
+        }
+        for (name, number) in self.theories.iter().flat_map(Theories::numbers) {
+            finite(&name, number)?;
         }
         json(self)
     }
@@ -350,6 +357,7 @@ pub(crate) mod tests {
             warnings: vec![],
             cost: None,
             standard: None,
+            theories: None,
         }
     }
 

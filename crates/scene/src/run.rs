@@ -197,6 +197,7 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, Error> {
         warnings: Vec::new(),
         cost: None,
         standard: None,
+        theories: None,
     };
     let picture = match outcome {
         Ok((solved, judged)) => {

@@ -1,15 +1,25 @@
-//! `validation`: writes the computed tables of the pages in `docs` anew.
+//! `validation`: writes the computed tables and figures of the pages in `docs` anew.
 
 use oilwedge_tests::program::repository;
+use oilwedge_tests::short_crankshaft::{figures, page};
 use oilwedge_tests::{cavitation_page, flexpde_study, mesh_page};
 
-fn main() -> std::io::Result<()> {
-    let write = |name: &str, page: fn(&str) -> String| {
-        let path = repository().join("docs").join(name);
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let docs = repository().join("docs");
+    let write = |name: &str, page: &dyn Fn(&str) -> String| {
+        let path = docs.join(name);
         let written = std::fs::read_to_string(&path)?;
         std::fs::write(&path, page(&written))
     };
-    write("validation/flexpde_study.md", flexpde_study::page)?;
-    write("theory/cavitation.md", cavitation_page::page)?;
-    write("howto/mesh.md", mesh_page::page)
+    write("validation/flexpde_study.md", &flexpde_study::page)?;
+    write("theory/cavitation.md", &cavitation_page::page)?;
+    write("howto/mesh.md", &mesh_page::page)?;
+    let study = page::Study::solved();
+    write("validation/short_bearing.md", &|text| page::page_of(text, &study))?;
+    let folder = docs.join("validation/short_bearing");
+    std::fs::create_dir_all(&folder)?;
+    for (name, svg) in figures::sheets(&study)? {
+        std::fs::write(folder.join(format!("{name}.svg")), svg)?;
+    }
+    Ok(())
 }

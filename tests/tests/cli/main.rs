@@ -13,6 +13,7 @@ mod shipped;
 mod solve;
 mod standard;
 mod sweep;
+mod theories;
 mod verify;
 
 use oilwedge_tests::bench;

@@ -8,7 +8,7 @@ const HEATED: &str = "an assumption does not hold: a film as warm as its oil is 
 const PRINTED: &str = "the as-printed equation is no mass balance";
 
 /// Every shipped scene and the beginnings of its warnings.
-const SCENES: [(&str, &[&str]); 20] = [
+const SCENES: [(&str, &[&str]); 22] = [
     ("01_plain_ring", &[TENSION, HEATED]),
     ("02_flexpde_shell", &[TENSION]),
     ("03_hydrostatic_shell", &[]),
@@ -35,6 +35,8 @@ const SCENES: [(&str, &[&str]); 20] = [
         ],
     ),
     ("21_heat_balance", &[]),
+    ("22_short_crankshaft_bearing", &[]),
+    ("23_squeezed_crankshaft_bearing", &[]),
 ];
 
 #[test]

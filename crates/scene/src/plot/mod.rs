@@ -1,11 +1,12 @@
-//! Pictures: a convergence study (error against time and unknowns, and the mesh), a balance of heat, and maps of cells.
+//! Pictures: a convergence study (error against time and unknowns, and the mesh), a balance of heat, maps of cells, and plain charts.
 //!
 //! Reading order: `canvas.rs` (points on a sheet, over plotters), `axes.rs`, `errors.rs`, `mesh.rs`, `palette.rs`, `raster.rs` (the
-//! same drawing as dots); `heat.rs` (two curves that cross), `cells.rs` (maps).
+//! same drawing as dots); `heat.rs` (two curves that cross), `cells.rs` (maps), `chart.rs` (curves and marks over linear axes).
 
 mod axes;
 mod canvas;
 mod cells;
+mod chart;
 mod errors;
 mod heat;
 mod mesh;
@@ -13,6 +14,7 @@ mod palette;
 mod raster;
 
 pub use cells::{Cell, CellMap, cells_to_svg};
+pub use chart::{COLOURS, Chart, Series, Style, charts_to_svg};
 pub use heat::heat_to_svg;
 pub use raster::to_png;
 

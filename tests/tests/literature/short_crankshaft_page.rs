@@ -1,0 +1,42 @@
+//! `docs/validation/short_bearing.md` and its figures are those that the program writes.
+
+use oilwedge_tests::program::repository;
+use oilwedge_tests::short_crankshaft::{figures, page};
+
+/// Words and numbers of a drawing.
+fn parts(svg: &str) -> impl Iterator<Item = &str> {
+    svg.split(|letter: char| letter.is_whitespace() || ",\"=<>".contains(letter))
+        .filter(|part| !part.is_empty())
+}
+
+/// Tables to the letter; figures to a point of the sheet, which is eight of its units: where a curve falls between two, another machine
+/// may round it to the other.
+#[test]
+fn the_page_and_its_figures_are_up_to_date() {
+    const COMMAND: &str = "run: cargo run --release -p oilwedge-tests --bin validation";
+    let study = page::Study::solved();
+    let docs = repository().join("docs/validation");
+    let written = std::fs::read_to_string(docs.join("short_bearing.md")).expect("the page");
+    assert!(written == page::page_of(&written, &study), "{COMMAND}");
+    let sheets = figures::sheets(&study).expect("drawings");
+    let mut shown = String::new();
+    for (name, svg) in &sheets {
+        let file = format!("short_bearing/{name}.svg");
+        assert!(written.contains(&format!("]({file})")), "{file} is not shown");
+        let drawn = std::fs::read_to_string(docs.join(&file)).expect(&file);
+        assert_eq!(parts(&drawn).count(), parts(svg).count(), "{file}: {COMMAND}");
+        for (old, new) in parts(&drawn).zip(parts(svg)) {
+            let near = match (old.parse::<f64>(), new.parse::<f64>()) {
+                (Ok(old), Ok(new)) => (old - new).abs() <= 8.0,
+                _ => old == new,
+            };
+            assert!(near, "{file}: {old}, now {new}; {COMMAND}");
+        }
+        shown += svg;
+    }
+    for figure in 2..=14 {
+        assert!(shown.contains(&format!("Figure {figure}. ")), "figure {figure}");
+    }
+    let files = std::fs::read_dir(docs.join("short_bearing")).expect("the figures");
+    assert_eq!(files.count(), sheets.len(), "a figure that no page shows");
+}
