@@ -332,20 +332,30 @@ fn none(balance: &HeatBalance, reason: NoBalance<Left>) -> NoAnswer {
             readable(off)
         )
     };
+    let mut is_unreached = false;
     let told = match reason {
         NoBalance::NoFilm(Left::NoAnswer(reason)) => return reason,
-        NoBalance::NoFilm(Left::Ended) => "the search for the temperature was ended".to_owned(),
+        NoBalance::NoFilm(Left::Ended) => {
+            is_unreached = true;
+            "the search for the temperature was ended; give --max-seconds a higher limit".to_owned()
+        }
         NoBalance::Ends {
             temperature,
             film,
             reason,
         } => {
             let why = match reason {
-                Left::NoAnswer(reason) => reason.to_string(),
-                Left::Ended => "the search was ended".to_owned(),
+                Left::NoAnswer(reason) => {
+                    is_unreached = reason.is_unreached();
+                    reason.to_string()
+                }
+                Left::Ended => {
+                    is_unreached = true;
+                    "the search was ended".to_owned()
+                }
             };
             format!(
-                "no temperature balances the heat: at {} {}, and there is no hotter film: {why}",
+                "no temperature balances the heat: at {} {}, and there is no film beyond: {why}",
                 celsius(temperature),
                 watts(&film, temperature)
             )
@@ -356,7 +366,6 @@ fn none(balance: &HeatBalance, reason: NoBalance<Left>) -> NoAnswer {
             watts(&film, temperature)
         ),
     };
-    let is_unreached = told.contains("ended");
     NoAnswer::Heat(NoTemperature { told, is_unreached })
 }
 
@@ -388,9 +397,10 @@ impl HeatFound {
         let film = &self.balanced.film;
         let carried = heat.balance().carried(self.balanced.temperature, film);
         // Of a film whose ends take oil in too the side flow is less than what leaves, and of a sealed one there is none.
-        let flow = match film.flow {
-            0.0 => 0.0,
-            flow => error("side_flow").unwrap_or(0.0) / flow,
+        let has_ends = quantities.iter().any(|quantity| quantity.name == "side_flow");
+        let flow = match has_ends && film.flow > 0.0 {
+            true => error("side_flow")? / film.flow,
+            false => 0.0,
         };
         let power = error("friction_power")?;
         let bar = (power + carried.abs() * flow + self.balanced.surplus.abs()) / self.balanced.slope.abs();
