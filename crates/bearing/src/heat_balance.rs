@@ -55,7 +55,7 @@ pub struct Housing {
 /// The film's temperature is sought up to so much above the inlet [K].
 pub const HOTTEST: f64 = 250.0;
 /// Starts [K] above the inlet where there is no film at the first one.
-const STARTS: [f64; 7] = [0.0, 5.0, 10.0, 20.0, 40.0, 80.0, 160.0];
+const STARTS: [f64; 4] = [0.0, 10.0, 40.0, 120.0];
 /// A bracket is not narrowed further than this [K].
 const NARROW: f64 = 1e-10;
 /// A film that is sought between a temperature that has one and one that has none is sought to this [K].

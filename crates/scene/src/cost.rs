@@ -151,11 +151,7 @@ fn without_each(scene: &Scene) -> Vec<Variant> {
         add("squeeze", "a centre at rest", |scene| scene.journal.squeeze = None);
     }
     if scene.heat.is_some() {
-        add("heat", "a film as warm as the oil that is fed", |scene| {
-            if let Some(heat) = scene.heat.take() {
-                scene.oil.heat_to(heat.inlet);
-            }
-        });
+        add("heat", "a film as warm as the oil that is fed", cool);
     }
     if let Some(law) = scene.oil.pressure_law.name() {
         add(law, "constant viscosity", |scene| {
@@ -188,8 +184,16 @@ fn without_each(scene: &Scene) -> Vec<Variant> {
     variants
 }
 
-/// At rest there is no Sommerfeld number, and so no tolerance of it.
+/// The film is as warm as the oil that is fed.
+fn cool(scene: &mut Scene) {
+    if let Some(heat) = scene.heat.take() {
+        scene.oil.heat_to(heat.inlet);
+    }
+}
+
+/// At rest nothing heats the oil, and there is no Sommerfeld number, and so no tolerance of it.
 fn stop(scene: &mut Scene) {
+    cool(scene);
     scene.journal.speed = 0.0;
     if let Some(tolerance) = &mut scene.tolerance {
         tolerance

@@ -13,14 +13,14 @@ use oilwedge_reynolds::supply::Place;
 use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSystem};
 
 use crate::analysis::{NoAnswer, Solved, Start, Witness, graded, isothermal};
-use crate::bars::is_given;
 use crate::compile::{CompileError, Study};
 use crate::liner_mesh::resized;
 use crate::measure::{self, Measured, measure};
-use crate::report::{ErrorParts, Quantity};
+use crate::report::Quantity;
 use crate::scene::{Heat, Mixing, Scene};
 use crate::wording::celsius;
 
+mod bars;
 mod curve;
 mod doubts;
 
@@ -332,20 +332,30 @@ fn none(balance: &HeatBalance, reason: NoBalance<Left>) -> NoAnswer {
             readable(off)
         )
     };
+    let mut is_unreached = false;
     let told = match reason {
         NoBalance::NoFilm(Left::NoAnswer(reason)) => return reason,
-        NoBalance::NoFilm(Left::Ended) => "the search for the temperature was ended".to_owned(),
+        NoBalance::NoFilm(Left::Ended) => {
+            is_unreached = true;
+            "the search for the temperature was ended; give --max-seconds a higher limit".to_owned()
+        }
         NoBalance::Ends {
             temperature,
             film,
             reason,
         } => {
             let why = match reason {
-                Left::NoAnswer(reason) => reason.to_string(),
-                Left::Ended => "the search was ended".to_owned(),
+                Left::NoAnswer(reason) => {
+                    is_unreached = reason.is_unreached();
+                    reason.to_string()
+                }
+                Left::Ended => {
+                    is_unreached = true;
+                    "the search was ended".to_owned()
+                }
             };
             format!(
-                "no temperature balances the heat: at {} {}, and there is no hotter film: {why}",
+                "no temperature balances the heat: at {} {}, and there is no film beyond: {why}",
                 celsius(temperature),
                 watts(&film, temperature)
             )
@@ -356,7 +366,6 @@ fn none(balance: &HeatBalance, reason: NoBalance<Left>) -> NoAnswer {
             watts(&film, temperature)
         ),
     };
-    let is_unreached = told.contains("ended");
     NoAnswer::Heat(NoTemperature { told, is_unreached })
 }
 
@@ -378,84 +387,4 @@ fn solve_coarse(study: &mut Study, patience: Patience) -> Option<f64> {
     let heat = study.heat?;
     let solved = solve(study, &heat, false, patience, Start::Scene).ok()?;
     Some(solved.heat?.balanced.temperature)
-}
-
-impl HeatFound {
-    /// Bar [K] of the temperature: those of friction and flow, over the slope of their balance. None where they have none.
-    fn bar(&self, study: &Study, quantities: &[Quantity]) -> Option<f64> {
-        let error = |name: &str| quantities.iter().find(|quantity| quantity.name == name)?.error;
-        let heat = study.heat?;
-        let film = &self.balanced.film;
-        let carried = heat.balance().carried(self.balanced.temperature, film);
-        // Of a film whose ends take oil in too the side flow is less than what leaves, and of a sealed one there is none.
-        let flow = match film.flow {
-            0.0 => 0.0,
-            flow => error("side_flow").unwrap_or(0.0) / flow,
-        };
-        let power = error("friction_power")?;
-        let bar = (power + carried.abs() * flow + self.balanced.surplus.abs()) / self.balanced.slope.abs();
-        bar.is_finite().then_some(bar)
-    }
-
-    /// Gives the quantities of the balance their bars, and adds to all others what the bar of the temperature makes of them.
-    pub(crate) fn widen(&self, study: &Study, measured: &Measured, quantities: &mut [Quantity]) {
-        if quantities.iter().all(|quantity| quantity.error.is_none()) {
-            return;
-        }
-        let bar = self.bar(study, quantities);
-        let balance = study.heat.map(|heat| heat.balance());
-        let power = quantities
-            .iter()
-            .find(|quantity| quantity.name == "friction_power")
-            .and_then(|power| power.error);
-        let film = study.heat.map(|heat| film_heat(&heat, &study.system, measured));
-        for quantity in quantities {
-            let per_kelvin = match (quantity.name.as_str(), balance, film) {
-                ("temperature_effective", ..) => Some(1.0),
-                ("temperature_inlet" | "temperature_outlet", Some(balance), Some(film)) => {
-                    let [inlet, outlet] = balance.ends(balance.inlet + 1.0, film.carried_over);
-                    let end = if quantity.name == "temperature_inlet" {
-                        inlet
-                    } else {
-                        outlet
-                    };
-                    Some(end - balance.inlet)
-                }
-                ("heat_housing", Some(balance), _) => balance.housing.map(|housing| housing.conductance),
-                // What friction makes and the housing does not take.
-                ("heat_carried", Some(balance), _) => {
-                    Some(balance.housing.map_or(0.0, |housing| housing.conductance) + self.slope("friction_power"))
-                }
-                (name, ..) if is_given(name) && name != "viscosity_effective" => Some(0.0),
-                (name, ..) => Some(self.slope(name)),
-            };
-            let own = match quantity.name.as_str() {
-                "heat_carried" => power,
-                _ => quantity.error,
-            };
-            let widened = own
-                .zip(bar)
-                .zip(per_kelvin)
-                .map(|((own, bar), per_kelvin)| (own, bar * per_kelvin.abs()));
-            match widened.filter(|(own, part)| (own + part).is_finite()) {
-                Some((own, part)) => {
-                    let mut parts = quantity.error_parts.unwrap_or_default();
-                    if quantity.name == "heat_carried" {
-                        parts = ErrorParts {
-                            discretisation: own,
-                            ..ErrorParts::default()
-                        };
-                    }
-                    parts.temperature = part;
-                    quantity.error = Some(parts.sum());
-                    quantity.error_parts = Some(parts);
-                }
-                None => (quantity.error, quantity.error_parts) = (None, None),
-            }
-        }
-    }
-
-    fn slope(&self, name: &str) -> f64 {
-        self.slopes.get(name).copied().unwrap_or(f64::NAN)
-    }
 }

@@ -46,6 +46,9 @@ impl Axis {
     }
 }
 
+/// One of the powers of a point.
+type Power = fn(&HeatPoint) -> f64;
+
 fn carried(point: &HeatPoint) -> f64 {
     point.heat_carried + point.heat_housing
 }
@@ -87,14 +90,14 @@ pub fn heat_to_svg(title: &str, report: &HeatReport, found: Option<[f64; 2]>) ->
     };
     canvas.text([FRAME[0], 28.0], &shortened(title), bold)?;
     frame(&canvas, x, y, &at)?;
-    let curve = |value: fn(&HeatPoint) -> f64| -> Vec<[f64; 2]> {
+    let curve = |value: Power| -> Vec<[f64; 2]> {
         report
             .curve
             .iter()
             .map(|point| at(point.temperature, value(point)))
             .collect()
     };
-    let entries: [(&str, RGBColor, Mark, fn(&HeatPoint) -> f64); 2] = [
+    let entries: [(&str, RGBColor, Mark, Power); 2] = [
         ("friction", FRICTION, Mark::Disc, |point| point.friction_power),
         ("heat carried off", CARRIED, Mark::Square, carried),
     ];

@@ -305,7 +305,7 @@ mod tests {
                 "\"80 C\"",
             ),
             (
-                &format!("viscosity = \"9 mPa.s\", density = \"0.9\""),
+                "viscosity = \"9 mPa.s\", density = \"0.9\"",
                 "oil.density: \"0.9\" has no unit",
                 "kg/m3",
             ),

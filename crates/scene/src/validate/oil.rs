@@ -99,7 +99,7 @@ impl Checks<'_> {
         match scene.heat.is_none() {
             true => self.temperature(temperature, key),
             // That is told of [heat].
-            false if temperature < LIQUID[0] || temperature > LIQUID[1] => return,
+            false if !(LIQUID[0]..=LIQUID[1]).contains(&temperature) => return,
             false => {}
         }
         match &oil.law {

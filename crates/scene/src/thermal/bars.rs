@@ -1,0 +1,88 @@
+//! The bar of a temperature found, and what it adds to those of all other numbers.
+
+use super::{HeatFound, film_heat};
+use crate::bars::is_given;
+use crate::compile::Study;
+use crate::measure::Measured;
+use crate::report::{ErrorParts, Quantity};
+
+impl HeatFound {
+    /// Bar [K] of the temperature: those of friction and flow, over the slope of their balance. None where they have none.
+    fn bar(&self, study: &Study, quantities: &[Quantity]) -> Option<f64> {
+        let error = |name: &str| quantities.iter().find(|quantity| quantity.name == name)?.error;
+        let heat = study.heat?;
+        let film = &self.balanced.film;
+        let carried = heat.balance().carried(self.balanced.temperature, film);
+        // Of a film whose ends take oil in too the side flow is less than what leaves, and of a sealed one there is none.
+        let has_ends = quantities.iter().any(|quantity| quantity.name == "side_flow");
+        let flow = match has_ends && film.flow > 0.0 {
+            true => error("side_flow")? / film.flow,
+            false => 0.0,
+        };
+        let power = error("friction_power")?;
+        let bar = (power + carried.abs() * flow + self.balanced.surplus.abs()) / self.balanced.slope.abs();
+        bar.is_finite().then_some(bar)
+    }
+
+    /// Gives the quantities of the balance their bars, and adds to all others what the bar of the temperature makes of them.
+    pub(crate) fn widen(&self, study: &Study, measured: &Measured, quantities: &mut [Quantity]) {
+        if quantities.iter().all(|quantity| quantity.error.is_none()) {
+            return;
+        }
+        let bar = self.bar(study, quantities);
+        let balance = study.heat.map(|heat| heat.balance());
+        let power = quantities
+            .iter()
+            .find(|quantity| quantity.name == "friction_power")
+            .and_then(|power| power.error);
+        let film = study.heat.map(|heat| film_heat(&heat, &study.system, measured));
+        for quantity in quantities {
+            let per_kelvin = match (quantity.name.as_str(), balance, film) {
+                ("temperature_effective", ..) => Some(1.0),
+                ("temperature_inlet" | "temperature_outlet", Some(balance), Some(film)) => {
+                    let [inlet, outlet] = balance.ends(balance.inlet + 1.0, film.carried_over);
+                    let end = if quantity.name == "temperature_inlet" {
+                        inlet
+                    } else {
+                        outlet
+                    };
+                    Some(end - balance.inlet)
+                }
+                ("heat_housing", Some(balance), _) => balance.housing.map(|housing| housing.conductance),
+                // What friction makes and the housing does not take.
+                ("heat_carried", Some(balance), _) => {
+                    Some(balance.housing.map_or(0.0, |housing| housing.conductance) + self.slope("friction_power"))
+                }
+                (name, ..) if is_given(name) && name != "viscosity_effective" => Some(0.0),
+                (name, ..) => Some(self.slope(name)),
+            };
+            let own = match quantity.name.as_str() {
+                "heat_carried" => power,
+                _ => quantity.error,
+            };
+            let widened = own
+                .zip(bar)
+                .zip(per_kelvin)
+                .map(|((own, bar), per_kelvin)| (own, bar * per_kelvin.abs()));
+            match widened.filter(|(own, part)| (own + part).is_finite()) {
+                Some((own, part)) => {
+                    let mut parts = quantity.error_parts.unwrap_or_default();
+                    if quantity.name == "heat_carried" {
+                        parts = ErrorParts {
+                            discretisation: own,
+                            ..ErrorParts::default()
+                        };
+                    }
+                    parts.temperature = part;
+                    quantity.error = Some(parts.sum());
+                    quantity.error_parts = Some(parts);
+                }
+                None => (quantity.error, quantity.error_parts) = (None, None),
+            }
+        }
+    }
+
+    fn slope(&self, name: &str) -> f64 {
+        self.slopes.get(name).copied().unwrap_or(f64::NAN)
+    }
+}
