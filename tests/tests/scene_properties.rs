@@ -6,7 +6,7 @@ use std::path::Path;
 
 use oilwedge_scene::scene::MeshSource;
 use oilwedge_scene::unit::{self, Dimension};
-use oilwedge_scene::{Scene, SceneError};
+use oilwedge_scene::{RunOptions, Scene, SceneError, run, theories};
 use oilwedge_tests::program::repository;
 use proptest::prelude::*;
 use toml::de::{DeTable, DeValue};
@@ -167,6 +167,57 @@ const DIMENSIONS: [Dimension; 9] = [
     Dimension::Velocity,
     Dimension::Ratio,
 ];
+
+/// Any legal scene has three theories: each film has numbers or a reason, the report is finite, and nothing panics.
+#[test]
+fn any_scene_has_three_theories_or_their_reasons() {
+    let liners = [
+        "",
+        ", film_start = \"20 deg\"",
+        ", arc = { from = \"60 deg\", to = \"300 deg\" }",
+        ", theory = \"short\"",
+        ", theory = \"long\", film_start = \"0 deg\"",
+    ];
+    let feeds = [
+        "",
+        "feed = [{ group = \"hole\", hole = { diameter = \"8 mm\", angle = \"90 deg\" }, pressure = \"2 bar\" }]\n",
+        "feed = [{ group = \"pocket\", groove = { from = \"100 deg\", to = \"130 deg\", width = \"10 mm\" }, depth = \"30 um\" }]\n",
+    ];
+    let journals = [
+        "journal = { speed = \"100 rad/s\", eccentricity = 0.6, min_film_angle = \"200 deg\" }",
+        "journal = { speed = \"-100 rad/s\", eccentricity = 0 }",
+        "journal = { speed = \"0 rpm\", eccentricity = 0.4, min_film_angle = \"200 deg\", squeeze = { radial = \"1 mm/s\" } }",
+        "journal = { speed = \"100 rad/s\" }\nload = { force = \"300 N\", angle = \"270 deg\" }",
+    ];
+    let models = ["none", "guembel", "reynolds", "jfo"];
+    let options = RunOptions {
+        bars: false,
+        ..RunOptions::default()
+    };
+    let (mut legal, mut films) = (0, 0);
+    for (liner, feed) in liners.iter().flat_map(|liner| feeds.map(|feed| (liner, feed))) {
+        for (journal, model) in journals.iter().flat_map(|journal| models.map(|model| (journal, model))) {
+            let text = format!(
+                "{feed}bearing = {{ diameter = \"60 mm\", length = \"24 mm\", clearance = \"40 um\"{liner} }}\nmesh = {{ size = \"6 mm\" }}\n\
+                 ends = {{ pressure = \"1 bar\" }}\n{journal}\noil = {{ viscosity = \"0.02 Pa.s\" }}\ncavitation = {{ model = \"{model}\" }}\n"
+            );
+            let Ok(scene) = parse(&text) else { continue };
+            let mut result = run(&scene, &options)
+                .unwrap_or_else(|error| panic!("{error}\n{text}"))
+                .result;
+            let found = theories(&scene, &options, &result);
+            assert_eq!(found.films.len(), 3);
+            for film in &found.films {
+                assert!(!film.quantities.is_empty() || film.reason.is_some(), "{film:?}\n{text}");
+                films += usize::from(!film.quantities.is_empty());
+            }
+            result.theories = Some(found);
+            result.to_json().unwrap_or_else(|error| panic!("{error}\n{text}"));
+            legal += 1;
+        }
+    }
+    assert!(legal > 100 && films > 200, "{legal} scenes, {films} films");
+}
 
 proptest! {
     #[test]

@@ -100,3 +100,32 @@ fn every_shipped_scene_has_a_table_or_a_reason() {
         }
     }
 }
+
+/// The page on effects shows the numbers of scene 22.
+#[test]
+fn the_table_of_the_page_is_that_of_the_scene() {
+    let bench = Bench::new();
+    bench.scene("22_short_crankshaft_bearing", &[]);
+    let result = object(&bench.run(&["solve", "scene.toml", "--theories", "--json"]).stdout);
+    let page = oilwedge_tests::program::repository().join("docs/howto/effects.md");
+    let page = std::fs::read_to_string(page).expect("the page");
+    let section = page.split("## Is my bearing short?").nth(1).expect("the section");
+    for (name, scale) in [("load", 1e3), ("attitude_angle", 1.0), ("pressure_max", 1e6)] {
+        let row = section.lines().find(|line| line.starts_with(&format!("│ {name} ")));
+        let cells: Vec<&str> = row.expect("a row").split('┆').map(str::trim).collect();
+        for (film, cell) in result["theories"]["films"]
+            .as_array()
+            .expect("films")
+            .iter()
+            .zip(&cells[2..])
+        {
+            let value = film["quantities"][name]["value"].as_f64().expect("a number") / scale;
+            let shown: f64 = cell.parse().expect("a number");
+            assert!(
+                (shown / value - 1.0).abs() < 3e-3,
+                "{name}, {}: {shown}, {value}",
+                film["theory"]
+            );
+        }
+    }
+}
