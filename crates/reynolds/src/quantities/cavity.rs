@@ -84,7 +84,8 @@ pub(super) fn broken_share(problem: &FilmProblem, system: &FilmSystem, film: &Fi
     let space = system.space();
     let is_broken = |dof: usize| match problem.cavitation {
         Cavitation::Reynolds { .. } => film.cavity[dof],
-        Cavitation::Guembel { pressure } => problem.pressure_at(film.unknown[dof]) < pressure,
+        // Dropped where it is asked for: the unknown is that of the full film.
+        Cavitation::Guembel { pressure } => film.unknown[dof] < problem.unknown_at(pressure),
         _ => false,
     };
     let (mut broken, mut free) = (0.0, 0.0);
