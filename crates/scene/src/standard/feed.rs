@@ -57,9 +57,9 @@ pub(super) fn fed(scene: &Scene, load_angle: f64) -> Result<Option<(Feed, f64)>,
         (_, Some(groove), [Some(place)]) => {
             let extent = groove.arc.map_or(0.0, |arc| arc.to - arc.from);
             let width = groove.width / length;
-            let is_pocket = width >= POCKET[0] && width <= POCKET[1] && extent <= SHORT;
+            let is_pocket = (POCKET[0]..=POCKET[1]).contains(&width) && extent <= SHORT;
             match place {
-                Side::Opposite if extent >= HALF[0] && extent <= HALF[1] => Feed::GrooveHalf(width),
+                Side::Opposite if (HALF[0]..=HALF[1]).contains(&extent) => Feed::GrooveHalf(width),
                 Side::Opposite if is_pocket => Feed::PocketOpposite(width),
                 Side::Across if is_pocket => Feed::PocketAcross(width),
                 _ => return unknown("a groove like this"),
