@@ -16,6 +16,7 @@ pub(crate) fn standard(result: &RunResult) -> Option<String> {
     if !standard.numbers.is_empty() {
         lines.push(side_by_side(&standard.numbers));
     }
+    lines.extend(flows(standard));
     lines.extend(standard.notes.iter().map(|note| printable(note)));
     Some(lines.join("\n"))
 }
@@ -28,6 +29,20 @@ fn opening(standard: &Standard, given: &str) -> String {
         .map_or(String::new(), |feed| format!(", fed through {feed}"));
     let viscosity = significant(standard.viscosity / size, DIGITS[0]);
     format!("ISO 7902 (DIN 31652), given the same {given} and a viscosity of {viscosity} {unit}{feed}")
+}
+
+/// The parts of its side flow, where a feed adds to it.
+fn flows(standard: &Standard) -> Option<String> {
+    let told = |flow: f64| {
+        let (unit, size) = readable_unit(flow, "m3/s");
+        format!("{} {unit}", significant(flow / size, DIGITS[0]))
+    };
+    let (squeezed, pressed) = (standard.squeezed_flow?, standard.pressed_flow?);
+    Some(format!(
+        "its side_flow: Q_3 {} pressed out by the narrowing film, Q_p {} pressed through by the feed",
+        told(squeezed),
+        told(pressed)
+    ))
 }
 
 fn side_by_side(numbers: &[Beside]) -> String {

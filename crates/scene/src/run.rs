@@ -205,7 +205,14 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, Error> {
             let regime = Regime::of(scene, &study, &judged.measured);
             let broken = regime.warnings(scene, &judged.measured);
             report(&study, &solved, judged, &mut result);
+            let clock = Instant::now();
             result.heat = heat_report(&mut study, &solved, &result.quantities, options);
+            result.timing_s.extend(
+                solved
+                    .heat
+                    .as_ref()
+                    .map(|found| ("heat".to_owned(), found.seconds + clock.elapsed().as_secs_f64())),
+            );
             result.regime = Some(regime);
             result.warnings.extend(broken);
             if limit.is_some() {

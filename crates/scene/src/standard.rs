@@ -27,6 +27,10 @@ pub struct Standard {
     pub viscosity: f64,
     /// The feed in the words of the standard; `null` where it has none like that, or the scene has none.
     pub feed: Option<String>,
+    /// Q_3 [m3/s], what the narrowing film presses out at the ends; `null` without a twin.
+    pub squeezed_flow: Option<f64>,
+    /// Q_p [m3/s], what the pressure of the feed presses through; `null` where there is no such feed.
+    pub pressed_flow: Option<f64>,
     /// The numbers, in the order of the report.
     pub numbers: Vec<Beside>,
     /// What keeps the two apart, in sentences; or why there is no twin.
@@ -58,7 +62,14 @@ impl Beside {
 impl Standard {
     /// Its numbers by name, for a check that they are numbers.
     pub(crate) fn numbers(&self) -> impl Iterator<Item = (&'static str, f64)> + '_ {
-        (self.numbers.iter()).flat_map(|beside| [(beside.quantity, beside.standard), (beside.quantity, beside.film)])
+        let flows = [
+            ("squeezed_flow", self.squeezed_flow),
+            ("pressed_flow", self.pressed_flow),
+        ];
+        let beside = (self.numbers.iter())
+            .flat_map(|beside| [(beside.quantity, beside.standard), (beside.quantity, beside.film)]);
+        let flows = flows.into_iter().filter_map(|(name, flow)| Some((name, flow?)));
+        beside.chain(flows)
     }
 
     fn none(viscosity: f64, reason: &str) -> Self {
@@ -66,6 +77,8 @@ impl Standard {
             given: None,
             viscosity,
             feed: None,
+            squeezed_flow: None,
+            pressed_flow: None,
             numbers: Vec::new(),
             notes: vec![format!("the standard has no such bearing: {reason}")],
         }
@@ -154,6 +167,8 @@ pub fn standard(scene: &Scene, result: &RunResult) -> Standard {
         given: Some(given),
         viscosity,
         feed: feed.ok().flatten().map(|(kind, _)| told(kind).to_owned()),
+        squeezed_flow: Some(flow),
+        pressed_flow: pressed,
         numbers: twin.numbers(scene, result, all),
         notes,
     }

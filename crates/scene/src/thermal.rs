@@ -4,6 +4,7 @@
 //! through the slope of their balance; all other numbers change with the temperature as the films on the way have shown.
 
 use std::collections::HashMap;
+use std::time::Instant;
 
 use oilwedge_bearing::heat_balance::find;
 use oilwedge_bearing::{Balanced, FilmHeat, HeatBalance, NoBalance, Patience};
@@ -57,6 +58,8 @@ pub struct HeatFound {
     pub balanced: Balanced,
     /// How each number changes with the temperature [1/K], by name.
     slopes: HashMap<String, f64>,
+    /// Seconds that the films at other temperatures took.
+    pub seconds: f64,
 }
 
 /// Why there is no temperature.
@@ -170,10 +173,13 @@ struct Best {
     temperature: f64,
     problem: FilmProblem,
     solved: Solved,
+    /// Seconds that it took.
+    seconds: f64,
 }
 
 impl Films<'_> {
     fn at(&mut self, balance: &HeatBalance, temperature: f64, bars: bool, start: Start) -> Result<FilmHeat, Left> {
+        let clock = Instant::now();
         self.study.heat_to(temperature);
         let neighbour = match (&self.best, start) {
             (Some(best), _) => {
@@ -204,6 +210,7 @@ impl Films<'_> {
                 temperature,
                 problem: self.study.problem.clone(),
                 solved,
+                seconds: clock.elapsed().as_secs_f64(),
             });
         }
         match is_ended {
@@ -245,6 +252,7 @@ pub(crate) fn solve(
     patience: Patience,
     start: Start,
 ) -> Result<Solved, NoAnswer> {
+    let clock = Instant::now();
     let balance = heat.balance();
     let first = study.oil.temperature.unwrap_or(heat.first_temperature());
     let mut films = Films {
@@ -311,6 +319,7 @@ pub(crate) fn solve(
         temperature,
         problem,
         mut solved,
+        seconds,
         ..
     }) = best
     else {
@@ -318,7 +327,11 @@ pub(crate) fn solve(
     };
     study.heat_to(temperature);
     study.problem = problem;
-    solved.heat = Some(HeatFound { balanced, slopes });
+    solved.heat = Some(HeatFound {
+        balanced,
+        slopes,
+        seconds: clock.elapsed().as_secs_f64() - seconds,
+    });
     Ok(solved)
 }
 

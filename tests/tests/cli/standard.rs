@@ -15,6 +15,7 @@ fn the_twin_stands_beside_the_film() {
         "ISO 7902 (DIN 31652)",
         "a hole opposite to the load",
         "ISO 7902 is off by",
+        "its side_flow: Q_3",
     ] {
         assert!(told.stdout.contains(words), "{words}: {}", told.stdout);
     }
@@ -23,6 +24,16 @@ fn the_twin_stands_beside_the_film() {
     let standard = &result["standard"];
     assert_eq!(standard["given"], "load");
     let numbers = standard["numbers"].as_array().expect("numbers");
+    let parts = ["squeezed_flow", "pressed_flow"].map(|part| standard[part].as_f64().expect(part));
+    let side_flow = numbers
+        .iter()
+        .find(|it| it["quantity"] == "side_flow")
+        .expect("a side flow");
+    let whole = side_flow["standard"].as_f64().expect("a number");
+    assert!(
+        (parts[0] + parts[1] - whole).abs() < 1e-12 * whole,
+        "{parts:?}, {whole}"
+    );
     let film_of = |name: &str| &result["quantities"][name]["value"];
     for name in ["eccentricity", "friction_power", "side_flow"] {
         let beside = numbers.iter().find(|it| it["quantity"] == name).expect(name);
