@@ -55,6 +55,33 @@ impl Observer for Progress {
     }
 }
 
+/// A sign that something is being computed, and for how long. It goes when this is dropped.
+pub(crate) struct Working(ProgressBar);
+
+impl Working {
+    /// On `what`.
+    pub(crate) fn on(what: &'static str) -> Self {
+        let bar = ProgressBar::with_draw_target(None, target());
+        if let Ok(style) = ProgressStyle::with_template("{spinner} {elapsed} {msg}") {
+            bar.set_style(style);
+        }
+        bar.set_message(what);
+        bar.enable_steady_tick(TICK);
+        Self(bar)
+    }
+
+    /// Now on `what`.
+    pub(crate) fn turns_to(&self, what: &'static str) {
+        self.0.set_message(what);
+    }
+}
+
+impl Drop for Working {
+    fn drop(&mut self) {
+        self.0.finish_and_clear();
+    }
+}
+
 /// A bar that fills as cases end, with the time left.
 pub(crate) struct SweepProgress {
     bar: ProgressBar,

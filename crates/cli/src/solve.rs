@@ -1,6 +1,7 @@
 //! `oilwedge solve`: one scene to numbers and fields.
 
 use crate::complain::{self, Failure};
+use crate::progress::Working;
 use crate::{interrupt, terminal};
 use oilwedge_scene::report::Status;
 use oilwedge_scene::results::write_results;
@@ -48,6 +49,7 @@ pub(crate) struct Solve {
     /// Tell what ISO 7902 (DIN 31652) gives for the same bearing, beside its film.
     #[arg(long)]
     standard: bool,
+
     /// Solve again as a short and as a long bearing, and tell how far these theories are from the film of this length.
     #[arg(long)]
     theories: bool,
@@ -97,16 +99,20 @@ impl Solve {
     pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
         let scene = Scene::read(&self.scene)?;
         let options = self.options(&scene)?;
+        let working = Working::on(Self::task(&scene));
         let mut run = oilwedge_scene::run(&scene, &options)?;
         if self.cost {
+            working.turns_to("the film without each effect");
             run.result.cost = Some(effect_costs(&scene, &options, &run.result)?);
         }
         if self.standard {
             run.result.standard = Some(standard(&scene, &run.result));
         }
         if self.theories {
+            working.turns_to("the film of a short and of a long bearing");
             run.result.theories = Some(theories(&scene, &options, &run.result));
         }
+        drop(working);
         let json = run.result.to_json().map_err(Error::from)?;
         let picture = run
             .picture
@@ -130,6 +136,15 @@ impl Solve {
             Status::Converged => ExitCode::SUCCESS,
             Status::NoSolution | Status::NotConverged => ExitCode::from(1),
         })
+    }
+
+    /// What a run of the scene may spend long on.
+    fn task(scene: &Scene) -> &'static str {
+        match (scene.tolerance.is_some(), scene.journal.load().is_some()) {
+            (true, _) => "from mesh to mesh, until the error bars are small enough; Ctrl-C ends with the best so far",
+            (false, true) => "the position under the load; Ctrl-C ends with the best so far",
+            (false, false) => "the film",
+        }
     }
 
     fn options(&self, scene: &Scene) -> Result<RunOptions, Failure> {

@@ -63,8 +63,8 @@ pub struct Study {
     pub mesh_sha256: String,
     /// Edge flips that made the mesh one for a mass-conserving film.
     pub flips: usize,
-    /// Seconds: reading and checking the mesh; numbering, pattern and analysis.
-    pub seconds: [(&'static str, f64); 2],
+    /// Seconds by part: reading or drawing the mesh, if that was done; numbering, pattern and analysis.
+    pub seconds: Vec<(&'static str, f64)>,
 }
 
 impl Study {
@@ -164,14 +164,10 @@ pub fn compile_near(scene: &Scene, near: (f64, f64)) -> Result<Study, CompileErr
     let start = Instant::now();
     let (mesh, mesh_sha256) = liner_mesh(scene, near)?;
     let read = start.elapsed().as_secs_f64();
-    let study = compile_on(scene, mesh, near, DEGREE)?;
-    let [_, order] = study.seconds;
+    let mut study = compile_on(scene, mesh, near, DEGREE)?;
     let part = if scene.mesh.path().is_some() { "read" } else { "mesh" };
-    Ok(Study {
-        mesh_sha256,
-        seconds: [(part, read), order],
-        ..study
-    })
+    study.seconds.insert(0, (part, read));
+    Ok(Study { mesh_sha256, ..study })
 }
 
 /// The same on a mesh that is at hand, with a pressure of the given degree (1 or 2) and the journal at the position `near`.
@@ -216,7 +212,7 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, near: (f64, f64), degree: usize) ->
         supply_pressure: supply_pressure(scene),
         mesh_sha256: String::new(),
         flips,
-        seconds: [("mesh", 0.0), ("order", start.elapsed().as_secs_f64())],
+        seconds: vec![("order", start.elapsed().as_secs_f64())],
     })
 }
 

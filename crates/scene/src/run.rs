@@ -193,7 +193,9 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, Error> {
         history: Vec::new(),
         counts: Counts::default(),
         linear_solver: None,
-        timing_s: study.seconds.map(|(part, seconds)| (part.to_owned(), seconds)).into(),
+        timing_s: (study.seconds.iter())
+            .map(|&(part, seconds)| (part.to_owned(), seconds))
+            .collect(),
         warnings: Vec::new(),
         cost: None,
         standard: None,
