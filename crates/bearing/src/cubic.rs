@@ -3,7 +3,7 @@
 //! The tangent of the quadratic film does to begin with, for the two forces differ by a thousandth or so; each step corrects it.
 
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem};
+use oilwedge_reynolds::{FilmProblem, FilmSystem};
 
 use crate::equilibrium::{Equilibrium, ROUGHLY_BALANCED, Squeeze, find_near_within, find_within, newton_step};
 use crate::search::Search;
@@ -42,9 +42,9 @@ pub fn find_cubic_near(
     load: [f64; 2],
     squeeze: Squeeze,
     patience: Patience,
-    film: Option<&FilmSolution>,
+    near: Neighbour,
 ) -> Result<Equilibrium, NoEquilibrium> {
-    let found = find_near_within(problem, system, load, squeeze, patience, film, ROUGHLY_BALANCED)?;
+    let found = find_near_within(problem, system, load, squeeze, patience, near, ROUGHLY_BALANCED)?;
     balance_cubic(found, problem, system, load, squeeze, patience)
 }
 

@@ -144,7 +144,7 @@ pub(crate) fn find_within(
 }
 
 /// The same from the position of `problem`, which a neighbouring operating point suggests, with the film of that point on the same
-/// system if there is one to start from; no coarser mesh is asked for a position.
+/// system if there is one to start from; no coarser mesh is asked for a position. Where forms are kept they are not chosen anew.
 ///
 /// # Errors
 /// As [`find`]. A search that begins elsewhere may still find a position.
@@ -154,9 +154,9 @@ pub fn find_near(
     load: [f64; 2],
     squeeze: Squeeze,
     patience: Patience,
-    film: Option<&FilmSolution>,
+    near: Neighbour,
 ) -> Result<Equilibrium, NoEquilibrium> {
-    find_near_within(problem, system, load, squeeze, patience, film, NEARLY_BALANCED)
+    find_near_within(problem, system, load, squeeze, patience, near, NEARLY_BALANCED)
 }
 
 /// The same where force and load may differ by the part `balanced` of the load.
@@ -169,16 +169,16 @@ pub(crate) fn find_near_within(
     load: [f64; 2],
     squeeze: Squeeze,
     patience: Patience,
-    film: Option<&FilmSolution>,
+    near: Neighbour,
     balanced: f64,
 ) -> Result<Equilibrium, NoEquilibrium> {
     let search = Search {
         balanced,
+        keeps_forms: matches!(near, Neighbour::Kept(_)),
         // A mass-conserving film is not smooth enough.
         keeps_tangent: !matches!(problem.cavitation, Cavitation::Jfo { .. }),
         ..Search::new(problem, system, load, squeeze, patience)
     };
-    let near = film.map_or(Neighbour::None, Neighbour::Start);
     let first = search.trial(problem, problem.journal.offset, near)?;
     search.at_rest(first)
 }
@@ -228,7 +228,7 @@ impl Search<'_> {
         let mut tried = 1;
         let (mut trial, mut tangent) = self.balanced(first, &mut tried)?;
         // A position on a coarser mesh is only to start from.
-        let mut at_rest = trial.film.film_fraction.is_none() || self.balanced > BALANCED_ENOUGH;
+        let mut at_rest = trial.film.film_fraction.is_none() || self.keeps_forms || self.balanced > BALANCED_ENOUGH;
         for _ in 0..MOST_CHOICES {
             if at_rest || self.patience.is_over() {
                 break;
@@ -379,7 +379,7 @@ impl Search<'_> {
         }
         for _ in 0..MOST_HALVINGS {
             let near = match part * length < SHORT_MOVE * gap {
-                true if self.residual(from) < SMOOTH => Neighbour::Kept(&from.film),
+                true if self.keeps_forms || self.residual(from) < SMOOTH => Neighbour::Kept(&from.film),
                 true => Neighbour::Start(&from.film),
                 false => Neighbour::None,
             };

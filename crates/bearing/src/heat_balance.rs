@@ -58,6 +58,8 @@ pub const HOTTEST: f64 = 250.0;
 const STARTS: [f64; 4] = [0.0, 10.0, 40.0, 120.0];
 /// A bracket is not narrowed further than this [K].
 const NARROW: f64 = 1e-10;
+/// Films nearer to one another than this [K] do not tell how the surplus changes, where a cavity may jump.
+const APART: f64 = 0.01;
 /// A film that is sought between a temperature that has one and one that has none is sought to this [K].
 const EDGE: f64 = 0.05;
 /// Most films.
@@ -249,7 +251,7 @@ impl<E, F: FnMut(f64) -> Result<FilmHeat, E>> Search<'_, F> {
                 next = 0.5 * (low + high);
             }
             let point = self.at(next).map_err(NoBalance::NoFilm)?;
-            if point.temperature != best.temperature {
+            if (point.temperature - best.temperature).abs() > APART {
                 last_slope = slope(&best, &point);
             }
             match (point.surplus > 0.0) == (b.surplus > 0.0) {

@@ -26,6 +26,8 @@ pub(crate) struct Search<'a> {
     pub(crate) balanced: f64,
     /// True where the tangent at the first position is kept and corrected by what the force did: for starts near the balance.
     pub(crate) keeps_tangent: bool,
+    /// True where a mass-conserving film carries its oil by the forms of the film it is started from.
+    pub(crate) keeps_forms: bool,
     /// How long the search may go on; the position reached then is its answer.
     pub(crate) patience: Patience,
 }
@@ -69,6 +71,7 @@ impl<'a> Search<'a> {
             cubic: false,
             balanced: BALANCED,
             keeps_tangent: false,
+            keeps_forms: false,
             patience,
         }
     }

@@ -68,8 +68,8 @@ fn told(criterion: &Criterion) -> String {
     };
     match (criterion.least, criterion.most) {
         (Some(least), Some(most)) => format!("{value}, usual {} to {}", bound(least), bound(most)),
-        (Some(least), None) => format!("{value}, at least {}", bound(least)),
-        (None, Some(most)) => format!("{value}, at most {}", bound(most)),
+        (Some(least), None) => format!("{value}, wanted above {}", bound(least)),
+        (None, Some(most)) => format!("{value}, wanted below {}", bound(most)),
         (None, None) => value,
     }
 }

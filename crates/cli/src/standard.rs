@@ -4,7 +4,7 @@ use crate::complain::printable;
 use crate::readable::{readable_unit, significant, supported};
 use crate::terminal::{align_right, table};
 use oilwedge_scene::report::RunResult;
-use oilwedge_scene::standard::{Beside, Standard};
+use oilwedge_scene::standard::{Beside, Standard, StandardHeat};
 
 /// Digits of what the fits give, and of a difference.
 const DIGITS: [usize; 2] = [4, 2];
@@ -17,6 +17,7 @@ pub(crate) fn standard(result: &RunResult) -> Option<String> {
         lines.push(side_by_side(&standard.numbers));
     }
     lines.extend(flows(standard));
+    lines.extend(standard.heat.as_ref().map(own_heat));
     lines.extend(standard.notes.iter().map(|note| printable(note)));
     Some(lines.join("\n"))
 }
@@ -45,6 +46,23 @@ fn flows(standard: &Standard) -> Option<String> {
     ))
 }
 
+/// What it finds where the temperature is its own too.
+fn own_heat(heat: &StandardHeat) -> String {
+    let told = |value: f64, unit: &str| {
+        let (unit, size) = readable_unit(value, unit);
+        (significant(value / size, DIGITS[0]), unit.to_owned())
+    };
+    let (flow, flow_unit) = told(heat.side_flow, "m3/s");
+    let (film, film_unit) = told(heat.film_thickness_min, "m");
+    let (power, power_unit) = told(heat.friction_power, "W");
+    format!(
+        "its own balance of heat: film {:.2} degC, outlet {:.2} degC, friction {power} {power_unit}, side_flow {flow} {flow_unit}, eccentricity {}, thinnest film {film} {film_unit}",
+        heat.temperature_effective,
+        heat.temperature_outlet,
+        significant(heat.eccentricity, DIGITS[0])
+    )
+}
+
 fn side_by_side(numbers: &[Beside]) -> String {
     let mut table = table(["quantity", "unit", "ISO 7902", "this film", "ISO 7902 is off by"]);
     for beside in numbers {
@@ -67,9 +85,9 @@ fn side_by_side(numbers: &[Beside]) -> String {
 
 /// The difference in percent, of angles in degrees.
 fn off(beside: &Beside) -> String {
-    let (difference, unit) = match beside.difference() {
+    let (difference, unit) = match beside.relative() {
         Some(part) => (100.0 * part, "%"),
-        None => (beside.standard - beside.film, beside.unit.as_str()),
+        None => (beside.difference, beside.unit.as_str()),
     };
     let sign = if difference > 0.0 { "+" } else { "" };
     format!("{sign}{} {unit}", significant(difference, DIGITS[1]))

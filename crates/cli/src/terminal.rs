@@ -36,7 +36,7 @@ pub(crate) fn run_report(result: &RunResult, folder: &Path, picture: bool) -> St
     parts.push(effects(&result.effects));
     if !result.quantities.is_empty() {
         let (of_cap, of_film): (Vec<_>, Vec<_>) = (result.quantities.iter())
-            .filter(|quantity| !heat::belongs(&quantity.name))
+            .filter(|quantity| result.heat.is_none() || !heat::belongs(&quantity.name))
             .partition(|quantity| is_of_cap(&quantity.name));
         parts.push(quantities(of_film, result.bars));
         if !of_cap.is_empty() {

@@ -28,6 +28,9 @@ pub(crate) fn theories(result: &RunResult) -> Option<String> {
         );
         lines.push(side_by_side(films));
     }
+    if !theories.without.is_empty() {
+        lines.push(format!("all three: without {}", theories.without.join(", without ")));
+    }
     for film in films {
         lines.extend(remarks(film));
     }
@@ -196,6 +199,7 @@ mod tests {
         ];
         result.theories = Some(Theories {
             slenderness: 0.345,
+            without: vec!["feeds", "this"],
             films,
         });
         let text = run_report(&result, Path::new("out"), true);
@@ -204,6 +208,7 @@ mod tests {
             "+50.0 %",
             "-1.50 deg",
             "-100 %",
+            "all three: without feeds, without this\n",
             "long: the ring was given a film start at its widest film, 0 deg\n",
             "B/D       0.345: neither short (B/D up to 0.25) nor long (from 2 on); the theory of short bearings is off in load by +50.0 %, attitude \
              angle by -1.50 deg; the theory of long",
@@ -223,6 +228,7 @@ mod tests {
         let films = vec![short, full, long];
         result.theories = Some(Theories {
             slenderness: 0.2,
+            without: Vec::new(),
             films,
         });
         let text = theories(&result).expect("a text");

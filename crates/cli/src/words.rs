@@ -1,7 +1,7 @@
 //! What the names of a result mean, in plain words. A name without an entry stands for itself.
 
 /// Names of quantities; one of a region, `load_x.GROUP`, is looked up with its dot.
-const QUANTITIES: [(&str, &str); 52] = [
+const QUANTITIES: [(&str, &str); 53] = [
     ("load", "force that the film carries"),
     ("load_x", "its part along x (angle 0)"),
     ("load_y", "its part along y (angle 90 deg)"),
@@ -15,6 +15,7 @@ const QUANTITIES: [(&str, &str); 52] = [
     ("pressure_min", "least pressure, gauge"),
     ("film_thickness_min", "thinnest film on the liner"),
     ("temperature_effective", "temperature of the film"),
+    ("cooling_flow", "oil that leaves the film and carries heat off"),
     ("temperature_inlet", "of the oil that enters the film, hot oil mixed in"),
     ("temperature_outlet", "of the oil that leaves it"),
     ("heat_carried", "heat that the oil carries off"),
@@ -30,10 +31,7 @@ const QUANTITIES: [(&str, &str); 52] = [
     ("side_flow_number", "Q_s / (D^3 (c/R) omega)"),
     ("inlet_flow_number", "Q / (D^3 (c/R) omega)"),
     ("feed_flow.", "oil that enters there (< 0: leaves)"),
-    (
-        "cavity_flow",
-        "oil that the cavity makes (Swift-Stieber conserves none there)",
-    ),
+    ("cavity_flow", "oil that the cavity makes, which conserves none"),
     ("friction_torque", "torque on the journal, against the rotation"),
     ("friction_torque_bearing", "torque on the bearing, with the rotation"),
     ("friction_coefficient", "T / (R W)"),

@@ -37,9 +37,10 @@ pub struct Solved {
 }
 
 impl Solved {
-    /// True where the film is that of a position reached, not found: the search was ended.
+    /// True where the film is that of a position or temperature reached, not found: the search was ended.
     pub fn is_ended(&self) -> bool {
-        self.balance.is_some_and(|balance| balance.is_ended)
+        let of_heat = self.heat.as_ref().is_some_and(|found| found.is_ended);
+        of_heat || self.balance.is_some_and(|balance| balance.is_ended)
     }
 }
 
@@ -139,7 +140,7 @@ pub(crate) enum Start<'a> {
     Scene,
     /// At the position of the study's problem, which a neighbouring operating point suggests; with the film of that point, if it is
     /// of the same system.
-    Near(Option<&'a FilmSolution>),
+    Near(Neighbour<'a>),
 }
 
 /// The same from a given start.
@@ -162,8 +163,10 @@ pub(crate) fn isothermal(study: &mut Study, bars: bool, patience: Patience, star
     let conserving = matches!(study.problem.cavitation, Cavitation::Jfo { .. });
     let Some(load) = study.load else {
         let film = match start {
-            Start::Near(Some(film)) => study.problem.solve_from(&study.system, Neighbour::Start(film))?,
-            _ => study.problem.solve(&study.system)?,
+            Start::Near(near @ (Neighbour::Start(_) | Neighbour::Kept(_))) => {
+                study.problem.solve_from(&study.system, near)?
+            }
+            Start::Scene | Start::Near(Neighbour::None) => study.problem.solve(&study.system)?,
         };
         let clock = Instant::now();
         let witness = match (bars, conserving) {
@@ -183,8 +186,8 @@ pub(crate) fn isothermal(study: &mut Study, bars: bool, patience: Patience, star
     let found = match (start, bars && !conserving) {
         (Start::Scene, true) => find_cubic(problem, system, load, squeeze, patience)?,
         (Start::Scene, false) => find(problem, system, load, squeeze, patience)?,
-        (Start::Near(film), true) => find_cubic_near(problem, system, load, squeeze, patience, film)?,
-        (Start::Near(film), false) => find_near(problem, system, load, squeeze, patience, film)?,
+        (Start::Near(near), true) => find_cubic_near(problem, system, load, squeeze, patience, near)?,
+        (Start::Near(near), false) => find_near(problem, system, load, squeeze, patience, near)?,
     };
     let seconds = clock.elapsed().as_secs_f64();
     let Equilibrium {

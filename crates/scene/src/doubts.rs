@@ -94,8 +94,8 @@ fn closure(study: &Study, measured: &Measured) -> Option<String> {
             percent(measured.under_tension)
         )),
         Cavitation::Guembel { .. } => Some(format!(
-            "Guembel's film drops low pressures after the solve: oil is not conserved at its edge ({}), and the flows are those of the full film",
-            match flows.clipped {
+            "Guembel's film drops low pressures after the solve: oil is not conserved at its edge ({})",
+            match flows.made() {
                 little if little.abs() < NOTHING => "nothing was dropped here".to_owned(),
                 made if made > 0.0 => format!("some {} of the oil that passes is made there", percent(made)),
                 lost => format!("some {} of the oil that passes is lost there", percent(-lost)),

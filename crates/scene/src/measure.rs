@@ -10,7 +10,7 @@ use oilwedge_reynolds::quantities::power::{self, Power};
 use oilwedge_reynolds::quantities::pressure::{self, Extremes};
 use oilwedge_reynolds::quantities::similarity;
 use oilwedge_reynolds::supply::Place;
-use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSolution, FilmSystem};
+use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSolution, FilmSystem, JournalState};
 
 use crate::compile::Study;
 pub use crate::doubts::warnings;
@@ -45,6 +45,14 @@ pub struct Measured {
     pub under_tension: f64,
     /// Ways out that the solver had to take, in words.
     pub fallbacks: Vec<String>,
+}
+
+impl Measured {
+    /// What the journal's centre puts in as it moves [W].
+    pub(crate) fn squeeze_power(&self, journal: &JournalState) -> f64 {
+        let ([x, y], [by_x, by_y]) = (journal.velocity, self.load.total.force);
+        x * by_x + y * by_y
+    }
 }
 
 /// Measures a solved film.
@@ -200,7 +208,7 @@ fn flow_quantities(problem: &FilmProblem, system: &FilmSystem, measured: &Measur
     for (region, flow) in by_place(Place::Feed) {
         add(&format!("feed_flow.{}", region.name), "Q_f", flow.net, "m3/s");
     }
-    if matches!(problem.cavitation, Cavitation::Reynolds { .. }) {
+    if problem.cavitation.drops_pressures() {
         add("cavity_flow", "Q_c", flows.cavity, "m3/s");
     }
     list
@@ -223,16 +231,12 @@ fn friction_quantities(problem: &FilmProblem, measured: &Measured, directed: boo
         add("friction_power", "P", power.friction(), "W");
         add("friction_shear_power", "P_s", power.shear, "W");
         add("friction_pressure_power", "P_p", power.pressure, "W");
-        if matches!(
-            problem.cavitation,
-            Cavitation::Guembel { .. } | Cavitation::Reynolds { .. }
-        ) {
+        if problem.cavitation.drops_pressures() {
             add("friction_cavity_power", "P_sc", power.cavity_shear, "W");
         }
     }
     if journal.velocity != [0.0; 2] {
-        let ([x, y], [by_x, by_y]) = (journal.velocity, load.total.force);
-        add("squeeze_power", "P_e", x * by_x + y * by_y, "W");
+        add("squeeze_power", "P_e", measured.squeeze_power(journal), "W");
     }
     list
 }

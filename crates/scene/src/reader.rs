@@ -144,6 +144,12 @@ impl<'a> TableReader<'a> {
         self.table.is_some_and(|table| table.contains_key(key))
     }
 
+    /// Whether the value of `key` is a list.
+    pub(crate) fn is_list(&self, key: &str) -> bool {
+        let value = self.table.and_then(|table| table.get(key));
+        value.is_some_and(|value| value.get_ref().is_array())
+    }
+
     /// Whether there is a table at all; if not, that was complained about.
     pub(crate) fn is_readable(&self) -> bool {
         self.table.is_some()
@@ -316,7 +322,7 @@ impl<'a> TableReader<'a> {
             self.complain(
                 key,
                 message,
-                format!("begin each one with a line [[{key}]] (two brackets)"),
+                format!("begin each one with a line [[{}]] (two brackets)", self.key(key)),
             );
             return Vec::new();
         };
@@ -331,7 +337,7 @@ impl<'a> TableReader<'a> {
             if !item.get_ref().is_table() {
                 let message = format!("a table is wanted, not {}", kind(item.get_ref()));
                 self.collector
-                    .complain(&path, message, format!("begin it with a line [[{key}]]"));
+                    .complain(&path, message, format!("begin it with a line [[{}]]", self.key(key)));
             }
             Self::at(self.collector, item.get_ref().as_table(), path)
         };

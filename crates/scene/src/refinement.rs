@@ -79,17 +79,26 @@ pub fn answer(scene: &Scene, options: &RunOptions) -> Result<Answer, CompileErro
     towards(scene, &tolerance.targets, options)
 }
 
-/// Why a position under a load is only that which the search had reached, if so.
+/// Why a position under a load, or a temperature, is only that which the search had reached, if so.
 pub(crate) fn ended(solved: &Solved, options: &RunOptions) -> Option<String> {
-    let balance = solved.balance.filter(|balance| balance.is_ended)?;
+    let of_heat = solved.heat.as_ref().filter(|found| found.is_ended);
+    let of_position = solved.balance.filter(|balance| balance.is_ended);
+    let reached = match (of_heat, of_position) {
+        (Some(found), _) => format!(
+            "the temperature was ended where friction and heat carried off differ by {:.1e} of the friction",
+            found.left_over()
+        ),
+        (None, Some(balance)) => format!(
+            "the position was ended where force and load differ by {:.1e} of the load",
+            balance.residual
+        ),
+        (None, None) => return None,
+    };
     let (what, way_out) = match options.interrupt.is_asked() {
         true => ("interrupted", ""),
         false => ("limit", "; give --max-seconds a higher limit"),
     };
-    Some(format!(
-        "{what}: the search for the position was ended where force and load differ by {:.1e} of the load{way_out}",
-        balance.residual
-    ))
+    Some(format!("{what}: the search for {reached}{way_out}"))
 }
 
 fn solved(study: &mut Study, bars: bool, patience: Patience) -> Result<(Solved, Judged), NoAnswer> {

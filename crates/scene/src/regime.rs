@@ -30,6 +30,8 @@ const ROELANDS: f64 = 1.2e9;
 const WARM: f64 = 25.0;
 /// Heat capacity per volume [J/(m3 K)] of mineral oil.
 const HEAT_CAPACITY: f64 = 1.8e6;
+/// A flow below this part of what the journal drags along is rounding.
+const NOTHING: f64 = 1e-9;
 /// Pressure [Pa] that bends a steel liner by microns.
 const RIGID: f64 = 2e8;
 
@@ -166,12 +168,15 @@ impl Regime {
     }
 }
 
-/// Friction over the heat that the oil which leaves takes up for each kelvin.
+/// Friction and power of squeeze over the heat that the oil which leaves takes up for each kelvin.
 fn temperature_rise(scene: &Scene, study: &Study, measured: &Measured) -> Option<f64> {
     let capacity = scene.heat.map_or(HEAT_CAPACITY, |heat| heat.heat_capacity);
-    let flow = leaving(&study.system, measured);
-    let rise = measured.power.friction() / (capacity * flow);
-    (study.problem.journal.speed != 0.0 && rise.is_finite() && rise >= 0.0).then_some(rise)
+    let Study { problem, system, .. } = study;
+    let (bearing, journal) = (&problem.bearing, &problem.journal);
+    let flow = leaving(problem, system, measured);
+    let dragged = 0.5 * (journal.speed * bearing.radius).abs() * bearing.clearance * bearing.length;
+    let rise = (measured.power.friction() + measured.squeeze_power(journal)) / (capacity * flow);
+    (dragged > 0.0 && flow > NOTHING * dragged && rise >= 0.0).then_some(rise)
 }
 
 /// Two significant digits.

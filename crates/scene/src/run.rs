@@ -263,7 +263,7 @@ fn report(study: &Study, solved: &Solved, judged: Judged, result: &mut RunResult
         true => warnings_beside_bars(study, &judged.measured),
         false => warnings(study, &judged.measured),
     };
-    if result.bars && !bare.is_empty() {
+    if result.bars && !bare.is_empty() && !solved.is_ended() {
         let told = "this mesh does not resolve the film well enough for an error bar of";
         let way_out = "give a finer one ([mesh] size or tolerance)";
         result.warnings.push(format!("{told} {}; {way_out}", bare.join(", ")));

@@ -11,8 +11,11 @@ use crate::report::{Quantity, RunResult};
 use crate::scene::{CavitationModel, PressureLaw, Scene, Theory};
 
 mod feed;
+mod twin;
 
 use feed::{fed, told};
+pub use twin::StandardHeat;
+use twin::{Given, Twin, own_heat};
 
 /// B/D for which the fits were made.
 const SLENDERNESS: [f64; 2] = [0.25, 1.5];
@@ -33,6 +36,8 @@ pub struct Standard {
     pub pressed_flow: Option<f64>,
     /// The numbers, in the order of the report.
     pub numbers: Vec<Beside>,
+    /// The standard's own balance of heat; `null` without `[heat]`, and where it has no such flow or no balance.
+    pub heat: Option<StandardHeat>,
     /// What keeps the two apart, in sentences; or why there is no twin.
     pub notes: Vec<String>,
 }
@@ -50,12 +55,14 @@ pub struct Beside {
     pub film: f64,
     /// Error bar of the film's number; `null` where there is none.
     pub error: Option<f64>,
+    /// The standard's number less that of the film.
+    pub difference: f64,
 }
 
 impl Beside {
-    /// The standard's number less that of the film, over the latter; none of an angle, or where that is zero.
-    pub fn difference(&self) -> Option<f64> {
-        (self.unit != "deg" && self.film != 0.0).then(|| (self.standard - self.film) / self.film.abs())
+    /// The difference over the film's number; none of an angle, or where that is zero.
+    pub fn relative(&self) -> Option<f64> {
+        (self.unit != "deg" && self.film != 0.0).then(|| self.difference / self.film.abs())
     }
 }
 
@@ -69,7 +76,8 @@ impl Standard {
         let beside = (self.numbers.iter())
             .flat_map(|beside| [(beside.quantity, beside.standard), (beside.quantity, beside.film)]);
         let flows = flows.into_iter().filter_map(|(name, flow)| Some((name, flow?)));
-        beside.chain(flows)
+        let heat = self.heat.iter().flat_map(StandardHeat::numbers);
+        beside.chain(flows).chain(heat)
     }
 
     fn none(viscosity: f64, reason: &str) -> Self {
@@ -80,32 +88,9 @@ impl Standard {
             squeezed_flow: None,
             pressed_flow: None,
             numbers: Vec::new(),
+            heat: None,
             notes: vec![format!("the standard has no such bearing: {reason}")],
         }
-    }
-}
-
-/// Bearings side by side that the standard makes of the liner, and their common length over the diameter.
-struct Lands {
-    count: f64,
-    slenderness: f64,
-}
-
-fn lands(scene: &Scene) -> Lands {
-    let bearing = &scene.bearing;
-    let around = scene.feeds.iter().filter(|feed| feed.pressure.is_some());
-    let around = around
-        .filter_map(|feed| feed.groove)
-        .find(|groove| groove.arc.is_none());
-    match around {
-        Some(groove) => Lands {
-            count: 2.0,
-            slenderness: 0.5 * (bearing.length - groove.width) / bearing.diameter,
-        },
-        None => Lands {
-            count: 1.0,
-            slenderness: bearing.length / bearing.diameter,
-        },
     }
 }
 
@@ -117,112 +102,70 @@ pub fn standard(scene: &Scene, result: &RunResult) -> Standard {
         oil.heat_to(celsius + ZERO_CELSIUS);
     }
     let viscosity = oil.viscosity;
-    let speed = scene.journal.speed.abs();
     let none = |reason: &str| Standard::none(viscosity, reason);
     if scene.bearing.arc.is_some() {
         return none("its fits are those of full bearings, but this one is an arc");
     }
-    if speed == 0.0 {
+    if scene.journal.speed == 0.0 {
         return none("the journal is at rest");
     }
-    let (Some(load), Some(found)) = (value("load"), value("eccentricity")) else {
+    let (Some(load), Some(eccentricity)) = (value("load"), value("eccentricity")) else {
         return none("there is no film");
     };
-    let bearing = &scene.bearing;
-    let psi = bearing.clearance / bearing.radius();
-    let Lands { count, slenderness } = lands(scene);
-    let per_number = count * bearing.diameter.powi(2) * slenderness * viscosity * speed / psi.powi(2);
-    let (given, eccentricity) = match scene.journal.load().is_some() {
-        true => ("load", iso7902::eccentricity(load / per_number, slenderness)),
-        false => ("eccentricity", Some(found)),
+    let given = match scene.journal.load().is_some() {
+        true => Given::Load(load),
+        false => Given::Eccentricity(eccentricity),
     };
-    let Some(eccentricity) = eccentricity.filter(|eccentricity| *eccentricity > 0.0) else {
-        return none("the film carries no load");
-    };
-    let number = iso7902::sommerfeld_number(eccentricity, slenderness);
     let feed = fed(scene, value("load_angle").unwrap_or_default());
-    let twin = Twin {
-        number,
-        eccentricity,
-        slenderness,
-        lands: count,
-        load: number * per_number,
-    };
-    let flow = count * bearing.diameter.powi(3) * psi * speed * iso7902::side_flow_number(eccentricity, slenderness);
-    let pressed = feed
-        .as_ref()
-        .ok()
-        .and_then(|feed| feed.as_ref())
-        .map(|(kind, pressure)| {
-            let unit = bearing.diameter.powi(3) * psi.powi(3) * pressure / viscosity;
-            unit * iso7902::feed_flow_number(*kind, eccentricity, bearing.length / bearing.diameter)
-        });
-    let all = match (&feed, pressed) {
-        (Ok(_), pressed) => Some(flow + pressed.unwrap_or(0.0)),
-        (Err(_), _) => None,
+    let Some(twin) = Twin::of(scene, viscosity, given, &feed) else {
+        return none("the film carries no load");
     };
     let mut notes = notes(scene, &twin);
     notes.extend(feed.as_ref().err().cloned());
     Standard {
-        given: Some(given),
+        given: Some(given.name()),
         viscosity,
-        feed: feed.ok().flatten().map(|(kind, _)| told(kind).to_owned()),
-        squeezed_flow: Some(flow),
-        pressed_flow: pressed,
-        numbers: twin.numbers(scene, result, all),
+        feed: (feed.as_ref().ok())
+            .and_then(|feed| feed.as_ref())
+            .map(|(kind, _)| told(*kind).to_owned()),
+        squeezed_flow: Some(twin.squeezed),
+        pressed_flow: twin.pressed,
+        numbers: beside(scene, result, &twin, given),
+        heat: own_heat(scene, given, &feed),
         notes,
     }
 }
 
-/// The bearing by the standard.
-struct Twin {
-    number: f64,
-    eccentricity: f64,
-    slenderness: f64,
-    lands: f64,
-    load: f64,
-}
-
-impl Twin {
-    /// Its numbers beside those of the film; `flow` [m3/s] leaves at the ends.
-    fn numbers(&self, scene: &Scene, result: &RunResult, flow: Option<f64>) -> Vec<Beside> {
-        let bearing = &scene.bearing;
-        let psi = bearing.clearance / bearing.radius();
-        let surface = scene.journal.speed.abs() * bearing.radius();
-        let coefficient = psi * iso7902::friction(self.number, self.eccentricity, self.slenderness);
-        let power = coefficient * self.load * surface;
-        let given_load = scene.journal.load().is_some();
-        let standard = [
-            ("load", (!given_load).then_some(self.load)),
-            ("eccentricity", given_load.then_some(self.eccentricity)),
-            (
-                "film_thickness_min",
-                given_load.then_some(bearing.clearance * (1.0 - self.eccentricity)),
-            ),
-            (
-                "sommerfeld_number",
-                (!given_load && self.lands == 1.0).then_some(self.number),
-            ),
-            (
-                "attitude_angle",
-                Some(iso7902::attitude(self.eccentricity, self.slenderness).to_degrees()),
-            ),
-            ("friction_coefficient", Some(coefficient)),
-            ("friction_power", Some(power)),
-            ("side_flow", flow),
-        ];
-        let beside = standard.into_iter().filter_map(|(name, standard)| {
-            let Quantity { value, unit, error, .. } = result.quantity(name)?;
-            Some(Beside {
-                quantity: name,
-                unit: unit.clone(),
-                standard: standard?,
-                film: *value,
-                error: *error,
-            })
-        });
-        beside.collect()
-    }
+/// The numbers of the twin beside those of the film.
+fn beside(scene: &Scene, result: &RunResult, twin: &Twin, given: Given) -> Vec<Beside> {
+    let of_load = matches!(given, Given::Load(_));
+    let under = |number: f64| of_load.then_some(number);
+    let at = |number: f64| (!of_load).then_some(number);
+    let standard = [
+        ("load", at(twin.load)),
+        ("eccentricity", under(twin.eccentricity)),
+        ("film_thickness_min", under(twin.least_film(scene))),
+        ("sommerfeld_number", at(twin.number).filter(|_| twin.lands.count == 1.0)),
+        (
+            "attitude_angle",
+            Some(iso7902::attitude(twin.eccentricity, twin.lands.slenderness).to_degrees()),
+        ),
+        ("friction_coefficient", Some(twin.coefficient)),
+        ("friction_power", Some(twin.power)),
+        ("side_flow", twin.flow),
+    ];
+    let beside = standard.into_iter().filter_map(|(name, standard)| {
+        let Quantity { value, unit, error, .. } = result.quantity(name)?;
+        Some(Beside {
+            quantity: name,
+            unit: unit.clone(),
+            standard: standard?,
+            film: *value,
+            error: *error,
+            difference: standard? - value,
+        })
+    });
+    beside.collect()
 }
 
 /// What keeps the film of the scene and that of the standard apart.
@@ -245,7 +188,7 @@ fn notes(scene: &Scene, twin: &Twin) -> Vec<String> {
         CavitationModel::Reynolds | CavitationModel::Jfo => None,
     };
     let notes = [
-        outside("B/D", twin.slenderness, SLENDERNESS),
+        outside("B/D", twin.lands.slenderness, SLENDERNESS),
         outside("eccentricity", twin.eccentricity, ECCENTRICITY),
         model.map(str::to_owned),
         (!matches!(scene.oil.pressure_law, PressureLaw::Constant))
@@ -283,7 +226,7 @@ journal = {{ speed = "3000 rpm"{journal} }}
     fn off(twin: &Standard, name: &str) -> f64 {
         let number = twin.numbers.iter().find(|it| it.quantity == name);
         let number = number.unwrap_or_else(|| panic!("no {name} in {twin:?}"));
-        number.difference().unwrap_or(number.standard - number.film)
+        number.relative().unwrap_or(number.difference)
     }
 
     #[test]

@@ -4,19 +4,17 @@
 //! through the slope of their balance; all other numbers change with the temperature as the films on the way have shown.
 
 use std::collections::HashMap;
-use std::time::Instant;
 
-use oilwedge_bearing::heat_balance::find;
 use oilwedge_bearing::{Balanced, FilmHeat, HeatBalance, NoBalance, Patience};
 use oilwedge_reynolds::existence::readable;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_reynolds::supply::Place;
-use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSystem};
+use oilwedge_reynolds::{FilmProblem, FilmSystem, Theory};
 
-use crate::analysis::{NoAnswer, Solved, Start, Witness, graded, isothermal};
+use crate::analysis::{NoAnswer, Solved, Start, Witness, graded};
 use crate::compile::{CompileError, Study};
 use crate::liner_mesh::resized;
-use crate::measure::{self, Measured, measure};
+use crate::measure::{Measured, measure};
 use crate::report::Quantity;
 use crate::scene::{Heat, Mixing, Scene};
 use crate::wording::celsius;
@@ -24,22 +22,18 @@ use crate::wording::celsius;
 mod bars;
 mod curve;
 mod doubts;
+mod search;
 
 pub(crate) use curve::heat_report;
 pub(crate) use doubts::doubts;
+pub(crate) use search::solve;
+use search::{Film, Films, Left, ROUGHLY};
 
-/// The heat is balanced when what is left over is this part of the friction;
-const BALANCED: f64 = 1e-8;
-/// by films that only lead there, this part.
-const ROUGHLY: f64 = 1e-4;
-/// Films nearer to one another than this [K] do not tell how numbers change with temperature;
-const APART: f64 = 0.02;
-/// then one further away is solved [K].
-const FURTHER: f64 = 0.5;
 /// Edges of the mesh on which the temperature is sought first, over those of the first mesh of the scene.
 const COARSE: f64 = 3.0;
 /// Names of the quantities of a balance of heat.
-const NAMES: [&str; 4] = [
+const NAMES: [&str; 5] = [
+    "cooling_flow",
     "temperature_inlet",
     "temperature_outlet",
     "heat_carried",
@@ -56,10 +50,19 @@ pub fn is_of_heat(name: &str) -> bool {
 pub struct HeatFound {
     /// The film there.
     pub balanced: Balanced,
+    /// True where the search was ended before the heat was balanced.
+    pub is_ended: bool,
     /// How each number changes with the temperature [1/K], by name.
     slopes: HashMap<String, f64>,
     /// Seconds that the films at other temperatures took.
     pub seconds: f64,
+}
+
+impl HeatFound {
+    /// Heat that is not carried off, over what heats the film.
+    pub(crate) fn left_over(&self) -> f64 {
+        (self.balanced.surplus / self.balanced.film.power).abs()
+    }
 }
 
 /// Why there is no temperature.
@@ -71,10 +74,23 @@ pub struct NoTemperature {
     pub(crate) is_unreached: bool,
 }
 
-/// Oil [m3/s] that leaves the film: at the ends, at the edge of an arc, and where a feed drains it.
-pub(crate) fn leaving(system: &FilmSystem, measured: &Measured) -> f64 {
+/// Oil [m3/s] that leaves the film: at the ends, at the edge of an arc, at a film start, and where a feed drains it; none from between the
+/// sealed ends of a long bearing, where it goes round.
+pub(crate) fn leaving(problem: &FilmProblem, system: &FilmSystem, measured: &Measured) -> f64 {
+    if problem.theory == Theory::Long {
+        return 0.0;
+    }
     let regions = system.supply.regions().iter().zip(&measured.flows.regions);
     let leaves = regions.map(|(region, flow)| match region.place {
+        // No film has less pressure than its cavity, so that no oil enters at such an end.
+        Place::End
+            if problem
+                .cavitation
+                .pressure()
+                .is_some_and(|least| region.pressure <= least) =>
+        {
+            (-flow.net).max(0.0)
+        }
         Place::End => flow.outward,
         Place::Line | Place::Feed => (-flow.net).max(0.0),
         Place::Sealed => 0.0,
@@ -83,11 +99,11 @@ pub(crate) fn leaving(system: &FilmSystem, measured: &Measured) -> f64 {
 }
 
 /// What heats and what cools the film.
-fn film_heat(heat: &Heat, system: &FilmSystem, measured: &Measured) -> FilmHeat {
-    let flow = leaving(system, measured);
+fn film_heat(heat: &Heat, study: &Study, measured: &Measured) -> FilmHeat {
+    let flow = leaving(&study.problem, &study.system, measured);
     let round = measured.inlet_flow.map_or(0.0, |inlet| (inlet - flow).max(0.0));
     FilmHeat {
-        power: measured.power.friction(),
+        power: measured.power.friction() + measured.squeeze_power(&study.problem.journal),
         flow,
         carried_over: match heat.mixing {
             None => 0.0,
@@ -104,12 +120,13 @@ pub(crate) fn quantities(study: &Study, measured: &Measured) -> Vec<Quantity> {
         return Vec::new();
     };
     let balance = heat.balance();
-    let film = film_heat(heat, &study.system, measured);
+    let film = film_heat(heat, study, measured);
     let [inlet, outlet] = balance.ends(temperature, film.carried_over);
     let mut list = Vec::new();
     let mut add = |name: &str, symbol: &str, value: f64, unit: &str| {
         list.push(Quantity::new(name, symbol, value, unit));
     };
+    add("cooling_flow", "Q_out", film.flow, "m3/s");
     if heat.mixing.is_some() {
         add("temperature_inlet", "t_in", inlet - ZERO_CELSIUS, "degC");
     }
@@ -121,7 +138,21 @@ pub(crate) fn quantities(study: &Study, measured: &Measured) -> Vec<Quantity> {
     list
 }
 
-/// Heat of friction that is not carried off, relative to it; zero where no temperature was sought.
+/// Names and units of the quantities that the balances of some scenes tell.
+pub(crate) fn columns(scenes: &[Scene]) -> impl Iterator<Item = (&'static str, &'static str)> {
+    let any = |has: fn(&Heat) -> bool| scenes.iter().filter_map(|scene| scene.heat.as_ref()).any(has);
+    let wanted = [
+        any(|_| true),
+        any(|heat| heat.mixing.is_some()),
+        any(|_| true),
+        any(|_| true),
+        any(|heat| heat.housing.is_some()),
+    ];
+    let all = NAMES.into_iter().zip(["m3/s", "degC", "degC", "W", "W"]).zip(wanted);
+    all.filter(|(_, is_wanted)| *is_wanted).map(|(column, _)| column)
+}
+
+/// Heat of friction and squeeze that is not carried off, relative to it; zero where no temperature was sought.
 pub(crate) fn left_over(quantities: &[Quantity]) -> f64 {
     let value = |name: &str| {
         quantities
@@ -129,12 +160,13 @@ pub(crate) fn left_over(quantities: &[Quantity]) -> f64 {
             .find(|quantity| quantity.name == name)
             .map(|quantity| quantity.value)
     };
-    let (Some(power), Some(carried)) = (value("friction_power"), value("heat_carried")) else {
+    let Some(carried) = value("heat_carried") else {
         return 0.0;
     };
-    match power {
+    let part = |name: &str| value(name).unwrap_or(0.0);
+    match part("friction_power") + part("squeeze_power") {
         0.0 => 0.0,
-        power => ((power - carried - value("heat_housing").unwrap_or(0.0)) / power).abs(),
+        power => ((power - carried - part("heat_housing")) / power).abs(),
     }
 }
 
@@ -144,195 +176,6 @@ fn measured(study: &Study, solved: &Solved) -> Measured {
         Witness::Cubic(cubic) => measure(&study.problem, &study.system.enriched().system, cubic),
         Witness::None | Witness::Vertices(_) => measure(&study.problem, &study.system, &solved.film),
     }
-}
-
-/// Why a search for the temperature was left.
-enum Left {
-    /// There is no film.
-    NoAnswer(NoAnswer),
-    /// The search for a position was ended; that is the answer.
-    Ended,
-}
-
-/// Films at one temperature after the other.
-struct Films<'a> {
-    study: &'a mut Study,
-    heat: Heat,
-    patience: Patience,
-    /// The one with the least heat left over.
-    best: Option<Best>,
-    /// Numbers by temperature [K], of quadratic films.
-    numbers: Vec<(f64, Vec<Quantity>)>,
-}
-
-/// A film, and the study as it was there.
-struct Best {
-    surplus: f64,
-    /// Whether it is one whose errors are judged; what is left over of others does not count beside that.
-    bars: bool,
-    temperature: f64,
-    problem: FilmProblem,
-    solved: Solved,
-    /// Seconds that it took.
-    seconds: f64,
-}
-
-impl Films<'_> {
-    fn at(&mut self, balance: &HeatBalance, temperature: f64, bars: bool, start: Start) -> Result<FilmHeat, Left> {
-        let clock = Instant::now();
-        self.study.heat_to(temperature);
-        let neighbour = match (&self.best, start) {
-            (Some(best), _) => {
-                self.study.problem.journal = best.problem.journal;
-                Start::Near(Some(&best.solved.film))
-            }
-            (None, start) => start,
-        };
-        let near = isothermal(self.study, bars, self.patience, neighbour);
-        let solved = match near {
-            Err(_) if !matches!(neighbour, Start::Scene) => isothermal(self.study, bars, self.patience, Start::Scene),
-            other => other,
-        };
-        let solved = solved.map_err(Left::NoAnswer)?;
-        let measured = measured(self.study, &solved);
-        let film = film_heat(&self.heat, &self.study.system, &measured);
-        if !bars {
-            let numbers = measure::quantities(self.study, &measured);
-            self.numbers.push((temperature, numbers));
-        }
-        let is_ended = solved.is_ended();
-        let surplus = balance.surplus(temperature, &film).abs();
-        let is_better = |best: &Best| (bars && !best.bars) || (bars == best.bars && surplus <= best.surplus);
-        if is_ended || self.best.as_ref().is_none_or(is_better) {
-            self.best = Some(Best {
-                surplus,
-                bars,
-                temperature,
-                problem: self.study.problem.clone(),
-                solved,
-                seconds: clock.elapsed().as_secs_f64(),
-            });
-        }
-        match is_ended {
-            true => Err(Left::Ended),
-            false => Ok(film),
-        }
-    }
-
-    /// How numbers change with temperature, by the two films nearest to the root.
-    fn slopes(&self, root: f64) -> HashMap<String, f64> {
-        let mut by_distance: Vec<_> = self.numbers.iter().collect();
-        by_distance.sort_by(|a, b| (a.0 - root).abs().total_cmp(&(b.0 - root).abs()));
-        let Some((first, here)) = by_distance.first() else {
-            return HashMap::new();
-        };
-        let Some((second, there)) = by_distance.iter().find(|(other, _)| (other - first).abs() > APART) else {
-            return HashMap::new();
-        };
-        let slope = |quantity: &Quantity| {
-            let other = there.iter().find(|other| other.name == quantity.name)?;
-            let mut change = other.value - quantity.value;
-            if quantity.unit == "deg" {
-                change = (change + 180.0).rem_euclid(360.0) - 180.0;
-            }
-            Some((quantity.name.clone(), change / (second - first)))
-        };
-        here.iter().filter_map(slope).collect()
-    }
-}
-
-/// Solves a study at the temperature at which its heat is balanced; the study then has that temperature.
-///
-/// # Errors
-/// [`NoAnswer`]: there is no film, no position, or no such temperature.
-pub(crate) fn solve(
-    study: &mut Study,
-    heat: &Heat,
-    bars: bool,
-    patience: Patience,
-    start: Start,
-) -> Result<Solved, NoAnswer> {
-    let clock = Instant::now();
-    let balance = heat.balance();
-    let first = study.oil.temperature.unwrap_or(heat.first_temperature());
-    let mut films = Films {
-        study,
-        heat: *heat,
-        patience,
-        best: None,
-        numbers: Vec::new(),
-    };
-    // The numbers of a mass-conserving film are those of the film itself; else those of a cubic one.
-    let cubic = bars && !matches!(films.study.problem.cavitation, Cavitation::Jfo { .. });
-    let accuracy = if cubic { ROUGHLY } else { BALANCED };
-    let mut found = find(&balance, first, accuracy, |t| films.at(&balance, t, false, start));
-    let mut asked = found.as_ref().map_or(0, |found| found.films);
-    if let (Ok(rough), true) = (&found, cubic) {
-        let rough = *rough;
-        found = find(&balance, rough.temperature, BALANCED, |t| {
-            films.at(&balance, t, true, start)
-        });
-        asked += found.as_ref().map_or(0, |found| found.films);
-        if let Ok(found) = &mut found
-            && found.slope.is_nan()
-        {
-            found.slope = rough.slope;
-        }
-    }
-    if let (Ok(found), true) = (&found, bars) {
-        // Without these films numbers have no bars; there is nothing else to fail.
-        if !cubic {
-            drop(films.at(&balance, found.temperature, true, start));
-        }
-        if films.slopes(found.temperature).is_empty() {
-            for temperature in [found.temperature, found.temperature + FURTHER] {
-                drop(films.at(&balance, temperature, false, start));
-            }
-        }
-    }
-    let slopes = found
-        .as_ref()
-        .map_or_else(|_| HashMap::new(), |found| films.slopes(found.temperature));
-    let best = films.best.take();
-    let mut balanced = match (found, &best) {
-        (Ok(found), _) => found,
-        // Ended before the balance: the film reached is the answer.
-        (
-            Err(
-                NoBalance::NoFilm(Left::Ended)
-                | NoBalance::Ends {
-                    reason: Left::Ended, ..
-                },
-            ),
-            Some(best),
-        ) => Balanced {
-            temperature: best.temperature,
-            film: FilmHeat::default(),
-            surplus: best.surplus,
-            slope: f64::NAN,
-            films: 0,
-        },
-        (Err(reason), _) => return Err(none(&balance, reason)),
-    };
-    balanced.films = asked;
-    let Some(Best {
-        temperature,
-        problem,
-        mut solved,
-        seconds,
-        ..
-    }) = best
-    else {
-        return Err(none(&balance, NoBalance::NoFilm(Left::Ended)));
-    };
-    study.heat_to(temperature);
-    study.problem = problem;
-    solved.heat = Some(HeatFound {
-        balanced,
-        slopes,
-        seconds: clock.elapsed().as_secs_f64() - seconds,
-    });
-    Ok(solved)
 }
 
 /// Why there is no temperature, in words.
@@ -398,6 +241,10 @@ pub(crate) fn warmed(scene: &Scene, patience: Patience) -> Result<Option<Scene>,
 
 fn solve_coarse(study: &mut Study, patience: Patience) -> Option<f64> {
     let heat = study.heat?;
-    let solved = solve(study, &heat, false, patience, Start::Scene).ok()?;
-    Some(solved.heat?.balanced.temperature)
+    let first = study.oil.temperature.unwrap_or(heat.first_temperature());
+    let mut films = Films::new(study, heat, patience, Start::Scene);
+    films
+        .find(first, ROUGHLY, Film::Chosen)
+        .ok()
+        .map(|found| found.temperature)
 }

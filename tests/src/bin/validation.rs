@@ -2,7 +2,7 @@
 
 use oilwedge_tests::program::repository;
 use oilwedge_tests::short_crankshaft::{figures, page};
-use oilwedge_tests::{cavitation_page, flexpde_study, mesh_page};
+use oilwedge_tests::{cavitation_page, engine_bearings, flexpde_study, mesh_page};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let docs = repository().join("docs");
@@ -14,6 +14,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     write("validation/flexpde_study.md", &flexpde_study::page)?;
     write("theory/cavitation.md", &cavitation_page::page)?;
     write("howto/mesh.md", &mesh_page::page)?;
+    write("validation/engine_bearings.md", &engine_bearings::page)?;
     let study = page::Study::solved();
     write("validation/short_bearing.md", &|text| page::page_of(text, &study))?;
     let folder = docs.join("validation/short_bearing");

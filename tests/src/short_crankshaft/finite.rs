@@ -66,11 +66,11 @@ impl Film {
         phi.to_degrees().rem_euclid(360.0)
     }
 
-    /// What leaves at both ends [m3/s] where it leaves.
+    /// What leaves at both ends [m3/s].
     pub fn side_flow(&self) -> f64 {
         let regions = &self.solved.measured.flows.regions;
         let ends = regions.iter().filter(|region| region.name.starts_with("end"));
-        ends.map(|region| region.outward).sum()
+        ends.map(|region| -region.net).sum()
     }
 
     /// Shear, pressure and squeeze [W].

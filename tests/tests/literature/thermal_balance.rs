@@ -1,12 +1,9 @@
-//! The heat balance of a crankshaft bearing, and what a tractor engine's design prints of one.
+//! The heat balance of a crankshaft bearing.
 //!
 //! **Bearing.** D 74.5 mm, B 25.7 mm, clearance 0.046 mm (radial), Walther's oil through 55 mm2/s at 40 and 8.19 mm2/s at 100 degrees C,
 //! 885 [1 - 68.8e-5 (t - 20)] kg/m3, fed with 75 degrees C and 0.35 MPa through a hole of 6 mm opposite to the load; rho c 1.8e6 J/(m3 K).
 //! Friction and flows by the fits of ISO 7902 in place of the film. Numbers: an independent program (Python, bisection to 1e-9),
 //! printed to the digits here; met to half a unit of the last one, heats to 1e-3.
-//!
-//! **Tractor engine** (in Ukrainian, section 6.3): chart values q_1 = 0.16, q_0 = 0.01, Phi = 76.3, beta = 0.6, rise 54 K from 20 degrees C;
-//! journal 65 mm by 32 mm, 0.2 MPa of oil, 27.56 MPa of load. The rise itself does not follow from what is printed, so that it is taken.
 
 use std::f64::consts::PI;
 
@@ -18,6 +15,7 @@ use oilwedge_reynolds::analytical::iso7902::{
 use oilwedge_reynolds::lubricant::density::{EXPANSION, ZERO_CELSIUS};
 use oilwedge_reynolds::lubricant::{Density, TemperatureLaw, ThermalOil, Walther};
 use oilwedge_scene::{RunOptions, run};
+use oilwedge_tests::engine_bearings::{CAR, by_film, by_standard, car};
 use oilwedge_tests::scenes::{table, variant};
 
 const DIAMETER: f64 = 0.0745;
@@ -87,6 +85,9 @@ fn prints(what: &str, value: f64, printed: f64, digit: f64) {
         "{what}: {value}, printed {printed}"
     );
 }
+
+/// The last digits of [`CAR`]; the flow is the sum of two printed ones.
+const LAST_DIGITS: [f64; 7] = [0.01, 0.01, 1e-3, 1e-4, 0.01, 0.01, 2e-4];
 
 #[test]
 fn three_speeds() {
@@ -175,22 +176,18 @@ fn the_crossing_of_both_curves() {
     }
 }
 
-/// Hot oil carried over, and the flow that the pump adds.
+/// The table by the program itself, `--standard`, beside its film.
 #[test]
-fn a_tractor_engine() {
-    let (q_1, q_0, rise) = (0.16, 0.01, 54.0);
-    let fresh = HeatBalance { inlet: 20.0, ..BALANCE };
-    // The mean temperature of a film between t_in and t_in + 54 K.
-    let mean = 20.0 + rise * (q_0 / q_1 + 0.5);
-    let [inlet, outlet] = fresh.ends(mean, q_0 / q_1);
-    prints("t_in", inlet, 23.4, 0.1);
-    prints("t_in", inlet, 23.375, 1e-3);
-    prints("rise", outlet - inlet, 54.0, 1e-3);
-    prints("t_mean", mean, 50.4, 0.1);
-    prints("t_mean", mean, 50.375, 1e-3);
-    let q_2 = 0.6 * 76.3 * (0.065f64 / 0.032).powi(2) * (0.2 / 27.56);
-    prints("q_2", q_2, 1.37, 0.01);
-    prints("q_2", q_2, 1.37073, 1e-5);
+fn the_table_by_the_standards_twin() {
+    for (turns, force, printed) in CAR {
+        let (result, heat) = car(turns, force);
+        assert!(result.balances.heat < 1e-6, "{turns}: {}", result.balances.heat);
+        for ((number, printed), digit) in by_standard(&heat).into_iter().zip(printed).zip(LAST_DIGITS) {
+            prints("by the standard", number, printed, digit);
+        }
+        let film = by_film(&result);
+        assert!((0.0..4.0).contains(&(film[0] - printed[0])), "{turns}: {film:?}");
+    }
 }
 
 /// The film of this program in the place of the fits, with cavities that conserve oil and that do not: the fits have a full ring of

@@ -52,6 +52,11 @@ impl Cavitation {
         }
     }
 
+    /// True where it leaves the pressure of a cavity but no film fraction: such a cavity makes oil.
+    pub fn drops_pressures(&self) -> bool {
+        matches!(self, Self::Guembel { .. } | Self::Reynolds { .. })
+    }
+
     /// The pressure [Pa] at which the effective pressure has a kink, if it has one.
     pub fn kink(&self) -> Option<f64> {
         match *self {

@@ -10,9 +10,11 @@
 //! | Int theta dh/dt dA | m3/s | `taken_up` |
 //! | Q_c | m3/s | `cavity` |
 //!
+//! Guembel's film is that of the equation with its low pressures dropped. Beside a region whose pressure is above those nothing is dropped. At
+//! another one, as ends are, the film that is left only loses oil: what the equation has enter there does not count, and is made by the cavity.
+//!
 //! **Source.** Hughes, Engel, Mazzei, Larson, J. Comput. Phys. 163 (2000) 467.
-//! **Range.** A balance for the conservative form only: the as-printed form makes oil, which the imbalance tells, and
-//! Guembel's clip comes after the solve. **Verified by** `flows_balance` in the tests of the scenes and
+//! **Range.** A balance for the conservative form only: the as-printed form makes oil, which the imbalance tells. **Verified by** `flows_balance` in the tests of the scenes and
 //! `tests/oil_balance.rs`.
 
 use oilwedge_fem::Quadrature;
@@ -52,11 +54,8 @@ pub struct Flows {
     pub imbalance: f64,
     /// Volume that the film takes up as it grows [m3/s]; negative where more is pressed out.
     pub taken_up: f64,
-    /// Oil that a Swift-Stieber cavity makes [m3/s]: it conserves none. Zero for other models.
+    /// Oil that a cavity makes which conserves none [m3/s], Swift and Stieber's or Guembel's; negative where it loses some.
     pub cavity: f64,
-    /// Net oil that dropping low pressures after the solve makes, as a part of the oil that passes then; negative where it
-    /// loses some. Zero for other models than Guembel's.
-    pub clipped: f64,
 }
 
 /// A throughput below this part of the flow that the film could have is rounding.
@@ -86,8 +85,16 @@ pub fn flows(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) ->
         .collect();
     let mut cavity = 0.0_f64;
     let beside = edge::made_beside(problem, system, film);
+    let only_loses = |region: usize| match problem.cavitation {
+        Cavitation::Guembel { pressure } => system.supply.regions()[region].pressure <= pressure,
+        _ => false,
+    };
     for (dof, (&inflow, beside)) in film.inflow.iter().zip(&beside).enumerate() {
         match system.supply.owner(dof) {
+            Some(region) if only_loses(region) => {
+                regions[region].add(inflow.min(0.0));
+                cavity += inflow.max(0.0);
+            }
             Some(region) => {
                 regions[region].add(inflow - beside.made);
                 regions[region].unsure += beside.unsure;
@@ -115,7 +122,17 @@ pub fn flows(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) ->
         throughput,
         taken_up,
         cavity,
-        clipped: clipped(problem, system, film),
+    }
+}
+
+impl Flows {
+    /// What a cavity makes over the oil that passes; negative where it loses some.
+    pub fn made(&self) -> f64 {
+        let sum = |part: fn(&RegionFlow) -> f64| self.regions.iter().map(part).sum::<f64>();
+        match f64::max(sum(|region| region.inward), sum(|region| region.outward)) {
+            0.0 => 0.0,
+            passing => self.cavity / passing,
+        }
     }
 }
 
@@ -178,31 +195,4 @@ fn taken_up_by_volumes(law: &FilmLaw, system: &FilmSystem, fraction: &FilmFracti
         area / 108.0 * pieces.sum::<f64>()
     };
     sub_triangles(system.space(), t).iter().map(sub_triangle).sum()
-}
-
-/// What is out of balance at the free nodes once low pressures are dropped, over the oil that passes then.
-fn clipped(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> f64 {
-    let Cavitation::Guembel { pressure } = problem.cavitation else {
-        return 0.0;
-    };
-    let floor = problem.unknown_at(pressure);
-    if film.unknown.iter().all(|&u| u >= floor) {
-        return 0.0;
-    }
-    let raised: Vec<f64> = film.unknown.iter().map(|u| u.max(floor)).collect();
-    let balance = system.assembler.residual(&FilmLaw::new(problem, 1.0), &raised);
-    let (mut made, mut inward, mut outward) = (0.0, 0.0, 0.0);
-    for (dof, &balance) in balance.iter().enumerate() {
-        match system.supply.owner(dof) {
-            None => made += balance,
-            Some(_) if balance > 0.0 => inward += balance,
-            Some(_) => outward -= balance,
-        }
-    }
-    let passing = f64::max(inward, outward);
-    if passing > STILL * natural_flow(problem, system) {
-        made / passing
-    } else {
-        0.0
-    }
 }

@@ -39,10 +39,11 @@ pub struct Criterion {
 }
 
 impl Criterion {
-    /// `value` must lie between `least` and `most`.
-    pub(crate) fn new(what: &str, unit: &str, value: f64, [least, most]: [Option<f64>; 2], decides: bool) -> Self {
+    /// `value` must lie between `least` and `most`; a limit that `decides` is not met by itself.
+    pub(crate) fn new(what: &str, unit: &str, value: f64, limits: [Option<f64>; 2], decides: bool) -> Self {
         // What is given to a few digits may be off by rounding.
-        let room = 1e-9 * value.abs();
+        let room = if decides { -1e-9 } else { 1e-9 } * value.abs();
+        let [least, most] = limits.map(|limit| Some(format!("{:.11e}", limit?).parse().unwrap_or(limit?)));
         Self {
             what: what.to_owned(),
             value,

@@ -1,5 +1,6 @@
 //! The keys of `[oil]` by which viscosity depends on temperature: `grade`, `walther`, `vogel`, `table`.
 
+use oilwedge_reynolds::existence::readable;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_reynolds::lubricant::grades::GRADES;
 use oilwedge_reynolds::lubricant::walther::LEAST_ON_CHART;
@@ -112,7 +113,7 @@ fn unfit(points: &[(f64, f64)]) -> String {
     match points.iter().find(|(_, viscosity)| *viscosity <= LEAST_ON_CHART) {
         Some((_, viscosity)) => format!(
             "has a viscosity of {} mm2/s, but the chart begins above 0.3 mm2/s",
-            1e6 * viscosity
+            readable(1e6 * viscosity)
         ),
         None => "needs two points or more, each hotter one with a lower viscosity".to_owned(),
     }
@@ -132,8 +133,8 @@ fn vogel_law(mut table: TableReader<'_>) -> Vogel {
 
 /// Points with kinematic viscosities `nu`, or with dynamic ones `mu`, which the density makes kinematic.
 fn points(table: &mut TableReader<'_>, density: Density) -> Option<ViscosityTable> {
+    let is_list = table.is_list("table");
     let rows = table.tables("table");
-    let is_list = !rows.is_empty();
     let points: Vec<(f64, f64)> = rows.into_iter().map(|row| point(row, density)).collect();
     let is_read = points
         .iter()
@@ -294,6 +295,7 @@ mod tests {
                 "oil.table[0].nu: stands beside mu",
                 "keep one",
             ),
+            (&format!("table = []{at}"), "oil.table: needs two points", "table = ["),
             (
                 &format!("table = [{{ nu = \"95 mm2/s\" }}]{at}"),
                 "oil.table[0].t: is missing",

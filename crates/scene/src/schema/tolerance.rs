@@ -5,7 +5,7 @@ use crate::scene::{Target, Tolerance};
 use crate::unit::Dimension;
 
 /// Quantities that can have a tolerance, but for the flows of feeds.
-const QUANTITIES: [&str; 12] = [
+const QUANTITIES: [&str; 16] = [
     "load",
     "load_x",
     "load_y",
@@ -18,6 +18,10 @@ const QUANTITIES: [&str; 12] = [
     "pressure_max",
     "film_thickness_min",
     "side_flow",
+    "inlet_flow",
+    "friction_torque",
+    "friction_coefficient",
+    "friction_power",
 ];
 /// Below the flows of feeds in the report.
 const LAST: &str = "pressure_integral";

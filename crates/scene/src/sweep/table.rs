@@ -5,6 +5,7 @@ use super::walk::{CaseStatus, Found};
 use crate::joint;
 use crate::report::{ReportError, Status};
 use crate::scene::{CavitationModel, Scene};
+use crate::thermal;
 
 /// The columns of a sweep, known before its first case is computed.
 #[derive(Debug, Clone, PartialEq)]
@@ -36,6 +37,7 @@ impl Columns {
                 .iter()
                 .any(|scene| model(scene).is_some_and(|model| wanted.contains(&model)))
         };
+        let drops = |scene: &Scene| (scene.cavitation).is_some_and(|it| it.model.drops_pressures());
         let mut fed: Vec<&str> = Vec::new();
         for feed in scenes.iter().flat_map(|scene| &scene.feeds) {
             if feed.pressure.is_some() && !fed.contains(&feed.group.as_str()) {
@@ -56,10 +58,14 @@ impl Columns {
             ("pressure_max", "Pa"),
             ("pressure_min", "Pa"),
             ("film_thickness_min", "m"),
-            ("viscosity_max", "Pa.s"),
         ] {
             add(name, unit);
         }
+        if scenes.iter().any(|scene| scene.oil.thermal.is_some()) {
+            add("temperature_effective", "degC");
+            add("viscosity_effective", "Pa.s");
+        }
+        add("viscosity_max", "Pa.s");
         if any(&[CavitationModel::Reynolds, CavitationModel::Jfo]) {
             add("cavity_share", "1");
         }
@@ -79,7 +85,7 @@ impl Columns {
         for group in &fed {
             add(&format!("feed_flow.{group}"), "m3/s");
         }
-        if any(&[CavitationModel::Reynolds]) {
+        if scenes.iter().any(drops) {
             add("cavity_flow", "m3/s");
         }
         for (name, unit) in [
@@ -92,12 +98,14 @@ impl Columns {
         ] {
             add(name, unit);
         }
-        let drops = |scene: &Scene| (scene.cavitation).is_some_and(|it| it.model.drops_pressures());
         if scenes.iter().any(drops) {
             add("friction_cavity_power", "W");
         }
         if scenes.iter().any(|scene| scene.journal.motion().is_some()) {
             add("squeeze_power", "W");
+        }
+        for (name, unit) in thermal::columns(scenes) {
+            add(name, unit);
         }
         add("pressure_integral", "N");
         for group in &fed {

@@ -5,6 +5,7 @@
 use std::time::Instant;
 
 use oilwedge_bearing::{Patience, Point, SHORT_MOVE, Visited, predicted};
+use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmSolution, JournalState};
 
 use crate::analysis::{NoAnswer, Solved, Start, graded, is_near, solve, solve_from};
@@ -201,7 +202,7 @@ impl<'a> Walker<'a> {
             held = redrawn(scene, near)?;
         }
         for _ in 0..2 {
-            let start = Start::Near(held.film.as_ref());
+            let start = Start::Near(held.film.as_ref().map_or(Neighbour::None, Neighbour::Start));
             let Ok(solved) = solve_from(&mut held.study, self.options.bars, self.patience, start) else {
                 // A mesh that a film has not shaped is good for another start.
                 self.held = Some(held);

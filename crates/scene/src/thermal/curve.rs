@@ -2,6 +2,7 @@
 
 use oilwedge_bearing::Patience;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
+use oilwedge_reynolds::solve::Neighbour;
 
 use super::{film_heat, measured};
 use crate::analysis::{Solved, Start, isothermal};
@@ -24,7 +25,7 @@ pub(crate) fn heat_report(
     quantities: &[Quantity],
     options: &RunOptions,
 ) -> Option<HeatReport> {
-    let (heat, found) = (study.heat?, solved.heat.as_ref()?);
+    let (heat, found) = (study.heat?, solved.heat.as_ref().filter(|found| !found.is_ended)?);
     let root = found.balanced.temperature;
     let (problem, oil) = (study.problem.clone(), study.oil.clone());
     let reach = (REACH * (root - heat.inlet).abs()).max(LEAST_REACH);
@@ -63,7 +64,7 @@ pub(crate) fn heat_report(
 
 fn film_at(study: &mut Study, heat: &Heat, temperature: f64, near: &Solved, patience: Patience) -> Option<HeatPoint> {
     study.heat_to(temperature);
-    let solved = isothermal(study, false, patience, Start::Near(Some(&near.film))).ok();
+    let solved = isothermal(study, false, patience, Start::Near(Neighbour::Start(&near.film))).ok();
     let solved = solved.or_else(|| isothermal(study, false, patience, Start::Scene).ok());
     let solved = solved.filter(|solved| !solved.is_ended())?;
     Some(point(study, heat, temperature, &solved))
@@ -71,7 +72,7 @@ fn film_at(study: &mut Study, heat: &Heat, temperature: f64, near: &Solved, pati
 
 fn point(study: &Study, heat: &Heat, temperature: f64, solved: &Solved) -> HeatPoint {
     let balance = heat.balance();
-    let film = film_heat(heat, &study.system, &measured(study, solved));
+    let film = film_heat(heat, study, &measured(study, solved));
     HeatPoint {
         temperature: temperature - ZERO_CELSIUS,
         viscosity: study.problem.lubricant.viscosity,

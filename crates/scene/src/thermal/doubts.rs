@@ -18,7 +18,7 @@ pub(crate) fn doubts(study: &Study, measured: &Measured) -> Vec<String> {
     let (Some(heat), Some(temperature), Some(oil)) = (&study.heat, study.oil.temperature, &study.oil.thermal) else {
         return Vec::new();
     };
-    let film = film_heat(heat, &study.system, measured);
+    let film = film_heat(heat, study, measured);
     let [inlet, outlet] = heat.balance().ends(temperature, film.carried_over);
     let ratio = oil.viscosity(inlet) / oil.viscosity(outlet);
     let made = measured.flows.cavity / film.flow;
@@ -29,7 +29,7 @@ pub(crate) fn doubts(study: &Study, measured: &Measured) -> Vec<String> {
         TemperatureLaw::Vogel(_) | TemperatureLaw::Walther(_) => None,
     };
     let told = [
-        (made > MADE).then(|| {
+        (film.flow > 0.0 && made > MADE).then(|| {
             format!(
                 "{:.0} % of the oil that carries the heat off is made by the cavity, which conserves none where the film forms again: the film is hotter than that if the feeds bring no more; take [cavitation] model = \"jfo\"",
                 100.0 * made

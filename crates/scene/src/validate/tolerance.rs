@@ -70,10 +70,14 @@ impl Checks<'_> {
                 "has no meaning for a centred journal",
                 "remove it, or give an eccentricity above zero",
             ),
-            "sommerfeld_number" if journal.speed == 0.0 => (
-                "has no meaning for a journal that does not turn",
-                "remove it, or give a tolerance of the load",
-            ),
+            "sommerfeld_number" | "inlet_flow" | "friction_torque" | "friction_coefficient" | "friction_power"
+                if journal.speed == 0.0 =>
+            {
+                (
+                    "has no meaning for a journal that does not turn",
+                    "remove it, or give a tolerance of the load",
+                )
+            }
             "load_coefficient" if supply.is_none() || pressures.any(|other| Some(other) != supply) => (
                 "has a meaning only where there are feeds, all of one pressure",
                 "remove it, or give a tolerance of the load",
