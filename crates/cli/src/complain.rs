@@ -3,7 +3,7 @@
 use crate::interrupt::INTERRUPTED;
 use miette::{Diagnostic, LabeledSpan, MietteHandlerOpts, NamedSource, Report, SourceCode};
 use oilwedge_scene::{Complaint, Error, SceneError};
-use std::io::IsTerminal;
+use std::io::{IsTerminal, Write};
 use std::ops::Range;
 use std::path::Path;
 
@@ -58,14 +58,20 @@ impl Failure {
             Self::Argument { message } => Told::plain(message),
             Self::Output(error) => Told::plain(format!("cannot write to the standard output: {error}")),
         };
-        eprintln!("{:?}", Report::new(told));
+        say(&format!("{:?}", Report::new(told)));
     }
+}
+
+/// A line on stderr. That nobody can read it changes nothing in how the run ends.
+fn say(line: &str) {
+    let written = writeln!(std::io::stderr().lock(), "{line}");
+    drop(written);
 }
 
 /// Tells warnings on stderr.
 pub(crate) fn warn(warnings: &[String]) {
     for warning in warnings {
-        eprintln!("warning: {}", printable(warning));
+        say(&format!("warning: {}", printable(warning)));
     }
 }
 

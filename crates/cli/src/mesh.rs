@@ -3,7 +3,7 @@
 use crate::complain::Failure;
 use crate::terminal;
 use oilwedge_scene::{Scene, mesh_scene, write_mesh};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// Arguments of `oilwedge mesh`.
@@ -32,7 +32,9 @@ impl Mesh {
     /// # Errors
     /// [`Failure`]: the scene cannot be used, its liner cannot be meshed, or the file cannot be written.
     pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
-        let mesh = mesh_scene(&Scene::read(&self.scene)?)?;
+        let scene = Scene::read(&self.scene)?;
+        self.check_output(&scene)?;
+        let mesh = mesh_scene(&scene)?;
         write_mesh(&mesh, &self.output)?;
         let (cells, nodes) = (mesh.triangles().len(), mesh.quadratic_nodes());
         terminal::print(&format!(
@@ -40,5 +42,22 @@ impl Mesh {
             self.output.display()
         ))?;
         Ok(ExitCode::SUCCESS)
+    }
+
+    /// Nobody wants a mesh in the place of the scene or of the mesh file that it was made of.
+    fn check_output(&self, scene: &Scene) -> Result<(), Failure> {
+        let output = self.output.canonicalize().ok();
+        let is_input = |path: &Path| output.is_some() && path.canonicalize().ok() == output;
+        let input = [Some(self.scene.as_path()), scene.mesh.path()].into_iter().flatten();
+        match input.into_iter().find(|path| is_input(path)) {
+            None => Ok(()),
+            Some(path) => Err(Failure::Argument {
+                message: format!(
+                    "--output {} is a file that the mesh is made of, {}; give another name",
+                    self.output.display(),
+                    path.display()
+                ),
+            }),
+        }
     }
 }

@@ -76,8 +76,7 @@ fn judge_by_cubic(study: &Study, solved: &Solved, cubic: &FilmSolution) -> Judge
     let better = &study.system.enriched().system;
     let measured = measure(&study.problem, better, cubic);
     let mut list = quantities(study, &measured);
-    let force = measured.load.total.force;
-    let Ok(error) = film_error(&study.problem, &study.system, &solved.film, cubic, force) else {
+    let Ok(error) = film_error(&study.problem, &study.system, &solved.film, cubic, &measured.load.total) else {
         return Judged::without_bars(list, measured);
     };
     let quadratic = measure(&study.problem, &study.system, &solved.film);
@@ -127,8 +126,7 @@ pub fn judge_quadratic(study: &Study, solved: &Solved) -> Option<Vec<Quantity>> 
         return None;
     };
     let better = measure(&study.problem, &study.system.enriched().system, cubic);
-    let force = better.load.total.force;
-    let error = film_error(&study.problem, &study.system, &solved.film, cubic, force).ok()?;
+    let error = film_error(&study.problem, &study.system, &solved.film, cubic, &better.load.total).ok()?;
     let measured = measure(&study.problem, &study.system, &solved.film);
     let after = quantities(study, &better);
     let mut list = quantities(study, &measured);

@@ -92,7 +92,7 @@ fn drag(problem: &FilmProblem) -> f64 {
 
 /// Load [N] that the pressures of the film could carry, all on one side.
 pub(crate) fn possible_load(problem: &FilmProblem, measured: &Measured) -> f64 {
-    load::possible_load(problem, excess(problem, &measured.extremes))
+    load::possible_load(problem, &measured.load.total)
 }
 
 /// Greatest difference [Pa] of the pressure from that of the ends.

@@ -6,26 +6,23 @@
 //!
 //! Source: Doerfler, SIAM J. Numer. Anal. 33 (1996) 1106; s measured, `docs/theory/error_estimation.md`.
 
-use std::sync::Arc;
 use std::time::Instant;
 
 use oilwedge_bearing::Patience;
-use oilwedge_fem::marking::doerfler;
-use oilwedge_mesh::{Mesh, refine};
 
 use crate::analysis::{NoAnswer, Solved, graded, solve};
 use crate::bars::{Judged, judge};
-use crate::compile::{CompileError, Study, compile_on};
-use crate::liner_mesh::resized;
+use crate::compile::{CompileError, Study};
 use crate::measure::possible_load;
 use crate::report::{LevelFacts, Quantity, Refinement};
-use crate::run::{DEGREE, RunOptions};
-use crate::scene::{CavitationModel, MeshSource, Scene, Target};
+use crate::run::RunOptions;
+use crate::scene::{CavitationModel, Scene, Target};
 
-/// Edges of the first mesh towards a tolerance over those of a mesh that is used as it is.
-const FIRST: f64 = 3.0;
-/// Share of the indicator that the triangles divided carry.
-const SHARE: f64 = 0.7;
+mod next;
+
+use next::Next;
+pub(crate) use next::at_first;
+
 /// A mesh is drawn for bars this much smaller than asked for,
 const SAFETY: f64 = 0.7;
 /// with at least and at most this many times the unknowns of the one before.
@@ -107,14 +104,6 @@ fn solved(study: &mut Study, bars: bool, patience: Patience) -> Result<(Solved, 
     Ok((solved, judged))
 }
 
-/// The scene with the first mesh on the way to its tolerance.
-pub(crate) fn at_first(scene: &Scene) -> Scene {
-    match scene.mesh {
-        MeshSource::Drawing { size: None } => resized(scene, FIRST).unwrap_or_else(|| scene.clone()),
-        _ => scene.clone(),
-    }
-}
-
 /// Unknown pressures of a study.
 pub fn unknowns(study: &Study) -> usize {
     let system = &study.system;
@@ -128,7 +117,7 @@ fn towards(scene: &Scene, targets: &[Target], options: &RunOptions) -> Result<An
     let patience = options.patience();
     let mut next = Next::first(scene);
     let mut levels: Vec<LevelFacts> = Vec::new();
-    let mut best: Option<(Study, Solved, Judged)> = None;
+    let mut best: Option<Best> = None;
     loop {
         let start = Instant::now();
         let (refinement, mut study) = match (next.study(scene, patience), best.take()) {
@@ -152,15 +141,13 @@ fn towards(scene: &Scene, targets: &[Target], options: &RunOptions) -> Result<An
         let (solved, judged) = match (outcome, best.take()) {
             // A load balanced on the mesh before is better than one that is not balanced on this one.
             (Ok((solved, _)), Some(best)) if solved.is_ended() => {
-                let worst = worst(
-                    &best.2.quantities,
-                    targets,
-                    possible_load(&best.0.problem, &best.2.measured),
-                );
-                let limit = stopped(&levels, clock.elapsed().as_secs_f64(), worst.0, options);
-                return Ok(best_so_far(best, levels, limit));
+                let limit = stopped(&levels, clock.elapsed().as_secs_f64(), best.worst, options);
+                return Ok(best.answer(levels, limit));
             }
-            (Ok(found), _) => found,
+            (Ok(found), before) => {
+                best = before;
+                found
+            }
             // The numbers of the mesh before are still good.
             (Err(reason), Some(best)) if reason.is_unreached() => return Ok(last_resort(best, levels, &reason)),
             (Err(reason), before) => {
@@ -219,12 +206,22 @@ fn towards(scene: &Scene, targets: &[Target], options: &RunOptions) -> Result<An
                     })
             }
         };
-        next = match finer {
-            Ok(finer) => {
-                best = Some((study, solved, judged));
+        next = match (finer, best.take()) {
+            (Ok(finer), _) => {
+                best = Some(Best {
+                    study,
+                    solved,
+                    judged,
+                    worst,
+                });
                 finer
             }
-            Err(limit) => {
+            // A mesh that resolves less than the one before, as may happen at the edge of a cavity.
+            (Err(Some(limit)), Some(before)) if before.worst < worst => {
+                let limit = format!("{limit}; told is the mesh before: {}", away(before.worst));
+                return Ok(before.answer(levels, limit));
+            }
+            (Err(limit), _) => {
                 return Ok(Answer {
                     study,
                     outcome: Ok((solved, judged)),
@@ -236,19 +233,31 @@ fn towards(scene: &Scene, targets: &[Target], options: &RunOptions) -> Result<An
     }
 }
 
-/// The mesh before is the answer where the next has none.
-fn last_resort(best: (Study, Solved, Judged), levels: Vec<LevelFacts>, reason: &dyn std::fmt::Display) -> Answer {
-    let limit = format!("limit: the bars are wider than asked for, and the next mesh has no answer: {reason}");
-    best_so_far(best, levels, limit)
+/// A film on the way to a tolerance.
+struct Best {
+    study: Study,
+    solved: Solved,
+    judged: Judged,
+    /// Its greatest bar over what it may be.
+    worst: f64,
 }
 
-fn best_so_far((study, solved, judged): (Study, Solved, Judged), levels: Vec<LevelFacts>, limit: String) -> Answer {
-    Answer {
-        study,
-        outcome: Ok((solved, judged)),
-        levels,
-        limit: Some(limit),
+impl Best {
+    /// It is the answer, for a limit.
+    fn answer(self, levels: Vec<LevelFacts>, limit: String) -> Answer {
+        Answer {
+            study: self.study,
+            outcome: Ok((self.solved, self.judged)),
+            levels,
+            limit: Some(limit),
+        }
     }
+}
+
+/// The mesh before is the answer where the next has none.
+fn last_resort(best: Best, levels: Vec<LevelFacts>, reason: &dyn std::fmt::Display) -> Answer {
+    let limit = format!("limit: the bars are wider than asked for, and the next mesh has no answer: {reason}");
+    best.answer(levels, limit)
 }
 
 /// True where dividing triangles locally, for the load, hardly narrowed the bar of this name.
@@ -367,111 +376,7 @@ fn limit(levels: &[LevelFacts], elapsed: f64, growth: f64, worst: f64, options: 
     (levels.len() >= MOST_LEVELS).then(|| format!("limit: {away} after {MOST_LEVELS} meshes; give a wider tolerance"))
 }
 
-/// The next mesh.
-enum Next {
-    /// Made of the scene with longest edges times this.
-    Drawn(f64),
-    /// That of the scene as it is.
-    Given,
-    /// One at hand, for the journal at this position.
-    Divided(Arc<Mesh>, Refinement, (f64, f64)),
-}
-
 /// Whether the mesh of a study may be divided uniformly within the limits of a run.
 fn may_divide(study: &Study, patience: Patience, options: &RunOptions) -> bool {
     !patience.is_over() && 4 * unknowns(study) <= options.max_unknowns
-}
-
-/// Where the journal of a study is: eccentricity [1] and angle of the minimum film [rad].
-fn position(scene: &Scene, study: &Study) -> (f64, f64) {
-    let journal = &study.problem.journal;
-    match study.load {
-        None => scene.start(),
-        Some(_) => (
-            journal.eccentricity() / scene.bearing.clearance,
-            journal.min_film_angle(),
-        ),
-    }
-}
-
-impl Next {
-    /// The mesh of a study divided uniformly, if its round rims are fine enough for that.
-    fn divided(scene: &Scene, study: &Study) -> Option<Self> {
-        let divided = refine::uniform(study.system.space().mesh()).ok()?;
-        let near = position(scene, study);
-        Some(Self::Divided(Arc::new(divided.mesh), Refinement::Uniform, near))
-    }
-
-    fn first(scene: &Scene) -> Self {
-        match scene.mesh {
-            MeshSource::Drawing { size: None } => Self::Drawn(FIRST),
-            _ => Self::Given,
-        }
-    }
-
-    fn study(&self, scene: &Scene, patience: Patience) -> Result<(Refinement, Study), CompileError> {
-        match self {
-            Self::Given => Ok((Refinement::Given, graded(scene, patience)?)),
-            Self::Drawn(factor) => {
-                let resized = resized(scene, *factor).unwrap_or_else(|| scene.clone());
-                let refinement = if *factor == FIRST {
-                    Refinement::Given
-                } else {
-                    Refinement::Uniform
-                };
-                Ok((refinement, graded(&resized, patience)?))
-            }
-            Self::Divided(mesh, refinement, near) => {
-                Ok((*refinement, compile_on(scene, Mesh::clone(mesh), *near, DEGREE)?))
-            }
-        }
-    }
-
-    /// How many times the triangles of `study` it has; none where that shows only once it is drawn.
-    fn growth(&self, study: &Study) -> Option<f64> {
-        match self {
-            Self::Divided(mesh, ..) => {
-                let cells = study.system.space().mesh().triangles().len();
-                Some(mesh.triangles().len() as f64 / cells as f64)
-            }
-            _ => None,
-        }
-    }
-
-    /// Another start where the first mesh was too coarse to have an answer.
-    fn finer_first(&self, scene: &Scene) -> Option<Self> {
-        match (self, &scene.mesh) {
-            (Self::Drawn(factor), MeshSource::Drawing { size: None }) if *factor > 1.0 => Some(Self::Drawn(1.0)),
-            _ => None,
-        }
-    }
-
-    /// The mesh after that of `study`, or why it cannot be made. `bound` tells that drawing it finer made it hardly larger:
-    /// its sizes are those of holes and grooves; `stuck` that local division does not help.
-    fn refined(
-        scene: &Scene,
-        last: &Self,
-        study: &Study,
-        judged: &Judged,
-        growth: f64,
-        [bound, stuck]: [bool; 2],
-    ) -> Result<Self, String> {
-        let mesh = study.system.space().mesh();
-        let near = position(scene, study);
-        // A mesh once divided at a front is as fine there as it must be: what is left is divided where it is too coarse.
-        let fitted = matches!(last, Self::Divided(_, Refinement::Local, _));
-        let local = judged
-            .indicator
-            .as_ref()
-            .filter(|_| !stuck && (judged.is_local || fitted || bound));
-        let (divided, refinement) = match (local, last) {
-            (Some(indicator), _) => (refine::local(mesh, &doerfler(indicator, SHARE)), Refinement::Local),
-            (None, Self::Drawn(factor)) => return Ok(Self::Drawn(factor / growth.sqrt())),
-            (None, _) => (refine::uniform(mesh), Refinement::Uniform),
-        };
-        let divided = divided.map_err(|_| {
-            "limit: the mesh cannot be divided, for a round rim of it is too coarse; give a finer mesh".to_owned()
-        })?;
-        Ok(Self::Divided(Arc::new(divided.mesh), refinement, near))
-    }
 }

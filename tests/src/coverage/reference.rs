@@ -106,7 +106,7 @@ fn indicator(solve: &Solve) -> Option<Vec<f64>> {
         &study.system,
         &solve.solved.film,
         cubic,
-        solve.judged.measured.load.total.force,
+        &solve.judged.measured.load.total,
     )
     .ok()?;
     let force = error.force[0].hypot(error.force[1]);

@@ -23,8 +23,8 @@ impl Judged {
         let cubic = problem
             .enriched(&system, &film)
             .unwrap_or_else(|reason| panic!("{reason}"));
-        let force = load(&problem, &system.enriched().system, &cubic).total.force;
-        let error = film_error(&problem, &system, &film, &cubic, force).expect("duals");
+        let carried = load(&problem, &system.enriched().system, &cubic).total;
+        let error = film_error(&problem, &system, &film, &cubic, &carried).expect("duals");
         Self {
             problem,
             system,

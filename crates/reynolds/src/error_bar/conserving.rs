@@ -150,8 +150,7 @@ pub fn conserving_error(
             .scaled(widened)
     };
     let load = bar(&along);
-    let excess = |p: f64, &other: &f64| p.max((other - problem.bearing.end_pressure).abs());
-    let possible = load::possible_load(problem, pair.pressure.iter().fold(0.0, excess));
+    let possible = load::possible_load(problem, &total.total);
     Some(ConservingError {
         is_resolved: load.total() <= UNRESOLVED * total.magnitude().max(CANCELLING * possible),
         load,

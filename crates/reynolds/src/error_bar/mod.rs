@@ -29,6 +29,7 @@ mod drag;
 pub mod geometry;
 mod shares;
 
+use crate::quantities::load::Share;
 use crate::{FilmProblem, FilmSolution, FilmSystem};
 
 /// A load of which this part is in question is not resolved.
@@ -167,7 +168,7 @@ pub enum FlowGoal {
     Feed(String),
 }
 
-/// Judges `film` by the `cubic` film of `system.enriched()`.
+/// Judges `film` by the `cubic` film of `system.enriched()`, which carries `carried`.
 ///
 /// # Errors
 /// The linear systems of the duals could not be solved.
@@ -176,9 +177,9 @@ pub fn film_error(
     system: &FilmSystem,
     film: &FilmSolution,
     cubic: &FilmSolution,
-    force: [f64; 2],
+    carried: &Share,
 ) -> Result<FilmError, oilwedge_fem::Error> {
-    shares::film_error(problem, system, film, cubic, force)
+    shares::film_error(problem, system, film, cubic, carried)
 }
 
 impl FilmError {

@@ -12,7 +12,7 @@ use oilwedge_fem::{Error, Field, Matrix, Quadrature, lagrange};
 
 use super::{FilmError, FlowGoal, GoalError, drag, geometry};
 use crate::angles::sines_and_cosines;
-use crate::quantities::load::{KINK_QUARTERINGS, possible_load};
+use crate::quantities::load::{KINK_QUARTERINGS, Share, possible_load};
 use crate::supply::{Place, SupplyRegion};
 use crate::{FilmPoint, FilmProblem, FilmSolution, FilmSystem, Form};
 
@@ -29,7 +29,7 @@ pub(super) fn film_error(
     system: &FilmSystem,
     film: &FilmSolution,
     cubic: &FilmSolution,
-    force: [f64; 2],
+    carried: &Share,
 ) -> Result<FilmError, Error> {
     let enriched = system.enriched();
     let between = &enriched.prolongation;
@@ -103,10 +103,9 @@ pub(super) fn film_error(
     let both = both.fold(GoalError::default(), |sum, (_, end)| sum.plus(1.0, end));
     flows.insert(0, (FlowGoal::Ends, both));
     let (front, deep) = front(&enriched.system, cubic);
-    let excess = |&u: &f64| (problem.pressure_at(u) - problem.bearing.end_pressure).abs();
     Ok(FilmError {
-        possible: possible_load(problem, cubic.unknown.iter().map(excess).fold(0.0, f64::max)),
-        force,
+        possible: possible_load(problem, carried),
+        force: carried.force,
         goals,
         drag,
         flows,

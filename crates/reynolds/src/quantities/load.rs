@@ -37,6 +37,8 @@ pub struct Share {
     pub force: [f64; 2],
     /// `Int p dA` [N].
     pub pressure: f64,
+    /// `Int |p - p_e| dA` [N]: what these pressures could carry, all on one side.
+    pub possible: f64,
 }
 
 /// Load of a film and its shares.
@@ -65,6 +67,7 @@ impl std::ops::AddAssign for Share {
         self.force[0] += other.force[0];
         self.force[1] += other.force[1];
         self.pressure += other.pressure;
+        self.possible += other.possible;
     }
 }
 
@@ -82,13 +85,14 @@ pub fn load(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> 
     Load { total, cut_out }
 }
 
-/// Load [N] of a film whose pressure differs by `excess` [Pa] from that of the ends all over one side: what loads are small
-/// against. At least what is rounding against drag and against the pressure of the ends.
-pub fn possible_load(problem: &FilmProblem, excess: f64) -> f64 {
+/// What loads are small against [N]: what the pressures of a film with this `share` could carry, all on one side. At least what is rounding against
+/// drag and against the pressure of the ends.
+pub fn possible_load(problem: &FilmProblem, share: &Share) -> f64 {
     const ROUNDING: f64 = 1e-6;
     let bearing = &problem.bearing;
     let drag = problem.lubricant.viscosity * problem.journal.speed.abs() * (bearing.radius / bearing.clearance).powi(2);
-    excess.max(ROUNDING * (drag + bearing.end_pressure.abs())) * 2.0 * bearing.radius * bearing.length
+    let rounding = ROUNDING * (drag + bearing.end_pressure.abs()) * 2.0 * bearing.radius * bearing.length;
+    share.possible.max(rounding)
 }
 
 /// First-order change of the load [N] where the unknown changes by `change` at each dof; regions cut out keep their
@@ -105,6 +109,7 @@ fn film_share(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -
     Share {
         force: excess.force,
         pressure: excess.thrust + p_e * excess.area,
+        possible: excess.magnitude,
     }
 }
 
@@ -115,6 +120,8 @@ struct Integral {
     force: [f64; 2],
     /// By itself [N].
     thrust: f64,
+    /// Without its sign [N].
+    magnitude: f64,
     /// Area of the film [m2].
     area: f64,
 }
@@ -124,6 +131,7 @@ impl std::ops::AddAssign for Integral {
         self.force[0] += other.force[0];
         self.force[1] += other.force[1];
         self.thrust += other.thrust;
+        self.magnitude += other.magnitude;
         self.area += other.area;
     }
 }
@@ -202,6 +210,7 @@ fn cell_integral(
             sum += Integral {
                 force: [thrust * cosines[q], thrust * sines[q]],
                 thrust,
+                magnitude: thrust.abs(),
                 area: areas[q],
             };
         }
@@ -222,6 +231,7 @@ fn cut_out_share(problem: &FilmProblem, mesh: &Mesh, region: &SupplyRegion) -> S
     Share {
         force: [excess * cos, excess * sin],
         pressure: region.pressure * area,
+        possible: (excess * area).abs(),
     }
 }
 
