@@ -96,11 +96,12 @@ fn balance_cubic(
     }
     let is_ended = residual > BALANCED_ENOUGH && patience.is_over();
     if residual > BALANCED_ENOUGH && !is_ended {
-        return Err(NoEquilibrium::NotConverged {
-            steps,
+        return Err(search.sure(NoEquilibrium::NotConverged {
+            asked: load[0].hypot(load[1]),
             residual,
             journal: Box::new(trial.problem.journal),
-        });
+            history: search.tried.take(),
+        }));
     }
     Ok(Equilibrium {
         residual,

@@ -189,7 +189,7 @@ impl Search<'_> {
         let begins_at_contact =
             problem.journal.eccentricity() > (1.0 - f64::EPSILON.sqrt()) * GREATEST_ECCENTRICITY * self.clearance;
         let beyond = || begins_at_contact.then(|| self.beyond_reach(problem)).flatten();
-        self.below_rounding(problem).or_else(beyond).map_or(Ok(()), Err)
+        self.below_rounding().or_else(beyond).map_or(Ok(()), Err)
     }
 
     /// Balances the load from where it is balanced on coarser meshes, if the system has any.
@@ -296,9 +296,10 @@ impl Search<'_> {
         }
         match self.residual(&trial) {
             residual if residual < NEAR => Err(NoEquilibrium::NotConverged {
-                steps: *tried,
+                asked: self.load[0].hypot(self.load[1]),
                 residual,
                 journal: Box::new(trial.problem.journal),
+                history: self.tried.borrow().clone(),
             }),
             _ => Err(self.unreachable(&trial, "the force stays away from the load")),
         }

@@ -64,15 +64,18 @@ pub enum NoEquilibrium {
     },
     /// The search did not end.
     #[error(
-        "not converged: after {steps} positions force and load still differ by {residual:.1e} of the load; give another mesh ([mesh] size), or solve at a given position to see the film"
+        "not converged: after {} positions force and load still differ by {residual:.1e} of the load; give another mesh ([mesh] size), or solve at a given position to see the film",
+        history.len()
     )]
     NotConverged {
-        /// Positions tried.
-        steps: usize,
-        /// Load less force, relative to the load.
+        /// Load asked for [N].
+        asked: f64,
+        /// The least difference of load and force, relative to the load.
         residual: f64,
-        /// The journal at the last of them.
+        /// The journal where the search ended.
         journal: Box<JournalState>,
+        /// Load less force of each position tried, relative to the load.
+        history: Vec<f64>,
     },
     /// The search was told to end before it had looked everywhere.
     #[error(
@@ -86,10 +89,20 @@ pub enum NoEquilibrium {
         nearest: f64,
         /// The journal where the search ended.
         journal: Box<JournalState>,
+        /// Load less force of each position tried, relative to the load.
+        history: Vec<f64>,
     },
 }
 
 impl NoEquilibrium {
+    /// Load less force of each position tried, relative to the load; empty where that tells nothing.
+    pub fn history(&self) -> &[f64] {
+        match self {
+            Self::NotConverged { history, .. } | Self::Ended { history, .. } => history,
+            Self::Film(_) | Self::BelowRounding { .. } | Self::BeyondReach { .. } | Self::Unreachable { .. } => &[],
+        }
+    }
+
     /// The last position of the search, if it had one.
     pub fn last_position(&self) -> Option<JournalState> {
         match self {

@@ -12,6 +12,8 @@ use crate::search::Search;
 const TURNS: usize = 12;
 /// It does within this angle [rad].
 const ALIGNED: f64 = 0.02;
+/// Eccentricity at which less should be carried.
+const BEFORE: f64 = 0.99;
 /// Loads below this part of the natural force are lost among rounding errors of the film's force.
 pub(crate) const ROUNDING: f64 = 1e-10;
 
@@ -30,7 +32,10 @@ impl Search<'_> {
             let turn = sin.atan2(cos);
             if turn.abs() < ALIGNED {
                 let greatest = x.hypot(y);
-                return (greatest < asked).then(|| NoEquilibrium::BeyondReach {
+                // A film under tension may point there from its wide side too, with next to no force.
+                let is_thin = !self.bears_tension || greatest > self.natural_force;
+                let is_beyond = greatest < asked && is_thin && self.grows(problem, angle, greatest);
+                return is_beyond.then(|| NoEquilibrium::BeyondReach {
                     asked,
                     towards: towards.to_degrees().rem_euclid(360.0),
                     greatest,
@@ -44,10 +49,17 @@ impl Search<'_> {
         None
     }
 
+    /// Whether the film carries less than `greatest` [N] a little further from the liner, as it should: with tension on one side of an arc it need not.
+    fn grows(&self, problem: &FilmProblem, angle: f64, greatest: f64) -> bool {
+        let e = BEFORE * self.clearance;
+        let before = self.trial(problem, [e * angle.cos(), e * angle.sin()], Neighbour::None);
+        before.is_ok_and(|trial| trial.force[0].hypot(trial.force[1]) < greatest)
+    }
+
     /// That the load is so small that rounding errors of the film's force hide it, if that is so.
-    pub(crate) fn below_rounding(&self, problem: &FilmProblem) -> Option<NoEquilibrium> {
+    pub(crate) fn below_rounding(&self) -> Option<NoEquilibrium> {
         let asked = self.load[0].hypot(self.load[1]);
-        let least = ROUNDING * natural_force(problem, self.system, self.squeeze);
+        let least = ROUNDING * self.natural_force;
         (asked > 0.0 && asked < least).then_some(NoEquilibrium::BelowRounding { asked, least })
     }
 }

@@ -1,14 +1,23 @@
 //! One position of the journal tried: its film, its force, and the tangent of the force.
 
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 
 use oilwedge_reynolds::quantities::load::{load, load_change};
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalState, NoFilm};
+use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSolution, FilmSystem, JournalState, NoFilm};
 
 use crate::equilibrium::{BALANCED, NEAR, Squeeze};
 use crate::reach::natural_force;
 use crate::{NoEquilibrium, Patience};
+
+/// A load that was not balanced and is less than this part of the natural force is lost among rounding errors.
+const LOST: f64 = 1e-7;
+/// A force within this factor of the load
+const NEARLY: f64 = 2.0;
+/// and this angle [rad] leaves it open whether there is a position.
+const ASTRAY: f64 = 0.5;
+/// A film whose force is nowhere this part of the load carries none.
+const AT_REST: f64 = 1e-3;
 
 /// A search for the position that balances a load on one mesh.
 pub(crate) struct Search<'a> {
@@ -18,8 +27,14 @@ pub(crate) struct Search<'a> {
     pub(crate) clearance: f64,
     /// What residuals are relative to [N].
     pub(crate) natural: f64,
+    /// What forces of the film are rounded against [N].
+    pub(crate) natural_force: f64,
     /// The trial whose force was nearest to the load.
     pub(crate) nearest: Cell<Option<Nearest>>,
+    /// True of a full Sommerfeld film.
+    pub(crate) bears_tension: bool,
+    /// Load less force of each trial, relative to the load.
+    pub(crate) tried: RefCell<Vec<f64>>,
     /// True where the force is that of the film in cubic elements.
     pub(crate) cubic: bool,
     /// The balance has been found when force and load differ by this part of the load.
@@ -58,16 +73,20 @@ impl<'a> Search<'a> {
         squeeze: Squeeze,
         patience: Patience,
     ) -> Self {
+        let natural_force = natural_force(problem, system, squeeze);
         Self {
             system,
             load,
+            natural_force,
             squeeze,
             clearance: problem.bearing.clearance,
             natural: match load[0].hypot(load[1]) {
-                0.0 => natural_force(problem, system, squeeze).max(f64::MIN_POSITIVE),
+                0.0 => natural_force.max(f64::MIN_POSITIVE),
                 load => load,
             },
             nearest: Cell::new(None),
+            bears_tension: matches!(problem.cavitation, Cavitation::None),
+            tried: RefCell::default(),
             cubic: false,
             balanced: BALANCED,
             keeps_tangent: false,
@@ -150,6 +169,7 @@ impl<'a> Search<'a> {
             force,
         };
         let distance = self.distance(&trial);
+        self.tried.borrow_mut().push(self.residual(&trial));
         if self.nearest.get().is_none_or(|nearest| distance < nearest.distance) {
             self.nearest.set(Some(Nearest {
                 distance,
@@ -218,9 +238,14 @@ impl<'a> Search<'a> {
         (load / force).ln().hypot(across.atan2(along))
     }
 
-    /// A search that was told to end has not looked everywhere, and does not say that there is no position.
+    /// A search that was told to end has not looked everywhere, and does not say that there is no position; nor does one that came near to the
+    /// load. Of a load near to rounding, that says why.
     pub(crate) fn sure(&self, reason: NoEquilibrium) -> NoEquilibrium {
+        let least = LOST * self.natural_force;
         match reason {
+            NoEquilibrium::Unreachable { asked, .. } | NoEquilibrium::NotConverged { asked, .. } if asked < least => {
+                NoEquilibrium::BelowRounding { asked, least }
+            }
             NoEquilibrium::Unreachable {
                 asked,
                 nearest,
@@ -230,9 +255,31 @@ impl<'a> Search<'a> {
                 asked,
                 nearest,
                 journal,
+                history: self.tried.take(),
             },
+            NoEquilibrium::Unreachable { asked, journal, .. } if self.came_near() => {
+                let history = self.tried.take();
+                NoEquilibrium::NotConverged {
+                    asked,
+                    residual: history.iter().copied().fold(f64::INFINITY, f64::min),
+                    journal,
+                    history,
+                }
+            }
             reason => reason,
         }
+    }
+
+    /// Whether a force was found that is as large as the load by [`NEARLY`] and points its way by [`ASTRAY`].
+    fn came_near(&self) -> bool {
+        self.nearest.get().is_some_and(|Nearest { force: [x, y], .. }| {
+            let [load_x, load_y] = self.load;
+            let ratio = x.hypot(y) / load_x.hypot(load_y);
+            let turn = (x * load_y - y * load_x).atan2(x * load_x + y * load_y);
+            // A film that bears tension has forces to all sides, of any size.
+            let is_any = self.bears_tension && ratio > AT_REST;
+            is_any || (1.0 / NEARLY..NEARLY).contains(&ratio) && turn.abs() < ASTRAY
+        })
     }
 
     /// Tells of the nearest of all trials.

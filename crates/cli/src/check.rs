@@ -39,7 +39,7 @@ impl Check {
                 let scene = Scene::read(&self.file)?;
                 // Every case must be a good scene.
                 Sweep::of(&scene)?;
-                oilwedge_scene::check_scene(&scene)?
+                oilwedge_scene::check_scene(&scene).map_err(Failure::of(&self.file))?
             }
         };
         let json = found.to_json().map_err(Error::from)?;

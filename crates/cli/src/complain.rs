@@ -2,6 +2,7 @@
 
 use crate::interrupt::INTERRUPTED;
 use miette::{Diagnostic, LabeledSpan, MietteHandlerOpts, NamedSource, Report, SourceCode};
+use oilwedge_scene::compile::CompileError;
 use oilwedge_scene::{Complaint, Error, SceneError};
 use std::io::{IsTerminal, Write};
 use std::ops::Range;
@@ -41,6 +42,16 @@ impl Failure {
         match self {
             Self::Run(Error::Interrupted { .. }) => INTERRUPTED,
             _ => 2,
+        }
+    }
+
+    /// What a scene could not be run for: of a liner that was drawn the error names regions and keys, but not the file.
+    pub(crate) fn of(scene: &Path) -> impl Fn(Error) -> Self {
+        move |error| match &error {
+            Error::Compile(CompileError::Drawing(_)) => Self::Argument {
+                message: format!("the scene {}: {error}", scene.display()),
+            },
+            _ => Self::Run(error),
         }
     }
 

@@ -61,7 +61,7 @@ impl Converge {
         let folder = self.out.clone().unwrap_or_else(|| solve::default_folder(&self.scene));
         files::check(&folder)?;
         let mut progress = Progress::new(self.max_seconds);
-        let study = converge(&scene, &budget, &mut progress)?;
+        let study = converge(&scene, &budget, &mut progress).map_err(Failure::of(&self.scene))?;
         progress.end();
         let report = &study.report;
         files::write(&folder, &study)?;

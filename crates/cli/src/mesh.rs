@@ -34,7 +34,7 @@ impl Mesh {
     pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
         let scene = Scene::read(&self.scene)?;
         self.check_output(&scene)?;
-        let mesh = mesh_scene(&scene)?;
+        let mesh = mesh_scene(&scene).map_err(Failure::of(&self.scene))?;
         write_mesh(&mesh, &self.output)?;
         let (cells, nodes) = (mesh.triangles().len(), mesh.quadratic_nodes());
         terminal::print(&format!(

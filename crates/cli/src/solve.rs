@@ -100,7 +100,7 @@ impl Solve {
         let scene = Scene::read(&self.scene)?;
         let options = self.options(&scene)?;
         let working = Working::on(Self::task(&scene));
-        let mut run = oilwedge_scene::run(&scene, &options)?;
+        let mut run = oilwedge_scene::run(&scene, &options).map_err(Failure::of(&self.scene))?;
         if self.cost {
             working.turns_to("the film without each effect");
             run.result.cost = Some(effect_costs(&scene, &options, &run.result)?);

@@ -36,6 +36,6 @@ impl Constraints {
     /// Euclidean norm of `r` over the dofs that are not given.
     pub fn free_norm(&self, r: &[f64]) -> f64 {
         let free = r.iter().zip(&self.fixed).filter(|(_, fixed)| !**fixed);
-        free.map(|(x, _)| x * x).sum::<f64>().sqrt()
+        free.map(|(x, _)| x * x).fold(0.0, |sum: f64, x| sum + x).sqrt()
     }
 }

@@ -59,16 +59,32 @@ pub enum Failure {
         history: Vec<HistoryStep>,
     },
     /// A linear system could not be solved.
-    #[error(transparent)]
-    Linear(#[from] Error),
+    #[error("{error}")]
+    Linear {
+        /// Why.
+        error: Error,
+        /// What was tried; the last entry is where it happened.
+        history: Vec<HistoryStep>,
+    },
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        Self::Linear {
+            error,
+            history: Vec::new(),
+        }
+    }
 }
 
 impl Failure {
     /// What was tried.
     pub fn history(&self) -> &[HistoryStep] {
         match self {
-            Self::Stagnated { history } | Self::TooManySteps { history } | Self::Cycling { history } => history,
-            Self::Linear(_) => &[],
+            Self::Stagnated { history }
+            | Self::TooManySteps { history }
+            | Self::Cycling { history }
+            | Self::Linear { history, .. } => history,
         }
     }
 }
@@ -133,14 +149,24 @@ pub fn solve(
         });
         let norm = constraints.free_norm(&residual);
         if !norm.is_finite() {
-            return Err(Error::NotFinite { what: "residual" }.into());
+            let error = Error::NotFinite { what: "residual" };
+            return Err(Failure::Linear { error, history });
         }
         let first = *first_norm.get_or_insert(if norm > 0.0 { norm } else { 1.0 });
-        let linearisation = Seconds::time(&mut seconds.factorise, || solver.linearise(matrix, constraints.clone()))?;
+        let linearisation = Seconds::time(&mut seconds.factorise, || solver.linearise(matrix, constraints.clone()));
         let minus: Vec<f64> = residual.iter().map(|r| -r).collect();
-        let step = Seconds::time(&mut seconds.solve, || {
-            linearisation.solve_to(&minus, solver.enough(first))
-        })?;
+        let newton = linearisation.and_then(|linearisation| {
+            let enough = solver.enough(first);
+            let step = Seconds::time(&mut seconds.solve, || linearisation.solve_to(&minus, enough))?;
+            Ok((linearisation, step))
+        });
+        let (linearisation, step) = match newton {
+            Ok(newton) => newton,
+            Err(error) => {
+                history.push(HistoryStep::active(norm / first, 0));
+                return Err(Failure::Linear { error, history });
+            }
+        };
         if linear {
             let change = Seconds::time(&mut seconds.solve, || linearisation.matrix().multiply(&step));
             let reactions: Vec<f64> = residual.iter().zip(change).map(|(r, c)| r + c).collect();

@@ -26,17 +26,23 @@ impl FilmProblem {
     /// The companion of a mass-conserving `film` of `system`: the film of [`FilmSystem::vertices_only`], found from it.
     ///
     /// # Errors
-    /// [`NoFilm`]: the reason why there is none; the film itself may still be sound.
+    /// [`NoFilm`]: the reason why there is none; the film itself may still be sound, but for [`NoFilm::NearLimit`].
     pub fn companion(&self, system: &FilmSystem, film: &FilmSolution) -> Result<FilmSolution, NoFilm> {
+        let companion = self.companion_unchecked(system, film)?;
+        self.check_resolved(system, film, &companion)?;
+        self.check_existence(system.vertices_only(), &companion)?;
+        Ok(companion)
+    }
+
+    /// The same whether or not the viscosity law has a pressure for it.
+    pub(crate) fn companion_unchecked(&self, system: &FilmSystem, film: &FilmSolution) -> Result<FilmSolution, NoFilm> {
         let vertices = system.vertices_only();
         let dofs = vertex_dofs(system.space());
         let start = Start {
             u: dofs.iter().map(|&dof| film.unknown[dof]).collect(),
             held: dofs.iter().map(|&dof| film.cavity[dof]).collect(),
         };
-        let companion = jfo::solve(self, vertices, 1.0, start, jfo::Choice::Anew)?;
-        self.check_existence(vertices, &companion)?;
-        Ok(companion)
+        Ok(jfo::solve(self, vertices, 1.0, start, jfo::Choice::Anew)?)
     }
 }
 

@@ -65,6 +65,7 @@ impl FilmProblem {
             // Quadratic elements have a film.
             Err(NoFilm::AboveLimit { .. }) if matches!(self.form, Form::AsPrinted(_)) => Err(NoFilm::AtFold {
                 asked: self.journal.speed.abs(),
+                history: film.history.clone(),
             }),
             Err(NoFilm::AboveLimit { limit, .. }) => Err(self.beyond(system, film, limit)),
             Err(reason) => Err(reason),

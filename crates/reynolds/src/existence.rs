@@ -1,7 +1,7 @@
 //! Whether there is a film: the limits of the viscosity law and of the as-printed equation.
 
 use oilwedge_fem::Field;
-use oilwedge_fem::newton::Failure;
+use oilwedge_fem::newton::{Failure, HistoryStep};
 
 use crate::solve::Neighbour;
 use crate::{Cavitation, FilmProblem, FilmSolution, FilmSystem};
@@ -42,6 +42,8 @@ pub enum NoFilm {
         ratio: f64,
         /// How well the mesh tells the ratio.
         known_to: f64,
+        /// How the film was solved.
+        history: Vec<HistoryStep>,
     },
     /// Quadratic elements have a film of the as-printed equation, cubic ones on the same mesh have none.
     #[error(
@@ -51,6 +53,8 @@ pub enum NoFilm {
     AtFold {
         /// Speed asked for [rad/s].
         asked: f64,
+        /// How the film of quadratic elements was solved.
+        history: Vec<HistoryStep>,
     },
     /// The pressure falls below what the viscosity law covers.
     #[error(
@@ -114,6 +118,21 @@ pub fn readable(value: f64) -> String {
     }
 }
 
+impl NoFilm {
+    /// What was tried; empty where that tells nothing.
+    pub fn history(&self) -> &[HistoryStep] {
+        match self {
+            Self::NotConverged(failure) => failure.history(),
+            Self::NearLimit { history, .. } | Self::AtFold { history, .. } => history,
+            Self::AboveLimit { .. }
+            | Self::BelowFloor { .. }
+            | Self::Fold { .. }
+            | Self::NoSupply { .. }
+            | Self::FilmFraction { .. } => &[],
+        }
+    }
+}
+
 impl FilmProblem {
     /// A reduced pressure at or above the limit of the viscosity law has no pressure.
     pub(crate) fn check_existence(&self, system: &FilmSystem, film: &FilmSolution) -> Result<(), NoFilm> {
@@ -154,21 +173,51 @@ impl FilmProblem {
             ratio: reached / limit,
             greatest_speed: None,
         };
-        if reached > FAR_ABOVE * limit || matches!(self.cavitation, Cavitation::Jfo { .. }) {
+        if reached > FAR_ABOVE * limit {
             return plainly;
         }
-        let better = match self.enriched_unchecked(system, film) {
-            Ok(cubic) => self.greatest_unknown(&system.enriched().system, &cubic).value,
-            Err(_) => return plainly,
+        let (better, other) = match self.cavitation {
+            // Its companion is the worse one.
+            Cavitation::Jfo { .. } => match self.companion_unchecked(system, film) {
+                Ok(companion) => (reached, self.greatest_unknown(system.vertices_only(), &companion).value),
+                Err(_) => return plainly,
+            },
+            _ => match self.enriched_unchecked(system, film) {
+                Ok(cubic) => (self.greatest_unknown(&system.enriched().system, &cubic).value, reached),
+                Err(_) => return plainly,
+            },
         };
-        let known_to = SAFETY * (better - reached).abs() / limit;
+        let known_to = SAFETY * (better - other).abs() / limit;
         match better / limit - 1.0 > known_to {
             true => plainly,
             false => NoFilm::NearLimit {
                 limit,
                 ratio: better / limit,
                 known_to,
+                history: film.history.clone(),
             },
+        }
+    }
+
+    /// That a mass-conserving film is below the limit of the viscosity law by more than its companion differs.
+    pub(crate) fn check_resolved(
+        &self,
+        system: &FilmSystem,
+        film: &FilmSolution,
+        companion: &FilmSolution,
+    ) -> Result<(), NoFilm> {
+        let limit = self.lubricant.pressure_law.limit();
+        let reached = self.greatest_unknown(system, film).value;
+        let other = self.greatest_unknown(system.vertices_only(), companion).value;
+        let (ratio, known_to) = (reached / limit, SAFETY * (reached - other).abs() / limit);
+        match limit.is_finite() && ratio + known_to > 1.0 {
+            true => Err(NoFilm::NearLimit {
+                limit,
+                ratio,
+                known_to,
+                history: film.history.clone(),
+            }),
+            false => Ok(()),
         }
     }
 

@@ -3,7 +3,7 @@
 use oilwedge_fem::complementarity::{self, Obstacle, Start};
 use oilwedge_fem::field::Extremum;
 use oilwedge_fem::newton::{self, Failure};
-use oilwedge_fem::{Constraints, Field, LinearSolver};
+use oilwedge_fem::{Constraints, Error, Field, LinearSolver};
 
 use crate::cavitation::jfo::{self, Choice};
 use crate::film_law::FilmLaw;
@@ -180,6 +180,17 @@ impl FilmProblem {
                     let asked = self.journal.speed.abs();
                     return Err(NoFilm::Fold {
                         last: reached * asked,
+                        asked,
+                    });
+                }
+                // At rest it is there, and after the least step it is not: the fold lies between.
+                Err(NoFilm::NotConverged(Failure::Linear {
+                    error: Error::NotPositiveDefinite,
+                    ..
+                })) => {
+                    let asked = self.journal.speed.abs();
+                    return Err(NoFilm::Fold {
+                        last: next * asked,
                         asked,
                     });
                 }

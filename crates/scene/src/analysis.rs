@@ -172,7 +172,7 @@ pub(crate) fn isothermal(study: &mut Study, bars: bool, patience: Patience, star
         let witness = match (bars, conserving) {
             (false, _) => Witness::None,
             (true, false) => Witness::Cubic(study.problem.enriched(&study.system, &film)?),
-            (true, true) => companion(study, &film),
+            (true, true) => companion(study, &film)?,
         };
         return Ok(Solved {
             film,
@@ -198,7 +198,7 @@ pub(crate) fn isothermal(study: &mut Study, bars: bool, patience: Patience, star
     let clock = Instant::now();
     let witness = match cubic {
         Some(cubic) => Witness::Cubic(cubic),
-        None if bars => companion(study, &film),
+        None if bars => companion(study, &film)?,
         None => Witness::None,
     };
     Ok(Solved {
@@ -217,9 +217,13 @@ pub(crate) fn isothermal(study: &mut Study, bars: bool, patience: Patience, star
     })
 }
 
-fn companion(study: &Study, film: &FilmSolution) -> Witness {
-    let companion = study.problem.companion(&study.system, film);
-    companion.map_or(Witness::None, Witness::Vertices)
+/// The companion of a mass-conserving film; none where there is none, for the film may be sound without it.
+fn companion(study: &Study, film: &FilmSolution) -> Result<Witness, NoFilm> {
+    match study.problem.companion(&study.system, film) {
+        Ok(companion) => Ok(Witness::Vertices(companion)),
+        Err(reason @ NoFilm::NearLimit { .. }) => Err(reason),
+        Err(_) => Ok(Witness::None),
+    }
 }
 
 /// Compiles a scene; under a load a mesh that is made here is graded for the position that the load leads to, as far as `patience`

@@ -371,13 +371,17 @@ impl Rules<'_> {
     fn front_share(&self) -> f64 {
         let system: &FilmSystem = &self.study.system.enriched().system;
         let (space, mesh) = (system.space(), system.space().mesh());
+        let problem = &self.study.problem;
+        let dropped = problem.cavitation.kink().map(|p| problem.unknown_at(p));
+        let in_cavity =
+            |dof: usize| self.cubic.cavity[dof] || dropped.is_some_and(|floor| self.cubic.unknown[dof] < floor);
         let (mut edge, mut whole) = (0.0, 0.0);
         for t in 0..mesh.triangles().len() {
             let [a, b, c] = mesh.corners(t);
             let area = 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
             let dofs = &space.element_dofs(t)[..space.shapes()];
-            let held = dofs.iter().any(|&dof| self.cubic.cavity[dof]);
-            let free = |&dof: &usize| !self.cubic.cavity[dof] && system.supply.owner(dof).is_none();
+            let held = dofs.iter().any(|&dof| in_cavity(dof));
+            let free = |&dof: &usize| !in_cavity(dof) && system.supply.owner(dof).is_none();
             edge += if held && dofs.iter().any(free) { area } else { 0.0 };
             whole += area;
         }

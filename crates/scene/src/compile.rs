@@ -15,7 +15,7 @@
 mod lubricant;
 mod renewal;
 
-use lubricant::{form, lubricant};
+pub(crate) use lubricant::{form, lubricant};
 pub(crate) use renewal::{has_same_system, renewed};
 
 use std::path::{Path, PathBuf};

@@ -127,7 +127,8 @@ pub(crate) fn quantities_at(study: &Study, problem: &FilmProblem, measured: &Mea
     add("load_y", "W_y", load.total.force[1], "N");
     let natural = excess(problem, extremes).max(drag(problem)) * 2.0 * bearing.radius * bearing.length;
     let directed = force > NO_LOAD * natural;
-    let degrees = |angle: f64| angle.to_degrees().rem_euclid(360.0);
+    // A remainder may round to the whole turn.
+    let degrees = |angle: f64| angle.to_degrees().rem_euclid(360.0) % 360.0;
     if directed {
         add("load_angle", "phi_W", degrees(load.angle()), "deg");
     }

@@ -9,6 +9,7 @@ use crate::spelling::nearest;
 use crate::unit::{self, Dimension};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
+use std::f64::consts::TAU;
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -17,6 +18,8 @@ use toml::de::{DeTable, DeValue};
 const MOST_COLLECTED: usize = 1000;
 /// Most tables of one list.
 const MOST_TABLES: usize = 1000;
+/// Angles beyond so many turns have lost their digits.
+const MOST_TURNS: f64 = 1e6;
 /// Longer keys, values and messages are cut [letters].
 const LONGEST_TOLD: usize = 600;
 
@@ -207,6 +210,11 @@ impl<'a> TableReader<'a> {
         let write = format!("write {key} = \"{example}\"");
         match self.take(key)? {
             DeValue::String(text) => match unit::parse(text, dimension) {
+                Ok(value) if dimension == Dimension::Angle && value.abs() > MOST_TURNS * TAU => self.complain(
+                    key,
+                    format!("is more than {MOST_TURNS} turns, whose digits hide where it points"),
+                    "give an angle from 0 to 360 deg",
+                ),
                 Ok(value) => return Some(value),
                 Err(error) => self.complain(key, error.to_string(), error.help(example)),
             },

@@ -8,7 +8,6 @@ use oilwedge_fem::linearisation::Route;
 use oilwedge_fem::newton;
 use oilwedge_mesh::quality::least_angle_of;
 use oilwedge_mesh::{Mesh, Quality, developed, gmsh};
-use oilwedge_reynolds::NoFilm;
 
 use crate::analysis::{NoAnswer, Solved, Witness};
 use crate::bars::Judged;
@@ -224,10 +223,20 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, Error> {
             Some(picture(&study, &solved.film, indicator.as_deref(), options.unrolled))
         }
         Err(reason) => {
-            if let NoAnswer::Film(NoFilm::NotConverged(failure))
-            | NoAnswer::Equilibrium(NoEquilibrium::Film(NoFilm::NotConverged(failure))) = &reason
-            {
-                result.history = history(failure.history());
+            match &reason {
+                NoAnswer::Film(film) | NoAnswer::Equilibrium(NoEquilibrium::Film(film)) => {
+                    result.history = history(film.history());
+                }
+                NoAnswer::Equilibrium(reason) => {
+                    let step = |(step, &residual): (usize, &f64)| HistoryStep {
+                        step,
+                        residual,
+                        active: 0,
+                    };
+                    result.history = (1..).zip(reason.history()).map(step).collect();
+                    result.counts.position_steps = reason.history().len();
+                }
+                NoAnswer::Heat(_) => {}
             }
             result.status = reason.status();
             result.reason = Some(reason.to_string());

@@ -329,7 +329,7 @@ cavitation = { model = "guembel" }
             "}\nload = { force = \"500 N\", angle = \"270 deg\" }",
         );
         let cases = [
-            (arc, [Some("bearing.arc is given"), None, None]),
+            (arc.clone(), [Some("bearing.arc is given"), None, None]),
             (
                 feed.to_owned() + &arc,
                 [Some("bearing.arc is given"), None, Some("there is a feed")],

@@ -44,6 +44,9 @@ pub(crate) fn complaints(scene: &Scene, marks: &Marks) -> Vec<Complaint> {
     checks.feeds(scene);
     checks.journal(&scene.journal);
     checks.oil(scene);
+    if checks.complaints.is_empty() {
+        checks.pressures(scene);
+    }
     checks.heat(scene);
     checks.cavitation(scene);
     checks.inlet(scene);

@@ -1,5 +1,6 @@
 //! Folders that cannot be written, are none, or go away. What the superuser may not write either is in `cli/files.rs`.
 
+use std::fs::OpenOptions;
 use std::os::unix::fs::{PermissionsExt, symlink};
 use std::process::{Command, Output};
 
@@ -113,6 +114,36 @@ fn links_in_the_place_of_files_are_replaced_or_followed() {
     bench.refuses(
         &["mesh", TWO[0], "-o", "/dev/full"],
         &["cannot write /dev/full", "No space left"],
+    );
+}
+
+/// Where nobody can read complaints and warnings, a run ends as it would.
+#[test]
+fn stderr_may_be_full() {
+    let bench = Bench::new();
+    two_scenes(&bench);
+    bench.write("bad.toml", "nonsense = 1");
+    let status = |arguments: &[&str]| {
+        let full = OpenOptions::new().write(true).open("/dev/full").expect("a device");
+        let mut command = oilwedge_command();
+        command.args(arguments).current_dir(bench.path()).stderr(full);
+        command.output().expect("it runs").status.code()
+    };
+    // Scene 01 is warned about.
+    bench.write("warned.toml", edited("01_plain_ring", &[]));
+    assert_eq!(status(&["solve", "warned.toml"]), Some(0));
+    for verb in ["solve", "check", "sweep", "converge"] {
+        assert_eq!(status(&[verb, "bad.toml"]), Some(2), "{verb}");
+    }
+}
+
+#[test]
+fn a_mesh_does_not_take_the_place_of_its_scene() {
+    let bench = Bench::new();
+    two_scenes(&bench);
+    bench.refuses(
+        &["mesh", TWO[0], "-o", TWO[0]],
+        &["--output", "is a file that the mesh is made of"],
     );
 }
 

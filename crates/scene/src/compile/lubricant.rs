@@ -6,7 +6,7 @@ use oilwedge_reynolds::lubricant::{Barus, Lubricant, PressureLaw, Roelands};
 use crate::scene::{self, BarusForm, RoelandsExponent};
 
 /// The oil at the temperature of the film.
-pub(super) fn lubricant(oil: &scene::Oil) -> Lubricant {
+pub(crate) fn lubricant(oil: &scene::Oil) -> Lubricant {
     let viscosity = oil.viscosity;
     let pressure_law = match oil.pressure_law {
         scene::PressureLaw::Constant => PressureLaw::Constant,
@@ -29,7 +29,7 @@ pub(super) fn lubricant(oil: &scene::Oil) -> Lubricant {
 }
 
 /// How its viscosity enters the equation.
-pub(super) fn form(oil: &scene::Oil) -> Form {
+pub(crate) fn form(oil: &scene::Oil) -> Form {
     match oil.pressure_law {
         scene::PressureLaw::Barus {
             alpha,

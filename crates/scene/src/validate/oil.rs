@@ -1,9 +1,11 @@
 //! Oils that there can be.
 
+use oilwedge_reynolds::Form;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_reynolds::lubricant::{TemperatureLaw, ThermalOil};
 
 use super::Checks;
+use crate::compile::{form, lubricant};
 use crate::scene::{PressureLaw, RoelandsExponent, Scene};
 use crate::wording::celsius;
 
@@ -11,6 +13,8 @@ use crate::wording::celsius;
 pub(super) const LIQUID: [f64; 2] = [ZERO_CELSIUS - 60.0, ZERO_CELSIUS + 350.0];
 /// Densities [kg/m3] of liquids that are used as oils.
 const DENSITIES: [f64; 2] = [500.0, 2500.0];
+/// A given pressure must be known from its reduced one to this part.
+const LOST: f64 = 1e-6;
 /// Greatest expansion [1/K] of one.
 const MOST_EXPANSION: f64 = 2e-3;
 
@@ -56,6 +60,28 @@ impl Checks<'_> {
                     }
                 }
             }
+        }
+    }
+
+    /// The equation is one of reduced pressures, all of which lie below the limit of the law; a pressure that rounding puts there is lost.
+    pub(super) fn pressures(&mut self, scene: &Scene) {
+        if form(&scene.oil) != Form::Conservative {
+            return;
+        }
+        let law = lubricant(&scene.oil).pressure_law;
+        let fed = scene.feeds.iter().enumerate();
+        let fed = fed.filter_map(|(index, feed)| Some((format!("feed[{index}].pressure"), feed.pressure?)));
+        for (key, pressure) in fed.chain([("ends.pressure".to_owned(), scene.ends.pressure)]) {
+            let told = law.pressure(law.reduced_pressure(pressure));
+            self.refuse_if(
+                pressure > 0.0 && !((told / pressure - 1.0).abs() <= LOST),
+                &key,
+                format!(
+                    "makes the oil {:.1e} times as viscous, so near to solid that rounding hides the pressure",
+                    law.viscosity_ratio(pressure)
+                ),
+                "give a lower pressure, or a law that grows slower (oil.roelands)",
+            );
         }
     }
 
@@ -155,6 +181,20 @@ impl Checks<'_> {
 #[cfg(test)]
 mod tests {
     use crate::validate::tests::{told, told_one};
+
+    #[test]
+    fn pressures_that_make_oil_solid_are_refused() {
+        let feed =
+            |pressure: &str, law: &str| format!("viscosity = \"0.02 Pa.s\"\n{law}\n[ends]\npressure = \"{pressure}\"");
+        let barus = "barus = { alpha = \"20 1/GPa\" }";
+        assert!(told(OIL, &feed("1 GPa", barus)).is_empty());
+        assert!(told(OIL, &feed("13 GPa", "")).is_empty());
+        told_one(
+            OIL,
+            &feed("2 GPa", barus),
+            "ends.pressure: makes the oil 2.4e17 times as viscous",
+        );
+    }
 
     const OIL: &str = "viscosity = \"0.4 Pa.s\"";
 

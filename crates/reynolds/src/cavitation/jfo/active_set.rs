@@ -131,7 +131,7 @@ impl<'a> Search<'a> {
         self.turns = vec![0; self.state.p.len()];
         let mut end = match self.iterate(pass, None) {
             // Oil that goes round in the cavity for ever, without a supply, is diluted by the N scheme only.
-            Err(Failure::Linear(_)) => End::Repeated,
+            Err(Failure::Linear { .. }) => End::Repeated,
             other => other?,
         };
         // Overdrawn nodes that calming their surroundings has not helped.
