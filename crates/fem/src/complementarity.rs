@@ -10,6 +10,8 @@
 use std::collections::HashSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
+use rayon::prelude::*;
+
 use crate::conservation_law::{ConservationLaw, Tangent};
 use crate::newton::{Failure, HistoryStep, STEP_TOLERANCE, Seconds, Solution};
 use crate::{Assembler, Constraints, Error, LinearSolver, Matrix};
@@ -224,6 +226,7 @@ fn wrong_signs(
     least: Meaningless,
 ) -> Vec<usize> {
     (0..u.len())
+        .into_par_iter()
         .filter(|&i| obstacle.candidates[i] && !constraints.fixed[i])
         .filter(|&i| match held[i] {
             true => {

@@ -62,7 +62,8 @@ impl Multigrid {
     /// # Errors
     /// [`Error::NotFinite`] or [`Error::NotPositiveDefinite`].
     pub(crate) fn new(between: Arc<LinearProlongation>, matrix: &Matrix, fixed: &[bool]) -> Result<Self, Error> {
-        let greatest = (0..fixed.len()).map(|i| matrix.diagonal(i)).fold(0.0, f64::max);
+        let diagonal = (0..fixed.len()).into_par_iter().map(|i| matrix.diagonal(i));
+        let greatest = diagonal.reduce(|| 0.0, f64::max);
         let scale = 1.0 / greatest;
         if !scale.is_finite() || matrix.values.par_iter().any(|value| !value.is_finite()) {
             return Err(Error::NotFinite { what: "matrix" });

@@ -6,6 +6,8 @@
 
 use std::sync::{Arc, OnceLock};
 
+use rayon::prelude::*;
+
 use crate::conjugate_gradients::{Ending, conjugate_gradients};
 use crate::factorization::LazyAnalysis;
 use crate::{Constraints, Error, Factorization, Linearisation, Matrix, Prolongation};
@@ -82,7 +84,7 @@ impl Nested {
         enough: f64,
     ) -> Result<Option<Vec<f64>>, Error> {
         // Zero at given dofs, so that nothing comes from there.
-        let inverse: Vec<f64> = (constraints.fixed.iter().enumerate())
+        let inverse: Vec<f64> = (constraints.fixed.par_iter().enumerate())
             .map(|(i, &fixed)| if fixed { 0.0 } else { 1.0 / matrix.diagonal(i) })
             .collect();
         let first = constraints.free_norm(b);

@@ -11,6 +11,7 @@ use oilwedge_fem::{Field, Space, lagrange};
 use oilwedge_mesh::coarsen;
 use oilwedge_mesh::developed::Liner;
 use oilwedge_mesh::locate::Locator;
+use rayon::prelude::*;
 
 use crate::film_thickness::FilmContribution;
 use crate::supply::{Place, SupplyRegion};
@@ -53,7 +54,7 @@ impl Coarser {
             .map(|contribution| contribution.carried(&coarse.parents))
             .collect();
         let locator = Locator::new(space.mesh());
-        let places = (fine.space().positions().into_iter())
+        let places = (fine.space().positions().into_par_iter())
             .map(|position| locator.nearest(position))
             .map(|place| place.map(|(triangle, point)| (triangle as u32, point)))
             .collect::<Option<_>>()?;
