@@ -331,7 +331,7 @@ cavitation = { model = "guembel" }
         let cases = [
             (arc.clone(), [Some("bearing.arc is given"), None, None]),
             (
-                feed.to_owned() + &arc,
+                feed.replacen("20 deg", "150 deg", 1) + &arc,
                 [Some("bearing.arc is given"), None, Some("there is a feed")],
             ),
             (loaded, [None, None, Some("no line of the bearing has a pressure")]),
