@@ -100,7 +100,7 @@ pub fn count(names: &[String], long: bool) -> Result<usize, SuiteError> {
 }
 
 /// Runs the cases of the families asked for (all if none is named), those that take `long` among them or not, and tells each
-/// case as it ends: as many series at once as there are threads, then those that take long, each on all threads. The
+/// case as it ends: those that take long first, each on all threads, then as many series at once as there are threads. The
 /// verdicts come in the order of the files.
 ///
 /// # Errors
@@ -111,14 +111,13 @@ pub fn run_suite(names: &[String], long: bool, ended: &mut dyn FnMut(&Verdict)) 
     let mut told = |verdicts: &Vec<Verdict>| verdicts.iter().for_each(&mut *ended);
     let (long, short): (Vec<usize>, Vec<usize>) = (0..all.len()).partition(|&place| all[place].series.long);
     let piece = |place: usize| (place, judged(&all[place], folder.path(), place));
-    let mut found: Vec<_> = in_threads(short.len(), |k| piece(short[k]), &mut |(_, verdicts)| told(verdicts))?
-        .into_iter()
-        .map(|(_, found)| found)
-        .collect();
+    let mut found = Vec::new();
     for place in long {
         found.push(piece(place));
         found.last().into_iter().for_each(|(_, verdicts)| told(verdicts));
     }
+    let others = in_threads(short.len(), |k| piece(short[k]), &mut |(_, verdicts)| told(verdicts))?;
+    found.extend(others.into_iter().map(|(_, found)| found));
     found.sort_by_key(|(place, _)| *place);
     Ok(found.into_iter().flat_map(|(_, verdicts)| verdicts).collect())
 }
