@@ -48,7 +48,7 @@ fn scene(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene {
     };
     let heat = root.table_if_given("heat").map(heat::read);
     let engine = heat.and_then(|heat| heat.engine);
-    let scene = Scene {
+    let mut scene = Scene {
         title: root
             .text_if_given("title", "Plain journal bearing")
             .unwrap_or_else(stem),
@@ -78,6 +78,8 @@ fn scene(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene {
         sha256: String::new(),
     };
     root.finish();
+    let theory = scene.bearing.theory;
+    scene.tolerance = scene.tolerance.map(|tolerance| tolerance.suited(theory));
     scene
 }
 

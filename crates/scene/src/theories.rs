@@ -184,6 +184,7 @@ fn other(scene: &Scene, theory: Theory, options: &RunOptions) -> TheoryFilm {
 fn by(scene: &Scene, theory: Theory) -> (Scene, Option<f64>) {
     let mut scene = scene.clone();
     scene.bearing.theory = theory;
+    scene.tolerance = scene.tolerance.map(|tolerance| tolerance.suited(theory));
     if theory != Theory::Long {
         return (scene, None);
     }

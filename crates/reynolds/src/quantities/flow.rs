@@ -60,6 +60,8 @@ pub struct Flows {
 
 /// A throughput below this part of the flow that the film could have is rounding.
 pub(super) const STILL: f64 = 1e-10;
+/// What is out of balance is told as a part of this part of that flow at least: where oil only goes round, next to none comes and leaves.
+const HARDLY: f64 = 1e-6;
 
 /// Flow [m3/s] that speed, squeeze or given pressures would drive through the clearance.
 pub(super) fn natural_flow(problem: &FilmProblem, system: &FilmSystem) -> f64 {
@@ -112,9 +114,10 @@ pub fn flows(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) ->
     let taken_up = taken_up(problem, system, film);
     let throughput = regions.iter().map(|region| region.inward).sum::<f64>() + cavity.max(0.0) + (-taken_up).max(0.0);
     let net: f64 = regions.iter().map(|region| region.net).sum();
+    let natural = natural_flow(problem, system);
     Flows {
-        imbalance: if throughput > STILL * natural_flow(problem, system) {
-            ((net + cavity - taken_up) / throughput).abs()
+        imbalance: if throughput > STILL * natural {
+            ((net + cavity - taken_up) / throughput.max(HARDLY * natural)).abs()
         } else {
             0.0
         },

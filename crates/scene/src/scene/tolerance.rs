@@ -1,7 +1,11 @@
 //! How wrong the numbers of a scene may be: the mesh is refined until their error bars are small enough.
 
+use super::Theory;
+
 /// Bar of the load, or of the eccentricity under a load, where a scene gives neither a mesh nor a tolerance [1].
 const DEFAULT: f64 = 0.005;
+/// That of short bearings, whose films take milliseconds [1].
+const SHORT: f64 = 0.001;
 
 /// Which error bars must become how small.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,5 +38,14 @@ impl Tolerance {
     /// That of a scene with neither a mesh file nor a size nor a tolerance.
     pub fn where_nothing_is_given(under_load: bool) -> Self {
         Self::of_main_quantity(DEFAULT, under_load, false)
+    }
+
+    /// The same for a bearing of this theory, if it is not given.
+    pub fn suited(mut self, theory: Theory) -> Self {
+        let usual = if theory == Theory::Short { SHORT } else { DEFAULT };
+        for target in self.targets.iter_mut().filter(|_| !self.is_given) {
+            target.relative = usual;
+        }
+        self
     }
 }
