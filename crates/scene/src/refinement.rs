@@ -38,6 +38,8 @@ const TIME_EXPONENT: f64 = 1.2;
 /// Tolerances of what is less than this part of what it could be count against that part: loads against those that the pressures
 /// could carry, the eccentricity against the clearance.
 const LEAST: f64 = 1e-3;
+/// Heat left over beyond this part of the friction is no balance.
+const UNBALANCED: f64 = 1e-6;
 /// Most meshes.
 const MOST_LEVELS: usize = 30;
 
@@ -78,6 +80,16 @@ pub fn answer(scene: &Scene, options: &RunOptions) -> Result<Answer, CompileErro
 
 /// Why a position under a load, or a temperature, is only that which the search had reached, if so.
 pub(crate) fn ended(solved: &Solved, options: &RunOptions) -> Option<String> {
+    if let Some(found) = solved
+        .heat
+        .as_ref()
+        .filter(|found| !found.is_ended && found.left_over() > UNBALANCED)
+    {
+        return Some(format!(
+            "not converged: the film jumps as its temperature changes, and friction and heat carried off still differ by {:.1e} of the friction; give another mesh ([mesh] size)",
+            found.left_over()
+        ));
+    }
     let of_heat = solved.heat.as_ref().filter(|found| found.is_ended);
     let of_position = solved.balance.filter(|balance| balance.is_ended);
     let reached = match (of_heat, of_position) {

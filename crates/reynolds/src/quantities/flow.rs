@@ -87,13 +87,15 @@ pub fn flows(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) ->
         .collect();
     let mut cavity = 0.0_f64;
     let beside = edge::made_beside(problem, system, film);
-    let only_loses = |region: usize| match problem.cavitation {
-        Cavitation::Guembel { pressure } => system.supply.regions()[region].pressure <= pressure,
-        _ => false,
+    let dropped = match problem.cavitation {
+        Cavitation::Guembel { pressure } => pressure,
+        _ => f64::NEG_INFINITY,
     };
+    let given = system.supply.regions().iter();
+    let only_loses: Vec<bool> = given.map(|region| region.pressure <= dropped).collect();
     for (dof, (&inflow, beside)) in film.inflow.iter().zip(&beside).enumerate() {
         match system.supply.owner(dof) {
-            Some(region) if only_loses(region) => {
+            Some(region) if only_loses[region] => {
                 regions[region].add(inflow.min(0.0));
                 cavity += inflow.max(0.0);
             }

@@ -61,6 +61,8 @@ pub(super) struct Films<'a> {
     numbers: Vec<(f64, Vec<Quantity>)>,
     /// Films solved.
     solved: usize,
+    /// True where the forms of a mass-conserving film were still changing at the balance.
+    is_restless: bool,
 }
 
 /// A film, and the study as it was there.
@@ -86,6 +88,7 @@ impl<'a> Films<'a> {
             best: None,
             numbers: Vec::new(),
             solved: 0,
+            is_restless: false,
         }
     }
 
@@ -174,13 +177,15 @@ impl<'a> Films<'a> {
             let kept = self.best.take();
             match self.tried(found.temperature, Film::Chosen, kept.as_ref()) {
                 Ok(chosen) if chosen.surplus.abs() > BALANCED * chosen.film.power.abs() => self.best = Some(chosen),
-                // At rest; and where the choice fails the film before stands.
-                _ => {
+                // Where the choice fails the film before stands.
+                chosen => {
                     self.best = kept;
+                    self.is_restless = chosen.is_err();
                     return Ok(found);
                 }
             }
         }
+        self.is_restless = true;
         let near = self.find(found.temperature, BALANCED, Film::Kept)?;
         Ok(or_slope(near, found.slope))
     }
@@ -273,7 +278,10 @@ pub(crate) fn solve(
         Err(_) => HashMap::new(),
     };
     let Films {
-        best, solved: asked, ..
+        best,
+        solved: asked,
+        is_restless,
+        ..
     } = films;
     let is_ended = matches!(
         found,
@@ -292,6 +300,10 @@ pub(crate) fn solve(
     study.heat_to(best.temperature);
     study.problem = best.problem;
     let mut solved = best.solved;
+    if is_restless {
+        let told = "the forms by which oil is carried did not come to rest at the balanced temperature: those chosen near it are kept";
+        solved.film.fallbacks.push(told.to_owned());
+    }
     solved.heat = Some(HeatFound {
         balanced: Balanced {
             films: asked,
