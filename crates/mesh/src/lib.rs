@@ -42,6 +42,7 @@ pub mod raw;
 pub mod refine;
 pub mod region;
 pub mod rim;
+mod size_tree;
 pub mod topology;
 
 pub use circle::Circle;

@@ -52,6 +52,28 @@ pub fn needle_share(mesh: &Mesh, aspect: f64) -> f64 {
     (0..cells).filter(|&t| is_needle(t)).count() as f64 / cells as f64
 }
 
+/// Share of the area in triangles without an edge along x: oil that is carried along x spreads across them.
+pub fn share_across_flow(mesh: &Mesh) -> f64 {
+    let (mut across, mut whole) = (0.0, 0.0);
+    for t in 0..mesh.triangles().len() {
+        let corners = mesh.corners(t);
+        let area = doubled_area(corners);
+        whole += area;
+        if !follows_flow(corners) {
+            across += area;
+        }
+    }
+    across / whole
+}
+
+/// True if an edge of the triangle lies along x: its ends differ by little of the extent of the triangle across the flow.
+fn follows_flow(corners: [[f64; 2]; 3]) -> bool {
+    const LITTLE: f64 = 0.1;
+    let z = corners.map(|corner| corner[1]);
+    let (low, high) = (z[0].min(z[1]).min(z[2]), z[0].max(z[1]).max(z[2]));
+    (0..3).any(|k| (z[k] - z[(k + 1) % 3]).abs() < LITTLE * (high - low))
+}
+
 impl Quality {
     /// Measures `mesh`.
     pub fn of(mesh: &Mesh) -> Self {

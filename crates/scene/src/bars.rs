@@ -35,6 +35,8 @@ pub struct Judged {
     pub indicator: Option<Vec<f64>>,
     /// True if triangles should be divided where the error comes from, rather than all of them.
     pub is_local: bool,
+    /// Oil that triangles may carry across the flow, over what the journal drags through the clearance.
+    pub spread: f64,
     /// Seconds that measuring and judging took.
     pub seconds: f64,
 }
@@ -47,6 +49,7 @@ impl Judged {
             quantities,
             indicator: None,
             is_local: false,
+            spread: 0.0,
             seconds: 0.0,
         }
     }
@@ -114,6 +117,7 @@ fn judge_by_cubic(study: &Study, solved: &Solved, cubic: &FilmSolution) -> Judge
         quantities: list,
         measured,
         is_local: load.front > load.discretisation,
+        spread: 0.0,
         indicator: Some(error.indicator()),
         seconds: 0.0,
     }
@@ -157,6 +161,7 @@ pub(crate) fn of_few(study: &Study, bar: Bar) -> Bar {
     Bar {
         discretisation: wider * bar.discretisation,
         front: wider * bar.front,
+        transport: wider * bar.transport,
         ..bar
     }
 }
@@ -168,6 +173,7 @@ pub(crate) fn set(quantity: &mut Quantity, bar: Option<Bar>) {
     quantity.error_parts = bar.map(|bar| ErrorParts {
         discretisation: bar.discretisation,
         front: bar.front,
+        transport: bar.transport,
         geometry: bar.geometry,
         nonlinear: bar.nonlinear,
         algebra: bar.algebra,

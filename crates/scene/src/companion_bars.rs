@@ -41,6 +41,7 @@ pub(crate) fn judge(study: &Study, solved: &Solved, companion: &FilmSolution) ->
     }
     Judged {
         indicator: Some(error.indicator),
+        spread: error.spread,
         ..Judged::without_bars(list, measured)
     }
 }

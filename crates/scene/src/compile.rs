@@ -31,7 +31,7 @@ use oilwedge_reynolds::terms::{Couette, Poiseuille, Squeeze, Term};
 use oilwedge_reynolds::{Bearing, Cavitation, FilmProblem, FilmSystem, JournalState, Theory};
 
 use crate::joint::share_per_force;
-use crate::liner_mesh::{liner_mesh, suited};
+use crate::liner_mesh::{LinerMesh, liner_mesh, suited};
 use crate::report::Effects;
 use crate::run::DEGREE;
 use crate::scene::{self, CavitationModel, Scene};
@@ -63,6 +63,8 @@ pub struct Study {
     pub mesh_sha256: String,
     /// Edge flips that made the mesh one for a mass-conserving film.
     pub flips: usize,
+    /// True if the triangles are not those of the mesh file: they were laid anew in rows along the flow.
+    pub is_laid_anew: bool,
     /// Seconds by part: reading or drawing the mesh, if that was done; numbering, pattern and analysis.
     pub seconds: Vec<(&'static str, f64)>,
 }
@@ -162,12 +164,20 @@ pub fn compile(scene: &Scene) -> Result<Study, CompileError> {
 /// As [`compile`].
 pub fn compile_near(scene: &Scene, near: (f64, f64)) -> Result<Study, CompileError> {
     let start = Instant::now();
-    let (mesh, mesh_sha256) = liner_mesh(scene, near)?;
+    let LinerMesh {
+        mesh,
+        sha256: mesh_sha256,
+        is_laid_anew,
+    } = liner_mesh(scene, near)?;
     let read = start.elapsed().as_secs_f64();
     let mut study = compile_on(scene, mesh, near, DEGREE)?;
     let part = if scene.mesh.path().is_some() { "read" } else { "mesh" };
     study.seconds.insert(0, (part, read));
-    Ok(Study { mesh_sha256, ..study })
+    Ok(Study {
+        mesh_sha256,
+        is_laid_anew,
+        ..study
+    })
 }
 
 /// The same on a mesh that is at hand, with a pressure of the given degree (1 or 2) and the journal at the position `near`.
@@ -212,6 +222,7 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, near: (f64, f64), degree: usize) ->
         supply_pressure: supply_pressure(scene),
         mesh_sha256: String::new(),
         flips,
+        is_laid_anew: false,
         seconds: vec![("order", start.elapsed().as_secs_f64())],
     })
 }

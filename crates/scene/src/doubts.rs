@@ -20,7 +20,7 @@ pub fn warnings(study: &Study, measured: &Measured) -> Vec<String> {
 
 /// The same where error bars tell how well the mesh resolves the film.
 pub(crate) fn warnings_beside_bars(study: &Study, measured: &Measured) -> Vec<String> {
-    let mut warnings: Vec<String> = [flips(study), theory(study), closure(study, measured)]
+    let mut warnings: Vec<String> = [laid_anew(study), flips(study), theory(study), closure(study, measured)]
         .into_iter()
         .flatten()
         .collect();
@@ -55,6 +55,13 @@ fn steepest_cell(study: &Study) -> f64 {
             thickness.iter().copied().fold(0.0, f64::max) / least
         })
         .fold(1.0, f64::max)
+}
+
+/// That the triangles of the result are not those of the file.
+pub(crate) fn laid_anew(study: &Study) -> Option<String> {
+    study.is_laid_anew.then(|| {
+        "the triangles of the mesh file do not follow the flow, along which model = \"jfo\" carries oil: the film was meshed anew in rows along the flow with the file's geometry and edge lengths; layout = \"file\" under [mesh] keeps the triangles of the file".to_owned()
+    })
 }
 
 /// That the mesh of the result is not quite that of the file.

@@ -1,13 +1,14 @@
 //! The mesh of a scene's liner: from its file, or drawn from what the scene says.
 
 use oilwedge_mesh::developed::{self, Liner};
-use oilwedge_mesh::generate::{Blueprint, DrawingError, Feature, Shape, generate};
+use oilwedge_mesh::generate::{Blueprint, DrawingError, Feature, Rows, Shape, generate, generate_in_rows, generate_in_rows_like};
+use oilwedge_mesh::quality::share_across_flow;
 use oilwedge_mesh::{Circle, Mesh, flip, gmsh, rim};
 use oilwedge_reynolds::supply::line_at_angle;
 use sha2::{Digest, Sha256};
 
 use crate::compile::CompileError;
-use crate::scene::{CavitationModel, Feed, MeshSource, Scene};
+use crate::scene::{CavitationModel, Feed, Layout, MeshSource, Scene};
 
 /// Longest edges of a mesh without a wanted size, over those that resolve the film's scale: two halvings.
 const FINENESS: f64 = 0.25;
@@ -17,22 +18,53 @@ const ON_RIM: f64 = 1e-3;
 /// Edges along the axis, at least, of a mesh without a wanted size.
 const ACROSS: f64 = 4.0;
 
-/// The mesh of the liner with round rims on their circles, and the SHA-256 of its file or, drawn, of its vertices and
-/// triangles. A mesh made here is graded for the film of the position `near`: eccentricity [1], angle of its minimum [rad].
+/// The mesh of a liner, and where it comes from.
+pub struct LinerMesh {
+    /// The mesh, with round rims on their circles.
+    pub mesh: Mesh,
+    /// SHA-256 of its file or, drawn, of its vertices and triangles.
+    pub sha256: String,
+    /// True if the triangles are not those of the file: they were laid anew in rows along the flow.
+    pub is_laid_anew: bool,
+}
+
+/// A mesh of which so much of the area lies in triangles without an edge along the flow carries oil across it.
+const ACROSS_FLOW: f64 = 0.5;
+
+/// The mesh of the liner. A mesh made here is graded for the film of the position `near`: eccentricity [1], angle of its
+/// minimum [rad]. Where oil is conserved the triangles lie in rows along the flow; those of a file that do not are laid anew, as long as the edges
+/// are there, unless the scene keeps them or its features are none that can be drawn.
 ///
 /// # Errors
 /// The file is unreadable, defective or not that of the scene; the liner described cannot be meshed.
-pub fn liner_mesh(scene: &Scene, near: (f64, f64)) -> Result<(Mesh, String), CompileError> {
+pub fn liner_mesh(scene: &Scene, near: (f64, f64)) -> Result<LinerMesh, CompileError> {
     match &scene.mesh {
-        MeshSource::File { path, unit, size } => {
+        MeshSource::File {
+            path,
+            unit,
+            size,
+            layout,
+        } => {
             let bytes = gmsh::read_bytes(path)?;
             let mesh = from_file(scene, &bytes, *unit).map_err(|error| error.in_file(path))?;
             check_grooves(scene, &mesh)?;
-            let mesh = match size {
-                Some(size) => meshed_anew(scene, &mesh, *size, near).map_err(CompileError::Drawing)?,
-                None => mesh,
+            let in_rows = match (size, layout) {
+                (None, Layout::Rows) if conserves_oil(scene) && share_across_flow(&mesh) > ACROSS_FLOW => {
+                    let blueprint = blueprint_of(scene, &mesh);
+                    blueprint.and_then(|blueprint| generate_in_rows_like(&blueprint, &mesh)).ok()
+                }
+                _ => None,
             };
-            Ok((mesh, hexadecimal(Sha256::digest(&bytes))))
+            let is_laid_anew = in_rows.is_some();
+            let mesh = match (size, in_rows) {
+                (Some(size), _) => meshed_anew(scene, &mesh, *size, near).map_err(CompileError::Drawing)?,
+                (None, in_rows) => in_rows.unwrap_or(mesh),
+            };
+            Ok(LinerMesh {
+                mesh,
+                sha256: hexadecimal(Sha256::digest(&bytes)),
+                is_laid_anew,
+            })
         }
         MeshSource::Drawing { size } => {
             let mesh = drawn(scene, *size, near).map_err(CompileError::Drawing)?;
@@ -43,16 +75,23 @@ pub fn liner_mesh(scene: &Scene, near: (f64, f64)) -> Result<(Mesh, String), Com
             for vertex in mesh.triangles().iter().flatten() {
                 hash.update(vertex.to_le_bytes());
             }
-            Ok((mesh, hexadecimal(hash.finalize())))
+            Ok(LinerMesh {
+                mesh,
+                sha256: hexadecimal(hash.finalize()),
+                is_laid_anew: false,
+            })
         }
     }
+}
+
+fn conserves_oil(scene: &Scene) -> bool {
+    scene.cavitation.is_some_and(|it| it.model == CavitationModel::Jfo)
 }
 
 /// The mesh as the model of cavitation needs it, and how many edges were flipped for it: a film that conserves its oil is
 /// computed on Delaunay meshes. The line of the film start stays.
 pub(crate) fn suited(scene: &Scene, mesh: Mesh) -> (Mesh, usize) {
-    let conserving = scene.cavitation.is_some_and(|it| it.model == CavitationModel::Jfo);
-    if !conserving {
+    if !conserves_oil(scene) {
         return (mesh, 0);
     }
     let bearing = &scene.bearing;
@@ -156,6 +195,11 @@ fn feature(scene: &Scene, feed: &Feed) -> Option<Feature> {
 
 /// The geometry of a file, meshed as the film needs it.
 fn meshed_anew(scene: &Scene, mesh: &Mesh, size: f64, near: (f64, f64)) -> Result<Mesh, Vec<DrawingError>> {
+    graded(scene, &blueprint_of(scene, mesh)?, size, near)
+}
+
+/// The drawing of a mesh file's geometry.
+fn blueprint_of(scene: &Scene, mesh: &Mesh) -> Result<Blueprint, Vec<DrawingError>> {
     let (described, shown): (Vec<&Feed>, Vec<&Feed>) =
         (scene.feeds.iter()).partition(|feed| shape(scene, feed).is_some());
     let names: Vec<&str> = shown.iter().map(|feed| feed.group.as_str()).collect();
@@ -166,14 +210,46 @@ fn meshed_anew(scene: &Scene, mesh: &Mesh, size: f64, near: (f64, f64)) -> Resul
     blueprint
         .features
         .extend(described.into_iter().filter_map(|feed| feature(scene, feed)));
-    graded(scene, &blueprint, size, near)
+    Ok(blueprint)
 }
 
 /// Edges of at most `longest` [m], shorter where the film is thin.
 fn graded(scene: &Scene, blueprint: &Blueprint, longest: f64, near: (f64, f64)) -> Result<Mesh, Vec<DrawingError>> {
     let radius = scene.bearing.radius();
-    generate(blueprint, &|[x, _]| longest * film_scale(near, x / radius) / LONGEST)
+    let size = |x: f64| longest * film_scale(near, x / radius) / LONGEST;
+    match scene.cavitation {
+        Some(cavitation) if cavitation.model == CavitationModel::Jfo => {
+            let spacing = spacing(&blueprint.liner, &size);
+            let enters = scene.ends.pressure > cavitation.pressure;
+            let half = 0.5 * scene.bearing.length;
+            let across = |z: f64| match enters {
+                true => spacing.min(AT_END * spacing + TOWARDS_END * (half - z.abs())),
+                false => spacing,
+            };
+            let (along, across) = (&size, &across);
+            generate_in_rows(blueprint, &Rows { along, across })
+        }
+        _ => generate(blueprint, &|[x, _]| size(x)),
+    }
 }
+
+/// Distance [m] of rows along the flow that have as many nodes as equilateral triangles of `size` [m] at x.
+fn spacing(liner: &Liner, size: &dyn Fn(f64) -> f64) -> f64 {
+    const SAMPLES: u32 = 720;
+    let (from, to) = liner.arc.unwrap_or((0.0, std::f64::consts::TAU));
+    let (mut columns, mut triangles) = (0.0, 0.0);
+    for k in 0..SAMPLES {
+        let angle = from + (to - from) * (f64::from(k) + 0.5) / f64::from(SAMPLES);
+        let edge = size(liner.radius * angle);
+        columns += 1.0 / edge;
+        triangles += 1.0 / (edge * edge);
+    }
+    0.75f64.sqrt() * columns / triangles
+}
+
+/// Rows at ends through which oil enters the cavity, over those far from them, and how fast they grow with the distance.
+const AT_END: f64 = 0.3;
+const TOWARDS_END: f64 = 0.2;
 
 /// Bounds of the size that resolves the film, in radii.
 const LONGEST: f64 = 0.6;

@@ -130,6 +130,7 @@ fn towards(scene: &Scene, targets: &[Target], options: &RunOptions) -> Result<An
     let mut next = Next::first(scene);
     let mut levels: Vec<LevelFacts> = Vec::new();
     let mut best: Option<Best> = None;
+    let mut is_laid_anew = false;
     loop {
         let start = Instant::now();
         let (refinement, mut study) = match (next.study(scene, patience), best.take()) {
@@ -140,6 +141,9 @@ fn towards(scene: &Scene, targets: &[Target], options: &RunOptions) -> Result<An
             (Err(reason), Some(best)) => return Ok(last_resort(best, levels, &reason)),
             (Err(reason), None) => return Err(reason),
         };
+        // What a mesh was made of is known of those divided from it too.
+        is_laid_anew |= study.is_laid_anew;
+        study.is_laid_anew = is_laid_anew;
         let outcome = solved(&mut study, true, patience);
         if let Err(reason) = &outcome
             && reason.is_near_limit()

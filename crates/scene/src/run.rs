@@ -8,6 +8,7 @@ use oilwedge_fem::linearisation::Route;
 use oilwedge_fem::newton;
 use oilwedge_mesh::quality::least_angle_of;
 use oilwedge_mesh::{Mesh, Quality, developed, gmsh};
+use oilwedge_reynolds::error_bar::conserving::MOST_SPREAD;
 
 use crate::analysis::{NoAnswer, Solved, Witness};
 use crate::bars::Judged;
@@ -272,7 +273,12 @@ fn report(study: &Study, solved: &Solved, judged: Judged, result: &mut RunResult
         true => warnings_beside_bars(study, &judged.measured),
         false => warnings(study, &judged.measured),
     };
-    if result.bars && !bare.is_empty() && !solved.is_ended() {
+    if judged.spread > MOST_SPREAD {
+        result.warnings.push(format!(
+            "the triangles do not follow the flow and spread {:.0} % of the oil that the journal carries across it: the film is not resolved at any size; mesh it in rows along the flow (remove layout = \"file\", or give size under [mesh])",
+            100.0 * judged.spread
+        ));
+    } else if result.bars && !bare.is_empty() && !solved.is_ended() {
         let told = "this mesh does not resolve the film well enough for an error bar of";
         let way_out = "give a finer one ([mesh] size or tolerance)";
         result.warnings.push(format!("{told} {}; {way_out}", bare.join(", ")));
@@ -338,6 +344,7 @@ pub fn check_scene(scene: &Scene) -> Result<CheckReport, Error> {
         .map(|axis| (axis.heading(), axis.values.len()))
         .collect();
     report.effects = Some(study.effects.clone());
+    report.warnings.extend(crate::doubts::laid_anew(&study));
     report.warnings.extend(crate::doubts::flips(&study));
     let free = |dof: &usize| study.system.supply.owner(*dof).is_none();
     report.cost = Some(Cost {
@@ -361,7 +368,7 @@ pub fn check_mesh(path: &Path) -> Result<CheckReport, Error> {
 /// # Errors
 /// [`Error::Compile`] where the mesh cannot be read or made.
 pub fn mesh_scene(scene: &Scene) -> Result<Mesh, Error> {
-    Ok(liner_mesh(scene, scene.start())?.0)
+    Ok(liner_mesh(scene, scene.start())?.mesh)
 }
 
 /// Writes a mesh as a gmsh 4.1 file, whole or not at all. Through a link the file is replaced that it leads to; what is no plain file

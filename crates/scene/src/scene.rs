@@ -113,12 +113,24 @@ pub enum MeshSource {
         unit: f64,
         /// Longest edges wanted [m] where its geometry is meshed anew; `None`: the mesh is used as it is.
         size: Option<f64>,
+        /// Where the triangles of a mass-conserving film lie.
+        layout: Layout,
     },
     /// The liner that the scene describes is meshed.
     Drawing {
         /// Longest edges wanted [m]; `None`: as the film needs.
         size: Option<f64>,
     },
+}
+
+/// Where the triangles of a mesh file lie if the film conserves oil, which is carried along the flow.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Layout {
+    /// In rows along the flow: laid anew where those of the file are not.
+    #[default]
+    Rows,
+    /// Where they lie in the file.
+    File,
 }
 
 impl MeshSource {

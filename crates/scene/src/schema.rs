@@ -13,7 +13,9 @@ pub use oil::ROELANDS_REFERENCE_PRESSURE;
 
 use crate::complaint::Complaint;
 use crate::reader::{Collector, Marks, TableReader};
-use crate::scene::{Arc, Bearing, Cavitation, CavitationModel, Ends, Engine, MeshSource, Scene, Theory, Tolerance};
+use crate::scene::{
+    Arc, Bearing, Cavitation, CavitationModel, Ends, Engine, Layout, MeshSource, Scene, Theory, Tolerance,
+};
 use crate::sweep::Plan;
 use crate::unit::{self, Dimension};
 use std::path::Path;
@@ -135,6 +137,14 @@ fn mesh(mut table: TableReader<'_>, scene: &Path, under_load: bool) -> (MeshSour
             "remove unit, or give the file",
         );
     }
+    let layout = table.word_if_given("layout", &[("rows", Layout::Rows), ("file", Layout::File)]);
+    if layout.is_some() && (!table.has("file") || size.is_some()) {
+        table.complain(
+            "layout",
+            "has a meaning for a mesh file that is used as it is",
+            "remove layout, or give the file without size",
+        );
+    }
     let tolerance = tolerance::read(&mut table, under_load);
     let described = !table.has("file");
     let is_bare = described && !table.has("size") && !table.has("tolerance");
@@ -149,6 +159,7 @@ fn mesh(mut table: TableReader<'_>, scene: &Path, under_load: bool) -> (MeshSour
             path: scene.parent().unwrap_or(Path::new("")).join(file.unwrap_or_default()),
             unit: unit.unwrap_or(1.0),
             size,
+            layout: layout.unwrap_or_default(),
         },
     };
     (source, tolerance)

@@ -6,18 +6,23 @@
 
 mod assemble;
 mod drawing;
+mod like;
 mod outline;
 mod recognise;
+mod rows;
 mod shape;
 mod size;
 mod triangulate;
 
 pub use drawing::{Blueprint, DrawingError};
+pub use like::generate_in_rows_like;
+pub use rows::Rows;
 pub use shape::{Feature, Shape};
 
 use assemble::raw_mesh;
 use drawing::{faults, gaps, placed, seam_place};
-use outline::Sheet;
+use outline::{Cutting, Sheet};
+use rows::Grid;
 use size::SizeField;
 use triangulate::{Domain, triangulate};
 
@@ -33,40 +38,103 @@ const EQUILATERAL_AREA: f64 = 0.433_012_701_892_219_3;
 /// # Errors
 /// Every fault of the drawing, or that it cannot be meshed at this size.
 pub fn generate(blueprint: &Blueprint, size: &dyn Fn([f64; 2]) -> f64) -> Result<Mesh, Vec<DrawingError>> {
-    let blueprint = &placed(blueprint);
-    let faults = faults(blueprint);
-    if !faults.is_empty() {
-        return Err(faults);
-    }
-    let start = seam_place(blueprint);
-    let sheet = Sheet::of(&blueprint.liner, start);
+    let blueprint = &checked(blueprint)?;
+    let sheet = Sheet::of(&blueprint.liner, seam_place(blueprint));
     let gaps = gaps(blueprint, &sheet);
-    // Two edges at least across the liner, and four along a short arc.
-    let widest = (0.5 * sheet.length).min(0.25 * sheet.width);
+    let widest = widest(&sheet);
     let size = &|point: [f64; 2]| size(point).min(widest);
     let field = SizeField::new(size, sheet.period(), &blueprint.features, &gaps);
-    check_size(&sheet, &blueprint.features, &field).map_err(|fault| vec![fault])?;
-    let outline = outline::outline(&sheet, &blueprint.features, &field);
     let domain = Domain {
         sheet,
         features: &blueprint.features,
         size: &field,
     };
-    let triangles = triangulate(&domain, &outline).ok_or_else(|| {
-        let size = size([sheet.start, 0.0]);
+    check_size(&domain, None)?;
+    meshed(&domain, None, &[])
+}
+
+/// Meshes a liner in rows along the flow, as far apart as `rows` says; features refine it further.
+///
+/// # Errors
+/// Every fault of the drawing, or that it cannot be meshed at this size.
+pub fn generate_in_rows(blueprint: &Blueprint, rows: &Rows) -> Result<Mesh, Vec<DrawingError>> {
+    let blueprint = &checked(blueprint)?;
+    let sheet = Sheet::of(&blueprint.liner, seam_place(blueprint));
+    let gaps = gaps(blueprint, &sheet);
+    let widest = widest(&sheet);
+    let along = |x: f64| (rows.along)(x).min(widest);
+    let across = |z: f64| (rows.across)(z).min(widest);
+    let wanted = Rows {
+        along: &along,
+        across: &across,
+    };
+    let size = |point: [f64; 2]| wanted.size(point);
+    // Towards grooves all around the rows draw nearer to each other; towards all else triangles become smaller.
+    let is_band = |feature: &Feature| feature.shape.is_full_turn();
+    let [bands, others] = [true, false].map(|band| {
+        let pairs = blueprint.features.iter().zip(&gaps);
+        pairs
+            .filter(|(feature, _)| is_band(feature) == band)
+            .map(|(feature, gap)| (feature.clone(), *gap))
+            .unzip::<_, _, Vec<Feature>, Vec<f64>>()
+    });
+    let near_bands = SizeField::new(&size, sheet.period(), &bands.0, &bands.1);
+    let across = |z: f64| across(z).min(near_bands.near_features([sheet.start, z]));
+    let rows = Rows {
+        along: &along,
+        across: &across,
+    };
+    let size = |point: [f64; 2]| rows.size(point);
+    let field = SizeField::new(&size, sheet.period(), &others.0, &others.1);
+    let domain = Domain {
+        sheet,
+        features: &blueprint.features,
+        size: &field,
+    };
+    check_size(&domain, Some(&rows))?;
+    let grid = Grid::new(&sheet, &blueprint.features, &rows, &|point| field.near_features(point));
+    let nodes = grid.inner_nodes(&domain);
+    meshed(&domain, Some(&grid), &nodes)
+}
+
+/// The drawing with its features on the sheet, if nothing is wrong with it.
+fn checked(blueprint: &Blueprint) -> Result<Blueprint, Vec<DrawingError>> {
+    let blueprint = placed(blueprint);
+    let faults = faults(&blueprint);
+    match faults.is_empty() {
+        true => Ok(blueprint),
+        false => Err(faults),
+    }
+}
+
+/// Longest edges [m]: two at least across the liner, and four along a short arc.
+fn widest(sheet: &Sheet) -> f64 {
+    (0.5 * sheet.length).min(0.25 * sheet.width)
+}
+
+/// The mesh of a domain, with the nodes and the edges of a grid, if there is one.
+fn meshed(domain: &Domain, grid: Option<&Grid>, nodes: &[[f64; 2]]) -> Result<Mesh, Vec<DrawingError>> {
+    let cutting = Cutting {
+        size: domain.size,
+        grid,
+    };
+    let outline = outline::outline(&domain.sheet, domain.features, &cutting);
+    let triangles = triangulate(domain, &outline, nodes).ok_or_else(|| {
+        let size = domain.size.at([domain.sheet.start, 0.0]);
         vec![DrawingError::Failed {
             size,
             reason: "outlines cross; choose a smaller size".to_owned(),
         }]
     })?;
-    let raw = raw_mesh(&domain, &outline, triangles);
+    let raw = raw_mesh(domain, &outline, triangles);
     Mesh::build(raw).map_err(|defects| defects.into_iter().map(DrawingError::Defective).collect())
 }
 
 /// The wanted sizes must be sizes, and make no more triangles than a machine can hold.
-fn check_size(sheet: &Sheet, features: &[Feature], field: &SizeField) -> Result<(), DrawingError> {
+fn check_size(domain: &Domain, rows: Option<&Rows>) -> Result<(), Vec<DrawingError>> {
     const ALONG: u32 = 256;
     const ACROSS: u32 = 32;
+    let Domain { sheet, features, size: field } = domain;
     let (mut triangles, mut least) = (0.0, f64::INFINITY);
     for k in 0..ALONG * ACROSS {
         let x = sheet.start + sheet.width * (f64::from(k / ACROSS) + 0.5) / f64::from(ALONG);
@@ -74,14 +142,19 @@ fn check_size(sheet: &Sheet, features: &[Feature], field: &SizeField) -> Result<
         let size = field.at([x, z]);
         if !(size > 0.0 && size.is_finite()) {
             let reason = "the size must be above zero".to_owned();
-            return Err(DrawingError::Failed { size, reason });
+            return Err(vec![DrawingError::Failed { size, reason }]);
         }
         least = size.min(least);
         // Quotients: the squares of short lengths are zero.
-        triangles += (sheet.width / size) * (sheet.length / size) / (EQUILATERAL_AREA * f64::from(ALONG * ACROSS));
+        // Two triangles a cell of the grid; an equilateral one has this part of the square of its edge.
+        let (edges, area) = match rows {
+            Some(rows) if field.near_features([x, z]) > size => ([(rows.along)(x), (rows.across)(z)], 0.5),
+            _ => ([size, size], EQUILATERAL_AREA),
+        };
+        triangles += (sheet.width / edges[0]) * (sheet.length / edges[1]) / (area * f64::from(ALONG * ACROSS));
     }
     // Those around a rim may be too few in number of rows to be met above: the integral of dA / (area of a triangle) beside an edge.
-    for feature in features {
+    for feature in features.iter().filter(|feature| rows.is_none() || !feature.shape.is_full_turn()) {
         let sides = if feature.meshed { 2.0 } else { 1.0 };
         triangles += sides * outline::edges_along(sheet, feature, field) / (EQUILATERAL_AREA * size::GROWTH);
     }
@@ -91,7 +164,7 @@ fn check_size(sheet: &Sheet, features: &[Feature], field: &SizeField) -> Result<
     let reason = format!(
         "that makes some {triangles:.0e} of them, more than {MOST_TRIANGLES:.0e}; choose a larger size ([mesh] size), a wider liner or wider lands"
     );
-    Err(DrawingError::Failed { size: least, reason })
+    Err(vec![DrawingError::Failed { size: least, reason }])
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use super::rows::Grid;
 use super::shape::{Feature, Piece};
 use super::size::SizeField;
 use crate::Circle;
@@ -19,6 +20,8 @@ pub(super) struct Outline {
     pub(super) points: Vec<[f64; 2]>,
     /// Edges between them.
     pub(super) edges: Vec<Edge>,
+    /// The first point on the rim of a feature that is not a line of the grid.
+    pub(super) first_on_rim: usize,
     /// Points of the left and the right side of the seam of a ring, in pairs.
     pub(super) seam: Vec<[u32; 2]>,
 }
@@ -117,8 +120,46 @@ impl Collector {
     }
 }
 
+/// Edge lengths along outlines.
+pub(super) struct Cutting<'a> {
+    pub(super) size: &'a SizeField<'a>,
+    /// The grid whose rows and columns end at the outlines, if there is one.
+    pub(super) grid: Option<&'a Grid>,
+}
+
+impl Cutting<'_> {
+    /// Points along a line around the bearing.
+    fn around(&self, line: &Piece) -> Vec<[f64; 2]> {
+        let places = self.grid.map(|grid| grid.along(line.at(0.0)[1]));
+        self.line(line, 0, places)
+    }
+
+    /// Points along a line from end to end.
+    fn axial(&self, line: &Piece) -> Vec<[f64; 2]> {
+        let places = self.grid.map(|grid| grid.across(line.at(0.0)[0]));
+        self.line(line, 1, places)
+    }
+
+    /// Points along a line: of the wanted distance, or the nodes of the grid.
+    fn line(&self, line: &Piece, axis: usize, places: Option<Vec<f64>>) -> Vec<[f64; 2]> {
+        let Some(places) = places else {
+            return cut(line, &|point| self.size.at(point));
+        };
+        let (from, to) = (line.at(0.0), line.at(1.0));
+        let room = |point: [f64; 2]| 0.3 * self.size.at(point);
+        let on_line = |place: f64| {
+            let mut point = from;
+            point[axis] = place;
+            point
+        };
+        let inside = (places.into_iter().map(on_line))
+            .filter(|&point| point[axis] - from[axis] > room(point) && to[axis] - point[axis] > room(point));
+        [from].into_iter().chain(inside).chain([to]).collect()
+    }
+}
+
 /// Cuts all outlines into edges of the wanted size.
-pub(super) fn outline(sheet: &Sheet, features: &[Feature], size: &SizeField) -> Outline {
+pub(super) fn outline(sheet: &Sheet, features: &[Feature], cutting: &Cutting) -> Outline {
     let mut collector = Collector {
         outline: Outline::default(),
         cell: SAME * sheet.width.max(sheet.length) * 10.0,
@@ -130,19 +171,28 @@ pub(super) fn outline(sheet: &Sheet, features: &[Feature], size: &SizeField) -> 
             pieces.into_iter().map(move |piece| (index, piece))
         })
         .collect();
-    sides(&mut collector, sheet, features, &pieces, size);
+    sides(&mut collector, sheet, features, &pieces, cutting);
     for (z, group) in [(-0.5 * sheet.length, "end_low"), (0.5 * sheet.length, "end_high")] {
         let line = Piece::Line([sheet.start, z], [sheet.end(), z]);
-        collector.chain(&cut(&line, size), Some(group), None);
+        collector.chain(&cutting.around(&line), Some(group), None);
     }
-    for (index, piece) in &pieces {
+    // Lines all around are lines of a grid; rims come last.
+    let (all_around, rims): (Vec<_>, Vec<_>) =
+        (pieces.iter()).partition(|(index, _)| features[*index].shape.is_full_turn() && cutting.grid.is_some());
+    for (index, piece) in &all_around {
+        let feature = &features[*index];
+        let group = (!feature.meshed).then_some(feature.name.as_str());
+        collector.chain(&cutting.around(piece), group, None);
+    }
+    collector.outline.first_on_rim = collector.outline.points.len();
+    for (index, piece) in &rims {
         let feature = &features[*index];
         let circle = match piece {
             Piece::Arc(circle, ..) => Some(*circle),
             Piece::Line(..) => None,
         };
         let group = (!feature.meshed).then_some(feature.name.as_str());
-        collector.chain(&cut(piece, size), group, circle);
+        collector.chain(&cut(piece, &|point| cutting.size.at(point)), group, circle);
     }
     collector.outline
 }
@@ -169,12 +219,18 @@ fn on_sheet(sheet: &Sheet, feature: &Feature) -> Vec<Piece> {
 }
 
 /// The two sides of the sheet: edges of an arc, or a seam with the same points on both sides.
-fn sides(collector: &mut Collector, sheet: &Sheet, features: &[Feature], pieces: &[(usize, Piece)], size: &SizeField) {
+fn sides(
+    collector: &mut Collector,
+    sheet: &Sheet,
+    features: &[Feature],
+    pieces: &[(usize, Piece)],
+    cutting: &Cutting,
+) {
     let (low, high) = (-0.5 * sheet.length, 0.5 * sheet.length);
     if !sheet.ring {
         for (x, group) in [(sheet.start, "arc_from"), (sheet.end(), "arc_to")] {
             let line = Piece::Line([x, low], [x, high]);
-            collector.chain(&cut(&line, size), Some(group), None);
+            collector.chain(&cutting.axial(&line), Some(group), None);
         }
         return;
     }
@@ -194,7 +250,7 @@ fn sides(collector: &mut Collector, sheet: &Sheet, features: &[Feature], pieces:
         if features.iter().any(removed) {
             continue;
         }
-        let left = cut(&Piece::Line([sheet.start, pair[0]], [sheet.start, pair[1]]), size);
+        let left = cutting.axial(&Piece::Line([sheet.start, pair[0]], [sheet.start, pair[1]]));
         let right: Vec<[f64; 2]> = left.iter().map(|point| [sheet.end(), point[1]]).collect();
         collector.chain(&left, None, None);
         collector.chain(&right, None, None);
@@ -208,7 +264,7 @@ fn sides(collector: &mut Collector, sheet: &Sheet, features: &[Feature], pieces:
 }
 
 /// Points along a piece whose distances follow the wanted size, both ends included.
-fn cut(piece: &Piece, size: &SizeField) -> Vec<[f64; 2]> {
+pub(super) fn cut(piece: &Piece, size: &dyn Fn([f64; 2]) -> f64) -> Vec<[f64; 2]> {
     let least = match piece {
         Piece::Line(..) => 1.0,
         Piece::Arc(_, from, to) => ((to - from) / (std::f64::consts::TAU / EDGES_A_TURN) - 1e-9)
@@ -234,7 +290,7 @@ fn cut(piece: &Piece, size: &SizeField) -> Vec<[f64; 2]> {
 }
 
 /// Edges of the wanted size up to each of a number of samples along a piece: the integral of ds / size.
-fn counted(piece: &Piece, size: &SizeField) -> Vec<f64> {
+fn counted(piece: &Piece, size: &dyn Fn([f64; 2]) -> f64) -> Vec<f64> {
     const MOST: usize = 1 << 20;
     let length = piece.length();
     let mut samples = 64usize;
@@ -242,7 +298,7 @@ fn counted(piece: &Piece, size: &SizeField) -> Vec<f64> {
         let mut count = vec![0.0];
         for k in 0..samples {
             let s = (k as f64 + 0.5) / samples as f64;
-            count.push(count[k] + length / samples as f64 / size.at(piece.at(s)));
+            count.push(count[k] + length / samples as f64 / size(piece.at(s)));
         }
         let edges = count[samples].round();
         if edges * 8.0 <= samples as f64 || samples == MOST {
@@ -257,6 +313,6 @@ pub(super) fn edges_along(sheet: &Sheet, feature: &Feature, size: &SizeField) ->
     let pieces = on_sheet(sheet, feature);
     pieces
         .iter()
-        .filter_map(|piece| counted(piece, size).last().copied())
+        .filter_map(|piece| counted(piece, &|point| size.at(point)).last().copied())
         .sum()
 }

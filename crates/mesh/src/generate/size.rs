@@ -64,7 +64,17 @@ impl<'a> SizeField<'a> {
 
     /// Edge length [m] wanted at `point`.
     pub(super) fn at(&self, point: [f64; 2]) -> f64 {
-        let mut size = (self.base)(point);
+        self.near_features(point).min(self.far_from_features(point))
+    }
+
+    /// Edge length [m] wanted at `point` if there were no features.
+    pub(super) fn far_from_features(&self, point: [f64; 2]) -> f64 {
+        (self.base)(point)
+    }
+
+    /// Edge length [m] that the features want at `point`; infinite where there are none.
+    pub(super) fn near_features(&self, point: [f64; 2]) -> f64 {
+        let mut size = f64::INFINITY;
         for (feature, at_feature) in self.features.iter().zip(&self.at_feature) {
             if *at_feature < size {
                 let distance = feature.shape.distance(point, self.period).abs();

@@ -49,7 +49,7 @@ pub(super) struct Domain<'a> {
 
 impl Domain<'_> {
     /// Distance [m] from all outlines, negative outside of the film.
-    fn margin(&self, point: [f64; 2]) -> f64 {
+    pub(super) fn margin(&self, point: [f64; 2]) -> f64 {
         let mut margin = self.sheet.margin(point);
         if self.sheet.ring {
             // Not too near to the seam either: its points are fixed.
@@ -70,35 +70,67 @@ impl Domain<'_> {
     }
 }
 
-/// Triangulates `domain` inside `outline`; none if an outline crosses itself.
-pub(super) fn triangulate(domain: &Domain, outline: &Outline) -> Option<Triangles> {
+/// Which of the points of a triangulation belong to a grid.
+#[derive(Debug, Clone, Copy)]
+struct Grid {
+    /// Points on rims; all other points before `end` are the grid's.
+    rims: [usize; 2],
+    /// The first point that may move.
+    end: usize,
+}
+
+impl Grid {
+    fn new(outline: &Outline, nodes: &[[f64; 2]]) -> Self {
+        let end = outline.points.len() + nodes.len();
+        let rims = match nodes.is_empty() {
+            true => [0, end],
+            false => [outline.first_on_rim, outline.points.len()],
+        };
+        Self { rims, end }
+    }
+
+    /// True of a triangle of the grid: it stays as it is.
+    fn holds(&self, vertices: [u32; 3]) -> bool {
+        let of_grid = |v: usize| v < self.end && !(self.rims[0]..self.rims[1]).contains(&v);
+        vertices.iter().all(|&v| of_grid(v as usize))
+    }
+}
+
+fn centroid(corners: [[f64; 2]; 3]) -> [f64; 2] {
+    [0, 1].map(|d| (corners[0][d] + corners[1][d] + corners[2][d]) / 3.0)
+}
+
+/// Triangulates `domain` inside `outline` with the `nodes` of a grid, which stay; none if an outline crosses itself.
+pub(super) fn triangulate(domain: &Domain, outline: &Outline, nodes: &[[f64; 2]]) -> Option<Triangles> {
     let edges: Vec<[usize; 2]> = outline
         .edges
         .iter()
         .map(|edge| edge.ends.map(|end| end as usize))
         .collect();
-    let mut cdt = load(&outline.points, &edges)?;
+    let given: Vec<[f64; 2]> = outline.points.iter().chain(nodes).copied().collect();
+    let grid = Grid::new(outline, nodes);
+    let mut cdt = load(&given, &edges)?;
     for _ in 0..ROUNDS {
-        let fresh = candidates(domain, &cdt);
+        let fresh = candidates(domain, &cdt, grid);
         // Smoothing mends the last few.
         if fresh.len() * FEW <= cdt.num_vertices() || insert(domain, &mut cdt, fresh) == 0 {
             break;
         }
     }
-    let fixed = outline.points.len();
+    let fixed = given.len();
     let mut points = positions(&cdt);
     for _ in 0..SMOOTHINGS {
         smooth(domain, &cdt, fixed, &mut points);
         cdt = load(&points, &edges)?;
     }
-    let mut best = (least_angle(domain, &cdt), cdt);
+    let mut best = (least_angle(domain, &cdt, grid), cdt);
     for _ in 0..OPENINGS {
         if best.0 > GOOD {
             break;
         }
-        open_angles(domain, &best.1, fixed, &mut points);
+        open_angles(domain, &best.1, grid, &mut points);
         let opened = load(&points, &edges)?;
-        let angle = least_angle(domain, &opened);
+        let angle = least_angle(domain, &opened, grid);
         if angle <= best.0 {
             break;
         }
@@ -127,7 +159,7 @@ fn film<'a>(domain: &'a Domain, cdt: &'a Cdt) -> impl Iterator<Item = ([u32; 3],
     cdt.inner_faces().filter_map(|face| {
         let vertices = face.vertices();
         let corners = vertices.map(|v| [v.position().x, v.position().y]);
-        let centre = [0, 1].map(|d| (corners[0][d] + corners[1][d] + corners[2][d]) / 3.0);
+        let centre = centroid(corners);
         domain
             .is_film(centre)
             .then(|| (vertices.map(|v| v.fix().index() as u32), corners))
@@ -135,10 +167,13 @@ fn film<'a>(domain: &'a Domain, cdt: &'a Cdt) -> impl Iterator<Item = ([u32; 3],
 }
 
 /// Circumcentres of triangles that are too large or too sharp, in the order of the Hilbert curve.
-fn candidates(domain: &Domain, cdt: &Cdt) -> Vec<[f64; 2]> {
+fn candidates(domain: &Domain, cdt: &Cdt, grid: Grid) -> Vec<[f64; 2]> {
     let cosine = TOO_SHARP.to_radians().cos();
     let mut centres = Vec::new();
-    for (_, corners) in film(domain, cdt) {
+    for (vertices, corners) in film(domain, cdt) {
+        if grid.holds(vertices) {
+            continue;
+        }
         let (centre, radius) = circumcircle(corners);
         if domain.margin(centre) <= 0.0 {
             continue;
@@ -191,7 +226,7 @@ fn insert(domain: &Domain, cdt: &mut Cdt, points: Vec<[f64; 2]>) -> usize {
 fn smooth(domain: &Domain, cdt: &Cdt, fixed: usize, points: &mut [[f64; 2]]) {
     let mut sums = vec![[0.0; 3]; points.len()];
     for (numbers, corners) in film(domain, cdt) {
-        let centre = [0, 1].map(|d| (corners[0][d] + corners[1][d] + corners[2][d]) / 3.0);
+        let centre = centroid(corners);
         // Density of a size field: triangles weigh by how many wanted ones they hold, once more by size.
         let weight = doubled_area(corners) / domain.size.at(centre).powi(3);
         for number in numbers {
@@ -212,7 +247,7 @@ fn smooth(domain: &Domain, cdt: &Cdt, fixed: usize, points: &mut [[f64; 2]]) {
 }
 
 /// Moves inner points of sharp triangles, one after the other, to where the least angle around them is greatest.
-fn open_angles(domain: &Domain, cdt: &Cdt, fixed: usize, points: &mut [[f64; 2]]) {
+fn open_angles(domain: &Domain, cdt: &Cdt, grid: Grid, points: &mut [[f64; 2]]) {
     let cosine = OPENED.to_radians().cos();
     let triangles: Vec<[u32; 3]> = film(domain, cdt).map(|(numbers, _)| numbers).collect();
     let around = Around::new(&triangles, points.len());
@@ -221,7 +256,7 @@ fn open_angles(domain: &Domain, cdt: &Cdt, fixed: usize, points: &mut [[f64; 2]]
         .filter(|triangle| greatest_cosine(corners(**triangle, points)) > cosine)
         .flatten()
         .copied()
-        .filter(|&v| v as usize >= fixed)
+        .filter(|&v| v as usize >= grid.end)
         .collect();
     sharp.sort_unstable();
     sharp.dedup();
@@ -291,9 +326,10 @@ impl Around {
     }
 }
 
-/// Least angle [deg] of the film's triangles.
-fn least_angle(domain: &Domain, cdt: &Cdt) -> f64 {
+/// Least angle [deg] of the film's triangles, without those of the grid.
+fn least_angle(domain: &Domain, cdt: &Cdt, grid: Grid) -> f64 {
     let cosine = film(domain, cdt)
+        .filter(|(vertices, _)| !grid.holds(*vertices))
         .map(|(_, corners)| greatest_cosine(corners))
         .fold(-1.0, f64::max);
     cosine.clamp(-1.0, 1.0).acos().to_degrees()

@@ -56,6 +56,8 @@ pub struct Bar {
     pub discretisation: f64,
     /// The edge of the cavity.
     pub front: f64,
+    /// Oil that is carried across the flow.
+    pub transport: f64,
     /// Round rims that are not quite round.
     pub geometry: f64,
     /// Nonlinear equations that are not quite solved.
@@ -69,7 +71,13 @@ pub struct Bar {
 impl Bar {
     /// The whole bar.
     pub fn total(&self) -> f64 {
-        self.discretisation + self.front + self.geometry + self.nonlinear + self.algebra + self.position
+        self.discretisation
+            + self.front
+            + self.transport
+            + self.geometry
+            + self.nonlinear
+            + self.algebra
+            + self.position
     }
 
     /// The bar of `factor` times as much.
@@ -78,6 +86,7 @@ impl Bar {
         Self {
             discretisation: factor * self.discretisation,
             front: factor * self.front,
+            transport: factor * self.transport,
             geometry: factor * self.geometry,
             nonlinear: factor * self.nonlinear,
             algebra: factor * self.algebra,
@@ -93,6 +102,7 @@ impl std::ops::Add for Bar {
         Self {
             discretisation: self.discretisation + other.discretisation,
             front: self.front + other.front,
+            transport: self.transport + other.transport,
             geometry: self.geometry + other.geometry,
             nonlinear: self.nonlinear + other.nonlinear,
             algebra: self.algebra + other.algebra,
@@ -212,6 +222,7 @@ impl FilmError {
         Bar {
             discretisation: per_eta * eta.abs() + PER_SUM * all + PER_CORNER * corner,
             front: per_front * front,
+            transport: 0.0,
             geometry: goal.geometry.abs(),
             nonlinear: if self.nonlinear { algebra } else { 0.0 },
             algebra: if self.nonlinear { 0.0 } else { algebra },

@@ -24,12 +24,13 @@
 use oilwedge_fem::lagrange::{self, MOST_SHAPES};
 use oilwedge_fem::mapping::Mapping;
 use oilwedge_fem::quadrature::MOST_POINTS;
-use oilwedge_fem::{Field, Quadrature};
+use oilwedge_fem::control_volumes::sub_triangles;
+use oilwedge_fem::{Field, Quadrature, Space};
 use rayon::prelude::*;
 
 use super::cavity::broken_share;
 use super::flow::{STILL, natural_flow};
-use crate::cavitation::jfo;
+use crate::cavitation::jfo::{self, Carriage};
 use crate::film_law::FilmLaw;
 use crate::lubricant::PressureLaw;
 use crate::{FilmProblem, FilmSolution, FilmSystem};
@@ -89,9 +90,11 @@ impl std::ops::AddAssign for Work {
 /// Powers of a solved film.
 pub fn power(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Power {
     let excess: Vec<f64> = film.unknown.iter().map(|&u| excess(problem, u)).collect();
-    let mut work = integrated(problem, system, film, &excess);
-    if let Some(fraction) = &film.film_fraction {
-        work = jfo::work(problem, system, film, fraction, &excess, work.shear);
+    // The film was solved on the sub-mesh that is asked for: no error is left.
+    let carriage = (film.film_fraction.as_ref()).and_then(|fraction| Carriage::new(problem, system, fraction).ok());
+    let mut work = integrated(problem, system, film, &excess, carriage.as_ref());
+    if let Some(carriage) = &carriage {
+        work = jfo::work(carriage, film, &excess, work.shear);
     }
     let (mut supplied, mut cavity) = (0.0, 0.0);
     for (dof, (&inflow, &excess)) in film.inflow.iter().zip(&excess).enumerate() {
@@ -161,11 +164,18 @@ impl Tabulated {
 /// Values at the nodes of one triangle.
 type Nodal = [f64; MOST_SHAPES];
 
-fn integrated(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, excess: &[f64]) -> Work {
+fn integrated(
+    problem: &FilmProblem,
+    system: &FilmSystem,
+    film: &FilmSolution,
+    excess: &[f64],
+    carriage: Option<&Carriage>,
+) -> Work {
     let space = system.space();
     let cells = space.mesh().triangles().len();
     let is_film = system.supply.film(space.mesh());
     let tabulated = Tabulated::new(space.degree());
+    let broken = Quadrature::for_degree(1);
     let law = FilmLaw::new(problem, 1.0);
     let nodal = |values: &[f64], t: usize| Field { space, values }.element_values(t);
     let tasks: Vec<Work> = (0..cells.div_ceil(CELLS_A_TASK))
@@ -173,11 +183,18 @@ fn integrated(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, e
         .map(|task| {
             let mut sum = Work::default();
             for t in task * CELLS_A_TASK..((task + 1) * CELLS_A_TASK).min(cells) {
-                let fraction = film.film_fraction.as_ref().map(|it| nodal(&it.values, t));
                 let fields = [&film.unknown[..], excess].map(|values| nodal(values, t));
                 let mapping = Mapping::of(space.mesh(), t);
-                let work = cell_work(problem, &law, t, &mapping, &tabulated, &fields, fraction.as_ref());
-                let shear = if is_film[t] { work.shear } else { 0.0 };
+                let work = cell_work(problem, &law, t, &mapping, &tabulated, &fields);
+                let carried = carriage.map(|carriage| carriage.carried(t, &film.cavity));
+                let shear = match carried {
+                    _ if !is_film[t] => 0.0,
+                    Some(carried) if carried.iter().any(|thickness| thickness.is_finite()) => {
+                        let at = Place { space, law: &law, t };
+                        broken_shear(problem, &at, &mapping, &broken, &fields[1], carried)
+                    }
+                    _ => work.shear,
+                };
                 sum += Work {
                     shear,
                     cavity_shear: shear * broken_share(problem, system, film, t),
@@ -201,7 +218,6 @@ fn cell_work(
     mapping: &Mapping,
     tabulated: &Tabulated,
     [unknown, excess]: &[Nodal; 2],
-    fraction: Option<&Nodal>,
 ) -> Work {
     let points = &tabulated.rule.points;
     let mut positions = [[0.0; 2]; MOST_POINTS];
@@ -224,18 +240,69 @@ fn cell_work(
         let (of_unknown, of_pressure) = (slope(unknown), slope(excess));
         let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
         let p = at(excess);
-        let viscosity = match problem.lubricant.pressure_law {
-            PressureLaw::Constant => problem.lubricant.viscosity,
-            _ => problem.viscosity_at(p + problem.bearing.end_pressure),
-        };
+        let viscosity = viscosity(problem, p);
         let thickness = film[q].thickness;
         work += Work {
             cavity_shear: 0.0,
-            shear: area * fraction.map_or(1.0, at) * viscosity / thickness * dot(velocity, velocity),
+            shear: area * viscosity / thickness * dot(velocity, velocity),
             pressure: area * 0.5 * thickness * dot(velocity, of_pressure),
             squeeze: -area * flows[q].storage * p,
             driven: area * flows[q].conductance * dot([0, 1].map(|d| along[d] * of_unknown[d]), of_pressure),
         };
     }
     work
+}
+
+/// Viscosity [Pa s] at a pressure [Pa] above that of the ends.
+fn viscosity(problem: &FilmProblem, excess: f64) -> f64 {
+    match problem.lubricant.pressure_law {
+        PressureLaw::Constant => problem.lubricant.viscosity,
+        _ => problem.viscosity_at(excess + problem.bearing.end_pressure),
+    }
+}
+
+/// A triangle of a film.
+struct Place<'a> {
+    space: &'a Space,
+    law: &'a FilmLaw<'a>,
+    t: usize,
+}
+
+/// Power of shear [W] in a triangle that is not full: oil of the thickness `carried` [m] comes into each of its sub-triangles.
+fn broken_shear(
+    problem: &FilmProblem,
+    at: &Place,
+    mapping: &Mapping,
+    rule: &Quadrature,
+    excess: &Nodal,
+    carried: [f64; 4],
+) -> f64 {
+    let degree = at.space.degree();
+    let nodes = lagrange::nodes(degree);
+    let velocity = at.law.velocity();
+    let square = velocity[0] * velocity[0] + velocity[1] * velocity[1];
+    let mut shear = 0.0;
+    for (corners, carried) in sub_triangles(at.space, at.t).iter().zip(carried) {
+        let [a, b, c] = corners.map(|node| nodes[node]);
+        let (u, v) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
+        let part = u[0] * v[1] - u[1] * v[0];
+        let points = rule.points.iter().map(|&[xi, eta]| [0, 1].map(|d| a[d] + xi * u[d] + eta * v[d]));
+        let mut places = [mapping.at(a); MOST_POINTS];
+        let mut positions = [[0.0; 2]; MOST_POINTS];
+        let mut pressures = [0.0; MOST_POINTS];
+        for (q, point) in points.enumerate() {
+            places[q] = mapping.at(point);
+            positions[q] = places[q].position;
+            let mut shapes = [0.0; MOST_SHAPES];
+            lagrange::values(degree, point, &mut shapes[..lagrange::shapes(degree)]);
+            pressures[q] = excess.iter().zip(&shapes).map(|(p, shape)| p * shape).sum();
+        }
+        let film = at.law.film_and_flows(at.t, &positions[..rule.points.len()]).0;
+        for (q, weight) in rule.weights.iter().enumerate() {
+            let thickness = film[q].thickness;
+            let fraction = (carried / thickness).min(1.0);
+            shear += weight * part * places[q].determinant * fraction * viscosity(problem, pressures[q]) / thickness * square;
+        }
+    }
+    shear
 }

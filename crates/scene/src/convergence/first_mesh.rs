@@ -40,7 +40,7 @@ pub(super) fn first_mesh(scene: &Scene, patience: Patience) -> Result<Result<Fir
     for coarse in FACTORS.iter().filter_map(|&factor| resized(scene, factor)) {
         if scene.journal.load().is_none() {
             match liner_mesh(&coarse, start) {
-                Ok((mesh, _)) => return Ok(Ok(first(mesh, start))),
+                Ok(liner) => return Ok(Ok(first(liner.mesh, start))),
                 Err(error) => tried = Err(error),
             }
             continue;
@@ -66,6 +66,6 @@ pub(super) fn first_mesh(scene: &Scene, patience: Patience) -> Result<Result<Fir
     }
     match tried? {
         Some(reason) => Ok(Err(reason)),
-        None => Ok(Ok(first(liner_mesh(scene, start)?.0, start))),
+        None => Ok(Ok(first(liner_mesh(scene, start)?.mesh, start))),
     }
 }

@@ -11,6 +11,8 @@ pub struct ErrorParts {
     pub discretisation: f64,
     /// Of the place of the cavity's edge.
     pub front: f64,
+    /// Of oil that triangles across the flow spread.
+    pub transport: f64,
     /// Of the liner's shape as the triangles have it.
     pub geometry: f64,
     /// Of the nonlinear iteration, where it was ended.
@@ -25,10 +27,11 @@ pub struct ErrorParts {
 
 impl ErrorParts {
     /// The parts by the names of their fields.
-    pub fn by_name(&self) -> [(&'static str, f64); 7] {
+    pub fn by_name(&self) -> [(&'static str, f64); 8] {
         [
             ("discretisation", self.discretisation),
             ("front", self.front),
+            ("transport", self.transport),
             ("geometry", self.geometry),
             ("nonlinear", self.nonlinear),
             ("algebra", self.algebra),

@@ -24,6 +24,8 @@ const RESTLESS: u8 = 2;
 const MOST_RETURNS: u8 = 1;
 /// Nodes that hold less than no oil are looked for once fewer signs are wrong than this part of those at first.
 const NEARLY: f64 = 0.3;
+/// A film fraction below the least that is carried by this part of it comes of a scheme that is not positive.
+const UNDERSHOOT: f64 = 1e-3;
 /// Pseudo-time steps: the first as a part of the time that the journal takes over a radius, growth, number.
 const FIRST_TIME_STEP: f64 = 0.01;
 const TIME_GROWTH: f64 = 3.0;
@@ -252,12 +254,36 @@ impl<'a> Search<'a> {
         new
     }
 
-    /// Carries the oil round nodes that hold less than no oil by the N scheme. True if that is new.
+    /// Carries the oil round nodes that hold less than is carried to them by the N scheme, which is positive. True if that is new.
     fn calm_overdrawn(&mut self) -> bool {
+        let least = self.least_carried();
         let overdrawn: Vec<usize> = (0..self.state.p.len())
-            .filter(|&dof| self.state.theta[dof] < -ROUNDING)
+            .filter(|&dof| self.state.cavity[dof] && self.state.theta[dof] < least[dof] - UNDERSHOOT * least[dof].abs() - ROUNDING)
             .collect();
         self.calm(&overdrawn, &[Transport::LowDiffusion, Transport::Faces])
+    }
+
+    /// The least film fraction that a positive scheme could leave at each node: no corner upstream sends less oil, and pressure adds to it.
+    fn least_carried(&self) -> Vec<f64> {
+        let nodes = self.state.p.len();
+        // Oil that comes in, and the volume flow that leaves a full cell, less what it stores.
+        let (mut coming, mut leaving) = (vec![0.0; nodes], vec![0.0; nodes]);
+        for (block, corners) in self.film.blocks.iter().zip(&self.film.volumes.triangles) {
+            let corners = corners.map(|node| node as usize);
+            let sent = (0..3)
+                .filter(|&j| block.weight[j] < 0.0)
+                .map(|j| block.thickness[j] * self.state.theta[corners[j]])
+                .fold(f64::INFINITY, f64::min);
+            for i in 0..3 {
+                leaving[corners[i]] += block.storage[i];
+                if block.weight[i] > 0.0 {
+                    coming[corners[i]] += block.weight[i] * sent;
+                    leaving[corners[i]] += block.weight[i] * block.thickness[i];
+                }
+            }
+        }
+        let least = |(coming, leaving): (&f64, &f64)| if *leaving > 0.0 { (coming / leaving).clamp(0.0, 1.0) } else { 0.0 };
+        coming.iter().zip(&leaving).map(least).collect()
     }
 
     /// The forms of the second pass for the present cavity. Each sub-triangle changes once: some along the rupture line

@@ -277,7 +277,7 @@ impl Block {
         square
     }
 
-    fn n_scheme(&self) -> Square {
+    pub(super) fn n_scheme(&self) -> Square {
         let (k, h) = (self.weight, self.thickness);
         let inflow = self.inflow();
         let mut square = [[0.0; 3]; 3];
@@ -290,7 +290,7 @@ impl Block {
         square
     }
 
-    fn low_diffusion(&self) -> Square {
+    pub(super) fn low_diffusion(&self) -> Square {
         let inflow = self.inflow();
         self.weight.map(|k| {
             let part = k.max(0.0) / -inflow;
@@ -313,6 +313,12 @@ impl Block {
     /// `sum k_j^-`.
     fn inflow(&self) -> f64 {
         self.weight.iter().map(|k| k.min(0.0)).sum()
+    }
+
+    /// Thickness [m] of the oil that comes in through the corners upstream, of which a part `theta` is full.
+    pub(super) fn inflowing(&self, theta: [f64; 3]) -> f64 {
+        let sum: f64 = (0..3).map(|i| self.weight[i].min(0.0) * self.thickness[i] * theta[i]).sum();
+        sum / self.inflow()
     }
 
     /// True if the inflow side is starved: a corner upstream is in the cavity; or one to the side of the flow while none

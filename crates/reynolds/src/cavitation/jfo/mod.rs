@@ -31,6 +31,7 @@ mod balance;
 mod blocks;
 mod relaxation;
 mod rows;
+mod spread;
 #[cfg(test)]
 mod tests;
 mod work;
@@ -44,7 +45,8 @@ pub use self::blocks::Transport;
 use self::blocks::{Block, blocks, blocks_and_changes};
 use self::relaxation::{Downstream, State};
 use self::rows::{Condition, Rows};
-pub(crate) use self::work::work;
+pub(crate) use self::spread::spread;
+pub(crate) use self::work::{Carriage, work};
 use crate::existence::NoFilm;
 use crate::film_law::FilmLaw;
 use crate::{FilmProblem, FilmSolution, FilmSystem, JournalChange};

@@ -1,7 +1,15 @@
-//! What the flows between cells work against the pressure: each balance times the pressure of its node, summed.
+//! Power in a mass-conserving film: how full it is between the nodes, and what the flows between cells work against the pressure.
+//!
+//! **Film fraction.** A sub-triangle whose upstream corners are in the cavity holds the oil `u = h theta` that they send into it, so that
+//! `theta(x) = min(1, u/h(x))`; all others are full. (The film fraction of a node is that of the oil which leaves its cell: taken for the cell around it,
+//! every place at which the film becomes full again would lie half a cell too far upstream.)
+//!
+//! **Work.** Each balance times the pressure of its node, summed.
 //!
 //! `sum of P_i (K q + B theta)_i` falls into what pressure drives, what the journal drags and what the film takes up. Inside a cavity P is
 //! even and the columns of B sum to zero, so that nothing is worked there.
+
+use oilwedge_fem::ControlVolumes;
 
 use super::blocks::{Block, SIDES, blocks};
 use crate::cavitation::FilmFraction;
@@ -9,35 +17,63 @@ use crate::film_law::FilmLaw;
 use crate::quantities::power::Work;
 use crate::{FilmProblem, FilmSolution, FilmSystem};
 
+/// The discrete film whose power is asked for.
+pub(crate) struct Carriage<'a> {
+    volumes: &'a ControlVolumes,
+    blocks: Vec<Block>,
+    fraction: &'a FilmFraction,
+}
+
+impl<'a> Carriage<'a> {
+    /// The sub-triangles of a film that was solved on `system`.
+    ///
+    /// # Errors
+    /// The sub-mesh does not fit in memory.
+    pub(crate) fn new(
+        problem: &FilmProblem,
+        system: &'a FilmSystem,
+        fraction: &'a FilmFraction,
+    ) -> Result<Self, oilwedge_fem::Error> {
+        let volumes = system.volumes()?;
+        let law = FilmLaw::new(problem, 1.0);
+        Ok(Self {
+            blocks: blocks(&law, system.space(), volumes),
+            volumes,
+            fraction,
+        })
+    }
+
+    /// Thickness u [m] of the oil carried into each sub-triangle of triangle `t`; infinite where it is full.
+    pub(crate) fn carried(&self, t: usize, cavity: &[bool]) -> [f64; 4] {
+        let mut carried = [f64::INFINITY; 4];
+        let first = t * self.volumes.per_triangle;
+        for (carried, s) in carried.iter_mut().zip(first..first + self.volumes.per_triangle) {
+            let (block, nodes) = (&self.blocks[s], self.volumes.triangles[s].map(|node| node as usize));
+            if (0..3).any(|i| block.weight[i] < 0.0 && cavity[nodes[i]]) {
+                *carried = block.inflowing(nodes.map(|node| self.fraction.values[node]));
+            }
+        }
+        carried
+    }
+}
+
 /// Powers [W] of a mass-conserving film with the pressures `excess` [Pa] above that of the ends; that of shear, `shear`, is given.
-pub(crate) fn work(
-    problem: &FilmProblem,
-    system: &FilmSystem,
-    film: &FilmSolution,
-    fraction: &FilmFraction,
-    excess: &[f64],
-    shear: f64,
-) -> Work {
+pub(crate) fn work(carriage: &Carriage, film: &FilmSolution, excess: &[f64], shear: f64) -> Work {
     let mut sum = Work {
         shear,
         ..Work::default()
     };
-    // The film was solved on them.
-    let Ok(volumes) = system.volumes() else {
-        return Work { shear: f64::NAN, ..sum };
-    };
-    let law = FilmLaw::new(problem, 1.0);
-    let blocks = blocks(&law, system.space(), volumes);
-    for (t, nodes) in volumes.triangles.iter().enumerate() {
+    for (t, nodes) in carriage.volumes.triangles.iter().enumerate() {
         let at = |values: &[f64]| nodes.map(|node| values[node as usize]);
-        let (p, q, theta) = (at(excess), at(&film.unknown), at(&fraction.values));
-        let (pressure, squeeze) = carried(&blocks[t], fraction, t, p, theta);
+        let (p, q, theta) = (at(excess), at(&film.unknown), at(&carriage.fraction.values));
+        let block = &carriage.blocks[t];
+        let (pressure, squeeze) = carried(block, carriage.fraction, t, p, theta);
         sum += Work {
             cavity_shear: 0.0,
             shear: 0.0,
             pressure,
             squeeze,
-            driven: driven(&blocks[t], p, q),
+            driven: driven(block, p, q),
         };
     }
     sum

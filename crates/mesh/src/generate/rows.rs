@@ -1,0 +1,215 @@
+//! Rows along the flow: nodes on straight lines z = constant, from column to column.
+//!
+//! Oil that is carried through a cavity moves along these lines. A triangle with an edge on one carries it along that edge alone,
+//! so that nothing spreads across the flow. Columns and rows bound the cells of a grid. Near features, where smaller edges are wanted, cells
+//! are halved again and again, so that there are rows nearly up to the rims; only between the last of them and a rim the
+//! triangles are free.
+
+use std::collections::BTreeSet;
+
+use super::outline::{Sheet, cut};
+use super::shape::{Feature, Piece};
+use super::triangulate::Domain;
+
+/// The edge of a feature is a row of its own if no other row lies within this part of the spacing.
+const OWN_ROW: f64 = 0.5;
+/// Cells are halved while their edges are longer than those wanted by this factor.
+const TOO_LONG: f64 = 1.4;
+/// Nodes of the grid keep this part of the edge of a cell away from outlines.
+const APART: f64 = 0.55;
+/// A cell longer than this many times its width that has a node amid a long side is halved there: the triangle would be obtuse.
+const LONG: f64 = 1.8;
+/// Cells are halved no more often than this in each direction.
+const DEEPEST: u32 = 20;
+/// Places between two columns or rows.
+const UNITS: i64 = 1 << DEEPEST;
+
+/// Edge lengths of a mesh in rows.
+pub struct Rows<'a> {
+    /// Distance [m] of the columns at x.
+    pub along: &'a dyn Fn(f64) -> f64,
+    /// Distance [m] of the rows at z.
+    pub across: &'a dyn Fn(f64) -> f64,
+}
+
+impl Rows<'_> {
+    /// The shorter edge of the grid [m] at a point.
+    pub(super) fn size(&self, [x, z]: [f64; 2]) -> f64 {
+        (self.along)(x).min((self.across)(z))
+    }
+}
+
+/// Places of nodes: columns and rows times [`UNITS`].
+type Place = [i64; 2];
+
+/// Columns and rows of a sheet, its edges among them, and the nodes of their cells and of what these are halved to.
+#[derive(Debug)]
+pub(super) struct Grid {
+    columns: Vec<f64>,
+    rows: Vec<f64>,
+    nodes: BTreeSet<Place>,
+}
+
+impl Grid {
+    /// The grid of a sheet; `wanted` is the edge length [m] that features want at a point.
+    pub(super) fn new(sheet: &Sheet, features: &[Feature], rows: &Rows, wanted: &dyn Fn([f64; 2]) -> f64) -> Self {
+        let half = 0.5 * sheet.length;
+        let mut grid = Self {
+            columns: filled(&[sheet.start, sheet.end()], 0, rows.along),
+            rows: filled(&stops(half, features, rows), 1, rows.across),
+            nodes: BTreeSet::new(),
+        };
+        let mut cells = grid.halved(wanted);
+        while grid.halve_long_cells(&mut cells, sheet.ring) {}
+        grid
+    }
+
+    /// Where columns and rows leave the line z = `level` of the sheet, ascending.
+    pub(super) fn along(&self, level: f64) -> Vec<f64> {
+        let on_line = |place: &&Place| self.position(**place)[1] == level;
+        let mut along: Vec<f64> = self.nodes.iter().filter(on_line).map(|&place| self.position(place)[0]).collect();
+        along.sort_unstable_by(f64::total_cmp);
+        along
+    }
+
+    /// Where rows meet the side x = `side` of the sheet, ascending; the two sides of a ring have the same nodes.
+    pub(super) fn across(&self, side: f64) -> Vec<f64> {
+        let on_line = |place: &&Place| self.position(**place)[0] == side;
+        let mut across: Vec<f64> = self.nodes.iter().filter(on_line).map(|&place| self.position(place)[1]).collect();
+        across.sort_unstable_by(f64::total_cmp);
+        across
+    }
+
+    /// The nodes inside the film of `domain`, which leave room for the outlines.
+    pub(super) fn inner_nodes(&self, domain: &Domain) -> Vec<[f64; 2]> {
+        let last = [self.columns.len() - 1, self.rows.len() - 1].map(|last| last as i64 * UNITS);
+        let inside = |place: &&Place| (0..2).all(|k| place[k] > 0 && place[k] < last[k]);
+        let positions = self.nodes.iter().filter(inside).map(|&place| self.position(place));
+        positions
+            .filter(|&point| domain.margin(point) > APART * domain.size.at(point))
+            .collect()
+    }
+
+    fn position(&self, place: Place) -> [f64; 2] {
+        let on = |places: &[f64], place: i64| {
+            let (cell, part) = ((place / UNITS) as usize, (place % UNITS) as f64 / UNITS as f64);
+            match places.get(cell + 1) {
+                Some(next) if part > 0.0 => places[cell] + part * (next - places[cell]),
+                _ => places[cell],
+            }
+        };
+        [on(&self.columns, place[0]), on(&self.rows, place[1])]
+    }
+
+    /// Cells whose edges are as short as wanted; their corners become nodes.
+    fn halved(&mut self, wanted: &dyn Fn([f64; 2]) -> f64) -> Vec<[Place; 2]> {
+        let mut cells: Vec<[Place; 2]> = Vec::new();
+        let mut tasks: Vec<[Place; 2]> = Vec::new();
+        for i in 0..self.columns.len() as i64 - 1 {
+            for j in 0..self.rows.len() as i64 - 1 {
+                tasks.push([[i * UNITS, j * UNITS], [(i + 1) * UNITS, (j + 1) * UNITS]]);
+            }
+        }
+        while let Some(cell) = tasks.pop() {
+            let corners = cell.map(|place| self.position(place));
+            let wanted = wanted([0, 1].map(|k| 0.5 * (corners[0][k] + corners[1][k])));
+            let is_long = |k: usize| {
+                cell[1][k] - cell[0][k] > 1 && corners[1][k] - corners[0][k] > TOO_LONG * wanted
+            };
+            match (is_long(0), is_long(1)) {
+                (false, false) => {
+                    self.nodes.extend(corners_of(cell));
+                    cells.push(cell);
+                }
+                (along, across) => tasks.extend(halves(vec![cell], [along, across])),
+            }
+        }
+        cells
+    }
+
+    /// Halves long cells with a node amid a long side, and makes the two sides of a ring alike. True if there were any.
+    fn halve_long_cells(&mut self, cells: &mut Vec<[Place; 2]>, is_ring: bool) -> bool {
+        let before = self.nodes.len();
+        let last = (self.columns.len() - 1) as i64 * UNITS;
+        if is_ring {
+            let on_sides: Vec<Place> = (self.nodes.iter()).filter(|place| place[0] % last == 0).copied().collect();
+            for [side, level] in on_sides {
+                self.nodes.insert([last - side, level]);
+            }
+        }
+        let mut whole = Vec::with_capacity(cells.len());
+        for cell in std::mem::take(cells) {
+            let corners = cell.map(|place| self.position(place));
+            let edges = [0, 1].map(|k| corners[1][k] - corners[0][k]);
+            let amid = |k: usize| {
+                let middle = (cell[0][k] + cell[1][k]) / 2;
+                let on = |side: i64| if k == 0 { [middle, side] } else { [side, middle] };
+                let sides = [cell[0][1 - k], cell[1][1 - k]];
+                edges[k] > LONG * edges[1 - k] && sides.iter().any(|&side| self.nodes.contains(&on(side)))
+            };
+            let split = [amid(0), amid(1)];
+            match split {
+                [false, false] => whole.push(cell),
+                _ => {
+                    let parts = halves(vec![cell], split);
+                    self.nodes.extend(parts.iter().flat_map(|&part| corners_of(part)));
+                    whole.extend(parts);
+                }
+            }
+        }
+        *cells = whole;
+        self.nodes.len() > before
+    }
+}
+
+fn corners_of([low, high]: [Place; 2]) -> [Place; 4] {
+    [low, [high[0], low[1]], high, [low[0], high[1]]]
+}
+
+/// Cells halved along and across the flow, or not.
+fn halves(cells: Vec<[Place; 2]>, split: [bool; 2]) -> Vec<[Place; 2]> {
+    (0..2).filter(|&k| split[k]).fold(cells, |cells, k| {
+        let halve = |[low, high]: [Place; 2]| {
+            let (mut middle_high, mut middle_low) = (high, low);
+            let middle = (low[k] + high[k]) / 2;
+            (middle_high[k], middle_low[k]) = (middle, middle);
+            [[low, middle_high], [middle_low, high]]
+        };
+        cells.into_iter().flat_map(halve).collect()
+    })
+}
+
+/// Rows that must be there: the ends and the edges of grooves along the flow.
+fn stops(half: f64, features: &[Feature], rows: &Rows) -> Vec<f64> {
+    let mut stops = vec![-half, half];
+    let (all_around, others): (Vec<_>, Vec<_>) =
+        (features.iter().filter(|feature| !feature.shape.is_disc())).partition(|feature| feature.shape.is_full_turn());
+    let edges = |feature: &&Feature| {
+        let (z, half) = (feature.shape.centre[1], feature.shape.half[1]);
+        [z - half, z + half]
+    };
+    stops.extend(all_around.iter().flat_map(edges));
+    for z in others.iter().flat_map(edges) {
+        let spacing = (rows.across)(z);
+        if stops.iter().all(|stop| (stop - z).abs() > OWN_ROW * spacing) {
+            stops.push(z);
+        }
+    }
+    stops.sort_unstable_by(f64::total_cmp);
+    stops
+}
+
+/// Places from stop to stop, as far apart as `spacing` says.
+fn filled(stops: &[f64], axis: usize, spacing: &dyn Fn(f64) -> f64) -> Vec<f64> {
+    let on_axis = |place: f64| match axis {
+        0 => [place, 0.0],
+        _ => [0.0, place],
+    };
+    let mut places = vec![stops[0]];
+    for pair in stops.windows(2) {
+        let piece = Piece::Line(on_axis(pair[0]), on_axis(pair[1]));
+        let points = cut(&piece, &|point| spacing(point[axis]));
+        places.extend(points[1..].iter().map(|point| point[axis]));
+    }
+    places
+}
