@@ -219,12 +219,16 @@ fn graded(scene: &Scene, blueprint: &Blueprint, longest: f64, near: (f64, f64)) 
     let size = |x: f64| longest * film_scale(near, x / radius) / LONGEST;
     match scene.cavitation {
         Some(cavitation) if cavitation.model == CavitationModel::Jfo => {
-            let spacing = spacing(&blueprint.liner, &size);
-            let enters = scene.ends.pressure > cavitation.pressure;
-            let half = 0.5 * scene.bearing.length;
-            let across = |z: f64| match enters {
-                true => spacing.min(AT_END * spacing + TOWARDS_END * (half - z.abs())),
-                false => spacing,
+            let far = spacing(&blueprint.liner, &size);
+            let layers = layers(scene, cavitation.pressure);
+            // Cells keep their shape where the mesh is drawn finer.
+            let usual = spacing(&blueprint.liner, &|x| needed_size(scene) / longest * size(x));
+            let across = |z: f64| {
+                let towards = |(edge, thickness): &(f64, f64)| {
+                    let at_edge = far * (IN_LAYER * thickness / usual).clamp(FINEST, 1.0);
+                    at_edge + TOWARDS_EDGE * (z - edge).abs()
+                };
+                layers.iter().map(towards).fold(far, f64::min)
             };
             let (along, across) = (&size, &across);
             generate_in_rows(blueprint, &Rows { along, across })
@@ -247,9 +251,29 @@ fn spacing(liner: &Liner, size: &dyn Fn(f64) -> f64) -> f64 {
     0.75f64.sqrt() * columns / triangles
 }
 
-/// Rows at ends through which oil enters the cavity, over those far from them, and how fast they grow with the distance.
-const AT_END: f64 = 0.3;
-const TOWARDS_END: f64 = 0.2;
+/// Rows beside an edge through which oil enters a cavity, over the thickness of the layer that it makes, and over rows far from it at
+/// least; how fast they grow with the distance.
+const IN_LAYER: f64 = 0.25;
+const FINEST: f64 = 0.1;
+const TOWARDS_EDGE: f64 = 0.2;
+
+/// Edges [m] all around through which oil enters the cavity, and the thickness [m] of the layer that the excess of pressure `P` presses
+/// in while the journal turns by one radian: `c sqrt(P R/(3 mu U))`, from `U h/2 d(thickness)/dx = h^3/(12 mu) P/thickness`.
+fn layers(scene: &Scene, cavity: f64) -> Vec<(f64, f64)> {
+    let drag = 3.0 * scene.oil.viscosity * scene.journal.speed.abs();
+    let thickness = |pressure: f64| scene.bearing.clearance * ((pressure - cavity) / drag).sqrt();
+    let half = 0.5 * scene.bearing.length;
+    let at_ends = [-half, half].map(|z| (z, scene.ends.pressure));
+    let at_grooves = scene.feeds.iter().flat_map(|feed| {
+        let shape = shape(scene, feed).filter(|shape| shape.is_full_turn());
+        let edges = shape.map(|shape| [-1.0, 1.0].map(|side| shape.centre[1] + side * shape.half[1]));
+        edges.into_iter().flatten().filter_map(|z| Some((z, feed.pressure?)))
+    });
+    let all = at_ends.into_iter().chain(at_grooves);
+    all.filter(|(_, pressure)| *pressure > cavity && drag > 0.0)
+        .map(|(z, pressure)| (z, thickness(pressure)))
+        .collect()
+}
 
 /// Bounds of the size that resolves the film, in radii.
 const LONGEST: f64 = 0.6;
