@@ -6,6 +6,7 @@ pub mod cavitation_page;
 pub mod coverage;
 pub mod engine_bearings;
 pub mod flexpde_study;
+pub mod flow_meshes;
 pub mod journal_bearings;
 pub mod mesh_page;
 pub mod performance;

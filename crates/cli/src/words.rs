@@ -99,9 +99,10 @@ const EFFECTS: [(&str, &str); 16] = [
 ];
 
 /// Where errors come from.
-const ERRORS: [(&str, &str); 7] = [
+const ERRORS: [(&str, &str); 8] = [
     ("discretisation", "triangles"),
     ("front", "edge of the cavity"),
+    ("transport", "oil spread across the flow"),
     ("geometry", "shape of the liner"),
     ("nonlinear", "nonlinear iteration"),
     ("algebra", "rounding"),

@@ -1,7 +1,9 @@
 //! The mesh of a scene's liner: from its file, or drawn from what the scene says.
 
 use oilwedge_mesh::developed::{self, Liner};
-use oilwedge_mesh::generate::{Blueprint, DrawingError, Feature, Rows, Shape, generate, generate_in_rows, generate_in_rows_like};
+use oilwedge_mesh::generate::{
+    Blueprint, DrawingError, Feature, Rows, Sense, Shape, generate, generate_in_rows, generate_in_rows_like,
+};
 use oilwedge_mesh::quality::share_across_flow;
 use oilwedge_mesh::{Circle, Mesh, flip, gmsh, rim};
 use oilwedge_reynolds::supply::line_at_angle;
@@ -51,7 +53,9 @@ pub fn liner_mesh(scene: &Scene, near: (f64, f64)) -> Result<LinerMesh, CompileE
             let in_rows = match (size, layout) {
                 (None, Layout::Rows) if conserves_oil(scene) && share_across_flow(&mesh) > ACROSS_FLOW => {
                     let blueprint = blueprint_of(scene, &mesh);
-                    blueprint.and_then(|blueprint| generate_in_rows_like(&blueprint, &mesh)).ok()
+                    blueprint
+                        .and_then(|blueprint| generate_in_rows_like(&blueprint, &mesh, sense(scene)))
+                        .ok()
                 }
                 _ => None,
             };
@@ -81,6 +85,14 @@ pub fn liner_mesh(scene: &Scene, near: (f64, f64)) -> Result<LinerMesh, CompileE
                 is_laid_anew: false,
             })
         }
+    }
+}
+
+/// In which sense the journal carries the oil.
+fn sense(scene: &Scene) -> Sense {
+    match scene.journal.speed < 0.0 {
+        true => Sense::Backwards,
+        false => Sense::Forwards,
     }
 }
 
@@ -231,7 +243,8 @@ fn graded(scene: &Scene, blueprint: &Blueprint, longest: f64, near: (f64, f64)) 
                 layers.iter().map(towards).fold(far, f64::min)
             };
             let (along, across) = (&size, &across);
-            generate_in_rows(blueprint, &Rows { along, across })
+            let sense = sense(scene);
+            generate_in_rows(blueprint, &Rows { along, across, sense })
         }
         _ => generate(blueprint, &|[x, _]| size(x)),
     }

@@ -275,8 +275,8 @@ fn report(study: &Study, solved: &Solved, judged: Judged, result: &mut RunResult
     };
     if judged.spread > MOST_SPREAD {
         result.warnings.push(format!(
-            "the triangles do not follow the flow and spread {:.0} % of the oil that the journal carries across it: the film is not resolved at any size; mesh it in rows along the flow (remove layout = \"file\", or give size under [mesh])",
-            100.0 * judged.spread
+            "the triangles do not follow the flow, and oil is spread across it {:.0} times on its way through the cavity: no mesh of such triangles resolves the film; mesh it in rows along the flow (remove layout = \"file\", or give size under [mesh])",
+            judged.spread
         ));
     } else if result.bars && !bare.is_empty() && !solved.is_ended() {
         let told = "this mesh does not resolve the film well enough for an error bar of";

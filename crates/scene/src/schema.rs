@@ -238,7 +238,8 @@ oil = { viscosity = "0.4 Pa.s", barus = { alpha = "2.5e-8 1/Pa" } }
             MeshSource::File {
                 path,
                 unit: 1e-3,
-                size: None
+                size: None,
+                layout: Layout::Rows,
             }
         );
         assert_eq!(

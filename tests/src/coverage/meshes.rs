@@ -8,7 +8,7 @@ use oilwedge_mesh::{Mesh, refine};
 use oilwedge_scene::analysis::{Solved, graded, solve};
 use oilwedge_scene::bars::{Judged, judge};
 use oilwedge_scene::compile::{Study, compile_on};
-use oilwedge_scene::liner_mesh::liner_mesh;
+use oilwedge_scene::liner_mesh::{LinerMesh, liner_mesh};
 use oilwedge_scene::refinement::unknowns;
 use oilwedge_scene::scene::Scene;
 
@@ -114,7 +114,7 @@ pub fn sized(bearing: &Bearing, wanted: f64) -> Scene {
     let mut size = (2.0 * area(&first) / (0.433 * wanted)).sqrt();
     for _ in 0..2 {
         let scene = bearing.scene(Some(size));
-        let Ok((mesh, _)) = liner_mesh(&scene, scene.start()) else {
+        let Ok(LinerMesh { mesh, .. }) = liner_mesh(&scene, scene.start()) else {
             break;
         };
         let ratio = 2.0 * mesh.triangles().len() as f64 / wanted;

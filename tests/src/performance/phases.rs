@@ -25,7 +25,7 @@ const DEGREE: usize = 2;
 pub fn mesh(scene: &Scene) -> Mesh {
     liner_mesh(scene, scene.start())
         .unwrap_or_else(|error| panic!("{error}"))
-        .0
+        .mesh
 }
 
 /// **Number.** Unknowns, pattern of the matrix, and where each element adds to it.

@@ -1,5 +1,6 @@
 //! Films that break: random bearings, counts of iterations, cases whose answer is known.
 
+mod along_flow;
 mod bad_meshes;
 mod bars;
 mod counts;

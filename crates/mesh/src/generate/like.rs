@@ -1,6 +1,6 @@
 //! A mesh in rows along the flow with the geometry and the edge lengths of another mesh.
 
-use super::{Blueprint, DrawingError, Rows, generate_in_rows};
+use super::{Blueprint, DrawingError, Rows, Sense, generate_in_rows};
 use crate::Mesh;
 use crate::size_tree::SizeTree;
 
@@ -16,7 +16,7 @@ const EQUILATERAL: f64 = 0.433_012_701_892_219_3;
 ///
 /// # Errors
 /// As [`generate_in_rows`].
-pub fn generate_in_rows_like(blueprint: &Blueprint, mesh: &Mesh) -> Result<Mesh, Vec<DrawingError>> {
+pub fn generate_in_rows_like(blueprint: &Blueprint, mesh: &Mesh, sense: Sense) -> Result<Mesh, Vec<DrawingError>> {
     let sizes = SizeTree::new(mesh);
     let [low, high] = bounds(mesh);
     let width = mesh.period().unwrap_or(high[0] - low[0]);
@@ -51,6 +51,7 @@ pub fn generate_in_rows_like(blueprint: &Blueprint, mesh: &Mesh) -> Result<Mesh,
         &Rows {
             along: &along,
             across: &across,
+            sense,
         },
     )
 }

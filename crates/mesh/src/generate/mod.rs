@@ -16,7 +16,7 @@ mod triangulate;
 
 pub use drawing::{Blueprint, DrawingError};
 pub use like::generate_in_rows_like;
-pub use rows::Rows;
+pub use rows::{Rows, Sense};
 pub use shape::{Feature, Shape};
 
 use assemble::raw_mesh;
@@ -50,7 +50,7 @@ pub fn generate(blueprint: &Blueprint, size: &dyn Fn([f64; 2]) -> f64) -> Result
         size: &field,
     };
     check_size(&domain, None)?;
-    meshed(&domain, None, &[])
+    meshed(&domain, None)
 }
 
 /// Meshes a liner in rows along the flow, as far apart as `rows` says; features refine it further.
@@ -67,6 +67,7 @@ pub fn generate_in_rows(blueprint: &Blueprint, rows: &Rows) -> Result<Mesh, Vec<
     let wanted = Rows {
         along: &along,
         across: &across,
+        sense: rows.sense,
     };
     let size = |point: [f64; 2]| wanted.size(point);
     // Towards grooves all around the rows draw nearer to each other; towards all else triangles become smaller.
@@ -83,6 +84,7 @@ pub fn generate_in_rows(blueprint: &Blueprint, rows: &Rows) -> Result<Mesh, Vec<
     let rows = Rows {
         along: &along,
         across: &across,
+        sense: rows.sense,
     };
     let size = |point: [f64; 2]| rows.size(point);
     let field = SizeField::new(&size, sheet.period(), &others.0, &others.1);
@@ -93,8 +95,7 @@ pub fn generate_in_rows(blueprint: &Blueprint, rows: &Rows) -> Result<Mesh, Vec<
     };
     check_size(&domain, Some(&rows))?;
     let grid = Grid::new(&sheet, &blueprint.features, &rows, &|point| field.near_features(point));
-    let nodes = grid.inner_nodes(&domain);
-    meshed(&domain, Some(&grid), &nodes)
+    meshed(&domain, Some(&grid))
 }
 
 /// The drawing with its features on the sheet, if nothing is wrong with it.
@@ -112,21 +113,25 @@ fn widest(sheet: &Sheet) -> f64 {
     (0.5 * sheet.length).min(0.25 * sheet.width)
 }
 
-/// The mesh of a domain, with the nodes and the edges of a grid, if there is one.
-fn meshed(domain: &Domain, grid: Option<&Grid>, nodes: &[[f64; 2]]) -> Result<Mesh, Vec<DrawingError>> {
+/// The mesh of a domain, with the nodes of a grid, if there is one.
+fn meshed(domain: &Domain, grid: Option<&Grid>) -> Result<Mesh, Vec<DrawingError>> {
     let cutting = Cutting {
         size: domain.size,
         grid,
     };
     let outline = outline::outline(&domain.sheet, domain.features, &cutting);
-    let triangles = triangulate(domain, &outline, nodes).ok_or_else(|| {
+    let nodes = grid.map(|grid| grid.inner_nodes(domain)).unwrap_or_default();
+    let mut filled = triangulate(domain, &outline, &nodes).ok_or_else(|| {
         let size = domain.size.at([domain.sheet.start, 0.0]);
         vec![DrawingError::Failed {
             size,
             reason: "outlines cross; choose a smaller size".to_owned(),
         }]
     })?;
-    let raw = raw_mesh(domain, &outline, triangles);
+    if let Some(grid) = grid {
+        grid.turn_diagonals(&mut filled);
+    }
+    let raw = raw_mesh(domain, &outline, filled);
     Mesh::build(raw).map_err(|defects| defects.into_iter().map(DrawingError::Defective).collect())
 }
 
@@ -134,7 +139,11 @@ fn meshed(domain: &Domain, grid: Option<&Grid>, nodes: &[[f64; 2]]) -> Result<Me
 fn check_size(domain: &Domain, rows: Option<&Rows>) -> Result<(), Vec<DrawingError>> {
     const ALONG: u32 = 256;
     const ACROSS: u32 = 32;
-    let Domain { sheet, features, size: field } = domain;
+    let Domain {
+        sheet,
+        features,
+        size: field,
+    } = domain;
     let (mut triangles, mut least) = (0.0, f64::INFINITY);
     for k in 0..ALONG * ACROSS {
         let x = sheet.start + sheet.width * (f64::from(k / ACROSS) + 0.5) / f64::from(ALONG);
@@ -154,7 +163,10 @@ fn check_size(domain: &Domain, rows: Option<&Rows>) -> Result<(), Vec<DrawingErr
         triangles += (sheet.width / edges[0]) * (sheet.length / edges[1]) / (area * f64::from(ALONG * ACROSS));
     }
     // Those around a rim may be too few in number of rows to be met above: the integral of dA / (area of a triangle) beside an edge.
-    for feature in features.iter().filter(|feature| rows.is_none() || !feature.shape.is_full_turn()) {
+    for feature in features
+        .iter()
+        .filter(|feature| rows.is_none() || !feature.shape.is_full_turn())
+    {
         let sides = if feature.meshed { 2.0 } else { 1.0 };
         triangles += sides * outline::edges_along(sheet, feature, field) / (EQUILATERAL_AREA * size::GROWTH);
     }

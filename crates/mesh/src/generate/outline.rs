@@ -219,13 +219,7 @@ fn on_sheet(sheet: &Sheet, feature: &Feature) -> Vec<Piece> {
 }
 
 /// The two sides of the sheet: edges of an arc, or a seam with the same points on both sides.
-fn sides(
-    collector: &mut Collector,
-    sheet: &Sheet,
-    features: &[Feature],
-    pieces: &[(usize, Piece)],
-    cutting: &Cutting,
-) {
+fn sides(collector: &mut Collector, sheet: &Sheet, features: &[Feature], pieces: &[(usize, Piece)], cutting: &Cutting) {
     let (low, high) = (-0.5 * sheet.length, 0.5 * sheet.length);
     if !sheet.ring {
         for (x, group) in [(sheet.start, "arc_from"), (sheet.end(), "arc_to")] {

@@ -5,11 +5,11 @@
 //! are halved again and again, so that there are rows nearly up to the rims; only between the last of them and a rim the
 //! triangles are free.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 
 use super::outline::{Sheet, cut};
 use super::shape::{Feature, Piece};
-use super::triangulate::Domain;
+use super::triangulate::{Domain, Triangles};
 
 /// The edge of a feature is a row of its own if no other row lies within this part of the spacing.
 const OWN_ROW: f64 = 0.5;
@@ -30,6 +30,17 @@ pub struct Rows<'a> {
     pub along: &'a dyn Fn(f64) -> f64,
     /// Distance [m] of the rows at z.
     pub across: &'a dyn Fn(f64) -> f64,
+    /// Sense of the flow along x: films of either sense are mirror images.
+    pub sense: Sense,
+}
+
+/// Sense of a flow along x.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sense {
+    /// Towards greater x.
+    Forwards,
+    /// Towards lesser x.
+    Backwards,
 }
 
 impl Rows<'_> {
@@ -48,6 +59,7 @@ pub(super) struct Grid {
     columns: Vec<f64>,
     rows: Vec<f64>,
     nodes: BTreeSet<Place>,
+    sense: Sense,
 }
 
 impl Grid {
@@ -58,6 +70,7 @@ impl Grid {
             columns: filled(&[sheet.start, sheet.end()], 0, rows.along),
             rows: filled(&stops(half, features, rows), 1, rows.across),
             nodes: BTreeSet::new(),
+            sense: rows.sense,
         };
         let mut cells = grid.halved(wanted);
         while grid.halve_long_cells(&mut cells, sheet.ring) {}
@@ -67,7 +80,12 @@ impl Grid {
     /// Where columns and rows leave the line z = `level` of the sheet, ascending.
     pub(super) fn along(&self, level: f64) -> Vec<f64> {
         let on_line = |place: &&Place| self.position(**place)[1] == level;
-        let mut along: Vec<f64> = self.nodes.iter().filter(on_line).map(|&place| self.position(place)[0]).collect();
+        let mut along: Vec<f64> = self
+            .nodes
+            .iter()
+            .filter(on_line)
+            .map(|&place| self.position(place)[0])
+            .collect();
         along.sort_unstable_by(f64::total_cmp);
         along
     }
@@ -75,7 +93,12 @@ impl Grid {
     /// Where rows meet the side x = `side` of the sheet, ascending; the two sides of a ring have the same nodes.
     pub(super) fn across(&self, side: f64) -> Vec<f64> {
         let on_line = |place: &&Place| self.position(**place)[0] == side;
-        let mut across: Vec<f64> = self.nodes.iter().filter(on_line).map(|&place| self.position(place)[1]).collect();
+        let mut across: Vec<f64> = self
+            .nodes
+            .iter()
+            .filter(on_line)
+            .map(|&place| self.position(place)[1])
+            .collect();
         across.sort_unstable_by(f64::total_cmp);
         across
     }
@@ -88,6 +111,34 @@ impl Grid {
         positions
             .filter(|&point| domain.margin(point) > APART * domain.size.at(point))
             .collect()
+    }
+
+    /// Cuts rectangles of right triangles alike, mirrored at z = 0 and with the sense of the flow: which diagonal a Delaunay triangulation takes is
+    /// left to rounding. In the half z < 0 of a flow forwards it rises with x.
+    pub(super) fn turn_diagonals(&self, filled: &mut Triangles) {
+        let Triangles { points, triangles } = filled;
+        let along = match self.sense {
+            Sense::Forwards => 1.0,
+            Sense::Backwards => -1.0,
+        };
+        let mut by_longest: HashMap<[u32; 2], (usize, usize)> = HashMap::new();
+        for t in 0..triangles.len() {
+            let Some(k) = right_angle(triangles[t].map(|v| points[v as usize])) else {
+                continue;
+            };
+            let [corner, a, b] = [0, 1, 2].map(|i| triangles[t][(k + i) % 3]);
+            let Some((other, m)) = by_longest.insert([a.min(b), a.max(b)], (t, k)) else {
+                continue;
+            };
+            let opposite = triangles[other][m];
+            let [p, q, r, s] = [corner, a, opposite, b].map(|v| points[v as usize]);
+            let rises = if p[1] + r[1] < 0.0 { along } else { -along };
+            let is_rectangle = p[0] + r[0] == q[0] + s[0] && p[1] + r[1] == q[1] + s[1];
+            if is_rectangle && (s[0] - q[0]) * (s[1] - q[1]) * rises < 0.0 {
+                triangles[t] = [corner, a, opposite];
+                triangles[other] = [opposite, b, corner];
+            }
+        }
     }
 
     fn position(&self, place: Place) -> [f64; 2] {
@@ -113,9 +164,7 @@ impl Grid {
         while let Some(cell) = tasks.pop() {
             let corners = cell.map(|place| self.position(place));
             let wanted = wanted([0, 1].map(|k| 0.5 * (corners[0][k] + corners[1][k])));
-            let is_long = |k: usize| {
-                cell[1][k] - cell[0][k] > 1 && corners[1][k] - corners[0][k] > TOO_LONG * wanted
-            };
+            let is_long = |k: usize| cell[1][k] - cell[0][k] > 1 && corners[1][k] - corners[0][k] > TOO_LONG * wanted;
             match (is_long(0), is_long(1)) {
                 (false, false) => {
                     self.nodes.extend(corners_of(cell));
@@ -132,7 +181,10 @@ impl Grid {
         let before = self.nodes.len();
         let last = (self.columns.len() - 1) as i64 * UNITS;
         if is_ring {
-            let on_sides: Vec<Place> = (self.nodes.iter()).filter(|place| place[0] % last == 0).copied().collect();
+            let on_sides: Vec<Place> = (self.nodes.iter())
+                .filter(|place| place[0] % last == 0)
+                .copied()
+                .collect();
             for [side, level] in on_sides {
                 self.nodes.insert([last - side, level]);
             }
@@ -160,6 +212,14 @@ impl Grid {
         *cells = whole;
         self.nodes.len() > before
     }
+}
+
+/// The corner at which one side of a triangle lies along x and the other along z.
+fn right_angle(corners: [[f64; 2]; 3]) -> Option<usize> {
+    (0..3).find(|&k| {
+        let (at, next, previous) = (corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3]);
+        (at[0] == next[0] && at[1] == previous[1]) || (at[1] == next[1] && at[0] == previous[0])
+    })
 }
 
 fn corners_of([low, high]: [Place; 2]) -> [Place; 4] {

@@ -5,8 +5,6 @@
 //! then each inner point moves to the mean of the centroids around it, weighted so that the wanted
 //! sizes stay, and all is triangulated again (Chew 1993; Du, Faber, Gunzburger 1999).
 
-use std::collections::HashMap;
-
 use spade::{ConstrainedDelaunayTriangulation, Point2, PositionInTriangulation, Triangulation};
 
 use super::outline::{Outline, Sheet};
@@ -138,41 +136,9 @@ pub(super) fn triangulate(domain: &Domain, outline: &Outline, nodes: &[[f64; 2]]
         }
         best = (angle, opened);
     }
-    let mut triangles: Vec<[u32; 3]> = film(domain, &best.1).map(|(numbers, _)| numbers).collect();
-    let points = positions(&best.1);
-    if !nodes.is_empty() {
-        turn_diagonals(&points, &mut triangles);
-    }
-    Some(Triangles { points, triangles })
-}
-
-/// Cuts rectangles of right triangles alike, mirrored at z = 0: which diagonal a Delaunay triangulation takes is left to rounding.
-fn turn_diagonals(points: &[[f64; 2]], triangles: &mut [[u32; 3]]) {
-    let mut by_longest: HashMap<[u32; 2], (usize, usize)> = HashMap::new();
-    for t in 0..triangles.len() {
-        let Some(k) = right_angle(triangles[t].map(|v| points[v as usize])) else {
-            continue;
-        };
-        let [corner, a, b] = [0, 1, 2].map(|i| triangles[t][(k + i) % 3]);
-        let Some((other, m)) = by_longest.insert([a.min(b), a.max(b)], (t, k)) else {
-            continue;
-        };
-        let opposite = triangles[other][m];
-        let [p, q, r, s] = [corner, a, opposite, b].map(|v| points[v as usize]);
-        let wanted = if p[1] + r[1] < 0.0 { 1.0 } else { -1.0 };
-        let is_rectangle = p[0] + r[0] == q[0] + s[0] && p[1] + r[1] == q[1] + s[1];
-        if is_rectangle && (s[0] - q[0]) * (s[1] - q[1]) * wanted < 0.0 {
-            triangles[t] = [corner, a, opposite];
-            triangles[other] = [opposite, b, corner];
-        }
-    }
-}
-
-/// The corner at which one side of a triangle lies along x and the other along z.
-fn right_angle(corners: [[f64; 2]; 3]) -> Option<usize> {
-    (0..3).find(|&k| {
-        let (at, next, previous) = (corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3]);
-        (at[0] == next[0] && at[1] == previous[1]) || (at[1] == next[1] && at[0] == previous[0])
+    Some(Triangles {
+        points: positions(&best.1),
+        triangles: film(domain, &best.1).map(|(numbers, _)| numbers).collect(),
     })
 }
 

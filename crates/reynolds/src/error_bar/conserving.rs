@@ -5,8 +5,8 @@
 //! ```text
 //! bar of Int p w dA = (1 + chi/chi_1) (c Int d |w| dA + Sum |w s|)
 //! ```
-//! Both films carry oil by the same scheme, and what it spreads across the flow shows in neither: sigma ([`jfo`]) tells. A part of it is added to every bar, and
-//! with much of it there is none. Of second order the error at a node is a third of d, here without its sign, since signs change from mesh to mesh: c is a
+//! Both films carry oil by the same scheme, and what it spreads across the flow shows in neither: sigma and n (`jfo/spread.rs`) say. Every bar has
+//! the part `(0.1 + 0.3 n) sigma` of its number added; with n above 4 there is none. Of second order the error at a node is a third of d, here without its sign, since signs change from mesh to mesh: c is a
 //! little more than a third. Where the two films do not agree on which nodes are in the cavity the mesh is not yet fine enough for
 //! that: chi. Flows are judged by their own differences `Q - Q_2h` and by that of what the cavity carries,
 //! the extent of the cavity by how much of the mesh its edge takes up.
@@ -16,7 +16,7 @@
 //! | d | Pa | `difference` |
 //! | chi: share of the mesh at vertices that are in the cavity of one film only | 1 | `doubt` |
 //! | beta: share of the mesh in sub-triangles at the edge of the cavity | 1 | `front` |
-//! | sigma: oil that may be carried across the flow, over what the journal drags through the clearance | 1 | `spread` |
+//! | sigma, n: oil that may be carried across the flow, over what the journal drags through the clearance, and how often | 1 | `spread` |
 //! | delta: mean difference of the film fraction at the vertices | 1 | `carried` |
 //!
 //! **Source.** Constants: measured on random bearings, held against others, `docs/theory/error_estimation_jfo.md`.
@@ -59,10 +59,11 @@ const LEAST_PART: f64 = 0.1;
 const LEAST_FRONT: f64 = 0.3;
 const LEAST_BAR: f64 = 0.1;
 
-/// Of the oil that may be carried across the flow.
-const OF_SPREAD: f64 = 0.3;
-/// A film of which so much oil may be carried across the flow, over what the journal drags through the clearance, has no bar.
-pub const MOST_SPREAD: f64 = 0.05;
+/// Of the oil that triangles may carry across the flow, and of it times how often they do.
+const OF_SPREAD: f64 = 0.1;
+const OF_SPREAD_AGAIN: f64 = 0.3;
+/// A film whose oil is spread across the flow more often than this has no bar.
+pub const MOST_SPREAD: f64 = 4.0;
 
 /// What is known of the errors of a mass-conserving film; each number is half the width of a bar.
 #[derive(Debug, Clone, PartialEq)]
@@ -91,7 +92,7 @@ pub struct ConservingError {
     pub cavity_share: f64,
     /// Of the least film fraction [1].
     pub least_fraction: f64,
-    /// Oil that triangles may carry across the flow, over what the journal drags through the clearance [1].
+    /// How often the oil of a strip as wide as a triangle may be spread across the flow [1]; zero on rows along it.
     pub spread: f64,
     /// False where the mesh does not resolve the film, and no bar can be trusted.
     pub is_resolved: bool,
@@ -161,9 +162,9 @@ pub fn conserving_error(
     };
     // The film was solved on the sub-mesh that is asked for: no error is left.
     let spread = jfo::spread(problem, system, film, fraction).unwrap_or_default();
-    let dragged = 0.5 * problem.surface_velocity()[0].abs() * problem.bearing.clearance * problem.bearing.length;
-    let whole = spread.iter().sum::<f64>();
-    let part = OF_SPREAD * whole / dragged;
+    let per_share = OF_SPREAD + OF_SPREAD_AGAIN * spread.times;
+    let part = per_share * spread.shares.iter().sum::<f64>();
+    let around = 0.5 * problem.surface_velocity()[0].abs() * problem.bearing.clearance * problem.bearing.length;
     let with_spread = |bar: Bar, of: f64| Bar {
         transport: part * of.abs(),
         ..bar
@@ -173,15 +174,15 @@ pub fn conserving_error(
     let greatest = pair.pressure.iter().fold(0.0, |most: f64, p| most.max(p.abs()));
     let resolved = load.total() <= UNRESOLVED * force.max(CANCELLING * load::possible_load(problem, &total.total));
     Some(ConservingError {
-        is_resolved: resolved && whole <= MOST_SPREAD * dragged,
-        spread: whole / dragged,
+        is_resolved: resolved && spread.times <= MOST_SPREAD,
+        spread: spread.times,
         load,
         across: with_spread(bar(&across), force),
         force: [f64::cos, f64::sin].map(|weight| with_spread(bar(&pair.shares(weight)), force)),
         pressure_integral: with_spread(bar(&pair.shares(|_| 1.0)), force),
         greatest_pressure: pair.greatest_pressure(problem, companion) + part * greatest,
-        flows: flows.into_iter().map(|flow| flow + OF_SPREAD * whole).collect(),
-        side_flow: side_flow + OF_SPREAD * whole,
+        flows: flows.into_iter().map(|flow| flow + part * around).collect(),
+        side_flow: side_flow + part * around,
         inlet_flow: OF_FLOW * (inlet - other_inlet).abs() + (CARRIED_ELSEWHERE * carried + part) * inlet.abs(),
         power: [power.shear - other_power.shear, power.pressure - other_power.pressure],
         power_carried: (CARRIED_IN_SHEAR * carried + part) * power.shear,
@@ -189,10 +190,8 @@ pub fn conserving_error(
         least_fraction: (LEAST_OIL * where_least(in_both) + LEAST_FRONT * front)
             .min(least)
             .max(LEAST_BAR),
-        indicator: (along.iter().zip(&across).zip(&spread))
-            .map(|((along, across), spread)| {
-                widened * along.total().max(across.total()) + OF_SPREAD * force * spread / dragged
-            })
+        indicator: (along.iter().zip(&across).zip(&spread.shares))
+            .map(|((along, across), spread)| widened * along.total().max(across.total()) + per_share * force * spread)
             .collect(),
     })
 }

@@ -21,10 +21,10 @@
 //! **Range.** The film, cavities included: full shear there but for a mass-conserving film, whose oil fills theta of the gap. No film, and no
 //! shear, where a feed gives the pressure. The as-printed form makes oil, and its power does not balance. **Verified by** `tests/friction.rs`.
 
+use oilwedge_fem::control_volumes::sub_triangles;
 use oilwedge_fem::lagrange::{self, MOST_SHAPES};
 use oilwedge_fem::mapping::Mapping;
 use oilwedge_fem::quadrature::MOST_POINTS;
-use oilwedge_fem::control_volumes::sub_triangles;
 use oilwedge_fem::{Field, Quadrature, Space};
 use rayon::prelude::*;
 
@@ -286,7 +286,10 @@ fn broken_shear(
         let [a, b, c] = corners.map(|node| nodes[node]);
         let (u, v) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
         let part = u[0] * v[1] - u[1] * v[0];
-        let points = rule.points.iter().map(|&[xi, eta]| [0, 1].map(|d| a[d] + xi * u[d] + eta * v[d]));
+        let points = rule
+            .points
+            .iter()
+            .map(|&[xi, eta]| [0, 1].map(|d| a[d] + xi * u[d] + eta * v[d]));
         let mut places = [mapping.at(a); MOST_POINTS];
         let mut positions = [[0.0; 2]; MOST_POINTS];
         let mut pressures = [0.0; MOST_POINTS];
@@ -301,7 +304,8 @@ fn broken_shear(
         for (q, weight) in rule.weights.iter().enumerate() {
             let thickness = film[q].thickness;
             let fraction = (carried / thickness).min(1.0);
-            shear += weight * part * places[q].determinant * fraction * viscosity(problem, pressures[q]) / thickness * square;
+            shear += weight * part * places[q].determinant * fraction * viscosity(problem, pressures[q]) / thickness
+                * square;
         }
     }
     shear

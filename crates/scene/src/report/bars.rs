@@ -84,6 +84,7 @@ mod tests {
         let parts = ErrorParts {
             discretisation: 1.0,
             front: 2.0,
+            transport: 0.0,
             geometry: 4.0,
             nonlinear: 8.0,
             algebra: 16.0,

@@ -10,6 +10,7 @@ use oilwedge_fem::{Constraints, Error, Linearisation, Matrix, UnsymmetricFactori
 
 use super::balance::{Balance, add};
 use super::blocks::{Block, Transport};
+use super::loops;
 use super::relaxation::State;
 use super::rows::Condition;
 use super::{Choice, Film, ROUNDING};
@@ -258,7 +259,9 @@ impl<'a> Search<'a> {
     fn calm_overdrawn(&mut self) -> bool {
         let least = self.least_carried();
         let overdrawn: Vec<usize> = (0..self.state.p.len())
-            .filter(|&dof| self.state.cavity[dof] && self.state.theta[dof] < least[dof] - UNDERSHOOT * least[dof].abs() - ROUNDING)
+            .filter(|&dof| {
+                self.state.cavity[dof] && self.state.theta[dof] < least[dof] - UNDERSHOOT * least[dof].abs() - ROUNDING
+            })
             .collect();
         self.calm(&overdrawn, &[Transport::LowDiffusion, Transport::Faces])
     }
@@ -282,7 +285,13 @@ impl<'a> Search<'a> {
                 }
             }
         }
-        let least = |(coming, leaving): (&f64, &f64)| if *leaving > 0.0 { (coming / leaving).clamp(0.0, 1.0) } else { 0.0 };
+        let least = |(coming, leaving): (&f64, &f64)| {
+            if *leaving > 0.0 {
+                (coming / leaving).clamp(0.0, 1.0)
+            } else {
+                0.0
+            }
+        };
         coming.iter().zip(&leaving).map(least).collect()
     }
 
@@ -396,6 +405,9 @@ impl<'a> Search<'a> {
         transport.values.fill(0.0);
         for (block, (form, addresses)) in self.film.blocks.iter().zip(self.forms.iter().zip(&volumes.addresses)) {
             add(transport, addresses, &block.transport(*form, block));
+        }
+        for dof in loops::without_source(transport, &self.state.cavity, &rows.inflow) {
+            transport.add_to_diagonal(dof, loops::LEAK * transport.diagonal(dof));
         }
         for (dof, &outflow) in rows.outflow.iter().enumerate().filter(|(_, outflow)| **outflow > 0.0) {
             transport.add_to_diagonal(dof, outflow);

@@ -317,7 +317,9 @@ impl Block {
 
     /// Thickness [m] of the oil that comes in through the corners upstream, of which a part `theta` is full.
     pub(super) fn inflowing(&self, theta: [f64; 3]) -> f64 {
-        let sum: f64 = (0..3).map(|i| self.weight[i].min(0.0) * self.thickness[i] * theta[i]).sum();
+        let sum: f64 = (0..3)
+            .map(|i| self.weight[i].min(0.0) * self.thickness[i] * theta[i])
+            .sum();
         sum / self.inflow()
     }
 

@@ -29,6 +29,7 @@
 mod active_set;
 mod balance;
 mod blocks;
+mod loops;
 mod relaxation;
 mod rows;
 mod spread;
