@@ -3,7 +3,8 @@
 use std::f64::consts::{PI, TAU};
 
 use oilwedge_mesh::developed::Liner;
-use oilwedge_mesh::generate::{Blueprint, DrawingError, Feature, Shape, generate};
+use oilwedge_mesh::generate::{Blueprint, DrawingError, Feature, Rows, Sense, Shape, generate, generate_in_rows};
+use oilwedge_mesh::quality::share_across_flow;
 use oilwedge_mesh::{Mesh, Quality};
 
 /// Splitmix64: the same liners on every machine.
@@ -121,10 +122,10 @@ fn arc_error(mesh: &Mesh, blueprint: &Blueprint) -> f64 {
     error
 }
 
-fn check(blueprint: &Blueprint, mesh: &Mesh) -> f64 {
+fn check(blueprint: &Blueprint, mesh: &Mesh, least_angle: f64) -> f64 {
     let quality = Quality::of(mesh);
     assert!(
-        quality.least_angle >= 20.0,
+        quality.least_angle >= least_angle,
         "{} deg: {blueprint:?}",
         quality.least_angle
     );
@@ -171,7 +172,7 @@ fn a_thousand_random_liners() {
         let blueprint = blueprint(&mut random);
         let size = blueprint.liner.radius.min(blueprint.liner.length) * random.between(0.05, 0.3);
         match generate(&blueprint, &|_| size) {
-            Ok(mesh) => angles.push(check(&blueprint, &mesh)),
+            Ok(mesh) => angles.push(check(&blueprint, &mesh, 20.0)),
             Err(faults) => {
                 refused += 1;
                 for fault in faults {
@@ -187,6 +188,78 @@ fn a_thousand_random_liners() {
         angles[0], angles[10], angles[500]
     );
     assert!(angles[500] >= 30.0, "median of the least angles {}", angles[500]);
+}
+
+/// Random liners in rows along the flow, up to four times as long as wide. Measured: no angle below 1 degree (beside narrow grooves all around, where cells are long rectangles), 15 % of the area
+/// across the flow in the worst of small liners with many features, 3 % in the median.
+#[test]
+fn random_liners_in_rows() {
+    let mut random = Random(2025);
+    let (mut angles, mut across) = (Vec::new(), Vec::new());
+    while angles.len() < 200 {
+        let blueprint = blueprint(&mut random);
+        let size = blueprint.liner.radius.min(blueprint.liner.length) * random.between(0.05, 0.3);
+        let spacing = size * random.between(0.25, 1.0);
+        let rows = Rows {
+            along: &|_| size,
+            across: &|_| spacing,
+            sense: if angles.len() % 2 == 0 {
+                Sense::Forwards
+            } else {
+                Sense::Backwards
+            },
+        };
+        match generate_in_rows(&blueprint, &rows) {
+            Ok(mesh) => {
+                angles.push(check(&blueprint, &mesh, 0.5));
+                across.push(share_across_flow(&mesh));
+            }
+            Err(faults) => {
+                for fault in faults {
+                    let unnamed = matches!(fault, DrawingError::Failed { .. } | DrawingError::Defective(_));
+                    assert!(!unnamed, "{fault}: {blueprint:?}");
+                }
+            }
+        }
+    }
+    angles.sort_unstable_by(f64::total_cmp);
+    across.sort_unstable_by(f64::total_cmp);
+    println!(
+        "least {:.2}, median {:.2} deg; across the flow median {:.3}, most {:.3}",
+        angles[0], angles[100], across[100], across[199]
+    );
+    assert!(across[100] < 0.05 && across[199] < 0.3, "{across:?}");
+}
+
+/// A plain liner in rows follows the flow everywhere; the two senses are mirror images.
+#[test]
+fn plain_liners_in_rows_are_mirror_images() {
+    let plain = Blueprint {
+        features: Vec::new(),
+        ..liner_with_groove(0.075, [0.01, 0.003], 0.0)
+    };
+    let [forwards, backwards] = [Sense::Forwards, Sense::Backwards].map(|sense| {
+        let rows = Rows {
+            along: &|_| 0.008,
+            across: &|_| 0.005,
+            sense,
+        };
+        generate_in_rows(&plain, &rows).expect("a mesh")
+    });
+    assert_eq!(share_across_flow(&forwards), 0.0);
+    // Centres of the triangles, as whole numbers of a thousandth of a cell.
+    let turn = TAU * plain.liner.radius;
+    let centres = |mesh: &Mesh, sign: f64| {
+        let centre = |t: usize| {
+            let corners = mesh.corners(t);
+            let [x, z] = [0, 1].map(|d| (corners[0][d] + corners[1][d] + corners[2][d]) / 3.0);
+            [(sign * x).rem_euclid(turn), z].map(|x| (x * 1e6).round() as i64)
+        };
+        let mut centres: Vec<[i64; 2]> = (0..mesh.triangles().len()).map(centre).collect();
+        centres.sort_unstable();
+        centres
+    };
+    assert_eq!(centres(&forwards, 1.0), centres(&backwards, -1.0));
 }
 
 #[test]

@@ -35,7 +35,7 @@ pub struct Judged {
     pub indicator: Option<Vec<f64>>,
     /// True if triangles should be divided where the error comes from, rather than all of them.
     pub is_local: bool,
-    /// How often the oil of a strip as wide as a triangle may be spread across the flow; zero on rows along it.
+    /// Part of every bar, over its number, for oil that triangles spread across the flow; zero on rows along it.
     pub spread: f64,
     /// Seconds that measuring and judging took.
     pub seconds: f64,

@@ -8,7 +8,7 @@ use oilwedge_fem::linearisation::Route;
 use oilwedge_fem::newton;
 use oilwedge_mesh::quality::least_angle_of;
 use oilwedge_mesh::{Mesh, Quality, developed, gmsh};
-use oilwedge_reynolds::error_bar::conserving::MOST_SPREAD;
+use oilwedge_reynolds::error_bar::UNRESOLVED;
 
 use crate::analysis::{NoAnswer, Solved, Witness};
 use crate::bars::Judged;
@@ -273,10 +273,10 @@ fn report(study: &Study, solved: &Solved, judged: Judged, result: &mut RunResult
         true => warnings_beside_bars(study, &judged.measured),
         false => warnings(study, &judged.measured),
     };
-    if judged.spread > MOST_SPREAD {
+    if judged.spread > UNRESOLVED {
         result.warnings.push(format!(
-            "the triangles do not follow the flow, and oil is spread across it {:.0} times on its way through the cavity: no mesh of such triangles resolves the film; mesh it in rows along the flow (remove layout = \"file\", or give size under [mesh])",
-            judged.spread
+            "the triangles do not follow the flow and spread oil across it, by which numbers may be off by {:.0} %: there are no error bars, and a finer mesh of such triangles is no better; mesh the film in rows along the flow (remove layout = \"file\", or give size under [mesh])",
+            100.0 * judged.spread
         ));
     } else if result.bars && !bare.is_empty() && !solved.is_ended() {
         let told = "this mesh does not resolve the film well enough for an error bar of";

@@ -35,7 +35,7 @@ fn flooded_ring_converges_with_order_two() {
     let ring = Ring {
         film_start: true,
         model: "jfo",
-        size: Some(0.25),
+        size: Some(0.2),
         ..Ring::new(0.5, 0.8)
     };
     let scene = ring.scene();

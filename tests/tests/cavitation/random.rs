@@ -11,9 +11,9 @@ use oilwedge_tests::random_bearings::{PRESSURE_UNIT, RandomBearing};
 
 /// How many bearings.
 const BEARINGS: u64 = 500;
-/// Most iterations on the finest mesh: measured 16 (mass-conserving) and 7 (Swift-Stieber).
-const MOST_CONSERVING: usize = 25;
-const MOST_SWIFT_STIEBER: usize = 12;
+/// Most iterations on the finest mesh: measured 27 (mass-conserving) and 14 (Swift-Stieber, on the same meshes).
+const MOST_CONSERVING: usize = 35;
+const MOST_SWIFT_STIEBER: usize = 20;
 
 #[test]
 fn every_bearing_has_its_film() {

@@ -6,7 +6,7 @@
 //! bar of Int p w dA = (1 + chi/chi_1) (c Int d |w| dA + Sum |w s|)
 //! ```
 //! Both films carry oil by the same scheme, and what it spreads across the flow shows in neither: sigma and n (`jfo/spread.rs`) say. Every bar has
-//! the part `(0.1 + 0.3 n) sigma` of its number added; with n above 4 there is none. Of second order the error at a node is a third of d, here without its sign, since signs change from mesh to mesh: c is a
+//! the part `min(0.1 + 0.3 n, 0.8) sigma` of its number added. Of second order the error at a node is a third of d, here without its sign, since signs change from mesh to mesh: c is a
 //! little more than a third. Where the two films do not agree on which nodes are in the cavity the mesh is not yet fine enough for
 //! that: chi. Flows are judged by their own differences `Q - Q_2h` and by that of what the cavity carries,
 //! the extent of the cavity by how much of the mesh its edge takes up.
@@ -42,28 +42,30 @@ const DOUBTFUL: f64 = 0.015;
 const AT_TOP: f64 = 0.33;
 const ANYWHERE: f64 = 0.1;
 /// Of the difference of a flow.
-const OF_FLOW: f64 = 1.0;
+const OF_FLOW: f64 = 0.5;
 /// Of delta times what passes through a region, at ends and elsewhere.
-const CARRIED_TO_ENDS: f64 = 0.8;
-const CARRIED_ELSEWHERE: f64 = 0.4;
+const CARRIED_TO_ENDS: f64 = 0.4;
+const CARRIED_ELSEWHERE: f64 = 0.2;
+/// The same for the flow into the loaded film.
+const OF_INLET: f64 = 1.6;
+const CARRIED_TO_INLET: f64 = 0.7;
 /// Of delta times the power of shear.
-const CARRIED_IN_SHEAR: f64 = 0.2;
+const CARRIED_IN_SHEAR: f64 = 0.1;
 /// Of beta, delta and chi, in the share of the cavity.
-const OF_FRONT: f64 = 0.35;
-const OF_CARRIED: f64 = 0.5;
-const OF_DOUBT: f64 = 0.5;
+const OF_FRONT: f64 = 0.2;
+const OF_CARRIED: f64 = 0.3;
+const OF_DOUBT: f64 = 0.3;
 /// In the least film fraction: of the greatest difference where there is least oil, in that part of the cavity, and of beta;
 /// the bar ends at zero oil, but is no less than the last, by which the transport over- and undershoots at edges of streaks.
 const LEAST_OIL: f64 = 0.9;
 const LEAST_PART: f64 = 0.1;
 const LEAST_FRONT: f64 = 0.3;
-const LEAST_BAR: f64 = 0.1;
+const LEAST_BAR: f64 = 0.005;
 
-/// Of the oil that triangles may carry across the flow, and of it times how often they do.
+/// Of sigma, of sigma n, and of sigma at most.
 const OF_SPREAD: f64 = 0.1;
 const OF_SPREAD_AGAIN: f64 = 0.3;
-/// A film whose oil is spread across the flow more often than this has no bar.
-pub const MOST_SPREAD: f64 = 4.0;
+const MOST_OF_SPREAD: f64 = 0.8;
 
 /// What is known of the errors of a mass-conserving film; each number is half the width of a bar.
 #[derive(Debug, Clone, PartialEq)]
@@ -92,7 +94,7 @@ pub struct ConservingError {
     pub cavity_share: f64,
     /// Of the least film fraction [1].
     pub least_fraction: f64,
-    /// How often the oil of a strip as wide as a triangle may be spread across the flow [1]; zero on rows along it.
+    /// Part of every bar, over its number, for oil that triangles spread across the flow [1]; zero on rows along it.
     pub spread: f64,
     /// False where the mesh does not resolve the film, and no bar can be trusted.
     pub is_resolved: bool,
@@ -162,7 +164,7 @@ pub fn conserving_error(
     };
     // The film was solved on the sub-mesh that is asked for: no error is left.
     let spread = jfo::spread(problem, system, film, fraction).unwrap_or_default();
-    let per_share = OF_SPREAD + OF_SPREAD_AGAIN * spread.times;
+    let per_share = (OF_SPREAD + OF_SPREAD_AGAIN * spread.times).min(MOST_OF_SPREAD);
     let part = per_share * spread.shares.iter().sum::<f64>();
     let around = 0.5 * problem.surface_velocity()[0].abs() * problem.bearing.clearance * problem.bearing.length;
     let with_spread = |bar: Bar, of: f64| Bar {
@@ -174,8 +176,8 @@ pub fn conserving_error(
     let greatest = pair.pressure.iter().fold(0.0, |most: f64, p| most.max(p.abs()));
     let resolved = load.total() <= UNRESOLVED * force.max(CANCELLING * load::possible_load(problem, &total.total));
     Some(ConservingError {
-        is_resolved: resolved && spread.times <= MOST_SPREAD,
-        spread: spread.times,
+        is_resolved: resolved,
+        spread: part,
         load,
         across: with_spread(bar(&across), force),
         force: [f64::cos, f64::sin].map(|weight| with_spread(bar(&pair.shares(weight)), force)),
@@ -183,7 +185,7 @@ pub fn conserving_error(
         greatest_pressure: pair.greatest_pressure(problem, companion) + part * greatest,
         flows: flows.into_iter().map(|flow| flow + part * around).collect(),
         side_flow: side_flow + part * around,
-        inlet_flow: OF_FLOW * (inlet - other_inlet).abs() + (CARRIED_ELSEWHERE * carried + part) * inlet.abs(),
+        inlet_flow: OF_INLET * (inlet - other_inlet).abs() + (CARRIED_TO_INLET * carried + part) * inlet.abs(),
         power: [power.shear - other_power.shear, power.pressure - other_power.pressure],
         power_carried: (CARRIED_IN_SHEAR * carried + part) * power.shear,
         cavity_share: OF_FRONT * front + OF_CARRIED * carried + OF_DOUBT * doubt + part,

@@ -33,7 +33,7 @@ use crate::quantities::load::Share;
 use crate::{FilmProblem, FilmSolution, FilmSystem};
 
 /// A load of which this part is in question is not resolved.
-const UNRESOLVED: f64 = 0.05;
+pub const UNRESOLVED: f64 = 0.05;
 /// A load below this part of what its pressures could carry is one of parts that cancel: it is these that are resolved or not.
 const CANCELLING: f64 = 0.01;
 

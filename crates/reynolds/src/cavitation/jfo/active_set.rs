@@ -255,9 +255,13 @@ impl<'a> Search<'a> {
         new
     }
 
-    /// Carries the oil round nodes that hold less than is carried to them by the N scheme, which is positive. True if that is new.
-    fn calm_overdrawn(&mut self) -> bool {
-        let least = self.least_carried();
+    /// Carries the oil round nodes that hold less than is carried to them by the N scheme, which is positive; where forms are kept, round those
+    /// that hold less than none. True if that is new.
+    fn calm_overdrawn(&mut self, pass: Pass) -> bool {
+        let least = match pass {
+            Pass::Kept => vec![0.0; self.state.p.len()],
+            Pass::First | Pass::Second => self.least_carried(),
+        };
         let overdrawn: Vec<usize> = (0..self.state.p.len())
             .filter(|&dof| {
                 self.state.cavity[dof] && self.state.theta[dof] < least[dof] - UNDERSHOOT * least[dof].abs() - ROUNDING
@@ -323,7 +327,7 @@ impl<'a> Search<'a> {
             self.record(&wrong);
             let at_first = *at_first.get_or_insert(wrong.len());
             let nearly = wrong.is_empty() || (wrong.len() as f64) < NEARLY * at_first as f64;
-            let calmed = pass != Pass::First && nearly && self.calm_overdrawn();
+            let calmed = pass != Pass::First && nearly && self.calm_overdrawn(pass);
             if calmed {
                 seen.clear();
             }

@@ -159,10 +159,10 @@ impl Rows {
 }
 
 /// Disjoint sets of nodes.
-struct Parts(Vec<u32>);
+pub(super) struct Parts(Vec<u32>);
 
 impl Parts {
-    fn new(nodes: usize) -> Self {
+    pub(super) fn new(nodes: usize) -> Self {
         Self((0..nodes as u32).collect())
     }
 
@@ -175,7 +175,15 @@ impl Parts {
         node
     }
 
-    fn join(&mut self, a: u32, b: u32) {
+    /// The set of a node, as [`Self::root`], without shortening the way to it.
+    pub(super) fn find(&self, mut node: u32) -> u32 {
+        while self.0[node as usize] != node {
+            node = self.0[node as usize];
+        }
+        node
+    }
+
+    pub(super) fn join(&mut self, a: u32, b: u32) {
         let (a, b) = (self.root(a), self.root(b));
         self.0[a as usize] = b;
     }

@@ -3,26 +3,31 @@
 //! In a sub-triangle without an edge along the flow the N and the LDA scheme send oil to different corners. What they disagree about, at corners
 //! in the cavity, is oil that may be carried across the flow:
 //! ```text
-//! s_T = 1/2 sum_i | N_i - LDA_i |   [m3/s]          spread = sum s_T
-//! times = sum s_T / (U c w_T / 2)                   w_T: extent of the sub-triangle across the flow
+//! s_T = 1/2 sum_i | N_i - LDA_i |   [m3/s]       sigma = sum e s_T / (U c B/2)
+//! e = sqrt(min(1, E/R))                          n = sum e s_T / (U c w_T/2)
 //! ```
-//! Both are zero on rows along the flow, and where no edge of a streak passes. `times` says how often the oil of a strip as wide as a sub-triangle
-//! is spread on its way: below one where rows change their distance behind a hole, growing like 1/w along a layer on triangles that lie
-//! anyhow. There the film converges to a wrong one, and both films that are compared for an error bar do so alike.
+//! w_T is the extent of the sub-triangle across the flow, E [m] the length along the flow of the patch of such sub-triangles to which it belongs. Both
+//! sums are zero on rows along the flow. At the rim of a hole patches are short, and the rows behind carry on what left them. Along
+//! a layer of oil on triangles that lie anyhow, the patch is as long as the layer, n grows like 1/w: the film converges to a wrong
+//! one, and so does that on the vertices by which it is judged.
 //!
 //! **Verified by** `cavitation/along_flow`; measured in `docs/theory/cavitation.md`.
 
 use super::FilmFraction;
 use super::blocks::{Block, Square, blocks};
+use super::rows::Parts;
 use crate::film_law::FilmLaw;
 use crate::{FilmProblem, FilmSolution, FilmSystem};
+
+/// Part of the oil in a sub-triangle below which nothing is spread but rounding.
+const ROUNDING: f64 = 1e-9;
 
 /// Oil that triangles of a mass-conserving film may carry across the flow.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Spread {
-    /// Of each triangle, over what the journal drags through the clearance [1].
+    /// Shares of the triangles in sigma [1].
     pub(crate) shares: Vec<f64>,
-    /// How often the oil of a strip as wide as a triangle is spread [1].
+    /// n: how often the oil of a strip as wide as a sub-triangle is spread [1].
     pub(crate) times: f64,
 }
 
@@ -40,7 +45,7 @@ pub(crate) fn spread(
     let law = FilmLaw::new(problem, 1.0);
     let velocity = law.velocity();
     let speed = velocity[0].hypot(velocity[1]);
-    // Dragged through the clearance, in a strip of unit width [m2/s].
+    // Dragged through the clearance in a strip of unit width [m2/s].
     let drag = 0.5 * speed * problem.bearing.clearance;
     let blocks = blocks(&law, system.space(), volumes);
     let of = |(block, corners): (&Block, &[u32; 3])| {
@@ -52,19 +57,67 @@ pub(crate) fn spread(
         let sent = |square: &Square, i: usize| (0..3).map(|j| square[i][j] * theta[j]).sum::<f64>();
         let [n, lda] = [block.n_scheme(), block.low_diffusion()];
         let to_cavity = (0..3).filter(|&i| film.cavity[corners[i]]);
-        0.5 * to_cavity.map(|i| (sent(&n, i) - sent(&lda, i)).abs()).sum::<f64>() / drag
+        let spread = 0.5 * to_cavity.map(|i| (sent(&n, i) - sent(&lda, i)).abs()).sum::<f64>() / drag;
+        if spread > ROUNDING * width(block, speed) {
+            spread
+        } else {
+            0.0
+        }
     };
-    // 2 |k| of a corner is the extent of the side across from it, times the speed over two.
-    let width = |block: &Block| block.weight.iter().map(|k| k.abs()).sum::<f64>() * 2.0 / speed;
     let pieces: Vec<f64> = blocks.iter().zip(&volumes.triangles).map(of).collect();
-    let times = (pieces.iter().zip(&blocks).filter(|(piece, _)| **piece > 0.0))
-        .map(|(piece, block)| piece / width(block))
-        .sum();
-    let shares = pieces
-        .chunks(volumes.per_triangle)
-        .map(|pieces| pieces.iter().sum::<f64>() / problem.bearing.length);
-    Ok(Spread {
-        shares: shares.collect(),
-        times,
-    })
+    let mut patches = Patches::new(film.unknown.len());
+    let spreading = || (0..pieces.len()).filter(|&s| pieces[s] > 0.0);
+    spreading().for_each(|s| patches.join(volumes.triangles[s]));
+    spreading().for_each(|s| patches.add(volumes.triangles[s], &blocks[s], width(&blocks[s], speed)));
+    let weight = |s: usize| {
+        (patches.length(volumes.triangles[s]) / problem.bearing.radius)
+            .min(1.0)
+            .sqrt()
+    };
+    let mut spread = Spread {
+        shares: vec![0.0; blocks.len() / volumes.per_triangle],
+        times: 0.0,
+    };
+    for s in spreading() {
+        let piece = weight(s) * pieces[s];
+        spread.shares[s / volumes.per_triangle] += piece / problem.bearing.length;
+        spread.times += piece / width(&blocks[s], speed);
+    }
+    Ok(spread)
+}
+
+/// Extent [m] of a sub-triangle across a flow of the given speed [m/s]: 2 |k| of a corner is that of the side across from it, times half the speed.
+fn width(block: &Block, speed: f64) -> f64 {
+    block.weight.iter().map(|k| k.abs()).sum::<f64>() * 2.0 / speed
+}
+
+/// Patches of sub-triangles that share nodes.
+struct Patches {
+    parts: Parts,
+    /// Of each patch, by its root: area [m2], sum of widths [m], number.
+    sums: Vec<[f64; 3]>,
+}
+
+impl Patches {
+    fn new(nodes: usize) -> Self {
+        let (parts, sums) = (Parts::new(nodes), vec![[0.0; 3]; nodes]);
+        Self { parts, sums }
+    }
+
+    fn join(&mut self, corners: [u32; 3]) {
+        self.parts.join(corners[0], corners[1]);
+        self.parts.join(corners[0], corners[2]);
+    }
+
+    fn add(&mut self, corners: [u32; 3], block: &Block, width: f64) {
+        let area = block.volume.iter().sum::<f64>() * 3.0 / block.thickness.iter().sum::<f64>();
+        let sums = &mut self.sums[self.parts.find(corners[0]) as usize];
+        *sums = [sums[0] + area, sums[1] + width, sums[2] + 1.0];
+    }
+
+    /// Length [m] of a patch along the flow: its area over the mean width of its sub-triangles.
+    fn length(&self, corners: [u32; 3]) -> f64 {
+        let [area, widths, number] = self.sums[self.parts.find(corners[0]) as usize];
+        area * number / widths
+    }
 }
