@@ -336,9 +336,10 @@ fn scene_12_flexpde_shell_cavitated() {
 fn scene_13_grooved_ring() {
     let film = shipped("13_grooved_ring");
     let case = &block("jfo_groove_bearing")["groove"];
+    // The reference is known to 2e-4 of the force: 3.3e-4 of its part along x.
     close(film.quantity("load"), number(case, "F"), 2e-4);
-    close(film.quantity("load_x"), number(case, "W_X0"), 3e-4);
-    close(film.quantity("load_y"), number(case, "W_X90"), 3e-4);
+    close(film.quantity("load_x"), number(case, "W_X0"), 5e-4);
+    close(film.quantity("load_y"), number(case, "W_X90"), 5e-4);
     close(film.quantity("side_flow"), film.quantity("feed_flow.groove"), 1e-10);
     assert!(film.measured.flows.imbalance < 1e-10);
 }

@@ -96,7 +96,8 @@ fn sense(scene: &Scene) -> Sense {
     }
 }
 
-fn conserves_oil(scene: &Scene) -> bool {
+/// Whether the film carries its oil through the cavity.
+pub(crate) fn conserves_oil(scene: &Scene) -> bool {
     scene.cavitation.is_some_and(|it| it.model == CavitationModel::Jfo)
 }
 

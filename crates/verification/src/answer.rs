@@ -40,6 +40,18 @@ impl Answer {
         }
     }
 
+    /// Half width of the error bar of a quantity; zero where it has none.
+    pub(crate) fn error(&self, name: &str) -> f64 {
+        match self {
+            Self::Run(run) => run
+                .result
+                .quantity(name)
+                .and_then(|quantity| quantity.error)
+                .unwrap_or(0.0),
+            Self::Refused(_) => 0.0,
+        }
+    }
+
     /// Why there is no answer.
     pub(crate) fn reason(&self) -> Option<&str> {
         match self {

@@ -11,6 +11,8 @@ use super::outline::{Sheet, cut};
 use super::shape::{Feature, Piece};
 use super::triangulate::{Domain, Triangles};
 
+/// Cells between two stops, at least: what leaves a groove over a narrow land is resolved.
+const FEWEST: f64 = 3.0;
 /// The edge of a feature is a row of its own if no other row lies within this part of the spacing.
 const OWN_ROW: f64 = 0.5;
 /// Cells are halved while their edges are longer than those wanted by this factor.
@@ -113,14 +115,17 @@ impl Grid {
             .collect()
     }
 
-    /// Cuts rectangles of right triangles alike, mirrored at z = 0 and with the sense of the flow: which diagonal a Delaunay triangulation takes is
-    /// left to rounding. In the half z < 0 of a flow forwards it rises with x.
+    /// Cuts neighbouring cells along the one and the other diagonal: which one a Delaunay triangulation takes is left to rounding. Faces of cells
+    /// around the nodes lie straight across the flow then, and what crosses slanted ones does not add up along a row. Films of either sense are mirror images.
     pub(super) fn turn_diagonals(&self, filled: &mut Triangles) {
         let Triangles { points, triangles } = filled;
-        let along = match self.sense {
-            Sense::Forwards => 1.0,
-            Sense::Backwards => -1.0,
-        };
+        let key = |point: [f64; 2]| point.map(f64::to_bits);
+        let places: HashMap<[u64; 2], Place> = (self.nodes.iter())
+            .map(|&place| (key(self.position(place)), place))
+            .collect();
+        // An odd number of columns has no middle between two of them.
+        let is_odd = self.columns.len() % 2 == 0;
+        let first = i64::from(is_odd && self.sense == Sense::Backwards);
         let mut by_longest: HashMap<[u32; 2], (usize, usize)> = HashMap::new();
         for t in 0..triangles.len() {
             let Some(k) = right_angle(triangles[t].map(|v| points[v as usize])) else {
@@ -131,12 +136,18 @@ impl Grid {
                 continue;
             };
             let opposite = triangles[other][m];
-            let [p, q, r, s] = [corner, a, opposite, b].map(|v| points[v as usize]);
-            let rises = if p[1] + r[1] < 0.0 { along } else { -along };
-            let is_rectangle = p[0] + r[0] == q[0] + s[0] && p[1] + r[1] == q[1] + s[1];
-            if is_rectangle && (s[0] - q[0]) * (s[1] - q[1]) * rises < 0.0 {
-                triangles[t] = [corner, a, opposite];
-                triangles[other] = [opposite, b, corner];
+            let at = [corner, a, opposite, b].map(|v| places.get(&key(points[v as usize])));
+            let [Some(p), Some(q), Some(r), Some(s)] = at else {
+                continue;
+            };
+            let is_rectangle = (0..2).all(|d| p[d] + r[d] == q[d] + s[d]);
+            let number = |d: usize| p[d].min(r[d]) / (p[d] - r[d]).abs();
+            if is_rectangle {
+                let rises = (number(0) + number(1) + first) % 2 == 0;
+                if rises != ((s[0] - q[0]) * (s[1] - q[1]) > 0) {
+                    triangles[t] = [corner, a, opposite];
+                    triangles[other] = [opposite, b, corner];
+                }
             }
         }
     }
@@ -249,7 +260,8 @@ fn stops(half: f64, features: &[Feature], rows: &Rows) -> Vec<f64> {
         [z - half, z + half]
     };
     stops.extend(all_around.iter().flat_map(edges));
-    for z in others.iter().flat_map(edges) {
+    // With a row amid the length both halves are cut alike.
+    for z in others.iter().flat_map(edges).chain([0.0]) {
         let spacing = (rows.across)(z);
         if stops.iter().all(|stop| (stop - z).abs() > OWN_ROW * spacing) {
             stops.push(z);
@@ -268,7 +280,8 @@ fn filled(stops: &[f64], axis: usize, spacing: &dyn Fn(f64) -> f64) -> Vec<f64> 
     let mut places = vec![stops[0]];
     for pair in stops.windows(2) {
         let piece = Piece::Line(on_axis(pair[0]), on_axis(pair[1]));
-        let points = cut(&piece, &|point| spacing(point[axis]));
+        let widest = (pair[1] - pair[0]) / FEWEST;
+        let points = cut(&piece, &|point| spacing(point[axis]).min(widest));
         places.extend(points[1..].iter().map(|point| point[axis]));
     }
     places

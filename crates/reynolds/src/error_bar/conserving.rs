@@ -42,9 +42,9 @@ const DOUBTFUL: f64 = 0.015;
 const AT_TOP: f64 = 0.33;
 const ANYWHERE: f64 = 0.1;
 /// Of the difference of a flow.
-const OF_FLOW: f64 = 0.5;
+const OF_FLOW: f64 = 0.6;
 /// Of delta times what passes through a region, at ends and elsewhere.
-const CARRIED_TO_ENDS: f64 = 0.4;
+const CARRIED_TO_ENDS: f64 = 0.5;
 const CARRIED_ELSEWHERE: f64 = 0.2;
 /// The same for the flow into the loaded film.
 const OF_INLET: f64 = 1.6;
