@@ -351,7 +351,7 @@ fn scene_14_starved_pad() {
     let reference = &block("jfo_starved_arc")["results"];
     close(film.quantity("load"), number(reference, "F"), 3e-4);
     close(film.quantity("load_y"), number(reference, "W_y"), 3e-4);
-    close(film.quantity("pressure_max"), number(reference, "p_max"), 3e-4);
+    close(film.quantity("pressure_max"), number(reference, "p_max"), 5e-4);
     // The journal carries in half of U h/2 over the length, and all of it leaves.
     let problem = &film.study.problem;
     let inlet = 1e-4 * (1.0 - 0.6 * 90f64.to_radians().cos());

@@ -8,7 +8,7 @@ use crate::family::{BarusForm, Expect, Family, MeshRecipe, Other, Series, Vary};
 pub const KNOWN_VALUES: &str = "known_values";
 
 /// The families, by the names of their files in `tests/hard_cases`.
-const FAMILIES: [(&str, &str); 15] = [
+const FAMILIES: [(&str, &str); 16] = [
     (
         KNOWN_VALUES,
         include_str!("../../../tests/hard_cases/known_values.toml"),
@@ -28,6 +28,7 @@ const FAMILIES: [(&str, &str); 15] = [
     ),
     ("holes", include_str!("../../../tests/hard_cases/holes.toml")),
     ("grooves", include_str!("../../../tests/hard_cases/grooves.toml")),
+    ("along_flow", include_str!("../../../tests/hard_cases/along_flow.toml")),
     ("arcs", include_str!("../../../tests/hard_cases/arcs.toml")),
     ("squeeze", include_str!("../../../tests/hard_cases/squeeze.toml")),
     ("speed", include_str!("../../../tests/hard_cases/speed.toml")),

@@ -124,7 +124,7 @@ impl Grid {
             .map(|&place| (key(self.position(place)), place))
             .collect();
         // An odd number of columns has no middle between two of them.
-        let is_odd = self.columns.len() % 2 == 0;
+        let is_odd = self.columns.len().is_multiple_of(2);
         let first = i64::from(is_odd && self.sense == Sense::Backwards);
         let mut by_longest: HashMap<[u32; 2], (usize, usize)> = HashMap::new();
         for t in 0..triangles.len() {
@@ -141,8 +141,8 @@ impl Grid {
                 continue;
             };
             let is_rectangle = (0..2).all(|d| p[d] + r[d] == q[d] + s[d]);
-            let number = |d: usize| p[d].min(r[d]) / (p[d] - r[d]).abs();
             if is_rectangle {
+                let number = |d: usize| p[d].min(r[d]) / (p[d] - r[d]).abs();
                 let rises = (number(0) + number(1) + first) % 2 == 0;
                 if rises != ((s[0] - q[0]) * (s[1] - q[1]) > 0) {
                     triangles[t] = [corner, a, opposite];

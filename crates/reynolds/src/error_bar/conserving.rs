@@ -39,8 +39,8 @@ const OF_PRESSURE: f64 = 0.36;
 /// chi_1: where bars of the load double.
 const DOUBTFUL: f64 = 0.015;
 /// Of the difference where the pressure is greatest, and of the greatest difference.
-const AT_TOP: f64 = 0.33;
-const ANYWHERE: f64 = 0.1;
+const AT_TOP: f64 = 0.42;
+const ANYWHERE: f64 = 0.13;
 /// Of the difference of a flow.
 const OF_FLOW: f64 = 0.6;
 /// Of delta times what passes through a region, at ends and elsewhere.

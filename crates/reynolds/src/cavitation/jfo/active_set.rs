@@ -11,6 +11,7 @@ use oilwedge_fem::{Constraints, Error, Linearisation, Matrix, UnsymmetricFactori
 use super::balance::{Balance, add};
 use super::blocks::{Block, Transport};
 use super::loops;
+use super::positivity::{UNDERSHOOT, least_carried};
 use super::relaxation::State;
 use super::rows::Condition;
 use super::{Choice, Film, ROUNDING};
@@ -25,8 +26,6 @@ const RESTLESS: u8 = 2;
 const MOST_RETURNS: u8 = 1;
 /// Nodes that hold less than no oil are looked for once fewer signs are wrong than this part of those at first.
 const NEARLY: f64 = 0.3;
-/// A film fraction below the least that is carried by this part of it comes of a scheme that is not positive.
-const UNDERSHOOT: f64 = 1e-3;
 /// Pseudo-time steps: the first as a part of the time that the journal takes over a radius, growth, number.
 const FIRST_TIME_STEP: f64 = 0.01;
 const TIME_GROWTH: f64 = 3.0;
@@ -260,7 +259,7 @@ impl<'a> Search<'a> {
     fn calm_overdrawn(&mut self, pass: Pass) -> bool {
         let least = match pass {
             Pass::Kept => vec![0.0; self.state.p.len()],
-            Pass::First | Pass::Second => self.least_carried(),
+            Pass::First | Pass::Second => least_carried(self.film, &self.state.theta),
         };
         let overdrawn: Vec<usize> = (0..self.state.p.len())
             .filter(|&dof| {
@@ -268,35 +267,6 @@ impl<'a> Search<'a> {
             })
             .collect();
         self.calm(&overdrawn, &[Transport::LowDiffusion, Transport::Faces])
-    }
-
-    /// The least film fraction that a positive scheme could leave at each node: no corner upstream sends less oil, and pressure adds to it.
-    fn least_carried(&self) -> Vec<f64> {
-        let nodes = self.state.p.len();
-        // Oil that comes in, and the volume flow that leaves a full cell, less what it stores.
-        let (mut coming, mut leaving) = (vec![0.0; nodes], vec![0.0; nodes]);
-        for (block, corners) in self.film.blocks.iter().zip(&self.film.volumes.triangles) {
-            let corners = corners.map(|node| node as usize);
-            let sent = (0..3)
-                .filter(|&j| block.weight[j] < 0.0)
-                .map(|j| block.thickness[j] * self.state.theta[corners[j]])
-                .fold(f64::INFINITY, f64::min);
-            for i in 0..3 {
-                leaving[corners[i]] += block.storage[i];
-                if block.weight[i] > 0.0 {
-                    coming[corners[i]] += block.weight[i] * sent;
-                    leaving[corners[i]] += block.weight[i] * block.thickness[i];
-                }
-            }
-        }
-        let least = |(coming, leaving): (&f64, &f64)| {
-            if *leaving > 0.0 {
-                (coming / leaving).clamp(0.0, 1.0)
-            } else {
-                0.0
-            }
-        };
-        coming.iter().zip(&leaving).map(least).collect()
     }
 
     /// The forms of the second pass for the present cavity. Each sub-triangle changes once: some along the rupture line

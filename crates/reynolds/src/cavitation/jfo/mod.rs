@@ -11,25 +11,26 @@
 //! Finite volumes on the linear sub-mesh ([`oilwedge_fem::ControlVolumes`]): one q and one theta a node, each node
 //! either full (theta = 1, q unknown) or in the cavity (q = q(p_cav), theta unknown); `blocks` has the balance of
 //! one sub-triangle, `rows` the conditions, `active_set` the search for the cavity, `relaxation` what makes it
-//! short. The load is integrated with
+//! short, `positivity` the least oil that a node holds, `loops` oil that no source sends, `spread` what triangles across the flow do to it. The load is integrated with
 //! the quadratic functions of the nodal q, which is several times better than with linear ones.
 //!
 //! Two passes. Where oil is transported a residual distribution is used, else faces: in pass one the N scheme wherever
 //! a node is in the cavity, chosen anew each step; in pass two, from the cavity of pass one, the LDA scheme
 //! only where the inflow side of a sub-triangle is starved. Each sub-triangle may change its form once as the cavity
 //! settles; with more changes nodes along the rupture line chatter. Round the few nodes that do not settle so, or
-//! would hold less than no oil, the N scheme stays.
+//! would hold less than is carried to them, the N scheme stays. On rows along the flow, in which these films are meshed, both are one scheme.
 //! A set of nodes that comes back is answered by the N scheme all round the cavity, and then by pseudo-time.
 //!
 //! **Source.** Jakobsson and Floberg, Chalmers Report 190 (1957); Olsson, Chalmers Report 272 (1965); Elrod,
 //! J. Lubr. Technol. 103 (1981) 350. **Range.** Steady with rotation; incompressible oil; triangles without
-//! obtuse angles. **Verified by** `literature/fowell_2007`, `literature/pfeil_groove`, a structured code in Python, oil
+//! obtuse angles, with an edge along the flow wherever oil enters in layers. **Verified by** `literature/fowell_2007`, `literature/pfeil_groove`, a structured code in Python, oil
 //! balances, and random bearings.
 
 mod active_set;
 mod balance;
 mod blocks;
 mod loops;
+mod positivity;
 mod relaxation;
 mod rows;
 mod spread;
