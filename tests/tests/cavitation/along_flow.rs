@@ -123,7 +123,7 @@ fn drowned_rings_converge() {
     });
 }
 
-/// The same ring on meshes of files: those that do not follow the flow are laid anew, and all agree.
+/// A drowned ring on meshes of files: those that do not follow the flow are laid anew, and all agree.
 #[test]
 fn meshes_of_any_kind_agree() {
     let row = &rings()[4];

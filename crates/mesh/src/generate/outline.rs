@@ -130,13 +130,13 @@ pub(super) struct Cutting<'a> {
 impl Cutting<'_> {
     /// Points along a line around the bearing.
     fn around(&self, line: &Piece) -> Vec<[f64; 2]> {
-        let places = self.grid.map(|grid| grid.along(line.at(0.0)[1]));
+        let places = self.grid.map(|grid| grid.on_line(0, line.at(0.0)[1]));
         self.line(line, 0, places)
     }
 
     /// Points along a line from end to end.
     fn axial(&self, line: &Piece) -> Vec<[f64; 2]> {
-        let places = self.grid.map(|grid| grid.across(line.at(0.0)[0]));
+        let places = self.grid.map(|grid| grid.on_line(1, line.at(0.0)[0]));
         self.line(line, 1, places)
     }
 

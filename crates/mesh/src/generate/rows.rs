@@ -79,30 +79,15 @@ impl Grid {
         grid
     }
 
-    /// Where columns and rows leave the line z = `level` of the sheet, ascending.
-    pub(super) fn along(&self, level: f64) -> Vec<f64> {
-        let on_line = |place: &&Place| self.position(**place)[1] == level;
-        let mut along: Vec<f64> = self
-            .nodes
-            .iter()
-            .filter(on_line)
-            .map(|&place| self.position(place)[0])
+    /// Places along `axis` of the nodes whose other coordinate is `level` [m], ascending. The two sides of a ring have the same nodes.
+    pub(super) fn on_line(&self, axis: usize, level: f64) -> Vec<f64> {
+        let positions = self.nodes.iter().map(|&place| self.position(place));
+        let mut places: Vec<f64> = positions
+            .filter(|position| position[1 - axis] == level)
+            .map(|position| position[axis])
             .collect();
-        along.sort_unstable_by(f64::total_cmp);
-        along
-    }
-
-    /// Where rows meet the side x = `side` of the sheet, ascending; the two sides of a ring have the same nodes.
-    pub(super) fn across(&self, side: f64) -> Vec<f64> {
-        let on_line = |place: &&Place| self.position(**place)[0] == side;
-        let mut across: Vec<f64> = self
-            .nodes
-            .iter()
-            .filter(on_line)
-            .map(|&place| self.position(place)[1])
-            .collect();
-        across.sort_unstable_by(f64::total_cmp);
-        across
+        places.sort_unstable_by(f64::total_cmp);
+        places
     }
 
     /// The nodes inside the film of `domain`, which leave room for the outlines.

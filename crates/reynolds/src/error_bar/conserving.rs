@@ -46,7 +46,7 @@ const OF_FLOW: f64 = 0.6;
 /// Of delta times what passes through a region, at ends and elsewhere.
 const CARRIED_TO_ENDS: f64 = 0.5;
 const CARRIED_ELSEWHERE: f64 = 0.2;
-/// The same for the flow into the loaded film.
+/// Of the difference of the flow into the loaded film, and of delta times that flow.
 const OF_INLET: f64 = 1.6;
 const CARRIED_TO_INLET: f64 = 0.7;
 /// Of delta times the power of shear.
