@@ -275,7 +275,7 @@ fn report(study: &Study, solved: &Solved, judged: Judged, result: &mut RunResult
     };
     if judged.spread > UNRESOLVED {
         result.warnings.push(format!(
-            "the triangles do not follow the flow and spread oil across it, by which numbers may be off by {:.0} %: there are no error bars, and a finer mesh of such triangles is no better; mesh the film in rows along the flow (remove layout = \"file\", or give size under [mesh])",
+            "the triangles do not follow the flow and spread oil across it, by which numbers may be off by {:.0} %: there are no error bars, and a finer mesh of such triangles is no better; mesh the film in rows along the flow (under [mesh] remove layout = \"file\" or give size, or bring a file whose triangles have an edge along the flow)",
             100.0 * judged.spread
         ));
     } else if result.bars && !bare.is_empty() && !solved.is_ended() {

@@ -162,8 +162,7 @@ pub fn conserving_error(
             .fold(Bar::default(), |sum, &share| sum + share)
             .scaled(widened)
     };
-    // The film was solved on the sub-mesh that is asked for: no error is left.
-    let spread = jfo::spread(problem, system, film, fraction).unwrap_or_default();
+    let spread = jfo::spread(problem, system, film, fraction).ok()?;
     let per_share = (OF_SPREAD + OF_SPREAD_AGAIN * spread.times).min(MOST_OF_SPREAD);
     let part = per_share * spread.shares.iter().sum::<f64>();
     let around = 0.5 * problem.surface_velocity()[0].abs() * problem.bearing.clearance * problem.bearing.length;

@@ -90,11 +90,13 @@ impl std::ops::AddAssign for Work {
 /// Powers of a solved film.
 pub fn power(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Power {
     let excess: Vec<f64> = film.unknown.iter().map(|&u| excess(problem, u)).collect();
-    // The film was solved on the sub-mesh that is asked for: no error is left.
+    // The film was solved on the sub-mesh that is asked for; without it there is no number.
     let carriage = (film.film_fraction.as_ref()).and_then(|fraction| Carriage::new(problem, system, fraction).ok());
     let mut work = integrated(problem, system, film, &excess, carriage.as_ref());
-    if let Some(carriage) = &carriage {
-        work = jfo::work(carriage, film, &excess, work.shear);
+    match &carriage {
+        Some(carriage) => work = jfo::work(carriage, film, &excess, work.shear),
+        None if film.film_fraction.is_some() => work.shear = f64::NAN,
+        None => {}
     }
     let (mut supplied, mut cavity) = (0.0, 0.0);
     for (dof, (&inflow, &excess)) in film.inflow.iter().zip(&excess).enumerate() {
