@@ -23,7 +23,7 @@ use crate::search::{Search, Trial};
 use crate::stretched::{eccentricity_at, stretched};
 use crate::{NoEquilibrium, Patience};
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSolution, FilmSystem, JournalChange, JournalState};
+use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalChange, JournalState};
 
 /// The balance has been found when force and load differ by this part of the load.
 pub(crate) const BALANCED: f64 = 1e-12;
@@ -175,8 +175,7 @@ pub(crate) fn find_near_within(
     let search = Search {
         balanced,
         keeps_forms: matches!(near, Neighbour::Kept(_)),
-        // A mass-conserving film is not smooth enough.
-        keeps_tangent: !matches!(problem.cavitation, Cavitation::Jfo { .. }),
+        keeps_tangent: problem.cavitation.depends_smoothly_on_position(),
         ..Search::new(problem, system, load, squeeze, patience)
     };
     let first = search.trial(problem, problem.journal.offset, near)?;

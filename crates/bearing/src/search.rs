@@ -4,7 +4,7 @@ use std::cell::{Cell, RefCell};
 
 use oilwedge_reynolds::quantities::load::{load, load_change};
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSolution, FilmSystem, JournalState, NoFilm};
+use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalState, NoFilm};
 
 use crate::equilibrium::{BALANCED, NEAR, Squeeze};
 use crate::reach::natural_force;
@@ -85,7 +85,7 @@ impl<'a> Search<'a> {
                 load => load,
             },
             nearest: Cell::new(None),
-            bears_tension: matches!(problem.cavitation, Cavitation::None),
+            bears_tension: problem.cavitation.bears_tension(),
             tried: RefCell::default(),
             cubic: false,
             balanced: BALANCED,
@@ -153,13 +153,12 @@ impl<'a> Search<'a> {
         }
         .with_squeeze(self.squeeze.radial, self.squeeze.tangential, angle);
         let film = problem.solve_from(self.system, from)?;
-        let cubic = match (self.cubic, cubic) {
-            (false, _) => None,
-            (true, None) => Some(problem.enriched(self.system, &film)?),
-            (true, Some(neighbour)) => Some(problem.enriched_near(self.system, &film, neighbour)?),
+        let cubic = match self.cubic {
+            true => Some(problem.cubic_film(self.system, &film, cubic)?),
+            false => None,
         };
         let force = match &cubic {
-            Some(cubic) => load(&problem, &self.system.enriched().system, cubic).total.force,
+            Some(cubic) => load(&problem, &self.system.cubic().system, cubic).total.force,
             None => load(&problem, self.system, &film).total.force,
         };
         let trial = Trial {

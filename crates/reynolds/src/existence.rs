@@ -4,7 +4,7 @@ use oilwedge_fem::Field;
 use oilwedge_fem::newton::{Failure, HistoryStep};
 
 use crate::solve::Neighbour;
-use crate::{Cavitation, FilmProblem, FilmSolution, FilmSystem};
+use crate::{FilmProblem, FilmSolution, FilmSystem, ReferenceFilm};
 
 /// Reduced pressures beyond this many limits need no second look.
 const FAR_ABOVE: f64 = 1.2;
@@ -176,16 +176,13 @@ impl FilmProblem {
         if reached > FAR_ABOVE * limit {
             return plainly;
         }
-        let (better, other) = match self.cavitation {
-            // Its companion is the worse one.
-            Cavitation::Jfo { .. } => match self.companion_unchecked(system, film) {
-                Ok(companion) => (reached, self.greatest_unknown(system.vertices_only(), &companion).value),
-                Err(_) => return plainly,
-            },
-            _ => match self.enriched_unchecked(system, film) {
-                Ok(cubic) => (self.greatest_unknown(&system.enriched().system, &cubic).value, reached),
-                Err(_) => return plainly,
-            },
+        let Ok(reference) = self.reference_film_unchecked(system, film) else {
+            return plainly;
+        };
+        let other = (self.greatest_unknown(reference.system(system), reference.film())).value;
+        let (better, other) = match reference {
+            ReferenceFilm::Cubic(_) => (other, reached),
+            ReferenceFilm::Coarse(_) => (reached, other),
         };
         let known_to = SAFETY * (better - other).abs() / limit;
         match better / limit - 1.0 > known_to {
@@ -199,16 +196,16 @@ impl FilmProblem {
         }
     }
 
-    /// That a mass-conserving film is below the limit of the viscosity law by more than its companion differs.
+    /// Checks that a film is below the limit of the viscosity law by more than its `coarse` comparison differs from it.
     pub(crate) fn check_resolved(
         &self,
         system: &FilmSystem,
         film: &FilmSolution,
-        companion: &FilmSolution,
+        coarse: &FilmSolution,
     ) -> Result<(), NoFilm> {
         let limit = self.lubricant.pressure_law.limit();
         let reached = self.greatest_unknown(system, film).value;
-        let other = self.greatest_unknown(system.vertices_only(), companion).value;
+        let other = self.greatest_unknown(system.vertices_only(), coarse).value;
         let (ratio, known_to) = (reached / limit, SAFETY * (reached - other).abs() / limit);
         match limit.is_finite() && ratio + known_to > 1.0 {
             true => Err(NoFilm::NearLimit {

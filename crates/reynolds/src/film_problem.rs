@@ -79,14 +79,14 @@ pub struct FilmSystem {
     /// Made when a mass-conserving film is first solved.
     volumes: OnceLock<Result<ControlVolumes, oilwedge_fem::Error>>,
     /// Made when an error bar is first estimated.
-    pub(crate) enriched: OnceLock<Box<Enriched>>,
+    pub(crate) cubic: OnceLock<Box<CubicSystem>>,
     /// Made when the error of a mass-conserving film is first judged.
     pub(crate) vertices: OnceLock<Box<FilmSystem>>,
 }
 
 /// The same mesh and supply with cubic elements.
 #[derive(Debug)]
-pub struct Enriched {
+pub struct CubicSystem {
     /// Assembles cubic elements; never factorised.
     pub system: FilmSystem,
     /// From quadratic elements.
@@ -116,7 +116,7 @@ impl FilmSystem {
             worth_multigrid: WORTH_MULTIGRID,
             between: OnceLock::new(),
             volumes: OnceLock::new(),
-            enriched: OnceLock::new(),
+            cubic: OnceLock::new(),
             vertices: OnceLock::new(),
         }
     }
@@ -133,14 +133,6 @@ impl FilmSystem {
     pub fn for_many_solves(mut self) -> Self {
         self.worth_multigrid = WORTH_MULTIGRID_OFTEN;
         self
-    }
-
-    /// Makes ready at once what a film that is described by its pressure alone is solved with.
-    ///
-    /// # Errors
-    /// A system that does not fit in memory.
-    pub fn prepare(&self) -> Result<(), oilwedge_fem::Error> {
-        self.solver().map(drop)
     }
 
     /// How linear systems are solved that come without another one: by a factor where there are few unknowns, and on meshes of
@@ -162,12 +154,12 @@ impl FilmSystem {
     }
 
     /// The same mesh and supply with cubic elements.
-    pub fn enriched(&self) -> &Enriched {
-        self.enriched.get_or_init(|| {
+    pub fn cubic(&self) -> &CubicSystem {
+        self.cubic.get_or_init(|| {
             let prolongation = Prolongation::new(self.space());
             let cubic = prolongation.cubic().clone();
             let supply = self.supply.on_space(&cubic);
-            Box::new(Enriched {
+            Box::new(CubicSystem {
                 system: Self::with_supply(cubic, supply),
                 prolongation: Arc::new(prolongation),
             })

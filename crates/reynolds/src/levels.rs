@@ -80,8 +80,8 @@ impl Coarser {
     pub(crate) fn carried(&self, film: &FilmSolution, cavitation: Cavitation) -> Start {
         let space = self.system.space();
         let nodes = lagrange::nodes(space.degree());
-        let voters = match cavitation {
-            Cavitation::Reynolds { .. } if space.degree() > 1 => 3..nodes.len(),
+        let voters = match cavitation.obstacle() {
+            Some(_) if space.degree() > 1 => 3..nodes.len(),
             _ => 0..nodes.len(),
         };
         let field = Field {

@@ -3,7 +3,7 @@
 use oilwedge_fem::Error;
 use oilwedge_fem::newton::Failure;
 
-use crate::cavitation::jfo;
+use crate::cavitation;
 use crate::film_law::FilmLaw;
 use crate::solve::Neighbour;
 use crate::{FilmProblem, FilmSolution, FilmSystem, JournalChange, NoFilm};
@@ -62,7 +62,7 @@ impl FilmProblem {
         change: &JournalChange,
     ) -> Result<Vec<f64>, Error> {
         let residual = match &film.film_fraction {
-            Some(fraction) => jfo::residual_change(self, system, film, fraction, change)?,
+            Some(fraction) => cavitation::residual_change(self, system, film, fraction, change)?,
             None => {
                 let changed = FilmLaw::changed(self, *change);
                 system.assembler.residual(&changed, &film.unknown)

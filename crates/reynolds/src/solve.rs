@@ -5,9 +5,9 @@ use oilwedge_fem::field::Extremum;
 use oilwedge_fem::newton::{self, Failure};
 use oilwedge_fem::{Constraints, Error, Field, LinearSolver};
 
-use crate::cavitation::jfo::{self, Choice};
+use crate::cavitation::Choice;
 use crate::film_law::FilmLaw;
-use crate::{Cavitation, FilmProblem, FilmSolution, FilmSystem, Form, NoFilm};
+use crate::{FilmProblem, FilmSolution, FilmSystem, Form, NoFilm};
 
 /// Speeds of an as-printed film are bisected to this fraction of the speed asked for.
 const FOLD_RESOLUTION: f64 = 1e-4;
@@ -61,10 +61,20 @@ impl FilmProblem {
         }
     }
 
+    /// Prepares `system` for the solves of this film at once, so that one too large for the machine is refused before any work.
+    ///
+    /// # Errors
+    /// A system that does not fit in memory.
+    pub fn prepare(&self, system: &FilmSystem) -> Result<(), Error> {
+        match self.cavitation.is_symmetric() {
+            true => system.solver().map(drop),
+            false => Ok(()),
+        }
+    }
+
     /// True if the film is found by iteration, and quicker from that of a coarser mesh.
     pub fn needs_start(&self) -> bool {
-        let breaks = matches!(self.cavitation, Cavitation::Reynolds { .. } | Cavitation::Jfo { .. });
-        breaks || matches!(self.form, Form::AsPrinted(_))
+        self.cavitation.has_free_boundary() || matches!(self.form, Form::AsPrinted(_))
     }
 
     /// The film with all motion of the journal scaled by `motion`, its equation closed by the cavitation model,
@@ -97,10 +107,7 @@ impl FilmProblem {
             Neighbour::Start(film) | Neighbour::Kept(film) => (film.as_start(), 0),
             Neighbour::None => self.start(system, motion),
         };
-        let film = match self.cavitation {
-            Cavitation::Jfo { .. } => jfo::solve(self, system, motion, start, choice)?,
-            _ => self.pressure_film(system, &system.solver().map_err(Failure::from)?, motion, start)?,
-        };
+        let film = self.cavitation.solve(self, system, motion, start, choice)?;
         Ok(FilmSolution { levels, ..film })
     }
 
@@ -141,7 +148,7 @@ impl FilmProblem {
         let constraints = system.supply.constraints(|p| self.unknown_at(p));
         let scale = self.pressure_scale(&constraints);
         let assembler = &system.assembler;
-        let Cavitation::Reynolds { pressure } = self.cavitation else {
+        let Some(pressure) = self.cavitation.obstacle() else {
             let solution = newton::solve(assembler, solver, &law, &constraints, scale, start.u)?;
             return Ok(FilmSolution::full(solution));
         };

@@ -7,7 +7,7 @@ use oilwedge_bearing::{
     Equilibrium, GREATEST_ECCENTRICITY, NoEquilibrium, Patience, find, find_cubic, find_cubic_near, find_near,
 };
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{Cavitation, FilmSolution, JournalState, NoFilm};
+use oilwedge_reynolds::{FilmSolution, JournalState, NoFilm, ReferenceFilm};
 
 use crate::compile::{CompileError, Study, compile, compile_near};
 use crate::report::Status;
@@ -26,11 +26,11 @@ const GRADINGS: usize = 4;
 pub struct Solved {
     /// The film.
     pub film: FilmSolution,
-    /// What judges it.
-    pub witness: Witness,
+    /// The film by which its errors are estimated; none where they were not asked for, or where there is no such film.
+    pub reference: Option<ReferenceFilm>,
     /// How the load is balanced, where the position was sought.
     pub balance: Option<Balance>,
-    /// Seconds that the witness took at the position of the film.
+    /// Seconds that the reference film took at the position of the film.
     pub judging: f64,
     /// How the heat is balanced, where the temperature was sought.
     pub heat: Option<HeatFound>,
@@ -42,17 +42,6 @@ impl Solved {
         let of_heat = self.heat.as_ref().is_some_and(|found| found.is_ended);
         of_heat || self.balance.is_some_and(|balance| balance.is_ended)
     }
-}
-
-/// A second film at the same position.
-#[derive(Debug)]
-pub enum Witness {
-    /// None: errors were not asked for, or the second film was not found.
-    None,
-    /// In cubic elements: the better one, whose numbers are reported.
-    Cubic(FilmSolution),
-    /// On the vertices alone, of a mass-conserving film: the worse one.
-    Vertices(FilmSolution),
 }
 
 /// How well a load is balanced, and what it took.
@@ -124,7 +113,7 @@ impl NoAnswer {
     }
 }
 
-/// Solves a study, with a witness if errors are asked for (`bars`). Under a load the journal of its problem is where it was
+/// Solves a study, with a reference film if errors are asked for (`bars`). Under a load the journal of its problem is where it was
 /// found then, or where the search was when `patience` was at its end.
 ///
 /// # Errors
@@ -160,7 +149,6 @@ pub(crate) fn solve_from(study: &mut Study, bars: bool, patience: Patience, star
 /// As [`solve_from`].
 pub(crate) fn isothermal(study: &mut Study, bars: bool, patience: Patience, start: Start) -> Result<Solved, NoAnswer> {
     let clock = Instant::now();
-    let conserving = matches!(study.problem.cavitation, Cavitation::Jfo { .. });
     let Some(load) = study.load else {
         let film = match start {
             Start::Near(near @ (Neighbour::Start(_) | Neighbour::Kept(_))) => {
@@ -169,21 +157,20 @@ pub(crate) fn isothermal(study: &mut Study, bars: bool, patience: Patience, star
             Start::Scene | Start::Near(Neighbour::None) => study.problem.solve(&study.system)?,
         };
         let clock = Instant::now();
-        let witness = match (bars, conserving) {
-            (false, _) => Witness::None,
-            (true, false) => Witness::Cubic(study.problem.enriched(&study.system, &film)?),
-            (true, true) => companion(study, &film)?,
+        let reference = match bars {
+            true => study.problem.reference_film(&study.system, &film)?,
+            false => None,
         };
         return Ok(Solved {
             film,
-            witness,
+            reference,
             balance: None,
             judging: clock.elapsed().as_secs_f64(),
             heat: None,
         });
     };
     let (problem, system, squeeze) = (&study.problem, &study.system, study.squeeze);
-    let found = match (start, bars && !conserving) {
+    let found = match (start, bars && problem.cavitation.is_symmetric()) {
         (Start::Scene, true) => find_cubic(problem, system, load, squeeze, patience)?,
         (Start::Scene, false) => find(problem, system, load, squeeze, patience)?,
         (Start::Near(near), true) => find_cubic_near(problem, system, load, squeeze, patience, near)?,
@@ -196,14 +183,14 @@ pub(crate) fn isothermal(study: &mut Study, bars: bool, patience: Patience, star
     study.problem = problem;
     let parts = film.seconds;
     let clock = Instant::now();
-    let witness = match cubic {
-        Some(cubic) => Witness::Cubic(cubic),
-        None if bars => companion(study, &film)?,
-        None => Witness::None,
+    let reference = match cubic {
+        Some(cubic) => Some(ReferenceFilm::Cubic(cubic)),
+        None if bars => study.problem.reference_film(&study.system, &film)?,
+        None => None,
     };
     Ok(Solved {
         film,
-        witness,
+        reference,
         balance: Some(Balance {
             unbalanced: found.unbalanced,
             residual: found.residual,
@@ -215,15 +202,6 @@ pub(crate) fn isothermal(study: &mut Study, bars: bool, patience: Patience, star
         judging: clock.elapsed().as_secs_f64(),
         heat: None,
     })
-}
-
-/// The companion of a mass-conserving film; none where there is none, for the film may be sound without it.
-fn companion(study: &Study, film: &FilmSolution) -> Result<Witness, NoFilm> {
-    match study.problem.companion(&study.system, film) {
-        Ok(companion) => Ok(Witness::Vertices(companion)),
-        Err(reason @ NoFilm::NearLimit { .. }) => Err(reason),
-        Err(_) => Ok(Witness::None),
-    }
 }
 
 /// Compiles a scene; under a load a mesh that is made here is graded for the position that the load leads to, as far as `patience`

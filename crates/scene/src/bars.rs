@@ -14,9 +14,9 @@ use oilwedge_fem::Field;
 use oilwedge_reynolds::error_bar::{Bar, FilmError, FlowGoal, Value, film_error};
 use oilwedge_reynolds::quantities::pressure::Extremes;
 use oilwedge_reynolds::quantities::similarity;
-use oilwedge_reynolds::{FilmSolution, FilmSystem};
+use oilwedge_reynolds::{FilmSolution, FilmSystem, ReferenceFilm};
 
-use crate::analysis::{Balance, Solved, Witness};
+use crate::analysis::{Balance, Solved};
 use crate::compile::Study;
 use crate::joint;
 use crate::measure::{Measured, measure, quantities};
@@ -58,13 +58,13 @@ impl Judged {
 /// Measures and judges a solved film.
 pub fn judge(study: &Study, solved: &Solved) -> Judged {
     let clock = Instant::now();
-    let mut judged = match &solved.witness {
-        Witness::None => {
+    let mut judged = match &solved.reference {
+        None => {
             let measured = measure(&study.problem, &study.system, &solved.film);
             Judged::without_bars(quantities(study, &measured), measured)
         }
-        Witness::Cubic(cubic) => judge_by_cubic(study, solved, cubic),
-        Witness::Vertices(companion) => crate::companion_bars::judge(study, solved, companion),
+        Some(ReferenceFilm::Cubic(cubic)) => judge_by_cubic(study, solved, cubic),
+        Some(ReferenceFilm::Coarse(coarse)) => crate::companion_bars::judge(study, solved, coarse),
     };
     if let Some(heat) = &solved.heat {
         heat.widen(study, &judged.measured, &mut judged.quantities);
@@ -76,7 +76,7 @@ pub fn judge(study: &Study, solved: &Solved) -> Judged {
 }
 
 fn judge_by_cubic(study: &Study, solved: &Solved, cubic: &FilmSolution) -> Judged {
-    let better = &study.system.enriched().system;
+    let better = &study.system.cubic().system;
     let measured = measure(&study.problem, better, cubic);
     let mut list = quantities(study, &measured);
     let Ok(error) = film_error(&study.problem, &study.system, &solved.film, cubic, &measured.load.total) else {
@@ -126,10 +126,10 @@ fn judge_by_cubic(study: &Study, solved: &Solved, cubic: &FilmSolution) -> Judge
 /// The numbers of the quadratic film of a solved study with their bars: what would be reported without the cubic film.
 /// `None` where there is no cubic film, and under a load, where the position is that of the cubic film.
 pub fn judge_quadratic(study: &Study, solved: &Solved) -> Option<Vec<Quantity>> {
-    let (Witness::Cubic(cubic), None) = (&solved.witness, &solved.balance) else {
+    let (Some(ReferenceFilm::Cubic(cubic)), None) = (&solved.reference, &solved.balance) else {
         return None;
     };
-    let better = measure(&study.problem, &study.system.enriched().system, cubic);
+    let better = measure(&study.problem, &study.system.cubic().system, cubic);
     let error = film_error(&study.problem, &study.system, &solved.film, cubic, &better.load.total).ok()?;
     let measured = measure(&study.problem, &study.system, &solved.film);
     let after = quantities(study, &better);
@@ -335,7 +335,7 @@ impl Rules<'_> {
             values: &self.film.unknown,
         };
         let cubic = Field {
-            space: system.enriched().system.space(),
+            space: system.cubic().system.space(),
             values: &self.cubic.unknown,
         };
         const LATTICE: u32 = 6;
@@ -375,7 +375,7 @@ impl Rules<'_> {
 
     /// Share of the area [1] in triangles through which the edge of the cavity runs.
     fn front_share(&self) -> f64 {
-        let system: &FilmSystem = &self.study.system.enriched().system;
+        let system: &FilmSystem = &self.study.system.cubic().system;
         let (space, mesh) = (system.space(), system.space().mesh());
         let problem = &self.study.problem;
         let dropped = problem.cavitation.kink().map(|p| problem.unknown_at(p));

@@ -199,9 +199,7 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, near: (f64, f64), degree: usize) ->
         true => system.for_many_solves(),
         false => system,
     };
-    if !matches!(problem.cavitation, Cavitation::Jfo { .. }) {
-        system.prepare()?;
-    }
+    problem.prepare(&system)?;
     let system = match problem.needs_start() || is_sought {
         true => system.with_coarser(&problem.bearing, &problem.film_thickness),
         false => system,
@@ -296,7 +294,7 @@ fn terms(scene: &Scene) -> Vec<Arc<dyn Term>> {
     terms
 }
 
-fn cavitation(scene: &Scene) -> Cavitation {
+pub(crate) fn cavitation(scene: &Scene) -> Cavitation {
     let Some(scene::Cavitation { model, pressure }) = scene.cavitation else {
         return Cavitation::None;
     };

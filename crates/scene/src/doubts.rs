@@ -108,7 +108,7 @@ fn closure(study: &Study, measured: &Measured) -> Option<String> {
                 lost => format!("some {} of the oil that passes is lost there", percent(-lost)),
             }
         )),
-        Cavitation::None | Cavitation::Reynolds { .. } | Cavitation::Jfo { .. } => None,
+        _ => None,
     }
 }
 

@@ -10,7 +10,7 @@ use oilwedge_reynolds::quantities::power::{self, Power};
 use oilwedge_reynolds::quantities::pressure::{self, Extremes};
 use oilwedge_reynolds::quantities::similarity;
 use oilwedge_reynolds::supply::Place;
-use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSolution, FilmSystem, JournalState};
+use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalState};
 
 use crate::compile::Study;
 pub use crate::doubts::warnings;
@@ -58,19 +58,19 @@ impl Measured {
 /// Measures a solved film.
 pub fn measure(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Measured {
     let extremes = pressure::extremes(problem, system, film);
-    let breaks = matches!(problem.cavitation, Cavitation::Reynolds { .. } | Cavitation::Jfo { .. });
     Measured {
         load: load::load(problem, system, film),
         flows: flow::flows(problem, system, film),
         inlet_flow: inlet_flow(problem, system, film),
         power: power::power(problem, system, film),
         least_thickness: pressure::least_thickness(problem, system),
-        cavity: breaks.then(|| cavity::cavity(system, film)),
-        under_tension: match problem.cavitation {
-            Cavitation::None if has_tension(problem, &extremes) => {
-                cavity::share_below(problem, system, film, problem.bearing.end_pressure)
-            }
-            _ => 0.0,
+        cavity: problem
+            .cavitation
+            .has_free_boundary()
+            .then(|| cavity::cavity(system, film)),
+        under_tension: match problem.cavitation.bears_tension() && has_tension(problem, &extremes) {
+            true => cavity::share_below(problem, system, film, problem.bearing.end_pressure),
+            false => 0.0,
         },
         extremes,
         fallbacks: film.fallbacks.clone(),

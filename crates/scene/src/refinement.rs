@@ -12,11 +12,11 @@ use oilwedge_bearing::Patience;
 
 use crate::analysis::{NoAnswer, Solved, graded, solve};
 use crate::bars::{Judged, judge};
-use crate::compile::{CompileError, Study};
+use crate::compile::{CompileError, Study, cavitation};
 use crate::measure::possible_load;
 use crate::report::{LevelFacts, Quantity, Refinement};
 use crate::run::RunOptions;
-use crate::scene::{CavitationModel, Scene, Target};
+use crate::scene::{Scene, Target};
 
 mod next;
 
@@ -317,7 +317,9 @@ fn worst<'a>(quantities: &[Quantity], targets: &'a [Target], possible: f64) -> (
 fn growth(scene: &Scene, worst: f64) -> f64 {
     let [least, most] = GROWTH;
     match worst.is_finite() {
-        true => (worst / SAFETY).powf(1.0 / order(scene)).clamp(least, most),
+        true => (worst / SAFETY)
+            .powf(1.0 / cavitation(scene).convergence_order())
+            .clamp(least, most),
         false => UNRESOLVED_GROWTH,
     }
 }
@@ -333,15 +335,6 @@ fn within(growth: f64, last: Option<&LevelFacts>, left: f64, max_unknowns: usize
     match fits >= GROWTH[0] {
         true => growth.min(fits),
         false => growth,
-    }
-}
-
-/// The power s of `bar ~ unknowns^-s`.
-fn order(scene: &Scene) -> f64 {
-    match scene.cavitation.map(|cavitation| cavitation.model) {
-        Some(CavitationModel::Jfo) => 1.0,
-        Some(CavitationModel::Reynolds) => 1.75,
-        _ => 2.0,
     }
 }
 

@@ -10,7 +10,7 @@ use oilwedge_mesh::quality::least_angle_of;
 use oilwedge_mesh::{Mesh, Quality, developed, gmsh};
 use oilwedge_reynolds::error_bar::UNRESOLVED;
 
-use crate::analysis::{NoAnswer, Solved, Witness};
+use crate::analysis::{NoAnswer, Solved};
 use crate::bars::Judged;
 use crate::compile::{CompileError, Study, compile};
 use crate::doubts::warnings_beside_bars;
@@ -291,9 +291,9 @@ fn report(study: &Study, solved: &Solved, judged: Judged, result: &mut RunResult
         factorisations: film.history.len(),
         nonlinear_iterations: film.history.len(),
         levels: film.levels,
-        bars: match &solved.witness {
-            Witness::None => 0,
-            Witness::Cubic(second) | Witness::Vertices(second) => second.history.len(),
+        bars: match &solved.reference {
+            None => 0,
+            Some(second) => second.film().history.len(),
         },
         position_steps: solved.balance.map_or(0, |balance| balance.steps),
     };

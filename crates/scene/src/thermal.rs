@@ -9,9 +9,9 @@ use oilwedge_bearing::{Balanced, FilmHeat, HeatBalance, NoBalance, Patience};
 use oilwedge_reynolds::existence::readable;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_reynolds::supply::Place;
-use oilwedge_reynolds::{FilmProblem, FilmSystem, Theory};
+use oilwedge_reynolds::{FilmProblem, FilmSystem, ReferenceFilm, Theory};
 
-use crate::analysis::{NoAnswer, Solved, Start, Witness, graded};
+use crate::analysis::{NoAnswer, Solved, Start, graded};
 use crate::compile::{CompileError, Study};
 use crate::liner_mesh::resized;
 use crate::measure::{Measured, measure};
@@ -172,9 +172,9 @@ pub(crate) fn left_over(quantities: &[Quantity]) -> f64 {
 
 /// What was measured on the film whose numbers are reported.
 fn measured(study: &Study, solved: &Solved) -> Measured {
-    match &solved.witness {
-        Witness::Cubic(cubic) => measure(&study.problem, &study.system.enriched().system, cubic),
-        Witness::None | Witness::Vertices(_) => measure(&study.problem, &study.system, &solved.film),
+    match &solved.reference {
+        Some(ReferenceFilm::Cubic(cubic)) => measure(&study.problem, &study.system.cubic().system, cubic),
+        _ => measure(&study.problem, &study.system, &solved.film),
     }
 }
 

@@ -7,8 +7,9 @@
 use oilwedge_bearing::Patience;
 use oilwedge_fem::marking::doerfler;
 use oilwedge_mesh::refine;
+use oilwedge_reynolds::ReferenceFilm;
 use oilwedge_reynolds::error_bar::film_error;
-use oilwedge_scene::analysis::{Witness, graded};
+use oilwedge_scene::analysis::graded;
 use oilwedge_scene::report::Quantity;
 
 use super::bearings::{Bearing, Family};
@@ -97,7 +98,7 @@ pub fn distance(unit: &str, a: f64, b: f64) -> f64 {
 
 /// For each triangle its greatest share in the error of any goal, relative to that goal's shares together.
 fn indicator(solve: &Solve) -> Option<Vec<f64>> {
-    let Witness::Cubic(cubic) = &solve.solved.witness else {
+    let Some(ReferenceFilm::Cubic(cubic)) = &solve.solved.reference else {
         return None;
     };
     let study = &solve.study;

@@ -3,7 +3,7 @@
 use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use oilwedge_scene::analysis::Witness;
+use oilwedge_reynolds::ReferenceFilm;
 use oilwedge_scene::bars::judge_quadratic;
 use oilwedge_scene::measure::{measure, quantities};
 use oilwedge_scene::report::Quantity;
@@ -152,7 +152,7 @@ impl Tally {
     }
 
     fn add_effectivity(&mut self, bearing: &Bearing, solve: &Solve, reference: &Reference) {
-        let Witness::Cubic(_) = &solve.solved.witness else {
+        let Some(ReferenceFilm::Cubic(_)) = &solve.solved.reference else {
             return;
         };
         let known = reference.known.iter().find(|known| known.name == "load");

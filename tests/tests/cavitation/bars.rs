@@ -19,7 +19,7 @@ fn film(study: &Study) -> FilmSolution {
 fn bars(study: &Study, film: &FilmSolution) -> ConservingError {
     let (problem, system) = (&study.problem, &study.system);
     let companion = problem
-        .companion(system, film)
+        .coarse_comparison(system, film)
         .unwrap_or_else(|reason| panic!("{reason}"));
     let bars = conserving_error(problem, system, film, &companion).expect("a mass-conserving film");
     let greatest = bars.load.total().max(bars.across.total());

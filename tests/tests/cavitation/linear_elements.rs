@@ -75,7 +75,7 @@ fn companions_conserve_oil() {
         let film = study.problem.solve(&study.system).expect("a film");
         let system = study.system.vertices_only();
         assert_eq!(system.space().dofs(), study.system.space().mesh().points().len());
-        match study.problem.companion(&study.system, &film) {
+        match study.problem.coarse_comparison(&study.system, &film) {
             Ok(companion) => {
                 let imbalance = flows(&study.problem, system, &companion).imbalance;
                 assert!(imbalance < 1e-10, "{number}: {imbalance:e}");
@@ -104,7 +104,10 @@ fn companion_is_the_film_of_linear_elements() {
         });
         let quadratic = compile(&scene).unwrap_or_else(|error| panic!("{}: {error}", path(name).display()));
         let film = quadratic.problem.solve(&quadratic.system).expect("a film");
-        let companion = quadratic.problem.companion(&quadratic.system, &film).expect("a film");
+        let companion = quadratic
+            .problem
+            .coarse_comparison(&quadratic.system, &film)
+            .expect("a film");
         let study = linear(&scene, (**quadratic.system.space().mesh()).clone());
         let cold = study.problem.solve(&study.system).expect("a film");
         let most = cold.unknown.iter().fold(0.0f64, |most, u| most.max(u.abs()));

@@ -21,9 +21,9 @@ impl Judged {
     pub(crate) fn of(problem: FilmProblem, system: FilmSystem) -> Self {
         let film = problem.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
         let cubic = problem
-            .enriched(&system, &film)
+            .cubic_film(&system, &film, None)
             .unwrap_or_else(|reason| panic!("{reason}"));
-        let carried = load(&problem, &system.enriched().system, &cubic).total;
+        let carried = load(&problem, &system.cubic().system, &cubic).total;
         let error = film_error(&problem, &system, &film, &cubic, &carried).expect("duals");
         Self {
             problem,
@@ -44,7 +44,7 @@ impl Judged {
     }
 
     pub(crate) fn cubic_load(&self) -> Load {
-        load(&self.problem, &self.system.enriched().system, &self.cubic)
+        load(&self.problem, &self.system.cubic().system, &self.cubic)
     }
 
     /// Nodes whose pressure was sought in quadratic elements.

@@ -12,7 +12,7 @@ use crate::films::{Judged, constant, drawn, set};
 fn raised(judged: &Judged) -> FilmSolution {
     let film = &judged.film;
     FilmSolution {
-        unknown: judged.system.enriched().prolongation.prolong(&film.unknown),
+        unknown: judged.system.cubic().prolongation.prolong(&film.unknown),
         inflow: Vec::new(),
         cavity: vec![false; judged.cubic.unknown.len()],
         film_fraction: None,
@@ -36,7 +36,7 @@ fn net(film: &FilmSolution, system: &FilmSystem, is_asked: impl Fn(&str, Place) 
 
 #[track_caller]
 fn add_up(judged: &Judged) {
-    let system = &judged.system.enriched().system;
+    let system = &judged.system.cubic().system;
     let before = load(&judged.problem, system, &raised(judged)).total;
     let after = load(&judged.problem, system, &judged.cubic).total;
     let wanted = [
@@ -101,7 +101,7 @@ fn of_flows() {
         drawn("04_flexpde_ring", 8.0, |_| ()),
     ] {
         let judged = Judged::of_scene(&scene);
-        let better = &judged.system.enriched().system;
+        let better = &judged.system.cubic().system;
         for (goal, error) in &judged.error.flows {
             let is_asked = |name: &str, place: Place| match goal {
                 FlowGoal::Ends => place == Place::End,

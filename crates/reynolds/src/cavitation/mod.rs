@@ -9,9 +9,15 @@
 //!
 //! `docs/theory/cavitation.md` has the equations and how well each is solved.
 
-pub mod jfo;
+mod jfo;
 
-pub use jfo::FilmFraction;
+use oilwedge_fem::complementarity::Start;
+use oilwedge_fem::newton::Failure;
+
+pub(crate) use jfo::{Carriage, Choice, residual_change, spread, work};
+pub use jfo::{FilmFraction, Transport};
+
+use crate::{FilmProblem, FilmSolution, FilmSystem, NoFilm};
 
 /// The closure.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,10 +44,7 @@ pub enum Cavitation {
 impl Cavitation {
     /// The pressure [Pa] that the film exerts where the equation gives `p`.
     pub fn effective_pressure(&self, p: f64) -> f64 {
-        match *self {
-            Self::None | Self::Reynolds { .. } | Self::Jfo { .. } => p,
-            Self::Guembel { pressure } => p.max(pressure),
-        }
+        self.kink().map_or(p, |kink| p.max(kink))
     }
 
     /// The cavitation pressure [Pa gauge], if the model has one.
@@ -52,16 +55,59 @@ impl Cavitation {
         }
     }
 
-    /// True where it leaves the pressure of a cavity but no film fraction: such a cavity makes oil.
+    /// The pressure [Pa gauge] at which the effective pressure has a kink: lower ones are raised to it after the solve.
+    pub fn kink(&self) -> Option<f64> {
+        match *self {
+            Self::Guembel { pressure } => Some(pressure),
+            Self::None | Self::Reynolds { .. } | Self::Jfo { .. } => None,
+        }
+    }
+
+    /// The pressure [Pa gauge] that bounds the solution of an obstacle problem from below.
+    pub fn obstacle(&self) -> Option<f64> {
+        match *self {
+            Self::Reynolds { pressure } => Some(pressure),
+            Self::None | Self::Guembel { .. } | Self::Jfo { .. } => None,
+        }
+    }
+
+    /// True if the film bears tension.
+    pub fn bears_tension(&self) -> bool {
+        matches!(self, Self::None)
+    }
+
+    /// True if oil is conserved through the cavity, by a film fraction.
+    pub fn conserves_oil(&self) -> bool {
+        matches!(self, Self::Jfo { .. })
+    }
+
+    /// True if the cavity bounds the pressure but has no film fraction: such a cavity makes oil.
     pub fn drops_pressures(&self) -> bool {
         matches!(self, Self::Guembel { .. } | Self::Reynolds { .. })
     }
 
-    /// The pressure [Pa] at which the effective pressure has a kink, if it has one.
-    pub fn kink(&self) -> Option<f64> {
-        match *self {
-            Self::None | Self::Reynolds { .. } | Self::Jfo { .. } => None,
-            Self::Guembel { pressure } => Some(pressure),
+    /// True if the edge of the cavity is part of the solution and is found by iteration.
+    pub fn has_free_boundary(&self) -> bool {
+        matches!(self, Self::Reynolds { .. } | Self::Jfo { .. })
+    }
+
+    /// True if the force depends on the position so smoothly that a secant corrects its tangent.
+    pub fn depends_smoothly_on_position(&self) -> bool {
+        !self.conserves_oil()
+    }
+
+    /// True if the linear systems are symmetric: solved by Cholesky factors and multigrid, on quadratic and cubic elements.
+    pub fn is_symmetric(&self) -> bool {
+        !self.conserves_oil()
+    }
+
+    /// The order s of the error of a load on quadratic elements, `error ~ unknowns^-s`: 2 for a smooth film, 7/4 where the elements
+    /// meet a free boundary, 1 for control volumes.
+    pub fn convergence_order(&self) -> f64 {
+        match self {
+            Self::None | Self::Guembel { .. } => 2.0,
+            Self::Reynolds { .. } => 1.75,
+            Self::Jfo { .. } => 1.0,
         }
     }
 
@@ -72,6 +118,24 @@ impl Cavitation {
             Self::Guembel { .. } => "guembel",
             Self::Reynolds { .. } => "reynolds",
             Self::Jfo { .. } => "jfo",
+        }
+    }
+
+    /// Solves the film of `problem` on `system` from `start`, all motion of the journal scaled by `motion`.
+    pub(crate) fn solve(
+        &self,
+        problem: &FilmProblem,
+        system: &FilmSystem,
+        motion: f64,
+        start: Start,
+        choice: Choice,
+    ) -> Result<FilmSolution, NoFilm> {
+        match self {
+            Self::Jfo { .. } => jfo::solve(problem, system, motion, start, choice),
+            _ => {
+                let solver = system.solver().map_err(Failure::from)?;
+                Ok(problem.pressure_film(system, &solver, motion, start)?)
+            }
         }
     }
 }

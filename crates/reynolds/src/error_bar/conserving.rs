@@ -1,6 +1,6 @@
 //! # Error bars of a mass-conserving film: its distance from the film on the vertices alone
 //!
-//! **Equation.** With d = |p - p_2h| at the vertices, p_2h the pressure of the companion, and s = the integral of p by quadratic less
+//! **Equation.** With d = |p - p_2h| at the vertices, p_2h the pressure of the coarse comparison, and s = the integral of p by quadratic less
 //! that by linear functions over a triangle at the edge of the cavity:
 //! ```text
 //! bar of Int p w dA = (1 + chi/chi_1) (c Int d |w| dA + Sum |w s|)
@@ -26,7 +26,7 @@
 use oilwedge_fem::control_volumes::sub_triangles;
 
 use super::{Bar, CANCELLING, UNRESOLVED};
-use crate::cavitation::jfo;
+use crate::cavitation;
 use crate::quantities::flow::{self, Flows};
 use crate::quantities::inlet::inlet_flow;
 use crate::quantities::load;
@@ -86,7 +86,7 @@ pub struct ConservingError {
     pub side_flow: f64,
     /// Of the flow into the loaded film [m3/s].
     pub inlet_flow: f64,
-    /// Differences of the powers [W] that the turning journal puts in against shear, and against pressure, from those of the companion.
+    /// Differences of the powers [W] that the turning journal puts in against shear, and against pressure, from those of the coarse comparison.
     pub power: [f64; 2],
     /// Power [W] of shear that is in doubt because the film fraction is.
     pub power_carried: f64,
@@ -102,7 +102,7 @@ pub struct ConservingError {
     pub indicator: Vec<f64>,
 }
 
-/// A film and its companion.
+/// A film and its coarse comparison.
 struct Pair<'a> {
     system: &'a FilmSystem,
     film: &'a FilmSolution,
@@ -113,18 +113,18 @@ struct Pair<'a> {
     difference: Vec<f64>,
 }
 
-/// Judges a mass-conserving `film` of quadratic elements by its companion ([`FilmProblem::companion`]); none for other films.
+/// Estimates the errors of a mass-conserving `film` of quadratic elements by its `coarse` comparison ([`FilmProblem::coarse_comparison`]); none for other films.
 pub fn conserving_error(
     problem: &FilmProblem,
     system: &FilmSystem,
     film: &FilmSolution,
-    companion: &FilmSolution,
+    coarse: &FilmSolution,
 ) -> Option<ConservingError> {
-    let (fraction, other) = (film.film_fraction.as_ref()?, companion.film_fraction.as_ref()?);
+    let (fraction, other) = (film.film_fraction.as_ref()?, coarse.film_fraction.as_ref()?);
     if system.space().degree() != 2 {
         return None;
     }
-    let pair = Pair::new(problem, system, film, companion);
+    let pair = Pair::new(problem, system, film, coarse);
     let total = load::load(problem, system, film);
     let towards = total.angle();
     let [along, across] = [
@@ -135,34 +135,34 @@ pub fn conserving_error(
         .map(|(vertex, dof)| [fraction.values[dof], other.values[vertex]])
         .collect();
     let front = pair.front();
-    let in_doubt: Vec<bool> = (pair.vertices().zip(&companion.cavity))
+    let in_doubt: Vec<bool> = (pair.vertices().zip(&coarse.cavity))
         .map(|(dof, &other)| film.cavity[dof] != other)
         .collect();
     let doubt = pair.mean(|vertex| f64::from(u8::from(in_doubt[vertex])));
     let widened = 1.0 + doubt / DOUBTFUL;
     let carried = pair.mean(|vertex| (fractions[vertex][0] - fractions[vertex][1]).abs());
     let in_both: Vec<[f64; 2]> = (pair.vertices().enumerate())
-        .filter(|&(vertex, dof)| film.cavity[dof] && companion.cavity[vertex])
+        .filter(|&(vertex, dof)| film.cavity[dof] && coarse.cavity[vertex])
         .map(|(vertex, _)| fractions[vertex])
         .collect();
     let least = fraction.values.iter().copied().fold(1.0, f64::min);
     let (flows, side_flow) = flow_bars(
         system,
         &flow::flows(problem, system, film),
-        &flow::flows(problem, system.vertices_only(), companion),
+        &flow::flows(problem, system.vertices_only(), coarse),
         carried,
     );
     let others = system.vertices_only();
-    let [power, other_power] = [(system, film), (others, companion)].map(|(system, film)| power(problem, system, film));
+    let [power, other_power] = [(system, film), (others, coarse)].map(|(system, film)| power(problem, system, film));
     let [inlet, other_inlet] =
-        [(system, film), (others, companion)].map(|(system, film)| inlet_flow(problem, system, film).unwrap_or(0.0));
+        [(system, film), (others, coarse)].map(|(system, film)| inlet_flow(problem, system, film).unwrap_or(0.0));
     let bar = |shares: &[Bar]| {
         shares
             .iter()
             .fold(Bar::default(), |sum, &share| sum + share)
             .scaled(widened)
     };
-    let spread = jfo::spread(problem, system, film, fraction).ok()?;
+    let spread = cavitation::spread(problem, system, film, fraction).ok()?;
     let per_share = (OF_SPREAD + OF_SPREAD_AGAIN * spread.times).min(MOST_OF_SPREAD);
     let part = per_share * spread.shares.iter().sum::<f64>();
     let around = 0.5 * problem.surface_velocity()[0].abs() * problem.bearing.clearance * problem.bearing.length;
@@ -181,7 +181,7 @@ pub fn conserving_error(
         across: with_spread(bar(&across), force),
         force: [f64::cos, f64::sin].map(|weight| with_spread(bar(&pair.shares(weight)), force)),
         pressure_integral: with_spread(bar(&pair.shares(|_| 1.0)), force),
-        greatest_pressure: pair.greatest_pressure(problem, companion) + part * greatest,
+        greatest_pressure: pair.greatest_pressure(problem, coarse) + part * greatest,
         flows: flows.into_iter().map(|flow| flow + part * around).collect(),
         side_flow: side_flow + part * around,
         inlet_flow: OF_INLET * (inlet - other_inlet).abs() + (CARRIED_TO_INLET * carried + part) * inlet.abs(),
@@ -205,7 +205,7 @@ impl ConservingError {
 }
 
 impl<'a> Pair<'a> {
-    fn new(problem: &FilmProblem, system: &'a FilmSystem, film: &'a FilmSolution, companion: &FilmSolution) -> Self {
+    fn new(problem: &FilmProblem, system: &'a FilmSystem, film: &'a FilmSolution, coarse: &FilmSolution) -> Self {
         let pressure: Vec<f64> = film.unknown.iter().map(|&u| problem.pressure_at(u)).collect();
         let mut pair = Self {
             system,
@@ -214,7 +214,7 @@ impl<'a> Pair<'a> {
             pressure,
             difference: Vec::new(),
         };
-        let differences = (pair.vertices().zip(&companion.unknown))
+        let differences = (pair.vertices().zip(&coarse.unknown))
             .map(|(dof, &unknown)| (problem.pressure_at(unknown) - pair.pressure[dof]).abs());
         pair.difference = differences.collect();
         pair
@@ -254,10 +254,10 @@ impl<'a> Pair<'a> {
 
     /// By the difference at the vertex of the greatest pressure. In the unknown: where the viscosity law nears its limit pressures are
     /// far more uncertain than it; not finite where the limit lies within the bar.
-    fn greatest_pressure(&self, problem: &FilmProblem, companion: &FilmSolution) -> f64 {
+    fn greatest_pressure(&self, problem: &FilmProblem, coarse: &FilmSolution) -> f64 {
         let unknown = |dof: usize| self.film.unknown[dof];
         let difference = |(dof, other): (usize, &f64)| (dof, (other - unknown(dof)).abs());
-        let pairs = || self.vertices().zip(&companion.unknown).map(difference);
+        let pairs = || self.vertices().zip(&coarse.unknown).map(difference);
         let Some((top, at_top)) = pairs().max_by(|a, b| unknown(a.0).total_cmp(&unknown(b.0))) else {
             return 0.0;
         };

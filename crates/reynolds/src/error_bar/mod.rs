@@ -178,7 +178,7 @@ pub enum FlowGoal {
     Feed(String),
 }
 
-/// Judges `film` by the `cubic` film of `system.enriched()`, which carries `carried`.
+/// Judges `film` by the `cubic` film of `system.cubic()`, which carries `carried`.
 ///
 /// # Errors
 /// The linear systems of the duals could not be solved.

@@ -31,7 +31,7 @@ pub(super) fn film_error(
     cubic: &FilmSolution,
     carried: &Share,
 ) -> Result<FilmError, Error> {
-    let enriched = system.enriched();
+    let enriched = system.cubic();
     let between = &enriched.prolongation;
     let raised = between.prolong(&film.unknown);
     let e: Vec<f64> = cubic.unknown.iter().zip(&raised).map(|(p3, p2)| p3 - p2).collect();
@@ -132,7 +132,7 @@ struct Split<'a> {
 impl Split<'_> {
     /// The dual of a goal with this vector, and its error but for the geometry.
     fn goal(&self, goal: &[f64]) -> Result<(Vec<f64>, GoalError), Error> {
-        let between = &self.system.enriched().prolongation;
+        let between = &self.system.cubic().prolongation;
         if goal.iter().all(|&entry| entry == 0.0) {
             let shares = vec![0.0; self.system.space().mesh().triangles().len()];
             let dual = vec![0.0; self.system.space().dofs()];

@@ -14,7 +14,7 @@
 
 use oilwedge_fem::control_volumes::sub_triangles;
 
-use crate::{Cavitation, FilmProblem, FilmSolution, FilmSystem};
+use crate::{FilmProblem, FilmSolution, FilmSystem};
 
 /// What a cavity is like.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -82,11 +82,10 @@ fn share(system: &FilmSystem, film: &FilmSolution) -> f64 {
 /// other models.
 pub(super) fn broken_share(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, t: usize) -> f64 {
     let space = system.space();
-    let is_broken = |dof: usize| match problem.cavitation {
-        Cavitation::Reynolds { .. } => film.cavity[dof],
-        // Dropped where it is asked for: the unknown is that of the full film.
-        Cavitation::Guembel { pressure } => film.unknown[dof] < problem.unknown_at(pressure),
-        _ => false,
+    let is_broken = |dof: usize| match problem.cavitation.kink() {
+        // Raised after the solve: the unknown is that of the full film.
+        Some(pressure) => film.unknown[dof] < problem.unknown_at(pressure),
+        None => problem.cavitation.drops_pressures() && film.cavity[dof],
     };
     let (mut broken, mut free) = (0.0, 0.0);
     for (dof, share) in space.element_dofs(t).into_iter().zip(node_shares(space.degree())) {

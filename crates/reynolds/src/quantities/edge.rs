@@ -19,7 +19,7 @@ use oilwedge_fem::quadrature::MOST_POINTS;
 use oilwedge_fem::{Field, Quadrature};
 
 use crate::film_law::FilmLaw;
-use crate::{Cavitation, FilmProblem, FilmSolution, FilmSystem};
+use crate::{FilmProblem, FilmSolution, FilmSystem};
 
 /// Cells through which the edge of a cavity runs are quartered this many times.
 const QUARTERINGS: usize = 3;
@@ -37,7 +37,7 @@ pub(super) struct Beside {
 pub(super) fn made_beside(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Vec<Beside> {
     let space = system.space();
     let mut beside = vec![Beside::default(); space.dofs()];
-    let Cavitation::Reynolds { pressure } = problem.cavitation else {
+    let Some(pressure) = problem.cavitation.obstacle() else {
         return beside;
     };
     let floor = problem.unknown_at(pressure);

@@ -24,7 +24,7 @@ use oilwedge_fem::mapping::Mapping;
 use crate::cavitation::FilmFraction;
 use crate::film_law::FilmLaw;
 use crate::quantities::{edge, junction};
-use crate::{Cavitation, FilmFlow, FilmPoint, FilmProblem, FilmSolution, FilmSystem};
+use crate::{FilmFlow, FilmPoint, FilmProblem, FilmSolution, FilmSystem};
 
 /// Volume flow [m3/s] of one region, into the film.
 #[derive(Debug, Clone, PartialEq)]
@@ -87,10 +87,7 @@ pub fn flows(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) ->
         .collect();
     let mut cavity = 0.0_f64;
     let beside = edge::made_beside(problem, system, film);
-    let dropped = match problem.cavitation {
-        Cavitation::Guembel { pressure } => pressure,
-        _ => f64::NEG_INFINITY,
-    };
+    let dropped = problem.cavitation.kink().unwrap_or(f64::NEG_INFINITY);
     let given = system.supply.regions().iter();
     let only_loses: Vec<bool> = given.map(|region| region.pressure <= dropped).collect();
     for (dof, (&inflow, beside)) in film.inflow.iter().zip(&beside).enumerate() {

@@ -30,7 +30,7 @@ use rayon::prelude::*;
 
 use super::cavity::broken_share;
 use super::flow::{STILL, natural_flow};
-use crate::cavitation::jfo::{self, Carriage};
+use crate::cavitation::{self, Carriage};
 use crate::film_law::FilmLaw;
 use crate::lubricant::PressureLaw;
 use crate::{FilmProblem, FilmSolution, FilmSystem};
@@ -94,7 +94,7 @@ pub fn power(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) ->
     let carriage = (film.film_fraction.as_ref()).and_then(|fraction| Carriage::new(problem, system, fraction).ok());
     let mut work = integrated(problem, system, film, &excess, carriage.as_ref());
     match &carriage {
-        Some(carriage) => work = jfo::work(carriage, film, &excess, work.shear),
+        Some(carriage) => work = cavitation::work(carriage, film, &excess, work.shear),
         None if film.film_fraction.is_some() => work.shear = f64::NAN,
         None => {}
     }

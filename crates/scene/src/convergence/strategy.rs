@@ -2,7 +2,8 @@
 
 use serde::Serialize;
 
-use crate::scene::{CavitationModel, Scene};
+use crate::compile::cavitation;
+use crate::scene::Scene;
 
 /// How accuracy is bought.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -43,14 +44,11 @@ impl Strategy {
         }
     }
 
-    /// The order s of the error of a load, `error ~ unknowns^-s`: 2 for quadratic elements and a smooth film, 7/4 where they
-    /// meet a free boundary, 1 for linear elements and for the control volumes of a film that conserves its oil.
+    /// The order s of the error of a load, `error ~ unknowns^-s`: that of the cavitation model on quadratic elements, 1 on linear ones.
     pub fn order(self, scene: &Scene) -> f64 {
-        match scene.cavitation.map(|cavitation| cavitation.model) {
-            _ if self.degree() == 1 => 1.0,
-            Some(CavitationModel::Jfo) => 1.0,
-            Some(CavitationModel::Reynolds) => 1.75,
-            Some(CavitationModel::None | CavitationModel::Guembel) | None => 2.0,
+        match self.degree() {
+            1 => 1.0,
+            _ => cavitation(scene).convergence_order(),
         }
     }
 }

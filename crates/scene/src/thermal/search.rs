@@ -8,8 +8,8 @@ use std::time::Instant;
 
 use oilwedge_bearing::heat_balance::find;
 use oilwedge_bearing::{Balanced, FilmHeat, NoBalance, Patience};
+use oilwedge_reynolds::FilmProblem;
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{Cavitation, FilmProblem};
 
 use super::{HeatFound, film_heat, measured, none};
 use crate::analysis::{NoAnswer, Solved, Start, isothermal};
@@ -153,7 +153,7 @@ impl<'a> Films<'a> {
 
     /// The balance of films whose numbers are reported: with `bars` those of cubic ones, but for mass-conserving films.
     fn balanced(&mut self, first: f64, bars: bool) -> Result<Balanced, NoBalance<Left>> {
-        if self.is_conserving() {
+        if self.study.problem.cavitation.conserves_oil() {
             return self.conserving(first);
         }
         if !bars {
@@ -162,10 +162,6 @@ impl<'a> Films<'a> {
         let rough = self.find(first, ROUGHLY, Film::Chosen)?;
         let found = self.find(rough.temperature, BALANCED, Film::Judged)?;
         Ok(or_slope(found, rough.slope))
-    }
-
-    fn is_conserving(&self) -> bool {
-        matches!(self.study.problem.cavitation, Cavitation::Jfo { .. })
     }
 
     /// The balance of mass-conserving films, where their forms have come to rest or, if they do not, by those chosen near it.
@@ -192,7 +188,7 @@ impl<'a> Films<'a> {
 
     /// What bars need beside the balance. Without these films numbers have none; there is nothing else to fail.
     fn judge(&mut self, found: &Balanced) {
-        if self.is_conserving() {
+        if self.study.problem.cavitation.conserves_oil() {
             drop(self.at(found.temperature, Film::Judged));
         }
         if self.slopes(found.temperature).is_empty() {

@@ -29,6 +29,7 @@
 mod active_set;
 mod balance;
 mod blocks;
+mod coarse_comparison;
 mod loops;
 mod positivity;
 mod relaxation;

@@ -1,18 +1,17 @@
-//! The same film on the vertices alone, to judge by the difference how far a film is from its limit.
+//! The film on the vertices alone, by which the error of a mass-conserving film is estimated.
 //!
 //! A mass-conserving film lives on the linear sub-mesh of its nodes: vertices and the middles of edges. Without the
-//! middles the same scheme is left on the triangles themselves: cells twice as wide, a quarter of the unknowns, the
+//! middles the scheme works on the triangles themselves: cells twice as wide, a quarter of the unknowns, the
 //! same holes, grooves and lines. Its search starts from the film that is there, so it takes few steps.
 
 use oilwedge_fem::Space;
 use oilwedge_fem::complementarity::Start;
 
-use crate::cavitation::jfo;
+use super::{Choice, solve};
 use crate::{FilmProblem, FilmSolution, FilmSystem, NoFilm};
 
 impl FilmSystem {
-    /// The system of linear elements on the same mesh with the same given pressures; made once. Of a system of linear
-    /// elements, the same again.
+    /// The system of linear elements on this mesh with the same given pressures; made once.
     pub fn vertices_only(&self) -> &Self {
         self.vertices.get_or_init(|| {
             let space = Space::new(self.space().mesh().clone(), 1);
@@ -23,26 +22,30 @@ impl FilmSystem {
 }
 
 impl FilmProblem {
-    /// The companion of a mass-conserving `film` of `system`: the film of [`FilmSystem::vertices_only`], found from it.
+    /// The film on [`FilmSystem::vertices_only`], started from a mass-conserving `film` of `system`.
     ///
     /// # Errors
     /// [`NoFilm`]: the reason why there is none; the film itself may still be sound, but for [`NoFilm::NearLimit`].
-    pub fn companion(&self, system: &FilmSystem, film: &FilmSolution) -> Result<FilmSolution, NoFilm> {
-        let companion = self.companion_unchecked(system, film)?;
-        self.check_resolved(system, film, &companion)?;
-        self.check_existence(system.vertices_only(), &companion)?;
-        Ok(companion)
+    pub fn coarse_comparison(&self, system: &FilmSystem, film: &FilmSolution) -> Result<FilmSolution, NoFilm> {
+        let coarse = self.coarse_comparison_unchecked(system, film)?;
+        self.check_resolved(system, film, &coarse)?;
+        self.check_existence(system.vertices_only(), &coarse)?;
+        Ok(coarse)
     }
 
-    /// The same whether or not the viscosity law has a pressure for it.
-    pub(crate) fn companion_unchecked(&self, system: &FilmSystem, film: &FilmSolution) -> Result<FilmSolution, NoFilm> {
+    /// The film on the vertices alone whether or not the viscosity law has a pressure for it.
+    pub(crate) fn coarse_comparison_unchecked(
+        &self,
+        system: &FilmSystem,
+        film: &FilmSolution,
+    ) -> Result<FilmSolution, NoFilm> {
         let vertices = system.vertices_only();
         let dofs = vertex_dofs(system.space());
         let start = Start {
             u: dofs.iter().map(|&dof| film.unknown[dof]).collect(),
             held: dofs.iter().map(|&dof| film.cavity[dof]).collect(),
         };
-        jfo::solve(self, vertices, 1.0, start, jfo::Choice::Anew)
+        solve(self, vertices, 1.0, start, Choice::Anew)
     }
 }
 

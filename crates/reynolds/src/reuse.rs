@@ -11,8 +11,8 @@ impl FilmSystem {
     /// system is then the one that would be made anew. Feeds that touch must keep one pressure; that is not looked at here.
     pub fn renew(&mut self, pressure: &dyn Fn(&SupplyRegion) -> f64, film_thickness: &[Arc<dyn FilmContribution>]) {
         self.supply.set_pressures(pressure);
-        if let Some(enriched) = self.enriched.get_mut() {
-            enriched.system.supply.set_pressures(pressure);
+        if let Some(cubic) = self.cubic.get_mut() {
+            cubic.system.supply.set_pressures(pressure);
         }
         if let Some(vertices) = self.vertices.get_mut() {
             vertices.supply.set_pressures(pressure);

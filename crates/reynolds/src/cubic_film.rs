@@ -1,0 +1,63 @@
+//! The film in cubic elements on the same mesh: the more accurate one by which the error of the quadratic one is estimated.
+//!
+//! It starts from the quadratic film and is solved on top of its factor. A Swift-Stieber cavity is found anew: with the cavity
+//! of the quadratic film the difference of the two would not contain the error of the cavity's edge, which is most of it.
+//!
+//! Source: the difference of two degrees as an error estimate goes back to Bank and Smith, SIAM J. Numer. Anal. 30 (1993) 921.
+
+use oilwedge_fem::LinearSolver;
+use oilwedge_fem::complementarity::Start;
+use oilwedge_fem::nested::Nested;
+
+use crate::{FilmProblem, FilmSolution, FilmSystem, Form, NoFilm};
+
+impl FilmProblem {
+    /// The film in cubic elements, on [`FilmSystem::cubic`], from the quadratic `film`; from the cavity of a cubic film at a `neighbour`ing
+    /// operating point, if there is one. Not for models that conserve oil.
+    ///
+    /// # Errors
+    /// [`NoFilm`]: the reason why there is none.
+    pub fn cubic_film(
+        &self,
+        system: &FilmSystem,
+        film: &FilmSolution,
+        neighbour: Option<&FilmSolution>,
+    ) -> Result<FilmSolution, NoFilm> {
+        let cubic = self.cubic_film_unchecked(system, film, neighbour)?;
+        match self.check_existence(&system.cubic().system, &cubic) {
+            Ok(()) => Ok(cubic),
+            // Quadratic elements have a film.
+            Err(NoFilm::AboveLimit { .. }) if matches!(self.form, Form::AsPrinted(_)) => Err(NoFilm::AtFold {
+                asked: self.journal.speed.abs(),
+                history: film.history.clone(),
+            }),
+            Err(NoFilm::AboveLimit { limit, .. }) => Err(self.beyond(system, film, limit)),
+            Err(reason) => Err(reason),
+        }
+    }
+
+    /// The film in cubic elements whether or not the viscosity law has a pressure for it.
+    pub(crate) fn cubic_film_unchecked(
+        &self,
+        system: &FilmSystem,
+        film: &FilmSolution,
+        neighbour: Option<&FilmSolution>,
+    ) -> Result<FilmSolution, NoFilm> {
+        let cubic = system.cubic();
+        let u = cubic.prolongation.prolong(&film.unknown);
+        let held = match (neighbour, self.cavitation.pressure()) {
+            (Some(neighbour), _) => neighbour.cavity.clone(),
+            (None, Some(pressure)) => {
+                let level = self.unknown_at(pressure);
+                u.iter().map(|&u| u <= level).collect()
+            }
+            (None, None) => vec![false; u.len()],
+        };
+        let solver = LinearSolver::Nested(Nested {
+            quadratic: film.linearisation.clone(),
+            prolongation: cubic.prolongation.clone(),
+            direct: cubic.system.analysis.clone(),
+        });
+        Ok(self.pressure_film(&cubic.system, &solver, 1.0, Start { u, held })?)
+    }
+}
