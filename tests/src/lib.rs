@@ -9,6 +9,7 @@ pub mod flexpde_study;
 pub mod flow_meshes;
 pub mod journal_bearings;
 pub mod mesh_page;
+pub mod msh_file;
 pub mod performance;
 pub mod prices_page;
 pub mod printed;

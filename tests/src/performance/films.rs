@@ -9,7 +9,7 @@ use oilwedge_mesh::{Mesh, gmsh};
 use oilwedge_scene::scene::Scene;
 use tempfile::TempDir;
 
-use super::msh_file::write_binary;
+use crate::msh_file::{Element, Encoding, Form, Numbers, scattered, to_bytes};
 use crate::program::repository;
 
 /// Radius [m] of the ring.
@@ -18,6 +18,13 @@ const RADIUS: f64 = 0.0375;
 const LENGTH: f64 = 0.075;
 /// Radius of its feed hole [m], and the angle [deg] of that.
 const HOLE: (f64, f64) = (0.0085, 130.0);
+/// What gmsh writes for a large mesh (`-bin`).
+const LARGE: Form = Form {
+    encoding: Encoding::Binary,
+    element: Element::Linear,
+    numbers: Numbers::Consecutive,
+    entities: 1,
+};
 /// Most unknowns of the meshes from which the size of another one is found.
 const TRIAL: f64 = 40_000.0;
 
@@ -112,7 +119,8 @@ impl Films {
         let mesh = self.folder().join(format!("{unknowns}.msh"));
         if !mesh.exists() {
             let text = gmsh::to_text(&ring(unknowns));
-            write_binary(&gmsh::parse(text.as_bytes()).expect("our own file"), &mesh);
+            let file = scattered(&gmsh::parse(text.as_bytes()).expect("our own file"));
+            std::fs::write(&mesh, to_bytes(&file, LARGE)).expect("a mesh file is written");
         }
         let text = format!("{}[mesh]\nfile = \"{unknowns}.msh\"\n", kind.text());
         self.written(&format!("{kind:?}{unknowns}"), &text)

@@ -13,7 +13,6 @@ pub mod films;
 pub mod floor;
 pub mod gate;
 pub mod machine;
-mod msh_file;
 pub mod page;
 pub mod peers;
 pub mod phase_table;
