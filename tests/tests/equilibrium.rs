@@ -4,7 +4,8 @@
 use std::sync::Arc;
 
 use oilwedge_bearing::{Equilibrium, NoEquilibrium, Patience, Squeeze, find};
-use oilwedge_reynolds::lubricant::{Barus, PressureLaw};
+use oilwedge_reynolds::lubricant::PressureLaw;
+use oilwedge_reynolds::lubricant::barus::Barus;
 use oilwedge_reynolds::quantities::load::load;
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::terms;

@@ -3,9 +3,9 @@
 //! The tangent of the quadratic film does to begin with, for the two forces differ by a thousandth or so; each step corrects it.
 
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{FilmProblem, FilmSystem};
+use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSystem};
 
-use crate::equilibrium::{Equilibrium, ROUGHLY_BALANCED, Squeeze, find_near_within, find_within, newton_step};
+use crate::equilibrium::{Equilibrium, ROUGHLY_BALANCED, find_near_within, find_within, newton_step};
 use crate::search::Search;
 use crate::{NoEquilibrium, Patience};
 
@@ -25,11 +25,11 @@ pub fn find_cubic(
     problem: &FilmProblem,
     system: &FilmSystem,
     load: [f64; 2],
-    squeeze: Squeeze,
+    centre_velocity: CentreVelocity,
     patience: Patience,
 ) -> Result<Equilibrium, NoEquilibrium> {
-    let found = find_within(problem, system, load, squeeze, patience, ROUGHLY_BALANCED)?;
-    balance_cubic(found, problem, system, load, squeeze, patience)
+    let found = find_within(problem, system, load, centre_velocity, patience, ROUGHLY_BALANCED)?;
+    balance_cubic(found, problem, system, load, centre_velocity, patience)
 }
 
 /// The same from the position of `problem`, as [`crate::find_near`].
@@ -40,12 +40,12 @@ pub fn find_cubic_near(
     problem: &FilmProblem,
     system: &FilmSystem,
     load: [f64; 2],
-    squeeze: Squeeze,
+    centre_velocity: CentreVelocity,
     patience: Patience,
     near: Neighbour,
 ) -> Result<Equilibrium, NoEquilibrium> {
-    let found = find_near_within(problem, system, load, squeeze, patience, near, ROUGHLY_BALANCED)?;
-    balance_cubic(found, problem, system, load, squeeze, patience)
+    let found = find_near_within(problem, system, load, centre_velocity, patience, near, ROUGHLY_BALANCED)?;
+    balance_cubic(found, problem, system, load, centre_velocity, patience)
 }
 
 /// From the balance of the quadratic film to that of the cubic one.
@@ -54,12 +54,12 @@ fn balance_cubic(
     problem: &FilmProblem,
     system: &FilmSystem,
     load: [f64; 2],
-    squeeze: Squeeze,
+    centre_velocity: CentreVelocity,
     patience: Patience,
 ) -> Result<Equilibrium, NoEquilibrium> {
     let search = Search {
         cubic: true,
-        ..Search::new(problem, system, load, squeeze, patience)
+        ..Search::new(problem, system, load, centre_velocity, patience)
     };
     let mut steps = found.steps;
     let mut trial = search.trial(

@@ -23,7 +23,7 @@ use crate::search::{Search, Trial};
 use crate::stretched::{eccentricity_at, stretched};
 use crate::{NoEquilibrium, Patience};
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalChange, JournalState};
+use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSolution, FilmSystem, JournalState};
 
 /// The balance has been found when force and load differ by this part of the load.
 pub(crate) const BALANCED: f64 = 1e-12;
@@ -57,32 +57,6 @@ pub const SHORT_MOVE: f64 = 0.2;
 /// `dW/de` [N/m], row: component of W.
 type Stiffness = [[f64; 2]; 2];
 
-/// Velocity of the journal's centre [m/s], along the line of centres (outwards) and across (towards growing angles).
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Squeeze {
-    /// Along.
-    pub radial: f64,
-    /// Across.
-    pub tangential: f64,
-}
-
-impl Squeeze {
-    /// The change of a journal that moves by `step` [m]: the velocity of squeeze turns with the line of centres.
-    pub fn moved(&self, journal: &JournalState, step: [f64; 2]) -> JournalChange {
-        let e = journal.eccentricity();
-        let velocity = match e > 0.0 {
-            true => {
-                let along = journal.offset.map(|x| x / e);
-                let across = [-along[1], along[0]];
-                let turn = (across[0] * step[0] + across[1] * step[1]) / e;
-                [0, 1].map(|d| turn * (self.radial * across[d] - self.tangential * along[d]))
-            }
-            false => [0.0; 2],
-        };
-        JournalChange { offset: step, velocity }
-    }
-}
-
 /// A journal in balance.
 #[derive(Debug)]
 pub struct Equilibrium {
@@ -113,10 +87,10 @@ pub fn find(
     problem: &FilmProblem,
     system: &FilmSystem,
     load: [f64; 2],
-    squeeze: Squeeze,
+    centre_velocity: CentreVelocity,
     patience: Patience,
 ) -> Result<Equilibrium, NoEquilibrium> {
-    find_within(problem, system, load, squeeze, patience, BALANCED)
+    find_within(problem, system, load, centre_velocity, patience, BALANCED)
 }
 
 /// The same where force and load may differ by the part `balanced` of the load.
@@ -127,13 +101,13 @@ pub(crate) fn find_within(
     problem: &FilmProblem,
     system: &FilmSystem,
     load: [f64; 2],
-    squeeze: Squeeze,
+    centre_velocity: CentreVelocity,
     patience: Patience,
     balanced: f64,
 ) -> Result<Equilibrium, NoEquilibrium> {
     let search = Search {
         balanced,
-        ..Search::new(problem, system, load, squeeze, patience)
+        ..Search::new(problem, system, load, centre_velocity, patience)
     };
     search.check_reach(problem)?;
     let found = search.on_levels(problem).map_err(|reason| search.sure(reason))?;
@@ -152,11 +126,11 @@ pub fn find_near(
     problem: &FilmProblem,
     system: &FilmSystem,
     load: [f64; 2],
-    squeeze: Squeeze,
+    centre_velocity: CentreVelocity,
     patience: Patience,
     near: Neighbour,
 ) -> Result<Equilibrium, NoEquilibrium> {
-    find_near_within(problem, system, load, squeeze, patience, near, NEARLY_BALANCED)
+    find_near_within(problem, system, load, centre_velocity, patience, near, NEARLY_BALANCED)
 }
 
 /// The same where force and load may differ by the part `balanced` of the load.
@@ -167,7 +141,7 @@ pub(crate) fn find_near_within(
     problem: &FilmProblem,
     system: &FilmSystem,
     load: [f64; 2],
-    squeeze: Squeeze,
+    centre_velocity: CentreVelocity,
     patience: Patience,
     near: Neighbour,
     balanced: f64,
@@ -176,7 +150,7 @@ pub(crate) fn find_near_within(
         balanced,
         keeps_forms: matches!(near, Neighbour::Kept(_)),
         keeps_tangent: problem.cavitation.depends_smoothly_on_position(),
-        ..Search::new(problem, system, load, squeeze, patience)
+        ..Search::new(problem, system, load, centre_velocity, patience)
     };
     let first = search.trial(problem, problem.journal.offset, near)?;
     search.at_rest(first)
@@ -200,7 +174,7 @@ impl Search<'_> {
             &coarser.problem(problem),
             &coarser.system,
             self.load,
-            self.squeeze,
+            self.centre_velocity,
             self.patience,
             ROUGHLY_BALANCED,
         ) {

@@ -23,7 +23,7 @@ mod stretched;
 
 pub use cap_joint::{CapJoint, JointForces, Shell};
 pub use cubic::{find_cubic, find_cubic_near};
-pub use equilibrium::{Equilibrium, NEAR, SHORT_MOVE, Squeeze, find, find_near, newton_step};
+pub use equilibrium::{Equilibrium, NEAR, SHORT_MOVE, find, find_near, newton_step};
 pub use estimate::{GREATEST_ECCENTRICITY, first_position};
 pub use heat_balance::{Balanced, FilmHeat, HeatBalance, Housing, NoBalance};
 pub use no_equilibrium::NoEquilibrium;

@@ -1,10 +1,9 @@
 //! Whether a load is beyond what the film carries at the greatest eccentricity.
 
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{FilmProblem, FilmSystem};
+use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSystem};
 
 use crate::NoEquilibrium;
-use crate::equilibrium::Squeeze;
 use crate::estimate::GREATEST_ECCENTRICITY;
 use crate::search::Search;
 
@@ -65,9 +64,9 @@ impl Search<'_> {
 }
 
 /// The force [N] of drag through the clearance, or that of the greatest pressure given on the projected area.
-pub(crate) fn natural_force(problem: &FilmProblem, system: &FilmSystem, squeeze: Squeeze) -> f64 {
+pub(crate) fn natural_force(problem: &FilmProblem, system: &FilmSystem, centre_velocity: CentreVelocity) -> f64 {
     let bearing = &problem.bearing;
-    let rate = problem.journal.speed.abs() + squeeze.radial.hypot(squeeze.tangential) / bearing.clearance;
+    let rate = problem.journal.speed.abs() + centre_velocity.speed() / bearing.clearance;
     let drag = problem.lubricant.viscosity * rate * (bearing.radius / bearing.clearance).powi(2);
     let given = system.supply.regions().iter().map(|region| region.pressure.abs());
     given.fold(drag, f64::max) * 2.0 * bearing.radius * bearing.length

@@ -4,9 +4,9 @@ use std::cell::{Cell, RefCell};
 
 use oilwedge_reynolds::quantities::load::{load, load_change};
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalState, NoFilm};
+use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSolution, FilmSystem, JournalState, NoFilm};
 
-use crate::equilibrium::{BALANCED, NEAR, Squeeze};
+use crate::equilibrium::{BALANCED, NEAR};
 use crate::reach::natural_force;
 use crate::{NoEquilibrium, Patience};
 
@@ -23,7 +23,7 @@ const AT_REST: f64 = 1e-3;
 pub(crate) struct Search<'a> {
     pub(crate) system: &'a FilmSystem,
     pub(crate) load: [f64; 2],
-    pub(crate) squeeze: Squeeze,
+    pub(crate) centre_velocity: CentreVelocity,
     pub(crate) clearance: f64,
     /// What residuals are relative to [N].
     pub(crate) natural: f64,
@@ -70,15 +70,15 @@ impl<'a> Search<'a> {
         problem: &FilmProblem,
         system: &'a FilmSystem,
         load: [f64; 2],
-        squeeze: Squeeze,
+        centre_velocity: CentreVelocity,
         patience: Patience,
     ) -> Self {
-        let natural_force = natural_force(problem, system, squeeze);
+        let natural_force = natural_force(problem, system, centre_velocity);
         Self {
             system,
             load,
             natural_force,
-            squeeze,
+            centre_velocity,
             clearance: problem.bearing.clearance,
             natural: match load[0].hypot(load[1]) {
                 0.0 => natural_force.max(f64::MIN_POSITIVE),
@@ -151,7 +151,7 @@ impl<'a> Search<'a> {
             offset,
             ..problem.journal
         }
-        .with_squeeze(self.squeeze.radial, self.squeeze.tangential, angle);
+        .with_centre_velocity(self.centre_velocity, angle);
         let film = problem.solve_from(self.system, from)?;
         let cubic = match self.cubic {
             true => Some(problem.cubic_film(self.system, &film, cubic)?),
@@ -195,7 +195,7 @@ impl<'a> Search<'a> {
         for k in 0..2 {
             let mut unit = [0.0; 2];
             unit[k] = 1.0;
-            let change = self.squeeze.moved(&trial.problem.journal, unit);
+            let change = self.centre_velocity.change(&trial.problem.journal, unit);
             let unknown = (trial.problem)
                 .unknown_change(self.system, &trial.film, &change)
                 .map_err(oilwedge_fem::newton::Failure::from)?;

@@ -29,7 +29,7 @@ impl Dual {
     }
 
     /// `f(self)` for a function with value `v` and slope `slope` here.
-    fn chain(self, v: f64, slope: f64) -> Self {
+    pub fn chain(self, v: f64, slope: f64) -> Self {
         Self {
             v,
             d: self.d.map(|d| slope * d),

@@ -27,7 +27,7 @@ impl FilmProblem {
         match self.check_existence(&system.cubic().system, &cubic) {
             Ok(()) => Ok(cubic),
             // Quadratic elements have a film.
-            Err(NoFilm::AboveLimit { .. }) if matches!(self.form, Form::AsPrinted(_)) => Err(NoFilm::AtFold {
+            Err(NoFilm::AboveLimit { .. }) if self.form == Form::AsPrinted => Err(NoFilm::AtFold {
                 asked: self.journal.speed.abs(),
                 history: film.history.clone(),
             }),

@@ -2,10 +2,9 @@
 
 use oilwedge_fem::conservation_law::{Conduction, Response, State};
 use oilwedge_fem::quadrature::MOST_POINTS;
-use oilwedge_fem::{ConservationLaw, Tangent};
+use oilwedge_fem::{ConservationLaw, Dual, Tangent};
 
 use crate::film_problem::{FilmProblem, Form};
-use crate::lubricant::Barus;
 use crate::{FilmFlow, FilmPoint, JournalChange};
 
 /// The law of a [`FilmProblem`], or how it changes, to first order, where the journal moves.
@@ -98,7 +97,7 @@ impl ConservationLaw for FilmLaw<'_> {
     fn tangent(&self) -> Tangent {
         match self.problem.form {
             Form::Conservative => Tangent::Conduction,
-            Form::AsPrinted(_) => Tangent::Symmetric,
+            Form::AsPrinted => Tangent::Symmetric,
         }
     }
 
@@ -121,15 +120,16 @@ impl ConservationLaw for FilmLaw<'_> {
     /// balance of an oil of constant viscosity, with a source of oil that grows with the pressure.
     fn response(&self, cell: usize, positions: &[[f64; 2]], states: &[State], out: &mut [Response]) {
         // In the conservative form the viscosity stands in q, and nothing is made.
-        let barus = match self.problem.form {
-            Form::AsPrinted(barus) => barus,
-            Form::Conservative => Barus { alpha: 0.0 },
+        let law = (self.problem.form == Form::AsPrinted).then_some(&self.problem.lubricant.pressure_law);
+        let thickening = |p: Dual| match law {
+            Some(law) => p.chain(law.viscosity_ratio(p.v), law.viscosity_slope(p.v)) + -1.0,
+            None => Dual::default(),
         };
         let along = self.directions();
         for ((flow, state), out) in self.flows(cell, positions).iter().zip(states).zip(out) {
             *out = Response {
                 flux: [0, 1].map(|k| state.gradient[k] * (-flow.conductance * along[k]) + flow.flux[k]),
-                source: (barus.viscosity_ratio(state.value) + -1.0) * (flow.divergence + flow.storage) + flow.storage,
+                source: thickening(state.value) * (flow.divergence + flow.storage) + flow.storage,
             };
         }
     }

@@ -15,7 +15,7 @@ use oilwedge_mesh::quality::needle_share;
 use crate::cavitation::FilmFraction;
 use crate::film_thickness::FilmContribution;
 use crate::levels::Coarser;
-use crate::lubricant::{Barus, Lubricant};
+use crate::lubricant::Lubricant;
 use crate::supply::{Supply, SupplyError, SupplyRegion};
 use crate::terms::Term;
 use crate::{Bearing, Cavitation, FilmPoint, JournalState, Theory};
@@ -31,13 +31,13 @@ const NEEDLE: f64 = 5.0;
 const MANY_NEEDLES: f64 = 0.02;
 
 /// How viscosity that depends on pressure enters the equation.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Form {
     /// Under the divergence, as mass balance has it; the unknown is the reduced pressure q.
     Conservative,
-    /// On the right-hand side, `div(h^3/(12 mu0) grad p) = exp(alpha p) div(U h/2)`, as the FlexPDE
+    /// On the right-hand side, `div(h^3/(12 mu0) grad p) = mu(p)/mu0 div(U h/2)`, as the FlexPDE
     /// study prints it; the unknown is p. No mass balance; it has a fold and no solution past it.
-    AsPrinted(Barus),
+    AsPrinted,
 }
 
 /// A film for a given journal state: one entry a socket, lists where contributions add up.
@@ -240,7 +240,7 @@ impl FilmProblem {
     pub fn unknown_at(&self, p: f64) -> f64 {
         match self.form {
             Form::Conservative => self.lubricant.pressure_law.reduced_pressure(p),
-            Form::AsPrinted(_) => p,
+            Form::AsPrinted => p,
         }
     }
 
@@ -255,7 +255,7 @@ impl FilmProblem {
         match self.form {
             _ if self.cavitation.effective_pressure(p) != p => 0.0,
             Form::Conservative => self.lubricant.pressure_law.viscosity_ratio(p),
-            Form::AsPrinted(_) => 1.0,
+            Form::AsPrinted => 1.0,
         }
     }
 
@@ -263,7 +263,7 @@ impl FilmProblem {
     pub fn equation_pressure(&self, u: f64) -> f64 {
         match self.form {
             Form::Conservative => self.lubricant.pressure_law.pressure(u),
-            Form::AsPrinted(_) => u,
+            Form::AsPrinted => u,
         }
     }
 

@@ -5,7 +5,7 @@
 pub struct JournalState {
     /// Offset `(e_x, e_y)` of the journal's centre from the bearing's [m].
     pub offset: [f64; 2],
-    /// Velocity `(e_x', e_y')` of the journal's centre [m/s]: squeeze.
+    /// Velocity `(e_x', e_y')` of the journal's centre [m/s].
     pub velocity: [f64; 2],
     /// Angular velocity `omega` [rad/s], positive towards growing `phi`.
     pub speed: f64,
@@ -22,6 +22,37 @@ pub struct JournalChange {
     pub velocity: [f64; 2],
 }
 
+/// Velocity of the journal's centre [m/s] in the frame of the line of centres.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct CentreVelocity {
+    /// Along the line of centres, outwards.
+    pub radial: f64,
+    /// Across it, towards growing angles.
+    pub tangential: f64,
+}
+
+impl CentreVelocity {
+    /// Magnitude [m/s].
+    pub fn speed(&self) -> f64 {
+        self.radial.hypot(self.tangential)
+    }
+
+    /// The change of a journal that moves by `step` [m]: the velocity turns with the line of centres.
+    pub fn change(&self, journal: &JournalState, step: [f64; 2]) -> JournalChange {
+        let e = journal.eccentricity();
+        let velocity = match e > 0.0 {
+            true => {
+                let along = journal.offset.map(|x| x / e);
+                let across = [-along[1], along[0]];
+                let turn = (across[0] * step[0] + across[1] * step[1]) / e;
+                [0, 1].map(|d| turn * (self.radial * across[d] - self.tangential * along[d]))
+            }
+            false => [0.0; 2],
+        };
+        JournalChange { offset: step, velocity }
+    }
+}
+
 impl JournalState {
     /// From the relative eccentricity `eps = |e|/c` and the angle `phi_min` [rad] of the minimum film; the
     /// centre rests.
@@ -36,9 +67,9 @@ impl JournalState {
         }
     }
 
-    /// The same position with the centre moving at `radial` [m/s] towards the angle `min_film_angle` [rad] and
-    /// at `tangential` [m/s] towards growing angles.
-    pub fn with_squeeze(self, radial: f64, tangential: f64, min_film_angle: f64) -> Self {
+    /// This position with the centre moving at `velocity`, where the line of centres points to the angle `min_film_angle` [rad].
+    pub fn with_centre_velocity(self, velocity: CentreVelocity, min_film_angle: f64) -> Self {
+        let CentreVelocity { radial, tangential } = velocity;
         let (sin, cos) = min_film_angle.sin_cos();
         Self {
             velocity: [radial * cos - tangential * sin, radial * sin + tangential * cos],

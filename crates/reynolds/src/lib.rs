@@ -24,7 +24,7 @@
 //! | mu0, mu(p), q(p) | Pa s, Pa | `viscosity`, `viscosity_ratio`, `reduced_pressure` | [`lubricant`] |
 //! | h^3/(12 mu0) | m4/(N s) | `conductance` | [`terms::Poiseuille`] |
 //! | U h/2 | m2/s | `flux` | [`terms::Couette`] |
-//! | dh/dt | m/s | `storage` | [`terms::Squeeze`] |
+//! | dh/dt | m/s | `storage` | [`terms::squeeze`] |
 //! | W | N | `force` | [`quantities::load`] |
 //!
 //! All pressures are gauge. The bearing is at rest; `phi` counts from +x towards +y; the minimum
@@ -63,6 +63,6 @@ pub use cavitation::Cavitation;
 pub use existence::NoFilm;
 pub use film_point::{FilmFlow, FilmPoint};
 pub use film_problem::{FilmProblem, FilmSolution, FilmSystem, Form};
-pub use journal_state::{JournalChange, JournalState};
+pub use journal_state::{CentreVelocity, JournalChange, JournalState};
 pub use reference_film::ReferenceFilm;
 pub use theory::Theory;

@@ -57,7 +57,7 @@ impl FilmProblem {
                     Err(reason) => Err(reason),
                 }
             }
-            Form::AsPrinted(_) => film.or_else(|_| self.continue_in_speed(system)),
+            Form::AsPrinted => film.or_else(|_| self.continue_in_speed(system)),
         }
     }
 
@@ -74,7 +74,7 @@ impl FilmProblem {
 
     /// True if the film is found by iteration, and quicker from that of a coarser mesh.
     pub fn needs_start(&self) -> bool {
-        self.cavitation.has_free_boundary() || matches!(self.form, Form::AsPrinted(_))
+        self.cavitation.has_free_boundary() || self.form == Form::AsPrinted
     }
 
     /// The film with all motion of the journal scaled by `motion`, its equation closed by the cavitation model,

@@ -169,12 +169,12 @@ pub(crate) fn isothermal(study: &mut Study, bars: bool, patience: Patience, star
             heat: None,
         });
     };
-    let (problem, system, squeeze) = (&study.problem, &study.system, study.squeeze);
+    let (problem, system, centre_velocity) = (&study.problem, &study.system, study.centre_velocity);
     let found = match (start, bars && problem.cavitation.is_symmetric()) {
-        (Start::Scene, true) => find_cubic(problem, system, load, squeeze, patience)?,
-        (Start::Scene, false) => find(problem, system, load, squeeze, patience)?,
-        (Start::Near(near), true) => find_cubic_near(problem, system, load, squeeze, patience, near)?,
-        (Start::Near(near), false) => find_near(problem, system, load, squeeze, patience, near)?,
+        (Start::Scene, true) => find_cubic(problem, system, load, centre_velocity, patience)?,
+        (Start::Scene, false) => find(problem, system, load, centre_velocity, patience)?,
+        (Start::Near(near), true) => find_cubic_near(problem, system, load, centre_velocity, patience, near)?,
+        (Start::Near(near), false) => find_near(problem, system, load, centre_velocity, patience, near)?,
     };
     let seconds = clock.elapsed().as_secs_f64();
     let Equilibrium {
@@ -214,7 +214,7 @@ pub fn graded(scene: &Scene, patience: Patience) -> Result<Study, CompileError> 
     let Some(load) = study.load.filter(|_| scene.mesh.is_graded()) else {
         return Ok(study);
     };
-    let squeeze = study.squeeze;
+    let centre_velocity = study.centre_velocity;
     let mut middle = Some(scene.journal.middle());
     for _ in 1..GRADINGS {
         if patience.is_over() {
@@ -227,12 +227,15 @@ pub fn graded(scene: &Scene, patience: Patience) -> Result<Study, CompileError> 
                 &coarser.problem(&study.problem),
                 &coarser.system,
                 load,
-                squeeze,
+                centre_velocity,
                 patience,
             )
             .ok()
         });
-        let found = match on_coarser.map_or_else(|| find(&study.problem, &study.system, load, squeeze, patience), Ok) {
+        let found = match on_coarser.map_or_else(
+            || find(&study.problem, &study.system, load, centre_velocity, patience),
+            Ok,
+        ) {
             Ok(Equilibrium { problem, .. }) => Some(problem.journal),
             Err(NoEquilibrium::BeyondReach { .. } | NoEquilibrium::BelowRounding { .. }) => break,
             // Feeds may carry what the estimate would have a thin film carry.

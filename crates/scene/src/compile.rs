@@ -27,8 +27,9 @@ use oilwedge_mesh::error::some_of;
 use oilwedge_mesh::generate::DrawingError;
 use oilwedge_reynolds::film_thickness::{Eccentricity, FilmContribution, GrooveDepth};
 use oilwedge_reynolds::supply::{self as given, Disc, Place, SupplyError, SupplyRegion};
-use oilwedge_reynolds::terms::{Couette, Poiseuille, Squeeze, Term};
-use oilwedge_reynolds::{Bearing, Cavitation, FilmProblem, FilmSystem, JournalState, Theory};
+use oilwedge_reynolds::terms::squeeze::Squeeze;
+use oilwedge_reynolds::terms::{Couette, Poiseuille, Term};
+use oilwedge_reynolds::{Bearing, Cavitation, CentreVelocity, FilmProblem, FilmSystem, JournalState, Theory};
 
 use crate::joint::share_per_force;
 use crate::liner_mesh::{LinerMesh, liner_mesh, suited};
@@ -46,7 +47,7 @@ pub struct Study {
     /// `None` at a given position.
     pub load: Option<[f64; 2]>,
     /// Velocity of the journal's centre under a load.
-    pub squeeze: oilwedge_bearing::Squeeze,
+    pub centre_velocity: CentreVelocity,
     /// The cap that this bearing is in.
     pub cap: Option<scene::Cap>,
     /// The oil, at the temperature of the film.
@@ -206,7 +207,7 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, near: (f64, f64), degree: usize) ->
     };
     Ok(Study {
         load: scene.journal.load(),
-        squeeze: squeeze(scene),
+        centre_velocity: centre_velocity(scene),
         cap: scene.cap,
         oil: scene.oil.clone(),
         heat: scene.heat,
@@ -250,15 +251,11 @@ fn bearing(scene: &Scene) -> Bearing {
 /// Where the journal is or, under a load, where the search for it begins.
 fn journal(scene: &Scene, (eccentricity, angle): (f64, f64)) -> JournalState {
     let state = JournalState::at_eccentricity(eccentricity, angle, scene.bearing.clearance, scene.journal.speed);
-    match scene.journal.motion() {
-        Some(squeeze) => state.with_squeeze(squeeze.radial, squeeze.tangential, angle),
-        None => state,
-    }
+    state.with_centre_velocity(centre_velocity(scene), angle)
 }
 
-fn squeeze(scene: &Scene) -> oilwedge_bearing::Squeeze {
-    let motion = scene.journal.motion();
-    motion.map_or(Default::default(), |motion| oilwedge_bearing::Squeeze {
+fn centre_velocity(scene: &Scene) -> CentreVelocity {
+    (scene.journal.motion()).map_or(Default::default(), |motion| CentreVelocity {
         radial: motion.radial,
         tangential: motion.tangential,
     })

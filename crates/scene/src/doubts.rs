@@ -24,7 +24,7 @@ pub(crate) fn warnings_beside_bars(study: &Study, measured: &Measured) -> Vec<St
         .into_iter()
         .flatten()
         .collect();
-    if matches!(study.problem.form, Form::AsPrinted(_)) {
+    if study.problem.form == Form::AsPrinted {
         warnings.push(format!(
             "the as-printed equation is no mass balance: in and out differ by {:.2} % of the oil that enters",
             100.0 * measured.flows.imbalance

@@ -33,7 +33,7 @@ pub(crate) fn position_bars(
     let mut changes = vec![0.0; list.len()];
     for (direction, bar) in [along, across].into_iter().zip(bars) {
         let by = newton_step(balance.stiffness, direction.map(|d| -d * (bar + balance.unbalanced)));
-        let change = study.squeeze.moved(&study.problem.journal, by);
+        let change = study.centre_velocity.change(&study.problem.journal, by);
         let moved = study
             .problem
             .moved(&study.system, film, &change)

@@ -112,8 +112,14 @@ pub fn film(study: &Study) -> FilmSolution {
 /// If there is none.
 pub fn equilibrium(study: &Study) -> Equilibrium {
     let load = study.load.expect("a load");
-    (find(&study.problem, &study.system, load, study.squeeze, Patience::default()))
-        .unwrap_or_else(|reason| panic!("{reason}"))
+    (find(
+        &study.problem,
+        &study.system,
+        load,
+        study.centre_velocity,
+        Patience::default(),
+    ))
+    .unwrap_or_else(|reason| panic!("{reason}"))
 }
 
 /// **File to load.** Everything from the mesh to the load [N], but for start and output of the program.

@@ -151,7 +151,7 @@ impl Document {
     /// V and W.
     fn load(&self) -> [f64; 2] {
         let [a3_11, .., a3_02, a3_20] = self.integrals();
-        let (g, e) = (self.film.rotation, self.film.squeeze);
+        let (g, e) = (self.film.rotation, self.film.closing);
         let factor = -ECCENTRICITY * self.scales.factor();
         [
             factor * (a3_20 * g - e / ECCENTRICITY * a3_11),
@@ -180,13 +180,13 @@ impl Document {
         [
             RELATIVE_VISCOSITY * shear_power(ECCENTRICITY, self.film.rotation),
             -0.5 * ECCENTRICITY * self.film.rotation * v,
-            0.5 * self.film.squeeze * w,
+            0.5 * self.film.closing * w,
         ]
     }
 
     /// Pi(phi*, z) of table 4, zeta = z/a: phi* is that of the first column of its case in all five.
     pub fn pressure_along(&self, zeta: f64) -> f64 {
-        let first = film_at(self.film.squeeze, SPEEDS[0]);
+        let first = film_at(self.film.closing, SPEEDS[0]);
         self.scales.factor() * self.film.pressure(first.loaded_from() + PI / 2.0, zeta)
     }
 
@@ -244,10 +244,10 @@ pub fn summit(film: &ShortFilm) -> f64 {
     let slope = |phi: f64| {
         let (s, c) = phi.sin_cos();
         let (drive, thick) = (
-            ECCENTRICITY * film.rotation * s - film.squeeze * c,
+            ECCENTRICITY * film.rotation * s - film.closing * c,
             1.0 - ECCENTRICITY * c,
         );
-        3.0 * ECCENTRICITY * s * drive - (ECCENTRICITY * film.rotation * c + film.squeeze * s) * thick
+        3.0 * ECCENTRICITY * s * drive - (ECCENTRICITY * film.rotation * c + film.closing * s) * thick
     };
     let (mut low, mut high) = (film.loaded_from(), film.loaded_from() + PI);
     assert!(slope(low) > 0.0 && slope(high) < 0.0);

@@ -1,6 +1,7 @@
 //! Obstacles that are no zero, and an equation that is not linear, under the model of Swift and Stieber.
 
-use oilwedge_reynolds::lubricant::{Barus, PressureLaw};
+use oilwedge_reynolds::lubricant::PressureLaw;
+use oilwedge_reynolds::lubricant::barus::Barus;
 use oilwedge_reynolds::quantities::{cavity::cavity, load::load};
 use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSolution, FilmSystem, Form};
 use oilwedge_tests::*;
@@ -91,7 +92,7 @@ fn as_printed_barus_film() {
                 alpha: share / greatest,
             };
             thick.lubricant.pressure_law = PressureLaw::Barus(law);
-            thick.form = Form::AsPrinted(law);
+            thick.form = Form::AsPrinted;
             let solution = solved(&thick, &system, 20);
             let raised = solution.unknown.iter().fold(0.0f64, |most, p| most.max(*p));
             raised / greatest - 1.0

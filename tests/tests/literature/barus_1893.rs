@@ -5,7 +5,8 @@
 
 use std::f64::consts::PI;
 
-use oilwedge_reynolds::lubricant::{Barus, Lubricant, PressureLaw};
+use oilwedge_reynolds::lubricant::barus::Barus;
+use oilwedge_reynolds::lubricant::{Lubricant, PressureLaw};
 use oilwedge_reynolds::quantities::{load::load, pressure::extremes};
 use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, Form, NoFilm};
 use oilwedge_tests::journal_bearings::{Ring, each, reference};
@@ -73,7 +74,7 @@ fn alpha_zero_is_constant_viscosity() {
     });
     assert!((a[0] - b[0]).abs() <= 1e-12 * a[1].abs() && (a[1] - b[1]).abs() <= 1e-12 * a[1].abs());
     let printed = FilmProblem {
-        form: Form::AsPrinted(Barus { alpha: 0.0 }),
+        form: Form::AsPrinted,
         ..film(PressureLaw::Barus(Barus { alpha: 0.0 }), SPEED)
     };
     let solution = printed.solve(&system).unwrap();
@@ -114,7 +115,7 @@ fn the_as_printed_form_has_a_fold() {
         alpha: 1.0 / greatest(&plain, &system, &constant),
     };
     let printed = |speed| FilmProblem {
-        form: Form::AsPrinted(barus),
+        form: Form::AsPrinted,
         ..film(PressureLaw::Barus(barus), speed)
     };
     let Err(NoFilm::Fold { last, asked }) = printed(SPEED).solve(&system) else {

@@ -122,7 +122,7 @@ fn short() {
         let of_pressure = 0.5 * speed * 0.8 * CLEARANCE * across;
         let off = [
             power.pressure / of_pressure - 1.0,
-            (power.pressure + power.squeeze) / power.driven - 1.0,
+            (power.pressure + power.motion) / power.driven - 1.0,
             power.imbalance,
         ];
         match off[0].abs() < 1e-3 && off[1].abs() < 1e-9 && off[2] < 1e-9 {

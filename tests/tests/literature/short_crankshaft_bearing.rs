@@ -117,7 +117,7 @@ fn numbers_within_the_text() {
         ("omega0", SPEED_SCALE),
         ("omega1(1)", speed / SPEED_SCALE),
         ("mu1", RELATIVE_VISCOSITY),
-        ("E", squeezed.film.squeeze),
+        ("E", squeezed.film.closing),
         ("p*", scales.pressure),
         ("phi_H(1), E=0.4", squeezed.film.loaded_from().to_degrees()),
         ("phi_K(1), E=0.4", squeezed.film.loaded_from().to_degrees() + 180.0),

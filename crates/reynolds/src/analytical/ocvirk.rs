@@ -12,7 +12,7 @@
 //! |---|---|---|
 //! | eps = e/c | - | `eccentricity` |
 //! | G = (omega - 2 delta')/omega_0 | - | `rotation` |
-//! | E = 2 eps'/omega_0 | - | `squeeze` |
+//! | E = 2 eps'/omega_0 | - | `closing` |
 //! | phi_H | rad | [`ShortFilm::loaded_from`] |
 //! | W, V | - | `along`, `across` |
 //! | q, kN | - | [`ShortFilm::side_flow`], [`ShortFilm::pumping_power`], [`shear_power`] |
@@ -31,7 +31,7 @@ pub struct ShortFilm {
     /// `G`: speed of the journal less twice that of the line of centres.
     pub rotation: f64,
     /// `E`: twice the rate of eps; positive while the narrowest film closes.
-    pub squeeze: f64,
+    pub closing: f64,
 }
 
 /// The integrals `A_k^mn` of a loaded part.
@@ -78,7 +78,7 @@ impl ShortFilm {
         Self {
             eccentricity,
             rotation: 1.0,
-            squeeze: 0.0,
+            closing: 0.0,
         }
     }
 
@@ -87,13 +87,13 @@ impl ShortFilm {
     pub fn pressure(&self, phi: f64, zeta: f64) -> f64 {
         let (sin, cos) = phi.sin_cos();
         let film = 1.0 - self.eccentricity * cos;
-        let drive = self.eccentricity * self.rotation * sin - self.squeeze * cos;
+        let drive = self.eccentricity * self.rotation * sin - self.closing * cos;
         -3.0 * drive / film.powi(3) * (1.0 - zeta * zeta)
     }
 
     /// Where the loaded half begins: `phi_H` [rad] in (0, 2 pi]; it ends half a turn on.
     pub fn loaded_from(&self) -> f64 {
-        self.squeeze.atan2(self.eccentricity * self.rotation) + PI
+        self.closing.atan2(self.eccentricity * self.rotation) + PI
     }
 
     /// The integrals over the loaded half.
@@ -120,7 +120,7 @@ impl ShortFilm {
 
     /// Oil that leaves the loaded half at both ends, `q = Q/(B D^2 psi omega_0/2)`: `Q = R c B omega_0 sqrt((eps G)^2 + E^2)`.
     pub fn side_flow(&self) -> f64 {
-        0.5 * (self.eccentricity * self.rotation).hypot(self.squeeze)
+        0.5 * (self.eccentricity * self.rotation).hypot(self.closing)
     }
 
     /// Power that drives oil out of the half film, `-eps G V/2` and `E W/2`, over `(B D^2/2) (mu omega_0^2/psi) (B/D)^2`.
@@ -128,7 +128,7 @@ impl ShortFilm {
         let load = self.half_film();
         [
             -0.5 * self.eccentricity * self.rotation * load.across,
-            0.5 * self.squeeze * load.along,
+            0.5 * self.closing * load.along,
         ]
     }
 
@@ -161,8 +161,8 @@ impl ShortFilm {
     fn load(&self, a: &Integrals) -> ShortLoad {
         let rotation = self.eccentricity * self.rotation;
         ShortLoad {
-            along: self.squeeze * a.a3_02 - rotation * a.a3_11,
-            across: self.squeeze * a.a3_11 - rotation * a.a3_20,
+            along: self.closing * a.a3_02 - rotation * a.a3_11,
+            across: self.closing * a.a3_11 - rotation * a.a3_20,
         }
     }
 }
@@ -189,10 +189,10 @@ mod tests {
             (0.0, -1.0),
         ];
         [0.0, 1e-6, 0.3, 0.8].into_iter().flat_map(move |eccentricity| {
-            speeds.map(|(rotation, squeeze)| ShortFilm {
+            speeds.map(|(rotation, closing)| ShortFilm {
                 eccentricity,
                 rotation,
-                squeeze,
+                closing,
             })
         })
     }

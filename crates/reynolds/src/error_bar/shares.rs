@@ -112,7 +112,7 @@ pub(super) fn film_error(
         front,
         deep,
         corner: corner(system),
-        nonlinear: matches!(problem.form, Form::AsPrinted(_)),
+        nonlinear: problem.form == Form::AsPrinted,
     })
 }
 

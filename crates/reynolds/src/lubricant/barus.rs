@@ -11,7 +11,7 @@
 //! while `alpha max q < 1`. **Verified by** `alpha_zero_is_constant`, the tests of `lubricant`, and
 //! the reference of the FlexPDE study.
 
-use oilwedge_fem::Dual;
+use super::PressureViscosity;
 
 /// Pressure-viscosity coefficient.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,13 +20,16 @@ pub struct Barus {
     pub alpha: f64,
 }
 
-impl Barus {
-    /// `mu(p)/mu0` with its derivatives.
-    pub fn viscosity_ratio(self, p: Dual) -> Dual {
+impl PressureViscosity for Barus {
+    fn viscosity_ratio(&self, p: f64) -> f64 {
         (self.alpha * p).exp()
     }
 
-    pub(super) fn reduced_pressure(self, p: f64) -> f64 {
+    fn viscosity_slope(&self, p: f64) -> f64 {
+        self.alpha * self.viscosity_ratio(p)
+    }
+
+    fn reduced_pressure(&self, p: f64) -> f64 {
         if self.alpha == 0.0 {
             p
         } else {
@@ -34,7 +37,7 @@ impl Barus {
         }
     }
 
-    pub(super) fn pressure(self, q: f64) -> f64 {
+    fn pressure(&self, q: f64) -> f64 {
         if self.alpha == 0.0 {
             q
         } else if self.alpha * q < 1.0 {
@@ -44,7 +47,7 @@ impl Barus {
         }
     }
 
-    pub(super) fn limit(self) -> f64 {
+    fn limit(&self) -> f64 {
         1.0 / self.alpha
     }
 }
@@ -54,14 +57,15 @@ mod tests {
     use super::*;
 
     #[test]
+    fn reduced_pressure_inverts_and_slopes_match() {
+        super::super::check(&Barus { alpha: 2.5e-8 });
+    }
+
+    #[test]
     fn alpha_zero_is_constant() {
         let law = Barus { alpha: 0.0 };
         assert_eq!(
-            (
-                law.viscosity_ratio(1e9.into()).v,
-                law.reduced_pressure(3e6),
-                law.pressure(3e6)
-            ),
+            (law.viscosity_ratio(1e9), law.reduced_pressure(3e6), law.pressure(3e6)),
             (1.0, 3e6, 3e6)
         );
         assert_eq!(law.limit(), f64::INFINITY);

@@ -14,6 +14,8 @@
 //! **Range.** `p > -p_r`, `mu0 > 6.3e-5 Pa s`. **Verified by** `limit_matches_the_literature` and
 //! the tests of `lubricant`.
 
+use super::PressureViscosity;
+
 /// Panels of the table per reference pressure.
 const PANELS_PER_REFERENCE: f64 = 32.0;
 /// The table ends where viscosity has grown by this factor: what is left of `q` is below rounding.
@@ -82,46 +84,6 @@ impl Roelands {
         alpha * reference_pressure / (viscosity.ln() + 9.67)
     }
 
-    pub(super) fn viscosity_ratio(&self, p: f64) -> f64 {
-        (self.exponent * ((1.0 + p / self.reference_pressure).powf(self.index) - 1.0)).exp()
-    }
-
-    pub(super) fn reduced_pressure(&self, p: f64) -> f64 {
-        let panel = self.pressures.partition_point(|&bound| bound <= p).saturating_sub(1);
-        if panel + 1 == self.pressures.len() {
-            return self.limit();
-        }
-        self.reduced[panel] + self.panel_integral(self.pressures[panel], p)
-    }
-
-    pub(super) fn pressure(&self, q: f64) -> f64 {
-        if q >= self.limit() {
-            return f64::INFINITY;
-        }
-        let panel = self.reduced.partition_point(|&bound| bound <= q).saturating_sub(1);
-        let panel = panel.min(self.pressures.len() - 2);
-        let (p, p_next) = (self.pressures[panel], self.pressures[panel + 1]);
-        let (q_here, q_next) = (self.reduced[panel], self.reduced[panel + 1]);
-        // q(p) is increasing and concave: Newton from the left end of its panel rises to the root.
-        let mut root = p + (q - q_here) * (p_next - p) / (q_next - q_here) * 0.5;
-        for _ in 0..30 {
-            let step = (q - q_here - self.panel_integral(p, root)) * self.viscosity_ratio(root);
-            root = (root + step).min(p_next);
-            if step.abs() <= 1e-14 * (root.abs() + self.reference_pressure * 1e-3) {
-                break;
-            }
-        }
-        root
-    }
-
-    pub(super) fn limit(&self) -> f64 {
-        self.reduced[self.reduced.len() - 1]
-    }
-
-    pub(super) fn floor(&self) -> f64 {
-        self.reduced[0]
-    }
-
     /// `Int mu0/mu ds` over at most one panel: Gauss-Legendre with eight points.
     fn panel_integral(&self, from: f64, to: f64) -> f64 {
         const POINTS: [(f64, f64); 4] = [
@@ -142,6 +104,53 @@ impl Roelands {
     }
 }
 
+impl PressureViscosity for Roelands {
+    fn viscosity_ratio(&self, p: f64) -> f64 {
+        (self.exponent * ((1.0 + p / self.reference_pressure).powf(self.index) - 1.0)).exp()
+    }
+
+    fn viscosity_slope(&self, p: f64) -> f64 {
+        let power = (1.0 + p / self.reference_pressure).powf(self.index - 1.0);
+        self.exponent * self.index / self.reference_pressure * power * self.viscosity_ratio(p)
+    }
+
+    fn reduced_pressure(&self, p: f64) -> f64 {
+        let panel = self.pressures.partition_point(|&bound| bound <= p).saturating_sub(1);
+        if panel + 1 == self.pressures.len() {
+            return self.limit();
+        }
+        self.reduced[panel] + self.panel_integral(self.pressures[panel], p)
+    }
+
+    fn pressure(&self, q: f64) -> f64 {
+        if q >= self.limit() {
+            return f64::INFINITY;
+        }
+        let panel = self.reduced.partition_point(|&bound| bound <= q).saturating_sub(1);
+        let panel = panel.min(self.pressures.len() - 2);
+        let (p, p_next) = (self.pressures[panel], self.pressures[panel + 1]);
+        let (q_here, q_next) = (self.reduced[panel], self.reduced[panel + 1]);
+        // q(p) is increasing and concave: Newton from the left end of its panel rises to the root.
+        let mut root = p + (q - q_here) * (p_next - p) / (q_next - q_here) * 0.5;
+        for _ in 0..30 {
+            let step = (q - q_here - self.panel_integral(p, root)) * self.viscosity_ratio(root);
+            root = (root + step).min(p_next);
+            if step.abs() <= 1e-14 * (root.abs() + self.reference_pressure * 1e-3) {
+                break;
+            }
+        }
+        root
+    }
+
+    fn limit(&self) -> f64 {
+        self.reduced[self.reduced.len() - 1]
+    }
+
+    fn floor(&self) -> f64 {
+        self.reduced[0]
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -159,6 +168,11 @@ mod tests {
             assert!(law.pressures.len() < 1000);
             assert!((law.pressure(law.reduced_pressure(3e8)) / 3e8 - 1.0).abs() < 1e-10);
         }
+    }
+
+    #[test]
+    fn reduced_pressure_inverts_and_slopes_match() {
+        super::super::check(&Roelands::new(0.04, 0.6, 196.2e6));
     }
 
     /// `q(infinity)` of `barus_exact_transform` in the reference collection (four digits).

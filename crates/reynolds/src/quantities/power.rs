@@ -3,8 +3,8 @@
 //! **Equation.** With the drag on the journal `tau = mu U/h + h/2 grad p` and the pressure P = p - p_e above that of the ends
 //! ```text
 //! shear        Int theta mu |U|^2/h dA            pressure   Int h/2 U . grad P dA
-//! squeeze     -Int theta dh/dt P dA               supplied   sum of Q_i P_i where pressure is given,   cavity likewise
-//! dissipated   Int theta mu |U|^2/h + h^3/(12 mu) |grad p|^2 dA = shear + pressure + squeeze + supplied + cavity
+//! motion     -Int theta dh/dt P dA               supplied   sum of Q_i P_i where pressure is given,   cavity likewise
+//! dissipated   Int theta mu |U|^2/h + h^3/(12 mu) |grad p|^2 dA = shear + pressure + motion + supplied + cavity
 //! ```
 //! The last line is the energy integral of the film, and an identity of the discrete equation too: tested with the nodal interpolant of
 //! P, all residuals vanish but those where pressure is given or held, which are the flows Q_i there. So its two sides come by two ways: as
@@ -13,7 +13,7 @@
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
-//! | shear, pressure, squeeze | W | `shear` (of which `cavity_shear` in the cavity), `pressure`, `squeeze` |
+//! | shear, pressure, motion | W | `shear` (of which `cavity_shear` in the cavity), `pressure`, `motion` |
 //! | Q_i P_i | W | `supplied`, `cavity` |
 //! | h^3/(12 mu) grad p . grad P | W | `driven` |
 //!
@@ -49,7 +49,7 @@ pub struct Power {
     /// Put in by the turning journal against the pressure on it.
     pub pressure: f64,
     /// Put in by the journal's centre as it moves.
-    pub squeeze: f64,
+    pub motion: f64,
     /// Put in by the oil that comes through places of given pressure, over that of the ends.
     pub supplied: f64,
     /// The same of the oil that a Swift-Stieber cavity makes.
@@ -73,7 +73,7 @@ pub(crate) struct Work {
     pub(crate) shear: f64,
     pub(crate) cavity_shear: f64,
     pub(crate) pressure: f64,
-    pub(crate) squeeze: f64,
+    pub(crate) motion: f64,
     pub(crate) driven: f64,
 }
 
@@ -82,7 +82,7 @@ impl std::ops::AddAssign for Work {
         self.shear += other.shear;
         self.cavity_shear += other.cavity_shear;
         self.pressure += other.pressure;
-        self.squeeze += other.squeeze;
+        self.motion += other.motion;
         self.driven += other.driven;
     }
 }
@@ -110,18 +110,18 @@ pub fn power(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) ->
         shear,
         cavity_shear,
         pressure,
-        squeeze,
+        motion,
         driven,
     } = work;
     // Shear stands on both sides.
-    let parts = [pressure, squeeze, supplied, cavity, -driven];
+    let parts = [pressure, motion, supplied, cavity, -driven];
     let scale = shear + parts.iter().map(|part| part.abs()).sum::<f64>();
     let pressures = problem.pressure_scale(&system.supply.constraints(|p| problem.unknown_at(p)));
     Power {
         shear,
         cavity_shear,
         pressure,
-        squeeze,
+        motion,
         supplied,
         cavity,
         driven,
@@ -248,7 +248,7 @@ fn cell_work(
             cavity_shear: 0.0,
             shear: area * viscosity / thickness * dot(velocity, velocity),
             pressure: area * 0.5 * thickness * dot(velocity, of_pressure),
-            squeeze: -area * flows[q].storage * p,
+            motion: -area * flows[q].storage * p,
             driven: area * flows[q].conductance * dot([0, 1].map(|d| along[d] * of_unknown[d]), of_pressure),
         };
     }

@@ -42,6 +42,11 @@ mod tests {
     use super::*;
 
     #[test]
+    fn variation_matches_differences() {
+        super::super::check(&Couette);
+    }
+
+    #[test]
     fn divergence_matches_the_flux() {
         let at = |x: f64| {
             let film = FilmPoint {

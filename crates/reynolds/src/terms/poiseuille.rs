@@ -31,3 +31,11 @@ impl Term for Poiseuille {
         flow.conductance += film.thickness.powi(2) * change.thickness / (4.0 * film.viscosity);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn variation_matches_differences() {
+        super::super::check(&super::Poiseuille);
+    }
+}

@@ -29,3 +29,11 @@ impl Term for Squeeze {
         flow.storage += change.rate;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn variation_matches_differences() {
+        super::super::check(&super::Squeeze);
+    }
+}

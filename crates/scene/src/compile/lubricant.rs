@@ -1,7 +1,9 @@
 //! The socket `lubricant`: one law of pressure, at the viscosity of the film.
 
 use oilwedge_reynolds::Form;
-use oilwedge_reynolds::lubricant::{Barus, Lubricant, PressureLaw, Roelands};
+use oilwedge_reynolds::lubricant::barus::Barus;
+use oilwedge_reynolds::lubricant::roelands::Roelands;
+use oilwedge_reynolds::lubricant::{Lubricant, PressureLaw};
 
 use crate::scene::{self, BarusForm, RoelandsExponent};
 
@@ -32,9 +34,9 @@ pub(crate) fn lubricant(oil: &scene::Oil) -> Lubricant {
 pub(crate) fn form(oil: &scene::Oil) -> Form {
     match oil.pressure_law {
         scene::PressureLaw::Barus {
-            alpha,
             form: BarusForm::AsPrinted,
-        } => Form::AsPrinted(Barus { alpha }),
+            ..
+        } => Form::AsPrinted,
         _ => Form::Conservative,
     }
 }

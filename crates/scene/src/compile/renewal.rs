@@ -4,7 +4,7 @@ use std::mem::discriminant;
 
 use oilwedge_reynolds::supply::{Place, SupplyRegion};
 
-use super::{Study, effects, film_thickness, journal, problem, squeeze, supply_pressure};
+use super::{Study, centre_velocity, effects, film_thickness, journal, problem, supply_pressure};
 use crate::scene::{PressureLaw, Scene};
 
 /// Whether two scenes make the same system of the same mesh, but for given pressures and the film's thickness.
@@ -56,7 +56,7 @@ pub(crate) fn renewed(mut study: Study, scene: &Scene, near: (f64, f64)) -> Stud
     study.system.renew(&pressure, &thickness);
     study.problem = problem(scene, journal(scene, near), thickness);
     study.load = scene.journal.load();
-    study.squeeze = squeeze(scene);
+    study.centre_velocity = centre_velocity(scene);
     study.cap = scene.cap;
     study.oil = scene.oil.clone();
     study.heat = scene.heat;

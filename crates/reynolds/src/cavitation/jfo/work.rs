@@ -67,12 +67,12 @@ pub(crate) fn work(carriage: &Carriage, film: &FilmSolution, excess: &[f64], she
         let at = |values: &[f64]| nodes.map(|node| values[node as usize]);
         let (p, q, theta) = (at(excess), at(&film.unknown), at(&carriage.fraction.values));
         let block = &carriage.blocks[t];
-        let (pressure, squeeze) = carried(block, carriage.fraction, t, p, theta);
+        let (pressure, motion) = carried(block, carriage.fraction, t, p, theta);
         sum += Work {
             cavity_shear: 0.0,
             shear: 0.0,
             pressure,
-            squeeze,
+            motion,
             driven: driven(block, p, q),
         };
     }
