@@ -3,13 +3,13 @@
 
 use std::sync::Arc;
 
-use oilwedge_bearing::{Equilibrium, NoEquilibrium, Patience, Squeeze, find};
+use oilwedge_bearing::{Equilibrium, NoEquilibrium, Patience, find};
 use oilwedge_reynolds::lubricant::PressureLaw;
 use oilwedge_reynolds::lubricant::barus::Barus;
 use oilwedge_reynolds::quantities::load::load;
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::terms;
-use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSystem, JournalState, NoFilm};
+use oilwedge_reynolds::{Cavitation, CentreVelocity, FilmProblem, FilmSystem, JournalState, NoFilm};
 use oilwedge_tests::*;
 
 const LENGTH: f64 = 0.06;
@@ -87,7 +87,7 @@ fn started_at(problem: &FilmProblem, eps: f64, angle: f64) -> FilmProblem {
 /// film is differenced with its forms kept.
 #[test]
 fn tangent_matches_differences() {
-    let squeeze = Squeeze {
+    let squeeze = CentreVelocity {
         radial: 4e-4,
         tangential: -2e-4,
     };
@@ -96,8 +96,8 @@ fn tangent_matches_differences() {
     bearings.extend([0.7, 1.0].map(|fraction| half_shell(Cavitation::Jfo { pressure: 0.0 }, Some(fraction))));
     for (mut problem, system) in bearings {
         problem.lubricant.pressure_law = PressureLaw::Barus(Barus { alpha: 2e-8 });
-        problem.terms.push(Arc::new(terms::Squeeze));
-        problem.journal = problem.journal.with_squeeze(squeeze.radial, squeeze.tangential, 0.3);
+        problem.terms.push(Arc::new(terms::squeeze::Squeeze));
+        problem.journal = problem.journal.with_centre_velocity(squeeze, 0.3);
         let asked = force(&problem, &system);
         let found =
             find(&problem, &system, asked, squeeze, Patience::default()).unwrap_or_else(|reason| panic!("{reason}"));
@@ -110,7 +110,7 @@ fn tangent_matches_differences() {
                     offset,
                     ..found.problem.journal
                 };
-                let moved = moved.with_squeeze(squeeze.radial, squeeze.tangential, offset[1].atan2(offset[0]));
+                let moved = moved.with_centre_velocity(squeeze, offset[1].atan2(offset[0]));
                 let problem = FilmProblem {
                     journal: moved,
                     ..found.problem.clone()
@@ -153,7 +153,7 @@ fn positions_come_back_from_their_loads() {
                 problem: found,
                 residual,
                 ..
-            } = find(&start, &system, asked, Squeeze::default(), Patience::default())
+            } = find(&start, &system, asked, CentreVelocity::default(), Patience::default())
                 .unwrap_or_else(|reason| panic!("{reason}"));
             assert!(residual < 1e-10, "{residual:e}");
             let back = found.journal.eccentricity() / CLEARANCE;
@@ -177,7 +177,7 @@ fn any_start_leads_to_the_same_position() {
                 &start,
                 &system,
                 [0.0, -so * unit],
-                Squeeze::default(),
+                CentreVelocity::default(),
                 Patience::default(),
             );
             let found = found.unwrap_or_else(|reason| panic!("So {so} from {eps}, {angle}: {reason}"));
@@ -195,7 +195,14 @@ fn any_start_leads_to_the_same_position() {
 fn no_load_centres_a_plain_ring() {
     let system = ring_system(48, 8, LENGTH, None);
     let problem = plain_film(LENGTH, 0.5, 0.3, SPEED);
-    let found = find(&problem, &system, [0.0; 2], Squeeze::default(), Patience::default()).expect("the middle");
+    let found = find(
+        &problem,
+        &system,
+        [0.0; 2],
+        CentreVelocity::default(),
+        Patience::default(),
+    )
+    .expect("the middle");
     assert!(found.problem.journal.eccentricity() < 1e-10 * CLEARANCE);
 }
 
@@ -203,14 +210,20 @@ fn no_load_centres_a_plain_ring() {
 #[test]
 fn loads_out_of_reach_are_told() {
     let (problem, system) = half_shell(Cavitation::Reynolds { pressure: 0.0 }, None);
-    let carried = find(&problem, &system, [500.0, 0.0], Squeeze::default(), Patience::default())
-        .expect("it is pushed into the shell");
+    let carried = find(
+        &problem,
+        &system,
+        [500.0, 0.0],
+        CentreVelocity::default(),
+        Patience::default(),
+    )
+    .expect("it is pushed into the shell");
     assert!(carried.problem.journal.offset[0] > 0.0);
     match find(
         &problem,
         &system,
         [-500.0, 0.0],
-        Squeeze::default(),
+        CentreVelocity::default(),
         Patience::default(),
     ) {
         Err(NoEquilibrium::Unreachable { asked, towards, .. }) => assert_eq!((asked, towards), (500.0, 180.0)),
@@ -226,7 +239,13 @@ fn a_start_without_a_film_is_left() {
     problem.cavitation = Cavitation::Reynolds { pressure: 0.0 };
     problem.lubricant.pressure_law = PressureLaw::Barus(Barus { alpha: 3e-7 });
     assert!(matches!(problem.solve(&system), Err(NoFilm::AboveLimit { .. })));
-    let found = find(&problem, &system, [800.0, 0.0], Squeeze::default(), Patience::default())
-        .expect("a light load is carried");
+    let found = find(
+        &problem,
+        &system,
+        [800.0, 0.0],
+        CentreVelocity::default(),
+        Patience::default(),
+    )
+    .expect("a light load is carried");
     assert!(found.residual < 1e-10);
 }

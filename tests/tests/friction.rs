@@ -10,7 +10,7 @@ use oilwedge_reynolds::quantities::friction::{Friction, friction};
 use oilwedge_reynolds::quantities::inlet::inlet_flow;
 use oilwedge_reynolds::quantities::load::load;
 use oilwedge_reynolds::quantities::power::{Power, power};
-use oilwedge_reynolds::terms::Squeeze;
+use oilwedge_reynolds::terms::squeeze::Squeeze;
 use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSolution, FilmSystem, Form};
 use oilwedge_scene::Scene;
 use oilwedge_tests::scenes::{Solved, solve, written};

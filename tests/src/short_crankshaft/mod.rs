@@ -53,7 +53,7 @@ pub fn film_at(squeeze: f64, speed: f64) -> ShortFilm {
     ShortFilm {
         eccentricity: ECCENTRICITY,
         rotation: speed / 3200.0,
-        squeeze,
+        closing: squeeze,
     }
 }
 

@@ -6,28 +6,28 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use oilwedge_reynolds::Cavitation;
 use oilwedge_reynolds::analytical::ocvirk::{ShortFilm, ShortLoad};
 use oilwedge_reynolds::quantities::{load::load, similarity};
-use oilwedge_reynolds::terms::Squeeze;
+use oilwedge_reynolds::terms::squeeze::Squeeze;
+use oilwedge_reynolds::{Cavitation, CentreVelocity};
 use oilwedge_tests::*;
 
 const STEADY: ShortFilm = ShortFilm {
     eccentricity: 0.5,
     rotation: 1.0,
-    squeeze: 0.0,
+    closing: 0.0,
 };
 /// The narrowest film closes while the line of centres turns with the journal, and opens while it turns against it.
 const SQUEEZED: [ShortFilm; 2] = [
     ShortFilm {
         eccentricity: 0.5,
         rotation: 0.7,
-        squeeze: 0.4,
+        closing: 0.4,
     },
     ShortFilm {
         eccentricity: 0.5,
         rotation: 1.3,
-        squeeze: -0.3,
+        closing: -0.3,
     },
 ];
 
@@ -38,9 +38,11 @@ fn film_of_length(slenderness: f64, short: ShortFilm, cavitation: Cavitation) ->
         cavitation,
         ..plain_film(length, short.eccentricity, PI, SPEED)
     };
-    let radial = 0.5 * short.squeeze * SPEED * CLEARANCE;
+    let radial = 0.5 * short.closing * SPEED * CLEARANCE;
     let tangential = 0.5 * (1.0 - short.rotation) * SPEED * short.eccentricity * CLEARANCE;
-    film.journal = film.journal.with_squeeze(radial, tangential, PI);
+    film.journal = film
+        .journal
+        .with_centre_velocity(CentreVelocity { radial, tangential }, PI);
     film.terms.push(Arc::new(Squeeze));
     let system = ring_system(360, 8, length, None);
     let solution = film.solve(&system).unwrap();
