@@ -8,6 +8,7 @@ pub mod engine_bearings;
 pub mod flexpde_study;
 pub mod flow_meshes;
 pub mod journal_bearings;
+pub mod left_out;
 pub mod mesh_page;
 pub mod msh_file;
 pub mod performance;

@@ -1,6 +1,6 @@
 //! Broken scenes and arguments: exit status 2, nothing written, and a message that names file, key, value and way out.
 
-use crate::bench::Bench;
+use oilwedge_tests::bench::Bench;
 
 const SHELL: &str = "02_flexpde_shell";
 

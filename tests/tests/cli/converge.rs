@@ -1,6 +1,6 @@
 //! `converge`: what accuracy costs, as tables, for scripts and as pictures.
 
-use crate::bench::{Bench, object};
+use oilwedge_tests::bench::{Bench, object};
 use oilwedge_tests::program::repository;
 use resvg::tiny_skia::Pixmap;
 use serde_json::Value;

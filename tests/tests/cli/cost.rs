@@ -1,6 +1,6 @@
 //! `solve --cost`: what each effect changes, by the same numbers as a scene without it.
 
-use crate::bench::{Bench, object, timeless};
+use oilwedge_tests::bench::{Bench, object, timeless};
 use serde_json::Value;
 
 /// The result of a shipped scene with edits, and what was told beside it.

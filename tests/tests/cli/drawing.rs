@@ -1,6 +1,6 @@
 //! Liners without a mesh file: meshed, written, drawn, and refused by name.
 
-use crate::bench::{Bench, object};
+use oilwedge_tests::bench::{Bench, object};
 use oilwedge_tests::program::repository;
 
 /// Scene 10 with edits, as `scene.toml`.

@@ -1,6 +1,6 @@
 //! Where results go, and that they are written whole or not at all.
 
-use crate::bench::{Bench, object};
+use oilwedge_tests::bench::{Bench, object};
 
 #[test]
 fn results_of_an_earlier_run_are_replaced_whole() {

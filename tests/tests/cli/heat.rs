@@ -4,7 +4,7 @@ use oilwedge_scene::{RunOptions, run};
 use oilwedge_tests::scenes::{table, variant};
 use serde_json::Value;
 
-use crate::bench::{Bench, object};
+use oilwedge_tests::bench::{Bench, object};
 
 const RING: &str = r#"
 [bearing]

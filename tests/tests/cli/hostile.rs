@@ -4,7 +4,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
-use crate::bench::{Bench, edited};
+use oilwedge_tests::bench::{Bench, edited};
 use oilwedge_tests::program::{oilwedge_command, repository};
 use wait4::Wait4;
 

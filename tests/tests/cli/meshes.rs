@@ -1,7 +1,7 @@
 //! Broken meshes, derived from the shipped ones: exit status 2, nothing written, and a message that names file,
 //! place or group, value and way out.
 
-use crate::bench::Bench;
+use oilwedge_tests::bench::Bench;
 use oilwedge_tests::program::repository;
 
 /// The shipped mesh `name` as text.
@@ -254,7 +254,7 @@ fn another_hole_than_that_of_the_scene_is_told() {
 fn a_boundary_without_a_pressure_is_told() {
     // Scene 02 without its feed: nothing is said about the rim of the hole.
     let bench = Bench::new();
-    let text = crate::bench::edited("02_flexpde_shell", &[]);
+    let text = oilwedge_tests::bench::edited("02_flexpde_shell", &[]);
     let feed = text.find("[[feed]]").expect("feed")..text.find("[journal]").expect("journal");
     bench.write("scene.toml", text.replace(&text[feed], ""));
     let words = [

@@ -1,6 +1,6 @@
 //! The shipped scenes through the program, and its help.
 
-use crate::bench::{Bench, object};
+use oilwedge_tests::bench::{Bench, object};
 use oilwedge_tests::program::repository;
 
 const TENSION: &str = "full Sommerfeld film: the pressure falls to";

@@ -1,6 +1,6 @@
 //! `solve`: the result for people and for scripts, also where there is no film.
 
-use crate::bench::{Bench, object, timeless};
+use oilwedge_tests::bench::{Bench, object, timeless};
 use serde_json::Value;
 use std::process::Stdio;
 

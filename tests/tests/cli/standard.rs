@@ -2,7 +2,7 @@
 
 use oilwedge_tests::program::repository;
 
-use crate::bench::{Bench, object};
+use oilwedge_tests::bench::{Bench, object};
 
 /// The bearing of `tests/tests/literature/thermal_balance.rs` at the temperature that its film finds.
 #[test]

@@ -3,7 +3,7 @@
 use std::process::Stdio;
 use std::time::{Duration, Instant};
 
-use crate::bench::{Bench, Told, edited, object};
+use oilwedge_tests::bench::{Bench, Told, edited, object};
 use oilwedge_tests::flexpde_study::rows;
 use oilwedge_tests::printed;
 use oilwedge_tests::program::oilwedge_command;

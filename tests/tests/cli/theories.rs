@@ -1,6 +1,6 @@
 //! `solve --theories`: one scene as a short, a full and a long bearing, by the same numbers as scenes that say so.
 
-use crate::bench::{Bench, object, timeless};
+use oilwedge_tests::bench::{Bench, object, timeless};
 use serde_json::Value;
 
 /// A short ring with half film; what a theory or a film start is written for stands behind its clearance.

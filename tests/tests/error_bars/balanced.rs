@@ -3,7 +3,7 @@
 use oilwedge_scene::RunOptions;
 use oilwedge_tests::scenes::{table, variant};
 
-use crate::films::{NO_BARS, answer, quantity, set};
+use super::films::{NO_BARS, answer, quantity, set};
 
 fn scene(model: &str, edit: impl FnOnce(&mut toml::Table)) -> oilwedge_scene::Scene {
     variant("01_plain_ring", |scene| {

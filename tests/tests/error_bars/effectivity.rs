@@ -3,7 +3,7 @@
 use oilwedge_scene::{RunOptions, Scene};
 use oilwedge_tests::{SPEED, order, plain_film, ring_system};
 
-use crate::films::{Judged, answer, bar, constant, drawn, quantity, set};
+use super::films::{Judged, answer, bar, constant, drawn, quantity, set};
 
 /// A film on a mesh of this size [mm].
 type BySize<'a> = &'a dyn Fn(f64) -> Scene;

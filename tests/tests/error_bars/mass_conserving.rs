@@ -2,7 +2,7 @@
 
 use oilwedge_scene::RunOptions;
 
-use crate::films::{answer, bar, drawn, quantity, set};
+use super::films::{answer, bar, drawn, quantity, set};
 
 /// What the companion says covers the error of the load and of what flows, against a mesh four times as fine.
 #[test]

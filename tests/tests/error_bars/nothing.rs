@@ -3,7 +3,7 @@
 use oilwedge_scene::RunOptions;
 use oilwedge_tests::scenes::variant;
 
-use crate::films::{NO_BARS, answer, bar, set};
+use super::films::{NO_BARS, answer, bar, set};
 
 #[test]
 fn without_bars_nothing_is_estimated_and_nothing_is_done() {

@@ -8,7 +8,7 @@ use oilwedge_scene::{RunOptions, write_mesh};
 use oilwedge_tests::scenes::{table, variant};
 use oilwedge_tests::{SPEED, plain_film, ring, ring_system};
 
-use crate::films::{Judged, answer, constant, drawn, set};
+use super::films::{Judged, answer, constant, drawn, set};
 
 /// The hole of scene 04 [m].
 const HOLE: Disc = Disc {

@@ -6,7 +6,7 @@ use oilwedge_reynolds::quantities::power::power;
 use oilwedge_reynolds::supply::Place;
 use oilwedge_reynolds::{FilmSolution, FilmSystem};
 
-use crate::films::{Judged, constant, drawn, set};
+use super::films::{Judged, constant, drawn, set};
 
 /// The quadratic film as a cubic one, so that both loads are integrated by one rule.
 fn raised(judged: &Judged) -> FilmSolution {

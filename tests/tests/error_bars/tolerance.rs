@@ -4,7 +4,7 @@ use oilwedge_scene::report::{Refinement, Status};
 use oilwedge_scene::{RunOptions, run};
 use oilwedge_tests::scenes::{table, variant};
 
-use crate::films::{NO_BARS, answer, bar, drawn, quantity, set};
+use super::films::{NO_BARS, answer, bar, drawn, quantity, set};
 
 #[test]
 fn a_tolerance_is_met_by_the_bars() {

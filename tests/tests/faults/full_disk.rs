@@ -3,8 +3,8 @@
 
 use std::process::{Command, Output};
 
-use crate::bench::Bench;
-use crate::scenes::{TWO, left_over, names, pair, rows, sweep, two_scenes, whole_pairs};
+use super::scenes::{TWO, left_over, names, pair, rows, sweep, two_scenes, whole_pairs};
+use oilwedge_tests::bench::Bench;
 use oilwedge_tests::program::oilwedge_command;
 
 /// Runs the program from a script of the shell in which `"$@"` is its command line.

@@ -4,8 +4,8 @@ use std::path::Path;
 use std::process::{Child, Output};
 use std::time::Duration;
 
-use crate::bench::{Bench, edited, object};
-use crate::scenes::{names, rows, send, start, sweep, until};
+use super::scenes::{names, rows, send, start, sweep, until};
+use oilwedge_tests::bench::{Bench, edited, object};
 use serde_json::Value;
 
 fn ended(run: Child) -> (Output, String) {

@@ -4,8 +4,8 @@ use std::path::Path;
 use std::process::Child;
 use std::time::{Duration, Instant};
 
-use crate::bench::{Bench, object};
-use crate::scenes::{TWO, left_over, names, pair, rows, start, sweep, two_scenes, whole_pairs};
+use super::scenes::{TWO, left_over, names, pair, rows, start, sweep, two_scenes, whole_pairs};
+use oilwedge_tests::bench::{Bench, object};
 use oilwedge_tests::random_bearings::Dice;
 
 /// Kills of each kind of run; they are 200 together.
@@ -161,7 +161,8 @@ fn a_killed_sweep_loses_no_row() {
 #[test]
 fn a_killed_mesher_leaves_a_whole_mesh_or_none() {
     let bench = Bench::new();
-    let sized = |size: &str| crate::bench::edited("09_drawn_ring", &[]) + &format!("\n[mesh]\nsize = \"{size}\"\n");
+    let sized =
+        |size: &str| oilwedge_tests::bench::edited("09_drawn_ring", &[]) + &format!("\n[mesh]\nsize = \"{size}\"\n");
     bench.write(TWO[0], sized("3 mm"));
     bench.write(TWO[1], sized("4 mm"));
     let folder = bench.path().join("out");

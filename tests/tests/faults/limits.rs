@@ -1,6 +1,6 @@
 //! Limits of time and unknowns: a run ends with its best answer so far, the bars of that, and its status.
 
-use crate::bench::{Bench, edited, object};
+use oilwedge_tests::bench::{Bench, edited, object};
 use serde_json::Value;
 
 const TIME: [&str; 2] = ["--max-seconds", "0.001"];

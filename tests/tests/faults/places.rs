@@ -4,8 +4,8 @@ use std::fs::OpenOptions;
 use std::os::unix::fs::{PermissionsExt, symlink};
 use std::process::{Command, Output};
 
-use crate::bench::{Bench, edited};
-use crate::scenes::{TWO, names, pair, rows, send, start, sweep, two_scenes, until, whole_pairs};
+use super::scenes::{TWO, names, pair, rows, send, start, sweep, two_scenes, until, whole_pairs};
+use oilwedge_tests::bench::{Bench, edited};
 use oilwedge_tests::program::oilwedge_command;
 
 /// Runs the program as a user who is not the superuser; none where that cannot be done.

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::bench::{Bench, edited, object};
+use oilwedge_tests::bench::{Bench, edited, object};
 use oilwedge_tests::program::repository;
 
 /// The lines of a `result.json` but for its times: `timing_s`, and `seconds` of levels.

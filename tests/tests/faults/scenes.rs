@@ -5,7 +5,7 @@ use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-use crate::bench::{Bench, edited, object};
+use oilwedge_tests::bench::{Bench, edited, object};
 use oilwedge_tests::program::oilwedge_command;
 
 /// Two scenes whose results differ.

@@ -1,7 +1,7 @@
 //! Two runs in one folder: results belong together, and a sweep is written by one run only.
 
-use crate::bench::Bench;
-use crate::scenes::{TWO, names, pair, rows, send, start, sweep, two_scenes, until, whole_pairs};
+use super::scenes::{TWO, names, pair, rows, send, start, sweep, two_scenes, until, whole_pairs};
+use oilwedge_tests::bench::Bench;
 
 const ROUNDS: usize = 20;
 const SWEEP: [&str; 6] = ["sweep", "scene.toml", "--out", "out", "--threads", "1"];
@@ -46,7 +46,7 @@ fn a_sweep_that_is_being_written_is_refused_to_others() {
         }
     }
     // Other results may go into the same folder.
-    bench.write("alone.toml", crate::bench::edited("01_plain_ring", &[]));
+    bench.write("alone.toml", oilwedge_tests::bench::edited("01_plain_ring", &[]));
     assert_eq!(bench.run(&["solve", "alone.toml", "--out", "out"]).status, 0);
     // The lock of a killed run is none.
     first.kill().expect("it can be killed");

@@ -15,5 +15,3 @@ mod standard;
 mod sweep;
 mod theories;
 mod verify;
-
-use oilwedge_tests::bench;

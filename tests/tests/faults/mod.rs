@@ -10,5 +10,3 @@ mod places;
 mod same_bits;
 mod scenes;
 mod shared;
-
-use oilwedge_tests::bench;

@@ -1,0 +1,108 @@
+//! Parts of the tests that need more than Rust: where a machine lacks it they are left out, and named at the end of `cargo test` by
+//! `tests/tests/left_out.rs`, with the line that installs it. With `CI=true` in the environment nothing may be left out.
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::Command;
+
+/// System libraries that the Python packages gmsh and VTK load, and the Debian packages that hold them.
+const LIBRARIES: [(&str, &str); 7] = [
+    ("libGL.so.1", "libgl1"),
+    ("libEGL.so.1", "libegl1"),
+    ("libXrender.so.1", "libxrender1"),
+    ("libGLU.so.1", "libglu1-mesa"),
+    ("libXcursor.so.1", "libxcursor1"),
+    ("libXft.so.2", "libxft2"),
+    ("libXinerama.so.1", "libxinerama1"),
+];
+
+/// What is missing, and how to install it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Missing {
+    /// Program or library.
+    pub what: String,
+    /// The Debian package, or another way.
+    pub package: String,
+}
+
+impl Missing {
+    /// `what` from the Debian package `package`.
+    pub fn new(what: &str, package: &str) -> Self {
+        Self {
+            what: what.to_owned(),
+            package: package.to_owned(),
+        }
+    }
+}
+
+fn succeeds(command: &mut Command) -> bool {
+    command.output().is_ok_and(|output| output.status.success())
+}
+
+/// What Python environments with gmsh and VTK need and this machine lacks.
+pub fn missing_for_python() -> Vec<Missing> {
+    let python = |program: &str| succeeds(Command::new("python3").args(["-c", program]));
+    if !python("") {
+        return vec![Missing::new("python3", "python3")];
+    }
+    let mut missing = Vec::new();
+    if !python("import ensurepip, venv") {
+        missing.push(Missing::new("venv of Python", "python3-venv"));
+    }
+    let absent = LIBRARIES.iter().filter(|(library, _)| {
+        cfg!(target_os = "linux") && !python(&format!("import ctypes; ctypes.CDLL({library:?})"))
+    });
+    missing.extend(absent.map(|(library, package)| Missing::new(library, package)));
+    missing
+}
+
+/// The C++ compiler that libFuzzer is built with, if this machine lacks it.
+pub fn missing_for_fuzzing() -> Vec<Missing> {
+    let compiler = std::env::var("CXX").unwrap_or_else(|_| "c++".to_owned());
+    match succeeds(Command::new(&compiler).arg("--version")) {
+        true => Vec::new(),
+        false => vec![Missing::new(&format!("the C++ compiler {compiler}"), "g++")],
+    }
+}
+
+/// Where notes are kept until the end of the tests: beside the programs of this profile.
+fn folder() -> PathBuf {
+    let own = std::env::current_exe().expect("path of this test");
+    own.ancestors().nth(2).expect("target/PROFILE").join("left_out")
+}
+
+/// Notes that `part` of the tests is left out, and says true, if something is missing.
+///
+/// # Panics
+/// If something is missing under `CI=true`, or the note cannot be written.
+pub fn is_left_out(part: &str, missing: &[Missing]) -> bool {
+    let note = folder().join(part);
+    if missing.is_empty() {
+        // There may be no note of an earlier run.
+        let _ = fs::remove_file(note);
+        return false;
+    }
+    let list = |item: fn(&Missing) -> &str, between| missing.iter().map(item).collect::<Vec<_>>().join(between);
+    let [what, packages] = [
+        list(|missing| &missing.what, ", "),
+        list(|missing| &missing.package, " "),
+    ];
+    let text = format!("{part}: this machine lacks {what}\n    apt-get install {packages}\n");
+    assert!(
+        std::env::var("CI").as_deref() != Ok("true"),
+        "CI=true leaves nothing out. {text}"
+    );
+    fs::create_dir_all(folder()).expect("a folder for notes");
+    fs::write(note, text).expect("a note");
+    true
+}
+
+/// The notes of all parts that were left out.
+pub fn notes() -> Vec<String> {
+    let entries = fs::read_dir(folder()).into_iter().flatten().flatten();
+    let mut notes: Vec<String> = entries
+        .filter_map(|entry| fs::read_to_string(entry.path()).ok())
+        .collect();
+    notes.sort();
+    notes
+}

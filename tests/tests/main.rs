@@ -1,0 +1,24 @@
+//! All tests that cross crates, as one program; `cargo test -p oilwedge-tests cli::sweep` runs some of them.
+
+mod architecture;
+mod cavitation;
+mod cli;
+mod convergence;
+mod coverage;
+mod crosscheck;
+mod dependencies;
+mod equilibrium;
+mod error_bars;
+mod faults;
+mod friction;
+mod fuzzing;
+mod hard_cases;
+mod invariance;
+mod literature;
+mod mesh_readers;
+mod oil_balance;
+mod performance;
+mod reference;
+mod refinement;
+mod scene_properties;
+mod scenes;
