@@ -9,7 +9,8 @@ use libfuzzer_sys::{fuzz_mutator, fuzz_target, fuzzer_mutate};
 use oilwedge_fuzz::mutate_words;
 use oilwedge_mesh::Quality;
 use oilwedge_scene::scene::MeshSource;
-use oilwedge_scene::{Scene, mesh_scene};
+use oilwedge_scene::Scene;
+use oilwedge_study::liner_mesh::mesh_scene;
 
 /// Edges along the axis; more would take too long.
 const ACROSS: f64 = 4.0;

@@ -8,7 +8,7 @@ use std::path::Path;
 use cap::Cap;
 use libfuzzer_sys::{fuzz_mutator, fuzz_target, fuzzer_mutate};
 use oilwedge_fuzz::{bounded, mutate_words};
-use oilwedge_scene::sweep::Sweep;
+use oilwedge_campaign::sweep::Sweep;
 use oilwedge_scene::{Scene, SceneError};
 
 #[global_allocator]

@@ -6,7 +6,7 @@ use std::time::Instant;
 use oilwedge_mesh::refine;
 use oilwedge_reynolds::supply::SupplyRegion;
 use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSolution, FilmSystem};
-use oilwedge_scene::compile::{Study, compile};
+use oilwedge_study::compile::{Study, compile};
 
 use crate::scenes::{table, variant};
 

@@ -4,9 +4,10 @@
 use std::f64::consts::PI;
 
 use oilwedge_bearing::{CapJoint, HeatBalance, Shell};
-use oilwedge_scene::report::RunResult;
-use oilwedge_scene::standard::StandardHeat;
-use oilwedge_scene::{RunOptions, run, standard};
+use oilwedge_campaign::standard;
+use oilwedge_campaign::standard::StandardHeat;
+use oilwedge_study::result::RunResult;
+use oilwedge_study::{RunOptions, run};
 
 use crate::scenes::{table, variant};
 use crate::tables::{replace, row};

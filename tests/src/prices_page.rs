@@ -5,8 +5,8 @@ use std::path::Path;
 use std::process::Command;
 use std::time::Instant;
 
-use oilwedge_scene::convergence::price::{Bought, Offer};
-use oilwedge_scene::convergence::{Budget, Course, Strategy, converge};
+use oilwedge_campaign::convergence::price::{Bought, Offer};
+use oilwedge_campaign::convergence::{Budget, Course, Strategy, converge};
 use oilwedge_scene::scene::{MeshSource, Scene};
 
 use crate::program::repository;
@@ -32,7 +32,7 @@ pub struct Prediction {
 
 /// What the levels of a strategy up to each one predict for a bar ten times smaller, where later levels reach it.
 pub fn predictions(course: &Course) -> Vec<Prediction> {
-    let bought = |level: &oilwedge_scene::convergence::LevelReport| {
+    let bought = |level: &oilwedge_campaign::convergence::LevelReport| {
         Some(Bought {
             unknowns: level.unknowns as f64,
             seconds: level.seconds.total,

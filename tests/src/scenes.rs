@@ -3,9 +3,9 @@
 use std::path::PathBuf;
 
 use oilwedge_reynolds::{FilmSolution, NoFilm};
-use oilwedge_scene::compile::{Study, compile};
-use oilwedge_scene::measure::{Measured, measure, quantities};
 use oilwedge_scene::scene::Scene;
+use oilwedge_study::compile::{Study, compile};
+use oilwedge_study::measure::{Measured, measure, quantities};
 
 use crate::program::repository;
 

@@ -4,7 +4,8 @@
 use std::path::Path;
 
 use oilwedge_scene::unit::Dimension;
-use oilwedge_scene::{RunOptions, Scene, SceneError, run};
+use oilwedge_scene::{Scene, SceneError};
+use oilwedge_study::{RunOptions, run};
 use oilwedge_tests::program::repository;
 use oilwedge_tests::scenes::{path, table, variant};
 use serde_json::Value;
@@ -168,7 +169,7 @@ fn result(name: &str) -> Value {
 
 fn result_of(scene: &Scene) -> Value {
     let run = run(scene, &RunOptions::default()).unwrap_or_else(|error| panic!("{error}"));
-    serde_json::from_str(&run.result.to_json().expect("finite numbers")).expect("JSON")
+    serde_json::from_str(&oilwedge_report::json(&run.result).expect("finite numbers")).expect("JSON")
 }
 
 #[test]

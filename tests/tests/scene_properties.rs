@@ -4,9 +4,11 @@
 use std::ops::Range;
 use std::path::Path;
 
+use oilwedge_campaign::{AddOns, theories};
 use oilwedge_scene::scene::MeshSource;
 use oilwedge_scene::unit::{self, Dimension};
-use oilwedge_scene::{RunOptions, Scene, SceneError, run, theories};
+use oilwedge_scene::{Scene, SceneError};
+use oilwedge_study::{RunOptions, run};
 use oilwedge_tests::program::repository;
 use proptest::prelude::*;
 use toml::de::{DeTable, DeValue};
@@ -202,7 +204,7 @@ fn any_scene_has_three_theories_or_their_reasons() {
                  ends = {{ pressure = \"1 bar\" }}\n{journal}\noil = {{ viscosity = \"0.02 Pa.s\" }}\ncavitation = {{ model = \"{model}\" }}\n"
             );
             let Ok(scene) = parse(&text) else { continue };
-            let mut result = run(&scene, &options)
+            let result = run(&scene, &options)
                 .unwrap_or_else(|error| panic!("{error}\n{text}"))
                 .result;
             let found = theories(&scene, &options, &result);
@@ -211,8 +213,11 @@ fn any_scene_has_three_theories_or_their_reasons() {
                 assert!(!film.quantities.is_empty() || film.reason.is_some(), "{film:?}\n{text}");
                 films += usize::from(!film.quantities.is_empty());
             }
-            result.theories = Some(found);
-            result.to_json().unwrap_or_else(|error| panic!("{error}\n{text}"));
+            let add_ons = AddOns {
+                theories: Some(found),
+                ..AddOns::default()
+            };
+            oilwedge_report::result_json(&result, &add_ons).unwrap_or_else(|error| panic!("{error}\n{text}"));
             legal += 1;
         }
     }

@@ -5,11 +5,11 @@
 //! study with scikit-fem on a far finer mesh, C_w and angle to four decimals (`tests/crosscheck/test_reference_numbers.py`);
 //! 5e-5 of C_w is twice what the shipped meshes are off.
 
-use oilwedge_scene::compile::{CompileError, compile};
-use oilwedge_scene::measure::warnings;
-use oilwedge_scene::report::RunResult;
 use oilwedge_scene::scene::Scene;
-use oilwedge_scene::{RunOptions, run};
+use oilwedge_study::compile::{CompileError, compile};
+use oilwedge_study::measure::warnings;
+use oilwedge_study::result::RunResult;
+use oilwedge_study::{RunOptions, run};
 use oilwedge_tests::journal_bearings::{block, number};
 use oilwedge_tests::scenes::{Solved, solve, table, variant};
 use oilwedge_tests::{cavitation_page, mesh_page};
@@ -600,7 +600,7 @@ fn an_unresolved_film_is_told() {
         let film = solved("01_plain_ring", |scene| {
             set(scene, "journal", "eccentricity", eccentricity)
         });
-        let warnings = oilwedge_scene::measure::warnings(&film.study, &film.measured);
+        let warnings = oilwedge_study::measure::warnings(&film.study, &film.measured);
         warnings
             .iter()
             .any(|warning| warning.starts_with("the film is not resolved"))

@@ -2,8 +2,9 @@
 
 use crate::complain::{self, Failure};
 use crate::terminal;
-use oilwedge_scene::sweep::Sweep;
-use oilwedge_scene::{Error, Scene};
+use oilwedge_campaign::sweep::Sweep;
+use oilwedge_report::Error;
+use oilwedge_scene::Scene;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -34,12 +35,12 @@ impl Check {
     /// [`Failure`]: the scene or mesh cannot be used.
     pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
         let found = match is_mesh(&self.file) {
-            true => oilwedge_scene::check_mesh(&self.file)?,
+            true => oilwedge_report::check_mesh(&self.file)?,
             false => {
                 let scene = Scene::read(&self.file)?;
                 // Every case must be a good scene.
                 Sweep::of(&scene)?;
-                oilwedge_scene::check_scene(&scene).map_err(Failure::of(&self.file))?
+                oilwedge_report::check_scene(&scene).map_err(Failure::of(&self.file))?
             }
         };
         let json = found.to_json().map_err(Error::from)?;

@@ -2,8 +2,9 @@
 
 use crate::interrupt::INTERRUPTED;
 use miette::{Diagnostic, LabeledSpan, MietteHandlerOpts, NamedSource, Report, SourceCode};
-use oilwedge_scene::compile::CompileError;
-use oilwedge_scene::{Complaint, Error, SceneError};
+use oilwedge_report::Error;
+use oilwedge_scene::{Complaint, SceneError};
+use oilwedge_study::compile::CompileError;
 use std::io::{IsTerminal, Write};
 use std::ops::Range;
 use std::path::Path;

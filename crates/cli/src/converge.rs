@@ -4,9 +4,11 @@ use crate::complain::Failure;
 use crate::levels_table::convergence_report;
 use crate::progress::Progress;
 use crate::{interrupt, solve, terminal};
-use oilwedge_scene::convergence::{Budget, converge, files};
-use oilwedge_scene::report::Status;
-use oilwedge_scene::{Error, Scene};
+use oilwedge_campaign::convergence::{Budget, converge};
+use oilwedge_report::Error;
+use oilwedge_report::convergence as files;
+use oilwedge_scene::Scene;
+use oilwedge_study::result::Status;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -61,12 +63,12 @@ impl Converge {
         let folder = self.out.clone().unwrap_or_else(|| solve::default_folder(&self.scene));
         files::check(&folder)?;
         let mut progress = Progress::new(self.max_seconds);
-        let study = converge(&scene, &budget, &mut progress).map_err(Failure::of(&self.scene))?;
+        let study = converge(&scene, &budget, &mut progress).map_err(|error| Failure::of(&self.scene)(error.into()))?;
         progress.end();
         let report = &study.report;
         files::write(&folder, &study)?;
         match self.json {
-            true => terminal::print(&report.to_json().map_err(Error::from)?)?,
+            true => terminal::print(&oilwedge_report::json(report).map_err(Error::from)?)?,
             false => terminal::print(&convergence_report(report, &folder))?,
         }
         Ok(match report.status {

@@ -3,8 +3,9 @@
 use crate::complain::printable;
 use crate::readable::{bar, readable_unit, significant, supported};
 use crate::terminal::{align_right, table, time};
-use oilwedge_scene::cost::{Change, EffectCost};
-use oilwedge_scene::report::RunResult;
+use oilwedge_campaign::AddOns;
+use oilwedge_campaign::cost::{Change, EffectCost};
+use oilwedge_study::result::RunResult;
 
 /// Smaller changes are nothing [%].
 const NOTHING: f64 = 1e-9;
@@ -21,8 +22,8 @@ const COLUMNS: [(&[&str], &str); 5] = [
 ];
 
 /// A table of what each effect changes, and what follows from it; nothing where that was not asked for.
-pub(crate) fn cost(result: &RunResult) -> Option<String> {
-    let costs = result.cost.as_ref()?;
+pub(crate) fn cost(result: &RunResult, add_ons: &AddOns) -> Option<String> {
+    let costs = add_ons.cost.as_ref()?;
     let Some(first) = costs.first() else {
         return Some("effects   none that could be left out".to_owned());
     };
@@ -125,7 +126,7 @@ mod tests {
     use super::*;
     use crate::terminal::run_report;
     use crate::terminal::tests::result;
-    use oilwedge_scene::report::Status;
+    use oilwedge_study::result::Status;
     use std::path::Path;
 
     fn change(quantity: &str, unit: &str, numbers: [f64; 2], error: Option<f64>) -> Change {
@@ -169,16 +170,17 @@ mod tests {
     #[test]
     fn what_follows_is_said() {
         let mut result = result();
-        assert!(cost(&result).is_none());
+        let mut add_ons = AddOns::default();
+        assert!(cost(&result, &add_ons).is_none());
         let load = |without| vec![change("load", "N", [200.0, without], Some(1.0))];
         let mut hopeless = effect("couette", vec![], Some(false));
         hopeless.reason = Some("nothing carries the oil".into());
-        result.cost = Some(vec![
+        add_ons.cost = Some(vec![
             effect("barus", load(199.5), Some(true)),
             effect("squeeze", load(100.0), Some(false)),
             hopeless,
         ]);
-        let text = run_report(&result, Path::new("out"), true);
+        let text = run_report(&result, &add_ons, Path::new("out"), true);
         let wanted = [
             "with all of them a run takes 30.0 ms",
             "+50.0 ± 0.5 %",
@@ -189,11 +191,11 @@ mod tests {
         for part in wanted {
             assert!(text.contains(part), "no {part} in\n{text}");
         }
-        result.cost = Some(vec![effect("barus", load(199.5), None)]);
-        assert!(cost(&result).is_some_and(|text| text.contains("no error bars were estimated")));
+        add_ons.cost = Some(vec![effect("barus", load(199.5), None)]);
+        assert!(cost(&result, &add_ons).is_some_and(|text| text.contains("no error bars were estimated")));
         result.bars = true;
-        assert!(cost(&result).is_some_and(|text| text.contains("not decided: barus")));
-        result.cost = Some(vec![]);
-        assert!(cost(&result).is_some_and(|text| text.contains("none that could be left out")));
+        assert!(cost(&result, &add_ons).is_some_and(|text| text.contains("not decided: barus")));
+        add_ons.cost = Some(vec![]);
+        assert!(cost(&result, &add_ons).is_some_and(|text| text.contains("none that could be left out")));
     }
 }

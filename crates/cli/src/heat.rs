@@ -3,8 +3,8 @@
 use crate::quantities::quantities;
 use crate::readable::significant;
 use crate::terminal::{align_right, table};
-use oilwedge_scene::report::{Criterion, HeatReport, Quantity, RunResult};
-use oilwedge_scene::thermal::is_of_heat;
+use oilwedge_study::result::{Criterion, HeatReport, Quantity, RunResult};
+use oilwedge_study::thermal::is_of_heat;
 
 /// True of quantities that stand in the part of the heat.
 pub(crate) fn belongs(name: &str) -> bool {

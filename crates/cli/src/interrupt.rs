@@ -1,7 +1,7 @@
 //! Ctrl-C, or the end asked for by the system: the first asks a run to end with what it has, the second ends the program at once.
 
 use crate::complain::Failure;
-use oilwedge_scene::Interrupt;
+use oilwedge_study::Interrupt;
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
 use std::io;

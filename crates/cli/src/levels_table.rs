@@ -3,7 +3,7 @@
 use crate::complain::printable;
 use crate::readable::{readable_unit, significant};
 use crate::terminal::{align_right, effects, heading, status, table, time};
-use oilwedge_scene::convergence::{ConvergenceReport, Course, LevelReport, Measure, Price};
+use oilwedge_campaign::convergence::{ConvergenceReport, Course, LevelReport, Measure, Price};
 use std::path::Path;
 
 /// Parts of the time; one that is nowhere worth telling is told with the others.

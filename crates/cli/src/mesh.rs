@@ -2,7 +2,9 @@
 
 use crate::complain::Failure;
 use crate::terminal;
-use oilwedge_scene::{Scene, mesh_scene, write_mesh};
+use oilwedge_report::write_mesh;
+use oilwedge_scene::Scene;
+use oilwedge_study::liner_mesh::mesh_scene;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -34,7 +36,7 @@ impl Mesh {
     pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
         let scene = Scene::read(&self.scene)?;
         self.check_output(&scene)?;
-        let mesh = mesh_scene(&scene).map_err(Failure::of(&self.scene))?;
+        let mesh = mesh_scene(&scene).map_err(|error| Failure::of(&self.scene)(error.into()))?;
         write_mesh(&mesh, &self.output)?;
         let (cells, nodes) = (mesh.triangles().len(), mesh.quadratic_nodes());
         terminal::print(&format!(

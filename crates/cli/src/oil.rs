@@ -3,8 +3,8 @@
 use crate::complain::Failure;
 use crate::readable::significant;
 use crate::terminal::{align_right, print, table};
-use oilwedge_scene::Error;
-use oilwedge_scene::oil_sheet::{GRADES, OilSheet};
+use oilwedge_report::Error;
+use oilwedge_report::oil_sheet::{GRADES, OilSheet};
 use std::process::ExitCode;
 
 /// Arguments of `oilwedge oil`.

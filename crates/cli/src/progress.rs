@@ -1,8 +1,8 @@
 //! How a long run gets on, on stderr; nothing where nobody looks.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use oilwedge_scene::convergence::{LevelReport, Observer, Strategy};
-use oilwedge_scene::sweep::Progress as Progressed;
+use oilwedge_campaign::convergence::{LevelReport, Observer, Strategy};
+use oilwedge_report::sweep::Progress as Progressed;
 use std::io::IsTerminal;
 use std::time::{Duration, Instant};
 

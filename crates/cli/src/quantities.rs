@@ -4,7 +4,7 @@ use crate::complain::printable;
 use crate::readable::{bar, readable_unit, significant, supported};
 use crate::terminal::{align_right, table, time};
 use crate::words;
-use oilwedge_scene::report::{LevelFacts, Quantity, Refinement, RunResult};
+use oilwedge_study::result::{LevelFacts, Quantity, Refinement, RunResult};
 
 /// A quantity below this in its smallest unit is nothing: 1e-9 N, um, ml/s or deg.
 const ROUNDING: f64 = 1e-9;
@@ -95,7 +95,8 @@ mod tests {
     use super::*;
     use crate::terminal::run_report;
     use crate::terminal::tests::result;
-    use oilwedge_scene::report::ErrorParts;
+    use oilwedge_campaign::AddOns;
+    use oilwedge_study::result::ErrorParts;
     use std::path::Path;
 
     /// A load with a bar, an angle whose bar is not resolved, an eccentricity that is given.
@@ -145,7 +146,7 @@ mod tests {
             level(9000, Refinement::Uniform, 8.0, 0.05),
             level(12_000, Refinement::Local, 1.0, 1.2),
         ];
-        let text = run_report(&result, Path::new("out"), true);
+        let text = run_report(&result, &AddOns::default(), Path::new("out"), true);
         let wanted = "\
 bar       of the load, ± 1 N: triangles 0.9 N, edge of the cavity 0.1 N
 levels    2000 unknowns, W ± 36 N, 15.0 ms (first mesh)
@@ -154,13 +155,13 @@ levels    2000 unknowns, W ± 36 N, 15.0 ms (first mesh)
 balance";
         assert!(text.contains(wanted), "{text}");
         result.effects.simulated.push("equilibrium".into());
-        assert!(!run_report(&result, Path::new("out"), true).contains("bar  "));
+        assert!(!run_report(&result, &AddOns::default(), Path::new("out"), true).contains("bar  "));
         result.quantities[2].error_parts = Some(ErrorParts {
             position: 2e-5,
             ..ErrorParts::default()
         });
         result.quantities[2].error = Some(2e-5);
-        let text = run_report(&result, Path::new("out"), true);
+        let text = run_report(&result, &AddOns::default(), Path::new("out"), true);
         let wanted = "bar       of the eccentricity, ± 2e-5: position under the load 2e-5\n";
         assert!(text.contains(wanted), "{text}");
     }

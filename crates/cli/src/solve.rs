@@ -3,9 +3,14 @@
 use crate::complain::{self, Failure};
 use crate::progress::Working;
 use crate::{interrupt, terminal};
-use oilwedge_scene::report::Status;
-use oilwedge_scene::results::write_results;
-use oilwedge_scene::{Error, Interrupt, RunOptions, Scene, effect_costs, standard, theories};
+use oilwedge_campaign::{AddOns, effect_costs, standard, theories};
+use oilwedge_report::Error;
+use oilwedge_report::result_json;
+use oilwedge_report::results::write_results;
+use oilwedge_report::vtu::to_vtu;
+use oilwedge_scene::Scene;
+use oilwedge_study::result::Status;
+use oilwedge_study::{Interrupt, RunOptions};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -100,27 +105,26 @@ impl Solve {
         let scene = Scene::read(&self.scene)?;
         let options = self.options(&scene)?;
         let working = Working::on(Self::task(&scene));
-        let mut run = oilwedge_scene::run(&scene, &options).map_err(Failure::of(&self.scene))?;
+        let run = oilwedge_study::run(&scene, &options)
+            .map_err(Error::from)
+            .map_err(Failure::of(&self.scene))?;
+        let mut add_ons = AddOns::default();
         if self.cost {
             working.turns_to("the film without each effect");
-            run.result.cost = Some(effect_costs(&scene, &options, &run.result)?);
+            add_ons.cost = Some(effect_costs(&scene, &options, &run.result).map_err(Error::from)?);
         }
         if self.standard {
-            run.result.standard = Some(standard(&scene, &run.result));
+            add_ons.standard = Some(standard(&scene, &run.result));
         }
         if self.theories {
             working.turns_to("the film of a short and of a long bearing");
-            run.result.theories = Some(theories(&scene, &options, &run.result));
+            add_ons.theories = Some(theories(&scene, &options, &run.result));
         }
         drop(working);
-        let json = run.result.to_json().map_err(Error::from)?;
-        let picture = run
-            .picture
-            .map(|picture| picture.to_vtu())
-            .transpose()
-            .map_err(Error::from)?;
+        let json = result_json(&run.result, &add_ons).map_err(Error::from)?;
+        let picture = run.picture.map(to_vtu).transpose().map_err(Error::from)?;
         let folder = self.out.clone().unwrap_or_else(|| default_folder(&self.scene));
-        write_results(&folder, &run.result, picture.as_deref()).map_err(Error::from)?;
+        write_results(&folder, &run.result, &add_ons, picture.as_deref()).map_err(Error::from)?;
         if let Some(plan) = &scene.sweep {
             let cases = plan.cases();
             complain::warn(&[format!(
@@ -130,7 +134,7 @@ impl Solve {
         complain::warn(&run.result.warnings);
         match self.json {
             true => terminal::print(&json)?,
-            false => terminal::print(&terminal::run_report(&run.result, &folder, picture.is_some()))?,
+            false => terminal::print(&terminal::run_report(&run.result, &add_ons, &folder, picture.is_some()))?,
         }
         Ok(match run.result.status {
             Status::Converged => ExitCode::SUCCESS,

@@ -3,15 +3,15 @@
 use crate::complain::printable;
 use crate::readable::{readable_unit, significant, supported};
 use crate::terminal::{align_right, table};
-use oilwedge_scene::report::RunResult;
-use oilwedge_scene::standard::{Beside, Standard, StandardHeat};
+use oilwedge_campaign::AddOns;
+use oilwedge_campaign::standard::{Beside, Standard, StandardHeat};
 
 /// Digits of what the fits give, and of a difference.
 const DIGITS: [usize; 2] = [4, 2];
 
 /// The two side by side, and what keeps them apart; nothing where that was not asked for.
-pub(crate) fn standard(result: &RunResult) -> Option<String> {
-    let standard = result.standard.as_ref()?;
+pub(crate) fn standard(add_ons: &AddOns) -> Option<String> {
+    let standard = add_ons.standard.as_ref()?;
     let mut lines: Vec<String> = standard.given.iter().map(|given| opening(standard, given)).collect();
     if !standard.numbers.is_empty() {
         lines.push(side_by_side(&standard.numbers));

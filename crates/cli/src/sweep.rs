@@ -5,8 +5,11 @@ use crate::progress::SweepProgress;
 use crate::readable::{readable_unit, significant};
 use crate::terminal::{align_right, heading, table, time};
 use crate::{interrupt, solve, terminal};
-use oilwedge_scene::sweep::{Row, Sweep as Cases, SweepOptions, SweepReport};
-use oilwedge_scene::{Error, RunOptions, Scene};
+use oilwedge_campaign::sweep::Sweep as Cases;
+use oilwedge_report::Error;
+use oilwedge_report::sweep::{Row, SweepOptions, SweepReport};
+use oilwedge_scene::Scene;
+use oilwedge_study::RunOptions;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -78,11 +81,11 @@ impl Sweep {
         };
         let folder = self.out.clone().unwrap_or_else(|| solve::default_folder(&self.scene));
         let mut progress = SweepProgress::new();
-        let outcome = cases.run(&options, &folder, &mut |now| progress.move_on(now));
+        let outcome = oilwedge_report::sweep::run(&cases, &options, &folder, &mut |now| progress.move_on(now));
         progress.end();
         let report = outcome?;
         match self.json {
-            true => terminal::print(&report.to_json().map_err(Error::from)?)?,
+            true => terminal::print(&oilwedge_report::json(&report).map_err(Error::from)?)?,
             false => terminal::print(&sweep_report(&report, &folder))?,
         }
         Ok(

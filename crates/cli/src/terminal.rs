@@ -10,8 +10,10 @@ use crate::standard::standard;
 use crate::theories::theories;
 use crate::words;
 use comfy_table::{CellAlignment, ContentArrangement, Table, presets};
-use oilwedge_scene::joint::is_of_cap;
-use oilwedge_scene::report::{Balances, CheckReport, Counts, Effects, LinearSolver, MeshFacts, RunResult, Status};
+use oilwedge_campaign::AddOns;
+use oilwedge_report::check::CheckReport;
+use oilwedge_study::joint::is_of_cap;
+use oilwedge_study::result::{Balances, Counts, Effects, LinearSolver, MeshFacts, RunResult, Status};
 use std::io::{ErrorKind, Write};
 use std::path::Path;
 
@@ -28,7 +30,7 @@ pub(crate) fn print(text: &str) -> Result<(), Failure> {
 }
 
 /// Everything about a run: what was simulated, the numbers, the balances and where the time went.
-pub(crate) fn run_report(result: &RunResult, folder: &Path, picture: bool) -> String {
+pub(crate) fn run_report(result: &RunResult, add_ons: &AddOns, folder: &Path, picture: bool) -> String {
     let mut parts = vec![heading(&result.title, status(result.status))];
     if let Some(reason) = &result.reason {
         parts.push(format!("reason: {reason}"));
@@ -44,9 +46,9 @@ pub(crate) fn run_report(result: &RunResult, folder: &Path, picture: bool) -> St
         }
     }
     parts.extend(heat::heat(result));
-    parts.extend(cost(result));
-    parts.extend(standard(result));
-    parts.extend(theories(result));
+    parts.extend(cost(result, add_ons));
+    parts.extend(standard(add_ons));
+    parts.extend(theories(add_ons));
     let mut lines = Vec::new();
     if !result.quantities.is_empty() {
         lines.extend(bars(result));
@@ -295,7 +297,8 @@ pub(crate) fn time(seconds: f64) -> String {
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
-    use oilwedge_scene::report::{CHECK_FORMAT, Quantity, RESULT_FORMAT, RegionFacts};
+    use oilwedge_report::check::{CHECK_FORMAT, RegionFacts};
+    use oilwedge_study::result::{Quantity, RESULT_FORMAT};
 
     pub(crate) fn result() -> RunResult {
         RunResult {
@@ -340,15 +343,12 @@ pub(crate) mod tests {
             linear_solver: None,
             timing_s: vec![("read".into(), 0.0123), ("total".into(), 1.5)],
             warnings: vec![],
-            cost: None,
-            standard: None,
-            theories: None,
         }
     }
 
     #[test]
     fn a_run_is_told_in_readable_units() {
-        let text = run_report(&result(), Path::new("out/shell"), true);
+        let text = run_report(&result(), &AddOns::default(), Path::new("out/shell"), true);
         let parts = [
             "Hole-fed shell: converged",
             "not simulated",
@@ -377,14 +377,14 @@ pub(crate) mod tests {
         result.counts.nonlinear_iterations = 12;
         for (levels, told) in [(1, "1 coarser mesh"), (3, "3 coarser meshes")] {
             result.counts.levels = levels;
-            let text = run_report(&result, Path::new("out"), true);
+            let text = run_report(&result, &AddOns::default(), Path::new("out"), true);
             let work = format!("12 nonlinear iterations, started from {told}\n");
             assert!(
                 text.contains(&work) && text.contains("cavity    42 % of the film\n"),
                 "{text}"
             );
         }
-        assert!(!run_report(&self::result(), Path::new("out"), true).contains("cavity "));
+        assert!(!run_report(&self::result(), &AddOns::default(), Path::new("out"), true).contains("cavity "));
     }
 
     #[test]
@@ -393,10 +393,10 @@ pub(crate) mod tests {
         result
             .quantities
             .insert(1, Quantity::new("bolt_torque", "M", 55.6, "N.m"));
-        let text = run_report(&result, Path::new("out"), true);
+        let text = run_report(&result, &AddOns::default(), Path::new("out"), true);
         let place = |part: &str| text.find(part).unwrap_or_else(|| panic!("no {part} in\n{text}"));
         assert!(place("attitude_angle") < place("joint of the cap\n") && place("joint of the cap") < place("55.6000"));
-        assert!(!run_report(&self::result(), Path::new("out"), true).contains("cap"));
+        assert!(!run_report(&self::result(), &AddOns::default(), Path::new("out"), true).contains("cap"));
     }
 
     #[test]
@@ -405,7 +405,7 @@ pub(crate) mod tests {
         result.status = Status::NoSolution;
         result.reason = Some("no steady film above ...".into());
         result.quantities.clear();
-        let text = run_report(&result, Path::new("out/shell"), false);
+        let text = run_report(&result, &AddOns::default(), Path::new("out/shell"), false);
         assert!(
             text.contains("there is no solution") && text.contains("reason: no steady film"),
             "{text}"
@@ -419,7 +419,7 @@ pub(crate) mod tests {
         result.title = "a\u{1b}[31m".into();
         result.quantities = vec![Quantity::new("side_flow", "Q_s", -7e-22, "m3/s")];
         result.counts = Counts::default();
-        let text = run_report(&result, Path::new("out"), true);
+        let text = run_report(&result, &AddOns::default(), Path::new("out"), true);
         assert!(text.contains("\u{2506}     0 \u{2506} ml/s"), "{text}");
         assert!(!text.contains('\u{1b}') && !text.contains("work"), "{text}");
     }

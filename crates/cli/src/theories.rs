@@ -3,8 +3,8 @@
 use crate::complain::printable;
 use crate::readable::{readable_unit, significant, supported};
 use crate::terminal::{align_right, table};
-use oilwedge_scene::report::RunResult;
-use oilwedge_scene::theories::{LONG_FROM, SHORT_TO, Theories, TheoryFilm, TheoryNumber};
+use oilwedge_campaign::AddOns;
+use oilwedge_campaign::theories::{LONG_FROM, SHORT_TO, Theories, TheoryFilm, TheoryNumber};
 
 /// Digits of a value without a bar, and of a difference.
 const DIGITS: [usize; 2] = [5, 3];
@@ -16,8 +16,8 @@ const WITHIN: &str = "within bars";
 const ROUNDING: f64 = 1e-9;
 
 /// The three side by side, and what follows; nothing where that was not asked for.
-pub(crate) fn theories(result: &RunResult) -> Option<String> {
-    let theories = result.theories.as_ref()?;
+pub(crate) fn theories(add_ons: &AddOns) -> Option<String> {
+    let theories = add_ons.theories.as_ref()?;
     let [short, full, long] = ["short", "full", "long"].map(|name| theories.film(name));
     let films = [short?, full?, long?];
     let mut lines = Vec::new();
@@ -156,7 +156,7 @@ mod tests {
     use super::*;
     use crate::terminal::run_report;
     use crate::terminal::tests::result;
-    use oilwedge_scene::report::Status;
+    use oilwedge_study::result::Status;
     use std::path::Path;
 
     fn film(theory: &str, numbers: &[(&str, &str, f64)], full: &[f64]) -> TheoryFilm {
@@ -179,8 +179,8 @@ mod tests {
 
     #[test]
     fn the_three_stand_side_by_side() {
-        let mut result = result();
-        assert!(theories(&result).is_none());
+        let mut add_ons = AddOns::default();
+        assert!(theories(&add_ons).is_none());
         let full = [2000.0, 30.0, 1e-6];
         let with = |numbers: [f64; 3]| {
             let [load, angle, flow] = numbers;
@@ -197,12 +197,12 @@ mod tests {
             film("full", &with(full), &full),
             long,
         ];
-        result.theories = Some(Theories {
+        add_ons.theories = Some(Theories {
             slenderness: 0.345,
             without: vec!["feeds", "this"],
             films,
         });
-        let text = run_report(&result, Path::new("out"), true);
+        let text = run_report(&result(), &add_ons, Path::new("out"), true);
         for part in [
             "short is off by",
             "+50.0 %",
@@ -219,19 +219,19 @@ mod tests {
 
     #[test]
     fn a_theory_without_a_film_says_why() {
-        let mut result = result();
+        let mut add_ons = AddOns::default();
         let full = film("full", &[("load", "N", 2000.0)], &[2000.0]);
         let mut short = film("short", &[], &[]);
         short.reason = Some("there is a feed".into());
         let mut long = film("long", &[], &[]);
         long.reason = Some("no line".into());
         let films = vec![short, full, long];
-        result.theories = Some(Theories {
+        add_ons.theories = Some(Theories {
             slenderness: 0.2,
             without: Vec::new(),
             films,
         });
-        let text = theories(&result).expect("a text");
+        let text = theories(&add_ons).expect("a text");
         for part in [
             "no short film: there is a feed\n",
             "no long film: no line\n",
@@ -244,14 +244,14 @@ mod tests {
             value,
             error: Some(error),
             difference: Some(value - 2000.0),
-            ..result.theories.as_ref().expect("three").films[1].quantities[0].clone()
+            ..add_ons.theories.as_ref().expect("three").films[1].quantities[0].clone()
         };
         let told = |value: f64| off(Some(&with(value, 3.0)), Some(&with(2000.0, 2.0)));
         assert_eq!(told(2004.0).as_deref(), Some("within bars"));
         assert_eq!(told(1990.0).as_deref(), Some("-0.500 %"));
-        for film in result.theories.iter_mut().flat_map(|it| &mut it.films) {
+        for film in add_ons.theories.iter_mut().flat_map(|it| &mut it.films) {
             film.quantities.clear();
         }
-        assert!(theories(&result).is_some_and(|text| !text.contains("three theories")));
+        assert!(theories(&add_ons).is_some_and(|text| !text.contains("three theories")));
     }
 }

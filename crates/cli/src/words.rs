@@ -141,7 +141,7 @@ mod tests {
         assert_eq!(of_quantity("load_x"), "its part along x (angle 0)");
         assert_eq!(of_quantity("load_x.hole.b"), "part of W_x over that region");
         assert_eq!(of_quantity("colour"), "");
-        let parts = oilwedge_scene::report::ErrorParts::default().by_name();
+        let parts = oilwedge_study::result::ErrorParts::default().by_name();
         assert!(parts.iter().all(|(name, _)| !of_error(name).is_empty()));
     }
 }

@@ -25,19 +25,19 @@ const LONGEST_TOLD: usize = 600;
 
 /// Where the values of a scene stand in its text.
 #[derive(Debug, Default)]
-pub(crate) struct Marks {
+pub struct Marks {
     text: String,
     spans: BTreeMap<String, Range<usize>>,
 }
 
 impl Marks {
     /// Whether the key is written.
-    pub(crate) fn has(&self, key: &str) -> bool {
+    pub fn has(&self, key: &str) -> bool {
         self.spans.contains_key(key)
     }
 
     /// A complaint about the value of `key`; about the table above it where the key is not written.
-    pub(crate) fn complaint(&self, key: &str, message: impl Into<String>, help: impl Into<String>) -> Complaint {
+    pub fn complaint(&self, key: &str, message: impl Into<String>, help: impl Into<String>) -> Complaint {
         let written = self.spans.get(key).cloned();
         let value = written.clone().and_then(|span| self.text.get(span)).unwrap_or_default();
         let above = || {
@@ -66,14 +66,14 @@ fn cut(text: &str) -> String {
 
 /// What the readers of all tables of one text collect.
 #[derive(Debug)]
-pub(crate) struct Collector {
+pub struct Collector {
     marks: RefCell<Marks>,
     complaints: RefCell<Vec<Complaint>>,
 }
 
 impl Collector {
     /// Nothing yet, for a scene of this text.
-    pub(crate) fn new(text: &str) -> Self {
+    pub fn new(text: &str) -> Self {
         let marks = Marks {
             text: text.to_string(),
             spans: BTreeMap::new(),
@@ -85,7 +85,7 @@ impl Collector {
     }
 
     /// The places of all values, and what was wrong.
-    pub(crate) fn finish(self) -> (Marks, Vec<Complaint>) {
+    pub fn finish(self) -> (Marks, Vec<Complaint>) {
         (self.marks.into_inner(), self.complaints.into_inner())
     }
 
@@ -107,7 +107,7 @@ impl Collector {
 
 /// Reads one table.
 #[derive(Debug)]
-pub(crate) struct TableReader<'a> {
+pub struct TableReader<'a> {
     collector: &'a Collector,
     /// `None`: the table is not there or not a table, and was complained about.
     table: Option<&'a DeTable<'a>>,
@@ -119,7 +119,7 @@ pub(crate) struct TableReader<'a> {
 
 impl<'a> TableReader<'a> {
     /// Reads the table of the whole text.
-    pub(crate) fn root(collector: &'a Collector, table: &'a DeTable<'a>) -> Self {
+    pub fn root(collector: &'a Collector, table: &'a DeTable<'a>) -> Self {
         Self::at(collector, Some(table), String::new())
     }
 
@@ -134,7 +134,7 @@ impl<'a> TableReader<'a> {
     }
 
     /// Path of a key of this table.
-    pub(crate) fn key(&self, key: &str) -> String {
+    pub fn key(&self, key: &str) -> String {
         if self.path.is_empty() {
             key.to_string()
         } else {
@@ -143,30 +143,30 @@ impl<'a> TableReader<'a> {
     }
 
     /// Whether the key is written.
-    pub(crate) fn has(&self, key: &str) -> bool {
+    pub fn has(&self, key: &str) -> bool {
         self.table.is_some_and(|table| table.contains_key(key))
     }
 
     /// Whether the value of `key` is a list.
-    pub(crate) fn is_list(&self, key: &str) -> bool {
+    pub fn is_list(&self, key: &str) -> bool {
         let value = self.table.and_then(|table| table.get(key));
         value.is_some_and(|value| value.get_ref().is_array())
     }
 
     /// Whether there is a table at all; if not, that was complained about.
-    pub(crate) fn is_readable(&self) -> bool {
+    pub fn is_readable(&self) -> bool {
         self.table.is_some()
     }
 
     /// Whether the value of the key is a table.
-    pub(crate) fn holds_table(&self, key: &str) -> bool {
+    pub fn holds_table(&self, key: &str) -> bool {
         self.table
             .and_then(|table| table.get(key))
             .is_some_and(|value| value.get_ref().is_table())
     }
 
     /// The keys as they are written, where they are names that the scene gives.
-    pub(crate) fn keys(&self) -> Vec<&'a str> {
+    pub fn keys(&self) -> Vec<&'a str> {
         let table = self.table.into_iter();
         table
             .flat_map(|table| table.iter().map(|(key, _)| key.get_ref().as_ref()))
@@ -174,7 +174,7 @@ impl<'a> TableReader<'a> {
     }
 
     /// The keys in the order of the text.
-    pub(crate) fn keys_in_order(&self) -> Vec<&'a str> {
+    pub fn keys_in_order(&self) -> Vec<&'a str> {
         let table = self.table.into_iter();
         let mut keys: Vec<_> = table
             .flat_map(|table| table.iter().map(|(key, _)| (key.span().start, key.get_ref().as_ref())))
@@ -184,29 +184,29 @@ impl<'a> TableReader<'a> {
     }
 
     /// The value of the key as it is written.
-    pub(crate) fn written(&mut self, key: &'a str) -> Option<&'a Spanned<DeValue<'a>>> {
+    pub fn written(&mut self, key: &'a str) -> Option<&'a Spanned<DeValue<'a>>> {
         self.take(key)?;
         self.table?.get(key)
     }
 
     /// Complains about a key of this table.
-    pub(crate) fn complain(&self, key: &str, message: impl Into<String>, help: impl Into<String>) {
+    pub fn complain(&self, key: &str, message: impl Into<String>, help: impl Into<String>) {
         self.collector.complain(&self.key(key), message, help);
     }
 
     /// Complains about this table itself.
-    pub(crate) fn complain_here(&self, message: impl Into<String>, help: impl Into<String>) {
+    pub fn complain_here(&self, message: impl Into<String>, help: impl Into<String>) {
         self.collector.complain(&self.path, message, help);
     }
 
     /// A physical quantity in SI that must be there.
-    pub(crate) fn quantity(&mut self, key: &'static str, dimension: Dimension, example: &str) -> f64 {
+    pub fn quantity(&mut self, key: &'static str, dimension: Dimension, example: &str) -> f64 {
         self.require(key, &format!("\"{example}\""));
         self.quantity_if_given(key, dimension, example).unwrap_or(f64::NAN)
     }
 
     /// A physical quantity in SI, if it is written.
-    pub(crate) fn quantity_if_given(&mut self, key: &'a str, dimension: Dimension, example: &str) -> Option<f64> {
+    pub fn quantity_if_given(&mut self, key: &'a str, dimension: Dimension, example: &str) -> Option<f64> {
         let write = format!("write {key} = \"{example}\"");
         match self.take(key)? {
             DeValue::String(text) => match unit::parse(text, dimension) {
@@ -236,7 +236,7 @@ impl<'a> TableReader<'a> {
     }
 
     /// A plain number, if it is written.
-    pub(crate) fn number_if_given(&mut self, key: &'static str, example: &str) -> Option<f64> {
+    pub fn number_if_given(&mut self, key: &'static str, example: &str) -> Option<f64> {
         let value = self.take(key)?;
         if !matches!(value, DeValue::Integer(_) | DeValue::Float(_)) {
             let message = format!("a plain number is wanted, not {}", kind(value));
@@ -261,13 +261,13 @@ impl<'a> TableReader<'a> {
     }
 
     /// A text that must be there and not be empty; empty where it was complained about.
-    pub(crate) fn text(&mut self, key: &'static str, example: &str) -> String {
+    pub fn text(&mut self, key: &'static str, example: &str) -> String {
         self.require(key, &format!("\"{example}\""));
         self.text_if_given(key, example).unwrap_or_default()
     }
 
     /// A text, if it is written.
-    pub(crate) fn text_if_given(&mut self, key: &'static str, example: &str) -> Option<String> {
+    pub fn text_if_given(&mut self, key: &'static str, example: &str) -> Option<String> {
         let write = format!("write for example {key} = \"{example}\"");
         match self.take(key)? {
             DeValue::String(text) if !text.trim().is_empty() => return Some(text.to_string()),
@@ -278,7 +278,7 @@ impl<'a> TableReader<'a> {
     }
 
     /// One of a few words, if it is written.
-    pub(crate) fn word_if_given<T: Copy>(&mut self, key: &'static str, words: &[(&str, T)]) -> Option<T> {
+    pub fn word_if_given<T: Copy>(&mut self, key: &'static str, words: &[(&str, T)]) -> Option<T> {
         let served = words
             .iter()
             .map(|(word, _)| format!("\"{word}\""))
@@ -299,7 +299,7 @@ impl<'a> TableReader<'a> {
     }
 
     /// A table that must be there; `example` is how one writes it.
-    pub(crate) fn table(&mut self, key: &'static str, example: &str) -> TableReader<'a> {
+    pub fn table(&mut self, key: &'static str, example: &str) -> TableReader<'a> {
         if !self.has(key) && self.is_readable() {
             self.complain(key, "this table is missing", format!("write {example}"));
         }
@@ -309,7 +309,7 @@ impl<'a> TableReader<'a> {
     }
 
     /// A table, if it is written.
-    pub(crate) fn table_if_given(&mut self, key: &'a str) -> Option<TableReader<'a>> {
+    pub fn table_if_given(&mut self, key: &'a str) -> Option<TableReader<'a>> {
         let value = self.take(key)?;
         if !value.is_table() {
             let message = format!("a table is wanted, not {}", kind(value));
@@ -323,7 +323,7 @@ impl<'a> TableReader<'a> {
     }
 
     /// A list of tables; none where the key is not written.
-    pub(crate) fn tables(&mut self, key: &'static str) -> Vec<TableReader<'a>> {
+    pub fn tables(&mut self, key: &'static str) -> Vec<TableReader<'a>> {
         let Some(value) = self.take(key) else { return Vec::new() };
         let Some(items) = value.as_array() else {
             let message = format!("a list of tables is wanted, not {}", kind(value));
@@ -354,7 +354,7 @@ impl<'a> TableReader<'a> {
 
     /// Complains about every key that nobody asked for, and about keys that are missing. A key that is misspelt is
     /// not missing too.
-    pub(crate) fn finish(mut self) {
+    pub fn finish(mut self) {
         let Some(table) = self.table else { return };
         self.known.sort_unstable();
         let mut meant = Vec::new();
@@ -387,7 +387,7 @@ impl<'a> TableReader<'a> {
     }
 
     /// Asks for a key that must be there; `example` is its value as one would write it.
-    pub(crate) fn require(&mut self, key: &'static str, example: &str) {
+    pub fn require(&mut self, key: &'static str, example: &str) {
         if !self.has(key) {
             self.missing.push((key, example.to_owned()));
         }
@@ -406,7 +406,7 @@ impl<'a> TableReader<'a> {
 }
 
 /// The finite number that a value without quotes is.
-pub(crate) fn plain_number(value: &DeValue<'_>) -> Option<f64> {
+pub fn plain_number(value: &DeValue<'_>) -> Option<f64> {
     let number: Option<f64> = match value {
         DeValue::Integer(digits) if digits.radix() == 10 => digits.as_str().parse().ok(),
         DeValue::Integer(digits) => i64::from_str_radix(digits.as_str(), digits.radix())
@@ -419,7 +419,7 @@ pub(crate) fn plain_number(value: &DeValue<'_>) -> Option<f64> {
 }
 
 /// The kind of a value in words, with its article.
-pub(crate) fn kind(value: &DeValue<'_>) -> &'static str {
+pub fn kind(value: &DeValue<'_>) -> &'static str {
     match value {
         DeValue::String(_) => "a text in quotes",
         DeValue::Integer(_) | DeValue::Float(_) => "a bare number",

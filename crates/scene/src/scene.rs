@@ -230,7 +230,7 @@ pub enum CavitationModel {
 
 impl CavitationModel {
     /// True where it leaves the pressure of a cavity, but no film fraction.
-    pub(crate) fn drops_pressures(self) -> bool {
+    pub fn drops_pressures(self) -> bool {
         matches!(self, Self::Guembel | Self::Reynolds)
     }
 
@@ -320,7 +320,7 @@ impl Scene {
     }
 
     /// The scene that a document makes, whose values stand in `text`; or everything that is wrong with it.
-    pub(crate) fn of_document(
+    pub fn of_document(
         document: &DeTable<'_>,
         text: &str,
         path: &Path,
@@ -341,7 +341,7 @@ impl Scene {
 }
 
 /// Why there is no plain file `path`, as the end of a sentence.
-pub(crate) fn no_file(path: &Path) -> Option<String> {
+pub fn no_file(path: &Path) -> Option<String> {
     let path_text = path.display();
     match std::fs::metadata(path) {
         Ok(metadata) if metadata.is_file() => None,
@@ -379,7 +379,7 @@ fn first_ones(complaints: Vec<Complaint>) -> Vec<Complaint> {
 }
 
 /// In the order of the text; complaints without a place come last.
-pub(crate) fn in_order(mut complaints: Vec<Complaint>) -> Vec<Complaint> {
+pub fn in_order(mut complaints: Vec<Complaint>) -> Vec<Complaint> {
     complaints.sort_by_key(|complaint| complaint.span.as_ref().map_or(usize::MAX, |span| span.start));
     complaints
 }

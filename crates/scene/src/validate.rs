@@ -30,7 +30,7 @@ pub const RESERVED_GROUPS: [&str; 8] = [
 ];
 
 /// All complaints about the values of a scene.
-pub(crate) fn complaints(scene: &Scene, marks: &Marks) -> Vec<Complaint> {
+pub fn complaints(scene: &Scene, marks: &Marks) -> Vec<Complaint> {
     let mut checks = Checks {
         marks,
         complaints: Vec::new(),

@@ -3,37 +3,37 @@
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 
 /// A length [m] in millimetres.
-pub(crate) fn millimetres(metres: f64) -> String {
+pub fn millimetres(metres: f64) -> String {
     format!("{} mm", rounded(1e3 * metres))
 }
 
 /// An angle [rad] in degrees.
-pub(crate) fn degrees(radians: f64) -> String {
+pub fn degrees(radians: f64) -> String {
     format!("{} deg", rounded(radians.to_degrees()))
 }
 
 /// A pressure [Pa] in bar.
-pub(crate) fn bars(pascals: f64) -> String {
+pub fn bars(pascals: f64) -> String {
     format!("{} bar", rounded(1e-5 * pascals))
 }
 
 /// A force [N] in newtons.
-pub(crate) fn newtons(force: f64) -> String {
+pub fn newtons(force: f64) -> String {
     format!("{} N", rounded(force))
 }
 
 /// A temperature [K] in degrees Celsius.
-pub(crate) fn celsius(temperature: f64) -> String {
+pub fn celsius(temperature: f64) -> String {
     format!("{} C", rounded(temperature - ZERO_CELSIUS))
 }
 
 /// A ratio [1] in percent.
-pub(crate) fn percent(ratio: f64) -> String {
+pub fn percent(ratio: f64) -> String {
     format!("{} %", rounded(100.0 * ratio))
 }
 
 /// A factor with two significant digits.
-pub(crate) fn factor(value: f64) -> String {
+pub fn factor(value: f64) -> String {
     format!("{}", format!("{value:.1e}").parse().unwrap_or(f64::NAN))
 }
 

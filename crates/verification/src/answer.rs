@@ -2,8 +2,10 @@
 
 use std::path::Path;
 
-use oilwedge_scene::report::Status;
-use oilwedge_scene::{Error, Run, RunOptions, Scene, SceneError, run};
+use oilwedge_report::Error;
+use oilwedge_scene::{Scene, SceneError};
+use oilwedge_study::result::Status;
+use oilwedge_study::{Run, RunOptions, run};
 use toml::{Table, Value};
 
 use crate::cases::{Case, put};
@@ -81,7 +83,7 @@ pub(crate) fn solve_within(table: &Table, max_unknowns: usize) -> Answer {
     };
     match run(&scene, &options) {
         Ok(run) => Answer::Run(Box::new(run)),
-        Err(error) => Answer::Refused(told(&error)),
+        Err(error) => Answer::Refused(told(&error.into())),
     }
 }
 

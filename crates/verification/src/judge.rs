@@ -1,7 +1,9 @@
 //! What must hold of an answer, whatever the case.
 
-use oilwedge_scene::Run;
-use oilwedge_scene::report::{Quantity, RunResult};
+use oilwedge_campaign::AddOns;
+use oilwedge_report::result_json;
+use oilwedge_study::Run;
+use oilwedge_study::result::{Quantity, RunResult};
 
 use crate::answer::Answer;
 use crate::cases::Case;
@@ -53,17 +55,17 @@ fn unanswered(result: &RunResult, faults: &mut Vec<String>) {
     let told = |reason: &String| reason.contains("rounding errors");
     let tried = !result.reason.as_ref().is_some_and(told);
     let silent = tried && result.history.is_empty() && result.levels.is_empty();
-    if result.status == oilwedge_scene::report::Status::NotConverged && silent {
+    if result.status == oilwedge_study::result::Status::NotConverged && silent {
         faults.push("is not converged, but shows no history".to_owned());
     }
-    if result.status == oilwedge_scene::report::Status::NoSolution && !result.quantities.is_empty() {
+    if result.status == oilwedge_study::result::Status::NoSolution && !result.quantities.is_empty() {
         faults.push("has no solution, but numbers".to_owned());
     }
 }
 
 fn film(case: &Case, run: &Run, faults: &mut Vec<String>) {
     let result = &run.result;
-    if let Err(error) = result.to_json() {
+    if let Err(error) = result_json(result, &AddOns::default()) {
         faults.push(error.to_string());
     }
     let as_printed = result
@@ -123,7 +125,7 @@ fn pressures(result: &RunResult, faults: &mut Vec<String>) {
 }
 
 /// Film fractions lie between 0 and 1, and are 1 where there is pressure.
-fn fractions(picture: &oilwedge_scene::vtu::FilmPicture, case: &Case, faults: &mut Vec<String>) {
+fn fractions(picture: &oilwedge_study::picture::FilmPicture, case: &Case, faults: &mut Vec<String>) {
     let field = |name: &str| {
         (picture.point_data.iter())
             .find(|(field, _)| field == name)

@@ -5,7 +5,8 @@ use std::fmt::Write;
 use std::path::Path;
 
 use oilwedge_mesh::{Mesh, RawMesh, gmsh};
-use oilwedge_scene::{Error, Scene, mesh_scene};
+use oilwedge_scene::Scene;
+use oilwedge_study::liner_mesh::mesh_scene;
 
 use crate::family::{MeshRecipe, Rows};
 
@@ -16,7 +17,7 @@ use crate::family::{MeshRecipe, Rows};
 pub(crate) fn write(recipe: &MeshRecipe, scene: &Scene, path: &Path) -> Result<(), String> {
     let mesh = match &recipe.rows {
         Some(rows) => in_rows(rows, scene)?,
-        None => mesh_scene(scene).map_err(|error: Error| error.to_string())?,
+        None => mesh_scene(scene).map_err(|error| error.to_string())?,
     };
     let unit = match recipe.unit.as_str() {
         "m" => 1.0,

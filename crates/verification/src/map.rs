@@ -1,6 +1,6 @@
 //! The map of where the solver is stable: eccentricity against the Barus coefficient over its limit, and against slenderness.
 
-use oilwedge_scene::plot::{Cell, CellMap};
+use oilwedge_report::plot::{Cell, CellMap};
 use toml::{Table, Value};
 
 use crate::answer::{Answer, limit, solve_within, with_barus};

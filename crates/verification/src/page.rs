@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-use oilwedge_scene::plot::{Cell, CellMap};
+use oilwedge_report::plot::{Cell, CellMap};
 
 use crate::family::Expect;
 use crate::map::unexplained;

@@ -2,8 +2,8 @@
 
 use oilwedge_reynolds::analytical::ocvirk::ShortFilm;
 use oilwedge_reynolds::analytical::sommerfeld;
-use oilwedge_scene::Run;
-use oilwedge_scene::report::Quantity;
+use oilwedge_study::Run;
+use oilwedge_study::result::Quantity;
 use toml::{Table, Value};
 
 use crate::answer::{Answer, solve, solve_within};
@@ -24,7 +24,7 @@ const TOLERANCES: [f64; 2] = [1e-7, 0.1];
 /// Holds another method against an answer; what does not agree goes to `faults`. Tells the method in words.
 pub(crate) fn against(series: &Series, scene: &Table, run: &Run, faults: &mut Vec<String>) -> String {
     let mut methods = Vec::new();
-    if run.result.status == oilwedge_scene::report::Status::Converged {
+    if run.result.status == oilwedge_study::result::Status::Converged {
         match &series.against {
             Against::Finer => methods.push(on_finer_mesh(scene, run, faults)),
             Against::Other(wanted) => methods.push(elsewhere(wanted, scene, run, faults)),

@@ -1,7 +1,7 @@
 //! `cavitation_iterations`: how many iterations find the cavity, on meshes from 1e3 to 1e6 unknowns.
 
 use oilwedge_reynolds::Cavitation;
-use oilwedge_scene::compile::Study;
+use oilwedge_study::compile::Study;
 use oilwedge_tests::cavitation_counts::{count, drawn, imported};
 
 /// Most unknowns of a mass-conserving film: its factors are unsymmetric.

@@ -5,12 +5,12 @@ use std::time::Instant;
 use oilwedge_bearing::Patience;
 use oilwedge_fem::marking::doerfler;
 use oilwedge_mesh::{Mesh, refine};
-use oilwedge_scene::analysis::{Solved, graded, solve};
-use oilwedge_scene::bars::{Judged, judge};
-use oilwedge_scene::compile::{Study, compile_on};
-use oilwedge_scene::liner_mesh::{LinerMesh, liner_mesh};
-use oilwedge_scene::refinement::unknowns;
 use oilwedge_scene::scene::Scene;
+use oilwedge_study::analysis::{Solved, graded, solve};
+use oilwedge_study::bars::{Judged, judge};
+use oilwedge_study::compile::{Study, compile_on};
+use oilwedge_study::liner_mesh::{LinerMesh, liner_mesh};
+use oilwedge_study::refinement::unknowns;
 
 use super::bearings::Bearing;
 use crate::random_bearings::Dice;

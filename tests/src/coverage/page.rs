@@ -2,8 +2,8 @@
 
 use std::time::Instant;
 
-use oilwedge_scene::refinement::{answer, unknowns};
-use oilwedge_scene::run::RunOptions;
+use oilwedge_study::refinement::{answer, unknowns};
+use oilwedge_study::run::RunOptions;
 
 use super::bearings::{Bearing, Family, shipped};
 use super::reference::{Reference, distance, reference};

@@ -9,8 +9,8 @@ use oilwedge_fem::marking::doerfler;
 use oilwedge_mesh::refine;
 use oilwedge_reynolds::ReferenceFilm;
 use oilwedge_reynolds::error_bar::film_error;
-use oilwedge_scene::analysis::graded;
-use oilwedge_scene::report::Quantity;
+use oilwedge_study::analysis::graded;
+use oilwedge_study::result::Quantity;
 
 use super::bearings::{Bearing, Family};
 use super::meshes::{Kind, Solve, sized};

@@ -4,9 +4,9 @@ use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use oilwedge_reynolds::ReferenceFilm;
-use oilwedge_scene::bars::judge_quadratic;
-use oilwedge_scene::measure::{measure, quantities};
-use oilwedge_scene::report::Quantity;
+use oilwedge_study::bars::judge_quadratic;
+use oilwedge_study::measure::{measure, quantities};
+use oilwedge_study::result::Quantity;
 
 use super::bearings::{Bearing, Family};
 use super::meshes::{Kind, Solve, solves};

@@ -3,10 +3,10 @@
 use std::time::Instant;
 
 use oilwedge_bearing::Patience;
-use oilwedge_scene::analysis::graded;
-use oilwedge_scene::refinement::{Answer, answer, unknowns};
-use oilwedge_scene::run::RunOptions;
 use oilwedge_scene::scene::Scene;
+use oilwedge_study::analysis::graded;
+use oilwedge_study::refinement::{Answer, answer, unknowns};
+use oilwedge_study::run::RunOptions;
 
 use super::bearings::Bearing;
 use super::meshes::{Kind, Solve, sized};

@@ -7,11 +7,11 @@ use oilwedge_fem::{Analysis, Assembler, Constraints, Factorization, Matrix, Spac
 use oilwedge_mesh::Mesh;
 use oilwedge_reynolds::FilmSolution;
 use oilwedge_reynolds::quantities::load::load;
-use oilwedge_scene::compile::{Study, compile};
-use oilwedge_scene::liner_mesh::liner_mesh;
-use oilwedge_scene::measure::{Measured, measure};
 use oilwedge_scene::scene::Scene;
-use oilwedge_scene::{Run, RunOptions, run};
+use oilwedge_study::compile::{Study, compile};
+use oilwedge_study::liner_mesh::liner_mesh;
+use oilwedge_study::measure::{Measured, measure};
+use oilwedge_study::{Run, RunOptions, run};
 
 use super::floor::Sizes;
 

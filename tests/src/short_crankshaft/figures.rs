@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use oilwedge_scene::plot::{COLOURS, Chart, PlotError, Series, Style, charts_to_svg};
+use oilwedge_report::plot::{COLOURS, Chart, PlotError, Series, Style, charts_to_svg};
 
 use super::page::Study;
 use super::{SPEEDS, SQUEEZES, Scales, film_at, right, right_pressure};

@@ -2,8 +2,8 @@
 
 use oilwedge_fem::Field;
 use oilwedge_mesh::Locator;
-use oilwedge_scene::measure::quantities;
 use oilwedge_scene::scene::Scene;
+use oilwedge_study::measure::quantities;
 
 use super::{DIAMETER, LENGTH, SPEED_SCALE, Scales, VISCOSITY_SCALE};
 use crate::scenes::{Solved, solve, table, variant};

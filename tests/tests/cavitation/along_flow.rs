@@ -7,9 +7,9 @@
 
 use std::f64::consts::TAU;
 
-use oilwedge_scene::report::{Quantity, RunResult, Status};
-use oilwedge_scene::run::{RunOptions, run};
 use oilwedge_scene::scene::Scene;
+use oilwedge_study::result::{Quantity, RunResult, Status};
+use oilwedge_study::run::{RunOptions, run};
 use oilwedge_tests::flow_meshes::{Kind, ring, write};
 use oilwedge_tests::journal_bearings::{each, number};
 use oilwedge_tests::program::repository;

@@ -4,8 +4,8 @@ use oilwedge_mesh::refine;
 use oilwedge_reynolds::FilmSolution;
 use oilwedge_reynolds::error_bar::conserving::{ConservingError, conserving_error};
 use oilwedge_scene::Scene;
-use oilwedge_scene::compile::{Study, compile, compile_on};
-use oilwedge_scene::measure::{Measured, measure};
+use oilwedge_study::compile::{Study, compile, compile_on};
+use oilwedge_study::measure::{Measured, measure};
 use oilwedge_tests::random_bearings::RandomBearing;
 use oilwedge_tests::scenes::{table, variant};
 

@@ -1,7 +1,7 @@
 //! The number of iterations does not grow with the mesh (`cavitation_iterations` has the table up to 1e6 unknowns).
 
 use oilwedge_reynolds::Cavitation;
-use oilwedge_scene::compile::Study;
+use oilwedge_study::compile::Study;
 use oilwedge_tests::cavitation_counts::{count, drawn, imported};
 
 /// Most iterations on the finest mesh.

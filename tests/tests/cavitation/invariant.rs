@@ -7,7 +7,7 @@ use oilwedge_reynolds::quantities::{flow::flows, load::load};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::supply::Place;
 use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSolution, FilmSystem};
-use oilwedge_scene::compile::{Study, compile};
+use oilwedge_study::compile::{Study, compile};
 use oilwedge_tests::random_bearings::RandomBearing;
 use oilwedge_tests::*;
 

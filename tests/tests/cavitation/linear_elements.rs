@@ -5,7 +5,7 @@ use oilwedge_reynolds::quantities::flow::flows;
 use oilwedge_reynolds::quantities::load::load;
 use oilwedge_reynolds::quantities::similarity::sommerfeld_number;
 use oilwedge_scene::Scene;
-use oilwedge_scene::compile::{Study, compile, compile_on};
+use oilwedge_study::compile::{Study, compile, compile_on};
 use oilwedge_tests::journal_bearings::{Ring, block, number, reference};
 use oilwedge_tests::random_bearings::RandomBearing;
 use oilwedge_tests::scenes::{path, table, variant};

@@ -5,7 +5,7 @@ use std::sync::Mutex;
 
 use oilwedge_reynolds::quantities::flow::flows;
 use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSolution, FilmSystem};
-use oilwedge_scene::compile::compile;
+use oilwedge_study::compile::compile;
 use oilwedge_tests::journal_bearings::each;
 use oilwedge_tests::random_bearings::{PRESSURE_UNIT, RandomBearing};
 

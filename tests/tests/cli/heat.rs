@@ -1,6 +1,6 @@
 //! Scenes with `[heat]` through the program.
 
-use oilwedge_scene::{RunOptions, run};
+use oilwedge_study::{RunOptions, run};
 use oilwedge_tests::scenes::{table, variant};
 use serde_json::Value;
 

@@ -1,6 +1,6 @@
 //! A study of a scene: its levels, what its observer is told, and its time.
 
-use oilwedge_scene::convergence::{Budget, LevelReport, Measure, Observer, Strategy, converge};
+use oilwedge_campaign::convergence::{Budget, LevelReport, Measure, Observer, Strategy, converge};
 use oilwedge_scene::scene::Scene;
 use oilwedge_tests::scenes::path;
 

@@ -1,6 +1,6 @@
 //! Under a load: the load that a result reports for a position leads back to that position.
 
-use oilwedge_scene::RunOptions;
+use oilwedge_study::RunOptions;
 use oilwedge_tests::scenes::{table, variant};
 
 use super::films::{NO_BARS, answer, quantity, set};

@@ -1,6 +1,7 @@
 //! What smooth films tell of their errors is true: the estimate against the error itself, known from a far finer mesh.
 
-use oilwedge_scene::{RunOptions, Scene};
+use oilwedge_scene::Scene;
+use oilwedge_study::RunOptions;
 use oilwedge_tests::{SPEED, order, plain_film, ring_system};
 
 use super::films::{Judged, answer, bar, constant, drawn, quantity, set};

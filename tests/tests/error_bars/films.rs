@@ -3,9 +3,10 @@
 use oilwedge_reynolds::error_bar::{FilmError, film_error};
 use oilwedge_reynolds::quantities::load::{Load, load};
 use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem};
-use oilwedge_scene::compile::{Study, compile};
-use oilwedge_scene::report::{Quantity, RunResult};
-use oilwedge_scene::{Interrupt, RunOptions, Scene, run};
+use oilwedge_scene::Scene;
+use oilwedge_study::compile::{Study, compile};
+use oilwedge_study::result::{Quantity, RunResult};
+use oilwedge_study::{Interrupt, RunOptions, run};
 use oilwedge_tests::scenes::{table, variant};
 
 /// A film in quadratic and in cubic elements, and what is known of the error.
@@ -77,7 +78,7 @@ pub(crate) fn constant(scene: &mut toml::Table) {
 pub(crate) fn answer(scene: &Scene, options: &RunOptions) -> RunResult {
     let result = run(scene, options).unwrap_or_else(|error| panic!("{error}")).result;
     assert_eq!(result.reason, None);
-    result.to_json().expect("all numbers are finite");
+    oilwedge_report::json(&result).expect("all numbers are finite");
     result
 }
 

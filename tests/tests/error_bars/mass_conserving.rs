@@ -1,6 +1,6 @@
 //! Mass-conserving films, judged by their companions on the vertices alone.
 
-use oilwedge_scene::RunOptions;
+use oilwedge_study::RunOptions;
 
 use super::films::{answer, bar, drawn, quantity, set};
 

@@ -1,6 +1,6 @@
 //! No bars where none are asked for, and no nonsense where there is nothing to be uncertain of.
 
-use oilwedge_scene::RunOptions;
+use oilwedge_study::RunOptions;
 use oilwedge_tests::scenes::variant;
 
 use super::films::{NO_BARS, answer, bar, set};

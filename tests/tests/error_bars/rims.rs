@@ -1,10 +1,11 @@
 //! What round rims are off, and what a mesh that does not resolve a film is told.
 
+use oilwedge_report::write_mesh;
 use oilwedge_reynolds::FilmSystem;
 use oilwedge_reynolds::error_bar::Value;
 use oilwedge_reynolds::supply::{Disc, Place};
-use oilwedge_scene::compile::compile;
-use oilwedge_scene::{RunOptions, write_mesh};
+use oilwedge_study::RunOptions;
+use oilwedge_study::compile::compile;
 use oilwedge_tests::scenes::{table, variant};
 use oilwedge_tests::{SPEED, plain_film, ring, ring_system};
 

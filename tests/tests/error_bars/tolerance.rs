@@ -1,7 +1,7 @@
 //! Towards a tolerance: meshes until the bars are small enough, or until a limit.
 
-use oilwedge_scene::report::{Refinement, Status};
-use oilwedge_scene::{RunOptions, run};
+use oilwedge_study::result::{Refinement, Status};
+use oilwedge_study::{RunOptions, run};
 use oilwedge_tests::scenes::{table, variant};
 
 use super::films::{NO_BARS, answer, bar, drawn, quantity, set};
@@ -98,7 +98,7 @@ fn a_limit_that_is_reached_is_told_with_the_best_numbers() {
             "{:?}",
             result.levels
         );
-        assert!(result.mesh.nodes > 0 && result.to_json().is_ok());
+        assert!(result.mesh.nodes > 0 && oilwedge_report::json(&result).is_ok());
     }
 }
 

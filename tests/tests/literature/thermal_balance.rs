@@ -14,7 +14,7 @@ use oilwedge_reynolds::analytical::iso7902::{
 };
 use oilwedge_reynolds::lubricant::density::{EXPANSION, ZERO_CELSIUS};
 use oilwedge_reynolds::lubricant::{Density, TemperatureLaw, ThermalOil, Walther};
-use oilwedge_scene::{RunOptions, run};
+use oilwedge_study::{RunOptions, run};
 use oilwedge_tests::engine_bearings::{CAR, by_film, by_standard, car};
 use oilwedge_tests::scenes::{table, variant};
 

@@ -101,7 +101,7 @@ impl Heat {
 
 impl Scene {
     /// The scene with a film of this temperature [K]; its oil has the viscosity there.
-    pub(crate) fn at_temperature(&self, temperature: f64) -> Self {
+    pub fn at_temperature(&self, temperature: f64) -> Self {
         let mut scene = self.clone();
         scene.oil.heat_to(temperature);
         scene

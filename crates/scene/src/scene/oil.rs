@@ -86,7 +86,7 @@ pub enum RoelandsExponent {
 
 impl Oil {
     /// Brings the oil to this temperature [K]; one whose viscosity does not depend on it stays as it is.
-    pub(crate) fn heat_to(&mut self, temperature: f64) {
+    pub fn heat_to(&mut self, temperature: f64) {
         if let Some(thermal) = &self.thermal {
             self.viscosity = thermal.viscosity(temperature);
             self.temperature = Some(temperature);

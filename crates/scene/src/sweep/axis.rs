@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 /// Short names of the keys that are swept most, and where they stand.
-pub(crate) const SHORT_NAMES: [(&str, &str); 9] = [
+pub const SHORT_NAMES: [(&str, &str); 9] = [
     ("eccentricity", "journal.eccentricity"),
     ("min_film_angle", "journal.min_film_angle"),
     ("speed", "journal.speed"),
@@ -27,7 +27,7 @@ pub struct Axis {
     /// The values, in their order; never none.
     pub values: Vec<AxisValue>,
     /// Bytes of the scene's text where they are written.
-    pub(crate) span: Range<usize>,
+    pub span: Range<usize>,
 }
 
 /// What a key is set to.

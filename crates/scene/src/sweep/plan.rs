@@ -20,9 +20,9 @@ pub struct Plan {
     /// The axes, in the order of the text.
     pub axes: Vec<Axis>,
     /// Text of the scene.
-    pub(crate) text: String,
+    pub text: String,
     /// Where the scene stands.
-    pub(crate) path: PathBuf,
+    pub path: PathBuf,
 }
 
 impl Plan {

@@ -5,7 +5,7 @@ use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_reynolds::lubricant::{TemperatureLaw, ThermalOil};
 
 use super::Checks;
-use crate::compile::{form, lubricant};
+use crate::lubricant::{form, lubricant};
 use crate::scene::{PressureLaw, RoelandsExponent, Scene};
 use crate::wording::celsius;
 

@@ -1,0 +1,348 @@
+//! One strategy from level to level.
+
+use std::sync::Arc;
+use std::time::Instant;
+
+use oilwedge_bearing::Patience;
+use oilwedge_fem::marking::doerfler;
+use oilwedge_mesh::{Mesh, refine};
+
+use super::budget::Budget;
+use super::first_mesh::First;
+use super::observer::Observer;
+use super::price::exponent;
+use super::report::{LevelReport, Timing};
+use super::strategy::Strategy;
+use oilwedge_scene::scene::Scene;
+use oilwedge_study::analysis::NoAnswer;
+use oilwedge_study::compile::CompileError;
+use oilwedge_study::level::{Level, LevelError, solve_level};
+use oilwedge_study::result::{Effects, Quantity};
+
+/// Share of the indicator that the triangles divided carry.
+const SHARE: f64 = 0.7;
+/// A marked triangle becomes four, and takes about this many others with it that become two.
+const TAKEN_ALONG: f64 = 1.5;
+/// Meshes without an answer that are refined further.
+const MOST_FAILURES: usize = 3;
+/// Most triangles of a level: its factorised matrix has some gigabytes.
+const MOST_CELLS: f64 = 1e6;
+/// Most triangles of a mesh that is kept to be drawn.
+const DRAWN: usize = 5000;
+
+/// Seconds of the parts of a run.
+type Parts = Vec<(&'static str, f64)>;
+
+/// A mesh and what its triangles have to do with the error.
+#[derive(Debug, Clone)]
+pub struct MarkedMesh {
+    /// Its level.
+    pub level: usize,
+    /// The mesh.
+    pub mesh: Arc<Mesh>,
+    /// Radius of the liner [m].
+    pub radius: f64,
+    /// Share of each triangle in the error of the goal, signed; `None` where it was not estimated.
+    pub indicator: Option<Vec<f64>>,
+}
+
+/// A strategy on its way.
+pub(super) struct Climb<'a> {
+    scene: &'a Scene,
+    near: (f64, f64),
+    goal: &'static str,
+    pub(super) strategy: Strategy,
+    /// The mesh of the last level; before the first, its own.
+    mesh: Arc<Mesh>,
+    /// Triangles to divide for the next level; `None`: none, the mesh is that of the first level.
+    marked: Option<Vec<bool>>,
+    /// Seconds [s] that all meshes so far took.
+    making: f64,
+    /// Seconds [s] of the levels so far, where the next one needs them.
+    earlier: f64,
+    /// Triangles of the levels tried and their seconds [s].
+    tried: Vec<(f64, f64)>,
+    /// Seconds [s] that the first level takes at most, where another strategy tells.
+    first: Option<f64>,
+    failures: usize,
+    pub(super) levels: Vec<LevelReport>,
+    /// Why there are no more levels.
+    pub(super) ended: Option<String>,
+    /// Why the last mesh has no answer.
+    pub(super) failure: Option<NoAnswer>,
+    pub(super) effects: Option<Effects>,
+    /// The quantity of the goal on the last level.
+    pub(super) quantity: Option<Quantity>,
+    /// The finest mesh that can be drawn.
+    pub(super) drawn: Option<MarkedMesh>,
+}
+
+impl<'a> Climb<'a> {
+    pub(super) fn new(scene: &'a Scene, first: &First, strategy: Strategy, goal: &'static str) -> Self {
+        Self {
+            scene,
+            near: first.near,
+            goal,
+            strategy,
+            mesh: first.mesh.clone(),
+            marked: None,
+            making: first.seconds,
+            earlier: 0.0,
+            tried: Vec::new(),
+            first: None,
+            failures: 0,
+            levels: Vec::new(),
+            ended: None,
+            failure: None,
+            effects: None,
+            quantity: None,
+            drawn: None,
+        }
+    }
+
+    /// Another strategy from the levels of this one on.
+    pub(super) fn turned(&self, strategy: Strategy) -> Self {
+        let indicator = self.drawn.as_ref().and_then(|drawn| drawn.indicator.as_deref());
+        let last = self.levels.last();
+        Self {
+            strategy,
+            mesh: self.mesh.clone(),
+            marked: Some(chosen(strategy, indicator, self.mesh.triangles().len())),
+            earlier: last.map_or(0.0, |level| level.seconds.total - self.making),
+            tried: self.tried.clone(),
+            levels: self.levels.clone(),
+            ended: self.ended.clone(),
+            failure: None,
+            effects: self.effects.clone(),
+            quantity: self.quantity.clone(),
+            drawn: self.drawn.clone(),
+            ..*self
+        }
+    }
+
+    /// The first level takes no longer than that of `other`.
+    pub(super) fn no_longer_than(mut self, other: &Self) -> Self {
+        self.first = other.tried.first().map(|(_, seconds)| *seconds);
+        self
+    }
+
+    /// Triangles of the next level, roughly.
+    fn cells(&self) -> f64 {
+        let cells = self.mesh.triangles().len() as f64;
+        let divided = self
+            .marked
+            .as_ref()
+            .map_or(0, |marked| marked.iter().filter(|marked| **marked).count());
+        f64::min(cells + (3.0 + TAKEN_ALONG) * divided as f64, 4.0 * cells).max(cells)
+    }
+
+    /// Seconds [s] of the next level; `None` where no level tells.
+    fn expected(&self) -> Option<f64> {
+        let Some(&(cells, seconds)) = self.tried.last() else {
+            return self.first;
+        };
+        let last = &self.tried[self.tried.len().saturating_sub(2)..];
+        let points: Vec<_> = last.iter().map(|(cells, seconds)| (cells.ln(), seconds.ln())).collect();
+        Some(seconds * (self.cells() / cells).powf(exponent(&points)))
+    }
+
+    /// What the next level is expected to take [s], where nothing is known yet nothing.
+    pub(super) fn urgency(&self) -> f64 {
+        self.expected().unwrap_or(0.0)
+    }
+
+    /// Tries one more level if there is time for it, else ends.
+    ///
+    /// # Errors
+    /// The first mesh does not suit the scene.
+    pub(super) fn step(&mut self, budget: &Budget, observer: &mut dyn Observer) -> Result<(), CompileError> {
+        let number = self.tried.len() + 1;
+        let (cells, expected) = (self.cells(), self.expected());
+        // The first level of quadratic elements is run in any case: a study without levels says nothing.
+        let must = number == 1 && self.strategy == Strategy::P2Uniform;
+        if !must && !budget.fits(self.urgency()) {
+            let left = match budget.is_interrupted() {
+                true => "the study was interrupted".to_owned(),
+                false => format!("{:.1} s of {} s were left", budget.left(), budget.max_seconds()),
+            };
+            self.ended = Some(match expected {
+                Some(expected) => format!("level {number} would take some {expected:.1} s, {left}"),
+                None => format!("level {number} was not begun, {left}"),
+            });
+            return Ok(());
+        }
+        if number > 1 && cells > MOST_CELLS {
+            self.ended = Some(format!("level {number} would have more than {MOST_CELLS:.0} triangles"));
+            return Ok(());
+        }
+        observer.begins(self.strategy, number, cells as usize, expected);
+        let clock = Instant::now();
+        if let Some(marked) = self.marked.take() {
+            match refine::local(&self.mesh, &marked) {
+                Ok(refined) => self.mesh = Arc::new(refined.mesh),
+                Err(defects) => {
+                    let first = defects.first().map_or(String::new(), ToString::to_string);
+                    self.ended = Some(format!("the mesh of level {number} folds: {first}"));
+                    return Ok(());
+                }
+            }
+        }
+        let refining = clock.elapsed().as_secs_f64();
+        self.making += refining;
+        let triangles = self.mesh.triangles().len();
+        match self.solve(budget, budget.patience(must)) {
+            Ok((level, _)) if level.is_ended => {
+                self.ended = Some(match budget.is_interrupted() {
+                    true => format!("interrupted: level {number} was not finished"),
+                    false => format!("limit: level {number} was not finished in {} s", budget.max_seconds()),
+                });
+            }
+            Ok((level, timing)) => {
+                let slowest = timing.greatest - self.making - self.earlier;
+                self.tried.push((triangles as f64, refining + slowest));
+                let report = self.take(number, level, timing);
+                observer.ended(self.strategy, &report);
+                self.levels.push(report);
+            }
+            Err(LevelError::Compile(error)) if number > 1 => self.ended = Some(error.to_string()),
+            Err(LevelError::Compile(error)) => return Err(error),
+            Err(LevelError::NoAnswer(reason)) => {
+                self.tried.push((triangles as f64, clock.elapsed().as_secs_f64()));
+                self.failures += 1;
+                self.marked = Some(vec![true; triangles]);
+                if self.failures >= MOST_FAILURES {
+                    self.ended = Some(format!("level {number} has no answer: {reason}"));
+                }
+                self.failure = Some(reason);
+            }
+        }
+        Ok(())
+    }
+
+    /// Solves on the mesh, again for the timing where that is cheap.
+    fn solve(&self, budget: &Budget, patience: Patience) -> Result<(Level, Timing), LevelError> {
+        let (mut level, wall, run) = self.run(patience)?;
+        let (mut walls, mut parts) = (vec![wall], vec![run]);
+        while budget.repeats(&walls) {
+            // Memory for one level at a time.
+            drop(level);
+            let (again, wall, run) = self.run(patience)?;
+            level = again;
+            walls.push(wall);
+            parts.push(run);
+        }
+        let before = self.making + self.earlier;
+        let mut timing = Timing {
+            total: before + median(walls.clone()),
+            least: before + walls.iter().copied().fold(f64::INFINITY, f64::min),
+            greatest: before + walls.iter().copied().fold(0.0, f64::max),
+            runs: walls.len(),
+            parts: vec![("mesh".to_owned(), self.making), ("earlier".to_owned(), self.earlier)],
+        };
+        let names: Vec<&str> = parts[0].iter().map(|(name, _)| *name).collect();
+        for (place, name) in names.into_iter().enumerate() {
+            let runs = parts
+                .iter()
+                .filter_map(|run| run.get(place))
+                .map(|(_, seconds)| *seconds);
+            timing.parts.push((name.to_owned(), median(runs.collect())));
+        }
+        Ok((level, timing))
+    }
+
+    /// Solves on the mesh once: the level, its seconds [s], and these in parts.
+    fn run(&self, patience: Patience) -> Result<(Level, f64, Parts), LevelError> {
+        let mesh = Mesh::clone(&self.mesh);
+        let degree = self.strategy.degree();
+        let clock = Instant::now();
+        let level = solve_level(self.scene, mesh, self.near, degree, degree > 1, patience)?;
+        let wall = clock.elapsed().as_secs_f64();
+        let mut parts = level.seconds.clone();
+        let told: f64 = parts.iter().map(|(_, seconds)| seconds).sum();
+        parts.push(("other", f64::max(wall - told, 0.0)));
+        Ok((level, wall, parts))
+    }
+
+    /// Keeps what is told of a level and what the next one needs.
+    fn take(&mut self, number: usize, level: Level, timing: Timing) -> LevelReport {
+        let mesh = level.study.system.space().mesh().clone();
+        let cells = mesh.triangles().len();
+        let goal = level.quantities.iter().find(|quantity| quantity.name == self.goal);
+        let value = goal.map_or(f64::NAN, |goal| goal.value);
+        let report = LevelReport {
+            level: number,
+            cells,
+            unknowns: level.unknowns,
+            value,
+            relative_bar: goal.and_then(|goal| goal.error).map(|bar| bar / value.abs()),
+            relative_error: None,
+            seconds: timing,
+        };
+        let marked = chosen(self.strategy, level.indicator.as_deref(), cells);
+        if self.strategy == Strategy::P2Adaptive {
+            self.earlier = report.seconds.total - self.making;
+        }
+        if cells <= DRAWN || self.drawn.is_none() {
+            self.drawn = Some(MarkedMesh {
+                level: number,
+                mesh: mesh.clone(),
+                radius: self.scene.bearing.radius(),
+                indicator: level.indicator,
+            });
+        }
+        self.quantity = goal.cloned();
+        self.effects = Some(level.study.effects);
+        self.marked = Some(marked);
+        self.mesh = mesh;
+        report
+    }
+}
+
+/// Which triangles a strategy divides: without an indicator one is as good as another.
+fn chosen(strategy: Strategy, indicator: Option<&[f64]>, cells: usize) -> Vec<bool> {
+    let marked = match (strategy, indicator) {
+        (Strategy::P2Adaptive, Some(indicator)) => doerfler(indicator, SHARE),
+        _ => Vec::new(),
+    };
+    if marked.contains(&true) {
+        marked
+    } else {
+        vec![true; cells]
+    }
+}
+
+/// The middle one, or the mean of the two in the middle; zero of none.
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    let middle = values.len() / 2;
+    match (
+        values.get(middle),
+        middle.checked_sub(1).and_then(|place| values.get(place)),
+    ) {
+        (Some(upper), Some(lower)) if values.len().is_multiple_of(2) => 0.5 * (lower + upper),
+        (Some(middle), _) => *middle,
+        (None, _) => 0.0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Strategy, chosen, median};
+
+    #[test]
+    fn an_indicator_chooses_for_the_adaptive_strategy_only() {
+        let indicator = Some(&[0.1, -0.8, 0.1][..]);
+        assert_eq!(chosen(Strategy::P2Adaptive, indicator, 3), [false, true, false]);
+        assert_eq!(chosen(Strategy::P2Uniform, indicator, 3), [true; 3]);
+        assert_eq!(chosen(Strategy::P2Adaptive, None, 3), [true; 3]);
+        assert_eq!(chosen(Strategy::P2Adaptive, Some(&[0.0; 3]), 3), [true; 3]);
+    }
+
+    #[test]
+    fn medians_of_few() {
+        assert_eq!(median(vec![]), 0.0);
+        assert_eq!(median(vec![3.0]), 3.0);
+        assert_eq!(median(vec![3.0, 1.0]), 2.0);
+        assert_eq!(median(vec![3.0, 1.0, 7.0]), 3.0);
+    }
+}

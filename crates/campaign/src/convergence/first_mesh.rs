@@ -1,0 +1,71 @@
+//! The coarse mesh that a study begins with.
+
+use std::sync::Arc;
+use std::time::Instant;
+
+use oilwedge_bearing::Patience;
+use oilwedge_mesh::Mesh;
+
+use oilwedge_scene::scene::Scene;
+use oilwedge_study::analysis::{NoAnswer, graded, solve};
+use oilwedge_study::compile::CompileError;
+use oilwedge_study::liner_mesh::{liner_mesh, resized};
+
+/// How much longer than wanted the edges of a drawn mesh are, the first that leads to an answer: two, one and no halving.
+const FACTORS: [f64; 3] = [4.0, 2.0, 1.0];
+
+/// The first mesh.
+pub(super) struct First {
+    pub(super) mesh: Arc<Mesh>,
+    /// The position that it is graded for: eccentricity [1], angle of the minimum film [rad].
+    pub(super) near: (f64, f64),
+    /// Seconds [s] that it took.
+    pub(super) seconds: f64,
+}
+
+/// Reads the mesh of a scene or draws a coarse one. Under a load a drawn mesh is graded for the position that the load leads to
+/// on a mesh as coarse.
+///
+/// # Errors
+/// The mesh cannot be read or drawn; or, within, there is no position for the load on any of the coarse meshes.
+pub(super) fn first_mesh(scene: &Scene, patience: Patience) -> Result<Result<First, NoAnswer>, CompileError> {
+    let clock = Instant::now();
+    let start = scene.start();
+    let first = |mesh: Mesh, near: (f64, f64)| First {
+        mesh: Arc::new(mesh),
+        near,
+        seconds: clock.elapsed().as_secs_f64(),
+    };
+    let mut tried = Ok(None);
+    for coarse in FACTORS.iter().filter_map(|&factor| resized(scene, factor)) {
+        if scene.journal.load().is_none() {
+            match liner_mesh(&coarse, start) {
+                Ok(liner) => return Ok(Ok(first(liner.mesh, start))),
+                Err(error) => tried = Err(error),
+            }
+            continue;
+        }
+        let mut study = match graded(&coarse, patience) {
+            Ok(study) => study,
+            Err(error) => {
+                tried = Err(error);
+                continue;
+            }
+        };
+        match solve(&mut study, false, patience) {
+            Ok(_) => {
+                let journal = &study.problem.journal;
+                let near = (
+                    journal.eccentricity() / scene.bearing.clearance,
+                    journal.min_film_angle(),
+                );
+                return Ok(Ok(first(Mesh::clone(study.system.space().mesh()), near)));
+            }
+            Err(reason) => tried = Ok(Some(reason)),
+        }
+    }
+    match tried? {
+        Some(reason) => Ok(Err(reason)),
+        None => Ok(Ok(first(liner_mesh(scene, start)?.mesh, start))),
+    }
+}

@@ -1,0 +1,109 @@
+//! Which of the standard's feeds the holes and grooves of a scene are.
+
+use std::f64::consts::{FRAC_PI_4, PI};
+
+use oilwedge_reynolds::analytical::iso7902::Feed;
+
+use oilwedge_scene::scene::Scene;
+
+/// Width over B of pockets for which their flow was fitted.
+const POCKET: [f64; 2] = [0.05, 0.7];
+/// Extent [rad] of a pocket at most.
+const SHORT: f64 = 0.5 * PI;
+/// Extent [rad] of a groove along half of the liner, at least and at most.
+const HALF: [f64; 2] = [0.8 * PI, 1.2 * PI];
+
+/// The feed in the terms of the standard with its pressure [Pa] above that of the ends; nothing where oil comes from the ends only, or why the
+/// standard has none like that.
+pub(super) fn fed(scene: &Scene, load_angle: f64) -> Result<Option<(Feed, f64)>, String> {
+    let unknown = |what: &str| {
+        Err(format!(
+            "the standard has no flow through {what}: side_flow is left out"
+        ))
+    };
+    let feeds: Vec<_> = (scene.feeds.iter())
+        .filter_map(|feed| Some((feed, feed.pressure? - scene.ends.pressure)))
+        .collect();
+    let (feed, pressure) = match feeds[..] {
+        [] => return Ok(None),
+        [one] => one,
+        [(_, a), (_, b)] if a != b => return unknown("feeds of different pressures"),
+        [one, _] => one,
+        _ => return unknown("more than two feeds"),
+    };
+    let places: Vec<Option<Side>> = feeds
+        .iter()
+        .map(|(feed, _)| {
+            let middle = feed
+                .groove
+                .and_then(|groove| groove.arc)
+                .map(|arc| 0.5 * (arc.from + arc.to));
+            let angle = feed.hole.map(|hole| hole.angle).or(middle);
+            angle.map(|angle| side(angle - load_angle.to_radians()))
+        })
+        .collect();
+    let length = scene.bearing.length;
+    let kind = match (feed.hole, feed.groove, &places[..]) {
+        (Some(hole), _, [Some(Side::Opposite)]) => Feed::HoleOpposite(hole.diameter / length),
+        (Some(hole), _, [Some(Side::Across)]) => Feed::HoleAcross(hole.diameter / length),
+        (Some(hole), _, [Some(Side::Across), Some(Side::Across)])
+            if feeds
+                .iter()
+                .all(|(it, _)| it.hole.map(|it| it.diameter) == Some(hole.diameter)) =>
+        {
+            Feed::TwoHolesAcross(hole.diameter / length)
+        }
+        (_, Some(groove), [None]) => Feed::GrooveAround(groove.width / length),
+        (_, Some(groove), [Some(place)]) => {
+            let extent = groove.arc.map_or(0.0, |arc| arc.to - arc.from);
+            let width = groove.width / length;
+            let is_pocket = (POCKET[0]..=POCKET[1]).contains(&width) && extent <= SHORT;
+            match place {
+                Side::Opposite if (HALF[0]..=HALF[1]).contains(&extent) => Feed::GrooveHalf(width),
+                Side::Opposite if is_pocket => Feed::PocketOpposite(width),
+                Side::Across if is_pocket => Feed::PocketAcross(width),
+                _ => return unknown("a groove like this"),
+            }
+        }
+        (_, Some(groove), [Some(Side::Across), Some(Side::Across)])
+            if feeds
+                .iter()
+                .all(|(it, _)| it.groove.map(|it| it.width) == Some(groove.width)) =>
+        {
+            Feed::TwoPocketsAcross(groove.width / length)
+        }
+        _ => return unknown("feeds that lie like these"),
+    };
+    Ok(Some((kind, pressure)))
+}
+
+/// Where a feed lies, seen from the load.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Side {
+    Loaded,
+    Across,
+    Opposite,
+}
+
+/// By the angle [rad] from the load, to the nearest of the standard's places.
+fn side(angle: f64) -> Side {
+    match angle.cos() {
+        cos if cos < -FRAC_PI_4.cos() => Side::Opposite,
+        cos if cos > FRAC_PI_4.cos() => Side::Loaded,
+        _ => Side::Across,
+    }
+}
+
+/// The feed in words.
+pub(super) fn told(feed: Feed) -> &'static str {
+    match feed {
+        Feed::HoleOpposite(_) => "a hole opposite to the load",
+        Feed::HoleAcross(_) => "a hole at 90 degrees to the load",
+        Feed::TwoHolesAcross(_) => "two holes at 90 degrees to the load",
+        Feed::PocketOpposite(_) => "a pocket opposite to the load",
+        Feed::PocketAcross(_) => "a pocket at 90 degrees to the load",
+        Feed::TwoPocketsAcross(_) => "two pockets at 90 degrees to the load",
+        Feed::GrooveAround(_) => "a groove all around",
+        Feed::GrooveHalf(_) => "a groove along the half opposite to the load",
+    }
+}

@@ -1,0 +1,180 @@
+//! The bearing of a scene by the standard, at one viscosity and at the temperature of its own balance of heat.
+
+use oilwedge_bearing::heat_balance::find;
+use oilwedge_bearing::{FilmHeat, HeatBalance};
+use oilwedge_reynolds::analytical::iso7902::{self, Feed};
+use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
+use serde::Serialize;
+
+use oilwedge_scene::scene::{Mixing, Scene};
+
+/// Part of the friction to which its heat is balanced.
+const BALANCED: f64 = 1e-12;
+
+/// What the standard and the film are both given.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Given {
+    /// The load [N].
+    Load(f64),
+    /// The eccentricity [1].
+    Eccentricity(f64),
+}
+
+impl Given {
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::Load(_) => "load",
+            Self::Eccentricity(_) => "eccentricity",
+        }
+    }
+}
+
+/// Bearings side by side that the standard makes of the liner, and their common length over the diameter.
+pub(super) struct Lands {
+    pub(super) count: f64,
+    pub(super) slenderness: f64,
+}
+
+impl Lands {
+    fn of(scene: &Scene) -> Self {
+        let bearing = &scene.bearing;
+        let around = scene.feeds.iter().filter(|feed| feed.pressure.is_some());
+        let around = around
+            .filter_map(|feed| feed.groove)
+            .find(|groove| groove.arc.is_none());
+        match around {
+            Some(groove) => Self {
+                count: 2.0,
+                slenderness: 0.5 * (bearing.length - groove.width) / bearing.diameter,
+            },
+            None => Self {
+                count: 1.0,
+                slenderness: bearing.length / bearing.diameter,
+            },
+        }
+    }
+}
+
+/// The feed in the terms of the standard and its pressure [Pa], or why it has none like that.
+pub(super) type Fed = Result<Option<(Feed, f64)>, String>;
+
+/// The bearing by the standard.
+pub(super) struct Twin {
+    pub(super) lands: Lands,
+    /// Its Sommerfeld number [1].
+    pub(super) number: f64,
+    /// Its eccentricity [1].
+    pub(super) eccentricity: f64,
+    /// Its load [N].
+    pub(super) load: f64,
+    /// Its coefficient of friction [1].
+    pub(super) coefficient: f64,
+    /// The power [W] of that friction.
+    pub(super) power: f64,
+    /// Q_3 [m3/s].
+    pub(super) squeezed: f64,
+    /// Q_p [m3/s], where there is a feed.
+    pub(super) pressed: Option<f64>,
+    /// Their sum [m3/s]; none where the standard has no such feed.
+    pub(super) flow: Option<f64>,
+}
+
+impl Twin {
+    /// With oil of `viscosity` [Pa.s]; none without load.
+    pub(super) fn of(scene: &Scene, viscosity: f64, given: Given, feed: &Fed) -> Option<Self> {
+        let bearing = &scene.bearing;
+        let psi = bearing.clearance / bearing.radius();
+        let speed = scene.journal.speed.abs();
+        let lands = Lands::of(scene);
+        let per_number = lands.count * bearing.diameter.powi(2) * lands.slenderness * viscosity * speed / psi.powi(2);
+        let eccentricity = match given {
+            Given::Load(load) => iso7902::eccentricity(load / per_number, lands.slenderness)?,
+            Given::Eccentricity(eccentricity) => eccentricity,
+        };
+        if eccentricity <= 0.0 {
+            return None;
+        }
+        let number = iso7902::sommerfeld_number(eccentricity, lands.slenderness);
+        let load = number * per_number;
+        let coefficient = psi * iso7902::friction(number, eccentricity, lands.slenderness);
+        let side = iso7902::side_flow_number(eccentricity, lands.slenderness);
+        let squeezed = lands.count * bearing.diameter.powi(3) * psi * speed * side;
+        let through = |(kind, pressure): &(Feed, f64)| {
+            let unit = (bearing.diameter * psi).powi(3) * pressure / viscosity;
+            unit * iso7902::feed_flow_number(*kind, eccentricity, bearing.length / bearing.diameter)
+        };
+        let pressed = (feed.as_ref().ok()).and_then(|feed| feed.as_ref()).map(through);
+        Some(Self {
+            number,
+            eccentricity,
+            load,
+            coefficient,
+            power: coefficient * load * speed * bearing.radius(),
+            squeezed,
+            pressed,
+            flow: feed.is_ok().then(|| squeezed + pressed.unwrap_or(0.0)),
+            lands,
+        })
+    }
+
+    /// Its thinnest film [m].
+    pub(super) fn least_film(&self, scene: &Scene) -> f64 {
+        scene.bearing.clearance * (1.0 - self.eccentricity)
+    }
+}
+
+/// The standard's own balance of heat: friction by its fits, carried off by its flows.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct StandardHeat {
+    /// T_eff, temperature of the film [degrees C].
+    pub temperature_effective: f64,
+    /// T_ex, temperature of the oil that leaves [degrees C].
+    pub temperature_outlet: f64,
+    /// Viscosity there [Pa.s].
+    pub viscosity: f64,
+    /// Eccentricity [1].
+    pub eccentricity: f64,
+    /// Thinnest film [m].
+    pub film_thickness_min: f64,
+    /// Power of friction [W].
+    pub friction_power: f64,
+    /// Q_3 + Q_p [m3/s].
+    pub side_flow: f64,
+}
+
+/// The balance of heat by the standard; none without `[heat]`, and where it has no flow through the feed or no balance.
+pub(super) fn own_heat(scene: &Scene, given: Given, feed: &Fed) -> Option<StandardHeat> {
+    let heat = scene.heat?;
+    // The oil carried round, of which a share mixes, is none of its numbers.
+    let carried_over = match heat.mixing {
+        None => 0.0,
+        Some(Mixing::Ratio(ratio)) => ratio,
+        Some(Mixing::Share(_)) => return None,
+    };
+    let at = |temperature: f64| {
+        let mut oil = scene.oil.clone();
+        oil.heat_to(temperature);
+        Twin::of(scene, oil.viscosity, given, feed).map(|twin| (twin, oil.viscosity))
+    };
+    let film = |temperature: f64| {
+        let (twin, _) = at(temperature).ok_or(())?;
+        Ok::<_, ()>(FilmHeat {
+            power: twin.power,
+            flow: twin.flow.ok_or(())?,
+            carried_over,
+        })
+    };
+    let balance: HeatBalance = heat.balance();
+    let found = find(&balance, heat.first_temperature(), BALANCED, film).ok()?;
+    let (twin, viscosity) = at(found.temperature)?;
+    let [_, outlet] = balance.ends(found.temperature, carried_over);
+    Some(StandardHeat {
+        temperature_effective: found.temperature - ZERO_CELSIUS,
+        temperature_outlet: outlet - ZERO_CELSIUS,
+        viscosity,
+        eccentricity: twin.eccentricity,
+        film_thickness_min: twin.least_film(scene),
+        friction_power: twin.power,
+        side_flow: twin.flow?,
+    })
+}

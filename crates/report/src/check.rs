@@ -1,0 +1,217 @@
+//! What `oilwedge check` tells about a scene or mesh that can be used.
+
+use oilwedge_mesh::Quality;
+use serde::Serialize;
+
+use std::path::Path;
+
+use oilwedge_mesh::{Mesh, developed, gmsh};
+use oilwedge_scene::Scene;
+use oilwedge_study::CompileError;
+use oilwedge_study::compile::compile;
+use oilwedge_study::doubts;
+use oilwedge_study::refinement::at_first;
+use oilwedge_study::result::{Effects, MeshFacts, in_parts};
+use oilwedge_study::run::facts;
+
+use crate::Error;
+use crate::folder::replace;
+use crate::json::{ReportError, json};
+use crate::results::WriteError;
+use crate::sketch::{sketch, words};
+
+/// What stands for a file name where the liner described is meshed.
+const DRAWN: &str = "made of the liner described";
+/// What stands there where finer meshes may follow.
+const FIRST_DRAWN: &str = "made of the liner described, the first towards the tolerance";
+/// Angles below this [deg] are worth a warning.
+const SHARP: f64 = 15.0;
+
+/// Name and version of the form of what `oilwedge check --json` prints.
+pub const CHECK_FORMAT: &str = "oilwedge-check/1";
+
+/// What `oilwedge check` found in a scene or mesh that can be used.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct CheckReport {
+    /// [`CHECK_FORMAT`].
+    pub format: String,
+    /// Title of the scene; `None` where a mesh was checked.
+    pub title: Option<String>,
+    /// The mesh file.
+    pub mesh_file: String,
+    /// What would be computed; `None` where a mesh was checked.
+    pub effects: Option<Effects>,
+    /// The mesh.
+    pub mesh: MeshFacts,
+    /// How small error bars would be made by refinement, relative, by name of quantity; empty without a tolerance.
+    #[serde(serialize_with = "in_parts")]
+    pub tolerance: Vec<(String, f64)>,
+    /// The axes of the sweep and their numbers of values; empty without one.
+    #[serde(serialize_with = "in_axes")]
+    pub sweep: Vec<(String, usize)>,
+    /// The liner in words, a line each; empty where a mesh was checked.
+    pub liner: Vec<String>,
+    /// The unrolled liner drawn in letters; empty where a mesh was checked.
+    pub sketch: String,
+    /// How good the mesh is.
+    pub quality: Quality,
+    /// The named regions of the mesh.
+    pub regions: Vec<RegionFacts>,
+    /// Unknowns and the entries of the Cholesky factor (8 bytes each): the cost of a solve; `None` where a mesh was checked.
+    pub cost: Option<Cost>,
+    /// Doubts, in sentences.
+    pub warnings: Vec<String>,
+}
+
+/// What a solve costs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct Cost {
+    /// Nodes whose pressure is not given.
+    pub unknowns: usize,
+    /// Entries of the Cholesky factor.
+    pub factor_entries: usize,
+}
+
+/// Facts about a named region of a mesh.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct RegionFacts {
+    /// Name of the physical group.
+    pub name: String,
+    /// `curve` or `surface`.
+    pub kind: String,
+    /// Number of its edges or cells.
+    pub parts: usize,
+}
+
+fn in_axes<S: serde::Serializer>(axes: &[(String, usize)], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(axes.iter().map(|(name, values)| (name, values)))
+}
+
+impl CheckReport {
+    /// The report as JSON, with a line break at its end.
+    ///
+    /// # Errors
+    /// [`ReportError`] where a number is not finite.
+    pub fn to_json(&self) -> Result<String, ReportError> {
+        json(self)
+    }
+}
+
+/// Reads the mesh of a scene and tells what would be computed.
+///
+/// # Errors
+/// [`Error::Compile`] where the mesh cannot be read or does not fit the scene.
+pub fn check_scene(scene: &Scene) -> Result<CheckReport, Error> {
+    let study = compile(&at_first(scene))?;
+    let mesh = study.system.space().mesh();
+    let drawn = if scene.tolerance.is_some() { FIRST_DRAWN } else { DRAWN };
+    let name = scene.mesh.path().unwrap_or(Path::new(drawn));
+    let mut report = check_report(name, mesh);
+    let pockets: Vec<_> = study.pockets.iter().filter_map(|name| mesh.region(name)).collect();
+    report.sketch = sketch(mesh, &study.system.supply, &pockets, scene.bearing.radius());
+    report.liner = words(scene);
+    report.tolerance = (scene.tolerance.iter())
+        .flat_map(|tolerance| &tolerance.targets)
+        .map(|target| (target.quantity.clone(), target.relative))
+        .collect();
+    report.title = Some(scene.title.clone());
+    report.sweep = (scene.sweep.iter())
+        .flat_map(|plan| &plan.axes)
+        .map(|axis| (axis.heading(), axis.values.len()))
+        .collect();
+    report.effects = Some(study.effects.clone());
+    report.warnings.extend(doubts::laid_anew(&study));
+    report.warnings.extend(doubts::flips(&study));
+    let free = |dof: &usize| study.system.supply.owner(*dof).is_none();
+    report.cost = Some(Cost {
+        unknowns: (0..study.system.space().dofs()).filter(free).count(),
+        factor_entries: study.system.analysis().map_err(CompileError::from)?.factor_entries(),
+    });
+    Ok(report)
+}
+
+/// Reads a mesh file by itself, its lengths in metres; the liner is the one its nodes lie on.
+///
+/// # Errors
+/// [`Error::Compile`] where the mesh cannot be read or is defective.
+pub fn check_mesh(path: &Path) -> Result<CheckReport, Error> {
+    let mesh = developed::read_alone(path).map_err(CompileError::from)?;
+    Ok(check_report(path, &mesh))
+}
+
+/// Writes a mesh as a gmsh 4.1 file, whole or not at all. Through a link the file is replaced that it leads to; what is no plain file
+/// (`/dev/stdout`) is written into.
+///
+/// # Errors
+/// [`Error::Compile`] where the file cannot be written.
+pub fn write_mesh(mesh: &Mesh, path: &Path) -> Result<(), Error> {
+    let text = gmsh::to_text(mesh);
+    let failed = |source| {
+        let error = oilwedge_mesh::Error::Io {
+            action: "write",
+            path: path.to_owned(),
+            error: source,
+        };
+        Error::from(CompileError::from(error))
+    };
+    let place = path.canonicalize().unwrap_or_else(|_| path.to_owned());
+    let folder = match place.parent() {
+        Some(folder) if folder != Path::new("") => folder,
+        _ => Path::new("."),
+    };
+    let (true, Some(name)) = (place.is_file() || !place.exists(), place.file_name()) else {
+        return std::fs::write(path, text).map_err(failed);
+    };
+    if !folder.is_dir() {
+        return Err(failed(std::io::ErrorKind::NotFound.into()));
+    }
+    match replace(folder, &[(name, Some(text.as_bytes()))]) {
+        Err(WriteError::System { source, .. }) => Err(failed(source)),
+        other => Ok(other?),
+    }
+}
+
+fn check_report(path: &Path, mesh: &Mesh) -> CheckReport {
+    let quality = Quality::of(mesh);
+    let mut warnings = Vec::new();
+    if quality.least_angle < SHARP {
+        warnings.push(format!(
+            "the least angle is {:.1} deg; triangles below {SHARP} deg cost accuracy",
+            quality.least_angle
+        ));
+    }
+    if quality.unnamed_boundary_edges > 0 {
+        warnings.push(format!(
+            "{} boundary edges belong to no named curve; a film needs a condition there",
+            quality.unnamed_boundary_edges
+        ));
+    }
+    let parts = |name: &str, kind: &str, parts: usize| {
+        (parts > 0).then(|| RegionFacts {
+            name: name.to_owned(),
+            kind: kind.to_owned(),
+            parts,
+        })
+    };
+    CheckReport {
+        format: CHECK_FORMAT.to_owned(),
+        title: None,
+        mesh_file: path.display().to_string(),
+        effects: None,
+        mesh: facts(mesh),
+        regions: (mesh.regions().iter())
+            .flat_map(|region| {
+                let curve = parts(&region.name, "curve", region.edges.len());
+                let surface = parts(&region.name, "surface", region.cells.len());
+                [curve, surface].into_iter().flatten()
+            })
+            .collect(),
+        quality,
+        tolerance: Vec::new(),
+        sweep: Vec::new(),
+        liner: Vec::new(),
+        sketch: String::new(),
+        cost: None,
+        warnings,
+    }
+}

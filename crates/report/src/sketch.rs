@@ -1,0 +1,175 @@
+//! A liner and its load in words, and drawn in letters: what `oilwedge check` understood.
+
+use oilwedge_mesh::{Locator, Mesh, Region};
+use oilwedge_reynolds::supply::{Place, Supply};
+use oilwedge_scene::scene::{Feed, Journal, Position, Scene};
+use oilwedge_scene::wording::{degrees, millimetres, newtons};
+
+/// Letters along the circumference and lines along the axis.
+const COLUMNS: usize = 72;
+const LINES: usize = 17;
+
+/// The liner of a scene, its feeds and its load in words, a line each.
+pub(crate) fn words(scene: &Scene) -> Vec<String> {
+    let bearing = &scene.bearing;
+    let extent = match bearing.arc {
+        Some(arc) => format!("arc from {} to {}", degrees(arc.from), degrees(arc.to)),
+        None => match bearing.film_start {
+            Some(angle) => format!("full ring, film start at {}", degrees(angle)),
+            None => "full ring, periodic".to_owned(),
+        },
+    };
+    let size = format!(
+        "{extent}; diameter {}, length {}, radial clearance {}",
+        millimetres(bearing.diameter),
+        millimetres(bearing.length),
+        millimetres(bearing.clearance)
+    );
+    [size]
+        .into_iter()
+        .chain(inlet_in_words(scene))
+        .chain(scene.feeds.iter().map(feed_in_words))
+        .chain(load_in_words(&scene.journal))
+        .collect()
+}
+
+fn inlet_in_words(scene: &Scene) -> Option<String> {
+    let (arc, fraction) = (scene.bearing.arc?, scene.bearing.inlet_fraction?);
+    let edge = if scene.journal.speed > 0.0 { arc.from } else { arc.to };
+    Some(format!(
+        "starved inlet: the oil brought in at {} fills {fraction} of the gap",
+        degrees(edge)
+    ))
+}
+
+fn load_in_words(journal: &Journal) -> Option<String> {
+    let Position::Load { force, angle } = journal.position else {
+        return None;
+    };
+    Some(format!(
+        "load of {} at {}; the position of the journal is found",
+        newtons(force),
+        degrees(angle)
+    ))
+}
+
+fn feed_in_words(feed: &Feed) -> String {
+    let shape = match (feed.hole, feed.groove) {
+        (Some(hole), _) => {
+            let place = format!("at {}, z = {}", degrees(hole.angle), millimetres(hole.z));
+            format!("hole of {} {place}", millimetres(hole.diameter))
+        }
+        (None, Some(groove)) => {
+            let arc = groove.arc.map_or("all around".to_owned(), |arc| {
+                format!("from {} to {}", degrees(arc.from), degrees(arc.to))
+            });
+            let corner = match groove.corner > 0.0 {
+                true => format!(", corners of radius {}", millimetres(groove.corner)),
+                false => String::new(),
+            };
+            format!(
+                "groove {arc}, {} wide at z = {}{corner}",
+                millimetres(groove.width),
+                millimetres(groove.z)
+            )
+        }
+        (None, None) => "region of the mesh".to_owned(),
+    };
+    let given = match (feed.pressure, feed.depth) {
+        (Some(pressure), _) => format!("at {:.4} bar", 1e-5 * pressure),
+        (None, Some(depth)) => format!("deeper by {}, its pressure is found", millimetres(depth)),
+        (None, None) => String::new(),
+    };
+    format!("\"{}\": {shape}, {given}", feed.group)
+}
+
+/// The unrolled liner, `z` upwards and the angle to the right, one letter for each feed, with a legend.
+///
+/// `marked` are regions that are no feeds but worth a letter (pockets). `radius` is R [m].
+pub(crate) fn sketch(mesh: &Mesh, supply: &Supply, marked: &[&Region], radius: f64) -> String {
+    let feeds: Vec<&Region> = (supply.regions().iter())
+        .filter(|region| region.place == Place::Feed)
+        .filter_map(|region| mesh.region(&region.name))
+        .chain(marked.iter().copied())
+        .collect();
+    let letters: Vec<char> = ('A'..='Z').chain('a'..='z').cycle().take(feeds.len()).collect();
+    let bounds = Bounds::of(mesh);
+    let locator = Locator::new(mesh);
+    let letter_at = |point: [f64; 2]| match locator.find(point) {
+        Some((cell, _)) => {
+            let holds = |region: &&Region| region.cells.binary_search(&(cell as u32)).is_ok();
+            feeds.iter().position(holds).map_or('.', |index| letters[index])
+        }
+        None => {
+            let inside = |region: &&Region| is_inside(mesh, region, point);
+            feeds.iter().position(inside).map_or(' ', |index| letters[index])
+        }
+    };
+    let mut text = String::new();
+    for line in 0..LINES {
+        let z = bounds.at(1, 1.0 - (line as f64 + 0.5) / LINES as f64);
+        let label = match line {
+            0 => format!("z = {}", millimetres(bounds.high[1])),
+            _ if line == LINES - 1 => format!("z = {}", millimetres(bounds.low[1])),
+            _ => String::new(),
+        };
+        let row: String = (0..COLUMNS)
+            .map(|k| letter_at([bounds.at(0, (k as f64 + 0.5) / COLUMNS as f64), z]))
+            .collect();
+        text += &format!("{label:>18} |{row}|\n");
+    }
+    let (from, to) = (degrees(bounds.low[0] / radius), degrees(bounds.high[0] / radius));
+    text += &format!("{:>18}  {from}{to:>width$}\n", "phi =", width = COLUMNS - from.len());
+    let legend: Vec<String> = feeds
+        .iter()
+        .zip(&letters)
+        .map(|(region, letter)| format!("{letter} {}", region.name))
+        .collect();
+    if !legend.is_empty() {
+        text += &format!("{:>18}  {}\n", "", legend.join(", "));
+    }
+    text
+}
+
+/// The rectangle that is drawn.
+struct Bounds {
+    low: [f64; 2],
+    high: [f64; 2],
+}
+
+impl Bounds {
+    fn of(mesh: &Mesh) -> Self {
+        let mut bounds = Self {
+            low: [f64::INFINITY; 2],
+            high: [f64::NEG_INFINITY; 2],
+        };
+        for point in mesh.points() {
+            for k in 0..2 {
+                bounds.low[k] = bounds.low[k].min(point[k]);
+                bounds.high[k] = bounds.high[k].max(point[k]);
+            }
+        }
+        if let Some(period) = mesh.period() {
+            bounds.high[0] = bounds.low[0] + period;
+        }
+        bounds
+    }
+
+    fn at(&self, axis: usize, part: f64) -> f64 {
+        self.low[axis] + part * (self.high[axis] - self.low[axis])
+    }
+}
+
+/// True if the closed rim of a cut-out goes round the point: edges above it are crossed an odd number of times.
+fn is_inside(mesh: &Mesh, region: &Region, [x, z]: [f64; 2]) -> bool {
+    let crossings = region.edges.iter().filter(|&&edge| {
+        let [a, b, _] = mesh.edge_nodes(edge);
+        let shift = mesh
+            .period()
+            .map_or(0.0, |period| period * ((x - 0.5 * (a[0] + b[0])) / period).round());
+        let (from, to) = (a[0] + shift, b[0] + shift);
+        let crosses = (from <= x) != (to <= x);
+        crosses && a[1] + (x - from) / (to - from) * (b[1] - a[1]) > z
+    });
+    crossings.count() % 2 == 1
+}

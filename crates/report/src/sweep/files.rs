@@ -1,0 +1,173 @@
+//! The folder of a sweep: rows are added to `sweep.csv` as cases end; a sweep that was killed is taken up again from them.
+
+use std::collections::BTreeMap;
+use std::ffi::OsStr;
+use std::fs::{File, OpenOptions, TryLockError};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use super::report::{Identity, SweepReport};
+use super::table::{Columns, Row, to_csv, whole_rows};
+use crate::Error;
+use crate::folder;
+use crate::json::json;
+use crate::results::WriteError;
+
+/// The table.
+pub const TABLE_FILE: &str = "sweep.csv";
+/// What it was computed from and, once all is computed, everything again for scripts.
+pub const REPORT_FILE: &str = "sweep.json";
+
+/// A table that is being written. No other run may write it as long as this one lives: its file is locked.
+pub(crate) struct Table {
+    path: PathBuf,
+    file: File,
+}
+
+impl Table {
+    /// Begins the table in the folder `dir`, or takes up the one that stands there: its whole rows are kept.
+    /// With `fresh` one that stands there is replaced.
+    ///
+    /// # Errors
+    /// Another sweep stands there or is being written, or the system refuses.
+    pub(crate) fn open(
+        dir: &Path,
+        identity: &Identity,
+        columns: &Columns,
+        fresh: bool,
+    ) -> Result<(Self, BTreeMap<usize, Row>), Error> {
+        let path = dir.join(TABLE_FILE);
+        let refused = |source| WriteError::System {
+            path: path.clone(),
+            source,
+        };
+        std::fs::create_dir_all(dir).map_err(refused)?;
+        let _alone = folder::alone_in(dir)?;
+        let _earlier = free(dir, &path)?;
+        let kept = match fresh {
+            true => BTreeMap::new(),
+            false => kept(dir, identity, columns)?,
+        };
+        let headings = columns.headings();
+        let table = to_csv(std::iter::once(&headings).chain(kept.values()));
+        let begun = Begun {
+            identity,
+            complete: false,
+            process: std::process::id(),
+        };
+        let about = json(&begun)?;
+        let (about_step, table_step) = (
+            (OsStr::new(REPORT_FILE), Some(about.as_bytes())),
+            (OsStr::new(TABLE_FILE), Some(&table[..])),
+        );
+        // A table is never beside a report that is not its own. Rows that are kept are those of the report that stands there.
+        match kept.is_empty() {
+            true => folder::replace_alone(dir, &[(table_step.0, None), about_step, table_step])?,
+            false => folder::replace_alone(dir, &[about_step, table_step])?,
+        }
+        let file = OpenOptions::new().append(true).open(&path).map_err(refused)?;
+        // Without locks in the file system runs must not share a folder.
+        let _ = file.try_lock();
+        Ok((Self { path, file }, kept))
+    }
+
+    /// Adds a row, whole.
+    ///
+    /// # Errors
+    /// The system refuses.
+    pub(crate) fn add(&mut self, row: &Row) -> Result<(), Error> {
+        let path = &self.path;
+        let refused = |source| WriteError::System {
+            path: path.clone(),
+            source,
+        };
+        Ok(self.file.write_all(&to_csv([row])).map_err(refused)?)
+    }
+}
+
+/// What stands beside a table that is being written.
+#[derive(serde::Serialize)]
+struct Begun<'a> {
+    #[serde(flatten)]
+    identity: &'a Identity,
+    complete: bool,
+    /// Number of the process that writes.
+    process: u32,
+}
+
+/// The table that stands at `path`, locked, if there is one: nobody else writes it.
+///
+/// # Errors
+/// Another run writes it.
+fn free(dir: &Path, path: &Path) -> Result<Option<File>, Error> {
+    let Ok(earlier) = File::open(path) else { return Ok(None) };
+    match earlier.try_lock() {
+        Err(TryLockError::WouldBlock) => Err(Error::BusySweep {
+            folder: dir.to_path_buf(),
+            process: std::fs::read(dir.join(REPORT_FILE))
+                .ok()
+                .and_then(|about| serde_json::from_slice::<serde_json::Value>(&about).ok())
+                .and_then(|about| about.get("process")?.as_u64()),
+        }),
+        Ok(()) | Err(TryLockError::Error(_)) => Ok(Some(earlier)),
+    }
+}
+
+/// Replaces table and report by those of the finished sweep. Between the two the report says still that the sweep has not ended.
+///
+/// # Errors
+/// The system refuses; the rows that were added stand there still.
+pub(crate) fn finish(dir: &Path, report: &SweepReport) -> Result<(), Error> {
+    let headings = report.columns.headings();
+    let table = to_csv(std::iter::once(&headings).chain(&report.rows));
+    let about = json(report)?;
+    let steps = [
+        (OsStr::new(TABLE_FILE), Some(&table[..])),
+        (OsStr::new(REPORT_FILE), Some(about.as_bytes())),
+    ];
+    Ok(folder::replace(dir, &steps)?)
+}
+
+/// The rows in the folder that are those of this sweep, by the number of their case.
+fn kept(dir: &Path, identity: &Identity, columns: &Columns) -> Result<BTreeMap<usize, Row>, Error> {
+    let other = |why: &'static str| Error::OtherSweep {
+        folder: dir.to_path_buf(),
+        why,
+    };
+    let (table, about) = (dir.join(TABLE_FILE), dir.join(REPORT_FILE));
+    if !table.exists() {
+        return Ok(BTreeMap::new());
+    }
+    let read = |path: &Path| {
+        std::fs::read(path).map_err(|source| Error::Earlier {
+            path: path.to_path_buf(),
+            source,
+        })
+    };
+    if !about.exists() {
+        return Err(other("of which nothing tells what it was computed from"));
+    }
+    let about: serde_json::Value = serde_json::from_slice(&read(&about)?).unwrap_or_default();
+    let differs = |key: &str, own: &serde_json::Value| about.get(key) != Some(own);
+    if differs("format", &identity.format.as_str().into()) || differs("version", &identity.version.as_str().into()) {
+        return Err(other("of another version of the program"));
+    }
+    if differs("scene_sha256", &identity.scene_sha256.as_str().into()) {
+        return Err(other("of another scene, or of this one before it was changed"));
+    }
+    let mesh = serde_json::Value::from(identity.mesh_sha256.clone());
+    if differs("mesh_sha256", &mesh) {
+        return Err(other("of another mesh file, or of this one before it was changed"));
+    }
+    if differs("bars", &identity.bars.into()) {
+        return Err(other(match identity.bars {
+            true => "without error bars",
+            false => "with error bars",
+        }));
+    }
+    let rows = whole_rows(&read(&table)?, &columns.headings()).ok_or_else(|| other("with other columns"))?;
+    let number = |row: &Row| row[0].parse::<usize>().ok()?.checked_sub(1);
+    Ok((rows.into_iter())
+        .filter_map(|row| Some((number(&row).filter(|case| *case < identity.cases)?, row)))
+        .collect())
+}

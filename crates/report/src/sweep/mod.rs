@@ -1,0 +1,125 @@
+//! The folder of a sweep: rows are written as cases end, and a sweep that was ended is taken up again.
+//!
+//! `table.rs` (columns and rows), `files.rs` (a table that can be taken up again), `report.rs` (for scripts).
+
+mod files;
+mod report;
+mod table;
+
+use std::cell::RefCell;
+use std::ffi::OsStr;
+use std::path::Path;
+use std::time::Instant;
+
+use oilwedge_campaign::sweep::Sweep;
+use oilwedge_scene::Scene;
+use oilwedge_study::CompileError;
+use oilwedge_study::run::RunOptions;
+use sha2::{Digest, Sha256};
+
+pub use files::{REPORT_FILE, TABLE_FILE};
+pub use report::{Identity, SWEEP_FORMAT, SweepReport};
+pub use table::{Columns, Row};
+
+use crate::Error;
+use crate::folder;
+use files::{Table, finish};
+
+/// How a sweep is run.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct SweepOptions {
+    /// How each case is run; limits are those of one case.
+    pub case: RunOptions,
+    /// Replace a sweep that stands in the folder, whatever it is.
+    pub fresh: bool,
+}
+
+/// How far a sweep has got.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Progress {
+    /// Cases that earlier runs had computed.
+    pub kept: usize,
+    /// Cases that are computed, those included.
+    pub done: usize,
+    /// All cases.
+    pub cases: usize,
+}
+
+/// Runs all cases of a sweep and writes them to the folder `dir`. Rows that stand there from an earlier run of the same sweep are kept.
+///
+/// # Errors
+/// The first case does not become a film, another sweep stands in the folder, or it cannot be written; or the sweep was
+/// interrupted, with its rows kept: [`Error::Interrupted`].
+pub fn run(
+    sweep: &Sweep,
+    options: &SweepOptions,
+    dir: &Path,
+    progress: &mut dyn FnMut(Progress),
+) -> Result<SweepReport, Error> {
+    let clock = Instant::now();
+    if sweep.scenes.is_empty() {
+        return Err(Error::NoCases);
+    }
+    folder::check(dir, [TABLE_FILE, REPORT_FILE].iter().map(OsStr::new))?;
+    let effects = sweep.effects()?;
+    let identity = Identity {
+        format: SWEEP_FORMAT.to_owned(),
+        title: sweep.title.clone(),
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+        scene_sha256: sweep.scene_sha256.clone(),
+        mesh_sha256: meshes_sha256(&sweep.scenes)?,
+        bars: options.case.bars,
+        cases: sweep.scenes.len(),
+    };
+    let columns = Columns::new(&sweep.plan, &sweep.scenes, options.case.bars);
+    let (mut table, rows) = Table::open(dir, &identity, &columns, options.fresh)?;
+    let mut told = Progress {
+        kept: rows.len(),
+        done: rows.len(),
+        cases: sweep.scenes.len(),
+    };
+    progress(told);
+    let rows = RefCell::new(rows);
+    let is_kept = |case: usize| rows.borrow().contains_key(&case);
+    sweep.run(&options.case, &is_kept, &mut |case, found| -> Result<(), Error> {
+        let row = columns.row(&sweep.plan, case, &found)?;
+        table.add(&row)?;
+        rows.borrow_mut().insert(case, row);
+        told.done += 1;
+        progress(told);
+        Ok(())
+    })?;
+    if told.done < told.cases {
+        return Err(Error::Interrupted {
+            done: told.done,
+            cases: told.cases,
+            table: dir.join(TABLE_FILE),
+        });
+    }
+    let report = SweepReport {
+        identity,
+        effects,
+        plan: sweep.plan.clone(),
+        columns,
+        rows: rows.into_inner().into_values().collect(),
+        kept: told.kept,
+        seconds: clock.elapsed().as_secs_f64(),
+    };
+    finish(dir, &report)?;
+    Ok(report)
+}
+
+/// SHA-256 of all mesh files, each once; `None` where there are none.
+fn meshes_sha256(scenes: &[Scene]) -> Result<Option<String>, Error> {
+    let mut paths: Vec<&Path> = scenes.iter().filter_map(|scene| scene.mesh.path()).collect();
+    paths.dedup();
+    paths.sort_unstable();
+    paths.dedup();
+    let mut hash = Sha256::new();
+    for path in &paths {
+        let bytes = oilwedge_mesh::gmsh::read_bytes(path).map_err(CompileError::from)?;
+        hash.update(Sha256::digest(&bytes));
+    }
+    let digest = hash.finalize();
+    Ok((!paths.is_empty()).then(|| digest.iter().map(|byte| format!("{byte:02x}")).collect()))
+}

@@ -1,0 +1,267 @@
+//! What is asked of a film: its solution at a given position, or the position in which it carries a load; and what
+//! judges it.
+
+use std::time::Instant;
+
+use oilwedge_bearing::{
+    Equilibrium, GREATEST_ECCENTRICITY, NoEquilibrium, Patience, find, find_cubic, find_cubic_near, find_near,
+};
+use oilwedge_reynolds::solve::Neighbour;
+use oilwedge_reynolds::{FilmSolution, JournalState, NoFilm, ReferenceFilm};
+
+use crate::compile::{CompileError, Study, compile, compile_near};
+use crate::result::Status;
+use crate::thermal::{self, HeatFound, NoTemperature};
+use oilwedge_scene::scene::Scene;
+
+/// A mesh is graded anew where the least film thickness found is another one than it was graded for by this factor,
+const REGRADED: f64 = 1.3;
+/// or where the thinnest film lies elsewhere by this angle [rad].
+const ELSEWHERE: f64 = 0.2;
+/// Gradings of one search.
+const GRADINGS: usize = 4;
+
+/// A solved film of a study.
+#[derive(Debug)]
+pub struct Solved {
+    /// The film.
+    pub film: FilmSolution,
+    /// The film by which its errors are estimated; none where they were not asked for, or where there is no such film.
+    pub reference: Option<ReferenceFilm>,
+    /// How the load is balanced, where the position was sought.
+    pub balance: Option<Balance>,
+    /// Seconds that the reference film took at the position of the film.
+    pub judging: f64,
+    /// How the heat is balanced, where the temperature was sought.
+    pub heat: Option<HeatFound>,
+}
+
+impl Solved {
+    /// True where the film is that of a position or temperature reached, not found: the search was ended.
+    pub fn is_ended(&self) -> bool {
+        let of_heat = self.heat.as_ref().is_some_and(|found| found.is_ended);
+        of_heat || self.balance.is_some_and(|balance| balance.is_ended)
+    }
+}
+
+/// How well a load is balanced, and what it took.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Balance {
+    /// Load less force of the film [N].
+    pub unbalanced: f64,
+    /// Load less force of the film, relative to the load.
+    pub residual: f64,
+    /// `dW/de` [N/m] of the film, row: component of W.
+    pub stiffness: [[f64; 2]; 2],
+    /// Positions tried on the mesh of the result.
+    pub steps: usize,
+    /// True where the search was ended before the load was balanced.
+    pub is_ended: bool,
+    /// Seconds that the search took, but for the film of the result.
+    pub seconds: f64,
+}
+
+/// Why there is nothing to report.
+#[derive(Debug, thiserror::Error)]
+pub enum NoAnswer {
+    /// There is no film at the given position.
+    #[error(transparent)]
+    Film(#[from] NoFilm),
+    /// There is no position for the load.
+    #[error(transparent)]
+    Equilibrium(#[from] NoEquilibrium),
+    /// There is no temperature for the heat.
+    #[error(transparent)]
+    Heat(#[from] NoTemperature),
+}
+
+impl NoAnswer {
+    /// True if an answer may exist but was not reached.
+    pub fn is_unreached(&self) -> bool {
+        let film = match self {
+            Self::Film(film) | Self::Equilibrium(NoEquilibrium::Film(film)) => film,
+            Self::Heat(reason) => return reason.is_unreached,
+            Self::Equilibrium(reason) => {
+                return matches!(
+                    reason,
+                    NoEquilibrium::NotConverged { .. }
+                        | NoEquilibrium::BelowRounding { .. }
+                        | NoEquilibrium::Ended { .. }
+                );
+            }
+        };
+        matches!(
+            film,
+            NoFilm::NotConverged(_) | NoFilm::NearLimit { .. } | NoFilm::AtFold { .. }
+        )
+    }
+
+    /// True if the mesh cannot tell on which side of the limit of the viscosity law the film is.
+    pub fn is_near_limit(&self) -> bool {
+        let (Self::Film(film) | Self::Equilibrium(NoEquilibrium::Film(film))) = self else {
+            return false;
+        };
+        matches!(film, NoFilm::NearLimit { .. } | NoFilm::AtFold { .. })
+    }
+
+    /// What is said of a run that ends so.
+    pub fn status(&self) -> Status {
+        match self.is_unreached() {
+            true => Status::NotConverged,
+            false => Status::NoSolution,
+        }
+    }
+}
+
+/// Solves a study, with a reference film if errors are asked for (`bars`). Under a load the journal of its problem is where it was
+/// found then, or where the search was when `patience` was at its end.
+///
+/// # Errors
+/// [`NoAnswer`]: the reason why there is no film or no position.
+pub fn solve(study: &mut Study, bars: bool, patience: Patience) -> Result<Solved, NoAnswer> {
+    solve_from(study, bars, patience, Start::Scene)
+}
+
+/// Where a solve begins.
+#[derive(Debug, Clone, Copy)]
+pub enum Start<'a> {
+    /// As the scene says; a position on coarser meshes first.
+    Scene,
+    /// At the position of the study's problem, which a neighbouring operating point suggests; with the film of that point, if it is
+    /// of the same system.
+    Near(Neighbour<'a>),
+}
+
+/// The same from a given start.
+///
+/// # Errors
+/// As [`solve`]; from near another operating point also where a solve that begins as the scene says finds an answer.
+pub fn solve_from(study: &mut Study, bars: bool, patience: Patience, start: Start) -> Result<Solved, NoAnswer> {
+    match study.heat {
+        Some(heat) => thermal::solve(study, &heat, bars, patience, start),
+        None => isothermal(study, bars, patience, start),
+    }
+}
+
+/// The same with the oil of the study as it is.
+///
+/// # Errors
+/// As [`solve_from`].
+pub fn isothermal(study: &mut Study, bars: bool, patience: Patience, start: Start) -> Result<Solved, NoAnswer> {
+    let clock = Instant::now();
+    let Some(load) = study.load else {
+        let film = match start {
+            Start::Near(near @ (Neighbour::Start(_) | Neighbour::Kept(_))) => {
+                study.problem.solve_from(&study.system, near)?
+            }
+            Start::Scene | Start::Near(Neighbour::None) => study.problem.solve(&study.system)?,
+        };
+        let clock = Instant::now();
+        let reference = match bars {
+            true => study.problem.reference_film(&study.system, &film)?,
+            false => None,
+        };
+        return Ok(Solved {
+            film,
+            reference,
+            balance: None,
+            judging: clock.elapsed().as_secs_f64(),
+            heat: None,
+        });
+    };
+    let (problem, system, centre_velocity) = (&study.problem, &study.system, study.centre_velocity);
+    let found = match (start, bars && problem.cavitation.is_symmetric()) {
+        (Start::Scene, true) => find_cubic(problem, system, load, centre_velocity, patience)?,
+        (Start::Scene, false) => find(problem, system, load, centre_velocity, patience)?,
+        (Start::Near(near), true) => find_cubic_near(problem, system, load, centre_velocity, patience, near)?,
+        (Start::Near(near), false) => find_near(problem, system, load, centre_velocity, patience, near)?,
+    };
+    let seconds = clock.elapsed().as_secs_f64();
+    let Equilibrium {
+        problem, film, cubic, ..
+    } = found;
+    study.problem = problem;
+    let parts = film.seconds;
+    let clock = Instant::now();
+    let reference = match cubic {
+        Some(cubic) => Some(ReferenceFilm::Cubic(cubic)),
+        None if bars => study.problem.reference_film(&study.system, &film)?,
+        None => None,
+    };
+    Ok(Solved {
+        film,
+        reference,
+        balance: Some(Balance {
+            unbalanced: found.unbalanced,
+            residual: found.residual,
+            stiffness: found.stiffness,
+            steps: found.steps,
+            is_ended: found.is_ended,
+            seconds: seconds - parts.assemble - parts.factorise - parts.solve,
+        }),
+        judging: clock.elapsed().as_secs_f64(),
+        heat: None,
+    })
+}
+
+/// Compiles a scene; under a load a mesh that is made here is graded for the position that the load leads to, as far as `patience`
+/// reaches.
+///
+/// # Errors
+/// The scene does not become a film.
+pub fn graded(scene: &Scene, patience: Patience) -> Result<Study, CompileError> {
+    let mut study = compile(scene)?;
+    let Some(load) = study.load.filter(|_| scene.mesh.is_graded()) else {
+        return Ok(study);
+    };
+    let centre_velocity = study.centre_velocity;
+    let mut middle = Some(scene.journal.middle());
+    for _ in 1..GRADINGS {
+        if patience.is_over() {
+            break;
+        }
+        // A coarser mesh is good enough to grade a mesh for, if it leads to a position. A load may be out of reach only
+        // because the mesh is too coarse there.
+        let on_coarser = (study.system.coarser.as_ref()).and_then(|coarser| {
+            find(
+                &coarser.problem(&study.problem),
+                &coarser.system,
+                load,
+                centre_velocity,
+                patience,
+            )
+            .ok()
+        });
+        let found = match on_coarser.map_or_else(
+            || find(&study.problem, &study.system, load, centre_velocity, patience),
+            Ok,
+        ) {
+            Ok(Equilibrium { problem, .. }) => Some(problem.journal),
+            Err(NoEquilibrium::BeyondReach { .. } | NoEquilibrium::BelowRounding { .. }) => break,
+            // Feeds may carry what the estimate would have a thin film carry.
+            Err(_) if middle.is_some() => {
+                study = compile_near(scene, middle.take().unwrap_or_default())?;
+                continue;
+            }
+            Err(reason) => reason.last_position(),
+        };
+        let clearance = scene.bearing.clearance;
+        let Some(found) = found.filter(|found| found.eccentricity() <= GREATEST_ECCENTRICITY * clearance) else {
+            break;
+        };
+        if is_near(clearance, &study.problem.journal, &found) {
+            break;
+        }
+        study = compile_near(scene, (found.eccentricity() / clearance, found.min_film_angle()))?;
+    }
+    Ok(study)
+}
+
+/// Whether a mesh graded for one position suits another.
+pub fn is_near(clearance: f64, graded_for: &JournalState, found: &JournalState) -> bool {
+    let gap = |journal: &JournalState| clearance - journal.eccentricity();
+    let ratio = gap(graded_for) / gap(found);
+    let turn = graded_for.min_film_angle() - found.min_film_angle();
+    let turn = turn.sin().atan2(turn.cos()).abs();
+    ratio < REGRADED && ratio > 1.0 / REGRADED && turn < ELSEWHERE
+}

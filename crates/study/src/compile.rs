@@ -1,0 +1,459 @@
+//! A scene becomes a film: the one place that knows all effects, one function a socket.
+//!
+//! | socket | function |
+//! |---|---|
+//! | mesh of the liner | [`crate::liner_mesh`] |
+//! | film_thickness | `film_thickness` |
+//! | lubricant | `compile/lubricant.rs` |
+//! | terms | `terms` |
+//! | cavitation | `cavitation` |
+//! | supply | `supply` |
+//! | balances | the load of [`Study`], and its heat |
+//!
+//! What is simulated and what is not is written down here too, and opens every report.
+
+mod renewal;
+
+pub use oilwedge_scene::lubricant::{form, lubricant};
+pub use renewal::{has_same_system, renewed};
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Instant;
+
+use oilwedge_mesh::Mesh;
+use oilwedge_mesh::error::some_of;
+use oilwedge_mesh::generate::DrawingError;
+use oilwedge_reynolds::film_thickness::{Eccentricity, FilmContribution, GrooveDepth};
+use oilwedge_reynolds::supply::{self as given, Disc, Place, SupplyError, SupplyRegion};
+use oilwedge_reynolds::terms::squeeze::Squeeze;
+use oilwedge_reynolds::terms::{Couette, Poiseuille, Term};
+use oilwedge_reynolds::{Bearing, Cavitation, CentreVelocity, FilmProblem, FilmSystem, JournalState, Theory};
+
+use crate::joint::share_per_force;
+use crate::liner_mesh::{LinerMesh, liner_mesh, suited};
+use crate::result::Effects;
+use crate::run::DEGREE;
+use oilwedge_scene::scene::{self, CavitationModel, Scene};
+
+/// A scene, ready to be solved.
+pub struct Study {
+    /// The film: physics.
+    pub problem: FilmProblem,
+    /// The film: mesh, unknowns, given pressures.
+    pub system: FilmSystem,
+    /// Force `(F cos, F sin)` on the journal [N] under which its position is found, from that of the problem;
+    /// `None` at a given position.
+    pub load: Option<[f64; 2]>,
+    /// Velocity of the journal's centre under a load.
+    pub centre_velocity: CentreVelocity,
+    /// The cap that this bearing is in.
+    pub cap: Option<scene::Cap>,
+    /// The oil, at the temperature of the film.
+    pub oil: scene::Oil,
+    /// What finds that temperature.
+    pub heat: Option<scene::Heat>,
+    /// What is simulated and what is not.
+    pub effects: Effects,
+    /// Groups of the pockets that deepen the film.
+    pub pockets: Vec<String>,
+    /// The common pressure [Pa] of all feeds, if they have one.
+    pub supply_pressure: Option<f64>,
+    /// SHA-256 of the mesh file or, drawn, of its vertices and triangles; 64 hexadecimal digits, empty for a mesh that was at hand.
+    pub mesh_sha256: String,
+    /// Edge flips that made the mesh one for a mass-conserving film.
+    pub flips: usize,
+    /// True if the triangles are not those of the mesh file: they were laid anew in rows along the flow.
+    pub is_laid_anew: bool,
+    /// Seconds by part: reading or drawing the mesh, if that was done; numbering, pattern and analysis.
+    pub seconds: Vec<(&'static str, f64)>,
+}
+
+impl Study {
+    /// Brings the film to this temperature [K].
+    pub fn heat_to(&mut self, temperature: f64) {
+        self.oil.heat_to(temperature);
+        self.problem.lubricant = lubricant(&self.oil);
+    }
+
+    /// The vector [1/N] whose product with the load is the film's share of the force that opens the joint of the cap; none
+    /// without a cap, and at rest.
+    pub fn film_share(&self) -> Option<[f64; 2]> {
+        share_per_force(&self.cap?, self.problem.journal.speed)
+    }
+}
+
+/// Why a scene does not become a film, though it is well written.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum CompileError {
+    /// The mesh cannot be used.
+    #[error(transparent)]
+    Mesh(#[from] oilwedge_mesh::Error),
+    /// The mesh lacks groups of feeds.
+    #[error(
+        "the mesh {} has no group for {}; its groups are {}; correct the name in the scene, or give the region that name in gmsh (Physical Curve for a hole that is cut out, Physical Surface for one that is meshed)",
+        mesh.display(), asked.join(" and "), some_of(present)
+    )]
+    NoFeedGroup {
+        /// Key and name of each group asked for.
+        asked: Vec<String>,
+        /// Mesh file.
+        mesh: std::path::PathBuf,
+        /// Groups there are.
+        present: Vec<String>,
+    },
+    /// No line of the mesh runs where the film is to start.
+    #[error("the mesh {} does not fit the key bearing.film_start: {fault}; or remove film_start: the film is periodic then", mesh.display())]
+    FilmStart {
+        /// Mesh file.
+        mesh: std::path::PathBuf,
+        /// What does not fit.
+        fault: SupplyError,
+    },
+    /// Given pressures do not fit the mesh.
+    #[error("the mesh {} does not fit the scene:{}", mesh.display(), list(faults))]
+    Supply {
+        /// Mesh file.
+        mesh: std::path::PathBuf,
+        /// Everything that does not fit.
+        faults: Vec<SupplyError>,
+    },
+    /// A groove of the scene is not where that of the mesh is.
+    #[error(
+        "the groove of feed group \"{group}\" is not that of the mesh file: their rims are {off:.3e} m apart; correct its from, to, width, z or corner, or remove groove to take the region as it is"
+    )]
+    GrooveElsewhere {
+        /// Group of the groove.
+        group: String,
+        /// Greatest distance [m] of a node of the region from the groove described.
+        off: f64,
+    },
+    /// The liner described cannot be meshed.
+    #[error("the liner described cannot be meshed:{}", list(.0))]
+    Drawing(Vec<DrawingError>),
+    /// A pocket with a depth is cut out of the mesh.
+    #[error(
+        "feed group \"{group}\" has a depth, but the mesh has no triangles there; mesh it as a physical surface, or give its pressure"
+    )]
+    NoPocket {
+        /// Group of the pocket.
+        group: String,
+    },
+    /// The film is too large for this machine.
+    #[error(transparent)]
+    Fem(#[from] oilwedge_fem::Error),
+}
+
+fn list(faults: &[impl std::fmt::Display]) -> String {
+    faults.iter().map(|fault| format!("\n  {fault}")).collect()
+}
+
+/// Compiles `scene`: reads its mesh and chooses one entry a socket.
+///
+/// # Errors
+/// [`CompileError`]: the mesh is unreadable, defective, or not that of the scene.
+pub fn compile(scene: &Scene) -> Result<Study, CompileError> {
+    compile_near(scene, scene.start())
+}
+
+/// The same with the journal, and the mesh graded for it, at the position `near` (eccentricity [1], angle of the minimum
+/// film [rad]): where the search for the position under a load begins.
+///
+/// # Errors
+/// As [`compile`].
+pub fn compile_near(scene: &Scene, near: (f64, f64)) -> Result<Study, CompileError> {
+    let start = Instant::now();
+    let LinerMesh {
+        mesh,
+        sha256: mesh_sha256,
+        is_laid_anew,
+    } = liner_mesh(scene, near)?;
+    let read = start.elapsed().as_secs_f64();
+    let mut study = compile_on(scene, mesh, near, DEGREE)?;
+    let part = if scene.mesh.path().is_some() { "read" } else { "mesh" };
+    study.seconds.insert(0, (part, read));
+    Ok(Study {
+        mesh_sha256,
+        is_laid_anew,
+        ..study
+    })
+}
+
+/// The same on a mesh that is at hand, with a pressure of the given degree (1 or 2) and the journal at the position `near`.
+///
+/// # Errors
+/// As [`compile`].
+pub fn compile_on(scene: &Scene, mesh: Mesh, near: (f64, f64), degree: usize) -> Result<Study, CompileError> {
+    let start = Instant::now();
+    let (mesh, flips) = suited(scene, mesh);
+    check_feed_groups(scene, &mesh)?;
+    let regions = supply(scene, &mesh)?;
+    let journal = journal(scene, near);
+    let film_thickness = film_thickness(scene, &mesh);
+    let system = FilmSystem::new(Arc::new(mesh), degree, regions).map_err(|faults| unfit(scene, faults))?;
+    let problem = problem(scene, journal, film_thickness);
+    // A position is sought on coarser meshes first, and by many films.
+    let is_sought = scene.journal.load().is_some();
+    let system = match is_sought {
+        true => system.for_many_solves(),
+        false => system,
+    };
+    problem.prepare(&system)?;
+    let system = match problem.needs_start() || is_sought {
+        true => system.with_coarser(&problem.bearing, &problem.film_thickness),
+        false => system,
+    };
+    Ok(Study {
+        load: scene.journal.load(),
+        centre_velocity: centre_velocity(scene),
+        cap: scene.cap,
+        oil: scene.oil.clone(),
+        heat: scene.heat,
+        effects: effects(scene, &problem),
+        problem,
+        system,
+        pockets: (scene.feeds.iter())
+            .filter(|feed| feed.pressure.is_none())
+            .map(|feed| feed.group.clone())
+            .collect(),
+        supply_pressure: supply_pressure(scene),
+        mesh_sha256: String::new(),
+        flips,
+        is_laid_anew: false,
+        seconds: vec![("order", start.elapsed().as_secs_f64())],
+    })
+}
+
+fn problem(scene: &Scene, journal: JournalState, film_thickness: Vec<Arc<dyn FilmContribution>>) -> FilmProblem {
+    FilmProblem {
+        theory: scene.bearing.theory,
+        bearing: bearing(scene),
+        journal,
+        film_thickness,
+        lubricant: lubricant(&scene.oil),
+        form: form(&scene.oil),
+        terms: terms(scene),
+        cavitation: cavitation(scene),
+    }
+}
+
+fn bearing(scene: &Scene) -> Bearing {
+    Bearing {
+        radius: scene.bearing.radius(),
+        length: scene.bearing.length,
+        clearance: scene.bearing.clearance,
+        end_pressure: scene.ends.pressure,
+    }
+}
+
+/// Where the journal is or, under a load, where the search for it begins.
+fn journal(scene: &Scene, (eccentricity, angle): (f64, f64)) -> JournalState {
+    let state = JournalState::at_eccentricity(eccentricity, angle, scene.bearing.clearance, scene.journal.speed);
+    state.with_centre_velocity(centre_velocity(scene), angle)
+}
+
+fn centre_velocity(scene: &Scene) -> CentreVelocity {
+    (scene.journal.motion()).map_or(Default::default(), |motion| CentreVelocity {
+        radial: motion.radial,
+        tangential: motion.tangential,
+    })
+}
+
+/// The clearance less the journal's offset, and the pockets that deepen it.
+fn film_thickness(scene: &Scene, mesh: &Mesh) -> Vec<Arc<dyn FilmContribution>> {
+    let mut film: Vec<Arc<dyn FilmContribution>> = vec![Arc::new(Eccentricity {
+        radius: scene.bearing.radius(),
+        clearance: scene.bearing.clearance,
+    })];
+    for feed in &scene.feeds {
+        if let Some(depth) = feed.depth {
+            let mut inside = vec![false; mesh.triangles().len()];
+            for &cell in mesh.region(&feed.group).map_or(&[][..], |region| &region.cells) {
+                inside[cell as usize] = true;
+            }
+            film.push(Arc::new(GrooveDepth { depth, inside }));
+        }
+    }
+    film
+}
+
+/// A journal at rest drags no oil, and one whose centre rests squeezes none.
+fn terms(scene: &Scene) -> Vec<Arc<dyn Term>> {
+    let mut terms: Vec<Arc<dyn Term>> = vec![Arc::new(Poiseuille)];
+    if scene.journal.speed != 0.0 {
+        terms.push(Arc::new(Couette));
+    }
+    if scene.journal.motion().is_some() {
+        terms.push(Arc::new(Squeeze));
+    }
+    terms
+}
+
+/// The closure of a scene, with the cavity nowhere above a given pressure.
+pub fn cavitation(scene: &Scene) -> Cavitation {
+    let Some(scene::Cavitation { model, pressure }) = scene.cavitation else {
+        return Cavitation::None;
+    };
+    // Equal pressures in other units may differ in the last digit; the cavity is never above what is given.
+    let fed = scene.feeds.iter().filter_map(|feed| feed.pressure);
+    let cavity = fed.fold(pressure.min(scene.ends.pressure), f64::min);
+    match model {
+        CavitationModel::None => Cavitation::None,
+        CavitationModel::Guembel => Cavitation::Guembel { pressure },
+        CavitationModel::Reynolds => Cavitation::Reynolds { pressure: cavity },
+        CavitationModel::Jfo => Cavitation::Jfo { pressure: cavity },
+    }
+}
+
+/// What messages call the mesh.
+fn mesh_name(scene: &Scene) -> PathBuf {
+    scene
+        .mesh
+        .path()
+        .unwrap_or(Path::new("of the liner described"))
+        .to_owned()
+}
+
+fn disc(scene: &Scene, feed: &scene::Feed) -> Option<Disc> {
+    feed.hole.map(|hole| Disc {
+        centre: [scene.bearing.radius() * hole.angle, hole.z],
+        radius: 0.5 * hole.diameter,
+    })
+}
+
+/// Every feed must be a group of the mesh.
+fn check_feed_groups(scene: &Scene, mesh: &Mesh) -> Result<(), CompileError> {
+    let asked: Vec<String> = (scene.feeds.iter().enumerate())
+        .filter(|(_, feed)| mesh.region(&feed.group).is_none())
+        .map(|(index, feed)| format!("feed[{index}].group = \"{}\"", feed.group))
+        .collect();
+    if !asked.is_empty() {
+        return Err(CompileError::NoFeedGroup {
+            asked,
+            mesh: mesh_name(scene),
+            present: mesh.regions().iter().map(|region| region.name.clone()).collect(),
+        });
+    }
+    let is_cut_out = |feed: &&scene::Feed| {
+        let cells = mesh.region(&feed.group).map_or(0, |region| region.cells.len());
+        feed.pressure.is_none() && cells == 0
+    };
+    match scene.feeds.iter().find(is_cut_out) {
+        Some(feed) => Err(CompileError::NoPocket {
+            group: feed.group.clone(),
+        }),
+        None => Ok(()),
+    }
+}
+
+/// Ends, edges of the arc, film start and feeds of given pressure.
+fn supply(scene: &Scene, mesh: &Mesh) -> Result<Vec<SupplyRegion>, CompileError> {
+    let region = |name: &str, place, pressure| {
+        let region = mesh.region(name);
+        SupplyRegion {
+            name: name.to_owned(),
+            place,
+            pressure,
+            edges: region.map_or(Vec::new(), |region| region.edges.clone()),
+            cells: region.map_or(Vec::new(), |region| region.cells.clone()),
+            disc: None,
+            film_fraction: None,
+        }
+    };
+    let p_e = scene.ends.pressure;
+    let end = match scene.bearing.theory {
+        Theory::Long => Place::Sealed,
+        Theory::Full | Theory::Short => Place::End,
+    };
+    let mut regions = vec![region("end_low", end, p_e), region("end_high", end, p_e)];
+    if scene.bearing.arc.is_some() {
+        // The journal brings oil in at one of them; the other ignores its film fraction.
+        regions.extend(["arc_from", "arc_to"].map(|name| SupplyRegion {
+            film_fraction: scene.bearing.inlet_fraction,
+            ..region(name, Place::Line, p_e)
+        }));
+    }
+    // The lines of a short film stand by themselves: none can be held at another pressure.
+    if let Some(angle) = (scene.bearing.film_start).filter(|_| scene.bearing.theory != Theory::Short) {
+        let edges =
+            given::line_at_angle(mesh, scene.bearing.radius(), scene.bearing.length, angle).map_err(|fault| {
+                CompileError::FilmStart {
+                    mesh: mesh_name(scene),
+                    fault,
+                }
+            })?;
+        regions.push(SupplyRegion {
+            edges,
+            ..region("film_start", Place::Line, p_e)
+        });
+    }
+    regions.extend(scene.feeds.iter().filter_map(|feed| {
+        Some(SupplyRegion {
+            disc: disc(scene, feed),
+            ..region(&feed.group, Place::Feed, feed.pressure?)
+        })
+    }));
+    Ok(regions)
+}
+
+fn unfit(scene: &Scene, faults: Vec<SupplyError>) -> CompileError {
+    CompileError::Supply {
+        mesh: mesh_name(scene),
+        faults,
+    }
+}
+
+fn supply_pressure(scene: &Scene) -> Option<f64> {
+    let mut pressures = scene.feeds.iter().filter_map(|feed| feed.pressure);
+    let first = pressures.next()?;
+    pressures.all(|pressure| pressure == first).then_some(first)
+}
+
+/// What a reader of the report should know was simulated, and what was not.
+fn effects(scene: &Scene, problem: &FilmProblem) -> Effects {
+    let mut simulated: Vec<String> = problem.terms.iter().map(|term| term.name().to_owned()).collect();
+    let mut not_simulated = Vec::new();
+    if scene.bearing.theory != Theory::Full {
+        simulated.insert(0, format!("theory: {}", scene.bearing.theory.name()));
+    }
+    if scene.journal.speed == 0.0 {
+        not_simulated.push("couette".to_owned());
+    }
+    if scene.oil.thermal.is_some() {
+        simulated.push("oil by temperature".to_owned());
+    }
+    match scene.oil.pressure_law.name() {
+        None => not_simulated.push("viscosity growing with pressure".to_owned()),
+        Some(law) => simulated.push(law.to_owned()),
+    }
+    if scene.feeds.iter().any(|feed| feed.pressure.is_none()) {
+        simulated.push("groove depth".to_owned());
+    }
+    if scene.bearing.inlet_fraction.is_some() {
+        simulated.push("starved inlet".to_owned());
+    }
+    match problem.cavitation {
+        Cavitation::None => not_simulated.push("cavitation".to_owned()),
+        model => simulated.push(format!("cavitation: {}", model.name())),
+    }
+    if scene.journal.load().is_some() {
+        simulated.push("equilibrium".to_owned());
+    }
+    match scene.heat {
+        Some(_) => simulated.push("heat".to_owned()),
+        None => not_simulated.push("heat".to_owned()),
+    }
+    if scene.journal.motion().is_none() {
+        not_simulated.push("squeeze".to_owned());
+    }
+    let never = ["misalignment", "elastic liner", "roughness", "turbulence"];
+    not_simulated.extend(never.map(str::to_owned));
+    Effects {
+        simulated,
+        not_simulated,
+    }
+}
+
+#[cfg(test)]
+mod tests;

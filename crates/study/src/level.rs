@@ -1,0 +1,79 @@
+//! One level: a scene solved on one mesh with elements of one degree, and what that gives.
+
+use std::time::Instant;
+
+use oilwedge_bearing::Patience;
+use oilwedge_mesh::Mesh;
+
+use crate::analysis::{NoAnswer, solve};
+use crate::bars::judge;
+use crate::compile::{CompileError, Study, compile_on};
+use crate::refinement::unknowns;
+use crate::result::Quantity;
+use crate::run::DEGREE;
+use oilwedge_scene::scene::Scene;
+
+/// What one mesh gives.
+pub struct Level {
+    /// The film; under a load the journal of its problem is where it was found.
+    pub study: Study,
+    /// Nodes whose pressure is not given.
+    pub unknowns: usize,
+    /// The quantities of the report, with their error where it was estimated.
+    pub quantities: Vec<Quantity>,
+    /// Share of each triangle in the error of the goal, signed, in the goal's unit; `None` where it was not estimated.
+    pub indicator: Option<Vec<f64>>,
+    /// True where the search for a position was ended before its load was balanced.
+    pub is_ended: bool,
+    /// Where the time went [s], in the order of the run, without the making of the mesh.
+    pub seconds: Vec<(&'static str, f64)>,
+}
+
+/// Why a mesh gives nothing.
+#[derive(Debug, thiserror::Error)]
+pub enum LevelError {
+    /// The scene does not become a film on this mesh.
+    #[error(transparent)]
+    Compile(#[from] CompileError),
+    /// There is no answer to what the scene asks.
+    #[error(transparent)]
+    NoAnswer(#[from] NoAnswer),
+}
+
+/// Solves `scene` on `mesh` with elements of the given degree, the journal at the position `near` (eccentricity [1], angle
+/// of the minimum film [rad]) or, under a load, sought from there. With `bars` errors are estimated where they can be.
+///
+/// # Errors
+/// [`LevelError`]: the scene does not become a film on this mesh, or there is no film or position.
+pub fn solve_level(
+    scene: &Scene,
+    mesh: Mesh,
+    near: (f64, f64),
+    degree: usize,
+    bars: bool,
+    patience: Patience,
+) -> Result<Level, LevelError> {
+    let clock = Instant::now();
+    let mut study = compile_on(scene, mesh, near, degree)?;
+    let order = clock.elapsed().as_secs_f64();
+    let solved = solve(&mut study, bars && degree == DEGREE, patience)?;
+    let clock = Instant::now();
+    let judged = judge(&study, &solved);
+    let (measuring, parts) = (clock.elapsed().as_secs_f64(), solved.film.seconds);
+    Ok(Level {
+        unknowns: unknowns(&study),
+        is_ended: solved.is_ended(),
+        quantities: judged.quantities,
+        indicator: judged.indicator,
+        seconds: vec![
+            ("order", order),
+            ("search", solved.balance.map_or(0.0, |balance| balance.seconds)),
+            ("assemble", parts.assemble),
+            ("factorise", parts.factorise),
+            ("solve", parts.solve),
+            ("bars", solved.judging + if bars { measuring } else { 0.0 }),
+            ("measure", if bars { 0.0 } else { measuring }),
+        ],
+        study,
+    })
+}

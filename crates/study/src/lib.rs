@@ -1,0 +1,30 @@
+//! One scene to one answer: a compiled film, its analysis, its quantities with error bars, and the result as data.
+//!
+//! ```text
+//! Scene -> compile (sockets) -> analysis (position, temperature) -> film -> quantities, bars -> RunResult + FilmPicture
+//! ```
+//!
+//! Reading order: [`mod@compile`], [`analysis`], [`thermal`], [`mod@measure`], [`bars`], [`refinement`], [`mod@run`], [`result`],
+//! [`mod@picture`].
+
+pub mod analysis;
+pub mod bars;
+mod companion_bars;
+pub mod compile;
+pub mod doubts;
+pub mod joint;
+pub mod level;
+pub mod liner_mesh;
+pub mod measure;
+mod moved;
+pub mod picture;
+pub mod refinement;
+pub mod regime;
+pub mod result;
+pub mod run;
+pub mod thermal;
+
+pub use oilwedge_bearing::Interrupt;
+
+pub use compile::CompileError;
+pub use run::{Run, RunOptions, run};

@@ -1,0 +1,328 @@
+//! The mesh of a scene's liner: from its file, or drawn from what the scene says.
+
+use oilwedge_mesh::developed::{self, Liner};
+use oilwedge_mesh::generate::{
+    Blueprint, DrawingError, Feature, Rows, Sense, Shape, generate, generate_in_rows, generate_in_rows_like,
+};
+use oilwedge_mesh::quality::share_across_flow;
+use oilwedge_mesh::{Circle, Mesh, flip, gmsh, rim};
+use oilwedge_reynolds::supply::line_at_angle;
+use sha2::{Digest, Sha256};
+
+use crate::compile::CompileError;
+use oilwedge_scene::scene::{CavitationModel, Feed, Layout, MeshSource, Scene};
+
+/// Longest edges of a mesh without a wanted size, over those that resolve the film's scale: two halvings.
+const FINENESS: f64 = 0.25;
+
+/// A groove of a mesh file may be this part of the radius off the groove that the scene describes.
+const ON_RIM: f64 = 1e-3;
+/// Edges along the axis, at least, of a mesh without a wanted size.
+const ACROSS: f64 = 4.0;
+
+/// The mesh of a liner, and where it comes from.
+pub struct LinerMesh {
+    /// The mesh, with round rims on their circles.
+    pub mesh: Mesh,
+    /// SHA-256 of its file or, drawn, of its vertices and triangles.
+    pub sha256: String,
+    /// True if the triangles are not those of the file: they were laid anew in rows along the flow.
+    pub is_laid_anew: bool,
+}
+
+/// A mesh of which so much of the area lies in triangles without an edge along the flow carries oil across it.
+const ACROSS_FLOW: f64 = 0.5;
+
+/// The mesh of the liner. A mesh made here is graded for the film of the position `near`: eccentricity [1], angle of its
+/// minimum [rad]. Where oil is conserved the triangles lie in rows along the flow; those of a file that do not are laid anew, as long as the edges
+/// are there, unless the scene keeps them or its features are none that can be drawn.
+///
+/// # Errors
+/// The file is unreadable, defective or not that of the scene; the liner described cannot be meshed.
+pub fn liner_mesh(scene: &Scene, near: (f64, f64)) -> Result<LinerMesh, CompileError> {
+    match &scene.mesh {
+        MeshSource::File {
+            path,
+            unit,
+            size,
+            layout,
+        } => {
+            let bytes = gmsh::read_bytes(path)?;
+            let mesh = from_file(scene, &bytes, *unit).map_err(|error| error.in_file(path))?;
+            check_grooves(scene, &mesh)?;
+            let in_rows = match (size, layout) {
+                (None, Layout::Rows) if conserves_oil(scene) && share_across_flow(&mesh) > ACROSS_FLOW => {
+                    let blueprint = blueprint_of(scene, &mesh);
+                    blueprint
+                        .and_then(|blueprint| generate_in_rows_like(&blueprint, &mesh, sense(scene)))
+                        .ok()
+                }
+                _ => None,
+            };
+            let is_laid_anew = in_rows.is_some();
+            let mesh = match (size, in_rows) {
+                (Some(size), _) => meshed_anew(scene, &mesh, *size, near).map_err(CompileError::Drawing)?,
+                (None, in_rows) => in_rows.unwrap_or(mesh),
+            };
+            Ok(LinerMesh {
+                mesh,
+                sha256: hexadecimal(Sha256::digest(&bytes)),
+                is_laid_anew,
+            })
+        }
+        MeshSource::Drawing { size } => {
+            let mesh = drawn(scene, *size, near).map_err(CompileError::Drawing)?;
+            let mut hash = Sha256::new();
+            for x in mesh.points().iter().flatten() {
+                hash.update(x.to_le_bytes());
+            }
+            for vertex in mesh.triangles().iter().flatten() {
+                hash.update(vertex.to_le_bytes());
+            }
+            Ok(LinerMesh {
+                mesh,
+                sha256: hexadecimal(hash.finalize()),
+                is_laid_anew: false,
+            })
+        }
+    }
+}
+
+/// In which sense the journal carries the oil.
+fn sense(scene: &Scene) -> Sense {
+    match scene.journal.speed < 0.0 {
+        true => Sense::Backwards,
+        false => Sense::Forwards,
+    }
+}
+
+/// Whether the film carries its oil through the cavity.
+pub fn conserves_oil(scene: &Scene) -> bool {
+    scene.cavitation.is_some_and(|it| it.model == CavitationModel::Jfo)
+}
+
+/// The mesh as the model of cavitation needs it, and how many edges were flipped for it: a film that conserves its oil is
+/// computed on Delaunay meshes. The line of the film start stays.
+pub fn suited(scene: &Scene, mesh: Mesh) -> (Mesh, usize) {
+    if !conserves_oil(scene) {
+        return (mesh, 0);
+    }
+    let bearing = &scene.bearing;
+    let line = (bearing.film_start)
+        .and_then(|angle| line_at_angle(&mesh, bearing.radius(), bearing.length, angle).ok())
+        .unwrap_or_default();
+    match flip::to_delaunay(&mesh, &line) {
+        Some(flipped) => (flipped.mesh, flipped.flips),
+        None => (mesh, 0),
+    }
+}
+
+fn hexadecimal(digest: impl IntoIterator<Item = u8>) -> String {
+    digest.into_iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+fn liner(scene: &Scene) -> Liner {
+    Liner {
+        radius: scene.bearing.radius(),
+        length: scene.bearing.length,
+        arc: scene.bearing.arc.map(|arc| (arc.from, arc.to)),
+    }
+}
+
+fn from_file(scene: &Scene, bytes: &[u8], unit: f64) -> Result<Mesh, oilwedge_mesh::Error> {
+    let file = gmsh::parse(bytes)?;
+    let mut mesh = Mesh::build(developed::unroll(&file, &liner(scene), unit)?)?;
+    for feed in &scene.feeds {
+        let hole = shape(scene, feed).filter(|_| feed.hole.is_some() && mesh.region(&feed.group).is_some());
+        if let Some(hole) = hole {
+            let circle = Circle {
+                centre: hole.centre,
+                radius: hole.corner,
+            };
+            mesh = rim::curve_rim(&mesh, &feed.group, &circle)?;
+        }
+    }
+    Ok(mesh)
+}
+
+/// A groove that the scene describes must be that of the mesh.
+fn check_grooves(scene: &Scene, mesh: &Mesh) -> Result<(), CompileError> {
+    for feed in scene.feeds.iter().filter(|feed| feed.groove.is_some()) {
+        let (Some(shape), Some(region)) = (shape(scene, feed), mesh.region(&feed.group)) else {
+            continue;
+        };
+        let distance = |v: u32| shape.distance(mesh.points()[v as usize], mesh.period());
+        let rim = region
+            .edges
+            .iter()
+            .flat_map(|&edge| mesh.topology().edges[edge as usize]);
+        let inside = region.cells.iter().flat_map(|&cell| mesh.triangles()[cell as usize]);
+        let off = rim
+            .map(|v| distance(v).abs())
+            .chain(inside.map(distance))
+            .fold(0.0, f64::max);
+        if off > ON_RIM * scene.bearing.radius() {
+            return Err(CompileError::GrooveElsewhere {
+                group: feed.group.clone(),
+                off,
+            });
+        }
+    }
+    Ok(())
+}
+
+fn drawn(scene: &Scene, size: Option<f64>, near: (f64, f64)) -> Result<Mesh, Vec<DrawingError>> {
+    let blueprint = Blueprint {
+        liner: liner(scene),
+        features: (scene.feeds.iter()).filter_map(|feed| feature(scene, feed)).collect(),
+        line: scene.bearing.film_start,
+    };
+    graded(scene, &blueprint, size.unwrap_or(needed_size(scene)), near)
+}
+
+/// Longest edges [m] of a mesh without a wanted size.
+fn needed_size(scene: &Scene) -> f64 {
+    (FINENESS * LONGEST * scene.bearing.radius()).min(scene.bearing.length / ACROSS)
+}
+
+/// The scene with the longest edges of its mesh `factor` times as long; `None` where its mesh is that of a file.
+pub fn resized(scene: &Scene, factor: f64) -> Option<Scene> {
+    let mut resized = scene.clone();
+    match &mut resized.mesh {
+        MeshSource::File { size, .. } => *size = Some(factor * (*size)?),
+        MeshSource::Drawing { size } => *size = Some(factor * size.unwrap_or(needed_size(scene))),
+    }
+    Some(resized)
+}
+
+/// A feed that the scene describes, as it is drawn.
+fn feature(scene: &Scene, feed: &Feed) -> Option<Feature> {
+    let shape = shape(scene, feed)?;
+    Some(Feature {
+        name: feed.group.clone(),
+        shape,
+        // A groove all around would cut the film in two; a deeper film is still a film.
+        meshed: shape.is_full_turn() || feed.pressure.is_none(),
+    })
+}
+
+/// The geometry of a file, meshed as the film needs it.
+fn meshed_anew(scene: &Scene, mesh: &Mesh, size: f64, near: (f64, f64)) -> Result<Mesh, Vec<DrawingError>> {
+    graded(scene, &blueprint_of(scene, mesh)?, size, near)
+}
+
+/// The drawing of a mesh file's geometry.
+fn blueprint_of(scene: &Scene, mesh: &Mesh) -> Result<Blueprint, Vec<DrawingError>> {
+    let (described, shown): (Vec<&Feed>, Vec<&Feed>) =
+        (scene.feeds.iter()).partition(|feed| shape(scene, feed).is_some());
+    let names: Vec<&str> = shown.iter().map(|feed| feed.group.as_str()).collect();
+    let mut blueprint = Blueprint {
+        line: scene.bearing.film_start,
+        ..Blueprint::of_mesh(mesh, liner(scene), &names)?
+    };
+    blueprint
+        .features
+        .extend(described.into_iter().filter_map(|feed| feature(scene, feed)));
+    Ok(blueprint)
+}
+
+/// Edges of at most `longest` [m], shorter where the film is thin.
+fn graded(scene: &Scene, blueprint: &Blueprint, longest: f64, near: (f64, f64)) -> Result<Mesh, Vec<DrawingError>> {
+    let radius = scene.bearing.radius();
+    let size = |x: f64| longest * film_scale(near, x / radius) / LONGEST;
+    match scene.cavitation {
+        Some(cavitation) if cavitation.model == CavitationModel::Jfo => {
+            let far = spacing(&blueprint.liner, &size);
+            let layers = layers(scene, cavitation.pressure);
+            // Cells keep their shape where the mesh is drawn finer.
+            let usual = spacing(&blueprint.liner, &|x| needed_size(scene) / longest * size(x));
+            let across = |z: f64| {
+                let towards = |(edge, thickness): &(f64, f64)| {
+                    let at_edge = far * (IN_LAYER * thickness / usual).clamp(FINEST, 1.0);
+                    at_edge + TOWARDS_EDGE * (z - edge).abs()
+                };
+                layers.iter().map(towards).fold(far, f64::min)
+            };
+            let (along, across) = (&size, &across);
+            let sense = sense(scene);
+            generate_in_rows(blueprint, &Rows { along, across, sense })
+        }
+        _ => generate(blueprint, &|[x, _]| size(x)),
+    }
+}
+
+/// Distance [m] of rows along the flow that have as many nodes as equilateral triangles of `size` [m] at x.
+fn spacing(liner: &Liner, size: &dyn Fn(f64) -> f64) -> f64 {
+    const SAMPLES: u32 = 720;
+    let (from, to) = liner.arc.unwrap_or((0.0, std::f64::consts::TAU));
+    let (mut columns, mut triangles) = (0.0, 0.0);
+    for k in 0..SAMPLES {
+        let angle = from + (to - from) * (f64::from(k) + 0.5) / f64::from(SAMPLES);
+        let edge = size(liner.radius * angle);
+        columns += 1.0 / edge;
+        triangles += 1.0 / (edge * edge);
+    }
+    0.75f64.sqrt() * columns / triangles
+}
+
+/// Rows beside an edge through which oil enters a cavity, over the thickness of the layer that it makes, and over rows far from it at
+/// least; how fast they grow with the distance.
+const IN_LAYER: f64 = 0.25;
+const FINEST: f64 = 0.1;
+const TOWARDS_EDGE: f64 = 0.2;
+
+/// Edges [m] all around through which oil enters the cavity, and the thickness [m] of the layer that the excess of pressure `P` presses
+/// in while the journal turns by one radian: `c sqrt(P R/(3 mu U))`, from `U h/2 d(thickness)/dx = h^3/(12 mu) P/thickness`.
+fn layers(scene: &Scene, cavity: f64) -> Vec<(f64, f64)> {
+    let drag = 3.0 * scene.oil.viscosity * scene.journal.speed.abs();
+    let thickness = |pressure: f64| scene.bearing.clearance * ((pressure - cavity) / drag).sqrt();
+    let half = 0.5 * scene.bearing.length;
+    let at_ends = [-half, half].map(|z| (z, scene.ends.pressure));
+    let at_grooves = scene.feeds.iter().flat_map(|feed| {
+        let shape = shape(scene, feed).filter(|shape| shape.is_full_turn());
+        let edges = shape.map(|shape| [-1.0, 1.0].map(|side| shape.centre[1] + side * shape.half[1]));
+        edges.into_iter().flatten().filter_map(|z| Some((z, feed.pressure?)))
+    });
+    let all = at_ends.into_iter().chain(at_grooves);
+    all.filter(|(_, pressure)| *pressure > cavity && drag > 0.0)
+        .map(|(z, pressure)| (z, thickness(pressure)))
+        .collect()
+}
+
+/// Bounds of the size that resolves the film, in radii.
+const LONGEST: f64 = 0.6;
+const SHORTEST: f64 = 0.01;
+
+/// Size [radii] that resolves the film at the angle `phi` [rad]: 0.65 of the film length `sqrt(2 h/(c eps))`,
+/// over which the thickness doubles at its minimum.
+fn film_scale((eccentricity, min_film_angle): (f64, f64), phi: f64) -> f64 {
+    let thickness = 1.0 - eccentricity * (phi - min_film_angle).cos();
+    (0.65 * (2.0 * thickness / eccentricity).sqrt()).clamp(SHORTEST, LONGEST)
+}
+
+/// The shape of a feed on the developed surface, where the scene gives it.
+pub fn shape(scene: &Scene, feed: &Feed) -> Option<Shape> {
+    let radius = scene.bearing.radius();
+    let hole = feed
+        .hole
+        .map(|hole| Shape::disc([radius * hole.angle, hole.z], 0.5 * hole.diameter));
+    let groove = feed.groove.map(|groove| {
+        let (middle, half) = match groove.arc {
+            Some(arc) => (0.5 * (arc.from + arc.to), 0.5 * radius * (arc.to - arc.from)),
+            None => (0.0, f64::INFINITY),
+        };
+        Shape {
+            centre: [radius * middle, groove.z],
+            half: [half, 0.5 * groove.width],
+            corner: groove.corner,
+        }
+    });
+    hole.or(groove)
+}
+/// Meshes or reads the liner of a scene.
+///
+/// # Errors
+/// [`CompileError`] where the mesh cannot be read or made.
+pub fn mesh_scene(scene: &Scene) -> Result<Mesh, CompileError> {
+    Ok(liner_mesh(scene, scene.start())?.mesh)
+}

@@ -1,0 +1,167 @@
+//! Whether a film is what it was computed as: thin, laminar, without inertia, continuous, between smooth and rigid surfaces, and of an
+//! oil whose viscosity law holds.
+//!
+//! The laminar film ends with Taylor's vortices at `Re = rho U c/mu = 41.3 sqrt(R/c)` (Taylor, Phil. Trans. A 223 (1923) 289; the limit
+//! of ISO 7902-1); inertia counts where `Re c/R` is about one (Szeri, Fluid Film Lubrication (1998), ch. 5); surfaces touch
+//! where the film is below three times their combined roughness (Hamrock, Schmid, Jacobson (2004), ch. 3).
+
+use oilwedge_reynolds::existence::readable;
+use oilwedge_reynolds::lubricant::density::MINERAL_OIL;
+use serde::Serialize;
+
+use crate::compile::Study;
+use crate::measure::Measured;
+use crate::thermal::leaving;
+use oilwedge_scene::scene::{PressureLaw, RoelandsExponent, Scene};
+
+/// Clearance over radius of a film that curvature does not touch.
+const THIN: f64 = 1e-2;
+/// Film over roughness of surfaces that do not touch.
+const APART: f64 = 3.0;
+/// Film [m] of some ten molecules.
+const MOLECULES: f64 = 1e-8;
+/// Pressure [Pa] to which Barus' law holds within some ten percent for mineral oils.
+const BARUS: f64 = 0.3e9;
+/// Pressure [Pa] at which a mineral oil (alpha 2e-8 1/Pa) is 2.7 times as viscous as at none.
+const CONSTANT: f64 = 5e7;
+/// Pressure [Pa] of the roller contacts from which Roelands' law was read.
+const ROELANDS: f64 = 1.2e9;
+/// Rise of temperature [K] at which a mineral oil loses a third of its viscosity in the mean.
+const WARM: f64 = 25.0;
+/// Heat capacity per volume [J/(m3 K)] of mineral oil.
+const HEAT_CAPACITY: f64 = 1.8e6;
+/// A flow below this part of what the journal drags along is rounding.
+const NOTHING: f64 = 1e-9;
+/// Pressure [Pa] that bends a steel liner by microns.
+const RIGID: f64 = 2e8;
+
+/// Numbers that tell which assumptions hold.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Regime {
+    /// `Re = rho U c/mu` [1].
+    pub reynolds_number: f64,
+    /// `41.3 sqrt(R/c)` [1]: Reynolds number at which Taylor's vortices begin.
+    pub taylor_limit: f64,
+    /// `Re c/R` [1]: inertia over friction.
+    pub inertia: f64,
+    /// Density [kg/m3] that these were computed with.
+    pub density: f64,
+    /// `c/R` [1].
+    pub clearance_ratio: f64,
+    /// `alpha p_max` [1], `alpha` the relative growth of viscosity at no pressure; `None` for a constant viscosity.
+    pub pressure_exponent: Option<f64>,
+    /// Least film thickness over roughness [1]; `None` where the scene gives no roughness.
+    pub roughness_ratio: Option<f64>,
+    /// How much hotter [K] friction would make the oil that leaves than that which is fed, if all heat left with it; `None` where no oil leaves or
+    /// nothing turns.
+    pub temperature_rise: Option<f64>,
+}
+
+impl Regime {
+    /// The numbers of a solved film.
+    pub fn of(scene: &Scene, study: &Study, measured: &Measured) -> Self {
+        let problem = &study.problem;
+        let bearing = &problem.bearing;
+        let speed = problem.journal.speed.abs() * bearing.radius;
+        let density = scene.oil.film_density().unwrap_or(MINERAL_OIL);
+        let reynolds_number = density * speed * bearing.clearance / problem.lubricant.viscosity;
+        let clearance_ratio = bearing.clearance / bearing.radius;
+        let alpha = match scene.oil.pressure_law {
+            PressureLaw::Constant => None,
+            PressureLaw::Barus { alpha, .. } => Some(alpha),
+            PressureLaw::Roelands {
+                exponent,
+                reference_pressure,
+            } => Some(match exponent {
+                RoelandsExponent::Alpha(alpha) => alpha,
+                RoelandsExponent::Z(z) => z * (problem.lubricant.viscosity.ln() + 9.67) / reference_pressure,
+            }),
+        };
+        Self {
+            reynolds_number,
+            taylor_limit: 41.3 / clearance_ratio.sqrt(),
+            inertia: reynolds_number * clearance_ratio,
+            density,
+            clearance_ratio,
+            pressure_exponent: alpha.map(|alpha| alpha * measured.extremes.greatest),
+            roughness_ratio: scene
+                .bearing
+                .roughness
+                .map(|roughness| measured.least_thickness / roughness),
+            temperature_rise: temperature_rise(scene, study, measured),
+        }
+    }
+
+    /// Assumptions that this film breaks, in sentences that name them.
+    pub fn warnings(&self, scene: &Scene, measured: &Measured) -> Vec<String> {
+        let pressure = measured.extremes.greatest;
+        let bar = |pascal: f64| readable(1e-5 * pascal);
+        let flow = format!(
+            "Reynolds number {} at {:.0} kg/m3",
+            rounded(self.reynolds_number),
+            self.density
+        );
+        let law = match scene.oil.pressure_law {
+            PressureLaw::Constant => Some((
+                "a viscosity that does not depend on pressure",
+                CONSTANT,
+                "give [oil] barus or roelands",
+            )),
+            PressureLaw::Barus { .. } => {
+                Some(("Barus' law", BARUS, "it overstates the viscosity there; take roelands"))
+            }
+            PressureLaw::Roelands { .. } => Some(("Roelands' law", ROELANDS, "nothing was measured there")),
+        };
+        let broken = [
+            (self.reynolds_number > self.taylor_limit).then(|| {
+                format!("laminar film: {flow} lies above {}, where Taylor's vortices begin; friction and flow will be others", rounded(self.taylor_limit))
+            }),
+            (self.inertia > 1.0 && self.reynolds_number <= self.taylor_limit).then(|| {
+                format!("film without inertia: {flow}, times c/R, is {}, but should be well below 1", rounded(self.inertia))
+            }),
+            (self.clearance_ratio > THIN).then(|| {
+                format!("thin film: the clearance is {} of the radius, so its curvature counts; Reynolds' equation drops it", rounded(self.clearance_ratio))
+            }),
+            (measured.least_thickness < MOLECULES).then(|| {
+                format!("continuous film: it is {} m thin, some molecules; no oil is a fluid there", rounded(measured.least_thickness))
+            }),
+            self.roughness_ratio.filter(|ratio| *ratio < APART).map(|ratio| {
+                format!("smooth surfaces: the least film is {} times bearing.roughness, below {APART} times; the surfaces touch there", rounded(ratio))
+            }),
+            law.filter(|(_, limit, _)| pressure > *limit).map(|(law, limit, way_out)| {
+                format!("{law}: the pressure reaches {} bar, beyond the {} bar to which it holds for mineral oils; {way_out}", bar(pressure), bar(limit))
+            }),
+            (pressure > RIGID).then(|| {
+                format!("rigid surfaces: {} bar bend the liner by as much as the film is thick", bar(pressure))
+            }),
+        ];
+        let rise = self
+            .temperature_rise
+            .filter(|rise| scene.heat.is_none() && *rise > WARM);
+        let heated = rise.map(|rise| {
+            format!("a film as warm as its oil is fed: friction would heat the oil that flows through by some {} K, and the viscosity is that of another temperature; give [heat]", rounded(rise))
+        });
+        broken
+            .into_iter()
+            .chain([heated])
+            .flatten()
+            .map(|told| format!("an assumption does not hold: {told}"))
+            .collect()
+    }
+}
+
+/// Friction and power of squeeze over the heat that the oil which leaves takes up for each kelvin.
+fn temperature_rise(scene: &Scene, study: &Study, measured: &Measured) -> Option<f64> {
+    let capacity = scene.heat.map_or(HEAT_CAPACITY, |heat| heat.heat_capacity);
+    let Study { problem, system, .. } = study;
+    let (bearing, journal) = (&problem.bearing, &problem.journal);
+    let flow = leaving(problem, system, measured);
+    let dragged = 0.5 * (journal.speed * bearing.radius).abs() * bearing.clearance * bearing.length;
+    let rise = (measured.power.friction() + measured.squeeze_power(journal)) / (capacity * flow);
+    (dragged > 0.0 && flow > NOTHING * dragged && rise >= 0.0).then_some(rise)
+}
+
+/// Two significant digits.
+fn rounded(value: f64) -> String {
+    readable(format!("{value:.1e}").parse().unwrap_or(value))
+}

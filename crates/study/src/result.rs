@@ -1,0 +1,205 @@
+//! What a run found, as scripts read it: `result.json`, and the facts that `oilwedge check` tells.
+//!
+//! Every number is SI, angles (degrees) and temperatures (degrees C) excepted. A number that is not finite is never written.
+
+mod bars;
+mod heat;
+
+pub use bars::{ErrorParts, LevelFacts, Refinement};
+pub use heat::{Criterion, HeatPoint, HeatReport};
+
+use crate::regime::Regime;
+use serde::ser::SerializeMap;
+use serde::{Serialize, Serializer};
+
+/// Name and version of the form of `result.json`.
+pub const RESULT_FORMAT: &str = "oilwedge-result/1";
+
+/// One reported number.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Quantity {
+    /// Name of the contract, as `load` or `feed_flow.feed_hole`: the key in `quantities`.
+    #[serde(skip)]
+    pub name: String,
+    /// Symbol, as `W`.
+    pub symbol: String,
+    /// The value in `unit`.
+    pub value: f64,
+    /// `N m m3/s N.m Pa Pa.s W deg degC rad/s` or `1`.
+    pub unit: String,
+    /// Half width of the error bar in `unit`, the sum of its parts; `None` where it is not estimated or not resolved.
+    pub error: Option<f64>,
+    /// Where the error comes from, wherever there is a bar.
+    pub error_parts: Option<ErrorParts>,
+}
+
+impl Quantity {
+    /// A number without an error bar.
+    pub fn new(name: impl Into<String>, symbol: impl Into<String>, value: f64, unit: impl Into<String>) -> Self {
+        Self {
+            name: name.into(),
+            symbol: symbol.into(),
+            value,
+            unit: unit.into(),
+            error: None,
+            error_parts: None,
+        }
+    }
+}
+
+/// How a run ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Status {
+    /// Solved.
+    Converged,
+    /// The problem has no solution; the reason says why, and there are no quantities.
+    NoSolution,
+    /// A solution may exist but was not reached; or there is one, but a limit ended the refinement before its bars were
+    /// small enough: the reason begins with `limit` then, and quantities and bars are there.
+    NotConverged,
+}
+
+/// Names of what was computed and of what was left out.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize)]
+pub struct Effects {
+    /// In the order of the sockets, as `cavitation: guembel`.
+    pub simulated: Vec<String>,
+    /// In the same order.
+    pub not_simulated: Vec<String>,
+}
+
+/// Facts about a mesh.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+pub struct MeshFacts {
+    /// Number of triangles.
+    pub cells: usize,
+    /// Number of nodes, mid-side nodes included.
+    pub nodes: usize,
+    /// Order of the unknown pressure on a triangle.
+    pub order: usize,
+    /// The smallest angle of all triangles [deg].
+    pub min_angle_deg: f64,
+}
+
+/// What must vanish, and what was left of it [1].
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+pub struct Balances {
+    /// Oil that enters minus oil that leaves, relative to the oil that passes.
+    pub mass: f64,
+    /// Power put in less heat, relative to the sum of all powers.
+    pub power: f64,
+    /// Load minus the force of the film, relative to the load; zero where the position is given.
+    pub force: f64,
+    /// Heat of friction less what is carried off, relative to it; zero where the temperature is given.
+    pub heat: f64,
+}
+
+/// One step of the iteration.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+pub struct HistoryStep {
+    /// Number of the step, from 1.
+    pub step: usize,
+    /// Residual relative to the first one.
+    pub residual: f64,
+    /// Size of the active set (nodes held at the cavity pressure).
+    pub active: usize,
+}
+
+/// How often the dear things were done.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
+pub struct Counts {
+    /// Linear solves of the problem of the result.
+    pub linear_solves: usize,
+    /// Numerical factorisations of the problem of the result; with multigrid, of its coarsest level.
+    pub factorisations: usize,
+    /// Steps of the nonlinear iteration.
+    pub nonlinear_iterations: usize,
+    /// Solves on coarser levels.
+    pub levels: usize,
+    /// Solves for error bars.
+    pub bars: usize,
+    /// Positions of the journal that were tried.
+    pub position_steps: usize,
+}
+
+/// How the linear systems of the problem of the result were solved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct LinearSolver {
+    /// `direct`: by a factor; `multigrid`; `switched`: by a factor, after multigrid was found to be slow.
+    pub route: &'static str,
+    /// Steps of conjugate gradients with multigrid.
+    pub steps: usize,
+}
+
+/// Everything that a run found: the whole of `result.json`.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct RunResult {
+    /// [`RESULT_FORMAT`].
+    pub format: String,
+    /// Title of the scene.
+    pub title: String,
+    /// Version of the program.
+    pub version: String,
+    /// SHA-256 of the scene's text, hexadecimal.
+    pub scene_sha256: String,
+    /// SHA-256 of the mesh file, hexadecimal.
+    pub mesh_sha256: String,
+    /// How the run ended.
+    pub status: Status,
+    /// Why there is no solution, or why it was not reached.
+    pub reason: Option<String>,
+    /// What was computed and what was not.
+    pub effects: Effects,
+    /// The mesh of the result.
+    pub mesh: MeshFacts,
+    /// The numbers, in the order of the report; an object keyed by name in JSON.
+    #[serde(serialize_with = "by_name")]
+    pub quantities: Vec<Quantity>,
+    /// Whether error bars were asked for and estimated; one that is missing then could not be resolved.
+    pub bars: bool,
+    /// The meshes on the way to a tolerance, the last being that of the result; none without a tolerance.
+    pub levels: Vec<LevelFacts>,
+    /// What must vanish.
+    pub balances: Balances,
+    /// Which assumptions the film meets; `null` where there is none.
+    pub regime: Option<Regime>,
+    /// How the temperature of the film comes about, and whether the bearing will do; absent in JSON where it was not sought.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub heat: Option<HeatReport>,
+    /// The nonlinear iteration.
+    pub history: Vec<HistoryStep>,
+    /// How often the dear things were done.
+    pub counts: Counts,
+    /// How linear systems were solved; `null` where there is no film.
+    pub linear_solver: Option<LinearSolver>,
+    /// Wall time of each part [s], in the order of the run; an object keyed by part in JSON.
+    #[serde(serialize_with = "in_parts")]
+    pub timing_s: Vec<(String, f64)>,
+    /// Doubts about the result, in sentences.
+    pub warnings: Vec<String>,
+}
+
+impl RunResult {
+    /// The quantity of this name.
+    pub fn quantity(&self, name: &str) -> Option<&Quantity> {
+        self.quantities.iter().find(|quantity| quantity.name == name)
+    }
+}
+
+fn by_name<S: Serializer>(quantities: &[Quantity], serializer: S) -> Result<S::Ok, S::Error> {
+    let mut map = serializer.serialize_map(Some(quantities.len()))?;
+    for quantity in quantities {
+        map.serialize_entry(&quantity.name, quantity)?;
+    }
+    map.end()
+}
+
+/// Serialises named numbers as an object.
+pub fn in_parts<S: Serializer>(parts: &[(String, f64)], serializer: S) -> Result<S::Ok, S::Error> {
+    let mut map = serializer.serialize_map(Some(parts.len()))?;
+    for (part, seconds) in parts {
+        map.serialize_entry(part, seconds)?;
+    }
+    map.end()
+}

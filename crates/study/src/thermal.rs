@@ -1,0 +1,250 @@
+//! The temperature of a film: films at one temperature after the other, until friction heats the oil as much as it carries off.
+//!
+//! The root is sought by quadratic films first, then by those whose numbers are reported. Its bar comes from those of friction and flow
+//! through the slope of their balance; all other numbers change with the temperature as the films on the way have shown.
+
+use std::collections::HashMap;
+
+use oilwedge_bearing::{Balanced, FilmHeat, HeatBalance, NoBalance, Patience};
+use oilwedge_reynolds::existence::readable;
+use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
+use oilwedge_reynolds::supply::Place;
+use oilwedge_reynolds::{FilmProblem, FilmSystem, ReferenceFilm, Theory};
+
+use crate::analysis::{NoAnswer, Solved, Start, graded};
+use crate::compile::{CompileError, Study};
+use crate::liner_mesh::resized;
+use crate::measure::{Measured, measure};
+use crate::result::Quantity;
+use oilwedge_scene::scene::{Heat, Mixing, Scene};
+use oilwedge_scene::wording::celsius;
+
+mod bars;
+mod curve;
+mod doubts;
+mod search;
+
+pub use curve::heat_report;
+pub use doubts::doubts;
+pub use search::solve;
+use search::{Film, Films, Left, ROUGHLY};
+
+/// Edges of the mesh on which the temperature is sought first, over those of the first mesh of the scene.
+const COARSE: f64 = 3.0;
+/// Names of the quantities of a balance of heat.
+const NAMES: [&str; 5] = [
+    "cooling_flow",
+    "temperature_inlet",
+    "temperature_outlet",
+    "heat_carried",
+    "heat_housing",
+];
+
+/// True of quantities that there are only where the temperature is sought.
+pub fn is_of_heat(name: &str) -> bool {
+    NAMES.contains(&name)
+}
+
+/// A temperature found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HeatFound {
+    /// The film there.
+    pub balanced: Balanced,
+    /// True where the search was ended before the heat was balanced.
+    pub is_ended: bool,
+    /// How each number changes with the temperature [1/K], by name.
+    slopes: HashMap<String, f64>,
+    /// Seconds that the films at other temperatures took.
+    pub seconds: f64,
+}
+
+impl HeatFound {
+    /// Heat that is not carried off, over what heats the film.
+    pub fn left_over(&self) -> f64 {
+        (self.balanced.surplus / self.balanced.film.power).abs()
+    }
+}
+
+/// Why there is no temperature.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{told}")]
+pub struct NoTemperature {
+    told: String,
+    /// True if there may be one.
+    pub(crate) is_unreached: bool,
+}
+
+/// Oil [m3/s] that leaves the film: at the ends, at the edge of an arc, at a film start, and where a feed drains it; none from between the
+/// sealed ends of a long bearing, where it goes round.
+pub fn leaving(problem: &FilmProblem, system: &FilmSystem, measured: &Measured) -> f64 {
+    if problem.theory == Theory::Long {
+        return 0.0;
+    }
+    let regions = system.supply.regions().iter().zip(&measured.flows.regions);
+    let leaves = regions.map(|(region, flow)| match region.place {
+        // No film has less pressure than its cavity, so that no oil enters at such an end.
+        Place::End
+            if problem
+                .cavitation
+                .pressure()
+                .is_some_and(|least| region.pressure <= least) =>
+        {
+            (-flow.net).max(0.0)
+        }
+        Place::End => flow.outward,
+        Place::Line | Place::Feed => (-flow.net).max(0.0),
+        Place::Sealed => 0.0,
+    });
+    leaves.sum()
+}
+
+/// What heats and what cools the film.
+fn film_heat(heat: &Heat, study: &Study, measured: &Measured) -> FilmHeat {
+    let flow = leaving(&study.problem, &study.system, measured);
+    let round = measured.inlet_flow.map_or(0.0, |inlet| (inlet - flow).max(0.0));
+    FilmHeat {
+        power: measured.power.friction() + measured.squeeze_power(&study.problem.journal),
+        flow,
+        carried_over: match heat.mixing {
+            None => 0.0,
+            Some(Mixing::Ratio(ratio)) => ratio,
+            Some(Mixing::Share(_)) if flow == 0.0 => 0.0,
+            Some(Mixing::Share(share)) => share * round / flow,
+        },
+    }
+}
+
+/// What is told of a balance of heat; nothing without one.
+pub fn quantities(study: &Study, measured: &Measured) -> Vec<Quantity> {
+    let (Some(heat), Some(temperature)) = (&study.heat, study.oil.temperature) else {
+        return Vec::new();
+    };
+    let balance = heat.balance();
+    let film = film_heat(heat, study, measured);
+    let [inlet, outlet] = balance.ends(temperature, film.carried_over);
+    let mut list = Vec::new();
+    let mut add = |name: &str, symbol: &str, value: f64, unit: &str| {
+        list.push(Quantity::new(name, symbol, value, unit));
+    };
+    add("cooling_flow", "Q_out", film.flow, "m3/s");
+    if heat.mixing.is_some() {
+        add("temperature_inlet", "t_in", inlet - ZERO_CELSIUS, "degC");
+    }
+    add("temperature_outlet", "t_out", outlet - ZERO_CELSIUS, "degC");
+    add("heat_carried", "P_oil", balance.carried(temperature, &film), "W");
+    if heat.housing.is_some() {
+        add("heat_housing", "P_h", balance.given_off(temperature), "W");
+    }
+    list
+}
+
+/// Names and units of the quantities that the balances of some scenes tell.
+pub fn columns(scenes: &[Scene]) -> impl Iterator<Item = (&'static str, &'static str)> {
+    let any = |has: fn(&Heat) -> bool| scenes.iter().filter_map(|scene| scene.heat.as_ref()).any(has);
+    let wanted = [
+        any(|_| true),
+        any(|heat| heat.mixing.is_some()),
+        any(|_| true),
+        any(|_| true),
+        any(|heat| heat.housing.is_some()),
+    ];
+    let all = NAMES.into_iter().zip(["m3/s", "degC", "degC", "W", "W"]).zip(wanted);
+    all.filter(|(_, is_wanted)| *is_wanted).map(|(column, _)| column)
+}
+
+/// Heat of friction and squeeze that is not carried off, relative to it; zero where no temperature was sought.
+pub fn left_over(quantities: &[Quantity]) -> f64 {
+    let value = |name: &str| {
+        quantities
+            .iter()
+            .find(|quantity| quantity.name == name)
+            .map(|quantity| quantity.value)
+    };
+    let Some(carried) = value("heat_carried") else {
+        return 0.0;
+    };
+    let part = |name: &str| value(name).unwrap_or(0.0);
+    match part("friction_power") + part("squeeze_power") {
+        0.0 => 0.0,
+        power => ((power - carried - part("heat_housing")) / power).abs(),
+    }
+}
+
+/// What was measured on the film whose numbers are reported.
+fn measured(study: &Study, solved: &Solved) -> Measured {
+    match &solved.reference {
+        Some(ReferenceFilm::Cubic(cubic)) => measure(&study.problem, &study.system.cubic().system, cubic),
+        _ => measure(&study.problem, &study.system, &solved.film),
+    }
+}
+
+/// Why there is no temperature, in words.
+fn none(balance: &HeatBalance, reason: NoBalance<Left>) -> NoAnswer {
+    let watts = |film: &FilmHeat, t: f64| {
+        let off = balance.carried(t, film) + balance.given_off(t);
+        format!(
+            "friction makes {} W, and {} W are carried off",
+            readable(film.power),
+            readable(off)
+        )
+    };
+    let mut is_unreached = false;
+    let told = match reason {
+        NoBalance::NoFilm(Left::NoAnswer(reason)) => return reason,
+        NoBalance::NoFilm(Left::Ended) => {
+            is_unreached = true;
+            "the search for the temperature was ended; give --max-seconds a higher limit".to_owned()
+        }
+        NoBalance::Ends {
+            temperature,
+            film,
+            reason,
+        } => {
+            let why = match reason {
+                Left::NoAnswer(reason) => {
+                    is_unreached = reason.is_unreached();
+                    reason.to_string()
+                }
+                Left::Ended => {
+                    is_unreached = true;
+                    "the search was ended".to_owned()
+                }
+            };
+            format!(
+                "no temperature balances the heat: at {} {}, and there is no film beyond: {why}",
+                celsius(temperature),
+                watts(&film, temperature)
+            )
+        }
+        NoBalance::TooHot { temperature, film } => format!(
+            "no temperature balances the heat: at {} still {}; feed more oil, or give [heat] housing",
+            celsius(temperature),
+            watts(&film, temperature)
+        ),
+    };
+    NoAnswer::Heat(NoTemperature { told, is_unreached })
+}
+
+/// The scene with the temperature that a coarse film leads to, where one is sought: for meshes graded for it, and quick searches on them.
+///
+/// # Errors
+/// The scene does not become a film.
+pub fn warmed(scene: &Scene, patience: Patience) -> Result<Option<Scene>, CompileError> {
+    if scene.heat.is_none() {
+        return Ok(None);
+    }
+    let coarse = resized(scene, COARSE).unwrap_or_else(|| scene.clone());
+    let mut study = graded(&coarse, patience)?;
+    let found = solve_coarse(&mut study, patience);
+    Ok(found.map(|temperature| scene.at_temperature(temperature)))
+}
+
+fn solve_coarse(study: &mut Study, patience: Patience) -> Option<f64> {
+    let heat = study.heat?;
+    let first = study.oil.temperature.unwrap_or(heat.first_temperature());
+    let mut films = Films::new(study, heat, patience, Start::Scene);
+    films
+        .find(first, ROUGHLY, Film::Chosen)
+        .ok()
+        .map(|found| found.temperature)
+}
