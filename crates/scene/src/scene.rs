@@ -234,6 +234,16 @@ impl CavitationModel {
         matches!(self, Self::Guembel | Self::Reynolds)
     }
 
+    /// True where the edge of the cavity is found with the pressure.
+    pub fn has_free_boundary(self) -> bool {
+        matches!(self, Self::Reynolds | Self::Jfo)
+    }
+
+    /// True where the cavity holds the oil that is carried into it.
+    pub fn conserves_oil(self) -> bool {
+        self == Self::Jfo
+    }
+
     /// Name in scenes and reports.
     pub fn name(self) -> &'static str {
         match self {

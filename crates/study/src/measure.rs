@@ -49,7 +49,7 @@ pub struct Measured {
 
 impl Measured {
     /// What the journal's centre puts in as it moves [W].
-    pub fn squeeze_power(&self, journal: &JournalState) -> f64 {
+    pub fn motion_power(&self, journal: &JournalState) -> f64 {
         let ([x, y], [by_x, by_y]) = (journal.velocity, self.load.total.force);
         x * by_x + y * by_y
     }
@@ -85,7 +85,7 @@ fn has_tension(problem: &FilmProblem, extremes: &Extremes) -> bool {
 }
 
 /// Pressure [Pa] that drag through the clearance makes.
-fn drag(problem: &FilmProblem) -> f64 {
+pub(crate) fn drag(problem: &FilmProblem) -> f64 {
     let slenderness = problem.bearing.radius / problem.bearing.clearance;
     problem.lubricant.viscosity * problem.journal.speed.abs() * slenderness.powi(2)
 }
@@ -237,7 +237,7 @@ fn friction_quantities(problem: &FilmProblem, measured: &Measured, directed: boo
         }
     }
     if journal.velocity != [0.0; 2] {
-        add("squeeze_power", "P_e", measured.squeeze_power(journal), "W");
+        add("squeeze_power", "P_e", measured.motion_power(journal), "W");
     }
     list
 }

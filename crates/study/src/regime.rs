@@ -157,7 +157,7 @@ fn temperature_rise(scene: &Scene, study: &Study, measured: &Measured) -> Option
     let (bearing, journal) = (&problem.bearing, &problem.journal);
     let flow = leaving(problem, system, measured);
     let dragged = 0.5 * (journal.speed * bearing.radius).abs() * bearing.clearance * bearing.length;
-    let rise = (measured.power.friction() + measured.squeeze_power(journal)) / (capacity * flow);
+    let rise = (measured.power.friction() + measured.motion_power(journal)) / (capacity * flow);
     (dragged > 0.0 && flow > NOTHING * dragged && rise >= 0.0).then_some(rise)
 }
 

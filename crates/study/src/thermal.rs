@@ -8,24 +8,26 @@ use std::collections::HashMap;
 use oilwedge_bearing::{Balanced, FilmHeat, HeatBalance, NoBalance, Patience};
 use oilwedge_reynolds::existence::readable;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
-use oilwedge_reynolds::supply::Place;
-use oilwedge_reynolds::{FilmProblem, FilmSystem, ReferenceFilm, Theory};
+use oilwedge_reynolds::ReferenceFilm;
 
 use crate::analysis::{NoAnswer, Solved, Start, graded};
 use crate::compile::{CompileError, Study};
 use crate::liner_mesh::resized;
 use crate::measure::{Measured, measure};
 use crate::result::Quantity;
-use oilwedge_scene::scene::{Heat, Mixing, Scene};
+use oilwedge_scene::scene::{Heat, Scene};
 use oilwedge_scene::wording::celsius;
 
 mod bars;
 mod curve;
 mod doubts;
+pub(crate) mod film_heat;
 mod search;
 
 pub use curve::heat_report;
 pub use doubts::doubts;
+use film_heat::film_heat;
+pub use film_heat::leaving;
 pub use search::solve;
 use search::{Film, Films, Left, ROUGHLY};
 
@@ -72,46 +74,6 @@ pub struct NoTemperature {
     told: String,
     /// True if there may be one.
     pub(crate) is_unreached: bool,
-}
-
-/// Oil [m3/s] that leaves the film: at the ends, at the edge of an arc, at a film start, and where a feed drains it; none from between the
-/// sealed ends of a long bearing, where it goes round.
-pub fn leaving(problem: &FilmProblem, system: &FilmSystem, measured: &Measured) -> f64 {
-    if problem.theory == Theory::Long {
-        return 0.0;
-    }
-    let regions = system.supply.regions().iter().zip(&measured.flows.regions);
-    let leaves = regions.map(|(region, flow)| match region.place {
-        // No film has less pressure than its cavity, so that no oil enters at such an end.
-        Place::End
-            if problem
-                .cavitation
-                .pressure()
-                .is_some_and(|least| region.pressure <= least) =>
-        {
-            (-flow.net).max(0.0)
-        }
-        Place::End => flow.outward,
-        Place::Line | Place::Feed => (-flow.net).max(0.0),
-        Place::Sealed => 0.0,
-    });
-    leaves.sum()
-}
-
-/// What heats and what cools the film.
-fn film_heat(heat: &Heat, study: &Study, measured: &Measured) -> FilmHeat {
-    let flow = leaving(&study.problem, &study.system, measured);
-    let round = measured.inlet_flow.map_or(0.0, |inlet| (inlet - flow).max(0.0));
-    FilmHeat {
-        power: measured.power.friction() + measured.squeeze_power(&study.problem.journal),
-        flow,
-        carried_over: match heat.mixing {
-            None => 0.0,
-            Some(Mixing::Ratio(ratio)) => ratio,
-            Some(Mixing::Share(_)) if flow == 0.0 => 0.0,
-            Some(Mixing::Share(share)) => share * round / flow,
-        },
-    }
 }
 
 /// What is told of a balance of heat; nothing without one.

@@ -66,31 +66,54 @@ pub struct Bar {
     pub algebra: f64,
     /// The position of a journal under a load that is not quite known.
     pub position: f64,
+    /// The temperature of a film that is not quite known.
+    pub temperature: f64,
 }
 
 impl Bar {
+    /// A bar of the discretisation alone.
+    pub fn of(discretisation: f64) -> Self {
+        Self {
+            discretisation,
+            ..Self::default()
+        }
+    }
+
+    /// The parts by the names of their fields.
+    pub fn by_name(&self) -> [(&'static str, f64); 8] {
+        [
+            ("discretisation", self.discretisation),
+            ("front", self.front),
+            ("transport", self.transport),
+            ("geometry", self.geometry),
+            ("nonlinear", self.nonlinear),
+            ("algebra", self.algebra),
+            ("position", self.position),
+            ("temperature", self.temperature),
+        ]
+    }
+
     /// The whole bar.
     pub fn total(&self) -> f64 {
-        self.discretisation
-            + self.front
-            + self.transport
-            + self.geometry
-            + self.nonlinear
-            + self.algebra
-            + self.position
+        self.by_name().iter().map(|(_, part)| part).sum()
     }
 
     /// The bar of `factor` times as much.
     pub fn scaled(self, factor: f64) -> Self {
         let factor = factor.abs();
+        self.each(Self::default(), |part, _| factor * part)
+    }
+
+    fn each(self, other: Self, of: impl Fn(f64, f64) -> f64) -> Self {
         Self {
-            discretisation: factor * self.discretisation,
-            front: factor * self.front,
-            transport: factor * self.transport,
-            geometry: factor * self.geometry,
-            nonlinear: factor * self.nonlinear,
-            algebra: factor * self.algebra,
-            position: factor * self.position,
+            discretisation: of(self.discretisation, other.discretisation),
+            front: of(self.front, other.front),
+            transport: of(self.transport, other.transport),
+            geometry: of(self.geometry, other.geometry),
+            nonlinear: of(self.nonlinear, other.nonlinear),
+            algebra: of(self.algebra, other.algebra),
+            position: of(self.position, other.position),
+            temperature: of(self.temperature, other.temperature),
         }
     }
 }
@@ -99,15 +122,7 @@ impl std::ops::Add for Bar {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
-        Self {
-            discretisation: self.discretisation + other.discretisation,
-            front: self.front + other.front,
-            transport: self.transport + other.transport,
-            geometry: self.geometry + other.geometry,
-            nonlinear: self.nonlinear + other.nonlinear,
-            algebra: self.algebra + other.algebra,
-            position: self.position + other.position,
-        }
+        self.each(other, |a, b| a + b)
     }
 }
 
@@ -222,11 +237,10 @@ impl FilmError {
         Bar {
             discretisation: per_eta * eta.abs() + PER_SUM * all + PER_CORNER * corner,
             front: per_front * front,
-            transport: 0.0,
             geometry: goal.geometry.abs(),
             nonlinear: if self.nonlinear { algebra } else { 0.0 },
             algebra: if self.nonlinear { 0.0 } else { algebra },
-            position: 0.0,
+            ..Bar::default()
         }
     }
 

@@ -1,0 +1,55 @@
+//! What an error estimate knows of a film: the one interface in whose terms the rules of the quantities speak.
+//!
+//! | film | estimate | value reported |
+//! |---|---|---|
+//! | pressure film | `cubic.rs`: by the film in cubic elements on the same mesh | the cubic one |
+//! | mass-conserving film | `coarse.rs`: by its coarse comparison on the vertices alone | that of the film itself |
+//!
+//! `docs/theory/error_estimation.md` has the rules and how often they hold.
+
+use oilwedge_reynolds::error_bar::{Bar, FlowGoal};
+
+/// How a number is made of one that an estimate knows.
+#[derive(Debug, Clone, Copy)]
+pub struct Scaled {
+    /// The number that the estimate knows, over this one.
+    pub unit: f64,
+    /// The number less that of the other film of a pair, where there is one.
+    pub change: f64,
+}
+
+/// What is known of the errors of a film at a given position and temperature.
+pub trait Estimate {
+    /// False where the mesh does not resolve the film, and no bar can be trusted.
+    fn is_resolved(&self) -> bool;
+    /// Magnitude [N] of the load.
+    fn force(&self) -> f64;
+    /// Of the magnitude of the load [N].
+    fn load(&self) -> Bar;
+    /// Of the load across its direction [N]; none where it cannot be told from none.
+    fn across(&self) -> Option<Bar>;
+    /// Of the product of the load with a vector.
+    fn product(&self, vector: [f64; 2]) -> Bar;
+    /// Of `Int p dA` [N].
+    fn pressure_integral(&self) -> Bar;
+    /// Of the greatest pressure [Pa]; not finite where it has no bound.
+    fn greatest_pressure(&self) -> f64;
+    /// Of the least pressure [Pa].
+    fn least_pressure(&self) -> Bar;
+    /// Of a flow; none where it is not judged.
+    fn flow(&self, goal: &FlowGoal, number: Scaled) -> Option<Bar>;
+    /// Of the flow into the loaded film.
+    fn inlet_flow(&self, number: Scaled) -> f64;
+    /// Of the oil [m3/s] that a cavity makes, which changes by `change` between two films; none where it makes none.
+    fn cavity_flow(&self, change: f64) -> Option<Bar>;
+    /// Of `shear` times the power of shear and `pressure` times that of pressure.
+    fn power(&self, parts: [f64; 2], number: Scaled) -> Bar;
+    /// Of the shear in a cavity [W], which changes by `change` between two films; none where it has none.
+    fn cavity_power(&self, change: f64) -> Option<Bar>;
+    /// Of the coefficient of friction `value`; none where the load may be none.
+    fn friction_coefficient(&self, value: f64) -> Option<Bar>;
+    /// Of the share of the cavity [1], which changes by `change` between two films.
+    fn cavity_share(&self, change: f64) -> f64;
+    /// Of the least film fraction [1]; none where there is none.
+    fn least_fraction(&self) -> Option<f64>;
+}

@@ -1,0 +1,191 @@
+//! The catalogue of quantities: what is reported of a film, one row each, in the order of the report.
+//!
+//! A row (`row.rs`) has name, symbol, unit and definition, how the quantity is measured on a film (`view.rs`), and how its error is
+//! estimated (`rule.rs`). Results, tables, columns of sweeps, tolerances and `docs/reference/quantities.md` are made of the rows. A new
+//! quantity is a new row in the file of its group, and its place in [`CATALOGUE`].
+
+use std::borrow::Cow;
+
+use oilwedge_scene::Scene;
+
+mod cap;
+mod cavity;
+mod flow;
+mod friction;
+mod heat;
+mod load;
+mod motion;
+mod position;
+mod pressure;
+mod quantity;
+mod row;
+mod rule;
+mod similarity;
+mod unit;
+pub(crate) mod view;
+mod warming;
+
+pub use cap::*;
+pub use cavity::*;
+pub use flow::*;
+pub use friction::*;
+pub use heat::*;
+pub use load::*;
+pub use motion::*;
+pub use position::*;
+pub use pressure::*;
+pub use quantity::Quantity;
+pub use row::{Measure, Row, Table};
+pub use rule::{ErrorRule, Subject};
+pub use similarity::*;
+pub use unit::Unit;
+pub use view::View;
+pub use warming::Warming;
+
+/// All quantities, in the order of the report.
+pub static CATALOGUE: [&Row; 53] = [
+    &LOAD,
+    &LOAD_X,
+    &LOAD_Y,
+    &LOAD_ANGLE,
+    &LOAD_COEFFICIENT,
+    &SOMMERFELD_NUMBER,
+    &ATTITUDE_ANGLE,
+    &ECCENTRICITY,
+    &MIN_FILM_ANGLE,
+    &PRESSURE_MAX,
+    &PRESSURE_MIN,
+    &FILM_THICKNESS_MIN,
+    &TEMPERATURE_EFFECTIVE,
+    &VISCOSITY_EFFECTIVE,
+    &VISCOSITY_MAX,
+    &CAVITY_SHARE,
+    &FILM_FRACTION_MIN,
+    &SIDE_FLOW,
+    &SIDE_FLOW_LOW,
+    &SIDE_FLOW_HIGH,
+    &INLET_FLOW,
+    &SIDE_FLOW_NUMBER,
+    &INLET_FLOW_NUMBER,
+    &FEED_FLOW,
+    &CAVITY_FLOW,
+    &FRICTION_TORQUE,
+    &FRICTION_TORQUE_BEARING,
+    &FRICTION_COEFFICIENT,
+    &FRICTION_POWER,
+    &FRICTION_SHEAR_POWER,
+    &FRICTION_PRESSURE_POWER,
+    &FRICTION_CAVITY_POWER,
+    &MOTION_POWER,
+    &COOLING_FLOW,
+    &TEMPERATURE_INLET,
+    &TEMPERATURE_OUTLET,
+    &HEAT_CARRIED,
+    &HEAT_HOUSING,
+    &PRESSURE_INTEGRAL,
+    &REGION_LOAD_X,
+    &REGION_LOAD_Y,
+    &CAP_FORCE,
+    &CAP_OPENING_FORCE,
+    &CAP_FILM_SHARE,
+    &SHELL_FORCE,
+    &BOLT_FORCE,
+    &BOLT_PRELOAD,
+    &BOLT_TORQUE,
+    &BOLT_FORCE_MAX,
+    &BOLT_STRESS_MAX,
+    &BOLT_STRESS_MIN,
+    &BOLT_STRESS_MEAN,
+    &BOLT_STRESS_AMPLITUDE,
+];
+
+/// The row that a quantity of this name belongs to.
+pub fn row(name: &str) -> Option<&'static Row> {
+    CATALOGUE.into_iter().find(|row| row.has(name))
+}
+
+/// The quantity by which a scene is judged where nothing else is asked: the load, or the eccentricity that a given load leads to.
+pub fn main_quantity(scene: &Scene) -> &'static Row {
+    match scene.journal.load() {
+        Some(_) => &ECCENTRICITY,
+        None => &LOAD,
+    }
+}
+
+/// The quantities of a measured film, without bars; one without a meaning there is absent.
+pub fn measured(film: &View) -> Vec<Quantity> {
+    in_order(|row| match row.measure {
+        Measure::One(value) => value(film).map(|value| Quantity::new(row, value)).into_iter().collect(),
+        Measure::Each(values) => {
+            let member = |(region, value): (String, f64)| Quantity::of_region(row, &region, value);
+            values(film).into_iter().map(member).collect()
+        }
+    })
+}
+
+/// Names and rows of the quantities that films of these scenes may have.
+pub fn of_scenes(scenes: &[Scene]) -> Vec<(Cow<'static, str>, &'static Row)> {
+    let mut regions: Vec<&str> = Vec::new();
+    for feed in scenes.iter().flat_map(|scene| &scene.feeds) {
+        if feed.pressure.is_some() && !regions.contains(&feed.group.as_str()) {
+            regions.push(&feed.group);
+        }
+    }
+    in_order(|row| match scenes.iter().any(row.occurs) {
+        false => Vec::new(),
+        true if row.is_family() => regions.iter().map(|region| (row.region_name(region), row)).collect(),
+        true => vec![(row.name.into(), row)],
+    })
+}
+
+/// What rows give, in the order of the report: families side by side are listed region by region.
+fn in_order<T>(of: impl Fn(&'static Row) -> Vec<T>) -> Vec<T> {
+    let mut list = Vec::new();
+    for rows in CATALOGUE.chunk_by(|row, next| row.is_family() && next.is_family()) {
+        let mut each: Vec<_> = rows.iter().map(|row| of(row).into_iter()).collect();
+        let mut len = usize::MAX;
+        while len != list.len() {
+            len = list.len();
+            list.extend(each.iter_mut().filter_map(Iterator::next));
+        }
+    }
+    list
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_row_is_documented_and_has_a_name_of_its_own() {
+        for (place, row) in CATALOGUE.iter().enumerate() {
+            assert!(
+                !row.what.is_empty() && !row.definition.is_empty(),
+                "{row:?} is not documented"
+            );
+            assert!(!row.error.sentence().is_empty(), "{row:?} has no words for its error");
+            assert!(!row.unit.dimension().is_empty() && !row.symbol.is_empty(), "{row:?}");
+            let twin = CATALOGUE[..place].iter().find(|other| other.name == row.name);
+            assert!(twin.is_none(), "{row:?} stands there twice");
+        }
+    }
+
+    #[test]
+    fn names_of_regions_belong_to_their_family() {
+        assert_eq!(row("load_x"), Some(&LOAD_X));
+        assert_eq!(row("load_x.hole.b"), Some(&REGION_LOAD_X));
+        assert_eq!(row("feed_flow."), None);
+        assert_eq!(row("colour"), None);
+        let flow = Quantity::of_region(&FEED_FLOW, "hole.b", 1.0);
+        assert_eq!((&*flow.name, flow.region()), ("feed_flow.hole.b", "hole.b"));
+        assert_eq!(Quantity::new(&LOAD, 1.0).region(), "");
+    }
+
+    #[test]
+    fn angles_differ_the_lesser_way_round() {
+        assert_eq!(LOAD_ANGLE.difference(350.0, 20.0), -30.0);
+        assert_eq!(LOAD_ANGLE.difference(20.0, 350.0), 30.0);
+        assert_eq!(LOAD_ANGLE.difference(20.0, 50.0), -30.0);
+        assert_eq!(LOAD.difference(350.0, 20.0), 330.0);
+    }
+}

@@ -1,0 +1,84 @@
+//! A reported number.
+
+use std::borrow::Cow;
+
+use oilwedge_reynolds::error_bar::Bar;
+use serde::ser::SerializeStruct;
+use serde::{Serialize, Serializer};
+
+use super::row::Row;
+
+/// One reported number.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Quantity {
+    /// Its row of the catalogue.
+    pub row: &'static Row,
+    /// Its name, as `load` or `feed_flow.feed_hole`: the key in `quantities`.
+    pub name: Cow<'static, str>,
+    /// The value in the unit of its row.
+    pub value: f64,
+    /// Its error bar; `None` where it is not estimated or not resolved.
+    pub bar: Option<Bar>,
+}
+
+impl Quantity {
+    /// A number without an error bar.
+    pub fn new(row: &'static Row, value: f64) -> Self {
+        Self::named(row, row.name.into(), value)
+    }
+
+    /// A member of a family without an error bar.
+    pub fn of_region(row: &'static Row, region: &str, value: f64) -> Self {
+        Self::named(row, row.region_name(region), value)
+    }
+
+    fn named(row: &'static Row, name: Cow<'static, str>, value: f64) -> Self {
+        Self {
+            row,
+            name,
+            value,
+            bar: None,
+        }
+    }
+
+    /// Name of the region of a member of a family; else empty.
+    pub fn region(&self) -> &str {
+        &self.name[self.row.name.len()..]
+    }
+
+    /// Unit, as it is written.
+    pub fn unit(&self) -> &'static str {
+        self.row.unit.name()
+    }
+
+    /// Half width of the error bar in the unit of the value.
+    pub fn error(&self) -> Option<f64> {
+        self.bar.map(|bar| bar.total())
+    }
+
+    /// Gives it a bar, or says that there is none: one that is not finite tells nothing.
+    pub fn set_bar(&mut self, bar: Option<Bar>) {
+        self.bar = bar.filter(|bar| bar.total().is_finite());
+    }
+}
+
+impl Serialize for Quantity {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut fields = serializer.serialize_struct("Quantity", 5)?;
+        fields.serialize_field("symbol", self.row.symbol)?;
+        fields.serialize_field("value", &self.value)?;
+        fields.serialize_field("unit", self.unit())?;
+        fields.serialize_field("error", &self.error())?;
+        fields.serialize_field("error_parts", &self.bar.map(Parts))?;
+        fields.end()
+    }
+}
+
+/// Parts of a bar as an object by name.
+struct Parts(Bar);
+
+impl Serialize for Parts {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.by_name())
+    }
+}

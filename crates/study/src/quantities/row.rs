@@ -1,0 +1,155 @@
+//! A row of the catalogue: all that is known of one quantity.
+
+use std::borrow::Cow;
+use std::fmt;
+
+use oilwedge_scene::Scene;
+
+use super::rule::ErrorRule;
+use super::unit::Unit;
+use super::view::View;
+
+/// How a quantity is measured on a film; one that has no meaning there is absent.
+#[derive(Clone, Copy)]
+pub enum Measure {
+    /// One number.
+    One(fn(&View) -> Option<f64>),
+    /// A family: one number for each region, by its name.
+    Each(fn(&View) -> Vec<(String, f64)>),
+}
+
+/// In which table people read a quantity.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Table {
+    /// That of the film.
+    Film,
+    /// That of the balance of heat.
+    Heat,
+    /// That of the cap of a connecting rod.
+    Cap,
+}
+
+/// One quantity, or a family of them by region.
+pub struct Row {
+    /// Key in results; that of a family ends with a dot, and the name of the region follows.
+    pub name: &'static str,
+    /// Symbol, as `W`.
+    pub symbol: &'static str,
+    /// Unit of value and error.
+    pub unit: Unit,
+    /// What it is, in a few words.
+    pub what: &'static str,
+    /// Definition with its formula, and where there is none.
+    pub definition: &'static str,
+    /// How it is measured.
+    pub measure: Measure,
+    /// How its error is estimated.
+    pub error: ErrorRule,
+    /// Where it is read.
+    pub table: Table,
+    /// Whether a mesh may be refined until its bar is small enough.
+    pub may_be_tolerance: bool,
+    /// Whether short tables show it.
+    pub is_headline: bool,
+    /// Whether a film of this scene may have it.
+    pub occurs: fn(&Scene) -> bool,
+}
+
+impl Row {
+    /// A row that is measured and judged so. Its words are still missing.
+    pub(super) const fn new(
+        name: &'static str,
+        symbol: &'static str,
+        unit: Unit,
+        measure: Measure,
+        error: ErrorRule,
+    ) -> Self {
+        Self {
+            name,
+            symbol,
+            unit,
+            what: "",
+            definition: "",
+            measure,
+            error,
+            table: Table::Film,
+            may_be_tolerance: false,
+            is_headline: false,
+            occurs: |_| true,
+        }
+    }
+
+    /// With what it is, and its definition.
+    pub(super) const fn means(self, what: &'static str, definition: &'static str) -> Self {
+        Self {
+            what,
+            definition,
+            ..self
+        }
+    }
+
+    /// One that may have a tolerance.
+    pub(super) const fn tolerance(self) -> Self {
+        Self {
+            may_be_tolerance: true,
+            ..self
+        }
+    }
+
+    /// One that short tables show.
+    pub(super) const fn headline(self) -> Self {
+        Self {
+            is_headline: true,
+            ..self
+        }
+    }
+
+    /// One of films of certain scenes.
+    pub(super) const fn only(self, occurs: fn(&Scene) -> bool) -> Self {
+        Self { occurs, ..self }
+    }
+
+    /// One of another table than the film's.
+    pub(super) const fn in_table(self, table: Table) -> Self {
+        Self { table, ..self }
+    }
+
+    /// True of a family by region.
+    pub fn is_family(&self) -> bool {
+        self.name.ends_with('.')
+    }
+
+    /// True if a quantity of this name belongs to the row.
+    pub fn has(&self, name: &str) -> bool {
+        match self.is_family() {
+            true => name.strip_prefix(self.name).is_some_and(|region| !region.is_empty()),
+            false => name == self.name,
+        }
+    }
+
+    /// Name of the member of a family that belongs to a region.
+    pub fn region_name(&self, region: &str) -> Cow<'static, str> {
+        format!("{}{region}", self.name).into()
+    }
+
+    /// `a - b`; of angles the lesser way round.
+    pub fn difference(&self, a: f64, b: f64) -> f64 {
+        let difference = a - b;
+        match self.unit == Unit::Degree && difference.abs() > 180.0 {
+            true => difference - 360f64.copysign(difference),
+            false => difference,
+        }
+    }
+}
+
+impl PartialEq for Row {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name
+    }
+}
+
+impl fmt::Debug for Row {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Row({})", self.name)
+    }
+}

@@ -1,0 +1,114 @@
+//! How the error of a quantity is estimated: rules in the terms of what an [`Estimate`] knows, for any film.
+
+use oilwedge_reynolds::error_bar::Bar;
+
+use super::view::View;
+use super::warming::Warming;
+use crate::analysis::Balance;
+use crate::estimate::{Estimate, Scaled};
+
+/// A number whose error is estimated.
+pub struct Subject<'a> {
+    /// The film.
+    pub view: &'a View<'a>,
+    /// Region of a member of a family, else empty.
+    pub region: &'a str,
+    /// The number.
+    pub value: f64,
+    /// The number less that of the other film of a pair, where there is one.
+    pub change: f64,
+}
+
+impl Subject<'_> {
+    /// How it is made of a number that an estimate knows, which is `unit` times it.
+    pub fn per(&self, unit: f64) -> Scaled {
+        let change = self.change;
+        Scaled { unit, change }
+    }
+}
+
+/// How the error of a quantity is estimated.
+#[derive(Clone, Copy)]
+pub enum ErrorRule {
+    /// It follows from given numbers: no error.
+    Exact,
+    /// It follows from the journal's position: no error where that is given.
+    Position,
+    /// Magnitude of the load.
+    Load,
+    /// A constant times the magnitude of the load.
+    PerLoad,
+    /// Angle of the load.
+    LoadAngle,
+    /// Product of the load with a vector that is given; none where there is no such vector.
+    Component(fn(&View) -> Option<[f64; 2]>),
+    /// A rule of its own, in words and as it is computed.
+    Of(&'static str, fn(&dyn Estimate, &Subject) -> Option<Bar>),
+    /// It follows from given numbers and from the temperature of the film: by how much for each kelvin.
+    Temperature(fn(&Warming) -> Option<f64>),
+    /// It is a part of the balance of heat: its bar at the temperature of the film, and how it changes for each kelvin.
+    Heat(fn(&Warming) -> Option<f64>, fn(&Warming) -> Option<f64>),
+}
+
+impl ErrorRule {
+    /// Bar of a number at the position and the temperature of the film; none where it cannot be trusted.
+    pub fn bar(&self, estimate: &dyn Estimate, subject: &Subject) -> Option<Bar> {
+        match self {
+            Self::Exact | Self::Temperature(_) | Self::Heat(..) => Some(Bar::default()),
+            Self::Position if subject.view.study.load.is_none() => Some(Bar::default()),
+            _ if !estimate.is_resolved() => None,
+            Self::Position => Some(Bar::default()),
+            Self::Load => Some(estimate.load()),
+            // Without a force there is no quotient.
+            Self::PerLoad if estimate.force() == 0.0 => Some(Bar::default()),
+            Self::PerLoad => Some(estimate.load().scaled(subject.value / estimate.force())),
+            Self::LoadAngle => Some(direction(estimate)),
+            Self::Component(vector) => Some(estimate.product(vector(subject.view)?)),
+            Self::Of(_, bar) => bar(estimate, subject),
+        }
+    }
+
+    /// Bar of what a given load fixes: how far it is from balanced. None of what it does not fix.
+    pub fn balanced(&self, balance: &Balance, subject: &Subject) -> Option<Bar> {
+        let algebra = match self {
+            Self::Load => balance.unbalanced,
+            Self::PerLoad => balance.unbalanced / subject.view.force.max(f64::MIN_POSITIVE) * subject.value.abs(),
+            // The force is within a circle around the load.
+            Self::LoadAngle if balance.residual < 1.0 => balance.residual.asin().to_degrees(),
+            Self::LoadAngle => 180.0,
+            Self::Component(vector) => balance.unbalanced * vector(subject.view).map(|[x, y]| x.hypot(y))?,
+            _ => return None,
+        };
+        Some(Bar {
+            algebra,
+            ..Bar::default()
+        })
+    }
+
+    /// In words.
+    pub fn sentence(&self) -> &'static str {
+        match self {
+            Self::Exact => "exact: it follows from given numbers",
+            Self::Position => "exact at a given position; under a load that of the position",
+            Self::Load => "dual-weighted, along the load; under a load what is left unbalanced",
+            Self::PerLoad => "that of the load, in proportion; under a load what is left unbalanced",
+            Self::LoadAngle => {
+                "dual-weighted, across the load, over its magnitude; under a load what is left unbalanced"
+            }
+            Self::Component(_) => {
+                "dual-weighted, along and across the load in this direction; under a load what is left unbalanced"
+            }
+            Self::Of(words, _) => words,
+            Self::Temperature(_) => "exact at a given temperature; with `[heat]` that of the temperature",
+            Self::Heat(..) => "those of friction and flow, by the balance of heat",
+        }
+    }
+}
+
+/// Bar [deg] of the angle of the load; any direction may be that of a load that cannot be told from none.
+pub(super) fn direction(estimate: &dyn Estimate) -> Bar {
+    match estimate.across() {
+        Some(across) => across.scaled(1f64.to_degrees() / estimate.force()),
+        None => Bar::of(180.0),
+    }
+}

@@ -1,0 +1,22 @@
+//! Numbers without dimension by which bearings are compared.
+
+use oilwedge_reynolds::quantities::similarity;
+
+use super::row::{Measure::One, Row};
+use super::rule::ErrorRule;
+use super::unit::Unit;
+use super::view::View;
+
+/// Sommerfeld number.
+pub static SOMMERFELD_NUMBER: Row =
+    Row::new("sommerfeld_number", "So", Unit::One, One(sommerfeld_number), ErrorRule::PerLoad)
+        .means(
+            "W (c/R)^2 / (D B mu0 omega)",
+            "`So = W (c/R)^2/(D B mu0 omega)`, mu0 the viscosity at no pressure; that of Raimondi and Boyd is `S = 1/(2 pi So)`; none at rest",
+        )
+        .tolerance();
+
+fn sommerfeld_number(film: &View) -> Option<f64> {
+    let viscosity = film.problem.lubricant.viscosity;
+    similarity::sommerfeld_number(&film.problem.bearing, viscosity, film.journal(), film.force)
+}

@@ -1,0 +1,53 @@
+//! Units of reported numbers: SI, but degrees and degrees Celsius.
+
+/// Unit of a reported number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Unit {
+    /// Without dimension.
+    One,
+    /// Of forces.
+    Newton,
+    /// Of angles.
+    Degree,
+    /// Of pressures and stresses.
+    Pascal,
+    /// Of lengths.
+    Metre,
+    /// Of dynamic viscosities.
+    PascalSecond,
+    /// Of temperatures.
+    Celsius,
+    /// Of volume flows.
+    CubicMetrePerSecond,
+    /// Of torques.
+    NewtonMetre,
+    /// Of powers.
+    Watt,
+}
+
+impl Unit {
+    /// As results write it.
+    pub fn name(self) -> &'static str {
+        self.texts()[0]
+    }
+
+    /// What it measures.
+    pub fn dimension(self) -> &'static str {
+        self.texts()[1]
+    }
+
+    fn texts(self) -> [&'static str; 2] {
+        match self {
+            Self::One => ["1", "ratio"],
+            Self::Newton => ["N", "force"],
+            Self::Degree => ["deg", "angle"],
+            Self::Pascal => ["Pa", "pressure"],
+            Self::Metre => ["m", "length"],
+            Self::PascalSecond => ["Pa.s", "dynamic viscosity"],
+            Self::Celsius => ["degC", "temperature"],
+            Self::CubicMetrePerSecond => ["m3/s", "volume flow"],
+            Self::NewtonMetre => ["N.m", "torque"],
+            Self::Watt => ["W", "power"],
+        }
+    }
+}

@@ -1,0 +1,41 @@
+//! How a film whose temperature is found answers to the error of that temperature.
+
+use std::borrow::Cow;
+use std::collections::HashMap;
+
+use oilwedge_bearing::{FilmHeat, HeatBalance};
+
+use super::row::Row;
+
+/// What bars of a film whose temperature is found are made of.
+#[derive(Debug)]
+pub struct Warming<'a> {
+    /// The balance.
+    pub balance: HeatBalance,
+    /// What heats and what cools the film.
+    pub film: FilmHeat,
+    /// Bar [W] of what heats the film; none where it has none.
+    pub power: Option<f64>,
+    /// Bar [m3/s] of what carries heat off; none where it has none.
+    pub flow: Option<f64>,
+    /// How each number changes with the temperature [1/K], by name.
+    pub slopes: &'a HashMap<Cow<'static, str>, f64>,
+}
+
+impl Warming<'_> {
+    /// How a number changes with the temperature [1/K], as far as it is known.
+    pub fn slope(&self, row: &Row) -> Option<f64> {
+        self.slopes.get(row.name).copied()
+    }
+
+    /// How the temperatures with which oil enters and leaves change with that of the film [1].
+    pub fn ends(&self) -> [f64; 2] {
+        let ends = self.balance.ends(self.balance.inlet + 1.0, self.film.carried_over);
+        ends.map(|end| end - self.balance.inlet)
+    }
+
+    /// Conductance of the housing [W/K], if it gives off heat.
+    pub fn conductance(&self) -> Option<f64> {
+        self.balance.housing.map(|housing| housing.conductance)
+    }
+}

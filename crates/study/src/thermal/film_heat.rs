@@ -1,0 +1,49 @@
+//! What heats and what cools a film, as it is measured.
+
+use oilwedge_bearing::FilmHeat;
+use oilwedge_reynolds::supply::Place;
+use oilwedge_reynolds::{FilmProblem, FilmSystem, Theory};
+use oilwedge_scene::scene::{Heat, Mixing};
+
+use crate::compile::Study;
+use crate::measure::Measured;
+
+/// Oil [m3/s] that leaves the film: at the ends, at the edge of an arc, at a film start, and where a feed drains it; none from between the
+/// sealed ends of a long bearing, where it goes round.
+pub fn leaving(problem: &FilmProblem, system: &FilmSystem, measured: &Measured) -> f64 {
+    if problem.theory == Theory::Long {
+        return 0.0;
+    }
+    let regions = system.supply.regions().iter().zip(&measured.flows.regions);
+    let leaves = regions.map(|(region, flow)| match region.place {
+        // No film has less pressure than its cavity, so that no oil enters at such an end.
+        Place::End
+            if problem
+                .cavitation
+                .pressure()
+                .is_some_and(|least| region.pressure <= least) =>
+        {
+            (-flow.net).max(0.0)
+        }
+        Place::End => flow.outward,
+        Place::Line | Place::Feed => (-flow.net).max(0.0),
+        Place::Sealed => 0.0,
+    });
+    leaves.sum()
+}
+
+/// What heats and what cools the film.
+pub(crate) fn film_heat(heat: &Heat, study: &Study, measured: &Measured) -> FilmHeat {
+    let flow = leaving(&study.problem, &study.system, measured);
+    let round = measured.inlet_flow.map_or(0.0, |inlet| (inlet - flow).max(0.0));
+    FilmHeat {
+        power: measured.power.friction() + measured.motion_power(&study.problem.journal),
+        flow,
+        carried_over: match heat.mixing {
+            None => 0.0,
+            Some(Mixing::Ratio(ratio)) => ratio,
+            Some(Mixing::Share(_)) if flow == 0.0 => 0.0,
+            Some(Mixing::Share(share)) => share * round / flow,
+        },
+    }
+}
