@@ -52,7 +52,7 @@ pub fn by_standard(heat: &StandardHeat) -> [f64; 7] {
 /// # Panics
 /// If it lacks one.
 pub fn by_film(result: &RunResult) -> [f64; 7] {
-    let value = |name: &str| result.quantity(name).expect(name).value;
+    let value = |name: &str| result.by_name(name).expect(name).value;
     [
         value("temperature_effective"),
         value("temperature_outlet"),

@@ -401,7 +401,7 @@ fn answer(scene: &Scene) -> RunResult {
 }
 
 fn value(result: &RunResult, name: &str) -> f64 {
-    result.quantity(name).unwrap_or_else(|| panic!("no {name}")).value
+    result.by_name(name).unwrap_or_else(|| panic!("no {name}")).value
 }
 
 /// The load of scene 12 finds the position of scene 12, whose C_w and attitude another code has.
@@ -450,9 +450,9 @@ fn scene_20_connecting_rod_cap() {
     close(value(&found, "bolt_torque"), 0.15 * preload * 0.010, 2e-4);
     close(value(&found, "bolt_stress_min"), preload / 56.7e-6, 2e-4);
     close(value(&found, "cap_film_share"), 27e3 / (3.0 * pull), 2e-4);
-    let share = found.quantity("cap_film_share").and_then(|share| share.error);
+    let share = found.by_name("cap_film_share").and_then(|share| share.error);
     assert!(share.is_some_and(|error| error < 1e-9), "the load is given: {share:?}");
-    let error = |name: &str| found.quantity(name).and_then(|quantity| quantity.error);
+    let error = |name: &str| found.by_name(name).and_then(|quantity| quantity.error);
     assert_eq!(
         (error("cap_force"), error("bolt_stress_amplitude")),
         (Some(0.0), Some(0.0))
@@ -506,8 +506,8 @@ fn a_cap_follows_the_film() {
             set(scene, "journal", "min_film_angle", "300 deg");
             set(scene, "cavitation", "model", model);
         }));
-        let [x, y] = ["load_x", "load_y"].map(|name| found.quantity(name).expect("a load"));
-        let share = found.quantity("cap_film_share").expect("a share");
+        let [x, y] = ["load_x", "load_y"].map(|name| found.by_name(name).expect("a load"));
+        let share = found.by_name("cap_film_share").expect("a share");
         let opening = value(&found, "cap_opening_force");
         close(share.value, -y.value / opening, 1e-12);
         let (error, of_y) = (share.error.expect("a bar"), y.error.expect("a bar") / opening);
@@ -523,10 +523,7 @@ fn a_cap_follows_the_film() {
         set(scene, "journal", "min_film_angle", "300 deg");
         set(scene, "ends", "pressure", "1 bar");
     }));
-    assert_eq!(
-        (value(&rest, "cap_force"), rest.quantity("cap_film_share")),
-        (0.0, None)
-    );
+    assert_eq!((value(&rest, "cap_force"), rest.by_name("cap_film_share")), (0.0, None));
 }
 
 /// A starved pad under the load of a known position is found there, with the exact tangent of its inlet.

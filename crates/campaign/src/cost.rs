@@ -8,6 +8,9 @@ use oilwedge_scene::reader::Marks;
 use oilwedge_scene::scene::{CavitationModel, PressureLaw, Scene, Theory};
 use oilwedge_scene::validate;
 use oilwedge_study::CompileError;
+use oilwedge_study::quantities::{
+    ATTITUDE_ANGLE, FILM_THICKNESS_MIN, PRESSURE_MAX, SIDE_FLOW, SOMMERFELD_NUMBER, main_quantity,
+};
 use oilwedge_study::result::{Quantity, RunResult, Status};
 use oilwedge_study::run::{RunOptions, run};
 
@@ -176,7 +179,7 @@ fn stop(scene: &mut Scene) {
     if let Some(tolerance) = &mut scene.tolerance {
         tolerance
             .targets
-            .retain(|target| target.quantity != "sommerfeld_number");
+            .retain(|target| target.quantity != SOMMERFELD_NUMBER.name);
     }
     scene.tolerance.take_if(|tolerance| tolerance.targets.is_empty());
 }
@@ -209,18 +212,14 @@ fn changes(scene: &Scene, with: &RunResult, without: &RunResult) -> Vec<Change> 
     if without.quantities.is_empty() {
         return Vec::new();
     }
-    let found = match scene.journal.load() {
-        Some(_) => "eccentricity",
-        None => "load",
-    };
-    let names = [
-        found,
-        "attitude_angle",
-        "pressure_max",
-        "film_thickness_min",
-        "side_flow",
+    let rows = [
+        main_quantity(scene),
+        &ATTITUDE_ANGLE,
+        &PRESSURE_MAX,
+        &FILM_THICKNESS_MIN,
+        &SIDE_FLOW,
     ];
-    let pairs = names.map(|name| (with.quantity(name), without.quantity(name)));
+    let pairs = rows.map(|row| (with.quantity(row), without.quantity(row)));
     pairs
         .into_iter()
         .filter_map(|(with, without)| change(with, without))

@@ -8,6 +8,7 @@ use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use serde::Serialize;
 
 use oilwedge_scene::scene::{CavitationModel, PressureLaw, Scene, Theory};
+use oilwedge_study::quantities::{self, Row};
 use oilwedge_study::result::{Quantity, RunResult};
 
 mod feed;
@@ -83,9 +84,9 @@ impl Standard {
 
 /// The twin of a scene whose run ended with this result.
 pub fn standard(scene: &Scene, result: &RunResult) -> Standard {
-    let value = |name: &str| result.quantity(name).map(|quantity| quantity.value);
+    let value = |row: &Row| result.quantity(row).map(|quantity| quantity.value);
     let mut oil = scene.oil.clone();
-    if let (Some(_), Some(celsius)) = (&scene.heat, value("temperature_effective")) {
+    if let (Some(_), Some(celsius)) = (&scene.heat, value(&quantities::TEMPERATURE_EFFECTIVE)) {
         oil.heat_to(celsius + ZERO_CELSIUS);
     }
     let viscosity = oil.viscosity;
@@ -96,14 +97,14 @@ pub fn standard(scene: &Scene, result: &RunResult) -> Standard {
     if scene.journal.speed == 0.0 {
         return none("the journal is at rest");
     }
-    let (Some(load), Some(eccentricity)) = (value("load"), value("eccentricity")) else {
+    let (Some(load), Some(eccentricity)) = (value(&quantities::LOAD), value(&quantities::ECCENTRICITY)) else {
         return none("there is no film");
     };
     let given = match scene.journal.load().is_some() {
         true => Given::Load(load),
         false => Given::Eccentricity(eccentricity),
     };
-    let feed = fed(scene, value("load_angle").unwrap_or_default());
+    let feed = fed(scene, value(&quantities::LOAD_ANGLE).unwrap_or_default());
     let Some(twin) = Twin::of(scene, viscosity, given, &feed) else {
         return none("the film carries no load");
     };
@@ -129,22 +130,25 @@ fn beside(scene: &Scene, result: &RunResult, twin: &Twin, given: Given) -> Vec<B
     let under = |number: f64| of_load.then_some(number);
     let at = |number: f64| (!of_load).then_some(number);
     let standard = [
-        ("load", at(twin.load)),
-        ("eccentricity", under(twin.eccentricity)),
-        ("film_thickness_min", under(twin.least_film(scene))),
-        ("sommerfeld_number", at(twin.number).filter(|_| twin.lands.count == 1.0)),
+        (&quantities::LOAD, at(twin.load)),
+        (&quantities::ECCENTRICITY, under(twin.eccentricity)),
+        (&quantities::FILM_THICKNESS_MIN, under(twin.least_film(scene))),
         (
-            "attitude_angle",
+            &quantities::SOMMERFELD_NUMBER,
+            at(twin.number).filter(|_| twin.lands.count == 1.0),
+        ),
+        (
+            &quantities::ATTITUDE_ANGLE,
             Some(iso7902::attitude(twin.eccentricity, twin.lands.slenderness).to_degrees()),
         ),
-        ("friction_coefficient", Some(twin.coefficient)),
-        ("friction_power", Some(twin.power)),
-        ("side_flow", twin.flow),
+        (&quantities::FRICTION_COEFFICIENT, Some(twin.coefficient)),
+        (&quantities::FRICTION_POWER, Some(twin.power)),
+        (&quantities::SIDE_FLOW, twin.flow),
     ];
-    let beside = standard.into_iter().filter_map(|(name, standard)| {
-        let Quantity { value, unit, error, .. } = result.quantity(name)?;
+    let beside = standard.into_iter().filter_map(|(row, standard): (&Row, _)| {
+        let Quantity { value, unit, error, .. } = result.quantity(row)?;
         Some(Beside {
-            quantity: name,
+            quantity: row.name,
             unit: unit.clone(),
             standard: standard?,
             film: *value,

@@ -12,6 +12,10 @@ use serde::Serialize;
 use oilwedge_scene::reader::Marks;
 use oilwedge_scene::scene::{CavitationModel, Position, Scene, Theory};
 use oilwedge_scene::validate;
+use oilwedge_study::quantities::{
+    ATTITUDE_ANGLE, ECCENTRICITY, FILM_THICKNESS_MIN, FRICTION_POWER, FRICTION_TORQUE, LOAD, PRESSURE_MAX, Row,
+    SIDE_FLOW, TEMPERATURE_EFFECTIVE,
+};
 use oilwedge_study::result::{Quantity, RunResult, Status};
 use oilwedge_study::run::{RunOptions, run};
 
@@ -21,18 +25,18 @@ pub const SHORT_TO: f64 = 0.25;
 pub const LONG_FROM: f64 = 2.0;
 
 /// The numbers that are compared, those of a position under a load included.
-const COMPARED: [&str; 8] = [
-    "load",
-    "eccentricity",
-    "attitude_angle",
-    "film_thickness_min",
-    "pressure_max",
-    "side_flow",
-    "friction_torque",
-    "friction_power",
+const COMPARED: [&Row; 8] = [
+    &LOAD,
+    &ECCENTRICITY,
+    &ATTITUDE_ANGLE,
+    &FILM_THICKNESS_MIN,
+    &PRESSURE_MAX,
+    &SIDE_FLOW,
+    &FRICTION_TORQUE,
+    &FRICTION_POWER,
 ];
 /// Those that the scene gives, where it gives a position and where it gives a load.
-const GIVEN: [&[&str]; 2] = [&["eccentricity", "film_thickness_min"], &["load"]];
+const GIVEN: [&[&Row]; 2] = [&[&ECCENTRICITY, &FILM_THICKNESS_MIN], &[&LOAD]];
 
 /// A film by three theories.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -104,7 +108,7 @@ pub fn theories(scene: &Scene, options: &RunOptions, result: &RunResult) -> Theo
 fn bare(scene: &Scene, result: &RunResult) -> (Scene, Vec<&'static str>) {
     let mut bare = scene.clone();
     let mut without = Vec::new();
-    let has_film = result.quantity("load").is_some();
+    let has_film = result.quantity(&LOAD).is_some();
     if !(scene.mesh.path().is_none() && scene.bearing.arc.is_none() && has_film) {
         return (bare, without);
     }
@@ -116,7 +120,7 @@ fn bare(scene: &Scene, result: &RunResult) -> (Scene, Vec<&'static str>) {
         cavitation.model = CavitationModel::Reynolds;
         without.push("conservation of oil in the cavity (reynolds in place of jfo)");
     }
-    let temperature = result.quantity("temperature_effective");
+    let temperature = result.quantity(&TEMPERATURE_EFFECTIVE);
     if let (false, Some(_), Some(celsius)) = (without.is_empty(), bare.heat, temperature) {
         bare = bare.at_temperature(celsius.value + ZERO_CELSIUS);
         bare.heat = None;
@@ -171,7 +175,7 @@ fn by(scene: &Scene, theory: Theory) -> (Scene, Option<f64>) {
         return (scene, None);
     }
     if let Some(tolerance) = &mut scene.tolerance {
-        tolerance.targets.retain(|target| target.quantity != "side_flow");
+        tolerance.targets.retain(|target| target.quantity != SIDE_FLOW.name);
     }
     scene.tolerance.take_if(|tolerance| tolerance.targets.is_empty());
     let is_open = scene.bearing.arc.is_none() && scene.bearing.film_start.is_none();
@@ -186,14 +190,14 @@ fn by(scene: &Scene, theory: Theory) -> (Scene, Option<f64>) {
 /// The numbers of a run that are compared.
 fn film(scene: &Scene, theory: Theory, result: &RunResult) -> TheoryFilm {
     let given = GIVEN[usize::from(scene.journal.load().is_some())];
-    let wanted = COMPARED.iter().filter(|name| !given.contains(name));
+    let wanted = COMPARED.iter().filter(|row| !given.contains(row));
     TheoryFilm {
         theory: theory.name().to_owned(),
         status: result.status,
         reason: result.reason.clone(),
         film_start_deg: None,
         quantities: wanted
-            .filter_map(|name| result.quantity(name))
+            .filter_map(|row| result.quantity(row))
             .map(TheoryNumber::of)
             .collect(),
     }
@@ -246,7 +250,7 @@ cavitation = { model = "guembel" }
         let theories = theories(&scene, &options, &result);
         let own = theories.film(scene.bearing.theory.name()).expect("its own theory");
         for it in own.quantities.iter().filter(|_| theories.without.is_empty()) {
-            assert_eq!(result.quantity(&it.quantity).map(|of_run| of_run.value), Some(it.value));
+            assert_eq!(result.by_name(&it.quantity).map(|of_run| of_run.value), Some(it.value));
         }
         assert_eq!(theories.films.len(), 3);
         theories

@@ -47,7 +47,7 @@ pub(crate) fn quantities<'a>(quantities: impl IntoIterator<Item = &'a Quantity>,
 pub(crate) fn bars(result: &RunResult) -> Vec<String> {
     let is_loaded = result.effects.simulated.iter().any(|effect| effect == "equilibrium");
     let name = if is_loaded { "eccentricity" } else { "load" };
-    let main = result.quantity(name);
+    let main = result.by_name(name);
     let parts = main.and_then(|main| parts(main, name));
     let levels = (0..).zip(&result.levels).map(|(number, facts)| {
         let label = if number == 0 { "levels" } else { "" };

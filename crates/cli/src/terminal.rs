@@ -13,6 +13,7 @@ use comfy_table::{CellAlignment, ContentArrangement, Table, presets};
 use oilwedge_campaign::AddOns;
 use oilwedge_report::check::CheckReport;
 use oilwedge_study::joint::is_of_cap;
+use oilwedge_study::quantities::{CAVITY_FLOW, CAVITY_SHARE};
 use oilwedge_study::result::{Balances, Counts, Effects, LinearSolver, MeshFacts, RunResult, Status};
 use std::io::{ErrorKind, Write};
 use std::path::Path;
@@ -89,9 +90,9 @@ fn balances(balances: Balances) -> String {
 
 /// How large the cavity is, and the oil that it makes where its model conserves none.
 fn cavity(result: &RunResult) -> Option<String> {
-    let share = significant(100.0 * result.quantity("cavity_share")?.value, 2);
+    let share = significant(100.0 * result.quantity(&CAVITY_SHARE)?.value, 2);
     let made = result
-        .quantity("cavity_flow")
+        .quantity(&CAVITY_FLOW)
         .filter(|made| made.value > 0.0)
         .map(|made| {
             let (unit, size) = readable_unit(made.value, &made.unit);

@@ -7,6 +7,7 @@ use crate::folder::replace;
 use crate::json::{ReportError, result_json};
 use crate::plot::{PlotError, heat_to_svg, to_png};
 use oilwedge_campaign::AddOns;
+use oilwedge_study::quantities::{FRICTION_POWER, Row, TEMPERATURE_EFFECTIVE};
 use oilwedge_study::result::RunResult;
 use std::ffi::OsStr;
 use std::io;
@@ -66,8 +67,8 @@ pub fn write_results(
     let json = result_json(result, add_ons)?;
     let (svg, png) = match &result.heat {
         Some(heat) => {
-            let value = |name: &str| result.quantity(name).map(|quantity| quantity.value);
-            let found = value("temperature_effective").zip(value("friction_power"));
+            let value = |row: &Row| result.quantity(row).map(|quantity| quantity.value);
+            let found = value(&TEMPERATURE_EFFECTIVE).zip(value(&FRICTION_POWER));
             let svg = heat_to_svg(
                 &result.title,
                 heat,

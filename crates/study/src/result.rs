@@ -8,6 +8,7 @@ mod heat;
 pub use bars::{ErrorParts, LevelFacts, Refinement};
 pub use heat::{Criterion, HeatPoint, HeatReport};
 
+use crate::quantities::Row;
 use crate::regime::Regime;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
@@ -154,7 +155,7 @@ pub struct RunResult {
     /// The mesh of the result.
     pub mesh: MeshFacts,
     /// The numbers, in the order of the report; an object keyed by name in JSON.
-    #[serde(serialize_with = "by_name")]
+    #[serde(serialize_with = "named")]
     pub quantities: Vec<Quantity>,
     /// Whether error bars were asked for and estimated; one that is missing then could not be resolved.
     pub bars: bool,
@@ -181,13 +182,18 @@ pub struct RunResult {
 }
 
 impl RunResult {
+    /// A quantity.
+    pub fn quantity(&self, row: &Row) -> Option<&Quantity> {
+        self.by_name(row.name)
+    }
+
     /// The quantity of this name.
-    pub fn quantity(&self, name: &str) -> Option<&Quantity> {
+    pub fn by_name(&self, name: &str) -> Option<&Quantity> {
         self.quantities.iter().find(|quantity| quantity.name == name)
     }
 }
 
-fn by_name<S: Serializer>(quantities: &[Quantity], serializer: S) -> Result<S::Ok, S::Error> {
+fn named<S: Serializer>(quantities: &[Quantity], serializer: S) -> Result<S::Ok, S::Error> {
     let mut map = serializer.serialize_map(Some(quantities.len()))?;
     for quantity in quantities {
         map.serialize_entry(&quantity.name, quantity)?;

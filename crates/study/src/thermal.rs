@@ -6,9 +6,9 @@
 use std::collections::HashMap;
 
 use oilwedge_bearing::{Balanced, FilmHeat, HeatBalance, NoBalance, Patience};
+use oilwedge_reynolds::ReferenceFilm;
 use oilwedge_reynolds::existence::readable;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
-use oilwedge_reynolds::ReferenceFilm;
 
 use crate::analysis::{NoAnswer, Solved, Start, graded};
 use crate::compile::{CompileError, Study};

@@ -37,7 +37,7 @@ impl Answer {
     /// Value of a quantity, of a film that was found.
     pub(crate) fn value(&self, name: &str) -> Option<f64> {
         match self {
-            Self::Run(run) => run.result.quantity(name).map(|quantity| quantity.value),
+            Self::Run(run) => run.result.by_name(name).map(|quantity| quantity.value),
             Self::Refused(_) => None,
         }
     }
@@ -47,7 +47,7 @@ impl Answer {
         match self {
             Self::Run(run) => run
                 .result
-                .quantity(name)
+                .by_name(name)
                 .and_then(|quantity| quantity.error)
                 .unwrap_or(0.0),
             Self::Refused(_) => 0.0,

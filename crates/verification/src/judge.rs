@@ -105,7 +105,7 @@ fn bars(result: &RunResult, faults: &mut Vec<String>) {
 
 /// No pressure lies below that of a cavity, beyond how quadratics waver.
 fn pressures(result: &RunResult, faults: &mut Vec<String>) {
-    let value = |name: &str| result.quantity(name).map(|quantity: &Quantity| quantity.value);
+    let value = |name: &str| result.by_name(name).map(|quantity: &Quantity| quantity.value);
     let (Some(least), Some(greatest)) = (value("pressure_min"), value("pressure_max")) else {
         return;
     };

@@ -186,7 +186,7 @@ fn one(work: &Work, case: &Case, folder: &Path, number: usize) -> (Verdict, Answ
         Answer::Run(run) => Some(&run.result),
         Answer::Refused(_) => None,
     };
-    let load = result.and_then(|result| result.quantity("load"));
+    let load = result.and_then(|result| result.quantity(&oilwedge_study::quantities::LOAD));
     let verdict = Verdict {
         case: case.clone(),
         title: work.family.title.clone(),

@@ -42,7 +42,7 @@ pub(crate) fn against(series: &Series, scene: &Table, run: &Run, faults: &mut Ve
 
 fn on_finer_mesh(scene: &Table, run: &Run, faults: &mut Vec<String>) -> String {
     let relative = |name: &str| {
-        let quantity = run.result.quantity(name)?;
+        let quantity = run.result.by_name(name)?;
         let value = if quantity.value == 0.0 {
             1.0
         } else {
@@ -71,7 +71,7 @@ fn on_finer_mesh(scene: &Table, run: &Run, faults: &mut Vec<String>) -> String {
         faults.push(format!("no answer on a finer mesh: {:?}", answer.reason()));
     }
     for quantity in &run.result.quantities {
-        let Some(fine) = second.result.quantity(&quantity.name) else {
+        let Some(fine) = second.result.by_name(&quantity.name) else {
             continue;
         };
         let (Some(error), Some(fine_error)) = (quantity.error, fine.error) else {
@@ -112,7 +112,7 @@ fn elsewhere(wanted: &Other, scene: &Table, run: &Run, faults: &mut Vec<String>)
         return String::new();
     };
     for (name, allowed) in &wanted.quantities {
-        let (Some(first), Some(second)) = (run.result.quantity(name), second.result.quantity(name)) else {
+        let (Some(first), Some(second)) = (run.result.by_name(name), second.result.by_name(name)) else {
             faults.push(format!("{name} is not in both: {:?}", answer.reason()));
             continue;
         };
@@ -130,7 +130,7 @@ fn elsewhere(wanted: &Other, scene: &Table, run: &Run, faults: &mut Vec<String>)
 }
 
 fn beside_known(name: &str, known: &Known, scene: &Table, run: &Run, faults: &mut Vec<String>) -> String {
-    let Some(quantity) = run.result.quantity(name) else {
+    let Some(quantity) = run.result.by_name(name) else {
         faults.push(format!("{name} is not there"));
         return String::new();
     };
@@ -162,7 +162,7 @@ fn sommerfeld_number(form: ClosedForm, scene: &Table, run: &Run) -> Option<f64> 
     let eccentricity = match scene.get("journal")?.get("eccentricity") {
         Some(Value::Float(number)) => *number,
         Some(Value::Integer(number)) => *number as f64,
-        _ => run.result.quantity("eccentricity")?.value,
+        _ => run.result.by_name("eccentricity")?.value,
     };
     Some(match form {
         ClosedForm::Sommerfeld => sommerfeld::sommerfeld_number(eccentricity),

@@ -91,7 +91,7 @@ pub(crate) const NO_BARS: RunOptions = RunOptions {
 };
 
 pub(crate) fn quantity<'a>(result: &'a RunResult, name: &str) -> &'a Quantity {
-    result.quantity(name).unwrap_or_else(|| panic!("no {name}"))
+    result.by_name(name).unwrap_or_else(|| panic!("no {name}"))
 }
 
 /// A bar and its value.

@@ -127,7 +127,7 @@ fn no_load_is_certain() {
             }),
             &RunOptions::default(),
         );
-        let eccentricity = result.quantity("eccentricity").expect("an eccentricity");
+        let eccentricity = result.by_name("eccentricity").expect("an eccentricity");
         assert!(eccentricity.value < 1e-9, "{scene}: {:e}", eccentricity.value);
         assert!(result.levels.len() <= 1, "{scene}: {:?}", result.levels);
     }

@@ -209,7 +209,7 @@ fn the_film_beside_the_fits() {
             "feed_flow.hole",
             "film_thickness_min",
         ]
-        .map(|name| result.quantity(name).expect(name).value)
+        .map(|name| result.by_name(name).expect(name).value)
     };
     let [swift, jakobsson] = ["reynolds", "jfo"].map(numbers);
     let fits = film(by_fits.temperature, 3200.0, 2622.6);

@@ -27,6 +27,7 @@ use report::{CONVERGE_FORMAT, GoalFacts};
 use crate::Error;
 use oilwedge_scene::scene::Scene;
 use oilwedge_study::analysis::NoAnswer;
+use oilwedge_study::quantities::main_quantity;
 use oilwedge_study::result::{Effects, Status};
 
 /// A goal below this part of what is natural for it is rounding.
@@ -47,10 +48,7 @@ pub struct Convergence {
 /// # Errors
 /// The mesh cannot be read or does not fit the scene, or the goal is zero: [`Error::NothingToConverge`].
 pub fn converge(scene: &Scene, budget: &Budget, observer: &mut dyn Observer) -> Result<Convergence, Error> {
-    let goal = match scene.journal.load() {
-        Some(_) => "eccentricity",
-        None => "load",
-    };
+    let goal = main_quantity(scene).name;
     let report = blank(scene, budget, goal);
     let first = match first_mesh::first_mesh(scene, budget.patience(true))? {
         Ok(first) => first,
