@@ -7,6 +7,7 @@ pub mod coverage;
 pub mod engine_bearings;
 pub mod flexpde_study;
 pub mod flow_meshes;
+pub mod house;
 pub mod journal_bearings;
 pub mod left_out;
 pub mod mesh_page;

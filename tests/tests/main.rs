@@ -6,6 +6,7 @@ mod cli;
 mod convergence;
 mod coverage;
 mod crosscheck;
+mod deletion;
 mod dependencies;
 mod equilibrium;
 mod error_bars;
