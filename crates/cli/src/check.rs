@@ -46,8 +46,8 @@ impl Check {
         let json = found.to_json().map_err(Error::from)?;
         complain::warn(&found.warnings);
         match self.json {
-            true => terminal::print(&json)?,
-            false => terminal::print(&terminal::check_report(&found))?,
+            true => terminal::print(&json, None)?,
+            false => terminal::print(&terminal::check_report(&found), None)?,
         }
         Ok(ExitCode::SUCCESS)
     }

@@ -7,9 +7,9 @@ use oilwedge_scene::{Complaint, SceneError};
 use oilwedge_study::compile::CompileError;
 use std::io::{IsTerminal, Write};
 use std::ops::Range;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-/// Why a command ends with exit status 2.
+/// Why a command ends without success.
 #[derive(Debug)]
 pub(crate) enum Failure {
     /// The scene cannot be used.
@@ -22,7 +22,12 @@ pub(crate) enum Failure {
         message: String,
     },
     /// stdout cannot be written to.
-    Output(std::io::Error),
+    Output {
+        /// What the operating system says.
+        error: std::io::Error,
+        /// File or folder to which results were written before.
+        written: Option<PathBuf>,
+    },
 }
 
 impl From<SceneError> for Failure {
@@ -42,6 +47,7 @@ impl Failure {
     pub(crate) fn status(&self) -> u8 {
         match self {
             Self::Run(Error::Interrupted { .. }) => INTERRUPTED,
+            Self::Output { written: Some(_), .. } => 1,
             _ => 2,
         }
     }
@@ -68,7 +74,16 @@ impl Failure {
             Self::Scene(other) => Told::plain(other.to_string()),
             Self::Run(error) => Told::plain(error.to_string()),
             Self::Argument { message } => Told::plain(message),
-            Self::Output(error) => Told::plain(format!("cannot write to the standard output: {error}")),
+            Self::Output { error, written: None } => {
+                Told::plain(format!("cannot write to the standard output: {error}"))
+            }
+            Self::Output {
+                error,
+                written: Some(path),
+            } => Told::plain(format!(
+                "the results were written to {}, but not to the standard output: {error}",
+                path.display()
+            )),
         };
         say(&format!("{:?}", Report::new(told)));
     }

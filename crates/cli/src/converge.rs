@@ -68,8 +68,8 @@ impl Converge {
         let report = &study.report;
         files::write(&folder, &study)?;
         match self.json {
-            true => terminal::print(&oilwedge_report::json(report).map_err(Error::from)?)?,
-            false => terminal::print(&convergence_report(report, &folder))?,
+            true => terminal::print(&oilwedge_report::json(report).map_err(Error::from)?, Some(&folder))?,
+            false => terminal::print(&convergence_report(report, &folder), Some(&folder))?,
         }
         Ok(match report.status {
             Status::Converged => ExitCode::SUCCESS,

@@ -1,6 +1,6 @@
 //! `oilwedge`: the oil film of journal bearings at the command line. One file a verb.
 //!
-//! Exit status: 0 done; 1 the problem has no solution or was not converged; 2 bad scene, mesh or arguments, and then
+//! Exit status: 0 done; 1 the problem has no solution or was not converged, or stdout failed after the results were written; 2 bad scene, mesh or arguments, and then
 //! nothing was written; 130 interrupted. Results for people and `--json` go to stdout, everything else to stderr.
 
 mod check;
@@ -53,7 +53,7 @@ Examples:
   oilwedge oil SAE 10W-40 --at \"80 C\"              viscosity and density of an oil
   oilwedge verify                                  does this program give the answers that are known?
 
-Exit status: 0 done; 1 no solution or not converged; 2 bad scene, mesh or arguments (nothing was written);
+Exit status: 0 done; 1 no solution or not converged, or results written but stdout failed; 2 bad scene, mesh or arguments (nothing was written);
 130 ended by Ctrl-C.";
 
 #[derive(Debug, Subcommand)]

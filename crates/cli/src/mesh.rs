@@ -39,10 +39,8 @@ impl Mesh {
         let mesh = mesh_scene(&scene).map_err(|error| Failure::of(&self.scene)(error.into()))?;
         write_mesh(&mesh, &self.output)?;
         let (cells, nodes) = (mesh.triangles().len(), mesh.quadratic_nodes());
-        terminal::print(&format!(
-            "{}: {cells} triangles, {nodes} nodes\n",
-            self.output.display()
-        ))?;
+        let text = format!("{}: {cells} triangles, {nodes} nodes\n", self.output.display());
+        terminal::print(&text, Some(&self.output))?;
         Ok(ExitCode::SUCCESS)
     }
 

@@ -41,15 +41,15 @@ impl Oil {
     /// [`Failure`]: there is no such grade or temperature.
     pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
         if self.name.is_empty() {
-            print(&all())?;
+            print(&all(), None)?;
             return Ok(ExitCode::SUCCESS);
         }
         let sheet = OilSheet::of(&self.name.join(" "), self.at.as_deref()).map_err(|complaint| Failure::Argument {
             message: format!("{complaint}; {}", complaint.help),
         })?;
         match self.json {
-            true => print(&sheet.to_json().map_err(Error::from)?)?,
-            false => print(&told(&sheet))?,
+            true => print(&sheet.to_json().map_err(Error::from)?, None)?,
+            false => print(&told(&sheet), None)?,
         }
         Ok(ExitCode::SUCCESS)
     }

@@ -133,8 +133,11 @@ impl Solve {
         }
         complain::warn(&run.result.warnings);
         match self.json {
-            true => terminal::print(&json)?,
-            false => terminal::print(&terminal::run_report(&run.result, &add_ons, &folder, picture.is_some()))?,
+            true => terminal::print(&json, Some(&folder))?,
+            false => terminal::print(
+                &terminal::run_report(&run.result, &add_ons, &folder, picture.is_some()),
+                Some(&folder),
+            )?,
         }
         Ok(match run.result.status {
             Status::Converged => ExitCode::SUCCESS,

@@ -85,8 +85,8 @@ impl Sweep {
         progress.end();
         let report = outcome?;
         match self.json {
-            true => terminal::print(&oilwedge_report::json(&report).map_err(Error::from)?)?,
-            false => terminal::print(&sweep_report(&report, &folder))?,
+            true => terminal::print(&oilwedge_report::json(&report).map_err(Error::from)?, Some(&folder))?,
+            false => terminal::print(&sweep_report(&report, &folder), Some(&folder))?,
         }
         Ok(
             match report.rows.iter().any(|row| report.value(row, "load").is_some()) {

@@ -18,14 +18,18 @@ use oilwedge_study::result::{Balances, Counts, Effects, LinearSolver, MeshFacts,
 use std::io::{ErrorKind, Write};
 use std::path::Path;
 
-/// Prints a text to stdout; that the reader has gone away already (`| head`) is no fault.
+/// Prints a text to stdout, after the results were `written` if there are any; that the reader has gone away already
+/// (`| head`) is no fault.
 ///
 /// # Errors
 /// [`Failure::Output`] where stdout cannot be written to.
-pub(crate) fn print(text: &str) -> Result<(), Failure> {
+pub(crate) fn print(text: &str, written: Option<&Path>) -> Result<(), Failure> {
     let mut out = std::io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
-        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::Output(error)),
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::Output {
+            error,
+            written: written.map(Path::to_owned),
+        }),
         _ => Ok(()),
     }
 }

@@ -86,7 +86,7 @@ impl Verify {
                 self.out.display()
             );
         }
-        terminal::print(&text)?;
+        terminal::print(&text, self.hard.then_some(self.out.as_path()))?;
         Ok(if faults == 0 {
             ExitCode::SUCCESS
         } else {

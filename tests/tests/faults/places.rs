@@ -117,6 +117,45 @@ fn links_in_the_place_of_files_are_replaced_or_followed() {
     );
 }
 
+/// Results in the folder are whole though stdout is full: status 1, and stderr says both. What writes no files ends with 2.
+#[test]
+fn stdout_may_be_full() {
+    let bench = Bench::new();
+    two_scenes(&bench);
+    sweep(&bench, 2);
+    for (arguments, status, file) in [
+        (
+            &["solve", TWO[0], "--json", "--out", "solved"][..],
+            1,
+            "solved/result.json",
+        ),
+        (&["solve", TWO[0], "--out", "told"], 1, "told/result.json"),
+        (
+            &["sweep", "scene.toml", "--json", "--out", "swept"],
+            1,
+            "swept/sweep.csv",
+        ),
+        (
+            &["converge", TWO[0], "--max-seconds", "0.1", "--out", "study"],
+            1,
+            "study/converge.csv",
+        ),
+        (&["mesh", TWO[0], "-o", "liner.msh"], 1, "liner.msh"),
+        (&["check", TWO[0], "--json"], 2, ""),
+        (&["oil"], 2, ""),
+    ] {
+        let full = OpenOptions::new().write(true).open("/dev/full").expect("a device");
+        let mut command = oilwedge_command();
+        command.args(arguments).current_dir(bench.path()).stdout(full);
+        let output = command.output().expect("it runs");
+        let stderr = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(status), "{arguments:?}: {stderr}");
+        assert!(stderr.contains("standard output"), "{stderr}");
+        assert_eq!(stderr.contains("were written to"), status == 1, "{stderr}");
+        assert!(bench.path().join(file).exists(), "{file}");
+    }
+}
+
 /// Where nobody can read complaints and warnings, a run ends as it would.
 #[test]
 fn stderr_may_be_full() {
