@@ -23,10 +23,10 @@ const TOP_TO_BOTTOM: [&str; 10] = [
 /// The sockets whose entries are a list, and the two contracts. Another one needs a reason in writing.
 const PUBLIC_TRAITS: [&str; 6] = [
     "ConservationLaw",
-    "Goal",
+    "PressureViscosity",
     "FilmContribution",
     "Term",
-    "BalanceEquation",
+    "Estimate",
     "Observer",
 ];
 
@@ -76,6 +76,7 @@ fn crates_use_only_crates_below_them() {
 
 #[test]
 fn public_traits_are_those_of_the_sockets() {
+    let mut found = Vec::new();
     for path in sources() {
         for line in text(&path).lines().map(str::trim_start) {
             let Some(rest) = line.strip_prefix("pub trait ") else {
@@ -87,6 +88,31 @@ fn public_traits_are_those_of_the_sockets() {
                 "{}: pub trait {name}",
                 path.display()
             );
+            found.push(name);
+        }
+    }
+    found.sort_unstable();
+    let mut named = PUBLIC_TRAITS;
+    named.sort_unstable();
+    assert_eq!(found, named, "a trait that does not exist");
+}
+
+/// Comments name files of the repository by paths that exist.
+#[test]
+fn paths_in_comments_exist() {
+    for path in sources() {
+        let text = text(&path);
+        for word in text
+            .lines()
+            .filter(|line| line.trim_start().starts_with("//"))
+            .flat_map(|line| line.split('`'))
+        {
+            let top = word.split_once('/').map_or("", |(top, _)| top);
+            if ["crates", "docs", "tests", "scenes", "meshes"].contains(&top) && !word.contains([' ', '*']) {
+                let named = repository().join(word.trim_end_matches(".rs"));
+                let exists = repository().join(word).exists() || named.with_extension("rs").exists();
+                assert!(exists, "{} names {word}, which does not exist", path.display());
+            }
         }
     }
 }

@@ -17,7 +17,7 @@
 //!
 //! **Source.** Design of a tractor engine (in Ukrainian), section 6.4 "Connecting-rod bolts", as in textbooks on engine design.
 //! **Range.** A stiff cap whose joint does not open; the crank at steady speed; the first two orders of the piston's acceleration.
-//! **Verified by** `tests/literature/connecting_rod_bolts.rs`, and `the_joint_opens_where_its_clamping_is_used_up` below.
+//! **Verified by** `tests/tests/literature/connecting_rod_bolts.rs`, and `the_joint_opens_where_its_clamping_is_used_up` below.
 
 use std::f64::consts::PI;
 

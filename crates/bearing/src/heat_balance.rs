@@ -19,7 +19,7 @@
 //!
 //! **Source.** Heat balance of engine bearings in textbooks on engine design (eqs. 19.9 to 19.11 and eight steps), with hot oil carried over
 //! as in the design of a tractor engine (in Ukrainian); ISO 7902-1. **Range.** One temperature for all of the film; what
-//! the feeds' pressure puts in is left out. **Verified by** `tests/literature/thermal_balance.rs`, and the tests below.
+//! the feeds' pressure puts in is left out. **Verified by** `tests/tests/literature/thermal_balance.rs`, and the tests below.
 
 /// What heats and what cools one film at a temperature.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]

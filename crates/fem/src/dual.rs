@@ -1,8 +1,7 @@
 //! A value with four partial derivatives: forward differentiation at a point.
 //!
-//! Physical laws are written once in this type, as in the paper. Seeded with `(u, du/dx, du/dz)` a
-//! law yields the Newton tangent; seeded with the journal's position and velocity, the tangent of
-//! the force. Verified by `derivatives_match_differences`.
+//! Laws in `(u, du/dx, du/dz)` that are not linear are written once in this type; seeded with these three, a law yields its
+//! Newton tangent. Verified by `derivatives_match_differences`.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

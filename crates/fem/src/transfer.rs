@@ -4,7 +4,7 @@
 //! the parent, taken there at the nodes of the child, is the same polynomial: the spaces are nested
 //! and nothing is lost, as long as the degree does not fall. Where edges are curved the spaces are
 //! nested in reference coordinates, and the function moves with the geometry.
-//! Verified by `tests/refinement.rs`.
+//! Verified by `tests/tests/refinement.rs`.
 
 use oilwedge_mesh::refine::Child;
 

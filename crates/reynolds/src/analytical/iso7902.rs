@@ -18,7 +18,7 @@
 //!
 //! **Source.** Butenschoen, thesis, Karlsruhe 1976 (fits of So and beta); ISO 7902-1 and -2, DIN 31652. The factors q_H and q_P of feeds stand
 //! here from secondary sources. **Range.** b from 0.25 to 1.5, eps from 0.1 to 0.95: So within some 2 %, beta within 2 degrees of
-//! films with film start and Swift-Stieber's end. **Verified by** `tests/literature/thermal_balance.rs`, and by the limits below.
+//! films with film start and Swift-Stieber's end. **Verified by** `tests/tests/literature/thermal_balance.rs`, and by the limits below.
 
 use std::f64::consts::PI;
 

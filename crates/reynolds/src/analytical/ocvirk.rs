@@ -19,7 +19,7 @@
 //!
 //! **Source.** Ocvirk, NACA TN 2808 (1952); DuBois & Ocvirk, NACA Rep. 1157 (1953); the substitution: Booker, J. Basic Eng. 87 (1965) 537.
 //! **Range.** B/D small, 0 <= eps < 1, any signs of G and E. **Verified by** the tests below against sums of the pressure, and
-//! `tests/literature/short_crankshaft_bearing.rs`.
+//! `tests/tests/literature/short_crankshaft_bearing.rs`.
 
 use std::f64::consts::{PI, TAU};
 

@@ -10,7 +10,7 @@
 //!
 //! **Source.** Definition: a node of a mass-conserving film stands for a third of each sub-triangle that it bounds, the middle
 //! of an edge (a vertex of linear elements) of Swift-Stieber's for a third of each triangle; nodes of given pressure stand for nothing.
-//! **Range.** First order in the size of the cells. **Verified by** `tests/oil_balance.rs`, a film that breaks on half of a ring.
+//! **Range.** First order in the size of the cells. **Verified by** `tests/tests/oil_balance.rs`, a film that breaks on half of a ring.
 
 use oilwedge_fem::control_volumes::sub_triangles;
 

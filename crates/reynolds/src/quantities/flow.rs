@@ -15,7 +15,7 @@
 //!
 //! **Source.** Hughes, Engel, Mazzei, Larson, J. Comput. Phys. 163 (2000) 467.
 //! **Range.** A balance for the conservative form only: the as-printed form makes oil, which the imbalance tells. **Verified by** `flows_balance` in the tests of the scenes and
-//! `tests/oil_balance.rs`.
+//! `tests/tests/oil_balance.rs`.
 
 use oilwedge_fem::Quadrature;
 use oilwedge_fem::control_volumes::sub_triangles;

@@ -10,7 +10,7 @@
 //! | f | 1 | `coefficient` |
 //!
 //! **Source.** Raimondi, Boyd, Trans. ASLE 1 (1958) 159: the drag of the whole film, cavity included. **Range.** A turning journal; the torque
-//! is positive against the rotation. **Verified by** `tests/friction.rs`.
+//! is positive against the rotation. **Verified by** `tests/tests/friction.rs`.
 
 use super::power::Power;
 use crate::{Bearing, JournalState};

@@ -8,7 +8,7 @@
 //! | Q | m3/s | `inlet_flow` |
 //!
 //! **Source.** Raimondi, Boyd, Trans. ASLE 1 (1958) 159: their flow Q, of which the part Q_s leaves at the ends and the rest goes round.
-//! **Range.** A turning journal; the film alone, without what feeds on that line carry. **Verified by** `tests/friction.rs`.
+//! **Range.** A turning journal; the film alone, without what feeds on that line carry. **Verified by** `tests/tests/friction.rs`.
 
 use oilwedge_fem::Field;
 use oilwedge_fem::mapping::Mapping;

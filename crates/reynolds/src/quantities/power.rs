@@ -19,7 +19,7 @@
 //!
 //! **Source.** Reynolds, Phil. Trans. R. Soc. 177 (1886) 157; Hamrock, Schmid, Jacobson, Fundamentals of Fluid Film Lubrication (2004), ch. 7.
 //! **Range.** The film, cavities included: full shear there but for a mass-conserving film, whose oil fills theta of the gap. No film, and no
-//! shear, where a feed gives the pressure. The as-printed form makes oil, and its power does not balance. **Verified by** `tests/friction.rs`.
+//! shear, where a feed gives the pressure. The as-printed form makes oil, and its power does not balance. **Verified by** `tests/tests/friction.rs`.
 
 use oilwedge_fem::control_volumes::sub_triangles;
 use oilwedge_fem::lagrange::{self, MOST_SHAPES};

@@ -9,7 +9,7 @@
 //!
 //! **Source.** Reynolds, Phil. Trans. R. Soc. 177 (1886) 157.
 //! **Range.** Laminar, inertialess, h much smaller than its scale of change.
-//! **Verified by** the closed forms in `tests/literature` and the manufactured solutions.
+//! **Verified by** the closed forms in `tests/tests/literature` and the manufactured solutions.
 
 use super::Term;
 use crate::{FilmFlow, FilmPoint};
