@@ -65,7 +65,8 @@ fn an_effect_goes_away_with_its_files_and_rows() {
         copy(&repository().join(entry), &folder.path().join(entry));
     }
     let manifest = folder.path().join("crates/cli/Cargo.toml");
-    let text = std::fs::read_to_string(&manifest).expect("a manifest") + &format!("\n[[bin]]\nname = \"{PROGRAM}\"\npath = \"src/main.rs\"\n");
+    let text = std::fs::read_to_string(&manifest).expect("a manifest")
+        + &format!("\n[[bin]]\nname = \"{PROGRAM}\"\npath = \"src/main.rs\"\n");
     std::fs::write(&manifest, text).expect("a manifest");
     let plain = load(&oilwedge(folder.path(), &["solve", "scenes/01_plain_ring.toml", "--json"]).stdout);
     for effect in &EFFECTS {
@@ -141,7 +142,12 @@ fn errors(tree: &Path) -> BTreeSet<(PathBuf, usize)> {
     errors
         .flat_map(|message| message["message"]["spans"].as_array().cloned().unwrap_or_default())
         .filter(|span| span["is_primary"] == true)
-        .filter_map(|span| Some((tree.join(span["file_name"].as_str()?), span["line_start"].as_u64()? as usize)))
+        .filter_map(|span| {
+            Some((
+                tree.join(span["file_name"].as_str()?),
+                span["line_start"].as_u64()? as usize,
+            ))
+        })
         .collect()
 }
 
@@ -149,7 +155,17 @@ fn errors(tree: &Path) -> BTreeSet<(PathBuf, usize)> {
 fn build(tree: &Path) -> Command {
     let mut cargo = Command::new(env!("CARGO"));
     let profile = if cfg!(debug_assertions) { "dev" } else { "release" };
-    cargo.args(["build", "--quiet", "--offline", "--package", "oilwedge", "--bin", PROGRAM, "--profile", profile]);
+    cargo.args([
+        "build",
+        "--quiet",
+        "--offline",
+        "--package",
+        "oilwedge",
+        "--bin",
+        PROGRAM,
+        "--profile",
+        profile,
+    ]);
     for package in std::fs::read_dir(tree.join("crates")).expect("crates").flatten() {
         let package = match package.file_name().to_string_lossy().as_ref() {
             "cli" => "oilwedge".to_owned(),
@@ -158,7 +174,9 @@ fn build(tree: &Path) -> Command {
         cargo.args(["--config", &format!("profile.{profile}.package.{package}.opt-level=0")]);
     }
     let target = own_folder();
-    cargo.env("CARGO_TARGET_DIR", target.parent().expect("target")).current_dir(tree);
+    cargo
+        .env("CARGO_TARGET_DIR", target.parent().expect("target"))
+        .current_dir(tree);
     cargo
 }
 
