@@ -6,7 +6,6 @@ mod cost;
 mod drawing;
 mod files;
 mod heat;
-mod hostile;
 mod meshes;
 mod oil;
 mod shipped;
