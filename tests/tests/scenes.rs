@@ -7,8 +7,8 @@
 
 use oilwedge_scene::scene::Scene;
 use oilwedge_study::compile::{CompileError, compile};
-use oilwedge_study::measure::warnings;
 use oilwedge_study::result::RunResult;
+use oilwedge_study::warnings::warnings;
 use oilwedge_study::{RunOptions, run};
 use oilwedge_tests::journal_bearings::{block, number};
 use oilwedge_tests::scenes::{Solved, solve, table, variant};
@@ -597,7 +597,7 @@ fn an_unresolved_film_is_told() {
         let film = solved("01_plain_ring", |scene| {
             set(scene, "journal", "eccentricity", eccentricity)
         });
-        let warnings = oilwedge_study::measure::warnings(&film.study, &film.measured);
+        let warnings = oilwedge_study::warnings::warnings(&film.study, &film.measured);
         warnings
             .iter()
             .any(|warning| warning.starts_with("the film is not resolved"))

@@ -5,12 +5,11 @@
 use serde::Serialize;
 
 use oilwedge_scene::reader::Marks;
-use oilwedge_scene::scene::{CavitationModel, PressureLaw, Scene, Theory};
+use oilwedge_scene::scene::Scene;
 use oilwedge_scene::validate;
 use oilwedge_study::CompileError;
-use oilwedge_study::quantities::{
-    ATTITUDE_ANGLE, FILM_THICKNESS_MIN, PRESSURE_MAX, SIDE_FLOW, SOMMERFELD_NUMBER, main_quantity,
-};
+use oilwedge_study::effects::{Effect, present};
+use oilwedge_study::quantities::{ATTITUDE_ANGLE, FILM_THICKNESS_MIN, PRESSURE_MAX, SIDE_FLOW, main_quantity};
 use oilwedge_study::result::{Quantity, RunResult, Status};
 use oilwedge_study::run::{RunOptions, run};
 
@@ -23,9 +22,9 @@ const ENOUGH: f64 = 1.0;
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct EffectCost {
     /// Its name among the effects simulated, as `cavitation: reynolds`.
-    pub effect: String,
+    pub effect: &'static Effect,
     /// What stands in its place, as `constant viscosity`.
-    pub instead: String,
+    pub instead: &'static str,
     /// How the run without it ended.
     pub status: Status,
     /// Why there is no solution without it, or why it was not reached.
@@ -66,17 +65,17 @@ pub struct Change {
 /// # Errors
 /// As [`run`] of the scene itself. That there is no film without an effect is no error.
 pub fn effect_costs(scene: &Scene, options: &RunOptions, result: &RunResult) -> Result<Vec<EffectCost>, CompileError> {
-    let variants = without_each(scene);
+    let variants: Vec<_> = without_each(scene).collect();
     if variants.is_empty() {
         return Ok(Vec::new());
     }
     let seconds_with = median_seconds(scene, options, result)?;
-    let costs = variants.into_iter().map(|variant| {
+    let costs = variants.into_iter().map(|(effect, without)| {
         let mut cost = EffectCost {
-            effect: variant.effect,
-            instead: variant.instead.to_owned(),
+            effect,
+            instead: effect.instead,
             status: Status::NoSolution,
-            reason: unfit(&variant.scene),
+            reason: unfit(&without),
             changes: Vec::new(),
             could_be_left_out: Some(false),
             seconds_with,
@@ -85,8 +84,8 @@ pub fn effect_costs(scene: &Scene, options: &RunOptions, result: &RunResult) -> 
         if cost.reason.is_some() {
             return cost;
         }
-        let found = run(&variant.scene, options).and_then(|found| {
-            cost.seconds_without = median_seconds(&variant.scene, options, &found.result)?;
+        let found = run(&without, options).and_then(|found| {
+            cost.seconds_without = median_seconds(&without, options, &found.result)?;
             Ok(found.result)
         });
         match found {
@@ -103,85 +102,9 @@ pub fn effect_costs(scene: &Scene, options: &RunOptions, result: &RunResult) -> 
     Ok(costs.collect())
 }
 
-/// A scene without one of its effects.
-struct Variant {
-    effect: String,
-    instead: &'static str,
-    scene: Scene,
-}
-
-/// The scene without each of the effects that it simulates.
-fn without_each(scene: &Scene) -> Vec<Variant> {
-    let mut variants = Vec::new();
-    let mut add = |effect: &str, instead: &'static str, leave_out: fn(&mut Scene)| {
-        let mut scene = scene.clone();
-        leave_out(&mut scene);
-        let effect = effect.to_owned();
-        variants.push(Variant { effect, instead, scene });
-    };
-    if scene.journal.speed != 0.0 && scene.feeds.iter().any(|feed| feed.pressure.is_some()) {
-        add("couette", "a journal at rest", stop);
-    }
-    if scene.bearing.theory != Theory::Full {
-        let theory = format!("theory: {}", scene.bearing.theory.name());
-        add(&theory, "pressure flow in both directions", |scene| {
-            scene.bearing.theory = Theory::Full
-        });
-    }
-    if scene.journal.motion().is_some() {
-        add("squeeze", "a centre at rest", |scene| scene.journal.squeeze = None);
-    }
-    if scene.heat.is_some() {
-        add("heat", "a film as warm as the oil that is fed", cool);
-    }
-    if let Some(law) = scene.oil.pressure_law.name() {
-        add(law, "constant viscosity", |scene| {
-            scene.oil.pressure_law = PressureLaw::Constant
-        });
-    }
-    if scene.feeds.iter().any(|feed| feed.depth.is_some()) {
-        add("groove depth", "pockets without depth", |scene| {
-            let pockets = scene.feeds.iter_mut().filter_map(|feed| feed.depth.as_mut());
-            pockets.for_each(|depth| *depth = 0.0);
-        });
-    }
-    if scene.bearing.inlet_fraction.is_some() {
-        add("starved inlet", "a flooded inlet", |scene| {
-            scene.bearing.inlet_fraction = None
-        });
-    }
-    let model = scene.cavitation.map(|cavitation| cavitation.model);
-    if let Some(model) = model.filter(|model| *model != CavitationModel::None) {
-        // Without a cavity that conserves oil there is no starved inlet either.
-        add(
-            &format!("cavitation: {}", model.name()),
-            "a full film that bears tension",
-            |scene| {
-                scene.cavitation = None;
-                scene.bearing.inlet_fraction = None;
-            },
-        );
-    }
-    variants
-}
-
-/// The film is as warm as the oil that is fed.
-fn cool(scene: &mut Scene) {
-    if let Some(heat) = scene.heat.take() {
-        scene.oil.heat_to(heat.inlet);
-    }
-}
-
-/// At rest nothing heats the oil, and there is no Sommerfeld number, and so no tolerance of it.
-fn stop(scene: &mut Scene) {
-    cool(scene);
-    scene.journal.speed = 0.0;
-    if let Some(tolerance) = &mut scene.tolerance {
-        tolerance
-            .targets
-            .retain(|target| target.quantity != SOMMERFELD_NUMBER.name);
-    }
-    scene.tolerance.take_if(|tolerance| tolerance.targets.is_empty());
+/// Each effect of a scene that can be left out, and the scene without it.
+fn without_each(scene: &Scene) -> impl Iterator<Item = (&'static Effect, Scene)> + '_ {
+    present(scene).filter_map(|effect| Some((effect, (effect.remove)(scene)?)))
 }
 
 /// Why a scene without an effect cannot be computed: a journal at rest carries no oil into a cavity that conserves it.
@@ -287,10 +210,10 @@ oil = { viscosity = "0.4 Pa.s", roelands = { z = 0.6 } }
 cavitation = { model = "jfo" }
 "#;
         let scene = Scene::parse(text, std::path::Path::new("all.toml")).unwrap_or_else(|error| panic!("{error}"));
-        let variants = without_each(&scene);
+        let variants: Vec<_> = without_each(&scene).collect();
         let names: Vec<_> = variants
             .iter()
-            .map(|it| (it.effect.as_str(), unfit(&it.scene).is_none()))
+            .map(|(effect, without)| (effect.name, unfit(without).is_none()))
             .collect();
         let wanted = [
             ("couette", false),
@@ -301,15 +224,15 @@ cavitation = { model = "jfo" }
             ("cavitation: jfo", true),
         ];
         assert_eq!(names, wanted);
-        for variant in &variants[1..] {
-            let left = without_each(&variant.scene).len();
-            let fewer = match variant.effect.as_str() {
+        for (effect, without) in &variants[1..] {
+            let left = without_each(without).count();
+            let fewer = match effect.name {
                 "cavitation: jfo" => 2,
                 // The pocket stays, without a depth.
                 "groove depth" => 0,
                 _ => 1,
             };
-            assert_eq!(left + fewer, variants.len(), "{}", variant.effect);
+            assert_eq!(left + fewer, variants.len(), "{}", effect.name);
         }
     }
 
@@ -324,9 +247,9 @@ oil = { viscosity = "0.4 Pa.s" }
 "#;
         let left = |text: &str| {
             let scene = Scene::parse(text, std::path::Path::new("rest.toml")).unwrap_or_else(|error| panic!("{error}"));
-            let variants = without_each(&scene);
-            assert!(variants.len() == 1 && unfit(&variants[0].scene).is_none());
-            variants[0].scene.tolerance.as_ref().map(|it| it.targets.len())
+            let variants: Vec<_> = without_each(&scene).collect();
+            assert!(variants.len() == 1 && unfit(&variants[0].1).is_none());
+            variants[0].1.tolerance.as_ref().map(|it| it.targets.len())
         };
         assert_eq!(left(text), None);
         assert_eq!(left(&text.replace("{ sommer", "{ load = \"1 %\", sommer")), Some(1));

@@ -7,7 +7,10 @@ use oilwedge_reynolds::analytical::iso7902;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use serde::Serialize;
 
-use oilwedge_scene::scene::{CavitationModel, PressureLaw, Scene, Theory};
+use oilwedge_reynolds::lubricant::PressureLaw;
+use oilwedge_reynolds::{CentreVelocity, Theory};
+use oilwedge_scene::scene::Scene;
+use oilwedge_study::effects::Sockets;
 use oilwedge_study::quantities::{self, Row};
 use oilwedge_study::result::{Quantity, RunResult};
 
@@ -166,26 +169,21 @@ fn notes(scene: &Scene, twin: &Twin) -> Vec<String> {
             format!("{what} {value:.3} is outside of {low} to {high}, for which the standard's fits were made")
         })
     };
-    let model = match scene
-        .cavitation
-        .map_or(CavitationModel::None, |cavitation| cavitation.model)
-    {
-        CavitationModel::None => {
-            Some("this film bears tension; that of the standard ends where Swift and Stieber's does")
-        }
-        CavitationModel::Guembel => {
-            Some("low pressures of this film are dropped; that of the standard ends where Swift and Stieber's does")
-        }
-        CavitationModel::Reynolds | CavitationModel::Jfo => None,
+    let sockets = Sockets::of(scene);
+    let edge = match sockets.cavitation {
+        closure if closure.bears_tension() => Some("this film bears tension"),
+        closure if !closure.has_free_boundary() => Some("low pressures of this film are dropped"),
+        _ => None,
     };
     let notes = [
         outside("B/D", twin.lands.slenderness, SLENDERNESS),
         outside("eccentricity", twin.eccentricity, ECCENTRICITY),
-        model.map(str::to_owned),
-        (!matches!(scene.oil.pressure_law, PressureLaw::Constant))
+        edge.map(|edge| format!("{edge}; that of the standard ends where Swift and Stieber's does")),
+        (!matches!(sockets.pressure_law, PressureLaw::Constant))
             .then(|| "the standard knows no viscosity that grows with pressure".to_owned()),
-        (scene.journal.motion().is_some()).then(|| "the standard's load is steady: no squeeze".to_owned()),
-        (scene.bearing.theory != Theory::Full)
+        (sockets.centre_velocity != CentreVelocity::default())
+            .then(|| "the standard's load is steady: its centre rests".to_owned()),
+        (sockets.theory != Theory::Full)
             .then(|| "the standard's film is that of full theory, this one's is not".to_owned()),
     ];
     notes.into_iter().flatten().collect()

@@ -10,19 +10,15 @@ use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use serde::Serialize;
 
 use oilwedge_scene::reader::Marks;
-use oilwedge_scene::scene::{CavitationModel, Position, Scene, Theory};
+use oilwedge_scene::scene::{Position, Scene, Theory};
 use oilwedge_scene::validate;
 use oilwedge_study::quantities::{
     ATTITUDE_ANGLE, ECCENTRICITY, FILM_THICKNESS_MIN, FRICTION_POWER, FRICTION_TORQUE, LOAD, PRESSURE_MAX, Row,
     SIDE_FLOW, TEMPERATURE_EFFECTIVE,
 };
+use oilwedge_study::effects::{Socket, present, without_conservation};
 use oilwedge_study::result::{Quantity, RunResult, Status};
 use oilwedge_study::run::{RunOptions, run};
-
-/// The B/D up to which short bearings are taken for such.
-pub const SHORT_TO: f64 = 0.25;
-/// The B/D from which on long bearings are.
-pub const LONG_FROM: f64 = 2.0;
 
 /// The numbers that are compared, those of a position under a load included.
 const COMPARED: [&Row; 8] = [
@@ -116,15 +112,16 @@ fn bare(scene: &Scene, result: &RunResult) -> (Scene, Vec<&'static str>) {
         bare.feeds.clear();
         without.push("feeds");
     }
-    if let Some(cavitation) = (bare.cavitation.as_mut()).filter(|it| it.model == CavitationModel::Jfo) {
-        cavitation.model = CavitationModel::Reynolds;
-        without.push("conservation of oil in the cavity (reynolds in place of jfo)");
+    if let Some(simpler) = without_conservation(&bare) {
+        bare = simpler;
+        without.push("conservation of oil in the cavity (Reynolds' model in its place)");
     }
     let temperature = result.quantity(&TEMPERATURE_EFFECTIVE);
-    if let (false, Some(_), Some(celsius)) = (without.is_empty(), bare.heat, temperature) {
-        bare = bare.at_temperature(celsius.value + ZERO_CELSIUS);
-        bare.heat = None;
-        without.push("balance of heat (the oil as warm as found)");
+    let given =
+        present(&bare).find_map(|effect| (effect.remove)(&bare).filter(|_| effect.socket == Socket::Temperature));
+    if let (false, Some(given), Some(celsius)) = (without.is_empty(), given, temperature) {
+        bare = given.at_temperature(celsius.value + ZERO_CELSIUS);
+        without.push("balance of temperature (the oil as warm as found)");
     }
     (bare, without)
 }

@@ -58,7 +58,7 @@ fn changes(costs: &[EffectCost]) -> String {
             0.0 => "-".to_owned(),
             seconds => time(seconds),
         };
-        let row = [printable(&cost.effect)].into_iter().chain(cells).chain([seconds]);
+        let row = [printable(cost.effect.name)].into_iter().chain(cells).chain([seconds]);
         table.add_row(row);
     }
     (1..=COLUMNS.len() + 1).for_each(|column| align_right(&mut table, column));
@@ -95,13 +95,16 @@ fn cell(change: &Change) -> String {
 fn conclusions(result: &RunResult, costs: &[EffectCost]) -> Vec<String> {
     let names = |answer: Option<bool>| {
         let named = costs.iter().filter(|cost| cost.could_be_left_out == answer);
-        named.map(|cost| printable(&cost.effect)).collect::<Vec<_>>().join(", ")
+        named
+            .map(|cost| printable(cost.effect.name))
+            .collect::<Vec<_>>()
+            .join(", ")
     };
     let reasons = costs.iter().filter_map(|cost| {
         let reason = printable(cost.reason.as_ref()?);
         Some(format!(
             "without {} ({}): {reason}",
-            printable(&cost.effect),
+            printable(cost.effect.name),
             cost.instead
         ))
     });
@@ -126,6 +129,7 @@ mod tests {
     use super::*;
     use crate::terminal::run_report;
     use crate::terminal::tests::result;
+    use oilwedge_study::effects::EFFECTS;
     use oilwedge_study::result::Status;
     use std::path::Path;
 
@@ -143,8 +147,8 @@ mod tests {
 
     fn effect(name: &str, changes: Vec<Change>, could_be_left_out: Option<bool>) -> EffectCost {
         EffectCost {
-            effect: name.into(),
-            instead: "nothing".into(),
+            effect: EFFECTS.iter().find(|effect| effect.name == name).expect("an effect"),
+            instead: "nothing",
             status: Status::Converged,
             reason: None,
             changes,

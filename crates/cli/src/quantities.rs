@@ -4,6 +4,7 @@ use crate::complain::printable;
 use crate::readable::{bar, readable_unit, significant, supported};
 use crate::terminal::{align_right, table, time};
 use crate::words;
+use oilwedge_study::effects::Socket;
 use oilwedge_study::result::{LevelFacts, Quantity, Refinement, RunResult};
 
 /// A quantity below this in its smallest unit is nothing: 1e-9 N, um, ml/s or deg.
@@ -45,7 +46,7 @@ pub(crate) fn quantities<'a>(quantities: impl IntoIterator<Item = &'a Quantity>,
 
 /// What the bar of the load or, where that is given, of the eccentricity is made of; and the meshes that led to it.
 pub(crate) fn bars(result: &RunResult) -> Vec<String> {
-    let is_loaded = result.effects.simulated.iter().any(|effect| effect == "equilibrium");
+    let is_loaded = result.effects.fill(Socket::Position);
     let name = if is_loaded { "eccentricity" } else { "load" };
     let main = result.by_name(name);
     let parts = main.and_then(|main| parts(main, name));
@@ -96,6 +97,7 @@ mod tests {
     use crate::terminal::run_report;
     use crate::terminal::tests::result;
     use oilwedge_campaign::AddOns;
+    use oilwedge_study::effects::EFFECTS;
     use oilwedge_study::result::ErrorParts;
     use std::path::Path;
 
@@ -154,7 +156,10 @@ levels    2000 unknowns, W ± 36 N, 15.0 ms (first mesh)
           12000 unknowns, W ± 1 N, 1.20 s (divided where the error comes from)
 balance";
         assert!(text.contains(wanted), "{text}");
-        result.effects.simulated.push("equilibrium".into());
+        result
+            .effects
+            .simulated
+            .extend(EFFECTS.iter().filter(|effect| effect.socket == Socket::Position));
         assert!(!run_report(&result, &AddOns::default(), Path::new("out"), true).contains("bar  "));
         result.quantities[2].error_parts = Some(ErrorParts {
             position: 2e-5,

@@ -12,9 +12,10 @@ use crate::words;
 use comfy_table::{CellAlignment, ContentArrangement, Table, presets};
 use oilwedge_campaign::AddOns;
 use oilwedge_report::check::CheckReport;
+use oilwedge_study::effects::Effects;
 use oilwedge_study::joint::is_of_cap;
 use oilwedge_study::quantities::{CAVITY_FLOW, CAVITY_SHARE};
-use oilwedge_study::result::{Balances, Counts, Effects, LinearSolver, MeshFacts, RunResult, Status};
+use oilwedge_study::result::{Balances, Counts, LinearSolver, MeshFacts, RunResult, Status};
 use std::io::{ErrorKind, Write};
 use std::path::Path;
 
@@ -258,14 +259,10 @@ fn mesh(facts: &MeshFacts) -> String {
 }
 
 pub(crate) fn effects(effects: &Effects) -> String {
-    let width = effects.simulated.iter().map(|name| name.chars().count()).max();
+    let width = effects.simulated.iter().map(|effect| effect.name.len()).max();
     let width = width.unwrap_or(0);
     let simulated: Vec<_> = (effects.simulated.iter())
-        .map(|name| {
-            format!("{name:width$}  {}", words::of_effect(name))
-                .trim_end()
-                .to_owned()
-        })
+        .map(|effect| format!("{:width$}  {}", effect.name, effect.sentence))
         .collect();
     format!(
         "simulated      {}\nnot simulated  {}",
@@ -303,6 +300,7 @@ pub(crate) fn time(seconds: f64) -> String {
 pub(crate) mod tests {
     use super::*;
     use oilwedge_report::check::{CHECK_FORMAT, RegionFacts};
+    use oilwedge_study::effects::EFFECTS;
     use oilwedge_study::result::{Quantity, RESULT_FORMAT};
 
     pub(crate) fn result() -> RunResult {
@@ -315,8 +313,8 @@ pub(crate) mod tests {
             status: Status::Converged,
             reason: None,
             effects: Effects {
-                simulated: vec!["poiseuille".into(), "couette".into()],
-                not_simulated: vec!["squeeze".into()],
+                simulated: EFFECTS[2..4].iter().collect(),
+                not_simulated: vec!["squeeze"],
             },
             mesh: MeshFacts {
                 cells: 592,

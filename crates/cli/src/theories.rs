@@ -4,7 +4,8 @@ use crate::complain::printable;
 use crate::readable::{readable_unit, significant, supported};
 use crate::terminal::{align_right, table};
 use oilwedge_campaign::AddOns;
-use oilwedge_campaign::theories::{LONG_FROM, SHORT_TO, Theories, TheoryFilm, TheoryNumber};
+use oilwedge_campaign::theories::{Theories, TheoryFilm, TheoryNumber};
+use oilwedge_study::effects::bearing_theory::{LONG_FROM, SHORT_TO};
 
 /// Digits of a value without a bar, and of a difference.
 const DIGITS: [usize; 2] = [5, 3];

@@ -60,44 +60,6 @@ const QUANTITIES: [(&str, &str); 53] = [
     ("bolt_stress_amplitude", "half their difference"),
 ];
 
-/// Names of effects; what follows a colon is the model.
-const EFFECTS: [(&str, &str); 16] = [
-    ("theory: short", "pressure drives oil along the axis only"),
-    ("theory: long", "pressure drives oil around only, the ends are sealed"),
-    ("poiseuille", "oil driven by the pressure gradient"),
-    ("couette", "oil dragged along by the journal"),
-    ("squeeze", "oil pressed out as the journal's centre moves"),
-    (
-        "oil by temperature",
-        "viscosity and density are those at the temperature of the film",
-    ),
-    ("barus", "viscosity grows with pressure, mu0 exp(alpha p)"),
-    (
-        "barus: as-printed",
-        "viscosity grows with pressure, where the FlexPDE study prints it: no mass balance",
-    ),
-    ("groove depth", "the film is deeper there, its pressure is found"),
-    (
-        "starved inlet",
-        "the oil brought in at the edge of the arc fills part of the gap",
-    ),
-    ("roelands", "viscosity grows with a power of pressure in the exponent"),
-    ("cavitation: guembel", "pressures below that of the cavity are dropped"),
-    (
-        "cavitation: reynolds",
-        "the film ends where pressure meets that of the cavity without a kink",
-    ),
-    (
-        "cavitation: jfo",
-        "oil is conserved, the cavity holds a film fraction that is carried along",
-    ),
-    (
-        "heat",
-        "the temperature is found at which the oil carries off what friction makes",
-    ),
-    ("equilibrium", "the position is found where the film carries the load"),
-];
-
 /// Where errors come from.
 const ERRORS: [(&str, &str); 8] = [
     ("discretisation", "triangles"),
@@ -119,11 +81,6 @@ pub(crate) fn of_error(name: &str) -> &'static str {
 pub(crate) fn of_quantity(name: &str) -> &'static str {
     let key = name.find('.').map_or(name, |dot| &name[..=dot]);
     find(&QUANTITIES, key)
-}
-
-/// What an effect does.
-pub(crate) fn of_effect(name: &str) -> &'static str {
-    find(&EFFECTS, name)
 }
 
 fn find(list: &[(&'static str, &'static str)], key: &str) -> &'static str {

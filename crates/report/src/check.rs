@@ -9,10 +9,11 @@ use oilwedge_mesh::{Mesh, developed, gmsh};
 use oilwedge_scene::Scene;
 use oilwedge_study::CompileError;
 use oilwedge_study::compile::compile;
-use oilwedge_study::doubts;
+use oilwedge_study::effects::Effects;
 use oilwedge_study::refinement::at_first;
-use oilwedge_study::result::{Effects, MeshFacts, in_parts};
+use oilwedge_study::result::{MeshFacts, in_parts};
 use oilwedge_study::run::facts;
+use oilwedge_study::warnings::mesh_warnings;
 
 use crate::Error;
 use crate::folder::replace;
@@ -120,8 +121,7 @@ pub fn check_scene(scene: &Scene) -> Result<CheckReport, Error> {
         .map(|axis| (axis.heading(), axis.values.len()))
         .collect();
     report.effects = Some(study.effects.clone());
-    report.warnings.extend(doubts::laid_anew(&study));
-    report.warnings.extend(doubts::flips(&study));
+    report.warnings.extend(mesh_warnings(&study));
     let free = |dof: &usize| study.system.supply.owner(*dof).is_none();
     report.cost = Some(Cost {
         unknowns: (0..study.system.space().dofs()).filter(free).count(),

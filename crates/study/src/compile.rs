@@ -1,21 +1,8 @@
-//! A scene becomes a film: the one place that knows all effects, one function a socket.
-//!
-//! | socket | function |
-//! |---|---|
-//! | mesh of the liner | [`crate::liner_mesh`] |
-//! | film_thickness | `film_thickness` |
-//! | lubricant | `compile/lubricant.rs` |
-//! | terms | `terms` |
-//! | cavitation | `cavitation` |
-//! | supply | `supply` |
-//! | balances | the load of [`Study`], and its heat |
-//!
-//! What is simulated and what is not is written down here too, and opens every report.
+//! A scene becomes a film: its liner is meshed, its effects fill the sockets ([`crate::effects`]), and pressures are given.
 
-mod renewal;
+mod reuse;
 
-pub use oilwedge_scene::lubricant::{form, lubricant};
-pub use renewal::{has_same_system, renewed};
+pub use reuse::{has_same_system, reused};
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -24,20 +11,21 @@ use std::time::Instant;
 use oilwedge_mesh::Mesh;
 use oilwedge_mesh::error::some_of;
 use oilwedge_mesh::generate::DrawingError;
-use oilwedge_reynolds::film_thickness::{Eccentricity, FilmContribution, GrooveDepth};
+use oilwedge_reynolds::film_thickness::{Eccentricity, FilmContribution};
+use oilwedge_reynolds::lubricant::{Lubricant, PressureLaw};
 use oilwedge_reynolds::supply::{self as given, Disc, Place, SupplyError, SupplyRegion};
-use oilwedge_reynolds::terms::squeeze::Squeeze;
-use oilwedge_reynolds::terms::{Couette, Poiseuille, Term};
-use oilwedge_reynolds::{Bearing, Cavitation, CentreVelocity, FilmProblem, FilmSystem, JournalState, Theory};
+use oilwedge_reynolds::{Bearing, CentreVelocity, FilmProblem, FilmSystem, JournalState, Theory};
 
+use crate::effects::{Effects, Sockets};
 use crate::joint::share_per_force;
 use crate::liner_mesh::{LinerMesh, liner_mesh, suited};
-use crate::result::Effects;
 use crate::run::DEGREE;
-use oilwedge_scene::scene::{self, CavitationModel, Scene};
+use oilwedge_scene::scene::{self, Scene};
 
 /// A scene, ready to be solved.
 pub struct Study {
+    /// The scene.
+    pub scene: Scene,
     /// The film: physics.
     pub problem: FilmProblem,
     /// The film: mesh, unknowns, given pressures.
@@ -73,7 +61,8 @@ impl Study {
     /// Brings the film to this temperature [K].
     pub fn heat_to(&mut self, temperature: f64) {
         self.oil.heat_to(temperature);
-        self.problem.lubricant = lubricant(&self.oil);
+        self.scene.oil.heat_to(temperature);
+        self.problem.lubricant = lubricant(&self.scene, Sockets::of(&self.scene).pressure_law);
     }
 
     /// The vector [1/N] whose product with the load is the film's share of the force that opens the joint of the cap; none
@@ -188,13 +177,13 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, near: (f64, f64), degree: usize) ->
     let start = Instant::now();
     let (mesh, flips) = suited(scene, mesh);
     check_feed_groups(scene, &mesh)?;
-    let regions = supply(scene, &mesh)?;
-    let journal = journal(scene, near);
-    let film_thickness = film_thickness(scene, &mesh);
+    let sockets = Sockets::of(scene);
+    let regions = supply(scene, &sockets, &mesh)?;
+    let (load, centre_velocity) = (sockets.load, sockets.centre_velocity);
+    let problem = problem(scene, sockets, &mesh, near);
     let system = FilmSystem::new(Arc::new(mesh), degree, regions).map_err(|faults| unfit(scene, faults))?;
-    let problem = problem(scene, journal, film_thickness);
     // A position is sought on coarser meshes first, and by many films.
-    let is_sought = scene.journal.load().is_some();
+    let is_sought = load.is_some();
     let system = match is_sought {
         true => system.for_many_solves(),
         false => system,
@@ -205,12 +194,13 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, near: (f64, f64), degree: usize) ->
         false => system,
     };
     Ok(Study {
-        load: scene.journal.load(),
-        centre_velocity: centre_velocity(scene),
+        load,
+        centre_velocity,
         cap: scene.cap,
         oil: scene.oil.clone(),
         heat: scene.heat,
-        effects: effects(scene, &problem),
+        effects: Effects::of(scene),
+        scene: scene.clone(),
         problem,
         system,
         pockets: (scene.feeds.iter())
@@ -225,84 +215,36 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, near: (f64, f64), degree: usize) ->
     })
 }
 
-fn problem(scene: &Scene, journal: JournalState, film_thickness: Vec<Arc<dyn FilmContribution>>) -> FilmProblem {
+/// The film of a scene, with the journal at the position `near` or, under a load, where the search for its position begins.
+fn problem(scene: &Scene, sockets: Sockets, mesh: &Mesh, (eccentricity, angle): (f64, f64)) -> FilmProblem {
+    let clearance = scene.bearing.clearance;
+    let journal = JournalState::at_eccentricity(eccentricity, angle, clearance, scene.journal.speed);
+    let eccentric: Arc<dyn FilmContribution> = Arc::new(Eccentricity {
+        radius: scene.bearing.radius(),
+        clearance,
+    });
+    let deeper = sockets.film_thickness.iter().map(|contribution| contribution(mesh));
     FilmProblem {
-        theory: scene.bearing.theory,
-        bearing: bearing(scene),
-        journal,
-        film_thickness,
-        lubricant: lubricant(&scene.oil),
-        form: form(&scene.oil),
-        terms: terms(scene),
-        cavitation: cavitation(scene),
+        theory: sockets.theory,
+        bearing: Bearing {
+            radius: scene.bearing.radius(),
+            length: scene.bearing.length,
+            clearance,
+            end_pressure: scene.ends.pressure,
+        },
+        journal: journal.with_centre_velocity(sockets.centre_velocity, angle),
+        film_thickness: std::iter::once(eccentric).chain(deeper).collect(),
+        lubricant: lubricant(scene, sockets.pressure_law),
+        form: sockets.form,
+        terms: sockets.terms,
+        cavitation: sockets.cavitation,
     }
 }
 
-fn bearing(scene: &Scene) -> Bearing {
-    Bearing {
-        radius: scene.bearing.radius(),
-        length: scene.bearing.length,
-        clearance: scene.bearing.clearance,
-        end_pressure: scene.ends.pressure,
-    }
-}
-
-/// Where the journal is or, under a load, where the search for it begins.
-fn journal(scene: &Scene, (eccentricity, angle): (f64, f64)) -> JournalState {
-    let state = JournalState::at_eccentricity(eccentricity, angle, scene.bearing.clearance, scene.journal.speed);
-    state.with_centre_velocity(centre_velocity(scene), angle)
-}
-
-fn centre_velocity(scene: &Scene) -> CentreVelocity {
-    (scene.journal.motion()).map_or(Default::default(), |motion| CentreVelocity {
-        radial: motion.radial,
-        tangential: motion.tangential,
-    })
-}
-
-/// The clearance less the journal's offset, and the pockets that deepen it.
-fn film_thickness(scene: &Scene, mesh: &Mesh) -> Vec<Arc<dyn FilmContribution>> {
-    let mut film: Vec<Arc<dyn FilmContribution>> = vec![Arc::new(Eccentricity {
-        radius: scene.bearing.radius(),
-        clearance: scene.bearing.clearance,
-    })];
-    for feed in &scene.feeds {
-        if let Some(depth) = feed.depth {
-            let mut inside = vec![false; mesh.triangles().len()];
-            for &cell in mesh.region(&feed.group).map_or(&[][..], |region| &region.cells) {
-                inside[cell as usize] = true;
-            }
-            film.push(Arc::new(GrooveDepth { depth, inside }));
-        }
-    }
-    film
-}
-
-/// A journal at rest drags no oil, and one whose centre rests squeezes none.
-fn terms(scene: &Scene) -> Vec<Arc<dyn Term>> {
-    let mut terms: Vec<Arc<dyn Term>> = vec![Arc::new(Poiseuille)];
-    if scene.journal.speed != 0.0 {
-        terms.push(Arc::new(Couette));
-    }
-    if scene.journal.motion().is_some() {
-        terms.push(Arc::new(Squeeze));
-    }
-    terms
-}
-
-/// The closure of a scene, with the cavity nowhere above a given pressure.
-pub fn cavitation(scene: &Scene) -> Cavitation {
-    let Some(scene::Cavitation { model, pressure }) = scene.cavitation else {
-        return Cavitation::None;
-    };
-    // Equal pressures in other units may differ in the last digit; the cavity is never above what is given.
-    let fed = scene.feeds.iter().filter_map(|feed| feed.pressure);
-    let cavity = fed.fold(pressure.min(scene.ends.pressure), f64::min);
-    match model {
-        CavitationModel::None => Cavitation::None,
-        CavitationModel::Guembel => Cavitation::Guembel { pressure },
-        CavitationModel::Reynolds => Cavitation::Reynolds { pressure: cavity },
-        CavitationModel::Jfo => Cavitation::Jfo { pressure: cavity },
+fn lubricant(scene: &Scene, pressure_law: PressureLaw) -> Lubricant {
+    Lubricant {
+        viscosity: scene.oil.viscosity,
+        pressure_law,
     }
 }
 
@@ -348,7 +290,7 @@ fn check_feed_groups(scene: &Scene, mesh: &Mesh) -> Result<(), CompileError> {
 }
 
 /// Ends, edges of the arc, film start and feeds of given pressure.
-fn supply(scene: &Scene, mesh: &Mesh) -> Result<Vec<SupplyRegion>, CompileError> {
+fn supply(scene: &Scene, sockets: &Sockets, mesh: &Mesh) -> Result<Vec<SupplyRegion>, CompileError> {
     let region = |name: &str, place, pressure| {
         let region = mesh.region(name);
         SupplyRegion {
@@ -362,7 +304,7 @@ fn supply(scene: &Scene, mesh: &Mesh) -> Result<Vec<SupplyRegion>, CompileError>
         }
     };
     let p_e = scene.ends.pressure;
-    let end = match scene.bearing.theory {
+    let end = match sockets.theory {
         Theory::Long => Place::Sealed,
         Theory::Full | Theory::Short => Place::End,
     };
@@ -370,12 +312,12 @@ fn supply(scene: &Scene, mesh: &Mesh) -> Result<Vec<SupplyRegion>, CompileError>
     if scene.bearing.arc.is_some() {
         // The journal brings oil in at one of them; the other ignores its film fraction.
         regions.extend(["arc_from", "arc_to"].map(|name| SupplyRegion {
-            film_fraction: scene.bearing.inlet_fraction,
+            film_fraction: sockets.inlet_fraction,
             ..region(name, Place::Line, p_e)
         }));
     }
     // The lines of a short film stand by themselves: none can be held at another pressure.
-    if let Some(angle) = (scene.bearing.film_start).filter(|_| scene.bearing.theory != Theory::Short) {
+    if let Some(angle) = (scene.bearing.film_start).filter(|_| sockets.theory != Theory::Short) {
         let edges =
             given::line_at_angle(mesh, scene.bearing.radius(), scene.bearing.length, angle).map_err(|fault| {
                 CompileError::FilmStart {
@@ -408,51 +350,6 @@ fn supply_pressure(scene: &Scene) -> Option<f64> {
     let mut pressures = scene.feeds.iter().filter_map(|feed| feed.pressure);
     let first = pressures.next()?;
     pressures.all(|pressure| pressure == first).then_some(first)
-}
-
-/// What a reader of the report should know was simulated, and what was not.
-fn effects(scene: &Scene, problem: &FilmProblem) -> Effects {
-    let mut simulated: Vec<String> = problem.terms.iter().map(|term| term.name().to_owned()).collect();
-    let mut not_simulated = Vec::new();
-    if scene.bearing.theory != Theory::Full {
-        simulated.insert(0, format!("theory: {}", scene.bearing.theory.name()));
-    }
-    if scene.journal.speed == 0.0 {
-        not_simulated.push("couette".to_owned());
-    }
-    if scene.oil.thermal.is_some() {
-        simulated.push("oil by temperature".to_owned());
-    }
-    match scene.oil.pressure_law.name() {
-        None => not_simulated.push("viscosity growing with pressure".to_owned()),
-        Some(law) => simulated.push(law.to_owned()),
-    }
-    if scene.feeds.iter().any(|feed| feed.pressure.is_none()) {
-        simulated.push("groove depth".to_owned());
-    }
-    if scene.bearing.inlet_fraction.is_some() {
-        simulated.push("starved inlet".to_owned());
-    }
-    match problem.cavitation {
-        Cavitation::None => not_simulated.push("cavitation".to_owned()),
-        model => simulated.push(format!("cavitation: {}", model.name())),
-    }
-    if scene.journal.load().is_some() {
-        simulated.push("equilibrium".to_owned());
-    }
-    match scene.heat {
-        Some(_) => simulated.push("heat".to_owned()),
-        None => not_simulated.push("heat".to_owned()),
-    }
-    if scene.journal.motion().is_none() {
-        not_simulated.push("squeeze".to_owned());
-    }
-    let never = ["misalignment", "elastic liner", "roughness", "turbulence"];
-    not_simulated.extend(never.map(str::to_owned));
-    Effects {
-        simulated,
-        not_simulated,
-    }
 }
 
 #[cfg(test)]

@@ -11,7 +11,7 @@ pub mod analysis;
 pub mod bars;
 mod companion_bars;
 pub mod compile;
-pub mod doubts;
+pub mod effects;
 pub mod estimate;
 pub mod joint;
 pub mod level;
@@ -25,6 +25,7 @@ pub mod regime;
 pub mod result;
 pub mod run;
 pub mod thermal;
+pub mod warnings;
 
 pub use oilwedge_bearing::Interrupt;
 

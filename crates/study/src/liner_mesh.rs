@@ -10,7 +10,8 @@ use oilwedge_reynolds::supply::line_at_angle;
 use sha2::{Digest, Sha256};
 
 use crate::compile::CompileError;
-use oilwedge_scene::scene::{CavitationModel, Feed, Layout, MeshSource, Scene};
+use crate::effects::Sockets;
+use oilwedge_scene::scene::{Feed, Layout, MeshSource, Scene};
 
 /// Longest edges of a mesh without a wanted size, over those that resolve the film's scale: two halvings.
 const FINENESS: f64 = 0.25;
@@ -97,8 +98,8 @@ fn sense(scene: &Scene) -> Sense {
 }
 
 /// Whether the film carries its oil through the cavity.
-pub fn conserves_oil(scene: &Scene) -> bool {
-    scene.cavitation.is_some_and(|it| it.model == CavitationModel::Jfo)
+fn conserves_oil(scene: &Scene) -> bool {
+    Sockets::of(scene).cavitation.conserves_oil()
 }
 
 /// The mesh as the model of cavitation needs it, and how many edges were flipped for it: a film that conserves its oil is
@@ -230,10 +231,10 @@ fn blueprint_of(scene: &Scene, mesh: &Mesh) -> Result<Blueprint, Vec<DrawingErro
 fn graded(scene: &Scene, blueprint: &Blueprint, longest: f64, near: (f64, f64)) -> Result<Mesh, Vec<DrawingError>> {
     let radius = scene.bearing.radius();
     let size = |x: f64| longest * film_scale(near, x / radius) / LONGEST;
-    match scene.cavitation {
-        Some(cavitation) if cavitation.model == CavitationModel::Jfo => {
+    match Sockets::of(scene).cavitation.pressure() {
+        Some(cavity) if conserves_oil(scene) => {
             let far = spacing(&blueprint.liner, &size);
-            let layers = layers(scene, cavitation.pressure);
+            let layers = layers(scene, cavity);
             // Cells keep their shape where the mesh is drawn finer.
             let usual = spacing(&blueprint.liner, &|x| needed_size(scene) / longest * size(x));
             let across = |z: f64| {

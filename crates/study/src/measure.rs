@@ -13,7 +13,6 @@ use oilwedge_reynolds::supply::Place;
 use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalState};
 
 use crate::compile::Study;
-pub use crate::doubts::warnings;
 use crate::joint;
 use crate::result::Quantity;
 use crate::thermal;

@@ -12,7 +12,8 @@ use oilwedge_bearing::Patience;
 
 use crate::analysis::{NoAnswer, Solved, graded, solve};
 use crate::bars::{Judged, judge};
-use crate::compile::{CompileError, Study, cavitation};
+use crate::compile::{CompileError, Study};
+use crate::effects::Sockets;
 use crate::measure::possible_load;
 use crate::result::{LevelFacts, Quantity, Refinement};
 use crate::run::RunOptions;
@@ -318,7 +319,7 @@ fn growth(scene: &Scene, worst: f64) -> f64 {
     let [least, most] = GROWTH;
     match worst.is_finite() {
         true => (worst / SAFETY)
-            .powf(1.0 / cavitation(scene).convergence_order())
+            .powf(1.0 / Sockets::of(scene).cavitation.convergence_order())
             .clamp(least, most),
         false => UNRESOLVED_GROWTH,
     }

@@ -6,13 +6,14 @@
 //! where the film is below three times their combined roughness (Hamrock, Schmid, Jacobson (2004), ch. 3).
 
 use oilwedge_reynolds::existence::readable;
+use oilwedge_reynolds::lubricant::PressureLaw;
 use oilwedge_reynolds::lubricant::density::MINERAL_OIL;
 use serde::Serialize;
 
 use crate::compile::Study;
 use crate::measure::Measured;
 use crate::thermal::leaving;
-use oilwedge_scene::scene::{PressureLaw, RoelandsExponent, Scene};
+use oilwedge_scene::scene::Scene;
 
 /// Clearance over radius of a film that curvature does not touch.
 const THIN: f64 = 1e-2;
@@ -20,12 +21,8 @@ const THIN: f64 = 1e-2;
 const APART: f64 = 3.0;
 /// Film [m] of some ten molecules.
 const MOLECULES: f64 = 1e-8;
-/// Pressure [Pa] to which Barus' law holds within some ten percent for mineral oils.
-const BARUS: f64 = 0.3e9;
 /// Pressure [Pa] at which a mineral oil (alpha 2e-8 1/Pa) is 2.7 times as viscous as at none.
 const CONSTANT: f64 = 5e7;
-/// Pressure [Pa] of the roller contacts from which Roelands' law was read.
-const ROELANDS: f64 = 1.2e9;
 /// Rise of temperature [K] at which a mineral oil loses a third of its viscosity in the mean.
 const WARM: f64 = 25.0;
 /// Heat capacity per volume [J/(m3 K)] of mineral oil.
@@ -66,24 +63,13 @@ impl Regime {
         let density = scene.oil.film_density().unwrap_or(MINERAL_OIL);
         let reynolds_number = density * speed * bearing.clearance / problem.lubricant.viscosity;
         let clearance_ratio = bearing.clearance / bearing.radius;
-        let alpha = match scene.oil.pressure_law {
-            PressureLaw::Constant => None,
-            PressureLaw::Barus { alpha, .. } => Some(alpha),
-            PressureLaw::Roelands {
-                exponent,
-                reference_pressure,
-            } => Some(match exponent {
-                RoelandsExponent::Alpha(alpha) => alpha,
-                RoelandsExponent::Z(z) => z * (problem.lubricant.viscosity.ln() + 9.67) / reference_pressure,
-            }),
-        };
         Self {
             reynolds_number,
             taylor_limit: 41.3 / clearance_ratio.sqrt(),
             inertia: reynolds_number * clearance_ratio,
             density,
             clearance_ratio,
-            pressure_exponent: alpha.map(|alpha| alpha * measured.extremes.greatest),
+            pressure_exponent: growth(&problem.lubricant.pressure_law).map(|alpha| alpha * measured.extremes.greatest),
             roughness_ratio: scene
                 .bearing
                 .roughness
@@ -95,23 +81,11 @@ impl Regime {
     /// Assumptions that this film breaks, in sentences that name them.
     pub fn warnings(&self, scene: &Scene, measured: &Measured) -> Vec<String> {
         let pressure = measured.extremes.greatest;
-        let bar = |pascal: f64| readable(1e-5 * pascal);
         let flow = format!(
             "Reynolds number {} at {:.0} kg/m3",
             rounded(self.reynolds_number),
             self.density
         );
-        let law = match scene.oil.pressure_law {
-            PressureLaw::Constant => Some((
-                "a viscosity that does not depend on pressure",
-                CONSTANT,
-                "give [oil] barus or roelands",
-            )),
-            PressureLaw::Barus { .. } => {
-                Some(("Barus' law", BARUS, "it overstates the viscosity there; take roelands"))
-            }
-            PressureLaw::Roelands { .. } => Some(("Roelands' law", ROELANDS, "nothing was measured there")),
-        };
         let broken = [
             (self.reynolds_number > self.taylor_limit).then(|| {
                 format!("laminar film: {flow} lies above {}, where Taylor's vortices begin; friction and flow will be others", rounded(self.taylor_limit))
@@ -128,11 +102,8 @@ impl Regime {
             self.roughness_ratio.filter(|ratio| *ratio < APART).map(|ratio| {
                 format!("smooth surfaces: the least film is {} times bearing.roughness, below {APART} times; the surfaces touch there", rounded(ratio))
             }),
-            law.filter(|(_, limit, _)| pressure > *limit).map(|(law, limit, way_out)| {
-                format!("{law}: the pressure reaches {} bar, beyond the {} bar to which it holds for mineral oils; {way_out}", bar(pressure), bar(limit))
-            }),
             (pressure > RIGID).then(|| {
-                format!("rigid surfaces: {} bar bend the liner by as much as the film is thick", bar(pressure))
+                format!("rigid surfaces: {} bar bend the liner by as much as the film is thick", readable(1e-5 * pressure))
             }),
         ];
         let rise = self
@@ -145,12 +116,44 @@ impl Regime {
             .into_iter()
             .chain([heated])
             .flatten()
-            .map(|told| format!("an assumption does not hold: {told}"))
+            .map(broken_assumption)
             .collect()
     }
 }
 
-/// Friction and power of squeeze over the heat that the oil which leaves takes up for each kelvin.
+/// Relative growth [1/Pa] of viscosity at no pressure; `None` where it does not depend on pressure.
+fn growth(law: &PressureLaw) -> Option<f64> {
+    (!matches!(law, PressureLaw::Constant)).then(|| law.viscosity_slope(0.0))
+}
+
+/// A warning about an assumption that does not hold.
+fn broken_assumption(assumption: String) -> String {
+    format!("an assumption does not hold: {assumption}")
+}
+
+/// That the pressure of a film lies beyond the `limit` [Pa] to which a law of viscosity holds, if so.
+pub(crate) fn beyond_pressure(measured: &Measured, limit: f64, law: &str, way_out: &str) -> Vec<String> {
+    let (pressure, bar) = (measured.extremes.greatest, |pascal: f64| readable(1e-5 * pascal));
+    let warning = || {
+        broken_assumption(format!(
+            "{law}: the pressure reaches {} bar, beyond the {} bar to which it holds for mineral oils; {way_out}",
+            bar(pressure),
+            bar(limit)
+        ))
+    };
+    Vec::from_iter((pressure > limit).then(warning))
+}
+
+/// That a pressure is so high that a viscosity without a law of pressure does not hold.
+pub(crate) fn constant_viscosity(study: &Study, measured: &Measured) -> Vec<String> {
+    let law = "a viscosity that does not depend on pressure";
+    match study.problem.lubricant.pressure_law {
+        PressureLaw::Constant => beyond_pressure(measured, CONSTANT, law, "give a law of pressure under [oil]"),
+        _ => Vec::new(),
+    }
+}
+
+/// Friction and power of a moving centre over the heat that the oil which leaves takes up for each kelvin.
 fn temperature_rise(scene: &Scene, study: &Study, measured: &Measured) -> Option<f64> {
     let capacity = scene.heat.map_or(HEAT_CAPACITY, |heat| heat.heat_capacity);
     let Study { problem, system, .. } = study;

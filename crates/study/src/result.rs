@@ -9,6 +9,7 @@ pub use bars::{ErrorParts, LevelFacts, Refinement};
 pub use heat::{Criterion, HeatPoint, HeatReport};
 
 use crate::quantities::Row;
+use crate::effects::Effects;
 use crate::regime::Regime;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
@@ -59,15 +60,6 @@ pub enum Status {
     /// A solution may exist but was not reached; or there is one, but a limit ended the refinement before its bars were
     /// small enough: the reason begins with `limit` then, and quantities and bars are there.
     NotConverged,
-}
-
-/// Names of what was computed and of what was left out.
-#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize)]
-pub struct Effects {
-    /// In the order of the sockets, as `cavitation: guembel`.
-    pub simulated: Vec<String>,
-    /// In the same order.
-    pub not_simulated: Vec<String>,
 }
 
 /// Facts about a mesh.

@@ -13,13 +13,12 @@ use oilwedge_scene::Scene;
 use crate::analysis::{NoAnswer, Solved};
 use crate::bars::Judged;
 use crate::compile::{CompileError, Study};
-use crate::doubts::warnings_beside_bars;
-use crate::measure::warnings;
 use crate::picture::{FilmPicture, picture};
 use crate::refinement::{Answer, answer};
 use crate::regime::Regime;
 use crate::result::{Balances, Counts, HistoryStep, LinearSolver, MeshFacts, RESULT_FORMAT, RunResult, Status};
 use crate::thermal::{heat_report, left_over};
+use crate::warnings::{warnings, warnings_beside_bars};
 
 /// Degree of the unknown of a film [1].
 pub const DEGREE: usize = 2;

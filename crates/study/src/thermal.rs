@@ -20,13 +20,11 @@ use oilwedge_scene::wording::celsius;
 
 mod bars;
 mod curve;
-mod doubts;
 pub(crate) mod film_heat;
 mod search;
 
 pub use curve::heat_report;
-pub use doubts::doubts;
-use film_heat::film_heat;
+pub(crate) use film_heat::film_heat;
 pub use film_heat::leaving;
 pub use search::solve;
 use search::{Film, Films, Left, ROUGHLY};
@@ -98,6 +96,12 @@ pub fn quantities(study: &Study, measured: &Measured) -> Vec<Quantity> {
         add("heat_housing", "P_h", balance.given_off(temperature), "W");
     }
     list
+}
+
+/// To a tenth of a kelvin [K].
+pub(crate) fn rounded(temperature: f64) -> f64 {
+    // That of the ice point is a tenth and a twentieth.
+    (10.0 * (temperature - 0.05)).round() / 10.0 + 0.05
 }
 
 /// Names and units of the quantities that the balances of some scenes tell.

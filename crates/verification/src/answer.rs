@@ -4,6 +4,7 @@ use std::path::Path;
 
 use oilwedge_report::Error;
 use oilwedge_scene::{Scene, SceneError};
+use oilwedge_study::effects::Sockets;
 use oilwedge_study::result::Status;
 use oilwedge_study::{Run, RunOptions, run};
 use toml::{Table, Value};
@@ -85,6 +86,11 @@ pub(crate) fn solve_within(table: &Table, max_unknowns: usize) -> Answer {
         Ok(run) => Answer::Run(Box::new(run)),
         Err(error) => Answer::Refused(told(&error.into())),
     }
+}
+
+/// What the effects of the scene of a table put into the sockets of its film; `None` where it is refused.
+pub(crate) fn sockets(table: &Table) -> Option<Sockets> {
+    read(table).ok().map(|scene| Sockets::of(&scene))
 }
 
 fn read(table: &Table) -> Result<Scene, String> {

@@ -2,10 +2,12 @@
 
 use oilwedge_campaign::AddOns;
 use oilwedge_report::result_json;
+use oilwedge_reynolds::Form;
 use oilwedge_study::Run;
+use oilwedge_study::effects::Socket;
 use oilwedge_study::result::{Quantity, RunResult};
 
-use crate::answer::Answer;
+use crate::answer::{Answer, sockets};
 use crate::cases::Case;
 use crate::family::Expect;
 
@@ -68,12 +70,8 @@ fn film(case: &Case, run: &Run, faults: &mut Vec<String>) {
     if let Err(error) = result_json(result, &AddOns::default()) {
         faults.push(error.to_string());
     }
-    let as_printed = result
-        .effects
-        .simulated
-        .iter()
-        .any(|effect| effect.contains("as-printed"));
-    if result.balances.mass > BALANCED && !as_printed {
+    let is_balance = sockets(&case.scene).is_none_or(|sockets| sockets.form == Form::Conservative);
+    if result.balances.mass > BALANCED && is_balance {
         faults.push(format!("oil is out of balance by {:.1e}", result.balances.mass));
     }
     if result.balances.force > BALANCED {
@@ -114,8 +112,7 @@ fn pressures(result: &RunResult, faults: &mut Vec<String>) {
             "the least pressure {least:.3e} Pa is above the greatest {greatest:.3e} Pa"
         ));
     }
-    let has_cavity =
-        (result.effects.simulated.iter()).any(|effect| effect.starts_with("cavitation") && !effect.ends_with("none"));
+    let has_cavity = result.effects.fill(Socket::Cavitation);
     // Cases give the pressure of a cavity as zero, but where they are about it.
     if has_cavity && least < -WAVER * greatest.abs() && value("cavity_share").is_none() {
         faults.push(format!(

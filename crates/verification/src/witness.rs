@@ -6,7 +6,7 @@ use oilwedge_study::Run;
 use oilwedge_study::result::Quantity;
 use toml::{Table, Value};
 
-use crate::answer::{Answer, solve, solve_within};
+use crate::answer::{Answer, sockets, solve, solve_within};
 use crate::cases::{finer, other};
 use crate::family::{Against, ClosedForm, Known, Other, Series};
 
@@ -54,12 +54,7 @@ fn on_finer_mesh(scene: &Table, run: &Run, faults: &mut Vec<String>) -> String {
         true => "eccentricity",
         false => "load",
     };
-    let conserving = run
-        .result
-        .effects
-        .simulated
-        .iter()
-        .any(|effect| effect.ends_with("jfo"));
+    let conserving = sockets(scene).is_some_and(|sockets| sockets.cavitation.conserves_oil());
     let (finer_by, widened) = if conserving { (HALF, CONSERVING) } else { (FINER, 1.0) };
     let tolerance = (finer_by * relative(name).unwrap_or(TOLERANCES[1])).clamp(TOLERANCES[0], TOLERANCES[1]);
     let answer = solve_within(&finer(scene, tolerance), MOST_UNKNOWNS);

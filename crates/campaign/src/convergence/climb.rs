@@ -16,8 +16,9 @@ use super::strategy::Strategy;
 use oilwedge_scene::scene::Scene;
 use oilwedge_study::analysis::NoAnswer;
 use oilwedge_study::compile::CompileError;
+use oilwedge_study::effects::Effects;
 use oilwedge_study::level::{Level, LevelError, solve_level};
-use oilwedge_study::result::{Effects, Quantity};
+use oilwedge_study::result::Quantity;
 
 /// Share of the indicator that the triangles divided carry.
 const SHARE: f64 = 0.7;

@@ -27,8 +27,9 @@ use report::{CONVERGE_FORMAT, GoalFacts};
 use crate::Error;
 use oilwedge_scene::scene::Scene;
 use oilwedge_study::analysis::NoAnswer;
+use oilwedge_study::effects::{Effects, Sockets};
 use oilwedge_study::quantities::main_quantity;
-use oilwedge_study::result::{Effects, Status};
+use oilwedge_study::result::Status;
 
 /// A goal below this part of what is natural for it is rounding.
 const NOTHING: f64 = 1e-9;
@@ -183,12 +184,11 @@ fn finish(
     Ok(Convergence { report, mesh })
 }
 
-/// The load [N] that drag, squeeze and given pressures would make of the whole projected area.
+/// The load [N] that drag, a moving centre and given pressures would make of the whole projected area.
 fn natural_load(scene: &Scene) -> f64 {
     let (bearing, journal) = (&scene.bearing, &scene.journal);
-    let motion = (journal.motion()).map_or(0.0, |squeeze| {
-        squeeze.radial.hypot(squeeze.tangential) / bearing.clearance
-    });
+    let centre = Sockets::of(scene).centre_velocity;
+    let motion = centre.radial.hypot(centre.tangential) / bearing.clearance;
     let dragged = scene.oil.viscosity * (journal.speed.abs() + motion) * (bearing.radius() / bearing.clearance).powi(2);
     let given = scene.feeds.iter().filter_map(|feed| feed.pressure);
     let given = given.chain(scene.cavitation.map(|cavitation| cavitation.pressure));

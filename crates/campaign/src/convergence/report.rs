@@ -6,7 +6,8 @@ use serde::Serialize;
 
 use super::price::{Measure, Price};
 use super::strategy::Strategy;
-use oilwedge_study::result::{Effects, Status, in_parts};
+use oilwedge_study::effects::Effects;
+use oilwedge_study::result::{Status, in_parts};
 
 /// Name and version of the form of `converge.json`.
 pub const CONVERGE_FORMAT: &str = "oilwedge-converge/1";

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use oilwedge_scene::Scene;
-use oilwedge_study::compile::cavitation;
+use oilwedge_study::effects::Sockets;
 
 /// How accuracy is bought.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -48,7 +48,7 @@ impl Strategy {
     pub fn order(self, scene: &Scene) -> f64 {
         match self.degree() {
             1 => 1.0,
-            _ => cavitation(scene).convergence_order(),
+            _ => Sockets::of(scene).cavitation.convergence_order(),
         }
     }
 }

@@ -14,8 +14,8 @@ use oilwedge_scene::sweep::Plan;
 use oilwedge_scene::{Scene, SceneError};
 use oilwedge_study::CompileError;
 use oilwedge_study::compile::compile;
+use oilwedge_study::effects::Effects;
 use oilwedge_study::refinement::at_first;
-use oilwedge_study::result::Effects;
 use oilwedge_study::run::RunOptions;
 
 use crate::Error;

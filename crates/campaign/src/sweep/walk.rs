@@ -11,7 +11,7 @@ use oilwedge_reynolds::{FilmSolution, JournalState};
 use oilwedge_scene::scene::Scene;
 use oilwedge_study::analysis::{NoAnswer, Solved, Start, graded, is_near, solve, solve_from};
 use oilwedge_study::bars::judge;
-use oilwedge_study::compile::{CompileError, Study, compile_near, has_same_system, renewed};
+use oilwedge_study::compile::{CompileError, Study, compile_near, has_same_system, reused};
 use oilwedge_study::refinement::{answer, ended, unknowns};
 use oilwedge_study::result::{Quantity, Status};
 use oilwedge_study::run::RunOptions;
@@ -165,7 +165,7 @@ impl<'a> Walker<'a> {
             .take()
             .filter(|held| !scene.mesh.is_graded() && has_same_system(&held.scene, scene));
         let mut study = match ungraded {
-            Some(held) => renewed(held.study, scene, scene.start()),
+            Some(held) => reused(held.study, scene, scene.start()),
             None => graded(scene, self.patience)?,
         };
         let graded_for = study.problem.journal;
@@ -191,7 +191,7 @@ impl<'a> Walker<'a> {
         };
         let Some(held) = self.held.take() else { return Ok(None) };
         let before = relative(&held.study);
-        let study = renewed(held.study, scene, near);
+        let study = reused(held.study, scene, near);
         let film = held.film.filter(|_| is_short(before, relative(&study)));
         let mut held = Held {
             scene: scene.clone(),

@@ -3,7 +3,8 @@ use oilwedge_campaign::convergence::report::{
     CONVERGE_FORMAT, ConvergenceReport, Course, GoalFacts, LevelReport, Reference, Timing,
 };
 use oilwedge_campaign::convergence::strategy::Strategy;
-use oilwedge_study::result::{Effects, Status};
+use oilwedge_study::effects::Effects;
+use oilwedge_study::result::Status;
 
 use crate::json::{ReportError, json};
 

@@ -1,7 +1,7 @@
 use super::*;
+use oilwedge_study::effects::{EFFECTS, Effects};
 use oilwedge_study::result::{
-    Balances, Counts, Effects, ErrorParts, HistoryStep, LevelFacts, MeshFacts, Quantity, RESULT_FORMAT, RunResult,
-    Status,
+    Balances, Counts, ErrorParts, HistoryStep, LevelFacts, MeshFacts, Quantity, RESULT_FORMAT, RunResult, Status,
 };
 
 pub(crate) fn example() -> RunResult {
@@ -14,8 +14,8 @@ pub(crate) fn example() -> RunResult {
         status: Status::NotConverged,
         reason: None,
         effects: Effects {
-            simulated: vec!["poiseuille".into()],
-            not_simulated: vec!["squeeze".into()],
+            simulated: vec![&EFFECTS[2]],
+            not_simulated: vec!["squeeze"],
         },
         mesh: MeshFacts {
             cells: 592,

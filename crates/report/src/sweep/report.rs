@@ -5,7 +5,7 @@ use serde::{Serialize, Serializer};
 
 use super::table::{Columns, Row};
 use oilwedge_scene::sweep::{AxisValue, Plan};
-use oilwedge_study::result::Effects;
+use oilwedge_study::effects::Effects;
 
 /// Name and version of the form of `sweep.json`.
 pub const SWEEP_FORMAT: &str = "oilwedge-sweep/1";

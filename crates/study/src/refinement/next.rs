@@ -9,7 +9,7 @@ use oilwedge_mesh::{Mesh, refine};
 use crate::analysis::graded;
 use crate::bars::Judged;
 use crate::compile::{CompileError, Study, compile_on};
-use crate::liner_mesh::{conserves_oil, resized};
+use crate::liner_mesh::resized;
 use crate::result::Refinement;
 use crate::run::DEGREE;
 use oilwedge_scene::scene::{MeshSource, Scene};
@@ -118,7 +118,7 @@ impl Next {
             .indicator
             .as_ref()
             // Rows along the flow are divided as a whole: a triangle divided for its neighbour's sake lies across it.
-            .filter(|_| !conserves_oil(scene) && !stuck && (judged.is_local || fitted || bound));
+            .filter(|_| !study.problem.cavitation.conserves_oil() && !stuck && (judged.is_local || fitted || bound));
         let (divided, refinement) = match (local, last) {
             (Some(indicator), _) => (refine::local(mesh, &doerfler(indicator, SHARE)), Refinement::Local),
             (None, Self::Drawn(factor)) => return Ok(Self::Drawn(factor / growth.sqrt())),

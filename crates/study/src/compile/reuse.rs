@@ -4,31 +4,24 @@ use std::mem::discriminant;
 
 use oilwedge_reynolds::supply::{Place, SupplyRegion};
 
-use super::{Study, centre_velocity, effects, film_thickness, journal, problem, supply_pressure};
-use oilwedge_scene::scene::{PressureLaw, Scene};
+use super::{Study, problem, supply_pressure};
+use crate::effects::{Effects, Sockets};
+use oilwedge_scene::scene::Scene;
 
 /// Whether two scenes make the same system of the same mesh, but for given pressures and the film's thickness.
 pub fn has_same_system(one: &Scene, other: &Scene) -> bool {
-    let form = |scene: &Scene| match scene.oil.pressure_law {
-        PressureLaw::Barus { form, .. } => Some(form),
-        _ => None,
-    };
-    let model = |scene: &Scene| scene.cavitation.map(|cavitation| cavitation.model);
     let bearing = |scene: &Scene| {
-        let bearing = scene.bearing.clone();
-        (
-            bearing.diameter,
-            bearing.length,
-            bearing.arc,
-            bearing.inlet_fraction,
-            bearing.film_start,
-            bearing.theory,
-        )
+        let bearing = &scene.bearing;
+        (bearing.diameter, bearing.length, bearing.arc, bearing.film_start)
+    };
+    let system = |scene: &Scene| {
+        let sockets = Sockets::of(scene);
+        let closure = (sockets.form, discriminant(&sockets.cavitation));
+        (sockets.theory, sockets.inlet_fraction, closure, sockets.load.is_some())
     };
     one.mesh == other.mesh
         && bearing(one) == bearing(other)
-        && (form(one), model(one)) == (form(other), model(other))
-        && discriminant(&one.journal.position) == discriminant(&other.journal.position)
+        && system(one) == system(other)
         && have_same_regions(one, other)
 }
 
@@ -46,21 +39,21 @@ fn have_same_regions(one: &Scene, other: &Scene) -> bool {
 }
 
 /// The study of `scene` on the system of another one, which [`has_same_system`]; the journal at the position `near`.
-pub fn renewed(mut study: Study, scene: &Scene, near: (f64, f64)) -> Study {
-    let thickness = film_thickness(scene, study.system.space().mesh());
+pub fn reused(mut study: Study, scene: &Scene, near: (f64, f64)) -> Study {
+    let sockets = Sockets::of(scene);
+    (study.load, study.centre_velocity) = (sockets.load, sockets.centre_velocity);
+    study.problem = problem(scene, sockets, study.system.space().mesh(), near);
     let fed = |name: &str| scene.feeds.iter().find(|feed| feed.group == name)?.pressure;
     let pressure = |region: &SupplyRegion| match region.place {
         Place::Feed => fed(&region.name).unwrap_or(region.pressure),
         Place::End | Place::Line | Place::Sealed => scene.ends.pressure,
     };
-    study.system.renew(&pressure, &thickness);
-    study.problem = problem(scene, journal(scene, near), thickness);
-    study.load = scene.journal.load();
-    study.centre_velocity = centre_velocity(scene);
+    study.system.renew(&pressure, &study.problem.film_thickness);
     study.cap = scene.cap;
     study.oil = scene.oil.clone();
     study.heat = scene.heat;
-    study.effects = effects(scene, &study.problem);
+    study.scene = scene.clone();
+    study.effects = Effects::of(scene);
     study.supply_pressure = supply_pressure(scene);
     study
 }

@@ -1,0 +1,61 @@
+//! Short and long bearings: pressure drives oil in one direction only.
+
+use oilwedge_reynolds::Theory;
+use oilwedge_scene::Scene;
+
+use super::{BLANK, Effect, Socket, changed};
+use crate::compile::Study;
+
+/// The B/D up to which the theory of short bearings suits.
+pub const SHORT_TO: f64 = 0.25;
+/// The B/D from which on the theory of long bearings suits.
+pub const LONG_FROM: f64 = 2.0;
+
+pub(super) const SHORT: Effect = Effect {
+    name: "theory: short",
+    sentence: "pressure drives oil along the axis only",
+    is_in: |scene| scene.bearing.theory == Theory::Short,
+    install: |_, sockets| sockets.theory = Theory::Short,
+    warnings: |study, _| {
+        let slenderness = slenderness(study);
+        let warning = || left_out(study, "around", format!("below {SHORT_TO}"));
+        Vec::from_iter((slenderness > SHORT_TO).then(warning))
+    },
+    ..ROW
+};
+
+pub(super) const LONG: Effect = Effect {
+    name: "theory: long",
+    sentence: "pressure drives oil around only, the ends are sealed",
+    is_in: |scene| scene.bearing.theory == Theory::Long,
+    install: |_, sockets| sockets.theory = Theory::Long,
+    warnings: |study, _| {
+        let slenderness = slenderness(study);
+        let warning = || left_out(study, "along the axis", format!("above {LONG_FROM}"));
+        Vec::from_iter((slenderness < LONG_FROM).then(warning))
+    },
+    ..ROW
+};
+
+const ROW: Effect = Effect {
+    socket: Socket::FlowFactors,
+    instead: "pressure flow in both directions",
+    remove: without,
+    ..BLANK
+};
+
+fn without(scene: &Scene) -> Option<Scene> {
+    changed(scene, |scene| scene.bearing.theory = Theory::Full)
+}
+
+fn slenderness(study: &Study) -> f64 {
+    0.5 * study.problem.bearing.length / study.problem.bearing.radius
+}
+
+fn left_out(study: &Study, direction: &str, fit: String) -> String {
+    format!(
+        "theory = \"{}\" leaves out the flow that pressure drives {direction}; it suits B/D {fit}, and here B/D is {:.2}; --theories compares the result with that of both flows",
+        study.problem.theory.name(),
+        slenderness(study)
+    )
+}

@@ -1,0 +1,59 @@
+//! The heat balance: the temperature at which the oil carries off what friction makes.
+
+use oilwedge_reynolds::existence::readable;
+use oilwedge_scene::wording::celsius;
+
+use super::{BLANK, Effect, Socket, changed};
+use crate::compile::Study;
+use crate::measure::Measured;
+use crate::thermal::{film_heat, rounded};
+
+/// Viscosity where the oil enters over that where it leaves, from which on one temperature does not describe the film.
+const UNEVEN: f64 = 2.0;
+/// Share of the oil that leaves which a cavity creates, from which the heat that it carries is worth a warning.
+const CREATED: f64 = 0.05;
+
+pub(super) const KIND: &str = "heat";
+
+pub(super) const ROW: Effect = Effect {
+    name: KIND,
+    sentence: "the temperature is found at which the oil carries off what friction makes",
+    socket: Socket::Temperature,
+    kind: KIND,
+    is_in: |scene| scene.heat.is_some(),
+    instead: "a film as warm as the oil that is fed",
+    remove: |scene| {
+        changed(scene, |scene| {
+            if let Some(heat) = scene.heat.take() {
+                scene.oil.heat_to(heat.inlet);
+            }
+        })
+    },
+    warnings,
+    ..BLANK
+};
+
+fn warnings(study: &Study, measured: &Measured) -> Vec<String> {
+    let (Some(heat), Some(temperature), Some(oil)) = (&study.heat, study.oil.temperature, &study.oil.thermal) else {
+        return Vec::new();
+    };
+    let film = film_heat(heat, study, measured);
+    let [inlet, outlet] = heat.balance().ends(temperature, film.carried_over);
+    let ratio = oil.viscosity(inlet) / oil.viscosity(outlet);
+    let created = measured.flows.cavity / film.flow;
+    let created = (film.flow > 0.0 && created > CREATED).then(|| {
+        format!(
+            "{:.0} % of the oil that carries the heat off is created by the cavity, which does not conserve oil where the film forms again: the film is hotter if the feeds bring no more; choose a model of cavitation that conserves oil",
+            100.0 * created
+        )
+    });
+    let uneven = (ratio > UNEVEN).then(|| {
+        format!(
+            "an assumption does not hold: one temperature of the film: its oil is {} times as viscous where it enters, at {}, as where it leaves, at {}",
+            readable(format!("{ratio:.1e}").parse().unwrap_or(ratio)),
+            celsius(rounded(inlet)),
+            celsius(rounded(outlet))
+        )
+    });
+    created.into_iter().chain(uneven).collect()
+}

@@ -1,0 +1,181 @@
+//! The table of effects: one row each, in a file of its own, that knows everything about its effect but the physics.
+//!
+//! An effect fills a socket of the film ([`Sockets`]). Compilation, the list of what is simulated, the cost of effects, and warnings about
+//! limits of validity are loops over [`EFFECTS`]; no other code knows an effect by name.
+
+mod barus;
+pub mod bearing_theory;
+mod closure;
+mod couette;
+mod equilibrium;
+mod groove_depth;
+mod guembel;
+mod heat;
+mod jfo;
+mod oil_by_temperature;
+mod poiseuille;
+mod reynolds;
+mod roelands;
+mod sockets;
+mod squeeze;
+mod starved_inlet;
+
+use oilwedge_scene::Scene;
+use serde::{Serialize, Serializer};
+
+use crate::compile::Study;
+use crate::measure::Measured;
+pub use jfo::without_conservation;
+pub use sockets::{Contribution, Socket, Sockets};
+
+/// All effects, in the order in which the sockets are filled.
+pub const EFFECTS: &[Effect] = &[
+    bearing_theory::SHORT,
+    bearing_theory::LONG,
+    poiseuille::ROW,
+    couette::ROW,
+    squeeze::ROW,
+    equilibrium::ROW,
+    heat::ROW,
+    oil_by_temperature::ROW,
+    barus::CONSERVATIVE,
+    barus::AS_PRINTED,
+    roelands::ROW,
+    groove_depth::ROW,
+    starved_inlet::ROW,
+    guembel::ROW,
+    reynolds::ROW,
+    jfo::ROW,
+];
+
+/// What a film may leave out and a reader may miss, in the order of reports; the last ones no film has.
+const MISSED: [&str; 9] = [
+    couette::KIND,
+    VISCOSITY_BY_PRESSURE,
+    CAVITATION,
+    heat::KIND,
+    "squeeze",
+    "misalignment",
+    "elastic liner",
+    "roughness",
+    "turbulence",
+];
+/// Kind of all laws of viscosity against pressure.
+const VISCOSITY_BY_PRESSURE: &str = "viscosity growing with pressure";
+/// Kind of all closures.
+const CAVITATION: &str = "cavitation";
+
+/// One effect.
+#[derive(Debug, Clone, Copy)]
+pub struct Effect {
+    /// Name in reports, as `cavitation: jfo`.
+    pub name: &'static str,
+    /// What it does, in a sentence.
+    pub sentence: &'static str,
+    /// What it is an entry of.
+    pub socket: Socket,
+    /// What is listed as not simulated where no effect of this kind is in the scene.
+    kind: &'static str,
+    /// Whether it is in a scene.
+    is_in: fn(&Scene) -> bool,
+    /// Puts it into its socket.
+    install: fn(&Scene, &mut Sockets),
+    /// What stands in its place where it is taken out.
+    pub instead: &'static str,
+    /// The scene without it; `None` where leaving it out asks another question.
+    pub remove: fn(&Scene) -> Option<Scene>,
+    /// Warnings, in sentences, about films outside its limits of validity.
+    warnings: fn(&Study, &Measured) -> Vec<String>,
+}
+
+/// An effect without properties.
+const BLANK: Effect = Effect {
+    name: "",
+    sentence: "",
+    socket: Socket::Terms,
+    kind: "",
+    is_in: |_| true,
+    install: |_, _| (),
+    instead: "",
+    remove: |_| None,
+    warnings: |_, _| Vec::new(),
+};
+
+/// The effects that are in a scene.
+pub fn present(scene: &Scene) -> impl Iterator<Item = &'static Effect> + '_ {
+    EFFECTS.iter().filter(|effect| (effect.is_in)(scene))
+}
+
+/// Warnings of all effects in the scene of a film about their limits of validity.
+pub fn warnings(study: &Study, measured: &Measured) -> Vec<String> {
+    let warnings = present(&study.scene).map(|effect| (effect.warnings)(study, measured));
+    warnings.flatten().collect()
+}
+
+/// The scene with `change` made to a copy of it.
+fn changed(scene: &Scene, change: impl FnOnce(&mut Scene)) -> Option<Scene> {
+    let mut scene = scene.clone();
+    change(&mut scene);
+    Some(scene)
+}
+
+impl PartialEq for Effect {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name
+    }
+}
+
+impl Eq for Effect {}
+
+impl PartialEq<&str> for &Effect {
+    fn eq(&self, name: &&str) -> bool {
+        self.name == *name
+    }
+}
+
+impl Serialize for Effect {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name)
+    }
+}
+
+/// What was computed and what was left out.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize)]
+pub struct Effects {
+    /// In the order of the sockets, those that close around the film last.
+    pub simulated: Vec<&'static Effect>,
+    /// In the order of reports.
+    pub not_simulated: Vec<&'static str>,
+}
+
+impl Effects {
+    /// Those of a scene.
+    pub fn of(scene: &Scene) -> Self {
+        let mut simulated: Vec<&Effect> = present(scene).collect();
+        simulated.sort_by_key(|effect| effect.socket.is_balance());
+        let is_missed = |kind: &&str| simulated.iter().all(|effect| effect.kind != *kind);
+        let not_simulated = MISSED.into_iter().filter(is_missed).collect();
+        Self {
+            simulated,
+            not_simulated,
+        }
+    }
+
+    /// Whether one of them is an entry of this socket.
+    pub fn fill(&self, socket: Socket) -> bool {
+        self.simulated.iter().any(|effect| effect.socket == socket)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::EFFECTS;
+
+    #[test]
+    fn every_effect_has_a_name_of_its_own_and_a_sentence() {
+        for (number, effect) in EFFECTS.iter().enumerate() {
+            assert!(!effect.name.is_empty() && !effect.sentence.is_empty(), "{effect:?}");
+            assert!(EFFECTS[..number].iter().all(|other| other != effect), "{}", effect.name);
+        }
+    }
+}

@@ -1,0 +1,35 @@
+//! Oil by temperature: the viscosity that the scene gives is that at the temperature of the film.
+
+use oilwedge_reynolds::lubricant::TemperatureLaw;
+use oilwedge_scene::wording::celsius;
+
+use super::{BLANK, Effect, Socket};
+use crate::compile::Study;
+use crate::thermal::rounded;
+
+pub(super) const ROW: Effect = Effect {
+    name: "oil by temperature",
+    sentence: "viscosity and density are those at the temperature of the film",
+    socket: Socket::Lubricant,
+    is_in: |scene| scene.oil.thermal.is_some(),
+    warnings: |study, _| Vec::from_iter(outside_table(study)),
+    ..BLANK
+};
+
+/// That a temperature that was sought lies outside the table of viscosities.
+fn outside_table(study: &Study) -> Option<String> {
+    let oil = &study.oil;
+    study.heat?;
+    let (temperature, TemperatureLaw::Table(table)) = (oil.temperature?, &oil.thermal.as_ref()?.law) else {
+        return None;
+    };
+    let [from, to] = table.range();
+    (temperature < from || temperature > to).then(|| {
+        format!(
+            "the film has {}, but oil.table reaches from {} to {}: its last line was extrapolated",
+            celsius(rounded(temperature)),
+            celsius(from),
+            celsius(to)
+        )
+    })
+}

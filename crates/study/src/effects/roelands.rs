@@ -1,0 +1,41 @@
+//! Roelands' law: viscosity grows with a power of pressure in the exponent.
+
+use oilwedge_reynolds::lubricant::PressureLaw as Law;
+use oilwedge_reynolds::lubricant::roelands::Roelands;
+use oilwedge_scene::Scene;
+use oilwedge_scene::scene::{PressureLaw, RoelandsExponent};
+
+use super::{BLANK, Effect, Socket, Sockets, VISCOSITY_BY_PRESSURE, changed};
+use crate::regime::beyond_pressure;
+
+/// Pressure [Pa] of the roller contacts from which the law was read.
+const LIMIT: f64 = 1.2e9;
+
+pub(super) const ROW: Effect = Effect {
+    name: "roelands",
+    sentence: "viscosity grows with a power of pressure in the exponent",
+    socket: Socket::Lubricant,
+    kind: VISCOSITY_BY_PRESSURE,
+    is_in: |scene| matches!(scene.oil.pressure_law, PressureLaw::Roelands { .. }),
+    install,
+    instead: "constant viscosity",
+    remove: |scene| changed(scene, |scene| scene.oil.pressure_law = PressureLaw::Constant),
+    warnings: |_, measured| beyond_pressure(measured, LIMIT, "Roelands' law", "nothing was measured there"),
+    ..BLANK
+};
+
+fn install(scene: &Scene, sockets: &mut Sockets) {
+    let PressureLaw::Roelands {
+        exponent,
+        reference_pressure,
+    } = scene.oil.pressure_law
+    else {
+        return;
+    };
+    let viscosity = scene.oil.viscosity;
+    let index = match exponent {
+        RoelandsExponent::Z(z) => z,
+        RoelandsExponent::Alpha(alpha) => Roelands::index_of(alpha, viscosity, reference_pressure),
+    };
+    sockets.pressure_law = Law::Roelands(Roelands::new(viscosity, index, reference_pressure));
+}

@@ -1,0 +1,84 @@
+//! The sockets of a film: what the effects of a scene put there.
+
+use std::sync::Arc;
+
+use oilwedge_mesh::Mesh;
+use oilwedge_reynolds::film_thickness::FilmContribution;
+use oilwedge_reynolds::lubricant::PressureLaw;
+use oilwedge_reynolds::terms::Term;
+use oilwedge_reynolds::{Cavitation, CentreVelocity, Form, Theory};
+use oilwedge_scene::Scene;
+
+use super::present;
+
+/// Where an effect enters.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Socket {
+    /// A direction in which pressure drives oil.
+    FlowFactors,
+    /// A flux or source of Reynolds' equation.
+    Terms,
+    /// The position of the journal as an unknown.
+    Position,
+    /// The temperature of the film as an unknown.
+    Temperature,
+    /// The oil.
+    Lubricant,
+    /// A contribution to the thickness of the film.
+    FilmThickness,
+    /// Given pressures and film fractions.
+    Supply,
+    /// What closes the equation where the film breaks.
+    Cavitation,
+}
+
+impl Socket {
+    /// Whether it holds a further unknown that closes around the film.
+    pub fn is_balance(self) -> bool {
+        matches!(self, Self::Position | Self::Temperature)
+    }
+}
+
+/// Makes a contribution to the thickness of a film on a mesh.
+pub type Contribution = Box<dyn Fn(&Mesh) -> Arc<dyn FilmContribution>>;
+
+/// The sockets of one film.
+pub struct Sockets {
+    /// Which pressure flows there are.
+    pub theory: Theory,
+    /// Fluxes and sources.
+    pub terms: Vec<Arc<dyn Term>>,
+    /// Growth of viscosity with pressure.
+    pub pressure_law: PressureLaw,
+    /// Where the viscosity stands in the equation.
+    pub form: Form,
+    /// Contributions to the film thickness beside that of the journal.
+    pub film_thickness: Vec<Contribution>,
+    /// Film fraction of the oil that enters at the edge of an arc; `None`: full.
+    pub inlet_fraction: Option<f64>,
+    /// What closes the equation where the film breaks.
+    pub cavitation: Cavitation,
+    /// Velocity of the journal's centre.
+    pub centre_velocity: CentreVelocity,
+    /// Force `(F cos, F sin)` on the journal [N] under which its position is found; `None` at a given position.
+    pub load: Option<[f64; 2]>,
+}
+
+impl Sockets {
+    /// Those that the effects of a scene fill.
+    pub fn of(scene: &Scene) -> Self {
+        let mut sockets = Self {
+            theory: Theory::Full,
+            terms: Vec::new(),
+            pressure_law: PressureLaw::Constant,
+            form: Form::Conservative,
+            film_thickness: Vec::new(),
+            inlet_fraction: None,
+            cavitation: Cavitation::None,
+            centre_velocity: CentreVelocity::default(),
+            load: None,
+        };
+        present(scene).for_each(|effect| (effect.install)(scene, &mut sockets));
+        sockets
+    }
+}

@@ -1,0 +1,25 @@
+//! Squeeze: the journal's centre moves.
+
+use std::sync::Arc;
+
+use oilwedge_reynolds::CentreVelocity;
+use oilwedge_reynolds::terms::squeeze::Squeeze;
+
+use super::{BLANK, Effect, changed};
+
+pub(super) const ROW: Effect = Effect {
+    name: "squeeze",
+    sentence: "oil pressed out as the journal's centre moves",
+    kind: "squeeze",
+    is_in: |scene| scene.journal.motion().is_some(),
+    install: |scene, sockets| {
+        sockets.terms.push(Arc::new(Squeeze));
+        sockets.centre_velocity = (scene.journal.motion()).map_or(Default::default(), |motion| CentreVelocity {
+            radial: motion.radial,
+            tangential: motion.tangential,
+        });
+    },
+    instead: "a centre at rest",
+    remove: |scene| changed(scene, |scene| scene.journal.squeeze = None),
+    ..BLANK
+};
