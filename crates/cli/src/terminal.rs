@@ -8,7 +8,6 @@ use crate::quantities::{bars, quantities};
 use crate::readable::{readable_unit, significant};
 use crate::standard::standard;
 use crate::theories::theories;
-use crate::words;
 use comfy_table::{CellAlignment, ContentArrangement, Table, presets};
 use oilwedge_campaign::AddOns;
 use oilwedge_report::check::CheckReport;

@@ -33,7 +33,7 @@ fn a_centre_that_rests_squeezes_nothing() {
     ] {
         let study = journal(&format!("{plain}{squeeze}"));
         assert_eq!(study.effects.simulated, ["poiseuille", "couette"]);
-        assert!(study.effects.not_simulated.contains(&"squeeze".to_owned()));
+        assert!(study.effects.not_simulated.contains(&"squeeze"));
         assert_eq!((study.problem.journal.velocity, study.load), ([0.0; 2], None));
     }
 }
@@ -44,7 +44,7 @@ fn a_centre_that_moves_adds_its_term() {
         "eccentricity = 0.6, min_film_angle = \"90 deg\", squeeze = { radial = \"2 mm/s\", tangential = \"1 mm/s\" }";
     let turning = journal(&format!("speed = \"10 rad/s\", {moving}"));
     assert_eq!(turning.effects.simulated, ["poiseuille", "couette", "squeeze"]);
-    assert!(!turning.effects.not_simulated.contains(&"squeeze".to_owned()));
+    assert!(!turning.effects.not_simulated.contains(&"squeeze"));
     // The line of centres points to +y: radial is +y, and towards growing angles is -x.
     assert!(is_near(turning.problem.journal.velocity, [-1e-3, 2e-3]));
     let at_rest = journal(&format!("speed = \"0 rpm\", {moving}"));
