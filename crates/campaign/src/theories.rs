@@ -12,11 +12,11 @@ use serde::Serialize;
 use oilwedge_scene::reader::Marks;
 use oilwedge_scene::scene::{Position, Scene, Theory};
 use oilwedge_scene::validate;
+use oilwedge_study::effects::{Socket, present, without_conservation};
 use oilwedge_study::quantities::{
     ATTITUDE_ANGLE, ECCENTRICITY, FILM_THICKNESS_MIN, FRICTION_POWER, FRICTION_TORQUE, LOAD, PRESSURE_MAX, Row,
     SIDE_FLOW, TEMPERATURE_EFFECTIVE,
 };
-use oilwedge_study::effects::{Socket, present, without_conservation};
 use oilwedge_study::result::{Quantity, RunResult, Status};
 use oilwedge_study::run::{RunOptions, run};
 

@@ -8,8 +8,8 @@ mod heat;
 pub use bars::{ErrorParts, LevelFacts, Refinement};
 pub use heat::{Criterion, HeatPoint, HeatReport};
 
-use crate::quantities::Row;
 use crate::effects::Effects;
+use crate::quantities::Row;
 use crate::regime::Regime;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
