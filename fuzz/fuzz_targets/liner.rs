@@ -8,7 +8,7 @@ use std::path::Path;
 use libfuzzer_sys::{fuzz_mutator, fuzz_target, fuzzer_mutate};
 use oilwedge_fuzz::mutate_words;
 use oilwedge_mesh::Quality;
-use oilwedge_scene::scene::MeshSource;
+use oilwedge_scene::MeshSource;
 use oilwedge_scene::Scene;
 use oilwedge_study::liner_mesh::mesh_scene;
 
@@ -31,7 +31,7 @@ fn is_slender(scene: &Scene) -> bool {
 }
 
 fuzz_target!(|text: &str| {
-    let Ok(mut scene) = Scene::parse(text, Path::new("fuzz.toml")) else {
+    let Ok(mut scene) = oilwedge_study::parse(text, Path::new("fuzz.toml")) else {
         return;
     };
     let MeshSource::Drawing { size } = scene.mesh else {

@@ -9,7 +9,7 @@ use cap::Cap;
 use libfuzzer_sys::{fuzz_mutator, fuzz_target, fuzzer_mutate};
 use oilwedge_fuzz::{bounded, mutate_words};
 use oilwedge_campaign::sweep::Sweep;
-use oilwedge_scene::{Scene, SceneError};
+use oilwedge_scene::{MeshSource, Scene, SceneError, TemperatureLaw, Tolerance, Viscosity};
 
 #[global_allocator]
 static ALLOCATOR: Cap<System> = Cap::new(System, usize::MAX);
@@ -21,7 +21,7 @@ const MOST_CASES: usize = 16;
 
 fuzz_target!(|text: &str| {
     bounded(&ALLOCATOR, BYTES_PER_BYTE * text.len(), || {
-        match Scene::parse(text, Path::new("scenes/fuzz.toml")) {
+        match oilwedge_study::parse(text, Path::new("scenes/fuzz.toml")) {
             Ok(scene) => check(&scene),
             Err(error) => refused(&error, text),
         }
@@ -45,11 +45,14 @@ fn refused(error: &SceneError, text: &str) {
 fn check(scene: &Scene) {
     let mut told = scene.clone();
     told.title.clear();
-    told.mesh = oilwedge_scene::scene::MeshSource::Drawing { size: None };
+    told.mesh = MeshSource::Drawing { size: None };
     told.feeds.iter_mut().for_each(|feed| feed.group.clear());
     told.sweep = None;
-    if let Some(tolerance) = &mut told.tolerance {
-        tolerance.targets.iter_mut().for_each(|target| target.quantity.clear());
+    if let Some(Tolerance::ByName(targets)) = &mut told.tolerance {
+        targets.iter_mut().for_each(|target| target.quantity.clear());
+    }
+    if let Viscosity::ByTemperature(TemperatureLaw::Grade(name)) = &mut told.oil.viscosity {
+        name.clear();
     }
     let told = format!("{told:?}");
     assert!(!told.contains("NaN") && !told.contains("inf"), "{told}");

@@ -1,7 +1,7 @@
 //! The FlexPDE study (Mordvinkin, Gorkun, Sergienko 2016) and its independent recomputation.
 
 use oilwedge_reynolds::NoFilm;
-use oilwedge_scene::scene::Scene;
+use oilwedge_scene::Scene;
 use serde_json::Value;
 
 use crate::program::repository;

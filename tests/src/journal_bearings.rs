@@ -3,7 +3,7 @@
 use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use oilwedge_scene::scene::Scene;
+use oilwedge_scene::Scene;
 use serde_json::Value;
 
 use crate::program::repository;

@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use oilwedge_campaign::convergence::price::{Bought, Offer};
 use oilwedge_campaign::convergence::{Budget, Course, Strategy, converge};
-use oilwedge_scene::scene::{MeshSource, Scene};
+use oilwedge_scene::{MeshSource, Scene};
 
 use crate::program::repository;
 use crate::tables::{replace, row};
@@ -92,7 +92,7 @@ pub fn page(written: &str, program: &Path, seconds: f64) -> String {
     for name in scenes() {
         eprintln!("{name}");
         let path = crate::scenes::path(&name);
-        let scene = Scene::read(&path).expect("shipped scene");
+        let scene = oilwedge_study::read(&path).expect("shipped scene");
         let study = converge(&scene, &Budget::seconds(seconds), &mut ()).expect("shipped scene");
         let adaptive = study
             .report

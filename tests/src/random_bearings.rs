@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 use std::fmt::Write;
 
-use oilwedge_scene::scene::Scene;
+use oilwedge_scene::Scene;
 
 use crate::scenes::written;
 

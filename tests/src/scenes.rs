@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use oilwedge_reynolds::{FilmSolution, NoFilm};
-use oilwedge_scene::scene::Scene;
+use oilwedge_scene::Scene;
 use oilwedge_study::compile::{Study, compile};
 use oilwedge_study::measure::{Measured, measure, quantities};
 
@@ -19,12 +19,12 @@ pub fn variant(name: &str, edit: impl FnOnce(&mut toml::Table)) -> Scene {
     let text = std::fs::read_to_string(path(name)).expect("shipped scene");
     let mut table: toml::Table = text.parse().expect("shipped scene is TOML");
     edit(&mut table);
-    Scene::parse(&table.to_string(), &path(name)).unwrap_or_else(|error| panic!("{error}"))
+    oilwedge_study::parse(&table.to_string(), &path(name)).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// The scene that `text` says, as if it lay in `scenes/`.
 pub fn written(text: &str) -> Scene {
-    Scene::parse(text, &path("written")).unwrap_or_else(|error| panic!("{error}"))
+    oilwedge_study::parse(text, &path("written")).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// A table of the scene, made if absent.

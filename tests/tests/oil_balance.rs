@@ -274,7 +274,7 @@ cavitation = {{ model = "jfo" }}
     );
     let scene = folder.path().join("scene.toml");
     std::fs::write(&scene, text).expect("written");
-    let scene = Scene::read(&scene).unwrap_or_else(|error| panic!("{error}"));
+    let scene = oilwedge_study::read(&scene).unwrap_or_else(|error| panic!("{error}"));
     compile(&scene).unwrap_or_else(|error| panic!("{error}"))
 }
 

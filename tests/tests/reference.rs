@@ -59,7 +59,7 @@ fn plain_ring_with(fragment: &str) -> toml::Table {
 }
 
 fn parse(scene: &toml::Table) -> Result<Scene, SceneError> {
-    Scene::parse(&scene.to_string(), Path::new("scenes/example.toml"))
+    oilwedge_study::parse(&scene.to_string(), Path::new("scenes/example.toml"))
 }
 
 #[test]
@@ -164,7 +164,7 @@ fn the_rules_of_error_bars_are_those_of_the_code() {
 
 /// The result of a shipped scene as its reader meets it.
 fn result(name: &str) -> Value {
-    result_of(&Scene::read(&path(name)).unwrap_or_else(|error| panic!("{error}")))
+    result_of(&oilwedge_study::read(&path(name)).unwrap_or_else(|error| panic!("{error}")))
 }
 
 fn result_of(scene: &Scene) -> Value {

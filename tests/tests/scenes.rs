@@ -5,7 +5,7 @@
 //! study with scikit-fem on a far finer mesh, C_w and angle to four decimals (`tests/crosscheck/test_reference_numbers.py`);
 //! 5e-5 of C_w is twice what the shipped meshes are off.
 
-use oilwedge_scene::scene::Scene;
+use oilwedge_scene::Scene;
 use oilwedge_study::compile::{CompileError, compile};
 use oilwedge_study::result::RunResult;
 use oilwedge_study::warnings::warnings;

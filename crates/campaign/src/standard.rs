@@ -9,8 +9,9 @@ use serde::Serialize;
 
 use oilwedge_reynolds::lubricant::PressureLaw;
 use oilwedge_reynolds::{CentreVelocity, Theory};
-use oilwedge_scene::scene::Scene;
+use oilwedge_scene::Scene;
 use oilwedge_study::effects::Sockets;
+use oilwedge_study::oil::Oil;
 use oilwedge_study::quantities::{self, Row};
 use oilwedge_study::result::{Quantity, RunResult};
 
@@ -88,11 +89,11 @@ impl Standard {
 /// The twin of a scene whose run ended with this result.
 pub fn standard(scene: &Scene, result: &RunResult) -> Standard {
     let value = |row: &Row| result.quantity(row).map(|quantity| quantity.value);
-    let mut oil = scene.oil.clone();
-    if let (Some(_), Some(celsius)) = (&scene.heat, value(&quantities::TEMPERATURE_EFFECTIVE)) {
-        oil.heat_to(celsius + ZERO_CELSIUS);
-    }
-    let viscosity = oil.viscosity;
+    let oil = Oil::of(scene);
+    let viscosity = match (&scene.heat, value(&quantities::TEMPERATURE_EFFECTIVE)) {
+        (Some(_), Some(celsius)) => oil.at(celsius + ZERO_CELSIUS).viscosity,
+        _ => oil.viscosity,
+    };
     let none = |reason: &str| Standard::none(viscosity, reason);
     if scene.bearing.arc.is_some() {
         return none("its fits are those of full bearings, but this one is an arc");
@@ -205,7 +206,7 @@ cavitation = {{ model = "reynolds" }}
 journal = {{ speed = "3000 rpm"{journal} }}
 {more}"#
         );
-        let scene = Scene::parse(&text, Path::new("ring.toml")).expect("a scene");
+        let scene = oilwedge_study::parse(&text, Path::new("ring.toml")).expect("a scene");
         let found = run(&scene, &RunOptions::default()).expect("a film");
         standard(&scene, &found.result)
     }
@@ -292,7 +293,7 @@ bearing = { diameter = "50 mm", length = "30 mm", clearance = "25 um", arc = { f
 oil = { viscosity = "10 mPa.s" }
 journal = { speed = "3000 rpm", eccentricity = 0.7, min_film_angle = "270 deg" }
 "#;
-        let scene = Scene::parse(text, Path::new("arc.toml")).expect("a scene");
+        let scene = oilwedge_study::parse(text, Path::new("arc.toml")).expect("a scene");
         let found = run(&scene, &RunOptions::default()).expect("a film");
         let twin = standard(&scene, &found.result);
         assert!(

@@ -9,10 +9,10 @@ use std::f64::consts::{PI, TAU};
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use serde::Serialize;
 
-use oilwedge_scene::reader::Marks;
-use oilwedge_scene::scene::{Position, Scene, Theory};
-use oilwedge_scene::validate;
+use oilwedge_scene::{Position, Scene, Theory};
+use oilwedge_study::complaints;
 use oilwedge_study::effects::{Socket, present, without_conservation};
+use oilwedge_study::oil::at_temperature;
 use oilwedge_study::quantities::{
     ATTITUDE_ANGLE, ECCENTRICITY, FILM_THICKNESS_MIN, FRICTION_POWER, FRICTION_TORQUE, LOAD, PRESSURE_MAX, Row,
     SIDE_FLOW, TEMPERATURE_EFFECTIVE,
@@ -120,7 +120,7 @@ fn bare(scene: &Scene, result: &RunResult) -> (Scene, Vec<&'static str>) {
     let given =
         present(&bare).find_map(|effect| (effect.remove)(&bare).filter(|_| effect.socket == Socket::Temperature));
     if let (false, Some(given), Some(celsius)) = (without.is_empty(), given, temperature) {
-        bare = given.at_temperature(celsius.value + ZERO_CELSIUS);
+        bare = at_temperature(&given, celsius.value + ZERO_CELSIUS);
         without.push("balance of temperature (the oil as warm as found)");
     }
     (bare, without)
@@ -150,7 +150,7 @@ fn other(scene: &Scene, theory: Theory, options: &RunOptions) -> TheoryFilm {
         film_start_deg: None,
         quantities: Vec::new(),
     };
-    if let Some(complaint) = validate::complaints(&scene, &Marks::default()).first() {
+    if let Some(complaint) = complaints(&scene).first() {
         return without(complaint.to_string());
     }
     match run(&scene, options) {
@@ -167,14 +167,10 @@ fn other(scene: &Scene, theory: Theory, options: &RunOptions) -> TheoryFilm {
 fn by(scene: &Scene, theory: Theory) -> (Scene, Option<f64>) {
     let mut scene = scene.clone();
     scene.bearing.theory = theory;
-    scene.tolerance = scene.tolerance.map(|tolerance| tolerance.suited(theory));
     if theory != Theory::Long {
         return (scene, None);
     }
-    if let Some(tolerance) = &mut scene.tolerance {
-        tolerance.targets.retain(|target| target.quantity != SIDE_FLOW.name);
-    }
-    scene.tolerance.take_if(|tolerance| tolerance.targets.is_empty());
+    scene.remove_tolerance(SIDE_FLOW.name);
     let is_open = scene.bearing.arc.is_none() && scene.bearing.film_start.is_none();
     let start = match scene.journal.position {
         Position::Given { min_film_angle, .. } if is_open => Some((min_film_angle + PI).rem_euclid(TAU)),
@@ -238,7 +234,7 @@ cavitation = { model = "guembel" }
 "#;
 
     fn found(text: &str) -> Theories {
-        let scene = Scene::parse(text, Path::new("ring.toml")).unwrap_or_else(|error| panic!("{error}"));
+        let scene = oilwedge_study::parse(text, Path::new("ring.toml")).unwrap_or_else(|error| panic!("{error}"));
         let options = RunOptions {
             bars: false,
             ..RunOptions::default()

@@ -4,7 +4,6 @@ use crate::complain::{self, Failure};
 use crate::terminal;
 use oilwedge_campaign::sweep::Sweep;
 use oilwedge_report::Error;
-use oilwedge_scene::Scene;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -37,7 +36,7 @@ impl Check {
         let found = match is_mesh(&self.file) {
             true => oilwedge_report::check_mesh(&self.file)?,
             false => {
-                let scene = Scene::read(&self.file)?;
+                let scene = oilwedge_study::read(&self.file)?;
                 // Every case must be a good scene.
                 Sweep::of(&scene)?;
                 oilwedge_report::check_scene(&scene).map_err(Failure::of(&self.file))?

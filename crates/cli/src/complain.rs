@@ -216,7 +216,7 @@ mod tests {
     #[test]
     fn a_complaint_shows_the_line_and_the_way_out() {
         let text = "title = \"x\"\n[bearing]\nclearance = 37.5\n";
-        let Err(error) = oilwedge_scene::Scene::parse(text, Path::new("bearing.toml")) else {
+        let Err(error) = oilwedge_study::parse(text, Path::new("bearing.toml")) else {
             panic!("must be refused")
         };
         let SceneError::Complaints { path, text, complaints } = error else {

@@ -7,7 +7,6 @@ use crate::{interrupt, solve, terminal};
 use oilwedge_campaign::convergence::{Budget, converge};
 use oilwedge_report::Error;
 use oilwedge_report::convergence as files;
-use oilwedge_scene::Scene;
 use oilwedge_study::result::Status;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -59,7 +58,7 @@ impl Converge {
     /// [`Failure`]: the scene or its mesh cannot be used, or the files cannot be written.
     pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
         let budget = Budget::seconds(self.max_seconds).until(interrupt::listen()?);
-        let scene = Scene::read(&self.scene)?;
+        let scene = oilwedge_study::read(&self.scene)?;
         let folder = self.out.clone().unwrap_or_else(|| solve::default_folder(&self.scene));
         files::check(&folder)?;
         let mut progress = Progress::new(self.max_seconds);

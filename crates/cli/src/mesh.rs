@@ -34,7 +34,7 @@ impl Mesh {
     /// # Errors
     /// [`Failure`]: the scene cannot be used, its liner cannot be meshed, or the file cannot be written.
     pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
-        let scene = Scene::read(&self.scene)?;
+        let scene = oilwedge_study::read(&self.scene)?;
         self.check_output(&scene)?;
         let mesh = mesh_scene(&scene).map_err(|error| Failure::of(&self.scene)(error.into()))?;
         write_mesh(&mesh, &self.output)?;

@@ -8,7 +8,7 @@ use oilwedge_report::Error;
 use oilwedge_report::result_json;
 use oilwedge_report::results::write_results;
 use oilwedge_report::vtu::to_vtu;
-use oilwedge_scene::Scene;
+use oilwedge_scene::{Scene, Tolerance};
 use oilwedge_study::result::Status;
 use oilwedge_study::{Interrupt, RunOptions};
 use std::path::{Path, PathBuf};
@@ -102,7 +102,7 @@ impl Solve {
     /// # Errors
     /// [`Failure`]: the scene or its mesh cannot be used, or the results cannot be written.
     pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
-        let scene = Scene::read(&self.scene)?;
+        let scene = oilwedge_study::read(&self.scene)?;
         let options = self.options(&scene)?;
         let working = Working::on(Self::task(&scene));
         let run = oilwedge_study::run(&scene, &options)
@@ -184,7 +184,12 @@ pub(crate) fn time_limit(asked: Option<f64>, scene: &Scene) -> f64 {
 /// None are, but the scene at `path` asks for a tolerance.
 pub(crate) fn wanted_bars(bars: Bars, scene: &Scene, path: &Path) -> Result<bool, Failure> {
     let bars = bars == Bars::Auto;
-    if !bars && scene.tolerance.as_ref().is_some_and(|tolerance| tolerance.is_given) {
+    if !bars
+        && scene
+            .tolerance
+            .as_ref()
+            .is_some_and(|tolerance| *tolerance != Tolerance::Usual)
+    {
         return Err(Failure::Argument {
             message: format!(
                 "--bars none does not go with the mesh.tolerance of the scene {}: without error bars nothing tells when it is met; leave out --bars none, or remove tolerance from [mesh]",

@@ -69,7 +69,7 @@ impl Sweep {
     /// # Errors
     /// [`Failure`]: the scene or a case of it cannot be used, or the table cannot be written.
     pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
-        let scene = Scene::read(&self.scene)?;
+        let scene = oilwedge_study::read(&self.scene)?;
         let options = self.options(&scene)?;
         let Some(cases) = Cases::of(&scene)? else {
             return Err(Failure::Argument {

@@ -8,6 +8,7 @@ use std::path::Path;
 use oilwedge_mesh::{Mesh, developed, gmsh};
 use oilwedge_scene::Scene;
 use oilwedge_study::CompileError;
+use oilwedge_study::checks::targets;
 use oilwedge_study::compile::compile;
 use oilwedge_study::effects::Effects;
 use oilwedge_study::refinement::at_first;
@@ -111,9 +112,8 @@ pub fn check_scene(scene: &Scene) -> Result<CheckReport, Error> {
     let pockets: Vec<_> = study.pockets.iter().filter_map(|name| mesh.region(name)).collect();
     report.sketch = sketch(mesh, &study.system.supply, &pockets, scene.bearing.radius());
     report.liner = words(scene);
-    report.tolerance = (scene.tolerance.iter())
-        .flat_map(|tolerance| &tolerance.targets)
-        .map(|target| (target.quantity.clone(), target.relative))
+    report.tolerance = (targets(scene).into_iter().flatten())
+        .map(|target| (target.quantity, target.relative))
         .collect();
     report.title = Some(scene.title.clone());
     report.sweep = (scene.sweep.iter())

@@ -6,7 +6,7 @@ pub use oilwedge_reynolds::lubricant::grades::GRADES;
 use serde::Serialize;
 
 use crate::json::{ReportError, json};
-use oilwedge_scene::complaint::Complaint;
+use oilwedge_scene::Complaint;
 use oilwedge_scene::spelling::nearest;
 use oilwedge_scene::unit::{self, Dimension};
 use oilwedge_scene::wording::celsius;

@@ -2,8 +2,8 @@
 
 use oilwedge_mesh::{Locator, Mesh, Region};
 use oilwedge_reynolds::supply::{Place, Supply};
-use oilwedge_scene::scene::{Feed, Journal, Position, Scene};
 use oilwedge_scene::wording::{degrees, millimetres, newtons};
+use oilwedge_scene::{Feed, Journal, Position, Scene};
 
 /// Letters along the circumference and lines along the axis.
 const COLUMNS: usize = 72;

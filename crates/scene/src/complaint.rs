@@ -1,7 +1,16 @@
-//! What can be wrong with a scene, said so that its author can put it right. All complaints come at once.
+//! What is wrong with a scene, in words that name the key, the value and the way out. All complaints come at once.
 
+use std::collections::BTreeMap;
 use std::ops::Range;
-use std::path::PathBuf;
+
+use crate::Scene;
+
+/// No more complaints are collected than this: a hostile text causes a million.
+const MOST_COLLECTED: usize = 1000;
+/// How many complaints about a scene are reported.
+const MOST_REPORTED: usize = 100;
+/// Longer keys, values and messages are cut [letters].
+const LONGEST_TEXT: usize = 600;
 
 /// One thing that is wrong with a scene.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -28,73 +37,102 @@ impl std::fmt::Display for Complaint {
     }
 }
 
-/// Why a scene was not read.
-#[derive(Debug, thiserror::Error)]
-pub enum SceneError {
-    /// The file is not there or may not be read.
-    #[error("cannot read the scene {}: {source}; give the path of a scene in TOML", path.display())]
-    Read {
-        /// The file.
-        path: PathBuf,
-        /// What the system says.
-        source: std::io::Error,
-    },
-    /// The path names a directory, a device or a pipe.
-    #[error("the scene {} is not a plain file; give the path of a scene in TOML", path.display())]
-    NotAFile {
-        /// The path.
-        path: PathBuf,
-    },
-    /// The file is far larger than any scene.
-    #[error("the scene {} is larger than {limit} bytes, so it is no scene; is it a mesh or a result?", path.display())]
-    TooLarge {
-        /// The file.
-        path: PathBuf,
-        /// The largest size that is read [bytes].
-        limit: u64,
-    },
-    /// The file is a mesh.
-    #[error(
-        "{} is a gmsh mesh, not a scene; a scene names it as file below [mesh] (by itself it can be checked if its name ends in .msh: oilwedge check NAME.msh)",
-        path.display()
-    )]
-    Mesh {
-        /// The file.
-        path: PathBuf,
-    },
-    /// The file is not text.
-    #[error("the scene {} is not UTF-8 text (first wrong byte: {offset}); save it as UTF-8", path.display())]
-    NotText {
-        /// The file.
-        path: PathBuf,
-        /// Where the first wrong byte stands.
-        offset: usize,
-    },
-    /// The text is not TOML.
-    #[error("the scene {} is not valid TOML{}", path.display(), list(complaints))]
-    Syntax {
-        /// The file.
-        path: PathBuf,
-        /// Its text.
-        text: String,
-        /// All faults, in the order of the text; their key is empty.
-        complaints: Vec<Complaint>,
-    },
-    /// The TOML is not a scene that can be computed.
-    #[error("the scene {} cannot be used{}", path.display(), list(complaints))]
-    Complaints {
-        /// The file.
-        path: PathBuf,
-        /// Its text.
-        text: String,
-        /// All complaints, in the order of the text.
-        complaints: Vec<Complaint>,
-    },
+/// A check of a whole scene. A number that was refused already is NaN, so that no comparison is true of it.
+pub type Check = fn(&Scene, &mut Complaints);
+
+/// The complaints about one scene, and where its values stand in its text.
+#[derive(Debug, Default)]
+pub struct Complaints {
+    text: String,
+    spans: BTreeMap<String, Range<usize>>,
+    list: Vec<Complaint>,
 }
 
-fn list(complaints: &[Complaint]) -> String {
+impl Complaints {
+    /// None yet, about a scene with this text.
+    pub(crate) fn new(text: &str) -> Self {
+        Self {
+            text: text.to_owned(),
+            ..Self::default()
+        }
+    }
+
+    /// Whether the key is written in the text.
+    pub fn has(&self, key: &str) -> bool {
+        self.spans.contains_key(key)
+    }
+
+    /// Whether there is a complaint about `key` or, where that is a table, about a key of it.
+    pub fn concern(&self, key: &str) -> bool {
+        let is_below = |rest: &str| rest.is_empty() || rest.starts_with(['.', '[']);
+        self.list
+            .iter()
+            .any(|it| it.key.strip_prefix(key).is_some_and(is_below))
+    }
+
+    /// Whether there are so many complaints that no more are collected.
+    pub(crate) fn are_full(&self) -> bool {
+        self.list.len() >= MOST_COLLECTED
+    }
+
+    /// Records where the value of `key` stands.
+    pub(crate) fn mark(&mut self, key: &str, span: Range<usize>) {
+        self.spans.insert(key.to_owned(), span);
+    }
+
+    /// A complaint about the value of `key`; about the table above it where the key is not written.
+    pub fn add(&mut self, key: &str, message: impl Into<String>, help: impl Into<String>) {
+        if self.are_full() {
+            return;
+        }
+        let written = self.spans.get(key).cloned();
+        let value = written.clone().and_then(|span| self.text.get(span)).unwrap_or_default();
+        let above = || (key.rsplit_once('.')).and_then(|(table, _)| self.spans.get(table).cloned());
+        self.list.push(Complaint {
+            key: cut(key),
+            value: cut(value),
+            message: cut(&message.into()),
+            help: cut(&help.into()),
+            span: written.or_else(above),
+        });
+    }
+
+    /// [`Complaints::add`] if something is wrong.
+    pub fn refuse_if(&mut self, wrong: bool, key: &str, message: impl Into<String>, help: impl Into<String>) {
+        if wrong {
+            self.add(key, message, help);
+        }
+    }
+
+    /// The first complaints in the order of the text; the last one of many says that there are more.
+    pub fn into_list(self) -> Vec<Complaint> {
+        let mut list = in_order(self.list);
+        if list.len() > MOST_REPORTED {
+            list.truncate(MOST_REPORTED);
+            list.push(Complaint {
+                key: String::new(),
+                value: String::new(),
+                message: format!("there are more complaints; these are the first {MOST_REPORTED}"),
+                help: "correct these first".to_owned(),
+                span: None,
+            });
+        }
+        list
+    }
+}
+
+/// In the order of the text; complaints without a place come last.
+pub(crate) fn in_order(mut complaints: Vec<Complaint>) -> Vec<Complaint> {
+    complaints.sort_by_key(|complaint| complaint.span.as_ref().map_or(usize::MAX, |span| span.start));
     complaints
-        .iter()
-        .map(|complaint| format!("\n  {complaint} ({})", complaint.help))
-        .collect()
+}
+
+/// The beginning and the end of a long text: a message begins with the value and ends with the reason.
+fn cut(text: &str) -> String {
+    let letter = |at| text.char_indices().nth(at).map(|(start, _)| start);
+    let tail = text.char_indices().rev().nth(LONGEST_TEXT / 2 - 1);
+    match (letter(LONGEST_TEXT), letter(LONGEST_TEXT / 2), tail) {
+        (Some(_), Some(head), Some((tail, _))) => format!("{} ... {}", &text[..head], &text[tail..]),
+        _ => text.to_owned(),
+    }
 }

@@ -1,26 +1,51 @@
-//! Text to scene: a TOML file about one bearing becomes a checked description in SI.
+//! Text to scene: a TOML file about one bearing becomes a checked description in SI. The crate knows no film.
 //!
-//! [`Scene::read`] reads a file and reports everything that is wrong with it at once.
+//! [`Scene::read`] reads a file and reports everything that is wrong with it at once. A scene never changes; whoever computes passes its
+//! own [`Check`]s of what it cannot compute.
 //!
-//! ```text
-//! scene.toml -> schema (keys, units) -> Scene (SI) -> validate (ranges)
-//! ```
+//! Each table of the file has one source file of its name, with its data type, keys, units, defaults and ranges: `bearing.rs`, `mesh.rs`
+//! (and the tolerance in it, `tolerance.rs`), `ends.rs`, `feed.rs`, `journal.rs` (and `squeeze.rs` in it), `load.rs`, `oil.rs`, `heat.rs`,
+//! `cavitation.rs`, `cap.rs`, `sweep.rs`. `scene.rs` lists them.
 //!
-//! Reading order: [`unit`] (quantities with units, over the table in `dimension.rs`), [`scene`] (what a user can
-//! describe), [`schema`] (how it is written, over the collecting `reader.rs`), [`validate`] (what can be computed),
-//! [`complaint`] (what is wrong with a scene), [`sweep`] (the cases that one scene describes).
+//! Reading order: `scene.rs`, `bearing.rs` as an example of a table, `reader.rs` (how a table is read and what is wrong with it collected),
+//! [`unit`] (quantities with units, by the table in `dimension.rs`), `complaint.rs`.
 
-pub mod complaint;
+mod bearing;
+mod cap;
+mod cavitation;
+mod complaint;
 mod dimension;
-pub mod lubricant;
-pub mod reader;
-pub mod scene;
-pub mod schema;
+mod ends;
+mod error;
+mod feed;
+mod heat;
+mod journal;
+mod load;
+mod mesh;
+mod oil;
+mod reader;
+mod scene;
 pub mod spelling;
+mod squeeze;
 pub mod sweep;
+mod tolerance;
 pub mod unit;
-pub mod validate;
 pub mod wording;
 
-pub use complaint::{Complaint, SceneError};
-pub use scene::Scene;
+pub use bearing::{Arc, Bearing, Theory};
+pub use cap::{Bolts, Cap, Shell};
+pub use cavitation::{Cavitation, CavitationModel};
+pub use complaint::{Check, Complaint, Complaints};
+pub use ends::Ends;
+pub use error::SceneError;
+pub use feed::{Feed, Groove, Hole};
+pub use heat::{Engine, Heat, Housing, Mixing};
+pub use journal::{Journal, Position};
+pub use mesh::{Layout, MeshSource};
+pub use oil::{
+    Barus, BarusForm, Density, Oil, PointViscosity, PressureLaw, Roelands, RoelandsExponent, TemperatureLaw, Viscosity,
+    ViscosityPoint,
+};
+pub use scene::{SCENE_LIMIT, Scene};
+pub use squeeze::Squeeze;
+pub use tolerance::{Target, Tolerance};

@@ -1,38 +1,49 @@
-//! A scene: everything a user says about one bearing, in SI. `Scene::read` is the only way to get one from a file.
+//! A scene: everything that a user says about one bearing, in SI. It is a description, and never changes.
 
-mod heat;
-mod journal;
-mod oil;
-mod start;
-mod tolerance;
-
-pub use heat::{Engine, Heat, Mixing};
-pub use journal::{Journal, Position, Squeeze};
-pub use oil::{BarusForm, Oil, PressureLaw, RoelandsExponent};
-pub use tolerance::{Target, Tolerance};
-
-pub use oilwedge_reynolds::Theory;
-
-use crate::complaint::{Complaint, SceneError};
-use crate::sweep::Plan;
-use crate::{schema, validate};
-use oilwedge_bearing::CapJoint;
-use sha2::{Digest, Sha256};
+use std::cell::RefCell;
 use std::io::Read;
-use std::path::{Path, PathBuf};
+use std::path::Path;
+
+use sha2::{Digest, Sha256};
 use toml::de::DeTable;
+
+use crate::complaint::in_order;
+use crate::reader::TableReader;
+use crate::sweep::{self, Plan};
+use crate::{
+    Bearing, Cap, Cavitation, Check, Complaint, Complaints, Ends, Engine, Feed, Heat, Journal, MeshSource, Oil,
+    SceneError, Tolerance,
+};
+use crate::{bearing, cap, cavitation, ends, feed, heat, journal, load, mesh, oil, squeeze};
 
 /// The largest scene file that is read [bytes].
 pub const SCENE_LIMIT: u64 = 1 << 20;
-
-/// How many faults of the TOML are told; more follow from the first ones.
+/// How many faults of the TOML are reported; more follow from the first ones.
 const FAULT_LIMIT: usize = 5;
-
-/// How many complaints about a scene are told.
-const COMPLAINT_LIMIT: usize = 100;
-
 /// How a gmsh file begins.
 const MESH_OPENING: &[u8] = b"$MeshFormat";
+
+/// Tables whose keys can be swept.
+pub(crate) const SWEPT: [&str; 9] = [
+    "bearing",
+    "mesh",
+    "ends",
+    "feed",
+    "journal",
+    "load",
+    "oil",
+    "heat",
+    "cavitation",
+];
+/// Checks of keys that must fit each other, table by table.
+const CHECKS: [Check; 6] = [
+    bearing::check,
+    feed::check,
+    squeeze::check,
+    oil::check,
+    heat::check,
+    cavitation::check,
+];
 
 /// One bearing, as its scene describes it, in SI. Whatever is `None` is not simulated.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,312 +64,163 @@ pub struct Scene {
     pub journal: Journal,
     /// The oil.
     pub oil: Oil,
-    /// The balance that finds the temperature of the film; `None`: it is given, or plays no part.
+    /// The balance that finds the temperature of the film; `None`: it is given, or has no effect.
     pub heat: Option<Heat>,
     /// What happens where the film would break; `None`: a full film, whatever its pressure.
     pub cavitation: Option<Cavitation>,
     /// The cap of the connecting rod whose bearing this is; nothing of the film depends on it.
     pub cap: Option<Cap>,
-    /// The cases that `oilwedge sweep` makes of it; nothing else looks at them.
+    /// The cases that `oilwedge sweep` makes of it; nothing else reads them.
     pub sweep: Option<Plan>,
-    /// SHA-256 of the scene's text, 64 hexadecimal digits.
+    /// SHA-256 of the scene's text, 64 hexadecimal digits; empty in a case of a sweep.
     pub sha256: String,
 }
 
-/// The liner.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Bearing {
-    /// Bore D [m].
-    pub diameter: f64,
-    /// Full length B [m].
-    pub length: f64,
-    /// Radial clearance c [m].
-    pub clearance: f64,
-    /// The part of the circumference that is liner; `None`: a full ring, periodic.
-    pub arc: Option<Arc>,
-    /// Arc only: film fraction of the oil that the journal brings in at its leading edge; `None`: that edge is flooded.
-    pub inlet_fraction: Option<f64>,
-    /// Ring only: angle of an axial line held at the pressure of the ends [rad].
-    pub film_start: Option<f64>,
-    /// Combined roughness of journal and liner (root mean square) [m], to tell whether they touch; nothing is computed with it.
-    pub roughness: Option<f64>,
-    /// Which pressure flows there are.
-    pub theory: Theory,
-}
-
-impl Bearing {
-    /// Journal radius R = D/2 [m].
-    pub fn radius(&self) -> f64 {
-        0.5 * self.diameter
-    }
-}
-
-/// A part of the circumference, counted from +x towards +y; `from < to < from + 2 pi`.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Arc {
-    /// Where it begins [rad].
-    pub from: f64,
-    /// Where it ends [rad].
-    pub to: f64,
-}
-
-/// Where the mesh comes from.
-#[derive(Debug, Clone, PartialEq)]
-pub enum MeshSource {
-    /// A gmsh file.
-    File {
-        /// The file; a relative path of the scene has been put behind the folder of the scene.
-        path: PathBuf,
-        /// Length of one unit of the file's coordinates [m].
-        unit: f64,
-        /// Longest edges wanted [m] where its geometry is meshed anew; `None`: the mesh is used as it is.
-        size: Option<f64>,
-        /// Where the triangles of a mass-conserving film lie.
-        layout: Layout,
-    },
-    /// The liner that the scene describes is meshed.
-    Drawing {
-        /// Longest edges wanted [m]; `None`: as the film needs.
-        size: Option<f64>,
-    },
-}
-
-/// Where the triangles of a mesh file lie if the film conserves oil, which is carried along the flow.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Layout {
-    /// In rows along the flow: laid anew where those of the file are not.
-    #[default]
-    Rows,
-    /// Where they lie in the file.
-    File,
-}
-
-impl MeshSource {
-    /// Whether its size follows the thickness of the film, and so the position of the journal.
-    pub fn is_graded(&self) -> bool {
-        match self {
-            Self::File { size, .. } => size.is_some(),
-            Self::Drawing { .. } => true,
-        }
-    }
-
-    /// The mesh file, if there is one.
-    pub fn path(&self) -> Option<&Path> {
-        match self {
-            Self::File { path, .. } => Some(path),
-            Self::Drawing { .. } => None,
-        }
-    }
-}
-
-/// The cap of a connecting rod.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Cap {
-    /// The cap and its bolts.
-    pub joint: CapJoint,
-    /// Angle [rad] of the middle of the cap.
-    pub angle: f64,
-}
-
-/// The two open ends of the bearing.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Ends {
-    /// Gauge pressure p_e at both ends [Pa].
-    pub pressure: f64,
-}
-
-/// A hole, groove or pocket: a region of given pressure, or one where the film is deeper.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Feed {
-    /// Physical group of the mesh that is the region: a curve (cut out) or a surface (meshed).
-    pub group: String,
-    /// The round hole that the region is, where the scene says so.
-    pub hole: Option<Hole>,
-    /// The groove that the region is, where the scene says so.
-    pub groove: Option<Groove>,
-    /// Gauge pressure p_s [Pa]; `None` in a pocket.
-    pub pressure: Option<f64>,
-    /// How much deeper the film is in a pocket [m], whose pressure is found; `None` where pressure is given.
-    pub depth: Option<f64>,
-}
-
-/// A rectangle with round corners on the developed surface.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Groove {
-    /// Where it begins and ends [rad]; `None`: all around.
-    pub arc: Option<Arc>,
-    /// Extent along the axis [m].
-    pub width: f64,
-    /// Axial position of its middle [m].
-    pub z: f64,
-    /// Radius of its corners on the developed surface [m].
-    pub corner: f64,
-}
-
-/// A round hole on the developed surface.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Hole {
-    /// Diameter [m].
-    pub diameter: f64,
-    /// Angle of its centre [rad].
-    pub angle: f64,
-    /// Axial position of its centre [m]; 0 is midway between the ends.
-    pub z: f64,
-}
-
-/// What happens where the film would break.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Cavitation {
-    /// The closure.
-    pub model: CavitationModel,
-    /// Gauge pressure in the cavity p_c [Pa].
-    pub pressure: f64,
-}
-
-/// The closures that are served.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum CavitationModel {
-    /// Full Sommerfeld film: the oil bears any tension.
-    None,
-    /// Pressures below the cavity pressure are dropped after the solve.
-    Guembel,
-    /// Swift-Stieber: the pressure is nowhere below that of the cavity, and meets it without a kink.
-    Reynolds,
-    /// Jakobsson-Floberg-Olsson: oil is conserved; the cavity holds a film fraction that is carried along.
-    Jfo,
-}
-
-impl CavitationModel {
-    /// True where it leaves the pressure of a cavity, but no film fraction.
-    pub fn drops_pressures(self) -> bool {
-        matches!(self, Self::Guembel | Self::Reynolds)
-    }
-
-    /// True where the edge of the cavity is found with the pressure.
-    pub fn has_free_boundary(self) -> bool {
-        matches!(self, Self::Reynolds | Self::Jfo)
-    }
-
-    /// True where the cavity holds the oil that is carried into it.
-    pub fn conserves_oil(self) -> bool {
-        self == Self::Jfo
-    }
-
-    /// Name in scenes and reports.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::None => "none",
-            Self::Guembel => "guembel",
-            Self::Reynolds => "reynolds",
-            Self::Jfo => "jfo",
-        }
-    }
-}
-
 impl Scene {
-    /// Reads and checks the scene in the file `path`.
+    /// Reads the scene in the file `path`; `checks` follow those of ranges and of keys that must fit each other.
     ///
     /// # Errors
     /// [`SceneError`]: the file cannot be read, is no TOML, or is no scene that can be computed; in the last two
-    /// cases everything that is wrong is told at once.
-    pub fn read(path: &Path) -> Result<Self, SceneError> {
+    /// cases everything that is wrong is reported at once.
+    pub fn read(path: &Path, checks: &[Check]) -> Result<Self, SceneError> {
+        let path_buf = || path.to_path_buf();
         let fail = |source| SceneError::Read {
-            path: path.to_path_buf(),
+            path: path_buf(),
             source,
         };
-        let metadata = std::fs::metadata(path).map_err(fail)?;
-        if !metadata.is_file() {
-            return Err(SceneError::NotAFile {
-                path: path.to_path_buf(),
-            });
+        if !std::fs::metadata(path).map_err(fail)?.is_file() {
+            return Err(SceneError::NotAFile { path: path_buf() });
         }
         let mut bytes = Vec::new();
         let file = std::fs::File::open(path).map_err(fail)?;
         file.take(SCENE_LIMIT + 1).read_to_end(&mut bytes).map_err(fail)?;
         if bytes.len() as u64 > SCENE_LIMIT {
             return Err(SceneError::TooLarge {
-                path: path.to_path_buf(),
+                path: path_buf(),
                 limit: SCENE_LIMIT,
             });
         }
         if bytes.starts_with(MESH_OPENING) {
-            return Err(SceneError::Mesh {
-                path: path.to_path_buf(),
-            });
+            return Err(SceneError::Mesh { path: path_buf() });
         }
         let text = String::from_utf8(bytes).map_err(|error| SceneError::NotText {
-            path: path.to_path_buf(),
+            path: path_buf(),
             offset: error.utf8_error().valid_up_to(),
         })?;
-        Self::from_text(&text, path, no_file)
+        Self::of_text(&text, path, mesh::no_file, checks)
     }
 
-    /// Checks the scene `text`; `path` is where it stands: its folder is where a relative mesh file is looked for,
-    /// its name is the title where the scene gives none. Nothing is read from the disk, and the mesh need not exist.
+    /// Reads the scene `text`; a relative mesh file counts from the folder of `path`, whose name is the title where the scene gives none.
+    /// Nothing is read from the disk, and the mesh need not exist.
     ///
     /// # Errors
     /// [`SceneError::Syntax`] and [`SceneError::Complaints`], with everything that is wrong.
-    pub fn parse(text: &str, path: &Path) -> Result<Self, SceneError> {
-        Self::from_text(text, path, |_| None)
+    pub fn parse(text: &str, path: &Path, checks: &[Check]) -> Result<Self, SceneError> {
+        Self::of_text(text, path, |_| None, checks)
     }
 
-    /// `no_mesh` tells why the mesh cannot be read.
-    fn from_text(text: &str, path: &Path, no_mesh: impl Fn(&Path) -> Option<String>) -> Result<Self, SceneError> {
-        let (document, faults) = toml::de::DeTable::parse_recoverable(text);
+    /// What is wrong with a scene that was made of another one.
+    pub fn complaints(&self, checks: &[Check]) -> Vec<Complaint> {
+        let mut complaints = Complaints::default();
+        self.check(&mut complaints, checks);
+        complaints.into_list()
+    }
+
+    fn check(&self, complaints: &mut Complaints, checks: &[Check]) {
+        CHECKS.iter().chain(checks).for_each(|check| check(self, complaints));
+    }
+
+    /// `no_mesh` says why the mesh cannot be read.
+    fn of_text(
+        text: &str,
+        path: &Path,
+        no_mesh: impl Fn(&Path) -> Option<String>,
+        checks: &[Check],
+    ) -> Result<Self, SceneError> {
+        let (document, faults) = DeTable::parse_recoverable(text);
         if !faults.is_empty() {
-            let complaints = in_order(faults.iter().take(FAULT_LIMIT).map(fault).collect());
             return Err(SceneError::Syntax {
                 path: path.to_path_buf(),
-                text: text.to_string(),
-                complaints,
+                text: text.to_owned(),
+                complaints: in_order(faults.iter().take(FAULT_LIMIT).map(fault).collect()),
             });
         }
-        match Self::of_document(document.get_ref(), text, path, no_mesh) {
-            Ok(mut scene) => {
-                scene.sha256 = Sha256::digest(text.as_bytes())
-                    .iter()
-                    .map(|byte| format!("{byte:02x}"))
-                    .collect();
-                Ok(scene)
-            }
+        match Self::of_document(document.get_ref(), text, path, no_mesh, checks) {
+            Ok(scene) => Ok(Self {
+                sha256: Sha256::digest(text).iter().map(|byte| format!("{byte:02x}")).collect(),
+                ..scene
+            }),
             Err(complaints) => Err(SceneError::Complaints {
                 path: path.to_path_buf(),
-                text: text.to_string(),
+                text: text.to_owned(),
                 complaints,
             }),
         }
     }
 
     /// The scene that a document makes, whose values stand in `text`; or everything that is wrong with it.
-    pub fn of_document(
+    pub(crate) fn of_document(
         document: &DeTable<'_>,
         text: &str,
         path: &Path,
         no_mesh: impl Fn(&Path) -> Option<String>,
+        checks: &[Check],
     ) -> Result<Self, Vec<Complaint>> {
-        let (scene, marks, mut complaints) = schema::read_scene(document, text, path);
-        complaints.extend(validate::complaints(&scene, &marks));
-        let named = marks.has("mesh.file") && complaints.iter().all(|complaint| complaint.key != "mesh.file");
-        if let Some(message) = scene.mesh.path().and_then(no_mesh).filter(|_| named) {
+        let complaints = RefCell::new(Complaints::new(text));
+        let scene = read(TableReader::root(&complaints, document), text, path);
+        let mut complaints = complaints.into_inner();
+        scene.check(&mut complaints, checks);
+        let file = "mesh.file";
+        let is_named = complaints.has(file) && !complaints.concern(file);
+        if let Some(message) = scene.mesh.path().and_then(no_mesh).filter(|_| is_named) {
             let help = "give the path of a gmsh 4.1 file, counted from the folder of the scene";
-            complaints.push(marks.complaint("mesh.file", message, help));
+            complaints.add(file, message, help);
         }
-        match complaints.is_empty() {
-            true => Ok(scene),
-            false => Err(first_ones(complaints)),
+        match complaints.into_list() {
+            complaints if complaints.is_empty() => Ok(scene),
+            complaints => Err(complaints),
         }
     }
 }
 
-/// Why there is no plain file `path`, as the end of a sentence.
-pub fn no_file(path: &Path) -> Option<String> {
-    let path_text = path.display();
-    match std::fs::metadata(path) {
-        Ok(metadata) if metadata.is_file() => None,
-        Ok(metadata) if metadata.is_dir() => Some(format!("{path_text} is a folder, not a mesh file")),
-        Ok(_) => Some(format!("{path_text} is not a plain file")),
-        Err(error) if error.kind() == std::io::ErrorKind::NotFound => Some(format!("there is no file {path_text}")),
-        Err(error) => Some(format!("cannot read {path_text}: {error}")),
+/// The scene as far as it can be read: numbers that were refused are NaN, and texts empty.
+fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene {
+    let stem = || path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let load = root.table_if_given("load").map(load::read);
+    let journal = match load {
+        Some(_) => "[journal] with speed",
+        None => "[journal] with speed, eccentricity and min_film_angle",
+    };
+    let heat = root.table_if_given("heat").map(heat::read);
+    let temperature = heat.is_none().then_some("\"80 C\", or a table [heat] that finds it");
+    let engine = heat.and_then(|heat| heat.engine);
+    let usual_ratio = engine.map(|engine| Engine::middle(engine.clearance_ratio()));
+    let usual_pressure = engine.map(|engine| Engine::middle(engine.feed_pressure()));
+    let (mesh, tolerance) = mesh::read(root.table_if_given("mesh"), path);
+    let feeds = root.tables("feed").into_iter();
+    Scene {
+        title: root
+            .text_if_given("title", "Plain journal bearing")
+            .unwrap_or_else(stem),
+        bearing: bearing::read(
+            root.table("bearing", "[bearing] with diameter, length and clearance"),
+            usual_ratio,
+        ),
+        mesh,
+        tolerance,
+        ends: root.table_if_given("ends").map_or(Ends::default(), ends::read),
+        feeds: feeds.map(|table| feed::read(table, usual_pressure)).collect(),
+        journal: journal::read(root.table("journal", journal), load),
+        oil: oil::read(root.table("oil", "[oil] with viscosity = \"40 mPa.s\""), temperature),
+        heat,
+        cavitation: root.table_if_given("cavitation").and_then(cavitation::read),
+        cap: root.table_if_given("cap").map(cap::read),
+        sweep: root.table_if_given("sweep").map(|table| Plan {
+            axes: sweep::read(table),
+            text: text.to_owned(),
+            path: path.to_owned(),
+        }),
+        sha256: String::new(),
     }
 }
 
@@ -366,60 +228,11 @@ fn fault(error: &toml::de::Error) -> Complaint {
     Complaint {
         key: String::new(),
         value: String::new(),
-        message: error.message().to_string(),
-        help: "a scene is TOML: [table] lines, and key = \"value with unit\" lines below them".to_string(),
+        message: error.message().to_owned(),
+        help: "a scene is TOML: [table] lines, and key = \"value with unit\" lines below them".to_owned(),
         span: error.span(),
     }
 }
 
-/// The first complaints in the order of the text; of many, the last one says that there are more.
-fn first_ones(complaints: Vec<Complaint>) -> Vec<Complaint> {
-    let mut complaints = in_order(complaints);
-    if complaints.len() > COMPLAINT_LIMIT {
-        complaints.truncate(COMPLAINT_LIMIT);
-        complaints.push(Complaint {
-            key: String::new(),
-            value: String::new(),
-            message: format!("there are more complaints; these are the first {COMPLAINT_LIMIT}"),
-            help: "put these right first".to_string(),
-            span: None,
-        });
-    }
-    complaints
-}
-
-/// In the order of the text; complaints without a place come last.
-pub fn in_order(mut complaints: Vec<Complaint>) -> Vec<Complaint> {
-    complaints.sort_by_key(|complaint| complaint.span.as_ref().map_or(usize::MAX, |span| span.start));
-    complaints
-}
-
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn files_that_are_no_scenes_are_refused_by_name() -> std::io::Result<()> {
-        let folder = tempfile::tempdir()?;
-        let path = folder.path().join("scene.toml");
-        assert!(matches!(Scene::read(&path), Err(SceneError::Read { .. })));
-        assert!(matches!(Scene::read(folder.path()), Err(SceneError::NotAFile { .. })));
-        assert!(matches!(
-            Scene::read(Path::new("/dev/zero")),
-            Err(SceneError::NotAFile { .. })
-        ));
-        std::fs::write(&path, vec![b'#'; SCENE_LIMIT as usize + 1])?;
-        assert!(matches!(Scene::read(&path), Err(SceneError::TooLarge { .. })));
-        std::fs::write(&path, "$MeshFormat\n4.1 0 8\n")?;
-        assert!(matches!(Scene::read(&path), Err(SceneError::Mesh { .. })));
-        std::fs::write(&path, b"title = \"\xff\"")?;
-        assert!(matches!(Scene::read(&path), Err(SceneError::NotText { offset: 9, .. })));
-        std::fs::write(&path, "\u{feff}titel = 5\r\n")?;
-        let error = Scene::read(&path).expect_err("no scene").to_string();
-        assert!(
-            error.contains("titel: this key is not known (did you mean \"title\"?)"),
-            "{error}"
-        );
-        Ok(())
-    }
-}
+pub(crate) mod tests;

@@ -5,88 +5,77 @@
 //! matters, since mPa is not MPa. A count of turns is `rpm` or `Hz`; `1/s` is read as `rad/s`, as in SI.
 //! Temperatures count from the absolute zero; only a temperature has units with a zero of their own (`C`, `F`), a difference is in `K`.
 
-use crate::dimension::ALL;
-pub use crate::dimension::Dimension;
+pub use crate::dimension::{Dimension, ZERO_CELSIUS};
 use crate::spelling::nearest;
 
 /// Why a text is not the quantity that was asked for.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum UnitError {
+#[derive(Debug, Clone, PartialEq)]
+pub struct UnitError {
+    /// The text, or the unit in it, as written.
+    pub text: String,
+    /// What was asked for.
+    pub expected: Dimension,
+    /// What is wrong.
+    pub fault: UnitFault,
+}
+
+/// What is wrong with a text that is not the quantity that was asked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum UnitFault {
     /// The text does not begin with a number.
-    #[error("\"{text}\" does not begin with a number; {} is wanted", expected.name())]
-    NotANumber {
-        /// The text as written.
-        text: String,
-        /// What was asked for.
-        expected: Dimension,
-    },
+    NotANumber,
     /// The number is written with a decimal comma.
-    #[error("\"{text}\" has a decimal comma")]
-    DecimalComma {
-        /// The text as written.
-        text: String,
-        /// What was asked for.
-        expected: Dimension,
-    },
+    DecimalComma,
     /// The number has no unit.
-    #[error("\"{text}\" has no unit; {} is wanted", expected.name())]
-    NoUnit {
-        /// The text as written.
-        text: String,
-        /// What was asked for.
-        expected: Dimension,
-    },
+    NoUnit,
     /// The unit measures something else.
-    #[error("\"{unit}\" is a unit of {}, but {} is wanted", found.name().trim_start_matches("an ").trim_start_matches("a "), expected.name())]
-    OtherDimension {
-        /// The unit as written.
-        unit: String,
-        /// What the unit measures.
-        found: Dimension,
-        /// What was asked for.
-        expected: Dimension,
-    },
-    /// No such unit is known.
-    #[error("\"{unit}\" is not a unit of {}", expected.name().trim_start_matches("an ").trim_start_matches("a "))]
-    UnknownUnit {
-        /// The unit as written.
-        unit: String,
-        /// The known unit that looks most like it.
-        nearest: Option<&'static str>,
-        /// What was asked for.
-        expected: Dimension,
-    },
+    OtherDimension(Dimension),
+    /// No such unit is known; the known one that looks most like it.
+    UnknownUnit(Option<&'static str>),
     /// The quantity is too large for a floating point number.
-    #[error("\"{text}\" is too large for a number")]
-    TooLarge {
-        /// The text as written.
-        text: String,
-    },
+    TooLarge,
+}
+
+impl std::error::Error for UnitError {}
+
+impl std::fmt::Display for UnitError {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let (text, wanted) = (&self.text, self.expected.name());
+        match self.fault {
+            UnitFault::NotANumber => write!(formatter, "\"{text}\" does not begin with a number; {wanted} is wanted"),
+            UnitFault::DecimalComma => write!(formatter, "\"{text}\" has a decimal comma"),
+            UnitFault::NoUnit => write!(formatter, "\"{text}\" has no unit; {wanted} is wanted"),
+            UnitFault::OtherDimension(found) => {
+                let found = bare(found.name());
+                write!(formatter, "\"{text}\" is a unit of {found}, but {wanted} is wanted")
+            }
+            UnitFault::UnknownUnit(_) => write!(formatter, "\"{text}\" is not a unit of {}", bare(wanted)),
+            UnitFault::TooLarge => write!(formatter, "\"{text}\" is too large for a number"),
+        }
+    }
+}
+
+/// A name without its article.
+fn bare(name: &str) -> &str {
+    name.trim_start_matches("an ").trim_start_matches("a ")
 }
 
 impl UnitError {
     /// What to write instead; `example` is what one would write at this place.
     pub fn help(&self, example: &str) -> String {
-        match self {
-            Self::NotANumber { expected, .. } | Self::NoUnit { expected, .. } => format!(
-                "write a number and a unit, for example \"{example}\"; units: {}",
-                expected.unit_names()
-            ),
-            Self::DecimalComma { .. } => {
+        let units = self.expected.unit_names();
+        match self.fault {
+            UnitFault::NotANumber | UnitFault::NoUnit => {
+                format!("write a number and a unit, for example \"{example}\"; units: {units}")
+            }
+            UnitFault::DecimalComma => {
                 format!("write a decimal point and no thousands separators, for example \"{example}\"")
             }
-            Self::UnknownUnit {
-                nearest: Some(name),
-                expected,
-                ..
-            } => format!("did you mean \"{name}\"? Units: {}", expected.unit_names()),
-            Self::OtherDimension { expected, .. }
-            | Self::UnknownUnit {
-                nearest: None,
-                expected,
-                ..
-            } => format!("write for example \"{example}\"; units: {}", expected.unit_names()),
-            Self::TooLarge { .. } => format!("check the exponent, and write for example \"{example}\""),
+            UnitFault::UnknownUnit(Some(name)) => format!("did you mean \"{name}\"? Units: {units}"),
+            UnitFault::OtherDimension(_) | UnitFault::UnknownUnit(None) => {
+                format!("write for example \"{example}\"; units: {units}")
+            }
+            UnitFault::TooLarge => format!("check the exponent, and write for example \"{example}\""),
         }
     }
 }
@@ -97,32 +86,26 @@ impl UnitError {
 /// [`UnitError`] where the text is no number and unit of this kind.
 pub fn parse(text: &str, expected: Dimension) -> Result<f64, UnitError> {
     let trimmed = text.trim();
+    let fail = |fault| UnitError {
+        text: trimmed.to_owned(),
+        expected,
+        fault,
+    };
     let (number, rest) = trimmed.split_at(number_length(trimmed));
-    let owned = || trimmed.to_string();
     let Ok(number) = number.parse::<f64>() else {
-        return Err(UnitError::NotANumber {
-            text: owned(),
-            expected,
-        });
+        return Err(fail(UnitFault::NotANumber));
     };
     let unit = rest.trim();
     if unit.starts_with(',') && unit[1..].starts_with(|c: char| c.is_ascii_digit()) {
-        return Err(UnitError::DecimalComma {
-            text: owned(),
-            expected,
-        });
+        return Err(fail(UnitFault::DecimalComma));
     }
     if unit.is_empty() {
-        return Err(UnitError::NoUnit {
-            text: owned(),
-            expected,
-        });
+        return Err(fail(UnitFault::NoUnit));
     }
     let value = number * unit_size(unit, expected)? + expected.zero(&canonical(unit));
-    if value.is_finite() {
-        Ok(value)
-    } else {
-        Err(UnitError::TooLarge { text: owned() })
+    match value.is_finite() {
+        true => Ok(value),
+        false => Err(fail(UnitFault::TooLarge)),
     }
 }
 
@@ -146,18 +129,14 @@ pub fn unit_size(unit: &str, expected: Dimension) -> Result<f64, UnitError> {
     if let Some((_, size)) = find(expected) {
         return Ok(*size);
     }
-    if let Some(found) = ALL.into_iter().find(|other| find(*other).is_some()) {
-        return Err(UnitError::OtherDimension {
-            unit: unit.to_string(),
-            found,
-            expected,
-        });
-    }
-    let nearest = nearest(&canonical, expected.units().iter().map(|(name, _)| *name));
-    Err(UnitError::UnknownUnit {
-        unit: unit.to_string(),
-        nearest,
+    let fault = match Dimension::all().find(|other| find(*other).is_some()) {
+        Some(found) => UnitFault::OtherDimension(found),
+        None => UnitFault::UnknownUnit(nearest(&canonical, expected.units().iter().map(|(name, _)| *name))),
+    };
+    Err(UnitError {
+        text: unit.to_owned(),
         expected,
+        fault,
     })
 }
 
@@ -286,7 +265,7 @@ mod tests {
 
     #[test]
     fn every_unit_is_read_by_its_own_name() {
-        for dimension in ALL {
+        for dimension in Dimension::all() {
             assert!(parse(dimension.example(), dimension).is_ok());
             for (name, size) in dimension.units() {
                 assert_eq!(unit_size(name, dimension), Ok(*size), "{name}");
@@ -297,14 +276,14 @@ mod tests {
     #[test]
     fn the_wrong_texts_are_refused_with_a_way_out() {
         let refused = |text: &str, dimension: Dimension| parse(text, dimension).expect_err(text);
-        assert!(matches!(refused("25", Length), UnitError::NoUnit { .. }));
-        assert!(matches!(refused("0.001", Ratio), UnitError::NoUnit { .. }));
+        assert!(matches!(refused("25", Length).fault, UnitFault::NoUnit));
+        assert!(matches!(refused("0.001", Ratio).fault, UnitFault::NoUnit));
         for text in ["", "mm", "nan mm", "inf mm", "- 5 mm", "- mm", ". mm"] {
-            assert!(matches!(refused(text, Length), UnitError::NotANumber { .. }), "{text}");
+            assert!(matches!(refused(text, Length).fault, UnitFault::NotANumber), "{text}");
         }
-        assert!(matches!(refused("37,5 um", Length), UnitError::DecimalComma { .. }));
-        assert!(matches!(refused("1e400 mm", Length), UnitError::TooLarge { .. }));
-        assert!(matches!(refused("1e305 GPa", Pressure), UnitError::TooLarge { .. }));
+        assert!(matches!(refused("37,5 um", Length).fault, UnitFault::DecimalComma));
+        assert!(matches!(refused("1e400 mm", Length).fault, UnitFault::TooLarge));
+        assert!(matches!(refused("1e305 GPa", Pressure).fault, UnitFault::TooLarge));
         let other = refused("25 mm", Pressure);
         assert_eq!(
             other.to_string(),
@@ -316,8 +295,8 @@ mod tests {
         assert!(help("1 Bar", Pressure).contains("did you mean \"bar\""));
         assert!(help("1 furlong", Length).contains("for example \"25 mm\""));
         assert!(matches!(
-            refused("20 C", TemperatureDifference),
-            UnitError::OtherDimension { .. }
+            refused("20 C", TemperatureDifference).fault,
+            UnitFault::OtherDimension(_)
         ));
         assert!(help("80 Celsius", Temperature).contains("\"80 C\""));
         assert!(help("1 mpa", Pressure).contains("did you mean"));

@@ -1,6 +1,6 @@
 //! Lengths, angles, pressures, forces, temperatures and ratios as sentences give them: six significant digits, no zeros at the end.
 
-use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
+use crate::unit::ZERO_CELSIUS;
 
 /// A length [m] in millimetres.
 pub fn millimetres(metres: f64) -> String {

@@ -11,8 +11,9 @@ use oilwedge_reynolds::{FilmSolution, JournalState, NoFilm, ReferenceFilm};
 
 use crate::compile::{CompileError, Study, compile, compile_near};
 use crate::result::Status;
+use crate::start::middle;
 use crate::thermal::{self, HeatFound, NoTemperature};
-use oilwedge_scene::scene::Scene;
+use oilwedge_scene::Scene;
 
 /// A mesh is graded anew where the least film thickness found is another one than it was graded for by this factor,
 const REGRADED: f64 = 1.3;
@@ -215,7 +216,7 @@ pub fn graded(scene: &Scene, patience: Patience) -> Result<Study, CompileError> 
         return Ok(study);
     };
     let centre_velocity = study.centre_velocity;
-    let mut middle = Some(scene.journal.middle());
+    let mut middle = Some(middle(&scene.journal));
     for _ in 1..GRADINGS {
         if patience.is_over() {
             break;

@@ -19,8 +19,10 @@ use oilwedge_reynolds::{Bearing, CentreVelocity, FilmProblem, FilmSystem, Journa
 use crate::effects::{Effects, Sockets};
 use crate::joint::share_per_force;
 use crate::liner_mesh::{LinerMesh, liner_mesh, suited};
+use crate::oil::{Oil, at_temperature};
 use crate::run::DEGREE;
-use oilwedge_scene::scene::{self, Scene};
+use crate::start::start;
+use oilwedge_scene::{self as scene, Scene};
 
 /// A scene, ready to be solved.
 pub struct Study {
@@ -38,7 +40,7 @@ pub struct Study {
     /// The cap that this bearing is in.
     pub cap: Option<scene::Cap>,
     /// The oil, at the temperature of the film.
-    pub oil: scene::Oil,
+    pub oil: Oil,
     /// What finds that temperature.
     pub heat: Option<scene::Heat>,
     /// What is simulated and what is not.
@@ -60,8 +62,8 @@ pub struct Study {
 impl Study {
     /// Brings the film to this temperature [K].
     pub fn heat_to(&mut self, temperature: f64) {
-        self.oil.heat_to(temperature);
-        self.scene.oil.heat_to(temperature);
+        self.oil = self.oil.at(temperature);
+        self.scene = at_temperature(&self.scene, temperature);
         self.problem.lubricant = lubricant(&self.scene, Sockets::of(&self.scene).pressure_law);
     }
 
@@ -143,7 +145,7 @@ fn list(faults: &[impl std::fmt::Display]) -> String {
 /// # Errors
 /// [`CompileError`]: the mesh is unreadable, defective, or not that of the scene.
 pub fn compile(scene: &Scene) -> Result<Study, CompileError> {
-    compile_near(scene, scene.start())
+    compile_near(scene, start(scene))
 }
 
 /// The same with the journal, and the mesh graded for it, at the position `near` (eccentricity [1], angle of the minimum
@@ -152,13 +154,13 @@ pub fn compile(scene: &Scene) -> Result<Study, CompileError> {
 /// # Errors
 /// As [`compile`].
 pub fn compile_near(scene: &Scene, near: (f64, f64)) -> Result<Study, CompileError> {
-    let start = Instant::now();
+    let clock = Instant::now();
     let LinerMesh {
         mesh,
         sha256: mesh_sha256,
         is_laid_anew,
     } = liner_mesh(scene, near)?;
-    let read = start.elapsed().as_secs_f64();
+    let read = clock.elapsed().as_secs_f64();
     let mut study = compile_on(scene, mesh, near, DEGREE)?;
     let part = if scene.mesh.path().is_some() { "read" } else { "mesh" };
     study.seconds.insert(0, (part, read));
@@ -174,7 +176,7 @@ pub fn compile_near(scene: &Scene, near: (f64, f64)) -> Result<Study, CompileErr
 /// # Errors
 /// As [`compile`].
 pub fn compile_on(scene: &Scene, mesh: Mesh, near: (f64, f64), degree: usize) -> Result<Study, CompileError> {
-    let start = Instant::now();
+    let clock = Instant::now();
     let (mesh, flips) = suited(scene, mesh);
     check_feed_groups(scene, &mesh)?;
     let sockets = Sockets::of(scene);
@@ -197,7 +199,7 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, near: (f64, f64), degree: usize) ->
         load,
         centre_velocity,
         cap: scene.cap,
-        oil: scene.oil.clone(),
+        oil: Oil::of(scene),
         heat: scene.heat,
         effects: Effects::of(scene),
         scene: scene.clone(),
@@ -211,7 +213,7 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, near: (f64, f64), degree: usize) ->
         mesh_sha256: String::new(),
         flips,
         is_laid_anew: false,
-        seconds: vec![("order", start.elapsed().as_secs_f64())],
+        seconds: vec![("order", clock.elapsed().as_secs_f64())],
     })
 }
 
@@ -243,7 +245,7 @@ fn problem(scene: &Scene, sockets: Sockets, mesh: &Mesh, (eccentricity, angle): 
 
 fn lubricant(scene: &Scene, pressure_law: PressureLaw) -> Lubricant {
     Lubricant {
-        viscosity: scene.oil.viscosity,
+        viscosity: Oil::of(scene).viscosity,
         pressure_law,
     }
 }

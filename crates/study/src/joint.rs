@@ -1,7 +1,8 @@
 //! The cap of a connecting rod in numbers: what its bolts must hold, and what the film's load makes of that.
 
+use crate::cap_joint::cap_joint;
 use crate::result::Quantity;
-use oilwedge_scene::scene::Cap;
+use oilwedge_scene::Cap;
 
 /// The quantity of a cap that depends on the film.
 pub const FILM_SHARE: &str = "cap_film_share";
@@ -21,13 +22,14 @@ pub fn is_given(name: &str) -> bool {
 /// The vector [1/N] whose product with the load of the film is its share of the force that opens the joint; none at rest,
 /// where the joint is tightened for no force.
 pub fn share_per_force(cap: &Cap, speed: f64) -> Option<[f64; 2]> {
-    let opening = cap.joint.forces(cap.joint.inertia_force(speed)).opening;
+    let joint = cap_joint(cap);
+    let opening = joint.forces(joint.inertia_force(speed)).opening;
     (opening > 0.0).then(|| [cap.angle.cos() / opening, cap.angle.sin() / opening])
 }
 
 /// What is told of a cap at the speed omega [rad/s] of the crank, under a film with the load `force` [N].
 pub fn quantities(cap: &Cap, speed: f64, force: [f64; 2]) -> Vec<Quantity> {
-    let joint = &cap.joint;
+    let joint = cap_joint(cap);
     let forces = joint.forces(joint.inertia_force(speed));
     let [least, greatest] = [forces.preload, forces.greatest].map(|force| joint.stress(force));
     let mut list = Vec::new();

@@ -11,7 +11,7 @@ use crate::compile::{CompileError, Study, compile_on};
 use crate::refinement::unknowns;
 use crate::result::Quantity;
 use crate::run::DEGREE;
-use oilwedge_scene::scene::Scene;
+use oilwedge_scene::Scene;
 
 /// What one mesh gives.
 pub struct Level {

@@ -9,6 +9,8 @@
 
 pub mod analysis;
 pub mod bars;
+mod cap_joint;
+pub mod checks;
 mod companion_bars;
 pub mod compile;
 pub mod effects;
@@ -18,16 +20,19 @@ pub mod level;
 pub mod liner_mesh;
 pub mod measure;
 mod moved;
+pub mod oil;
 pub mod picture;
 pub mod quantities;
 pub mod refinement;
 pub mod regime;
 pub mod result;
 pub mod run;
+pub mod start;
 pub mod thermal;
 pub mod warnings;
 
 pub use oilwedge_bearing::Interrupt;
 
+pub use checks::{CHECKS, complaints, parse, read};
 pub use compile::CompileError;
 pub use run::{Run, RunOptions, run};

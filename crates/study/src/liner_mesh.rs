@@ -11,7 +11,9 @@ use sha2::{Digest, Sha256};
 
 use crate::compile::CompileError;
 use crate::effects::Sockets;
-use oilwedge_scene::scene::{Feed, Layout, MeshSource, Scene};
+use crate::oil::Oil;
+use crate::start::start;
+use oilwedge_scene::{Feed, Layout, MeshSource, Scene};
 
 /// Longest edges of a mesh without a wanted size, over those that resolve the film's scale: two halvings.
 const FINENESS: f64 = 0.25;
@@ -275,7 +277,7 @@ const TOWARDS_EDGE: f64 = 0.2;
 /// Edges [m] all around through which oil enters the cavity, and the thickness [m] of the layer that the excess of pressure `P` presses
 /// in while the journal turns by one radian: `c sqrt(P R/(3 mu U))`, from `U h/2 d(thickness)/dx = h^3/(12 mu) P/thickness`.
 fn layers(scene: &Scene, cavity: f64) -> Vec<(f64, f64)> {
-    let drag = 3.0 * scene.oil.viscosity * scene.journal.speed.abs();
+    let drag = 3.0 * Oil::of(scene).viscosity * scene.journal.speed.abs();
     let thickness = |pressure: f64| scene.bearing.clearance * ((pressure - cavity) / drag).sqrt();
     let half = 0.5 * scene.bearing.length;
     let at_ends = [-half, half].map(|z| (z, scene.ends.pressure));
@@ -325,5 +327,5 @@ pub fn shape(scene: &Scene, feed: &Feed) -> Option<Shape> {
 /// # Errors
 /// [`CompileError`] where the mesh cannot be read or made.
 pub fn mesh_scene(scene: &Scene) -> Result<Mesh, CompileError> {
-    Ok(liner_mesh(scene, scene.start())?.mesh)
+    Ok(liner_mesh(scene, start(scene))?.mesh)
 }

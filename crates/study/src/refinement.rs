@@ -12,12 +12,13 @@ use oilwedge_bearing::Patience;
 
 use crate::analysis::{NoAnswer, Solved, graded, solve};
 use crate::bars::{Judged, judge};
+use crate::checks::targets;
 use crate::compile::{CompileError, Study};
 use crate::effects::Sockets;
 use crate::measure::possible_load;
 use crate::result::{LevelFacts, Quantity, Refinement};
 use crate::run::RunOptions;
-use oilwedge_scene::scene::{Scene, Target};
+use oilwedge_scene::{Scene, Target};
 
 mod next;
 
@@ -63,8 +64,7 @@ pub struct Answer {
 pub fn answer(scene: &Scene, options: &RunOptions) -> Result<Answer, CompileError> {
     let warmed = crate::thermal::warmed(scene, options.patience())?;
     let scene = warmed.as_ref().unwrap_or(scene);
-    let tolerance = scene.tolerance.as_ref().filter(|_| options.bars);
-    let Some(tolerance) = tolerance else {
+    let Some(targets) = targets(scene).filter(|_| options.bars) else {
         let patience = options.patience();
         let mut study = graded(scene, patience)?;
         let outcome = solved(&mut study, options.bars, patience);
@@ -76,7 +76,7 @@ pub fn answer(scene: &Scene, options: &RunOptions) -> Result<Answer, CompileErro
             limit,
         });
     };
-    towards(scene, &tolerance.targets, options)
+    towards(scene, &targets, options)
 }
 
 /// Why a position under a load, or a temperature, is only that which the search had reached, if so.

@@ -12,8 +12,9 @@ use serde::Serialize;
 
 use crate::compile::Study;
 use crate::measure::Measured;
+use crate::oil::Oil;
 use crate::thermal::leaving;
-use oilwedge_scene::scene::Scene;
+use oilwedge_scene::Scene;
 
 /// Clearance over radius of a film that curvature does not touch.
 const THIN: f64 = 1e-2;
@@ -60,7 +61,7 @@ impl Regime {
         let problem = &study.problem;
         let bearing = &problem.bearing;
         let speed = problem.journal.speed.abs() * bearing.radius;
-        let density = scene.oil.film_density().unwrap_or(MINERAL_OIL);
+        let density = Oil::of(scene).film_density().unwrap_or(MINERAL_OIL);
         let reynolds_number = density * speed * bearing.clearance / problem.lubricant.viscosity;
         let clearance_ratio = bearing.clearance / bearing.radius;
         Self {

@@ -5,7 +5,7 @@
 
 use std::collections::HashMap;
 
-use oilwedge_bearing::{Balanced, FilmHeat, HeatBalance, NoBalance, Patience};
+use oilwedge_bearing::{Balanced, FilmHeat, HeatBalance, Housing, NoBalance, Patience};
 use oilwedge_reynolds::ReferenceFilm;
 use oilwedge_reynolds::existence::readable;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
@@ -14,9 +14,10 @@ use crate::analysis::{NoAnswer, Solved, Start, graded};
 use crate::compile::{CompileError, Study};
 use crate::liner_mesh::resized;
 use crate::measure::{Measured, measure};
+use crate::oil::at_temperature;
 use crate::result::Quantity;
-use oilwedge_scene::scene::{Heat, Scene};
 use oilwedge_scene::wording::celsius;
+use oilwedge_scene::{Heat, Scene};
 
 mod bars;
 mod curve;
@@ -31,6 +32,8 @@ use search::{Film, Films, Left, ROUGHLY};
 
 /// Edges of the mesh on which the temperature is sought first, over those of the first mesh of the scene.
 const COARSE: f64 = 3.0;
+/// The film's temperature is first taken to be so much above that of the oil fed [K].
+const FIRST_RISE: f64 = 10.0;
 /// Names of the quantities of a balance of heat.
 const NAMES: [&str; 5] = [
     "cooling_flow",
@@ -43,6 +46,23 @@ const NAMES: [&str; 5] = [
 /// True of quantities that there are only where the temperature is sought.
 pub fn is_of_heat(name: &str) -> bool {
     NAMES.contains(&name)
+}
+
+/// What is balanced.
+pub fn balance(heat: &Heat) -> HeatBalance {
+    HeatBalance {
+        inlet: heat.inlet,
+        heat_capacity: heat.heat_capacity,
+        housing: heat.housing.map(|housing| Housing {
+            conductance: housing.conductance,
+            ambient: housing.ambient,
+        }),
+    }
+}
+
+/// Temperature [K] at which the search for that of the film begins.
+pub fn first_temperature(heat: &Heat) -> f64 {
+    heat.inlet + FIRST_RISE
 }
 
 /// A temperature found.
@@ -79,7 +99,7 @@ pub fn quantities(study: &Study, measured: &Measured) -> Vec<Quantity> {
     let (Some(heat), Some(temperature)) = (&study.heat, study.oil.temperature) else {
         return Vec::new();
     };
-    let balance = heat.balance();
+    let balance = balance(heat);
     let film = film_heat(heat, study, measured);
     let [inlet, outlet] = balance.ends(temperature, film.carried_over);
     let mut list = Vec::new();
@@ -202,12 +222,12 @@ pub fn warmed(scene: &Scene, patience: Patience) -> Result<Option<Scene>, Compil
     let coarse = resized(scene, COARSE).unwrap_or_else(|| scene.clone());
     let mut study = graded(&coarse, patience)?;
     let found = solve_coarse(&mut study, patience);
-    Ok(found.map(|temperature| scene.at_temperature(temperature)))
+    Ok(found.map(|temperature| at_temperature(scene, temperature)))
 }
 
 fn solve_coarse(study: &mut Study, patience: Patience) -> Option<f64> {
     let heat = study.heat?;
-    let first = study.oil.temperature.unwrap_or(heat.first_temperature());
+    let first = study.oil.temperature.unwrap_or(first_temperature(&heat));
     let mut films = Films::new(study, heat, patience, Start::Scene);
     films
         .find(first, ROUGHLY, Film::Chosen)

@@ -95,7 +95,7 @@ pub(crate) fn sockets(table: &Table) -> Option<Sockets> {
 
 fn read(table: &Table) -> Result<Scene, String> {
     let text = toml::to_string(table).map_err(|error| error.to_string())?;
-    Scene::parse(&text, Path::new("case.toml")).map_err(|error| match error {
+    oilwedge_study::parse(&text, Path::new("case.toml")).map_err(|error| match error {
         SceneError::Complaints { complaints, .. } | SceneError::Syntax { complaints, .. } => complaints
             .iter()
             .map(|complaint| format!("{complaint}; {}", complaint.help))

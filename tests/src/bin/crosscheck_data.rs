@@ -4,7 +4,6 @@ use std::path::Path;
 
 use oilwedge_fem::mapping::Mapping;
 use oilwedge_fem::{Field, Quadrature};
-use oilwedge_scene::scene::Scene;
 use oilwedge_tests::scenes::solve;
 
 /// Reference points at which every cell is probed.
@@ -17,7 +16,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let [_, scene, folder] = &arguments[..] else {
         return Err("usage: crosscheck_data SCENE FOLDER".into());
     };
-    let solved = solve(&Scene::read(Path::new(scene))?)?;
+    let solved = solve(&oilwedge_study::read(Path::new(scene))?)?;
     let space = solved.study.system.space();
     let problem = &solved.study.problem;
     let pressure: Vec<f64> = solved.film.unknown.iter().map(|&u| problem.pressure_at(u)).collect();

@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 use std::fmt::Write;
 
-use oilwedge_scene::scene::Scene;
+use oilwedge_scene::Scene;
 
 use crate::random_bearings::{Dice, PRESSURE_UNIT, RandomBearing};
 use crate::scenes::{path, table};
@@ -99,7 +99,8 @@ impl Bearing {
         if let Some(size) = size {
             table(&mut scene, "mesh").insert("size".into(), format!("{size} m").into());
         }
-        Scene::parse(&scene.to_string(), &path("written")).unwrap_or_else(|error| panic!("{}: {error}", self.name))
+        oilwedge_study::parse(&scene.to_string(), &path("written"))
+            .unwrap_or_else(|error| panic!("{}: {error}", self.name))
     }
 
     /// True if the mesh is drawn, else that of a file.

@@ -5,12 +5,13 @@ use std::time::Instant;
 use oilwedge_bearing::Patience;
 use oilwedge_fem::marking::doerfler;
 use oilwedge_mesh::{Mesh, refine};
-use oilwedge_scene::scene::Scene;
+use oilwedge_scene::Scene;
 use oilwedge_study::analysis::{Solved, graded, solve};
 use oilwedge_study::bars::{Judged, judge};
 use oilwedge_study::compile::{Study, compile_on};
 use oilwedge_study::liner_mesh::{LinerMesh, liner_mesh};
 use oilwedge_study::refinement::unknowns;
+use oilwedge_study::start::start;
 
 use super::bearings::Bearing;
 use crate::random_bearings::Dice;
@@ -76,7 +77,7 @@ impl Solve {
     pub fn on(&self, scene: &Scene, mesh: Mesh) -> Result<Self, String> {
         let journal = &self.study.problem.journal;
         let near = match self.study.load {
-            None => scene.start(),
+            None => start(scene),
             Some(_) => (
                 journal.eccentricity() / scene.bearing.clearance,
                 journal.min_film_angle(),
@@ -114,7 +115,7 @@ pub fn sized(bearing: &Bearing, wanted: f64) -> Scene {
     let mut size = (2.0 * area(&first) / (0.433 * wanted)).sqrt();
     for _ in 0..2 {
         let scene = bearing.scene(Some(size));
-        let Ok(LinerMesh { mesh, .. }) = liner_mesh(&scene, scene.start()) else {
+        let Ok(LinerMesh { mesh, .. }) = liner_mesh(&scene, start(&scene)) else {
             break;
         };
         let ratio = 2.0 * mesh.triangles().len() as f64 / wanted;

@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use oilwedge_bearing::Patience;
-use oilwedge_scene::scene::Scene;
+use oilwedge_scene::Scene;
 use oilwedge_study::analysis::graded;
 use oilwedge_study::refinement::{Answer, answer, unknowns};
 use oilwedge_study::run::RunOptions;
@@ -92,5 +92,6 @@ fn tolerant(bearing: &Bearing, asked: f64) -> Scene {
     let mesh = table(&mut scene, "mesh");
     mesh.remove("size");
     mesh.insert("tolerance".into(), format!("{} %", 100.0 * asked).into());
-    Scene::parse(&scene.to_string(), &path("written")).unwrap_or_else(|error| panic!("{}: {error}", bearing.name))
+    oilwedge_study::parse(&scene.to_string(), &path("written"))
+        .unwrap_or_else(|error| panic!("{}: {error}", bearing.name))
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use oilwedge_mesh::developed::Liner;
 use oilwedge_mesh::generate::{Blueprint, Feature, Shape, generate};
 use oilwedge_mesh::{Mesh, gmsh};
-use oilwedge_scene::scene::Scene;
+use oilwedge_scene::Scene;
 use tempfile::TempDir;
 
 use crate::msh_file::{Element, Encoding, Form, Numbers, scattered, to_bytes};
@@ -160,7 +160,7 @@ impl Films {
     fn drawn(&self, name: &str, text: &str, unknowns: usize) -> PathBuf {
         let sized = |size: f64| format!("{text}[mesh]\nsize = \"{size:.6e} m\"\n");
         let of = |size: f64| {
-            let scene = Scene::parse(&sized(size), self.folder()).expect("our own scene");
+            let scene = oilwedge_study::parse(&sized(size), self.folder()).expect("our own scene");
             super::phases::mesh(&scene).quadratic_nodes() as f64
         };
         let size = size_for(unknowns, of);
@@ -190,7 +190,7 @@ fn shipped(name: &str) -> String {
 /// # Panics
 /// If it is none.
 pub fn scene(path: &Path) -> Arc<Scene> {
-    Arc::new(Scene::read(path).unwrap_or_else(|error| panic!("{error}")))
+    Arc::new(oilwedge_study::read(path).unwrap_or_else(|error| panic!("{error}")))
 }
 
 /// The ring with uniform triangles.

@@ -7,10 +7,11 @@ use oilwedge_fem::{Analysis, Assembler, Constraints, Factorization, Matrix, Spac
 use oilwedge_mesh::Mesh;
 use oilwedge_reynolds::FilmSolution;
 use oilwedge_reynolds::quantities::load::load;
-use oilwedge_scene::scene::Scene;
+use oilwedge_scene::Scene;
 use oilwedge_study::compile::{Study, compile};
 use oilwedge_study::liner_mesh::liner_mesh;
 use oilwedge_study::measure::{Measured, measure};
+use oilwedge_study::start::start;
 use oilwedge_study::{Run, RunOptions, run};
 
 use super::floor::Sizes;
@@ -23,7 +24,7 @@ const DEGREE: usize = 2;
 /// # Panics
 /// If there is none.
 pub fn mesh(scene: &Scene) -> Mesh {
-    liner_mesh(scene, scene.start())
+    liner_mesh(scene, start(scene))
         .unwrap_or_else(|error| panic!("{error}"))
         .mesh
 }

@@ -2,7 +2,7 @@
 
 use oilwedge_fem::Field;
 use oilwedge_mesh::Locator;
-use oilwedge_scene::scene::Scene;
+use oilwedge_scene::Scene;
 use oilwedge_study::measure::quantities;
 
 use super::{DIAMETER, LENGTH, SPEED_SCALE, Scales, VISCOSITY_SCALE};

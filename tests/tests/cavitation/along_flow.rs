@@ -7,7 +7,7 @@
 
 use std::f64::consts::TAU;
 
-use oilwedge_scene::scene::Scene;
+use oilwedge_scene::Scene;
 use oilwedge_study::result::{Quantity, RunResult, Status};
 use oilwedge_study::run::{RunOptions, run};
 use oilwedge_tests::flow_meshes::{Kind, ring, write};

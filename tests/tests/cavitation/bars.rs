@@ -6,6 +6,7 @@ use oilwedge_reynolds::error_bar::conserving::{ConservingError, conserving_error
 use oilwedge_scene::Scene;
 use oilwedge_study::compile::{Study, compile, compile_on};
 use oilwedge_study::measure::{Measured, measure};
+use oilwedge_study::start::start;
 use oilwedge_tests::random_bearings::RandomBearing;
 use oilwedge_tests::scenes::{table, variant};
 
@@ -33,7 +34,7 @@ fn finer(scene: &Scene, study: &Study, times: usize) -> Measured {
     for _ in 0..times {
         mesh = refine::uniform(&mesh).expect("a sound mesh").mesh;
     }
-    let study = compile_on(scene, mesh, scene.start(), 2).unwrap_or_else(|error| panic!("{error}"));
+    let study = compile_on(scene, mesh, start(scene), 2).unwrap_or_else(|error| panic!("{error}"));
     {
         let film = film(&study);
         measure(&study.problem, &study.system, &film)
@@ -115,7 +116,7 @@ fn bars_shrink_with_the_mesh() {
         let scene = RandomBearing::new(number).scene();
         let study = compile(&scene).unwrap_or_else(|error| panic!("{error}"));
         let mesh = refine::uniform(study.system.space().mesh()).expect("a sound mesh").mesh;
-        let finer = compile_on(&scene, mesh, scene.start(), 2).unwrap_or_else(|error| panic!("{error}"));
+        let finer = compile_on(&scene, mesh, start(&scene), 2).unwrap_or_else(|error| panic!("{error}"));
         let [before, after] = [&study, &finer].map(|study| bars(study, &film(study)));
         assert!(before.load.total().is_finite() && before.flows.iter().all(|bar| bar.is_finite()));
         ratios.push(before.load.total() / after.load.total());

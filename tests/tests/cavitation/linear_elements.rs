@@ -6,6 +6,7 @@ use oilwedge_reynolds::quantities::load::load;
 use oilwedge_reynolds::quantities::similarity::sommerfeld_number;
 use oilwedge_scene::Scene;
 use oilwedge_study::compile::{Study, compile, compile_on};
+use oilwedge_study::start::start;
 use oilwedge_tests::journal_bearings::{Ring, block, number, reference};
 use oilwedge_tests::random_bearings::RandomBearing;
 use oilwedge_tests::scenes::{path, table, variant};
@@ -26,7 +27,7 @@ fn loads(scene: &Scene, times: usize) -> Vec<f64> {
 }
 
 fn linear(scene: &Scene, mesh: oilwedge_mesh::Mesh) -> Study {
-    compile_on(scene, mesh, scene.start(), 1).unwrap_or_else(|error| panic!("{error}"))
+    compile_on(scene, mesh, start(scene), 1).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// Second order, towards Swift and Stieber's flooded ring of B/D 0.5 and eps 0.8 by a structured code (its last change: 2e-4).

@@ -159,7 +159,7 @@ fn other_forms_of_meshes_are_told_with_the_way_out() {
 fn a_scene_of_the_greatest_size_is_read_and_no_larger_one() {
     let bench = Bench::new();
     let scene = edited("01_plain_ring", &[]);
-    let limit = oilwedge_scene::scene::SCENE_LIMIT as usize;
+    let limit = oilwedge_scene::SCENE_LIMIT as usize;
     let padded = |length: usize| format!("{scene}\n#{}", "x".repeat(length - scene.len() - 2));
     bench.write("great.toml", padded(limit));
     let told = bench.run(&["check", "great.toml"]);

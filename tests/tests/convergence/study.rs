@@ -1,7 +1,6 @@
 //! A study of a scene: its levels, what its observer is told, and its time.
 
 use oilwedge_campaign::convergence::{Budget, LevelReport, Measure, Observer, Strategy, converge};
-use oilwedge_scene::scene::Scene;
 use oilwedge_tests::scenes::path;
 
 /// Everything that was told: strategy, level, and whether it ended.
@@ -25,7 +24,7 @@ impl Observer for Diary {
 /// first level of quadratic elements, with which both of their strategies begin.
 #[test]
 fn levels_are_told_in_their_order_and_errors_fall_by_theirs() {
-    let scene = Scene::read(&path("09_drawn_ring")).expect("a shipped scene");
+    let scene = oilwedge_study::read(&path("09_drawn_ring")).expect("a shipped scene");
     let mut diary = Diary::default();
     let study = converge(&scene, &Budget::seconds(3.0), &mut diary).expect("it has a film");
     let report = study.report;

@@ -13,7 +13,7 @@ use super::observer::Observer;
 use super::price::exponent;
 use super::report::{LevelReport, Timing};
 use super::strategy::Strategy;
-use oilwedge_scene::scene::Scene;
+use oilwedge_scene::Scene;
 use oilwedge_study::analysis::NoAnswer;
 use oilwedge_study::compile::CompileError;
 use oilwedge_study::effects::Effects;

@@ -6,10 +6,11 @@ use std::time::Instant;
 use oilwedge_bearing::Patience;
 use oilwedge_mesh::Mesh;
 
-use oilwedge_scene::scene::Scene;
+use oilwedge_scene::Scene;
 use oilwedge_study::analysis::{NoAnswer, graded, solve};
 use oilwedge_study::compile::CompileError;
 use oilwedge_study::liner_mesh::{liner_mesh, resized};
+use oilwedge_study::start::start;
 
 /// How much longer than wanted the edges of a drawn mesh are, the first that leads to an answer: two, one and no halving.
 const FACTORS: [f64; 3] = [4.0, 2.0, 1.0];
@@ -30,7 +31,7 @@ pub(super) struct First {
 /// The mesh cannot be read or drawn; or, within, there is no position for the load on any of the coarse meshes.
 pub(super) fn first_mesh(scene: &Scene, patience: Patience) -> Result<Result<First, NoAnswer>, CompileError> {
     let clock = Instant::now();
-    let start = scene.start();
+    let start = start(scene);
     let first = |mesh: Mesh, near: (f64, f64)| First {
         mesh: Arc::new(mesh),
         near,

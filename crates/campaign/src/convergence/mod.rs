@@ -25,9 +25,10 @@ use price::{Bought, Offer, price_list};
 use report::{CONVERGE_FORMAT, GoalFacts};
 
 use crate::Error;
-use oilwedge_scene::scene::Scene;
+use oilwedge_scene::Scene;
 use oilwedge_study::analysis::NoAnswer;
 use oilwedge_study::effects::{Effects, Sockets};
+use oilwedge_study::oil::Oil;
 use oilwedge_study::quantities::main_quantity;
 use oilwedge_study::result::Status;
 
@@ -189,7 +190,8 @@ fn natural_load(scene: &Scene) -> f64 {
     let (bearing, journal) = (&scene.bearing, &scene.journal);
     let centre = Sockets::of(scene).centre_velocity;
     let motion = centre.radial.hypot(centre.tangential) / bearing.clearance;
-    let dragged = scene.oil.viscosity * (journal.speed.abs() + motion) * (bearing.radius() / bearing.clearance).powi(2);
+    let dragged =
+        Oil::of(scene).viscosity * (journal.speed.abs() + motion) * (bearing.radius() / bearing.clearance).powi(2);
     let given = scene.feeds.iter().filter_map(|feed| feed.pressure);
     let given = given.chain(scene.cavitation.map(|cavitation| cavitation.pressure));
     let driven = given.map(|pressure| (pressure - scene.ends.pressure).abs());

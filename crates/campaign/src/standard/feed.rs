@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_4, PI};
 
 use oilwedge_reynolds::analytical::iso7902::Feed;
 
-use oilwedge_scene::scene::Scene;
+use oilwedge_scene::Scene;
 
 /// Width over B of pockets for which their flow was fitted.
 const POCKET: [f64; 2] = [0.05, 0.7];

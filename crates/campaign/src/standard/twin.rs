@@ -6,7 +6,9 @@ use oilwedge_reynolds::analytical::iso7902::{self, Feed};
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use serde::Serialize;
 
-use oilwedge_scene::scene::{Mixing, Scene};
+use oilwedge_scene::{Mixing, Scene};
+use oilwedge_study::oil::Oil;
+use oilwedge_study::thermal::{balance, first_temperature};
 
 /// Part of the friction to which its heat is balanced.
 const BALANCED: f64 = 1e-12;
@@ -151,10 +153,10 @@ pub(super) fn own_heat(scene: &Scene, given: Given, feed: &Fed) -> Option<Standa
         Some(Mixing::Ratio(ratio)) => ratio,
         Some(Mixing::Share(_)) => return None,
     };
+    let oil = Oil::of(scene);
     let at = |temperature: f64| {
-        let mut oil = scene.oil.clone();
-        oil.heat_to(temperature);
-        Twin::of(scene, oil.viscosity, given, feed).map(|twin| (twin, oil.viscosity))
+        let viscosity = oil.at(temperature).viscosity;
+        Twin::of(scene, viscosity, given, feed).map(|twin| (twin, viscosity))
     };
     let film = |temperature: f64| {
         let (twin, _) = at(temperature).ok_or(())?;
@@ -164,8 +166,8 @@ pub(super) fn own_heat(scene: &Scene, given: Given, feed: &Fed) -> Option<Standa
             carried_over,
         })
     };
-    let balance: HeatBalance = heat.balance();
-    let found = find(&balance, heat.first_temperature(), BALANCED, film).ok()?;
+    let balance: HeatBalance = balance(&heat);
+    let found = find(&balance, first_temperature(&heat), BALANCED, film).ok()?;
     let (twin, viscosity) = at(found.temperature)?;
     let [_, outlet] = balance.ends(found.temperature, carried_over);
     Some(StandardHeat {

@@ -12,6 +12,7 @@ use std::sync::mpsc::{Sender, channel};
 
 use oilwedge_scene::sweep::Plan;
 use oilwedge_scene::{Scene, SceneError};
+use oilwedge_study::CHECKS;
 use oilwedge_study::CompileError;
 use oilwedge_study::compile::compile;
 use oilwedge_study::effects::Effects;
@@ -43,7 +44,7 @@ impl Sweep {
     pub fn of(scene: &Scene) -> Result<Option<Self>, SceneError> {
         let Some(plan) = &scene.sweep else { return Ok(None) };
         Ok(Some(Self {
-            scenes: plan.scenes()?,
+            scenes: plan.scenes(&CHECKS)?,
             plan: plan.clone(),
             title: scene.title.clone(),
             scene_sha256: scene.sha256.clone(),

@@ -8,13 +8,15 @@ use oilwedge_bearing::{Patience, Point, SHORT_MOVE, Visited, predicted};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmSolution, JournalState};
 
-use oilwedge_scene::scene::Scene;
+use oilwedge_scene::Scene;
 use oilwedge_study::analysis::{NoAnswer, Solved, Start, graded, is_near, solve, solve_from};
 use oilwedge_study::bars::judge;
 use oilwedge_study::compile::{CompileError, Study, compile_near, has_same_system, reused};
+use oilwedge_study::oil::Oil;
 use oilwedge_study::refinement::{answer, ended, unknowns};
 use oilwedge_study::result::{Quantity, Status};
 use oilwedge_study::run::RunOptions;
+use oilwedge_study::start::start;
 
 /// How a case ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -165,7 +167,7 @@ impl<'a> Walker<'a> {
             .take()
             .filter(|held| !scene.mesh.is_graded() && has_same_system(&held.scene, scene));
         let mut study = match ungraded {
-            Some(held) => reused(held.study, scene, scene.start()),
+            Some(held) => reused(held.study, scene, start(scene)),
             None => graded(scene, self.patience)?,
         };
         let graded_for = study.problem.journal;
@@ -182,7 +184,7 @@ impl<'a> Walker<'a> {
     /// From the case before, if there is one and it leads to an answer.
     fn following(&mut self, scene: &Scene, coordinate: f64) -> Result<Option<(Held, Solved)>, CompileError> {
         let told = match scene.journal.load() {
-            None => Some(scene.start()),
+            None => Some(start(scene)),
             Some(_) => predicted(&self.visited, point(scene, coordinate)),
         };
         let is_neighbour = |held: &Held| held.film.is_some() && has_same_system(&held.scene, scene);
@@ -239,7 +241,7 @@ fn point(scene: &Scene, coordinate: f64) -> Point {
     let (bearing, journal) = (&scene.bearing, &scene.journal);
     let [x, y] = journal.load().unwrap_or_default();
     let slenderness = bearing.radius() / bearing.clearance;
-    let drag = scene.oil.viscosity * journal.speed.abs() * slenderness.powi(2) * bearing.diameter * bearing.length;
+    let drag = Oil::of(scene).viscosity * journal.speed.abs() * slenderness.powi(2) * bearing.diameter * bearing.length;
     let duty = (x.hypot(y) / drag).ln();
     Point {
         coordinate,

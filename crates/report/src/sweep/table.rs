@@ -2,8 +2,8 @@
 
 use crate::json::ReportError;
 use oilwedge_campaign::sweep::{CaseStatus, Found};
-use oilwedge_scene::scene::{CavitationModel, Scene};
 use oilwedge_scene::sweep::{AxisValue, Plan};
+use oilwedge_scene::{CavitationModel, Scene, Viscosity};
 use oilwedge_study::joint;
 use oilwedge_study::result::Status;
 use oilwedge_study::thermal;
@@ -62,7 +62,10 @@ impl Columns {
         ] {
             add(name, unit);
         }
-        if scenes.iter().any(|scene| scene.oil.thermal.is_some()) {
+        if scenes
+            .iter()
+            .any(|scene| matches!(scene.oil.viscosity, Viscosity::ByTemperature(_)))
+        {
             add("temperature_effective", "degC");
             add("viscosity_effective", "Pa.s");
         }

@@ -8,13 +8,14 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::axis::{Axis, AxisValue};
-use crate::complaint::{Complaint, SceneError};
-use crate::scene::{Scene, in_order, no_file};
+use crate::complaint::in_order;
+use crate::mesh::no_file;
+use crate::{Check, Complaint, Scene, SceneError};
 
-/// How many complaints about cases are told.
+/// How many complaints about cases are reported.
 const MOST_COMPLAINTS: usize = 5;
 
-/// What a scene says of its sweep.
+/// The sweep of a scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plan {
     /// The axes, in the order of the text.
@@ -41,18 +42,18 @@ impl Plan {
         indices
     }
 
-    /// The scene of every case: the text of the scene with the keys of the axes replaced, read as any other.
+    /// The scene of every case: the text of the scene with the keys of the axes replaced, read and checked as any other.
     ///
     /// # Errors
-    /// Everything that is wrong with a case, told with its axis and value.
-    pub fn scenes(&self) -> Result<Vec<Scene>, SceneError> {
+    /// Everything that is wrong with a case, with its axis and value.
+    pub fn scenes(&self, checks: &[Check]) -> Result<Vec<Scene>, SceneError> {
         let mut complaints: Vec<Complaint> = Vec::new();
         let mut scenes = Vec::with_capacity(self.cases());
         for number in 0..self.cases() {
-            match self.scene(&self.indices(number)) {
+            match self.scene(&self.indices(number), checks) {
                 Ok(scene) => scenes.push(scene),
-                Err(told) => {
-                    for complaint in told {
+                Err(found) => {
+                    for complaint in found {
                         let is_new = complaints
                             .iter()
                             .all(|other| (&other.key, &other.message) != (&complaint.key, &complaint.message));
@@ -78,7 +79,7 @@ impl Plan {
     }
 
     /// The scene with these values of the axes.
-    fn scene(&self, indices: &[usize]) -> Result<Scene, Vec<Complaint>> {
+    fn scene(&self, indices: &[usize], checks: &[Check]) -> Result<Scene, Vec<Complaint>> {
         let (mut document, _) = DeTable::parse_recoverable(&self.text);
         let document = document.get_mut();
         document.remove("sweep");
@@ -98,7 +99,7 @@ impl Plan {
             };
             put(document, axis, value).map_err(|complaint| vec![complaint])?;
         }
-        Scene::of_document(document, &self.text, &self.path, no_file)
+        Scene::of_document(document, &self.text, &self.path, no_file, checks)
             .map_err(|complaints| complaints.into_iter().map(|it| self.of_case(it, indices)).collect())
     }
 

@@ -6,7 +6,8 @@ use oilwedge_reynolds::supply::{Place, SupplyRegion};
 
 use super::{Study, problem, supply_pressure};
 use crate::effects::{Effects, Sockets};
-use oilwedge_scene::scene::Scene;
+use crate::oil::Oil;
+use oilwedge_scene::Scene;
 
 /// Whether two scenes make the same system of the same mesh, but for given pressures and the film's thickness.
 pub fn has_same_system(one: &Scene, other: &Scene) -> bool {
@@ -50,7 +51,7 @@ pub fn reused(mut study: Study, scene: &Scene, near: (f64, f64)) -> Study {
     };
     study.system.renew(&pressure, &study.problem.film_thickness);
     study.cap = scene.cap;
-    study.oil = scene.oil.clone();
+    study.oil = Oil::of(scene);
     study.heat = scene.heat;
     study.scene = scene.clone();
     study.effects = Effects::of(scene);

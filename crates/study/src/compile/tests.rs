@@ -1,6 +1,5 @@
 use super::{Study, compile};
 use oilwedge_reynolds::Cavitation;
-use oilwedge_scene::Scene;
 use std::path::Path;
 
 const RING: &str = r#"
@@ -10,7 +9,7 @@ oil = { viscosity = "0.4 Pa.s" }
 "#;
 
 fn study(tables: &str) -> Study {
-    let scene = Scene::parse(&(RING.to_owned() + tables), Path::new("ring.toml"));
+    let scene = crate::parse(&(RING.to_owned() + tables), Path::new("ring.toml"));
     compile(&scene.unwrap_or_else(|error| panic!("{error}"))).unwrap_or_else(|error| panic!("{error}"))
 }
 

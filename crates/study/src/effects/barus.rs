@@ -4,7 +4,7 @@ use oilwedge_reynolds::Form;
 use oilwedge_reynolds::lubricant::PressureLaw as Law;
 use oilwedge_reynolds::lubricant::barus::Barus;
 use oilwedge_scene::Scene;
-use oilwedge_scene::scene::{BarusForm, PressureLaw};
+use oilwedge_scene::{BarusForm, PressureLaw};
 
 use super::{BLANK, Effect, Socket, Sockets, VISCOSITY_BY_PRESSURE, changed};
 use crate::regime::beyond_pressure;
@@ -58,13 +58,13 @@ const ROW: Effect = Effect {
 
 fn form(scene: &Scene) -> Option<BarusForm> {
     match scene.oil.pressure_law {
-        PressureLaw::Barus { form, .. } => Some(form),
+        PressureLaw::Barus(barus) => Some(barus.form),
         _ => None,
     }
 }
 
 fn install(scene: &Scene, sockets: &mut Sockets) {
-    if let PressureLaw::Barus { alpha, .. } = scene.oil.pressure_law {
-        sockets.pressure_law = Law::Barus(Barus { alpha });
+    if let PressureLaw::Barus(barus) = scene.oil.pressure_law {
+        sockets.pressure_law = Law::Barus(Barus { alpha: barus.alpha });
     }
 }

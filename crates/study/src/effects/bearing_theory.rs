@@ -1,7 +1,7 @@
 //! Short and long bearings: pressure drives oil in one direction only.
 
 use oilwedge_reynolds::Theory;
-use oilwedge_scene::Scene;
+use oilwedge_scene::{self as scene, Scene};
 
 use super::{BLANK, Effect, Socket, changed};
 use crate::compile::Study;
@@ -14,7 +14,7 @@ pub const LONG_FROM: f64 = 2.0;
 pub(super) const SHORT: Effect = Effect {
     name: "theory: short",
     sentence: "pressure drives oil along the axis only",
-    is_in: |scene| scene.bearing.theory == Theory::Short,
+    is_in: |scene| scene.bearing.theory == scene::Theory::Short,
     install: |_, sockets| sockets.theory = Theory::Short,
     warnings: |study, _| {
         let slenderness = slenderness(study);
@@ -27,7 +27,7 @@ pub(super) const SHORT: Effect = Effect {
 pub(super) const LONG: Effect = Effect {
     name: "theory: long",
     sentence: "pressure drives oil around only, the ends are sealed",
-    is_in: |scene| scene.bearing.theory == Theory::Long,
+    is_in: |scene| scene.bearing.theory == scene::Theory::Long,
     install: |_, sockets| sockets.theory = Theory::Long,
     warnings: |study, _| {
         let slenderness = slenderness(study);
@@ -45,7 +45,7 @@ const ROW: Effect = Effect {
 };
 
 fn without(scene: &Scene) -> Option<Scene> {
-    changed(scene, |scene| scene.bearing.theory = Theory::Full)
+    changed(scene, |scene| scene.bearing.theory = scene::Theory::Full)
 }
 
 fn slenderness(study: &Study) -> f64 {

@@ -1,7 +1,7 @@
 //! What all models of cavitation share.
 
+use oilwedge_scene::CavitationModel;
 use oilwedge_scene::Scene;
-use oilwedge_scene::scene::CavitationModel;
 
 use super::{BLANK, CAVITATION, Effect, Socket, changed};
 

@@ -29,11 +29,6 @@ fn at_rest(scene: &Scene) -> Option<Scene> {
     let scene = balances.fold(scene.clone(), |scene, effect| (effect.remove)(&scene).unwrap_or(scene));
     changed(&scene, |scene| {
         scene.journal.speed = 0.0;
-        if let Some(tolerance) = &mut scene.tolerance {
-            tolerance
-                .targets
-                .retain(|target| target.quantity != SOMMERFELD_NUMBER.name);
-        }
-        scene.tolerance.take_if(|tolerance| tolerance.targets.is_empty());
+        scene.remove_tolerance(SOMMERFELD_NUMBER.name);
     })
 }

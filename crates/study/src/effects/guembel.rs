@@ -1,7 +1,7 @@
 //! Guembel's (half Sommerfeld) film: low pressures are dropped after the solve.
 
 use oilwedge_reynolds::Cavitation;
-use oilwedge_scene::scene::CavitationModel;
+use oilwedge_scene::CavitationModel;
 
 use super::{Effect, closure};
 use crate::measure::Measured;

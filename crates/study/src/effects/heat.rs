@@ -6,7 +6,7 @@ use oilwedge_scene::wording::celsius;
 use super::{BLANK, Effect, Socket, changed};
 use crate::compile::Study;
 use crate::measure::Measured;
-use crate::thermal::{film_heat, rounded};
+use crate::thermal::{balance, film_heat, rounded};
 
 /// Viscosity where the oil enters over that where it leaves, from which on one temperature does not describe the film.
 const UNEVEN: f64 = 2.0;
@@ -25,7 +25,7 @@ pub(super) const ROW: Effect = Effect {
     remove: |scene| {
         changed(scene, |scene| {
             if let Some(heat) = scene.heat.take() {
-                scene.oil.heat_to(heat.inlet);
+                scene.oil.temperature = Some(heat.inlet);
             }
         })
     },
@@ -38,7 +38,7 @@ fn warnings(study: &Study, measured: &Measured) -> Vec<String> {
         return Vec::new();
     };
     let film = film_heat(heat, study, measured);
-    let [inlet, outlet] = heat.balance().ends(temperature, film.carried_over);
+    let [inlet, outlet] = balance(heat).ends(temperature, film.carried_over);
     let ratio = oil.viscosity(inlet) / oil.viscosity(outlet);
     let created = measured.flows.cavity / film.flow;
     let created = (film.flow > 0.0 && created > CREATED).then(|| {

@@ -1,8 +1,8 @@
 //! Jakobsson, Floberg and Olsson's film: oil is conserved through the cavity.
 
 use oilwedge_reynolds::Cavitation;
+use oilwedge_scene::CavitationModel;
 use oilwedge_scene::Scene;
-use oilwedge_scene::scene::CavitationModel;
 
 use super::{Effect, changed, closure};
 

@@ -1,6 +1,7 @@
 //! Oil by temperature: the viscosity that the scene gives is that at the temperature of the film.
 
 use oilwedge_reynolds::lubricant::TemperatureLaw;
+use oilwedge_scene::Viscosity;
 use oilwedge_scene::wording::celsius;
 
 use super::{BLANK, Effect, Socket};
@@ -11,7 +12,7 @@ pub(super) const ROW: Effect = Effect {
     name: "oil by temperature",
     sentence: "viscosity and density are those at the temperature of the film",
     socket: Socket::Lubricant,
-    is_in: |scene| scene.oil.thermal.is_some(),
+    is_in: |scene| matches!(scene.oil.viscosity, Viscosity::ByTemperature(_)),
     warnings: |study, _| Vec::from_iter(outside_table(study)),
     ..BLANK
 };

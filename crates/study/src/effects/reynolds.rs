@@ -1,7 +1,7 @@
 //! Reynolds' (Swift-Stieber) film: pressure meets that of the cavity without a kink.
 
 use oilwedge_reynolds::Cavitation;
-use oilwedge_scene::scene::CavitationModel;
+use oilwedge_scene::CavitationModel;
 
 use super::{Effect, closure};
 

@@ -3,9 +3,10 @@
 use oilwedge_reynolds::lubricant::PressureLaw as Law;
 use oilwedge_reynolds::lubricant::roelands::Roelands;
 use oilwedge_scene::Scene;
-use oilwedge_scene::scene::{PressureLaw, RoelandsExponent};
+use oilwedge_scene::{PressureLaw, RoelandsExponent};
 
 use super::{BLANK, Effect, Socket, Sockets, VISCOSITY_BY_PRESSURE, changed};
+use crate::oil::Oil;
 use crate::regime::beyond_pressure;
 
 /// Pressure [Pa] of the roller contacts from which the law was read.
@@ -16,7 +17,7 @@ pub(super) const ROW: Effect = Effect {
     sentence: "viscosity grows with a power of pressure in the exponent",
     socket: Socket::Lubricant,
     kind: VISCOSITY_BY_PRESSURE,
-    is_in: |scene| matches!(scene.oil.pressure_law, PressureLaw::Roelands { .. }),
+    is_in: |scene| matches!(scene.oil.pressure_law, PressureLaw::Roelands(_)),
     install,
     instead: "constant viscosity",
     remove: |scene| changed(scene, |scene| scene.oil.pressure_law = PressureLaw::Constant),
@@ -25,17 +26,13 @@ pub(super) const ROW: Effect = Effect {
 };
 
 fn install(scene: &Scene, sockets: &mut Sockets) {
-    let PressureLaw::Roelands {
-        exponent,
-        reference_pressure,
-    } = scene.oil.pressure_law
-    else {
+    let PressureLaw::Roelands(law) = scene.oil.pressure_law else {
         return;
     };
-    let viscosity = scene.oil.viscosity;
-    let index = match exponent {
+    let (viscosity, reference) = (Oil::of(scene).viscosity, law.reference_pressure);
+    let index = match law.exponent {
         RoelandsExponent::Z(z) => z,
-        RoelandsExponent::Alpha(alpha) => Roelands::index_of(alpha, viscosity, reference_pressure),
+        RoelandsExponent::Alpha(alpha) => Roelands::index_of(alpha, viscosity, reference),
     };
-    sockets.pressure_law = Law::Roelands(Roelands::new(viscosity, index, reference_pressure));
+    sockets.pressure_law = Law::Roelands(Roelands::new(viscosity, index, reference));
 }

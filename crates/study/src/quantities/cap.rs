@@ -1,12 +1,13 @@
 //! The cap of a connecting rod: what its bolts must hold, and what the film's load makes of that.
 
-use oilwedge_bearing::JointForces;
-use oilwedge_scene::scene::Cap;
+use oilwedge_bearing::{CapJoint, JointForces};
+use oilwedge_scene::Cap;
 
 use super::row::{Measure::One, Row, Table};
 use super::rule::ErrorRule;
 use super::unit::Unit::{self, Newton, NewtonMetre, One as Ratio, Pascal};
 use super::view::View;
+use crate::cap_joint::cap_joint;
 
 /// Pull of inertia.
 pub static CAP_FORCE: Row = given("cap_force", "P_c", Newton, |film| Some(joint(film)?.forces.cap_force)).means(
@@ -35,13 +36,13 @@ pub static CAP_FILM_SHARE: Row =
 
 /// Force that seats the shell.
 pub static SHELL_FORCE: Row = given("shell_force", "R_s", Newton, |film| {
-    joint(film).filter(|it| it.cap.joint.shell.is_some()).map(|it| it.forces.shell_force)
+    joint(film).filter(|it| it.cap.shell.is_some()).map(|it| it.forces.shell_force)
 })
     .means(
         "presses one side of the shell into its seat",
         "`R_s = Delta E F/(pi rho)`: force that presses one side of the shell to the length of its seat; Delta its protrusion, E modulus, F section, rho mean radius; none without `shell`",
     )
-    .only(|scene| scene.cap.is_some_and(|cap| cap.joint.shell.is_some()));
+    .only(|scene| scene.cap.is_some_and(|cap| cap.shell.is_some()));
 
 /// Pull on a bolt.
 pub static BOLT_FORCE: Row = given("bolt_force", "P_b", Newton, |film| Some(joint(film)?.forces.bolt_force))
@@ -104,20 +105,23 @@ const fn given(name: &'static str, symbol: &'static str, unit: Unit, measure: fn
 /// The joint of a cap at the speed of the crank.
 struct Joint {
     cap: Cap,
+    joint: CapJoint,
     forces: JointForces,
 }
 
 impl Joint {
     fn new(cap: &Cap, speed: f64) -> Self {
+        let joint = cap_joint(cap);
         Self {
             cap: *cap,
-            forces: cap.joint.forces(cap.joint.inertia_force(speed)),
+            forces: joint.forces(joint.inertia_force(speed)),
+            joint,
         }
     }
 
     /// Least and greatest stress [Pa] of a bolt.
     fn stresses(&self) -> [f64; 2] {
-        [self.forces.preload, self.forces.greatest].map(|force| self.cap.joint.stress(force))
+        [self.forces.preload, self.forces.greatest].map(|force| self.joint.stress(force))
     }
 }
 
@@ -128,7 +132,7 @@ fn joint(film: &View) -> Option<Joint> {
 /// The vector [1/N] whose product with the load of the film is its share of the force that opens the joint; none at rest,
 /// where the joint is tightened for no force.
 fn share_per_force(film: &View) -> Option<[f64; 2]> {
-    let Joint { cap, forces } = joint(film)?;
+    let Joint { cap, forces, .. } = joint(film)?;
     (forces.opening > 0.0).then(|| [cap.angle.cos(), cap.angle.sin()].map(|part| part / forces.opening))
 }
 

@@ -1,8 +1,8 @@
 //! Extent of the cavity, and the oil that it makes.
 
 use oilwedge_reynolds::error_bar::Bar;
+use oilwedge_scene::CavitationModel;
 use oilwedge_scene::Scene;
-use oilwedge_scene::scene::CavitationModel;
 
 use super::row::{Measure::One, Row};
 use super::rule::ErrorRule;

@@ -2,6 +2,7 @@
 
 use oilwedge_bearing::{FilmHeat, HeatBalance};
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
+use oilwedge_scene::Viscosity;
 
 use super::friction::FRICTION_POWER;
 use super::motion::MOTION_POWER;
@@ -9,6 +10,7 @@ use super::row::{Measure::One, Row, Table};
 use super::rule::ErrorRule;
 use super::unit::Unit::{Celsius, CubicMetrePerSecond, PascalSecond, Watt};
 use super::view::View;
+use crate::thermal;
 use crate::thermal::film_heat::film_heat;
 
 /// Temperature of the film.
@@ -23,7 +25,7 @@ pub static TEMPERATURE_EFFECTIVE: Row = Row::new(
     "temperature of the film",
     "`t_m`: temperature of the film, one for all of it; with `[heat]` the one at which `P + P_e = P_oil + P_h`; none where the oil has one viscosity",
 )
-.only(|scene| scene.oil.thermal.is_some());
+.only(|scene| matches!(scene.oil.viscosity, Viscosity::ByTemperature(_)));
 
 /// Viscosity there.
 pub static VISCOSITY_EFFECTIVE: Row = Row::new(
@@ -37,7 +39,7 @@ pub static VISCOSITY_EFFECTIVE: Row = Row::new(
     "viscosity at that temperature, without pressure",
     "`mu0 = mu(t_m, p = 0)`; none where the oil has one viscosity",
 )
-.only(|scene| scene.oil.thermal.is_some());
+.only(|scene| matches!(scene.oil.viscosity, Viscosity::ByTemperature(_)));
 
 /// Oil that carries heat off.
 pub static COOLING_FLOW: Row = Row::new(
@@ -124,7 +126,11 @@ pub static HEAT_HOUSING: Row = Row::new(
 /// The balance, the temperature [K] of the film, and what heats and cools it.
 fn balance(film: &View) -> Option<(HeatBalance, f64, FilmHeat)> {
     let (heat, temperature) = (film.study.heat.as_ref()?, film.study.oil.temperature?);
-    Some((heat.balance(), temperature, film_heat(heat, film.study, film.measured)))
+    Some((
+        thermal::balance(heat),
+        temperature,
+        film_heat(heat, film.study, film.measured),
+    ))
 }
 
 /// Temperature [degrees C] of the oil that enters (0) and leaves (1).

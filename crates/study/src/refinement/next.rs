@@ -12,7 +12,8 @@ use crate::compile::{CompileError, Study, compile_on};
 use crate::liner_mesh::resized;
 use crate::result::Refinement;
 use crate::run::DEGREE;
-use oilwedge_scene::scene::{MeshSource, Scene};
+use crate::start::start;
+use oilwedge_scene::{MeshSource, Scene};
 
 /// Edges of the first mesh towards a tolerance over those of a mesh that is used as it is.
 const FIRST: f64 = 3.0;
@@ -40,7 +41,7 @@ pub(super) enum Next {
 fn position(scene: &Scene, study: &Study) -> (f64, f64) {
     let journal = &study.problem.journal;
     match study.load {
-        None => scene.start(),
+        None => start(scene),
         Some(_) => (
             journal.eccentricity() / scene.bearing.clearance,
             journal.min_film_angle(),

@@ -1,6 +1,6 @@
 //! The bar of a temperature found, and what it adds to those of all other numbers.
 
-use super::{HeatFound, film_heat, is_of_heat};
+use super::{HeatFound, balance, film_heat, is_of_heat};
 use crate::bars::is_given;
 use crate::compile::Study;
 use crate::measure::Measured;
@@ -11,7 +11,7 @@ impl HeatFound {
     fn bar(&self, study: &Study, quantities: &[Quantity]) -> Option<f64> {
         let heat = study.heat?;
         let film = &self.balanced.film;
-        let carried = heat.balance().carried(self.balanced.temperature, film);
+        let carried = balance(&heat).carried(self.balanced.temperature, film);
         // Of a film whose ends take oil in too the side flow is less than what leaves, and of a sealed one there is none.
         let flow = match film.flow > 0.0 {
             true => flow_error(quantities)? / film.flow,
@@ -28,7 +28,7 @@ impl HeatFound {
             return;
         }
         let bar = self.bar(study, quantities);
-        let balance = study.heat.map(|heat| heat.balance());
+        let balance = study.heat.map(|heat| balance(&heat));
         let (power, flow) = (power_error(quantities), flow_error(quantities));
         let film = study.heat.map(|heat| film_heat(&heat, study, measured));
         for quantity in quantities {

@@ -4,12 +4,12 @@ use oilwedge_bearing::Patience;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_reynolds::solve::Neighbour;
 
-use super::{film_heat, measured};
+use super::{balance, film_heat, measured};
 use crate::analysis::{Solved, Start, isothermal};
 use crate::compile::Study;
 use crate::result::{Criterion, HeatPoint, HeatReport, Quantity};
 use crate::run::RunOptions;
-use oilwedge_scene::scene::{Engine, Heat};
+use oilwedge_scene::{Engine, Heat};
 
 /// Films on either side of the temperature found.
 const FILMS: i32 = 3;
@@ -33,7 +33,7 @@ pub fn heat_report(
     let mut curve = Vec::new();
     for k in -FILMS..=FILMS {
         let temperature = root + f64::from(k) / f64::from(FILMS) * reach;
-        if temperature < heat.balance().range()[0] {
+        if temperature < balance(&heat).range()[0] {
             continue;
         }
         study.problem = problem.clone();
@@ -71,7 +71,7 @@ fn film_at(study: &mut Study, heat: &Heat, temperature: f64, near: &Solved, pati
 }
 
 fn point(study: &Study, heat: &Heat, temperature: f64, solved: &Solved) -> HeatPoint {
-    let balance = heat.balance();
+    let balance = balance(heat);
     let film = film_heat(heat, study, &measured(study, solved));
     HeatPoint {
         temperature: temperature - ZERO_CELSIUS,

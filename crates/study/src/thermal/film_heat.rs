@@ -3,7 +3,7 @@
 use oilwedge_bearing::FilmHeat;
 use oilwedge_reynolds::supply::Place;
 use oilwedge_reynolds::{FilmProblem, FilmSystem, Theory};
-use oilwedge_scene::scene::{Heat, Mixing};
+use oilwedge_scene::{Heat, Mixing};
 
 use crate::compile::Study;
 use crate::measure::Measured;

@@ -11,12 +11,12 @@ use oilwedge_bearing::{Balanced, FilmHeat, NoBalance, Patience};
 use oilwedge_reynolds::FilmProblem;
 use oilwedge_reynolds::solve::Neighbour;
 
-use super::{HeatFound, film_heat, measured, none};
+use super::{HeatFound, balance, film_heat, first_temperature, measured, none};
 use crate::analysis::{NoAnswer, Solved, Start, isothermal};
 use crate::compile::Study;
 use crate::measure;
 use crate::result::Quantity;
-use oilwedge_scene::scene::Heat;
+use oilwedge_scene::Heat;
 
 /// The heat is balanced when what is left over is this part of the friction;
 const BALANCED: f64 = 1e-8;
@@ -94,7 +94,7 @@ impl<'a> Films<'a> {
 
     /// The temperature at which the heat is balanced to the part `accuracy` of the friction, sought from `first` [K].
     pub(super) fn find(&mut self, first: f64, accuracy: f64, kind: Film) -> Result<Balanced, NoBalance<Left>> {
-        find(&self.heat.balance(), first, accuracy, |t| self.at(t, kind))
+        find(&balance(&self.heat), first, accuracy, |t| self.at(t, kind))
     }
 
     fn at(&mut self, temperature: f64, kind: Film) -> Result<FilmHeat, Left> {
@@ -143,7 +143,7 @@ impl<'a> Films<'a> {
         Ok(Tried {
             temperature,
             film,
-            surplus: self.heat.balance().surplus(temperature, &film),
+            surplus: balance(&self.heat).surplus(temperature, &film),
             is_judged,
             problem: self.study.problem.clone(),
             solved,
@@ -256,8 +256,8 @@ fn or_slope(found: Balanced, slope: f64) -> Balanced {
 /// [`NoAnswer`]: there is no film, no position, or no such temperature.
 pub fn solve(study: &mut Study, heat: &Heat, bars: bool, patience: Patience, start: Start) -> Result<Solved, NoAnswer> {
     let clock = Instant::now();
-    let balance = heat.balance();
-    let first = study.oil.temperature.unwrap_or(heat.first_temperature());
+    let balance = balance(heat);
+    let first = study.oil.temperature.unwrap_or(first_temperature(heat));
     let mut films = Films::new(study, *heat, patience, start);
     let found = films.balanced(first, bars);
     if let (Ok(found), true) = (&found, bars) {

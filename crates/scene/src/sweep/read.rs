@@ -1,34 +1,23 @@
-//! The keys of `[sweep]`: axes, each a list or a range of values of one key of the scene.
+//! Reads `[sweep]`: axes, each a list or a range of values of one key of the scene.
 
 use toml::Spanned;
 use toml::de::DeValue;
 
+use super::{Axis, AxisValue, SHORT_NAMES};
 use crate::reader::{TableReader, kind, plain_number};
+use crate::scene::SWEPT;
 use crate::spelling::nearest;
-use crate::sweep::axis::{Axis, AxisValue, SHORT_NAMES};
 use crate::unit;
 
 /// Most cases of one sweep.
 const MOST_CASES: usize = 100_000;
 /// Most axes of one sweep.
 const MOST_AXES: usize = 32;
-/// Tables of a scene whose keys can be swept.
-const TABLES: [&str; 9] = [
-    "bearing",
-    "mesh",
-    "ends",
-    "feed",
-    "journal",
-    "load",
-    "oil",
-    "heat",
-    "cavitation",
-];
 /// How an axis is written.
 const EXAMPLE: &str = "eccentricity = { from = 0.1, to = 0.95, steps = 18 } or speed = [\"1000 rpm\", \"3000 rpm\"]";
 
-/// Reads `[sweep]`: its axes in the order of the text.
-pub(super) fn read(table: TableReader<'_>) -> Vec<Axis> {
+/// Reads the table: its axes in the order of the text.
+pub(crate) fn read(table: TableReader<'_>) -> Vec<Axis> {
     let mut axes = Vec::new();
     if table.is_readable() && table.keys().is_empty() {
         table.complain_here("names no axis", format!("write for example {EXAMPLE}"));
@@ -39,23 +28,19 @@ pub(super) fn read(table: TableReader<'_>) -> Vec<Axis> {
 
 /// Reads a table of axes whose names begin with `prefix`.
 fn read_table(mut table: TableReader<'_>, prefix: &str, axes: &mut Vec<Axis>) {
-    for key in table.keys_in_order() {
+    for key in table.keys() {
         let name = format!("{prefix}{key}");
         let Some(written) = table.written(key) else { continue };
-        if axes.len() > MOST_AXES {
-            return;
+        if axes.len() > MOST_AXES || cases(axes) > MOST_CASES {
+            continue;
         }
-        match written.get_ref() {
+        let values = match written.get_ref() {
             DeValue::Table(inner) if !is_range(inner) => {
                 if let Some(inner) = table.table_if_given(key) {
                     read_table(inner, &format!("{name}."), axes);
                 }
                 continue;
             }
-            _ => {}
-        }
-        let path = path(&table, key, &name);
-        let values = match written.get_ref() {
             DeValue::Table(_) => table.table_if_given(key).and_then(|range| read_range(range, key)),
             DeValue::Array(list) => read_list(&table, key, list),
             other => {
@@ -64,38 +49,44 @@ fn read_table(mut table: TableReader<'_>, prefix: &str, axes: &mut Vec<Axis>) {
                 None
             }
         };
-        let (Some(path), Some((unit, values))) = (path, values) else {
-            continue;
-        };
-        if let Some(other) = axes.iter().find(|other| other.path == path) {
-            let message = format!("is the same key of the scene as {}", other.name);
-            table.complain(key, message, "remove one of the two");
-            continue;
-        }
-        axes.push(Axis {
-            name,
-            path,
-            unit,
-            values,
-            span: written.span(),
-        });
-        if axes.len() > MOST_AXES {
-            let message = format!("is the axis after the {MOST_AXES}th, and no sweep has more");
-            table.complain(key, message, "split the sweep into several scenes");
-            return;
-        }
-        let cases = (axes.iter()).fold(1usize, |cases, axis| cases.saturating_mul(axis.values.len()));
-        if cases > MOST_CASES {
-            let message = format!("makes {cases} cases, more than {MOST_CASES}");
-            table.complain(
-                key,
-                message,
-                "give fewer values, or split the sweep into several scenes",
-            );
-            return;
+        if let (Some(path), Some((unit, values))) = (path(&table, key, &name), values) {
+            let span = written.span();
+            let axis = Axis {
+                name,
+                path,
+                unit,
+                values,
+                span,
+            };
+            add(&table, key, axes, axis);
         }
     }
-    table.finish();
+}
+
+/// Number of cases of all combinations.
+fn cases(axes: &[Axis]) -> usize {
+    (axes.iter()).fold(1, |cases, axis| cases.saturating_mul(axis.values.len()))
+}
+
+/// Adds an axis, unless its key of the scene has one already; a sweep has limits.
+fn add(table: &TableReader<'_>, key: &str, axes: &mut Vec<Axis>, axis: Axis) {
+    if let Some(other) = axes.iter().find(|other| other.path == axis.path) {
+        let message = format!("is the same key of the scene as {}", other.name);
+        return table.complain(key, message, "remove one of the two");
+    }
+    axes.push(axis);
+    table.refuse_if(
+        axes.len() > MOST_AXES,
+        key,
+        format!("is the axis after the {MOST_AXES}th, and no sweep has more"),
+        "split the sweep into several scenes",
+    );
+    table.refuse_if(
+        cases(axes) > MOST_CASES,
+        key,
+        format!("makes {} cases, more than {MOST_CASES}", cases(axes)),
+        "give fewer values, or split the sweep into several scenes",
+    );
 }
 
 /// A table is a range unless all in it are lists and tables: these are axes whose names go on.
@@ -108,12 +99,12 @@ fn is_range(table: &toml::de::DeTable<'_>) -> bool {
 fn path(table: &TableReader<'_>, key: &str, name: &str) -> Option<String> {
     let head = name.split('.').next().unwrap_or_default();
     if name.contains('.') {
-        if TABLES.contains(&head) {
+        if SWEPT.contains(&head) {
             return Some(name.to_owned());
         }
-        let near = nearest(head, TABLES).map_or(String::new(), |near| format!("did you mean \"{near}\"? "));
+        let near = nearest(head, SWEPT).map_or(String::new(), |near| format!("did you mean \"{near}\"? "));
         let message = format!("begins with \"{head}\", which is no table of a scene");
-        table.complain(key, message, format!("{near}Tables: {}", TABLES.join(", ")));
+        table.complain(key, message, format!("{near}Tables: {}", SWEPT.join(", ")));
         return None;
     }
     if let Some((_, path)) = SHORT_NAMES.iter().find(|(short, _)| *short == name) {
@@ -204,12 +195,10 @@ fn read_range(mut range: TableReader<'_>, name: &str) -> Option<Values> {
             }
         }
     });
-    let steps = range.number_if_given("steps", "18");
+    let steps = range.number("steps", "18").given();
     let spacings = [("linear", Spacing::Linear), ("log", Spacing::Log)];
-    let spacing = range.word_if_given("spacing", &spacings).unwrap_or(Spacing::Linear);
-    let values = values(&range, from, to, steps, spacing);
-    range.finish();
-    values
+    let spacing = range.word("spacing", &spacings).unwrap_or(Spacing::Linear);
+    values(&range, from, to, steps, spacing)
 }
 
 fn values(

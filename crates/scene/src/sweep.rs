@@ -3,8 +3,12 @@
 //! An axis is a key of the scene and its values; several make a grid. A case is the text of the scene with those keys
 //! replaced, read and checked as any other scene, so that units, ranges and complaints come from one place.
 
-pub mod axis;
+mod axis;
 mod plan;
+mod read;
 
 pub use axis::{Axis, AxisValue};
 pub use plan::Plan;
+
+use axis::SHORT_NAMES;
+pub(crate) use read::read;

@@ -1,0 +1,252 @@
+//! `[bearing]`: the liner, its clearance, and which pressure flows are computed.
+
+use std::f64::consts::TAU;
+
+use crate::reader::TableReader;
+use crate::unit::Dimension;
+use crate::wording::{degrees, millimetres};
+use crate::{Complaints, Scene};
+
+/// The liner.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bearing {
+    /// Bore D [m].
+    pub diameter: f64,
+    /// Full length B [m].
+    pub length: f64,
+    /// Radial clearance c [m].
+    pub clearance: f64,
+    /// The part of the circumference that is liner; `None`: a full ring, periodic.
+    pub arc: Option<Arc>,
+    /// Arc only: film fraction of the oil that the journal brings in at its leading edge; `None`: that edge is flooded.
+    pub inlet_fraction: Option<f64>,
+    /// Ring only: angle of an axial line held at the pressure of the ends [rad].
+    pub film_start: Option<f64>,
+    /// Combined roughness of journal and liner (root mean square) [m], for a warning where they touch; nothing is computed with it.
+    pub roughness: Option<f64>,
+    /// Which pressure flows there are.
+    pub theory: Theory,
+}
+
+impl Bearing {
+    /// Journal radius R = D/2 [m].
+    pub fn radius(&self) -> f64 {
+        0.5 * self.diameter
+    }
+}
+
+/// A part of the circumference, counted from +x towards +y; `from < to < from + 2 pi`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Arc {
+    /// Where it begins [rad].
+    pub from: f64,
+    /// Where it ends [rad].
+    pub to: f64,
+}
+
+/// Which pressure flows a film has.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Theory {
+    /// Both.
+    #[default]
+    Full,
+    /// Along the axis only.
+    Short,
+    /// Around only: its ends are sealed.
+    Long,
+}
+
+impl Theory {
+    /// Name in scenes and reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Full => "full",
+            Self::Short => "short",
+            Self::Long => "long",
+        }
+    }
+}
+
+/// Reads the table; `usual_ratio` is the clearance over the radius where none is written.
+pub(crate) fn read(mut table: TableReader<'_>, usual_ratio: Option<f64>) -> Bearing {
+    let diameter = table
+        .quantity("diameter", Dimension::Length, "75 mm")
+        .positive()
+        .required();
+    let length = table
+        .quantity("length", Dimension::Length, "75 mm")
+        .positive()
+        .required();
+    let clearance = table.quantity("clearance", Dimension::Length, "37.5 um").positive();
+    let clearance = match usual_ratio {
+        Some(ratio) => clearance.or(0.5 * diameter * ratio),
+        None => clearance.required(),
+    };
+    let radius = 0.5 * diameter;
+    table.refuse_if(
+        clearance >= radius,
+        "clearance",
+        format!("is not smaller than the radius, {}", millimetres(radius)),
+        "give the radial clearance, about a thousandth of half the bearing.diameter; is it in um?",
+    );
+    let (arc, inlet_fraction) = table.table_if_given("arc").map_or((None, None), arc);
+    let film_start = table.quantity("film_start", Dimension::Angle, "180 deg").given();
+    table.refuse_if(
+        arc.is_some() && film_start.is_some(),
+        "film_start",
+        "has a meaning on a full ring only, and this bearing has an arc",
+        "remove film_start (the film starts at the edge of the arc), or remove arc",
+    );
+    let theories = [Theory::Full, Theory::Short, Theory::Long].map(|theory| (theory.name(), theory));
+    Bearing {
+        diameter,
+        length,
+        clearance,
+        arc,
+        inlet_fraction,
+        film_start,
+        roughness: table
+            .quantity("roughness", Dimension::Length, "0.4 um")
+            .positive()
+            .given(),
+        theory: table.word("theory", &theories).unwrap_or_default(),
+    }
+}
+
+fn arc(mut table: TableReader<'_>) -> (Option<Arc>, Option<f64>) {
+    let from = table.quantity("from", Dimension::Angle, "40 deg").required();
+    let to = table.quantity("to", Dimension::Angle, "220 deg").required();
+    table.refuse_if(
+        to <= from,
+        "to",
+        format!(
+            "ends at {}, which is not behind its beginning, {}",
+            degrees(to),
+            degrees(from)
+        ),
+        "count up from one to the other: from = \"320 deg\", to = \"400 deg\" crosses zero",
+    );
+    table.refuse_if(
+        to - from >= TAU * (1.0 - 1e-12),
+        "to",
+        format!(
+            "makes the arc {} wide from {} on, but an arc is less than 360 deg",
+            degrees(to - from),
+            degrees(from)
+        ),
+        "for a full ring remove arc; bearing.film_start then holds a line at the end pressure",
+    );
+    let fraction = table.number("inlet_fraction", "0.6").within_or(
+        |fraction| fraction > 0.0 && fraction <= 1.0,
+        |fraction| format!("is {fraction}, outside 0 < inlet_fraction <= 1"),
+        "give the part of the gap that the oil brought in fills, or remove it: the edge is flooded then",
+    );
+    let inlet_fraction = fraction.given();
+    (Some(Arc { from, to }), inlet_fraction)
+}
+
+/// Scenes that a short or long bearing has no meaning for. A short film is a set of independent lines along the axis; the pressure of a
+/// long one is known up to a constant unless a line fixes it.
+pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
+    let bearing = &scene.bearing;
+    let mut refuse_if = |wrong: bool, message: &str, help: &str| {
+        let message = format!("is \"{}\", but {message}", bearing.theory.name());
+        complaints.refuse_if(wrong, "bearing.theory", message, help);
+    };
+    match bearing.theory {
+        Theory::Full => {}
+        Theory::Short => {
+            refuse_if(
+                bearing.arc.is_some(),
+                "bearing.arc is given: a short film has pressures at the ends only, and cannot meet those at the edges of an arc",
+                "remove theory, or remove arc: the load of a full ring stands for that of an arc which covers the loaded half",
+            );
+            refuse_if(
+                !scene.feeds.is_empty(),
+                "there is a feed: at its edges a short film would jump to another pressure",
+                "remove theory, or remove the feed",
+            );
+        }
+        Theory::Long => {
+            refuse_if(
+                bearing.arc.is_none() && bearing.film_start.is_none(),
+                "no line of the bearing has a pressure: its ends are sealed, and the pressure of a long ring is known up to a constant only",
+                "give bearing.film_start = \"180 deg\" (the angle of the widest film is common), or an arc",
+            );
+            refuse_if(
+                !scene.feeds.is_empty(),
+                "there is a feed: around a hole or a groove the pressure changes along the axis",
+                "remove theory, or remove the feed",
+            );
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{Scene, SceneError};
+    use std::path::Path;
+
+    const RING: &str = r#"
+[bearing]
+diameter = "75 mm"
+length = "75 mm"
+clearance = "37.5 um"
+theory = "short"
+[journal]
+speed = "10 rad/s"
+eccentricity = 0.6
+min_film_angle = "180 deg"
+[oil]
+viscosity = "0.4 Pa.s"
+"#;
+    const FEED: &str =
+        "[[feed]]\ngroup = \"hole\"\npressure = \"1 bar\"\nhole = { diameter = \"9 mm\", angle = \"130 deg\" }\n";
+    const ARC: &str = "arc = { from = \"40 deg\", to = \"220 deg\" }";
+
+    fn told(text: &str) -> Vec<String> {
+        match Scene::parse(text, Path::new("ring.toml"), &[]) {
+            Ok(_) => Vec::new(),
+            Err(SceneError::Complaints { complaints, .. }) => complaints.iter().map(ToString::to_string).collect(),
+            Err(other) => panic!("{other}"),
+        }
+    }
+
+    #[test]
+    fn what_a_theory_has_no_meaning_for_is_refused() {
+        let theory = |theory: &str, more: &str| {
+            RING.replacen("theory = \"short\"", &format!("theory = \"{theory}\"\n{more}"), 1)
+        };
+        let start = "film_start = \"0 deg\"";
+        for good in [
+            theory("short", ""),
+            theory("short", start),
+            theory("long", start),
+            theory("long", ARC),
+            theory("full", ARC),
+        ] {
+            assert_eq!(told(&good), Vec::<String>::new(), "{good}");
+        }
+        let jfo = "[cavitation]\nmodel = \"jfo\"\n";
+        for (bad, wanted) in [
+            (theory("short", ARC), "is \"short\", but bearing.arc is given"),
+            (theory("short", "") + FEED, "is \"short\", but there is a feed"),
+            (
+                theory("short", "") + jfo,
+                "is \"short\", but cavitation.model is \"jfo\"",
+            ),
+            (
+                theory("long", ""),
+                "is \"long\", but no line of the bearing has a pressure",
+            ),
+            (theory("long", start) + FEED, "is \"long\", but there is a feed"),
+        ] {
+            let told = told(&bad);
+            assert!(
+                told.len() == 1 && told[0].contains(&format!("bearing.theory: {wanted}")),
+                "{told:?}"
+            );
+        }
+        assert!(told(&theory("middling", ""))[0].contains("bearing.theory"));
+    }
+}

@@ -1,0 +1,17 @@
+//! `[ends]`: the two open ends of the bearing.
+
+use crate::reader::TableReader;
+use crate::unit::Dimension;
+
+/// The two open ends of the bearing.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Ends {
+    /// Gauge pressure p_e at both ends [Pa]; the zero of all pressures where the scene does not give it.
+    pub pressure: f64,
+}
+
+pub(crate) fn read(mut table: TableReader<'_>) -> Ends {
+    Ends {
+        pressure: table.quantity("pressure", Dimension::Pressure, "0 bar").required(),
+    }
+}

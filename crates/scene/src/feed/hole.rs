@@ -1,0 +1,74 @@
+//! `hole` of a feed: a round hole on the developed surface.
+
+use std::f64::consts::{PI, TAU};
+
+use crate::reader::TableReader;
+use crate::unit::Dimension;
+use crate::wording::{degrees, millimetres};
+use crate::{Bearing, Complaints};
+
+/// A round hole on the developed surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hole {
+    /// Diameter [m].
+    pub diameter: f64,
+    /// Angle of its centre [rad].
+    pub angle: f64,
+    /// Axial position of its centre [m]; 0 is midway between the ends.
+    pub z: f64,
+}
+
+pub(super) fn read(mut table: TableReader<'_>) -> Hole {
+    Hole {
+        diameter: table
+            .quantity("diameter", Dimension::Length, "17 mm")
+            .positive()
+            .required(),
+        angle: table.quantity("angle", Dimension::Angle, "130 deg").required(),
+        z: table.quantity("z", Dimension::Length, "0 mm").or(0.0),
+    }
+}
+
+impl Hole {
+    /// Whether two holes overlap on a liner of this radius [m].
+    pub(super) fn overlaps(&self, other: &Self, radius: f64) -> bool {
+        let turn = (self.angle - other.angle + PI).rem_euclid(TAU) - PI;
+        (radius * turn).hypot(self.z - other.z) < 0.5 * (self.diameter + other.diameter)
+    }
+
+    /// The hole lies on the liner.
+    pub(super) fn check(&self, bearing: &Bearing, key: &str, complaints: &mut Complaints) {
+        if self.diameter > bearing.length || self.diameter > bearing.diameter {
+            let (around, along) = (millimetres(bearing.diameter), millimetres(bearing.length));
+            return complaints.add(
+                &format!("{key}.diameter"),
+                format!("is wider than the liner, {around} x {along}"),
+                "give the diameter of the hole, smaller than the liner's bearing.length and bearing.diameter",
+            );
+        }
+        let (radius, half) = (0.5 * self.diameter, 0.5 * bearing.length);
+        complaints.refuse_if(
+            self.z.abs() + radius > half * (1.0 + 1e-12),
+            &format!("{key}.z"),
+            format!(
+                "puts the hole's rim beyond the end of the liner, at {} from the middle",
+                millimetres(half)
+            ),
+            "z counts from midway between the ends; move or shrink the hole",
+        );
+        if let Some(arc) = bearing.arc.filter(|arc| arc.from < arc.to) {
+            let reach = radius / bearing.radius();
+            let before = (self.angle - arc.from).rem_euclid(TAU);
+            let (from, to) = (degrees(arc.from), degrees(arc.to));
+            complaints.refuse_if(
+                before < reach - 1e-12 || before > arc.to - arc.from - reach + 1e-12,
+                &format!("{key}.angle"),
+                format!(
+                    "puts the hole, {} wide, beyond the arc from {from} to {to}",
+                    degrees(2.0 * reach)
+                ),
+                "give the angle of the hole's centre, inside the arc",
+            );
+        }
+    }
+}

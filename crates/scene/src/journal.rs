@@ -1,0 +1,178 @@
+//! `[journal]`: how the journal turns, and where it is unless `[load]` has its position found.
+
+use crate::reader::TableReader;
+use crate::squeeze::{self, Squeeze};
+use crate::unit::Dimension;
+
+/// What is wanted where neither a position nor a load is written.
+const POSITION: &str = "0.6 and min_film_angle = \"180 deg\", or [load] with force = \"5 kN\" and angle = \"270 deg\": the position is found then";
+
+/// The journal.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Journal {
+    /// Angular speed omega [rad/s]; positive towards growing angles.
+    pub speed: f64,
+    /// Where it is.
+    pub position: Position,
+    /// Velocity of its centre; `None`: the centre rests.
+    pub squeeze: Option<Squeeze>,
+}
+
+/// Where the journal is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Position {
+    /// At a fixed position.
+    Given {
+        /// Eccentricity ratio eps = |e|/c, 0 <= eps < 1.
+        eccentricity: f64,
+        /// Angle of the thinnest film [rad]; 0 where the journal is centred and the scene gives none.
+        min_film_angle: f64,
+    },
+    /// Where the film carries this load: the position is found.
+    Load {
+        /// Force F on the journal [N], not negative.
+        force: f64,
+        /// Direction of the force [rad], from +x towards +y.
+        angle: f64,
+    },
+}
+
+impl Journal {
+    /// The force on the journal `(F cos, F sin)` [N]; `None` at a given position.
+    pub fn load(&self) -> Option<[f64; 2]> {
+        match self.position {
+            Position::Given { .. } => None,
+            Position::Load { force, angle } => Some([force * angle.cos(), force * angle.sin()]),
+        }
+    }
+}
+
+/// Reads the table; `load` is the position under a load, if the scene has one.
+pub(crate) fn read(mut table: TableReader<'_>, load: Option<Position>) -> Journal {
+    Journal {
+        speed: table.quantity("speed", Dimension::Speed, "3000 rpm").required(),
+        squeeze: table.table_if_given("squeeze").map(squeeze::read),
+        position: position(&mut table, load),
+    }
+}
+
+fn position(table: &mut TableReader<'_>, load: Option<Position>) -> Position {
+    let eccentricity = table.number("eccentricity", "0.6").within(
+        |eccentricity| eccentricity >= 0.0,
+        "is negative",
+        "give 0 <= eccentricity < 1, and turn min_film_angle by 180 deg",
+    );
+    let eccentricity = eccentricity.within(
+        |eccentricity| eccentricity < 1.0,
+        "means that the journal touches the liner: there is no film",
+        "give 0 <= eccentricity < 1, the offset of the journal over the radial clearance",
+    );
+    let eccentricity = eccentricity.given();
+    let angle = table.quantity("min_film_angle", Dimension::Angle, "180 deg").given();
+    if let Some(load) = load {
+        let (key, keys) = match (eccentricity, angle) {
+            (None, None) => return load,
+            (Some(_), None) => ("eccentricity", "eccentricity"),
+            (None, Some(_)) => ("min_film_angle", "min_film_angle"),
+            (Some(_), Some(_)) => ("eccentricity", "eccentricity and min_film_angle"),
+        };
+        let message = "stands beside [load], but under a load the position is found";
+        table.complain(key, message, format!("remove {keys} from [journal], or remove [load]"));
+        return load;
+    }
+    table.require("eccentricity", if angle.is_some() { "0.6" } else { POSITION });
+    if eccentricity.is_some_and(|eccentricity| eccentricity != 0.0) {
+        table.require("min_film_angle", "\"180 deg\"");
+    }
+    Position::Given {
+        eccentricity: eccentricity.unwrap_or(f64::NAN),
+        min_film_angle: angle.unwrap_or(0.0),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::tests::{STUDY, good, read, told, told_one};
+
+    const POSITION: &str = "eccentricity = 0.6, min_film_angle = \"180 deg\"";
+    const LOAD: &str = "load = { force = \"5 kN\", angle = \"270 deg\" }\n";
+
+    /// The journal of the study with another end of its table and further tables.
+    fn journal(position: &str, tables: &str) -> Journal {
+        let text = tables.to_owned() + &STUDY.replacen(POSITION, position, 1);
+        let scene = read(&text).unwrap_or_else(|error| panic!("{error}"));
+        scene.journal
+    }
+
+    #[test]
+    fn a_load_stands_in_place_of_the_position() {
+        let (force, angle) = (5e3, 270f64 * (std::f64::consts::PI / 180.0));
+        let found = journal("", LOAD).position;
+        assert_eq!(found, Position::Load { force, angle });
+        journal("", "load = { force = \"0 N\", angle = \"0 deg\" }\n");
+        let one = |position: &str, load: &str, wanted: &str| {
+            let text = STUDY
+                .replacen(POSITION, position, 1)
+                .replace("\njournal", &format!("\n{load}journal"));
+            let error = read(&text).expect_err(wanted).to_string();
+            assert!(error.contains(wanted) && error.lines().count() == 2, "{error}");
+        };
+        one("", "load.force = \"5 kN\"\n", "load.angle: is missing");
+        one("", "load.angle = \"5 deg\"\n", "load.force: is missing");
+        one("", "load = 5\n", "load: a table is wanted, not a bare number");
+        one(
+            "",
+            "load = { force = 5, angle = \"0 deg\" }\n",
+            "load.force: a bare number has no unit; a force is wanted",
+        );
+        one(
+            "",
+            "load = { force = \"inf N\", angle = \"0 deg\" }\n",
+            "load.force: \"inf N\" does not begin with a number",
+        );
+    }
+
+    #[test]
+    fn the_position_is_given_or_found() {
+        let beside = "stands beside [load], but under a load the position is found";
+        for (position, keys) in [
+            (POSITION, "eccentricity and min_film_angle"),
+            ("eccentricity = 0.6", "eccentricity"),
+            ("min_film_angle = \"180 deg\"", "min_film_angle"),
+        ] {
+            let text = LOAD.to_owned() + &STUDY.replacen(POSITION, position, 1);
+            let error = read(&text).expect_err("both").to_string();
+            let help = format!("{beside} (remove {keys} from [journal], or remove [load])");
+            assert!(error.contains(&help) && error.lines().count() == 2, "{error}");
+        }
+        told_one(&format!(", {POSITION}"), "", "journal.eccentricity: is missing");
+        let help = &told(&format!(", {POSITION}"), "")[0].help;
+        assert!(
+            help.contains("eccentricity = 0.6 and min_film_angle = \"180 deg\", or [load] with force"),
+            "{help}"
+        );
+        told_one("eccentricity = 0.6, ", "", "journal.eccentricity: is missing");
+        told_one(
+            "eccentricity =",
+            "eccentrcity =",
+            "journal.eccentrcity: this key is not known",
+        );
+    }
+
+    #[test]
+    fn positions_are_checked() {
+        good::told_one("0.6", "1.0", "journal.eccentricity: means that the journal touches");
+        good::told_one("0.6", "-0.1", "journal.eccentricity: is negative");
+    }
+
+    #[test]
+    fn loads_are_checked() {
+        let position = "eccentricity = 0.6\nmin_film_angle = \"180 deg\"\n";
+        let load = |force: &str| format!("[load]\nforce = \"{force}\"\nangle = \"270 deg\"\n");
+        good::told_one(position, &load("-5 kN"), "load.force: is negative");
+        for force in ["0 N", "5 kN", "1e300 MN"] {
+            assert!(good::told(position, &load(force)).is_empty(), "{force}");
+        }
+    }
+}

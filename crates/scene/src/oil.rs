@@ -1,0 +1,118 @@
+//! `[oil]`: one viscosity or one law of temperature, one law of pressure at most, and the density.
+
+mod barus;
+mod density;
+mod roelands;
+mod temperature;
+
+pub use barus::{Barus, BarusForm};
+pub use density::Density;
+pub use roelands::{Roelands, RoelandsExponent};
+pub use temperature::{PointViscosity, TemperatureLaw, ViscosityPoint};
+
+pub(crate) use barus::check;
+
+use crate::reader::TableReader;
+use crate::unit::Dimension;
+
+/// The oil.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Oil {
+    /// Its viscosity at gauge pressure zero.
+    pub viscosity: Viscosity,
+    /// How the viscosity depends on pressure.
+    pub pressure_law: PressureLaw,
+    /// Temperature of the film [K], where the scene gives it.
+    pub temperature: Option<f64>,
+    /// Density, where the scene gives it.
+    pub density: Option<Density>,
+}
+
+/// Dynamic viscosity at gauge pressure zero.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Viscosity {
+    /// One number mu0 [Pa.s].
+    Constant(f64),
+    /// Falls with temperature.
+    ByTemperature(TemperatureLaw),
+}
+
+/// How the viscosity depends on pressure.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum PressureLaw {
+    /// mu = mu0.
+    Constant,
+    /// mu = mu0 exp(alpha p).
+    Barus(Barus),
+    /// mu = mu0 exp((ln mu0 + 9.67) ((1 + p/p_r)^z - 1)), mu0 in Pa.s.
+    Roelands(Roelands),
+}
+
+/// Reads a law of pressure.
+type ReadLaw = fn(TableReader<'_>) -> PressureLaw;
+/// Laws of pressure by the table that gives them.
+const PRESSURE_LAWS: [(&str, ReadLaw); 2] = [("barus", barus::read), ("roelands", roelands::read)];
+/// What a law of pressure may not do, as the end of a sentence.
+const THINNER: &str = "is negative, so the oil would grow thinner under pressure";
+
+/// Reads the table; `wanted` is an example of the temperature that a viscosity which depends on it needs, if the scene must give it.
+pub(crate) fn read(mut table: TableReader<'_>, wanted: Option<&str>) -> Oil {
+    let constant = table
+        .quantity("viscosity", Dimension::Viscosity, "40 mPa.s")
+        .positive()
+        .given();
+    let law = temperature::read(&mut table);
+    let temperature = table
+        .quantity("temperature", Dimension::Temperature, "80 C")
+        .of_oil()
+        .given();
+    match (constant, &law) {
+        (None, None) => table.require(
+            "viscosity",
+            "\"40 mPa.s\", or grade = \"SAE 10W-40\" with temperature = \"80 C\"",
+        ),
+        (Some(_), Some(_)) => table.complain(
+            "viscosity",
+            "stands beside a law by which viscosity depends on temperature",
+            "keep one of viscosity, grade, walther, vogel and table",
+        ),
+        (Some(_), None) if temperature.is_some() && wanted.is_some() => table.complain(
+            "temperature",
+            "has a meaning only where viscosity depends on it",
+            "remove it, or give grade = \"SAE 10W-40\", walther, vogel or table in place of viscosity",
+        ),
+        _ => {}
+    }
+    if let (Some(example), Some(_)) = (wanted, &law) {
+        table.require("temperature", example);
+    }
+    let laws = PRESSURE_LAWS
+        .iter()
+        .filter_map(|(key, read)| Some((*key, read(table.table_if_given(key)?))));
+    let laws: Vec<_> = laws.collect();
+    if let [(first, _), (second, _), ..] = laws[..] {
+        let message = format!("stands beside {first}, but viscosity follows one law of pressure");
+        table.complain(second, message, "keep one law, and remove the other");
+    }
+    let constant = Viscosity::Constant(constant.unwrap_or(f64::NAN));
+    Oil {
+        viscosity: law.map_or(constant, Viscosity::ByTemperature),
+        pressure_law: laws.first().map_or(PressureLaw::Constant, |(_, law)| *law),
+        temperature,
+        density: density::read(&mut table),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::scene::tests::told_one;
+
+    #[test]
+    fn there_is_one_law_of_pressure() {
+        told_one(
+            "1/Pa\" }",
+            "1/Pa\" }, roelands = { z = 0.6 }",
+            "oil.roelands: stands beside barus",
+        );
+    }
+}

@@ -1,0 +1,54 @@
+//! `density` of `[oil]`: `density = "885 kg/m3"` at 20 degrees C, or a table with the temperature at which it was measured.
+
+use crate::reader::{Number, TableReader};
+use crate::unit::{Dimension, ZERO_CELSIUS};
+
+/// Densities [kg/m3] of liquids that are used as oils.
+const DENSITIES: [f64; 2] = [500.0, 2500.0];
+/// Greatest relative expansion [1/K] of one.
+const MOST_EXPANSION: f64 = 2e-3;
+
+/// A density that was measured at some temperature.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Density {
+    /// Density [kg/m3].
+    pub value: f64,
+    /// Temperature [K] at which it was measured.
+    pub at: f64,
+    /// Relative expansion k_v [1/K]; `None`: that of mineral oils.
+    pub expansion: Option<f64>,
+}
+
+pub(super) fn read(oil: &mut TableReader<'_>) -> Option<Density> {
+    let at_20 = ZERO_CELSIUS + 20.0;
+    if !oil.holds_table("density") {
+        let value = of_liquid(oil.quantity("density", Dimension::Density, "885 kg/m3")).given()?;
+        return Some(Density {
+            value,
+            at: at_20,
+            expansion: None,
+        });
+    }
+    let mut table = oil.table_if_given("density")?;
+    let expansion = table
+        .quantity("expansion", Dimension::InverseTemperature, "68.8e-5 1/K")
+        .within(
+            |expansion| (0.0..=MOST_EXPANSION).contains(&expansion),
+            &format!("is not the expansion of an oil: 0 to {MOST_EXPANSION} 1/K"),
+            "give some 65e-5 to 75e-5 1/K for mineral oil, or remove it",
+        );
+    Some(Density {
+        expansion: expansion.given(),
+        value: of_liquid(table.quantity("value", Dimension::Density, "868 kg/m3")).required(),
+        at: table.quantity("at", Dimension::Temperature, "15 C").of_oil().or(at_20),
+    })
+}
+
+fn of_liquid<'t, 'a>(density: Number<'t, 'a>) -> Number<'t, 'a> {
+    let [least, most] = DENSITIES;
+    density.within(
+        |density| density >= least && density <= most,
+        &format!("is not the density of an oil: {least} to {most} kg/m3"),
+        "give some 850 to 900 kg/m3 for mineral oil; is it in kg/m3?",
+    )
+}

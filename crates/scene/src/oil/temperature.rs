@@ -1,0 +1,235 @@
+//! `grade`, `walther`, `vogel` and `table` of `[oil]`: how the viscosity falls with temperature.
+
+use crate::reader::{Number, TableReader};
+use crate::unit::{Dimension, ZERO_CELSIUS};
+use crate::wording::celsius;
+
+/// Temperatures [K] between which films of liquid oil are.
+const LIQUID: [f64; 2] = [ZERO_CELSIUS - 60.0, ZERO_CELSIUS + 350.0];
+/// The keys that give a law of temperature.
+const WAYS: [&str; 4] = ["grade", "walther", "vogel", "table"];
+
+/// How the viscosity falls with temperature.
+#[derive(Debug, Clone, PartialEq)]
+pub enum TemperatureLaw {
+    /// That of a typical oil of this grade, as `SAE 10W-40`.
+    Grade(String),
+    /// A line through two points `(T [K], nu [m2/s])` on the chart of ASTM D341.
+    Walther([(f64, f64); 2]),
+    /// mu = a exp(b/(t + c)), t in degrees Celsius.
+    Vogel {
+        /// Viscosity a at infinite temperature [Pa.s].
+        a: f64,
+        /// Constant b [K].
+        b: f64,
+        /// Constant c [K].
+        c: f64,
+    },
+    /// Lines between points on the chart of ASTM D341.
+    Table(Vec<ViscosityPoint>),
+}
+
+/// One point of a table.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ViscosityPoint {
+    /// Temperature [K].
+    pub temperature: f64,
+    /// Viscosity there.
+    pub viscosity: PointViscosity,
+}
+
+/// The viscosity of a point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum PointViscosity {
+    /// Kinematic viscosity nu [m2/s].
+    Kinematic(f64),
+    /// Dynamic viscosity mu [Pa.s].
+    Dynamic(f64),
+}
+
+impl Number<'_, '_> {
+    /// The temperature [K] if oil is a liquid there; else a complaint.
+    pub(crate) fn of_oil(self) -> Self {
+        let [least, most] = LIQUID;
+        self.within_or(
+            |temperature| temperature >= least && temperature <= most,
+            |temperature| {
+                let [temperature, least, most] = [temperature, least, most].map(celsius);
+                format!("is {temperature}, but oil films are liquid between {least} and {most}")
+            },
+            "give for example \"80 C\"; a value in K counts from the absolute zero",
+        )
+    }
+}
+
+/// Reads the law that is written, if there is one.
+pub(super) fn read(oil: &mut TableReader<'_>) -> Option<TemperatureLaw> {
+    let written: Vec<&str> = WAYS.into_iter().filter(|way| oil.has(way)).collect();
+    if let [first, second, ..] = written[..] {
+        let message = format!("stands beside {first}, but viscosity follows one law of temperature");
+        oil.complain(second, message, "keep one of grade, walther, vogel and table");
+    }
+    let grade = oil.text_if_given("grade", "SAE 10W-40").map(TemperatureLaw::Grade);
+    let walther = oil.table_if_given("walther").map(walther);
+    let vogel = oil.table_if_given("vogel").map(vogel);
+    let points = oil.tables("table").into_iter().map(point).collect();
+    match written.first() {
+        None => None,
+        Some(&"table") => Some(TemperatureLaw::Table(points)),
+        // A grade that was refused is none that is known.
+        Some(_) => grade
+            .or(walther)
+            .or(vogel)
+            .or(Some(TemperatureLaw::Grade(String::new()))),
+    }
+}
+
+/// Two points: at 40 and 100 degrees C, or at temperatures given.
+fn walther(mut table: TableReader<'_>) -> TemperatureLaw {
+    let is_usual = table.has("nu40") || table.has("nu100");
+    let is_general = ["t1", "nu1", "t2", "nu2"].into_iter().any(|key| table.has(key));
+    if is_usual && is_general {
+        let help = "write nu40 and nu100, or t1, nu1, t2 and nu2 for other temperatures";
+        table.complain_here("mixes two ways to give two points", help);
+    }
+    let mut number = |is_wanted: bool, key, dimension, example| {
+        let number = table.quantity(key, dimension, example);
+        if is_wanted {
+            number.required()
+        } else {
+            number.or(f64::NAN)
+        }
+    };
+    let [nu_40, nu_100] = [("nu40", "95 mm2/s"), ("nu100", "14.3 mm2/s")]
+        .map(|(key, example)| number(!is_general, key, Dimension::KinematicViscosity, example));
+    let [nu_1, nu_2] = [("nu1", "95 mm2/s"), ("nu2", "14.3 mm2/s")]
+        .map(|(key, example)| number(is_general, key, Dimension::KinematicViscosity, example));
+    let [t_1, t_2] = [("t1", "40 C"), ("t2", "100 C")]
+        .map(|(key, example)| number(is_general, key, Dimension::Temperature, example));
+    TemperatureLaw::Walther(match is_general {
+        true => [(t_1, nu_1), (t_2, nu_2)],
+        false => [(ZERO_CELSIUS + 40.0, nu_40), (ZERO_CELSIUS + 100.0, nu_100)],
+    })
+}
+
+fn vogel(mut table: TableReader<'_>) -> TemperatureLaw {
+    let help = "give a constant that is not negative, some 600 to 1500 K for mineral oil";
+    let b = table.quantity("b", Dimension::TemperatureDifference, "1000 K");
+    let b = b.within(|b| b >= 0.0, "is negative", help).required();
+    TemperatureLaw::Vogel {
+        a: table
+            .quantity("a", Dimension::Viscosity, "0.06 mPa.s")
+            .positive()
+            .required(),
+        b,
+        c: table.quantity("c", Dimension::TemperatureDifference, "95 K").required(),
+    }
+}
+
+/// A point with a kinematic viscosity `nu`, or with a dynamic one `mu`.
+fn point(mut row: TableReader<'_>) -> ViscosityPoint {
+    let temperature = row.quantity("t", Dimension::Temperature, "40 C").required();
+    let dynamic = row.quantity("mu", Dimension::Viscosity, "80 mPa.s").given();
+    let kinematic = row.quantity("nu", Dimension::KinematicViscosity, "95 mm2/s").given();
+    row.refuse_if(
+        dynamic.is_some() && kinematic.is_some(),
+        "nu",
+        "stands beside mu, but one of them gives the other",
+        "keep one of mu and nu",
+    );
+    if dynamic.is_none() {
+        row.require("nu", "\"95 mm2/s\"");
+    }
+    ViscosityPoint {
+        temperature,
+        viscosity: match dynamic {
+            Some(dynamic) => PointViscosity::Dynamic(dynamic),
+            None => PointViscosity::Kinematic(kinematic.unwrap_or(f64::NAN)),
+        },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::scene::tests::told;
+
+    const OIL: &str = "oil = { viscosity = \"0.4 Pa.s\", barus = { alpha = \"2.5e-8 1/Pa\" } }";
+
+    #[test]
+    fn what_is_wrong_with_a_law_is_told_once() {
+        let at = ", temperature = \"80 C\"";
+        for (oil, wanted, help) in [
+            ("", "oil.viscosity: is missing", "grade = \"SAE 10W-40\""),
+            ("grade = \"SAE 10W-40\"", "oil.temperature: is missing", "\"80 C\""),
+            (
+                &format!("viscosity = \"9 mPa.s\", grade = \"VG 46\"{at}"),
+                "oil.viscosity: stands beside a law",
+                "keep one of",
+            ),
+            (
+                &format!("grade = \"VG 46\", vogel = {{ a = \"0.05 mPa.s\", b = \"900 K\", c = \"95 K\" }}{at}"),
+                "oil.vogel: stands beside grade",
+                "keep one of",
+            ),
+            (
+                &format!("viscosity = \"9 mPa.s\"{at}"),
+                "oil.temperature: has a meaning only",
+                "remove it",
+            ),
+            (
+                &format!("walther = {{ nu40 = \"55 mm2/s\" }}{at}"),
+                "oil.walther.nu100: is missing",
+                "nu100 = ",
+            ),
+            (
+                &format!(
+                    "walther = {{ nu40 = \"55 mm2/s\", nu100 = \"8 mm2/s\", t1 = \"40 C\", nu1 = \"55 mm2/s\", t2 = \"90 C\", nu2 = \"9 mm2/s\" }}{at}"
+                ),
+                "oil.walther: mixes two ways",
+                "t1",
+            ),
+            (
+                &format!("walther = {{ nu40 = \"55 mPa.s\", nu100 = \"8 mm2/s\" }}{at}"),
+                "oil.walther.nu40: \"mPa.s\" is a unit of dynamic viscosity, but a kinematic viscosity is wanted",
+                "mm2/s",
+            ),
+            (
+                &format!("vogel = {{ a = \"0.05 mPa.s\", b = \"900 C\", c = \"95 K\" }}{at}"),
+                "oil.vogel.b: \"C\" is a unit of temperature, but a temperature difference is wanted",
+                "K",
+            ),
+            (
+                &format!(
+                    "table = [{{ t = \"40 C\", nu = \"95 mm2/s\", mu = \"80 mPa.s\" }}, {{ t = \"90 C\", nu = \"15 mm2/s\" }}]{at}"
+                ),
+                "oil.table[0].nu: stands beside mu",
+                "keep one",
+            ),
+            (
+                &format!("table = [{{ nu = \"95 mm2/s\" }}]{at}"),
+                "oil.table[0].t: is missing",
+                "40 C",
+            ),
+            (
+                "grade = \"VG 46\", temperature = 80",
+                "oil.temperature: a bare number has no unit",
+                "\"80 C\"",
+            ),
+            (
+                "viscosity = \"9 mPa.s\", density = \"0.9\"",
+                "oil.density: \"0.9\" has no unit",
+                "kg/m3",
+            ),
+            (
+                &format!("grade = \"VG 46\", density = {{ at = \"15 C\" }}{at}"),
+                "oil.density.value: is missing",
+                "kg/m3",
+            ),
+        ] {
+            let told = told(OIL, &format!("oil = {{ {oil} }}"));
+            assert!(told.len() == 1, "{oil}: {told:?}");
+            assert!(told[0].to_string().starts_with(wanted), "{oil}: {told:?}");
+            assert!(told[0].help.contains(help), "{oil}: {told:?}");
+        }
+    }
+}

@@ -1,0 +1,105 @@
+//! `[journal.squeeze]`: the velocity of the journal's centre.
+
+use crate::reader::TableReader;
+use crate::unit::Dimension;
+use crate::{Complaints, Journal, Position, Scene};
+
+/// Velocity of the journal's centre.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Squeeze {
+    /// Along the line of centres [m/s]; positive: the eccentricity grows.
+    pub radial: f64,
+    /// Across the line of centres [m/s]; positive: towards growing angles.
+    pub tangential: f64,
+}
+
+impl Journal {
+    /// The velocity of the centre, if it moves.
+    pub fn motion(&self) -> Option<Squeeze> {
+        self.squeeze.filter(|it| it.radial != 0.0 || it.tangential != 0.0)
+    }
+}
+
+pub(crate) fn read(mut table: TableReader<'_>) -> Squeeze {
+    let mut velocity = |key| table.quantity(key, Dimension::Velocity, "2 mm/s").or(0.0);
+    Squeeze {
+        radial: velocity("radial"),
+        tangential: velocity("tangential"),
+    }
+}
+
+/// A centred journal has a line of centres only where the scene gives its angle.
+pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
+    let is_centred = matches!(scene.journal.position, Position::Given { eccentricity: 0.0, .. });
+    let key = "journal.min_film_angle";
+    complaints.refuse_if(
+        is_centred && scene.journal.motion().is_some() && complaints.has("journal") && !complaints.has(key),
+        key,
+        "is missing",
+        "write for example min_film_angle = \"180 deg\": with eccentricity = 0 it says where the line of centres points, which squeeze refers to",
+    );
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::tests::{STUDY, read, told, told_one};
+
+    const POSITION: &str = "eccentricity = 0.6, min_film_angle = \"180 deg\"";
+    const LOAD: &str = "load = { force = \"5 kN\", angle = \"270 deg\" }\n";
+
+    /// The journal of the study with another end of its table and further tables.
+    fn journal(position: &str, tables: &str) -> Journal {
+        let text = tables.to_owned() + &STUDY.replacen(POSITION, position, 1);
+        let scene = read(&text).unwrap_or_else(|error| panic!("{error}"));
+        scene.journal
+    }
+
+    #[test]
+    fn squeeze_is_read() {
+        let moved = |keys: &str| journal(&format!("{POSITION}, squeeze = {{ {keys} }}"), "").squeeze;
+        let (radial, tangential) = (2.0 * 1e-3, -30.0 * 1e-6);
+        let both = moved("radial = \"2 mm/s\", tangential = \"-30 um/s\"");
+        assert_eq!(both, Some(Squeeze { radial, tangential }));
+        let along = moved("radial = \"2 mm/s\"");
+        assert_eq!(along.map(|it| (it.radial, it.tangential)), Some((radial, 0.0)));
+        assert_eq!(
+            (
+                moved("").is_some(),
+                journal(&format!("{POSITION}, squeeze = {{}}"), "").motion()
+            ),
+            (true, None)
+        );
+        assert_eq!(journal(POSITION, "").squeeze, None);
+        for (squeeze, wanted) in [
+            ("5", "journal.squeeze: a table is wanted, not a bare number"),
+            (
+                "{ radial = 5 }",
+                "journal.squeeze.radial: a bare number has no unit; a velocity is wanted",
+            ),
+            (
+                "{ radial = \"5 mm\" }",
+                "journal.squeeze.radial: \"mm\" is a unit of length",
+            ),
+            ("{ radal = \"5 mm/s\" }", "journal.squeeze.radal: this key is not known"),
+        ] {
+            told_one("speed =", &format!("squeeze = {squeeze}, speed ="), wanted);
+        }
+    }
+
+    #[test]
+    fn a_centred_journal_that_moves_needs_its_line_of_centres() {
+        let moved = "eccentricity = 0, squeeze = { tangential = \"1 m/s\" }";
+        told_one(POSITION, moved, "journal.min_film_angle: is missing");
+        let help = &told(POSITION, moved)[0].help;
+        assert!(
+            help.ends_with(
+                "= \"180 deg\": with eccentricity = 0 it says where the line of centres points, which squeeze refers to"
+            ),
+            "{help}"
+        );
+        journal(&format!("{moved}, min_film_angle = \"90 deg\""), "");
+        journal("eccentricity = 0, squeeze = { radial = \"0 m/s\" }", "");
+        journal("squeeze = { radial = \"1 m/s\" }", LOAD);
+    }
+}

@@ -1,0 +1,108 @@
+//! The oil of a film at the temperature of the film, made of the description in the scene.
+
+use oilwedge_reynolds::lubricant::density::{EXPANSION, ZERO_CELSIUS};
+use oilwedge_reynolds::lubricant::{self as law, Density, Grade, ThermalOil, ViscosityTable, Vogel, Walther};
+use oilwedge_scene::{PointViscosity, Scene, TemperatureLaw, Viscosity};
+
+use crate::thermal::first_temperature;
+
+/// An oil at one temperature.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Oil {
+    /// Dynamic viscosity mu0 at gauge pressure zero [Pa.s].
+    pub viscosity: f64,
+    /// Temperature of the film [K]; `None` where nothing depends on it.
+    pub temperature: Option<f64>,
+    /// Viscosity and density by temperature; `None`: there is one viscosity.
+    pub thermal: Option<ThermalOil>,
+    /// Density, where the scene or its grade gives it.
+    pub density: Option<Density>,
+}
+
+impl Oil {
+    /// The oil of a scene at the temperature that the scene gives or, with a heat balance, at which the search for it begins.
+    pub fn of(scene: &Scene) -> Self {
+        let first = || scene.heat.as_ref().map(first_temperature);
+        let oil = Self {
+            viscosity: match scene.oil.viscosity {
+                Viscosity::Constant(viscosity) => viscosity,
+                Viscosity::ByTemperature(_) => f64::NAN,
+            },
+            temperature: scene.oil.temperature.or_else(first),
+            thermal: thermal(scene),
+            density: density(scene),
+        };
+        oil.temperature.map_or(oil.clone(), |temperature| oil.at(temperature))
+    }
+
+    /// The oil at this temperature [K]; an oil whose viscosity does not depend on it as it is.
+    pub fn at(&self, temperature: f64) -> Self {
+        let Some(thermal) = &self.thermal else {
+            return self.clone();
+        };
+        Self {
+            viscosity: thermal.viscosity(temperature),
+            temperature: Some(temperature),
+            ..self.clone()
+        }
+    }
+
+    /// Density [kg/m3] at the temperature of the film, 20 degrees C where there is none; `None` where it is not known.
+    pub fn film_density(&self) -> Option<f64> {
+        let temperature = self.temperature.unwrap_or(ZERO_CELSIUS + 20.0);
+        self.density.map(|density| density.at(temperature))
+    }
+}
+
+/// The scene whose film has this temperature [K], at which the search for another one begins.
+pub fn at_temperature(scene: &Scene, temperature: f64) -> Scene {
+    let mut scene = scene.clone();
+    scene.oil.temperature = Some(temperature);
+    scene
+}
+
+/// The density that a scene gives, else that of its grade.
+fn density(scene: &Scene) -> Option<Density> {
+    let given = scene.oil.density.map(|density| {
+        let expansion = density.expansion.unwrap_or(EXPANSION);
+        Density::of(density.value, density.at, expansion)
+    });
+    let of_grade = || match &scene.oil.viscosity {
+        Viscosity::ByTemperature(TemperatureLaw::Grade(name)) => Some(Grade::named(name)?.oil()?.density),
+        _ => None,
+    };
+    given.or_else(of_grade)
+}
+
+/// Viscosity and density by temperature; none of one viscosity, and of a law that has no meaning.
+fn thermal(scene: &Scene) -> Option<ThermalOil> {
+    let Viscosity::ByTemperature(described) = &scene.oil.viscosity else {
+        return None;
+    };
+    let density = density(scene).unwrap_or_default();
+    let law = match described {
+        TemperatureLaw::Grade(name) => Grade::named(name)?.oil()?.law,
+        TemperatureLaw::Walther([one, other]) => law::TemperatureLaw::Walther(Walther::through(*one, *other)?),
+        TemperatureLaw::Vogel { a, b, c } => law::TemperatureLaw::Vogel(Vogel {
+            factor: *a,
+            exponent: *b,
+            singular: ZERO_CELSIUS - c,
+        }),
+        TemperatureLaw::Table(_) => law::TemperatureLaw::Table(ViscosityTable::through(&points(described, density))?),
+    };
+    Some(ThermalOil { law, density })
+}
+
+/// The points `(T [K], nu [m2/s])` of a law that is given by points; the density makes dynamic viscosities kinematic.
+pub(crate) fn points(law: &TemperatureLaw, density: Density) -> Vec<(f64, f64)> {
+    match law {
+        TemperatureLaw::Grade(_) | TemperatureLaw::Vogel { .. } => Vec::new(),
+        TemperatureLaw::Walther(points) => points.to_vec(),
+        TemperatureLaw::Table(points) => (points.iter())
+            .map(|point| match point.viscosity {
+                PointViscosity::Kinematic(nu) => (point.temperature, nu),
+                PointViscosity::Dynamic(mu) => (point.temperature, mu / density.at(point.temperature)),
+            })
+            .collect(),
+    }
+}
