@@ -156,10 +156,12 @@ levels    2000 unknowns, W ± 36 N, 15.0 ms (first mesh)
           12000 unknowns, W ± 1 N, 1.20 s (divided where the error comes from)
 balance";
         assert!(text.contains(wanted), "{text}");
-        result
-            .effects
-            .simulated
-            .extend(EFFECTS.iter().filter(|effect| effect.socket == Socket::Position));
+        result.effects.simulated.extend(
+            EFFECTS
+                .iter()
+                .filter(|effect| effect.socket == Socket::Position)
+                .copied(),
+        );
         assert!(!run_report(&result, &AddOns::default(), Path::new("out"), true).contains("bar  "));
         result.quantities[2].error_parts = Some(ErrorParts {
             position: 2e-5,

@@ -312,7 +312,7 @@ pub(crate) mod tests {
             status: Status::Converged,
             reason: None,
             effects: Effects {
-                simulated: EFFECTS[2..4].iter().collect(),
+                simulated: EFFECTS[2..4].to_vec(),
                 not_simulated: vec!["squeeze"],
             },
             mesh: MeshFacts {

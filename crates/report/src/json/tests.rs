@@ -14,7 +14,7 @@ pub(crate) fn example() -> RunResult {
         status: Status::NotConverged,
         reason: None,
         effects: Effects {
-            simulated: vec![&EFFECTS[2]],
+            simulated: vec![EFFECTS[2]],
             not_simulated: vec!["squeeze"],
         },
         mesh: MeshFacts {

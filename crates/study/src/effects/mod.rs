@@ -29,23 +29,23 @@ pub use jfo::without_conservation;
 pub use sockets::{Contribution, Socket, Sockets};
 
 /// All effects, in the order in which the sockets are filled.
-pub const EFFECTS: &[Effect] = &[
-    bearing_theory::SHORT,
-    bearing_theory::LONG,
-    poiseuille::ROW,
-    couette::ROW,
-    squeeze::ROW,
-    equilibrium::ROW,
-    heat::ROW,
-    oil_by_temperature::ROW,
-    barus::CONSERVATIVE,
-    barus::AS_PRINTED,
-    roelands::ROW,
-    groove_depth::ROW,
-    starved_inlet::ROW,
-    guembel::ROW,
-    reynolds::ROW,
-    jfo::ROW,
+pub const EFFECTS: &[&Effect] = &[
+    &bearing_theory::SHORT,
+    &bearing_theory::LONG,
+    &poiseuille::ROW,
+    &couette::ROW,
+    &squeeze::ROW,
+    &equilibrium::ROW,
+    &heat::ROW,
+    &oil_by_temperature::ROW,
+    &barus::CONSERVATIVE,
+    &barus::AS_PRINTED,
+    &roelands::ROW,
+    &groove_depth::ROW,
+    &starved_inlet::ROW,
+    &guembel::ROW,
+    &reynolds::ROW,
+    &jfo::ROW,
 ];
 
 /// What a film may leave out and a reader may miss, in the order of reports; the last ones no film has.
@@ -103,7 +103,7 @@ const BLANK: Effect = Effect {
 
 /// The effects that are in a scene.
 pub fn present(scene: &Scene) -> impl Iterator<Item = &'static Effect> + '_ {
-    EFFECTS.iter().filter(|effect| (effect.is_in)(scene))
+    EFFECTS.iter().copied().filter(|effect| (effect.is_in)(scene))
 }
 
 /// Warnings of all effects in the scene of a film about their limits of validity.
