@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use oilwedge_reynolds::{FilmSolution, NoFilm};
 use oilwedge_scene::Scene;
 use oilwedge_study::compile::{Study, compile};
-use oilwedge_study::measure::{Measured, measure, quantities};
+use oilwedge_study::measure::{Measured, measure};
+use oilwedge_study::quantities::{View, measured};
 
 use crate::program::repository;
 
@@ -49,7 +50,7 @@ pub struct Solved {
 impl Solved {
     /// Value of a quantity of the report.
     pub fn quantity(&self, name: &str) -> f64 {
-        let list = quantities(&self.study, &self.measured);
+        let list = measured(&View::new(&self.study, &self.study.problem, &self.measured));
         let found = list.iter().find(|quantity| quantity.name == name);
         found.unwrap_or_else(|| panic!("no quantity {name}")).value
     }

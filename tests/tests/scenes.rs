@@ -450,9 +450,9 @@ fn scene_20_connecting_rod_cap() {
     close(value(&found, "bolt_torque"), 0.15 * preload * 0.010, 2e-4);
     close(value(&found, "bolt_stress_min"), preload / 56.7e-6, 2e-4);
     close(value(&found, "cap_film_share"), 27e3 / (3.0 * pull), 2e-4);
-    let share = found.by_name("cap_film_share").and_then(|share| share.error);
+    let share = found.by_name("cap_film_share").and_then(|share| share.error());
     assert!(share.is_some_and(|error| error < 1e-9), "the load is given: {share:?}");
-    let error = |name: &str| found.by_name(name).and_then(|quantity| quantity.error);
+    let error = |name: &str| found.by_name(name).and_then(|quantity| quantity.error());
     assert_eq!(
         (error("cap_force"), error("bolt_stress_amplitude")),
         (Some(0.0), Some(0.0))
@@ -510,9 +510,9 @@ fn a_cap_follows_the_film() {
         let share = found.by_name("cap_film_share").expect("a share");
         let opening = value(&found, "cap_opening_force");
         close(share.value, -y.value / opening, 1e-12);
-        let (error, of_y) = (share.error.expect("a bar"), y.error.expect("a bar") / opening);
+        let (error, of_y) = (share.error().expect("a bar"), y.error().expect("a bar") / opening);
         assert!(
-            x.error.is_some() && (error / of_y - 1.0).abs() < 1e-6,
+            x.error().is_some() && (error / of_y - 1.0).abs() < 1e-6,
             "{model}: {error:e} {of_y:e}"
         );
     }

@@ -7,8 +7,8 @@ use serde::Serialize;
 use oilwedge_scene::Scene;
 use oilwedge_study::CompileError;
 use oilwedge_study::effects::{Effect, present};
-use oilwedge_study::quantities::{ATTITUDE_ANGLE, FILM_THICKNESS_MIN, PRESSURE_MAX, SIDE_FLOW, main_quantity};
-use oilwedge_study::result::{Quantity, RunResult, Status};
+use oilwedge_study::quantities::{ATTITUDE_ANGLE, FILM_THICKNESS_MIN, PRESSURE_MAX, Quantity, SIDE_FLOW, main_quantity};
+use oilwedge_study::result::{RunResult, Status};
 use oilwedge_study::run::{RunOptions, run};
 
 /// Runs of one scene at most, of which the median time is told.
@@ -149,18 +149,14 @@ fn changes(scene: &Scene, with: &RunResult, without: &RunResult) -> Vec<Change> 
 fn change(with: Option<&Quantity>, without: Option<&Quantity>) -> Option<Change> {
     let any = with.or(without)?;
     let both = with.zip(without);
-    let difference = |(with, without): (&Quantity, &Quantity)| match any.unit.as_str() {
-        "deg" => 180.0 - (180.0 - (with.value - without.value)).rem_euclid(360.0),
-        _ => with.value - without.value,
-    };
     Some(Change {
-        quantity: any.name.clone(),
-        symbol: any.symbol.clone(),
-        unit: any.unit.clone(),
+        quantity: any.name.to_string(),
+        symbol: any.row.symbol.to_owned(),
+        unit: any.unit().to_owned(),
         with: with.map(|quantity| quantity.value),
         without: without.map(|quantity| quantity.value),
-        change: both.map(difference),
-        error: both.and_then(|(with, without)| Some(with.error? + without.error?)),
+        change: both.map(|(with, without)| any.row.difference(with.value, without.value)),
+        error: both.and_then(|(with, without)| Some(with.error()? + without.error()?)),
     })
 }
 
@@ -184,11 +180,13 @@ fn by_name<S: serde::Serializer>(changes: &[Change], serializer: S) -> Result<S:
 #[cfg(test)]
 mod tests {
     use super::*;
+    use oilwedge_reynolds::error_bar::Bar;
+    use oilwedge_study::quantities::{LOAD, Row};
 
-    fn quantity(name: &str, value: f64, unit: &str, error: Option<f64>) -> Quantity {
+    fn quantity(row: &'static Row, value: f64, error: Option<f64>) -> Quantity {
         Quantity {
-            error,
-            ..Quantity::new(name, "s", value, unit)
+            bar: error.map(Bar::of),
+            ..Quantity::new(row, value)
         }
     }
 
@@ -256,7 +254,7 @@ oil = { viscosity = "0.4 Pa.s" }
 
     #[test]
     fn a_change_has_the_sum_of_both_bars() {
-        let load = |value, error| Some(quantity("load", value, "N", error));
+        let load = |value, error| Some(quantity(&LOAD, value, error));
         let it = between(load(12.0, Some(0.5)), load(10.0, Some(0.25)));
         assert_eq!((it.with, it.without), (Some(12.0), Some(10.0)));
         assert_eq!((it.change, it.error), (Some(2.0), Some(0.75)));
@@ -268,7 +266,7 @@ oil = { viscosity = "0.4 Pa.s" }
 
     #[test]
     fn angles_change_the_lesser_way_round() {
-        let angle = |value| Some(quantity("attitude_angle", value, "deg", None));
+        let angle = |value| Some(quantity(&ATTITUDE_ANGLE, value, None));
         for (with, without, wanted) in [
             (170.0, -170.0, -20.0),
             (-170.0, 170.0, 20.0),
@@ -282,14 +280,14 @@ oil = { viscosity = "0.4 Pa.s" }
     #[test]
     fn an_effect_is_idle_where_all_bars_say_so() {
         let one = |change: f64, error| {
-            let value = quantity("load", 10.0 + change, "N", error);
-            between(Some(value), Some(quantity("load", 10.0, "N", Some(0.0))))
+            let value = quantity(&LOAD, 10.0 + change, error);
+            between(Some(value), Some(quantity(&LOAD, 10.0, Some(0.0))))
         };
         assert_eq!(is_idle(&[one(0.25, Some(0.25)), one(0.0, Some(0.0))]), Some(true));
         assert_eq!(is_idle(&[one(0.25, Some(0.25)), one(0.5, Some(0.25))]), Some(false));
         assert_eq!(is_idle(&[one(0.25, Some(0.25)), one(0.0, None)]), None);
         assert_eq!(is_idle(&[one(0.5, Some(0.25)), one(0.0, None)]), Some(false));
-        let lost = between(Some(quantity("attitude_angle", 5.0, "deg", Some(9.0))), None);
+        let lost = between(Some(quantity(&ATTITUDE_ANGLE, 5.0, Some(9.0))), None);
         assert_eq!(is_idle(&[lost]), Some(false));
         assert_eq!(is_idle(&[]), Some(false));
     }

@@ -13,7 +13,7 @@ use oilwedge_scene::Scene;
 use oilwedge_study::effects::Sockets;
 use oilwedge_study::oil::Oil;
 use oilwedge_study::quantities::{self, Row};
-use oilwedge_study::result::{Quantity, RunResult};
+use oilwedge_study::result::RunResult;
 
 mod feed;
 mod twin;
@@ -150,14 +150,14 @@ fn beside(scene: &Scene, result: &RunResult, twin: &Twin, given: Given) -> Vec<B
         (&quantities::SIDE_FLOW, twin.flow),
     ];
     let beside = standard.into_iter().filter_map(|(row, standard): (&Row, _)| {
-        let Quantity { value, unit, error, .. } = result.quantity(row)?;
+        let film = result.quantity(row)?;
         Some(Beside {
             quantity: row.name,
-            unit: unit.clone(),
+            unit: film.unit().to_owned(),
             standard: standard?,
-            film: *value,
-            error: *error,
-            difference: standard? - value,
+            film: film.value,
+            error: film.error(),
+            difference: standard? - film.value,
         })
     });
     beside.collect()

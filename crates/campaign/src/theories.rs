@@ -14,10 +14,10 @@ use oilwedge_study::complaints;
 use oilwedge_study::effects::{Socket, present, without_conservation};
 use oilwedge_study::oil::at_temperature;
 use oilwedge_study::quantities::{
-    ATTITUDE_ANGLE, ECCENTRICITY, FILM_THICKNESS_MIN, FRICTION_POWER, FRICTION_TORQUE, LOAD, PRESSURE_MAX, Row,
-    SIDE_FLOW, TEMPERATURE_EFFECTIVE,
+    ATTITUDE_ANGLE, ECCENTRICITY, FILM_THICKNESS_MIN, FRICTION_POWER, FRICTION_TORQUE, LOAD, PRESSURE_MAX, Quantity,
+    Row, SIDE_FLOW, TEMPERATURE_EFFECTIVE,
 };
-use oilwedge_study::result::{Quantity, RunResult, Status};
+use oilwedge_study::result::{RunResult, Status};
 use oilwedge_study::run::{RunOptions, run};
 
 /// The numbers that are compared, those of a position under a load included.
@@ -91,7 +91,8 @@ pub fn theories(scene: &Scene, options: &RunOptions, result: &RunResult) -> Theo
     let full = films[1].quantities.clone();
     for number in films.iter_mut().flat_map(|film| &mut film.quantities) {
         let of_full = full.iter().find(|it| it.quantity == number.quantity);
-        number.difference = of_full.map(|of_full| difference(number.value, of_full.value, &number.unit));
+        let compared = of_full.zip(COMPARED.iter().find(|row| row.name == number.quantity));
+        number.difference = compared.map(|(of_full, row)| row.difference(number.value, of_full.value));
     }
     Theories {
         slenderness: scene.bearing.length / scene.bearing.diameter,
@@ -199,20 +200,13 @@ fn film(scene: &Scene, theory: Theory, result: &RunResult) -> TheoryFilm {
 impl TheoryNumber {
     fn of(quantity: &Quantity) -> Self {
         Self {
-            quantity: quantity.name.clone(),
-            symbol: quantity.symbol.clone(),
-            unit: quantity.unit.clone(),
+            quantity: quantity.name.to_string(),
+            symbol: quantity.row.symbol.to_owned(),
+            unit: quantity.unit().to_owned(),
             value: quantity.value,
-            error: quantity.error,
+            error: quantity.error(),
             difference: None,
         }
-    }
-}
-
-fn difference(value: f64, full: f64, unit: &str) -> f64 {
-    match unit {
-        "deg" => 180.0 - (180.0 - (value - full)).rem_euclid(360.0),
-        _ => value - full,
     }
 }
 

@@ -5,6 +5,9 @@ use crate::readable::{bar, readable_unit, significant, supported};
 use crate::terminal::{align_right, table, time};
 use oilwedge_campaign::AddOns;
 use oilwedge_campaign::cost::{Change, EffectCost};
+use oilwedge_study::quantities::{
+    ATTITUDE_ANGLE, ECCENTRICITY, FILM_THICKNESS_MIN, LOAD, PRESSURE_MAX, Row, SIDE_FLOW,
+};
 use oilwedge_study::result::RunResult;
 
 /// Smaller changes are nothing [%].
@@ -12,13 +15,13 @@ const NOTHING: f64 = 1e-9;
 /// Digits of a change without a bar.
 const DIGITS: usize = 3;
 
-/// The main quantities in the columns, by name and symbol.
-const COLUMNS: [(&[&str], &str); 5] = [
-    (&["load", "eccentricity"], "W or eps"),
-    (&["attitude_angle"], "beta"),
-    (&["pressure_max"], "p_max"),
-    (&["film_thickness_min"], "h_min"),
-    (&["side_flow"], "Q_s"),
+/// The main quantities in the columns: the first of those that are there.
+const COLUMNS: [&[&Row]; 5] = [
+    &[&LOAD, &ECCENTRICITY],
+    &[&ATTITUDE_ANGLE],
+    &[&PRESSURE_MAX],
+    &[&FILM_THICKNESS_MIN],
+    &[&SIDE_FLOW],
 ];
 
 /// A table of what each effect changes, and what follows from it; nothing where that was not asked for.
@@ -37,21 +40,20 @@ pub(crate) fn cost(result: &RunResult, add_ons: &AddOns) -> Option<String> {
 }
 
 fn changes(costs: &[EffectCost]) -> String {
-    let found = |name: &&&str| {
-        costs
-            .iter()
-            .any(|cost| cost.changes.iter().any(|it| it.quantity == **name))
+    let is_there = |row: &Row| {
+        let mut changes = costs.iter().flat_map(|cost| &cost.changes);
+        changes.any(|it| it.quantity == row.name)
     };
-    let symbol = |(names, symbol): (&[&str], &'static str)| match names.iter().find(found) {
-        Some(&"load") => "W",
-        Some(&"eccentricity") => "eps",
-        _ => symbol,
+    let symbol = |rows: &[&'static Row]| match rows.iter().find(|row| is_there(row)) {
+        Some(row) => row.symbol.to_owned(),
+        None => rows.iter().map(|row| row.symbol).collect::<Vec<_>>().join(" or "),
     };
     let [main, angle, pressure, thickness, flow] = COLUMNS.map(symbol);
-    let mut table = table(["effect", main, angle, pressure, thickness, flow, "time without it"]);
+    let mut table = table(["effect", &main, &angle, &pressure, &thickness, &flow, "time without it"]);
     for cost in costs {
-        let cells = COLUMNS.map(|(names, _)| {
-            let change = cost.changes.iter().find(|it| names.contains(&it.quantity.as_str()));
+        let cells = COLUMNS.map(|rows| {
+            let shown = |it: &&Change| rows.iter().any(|row| it.quantity == row.name);
+            let change = cost.changes.iter().find(shown);
             change.map_or("-".to_owned(), cell)
         });
         let seconds = match cost.seconds_without {

@@ -3,18 +3,13 @@
 use crate::quantities::quantities;
 use crate::readable::significant;
 use crate::terminal::{align_right, table};
-use oilwedge_study::result::{Criterion, HeatReport, Quantity, RunResult};
-use oilwedge_study::thermal::is_of_heat;
-
-/// True of quantities that stand in the part of the heat.
-pub(crate) fn belongs(name: &str) -> bool {
-    is_of_heat(name)
-}
+use oilwedge_study::quantities::{ECCENTRICITY, Quantity, TEMPERATURE_EFFECTIVE, Table};
+use oilwedge_study::result::{Criterion, HeatReport, RunResult};
 
 /// Temperatures, heats, curves and criteria; nothing where no temperature was sought.
 pub(crate) fn heat(result: &RunResult) -> Option<String> {
     let report = result.heat.as_ref()?;
-    let of_heat = |quantity: &&Quantity| belongs(&quantity.name) || quantity.name == "temperature_effective";
+    let of_heat = |quantity: &&Quantity| quantity.row.table == Table::Heat || quantity.row == &TEMPERATURE_EFFECTIVE;
     let list = quantities(result.quantities.iter().filter(of_heat), result.bars);
     let parts = [format!("balance of heat\n{list}"), curve(report), criteria(report)];
     Some(parts.join("\n"))
@@ -27,7 +22,7 @@ fn curve(report: &HeatReport) -> String {
         "mu0 [mPa.s]",
         "friction [W]",
         "carried off [W]",
-        "eccentricity",
+        ECCENTRICITY.name,
     ]);
     for point in &report.curve {
         rows.add_row([

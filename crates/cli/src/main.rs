@@ -21,7 +21,6 @@ mod sweep;
 mod terminal;
 mod theories;
 mod verify;
-mod words;
 
 use clap::{Parser, Subcommand};
 use complain::Failure;

@@ -3,9 +3,9 @@
 use crate::complain::printable;
 use crate::readable::{bar, readable_unit, significant, supported};
 use crate::terminal::{align_right, table, time};
-use crate::words;
 use oilwedge_study::effects::Socket;
-use oilwedge_study::result::{LevelFacts, Quantity, Refinement, RunResult};
+use oilwedge_study::quantities::{ECCENTRICITY, LOAD, Quantity};
+use oilwedge_study::result::{LevelFacts, Refinement, RunResult};
 
 /// A quantity below this in its smallest unit is nothing: 1e-9 N, um, ml/s or deg.
 const ROUNDING: f64 = 1e-9;
@@ -19,19 +19,23 @@ pub(crate) fn quantities<'a>(quantities: impl IntoIterator<Item = &'a Quantity>,
         false => table(["quantity", "symbol", "value", "unit", "what it is"]),
     };
     for quantity in quantities {
-        let (unit, size) = readable_unit(quantity.value, &quantity.unit);
-        let value = match (quantity.value / size, quantity.error) {
+        let (unit, size) = readable_unit(quantity.value, quantity.unit());
+        let value = match (quantity.value / size, quantity.error()) {
             (nothing, _) if nothing.abs() < ROUNDING => "0".to_owned(),
             (value, Some(error)) if error > 0.0 => supported(value, error / size),
             (value, _) => significant(value, DIGITS),
         };
-        let error = match quantity.error {
+        let error = match quantity.error() {
             None => "not resolved".to_owned(),
             Some(0.0) => "exact".to_owned(),
             Some(error) => bar(error / size),
         };
-        let (name, symbol, unit) = (printable(&quantity.name), quantity.symbol.clone(), unit.to_string());
-        let words = words::of_quantity(&quantity.name).to_owned();
+        let (name, symbol, unit) = (
+            printable(&quantity.name),
+            quantity.row.symbol.to_owned(),
+            unit.to_string(),
+        );
+        let words = quantity.row.what.to_owned();
         match bars {
             true => table.add_row([name, symbol, value, error, unit, words]),
             false => table.add_row([name, symbol, value, unit, words]),
@@ -47,9 +51,8 @@ pub(crate) fn quantities<'a>(quantities: impl IntoIterator<Item = &'a Quantity>,
 /// What the bar of the load or, where that is given, of the eccentricity is made of; and the meshes that led to it.
 pub(crate) fn bars(result: &RunResult) -> Vec<String> {
     let is_loaded = result.effects.fill(Socket::Position);
-    let name = if is_loaded { "eccentricity" } else { "load" };
-    let main = result.by_name(name);
-    let parts = main.and_then(|main| parts(main, name));
+    let main = result.quantity(if is_loaded { &ECCENTRICITY } else { &LOAD });
+    let parts = main.and_then(parts);
     let levels = (0..).zip(&result.levels).map(|(number, facts)| {
         let label = if number == 0 { "levels" } else { "" };
         format!("{label:10}{}", level(facts, main))
@@ -57,14 +60,20 @@ pub(crate) fn bars(result: &RunResult) -> Vec<String> {
     parts.into_iter().chain(levels).collect()
 }
 
-fn parts(main: &Quantity, name: &str) -> Option<String> {
-    let (error, parts) = (main.error?, main.error_parts?);
+fn parts(main: &Quantity) -> Option<String> {
+    let (name, bar) = (&main.name, main.bar?);
     let shown = |error: f64| in_unit_of(main, error);
-    let parts: Vec<_> = (parts.by_name().into_iter())
-        .filter(|(_, part)| *part > 0.0)
-        .map(|(part, size)| format!("{} {}", words::of_error(part), shown(size)))
+    let parts: Vec<_> = (bar.parts().into_iter())
+        .filter(|(_, _, part)| *part > 0.0)
+        .map(|(_, words, part)| format!("{words} {}", shown(part)))
         .collect();
-    (!parts.is_empty()).then(|| format!("bar       of the {name}, ± {}: {}", shown(error), parts.join(", ")))
+    (!parts.is_empty()).then(|| {
+        format!(
+            "bar       of the {name}, ± {}: {}",
+            shown(bar.total()),
+            parts.join(", ")
+        )
+    })
 }
 
 fn level(facts: &LevelFacts, main: Option<&Quantity>) -> String {
@@ -75,7 +84,7 @@ fn level(facts: &LevelFacts, main: Option<&Quantity>) -> String {
     };
     let error = main.and_then(|main| {
         let (_, error) = facts.errors.iter().find(|(name, _)| *name == main.name)?;
-        Some(format!(", {} ± {}", main.symbol, in_unit_of(main, *error)))
+        Some(format!(", {} ± {}", main.row.symbol, in_unit_of(main, *error)))
     });
     format!(
         "{} unknowns{}, {} ({mesh})",
@@ -87,7 +96,7 @@ fn level(facts: &LevelFacts, main: Option<&Quantity>) -> String {
 
 /// An error in a unit that suits it, and not the value.
 fn in_unit_of(main: &Quantity, error: f64) -> String {
-    let (unit, size) = readable_unit(error, &main.unit);
+    let (unit, size) = readable_unit(error, main.unit());
     format!("{} {unit}", bar(error / size)).trim_end().to_owned()
 }
 
@@ -98,24 +107,22 @@ mod tests {
     use crate::terminal::tests::result;
     use oilwedge_campaign::AddOns;
     use oilwedge_study::effects::EFFECTS;
-    use oilwedge_study::result::ErrorParts;
+    use oilwedge_study::quantities::Bar;
     use std::path::Path;
 
     /// A load with a bar, an angle whose bar is not resolved, an eccentricity that is given.
     fn with_bars() -> RunResult {
         let mut result = result();
-        let parts = ErrorParts {
+        let parts = Bar {
             discretisation: 0.9,
             front: 0.1,
-            ..ErrorParts::default()
+            ..Bar::default()
         };
-        let mut eccentricity = Quantity::new("eccentricity", "eps", 0.6, "1");
-        eccentricity.error = Some(0.0);
-        eccentricity.error_parts = Some(ErrorParts::default());
+        let mut eccentricity = Quantity::new(&ECCENTRICITY, 0.6);
+        eccentricity.bar = Some(Bar::default());
         result.quantities.push(eccentricity);
         result.quantities[0].value = 12_911.234;
-        result.quantities[0].error = Some(parts.sum());
-        result.quantities[0].error_parts = Some(parts);
+        result.quantities[0].bar = Some(parts);
         result.bars = true;
         result
     }
@@ -163,11 +170,10 @@ balance";
                 .copied(),
         );
         assert!(!run_report(&result, &AddOns::default(), Path::new("out"), true).contains("bar  "));
-        result.quantities[2].error_parts = Some(ErrorParts {
+        result.quantities[2].bar = Some(Bar {
             position: 2e-5,
-            ..ErrorParts::default()
+            ..Bar::default()
         });
-        result.quantities[2].error = Some(2e-5);
         let text = run_report(&result, &AddOns::default(), Path::new("out"), true);
         let wanted = "bar       of the eccentricity, ± 2e-5: position under the load 2e-5\n";
         assert!(text.contains(wanted), "{text}");

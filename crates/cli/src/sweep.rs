@@ -10,6 +10,7 @@ use oilwedge_report::Error;
 use oilwedge_report::sweep::{Row, SweepOptions, SweepReport};
 use oilwedge_scene::Scene;
 use oilwedge_study::RunOptions;
+use oilwedge_study::quantities::{self, ATTITUDE_ANGLE, ECCENTRICITY, FILM_THICKNESS_MIN, LOAD, PRESSURE_MAX};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -89,7 +90,7 @@ impl Sweep {
             false => terminal::print(&sweep_report(&report, &folder), Some(&folder))?,
         }
         Ok(
-            match report.rows.iter().any(|row| report.value(row, "load").is_some()) {
+            match report.rows.iter().any(|row| report.value(row, LOAD.name).is_some()) {
                 true => ExitCode::SUCCESS,
                 false => ExitCode::from(1),
             },
@@ -113,13 +114,13 @@ impl Sweep {
 
 /// Rows that are shown; of more the first and the last.
 const SHOWN: usize = 24;
-/// Quantities that are shown, and how they are headed.
-const COLUMNS: [(&str, &str); 5] = [
-    ("load", "W"),
-    ("eccentricity", "eps"),
-    ("attitude_angle", "beta"),
-    ("pressure_max", "p_max"),
-    ("film_thickness_min", "h_min"),
+/// Quantities that are shown.
+const COLUMNS: [&quantities::Row; 5] = [
+    &LOAD,
+    &ECCENTRICITY,
+    &ATTITUDE_ANGLE,
+    &PRESSURE_MAX,
+    &FILM_THICKNESS_MIN,
 ];
 /// Digits of a number without a bar.
 const DIGITS: usize = 5;
@@ -162,10 +163,11 @@ fn sweep_report(report: &SweepReport, folder: &Path) -> String {
 
 fn rows(report: &SweepReport) -> String {
     let columns: Vec<_> = (COLUMNS.iter())
-        .filter_map(|(name, symbol)| {
-            let (_, unit) = report.columns.quantities.iter().find(|(other, _)| other == name)?;
+        .filter_map(|&shown| {
+            let quantities::Row { name, symbol, unit, .. } = shown;
+            report.columns.quantity(name)?;
             let values = report.rows.iter().filter_map(|row| report.value(row, name));
-            let (unit, size) = readable_unit(values.map(f64::abs).fold(0.0, f64::max), unit);
+            let (unit, size) = readable_unit(values.map(f64::abs).fold(0.0, f64::max), unit.name());
             let heading = match unit {
                 "" => (*symbol).to_owned(),
                 unit => format!("{symbol} [{unit}]"),

@@ -12,8 +12,7 @@ use comfy_table::{CellAlignment, ContentArrangement, Table, presets};
 use oilwedge_campaign::AddOns;
 use oilwedge_report::check::CheckReport;
 use oilwedge_study::effects::Effects;
-use oilwedge_study::joint::is_of_cap;
-use oilwedge_study::quantities::{CAVITY_FLOW, CAVITY_SHARE};
+use oilwedge_study::quantities::{self, CAVITY_FLOW, CAVITY_SHARE};
 use oilwedge_study::result::{Balances, Counts, LinearSolver, MeshFacts, RunResult, Status};
 use std::io::{ErrorKind, Write};
 use std::path::Path;
@@ -43,8 +42,8 @@ pub(crate) fn run_report(result: &RunResult, add_ons: &AddOns, folder: &Path, pi
     parts.push(effects(&result.effects));
     if !result.quantities.is_empty() {
         let (of_cap, of_film): (Vec<_>, Vec<_>) = (result.quantities.iter())
-            .filter(|quantity| result.heat.is_none() || !heat::belongs(&quantity.name))
-            .partition(|quantity| is_of_cap(&quantity.name));
+            .filter(|quantity| result.heat.is_none() || quantity.row.table != quantities::Table::Heat)
+            .partition(|quantity| quantity.row.table == quantities::Table::Cap);
         parts.push(quantities(of_film, result.bars));
         if !of_cap.is_empty() {
             parts.push(format!("joint of the cap\n{}", quantities(of_cap, result.bars)));
@@ -99,7 +98,7 @@ fn cavity(result: &RunResult) -> Option<String> {
         .quantity(&CAVITY_FLOW)
         .filter(|made| made.value > 0.0)
         .map(|made| {
-            let (unit, size) = readable_unit(made.value, &made.unit);
+            let (unit, size) = readable_unit(made.value, made.unit());
             format!(
                 "; it makes {} {unit} of oil, for this model conserves none there",
                 significant(made.value / size, 2)
@@ -300,7 +299,8 @@ pub(crate) mod tests {
     use super::*;
     use oilwedge_report::check::{CHECK_FORMAT, RegionFacts};
     use oilwedge_study::effects::EFFECTS;
-    use oilwedge_study::result::{Quantity, RESULT_FORMAT};
+    use oilwedge_study::quantities::{ATTITUDE_ANGLE, BOLT_TORQUE, LOAD, Quantity, SIDE_FLOW};
+    use oilwedge_study::result::RESULT_FORMAT;
 
     pub(crate) fn result() -> RunResult {
         RunResult {
@@ -321,10 +321,7 @@ pub(crate) mod tests {
                 order: 2,
                 min_angle_deg: 31.04,
             },
-            quantities: vec![
-                Quantity::new("load", "W", 12_910.0, "N"),
-                Quantity::new("attitude_angle", "beta", 49.29, "deg"),
-            ],
+            quantities: vec![Quantity::new(&LOAD, 12_910.0), Quantity::new(&ATTITUDE_ANGLE, 49.29)],
             bars: false,
             levels: vec![],
             balances: Balances {
@@ -373,9 +370,7 @@ pub(crate) mod tests {
     #[test]
     fn a_cavity_and_coarser_meshes_are_told() {
         let mut result = result();
-        result
-            .quantities
-            .push(Quantity::new("cavity_share", "A_c/A", 0.4237, "1"));
+        result.quantities.push(Quantity::new(&CAVITY_SHARE, 0.4237));
         result.counts.nonlinear_iterations = 12;
         for (levels, told) in [(1, "1 coarser mesh"), (3, "3 coarser meshes")] {
             result.counts.levels = levels;
@@ -392,9 +387,7 @@ pub(crate) mod tests {
     #[test]
     fn the_joint_of_a_cap_has_a_table_of_its_own() {
         let mut result = result();
-        result
-            .quantities
-            .insert(1, Quantity::new("bolt_torque", "M", 55.6, "N.m"));
+        result.quantities.insert(1, Quantity::new(&BOLT_TORQUE, 55.6));
         let text = run_report(&result, &AddOns::default(), Path::new("out"), true);
         let place = |part: &str| text.find(part).unwrap_or_else(|| panic!("no {part} in\n{text}"));
         assert!(place("attitude_angle") < place("joint of the cap\n") && place("joint of the cap") < place("55.6000"));
@@ -419,7 +412,7 @@ pub(crate) mod tests {
     fn rounding_is_shown_as_zero_and_control_characters_not_at_all() {
         let mut result = result();
         result.title = "a\u{1b}[31m".into();
-        result.quantities = vec![Quantity::new("side_flow", "Q_s", -7e-22, "m3/s")];
+        result.quantities = vec![Quantity::new(&SIDE_FLOW, -7e-22)];
         result.counts = Counts::default();
         let text = run_report(&result, &AddOns::default(), Path::new("out"), true);
         assert!(text.contains("\u{2506}     0 \u{2506} ml/s"), "{text}");

@@ -6,6 +6,7 @@ use crate::terminal::{align_right, table};
 use oilwedge_campaign::AddOns;
 use oilwedge_campaign::theories::{Theories, TheoryFilm, TheoryNumber};
 use oilwedge_study::effects::bearing_theory::{LONG_FROM, SHORT_TO};
+use oilwedge_study::quantities::{ATTITUDE_ANGLE, ECCENTRICITY, LOAD, PRESSURE_MAX};
 
 /// Digits of a value without a bar, and of a difference.
 const DIGITS: [usize; 2] = [5, 3];
@@ -143,7 +144,7 @@ fn verdict(theories: &Theories) -> String {
         Some(format!("{} by {off}", name.replace('_', " ")))
     };
     let sentences = ["short", "long"].into_iter().filter_map(|theory| {
-        let offs = ["load", "eccentricity", "pressure_max", "attitude_angle"].map(|name| told(theory, name));
+        let offs = [&LOAD, &ECCENTRICITY, &PRESSURE_MAX, &ATTITUDE_ANGLE].map(|row| told(theory, row.name));
         let offs: Vec<String> = offs.into_iter().flatten().collect();
         (!offs.is_empty()).then(|| format!("the theory of {theory} bearings is off in {}", offs.join(", ")))
     });

@@ -17,7 +17,6 @@ use oilwedge_reynolds::supply::{self as given, Disc, Place, SupplyError, SupplyR
 use oilwedge_reynolds::{Bearing, CentreVelocity, FilmProblem, FilmSystem, JournalState, Theory};
 
 use crate::effects::{Effects, Sockets};
-use crate::joint::share_per_force;
 use crate::liner_mesh::{LinerMesh, liner_mesh, suited};
 use crate::oil::{Oil, at_temperature};
 use crate::run::DEGREE;
@@ -65,12 +64,6 @@ impl Study {
         self.oil = self.oil.at(temperature);
         self.scene = at_temperature(&self.scene, temperature);
         self.problem.lubricant = lubricant(&self.scene, Sockets::of(&self.scene).pressure_law);
-    }
-
-    /// The vector [1/N] whose product with the load is the film's share of the force that opens the joint of the cap; none
-    /// without a cap, and at rest.
-    pub fn film_share(&self) -> Option<[f64; 2]> {
-        share_per_force(&self.cap?, self.problem.journal.speed)
     }
 }
 

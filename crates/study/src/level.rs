@@ -6,10 +6,10 @@ use oilwedge_bearing::Patience;
 use oilwedge_mesh::Mesh;
 
 use crate::analysis::{NoAnswer, solve};
-use crate::bars::judge;
 use crate::compile::{CompileError, Study, compile_on};
+use crate::estimate::estimate_errors;
+use crate::quantities::Quantity;
 use crate::refinement::unknowns;
-use crate::result::Quantity;
 use crate::run::DEGREE;
 use oilwedge_scene::Scene;
 
@@ -58,7 +58,7 @@ pub fn solve_level(
     let order = clock.elapsed().as_secs_f64();
     let solved = solve(&mut study, bars && degree == DEGREE, patience)?;
     let clock = Instant::now();
-    let judged = judge(&study, &solved);
+    let judged = estimate_errors(&study, &solved);
     let (measuring, parts) = (clock.elapsed().as_secs_f64(), solved.film.seconds);
     Ok(Level {
         unknowns: unknowns(&study),

@@ -4,22 +4,18 @@
 //! Scene -> compile (sockets) -> analysis (position, temperature) -> film -> quantities, bars -> RunResult + FilmPicture
 //! ```
 //!
-//! Reading order: [`mod@compile`], [`analysis`], [`thermal`], [`mod@measure`], [`bars`], [`refinement`], [`mod@run`], [`result`],
+//! Reading order: [`mod@compile`], [`analysis`], [`thermal`], [`mod@measure`], [`quantities`], [`estimate`], [`refinement`], [`mod@run`], [`result`],
 //! [`mod@picture`].
 
 pub mod analysis;
-pub mod bars;
 mod cap_joint;
 pub mod checks;
-mod companion_bars;
 pub mod compile;
 pub mod effects;
 pub mod estimate;
-pub mod joint;
 pub mod level;
 pub mod liner_mesh;
 pub mod measure;
-mod moved;
 pub mod oil;
 pub mod picture;
 pub mod quantities;

@@ -11,12 +11,13 @@ use std::time::Instant;
 use oilwedge_bearing::Patience;
 
 use crate::analysis::{NoAnswer, Solved, graded, solve};
-use crate::bars::{Judged, judge};
 use crate::checks::targets;
 use crate::compile::{CompileError, Study};
 use crate::effects::Sockets;
+use crate::estimate::{Estimated, estimate_errors};
 use crate::measure::possible_load;
-use crate::result::{LevelFacts, Quantity, Refinement};
+use crate::quantities::{ECCENTRICITY, Quantity, Unit};
+use crate::result::{LevelFacts, Refinement};
 use crate::run::RunOptions;
 use oilwedge_scene::{Scene, Target};
 
@@ -50,7 +51,7 @@ pub struct Answer {
     /// The scene on the last mesh.
     pub study: Study,
     /// The film there, or why there is none.
-    pub outcome: Result<(Solved, Judged), NoAnswer>,
+    pub outcome: Result<(Solved, Estimated), NoAnswer>,
     /// The meshes on the way to a tolerance.
     pub levels: Vec<LevelFacts>,
     /// Why a tolerance is not met or a load not balanced: a limit, or an interrupt.
@@ -111,9 +112,9 @@ pub fn ended(solved: &Solved, options: &RunOptions) -> Option<String> {
     Some(format!("{what}: the search for {reached}{way_out}"))
 }
 
-fn solved(study: &mut Study, bars: bool, patience: Patience) -> Result<(Solved, Judged), NoAnswer> {
+fn solved(study: &mut Study, bars: bool, patience: Patience) -> Result<(Solved, Estimated), NoAnswer> {
     let solved = solve(study, bars, patience)?;
-    let judged = judge(study, &solved);
+    let judged = estimate_errors(study, &solved);
     Ok((solved, judged))
 }
 
@@ -192,7 +193,7 @@ fn towards(scene: &Scene, targets: &[Target], options: &RunOptions) -> Result<An
                         .quantities
                         .iter()
                         .find(|quantity| quantity.name == target.quantity)?;
-                    Some((target.quantity.clone(), quantity.error?))
+                    Some((target.quantity.clone(), quantity.error()?))
                 })
                 .collect(),
             seconds: start.elapsed().as_secs_f64(),
@@ -254,7 +255,7 @@ fn towards(scene: &Scene, targets: &[Target], options: &RunOptions) -> Result<An
 struct Best {
     study: Study,
     solved: Solved,
-    judged: Judged,
+    judged: Estimated,
     /// Its greatest bar over what it may be.
     worst: f64,
 }
@@ -295,13 +296,13 @@ fn worst<'a>(quantities: &[Quantity], targets: &'a [Target], possible: f64) -> (
         let Some(quantity) = quantities.iter().find(|quantity| quantity.name == target.quantity) else {
             return 0.0;
         };
-        let size = match quantity.unit.as_str() {
-            "deg" => 1f64.to_degrees(),
-            "N" => quantity.value.abs().max(LEAST * possible),
-            _ if quantity.name == "eccentricity" => quantity.value.abs().max(LEAST),
+        let size = match quantity.row.unit {
+            Unit::Degree => 1f64.to_degrees(),
+            Unit::Newton => quantity.value.abs().max(LEAST * possible),
+            _ if quantity.row == &ECCENTRICITY => quantity.value.abs().max(LEAST),
             _ => quantity.value.abs(),
         };
-        let Some(error) = quantity.error else {
+        let Some(error) = quantity.error() else {
             return f64::INFINITY;
         };
         match error {

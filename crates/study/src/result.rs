@@ -2,52 +2,20 @@
 //!
 //! Every number is SI, angles (degrees) and temperatures (degrees C) excepted. A number that is not finite is never written.
 
-mod bars;
 mod heat;
+mod levels;
 
-pub use bars::{ErrorParts, LevelFacts, Refinement};
 pub use heat::{Criterion, HeatPoint, HeatReport};
+pub use levels::{LevelFacts, Refinement};
 
 use crate::effects::Effects;
-use crate::quantities::Row;
+use crate::quantities::{Quantity, Row};
 use crate::regime::Regime;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
 /// Name and version of the form of `result.json`.
 pub const RESULT_FORMAT: &str = "oilwedge-result/1";
-
-/// One reported number.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Quantity {
-    /// Name of the contract, as `load` or `feed_flow.feed_hole`: the key in `quantities`.
-    #[serde(skip)]
-    pub name: String,
-    /// Symbol, as `W`.
-    pub symbol: String,
-    /// The value in `unit`.
-    pub value: f64,
-    /// `N m m3/s N.m Pa Pa.s W deg degC rad/s` or `1`.
-    pub unit: String,
-    /// Half width of the error bar in `unit`, the sum of its parts; `None` where it is not estimated or not resolved.
-    pub error: Option<f64>,
-    /// Where the error comes from, wherever there is a bar.
-    pub error_parts: Option<ErrorParts>,
-}
-
-impl Quantity {
-    /// A number without an error bar.
-    pub fn new(name: impl Into<String>, symbol: impl Into<String>, value: f64, unit: impl Into<String>) -> Self {
-        Self {
-            name: name.into(),
-            symbol: symbol.into(),
-            value,
-            unit: unit.into(),
-            error: None,
-            error_parts: None,
-        }
-    }
-}
 
 /// How a run ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]

@@ -11,8 +11,8 @@ use oilwedge_reynolds::error_bar::UNRESOLVED;
 use oilwedge_scene::Scene;
 
 use crate::analysis::{NoAnswer, Solved};
-use crate::bars::Judged;
 use crate::compile::{CompileError, Study};
+use crate::estimate::Estimated;
 use crate::picture::{FilmPicture, picture};
 use crate::refinement::{Answer, answer};
 use crate::regime::Regime;
@@ -162,12 +162,12 @@ fn history(steps: &[newton::HistoryStep]) -> Vec<HistoryStep> {
 }
 
 /// Fills in what a solved film tells.
-fn report(study: &Study, solved: &Solved, judged: Judged, result: &mut RunResult) {
+fn report(study: &Study, solved: &Solved, judged: Estimated, result: &mut RunResult) {
     let film = &solved.film;
     result.quantities = judged.quantities;
     let bare: Vec<&str> = (result.quantities.iter())
-        .filter(|quantity| quantity.error.is_none())
-        .map(|quantity| quantity.name.as_str())
+        .filter(|quantity| quantity.bar.is_none())
+        .map(|quantity| &*quantity.name)
         .collect();
     result.warnings = match bare.is_empty() {
         true => warnings_beside_bars(study, &judged.measured),

@@ -3,19 +3,19 @@
 //! The root is sought by quadratic films first, then by those whose numbers are reported. Its bar comes from those of friction and flow
 //! through the slope of their balance; all other numbers change with the temperature as the films on the way have shown.
 
+use std::borrow::Cow;
 use std::collections::HashMap;
 
-use oilwedge_bearing::{Balanced, FilmHeat, HeatBalance, Housing, NoBalance, Patience};
+use oilwedge_bearing::{Balanced, FilmHeat, HeatBalance, NoBalance, Patience};
 use oilwedge_reynolds::ReferenceFilm;
 use oilwedge_reynolds::existence::readable;
-use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 
 use crate::analysis::{NoAnswer, Solved, Start, graded};
 use crate::compile::{CompileError, Study};
 use crate::liner_mesh::resized;
 use crate::measure::{Measured, measure};
 use crate::oil::at_temperature;
-use crate::result::Quantity;
+use crate::quantities::{FRICTION_POWER, HEAT_CARRIED, HEAT_HOUSING, MOTION_POWER, Quantity, Row};
 use oilwedge_scene::wording::celsius;
 use oilwedge_scene::{Heat, Scene};
 
@@ -26,7 +26,7 @@ mod search;
 
 pub use curve::heat_report;
 pub(crate) use film_heat::film_heat;
-pub use film_heat::leaving;
+pub use film_heat::{balance, leaving};
 pub use search::solve;
 use search::{Film, Films, Left, ROUGHLY};
 
@@ -34,31 +34,6 @@ use search::{Film, Films, Left, ROUGHLY};
 const COARSE: f64 = 3.0;
 /// The film's temperature is first taken to be so much above that of the oil fed [K].
 const FIRST_RISE: f64 = 10.0;
-/// Names of the quantities of a balance of heat.
-const NAMES: [&str; 5] = [
-    "cooling_flow",
-    "temperature_inlet",
-    "temperature_outlet",
-    "heat_carried",
-    "heat_housing",
-];
-
-/// True of quantities that there are only where the temperature is sought.
-pub fn is_of_heat(name: &str) -> bool {
-    NAMES.contains(&name)
-}
-
-/// What is balanced.
-pub fn balance(heat: &Heat) -> HeatBalance {
-    HeatBalance {
-        inlet: heat.inlet,
-        heat_capacity: heat.heat_capacity,
-        housing: heat.housing.map(|housing| Housing {
-            conductance: housing.conductance,
-            ambient: housing.ambient,
-        }),
-    }
-}
 
 /// Temperature [K] at which the search for that of the film begins.
 pub fn first_temperature(heat: &Heat) -> f64 {
@@ -73,7 +48,7 @@ pub struct HeatFound {
     /// True where the search was ended before the heat was balanced.
     pub is_ended: bool,
     /// How each number changes with the temperature [1/K], by name.
-    slopes: HashMap<String, f64>,
+    slopes: HashMap<Cow<'static, str>, f64>,
     /// Seconds that the films at other temperatures took.
     pub seconds: f64,
 }
@@ -94,65 +69,25 @@ pub struct NoTemperature {
     pub(crate) is_unreached: bool,
 }
 
-/// What is told of a balance of heat; nothing without one.
-pub fn quantities(study: &Study, measured: &Measured) -> Vec<Quantity> {
-    let (Some(heat), Some(temperature)) = (&study.heat, study.oil.temperature) else {
-        return Vec::new();
-    };
-    let balance = balance(heat);
-    let film = film_heat(heat, study, measured);
-    let [inlet, outlet] = balance.ends(temperature, film.carried_over);
-    let mut list = Vec::new();
-    let mut add = |name: &str, symbol: &str, value: f64, unit: &str| {
-        list.push(Quantity::new(name, symbol, value, unit));
-    };
-    add("cooling_flow", "Q_out", film.flow, "m3/s");
-    if heat.mixing.is_some() {
-        add("temperature_inlet", "t_in", inlet - ZERO_CELSIUS, "degC");
-    }
-    add("temperature_outlet", "t_out", outlet - ZERO_CELSIUS, "degC");
-    add("heat_carried", "P_oil", balance.carried(temperature, &film), "W");
-    if heat.housing.is_some() {
-        add("heat_housing", "P_h", balance.given_off(temperature), "W");
-    }
-    list
-}
-
 /// To a tenth of a kelvin [K].
 pub(crate) fn rounded(temperature: f64) -> f64 {
     // That of the ice point is a tenth and a twentieth.
     (10.0 * (temperature - 0.05)).round() / 10.0 + 0.05
 }
 
-/// Names and units of the quantities that the balances of some scenes tell.
-pub fn columns(scenes: &[Scene]) -> impl Iterator<Item = (&'static str, &'static str)> {
-    let any = |has: fn(&Heat) -> bool| scenes.iter().filter_map(|scene| scene.heat.as_ref()).any(has);
-    let wanted = [
-        any(|_| true),
-        any(|heat| heat.mixing.is_some()),
-        any(|_| true),
-        any(|_| true),
-        any(|heat| heat.housing.is_some()),
-    ];
-    let all = NAMES.into_iter().zip(["m3/s", "degC", "degC", "W", "W"]).zip(wanted);
-    all.filter(|(_, is_wanted)| *is_wanted).map(|(column, _)| column)
-}
-
 /// Heat of friction and squeeze that is not carried off, relative to it; zero where no temperature was sought.
 pub fn left_over(quantities: &[Quantity]) -> f64 {
-    let value = |name: &str| {
-        quantities
-            .iter()
-            .find(|quantity| quantity.name == name)
-            .map(|quantity| quantity.value)
+    let value = |row: &Row| {
+        let quantity = quantities.iter().find(|quantity| quantity.row == row);
+        quantity.map(|quantity| quantity.value)
     };
-    let Some(carried) = value("heat_carried") else {
+    let Some(carried) = value(&HEAT_CARRIED) else {
         return 0.0;
     };
-    let part = |name: &str| value(name).unwrap_or(0.0);
-    match part("friction_power") + part("squeeze_power") {
+    let part = |row: &Row| value(row).unwrap_or(0.0);
+    match part(&FRICTION_POWER) + part(&MOTION_POWER) {
         0.0 => 0.0,
-        power => ((power - carried - part("heat_housing")) / power).abs(),
+        power => ((power - carried - part(&HEAT_HOUSING)) / power).abs(),
     }
 }
 

@@ -49,7 +49,7 @@ impl Answer {
             Self::Run(run) => run
                 .result
                 .by_name(name)
-                .and_then(|quantity| quantity.error)
+                .and_then(|quantity| quantity.error())
                 .unwrap_or(0.0),
             Self::Refused(_) => 0.0,
         }
@@ -159,7 +159,9 @@ const HALVINGS: usize = 16;
 /// There is no film without it.
 pub(crate) fn limit(scene: &Table, form: BarusForm) -> Result<f64, String> {
     let plain = solve(scene);
-    let pressure = plain.value("pressure_max").filter(|pressure| *pressure > 0.0);
+    let pressure = plain
+        .value(oilwedge_study::quantities::PRESSURE_MAX.name)
+        .filter(|pressure| *pressure > 0.0);
     let conservative = match pressure {
         Some(pressure) => 1.0 / pressure,
         None => return Err(format!("no film without Barus' law: {:?}", plain.reason())),

@@ -5,7 +5,8 @@ use oilwedge_report::result_json;
 use oilwedge_reynolds::Form;
 use oilwedge_study::Run;
 use oilwedge_study::effects::Socket;
-use oilwedge_study::result::{Quantity, RunResult};
+use oilwedge_study::quantities::{CAVITY_SHARE, PRESSURE_MAX, PRESSURE_MIN, Row};
+use oilwedge_study::result::RunResult;
 
 use crate::answer::{Answer, sockets};
 use crate::cases::Case;
@@ -87,15 +88,15 @@ fn film(case: &Case, run: &Run, faults: &mut Vec<String>) {
 /// Each number has a bar, or the result tells why not.
 fn bars(result: &RunResult, faults: &mut Vec<String>) {
     let bare: Vec<&str> = (result.quantities.iter())
-        .filter(|quantity| quantity.error.is_none())
-        .map(|quantity| quantity.name.as_str())
+        .filter(|quantity| quantity.bar.is_none())
+        .map(|quantity| &*quantity.name)
         .collect();
     let explained = result.warnings.iter().any(|warning| warning.contains("resolve"));
     if !bare.is_empty() && !explained {
         faults.push(format!("no bar, and no warning: {}", bare.join(", ")));
     }
     for quantity in &result.quantities {
-        if quantity.error.is_some_and(|error| error < 0.0) {
+        if quantity.error().is_some_and(|error| error < 0.0) {
             faults.push(format!("the bar of {} is negative", quantity.name));
         }
     }
@@ -103,8 +104,8 @@ fn bars(result: &RunResult, faults: &mut Vec<String>) {
 
 /// No pressure lies below that of a cavity, beyond how quadratics waver.
 fn pressures(result: &RunResult, faults: &mut Vec<String>) {
-    let value = |name: &str| result.by_name(name).map(|quantity: &Quantity| quantity.value);
-    let (Some(least), Some(greatest)) = (value("pressure_min"), value("pressure_max")) else {
+    let value = |row: &Row| result.quantity(row).map(|quantity| quantity.value);
+    let (Some(least), Some(greatest)) = (value(&PRESSURE_MIN), value(&PRESSURE_MAX)) else {
         return;
     };
     if least > greatest {
@@ -114,7 +115,7 @@ fn pressures(result: &RunResult, faults: &mut Vec<String>) {
     }
     let has_cavity = result.effects.fill(Socket::Cavitation);
     // Cases give the pressure of a cavity as zero, but where they are about it.
-    if has_cavity && least < -WAVER * greatest.abs() && value("cavity_share").is_none() {
+    if has_cavity && least < -WAVER * greatest.abs() && value(&CAVITY_SHARE).is_none() {
         faults.push(format!(
             "the pressure falls to {least:.3e} Pa, below that of the cavity"
         ));

@@ -196,7 +196,7 @@ fn one(work: &Work, case: &Case, folder: &Path, number: usize) -> (Verdict, Answ
         seconds,
         iterations: result.map_or(0, |result| result.counts.nonlinear_iterations),
         triangles: result.map_or(0, |result| result.mesh.cells),
-        load: load.map(|load| (load.value, load.error)),
+        load: load.map(|load| (load.value, load.error())),
         reason: answer.reason().map(str::to_owned),
         against: second,
         faults,

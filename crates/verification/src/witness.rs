@@ -3,7 +3,7 @@
 use oilwedge_reynolds::analytical::ocvirk::ShortFilm;
 use oilwedge_reynolds::analytical::sommerfeld;
 use oilwedge_study::Run;
-use oilwedge_study::result::Quantity;
+use oilwedge_study::quantities::{ECCENTRICITY, LOAD};
 use toml::{Table, Value};
 
 use crate::answer::{Answer, sockets, solve, solve_within};
@@ -48,11 +48,11 @@ fn on_finer_mesh(scene: &Table, run: &Run, faults: &mut Vec<String>) -> String {
         } else {
             quantity.value.abs()
         };
-        quantity.error.map(|error| error / value)
+        quantity.error().map(|error| error / value)
     };
     let name = match scene.contains_key("load") {
-        true => "eccentricity",
-        false => "load",
+        true => ECCENTRICITY.name,
+        false => LOAD.name,
     };
     let conserving = sockets(scene).is_some_and(|sockets| sockets.cavitation.conserves_oil());
     let (finer_by, widened) = if conserving { (HALF, CONSERVING) } else { (FINER, 1.0) };
@@ -69,12 +69,12 @@ fn on_finer_mesh(scene: &Table, run: &Run, faults: &mut Vec<String>) -> String {
         let Some(fine) = second.result.by_name(&quantity.name) else {
             continue;
         };
-        let (Some(error), Some(fine_error)) = (quantity.error, fine.error) else {
+        let (Some(error), Some(fine_error)) = (quantity.error(), fine.error()) else {
             continue;
         };
-        let distance = distance(quantity, fine.value);
+        let distance = quantity.row.difference(quantity.value, fine.value).abs();
         let bars = widened * (error + fine_error);
-        let rounding = 1e-12 * quantity.value.abs().max(natural(run, &quantity.unit));
+        let rounding = 1e-12 * quantity.value.abs().max(natural(run, quantity.unit()));
         if distance > bars + rounding {
             faults.push(format!(
                 "{} is {:.8e} with a bar of {error:.1e}, but {:.8e} with a bar of {fine_error:.1e} on {} triangles",
@@ -87,17 +87,8 @@ fn on_finer_mesh(scene: &Table, run: &Run, faults: &mut Vec<String>) -> String {
 
 /// The greatest value in this unit: what rounding errors are measured by.
 fn natural(run: &Run, unit: &str) -> f64 {
-    let alike = run.result.quantities.iter().filter(|quantity| quantity.unit == unit);
+    let alike = run.result.quantities.iter().filter(|quantity| quantity.unit() == unit);
     alike.map(|quantity| quantity.value.abs()).fold(0.0, f64::max)
-}
-
-/// Distance of two values; angles go round.
-fn distance(quantity: &Quantity, other: f64) -> f64 {
-    let distance = (quantity.value - other).abs();
-    match quantity.unit == "deg" {
-        true => (distance % 360.0).min(360.0 - distance % 360.0),
-        false => distance,
-    }
 }
 
 fn elsewhere(wanted: &Other, scene: &Table, run: &Run, faults: &mut Vec<String>) -> String {
@@ -112,9 +103,9 @@ fn elsewhere(wanted: &Other, scene: &Table, run: &Run, faults: &mut Vec<String>)
             continue;
         };
         // A number that has no bar claims nothing; the run has warned of it.
-        let Some(error) = first.error else { continue };
-        let bars = error + second.error.unwrap_or(0.0);
-        if distance(first, second.value) > bars + allowed * first.value.abs() {
+        let Some(error) = first.error() else { continue };
+        let bars = error + second.error().unwrap_or(0.0);
+        if first.row.difference(first.value, second.value).abs() > bars + allowed * first.value.abs() {
             faults.push(format!(
                 "{name} is {:.8e}, but {:.8e} by {}, bars together {bars:.1e}",
                 first.value, second.value, wanted.name
@@ -134,8 +125,8 @@ fn beside_known(name: &str, known: &Known, scene: &Table, run: &Run, faults: &mu
         faults.push(format!("no known value of {name}"));
         return String::new();
     };
-    let bar = quantity.error.unwrap_or(0.0);
-    if distance(quantity, value) > bar + known.to * value.abs() {
+    let bar = quantity.error().unwrap_or(0.0);
+    if quantity.row.difference(quantity.value, value).abs() > bar + known.to * value.abs() {
         faults.push(format!(
             "{name} is {:.8e} with a bar of {bar:.1e}, known is {value:.8e} to {:.0e}",
             quantity.value, known.to
@@ -157,7 +148,7 @@ fn sommerfeld_number(form: ClosedForm, scene: &Table, run: &Run) -> Option<f64> 
     let eccentricity = match scene.get("journal")?.get("eccentricity") {
         Some(Value::Float(number)) => *number,
         Some(Value::Integer(number)) => *number as f64,
-        _ => run.result.by_name("eccentricity")?.value,
+        _ => run.result.quantity(&ECCENTRICITY)?.value,
     };
     Some(match form {
         ClosedForm::Sommerfeld => sommerfeld::sommerfeld_number(eccentricity),

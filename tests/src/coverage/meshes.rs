@@ -7,8 +7,8 @@ use oilwedge_fem::marking::doerfler;
 use oilwedge_mesh::{Mesh, refine};
 use oilwedge_scene::Scene;
 use oilwedge_study::analysis::{Solved, graded, solve};
-use oilwedge_study::bars::{Judged, judge};
 use oilwedge_study::compile::{Study, compile_on};
+use oilwedge_study::estimate::{Estimated, estimate_errors};
 use oilwedge_study::liner_mesh::{LinerMesh, liner_mesh};
 use oilwedge_study::refinement::unknowns;
 use oilwedge_study::start::start;
@@ -39,7 +39,7 @@ pub struct Solve {
     /// The film and what judges it.
     pub solved: Solved,
     /// Its numbers and bars.
-    pub judged: Judged,
+    pub judged: Estimated,
     /// Unknown pressures.
     pub unknowns: usize,
     /// Seconds of it all.
@@ -54,7 +54,7 @@ impl Solve {
     pub fn new(mut study: Study, kind: Kind) -> Result<Self, String> {
         let clock = Instant::now();
         let solved = solve(&mut study, true, Patience::default()).map_err(|reason| reason.to_string())?;
-        let judged = judge(&study, &solved);
+        let judged = estimate_errors(&study, &solved);
         Ok(Self {
             kind,
             unknowns: unknowns(&study),

@@ -6,7 +6,7 @@ use oilwedge_study::refinement::{answer, unknowns};
 use oilwedge_study::run::RunOptions;
 
 use super::bearings::{Bearing, Family, shipped};
-use super::reference::{Reference, distance, reference};
+use super::reference::{Reference, reference};
 use super::tally::{COUNTED, Of, Pair, Tally, coverage, each, quantile};
 use super::tolerances::{Met, TOLERANCES};
 use crate::tables::{replace, row};
@@ -237,12 +237,12 @@ fn shipped_rows(bearing: &Bearing, reference: &Result<Reference, String>) -> Vec
     let rows = asked.into_iter().filter_map(|name| {
         let quantity = judged.quantities.iter().find(|quantity| quantity.name == name)?;
         let known = reference.known.iter().find(|known| known.name == name)?;
-        let error = distance(&quantity.unit, quantity.value, known.value);
+        let error = quantity.row.difference(quantity.value, known.value).abs();
         Some(vec![
             bearing.name.clone(),
-            format!("`{name}` [{}]", quantity.unit),
+            format!("`{name}` [{}]", quantity.unit()),
             format!("{:.6e}", quantity.value),
-            quantity.error.map_or("-".to_owned(), |bar| format!("{bar:.1e}")),
+            quantity.error().map_or("-".to_owned(), |bar| format!("{bar:.1e}")),
             match error > known.bar {
                 true => format!("{error:.1e}"),
                 false => format!("< {:.1e}", known.bar),

@@ -10,7 +10,7 @@ use oilwedge_mesh::refine;
 use oilwedge_reynolds::ReferenceFilm;
 use oilwedge_reynolds::error_bar::film_error;
 use oilwedge_study::analysis::graded;
-use oilwedge_study::result::Quantity;
+use oilwedge_study::quantities::Quantity;
 
 use super::bearings::{Bearing, Family};
 use super::meshes::{Kind, Solve, sized};
@@ -72,11 +72,11 @@ pub fn reference(bearing: &Bearing, most: usize) -> Result<Reference, String> {
     let known = last.judged.quantities.iter().map(|quantity| {
         let earlier = before.iter().find(|earlier| earlier.name == quantity.name);
         let change = earlier.map_or(f64::INFINITY, |earlier| {
-            distance(&quantity.unit, quantity.value, earlier.value)
+            quantity.row.difference(quantity.value, earlier.value).abs()
         });
-        let bar = quantity.error.unwrap_or(f64::INFINITY);
+        let bar = quantity.error().unwrap_or(f64::INFINITY);
         Known {
-            name: quantity.name.clone(),
+            name: quantity.name.to_string(),
             value: quantity.value,
             bar: bar.min(change.max(if bar.is_finite() { LEAST * bar } else { 0.0 })),
         }
@@ -85,15 +85,6 @@ pub fn reference(bearing: &Bearing, most: usize) -> Result<Reference, String> {
         unknowns: last.unknowns,
         known: known.collect(),
     })
-}
-
-/// Distance of two numbers; angles differ by less than half a turn.
-pub fn distance(unit: &str, a: f64, b: f64) -> f64 {
-    let difference = (a - b).abs();
-    match unit == "deg" {
-        true => difference.min((difference - 360.0).abs()),
-        false => difference,
-    }
 }
 
 /// For each triangle its greatest share in the error of any goal, relative to that goal's shares together.

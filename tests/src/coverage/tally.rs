@@ -4,13 +4,13 @@ use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use oilwedge_reynolds::ReferenceFilm;
-use oilwedge_study::bars::judge_quadratic;
-use oilwedge_study::measure::{measure, quantities};
-use oilwedge_study::result::Quantity;
+use oilwedge_study::estimate::quadratic_errors;
+use oilwedge_study::measure::measure;
+use oilwedge_study::quantities::{Quantity, View, measured};
 
 use super::bearings::{Bearing, Family};
 use super::meshes::{Kind, Solve, solves};
-use super::reference::{Reference, distance, reference};
+use super::reference::{Reference, reference};
 
 /// Quantities whose bars are counted; `feed_flow` stands for all feeds.
 pub const COUNTED: [&str; 14] = [
@@ -107,7 +107,7 @@ impl Tally {
     pub fn add(&mut self, bearing: &Bearing, solve: &Solve, reference: &Reference) {
         self.solves += 1;
         self.add_list(bearing, solve, reference, Of::Reported, &solve.judged.quantities);
-        if let Some(quadratic) = judge_quadratic(&solve.study, &solve.solved) {
+        if let Some(quadratic) = quadratic_errors(&solve.study, &solve.solved) {
             self.add_list(bearing, solve, reference, Of::Quadratic, &quadratic);
         }
         self.add_effectivity(bearing, solve, reference);
@@ -127,12 +127,12 @@ impl Tally {
             let Some(known) = known.filter(|_| !is_given) else {
                 continue;
             };
-            let Some(bar) = quantity.error else {
+            let Some(bar) = quantity.error() else {
                 self.unresolved += 1;
                 continue;
             };
             let size = size(quantity, list, solve);
-            let error = distance(&quantity.unit, quantity.value, known.value);
+            let error = quantity.row.difference(quantity.value, known.value).abs();
             if error <= known.bar.max(ROUNDING * size) || !known.bar.is_finite() {
                 self.unknown += 1;
                 continue;
@@ -161,7 +161,8 @@ impl Tally {
             return;
         };
         let study = &solve.study;
-        let quadratic = quantities(study, &measure(&study.problem, &study.system, &solve.solved.film));
+        let film = measure(&study.problem, &study.system, &solve.solved.film);
+        let quadratic = measured(&View::new(study, &study.problem, &film));
         let load = |list: &[Quantity]| {
             list.iter()
                 .find(|quantity| quantity.name == "load")
@@ -184,7 +185,7 @@ fn size(quantity: &Quantity, list: &[Quantity], solve: &Solve) -> f64 {
             .find(|other| other.name == name)
             .map_or(0.0, |other| other.value.abs())
     };
-    match quantity.unit.as_str() {
+    match quantity.unit() {
         "deg" => 1f64.to_degrees(),
         "Pa" => named("pressure_max"),
         "N" => named("load"),

@@ -75,7 +75,7 @@ pub fn met(bearing: &Bearing, reference: &Reference) -> Vec<Met> {
             bearing: bearing.name.clone(),
             model: bearing.model,
             asked,
-            bar: load.error.map(|bar| bar / load.value),
+            bar: load.error().map(|bar| bar / load.value),
             error: relative(load.value),
             claimed: limit.is_none(),
             unknowns: unknowns(&study),

@@ -3,7 +3,7 @@
 use oilwedge_fem::Field;
 use oilwedge_mesh::Locator;
 use oilwedge_scene::Scene;
-use oilwedge_study::measure::quantities;
+use oilwedge_study::quantities::{View, measured};
 
 use super::{DIAMETER, LENGTH, SPEED_SCALE, Scales, VISCOSITY_SCALE};
 use crate::scenes::{Solved, solve, table, variant};
@@ -75,7 +75,11 @@ impl Film {
 
     /// Shear, pressure and squeeze [W].
     pub fn powers(&self) -> [f64; 3] {
-        let list = quantities(&self.solved.study, &self.solved.measured);
+        let list = measured(&View::new(
+            &self.solved.study,
+            &self.solved.study.problem,
+            &self.solved.measured,
+        ));
         ["friction_shear_power", "friction_pressure_power", "squeeze_power"]
             .map(|name| list.iter().find(|it| it.name == name).map_or(0.0, |it| it.value))
     }

@@ -30,12 +30,12 @@ fn a_reported_load_gives_its_position_back() {
             let eccentricity = quantity(&found, "eccentricity");
             let off = (eccentricity.value - 0.6).abs();
             let turned = quantity(&found, "min_film_angle").value - 180.0;
-            println!("{model}: {off:e}, {turned:e} deg, bar {:?}", eccentricity.error);
+            println!("{model}: {off:e}, {turned:e} deg, bar {:?}", eccentricity.error());
             // A mass-conserving film keeps a trace of the way on which its forms were chosen: a fifth of its bar (4.9e-4) at most.
             let (apart, angle) = if model == "jfo" { (1e-4, 0.03) } else { (1e-8, 1e-6) };
             assert!(off < apart && turned.abs() < angle, "{model}: {off:e}, {turned:e}");
-            assert_eq!(eccentricity.error.is_some(), options.bars);
-            let [there, found] = [&there, &found].map(|result| quantity(result, "load").error);
+            assert_eq!(eccentricity.error().is_some(), options.bars);
+            let [there, found] = [&there, &found].map(|result| quantity(result, "load").error());
             if let (Some(there), Some(found)) = (there, found) {
                 assert!(found < 1e-3 * there, "the load is given now: {there:e}, {found:e}");
             }
@@ -57,10 +57,10 @@ fn the_bar_of_the_position_is_that_of_the_load() {
         set(scene, "load", "force", format!("{force} N"));
         set(scene, "load", "angle", format!("{angle} deg"));
     });
-    let wanted = quantity(&there, "load").error.expect("a bar") / by_eccentricity;
-    let parts = quantity(&found, "eccentricity").error_parts.expect("a bar");
+    let wanted = quantity(&there, "load").error().expect("a bar") / by_eccentricity;
+    let parts = quantity(&found, "eccentricity").bar.expect("a bar");
     // The bar across the load counts too.
     println!("{:e} {wanted:e}", parts.position);
     assert!(parts.position > 0.9 * wanted && parts.position < 4.0 * wanted);
-    assert_eq!(parts.position, parts.sum());
+    assert_eq!(parts.position, parts.total());
 }

@@ -87,7 +87,7 @@ fn the_bars_of_a_report_hold() {
         for found in &coarse.quantities {
             let (value, error) = bar(&coarse, &found.name);
             let exact = quantity(&fine, &found.name);
-            let own = exact.error.unwrap_or_else(|| panic!("{} has no bar", found.name));
+            let own = exact.error().unwrap_or_else(|| panic!("{} has no bar", found.name));
             let off = (value - exact.value).abs();
             println!(
                 "{}: {} {value:e} ± {error:e}, off {off:e} ± {own:e}",

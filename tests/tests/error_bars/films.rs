@@ -5,7 +5,8 @@ use oilwedge_reynolds::quantities::load::{Load, load};
 use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem};
 use oilwedge_scene::Scene;
 use oilwedge_study::compile::{Study, compile};
-use oilwedge_study::result::{Quantity, RunResult};
+use oilwedge_study::quantities::Quantity;
+use oilwedge_study::result::RunResult;
 use oilwedge_study::{Interrupt, RunOptions, run};
 use oilwedge_tests::scenes::{table, variant};
 
@@ -97,6 +98,6 @@ pub(crate) fn quantity<'a>(result: &'a RunResult, name: &str) -> &'a Quantity {
 /// A bar and its value.
 pub(crate) fn bar(result: &RunResult, name: &str) -> (f64, f64) {
     let quantity = quantity(result, name);
-    let error = quantity.error.unwrap_or_else(|| panic!("{name} has no bar"));
+    let error = quantity.error().unwrap_or_else(|| panic!("{name} has no bar"));
     (quantity.value, error)
 }

@@ -18,11 +18,7 @@ fn without_bars_nothing_is_estimated_and_nothing_is_done() {
         assert!(!result.bars && result.levels.is_empty() && result.counts.bars == 0);
         assert!(result.timing_s.iter().all(|(part, _)| part != "bars"));
         for quantity in &result.quantities {
-            assert!(
-                quantity.error.is_none() && quantity.error_parts.is_none(),
-                "{}",
-                quantity.name
-            );
+            assert!(quantity.bar.is_none(), "{}", quantity.name);
         }
     }
 }
@@ -43,12 +39,8 @@ fn every_quantity_has_a_bar() {
         let result = answer(&variant(name, |_| ()), &RunOptions::default());
         assert!(result.bars && result.counts.bars > 0);
         for quantity in &result.quantities {
-            let (error, parts) = quantity
-                .error
-                .zip(quantity.error_parts)
-                .unwrap_or_else(|| panic!("{name}: {}", quantity.name));
-            assert_eq!(error, parts.sum(), "{name}: {}", quantity.name);
-            assert!(error >= 0.0);
+            let bar = quantity.bar.unwrap_or_else(|| panic!("{name}: {}", quantity.name));
+            assert!(bar.total() >= 0.0);
         }
     }
 }
@@ -71,15 +63,15 @@ fn a_film_of_nothing_is_certain() {
             // Where nothing presses and nothing sucks, full film and cavity are the same.
             let undetermined = ["cavity_share", "film_fraction_min", "friction_cavity_power"];
             let asked = result.quantities.iter();
-            for quantity in asked.filter(|quantity| !undetermined.contains(&quantity.name.as_str())) {
+            for quantity in asked.filter(|quantity| !undetermined.contains(&&*quantity.name)) {
                 println!(
                     "{scene} {model:?} {}: {:e} {:?}",
-                    quantity.name, quantity.value, quantity.error
+                    quantity.name, quantity.value, quantity.bar
                 );
                 let error = quantity
-                    .error
+                    .error()
                     .unwrap_or_else(|| panic!("{scene} {model:?}: {}", quantity.name));
-                let scale = match quantity.unit.as_str() {
+                let scale = match quantity.unit() {
                     "N" => 1e4,
                     "Pa" => 1e6,
                     "m3/s" => 1e-6,

@@ -92,7 +92,7 @@ fn a_limit_that_is_reached_is_told_with_the_best_numbers() {
             "--max-seconds"
         };
         assert!(reason.contains(flag), "{reason}");
-        assert!(quantity(&result, "load").error.is_some() && !result.levels.is_empty());
+        assert!(quantity(&result, "load").error().is_some() && !result.levels.is_empty());
         assert!(
             result.levels.iter().all(|level| level.unknowns <= options.max_unknowns),
             "{:?}",

@@ -18,7 +18,7 @@ use oilwedge_study::analysis::NoAnswer;
 use oilwedge_study::compile::CompileError;
 use oilwedge_study::effects::Effects;
 use oilwedge_study::level::{Level, LevelError, solve_level};
-use oilwedge_study::result::Quantity;
+use oilwedge_study::quantities::Quantity;
 
 /// Share of the indicator that the triangles divided carry.
 const SHARE: f64 = 0.7;
@@ -275,7 +275,7 @@ impl<'a> Climb<'a> {
             cells,
             unknowns: level.unknowns,
             value,
-            relative_bar: goal.and_then(|goal| goal.error).map(|bar| bar / value.abs()),
+            relative_bar: goal.and_then(Quantity::error).map(|bar| bar / value.abs()),
             relative_error: None,
             seconds: timing,
         };

@@ -133,15 +133,15 @@ fn finish(
     if let Some(climb) = finest {
         report.effects = climb.effects.clone().unwrap_or_default();
         if let Some(quantity) = &climb.quantity {
-            report.goal.symbol.clone_from(&quantity.symbol);
-            report.goal.unit.clone_from(&quantity.unit);
+            quantity.row.symbol.clone_into(&mut report.goal.symbol);
+            quantity.unit().clone_into(&mut report.goal.unit);
             let natural = match scene.journal.load() {
                 Some(_) => 1.0,
                 None => natural_load(scene),
             };
             if quantity.value.abs() <= NOTHING * natural {
                 return Err(Error::NothingToConverge {
-                    goal: quantity.name.clone(),
+                    goal: quantity.name.to_string(),
                 });
             }
         }

@@ -10,11 +10,12 @@ use oilwedge_reynolds::{FilmSolution, JournalState};
 
 use oilwedge_scene::Scene;
 use oilwedge_study::analysis::{NoAnswer, Solved, Start, graded, is_near, solve, solve_from};
-use oilwedge_study::bars::judge;
 use oilwedge_study::compile::{CompileError, Study, compile_near, has_same_system, reused};
+use oilwedge_study::estimate::estimate_errors;
 use oilwedge_study::oil::Oil;
+use oilwedge_study::quantities::Quantity;
 use oilwedge_study::refinement::{answer, ended, unknowns};
-use oilwedge_study::result::{Quantity, Status};
+use oilwedge_study::result::Status;
 use oilwedge_study::run::RunOptions;
 use oilwedge_study::start::start;
 
@@ -126,7 +127,7 @@ impl<'a> Walker<'a> {
         let size = unknowns(&held.study);
         let found = match outcome {
             Ok(solved) => {
-                let judged = judge(&held.study, &solved);
+                let judged = estimate_errors(&held.study, &solved);
                 let limit = ended(&solved, self.options);
                 let journal = &held.study.problem.journal;
                 if limit.is_some() {

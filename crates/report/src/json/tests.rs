@@ -1,7 +1,8 @@
 use super::*;
 use oilwedge_study::effects::{EFFECTS, Effects};
+use oilwedge_study::quantities::{ATTITUDE_ANGLE, Bar, LOAD, Quantity};
 use oilwedge_study::result::{
-    Balances, Counts, ErrorParts, HistoryStep, LevelFacts, MeshFacts, Quantity, RESULT_FORMAT, RunResult, Status,
+    Balances, Counts, HistoryStep, LevelFacts, MeshFacts, RESULT_FORMAT, RunResult, Status,
 };
 
 pub(crate) fn example() -> RunResult {
@@ -23,10 +24,7 @@ pub(crate) fn example() -> RunResult {
             order: 2,
             min_angle_deg: 31.0,
         },
-        quantities: vec![
-            Quantity::new("load", "W", 12910.0, "N"),
-            Quantity::new("attitude_angle", "beta", 49.29, "deg"),
-        ],
+        quantities: vec![Quantity::new(&LOAD, 12910.0), Quantity::new(&ATTITUDE_ANGLE, 49.29)],
         bars: false,
         levels: vec![],
         balances: Balances {
@@ -98,7 +96,7 @@ fn what_is_not_finite_is_not_written() {
     };
     let spoil: [&dyn Fn(&mut RunResult); 10] = [
         &|result| result.quantities[1].value = f64::NAN,
-        &|result| result.quantities[0].error = Some(f64::INFINITY),
+        &|result| result.quantities[0].bar = Some(Bar::of(f64::INFINITY)),
         &|result| result.balances.mass = f64::NAN,
         &|result| result.balances.power = f64::NAN,
         &|result| result.history[0].residual = f64::INFINITY,
@@ -106,9 +104,9 @@ fn what_is_not_finite_is_not_written() {
         &|result| result.mesh.min_angle_deg = f64::NAN,
         &|result| {
             let front = f64::NAN;
-            result.quantities[0].error_parts = Some(ErrorParts {
+            result.quantities[0].bar = Some(Bar {
                 front,
-                ..ErrorParts::default()
+                ..Bar::default()
             });
         },
         &|result| level(result, f64::INFINITY, 0.0),

@@ -124,12 +124,12 @@ impl Serialize for ToldRow<'_> {
         let mut quantities = serde_json::Map::new();
         let width = if columns.bars { 2 } else { 1 };
         let cells = row[columns.status() + 1..].chunks(width);
-        for ((name, unit), cells) in columns.quantities.iter().zip(cells) {
+        for ((name, about), cells) in columns.quantities.iter().zip(cells) {
             if let Some(value) = number(&cells[0]) {
                 let error = cells.get(1).and_then(number);
                 quantities.insert(
-                    name.clone(),
-                    serde_json::json!({ "value": value, "unit": unit, "error": error }),
+                    name.to_string(),
+                    serde_json::json!({ "value": value, "unit": about.unit.name(), "error": error }),
                 );
             }
         }

@@ -1,20 +1,21 @@
 //! The table of a sweep: one row a case, and which columns there are.
 
+use std::borrow::Cow;
+
 use crate::json::ReportError;
 use oilwedge_campaign::sweep::{CaseStatus, Found};
+use oilwedge_scene::Scene;
 use oilwedge_scene::sweep::{AxisValue, Plan};
-use oilwedge_scene::{CavitationModel, Scene, Viscosity};
-use oilwedge_study::joint;
+use oilwedge_study::quantities::{self, of_scenes};
 use oilwedge_study::result::Status;
-use oilwedge_study::thermal;
 
 /// The columns of a sweep, known before its first case is computed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Columns {
     /// Headings of the inputs.
     pub inputs: Vec<String>,
-    /// Names and units of the quantities, in the order of the report.
-    pub quantities: Vec<(String, String)>,
+    /// The quantities by name, in the order of the report.
+    pub quantities: Vec<(Cow<'static, str>, &'static quantities::Row)>,
     /// Whether each quantity has a column for its error.
     pub bars: bool,
 }
@@ -25,108 +26,11 @@ pub type Row = Vec<String>;
 impl Columns {
     /// The columns of all cases of a sweep; an input that is a quantity of the report too has one column only.
     pub(crate) fn new(plan: &Plan, scenes: &[Scene], bars: bool) -> Self {
-        let mut quantities: Vec<(String, String)> = Vec::new();
-        let mut add = |name: &str, unit: &str| {
-            let is_new = !plan.axes.iter().any(|axis| axis.name == name);
-            if is_new && !quantities.iter().any(|(other, _)| other == name) {
-                quantities.push((name.to_owned(), unit.to_owned()));
-            }
-        };
-        let any = |wanted: &[CavitationModel]| {
-            let model = |scene: &Scene| scene.cavitation.map(|cavitation| cavitation.model);
-            scenes
-                .iter()
-                .any(|scene| model(scene).is_some_and(|model| wanted.contains(&model)))
-        };
-        let drops = |scene: &Scene| (scene.cavitation).is_some_and(|it| it.model.drops_pressures());
-        let mut fed: Vec<&str> = Vec::new();
-        for feed in scenes.iter().flat_map(|scene| &scene.feeds) {
-            if feed.pressure.is_some() && !fed.contains(&feed.group.as_str()) {
-                fed.push(&feed.group);
-            }
-        }
-        for (name, unit) in [("load", "N"), ("load_x", "N"), ("load_y", "N"), ("load_angle", "deg")] {
-            add(name, unit);
-        }
-        if !fed.is_empty() {
-            add("load_coefficient", "1");
-        }
-        for (name, unit) in [
-            ("sommerfeld_number", "1"),
-            ("attitude_angle", "deg"),
-            ("eccentricity", "1"),
-            ("min_film_angle", "deg"),
-            ("pressure_max", "Pa"),
-            ("pressure_min", "Pa"),
-            ("film_thickness_min", "m"),
-        ] {
-            add(name, unit);
-        }
-        if scenes
-            .iter()
-            .any(|scene| matches!(scene.oil.viscosity, Viscosity::ByTemperature(_)))
-        {
-            add("temperature_effective", "degC");
-            add("viscosity_effective", "Pa.s");
-        }
-        add("viscosity_max", "Pa.s");
-        if any(&[CavitationModel::Reynolds, CavitationModel::Jfo]) {
-            add("cavity_share", "1");
-        }
-        if any(&[CavitationModel::Jfo]) {
-            add("film_fraction_min", "1");
-        }
-        for (name, unit) in [
-            ("side_flow", "m3/s"),
-            ("side_flow_low", "m3/s"),
-            ("side_flow_high", "m3/s"),
-            ("inlet_flow", "m3/s"),
-            ("side_flow_number", "1"),
-            ("inlet_flow_number", "1"),
-        ] {
-            add(name, unit);
-        }
-        for group in &fed {
-            add(&format!("feed_flow.{group}"), "m3/s");
-        }
-        if scenes.iter().any(drops) {
-            add("cavity_flow", "m3/s");
-        }
-        for (name, unit) in [
-            ("friction_torque", "N.m"),
-            ("friction_torque_bearing", "N.m"),
-            ("friction_coefficient", "1"),
-            ("friction_power", "W"),
-            ("friction_shear_power", "W"),
-            ("friction_pressure_power", "W"),
-        ] {
-            add(name, unit);
-        }
-        if scenes.iter().any(drops) {
-            add("friction_cavity_power", "W");
-        }
-        if scenes.iter().any(|scene| scene.journal.motion().is_some()) {
-            add("squeeze_power", "W");
-        }
-        for (name, unit) in thermal::columns(scenes) {
-            add(name, unit);
-        }
-        add("pressure_integral", "N");
-        for group in &fed {
-            add(&format!("load_x.{group}"), "N");
-            add(&format!("load_y.{group}"), "N");
-        }
-        for (cap, speed) in scenes
-            .iter()
-            .filter_map(|scene| Some((scene.cap?, scene.journal.speed)))
-        {
-            for quantity in joint::quantities(&cap, speed, [0.0; 2]) {
-                add(&quantity.name, &quantity.unit);
-            }
-        }
+        let is_input = |name: &str| plan.axes.iter().any(|axis| axis.name == name);
+        let quantities = of_scenes(scenes).into_iter().filter(|(name, _)| !is_input(name));
         Self {
             inputs: plan.axes.iter().map(|axis| axis.heading()).collect(),
-            quantities,
+            quantities: quantities.collect(),
             bars,
         }
     }
@@ -136,7 +40,8 @@ impl Columns {
         let mut row = vec!["case".to_owned()];
         row.extend(self.inputs.iter().cloned());
         row.push("status".to_owned());
-        for (name, unit) in &self.quantities {
+        for (name, about) in &self.quantities {
+            let unit = about.unit.name();
             row.push(format!("{name} [{unit}]"));
             if self.bars {
                 row.push(format!("{name} error [{unit}]"));
@@ -171,7 +76,7 @@ impl Columns {
             };
             row.push(text(quantity.map(|quantity| quantity.value))?);
             if self.bars {
-                row.push(text(quantity.and_then(|quantity| quantity.error))?);
+                row.push(text(quantity.and_then(|quantity| quantity.error()))?);
             }
         }
         row.push(found.unknowns.map_or(String::new(), |unknowns| unknowns.to_string()));

@@ -81,21 +81,26 @@ impl Bar {
 
     /// The parts by the names of their fields.
     pub fn by_name(&self) -> [(&'static str, f64); 8] {
+        self.parts().map(|(name, _, part)| (name, part))
+    }
+
+    /// Name of each part, in words where it comes from, and the part.
+    pub fn parts(&self) -> [(&'static str, &'static str, f64); 8] {
         [
-            ("discretisation", self.discretisation),
-            ("front", self.front),
-            ("transport", self.transport),
-            ("geometry", self.geometry),
-            ("nonlinear", self.nonlinear),
-            ("algebra", self.algebra),
-            ("position", self.position),
-            ("temperature", self.temperature),
+            ("discretisation", "triangles", self.discretisation),
+            ("front", "edge of the cavity", self.front),
+            ("transport", "oil spread across the flow", self.transport),
+            ("geometry", "shape of the liner", self.geometry),
+            ("nonlinear", "nonlinear iteration", self.nonlinear),
+            ("algebra", "rounding", self.algebra),
+            ("position", "position under the load", self.position),
+            ("temperature", "temperature of the film", self.temperature),
         ]
     }
 
     /// The whole bar.
     pub fn total(&self) -> f64 {
-        self.by_name().iter().map(|(_, part)| part).sum()
+        self.parts().iter().map(|(_, _, part)| part).sum()
     }
 
     /// The bar of `factor` times as much.

@@ -7,6 +7,13 @@
 //!
 //! `docs/theory/error_estimation.md` has the rules and how often they hold.
 
+mod coarse;
+mod cubic;
+mod errors;
+mod position_sensitivity;
+
+pub use errors::{Estimated, estimate_errors, quadratic_errors};
+
 use oilwedge_reynolds::error_bar::{Bar, FlowGoal};
 
 /// How a number is made of one that an estimate knows.

@@ -10,8 +10,7 @@ use super::row::{Measure::One, Row, Table};
 use super::rule::ErrorRule;
 use super::unit::Unit::{Celsius, CubicMetrePerSecond, PascalSecond, Watt};
 use super::view::View;
-use crate::thermal;
-use crate::thermal::film_heat::film_heat;
+use crate::thermal::film_heat::{self, film_heat};
 
 /// Temperature of the film.
 pub static TEMPERATURE_EFFECTIVE: Row = Row::new(
@@ -127,7 +126,7 @@ pub static HEAT_HOUSING: Row = Row::new(
 fn balance(film: &View) -> Option<(HeatBalance, f64, FilmHeat)> {
     let (heat, temperature) = (film.study.heat.as_ref()?, film.study.oil.temperature?);
     Some((
-        thermal::balance(heat),
+        film_heat::balance(heat),
         temperature,
         film_heat(heat, film.study, film.measured),
     ))

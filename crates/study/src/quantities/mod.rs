@@ -32,6 +32,7 @@ pub use friction::*;
 pub use heat::*;
 pub use load::*;
 pub use motion::*;
+pub use oilwedge_reynolds::error_bar::Bar;
 pub use position::*;
 pub use pressure::*;
 pub use quantity::Quantity;

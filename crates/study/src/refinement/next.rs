@@ -7,8 +7,8 @@ use oilwedge_fem::marking::doerfler;
 use oilwedge_mesh::{Mesh, refine};
 
 use crate::analysis::graded;
-use crate::bars::Judged;
 use crate::compile::{CompileError, Study, compile_on};
+use crate::estimate::Estimated;
 use crate::liner_mesh::resized;
 use crate::result::Refinement;
 use crate::run::DEGREE;
@@ -107,7 +107,7 @@ impl Next {
         scene: &Scene,
         last: &Self,
         study: &Study,
-        judged: &Judged,
+        judged: &Estimated,
         growth: f64,
         [bound, stuck]: [bool; 2],
     ) -> Result<Self, String> {

@@ -7,7 +7,8 @@ use oilwedge_reynolds::solve::Neighbour;
 use super::{balance, film_heat, measured};
 use crate::analysis::{Solved, Start, isothermal};
 use crate::compile::Study;
-use crate::result::{Criterion, HeatPoint, HeatReport, Quantity};
+use crate::quantities::{FILM_THICKNESS_MIN, LOAD, Quantity, Row};
+use crate::result::{Criterion, HeatPoint, HeatReport};
 use crate::run::RunOptions;
 use oilwedge_scene::{Engine, Heat};
 
@@ -44,18 +45,16 @@ pub fn heat_report(
         curve.extend(point);
     }
     (study.problem, study.oil) = (problem, oil);
-    let value = |name: &str| {
-        quantities
-            .iter()
-            .find(|quantity| quantity.name == name)
-            .map(|quantity| quantity.value)
+    let value = |row: &Row| {
+        let quantity = quantities.iter().find(|quantity| quantity.row == row);
+        quantity.map(|quantity| quantity.value)
     };
-    let criteria = criteria(study, &heat, value("film_thickness_min")?, root);
+    let criteria = criteria(study, &heat, value(&FILM_THICKNESS_MIN)?, root);
     Some(HeatReport {
         preset: heat.engine.map(Engine::name),
         inlet_temperature: heat.inlet - ZERO_CELSIUS,
         heat_capacity: heat.heat_capacity,
-        specific_load: value("load")? / (2.0 * bearing.radius * bearing.length),
+        specific_load: value(&LOAD)? / (2.0 * bearing.radius * bearing.length),
         curve,
         is_fit: criteria.iter().all(|criterion| criterion.is_met || !criterion.decides),
         criteria,

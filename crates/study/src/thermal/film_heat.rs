@@ -1,12 +1,24 @@
 //! What heats and what cools a film, as it is measured.
 
-use oilwedge_bearing::FilmHeat;
+use oilwedge_bearing::{FilmHeat, HeatBalance, Housing};
 use oilwedge_reynolds::supply::Place;
 use oilwedge_reynolds::{FilmProblem, FilmSystem, Theory};
 use oilwedge_scene::{Heat, Mixing};
 
 use crate::compile::Study;
 use crate::measure::Measured;
+
+/// What is balanced.
+pub fn balance(heat: &Heat) -> HeatBalance {
+    HeatBalance {
+        inlet: heat.inlet,
+        heat_capacity: heat.heat_capacity,
+        housing: heat.housing.map(|housing| Housing {
+            conductance: housing.conductance,
+            ambient: housing.ambient,
+        }),
+    }
+}
 
 /// Oil [m3/s] that leaves the film: at the ends, at the edge of an arc, at a film start, and where a feed drains it; none from between the
 /// sealed ends of a long bearing, where it goes round.

@@ -3,6 +3,7 @@
 //! The forms by which a mass-conserving film carries its oil change by jumps as its temperature does. So near the balance they are kept, and
 //! chosen anew at the balance until they come to rest: as the position under a load is found.
 
+use std::borrow::Cow;
 use std::collections::HashMap;
 use std::time::Instant;
 
@@ -14,8 +15,7 @@ use oilwedge_reynolds::solve::Neighbour;
 use super::{HeatFound, balance, film_heat, first_temperature, measured, none};
 use crate::analysis::{NoAnswer, Solved, Start, isothermal};
 use crate::compile::Study;
-use crate::measure;
-use crate::result::Quantity;
+use crate::quantities::{self, Quantity, View};
 use oilwedge_scene::Heat;
 
 /// The heat is balanced when what is left over is this part of the friction;
@@ -137,7 +137,7 @@ impl<'a> Films<'a> {
         let measured = measured(self.study, &solved);
         let film = film_heat(&self.heat, self.study, &measured);
         if !is_judged {
-            let numbers = measure::quantities(self.study, &measured);
+            let numbers = quantities::measured(&View::new(self.study, &self.study.problem, &measured));
             self.numbers.push((temperature, numbers));
         }
         Ok(Tried {
@@ -199,7 +199,7 @@ impl<'a> Films<'a> {
     }
 
     /// How numbers change with temperature, by the two films nearest to the root.
-    fn slopes(&self, root: f64) -> HashMap<String, f64> {
+    fn slopes(&self, root: f64) -> HashMap<Cow<'static, str>, f64> {
         let mut by_distance: Vec<_> = self.numbers.iter().collect();
         by_distance.sort_by(|a, b| (a.0 - root).abs().total_cmp(&(b.0 - root).abs()));
         let Some((first, here)) = by_distance.first() else {
@@ -210,10 +210,7 @@ impl<'a> Films<'a> {
         };
         let slope = |quantity: &Quantity| {
             let other = there.iter().find(|other| other.name == quantity.name)?;
-            let mut change = other.value - quantity.value;
-            if quantity.unit == "deg" {
-                change = (change + 180.0).rem_euclid(360.0) - 180.0;
-            }
+            let change = quantity.row.difference(other.value, quantity.value);
             Some((quantity.name.clone(), change / (second - first)))
         };
         here.iter().filter_map(slope).collect()

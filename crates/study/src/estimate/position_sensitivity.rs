@@ -1,5 +1,6 @@
 //! What an uncertain position makes uncertain: the film moved along its tangent as far as its bar, and measured again.
 
+use std::borrow::Cow;
 use std::collections::HashMap;
 
 use oilwedge_bearing::{NEAR, newton_step};
@@ -7,21 +8,22 @@ use oilwedge_reynolds::FilmSolution;
 
 use crate::analysis::Balance;
 use crate::compile::Study;
-use crate::measure::{measure, quantities_at};
-use crate::result::Quantity;
+use crate::measure::measure;
+use crate::quantities::{Quantity, View, measured};
 
 /// For each quantity of `list` (measured on `film`) by name how much it changes where the journal moves as far as the bars of
 /// the load, `[along, across]` [N], and what is left unbalanced let it. Not finite where the film has no tangent, or so far away no film,
 /// and where the load is so far from balanced that the tangent does not tell how far the position is.
-pub(crate) fn position_bars(
+pub(super) fn position_bars(
     study: &Study,
     film: &FilmSolution,
     balance: &Balance,
     bars: [f64; 2],
     list: &[Quantity],
-) -> HashMap<String, f64> {
+) -> HashMap<Cow<'static, str>, f64> {
+    let names = list.iter().map(|quantity| quantity.name.clone());
     if balance.residual >= NEAR {
-        return list.iter().map(|quantity| (quantity.name.clone(), f64::NAN)).collect();
+        return names.map(|name| (name, f64::NAN)).collect();
     }
     let [x, y] = study.load.unwrap_or_default();
     let size = x.hypot(y);
@@ -34,29 +36,16 @@ pub(crate) fn position_bars(
     for (direction, bar) in [along, across].into_iter().zip(bars) {
         let by = newton_step(balance.stiffness, direction.map(|d| -d * (bar + balance.unbalanced)));
         let change = study.centre_velocity.change(&study.problem.journal, by);
-        let moved = study
-            .problem
-            .moved(&study.system, film, &change)
-            .map(|(problem, film)| {
-                let measured = measure(&problem, &study.system, &film);
-                quantities_at(study, &problem, &measured)
-            });
+        let moved = study.problem.moved(&study.system, film, &change);
+        let moved = moved.map(|(problem, film)| {
+            let there = measure(&problem, &study.system, &film);
+            measured(&View::new(study, &problem, &there))
+        });
+        let moved = moved.unwrap_or_default();
         for (change, here) in changes.iter_mut().zip(list) {
-            let there = moved
-                .as_ref()
-                .ok()
-                .and_then(|moved| moved.iter().find(|there| there.name == here.name));
-            *change += there.map_or(f64::NAN, |there| distance(here, there));
+            let there = moved.iter().find(|there| there.name == here.name);
+            *change += there.map_or(f64::NAN, |there| here.row.difference(here.value, there.value).abs());
         }
     }
-    list.iter().map(|quantity| quantity.name.clone()).zip(changes).collect()
-}
-
-/// Angles differ by less than half a turn.
-fn distance(a: &Quantity, b: &Quantity) -> f64 {
-    let difference = (a.value - b.value).abs();
-    match a.unit == "deg" {
-        true => difference.min((difference - 360.0).abs()),
-        false => difference,
-    }
+    names.zip(changes).collect()
 }

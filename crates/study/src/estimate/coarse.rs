@@ -1,0 +1,93 @@
+//! What the coarse comparison of a mass-conserving film, on its vertices alone, tells of its errors.
+
+use oilwedge_reynolds::error_bar::conserving::ConservingError;
+use oilwedge_reynolds::error_bar::{Bar, FlowGoal};
+
+use super::{Estimate, Scaled};
+use crate::compile::Study;
+use crate::measure::Measured;
+
+/// A mass-conserving film beside its coarse comparison.
+pub(super) struct CoarseComparison<'a> {
+    pub(super) study: &'a Study,
+    pub(super) error: &'a ConservingError,
+    pub(super) measured: &'a Measured,
+}
+
+impl Estimate for CoarseComparison<'_> {
+    fn is_resolved(&self) -> bool {
+        self.error.is_resolved
+    }
+
+    fn force(&self) -> f64 {
+        self.measured.load.magnitude().max(f64::MIN_POSITIVE)
+    }
+
+    fn load(&self) -> Bar {
+        self.error.load
+    }
+
+    fn across(&self) -> Option<Bar> {
+        (self.error.across.total() < self.force()).then_some(self.error.across)
+    }
+
+    fn product(&self, [x, y]: [f64; 2]) -> Bar {
+        self.error.force[0].scaled(x) + self.error.force[1].scaled(y)
+    }
+
+    fn pressure_integral(&self) -> Bar {
+        self.error.pressure_integral
+    }
+
+    fn greatest_pressure(&self) -> f64 {
+        self.error.greatest_pressure
+    }
+
+    /// That of the cavity is given.
+    fn least_pressure(&self) -> Bar {
+        match self.measured.cavity.is_some_and(|cavity| cavity.share > 0.0) {
+            true => Bar::default(),
+            false => Bar::of(self.error.greatest_pressure),
+        }
+    }
+
+    fn flow(&self, goal: &FlowGoal, number: Scaled) -> Option<Bar> {
+        let error = match goal {
+            FlowGoal::Ends => self.error.side_flow,
+            FlowGoal::End(name) | FlowGoal::Feed(name) => {
+                let mut regions = self.study.system.supply.regions().iter();
+                *self.error.flows.get(regions.position(|region| region.name == *name)?)?
+            }
+        };
+        Some(Bar::of(error / number.unit))
+    }
+
+    fn inlet_flow(&self, number: Scaled) -> f64 {
+        self.error.inlet_flow / number.unit
+    }
+
+    fn cavity_flow(&self, _: f64) -> Option<Bar> {
+        None
+    }
+
+    fn power(&self, parts: [f64; 2], number: Scaled) -> Bar {
+        Bar::of(self.error.power(parts) / number.unit)
+    }
+
+    fn cavity_power(&self, _: f64) -> Option<Bar> {
+        None
+    }
+
+    fn friction_coefficient(&self, value: f64) -> Option<Bar> {
+        let torque = Bar::of((self.error.power([1.0, 1.0]) * value / self.measured.power.friction()).abs());
+        (self.error.load.total() < self.force()).then(|| torque + self.error.load.scaled(value / self.force()))
+    }
+
+    fn cavity_share(&self, _: f64) -> f64 {
+        self.error.cavity_share
+    }
+
+    fn least_fraction(&self) -> Option<f64> {
+        Some(self.error.least_fraction)
+    }
+}

@@ -1,0 +1,200 @@
+//! What the film in cubic elements tells of the errors of a pressure film.
+
+use oilwedge_fem::Field;
+use oilwedge_reynolds::error_bar::{Bar, FilmError, FlowGoal, Value};
+use oilwedge_reynolds::supply::Place;
+use oilwedge_reynolds::{FilmSolution, FilmSystem};
+
+use super::{Estimate, Scaled};
+use crate::compile::Study;
+use crate::measure::Measured;
+
+/// A film in quadratic elements beside that in cubic ones.
+pub(super) struct CubicPair<'a> {
+    pub(super) study: &'a Study,
+    pub(super) film: &'a FilmSolution,
+    pub(super) cubic: &'a FilmSolution,
+    pub(super) error: &'a FilmError,
+    /// On the quadratic and on the cubic film.
+    pub(super) measured: [&'a Measured; 2],
+    /// Which film is judged.
+    pub(super) value: Value,
+}
+
+impl Estimate for CubicPair<'_> {
+    fn is_resolved(&self) -> bool {
+        self.error.is_resolved()
+    }
+
+    fn force(&self) -> f64 {
+        let [x, y] = self.error.force;
+        x.hypot(y)
+    }
+
+    fn load(&self) -> Bar {
+        let [along, across] = self.bars();
+        if self.vanishes() { along + across } else { along }
+    }
+
+    fn across(&self) -> Option<Bar> {
+        (!self.vanishes()).then(|| self.bars()[1])
+    }
+
+    fn product(&self, [u, v]: [f64; 2]) -> Bar {
+        let ([along, across], [x, y], force) = (self.bars(), self.error.force, self.force());
+        match self.vanishes() {
+            true => (along + across).scaled(u.hypot(v)),
+            false => along.scaled((u * x + v * y) / force) + across.scaled((u * y - v * x) / force),
+        }
+    }
+
+    fn pressure_integral(&self) -> Bar {
+        self.error.pressure_integral(self.value)
+    }
+
+    fn greatest_pressure(&self) -> f64 {
+        let extremes = self.measured.map(|measured| measured.extremes);
+        let [quadratic, cubic] = extremes.map(|extremes| extremes.greatest);
+        self.apart((cubic - quadratic).abs(), extremes.map(|extremes| extremes.greatest_in))
+    }
+
+    fn least_pressure(&self) -> Bar {
+        let extremes = self.measured.map(|measured| measured.extremes);
+        let [quadratic, cubic] = extremes.map(|extremes| extremes.least);
+        let triangles = extremes.into_iter().filter_map(|extremes| extremes.least_in);
+        match self.film.cavity.contains(&true) {
+            true => Bar::default(),
+            false => Bar::of(self.apart((cubic - quadratic).abs(), triangles)),
+        }
+    }
+
+    fn flow(&self, goal: &FlowGoal, Scaled { unit, change }: Scaled) -> Option<Bar> {
+        let (_, error) = self.error.flows.iter().find(|(other, _)| other == goal)?;
+        let bar = self.error.flow(error, self.unsure(goal), self.value);
+        // What a cavity makes beside an end is booked apart from the residuals, so that the two may change by another amount.
+        let discretisation = bar.discretisation.max(change.abs() * unit);
+        Some(Bar { discretisation, ..bar }.scaled(1.0 / unit))
+    }
+
+    fn inlet_flow(&self, number: Scaled) -> f64 {
+        number.change.abs()
+    }
+
+    /// What the cavity makes is what all others bring and take.
+    fn cavity_flow(&self, change: f64) -> Option<Bar> {
+        let goals = self.error.flows.iter().map(|(goal, _)| goal);
+        let mut once = goals.filter(|goal| !matches!(goal, FlowGoal::End(_)));
+        let unchanged = Scaled { unit: 1.0, change: 0.0 };
+        once.try_fold(Bar::of(change.abs()), |sum, goal| {
+            Some(sum + self.flow(goal, unchanged)?)
+        })
+    }
+
+    fn power(&self, parts: [f64; 2], Scaled { unit, change }: Scaled) -> Bar {
+        let per_unit = 1.0 / unit;
+        self.error.drag(parts, change / per_unit, self.value).scaled(per_unit)
+    }
+
+    fn cavity_power(&self, change: f64) -> Option<Bar> {
+        Some(Bar::of(change.abs() + self.front_share() * self.judged().power.shear))
+    }
+
+    /// Torque and load may both be off.
+    fn friction_coefficient(&self, value: f64) -> Option<Bar> {
+        let [quadratic, cubic] = self.measured.map(|measured| measured.power.friction());
+        let torque = self.error.drag([1.0, 1.0], cubic - quadratic, self.value);
+        let (power, force) = (self.judged().power.friction(), self.judged().load.magnitude());
+        let load = self.bars()[0].scaled(value / force);
+        (!self.vanishes()).then(|| torque.scaled(value / power) + load)
+    }
+
+    fn cavity_share(&self, change: f64) -> f64 {
+        change.abs() + 0.4 * self.front_share()
+    }
+
+    fn least_fraction(&self) -> Option<f64> {
+        None
+    }
+}
+
+impl CubicPair<'_> {
+    /// Of the load along and across its direction [N].
+    fn bars(&self) -> [Bar; 2] {
+        [self.error.load(self.value), self.error.across(self.value)]
+    }
+
+    /// A load that cannot be told from none has no direction along which or across which it may be off.
+    fn vanishes(&self) -> bool {
+        let [along, across] = self.bars();
+        along.total() + across.total() >= self.force()
+    }
+
+    /// Bar [Pa] of an extreme pressure: how far the two films are apart in the triangles that hold their extremes.
+    fn apart(&self, change: f64, triangles: impl IntoIterator<Item = usize>) -> f64 {
+        let Study { problem, system, .. } = self.study;
+        let quadratic = Field {
+            space: system.space(),
+            values: &self.film.unknown,
+        };
+        let cubic = Field {
+            space: system.cubic().system.space(),
+            values: &self.cubic.unknown,
+        };
+        const LATTICE: u32 = 6;
+        let step = 1.0 / f64::from(LATTICE);
+        let apart = |t: usize| {
+            let points = (0..=LATTICE).flat_map(|i| (0..=LATTICE - i).map(move |j| [f64::from(i), f64::from(j)]));
+            let gap = |[i, j]: [f64; 2]| {
+                let point = [step * i, step * j];
+                (problem.pressure_at(cubic.value(t, point)) - problem.pressure_at(quadratic.value(t, point))).abs()
+            };
+            points.map(gap).fold(0.0, f64::max)
+        };
+        let furthest = triangles.into_iter().map(apart).fold(0.0, f64::max);
+        match self.value {
+            Value::Quadratic => (1.25 * change).max(furthest),
+            Value::Cubic => (0.3 * change).max(0.5 * furthest),
+        }
+    }
+
+    /// What was measured on the film whose numbers are judged.
+    fn judged(&self) -> &Measured {
+        match self.value {
+            Value::Quadratic => self.measured[0],
+            Value::Cubic => self.measured[1],
+        }
+    }
+
+    /// Share of the area [1] in triangles through which the edge of the cavity runs.
+    fn front_share(&self) -> f64 {
+        let system: &FilmSystem = &self.study.system.cubic().system;
+        let (space, mesh) = (system.space(), system.space().mesh());
+        let problem = &self.study.problem;
+        let dropped = problem.cavitation.kink().map(|p| problem.unknown_at(p));
+        let in_cavity =
+            |dof: usize| self.cubic.cavity[dof] || dropped.is_some_and(|floor| self.cubic.unknown[dof] < floor);
+        let (mut edge, mut whole) = (0.0, 0.0);
+        for t in 0..mesh.triangles().len() {
+            let [a, b, c] = mesh.corners(t);
+            let area = 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
+            let dofs = &space.element_dofs(t)[..space.shapes()];
+            let held = dofs.iter().any(|&dof| in_cavity(dof));
+            let free = |&dof: &usize| !in_cavity(dof) && system.supply.owner(dof).is_none();
+            edge += if held && dofs.iter().any(free) { area } else { 0.0 };
+            whole += area;
+        }
+        edge / whole
+    }
+
+    /// What is booked by where the edge of a cavity runs within a triangle [m3/s].
+    fn unsure(&self, goal: &FlowGoal) -> f64 {
+        let regions = self.study.system.supply.regions().iter();
+        let counts = |place: Place, region: &str| match goal {
+            FlowGoal::Ends => place == Place::End,
+            FlowGoal::End(name) | FlowGoal::Feed(name) => region == name,
+        };
+        let flows = regions.zip(&self.judged().flows.regions);
+        let counted = flows.filter(|(region, _)| counts(region.place, &region.name));
+        counted.map(|(_, flow)| flow.unsure).sum()
+    }
+}
