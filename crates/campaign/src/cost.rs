@@ -7,7 +7,7 @@ use serde::Serialize;
 use oilwedge_scene::Scene;
 use oilwedge_study::CompileError;
 use oilwedge_study::effects::{Effect, present};
-use oilwedge_study::quantities::{ATTITUDE_ANGLE, FILM_THICKNESS_MIN, PRESSURE_MAX, Quantity, SIDE_FLOW, main_quantity};
+use oilwedge_study::quantities::{ATTITUDE_ANGLE, FILM_THICKNESS_MIN, PRESSURE_MAX, Quantity, SIDE_FLOW, Unit, main_quantity};
 use oilwedge_study::result::{RunResult, Status};
 use oilwedge_study::run::{RunOptions, run};
 
@@ -149,13 +149,17 @@ fn changes(scene: &Scene, with: &RunResult, without: &RunResult) -> Vec<Change> 
 fn change(with: Option<&Quantity>, without: Option<&Quantity>) -> Option<Change> {
     let any = with.or(without)?;
     let both = with.zip(without);
+    let difference = |(with, without): (&Quantity, &Quantity)| match any.row.unit {
+        Unit::Degree => 180.0 - (180.0 - (with.value - without.value)).rem_euclid(360.0),
+        _ => with.value - without.value,
+    };
     Some(Change {
         quantity: any.name.to_string(),
         symbol: any.row.symbol.to_owned(),
         unit: any.unit().to_owned(),
         with: with.map(|quantity| quantity.value),
         without: without.map(|quantity| quantity.value),
-        change: both.map(|(with, without)| any.row.difference(with.value, without.value)),
+        change: both.map(difference),
         error: both.and_then(|(with, without)| Some(with.error()? + without.error()?)),
     })
 }

@@ -91,8 +91,7 @@ pub fn theories(scene: &Scene, options: &RunOptions, result: &RunResult) -> Theo
     let full = films[1].quantities.clone();
     for number in films.iter_mut().flat_map(|film| &mut film.quantities) {
         let of_full = full.iter().find(|it| it.quantity == number.quantity);
-        let compared = of_full.zip(COMPARED.iter().find(|row| row.name == number.quantity));
-        number.difference = compared.map(|(of_full, row)| row.difference(number.value, of_full.value));
+        number.difference = of_full.map(|of_full| difference(number.value, of_full.value, &number.unit));
     }
     Theories {
         slenderness: scene.bearing.length / scene.bearing.diameter,
@@ -207,6 +206,13 @@ impl TheoryNumber {
             error: quantity.error(),
             difference: None,
         }
+    }
+}
+
+fn difference(value: f64, full: f64, unit: &str) -> f64 {
+    match unit {
+        "deg" => 180.0 - (180.0 - (value - full)).rem_euclid(360.0),
+        _ => value - full,
     }
 }
 

@@ -8,7 +8,6 @@ use oilwedge_reynolds::quantities::power::{self, Power};
 use oilwedge_reynolds::quantities::pressure::{self, Extremes};
 use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalState};
 
-
 /// Tension below this fraction of the pressure of drag is rounding.
 const NO_TENSION: f64 = 1e-12;
 

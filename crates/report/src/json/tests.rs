@@ -1,9 +1,7 @@
 use super::*;
 use oilwedge_study::effects::{EFFECTS, Effects};
 use oilwedge_study::quantities::{ATTITUDE_ANGLE, Bar, LOAD, Quantity};
-use oilwedge_study::result::{
-    Balances, Counts, HistoryStep, LevelFacts, MeshFacts, RESULT_FORMAT, RunResult, Status,
-};
+use oilwedge_study::result::{Balances, Counts, HistoryStep, LevelFacts, MeshFacts, RESULT_FORMAT, RunResult, Status};
 
 pub(crate) fn example() -> RunResult {
     RunResult {

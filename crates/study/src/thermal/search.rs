@@ -15,8 +15,6 @@ use oilwedge_reynolds::solve::Neighbour;
 use super::{HeatFound, balance, film_heat, first_temperature, measured, none};
 use crate::analysis::{NoAnswer, Solved, Start, isothermal};
 use crate::compile::Study;
-use crate::quantities::{self, Quantity, View};
-use oilwedge_scene::Heat;
 
 /// The heat is balanced when what is left over is this part of the friction;
 const BALANCED: f64 = 1e-8;
@@ -210,7 +208,10 @@ impl<'a> Films<'a> {
         };
         let slope = |quantity: &Quantity| {
             let other = there.iter().find(|other| other.name == quantity.name)?;
-            let change = quantity.row.difference(other.value, quantity.value);
+            let mut change = other.value - quantity.value;
+            if quantity.row.unit == Unit::Degree {
+                change = (change + 180.0).rem_euclid(360.0) - 180.0;
+            }
             Some((quantity.name.clone(), change / (second - first)))
         };
         here.iter().filter_map(slope).collect()
