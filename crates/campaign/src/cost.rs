@@ -7,7 +7,9 @@ use serde::Serialize;
 use oilwedge_scene::Scene;
 use oilwedge_study::CompileError;
 use oilwedge_study::effects::{Effect, present};
-use oilwedge_study::quantities::{ATTITUDE_ANGLE, FILM_THICKNESS_MIN, PRESSURE_MAX, Quantity, SIDE_FLOW, Unit, main_quantity};
+use oilwedge_study::quantities::{
+    ATTITUDE_ANGLE, FILM_THICKNESS_MIN, PRESSURE_MAX, Quantity, SIDE_FLOW, Unit, main_quantity,
+};
 use oilwedge_study::result::{RunResult, Status};
 use oilwedge_study::run::{RunOptions, run};
 
