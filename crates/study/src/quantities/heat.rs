@@ -10,7 +10,7 @@ use super::row::{Measure::One, Row, Table};
 use super::rule::ErrorRule;
 use super::unit::Unit::{Celsius, CubicMetrePerSecond, PascalSecond, Watt};
 use super::view::View;
-use crate::thermal::film_heat::{self, film_heat};
+use crate::thermal::film_heat::{balance, film_heat};
 
 /// Temperature of the film.
 pub static TEMPERATURE_EFFECTIVE: Row = Row::new(
@@ -45,7 +45,7 @@ pub static COOLING_FLOW: Row = Row::new(
     "cooling_flow",
     "Q_out",
     CubicMetrePerSecond,
-    One(|film| Some(balance(film)?.2.flow)),
+    One(|film| Some(found(film)?.2.flow)),
     ErrorRule::Heat(|warming| warming.flow, |_| Some(0.0)),
 )
 .means(
@@ -90,7 +90,7 @@ pub static HEAT_CARRIED: Row = Row::new(
     "heat_carried",
     "P_oil",
     Watt,
-    One(|film| balance(film).map(|(balance, temperature, film)| balance.carried(temperature, &film))),
+    One(|film| found(film).map(|(balance, temperature, film)| balance.carried(temperature, &film))),
     // What friction makes and the housing does not take.
     ErrorRule::Heat(
         |warming| warming.power,
@@ -112,7 +112,7 @@ pub static HEAT_HOUSING: Row = Row::new(
     "heat_housing",
     "P_h",
     Watt,
-    One(|film| balance(film).and_then(|(balance, temperature, _)| balance.housing.map(|_| balance.given_off(temperature)))),
+    One(|film| found(film).and_then(|(balance, temperature, _)| balance.housing.map(|_| balance.given_off(temperature)))),
     ErrorRule::Temperature(|warming| warming.conductance()),
 )
 .means(
@@ -123,17 +123,13 @@ pub static HEAT_HOUSING: Row = Row::new(
 .only(|scene| scene.heat.is_some_and(|heat| heat.housing.is_some()));
 
 /// The balance, the temperature [K] of the film, and what heats and cools it.
-fn balance(film: &View) -> Option<(HeatBalance, f64, FilmHeat)> {
+fn found(film: &View) -> Option<(HeatBalance, f64, FilmHeat)> {
     let (heat, temperature) = (film.study.heat.as_ref()?, film.study.oil.temperature?);
-    Some((
-        film_heat::balance(heat),
-        temperature,
-        film_heat(heat, film.study, film.measured),
-    ))
+    Some((balance(heat), temperature, film_heat(heat, film.study, film.measured)))
 }
 
 /// Temperature [degrees C] of the oil that enters (0) and leaves (1).
 fn end(film: &View, which: usize) -> Option<f64> {
-    let (balance, temperature, film) = balance(film)?;
+    let (balance, temperature, film) = found(film)?;
     Some(balance.ends(temperature, film.carried_over)[which] - ZERO_CELSIUS)
 }

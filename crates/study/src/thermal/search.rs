@@ -15,6 +15,8 @@ use oilwedge_reynolds::solve::Neighbour;
 use super::{HeatFound, balance, film_heat, first_temperature, measured, none};
 use crate::analysis::{NoAnswer, Solved, Start, isothermal};
 use crate::compile::Study;
+use crate::quantities::{self, Quantity, Unit, View};
+use oilwedge_scene::Heat;
 
 /// The heat is balanced when what is left over is this part of the friction;
 const BALANCED: f64 = 1e-8;
