@@ -3,7 +3,7 @@
 
 use std::f64::consts::PI;
 
-use oilwedge_bearing::{CapJoint, HeatBalance, Shell};
+use oilwedge_bearing::{CapBolts, HeatBalance, Shell};
 use oilwedge_campaign::standard;
 use oilwedge_campaign::standard::StandardHeat;
 use oilwedge_study::result::RunResult;
@@ -65,8 +65,8 @@ pub fn by_film(result: &RunResult) -> [f64; 7] {
 }
 
 /// The joint of the tractor's connecting rod with the roundings of the print: lambda = 0.272, pi = 3.14.
-pub fn tractor_joint() -> CapJoint {
-    CapJoint {
+pub fn tractor_joint() -> CapBolts {
+    CapBolts {
         reciprocating_mass: 2.755 + 0.675,
         rotating_mass: 2.025,
         cap_mass: 0.405,

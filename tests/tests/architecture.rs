@@ -38,7 +38,7 @@ const PHYSICS: [&str; 5] = ["terms", "film_thickness", "lubricant", "quantities"
 /// Physics that has another place.
 const PHYSICS_FILES: [&str; 4] = [
     "crates/reynolds/src/cavitation/jfo/mod.rs",
-    "crates/bearing/src/cap_joint.rs",
+    "crates/bearing/src/cap_bolts.rs",
     "crates/bearing/src/equilibrium.rs",
     "crates/bearing/src/heat_balance.rs",
 ];

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use oilwedge_bearing::{Equilibrium, NoEquilibrium, Patience, find};
+use oilwedge_bearing::{Equilibrium, NoEquilibrium, SearchOptions, find};
 use oilwedge_reynolds::lubricant::PressureLaw;
 use oilwedge_reynolds::lubricant::barus::Barus;
 use oilwedge_reynolds::quantities::load::load;
@@ -99,8 +99,11 @@ fn tangent_matches_differences() {
         problem.terms.push(Arc::new(terms::squeeze::Squeeze));
         problem.journal = problem.journal.with_centre_velocity(squeeze, 0.3);
         let asked = force(&problem, &system);
-        let found =
-            find(&problem, &system, asked, squeeze, Patience::default()).unwrap_or_else(|reason| panic!("{reason}"));
+        let moving = SearchOptions {
+            centre_velocity: squeeze,
+            ..SearchOptions::default()
+        };
+        let found = find(&problem, &system, asked, &moving).unwrap_or_else(|reason| panic!("{reason}"));
         let step = 1e-4 * CLEARANCE;
         for k in 0..2 {
             let at = |sign: f64| {
@@ -153,8 +156,7 @@ fn positions_come_back_from_their_loads() {
                 problem: found,
                 residual,
                 ..
-            } = find(&start, &system, asked, CentreVelocity::default(), Patience::default())
-                .unwrap_or_else(|reason| panic!("{reason}"));
+            } = find(&start, &system, asked, &SearchOptions::default()).unwrap_or_else(|reason| panic!("{reason}"));
             assert!(residual < 1e-10, "{residual:e}");
             let back = found.journal.eccentricity() / CLEARANCE;
             assert!((back / eps - 1.0).abs() < 1e-8, "{cavitation:?} {eps}: {back}");
@@ -173,13 +175,7 @@ fn any_start_leads_to_the_same_position() {
         let mut positions = Vec::new();
         for (eps, angle) in [(0.0, 0.0), (0.5, 1.0), (0.3, -2.5), (0.97, 3.0), (0.05, 0.5)] {
             let start = started_at(&problem, eps, angle);
-            let found = find(
-                &start,
-                &system,
-                [0.0, -so * unit],
-                CentreVelocity::default(),
-                Patience::default(),
-            );
+            let found = find(&start, &system, [0.0, -so * unit], &SearchOptions::default());
             let found = found.unwrap_or_else(|reason| panic!("So {so} from {eps}, {angle}: {reason}"));
             assert!(found.residual < 1e-10);
             positions.push(found.problem.journal.offset);
@@ -195,14 +191,7 @@ fn any_start_leads_to_the_same_position() {
 fn no_load_centres_a_plain_ring() {
     let system = ring_system(48, 8, LENGTH, None);
     let problem = plain_film(LENGTH, 0.5, 0.3, SPEED);
-    let found = find(
-        &problem,
-        &system,
-        [0.0; 2],
-        CentreVelocity::default(),
-        Patience::default(),
-    )
-    .expect("the middle");
+    let found = find(&problem, &system, [0.0; 2], &SearchOptions::default()).expect("the middle");
     assert!(found.problem.journal.eccentricity() < 1e-10 * CLEARANCE);
 }
 
@@ -210,22 +199,10 @@ fn no_load_centres_a_plain_ring() {
 #[test]
 fn loads_out_of_reach_are_told() {
     let (problem, system) = half_shell(Cavitation::Reynolds { pressure: 0.0 }, None);
-    let carried = find(
-        &problem,
-        &system,
-        [500.0, 0.0],
-        CentreVelocity::default(),
-        Patience::default(),
-    )
-    .expect("it is pushed into the shell");
+    let carried =
+        find(&problem, &system, [500.0, 0.0], &SearchOptions::default()).expect("it is pushed into the shell");
     assert!(carried.problem.journal.offset[0] > 0.0);
-    match find(
-        &problem,
-        &system,
-        [-500.0, 0.0],
-        CentreVelocity::default(),
-        Patience::default(),
-    ) {
+    match find(&problem, &system, [-500.0, 0.0], &SearchOptions::default()) {
         Err(NoEquilibrium::Unreachable { asked, towards, .. }) => assert_eq!((asked, towards), (500.0, 180.0)),
         other => panic!("{:?}", other.map(|found| found.problem.journal)),
     }
@@ -239,13 +216,6 @@ fn a_start_without_a_film_is_left() {
     problem.cavitation = Cavitation::Reynolds { pressure: 0.0 };
     problem.lubricant.pressure_law = PressureLaw::Barus(Barus { alpha: 3e-7 });
     assert!(matches!(problem.solve(&system), Err(NoFilm::AboveLimit { .. })));
-    let found = find(
-        &problem,
-        &system,
-        [800.0, 0.0],
-        CentreVelocity::default(),
-        Patience::default(),
-    )
-    .expect("a light load is carried");
+    let found = find(&problem, &system, [800.0, 0.0], &SearchOptions::default()).expect("a light load is carried");
     assert!(found.residual < 1e-10);
 }

@@ -9,7 +9,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use oilwedge_reynolds::analytical::ocvirk::ShortFilm;
 use oilwedge_reynolds::analytical::sommerfeld;
 
-use crate::stretched::{eccentricity_at, stretched};
+use crate::log_eccentricity::{eccentricity_at, log_eccentricity};
 
 /// No position is sought nearer to contact: a film of a ten-thousandth of the clearance is some nanometres thick.
 pub const GREATEST_ECCENTRICITY: f64 = 0.9999;
@@ -28,7 +28,7 @@ pub fn first_position(sommerfeld_number: f64, slenderness: f64, full: bool) -> O
         let short = short.magnitude() * slenderness * slenderness;
         short * long / (short + long)
     };
-    let (mut low, mut high) = (stretched(1e-12), stretched(GREATEST_ECCENTRICITY));
+    let (mut low, mut high) = (log_eccentricity(1e-12), log_eccentricity(GREATEST_ECCENTRICITY));
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
         match carried(eccentricity_at(middle)) < sommerfeld_number {

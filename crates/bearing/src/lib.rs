@@ -5,27 +5,30 @@
 //! | load = force of the film | position of the journal | [`equilibrium`] |
 //! | friction = heat carried off | temperature of the film | [`heat_balance`] |
 //!
-//! [`cap_joint`] is what the bolts of a connecting rod's cap must hold, to compare the film's load with.
+//! [`cap_bolts`]: the forces in the bolts of a connecting rod's cap, to compare the film's load with.
 //!
 //! The film knows its own tangent ([`oilwedge_reynolds::FilmProblem::unknown_change`]); a balance borders it.
 
-pub mod cap_joint;
-pub mod cubic;
+pub mod cap_bolts;
+mod cubic;
+pub mod deadline;
 pub mod equilibrium;
 pub mod estimate;
 pub mod heat_balance;
+mod load_capacity;
+mod log_eccentricity;
 pub mod no_equilibrium;
-pub mod patience;
 mod prediction;
-mod reach;
 mod search;
-mod stretched;
+pub mod search_options;
+mod step;
 
-pub use cap_joint::{CapJoint, JointForces, Shell};
-pub use cubic::{find_cubic, find_cubic_near};
-pub use equilibrium::{Equilibrium, NEAR, SHORT_MOVE, find, find_near, newton_step};
+pub use cap_bolts::{BoltForces, CapBolts, Shell};
+pub use deadline::{Deadline, Interrupt};
+pub use equilibrium::{Equilibrium, NEAR, find};
 pub use estimate::{GREATEST_ECCENTRICITY, first_position};
 pub use heat_balance::{Balanced, FilmHeat, HeatBalance, Housing, NoBalance};
 pub use no_equilibrium::NoEquilibrium;
-pub use patience::{Interrupt, Patience};
 pub use prediction::{Point, Visited, predicted};
+pub use search_options::{Carrier, InitialGuess, SearchOptions};
+pub use step::{SHORT_MOVE, newton_step};

@@ -13,11 +13,11 @@ pub enum NoEquilibrium {
     Film(#[from] NoFilm),
     /// No position balances the load.
     #[error(
-        "no position of the journal carries {} N towards {towards:.1} deg: the nearest force found is {} N towards {nearest_towards:.1} deg, at eccentricity {eccentricity:.4} ({why}); change the load, its angle, or the pressure and place of feeds",
+        "no position of the journal carries {} N towards {towards:.1} deg: the nearest force found is {} N towards {nearest_towards:.1} deg, at eccentricity {eccentricity:.4} ({why})",
         readable(*asked), readable(*nearest)
     )]
     Unreachable {
-        /// Load asked for [N].
+        /// The load [N].
         asked: f64,
         /// Its direction [deg].
         towards: f64,
@@ -32,13 +32,13 @@ pub enum NoEquilibrium {
         /// What stopped the search.
         why: &'static str,
     },
-    /// The film carries less than the load even at the greatest eccentricity at which a position is sought.
+    /// The load exceeds what the film carries at the greatest eccentricity at which a position is sought.
     #[error(
-        "no position of the journal carries {} N towards {towards:.1} deg: at eccentricity {GREATEST_ECCENTRICITY}, where the film is {} m thin, it carries {} N that way, and the load is {} times as much; lower the load, or raise speed, viscosity or size",
+        "no position of the journal carries {} N towards {towards:.1} deg: at eccentricity {GREATEST_ECCENTRICITY}, where the film is {} m thin, it carries {} N that way, and the load is {} times as much",
         readable(*asked), readable(*thickness), readable(*greatest), readable(*ratio)
     )]
-    BeyondReach {
-        /// Load asked for [N].
+    BeyondCapacity {
+        /// The load [N].
         asked: f64,
         /// Its direction [deg].
         towards: f64,
@@ -51,24 +51,24 @@ pub enum NoEquilibrium {
         /// The journal there.
         journal: Box<JournalState>,
     },
-    /// The load is too small for the film's force to be told from rounding errors.
+    /// The load is too small for the film's force to be distinguished from round-off.
     #[error(
-        "not converged: the load of {} N is lost among rounding errors of the film's force, which are of the size of {} N; give no load (0 N), or a larger one",
+        "not converged: the load of {} N is below the round-off of the film's force, about {} N",
         readable(*asked), readable(*least)
     )]
     BelowRounding {
-        /// Load asked for [N].
+        /// The load [N].
         asked: f64,
         /// The least load that can be balanced [N].
         least: f64,
     },
     /// The search did not end.
     #[error(
-        "not converged: after {} positions force and load still differ by {residual:.1e} of the load; give another mesh ([mesh] size), or solve at a given position to see the film",
+        "not converged: after {} positions force and load still differ by {residual:.1e} of the load",
         history.len()
     )]
     NotConverged {
-        /// Load asked for [N].
+        /// The load [N].
         asked: f64,
         /// The least difference of load and force, relative to the load.
         residual: f64,
@@ -77,13 +77,13 @@ pub enum NoEquilibrium {
         /// Load less force of each position tried, relative to the load.
         history: Vec<f64>,
     },
-    /// The search was told to end before it had looked everywhere.
+    /// The search was ended before it was complete.
     #[error(
-        "not converged: the search for the position was ended before it had looked everywhere; the nearest force found so far is {} N, {} N are asked for; give it more time (--max-seconds)",
+        "not converged: the search for the position was ended before it was complete; the nearest force found is {} N, the load is {} N",
         readable(*nearest), readable(*asked)
     )]
     Ended {
-        /// Load asked for [N].
+        /// The load [N].
         asked: f64,
         /// Nearest force found [N].
         nearest: f64,
@@ -95,11 +95,11 @@ pub enum NoEquilibrium {
 }
 
 impl NoEquilibrium {
-    /// Load less force of each position tried, relative to the load; empty where that tells nothing.
+    /// Load less force of each position tried, relative to the load; empty where there was no search.
     pub fn history(&self) -> &[f64] {
         match self {
             Self::NotConverged { history, .. } | Self::Ended { history, .. } => history,
-            Self::Film(_) | Self::BelowRounding { .. } | Self::BeyondReach { .. } | Self::Unreachable { .. } => &[],
+            Self::Film(_) | Self::BelowRounding { .. } | Self::BeyondCapacity { .. } | Self::Unreachable { .. } => &[],
         }
     }
 
@@ -107,7 +107,7 @@ impl NoEquilibrium {
     pub fn last_position(&self) -> Option<JournalState> {
         match self {
             Self::Film(_) | Self::BelowRounding { .. } => None,
-            Self::BeyondReach { journal, .. }
+            Self::BeyondCapacity { journal, .. }
             | Self::Unreachable { journal, .. }
             | Self::NotConverged { journal, .. }
             | Self::Ended { journal, .. } => Some(**journal),

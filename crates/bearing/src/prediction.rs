@@ -1,9 +1,11 @@
 //! Where a journal will be, told from where it was at neighbouring operating points.
 //!
-//! Parabolas through the last positions: in the stretched eccentricity and the angle of the line of centres, in which
+//! Parabolas through the last positions: in the logarithmic eccentricity and the angle of the line of centres, in which
 //! they are nearly straight over the load.
 
-use crate::stretched::{eccentricity_at, stretched};
+use oilwedge_reynolds::angles::wrapped;
+
+use crate::log_eccentricity::{eccentricity_at, log_eccentricity};
 
 /// Points that a prediction goes through, at most.
 const MOST_POINTS: usize = 3;
@@ -37,7 +39,7 @@ pub struct Visited {
 /// Eccentricity ratio and angle of the thinnest film [rad] at `point`, told from the positions visited last; the last one itself
 /// where they tell nothing better. `None` where none was visited.
 ///
-/// Over the duty where that changes: the logarithm of the load is nearly linear in the stretched eccentricity, with a slope of one.
+/// Over the duty where that changes: the logarithm of the load is nearly linear in the logarithmic eccentricity, with a slope of one.
 pub fn predicted(visited: &[Visited], point: Point) -> Option<(f64, f64)> {
     let last = visited.last()?;
     let points = &visited[visited.len().saturating_sub(MOST_POINTS)..];
@@ -55,9 +57,8 @@ pub fn predicted(visited: &[Visited], point: Point) -> Option<(f64, f64)> {
     }
     let (mut s, mut turn) = (0.0, 0.0);
     for (weight, visited) in weights.iter().zip(points) {
-        let from_last = visited.angle - last.angle;
-        s += weight * stretched(visited.eccentricity);
-        turn += weight * from_last.sin().atan2(from_last.cos());
+        s += weight * log_eccentricity(visited.eccentricity);
+        turn += weight * wrapped(visited.angle - last.angle);
     }
     if by_duty && points.len() == 1 {
         s += point.duty - last.point.duty;
@@ -126,7 +127,7 @@ mod tests {
     #[test]
     fn one_position_tells_the_next_by_its_duty() {
         let (eccentricity, angle) = predicted(&[at(1.0, 1.0)], at(2.0, 1.1).point).expect("a position");
-        assert!((stretched(eccentricity) - stretched(at(1.0, 1.0).eccentricity) - 0.1).abs() < 1e-12);
+        assert!((log_eccentricity(eccentricity) - log_eccentricity(at(1.0, 1.0).eccentricity) - 0.1).abs() < 1e-12);
         assert_eq!(angle, at(1.0, 1.0).angle);
     }
 }

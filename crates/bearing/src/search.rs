@@ -4,17 +4,17 @@ use std::cell::{Cell, RefCell};
 
 use oilwedge_reynolds::quantities::load::{load, load_change};
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSolution, FilmSystem, JournalState, NoFilm};
+use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalState, NoFilm};
 
-use crate::equilibrium::{BALANCED, NEAR};
-use crate::reach::natural_force;
-use crate::{NoEquilibrium, Patience};
+use crate::equilibrium::{NEAR, Stiffness};
+use crate::load_capacity::reference_force;
+use crate::{NoEquilibrium, SearchOptions};
 
-/// A load that was not balanced and is less than this part of the natural force is lost among rounding errors.
+/// A load that was not balanced and is less than this part of the reference force is below round-off.
 const LOST: f64 = 1e-7;
 /// A force within this factor of the load
 const NEARLY: f64 = 2.0;
-/// and this angle [rad] leaves it open whether there is a position.
+/// and this angle [rad] leaves open whether there is a position.
 const ASTRAY: f64 = 0.5;
 /// A film whose force is nowhere this part of the load carries none.
 const AT_REST: f64 = 1e-3;
@@ -23,31 +23,20 @@ const AT_REST: f64 = 1e-3;
 pub(crate) struct Search<'a> {
     pub(crate) system: &'a FilmSystem,
     pub(crate) load: [f64; 2],
-    pub(crate) centre_velocity: CentreVelocity,
-    pub(crate) clearance: f64,
-    /// What residuals are relative to [N].
-    pub(crate) natural: f64,
-    /// What forces of the film are rounded against [N].
-    pub(crate) natural_force: f64,
+    pub(crate) options: SearchOptions<'a>,
+    /// Residuals are relative to this force [N].
+    pub(crate) scale: f64,
+    /// Round-off of the film's force is relative to this one [N].
+    pub(crate) reference_force: f64,
     /// The trial whose force was nearest to the load.
     pub(crate) nearest: Cell<Option<Nearest>>,
     /// True of a full Sommerfeld film.
     pub(crate) bears_tension: bool,
     /// Load less force of each trial, relative to the load.
     pub(crate) tried: RefCell<Vec<f64>>,
-    /// True where the force is that of the film in cubic elements.
-    pub(crate) cubic: bool,
-    /// The balance has been found when force and load differ by this part of the load.
-    pub(crate) balanced: f64,
-    /// True where the tangent at the first position is kept and corrected by what the force did: for starts near the balance.
-    pub(crate) keeps_tangent: bool,
-    /// True where a mass-conserving film carries its oil by the forms of the film it is started from.
-    pub(crate) keeps_forms: bool,
-    /// How long the search may go on; the position reached then is its answer.
-    pub(crate) patience: Patience,
 }
 
-/// What is told of a trial: its distance from the load, its force [N] and its journal.
+/// The distance of a trial from the load, its force [N] and its journal.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Nearest {
     pub(crate) distance: f64,
@@ -65,33 +54,26 @@ pub(crate) struct Trial {
 }
 
 impl<'a> Search<'a> {
-    /// A search for `load` [N] on `system`, by the force of the film there.
+    /// A search for `load` [N] on `system`.
     pub(crate) fn new(
         problem: &FilmProblem,
         system: &'a FilmSystem,
         load: [f64; 2],
-        centre_velocity: CentreVelocity,
-        patience: Patience,
+        options: SearchOptions<'a>,
     ) -> Self {
-        let natural_force = natural_force(problem, system, centre_velocity);
+        let reference_force = reference_force(problem, system, options.centre_velocity);
         Self {
             system,
             load,
-            natural_force,
-            centre_velocity,
-            clearance: problem.bearing.clearance,
-            natural: match load[0].hypot(load[1]) {
-                0.0 => natural_force.max(f64::MIN_POSITIVE),
+            options,
+            reference_force,
+            scale: match load[0].hypot(load[1]) {
+                0.0 => reference_force.max(f64::MIN_POSITIVE),
                 load => load,
             },
             nearest: Cell::new(None),
             bears_tension: problem.cavitation.bears_tension(),
             tried: RefCell::default(),
-            cubic: false,
-            balanced: BALANCED,
-            keeps_tangent: false,
-            keeps_forms: false,
-            patience,
         }
     }
 
@@ -101,11 +83,11 @@ impl<'a> Search<'a> {
         let mut starts: Vec<(f64, JournalState)> = Vec::new();
         for eps in [0.3, 0.7, 0.95, 0.99] {
             for k in 0..ANGLES {
-                if self.patience.is_over() {
+                if self.options.deadline.is_over() {
                     break;
                 }
                 let angle = std::f64::consts::TAU * f64::from(k) / f64::from(ANGLES);
-                let e = eps * self.clearance;
+                let e = eps * problem.bearing.clearance;
                 if let Ok(trial) = self.trial(problem, [e * angle.cos(), e * angle.sin()], Neighbour::None) {
                     starts.push((self.distance(&trial), trial.problem.journal));
                 }
@@ -130,58 +112,72 @@ impl<'a> Search<'a> {
         self.trial(problem, start.offset, Neighbour::None)
     }
 
-    pub(crate) fn trial(&self, problem: &FilmProblem, offset: [f64; 2], from: Neighbour) -> Result<Trial, NoFilm> {
-        self.trial_near(problem, offset, from, None)
+    /// The trial at `offset` [m] by the force of the film in quadratic elements.
+    pub(crate) fn trial(&self, problem: &FilmProblem, offset: [f64; 2], near: Neighbour) -> Result<Trial, NoFilm> {
+        let problem = self.placed(problem, offset);
+        let film = problem.solve_from(self.system, near)?;
+        let force = load(&problem, self.system, &film).total.force;
+        Ok(self.recorded(Trial {
+            problem,
+            film,
+            cubic: None,
+            force,
+        }))
     }
 
-    /// The same with a film in cubic elements of a neighbouring position, if there is one.
-    pub(crate) fn trial_near(
+    /// The trial at `offset` [m] by the force of the film in cubic elements, started from that of a neighbouring position, if there is one.
+    pub(crate) fn cubic_trial(
         &self,
         problem: &FilmProblem,
         offset: [f64; 2],
-        from: Neighbour,
+        near: Neighbour,
         cubic: Option<&FilmSolution>,
     ) -> Result<Trial, NoFilm> {
-        let mut problem = problem.clone();
+        let problem = self.placed(problem, offset);
+        let film = problem.solve_from(self.system, near)?;
+        let cubic = problem.cubic_film(self.system, &film, cubic)?;
+        let force = load(&problem, &self.system.cubic().system, &cubic).total.force;
+        Ok(self.recorded(Trial {
+            problem,
+            film,
+            cubic: Some(cubic),
+            force,
+        }))
+    }
+
+    /// The problem with the journal at `offset` [m].
+    fn placed(&self, problem: &FilmProblem, offset: [f64; 2]) -> FilmProblem {
         let angle = match offset {
             [0.0, 0.0] => problem.journal.min_film_angle(),
             [x, y] => y.atan2(x),
         };
-        problem.journal = JournalState {
+        let journal = JournalState {
             offset,
             ..problem.journal
+        };
+        FilmProblem {
+            journal: journal.with_centre_velocity(self.options.centre_velocity, angle),
+            ..problem.clone()
         }
-        .with_centre_velocity(self.centre_velocity, angle);
-        let film = problem.solve_from(self.system, from)?;
-        let cubic = match self.cubic {
-            true => Some(problem.cubic_film(self.system, &film, cubic)?),
-            false => None,
-        };
-        let force = match &cubic {
-            Some(cubic) => load(&problem, &self.system.cubic().system, cubic).total.force,
-            None => load(&problem, self.system, &film).total.force,
-        };
-        let trial = Trial {
-            problem,
-            film,
-            cubic,
-            force,
-        };
+    }
+
+    fn recorded(&self, trial: Trial) -> Trial {
         let distance = self.distance(&trial);
         self.tried.borrow_mut().push(self.residual(&trial));
         if self.nearest.get().is_none_or(|nearest| distance < nearest.distance) {
             self.nearest.set(Some(Nearest {
                 distance,
-                force,
+                force: trial.force,
                 journal: trial.problem.journal,
             }));
         }
-        Ok(trial)
+        trial
     }
 
+    /// Difference of force and load over the load.
     pub(crate) fn residual(&self, trial: &Trial) -> f64 {
         let [x, y] = self.excess(trial);
-        x.hypot(y) / self.natural
+        x.hypot(y) / self.scale
     }
 
     /// Force of the film less the load [N].
@@ -190,12 +186,12 @@ impl<'a> Search<'a> {
     }
 
     /// `dW/de`.
-    pub(crate) fn stiffness(&self, trial: &Trial) -> Result<[[f64; 2]; 2], NoFilm> {
+    pub(crate) fn stiffness(&self, trial: &Trial) -> Result<Stiffness, NoFilm> {
         let mut stiffness = [[0.0; 2]; 2];
         for k in 0..2 {
             let mut unit = [0.0; 2];
             unit[k] = 1.0;
-            let change = self.centre_velocity.change(&trial.problem.journal, unit);
+            let change = self.options.centre_velocity.change(&trial.problem.journal, unit);
             let unknown = (trial.problem)
                 .unknown_change(self.system, &trial.film, &change)
                 .map_err(oilwedge_fem::newton::Failure::from)?;
@@ -206,14 +202,14 @@ impl<'a> Search<'a> {
         Ok(stiffness)
     }
 
-    /// The tangent `dW/de` corrected by what the force did from one trial to the next (Broyden, Math. Comp. 19 (1965) 577).
-    pub(crate) fn corrected(tangent: [[f64; 2]; 2], from: &Trial, to: &Trial) -> [[f64; 2]; 2] {
+    /// The tangent `dW/de` corrected by the change of the force from one trial to the next (Broyden, Math. Comp. 19 (1965) 577).
+    pub(crate) fn corrected(tangent: Stiffness, from: &Trial, to: &Trial) -> Stiffness {
         let step = [0, 1].map(|k| to.problem.journal.offset[k] - from.problem.journal.offset[k]);
         let square = step[0] * step[0] + step[1] * step[1];
         let mut corrected = tangent;
         for d in 0..2 {
-            let told = tangent[d][0] * step[0] + tangent[d][1] * step[1];
-            let missed = (to.force[d] - from.force[d] - told) / square;
+            let predicted = tangent[d][0] * step[0] + tangent[d][1] * step[1];
+            let missed = (to.force[d] - from.force[d] - predicted) / square;
             for k in 0..2 {
                 corrected[d][k] += if square > 0.0 { missed * step[k] } else { 0.0 };
             }
@@ -237,10 +233,10 @@ impl<'a> Search<'a> {
         (load / force).ln().hypot(across.atan2(along))
     }
 
-    /// A search that was told to end has not looked everywhere, and does not say that there is no position; nor does one that came near to the
-    /// load. Of a load near to rounding, that says why.
-    pub(crate) fn sure(&self, reason: NoEquilibrium) -> NoEquilibrium {
-        let least = LOST * self.natural_force;
+    /// The reason as far as it is known: a search that was ended, or came near to the load, does not prove that there is no position;
+    /// a load near round-off is reported as one.
+    pub(crate) fn confirmed(&self, reason: NoEquilibrium) -> NoEquilibrium {
+        let least = LOST * self.reference_force;
         match reason {
             NoEquilibrium::Unreachable { asked, .. } | NoEquilibrium::NotConverged { asked, .. } if asked < least => {
                 NoEquilibrium::BelowRounding { asked, least }
@@ -250,7 +246,7 @@ impl<'a> Search<'a> {
                 nearest,
                 journal,
                 ..
-            } if self.patience.is_over() => NoEquilibrium::Ended {
+            } if self.options.deadline.is_over() => NoEquilibrium::Ended {
                 asked,
                 nearest,
                 journal,
@@ -281,7 +277,7 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// Tells of the nearest of all trials.
+    /// The reason with the nearest of all trials.
     pub(crate) fn unreachable(&self, trial: &Trial, why: &'static str) -> NoEquilibrium {
         let degrees = |[x, y]: [f64; 2]| y.atan2(x).to_degrees().rem_euclid(360.0);
         let last = Nearest {
@@ -289,17 +285,14 @@ impl<'a> Search<'a> {
             force: trial.force,
             journal: trial.problem.journal,
         };
-        let nearest = self
-            .nearest
-            .get()
-            .filter(|nearest| nearest.distance < last.distance)
-            .unwrap_or(last);
+        let nearest = self.nearest.get().filter(|nearest| nearest.distance < last.distance);
+        let nearest = nearest.unwrap_or(last);
         NoEquilibrium::Unreachable {
             asked: self.load[0].hypot(self.load[1]),
             towards: degrees(self.load),
             nearest: nearest.force[0].hypot(nearest.force[1]),
             nearest_towards: degrees(nearest.force),
-            eccentricity: nearest.journal.eccentricity() / self.clearance,
+            eccentricity: nearest.journal.eccentricity() / trial.problem.bearing.clearance,
             journal: Box::new(trial.problem.journal),
             why,
         }

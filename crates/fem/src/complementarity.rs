@@ -3,7 +3,7 @@
 //! `u_i >= value`, `R_i(u) >= 0`, one of the two an equality, at each candidate dof; `R_i = 0` at the others. A
 //! step holds the contact set at the obstacle, solves the law on the rest, and lets go or takes in every
 //! dof of the wrong sign (Hintermueller, Ito, Kunisch, SIAM J. Optim. 13 (2003) 865: a semismooth Newton method).
-//! A set that comes back would come back for ever: single exchanges follow then, of which a
+//! If a set repeats, the iteration cycles: single exchanges follow then, of which a
 //! positive definite matrix needs finitely many (Murty, Linear Algebra Appl. 7 (1974) 65; Judice and Pires,
 //! Comput. Oper. Res. 21 (1994) 587), until fewer signs are wrong than ever before.
 
@@ -12,24 +12,24 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 
 use rayon::prelude::*;
 
-use crate::conservation_law::{ConservationLaw, Tangent};
-use crate::newton::{Failure, HistoryStep, STEP_TOLERANCE, Seconds, Solution};
-use crate::{Assembler, Constraints, Error, LinearSolver, Matrix};
+use crate::conservation_law::Tangent;
+use crate::newton::{Equation, Failure, HistoryStep, Seconds, Solution, greatest};
+use crate::{Constraints, Error, Linearisation, Matrix};
 
 /// Most steps of one solve.
 const MOST_STEPS: usize = 400;
 
-/// What the solution must not fall below, and where that is asked.
+/// A lower bound of the solution, and where it applies.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Obstacle {
     /// The least value.
     pub value: f64,
-    /// True for the dofs at which it is asked; others follow freely.
+    /// True for the dofs at which it applies.
     pub candidates: Vec<bool>,
 }
 
 impl Obstacle {
-    /// Asked at every node: for linear and for cubic elements, none of whose functions has a negative mean.
+    /// At every node: for linear and for cubic elements, none of whose functions has a negative mean.
     pub fn at_nodes(space: &crate::Space, value: f64) -> Self {
         Self {
             value,
@@ -37,7 +37,7 @@ impl Obstacle {
         }
     }
 
-    /// An obstacle for quadratic elements: asked at the middles of edges. Functions of vertices have no mean, so a
+    /// An obstacle for quadratic elements: at the middles of edges. Functions of vertices have no mean, so a
     /// multiplier there has no sign (Brezzi, Hager, Raviart, Numer. Math. 28 (1977) 431).
     pub fn at_midpoints(space: &crate::Space, value: f64) -> Self {
         let mut candidates = vec![false; space.dofs()];
@@ -48,12 +48,12 @@ impl Obstacle {
     }
 }
 
-/// Where to start from.
+/// A solution nearby.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Start {
+pub struct InitialGuess {
     /// One value a dof.
     pub u: Vec<f64>,
-    /// Dofs taken to be in contact.
+    /// True for the dofs taken to be in contact.
     pub held: Vec<bool>,
 }
 
@@ -66,118 +66,178 @@ pub struct Contact {
     pub held: Vec<bool>,
 }
 
-/// Solves the obstacle problem from `start`. `scale` is a
-/// natural size of `u`. Given dofs are never in contact. A linear law is assembled once.
+/// Solves the obstacle problem from `guess`. Given dofs are never in contact. A linear law is assembled once.
 ///
 /// # Errors
 /// [`Failure`] with the history.
-pub fn solve(
-    assembler: &Assembler,
-    solver: &LinearSolver,
-    law: &dyn ConservationLaw,
-    constraints: &Constraints,
-    obstacle: &Obstacle,
-    scale: f64,
-    start: Start,
-) -> Result<Contact, Failure> {
-    let Start { mut u, mut held } = start;
-    for (i, held) in held.iter_mut().enumerate() {
-        *held &= obstacle.candidates[i] && !constraints.fixed[i];
-    }
-    let linear = law.tangent() == Tangent::Conduction;
-    let mut seconds = Seconds::default();
-    let mut history: Vec<HistoryStep> = Vec::new();
+pub fn solve(equation: &Equation, obstacle: &Obstacle, guess: InitialGuess) -> Result<Contact, Failure> {
+    let mut iteration = Iteration::new(equation, obstacle, guess)?;
     let mut exchange = Exchange::default();
-    let masked = with_contact(constraints, obstacle, &held);
-    masked.impose(&mut u);
-    let mut matrix = Matrix::zero(assembler.pattern().clone());
-    let mut residual = Seconds::time(&mut seconds.assemble, || {
-        assembler.tangent_and_residual(law, &u, &mut matrix)
-    });
-    let first = match masked.free_norm(&residual) {
-        norm if !norm.is_finite() => return Err(Error::NotFinite { what: "residual" }.into()),
-        norm if norm > 0.0 => norm,
-        _ => 1.0,
-    };
-    // Rough solves lead to the set of contact; the last one is not rough.
-    let mut sure = solver.roughly_enough(first) == 0.0;
-    let mut linearisation = Seconds::time(&mut seconds.factorise, || solver.linearise(matrix, masked))?;
-    while history.len() < MOST_STEPS {
-        let minus: Vec<f64> = residual.iter().map(|r| -r).collect();
-        let step = Seconds::time(&mut seconds.solve, || {
-            linearisation.solve_to(
-                &minus,
-                if sure {
-                    solver.enough(first)
-                } else {
-                    solver.roughly_enough(first)
-                },
-            )
-        })?;
-        for (u, step) in u.iter_mut().zip(&step) {
+    while iteration.history.len() < MOST_STEPS {
+        let (reactions, settled) = iteration.step()?;
+        let wrong = iteration.wrong_signs(&reactions);
+        if wrong.is_empty() && settled && iteration.is_sure {
+            return Ok(iteration.finish(reactions));
+        }
+        iteration.is_sure = wrong.is_empty() || equation.solver.roughly_enough(iteration.first) == 0.0;
+        exchange.apply(&wrong, &mut iteration.held);
+        iteration = iteration.with_contact_changed(reactions)?;
+    }
+    Err(Failure::TooManySteps {
+        history: iteration.history,
+    })
+}
+
+/// The active-set iteration between two steps.
+struct Iteration<'a> {
+    equation: &'a Equation<'a>,
+    obstacle: &'a Obstacle,
+    u: Vec<f64>,
+    held: Vec<bool>,
+    residual: Vec<f64>,
+    linearisation: Linearisation,
+    /// Norm of the first residual.
+    first: f64,
+    /// False while linear systems are solved roughly, which is enough to find the contact set.
+    is_sure: bool,
+    history: Vec<HistoryStep>,
+    seconds: Seconds,
+}
+
+impl<'a> Iteration<'a> {
+    fn new(equation: &'a Equation, obstacle: &'a Obstacle, guess: InitialGuess) -> Result<Self, Failure> {
+        let InitialGuess { mut u, mut held } = guess;
+        for (i, held) in held.iter_mut().enumerate() {
+            *held &= obstacle.candidates[i] && !equation.constraints.fixed[i];
+        }
+        let mut seconds = Seconds::default();
+        let masked = with_contact(equation.constraints, obstacle, &held);
+        masked.impose(&mut u);
+        let mut matrix = Matrix::zero(equation.assembler.pattern().clone());
+        let residual = Seconds::time(&mut seconds.assemble, || {
+            equation.assembler.tangent_and_residual(equation.law, &u, &mut matrix)
+        });
+        let first = match masked.free_norm(&residual) {
+            norm if !norm.is_finite() => return Err(Error::NotFinite { what: "residual" }.into()),
+            norm if norm > 0.0 => norm,
+            _ => 1.0,
+        };
+        let linearisation = Seconds::time(&mut seconds.factorise, || equation.solver.linearise(matrix, masked))?;
+        Ok(Self {
+            equation,
+            obstacle,
+            u,
+            held,
+            residual,
+            linearisation,
+            first,
+            is_sure: equation.solver.roughly_enough(first) == 0.0,
+            history: Vec::new(),
+            seconds,
+        })
+    }
+
+    /// Takes Newton's step with this contact set; the reactions that the tangent predicts, exact for a linear law, and whether `u` has settled.
+    fn step(&mut self) -> Result<(Vec<f64>, bool), Failure> {
+        let solver = self.equation.solver;
+        let minus: Vec<f64> = self.residual.iter().map(|r| -r).collect();
+        let enough = match self.is_sure {
+            true => solver.enough(self.first),
+            false => solver.roughly_enough(self.first),
+        };
+        let step = Seconds::time(&mut self.seconds.solve, || self.linearisation.solve_to(&minus, enough))?;
+        for (u, step) in self.u.iter_mut().zip(&step) {
             *u += step;
         }
-        // What the tangent says of the reactions; exact for a linear law.
-        let change = Seconds::time(&mut seconds.solve, || linearisation.matrix().multiply(&step));
-        let reactions: Vec<f64> = residual.iter().zip(&change).map(|(r, c)| r + c).collect();
-        let settled = linear || largest(&step) <= STEP_TOLERANCE * largest(&u).max(scale);
-        let wrong = wrong_signs(
-            constraints,
-            obstacle,
-            &held,
-            &u,
-            &reactions,
-            linearisation.matrix(),
-            Meaningless {
-                value: solver.accuracy() * largest(&u).max(scale),
-                reaction: solver.enough(first),
-            },
-        );
-        if wrong.is_empty() && settled && sure {
-            let left = match linear {
-                true => reactions,
-                false => assembler.residual(law, &u),
-            };
-            let left_norm = linearisation.constraints().free_norm(&left) / first;
-            history.push(HistoryStep::active(left_norm, count(&held)));
-            let solution = Solution {
-                u,
-                reactions: left,
-                linearisation,
-                history,
-                seconds,
-            };
-            return Ok(Contact { solution, held });
-        }
-        sure = wrong.is_empty() || solver.roughly_enough(first) == 0.0;
-        exchange.apply(&wrong, &mut held);
-        let masked = with_contact(constraints, obstacle, &held);
-        let before = u.clone();
-        masked.impose(&mut u);
-        if linear {
-            residual = Seconds::time(&mut seconds.solve, || {
-                let jump: Vec<f64> = u.iter().zip(&before).map(|(u, before)| u - before).collect();
-                let change = linearisation.matrix().multiply(&jump);
-                reactions.iter().zip(change).map(|(r, c)| r + c).collect()
+        let change = Seconds::time(&mut self.seconds.solve, || self.linearisation.matrix().multiply(&step));
+        let settled = self.is_linear() || self.equation.has_converged(&step, &self.u);
+        Ok((sum(&self.residual, &change), settled))
+    }
+
+    fn is_linear(&self) -> bool {
+        self.equation.law.tangent() == Tangent::Conduction
+    }
+
+    /// Dofs below the obstacle, and held dofs that the obstacle would have to pull down; by more than round-off, and more than an iterative
+    /// solver leaves.
+    fn wrong_signs(&self, reactions: &[f64]) -> Vec<usize> {
+        let Self { equation, obstacle, .. } = self;
+        let least_value = equation.solver.accuracy() * greatest(&self.u).max(equation.scale);
+        let least_reaction = equation.solver.enough(self.first);
+        (0..self.u.len())
+            .into_par_iter()
+            .filter(|&i| obstacle.candidates[i] && !equation.constraints.fixed[i])
+            .filter(|&i| match self.held[i] {
+                true => {
+                    let by_value = least_value * self.linearisation.matrix().diagonal(i);
+                    // A factor leaves round-off only.
+                    let least = match least_reaction > 0.0 {
+                        true => least_reaction.min(by_value),
+                        false => by_value,
+                    };
+                    reactions[i] < -least
+                }
+                false => self.u[i] < obstacle.value - least_value,
+            })
+            .collect()
+    }
+
+    /// The linearisation and the residual with a new contact set, whose dofs are moved to the obstacle.
+    fn with_contact_changed(mut self, reactions: Vec<f64>) -> Result<Self, Failure> {
+        let Equation {
+            assembler, solver, law, ..
+        } = *self.equation;
+        let masked = with_contact(self.equation.constraints, self.obstacle, &self.held);
+        let before = self.u.clone();
+        masked.impose(&mut self.u);
+        if self.is_linear() {
+            self.residual = Seconds::time(&mut self.seconds.solve, || {
+                let jump: Vec<f64> = self.u.iter().zip(&before).map(|(u, before)| u - before).collect();
+                sum(&reactions, &self.linearisation.matrix().multiply(&jump))
             });
-            linearisation = Seconds::time(&mut seconds.factorise, || linearisation.masked_anew(solver, masked))?;
+            self.linearisation = Seconds::time(&mut self.seconds.factorise, || {
+                self.linearisation.masked_anew(solver, masked)
+            })?;
         } else {
-            let mut matrix = linearisation.into_matrix();
-            residual = Seconds::time(&mut seconds.assemble, || {
-                assembler.tangent_and_residual(law, &u, &mut matrix)
+            let mut matrix = self.linearisation.into_matrix();
+            self.residual = Seconds::time(&mut self.seconds.assemble, || {
+                assembler.tangent_and_residual(law, &self.u, &mut matrix)
             });
-            linearisation = Seconds::time(&mut seconds.factorise, || solver.linearise(matrix, masked))?;
+            self.linearisation = Seconds::time(&mut self.seconds.factorise, || solver.linearise(matrix, masked))?;
         }
-        let norm = linearisation.constraints().free_norm(&residual) / first;
+        let norm = self.linearisation.constraints().free_norm(&self.residual) / self.first;
         if !norm.is_finite() {
             return Err(Error::NotFinite { what: "residual" }.into());
         }
-        history.push(HistoryStep::active(norm, count(&held)));
+        self.history.push(HistoryStep::active(norm, count(&self.held)));
+        Ok(self)
     }
-    Err(Failure::TooManySteps { history })
+
+    fn finish(mut self, reactions: Vec<f64>) -> Contact {
+        let left = match self.is_linear() {
+            true => reactions,
+            false => self.equation.assembler.residual(self.equation.law, &self.u),
+        };
+        let left_norm = self.linearisation.constraints().free_norm(&left) / self.first;
+        self.history.push(HistoryStep::active(left_norm, count(&self.held)));
+        Contact {
+            solution: Solution {
+                u: self.u,
+                reactions: left,
+                linearisation: self.linearisation,
+                history: self.history,
+                seconds: self.seconds,
+            },
+            held: self.held,
+        }
+    }
 }
 
-/// Which dofs change sides, with a memory against going round in circles.
+fn sum(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a + b).collect()
+}
+
+/// Which dofs change sides, with a memory against cycling.
 #[derive(Debug, Default)]
 struct Exchange {
     seen: HashSet<u64>,
@@ -207,42 +267,6 @@ impl Exchange {
     }
 }
 
-/// What means nothing: less is rounding, or what an iteration leaves.
-struct Meaningless {
-    /// Of `u`.
-    value: f64,
-    /// Of a residual; zero where a factor leaves rounding only.
-    reaction: f64,
-}
-
-/// Dofs below the obstacle, and held dofs that the obstacle would have to pull down; by more than what means nothing.
-fn wrong_signs(
-    constraints: &Constraints,
-    obstacle: &Obstacle,
-    held: &[bool],
-    u: &[f64],
-    reactions: &[f64],
-    matrix: &Matrix,
-    least: Meaningless,
-) -> Vec<usize> {
-    (0..u.len())
-        .into_par_iter()
-        .filter(|&i| obstacle.candidates[i] && !constraints.fixed[i])
-        .filter(|&i| match held[i] {
-            true => {
-                let by_value = least.value * matrix.diagonal(i);
-                let natural = if least.reaction > 0.0 {
-                    least.reaction.min(by_value)
-                } else {
-                    by_value
-                };
-                reactions[i] < -natural
-            }
-            false => u[i] < obstacle.value - least.value,
-        })
-        .collect()
-}
-
 fn with_contact(constraints: &Constraints, obstacle: &Obstacle, held: &[bool]) -> Constraints {
     let mut masked = constraints.clone();
     for (dof, _) in held.iter().enumerate().filter(|(_, held)| **held) {
@@ -255,15 +279,11 @@ fn count(held: &[bool]) -> usize {
     held.iter().filter(|held| **held).count()
 }
 
-fn largest(values: &[f64]) -> f64 {
-    values.iter().fold(0.0, |m, v| m.max(v.abs()))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// `z >= 0`, `A z + q >= 0`, one of the two an equality: block exchange goes round in circles of four.
+    /// `z >= 0`, `A z + q >= 0`, one of the two an equality: block exchange cycles with period four.
     const A: [[f64; 3]; 3] = [[13.0, 13.0, -7.0], [13.0, 14.0, -5.0], [-7.0, -5.0, 9.0]];
     const Q: [f64; 3] = [-3.0, -1.0, 4.0];
 

@@ -15,7 +15,7 @@ pub enum Mapping {
 }
 
 /// The map at one reference point.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub struct Place {
     /// Position on the developed surface [m].
     pub position: [f64; 2],

@@ -52,8 +52,8 @@ pub enum Failure {
         /// What was tried.
         history: Vec<HistoryStep>,
     },
-    /// An active set came back.
-    #[error("the set of nodes in the cavity goes round in circles (after {} steps); another mesh may help", history.len())]
+    /// The active set repeats.
+    #[error("the active set is cycling (after {} steps)", history.len())]
     Cycling {
         /// What was tried.
         history: Vec<HistoryStep>,
@@ -124,19 +124,73 @@ impl Seconds {
     }
 }
 
-/// Solves `R(u) = 0` from the start `u` (given dofs are set first). `scale` is a natural size of `u`: a
-/// nonlinear iteration has converged when its step falls below [`STEP_TOLERANCE`] of `u` or of `scale`.
+/// A discrete equation `R(u) = 0` with given values, and how its linear systems are solved.
+#[derive(Clone, Copy)]
+pub struct Equation<'a> {
+    /// The space and its element loop.
+    pub assembler: &'a Assembler,
+    /// Solver of its linear systems.
+    pub solver: &'a LinearSolver,
+    /// The law whose flux balances.
+    pub law: &'a dyn ConservationLaw,
+    /// Given values.
+    pub constraints: &'a Constraints,
+    /// Reference size of `u`: a nonlinear iteration has converged when its step falls below [`STEP_TOLERANCE`] of `u` or of this.
+    pub scale: f64,
+}
+
+impl Equation<'_> {
+    /// True if a step of this size, from `u`, is the last.
+    pub(crate) fn has_converged(&self, step: &[f64], u: &[f64]) -> bool {
+        greatest(step) <= STEP_TOLERANCE * greatest(u).max(self.scale)
+    }
+
+    /// `u + damping * step` and its residual.
+    fn stepped(&self, u: &[f64], step: &[f64], damping: f64) -> (f64, Vec<f64>, Vec<f64>) {
+        let mut next = u.to_vec();
+        add(&mut next, damping, step);
+        let residual = self.assembler.residual(self.law, &next);
+        (damping, next, residual)
+    }
+
+    /// The longest of the halved steps that reduces the residual, whose norm is `norm`.
+    fn damped_step(&self, u: &[f64], step: &[f64], norm: f64) -> Option<(f64, Vec<f64>, Vec<f64>)> {
+        (0..MOST_HALVINGS)
+            .map(|k| self.stepped(u, step, 0.5f64.powi(k as i32)))
+            .find(|(damping, _, residual)| self.constraints.free_norm(residual) < (1.0 - 1e-4 * damping) * norm)
+    }
+
+    /// The linearisation with this matrix, and Newton's step for this residual to an accuracy relative to the norm `first`.
+    fn newton_step(
+        &self,
+        matrix: Matrix,
+        residual: &[f64],
+        first: f64,
+        seconds: &mut Seconds,
+    ) -> Result<(Linearisation, Vec<f64>), Error> {
+        let Self {
+            solver, constraints, ..
+        } = *self;
+        let linearisation = Seconds::time(&mut seconds.factorise, || solver.linearise(matrix, constraints.clone()))?;
+        let minus: Vec<f64> = residual.iter().map(|r| -r).collect();
+        let step = Seconds::time(&mut seconds.solve, || {
+            linearisation.solve_to(&minus, solver.enough(first))
+        })?;
+        Ok((linearisation, step))
+    }
+}
+
+/// Solves an equation from the start `u`; given values are imposed first.
 ///
 /// # Errors
 /// [`Failure`] with the history.
-pub fn solve(
-    assembler: &Assembler,
-    solver: &LinearSolver,
-    law: &dyn ConservationLaw,
-    constraints: &Constraints,
-    scale: f64,
-    mut u: Vec<f64>,
-) -> Result<Solution, Failure> {
+pub fn solve(equation: &Equation, mut u: Vec<f64>) -> Result<Solution, Failure> {
+    let Equation {
+        assembler,
+        law,
+        constraints,
+        ..
+    } = *equation;
     constraints.impose(&mut u);
     let linear = law.tangent() == Tangent::Conduction;
     let mut seconds = Seconds::default();
@@ -153,48 +207,36 @@ pub fn solve(
             return Err(Failure::Linear { error, history });
         }
         let first = *first_norm.get_or_insert(if norm > 0.0 { norm } else { 1.0 });
-        let linearisation = Seconds::time(&mut seconds.factorise, || solver.linearise(matrix, constraints.clone()));
-        let minus: Vec<f64> = residual.iter().map(|r| -r).collect();
-        let newton = linearisation.and_then(|linearisation| {
-            let enough = solver.enough(first);
-            let step = Seconds::time(&mut seconds.solve, || linearisation.solve_to(&minus, enough))?;
-            Ok((linearisation, step))
-        });
-        let (linearisation, step) = match newton {
+        let (linearisation, step) = match equation.newton_step(matrix, &residual, first, &mut seconds) {
             Ok(newton) => newton,
             Err(error) => {
                 history.push(HistoryStep::active(norm / first, 0));
                 return Err(Failure::Linear { error, history });
             }
         };
-        if linear {
+        let (damping, next, reactions) = if linear {
             let change = Seconds::time(&mut seconds.solve, || linearisation.matrix().multiply(&step));
-            let reactions: Vec<f64> = residual.iter().zip(change).map(|(r, c)| r + c).collect();
-            add(&mut u, 1.0, &step);
-            let residual = constraints.free_norm(&reactions) / first;
-            history.push(HistoryStep::active(residual, 0));
-            return Ok(Solution {
-                u,
-                reactions,
-                linearisation,
-                history,
-                seconds,
-            });
-        }
-        let trial = Seconds::time(&mut seconds.assemble, || {
-            damped_step(assembler, law, constraints, &u, &step, norm)
-        });
-        let converged = greatest(&step) <= STEP_TOLERANCE * greatest(&u).max(scale);
-        let Some((damping, next, reactions)) = trial.or_else(|| {
-            // At the floor of rounding a full step cannot reduce the residual; it is then the last.
-            converged.then(|| stepped(assembler, law, &u, &step, 1.0))
-        }) else {
-            return Err(Failure::Stagnated { history });
+            let reactions = residual.iter().zip(change).map(|(r, c)| r + c).collect();
+            let mut next = std::mem::take(&mut u);
+            add(&mut next, 1.0, &step);
+            (1.0, next, reactions)
+        } else {
+            let damped = Seconds::time(&mut seconds.assemble, || equation.damped_step(&u, &step, norm));
+            // At the floor of round-off a full step cannot reduce the residual; it is then the last.
+            let full = || {
+                equation
+                    .has_converged(&step, &u)
+                    .then(|| equation.stepped(&u, &step, 1.0))
+            };
+            match damped.or_else(full) {
+                Some(next) => next,
+                None => return Err(Failure::Stagnated { history }),
+            }
         };
+        let converged = linear || equation.has_converged(&step, &u);
         u = next;
-        let residual = constraints.free_norm(&reactions) / first;
         history.push(HistoryStep {
-            residual,
+            residual: constraints.free_norm(&reactions) / first,
             damping,
             active: 0,
         });
@@ -212,40 +254,12 @@ pub fn solve(
     Err(Failure::TooManySteps { history })
 }
 
-/// `u + damping * step` and its residual.
-fn stepped(
-    assembler: &Assembler,
-    law: &dyn ConservationLaw,
-    u: &[f64],
-    step: &[f64],
-    damping: f64,
-) -> (f64, Vec<f64>, Vec<f64>) {
-    let mut next = u.to_vec();
-    add(&mut next, damping, step);
-    let residual = assembler.residual(law, &next);
-    (damping, next, residual)
-}
-
-/// The longest of the halved steps that reduces the residual.
-fn damped_step(
-    assembler: &Assembler,
-    law: &dyn ConservationLaw,
-    constraints: &Constraints,
-    u: &[f64],
-    step: &[f64],
-    norm: f64,
-) -> Option<(f64, Vec<f64>, Vec<f64>)> {
-    (0..MOST_HALVINGS)
-        .map(|k| stepped(assembler, law, u, step, 0.5f64.powi(k as i32)))
-        .find(|(damping, _, residual)| constraints.free_norm(residual) < (1.0 - 1e-4 * damping) * norm)
-}
-
 fn add(u: &mut [f64], factor: f64, step: &[f64]) {
     for (u, step) in u.iter_mut().zip(step) {
         *u += factor * step;
     }
 }
 
-fn greatest(values: &[f64]) -> f64 {
+pub(crate) fn greatest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |m, v| m.max(v.abs()))
 }

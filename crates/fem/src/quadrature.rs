@@ -49,6 +49,25 @@ impl Quadrature {
         fine
     }
 
+    /// The rule on the part of the reference triangle with these corners.
+    pub fn on_part(mut self, [a, b, c]: [[f64; 2]; 3]) -> Self {
+        let (u, v) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
+        let part = u[0] * v[1] - u[1] * v[0];
+        for point in &mut self.points {
+            let [xi, eta] = *point;
+            *point = [0, 1].map(|d| a[d] + xi * u[d] + eta * v[d]);
+        }
+        self.weights.iter_mut().for_each(|weight| *weight *= part);
+        self
+    }
+
+    /// The points that `keeps` chooses, with their weights.
+    pub fn only(mut self, keeps: impl Fn([f64; 2]) -> bool) -> Self {
+        let kept = (self.points.iter().zip(&self.weights)).filter(|(point, _)| keeps(**point));
+        (self.points, self.weights) = kept.map(|(&point, &weight)| (point, weight)).unzip();
+        self
+    }
+
     /// From orbits of the triangle's symmetry: its centre (weight), three points `(a, a)`
     /// (weight, a), six points `(a, b)` (weight, a, b). Weights relative to area one.
     fn from_orbits(degree: usize, centre: Option<f64>, three: &[(f64, f64)], six: &[(f64, f64, f64)]) -> Self {
@@ -93,8 +112,13 @@ const DEGREE_8: [(f64, f64); 3] = [
 ];
 const DEGREE_8_SIX: (f64, f64, f64) = (0.027230314174434993, 0.008394777409957605, 0.2631128296346381);
 
+/// Integral of a function over `[0, 1]`.
+pub fn integrate_interval(f: impl Fn(f64) -> f64) -> f64 {
+    gauss_interval().into_iter().map(|(s, weight)| weight * f(s)).sum()
+}
+
 /// Gauss-Legendre rule with four points on `[0, 1]` (degree 7): points and weights.
-pub fn gauss_interval() -> [(f64, f64); 4] {
+pub(crate) fn gauss_interval() -> [(f64, f64); 4] {
     let root = (6.0f64 / 5.0).sqrt();
     let [near, far] = [-root, root].map(|sign| ((3.0 + 2.0 * sign) / 7.0).sqrt() / 2.0);
     let weight = |sign: f64| (18.0 + sign * 30.0f64.sqrt()) / 72.0;

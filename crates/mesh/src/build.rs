@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use crate::defect::MOST_DEFECTS;
 use crate::mesh::least_jacobian;
-use crate::raw::doubled_area;
+use crate::raw::{doubled_area, triangle_area};
 use crate::region::{circles, regions};
 use crate::topology::NO_TRIANGLE;
 use crate::{Defect, Mesh, RawMesh, Topology, numbering};
@@ -262,7 +262,7 @@ fn check_shapes(raw: &RawMesh) -> Vec<Defect> {
                 (b[0] - a[0]).powi(2) + (b[1] - a[1]).powi(2)
             })
             .fold(0.0, f64::max);
-        let area = 0.5 * doubled_area(corners);
+        let area = triangle_area(corners);
         if area.abs() <= LEAST_SHAPE * longest {
             defects.push(Defect::Degenerate {
                 nodes: nodes(),
@@ -384,7 +384,7 @@ mod tests {
         let mesh = Mesh::build(ring(8)).unwrap();
         let boundary = (0..mesh.topology().edges.len() as u32).filter(|&e| mesh.topology().is_boundary(e));
         assert_eq!(boundary.count(), 16);
-        let area: f64 = (0..16).map(|t| 0.5 * doubled_area(mesh.corners(t))).sum();
+        let area: f64 = (0..16).map(|t| triangle_area(mesh.corners(t))).sum();
         assert_eq!(area, 8.0);
     }
 

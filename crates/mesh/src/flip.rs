@@ -20,7 +20,7 @@
 use std::collections::HashMap;
 
 use crate::mesh::least_jacobian;
-use crate::raw::doubled_area;
+use crate::raw::{doubled_area, triangle_area};
 use crate::{Mesh, RawMesh, Topology};
 
 /// Edges flip if the sine of the sum of the angles that face them is less than this below zero: those of four
@@ -260,7 +260,7 @@ fn is_sound(corners: [[f64; 2]; 3], period: Option<f64>) -> bool {
         span = span.max((b[0] - a[0]).abs());
     }
     let fits = period.is_none_or(|period| span < LONGEST_SPAN * period);
-    fits && 0.5 * doubled_area(corners) > LEAST_SHAPE * longest * longest
+    fits && triangle_area(corners) > LEAST_SHAPE * longest * longest
 }
 
 /// Least Jacobian of a triangle with bulging edges 01, 12, 20 over that of the straight one.

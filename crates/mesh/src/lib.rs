@@ -54,7 +54,7 @@ pub use flip::Flipped;
 pub use locate::Locator;
 pub use mesh::Mesh;
 pub use quality::Quality;
-pub use raw::RawMesh;
+pub use raw::{RawMesh, triangle_area};
 pub use refine::Refined;
 pub use region::Region;
 pub use topology::Topology;

@@ -51,6 +51,11 @@ pub(crate) fn unwrap_corners(mut corners: [[f64; 2]; 3], period: Option<f64>) ->
     corners
 }
 
+/// Signed area [m2] of a triangle, positive if counter-clockwise.
+pub fn triangle_area(corners: [[f64; 2]; 3]) -> f64 {
+    0.5 * doubled_area(corners)
+}
+
 /// Twice the signed area [m2] of a triangle, positive if counter-clockwise.
 pub(crate) fn doubled_area([a, b, c]: [[f64; 2]; 3]) -> f64 {
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])

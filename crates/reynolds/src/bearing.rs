@@ -1,5 +1,7 @@
 //! The bearing's dimensions.
 
+use crate::JournalState;
+
 /// Radius, length and clearance of a journal bearing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bearing {
@@ -11,4 +13,11 @@ pub struct Bearing {
     pub clearance: f64,
     /// Pressure p_e at the ends [Pa gauge]; loads count the pressure above it.
     pub end_pressure: f64,
+}
+
+impl Bearing {
+    /// Least film thickness [m] over the whole circumference with the journal in this state.
+    pub fn least_gap(&self, journal: &JournalState) -> f64 {
+        self.clearance - journal.eccentricity()
+    }
 }

@@ -6,7 +6,7 @@
 //! Source: the difference of two degrees as an error estimate goes back to Bank and Smith, SIAM J. Numer. Anal. 30 (1993) 921.
 
 use oilwedge_fem::LinearSolver;
-use oilwedge_fem::complementarity::Start;
+use oilwedge_fem::complementarity::InitialGuess;
 use oilwedge_fem::nested::Nested;
 
 use crate::{FilmProblem, FilmSolution, FilmSystem, Form, NoFilm};
@@ -58,6 +58,6 @@ impl FilmProblem {
             prolongation: cubic.prolongation.clone(),
             direct: cubic.system.analysis.clone(),
         });
-        Ok(self.pressure_film(&cubic.system, &solver, 1.0, Start { u, held })?)
+        Ok(self.pressure_film(&cubic.system, &solver, 1.0, InitialGuess { u, held })?)
     }
 }

@@ -6,9 +6,9 @@ use oilwedge_fem::newton::{Failure, HistoryStep};
 use crate::solve::Neighbour;
 use crate::{FilmProblem, FilmSolution, FilmSystem, ReferenceFilm};
 
-/// Reduced pressures beyond this many limits need no second look.
+/// Reduced pressures beyond this many limits need no reference film.
 const FAR_ABOVE: f64 = 1.2;
-/// The greatest reduced pressure is known to this many differences of quadratic and cubic elements.
+/// Uncertainty of the greatest reduced pressure, over its difference between film and reference film.
 const SAFETY: f64 = 2.0;
 
 /// Why there is no film to report.
@@ -17,7 +17,7 @@ const SAFETY: f64 = 2.0;
 pub enum NoFilm {
     /// The viscosity law has no pressure for the reduced pressure found.
     #[error(
-        "no steady film: the reduced pressure q reaches {reached:.4e} Pa, {} of the {limit:.4e} Pa at which the viscosity law makes the pressure infinite{}; lower speed, eccentricity or viscosity, or use a law that grows slower (Roelands)",
+        "no steady film: the reduced pressure q reaches {reached:.4e} Pa, {} of the {limit:.4e} Pa at which the viscosity law makes the pressure infinite{}",
         readable(*ratio), greatest_speed.map_or(String::new(), |speed| format!(", which it reaches at {} rad/s", readable(speed)))
     )]
     AboveLimit {
@@ -27,12 +27,12 @@ pub enum NoFilm {
         limit: f64,
         /// Their ratio.
         ratio: f64,
-        /// Speed [rad/s] up to which there is a film, where it can be told.
+        /// Speed [rad/s] up to which there is a film, where it can be computed.
         greatest_speed: Option<f64>,
     },
-    /// The mesh cannot tell on which side of the limit of the viscosity law the film is.
+    /// The mesh does not resolve on which side of the limit of the viscosity law the film is.
     #[error(
-        "not converged: the reduced pressure q reaches {} of the {limit:.4e} Pa at which the viscosity law makes the pressure infinite, and this mesh tells that ratio to {known_to:.1e} only, so not whether there is a film; give a finer mesh ([mesh] size or tolerance), or another speed",
+        "not converged: the reduced pressure q reaches {} of the {limit:.4e} Pa at which the viscosity law makes the pressure infinite, and the mesh resolves that ratio to {known_to:.1e} only, so it is not known whether there is a film",
         readable(*ratio)
     )]
     NearLimit {
@@ -40,25 +40,25 @@ pub enum NoFilm {
         limit: f64,
         /// Greatest reduced pressure over the limit, in cubic elements.
         ratio: f64,
-        /// How well the mesh tells the ratio.
+        /// Accuracy of the ratio on this mesh.
         known_to: f64,
         /// How the film was solved.
         history: Vec<HistoryStep>,
     },
     /// Quadratic elements have a film of the as-printed equation, cubic ones on the same mesh have none.
     #[error(
-        "not converged: the as-printed equation is at its fold: quadratic elements have a film at {} rad/s and cubic ones have none, so this mesh cannot tell on which side of the fold it is; give a finer mesh ([mesh] size or tolerance), another speed, or form = \"conservative\"",
+        "not converged: the as-printed equation is at its fold: quadratic elements have a film at {} rad/s and cubic ones have none, so the mesh does not resolve on which side of the fold it is",
         readable(*asked)
     )]
     AtFold {
-        /// Speed asked for [rad/s].
+        /// Required speed [rad/s].
         asked: f64,
         /// How the film of quadratic elements was solved.
         history: Vec<HistoryStep>,
     },
     /// The pressure falls below what the viscosity law covers.
     #[error(
-        "no steady film: the pressure falls to where Roelands' law ends (q = {reached:.4e} Pa below {floor:.4e} Pa); add [cavitation]"
+        "no steady film: the pressure falls below the range of the viscosity law (q = {reached:.4e} Pa below {floor:.4e} Pa)"
     )]
     BelowFloor {
         /// Least reduced pressure [Pa].
@@ -68,18 +68,18 @@ pub enum NoFilm {
     },
     /// The as-printed equation has no solution at this speed.
     #[error(
-        "the as-printed equation has no solution above {} rad/s (its fold; asked for {} rad/s, {} times as much); lower speed or eccentricity, or use form = \"conservative\"",
+        "the as-printed equation has no solution above {} rad/s (its fold; asked for {} rad/s, {} times as much)",
         readable(*last), readable(*asked), readable(asked / last)
     )]
     Fold {
         /// Last speed with a solution [rad/s].
         last: f64,
-        /// Speed asked for [rad/s].
+        /// Required speed [rad/s].
         asked: f64,
     },
-    /// Steady mass-conserving film whose level nothing settles.
+    /// A part of a steady mass-conserving film whose level nothing determines.
     #[error(
-        "no steady film: no oil is supplied to the film near {} deg, z = {:.4} m (no feed, no flooded edge, no end above the cavitation pressure), so its level is undetermined; add a [[feed]], a film_start, or ends above cavitation.pressure",
+        "no steady film: no oil is supplied to the film near {} deg, z = {:.4} m (no feed, no flooded edge, no end above the cavitation pressure), so its level is undetermined",
         readable(angle.to_degrees()), z
     )]
     NoSupply {
@@ -90,7 +90,7 @@ pub enum NoFilm {
     },
     /// The scheme of the mass-conserving film is not positive on this mesh.
     #[error(
-        "no trustworthy film: the film fraction is {fraction:.4} at {} deg, z = {z:.4} m, outside 0 to 1, where the scheme is not monotone ({couplings} couplings of the mesh have the wrong sign: obtuse triangles, or a film that changes much within one); use another mesh, without obtuse angles and finer where the film is thin ([mesh] size draws one)",
+        "no reliable film: the film fraction is {fraction:.4} at {} deg, z = {z:.4} m, outside 0 to 1, where the scheme is not monotone ({couplings} couplings of the mesh have the wrong sign: obtuse triangles, or a film that changes much within one)",
         readable(angle.to_degrees())
     )]
     FilmFraction {
@@ -119,7 +119,7 @@ pub fn readable(value: f64) -> String {
 }
 
 impl NoFilm {
-    /// What was tried; empty where that tells nothing.
+    /// The iteration; empty where there was none.
     pub fn history(&self) -> &[HistoryStep] {
         match self {
             Self::NotConverged(failure) => failure.history(),
@@ -163,8 +163,8 @@ impl FilmProblem {
         Ok(())
     }
 
-    /// What is said where the reduced pressure `reached` of quadratic elements [Pa] is beyond the limit of the viscosity law, or that of
-    /// cubic ones is: that there is no film, or that this mesh cannot tell.
+    /// The reason where the greatest reduced pressure of the film, or that of its reference film, exceeds the `limit` [Pa] of the viscosity
+    /// law: that there is no film, or that the mesh does not resolve it.
     pub(crate) fn beyond(&self, system: &FilmSystem, film: &FilmSolution, limit: f64) -> NoFilm {
         let reached = self.greatest_unknown(system, film).value;
         let plainly = NoFilm::AboveLimit {

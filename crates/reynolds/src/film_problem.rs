@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, OnceLock};
 
-use oilwedge_fem::complementarity::Start;
+use oilwedge_fem::complementarity::InitialGuess;
 use oilwedge_fem::factorization::LazyAnalysis;
 use oilwedge_fem::linear_solver::MultigridSolver;
 use oilwedge_fem::newton::{self, HistoryStep, Seconds};
@@ -207,8 +207,8 @@ pub struct FilmSolution {
 
 impl FilmSolution {
     /// What a solve of a neighbouring film starts from.
-    pub(crate) fn as_start(&self) -> Start {
-        Start {
+    pub(crate) fn as_start(&self) -> InitialGuess {
+        InitialGuess {
             u: self.unknown.clone(),
             held: self.cavity.clone(),
         }

@@ -6,7 +6,7 @@
 
 use std::sync::Arc;
 
-use oilwedge_fem::complementarity::Start;
+use oilwedge_fem::complementarity::InitialGuess;
 use oilwedge_fem::{Field, Space, lagrange};
 use oilwedge_mesh::coarsen;
 use oilwedge_mesh::developed::Liner;
@@ -77,7 +77,7 @@ impl Coarser {
 
     /// A film of the coarser mesh as a start on the finer one. A dof is in the cavity if the nearest node is that
     /// can be: any one of a mass-conserving film or of linear elements, those amid edges of Swift-Stieber's quadratic ones.
-    pub(crate) fn carried(&self, film: &FilmSolution, cavitation: Cavitation) -> Start {
+    pub(crate) fn carried(&self, film: &FilmSolution, cavitation: Cavitation) -> InitialGuess {
         let space = self.system.space();
         let nodes = lagrange::nodes(space.degree());
         let voters = match cavitation.obstacle() {
@@ -99,7 +99,7 @@ impl Coarser {
             let nearest = voters.clone().min_by(|a, b| distance(a).total_cmp(&distance(b)));
             held.push(nearest.is_some_and(|k| film.cavity[dofs[k]]));
         }
-        Start { u, held }
+        InitialGuess { u, held }
     }
 }
 

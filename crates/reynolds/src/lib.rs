@@ -36,7 +36,7 @@
 //! An effect is an entry in one of these places; an empty place costs nothing.
 
 pub mod analytical;
-mod angles;
+pub mod angles;
 pub mod bearing;
 pub mod cavitation;
 mod cubic_film;

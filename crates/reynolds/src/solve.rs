@@ -1,8 +1,8 @@
 //! How a film is solved: cold, from coarser meshes, from a neighbouring film, and by continuation in the speed.
 
-use oilwedge_fem::complementarity::{self, Obstacle, Start};
+use oilwedge_fem::complementarity::{self, InitialGuess, Obstacle};
 use oilwedge_fem::field::Extremum;
-use oilwedge_fem::newton::{self, Failure};
+use oilwedge_fem::newton::{self, Equation, Failure};
 use oilwedge_fem::{Constraints, Error, Field, LinearSolver};
 
 use crate::cavitation::Choice;
@@ -112,7 +112,7 @@ impl FilmProblem {
     }
 
     /// The film of the next coarser mesh, if there is one, and on how many meshes it was solved; else nothing.
-    fn start(&self, system: &FilmSystem, motion: f64) -> (Start, usize) {
+    fn start(&self, system: &FilmSystem, motion: f64) -> (InitialGuess, usize) {
         let coarse = system.coarser.as_ref().and_then(|coarser| {
             let film = (coarser.problem(self))
                 .film_by(&coarser.system, motion, Neighbour::None, Choice::Roughly)
@@ -122,7 +122,7 @@ impl FilmProblem {
         coarse.unwrap_or_else(|| {
             let dofs = system.space().dofs();
             let (u, held) = (vec![0.0; dofs], vec![false; dofs]);
-            (Start { u, held }, 0)
+            (InitialGuess { u, held }, 0)
         })
     }
 
@@ -142,22 +142,26 @@ impl FilmProblem {
         system: &FilmSystem,
         solver: &LinearSolver,
         motion: f64,
-        start: Start,
+        start: InitialGuess,
     ) -> Result<FilmSolution, Failure> {
         let law = FilmLaw::new(self, motion);
         let constraints = system.supply.constraints(|p| self.unknown_at(p));
-        let scale = self.pressure_scale(&constraints);
-        let assembler = &system.assembler;
+        let equation = Equation {
+            assembler: &system.assembler,
+            solver,
+            law: &law,
+            constraints: &constraints,
+            scale: self.pressure_scale(&constraints),
+        };
         let Some(pressure) = self.cavitation.obstacle() else {
-            let solution = newton::solve(assembler, solver, &law, &constraints, scale, start.u)?;
-            return Ok(FilmSolution::full(solution));
+            return Ok(FilmSolution::full(newton::solve(&equation, start.u)?));
         };
         let floor = self.unknown_at(pressure);
         let obstacle = match system.space().degree() {
             2 => Obstacle::at_midpoints(system.space(), floor),
             _ => Obstacle::at_nodes(system.space(), floor),
         };
-        let contact = complementarity::solve(assembler, solver, &law, &constraints, &obstacle, scale, start)?;
+        let contact = complementarity::solve(&equation, &obstacle, start)?;
         Ok(FilmSolution {
             cavity: contact.held,
             ..FilmSolution::full(contact.solution)

@@ -59,9 +59,7 @@ pub struct SupplyRegion {
 #[non_exhaustive]
 pub enum SupplyError {
     /// Part of the boundary has no condition.
-    #[error(
-        "{count} boundary edges belong to no group with a pressure, one near ({x:.6}, {z:.6}) m; put them in end_low, end_high, arc_from, arc_to or in the group of a [[feed]]"
-    )]
+    #[error("{count} boundary edges belong to no group with a pressure, one near ({x:.6}, {z:.6}) m")]
     Unassigned {
         /// Number of such edges.
         count: usize,
@@ -71,9 +69,7 @@ pub enum SupplyError {
         z: f64,
     },
     /// Two feeds with different pressures share a node.
-    #[error(
-        "feeds \"{first}\" and \"{second}\" touch but have different pressures; separate them or give them one pressure"
-    )]
+    #[error("feeds \"{first}\" and \"{second}\" touch but have different pressures")]
     Conflict {
         /// Name of a feed.
         first: String,
@@ -82,7 +78,7 @@ pub enum SupplyError {
     },
     /// The rim of a cut-out does not close.
     #[error(
-        "the rim of \"{name}\" is not closed (loose end at node {node}); a region cut out of the film needs a closed curve: complete the group, or mesh the region as a surface"
+        "the rim of \"{name}\" is not closed (loose end at node {node}); a region cut out of the film needs a closed curve"
     )]
     OpenRim {
         /// Name of the region.
@@ -91,9 +87,7 @@ pub enum SupplyError {
         node: u64,
     },
     /// No line of element edges at the angle of the film start.
-    #[error(
-        "no line of element edges runs from end to end at {degrees:.6} deg, where the film is to start; mesh the liner with its seam there"
-    )]
+    #[error("no line of element edges runs from end to end at {degrees:.6} deg, where the film is to start")]
     NoLine {
         /// Angle asked for [deg].
         degrees: f64,

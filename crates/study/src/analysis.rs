@@ -4,15 +4,17 @@
 use std::time::Instant;
 
 use oilwedge_bearing::{
-    Equilibrium, GREATEST_ECCENTRICITY, NoEquilibrium, Patience, find, find_cubic, find_cubic_near, find_near,
+    Carrier, Deadline, Equilibrium, GREATEST_ECCENTRICITY, InitialGuess, NoEquilibrium, SearchOptions, find,
 };
+use oilwedge_reynolds::angles::wrapped;
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{FilmSolution, JournalState, NoFilm, ReferenceFilm};
+use oilwedge_reynolds::{Bearing, FilmSolution, JournalState, NoFilm, ReferenceFilm};
 
 use crate::compile::{CompileError, Study, compile, compile_near};
 use crate::result::Status;
 use crate::start::middle;
 use crate::thermal::{self, HeatFound, NoTemperature};
+use crate::words::way_out;
 use oilwedge_scene::Scene;
 
 /// A mesh is graded anew where the least film thickness found is another one than it was graded for by this factor,
@@ -63,18 +65,41 @@ pub struct Balance {
 }
 
 /// Why there is nothing to report.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug)]
 pub enum NoAnswer {
     /// There is no film at the given position.
-    #[error(transparent)]
-    Film(#[from] NoFilm),
+    Film(NoFilm),
     /// There is no position for the load.
-    #[error(transparent)]
-    Equilibrium(#[from] NoEquilibrium),
+    Equilibrium(NoEquilibrium),
     /// There is no temperature for the heat.
-    #[error(transparent)]
-    Heat(#[from] NoTemperature),
+    Heat(NoTemperature),
 }
+
+impl From<NoFilm> for NoAnswer {
+    fn from(reason: NoFilm) -> Self {
+        Self::Film(reason)
+    }
+}
+
+impl From<NoEquilibrium> for NoAnswer {
+    fn from(reason: NoEquilibrium) -> Self {
+        Self::Equilibrium(reason)
+    }
+}
+
+impl std::fmt::Display for NoAnswer {
+    /// The reason, and what can be done about it.
+    fn fmt(&self, out: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Film(reason) => reason.fmt(out),
+            Self::Equilibrium(reason) => reason.fmt(out),
+            Self::Heat(reason) => reason.fmt(out),
+        }?;
+        way_out(self).map_or(Ok(()), |way_out| write!(out, "; {way_out}"))
+    }
+}
+
+impl std::error::Error for NoAnswer {}
 
 impl NoAnswer {
     /// True if an answer may exist but was not reached.
@@ -115,32 +140,22 @@ impl NoAnswer {
 }
 
 /// Solves a study, with a reference film if errors are asked for (`bars`). Under a load the journal of its problem is where it was
-/// found then, or where the search was when `patience` was at its end.
+/// found then, or where the search was when `deadline` was at its end.
 ///
 /// # Errors
 /// [`NoAnswer`]: the reason why there is no film or no position.
-pub fn solve(study: &mut Study, bars: bool, patience: Patience) -> Result<Solved, NoAnswer> {
-    solve_from(study, bars, patience, Start::Scene)
-}
-
-/// Where a solve begins.
-#[derive(Debug, Clone, Copy)]
-pub enum Start<'a> {
-    /// As the scene says; a position on coarser meshes first.
-    Scene,
-    /// At the position of the study's problem, which a neighbouring operating point suggests; with the film of that point, if it is
-    /// of the same system.
-    Near(Neighbour<'a>),
+pub fn solve(study: &mut Study, bars: bool, deadline: Deadline) -> Result<Solved, NoAnswer> {
+    solve_from(study, bars, deadline, InitialGuess::Cold)
 }
 
 /// The same from a given start.
 ///
 /// # Errors
 /// As [`solve`]; from near another operating point also where a solve that begins as the scene says finds an answer.
-pub fn solve_from(study: &mut Study, bars: bool, patience: Patience, start: Start) -> Result<Solved, NoAnswer> {
+pub fn solve_from(study: &mut Study, bars: bool, deadline: Deadline, start: InitialGuess) -> Result<Solved, NoAnswer> {
     match study.heat {
-        Some(heat) => thermal::solve(study, &heat, bars, patience, start),
-        None => isothermal(study, bars, patience, start),
+        Some(heat) => thermal::solve(study, &heat, bars, deadline, start),
+        None => isothermal(study, bars, deadline, start),
     }
 }
 
@@ -148,14 +163,14 @@ pub fn solve_from(study: &mut Study, bars: bool, patience: Patience, start: Star
 ///
 /// # Errors
 /// As [`solve_from`].
-pub fn isothermal(study: &mut Study, bars: bool, patience: Patience, start: Start) -> Result<Solved, NoAnswer> {
+pub fn isothermal(study: &mut Study, bars: bool, deadline: Deadline, start: InitialGuess) -> Result<Solved, NoAnswer> {
     let clock = Instant::now();
     let Some(load) = study.load else {
         let film = match start {
-            Start::Near(near @ (Neighbour::Start(_) | Neighbour::Kept(_))) => {
+            InitialGuess::Near(near @ (Neighbour::Start(_) | Neighbour::Kept(_))) => {
                 study.problem.solve_from(&study.system, near)?
             }
-            Start::Scene | Start::Near(Neighbour::None) => study.problem.solve(&study.system)?,
+            InitialGuess::Cold | InitialGuess::Near(Neighbour::None) => study.problem.solve(&study.system)?,
         };
         let clock = Instant::now();
         let reference = match bars {
@@ -170,13 +185,17 @@ pub fn isothermal(study: &mut Study, bars: bool, patience: Patience, start: Star
             heat: None,
         });
     };
-    let (problem, system, centre_velocity) = (&study.problem, &study.system, study.centre_velocity);
-    let found = match (start, bars && problem.cavitation.is_symmetric()) {
-        (Start::Scene, true) => find_cubic(problem, system, load, centre_velocity, patience)?,
-        (Start::Scene, false) => find(problem, system, load, centre_velocity, patience)?,
-        (Start::Near(near), true) => find_cubic_near(problem, system, load, centre_velocity, patience, near)?,
-        (Start::Near(near), false) => find_near(problem, system, load, centre_velocity, patience, near)?,
+    let options = SearchOptions {
+        centre_velocity: study.centre_velocity,
+        deadline,
+        guess: start,
+        carrier: match bars && study.problem.cavitation.is_symmetric() {
+            true => Carrier::Cubic,
+            false => Carrier::Quadratic,
+        },
+        accuracy: None,
     };
+    let found = find(&study.problem, &study.system, load, &options)?;
     let seconds = clock.elapsed().as_secs_f64();
     let Equilibrium {
         problem, film, cubic, ..
@@ -205,40 +224,33 @@ pub fn isothermal(study: &mut Study, bars: bool, patience: Patience, start: Star
     })
 }
 
-/// Compiles a scene; under a load a mesh that is made here is graded for the position that the load leads to, as far as `patience`
+/// Compiles a scene; under a load a mesh that is made here is graded for the position that the load leads to, as far as `deadline`
 /// reaches.
 ///
 /// # Errors
 /// The scene does not become a film.
-pub fn graded(scene: &Scene, patience: Patience) -> Result<Study, CompileError> {
+pub fn graded(scene: &Scene, deadline: Deadline) -> Result<Study, CompileError> {
     let mut study = compile(scene)?;
     let Some(load) = study.load.filter(|_| scene.mesh.is_graded()) else {
         return Ok(study);
     };
-    let centre_velocity = study.centre_velocity;
+    let options = SearchOptions {
+        centre_velocity: study.centre_velocity,
+        deadline,
+        ..SearchOptions::default()
+    };
     let mut middle = Some(middle(&scene.journal));
     for _ in 1..GRADINGS {
-        if patience.is_over() {
+        if deadline.is_over() {
             break;
         }
         // A coarser mesh is good enough to grade a mesh for, if it leads to a position. A load may be out of reach only
         // because the mesh is too coarse there.
-        let on_coarser = (study.system.coarser.as_ref()).and_then(|coarser| {
-            find(
-                &coarser.problem(&study.problem),
-                &coarser.system,
-                load,
-                centre_velocity,
-                patience,
-            )
-            .ok()
-        });
-        let found = match on_coarser.map_or_else(
-            || find(&study.problem, &study.system, load, centre_velocity, patience),
-            Ok,
-        ) {
+        let on_coarser = (study.system.coarser.as_ref())
+            .and_then(|coarser| find(&coarser.problem(&study.problem), &coarser.system, load, &options).ok());
+        let found = match on_coarser.map_or_else(|| find(&study.problem, &study.system, load, &options), Ok) {
             Ok(Equilibrium { problem, .. }) => Some(problem.journal),
-            Err(NoEquilibrium::BeyondReach { .. } | NoEquilibrium::BelowRounding { .. }) => break,
+            Err(NoEquilibrium::BeyondCapacity { .. } | NoEquilibrium::BelowRounding { .. }) => break,
             // Feeds may carry what the estimate would have a thin film carry.
             Err(_) if middle.is_some() => {
                 study = compile_near(scene, middle.take().unwrap_or_default())?;
@@ -250,7 +262,7 @@ pub fn graded(scene: &Scene, patience: Patience) -> Result<Study, CompileError> 
         let Some(found) = found.filter(|found| found.eccentricity() <= GREATEST_ECCENTRICITY * clearance) else {
             break;
         };
-        if is_near(clearance, &study.problem.journal, &found) {
+        if is_near(&study.problem.bearing, &study.problem.journal, &found) {
             break;
         }
         study = compile_near(scene, (found.eccentricity() / clearance, found.min_film_angle()))?;
@@ -259,10 +271,8 @@ pub fn graded(scene: &Scene, patience: Patience) -> Result<Study, CompileError> 
 }
 
 /// Whether a mesh graded for one position suits another.
-pub fn is_near(clearance: f64, graded_for: &JournalState, found: &JournalState) -> bool {
-    let gap = |journal: &JournalState| clearance - journal.eccentricity();
-    let ratio = gap(graded_for) / gap(found);
-    let turn = graded_for.min_film_angle() - found.min_film_angle();
-    let turn = turn.sin().atan2(turn.cos()).abs();
+pub fn is_near(bearing: &Bearing, graded_for: &JournalState, found: &JournalState) -> bool {
+    let ratio = bearing.least_gap(graded_for) / bearing.least_gap(found);
+    let turn = wrapped(graded_for.min_film_angle() - found.min_film_angle()).abs();
     ratio < REGRADED && ratio > 1.0 / REGRADED && turn < ELSEWHERE
 }

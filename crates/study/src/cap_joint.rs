@@ -1,11 +1,11 @@
 //! The joint of a cap, made of the description in the scene.
 
-use oilwedge_bearing::{CapJoint, Shell};
+use oilwedge_bearing::{CapBolts, Shell};
 use oilwedge_scene::Cap;
 
 /// The joint of a cap.
-pub(crate) fn cap_joint(cap: &Cap) -> CapJoint {
-    CapJoint {
+pub(crate) fn cap_joint(cap: &Cap) -> CapBolts {
+    CapBolts {
         reciprocating_mass: cap.reciprocating_mass,
         rotating_mass: cap.rotating_mass,
         cap_mass: cap.cap_mass,

@@ -21,6 +21,7 @@ use crate::liner_mesh::{LinerMesh, liner_mesh, suited};
 use crate::oil::{Oil, at_temperature};
 use crate::run::DEGREE;
 use crate::start::start;
+use crate::words::way_out_of_supply;
 use oilwedge_scene::{self as scene, Scene};
 
 /// A scene, ready to be solved.
@@ -88,7 +89,7 @@ pub enum CompileError {
         present: Vec<String>,
     },
     /// No line of the mesh runs where the film is to start.
-    #[error("the mesh {} does not fit the key bearing.film_start: {fault}; or remove film_start: the film is periodic then", mesh.display())]
+    #[error("the mesh {} does not fit the key bearing.film_start: {fault}; {}, or remove film_start: the film is periodic then", mesh.display(), way_out_of_supply(fault))]
     FilmStart {
         /// Mesh file.
         mesh: std::path::PathBuf,
@@ -96,7 +97,7 @@ pub enum CompileError {
         fault: SupplyError,
     },
     /// Given pressures do not fit the mesh.
-    #[error("the mesh {} does not fit the scene:{}", mesh.display(), list(faults))]
+    #[error("the mesh {} does not fit the scene:{}", mesh.display(), list(&unfit_supply(faults)))]
     Supply {
         /// Mesh file.
         mesh: std::path::PathBuf,
@@ -127,6 +128,11 @@ pub enum CompileError {
     /// The film is too large for this machine.
     #[error(transparent)]
     Fem(#[from] oilwedge_fem::Error),
+}
+
+fn unfit_supply(faults: &[SupplyError]) -> Vec<String> {
+    let line = |fault| format!("{fault}; {}", way_out_of_supply(fault));
+    faults.iter().map(line).collect()
 }
 
 fn list(faults: &[impl std::fmt::Display]) -> String {

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use oilwedge_bearing::Patience;
+use oilwedge_bearing::Deadline;
 use oilwedge_mesh::Mesh;
 
 use crate::analysis::{NoAnswer, solve};
@@ -51,12 +51,12 @@ pub fn solve_level(
     near: (f64, f64),
     degree: usize,
     bars: bool,
-    patience: Patience,
+    deadline: Deadline,
 ) -> Result<Level, LevelError> {
     let clock = Instant::now();
     let mut study = compile_on(scene, mesh, near, degree)?;
     let order = clock.elapsed().as_secs_f64();
-    let solved = solve(&mut study, bars && degree == DEGREE, patience)?;
+    let solved = solve(&mut study, bars && degree == DEGREE, deadline)?;
     let clock = Instant::now();
     let judged = estimate_errors(&study, &solved);
     let (measuring, parts) = (clock.elapsed().as_secs_f64(), solved.film.seconds);

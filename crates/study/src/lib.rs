@@ -26,6 +26,7 @@ pub mod run;
 pub mod start;
 pub mod thermal;
 pub mod warnings;
+pub mod words;
 
 pub use oilwedge_bearing::Interrupt;
 

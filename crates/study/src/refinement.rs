@@ -8,7 +8,7 @@
 
 use std::time::Instant;
 
-use oilwedge_bearing::Patience;
+use oilwedge_bearing::Deadline;
 
 use crate::analysis::{NoAnswer, Solved, graded, solve};
 use crate::checks::targets;
@@ -63,12 +63,12 @@ pub struct Answer {
 /// # Errors
 /// The scene does not become a film.
 pub fn answer(scene: &Scene, options: &RunOptions) -> Result<Answer, CompileError> {
-    let warmed = crate::thermal::warmed(scene, options.patience())?;
+    let warmed = crate::thermal::warmed(scene, options.deadline())?;
     let scene = warmed.as_ref().unwrap_or(scene);
     let Some(targets) = targets(scene).filter(|_| options.bars) else {
-        let patience = options.patience();
-        let mut study = graded(scene, patience)?;
-        let outcome = solved(&mut study, options.bars, patience);
+        let deadline = options.deadline();
+        let mut study = graded(scene, deadline)?;
+        let outcome = solved(&mut study, options.bars, deadline);
         let limit = outcome.as_ref().ok().and_then(|(solved, _)| ended(solved, options));
         return Ok(Answer {
             study,
@@ -112,8 +112,8 @@ pub fn ended(solved: &Solved, options: &RunOptions) -> Option<String> {
     Some(format!("{what}: the search for {reached}{way_out}"))
 }
 
-fn solved(study: &mut Study, bars: bool, patience: Patience) -> Result<(Solved, Estimated), NoAnswer> {
-    let solved = solve(study, bars, patience)?;
+fn solved(study: &mut Study, bars: bool, deadline: Deadline) -> Result<(Solved, Estimated), NoAnswer> {
+    let solved = solve(study, bars, deadline)?;
     let judged = estimate_errors(study, &solved);
     Ok((solved, judged))
 }
@@ -128,14 +128,14 @@ pub fn unknowns(study: &Study) -> usize {
 
 fn towards(scene: &Scene, targets: &[Target], options: &RunOptions) -> Result<Answer, CompileError> {
     let clock = Instant::now();
-    let patience = options.patience();
+    let deadline = options.deadline();
     let mut next = Next::first(scene);
     let mut levels: Vec<LevelFacts> = Vec::new();
     let mut best: Option<Best> = None;
     let mut is_laid_anew = false;
     loop {
         let start = Instant::now();
-        let (refinement, mut study) = match (next.study(scene, patience), best.take()) {
+        let (refinement, mut study) = match (next.study(scene, deadline), best.take()) {
             (Ok(made), before) => {
                 best = before;
                 made
@@ -146,10 +146,10 @@ fn towards(scene: &Scene, targets: &[Target], options: &RunOptions) -> Result<An
         // What a mesh was made of is known of those divided from it too.
         is_laid_anew |= study.is_laid_anew;
         study.is_laid_anew = is_laid_anew;
-        let outcome = solved(&mut study, true, patience);
+        let outcome = solved(&mut study, true, deadline);
         if let Err(reason) = &outcome
             && reason.is_near_limit()
-            && may_divide(&study, patience, options)
+            && may_divide(&study, deadline, options)
             && let Some(finer) = Next::divided(scene, &study)
         {
             // A finer mesh tells whether there is a film.
@@ -388,6 +388,6 @@ fn limit(levels: &[LevelFacts], elapsed: f64, growth: f64, worst: f64, options: 
 }
 
 /// Whether the mesh of a study may be divided uniformly within the limits of a run.
-fn may_divide(study: &Study, patience: Patience, options: &RunOptions) -> bool {
-    !patience.is_over() && 4 * unknowns(study) <= options.max_unknowns
+fn may_divide(study: &Study, deadline: Deadline, options: &RunOptions) -> bool {
+    !deadline.is_over() && 4 * unknowns(study) <= options.max_unknowns
 }

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use oilwedge_bearing::{Interrupt, NoEquilibrium, Patience};
+use oilwedge_bearing::{Deadline, Interrupt, NoEquilibrium};
 use oilwedge_fem::linearisation::Route;
 use oilwedge_fem::newton;
 use oilwedge_mesh::Mesh;
@@ -39,8 +39,8 @@ pub struct RunOptions {
 
 impl RunOptions {
     /// How long a run that begins now may search.
-    pub fn patience(&self) -> Patience {
-        Patience::of(self.max_seconds, self.interrupt)
+    pub fn deadline(&self) -> Deadline {
+        Deadline::after(self.max_seconds, self.interrupt)
     }
 }
 

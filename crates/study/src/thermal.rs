@@ -6,11 +6,11 @@
 use std::borrow::Cow;
 use std::collections::HashMap;
 
-use oilwedge_bearing::{Balanced, FilmHeat, HeatBalance, NoBalance, Patience};
+use oilwedge_bearing::{Balanced, Deadline, FilmHeat, HeatBalance, InitialGuess, NoBalance};
 use oilwedge_reynolds::ReferenceFilm;
 use oilwedge_reynolds::existence::readable;
 
-use crate::analysis::{NoAnswer, Solved, Start, graded};
+use crate::analysis::{NoAnswer, Solved, graded};
 use crate::compile::{CompileError, Study};
 use crate::liner_mesh::resized;
 use crate::measure::{Measured, measure};
@@ -150,20 +150,20 @@ fn none(balance: &HeatBalance, reason: NoBalance<Left>) -> NoAnswer {
 ///
 /// # Errors
 /// The scene does not become a film.
-pub fn warmed(scene: &Scene, patience: Patience) -> Result<Option<Scene>, CompileError> {
+pub fn warmed(scene: &Scene, deadline: Deadline) -> Result<Option<Scene>, CompileError> {
     if scene.heat.is_none() {
         return Ok(None);
     }
     let coarse = resized(scene, COARSE).unwrap_or_else(|| scene.clone());
-    let mut study = graded(&coarse, patience)?;
-    let found = solve_coarse(&mut study, patience);
+    let mut study = graded(&coarse, deadline)?;
+    let found = solve_coarse(&mut study, deadline);
     Ok(found.map(|temperature| at_temperature(scene, temperature)))
 }
 
-fn solve_coarse(study: &mut Study, patience: Patience) -> Option<f64> {
+fn solve_coarse(study: &mut Study, deadline: Deadline) -> Option<f64> {
     let heat = study.heat?;
     let first = study.oil.temperature.unwrap_or(first_temperature(&heat));
-    let mut films = Films::new(study, heat, patience, Start::Scene);
+    let mut films = Films::new(study, heat, deadline, InitialGuess::Cold);
     films
         .find(first, ROUGHLY, Film::Chosen)
         .ok()

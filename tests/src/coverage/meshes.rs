@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use oilwedge_bearing::Patience;
+use oilwedge_bearing::Deadline;
 use oilwedge_fem::marking::doerfler;
 use oilwedge_mesh::{Mesh, refine};
 use oilwedge_scene::Scene;
@@ -53,7 +53,7 @@ impl Solve {
     /// The reason why there is no film or no position, in words.
     pub fn new(mut study: Study, kind: Kind) -> Result<Self, String> {
         let clock = Instant::now();
-        let solved = solve(&mut study, true, Patience::default()).map_err(|reason| reason.to_string())?;
+        let solved = solve(&mut study, true, Deadline::default()).map_err(|reason| reason.to_string())?;
         let judged = estimate_errors(&study, &solved);
         Ok(Self {
             kind,
@@ -128,7 +128,7 @@ pub fn sized(bearing: &Bearing, wanted: f64) -> Scene {
 pub fn solves(bearing: &Bearing, seed: u64) -> Vec<Result<Solve, String>> {
     let mut dice = Dice::new(seed);
     let compiled = |scene: &Scene| {
-        let study = graded(scene, Patience::default()).map_err(|error| error.to_string())?;
+        let study = graded(scene, Deadline::default()).map_err(|error| error.to_string())?;
         Solve::new(study, Kind::Drawn)
     };
     let mut found = Vec::new();

@@ -4,7 +4,7 @@
 //! much better than everywhere. How well a number is known is told by its own bar or, where that is less, by what the last
 //! refinement changed.
 
-use oilwedge_bearing::Patience;
+use oilwedge_bearing::Deadline;
 use oilwedge_fem::marking::doerfler;
 use oilwedge_mesh::refine;
 use oilwedge_reynolds::ReferenceFilm;
@@ -50,7 +50,7 @@ pub struct Reference {
 /// The reason why there are none.
 pub fn reference(bearing: &Bearing, most: usize) -> Result<Reference, String> {
     let scene = sized(bearing, FIRST);
-    let study = graded(&scene, Patience::default()).map_err(|error| error.to_string())?;
+    let study = graded(&scene, Deadline::default()).map_err(|error| error.to_string())?;
     let mut before: Vec<Quantity> = Vec::new();
     let mut last = Solve::new(study, Kind::Drawn)?;
     while last.unknowns < most {

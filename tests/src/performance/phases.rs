@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use oilwedge_bearing::{Equilibrium, Patience, find};
+use oilwedge_bearing::{Equilibrium, SearchOptions, find};
 use oilwedge_fem::{Analysis, Assembler, Constraints, Factorization, Matrix, Space};
 use oilwedge_mesh::Mesh;
 use oilwedge_reynolds::FilmSolution;
@@ -113,14 +113,11 @@ pub fn film(study: &Study) -> FilmSolution {
 /// If there is none.
 pub fn equilibrium(study: &Study) -> Equilibrium {
     let load = study.load.expect("a load");
-    (find(
-        &study.problem,
-        &study.system,
-        load,
-        study.centre_velocity,
-        Patience::default(),
-    ))
-    .unwrap_or_else(|reason| panic!("{reason}"))
+    let options = SearchOptions {
+        centre_velocity: study.centre_velocity,
+        ..SearchOptions::default()
+    };
+    find(&study.problem, &study.system, load, &options).unwrap_or_else(|reason| panic!("{reason}"))
 }
 
 /// **File to load.** Everything from the mesh to the load [N], but for start and output of the program.

@@ -99,7 +99,14 @@ fn errors(degree: usize, n: u32) -> [f64; 2] {
         }
     }
     let start = vec![0.0; space.dofs()];
-    let solution = newton::solve(&assembler, &solver, &Manufactured, &constraints, 1.0, start).unwrap();
+    let equation = newton::Equation {
+        assembler: &assembler,
+        solver: &solver,
+        law: &Manufactured,
+        constraints: &constraints,
+        scale: 1.0,
+    };
+    let solution = newton::solve(&equation, start).unwrap();
     assert_eq!(solution.history.len(), 1, "a linear law needs one solve");
     let field = Field {
         space,

@@ -7,7 +7,7 @@
 
 use std::f64::consts::PI;
 
-use oilwedge_bearing::{CapJoint, Shell};
+use oilwedge_bearing::{CapBolts, Shell};
 use oilwedge_tests::engine_bearings::{tractor, tractor_joint as joint};
 
 #[track_caller]
@@ -43,7 +43,7 @@ fn stresses() {
 #[test]
 fn without_the_roundings_of_the_print() {
     let rounded = joint();
-    let joint = CapJoint {
+    let joint = CapBolts {
         rod_length: 0.230,
         shell: rounded.shell.map(|shell| Shell {
             radius: 0.0335,

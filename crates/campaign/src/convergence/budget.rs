@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use oilwedge_bearing::{Interrupt, Patience};
+use oilwedge_bearing::{Deadline, Interrupt};
 
 /// What a level is expected to take, over what it was predicted to: machines are shared, and bad luck is no excuse.
 const CAUTION: f64 = 1.25;
@@ -42,12 +42,12 @@ impl Budget {
     }
 
     /// How long a search that begins now may go on. A study without levels says nothing, so the first is only ended when asked for.
-    pub(super) fn patience(&self, is_first: bool) -> Patience {
+    pub(super) fn deadline(&self, is_first: bool) -> Deadline {
         let seconds = match is_first {
             true => f64::INFINITY,
             false => f64::max(self.max_seconds - self.spent(), 0.0),
         };
-        Patience::of(seconds, self.interrupt)
+        Deadline::after(seconds, self.interrupt)
     }
 
     /// The whole [s].

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use oilwedge_bearing::Patience;
+use oilwedge_bearing::Deadline;
 use oilwedge_fem::marking::doerfler;
 use oilwedge_mesh::{Mesh, refine};
 
@@ -191,7 +191,7 @@ impl<'a> Climb<'a> {
         let refining = clock.elapsed().as_secs_f64();
         self.making += refining;
         let triangles = self.mesh.triangles().len();
-        match self.solve(budget, budget.patience(must)) {
+        match self.solve(budget, budget.deadline(must)) {
             Ok((level, _)) if level.is_ended => {
                 self.ended = Some(match budget.is_interrupted() {
                     true => format!("interrupted: level {number} was not finished"),
@@ -221,13 +221,13 @@ impl<'a> Climb<'a> {
     }
 
     /// Solves on the mesh, again for the timing where that is cheap.
-    fn solve(&self, budget: &Budget, patience: Patience) -> Result<(Level, Timing), LevelError> {
-        let (mut level, wall, run) = self.run(patience)?;
+    fn solve(&self, budget: &Budget, deadline: Deadline) -> Result<(Level, Timing), LevelError> {
+        let (mut level, wall, run) = self.run(deadline)?;
         let (mut walls, mut parts) = (vec![wall], vec![run]);
         while budget.repeats(&walls) {
             // Memory for one level at a time.
             drop(level);
-            let (again, wall, run) = self.run(patience)?;
+            let (again, wall, run) = self.run(deadline)?;
             level = again;
             walls.push(wall);
             parts.push(run);
@@ -252,11 +252,11 @@ impl<'a> Climb<'a> {
     }
 
     /// Solves on the mesh once: the level, its seconds [s], and these in parts.
-    fn run(&self, patience: Patience) -> Result<(Level, f64, Parts), LevelError> {
+    fn run(&self, deadline: Deadline) -> Result<(Level, f64, Parts), LevelError> {
         let mesh = Mesh::clone(&self.mesh);
         let degree = self.strategy.degree();
         let clock = Instant::now();
-        let level = solve_level(self.scene, mesh, self.near, degree, degree > 1, patience)?;
+        let level = solve_level(self.scene, mesh, self.near, degree, degree > 1, deadline)?;
         let wall = clock.elapsed().as_secs_f64();
         let mut parts = level.seconds.clone();
         let told: f64 = parts.iter().map(|(_, seconds)| seconds).sum();

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use oilwedge_bearing::Patience;
+use oilwedge_bearing::Deadline;
 use oilwedge_mesh::Mesh;
 
 use oilwedge_scene::Scene;
@@ -29,7 +29,7 @@ pub(super) struct First {
 ///
 /// # Errors
 /// The mesh cannot be read or drawn; or, within, there is no position for the load on any of the coarse meshes.
-pub(super) fn first_mesh(scene: &Scene, patience: Patience) -> Result<Result<First, NoAnswer>, CompileError> {
+pub(super) fn first_mesh(scene: &Scene, deadline: Deadline) -> Result<Result<First, NoAnswer>, CompileError> {
     let clock = Instant::now();
     let start = start(scene);
     let first = |mesh: Mesh, near: (f64, f64)| First {
@@ -46,14 +46,14 @@ pub(super) fn first_mesh(scene: &Scene, patience: Patience) -> Result<Result<Fir
             }
             continue;
         }
-        let mut study = match graded(&coarse, patience) {
+        let mut study = match graded(&coarse, deadline) {
             Ok(study) => study,
             Err(error) => {
                 tried = Err(error);
                 continue;
             }
         };
-        match solve(&mut study, false, patience) {
+        match solve(&mut study, false, deadline) {
             Ok(_) => {
                 let journal = &study.problem.journal;
                 let near = (

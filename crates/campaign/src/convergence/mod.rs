@@ -52,7 +52,7 @@ pub struct Convergence {
 pub fn converge(scene: &Scene, budget: &Budget, observer: &mut dyn Observer) -> Result<Convergence, Error> {
     let goal = main_quantity(scene).name;
     let report = blank(scene, budget, goal);
-    let first = match first_mesh::first_mesh(scene, budget.patience(true))? {
+    let first = match first_mesh::first_mesh(scene, budget.deadline(true))? {
         Ok(first) => first,
         Err(reason) => return Ok(unanswered(report, &reason, budget)),
     };

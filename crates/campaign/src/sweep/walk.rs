@@ -4,12 +4,12 @@
 
 use std::time::Instant;
 
-use oilwedge_bearing::{Patience, Point, SHORT_MOVE, Visited, predicted};
+use oilwedge_bearing::{Deadline, InitialGuess, Point, SHORT_MOVE, Visited, predicted};
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{FilmSolution, JournalState};
+use oilwedge_reynolds::{FilmProblem, FilmSolution, JournalState};
 
 use oilwedge_scene::Scene;
-use oilwedge_study::analysis::{NoAnswer, Solved, Start, graded, is_near, solve, solve_from};
+use oilwedge_study::analysis::{NoAnswer, Solved, graded, is_near, solve, solve_from};
 use oilwedge_study::compile::{CompileError, Study, compile_near, has_same_system, reused};
 use oilwedge_study::estimate::estimate_errors;
 use oilwedge_study::oil::Oil;
@@ -56,7 +56,7 @@ struct Held {
 pub(super) struct Walker<'a> {
     options: &'a RunOptions,
     /// That of the case that is computed.
-    patience: Patience,
+    deadline: Deadline,
     held: Option<Held>,
     visited: Vec<Visited>,
 }
@@ -65,7 +65,7 @@ impl<'a> Walker<'a> {
     pub(super) fn new(options: &'a RunOptions) -> Self {
         Self {
             options,
-            patience: Patience::default(),
+            deadline: Deadline::default(),
             held: None,
             visited: Vec::new(),
         }
@@ -83,7 +83,7 @@ impl<'a> Walker<'a> {
     /// Computes the next case of the chain; `coordinate` is its value on the axis along which the chain runs.
     pub(super) fn case(&mut self, scene: &Scene, coordinate: f64) -> Found {
         let clock = Instant::now();
-        self.patience = self.options.patience();
+        self.deadline = self.options.deadline();
         let found = match scene.tolerance.is_some() && self.options.bars {
             true => self.refined(scene),
             false => self.walked(scene, coordinate),
@@ -169,10 +169,10 @@ impl<'a> Walker<'a> {
             .filter(|held| !scene.mesh.is_graded() && has_same_system(&held.scene, scene));
         let mut study = match ungraded {
             Some(held) => reused(held.study, scene, start(scene)),
-            None => graded(scene, self.patience)?,
+            None => graded(scene, self.deadline)?,
         };
         let graded_for = study.problem.journal;
-        let outcome = solve(&mut study, self.options.bars, self.patience);
+        let outcome = solve(&mut study, self.options.bars, self.deadline);
         let held = Held {
             scene: scene.clone(),
             study,
@@ -202,25 +202,31 @@ impl<'a> Walker<'a> {
             graded_for: held.graded_for,
             film,
         };
-        let clearance = scene.bearing.clearance;
-        let suits = |held: &Held, clearance: f64| {
-            !held.scene.mesh.is_graded() || is_near(clearance, &held.graded_for, &held.study.problem.journal)
+        let suits = |held: &Held| {
+            let FilmProblem { bearing, journal, .. } = &held.study.problem;
+            !held.scene.mesh.is_graded() || is_near(bearing, &held.graded_for, journal)
         };
-        if !suits(&held, clearance) {
+        if !suits(&held) {
             held = redrawn(scene, near)?;
         }
         for _ in 0..2 {
-            let start = Start::Near(held.film.as_ref().map_or(Neighbour::None, Neighbour::Start));
-            let Ok(solved) = solve_from(&mut held.study, self.options.bars, self.patience, start) else {
+            let start = InitialGuess::Near(held.film.as_ref().map_or(Neighbour::None, Neighbour::Start));
+            let Ok(solved) = solve_from(&mut held.study, self.options.bars, self.deadline, start) else {
                 // A mesh that a film has not shaped is good for another start.
                 self.held = Some(held);
                 return Ok(None);
             };
-            if suits(&held, clearance) {
+            if suits(&held) {
                 return Ok(Some((held, solved)));
             }
             let journal = &held.study.problem.journal;
-            held = redrawn(scene, (journal.eccentricity() / clearance, journal.min_film_angle()))?;
+            held = redrawn(
+                scene,
+                (
+                    journal.eccentricity() / scene.bearing.clearance,
+                    journal.min_film_angle(),
+                ),
+            )?;
         }
         Ok(None)
     }

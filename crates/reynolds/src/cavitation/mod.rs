@@ -11,7 +11,7 @@
 
 mod jfo;
 
-use oilwedge_fem::complementarity::Start;
+use oilwedge_fem::complementarity::InitialGuess;
 use oilwedge_fem::newton::Failure;
 
 pub(crate) use jfo::{Carriage, Choice, residual_change, spread, work};
@@ -127,7 +127,7 @@ impl Cavitation {
         problem: &FilmProblem,
         system: &FilmSystem,
         motion: f64,
-        start: Start,
+        start: InitialGuess,
         choice: Choice,
     ) -> Result<FilmSolution, NoFilm> {
         match self {

@@ -24,6 +24,7 @@
 //! **Verified by** `cavitation/bars`: finer meshes.
 
 use oilwedge_fem::control_volumes::sub_triangles;
+use oilwedge_mesh::triangle_area;
 
 use super::{Bar, CANCELLING, UNRESOLVED};
 use crate::cavitation;
@@ -271,8 +272,7 @@ impl<'a> Pair<'a> {
 
     /// Area [m2] of a triangle, its sides taken straight.
     fn area(&self, t: usize) -> f64 {
-        let [a, b, c] = self.system.space().mesh().corners(t);
-        0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
+        triangle_area(self.system.space().mesh().corners(t))
     }
 
     /// True if some of these nodes of a triangle are in the cavity and some are not.

@@ -4,10 +4,8 @@
 //! `j_i = Int |U|^2/h s phi_i dA` for shear, s the secant of the viscosity: nothing where that is constant. So the difference of the two films
 //! times the vector is the change of the power, but for what the rules of integration add.
 
-use oilwedge_fem::lagrange::{self, MOST_SHAPES};
-use oilwedge_fem::mapping::Mapping;
-use oilwedge_fem::quadrature::MOST_POINTS;
-use oilwedge_fem::{Field, Quadrature};
+use oilwedge_fem::Field;
+use oilwedge_fem::integrate::Rule;
 
 use crate::film_law::FilmLaw;
 use crate::lubricant::PressureLaw;
@@ -32,38 +30,29 @@ pub(super) fn goal_vectors(problem: &FilmProblem, cubic: &FilmSystem, better: &[
         return goals;
     }
     let is_film = cubic.supply.film(space.mesh());
-    let rule = Quadrature::for_degree(space.degree());
-    let values = lagrange::tabulated(space.degree(), &rule.points);
-    let mut gradients = vec![[[0.0; 2]; MOST_SHAPES]; rule.points.len()];
-    for (gradients, &point) in gradients.iter_mut().zip(&rule.points) {
-        lagrange::gradients(space.degree(), point, &mut gradients[..space.shapes()]);
-    }
+    let rule = Rule::for_degree(space.degree());
     let thickens = !matches!(problem.lubricant.pressure_law, PressureLaw::Constant);
     for t in (0..is_film.len()).filter(|&t| is_film[t]) {
-        let mapping = Mapping::of(space.mesh(), t);
-        let places = rule.points.iter().map(|&point| mapping.at(point)).collect::<Vec<_>>();
-        let mut positions = [[0.0; 2]; MOST_POINTS];
-        for (position, place) in positions.iter_mut().zip(&places) {
-            *position = place.position;
-        }
-        let film = law.film_and_flows(t, &positions[..places.len()]).0;
         let nodal = [better, raised].map(|values| Field { space, values }.element_values(t));
         let dofs = &space.element_dofs(t)[..space.shapes()];
-        for (q, place) in places.iter().enumerate() {
-            let area = rule.weights[q] * place.determinant;
-            for (i, &dof) in dofs.iter().enumerate() {
-                let [x, z] = place.gradient(gradients[q][i]);
-                goals[1][dof] += area * 0.5 * film[q].thickness * (velocity[0] * x + velocity[1] * z);
-            }
-            if thickens {
-                let at = |nodal: &[f64; MOST_SHAPES]| nodal.iter().zip(&values[q]).map(|(u, s)| u * s).sum();
-                let at_unknown = |u: f64| shear(problem, &film[q], problem.pressure_at(u));
-                let density = area * secant(&at_unknown, at(&nodal[0]), at(&nodal[1]));
-                for (&dof, value) in dofs.iter().zip(&values[q]) {
-                    goals[0][dof] += density * value;
+        rule.visit(space.mesh(), t, |points| {
+            let film = law.film_and_flows(t, points.positions).0;
+            for (q, film) in film[..points.positions.len()].iter().enumerate() {
+                let area = points.area(q);
+                for (i, &dof) in dofs.iter().enumerate() {
+                    let [x, z] = points.shape_gradient(q, i);
+                    goals[1][dof] += area * 0.5 * film.thickness * (velocity[0] * x + velocity[1] * z);
+                }
+                if thickens {
+                    let at_unknown = |u: f64| shear(problem, film, problem.pressure_at(u));
+                    let [better, raised] = nodal.each_ref().map(|nodal| points.value(q, nodal));
+                    let density = area * secant(&at_unknown, better, raised);
+                    for (&dof, value) in dofs.iter().zip(points.shapes(q)) {
+                        goals[0][dof] += density * value;
+                    }
                 }
             }
-        }
+        });
     }
     for (goal, (&a, &b)) in goals[1].iter_mut().zip(better.iter().zip(raised)) {
         *goal *= secant(&|u| problem.pressure_at(u), a, b);

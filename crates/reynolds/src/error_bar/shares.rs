@@ -5,14 +5,13 @@
 //! where j - K z is not. In the hierarchical basis each product belongs to a function, and is shared
 //! equally among the triangles that it lives on.
 
-use oilwedge_fem::mapping::Mapping;
+use oilwedge_fem::integrate::{Nodal, Rule};
 use oilwedge_fem::prolongation::Hierarchical;
-use oilwedge_fem::quadrature::MOST_POINTS;
-use oilwedge_fem::{Error, Field, Matrix, Quadrature, lagrange};
+use oilwedge_fem::{Error, Field, Matrix};
 
 use super::{FilmError, FlowGoal, GoalError, drag, geometry};
 use crate::angles::sines_and_cosines;
-use crate::quantities::load::{KINK_QUARTERINGS, Share, possible_load};
+use crate::quantities::load::{Share, kinked_rule, possible_load};
 use crate::supply::{Place, SupplyRegion};
 use crate::{FilmPoint, FilmProblem, FilmSolution, FilmSystem, Form};
 
@@ -163,23 +162,27 @@ impl Split<'_> {
 
 /// `Int s phi_i (cos phi, sin phi, 1) dA` for each cubic function, with the secant s of the pressure between the two films.
 fn goal_vectors(problem: &FilmProblem, cubic: &FilmSystem, better: &[f64], raised: &[f64]) -> [Vec<f64>; 3] {
-    let space = cubic.space();
-    let rule = Quadrature::for_degree(space.degree());
-    let fine = rule.quartered(KINK_QUARTERINGS);
-    let [plain_shapes, fine_shapes] = [&rule, &fine].map(|rule| lagrange::tabulated(space.degree(), &rule.points));
+    let (space, mesh) = (cubic.space(), cubic.space().mesh());
+    let (plain, fine) = (Rule::for_degree(space.degree()), kinked_rule(space.degree()));
     let kink = problem.cavitation.kink().map(|p| problem.unknown_at(p));
     let mut goals = [0, 1, 2].map(|_| vec![0.0; space.dofs()]);
-    for t in 0..space.mesh().triangles().len() {
-        let mapping = Mapping::of(space.mesh(), t);
+    for t in 0..mesh.triangles().len() {
         let dofs = &space.element_dofs(t)[..space.shapes()];
         let [p3, p2] = [better, raised].map(|values| Field { space, values }.element_values(t));
         let mut values = p3[..dofs.len()].iter().chain(&p2[..dofs.len()]);
         let kinked = kink.is_some_and(|kink| values.clone().any(|&u| u < kink) && values.any(|&u| u > kink));
-        let tabulated = match kinked {
-            true => (&fine, &fine_shapes[..]),
-            false => (&rule, &plain_shapes[..]),
-        };
-        let element = element_goals(problem, &mapping, tabulated, [&p3, &p2]);
+        let rule = if kinked { &fine } else { &plain };
+        let element = rule.integrate(mesh, t, |points, element: &mut [Nodal; 3]| {
+            let [sines, cosines] = sines_and_cosines(points.positions, problem.bearing.radius);
+            for q in 0..points.positions.len() {
+                let area = points.area(q) * secant(problem, points.value(q, &p3), points.value(q, &p2));
+                for (goal, weight) in element.iter_mut().zip([area * cosines[q], area * sines[q], area]) {
+                    for (entry, shape) in goal.iter_mut().zip(points.shapes(q)) {
+                        *entry += weight * shape;
+                    }
+                }
+            }
+        });
         for (goal, element) in goals.iter_mut().zip(&element) {
             for (&dof, entry) in dofs.iter().zip(element) {
                 goal[dof] += entry;
@@ -187,38 +190,6 @@ fn goal_vectors(problem: &FilmProblem, cubic: &FilmSystem, better: &[f64], raise
         }
     }
     goals
-}
-
-/// Values at the nodes of one element.
-type Nodal = [f64; lagrange::MOST_SHAPES];
-
-/// The part of one triangle in [`goal_vectors`]; `shapes` are tabulated at the points of the rule.
-fn element_goals(
-    problem: &FilmProblem,
-    mapping: &Mapping,
-    (rule, shapes): (&Quadrature, &[Nodal]),
-    [p3, p2]: [&Nodal; 2],
-) -> [Nodal; 3] {
-    let mut element = [[0.0; lagrange::MOST_SHAPES]; 3];
-    for (first, points) in (0..).step_by(MOST_POINTS).zip(rule.points.chunks(MOST_POINTS)) {
-        let mut positions = [[0.0; 2]; MOST_POINTS];
-        for (position, &point) in positions.iter_mut().zip(points) {
-            *position = mapping.at(point).position;
-        }
-        let [sines, cosines] = sines_and_cosines(&positions[..points.len()], problem.bearing.radius);
-        for (k, &point) in points.iter().enumerate() {
-            let shapes = &shapes[first + k];
-            let at = |nodal: &Nodal| -> f64 { nodal.iter().zip(shapes).map(|(u, s)| u * s).sum() };
-            let secant = secant(problem, at(p3), at(p2));
-            let area = rule.weights[first + k] * mapping.determinant(point) * secant;
-            for (goal, weight) in element.iter_mut().zip([area * cosines[k], area * sines[k], area]) {
-                for (entry, shape) in goal.iter_mut().zip(shapes) {
-                    *entry += weight * shape;
-                }
-            }
-        }
-    }
-    element
 }
 
 /// Slope of the pressure that the film exerts, between two values of the unknown.

@@ -13,6 +13,7 @@
 //! **Range.** First order in the size of the cells. **Verified by** `tests/tests/oil_balance.rs`, a film that breaks on half of a ring.
 
 use oilwedge_fem::control_volumes::sub_triangles;
+use oilwedge_mesh::triangle_area;
 
 use crate::{FilmProblem, FilmSolution, FilmSystem};
 
@@ -50,8 +51,7 @@ fn share(system: &FilmSystem, film: &FilmSolution) -> f64 {
     let (mut held, mut whole) = (0.0, 0.0);
     for t in 0..mesh.triangles().len() {
         let dofs = space.element_dofs(t);
-        let [a, b, c] = mesh.corners(t);
-        let area = 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
+        let area = triangle_area(mesh.corners(t));
         let mut add = |area: f64, nodes: &[(usize, f64)]| {
             let (mut broken, mut free) = (0.0, 0.0);
             for &(node, share) in nodes {
@@ -107,8 +107,7 @@ pub fn share_below(problem: &FilmProblem, system: &FilmSystem, film: &FilmSoluti
     let shares = node_shares(space.degree());
     let (mut below, mut whole) = (0.0, 0.0);
     for t in 0..mesh.triangles().len() {
-        let [a, b, c] = mesh.corners(t);
-        let area = 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
+        let area = triangle_area(mesh.corners(t));
         let (mut under, mut free) = (0.0, 0.0);
         // Where pressure is given it may be just that level, and tells nothing.
         let nodes = space.element_dofs(t).into_iter().zip(&shares);

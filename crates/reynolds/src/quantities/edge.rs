@@ -13,9 +13,7 @@
 //! `docs/validation/accuracy.md`.
 
 use oilwedge_fem::field::evaluate;
-use oilwedge_fem::lagrange::{self, MOST_SHAPES};
-use oilwedge_fem::mapping::Mapping;
-use oilwedge_fem::quadrature::MOST_POINTS;
+use oilwedge_fem::integrate::{Nodal, Rule};
 use oilwedge_fem::{Field, Quadrature};
 
 use crate::film_law::FilmLaw;
@@ -43,10 +41,10 @@ pub(super) fn made_beside(problem: &FilmProblem, system: &FilmSystem, film: &Fil
     let floor = problem.unknown_at(pressure);
     let law = FilmLaw::new(problem, 1.0);
     let along = problem.theory.directions();
-    let rule = Quadrature::for_degree(space.degree());
-    let fine = rule.quartered(QUARTERINGS);
-    let (mut values, mut gradients) = ([0.0; MOST_SHAPES], [[0.0; 2]; MOST_SHAPES]);
-    for t in 0..space.mesh().triangles().len() {
+    let (mesh, degree) = (space.mesh(), space.degree());
+    let plain = Rule::for_degree(degree);
+    let fine = Quadrature::for_degree(degree).quartered(QUARTERINGS);
+    for t in 0..mesh.triangles().len() {
         let dofs = space.element_dofs(t);
         let dofs = &dofs[..space.shapes()];
         let is_given = |dof: usize| system.supply.owner(dof).is_some();
@@ -59,43 +57,28 @@ pub(super) fn made_beside(problem: &FilmProblem, system: &FilmSystem, film: &Fil
         })
         .element_values(t);
         // Quadratics are held amid edges only, and stay a little off the cavity pressure at vertices.
-        let asked = if space.degree() == 2 { 3..6 } else { 0..dofs.len() };
-        let broken = asked.into_iter().all(|i| film.cavity[dofs[i]] || nodal[i] <= floor);
-        let mapping = Mapping::of(space.mesh(), t);
-        let mut made = [0.0; MOST_SHAPES];
-        let rule = if broken { &rule } else { &fine };
-        let points = rule.points.iter().zip(&rule.weights);
-        let inside: Vec<_> = points
-            .filter(|(point, _)| broken || evaluate(space.degree(), &nodal, **point) <= floor)
-            .collect();
-        for inside in inside.chunks(MOST_POINTS) {
-            let places: Vec<_> = inside.iter().map(|(point, _)| mapping.at(**point)).collect();
-            let positions: Vec<_> = places.iter().map(|place| place.position).collect();
-            let flows = law.film_and_flows(t, &positions).1;
-            for (((point, weight), place), flow) in inside.iter().zip(&places).zip(&flows) {
-                lagrange::values(space.degree(), **point, &mut values[..dofs.len()]);
-                lagrange::gradients(space.degree(), **point, &mut gradients[..dofs.len()]);
+        let nodes = if degree == 2 { 3..6 } else { 0..dofs.len() };
+        let broken = nodes.into_iter().all(|i| film.cavity[dofs[i]] || nodal[i] <= floor);
+        let inside =
+            (!broken).then(|| Rule::new(fine.clone().only(|at| evaluate(degree, &nodal, at) <= floor), degree));
+        let rule = inside.as_ref().unwrap_or(&plain);
+        let made = rule.integrate(mesh, t, |points, made: &mut Nodal| {
+            let flows = law.film_and_flows(t, points.positions).1;
+            for (q, flow) in flows[..points.positions.len()].iter().enumerate() {
                 // In the cavity quadratics waver about its pressure; what that drives is none of the end's.
-                let slope = if broken { slope(&nodal, &gradients) } else { [0.0; 2] };
-                let slope = place.gradient(slope);
-                let area = *weight * place.determinant;
+                let slope = if broken { points.gradient(q, &nodal) } else { [0.0; 2] };
+                let area = points.area(q);
                 for (i, made) in made[..dofs.len()].iter_mut().enumerate() {
-                    let [x, z] = place.gradient(gradients[i]);
+                    let [x, z] = points.shape_gradient(q, i);
                     let driven = flow.conductance * (along[0] * slope[0] * x + along[1] * slope[1] * z);
-                    *made += area * ((flow.storage + flow.divergence) * values[i] + driven);
+                    *made += area * ((flow.storage + flow.divergence) * points.shapes(q)[i] + driven);
                 }
             }
-        }
+        });
         for (&dof, made) in dofs.iter().zip(made).filter(|(dof, _)| is_given(**dof)) {
             beside[dof].made += made;
             beside[dof].unsure += if broken { 0.0 } else { made.abs() };
         }
     }
     beside
-}
-
-/// Gradient in reference coordinates.
-fn slope(nodal: &[f64; MOST_SHAPES], gradients: &[[f64; 2]; MOST_SHAPES]) -> [f64; 2] {
-    let along = |d: usize| nodal.iter().zip(gradients).map(|(u, gradient)| u * gradient[d]).sum();
-    [along(0), along(1)]
 }

@@ -17,9 +17,9 @@
 //! **Range.** A balance for the conservative form only: the as-printed form makes oil, which the imbalance tells. **Verified by** `flows_balance` in the tests of the scenes and
 //! `tests/tests/oil_balance.rs`.
 
-use oilwedge_fem::Quadrature;
 use oilwedge_fem::control_volumes::sub_triangles;
-use oilwedge_fem::mapping::Mapping;
+use oilwedge_fem::integrate::Rule;
+use oilwedge_mesh::triangle_area;
 
 use crate::cavitation::FilmFraction;
 use crate::film_law::FilmLaw;
@@ -165,23 +165,21 @@ fn taken_up(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> 
         return 0.0;
     }
     let law = FilmLaw::new(problem, 1.0);
-    let cells = 0..system.space().mesh().triangles().len();
+    let mesh = system.space().mesh();
+    let cells = 0..mesh.triangles().len();
     match &film.film_fraction {
         Some(fraction) => cells.map(|t| taken_up_by_volumes(&law, system, fraction, t)).sum(),
         None => {
-            let rule = Quadrature::for_degree(system.space().degree());
-            cells.map(|t| taken_up_by_element(&law, system, &rule, t)).sum()
+            let rule = Rule::for_degree(system.space().degree());
+            let in_cell = |t: usize| {
+                rule.integrate(mesh, t, |points, sum: &mut f64| {
+                    let flows = law.film_and_flows(t, points.positions).1;
+                    (0..points.positions.len()).for_each(|q| *sum += points.area(q) * flows[q].storage);
+                })
+            };
+            cells.map(in_cell).sum()
         }
     }
-}
-
-fn taken_up_by_element(law: &FilmLaw, system: &FilmSystem, rule: &Quadrature, t: usize) -> f64 {
-    let mapping = Mapping::of(system.space().mesh(), t);
-    let places: Vec<_> = rule.points.iter().map(|&point| mapping.at(point)).collect();
-    let positions: Vec<_> = places.iter().map(|place| place.position).collect();
-    let flows = law.film_and_flows(t, &positions).1;
-    let parts = (places.iter().zip(&rule.weights)).map(|(place, weight)| weight * place.determinant);
-    parts.zip(&flows).map(|(area, flow)| area * flow.storage).sum()
 }
 
 /// Each piece of a cell as if the rate were linear: the centroid of the piece lies at (22, 7, 7)/36.
@@ -189,8 +187,7 @@ fn taken_up_by_volumes(law: &FilmLaw, system: &FilmSystem, fraction: &FilmFracti
     let (nodes, dofs) = (system.space().mesh().nodes(t), system.space().element_dofs(t));
     let flows = law.film_and_flows(t, &nodes).1;
     let sub_triangle = |corners: &[usize; 3]| {
-        let [a, b, c] = corners.map(|node| nodes[node]);
-        let area = 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
+        let area = triangle_area(corners.map(|node| nodes[node]));
         let rates = corners.map(|node| flows[node].storage);
         let all: f64 = rates.iter().sum();
         let pieces = (0..3).map(|i| fraction.values[dofs[corners[i]]] * (7.0 * all + 15.0 * rates[i]));

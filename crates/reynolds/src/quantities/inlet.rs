@@ -12,7 +12,7 @@
 
 use oilwedge_fem::Field;
 use oilwedge_fem::mapping::Mapping;
-use oilwedge_fem::quadrature::gauss_interval;
+use oilwedge_fem::quadrature::integrate_interval;
 
 use crate::film_law::FilmLaw;
 use crate::supply::Place;
@@ -89,9 +89,5 @@ fn across(system: &FilmSystem, film: &FilmSolution, law: &FilmLaw, t: usize, x: 
         });
         fraction * flow.flux[0] - around * flow.conductance * unknown.value_and_gradient(t, point).1[0]
     };
-    length
-        * gauss_interval()
-            .into_iter()
-            .map(|(part, weight)| weight * flux(part))
-            .sum::<f64>()
+    length * integrate_interval(flux)
 }

@@ -15,9 +15,7 @@
 //! **Source.** Definition. **Range.** Films that conserve no oil in a cavity. **Verified by** the coverage of side flows in
 //! `tests/tests/coverage.rs`.
 
-use oilwedge_fem::Quadrature;
-use oilwedge_fem::lagrange::{self, MOST_SHAPES};
-use oilwedge_fem::mapping::Mapping;
+use oilwedge_fem::integrate::Rule;
 
 use super::edge::Beside;
 use crate::film_law::FilmLaw;
@@ -40,28 +38,25 @@ pub(super) fn unsure(
         driven[dof] = Some(film.inflow[dof] - beside[dof].made);
     }
     let law = FilmLaw::new(problem, 1.0);
-    let rule = Quadrature::for_degree(space.degree());
-    let (mut values, mut gradients) = ([0.0; MOST_SHAPES], [[0.0; 2]; MOST_SHAPES]);
+    let rule = Rule::for_degree(space.degree());
     for t in 0..space.mesh().triangles().len() {
         let dofs = space.element_dofs(t);
         let dofs = &dofs[..space.shapes()];
         if dofs.iter().all(|&dof| driven[dof].is_none()) {
             continue;
         }
-        let mapping = Mapping::of(space.mesh(), t);
-        for (&point, weight) in rule.points.iter().zip(&rule.weights) {
-            let place = mapping.at(point);
-            let flow = law.film_and_flows(t, &[place.position]).1[0];
-            lagrange::values(space.degree(), point, &mut values[..dofs.len()]);
-            lagrange::gradients(space.degree(), point, &mut gradients[..dofs.len()]);
-            for (i, &dof) in dofs.iter().enumerate() {
-                if let Some(driven) = &mut driven[dof] {
-                    let [x, z] = place.gradient(gradients[i]);
-                    let dragged = flow.flux[0] * x + flow.flux[1] * z + flow.divergence * values[i];
-                    *driven += weight * place.determinant * dragged;
+        rule.visit(space.mesh(), t, |points| {
+            for (q, &position) in points.positions.iter().enumerate() {
+                let flow = law.film_and_flows(t, &[position]).1[0];
+                for (i, &dof) in dofs.iter().enumerate() {
+                    if let Some(driven) = &mut driven[dof] {
+                        let [x, z] = points.shape_gradient(q, i);
+                        let dragged = flow.flux[0] * x + flow.flux[1] * z + flow.divergence * points.shapes(q)[i];
+                        *driven += points.area(q) * dragged;
+                    }
                 }
             }
-        }
+        });
     }
     let share = |(dof, regions): (usize, [usize; 2])| (regions, driven[dof].unwrap_or(0.0).abs());
     meeting.into_iter().map(share).collect()

@@ -14,21 +14,16 @@
 
 use std::f64::consts::TAU;
 
-use oilwedge_fem::lagrange::{self, MOST_SHAPES};
-use oilwedge_fem::mapping::Mapping;
-use oilwedge_fem::quadrature::{MOST_POINTS, gauss_interval};
-use oilwedge_fem::{Field, Quadrature};
+use oilwedge_fem::integrate::{Rule, edge_points};
+use oilwedge_fem::{Field, Quadrature, integrate};
 use oilwedge_mesh::Mesh;
-use rayon::prelude::*;
 
 use crate::angles::sines_and_cosines;
 use crate::supply::{self, Disc, SupplyRegion};
 use crate::{FilmProblem, FilmSolution, FilmSystem};
 
-/// Cells that one task sums; fixed, so that threads do not change a bit.
-const CELLS_A_TASK: usize = 2048;
 /// Cells through which a kink of the effective pressure runs are quartered this many times.
-pub(crate) const KINK_QUARTERINGS: usize = 4;
+const KINK_QUARTERINGS: usize = 4;
 
 /// Integrals over a part of the developed surface.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -143,79 +138,36 @@ fn integrated(
     fields: [&[f64]; 2],
     density: &(dyn Fn(f64, f64) -> f64 + Sync),
 ) -> Integral {
-    let space = system.space();
-    let rule = Quadrature::for_degree(space.degree());
+    let (space, mesh) = (system.space(), system.space().mesh());
+    let rule = Rule::for_degree(space.degree());
     let kink = problem.cavitation.kink().map(|p| problem.unknown_at(p));
-    let quartered = kink.map(|_| Rule::new(rule.quartered(KINK_QUARTERINGS), space.degree()));
-    let rule = Rule::new(rule, space.degree());
+    let quartered = kink.map(|_| kinked_rule(space.degree()));
     let fields = fields.map(|values| Field { space, values });
-    let cells = space.mesh().triangles().len();
-    let tasks: Vec<Integral> = (0..cells.div_ceil(CELLS_A_TASK))
-        .into_par_iter()
-        .map(|task| {
-            let mut sum = Integral::default();
-            for t in task * CELLS_A_TASK..((task + 1) * CELLS_A_TASK).min(cells) {
-                let nodal = fields.map(|field| field.element_values(t));
-                let own = &nodal[0][..space.shapes()];
-                let kinked = kink.is_some_and(|kink| own.iter().any(|&u| u < kink) && own.iter().any(|&u| u > kink));
-                let rule = quartered.as_ref().filter(|_| kinked).unwrap_or(&rule);
-                sum += cell_integral(problem, space.mesh(), t, &nodal, rule, density);
+    integrate(mesh, |t| {
+        let nodal = fields.map(|field| field.element_values(t));
+        let own = &nodal[0][..space.shapes()];
+        let kinked = kink.is_some_and(|kink| own.iter().any(|&u| u < kink) && own.iter().any(|&u| u > kink));
+        let rule = quartered.as_ref().filter(|_| kinked).unwrap_or(&rule);
+        rule.integrate(mesh, t, |points, sum| {
+            let [sines, cosines] = sines_and_cosines(points.positions, problem.bearing.radius);
+            for q in 0..points.positions.len() {
+                let [u, change] = nodal.each_ref().map(|nodal| points.value(q, nodal));
+                let area = points.area(q);
+                let thrust = area * density(u, change);
+                *sum += Integral {
+                    force: [thrust * cosines[q], thrust * sines[q]],
+                    thrust,
+                    magnitude: thrust.abs(),
+                    area,
+                };
             }
-            sum
         })
-        .collect();
-    let mut total = Integral::default();
-    for task in tasks {
-        total += task;
-    }
-    total
+    })
 }
 
-/// A quadrature rule and the shape functions at its points.
-struct Rule {
-    rule: Quadrature,
-    shapes: Vec<[f64; MOST_SHAPES]>,
-}
-
-impl Rule {
-    fn new(rule: Quadrature, degree: usize) -> Self {
-        let shapes = lagrange::tabulated(degree, &rule.points);
-        Self { rule, shapes }
-    }
-}
-
-fn cell_integral(
-    problem: &FilmProblem,
-    mesh: &Mesh,
-    t: usize,
-    nodal: &[[f64; MOST_SHAPES]; 2],
-    Rule { rule, shapes }: &Rule,
-    density: &dyn Fn(f64, f64) -> f64,
-) -> Integral {
-    let mapping = Mapping::of(mesh, t);
-    let mut sum = Integral::default();
-    let parts = rule.points.chunks(MOST_POINTS).zip(rule.weights.chunks(MOST_POINTS));
-    for ((points, weights), shapes) in parts.zip(shapes.chunks(MOST_POINTS)) {
-        let (mut positions, mut areas) = ([[0.0; 2]; MOST_POINTS], [0.0; MOST_POINTS]);
-        for (q, (&point, weight)) in points.iter().zip(weights).enumerate() {
-            let place = mapping.at(point);
-            (positions[q], areas[q]) = (place.position, weight * place.determinant);
-        }
-        let [sines, cosines] = sines_and_cosines(&positions[..points.len()], problem.bearing.radius);
-        for (q, shapes) in shapes.iter().take(points.len()).enumerate() {
-            let [u, change] = nodal
-                .each_ref()
-                .map(|nodal| nodal.iter().zip(shapes).map(|(u, shape)| u * shape).sum());
-            let thrust = areas[q] * density(u, change);
-            sum += Integral {
-                force: [thrust * cosines[q], thrust * sines[q]],
-                thrust,
-                magnitude: thrust.abs(),
-                area: areas[q],
-            };
-        }
-    }
-    sum
+/// The rule for triangles through which a kink of the effective pressure runs.
+pub(crate) fn kinked_rule(degree: usize) -> Rule {
+    Rule::new(Quadrature::for_degree(degree).quartered(KINK_QUARTERINGS), degree)
 }
 
 /// Integrals of `cos phi`, `sin phi` and one over a region [m2].
@@ -252,21 +204,12 @@ fn disc_moments(disc: &Disc, radius: f64) -> Moments {
 /// Along the quadratic edges of the rim, the film on their left and the region on their right.
 fn rim_moments(mesh: &Mesh, region: &SupplyRegion, radius: f64) -> Moments {
     let mut moments = [0.0; 3];
-    for edge in supply::rim(mesh, region) {
-        let t = mesh.topology().edge_triangles[edge as usize][0] as usize;
-        let k = mesh.local_edge(t, edge);
-        let nodes = mesh.nodes(t);
-        let (a, b, m) = (nodes[k], nodes[(k + 1) % 3], nodes[3 + k]);
-        for (s, weight) in gauss_interval() {
-            let shapes = [(1.0 - s) * (1.0 - 2.0 * s), s * (2.0 * s - 1.0), 4.0 * s * (1.0 - s)];
-            let slopes = [4.0 * s - 3.0, 4.0 * s - 1.0, 4.0 - 8.0 * s];
-            let at = |d: usize| shapes[0] * a[d] + shapes[1] * b[d] + shapes[2] * m[d];
-            let along = |d: usize| weight * (slopes[0] * a[d] + slopes[1] * b[d] + slopes[2] * m[d]);
-            let (sin, cos) = (at(0) / radius).sin_cos();
-            moments[0] -= radius * sin * along(1);
-            moments[1] += radius * cos * along(1);
-            moments[2] += at(1) * along(0);
-        }
+    for at in supply::rim(mesh, region).flat_map(|edge| edge_points(mesh, edge)) {
+        let (sin, cos) = (at.position[0] / radius).sin_cos();
+        let along = at.tangent.map(|slope| at.weight * slope);
+        moments[0] -= radius * sin * along[1];
+        moments[1] += radius * cos * along[1];
+        moments[2] += at.position[1] * along[0];
     }
     moments
 }

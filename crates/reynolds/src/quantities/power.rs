@@ -22,21 +22,15 @@
 //! shear, where a feed gives the pressure. The as-printed form makes oil, and its power does not balance. **Verified by** `tests/tests/friction.rs`.
 
 use oilwedge_fem::control_volumes::sub_triangles;
-use oilwedge_fem::lagrange::{self, MOST_SHAPES};
-use oilwedge_fem::mapping::Mapping;
-use oilwedge_fem::quadrature::MOST_POINTS;
-use oilwedge_fem::{Field, Quadrature, Space};
-use rayon::prelude::*;
+use oilwedge_fem::integrate::{Nodal, Points, Rule};
+use oilwedge_fem::{Field, Quadrature, integrate, lagrange};
 
 use super::cavity::broken_share;
 use super::flow::{STILL, natural_flow};
 use crate::cavitation::{self, Carriage};
 use crate::film_law::FilmLaw;
 use crate::lubricant::PressureLaw;
-use crate::{FilmProblem, FilmSolution, FilmSystem};
-
-/// Cells that one task sums; fixed, so that threads do not change a bit.
-const CELLS_A_TASK: usize = 2048;
+use crate::{FilmPoint, FilmProblem, FilmSolution, FilmSystem};
 
 /// Powers [W] of one film.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -138,34 +132,6 @@ pub(crate) fn excess(problem: &FilmProblem, u: f64) -> f64 {
     problem.pressure_at(u) - problem.bearing.end_pressure
 }
 
-/// Shape functions at the points of the rule.
-struct Tabulated {
-    rule: Quadrature,
-    values: Vec<[f64; MOST_SHAPES]>,
-    gradients: Vec<[[f64; 2]; MOST_SHAPES]>,
-}
-
-impl Tabulated {
-    fn new(degree: usize) -> Self {
-        let rule = Quadrature::for_degree(degree);
-        let values = lagrange::tabulated(degree, &rule.points);
-        let gradients = rule.points.iter().map(|&point| {
-            let mut gradients = [[0.0; 2]; MOST_SHAPES];
-            lagrange::gradients(degree, point, &mut gradients[..lagrange::shapes(degree)]);
-            gradients
-        });
-        let gradients = gradients.collect();
-        Self {
-            rule,
-            values,
-            gradients,
-        }
-    }
-}
-
-/// Values at the nodes of one triangle.
-type Nodal = [f64; MOST_SHAPES];
-
 fn integrated(
     problem: &FilmProblem,
     system: &FilmSystem,
@@ -173,86 +139,47 @@ fn integrated(
     excess: &[f64],
     carriage: Option<&Carriage>,
 ) -> Work {
-    let space = system.space();
-    let cells = space.mesh().triangles().len();
-    let is_film = system.supply.film(space.mesh());
-    let tabulated = Tabulated::new(space.degree());
-    let broken = Quadrature::for_degree(1);
+    let (space, mesh) = (system.space(), system.space().mesh());
+    let is_film = system.supply.film(mesh);
+    let rule = Rule::for_degree(space.degree());
     let law = FilmLaw::new(problem, 1.0);
-    let nodal = |values: &[f64], t: usize| Field { space, values }.element_values(t);
-    let tasks: Vec<Work> = (0..cells.div_ceil(CELLS_A_TASK))
-        .into_par_iter()
-        .map(|task| {
-            let mut sum = Work::default();
-            for t in task * CELLS_A_TASK..((task + 1) * CELLS_A_TASK).min(cells) {
-                let fields = [&film.unknown[..], excess].map(|values| nodal(values, t));
-                let mapping = Mapping::of(space.mesh(), t);
-                let work = cell_work(problem, &law, t, &mapping, &tabulated, &fields);
-                let carried = carriage.map(|carriage| carriage.carried(t, &film.cavity));
-                let shear = match carried {
-                    _ if !is_film[t] => 0.0,
-                    Some(carried) if carried.iter().any(|thickness| thickness.is_finite()) => {
-                        let at = Place { space, law: &law, t };
-                        broken_shear(problem, &at, &mapping, &broken, &fields[1], carried)
-                    }
-                    _ => work.shear,
-                };
-                sum += Work {
-                    shear,
-                    cavity_shear: shear * broken_share(problem, system, film, t),
-                    ..work
-                };
+    integrate(mesh, |t| {
+        let fields = [&film.unknown[..], excess].map(|values| Field { space, values }.element_values(t));
+        let work = rule.integrate(mesh, t, |points, work| cell_work(problem, &law, points, &fields, work));
+        let carried = carriage.map(|carriage| carriage.carried(t, &film.cavity));
+        let shear = match carried {
+            _ if !is_film[t] => 0.0,
+            Some(carried) if carried.iter().any(|thickness| thickness.is_finite()) => {
+                broken_shear(problem, system, &law, t, &fields[1], carried)
             }
-            sum
-        })
-        .collect();
-    let mut total = Work::default();
-    for task in tasks {
-        total += task;
-    }
-    total
+            _ => work.shear,
+        };
+        Work {
+            shear,
+            cavity_shear: shear * broken_share(problem, system, film, t),
+            ..work
+        }
+    })
 }
 
-fn cell_work(
-    problem: &FilmProblem,
-    law: &FilmLaw,
-    t: usize,
-    mapping: &Mapping,
-    tabulated: &Tabulated,
-    [unknown, excess]: &[Nodal; 2],
-) -> Work {
-    let points = &tabulated.rule.points;
-    let mut positions = [[0.0; 2]; MOST_POINTS];
-    let mut places = [mapping.at(points[0]); MOST_POINTS];
-    for (q, &point) in points.iter().enumerate() {
-        places[q] = mapping.at(point);
-        positions[q] = places[q].position;
-    }
-    let (film, flows) = law.film_and_flows(t, &positions[..points.len()]);
+/// Adds what is worked at points of a full film.
+fn cell_work(problem: &FilmProblem, law: &FilmLaw, points: &Points, [unknown, excess]: &[Nodal; 2], work: &mut Work) {
+    let (film, flows) = law.film_and_flows(points.cell, points.positions);
     let (velocity, along) = (law.velocity(), problem.theory.directions());
-    let mut work = Work::default();
-    for (q, place) in places[..points.len()].iter().enumerate() {
-        let area = tabulated.rule.weights[q] * place.determinant;
-        let values = &tabulated.values[q];
-        let at = |nodal: &Nodal| -> f64 { nodal.iter().zip(values).map(|(u, shape)| u * shape).sum() };
-        let slope = |nodal: &Nodal| {
-            let by = |d: usize| nodal.iter().zip(&tabulated.gradients[q]).map(|(u, g)| u * g[d]).sum();
-            place.gradient([by(0), by(1)])
-        };
-        let (of_unknown, of_pressure) = (slope(unknown), slope(excess));
-        let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
-        let p = at(excess);
-        let viscosity = viscosity(problem, p);
+    let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
+    for q in 0..points.positions.len() {
+        let area = points.area(q);
+        let (of_unknown, of_pressure) = (points.gradient(q, unknown), points.gradient(q, excess));
+        let p = points.value(q, excess);
         let thickness = film[q].thickness;
-        work += Work {
+        *work += Work {
             cavity_shear: 0.0,
-            shear: area * viscosity / thickness * dot(velocity, velocity),
+            shear: area * viscosity(problem, p) / thickness * dot(velocity, velocity),
             pressure: area * 0.5 * thickness * dot(velocity, of_pressure),
             motion: -area * flows[q].storage * p,
             driven: area * flows[q].conductance * dot([0, 1].map(|d| along[d] * of_unknown[d]), of_pressure),
         };
     }
-    work
 }
 
 /// Viscosity [Pa s] at a pressure [Pa] above that of the ends.
@@ -263,52 +190,30 @@ fn viscosity(problem: &FilmProblem, excess: f64) -> f64 {
     }
 }
 
-/// A triangle of a film.
-struct Place<'a> {
-    space: &'a Space,
-    law: &'a FilmLaw<'a>,
-    t: usize,
-}
-
 /// Power of shear [W] in a triangle that is not full: oil of the thickness `carried` [m] comes into each of its sub-triangles.
 fn broken_shear(
     problem: &FilmProblem,
-    at: &Place,
-    mapping: &Mapping,
-    rule: &Quadrature,
+    system: &FilmSystem,
+    law: &FilmLaw,
+    t: usize,
     excess: &Nodal,
     carried: [f64; 4],
 ) -> f64 {
-    let degree = at.space.degree();
-    let nodes = lagrange::nodes(degree);
-    let velocity = at.law.velocity();
+    let space = system.space();
+    let nodes = lagrange::nodes(space.degree());
+    let velocity = law.velocity();
     let square = velocity[0] * velocity[0] + velocity[1] * velocity[1];
     let mut shear = 0.0;
-    for (corners, carried) in sub_triangles(at.space, at.t).iter().zip(carried) {
-        let [a, b, c] = corners.map(|node| nodes[node]);
-        let (u, v) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
-        let part = u[0] * v[1] - u[1] * v[0];
-        let points = rule
-            .points
-            .iter()
-            .map(|&[xi, eta]| [0, 1].map(|d| a[d] + xi * u[d] + eta * v[d]));
-        let mut places = [mapping.at(a); MOST_POINTS];
-        let mut positions = [[0.0; 2]; MOST_POINTS];
-        let mut pressures = [0.0; MOST_POINTS];
-        for (q, point) in points.enumerate() {
-            places[q] = mapping.at(point);
-            positions[q] = places[q].position;
-            let mut shapes = [0.0; MOST_SHAPES];
-            lagrange::values(degree, point, &mut shapes[..lagrange::shapes(degree)]);
-            pressures[q] = excess.iter().zip(&shapes).map(|(p, shape)| p * shape).sum();
-        }
-        let film = at.law.film_and_flows(at.t, &positions[..rule.points.len()]).0;
-        for (q, weight) in rule.weights.iter().enumerate() {
-            let thickness = film[q].thickness;
-            let fraction = (carried / thickness).min(1.0);
-            shear += weight * part * places[q].determinant * fraction * viscosity(problem, pressures[q]) / thickness
-                * square;
-        }
+    for (corners, carried) in sub_triangles(space, t).iter().zip(carried) {
+        let part = Quadrature::for_degree(1).on_part(corners.map(|node| nodes[node]));
+        Rule::new(part, space.degree()).visit(space.mesh(), t, |points| {
+            let film = law.film_and_flows(t, points.positions).0;
+            for (q, FilmPoint { thickness, .. }) in film[..points.positions.len()].iter().enumerate() {
+                let fraction = (carried / thickness).min(1.0);
+                let viscosity = viscosity(problem, points.value(q, excess));
+                shear += points.area(q) * fraction * viscosity / thickness * square;
+            }
+        });
     }
     shear
 }

@@ -77,7 +77,7 @@ pub fn least_thickness(problem: &FilmProblem, system: &FilmSystem) -> f64 {
         }
     };
     if covered {
-        return problem.bearing.clearance - problem.journal.eccentricity();
+        return problem.bearing.least_gap(&problem.journal);
     }
     (0..mesh.triangles().len())
         .flat_map(|t| problem.thickness_at(t, &mesh.nodes(t)))

@@ -1,6 +1,6 @@
 //! The cap of a connecting rod: what its bolts must hold, and what the film's load makes of that.
 
-use oilwedge_bearing::{CapJoint, JointForces};
+use oilwedge_bearing::{BoltForces, CapBolts};
 use oilwedge_scene::Cap;
 
 use super::row::{Measure::One, Row, Table};
@@ -105,8 +105,8 @@ const fn given(name: &'static str, symbol: &'static str, unit: Unit, measure: fn
 /// The joint of a cap at the speed of the crank.
 struct Joint {
     cap: Cap,
-    joint: CapJoint,
-    forces: JointForces,
+    joint: CapBolts,
+    forces: BoltForces,
 }
 
 impl Joint {

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use oilwedge_bearing::Patience;
+use oilwedge_bearing::Deadline;
 use oilwedge_fem::marking::doerfler;
 use oilwedge_mesh::{Mesh, refine};
 
@@ -64,9 +64,9 @@ impl Next {
         }
     }
 
-    pub(super) fn study(&self, scene: &Scene, patience: Patience) -> Result<(Refinement, Study), CompileError> {
+    pub(super) fn study(&self, scene: &Scene, deadline: Deadline) -> Result<(Refinement, Study), CompileError> {
         match self {
-            Self::Given => Ok((Refinement::Given, graded(scene, patience)?)),
+            Self::Given => Ok((Refinement::Given, graded(scene, deadline)?)),
             Self::Drawn(factor) => {
                 let resized = resized(scene, *factor).unwrap_or_else(|| scene.clone());
                 let refinement = if *factor == FIRST {
@@ -74,7 +74,7 @@ impl Next {
                 } else {
                     Refinement::Uniform
                 };
-                Ok((refinement, graded(&resized, patience)?))
+                Ok((refinement, graded(&resized, deadline)?))
             }
             Self::Divided(mesh, refinement, near) => {
                 Ok((*refinement, compile_on(scene, Mesh::clone(mesh), *near, DEGREE)?))

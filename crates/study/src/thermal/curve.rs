@@ -1,11 +1,11 @@
 //! Friction and heat carried off around the temperature found, and whether the bearing will do.
 
-use oilwedge_bearing::Patience;
+use oilwedge_bearing::{Deadline, InitialGuess};
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_reynolds::solve::Neighbour;
 
 use super::{balance, film_heat, measured};
-use crate::analysis::{Solved, Start, isothermal};
+use crate::analysis::{Solved, isothermal};
 use crate::compile::Study;
 use crate::quantities::{FILM_THICKNESS_MIN, LOAD, Quantity, Row};
 use crate::result::{Criterion, HeatPoint, HeatReport};
@@ -40,7 +40,7 @@ pub fn heat_report(
         study.problem = problem.clone();
         let point = match k {
             0 => Some(point(study, &heat, temperature, solved)),
-            _ => film_at(study, &heat, temperature, solved, options.patience()),
+            _ => film_at(study, &heat, temperature, solved, options.deadline()),
         };
         curve.extend(point);
     }
@@ -61,10 +61,10 @@ pub fn heat_report(
     })
 }
 
-fn film_at(study: &mut Study, heat: &Heat, temperature: f64, near: &Solved, patience: Patience) -> Option<HeatPoint> {
+fn film_at(study: &mut Study, heat: &Heat, temperature: f64, near: &Solved, deadline: Deadline) -> Option<HeatPoint> {
     study.heat_to(temperature);
-    let solved = isothermal(study, false, patience, Start::Near(Neighbour::Start(&near.film))).ok();
-    let solved = solved.or_else(|| isothermal(study, false, patience, Start::Scene).ok());
+    let solved = isothermal(study, false, deadline, InitialGuess::Near(Neighbour::Start(&near.film))).ok();
+    let solved = solved.or_else(|| isothermal(study, false, deadline, InitialGuess::Cold).ok());
     let solved = solved.filter(|solved| !solved.is_ended())?;
     Some(point(study, heat, temperature, &solved))
 }

@@ -8,12 +8,12 @@ use std::collections::HashMap;
 use std::time::Instant;
 
 use oilwedge_bearing::heat_balance::find;
-use oilwedge_bearing::{Balanced, FilmHeat, NoBalance, Patience};
+use oilwedge_bearing::{Balanced, Deadline, FilmHeat, InitialGuess, NoBalance};
 use oilwedge_reynolds::FilmProblem;
 use oilwedge_reynolds::solve::Neighbour;
 
 use super::{HeatFound, balance, film_heat, first_temperature, measured, none};
-use crate::analysis::{NoAnswer, Solved, Start, isothermal};
+use crate::analysis::{NoAnswer, Solved, isothermal};
 use crate::compile::Study;
 use crate::quantities::{self, Quantity, Unit, View};
 use oilwedge_scene::Heat;
@@ -33,7 +33,7 @@ const MOST_CHOICES: usize = 4;
 pub(super) enum Left {
     /// There is no film.
     NoAnswer(NoAnswer),
-    /// Patience was at its end; the film reached is the answer.
+    /// Deadline was at its end; the film reached is the answer.
     Ended,
 }
 
@@ -52,9 +52,9 @@ pub(super) enum Film {
 pub(super) struct Films<'a> {
     study: &'a mut Study,
     heat: Heat,
-    patience: Patience,
+    deadline: Deadline,
     /// Where the first film begins.
-    start: Start<'a>,
+    start: InitialGuess<'a>,
     /// The one with the least heat left over.
     best: Option<Tried>,
     /// Numbers by temperature [K], of quadratic films.
@@ -79,11 +79,11 @@ struct Tried {
 }
 
 impl<'a> Films<'a> {
-    pub(super) fn new(study: &'a mut Study, heat: Heat, patience: Patience, start: Start<'a>) -> Self {
+    pub(super) fn new(study: &'a mut Study, heat: Heat, deadline: Deadline, start: InitialGuess<'a>) -> Self {
         Self {
             study,
             heat,
-            patience,
+            deadline,
             start,
             best: None,
             numbers: Vec::new(),
@@ -98,7 +98,7 @@ impl<'a> Films<'a> {
     }
 
     fn at(&mut self, temperature: f64, kind: Film) -> Result<FilmHeat, Left> {
-        if self.patience.is_over() && self.best.is_some() {
+        if self.deadline.is_over() && self.best.is_some() {
             return Err(Left::Ended);
         }
         let best = self.best.take();
@@ -126,12 +126,14 @@ impl<'a> Films<'a> {
                 self.study.problem.journal = problem.journal;
                 let keeps = kind != Film::Chosen && solved.film.film_fraction.is_some();
                 let from = if keeps { Neighbour::Kept } else { Neighbour::Start };
-                Start::Near(from(&solved.film))
+                InitialGuess::Near(from(&solved.film))
             }
             None => self.start,
         };
-        let solved = match isothermal(self.study, is_judged, self.patience, start) {
-            Err(_) if !matches!(start, Start::Scene) => isothermal(self.study, is_judged, self.patience, Start::Scene),
+        let solved = match isothermal(self.study, is_judged, self.deadline, start) {
+            Err(_) if !matches!(start, InitialGuess::Cold) => {
+                isothermal(self.study, is_judged, self.deadline, InitialGuess::Cold)
+            }
             other => other,
         }?;
         let measured = measured(self.study, &solved);
@@ -249,16 +251,22 @@ fn or_slope(found: Balanced, slope: f64) -> Balanced {
     }
 }
 
-/// Solves a study at the temperature at which its heat is balanced; the study then has that temperature. Where patience is at its end before,
+/// Solves a study at the temperature at which its heat is balanced; the study then has that temperature. Where deadline is at its end before,
 /// the film reached is the answer.
 ///
 /// # Errors
 /// [`NoAnswer`]: there is no film, no position, or no such temperature.
-pub fn solve(study: &mut Study, heat: &Heat, bars: bool, patience: Patience, start: Start) -> Result<Solved, NoAnswer> {
+pub fn solve(
+    study: &mut Study,
+    heat: &Heat,
+    bars: bool,
+    deadline: Deadline,
+    start: InitialGuess,
+) -> Result<Solved, NoAnswer> {
     let clock = Instant::now();
     let balance = balance(heat);
     let first = study.oil.temperature.unwrap_or(first_temperature(heat));
-    let mut films = Films::new(study, *heat, patience, start);
+    let mut films = Films::new(study, *heat, deadline, start);
     let found = films.balanced(first, bars);
     if let (Ok(found), true) = (&found, bars) {
         films.judge(found);

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::time::Instant;
 
-use oilwedge_fem::complementarity::Start;
+use oilwedge_fem::complementarity::InitialGuess;
 use oilwedge_fem::newton::{Failure, HistoryStep, Seconds};
 use oilwedge_fem::{Constraints, Error, Linearisation, Matrix, UnsymmetricFactorization};
 
@@ -91,8 +91,8 @@ enum End {
 }
 
 impl<'a> Search<'a> {
-    pub(super) fn new(film: &'a Film<'a>, start: Start) -> Self {
-        let Start { u: p, mut held } = start;
+    pub(super) fn new(film: &'a Film<'a>, start: InitialGuess) -> Self {
+        let InitialGuess { u: p, mut held } = start;
         for (dof, held) in held.iter_mut().enumerate() {
             *held &= film.may_cavitate(dof);
         }

@@ -5,7 +5,7 @@
 //! same holes, grooves and lines. Its search starts from the film that is there, so it takes few steps.
 
 use oilwedge_fem::Space;
-use oilwedge_fem::complementarity::Start;
+use oilwedge_fem::complementarity::InitialGuess;
 
 use super::{Choice, solve};
 use crate::{FilmProblem, FilmSolution, FilmSystem, NoFilm};
@@ -41,7 +41,7 @@ impl FilmProblem {
     ) -> Result<FilmSolution, NoFilm> {
         let vertices = system.vertices_only();
         let dofs = vertex_dofs(system.space());
-        let start = Start {
+        let start = InitialGuess {
             u: dofs.iter().map(|&dof| film.unknown[dof]).collect(),
             held: dofs.iter().map(|&dof| film.cavity[dof]).collect(),
         };

@@ -40,7 +40,7 @@ mod tests;
 mod work;
 
 use oilwedge_fem::ControlVolumes;
-use oilwedge_fem::complementarity::Start;
+use oilwedge_fem::complementarity::InitialGuess;
 
 use self::active_set::Search;
 use self::balance::Balance;
@@ -96,7 +96,7 @@ pub(crate) fn solve(
     problem: &FilmProblem,
     system: &FilmSystem,
     motion: f64,
-    start: Start,
+    start: InitialGuess,
     choice: Choice,
 ) -> Result<FilmSolution, NoFilm> {
     let clock = std::time::Instant::now();

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use oilwedge_fem::complementarity::Start;
+use oilwedge_fem::complementarity::InitialGuess;
 use oilwedge_mesh::{Mesh, RawMesh};
 
 use super::{Choice, Film, Search};
@@ -84,7 +84,7 @@ fn pseudo_time_arrives_at_the_film_of_the_two_passes() {
     let system = ring(48, 8);
     for eccentricity in [0.6, 0.9] {
         let film = Film::new(&problem(eccentricity), &system, 1.0).expect("a supply");
-        let start = |broken: bool| Start {
+        let start = |broken: bool| InitialGuess {
             u: vec![0.0; system.space().dofs()],
             held: vec![broken; system.space().dofs()],
         };

@@ -1,4 +1,4 @@
-//! # Cap joint: what the bolts of a connecting rod's cap must hold
+//! # Cap bolts: the forces in the bolted joint of a connecting rod's cap
 //!
 //! **Equation.** At the top dead centre before intake nothing but the cap holds what lies beyond the parting plane:
 //! `P = omega^2 r [m_j (1 + r/l) + (m_r - m_c)]`, on each of i bolts `P/i`. The joint stays closed with a safety nu, and the halves of
@@ -23,7 +23,7 @@ use std::f64::consts::PI;
 
 /// A cap, its bolts and the masses that pull at it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct CapJoint {
+pub struct CapBolts {
     /// Mass m_j [kg] of the piston with what belongs to it, and of the rod at its small end.
     pub reciprocating_mass: f64,
     /// Mass m_r [kg] of the rod at its big end, the cap included.
@@ -65,7 +65,7 @@ pub struct Shell {
 
 /// Forces in a joint that is pulled.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct JointForces {
+pub struct BoltForces {
     /// Pull P [N] at the cap.
     pub cap_force: f64,
     /// Its part on one bolt [N].
@@ -82,7 +82,7 @@ pub struct JointForces {
     pub opening: f64,
 }
 
-impl CapJoint {
+impl CapBolts {
     /// Force [N] that pulls at the cap at the speed omega [rad/s] of the crank.
     pub fn inertia_force(&self, speed: f64) -> f64 {
         let reciprocating = self.reciprocating_mass * (1.0 + self.crank_radius / self.rod_length);
@@ -97,12 +97,12 @@ impl CapJoint {
     }
 
     /// The forces in a joint tightened for a pull of `cap_force` [N].
-    pub fn forces(&self, cap_force: f64) -> JointForces {
+    pub fn forces(&self, cap_force: f64) -> BoltForces {
         let bolts = f64::from(self.bolts);
         let (bolt_force, shell_force) = (cap_force / bolts, self.shell_force());
         let clamping = self.tightness * (1.0 - self.load_share) * bolt_force;
         let preload = clamping + 2.0 * shell_force / bolts;
-        JointForces {
+        BoltForces {
             cap_force,
             bolt_force,
             shell_force,
@@ -123,8 +123,8 @@ impl CapJoint {
 mod tests {
     use super::*;
 
-    fn joint() -> CapJoint {
-        CapJoint {
+    fn joint() -> CapBolts {
+        CapBolts {
             reciprocating_mass: 0.7,
             rotating_mass: 0.5,
             cap_mass: 0.15,
@@ -161,7 +161,7 @@ mod tests {
     /// The piston's acceleration at the top dead centre, from its path.
     #[test]
     fn inertia_is_mass_times_acceleration() {
-        let joint = CapJoint {
+        let joint = CapBolts {
             rotating_mass: 0.0,
             cap_mass: 0.0,
             ..joint()
@@ -176,7 +176,7 @@ mod tests {
 
     #[test]
     fn without_protrusion_or_speed_there_is_nothing_to_hold() {
-        let joint = CapJoint { shell: None, ..joint() };
+        let joint = CapBolts { shell: None, ..joint() };
         assert_eq!(joint.shell_force(), 0.0);
         let forces = joint.forces(joint.inertia_force(0.0));
         assert_eq!((forces.preload, forces.torque, forces.opening), (0.0, 0.0, 0.0));

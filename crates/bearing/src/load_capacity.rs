@@ -1,5 +1,6 @@
-//! Whether a load is beyond what the film carries at the greatest eccentricity.
+//! Load capacity: whether a load exceeds what the film carries at the greatest eccentricity, or is below round-off.
 
+use oilwedge_reynolds::angles::wrapped;
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSystem};
 
@@ -7,39 +8,38 @@ use crate::NoEquilibrium;
 use crate::estimate::GREATEST_ECCENTRICITY;
 use crate::search::Search;
 
-/// The line of centres is turned so often until the film's force points where the load does.
+/// Most turns of the line of centres until the film's force points in the direction of the load.
 const TURNS: usize = 12;
-/// It does within this angle [rad].
+/// Angle [rad] within which it does.
 const ALIGNED: f64 = 0.02;
-/// Eccentricity at which less should be carried.
+/// An eccentricity at which less should be carried.
 const BEFORE: f64 = 0.99;
-/// Loads below this part of the natural force are lost among rounding errors of the film's force.
+/// Loads below this part of the reference force are below the round-off of the film's force.
 pub(crate) const ROUNDING: f64 = 1e-10;
 
 impl Search<'_> {
-    /// That the film carries less than the load at the greatest eccentricity, in the direction of the load, if that is so.
-    pub(crate) fn beyond_reach(&self, problem: &FilmProblem) -> Option<NoEquilibrium> {
+    /// The reason if the film carries less than the load at the greatest eccentricity, in the direction of the load.
+    pub(crate) fn beyond_capacity(&self, problem: &FilmProblem) -> Option<NoEquilibrium> {
         let asked = self.load[0].hypot(self.load[1]);
         let towards = self.load[1].atan2(self.load[0]);
         let mut angle = problem.journal.min_film_angle();
         for _ in 0..TURNS {
-            let e = GREATEST_ECCENTRICITY * self.clearance;
+            let e = GREATEST_ECCENTRICITY * problem.bearing.clearance;
             let offset = [e * angle.cos(), e * angle.sin()];
             let trial = self.trial(problem, offset, Neighbour::None).ok()?;
             let [x, y] = trial.force;
-            let (sin, cos) = (towards - y.atan2(x)).sin_cos();
-            let turn = sin.atan2(cos);
+            let turn = wrapped(towards - y.atan2(x));
             if turn.abs() < ALIGNED {
                 let greatest = x.hypot(y);
                 // A film under tension may point there from its wide side too, with next to no force.
-                let is_thin = !self.bears_tension || greatest > self.natural_force;
+                let is_thin = !self.bears_tension || greatest > self.reference_force;
                 let is_beyond = greatest < asked && is_thin && self.grows(problem, angle, greatest);
-                return is_beyond.then(|| NoEquilibrium::BeyondReach {
+                return is_beyond.then(|| NoEquilibrium::BeyondCapacity {
                     asked,
                     towards: towards.to_degrees().rem_euclid(360.0),
                     greatest,
                     ratio: asked / greatest,
-                    thickness: self.clearance - e,
+                    thickness: problem.bearing.clearance - e,
                     journal: Box::new(trial.problem.journal),
                 });
             }
@@ -48,23 +48,23 @@ impl Search<'_> {
         None
     }
 
-    /// Whether the film carries less than `greatest` [N] a little further from the liner, as it should: with tension on one side of an arc it need not.
+    /// Whether the film carries less than `greatest` [N] at a smaller eccentricity; with tension on one side of an arc it need not.
     fn grows(&self, problem: &FilmProblem, angle: f64, greatest: f64) -> bool {
-        let e = BEFORE * self.clearance;
+        let e = BEFORE * problem.bearing.clearance;
         let before = self.trial(problem, [e * angle.cos(), e * angle.sin()], Neighbour::None);
         before.is_ok_and(|trial| trial.force[0].hypot(trial.force[1]) < greatest)
     }
 
-    /// That the load is so small that rounding errors of the film's force hide it, if that is so.
+    /// The reason if the load is below the round-off of the film's force.
     pub(crate) fn below_rounding(&self) -> Option<NoEquilibrium> {
         let asked = self.load[0].hypot(self.load[1]);
-        let least = ROUNDING * self.natural_force;
+        let least = ROUNDING * self.reference_force;
         (asked > 0.0 && asked < least).then_some(NoEquilibrium::BelowRounding { asked, least })
     }
 }
 
 /// The force [N] of drag through the clearance, or that of the greatest pressure given on the projected area.
-pub(crate) fn natural_force(problem: &FilmProblem, system: &FilmSystem, centre_velocity: CentreVelocity) -> f64 {
+pub(crate) fn reference_force(problem: &FilmProblem, system: &FilmSystem, centre_velocity: CentreVelocity) -> f64 {
     let bearing = &problem.bearing;
     let rate = problem.journal.speed.abs() + centre_velocity.speed() / bearing.clearance;
     let drag = problem.lubricant.viscosity * rate * (bearing.radius / bearing.clearance).powi(2);

@@ -1,11 +1,11 @@
-//! A measure of eccentricity in which the logarithm of the load is nearly linear, from the middle to contact.
+//! The logarithmic eccentricity, in which the logarithm of the load is nearly linear from the centre to contact.
 
 /// `s = ln eps - 3/2 ln(1 - eps)`.
-pub(crate) fn stretched(eps: f64) -> f64 {
+pub(crate) fn log_eccentricity(eps: f64) -> f64 {
     eps.ln() - 1.5 * (1.0 - eps).ln()
 }
 
-/// Its inverse, by bisection: of `ln eps` where that is small, of `ln(1 - eps)` where it is large.
+/// The eccentricity at a logarithmic one, by bisection: of `ln eps` where that is small, of `ln(1 - eps)` where it is large.
 pub(crate) fn eccentricity_at(s: f64) -> f64 {
     let (mut low, mut high) = (f64::MIN_POSITIVE, 1.0 - f64::EPSILON);
     for _ in 0..200 {
@@ -14,7 +14,7 @@ pub(crate) fn eccentricity_at(s: f64) -> f64 {
             false if low >= 0.5 => 1.0 - ((1.0 - low) * (1.0 - high)).sqrt(),
             false => 0.5,
         };
-        match stretched(middle) < s {
+        match log_eccentricity(middle) < s {
             true => low = middle,
             false => high = middle,
         }
@@ -27,9 +27,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn stretched_eccentricity_is_inverted() {
+    fn log_eccentricity_is_inverted() {
         for eps in [1e-6, 0.01, 0.3, 0.5, 0.9, 0.9999] {
-            assert!((eccentricity_at(stretched(eps)) / eps - 1.0).abs() < 1e-12);
+            assert!((eccentricity_at(log_eccentricity(eps)) / eps - 1.0).abs() < 1e-12);
         }
     }
 }

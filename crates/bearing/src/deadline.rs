@@ -1,9 +1,9 @@
-//! How long a search may go on.
+//! How long a search may run.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-/// A wish that a run ends with what it has, which may come at any time: from Ctrl-C, for example.
+/// A request, such as Ctrl-C, that a run ends with what it has reached.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Interrupt(Option<&'static AtomicBool>);
 
@@ -11,7 +11,7 @@ impl Interrupt {
     /// It never comes.
     pub const NEVER: Self = Self(None);
 
-    /// The wish has come as soon as `asked` is true.
+    /// The request has come as soon as `asked` is true.
     pub fn when(asked: &'static AtomicBool) -> Self {
         Self(Some(asked))
     }
@@ -22,16 +22,16 @@ impl Interrupt {
     }
 }
 
-/// How long a search may go on: until a moment, and as long as nobody asks it to end. By default as long as it takes.
+/// When a search must end: at a moment, or when it is interrupted. By default never.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Patience {
+pub struct Deadline {
     until: Option<Instant>,
     interrupt: Interrupt,
 }
 
-impl Patience {
-    /// For `seconds` [s] from now, infinite for without end, and until the interrupt.
-    pub fn of(seconds: f64, interrupt: Interrupt) -> Self {
+impl Deadline {
+    /// In `seconds` [s] from now, which may be infinite, or with the interrupt.
+    pub fn after(seconds: f64, interrupt: Interrupt) -> Self {
         let time = Duration::try_from_secs_f64(seconds).ok();
         Self {
             until: time.and_then(|time| Instant::now().checked_add(time)),
@@ -39,7 +39,7 @@ impl Patience {
         }
     }
 
-    /// Whether it is at its end.
+    /// Whether it has passed.
     pub fn is_over(&self) -> bool {
         self.interrupt.is_asked() || self.until.is_some_and(|until| Instant::now() >= until)
     }
@@ -50,15 +50,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn patience_ends_with_the_time_or_when_asked() {
+    fn a_deadline_passes_with_the_time_or_when_interrupted() {
         static ASKED: AtomicBool = AtomicBool::new(false);
         let interrupt = Interrupt::when(&ASKED);
-        assert!(!Patience::default().is_over());
-        assert!(!Patience::of(f64::INFINITY, interrupt).is_over());
-        assert!(!Patience::of(1e300, interrupt).is_over());
-        assert!(!Patience::of(100.0, interrupt).is_over());
-        assert!(Patience::of(0.0, interrupt).is_over());
+        assert!(!Deadline::default().is_over());
+        assert!(!Deadline::after(f64::INFINITY, interrupt).is_over());
+        assert!(!Deadline::after(1e300, interrupt).is_over());
+        assert!(!Deadline::after(100.0, interrupt).is_over());
+        assert!(Deadline::after(0.0, interrupt).is_over());
         ASKED.store(true, Ordering::Relaxed);
-        assert!(Patience::of(f64::INFINITY, interrupt).is_over());
+        assert!(Deadline::after(f64::INFINITY, interrupt).is_over());
     }
 }

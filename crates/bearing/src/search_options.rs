@@ -1,0 +1,63 @@
+//! How a position is sought.
+
+use oilwedge_reynolds::CentreVelocity;
+use oilwedge_reynolds::solve::Neighbour;
+
+use crate::Deadline;
+use crate::equilibrium::{BALANCED, ROUGHLY_BALANCED};
+
+/// A balance sought from nearby is found at this difference of force and load over the load: another step of Newton's method would
+/// leave round-off.
+const NEARLY_BALANCED: f64 = 1e-10;
+
+/// Options of [`crate::find`]; by default a centre at rest, no deadline, a cold start and the force of the quadratic film.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct SearchOptions<'a> {
+    /// Velocity of the journal's centre.
+    pub centre_velocity: CentreVelocity,
+    /// When the search must end; the position reached then is its answer.
+    pub deadline: Deadline,
+    /// Where the search begins.
+    pub guess: InitialGuess<'a>,
+    /// The film that carries the load.
+    pub carrier: Carrier,
+    /// Difference of force and load over the load at which the balance is found; by default near round-off.
+    pub accuracy: Option<f64>,
+}
+
+/// Where a search begins.
+#[derive(Debug, Clone, Copy, Default)]
+pub enum InitialGuess<'a> {
+    /// At the position of the problem, improved on coarser meshes, if the system has any.
+    #[default]
+    Cold,
+    /// At the position of the problem, which a neighbouring operating point suggests; with the film of that point on the same system,
+    /// if there is one. With [`Neighbour::Kept`] the advection schemes of that film are not chosen again.
+    Near(Neighbour<'a>),
+}
+
+/// The film whose force balances the load.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Carrier {
+    /// Quadratic elements.
+    #[default]
+    Quadratic,
+    /// Cubic elements; not for models that conserve oil.
+    Cubic,
+}
+
+impl SearchOptions<'_> {
+    /// Difference of force and load over the load at which the balance of the quadratic film is found.
+    pub(crate) fn balanced(&self) -> f64 {
+        self.accuracy.unwrap_or(match (self.carrier, self.guess) {
+            (Carrier::Cubic, _) => ROUGHLY_BALANCED,
+            (Carrier::Quadratic, InitialGuess::Near(_)) => NEARLY_BALANCED,
+            (Carrier::Quadratic, InitialGuess::Cold) => BALANCED,
+        })
+    }
+
+    /// True where advection schemes are those of the film that the search starts from.
+    pub(crate) fn keeps_schemes(&self) -> bool {
+        matches!(self.guess, InitialGuess::Near(Neighbour::Kept(_)))
+    }
+}

@@ -1,0 +1,206 @@
+//! Integrals over triangles and edges: the quadrature of everything that is not assembled.
+//!
+//! A [`Rule`] visits the points of one triangle in batches of at most [`MOST_POINTS`]; [`integrate`] sums over the triangles of a mesh;
+//! [`edge_points`] are the points of a straight or quadratic edge. Verified by `areas_and_moments_of_a_curved_mesh`.
+
+use std::ops::AddAssign;
+
+use oilwedge_mesh::Mesh;
+use rayon::prelude::*;
+
+use crate::lagrange::{self, MOST_SHAPES};
+use crate::mapping::{Mapping, Place};
+use crate::quadrature::{MOST_POINTS, Quadrature, gauss_interval};
+
+/// Triangles that one task sums; fixed, so that the number of threads does not change a bit.
+const CELLS_A_TASK: usize = 2048;
+
+/// Values at the nodes of one triangle, in local order.
+pub type Nodal = [f64; MOST_SHAPES];
+
+/// A quadrature rule with the shape functions at its points.
+#[derive(Debug, Clone)]
+pub struct Rule {
+    quadrature: Quadrature,
+    values: Vec<Nodal>,
+    gradients: Vec<[[f64; 2]; MOST_SHAPES]>,
+}
+
+/// A batch of points of one triangle.
+pub struct Points<'a> {
+    /// The triangle.
+    pub cell: usize,
+    /// Positions on the developed surface [m].
+    pub positions: &'a [[f64; 2]],
+    places: &'a [Place],
+    weights: &'a [f64],
+    values: &'a [Nodal],
+    gradients: &'a [[[f64; 2]; MOST_SHAPES]],
+}
+
+impl Rule {
+    /// The rule for elements of this polynomial degree.
+    pub fn for_degree(degree: usize) -> Self {
+        Self::new(Quadrature::for_degree(degree), degree)
+    }
+
+    /// A rule with the shape functions of elements of degree `degree`.
+    pub fn new(quadrature: Quadrature, degree: usize) -> Self {
+        let gradients = quadrature.points.iter().map(|&point| {
+            let mut gradients = [[0.0; 2]; MOST_SHAPES];
+            lagrange::gradients(degree, point, &mut gradients[..lagrange::shapes(degree)]);
+            gradients
+        });
+        Self {
+            values: lagrange::tabulated(degree, &quadrature.points),
+            gradients: gradients.collect(),
+            quadrature,
+        }
+    }
+
+    /// Calls `visit` with every batch of points of triangle `t`.
+    pub fn visit(&self, mesh: &Mesh, t: usize, mut visit: impl FnMut(&Points)) {
+        let mapping = Mapping::of(mesh, t);
+        let Quadrature { points, weights, .. } = &self.quadrature;
+        for first in (0..points.len()).step_by(MOST_POINTS) {
+            let batch = first..(first + MOST_POINTS).min(points.len());
+            let (mut positions, mut places) = ([[0.0; 2]; MOST_POINTS], [Place::default(); MOST_POINTS]);
+            for (q, &point) in points[batch.clone()].iter().enumerate() {
+                places[q] = mapping.at(point);
+                positions[q] = places[q].position;
+            }
+            visit(&Points {
+                cell: t,
+                positions: &positions[..batch.len()],
+                places: &places[..batch.len()],
+                weights: &weights[batch.clone()],
+                values: &self.values[batch.clone()],
+                gradients: &self.gradients[batch],
+            });
+        }
+    }
+
+    /// The integral over triangle `t`, to which `add` adds the contributions of a batch of points.
+    pub fn integrate<T: Default>(&self, mesh: &Mesh, t: usize, mut add: impl FnMut(&Points, &mut T)) -> T {
+        let mut sum = T::default();
+        self.visit(mesh, t, |points| add(points, &mut sum));
+        sum
+    }
+}
+
+impl Points<'_> {
+    /// Weight times Jacobian determinant [m2] of point `q`.
+    pub fn area(&self, q: usize) -> f64 {
+        self.weights[q] * self.places[q].determinant
+    }
+
+    /// Value at point `q` of the function with the given nodal values.
+    pub fn value(&self, q: usize, nodal: &Nodal) -> f64 {
+        nodal.iter().zip(&self.values[q]).map(|(u, shape)| u * shape).sum()
+    }
+
+    /// Gradient [per m] at point `q` of the function with the given nodal values.
+    pub fn gradient(&self, q: usize, nodal: &Nodal) -> [f64; 2] {
+        let by = |d: usize| nodal.iter().zip(&self.gradients[q]).map(|(u, g)| u * g[d]).sum();
+        self.places[q].gradient([by(0), by(1)])
+    }
+
+    /// Values of the shape functions at point `q`.
+    pub fn shapes(&self, q: usize) -> &Nodal {
+        &self.values[q]
+    }
+
+    /// Gradient [1/m] of shape function `i` at point `q`.
+    pub fn shape_gradient(&self, q: usize, i: usize) -> [f64; 2] {
+        self.places[q].gradient(self.gradients[q][i])
+    }
+}
+
+/// The sum of `share` over all triangles of a mesh, in parallel; the result does not depend on the number of threads.
+pub fn integrate<T: Default + AddAssign + Send>(mesh: &Mesh, share: impl Fn(usize) -> T + Sync) -> T {
+    let cells = mesh.triangles().len();
+    let add = |mut sum: T, part: T| {
+        sum += part;
+        sum
+    };
+    let task = |first: usize| {
+        (first..(first + CELLS_A_TASK).min(cells))
+            .map(&share)
+            .fold(T::default(), add)
+    };
+    let firsts: Vec<usize> = (0..cells).step_by(CELLS_A_TASK).collect();
+    let tasks: Vec<T> = firsts.into_par_iter().map(task).collect();
+    tasks.into_iter().fold(T::default(), add)
+}
+
+/// A quadrature point of an edge.
+#[derive(Debug, Clone, Copy)]
+pub struct EdgePoint {
+    /// A triangle that the edge bounds, which lies on its left.
+    pub cell: usize,
+    /// Reference coordinates in that triangle.
+    pub point: [f64; 2],
+    /// Position on the developed surface [m].
+    pub position: [f64; 2],
+    /// Derivative [m] of the position along the edge, whose parameter runs from 0 to 1.
+    pub tangent: [f64; 2],
+    /// Weight on that interval.
+    pub weight: f64,
+}
+
+/// Gauss points of a straight or quadratic edge.
+pub fn edge_points(mesh: &Mesh, edge: u32) -> [EdgePoint; 4] {
+    let cell = mesh.topology().edge_triangles[edge as usize][0] as usize;
+    let (k, nodes) = (mesh.local_edge(cell, edge), mesh.nodes(cell));
+    let (a, b, m) = (nodes[k], nodes[(k + 1) % 3], nodes[3 + k]);
+    let corners = lagrange::nodes(1);
+    let (from, to) = (corners[k], corners[(k + 1) % 3]);
+    gauss_interval().map(|(s, weight)| {
+        let shapes = [(1.0 - s) * (1.0 - 2.0 * s), s * (2.0 * s - 1.0), 4.0 * s * (1.0 - s)];
+        let slopes = [4.0 * s - 3.0, 4.0 * s - 1.0, 4.0 - 8.0 * s];
+        EdgePoint {
+            cell,
+            point: [0, 1].map(|d| from[d] + s * (to[d] - from[d])),
+            position: [0, 1].map(|d| shapes[0] * a[d] + shapes[1] * b[d] + shapes[2] * m[d]),
+            tangent: [0, 1].map(|d| slopes[0] * a[d] + slopes[1] * b[d] + slopes[2] * m[d]),
+            weight,
+        }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use oilwedge_mesh::RawMesh;
+
+    /// Two triangles of the unit square, one edge of which bulges outwards by a parabola of height 0.1: area 1 + 0.2/3.
+    #[test]
+    fn areas_and_moments_of_a_curved_mesh() {
+        let mesh = Mesh::build(RawMesh {
+            points: vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]],
+            triangles: vec![[0, 1, 2], [0, 2, 3]],
+            bulges: vec![(0, 0, [0.0, -0.1])],
+            ..RawMesh::default()
+        })
+        .expect("a mesh");
+        let area = 1.0 + 0.2 / 3.0;
+        for rule in [
+            Rule::for_degree(2),
+            Rule::new(Quadrature::for_degree(3).quartered(2), 3),
+        ] {
+            let found: f64 = integrate(&mesh, |t| {
+                rule.integrate(&mesh, t, |points, sum| {
+                    (0..points.positions.len()).for_each(|q| *sum += points.area(q));
+                })
+            });
+            assert!((found - area).abs() < 1e-14, "{found}");
+        }
+        // Green's theorem: the area is the integral of x dz around.
+        let around: f64 = (0..mesh.topology().edge_triangles.len() as u32)
+            .filter(|&edge| mesh.topology().edge_triangles[edge as usize][1] == u32::MAX)
+            .flat_map(|edge| edge_points(&mesh, edge))
+            .map(|at| at.weight * at.position[0] * at.tangent[1])
+            .sum();
+        assert!((around - area).abs() < 1e-14, "{around}");
+    }
+}
