@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 use oilwedge_bearing::{CapBolts, HeatBalance, Shell};
 use oilwedge_campaign::standard;
-use oilwedge_campaign::standard::StandardHeat;
+use oilwedge_study::quantities::Quantity;
 use oilwedge_study::result::RunResult;
 use oilwedge_study::{RunOptions, run};
 
@@ -24,27 +24,23 @@ pub const CAR: [(f64, f64, [f64; 7]); 3] = [
 ///
 /// # Panics
 /// If there is none.
-pub fn car(turns: f64, force: f64) -> (RunResult, StandardHeat) {
+pub fn car(turns: f64, force: f64) -> (RunResult, Vec<Quantity>) {
     let scene = variant("21_heat_balance", |scene| {
         table(scene, "journal").insert("speed".into(), format!("{turns} rpm").into());
         table(scene, "load").insert("force".into(), format!("{force} N").into());
     });
     let result = run(&scene, &RunOptions::default()).expect("a film").result;
-    let heat = standard(&scene, &result).heat.expect("a balance of the standard");
+    let (_, heat) = standard(&scene, &result)
+        .lists
+        .pop()
+        .expect("a balance of the standard");
     (result, heat)
 }
 
 /// The numbers of [`CAR`] by the standard's own balance.
-pub fn by_standard(heat: &StandardHeat) -> [f64; 7] {
-    [
-        heat.temperature_effective,
-        heat.temperature_outlet,
-        1e3 * heat.viscosity,
-        heat.eccentricity,
-        1e6 * heat.film_thickness_min,
-        heat.friction_power,
-        6e4 * heat.side_flow,
-    ]
+pub fn by_standard(heat: &[Quantity]) -> [f64; 7] {
+    let units = [1.0, 1.0, 1e3, 1.0, 1e6, 1.0, 6e4];
+    std::array::from_fn(|k| units[k] * heat[k].value)
 }
 
 /// The same of a film.

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::process::Command;
 use std::time::Instant;
 
-use oilwedge_campaign::convergence::price::{Bought, Offer};
+use oilwedge_campaign::convergence::cost_model::{CostModel, LevelCost};
 use oilwedge_campaign::convergence::{Budget, Course, Strategy, converge};
 use oilwedge_scene::{MeshSource, Scene};
 
@@ -32,16 +32,16 @@ pub struct Prediction {
 
 /// What the levels of a strategy up to each one predict for a bar ten times smaller, where later levels reach it.
 pub fn predictions(course: &Course) -> Vec<Prediction> {
-    let bought = |level: &oilwedge_campaign::convergence::LevelReport| {
-        Some(Bought {
+    let level_cost = |level: &oilwedge_campaign::convergence::LevelReport| {
+        Some(LevelCost {
             unknowns: level.unknowns as f64,
             seconds: level.seconds.total,
             error: level.relative_bar?,
         })
     };
-    let levels: Vec<Bought> = course.levels.iter().filter_map(bought).collect();
+    let levels: Vec<LevelCost> = course.levels.iter().filter_map(level_cost).collect();
     let predict = |k: usize| {
-        let offer = Offer {
+        let model = CostModel {
             strategy: course.strategy,
             order: course.order,
             levels: levels[..=k].to_vec(),
@@ -51,12 +51,12 @@ pub fn predictions(course: &Course) -> Vec<Prediction> {
         let (coarse, fine) = (levels[fine - 1], levels[fine]);
         let part = (coarse.error / wanted).ln() / (coarse.error / fine.error).ln();
         let between = |a: f64, b: f64| a * (b / a).powf(part);
-        let growth = DIGIT.powf(1.0 / offer.order());
+        let growth = DIGIT.powf(1.0 / model.order());
         Some(Prediction {
             from: from.error,
             unknowns: [from.unknowns * growth, between(coarse.unknowns, fine.unknowns)],
             seconds: [
-                from.seconds * growth.powf(offer.exponent()),
+                from.seconds * growth.powf(model.exponent()),
                 between(coarse.seconds, fine.seconds),
             ],
         })

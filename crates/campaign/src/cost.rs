@@ -1,105 +1,163 @@
 //! What each effect of a scene changes and costs: the scene is run again without it.
 //!
-//! The drag of a journal counts as an effect only where feeds drive the oil too. A load is none: it is what is asked.
+//! The drag of a journal counts as an effect only where feeds drive the oil too. A load is none: it is an input.
 
-use serde::Serialize;
-
+use ciborium::Value;
 use oilwedge_scene::Scene;
 use oilwedge_study::CompileError;
 use oilwedge_study::effects::{Effect, present};
-use oilwedge_study::quantities::{
-    ATTITUDE_ANGLE, FILM_THICKNESS_MIN, PRESSURE_MAX, Quantity, SIDE_FLOW, Unit, main_quantity,
-};
+use oilwedge_study::quantities::{ATTITUDE_ANGLE, FILM_THICKNESS_MIN, PRESSURE_MAX, SIDE_FLOW, main_quantity};
 use oilwedge_study::result::{RunResult, Status};
 use oilwedge_study::run::{RunOptions, run};
 
-/// Runs of one scene at most, of which the median time is told.
+use crate::add_on::{AddOn, Alternative, Comparison, ending, nullable, object};
+
+/// Runs of one scene at most, of which the median time is reported.
 const RUNS: usize = 9;
 /// After this time [s] a scene is not run again.
 const ENOUGH: f64 = 1.0;
 
-/// One effect of a scene: what it changes, and what it costs.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct EffectCost {
-    /// Its name among the effects simulated, as `cavitation: reynolds`.
-    pub effect: &'static Effect,
-    /// What stands in its place, as `constant viscosity`.
-    pub instead: &'static str,
-    /// How the run without it ended.
-    pub status: Status,
-    /// Why there is no solution without it, or why it was not reached.
-    pub reason: Option<String>,
-    /// The main quantities with and without it; an object keyed by name in JSON.
-    #[serde(serialize_with = "by_name")]
-    pub changes: Vec<Change>,
-    /// Whether nothing changes beyond the error bars; `None` where bars are missing that could tell.
-    pub could_be_left_out: Option<bool>,
-    /// Wall time of a run with all effects [s], the median of several where it is short.
-    pub seconds_with: f64,
-    /// The same without this one.
-    pub seconds_without: f64,
-}
-
-/// What an effect does to one quantity.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Change {
-    /// Name of the quantity.
-    #[serde(skip)]
-    pub quantity: String,
-    /// Its symbol.
-    pub symbol: String,
-    /// Its unit, that of all numbers here.
-    pub unit: String,
-    /// Its value with all effects; `None` where it has no meaning or there is no solution.
-    pub with: Option<f64>,
-    /// Its value without this one.
-    pub without: Option<f64>,
-    /// What the effect adds: the former less the latter; of angles the lesser way round.
-    pub change: Option<f64>,
-    /// Half width of the bar of the change, the sum of both; `None` where one is missing.
-    pub error: Option<f64>,
+/// The run without one effect, beside that with all.
+struct EffectCost {
+    effect: &'static Effect,
+    status: Status,
+    reason: Option<String>,
+    changes: Vec<Comparison>,
+    seconds: [f64; 2],
 }
 
 /// Runs `scene` without each of its effects; `result` is that of the scene itself, with the same options.
 ///
 /// # Errors
 /// As [`run`] of the scene itself. That there is no film without an effect is no error.
-pub fn effect_costs(scene: &Scene, options: &RunOptions, result: &RunResult) -> Result<Vec<EffectCost>, CompileError> {
+pub fn effect_costs(scene: &Scene, options: &RunOptions, result: &RunResult) -> Result<AddOn, CompileError> {
     let variants: Vec<_> = without_each(scene).collect();
-    if variants.is_empty() {
-        return Ok(Vec::new());
+    let seconds = match variants.is_empty() {
+        true => 0.0,
+        false => median_seconds(scene, options, result)?,
+    };
+    let run_with = (options, result, seconds);
+    let costs = variants
+        .into_iter()
+        .map(|(effect, without)| cost(effect, &without, scene, run_with));
+    let costs: Vec<EffectCost> = costs.collect();
+    Ok(AddOn {
+        key: "cost",
+        title: match costs.is_empty() {
+            true => "effects   none can be left out",
+            false => "the film without each effect, and in brackets its difference from the film with all of them",
+        }
+        .to_owned(),
+        film: "all effects",
+        alternatives: costs.iter().map(EffectCost::alternative).collect(),
+        lists: Vec::new(),
+        notes: notes(&costs, result.bars),
+        record: Value::Array(costs.iter().map(EffectCost::record).collect()),
+    })
+}
+
+/// The run of a scene `without` an effect; `run_with` are the options, the result and the time [s] of that with all.
+fn cost(
+    effect: &'static Effect,
+    without: &Scene,
+    scene: &Scene,
+    run_with: (&RunOptions, &RunResult, f64),
+) -> EffectCost {
+    let (options, with, seconds) = run_with;
+    let mut cost = EffectCost {
+        effect,
+        status: Status::NoSolution,
+        reason: unfit(without),
+        changes: Vec::new(),
+        seconds: [seconds, 0.0],
+    };
+    if cost.reason.is_some() {
+        return cost;
     }
-    let seconds_with = median_seconds(scene, options, result)?;
-    let costs = variants.into_iter().map(|(effect, without)| {
-        let mut cost = EffectCost {
-            effect,
-            instead: effect.instead,
-            status: Status::NoSolution,
-            reason: unfit(&without),
-            changes: Vec::new(),
-            could_be_left_out: Some(false),
-            seconds_with,
-            seconds_without: 0.0,
-        };
-        if cost.reason.is_some() {
-            return cost;
-        }
-        let found = run(&without, options).and_then(|found| {
-            cost.seconds_without = median_seconds(&without, options, &found.result)?;
-            Ok(found.result)
-        });
-        match found {
-            Ok(without) => {
-                cost.changes = changes(scene, result, &without);
-                cost.could_be_left_out = is_idle(&cost.changes);
-                cost.status = without.status;
-                cost.reason = without.reason;
-            }
-            Err(error) => cost.reason = Some(error.to_string()),
-        }
-        cost
+    let found = run(without, options).and_then(|found| {
+        cost.seconds[1] = median_seconds(without, options, &found.result)?;
+        Ok(found.result)
     });
-    Ok(costs.collect())
+    match found {
+        Ok(result) => {
+            cost.changes = changes(scene, with, &result);
+            cost.status = result.status;
+            cost.reason = result.reason;
+        }
+        Err(error) => cost.reason = Some(error.to_string()),
+    }
+    cost
+}
+
+impl EffectCost {
+    /// Whether nothing changes beyond the error bars; `None` where bars that could decide are missing.
+    fn could_be_left_out(&self) -> Option<bool> {
+        let stays = |it: &Comparison| match (it.surplus(), it.error()) {
+            (None, _) => Some(false),
+            (Some(change), error) => error.map(|error| change.abs() <= error),
+        };
+        let answers: Vec<_> = self.changes.iter().map(stays).collect();
+        match answers.contains(&Some(false)) || answers.is_empty() {
+            true => Some(false),
+            false => answers.into_iter().collect::<Option<Vec<_>>>().map(|_| true),
+        }
+    }
+
+    fn alternative(&self) -> Alternative {
+        Alternative {
+            name: format!("without {}", self.effect.name),
+            comparisons: self.changes.clone(),
+            seconds: Some(self.seconds),
+        }
+    }
+
+    fn record(&self) -> Value {
+        let change = |it: &Comparison| {
+            object([
+                ("symbol", it.row.symbol.into()),
+                ("unit", it.row.unit.name().into()),
+                ("with", nullable(it.film.map(|film| film.value))),
+                ("without", nullable(it.other.map(|other| other.value))),
+                ("change", nullable(it.surplus())),
+                ("error", nullable(it.error())),
+            ])
+        };
+        let changes = self.changes.iter().map(|it| (it.row.name, change(it)));
+        let [status, reason] = ending(self.status, &self.reason);
+        object([
+            ("effect", self.effect.name.into()),
+            ("instead", self.effect.instead.into()),
+            status,
+            reason,
+            ("changes", object(changes)),
+            ("could_be_left_out", nullable(self.could_be_left_out())),
+            ("seconds_with", self.seconds[0].into()),
+            ("seconds_without", self.seconds[1].into()),
+        ])
+    }
+}
+
+/// Why there is no film without an effect, and which effects make no difference.
+fn notes(costs: &[EffectCost], bars: bool) -> Vec<String> {
+    let named = |answer: Option<bool>| {
+        let named = costs.iter().filter(|cost| cost.could_be_left_out() == answer);
+        let names: Vec<&str> = named.map(|cost| cost.effect.name).collect();
+        (!names.is_empty()).then(|| names.join(", "))
+    };
+    let reason = |cost: &EffectCost| {
+        let reason = cost.reason.as_ref()?;
+        Some(format!(
+            "without {} ({}): {reason}",
+            cost.effect.name, cost.effect.instead
+        ))
+    };
+    let negligible =
+        named(Some(true)).map(|names| format!("could be left out: {names} (no change exceeds the error bars)"));
+    let open = named(None).map(|names| match bars {
+        true => format!("not decided: {names} (the error bars needed are not resolved)"),
+        false => "no error bars were estimated: discretisation error cannot be told from the changes".to_owned(),
+    });
+    costs.iter().filter_map(reason).chain(negligible).chain(open).collect()
 }
 
 /// Each effect of a scene that can be left out, and the scene without it.
@@ -130,74 +188,37 @@ fn median_seconds(scene: &Scene, options: &RunOptions, result: &RunResult) -> Re
 }
 
 /// The main quantities with and without an effect; none where there is no film without it.
-fn changes(scene: &Scene, with: &RunResult, without: &RunResult) -> Vec<Change> {
+fn changes(scene: &Scene, with: &RunResult, without: &RunResult) -> Vec<Comparison> {
     if without.quantities.is_empty() {
         return Vec::new();
     }
-    let rows = [
-        main_quantity(scene),
-        &ATTITUDE_ANGLE,
-        &PRESSURE_MAX,
-        &FILM_THICKNESS_MIN,
-        &SIDE_FLOW,
-    ];
-    let pairs = rows.map(|row| (with.quantity(row), without.quantity(row)));
-    pairs
-        .into_iter()
-        .filter_map(|(with, without)| change(with, without))
-        .collect()
-}
-
-fn change(with: Option<&Quantity>, without: Option<&Quantity>) -> Option<Change> {
-    let any = with.or(without)?;
-    let both = with.zip(without);
-    let difference = |(with, without): (&Quantity, &Quantity)| match any.row.unit {
-        Unit::Degree => 180.0 - (180.0 - (with.value - without.value)).rem_euclid(360.0),
-        _ => with.value - without.value,
-    };
-    Some(Change {
-        quantity: any.name.to_string(),
-        symbol: any.row.symbol.to_owned(),
-        unit: any.unit().to_owned(),
-        with: with.map(|quantity| quantity.value),
-        without: without.map(|quantity| quantity.value),
-        change: both.map(difference),
-        error: both.and_then(|(with, without)| Some(with.error()? + without.error()?)),
-    })
-}
-
-/// Whether nothing changes beyond the bars; `None` where bars are missing that could tell.
-fn is_idle(changes: &[Change]) -> Option<bool> {
-    let stays = |it: &Change| match (it.change, it.error) {
-        (None, _) => Some(false),
-        (Some(change), error) => error.map(|error| change.abs() <= error),
-    };
-    let answers: Vec<_> = changes.iter().map(stays).collect();
-    match answers.contains(&Some(false)) || answers.is_empty() {
-        true => Some(false),
-        false => answers.into_iter().collect::<Option<Vec<_>>>().map(|_| true),
-    }
-}
-
-fn by_name<S: serde::Serializer>(changes: &[Change], serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_map(changes.iter().map(|change| (&change.quantity, change)))
+    let main = main_quantity(scene);
+    let rows = [main, &ATTITUDE_ANGLE, &PRESSURE_MAX, &FILM_THICKNESS_MIN, &SIDE_FLOW];
+    let pairs = rows.map(|row| Comparison::between(with.quantity(row), without.quantity(row)));
+    pairs.into_iter().flatten().collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use oilwedge_reynolds::error_bar::Bar;
-    use oilwedge_study::quantities::{LOAD, Row};
+    use oilwedge_study::effects::EFFECTS;
+    use oilwedge_study::quantities::{Bar, LOAD, Quantity};
 
-    fn quantity(row: &'static Row, value: f64, error: Option<f64>) -> Quantity {
-        Quantity {
+    fn cost(changes: &[(f64, Option<f64>)]) -> EffectCost {
+        let load = |value: f64, error: Option<f64>| Quantity {
             bar: error.map(Bar::of),
-            ..Quantity::new(row, value)
+            ..Quantity::new(&LOAD, value)
+        };
+        let change = |&(change, error): &(f64, _)| {
+            Comparison::between(Some(&load(10.0 + change, error)), Some(&load(10.0, Some(0.0))))
+        };
+        EffectCost {
+            effect: EFFECTS.iter().find(|effect| effect.name == "barus").expect("a row"),
+            status: Status::Converged,
+            reason: None,
+            changes: changes.iter().filter_map(change).collect(),
+            seconds: [0.03, 0.012],
         }
-    }
-
-    fn between(with: Option<Quantity>, without: Option<Quantity>) -> Change {
-        change(with.as_ref(), without.as_ref()).expect("one of two")
     }
 
     #[test]
@@ -259,42 +280,30 @@ oil = { viscosity = "0.4 Pa.s" }
     }
 
     #[test]
-    fn a_change_has_the_sum_of_both_bars() {
-        let load = |value, error| Some(quantity(&LOAD, value, error));
-        let it = between(load(12.0, Some(0.5)), load(10.0, Some(0.25)));
-        assert_eq!((it.with, it.without), (Some(12.0), Some(10.0)));
-        assert_eq!((it.change, it.error), (Some(2.0), Some(0.75)));
-        assert_eq!(between(load(12.0, None), load(10.0, Some(0.25))).error, None);
-        let lost = between(load(12.0, Some(0.5)), None);
-        assert_eq!((lost.without, lost.change, lost.error), (None, None, None));
-        assert_eq!(change(None, None), None);
-    }
-
-    #[test]
-    fn angles_change_the_lesser_way_round() {
-        let angle = |value| Some(quantity(&ATTITUDE_ANGLE, value, None));
-        for (with, without, wanted) in [
-            (170.0, -170.0, -20.0),
-            (-170.0, 170.0, 20.0),
-            (50.0, 40.0, 10.0),
-            (90.0, -90.0, 180.0),
+    fn an_effect_is_negligible_where_all_bars_say_so() {
+        for (changes, wanted) in [
+            (&[(0.25, Some(0.25)), (0.0, Some(0.0))][..], Some(true)),
+            (&[(0.25, Some(0.25)), (0.5, Some(0.25))], Some(false)),
+            (&[(0.25, Some(0.25)), (0.0, None)], None),
+            (&[(0.5, Some(0.25)), (0.0, None)], Some(false)),
+            (&[], Some(false)),
         ] {
-            assert_eq!(between(angle(with), angle(without)).change, Some(wanted));
+            assert_eq!(cost(changes).could_be_left_out(), wanted, "{changes:?}");
         }
+        let mut lost = cost(&[(0.0, Some(9.0))]);
+        lost.changes[0].other = None;
+        assert_eq!(lost.could_be_left_out(), Some(false));
     }
 
     #[test]
-    fn an_effect_is_idle_where_all_bars_say_so() {
-        let one = |change: f64, error| {
-            let value = quantity(&LOAD, 10.0 + change, error);
-            between(Some(value), Some(quantity(&LOAD, 10.0, Some(0.0))))
-        };
-        assert_eq!(is_idle(&[one(0.25, Some(0.25)), one(0.0, Some(0.0))]), Some(true));
-        assert_eq!(is_idle(&[one(0.25, Some(0.25)), one(0.5, Some(0.25))]), Some(false));
-        assert_eq!(is_idle(&[one(0.25, Some(0.25)), one(0.0, None)]), None);
-        assert_eq!(is_idle(&[one(0.5, Some(0.25)), one(0.0, None)]), Some(false));
-        let lost = between(Some(quantity(&ATTITUDE_ANGLE, 5.0, Some(9.0))), None);
-        assert_eq!(is_idle(&[lost]), Some(false));
-        assert_eq!(is_idle(&[]), Some(false));
+    fn notes_name_reasons_and_what_could_be_left_out() {
+        let mut hopeless = cost(&[]);
+        hopeless.reason = Some("nothing carries the oil".into());
+        let found = notes(&[cost(&[(0.0, Some(0.0))]), cost(&[(1.0, Some(0.0))]), hopeless], true);
+        assert_eq!(found.len(), 2);
+        assert!(found[0].contains("without barus (constant viscosity): nothing carries the oil"));
+        assert!(found[1].starts_with("could be left out: barus ("));
+        let open = |bars: bool| notes(&[cost(&[(0.0, None)])], bars).remove(0);
+        assert!(open(true).starts_with("not decided: barus") && open(false).contains("no error bars"));
     }
 }

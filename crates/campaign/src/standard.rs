@@ -1,135 +1,163 @@
 //! The standard's twin: what ISO 7902 and DIN 31652 give for the bearing of a scene, beside its own film.
 //!
-//! Both are given the same: the load where the scene has one, else the eccentricity; and the viscosity of the film. A groove all around
-//! makes two bearings of the lands beside it, each with half of the load. The fits and their range: [`iso7902`].
+//! Both have the same input: the load where the scene has one, else the eccentricity; and the viscosity of the film. A groove all around
+//! makes two bearings of the lands beside it, each with half of the load. `twin.rs` evaluates the fits, `feed.rs` finds the standard's feed.
 
-use oilwedge_reynolds::analytical::iso7902;
-use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
-use serde::Serialize;
-
+use ciborium::Value;
 use oilwedge_reynolds::lubricant::PressureLaw;
+use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_reynolds::{CentreVelocity, Theory};
 use oilwedge_scene::Scene;
 use oilwedge_study::effects::Sockets;
 use oilwedge_study::oil::Oil;
-use oilwedge_study::quantities::{self, Row};
+use oilwedge_study::quantities::{self, Quantity, Row, VISCOSITY_EFFECTIVE};
 use oilwedge_study::result::RunResult;
+
+use crate::add_on::{AddOn, Alternative, Comparison, Estimate, nullable, object};
 
 mod feed;
 mod twin;
 
-use feed::{fed, told};
-pub use twin::StandardHeat;
-use twin::{Given, Twin, own_heat};
+use feed::{fed, words};
+use twin::{Given, NAME, Twin, own_heat};
 
 /// B/D for which the fits were made.
 const SLENDERNESS: [f64; 2] = [0.25, 1.5];
 /// Eccentricities for which they were made.
 const ECCENTRICITY: [f64; 2] = [0.1, 0.95];
-/// What the standard says, and the film.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Standard {
-    /// What both were given: `load` or `eccentricity`; `null` where the standard has no such bearing.
-    pub given: Option<&'static str>,
-    /// Viscosity [Pa.s] with which the standard was asked.
-    pub viscosity: f64,
-    /// The feed in the words of the standard; `null` where it has none like that, or the scene has none.
-    pub feed: Option<String>,
-    /// Q_3 [m3/s], what the narrowing film presses out at the ends; `null` without a twin.
-    pub squeezed_flow: Option<f64>,
-    /// Q_p [m3/s], what the pressure of the feed presses through; `null` where there is no such feed.
-    pub pressed_flow: Option<f64>,
-    /// The numbers, in the order of the report.
-    pub numbers: Vec<Beside>,
-    /// The standard's own balance of heat; `null` without `[heat]`, and where it has no such flow or no balance.
-    pub heat: Option<StandardHeat>,
-    /// What keeps the two apart, in sentences; or why there is no twin.
-    pub notes: Vec<String>,
-}
 
-/// A number of the standard and that of the film.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Beside {
-    /// Name of the quantity in the result.
-    pub quantity: &'static str,
-    /// Its unit.
-    pub unit: String,
-    /// What the standard gives, in that unit.
-    pub standard: f64,
-    /// What the film gives.
-    pub film: f64,
-    /// Error bar of the film's number; `null` where there is none.
-    pub error: Option<f64>,
-    /// The standard's number less that of the film.
-    pub difference: f64,
-}
-
-impl Beside {
-    /// The difference over the film's number; none of an angle, or where that is zero.
-    pub fn relative(&self) -> Option<f64> {
-        (self.unit != "deg" && self.film != 0.0).then(|| self.difference / self.film.abs())
-    }
-}
-
-impl Standard {
-    fn none(viscosity: f64, reason: &str) -> Self {
-        Self {
-            given: None,
-            viscosity,
-            feed: None,
-            squeezed_flow: None,
-            pressed_flow: None,
-            numbers: Vec::new(),
-            heat: None,
-            notes: vec![format!("the standard has no such bearing: {reason}")],
-        }
-    }
-}
-
-/// The twin of a scene whose run ended with this result.
-pub fn standard(scene: &Scene, result: &RunResult) -> Standard {
+/// The bearing of a scene by the standard, beside the film of its `result`.
+pub fn standard(scene: &Scene, result: &RunResult) -> AddOn {
     let value = |row: &Row| result.quantity(row).map(|quantity| quantity.value);
     let oil = Oil::of(scene);
     let viscosity = match (&scene.heat, value(&quantities::TEMPERATURE_EFFECTIVE)) {
         (Some(_), Some(celsius)) => oil.at(celsius + ZERO_CELSIUS).viscosity,
         _ => oil.viscosity,
     };
-    let none = |reason: &str| Standard::none(viscosity, reason);
+    let numbers = answer(scene, result, viscosity).unwrap_or_else(|reason| Numbers {
+        notes: vec![format!("the standard has no such bearing: {reason}")],
+        ..Numbers::default()
+    });
+    numbers.add_on(viscosity)
+}
+
+/// What the standard gives.
+#[derive(Debug, Default)]
+struct Numbers {
+    given: Option<&'static str>,
+    feed: Option<&'static str>,
+    squeezed: Option<f64>,
+    pressed: Option<f64>,
+    comparisons: Vec<Comparison>,
+    heat: Vec<Quantity>,
+    notes: Vec<String>,
+}
+
+/// What the standard gives, or why it has no such bearing.
+fn answer(scene: &Scene, result: &RunResult, viscosity: f64) -> Result<Numbers, &'static str> {
+    let value = |row: &Row| result.quantity(row).map(|quantity| quantity.value);
     if scene.bearing.arc.is_some() {
-        return none("its fits are those of full bearings, but this one is an arc");
+        return Err("its fits are those of full bearings, but this one is an arc");
     }
     if scene.journal.speed == 0.0 {
-        return none("the journal is at rest");
+        return Err("the journal is at rest");
     }
     let (Some(load), Some(eccentricity)) = (value(&quantities::LOAD), value(&quantities::ECCENTRICITY)) else {
-        return none("there is no film");
+        return Err("there is no film");
     };
     let given = match scene.journal.load().is_some() {
         true => Given::Load(load),
         false => Given::Eccentricity(eccentricity),
     };
     let feed = fed(scene, value(&quantities::LOAD_ANGLE).unwrap_or_default());
-    let Some(twin) = Twin::of(scene, viscosity, given, &feed) else {
-        return none("the film carries no load");
-    };
+    let twin = Twin::of(scene, viscosity, given, &feed).ok_or("the film carries no load")?;
     let mut notes = notes(scene, &twin);
     notes.extend(feed.as_ref().err().cloned());
-    Standard {
+    Ok(Numbers {
         given: Some(given.name()),
-        viscosity,
-        feed: (feed.as_ref().ok())
-            .and_then(|feed| feed.as_ref())
-            .map(|(kind, _)| told(*kind).to_owned()),
-        squeezed_flow: Some(twin.squeezed),
-        pressed_flow: twin.pressed,
-        numbers: beside(scene, result, &twin, given),
+        feed: feed.as_ref().ok().and_then(|feed| Some(words(feed.as_ref()?.0))),
+        squeezed: Some(twin.squeezed),
+        pressed: twin.pressed,
+        comparisons: beside(scene, result, &twin, given),
         heat: own_heat(scene, given, &feed),
         notes,
+    })
+}
+
+impl Numbers {
+    fn record(&self, viscosity: f64) -> Value {
+        let number = |it: &Comparison| {
+            let (standard, film) = (it.other?.value, it.film?);
+            Some(object([
+                ("quantity", it.row.name.into()),
+                ("unit", it.row.unit.name().into()),
+                ("standard", standard.into()),
+                ("film", film.value.into()),
+                ("error", nullable(film.error)),
+                ("difference", (standard - film.value).into()),
+            ]))
+        };
+        let heat = self.heat.iter().map(|it| match it.row == &VISCOSITY_EFFECTIVE {
+            true => ("viscosity", it.value.into()),
+            false => (it.row.name, it.value.into()),
+        });
+        let notes = self.notes.iter().map(|note| note.as_str().into());
+        object([
+            ("given", nullable(self.given)),
+            ("viscosity", viscosity.into()),
+            ("feed", nullable(self.feed)),
+            ("squeezed_flow", nullable(self.squeezed)),
+            ("pressed_flow", nullable(self.pressed)),
+            (
+                "numbers",
+                Value::Array(self.comparisons.iter().filter_map(number).collect()),
+            ),
+            ("heat", nullable((!self.heat.is_empty()).then(|| object(heat)))),
+            ("notes", Value::Array(notes.collect())),
+        ])
+    }
+
+    fn add_on(self, viscosity: f64) -> AddOn {
+        let feed = self.feed.map_or(String::new(), |feed| format!(", fed through {feed}"));
+        let title = self.given.map_or(NAME.to_owned(), |given| {
+            format!("{NAME} at the same {given}{feed}, and in brackets its difference from this film")
+        });
+        let flow = |value: f64| vec![Quantity::new(&quantities::SIDE_FLOW, value)];
+        let flows = self.squeezed.zip(self.pressed).map(|(squeezed, pressed)| {
+            [
+                ("its side_flow by the narrowing film, Q_3", flow(squeezed)),
+                ("its side_flow by the feed pressure, Q_p", flow(pressed)),
+            ]
+        });
+        let of_both = (
+            "viscosity of both",
+            vec![Quantity::new(&VISCOSITY_EFFECTIVE, viscosity)],
+        );
+        let heat = ("its own heat balance", self.heat.clone());
+        let lists = self
+            .given
+            .map(|_| of_both)
+            .into_iter()
+            .chain(flows.into_iter().flatten())
+            .chain([heat]);
+        AddOn {
+            key: "standard",
+            title,
+            film: "this film",
+            lists: lists.filter(|(_, quantities)| !quantities.is_empty()).collect(),
+            record: self.record(viscosity),
+            notes: self.notes,
+            alternatives: vec![Alternative {
+                name: NAME.to_owned(),
+                comparisons: self.comparisons,
+                seconds: None,
+            }],
+        }
     }
 }
 
 /// The numbers of the twin beside those of the film.
-fn beside(scene: &Scene, result: &RunResult, twin: &Twin, given: Given) -> Vec<Beside> {
+fn beside(scene: &Scene, result: &RunResult, twin: &Twin, given: Given) -> Vec<Comparison> {
     let of_load = matches!(given, Given::Load(_));
     let under = |number: f64| of_load.then_some(number);
     let at = |number: f64| (!of_load).then_some(number);
@@ -141,23 +169,16 @@ fn beside(scene: &Scene, result: &RunResult, twin: &Twin, given: Given) -> Vec<B
             &quantities::SOMMERFELD_NUMBER,
             at(twin.number).filter(|_| twin.lands.count == 1.0),
         ),
-        (
-            &quantities::ATTITUDE_ANGLE,
-            Some(iso7902::attitude(twin.eccentricity, twin.lands.slenderness).to_degrees()),
-        ),
+        (&quantities::ATTITUDE_ANGLE, Some(twin.attitude().to_degrees())),
         (&quantities::FRICTION_COEFFICIENT, Some(twin.coefficient)),
         (&quantities::FRICTION_POWER, Some(twin.power)),
         (&quantities::SIDE_FLOW, twin.flow),
     ];
     let beside = standard.into_iter().filter_map(|(row, standard): (&Row, _)| {
-        let film = result.quantity(row)?;
-        Some(Beside {
-            quantity: row.name,
-            unit: film.unit().to_owned(),
-            standard: standard?,
-            film: film.value,
-            error: film.error(),
-            difference: standard? - film.value,
+        let value = standard?;
+        Some(Comparison {
+            other: Some(Estimate { value, error: None }),
+            ..Comparison::between(result.quantity(row), None)?
         })
     });
     beside.collect()
@@ -166,24 +187,23 @@ fn beside(scene: &Scene, result: &RunResult, twin: &Twin, given: Given) -> Vec<B
 /// What keeps the film of the scene and that of the standard apart.
 fn notes(scene: &Scene, twin: &Twin) -> Vec<String> {
     let outside = |what: &str, value: f64, [low, high]: [f64; 2]| {
-        (value < low || value > high).then(|| {
-            format!("{what} {value:.3} is outside of {low} to {high}, for which the standard's fits were made")
-        })
+        (value < low || value > high)
+            .then(|| format!("{what} {value:.3} is outside the range {low} to {high} of the standard's fits"))
     };
     let sockets = Sockets::of(scene);
     let edge = match sockets.cavitation {
         closure if closure.bears_tension() => Some("this film bears tension"),
-        closure if !closure.has_free_boundary() => Some("low pressures of this film are dropped"),
+        closure if !closure.has_free_boundary() => Some("this film drops pressures below that of the cavity"),
         _ => None,
     };
     let notes = [
         outside("B/D", twin.lands.slenderness, SLENDERNESS),
         outside("eccentricity", twin.eccentricity, ECCENTRICITY),
-        edge.map(|edge| format!("{edge}; that of the standard ends where Swift and Stieber's does")),
+        edge.map(|edge| format!("{edge}; that of the standard has the Swift-Stieber boundary")),
         (!matches!(sockets.pressure_law, PressureLaw::Constant))
-            .then(|| "the standard knows no viscosity that grows with pressure".to_owned()),
+            .then(|| "the standard has no viscosity that grows with pressure".to_owned()),
         (sockets.centre_velocity != CentreVelocity::default())
-            .then(|| "the standard's load is steady: its centre rests".to_owned()),
+            .then(|| "the standard's load is steady: the centre of its journal is at rest".to_owned()),
         (sockets.theory != Theory::Full)
             .then(|| "the standard's film is that of full theory, this one's is not".to_owned()),
     ];
@@ -193,11 +213,12 @@ fn notes(scene: &Scene, twin: &Twin) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use oilwedge_study::quantities::Unit;
     use oilwedge_study::run::{RunOptions, run};
     use std::path::Path;
 
     /// The twin of a ring, eccentricity 0.7, B/D 0.6, with further lines of the scene.
-    fn twin(journal: &str, more: &str) -> Standard {
+    fn twin(journal: &str, more: &str) -> Numbers {
         let text = format!(
             r#"
 bearing = {{ diameter = "50 mm", length = "30 mm", clearance = "25 um" }}
@@ -208,15 +229,24 @@ journal = {{ speed = "3000 rpm"{journal} }}
         );
         let scene = oilwedge_study::parse(&text, Path::new("ring.toml")).expect("a scene");
         let found = run(&scene, &RunOptions::default()).expect("a film");
-        standard(&scene, &found.result)
+        answer(&scene, &found.result, 0.01).expect("a twin")
     }
 
     const AT: &str = r#", eccentricity = 0.7, min_film_angle = "300 deg""#;
 
-    fn off(twin: &Standard, name: &str) -> f64 {
-        let number = twin.numbers.iter().find(|it| it.quantity == name);
-        let number = number.unwrap_or_else(|| panic!("no {name} in {twin:?}"));
-        number.relative().unwrap_or(number.difference)
+    fn number(twin: &Numbers, row: &Row) -> Comparison {
+        let number = Comparison::of(row, &twin.comparisons);
+        number.unwrap_or_else(|| panic!("no {row:?} in {twin:?}")).clone()
+    }
+
+    /// The difference, of angles in degrees, else relative.
+    fn off(twin: &Numbers, row: &Row) -> f64 {
+        let it = number(twin, row);
+        let film = it
+            .film
+            .filter(|_| it.row.unit != Unit::Degree)
+            .map_or(1.0, |film| film.value.abs());
+        it.difference().expect("both") / film
     }
 
     #[test]
@@ -227,19 +257,22 @@ journal = {{ speed = "3000 rpm"{journal} }}
             (Some("eccentricity"), &None, &[][..])
         );
         assert!(
-            off(&at, "load").abs() < 0.03 && off(&at, "attitude_angle").abs() < 2.0,
+            off(&at, &quantities::LOAD).abs() < 0.03 && off(&at, &quantities::ATTITUDE_ANGLE).abs() < 2.0,
             "{at:?}"
         );
         assert!(
-            off(&at, "friction_power").abs() < 0.03 && off(&at, "side_flow").abs() < 0.05,
+            off(&at, &quantities::FRICTION_POWER).abs() < 0.03 && off(&at, &quantities::SIDE_FLOW).abs() < 0.05,
             "{at:?}"
         );
-        let load = at.numbers[0].film;
+        let load = number(&at, &quantities::LOAD).film.expect("a load").value;
         let under = twin("", &format!("load = {{ force = \"{load} N\", angle = \"270 deg\" }}"));
         assert_eq!(under.given, Some("load"));
-        assert!(off(&under, "eccentricity").abs() < 0.02, "{under:?}");
-        let thickness = under.numbers.iter().find(|it| it.quantity == "film_thickness_min");
-        assert!(thickness.is_some_and(|it| (it.standard - 7.5e-6).abs() < 5e-7));
+        assert!(off(&under, &quantities::ECCENTRICITY).abs() < 0.02, "{under:?}");
+        let thickness = number(&under, &quantities::FILM_THICKNESS_MIN)
+            .other
+            .expect("a thickness")
+            .value;
+        assert!((thickness - 7.5e-6).abs() < 5e-7);
     }
 
     #[test]
@@ -276,8 +309,8 @@ journal = {{ speed = "3000 rpm"{journal} }}
             (groove("from = \"20 deg\", to = \"140 deg\", "), None),
         ] {
             let twin = twin(AT, &more);
-            assert_eq!(twin.feed.as_deref(), wanted, "{more}: {twin:?}");
-            let has_flow = twin.numbers.iter().any(|it| it.quantity == "side_flow");
+            assert_eq!(twin.feed, wanted, "{more}: {twin:?}");
+            let has_flow = Comparison::of(&quantities::SIDE_FLOW, &twin.comparisons).is_some();
             assert_eq!(
                 (has_flow, twin.notes.is_empty()),
                 (wanted.is_some(), wanted.is_some()),
@@ -287,7 +320,7 @@ journal = {{ speed = "3000 rpm"{journal} }}
     }
 
     #[test]
-    fn what_the_standard_has_not_is_told() {
+    fn an_arc_has_no_twin() {
         let text = r#"
 bearing = { diameter = "50 mm", length = "30 mm", clearance = "25 um", arc = { from = "180 deg", to = "360 deg" } }
 oil = { viscosity = "10 mPa.s" }
@@ -295,10 +328,9 @@ journal = { speed = "3000 rpm", eccentricity = 0.7, min_film_angle = "270 deg" }
 "#;
         let scene = oilwedge_study::parse(text, Path::new("arc.toml")).expect("a scene");
         let found = run(&scene, &RunOptions::default()).expect("a film");
-        let twin = standard(&scene, &found.result);
-        assert!(
-            twin.given.is_none() && twin.numbers.is_empty() && twin.notes[0].contains("arc"),
-            "{twin:?}"
-        );
+        let reason = answer(&scene, &found.result, 0.01).expect_err("an arc");
+        assert!(reason.contains("arc"), "{reason}");
+        let add_on = standard(&scene, &found.result);
+        assert!(add_on.alternatives[0].comparisons.is_empty() && add_on.notes[0].ends_with(reason));
     }
 }

@@ -1,16 +1,17 @@
-//! One scene by three theories side by side: the film of its length, and what short and long bearings take it for.
+//! A scene by three theories: the film of finite length beside those of short and of long bearings.
 //!
-//! The scene is run again with the theories that are not its own. What one of them has no meaning for (an arc, a feed, an oil that is conserved,
-//! a mesh without the line that it needs) is told in its place. What all of the others lack, feeds and an oil that is conserved, is left out of all
-//! three where the liner is drawn here: how far a theory is off is a matter of B/D and eccentricity first.
+//! The scene is run again with the theories that are not its own. Where a theory does not apply (an arc, a feed, a conserved oil, a mesh
+//! without a line of given pressure) its reason stands in place of numbers. Feeds and the conservation of oil, which neither a short nor a
+//! long bearing has, are left out of all three where the liner is drawn here: the error of a theory is a matter of B/D and eccentricity first.
 
 use std::f64::consts::{PI, TAU};
 
+use ciborium::Value;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
-use serde::Serialize;
 
 use oilwedge_scene::{Position, Scene, Theory};
 use oilwedge_study::complaints;
+use oilwedge_study::effects::bearing_theory::{LONG_FROM, SHORT_TO};
 use oilwedge_study::effects::{Socket, present, without_conservation};
 use oilwedge_study::oil::at_temperature;
 use oilwedge_study::quantities::{
@@ -19,6 +20,8 @@ use oilwedge_study::quantities::{
 };
 use oilwedge_study::result::{RunResult, Status};
 use oilwedge_study::run::{RunOptions, run};
+
+use crate::add_on::{AddOn, Alternative, Comparison, ending, nullable, object};
 
 /// The numbers that are compared, those of a position under a load included.
 const COMPARED: [&Row; 8] = [
@@ -34,70 +37,118 @@ const COMPARED: [&Row; 8] = [
 /// Those that the scene gives, where it gives a position and where it gives a load.
 const GIVEN: [&[&Row]; 2] = [&[&ECCENTRICITY, &FILM_THICKNESS_MIN], &[&LOAD]];
 
-/// A film by three theories.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Theories {
-    /// B/D [1].
-    pub slenderness: f64,
-    /// What of the scene is left out of all three films, in words.
-    pub without: Vec<&'static str>,
-    /// `short`, `full` and `long`, in that order.
-    pub films: Vec<TheoryFilm>,
-}
-
-/// What one theory makes of the film.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct TheoryFilm {
-    /// `short`, `full` or `long`.
-    pub theory: String,
-    /// How its run ended.
-    pub status: Status,
-    /// Why there is no film by this theory, or why it was not reached.
-    pub reason: Option<String>,
+/// The film by one theory.
+#[derive(Debug, PartialEq)]
+struct TheoryFilm {
+    theory: &'static str,
+    status: Status,
+    reason: Option<String>,
     /// Angle [deg] of the film start that a long ring was given, where the scene has none.
-    pub film_start_deg: Option<f64>,
-    /// The main quantities; an object keyed by name in JSON. Empty where there is no film.
-    #[serde(serialize_with = "by_name")]
-    pub quantities: Vec<TheoryNumber>,
-}
-
-/// A quantity by one theory.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct TheoryNumber {
-    /// Name of the quantity.
-    #[serde(skip)]
-    pub quantity: String,
-    /// Its symbol.
-    pub symbol: String,
-    /// Its unit, that of all numbers here.
-    pub unit: String,
-    /// Its value.
-    pub value: f64,
-    /// Half width of its error bar; `None` where there is none.
-    pub error: Option<f64>,
-    /// The value less that of the full film, of angles the lesser way round; `None` where the full film has none.
-    pub difference: Option<f64>,
+    film_start: Option<f64>,
+    /// The numbers that are compared; none where there is no film.
+    quantities: Vec<Quantity>,
 }
 
 /// Runs `scene` by the theories that are not its own; `result` is that of the scene itself, with the same options. A theory without an answer
 /// has its reason.
-pub fn theories(scene: &Scene, options: &RunOptions, result: &RunResult) -> Theories {
+pub fn theories(scene: &Scene, options: &RunOptions, result: &RunResult) -> AddOn {
+    let (films, without) = films(scene, options, result);
+    let alternatives = [0, 1, 2].map(|k| films[k].beside(&films[1]));
+    let slenderness = scene.bearing.length / scene.bearing.diameter;
+    let records = films
+        .iter()
+        .zip(&alternatives)
+        .map(|(film, it)| film.record(it))
+        .collect();
+    let [short, _, long] = alternatives;
+    AddOn {
+        key: "theories",
+        title: "short and long bearing theory (pressure flow along the axis only, around only), and in brackets the difference from the full film"
+            .to_owned(),
+        film: "full",
+        alternatives: vec![short, long],
+        lists: Vec::new(),
+        notes: notes(slenderness, &without, &films),
+        record: object([
+            ("slenderness", slenderness.into()),
+            ("without", Value::Array(without.into_iter().map(Value::from).collect())),
+            ("films", Value::Array(records)),
+        ]),
+    }
+}
+
+/// The short, the full and the long film, and what of the scene is left out of all three.
+fn films(scene: &Scene, options: &RunOptions, result: &RunResult) -> ([TheoryFilm; 3], Vec<&'static str>) {
     let (scene, without) = bare(scene, result);
     let is_own = |theory: Theory| theory == scene.bearing.theory && without.is_empty();
-    let mut films = [Theory::Short, Theory::Full, Theory::Long].map(|theory| match is_own(theory) {
+    let films = [Theory::Short, Theory::Full, Theory::Long].map(|theory| match is_own(theory) {
         true => film(&scene, theory, result),
         false => other(&scene, theory, options),
     });
-    let full = films[1].quantities.clone();
-    for number in films.iter_mut().flat_map(|film| &mut film.quantities) {
-        let of_full = full.iter().find(|it| it.quantity == number.quantity);
-        number.difference = of_full.map(|of_full| difference(number.value, of_full.value, &number.unit));
+    (films, without)
+}
+
+impl TheoryFilm {
+    fn quantity(&self, row: &Row) -> Option<&Quantity> {
+        self.quantities.iter().find(|it| it.row == row)
     }
-    Theories {
-        slenderness: scene.bearing.length / scene.bearing.diameter,
-        without,
-        films: films.into(),
+
+    /// Its numbers beside those of the full film, and those of the full film that it lacks.
+    fn beside(&self, full: &Self) -> Alternative {
+        let own = self.quantities.iter().map(|it| (full.quantity(it.row), Some(it)));
+        let lacking = full.quantities.iter().filter(|it| self.quantity(it.row).is_none());
+        let pairs = own.chain(lacking.map(|it| (Some(it), None)));
+        Alternative {
+            name: self.theory.to_owned(),
+            comparisons: pairs.filter_map(|(full, it)| Comparison::between(full, it)).collect(),
+            seconds: None,
+        }
     }
+
+    fn record(&self, numbers: &Alternative) -> Value {
+        let quantities = numbers.comparisons.iter().filter_map(|it| {
+            let number = object([
+                ("symbol", it.row.symbol.into()),
+                ("unit", it.row.unit.name().into()),
+                ("value", it.other?.value.into()),
+                ("error", nullable(it.other?.error)),
+                ("difference", nullable(it.difference())),
+            ]);
+            Some((it.row.name, number))
+        });
+        let [status, reason] = ending(self.status, &self.reason);
+        object([
+            ("theory", self.theory.into()),
+            status,
+            reason,
+            ("film_start_deg", nullable(self.film_start)),
+            ("quantities", object(quantities)),
+        ])
+    }
+}
+
+/// What was changed of the scene, why a theory has no film, and what B/D says.
+fn notes(slenderness: f64, without: &[&'static str], films: &[TheoryFilm]) -> Vec<String> {
+    let mut notes = Vec::new();
+    if !without.is_empty() {
+        notes.push(format!("all three: without {}", without.join(", without ")));
+    }
+    for film in films {
+        let label = match film.quantities.is_empty() {
+            true => format!("no {} film", film.theory),
+            false => film.theory.to_owned(),
+        };
+        notes.extend(film.reason.iter().map(|reason| format!("{label}: {reason}")));
+        let start = |start| format!("{label}: the ring was given a film start at its widest gap, {start:.1} deg");
+        notes.extend(film.film_start.map(start));
+    }
+    let kind = match slenderness {
+        low if low <= SHORT_TO => format!("a short bearing (B/D up to {SHORT_TO})"),
+        high if high >= LONG_FROM => format!("a long bearing (B/D from {LONG_FROM})"),
+        _ => format!("neither short (B/D up to {SHORT_TO}) nor long (from {LONG_FROM})"),
+    };
+    notes.push(format!("B/D       {slenderness:.3}: {kind}"));
+    notes
 }
 
 /// The scene without what only the full film has, and what that is. Its oil keeps the temperature of the `result`.
@@ -126,28 +177,14 @@ fn bare(scene: &Scene, result: &RunResult) -> (Scene, Vec<&'static str>) {
     (bare, without)
 }
 
-impl Theories {
-    /// What a theory makes of the film.
-    pub fn film(&self, theory: &str) -> Option<&TheoryFilm> {
-        self.films.iter().find(|film| film.theory == theory)
-    }
-}
-
-impl TheoryFilm {
-    /// A number of it.
-    pub fn quantity(&self, name: &str) -> Option<&TheoryNumber> {
-        self.quantities.iter().find(|it| it.quantity == name)
-    }
-}
-
 /// The scene by a theory that is not its own.
 fn other(scene: &Scene, theory: Theory, options: &RunOptions) -> TheoryFilm {
     let (scene, film_start) = by(scene, theory);
     let without = |reason: String| TheoryFilm {
-        theory: theory.name().to_owned(),
+        theory: theory.name(),
         status: Status::NoSolution,
         reason: Some(reason),
-        film_start_deg: None,
+        film_start: None,
         quantities: Vec::new(),
     };
     if let Some(complaint) = complaints(&scene).first() {
@@ -155,7 +192,7 @@ fn other(scene: &Scene, theory: Theory, options: &RunOptions) -> TheoryFilm {
     }
     match run(&scene, options) {
         Ok(found) => TheoryFilm {
-            film_start_deg: film_start.map(f64::to_degrees),
+            film_start: film_start.map(f64::to_degrees),
             ..film(&scene, theory, &found.result)
         },
         Err(error) => without(error.to_string()),
@@ -185,39 +222,12 @@ fn film(scene: &Scene, theory: Theory, result: &RunResult) -> TheoryFilm {
     let given = GIVEN[usize::from(scene.journal.load().is_some())];
     let wanted = COMPARED.iter().filter(|row| !given.contains(row));
     TheoryFilm {
-        theory: theory.name().to_owned(),
+        theory: theory.name(),
         status: result.status,
         reason: result.reason.clone(),
-        film_start_deg: None,
-        quantities: wanted
-            .filter_map(|row| result.quantity(row))
-            .map(TheoryNumber::of)
-            .collect(),
+        film_start: None,
+        quantities: wanted.filter_map(|row| result.quantity(row)).cloned().collect(),
     }
-}
-
-impl TheoryNumber {
-    fn of(quantity: &Quantity) -> Self {
-        Self {
-            quantity: quantity.name.to_string(),
-            symbol: quantity.row.symbol.to_owned(),
-            unit: quantity.unit().to_owned(),
-            value: quantity.value,
-            error: quantity.error(),
-            difference: None,
-        }
-    }
-}
-
-fn difference(value: f64, full: f64, unit: &str) -> f64 {
-    match unit {
-        "deg" => 180.0 - (180.0 - (value - full)).rem_euclid(360.0),
-        _ => value - full,
-    }
-}
-
-fn by_name<S: serde::Serializer>(numbers: &[TheoryNumber], serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_map(numbers.iter().map(|it| (&it.quantity, it)))
 }
 
 #[cfg(test)]
@@ -233,70 +243,60 @@ oil = { viscosity = "0.02 Pa.s" }
 cavitation = { model = "guembel" }
 "#;
 
-    fn found(text: &str) -> Theories {
+    fn found(text: &str) -> ([TheoryFilm; 3], Vec<&'static str>) {
         let scene = oilwedge_study::parse(text, Path::new("ring.toml")).unwrap_or_else(|error| panic!("{error}"));
         let options = RunOptions {
             bars: false,
             ..RunOptions::default()
         };
         let result = run(&scene, &options).unwrap_or_else(|error| panic!("{error}")).result;
-        let theories = theories(&scene, &options, &result);
-        let own = theories.film(scene.bearing.theory.name()).expect("its own theory");
-        for it in own.quantities.iter().filter(|_| theories.without.is_empty()) {
-            assert_eq!(result.by_name(&it.quantity).map(|of_run| of_run.value), Some(it.value));
+        let (films, without) = films(&scene, &options, &result);
+        let own = films.iter().find(|film| film.theory == scene.bearing.theory.name());
+        for it in own.expect("its own").quantities.iter().filter(|_| without.is_empty()) {
+            assert_eq!(result.quantity(it.row), Some(it));
         }
-        assert_eq!(theories.films.len(), 3);
-        theories
+        (films, without)
     }
 
-    fn value(theories: &Theories, theory: &str, name: &str) -> f64 {
-        let number = theories.film(theory).and_then(|film| film.quantity(name));
-        number
-            .unwrap_or_else(|| panic!("no {name}, {theory}: {theories:?}"))
+    fn value(film: &TheoryFilm, row: &Row) -> f64 {
+        film.quantity(row)
+            .unwrap_or_else(|| panic!("no {row:?}: {film:?}"))
             .value
     }
 
     /// Short: Ocvirk's load. Long: its half film, from the widest film on, is that of Sommerfeld without its other half.
     #[test]
     fn a_ring_has_all_three_whatever_its_own() {
-        let all = found(RING);
-        assert!((all.slenderness - 0.2).abs() < 1e-12);
-        let short = RING.replacen("\"37.5 um\"", "\"37.5 um\", theory = \"short\"", 1);
-        let again = found(&short);
-        for theory in ["short", "full", "long"] {
-            let both = [&all, &again].map(|it| value(it, theory, "load"));
-            assert_eq!(both[0], both[1], "{theory}");
+        let (all, _) = found(RING);
+        let (again, _) = found(&RING.replacen("\"37.5 um\"", "\"37.5 um\", theory = \"short\"", 1));
+        for (one, other) in all.iter().zip(&again) {
+            assert_eq!(value(one, &LOAD), value(other, &LOAD), "{}", one.theory);
         }
         let scale = 0.02 * 100.0 / 1e-6 * 0.075 * 0.015;
         let ocvirk = 0.2f64.powi(2)
             * oilwedge_reynolds::analytical::ocvirk::ShortFilm::steady(0.6)
                 .half_film()
                 .magnitude();
-        assert!((value(&all, "short", "load") / (scale * ocvirk) - 1.0).abs() < 5e-3);
-        assert!(value(&all, "short", "load") > value(&all, "full", "load"));
-        assert!(value(&all, "long", "load") > 10.0 * value(&all, "full", "load"));
-        let long = all
-            .film("long")
-            .and_then(|film| film.film_start_deg)
-            .expect("a film start");
-        assert!((long - 20.0).abs() < 1e-9, "{long}");
-        assert_eq!(
-            all.film("full").and_then(|film| film.quantity("load")?.difference),
-            Some(0.0)
-        );
-        for number in &all.films[0].quantities {
-            let full = value(&all, "full", &number.quantity);
-            assert!(
-                number
-                    .difference
-                    .is_some_and(|it| (it - (number.value - full)).abs() < 1e-12 * full.abs())
-            );
+        let [short, full, long] = &all;
+        assert!((value(short, &LOAD) / (scale * ocvirk) - 1.0).abs() < 5e-3);
+        assert!(value(short, &LOAD) > value(full, &LOAD));
+        assert!(value(long, &LOAD) > 10.0 * value(full, &LOAD));
+        let start = long.film_start.expect("a film start");
+        assert!((start - 20.0).abs() < 1e-9, "{start}");
+        let beside = full.beside(full);
+        assert!(beside.comparisons.iter().all(|it| it.difference() == Some(0.0)));
+        let notes = notes(0.2, &["feeds", "this"], &all);
+        for part in [
+            "without feeds, without this",
+            "long: the ring was given a film start",
+            "a short bearing",
+        ] {
+            assert!(notes.iter().any(|note| note.contains(part)), "no {part} in {notes:?}");
         }
     }
 
-    /// What a theory has no meaning for is told, and the others are there.
     #[test]
-    fn what_a_theory_cannot_do_is_told_in_its_place() {
+    fn a_theory_that_does_not_apply_has_a_reason() {
         let with = |from: &str, to: &str| RING.replacen(from, to, 1);
         let arc = with(
             "\"37.5 um\"",
@@ -317,8 +317,7 @@ cavitation = { model = "guembel" }
             (loaded, [None, None, Some("no line of the bearing has a pressure")]),
         ];
         for (text, wanted) in cases {
-            let found = found(&text);
-            for (film, wanted) in found.films.iter().zip(wanted) {
+            for (film, wanted) in found(&text).0.iter().zip(wanted) {
                 match wanted {
                     Some(words) => {
                         assert!(film.quantities.is_empty() && film.status == Status::NoSolution);
@@ -337,8 +336,8 @@ cavitation = { model = "guembel" }
             "feed = [{ group = \"hole\", hole = { diameter = \"4 mm\", angle = \"20 deg\" }, pressure = \"1 bar\" }]\n";
         let with = |model: &str| RING.replacen("guembel", model, 1);
         let (fed, bare) = (found(&(feed.to_owned() + &with("jfo"))), found(&with("reynolds")));
-        assert_eq!((fed.without.len(), bare.without.len()), (2, 0));
-        assert_eq!(fed.films, bare.films);
+        assert_eq!((fed.1.len(), bare.1.len()), (2, 0));
+        assert_eq!(fed.0, bare.0);
     }
 
     /// Under a load it is the position that differs.
@@ -349,9 +348,9 @@ cavitation = { model = "guembel" }
             "}\nload = { force = \"500 N\", angle = \"270 deg\" }",
             1,
         );
-        let found = found(&text);
-        assert!(value(&found, "short", "eccentricity") < value(&found, "full", "eccentricity"));
-        assert!(value(&found, "short", "film_thickness_min") > value(&found, "full", "film_thickness_min"));
-        assert!(found.films[1].quantity("load").is_none());
+        let ([short, full, _], _) = found(&text);
+        assert!(value(&short, &ECCENTRICITY) < value(&full, &ECCENTRICITY));
+        assert!(value(&short, &FILM_THICKNESS_MIN) > value(&full, &FILM_THICKNESS_MIN));
+        assert!(full.quantity(&LOAD).is_none());
     }
 }

@@ -1,9 +1,10 @@
 //! `oilwedge check`: what a scene or mesh holds, or what is wrong with it. Nothing is solved or written.
 
+use crate::check_report::check_report;
 use crate::complain::{self, Failure};
-use crate::terminal;
+use crate::terminal::output;
 use oilwedge_campaign::sweep::Sweep;
-use oilwedge_report::Error;
+use oilwedge_report::json;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -25,7 +26,7 @@ Examples:
   oilwedge check bearing.toml
   oilwedge check meshes/liner.msh --json
 
-Exit status: 0 it can be used; 2 it cannot (everything that is wrong is told on stderr).";
+Exit status: 0 it can be used; 2 it cannot (all errors are on stderr).";
 
 impl Check {
     /// Checks the file, and prints what is in it.
@@ -42,12 +43,9 @@ impl Check {
                 oilwedge_report::check_scene(&scene).map_err(Failure::of(&self.file))?
             }
         };
-        let json = found.to_json().map_err(Error::from)?;
+        let json = json(&found)?;
         complain::warn(&found.warnings);
-        match self.json {
-            true => terminal::print(&json, None)?,
-            false => terminal::print(&terminal::check_report(&found), None)?,
-        }
+        output(self.json, || Ok(json), || check_report(&found), None)?;
         Ok(ExitCode::SUCCESS)
     }
 }
@@ -62,7 +60,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn meshes_are_told_by_their_ending() {
+    fn meshes_are_recognised_by_their_ending() {
         assert!(is_mesh(Path::new("liner.msh")) && is_mesh(Path::new("LINER.MSH")));
         assert!(!is_mesh(Path::new("bearing.toml")) && !is_mesh(Path::new("msh")));
     }

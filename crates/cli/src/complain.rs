@@ -1,26 +1,25 @@
-//! Complaints and warnings on stderr, with the place in the scene and the way out.
+//! Errors and warnings on stderr, with the place in the scene and what to do.
 
 use crate::interrupt::INTERRUPTED;
 use miette::{Diagnostic, LabeledSpan, MietteHandlerOpts, NamedSource, Report, SourceCode};
 use oilwedge_report::Error;
+use oilwedge_report::sweep::SweepError;
 use oilwedge_scene::{Complaint, SceneError};
 use oilwedge_study::compile::CompileError;
+use oilwedge_verification::SuiteError;
 use std::io::{IsTerminal, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-/// Why a command ends without success.
+/// Why a command ends without results.
 #[derive(Debug)]
 pub(crate) enum Failure {
     /// The scene cannot be used.
     Scene(SceneError),
-    /// The mesh cannot be used, or the results cannot be written.
-    Run(Error),
-    /// An argument cannot be followed.
-    Argument {
-        /// Which, and why.
-        message: String,
-    },
+    /// What failed, and what to do about it.
+    Message(String),
+    /// The run was interrupted.
+    Interrupted(String),
     /// stdout cannot be written to.
     Output {
         /// What the operating system says.
@@ -30,15 +29,70 @@ pub(crate) enum Failure {
     },
 }
 
+/// What to do where results cannot be written.
+const ELSEWHERE: &str = "choose another folder with --out";
+
 impl From<SceneError> for Failure {
     fn from(error: SceneError) -> Self {
         Self::Scene(error)
     }
 }
 
+impl From<CompileError> for Failure {
+    fn from(error: CompileError) -> Self {
+        Self::Message(error.to_string())
+    }
+}
+
 impl From<Error> for Failure {
     fn from(error: Error) -> Self {
-        Self::Run(error)
+        Self::Message(match &error {
+            Error::System { .. } => format!("{error}; {ELSEWHERE}"),
+            Error::Busy { .. } => format!("{error}; wait for it, or {ELSEWHERE}"),
+            Error::Folder { .. } => format!("{error}; move it away, or {ELSEWHERE}"),
+            _ => error.to_string(),
+        })
+    }
+}
+
+impl From<SweepError> for Failure {
+    fn from(error: SweepError) -> Self {
+        Self::Message(match error {
+            SweepError::Report(error) => return error.into(),
+            SweepError::Campaign(error) => return error.into(),
+            SweepError::Interrupted { .. } => {
+                return Self::Interrupted(format!(
+                    "{error}; the same command goes on with the cases that are missing"
+                ));
+            }
+            SweepError::Other { .. } | SweepError::Earlier { .. } => {
+                format!("{error}; {ELSEWHERE}, or replace it with --fresh")
+            }
+            SweepError::Busy { .. } => format!("{error}; wait until it ends, end it, or {ELSEWHERE}"),
+            other => other.to_string(),
+        })
+    }
+}
+
+impl From<oilwedge_campaign::Error> for Failure {
+    fn from(error: oilwedge_campaign::Error) -> Self {
+        use oilwedge_campaign::Error;
+        Self::Message(match &error {
+            Error::Threads(_) => format!("{error}; give fewer with --threads"),
+            Error::NothingToConverge { .. } => {
+                format!("{error}; give an eccentricity, a feed or a load that is not zero")
+            }
+            _ => error.to_string(),
+        })
+    }
+}
+
+impl From<SuiteError> for Failure {
+    fn from(error: SuiteError) -> Self {
+        Self::Message(match &error {
+            SuiteError::Threads(_) => format!("{error}; give fewer with --threads"),
+            _ => error.to_string(),
+        })
     }
 }
 
@@ -46,56 +100,50 @@ impl Failure {
     /// The exit status.
     pub(crate) fn status(&self) -> u8 {
         match self {
-            Self::Run(Error::Interrupted { .. }) => INTERRUPTED,
+            Self::Interrupted(_) => INTERRUPTED,
             Self::Output { written: Some(_), .. } => 1,
             _ => 2,
         }
     }
 
-    /// What a scene could not be run for: of a liner that was drawn the error names regions and keys, but not the file.
-    pub(crate) fn of(scene: &Path) -> impl Fn(Error) -> Self {
-        move |error| match &error {
-            Error::Compile(CompileError::Drawing(_)) => Self::Argument {
-                message: format!("the scene {}: {error}", scene.display()),
-            },
-            _ => Self::Run(error),
+    /// A failure of the scene at `path`: errors of a liner that was meshed here name regions and keys, but not the file.
+    pub(crate) fn of<E: Into<Self>>(path: &Path) -> impl Fn(E) -> Self {
+        move |error| match error.into() {
+            Self::Message(message) => Self::Message(format!("the scene {}: {message}", path.display())),
+            other => other,
         }
     }
 
-    /// Tells the failure on stderr.
-    pub(crate) fn tell(self) {
-        let told = match self {
+    /// Reports the failure on stderr.
+    pub(crate) fn report(self) {
+        let drawn = match self {
             Self::Scene(SceneError::Syntax { path, text, complaints }) => {
-                Told::about_text("is not valid TOML", &path, text, &complaints)
+                Drawn::about_text("is not valid TOML", &path, text, &complaints)
             }
             Self::Scene(SceneError::Complaints { path, text, complaints }) => {
-                Told::about_text("cannot be used", &path, text, &complaints)
+                Drawn::about_text("cannot be used", &path, text, &complaints)
             }
-            Self::Scene(other) => Told::plain(other.to_string()),
-            Self::Run(error) => Told::plain(error.to_string()),
-            Self::Argument { message } => Told::plain(message),
-            Self::Output { error, written: None } => {
-                Told::plain(format!("cannot write to the standard output: {error}"))
-            }
-            Self::Output {
-                error,
-                written: Some(path),
-            } => Told::plain(format!(
-                "the results were written to {}, but not to the standard output: {error}",
-                path.display()
-            )),
+            Self::Scene(other) => Drawn::plain(other.to_string()),
+            Self::Message(message) | Self::Interrupted(message) => Drawn::plain(message),
+            Self::Output { error, written } => Drawn::plain(match written {
+                None => format!("cannot write to the standard output: {error}"),
+                Some(path) => {
+                    let path = path.display();
+                    format!("the results were written to {path}, but not to the standard output: {error}")
+                }
+            }),
         };
-        say(&format!("{:?}", Report::new(told)));
+        say(&format!("{:?}", Report::new(drawn)));
     }
 }
 
-/// A line on stderr. That nobody can read it changes nothing in how the run ends.
+/// A line on stderr. That it cannot be written does not change how the run ends.
 fn say(line: &str) {
     let written = writeln!(std::io::stderr().lock(), "{line}");
     drop(written);
 }
 
-/// Tells warnings on stderr.
+/// Writes warnings to stderr.
 pub(crate) fn warn(warnings: &[String]) {
     for warning in warnings {
         say(&format!("warning: {}", printable(warning)));
@@ -115,18 +163,18 @@ pub(crate) fn set_up() {
 
 /// A text as miette draws it.
 #[derive(Debug)]
-struct Told {
+struct Drawn {
     message: String,
     help: Option<String>,
     place: Option<Range<usize>>,
     source: Option<NamedSource<String>>,
-    related: Vec<Told>,
+    related: Vec<Drawn>,
 }
 
 /// Longer lines are not shown.
 const LINE_LIMIT: usize = 400;
 
-impl Told {
+impl Drawn {
     fn plain(message: String) -> Self {
         Self {
             message: printable(&message),
@@ -179,15 +227,15 @@ pub(crate) fn printable(text: &str) -> String {
         .collect()
 }
 
-impl std::fmt::Display for Told {
+impl std::fmt::Display for Drawn {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         formatter.write_str(&self.message)
     }
 }
 
-impl std::error::Error for Told {}
+impl std::error::Error for Drawn {}
 
-impl Diagnostic for Told {
+impl Diagnostic for Drawn {
     fn help(&self) -> Option<Box<dyn std::fmt::Display + '_>> {
         self.help.as_ref().map(|help| Box::new(help) as _)
     }
@@ -204,7 +252,7 @@ impl Diagnostic for Told {
     fn related(&self) -> Option<Box<dyn Iterator<Item = &dyn Diagnostic> + '_>> {
         match self.related.is_empty() {
             true => None,
-            false => Some(Box::new(self.related.iter().map(|told| told as &dyn Diagnostic))),
+            false => Some(Box::new(self.related.iter().map(|drawn| drawn as &dyn Diagnostic))),
         }
     }
 }
@@ -222,11 +270,13 @@ mod tests {
         let SceneError::Complaints { path, text, complaints } = error else {
             panic!("must be complaints")
         };
-        let told = Told::about_text("cannot be used", &path, text, &complaints);
+        let drawn_complaint = Drawn::about_text("cannot be used", &path, text, &complaints);
         let mut drawn = String::new();
         let theme = miette::GraphicalTheme::unicode_nocolor();
         let handler = miette::GraphicalReportHandler::new_themed(theme).with_wrap_lines(false);
-        handler.render_report(&mut drawn, &told).expect("drawing into a text");
+        handler
+            .render_report(&mut drawn, &drawn_complaint)
+            .expect("drawing into a text");
         for part in [
             "bearing.toml:3:13",
             "bearing.clearance: a bare number",

@@ -1,13 +1,14 @@
 //! `oilwedge converge`: what accuracy costs for one scene.
 
 use crate::complain::Failure;
+use crate::interrupt;
 use crate::levels_table::convergence_report;
 use crate::progress::Progress;
-use crate::{interrupt, solve, terminal};
+use crate::run_options::folder;
+use crate::terminal::{exit_code, output};
 use oilwedge_campaign::convergence::{Budget, converge};
-use oilwedge_report::Error;
 use oilwedge_report::convergence as files;
-use oilwedge_study::result::Status;
+use oilwedge_report::json;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -27,7 +28,7 @@ pub(crate) struct Converge {
     #[arg(long)]
     json: bool,
 
-    /// Seconds that the study may take. It ends with the levels that it has then, as it does at Ctrl-C.
+    /// Time limit of the study in seconds. It ends with the levels finished by then, as it does at Ctrl-C.
     #[arg(long, value_name = "S", default_value = "30", value_parser = seconds)]
     max_seconds: f64,
 }
@@ -59,21 +60,20 @@ impl Converge {
     pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
         let budget = Budget::seconds(self.max_seconds).until(interrupt::listen()?);
         let scene = oilwedge_study::read(&self.scene)?;
-        let folder = self.out.clone().unwrap_or_else(|| solve::default_folder(&self.scene));
+        let folder = folder(&self.out, &self.scene);
         files::check(&folder)?;
-        let mut progress = Progress::new(self.max_seconds);
-        let study = converge(&scene, &budget, &mut progress).map_err(|error| Failure::of(&self.scene)(error.into()))?;
-        progress.end();
+        let mut progress = Progress::of_seconds(self.max_seconds);
+        let study = converge(&scene, &budget, &mut progress).map_err(Failure::of(&self.scene))?;
+        drop(progress);
         let report = &study.report;
         files::write(&folder, &study)?;
-        match self.json {
-            true => terminal::print(&oilwedge_report::json(report).map_err(Error::from)?, Some(&folder))?,
-            false => terminal::print(&convergence_report(report, &folder), Some(&folder))?,
-        }
-        Ok(match report.status {
-            Status::Converged => ExitCode::SUCCESS,
-            Status::NoSolution | Status::NotConverged => ExitCode::from(1),
-        })
+        output(
+            self.json,
+            || json(report),
+            || convergence_report(report, &folder),
+            Some(&folder),
+        )?;
+        Ok(exit_code(report.status))
     }
 }
 

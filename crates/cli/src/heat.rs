@@ -2,7 +2,8 @@
 
 use crate::quantities::quantities;
 use crate::readable::significant;
-use crate::terminal::{align_right, table};
+use crate::terminal::table;
+use oilwedge_report::results::HEAT_FILES;
 use oilwedge_study::quantities::{ECCENTRICITY, Quantity, TEMPERATURE_EFFECTIVE, Table};
 use oilwedge_study::result::{Criterion, HeatReport, RunResult};
 
@@ -15,15 +16,21 @@ pub(crate) fn heat(result: &RunResult) -> Option<String> {
     Some(parts.join("\n"))
 }
 
+/// The files of the curves.
+pub(crate) fn files(result: &RunResult) -> &'static [&'static str] {
+    if result.heat.is_some() { &HEAT_FILES } else { &[] }
+}
+
 /// Friction and heat carried off at temperatures around that found.
 fn curve(report: &HeatReport) -> String {
-    let mut rows = table([
+    let header = [
         "film [C]",
         "mu0 [mPa.s]",
         "friction [W]",
         "carried off [W]",
         ECCENTRICITY.name,
-    ]);
+    ];
+    let mut rows = table(header, 0..5);
     for point in &report.curve {
         rows.add_row([
             format!("{:.2}", point.temperature),
@@ -33,7 +40,6 @@ fn curve(report: &HeatReport) -> String {
             significant(point.eccentricity, 4),
         ]);
     }
-    (0..5).for_each(|column| align_right(&mut rows, column));
     rows.to_string()
 }
 
@@ -44,16 +50,21 @@ fn criteria(report: &HeatReport) -> String {
             (false, true) => "NOT met",
             (false, false) => "unusual",
         };
-        format!("{verdict:9} {}: {} {}", criterion.what, told(criterion), criterion.unit)
+        format!(
+            "{verdict:9} {}: {} {}",
+            criterion.what,
+            value(criterion),
+            criterion.unit
+        )
     });
     let verdict = match report.is_fit {
-        true => "fit       the bearing meets what is asked of it",
-        false => "NOT fit   the bearing does not meet what is asked of it",
+        true => "fit       the bearing meets its design criteria",
+        false => "NOT fit   the bearing does not meet its design criteria",
     };
     lines.chain([verdict.to_owned()]).collect::<Vec<_>>().join("\n")
 }
 
-fn told(criterion: &Criterion) -> String {
+fn value(criterion: &Criterion) -> String {
     let value = significant(criterion.value, 4);
     let bound = |bound: f64| {
         significant(bound, 6)

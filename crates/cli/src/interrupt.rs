@@ -19,9 +19,7 @@ static ASKED: LazyLock<Arc<AtomicBool>> = LazyLock::new(Arc::default);
 /// The system refuses to tell of signals.
 pub(crate) fn listen() -> Result<Interrupt, Failure> {
     for signal in [SIGINT, SIGTERM] {
-        watch(signal).map_err(|error| Failure::Argument {
-            message: format!("cannot listen to Ctrl-C: {error}"),
-        })?;
+        watch(signal).map_err(|error| Failure::Message(format!("cannot listen to Ctrl-C: {error}")))?;
     }
     Ok(Interrupt::when(&ASKED))
 }

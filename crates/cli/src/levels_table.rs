@@ -1,12 +1,12 @@
-//! A convergence study for people: a table of levels for each strategy, and the price list.
+//! A convergence study for people: a table of levels for each strategy, and the cost of accuracies.
 
 use crate::complain::printable;
 use crate::readable::{readable_unit, significant};
-use crate::terminal::{align_right, effects, heading, status, table, time};
+use crate::terminal::{effects, heading, status, table, time};
 use oilwedge_campaign::convergence::{ConvergenceReport, Course, LevelReport, Measure, Price};
 use std::path::Path;
 
-/// Parts of the time; one that is nowhere worth telling is told with the others.
+/// Parts of the time; one that is small on every level is counted among the others.
 const PARTS: [&str; 9] = [
     "mesh",
     "earlier",
@@ -18,8 +18,8 @@ const PARTS: [&str; 9] = [
     "bars",
     "measure",
 ];
-/// The least part of the time of a level that is worth a column.
-const WORTH_TELLING: f64 = 0.02;
+/// The least part of the time of a level that has a column.
+const SMALL: f64 = 0.02;
 
 /// Everything about a study.
 pub(crate) fn convergence_report(report: &ConvergenceReport, folder: &Path) -> String {
@@ -36,10 +36,10 @@ pub(crate) fn convergence_report(report: &ConvergenceReport, folder: &Path) -> S
         parts.push(format!("{title}\n{}", levels(course, report)));
     }
     let lists = [
-        (Measure::Bar, "What accuracy costs that is vouched for by error bars"),
+        (Measure::Bar, "Cost of accuracy, by error bars"),
         (
             Measure::Error,
-            "What accuracy costs by the true error, which only finer meshes tell",
+            "Cost of accuracy, by the true error, which only finer meshes show",
         ),
     ];
     for (measure, title) in lists {
@@ -87,7 +87,7 @@ fn reference(report: &ConvergenceReport) -> Option<String> {
 fn levels(course: &Course, report: &ConvergenceReport) -> String {
     let share = |level: &LevelReport, part: &str| level.seconds.part(part) / level.seconds.total;
     let needed: Vec<&str> = (PARTS.into_iter())
-        .filter(|part| course.levels.iter().any(|level| share(level, part) > WORTH_TELLING))
+        .filter(|part| course.levels.iter().any(|level| share(level, part) > SMALL))
         .collect();
     let scale = report.reference.as_ref().map_or(1.0, |reference| reference.value);
     let (unit, size) = readable_unit(scale, &report.goal.unit);
@@ -100,19 +100,16 @@ fn levels(course: &Course, report: &ConvergenceReport) -> String {
     header.extend(bars.then(|| "± bar".to_owned()));
     header.extend(["error", "time", "spread"].map(str::to_owned));
     header.extend(needed.iter().chain(&["other"]).map(|part| (*part).to_owned()));
-    let columns = header.len();
-    let mut table = table::<0>([]);
-    table.set_header(header);
+    let mut table = table(header, 0..usize::MAX);
     for level in &course.levels {
         let mut row = vec![level.unknowns.to_string(), significant(level.value / size, 9)];
         row.extend(bars.then(|| level.relative_bar.map_or(String::new(), percent)));
         row.extend([error(level, report), time(level.seconds.total), spread(level)]);
-        let told: Vec<f64> = needed.iter().map(|part| level.seconds.part(part)).collect();
-        let other = f64::max(level.seconds.total - told.iter().sum::<f64>(), 0.0);
-        row.extend(told.into_iter().chain([other]).map(milliseconds));
+        let shown: Vec<f64> = needed.iter().map(|part| level.seconds.part(part)).collect();
+        let other = f64::max(level.seconds.total - shown.iter().sum::<f64>(), 0.0);
+        row.extend(shown.into_iter().chain([other]).map(milliseconds));
         table.add_row(row);
     }
-    (0..columns).for_each(|column| align_right(&mut table, column));
     table.to_string()
 }
 
@@ -148,7 +145,7 @@ fn spread(level: &LevelReport) -> String {
 }
 
 fn prices(prices: &[&Price]) -> String {
-    let mut table = table(["accuracy", "unknowns", "time", "by", ""]);
+    let mut table = table(["accuracy", "unknowns", "time", "by", ""], 0..3);
     for price in prices {
         let about = if price.extrapolated { "~ " } else { "" };
         let beyond = if price.extrapolated { "predicted, not run" } else { "" };
@@ -160,7 +157,6 @@ fn prices(prices: &[&Price]) -> String {
             beyond.to_owned(),
         ]);
     }
-    (0..3).for_each(|column| align_right(&mut table, column));
     table.to_string()
 }
 
@@ -188,7 +184,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn small_parts_are_told_shortly() {
+    fn small_parts_are_shown_shortly() {
         assert_eq!(percent(0.01), "1 %");
         assert_eq!(percent(0.1), "10 %");
         assert_eq!(percent(0.0123), "1.2 %");

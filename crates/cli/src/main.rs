@@ -3,10 +3,11 @@
 //! Exit status: 0 done; 1 the problem has no solution or was not converged, or stdout failed after the results were written; 2 bad scene, mesh or arguments, and then
 //! nothing was written; 130 interrupted. Results for people and `--json` go to stdout, everything else to stderr.
 
+mod add_ons;
 mod check;
+mod check_report;
 mod complain;
 mod converge;
-mod cost;
 mod heat;
 mod interrupt;
 mod levels_table;
@@ -15,11 +16,11 @@ mod oil;
 mod progress;
 mod quantities;
 mod readable;
+mod run_options;
+mod run_report;
 mod solve;
-mod standard;
 mod sweep;
 mod terminal;
-mod theories;
 mod verify;
 
 use clap::{Parser, Subcommand};
@@ -33,24 +34,24 @@ struct Arguments {
     #[command(subcommand)]
     verb: Verb,
 
-    /// Number of threads; by default one for each core. The results do not depend on it.
+    /// Number of threads; by default one for each core. Results do not depend on it.
     #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
 }
 
 const EXAMPLES: &str = "\
 Examples:
-  oilwedge solve scenes/01_plain_ring.toml         solve, tell the numbers, write out/01_plain_ring/
-  oilwedge solve bearing.toml --json > load.json   the same numbers for a script
-  oilwedge solve bearing.toml --cost               and what each effect changes, and in which time
-  oilwedge solve bearing.toml --theories           and what short and long bearings would say
-  oilwedge check bearing.toml                      what would be computed, and is the mesh good?
-  oilwedge check liner.msh                         a gmsh 4.1 mesh by itself
-  oilwedge mesh bearing.toml -o liner.msh          a mesh of its liner, fine enough as it is, for gmsh
-  oilwedge converge bearing.toml                   what each digit costs, in unknowns and seconds
-  oilwedge sweep bearing.toml                      all cases of its [sweep], to a table
+  oilwedge solve scenes/01_plain_ring.toml         solve, print the numbers, write out/01_plain_ring/
+  oilwedge solve bearing.toml --json > load.json   the numbers as JSON for a script
+  oilwedge solve bearing.toml --cost               also: what each effect changes, and its run time
+  oilwedge solve bearing.toml --theories           also: short and long bearing theory
+  oilwedge check bearing.toml                      what would be computed, and the quality of the mesh
+  oilwedge check liner.msh                         a gmsh 4.1 mesh alone
+  oilwedge mesh bearing.toml -o liner.msh          mesh its liner, to a gmsh file
+  oilwedge converge bearing.toml                   the cost of accuracy, in unknowns and seconds
+  oilwedge sweep bearing.toml                      solve all cases of its [sweep], to a table
   oilwedge oil SAE 10W-40 --at \"80 C\"              viscosity and density of an oil
-  oilwedge verify                                  does this program give the answers that are known?
+  oilwedge verify                                  check this program against known answers
 
 Exit status: 0 done; 1 no solution or not converged, or results written but stdout failed; 2 bad scene, mesh or arguments (nothing was written);
 130 ended by Ctrl-C.";
@@ -59,17 +60,17 @@ Exit status: 0 done; 1 no solution or not converged, or results written but stdo
 enum Verb {
     /// Solve a scene: the numbers to the terminal and result.json, the fields to film.vtu.
     Solve(solve::Solve),
-    /// Read a scene and its mesh, or a mesh alone, and tell what is in it or what is wrong with it.
+    /// Read a scene and its mesh, or a mesh alone, and show what it holds or what is wrong with it.
     Check(check::Check),
     /// Mesh the liner that a scene describes and write it for gmsh.
     Mesh(mesh::Mesh),
-    /// Solve a scene on ever finer meshes by three strategies, and tell what accuracy costs.
+    /// Solve a scene on ever finer meshes by three strategies, and show what accuracy costs.
     Converge(converge::Converge),
     /// Solve a scene for all values of its [sweep], to a table with one row a case.
     Sweep(sweep::Sweep),
-    /// Tell viscosity and density of an oil by temperature, or which oils a scene may name.
+    /// Show viscosity and density of an oil by temperature, or which oils a scene may name.
     Oil(oil::Oil),
-    /// Solve cases whose answers are known, or all hard cases, and judge the solver by them.
+    /// Check this program against cases with known answers, or against all hard cases.
     Verify(verify::Verify),
 }
 
@@ -87,7 +88,7 @@ fn main() -> ExitCode {
     });
     outcome.unwrap_or_else(|failure| {
         let status = failure.status();
-        failure.tell();
+        failure.report();
         ExitCode::from(status)
     })
 }
@@ -99,8 +100,10 @@ fn use_threads(threads: Option<u16>) -> Result<(), Failure> {
         .num_threads(threads)
         .use_current_thread()
         .build_global();
-    pool.map_err(|error| Failure::Argument {
-        message: format!("cannot start {threads} threads: {error}"),
+    pool.map_err(|error| {
+        Failure::Message(format!(
+            "cannot start {threads} threads: {error}; give fewer with --threads"
+        ))
     })
 }
 

@@ -1,7 +1,7 @@
 //! `oilwedge mesh`: the mesh of a scene's liner as a gmsh file.
 
 use crate::complain::Failure;
-use crate::terminal;
+use crate::terminal::print;
 use oilwedge_report::write_mesh;
 use oilwedge_scene::Scene;
 use oilwedge_study::liner_mesh::mesh_scene;
@@ -36,28 +36,26 @@ impl Mesh {
     pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
         let scene = oilwedge_study::read(&self.scene)?;
         self.check_output(&scene)?;
-        let mesh = mesh_scene(&scene).map_err(|error| Failure::of(&self.scene)(error.into()))?;
+        let mesh = mesh_scene(&scene).map_err(Failure::of(&self.scene))?;
         write_mesh(&mesh, &self.output)?;
         let (cells, nodes) = (mesh.triangles().len(), mesh.quadratic_nodes());
         let text = format!("{}: {cells} triangles, {nodes} nodes\n", self.output.display());
-        terminal::print(&text, Some(&self.output))?;
+        print(&text, Some(&self.output))?;
         Ok(ExitCode::SUCCESS)
     }
 
-    /// Nobody wants a mesh in the place of the scene or of the mesh file that it was made of.
+    /// The mesh must not replace the scene or the mesh file from which it is made.
     fn check_output(&self, scene: &Scene) -> Result<(), Failure> {
         let output = self.output.canonicalize().ok();
         let is_input = |path: &Path| output.is_some() && path.canonicalize().ok() == output;
         let input = [Some(self.scene.as_path()), scene.mesh.path()].into_iter().flatten();
         match input.into_iter().find(|path| is_input(path)) {
             None => Ok(()),
-            Some(path) => Err(Failure::Argument {
-                message: format!(
-                    "--output {} is a file that the mesh is made of, {}; give another name",
-                    self.output.display(),
-                    path.display()
-                ),
-            }),
+            Some(path) => Err(Failure::Message(format!(
+                "--output {} would replace {}, from which the mesh is made; give another name",
+                self.output.display(),
+                path.display()
+            ))),
         }
     }
 }

@@ -2,9 +2,10 @@
 
 use crate::complain::Failure;
 use crate::readable::significant;
-use crate::terminal::{align_right, print, table};
-use oilwedge_report::Error;
-use oilwedge_report::oil_sheet::{GRADES, OilSheet};
+use crate::terminal::{output, print, table};
+use oilwedge_report::json;
+use oilwedge_report::oil_sheet::{GRADES, NoSheet, OilSheet};
+use oilwedge_scene::unit::{self, Dimension};
 use std::process::ExitCode;
 
 /// Arguments of `oilwedge oil`.
@@ -16,8 +17,8 @@ pub(crate) struct Oil {
     name: Vec<String>,
 
     /// Temperature, as "80 C"; without it a table over temperatures.
-    #[arg(long, value_name = "TEMPERATURE", requires = "name", allow_hyphen_values = true)]
-    at: Option<String>,
+    #[arg(long, value_name = "TEMPERATURE", requires = "name", allow_hyphen_values = true, value_parser = temperature)]
+    at: Option<f64>,
 
     /// Print one JSON object instead of a table.
     #[arg(long, requires = "name")]
@@ -27,12 +28,16 @@ pub(crate) struct Oil {
 const EXAMPLES: &str = "\
 Examples:
   oilwedge oil                                     all grades
-  oilwedge oil SAE 10W-40                          its viscosity and density over temperatures
-  oilwedge oil \"ISO VG 46\" --at \"65 C\"             the same at one temperature
+  oilwedge oil SAE 10W-40                          its viscosity and density by temperature
+  oilwedge oil \"ISO VG 46\" --at \"65 C\"             those at one temperature
   oilwedge oil 10W-40 --at 100C --json
 
 A scene names its oil with [oil] grade = \"SAE 10W-40\" and temperature = \"80 C\".
 Exit status: 0 done; 2 no such grade or temperature.";
+
+fn temperature(text: &str) -> Result<f64, String> {
+    unit::parse(text, Dimension::Temperature).map_err(|error| format!("{error}; {}", error.help("80 C")))
+}
 
 impl Oil {
     /// Prints what is known of a grade, or which there are.
@@ -44,19 +49,21 @@ impl Oil {
             print(&all(), None)?;
             return Ok(ExitCode::SUCCESS);
         }
-        let sheet = OilSheet::of(&self.name.join(" "), self.at.as_deref()).map_err(|complaint| Failure::Argument {
-            message: format!("{complaint}; {}", complaint.help),
+        let sheet = OilSheet::of(&self.name.join(" "), self.at).map_err(|error| {
+            let help = match &error {
+                NoSheet::Grade { near: Some(near), .. } => format!("did you mean \"{near}\"? oilwedge oil lists all"),
+                NoSheet::Grade { near: None, .. } => "oilwedge oil lists all".to_owned(),
+                NoSheet::Temperature { .. } => "give for example --at \"80 C\"".to_owned(),
+            };
+            Failure::Message(format!("{error}; {help}"))
         })?;
-        match self.json {
-            true => print(&sheet.to_json().map_err(Error::from)?, None)?,
-            false => print(&told(&sheet), None)?,
-        }
+        output(self.json, || json(&sheet), || in_words(&sheet), None)?;
         Ok(ExitCode::SUCCESS)
     }
 }
 
-fn told(sheet: &OilSheet) -> String {
-    let mut rows = table(["t [C]", "nu [mm2/s]", "mu [mPa.s]", "rho [kg/m3]"]);
+fn in_words(sheet: &OilSheet) -> String {
+    let mut rows = table(["t [C]", "nu [mm2/s]", "mu [mPa.s]", "rho [kg/m3]"], 0..4);
     for at in &sheet.at {
         rows.add_row([
             format!("{}", (1e6 * at.temperature).round() * 1e-6),
@@ -65,18 +72,18 @@ fn told(sheet: &OilSheet) -> String {
             format!("{:.1}", at.density),
         ]);
     }
-    (0..4).for_each(|column| align_right(&mut rows, column));
     format!("{}\n\n{rows}\n\nsource    {}\n", sheet.grade, sheet.source)
 }
 
 fn all() -> String {
-    let mut rows = table([
+    let header = [
         "grade",
         "nu 40 C [mm2/s]",
         "nu 100 C [mm2/s]",
         "rho 15 C [kg/m3]",
         "class",
-    ]);
+    ];
+    let mut rows = table(header, 1..4);
     for grade in GRADES {
         rows.add_row([
             grade.name.to_owned(),
@@ -86,9 +93,8 @@ fn all() -> String {
             grade.window.standard.to_owned(),
         ]);
     }
-    (1..4).for_each(|column| align_right(&mut rows, column));
     format!(
-        "{rows}\n\nOne typical oil of each class; another one differs by some 10 %, and its data sheet is better ([oil] walther).\n"
+        "{rows}\n\nOne typical oil of each class. Others differ by some 10 %: prefer the data sheet of yours ([oil] walther).\n"
     )
 }
 
@@ -103,7 +109,7 @@ mod tests {
             assert!(list.contains(grade.name));
             assert!(OilSheet::of(grade.name, None).is_ok());
         }
-        let sheet = OilSheet::of("SAE 10W-40", Some("40 C")).expect("a sheet");
-        assert!(told(&sheet).contains("40 ┆      95.00 ┆"), "{}", told(&sheet));
+        let sheet = OilSheet::of("SAE 10W-40", Some(313.15)).expect("a sheet");
+        assert!(in_words(&sheet).contains("40 ┆      95.00 ┆"), "{}", in_words(&sheet));
     }
 }

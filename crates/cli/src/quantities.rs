@@ -1,49 +1,38 @@
 //! The table of quantities with their error bars, and what the bars are made of.
 
 use crate::complain::printable;
-use crate::readable::{bar, readable_unit, significant, supported};
-use crate::terminal::{align_right, table, time};
+use crate::readable::{bar, quantity_value, readable_unit};
+use crate::terminal::{table, time};
 use oilwedge_study::effects::Socket;
 use oilwedge_study::quantities::{ECCENTRICITY, LOAD, Quantity};
 use oilwedge_study::result::{LevelFacts, Refinement, RunResult};
 
-/// A quantity below this in its smallest unit is nothing: 1e-9 N, um, ml/s or deg.
-const ROUNDING: f64 = 1e-9;
 /// Digits of a value without a bar.
 const DIGITS: usize = 6;
 
 /// All quantities; with bars where they were asked for.
 pub(crate) fn quantities<'a>(quantities: impl IntoIterator<Item = &'a Quantity>, bars: bool) -> String {
     let mut table = match bars {
-        true => table(["quantity", "symbol", "value", "± error", "unit", "what it is"]),
-        false => table(["quantity", "symbol", "value", "unit", "what it is"]),
+        true => table(["quantity", "symbol", "value", "± error", "unit", "what it is"], 2..4),
+        false => table(["quantity", "symbol", "value", "unit", "what it is"], 2..3),
     };
     for quantity in quantities {
         let (unit, size) = readable_unit(quantity.value, quantity.unit());
-        let value = match (quantity.value / size, quantity.error()) {
-            (nothing, _) if nothing.abs() < ROUNDING => "0".to_owned(),
-            (value, Some(error)) if error > 0.0 => supported(value, error / size),
-            (value, _) => significant(value, DIGITS),
-        };
+        let value = quantity_value(
+            quantity.value / size,
+            quantity.error().map(|error| error / size),
+            DIGITS,
+        );
         let error = match quantity.error() {
             None => "not resolved".to_owned(),
             Some(0.0) => "exact".to_owned(),
             Some(error) => bar(error / size),
         };
-        let (name, symbol, unit) = (
-            printable(&quantity.name),
-            quantity.row.symbol.to_owned(),
-            unit.to_string(),
-        );
-        let words = quantity.row.what.to_owned();
+        let (name, row) = (printable(&quantity.name), quantity.row);
         match bars {
-            true => table.add_row([name, symbol, value, error, unit, words]),
-            false => table.add_row([name, symbol, value, unit, words]),
+            true => table.add_row([&name, row.symbol, &value, &error, unit, row.what]),
+            false => table.add_row([&name, row.symbol, &value, unit, row.what]),
         };
-    }
-    align_right(&mut table, 2);
-    if bars {
-        align_right(&mut table, 3);
     }
     table.to_string()
 }
@@ -61,19 +50,13 @@ pub(crate) fn bars(result: &RunResult) -> Vec<String> {
 }
 
 fn parts(main: &Quantity) -> Option<String> {
-    let (name, bar) = (&main.name, main.bar?);
-    let shown = |error: f64| in_unit_of(main, error);
-    let parts: Vec<_> = (bar.parts().into_iter())
-        .filter(|(_, _, part)| *part > 0.0)
-        .map(|(_, words, part)| format!("{words} {}", shown(part)))
+    let bar = main.bar?;
+    let parts = bar.parts().into_iter().filter(|(_, _, part)| *part > 0.0);
+    let parts: Vec<_> = parts
+        .map(|(_, words, part)| format!("{words} {}", in_unit_of(main, part)))
         .collect();
-    (!parts.is_empty()).then(|| {
-        format!(
-            "bar       of the {name}, ± {}: {}",
-            shown(bar.total()),
-            parts.join(", ")
-        )
-    })
+    let total = in_unit_of(main, bar.total());
+    (!parts.is_empty()).then(|| format!("bar       of the {}, ± {total}: {}", main.name, parts.join(", ")))
 }
 
 fn level(facts: &LevelFacts, main: Option<&Quantity>) -> String {
@@ -103,9 +86,8 @@ fn in_unit_of(main: &Quantity, error: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::terminal::run_report;
-    use crate::terminal::tests::result;
-    use oilwedge_campaign::AddOns;
+    use crate::run_report::run_report;
+    use crate::run_report::tests::result;
     use oilwedge_study::effects::EFFECTS;
     use oilwedge_study::quantities::Bar;
     use std::path::Path;
@@ -155,7 +137,7 @@ mod tests {
             level(9000, Refinement::Uniform, 8.0, 0.05),
             level(12_000, Refinement::Local, 1.0, 1.2),
         ];
-        let text = run_report(&result, &AddOns::default(), Path::new("out"), true);
+        let text = run_report(&result, &[], Path::new("out"), true);
         let wanted = "\
 bar       of the load, ± 1 N: triangles 0.9 N, edge of the cavity 0.1 N
 levels    2000 unknowns, W ± 36 N, 15.0 ms (first mesh)
@@ -163,18 +145,17 @@ levels    2000 unknowns, W ± 36 N, 15.0 ms (first mesh)
           12000 unknowns, W ± 1 N, 1.20 s (divided where the error comes from)
 balance";
         assert!(text.contains(wanted), "{text}");
-        result.effects.simulated.extend(
-            EFFECTS
-                .iter()
-                .filter(|effect| effect.socket == Socket::Position)
-                .copied(),
-        );
-        assert!(!run_report(&result, &AddOns::default(), Path::new("out"), true).contains("bar  "));
+        let position = EFFECTS
+            .iter()
+            .copied()
+            .filter(|effect| effect.socket == Socket::Position);
+        result.effects.simulated.extend(position);
+        assert!(!run_report(&result, &[], Path::new("out"), true).contains("bar  "));
         result.quantities[2].bar = Some(Bar {
             position: 2e-5,
             ..Bar::default()
         });
-        let text = run_report(&result, &AddOns::default(), Path::new("out"), true);
+        let text = run_report(&result, &[], Path::new("out"), true);
         let wanted = "bar       of the eccentricity, ± 2e-5: position under the load 2e-5\n";
         assert!(text.contains(wanted), "{text}");
     }

@@ -53,10 +53,22 @@ fn exponent(scientific: &str) -> i32 {
 const MOST_DIGITS: i32 = 9;
 
 /// A value with the digits that its bar supports and one more: to the place of the bar's first digit, nine at most.
-pub(crate) fn supported(value: f64, bar: f64) -> String {
+fn supported(value: f64, bar: f64) -> String {
     let place = |number: f64| exponent(&format!("{number:e}"));
     let digits = place(value) - place(bar) + 1;
     significant(value, digits.clamp(1, MOST_DIGITS) as usize)
+}
+
+/// A number below this in its smallest unit is zero: 1e-9 N, um, ml/s or deg.
+const ROUNDING: f64 = 1e-9;
+
+/// A value with the digits that its error bar supports, else with this many.
+pub(crate) fn quantity_value(value: f64, error: Option<f64>, digits: usize) -> String {
+    match error {
+        _ if value.abs() < ROUNDING => "0".to_owned(),
+        Some(error) if error > 0.0 => supported(value, error),
+        _ => significant(value, digits),
+    }
 }
 
 /// Half the width of a bar, rounded up to two digits; no zero at its end.

@@ -1,16 +1,17 @@
-//! `oilwedge verify`: cases whose answers are known, and hard cases, against this program.
+//! `oilwedge verify`: this program against known answers and hard cases.
 
 use crate::complain::Failure;
-use crate::progress::SweepProgress;
+use crate::progress::Progress;
 use crate::readable::significant;
-use crate::terminal::{self, align_right, heading, table, time};
+use crate::terminal::{heading, print, table, time};
+use oilwedge_report::folder;
 use oilwedge_report::plot::{CellMap, cells_to_svg, to_png};
-use oilwedge_report::{Error, folder};
+use oilwedge_report::sweep::Progress as Cases;
 use oilwedge_verification::cases::KNOWN_VALUES;
 use oilwedge_verification::map::{CELLS, unexplained};
 use oilwedge_verification::page::page;
 use oilwedge_verification::suite::{self, Verdict};
-use oilwedge_verification::{SuiteError, run_map, run_suite};
+use oilwedge_verification::{run_map, run_suite};
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Instant;
@@ -34,20 +35,12 @@ pub(crate) struct Verify {
 
 const EXAMPLES: &str = "\
 Examples:
-  oilwedge verify                      answers that are known: is this program what it should be? (a second)
+  oilwedge verify                      cases with known answers (a second)
   oilwedge verify --hard               all hard cases and the map, to docs/validation/stability.md
   oilwedge verify --family loads       one family of them
 
-Exit status: 0 every case ends as it must; 1 some do not: they are told with what does not hold; 2 bad arguments, or the
+Exit status: 0 every case ends as expected; 1 some do not, and are listed with their faults; 2 bad arguments, or the
 page cannot be written.";
-
-impl From<SuiteError> for Failure {
-    fn from(error: SuiteError) -> Self {
-        Self::Argument {
-            message: error.to_string(),
-        }
-    }
-}
 
 impl Verify {
     /// Runs the cases, and prints what was found.
@@ -62,20 +55,18 @@ impl Verify {
             (false, false) => self.family.clone(),
         };
         let cases = suite::count(&names, true)? + if self.hard { CELLS } else { 0 };
-        let mut progress = SweepProgress::new();
-        let mut done = 0;
-        let verdicts = run_suite(&names, true, &mut |_| {
-            done += 1;
-            progress.ended(done, cases);
-        })?;
+        let mut progress = Progress::of_cases();
+        let (kept, mut done) = (0, 0);
+        let mut ended = |count: usize| {
+            done += count;
+            progress.cases(Cases { kept, done, cases });
+        };
+        let verdicts = run_suite(&names, true, &mut |_| ended(1))?;
         let maps = match self.hard {
-            true => Vec::from(run_map(&mut |cells| {
-                done += cells;
-                progress.ended(done, cases);
-            })?),
+            true => Vec::from(run_map(&mut ended)?),
             false => Vec::new(),
         };
-        progress.end();
+        drop(progress);
         let faults = verdicts.iter().filter(|verdict| !verdict.faults.is_empty()).count()
             + maps.iter().flat_map(unexplained).count();
         let mut text = report(&verdicts, &maps, clock.elapsed().as_secs_f64());
@@ -86,7 +77,7 @@ impl Verify {
                 self.out.display()
             );
         }
-        terminal::print(&text, self.hard.then_some(self.out.as_path()))?;
+        print(&text, self.hard.then_some(self.out.as_path()))?;
         Ok(if faults == 0 {
             ExitCode::SUCCESS
         } else {
@@ -95,22 +86,21 @@ impl Verify {
     }
 
     fn write(&self, verdicts: &[Verdict], maps: &[CellMap]) -> Result<(), Failure> {
-        let svg = cells_to_svg(maps).map_err(Error::from)?;
-        let png = to_png(&svg).map_err(Error::from)?;
+        let svg = cells_to_svg(maps)?;
+        let png = to_png(&svg)?;
         let text = page(verdicts, maps, "stability.png");
         let files = [
             ("stability.svg".as_ref(), Some(svg.as_bytes())),
             ("stability.png".as_ref(), Some(&png[..])),
             ("stability.md".as_ref(), Some(text.as_bytes())),
         ];
-        Ok(folder::replace(&self.out, &files).map_err(Error::from)?)
+        Ok(folder::replace(&self.out, &files)?)
     }
 }
 
-/// The cases in a table, what does not hold below it.
+/// The cases in a table, their faults below it.
 fn report(verdicts: &[Verdict], maps: &[CellMap], seconds: f64) -> String {
-    let mut cells = table(["case", "ends", "seconds", "load [N]", "bar", "against it stands"]);
-    [2, 3, 4].into_iter().for_each(|column| align_right(&mut cells, column));
+    let mut cells = table(["case", "ends", "seconds", "load [N]", "bar", "compared with"], 2..5);
     let number = |value: Option<f64>, digits| value.map_or(String::new(), |value| significant(value, digits));
     for verdict in verdicts {
         let mark = if verdict.faults.is_empty() { "" } else { "! " };
@@ -124,12 +114,12 @@ fn report(verdicts: &[Verdict], maps: &[CellMap], seconds: f64) -> String {
         ]);
     }
     let faulty: Vec<&Verdict> = verdicts.iter().filter(|verdict| !verdict.faults.is_empty()).collect();
-    let told = match faulty.len() {
-        0 => "all as they must".to_owned(),
+    let outcome = match faulty.len() {
+        0 => "all as expected".to_owned(),
         count => format!("{count} unexplained"),
     };
     let mut text =
-        heading("Verification", &format!("{} cases, {told}", verdicts.len())) + "\n\n" + &cells.to_string() + "\n";
+        heading("Verification", &format!("{} cases, {outcome}", verdicts.len())) + "\n\n" + &cells.to_string() + "\n";
     for verdict in faulty {
         text += &format!("\n! {} ({})\n", verdict.case.name(), verdict.case.family);
         text += &verdict
@@ -138,8 +128,8 @@ fn report(verdicts: &[Verdict], maps: &[CellMap], seconds: f64) -> String {
             .map(|fault| format!("    {fault}\n"))
             .collect::<String>();
     }
-    for told in maps.iter().flat_map(unexplained) {
-        text += &format!("\n! map: {told}\n");
+    for cell in maps.iter().flat_map(unexplained) {
+        text += &format!("\n! map: {cell}\n");
     }
     text + &format!("\ntime      {}\n", time(seconds))
 }

@@ -18,8 +18,6 @@ use oilwedge_study::warnings::mesh_warnings;
 
 use crate::Error;
 use crate::folder::replace;
-use crate::json::{ReportError, json};
-use crate::results::WriteError;
 use crate::sketch::{sketch, words};
 
 /// What stands for a file name where the liner described is meshed.
@@ -89,16 +87,6 @@ fn in_axes<S: serde::Serializer>(axes: &[(String, usize)], serializer: S) -> Res
     serializer.collect_map(axes.iter().map(|(name, values)| (name, values)))
 }
 
-impl CheckReport {
-    /// The report as JSON, with a line break at its end.
-    ///
-    /// # Errors
-    /// [`ReportError`] where a number is not finite.
-    pub fn to_json(&self) -> Result<String, ReportError> {
-        json(self)
-    }
-}
-
 /// Reads the mesh of a scene and tells what would be computed.
 ///
 /// # Errors
@@ -166,8 +154,8 @@ pub fn write_mesh(mesh: &Mesh, path: &Path) -> Result<(), Error> {
         return Err(failed(std::io::ErrorKind::NotFound.into()));
     }
     match replace(folder, &[(name, Some(text.as_bytes()))]) {
-        Err(WriteError::System { source, .. }) => Err(failed(source)),
-        other => Ok(other?),
+        Err(Error::System { source, .. }) => Err(failed(source)),
+        other => other,
     }
 }
 

@@ -11,12 +11,12 @@ use std::io;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use crate::results::WriteError;
+use crate::Error;
 
 /// Folders in which files wait for their place begin so.
 const BESIDE: &str = ".oilwedge-";
 /// How long another run is waited for that writes into the same folder.
-const PATIENCE: Duration = Duration::from_secs(10);
+const LONGEST_WAIT: Duration = Duration::from_secs(10);
 /// Between two looks whether it has ended.
 const LOOK: Duration = Duration::from_millis(2);
 
@@ -27,34 +27,34 @@ const LOOK: Duration = Duration::from_millis(2);
 /// again sooner.
 ///
 /// # Errors
-/// [`WriteError`]: the system refuses, or a folder stands in the place of a file; the old files are then left as they were.
-pub fn replace(dir: &Path, steps: &[(&OsStr, Option<&[u8]>)]) -> Result<(), WriteError> {
+/// [`Error`]: the system refuses, or a folder stands in the place of a file; the old files are then left as they were.
+pub fn replace(dir: &Path, steps: &[(&OsStr, Option<&[u8]>)]) -> Result<(), Error> {
     check(dir, steps.iter().map(|(name, _)| *name))?;
-    fs::create_dir_all(dir).map_err(refused(dir))?;
+    fs::create_dir_all(dir).map_err(Error::system(dir))?;
     let _lock = alone_in(dir)?;
     replace_alone(dir, steps)
 }
 
-/// The same for a run that is [alone](alone_in) in the folder.
+/// Replaces files as [`replace`] does, for a run that holds the lock of the folder ([`alone_in`]).
 ///
 /// # Errors
 /// As [`replace`].
-pub fn replace_alone(dir: &Path, steps: &[(&OsStr, Option<&[u8]>)]) -> Result<(), WriteError> {
+pub fn replace_alone(dir: &Path, steps: &[(&OsStr, Option<&[u8]>)]) -> Result<(), Error> {
     let beside = tempfile::Builder::new()
         .prefix(BESIDE)
         .tempdir_in(dir)
-        .map_err(refused(dir))?;
+        .map_err(Error::system(dir))?;
     let (new, old) = (beside.path().join("new"), beside.path().join("old"));
     for folder in [&new, &old] {
-        fs::create_dir(folder).map_err(refused(dir))?;
+        fs::create_dir(folder).map_err(Error::system(dir))?;
     }
     for (name, content) in steps {
         let path = dir.join(name);
         if let Some(bytes) = content {
-            fs::write(new.join(name), bytes).map_err(refused(&path))?;
+            fs::write(new.join(name), bytes).map_err(Error::system(&path))?;
         }
         if stands(&path) && !stands(&old.join(name)) {
-            keep(&path, &old.join(name)).map_err(refused(&path))?;
+            keep(&path, &old.join(name)).map_err(Error::system(&path))?;
         }
     }
     for (done, (name, content)) in steps.iter().enumerate() {
@@ -72,7 +72,7 @@ pub fn replace_alone(dir: &Path, steps: &[(&OsStr, Option<&[u8]>)]) -> Result<()
                     undone.push(*name);
                 }
             }
-            return Err(WriteError::System { path, source });
+            return Err(Error::System { path, source });
         }
     }
     Ok(())
@@ -82,16 +82,16 @@ pub fn replace_alone(dir: &Path, steps: &[(&OsStr, Option<&[u8]>)]) -> Result<()
 /// killed have left. `None` where the file system has no locks.
 ///
 /// # Errors
-/// [`WriteError::Busy`]: another run goes on writing there.
-pub fn alone_in(dir: &Path) -> Result<Option<File>, WriteError> {
+/// [`Error::Busy`]: another run goes on writing there.
+pub fn alone_in(dir: &Path) -> Result<Option<File>, Error> {
     let Ok(folder) = File::open(dir) else { return Ok(None) };
     let clock = Instant::now();
     loop {
         match folder.try_lock() {
             Ok(()) => break,
-            Err(TryLockError::WouldBlock) if clock.elapsed() < PATIENCE => std::thread::sleep(LOOK),
+            Err(TryLockError::WouldBlock) if clock.elapsed() < LONGEST_WAIT => std::thread::sleep(LOOK),
             Err(TryLockError::WouldBlock) => {
-                return Err(WriteError::Busy {
+                return Err(Error::Busy {
                     path: dir.to_path_buf(),
                 });
             }
@@ -110,23 +110,18 @@ pub fn alone_in(dir: &Path) -> Result<Option<File>, WriteError> {
 /// Whether files of these names may stand in the folder `dir`, as far as that can be told without writing.
 ///
 /// # Errors
-/// [`WriteError`]: `dir` is no folder, or a folder stands in the place of a file.
-pub fn check<'a>(dir: &Path, mut names: impl Iterator<Item = &'a OsStr>) -> Result<(), WriteError> {
+/// [`Error`]: `dir` is no folder, or a folder stands in the place of a file.
+pub fn check<'a>(dir: &Path, mut names: impl Iterator<Item = &'a OsStr>) -> Result<(), Error> {
     if stands(dir) && !dir.is_dir() {
-        return Err(WriteError::System {
+        return Err(Error::System {
             path: dir.to_path_buf(),
             source: io::ErrorKind::NotADirectory.into(),
         });
     }
     match names.find(|name| dir.join(name).is_dir()) {
-        Some(name) => Err(WriteError::Folder { path: dir.join(name) }),
+        Some(name) => Err(Error::Folder { path: dir.join(name) }),
         None => Ok(()),
     }
-}
-
-fn refused(path: &Path) -> impl FnOnce(io::Error) -> WriteError {
-    let path = path.to_path_buf();
-    move |source| WriteError::System { path, source }
 }
 
 /// Whether there is anything of this name, also a link that leads nowhere.
@@ -134,7 +129,7 @@ fn stands(path: &Path) -> bool {
     path.symlink_metadata().is_ok()
 }
 
-/// Puts back what stood there, or nothing. Of two refusals the first is told: it is the cause of this one.
+/// Puts back what stood there, or nothing. Of two refusals the first is reported: it is the cause of the second.
 fn restore(old: &Path, place: &Path) {
     let restored = match stands(old) {
         true => fs::rename(old, place),
@@ -154,7 +149,7 @@ mod tests {
 
     type Outcome = Result<(), Box<dyn std::error::Error>>;
 
-    fn put(dir: &Path, steps: &[(&str, Option<&[u8]>)]) -> Result<(), WriteError> {
+    fn put(dir: &Path, steps: &[(&str, Option<&[u8]>)]) -> Result<(), Error> {
         let steps: Vec<_> = steps
             .iter()
             .map(|(name, content)| (OsStr::new(*name), *content))
@@ -184,7 +179,7 @@ mod tests {
         assert_eq!(fs::read(dir.join("two"))?, b"3");
         fs::create_dir(dir.join("one"))?;
         let refused = put(&dir, &[("two", Some(b"5")), ("one", Some(b"6"))]);
-        assert!(matches!(refused, Err(WriteError::Folder { .. })));
+        assert!(matches!(refused, Err(Error::Folder { .. })));
         assert_eq!(fs::read(dir.join("two"))?, b"3");
         Ok(())
     }

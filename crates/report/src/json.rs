@@ -1,40 +1,18 @@
 //! Results as JSON: every number is finite, and every name stands once.
 
+use crate::Error;
 use ciborium::Value;
-use oilwedge_campaign::AddOns;
+use oilwedge_campaign::AddOn;
 use oilwedge_study::result::RunResult;
-use serde::Serialize;
-
-/// Why a result was not written.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum ReportError {
-    /// A number is NaN or infinite.
-    #[error("{name} is {value}, which is no number to report; this is a fault of the program, please report the scene")]
-    NotFinite {
-        /// Where the number stands in the result.
-        name: String,
-        /// The number.
-        value: f64,
-    },
-    /// Two values bear one name.
-    #[error("{name} is reported twice; this is a fault of the program, please report the scene")]
-    Twice {
-        /// The name.
-        name: String,
-    },
-    /// The writer of JSON failed.
-    #[error("the result cannot be written as JSON: {0}")]
-    Json(String),
-}
+use serde::{Serialize, Serializer};
 
 /// A value as JSON, with a line break at its end.
 ///
 /// # Errors
-/// [`ReportError`] where a number is not finite or two values of one object bear the same name.
-pub fn json(value: &impl Serialize) -> Result<String, ReportError> {
-    let fault = |error: &dyn std::fmt::Display| ReportError::Json(error.to_string());
-    check("", &Value::serialized(value).map_err(|error| fault(&error))?)?;
-    let text = serde_json::to_string_pretty(value).map_err(|error| fault(&error))?;
+/// [`Error`] where a number is not finite or two values of one object bear the same name.
+pub fn json(value: &impl Serialize) -> Result<String, Error> {
+    check("", &Value::serialized(value).map_err(Error::format("JSON"))?)?;
+    let text = serde_json::to_string_pretty(value).map_err(Error::format("JSON"))?;
     Ok(text + "\n")
 }
 
@@ -42,24 +20,27 @@ pub fn json(value: &impl Serialize) -> Result<String, ReportError> {
 ///
 /// # Errors
 /// As [`json`].
-pub fn result_json(result: &RunResult, add_ons: &AddOns) -> Result<String, ReportError> {
+pub fn result_json(result: &RunResult, add_ons: &[AddOn]) -> Result<String, Error> {
     #[derive(Serialize)]
     struct Whole<'a> {
         #[serde(flatten)]
         result: &'a RunResult,
-        #[serde(flatten)]
-        add_ons: &'a AddOns,
+        #[serde(flatten, serialize_with = "by_key")]
+        add_ons: &'a [AddOn],
+    }
+    fn by_key<S: Serializer>(add_ons: &&[AddOn], serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(add_ons.iter().map(|it| (it.key, &it.record)))
     }
     json(&Whole { result, add_ons })
 }
 
-fn check(place: &str, value: &Value) -> Result<(), ReportError> {
+fn check(place: &str, value: &Value) -> Result<(), Error> {
     let inner = |name: &dyn std::fmt::Display| match place {
         "" => name.to_string(),
         place => format!("{place}.{name}"),
     };
     match value {
-        Value::Float(number) if !number.is_finite() => Err(ReportError::NotFinite {
+        Value::Float(number) if !number.is_finite() => Err(Error::NotFinite {
             name: place.to_owned(),
             value: *number,
         }),
@@ -67,7 +48,7 @@ fn check(place: &str, value: &Value) -> Result<(), ReportError> {
         Value::Map(entries) => (entries.iter().enumerate()).try_for_each(|(index, (key, value))| {
             let name = inner(&key.as_text().unwrap_or_default());
             match entries[..index].iter().any(|(other, _)| other == key) {
-                true => Err(ReportError::Twice { name }),
+                true => Err(Error::Twice { name }),
                 false => check(&name, value),
             }
         }),

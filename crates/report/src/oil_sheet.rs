@@ -5,10 +5,7 @@ use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 pub use oilwedge_reynolds::lubricant::grades::GRADES;
 use serde::Serialize;
 
-use crate::json::{ReportError, json};
-use oilwedge_scene::Complaint;
 use oilwedge_scene::spelling::nearest;
-use oilwedge_scene::unit::{self, Dimension};
 use oilwedge_scene::wording::celsius;
 
 /// Name and version of the form of what `oilwedge oil --json` prints.
@@ -16,7 +13,8 @@ pub const OIL_FORMAT: &str = "oilwedge-oil/1";
 /// Temperatures [degrees C] of a sheet where none is asked for.
 const USUAL: [f64; 9] = [0.0, 20.0, 40.0, 60.0, 80.0, 100.0, 120.0, 140.0, 150.0];
 /// Temperatures [degrees C] between which such oils are liquids.
-const LIQUID: [f64; 2] = [-40.0, 250.0];
+const LEAST: f64 = -40.0;
+const GREATEST: f64 = 250.0;
 
 /// What is known of one grade.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -44,54 +42,43 @@ pub struct OilAt {
     pub density: f64,
 }
 
+/// Why there is no sheet.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum NoSheet {
+    /// The grade is not known.
+    #[error("\"{name}\" is not a known grade")]
+    Grade {
+        /// The name given.
+        name: String,
+        /// The known name nearest to it.
+        near: Option<&'static str>,
+    },
+    /// The oil is not a liquid at this temperature.
+    #[error("{} is not between {LEAST} C and {GREATEST} C", celsius(*temperature))]
+    Temperature {
+        /// The temperature given [K].
+        temperature: f64,
+    },
+}
+
 impl OilSheet {
-    /// The sheet of the grade `name`, at the temperature `at` (as `80 C`) or at usual ones.
+    /// The sheet of the grade `name`, at a temperature [K] or at usual ones.
     ///
     /// # Errors
-    /// The grade is not known, or `at` is no temperature at which it is a liquid; with the way out.
-    pub fn of(name: &str, at: Option<&str>) -> Result<Self, Complaint> {
-        let complaint = |key: &str, value: &str, message: String, help: String| Complaint {
-            key: key.to_owned(),
-            value: value.to_owned(),
-            message,
-            help,
-            span: None,
-        };
+    /// The grade is not known, or not a liquid at that temperature.
+    pub fn of(name: &str, at: Option<f64>) -> Result<Self, NoSheet> {
         let grade = Grade::named(name);
-        let Some((grade, oil)) = grade.and_then(|grade| Some((grade, grade.oil()?))) else {
-            let near = nearest(name, GRADES.iter().map(|grade| grade.name));
-            let help = near.map_or("oilwedge oil lists all".to_owned(), |near| {
-                format!("did you mean \"{near}\"? oilwedge oil lists all")
-            });
-            return Err(complaint(
-                "",
-                name,
-                format!("\"{name}\" is no grade that is known"),
-                help,
-            ));
-        };
+        let (grade, oil) = grade
+            .and_then(|grade| Some((grade, grade.oil()?)))
+            .ok_or_else(|| NoSheet::Grade {
+                name: name.to_owned(),
+                near: nearest(name, GRADES.iter().map(|grade| grade.name)),
+            })?;
+        let range = LEAST + ZERO_CELSIUS..=GREATEST + ZERO_CELSIUS;
         let temperatures = match at {
             None => USUAL.map(|celsius| celsius + ZERO_CELSIUS).to_vec(),
-            Some(text) => {
-                let found = unit::parse(text, Dimension::Temperature)
-                    .map_err(|error| complaint("--at", text, error.to_string(), error.help("80 C")))?;
-                let [least, most] = LIQUID.map(|celsius| celsius + ZERO_CELSIUS);
-                if !(least..=most).contains(&found) {
-                    let message = format!(
-                        "{} is not between {} and {}",
-                        celsius(found),
-                        celsius(least),
-                        celsius(most)
-                    );
-                    return Err(complaint(
-                        "--at",
-                        text,
-                        message,
-                        "give for example --at \"80 C\"".to_owned(),
-                    ));
-                }
-                vec![found]
-            }
+            Some(temperature) if range.contains(&temperature) => vec![temperature],
+            Some(temperature) => return Err(NoSheet::Temperature { temperature }),
         };
         let rows = temperatures.into_iter().map(|temperature| OilAt {
             temperature: temperature - ZERO_CELSIUS,
@@ -105,14 +92,6 @@ impl OilSheet {
             source: source(&grade),
             at: rows.collect(),
         })
-    }
-
-    /// The sheet as JSON, with a line break at its end.
-    ///
-    /// # Errors
-    /// The writer of JSON failed.
-    pub fn to_json(&self) -> Result<String, ReportError> {
-        json(self)
     }
 }
 
@@ -142,7 +121,7 @@ mod tests {
 
     #[test]
     fn a_sheet_gives_the_points_back() {
-        let sheet = OilSheet::of("10w-40", Some("313.15 K")).expect("a sheet");
+        let sheet = OilSheet::of("10w-40", Some(313.15)).expect("a sheet");
         let [at] = sheet.at[..] else { panic!("one row") };
         assert!((at.kinematic_viscosity - 95e-6).abs() < 1e-15 && (at.temperature - 40.0).abs() < 1e-9);
         assert!((at.viscosity - at.kinematic_viscosity * at.density).abs() < 1e-15);
@@ -153,18 +132,22 @@ mod tests {
         );
         let usual = OilSheet::of("VG 46", None).expect("a sheet");
         assert!(usual.at.len() == USUAL.len() && usual.source.contains("41.4 to 50.6 mm2/s at 40 C"));
-        assert!(usual.to_json().expect("JSON").contains("\"grade\": \"ISO VG 46\""));
+        assert!(crate::json(&usual).expect("JSON").contains("\"grade\": \"ISO VG 46\""));
     }
 
     #[test]
-    fn what_is_no_grade_or_temperature_is_told() {
-        let told = |name: &str, at: Option<&str>| {
-            let complaint = OilSheet::of(name, at).expect_err("no sheet");
-            format!("{complaint} ({})", complaint.help)
+    fn unknown_grades_and_vapours_have_no_sheet() {
+        let near = |name: &str| match OilSheet::of(name, None) {
+            Err(NoSheet::Grade { near, .. }) => near,
+            other => panic!("{other:?}"),
         };
-        assert!(told("SAE 10W-41", None).contains("did you mean \"SAE 10W-40\"?"));
-        assert!(told("honey", None).contains("oilwedge oil lists all"));
-        assert!(told("VG 46", Some("80")).starts_with("--at: \"80\" has no unit; a temperature is wanted"));
-        assert!(told("VG 46", Some("80 K")).starts_with("--at: -193.15 C is not between -40 C and 250 C"));
+        assert_eq!((near("SAE 10W-41"), near("honey")), (Some("SAE 10W-40"), None));
+        let error = OilSheet::of("VG 46", Some(80.0)).expect_err("too cold");
+        assert!(
+            error
+                .to_string()
+                .starts_with("-193.15 C is not between -40 C and 250 C"),
+            "{error}"
+        );
     }
 }

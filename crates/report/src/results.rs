@@ -3,15 +3,15 @@
 //! `result.json` stands beside the picture of its own run or not at all: an old one is taken away before the new picture
 //! comes, and the new one comes last.
 
+use crate::Error;
 use crate::folder::replace;
-use crate::json::{ReportError, result_json};
-use crate::plot::{PlotError, heat_to_svg, to_png};
-use oilwedge_campaign::AddOns;
+use crate::json::result_json;
+use crate::plot::{heat_to_svg, to_png};
+use oilwedge_campaign::AddOn;
 use oilwedge_study::quantities::{FRICTION_POWER, Row, TEMPERATURE_EFFECTIVE};
 use oilwedge_study::result::RunResult;
 use std::ffi::OsStr;
-use std::io;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// File of the numbers.
 pub const RESULT_FILE: &str = "result.json";
@@ -21,49 +21,13 @@ pub const PICTURE_FILE: &str = "film.vtu";
 /// Files of the curves of a balance of heat.
 pub const HEAT_FILES: [&str; 2] = ["heat.svg", "heat.png"];
 
-/// Why the results were not written. What stood in the folder before stands there still.
-#[derive(Debug, thiserror::Error)]
-pub enum WriteError {
-    /// The result holds something that must not be written.
-    #[error(transparent)]
-    Report(#[from] ReportError),
-    /// The curves cannot be drawn.
-    #[error(transparent)]
-    Plot(#[from] PlotError),
-    /// The system refused.
-    #[error("cannot write {}: {source}; choose another folder with --out", path.display())]
-    System {
-        /// File or folder.
-        path: PathBuf,
-        /// What the system says.
-        source: io::Error,
-    },
-    /// Another run does not end writing.
-    #[error("cannot write into {}: another run has been writing there for some time; wait for it, or choose another folder", path.display())]
-    Busy {
-        /// The folder.
-        path: PathBuf,
-    },
-    /// A folder stands where a file shall go.
-    #[error("cannot write {}: a folder stands there; move it away, or choose another folder with --out", path.display())]
-    Folder {
-        /// The path.
-        path: PathBuf,
-    },
-}
-
 /// Writes `result.json` and, where there is a picture (the bytes of a VTU file), `film.vtu` into the folder `dir`,
 /// which is made if need be, and the curves of a balance of heat. Files of an earlier run are replaced; without a picture or curves earlier ones
 /// are removed, since they show another run.
 ///
 /// # Errors
-/// [`WriteError`]: a number is not finite, or the system refuses; the old files are then left as they were.
-pub fn write_results(
-    dir: &Path,
-    result: &RunResult,
-    add_ons: &AddOns,
-    picture: Option<&[u8]>,
-) -> Result<(), WriteError> {
+/// [`Error`]: a number is not finite, or the system refuses; the old files are then left as they were.
+pub fn write_results(dir: &Path, result: &RunResult, add_ons: &[AddOn], picture: Option<&[u8]>) -> Result<(), Error> {
     let json = result_json(result, add_ons)?;
     let (svg, png) = match &result.heat {
         Some(heat) => {
@@ -95,7 +59,7 @@ pub fn write_results(
 mod tests {
     use super::*;
     use crate::json::tests::example;
-    use std::fs;
+    use std::{fs, io};
 
     fn names(dir: &Path) -> io::Result<Vec<String>> {
         let mut names = fs::read_dir(dir)?
@@ -109,11 +73,11 @@ mod tests {
     fn results_replace_those_of_an_earlier_run() -> Result<(), Box<dyn std::error::Error>> {
         let folder = tempfile::tempdir()?;
         let dir = folder.path().join("out/study");
-        write_results(&dir, &example(), &AddOns::default(), Some(b"first"))?;
+        write_results(&dir, &example(), &[], Some(b"first"))?;
         assert_eq!(names(&dir)?, ["film.vtu", "result.json"]);
-        write_results(&dir, &example(), &AddOns::default(), Some(b"second"))?;
+        write_results(&dir, &example(), &[], Some(b"second"))?;
         assert_eq!(fs::read(dir.join(PICTURE_FILE))?, b"second");
-        write_results(&dir, &example(), &AddOns::default(), None)?;
+        write_results(&dir, &example(), &[], None)?;
         assert_eq!(names(&dir)?, ["result.json"]);
         Ok(())
     }
@@ -122,14 +86,14 @@ mod tests {
     fn a_failure_leaves_what_was_there() -> Result<(), Box<dyn std::error::Error>> {
         let folder = tempfile::tempdir()?;
         let dir = folder.path().join("out");
-        write_results(&dir, &example(), &AddOns::default(), Some(b"first"))?;
+        write_results(&dir, &example(), &[], Some(b"first"))?;
         let before = fs::read(dir.join(RESULT_FILE))?;
         let mut bad = example();
         bad.title = "another".into();
         bad.balances.mass = f64::NAN;
         assert!(matches!(
-            write_results(&dir, &bad, &AddOns::default(), Some(b"second")),
-            Err(WriteError::Report(_))
+            write_results(&dir, &bad, &[], Some(b"second")),
+            Err(Error::NotFinite { .. })
         ));
         assert_eq!(fs::read(dir.join(PICTURE_FILE))?, b"first");
         assert_eq!(fs::read(dir.join(RESULT_FILE))?, before);
@@ -137,14 +101,13 @@ mod tests {
         let taken = folder.path().join("taken");
         fs::create_dir_all(taken.join(RESULT_FILE))?;
         assert!(matches!(
-            write_results(&taken, &example(), &AddOns::default(), Some(b"x")),
-            Err(WriteError::Folder { .. })
+            write_results(&taken, &example(), &[], Some(b"x")),
+            Err(Error::Folder { .. })
         ));
         assert_eq!(names(&taken)?, ["result.json"]);
         fs::write(folder.path().join("file"), "")?;
-        let error = write_results(&folder.path().join("file"), &example(), &AddOns::default(), None)
-            .expect_err("a file is no folder");
-        assert!(error.to_string().contains("--out"), "{error}");
+        let error = write_results(&folder.path().join("file"), &example(), &[], None).expect_err("a file is no folder");
+        assert!(error.to_string().contains("file"), "{error}");
         Ok(())
     }
 }

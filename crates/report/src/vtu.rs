@@ -3,6 +3,7 @@
 //! vtkio writes the XML file with inline base64 data, LZ4 at level 1 (at level 0 it would silently not compress).
 //! meshio cannot read LZ4; PyVista, ParaView and VTK can.
 
+use crate::Error;
 use oilwedge_study::picture::FilmPicture;
 use vtkio::model::{
     Attribute, Attributes, ByteOrder, CellType, Cells, DataArray, DataSet, UnstructuredGridPiece, Version,
@@ -10,43 +11,11 @@ use vtkio::model::{
 };
 use vtkio::xml::Compressor;
 
-/// Why a picture was not written.
-#[derive(Debug, thiserror::Error)]
-pub enum PictureError {
-    /// A field has another length than the nodes or triangles.
-    #[error("the field {name} has {values} values for {wanted} places; this is a fault of the program")]
-    Length {
-        /// Name of the field.
-        name: String,
-        /// Its length.
-        values: usize,
-        /// Number of nodes or triangles.
-        wanted: usize,
-    },
-    /// A triangle names a node that is not there.
-    #[error("triangle {cell} names a node that is not there; this is a fault of the program")]
-    Node {
-        /// Number of the triangle.
-        cell: usize,
-    },
-    /// A value is NaN or infinite.
-    #[error("the field {name} is not a finite number at place {place}; this is a fault of the program")]
-    NotFinite {
-        /// Name of the field, or `points`.
-        name: String,
-        /// Number of the node or triangle.
-        place: usize,
-    },
-    /// vtkio refused.
-    #[error("the picture cannot be written: {0}")]
-    Format(String),
-}
-
 /// The bytes of a VTU file.
 ///
 /// # Errors
-/// [`PictureError`]: lengths that do not fit, a node that is not there, a value that is not finite.
-pub fn to_vtu(picture: FilmPicture) -> Result<Vec<u8>, PictureError> {
+/// [`Error`]: lengths that do not fit, a node that is not there, a value that is not finite.
+pub fn to_vtu(picture: FilmPicture) -> Result<Vec<u8>, Error> {
     check(&picture)?;
     let cell_count = picture.cells.len();
     let scalar =
@@ -74,50 +43,41 @@ pub fn to_vtu(picture: FilmPicture) -> Result<Vec<u8>, PictureError> {
     };
     let file = vtk
         .try_into_xml_format(Compressor::LZ4, 1)
-        .map_err(|error| PictureError::Format(error.to_string()))?;
+        .map_err(Error::format("VTU file"))?;
     let mut bytes = Vec::new();
-    file.write(&mut bytes)
-        .map_err(|error| PictureError::Format(error.to_string()))?;
+    file.write(&mut bytes).map_err(Error::format("VTU file"))?;
     Ok(bytes)
 }
 
-fn check(picture: &FilmPicture) -> Result<(), PictureError> {
+fn check(picture: &FilmPicture) -> Result<(), Error> {
     let nodes = picture.points.len();
-    if let Some(cell) = picture
-        .cells
-        .iter()
-        .position(|cell| cell.iter().any(|node| *node as usize >= nodes))
-    {
-        return Err(PictureError::Node { cell });
+    let is_missing = |node: &u32| *node as usize >= nodes;
+    if let Some(cell) = picture.cells.iter().position(|cell| cell.iter().any(is_missing)) {
+        return Err(Error::Node { cell });
     }
-    if let Some(place) = picture
-        .points
-        .iter()
-        .position(|point| point.iter().any(|value| !value.is_finite()))
-    {
-        return Err(PictureError::NotFinite {
-            name: "points".to_string(),
-            place,
-        });
-    }
+    all_finite("points", picture.points.as_flattened())?;
     let on_nodes = picture.point_data.iter().map(|field| (field, nodes));
     let on_cells = picture.cell_data.iter().map(|field| (field, picture.cells.len()));
-    for ((name, values), wanted) in on_nodes.chain(on_cells) {
+    on_nodes.chain(on_cells).try_for_each(|((name, values), wanted)| {
         if values.len() != wanted {
-            return Err(PictureError::Length {
+            return Err(Error::Length {
                 name: name.clone(),
                 values: values.len(),
                 wanted,
             });
         }
-        if let Some(place) = values.iter().position(|value| !value.is_finite()) {
-            return Err(PictureError::NotFinite {
-                name: name.clone(),
-                place,
-            });
-        }
+        all_finite(name, values)
+    })
+}
+
+fn all_finite(name: &str, values: &[f64]) -> Result<(), Error> {
+    match values.iter().position(|value| !value.is_finite()) {
+        None => Ok(()),
+        Some(place) => Err(Error::NotFinite {
+            name: format!("value {place} of the field {name}"),
+            value: values[place],
+        }),
     }
-    Ok(())
 }
 
 #[cfg(test)]
@@ -195,7 +155,7 @@ mod tests {
         picture.point_data[0].1.pop();
         assert!(matches!(
             to_vtu(picture),
-            Err(PictureError::Length {
+            Err(Error::Length {
                 values: 8,
                 wanted: 9,
                 ..
@@ -203,9 +163,9 @@ mod tests {
         ));
         let mut picture = square();
         picture.cells[1][5] = 9;
-        assert!(matches!(to_vtu(picture), Err(PictureError::Node { cell: 1 })));
+        assert!(matches!(to_vtu(picture), Err(Error::Node { cell: 1 })));
         let mut picture = square();
         picture.cell_data[0].1[0] = f64::NAN;
-        assert!(matches!(to_vtu(picture), Err(PictureError::NotFinite { place: 0, .. })));
+        assert!(matches!(to_vtu(picture), Err(Error::NotFinite { .. })));
     }
 }

@@ -30,6 +30,17 @@ pub enum Status {
     NotConverged,
 }
 
+impl Status {
+    /// Its name in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Converged => "converged",
+            Self::NoSolution => "no_solution",
+            Self::NotConverged => "not_converged",
+        }
+    }
+}
+
 /// Facts about a mesh.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
 pub struct MeshFacts {

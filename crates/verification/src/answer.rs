@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use oilwedge_report::Error;
 use oilwedge_scene::{Scene, SceneError};
 use oilwedge_study::effects::Sockets;
 use oilwedge_study::result::Status;
@@ -84,7 +83,7 @@ pub(crate) fn solve_within(table: &Table, max_unknowns: usize) -> Answer {
     };
     match run(&scene, &options) {
         Ok(run) => Answer::Run(Box::new(run)),
-        Err(error) => Answer::Refused(told(&error.into())),
+        Err(error) => Answer::Refused(with_causes(&error)),
     }
 }
 
@@ -106,9 +105,9 @@ fn read(table: &Table) -> Result<Scene, String> {
 }
 
 /// A message with its causes.
-fn told(error: &Error) -> String {
+fn with_causes(error: &dyn std::error::Error) -> String {
     let mut words = error.to_string();
-    let mut cause = std::error::Error::source(error);
+    let mut cause = error.source();
     while let Some(inner) = cause {
         words += &format!(": {inner}");
         cause = inner.source();

@@ -1,6 +1,5 @@
 //! What must hold of an answer, whatever the case.
 
-use oilwedge_campaign::AddOns;
 use oilwedge_report::result_json;
 use oilwedge_reynolds::Form;
 use oilwedge_study::Run;
@@ -68,7 +67,7 @@ fn unanswered(result: &RunResult, faults: &mut Vec<String>) {
 
 fn film(case: &Case, run: &Run, faults: &mut Vec<String>) {
     let result = &run.result;
-    if let Err(error) = result_json(result, &AddOns::default()) {
+    if let Err(error) = result_json(result, &[]) {
         faults.push(error.to_string());
     }
     let is_balance = sockets(&case.scene).is_none_or(|sockets| sockets.form == Form::Conservative);

@@ -59,7 +59,7 @@ pub enum SuiteError {
     #[error("cannot make a folder for meshes: {0}")]
     Folder(#[from] std::io::Error),
     /// Threads cannot be started.
-    #[error("cannot start the threads of the suite: {0}; give fewer with --threads")]
+    #[error("cannot start the threads of the suite: {0}")]
     Threads(String),
 }
 

@@ -2,7 +2,8 @@
 
 use std::f64::consts::PI;
 
-use oilwedge_report::plot::{COLOURS, Chart, PlotError, Series, Style, charts_to_svg};
+use oilwedge_report::Error;
+use oilwedge_report::plot::{COLOURS, Chart, Series, Style, charts_to_svg};
 
 use super::page::Study;
 use super::{SPEEDS, SQUEEZES, Scales, film_at, right, right_pressure};
@@ -19,8 +20,8 @@ const STEPS: u32 = 180;
 /// All sheets: name of the file and SVG.
 ///
 /// # Errors
-/// [`PlotError::Drawing`].
-pub fn sheets(study: &Study) -> Result<Vec<(&'static str, String)>, PlotError> {
+/// [`Error::Format`].
+pub fn sheets(study: &Study) -> Result<Vec<(&'static str, String)>, Error> {
     let both = |chart: fn(f64, &Study) -> Chart| SQUEEZES.map(|squeeze| chart(squeeze, study));
     let sheets: [(&str, Vec<Chart>); 6] = [
         ("fig02_03_pressure_around", both(around).into()),

@@ -85,7 +85,7 @@ fn every_shipped_scene_has_a_table_or_a_reason() {
         bench.scene(name, &[]);
         let told = bench.run(&["solve", "scene.toml", "--theories"]);
         assert_eq!(told.status, 0, "{name}: {}", told.stderr);
-        for part in ["one scene, three theories", "short is off by", "\nB/D       "] {
+        for part in ["┆ short", "┆ long", "\nB/D       "] {
             assert!(told.stdout.contains(part), "{name}: no {part:?} in\n{}", told.stdout);
         }
         for (theory, reason) in ["short", "long"].into_iter().zip(refused) {
@@ -113,14 +113,14 @@ fn the_table_of_the_page_is_that_of_the_scene() {
     for (name, scale) in [("load", 1e3), ("attitude_angle", 1.0), ("pressure_max", 1e6)] {
         let row = section.lines().find(|line| line.starts_with(&format!("│ {name} ")));
         let cells: Vec<&str> = row.expect("a row").split('┆').map(str::trim).collect();
-        for (film, cell) in result["theories"]["films"]
-            .as_array()
-            .expect("films")
-            .iter()
-            .zip(&cells[2..])
-        {
+        let films = &result["theories"]["films"];
+        for (film, cell) in [&films[1], &films[0], &films[2]].into_iter().zip(&cells[2..]) {
             let value = film["quantities"][name]["value"].as_f64().expect("a number") / scale;
-            let shown: f64 = cell.parse().expect("a number");
+            let shown: f64 = cell
+                .split(' ')
+                .next()
+                .and_then(|text| text.parse().ok())
+                .expect("a number");
             assert!(
                 (shown / value - 1.0).abs() < 3e-3,
                 "{name}, {}: {shown}, {value}",

@@ -1,28 +1,28 @@
 //! A convergence study: a scene solved on ever finer meshes by three strategies, for what accuracy costs.
 //!
-//! Reading order: [`strategy`], `first_mesh.rs`, `climb.rs` (one strategy from level to level, by [`oilwedge_study::level`]), [`budget`]
-//! (when to stop), `reference.rs` (errors against the finest answer), [`price`] (what the next digit costs),
+//! Reading order: [`strategy`], `first_mesh.rs`, `study_run.rs` (one strategy from level to level, by [`oilwedge_study::level`]), [`budget`]
+//! (when to stop), `reference.rs` (errors against the finest answer), [`cost_model`] (what the next digit costs),
 //! [`report`].
 
 pub mod budget;
-mod climb;
+pub mod cost_model;
 mod first_mesh;
 pub mod observer;
-pub mod price;
 mod reference;
 pub mod report;
 pub mod strategy;
+mod study_run;
 
 pub use budget::Budget;
-pub use climb::MarkedMesh;
+pub use cost_model::{Measure, Price};
 pub use observer::Observer;
-pub use price::{Measure, Price};
 pub use report::{ConvergenceReport, Course, LevelReport};
 pub use strategy::Strategy;
+pub use study_run::MarkedMesh;
 
-use climb::Climb;
-use price::{Bought, Offer, price_list};
+use cost_model::{CostModel, LevelCost, price_list};
 use report::{CONVERGE_FORMAT, GoalFacts};
+use study_run::StudyRun;
 
 use crate::Error;
 use oilwedge_scene::Scene;
@@ -32,13 +32,13 @@ use oilwedge_study::oil::Oil;
 use oilwedge_study::quantities::main_quantity;
 use oilwedge_study::result::Status;
 
-/// A goal below this part of what is natural for it is rounding.
-const NOTHING: f64 = 1e-9;
+/// A goal below this part of its reference value is zero to round-off.
+const ZERO: f64 = 1e-9;
 
 /// What a study found.
 #[derive(Debug, Clone)]
 pub struct Convergence {
-    /// The numbers; the status tells whether there are any.
+    /// The numbers; `status` says whether there are any.
     pub report: ConvergenceReport,
     /// The adaptive mesh that is drawn.
     pub mesh: Option<MarkedMesh>,
@@ -56,22 +56,22 @@ pub fn converge(scene: &Scene, budget: &Budget, observer: &mut dyn Observer) -> 
         Ok(first) => first,
         Err(reason) => return Ok(unanswered(report, &reason, budget)),
     };
-    let climb = |strategy: Strategy| Climb::new(scene, &first, strategy, goal);
+    let begin = |strategy: Strategy| StudyRun::new(scene, &first, strategy, goal);
     // Both strategies of quadratic elements begin on the same mesh.
-    let mut uniform = climb(Strategy::P2Uniform);
+    let mut uniform = begin(Strategy::P2Uniform);
     uniform.step(budget, observer)?;
-    let linear = climb(Strategy::P1Uniform).no_longer_than(&uniform);
+    let linear = begin(Strategy::P1Uniform).no_longer_than(&uniform);
     let adaptive = uniform.turned(Strategy::P2Adaptive);
-    let mut climbs = [linear, uniform, adaptive];
-    let next = |climbs: &[Climb]| {
-        let open = climbs.iter().enumerate().filter(|(_, climb)| climb.ended.is_none());
+    let mut runs = [linear, uniform, adaptive];
+    let next = |runs: &[StudyRun]| {
+        let open = runs.iter().enumerate().filter(|(_, run)| run.ended.is_none());
         open.min_by(|(_, a), (_, b)| a.urgency().total_cmp(&b.urgency()))
             .map(|(place, _)| place)
     };
-    while let Some(place) = next(&climbs) {
-        climbs[place].step(budget, observer)?;
+    while let Some(place) = next(&runs) {
+        runs[place].step(budget, observer)?;
     }
-    finish(report, climbs.into(), scene, budget)
+    finish(report, runs, scene, budget)
 }
 
 /// A report without any levels.
@@ -98,7 +98,7 @@ fn blank(scene: &Scene, budget: &Budget, goal: &str) -> ConvergenceReport {
     }
 }
 
-/// What is told where there is no answer on any mesh.
+/// The study of a scene that has no answer on any mesh.
 fn unanswered(report: ConvergenceReport, reason: &NoAnswer, budget: &Budget) -> Convergence {
     Convergence {
         report: ConvergenceReport {
@@ -111,82 +111,77 @@ fn unanswered(report: ConvergenceReport, reason: &NoAnswer, budget: &Budget) -> 
     }
 }
 
-/// Errors, prices and facts of the levels.
+/// Errors, costs and facts of the levels.
 fn finish(
     mut report: ConvergenceReport,
-    mut climbs: Vec<Climb>,
+    mut runs: [StudyRun; 3],
     scene: &Scene,
     budget: &Budget,
 ) -> Result<Convergence, Error> {
-    if climbs.iter().all(|climb| climb.levels.is_empty()) {
-        // Quadratic elements come last, and are what a run solves with.
-        return match climbs.iter_mut().rev().find_map(|climb| climb.failure.take()) {
-            Some(reason) => Ok(unanswered(report, &reason, budget)),
+    // Quadratic elements come last, and are what a run solves with.
+    let Some(finest) = runs.iter().rev().find(|run| !run.levels.is_empty()) else {
+        return Ok(match runs.iter_mut().rev().find_map(|run| run.failure.take()) {
+            Some(reason) => unanswered(report, &reason, budget),
             None => {
                 report.status = Status::NotConverged;
-                report.reason = climbs.into_iter().rev().find_map(|climb| climb.ended);
-                Ok(Convergence { report, mesh: None })
+                report.reason = runs.into_iter().rev().find_map(|run| run.ended);
+                Convergence { report, mesh: None }
             }
+        });
+    };
+    report.effects = finest.effects.clone().unwrap_or_default();
+    if let Some(quantity) = &finest.quantity {
+        quantity.row.symbol.clone_into(&mut report.goal.symbol);
+        quantity.unit().clone_into(&mut report.goal.unit);
+        let scale = match scene.journal.load() {
+            Some(_) => 1.0,
+            None => reference_load(scene),
         };
-    }
-    let finest = climbs.iter().rev().find(|climb| !climb.levels.is_empty());
-    if let Some(climb) = finest {
-        report.effects = climb.effects.clone().unwrap_or_default();
-        if let Some(quantity) = &climb.quantity {
-            quantity.row.symbol.clone_into(&mut report.goal.symbol);
-            quantity.unit().clone_into(&mut report.goal.unit);
-            let natural = match scene.journal.load() {
-                Some(_) => 1.0,
-                None => natural_load(scene),
-            };
-            if quantity.value.abs() <= NOTHING * natural {
-                return Err(Error::NothingToConverge {
-                    goal: quantity.name.to_string(),
-                });
-            }
+        if quantity.value.abs() <= ZERO * scale {
+            let goal = quantity.name.to_string();
+            return Err(Error::NothingToConverge { goal });
         }
     }
-    let mesh = climbs.iter_mut().find_map(|climb| match climb.strategy {
-        Strategy::P2Adaptive => climb.drawn.take(),
-        _ => None,
-    });
-    report.strategies = (climbs.into_iter())
-        .map(|climb| Course {
-            strategy: climb.strategy,
-            order: climb.strategy.order(scene),
-            time_exponent: None,
-            levels: climb.levels,
-            ended: climb.ended.unwrap_or_default(),
-        })
-        .collect();
-    report.reference = reference::finest(&report.strategies);
-    if let Some(finest) = &report.reference {
-        reference::measure(&mut report.strategies, finest);
-        for measure in [Measure::Bar, Measure::Error] {
-            let offers: Vec<Offer> = (report.strategies.iter())
-                .map(|course| offer(course, finest, measure))
-                .collect();
-            report.prices.extend(price_list(&offers, measure));
-            // Those by bars, where there are bars, are what is told of a course.
-            for (course, offer) in report.strategies.iter_mut().zip(&offers) {
-                if course.time_exponent.is_none() && !offer.levels.is_empty() {
-                    course.order = offer.order();
-                    course.time_exponent = Some(offer.exponent());
-                }
-            }
-        }
-        if finest.uncertainty.is_none() {
-            let why =
-                "errors are not known: the finest answer has no coarser one beside it; give more time (--max-seconds)";
-            report.notes.push(why.to_owned());
-        }
-    }
+    let adaptive = runs.iter_mut().find(|run| run.strategy == Strategy::P2Adaptive);
+    let mesh = adaptive.and_then(|run| run.drawn.take());
+    let course = |run: StudyRun| Course {
+        strategy: run.strategy,
+        order: run.strategy.order(scene),
+        time_exponent: None,
+        levels: run.levels,
+        ended: run.ended.unwrap_or_default(),
+    };
+    report.strategies = runs.into_iter().map(course).collect();
+    evaluate(&mut report);
     report.seconds = budget.spent();
     Ok(Convergence { report, mesh })
 }
 
-/// The load [N] that drag, a moving centre and given pressures would make of the whole projected area.
-fn natural_load(scene: &Scene) -> f64 {
+/// Errors against the finest answer, and what each accuracy costs.
+fn evaluate(report: &mut ConvergenceReport) {
+    report.reference = reference::finest(&report.strategies);
+    let Some(finest) = &report.reference else { return };
+    reference::measure(&mut report.strategies, finest);
+    for measure in [Measure::Bar, Measure::Error] {
+        let courses = report.strategies.iter();
+        let models: Vec<CostModel> = courses.map(|course| cost_model(course, finest, measure)).collect();
+        report.prices.extend(price_list(&models, measure));
+        // The model by error bars is reported for a strategy, where it has bars.
+        for (course, model) in report.strategies.iter_mut().zip(&models) {
+            if course.time_exponent.is_none() && !model.levels.is_empty() {
+                course.order = model.order();
+                course.time_exponent = Some(model.exponent());
+            }
+        }
+    }
+    if finest.uncertainty.is_none() {
+        let note = "errors are not known: the finest answer has no coarser one beside it; allow the study more time";
+        report.notes.push(note.to_owned());
+    }
+}
+
+/// The load [N] that drag, a moving centre and given pressures would produce on the whole projected area.
+fn reference_load(scene: &Scene) -> f64 {
     let (bearing, journal) = (&scene.bearing, &scene.journal);
     let centre = Sockets::of(scene).centre_velocity;
     let motion = centre.radial.hypot(centre.tangential) / bearing.clearance;
@@ -198,18 +193,18 @@ fn natural_load(scene: &Scene) -> f64 {
     driven.fold(dragged, f64::max) * bearing.diameter * bearing.length
 }
 
-/// What a course sells: levels whose error is known by that measure.
-fn offer(course: &Course, reference: &report::Reference, measure: Measure) -> Offer {
-    let bought = |level: &LevelReport| {
-        Some(Bought {
+/// Cost and error of the levels of a strategy whose error is known by that measure.
+fn cost_model(course: &Course, reference: &report::Reference, measure: Measure) -> CostModel {
+    let level_cost = |level: &LevelReport| {
+        Some(LevelCost {
             unknowns: level.unknowns as f64,
             seconds: level.seconds.total,
             error: level.error(measure, reference)?,
         })
     };
-    Offer {
+    CostModel {
         strategy: course.strategy,
         order: course.order,
-        levels: course.levels.iter().filter_map(bought).collect(),
+        levels: course.levels.iter().filter_map(level_cost).collect(),
     }
 }

@@ -1,6 +1,6 @@
 //! The finest answer of a study, and how far the others are from it.
 
-use super::price::LEAST_PART;
+use super::cost_model::LEAST_PART;
 use super::report::{Course, LevelReport, Reference};
 
 /// Answers are not known better than this, however small their bars: rounding of long sums.
@@ -20,8 +20,8 @@ pub(super) fn finest(courses: &[Course]) -> Option<Reference> {
         });
     let (course, place) = best?;
     let level = &course.levels[place];
-    let told = [level.relative_bar, predicted(course.order, &course.levels[..=place])];
-    let uncertainty = told.into_iter().flatten().reduce(f64::min);
+    let estimates = [level.relative_bar, predicted(course.order, &course.levels[..=place])];
+    let uncertainty = estimates.into_iter().flatten().reduce(f64::min);
     Some(Reference {
         strategy: course.strategy,
         level: level.level,

@@ -4,7 +4,7 @@
 
 use serde::Serialize;
 
-use super::price::{Measure, Price};
+use super::cost_model::{Measure, Price};
 use super::strategy::Strategy;
 use oilwedge_study::effects::Effects;
 use oilwedge_study::result::{Status, in_parts};

@@ -2,9 +2,9 @@
 
 use std::f64::consts::{FRAC_PI_4, PI};
 
-use oilwedge_reynolds::analytical::iso7902::Feed;
-
 use oilwedge_scene::Scene;
+
+use super::twin::{Fed, Feed};
 
 /// Width over B of pockets for which their flow was fitted.
 const POCKET: [f64; 2] = [0.05, 0.7];
@@ -15,7 +15,7 @@ const HALF: [f64; 2] = [0.8 * PI, 1.2 * PI];
 
 /// The feed in the terms of the standard with its pressure [Pa] above that of the ends; nothing where oil comes from the ends only, or why the
 /// standard has none like that.
-pub(super) fn fed(scene: &Scene, load_angle: f64) -> Result<Option<(Feed, f64)>, String> {
+pub(super) fn fed(scene: &Scene, load_angle: f64) -> Fed {
     let unknown = |what: &str| {
         Err(format!(
             "the standard has no flow through {what}: side_flow is left out"
@@ -95,7 +95,7 @@ fn side(angle: f64) -> Side {
 }
 
 /// The feed in words.
-pub(super) fn told(feed: Feed) -> &'static str {
+pub(super) fn words(feed: Feed) -> &'static str {
     match feed {
         Feed::HoleOpposite(_) => "a hole opposite to the load",
         Feed::HoleAcross(_) => "a hole at 90 degrees to the load",

@@ -2,13 +2,19 @@
 
 use oilwedge_bearing::heat_balance::find;
 use oilwedge_bearing::{FilmHeat, HeatBalance};
-use oilwedge_reynolds::analytical::iso7902::{self, Feed};
+use oilwedge_reynolds::analytical::iso7902;
+pub(super) use oilwedge_reynolds::analytical::iso7902::Feed;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
-use serde::Serialize;
-
 use oilwedge_scene::{Mixing, Scene};
 use oilwedge_study::oil::Oil;
+use oilwedge_study::quantities::{
+    ECCENTRICITY, FILM_THICKNESS_MIN, FRICTION_POWER, LOAD, Quantity, SIDE_FLOW, TEMPERATURE_EFFECTIVE,
+    TEMPERATURE_OUTLET, VISCOSITY_EFFECTIVE,
+};
 use oilwedge_study::thermal::{balance, first_temperature};
+
+/// The name of the standard.
+pub(super) const NAME: &str = "ISO 7902 (DIN 31652)";
 
 /// Part of the friction to which its heat is balanced.
 const BALANCED: f64 = 1e-12;
@@ -25,8 +31,8 @@ pub(super) enum Given {
 impl Given {
     pub(super) fn name(self) -> &'static str {
         match self {
-            Self::Load(_) => "load",
-            Self::Eccentricity(_) => "eccentricity",
+            Self::Load(_) => LOAD.name,
+            Self::Eccentricity(_) => ECCENTRICITY.name,
         }
     }
 }
@@ -119,33 +125,24 @@ impl Twin {
         })
     }
 
+    /// Its attitude angle [rad].
+    pub(super) fn attitude(&self) -> f64 {
+        iso7902::attitude(self.eccentricity, self.lands.slenderness)
+    }
+
     /// Its thinnest film [m].
     pub(super) fn least_film(&self, scene: &Scene) -> f64 {
         scene.bearing.clearance * (1.0 - self.eccentricity)
     }
 }
 
-/// The standard's own balance of heat: friction by its fits, carried off by its flows.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct StandardHeat {
-    /// T_eff, temperature of the film [degrees C].
-    pub temperature_effective: f64,
-    /// T_ex, temperature of the oil that leaves [degrees C].
-    pub temperature_outlet: f64,
-    /// Viscosity there [Pa.s].
-    pub viscosity: f64,
-    /// Eccentricity [1].
-    pub eccentricity: f64,
-    /// Thinnest film [m].
-    pub film_thickness_min: f64,
-    /// Power of friction [W].
-    pub friction_power: f64,
-    /// Q_3 + Q_p [m3/s].
-    pub side_flow: f64,
+/// The standard's own balance of heat, friction by its fits carried off by its flows: temperatures of film and outlet, viscosity and the bearing
+/// there. Empty without `[heat]`, and where it has no flow through the feed or no balance.
+pub(super) fn own_heat(scene: &Scene, given: Given, feed: &Fed) -> Vec<Quantity> {
+    balanced(scene, given, feed).unwrap_or_default()
 }
 
-/// The balance of heat by the standard; none without `[heat]`, and where it has no flow through the feed or no balance.
-pub(super) fn own_heat(scene: &Scene, given: Given, feed: &Fed) -> Option<StandardHeat> {
+fn balanced(scene: &Scene, given: Given, feed: &Fed) -> Option<Vec<Quantity>> {
     let heat = scene.heat?;
     // The oil carried round, of which a share mixes, is none of its numbers.
     let carried_over = match heat.mixing {
@@ -170,13 +167,13 @@ pub(super) fn own_heat(scene: &Scene, given: Given, feed: &Fed) -> Option<Standa
     let found = find(&balance, first_temperature(&heat), BALANCED, film).ok()?;
     let (twin, viscosity) = at(found.temperature)?;
     let [_, outlet] = balance.ends(found.temperature, carried_over);
-    Some(StandardHeat {
-        temperature_effective: found.temperature - ZERO_CELSIUS,
-        temperature_outlet: outlet - ZERO_CELSIUS,
-        viscosity,
-        eccentricity: twin.eccentricity,
-        film_thickness_min: twin.least_film(scene),
-        friction_power: twin.power,
-        side_flow: twin.flow?,
-    })
+    Some(vec![
+        Quantity::new(&TEMPERATURE_EFFECTIVE, found.temperature - ZERO_CELSIUS),
+        Quantity::new(&TEMPERATURE_OUTLET, outlet - ZERO_CELSIUS),
+        Quantity::new(&VISCOSITY_EFFECTIVE, viscosity),
+        Quantity::new(&ECCENTRICITY, twin.eccentricity),
+        Quantity::new(&FILM_THICKNESS_MIN, twin.least_film(scene)),
+        Quantity::new(&FRICTION_POWER, twin.power),
+        Quantity::new(&SIDE_FLOW, twin.flow?),
+    ])
 }

@@ -7,10 +7,8 @@ pub(crate) mod tests;
 use std::ffi::OsStr;
 use std::path::Path;
 
-use crate::Error;
-use crate::folder;
 use crate::json::json;
-use crate::plot;
+use crate::{Error, folder, plot};
 use oilwedge_campaign::convergence::Convergence;
 
 /// The files of a study. The numbers for scripts are taken away first and come last, so they are the sign that all are there and of one
@@ -22,7 +20,7 @@ pub const FILES: [&str; 4] = ["converge.csv", "converge.svg", "converge.png", "c
 /// # Errors
 /// `dir` is no folder, or a folder stands in the place of a file.
 pub fn check(dir: &Path) -> Result<(), Error> {
-    Ok(folder::check(dir, FILES.iter().map(OsStr::new))?)
+    folder::check(dir, FILES.iter().map(OsStr::new))
 }
 
 /// Writes the files of a study into the folder `dir`, which is made if need be. Those of an earlier study are replaced;
@@ -47,5 +45,5 @@ pub fn write(dir: &Path, study: &Convergence) -> Result<(), Error> {
         (png_file, png.as_deref()),
         (json_file, Some(json.as_bytes())),
     ];
-    Ok(folder::replace(dir, &steps)?)
+    folder::replace(dir, &steps)
 }

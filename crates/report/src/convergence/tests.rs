@@ -1,4 +1,4 @@
-use oilwedge_campaign::convergence::price::{Measure, Price};
+use oilwedge_campaign::convergence::cost_model::{Measure, Price};
 use oilwedge_campaign::convergence::report::{
     CONVERGE_FORMAT, ConvergenceReport, Course, GoalFacts, LevelReport, Reference, Timing,
 };
@@ -6,7 +6,8 @@ use oilwedge_campaign::convergence::strategy::Strategy;
 use oilwedge_study::effects::Effects;
 use oilwedge_study::result::Status;
 
-use crate::json::{ReportError, json};
+use crate::Error;
+use crate::json::json;
 
 pub(crate) fn example() -> ConvergenceReport {
     let level = |level: usize, value: f64, relative_error: Option<f64>| LevelReport {
@@ -91,7 +92,7 @@ fn what_is_not_finite_is_not_written() {
     for spoil in spoil {
         let mut report = example();
         spoil(&mut report);
-        assert!(matches!(json(&report), Err(ReportError::NotFinite { .. })));
+        assert!(matches!(json(&report), Err(Error::NotFinite { .. })));
     }
 }
 

@@ -1,65 +1,162 @@
-//! A frame with logarithmic axes.
+//! Linear and logarithmic axes, and the frame that two of them make.
 
+use plotters::style::RGBColor;
 use plotters::style::text_anchor::{HPos, VPos};
 
-use super::PlotError;
-use super::canvas::{Canvas, Letters, Pen};
-use super::palette::{FINE_GRID, GRID, INK};
+use super::canvas::{CENTRE, Canvas, Letters, Pen, RIGHT, TOP};
+use super::palette::{FINE_GRID, GRID};
+use crate::Error;
 
-/// Least extent of an axis in decades.
-const LEAST_EXTENT: f64 = 1.2;
-/// Room beyond the outermost points in decades.
-const ROOM: f64 = 0.15;
-/// Most decades that all have a number.
+/// Least extent of a logarithmic axis in decades.
+const LEAST_DECADES: f64 = 1.2;
+/// Room beyond its outermost points in decades.
+const ROOM_DECADES: f64 = 0.15;
+/// Most decades that all have a number, and lines between them.
 const MOST_NUMBERS: f64 = 8.0;
+/// Least number of steps of a linear axis.
+const STEPS: f64 = 4.0;
+/// Room beyond its outermost values, as a part of their extent.
+const ROOM: f64 = 0.05;
+/// A linear axis begins at zero where its lesser end is below this part of the other, or round-off on the other side.
+const NEAR: f64 = 0.25;
+const ROUND_OFF: f64 = 1e-9;
+/// Height of numbers, and of the names of axes [points].
+const LETTERS: [f64; 2] = [12.0, 13.0];
 
-/// A logarithmic axis: the exponents of ten of its ends.
+/// How values are placed and numbered.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Decades {
-    pub(super) low: f64,
-    pub(super) high: f64,
+pub(super) enum Scale {
+    /// In proportion, with decimal numbers.
+    Linear,
+    /// By logarithm, with powers of ten.
+    Powers,
+    /// By logarithm, with times in seconds.
+    Seconds,
 }
 
-impl Decades {
-    /// The axis on which all positive values find room.
-    pub(super) fn holding(values: impl Iterator<Item = f64>) -> Self {
-        let exponents = values.filter(|value| *value > 0.0 && value.is_finite()).map(f64::log10);
-        let (low, high) = exponents.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
-            (low.min(value), high.max(value))
-        });
-        if low > high {
-            return Self { low: -2.0, high: 0.0 };
-        }
-        let missing = f64::max(LEAST_EXTENT - (high - low), 0.0);
+/// An axis: its ends, of a logarithmic one their exponents of ten.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Axis {
+    pub(super) low: f64,
+    pub(super) high: f64,
+    pub(super) scale: Scale,
+}
+
+/// The least and the greatest of finite values; `None` without any.
+pub(super) fn bounds(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
+    let finite = values.filter(|value| value.is_finite());
+    finite.fold(None, |bounds, value| {
+        let (low, high) = bounds.unwrap_or((value, value));
+        Some((f64::min(low, value), f64::max(high, value)))
+    })
+}
+
+impl Axis {
+    /// The linear axis on which all values find room. Zero is its end where all are on one side of it and not far away.
+    pub(super) fn linear(values: impl Iterator<Item = f64>) -> Self {
+        let scale = Scale::Linear;
+        let Some((low, high)) = bounds(values) else {
+            let (low, high) = (0.0, 1.0);
+            return Self { low, high, scale };
+        };
+        let extent = match high - low {
+            0.0 if low == 0.0 => 1.0,
+            0.0 => low.abs(),
+            extent => extent,
+        };
+        let room = ROOM * extent;
+        let is_near = |end: f64, other: f64| (-ROUND_OFF..NEAR).contains(&(end / other));
         Self {
-            low: low - 0.5 * missing - ROOM,
-            high: high + 0.5 * missing + ROOM,
+            low: if is_near(low, high) { 0.0 } else { low - room },
+            high: if is_near(high, low) { 0.0 } else { high + room },
+            scale,
+        }
+    }
+
+    /// The logarithmic axis on which all positive values find room.
+    pub(super) fn logarithmic(values: impl Iterator<Item = f64>, scale: Scale) -> Self {
+        let (low, high) = bounds(values.map(f64::log10)).unwrap_or((-1.85, -0.15));
+        let missing = f64::max(LEAST_DECADES - (high - low), 0.0);
+        Self {
+            low: low - 0.5 * missing - ROOM_DECADES,
+            high: high + 0.5 * missing + ROOM_DECADES,
+            scale,
+        }
+    }
+
+    /// Length of the axis, in its values or in decades.
+    pub(super) fn extent(&self) -> f64 {
+        self.high - self.low
+    }
+
+    /// An axis of another extent about the same middle.
+    pub(super) fn widened(&self, extent: f64) -> Self {
+        let middle = 0.5 * (self.low + self.high);
+        Self {
+            low: middle - 0.5 * extent,
+            high: middle + 0.5 * extent,
+            ..*self
         }
     }
 
     /// Place of a value from 0 (low end) to 1.
     pub(super) fn place(&self, value: f64) -> f64 {
-        (value.log10() - self.low) / (self.high - self.low)
+        let value = match self.scale {
+            Scale::Linear => value,
+            Scale::Powers | Scale::Seconds => value.log10(),
+        };
+        (value - self.low) / self.extent()
     }
 
-    /// Exponents of the whole decades within.
-    fn whole(&self) -> impl Iterator<Item = i32> + use<> {
-        self.low.ceil() as i32..=self.high.floor() as i32
+    /// The step of a linear axis: one, two or five times a power of ten.
+    fn step(&self) -> f64 {
+        let most = self.extent() / STEPS;
+        let decade = 10f64.powf(most.log10().floor());
+        let steps = [5.0, 2.0].map(|digit| digit * decade);
+        steps.into_iter().find(|step| *step <= most).unwrap_or(decade)
     }
 
-    /// Whether the decade has a number: all, or every second or third where there are many.
-    fn has_number(&self, exponent: i32) -> bool {
-        exponent % ((self.high - self.low) / MOST_NUMBERS).ceil() as i32 == 0
+    /// The values with a line of the grid, and the exponents of ten of a logarithmic axis.
+    fn ticks(&self) -> Vec<(f64, i32)> {
+        match self.scale {
+            Scale::Linear => {
+                let step = self.step();
+                let first = (self.low / step - 1e-9).ceil() as i64;
+                let last = (self.high / step + 1e-9).floor() as i64;
+                (first..=last).map(|k| (step * k as f64, 0)).collect()
+            }
+            Scale::Powers | Scale::Seconds => {
+                let decades = self.low.ceil() as i32..=self.high.floor() as i32;
+                decades.map(|exponent| (10f64.powi(exponent), exponent)).collect()
+            }
+        }
     }
-}
 
-/// How the decades of an axis are told.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Numbers {
-    /// A power of ten.
-    Powers,
-    /// A time in seconds.
-    Seconds,
+    /// The values of lines between decades.
+    fn between(&self) -> Vec<f64> {
+        if self.scale == Scale::Linear || self.extent() >= MOST_NUMBERS {
+            return Vec::new();
+        }
+        let decades = self.low.floor() as i32..=self.high.floor() as i32;
+        let all = decades.flat_map(|exponent| (2..10).map(move |digit| f64::from(digit) * 10f64.powi(exponent)));
+        all.filter(|value| (0.0..=1.0).contains(&self.place(*value))).collect()
+    }
+
+    /// Writes the number of a tick; of many decades every second or third has one.
+    fn number(&self, canvas: &Canvas, at: [f64; 2], anchor: (HPos, VPos), tick: (f64, i32)) -> Result<(), Error> {
+        let (value, exponent) = tick;
+        let write = |text: &str| canvas.text(at, text, Letters::new(LETTERS[0], anchor));
+        match self.scale {
+            Scale::Linear => {
+                // As many decimals as the step has.
+                let decimals = (-self.step().log10().floor()).clamp(0.0, 12.0) as usize;
+                write(&format!("{value:.decimals$}"))
+            }
+            _ if exponent % (self.extent() / MOST_NUMBERS).ceil() as i32 != 0 => Ok(()),
+            Scale::Seconds => write(&seconds(exponent)),
+            Scale::Powers => power_of_ten(canvas, at, anchor, exponent),
+        }
+    }
 }
 
 /// A frame on the sheet [points] and its axes.
@@ -69,128 +166,81 @@ pub(super) struct Frame {
     pub(super) top: f64,
     pub(super) width: f64,
     pub(super) height: f64,
-    pub(super) x: Decades,
-    pub(super) y: Decades,
+    pub(super) x: Axis,
+    pub(super) y: Axis,
 }
 
 impl Frame {
     /// Where a point of values stands on the sheet.
-    pub(super) fn at(&self, x: f64, y: f64) -> [f64; 2] {
+    pub(super) fn at(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         [
             self.left + self.width * self.x.place(x),
             self.top + self.height * (1.0 - self.y.place(y)),
         ]
     }
 
-    /// Grid and numbers; what belongs below the curves.
-    pub(super) fn draw_grid(&self, canvas: &Canvas, numbers: Numbers) -> Result<(), PlotError> {
-        let (right, bottom) = (self.left + self.width, self.top + self.height);
-        let upright = |x: f64, colour| canvas.line(&[[x, self.top], [x, bottom]], Pen(0.75, colour));
-        let level = |y: f64, colour| canvas.line(&[[self.left, y], [right, y]], Pen(0.75, colour));
-        let within = |axis: &Decades, value: &f64| (0.0..=1.0).contains(&axis.place(*value));
-        let between = |axis: Decades| {
-            let decades = axis.low.floor() as i32..=axis.high.floor() as i32;
-            let all = decades.flat_map(|exponent| (2..10).map(move |digit| f64::from(digit) * 10f64.powi(exponent)));
-            all.filter(move |value| within(&axis, value))
-        };
-        for x in between(self.x) {
-            upright(self.at(x, 1.0)[0], FINE_GRID)?;
+    /// Right end and bottom.
+    pub(super) fn corner(&self) -> [f64; 2] {
+        [self.left + self.width, self.top + self.height]
+    }
+
+    /// Grid and numbers, which belong below the curves.
+    pub(super) fn draw_grid(&self, canvas: &Canvas) -> Result<(), Error> {
+        let [right, bottom] = self.corner();
+        let across = |value: f64| self.left + self.width * self.x.place(value);
+        let upwards = |value: f64| self.top + self.height * (1.0 - self.y.place(value));
+        let pen = |colour: RGBColor| Pen(0.75, colour);
+        for x in self.x.between().into_iter().map(across) {
+            canvas.line(&[[x, self.top], [x, bottom]], pen(FINE_GRID))?;
         }
-        // Many decades leave no room for lines between them.
-        if self.y.high - self.y.low < MOST_NUMBERS {
-            for y in between(self.y) {
-                level(self.at(1.0, y)[1], FINE_GRID)?;
-            }
+        for y in self.y.between().into_iter().map(upwards) {
+            canvas.line(&[[self.left, y], [right, y]], pen(FINE_GRID))?;
         }
-        for exponent in self.x.whole() {
-            let x = self.at(10f64.powi(exponent), 1.0)[0];
-            upright(x, GRID)?;
-            if self.x.has_number(exponent) {
-                number(canvas, [x, bottom + 9.0], (HPos::Center, VPos::Top), numbers, exponent)?;
-            }
+        for tick in self.x.ticks() {
+            let x = across(tick.0);
+            canvas.line(&[[x, self.top], [x, bottom]], pen(GRID))?;
+            self.x.number(canvas, [x, bottom + 7.0], TOP, tick)?;
         }
-        for exponent in self.y.whole() {
-            let y = self.at(1.0, 10f64.powi(exponent))[1];
-            level(y, GRID)?;
-            if self.y.has_number(exponent) {
-                number(
-                    canvas,
-                    [self.left - 9.0, y],
-                    (HPos::Right, VPos::Center),
-                    Numbers::Powers,
-                    exponent,
-                )?;
-            }
+        for tick in self.y.ticks() {
+            let y = upwards(tick.0);
+            canvas.line(&[[self.left, y], [right, y]], pen(GRID))?;
+            self.y.number(canvas, [self.left - 8.0, y], RIGHT, tick)?;
         }
         Ok(())
     }
 
-    /// The frame itself and the names of its axes; what belongs above the curves.
-    pub(super) fn draw_frame(&self, canvas: &Canvas, x_name: &str, y_name: &str) -> Result<(), PlotError> {
-        let (right, bottom) = (self.left + self.width, self.top + self.height);
-        let corners = [
-            [self.left, self.top],
-            [right, self.top],
-            [right, bottom],
-            [self.left, bottom],
-            [self.left, self.top],
-        ];
-        canvas.line(&corners, Pen(1.0, INK))?;
-        let below = [0.5 * (self.left + right), bottom + 31.0];
-        canvas.text(below, x_name, plain(13.0, (HPos::Center, VPos::Top)))?;
-        if y_name.is_empty() {
-            return Ok(());
-        }
-        let upright = Letters {
-            upright: true,
-            ..plain(13.0, (HPos::Center, VPos::Center))
-        };
-        canvas.text([self.left - 52.0, 0.5 * (self.top + bottom)], y_name, upright)
+    /// The frame itself and the names of its axes, which belong above the curves.
+    pub(super) fn draw_frame(&self, canvas: &Canvas, x_name: &str, y_name: &str) -> Result<(), Error> {
+        let [right, bottom] = self.corner();
+        canvas.frame([self.left, self.top], [right, bottom])?;
+        let below = [0.5 * (self.left + right), bottom + 28.0];
+        canvas.text(below, x_name, Letters::new(LETTERS[1], TOP))?;
+        let beside = [self.left - 58.0, 0.5 * (self.top + bottom)];
+        canvas.text(beside, y_name, Letters::new(LETTERS[1], CENTRE).upright())
     }
 }
 
-/// Letters in the colour of text.
-pub(super) fn plain(size: f64, anchor: (HPos, VPos)) -> Letters {
-    Letters {
-        size,
-        colour: INK,
-        anchor,
-        bold: false,
-        upright: false,
-    }
-}
-
-/// A power of ten, its exponent raised, or a time.
-pub(super) fn number(
+/// A power of ten, its exponent raised.
+pub(super) fn power_of_ten(
     canvas: &Canvas,
     [x, y]: [f64; 2],
-    (horizontal, vertical): (HPos, VPos),
-    numbers: Numbers,
+    anchor: (HPos, VPos),
     exponent: i32,
-) -> Result<(), PlotError> {
-    const SIZE: f64 = 12.0;
-    if numbers == Numbers::Seconds {
-        return canvas.text([x, y], &seconds(exponent), plain(SIZE, (horizontal, vertical)));
-    }
-    let raised = match exponent {
-        negative if negative < 0 => format!("\u{2212}{}", -negative),
-        other => other.to_string(),
-    };
+) -> Result<(), Error> {
+    let raised = exponent.to_string().replace('-', "\u{2212}");
     let width = 5.6 * raised.chars().count() as f64;
+    let (horizontal, vertical) = anchor;
     let seam = match horizontal {
         HPos::Right => x - width,
         HPos::Left => x + 15.0,
         HPos::Center => x + 7.5 - 0.5 * width,
     };
-    canvas.text([seam, y], "10", plain(SIZE, (HPos::Right, vertical)))?;
-    canvas.text(
-        [seam + 0.8, y - 5.0],
-        &raised,
-        plain(0.75 * SIZE, (HPos::Left, vertical)),
-    )
+    canvas.text([seam, y], "10", Letters::new(LETTERS[0], (HPos::Right, vertical)))?;
+    let small = Letters::new(0.75 * LETTERS[0], (HPos::Left, vertical));
+    canvas.text([seam + 0.8, y - 5.0], &raised, small)
 }
 
-/// A power of ten of seconds in the unit that people use.
+/// A power of ten of seconds in the usual unit.
 fn seconds(exponent: i32) -> String {
     let (unit, shift) = match exponent {
         0.. => ("s", 0),
@@ -208,21 +258,37 @@ mod tests {
     use super::*;
 
     #[test]
-    fn axes_hold_their_values_and_have_an_extent() {
-        let axis = Decades::holding([1e-3, 1.0, 0.0, f64::NAN].into_iter());
+    fn logarithmic_axes_hold_their_values_and_have_an_extent() {
+        let axis = Axis::logarithmic([1e-3, 1.0, 0.0, f64::NAN].into_iter(), Scale::Powers);
         assert!((axis.low + 3.15).abs() < 1e-12 && (axis.high - 0.15).abs() < 1e-12);
         assert!(axis.place(1e-3) > 0.0 && axis.place(1.0) < 1.0);
-        let point = Decades::holding([1.0].into_iter());
-        assert!(point.high - point.low > 1.0 && (point.place(1.0) - 0.5).abs() < 1e-12);
-        assert!(Decades::holding([].into_iter()).whole().count() > 0);
+        let point = Axis::logarithmic([1.0].into_iter(), Scale::Powers);
+        assert!(point.extent() > 1.0 && (point.place(1.0) - 0.5).abs() < 1e-12);
+        assert!(!Axis::logarithmic([].into_iter(), Scale::Seconds).ticks().is_empty());
     }
 
     #[test]
-    fn times_are_told_in_units_of_people() {
-        let told = [-6, -5, -3, -1, 0, 2, 9].map(seconds);
-        assert_eq!(
-            told,
-            ["1 \u{b5}s", "10 \u{b5}s", "1 ms", "100 ms", "1 s", "100 s", "1e9 s"]
-        );
+    fn linear_axes_are_divided_into_round_steps() {
+        let values = |axis: &Axis| axis.ticks().into_iter().map(|(value, _)| value).collect::<Vec<_>>();
+        let axis = Axis::linear([600.0, -1e-9, 3200.0].into_iter());
+        assert_eq!(axis.low, 0.0);
+        assert!((axis.high - 3360.0).abs() < 1e-6);
+        assert_eq!(values(&axis), [0.0, 500.0, 1000.0, 1500.0, 2000.0, 2500.0, 3000.0]);
+        let narrow = Axis::linear([4.6, 4.8].into_iter());
+        assert!(narrow.low > 4.5 && values(&narrow).len() >= 4);
+        for constant in [0.0, 3.0, -2.0] {
+            let axis = Axis::linear([constant].into_iter());
+            assert!(axis.extent() > 0.0 && (0.0..=1.0).contains(&axis.place(constant)));
+        }
+        assert!(Axis::linear([].into_iter()).extent() > 0.0);
+        let wide = axis.widened(10_000.0);
+        assert!((wide.extent() - 10_000.0).abs() < 1e-9 && (wide.place(1680.0) - 0.5).abs() < 1e-12);
+    }
+
+    #[test]
+    fn times_have_their_usual_units() {
+        let names = [-6, -5, -3, -1, 0, 2, 9].map(seconds);
+        let wanted = ["1 \u{b5}s", "10 \u{b5}s", "1 ms", "100 ms", "1 s", "100 s", "1e9 s"];
+        assert_eq!(names, wanted);
     }
 }

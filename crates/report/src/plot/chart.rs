@@ -1,12 +1,10 @@
 //! Curves and marks over linear axes: several charts on one sheet, with one legend.
 
 use plotters::style::RGBColor;
-use plotters::style::text_anchor::{HPos, VPos};
 
-use super::PlotError;
-use super::axes::plain;
-use super::canvas::{Canvas, Letters, Mark, Pen, in_points};
-use super::palette::{GRID, INK};
+use super::axes::{Axis, Frame};
+use super::canvas::{CENTRE, Canvas, LEFT, Letters, Mark, Pen, sheet};
+use crate::Error;
 
 /// Width of a chart and height of its frame [points].
 const FRAME: [f64; 2] = [460.0, 300.0];
@@ -14,14 +12,6 @@ const FRAME: [f64; 2] = [460.0, 300.0];
 const MARGIN: [f64; 4] = [78.0, 22.0, 40.0, 58.0];
 /// Height of a row of the legend, and the width of a letter there.
 const LEGEND: [f64; 2] = [24.0, 7.4];
-/// Least number of steps of an axis.
-const STEPS: f64 = 4.0;
-/// Room beyond the outermost values, as a part of their extent.
-const ROOM: f64 = 0.05;
-/// The axis begins at zero where its lesser end is below this part of the other, or rounding on the other side.
-const NEAR: f64 = 0.25;
-const ROUNDING: f64 = 1e-9;
-
 /// How a series is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Style {
@@ -78,31 +68,30 @@ pub const COLOURS: [[u8; 3]; 6] = [
 /// Charts beside and below each other as SVG, `columns` in a row.
 ///
 /// # Errors
-/// [`PlotError::Drawing`].
-pub fn charts_to_svg(charts: &[Chart], columns: usize) -> Result<String, PlotError> {
+/// [`Error::Format`].
+pub fn charts_to_svg(charts: &[Chart], columns: usize) -> Result<String, Error> {
     let columns = columns.clamp(1, charts.len().max(1));
     let cell = [FRAME[0] + MARGIN[0] + MARGIN[1], FRAME[1] + MARGIN[2] + MARGIN[3]];
     let width = cell[0] * columns as f64;
     let legend = legend(charts, width - MARGIN[0] - MARGIN[1]);
     let below = cell[1] * charts.len().div_ceil(columns) as f64;
     let size = [width, below + LEGEND[0] * legend.len() as f64 + 8.0];
-    let mut text = String::new();
-    let canvas = Canvas::new(&mut text, size)?;
-    for (k, chart) in charts.iter().enumerate() {
-        let corner = [cell[0] * (k % columns) as f64, cell[1] * (k / columns) as f64];
-        draw(&canvas, chart, [corner[0] + MARGIN[0], corner[1] + MARGIN[2]])?;
-    }
-    for (row, entries) in legend.iter().enumerate() {
-        let y = below + LEGEND[0] * (row as f64 + 0.5);
-        let mut x = MARGIN[0];
-        for (series, width) in entries {
-            sample(&canvas, series, [x, y])?;
-            canvas.text([x + 38.0, y], &series.name, plain(12.0, (HPos::Left, VPos::Center)))?;
-            x += width;
+    sheet(size, |canvas| {
+        for (k, chart) in charts.iter().enumerate() {
+            let corner = [cell[0] * (k % columns) as f64, cell[1] * (k / columns) as f64];
+            draw(canvas, chart, [corner[0] + MARGIN[0], corner[1] + MARGIN[2]])?;
         }
-    }
-    canvas.finish()?;
-    Ok(in_points(&text, size))
+        for (row, entries) in legend.iter().enumerate() {
+            let y = below + LEGEND[0] * (row as f64 + 0.5);
+            let mut x = MARGIN[0];
+            for (series, width) in entries {
+                sample(canvas, series, [x, y])?;
+                canvas.text([x + 38.0, y], &series.name, Letters::new(12.0, LEFT))?;
+                x += width;
+            }
+        }
+        Ok(())
+    })
 }
 
 /// The first series of each name in rows of at most that width, each with the width of its entry.
@@ -128,7 +117,7 @@ fn legend(charts: &[Chart], width: f64) -> Vec<Vec<(&Series, f64)>> {
     rows
 }
 
-fn sample(canvas: &Canvas, series: &Series, [x, y]: [f64; 2]) -> Result<(), PlotError> {
+fn sample(canvas: &Canvas, series: &Series, [x, y]: [f64; 2]) -> Result<(), Error> {
     let points = match series.style {
         Style::Line | Style::Dashes | Style::Word => vec![[x, y], [x + 30.0, y]],
         Style::Discs | Style::Rings => vec![[x + 15.0, y]],
@@ -137,7 +126,7 @@ fn sample(canvas: &Canvas, series: &Series, [x, y]: [f64; 2]) -> Result<(), Plot
 }
 
 /// A series whose points are those of the sheet.
-fn strokes(canvas: &Canvas, series: &Series, points: &[[f64; 2]]) -> Result<(), PlotError> {
+fn strokes(canvas: &Canvas, series: &Series, points: &[[f64; 2]]) -> Result<(), Error> {
     let [r, g, b] = series.colour;
     let colour = RGBColor(r, g, b);
     match series.style {
@@ -154,154 +143,45 @@ fn strokes(canvas: &Canvas, series: &Series, points: &[[f64; 2]]) -> Result<(), 
         Style::Discs | Style::Rings => points
             .iter()
             .try_for_each(|&point| canvas.mark(point, Mark::Disc, colour, series.style == Style::Discs)),
-        Style::Word => points.iter().try_for_each(|&point| {
-            let letters = Letters {
-                colour,
-                ..plain(12.0, (HPos::Center, VPos::Center))
-            };
-            canvas.text(point, &series.name, letters)
-        }),
+        Style::Word => {
+            let letters = Letters::new(12.0, CENTRE).coloured(colour);
+            points
+                .iter()
+                .try_for_each(|&point| canvas.text(point, &series.name, letters))
+        }
     }
 }
 
-fn draw(canvas: &Canvas, chart: &Chart, [left, top]: [f64; 2]) -> Result<(), PlotError> {
-    let bold = Letters {
-        bold: true,
-        ..plain(13.5, (HPos::Left, VPos::Center))
-    };
-    canvas.text([left, top - 18.0], &chart.title, bold)?;
+fn draw(canvas: &Canvas, chart: &Chart, [left, top]: [f64; 2]) -> Result<(), Error> {
+    canvas.text([left, top - 18.0], &chart.title, Letters::new(13.5, LEFT).bold())?;
     let [mut x, mut y] = [0, 1].map(|axis| {
         let values = chart.series.iter().flat_map(|series| &series.points);
-        Linear::holding(values.map(|point| point[axis]))
+        Axis::linear(values.map(|point| point[axis]))
     });
+    let [width, height] = FRAME;
     if chart.is_drawing {
         // One length both ways, the drawing in the middle.
-        let scale = f64::max(x.extent() / FRAME[0], y.extent() / FRAME[1]);
-        x = x.widened(scale * FRAME[0]);
-        y = y.widened(scale * FRAME[1]);
+        let scale = f64::max(x.extent() / width, y.extent() / height);
+        (x, y) = (x.widened(scale * width), y.widened(scale * height));
     }
-    let at = |point: &[f64; 2]| {
-        [
-            left + FRAME[0] * x.place(point[0]),
-            top + FRAME[1] * (1.0 - y.place(point[1])),
-        ]
+    let frame = Frame {
+        left,
+        top,
+        width,
+        height,
+        x,
+        y,
     };
-    let (right, bottom) = (left + FRAME[0], top + FRAME[1]);
     if !chart.is_drawing {
-        for value in x.numbers() {
-            let place = at(&[value, y.low])[0];
-            canvas.line(&[[place, top], [place, bottom]], Pen(0.75, GRID))?;
-            canvas.text(
-                [place, bottom + 7.0],
-                &x.told(value),
-                plain(12.0, (HPos::Center, VPos::Top)),
-            )?;
-        }
-        for value in y.numbers() {
-            let place = at(&[x.low, value])[1];
-            canvas.line(&[[left, place], [right, place]], Pen(0.75, GRID))?;
-            canvas.text(
-                [left - 8.0, place],
-                &y.told(value),
-                plain(12.0, (HPos::Right, VPos::Center)),
-            )?;
-        }
+        frame.draw_grid(canvas)?;
     }
     for series in &chart.series {
-        let points: Vec<_> = series.points.iter().map(at).collect();
+        let points: Vec<_> = series.points.iter().map(|point| frame.at(*point)).collect();
         strokes(canvas, series, &points)?;
     }
-    if chart.is_drawing {
-        return Ok(());
-    }
-    let corners = [[left, top], [right, top], [right, bottom], [left, bottom], [left, top]];
-    canvas.line(&corners, Pen(1.0, INK))?;
-    canvas.text(
-        [0.5 * (left + right), bottom + 28.0],
-        &chart.x,
-        plain(13.0, (HPos::Center, VPos::Top)),
-    )?;
-    let upright = Letters {
-        upright: true,
-        ..plain(13.0, (HPos::Center, VPos::Center))
-    };
-    canvas.text([left - 58.0, 0.5 * (top + bottom)], &chart.y, upright)
-}
-
-/// A linear axis.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Linear {
-    low: f64,
-    high: f64,
-}
-
-impl Linear {
-    /// The axis on which all values find room. Zero is its end where all are on one side of it and not far away.
-    fn holding(values: impl Iterator<Item = f64>) -> Self {
-        let (low, high) = values
-            .filter(|value| value.is_finite())
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
-                (low.min(value), high.max(value))
-            });
-        if low > high {
-            return Self { low: 0.0, high: 1.0 };
-        }
-        let extent = match high - low {
-            0.0 if low == 0.0 => 1.0,
-            0.0 => low.abs(),
-            extent => extent,
-        };
-        let room = ROOM * extent;
-        let is_near = |end: f64, other: f64| {
-            let part = end / other;
-            (-ROUNDING..NEAR).contains(&part)
-        };
-        Self {
-            low: if is_near(low, high) { 0.0 } else { low - room },
-            high: if is_near(high, low) { 0.0 } else { high + room },
-        }
-    }
-
-    fn extent(&self) -> f64 {
-        self.high - self.low
-    }
-
-    /// Of another extent about the same middle.
-    fn widened(&self, extent: f64) -> Self {
-        let middle = 0.5 * (self.low + self.high);
-        Self {
-            low: middle - 0.5 * extent,
-            high: middle + 0.5 * extent,
-        }
-    }
-
-    /// Place of a value from 0 (low end) to 1.
-    fn place(&self, value: f64) -> f64 {
-        (value - self.low) / self.extent()
-    }
-
-    /// One, two or five times a power of ten.
-    fn step(&self) -> f64 {
-        let most = self.extent() / STEPS;
-        let decade = 10f64.powf(most.log10().floor());
-        [5.0, 2.0]
-            .into_iter()
-            .map(|digit| digit * decade)
-            .find(|step| *step <= most)
-            .unwrap_or(decade)
-    }
-
-    fn numbers(&self) -> impl Iterator<Item = f64> {
-        let step = self.step();
-        let first = (self.low / step - 1e-9).ceil() as i64;
-        let last = (self.high / step + 1e-9).floor() as i64;
-        (first..=last).map(move |k| step * k as f64)
-    }
-
-    /// A number with as many decimals as its step has.
-    fn told(&self, value: f64) -> String {
-        let decimals = (-self.step().log10().floor()).clamp(0.0, 12.0) as usize;
-        format!("{value:.decimals$}")
+    match chart.is_drawing {
+        true => Ok(()),
+        false => frame.draw_frame(canvas, &chart.x, &chart.y),
     }
 }
 
@@ -362,26 +242,5 @@ mod tests {
         assert!(svg.starts_with("<svg width=\"1120\""));
         assert!(to_png(&svg).is_ok());
         assert!(charts_to_svg(&[], 3).is_ok());
-    }
-
-    #[test]
-    fn axes_are_divided_into_round_steps() {
-        let axis = Linear::holding([600.0, -1e-9, 3200.0].into_iter());
-        assert_eq!(axis.low, 0.0);
-        assert!((axis.high - 3360.0).abs() < 1e-6);
-        assert_eq!(
-            axis.numbers().map(|value| axis.told(value)).collect::<Vec<_>>(),
-            ["0", "500", "1000", "1500", "2000", "2500", "3000"]
-        );
-        let narrow = Linear::holding([4.6, 4.8].into_iter());
-        assert!(narrow.low > 4.5 && narrow.numbers().count() >= 4);
-        assert_eq!(narrow.told(4.65), "4.65");
-        for constant in [0.0, 3.0, -2.0] {
-            let axis = Linear::holding([constant].into_iter());
-            assert!(axis.extent() > 0.0 && (0.0..=1.0).contains(&axis.place(constant)));
-        }
-        assert!(Linear::holding([].into_iter()).extent() > 0.0);
-        let wide = axis.widened(10_000.0);
-        assert!((wide.extent() - 10_000.0).abs() < 1e-9 && (wide.place(1680.0) - 0.5).abs() < 1e-12);
     }
 }

@@ -1,12 +1,11 @@
 //! Error against time and against unknowns: curves of all strategies, with their bars and the next digit.
 
-use super::PlotError;
-use super::axes::{Decades, Frame, Numbers, plain};
-use super::canvas::{Canvas, Mark, Pen};
+use super::axes::{Axis, Frame, Scale};
+use super::canvas::{CENTRE, Canvas, LEFT, Letters, Mark, Pen};
 use super::palette::{BAND, GREY, INK, of_strategy};
+use crate::Error;
 use oilwedge_campaign::convergence::{ConvergenceReport, Course, LevelReport, Measure, Strategy};
 use plotters::style::RGBColor;
-use plotters::style::text_anchor::{HPos, VPos};
 
 /// Dashes of error bars, and of what is predicted [points].
 const BAR: [f64; 2] = [5.0, 3.5];
@@ -37,26 +36,22 @@ fn mark(strategy: Strategy) -> Mark {
 }
 
 /// True errors of a course that mean something: not below what the finest answer is known to.
-fn errors(report: &ConvergenceReport, course: &Course, against: Against) -> Vec<(f64, f64)> {
+fn errors(report: &ConvergenceReport, course: &Course, against: Against) -> Vec<[f64; 2]> {
     let floor = floor(report).unwrap_or(0.0);
-    let point = |level: &LevelReport| Some((against.of(level), level.relative_error?));
+    let point = |level: &LevelReport| Some([against.of(level), level.relative_error?]);
     let points = course.levels.iter().filter_map(point);
-    points.filter(|(_, error)| *error > floor).collect()
+    points.filter(|[_, error]| *error > floor).collect()
 }
 
 /// Bars of a course.
-fn bars(course: &Course, against: Against) -> Vec<(f64, f64)> {
-    let point = |level: &LevelReport| Some((against.of(level), level.relative_bar?));
-    course
-        .levels
-        .iter()
-        .filter_map(point)
-        .filter(|(_, bar)| *bar > 0.0)
-        .collect()
+fn bars(course: &Course, against: Against) -> Vec<[f64; 2]> {
+    let point = |level: &LevelReport| Some([against.of(level), level.relative_bar?]);
+    let points = course.levels.iter().filter_map(point);
+    points.filter(|[_, bar]| *bar > 0.0).collect()
 }
 
 /// What is predicted: from the last known points of a strategy to its price beyond. Bars are what is predicted, if there are any.
-fn predictions(report: &ConvergenceReport, against: Against) -> Vec<(Strategy, Vec<(f64, f64)>)> {
+fn predictions(report: &ConvergenceReport, against: Against) -> Vec<(Strategy, Vec<[f64; 2]>)> {
     let (Some(reference), Some(first)) = (&report.reference, report.prices.first()) else {
         return Vec::new();
     };
@@ -65,12 +60,12 @@ fn predictions(report: &ConvergenceReport, against: Against) -> Vec<(Strategy, V
         let beyond: Vec<_> = (report.prices.iter())
             .filter(|price| price.extrapolated && price.measure == measure && price.strategy == course.strategy)
             .map(|price| match against {
-                Against::Time => (price.seconds, price.accuracy),
-                Against::Unknowns => (price.unknowns, price.accuracy),
+                Against::Time => [price.seconds, price.accuracy],
+                Against::Unknowns => [price.unknowns, price.accuracy],
             })
             .collect();
         let last = course.levels.last()?;
-        let start = (against.of(last), last.error(measure, reference)?);
+        let start = [against.of(last), last.error(measure, reference)?];
         // From the last point that is drawn on.
         let drawn = errors(report, course, against)
             .pop()
@@ -91,7 +86,7 @@ pub(super) fn draw(
     canvas: &Canvas,
     report: &ConvergenceReport,
     [left, top, width, height]: [f64; 4],
-) -> Result<(), PlotError> {
+) -> Result<(), Error> {
     const GAP: f64 = 64.0;
     const NUMBERS: f64 = 74.0;
     let half = 0.5 * (width - GAP - NUMBERS);
@@ -100,18 +95,21 @@ pub(super) fn draw(
         .flatten();
     let predicted = predictions(report, Against::Time);
     let predicted = predicted.iter().flat_map(|(_, points)| points);
-    let heights: Vec<f64> = known.chain(predicted.copied()).map(|(_, error)| error).collect();
-    let y = Decades::holding(heights.into_iter());
+    let y = Axis::logarithmic(known.chain(predicted.copied()).map(|[_, error]| error), Scale::Powers);
     for (against, place) in [(Against::Time, 0.0), (Against::Unknowns, 1.0)] {
         let levels = report.levels().map(|(_, level)| against.of(level));
         let beyond = predictions(report, against);
-        let beyond = beyond.iter().flat_map(|(_, points)| points.iter().map(|(x, _)| *x));
+        let beyond = beyond.iter().flat_map(|(_, points)| points.iter().map(|[x, _]| *x));
+        let scale = match against {
+            Against::Time => Scale::Seconds,
+            Against::Unknowns => Scale::Powers,
+        };
         let frame = Frame {
             left: left + NUMBERS + place * (half + GAP),
             top,
             width: half,
             height,
-            x: Decades::holding(levels.chain(beyond)),
+            x: Axis::logarithmic(levels.chain(beyond), scale),
             y,
         };
         panel(canvas, report, against, &frame)?;
@@ -119,44 +117,10 @@ pub(super) fn draw(
     Ok(())
 }
 
-fn panel(canvas: &Canvas, report: &ConvergenceReport, against: Against, frame: &Frame) -> Result<(), PlotError> {
-    let level = floor(report).map(|floor| frame.at(1.0, floor)[1]);
-    let bottom = frame.top + frame.height;
-    let right = frame.left + frame.width;
-    let band = level.filter(|level| *level < bottom).map(|level| level.max(frame.top));
-    if let Some(level) = band {
-        canvas.polygon(
-            &[
-                [frame.left, level],
-                [right, level],
-                [right, bottom],
-                [frame.left, bottom],
-            ],
-            BAND,
-        )?;
-    }
-    let numbers = match against {
-        Against::Time => Numbers::Seconds,
-        Against::Unknowns => Numbers::Powers,
-    };
-    frame.draw_grid(canvas, numbers)?;
-    if band.is_some_and(|level| bottom - level > 18.0) && against == Against::Time {
-        let note = super::canvas::Letters {
-            colour: GREY,
-            ..plain(11.0, (HPos::Left, VPos::Bottom))
-        };
-        canvas.text(
-            [frame.left + 8.0, bottom - 9.0],
-            "below what the finest answer is known to",
-            note,
-        )?;
-    }
-    if floor(report).is_none() {
-        let middle = [0.5 * (frame.left + right), 0.5 * (frame.top + bottom)];
-        let anchor = (HPos::Center, VPos::Center);
-        canvas.text(middle, "one level only: no error is known", plain(13.0, anchor))?;
-    }
-    let place = |points: &[(f64, f64)]| -> Vec<[f64; 2]> { points.iter().map(|&(x, y)| frame.at(x, y)).collect() };
+/// One diagram of errors.
+fn panel(canvas: &Canvas, report: &ConvergenceReport, against: Against, frame: &Frame) -> Result<(), Error> {
+    draw_ground(canvas, report, against, frame)?;
+    let place = |points: &[[f64; 2]]| -> Vec<[f64; 2]> { points.iter().map(|point| frame.at(*point)).collect() };
     for (strategy, points) in predictions(report, against) {
         let points = place(&points);
         canvas.dashed(&points, PREDICTED, Pen(1.6, of_strategy(strategy)))?;
@@ -187,14 +151,38 @@ fn panel(canvas: &Canvas, report: &ConvergenceReport, against: Against, frame: &
     }
 }
 
-/// One row that tells the curves apart, from `left` on, its middle at `y` [points].
-pub(super) fn draw_legend(canvas: &Canvas, report: &ConvergenceReport, left: f64, y: f64) -> Result<(), PlotError> {
+/// The grid, and the band of errors below the uncertainty of the finest answer.
+fn draw_ground(canvas: &Canvas, report: &ConvergenceReport, against: Against, frame: &Frame) -> Result<(), Error> {
+    let [right, bottom] = frame.corner();
+    let level = floor(report).map(|floor| frame.at([1.0, floor])[1]);
+    let band = level.filter(|level| *level < bottom).map(|level| level.max(frame.top));
+    if let Some(level) = band {
+        canvas.rectangle([frame.left, level], [right, bottom], BAND)?;
+    }
+    frame.draw_grid(canvas)?;
+    if band.is_some_and(|level| bottom - level > 18.0) && against == Against::Time {
+        let note = "below the uncertainty of the finest answer";
+        canvas.text(
+            [frame.left + 8.0, bottom - 16.0],
+            note,
+            Letters::new(11.0, LEFT).coloured(GREY),
+        )?;
+    }
+    if floor(report).is_none() {
+        let middle = [0.5 * (frame.left + right), 0.5 * (frame.top + bottom)];
+        canvas.text(middle, "one level only: no error is known", Letters::new(13.0, CENTRE))?;
+    }
+    Ok(())
+}
+
+/// The legend in one row, from `left` on, its middle at `y` [points].
+pub(super) fn draw_legend(canvas: &Canvas, report: &ConvergenceReport, left: f64, y: f64) -> Result<(), Error> {
     let mut x = left;
-    let mut entry = |name: &str, sample: &dyn Fn(f64) -> Result<(), PlotError>| {
+    let mut entry = |name: &str, sample: &dyn Fn(f64) -> Result<(), Error>| {
         sample(x)?;
-        canvas.text([x + 36.0, y], name, plain(13.0, (HPos::Left, VPos::Center)))?;
+        canvas.text([x + 36.0, y], name, Letters::new(13.0, LEFT))?;
         x += 36.0 + 7.2 * name.chars().count() as f64 + 22.0;
-        Ok::<(), PlotError>(())
+        Ok::<(), Error>(())
     };
     let stroke = |x: f64| [[x, y], [x + 28.0, y]];
     for course in report.strategies.iter().filter(|course| !course.levels.is_empty()) {

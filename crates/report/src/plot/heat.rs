@@ -1,7 +1,8 @@
 //! Friction and the heat carried off against the temperature of the film, and where they cross.
 
 use super::chart::{COLOURS, Chart, Series, Style, charts_to_svg};
-use super::{PlotError, shortened};
+use super::shortened;
+use crate::Error;
 use oilwedge_study::result::{HeatPoint, HeatReport};
 
 fn carried(point: &HeatPoint) -> f64 {
@@ -11,8 +12,8 @@ fn carried(point: &HeatPoint) -> f64 {
 /// The picture of a balance of heat as SVG; `found` is the temperature found [degrees C] and the power there [W].
 ///
 /// # Errors
-/// [`PlotError::Drawing`].
-pub fn heat_to_svg(title: &str, report: &HeatReport, found: Option<[f64; 2]>) -> Result<String, PlotError> {
+/// [`Error::Format`].
+pub fn heat_to_svg(title: &str, report: &HeatReport, found: Option<[f64; 2]>) -> Result<String, Error> {
     let curve = |name: &str, colour: [u8; 3], value: &dyn Fn(&HeatPoint) -> f64| {
         let points: Vec<[f64; 2]> = (report.curve.iter())
             .map(|point| [point.temperature, value(point)])

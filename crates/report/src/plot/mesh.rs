@@ -1,13 +1,12 @@
 //! The adaptive mesh on the unrolled liner, coloured by where the error comes from.
 
-use super::PlotError;
-use super::axes::{Numbers, number, plain};
-use super::canvas::{Canvas, Letters, Pen};
+use super::axes::{bounds, power_of_ten};
+use super::canvas::{CENTRE, Canvas, LEFT, Letters, Pen, RIGHT, TOP};
 use super::palette::{EDGE, INK, of_share};
+use crate::Error;
 use oilwedge_campaign::convergence::{ConvergenceReport, MarkedMesh};
 use oilwedge_mesh::Mesh;
 use plotters::style::RGBColor;
-use plotters::style::text_anchor::{HPos, VPos};
 
 /// Decades that the colours span at most.
 const MOST_DECADES: f64 = 5.0;
@@ -30,13 +29,8 @@ struct Place {
 impl Place {
     /// Within a rectangle of that width [points], as high as it takes.
     fn of(mesh: &Mesh, left: f64, top: f64, width: f64) -> Self {
-        let points = mesh.points().iter();
-        let (low, mut high) = points.fold(([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]), |(low, high), point| {
-            (
-                [0, 1].map(|d| low[d].min(point[d])),
-                [0, 1].map(|d| high[d].max(point[d])),
-            )
-        });
+        let extents = [0, 1].map(|d| bounds(mesh.points().iter().map(|point| point[d])).unwrap_or((0.0, 1.0)));
+        let (low, mut high) = (extents.map(|it| it.0), extents.map(|it| it.1));
         if let Some(period) = mesh.period() {
             high[0] = low[0] + period;
         }
@@ -68,13 +62,13 @@ pub(super) fn height(marked: &MarkedMesh, width: f64) -> f64 {
     Place::of(&marked.mesh, 0.0, 0.0, width).corner()[1] + MARGINS[3]
 }
 
-/// Draws the panel.
+/// Draws the mesh with its axes and the key of its colours.
 pub(super) fn draw(
     canvas: &Canvas,
     marked: &MarkedMesh,
     report: &ConvergenceReport,
     [left, top, width]: [f64; 3],
-) -> Result<(), PlotError> {
+) -> Result<(), Error> {
     let place = Place::of(&marked.mesh, left, top, width);
     let mesh = &marked.mesh;
     let colours = marked
@@ -93,11 +87,7 @@ pub(super) fn draw(
         marked.level,
         mesh.triangles().len()
     );
-    canvas.text(
-        [place.left, top + 12.0],
-        &title,
-        plain(13.0, (HPos::Left, VPos::Center)),
-    )?;
+    canvas.text([place.left, top + 12.0], &title, Letters::new(13.0, LEFT))?;
     for t in 0..mesh.triangles().len() {
         let colour = colours.as_ref().map_or(UNKNOWN, |colours| colours.of_triangle(t));
         for part in parts(mesh, &mesh.corners(t), place.high[0]) {
@@ -156,13 +146,10 @@ fn parts(mesh: &Mesh, points: &[[f64; 2]], cut: f64) -> Vec<Vec<[f64; 2]>> {
 }
 
 /// A frame, angles along the circumference and places along the axis.
-fn draw_axes(canvas: &Canvas, place: &Place, radius: f64) -> Result<(), PlotError> {
+fn draw_axes(canvas: &Canvas, place: &Place, radius: f64) -> Result<(), Error> {
     let [right, bottom] = place.corner();
     let [left, top] = [place.left, place.top];
-    canvas.line(
-        &[[left, top], [right, top], [right, bottom], [left, bottom], [left, top]],
-        Pen(1.0, INK),
-    )?;
+    canvas.frame([left, top], [right, bottom])?;
     let degrees = |x: f64| (x / radius).to_degrees();
     let step = round_step(
         (degrees(place.high[0]) - degrees(place.low[0])) / 9.0,
@@ -171,29 +158,22 @@ fn draw_axes(canvas: &Canvas, place: &Place, radius: f64) -> Result<(), PlotErro
     for angle in multiples(degrees(place.low[0]), degrees(place.high[0]), step) {
         let x = place.at([angle.to_radians() * radius, 0.0])[0];
         canvas.line(&[[x, bottom], [x, bottom + 4.0]], Pen(1.0, INK))?;
-        let told = format!("{angle:.0}\u{b0}");
-        canvas.text([x, bottom + 8.0], &told, plain(12.0, (HPos::Center, VPos::Top)))?;
+        let number = format!("{angle:.0}\u{b0}");
+        canvas.text([x, bottom + 8.0], &number, Letters::new(12.0, TOP))?;
     }
-    let name = "angle on the liner";
-    canvas.text(
-        [0.5 * (left + right), bottom + 27.0],
-        name,
-        plain(13.0, (HPos::Center, VPos::Top)),
-    )?;
+    let below = [0.5 * (left + right), bottom + 27.0];
+    canvas.text(below, "angle on the liner", Letters::new(13.0, TOP))?;
     let length = 1e3 * (place.high[1] - place.low[1]);
     let apart = f64::max(4.0, length / ((bottom - top) / 30.0));
     let step = round_step(f64::min(apart, 0.5 * length), &[1.0, 2.0, 5.0]);
     for z in multiples(1e3 * place.low[1], 1e3 * place.high[1], step) {
         let y = place.at([0.0, 1e-3 * z])[1];
         canvas.line(&[[left - 4.0, y], [left, y]], Pen(1.0, INK))?;
-        let told = format!("{z}").replace('-', "\u{2212}");
-        canvas.text([left - 9.0, y], &told, plain(12.0, (HPos::Right, VPos::Center)))?;
+        let number = format!("{z}").replace('-', "\u{2212}");
+        canvas.text([left - 9.0, y], &number, Letters::new(12.0, RIGHT))?;
     }
-    let upright = Letters {
-        upright: true,
-        ..plain(13.0, (HPos::Center, VPos::Center))
-    };
-    canvas.text([left - 52.0, 0.5 * (top + bottom)], "axis [mm]", upright)
+    let beside = [left - 52.0, 0.5 * (top + bottom)];
+    canvas.text(beside, "axis [mm]", Letters::new(13.0, CENTRE).upright())
 }
 
 /// The least of the round numbers `digits` times a power of ten that is not below `wanted`.
@@ -231,15 +211,9 @@ impl Colours {
     fn of(indicator: &[f64], report: &ConvergenceReport) -> Option<Self> {
         let value = report.reference.as_ref()?.value.abs();
         let exponents: Vec<f64> = indicator.iter().map(|share| (share / value).abs().log10()).collect();
-        let finite = exponents.iter().copied().filter(|exponent| exponent.is_finite());
-        let (low, high) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), e| {
-            (low.min(e), high.max(e))
-        });
-        (high >= low).then(|| Self {
-            exponents,
-            low: low.max(high - MOST_DECADES).min(high - 1.0),
-            high,
-        })
+        let (low, high) = bounds(exponents.iter().copied())?;
+        let low = low.max(high - MOST_DECADES).min(high - 1.0);
+        Some(Self { exponents, low, high })
     }
 
     fn of_triangle(&self, t: usize) -> RGBColor {
@@ -248,7 +222,7 @@ impl Colours {
     }
 
     /// A strip of the colours with numbers, at the right of the mesh.
-    fn draw_key(&self, canvas: &Canvas, place: &Place) -> Result<(), PlotError> {
+    fn draw_key(&self, canvas: &Canvas, place: &Place) -> Result<(), Error> {
         const STRIPES: usize = 64;
         let [right, bottom] = place.corner();
         let (left, right, top) = (right + 20.0, right + 34.0, place.top);
@@ -256,28 +230,14 @@ impl Colours {
         for k in 0..STRIPES {
             // Each reaches below the next, so that no seam shows between them.
             let [lower, upper] = [k, (k + 2).min(STRIPES)].map(|k| k as f64 / STRIPES as f64);
-            let corners = [
-                [left, at(lower)],
-                [right, at(lower)],
-                [right, at(upper)],
-                [left, at(upper)],
-            ];
-            canvas.polygon(&corners, of_share((k as f64 + 0.5) / STRIPES as f64))?;
+            let colour = of_share((k as f64 + 0.5) / STRIPES as f64);
+            canvas.rectangle([left, at(upper)], [right, at(lower)], colour)?;
         }
-        canvas.line(
-            &[[left, top], [right, top], [right, bottom], [left, bottom], [left, top]],
-            Pen(1.0, INK),
-        )?;
+        canvas.frame([left, top], [right, bottom])?;
         for exponent in self.low.ceil() as i32..=self.high.floor() as i32 {
             let y = at((f64::from(exponent) - self.low) / (self.high - self.low));
             canvas.line(&[[right, y], [right + 4.0, y]], Pen(1.0, INK))?;
-            number(
-                canvas,
-                [right + 8.0, y],
-                (HPos::Left, VPos::Center),
-                Numbers::Powers,
-                exponent,
-            )?;
+            power_of_ten(canvas, [right + 8.0, y], LEFT, exponent)?;
         }
         Ok(())
     }

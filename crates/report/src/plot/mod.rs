@@ -18,11 +18,10 @@ pub use chart::{COLOURS, Chart, Series, Style, charts_to_svg};
 pub use heat::heat_to_svg;
 pub use raster::to_png;
 
-use axes::plain;
-use canvas::{Canvas, Letters, in_points};
+use canvas::{LEFT, Letters, sheet};
 use palette::GREY;
-use plotters::style::text_anchor::{HPos, VPos};
 
+use crate::Error;
 use oilwedge_campaign::convergence::{Convergence, ConvergenceReport};
 
 /// Width of the sheet [points].
@@ -36,45 +35,25 @@ const MESH: f64 = 572.0;
 /// Longest title [letters].
 const LONGEST_TITLE: usize = 90;
 
-/// Why there is no picture.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum PlotError {
-    /// plotters refused.
-    #[error("the plots cannot be drawn: {0}; this is a fault of the program, please report the scene")]
-    Drawing(String),
-    /// The drawing does not become dots.
-    #[error("the plots cannot be written as PNG: {0}; this is a fault of the program, please report the scene")]
-    Raster(String),
-}
-
 /// The picture of a study as SVG.
 ///
 /// # Errors
-/// [`PlotError::Drawing`].
-pub fn to_svg(study: &Convergence) -> Result<String, PlotError> {
+/// [`Error::Format`].
+pub fn to_svg(study: &Convergence) -> Result<String, Error> {
     let mesh_height = study.mesh.as_ref().map(|marked| mesh::height(marked, INNER[1]));
     let size = [WIDTH, (MESH + mesh_height.unwrap_or(0.0)).ceil()];
-    let mut text = String::new();
-    let canvas = Canvas::new(&mut text, size)?;
-    let bold = Letters {
-        bold: true,
-        ..plain(19.0, (HPos::Left, VPos::Center))
-    };
     let report = &study.report;
     let left = INNER[0] + 74.0;
-    canvas.text([left, 30.0], &shortened(&report.title), bold)?;
-    let lesser = Letters {
-        colour: GREY,
-        ..plain(13.0, (HPos::Left, VPos::Center))
-    };
-    canvas.text([left, 57.0], &subtitle(report), lesser)?;
-    errors::draw_legend(&canvas, report, left, 90.0)?;
-    errors::draw(&canvas, report, [INNER[0], CURVES[0], INNER[1], CURVES[1]])?;
-    if let Some(marked) = &study.mesh {
-        mesh::draw(&canvas, marked, report, [INNER[0], MESH, INNER[1]])?;
-    }
-    canvas.finish()?;
-    Ok(in_points(&text, size))
+    sheet(size, |canvas| {
+        canvas.text([left, 30.0], &shortened(&report.title), Letters::new(19.0, LEFT).bold())?;
+        canvas.text([left, 57.0], &subtitle(report), Letters::new(13.0, LEFT).coloured(GREY))?;
+        errors::draw_legend(canvas, report, left, 90.0)?;
+        errors::draw(canvas, report, [INNER[0], CURVES[0], INNER[1], CURVES[1]])?;
+        match &study.mesh {
+            Some(marked) => mesh::draw(canvas, marked, report, [INNER[0], MESH, INNER[1]]),
+            None => Ok(()),
+        }
+    })
 }
 
 fn shortened(title: &str) -> String {

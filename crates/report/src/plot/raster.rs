@@ -6,7 +6,7 @@ use std::sync::Arc;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree, fontdb};
 
-use super::PlotError;
+use crate::Error;
 
 /// Dots in a point of the drawing.
 const DOTS: f32 = 1.6;
@@ -14,9 +14,8 @@ const DOTS: f32 = 1.6;
 /// The PNG of an SVG.
 ///
 /// # Errors
-/// [`PlotError::Raster`]: the text is no drawing, or it is too large.
-pub fn to_png(svg: &str) -> Result<Vec<u8>, PlotError> {
-    let fail = |message: String| PlotError::Raster(message);
+/// [`Error::Format`]: the text is no drawing, or it is too large.
+pub fn to_png(svg: &str) -> Result<Vec<u8>, Error> {
     let mut fonts = fontdb::Database::new();
     for font in [notosans::REGULAR_TTF, notosans::BOLD_TTF] {
         fonts.load_font_source(fontdb::Source::Binary(Arc::new(font)));
@@ -26,13 +25,13 @@ pub fn to_png(svg: &str) -> Result<Vec<u8>, PlotError> {
         fontdb: Arc::new(fonts),
         ..Options::default()
     };
-    let tree = Tree::from_str(svg, &options).map_err(|error| fail(error.to_string()))?;
+    let tree = Tree::from_str(svg, &options).map_err(Error::format("PNG"))?;
     let size = tree.size();
     let dots = |points: f32| (DOTS * points).ceil() as u32;
     let mut picture = Pixmap::new(dots(size.width()), dots(size.height()))
-        .ok_or_else(|| fail(format!("no picture of {} by {} points", size.width(), size.height())))?;
+        .ok_or_else(|| Error::format("PNG")(format!("no picture of {} by {} points", size.width(), size.height())))?;
     resvg::render(&tree, Transform::from_scale(DOTS, DOTS), &mut picture.as_mut());
-    picture.encode_png().map_err(|error| fail(error.to_string()))
+    picture.encode_png().map_err(Error::format("PNG"))
 }
 
 #[cfg(test)]
@@ -48,6 +47,6 @@ mod tests {
         ));
         let (text, empty) = (text.expect("a drawing"), to_png(&svg("")).expect("a drawing"));
         assert!(text.starts_with(b"\x89PNG\r\n\x1a\n") && text.len() > empty.len());
-        assert!(matches!(to_png("no drawing"), Err(PlotError::Raster(_))));
+        assert!(matches!(to_png("no drawing"), Err(Error::Format { .. })));
     }
 }

@@ -6,12 +6,11 @@ use std::fs::{File, OpenOptions, TryLockError};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
+use super::SweepError;
 use super::report::{Identity, SweepReport};
 use super::table::{Columns, Row, to_csv, whole_rows};
-use crate::Error;
-use crate::folder;
 use crate::json::json;
-use crate::results::WriteError;
+use crate::{Error, folder};
 
 /// The table.
 pub const TABLE_FILE: &str = "sweep.csv";
@@ -35,13 +34,9 @@ impl Table {
         identity: &Identity,
         columns: &Columns,
         fresh: bool,
-    ) -> Result<(Self, BTreeMap<usize, Row>), Error> {
+    ) -> Result<(Self, BTreeMap<usize, Row>), SweepError> {
         let path = dir.join(TABLE_FILE);
-        let refused = |source| WriteError::System {
-            path: path.clone(),
-            source,
-        };
-        std::fs::create_dir_all(dir).map_err(refused)?;
+        std::fs::create_dir_all(dir).map_err(Error::system(&path))?;
         let _alone = folder::alone_in(dir)?;
         let _earlier = free(dir, &path)?;
         let kept = match fresh {
@@ -65,7 +60,10 @@ impl Table {
             true => folder::replace_alone(dir, &[(table_step.0, None), about_step, table_step])?,
             false => folder::replace_alone(dir, &[about_step, table_step])?,
         }
-        let file = OpenOptions::new().append(true).open(&path).map_err(refused)?;
+        let file = OpenOptions::new()
+            .append(true)
+            .open(&path)
+            .map_err(Error::system(&path))?;
         // Without locks in the file system runs must not share a folder.
         let _ = file.try_lock();
         Ok((Self { path, file }, kept))
@@ -76,12 +74,7 @@ impl Table {
     /// # Errors
     /// The system refuses.
     pub(crate) fn add(&mut self, row: &Row) -> Result<(), Error> {
-        let path = &self.path;
-        let refused = |source| WriteError::System {
-            path: path.clone(),
-            source,
-        };
-        Ok(self.file.write_all(&to_csv([row])).map_err(refused)?)
+        self.file.write_all(&to_csv([row])).map_err(Error::system(&self.path))
     }
 }
 
@@ -99,10 +92,10 @@ struct Begun<'a> {
 ///
 /// # Errors
 /// Another run writes it.
-fn free(dir: &Path, path: &Path) -> Result<Option<File>, Error> {
+fn free(dir: &Path, path: &Path) -> Result<Option<File>, SweepError> {
     let Ok(earlier) = File::open(path) else { return Ok(None) };
     match earlier.try_lock() {
-        Err(TryLockError::WouldBlock) => Err(Error::BusySweep {
+        Err(TryLockError::WouldBlock) => Err(SweepError::Busy {
             folder: dir.to_path_buf(),
             process: std::fs::read(dir.join(REPORT_FILE))
                 .ok()
@@ -125,27 +118,27 @@ pub(crate) fn finish(dir: &Path, report: &SweepReport) -> Result<(), Error> {
         (OsStr::new(TABLE_FILE), Some(&table[..])),
         (OsStr::new(REPORT_FILE), Some(about.as_bytes())),
     ];
-    Ok(folder::replace(dir, &steps)?)
+    folder::replace(dir, &steps)
 }
 
 /// The rows in the folder that are those of this sweep, by the number of their case.
-fn kept(dir: &Path, identity: &Identity, columns: &Columns) -> Result<BTreeMap<usize, Row>, Error> {
-    let other = |why: &'static str| Error::OtherSweep {
+fn kept(dir: &Path, identity: &Identity, columns: &Columns) -> Result<BTreeMap<usize, Row>, SweepError> {
+    let other = |difference: &'static str| SweepError::Other {
         folder: dir.to_path_buf(),
-        why,
+        difference,
     };
     let (table, about) = (dir.join(TABLE_FILE), dir.join(REPORT_FILE));
     if !table.exists() {
         return Ok(BTreeMap::new());
     }
     let read = |path: &Path| {
-        std::fs::read(path).map_err(|source| Error::Earlier {
+        std::fs::read(path).map_err(|source| SweepError::Earlier {
             path: path.to_path_buf(),
             source,
         })
     };
     if !about.exists() {
-        return Err(other("of which nothing tells what it was computed from"));
+        return Err(other("without the record of what it was computed from"));
     }
     let about: serde_json::Value = serde_json::from_slice(&read(&about)?).unwrap_or_default();
     let differs = |key: &str, own: &serde_json::Value| about.get(key) != Some(own);

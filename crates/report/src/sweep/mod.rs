@@ -2,6 +2,7 @@
 //!
 //! `table.rs` (columns and rows), `files.rs` (a table that can be taken up again), `report.rs` (for scripts).
 
+mod error;
 mod files;
 mod report;
 mod table;
@@ -17,12 +18,12 @@ use oilwedge_study::CompileError;
 use oilwedge_study::run::RunOptions;
 use sha2::{Digest, Sha256};
 
+pub use error::SweepError;
 pub use files::{REPORT_FILE, TABLE_FILE};
 pub use report::{Identity, SWEEP_FORMAT, SweepReport};
 pub use table::{Columns, Row};
 
-use crate::Error;
-use crate::folder;
+use crate::{Error, folder};
 use files::{Table, finish};
 
 /// How a sweep is run.
@@ -49,19 +50,19 @@ pub struct Progress {
 ///
 /// # Errors
 /// The first case does not become a film, another sweep stands in the folder, or it cannot be written; or the sweep was
-/// interrupted, with its rows kept: [`Error::Interrupted`].
+/// interrupted, with its rows kept: [`SweepError::Interrupted`].
 pub fn run(
     sweep: &Sweep,
     options: &SweepOptions,
     dir: &Path,
     progress: &mut dyn FnMut(Progress),
-) -> Result<SweepReport, Error> {
+) -> Result<SweepReport, SweepError> {
     let clock = Instant::now();
     if sweep.scenes.is_empty() {
-        return Err(Error::NoCases);
+        return Err(SweepError::NoCases);
     }
     folder::check(dir, [TABLE_FILE, REPORT_FILE].iter().map(OsStr::new))?;
-    let effects = sweep.effects()?;
+    let effects = sweep.effects().map_err(Error::from)?;
     let identity = Identity {
         format: SWEEP_FORMAT.to_owned(),
         title: sweep.title.clone(),
@@ -81,7 +82,7 @@ pub fn run(
     progress(told);
     let rows = RefCell::new(rows);
     let is_kept = |case: usize| rows.borrow().contains_key(&case);
-    sweep.run(&options.case, &is_kept, &mut |case, found| -> Result<(), Error> {
+    sweep.run(&options.case, &is_kept, &mut |case, found| -> Result<(), SweepError> {
         let row = columns.row(&sweep.plan, case, &found)?;
         table.add(&row)?;
         rows.borrow_mut().insert(case, row);
@@ -90,7 +91,7 @@ pub fn run(
         Ok(())
     })?;
     if told.done < told.cases {
-        return Err(Error::Interrupted {
+        return Err(SweepError::Interrupted {
             done: told.done,
             cases: told.cases,
             table: dir.join(TABLE_FILE),

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use crate::json::ReportError;
+use crate::Error;
 use oilwedge_campaign::sweep::{CaseStatus, Found};
 use oilwedge_scene::Scene;
 use oilwedge_scene::sweep::{AxisValue, Plan};
@@ -55,7 +55,7 @@ impl Columns {
     ///
     /// # Errors
     /// A number is not finite.
-    pub(crate) fn row(&self, plan: &Plan, number: usize, found: &Found) -> Result<Row, ReportError> {
+    pub(crate) fn row(&self, plan: &Plan, number: usize, found: &Found) -> Result<Row, Error> {
         let mut row = vec![(number + 1).to_string()];
         for (axis, index) in plan.axes.iter().zip(plan.indices(number)) {
             row.push(match &axis.values[index] {
@@ -69,7 +69,7 @@ impl Columns {
             let text = |value: Option<f64>| match value {
                 None => Ok(String::new()),
                 Some(value) if value.is_finite() => Ok(format!("{value:?}")),
-                Some(value) => Err(ReportError::NotFinite {
+                Some(value) => Err(Error::NotFinite {
                     name: format!("case {}, {name}", number + 1),
                     value,
                 }),

@@ -1,72 +1,72 @@
-//! The price list: what accuracy costs in unknowns and seconds, and what the next digit would cost.
+//! What accuracy costs in unknowns and seconds, and what one more digit would cost.
 //!
 //! ```text
-//! error(n') = error(n) (n'/n)^-s      from the last level on, s the order of the strategy
+//! error(n') = error(n) (n'/n)^-s      extrapolated from the last level, s the order of the strategy
 //! seconds(n') = seconds(n) (n'/n)^t   likewise, t fitted to the last levels and kept within [1, 1.6]
 //! ```
 //! Between levels both are interpolated in logarithms. A level counts as accurate only where all later ones are too. The order s
-//! is that of theory: orders fitted to few levels are bad prophets. Only where the last steps all stay clearly behind it, as they
+//! is that of theory: orders fitted to few levels are unreliable. Only where the last steps all stay clearly behind it, as they
 //! do at sharp corners of grooves, their mean is taken.
 
 use serde::Serialize;
 
 use super::strategy::Strategy;
 
-/// Bounds of the exponent t: no solve is cheaper than to look at each unknown, and nested dissection needs n^1.5.
+/// Bounds of the exponent t: every solve visits each unknown, and nested dissection needs n^1.5.
 const EXPONENTS: (f64, f64) = (1.0, 1.6);
-/// The exponent where one level tells nothing.
+/// The exponent where there is one level only.
 const USUAL_EXPONENT: f64 = 1.3;
-/// How many of the last levels tell the exponent.
+/// How many of the last levels the exponent is fitted to.
 const LAST: usize = 3;
 /// Steps that gain less than this part of the order stay behind it.
 const BEHIND: f64 = 0.8;
-/// The least order that is believed, as a part of that of theory: that of quadratic elements at a corner of 270 degrees.
+/// The least order that is accepted, as a part of that of theory: that of quadratic elements at a corner of 270 degrees.
 pub(super) const LEAST_PART: f64 = 1.0 / 3.0;
-/// A strategy is quicker than a simpler one only if its time is below this part of the other: clocks are not better.
+/// A strategy is quicker than a simpler one only if its time is below this part of the other: timings scatter.
 const QUICKER: f64 = 0.9;
 /// The coarsest accuracy of the list, as a power of ten, and the finest that numbers of 16 digits can carry.
 const DIGITS: (i32, i32) = (2, 11);
 
-/// By what a price counts accuracy.
+/// How accuracy is measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Measure {
-    /// The error bar: what the level vouches for by itself.
+    /// By the error bar, the estimate of the level itself.
     Bar,
-    /// The true error, which only finer levels tell.
+    /// By the true error, which only finer levels show.
     Error,
 }
 
-/// What one level costs and gives.
+/// The cost of one level, and its error.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Bought {
+pub struct LevelCost {
     /// Unknowns.
     pub unknowns: f64,
-    /// Seconds [s] to get there.
+    /// Seconds [s] from the scene to its answer.
     pub seconds: f64,
     /// Relative error, estimated or true.
     pub error: f64,
 }
 
-/// What a strategy offers.
+/// Cost and error of a strategy.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Offer {
+pub struct CostModel {
     /// The strategy.
     pub strategy: Strategy,
     /// Its order s by theory.
     pub order: f64,
     /// Its levels, from coarse to fine.
-    pub levels: Vec<Bought>,
+    pub levels: Vec<LevelCost>,
 }
 
-/// One row of the price list.
+/// The cost of one accuracy.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Price {
-    /// By what accuracy is counted.
+    /// How accuracy is measured.
     pub measure: Measure,
     /// The relative error asked for.
     pub accuracy: f64,
-    /// Who sells it cheapest.
+    /// The quickest strategy.
     pub strategy: Strategy,
     /// Unknowns.
     pub unknowns: f64,
@@ -76,11 +76,11 @@ pub struct Price {
     pub extrapolated: bool,
 }
 
-/// The price of 1 %, 0.1 % and so on to one digit beyond what was run. Of what was run the quickest strategy, else the
-/// one that is predicted to be; of equally quick ones the first offer. Nothing where there are no levels.
-pub fn price_list(offers: &[Offer], measure: Measure) -> Vec<Price> {
-    let reached = (offers.iter())
-        .filter_map(|offer| offer.levels.last())
+/// The cost of 1 %, 0.1 % and so on to one digit beyond what was run. Of what was run the quickest strategy, else the
+/// one that is predicted to be; of equally quick ones the first. Nothing where there are no levels.
+pub fn price_list(models: &[CostModel], measure: Measure) -> Vec<Price> {
+    let reached = (models.iter())
+        .filter_map(|model| model.levels.last())
         .map(|level| level.error)
         .fold(f64::INFINITY, f64::min);
     if !reached.is_finite() {
@@ -91,7 +91,7 @@ pub fn price_list(offers: &[Offer], measure: Measure) -> Vec<Price> {
     let finest = (digits + 1e-9).floor().clamp(-1.0, f64::from(DIGITS.1)) as i32 + 1;
     let accuracies = (DIGITS.0..=finest.clamp(DIGITS.0, DIGITS.1)).map(|digit| 10f64.powi(-digit));
     let price = |accuracy: f64| {
-        let prices = offers.iter().filter_map(|offer| offer.price(accuracy, measure));
+        let prices = models.iter().filter_map(|model| model.price(accuracy, measure));
         prices.reduce(|best, other| match (best.extrapolated, other.extrapolated) {
             (true, false) => other,
             (false, true) => best,
@@ -102,8 +102,8 @@ pub fn price_list(offers: &[Offer], measure: Measure) -> Vec<Price> {
     accuracies.filter_map(price).collect()
 }
 
-impl Offer {
-    /// What this strategy takes for an accuracy.
+impl CostModel {
+    /// The cost of an accuracy by this strategy.
     fn price(&self, accuracy: f64, measure: Measure) -> Option<Price> {
         let row = |unknowns: f64, seconds: f64, extrapolated: bool| Price {
             measure,
@@ -113,7 +113,7 @@ impl Offer {
             seconds,
             extrapolated,
         };
-        let accurate = |level: &Bought| level.error <= accuracy * (1.0 + 1e-9);
+        let accurate = |level: &LevelCost| level.error <= accuracy * (1.0 + 1e-9);
         let last = self.levels.last()?;
         if !accurate(last) {
             let growth = (last.error / accuracy).powf(1.0 / self.order());
@@ -134,11 +134,11 @@ impl Offer {
         Some(row(unknowns, between(coarse.seconds, fine.seconds), false))
     }
 
-    /// The order s with which the price is predicted.
+    /// The order s of the extrapolation.
     pub fn order(&self) -> f64 {
         let last = &self.levels[self.levels.len().saturating_sub(LAST)..];
         let gained =
-            |pair: &[Bought]| (pair[0].error / pair[1].error).ln() / (pair[1].unknowns / pair[0].unknowns).ln();
+            |pair: &[LevelCost]| (pair[0].error / pair[1].error).ln() / (pair[1].unknowns / pair[0].unknowns).ln();
         let steps: Vec<f64> = last.windows(2).map(gained).collect();
         let all_behind = last.len() == LAST && steps.iter().all(|step| *step < BEHIND * self.order);
         match all_behind {
@@ -158,7 +158,7 @@ impl Offer {
     }
 }
 
-/// Slope of the line nearest to points of logarithms, kept within its bounds.
+/// Slope of the least-squares line through points of logarithms, kept within its bounds.
 pub(super) fn exponent(points: &[(f64, f64)]) -> f64 {
     let count = points.len() as f64;
     let mean = |of: fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / count;
@@ -176,16 +176,16 @@ mod tests {
     use super::*;
 
     /// Levels of `error = a n^-s`, `seconds = b n^t`, each with four times the unknowns of the one before.
-    fn offer(strategy: Strategy, (a, s): (f64, f64), (b, t): (f64, f64), levels: i32) -> Offer {
+    fn model(strategy: Strategy, (a, s): (f64, f64), (b, t): (f64, f64), levels: i32) -> CostModel {
         let level = |k: i32| {
             let n = 100.0 * 4f64.powi(k);
-            Bought {
+            LevelCost {
                 unknowns: n,
                 seconds: b * n.powf(t),
                 error: a * n.powf(-s),
             }
         };
-        Offer {
+        CostModel {
             strategy,
             order: s,
             levels: (0..levels).map(level).collect(),
@@ -195,8 +195,8 @@ mod tests {
     #[test]
     fn powers_are_met_exactly_within_and_beyond_what_was_run() {
         // Errors from 1e-1 to 1e-1 4^-8 = 1.5e-6.
-        let offer = offer(Strategy::P2Uniform, (1e3, 2.0), (1e-6, 1.25), 5);
-        let prices = price_list(std::slice::from_ref(&offer), Measure::Bar);
+        let model = model(Strategy::P2Uniform, (1e3, 2.0), (1e-6, 1.25), 5);
+        let prices = price_list(std::slice::from_ref(&model), Measure::Bar);
         let accuracies: Vec<f64> = prices.iter().map(|price| price.accuracy).collect();
         assert_eq!(accuracies, [1e-2, 1e-3, 1e-4, 1e-5, 1e-6]);
         for price in &prices {
@@ -205,15 +205,15 @@ mod tests {
             assert!((price.seconds / (1e-6 * n.powf(1.25)) - 1.0).abs() < 1e-12, "{price:?}");
             assert_eq!(price.extrapolated, price.accuracy < 1.5e-6);
         }
-        assert!((offer.exponent() - 1.25).abs() < 1e-12);
+        assert!((model.exponent() - 1.25).abs() < 1e-12);
     }
 
     #[test]
     fn a_level_is_trusted_only_if_all_later_ones_are_better() {
-        let mut offer = offer(Strategy::P2Uniform, (1e3, 2.0), (1e-6, 1.0), 4);
+        let mut model = model(Strategy::P2Uniform, (1e3, 2.0), (1e-6, 1.0), 4);
         // Errors 1e-1, 6e-3, 4e-4, 2.4e-5: by chance the first level is good.
-        offer.levels[0].error = 1e-7;
-        let prices = price_list(std::slice::from_ref(&offer), Measure::Bar);
+        model.levels[0].error = 1e-7;
+        let prices = price_list(std::slice::from_ref(&model), Measure::Bar);
         assert!(
             prices
                 .iter()
@@ -229,21 +229,24 @@ mod tests {
     }
 
     #[test]
-    fn the_quickest_sells_and_what_was_run_goes_first() {
-        let linear = offer(Strategy::P1Uniform, (1.0, 1.0), (1e-7, 1.0), 6);
-        let quadratic = offer(Strategy::P2Uniform, (1e3, 2.0), (1e-6, 1.0), 3);
+    fn the_quickest_is_named_and_what_was_run_goes_first() {
+        let linear = model(Strategy::P1Uniform, (1.0, 1.0), (1e-7, 1.0), 6);
+        let quadratic = model(Strategy::P2Uniform, (1e3, 2.0), (1e-6, 1.0), 3);
         let prices = price_list(&[linear, quadratic], Measure::Bar);
-        let sold: Vec<_> = (prices.iter())
+        let quickest: Vec<_> = (prices.iter())
             .map(|price| (price.strategy, price.extrapolated))
             .collect();
         let (p1, p2) = (Strategy::P1Uniform, Strategy::P2Uniform);
         // Linear elements reach 1e-5 at the last level, quadratic ones 4e-4.
-        assert_eq!(sold, [(p1, false), (p1, false), (p1, false), (p1, false), (p2, true)]);
+        assert_eq!(
+            quickest,
+            [(p1, false), (p1, false), (p1, false), (p1, false), (p2, true)]
+        );
     }
 
     #[test]
     fn an_order_is_that_of_theory_unless_all_steps_stay_behind_it() {
-        let mut slow = offer(Strategy::P2Uniform, (1.0, 1.0), (1e-6, 1.0), 4);
+        let mut slow = model(Strategy::P2Uniform, (1.0, 1.0), (1e-6, 1.0), 4);
         assert_eq!(slow.order(), 1.0);
         slow.order = 2.0;
         assert!((slow.order() - 1.0).abs() < 1e-12);
@@ -258,31 +261,31 @@ mod tests {
 
     #[test]
     fn a_strategy_that_is_not_clearly_quicker_does_not_win() {
-        let simple = offer(Strategy::P2Uniform, (1e3, 2.0), (1e-6, 1.0), 3);
-        let mut other = offer(Strategy::P2Adaptive, (1e3, 2.0), (0.95e-6, 1.0), 3);
-        let sold = |offers: &[Offer]| price_list(offers, Measure::Bar)[0].strategy;
-        assert_eq!(sold(&[simple.clone(), other.clone()]), Strategy::P2Uniform);
+        let simple = model(Strategy::P2Uniform, (1e3, 2.0), (1e-6, 1.0), 3);
+        let mut other = model(Strategy::P2Adaptive, (1e3, 2.0), (0.95e-6, 1.0), 3);
+        let quickest = |models: &[CostModel]| price_list(models, Measure::Bar)[0].strategy;
+        assert_eq!(quickest(&[simple.clone(), other.clone()]), Strategy::P2Uniform);
         other.levels.iter_mut().for_each(|level| level.seconds *= 0.9);
-        assert_eq!(sold(&[simple, other]), Strategy::P2Adaptive);
+        assert_eq!(quickest(&[simple, other]), Strategy::P2Adaptive);
     }
 
     #[test]
     fn exponents_stay_within_bounds_and_one_level_has_the_usual_one() {
         for (t, found) in [(0.5, 1.0), (1.3, 1.3), (2.0, 1.6)] {
-            let offer = offer(Strategy::P2Uniform, (1.0, 2.0), (1e-6, t), 4);
-            assert!((offer.exponent() - found).abs() < 1e-12);
+            let model = model(Strategy::P2Uniform, (1.0, 2.0), (1e-6, t), 4);
+            assert!((model.exponent() - found).abs() < 1e-12);
         }
         assert_eq!(
-            offer(Strategy::P2Uniform, (1.0, 2.0), (1e-6, 1.0), 1).exponent(),
+            model(Strategy::P2Uniform, (1.0, 2.0), (1e-6, 1.0), 1).exponent(),
             USUAL_EXPONENT
         );
         assert!(price_list(&[], Measure::Bar).is_empty());
     }
 
     #[test]
-    fn a_coarse_answer_still_has_the_price_of_one_percent() {
-        let offer = offer(Strategy::P2Uniform, (1e4, 2.0), (1e-6, 1.0), 1);
-        let prices = price_list(&[offer], Measure::Bar);
+    fn a_coarse_answer_still_has_a_cost_of_one_percent() {
+        let model = model(Strategy::P2Uniform, (1e4, 2.0), (1e-6, 1.0), 1);
+        let prices = price_list(&[model], Measure::Bar);
         assert_eq!(prices.len(), 1);
         assert!(prices[0].extrapolated && (prices[0].unknowns - 1000.0).abs() < 1e-9);
     }

@@ -1,4 +1,4 @@
-//! One strategy from level to level.
+//! The run of one strategy from level to level.
 
 use std::sync::Arc;
 use std::time::Instant;
@@ -8,9 +8,9 @@ use oilwedge_fem::marking::doerfler;
 use oilwedge_mesh::{Mesh, refine};
 
 use super::budget::Budget;
+use super::cost_model::exponent;
 use super::first_mesh::First;
 use super::observer::Observer;
-use super::price::exponent;
 use super::report::{LevelReport, Timing};
 use super::strategy::Strategy;
 use oilwedge_scene::Scene;
@@ -34,7 +34,7 @@ const DRAWN: usize = 5000;
 /// Seconds of the parts of a run.
 type Parts = Vec<(&'static str, f64)>;
 
-/// A mesh and what its triangles have to do with the error.
+/// A mesh and the share of each triangle in the error.
 #[derive(Debug, Clone)]
 pub struct MarkedMesh {
     /// Its level.
@@ -47,8 +47,8 @@ pub struct MarkedMesh {
     pub indicator: Option<Vec<f64>>,
 }
 
-/// A strategy on its way.
-pub(super) struct Climb<'a> {
+/// The levels of one strategy so far, and what its next level needs.
+pub(super) struct StudyRun<'a> {
     scene: &'a Scene,
     near: (f64, f64),
     goal: &'static str,
@@ -63,7 +63,7 @@ pub(super) struct Climb<'a> {
     earlier: f64,
     /// Triangles of the levels tried and their seconds [s].
     tried: Vec<(f64, f64)>,
-    /// Seconds [s] that the first level takes at most, where another strategy tells.
+    /// Seconds [s] that the first level takes at most, where another strategy has timed one.
     first: Option<f64>,
     failures: usize,
     pub(super) levels: Vec<LevelReport>,
@@ -78,7 +78,7 @@ pub(super) struct Climb<'a> {
     pub(super) drawn: Option<MarkedMesh>,
 }
 
-impl<'a> Climb<'a> {
+impl<'a> StudyRun<'a> {
     pub(super) fn new(scene: &'a Scene, first: &First, strategy: Strategy, goal: &'static str) -> Self {
         Self {
             scene,
@@ -101,7 +101,7 @@ impl<'a> Climb<'a> {
         }
     }
 
-    /// Another strategy from the levels of this one on.
+    /// A run of another strategy that continues from the levels of this one.
     pub(super) fn turned(&self, strategy: Strategy) -> Self {
         let indicator = self.drawn.as_ref().and_then(|drawn| drawn.indicator.as_deref());
         let last = self.levels.last();
@@ -137,7 +137,7 @@ impl<'a> Climb<'a> {
         f64::min(cells + (3.0 + TAKEN_ALONG) * divided as f64, 4.0 * cells).max(cells)
     }
 
-    /// Seconds [s] of the next level; `None` where no level tells.
+    /// Seconds [s] of the next level; `None` where no level has been timed.
     fn expected(&self) -> Option<f64> {
         let Some(&(cells, seconds)) = self.tried.last() else {
             return self.first;
@@ -147,7 +147,7 @@ impl<'a> Climb<'a> {
         Some(seconds * (self.cells() / cells).powf(exponent(&points)))
     }
 
-    /// What the next level is expected to take [s], where nothing is known yet nothing.
+    /// Seconds [s] that the next level is expected to take; zero where that is not known.
     pub(super) fn urgency(&self) -> f64 {
         self.expected().unwrap_or(0.0)
     }
@@ -159,34 +159,20 @@ impl<'a> Climb<'a> {
     pub(super) fn step(&mut self, budget: &Budget, observer: &mut dyn Observer) -> Result<(), CompileError> {
         let number = self.tried.len() + 1;
         let (cells, expected) = (self.cells(), self.expected());
-        // The first level of quadratic elements is run in any case: a study without levels says nothing.
+        // The first level of quadratic elements is run in any case: a study without levels has no result.
         let must = number == 1 && self.strategy == Strategy::P2Uniform;
-        if !must && !budget.fits(self.urgency()) {
-            let left = match budget.is_interrupted() {
-                true => "the study was interrupted".to_owned(),
-                false => format!("{:.1} s of {} s were left", budget.left(), budget.max_seconds()),
-            };
-            self.ended = Some(match expected {
-                Some(expected) => format!("level {number} would take some {expected:.1} s, {left}"),
-                None => format!("level {number} was not begun, {left}"),
-            });
-            return Ok(());
-        }
-        if number > 1 && cells > MOST_CELLS {
-            self.ended = Some(format!("level {number} would have more than {MOST_CELLS:.0} triangles"));
+        self.ended = match must {
+            true => None,
+            false => self.limit(number, budget),
+        };
+        if self.ended.is_some() {
             return Ok(());
         }
         observer.begins(self.strategy, number, cells as usize, expected);
         let clock = Instant::now();
-        if let Some(marked) = self.marked.take() {
-            match refine::local(&self.mesh, &marked) {
-                Ok(refined) => self.mesh = Arc::new(refined.mesh),
-                Err(defects) => {
-                    let first = defects.first().map_or(String::new(), ToString::to_string);
-                    self.ended = Some(format!("the mesh of level {number} folds: {first}"));
-                    return Ok(());
-                }
-            }
+        if let Err(reason) = self.refine(number) {
+            self.ended = Some(reason);
+            return Ok(());
         }
         let refining = clock.elapsed().as_secs_f64();
         self.making += refining;
@@ -217,6 +203,35 @@ impl<'a> Climb<'a> {
                 self.failure = Some(reason);
             }
         }
+        Ok(())
+    }
+
+    /// Why level `number` is not begun, where a limit forbids it.
+    fn limit(&self, number: usize, budget: &Budget) -> Option<String> {
+        if !budget.fits(self.urgency()) {
+            let left = match budget.is_interrupted() {
+                true => "the study was interrupted".to_owned(),
+                false => format!("{:.1} s of {} s were left", budget.left(), budget.max_seconds()),
+            };
+            return Some(match self.expected() {
+                Some(expected) => format!("level {number} would take some {expected:.1} s, {left}"),
+                None => format!("level {number} was not begun, {left}"),
+            });
+        }
+        let is_large = number > 1 && self.cells() > MOST_CELLS;
+        is_large.then(|| format!("level {number} would have more than {MOST_CELLS:.0} triangles"))
+    }
+
+    /// Divides the marked triangles; the reason where the mesh would fold.
+    fn refine(&mut self, number: usize) -> Result<(), String> {
+        let Some(marked) = self.marked.take() else {
+            return Ok(());
+        };
+        let refined = refine::local(&self.mesh, &marked).map_err(|defects| {
+            let first = defects.first().map_or(String::new(), ToString::to_string);
+            format!("the mesh of level {number} folds: {first}")
+        })?;
+        self.mesh = Arc::new(refined.mesh);
         Ok(())
     }
 
@@ -259,12 +274,12 @@ impl<'a> Climb<'a> {
         let level = solve_level(self.scene, mesh, self.near, degree, degree > 1, deadline)?;
         let wall = clock.elapsed().as_secs_f64();
         let mut parts = level.seconds.clone();
-        let told: f64 = parts.iter().map(|(_, seconds)| seconds).sum();
-        parts.push(("other", f64::max(wall - told, 0.0)));
+        let known: f64 = parts.iter().map(|(_, seconds)| seconds).sum();
+        parts.push(("other", f64::max(wall - known, 0.0)));
         Ok((level, wall, parts))
     }
 
-    /// Keeps what is told of a level and what the next one needs.
+    /// Reports a level, and keeps what the next one needs.
     fn take(&mut self, number: usize, level: Level, timing: Timing) -> LevelReport {
         let mesh = level.study.system.space().mesh().clone();
         let cells = mesh.triangles().len();
@@ -299,7 +314,7 @@ impl<'a> Climb<'a> {
     }
 }
 
-/// Which triangles a strategy divides: without an indicator one is as good as another.
+/// Which triangles a strategy divides: all of them where there is no indicator.
 fn chosen(strategy: Strategy, indicator: Option<&[f64]>, cells: usize) -> Vec<bool> {
     let marked = match (strategy, indicator) {
         (Strategy::P2Adaptive, Some(indicator)) => doerfler(indicator, SHARE),

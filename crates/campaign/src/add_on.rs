@@ -1,0 +1,165 @@
+//! Numbers beside numbers: other answers that stand beside a result, in its file and on the terminal.
+
+use ciborium::Value;
+use oilwedge_study::quantities::{Quantity, Row, Unit};
+use oilwedge_study::result::Status;
+
+/// A record of the result file, its entries in their order.
+pub type Record = Value;
+
+/// Other answers beside a film: the film without each effect, by other theories, or by a standard.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AddOn {
+    /// Its key in the result file.
+    pub key: &'static str,
+    /// One sentence about what is compared.
+    pub title: String,
+    /// What the film is called here, as `all effects`.
+    pub film: &'static str,
+    /// The other answers, in their order.
+    pub alternatives: Vec<Alternative>,
+    /// Further numbers, in lists with a title each.
+    pub lists: Vec<(&'static str, Vec<Quantity>)>,
+    /// Reasons and conclusions, in sentences.
+    pub notes: Vec<String>,
+    /// Its record in the result file.
+    pub record: Record,
+}
+
+/// One other answer, number beside number.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Alternative {
+    /// Its name, as `without barus`.
+    pub name: String,
+    /// Its numbers beside those of the film; none where there is no answer.
+    pub comparisons: Vec<Comparison>,
+    /// Wall times of the film and of this answer [s], where they are compared.
+    pub seconds: Option<[f64; 2]>,
+}
+
+/// One quantity of a film and of another answer.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Comparison {
+    /// The quantity.
+    pub row: &'static Row,
+    /// What the film gives; `None` where it has no such number.
+    pub film: Option<Estimate>,
+    /// What the other answer gives.
+    pub other: Option<Estimate>,
+}
+
+/// A value and half the width of its error bar, where there is one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Estimate {
+    /// The value, in the unit of its quantity.
+    pub value: f64,
+    /// Half the width of its error bar.
+    pub error: Option<f64>,
+}
+
+impl From<&Quantity> for Estimate {
+    fn from(quantity: &Quantity) -> Self {
+        Self {
+            value: quantity.value,
+            error: quantity.error(),
+        }
+    }
+}
+
+impl Comparison {
+    /// A quantity of the film beside that of another answer; `None` where neither has it.
+    pub fn between(film: Option<&Quantity>, other: Option<&Quantity>) -> Option<Self> {
+        Some(Self {
+            row: film.or(other)?.row,
+            film: film.map(Estimate::from),
+            other: other.map(Estimate::from),
+        })
+    }
+
+    /// The film's value less the other one; of angles the shorter way round.
+    pub fn surplus(&self) -> Option<f64> {
+        self.film.zip(self.other).map(|(film, other)| self.less(film, other))
+    }
+
+    /// The other value less that of the film; of angles the shorter way round.
+    pub fn difference(&self) -> Option<f64> {
+        self.film.zip(self.other).map(|(film, other)| self.less(other, film))
+    }
+
+    fn less(&self, one: Estimate, other: Estimate) -> f64 {
+        match self.row.unit {
+            Unit::Degree => 180.0 - (180.0 - (one.value - other.value)).rem_euclid(360.0),
+            _ => one.value - other.value,
+        }
+    }
+
+    /// Half the width of the error bar of the difference, the sum of both; `None` where one is missing.
+    pub fn error(&self) -> Option<f64> {
+        let (film, other) = self.film.zip(self.other)?;
+        Some(film.error? + other.error?)
+    }
+
+    /// The entry of a quantity among comparisons.
+    pub fn of<'a>(row: &Row, comparisons: &'a [Self]) -> Option<&'a Self> {
+        comparisons.iter().find(|it| it.row == row)
+    }
+}
+
+/// An object of the result file, its entries in this order.
+pub(crate) fn object<'a>(entries: impl IntoIterator<Item = (&'a str, Value)>) -> Value {
+    Value::Map(entries.into_iter().map(|(name, value)| (name.into(), value)).collect())
+}
+
+/// A value that may be absent: `null` then.
+pub(crate) fn nullable(value: Option<impl Into<Value>>) -> Value {
+    value.map_or(Value::Null, Into::into)
+}
+
+/// How a run ended, and why if it did not converge.
+pub(crate) fn ending(status: Status, reason: &Option<String>) -> [(&'static str, Value); 2] {
+    [("status", status.name().into()), ("reason", nullable(reason.clone()))]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use oilwedge_study::quantities::{ATTITUDE_ANGLE, Bar, LOAD};
+
+    fn quantity(row: &'static Row, value: f64, error: Option<f64>) -> Option<Quantity> {
+        Some(Quantity {
+            bar: error.map(Bar::of),
+            ..Quantity::new(row, value)
+        })
+    }
+
+    fn between(film: Option<Quantity>, other: Option<Quantity>) -> Comparison {
+        Comparison::between(film.as_ref(), other.as_ref()).expect("one of two")
+    }
+
+    #[test]
+    fn a_difference_has_the_sum_of_both_bars() {
+        let load = |value, error| quantity(&LOAD, value, error);
+        let it = between(load(12.0, Some(0.5)), load(10.0, Some(0.25)));
+        assert_eq!(
+            (it.surplus(), it.difference(), it.error()),
+            (Some(2.0), Some(-2.0), Some(0.75))
+        );
+        assert_eq!(between(load(12.0, None), load(10.0, Some(0.25))).error(), None);
+        let lost = between(load(12.0, Some(0.5)), None);
+        assert_eq!((lost.difference(), lost.error()), (None, None));
+        assert!(Comparison::between(None, None).is_none());
+    }
+
+    #[test]
+    fn angles_differ_by_the_shorter_way_round() {
+        let angle = |value| quantity(&ATTITUDE_ANGLE, value, None);
+        for (film, other, surplus) in [
+            (170.0, -170.0, -20.0),
+            (-170.0, 170.0, 20.0),
+            (50.0, 40.0, 10.0),
+            (90.0, -90.0, 180.0),
+        ] {
+            assert_eq!(between(angle(film), angle(other)).surplus(), Some(surplus));
+        }
+    }
+}
