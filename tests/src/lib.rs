@@ -27,7 +27,7 @@ use oilwedge_fem::Space;
 use oilwedge_mesh::{Mesh, RawMesh};
 use oilwedge_reynolds::film_thickness::Eccentricity;
 use oilwedge_reynolds::lubricant::{Lubricant, PressureLaw};
-use oilwedge_reynolds::supply::{Place, SupplyRegion, line_at_angle};
+use oilwedge_reynolds::supply::{BoundaryKind, SupplyRegion, line_at_angle};
 use oilwedge_reynolds::terms::{Couette, Poiseuille};
 use oilwedge_reynolds::{Bearing, Cavitation, FilmProblem, FilmSystem, Form, JournalState, Theory};
 
@@ -99,9 +99,9 @@ pub fn stretched_ring() -> Mesh {
 
 /// The ends of a ring at zero pressure and, if given, a film start at that angle [rad].
 pub fn ends(mesh: &Mesh, length: f64, film_start: Option<f64>) -> Vec<SupplyRegion> {
-    let region = |name: &str, place, edges| SupplyRegion {
+    let region = |name: &str, kind, edges| SupplyRegion {
         name: name.to_owned(),
-        place,
+        kind,
         pressure: 0.0,
         edges,
         cells: Vec::new(),
@@ -112,14 +112,14 @@ pub fn ends(mesh: &Mesh, length: f64, film_start: Option<f64>) -> Vec<SupplyRegi
         .map(|name| {
             region(
                 name,
-                Place::End,
+                BoundaryKind::End,
                 mesh.region(name).expect("group of the ring").edges.clone(),
             )
         })
         .into();
     if let Some(angle) = film_start {
         let line = line_at_angle(mesh, RADIUS, length, angle).expect("line of element edges");
-        regions.push(region("film_start", Place::Line, line));
+        regions.push(region("film_start", BoundaryKind::Line, line));
     }
     regions
 }

@@ -47,13 +47,13 @@ fn half_shell(cavitation: Cavitation, film_fraction: Option<f64>) -> (FilmProble
         &|_| 0.1 * RADIUS,
     )
     .expect("a half shell");
-    let place = |name: &str| match name {
-        "arc_from" | "arc_to" => oilwedge_reynolds::supply::Place::Line,
-        _ => oilwedge_reynolds::supply::Place::End,
+    let kind = |name: &str| match name {
+        "arc_from" | "arc_to" => oilwedge_reynolds::supply::BoundaryKind::Line,
+        _ => oilwedge_reynolds::supply::BoundaryKind::End,
     };
     let regions = ["end_low", "end_high", "arc_from", "arc_to"].map(|name| oilwedge_reynolds::supply::SupplyRegion {
         name: name.to_owned(),
-        place: place(name),
+        kind: kind(name),
         pressure: 0.0,
         edges: mesh.region(name).expect("a group").edges.clone(),
         cells: Vec::new(),

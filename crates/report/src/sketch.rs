@@ -1,7 +1,7 @@
 //! A liner and its load in words, and drawn in letters: what `oilwedge check` understood.
 
 use oilwedge_mesh::{Locator, Mesh, Region};
-use oilwedge_reynolds::supply::{Place, Supply};
+use oilwedge_reynolds::supply::{BoundaryKind, Supply};
 use oilwedge_scene::wording::{degrees, millimetres, newtons};
 use oilwedge_scene::{Feed, Journal, Position, Scene};
 
@@ -88,7 +88,7 @@ fn feed_in_words(feed: &Feed) -> String {
 /// `marked` are regions that are no feeds but worth a letter (pockets). `radius` is R [m].
 pub(crate) fn sketch(mesh: &Mesh, supply: &Supply, marked: &[&Region], radius: f64) -> String {
     let feeds: Vec<&Region> = (supply.regions().iter())
-        .filter(|region| region.place == Place::Feed)
+        .filter(|region| region.kind == BoundaryKind::Feed)
         .filter_map(|region| mesh.region(&region.name))
         .chain(marked.iter().copied())
         .collect();

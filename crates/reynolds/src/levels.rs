@@ -14,7 +14,7 @@ use oilwedge_mesh::locate::Locator;
 use rayon::prelude::*;
 
 use crate::film_thickness::FilmContribution;
-use crate::supply::{Place, SupplyRegion};
+use crate::supply::{BoundaryKind, SupplyRegion};
 use crate::{Bearing, Cavitation, FilmProblem, FilmSolution, FilmSystem};
 
 /// Edges of a coarser mesh over those of the finer.
@@ -124,7 +124,7 @@ fn liner(system: &FilmSystem, bearing: &Bearing) -> Liner {
 fn line(system: &FilmSystem, bearing: &Bearing) -> Option<f64> {
     let mesh = system.space().mesh();
     mesh.period()?;
-    let is_line = |region: &&SupplyRegion| region.place == Place::Line;
+    let is_line = |region: &&SupplyRegion| region.kind == BoundaryKind::Line;
     let region = system.supply.regions().iter().find(is_line)?;
     Some(mesh.edge_nodes(*region.edges.first()?)[0][0] / bearing.radius)
 }

@@ -19,7 +19,7 @@ pub enum Neighbour<'a> {
     None,
     /// This one.
     Start(&'a FilmSolution),
-    /// This one, and a mass-conserving film carries its oil by the same forms, so that it changes smoothly.
+    /// This one, and a mass-conserving film carries its oil by the same schemes, so that it changes smoothly.
     Kept(&'a FilmSolution),
 }
 
@@ -95,7 +95,7 @@ impl FilmProblem {
         self.film_by(system, motion, neighbour, choice)
     }
 
-    /// The same where the `choice` of forms by which a mass-conserving film carries its oil is given.
+    /// The same where the `choice` of schemes by which a mass-conserving film carries its oil is given.
     fn film_by(
         &self,
         system: &FilmSystem,

@@ -14,7 +14,7 @@ use crate::Bearing;
 
 /// What kind of place a region is; all but one give a pressure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Place {
+pub enum BoundaryKind {
     /// An axial end that nothing flows through and at which no pressure is given.
     Sealed,
     /// An axial end of the bearing.
@@ -40,7 +40,7 @@ pub struct SupplyRegion {
     /// Name (of the mesh group).
     pub name: String,
     /// Kind of place.
-    pub place: Place,
+    pub kind: BoundaryKind,
     /// Pressure [Pa gauge].
     pub pressure: f64,
     /// Edges of the mesh.
@@ -108,7 +108,7 @@ impl Supply {
     /// # Errors
     /// Everything that does not fit.
     pub fn new(space: &Space, mut regions: Vec<SupplyRegion>) -> Result<Self, Vec<SupplyError>> {
-        regions.sort_by_key(|region| region.place);
+        regions.sort_by_key(|region| region.kind);
         let mut errors = Vec::new();
         let mut owner: Vec<Option<u16>> = vec![None; space.dofs()];
         for (index, region) in (0u16..).zip(&regions) {
@@ -117,8 +117,8 @@ impl Supply {
                 let other = owner[dof].map(|other| &regions[usize::from(other)]);
                 conflict = conflict.or(other.filter(|other| {
                     other.name != region.name
-                        && other.place == Place::Feed
-                        && region.place == Place::Feed
+                        && other.kind == BoundaryKind::Feed
+                        && region.kind == BoundaryKind::Feed
                         && other.pressure != region.pressure
                 }));
                 owner[dof] = Some(index);
@@ -159,8 +159,8 @@ impl Supply {
         let mut regions = self.regions.clone();
         for region in &mut regions {
             region.cells.clear();
-            region.edges = match (coarse.mesh().region(&region.name), region.place, region.edges.first()) {
-                (_, Place::Feed, _) | (_, _, None) => Vec::new(),
+            region.edges = match (coarse.mesh().region(&region.name), region.kind, region.edges.first()) {
+                (_, BoundaryKind::Feed, _) | (_, _, None) => Vec::new(),
                 (Some(same), ..) => same.edges.clone(),
                 (None, _, Some(&edge)) => {
                     let angle = fine.mesh().edge_nodes(edge)[0][0] / bearing.radius;
@@ -179,7 +179,7 @@ impl Supply {
     }
 
     fn sample_feeds(&self, fine: &Space, coarse: &Space, owner: &mut [Option<u16>]) {
-        let is_feed = |region: &u16| self.regions[usize::from(*region)].place == Place::Feed;
+        let is_feed = |region: &u16| self.regions[usize::from(*region)].kind == BoundaryKind::Feed;
         let feed_at = |dof: usize| self.owner[dof].filter(is_feed);
         let locator = Locator::new(fine.mesh());
         let positions = coarse.positions();
@@ -203,7 +203,7 @@ impl Supply {
         let fine_positions = fine.positions();
         for index in (0u16..)
             .zip(&self.regions)
-            .filter(|(_, region)| region.place == Place::Feed)
+            .filter(|(_, region)| region.kind == BoundaryKind::Feed)
             .map(|(k, _)| k)
         {
             let first = (0..fine.dofs()).find(|&dof| self.owner[dof] == Some(index));
@@ -277,7 +277,7 @@ fn given_dofs<'a>(space: &'a Space, region: &'a SupplyRegion) -> impl Iterator<I
     let on_edges = region.edges.iter().flat_map(|&edge| space.dofs_on_edge(edge));
     let on_cell = |&cell: &u32| space.element_dofs(cell as usize).into_iter().take(space.shapes());
     let all = on_edges.chain(region.cells.iter().flat_map(on_cell));
-    all.filter(|_| region.place != Place::Sealed)
+    all.filter(|_| region.kind != BoundaryKind::Sealed)
 }
 
 /// Edges of `region` along which it is cut out of the film: those with a triangle on one side only.
@@ -286,7 +286,7 @@ pub fn rim<'a>(mesh: &'a Mesh, region: &'a SupplyRegion) -> impl Iterator<Item =
         .edges
         .iter()
         .copied()
-        .filter(move |&edge| region.place == Place::Feed && mesh.topology().is_boundary(edge))
+        .filter(move |&edge| region.kind == BoundaryKind::Feed && mesh.topology().is_boundary(edge))
 }
 
 /// Each vertex of a closed rim has an even number of its edges.
@@ -310,7 +310,7 @@ fn open_rim(mesh: &Mesh, region: &SupplyRegion) -> Option<SupplyError> {
 
 fn unassigned(space: &Space, regions: &[SupplyRegion], owner: &[Option<u16>]) -> Option<SupplyError> {
     let mesh = space.mesh();
-    let sealed = regions.iter().filter(|region| region.place == Place::Sealed);
+    let sealed = regions.iter().filter(|region| region.kind == BoundaryKind::Sealed);
     let sealed: HashSet<u32> = sealed.flat_map(|region| region.edges.iter().copied()).collect();
     let bare: Vec<u32> = (0..mesh.topology().edges.len() as u32)
         .filter(|&edge| mesh.topology().is_boundary(edge) && !sealed.contains(&edge))

@@ -20,7 +20,7 @@ pub enum Theory {
     Full,
     /// Along the axis only.
     Short,
-    /// Around only: its ends are sealed ([`crate::supply::Place::Sealed`]).
+    /// Around only: its ends are sealed ([`crate::supply::BoundaryKind::Sealed`]).
     Long,
 }
 

@@ -13,7 +13,7 @@ use oilwedge_mesh::error::some_of;
 use oilwedge_mesh::generate::DrawingError;
 use oilwedge_reynolds::film_thickness::{Eccentricity, FilmContribution};
 use oilwedge_reynolds::lubricant::{Lubricant, PressureLaw};
-use oilwedge_reynolds::supply::{self as given, Disc, Place, SupplyError, SupplyRegion};
+use oilwedge_reynolds::supply::{self as given, BoundaryKind, Disc, SupplyError, SupplyRegion};
 use oilwedge_reynolds::{Bearing, CentreVelocity, FilmProblem, FilmSystem, JournalState, Theory};
 
 use crate::effects::{Effects, Sockets};
@@ -292,11 +292,11 @@ fn check_feed_groups(scene: &Scene, mesh: &Mesh) -> Result<(), CompileError> {
 
 /// Ends, edges of the arc, film start and feeds of given pressure.
 fn supply(scene: &Scene, sockets: &Sockets, mesh: &Mesh) -> Result<Vec<SupplyRegion>, CompileError> {
-    let region = |name: &str, place, pressure| {
+    let region = |name: &str, kind, pressure| {
         let region = mesh.region(name);
         SupplyRegion {
             name: name.to_owned(),
-            place,
+            kind,
             pressure,
             edges: region.map_or(Vec::new(), |region| region.edges.clone()),
             cells: region.map_or(Vec::new(), |region| region.cells.clone()),
@@ -306,15 +306,15 @@ fn supply(scene: &Scene, sockets: &Sockets, mesh: &Mesh) -> Result<Vec<SupplyReg
     };
     let p_e = scene.ends.pressure;
     let end = match sockets.theory {
-        Theory::Long => Place::Sealed,
-        Theory::Full | Theory::Short => Place::End,
+        Theory::Long => BoundaryKind::Sealed,
+        Theory::Full | Theory::Short => BoundaryKind::End,
     };
     let mut regions = vec![region("end_low", end, p_e), region("end_high", end, p_e)];
     if scene.bearing.arc.is_some() {
         // The journal brings oil in at one of them; the other ignores its film fraction.
         regions.extend(["arc_from", "arc_to"].map(|name| SupplyRegion {
             film_fraction: sockets.inlet_fraction,
-            ..region(name, Place::Line, p_e)
+            ..region(name, BoundaryKind::Line, p_e)
         }));
     }
     // The lines of a short film stand by themselves: none can be held at another pressure.
@@ -328,13 +328,13 @@ fn supply(scene: &Scene, sockets: &Sockets, mesh: &Mesh) -> Result<Vec<SupplyReg
             })?;
         regions.push(SupplyRegion {
             edges,
-            ..region("film_start", Place::Line, p_e)
+            ..region("film_start", BoundaryKind::Line, p_e)
         });
     }
     regions.extend(scene.feeds.iter().filter_map(|feed| {
         Some(SupplyRegion {
             disc: disc(scene, feed),
-            ..region(&feed.group, Place::Feed, feed.pressure?)
+            ..region(&feed.group, BoundaryKind::Feed, feed.pressure?)
         })
     }));
     Ok(regions)

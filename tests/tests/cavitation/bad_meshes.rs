@@ -7,7 +7,7 @@ use std::sync::Arc;
 use oilwedge_fem::newton::Failure;
 use oilwedge_mesh::Mesh;
 use oilwedge_reynolds::quantities::{flow::flows, load::load};
-use oilwedge_reynolds::supply::Place;
+use oilwedge_reynolds::supply::BoundaryKind;
 use oilwedge_reynolds::{Cavitation, FilmSystem, NoFilm};
 use oilwedge_tests::random_bearings::Dice;
 use oilwedge_tests::*;
@@ -28,7 +28,7 @@ fn shaken(columns: u32, rows: u32, part: f64, seed: u64) -> Option<FilmSystem> {
     let mut regions = ends(&mesh, LENGTH, None);
     let mut feed = regions[0].clone();
     feed.name = "feed".into();
-    feed.place = Place::Feed;
+    feed.kind = BoundaryKind::Feed;
     feed.pressure = 1e5;
     feed.edges = Vec::new();
     feed.cells = (0..mesh.triangles().len() as u32).filter(inside).collect();

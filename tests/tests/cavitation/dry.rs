@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use oilwedge_reynolds::quantities::flow::flows;
-use oilwedge_reynolds::supply::{Place, SupplyRegion};
+use oilwedge_reynolds::supply::{BoundaryKind, SupplyRegion};
 use oilwedge_reynolds::{Cavitation, FilmSystem, NoFilm};
 use oilwedge_tests::*;
 
@@ -37,7 +37,7 @@ fn band(system: &FilmSystem, name: &str, from: f64, to: f64, pressure: f64) -> S
     };
     SupplyRegion {
         name: name.into(),
-        place: Place::Feed,
+        kind: BoundaryKind::Feed,
         pressure,
         edges: Vec::new(),
         cells: (0..mesh.triangles().len() as u32).filter(inside).collect(),

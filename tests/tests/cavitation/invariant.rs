@@ -5,7 +5,7 @@ use std::sync::Arc;
 use oilwedge_mesh::Mesh;
 use oilwedge_reynolds::quantities::{flow::flows, load::load};
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::supply::Place;
+use oilwedge_reynolds::supply::BoundaryKind;
 use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSolution, FilmSystem};
 use oilwedge_study::compile::{Study, compile};
 use oilwedge_tests::random_bearings::RandomBearing;
@@ -28,7 +28,7 @@ fn grooved(mesh: Mesh, column: i32) -> FilmSystem {
     };
     let mut feed = regions[0].clone();
     feed.name = "groove".into();
-    feed.place = Place::Feed;
+    feed.kind = BoundaryKind::Feed;
     feed.pressure = 3e4;
     feed.edges = Vec::new();
     feed.cells = (0..mesh.triangles().len() as u32).filter(inside).collect();

@@ -14,7 +14,7 @@ use std::sync::Arc;
 
 use oilwedge_reynolds::film_thickness::{FilmContribution, GrooveDepth};
 use oilwedge_reynolds::quantities::{flow::flows, load::load};
-use oilwedge_reynolds::supply::Place;
+use oilwedge_reynolds::supply::BoundaryKind;
 use oilwedge_reynolds::{Bearing, Cavitation, FilmPoint, FilmProblem, FilmSolution, FilmSystem, JournalState};
 use oilwedge_tests::*;
 
@@ -53,7 +53,7 @@ fn slider(sense: f64, fraction: f64, pocket: Option<([f64; 2], f64)>) -> (FilmPr
     let mesh = ring_of_radius(radius, COLUMNS, ROWS, LENGTH, 0.0);
     let mut regions = ends(&mesh, LENGTH, None);
     let inlet = &mut regions[if sense > 0.0 { 0 } else { 1 }];
-    inlet.place = Place::Line;
+    inlet.kind = BoundaryKind::Line;
     inlet.film_fraction = Some(fraction);
     let mut film = plain_film(LENGTH, 0.0, 0.0, 0.0);
     film.bearing = Bearing {

@@ -3,7 +3,7 @@
 use oilwedge_report::write_mesh;
 use oilwedge_reynolds::FilmSystem;
 use oilwedge_reynolds::error_bar::Value;
-use oilwedge_reynolds::supply::{Disc, Place};
+use oilwedge_reynolds::supply::{BoundaryKind, Disc};
 use oilwedge_study::RunOptions;
 use oilwedge_study::compile::compile;
 use oilwedge_tests::scenes::{table, variant};
@@ -31,7 +31,7 @@ fn chords() -> Judged {
     assert!(feed.edges.iter().all(|&edge| mesh.bulge(edge) == [0.0; 2]));
     let regions = study.system.supply.regions().iter().cloned();
     let regions = regions.map(|mut region| {
-        region.disc = (region.place == Place::Feed).then_some(HOLE);
+        region.disc = (region.kind == BoundaryKind::Feed).then_some(HOLE);
         region
     });
     let system = FilmSystem::new(mesh.clone(), 2, regions.collect()).expect("the same system");

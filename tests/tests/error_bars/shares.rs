@@ -3,7 +3,7 @@
 use oilwedge_reynolds::error_bar::FlowGoal;
 use oilwedge_reynolds::quantities::load::load;
 use oilwedge_reynolds::quantities::power::power;
-use oilwedge_reynolds::supply::Place;
+use oilwedge_reynolds::supply::BoundaryKind;
 use oilwedge_reynolds::{FilmSolution, FilmSystem};
 
 use super::films::{Judged, constant, drawn, set};
@@ -24,11 +24,11 @@ fn raised(judged: &Judged) -> FilmSolution {
     }
 }
 
-fn net(film: &FilmSolution, system: &FilmSystem, is_asked: impl Fn(&str, Place) -> bool) -> f64 {
+fn net(film: &FilmSolution, system: &FilmSystem, is_asked: impl Fn(&str, BoundaryKind) -> bool) -> f64 {
     let regions = system.supply.regions();
     let owned = |dof: usize| {
         let owner = system.supply.owner(dof);
-        owner.is_some_and(|k| is_asked(&regions[k].name, regions[k].place))
+        owner.is_some_and(|k| is_asked(&regions[k].name, regions[k].kind))
     };
     let dofs = film.inflow.iter().enumerate();
     dofs.filter(|(dof, _)| owned(*dof)).map(|(_, inflow)| inflow).sum()
@@ -103,10 +103,10 @@ fn of_flows() {
         let judged = Judged::of_scene(&scene);
         let better = &judged.system.cubic().system;
         for (goal, error) in &judged.error.flows {
-            let is_asked = |name: &str, place: Place| match goal {
-                FlowGoal::Ends => place == Place::End,
-                FlowGoal::End(end) => place == Place::End && name == end,
-                FlowGoal::Feed(feed) => place == Place::Feed && name == feed,
+            let is_asked = |name: &str, kind: BoundaryKind| match goal {
+                FlowGoal::Ends => kind == BoundaryKind::End,
+                FlowGoal::End(end) => kind == BoundaryKind::End && name == end,
+                FlowGoal::Feed(feed) => kind == BoundaryKind::Feed && name == feed,
             };
             let after = net(&judged.cubic, better, is_asked);
             let wanted = after - net(&judged.film, &judged.system, is_asked);

@@ -11,7 +11,7 @@ use std::sync::Arc;
 use oilwedge_mesh::developed::Liner;
 use oilwedge_mesh::generate::{Blueprint, Feature, Shape, generate};
 use oilwedge_reynolds::film_thickness::GrooveDepth;
-use oilwedge_reynolds::supply::{Place, SupplyRegion};
+use oilwedge_reynolds::supply::{BoundaryKind, SupplyRegion};
 use oilwedge_reynolds::{FilmProblem, FilmSystem};
 use oilwedge_tests::*;
 
@@ -48,9 +48,9 @@ fn step(depth: f64) -> (FilmProblem, FilmSystem) {
     for &cell in &mesh.region("groove").expect("the groove").cells {
         inside[cell as usize] = true;
     }
-    let region = |(name, place): (&str, Place)| SupplyRegion {
+    let region = |(name, kind): (&str, BoundaryKind)| SupplyRegion {
         name: name.to_owned(),
-        place,
+        kind,
         pressure: 0.0,
         edges: mesh.region(name).expect("a group of the mesh").edges.clone(),
         cells: Vec::new(),
@@ -58,10 +58,10 @@ fn step(depth: f64) -> (FilmProblem, FilmSystem) {
         film_fraction: None,
     };
     let places = [
-        ("end_low", Place::End),
-        ("end_high", Place::End),
-        ("arc_from", Place::Line),
-        ("arc_to", Place::Line),
+        ("end_low", BoundaryKind::End),
+        ("end_high", BoundaryKind::End),
+        ("arc_from", BoundaryKind::Line),
+        ("arc_to", BoundaryKind::Line),
     ];
     let regions = places.map(region).into();
     let mut film = plain_film(length, 0.0, 0.0, SPEED);

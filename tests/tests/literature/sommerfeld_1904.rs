@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use oilwedge_reynolds::analytical::sommerfeld;
 use oilwedge_reynolds::quantities::{load::load, similarity};
-use oilwedge_reynolds::supply::Place;
+use oilwedge_reynolds::supply::BoundaryKind;
 use oilwedge_reynolds::{FilmProblem, FilmSystem, Theory};
 use oilwedge_tests::*;
 
@@ -63,8 +63,8 @@ fn long_film(columns: u32) -> [f64; 2] {
     };
     let mesh = ring(columns, 4, SHORT, 0.0);
     let mut regions = ends(&mesh, SHORT, Some(0.0));
-    for region in regions.iter_mut().filter(|region| region.place == Place::End) {
-        region.place = Place::Sealed;
+    for region in regions.iter_mut().filter(|region| region.kind == BoundaryKind::End) {
+        region.kind = BoundaryKind::Sealed;
     }
     let system = FilmSystem::new(Arc::new(mesh), 2, regions).expect("the film start closes the ring");
     let solution = film.solve(&system).unwrap();

@@ -4,7 +4,7 @@
 //! |---|---|---|
 //! | none (full Sommerfeld) | nothing: pressures may fall below zero | tension that oil does not bear |
 //! | Guembel (half Sommerfeld) | drops pressures below p_cav after the solve | oil appears and vanishes at the edge of the film |
-//! | Reynolds (Swift-Stieber) | an obstacle problem, p >= p_cav | oil appears where the film forms again |
+//! | Reynolds (Swift-Stieber) | an obstacle problem, p >= p_cav | oil appears where the film schemes again |
 //! | JFO (mass conserving) | carries a film fraction through the cavity, [`jfo`] | streaks are a mixture without inertia |
 //!
 //! `docs/theory/cavitation.md` has the equations and how well each is solved.
@@ -14,8 +14,8 @@ mod jfo;
 use oilwedge_fem::complementarity::InitialGuess;
 use oilwedge_fem::newton::Failure;
 
+pub use jfo::{AdvectionScheme, FilmFraction};
 pub(crate) use jfo::{Carriage, Choice, residual_change, spread, work};
-pub use jfo::{FilmFraction, Transport};
 
 use crate::{FilmProblem, FilmSolution, FilmSystem, NoFilm};
 

@@ -32,7 +32,7 @@ use crate::quantities::flow::{self, Flows};
 use crate::quantities::inlet::inlet_flow;
 use crate::quantities::load;
 use crate::quantities::power::power;
-use crate::supply::Place;
+use crate::supply::BoundaryKind;
 use crate::{FilmProblem, FilmSolution, FilmSystem};
 
 /// c: of the difference of pressures, under an integral.
@@ -326,17 +326,17 @@ fn flow_bars(system: &FilmSystem, flows: &Flows, others: &Flows, carried: f64) -
             .iter()
             .zip(flows.regions.iter().zip(&others.regions))
     };
-    let bar = |difference: f64, passing: f64, place: Place| {
-        let by_carried = match place {
-            Place::End => CARRIED_TO_ENDS,
-            Place::Line | Place::Feed | Place::Sealed => CARRIED_ELSEWHERE,
+    let bar = |difference: f64, passing: f64, kind: BoundaryKind| {
+        let by_carried = match kind {
+            BoundaryKind::End => CARRIED_TO_ENDS,
+            BoundaryKind::Line | BoundaryKind::Feed | BoundaryKind::Sealed => CARRIED_ELSEWHERE,
         };
         OF_FLOW * difference.abs() + by_carried * carried * passing
     };
     let each =
-        pairs().map(|(region, (flow, other))| bar(flow.net - other.net, flow.inward + flow.outward, region.place));
-    let ends = || pairs().filter(|(region, _)| region.place == Place::End);
+        pairs().map(|(region, (flow, other))| bar(flow.net - other.net, flow.inward + flow.outward, region.kind));
+    let ends = || pairs().filter(|(region, _)| region.kind == BoundaryKind::End);
     let difference = ends().map(|(_, (flow, other))| flow.net - other.net).sum();
     let passing = ends().map(|(_, (flow, _))| flow.inward + flow.outward).sum();
-    (each.collect(), bar(difference, passing, Place::End))
+    (each.collect(), bar(difference, passing, BoundaryKind::End))
 }

@@ -12,7 +12,7 @@ use oilwedge_fem::{Error, Field, Matrix};
 use super::{FilmError, FlowGoal, GoalError, drag, geometry};
 use crate::angles::sines_and_cosines;
 use crate::quantities::load::{Share, kinked_rule, possible_load};
-use crate::supply::{Place, SupplyRegion};
+use crate::supply::{BoundaryKind, SupplyRegion};
 use crate::{FilmPoint, FilmProblem, FilmSolution, FilmSystem, Form};
 
 /// Angles of the film [rad] from which on a corner spoils the order: 225 degrees. The sides of a round hole turn by less.
@@ -76,17 +76,17 @@ pub(super) fn film_error(
         judged(&pressure, &|_, _, _| 0.0)?,
     ];
     let regions = system.supply.regions();
-    let of = |place: Place| regions.iter().filter(move |region| region.place == place);
-    let ends = of(Place::End).map(|region| FlowGoal::End(region.name.clone()));
-    let feeds = of(Place::Feed).map(|region| FlowGoal::Feed(region.name.clone()));
+    let of = |kind: BoundaryKind| regions.iter().filter(move |region| region.kind == kind);
+    let ends = of(BoundaryKind::End).map(|region| FlowGoal::End(region.name.clone()));
+    let feeds = of(BoundaryKind::Feed).map(|region| FlowGoal::Feed(region.name.clone()));
     let asked = ends.chain(feeds);
     let mut flows = asked
         .take(MOST_FLOWS)
         .map(|goal| {
             let is_asked = |region: &SupplyRegion| match &goal {
-                FlowGoal::Ends => region.place == Place::End,
-                FlowGoal::End(name) => region.place == Place::End && region.name == *name,
-                FlowGoal::Feed(name) => region.place == Place::Feed && region.name == *name,
+                FlowGoal::Ends => region.kind == BoundaryKind::End,
+                FlowGoal::End(name) => region.kind == BoundaryKind::End && region.name == *name,
+                FlowGoal::Feed(name) => region.kind == BoundaryKind::Feed && region.name == *name,
             };
             // Both films weigh their residuals with this one function, up to one that is orthogonal to that of the cubic film.
             let owned = |dof: usize| system.supply.owner(dof).is_some_and(|k| is_asked(&regions[k]));

@@ -64,7 +64,7 @@ pub(super) const STILL: f64 = 1e-10;
 const HARDLY: f64 = 1e-6;
 
 /// Flow [m3/s] that speed, squeeze or given pressures would drive through the clearance.
-pub(super) fn natural_flow(problem: &FilmProblem, system: &FilmSystem) -> f64 {
+pub(super) fn reference_flow(problem: &FilmProblem, system: &FilmSystem) -> f64 {
     let (bearing, journal) = (&problem.bearing, &problem.journal);
     // Not their differences: pressures that are alike leave the rounding of each.
     let given = system.supply.regions().iter().map(|region| region.pressure.abs());
@@ -113,7 +113,7 @@ pub fn flows(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) ->
     let taken_up = taken_up(problem, system, film);
     let throughput = regions.iter().map(|region| region.inward).sum::<f64>() + cavity.max(0.0) + (-taken_up).max(0.0);
     let net: f64 = regions.iter().map(|region| region.net).sum();
-    let natural = natural_flow(problem, system);
+    let natural = reference_flow(problem, system);
     Flows {
         imbalance: if throughput > STILL * natural {
             ((net + cavity - taken_up) / throughput.max(HARDLY * natural)).abs()

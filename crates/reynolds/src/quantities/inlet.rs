@@ -15,7 +15,7 @@ use oilwedge_fem::mapping::Mapping;
 use oilwedge_fem::quadrature::integrate_interval;
 
 use crate::film_law::FilmLaw;
-use crate::supply::Place;
+use crate::supply::BoundaryKind;
 use crate::{FilmProblem, FilmSolution, FilmSystem};
 
 /// The flow is taken behind the line by this part of the radius, for the pressure has a kink on it.
@@ -44,7 +44,7 @@ fn line(problem: &FilmProblem, system: &FilmSystem, sense: f64) -> f64 {
         .supply
         .regions()
         .iter()
-        .filter(|region| region.place == Place::Line);
+        .filter(|region| region.kind == BoundaryKind::Line);
     let positions = lines.filter_map(|region| Some(mesh.edge_nodes(*region.edges.first()?)[0][0]));
     // Of the edges of an arc that which the journal leaves.
     let first = positions.min_by(|a, b| (sense * a).total_cmp(&(sense * b)));

@@ -217,7 +217,7 @@ fn rim_moments(mesh: &Mesh, region: &SupplyRegion, radius: f64) -> Moments {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::supply::Place;
+    use crate::supply::BoundaryKind;
     use oilwedge_mesh::RawMesh;
 
     /// A ring of quadrilaterals round a hole, rims on circles.
@@ -254,7 +254,7 @@ mod tests {
         let mesh = annulus(64, &hole);
         let region = SupplyRegion {
             name: "hole".into(),
-            place: Place::Feed,
+            kind: BoundaryKind::Feed,
             pressure: 1.0,
             edges: mesh.region("hole").unwrap().edges.clone(),
             cells: Vec::new(),

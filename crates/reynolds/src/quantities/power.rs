@@ -26,7 +26,7 @@ use oilwedge_fem::integrate::{Nodal, Points, Rule};
 use oilwedge_fem::{Field, Quadrature, integrate, lagrange};
 
 use super::cavity::broken_share;
-use super::flow::{STILL, natural_flow};
+use super::flow::{STILL, reference_flow};
 use crate::cavitation::{self, Carriage};
 use crate::film_law::FilmLaw;
 use crate::lubricant::PressureLaw;
@@ -119,7 +119,7 @@ pub fn power(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) ->
         supplied,
         cavity,
         driven,
-        imbalance: if scale > STILL * pressures * natural_flow(problem, system) {
+        imbalance: if scale > STILL * pressures * reference_flow(problem, system) {
             (parts.iter().sum::<f64>() / scale).abs()
         } else {
             0.0

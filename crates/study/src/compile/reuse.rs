@@ -2,7 +2,7 @@
 
 use std::mem::discriminant;
 
-use oilwedge_reynolds::supply::{Place, SupplyRegion};
+use oilwedge_reynolds::supply::{BoundaryKind, SupplyRegion};
 
 use super::{Study, problem, supply_pressure};
 use crate::effects::{Effects, Sockets};
@@ -45,9 +45,9 @@ pub fn reused(mut study: Study, scene: &Scene, near: (f64, f64)) -> Study {
     (study.load, study.centre_velocity) = (sockets.load, sockets.centre_velocity);
     study.problem = problem(scene, sockets, study.system.space().mesh(), near);
     let fed = |name: &str| scene.feeds.iter().find(|feed| feed.group == name)?.pressure;
-    let pressure = |region: &SupplyRegion| match region.place {
-        Place::Feed => fed(&region.name).unwrap_or(region.pressure),
-        Place::End | Place::Line | Place::Sealed => scene.ends.pressure,
+    let pressure = |region: &SupplyRegion| match region.kind {
+        BoundaryKind::Feed => fed(&region.name).unwrap_or(region.pressure),
+        BoundaryKind::End | BoundaryKind::Line | BoundaryKind::Sealed => scene.ends.pressure,
     };
     study.system.renew(&pressure, &study.problem.film_thickness);
     study.cap = scene.cap;

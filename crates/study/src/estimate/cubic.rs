@@ -2,7 +2,7 @@
 
 use oilwedge_fem::Field;
 use oilwedge_reynolds::error_bar::{Bar, FilmError, FlowGoal, Value};
-use oilwedge_reynolds::supply::Place;
+use oilwedge_reynolds::supply::BoundaryKind;
 use oilwedge_reynolds::{FilmSolution, FilmSystem};
 
 use super::{Estimate, Scaled};
@@ -189,12 +189,12 @@ impl CubicPair<'_> {
     /// What is booked by where the edge of a cavity runs within a triangle [m3/s].
     fn unsure(&self, goal: &FlowGoal) -> f64 {
         let regions = self.study.system.supply.regions().iter();
-        let counts = |place: Place, region: &str| match goal {
-            FlowGoal::Ends => place == Place::End,
+        let counts = |kind: BoundaryKind, region: &str| match goal {
+            FlowGoal::Ends => kind == BoundaryKind::End,
             FlowGoal::End(name) | FlowGoal::Feed(name) => region == name,
         };
         let flows = regions.zip(&self.judged().flows.regions);
-        let counted = flows.filter(|(region, _)| counts(region.place, &region.name));
+        let counted = flows.filter(|(region, _)| counts(region.kind, &region.name));
         counted.map(|(_, flow)| flow.unsure).sum()
     }
 }

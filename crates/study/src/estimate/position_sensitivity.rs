@@ -36,7 +36,7 @@ pub(super) fn position_bars(
     for (direction, bar) in [along, across].into_iter().zip(bars) {
         let by = newton_step(balance.stiffness, direction.map(|d| -d * (bar + balance.unbalanced)));
         let change = study.centre_velocity.change(&study.problem.journal, by);
-        let moved = study.problem.moved(&study.system, film, &change);
+        let moved = study.problem.displaced(&study.system, film, &change);
         let moved = moved.map(|(problem, film)| {
             let there = measure(&problem, &study.system, &film);
             measured(&View::new(study, &problem, &there))

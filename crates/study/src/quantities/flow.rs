@@ -1,7 +1,7 @@
 //! Where the oil goes.
 
 use oilwedge_reynolds::error_bar::{Bar, FlowGoal};
-use oilwedge_reynolds::supply::Place;
+use oilwedge_reynolds::supply::BoundaryKind;
 
 use super::load::is_fed;
 use super::row::{Measure::Each, Measure::One, Row};
@@ -89,7 +89,7 @@ pub static FEED_FLOW: Row = Row::new(
     "Q_f",
     CubicMetrePerSecond,
     Each(|film| {
-        film.regions(Place::Feed)
+        film.regions(BoundaryKind::Feed)
             .map(|(region, flow)| (region.name.clone(), flow.net))
             .collect()
     }),
@@ -113,7 +113,7 @@ const OF_INLET: ErrorRule = ErrorRule::Of("difference of the two films", |estima
 });
 
 fn out_of(film: &View, end: &str) -> Option<f64> {
-    let mut ends = film.regions(Place::End);
+    let mut ends = film.regions(BoundaryKind::End);
     ends.find(|(region, _)| region.name == end).map(|(_, flow)| -flow.net)
 }
 

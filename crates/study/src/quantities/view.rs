@@ -4,7 +4,7 @@ use oilwedge_reynolds::quantities::flow::RegionFlow;
 use oilwedge_reynolds::quantities::friction::{Friction, friction};
 use oilwedge_reynolds::quantities::pressure::Extremes;
 use oilwedge_reynolds::quantities::similarity;
-use oilwedge_reynolds::supply::{Place, SupplyRegion};
+use oilwedge_reynolds::supply::{BoundaryKind, SupplyRegion};
 use oilwedge_reynolds::{FilmProblem, JournalState};
 
 use crate::compile::Study;
@@ -47,17 +47,17 @@ impl<'a> View<'a> {
     }
 
     /// Regions of the supply of one kind, with their flows.
-    pub fn regions(&self, place: Place) -> impl Iterator<Item = (&'a SupplyRegion, &'a RegionFlow)> + use<'a> {
+    pub fn regions(&self, kind: BoundaryKind) -> impl Iterator<Item = (&'a SupplyRegion, &'a RegionFlow)> + use<'a> {
         let regions = self.study.system.supply.regions().iter();
         regions
             .zip(&self.measured.flows.regions)
-            .filter(move |(region, _)| region.place == place)
+            .filter(move |(region, _)| region.kind == kind)
     }
 
     /// Oil [m3/s] that leaves at both ends; none where they are sealed.
     pub fn side_flow(&self) -> Option<f64> {
-        self.regions(Place::End).next()?;
-        Some(self.regions(Place::End).map(|(_, flow)| -flow.net).sum())
+        self.regions(BoundaryKind::End).next()?;
+        Some(self.regions(BoundaryKind::End).map(|(_, flow)| -flow.net).sum())
     }
 
     /// Unit [m3/s] of the flow numbers; none at rest.

@@ -1,7 +1,7 @@
 //! What heats and what cools a film, as it is measured.
 
 use oilwedge_bearing::{FilmHeat, HeatBalance, Housing};
-use oilwedge_reynolds::supply::Place;
+use oilwedge_reynolds::supply::BoundaryKind;
 use oilwedge_reynolds::{FilmProblem, FilmSystem, Theory};
 use oilwedge_scene::{Heat, Mixing};
 
@@ -27,9 +27,9 @@ pub fn leaving(problem: &FilmProblem, system: &FilmSystem, measured: &Measured) 
         return 0.0;
     }
     let regions = system.supply.regions().iter().zip(&measured.flows.regions);
-    let leaves = regions.map(|(region, flow)| match region.place {
+    let leaves = regions.map(|(region, flow)| match region.kind {
         // No film has less pressure than its cavity, so that no oil enters at such an end.
-        Place::End
+        BoundaryKind::End
             if problem
                 .cavitation
                 .pressure()
@@ -37,9 +37,9 @@ pub fn leaving(problem: &FilmProblem, system: &FilmSystem, measured: &Measured) 
         {
             (-flow.net).max(0.0)
         }
-        Place::End => flow.outward,
-        Place::Line | Place::Feed => (-flow.net).max(0.0),
-        Place::Sealed => 0.0,
+        BoundaryKind::End => flow.outward,
+        BoundaryKind::Line | BoundaryKind::Feed => (-flow.net).max(0.0),
+        BoundaryKind::Sealed => 0.0,
     });
     leaves.sum()
 }

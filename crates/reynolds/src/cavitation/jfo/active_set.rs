@@ -9,7 +9,7 @@ use oilwedge_fem::newton::{Failure, HistoryStep, Seconds};
 use oilwedge_fem::{Constraints, Error, Linearisation, Matrix, UnsymmetricFactorization};
 
 use super::balance::{Balance, add};
-use super::blocks::{Block, Transport};
+use super::blocks::{AdvectionScheme, Block};
 use super::loops;
 use super::positivity::{UNDERSHOOT, least_carried};
 use super::relaxation::State;
@@ -36,12 +36,12 @@ pub(super) struct Search<'a> {
     film: &'a Film<'a>,
     state: State,
     /// How the oil of each sub-triangle is carried.
-    forms: Vec<Transport>,
+    schemes: Vec<AdvectionScheme>,
     /// How often the cavity has left each sub-triangle in the first pass.
     left: Vec<u8>,
     /// How often each node has changed sides in the second pass.
     turns: Vec<u8>,
-    /// Sub-triangles whose form has changed in the second pass.
+    /// Sub-triangles whose scheme has changed in the second pass.
     changed: Vec<bool>,
     first: Option<f64>,
     balance: Balance,
@@ -55,7 +55,7 @@ pub(super) struct Search<'a> {
 /// A film whose signs are all right.
 pub(super) struct Found {
     pub(super) state: State,
-    pub(super) forms: Vec<Transport>,
+    pub(super) schemes: Vec<AdvectionScheme>,
     /// Inflow near each node where pressure is given; rounding elsewhere.
     pub(super) residual: Vec<f64>,
     pub(super) linearisation: Linearisation,
@@ -73,7 +73,7 @@ struct TimeStep {
     volume: Vec<f64>,
 }
 
-/// How the forms by which oil is carried are chosen.
+/// How the advection schemes are chosen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Pass {
     /// Anew at each step, by the N scheme wherever a node is in the cavity.
@@ -99,7 +99,7 @@ impl<'a> Search<'a> {
         Self {
             film,
             state: State::new(p, held),
-            forms: vec![Transport::Faces; film.blocks.len()],
+            schemes: vec![AdvectionScheme::Faces; film.blocks.len()],
             left: vec![0; film.blocks.len()],
             turns: Vec::new(),
             changed: vec![false; film.blocks.len()],
@@ -116,7 +116,7 @@ impl<'a> Search<'a> {
     pub(super) fn run(mut self, choice: Choice) -> Result<Found, Failure> {
         let mut pass = Pass::Kept;
         if let Choice::Kept(kept) = choice {
-            self.forms = kept.forms.clone();
+            self.schemes = kept.schemes.clone();
         } else {
             let mut end = self.iterate(Pass::First, None)?;
             if let End::Repeated = end {
@@ -127,7 +127,7 @@ impl<'a> Search<'a> {
                 (_, End::Settled(solved)) => self.renewed = solved.into_unsymmetric(),
                 (_, End::Repeated) => {}
             }
-            self.forms = self.second_forms();
+            self.schemes = self.second_schemes();
             pass = Pass::Second;
         }
         self.turns = vec![0; self.state.p.len()];
@@ -154,10 +154,10 @@ impl<'a> Search<'a> {
         self.found(end)
     }
 
-    /// In pseudo-time from the start, by forms that are given.
+    /// In pseudo-time from the start, by schemes that are given.
     #[cfg(test)]
-    pub(super) fn run_in_time(mut self, forms: &[Transport]) -> Result<Found, Failure> {
-        self.forms = forms.to_vec();
+    pub(super) fn run_in_time(mut self, schemes: &[AdvectionScheme]) -> Result<Found, Failure> {
+        self.schemes = schemes.to_vec();
         self.pseudo_time()?;
         let end = self.iterate(Pass::Kept, None)?;
         self.found(end)
@@ -174,7 +174,7 @@ impl<'a> Search<'a> {
         Ok(Found {
             residual: self.balance.residual(&self.state.p, &self.state.theta),
             state: self.state,
-            forms: self.forms,
+            schemes: self.schemes,
             linearisation,
             history: self.history,
             seconds: self.seconds,
@@ -204,25 +204,25 @@ impl<'a> Search<'a> {
     }
 
     /// The N scheme in every sub-triangle with a node in the cavity, and where the cavity comes and goes.
-    fn choose_first_forms(&mut self) {
-        for t in 0..self.forms.len() {
+    fn choose_first_schemes(&mut self) {
+        for t in 0..self.schemes.len() {
             if self.corners(t, |node| self.state.cavity[node]).contains(&true) {
-                self.forms[t] = Transport::Positive;
-            } else if self.forms[t] == Transport::Positive && self.left[t] < MOST_RETURNS {
+                self.schemes[t] = AdvectionScheme::Positive;
+            } else if self.schemes[t] == AdvectionScheme::Positive && self.left[t] < MOST_RETURNS {
                 self.left[t] += 1;
-                self.forms[t] = Transport::Faces;
+                self.schemes[t] = AdvectionScheme::Faces;
             }
         }
     }
 
     /// LDA where the inflow side is starved.
-    fn second_forms(&self) -> Vec<Transport> {
-        let form = |(t, block): (usize, &Block)| match block.is_starved(self.corners(t, |node| self.state.cavity[node]))
-        {
-            true => Transport::LowDiffusion,
-            false => Transport::Faces,
-        };
-        self.film.blocks.iter().enumerate().map(form).collect()
+    fn second_schemes(&self) -> Vec<AdvectionScheme> {
+        let scheme =
+            |(t, block): (usize, &Block)| match block.is_starved(self.corners(t, |node| self.state.cavity[node])) {
+                true => AdvectionScheme::LowDiffusion,
+                false => AdvectionScheme::Faces,
+            };
+        self.film.blocks.iter().enumerate().map(scheme).collect()
     }
 
     /// Nodes that have turned so often.
@@ -238,23 +238,23 @@ impl<'a> Search<'a> {
     }
 
     /// Carries the oil round these nodes by the N scheme where that is by one of `others`. True if that is new.
-    fn calm(&mut self, nodes: &[usize], others: &[Transport]) -> bool {
+    fn calm(&mut self, nodes: &[usize], others: &[AdvectionScheme]) -> bool {
         if nodes.is_empty() {
             return false;
         }
         let mut marked = vec![false; self.state.p.len()];
         nodes.iter().for_each(|&dof| marked[dof] = true);
         let mut new = false;
-        for t in 0..self.forms.len() {
-            if others.contains(&self.forms[t]) && self.corners(t, |node| marked[node]).contains(&true) {
-                self.forms[t] = Transport::Positive;
+        for t in 0..self.schemes.len() {
+            if others.contains(&self.schemes[t]) && self.corners(t, |node| marked[node]).contains(&true) {
+                self.schemes[t] = AdvectionScheme::Positive;
                 new = true;
             }
         }
         new
     }
 
-    /// Carries the oil round nodes that hold less than is carried to them by the N scheme, which is positive; where forms are kept, round those
+    /// Carries the oil round nodes that hold less than is carried to them by the N scheme, which is positive; where schemes are kept, round those
     /// that hold less than none. True if that is new.
     fn calm_overdrawn(&mut self, pass: Pass) -> bool {
         let least = match pass {
@@ -266,17 +266,17 @@ impl<'a> Search<'a> {
                 self.state.cavity[dof] && self.state.theta[dof] < least[dof] - UNDERSHOOT * least[dof].abs() - ROUNDING
             })
             .collect();
-        self.calm(&overdrawn, &[Transport::LowDiffusion, Transport::Faces])
+        self.calm(&overdrawn, &[AdvectionScheme::LowDiffusion, AdvectionScheme::Faces])
     }
 
-    /// The forms of the second pass for the present cavity. Each sub-triangle changes once: some along the rupture line
+    /// The schemes of the second pass for the present cavity. Each sub-triangle changes once: some along the rupture line
     /// would chatter. True if any changed.
-    fn choose_second_forms(&mut self) -> bool {
-        let chosen = self.second_forms();
+    fn choose_second_schemes(&mut self) -> bool {
+        let chosen = self.second_schemes();
         let mut new = false;
-        for ((form, chosen), changed) in self.forms.iter_mut().zip(chosen).zip(&mut self.changed) {
-            if *form != Transport::Positive && *form != chosen && !*changed {
-                (*form, *changed, new) = (chosen, true, true);
+        for ((scheme, chosen), changed) in self.schemes.iter_mut().zip(chosen).zip(&mut self.changed) {
+            if *scheme != AdvectionScheme::Positive && *scheme != chosen && !*changed {
+                (*scheme, *changed, new) = (chosen, true, true);
             }
         }
         new
@@ -288,8 +288,8 @@ impl<'a> Search<'a> {
         let mut at_first = None;
         while self.history.len() < MOST_STEPS {
             match pass {
-                Pass::First => self.choose_first_forms(),
-                Pass::Second if self.choose_second_forms() => seen.clear(),
+                Pass::First => self.choose_first_schemes(),
+                Pass::Second if self.choose_second_schemes() => seen.clear(),
                 Pass::Second | Pass::Kept => {}
             }
             let (linearisation, residual) = self.solve(time)?;
@@ -314,7 +314,7 @@ impl<'a> Search<'a> {
                 return Ok(End::Repeated);
             }
             let restless = self.restless(&wrong);
-            if self.calm(&restless, &[Transport::LowDiffusion]) {
+            if self.calm(&restless, &[AdvectionScheme::LowDiffusion]) {
                 seen.clear();
             }
             self.renewed = linearisation.into_unsymmetric();
@@ -370,15 +370,15 @@ impl<'a> Search<'a> {
         Ok((linearisation, residual))
     }
 
-    /// What is carried by the present forms, with what the boundary brings and takes.
+    /// What is carried by the present schemes, with what the boundary brings and takes.
     fn carry(&mut self, time: Option<&TimeStep>) {
         let (volumes, rows) = (self.film.volumes, &self.film.rows);
         let Balance {
             transport, constant, ..
         } = &mut self.balance;
         transport.values.fill(0.0);
-        for (block, (form, addresses)) in self.film.blocks.iter().zip(self.forms.iter().zip(&volumes.addresses)) {
-            add(transport, addresses, &block.transport(*form, block));
+        for (block, (scheme, addresses)) in self.film.blocks.iter().zip(self.schemes.iter().zip(&volumes.addresses)) {
+            add(transport, addresses, &block.transport(*scheme, block));
         }
         for dof in loops::without_source(transport, &self.state.cavity, &rows.inflow) {
             transport.add_to_diagonal(dof, loops::LEAK * transport.diagonal(dof));

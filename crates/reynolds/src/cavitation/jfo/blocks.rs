@@ -31,7 +31,7 @@ const CELLS_A_TASK: usize = 1024;
 
 /// How the oil of a sub-triangle is carried.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Transport {
+pub enum AdvectionScheme {
     /// Through the faces between cells, from upstream.
     Faces,
     /// By the N scheme.
@@ -252,13 +252,13 @@ impl Block {
     }
 
     /// `B`; faces take the oil from upstream as in the film `upwind` (itself, unless this is a change of it).
-    pub(super) fn transport(&self, form: Transport, upwind: &Self) -> Square {
-        let mut square = match form {
-            Transport::Faces => self.faces(upwind),
-            Transport::Positive => self.n_scheme(),
-            Transport::LowDiffusion => self.low_diffusion(),
+    pub(super) fn transport(&self, scheme: AdvectionScheme, upwind: &Self) -> Square {
+        let mut square = match scheme {
+            AdvectionScheme::Faces => self.faces(upwind),
+            AdvectionScheme::Positive => self.n_scheme(),
+            AdvectionScheme::LowDiffusion => self.low_diffusion(),
         };
-        if form != Transport::Faces {
+        if scheme != AdvectionScheme::Faces {
             self.take_sides(&mut square);
         }
         for i in 0..3 {

@@ -44,7 +44,7 @@ use oilwedge_fem::complementarity::InitialGuess;
 
 use self::active_set::Search;
 use self::balance::Balance;
-pub use self::blocks::Transport;
+pub use self::blocks::AdvectionScheme;
 use self::blocks::{Block, blocks, blocks_and_changes};
 use self::relaxation::{Downstream, State};
 use self::rows::{Condition, Rows};
@@ -63,7 +63,7 @@ pub struct FilmFraction {
     /// Film fraction theta at each dof: one where the film is full.
     pub values: Vec<f64>,
     /// How the oil of each sub-triangle ([`ControlVolumes`]) is carried.
-    pub forms: Vec<Transport>,
+    pub schemes: Vec<AdvectionScheme>,
 }
 
 /// The discrete film.
@@ -80,7 +80,7 @@ struct Film<'a> {
     time: f64,
 }
 
-/// How it is chosen by which forms oil is carried.
+/// How the advection schemes are chosen.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Choice<'a> {
     /// In two passes.
@@ -121,7 +121,7 @@ pub(crate) fn solve(
         cavity,
         film_fraction: Some(FilmFraction {
             values: theta,
-            forms: found.forms,
+            schemes: found.schemes,
         }),
         linearisation: std::sync::Arc::new(found.linearisation),
         history: found.history,
@@ -137,7 +137,7 @@ fn cavity_floor(problem: &FilmProblem) -> f64 {
 }
 
 /// First-order change of every balance where the journal moves by `change`: cavity, film fraction and the
-/// choice of forms stay.
+/// choice of schemes stay.
 pub(crate) fn residual_change(
     problem: &FilmProblem,
     system: &FilmSystem,
@@ -152,7 +152,7 @@ pub(crate) fn residual_change(
     let mut residual = vec![0.0; film.unknown.len()];
     for (t, nodes) in volumes.triangles.iter().enumerate() {
         let [upwind, moved] = &blocks[t];
-        let (k, b) = (moved.pressure(), moved.transport(fraction.forms[t], upwind));
+        let (k, b) = (moved.pressure(), moved.transport(fraction.schemes[t], upwind));
         for i in 0..3 {
             for j in 0..3 {
                 let node = nodes[j] as usize;

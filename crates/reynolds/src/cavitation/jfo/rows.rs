@@ -10,7 +10,7 @@ use oilwedge_fem::ControlVolumes;
 
 use crate::existence::NoFilm;
 use crate::film_law::FilmLaw;
-use crate::supply::Place;
+use crate::supply::BoundaryKind;
 use crate::{FilmProblem, FilmSystem};
 
 /// What is known at a node.
@@ -64,7 +64,7 @@ impl Rows {
             .supply
             .regions()
             .iter()
-            .filter(|region| region.place == Place::End)
+            .filter(|region| region.kind == BoundaryKind::End)
         {
             for dof in region.edges.iter().flat_map(|&edge| system.space().dofs_on_edge(edge)) {
                 on_end[dof] = true;
@@ -84,10 +84,10 @@ impl Rows {
                 (None, _) => region.pressure,
             };
             rows.value[dof] = problem.unknown_at(pressure);
-            let open = match region.place {
-                Place::Feed | Place::Sealed => false,
-                Place::End => true,
-                Place::Line => carried[dof] > 0.0 || starved.is_some(),
+            let open = match region.kind {
+                BoundaryKind::Feed | BoundaryKind::Sealed => false,
+                BoundaryKind::End => true,
+                BoundaryKind::Line => carried[dof] > 0.0 || starved.is_some(),
             };
             rows.condition[dof] = match open && rows.value[dof] <= floor {
                 true => Condition::Edge,

@@ -9,7 +9,7 @@ use oilwedge_mesh::{Mesh, RawMesh};
 use super::{Choice, Film, Search};
 use crate::film_thickness::Eccentricity;
 use crate::lubricant::{Lubricant, PressureLaw};
-use crate::supply::{Place, SupplyRegion};
+use crate::supply::{BoundaryKind, SupplyRegion};
 use crate::terms::{Couette, Poiseuille};
 use crate::{Bearing, Cavitation, FilmProblem, FilmSystem, Form, JournalState};
 
@@ -43,7 +43,7 @@ fn ring(columns: u32, rows: u32) -> FilmSystem {
     let mesh = Mesh::build(raw).expect("a structured ring has no defects");
     let regions = ["low", "high"].map(|name| SupplyRegion {
         name: name.into(),
-        place: Place::End,
+        kind: BoundaryKind::End,
         pressure: AMBIENT,
         edges: mesh.region(name).expect("an end").edges.clone(),
         cells: Vec::new(),
@@ -77,7 +77,7 @@ fn problem(eccentricity: f64) -> FilmProblem {
     }
 }
 
-/// From an empty and from a full start, by the forms of the film that the two passes found, pseudo-time arrives at
+/// From an empty and from a full start, by the schemes of the film that the two passes found, pseudo-time arrives at
 /// that film.
 #[test]
 fn pseudo_time_arrives_at_the_film_of_the_two_passes() {
@@ -92,7 +92,7 @@ fn pseudo_time_arrives_at_the_film_of_the_two_passes() {
         assert!(expected.state.cavity.contains(&true) && expected.fallbacks.is_empty());
         for broken in [false, true] {
             let found = Search::new(&film, start(broken));
-            let found = found.run_in_time(&expected.forms).expect("a film");
+            let found = found.run_in_time(&expected.schemes).expect("a film");
             assert_eq!(found.state.cavity, expected.state.cavity);
             let off = |a: &[f64], b: &[f64]| a.iter().zip(b).fold(0.0f64, |most, (a, b)| most.max((a - b).abs()));
             let (p, theta) = (

@@ -81,7 +81,7 @@ pub(crate) fn work(carriage: &Carriage, film: &FilmSolution, excess: &[f64], she
 
 /// What dragging oil along and taking it up works, in one sub-triangle.
 fn carried(block: &Block, fraction: &FilmFraction, t: usize, p: [f64; 3], theta: [f64; 3]) -> (f64, f64) {
-    let transport = block.transport(fraction.forms[t], block);
+    let transport = block.transport(fraction.schemes[t], block);
     let outflow: f64 = (0..3)
         .map(|i| p[i] * (0..3).map(|j| transport[i][j] * theta[j]).sum::<f64>())
         .sum();

@@ -14,7 +14,7 @@ impl FilmProblem {
     ///
     /// # Errors
     /// [`NoFilm`]: the reason why there is none.
-    pub fn moved(
+    pub fn displaced(
         &self,
         system: &FilmSystem,
         film: &FilmSolution,
