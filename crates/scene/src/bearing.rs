@@ -69,14 +69,8 @@ impl Theory {
 
 /// Reads the table; `usual_ratio` is the clearance over the radius where none is written.
 pub(crate) fn read(mut table: TableReader<'_>, usual_ratio: Option<f64>) -> Bearing {
-    let diameter = table
-        .quantity("diameter", Dimension::Length, "75 mm")
-        .positive()
-        .required();
-    let length = table
-        .quantity("length", Dimension::Length, "75 mm")
-        .positive()
-        .required();
+    let diameter = table.positive("diameter", Dimension::Length, "75 mm");
+    let length = table.positive("length", Dimension::Length, "75 mm");
     let clearance = table.quantity("clearance", Dimension::Length, "37.5 um").positive();
     let clearance = match usual_ratio {
         Some(ratio) => clearance.or(0.5 * diameter * ratio),
@@ -90,7 +84,7 @@ pub(crate) fn read(mut table: TableReader<'_>, usual_ratio: Option<f64>) -> Bear
         "give the radial clearance, about a thousandth of half the bearing.diameter; is it in um?",
     );
     let (arc, inlet_fraction) = table.table_if_given("arc").map_or((None, None), arc);
-    let film_start = table.quantity("film_start", Dimension::Angle, "180 deg").given();
+    let film_start = table.given("film_start", Dimension::Angle, "180 deg");
     table.refuse_if(
         arc.is_some() && film_start.is_some(),
         "film_start",
@@ -105,17 +99,14 @@ pub(crate) fn read(mut table: TableReader<'_>, usual_ratio: Option<f64>) -> Bear
         arc,
         inlet_fraction,
         film_start,
-        roughness: table
-            .quantity("roughness", Dimension::Length, "0.4 um")
-            .positive()
-            .given(),
+        roughness: table.positive_if_given("roughness", Dimension::Length, "0.4 um"),
         theory: table.word("theory", &theories).unwrap_or_default(),
     }
 }
 
 fn arc(mut table: TableReader<'_>) -> (Option<Arc>, Option<f64>) {
-    let from = table.quantity("from", Dimension::Angle, "40 deg").required();
-    let to = table.quantity("to", Dimension::Angle, "220 deg").required();
+    let from = table.required("from", Dimension::Angle, "40 deg");
+    let to = table.required("to", Dimension::Angle, "220 deg");
     table.refuse_if(
         to <= from,
         "to",

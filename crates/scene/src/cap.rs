@@ -62,27 +62,12 @@ pub struct Shell {
 pub(crate) fn read(mut table: TableReader<'_>) -> Cap {
     let example = "bolts = { count = 2, diameter = \"10 mm\", stress_area = \"58 mm2\", load_share = 0.2, tightness = 2.5, torque_coefficient = 0.15 }";
     let cap = Cap {
-        reciprocating_mass: table
-            .quantity("reciprocating_mass", Dimension::Mass, "0.7 kg")
-            .positive()
-            .required(),
-        rotating_mass: table
-            .quantity("rotating_mass", Dimension::Mass, "0.5 kg")
-            .positive()
-            .required(),
-        cap_mass: table
-            .quantity("cap_mass", Dimension::Mass, "0.15 kg")
-            .positive()
-            .required(),
-        crank_radius: table
-            .quantity("crank_radius", Dimension::Length, "45 mm")
-            .positive()
-            .required(),
-        rod_length: table
-            .quantity("rod_length", Dimension::Length, "145 mm")
-            .positive()
-            .required(),
-        angle: table.quantity("angle", Dimension::Angle, "270 deg").required(),
+        reciprocating_mass: table.positive("reciprocating_mass", Dimension::Mass, "0.7 kg"),
+        rotating_mass: table.positive("rotating_mass", Dimension::Mass, "0.5 kg"),
+        cap_mass: table.positive("cap_mass", Dimension::Mass, "0.15 kg"),
+        crank_radius: table.positive("crank_radius", Dimension::Length, "45 mm"),
+        rod_length: table.positive("rod_length", Dimension::Length, "145 mm"),
+        angle: table.required("angle", Dimension::Angle, "270 deg"),
         bolts: bolts(table.table("bolts", example)),
         shell: table.table_if_given("shell").map(shell),
     };
@@ -109,14 +94,8 @@ fn bolts(mut table: TableReader<'_>) -> Bolts {
     );
     // One that was refused is NaN, which becomes zero.
     let count = count.required() as u32;
-    let diameter = table
-        .quantity("diameter", Dimension::Length, "10 mm")
-        .positive()
-        .required();
-    let stress_area = table
-        .quantity("stress_area", Dimension::Area, "58 mm2")
-        .positive()
-        .required();
+    let diameter = table.positive("diameter", Dimension::Length, "10 mm");
+    let stress_area = table.positive("stress_area", Dimension::Area, "58 mm2");
     let section = 0.25 * PI * diameter * diameter;
     table.refuse_if(
         stress_area > section,
@@ -147,22 +126,10 @@ fn bolts(mut table: TableReader<'_>) -> Bolts {
 
 fn shell(mut table: TableReader<'_>) -> Shell {
     Shell {
-        protrusion: table
-            .quantity("protrusion", Dimension::Length, "25 um")
-            .positive()
-            .required(),
-        modulus: table
-            .quantity("modulus", Dimension::Pressure, "200 GPa")
-            .positive()
-            .required(),
-        section: table
-            .quantity("section", Dimension::Area, "60 mm2")
-            .positive()
-            .required(),
-        radius: table
-            .quantity("radius", Dimension::Length, "26 mm")
-            .positive()
-            .required(),
+        protrusion: table.positive("protrusion", Dimension::Length, "25 um"),
+        modulus: table.positive("modulus", Dimension::Pressure, "200 GPa"),
+        section: table.positive("section", Dimension::Area, "60 mm2"),
+        radius: table.positive("radius", Dimension::Length, "26 mm"),
     }
 }
 

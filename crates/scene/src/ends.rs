@@ -12,6 +12,6 @@ pub struct Ends {
 
 pub(crate) fn read(mut table: TableReader<'_>) -> Ends {
     Ends {
-        pressure: table.quantity("pressure", Dimension::Pressure, "0 bar").required(),
+        pressure: table.required("pressure", Dimension::Pressure, "0 bar"),
     }
 }

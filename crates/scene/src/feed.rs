@@ -42,7 +42,7 @@ pub(crate) fn read(mut table: TableReader<'_>, usual_pressure: Option<f64>) -> F
     let group = table.text("group", "feed_hole");
     let hole = table.table_if_given("hole").map(hole::read);
     let groove = table.table_if_given("groove").map(groove::read);
-    let pressure = table.quantity("pressure", Dimension::Pressure, "1.96 bar").given();
+    let pressure = table.given("pressure", Dimension::Pressure, "1.96 bar");
     let depth = table.quantity("depth", Dimension::Length, "20 um").within(
         |depth| depth >= 0.0,
         "is negative",

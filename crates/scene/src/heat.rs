@@ -126,16 +126,11 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Heat {
             "give some 1.8 MJ/(m3.K), density times specific heat, or remove it",
         );
     let heat_capacity = heat_capacity.or(HEAT_CAPACITY);
-    let hottest = table
-        .quantity("temperature_max", Dimension::Temperature, "115 C")
-        .of_oil();
+    let hottest = table.oil_temperature("temperature_max", "115 C");
     Heat {
         heat_capacity,
         greatest_temperature: hottest.or(GREATEST_TEMPERATURE),
-        inlet: table
-            .quantity("inlet", Dimension::Temperature, "75 C")
-            .of_oil()
-            .or(usual),
+        inlet: table.oil_temperature("inlet", "75 C").or(usual),
         least_film: table
             .quantity("film_min", Dimension::Length, "4 um")
             .positive()
@@ -148,15 +143,9 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Heat {
 
 /// The conductance as one number, or as that of a surface times its area.
 fn housing(mut table: TableReader<'_>) -> Housing {
-    let conductance = table
-        .quantity("conductance", Dimension::Conductance, "5 W/K")
-        .positive()
-        .given();
-    let transfer = table
-        .quantity("transfer", Dimension::HeatTransfer, "17 W/(m2.K)")
-        .positive()
-        .given();
-    let area = table.quantity("area", Dimension::Area, "500 cm2").positive().given();
+    let conductance = table.positive_if_given("conductance", Dimension::Conductance, "5 W/K");
+    let transfer = table.positive_if_given("transfer", Dimension::HeatTransfer, "17 W/(m2.K)");
+    let area = table.positive_if_given("area", Dimension::Area, "500 cm2");
     let conductance = match (conductance, transfer, area) {
         (None, None, None) => {
             let example = "\"5 W/K\", or transfer = \"17 W/(m2.K)\" and area = \"500 cm2\"";
@@ -173,10 +162,7 @@ fn housing(mut table: TableReader<'_>) -> Housing {
             transfer.unwrap_or(f64::NAN) * area.unwrap_or(f64::NAN)
         }
     };
-    let ambient = table
-        .quantity("ambient", Dimension::Temperature, "40 C")
-        .of_oil()
-        .required();
+    let ambient = table.oil_temperature("ambient", "40 C").required();
     Housing { conductance, ambient }
 }
 

@@ -50,7 +50,7 @@ impl Journal {
 /// Reads the table; `load` is the position under a load, if the scene has one.
 pub(crate) fn read(mut table: TableReader<'_>, load: Option<Position>) -> Journal {
     Journal {
-        speed: table.quantity("speed", Dimension::Speed, "3000 rpm").required(),
+        speed: table.required("speed", Dimension::Speed, "3000 rpm"),
         squeeze: table.table_if_given("squeeze").map(squeeze::read),
         position: position(&mut table, load),
     }
@@ -68,7 +68,7 @@ fn position(table: &mut TableReader<'_>, load: Option<Position>) -> Position {
         "give 0 <= eccentricity < 1, the offset of the journal over the radial clearance",
     );
     let eccentricity = eccentricity.given();
-    let angle = table.quantity("min_film_angle", Dimension::Angle, "180 deg").given();
+    let angle = table.given("min_film_angle", Dimension::Angle, "180 deg");
     if let Some(load) = load {
         let (key, keys) = match (eccentricity, angle) {
             (None, None) => return load,

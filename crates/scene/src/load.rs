@@ -11,6 +11,6 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Position {
         "give force >= 0, and turn angle by 180 deg",
     );
     let force = force.required();
-    let angle = table.quantity("angle", Dimension::Angle, "270 deg").required();
+    let angle = table.required("angle", Dimension::Angle, "270 deg");
     Position::Load { force, angle }
 }

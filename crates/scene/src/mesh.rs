@@ -63,7 +63,7 @@ pub(crate) fn read(table: Option<TableReader<'_>>, scene: &Path) -> (MeshSource,
     };
     let has_file = table.has("file");
     let file = table.text_if_given("file", "../meshes/liner.msh");
-    let size = table.quantity("size", Dimension::Length, "3 mm").positive().given();
+    let size = table.positive_if_given("size", Dimension::Length, "3 mm");
     let name = table.text_if_given("unit", "mm");
     table.refuse_if(
         name.is_some() && !has_file,

@@ -57,15 +57,9 @@ const THINNER: &str = "is negative, so the oil would grow thinner under pressure
 
 /// Reads the table; `wanted` is an example of the temperature that a viscosity which depends on it needs, if the scene must give it.
 pub(crate) fn read(mut table: TableReader<'_>, wanted: Option<&str>) -> Oil {
-    let constant = table
-        .quantity("viscosity", Dimension::Viscosity, "40 mPa.s")
-        .positive()
-        .given();
+    let constant = table.positive_if_given("viscosity", Dimension::Viscosity, "40 mPa.s");
     let law = temperature::read(&mut table);
-    let temperature = table
-        .quantity("temperature", Dimension::Temperature, "80 C")
-        .of_oil()
-        .given();
+    let temperature = table.oil_temperature("temperature", "80 C").given();
     match (constant, &law) {
         (None, None) => table.require(
             "viscosity",

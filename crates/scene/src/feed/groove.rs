@@ -22,8 +22,8 @@ pub struct Groove {
 
 /// A groove from 0 to 360 degrees is one all around.
 pub(super) fn read(mut table: TableReader<'_>) -> Groove {
-    let from = table.quantity("from", Dimension::Angle, "80 deg").given();
-    let to = table.quantity("to", Dimension::Angle, "100 deg").given();
+    let from = table.given("from", Dimension::Angle, "80 deg");
+    let to = table.given("to", Dimension::Angle, "100 deg");
     if from.is_some() != to.is_some() {
         let (has, lacks) = if from.is_some() { ("from", "to") } else { ("to", "from") };
         let help = format!("give {lacks} too, or remove {has} for a groove all around");
@@ -50,10 +50,7 @@ pub(super) fn read(mut table: TableReader<'_>) -> Groove {
     }
     Groove {
         arc,
-        width: table
-            .quantity("width", Dimension::Length, "20 mm")
-            .positive()
-            .required(),
+        width: table.positive("width", Dimension::Length, "20 mm"),
         z: table.quantity("z", Dimension::Length, "0 mm").or(0.0),
         corner: table.quantity("corner", Dimension::Length, "2 mm").or(0.0),
     }

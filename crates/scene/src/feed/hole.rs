@@ -20,11 +20,8 @@ pub struct Hole {
 
 pub(super) fn read(mut table: TableReader<'_>) -> Hole {
     Hole {
-        diameter: table
-            .quantity("diameter", Dimension::Length, "17 mm")
-            .positive()
-            .required(),
-        angle: table.quantity("angle", Dimension::Angle, "130 deg").required(),
+        diameter: table.positive("diameter", Dimension::Length, "17 mm"),
+        angle: table.required("angle", Dimension::Angle, "130 deg"),
         z: table.quantity("z", Dimension::Length, "0 mm").or(0.0),
     }
 }

@@ -40,7 +40,7 @@ pub(super) fn read(oil: &mut TableReader<'_>) -> Option<Density> {
     Some(Density {
         expansion: expansion.given(),
         value: of_liquid(table.quantity("value", Dimension::Density, "868 kg/m3")).required(),
-        at: table.quantity("at", Dimension::Temperature, "15 C").of_oil().or(at_20),
+        at: table.oil_temperature("at", "15 C").or(at_20),
     })
 }
 

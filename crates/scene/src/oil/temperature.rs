@@ -47,11 +47,11 @@ pub enum PointViscosity {
     Dynamic(f64),
 }
 
-impl Number<'_, '_> {
-    /// The temperature [K] if oil is a liquid there; else a complaint.
-    pub(crate) fn of_oil(self) -> Self {
+impl<'a> TableReader<'a> {
+    /// A temperature [K] at which oil is a liquid; `example` is one.
+    pub(crate) fn oil_temperature(&mut self, key: &'a str, example: &str) -> Number<'_, 'a> {
         let [least, most] = LIQUID;
-        self.within_or(
+        self.quantity(key, Dimension::Temperature, example).within_or(
             |temperature| temperature >= least && temperature <= most,
             |temperature| {
                 let [temperature, least, most] = [temperature, least, most].map(celsius);
@@ -117,20 +117,17 @@ fn vogel(mut table: TableReader<'_>) -> TemperatureLaw {
     let b = table.quantity("b", Dimension::TemperatureDifference, "1000 K");
     let b = b.within(|b| b >= 0.0, "is negative", help).required();
     TemperatureLaw::Vogel {
-        a: table
-            .quantity("a", Dimension::Viscosity, "0.06 mPa.s")
-            .positive()
-            .required(),
+        a: table.positive("a", Dimension::Viscosity, "0.06 mPa.s"),
         b,
-        c: table.quantity("c", Dimension::TemperatureDifference, "95 K").required(),
+        c: table.required("c", Dimension::TemperatureDifference, "95 K"),
     }
 }
 
 /// A point with a kinematic viscosity `nu`, or with a dynamic one `mu`.
 fn point(mut row: TableReader<'_>) -> ViscosityPoint {
-    let temperature = row.quantity("t", Dimension::Temperature, "40 C").required();
-    let dynamic = row.quantity("mu", Dimension::Viscosity, "80 mPa.s").given();
-    let kinematic = row.quantity("nu", Dimension::KinematicViscosity, "95 mm2/s").given();
+    let temperature = row.required("t", Dimension::Temperature, "40 C");
+    let dynamic = row.given("mu", Dimension::Viscosity, "80 mPa.s");
+    let kinematic = row.given("nu", Dimension::KinematicViscosity, "95 mm2/s");
     row.refuse_if(
         dynamic.is_some() && kinematic.is_some(),
         "nu",

@@ -32,6 +32,26 @@ impl<'a> TableReader<'a> {
         }
     }
 
+    /// A number with a unit that must be written.
+    pub(crate) fn required(&mut self, key: &'a str, dimension: Dimension, example: &str) -> f64 {
+        self.quantity(key, dimension, example).required()
+    }
+
+    /// A number with a unit, if it is written.
+    pub(crate) fn given(&mut self, key: &'a str, dimension: Dimension, example: &str) -> Option<f64> {
+        self.quantity(key, dimension, example).given()
+    }
+
+    /// A number with a unit and above zero that must be written.
+    pub(crate) fn positive(&mut self, key: &'a str, dimension: Dimension, example: &str) -> f64 {
+        self.quantity(key, dimension, example).positive().required()
+    }
+
+    /// A number with a unit and above zero, if it is written.
+    pub(crate) fn positive_if_given(&mut self, key: &'a str, dimension: Dimension, example: &str) -> Option<f64> {
+        self.quantity(key, dimension, example).positive().given()
+    }
+
     /// A number without a unit; `example` is one.
     pub(crate) fn number(&mut self, key: &'a str, example: &str) -> Number<'_, 'a> {
         let value = self.take(key).map(|value| {
