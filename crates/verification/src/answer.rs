@@ -9,7 +9,7 @@ use oilwedge_study::{Run, RunOptions, run};
 use toml::{Table, Value};
 
 use crate::cases::{Case, put};
-use crate::family::{BarusForm, Expect};
+use crate::family::{Expect, LawForm, LimitedLaw};
 use crate::made_mesh;
 
 /// How a run of a case ended.
@@ -115,7 +115,7 @@ fn with_causes(error: &dyn std::error::Error) -> String {
     words
 }
 
-/// The scene of a case as it is solved: its mesh file is made in the folder `dir`, and its Barus coefficient is found.
+/// The scene of a case as it is solved: its mesh file is made in the folder `dir`, and the coefficient of its viscosity law is found.
 ///
 /// # Errors
 /// Why it cannot be made, in words.
@@ -130,47 +130,47 @@ pub(crate) fn prepare(case: &Case, dir: &Path, number: usize) -> Result<Table, S
         put(&mut scene, "mesh.file", Value::String(path.to_owned()));
         put(&mut scene, "mesh.unit", Value::String(recipe.unit.clone()));
     }
-    if let Some((part, form)) = case.of_limit {
-        let alpha = part * limit(&scene, form)?;
-        scene = with_barus(&scene, alpha, form);
+    if let Some((part, law)) = &case.of_limit {
+        let alpha = part * limit(&scene, law)?;
+        scene = with_law(&scene, alpha, law);
     }
     Ok(scene)
 }
 
-/// A scene with Barus' law.
-pub(crate) fn with_barus(scene: &Table, alpha: f64, form: BarusForm) -> Table {
+/// A scene with a viscosity law of this coefficient [1/Pa].
+pub(crate) fn with_law(scene: &Table, alpha: f64, law: &LimitedLaw) -> Table {
     let mut scene = scene.clone();
-    let law = [
+    let table = [
         ("alpha".to_owned(), Value::String(format!("{alpha} 1/Pa"))),
-        ("form".to_owned(), Value::String(form.name().to_owned())),
+        ("form".to_owned(), Value::String(law.form.name().to_owned())),
     ];
-    put(&mut scene, "oil.barus", Value::Table(law.into_iter().collect()));
+    put(&mut scene, &law.law, Value::Table(table.into_iter().collect()));
     scene
 }
 
 /// Halvings of the interval in which a fold lies.
 const HALVINGS: usize = 16;
 
-/// The greatest Barus coefficient [1/Pa] with a film: the reciprocal of the greatest pressure of the oil without it, or
+/// The greatest coefficient [1/Pa] of a viscosity law with a film: the reciprocal of the greatest pressure of the oil without it, or
 /// the fold of the as-printed equation, which lies below that.
 ///
 /// # Errors
 /// There is no film without it.
-pub(crate) fn limit(scene: &Table, form: BarusForm) -> Result<f64, String> {
+pub(crate) fn limit(scene: &Table, law: &LimitedLaw) -> Result<f64, String> {
     let plain = solve(scene);
     let pressure = plain
         .value(oilwedge_study::quantities::PRESSURE_MAX.name)
         .filter(|pressure| *pressure > 0.0);
     let conservative = match pressure {
         Some(pressure) => 1.0 / pressure,
-        None => return Err(format!("no film without Barus' law: {:?}", plain.reason())),
+        None => return Err(format!("no film of constant viscosity: {:?}", plain.reason())),
     };
-    if form == BarusForm::Conservative {
+    if law.form == LawForm::Conservative {
         return Ok(conservative);
     }
     let (low, high) = (0..HALVINGS).fold((0.0, conservative), |(low, high), _| {
         let middle = 0.5 * (low + high);
-        match solve(&with_barus(scene, middle, form)).end() {
+        match solve(&with_law(scene, middle, law)).end() {
             Expect::Converged => (middle, high),
             _ => (low, middle),
         }

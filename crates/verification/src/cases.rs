@@ -2,7 +2,7 @@
 
 use toml::{Table, Value};
 
-use crate::family::{BarusForm, Expect, Family, MeshRecipe, Other, Series, Vary};
+use crate::family::{Expect, Family, LimitedLaw, MeshRecipe, Other, Series, Vary};
 
 /// The family that asks an installation for known values.
 pub const KNOWN_VALUES: &str = "known_values";
@@ -52,8 +52,8 @@ pub struct Case {
     pub scene: Table,
     /// How the mesh file of the scene is made, if it has one.
     pub mesh: Option<MeshRecipe>,
-    /// The Barus coefficient is this part of its limit, for this form.
-    pub of_limit: Option<(f64, BarusForm)>,
+    /// The coefficient of the viscosity law is this part of its limit.
+    pub of_limit: Option<(f64, LimitedLaw)>,
     /// How it must end.
     pub expect: Expect,
     /// Words that its reason or a warning must hold.
@@ -125,10 +125,10 @@ fn along(case: &Case, series: &Series) -> Vec<Case> {
     match &series.vary {
         None => vec![case.clone()],
         Some(Vary::Key { key, values }) => values.iter().map(|value| varied(case, key, value)).collect(),
-        Some(Vary::OfLimit { of_limit, form }) => (of_limit.iter())
+        Some(Vary::OfLimit { of_limit, law }) => (of_limit.iter())
             .map(|&part| Case {
                 variant: joined(&case.variant, &format!("{part} of the limit")),
-                of_limit: Some((part, *form)),
+                of_limit: Some((part, law.clone())),
                 ..case.clone()
             })
             .collect(),

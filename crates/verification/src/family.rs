@@ -73,26 +73,36 @@ pub enum Vary {
         /// Its values.
         values: Vec<Value>,
     },
-    /// The Barus coefficient is this part of the greatest one that has a film.
+    /// The coefficient alpha of a viscosity law is this part of the greatest one that has a film.
     OfLimit {
         /// The parts [1].
         of_limit: Vec<f64>,
-        /// Form of the law: `conservative` or `as-printed`.
-        form: BarusForm,
+        /// The law.
+        #[serde(flatten)]
+        law: LimitedLaw,
     },
 }
 
-/// Form of Barus' law in a scene.
+/// A viscosity law with a coefficient alpha [1/Pa], up to which there is a film.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+pub struct LimitedLaw {
+    /// Its table in the scene.
+    pub law: String,
+    /// Form of the equation: `conservative` or `as-printed`.
+    pub form: LawForm,
+}
+
+/// Form of the equation with a viscosity law.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum BarusForm {
+pub enum LawForm {
     /// The viscosity under the divergence; its limit is the reciprocal of the greatest pressure of the oil without it.
     Conservative,
     /// The study's own equation; its limit is the fold, found by halving.
     AsPrinted,
 }
 
-impl BarusForm {
+impl LawForm {
     /// As the scene has it.
     pub fn name(self) -> &'static str {
         match self {

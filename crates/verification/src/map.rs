@@ -1,27 +1,23 @@
-//! The map of where the solver is stable: eccentricity against the Barus coefficient over its limit, and against slenderness.
+//! The map of where the solver is stable: eccentricity against the coefficient of the viscosity law over its limit, and against slenderness.
 
 use oilwedge_report::plot::{Cell, CellMap};
+use serde::Deserialize;
 use toml::{Table, Value};
 
-use crate::answer::{Answer, limit, solve_within, with_barus};
+use crate::answer::{Answer, limit, solve_within, with_law};
 use crate::cases::put;
-use crate::family::{BarusForm, Expect};
+use crate::family::{Expect, LimitedLaw};
 use crate::suite::{SuiteError, in_threads};
 
 /// Eccentricities of both maps.
 const ECCENTRICITIES: [f64; 12] = [0.1, 0.3, 0.5, 0.7, 0.8, 0.9, 0.95, 0.98, 0.99, 0.995, 0.999, 0.9999];
-/// Barus coefficients over the greatest with a film.
+/// Coefficients of the viscosity law over the greatest with a film.
 const OF_LIMIT: [f64; 9] = [0.1, 0.5, 0.8, 0.9, 0.99, 1.01, 1.1, 2.0, 10.0];
 /// Lengths over diameter.
 const SLENDERNESS: [f64; 11] = [0.01, 0.03, 0.1, 0.3, 0.5, 1.0, 2.0, 5.0, 10.0, 30.0, 100.0];
 
-/// The scene of all cells: Swift-Stieber's film of a ring.
-const SCENE: &str = r#"
-bearing = { diameter = "100 mm", length = "50 mm", clearance = "50 um" }
-journal = { speed = "1000 rpm", eccentricity = 0.5, min_film_angle = "180 deg" }
-oil = { viscosity = "20 mPa.s" }
-cavitation = { model = "reynolds" }
-"#;
+/// The scene of all cells, Swift-Stieber's film of a ring, the viscosity law with a limit, and the title of its map.
+const RECIPE: &str = include_str!("../../../tests/hard_cases/map.toml");
 
 /// Unknowns of a cell at most: films a hundred diameters long, and those that only a fine mesh tells from none, need many.
 const MOST_UNKNOWNS: usize = 300_000;
@@ -29,16 +25,30 @@ const MOST_UNKNOWNS: usize = 300_000;
 /// Cells of both maps.
 pub const CELLS: usize = ECCENTRICITIES.len() * (OF_LIMIT.len() + SLENDERNESS.len());
 
+/// What the cells are made of.
+#[derive(Deserialize)]
+struct Recipe {
+    title: String,
+    limited: LimitedLaw,
+    scene: Table,
+}
+
+/// # Panics
+/// If the recipe, which is part of the program, is none: a test reads it.
+fn recipe() -> Recipe {
+    toml::from_str(RECIPE).expect("the recipe of the map")
+}
+
 /// A column: cells of all rows at one eccentricity.
 fn column(place: usize) -> Vec<Cell> {
     let eccentricity = ECCENTRICITIES[place % ECCENTRICITIES.len()];
-    let mut scene: Table = toml::from_str(SCENE).unwrap_or_default();
+    let Recipe { mut scene, limited, .. } = recipe();
     put(&mut scene, "journal.eccentricity", Value::Float(eccentricity));
     match place < ECCENTRICITIES.len() {
-        true => match limit(&scene, BarusForm::Conservative) {
+        true => match limit(&scene, &limited) {
             Ok(limit) => (OF_LIMIT.iter())
                 .map(|&part| {
-                    let scene = with_barus(&scene, part * limit, BarusForm::Conservative);
+                    let scene = with_law(&scene, part * limit, &limited);
                     let answer = solve_within(&scene, MOST_UNKNOWNS);
                     cell(&answer, part > 1.0)
                 })
@@ -90,11 +100,7 @@ pub fn run_map(ended: &mut dyn FnMut(usize)) -> Result<[CellMap; 2], SuiteError>
         }
     };
     Ok([
-        map(
-            "Barus' law towards its limit, B/D = 0.5",
-            "alpha over its limit",
-            &OF_LIMIT,
-        ),
+        map(&recipe().title, "alpha over its limit", &OF_LIMIT),
         map("From short to long, constant viscosity", "B/D", &SLENDERNESS),
     ])
 }
@@ -118,15 +124,10 @@ mod tests {
 
     #[test]
     fn cells_are_explained_on_their_side_of_the_limit() {
-        let mut scene: Table = toml::from_str(SCENE).expect("the scene of the map");
+        let Recipe { mut scene, limited, .. } = recipe();
         put(&mut scene, "journal.eccentricity", Value::Float(0.7));
-        let alpha = limit(&scene, BarusForm::Conservative).expect("a film");
-        let at = |part: f64| {
-            solve_within(
-                &with_barus(&scene, part * alpha, BarusForm::Conservative),
-                MOST_UNKNOWNS,
-            )
-        };
+        let alpha = limit(&scene, &limited).expect("a film");
+        let at = |part: f64| solve_within(&with_law(&scene, part * alpha, &limited), MOST_UNKNOWNS);
         let (below, beyond) = (at(0.5), at(2.0));
         assert!(matches!(cell(&below, false), Cell::Answer(1..)));
         assert!(matches!(cell(&beyond, true), Cell::Absent(_)));

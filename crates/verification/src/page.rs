@@ -76,8 +76,8 @@ fn drawn(text: &mut String, maps: &[CellMap], picture: &str) -> std::fmt::Result
     let absent = cells().filter(|cell| matches!(cell, Cell::Absent(_))).count();
     writeln!(
         text,
-        "\n## The map\n![eccentricity against the Barus coefficient over its limit, and against slenderness]({picture})\n\n\
-         {} cells: {answers} with an answer, {absent} without a film beyond the limit of Barus' law.",
+        "\n## The map\n![eccentricity against the coefficient of the viscosity law over its limit, and against slenderness]({picture})\n\n\
+         {} cells: {answers} with an answer, {absent} without a film beyond the limit of the viscosity law.",
         cells().count()
     )?;
     for told in maps.iter().flat_map(unexplained) {
