@@ -16,6 +16,7 @@ pub mod performance;
 pub mod prices_page;
 pub mod printed;
 pub mod program;
+pub mod quantities_page;
 pub mod random_bearings;
 pub mod scenes;
 pub mod short_crankshaft;

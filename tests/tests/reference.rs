@@ -7,6 +7,7 @@ use oilwedge_scene::unit::Dimension;
 use oilwedge_scene::{Scene, SceneError};
 use oilwedge_study::{RunOptions, run};
 use oilwedge_tests::program::repository;
+use oilwedge_tests::quantities_page;
 use oilwedge_tests::scenes::{path, table, variant};
 use serde_json::Value;
 
@@ -218,8 +219,14 @@ fn the_result_shown_is_that_of_scene_02() {
 }
 
 #[test]
+fn the_page_of_quantities_is_that_of_the_catalogue() {
+    let page = page("quantities.md");
+    assert_eq!(quantities_page::page(&page), page, "run validation");
+}
+
+#[test]
 fn every_quantity_is_explained() {
-    let page = page("result.md");
+    let page = page("quantities.md");
     let with_model = |model: &str| {
         result_of(&variant("10_drawn_liner", |scene| {
             table(scene, "cavitation").insert("model".into(), model.into());

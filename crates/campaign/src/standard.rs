@@ -198,7 +198,7 @@ fn notes(scene: &Scene, twin: &Twin) -> Vec<String> {
     };
     let notes = [
         outside("B/D", twin.lands.slenderness, SLENDERNESS),
-        outside("eccentricity", twin.eccentricity, ECCENTRICITY),
+        outside(quantities::ECCENTRICITY.name, twin.eccentricity, ECCENTRICITY),
         edge.map(|edge| format!("{edge}; that of the standard has the Swift-Stieber boundary")),
         (!matches!(sockets.pressure_law, PressureLaw::Constant))
             .then(|| "the standard has no viscosity that grows with pressure".to_owned()),

@@ -2,7 +2,7 @@
 
 use oilwedge_tests::program::repository;
 use oilwedge_tests::short_crankshaft::{figures, page};
-use oilwedge_tests::{cavitation_page, engine_bearings, flexpde_study, mesh_page};
+use oilwedge_tests::{cavitation_page, engine_bearings, flexpde_study, mesh_page, quantities_page};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let docs = repository().join("docs");
@@ -11,6 +11,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let written = std::fs::read_to_string(&path)?;
         std::fs::write(&path, page(&written))
     };
+    write("reference/quantities.md", &quantities_page::page)?;
     write("validation/flexpde_study.md", &flexpde_study::page)?;
     write("theory/cavitation.md", &cavitation_page::page)?;
     write("howto/mesh.md", &mesh_page::page)?;

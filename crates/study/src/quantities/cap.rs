@@ -1,105 +1,70 @@
 //! The cap of a connecting rod: what its bolts must hold, and what the film's load makes of that.
 
 use oilwedge_bearing::{BoltForces, CapBolts};
-use oilwedge_scene::Cap;
+use oilwedge_scene::{Cap, Scene};
 
-use super::row::{Measure::One, Row, Table};
+use super::row::{Measure::One, Table};
 use super::rule::ErrorRule;
-use super::unit::Unit::{self, Newton, NewtonMetre, One as Ratio, Pascal};
 use super::view::View;
 use crate::cap_joint::cap_joint;
 
-/// Pull of inertia.
-pub static CAP_FORCE: Row = given("cap_force", "P_c", Newton, |film| Some(joint(film)?.forces.cap_force)).means(
-    "inertia that pulls at the cap",
-    "`P_c = omega^2 r (m_j (1 + r/l) + m_r - m_c)`: pull of inertia at the cap, the piston at the top dead centre before intake; m_j, m_r, m_c the reciprocating and rotating masses and that of the cap, r the crank radius, l the length of the rod",
-);
+rows! {
+    /// `P_c = omega^2 r (m_j (1 + r/l) + m_r - m_c)`: pull of inertia at the cap, the piston at the top dead centre before intake; m_j,
+    /// m_r, m_c the reciprocating and rotating masses and that of the cap, r the crank radius, l the length of the rod
+    CAP_FORCE = "cap_force", "P_c", Newton, "inertia that pulls at the cap":
+        One(|film| Some(joint(film)?.forces.cap_force)), ErrorRule::Exact, in_table(Table::Cap) only(has_cap);
 
-/// Pull that opens the joint.
-pub static CAP_OPENING_FORCE: Row = given("cap_opening_force", "P_o", Newton, |film| {
-    Some(joint(film)?.forces.opening)
-})
-.means(
-    "pull at the cap that opens the joint",
-    "`P_o = nu P_c`: pull at the cap at which the joint opens, nu the safety to which it is tightened",
-);
+    /// `P_o = nu P_c`: pull at the cap at which the joint opens, nu the safety to which it is tightened
+    CAP_OPENING_FORCE = "cap_opening_force", "P_o", Newton, "pull at the cap that opens the joint":
+        One(|film| Some(joint(film)?.forces.opening)), ErrorRule::Exact, in_table(Table::Cap) only(has_cap);
 
-/// Share of the film in the pull that opens the joint.
-pub static CAP_FILM_SHARE: Row =
-    Row::new("cap_film_share", "W_c/P_o", Ratio, One(film_share), ErrorRule::Component(share_per_force))
-        .means(
-            "pull of this film at the cap / P_o (< 0: none)",
-            "`W_c/P_o`, W_c the part of the film's load that points to the cap; 1 opens the joint, below 0 nothing pulls at it. The cap's own inertia is left out, which takes some of it; none at rest",
-        )
-        .in_table(Table::Cap)
-        .only(|scene| scene.cap.is_some_and(|cap| Joint::new(&cap, scene.journal.speed).forces.opening > 0.0));
+    /// `W_c/P_o`, W_c the part of the film's load that points to the cap; 1 opens the joint, below 0 nothing pulls at it. The cap's own
+    /// inertia is left out, which takes some of it; none at rest
+    CAP_FILM_SHARE = "cap_film_share", "W_c/P_o", One, "pull of this film at the cap / P_o (< 0: none)":
+        One(film_share),
+        ErrorRule::Component(share_per_force),
+        in_table(Table::Cap) only(opens);
 
-/// Force that seats the shell.
-pub static SHELL_FORCE: Row = given("shell_force", "R_s", Newton, |film| {
-    joint(film).filter(|it| it.cap.shell.is_some()).map(|it| it.forces.shell_force)
-})
-    .means(
-        "presses one side of the shell into its seat",
-        "`R_s = Delta E F/(pi rho)`: force that presses one side of the shell to the length of its seat; Delta its protrusion, E modulus, F section, rho mean radius; none without `shell`",
-    )
-    .only(|scene| scene.cap.is_some_and(|cap| cap.shell.is_some()));
+    /// `R_s = Delta E F/(pi rho)`: force that presses one side of the shell to the length of its seat; Delta its protrusion, E modulus, F
+    /// section, rho mean radius; none without `shell`
+    SHELL_FORCE = "shell_force", "R_s", Newton, "presses one side of the shell into its seat":
+        One(|film| joint(film).filter(|it| it.cap.shell.is_some()).map(|it| it.forces.shell_force)),
+        ErrorRule::Exact, only(|scene| scene.cap.is_some_and(|cap| cap.shell.is_some())) in_table(Table::Cap);
 
-/// Pull on a bolt.
-pub static BOLT_FORCE: Row = given("bolt_force", "P_b", Newton, |film| Some(joint(film)?.forces.bolt_force))
-    .means("pull on one bolt", "`P_b = P_c/i`, i the number of bolts");
+    /// `P_b = P_c/i`, i the number of bolts
+    BOLT_FORCE = "bolt_force", "P_b", Newton, "pull on one bolt":
+        One(|film| Some(joint(film)?.forces.bolt_force)), ErrorRule::Exact, in_table(Table::Cap) only(has_cap);
 
-/// Preload of a bolt.
-pub static BOLT_PRELOAD: Row = given("bolt_preload", "Q", Newton, |film| Some(joint(film)?.forces.preload)).means(
-    "preload of a bolt, its least force",
-    "`Q = nu (1 - chi) P_b + 2 R_s/i`: preload, the least force that a bolt bears in use; chi the share of a pull at the joint that its bolts take",
-);
+    /// `Q = nu (1 - chi) P_b + 2 R_s/i`: preload, the least force that a bolt bears in use; chi the share of a pull at the joint that its
+    /// bolts take
+    BOLT_PRELOAD = "bolt_preload", "Q", Newton, "preload of a bolt, its least force":
+        One(|film| Some(joint(film)?.forces.preload)), ErrorRule::Exact, in_table(Table::Cap) only(has_cap);
 
-/// Tightening torque of a bolt.
-pub static BOLT_TORQUE: Row = given("bolt_torque", "M", NewtonMetre, |film| Some(joint(film)?.forces.torque)).means(
-    "tightening torque of a bolt",
-    "`M = k Q d`, d the diameter of the thread",
-);
+    /// `M = k Q d`, d the diameter of the thread
+    BOLT_TORQUE = "bolt_torque", "M", NewtonMetre, "tightening torque of a bolt":
+        One(|film| Some(joint(film)?.forces.torque)), ErrorRule::Exact, in_table(Table::Cap) only(has_cap);
 
-/// Greatest force of a bolt.
-pub static BOLT_FORCE_MAX: Row = given("bolt_force_max", "Q_max", Newton, |film| {
-    Some(joint(film)?.forces.greatest)
-})
-.means("greatest force of a bolt", "`Q_max = Q + chi P_b`");
+    /// `Q_max = Q + chi P_b`
+    BOLT_FORCE_MAX = "bolt_force_max", "Q_max", Newton, "greatest force of a bolt":
+        One(|film| Some(joint(film)?.forces.greatest)), ErrorRule::Exact, in_table(Table::Cap) only(has_cap);
 
-/// Greatest stress of a bolt.
-pub static BOLT_STRESS_MAX: Row = given("bolt_stress_max", "sigma_max", Pascal, |film| {
-    Some(joint(film)?.stresses()[1])
-})
-.means(
-    "greatest stress of a bolt",
-    "`sigma_max = Q_max/F_1`, F_1 the stress area of the thread",
-);
+    /// `sigma_max = Q_max/F_1`, F_1 the stress area of the thread
+    BOLT_STRESS_MAX = "bolt_stress_max", "sigma_max", Pascal, "greatest stress of a bolt":
+        One(|film| Some(joint(film)?.stresses()[1])), ErrorRule::Exact, in_table(Table::Cap) only(has_cap);
 
-/// Least stress of a bolt.
-pub static BOLT_STRESS_MIN: Row = given("bolt_stress_min", "sigma_min", Pascal, |film| {
-    Some(joint(film)?.stresses()[0])
-})
-.means("least stress of a bolt", "`sigma_min = Q/F_1`");
+    /// `sigma_min = Q/F_1`
+    BOLT_STRESS_MIN = "bolt_stress_min", "sigma_min", Pascal, "least stress of a bolt":
+        One(|film| Some(joint(film)?.stresses()[0])), ErrorRule::Exact, in_table(Table::Cap) only(has_cap);
 
-/// Mean stress of a bolt.
-pub static BOLT_STRESS_MEAN: Row = given("bolt_stress_mean", "sigma_m", Pascal, |film| {
-    let [least, greatest] = joint(film)?.stresses();
-    Some(0.5 * (greatest + least))
-})
-.means("their mean", "`sigma_m = (sigma_max + sigma_min)/2`");
+    /// `sigma_m = (sigma_max + sigma_min)/2`
+    BOLT_STRESS_MEAN = "bolt_stress_mean", "sigma_m", Pascal, "their mean":
+        One(|film| joint(film).map(|joint| joint.stresses()).map(|[least, greatest]| 0.5 * (greatest + least))),
+        ErrorRule::Exact, in_table(Table::Cap) only(has_cap);
 
-/// Amplitude of the stress of a bolt.
-pub static BOLT_STRESS_AMPLITUDE: Row = given("bolt_stress_amplitude", "sigma_a", Pascal, |film| {
-    let [least, greatest] = joint(film)?.stresses();
-    Some(0.5 * (greatest - least))
-})
-.means("half their difference", "`sigma_a = (sigma_max - sigma_min)/2`");
-
-/// A quantity of the cap that follows from given numbers alone.
-const fn given(name: &'static str, symbol: &'static str, unit: Unit, measure: fn(&View) -> Option<f64>) -> Row {
-    Row::new(name, symbol, unit, One(measure), ErrorRule::Exact)
-        .in_table(Table::Cap)
-        .only(|scene| scene.cap.is_some())
+    /// `sigma_a = (sigma_max - sigma_min)/2`
+    BOLT_STRESS_AMPLITUDE = "bolt_stress_amplitude", "sigma_a", Pascal, "half their difference":
+        One(|film| joint(film).map(|joint| joint.stresses()).map(|[least, greatest]| 0.5 * (greatest - least))),
+        ErrorRule::Exact, in_table(Table::Cap) only(has_cap);
 }
 
 /// The joint of a cap at the speed of the crank.
@@ -123,6 +88,15 @@ impl Joint {
     fn stresses(&self) -> [f64; 2] {
         [self.forces.preload, self.forces.greatest].map(|force| self.joint.stress(force))
     }
+}
+
+fn has_cap(scene: &Scene) -> bool {
+    scene.cap.is_some()
+}
+
+fn opens(scene: &Scene) -> bool {
+    let cap = scene.cap.map(|cap| Joint::new(&cap, scene.journal.speed));
+    cap.is_some_and(|joint| joint.forces.opening > 0.0)
 }
 
 fn joint(film: &View) -> Option<Joint> {

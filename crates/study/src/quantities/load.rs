@@ -4,95 +4,44 @@ use oilwedge_reynolds::quantities::load::Share;
 use oilwedge_reynolds::quantities::similarity;
 use oilwedge_scene::Scene;
 
-use super::row::{Measure::Each, Measure::One, Row};
+use super::row::{Measure::Each, Measure::One};
 use super::rule::ErrorRule;
-use super::unit::Unit::{Degree, Newton, One as Ratio};
 use super::view::{View, degrees};
 
-/// Magnitude of the load.
-pub static LOAD: Row = Row::new("load", "W", Newton, One(|film| Some(film.force)), ErrorRule::Load)
-    .means(
-        "force that the film carries",
-        "`W = sqrt(W_x^2 + W_y^2)`: the external force on the journal that the film carries; the film pushes the journal with -W",
-    )
-    .tolerance()
-    .headline();
+rows! {
+    /// `W = sqrt(W_x^2 + W_y^2)`: the external force on the journal that the film carries; the film pushes the journal with -W
+    LOAD = "load", "W", Newton, "force that the film carries":
+        One(|film| Some(film.force)), ErrorRule::Load, tolerance headline;
 
-/// Load along x.
-pub static LOAD_X: Row = Row::new("load_x", "W_x", Newton, One(|film| Some(force(film)[0])), TOWARDS_X)
-    .means(
-        "its part along x (angle 0)",
-        "`W_x = Int (p - p_e) cos phi dA` over the developed film and the regions cut out of it; p_e the pressure at the ends",
-    )
-    .tolerance();
+    /// `W_x = Int (p - p_e) cos phi dA` over the developed film and the regions cut out of it; p_e the pressure at the ends
+    LOAD_X = "load_x", "W_x", Newton, "its part along x (angle 0)":
+        One(|film| Some(force(film)[0])), TOWARDS_X, tolerance;
 
-/// Load along y.
-pub static LOAD_Y: Row = Row::new("load_y", "W_y", Newton, One(|film| Some(force(film)[1])), TOWARDS_Y)
-    .means(
-        "its part along y (angle 90 deg)",
-        "`W_y = Int (p - p_e) sin phi dA`, likewise",
-    )
-    .tolerance();
+    /// `W_y = Int (p - p_e) sin phi dA`, likewise
+    LOAD_Y = "load_y", "W_y", Newton, "its part along y (angle 90 deg)":
+        One(|film| Some(force(film)[1])), TOWARDS_Y, tolerance;
 
-/// Angle of the load.
-pub static LOAD_ANGLE: Row = Row::new("load_angle", "phi_W", Degree, One(angle), ErrorRule::LoadAngle)
-    .means(
-        "its direction, from x towards y",
-        "`phi_W = atan2(W_y, W_x)` in [0, 360); none without a load",
-    )
-    .tolerance();
+    /// `phi_W = atan2(W_y, W_x)` in [0, 360); none without a load
+    LOAD_ANGLE = "load_angle", "phi_W", Degree, "its direction, from x towards y":
+        One(angle), ErrorRule::LoadAngle, tolerance;
 
-/// Load coefficient.
-pub static LOAD_COEFFICIENT: Row =
-    Row::new("load_coefficient", "C_w", Ratio, One(load_coefficient), ErrorRule::PerLoad)
-        .means(
-            "W / (D B (p_feed - p_ends))",
-            "`C_w = W/(D B (p_s - p_e))`, p_s the pressure of the feeds; none without feeds, or with feeds of different pressures",
-        )
-        .tolerance()
-        .only(is_fed);
+    /// `C_w = W/(D B (p_s - p_e))`, p_s the pressure of the feeds; none without feeds, or with feeds of different pressures
+    LOAD_COEFFICIENT = "load_coefficient", "C_w", One, "W / (D B (p_feed - p_ends))":
+        One(load_coefficient), ErrorRule::PerLoad, tolerance only(is_fed);
 
-/// Integral of the pressure.
-pub static PRESSURE_INTEGRAL: Row = Row::new(
-    "pressure_integral",
-    "Int p dA",
-    Newton,
-    One(|film| Some(film.measured.load.total.pressure)),
-    ErrorRule::Of("dual-weighted", |estimate, _| Some(estimate.pressure_integral())),
-)
-.means(
-    "pressure times area, summed",
-    "`Int p dA` over the liner, regions cut out of it included",
-)
-.tolerance();
+    /// `Int p dA` over the liner, regions cut out of it included
+    PRESSURE_INTEGRAL = "pressure_integral", "Int p dA", Newton, "pressure times area, summed":
+        One(|film| Some(film.measured.load.total.pressure)),
+        ErrorRule::Of("dual-weighted", |estimate, _| Some(estimate.pressure_integral())), tolerance;
 
-/// Load along x over regions cut out.
-pub static REGION_LOAD_X: Row = Row::new(
-    "load_x.",
-    "W_x",
-    Newton,
-    Each(|film| cut_out(film, 0)),
-    ErrorRule::Exact,
-)
-.means(
-    "part of W_x over that region",
-    "the part of `W_x` over a region that is cut out of the mesh; none where nothing is cut out",
-)
-.only(is_fed);
+    /// The part of `W_x` over a region that is cut out of the mesh; none where nothing is cut out
+    REGION_LOAD_X = "load_x.", "W_x", Newton, "part of W_x over that region":
+        Each(|film| cut_out(film, 0)), ErrorRule::Exact, only(is_fed);
 
-/// Load along y over regions cut out.
-pub static REGION_LOAD_Y: Row = Row::new(
-    "load_y.",
-    "W_y",
-    Newton,
-    Each(|film| cut_out(film, 1)),
-    ErrorRule::Exact,
-)
-.means(
-    "part of W_y over that region",
-    "the part of `W_y` over a region that is cut out of the mesh; none where nothing is cut out",
-)
-.only(is_fed);
+    /// The part of `W_y` over a region that is cut out of the mesh; none where nothing is cut out
+    REGION_LOAD_Y = "load_y.", "W_y", Newton, "part of W_y over that region":
+        Each(|film| cut_out(film, 1)), ErrorRule::Exact, only(is_fed);
+}
 
 const TOWARDS_X: ErrorRule = ErrorRule::Component(|_| Some([1.0, 0.0]));
 const TOWARDS_Y: ErrorRule = ErrorRule::Component(|_| Some([0.0, 1.0]));

@@ -8,6 +8,8 @@ use std::borrow::Cow;
 
 use oilwedge_scene::Scene;
 
+#[macro_use]
+mod row;
 mod cap;
 mod cavity;
 mod flow;
@@ -18,7 +20,6 @@ mod motion;
 mod position;
 mod pressure;
 mod quantity;
-mod row;
 mod rule;
 mod similarity;
 mod unit;

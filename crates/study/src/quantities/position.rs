@@ -2,57 +2,28 @@
 
 use oilwedge_reynolds::quantities::similarity;
 
-use super::row::{Measure::One, Row};
+use super::row::Measure::One;
 use super::rule::{ErrorRule, direction};
-use super::unit::Unit::{Degree, Metre, One as Ratio};
 use super::view::{View, degrees};
 
-/// Attitude angle.
-pub static ATTITUDE_ANGLE: Row = Row::new("attitude_angle", "beta", Degree, One(attitude_angle), ATTITUDE)
-    .means(
-        "from the load to the thinnest film",
-        "`beta = (phi_min - phi_W) sgn omega` (+1 at rest) in (-180, 180]: from the load to the minimum film, positive for an ordinary bearing; none for a centred journal or without a load",
-    )
-    .tolerance()
-    .headline();
+rows! {
+    /// `beta = (phi_min - phi_W) sgn omega` (+1 at rest) in (-180, 180]: from the load to the minimum film, positive for an ordinary
+    /// bearing; none for a centred journal or without a load
+    ATTITUDE_ANGLE = "attitude_angle", "beta", Degree, "from the load to the thinnest film":
+        One(attitude_angle), ATTITUDE, tolerance headline;
 
-/// Relative eccentricity.
-pub static ECCENTRICITY: Row = Row::new("eccentricity", "eps", Ratio, One(eccentricity), ErrorRule::Position)
-    .means(
-        "offset of the journal / clearance",
-        "`eps = e/c`: offset of the journal over the radial clearance",
-    )
-    .tolerance()
-    .headline();
+    /// `eps = e/c`: offset of the journal over the radial clearance
+    ECCENTRICITY = "eccentricity", "eps", One, "offset of the journal / clearance":
+        One(eccentricity), ErrorRule::Position, tolerance headline;
 
-/// Angle of the minimum film.
-pub static MIN_FILM_ANGLE: Row = Row::new(
-    "min_film_angle",
-    "phi_min",
-    Degree,
-    One(min_film_angle),
-    ErrorRule::Position,
-)
-.means(
-    "where the film is thinnest",
-    "`phi_min = atan2(e_y, e_x)` in [0, 360); none for a centred journal",
-)
-.tolerance();
+    /// `phi_min = atan2(e_y, e_x)` in [0, 360); none for a centred journal
+    MIN_FILM_ANGLE = "min_film_angle", "phi_min", Degree, "where the film is thinnest":
+        One(min_film_angle), ErrorRule::Position, tolerance;
 
-/// Least film thickness.
-pub static FILM_THICKNESS_MIN: Row = Row::new(
-    "film_thickness_min",
-    "h_min",
-    Metre,
-    One(|film| Some(film.measured.least_thickness)),
-    ErrorRule::Position,
-)
-.means(
-    "thinnest film on the liner",
-    "`h_min`: least film thickness on the liner; `c (1 - eps)` where the liner covers phi_min",
-)
-.tolerance()
-.headline();
+    /// `h_min`: least film thickness on the liner; `c (1 - eps)` where the liner covers phi_min
+    FILM_THICKNESS_MIN = "film_thickness_min", "h_min", Metre, "thinnest film on the liner":
+        One(|film| Some(film.measured.least_thickness)), ErrorRule::Position, tolerance headline;
+}
 
 const ATTITUDE: ErrorRule = ErrorRule::Of(
     "that of the angle of the load and, under a load, that of the position",

@@ -2,53 +2,27 @@
 
 use oilwedge_reynolds::error_bar::Bar;
 
-use super::row::{Measure::One, Row};
+use super::row::Measure::One;
 use super::rule::{ErrorRule, Subject};
-use super::unit::Unit::{Pascal, PascalSecond};
 use crate::estimate::Estimate;
 
-/// Greatest pressure.
-pub static PRESSURE_MAX: Row = Row::new(
-    "pressure_max",
-    "p_max",
-    Pascal,
-    One(|film| Some(film.measured.extremes.greatest)),
-    ErrorRule::Of("difference of the two films where either is greatest", |estimate, _| {
-        Some(Bar::of(estimate.greatest_pressure()))
-    }),
-)
-.means(
-    "greatest pressure, gauge",
-    "`p_max`: greatest pressure, gauge, between nodes too (at nodes only beside a cavity of `jfo`)",
-)
-.tolerance()
-.headline();
+rows! {
+    /// `p_max`: greatest pressure, gauge, between nodes too (at nodes only beside a cavity of `jfo`)
+    PRESSURE_MAX = "pressure_max", "p_max", Pascal, "greatest pressure, gauge":
+        One(|film| Some(film.measured.extremes.greatest)),
+        ErrorRule::Of("difference of the two films where either is greatest", |estimate, _| { Some(Bar::of(estimate.greatest_pressure())) }),
+        tolerance headline;
 
-/// Least pressure.
-pub static PRESSURE_MIN: Row = Row::new(
-    "pressure_min",
-    "p_min",
-    Pascal,
-    One(|film| Some(film.measured.extremes.least)),
-    ErrorRule::Of(
-        "exact where it is that of a cavity; else difference of the two films where it is least",
-        |estimate, _| Some(estimate.least_pressure()),
-    ),
-)
-.means(
-    "least pressure, gauge",
-    "`p_min`: least pressure, gauge, likewise; where there is a cavity, its pressure",
-);
+    /// `p_min`: least pressure, gauge, likewise; where there is a cavity, its pressure
+    PRESSURE_MIN = "pressure_min", "p_min", Pascal, "least pressure, gauge":
+        One(|film| Some(film.measured.extremes.least)),
+        ErrorRule::Of("exact where it is that of a cavity; else difference of the two films where it is least", |estimate, _| Some(estimate.least_pressure()));
 
-/// Greatest viscosity.
-pub static VISCOSITY_MAX: Row = Row::new(
-    "viscosity_max",
-    "mu_max",
-    PascalSecond,
-    One(|film| Some(film.measured.extremes.viscosity)),
-    ErrorRule::Of("viscosities at the ends of the bar of p_max", viscosity),
-)
-.means("viscosity at the greatest pressure", "`mu_max = mu(p_max)`");
+    /// `mu_max = mu(p_max)`
+    VISCOSITY_MAX = "viscosity_max", "mu_max", PascalSecond, "viscosity at the greatest pressure":
+        One(|film| Some(film.measured.extremes.viscosity)),
+        ErrorRule::Of("viscosities at the ends of the bar of p_max", viscosity);
+}
 
 fn viscosity(estimate: &dyn Estimate, at: &Subject) -> Option<Bar> {
     let (bar, greatest) = (estimate.greatest_pressure(), at.view.measured.extremes.greatest);

@@ -9,6 +9,21 @@ use super::rule::ErrorRule;
 use super::unit::Unit;
 use super::view::View;
 
+/// Rows as statics: the comment is the definition, then `NAME = "name", "symbol", Unit, "what it is":`, how it is measured, and its error
+/// rule; last what else it is, if anything.
+macro_rules! rows {
+    ($($(#[doc = $definition:literal])+ $id:ident = $name:literal, $symbol:literal, $unit:ident, $what:literal:
+        $measure:expr, $error:expr $(, $($also:ident $(($with:expr))?)+)?;)+) => {
+        $($(#[doc = $definition])+
+        pub static $id: $crate::quantities::Row = $crate::quantities::Row::new(
+            [$name, $symbol, $what, concat!($($definition),+)],
+            $crate::quantities::Unit::$unit,
+            $measure,
+            $error,
+        )$($(.$also($($with)?))+)?;)+
+    };
+}
+
 /// How a quantity is measured on a film; one that has no meaning there is absent.
 #[derive(Clone, Copy)]
 pub enum Measure {
@@ -56,10 +71,9 @@ pub struct Row {
 }
 
 impl Row {
-    /// A row that is measured and judged so. Its words are still missing.
+    /// A row that is measured and judged so.
     pub(super) const fn new(
-        name: &'static str,
-        symbol: &'static str,
+        [name, symbol, what, definition]: [&'static str; 4],
         unit: Unit,
         measure: Measure,
         error: ErrorRule,
@@ -68,23 +82,14 @@ impl Row {
             name,
             symbol,
             unit,
-            what: "",
-            definition: "",
+            what,
+            definition: definition.trim_ascii_start(),
             measure,
             error,
             table: Table::Film,
             may_be_tolerance: false,
             is_headline: false,
             occurs: |_| true,
-        }
-    }
-
-    /// With what it is, and its definition.
-    pub(super) const fn means(self, what: &'static str, definition: &'static str) -> Self {
-        Self {
-            what,
-            definition,
-            ..self
         }
     }
 

@@ -2,19 +2,15 @@
 
 use oilwedge_reynolds::quantities::similarity;
 
-use super::row::{Measure::One, Row};
+use super::row::Measure::One;
 use super::rule::ErrorRule;
-use super::unit::Unit;
 use super::view::View;
 
-/// Sommerfeld number.
-pub static SOMMERFELD_NUMBER: Row =
-    Row::new("sommerfeld_number", "So", Unit::One, One(sommerfeld_number), ErrorRule::PerLoad)
-        .means(
-            "W (c/R)^2 / (D B mu0 omega)",
-            "`So = W (c/R)^2/(D B mu0 omega)`, mu0 the viscosity at no pressure; that of Raimondi and Boyd is `S = 1/(2 pi So)`; none at rest",
-        )
-        .tolerance();
+rows! {
+    /// `So = W (c/R)^2/(D B mu0 omega)`, mu0 the viscosity at no pressure; that of Raimondi and Boyd is `S = 1/(2 pi So)`; none at rest
+    SOMMERFELD_NUMBER = "sommerfeld_number", "So", One, "W (c/R)^2 / (D B mu0 omega)":
+        One(sommerfeld_number), ErrorRule::PerLoad, tolerance;
+}
 
 fn sommerfeld_number(film: &View) -> Option<f64> {
     let viscosity = film.problem.lubricant.viscosity;
