@@ -32,17 +32,19 @@ rows! {
     /// `Q_s* = Q_s/(D^3 (c/R) omega)` as in ISO 7902; none at rest
     SIDE_FLOW_NUMBER = "side_flow_number", "Q_s*", One, "Q_s / (D^3 (c/R) omega)":
         One(|film| film.flow_unit().and_then(|unit| Some(film.side_flow()? / unit))),
-        ErrorRule::Of("that of `side_flow`, in proportion", |estimate, at| { estimate.flow(&FlowGoal::Ends, at.per(at.view.flow_unit()?)) });
+        ErrorRule::Of("that of `side_flow`, in proportion",
+            |estimate, at| estimate.flow(&FlowGoal::Ends, at.per(at.view.flow_unit()?)));
 
     /// `Q* = Q/(D^3 (c/R) omega)` as in ISO 7902; none at rest
     INLET_FLOW_NUMBER = "inlet_flow_number", "Q*", One, "Q / (D^3 (c/R) omega)":
         One(|film| film.flow_unit().and_then(|unit| Some(film.measured.inlet_flow? / unit))),
-        ErrorRule::Of("that of `inlet_flow`, in proportion", |estimate, at| { Some(Bar::of(estimate.inlet_flow(at.per(at.view.flow_unit()?)))) });
+        ErrorRule::Of("that of `inlet_flow`, in proportion",
+            |estimate, at| Some(Bar::of(estimate.inlet_flow(at.per(at.view.flow_unit()?)))));
 
     /// `Q_f`: oil that enters through the feed of that name; below 0 the hole drains the film; none without feeds
     FEED_FLOW = "feed_flow.", "Q_f", CubicMetrePerSecond, "oil that enters there (< 0: leaves)":
-        Each(|film| film.regions(BoundaryKind::Feed) .map(|(region, flow)| (region.name.clone(), flow.net)) .collect()),
-        ErrorRule::Of(DUAL, |estimate, at| { estimate.flow(&FlowGoal::Feed(at.region.to_owned()), at.per(1.0)) }),
+        Each(|film| film.regions(BoundaryKind::Feed).map(|(region, flow)| (region.name.clone(), flow.net)).collect()),
+        ErrorRule::Of(DUAL, |estimate, at| estimate.flow(&FlowGoal::Feed(at.region.to_owned()), at.per(1.0))),
         tolerance only(is_fed);
 }
 

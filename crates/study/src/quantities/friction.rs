@@ -22,8 +22,9 @@ rows! {
 
     /// `f = T/(R W)`; none at rest, or without a load
     FRICTION_COEFFICIENT = "friction_coefficient", "f", One, "T / (R W)":
-        One(|film| Some(film.friction() .filter(|_| film.is_directed)? .coefficient(&film.problem.bearing, film.force))),
-        ErrorRule::Of("those of torque and load, in proportion", |estimate, at| { estimate.friction_coefficient(at.value) }),
+        One(|film| Some(film.friction().filter(|_| film.is_directed)? .coefficient(&film.problem.bearing, film.force))),
+        ErrorRule::Of("those of torque and load, in proportion",
+            |estimate, at| estimate.friction_coefficient(at.value)),
         tolerance;
 
     /// `P = T omega = P_s + P_p`; none at rest
@@ -45,7 +46,8 @@ rows! {
     /// cavity would leave; none at rest
     FRICTION_CAVITY_POWER = "friction_cavity_power", "P_sc", Watt, "part of P_s in the cavity, its whole gap sheared":
         One(|film| turning(film, film.measured.power.cavity_shear).filter(|_| drops(film))),
-        ErrorRule::Of("difference of the two films, and the shear on the part of the mesh that the edge of the cavity takes up", |estimate, at| estimate.cavity_power(at.change)),
+        ErrorRule::Of("difference of the two films, and the shear on the part of the mesh that the edge of the cavity takes up",
+            |estimate, at| estimate.cavity_power(at.change)),
         only(drops_in);
 }
 

@@ -8,6 +8,7 @@ rows! {
     /// none where the centre rests
     MOTION_POWER = "squeeze_power", "P_e", Watt, "power of the load as the journal's centre moves":
         One(|film| { let moves = film.journal().velocity != [0.0; 2]; moves.then(|| film.measured.motion_power(film.journal())) }),
-        ErrorRule::Of("dual-weighted, along and across the load", |estimate, at| { Some(estimate.product(at.view.journal().velocity)) }),
+        ErrorRule::Of("dual-weighted, along and across the load",
+            |estimate, at| Some(estimate.product(at.view.journal().velocity))),
         only(|scene| scene.journal.motion().is_some());
 }

@@ -10,13 +10,15 @@ rows! {
     /// `p_max`: greatest pressure, gauge, between nodes too (at nodes only beside a cavity of `jfo`)
     PRESSURE_MAX = "pressure_max", "p_max", Pascal, "greatest pressure, gauge":
         One(|film| Some(film.measured.extremes.greatest)),
-        ErrorRule::Of("difference of the two films where either is greatest", |estimate, _| { Some(Bar::of(estimate.greatest_pressure())) }),
+        ErrorRule::Of("difference of the two films where either is greatest",
+            |estimate, _| Some(Bar::of(estimate.greatest_pressure()))),
         tolerance headline;
 
     /// `p_min`: least pressure, gauge, likewise; where there is a cavity, its pressure
     PRESSURE_MIN = "pressure_min", "p_min", Pascal, "least pressure, gauge":
         One(|film| Some(film.measured.extremes.least)),
-        ErrorRule::Of("exact where it is that of a cavity; else difference of the two films where it is least", |estimate, _| Some(estimate.least_pressure()));
+        ErrorRule::Of("exact where it is that of a cavity; else difference of the two films where it is least",
+            |estimate, _| Some(estimate.least_pressure()));
 
     /// `mu_max = mu(p_max)`
     VISCOSITY_MAX = "viscosity_max", "mu_max", PascalSecond, "viscosity at the greatest pressure":
