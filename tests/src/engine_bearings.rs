@@ -20,12 +20,12 @@ pub const CAR: [(f64, f64, [f64; 7]); 3] = [
     (3200.0, 2622.6, [81.20, 87.40, 10.996, 0.7255, 12.63, 334.27, 0.8986]),
 ];
 
-/// Scene 21 at a speed [rpm] and under a load [N]: its result, and the standard's own balance of heat.
+/// Scene 20 at a speed [rpm] and under a load [N]: its result, and the standard's own balance of heat.
 ///
 /// # Panics
 /// If there is none.
 pub fn car(turns: f64, force: f64) -> (RunResult, Vec<Quantity>) {
-    let scene = variant("21_heat_balance", |scene| {
+    let scene = variant("20_heat_balance", |scene| {
         table(scene, "journal").insert("speed".into(), format!("{turns} rpm").into());
         table(scene, "load").insert("force".into(), format!("{force} N").into());
     });

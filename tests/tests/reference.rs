@@ -235,8 +235,8 @@ fn every_quantity_is_explained() {
     let results = [
         result("02_flexpde_shell"),
         result("07_grooved_liner"),
-        result("20_connecting_rod_cap"),
-        result_of(&variant("21_heat_balance", |scene| {
+        result("19_connecting_rod_cap"),
+        result_of(&variant("20_heat_balance", |scene| {
             scene.insert("mesh".into(), toml::toml! { size = "5 mm" }.into());
             let heat: toml::Table = toml::toml! {
                 inlet = "75 C"

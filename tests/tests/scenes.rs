@@ -437,8 +437,8 @@ fn scene_17_engine_main_bearing() {
 /// Forces of `literature/connecting_rod_bolts.rs`, which has 260 rad/s and the ratio 0.272 where the scene has 2500 rpm and
 /// 0.27174: 1.5e-4. The film bears all masses of the rod, the joint those beyond it.
 #[test]
-fn scene_20_connecting_rod_cap() {
-    let found = answer(&variant("20_connecting_rod_cap", |_| ()));
+fn scene_19_connecting_rod_cap() {
+    let found = answer(&variant("19_connecting_rod_cap", |_| ()));
     let speed = 2500.0 * std::f64::consts::PI / 30.0;
     let pull = 25278.01 * (speed / 260.0f64).powi(2);
     close(value(&found, "cap_force"), pull, 2e-4);
@@ -459,7 +459,7 @@ fn scene_20_connecting_rod_cap() {
     );
     // Of a load that turns only what points to the cap pulls at it.
     let at = |angle: &str| {
-        let found = answer(&variant("20_connecting_rod_cap", |scene| {
+        let found = answer(&variant("19_connecting_rod_cap", |scene| {
             set(scene, "cap", "angle", angle)
         }));
         value(&found, "cap_film_share")
@@ -474,12 +474,12 @@ fn scene_20_connecting_rod_cap() {
 fn scenes_22_and_23_crankshaft_bearing() {
     let cases = [
         (
-            "22_short_crankshaft_bearing",
+            "21_short_crankshaft_bearing",
             [2622.56, 31.8504],
             [3500.8515, 30.500153],
         ),
         (
-            "23_squeezed_crankshaft_bearing",
+            "22_squeezed_crankshaft_bearing",
             [8839.39, 14.3979],
             [11968.476, 13.936722],
         ),
@@ -500,7 +500,7 @@ fn scenes_22_and_23_crankshaft_bearing() {
 #[test]
 fn a_cap_follows_the_film() {
     for model in ["guembel", "reynolds"] {
-        let found = answer(&variant("20_connecting_rod_cap", |scene| {
+        let found = answer(&variant("19_connecting_rod_cap", |scene| {
             scene.remove("load");
             set(scene, "journal", "eccentricity", 0.7);
             set(scene, "journal", "min_film_angle", "300 deg");
@@ -516,7 +516,7 @@ fn a_cap_follows_the_film() {
             "{model}: {error:e} {of_y:e}"
         );
     }
-    let rest = answer(&variant("20_connecting_rod_cap", |scene| {
+    let rest = answer(&variant("19_connecting_rod_cap", |scene| {
         scene.remove("load");
         set(scene, "journal", "speed", "0 rpm");
         set(scene, "journal", "eccentricity", 0.7);

@@ -1,4 +1,4 @@
-//! The same bearing with its real length (and, to compare, as a short one) in finite elements: scenes 22 and 23 with one speed and model each.
+//! The same bearing with its real length (and, to compare, as a short one) in finite elements: scenes 21 and 22 with one speed and model each.
 
 use oilwedge_fem::Field;
 use oilwedge_mesh::Locator;
@@ -11,8 +11,8 @@ use crate::scenes::{Solved, solve, table, variant};
 /// The scene of that E and n [1/min], by a model of cavitation, a theory, and on a mesh of that size [mm].
 pub fn scene(model: &str, theory: &str, [squeeze, speed]: [f64; 2], size: f64) -> Scene {
     let name = match squeeze > 0.0 {
-        true => "23_squeezed_crankshaft_bearing",
-        false => "22_short_crankshaft_bearing",
+        true => "22_squeezed_crankshaft_bearing",
+        false => "21_short_crankshaft_bearing",
     };
     variant(name, |scene| {
         table(scene, "bearing").insert("theory".into(), theory.into());

@@ -201,7 +201,7 @@ fn isothermal_films_that_heat_up_are_doubted() {
 #[test]
 fn films_that_jump_are_balanced() {
     for (speed, force) in [(1900.0, 1557.1), (1100.0, 901.5)] {
-        let scene = variant("21_heat_balance", |scene| {
+        let scene = variant("20_heat_balance", |scene| {
             table(scene, "journal").insert("speed".into(), format!("{speed} rpm").into());
             table(scene, "load").insert("force".into(), format!("{force} N").into());
         });
@@ -254,7 +254,7 @@ fn a_long_bearing_is_cooled_by_its_housing() {
 #[test]
 fn a_search_that_is_ended_has_no_verdict() {
     let bench = Bench::new();
-    let scene = oilwedge_tests::program::repository().join("scenes/21_heat_balance.toml");
+    let scene = oilwedge_tests::program::repository().join("scenes/20_heat_balance.toml");
     let told = bench.run(&["solve", &scene.display().to_string(), "--json", "--max-seconds", "0.05"]);
     let result = object(&told.stdout);
     assert_eq!((told.status, &result["status"]), (1, &Value::from("not_converged")));

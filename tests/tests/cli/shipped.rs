@@ -28,15 +28,15 @@ const SCENES: [(&str, &[&str]); 22] = [
     ("17_engine_main_bearing", &[]),
     ("18_sweep_eccentricity", &[TENSION]),
     (
-        "20_connecting_rod_cap",
+        "19_connecting_rod_cap",
         &[
             "an assumption does not hold: a viscosity that does not depend on pressure",
             HEATED,
         ],
     ),
-    ("21_heat_balance", &[]),
-    ("22_short_crankshaft_bearing", &[]),
-    ("23_squeezed_crankshaft_bearing", &[]),
+    ("20_heat_balance", &[]),
+    ("21_short_crankshaft_bearing", &[]),
+    ("22_squeezed_crankshaft_bearing", &[]),
 ];
 
 #[test]

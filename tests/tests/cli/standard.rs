@@ -8,7 +8,7 @@ use oilwedge_tests::bench::{Bench, object};
 #[test]
 fn the_twin_stands_beside_the_film() {
     let bench = Bench::new();
-    let scene = repository().join("scenes/21_heat_balance.toml").display().to_string();
+    let scene = repository().join("scenes/20_heat_balance.toml").display().to_string();
     let told = bench.run(&["solve", &scene, "--standard", "--out", "out"]);
     assert_eq!(told.status, 0, "{}", told.stderr);
     for words in [

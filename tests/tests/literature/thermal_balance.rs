@@ -196,7 +196,7 @@ fn the_table_by_the_standards_twin() {
 fn the_film_beside_the_fits() {
     let by_fits = find(&BALANCE, 350.0, 1e-12, |t| Ok::<_, ()>(heat(&film(t, 3200.0, 2622.6)))).expect("a balance");
     let numbers = |model: &str| {
-        let scene = variant("21_heat_balance", |scene| {
+        let scene = variant("20_heat_balance", |scene| {
             table(scene, "mesh").insert("size".into(), "5 mm".into());
             table(scene, "cavitation").insert("model".into(), model.into());
         });
