@@ -8,7 +8,7 @@ use oilwedge_reynolds::lubricant::PressureLaw;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_reynolds::{CentreVelocity, Theory};
 use oilwedge_scene::Scene;
-use oilwedge_study::effects::Sockets;
+use oilwedge_study::effects::{Socket, Sockets};
 use oilwedge_study::oil::Oil;
 use oilwedge_study::quantities::{self, Quantity, Row, VISCOSITY_EFFECTIVE};
 use oilwedge_study::result::RunResult;
@@ -19,7 +19,7 @@ mod feed;
 mod twin;
 
 use feed::{fed, words};
-use twin::{Given, NAME, Twin, own_heat};
+use twin::{BALANCE_KEY, Given, NAME, Twin, own_balance};
 
 /// B/D for which the fits were made.
 const SLENDERNESS: [f64; 2] = [0.25, 1.5];
@@ -30,8 +30,9 @@ const ECCENTRICITY: [f64; 2] = [0.1, 0.95];
 pub fn standard(scene: &Scene, result: &RunResult) -> AddOn {
     let value = |row: &Row| result.quantity(row).map(|quantity| quantity.value);
     let oil = Oil::of(scene);
-    let viscosity = match (&scene.heat, value(&quantities::TEMPERATURE_EFFECTIVE)) {
-        (Some(_), Some(celsius)) => oil.at(celsius + ZERO_CELSIUS).viscosity,
+    let is_found = result.effects.fill(Socket::Temperature);
+    let viscosity = match (is_found, value(&quantities::TEMPERATURE_EFFECTIVE)) {
+        (true, Some(celsius)) => oil.at(celsius + ZERO_CELSIUS).viscosity,
         _ => oil.viscosity,
     };
     let numbers = answer(scene, result, viscosity).unwrap_or_else(|reason| Numbers {
@@ -46,10 +47,10 @@ pub fn standard(scene: &Scene, result: &RunResult) -> AddOn {
 struct Numbers {
     given: Option<&'static str>,
     feed: Option<&'static str>,
-    squeezed: Option<f64>,
-    pressed: Option<f64>,
+    by_film: Option<f64>,
+    by_feed: Option<f64>,
     comparisons: Vec<Comparison>,
-    heat: Vec<Quantity>,
+    balance: Vec<Quantity>,
     notes: Vec<String>,
 }
 
@@ -76,10 +77,10 @@ fn answer(scene: &Scene, result: &RunResult, viscosity: f64) -> Result<Numbers, 
     Ok(Numbers {
         given: Some(given.name()),
         feed: feed.as_ref().ok().and_then(|feed| Some(words(feed.as_ref()?.0))),
-        squeezed: Some(twin.squeezed),
-        pressed: twin.pressed,
+        by_film: Some(twin.by_film),
+        by_feed: twin.by_feed,
         comparisons: beside(scene, result, &twin, given),
-        heat: own_heat(scene, given, &feed),
+        balance: own_balance(scene, given, &feed),
         notes,
     })
 }
@@ -97,7 +98,7 @@ impl Numbers {
                 ("difference", (standard - film.value).into()),
             ]))
         };
-        let heat = self.heat.iter().map(|it| match it.row == &VISCOSITY_EFFECTIVE {
+        let balance = self.balance.iter().map(|it| match it.row == &VISCOSITY_EFFECTIVE {
             true => ("viscosity", it.value.into()),
             false => (it.row.name, it.value.into()),
         });
@@ -106,13 +107,16 @@ impl Numbers {
             ("given", nullable(self.given)),
             ("viscosity", viscosity.into()),
             ("feed", nullable(self.feed)),
-            ("squeezed_flow", nullable(self.squeezed)),
-            ("pressed_flow", nullable(self.pressed)),
+            ("squeezed_flow", nullable(self.by_film)),
+            ("pressed_flow", nullable(self.by_feed)),
             (
                 "numbers",
                 Value::Array(self.comparisons.iter().filter_map(number).collect()),
             ),
-            ("heat", nullable((!self.heat.is_empty()).then(|| object(heat)))),
+            (
+                BALANCE_KEY,
+                nullable((!self.balance.is_empty()).then(|| object(balance))),
+            ),
             ("notes", Value::Array(notes.collect())),
         ])
     }
@@ -123,23 +127,23 @@ impl Numbers {
             format!("{NAME} at the same {given}{feed}, and in brackets its difference from this film")
         });
         let flow = |value: f64| vec![Quantity::new(&quantities::SIDE_FLOW, value)];
-        let flows = self.squeezed.zip(self.pressed).map(|(squeezed, pressed)| {
+        let flows = self.by_film.zip(self.by_feed).map(|(by_film, by_feed)| {
             [
-                ("its side_flow by the narrowing film, Q_3", flow(squeezed)),
-                ("its side_flow by the feed pressure, Q_p", flow(pressed)),
+                ("its side_flow by the narrowing film, Q_3", flow(by_film)),
+                ("its side_flow by the feed pressure, Q_p", flow(by_feed)),
             ]
         });
         let of_both = (
             "viscosity of both",
             vec![Quantity::new(&VISCOSITY_EFFECTIVE, viscosity)],
         );
-        let heat = ("its own heat balance", self.heat.clone());
+        let balance = ("with its own temperature", self.balance.clone());
         let lists = self
             .given
             .map(|_| of_both)
             .into_iter()
             .chain(flows.into_iter().flatten())
-            .chain([heat]);
+            .chain([balance]);
         AddOn {
             key: "standard",
             title,

@@ -8,7 +8,6 @@ mod check;
 mod check_report;
 mod complain;
 mod converge;
-mod heat;
 mod interrupt;
 mod levels_table;
 mod mesh;
@@ -20,6 +19,7 @@ mod run_options;
 mod run_report;
 mod solve;
 mod sweep;
+mod temperature;
 mod terminal;
 mod verify;
 

@@ -1,9 +1,9 @@
 //! A run for people: what was simulated, the numbers, the balances and the time.
 
 use crate::add_ons::add_on;
-use crate::heat;
 use crate::quantities::{bars, quantities};
 use crate::readable::{readable_unit, significant};
+use crate::temperature;
 use crate::terminal::{effects, heading, mesh, status, time};
 use oilwedge_campaign::AddOn;
 use oilwedge_study::quantities::{CAVITY_FLOW, CAVITY_SHARE, Table};
@@ -19,14 +19,14 @@ pub(crate) fn run_report(result: &RunResult, add_ons: &[AddOn], folder: &Path, p
     parts.push(effects(&result.effects));
     if !result.quantities.is_empty() {
         let (of_cap, of_film): (Vec<_>, Vec<_>) = (result.quantities.iter())
-            .filter(|quantity| result.heat.is_none() || quantity.row.table != Table::Heat)
+            .filter(|quantity| !temperature::shows(result, quantity))
             .partition(|quantity| quantity.row.table == Table::Cap);
         parts.push(quantities(of_film, result.bars));
         if !of_cap.is_empty() {
             parts.push(format!("joint of the cap\n{}", quantities(of_cap, result.bars)));
         }
     }
-    parts.extend(heat::heat(result));
+    parts.extend(temperature::balance(result));
     parts.extend(add_ons.iter().map(add_on));
     let mut lines = Vec::new();
     if !result.quantities.is_empty() {
@@ -39,30 +39,24 @@ pub(crate) fn run_report(result: &RunResult, add_ons: &[AddOn], folder: &Path, p
     lines.push(format!("time      {}", timing(&result.timing_s)));
     let mut files = vec!["result.json"];
     files.extend(picture.then_some("film.vtu"));
-    files.extend(heat::files(result));
+    files.extend(temperature::files(result));
     lines.push(format!("written   {}: {}", folder.display(), files.join(", ")));
     parts.push(lines.join("\n"));
     parts.join("\n\n") + "\n"
 }
 
-/// Relative imbalances; those of force and heat only where they are solved for.
+/// Relative imbalances; those of force and temperature only where they are solved for.
 fn balances(balances: Balances) -> String {
     let part = |value: f64| significant(value, 2);
     let mut line = format!(
-        "balance   oil in and oil out differ by {} of the oil that passes, power and heat by {} of the power",
+        "balance   oil in and oil out differ by {} of the oil that passes, power and dissipation by {} of the power",
         part(balances.mass),
         part(balances.power)
     );
     if balances.force != 0.0 {
         line += &format!(", load and film force by {} of the load", part(balances.force));
     }
-    if balances.heat != 0.0 {
-        line += &format!(
-            ", friction and heat carried off by {} of the friction",
-            part(balances.heat)
-        );
-    }
-    line
+    line + &temperature::imbalance(balances)
 }
 
 /// How large the cavity is, and the oil that it makes where its model conserves none.

@@ -6,9 +6,8 @@
 use crate::Error;
 use crate::folder::replace;
 use crate::json::result_json;
-use crate::plot::{heat_to_svg, to_png};
+use crate::plot::{TEMPERATURE_FILES, temperature_to_svg, to_png};
 use oilwedge_campaign::AddOn;
-use oilwedge_study::quantities::{FRICTION_POWER, Row, TEMPERATURE_EFFECTIVE};
 use oilwedge_study::result::RunResult;
 use std::ffi::OsStr;
 use std::path::Path;
@@ -18,9 +17,6 @@ pub const RESULT_FILE: &str = "result.json";
 /// File of the fields.
 pub const PICTURE_FILE: &str = "film.vtu";
 
-/// Files of the curves of a balance of heat.
-pub const HEAT_FILES: [&str; 2] = ["heat.svg", "heat.png"];
-
 /// Writes `result.json` and, where there is a picture (the bytes of a VTU file), `film.vtu` into the folder `dir`,
 /// which is made if need be, and the curves of a balance of heat. Files of an earlier run are replaced; without a picture or curves earlier ones
 /// are removed, since they show another run.
@@ -29,22 +25,10 @@ pub const HEAT_FILES: [&str; 2] = ["heat.svg", "heat.png"];
 /// [`Error`]: a number is not finite, or the system refuses; the old files are then left as they were.
 pub fn write_results(dir: &Path, result: &RunResult, add_ons: &[AddOn], picture: Option<&[u8]>) -> Result<(), Error> {
     let json = result_json(result, add_ons)?;
-    let (svg, png) = match &result.heat {
-        Some(heat) => {
-            let value = |row: &Row| result.quantity(row).map(|quantity| quantity.value);
-            let found = value(&TEMPERATURE_EFFECTIVE).zip(value(&FRICTION_POWER));
-            let svg = heat_to_svg(
-                &result.title,
-                heat,
-                found.map(|(temperature, power)| [temperature, power]),
-            )?;
-            let png = to_png(&svg)?;
-            (Some(svg), Some(png))
-        }
-        None => (None, None),
-    };
+    let svg = temperature_to_svg(result)?;
+    let png = svg.as_deref().map(to_png).transpose()?;
     let result = OsStr::new(RESULT_FILE);
-    let [svg_file, png_file] = HEAT_FILES.map(OsStr::new);
+    let [svg_file, png_file] = TEMPERATURE_FILES.map(OsStr::new);
     let steps = [
         (result, None),
         (PICTURE_FILE.as_ref(), picture),

@@ -8,9 +8,9 @@ use std::time::Instant;
 use crate::answer::{self, Answer};
 use crate::cases::{BadFamily, Case, cases, families};
 use crate::family::{Expect, Family, Series};
-use crate::judge::faults;
+use crate::faults::faults;
+use crate::reference_film::against;
 use crate::series::across;
-use crate::witness::against;
 
 /// What was found of one case.
 #[derive(Debug)]

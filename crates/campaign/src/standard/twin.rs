@@ -15,6 +15,8 @@ use oilwedge_study::thermal::{balance, first_temperature};
 
 /// The name of the standard.
 pub(super) const NAME: &str = "ISO 7902 (DIN 31652)";
+/// Key of its own balance in its record.
+pub(super) const BALANCE_KEY: &str = "heat";
 
 /// Part of the friction to which its heat is balanced.
 const BALANCED: f64 = 1e-12;
@@ -80,9 +82,9 @@ pub(super) struct Twin {
     /// The power [W] of that friction.
     pub(super) power: f64,
     /// Q_3 [m3/s].
-    pub(super) squeezed: f64,
+    pub(super) by_film: f64,
     /// Q_p [m3/s], where there is a feed.
-    pub(super) pressed: Option<f64>,
+    pub(super) by_feed: Option<f64>,
     /// Their sum [m3/s]; none where the standard has no such feed.
     pub(super) flow: Option<f64>,
 }
@@ -106,21 +108,21 @@ impl Twin {
         let load = number * per_number;
         let coefficient = psi * iso7902::friction(number, eccentricity, lands.slenderness);
         let side = iso7902::side_flow_number(eccentricity, lands.slenderness);
-        let squeezed = lands.count * bearing.diameter.powi(3) * psi * speed * side;
+        let by_film = lands.count * bearing.diameter.powi(3) * psi * speed * side;
         let through = |(kind, pressure): &(Feed, f64)| {
             let unit = (bearing.diameter * psi).powi(3) * pressure / viscosity;
             unit * iso7902::feed_flow_number(*kind, eccentricity, bearing.length / bearing.diameter)
         };
-        let pressed = (feed.as_ref().ok()).and_then(|feed| feed.as_ref()).map(through);
+        let by_feed = (feed.as_ref().ok()).and_then(|feed| feed.as_ref()).map(through);
         Some(Self {
             number,
             eccentricity,
             load,
             coefficient,
             power: coefficient * load * speed * bearing.radius(),
-            squeezed,
-            pressed,
-            flow: feed.is_ok().then(|| squeezed + pressed.unwrap_or(0.0)),
+            by_film,
+            by_feed,
+            flow: feed.is_ok().then(|| by_film + by_feed.unwrap_or(0.0)),
             lands,
         })
     }
@@ -138,7 +140,7 @@ impl Twin {
 
 /// The standard's own balance of heat, friction by its fits carried off by its flows: temperatures of film and outlet, viscosity and the bearing
 /// there. Empty without `[heat]`, and where it has no flow through the feed or no balance.
-pub(super) fn own_heat(scene: &Scene, given: Given, feed: &Fed) -> Vec<Quantity> {
+pub(super) fn own_balance(scene: &Scene, given: Given, feed: &Fed) -> Vec<Quantity> {
     balanced(scene, given, feed).unwrap_or_default()
 }
 

@@ -1,22 +1,22 @@
 //! Pictures: a convergence study (error against time and unknowns, and the mesh), a balance of heat, maps of cells, and plain charts.
 //!
 //! Reading order: `canvas.rs` (points on a sheet, over plotters), `axes.rs`, `errors.rs`, `mesh.rs`, `palette.rs`, `raster.rs` (the
-//! same drawing as dots); `heat.rs` (two curves that cross), `cells.rs` (maps), `chart.rs` (curves and marks over linear axes).
+//! same drawing as dots); `temperature.rs` (two curves that cross), `cells.rs` (maps), `chart.rs` (curves and marks over linear axes).
 
 mod axes;
 mod canvas;
 mod cells;
 mod chart;
 mod errors;
-mod heat;
 mod mesh;
 mod palette;
 mod raster;
+mod temperature;
 
 pub use cells::{Cell, CellMap, cells_to_svg};
 pub use chart::{COLOURS, Chart, Series, Style, charts_to_svg};
-pub use heat::heat_to_svg;
 pub use raster::to_png;
+pub use temperature::{TEMPERATURE_FILES, temperature_to_svg};
 
 use canvas::{LEFT, Letters, sheet};
 use palette::GREY;

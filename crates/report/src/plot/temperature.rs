@@ -3,17 +3,30 @@
 use super::chart::{COLOURS, Chart, Series, Style, charts_to_svg};
 use super::shortened;
 use crate::Error;
-use oilwedge_study::result::{HeatPoint, HeatReport};
+use oilwedge_study::quantities::{FRICTION_POWER, Row, TEMPERATURE_EFFECTIVE};
+use oilwedge_study::result::{HeatPoint, HeatReport, RunResult};
 
 fn carried(point: &HeatPoint) -> f64 {
     point.heat_carried + point.heat_housing
 }
 
-/// The picture of a balance of heat as SVG; `found` is the temperature found [degrees C] and the power there [W].
+/// Files of the picture.
+pub const TEMPERATURE_FILES: [&str; 2] = ["heat.svg", "heat.png"];
+
+/// The picture of a run's balance of heat as SVG; `None` where it has none.
 ///
 /// # Errors
 /// [`Error::Format`].
-pub fn heat_to_svg(title: &str, report: &HeatReport, found: Option<[f64; 2]>) -> Result<String, Error> {
+pub fn temperature_to_svg(result: &RunResult) -> Result<Option<String>, Error> {
+    let value = |row: &Row| result.quantity(row).map(|quantity| quantity.value);
+    let found = value(&TEMPERATURE_EFFECTIVE).zip(value(&FRICTION_POWER));
+    let found = found.map(|(temperature, power)| [temperature, power]);
+    let drawn = |report: &HeatReport| to_svg(&result.title, report, found);
+    result.heat.as_ref().map(drawn).transpose()
+}
+
+/// `found` is the temperature found [degrees C] and the power there [W].
+fn to_svg(title: &str, report: &HeatReport, found: Option<[f64; 2]>) -> Result<String, Error> {
     let curve = |name: &str, colour: [u8; 3], value: &dyn Fn(&HeatPoint) -> f64| {
         let points: Vec<[f64; 2]> = (report.curve.iter())
             .map(|point| [point.temperature, value(point)])
@@ -79,7 +92,7 @@ mod tests {
     #[test]
     fn the_picture_tells_both_curves_and_where_they_cross() {
         let report = report(&[(75.0, 400.0, -3.0), (82.0, 330.0, 329.0), (90.0, 280.0, 700.0)]);
-        let svg = heat_to_svg("A <bearing>", &report, Some([82.0, 330.0])).expect("a drawing");
+        let svg = to_svg("A <bearing>", &report, Some([82.0, 330.0])).expect("a drawing");
         for words in [
             "A &lt;bearing&gt;",
             "mean temperature of the film [C]",
@@ -99,7 +112,7 @@ mod tests {
     #[test]
     fn few_points_are_drawn_too() {
         for points in [&[][..], &[(80.0, 0.0, 0.0)]] {
-            assert!(heat_to_svg("a", &report(points), None).is_ok());
+            assert!(to_svg("a", &report(points), None).is_ok());
         }
     }
 }

@@ -1,24 +1,40 @@
-//! The balance of heat for people: two curves as a table, and what the bearing must meet.
+//! The balance of heat for people: two curves as a table, and the design criteria.
 
 use crate::quantities::quantities;
 use crate::readable::significant;
 use crate::terminal::table;
-use oilwedge_report::results::HEAT_FILES;
+use oilwedge_report::plot::TEMPERATURE_FILES;
 use oilwedge_study::quantities::{ECCENTRICITY, Quantity, TEMPERATURE_EFFECTIVE, Table};
-use oilwedge_study::result::{Criterion, HeatReport, RunResult};
+use oilwedge_study::result::{Balances, Criterion, HeatReport, RunResult};
 
 /// Temperatures, heats, curves and criteria; nothing where no temperature was sought.
-pub(crate) fn heat(result: &RunResult) -> Option<String> {
+pub(crate) fn balance(result: &RunResult) -> Option<String> {
     let report = result.heat.as_ref()?;
-    let of_heat = |quantity: &&Quantity| quantity.row.table == Table::Heat || quantity.row == &TEMPERATURE_EFFECTIVE;
+    let of_heat = |quantity: &&Quantity| shows(result, quantity) || quantity.row == &TEMPERATURE_EFFECTIVE;
     let list = quantities(result.quantities.iter().filter(of_heat), result.bars);
     let parts = [format!("balance of heat\n{list}"), curve(report), criteria(report)];
     Some(parts.join("\n"))
 }
 
+/// Whether a quantity stands in the balance of heat, and nowhere else.
+pub(crate) fn shows(result: &RunResult, quantity: &Quantity) -> bool {
+    result.heat.is_some() && quantity.row.table == Table::Heat
+}
+
+/// How far the balance of heat is open, where it is solved for.
+pub(crate) fn imbalance(balances: Balances) -> String {
+    match balances.heat {
+        0.0 => String::new(),
+        heat => format!(
+            ", friction and heat carried off by {} of the friction",
+            significant(heat, 2)
+        ),
+    }
+}
+
 /// The files of the curves.
 pub(crate) fn files(result: &RunResult) -> &'static [&'static str] {
-    if result.heat.is_some() { &HEAT_FILES } else { &[] }
+    if result.heat.is_some() { &TEMPERATURE_FILES } else { &[] }
 }
 
 /// Friction and heat carried off at temperatures around that found.
