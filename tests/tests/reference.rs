@@ -75,7 +75,7 @@ fn examples_of_scenes_are_scenes() {
 
 #[test]
 fn every_key_of_a_scene_is_explained() {
-    let fragment = "zzzz = 1\n[bearing]\nzzzz = 1\narc = { from = \"0 deg\", to = \"9 deg\", zzzz = 1 }\n[mesh]\nzzzz = 1\ntolerance = { zzzz = 1 }\n\
+    let fragment = "zzzz = 1\n[bearing]\nzzzz = 1\narc = { from = \"0 deg\", to = \"9 deg\", zzzz = 1 }\n[mesh]\nzzzz = 1\ntolerance = { zzzz = \"1 %\" }\n\
         [ends]\nzzzz = 1\n[[feed]]\nzzzz = 1\nhole = { zzzz = 1 }\ngroove = { zzzz = 1 }\n[journal]\nzzzz = 1\nsqueeze = { zzzz = 1 }\n[load]\nzzzz = 1\n[oil]\nzzzz = 1\n\
         barus = { zzzz = 1 }\nroelands = { zzzz = 1 }\nwalther = { zzzz = 1 }\nvogel = { zzzz = 1 }\ntable = [{ zzzz = 1 }]\n\
         density = { zzzz = 1 }\n[heat]\nzzzz = 1\nhousing = { zzzz = 1 }\nmixing = { zzzz = 1 }\n[cavitation]\nzzzz = 1\n\

@@ -182,7 +182,7 @@ fn a_tolerance_that_cannot_be_met_is_refused() {
     let range = "give a tolerance within 1e-8 % and 50 %";
     one(
         "\"0 %\"",
-        &["mesh.tolerance: is 0 %, but rounding hides errors below", range],
+        &["mesh.tolerance: is 0 %, but round-off hides errors below", range],
     );
     one("\"60 %\"", &["mesh.tolerance: is 60 %", "tells nothing", range]);
     one(

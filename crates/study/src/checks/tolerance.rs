@@ -45,7 +45,6 @@ pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
     for name in targets.iter().map(|target| target.quantity.as_str()) {
         let key = format!("mesh.tolerance.{name}");
         let fault = match row(name).filter(|row| row.may_be_tolerance) {
-            _ if complaints.concern(&key) => None,
             Some(family) if family.is_family() => no_flow(scene, family, &name[family.name.len()..]),
             Some(row) => no_error(scene, row),
             None => Some(unknown(name)),
