@@ -210,7 +210,7 @@ fn a_tolerance_needs_error_bars() {
     let bench = Bench::new();
     bench.scene(SHELL, &[("file = ", "tolerance = \"1 %\"\nfile = ")]);
     let words = [
-        "--bars none does not go with the mesh.tolerance of the scene scene.toml",
+        "--bars none conflicts with the mesh.tolerance of the scene scene.toml",
         "leave out --bars none, or remove tolerance",
     ];
     bench.refuses(&["solve", "scene.toml", "--bars", "none"], &words);

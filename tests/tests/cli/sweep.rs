@@ -434,7 +434,7 @@ fn a_tolerance_is_met_by_each_case() {
     }
     bench.refuses(
         &["sweep", "scene.toml", "--bars", "none"],
-        &["--bars none does not go with the mesh.tolerance"],
+        &["--bars none conflicts with the mesh.tolerance"],
     );
     let told = bench.run(&[
         "sweep",

@@ -12,6 +12,7 @@ use crate::quantities::{
 const USUAL: f64 = 0.005;
 /// That of short bearings, whose films take milliseconds [1].
 const SHORT: f64 = 0.001;
+
 /// The bars that must become small by refinement of the mesh, in the order of the result; none where the mesh is used as it is.
 pub fn targets(scene: &Scene) -> Option<Vec<Target>> {
     let main = |relative: f64| {
@@ -24,15 +25,17 @@ pub fn targets(scene: &Scene) -> Option<Vec<Target>> {
         Tolerance::Main(relative) => main(*relative),
         Tolerance::ByName(targets) => {
             let mut targets = targets.clone();
-            let order = |target: &Target| {
-                let place = CATALOGUE.iter().position(|row| row.has(&target.quantity));
+            targets.sort_by_cached_key(|target| {
+                let place = CATALOGUE.iter().position(|row| row.has(&target.quantity))?;
+                let row = CATALOGUE[place];
                 // Flows of feeds stand behind friction.
-                let is_late = place.map(|place| {
-                    usize::from(CATALOGUE[place].is_family()) + 2 * usize::from(CATALOGUE[place] == &PRESSURE_INTEGRAL)
-                });
-                (is_late, place, target.quantity.clone())
-            };
-            targets.sort_by_cached_key(order);
+                Some((
+                    row == &PRESSURE_INTEGRAL,
+                    row.is_family(),
+                    place,
+                    target.quantity.clone(),
+                ))
+            });
             targets
         }
     })
