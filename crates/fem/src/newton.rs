@@ -185,12 +185,7 @@ impl Equation<'_> {
 /// # Errors
 /// [`Failure`] with the history.
 pub fn solve(equation: &Equation, mut u: Vec<f64>) -> Result<Solution, Failure> {
-    let Equation {
-        assembler,
-        law,
-        constraints,
-        ..
-    } = *equation;
+    let (assembler, law, constraints) = (equation.assembler, equation.law, equation.constraints);
     constraints.impose(&mut u);
     let linear = law.tangent() == Tangent::Conduction;
     let mut seconds = Seconds::default();
@@ -214,26 +209,20 @@ pub fn solve(equation: &Equation, mut u: Vec<f64>) -> Result<Solution, Failure> 
                 return Err(Failure::Linear { error, history });
             }
         };
-        let (damping, next, reactions) = if linear {
+        let converged = linear || equation.has_converged(&step, &u);
+        let next = if linear {
             let change = Seconds::time(&mut seconds.solve, || linearisation.matrix().multiply(&step));
             let reactions = residual.iter().zip(change).map(|(r, c)| r + c).collect();
-            let mut next = std::mem::take(&mut u);
-            add(&mut next, 1.0, &step);
-            (1.0, next, reactions)
+            add(&mut u, 1.0, &step);
+            Some((1.0, u, reactions))
         } else {
             let damped = Seconds::time(&mut seconds.assemble, || equation.damped_step(&u, &step, norm));
             // At the floor of round-off a full step cannot reduce the residual; it is then the last.
-            let full = || {
-                equation
-                    .has_converged(&step, &u)
-                    .then(|| equation.stepped(&u, &step, 1.0))
-            };
-            match damped.or_else(full) {
-                Some(next) => next,
-                None => return Err(Failure::Stagnated { history }),
-            }
+            damped.or_else(|| converged.then(|| equation.stepped(&u, &step, 1.0)))
         };
-        let converged = linear || equation.has_converged(&step, &u);
+        let Some((damping, next, reactions)) = next else {
+            return Err(Failure::Stagnated { history });
+        };
         u = next;
         history.push(HistoryStep {
             residual: constraints.free_norm(&reactions) / first,

@@ -60,11 +60,8 @@ impl Mesh {
         let topology = match Topology::new(points.len(), &triangles) {
             Ok(topology) => topology,
             Err(crowded) => {
-                let crowded = crowded
-                    .into_iter()
-                    .take(MOST_DEFECTS)
-                    .map(|edge| Defect::CrowdedEdge { nodes: edge.map(name) });
-                defects.extend(crowded);
+                let defect = |edge: [u32; 2]| Defect::CrowdedEdge { nodes: edge.map(name) };
+                defects.extend(crowded.into_iter().take(MOST_DEFECTS).map(defect));
                 return Err(defects);
             }
         };
@@ -73,11 +70,8 @@ impl Mesh {
             triangle_of_old[old as usize] = new as u32;
         }
         let bulges = bulged_edges(&raw, &new_of_old, &topology);
-        let curved = topology
-            .triangle_edges
-            .iter()
-            .map(|edges| !bulges.is_empty() && edges.iter().any(|edge| bulges.contains_key(edge)))
-            .collect();
+        let is_curved = |edges: &[u32; 3]| !bulges.is_empty() && edges.iter().any(|edge| bulges.contains_key(edge));
+        let curved = topology.triangle_edges.iter().map(is_curved).collect();
         let regions = regions(&raw, &new_of_old, &triangle_of_old, &topology, &mut defects);
         let circles = circles(&raw, &new_of_old, &topology, &mut defects);
         let mesh = Self {

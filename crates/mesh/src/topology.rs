@@ -42,9 +42,7 @@ impl Topology {
                 room[ends(triangle, k)[0] as usize + 1] += 1;
             }
         }
-        for v in 0..vertices {
-            room[v + 1] += room[v];
-        }
+        accumulate(&mut room);
         let mut greater = vec![0u32; room[vertices] as usize];
         let mut count = vec![0u32; vertices];
         // For now an edge is its place in its bucket.
@@ -54,14 +52,12 @@ impl Topology {
                 let [lo, hi] = ends(triangle, k);
                 let bucket = room[lo as usize] as usize;
                 let used = count[lo as usize] as usize;
-                let place = greater[bucket..bucket + used]
-                    .iter()
-                    .position(|&end| end == hi)
-                    .unwrap_or_else(|| {
-                        greater[bucket + used] = hi;
-                        count[lo as usize] += 1;
-                        used
-                    });
+                let known = greater[bucket..bucket + used].iter().position(|&end| end == hi);
+                let place = known.unwrap_or_else(|| {
+                    greater[bucket + used] = hi;
+                    count[lo as usize] += 1;
+                    used
+                });
                 edges[k] = place as u32;
             }
         }
@@ -73,29 +69,17 @@ impl Topology {
             edges.extend(greater[bucket..bucket + used].iter().map(|&hi| [v as u32, hi]));
             edge_start[v + 1] = edges.len() as u32;
         }
-        let mut edge_triangles = vec![[NO_TRIANGLE; 2]; edges.len()];
-        let mut crowded = Vec::new();
-        for (t, triangle) in triangles.iter().enumerate() {
+        for (triangle, edges) in triangles.iter().zip(&mut triangle_edges) {
             for k in 0..3 {
-                let edge = edge_start[ends(triangle, k)[0] as usize] + triangle_edges[t][k];
-                triangle_edges[t][k] = edge;
-                let sides = &mut edge_triangles[edge as usize];
-                match sides.iter().position(|&side| side == NO_TRIANGLE) {
-                    Some(free) => sides[free] = t as u32,
-                    None => crowded.push(edges[edge as usize]),
-                }
+                edges[k] += edge_start[ends(triangle, k)[0] as usize];
             }
         }
-        if !crowded.is_empty() {
-            return Err(crowded);
-        }
+        let edge_triangles = triangles_at(&edges, &triangle_edges)?;
         let mut triangle_start = vec![0u32; vertices + 1];
         for triangle in triangles {
             triangle_start[triangle[0] as usize + 1] += 1;
         }
-        for v in 0..vertices {
-            triangle_start[v + 1] += triangle_start[v];
-        }
+        accumulate(&mut triangle_start);
         Ok(Self {
             edges,
             triangle_edges,
@@ -123,6 +107,29 @@ impl Topology {
 fn ends(triangle: &[u32; 3], k: usize) -> [u32; 2] {
     let (a, b) = (triangle[k], triangle[(k + 1) % 3]);
     [a.min(b), a.max(b)]
+}
+
+/// Sums from the first entry on.
+fn accumulate(counts: &mut [u32]) {
+    for k in 1..counts.len() {
+        counts[k] += counts[k - 1];
+    }
+}
+
+/// The one or two triangles at each edge; the ends of the edges that have more are the error.
+fn triangles_at(edges: &[[u32; 2]], triangle_edges: &[[u32; 3]]) -> Result<Vec<[u32; 2]>, Vec<[u32; 2]>> {
+    let mut at = vec![[NO_TRIANGLE; 2]; edges.len()];
+    let mut crowded = Vec::new();
+    for (t, edge) in (0u32..)
+        .zip(triangle_edges)
+        .flat_map(|(t, edges)| edges.map(|edge| (t, edge as usize)))
+    {
+        match at[edge].iter().position(|&side| side == NO_TRIANGLE) {
+            Some(free) => at[edge][free] = t,
+            None => crowded.push(edges[edge]),
+        }
+    }
+    if crowded.is_empty() { Ok(at) } else { Err(crowded) }
 }
 
 #[cfg(test)]

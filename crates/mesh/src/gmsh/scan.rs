@@ -61,14 +61,9 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, Error> {
             return Err(Error::NotMsh);
         }
         let name = shown(name);
+        let refused = |what: &str| Err(damaged(bytes, scan.binary, &name, start, what));
         if name.chars().count() > LONGEST_NAME {
-            return Err(damaged(
-                bytes,
-                scan.binary,
-                &name,
-                start,
-                "the name of this section is too long",
-            ));
+            return refused("the name of this section is too long");
         }
         let twice = match name.as_str() {
             "MeshFormat" => format_seen,
@@ -78,13 +73,7 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, Error> {
             _ => false,
         };
         if twice {
-            return Err(damaged(
-                bytes,
-                scan.binary,
-                &name,
-                start,
-                "a second section of this name",
-            ));
+            return refused("a second section of this name");
         }
         at = match name.as_str() {
             "Entities" => scan_entities(bytes, at, &mut scan)?,

@@ -103,6 +103,16 @@ pub struct ConservingError {
     pub indicator: Vec<f64>,
 }
 
+/// How far a film and its coarse comparison differ in the cavity.
+struct Disagreement {
+    /// chi.
+    doubt: f64,
+    /// delta.
+    carried: f64,
+    /// Film fractions of both at vertices that are in the cavity of both.
+    in_both: Vec<[f64; 2]>,
+}
+
 /// A film and its coarse comparison.
 struct Pair<'a> {
     system: &'a FilmSystem,
@@ -122,47 +132,25 @@ pub fn conserving_error(
     coarse: &FilmSolution,
 ) -> Option<ConservingError> {
     let (fraction, other) = (film.film_fraction.as_ref()?, coarse.film_fraction.as_ref()?);
-    if system.space().degree() != 2 {
-        return None;
-    }
+    (system.space().degree() == 2).then_some(())?;
     let pair = Pair::new(problem, system, film, coarse);
     let total = load::load(problem, system, film);
     let towards = total.angle();
-    let [along, across] = [
-        pair.shares(|angle| (angle - towards).cos()),
-        pair.shares(|angle| (angle - towards).sin()),
-    ];
-    let fractions: Vec<[f64; 2]> = (pair.vertices().enumerate())
-        .map(|(vertex, dof)| [fraction.values[dof], other.values[vertex]])
-        .collect();
+    let [along, across] = [f64::cos, f64::sin].map(|of| pair.shares(|angle| of(angle - towards)));
     let front = pair.front();
-    let in_doubt: Vec<bool> = (pair.vertices().zip(&coarse.cavity))
-        .map(|(dof, &other)| film.cavity[dof] != other)
-        .collect();
-    let doubt = pair.mean(|vertex| f64::from(u8::from(in_doubt[vertex])));
-    let widened = 1.0 + doubt / DOUBTFUL;
-    let carried = pair.mean(|vertex| (fractions[vertex][0] - fractions[vertex][1]).abs());
-    let in_both: Vec<[f64; 2]> = (pair.vertices().enumerate())
-        .filter(|&(vertex, dof)| film.cavity[dof] && coarse.cavity[vertex])
-        .map(|(vertex, _)| fractions[vertex])
-        .collect();
-    let least = fraction.values.iter().copied().fold(1.0, f64::min);
-    let (flows, side_flow) = flow_bars(
-        system,
-        &flow::flows(problem, system, film),
-        &flow::flows(problem, system.vertices_only(), coarse),
+    let Disagreement {
+        doubt,
         carried,
-    );
-    let others = system.vertices_only();
-    let [power, other_power] = [(system, film), (others, coarse)].map(|(system, film)| power(problem, system, film));
-    let [inlet, other_inlet] =
-        [(system, film), (others, coarse)].map(|(system, film)| inlet_flow(problem, system, film).unwrap_or(0.0));
-    let bar = |shares: &[Bar]| {
-        shares
-            .iter()
-            .fold(Bar::default(), |sum, &share| sum + share)
-            .scaled(widened)
-    };
+        in_both,
+    } = pair.disagreement(coarse, [&fraction.values, &other.values]);
+    let widened = 1.0 + doubt / DOUBTFUL;
+    let least = fraction.values.iter().copied().fold(1.0, f64::min);
+    let films = [(system, film), (system.vertices_only(), coarse)];
+    let [through, other_through] = films.map(|(system, film)| flow::flows(problem, system, film));
+    let (flows, side_flow) = flow_bars(system, &through, &other_through, carried);
+    let [power, other_power] = films.map(|(system, film)| power(problem, system, film));
+    let [inlet, other_inlet] = films.map(|(system, film)| inlet_flow(problem, system, film).unwrap_or(0.0));
+    let bar = |shares: &[Bar]| (shares.iter().fold(Bar::default(), |sum, &share| sum + share)).scaled(widened);
     let spread = cavitation::spread(problem, system, film, fraction).ok()?;
     let per_share = (OF_SPREAD + OF_SPREAD_AGAIN * spread.times).min(MOST_OF_SPREAD);
     let part = per_share * spread.shares.iter().sum::<f64>();
@@ -189,9 +177,7 @@ pub fn conserving_error(
         power: [power.shear - other_power.shear, power.pressure - other_power.pressure],
         power_carried: (CARRIED_IN_SHEAR * carried + part) * power.shear,
         cavity_share: OF_FRONT * front + OF_CARRIED * carried + OF_DOUBT * doubt + part,
-        least_fraction: (LEAST_OIL * where_least(in_both) + LEAST_FRONT * front)
-            .min(least)
-            .max(LEAST_BAR),
+        least_fraction: LEAST_BAR.max(least.min(LEAST_OIL * where_least(in_both) + LEAST_FRONT * front)),
         indicator: (along.iter().zip(&across).zip(&spread.shares))
             .map(|((along, across), spread)| widened * along.total().max(across.total()) + per_share * force * spread)
             .collect(),
@@ -225,6 +211,24 @@ impl<'a> Pair<'a> {
     fn vertices(&self) -> impl Iterator<Item = usize> {
         let space = self.system.space();
         (0..space.mesh().points().len() as u32).map(|vertex| space.vertex_dof(vertex))
+    }
+
+    /// How far the two films differ in what is in the cavity, and how full it is: `fractions` are those of the dofs and of the vertices.
+    fn disagreement(&self, coarse: &FilmSolution, fractions: [&[f64]; 2]) -> Disagreement {
+        let fractions: Vec<[f64; 2]> = (self.vertices().enumerate())
+            .map(|(vertex, dof)| [fractions[0][dof], fractions[1][vertex]])
+            .collect();
+        let in_doubt: Vec<bool> = (self.vertices().zip(&coarse.cavity))
+            .map(|(dof, &other)| self.film.cavity[dof] != other)
+            .collect();
+        let in_both = (self.vertices().enumerate())
+            .filter(|&(vertex, dof)| self.film.cavity[dof] && coarse.cavity[vertex])
+            .map(|(vertex, _)| fractions[vertex]);
+        Disagreement {
+            doubt: self.mean(|vertex| f64::from(u8::from(in_doubt[vertex]))),
+            carried: self.mean(|vertex| (fractions[vertex][0] - fractions[vertex][1]).abs()),
+            in_both: in_both.collect(),
+        }
     }
 
     /// `c Int d |w| dA` and `|w s|` of each triangle, w given by the angle.

@@ -20,7 +20,7 @@ const REENTRANT: f64 = 1.25 * std::f64::consts::PI;
 /// All around a vertex inside the film [rad], but for rounding.
 const WHOLE: f64 = 1.99 * std::f64::consts::PI;
 
-/// Flows beyond these are not judged: each takes a dual.
+/// Flows beyond these have no error estimate: each takes a dual.
 const MOST_FLOWS: usize = 9;
 
 pub(super) fn film_error(
@@ -30,26 +30,10 @@ pub(super) fn film_error(
     cubic: &FilmSolution,
     carried: &Share,
 ) -> Result<FilmError, Error> {
-    let enriched = system.cubic();
-    let between = &enriched.prolongation;
-    let raised = between.prolong(&film.unknown);
-    let e: Vec<f64> = cubic.unknown.iter().zip(&raised).map(|(p3, p2)| p3 - p2).collect();
-    let stiffness = cubic.linearisation.matrix();
-    let fixed = &cubic.linearisation.constraints().fixed;
-    let residual = cubic
-        .inflow
-        .iter()
-        .zip(fixed)
-        .map(|(&r, &fixed)| if fixed { 0.0 } else { r });
-    let split = Split {
-        system,
-        film,
-        stiffness,
-        reaction: between.restrict(&stiffness.multiply(&e)),
-        difference: between.split(&e),
-        residual: residual.collect(),
-    };
-    let [x, y, thrust] = goal_vectors(problem, &enriched.system, &cubic.unknown, &raised);
+    let better = &system.cubic().system;
+    let raised = system.cubic().prolongation.prolong(&film.unknown);
+    let split = Split::new(system, film, cubic, &raised);
+    let [x, y, thrust] = goal_vectors(problem, better, &cubic.unknown, &raised);
     let judged = |goal: &[f64], given: geometry::RimWeight| -> Result<GoalError, Error> {
         let (dual, error) = split.goal(goal)?;
         let geometry = geometry::rims(problem, system, film, &dual, given);
@@ -69,39 +53,14 @@ pub(super) fn film_error(
         load(&y, &|region, angle| excess(region) * angle.sin())?,
         load(&thrust, &|region, _| region.pressure)?,
     ];
-    let [shear, pressure] = drag::goal_vectors(problem, &enriched.system, &cubic.unknown, &raised);
+    let [shear, pressure] = drag::goal_vectors(problem, better, &cubic.unknown, &raised);
     let drag = [
         judged(&shear, &|region, _, film| drag::shear(problem, film, region.pressure))?,
         // Pressure is even along a rim: the film that is too large and the drag on its edge cancel.
         judged(&pressure, &|_, _, _| 0.0)?,
     ];
-    let regions = system.supply.regions();
-    let of = |kind: BoundaryKind| regions.iter().filter(move |region| region.kind == kind);
-    let ends = of(BoundaryKind::End).map(|region| FlowGoal::End(region.name.clone()));
-    let feeds = of(BoundaryKind::Feed).map(|region| FlowGoal::Feed(region.name.clone()));
-    let asked = ends.chain(feeds);
-    let mut flows = asked
-        .take(MOST_FLOWS)
-        .map(|goal| {
-            let is_asked = |region: &SupplyRegion| match &goal {
-                FlowGoal::Ends => region.kind == BoundaryKind::End,
-                FlowGoal::End(name) => region.kind == BoundaryKind::End && region.name == *name,
-                FlowGoal::Feed(name) => region.kind == BoundaryKind::Feed && region.name == *name,
-            };
-            // Both films weigh their residuals with this one function, up to one that is orthogonal to that of the cubic film.
-            let owned = |dof: usize| system.supply.owner(dof).is_some_and(|k| is_asked(&regions[k]));
-            let chi: Vec<f64> = (film.unknown.iter().enumerate())
-                .map(|(dof, _)| f64::from(u8::from(owned(dof))))
-                .collect();
-            let chi = between.prolong(&chi);
-            let error = split.goal(&stiffness.multiply(&chi))?.1;
-            Ok((goal, error))
-        })
-        .collect::<Result<Vec<_>, Error>>()?;
-    let both = flows.iter().filter(|(goal, _)| matches!(goal, FlowGoal::End(_)));
-    let both = both.fold(GoalError::default(), |sum, (_, end)| sum.plus(1.0, end));
-    flows.insert(0, (FlowGoal::Ends, both));
-    let (front, deep) = front(&enriched.system, cubic);
+    let flows = split.flows()?;
+    let (front, deep) = front(better, cubic);
     Ok(FilmError {
         possible: possible_load(problem, carried),
         force: carried.force,
@@ -128,7 +87,54 @@ struct Split<'a> {
     residual: Vec<f64>,
 }
 
-impl Split<'_> {
+impl<'a> Split<'a> {
+    /// Of the film and the `cubic` one; `raised` is the film in cubic functions.
+    fn new(system: &'a FilmSystem, film: &'a FilmSolution, cubic: &'a FilmSolution, raised: &[f64]) -> Self {
+        let between = &system.cubic().prolongation;
+        let e: Vec<f64> = cubic.unknown.iter().zip(raised).map(|(p3, p2)| p3 - p2).collect();
+        let stiffness = cubic.linearisation.matrix();
+        let residuals = cubic.inflow.iter().zip(&cubic.linearisation.constraints().fixed);
+        Self {
+            system,
+            film,
+            stiffness,
+            reaction: between.restrict(&stiffness.multiply(&e)),
+            difference: between.split(&e),
+            residual: residuals.map(|(&r, &fixed)| if fixed { 0.0 } else { r }).collect(),
+        }
+    }
+
+    /// The errors of the flows through both ends together, through each end and through each feed.
+    fn flows(&self) -> Result<Vec<(FlowGoal, GoalError)>, Error> {
+        let regions = self.system.supply.regions();
+        let of = |kind: BoundaryKind| regions.iter().filter(move |region| region.kind == kind);
+        let ends = of(BoundaryKind::End).map(|region| FlowGoal::End(region.name.clone()));
+        let feeds = of(BoundaryKind::Feed).map(|region| FlowGoal::Feed(region.name.clone()));
+        let asked = ends.chain(feeds);
+        let mut flows = asked
+            .take(MOST_FLOWS)
+            .map(|goal| {
+                let is_asked = |region: &SupplyRegion| match &goal {
+                    FlowGoal::Ends => region.kind == BoundaryKind::End,
+                    FlowGoal::End(name) => region.kind == BoundaryKind::End && region.name == *name,
+                    FlowGoal::Feed(name) => region.kind == BoundaryKind::Feed && region.name == *name,
+                };
+                // Both films weigh their residuals with this one function, up to one that is orthogonal to that of the cubic film.
+                let owned = |dof: usize| self.system.supply.owner(dof).is_some_and(|k| is_asked(&regions[k]));
+                let chi: Vec<f64> = (self.film.unknown.iter().enumerate())
+                    .map(|(dof, _)| f64::from(u8::from(owned(dof))))
+                    .collect();
+                let chi = self.system.cubic().prolongation.prolong(&chi);
+                let error = self.goal(&self.stiffness.multiply(&chi))?.1;
+                Ok((goal, error))
+            })
+            .collect::<Result<Vec<_>, Error>>()?;
+        let both = flows.iter().filter(|(goal, _)| matches!(goal, FlowGoal::End(_)));
+        let both = both.fold(GoalError::default(), |sum, (_, end)| sum.plus(1.0, end));
+        flows.insert(0, (FlowGoal::Ends, both));
+        Ok(flows)
+    }
+
     /// The dual of a goal with this vector, and its error but for the geometry.
     fn goal(&self, goal: &[f64]) -> Result<(Vec<f64>, GoalError), Error> {
         let between = &self.system.cubic().prolongation;
