@@ -8,8 +8,15 @@ use crate::supply::SupplyRegion;
 
 impl FilmSystem {
     /// Gives each region the pressure [Pa] that `pressure` has for it, and coarser meshes their part of `film_thickness`: the
-    /// system is then the one that would be made anew. Feeds that touch must keep one pressure; that is not looked at here.
-    pub fn renew(&mut self, pressure: &dyn Fn(&SupplyRegion) -> f64, film_thickness: &[Arc<dyn FilmContribution>]) {
+    /// system is then the one that would be made anew. False, and nothing changes, where feeds that touch would get different pressures.
+    pub fn renew(
+        &mut self,
+        pressure: &dyn Fn(&SupplyRegion) -> f64,
+        film_thickness: &[Arc<dyn FilmContribution>],
+    ) -> bool {
+        if !self.supply.fits(self.space(), pressure) {
+            return false;
+        }
         self.supply.set_pressures(pressure);
         if let Some(cubic) = self.cubic.get_mut() {
             cubic.system.supply.set_pressures(pressure);
@@ -24,5 +31,6 @@ impl FilmSystem {
             coarser.system.renew(pressure, &own);
             coarser.film_thickness = own;
         }
+        true
     }
 }

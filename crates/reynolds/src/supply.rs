@@ -239,6 +239,14 @@ impl Supply {
         &self.regions
     }
 
+    /// Whether feeds that touch have equal pressures [Pa] by `pressure`.
+    pub(crate) fn fits(&self, space: &Space, pressure: &dyn Fn(&SupplyRegion) -> f64) -> bool {
+        self.meeting(space).iter().all(|&(_, regions)| {
+            let [a, b] = regions.map(|index| &self.regions[index]);
+            a.kind != BoundaryKind::Feed || b.kind != BoundaryKind::Feed || pressure(a) == pressure(b)
+        })
+    }
+
     /// Gives each region the pressure [Pa] that `pressure` has for it.
     pub(crate) fn set_pressures(&mut self, pressure: &dyn Fn(&SupplyRegion) -> f64) {
         for region in &mut self.regions {

@@ -2,7 +2,7 @@
 
 mod reuse;
 
-pub use reuse::{has_same_system, reused};
+pub use reuse::has_same_system;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -12,61 +12,18 @@ use oilwedge_mesh::Mesh;
 use oilwedge_mesh::error::some_of;
 use oilwedge_mesh::generate::DrawingError;
 use oilwedge_reynolds::film_thickness::{Eccentricity, FilmContribution};
-use oilwedge_reynolds::lubricant::{Lubricant, PressureLaw};
+use oilwedge_reynolds::lubricant::Lubricant;
 use oilwedge_reynolds::supply::{self as given, BoundaryKind, Disc, SupplyError, SupplyRegion};
-use oilwedge_reynolds::{Bearing, CentreVelocity, FilmProblem, FilmSystem, JournalState, Theory};
+use oilwedge_reynolds::{Bearing, FilmProblem, FilmSystem, JournalState, Theory};
 
-use crate::effects::{Effects, Sockets};
+use crate::effects::Sockets;
+use crate::film::{Film, MeshOrigin};
 use crate::liner_mesh::{LinerMesh, liner_mesh, suited};
-use crate::oil::{Oil, at_temperature};
+use crate::oil::Oil;
+use crate::position::Position;
+use crate::reasons::way_out_of_supply;
 use crate::run::DEGREE;
-use crate::start::start;
-use crate::words::way_out_of_supply;
 use oilwedge_scene::{self as scene, Scene};
-
-/// A scene, ready to be solved.
-pub struct Study {
-    /// The scene.
-    pub scene: Scene,
-    /// The film: physics.
-    pub problem: FilmProblem,
-    /// The film: mesh, unknowns, given pressures.
-    pub system: FilmSystem,
-    /// Force `(F cos, F sin)` on the journal [N] under which its position is found, from that of the problem;
-    /// `None` at a given position.
-    pub load: Option<[f64; 2]>,
-    /// Velocity of the journal's centre under a load.
-    pub centre_velocity: CentreVelocity,
-    /// The cap that this bearing is in.
-    pub cap: Option<scene::Cap>,
-    /// The oil, at the temperature of the film.
-    pub oil: Oil,
-    /// What finds that temperature.
-    pub heat: Option<scene::Heat>,
-    /// What is simulated and what is not.
-    pub effects: Effects,
-    /// Groups of the pockets that deepen the film.
-    pub pockets: Vec<String>,
-    /// The common pressure [Pa] of all feeds, if they have one.
-    pub supply_pressure: Option<f64>,
-    /// SHA-256 of the mesh file or, drawn, of its vertices and triangles; 64 hexadecimal digits, empty for a mesh that was at hand.
-    pub mesh_sha256: String,
-    /// Edge flips that made the mesh one for a mass-conserving film.
-    pub flips: usize,
-    /// True if the triangles are not those of the mesh file: they were laid anew in rows along the flow.
-    pub is_laid_anew: bool,
-    /// Seconds by part: reading or drawing the mesh, if that was done; numbering, pattern and analysis.
-    pub seconds: Vec<(&'static str, f64)>,
-}
-
-impl Study {
-    /// Brings the film to this temperature [K].
-    pub fn heat_to(&mut self, temperature: f64) {
-        self.oil = self.oil.at(temperature);
-        self.scene = at_temperature(&self.scene, temperature);
-        self.problem.lubricant = lubricant(&self.scene, Sockets::of(&self.scene).pressure_law);
-    }
-}
 
 /// Why a scene does not become a film, though it is well written.
 #[derive(Debug, thiserror::Error)]
@@ -143,45 +100,41 @@ fn list(faults: &[impl std::fmt::Display]) -> String {
 ///
 /// # Errors
 /// [`CompileError`]: the mesh is unreadable, defective, or not that of the scene.
-pub fn compile(scene: &Scene) -> Result<Study, CompileError> {
-    compile_near(scene, start(scene))
+pub fn compile(scene: &Scene) -> Result<Film, CompileError> {
+    compile_near(scene, Position::start(scene))
 }
 
-/// The same with the journal, and the mesh graded for it, at the position `near` (eccentricity [1], angle of the minimum
-/// film [rad]): where the search for the position under a load begins.
+/// Compiles `scene` with the journal, and the mesh graded for it, at `position`: where the search for the position under a load begins.
 ///
 /// # Errors
 /// As [`compile`].
-pub fn compile_near(scene: &Scene, near: (f64, f64)) -> Result<Study, CompileError> {
+pub fn compile_near(scene: &Scene, position: Position) -> Result<Film, CompileError> {
     let clock = Instant::now();
     let LinerMesh {
         mesh,
-        sha256: mesh_sha256,
+        sha256,
         is_laid_anew,
-    } = liner_mesh(scene, near)?;
+    } = liner_mesh(scene, position)?;
     let read = clock.elapsed().as_secs_f64();
-    let mut study = compile_on(scene, mesh, near, DEGREE)?;
+    let mut film = compile_on(scene, mesh, position, DEGREE)?;
     let part = if scene.mesh.path().is_some() { "read" } else { "mesh" };
-    study.seconds.insert(0, (part, read));
-    Ok(Study {
-        mesh_sha256,
-        is_laid_anew,
-        ..study
-    })
+    film.seconds.insert(0, (part, read));
+    (film.origin.sha256, film.origin.is_laid_anew) = (sha256, is_laid_anew);
+    Ok(film)
 }
 
-/// The same on a mesh that is at hand, with a pressure of the given degree (1 or 2) and the journal at the position `near`.
+/// Compiles `scene` on a mesh that is at hand, with a pressure of the given degree (1 or 2) and the journal at `position`.
 ///
 /// # Errors
 /// As [`compile`].
-pub fn compile_on(scene: &Scene, mesh: Mesh, near: (f64, f64), degree: usize) -> Result<Study, CompileError> {
+pub fn compile_on(scene: &Scene, mesh: Mesh, position: Position, degree: usize) -> Result<Film, CompileError> {
     let clock = Instant::now();
     let (mesh, flips) = suited(scene, mesh);
     check_feed_groups(scene, &mesh)?;
-    let sockets = Sockets::of(scene);
+    let (sockets, oil) = (Sockets::of(scene), Oil::of(scene));
     let regions = supply(scene, &sockets, &mesh)?;
     let (load, centre_velocity) = (sockets.load, sockets.centre_velocity);
-    let problem = problem(scene, sockets, &mesh, near);
+    let problem = problem(scene, &oil, sockets, &mesh, position);
     let system = FilmSystem::new(Arc::new(mesh), degree, regions).map_err(|faults| unfit(scene, faults))?;
     // A position is sought on coarser meshes first, and by many films.
     let is_sought = load.is_some();
@@ -194,32 +147,29 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, near: (f64, f64), degree: usize) ->
         true => system.with_coarser(&problem.bearing, &problem.film_thickness),
         false => system,
     };
-    Ok(Study {
+    Ok(Film {
+        scene: Arc::new(scene.clone()),
+        oil,
+        problem,
+        system: Arc::new(system),
         load,
         centre_velocity,
-        cap: scene.cap,
-        oil: Oil::of(scene),
-        heat: scene.heat,
-        effects: Effects::of(scene),
-        scene: scene.clone(),
-        problem,
-        system,
-        pockets: (scene.feeds.iter())
-            .filter(|feed| feed.pressure.is_none())
-            .map(|feed| feed.group.clone())
-            .collect(),
-        supply_pressure: supply_pressure(scene),
-        mesh_sha256: String::new(),
-        flips,
-        is_laid_anew: false,
+        origin: MeshOrigin {
+            flips,
+            ..MeshOrigin::default()
+        },
         seconds: vec![("order", clock.elapsed().as_secs_f64())],
     })
 }
 
-/// The film of a scene, with the journal at the position `near` or, under a load, where the search for its position begins.
-fn problem(scene: &Scene, sockets: Sockets, mesh: &Mesh, (eccentricity, angle): (f64, f64)) -> FilmProblem {
+/// The film of a scene, with the journal at `position` or, under a load, where the search for its position begins.
+fn problem(scene: &Scene, oil: &Oil, sockets: Sockets, mesh: &Mesh, position: Position) -> FilmProblem {
     let clearance = scene.bearing.clearance;
-    let journal = JournalState::at_eccentricity(eccentricity, angle, clearance, scene.journal.speed);
+    let Position {
+        eccentricity,
+        min_film_angle,
+    } = position;
+    let journal = JournalState::at_eccentricity(eccentricity, min_film_angle, clearance, scene.journal.speed);
     let eccentric: Arc<dyn FilmContribution> = Arc::new(Eccentricity {
         radius: scene.bearing.radius(),
         clearance,
@@ -233,19 +183,23 @@ fn problem(scene: &Scene, sockets: Sockets, mesh: &Mesh, (eccentricity, angle): 
             clearance,
             end_pressure: scene.ends.pressure,
         },
-        journal: journal.with_centre_velocity(sockets.centre_velocity, angle),
+        journal: journal.with_centre_velocity(sockets.centre_velocity, min_film_angle),
         film_thickness: std::iter::once(eccentric).chain(deeper).collect(),
-        lubricant: lubricant(scene, sockets.pressure_law),
+        lubricant: Lubricant {
+            viscosity: oil.viscosity,
+            pressure_law: sockets.pressure_law,
+        },
         form: sockets.form,
         terms: sockets.terms,
         cavitation: sockets.cavitation,
     }
 }
 
-fn lubricant(scene: &Scene, pressure_law: PressureLaw) -> Lubricant {
+/// The oil of a film at another temperature than that of the scene it was compiled from.
+pub(crate) fn lubricant(scene: &Scene, oil: &Oil) -> Lubricant {
     Lubricant {
-        viscosity: Oil::of(scene).viscosity,
-        pressure_law,
+        viscosity: oil.viscosity,
+        pressure_law: Sockets::of(scene).pressure_law,
     }
 }
 
@@ -345,12 +299,6 @@ fn unfit(scene: &Scene, faults: Vec<SupplyError>) -> CompileError {
         mesh: mesh_name(scene),
         faults,
     }
-}
-
-fn supply_pressure(scene: &Scene) -> Option<f64> {
-    let mut pressures = scene.feeds.iter().filter_map(|feed| feed.pressure);
-    let first = pressures.next()?;
-    pressures.all(|pressure| pressure == first).then_some(first)
 }
 
 #[cfg(test)]

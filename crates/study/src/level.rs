@@ -5,18 +5,19 @@ use std::time::Instant;
 use oilwedge_bearing::Deadline;
 use oilwedge_mesh::Mesh;
 
-use crate::analysis::{NoAnswer, solve};
-use crate::compile::{CompileError, Study, compile_on};
+use crate::analysis::{Errors, NoAnswer, SolveOptions, solve};
+use crate::compile::{CompileError, compile_on};
 use crate::estimate::estimate_errors;
+use crate::film::Film;
+use crate::position::Position;
 use crate::quantities::Quantity;
-use crate::refinement::unknowns;
 use crate::run::DEGREE;
 use oilwedge_scene::Scene;
 
 /// What one mesh gives.
 pub struct Level {
     /// The film; under a load the journal of its problem is where it was found.
-    pub study: Study,
+    pub film: Film,
     /// Nodes whose pressure is not given.
     pub unknowns: usize,
     /// The quantities of the report, with their error where it was estimated.
@@ -40,40 +41,52 @@ pub enum LevelError {
     NoAnswer(#[from] NoAnswer),
 }
 
-/// Solves `scene` on `mesh` with elements of the given degree, the journal at the position `near` (eccentricity [1], angle
-/// of the minimum film [rad]) or, under a load, sought from there. With `bars` errors are estimated where they can be.
+/// Solves `scene` on `mesh` with elements of the given degree, the journal at `position` or, under a load, sought from there. Errors are estimated
+/// where they can be, on quadratic elements.
 ///
 /// # Errors
 /// [`LevelError`]: the scene does not become a film on this mesh, or there is no film or position.
 pub fn solve_level(
     scene: &Scene,
     mesh: Mesh,
-    near: (f64, f64),
+    position: Position,
     degree: usize,
-    bars: bool,
     deadline: Deadline,
 ) -> Result<Level, LevelError> {
     let clock = Instant::now();
-    let mut study = compile_on(scene, mesh, near, degree)?;
+    let film = compile_on(scene, mesh, position, degree)?;
     let order = clock.elapsed().as_secs_f64();
-    let solved = solve(&mut study, bars && degree == DEGREE, deadline)?;
+    let options = SolveOptions {
+        errors: if degree == DEGREE {
+            Errors::Estimated
+        } else {
+            Errors::Omitted
+        },
+        deadline,
+        ..SolveOptions::default()
+    };
+    let solved = solve(&film, &options)?;
     let clock = Instant::now();
-    let judged = estimate_errors(&study, &solved);
-    let (measuring, parts) = (clock.elapsed().as_secs_f64(), solved.film.seconds);
+    let estimated = estimate_errors(&solved);
+    let (measuring, parts) = (clock.elapsed().as_secs_f64(), solved.solution.seconds);
+    let [bars, measure] = match options.errors {
+        Errors::Estimated => [measuring, 0.0],
+        Errors::Omitted => [0.0, measuring],
+    };
     Ok(Level {
-        unknowns: unknowns(&study),
+        unknowns: film.unknowns(),
         is_ended: solved.is_ended(),
-        quantities: judged.quantities,
-        indicator: judged.indicator,
+        quantities: estimated.quantities,
+        indicator: estimated.indicator,
         seconds: vec![
             ("order", order),
             ("search", solved.balance.map_or(0.0, |balance| balance.seconds)),
             ("assemble", parts.assemble),
             ("factorise", parts.factorise),
             ("solve", parts.solve),
-            ("bars", solved.judging + if bars { measuring } else { 0.0 }),
-            ("measure", if bars { 0.0 } else { measuring }),
+            ("bars", solved.reference_seconds + bars),
+            ("measure", measure),
         ],
-        study,
+        film: solved.film,
     })
 }

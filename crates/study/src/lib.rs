@@ -13,20 +13,21 @@ pub mod checks;
 pub mod compile;
 pub mod effects;
 pub mod estimate;
+pub mod film;
 pub mod level;
 pub mod liner_mesh;
 pub mod measure;
 pub mod oil;
 pub mod picture;
+pub mod position;
 pub mod quantities;
+pub mod reasons;
 pub mod refinement;
 pub mod regime;
 pub mod result;
 pub mod run;
-pub mod start;
 pub mod thermal;
 pub mod warnings;
-pub mod words;
 
 pub use oilwedge_bearing::Interrupt;
 

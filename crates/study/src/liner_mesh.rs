@@ -12,7 +12,7 @@ use sha2::{Digest, Sha256};
 use crate::compile::CompileError;
 use crate::effects::Sockets;
 use crate::oil::Oil;
-use crate::start::start;
+use crate::position::Position;
 use oilwedge_scene::{Feed, Layout, MeshSource, Scene};
 
 /// Longest edges of a mesh without a wanted size, over those that resolve the film's scale: two halvings.
@@ -36,13 +36,12 @@ pub struct LinerMesh {
 /// A mesh of which so much of the area lies in triangles without an edge along the flow carries oil across it.
 const ACROSS_FLOW: f64 = 0.5;
 
-/// The mesh of the liner. A mesh made here is graded for the film of the position `near`: eccentricity [1], angle of its
-/// minimum [rad]. Where oil is conserved the triangles lie in rows along the flow; those of a file that do not are laid anew, as long as the edges
+/// The mesh of the liner. A mesh made here is graded for the film at `position`. Where oil is conserved the triangles lie in rows along the flow; those of a file that do not are laid anew, as long as the edges
 /// are there, unless the scene keeps them or its features are none that can be drawn.
 ///
 /// # Errors
 /// The file is unreadable, defective or not that of the scene; the liner described cannot be meshed.
-pub fn liner_mesh(scene: &Scene, near: (f64, f64)) -> Result<LinerMesh, CompileError> {
+pub fn liner_mesh(scene: &Scene, position: Position) -> Result<LinerMesh, CompileError> {
     match &scene.mesh {
         MeshSource::File {
             path,
@@ -64,7 +63,7 @@ pub fn liner_mesh(scene: &Scene, near: (f64, f64)) -> Result<LinerMesh, CompileE
             };
             let is_laid_anew = in_rows.is_some();
             let mesh = match (size, in_rows) {
-                (Some(size), _) => meshed_anew(scene, &mesh, *size, near).map_err(CompileError::Drawing)?,
+                (Some(size), _) => meshed_anew(scene, &mesh, *size, position).map_err(CompileError::Drawing)?,
                 (None, in_rows) => in_rows.unwrap_or(mesh),
             };
             Ok(LinerMesh {
@@ -74,7 +73,7 @@ pub fn liner_mesh(scene: &Scene, near: (f64, f64)) -> Result<LinerMesh, CompileE
             })
         }
         MeshSource::Drawing { size } => {
-            let mesh = drawn(scene, *size, near).map_err(CompileError::Drawing)?;
+            let mesh = drawn(scene, *size, position).map_err(CompileError::Drawing)?;
             let mut hash = Sha256::new();
             for x in mesh.points().iter().flatten() {
                 hash.update(x.to_le_bytes());
@@ -174,13 +173,13 @@ fn check_grooves(scene: &Scene, mesh: &Mesh) -> Result<(), CompileError> {
     Ok(())
 }
 
-fn drawn(scene: &Scene, size: Option<f64>, near: (f64, f64)) -> Result<Mesh, Vec<DrawingError>> {
+fn drawn(scene: &Scene, size: Option<f64>, position: Position) -> Result<Mesh, Vec<DrawingError>> {
     let blueprint = Blueprint {
         liner: liner(scene),
         features: (scene.feeds.iter()).filter_map(|feed| feature(scene, feed)).collect(),
         line: scene.bearing.film_start,
     };
-    graded(scene, &blueprint, size.unwrap_or(needed_size(scene)), near)
+    graded(scene, &blueprint, size.unwrap_or(needed_size(scene)), position)
 }
 
 /// Longest edges [m] of a mesh without a wanted size.
@@ -210,8 +209,8 @@ fn feature(scene: &Scene, feed: &Feed) -> Option<Feature> {
 }
 
 /// The geometry of a file, meshed as the film needs it.
-fn meshed_anew(scene: &Scene, mesh: &Mesh, size: f64, near: (f64, f64)) -> Result<Mesh, Vec<DrawingError>> {
-    graded(scene, &blueprint_of(scene, mesh)?, size, near)
+fn meshed_anew(scene: &Scene, mesh: &Mesh, size: f64, position: Position) -> Result<Mesh, Vec<DrawingError>> {
+    graded(scene, &blueprint_of(scene, mesh)?, size, position)
 }
 
 /// The drawing of a mesh file's geometry.
@@ -230,9 +229,9 @@ fn blueprint_of(scene: &Scene, mesh: &Mesh) -> Result<Blueprint, Vec<DrawingErro
 }
 
 /// Edges of at most `longest` [m], shorter where the film is thin.
-fn graded(scene: &Scene, blueprint: &Blueprint, longest: f64, near: (f64, f64)) -> Result<Mesh, Vec<DrawingError>> {
+fn graded(scene: &Scene, blueprint: &Blueprint, longest: f64, position: Position) -> Result<Mesh, Vec<DrawingError>> {
     let radius = scene.bearing.radius();
-    let size = |x: f64| longest * film_scale(near, x / radius) / LONGEST;
+    let size = |x: f64| longest * film_scale(position, x / radius) / LONGEST;
     match Sockets::of(scene).cavitation.pressure() {
         Some(cavity) if conserves_oil(scene) => {
             let far = spacing(&blueprint.liner, &size);
@@ -298,7 +297,11 @@ const SHORTEST: f64 = 0.01;
 
 /// Size [radii] that resolves the film at the angle `phi` [rad]: 0.65 of the film length `sqrt(2 h/(c eps))`,
 /// over which the thickness doubles at its minimum.
-fn film_scale((eccentricity, min_film_angle): (f64, f64), phi: f64) -> f64 {
+fn film_scale(position: Position, phi: f64) -> f64 {
+    let Position {
+        eccentricity,
+        min_film_angle,
+    } = position;
     let thickness = 1.0 - eccentricity * (phi - min_film_angle).cos();
     (0.65 * (2.0 * thickness / eccentricity).sqrt()).clamp(SHORTEST, LONGEST)
 }
@@ -327,5 +330,5 @@ pub fn shape(scene: &Scene, feed: &Feed) -> Option<Shape> {
 /// # Errors
 /// [`CompileError`] where the mesh cannot be read or made.
 pub fn mesh_scene(scene: &Scene) -> Result<Mesh, CompileError> {
-    Ok(liner_mesh(scene, start(scene))?.mesh)
+    Ok(liner_mesh(scene, Position::start(scene))?.mesh)
 }

@@ -2,9 +2,7 @@
 
 use std::collections::HashMap;
 
-use oilwedge_reynolds::FilmSolution;
-
-use crate::compile::Study;
+use crate::analysis::Solved;
 
 /// A film on its triangles: where they are, and the fields on them.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -19,28 +17,38 @@ pub struct FilmPicture {
     pub cell_data: Vec<(String, Vec<f64>)>,
 }
 
+/// Where a film is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Surface {
+    /// On the cylinder `(R cos phi, R sin phi, z)`.
+    Cylinder,
+    /// Unrolled, `(R phi, z, 0)`.
+    Developed,
+}
+
 /// Pressure [Pa] (nowhere below that of a cavity), film thickness [m], viscosity [Pa s] and, of a mass-conserving film,
 /// film fraction at the nodes of the solved film, on the cylinder `(R cos phi, R sin phi, z)` or unrolled `(R phi, z, 0)`, where nodes on the cut of a ring stand on both sides of it.
 /// Nodes on the edge of a pocket stand on both sides of it too, for the film is thicker on one. The indicator, a value for
 /// each triangle, tells what each adds to the error.
-pub fn picture(study: &Study, film: &FilmSolution, indicator: Option<&[f64]>, unrolled: bool) -> FilmPicture {
-    let mesh = study.system.space().mesh();
+pub fn picture(solved: &Solved, indicator: Option<&[f64]>, surface: Surface) -> FilmPicture {
+    let (film, solution) = (&solved.film, &solved.solution);
+    let mesh = film.system.space().mesh();
     let leftmost = mesh.points().iter().map(|point| point[0]).fold(f64::INFINITY, f64::min);
     // The far side of the cut of a ring; rounding of the last column does not count.
     let cut = match mesh.period() {
-        Some(period) if unrolled => leftmost + period * (1.0 - 1e-9),
+        Some(period) if surface == Surface::Developed => leftmost + period * (1.0 - 1e-9),
         _ => f64::INFINITY,
     };
     let mut pocket_of = vec![0u8; mesh.triangles().len()];
-    for (number, name) in (1..).zip(&study.pockets) {
+    for (number, name) in (1..).zip(film.pockets()) {
         for &cell in mesh.region(name).map_or(&[][..], |region| &region.cells) {
             pocket_of[cell as usize] = number;
         }
     }
-    let mut nodes = Nodes::on(study.system.space().dofs());
+    let mut nodes = Nodes::on(film.system.space().dofs());
     let mut cells = Vec::with_capacity(mesh.triangles().len());
     for t in 0..mesh.triangles().len() {
-        let dofs = study.system.space().element_dofs(t);
+        let dofs = film.system.space().element_dofs(t);
         let positions = mesh.nodes(t);
         let pocket = pocket_of[t];
         cells.push(std::array::from_fn(|i| {
@@ -48,20 +56,20 @@ pub fn picture(study: &Study, film: &FilmSolution, indicator: Option<&[f64]>, un
             nodes.number(dofs[i], side, positions[i], t)
         }));
     }
-    let radius = study.problem.bearing.radius;
+    let radius = film.problem.bearing.radius;
     let place = |&[x, z]: &[f64; 2]| {
-        if unrolled {
+        if surface == Surface::Developed {
             return [x, z, 0.0];
         }
         let (sin, cos) = (x / radius).sin_cos();
         [radius * cos, radius * sin, z]
     };
-    let problem = &study.problem;
+    let problem = &film.problem;
     let floor = problem.cavitation.pressure().unwrap_or(f64::NEG_INFINITY);
     let pressure: Vec<f64> = nodes
         .dofs
         .iter()
-        .map(|&dof| problem.pressure_at(film.unknown[dof]).max(floor))
+        .map(|&dof| problem.pressure_at(solution.unknown[dof]).max(floor))
         .collect();
     let thickness = (nodes.cells.iter().zip(&nodes.positions))
         .flat_map(|(&cell, position)| problem.thickness_at(cell, &[*position]))
@@ -72,7 +80,7 @@ pub fn picture(study: &Study, film: &FilmSolution, indicator: Option<&[f64]>, un
         ("film_thickness".to_owned(), thickness),
         ("viscosity".to_owned(), viscosity),
     ];
-    if let Some(fraction) = &film.film_fraction {
+    if let Some(fraction) = &solution.film_fraction {
         let values = nodes.dofs.iter().map(|&dof| fraction.values[dof]).collect();
         point_data.push(("film_fraction".to_owned(), values));
     }

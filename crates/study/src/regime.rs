@@ -10,7 +10,7 @@ use oilwedge_reynolds::lubricant::PressureLaw;
 use oilwedge_reynolds::lubricant::density::MINERAL_OIL;
 use serde::Serialize;
 
-use crate::compile::Study;
+use crate::film::Film;
 use crate::measure::Measured;
 use crate::oil::Oil;
 use crate::thermal::leaving;
@@ -56,9 +56,9 @@ pub struct Regime {
 }
 
 impl Regime {
-    /// The numbers of a solved film.
-    pub fn of(scene: &Scene, study: &Study, measured: &Measured) -> Self {
-        let problem = &study.problem;
+    /// The numbers of a solved film; the density is that at the temperature of `scene`.
+    pub fn of(scene: &Scene, film: &Film, measured: &Measured) -> Self {
+        let problem = &film.problem;
         let bearing = &problem.bearing;
         let speed = problem.journal.speed.abs() * bearing.radius;
         let density = Oil::of(scene).film_density().unwrap_or(MINERAL_OIL);
@@ -71,16 +71,13 @@ impl Regime {
             density,
             clearance_ratio,
             pressure_exponent: growth(&problem.lubricant.pressure_law).map(|alpha| alpha * measured.extremes.greatest),
-            roughness_ratio: scene
-                .bearing
-                .roughness
-                .map(|roughness| measured.least_thickness / roughness),
-            temperature_rise: temperature_rise(scene, study, measured),
+            roughness_ratio: (scene.bearing.roughness).map(|roughness| measured.least_thickness / roughness),
+            temperature_rise: temperature_rise(film, measured),
         }
     }
 
     /// Assumptions that this film breaks, in sentences that name them.
-    pub fn warnings(&self, scene: &Scene, measured: &Measured) -> Vec<String> {
+    pub fn warnings(&self, film: &Film, measured: &Measured) -> Vec<String> {
         let pressure = measured.extremes.greatest;
         let flow = format!(
             "Reynolds number {} at {:.0} kg/m3",
@@ -109,7 +106,7 @@ impl Regime {
         ];
         let rise = self
             .temperature_rise
-            .filter(|rise| scene.heat.is_none() && *rise > WARM);
+            .filter(|rise| film.scene.heat.is_none() && *rise > WARM);
         let heated = rise.map(|rise| {
             format!("a film as warm as its oil is fed: friction would heat the oil that flows through by some {} K, and the viscosity is that of another temperature; give [heat]", rounded(rise))
         });
@@ -146,18 +143,18 @@ pub(crate) fn beyond_pressure(measured: &Measured, limit: f64, law: &str, way_ou
 }
 
 /// That a pressure is so high that a viscosity without a law of pressure does not hold.
-pub(crate) fn constant_viscosity(study: &Study, measured: &Measured) -> Vec<String> {
+pub(crate) fn constant_viscosity(film: &Film, measured: &Measured) -> Vec<String> {
     let law = "a viscosity that does not depend on pressure";
-    match study.problem.lubricant.pressure_law {
+    match film.problem.lubricant.pressure_law {
         PressureLaw::Constant => beyond_pressure(measured, CONSTANT, law, "give a law of pressure under [oil]"),
         _ => Vec::new(),
     }
 }
 
 /// Friction and power of a moving centre over the heat that the oil which leaves takes up for each kelvin.
-fn temperature_rise(scene: &Scene, study: &Study, measured: &Measured) -> Option<f64> {
-    let capacity = scene.heat.map_or(HEAT_CAPACITY, |heat| heat.heat_capacity);
-    let Study { problem, system, .. } = study;
+fn temperature_rise(film: &Film, measured: &Measured) -> Option<f64> {
+    let capacity = film.scene.heat.map_or(HEAT_CAPACITY, |heat| heat.heat_capacity);
+    let Film { problem, system, .. } = film;
     let (bearing, journal) = (&problem.bearing, &problem.journal);
     let flow = leaving(problem, system, measured);
     let dragged = 0.5 * (journal.speed * bearing.radius).abs() * bearing.clearance * bearing.length;

@@ -7,18 +7,18 @@ use oilwedge_fem::linearisation::Route;
 use oilwedge_fem::newton;
 use oilwedge_mesh::Mesh;
 use oilwedge_mesh::quality::least_angle_of;
-use oilwedge_reynolds::error_bar::UNRESOLVED;
 use oilwedge_scene::Scene;
 
-use crate::analysis::{NoAnswer, Solved};
-use crate::compile::{CompileError, Study};
+use crate::analysis::{Errors, NoAnswer, Solved};
+use crate::compile::CompileError;
+use crate::effects::Effects;
 use crate::estimate::Estimated;
-use crate::picture::{FilmPicture, picture};
+use crate::picture::{FilmPicture, Surface, picture};
 use crate::refinement::{Answer, answer};
 use crate::regime::Regime;
 use crate::result::{Balances, Counts, HistoryStep, LinearSolver, MeshFacts, RESULT_FORMAT, RunResult, Status};
 use crate::thermal::{heat_report, left_over};
-use crate::warnings::{warnings, warnings_beside_bars};
+use crate::warnings::warnings;
 
 /// Degree of the unknown of a film [1].
 pub const DEGREE: usize = 2;
@@ -41,6 +41,22 @@ impl RunOptions {
     /// How long a run that begins now may search.
     pub fn deadline(&self) -> Deadline {
         Deadline::after(self.max_seconds, self.interrupt)
+    }
+
+    /// Whether errors are estimated.
+    pub fn errors(&self) -> Errors {
+        match self.bars {
+            true => Errors::Estimated,
+            false => Errors::Omitted,
+        }
+    }
+
+    /// Where the film is drawn.
+    fn surface(&self) -> Surface {
+        match self.unrolled {
+            true => Surface::Developed,
+            false => Surface::Cylinder,
+        }
     }
 }
 
@@ -70,155 +86,141 @@ pub struct Run {
 /// # Errors
 /// [`CompileError`] where the mesh cannot be read or does not fit the scene.
 pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, CompileError> {
-    let start = Instant::now();
-    let Answer {
-        mut study,
-        outcome,
-        levels,
-        limit,
-    } = answer(scene, options)?;
-    let mut result = RunResult {
+    let clock = Instant::now();
+    let answer = answer(scene, options)?;
+    let mut result = without_outcome(scene, &answer, options);
+    let picture = match answer.outcome {
+        Ok((solved, estimated)) => {
+            let picture = picture(&solved, estimated.indicator.as_deref(), options.surface());
+            report(scene, (&solved, estimated), options, &mut result);
+            Some(picture)
+        }
+        Err(reason) => {
+            report_reason(&reason, &mut result);
+            None
+        }
+    };
+    if let Some(limit) = answer.limit {
+        (result.status, result.reason) = (Status::NotConverged, Some(limit.to_string()));
+    }
+    let total = clock.elapsed().as_secs_f64();
+    result.timing_s.push(("total".to_owned(), total));
+    Ok(Run { result, picture })
+}
+
+/// What is known of a run whatever its outcome.
+fn without_outcome(scene: &Scene, answer: &Answer, options: &RunOptions) -> RunResult {
+    let film = &answer.film;
+    RunResult {
         format: RESULT_FORMAT.to_owned(),
         title: scene.title.clone(),
         version: env!("CARGO_PKG_VERSION").to_owned(),
         scene_sha256: scene.sha256.clone(),
-        mesh_sha256: study.mesh_sha256.clone(),
+        mesh_sha256: film.origin.sha256.clone(),
         status: Status::Converged,
         reason: None,
-        effects: study.effects.clone(),
-        mesh: facts(study.system.space().mesh()),
+        effects: Effects::of(&film.scene),
+        mesh: facts(film.system.space().mesh()),
         quantities: Vec::new(),
         bars: options.bars,
-        levels,
+        levels: answer.levels.clone(),
         balances: Balances::default(),
         regime: None,
         heat: None,
         history: Vec::new(),
         counts: Counts::default(),
         linear_solver: None,
-        timing_s: (study.seconds.iter())
+        timing_s: (film.seconds.iter())
             .map(|&(part, seconds)| (part.to_owned(), seconds))
             .collect(),
         warnings: Vec::new(),
-    };
-    let picture = match outcome {
-        Ok((solved, judged)) => {
-            let indicator = judged.indicator.clone();
-            let regime = Regime::of(scene, &study, &judged.measured);
-            let broken = regime.warnings(scene, &judged.measured);
-            report(&study, &solved, judged, &mut result);
-            let clock = Instant::now();
-            result.heat = heat_report(&mut study, &solved, &result.quantities, options);
-            result.timing_s.extend(
-                solved
-                    .heat
-                    .as_ref()
-                    .map(|found| ("heat".to_owned(), found.seconds + clock.elapsed().as_secs_f64())),
-            );
-            result.regime = Some(regime);
-            result.warnings.extend(broken);
-            if limit.is_some() {
-                result.status = Status::NotConverged;
-                result.reason = limit;
-            }
-            Some(picture(&study, &solved.film, indicator.as_deref(), options.unrolled))
+    }
+}
+
+/// Fills in why there is no film.
+fn report_reason(reason: &NoAnswer, result: &mut RunResult) {
+    match reason {
+        NoAnswer::Film(film) | NoAnswer::Equilibrium(NoEquilibrium::Film(film)) => {
+            result.history = history(film.history());
         }
-        Err(reason) => {
-            match &reason {
-                NoAnswer::Film(film) | NoAnswer::Equilibrium(NoEquilibrium::Film(film)) => {
-                    result.history = history(film.history());
-                }
-                NoAnswer::Equilibrium(reason) => {
-                    let step = |(step, &residual): (usize, &f64)| HistoryStep {
-                        step,
-                        residual,
-                        active: 0,
-                    };
-                    result.history = (1..).zip(reason.history()).map(step).collect();
-                    result.counts.position_steps = reason.history().len();
-                }
-                NoAnswer::Heat(_) => {}
-            }
-            result.status = reason.status();
-            result.reason = Some(reason.to_string());
-            None
+        NoAnswer::Equilibrium(reason) => {
+            let step = |(step, &residual): (usize, &f64)| HistoryStep {
+                step,
+                residual,
+                active: 0,
+            };
+            result.history = (1..).zip(reason.history()).map(step).collect();
+            result.counts.position_steps = reason.history().len();
         }
-    };
-    result
-        .timing_s
-        .push(("total".to_owned(), start.elapsed().as_secs_f64()));
-    Ok(Run { result, picture })
+        NoAnswer::Temperature(_) => {}
+    }
+    result.status = reason.status();
+    result.reason = Some(reason.to_string());
 }
 
 fn history(steps: &[newton::HistoryStep]) -> Vec<HistoryStep> {
-    (1..)
-        .zip(steps)
-        .map(|(step, entry)| HistoryStep {
-            step,
-            residual: entry.residual,
-            active: entry.active,
-        })
-        .collect()
+    let step = |(step, entry): (usize, &newton::HistoryStep)| HistoryStep {
+        step,
+        residual: entry.residual,
+        active: entry.active,
+    };
+    (1..).zip(steps).map(step).collect()
 }
 
-/// Fills in what a solved film tells.
-fn report(study: &Study, solved: &Solved, judged: Estimated, result: &mut RunResult) {
-    let film = &solved.film;
-    result.quantities = judged.quantities;
-    let bare: Vec<&str> = (result.quantities.iter())
-        .filter(|quantity| quantity.bar.is_none())
-        .map(|quantity| &*quantity.name)
-        .collect();
-    result.warnings = match bare.is_empty() {
-        true => warnings_beside_bars(study, &judged.measured),
-        false => warnings(study, &judged.measured),
-    };
-    if judged.spread > UNRESOLVED {
-        result.warnings.push(format!(
-            "the triangles do not follow the flow and spread oil across it, by which numbers may be off by {:.0} %: there are no error bars, and a finer mesh of such triangles is no better; mesh the film in rows along the flow (under [mesh] remove layout = \"file\" or give size, or bring a file whose triangles have an edge along the flow)",
-            100.0 * judged.spread
-        ));
-    } else if result.bars && !bare.is_empty() && !solved.is_ended() {
-        let told = "this mesh does not resolve the film well enough for an error bar of";
-        let way_out = "give a finer one ([mesh] size or tolerance)";
-        result.warnings.push(format!("{told} {}; {way_out}", bare.join(", ")));
-    }
-    result.balances.mass = judged.measured.flows.imbalance;
-    result.balances.power = judged.measured.power.imbalance;
-    result.history = history(&film.history);
-    result.counts = Counts {
-        linear_solves: film.history.len(),
-        factorisations: film.history.len(),
-        nonlinear_iterations: film.history.len(),
-        levels: film.levels,
-        bars: match &solved.reference {
-            None => 0,
-            Some(second) => second.film().history.len(),
-        },
-        position_steps: solved.balance.map_or(0, |balance| balance.steps),
-    };
+/// Fills in the numbers of a solved film.
+fn report(scene: &Scene, (solved, estimated): (&Solved, Estimated), options: &RunOptions, result: &mut RunResult) {
+    let regime = Regime::of(scene, &solved.film, &estimated.measured);
+    result.warnings = warnings(solved, &estimated, options.errors());
+    result
+        .warnings
+        .extend(regime.warnings(&solved.film, &estimated.measured));
+    result.regime = Some(regime);
+    result.history = history(&solved.solution.history);
+    result.counts = counts(solved);
     result.linear_solver = Some(LinearSolver {
-        route: match film.linearisation.route() {
+        route: match solved.solution.linearisation.route() {
             Route::Direct => "direct",
             Route::Multigrid => "multigrid",
             Route::Switched => "switched",
         },
-        steps: film.linearisation.steps(),
+        steps: solved.solution.linearisation.steps(),
     });
-    result.balances.heat = left_over(&result.quantities);
-    result.balances.force = solved.balance.map_or(0.0, |balance| balance.residual);
-    let mut parts = vec![
-        ("assemble", film.seconds.assemble),
-        ("factorise", film.seconds.factorise),
-        ("solve", film.seconds.solve),
-        ("measure", judged.seconds),
+    result.balances = Balances {
+        mass: estimated.measured.flows.imbalance,
+        power: estimated.measured.power.imbalance,
+        force: solved.balance.map_or(0.0, |balance| balance.residual),
+        heat: left_over(&estimated.quantities),
+    };
+    let clock = Instant::now();
+    result.heat = heat_report(solved, &estimated.quantities, options.deadline());
+    let curve = clock.elapsed().as_secs_f64();
+    let parts = solved.solution.seconds;
+    let parts = [
+        Some(("assemble", parts.assemble)),
+        Some(("factorise", parts.factorise)),
+        Some(("solve", parts.solve)),
+        Some(("measure", estimated.seconds)),
+        options.bars.then_some(("bars", solved.reference_seconds)),
+        solved.balance.map(|balance| ("search", balance.seconds)),
+        (solved.temperature.as_ref()).map(|found| ("heat", found.seconds + curve)),
     ];
-    if result.bars {
-        parts.push(("bars", solved.judging));
+    let parts = parts.into_iter().flatten();
+    result
+        .timing_s
+        .extend(parts.map(|(part, seconds)| (part.to_owned(), seconds)));
+    result.quantities = estimated.quantities;
+}
+
+fn counts(solved: &Solved) -> Counts {
+    let solves = solved.solution.history.len();
+    Counts {
+        linear_solves: solves,
+        factorisations: solves,
+        nonlinear_iterations: solves,
+        levels: solved.solution.levels,
+        bars: (solved.reference.as_ref()).map_or(0, |reference| reference.film().history.len()),
+        position_steps: solved.balance.map_or(0, |balance| balance.steps),
     }
-    parts.extend(solved.balance.map(|balance| ("search", balance.seconds)));
-    let parts = parts.into_iter().map(|(part, seconds)| (part.to_owned(), seconds));
-    result.timing_s.extend(parts);
 }
 
 /// Facts about a mesh.

@@ -6,12 +6,13 @@
 use std::borrow::Cow;
 use std::collections::HashMap;
 
-use oilwedge_bearing::{Balanced, Deadline, FilmHeat, HeatBalance, InitialGuess, NoBalance};
+use oilwedge_bearing::{Balanced, Deadline, FilmHeat, HeatBalance, NoBalance};
 use oilwedge_reynolds::ReferenceFilm;
 use oilwedge_reynolds::existence::readable;
 
-use crate::analysis::{NoAnswer, Solved, graded};
-use crate::compile::{CompileError, Study};
+use crate::analysis::{NoAnswer, SolveOptions, Solved, graded};
+use crate::compile::CompileError;
+use crate::film::Film;
 use crate::liner_mesh::resized;
 use crate::measure::{Measured, measure};
 use crate::oil::at_temperature;
@@ -28,7 +29,7 @@ pub use curve::heat_report;
 pub(crate) use film_heat::film_heat;
 pub use film_heat::{balance, leaving};
 pub use search::solve;
-use search::{Film, Films, Left, ROUGHLY};
+use search::{Kind, Left, ROUGHLY, Search};
 
 /// Edges of the mesh on which the temperature is sought first, over those of the first mesh of the scene.
 const COARSE: f64 = 3.0;
@@ -42,7 +43,7 @@ pub fn first_temperature(heat: &Heat) -> f64 {
 
 /// A temperature found.
 #[derive(Debug, Clone, PartialEq)]
-pub struct HeatFound {
+pub struct TemperatureFound {
     /// The film there.
     pub balanced: Balanced,
     /// True where the search was ended before the heat was balanced.
@@ -53,7 +54,7 @@ pub struct HeatFound {
     pub seconds: f64,
 }
 
-impl HeatFound {
+impl TemperatureFound {
     /// Heat that is not carried off, over what heats the film.
     pub fn left_over(&self) -> f64 {
         (self.balanced.surplus / self.balanced.film.power).abs()
@@ -92,10 +93,11 @@ pub fn left_over(quantities: &[Quantity]) -> f64 {
 }
 
 /// What was measured on the film whose numbers are reported.
-fn measured(study: &Study, solved: &Solved) -> Measured {
+fn measured(solved: &Solved) -> Measured {
+    let Film { problem, system, .. } = &solved.film;
     match &solved.reference {
-        Some(ReferenceFilm::Cubic(cubic)) => measure(&study.problem, &study.system.cubic().system, cubic),
-        _ => measure(&study.problem, &study.system, &solved.film),
+        Some(ReferenceFilm::Cubic(cubic)) => measure(problem, &system.cubic().system, cubic),
+        _ => measure(problem, system, &solved.solution),
     }
 }
 
@@ -143,7 +145,7 @@ fn none(balance: &HeatBalance, reason: NoBalance<Left>) -> NoAnswer {
             watts(&film, temperature)
         ),
     };
-    NoAnswer::Heat(NoTemperature { told, is_unreached })
+    NoAnswer::Temperature(NoTemperature { told, is_unreached })
 }
 
 /// The scene with the temperature that a coarse film leads to, where one is sought: for meshes graded for it, and quick searches on them.
@@ -155,17 +157,17 @@ pub fn warmed(scene: &Scene, deadline: Deadline) -> Result<Option<Scene>, Compil
         return Ok(None);
     }
     let coarse = resized(scene, COARSE).unwrap_or_else(|| scene.clone());
-    let mut study = graded(&coarse, deadline)?;
-    let found = solve_coarse(&mut study, deadline);
-    Ok(found.map(|temperature| at_temperature(scene, temperature)))
+    let film = graded(&coarse, deadline)?;
+    Ok(rough_temperature(&film, deadline).map(|temperature| at_temperature(scene, temperature)))
 }
 
-fn solve_coarse(study: &mut Study, deadline: Deadline) -> Option<f64> {
-    let heat = study.heat?;
-    let first = study.oil.temperature.unwrap_or(first_temperature(&heat));
-    let mut films = Films::new(study, heat, deadline, InitialGuess::Cold);
-    films
-        .find(first, ROUGHLY, Film::Chosen)
-        .ok()
-        .map(|found| found.temperature)
+fn rough_temperature(film: &Film, deadline: Deadline) -> Option<f64> {
+    let heat = film.scene.heat?;
+    let first = film.oil.temperature.unwrap_or(first_temperature(&heat));
+    let options = SolveOptions {
+        deadline,
+        ..SolveOptions::default()
+    };
+    let found = Search::new(film, heat, &options).find(first, ROUGHLY, Kind::Chosen);
+    found.ok().map(|found| found.temperature)
 }

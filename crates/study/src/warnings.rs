@@ -1,32 +1,55 @@
 //! Warnings beside a result, in sentences.
 
-use crate::compile::Study;
+use crate::film::Film;
+use oilwedge_reynolds::error_bar::UNRESOLVED;
+
+use crate::analysis::{Errors, Solved};
 use crate::effects;
+use crate::estimate::Estimated;
 use crate::measure::Measured;
 use crate::regime::constant_viscosity;
 
 /// Greatest ratio of film thicknesses at the corners of a triangle of a resolved film.
 const RESOLVED: f64 = 2.0;
-/// What the reader should be warned of.
-pub fn warnings(study: &Study, measured: &Measured) -> Vec<String> {
-    let mut warnings = Vec::from_iter(mesh(study));
-    warnings.extend(warnings_beside_bars(study, measured));
+/// Warnings about a solved film and its errors.
+pub fn warnings(solved: &Solved, estimated: &Estimated, errors: Errors) -> Vec<String> {
+    let bare: Vec<&str> = (estimated.quantities.iter())
+        .filter(|quantity| quantity.bar.is_none())
+        .map(|quantity| &*quantity.name)
+        .collect();
+    let mut warnings = match bare.is_empty() {
+        true => Vec::new(),
+        false => Vec::from_iter(unresolved_thickness(&solved.film)),
+    };
+    warnings.extend(film_warnings(&solved.film, &estimated.measured));
+    if estimated.spread > UNRESOLVED {
+        warnings.push(format!(
+            "the triangles do not follow the flow and spread oil across it, by which numbers may be off by {:.0} %: there are no error bars, and a finer mesh of such triangles is no better; mesh the film in rows along the flow (under [mesh] remove layout = \"file\" or give size, or bring a file whose triangles have an edge along the flow)",
+            100.0 * estimated.spread
+        ));
+    } else if errors == Errors::Estimated && !bare.is_empty() && !solved.is_ended() {
+        warnings.push(format!(
+            "this mesh does not resolve the film well enough for an error bar of {}; give a finer one ([mesh] size or tolerance)",
+            bare.join(", ")
+        ));
+    }
     warnings
 }
 
-/// Warnings where error bars show how well the mesh resolves the film.
-pub fn warnings_beside_bars(study: &Study, measured: &Measured) -> Vec<String> {
-    let mut warnings = mesh_warnings(study);
-    warnings.extend(under_tension(study, measured));
-    warnings.extend(effects::warnings(study, measured));
-    warnings.extend(constant_viscosity(study, measured));
+/// Warnings about a film, whether or not its mesh resolves it.
+pub fn film_warnings(film: &Film, measured: &Measured) -> Vec<String> {
+    let mut warnings = mesh_warnings(film);
+    warnings.extend(under_tension(film, measured));
+    warnings.extend(effects::warnings(film, measured));
+    warnings.extend(constant_viscosity(film, measured));
     let fallbacks = measured.fallbacks.iter();
     warnings.extend(fallbacks.map(|fallback| format!("{fallback}: a fallback; compare with a finer mesh")));
     warnings
 }
 
-fn mesh(study: &Study) -> Option<String> {
-    let step = steepest_cell(study);
+/// That the film is thinner at one corner of a triangle than at another by a factor, without which error bars are no guide.
+pub fn unresolved_thickness(film: &Film) -> Option<String> {
+    let step = steepest_cell(film);
     (step > RESOLVED).then(|| {
         format!(
             "the film is not resolved where it is thin: its thickness changes {step:.1} times within one triangle; give a finer mesh ([mesh] size)"
@@ -35,11 +58,11 @@ fn mesh(study: &Study) -> Option<String> {
 }
 
 /// Greatest ratio of the film thicknesses at the corners of any triangle.
-fn steepest_cell(study: &Study) -> f64 {
-    let mesh = study.system.space().mesh();
+fn steepest_cell(film: &Film) -> f64 {
+    let mesh = film.system.space().mesh();
     (0..mesh.triangles().len())
         .map(|t| {
-            let thickness = study.problem.thickness_at(t, &mesh.corners(t));
+            let thickness = film.problem.thickness_at(t, &mesh.corners(t));
             let least = thickness.iter().copied().fold(f64::INFINITY, f64::min);
             thickness.iter().copied().fold(0.0, f64::max) / least
         })
@@ -47,27 +70,27 @@ fn steepest_cell(study: &Study) -> f64 {
 }
 
 /// How the mesh of the result differs from that of the file.
-pub fn mesh_warnings(study: &Study) -> Vec<String> {
-    let meshed_anew = study.is_laid_anew.then(|| {
+pub fn mesh_warnings(film: &Film) -> Vec<String> {
+    let meshed_anew = film.origin.is_laid_anew.then(|| {
         "the triangles of the mesh file do not follow the flow, along which a mass-conserving film carries its oil: the film was meshed anew in rows along the flow with the file's geometry and edge lengths; layout = \"file\" under [mesh] keeps the triangles of the file".to_owned()
     });
-    let flips = (study.flips > 0).then(|| {
+    let flips = (film.origin.flips > 0).then(|| {
         format!(
             "the mesh was made Delaunay by {} edge flip{} (points, rims and lines stay): obtuse triangles spoil the film fraction of a mass-conserving film",
-            study.flips,
-            if study.flips == 1 { "" } else { "s" }
+            film.origin.flips,
+            if film.origin.flips == 1 { "" } else { "s" }
         )
     });
     meshed_anew.into_iter().chain(flips).collect()
 }
 
 /// That a film without a model of cavitation bears tension.
-fn under_tension(study: &Study, measured: &Measured) -> Option<String> {
+fn under_tension(film: &Film, measured: &Measured) -> Option<String> {
     (measured.under_tension > 0.0).then(|| {
         format!(
             "full Sommerfeld film: the pressure falls to {:.2} bar and lies below the {:.2} bar of the ends on {} of the film; oil bears no such tension, but the load counts it; choose a model under [cavitation]",
             1e-5 * measured.extremes.least,
-            1e-5 * study.problem.bearing.end_pressure,
+            1e-5 * film.problem.bearing.end_pressure,
             percent(measured.under_tension)
         )
     })

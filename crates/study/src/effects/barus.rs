@@ -28,13 +28,13 @@ pub(super) const AS_PRINTED: Effect = Effect {
         install(scene, sockets);
         sockets.form = Form::AsPrinted;
     },
-    warnings: |study, measured| {
+    warnings: |film, measured| {
         let no_balance = format!(
             "the as-printed equation is no mass balance: in and out differ by {:.2} % of the oil that enters",
             100.0 * measured.flows.imbalance
         );
         std::iter::once(no_balance)
-            .chain((ROW.warnings)(study, measured))
+            .chain((ROW.warnings)(film, measured))
             .collect()
     },
     ..ROW

@@ -4,7 +4,7 @@ use oilwedge_reynolds::Theory;
 use oilwedge_scene::{self as scene, Scene};
 
 use super::{BLANK, Effect, Socket, changed};
-use crate::compile::Study;
+use crate::film::Film;
 
 /// The B/D up to which the theory of short bearings suits.
 pub const SHORT_TO: f64 = 0.25;
@@ -16,9 +16,9 @@ pub(super) const SHORT: Effect = Effect {
     sentence: "pressure drives oil along the axis only",
     is_in: |scene| scene.bearing.theory == scene::Theory::Short,
     install: |_, sockets| sockets.theory = Theory::Short,
-    warnings: |study, _| {
-        let slenderness = slenderness(study);
-        let warning = || left_out(study, "around", format!("below {SHORT_TO}"));
+    warnings: |film, _| {
+        let slenderness = slenderness(film);
+        let warning = || left_out(film, "around", format!("below {SHORT_TO}"));
         Vec::from_iter((slenderness > SHORT_TO).then(warning))
     },
     ..ROW
@@ -29,9 +29,9 @@ pub(super) const LONG: Effect = Effect {
     sentence: "pressure drives oil around only, the ends are sealed",
     is_in: |scene| scene.bearing.theory == scene::Theory::Long,
     install: |_, sockets| sockets.theory = Theory::Long,
-    warnings: |study, _| {
-        let slenderness = slenderness(study);
-        let warning = || left_out(study, "along the axis", format!("above {LONG_FROM}"));
+    warnings: |film, _| {
+        let slenderness = slenderness(film);
+        let warning = || left_out(film, "along the axis", format!("above {LONG_FROM}"));
         Vec::from_iter((slenderness < LONG_FROM).then(warning))
     },
     ..ROW
@@ -48,14 +48,14 @@ fn without(scene: &Scene) -> Option<Scene> {
     changed(scene, |scene| scene.bearing.theory = scene::Theory::Full)
 }
 
-fn slenderness(study: &Study) -> f64 {
-    0.5 * study.problem.bearing.length / study.problem.bearing.radius
+fn slenderness(film: &Film) -> f64 {
+    0.5 * film.problem.bearing.length / film.problem.bearing.radius
 }
 
-fn left_out(study: &Study, direction: &str, fit: String) -> String {
+fn left_out(film: &Film, direction: &str, fit: String) -> String {
     format!(
         "theory = \"{}\" leaves out the flow that pressure drives {direction}; it suits B/D {fit}, and here B/D is {:.2}; --theories compares the result with that of both flows",
-        study.problem.theory.name(),
-        slenderness(study)
+        film.problem.theory.name(),
+        slenderness(film)
     )
 }

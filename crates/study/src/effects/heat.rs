@@ -4,7 +4,7 @@ use oilwedge_reynolds::existence::readable;
 use oilwedge_scene::wording::celsius;
 
 use super::{BLANK, Effect, Socket, changed};
-use crate::compile::Study;
+use crate::film::Film;
 use crate::measure::Measured;
 use crate::thermal::{balance, film_heat, rounded};
 
@@ -33,15 +33,15 @@ pub(super) const ROW: Effect = Effect {
     ..BLANK
 };
 
-fn warnings(study: &Study, measured: &Measured) -> Vec<String> {
-    let (Some(heat), Some(temperature), Some(oil)) = (&study.heat, study.oil.temperature, &study.oil.thermal) else {
+fn warnings(film: &Film, measured: &Measured) -> Vec<String> {
+    let (Some(heat), Some(temperature), Some(oil)) = (&film.scene.heat, film.oil.temperature, &film.oil.thermal) else {
         return Vec::new();
     };
-    let film = film_heat(heat, study, measured);
-    let [inlet, outlet] = balance(heat).ends(temperature, film.carried_over);
+    let heated = film_heat(heat, film, measured);
+    let [inlet, outlet] = balance(heat).ends(temperature, heated.carried_over);
     let ratio = oil.viscosity(inlet) / oil.viscosity(outlet);
-    let created = measured.flows.cavity / film.flow;
-    let created = (film.flow > 0.0 && created > CREATED).then(|| {
+    let created = measured.flows.cavity / heated.flow;
+    let created = (heated.flow > 0.0 && created > CREATED).then(|| {
         format!(
             "{:.0} % of the oil that carries the heat off is created by the cavity, which does not conserve oil where the film forms again: the film is hotter if the feeds bring no more; choose a model of cavitation that conserves oil",
             100.0 * created

@@ -23,7 +23,7 @@ mod starved_inlet;
 use oilwedge_scene::Scene;
 use serde::{Serialize, Serializer};
 
-use crate::compile::Study;
+use crate::film::Film;
 use crate::measure::Measured;
 pub use jfo::without_conservation;
 pub use sockets::{Contribution, Socket, Sockets};
@@ -85,7 +85,7 @@ pub struct Effect {
     /// The scene without it; `None` where leaving it out asks another question.
     pub remove: fn(&Scene) -> Option<Scene>,
     /// Warnings, in sentences, about films outside its limits of validity.
-    warnings: fn(&Study, &Measured) -> Vec<String>,
+    warnings: fn(&Film, &Measured) -> Vec<String>,
 }
 
 /// An effect without properties.
@@ -107,8 +107,8 @@ pub fn present(scene: &Scene) -> impl Iterator<Item = &'static Effect> + '_ {
 }
 
 /// Warnings of all effects in the scene of a film about their limits of validity.
-pub fn warnings(study: &Study, measured: &Measured) -> Vec<String> {
-    let warnings = present(&study.scene).map(|effect| (effect.warnings)(study, measured));
+pub fn warnings(film: &Film, measured: &Measured) -> Vec<String> {
+    let warnings = present(&film.scene).map(|effect| (effect.warnings)(film, measured));
     warnings.flatten().collect()
 }
 

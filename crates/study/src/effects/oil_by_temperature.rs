@@ -5,7 +5,7 @@ use oilwedge_scene::Viscosity;
 use oilwedge_scene::wording::celsius;
 
 use super::{BLANK, Effect, Socket};
-use crate::compile::Study;
+use crate::film::Film;
 use crate::thermal::rounded;
 
 pub(super) const ROW: Effect = Effect {
@@ -13,14 +13,14 @@ pub(super) const ROW: Effect = Effect {
     sentence: "viscosity and density are those at the temperature of the film",
     socket: Socket::Lubricant,
     is_in: |scene| matches!(scene.oil.viscosity, Viscosity::ByTemperature(_)),
-    warnings: |study, _| Vec::from_iter(outside_table(study)),
+    warnings: |film, _| Vec::from_iter(outside_table(film)),
     ..BLANK
 };
 
 /// That a temperature that was sought lies outside the table of viscosities.
-fn outside_table(study: &Study) -> Option<String> {
-    let oil = &study.oil;
-    study.heat?;
+fn outside_table(film: &Film) -> Option<String> {
+    let oil = &film.oil;
+    film.scene.heat?;
     let (temperature, TemperatureLaw::Table(table)) = (oil.temperature?, &oil.thermal.as_ref()?.law) else {
         return None;
     };

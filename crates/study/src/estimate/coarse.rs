@@ -4,12 +4,12 @@ use oilwedge_reynolds::error_bar::conserving::ConservingError;
 use oilwedge_reynolds::error_bar::{Bar, FlowGoal};
 
 use super::{Estimate, Scaled};
-use crate::compile::Study;
+use crate::film::Film;
 use crate::measure::Measured;
 
 /// A mass-conserving film beside its coarse comparison.
 pub(super) struct CoarseComparison<'a> {
-    pub(super) study: &'a Study,
+    pub(super) film: &'a Film,
     pub(super) error: &'a ConservingError,
     pub(super) measured: &'a Measured,
 }
@@ -55,7 +55,7 @@ impl Estimate for CoarseComparison<'_> {
         let error = match goal {
             FlowGoal::Ends => self.error.side_flow,
             FlowGoal::End(name) | FlowGoal::Feed(name) => {
-                let mut regions = self.study.system.supply.regions().iter();
+                let mut regions = self.film.system.supply.regions().iter();
                 *self.error.flows.get(regions.position(|region| region.name == *name)?)?
             }
         };

@@ -6,13 +6,13 @@ use oilwedge_reynolds::supply::BoundaryKind;
 use oilwedge_reynolds::{FilmSolution, FilmSystem};
 
 use super::{Estimate, Scaled};
-use crate::compile::Study;
+use crate::film::Film;
 use crate::measure::Measured;
 
 /// A film in quadratic elements beside that in cubic ones.
 pub(super) struct CubicPair<'a> {
-    pub(super) study: &'a Study,
-    pub(super) film: &'a FilmSolution,
+    pub(super) film: &'a Film,
+    pub(super) quadratic: &'a FilmSolution,
     pub(super) cubic: &'a FilmSolution,
     pub(super) error: &'a FilmError,
     /// On the quadratic and on the cubic film.
@@ -62,7 +62,7 @@ impl Estimate for CubicPair<'_> {
         let extremes = self.measured.map(|measured| measured.extremes);
         let [quadratic, cubic] = extremes.map(|extremes| extremes.least);
         let triangles = extremes.into_iter().filter_map(|extremes| extremes.least_in);
-        match self.film.cavity.contains(&true) {
+        match self.quadratic.cavity.contains(&true) {
             true => Bar::default(),
             false => Bar::of(self.apart((cubic - quadratic).abs(), triangles)),
         }
@@ -131,10 +131,10 @@ impl CubicPair<'_> {
 
     /// Bar [Pa] of an extreme pressure: how far the two films are apart in the triangles that hold their extremes.
     fn apart(&self, change: f64, triangles: impl IntoIterator<Item = usize>) -> f64 {
-        let Study { problem, system, .. } = self.study;
+        let Film { problem, system, .. } = self.film;
         let quadratic = Field {
             space: system.space(),
-            values: &self.film.unknown,
+            values: &self.quadratic.unknown,
         };
         let cubic = Field {
             space: system.cubic().system.space(),
@@ -167,9 +167,9 @@ impl CubicPair<'_> {
 
     /// Share of the area [1] in triangles through which the edge of the cavity runs.
     fn front_share(&self) -> f64 {
-        let system: &FilmSystem = &self.study.system.cubic().system;
+        let system: &FilmSystem = &self.film.system.cubic().system;
         let (space, mesh) = (system.space(), system.space().mesh());
-        let problem = &self.study.problem;
+        let problem = &self.film.problem;
         let dropped = problem.cavitation.kink().map(|p| problem.unknown_at(p));
         let in_cavity =
             |dof: usize| self.cubic.cavity[dof] || dropped.is_some_and(|floor| self.cubic.unknown[dof] < floor);
@@ -188,7 +188,7 @@ impl CubicPair<'_> {
 
     /// What is booked by where the edge of a cavity runs within a triangle [m3/s].
     fn unsure(&self, goal: &FlowGoal) -> f64 {
-        let regions = self.study.system.supply.regions().iter();
+        let regions = self.film.system.supply.regions().iter();
         let counts = |kind: BoundaryKind, region: &str| match goal {
             FlowGoal::Ends => kind == BoundaryKind::End,
             FlowGoal::End(name) | FlowGoal::Feed(name) => region == name,

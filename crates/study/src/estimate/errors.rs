@@ -14,7 +14,7 @@ use super::coarse::CoarseComparison;
 use super::cubic::CubicPair;
 use super::position_sensitivity::position_bars;
 use crate::analysis::Solved;
-use crate::compile::Study;
+use crate::film::Film;
 use crate::measure::{Measured, measure};
 use crate::quantities::{Quantity, Subject, View, measured};
 
@@ -37,9 +37,9 @@ pub struct Estimated {
 
 impl Estimated {
     /// A film without error bars.
-    pub fn without_bars(study: &Study, measured: Measured) -> Self {
+    pub fn without_bars(film: &Film, measured: Measured) -> Self {
         Self {
-            quantities: numbers(study, &measured),
+            quantities: numbers(film, &measured),
             measured,
             indicator: None,
             is_local: false,
@@ -50,15 +50,15 @@ impl Estimated {
 }
 
 /// Measures a solved film and estimates its errors.
-pub fn estimate_errors(study: &Study, solved: &Solved) -> Estimated {
-    let clock = Instant::now();
+pub fn estimate_errors(solved: &Solved) -> Estimated {
+    let (clock, film) = (Instant::now(), &solved.film);
     let mut estimated = match &solved.reference {
-        None => Estimated::without_bars(study, measure(&study.problem, &study.system, &solved.film)),
-        Some(ReferenceFilm::Cubic(cubic)) => by_cubic(study, solved, cubic),
-        Some(ReferenceFilm::Coarse(coarse)) => by_coarse(study, solved, coarse),
+        None => Estimated::without_bars(film, measure(&film.problem, &film.system, &solved.solution)),
+        Some(ReferenceFilm::Cubic(cubic)) => by_cubic(solved, cubic),
+        Some(ReferenceFilm::Coarse(coarse)) => by_coarse(solved, coarse),
     };
-    if let Some(heat) = &solved.heat {
-        heat.widen(study, &estimated.measured, &mut estimated.quantities);
+    if let Some(found) = &solved.temperature {
+        found.widen(film, &estimated.measured, &mut estimated.quantities);
     }
     Estimated {
         seconds: clock.elapsed().as_secs_f64(),
@@ -66,23 +66,30 @@ pub fn estimate_errors(study: &Study, solved: &Solved) -> Estimated {
     }
 }
 
-fn by_cubic(study: &Study, solved: &Solved, cubic: &FilmSolution) -> Estimated {
-    let reported = measure(&study.problem, &study.system.cubic().system, cubic);
-    let Ok(error) = film_error(&study.problem, &study.system, &solved.film, cubic, &reported.load.total) else {
-        return Estimated::without_bars(study, reported);
+fn by_cubic(solved: &Solved, cubic: &FilmSolution) -> Estimated {
+    let film = &solved.film;
+    let reported = measure(&film.problem, &film.system.cubic().system, cubic);
+    let Ok(error) = film_error(
+        &film.problem,
+        &film.system,
+        &solved.solution,
+        cubic,
+        &reported.load.total,
+    ) else {
+        return Estimated::without_bars(film, reported);
     };
-    let quadratic = measure(&study.problem, &study.system, &solved.film);
+    let quadratic = measure(&film.problem, &film.system, &solved.solution);
     let pair = CubicPair {
-        study,
-        film: &solved.film,
+        film,
+        quadratic: &solved.solution,
         cubic,
         error: &error,
         measured: [&quadratic, &reported],
         value: Value::Cubic,
     };
-    let load = [error.load(Value::Cubic), error.across(Value::Cubic)].map(|bar| of_few(study, bar));
+    let load = [error.load(Value::Cubic), error.across(Value::Cubic)].map(|bar| of_few(film, bar));
     Estimated {
-        quantities: with_bars(study, solved, &pair, &reported, &numbers(study, &quadratic), load),
+        quantities: with_bars(solved, &pair, &reported, &numbers(film, &quadratic), load),
         measured: reported,
         is_local: load[0].front > load[0].discretisation,
         spread: 0.0,
@@ -91,72 +98,67 @@ fn by_cubic(study: &Study, solved: &Solved, cubic: &FilmSolution) -> Estimated {
     }
 }
 
-fn by_coarse(study: &Study, solved: &Solved, coarse: &FilmSolution) -> Estimated {
-    let measured = measure(&study.problem, &study.system, &solved.film);
-    let plain = Estimated::without_bars(study, measured);
-    let Some(error) = conserving_error(&study.problem, &study.system, &solved.film, coarse) else {
+fn by_coarse(solved: &Solved, coarse: &FilmSolution) -> Estimated {
+    let film = &solved.film;
+    let measured = measure(&film.problem, &film.system, &solved.solution);
+    let plain = Estimated::without_bars(film, measured);
+    let Some(error) = conserving_error(&film.problem, &film.system, &solved.solution, coarse) else {
         return plain;
     };
     let pair = CoarseComparison {
-        study,
+        film,
         error: &error,
         measured: &plain.measured,
     };
-    let load = [error.load, error.across].map(|bar| of_few(study, bar));
+    let load = [error.load, error.across].map(|bar| of_few(film, bar));
     Estimated {
-        quantities: with_bars(study, solved, &pair, &plain.measured, &plain.quantities, load),
+        quantities: with_bars(solved, &pair, &plain.measured, &plain.quantities, load),
         spread: error.spread,
         indicator: Some(error.indicator),
         ..plain
     }
 }
 
-/// The numbers of the quadratic film of a solved study with their bars: what would be reported without the cubic film.
+/// The numbers of the quadratic film of a solved film with their bars: what would be reported without the cubic film.
 /// `None` where there is no cubic film, and under a load, where the position is that of the cubic film.
-pub fn quadratic_errors(study: &Study, solved: &Solved) -> Option<Vec<Quantity>> {
+pub fn quadratic_errors(solved: &Solved) -> Option<Vec<Quantity>> {
     let (Some(ReferenceFilm::Cubic(cubic)), None) = (&solved.reference, &solved.balance) else {
         return None;
     };
-    let better = measure(&study.problem, &study.system.cubic().system, cubic);
-    let error = film_error(&study.problem, &study.system, &solved.film, cubic, &better.load.total).ok()?;
-    let quadratic = measure(&study.problem, &study.system, &solved.film);
+    let film = &solved.film;
+    let better = measure(&film.problem, &film.system.cubic().system, cubic);
+    let error = film_error(&film.problem, &film.system, &solved.solution, cubic, &better.load.total).ok()?;
+    let quadratic = measure(&film.problem, &film.system, &solved.solution);
     let pair = CubicPair {
-        study,
-        film: &solved.film,
+        film,
+        quadratic: &solved.solution,
         cubic,
         error: &error,
         measured: [&quadratic, &better],
         value: Value::Quadratic,
     };
     let load = [Bar::default(); 2];
-    Some(with_bars(
-        study,
-        solved,
-        &pair,
-        &quadratic,
-        &numbers(study, &better),
-        load,
-    ))
+    Some(with_bars(solved, &pair, &quadratic, &numbers(film, &better), load))
 }
 
-fn numbers(study: &Study, film: &Measured) -> Vec<Quantity> {
-    measured(&View::new(study, &study.problem, film))
+fn numbers(film: &Film, of: &Measured) -> Vec<Quantity> {
+    measured(&View::new(film, &film.problem, of))
 }
 
 /// The numbers of a film with their bars. `others` are those of the other film of a pair, or the numbers themselves; `load` bars of the load
 /// along and across it.
 fn with_bars(
-    study: &Study,
     solved: &Solved,
     estimate: &dyn Estimate,
-    film: &Measured,
+    reported: &Measured,
     others: &[Quantity],
     load: [Bar; 2],
 ) -> Vec<Quantity> {
-    let view = View::new(study, &study.problem, film);
+    let film = &solved.film;
+    let view = View::new(film, &film.problem, reported);
     let mut list = measured(&view);
     let balance = solved.balance.as_ref();
-    let moved = balance.map(|balance| position_bars(study, &solved.film, balance, load.map(|bar| bar.total()), others));
+    let moved = balance.map(|balance| position_bars(solved, balance, load.map(|bar| bar.total()), others));
     for quantity in &mut list {
         let other = others.iter().find(|other| other.name == quantity.name);
         let subject = Subject {
@@ -175,7 +177,7 @@ fn with_bars(
             };
             Some(Bar {
                 position,
-                ..of_few(study, bar)
+                ..of_few(film, bar)
             })
         });
         quantity.set_bar(bar);
@@ -186,9 +188,9 @@ fn with_bars(
 /// Triangles of a mesh whose bars are twice those of the rules, which were found on meshes of hundreds and more.
 const FEW: f64 = 100.0;
 
-/// A bar on the mesh of a study: wider where triangles are few, and two degrees know little of the shape of a cavity.
-fn of_few(study: &Study, bar: Bar) -> Bar {
-    let triangles = study.system.space().mesh().triangles().len() as f64;
+/// A bar on the mesh of a film: wider where triangles are few, and two degrees know little of the shape of a cavity.
+fn of_few(film: &Film, bar: Bar) -> Bar {
+    let triangles = film.system.space().mesh().triangles().len() as f64;
     let wider = 1.0 + FEW / triangles;
     Bar {
         discretisation: wider * bar.discretisation,

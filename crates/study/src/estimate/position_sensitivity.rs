@@ -4,28 +4,26 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 
 use oilwedge_bearing::{NEAR, newton_step};
-use oilwedge_reynolds::FilmSolution;
 
-use crate::analysis::Balance;
-use crate::compile::Study;
+use crate::analysis::{Balance, Solved};
 use crate::measure::measure;
 use crate::quantities::{Quantity, View, measured};
 
-/// For each quantity of `list` (measured on `film`) by name how much it changes where the journal moves as far as the bars of
+/// For each quantity of `list` by name how much it changes where the journal moves as far as the bars of
 /// the load, `[along, across]` [N], and what is left unbalanced let it. Not finite where the film has no tangent, or so far away no film,
 /// and where the load is so far from balanced that the tangent does not tell how far the position is.
 pub(super) fn position_bars(
-    study: &Study,
-    film: &FilmSolution,
+    solved: &Solved,
     balance: &Balance,
     bars: [f64; 2],
     list: &[Quantity],
 ) -> HashMap<Cow<'static, str>, f64> {
+    let base = &solved.film;
     let names = list.iter().map(|quantity| quantity.name.clone());
     if balance.residual >= NEAR {
         return names.map(|name| (name, f64::NAN)).collect();
     }
-    let [x, y] = study.load.unwrap_or_default();
+    let [x, y] = base.load.unwrap_or_default();
     let size = x.hypot(y);
     let along = match size > 0.0 {
         true => [x / size, y / size],
@@ -35,11 +33,11 @@ pub(super) fn position_bars(
     let mut changes = vec![0.0; list.len()];
     for (direction, bar) in [along, across].into_iter().zip(bars) {
         let by = newton_step(balance.stiffness, direction.map(|d| -d * (bar + balance.unbalanced)));
-        let change = study.centre_velocity.change(&study.problem.journal, by);
-        let moved = study.problem.displaced(&study.system, film, &change);
+        let change = base.centre_velocity.change(&base.problem.journal, by);
+        let moved = base.problem.displaced(&base.system, &solved.solution, &change);
         let moved = moved.map(|(problem, film)| {
-            let there = measure(&problem, &study.system, &film);
-            measured(&View::new(study, &problem, &there))
+            let there = measure(&problem, &base.system, &film);
+            measured(&View::new(base, &problem, &there))
         });
         let moved = moved.unwrap_or_default();
         for (change, here) in changes.iter_mut().zip(list) {

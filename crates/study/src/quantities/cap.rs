@@ -100,7 +100,7 @@ fn opens(scene: &Scene) -> bool {
 }
 
 fn joint(film: &View) -> Option<Joint> {
-    Some(Joint::new(&film.study.cap?, film.journal().speed))
+    Some(Joint::new(&film.base.scene.cap?, film.journal().speed))
 }
 
 /// The vector [1/N] whose product with the load of the film is its share of the force that opens the joint; none at rest,

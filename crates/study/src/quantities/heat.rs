@@ -16,12 +16,12 @@ rows! {
     /// `t_m`: temperature of the film, one for all of it; with `[heat]` the one at which `P + P_e = P_oil + P_h`; none where the oil has
     /// one viscosity
     TEMPERATURE_EFFECTIVE = "temperature_effective", "t_m", Celsius, "temperature of the film":
-        One(|film| Some(film.study.oil.temperature? - ZERO_CELSIUS)),
+        One(|film| Some(film.base.oil.temperature? - ZERO_CELSIUS)),
         ErrorRule::Temperature(|_| Some(1.0)), only(is_by_temperature);
 
     /// `mu0 = mu(t_m, p = 0)`; none where the oil has one viscosity
     VISCOSITY_EFFECTIVE = "viscosity_effective", "mu0", PascalSecond, "viscosity at that temperature, without pressure":
-        One(|film| film.study.oil.temperature.map(|_| film.problem.lubricant.viscosity)),
+        One(|film| film.base.oil.temperature.map(|_| film.problem.lubricant.viscosity)),
         ErrorRule::Temperature(|warming| warming.slope(&VISCOSITY_EFFECTIVE)),
         only(is_by_temperature);
 
@@ -33,7 +33,7 @@ rows! {
 
     /// `t_in = 2 t_m - t_out`: temperature of the oil that enters the film, hot oil mixed in; none without `heat.mixing`
     TEMPERATURE_INLET = "temperature_inlet", "t_in", Celsius, "of the oil that enters the film, hot oil mixed in":
-        One(|film| film.study.heat?.mixing.and_then(|_| end(film, 0))),
+        One(|film| film.base.scene.heat?.mixing.and_then(|_| end(film, 0))),
         ErrorRule::Temperature(|warming| Some(warming.ends()[0])),
         in_table(Table::Heat) only(|scene| scene.heat.is_some_and(|heat| heat.mixing.is_some()));
 
@@ -67,8 +67,8 @@ fn is_balanced(scene: &Scene) -> bool {
 
 /// The balance, the temperature [K] of the film, and what heats and cools it.
 fn found(film: &View) -> Option<(HeatBalance, f64, FilmHeat)> {
-    let (heat, temperature) = (film.study.heat.as_ref()?, film.study.oil.temperature?);
-    Some((balance(heat), temperature, film_heat(heat, film.study, film.measured)))
+    let (heat, temperature) = (film.base.scene.heat.as_ref()?, film.base.oil.temperature?);
+    Some((balance(heat), temperature, film_heat(heat, film.base, film.measured)))
 }
 
 /// What friction makes for each kelvin and the housing does not take [W/K].

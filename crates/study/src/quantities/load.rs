@@ -55,7 +55,7 @@ fn angle(film: &View) -> Option<f64> {
 }
 
 fn load_coefficient(film: &View) -> Option<f64> {
-    similarity::load_coefficient(&film.problem.bearing, film.study.supply_pressure?, film.force)
+    similarity::load_coefficient(&film.problem.bearing, film.base.supply_pressure()?, film.force)
 }
 
 fn cut_out(film: &View, axis: usize) -> Vec<(String, f64)> {

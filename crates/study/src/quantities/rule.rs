@@ -55,7 +55,7 @@ impl ErrorRule {
     pub fn bar(&self, estimate: &dyn Estimate, subject: &Subject) -> Option<Bar> {
         match self {
             Self::Exact | Self::Temperature(_) | Self::Heat(..) => Some(Bar::default()),
-            Self::Position if subject.view.study.load.is_none() => Some(Bar::default()),
+            Self::Position if subject.view.base.load.is_none() => Some(Bar::default()),
             _ if !estimate.is_resolved() => None,
             Self::Position => Some(Bar::default()),
             Self::Load => Some(estimate.load()),

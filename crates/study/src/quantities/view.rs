@@ -7,17 +7,17 @@ use oilwedge_reynolds::quantities::similarity;
 use oilwedge_reynolds::supply::{BoundaryKind, SupplyRegion};
 use oilwedge_reynolds::{FilmProblem, JournalState};
 
-use crate::compile::Study;
+use crate::film::Film;
 use crate::measure::{Measured, drag};
 
 /// A load below this fraction of (greatest pressure difference, or pressure of drag) x (projected area) has no direction.
 const NO_LOAD: f64 = 1e-12;
 
-/// A measured film of a study.
+/// A measured film.
 pub struct View<'a> {
-    /// The study.
-    pub study: &'a Study,
-    /// Its film, whose journal may be elsewhere than that of the study.
+    /// The film at the position found.
+    pub base: &'a Film,
+    /// Its film, whose journal may be elsewhere.
     pub problem: &'a FilmProblem,
     /// What was measured on it.
     pub measured: &'a Measured,
@@ -28,12 +28,12 @@ pub struct View<'a> {
 }
 
 impl<'a> View<'a> {
-    /// A film of the study whose journal is that of `problem`.
-    pub fn new(study: &'a Study, problem: &'a FilmProblem, measured: &'a Measured) -> Self {
+    /// A film whose journal is that of `problem`.
+    pub fn new(base: &'a Film, problem: &'a FilmProblem, measured: &'a Measured) -> Self {
         let (bearing, force) = (&problem.bearing, measured.load.magnitude());
         let reference = excess(problem, &measured.extremes).max(drag(problem)) * 2.0 * bearing.radius * bearing.length;
         Self {
-            study,
+            base,
             problem,
             measured,
             force,
@@ -48,7 +48,7 @@ impl<'a> View<'a> {
 
     /// Regions of the supply of one kind, with their flows.
     pub fn regions(&self, kind: BoundaryKind) -> impl Iterator<Item = (&'a SupplyRegion, &'a RegionFlow)> + use<'a> {
-        let regions = self.study.system.supply.regions().iter();
+        let regions = self.base.system.supply.regions().iter();
         regions
             .zip(&self.measured.flows.regions)
             .filter(move |(region, _)| region.kind == kind)

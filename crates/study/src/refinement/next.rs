@@ -6,13 +6,16 @@ use oilwedge_bearing::Deadline;
 use oilwedge_fem::marking::doerfler;
 use oilwedge_mesh::{Mesh, refine};
 
+use super::growth::Growth;
+use super::levels::Level;
 use crate::analysis::graded;
-use crate::compile::{CompileError, Study, compile_on};
-use crate::estimate::Estimated;
+use crate::compile::{CompileError, compile_on};
+use crate::film::Film;
 use crate::liner_mesh::resized;
+use crate::position::Position;
+use crate::reasons::Limit;
 use crate::result::Refinement;
 use crate::run::DEGREE;
-use crate::start::start;
 use oilwedge_scene::{MeshSource, Scene};
 
 /// Edges of the first mesh towards a tolerance over those of a mesh that is used as it is.
@@ -34,27 +37,26 @@ pub(super) enum Next {
     /// That of the scene as it is.
     Given,
     /// One at hand, for the journal at this position.
-    Divided(Arc<Mesh>, Refinement, (f64, f64)),
+    Divided(Arc<Mesh>, Refinement, Position),
 }
 
-/// Where the journal of a study is: eccentricity [1] and angle of the minimum film [rad].
-fn position(scene: &Scene, study: &Study) -> (f64, f64) {
-    let journal = &study.problem.journal;
-    match study.load {
-        None => start(scene),
-        Some(_) => (
-            journal.eccentricity() / scene.bearing.clearance,
-            journal.min_film_angle(),
-        ),
+/// Where the journal of a film is, as its scene gives it where it does.
+fn position(film: &Film) -> Position {
+    match film.load {
+        None => Position::start(&film.scene),
+        Some(_) => film.position(),
     }
 }
 
 impl Next {
-    /// The mesh of a study divided uniformly, if its round rims are fine enough for that.
-    pub(super) fn divided(scene: &Scene, study: &Study) -> Option<Self> {
-        let divided = refine::uniform(study.system.space().mesh()).ok()?;
-        let near = position(scene, study);
-        Some(Self::Divided(Arc::new(divided.mesh), Refinement::Uniform, near))
+    /// The mesh of a film divided uniformly, if its round rims are fine enough for that.
+    pub(super) fn divided(film: &Film) -> Option<Self> {
+        let divided = refine::uniform(film.system.space().mesh()).ok()?;
+        Some(Self::Divided(
+            Arc::new(divided.mesh),
+            Refinement::Uniform,
+            position(film),
+        ))
     }
 
     pub(super) fn first(scene: &Scene) -> Self {
@@ -64,7 +66,8 @@ impl Next {
         }
     }
 
-    pub(super) fn study(&self, scene: &Scene, deadline: Deadline) -> Result<(Refinement, Study), CompileError> {
+    /// The film on it, and how the mesh was made.
+    pub(super) fn film(&self, scene: &Scene, deadline: Deadline) -> Result<(Refinement, Film), CompileError> {
         match self {
             Self::Given => Ok((Refinement::Given, graded(scene, deadline)?)),
             Self::Drawn(factor) => {
@@ -82,11 +85,11 @@ impl Next {
         }
     }
 
-    /// How many times the triangles of `study` it has; none where that shows only once it is drawn.
-    pub(super) fn growth(&self, study: &Study) -> Option<f64> {
+    /// How many times the triangles of `film` it has; none where that shows only once it is drawn.
+    pub(super) fn growth(&self, film: &Film) -> Option<f64> {
         match self {
             Self::Divided(mesh, ..) => {
-                let cells = study.system.space().mesh().triangles().len();
+                let cells = film.system.space().mesh().triangles().len();
                 Some(mesh.triangles().len() as f64 / cells as f64)
             }
             _ => None,
@@ -101,33 +104,23 @@ impl Next {
         }
     }
 
-    /// The mesh after that of `study`, or why it cannot be made. `bound` tells that drawing it finer made it hardly larger:
-    /// its sizes are those of holes and grooves; `stuck` that local division does not help.
-    pub(super) fn refined(
-        scene: &Scene,
-        last: &Self,
-        study: &Study,
-        judged: &Estimated,
-        growth: f64,
-        [bound, stuck]: [bool; 2],
-    ) -> Result<Self, String> {
-        let mesh = study.system.space().mesh();
-        let near = position(scene, study);
+    /// The mesh after that of a level, or why it cannot be made.
+    pub(super) fn refined(last: &Self, level: &Level, growth: &Growth) -> Result<Self, Limit> {
+        let (film, estimated) = (&level.solved.film, &level.estimated);
+        let mesh = film.system.space().mesh();
         // A mesh once divided at a front is as fine there as it must be: what is left is divided where it is too coarse.
-        let fitted = matches!(last, Self::Divided(_, Refinement::Local, _));
-        let local = judged
-            .indicator
-            .as_ref()
-            // Rows along the flow are divided as a whole: a triangle divided for its neighbour's sake lies across it.
-            .filter(|_| !study.problem.cavitation.conserves_oil() && !stuck && (judged.is_local || fitted || bound));
-        let (divided, refinement) = match (local, last) {
-            (Some(indicator), _) => (refine::local(mesh, &doerfler(indicator, SHARE)), Refinement::Local),
-            (None, Self::Drawn(factor)) => return Ok(Self::Drawn(factor / growth.sqrt())),
-            (None, _) => (refine::uniform(mesh), Refinement::Uniform),
+        let is_fitted = matches!(last, Self::Divided(_, Refinement::Local, _));
+        let is_local = !growth.is_stuck && (estimated.is_local || is_fitted || growth.is_bound);
+        // Rows along the flow are divided as a whole: a triangle divided for its neighbour's sake lies across it.
+        let in_rows = film.problem.cavitation.conserves_oil();
+        let (divided, refinement) = match (&estimated.indicator, last) {
+            (Some(indicator), _) if is_local && !in_rows => {
+                (refine::local(mesh, &doerfler(indicator, SHARE)), Refinement::Local)
+            }
+            (_, Self::Drawn(factor)) => return Ok(Self::Drawn(factor / growth.factor.sqrt())),
+            _ => (refine::uniform(mesh), Refinement::Uniform),
         };
-        let divided = divided.map_err(|_| {
-            "limit: the mesh cannot be divided, for a round rim of it is too coarse; give a finer mesh".to_owned()
-        })?;
-        Ok(Self::Divided(Arc::new(divided.mesh), refinement, near))
+        let divided = divided.map_err(|_| Limit::CoarseRim)?;
+        Ok(Self::Divided(Arc::new(divided.mesh), refinement, position(film)))
     }
 }

@@ -2,13 +2,13 @@
 
 use oilwedge_reynolds::error_bar::Bar;
 
-use super::HeatFound;
+use super::TemperatureFound;
 use super::film_heat::{balance, film_heat};
-use crate::compile::Study;
+use crate::film::Film;
 use crate::measure::Measured;
 use crate::quantities::{ErrorRule, FRICTION_POWER, MOTION_POWER, Quantity, Row, SIDE_FLOW, Table, Warming};
 
-impl HeatFound {
+impl TemperatureFound {
     /// Bar [K] of the temperature: those of friction and flow, over the slope of their balance. None where they have none.
     fn bar(&self, warming: &Warming) -> Option<f64> {
         let film = &self.balanced.film;
@@ -23,8 +23,9 @@ impl HeatFound {
     }
 
     /// Gives the quantities of the balance their bars, and adds to all others what the bar of the temperature makes of them.
-    pub fn widen(&self, study: &Study, measured: &Measured, quantities: &mut [Quantity]) {
-        let Some(heat) = study
+    pub fn widen(&self, film: &Film, measured: &Measured, quantities: &mut [Quantity]) {
+        let Some(heat) = film
+            .scene
             .heat
             .filter(|_| quantities.iter().any(|quantity| quantity.bar.is_some()))
         else {
@@ -32,7 +33,7 @@ impl HeatFound {
         };
         let warming = Warming {
             balance: balance(&heat),
-            film: film_heat(&heat, study, measured),
+            film: film_heat(&heat, film, measured),
             power: error(quantities, &FRICTION_POWER)
                 .zip(error(quantities, &MOTION_POWER))
                 .map(|(turning, moving)| turning + moving),

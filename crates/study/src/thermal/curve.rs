@@ -4,12 +4,12 @@ use oilwedge_bearing::{Deadline, InitialGuess};
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_reynolds::solve::Neighbour;
 
+use super::search::from_near_or_cold;
 use super::{balance, film_heat, measured};
-use crate::analysis::{Solved, isothermal};
-use crate::compile::Study;
+use crate::analysis::{SolveOptions, Solved};
+use crate::film::Film;
 use crate::quantities::{FILM_THICKNESS_MIN, LOAD, Quantity, Row};
 use crate::result::{Criterion, HeatPoint, HeatReport};
-use crate::run::RunOptions;
 use oilwedge_scene::{Engine, Heat};
 
 /// Films on either side of the temperature found.
@@ -19,72 +19,67 @@ const REACH: f64 = 1.5;
 /// and this far [K] at least.
 const LEAST_REACH: f64 = 10.0;
 
-/// What is told of a balance; nothing without one. The study keeps its film.
-pub fn heat_report(
-    study: &mut Study,
-    solved: &Solved,
-    quantities: &[Quantity],
-    options: &RunOptions,
-) -> Option<HeatReport> {
-    let (heat, found) = (study.heat?, solved.heat.as_ref().filter(|found| !found.is_ended)?);
+/// The report of a heat balance; none without one.
+pub fn heat_report(solved: &Solved, quantities: &[Quantity], deadline: Deadline) -> Option<HeatReport> {
+    let film = &solved.film;
+    let (heat, found) = (
+        film.scene.heat?,
+        solved.temperature.as_ref().filter(|found| !found.is_ended)?,
+    );
     let root = found.balanced.temperature;
-    let (problem, oil) = (study.problem.clone(), study.oil.clone());
     let reach = (REACH * (root - heat.inlet).abs()).max(LEAST_REACH);
-    let bearing = study.problem.bearing;
-    let mut curve = Vec::new();
-    for k in -FILMS..=FILMS {
-        let temperature = root + f64::from(k) / f64::from(FILMS) * reach;
-        if temperature < balance(&heat).range()[0] {
-            continue;
-        }
-        study.problem = problem.clone();
-        let point = match k {
-            0 => Some(point(study, &heat, temperature, solved)),
-            _ => film_at(study, &heat, temperature, solved, options.deadline()),
-        };
-        curve.extend(point);
-    }
-    (study.problem, study.oil) = (problem, oil);
+    let temperatures = (-FILMS..=FILMS).map(|k| (k, root + f64::from(k) / f64::from(FILMS) * reach));
+    let curve = temperatures
+        .filter(|(_, temperature)| *temperature >= balance(&heat).range()[0])
+        .filter_map(|(k, temperature)| match k {
+            0 => Some(point(&heat, temperature, solved)),
+            _ => film_at(&heat, temperature, solved, deadline),
+        });
     let value = |row: &Row| {
         let quantity = quantities.iter().find(|quantity| quantity.row == row);
         quantity.map(|quantity| quantity.value)
     };
-    let criteria = criteria(study, &heat, value(&FILM_THICKNESS_MIN)?, root);
+    let (bearing, criteria) = (
+        &film.problem.bearing,
+        criteria(film, &heat, value(&FILM_THICKNESS_MIN)?, root),
+    );
     Some(HeatReport {
         preset: heat.engine.map(Engine::name),
         inlet_temperature: heat.inlet - ZERO_CELSIUS,
         heat_capacity: heat.heat_capacity,
         specific_load: value(&LOAD)? / (2.0 * bearing.radius * bearing.length),
-        curve,
+        curve: curve.collect(),
         is_fit: criteria.iter().all(|criterion| criterion.is_met || !criterion.decides),
         criteria,
     })
 }
 
-fn film_at(study: &mut Study, heat: &Heat, temperature: f64, near: &Solved, deadline: Deadline) -> Option<HeatPoint> {
-    study.heat_to(temperature);
-    let solved = isothermal(study, false, deadline, InitialGuess::Near(Neighbour::Start(&near.film))).ok();
-    let solved = solved.or_else(|| isothermal(study, false, deadline, InitialGuess::Cold).ok());
-    let solved = solved.filter(|solved| !solved.is_ended())?;
-    Some(point(study, heat, temperature, &solved))
+fn film_at(heat: &Heat, temperature: f64, near: &Solved, deadline: Deadline) -> Option<HeatPoint> {
+    let options = SolveOptions {
+        deadline,
+        guess: InitialGuess::Near(Neighbour::Start(&near.solution)),
+        ..SolveOptions::default()
+    };
+    let solved = from_near_or_cold(&near.film.at_temperature(temperature), &options).ok()?;
+    (!solved.is_ended()).then(|| point(heat, temperature, &solved))
 }
 
-fn point(study: &Study, heat: &Heat, temperature: f64, solved: &Solved) -> HeatPoint {
+fn point(heat: &Heat, temperature: f64, solved: &Solved) -> HeatPoint {
     let balance = balance(heat);
-    let film = film_heat(heat, study, &measured(study, solved));
+    let film = film_heat(heat, &solved.film, &measured(solved));
     HeatPoint {
         temperature: temperature - ZERO_CELSIUS,
-        viscosity: study.problem.lubricant.viscosity,
+        viscosity: solved.film.problem.lubricant.viscosity,
         friction_power: film.power,
         heat_carried: balance.carried(temperature, &film),
         heat_housing: balance.given_off(temperature),
-        eccentricity: study.problem.journal.eccentricity() / study.problem.bearing.clearance,
+        eccentricity: solved.film.position().eccentricity,
     }
 }
 
 /// What decides, and what is usual in an engine.
-fn criteria(study: &Study, heat: &Heat, least_film: f64, temperature: f64) -> Vec<Criterion> {
-    let bearing = &study.problem.bearing;
+fn criteria(film: &Film, heat: &Heat, least_film: f64, temperature: f64) -> Vec<Criterion> {
+    let bearing = &film.problem.bearing;
     let celsius = |temperature: f64| temperature - ZERO_CELSIUS;
     let mut list = vec![
         Criterion::new(
@@ -113,7 +108,7 @@ fn criteria(study: &Study, heat: &Heat, least_film: f64, temperature: f64) -> Ve
         1e3 * ratio,
         engine.clearance_ratio().map(|ratio| 1e3 * ratio),
     );
-    if let Some(pressure) = study.supply_pressure {
+    if let Some(pressure) = film.supply_pressure() {
         let range = engine.feed_pressure().map(|pressure| 1e-5 * pressure);
         usual("pressure of the oil fed", "bar", 1e-5 * pressure, range);
     }

@@ -5,7 +5,7 @@ use oilwedge_reynolds::supply::BoundaryKind;
 use oilwedge_reynolds::{FilmProblem, FilmSystem, Theory};
 use oilwedge_scene::{Heat, Mixing};
 
-use crate::compile::Study;
+use crate::film::Film;
 use crate::measure::Measured;
 
 /// What is balanced.
@@ -45,11 +45,11 @@ pub fn leaving(problem: &FilmProblem, system: &FilmSystem, measured: &Measured) 
 }
 
 /// What heats and what cools the film.
-pub(crate) fn film_heat(heat: &Heat, study: &Study, measured: &Measured) -> FilmHeat {
-    let flow = leaving(&study.problem, &study.system, measured);
+pub(crate) fn film_heat(heat: &Heat, film: &Film, measured: &Measured) -> FilmHeat {
+    let flow = leaving(&film.problem, &film.system, measured);
     let round = measured.inlet_flow.map_or(0.0, |inlet| (inlet - flow).max(0.0));
     FilmHeat {
-        power: measured.power.friction() + measured.motion_power(&study.problem.journal),
+        power: measured.power.friction() + measured.motion_power(&film.problem.journal),
         flow,
         carried_over: match heat.mixing {
             None => 0.0,

@@ -1,0 +1,90 @@
+//! A film: one scene compiled on one mesh. It never changes; at another temperature or position it is made anew and shares the system.
+
+use std::sync::Arc;
+
+use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSystem, JournalState};
+use oilwedge_scene::Scene;
+
+use crate::compile::lubricant;
+use crate::oil::{Oil, at_temperature};
+use crate::position::Position;
+
+/// A film, ready to be solved.
+#[derive(Debug, Clone)]
+pub struct Film {
+    /// The scene, with the temperature of the film.
+    pub scene: Arc<Scene>,
+    /// The oil at that temperature.
+    pub oil: Oil,
+    /// The physics.
+    pub problem: FilmProblem,
+    /// Mesh, unknowns and given pressures.
+    pub system: Arc<FilmSystem>,
+    /// Force `(F cos, F sin)` on the journal [N] under which its position is found, from that of the problem;
+    /// `None` at a given position.
+    pub load: Option<[f64; 2]>,
+    /// Velocity of the journal's centre.
+    pub centre_velocity: CentreVelocity,
+    /// Where the mesh comes from.
+    pub origin: MeshOrigin,
+    /// Seconds by part: reading or drawing the mesh, if that was done; numbering, pattern and analysis.
+    pub seconds: Vec<(&'static str, f64)>,
+}
+
+/// Where the mesh of a film comes from.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct MeshOrigin {
+    /// SHA-256 of the mesh file or, drawn, of its vertices and triangles; 64 hexadecimal digits, empty for a mesh that was at hand.
+    pub sha256: String,
+    /// Edge flips that made the mesh one for a mass-conserving film.
+    pub flips: usize,
+    /// True if the triangles are not those of the mesh file: they were laid anew in rows along the flow.
+    pub is_laid_anew: bool,
+}
+
+impl Film {
+    /// This film at the temperature [K].
+    pub fn at_temperature(&self, temperature: f64) -> Self {
+        let scene = at_temperature(&self.scene, temperature);
+        let oil = self.oil.at(temperature);
+        let mut problem = self.problem.clone();
+        problem.lubricant = lubricant(&scene, &oil);
+        Self {
+            scene: Arc::new(scene),
+            oil,
+            problem,
+            ..self.clone()
+        }
+    }
+
+    /// This film with the journal elsewhere.
+    pub fn with_journal(&self, journal: JournalState) -> Self {
+        let mut film = self.clone();
+        film.problem.journal = journal;
+        film
+    }
+
+    /// Where the journal is.
+    pub fn position(&self) -> Position {
+        Position::of(&self.problem.journal, self.problem.bearing.clearance)
+    }
+
+    /// Unknown pressures.
+    pub fn unknowns(&self) -> usize {
+        let free = |dof: &usize| self.system.supply.owner(*dof).is_none();
+        (0..self.system.space().dofs()).filter(free).count()
+    }
+
+    /// The common pressure [Pa] of all feeds, if they have one.
+    pub fn supply_pressure(&self) -> Option<f64> {
+        let mut pressures = self.scene.feeds.iter().filter_map(|feed| feed.pressure);
+        let first = pressures.next()?;
+        pressures.all(|pressure| pressure == first).then_some(first)
+    }
+
+    /// Groups of the pockets that deepen the film.
+    pub fn pockets(&self) -> impl Iterator<Item = &str> {
+        let pockets = self.scene.feeds.iter().filter(|feed| feed.pressure.is_none());
+        pockets.map(|feed| feed.group.as_str())
+    }
+}

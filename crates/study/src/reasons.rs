@@ -1,0 +1,209 @@
+//! Why a run ended short of an answer, a balance or a tolerance: as data, and in words with the way out.
+//!
+//! Physics errors carry data and name no key and no flag; keys of scenes and flags of the command line stand here alone.
+
+use std::fmt;
+
+use oilwedge_bearing::NoEquilibrium;
+use oilwedge_fem::newton::Failure;
+use oilwedge_reynolds::NoFilm;
+use oilwedge_reynolds::supply::SupplyError;
+use oilwedge_scene::wording::factor;
+
+use crate::analysis::NoAnswer;
+
+/// Ways out that are flags of the command line.
+pub mod flags {
+    /// For searches and refinements that end with the time.
+    pub const MORE_SECONDS: &str = "give --max-seconds a higher limit";
+    /// For refinements that end with the size.
+    pub const MORE_UNKNOWNS: &str = "give --max-unknowns a higher limit";
+}
+use flags::{MORE_SECONDS, MORE_UNKNOWNS};
+
+/// Why a run ended short of its tolerance or of a balance.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Limit {
+    /// The film jumps as its temperature changes: this part of the friction is not carried off.
+    Jump(f64),
+    /// The search for the temperature was ended where this part of the friction was not carried off.
+    Temperature(f64, Cause),
+    /// The search for the position was ended where force and load differed by this part of the load.
+    Position(f64, Cause),
+    /// The next mesh was not finished after so many seconds.
+    Unfinished(Distance, f64, Cause),
+    /// The next mesh would need too many unknowns.
+    Unknowns {
+        /// How far the tolerance is.
+        distance: Distance,
+        /// Unknowns wanted.
+        wanted: f64,
+        /// Unknowns allowed.
+        most: usize,
+    },
+    /// The next mesh would take too long.
+    Seconds {
+        /// How far the tolerance is.
+        distance: Distance,
+        /// Seconds so far, seconds of the next mesh, seconds allowed [s].
+        seconds: [f64; 3],
+    },
+    /// So many meshes were refined.
+    Meshes(Distance, usize),
+    /// A round rim of the mesh is too coarse to be divided.
+    CoarseRim,
+    /// The next mesh has no answer, for this reason.
+    NoAnswer(String),
+    /// The limit was met on a mesh whose bars are wider than those of the mesh before, which is reported.
+    Before(Box<Limit>, f64),
+}
+
+/// What ended a search or a refinement.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Cause {
+    /// An interrupt.
+    Interrupt,
+    /// The deadline.
+    Deadline,
+}
+
+/// How far a tolerance is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Distance {
+    /// Greatest bar over what it may be; infinite where the mesh does not resolve the film.
+    pub worst: f64,
+    /// Unknowns of the mesh.
+    pub unknowns: usize,
+}
+
+impl fmt::Display for Distance {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.worst.is_finite() {
+            true => write!(out, "the bars are {} times as wide as asked for", factor(self.worst)),
+            false => write!(out, "the mesh does not resolve the film yet"),
+        }
+    }
+}
+
+impl fmt::Display for Limit {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let ended = |out: &mut fmt::Formatter<'_>, search: String, cause: Cause| match cause {
+            Cause::Interrupt => write!(out, "interrupted: {search}"),
+            Cause::Deadline => write!(out, "limit: {search}; {MORE_SECONDS}"),
+        };
+        match self {
+            Self::Jump(left_over) => write!(
+                out,
+                "not converged: the film jumps as its temperature changes, and friction and heat carried off still differ by {left_over:.1e} of the friction; give another mesh ([mesh] size)"
+            ),
+            Self::Temperature(left_over, cause) => ended(
+                out,
+                format!(
+                    "the search for the temperature was ended where friction and heat carried off differ by {left_over:.1e} of the friction"
+                ),
+                *cause,
+            ),
+            Self::Position(residual, cause) => ended(
+                out,
+                format!(
+                    "the search for the position was ended where force and load differ by {residual:.1e} of the load"
+                ),
+                *cause,
+            ),
+            Self::Unfinished(distance, seconds, cause) => {
+                let unknowns = distance.unknowns;
+                match cause {
+                    Cause::Interrupt => write!(out, "interrupted: {distance} on {unknowns} unknowns"),
+                    Cause::Deadline => write!(
+                        out,
+                        "limit: {distance} on {unknowns} unknowns, and the next mesh was not finished after {seconds:.1} s; {MORE_SECONDS}, or a wider tolerance"
+                    ),
+                }
+            }
+            Self::Unknowns { distance, wanted, most } => write!(
+                out,
+                "limit: {distance} on {} unknowns, and the next mesh would need some {wanted:.0}, more than {most}; {MORE_UNKNOWNS}, or a wider tolerance",
+                distance.unknowns
+            ),
+            Self::Seconds {
+                distance,
+                seconds: [elapsed, next, most],
+            } => write!(
+                out,
+                "limit: {distance} after {elapsed:.1} s, and the next mesh would take some {next:.1} s, beyond {most:.1} s in all; {MORE_SECONDS}, or a wider tolerance"
+            ),
+            Self::Meshes(distance, meshes) => {
+                write!(out, "limit: {distance} after {meshes} meshes; give a wider tolerance")
+            }
+            Self::CoarseRim => {
+                write!(
+                    out,
+                    "limit: the mesh cannot be divided, for a round rim of it is too coarse; give a finer mesh"
+                )
+            }
+            Self::NoAnswer(reason) => write!(
+                out,
+                "limit: the bars are wider than asked for, and the next mesh has no answer: {reason}"
+            ),
+            Self::Before(limit, worst) => {
+                let distance = Distance {
+                    worst: *worst,
+                    unknowns: 0,
+                };
+                write!(out, "{limit}; the result is that of the mesh before: {distance}")
+            }
+        }
+    }
+}
+
+/// What a user can do about a missing answer; none where nothing is known to help, or the reason says it itself.
+pub fn way_out(reason: &NoAnswer) -> Option<&'static str> {
+    let film = match reason {
+        NoAnswer::Film(film) | NoAnswer::Equilibrium(NoEquilibrium::Film(film)) => film,
+        NoAnswer::Equilibrium(reason) => return of_position(reason),
+        NoAnswer::Temperature(_) => return None,
+    };
+    Some(match film {
+        NoFilm::AboveLimit { .. } => {
+            "lower speed, eccentricity or viscosity, or use a law that grows slower (Roelands)"
+        }
+        NoFilm::NearLimit { .. } => "give a finer mesh ([mesh] size or tolerance), or another speed",
+        NoFilm::AtFold { .. } => {
+            "give a finer mesh ([mesh] size or tolerance), another speed, or form = \"conservative\""
+        }
+        NoFilm::BelowFloor { .. } => "add [cavitation]",
+        NoFilm::Fold { .. } => "lower speed or eccentricity, or use form = \"conservative\"",
+        NoFilm::NoSupply { .. } => "add a [[feed]], a film_start, or ends above cavitation.pressure",
+        NoFilm::FilmFraction { .. } => {
+            "use another mesh, without obtuse angles and finer where the film is thin ([mesh] size draws one)"
+        }
+        NoFilm::NotConverged(Failure::Cycling { .. }) => "another mesh ([mesh] size) may help",
+        _ => return None,
+    })
+}
+
+fn of_position(reason: &NoEquilibrium) -> Option<&'static str> {
+    match reason {
+        NoEquilibrium::Unreachable { .. } => Some("change the load, its angle, or the pressure and place of feeds"),
+        NoEquilibrium::BeyondCapacity { .. } => Some("lower the load, or raise speed, viscosity or size"),
+        NoEquilibrium::BelowRounding { .. } => Some("give no load (0 N), or a larger one"),
+        NoEquilibrium::NotConverged { .. } => {
+            Some("give another mesh ([mesh] size), or solve at a given position to see the film")
+        }
+        NoEquilibrium::Ended { .. } => Some(MORE_SECONDS),
+        _ => None,
+    }
+}
+
+/// What a user can do about regions of given pressure that do not fit the mesh.
+pub fn way_out_of_supply(fault: &SupplyError) -> &'static str {
+    match fault {
+        SupplyError::Unassigned { .. } => {
+            "put them in end_low, end_high, arc_from, arc_to or in the group of a [[feed]]"
+        }
+        SupplyError::Conflict { .. } => "separate them or give them one pressure",
+        SupplyError::OpenRim { .. } => "complete the group, or mesh the region as a surface",
+        SupplyError::NoLine { .. } => "mesh the liner with its seam there",
+        _ => "correct the groups of the mesh",
+    }
+}

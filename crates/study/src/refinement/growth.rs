@@ -1,0 +1,96 @@
+//! How much finer the next mesh must be, and may be.
+
+use super::levels::Level;
+use crate::quantities::{ECCENTRICITY, Quantity, Unit};
+use crate::result::{LevelFacts, Refinement};
+use oilwedge_scene::Target;
+
+/// A mesh is drawn for bars this much smaller than asked for,
+const SAFETY: f64 = 0.7;
+/// with at least and at most this many times the unknowns of the one before.
+const GROWTH: [f64; 2] = [1.4, 16.0];
+/// A mesh that was drawn finer and has not this many times the unknowns is bound by its features.
+const BOUND: f64 = 1.25;
+/// Local division that leaves this part of a bar did not serve it.
+const STUCK: f64 = 0.8;
+/// Growth where no bar can be trusted yet.
+const UNRESOLVED_GROWTH: f64 = 3.0;
+/// Seconds of a level grow like this power of the unknowns at most.
+const TIME_EXPONENT: f64 = 1.2;
+/// Tolerances of what is less than this part of what it could be count against that part: loads against those that the pressures
+/// could carry, the eccentricity against the clearance.
+const LEAST: f64 = 1e-3;
+
+/// The growth of the next mesh, and how it may be made.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Growth {
+    /// Unknowns over those of the last mesh.
+    pub(super) factor: f64,
+    /// True if drawing the mesh finer made it hardly larger: its sizes are those of holes and grooves.
+    pub(super) is_bound: bool,
+    /// True if local division does not help.
+    pub(super) is_stuck: bool,
+}
+
+impl Growth {
+    /// The growth towards the tolerance, or less where that would be too long for the time left [s] or too large: a smaller step is better
+    /// than none.
+    pub(super) fn of(level: &Level, levels: &[LevelFacts], left: f64, max_unknowns: usize) -> Self {
+        let order = level.solved.film.problem.cavitation.convergence_order();
+        let [least, most] = GROWTH;
+        let wanted = match level.worst.is_finite() {
+            true => (level.worst / SAFETY).powf(1.0 / order).clamp(least, most),
+            false => UNRESOLVED_GROWTH,
+        };
+        let fits = levels.last().map_or(f64::INFINITY, |last| {
+            let in_time = (left / last.seconds).max(0.0).powf(1.0 / TIME_EXPONENT);
+            let in_size = max_unknowns as f64 / last.unknowns as f64;
+            (SAFETY * in_time).min(in_size)
+        });
+        Self {
+            factor: if fits >= least { wanted.min(fits) } else { wanted },
+            is_bound: matches!(levels, [.., before, last] if (last.unknowns as f64) < BOUND * before.unknowns as f64),
+            is_stuck: is_stuck(levels, &level.worst_name),
+        }
+    }
+}
+
+/// Seconds [s] that a mesh with so many times the unknowns of the last one takes.
+pub(super) fn next_seconds(last: &LevelFacts, growth: f64) -> f64 {
+    last.seconds * growth.powf(TIME_EXPONENT)
+}
+
+/// True where dividing triangles locally, for the load, hardly narrowed the bar of this name.
+fn is_stuck(levels: &[LevelFacts], name: &str) -> bool {
+    let error = |level: &LevelFacts| Some(level.errors.iter().find(|(other, _)| other == name)?.1);
+    match levels {
+        [.., before, last] if last.refinement == Refinement::Local => error(before)
+            .zip(error(last))
+            .is_some_and(|(before, last)| last > STUCK * before),
+        _ => false,
+    }
+}
+
+/// The greatest bar over what it may be, and of which quantity; infinite where one is missing. A quantity that this film does not
+/// have is met. `possible` is the load [N] that its pressures could carry.
+pub(super) fn worst<'a>(quantities: &[Quantity], targets: &'a [Target], possible: f64) -> (f64, &'a str) {
+    let ratio = |target: &Target| {
+        let Some(quantity) = quantities.iter().find(|quantity| quantity.name == target.quantity) else {
+            return 0.0;
+        };
+        let size = match quantity.row.unit {
+            Unit::Degree => 1f64.to_degrees(),
+            Unit::Newton => quantity.value.abs().max(LEAST * possible),
+            _ if quantity.row == &ECCENTRICITY => quantity.value.abs().max(LEAST),
+            _ => quantity.value.abs(),
+        };
+        match quantity.error() {
+            None => f64::INFINITY,
+            Some(0.0) => 0.0,
+            Some(error) => error / (target.relative * size),
+        }
+    };
+    (targets.iter())
+        .map(|target| (ratio(target), target.quantity.as_str()))
+        .fold((0.0, ""), |worst, next| if next.0 > worst.0 { next } else { worst })
+}

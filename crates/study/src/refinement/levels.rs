@@ -1,0 +1,231 @@
+//! The loop from mesh to mesh.
+
+use std::time::Instant;
+
+use oilwedge_bearing::Deadline;
+
+use super::growth::{Growth, next_seconds, worst};
+use super::next::Next;
+use super::{Answer, ended, solved};
+use crate::analysis::{Errors, NoAnswer, Solved};
+use crate::compile::CompileError;
+use crate::estimate::Estimated;
+use crate::film::Film;
+use crate::measure::possible_load;
+use crate::reasons::{Cause, Distance, Limit};
+use crate::result::{LevelFacts, Refinement};
+use crate::run::RunOptions;
+use oilwedge_scene::{Scene, Target};
+
+/// Most meshes.
+const MOST_LEVELS: usize = 30;
+
+/// A solved film on the way to a tolerance.
+pub(super) struct Level {
+    pub(super) solved: Solved,
+    pub(super) estimated: Estimated,
+    /// Its greatest bar over what it may be,
+    pub(super) worst: f64,
+    /// and of which quantity.
+    pub(super) worst_name: String,
+}
+
+impl Level {
+    /// It is the answer.
+    fn answer(self, levels: Vec<LevelFacts>, limit: Option<Limit>) -> Answer {
+        Answer {
+            film: self.solved.film.clone(),
+            outcome: Ok((self.solved, self.estimated)),
+            levels,
+            limit,
+        }
+    }
+}
+
+/// What follows a mesh.
+enum Step {
+    Finer(Next),
+    Done(Box<Answer>),
+}
+
+/// A refinement towards a tolerance.
+struct Refining<'a> {
+    scene: &'a Scene,
+    targets: &'a [Target],
+    options: &'a RunOptions,
+    clock: Instant,
+    deadline: Deadline,
+    levels: Vec<LevelFacts>,
+    /// The film of the mesh before.
+    best: Option<Level>,
+    /// True if the mesh that all others were divided from was laid anew.
+    is_laid_anew: bool,
+}
+
+/// Answers a scene on meshes as fine as the targets ask for.
+pub(super) fn towards(scene: &Scene, targets: &[Target], options: &RunOptions) -> Result<Answer, CompileError> {
+    let mut refining = Refining {
+        scene,
+        targets,
+        options,
+        clock: Instant::now(),
+        deadline: options.deadline(),
+        levels: Vec::new(),
+        best: None,
+        is_laid_anew: false,
+    };
+    let mut next = Next::first(scene);
+    loop {
+        match refining.level(&next)? {
+            Step::Finer(finer) => next = finer,
+            Step::Done(answer) => return Ok(*answer),
+        }
+    }
+}
+
+impl Refining<'_> {
+    /// Makes and solves one mesh.
+    fn level(&mut self, next: &Next) -> Result<Step, CompileError> {
+        let clock = Instant::now();
+        let (refinement, mut film) = match next.film(self.scene, self.deadline) {
+            Ok(made) => made,
+            Err(reason) => return self.last_resort(reason.to_string()).ok_or(reason),
+        };
+        self.is_laid_anew |= film.origin.is_laid_anew;
+        film.origin.is_laid_anew = self.is_laid_anew;
+        Ok(match solved(&film, Errors::Estimated, self.deadline) {
+            Err(reason) => self.unanswered(next, film, reason),
+            // A load balanced on the mesh before is better than one that is not balanced on this one.
+            Ok((solved, estimated)) => match self.best.take_if(|_| solved.is_ended()) {
+                Some(best) => {
+                    let limit = self.stopped(best.worst);
+                    self.done(best, Some(limit))
+                }
+                None => self.answered(next, (refinement, clock), solved, estimated),
+            },
+        })
+    }
+
+    /// The mesh before is the answer where the next has none, if there is one.
+    fn last_resort(&mut self, reason: String) -> Option<Step> {
+        let best = self.best.take()?;
+        Some(self.done(best, Some(Limit::NoAnswer(reason))))
+    }
+
+    fn done(&mut self, level: Level, limit: Option<Limit>) -> Step {
+        Step::Done(Box::new(level.answer(std::mem::take(&mut self.levels), limit)))
+    }
+
+    /// What follows a mesh without an answer.
+    fn unanswered(&mut self, next: &Next, film: Film, reason: NoAnswer) -> Step {
+        let may_divide = !self.deadline.is_over() && 4 * film.unknowns() <= self.options.max_unknowns;
+        // A finer mesh shows whether there is a film.
+        if let Some(finer) = (reason.is_near_limit() && may_divide)
+            .then(|| Next::divided(&film))
+            .flatten()
+        {
+            return Step::Finer(finer);
+        }
+        // The numbers of the mesh before are still good.
+        if reason.is_unreached()
+            && let Some(step) = self.last_resort(reason.to_string())
+        {
+            return step;
+        }
+        // The first mesh is coarse; what it cannot answer one as fine as usual may.
+        match (next.finer_first(self.scene), self.best.take()) {
+            (Some(finer), None) => Step::Finer(finer),
+            _ => Step::Done(Box::new(Answer {
+                film,
+                outcome: Err(reason),
+                levels: std::mem::take(&mut self.levels),
+                limit: None,
+            })),
+        }
+    }
+
+    /// What follows a solved mesh.
+    fn answered(
+        &mut self,
+        next: &Next,
+        (refinement, clock): (Refinement, Instant),
+        solved: Solved,
+        estimated: Estimated,
+    ) -> Step {
+        let error = |target: &Target| {
+            let mut quantities = estimated.quantities.iter();
+            let quantity = quantities.find(|quantity| quantity.name == target.quantity)?;
+            Some((target.quantity.clone(), quantity.error()?))
+        };
+        self.levels.push(LevelFacts {
+            unknowns: solved.film.unknowns(),
+            cells: solved.film.system.space().mesh().triangles().len(),
+            refinement,
+            errors: self.targets.iter().filter_map(error).collect(),
+            seconds: clock.elapsed().as_secs_f64(),
+        });
+        let possible = possible_load(&solved.film.problem, &estimated.measured);
+        let (worst, name) = worst(&estimated.quantities, self.targets, possible);
+        let level = Level {
+            solved,
+            estimated,
+            worst,
+            worst_name: name.to_owned(),
+        };
+        let finer = match ended(&level.solved, self.options) {
+            None if worst > 1.0 => self.finer(next, &level).map_err(Some),
+            limit => Err(limit),
+        };
+        match (finer, self.best.take()) {
+            (Ok(finer), _) => {
+                self.best = Some(level);
+                Step::Finer(finer)
+            }
+            // A mesh that resolves less than the one before, as may happen at the edge of a cavity.
+            (Err(Some(limit)), Some(before)) if before.worst < worst => {
+                let limit = Limit::Before(Box::new(limit), before.worst);
+                self.done(before, Some(limit))
+            }
+            (Err(limit), _) => self.done(level, limit),
+        }
+    }
+
+    /// The mesh after that of a level, or why there must be none.
+    fn finer(&self, last: &Next, level: &Level) -> Result<Next, Limit> {
+        let left = self.options.max_seconds - self.clock.elapsed().as_secs_f64();
+        let growth = Growth::of(level, &self.levels, left, self.options.max_unknowns);
+        let next = Next::refined(last, level, &growth)?;
+        let growth = next.growth(&level.solved.film).unwrap_or(growth.factor);
+        self.limit(growth, level.worst).map_or(Ok(next), Err)
+    }
+
+    fn distance(&self, worst: f64) -> Distance {
+        Distance {
+            worst,
+            unknowns: self.levels.last().map_or(0, |level| level.unknowns),
+        }
+    }
+
+    /// Why the mesh after the last one was not finished.
+    fn stopped(&self, worst: f64) -> Limit {
+        let elapsed = self.clock.elapsed().as_secs_f64();
+        Limit::Unfinished(self.distance(worst), elapsed, self.options.cause())
+    }
+
+    /// Why there must not be another mesh with so many times the unknowns, if so.
+    fn limit(&self, growth: f64, worst: f64) -> Option<Limit> {
+        let last = self.levels.last()?;
+        let (distance, elapsed) = (self.distance(worst), self.clock.elapsed().as_secs_f64());
+        let (wanted, most) = (growth * last.unknowns as f64, self.options.max_unknowns);
+        let (seconds, max_seconds) = (next_seconds(last, growth), self.options.max_seconds);
+        match self.options.cause() {
+            Cause::Interrupt => Some(self.stopped(worst)),
+            Cause::Deadline if wanted > most as f64 => Some(Limit::Unknowns { distance, wanted, most }),
+            Cause::Deadline if elapsed + seconds > max_seconds => Some(Limit::Seconds {
+                distance,
+                seconds: [elapsed, seconds, max_seconds],
+            }),
+            Cause::Deadline => (self.levels.len() >= MOST_LEVELS).then_some(Limit::Meshes(distance, MOST_LEVELS)),
+        }
+    }
+}
