@@ -6,7 +6,8 @@ use std::time::Instant;
 use oilwedge_mesh::refine;
 use oilwedge_reynolds::supply::SupplyRegion;
 use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSolution, FilmSystem};
-use oilwedge_study::compile::{Study, compile};
+use oilwedge_study::compile::compile;
+use oilwedge_study::film::Film;
 
 use crate::scenes::{table, variant};
 
@@ -25,7 +26,7 @@ pub struct Count {
 }
 
 /// The bearing with an axial groove and two holes of scene 10, drawn with some `unknowns`.
-pub fn drawn(unknowns: f64) -> Study {
+pub fn drawn(unknowns: f64) -> Film {
     let area = std::f64::consts::TAU * 0.0375 * 0.075;
     // Two unknowns a triangle; near rims and the narrowest film there are some more.
     let size = (2.0 * area / (0.433 * unknowns)).sqrt();
@@ -35,7 +36,7 @@ pub fn drawn(unknowns: f64) -> Study {
 }
 
 /// Scene 07, the same bearing with its mesh from a file, refined uniformly so often.
-pub fn imported(times: usize) -> Study {
+pub fn imported(times: usize) -> Film {
     let mut study = study("07_grooved_liner", |_| {});
     for _ in 0..times {
         refined(&mut study);
@@ -43,7 +44,7 @@ pub fn imported(times: usize) -> Study {
     study
 }
 
-fn study(name: &str, edit: impl FnOnce(&mut toml::Table)) -> Study {
+fn study(name: &str, edit: impl FnOnce(&mut toml::Table)) -> Film {
     let scene = variant(name, |scene| {
         table(scene, "cavitation").insert("model".into(), "jfo".into());
         edit(scene);
@@ -51,7 +52,7 @@ fn study(name: &str, edit: impl FnOnce(&mut toml::Table)) -> Study {
     compile(&scene).unwrap_or_else(|error| panic!("{error}"))
 }
 
-fn refined(study: &mut Study) {
+fn refined(study: &mut Film) {
     let finer = refine::uniform(study.system.space().mesh()).expect("a mesh that was sound");
     let regions: Vec<SupplyRegion> = (study.system.supply.regions().iter())
         .map(|region| {
@@ -64,11 +65,11 @@ fn refined(study: &mut Study) {
         })
         .collect();
     let system = FilmSystem::new(Arc::new(finer.mesh), 2, regions).expect("refinement keeps the boundary");
-    study.system = system.with_coarser(&study.problem.bearing, &study.problem.film_thickness);
+    study.system = Arc::new(system.with_coarser(&study.problem.bearing, &study.problem.film_thickness));
 }
 
 /// The film of a bearing under a model of cavitation.
-pub fn count(study: &Study, cavitation: Cavitation) -> (Count, FilmSolution) {
+pub fn count(study: &Film, cavitation: Cavitation) -> (Count, FilmSolution) {
     let problem = FilmProblem {
         cavitation,
         ..study.problem.clone()

@@ -4,7 +4,8 @@ use std::path::PathBuf;
 
 use oilwedge_reynolds::{FilmSolution, NoFilm};
 use oilwedge_scene::Scene;
-use oilwedge_study::compile::{Study, compile};
+use oilwedge_study::compile::compile;
+use oilwedge_study::film::Film;
 use oilwedge_study::measure::{Measured, measure};
 use oilwedge_study::quantities::{View, measured};
 
@@ -40,7 +41,7 @@ pub fn table<'a>(scene: &'a mut toml::Table, name: &str) -> &'a mut toml::Table 
 /// A solved scene.
 pub struct Solved {
     /// The compiled scene.
-    pub study: Study,
+    pub study: Film,
     /// Its film.
     pub film: FilmSolution,
     /// What was measured.

@@ -7,9 +7,10 @@ use oilwedge_mesh::{Mesh, gmsh};
 use oilwedge_reynolds::quantities::flow::Flows;
 use oilwedge_reynolds::{FilmSystem, NoFilm};
 use oilwedge_scene::Scene;
-use oilwedge_study::compile::{Study, compile};
+use oilwedge_study::compile::compile;
+use oilwedge_study::film::Film;
 use oilwedge_study::measure::measure;
-use oilwedge_study::picture::picture;
+use oilwedge_study::picture::{Surface, picture};
 use oilwedge_study::warnings::warnings;
 use oilwedge_study::{RunOptions, run};
 use oilwedge_tests::journal_bearings::Ring;
@@ -257,7 +258,7 @@ fn every_way_out_is_a_warning() {
 }
 
 /// A ring whose triangles are long and obtuse, fed from its ends, compiled from a file.
-fn stretched(mesh: &Mesh, film_start: &str) -> Study {
+fn stretched(mesh: &Mesh, film_start: &str) -> Film {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("ring.msh");
     gmsh::write(mesh, &file).expect("written");
@@ -284,7 +285,7 @@ fn stretched_meshes_are_flipped() {
     // The line of a film start stays.
     for film_start in ["", r#", film_start = "0 deg""#] {
         let study = stretched(&mesh, film_start);
-        assert!(study.flips > 1000, "{}", study.flips);
+        assert!(study.origin.flips > 1000, "{}", study.origin.flips);
         let film = study.problem.solve(&study.system);
         let film = film.unwrap_or_else(|reason| panic!("{reason}"));
         let measured = measure(&study.problem, &study.system, &film);
@@ -315,7 +316,7 @@ fn fields_of_broken_films() {
     for (model, fields) in [("reynolds", 3), ("jfo", 4)] {
         let film = solved(&LINERS[2].scene(model, 3000.0, ""));
         let indicator = vec![0.5; film.study.system.space().mesh().triangles().len()];
-        let drawn = picture(&film.study, &film.film, Some(&indicator), true);
+        let drawn = picture(&film.study, &film.film, Some(&indicator), Surface::Developed);
         assert_eq!(drawn.cell_data, [("error_indicator".to_owned(), indicator)]);
         assert_eq!(drawn.point_data.len(), fields);
         let field = |name: &str| {

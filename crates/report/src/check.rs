@@ -92,13 +92,13 @@ fn in_axes<S: serde::Serializer>(axes: &[(String, usize)], serializer: S) -> Res
 /// # Errors
 /// [`Error::Compile`] where the mesh cannot be read or does not fit the scene.
 pub fn check_scene(scene: &Scene) -> Result<CheckReport, Error> {
-    let study = compile(&at_first(scene))?;
-    let mesh = study.system.space().mesh();
+    let film = compile(&at_first(scene))?;
+    let mesh = film.system.space().mesh();
     let drawn = if scene.tolerance.is_some() { FIRST_DRAWN } else { DRAWN };
     let name = scene.mesh.path().unwrap_or(Path::new(drawn));
     let mut report = check_report(name, mesh);
-    let pockets: Vec<_> = study.pockets.iter().filter_map(|name| mesh.region(name)).collect();
-    report.sketch = sketch(mesh, &study.system.supply, &pockets, scene.bearing.radius());
+    let pockets: Vec<_> = film.pockets().filter_map(|name| mesh.region(name)).collect();
+    report.sketch = sketch(mesh, &film.system.supply, &pockets, scene.bearing.radius());
     report.liner = words(scene);
     report.tolerance = (targets(scene).into_iter().flatten())
         .map(|target| (target.quantity, target.relative))
@@ -108,12 +108,11 @@ pub fn check_scene(scene: &Scene) -> Result<CheckReport, Error> {
         .flat_map(|plan| &plan.axes)
         .map(|axis| (axis.heading(), axis.values.len()))
         .collect();
-    report.effects = Some(study.effects.clone());
-    report.warnings.extend(mesh_warnings(&study));
-    let free = |dof: &usize| study.system.supply.owner(*dof).is_none();
+    report.effects = Some(Effects::of(&film.scene));
+    report.warnings.extend(mesh_warnings(&film));
     report.cost = Some(Cost {
-        unknowns: (0..study.system.space().dofs()).filter(free).count(),
-        factor_entries: study.system.analysis().map_err(CompileError::from)?.factor_entries(),
+        unknowns: film.unknowns(),
+        factor_entries: film.system.analysis().map_err(CompileError::from)?.factor_entries(),
     });
     Ok(report)
 }

@@ -2,7 +2,9 @@
 
 use std::collections::HashMap;
 
-use crate::analysis::Solved;
+use oilwedge_reynolds::FilmSolution;
+
+use crate::film::Film;
 
 /// A film on its triangles: where they are, and the fields on them.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -30,8 +32,7 @@ pub enum Surface {
 /// film fraction at the nodes of the solved film, on the cylinder `(R cos phi, R sin phi, z)` or unrolled `(R phi, z, 0)`, where nodes on the cut of a ring stand on both sides of it.
 /// Nodes on the edge of a pocket stand on both sides of it too, for the film is thicker on one. The indicator, a value for
 /// each triangle, tells what each adds to the error.
-pub fn picture(solved: &Solved, indicator: Option<&[f64]>, surface: Surface) -> FilmPicture {
-    let (film, solution) = (&solved.film, &solved.solution);
+pub fn picture(film: &Film, solution: &FilmSolution, indicator: Option<&[f64]>, surface: Surface) -> FilmPicture {
     let mesh = film.system.space().mesh();
     let leftmost = mesh.points().iter().map(|point| point[0]).fold(f64::INFINITY, f64::min);
     // The far side of the cut of a ring; rounding of the last column does not count.

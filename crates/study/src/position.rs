@@ -73,6 +73,16 @@ impl Position {
     }
 }
 
+impl From<(f64, f64)> for Position {
+    /// From the eccentricity ratio and the angle [rad] of the thinnest film.
+    fn from((eccentricity, min_film_angle): (f64, f64)) -> Self {
+        Self {
+            eccentricity,
+            min_film_angle,
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

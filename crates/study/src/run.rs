@@ -18,7 +18,7 @@ use crate::refinement::{Answer, answer};
 use crate::regime::Regime;
 use crate::result::{Balances, Counts, HistoryStep, LinearSolver, MeshFacts, RESULT_FORMAT, RunResult, Status};
 use crate::thermal::{heat_report, left_over};
-use crate::warnings::warnings;
+use crate::warnings::result_warnings;
 
 /// Degree of the unknown of a film [1].
 pub const DEGREE: usize = 2;
@@ -91,7 +91,12 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, CompileError> {
     let mut result = without_outcome(scene, &answer, options);
     let picture = match answer.outcome {
         Ok((solved, estimated)) => {
-            let picture = picture(&solved, estimated.indicator.as_deref(), options.surface());
+            let picture = picture(
+                &solved.film,
+                &solved.solution,
+                estimated.indicator.as_deref(),
+                options.surface(),
+            );
             report(scene, (&solved, estimated), options, &mut result);
             Some(picture)
         }
@@ -170,7 +175,7 @@ fn history(steps: &[newton::HistoryStep]) -> Vec<HistoryStep> {
 /// Fills in the numbers of a solved film.
 fn report(scene: &Scene, (solved, estimated): (&Solved, Estimated), options: &RunOptions, result: &mut RunResult) {
     let regime = Regime::of(scene, &solved.film, &estimated.measured);
-    result.warnings = warnings(solved, &estimated, options.errors());
+    result.warnings = result_warnings(solved, &estimated, options.errors());
     result
         .warnings
         .extend(regime.warnings(&solved.film, &estimated.measured));

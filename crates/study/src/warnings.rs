@@ -1,27 +1,26 @@
 //! Warnings beside a result, in sentences.
 
-use crate::film::Film;
 use oilwedge_reynolds::error_bar::UNRESOLVED;
 
 use crate::analysis::{Errors, Solved};
 use crate::effects;
 use crate::estimate::Estimated;
+use crate::film::Film;
 use crate::measure::Measured;
 use crate::regime::constant_viscosity;
 
 /// Greatest ratio of film thicknesses at the corners of a triangle of a resolved film.
 const RESOLVED: f64 = 2.0;
 /// Warnings about a solved film and its errors.
-pub fn warnings(solved: &Solved, estimated: &Estimated, errors: Errors) -> Vec<String> {
+pub fn result_warnings(solved: &Solved, estimated: &Estimated, errors: Errors) -> Vec<String> {
     let bare: Vec<&str> = (estimated.quantities.iter())
         .filter(|quantity| quantity.bar.is_none())
         .map(|quantity| &*quantity.name)
         .collect();
     let mut warnings = match bare.is_empty() {
-        true => Vec::new(),
-        false => Vec::from_iter(unresolved_thickness(&solved.film)),
+        true => film_warnings(&solved.film, &estimated.measured),
+        false => warnings(&solved.film, &estimated.measured),
     };
-    warnings.extend(film_warnings(&solved.film, &estimated.measured));
     if estimated.spread > UNRESOLVED {
         warnings.push(format!(
             "the triangles do not follow the flow and spread oil across it, by which numbers may be off by {:.0} %: there are no error bars, and a finer mesh of such triangles is no better; mesh the film in rows along the flow (under [mesh] remove layout = \"file\" or give size, or bring a file whose triangles have an edge along the flow)",
@@ -36,8 +35,15 @@ pub fn warnings(solved: &Solved, estimated: &Estimated, errors: Errors) -> Vec<S
     warnings
 }
 
-/// Warnings about a film, whether or not its mesh resolves it.
-pub fn film_warnings(film: &Film, measured: &Measured) -> Vec<String> {
+/// Warnings about a film without error bars.
+pub fn warnings(film: &Film, measured: &Measured) -> Vec<String> {
+    let mut warnings = Vec::from_iter(unresolved_thickness(film));
+    warnings.extend(film_warnings(film, measured));
+    warnings
+}
+
+/// Warnings about a film where error bars show how well its mesh resolves it.
+fn film_warnings(film: &Film, measured: &Measured) -> Vec<String> {
     let mut warnings = mesh_warnings(film);
     warnings.extend(under_tension(film, measured));
     warnings.extend(effects::warnings(film, measured));
@@ -47,8 +53,8 @@ pub fn film_warnings(film: &Film, measured: &Measured) -> Vec<String> {
     warnings
 }
 
-/// That the film is thinner at one corner of a triangle than at another by a factor, without which error bars are no guide.
-pub fn unresolved_thickness(film: &Film) -> Option<String> {
+/// That the film thickness changes too much within one triangle.
+fn unresolved_thickness(film: &Film) -> Option<String> {
     let step = steepest_cell(film);
     (step > RESOLVED).then(|| {
         format!(

@@ -1,7 +1,7 @@
 //! `cavitation_iterations`: how many iterations find the cavity, on meshes from 1e3 to 1e6 unknowns.
 
 use oilwedge_reynolds::Cavitation;
-use oilwedge_study::compile::Study;
+use oilwedge_study::film::Film;
 use oilwedge_tests::cavitation_counts::{count, drawn, imported};
 
 /// Most unknowns of a mass-conserving film: its factors are unsymmetric.
@@ -18,7 +18,7 @@ fn main() {
     }
 }
 
-fn rows(mesh: &str, study: &Study) {
+fn rows(mesh: &str, study: &Film) {
     for cavitation in [
         Cavitation::Reynolds { pressure: 0.0 },
         Cavitation::Jfo { pressure: 0.0 },

@@ -6,12 +6,12 @@ use oilwedge_bearing::Deadline;
 use oilwedge_fem::marking::doerfler;
 use oilwedge_mesh::{Mesh, refine};
 use oilwedge_scene::Scene;
-use oilwedge_study::analysis::{Solved, graded, solve};
-use oilwedge_study::compile::{Study, compile_on};
+use oilwedge_study::analysis::{Errors, SolveOptions, Solved, graded, solve};
+use oilwedge_study::compile::compile_on;
 use oilwedge_study::estimate::{Estimated, estimate_errors};
+use oilwedge_study::film::Film;
 use oilwedge_study::liner_mesh::{LinerMesh, liner_mesh};
-use oilwedge_study::refinement::unknowns;
-use oilwedge_study::start::start;
+use oilwedge_study::position::Position;
 
 use super::bearings::Bearing;
 use crate::random_bearings::Dice;
@@ -34,9 +34,7 @@ pub enum Kind {
 pub struct Solve {
     /// How its mesh was made.
     pub kind: Kind,
-    /// The film's problem and system.
-    pub study: Study,
-    /// The film and what judges it.
+    /// The film and its reference film.
     pub solved: Solved,
     /// Its numbers and bars.
     pub judged: Estimated,
@@ -47,18 +45,21 @@ pub struct Solve {
 }
 
 impl Solve {
-    /// Solves a compiled study.
+    /// Solves a compiled film.
     ///
     /// # Errors
     /// The reason why there is no film or no position, in words.
-    pub fn new(mut study: Study, kind: Kind) -> Result<Self, String> {
+    pub fn new(film: &Film, kind: Kind) -> Result<Self, String> {
         let clock = Instant::now();
-        let solved = solve(&mut study, true, Deadline::default()).map_err(|reason| reason.to_string())?;
-        let judged = estimate_errors(&study, &solved);
+        let options = SolveOptions {
+            errors: Errors::Estimated,
+            ..SolveOptions::default()
+        };
+        let solved = solve(film, &options).map_err(|reason| reason.to_string())?;
+        let judged = estimate_errors(&solved);
         Ok(Self {
             kind,
-            unknowns: unknowns(&study),
-            study,
+            unknowns: film.unknowns(),
             solved,
             judged,
             seconds: clock.elapsed().as_secs_f64(),
@@ -67,7 +68,7 @@ impl Solve {
 
     /// The mesh.
     pub fn mesh(&self) -> &Mesh {
-        self.study.system.space().mesh()
+        self.solved.film.system.space().mesh()
     }
 
     /// The scene on another mesh, the journal where it is here.
@@ -75,16 +76,13 @@ impl Solve {
     /// # Errors
     /// As [`Self::new`], or the scene does not fit the mesh.
     pub fn on(&self, scene: &Scene, mesh: Mesh) -> Result<Self, String> {
-        let journal = &self.study.problem.journal;
-        let near = match self.study.load {
-            None => start(scene),
-            Some(_) => (
-                journal.eccentricity() / scene.bearing.clearance,
-                journal.min_film_angle(),
-            ),
+        let film = &self.solved.film;
+        let position = match film.load {
+            None => Position::start(scene),
+            Some(_) => film.position(),
         };
-        let study = compile_on(scene, mesh, near, 2).map_err(|error| error.to_string())?;
-        Self::new(study, Kind::Local)
+        let film = compile_on(scene, mesh, position, 2).map_err(|error| error.to_string())?;
+        Self::new(&film, Kind::Local)
     }
 
     /// The scene on the mesh refined by what its bars tell; everywhere if they tell nothing.
@@ -115,7 +113,7 @@ pub fn sized(bearing: &Bearing, wanted: f64) -> Scene {
     let mut size = (2.0 * area(&first) / (0.433 * wanted)).sqrt();
     for _ in 0..2 {
         let scene = bearing.scene(Some(size));
-        let Ok(LinerMesh { mesh, .. }) = liner_mesh(&scene, start(&scene)) else {
+        let Ok(LinerMesh { mesh, .. }) = liner_mesh(&scene, Position::start(&scene)) else {
             break;
         };
         let ratio = 2.0 * mesh.triangles().len() as f64 / wanted;
@@ -129,7 +127,7 @@ pub fn solves(bearing: &Bearing, seed: u64) -> Vec<Result<Solve, String>> {
     let mut dice = Dice::new(seed);
     let compiled = |scene: &Scene| {
         let study = graded(scene, Deadline::default()).map_err(|error| error.to_string())?;
-        Solve::new(study, Kind::Drawn)
+        Solve::new(&study, Kind::Drawn)
     };
     let mut found = Vec::new();
     let mut climb = |scene: &Scene, levels: usize| {

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use oilwedge_study::refinement::{answer, unknowns};
+use oilwedge_study::refinement::answer;
 use oilwedge_study::run::RunOptions;
 
 use super::bearings::{Bearing, Family, shipped};
@@ -226,11 +226,11 @@ fn shipped_rows(bearing: &Bearing, reference: &Result<Reference, String>) -> Vec
     let Ok(answer) = answer(&bearing.scene(None), &RunOptions::default()) else {
         return Vec::new();
     };
-    let (seconds, size) = (clock.elapsed().as_secs_f64(), unknowns(&answer.study));
+    let (seconds, size) = (clock.elapsed().as_secs_f64(), answer.film.unknowns());
     let (Ok((_, judged)), Ok(reference)) = (answer.outcome, reference) else {
         return Vec::new();
     };
-    let asked = match answer.study.load {
+    let asked = match answer.film.load {
         Some(_) => ["eccentricity", "attitude_angle", "pressure_max", "side_flow"],
         None => ["load", "attitude_angle", "pressure_max", "side_flow"],
     };

@@ -52,7 +52,7 @@ pub fn reference(bearing: &Bearing, most: usize) -> Result<Reference, String> {
     let scene = sized(bearing, FIRST);
     let study = graded(&scene, Deadline::default()).map_err(|error| error.to_string())?;
     let mut before: Vec<Quantity> = Vec::new();
-    let mut last = Solve::new(study, Kind::Drawn)?;
+    let mut last = Solve::new(&study, Kind::Drawn)?;
     while last.unknowns < most {
         let cells = last.mesh().triangles().len();
         let marked = match indicator(&last) {
@@ -92,11 +92,11 @@ fn indicator(solve: &Solve) -> Option<Vec<f64>> {
     let Some(ReferenceFilm::Cubic(cubic)) = &solve.solved.reference else {
         return None;
     };
-    let study = &solve.study;
+    let study = &solve.solved.film;
     let error = film_error(
         &study.problem,
         &study.system,
-        &solve.solved.film,
+        &solve.solved.solution,
         cubic,
         &solve.judged.measured.load.total,
     )

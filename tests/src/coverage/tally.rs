@@ -107,7 +107,7 @@ impl Tally {
     pub fn add(&mut self, bearing: &Bearing, solve: &Solve, reference: &Reference) {
         self.solves += 1;
         self.add_list(bearing, solve, reference, Of::Reported, &solve.judged.quantities);
-        if let Some(quadratic) = quadratic_errors(&solve.study, &solve.solved) {
+        if let Some(quadratic) = quadratic_errors(&solve.solved) {
             self.add_list(bearing, solve, reference, Of::Quadratic, &quadratic);
         }
         self.add_effectivity(bearing, solve, reference);
@@ -160,8 +160,8 @@ impl Tally {
         let Some(known) = known.filter(|_| smooth) else {
             return;
         };
-        let study = &solve.study;
-        let film = measure(&study.problem, &study.system, &solve.solved.film);
+        let study = &solve.solved.film;
+        let film = measure(&study.problem, &study.system, &solve.solved.solution);
         let quadratic = measured(&View::new(study, &study.problem, &film));
         let load = |list: &[Quantity]| {
             list.iter()

@@ -5,7 +5,7 @@ use std::time::Instant;
 use oilwedge_bearing::Deadline;
 use oilwedge_scene::Scene;
 use oilwedge_study::analysis::graded;
-use oilwedge_study::refinement::{Answer, answer, unknowns};
+use oilwedge_study::refinement::{Answer, answer};
 use oilwedge_study::run::RunOptions;
 
 use super::bearings::Bearing;
@@ -53,7 +53,7 @@ pub fn met(bearing: &Bearing, reference: &Reference) -> Vec<Met> {
     let errors: Vec<(usize, f64)> = (0..MOST)
         .filter_map(|k| {
             let study = graded(&sized(bearing, LEAST * GROWTH.powi(k)), Deadline::default()).ok()?;
-            let solve = Solve::new(study, Kind::Drawn).ok()?;
+            let solve = Solve::new(&study, Kind::Drawn).ok()?;
             let load = solve
                 .judged
                 .quantities
@@ -67,7 +67,7 @@ pub fn met(bearing: &Bearing, reference: &Reference) -> Vec<Met> {
         let needed = errors.get(last_bad.map_or(0, |k| k + 1)).map(|(unknowns, _)| *unknowns);
         let clock = Instant::now();
         let Answer {
-            study, outcome, limit, ..
+            film, outcome, limit, ..
         } = answer(&tolerant(bearing, asked), &RunOptions::default()).ok()?;
         let (_, judged) = outcome.ok()?;
         let load = judged.quantities.iter().find(|quantity| quantity.name == "load")?;
@@ -78,7 +78,7 @@ pub fn met(bearing: &Bearing, reference: &Reference) -> Vec<Met> {
             bar: load.error().map(|bar| bar / load.value),
             error: relative(load.value),
             claimed: limit.is_none(),
-            unknowns: unknowns(&study),
+            unknowns: film.unknowns(),
             needed,
             seconds: clock.elapsed().as_secs_f64(),
         })

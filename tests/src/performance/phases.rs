@@ -8,10 +8,11 @@ use oilwedge_mesh::Mesh;
 use oilwedge_reynolds::FilmSolution;
 use oilwedge_reynolds::quantities::load::load;
 use oilwedge_scene::Scene;
-use oilwedge_study::compile::{Study, compile};
+use oilwedge_study::compile::compile;
+use oilwedge_study::film::Film;
 use oilwedge_study::liner_mesh::liner_mesh;
 use oilwedge_study::measure::{Measured, measure};
-use oilwedge_study::start::start;
+use oilwedge_study::position::Position;
 use oilwedge_study::{Run, RunOptions, run};
 
 use super::floor::Sizes;
@@ -24,7 +25,7 @@ const DEGREE: usize = 2;
 /// # Panics
 /// If there is none.
 pub fn mesh(scene: &Scene) -> Mesh {
-    liner_mesh(scene, start(scene))
+    liner_mesh(scene, Position::start(scene))
         .unwrap_or_else(|error| panic!("{error}"))
         .mesh
 }
@@ -55,7 +56,7 @@ pub struct Linear {
 
 impl Linear {
     /// Room for the linear system of a study.
-    pub fn of(study: &Study) -> Self {
+    pub fn of(study: &Film) -> Self {
         Self {
             matrix: Matrix::zero(Arc::clone(study.system.assembler.pattern())),
             residual: Vec::new(),
@@ -65,7 +66,7 @@ impl Linear {
 }
 
 /// **Assemble.** Matrix and right-hand side of the film at rest.
-pub fn assemble(study: &Study, linear: &mut Linear) {
+pub fn assemble(study: &Film, linear: &mut Linear) {
     let at_rest = vec![0.0; study.system.space().dofs()];
     let law = study.problem.law();
     linear.residual = (study.system.assembler).tangent_and_residual(&law, &at_rest, &mut linear.matrix);
@@ -94,7 +95,7 @@ pub fn substitute(factor: &Factorization, linear: &Linear) -> Vec<f64> {
 ///
 /// # Panics
 /// If it does not fit together.
-pub fn study(scene: &Scene) -> Study {
+pub fn study(scene: &Scene) -> Film {
     compile(scene).unwrap_or_else(|error| panic!("{error}"))
 }
 
@@ -103,7 +104,7 @@ pub fn study(scene: &Scene) -> Study {
 ///
 /// # Panics
 /// If there is none.
-pub fn film(study: &Study) -> FilmSolution {
+pub fn film(study: &Film) -> FilmSolution {
     (study.problem.solve(&study.system)).unwrap_or_else(|reason| panic!("{reason}"))
 }
 
@@ -111,7 +112,7 @@ pub fn film(study: &Study) -> FilmSolution {
 ///
 /// # Panics
 /// If there is none.
-pub fn equilibrium(study: &Study) -> Equilibrium {
+pub fn equilibrium(study: &Film) -> Equilibrium {
     let load = study.load.expect("a load");
     let options = SearchOptions {
         centre_velocity: study.centre_velocity,
@@ -128,7 +129,7 @@ pub fn file_to_load(scene: &Scene) -> f64 {
 }
 
 /// **Measure.** Everything that is reported of a film.
-pub fn measured(study: &Study, film: &FilmSolution) -> Measured {
+pub fn measured(study: &Film, film: &FilmSolution) -> Measured {
     measure(&study.problem, &study.system, film)
 }
 

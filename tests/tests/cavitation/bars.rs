@@ -4,20 +4,21 @@ use oilwedge_mesh::refine;
 use oilwedge_reynolds::FilmSolution;
 use oilwedge_reynolds::error_bar::conserving::{ConservingError, conserving_error};
 use oilwedge_scene::Scene;
-use oilwedge_study::compile::{Study, compile, compile_on};
+use oilwedge_study::compile::{compile, compile_on};
+use oilwedge_study::film::Film;
 use oilwedge_study::measure::{Measured, measure};
-use oilwedge_study::start::start;
+use oilwedge_study::position::Position;
 use oilwedge_tests::random_bearings::RandomBearing;
 use oilwedge_tests::scenes::{table, variant};
 
-fn film(study: &Study) -> FilmSolution {
+fn film(study: &Film) -> FilmSolution {
     study
         .problem
         .solve(&study.system)
         .unwrap_or_else(|reason| panic!("{reason}"))
 }
 
-fn bars(study: &Study, film: &FilmSolution) -> ConservingError {
+fn bars(study: &Film, film: &FilmSolution) -> ConservingError {
     let (problem, system) = (&study.problem, &study.system);
     let companion = problem
         .coarse_comparison(system, film)
@@ -29,12 +30,12 @@ fn bars(study: &Study, film: &FilmSolution) -> ConservingError {
 }
 
 /// On the mesh of `study`, refined uniformly so often.
-fn finer(scene: &Scene, study: &Study, times: usize) -> Measured {
+fn finer(scene: &Scene, study: &Film, times: usize) -> Measured {
     let mut mesh = (**study.system.space().mesh()).clone();
     for _ in 0..times {
         mesh = refine::uniform(&mesh).expect("a sound mesh").mesh;
     }
-    let study = compile_on(scene, mesh, start(scene), 2).unwrap_or_else(|error| panic!("{error}"));
+    let study = compile_on(scene, mesh, Position::start(scene), 2).unwrap_or_else(|error| panic!("{error}"));
     {
         let film = film(&study);
         measure(&study.problem, &study.system, &film)
@@ -116,7 +117,7 @@ fn bars_shrink_with_the_mesh() {
         let scene = RandomBearing::new(number).scene();
         let study = compile(&scene).unwrap_or_else(|error| panic!("{error}"));
         let mesh = refine::uniform(study.system.space().mesh()).expect("a sound mesh").mesh;
-        let finer = compile_on(&scene, mesh, start(&scene), 2).unwrap_or_else(|error| panic!("{error}"));
+        let finer = compile_on(&scene, mesh, Position::start(&scene), 2).unwrap_or_else(|error| panic!("{error}"));
         let [before, after] = [&study, &finer].map(|study| bars(study, &film(study)));
         assert!(before.load.total().is_finite() && before.flows.iter().all(|bar| bar.is_finite()));
         ratios.push(before.load.total() / after.load.total());

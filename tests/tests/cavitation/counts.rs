@@ -1,11 +1,11 @@
 //! The number of iterations does not grow with the mesh (`cavitation_iterations` has the table up to 1e6 unknowns).
 
 use oilwedge_reynolds::Cavitation;
-use oilwedge_study::compile::Study;
+use oilwedge_study::film::Film;
 use oilwedge_tests::cavitation_counts::{count, drawn, imported};
 
 /// Most iterations on the finest mesh.
-fn few(study: &Study, least_levels: usize) {
+fn few(study: &Film, least_levels: usize) {
     for (cavitation, most) in [
         (Cavitation::Reynolds { pressure: 0.0 }, 12),
         (Cavitation::Jfo { pressure: 0.0 }, 18),

@@ -7,7 +7,8 @@ use oilwedge_reynolds::quantities::{flow::flows, load::load};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::supply::BoundaryKind;
 use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSolution, FilmSystem};
-use oilwedge_study::compile::{Study, compile};
+use oilwedge_study::compile::compile;
+use oilwedge_study::film::Film;
 use oilwedge_tests::random_bearings::RandomBearing;
 use oilwedge_tests::*;
 
@@ -97,7 +98,7 @@ fn renumbered_mesh() {
 }
 
 /// Loads [N] of one film: from coarser meshes, from a full film, from a film that is all cavity.
-fn from_everywhere(study: &mut Study) -> [f64; 3] {
+fn from_everywhere(study: &mut Film) -> [f64; 3] {
     let problem = study.problem.clone();
     let magnitude = |system: &FilmSystem, film: &FilmSolution| load(&problem, system, film).magnitude();
     let solve = |system: &FilmSystem, start: Neighbour| {
@@ -105,7 +106,9 @@ fn from_everywhere(study: &mut Study) -> [f64; 3] {
         film.unwrap_or_else(|reason| panic!("{reason}"))
     };
     let nested = solve(&study.system, Neighbour::None);
-    study.system.coarser = None;
+    std::sync::Arc::get_mut(&mut study.system)
+        .expect("a system of its own")
+        .coarser = None;
     let cold = solve(&study.system, Neighbour::None);
     let mut start = solve(&study.system, Neighbour::None);
     start.cavity.fill(true);

@@ -5,8 +5,9 @@ use oilwedge_reynolds::quantities::flow::flows;
 use oilwedge_reynolds::quantities::load::load;
 use oilwedge_reynolds::quantities::similarity::sommerfeld_number;
 use oilwedge_scene::Scene;
-use oilwedge_study::compile::{Study, compile, compile_on};
-use oilwedge_study::start::start;
+use oilwedge_study::compile::{compile, compile_on};
+use oilwedge_study::film::Film;
+use oilwedge_study::position::Position;
 use oilwedge_tests::journal_bearings::{Ring, block, number, reference};
 use oilwedge_tests::random_bearings::RandomBearing;
 use oilwedge_tests::scenes::{path, table, variant};
@@ -26,8 +27,8 @@ fn loads(scene: &Scene, times: usize) -> Vec<f64> {
     loads
 }
 
-fn linear(scene: &Scene, mesh: oilwedge_mesh::Mesh) -> Study {
-    compile_on(scene, mesh, start(scene), 1).unwrap_or_else(|error| panic!("{error}"))
+fn linear(scene: &Scene, mesh: oilwedge_mesh::Mesh) -> Film {
+    compile_on(scene, mesh, Position::start(scene), 1).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// Second order, towards Swift and Stieber's flooded ring of B/D 0.5 and eps 0.8 by a structured code (its last change: 2e-4).

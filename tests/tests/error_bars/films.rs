@@ -1,10 +1,13 @@
 //! Films with what judges them.
 
+use std::sync::Arc;
+
 use oilwedge_reynolds::error_bar::{FilmError, film_error};
 use oilwedge_reynolds::quantities::load::{Load, load};
 use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem};
 use oilwedge_scene::Scene;
-use oilwedge_study::compile::{Study, compile};
+use oilwedge_study::compile::compile;
+use oilwedge_study::film::Film;
 use oilwedge_study::quantities::Quantity;
 use oilwedge_study::result::RunResult;
 use oilwedge_study::{Interrupt, RunOptions, run};
@@ -13,14 +16,15 @@ use oilwedge_tests::scenes::{table, variant};
 /// A film in quadratic and in cubic elements, and what is known of the error.
 pub(crate) struct Judged {
     pub(crate) problem: FilmProblem,
-    pub(crate) system: FilmSystem,
+    pub(crate) system: Arc<FilmSystem>,
     pub(crate) film: FilmSolution,
     pub(crate) cubic: FilmSolution,
     pub(crate) error: FilmError,
 }
 
 impl Judged {
-    pub(crate) fn of(problem: FilmProblem, system: FilmSystem) -> Self {
+    pub(crate) fn of(problem: FilmProblem, system: impl Into<Arc<FilmSystem>>) -> Self {
+        let system = system.into();
         let film = problem.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
         let cubic = problem
             .cubic_film(&system, &film, None)
@@ -37,7 +41,7 @@ impl Judged {
     }
 
     pub(crate) fn of_scene(scene: &Scene) -> Self {
-        let Study { problem, system, .. } = compile(scene).unwrap_or_else(|error| panic!("{error}"));
+        let Film { problem, system, .. } = compile(scene).unwrap_or_else(|error| panic!("{error}"));
         Self::of(problem, system)
     }
 

@@ -7,10 +7,10 @@ use oilwedge_bearing::Deadline;
 use oilwedge_mesh::Mesh;
 
 use oilwedge_scene::Scene;
-use oilwedge_study::analysis::{NoAnswer, graded, solve};
+use oilwedge_study::analysis::{NoAnswer, SolveOptions, graded, solve};
 use oilwedge_study::compile::CompileError;
 use oilwedge_study::liner_mesh::{liner_mesh, resized};
-use oilwedge_study::start::start;
+use oilwedge_study::position::Position;
 
 /// How much longer than wanted the edges of a drawn mesh are, the first that leads to an answer: two, one and no halving.
 const FACTORS: [f64; 3] = [4.0, 2.0, 1.0];
@@ -18,8 +18,8 @@ const FACTORS: [f64; 3] = [4.0, 2.0, 1.0];
 /// The first mesh.
 pub(super) struct First {
     pub(super) mesh: Arc<Mesh>,
-    /// The position that it is graded for: eccentricity [1], angle of the minimum film [rad].
-    pub(super) near: (f64, f64),
+    /// The position that it is graded for.
+    pub(super) position: Position,
     /// Seconds [s] that it took.
     pub(super) seconds: f64,
 }
@@ -31,11 +31,15 @@ pub(super) struct First {
 /// The mesh cannot be read or drawn; or, within, there is no position for the load on any of the coarse meshes.
 pub(super) fn first_mesh(scene: &Scene, deadline: Deadline) -> Result<Result<First, NoAnswer>, CompileError> {
     let clock = Instant::now();
-    let start = start(scene);
-    let first = |mesh: Mesh, near: (f64, f64)| First {
+    let start = Position::start(scene);
+    let first = |mesh: Mesh, position: Position| First {
         mesh: Arc::new(mesh),
-        near,
+        position,
         seconds: clock.elapsed().as_secs_f64(),
+    };
+    let options = SolveOptions {
+        deadline,
+        ..SolveOptions::default()
     };
     let mut tried = Ok(None);
     for coarse in FACTORS.iter().filter_map(|&factor| resized(scene, factor)) {
@@ -46,23 +50,13 @@ pub(super) fn first_mesh(scene: &Scene, deadline: Deadline) -> Result<Result<Fir
             }
             continue;
         }
-        let mut study = match graded(&coarse, deadline) {
-            Ok(study) => study,
-            Err(error) => {
-                tried = Err(error);
-                continue;
+        match graded(&coarse, deadline).map(|film| solve(&film, &options)) {
+            Ok(Ok(solved)) => {
+                let mesh = Mesh::clone(solved.film.system.space().mesh());
+                return Ok(Ok(first(mesh, solved.film.position())));
             }
-        };
-        match solve(&mut study, false, deadline) {
-            Ok(_) => {
-                let journal = &study.problem.journal;
-                let near = (
-                    journal.eccentricity() / scene.bearing.clearance,
-                    journal.min_film_angle(),
-                );
-                return Ok(Ok(first(Mesh::clone(study.system.space().mesh()), near)));
-            }
-            Err(reason) => tried = Ok(Some(reason)),
+            Ok(Err(reason)) => tried = Ok(Some(reason)),
+            Err(error) => tried = Err(error),
         }
     }
     match tried? {

@@ -18,6 +18,7 @@ use oilwedge_study::analysis::NoAnswer;
 use oilwedge_study::compile::CompileError;
 use oilwedge_study::effects::Effects;
 use oilwedge_study::level::{Level, LevelError, solve_level};
+use oilwedge_study::position::Position;
 use oilwedge_study::quantities::Quantity;
 
 /// Share of the indicator that the triangles divided carry.
@@ -50,7 +51,7 @@ pub struct MarkedMesh {
 /// The levels of one strategy so far, and what its next level needs.
 pub(super) struct StudyRun<'a> {
     scene: &'a Scene,
-    near: (f64, f64),
+    position: Position,
     goal: &'static str,
     pub(super) strategy: Strategy,
     /// The mesh of the last level; before the first, its own.
@@ -82,7 +83,7 @@ impl<'a> StudyRun<'a> {
     pub(super) fn new(scene: &'a Scene, first: &First, strategy: Strategy, goal: &'static str) -> Self {
         Self {
             scene,
-            near: first.near,
+            position: first.position,
             goal,
             strategy,
             mesh: first.mesh.clone(),
@@ -271,7 +272,7 @@ impl<'a> StudyRun<'a> {
         let mesh = Mesh::clone(&self.mesh);
         let degree = self.strategy.degree();
         let clock = Instant::now();
-        let level = solve_level(self.scene, mesh, self.near, degree, degree > 1, deadline)?;
+        let level = solve_level(self.scene, mesh, self.position, degree, deadline)?;
         let wall = clock.elapsed().as_secs_f64();
         let mut parts = level.seconds.clone();
         let known: f64 = parts.iter().map(|(_, seconds)| seconds).sum();
@@ -281,7 +282,7 @@ impl<'a> StudyRun<'a> {
 
     /// Reports a level, and keeps what the next one needs.
     fn take(&mut self, number: usize, level: Level, timing: Timing) -> LevelReport {
-        let mesh = level.study.system.space().mesh().clone();
+        let mesh = level.film.system.space().mesh().clone();
         let cells = mesh.triangles().len();
         let goal = level.quantities.iter().find(|quantity| quantity.name == self.goal);
         let value = goal.map_or(f64::NAN, |goal| goal.value);
@@ -307,7 +308,7 @@ impl<'a> StudyRun<'a> {
             });
         }
         self.quantity = goal.cloned();
-        self.effects = Some(level.study.effects);
+        self.effects = Some(Effects::of(&level.film.scene));
         self.marked = Some(marked);
         self.mesh = mesh;
         report

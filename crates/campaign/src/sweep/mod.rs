@@ -57,7 +57,7 @@ impl Sweep {
     /// The first case does not become a film.
     pub fn effects(&self) -> Result<Effects, CompileError> {
         let first = self.scenes.first().map(|first| compile(&at_first(first))).transpose()?;
-        Ok(first.map_or_else(Effects::default, |study| study.effects))
+        Ok(first.map_or_else(Effects::default, |film| Effects::of(&film.scene)))
     }
 
     /// Runs all cases but those that `is_kept`, on all threads, and hands on each when it ends.

@@ -6,18 +6,20 @@ use std::time::Instant;
 
 use oilwedge_bearing::{Deadline, InitialGuess, Point, SHORT_MOVE, Visited, predicted};
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{FilmProblem, FilmSolution, JournalState};
+use oilwedge_reynolds::{FilmSolution, JournalState};
 
 use oilwedge_scene::Scene;
-use oilwedge_study::analysis::{NoAnswer, Solved, graded, is_near, solve, solve_from};
-use oilwedge_study::compile::{CompileError, Study, compile_near, has_same_system, reused};
+use oilwedge_study::analysis::{NoAnswer, SolveOptions, Solved, graded, is_near, solve};
+use oilwedge_study::compile::{CompileError, compile_near, has_same_system};
 use oilwedge_study::estimate::estimate_errors;
+use oilwedge_study::film::Film;
 use oilwedge_study::oil::Oil;
+use oilwedge_study::position::Position;
 use oilwedge_study::quantities::Quantity;
-use oilwedge_study::refinement::{answer, ended, unknowns};
+use oilwedge_study::reasons::Limit;
+use oilwedge_study::refinement::{answer, ended};
 use oilwedge_study::result::Status;
 use oilwedge_study::run::RunOptions;
-use oilwedge_study::start::start;
 
 /// How a case ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -43,13 +45,36 @@ pub struct Found {
     pub seconds: f64,
 }
 
-/// A study of the case before, and where its mesh was graded for.
+impl Found {
+    fn of(quantities: Vec<Quantity>, limit: Option<Limit>, unknowns: usize) -> Self {
+        Self {
+            status: CaseStatus::Run(match limit {
+                Some(_) => Status::NotConverged,
+                None => Status::Converged,
+            }),
+            reason: limit.map(|limit| limit.to_string()),
+            quantities,
+            unknowns: Some(unknowns),
+            seconds: 0.0,
+        }
+    }
+
+    fn failed(reason: &NoAnswer, unknowns: usize) -> Self {
+        Self {
+            status: CaseStatus::Run(reason.status()),
+            reason: Some(reason.to_string()),
+            ..Self::of(Vec::new(), None, unknowns)
+        }
+    }
+}
+
+/// The film of the case before.
 struct Held {
-    scene: Scene,
-    study: Study,
+    film: Film,
+    /// Position for which its mesh was graded.
     graded_for: JournalState,
-    /// The film of the case before, on this system.
-    film: Option<FilmSolution>,
+    /// Its solution, if there is one.
+    solution: Option<FilmSolution>,
 }
 
 /// Walks along chains.
@@ -74,9 +99,9 @@ impl<'a> Walker<'a> {
     /// Forgets all that a new chain must not know: a mesh that no position has shaped may stay.
     pub(super) fn begin(&mut self) {
         self.visited.clear();
-        self.held = self.held.take().filter(|held| !held.scene.mesh.is_graded());
+        self.held = self.held.take().filter(|held| !held.film.scene.mesh.is_graded());
         if let Some(held) = &mut self.held {
-            held.film = None;
+            held.solution = None;
         }
     }
 
@@ -102,144 +127,116 @@ impl<'a> Walker<'a> {
     /// With a tolerance each case has meshes of its own, as when it is solved by itself.
     fn refined(&mut self, scene: &Scene) -> Result<Found, CompileError> {
         let answer = answer(scene, self.options)?;
-        let size = unknowns(&answer.study);
+        let size = answer.film.unknowns();
         Ok(match answer.outcome {
-            Ok((_, judged)) => Found {
-                status: CaseStatus::Run(match answer.limit {
-                    Some(_) => Status::NotConverged,
-                    None => Status::Converged,
-                }),
-                reason: answer.limit,
-                quantities: judged.quantities,
-                unknowns: Some(size),
-                seconds: 0.0,
-            },
-            Err(reason) => failed(&reason, size),
+            Ok((_, estimated)) => Found::of(estimated.quantities, answer.limit, size),
+            Err(reason) => Found::failed(&reason, size),
         })
     }
 
     /// On one mesh, from the case before if there is one.
     fn walked(&mut self, scene: &Scene, coordinate: f64) -> Result<Found, CompileError> {
-        let (mut held, outcome) = match self.following(scene, coordinate)? {
-            Some((held, solved)) => (held, Ok(solved)),
-            None => self.by_itself(scene)?,
+        let (graded_for, outcome) = match self.following(scene, coordinate)? {
+            Some((graded_for, solved)) => (graded_for, Ok(solved)),
+            None => {
+                let film = self.by_itself(scene)?;
+                let outcome = solve(&film, &self.solve_options(InitialGuess::Cold));
+                (film.problem.journal, outcome.map_err(|reason| (film, reason)))
+            }
         };
-        let size = unknowns(&held.study);
-        let found = match outcome {
+        let (found, film, solution) = match outcome {
             Ok(solved) => {
-                let judged = estimate_errors(&held.study, &solved);
+                let estimated = estimate_errors(&solved);
                 let limit = ended(&solved, self.options);
-                let journal = &held.study.problem.journal;
-                if limit.is_some() {
-                    self.visited.clear();
-                } else {
-                    self.visited.push(Visited {
-                        point: point(scene, coordinate),
-                        eccentricity: journal.eccentricity() / scene.bearing.clearance,
-                        angle: journal.min_film_angle(),
-                    });
-                    held.film = Some(solved.film);
-                }
-                Found {
-                    status: CaseStatus::Run(match limit {
-                        Some(_) => Status::NotConverged,
-                        None => Status::Converged,
-                    }),
-                    reason: limit,
-                    quantities: judged.quantities,
-                    unknowns: Some(size),
-                    seconds: 0.0,
-                }
+                let Solved { film, solution, .. } = solved;
+                let solution = limit.is_none().then_some(solution);
+                (Found::of(estimated.quantities, limit, film.unknowns()), film, solution)
             }
-            Err(reason) => {
-                self.visited.clear();
-                held.film = None;
-                failed(&reason, size)
-            }
+            Err((film, reason)) => (Found::failed(&reason, film.unknowns()), film, None),
         };
-        self.held = Some(held);
+        match solution {
+            None => self.visited.clear(),
+            Some(_) => self.visited.push(Visited {
+                point: point(scene, coordinate),
+                eccentricity: film.position().eccentricity,
+                angle: film.position().min_film_angle,
+            }),
+        }
+        self.held = Some(Held {
+            film,
+            graded_for,
+            solution,
+        });
         Ok(found)
     }
 
-    /// As the case is solved by itself.
-    fn by_itself(&mut self, scene: &Scene) -> Result<(Held, Result<Solved, NoAnswer>), CompileError> {
-        let ungraded = self
-            .held
-            .take()
-            .filter(|held| !scene.mesh.is_graded() && has_same_system(&held.scene, scene));
-        let mut study = match ungraded {
-            Some(held) => reused(held.study, scene, start(scene)),
-            None => graded(scene, self.deadline)?,
-        };
-        let graded_for = study.problem.journal;
-        let outcome = solve(&mut study, self.options.bars, self.deadline);
-        let held = Held {
-            scene: scene.clone(),
-            study,
-            graded_for,
-            film: None,
-        };
-        Ok((held, outcome))
+    fn solve_options<'b>(&self, guess: InitialGuess<'b>) -> SolveOptions<'b> {
+        SolveOptions {
+            errors: self.options.errors(),
+            deadline: self.deadline,
+            guess,
+        }
     }
 
-    /// From the case before, if there is one and it leads to an answer.
-    fn following(&mut self, scene: &Scene, coordinate: f64) -> Result<Option<(Held, Solved)>, CompileError> {
-        let told = match scene.journal.load() {
-            None => Some(start(scene)),
-            Some(_) => predicted(&self.visited, point(scene, coordinate)),
+    /// The film as the case is solved by itself; on the system at hand where that is the same and no position has shaped it.
+    fn by_itself(&mut self, scene: &Scene) -> Result<Film, CompileError> {
+        let held = self.held.take();
+        let ungraded = held.filter(|held| !scene.mesh.is_graded() && has_same_system(&held.film.scene, scene));
+        let reused = ungraded.and_then(|held| held.film.reused(scene, Position::start(scene)));
+        reused.map_or_else(|| graded(scene, self.deadline), Ok)
+    }
+
+    /// From the case before, if there is one and it leads to an answer; with the position for which the mesh was graded.
+    fn following(&mut self, scene: &Scene, coordinate: f64) -> Result<Option<(JournalState, Solved)>, CompileError> {
+        let position = match scene.journal.load() {
+            None => Some(Position::start(scene)),
+            Some(_) => predicted(&self.visited, point(scene, coordinate)).map(Position::from),
         };
-        let is_neighbour = |held: &Held| held.film.is_some() && has_same_system(&held.scene, scene);
-        let (Some(near), true) = (told, self.held.as_ref().is_some_and(is_neighbour)) else {
+        let is_neighbour = |held: &mut Held| held.solution.is_some() && has_same_system(&held.film.scene, scene);
+        let Some(position) = position else { return Ok(None) };
+        let Some(before) = self.held.take_if(is_neighbour) else {
             return Ok(None);
         };
-        let Some(held) = self.held.take() else { return Ok(None) };
-        let before = relative(&held.study);
-        let study = reused(held.study, scene, near);
-        let film = held.film.filter(|_| is_short(before, relative(&study)));
+        let offset = relative(&before.film);
+        let Some(film) = before.film.reused(scene, position) else {
+            return Ok(None);
+        };
         let mut held = Held {
-            scene: scene.clone(),
-            study,
-            graded_for: held.graded_for,
+            solution: before.solution.filter(|_| is_short(offset, relative(&film))),
+            graded_for: before.graded_for,
             film,
         };
-        let suits = |held: &Held| {
-            let FilmProblem { bearing, journal, .. } = &held.study.problem;
-            !held.scene.mesh.is_graded() || is_near(bearing, &held.graded_for, journal)
-        };
-        if !suits(&held) {
-            held = redrawn(scene, near)?;
+        if !suits(&held.graded_for, &held.film) {
+            held = redrawn(scene, position)?;
         }
         for _ in 0..2 {
-            let start = InitialGuess::Near(held.film.as_ref().map_or(Neighbour::None, Neighbour::Start));
-            let Ok(solved) = solve_from(&mut held.study, self.options.bars, self.deadline, start) else {
+            let near = held.solution.as_ref().map_or(Neighbour::None, Neighbour::Start);
+            let Ok(solved) = solve(&held.film, &self.solve_options(InitialGuess::Near(near))) else {
                 // A mesh that a film has not shaped is good for another start.
                 self.held = Some(held);
                 return Ok(None);
             };
-            if suits(&held) {
-                return Ok(Some((held, solved)));
+            if suits(&held.graded_for, &solved.film) {
+                return Ok(Some((held.graded_for, solved)));
             }
-            let journal = &held.study.problem.journal;
-            held = redrawn(
-                scene,
-                (
-                    journal.eccentricity() / scene.bearing.clearance,
-                    journal.min_film_angle(),
-                ),
-            )?;
+            held = redrawn(scene, solved.film.position())?;
         }
         Ok(None)
     }
 }
 
-/// The case on a mesh drawn for the position `near`.
-fn redrawn(scene: &Scene, near: (f64, f64)) -> Result<Held, CompileError> {
-    let study = compile_near(scene, near)?;
+/// Whether the mesh of a film, graded for one position, suits its own.
+fn suits(graded_for: &JournalState, film: &Film) -> bool {
+    !film.scene.mesh.is_graded() || is_near(&film.problem.bearing, graded_for, &film.problem.journal)
+}
+
+/// The case on a mesh drawn for this position.
+fn redrawn(scene: &Scene, position: Position) -> Result<Held, CompileError> {
+    let film = compile_near(scene, position)?;
     Ok(Held {
-        scene: scene.clone(),
-        graded_for: study.problem.journal,
-        study,
-        film: None,
+        graded_for: film.problem.journal,
+        film,
+        solution: None,
     })
 }
 
@@ -257,26 +254,12 @@ fn point(scene: &Scene, coordinate: f64) -> Point {
 }
 
 /// Offset of the journal over the clearance.
-fn relative(study: &Study) -> [f64; 2] {
-    study
-        .problem
-        .journal
-        .offset
-        .map(|e| e / study.problem.bearing.clearance)
+fn relative(film: &Film) -> [f64; 2] {
+    film.problem.journal.offset.map(|e| e / film.problem.bearing.clearance)
 }
 
 /// Whether a film is a good start after the journal has moved so far.
 fn is_short(before: [f64; 2], after: [f64; 2]) -> bool {
     let gap = 1.0 - before[0].hypot(before[1]);
     (after[0] - before[0]).hypot(after[1] - before[1]) < SHORT_MOVE * gap
-}
-
-fn failed(reason: &NoAnswer, size: usize) -> Found {
-    Found {
-        status: CaseStatus::Run(reason.status()),
-        reason: Some(reason.to_string()),
-        quantities: Vec::new(),
-        unknowns: Some(size),
-        seconds: 0.0,
-    }
 }

@@ -1,4 +1,6 @@
-use super::{Study, compile};
+use super::compile;
+use crate::effects::Effects;
+use crate::film::Film;
 use oilwedge_reynolds::Cavitation;
 use std::path::Path;
 
@@ -8,13 +10,13 @@ mesh = { size = "20 mm" }
 oil = { viscosity = "0.4 Pa.s" }
 "#;
 
-fn study(tables: &str) -> Study {
+fn study(tables: &str) -> Film {
     let scene = crate::parse(&(RING.to_owned() + tables), Path::new("ring.toml"));
     compile(&scene.unwrap_or_else(|error| panic!("{error}"))).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// A ring with these keys of its journal.
-fn journal(keys: &str) -> Study {
+fn journal(keys: &str) -> Film {
     study(&format!("journal = {{ {keys} }}"))
 }
 
@@ -31,8 +33,8 @@ fn a_centre_that_rests_squeezes_nothing() {
         ", squeeze = { radial = \"0 m/s\", tangential = \"-0 m/s\" }",
     ] {
         let study = journal(&format!("{plain}{squeeze}"));
-        assert_eq!(study.effects.simulated, ["poiseuille", "couette"]);
-        assert!(study.effects.not_simulated.contains(&"squeeze"));
+        assert_eq!(Effects::of(&study.scene).simulated, ["poiseuille", "couette"]);
+        assert!(Effects::of(&study.scene).not_simulated.contains(&"squeeze"));
         assert_eq!((study.problem.journal.velocity, study.load), ([0.0; 2], None));
     }
 }
@@ -42,12 +44,15 @@ fn a_centre_that_moves_adds_its_term() {
     let moving =
         "eccentricity = 0.6, min_film_angle = \"90 deg\", squeeze = { radial = \"2 mm/s\", tangential = \"1 mm/s\" }";
     let turning = journal(&format!("speed = \"10 rad/s\", {moving}"));
-    assert_eq!(turning.effects.simulated, ["poiseuille", "couette", "squeeze"]);
-    assert!(!turning.effects.not_simulated.contains(&"squeeze"));
+    assert_eq!(
+        Effects::of(&turning.scene).simulated,
+        ["poiseuille", "couette", "squeeze"]
+    );
+    assert!(!Effects::of(&turning.scene).not_simulated.contains(&"squeeze"));
     // The line of centres points to +y: radial is +y, and towards growing angles is -x.
     assert!(is_near(turning.problem.journal.velocity, [-1e-3, 2e-3]));
     let at_rest = journal(&format!("speed = \"0 rpm\", {moving}"));
-    assert_eq!(at_rest.effects.simulated, ["poiseuille", "squeeze"]);
+    assert_eq!(Effects::of(&at_rest.scene).simulated, ["poiseuille", "squeeze"]);
     let centred = moving.replace("= 0.6", "= 0");
     let centred = journal(&format!("speed = \"0 rpm\", {centred}"));
     assert!(is_near(centred.problem.journal.velocity, [-1e-3, 2e-3]));
@@ -59,7 +64,10 @@ fn under_a_load_the_search_begins_behind_it() {
         let tables = format!("journal.speed = \"{speed}\"\nload = {{ force = \"5 kN\", angle = \"270 deg\" }}");
         let study = study(&tables);
         assert!(is_near(study.load.expect("a load"), [0.0, -5e3]), "{:?}", study.load);
-        assert_eq!(study.effects.simulated, ["poiseuille", "couette", "equilibrium"]);
+        assert_eq!(
+            Effects::of(&study.scene).simulated,
+            ["poiseuille", "couette", "equilibrium"]
+        );
         // A full film: at right angles to the load, as far out as a closed estimate says.
         let [x, y] = study.problem.journal.offset;
         assert!(
@@ -93,6 +101,6 @@ fn each_model_of_cavitation_is_compiled() {
         panic!("another model")
     };
     assert_eq!(pressure, 7e3);
-    let effects = study(&format!("{journal}cavitation.model = \"jfo\"")).effects;
+    let effects = Effects::of(&study(&format!("{journal}cavitation.model = \"jfo\"")).scene);
     assert_eq!(effects.simulated, ["poiseuille", "couette", "cavitation: jfo"]);
 }
