@@ -13,6 +13,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use rayon::prelude::*;
 
 use crate::conservation_law::Tangent;
+use crate::linear_solver::Enough;
 use crate::newton::{Equation, Failure, HistoryStep, Seconds, Solution, greatest};
 use crate::{Constraints, Error, Linearisation, Matrix};
 
@@ -142,8 +143,8 @@ impl<'a> Iteration<'a> {
         let solver = self.equation.solver;
         let minus: Vec<f64> = self.residual.iter().map(|r| -r).collect();
         let enough = match self.is_sure {
-            true => solver.enough(self.first),
-            false => solver.roughly_enough(self.first),
+            true => solver.balanced(self.first, &self.residual, self.linearisation.constraints()),
+            false => Enough::residual(solver.roughly_enough(self.first)),
         };
         let step = Seconds::time(&mut self.seconds.solve, || self.linearisation.solve_to(&minus, enough))?;
         for (u, step) in self.u.iter_mut().zip(&step) {

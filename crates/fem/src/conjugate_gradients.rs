@@ -5,6 +5,7 @@
 
 use rayon::prelude::*;
 
+use crate::linear_solver::Enough;
 use crate::{Error, Matrix};
 
 /// Entries that one task sums or updates.
@@ -15,8 +16,8 @@ const TRIAL_STEPS: usize = 5;
 /// When to end.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Ending {
-    /// Residual (Euclidean norm) that will do.
-    pub(crate) enough: f64,
+    /// The accuracy that will do.
+    pub(crate) enough: Enough,
     /// Most steps; the iteration ends as soon as its pace tells that these will not do.
     pub(crate) most_steps: usize,
 }
@@ -44,7 +45,7 @@ pub(crate) fn conjugate_gradients(
     let mut image = vec![0.0; r.len()];
     let (mut product, mut length) = (0.0, 0.0);
     for steps in 0.. {
-        if residual <= ending.enough {
+        if is_enough(ending.enough, residual, &r) {
             return Ok(Some(x));
         }
         if steps >= ending.most_steps || is_slow(ending, first, residual, steps) {
@@ -78,13 +79,25 @@ pub(crate) fn conjugate_gradients(
     unreachable!("the steps are bounded")
 }
 
+/// True if the Euclidean norm `residual` of `r` and the sum of `r` are small enough.
+fn is_enough(enough: Enough, residual: f64, r: &[f64]) -> bool {
+    let sum = || {
+        r.par_chunks(PORTION)
+            .map(|r| r.iter().sum())
+            .collect::<Vec<f64>>()
+            .iter()
+            .sum::<f64>()
+    };
+    residual <= enough.residual && (residual <= enough.round_off || sum().abs() <= enough.imbalance)
+}
+
 /// True if at the pace so far more steps than allowed would be needed.
 fn is_slow(ending: Ending, first: f64, residual: f64, steps: usize) -> bool {
     if steps < TRIAL_STEPS {
         return false;
     }
     let pace = (residual / first).ln() / steps as f64;
-    let left = (ending.enough / residual).ln() / pace;
+    let left = (ending.enough.residual / residual).ln() / pace;
     pace >= 0.0 || steps as f64 + left > ending.most_steps as f64
 }
 

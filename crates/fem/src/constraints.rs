@@ -33,6 +33,12 @@ impl Constraints {
         }
     }
 
+    /// Sum of the sizes of `r` at given dofs.
+    pub fn sum_of_reactions(&self, r: &[f64]) -> f64 {
+        let given = r.iter().zip(&self.fixed).filter(|(_, fixed)| **fixed);
+        given.map(|(r, _)| r.abs()).sum()
+    }
+
     /// Euclidean norm of `r` over the dofs that are not given.
     pub fn free_norm(&self, r: &[f64]) -> f64 {
         let free = r.iter().zip(&self.fixed).filter(|(_, fixed)| !**fixed);

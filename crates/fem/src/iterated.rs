@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::conjugate_gradients::{Ending, conjugate_gradients};
-use crate::linear_solver::MultigridSolver;
+use crate::linear_solver::{Enough, MultigridSolver};
 use crate::multigrid::Multigrid;
 use crate::{Constraints, Error, Factorization, Matrix};
 
@@ -57,7 +57,7 @@ impl Iterated {
         self.steps.load(Ordering::Relaxed)
     }
 
-    /// Solves `matrix x = b` to a residual (Euclidean norm) of `enough`; zero stands for 1e-11 of `b`.
+    /// Solves `matrix x = b`; a residual of zero in `enough` stands for 1e-11 of `b`.
     ///
     /// # Errors
     /// Those of conjugate gradients and of a factor.
@@ -66,12 +66,11 @@ impl Iterated {
         matrix: &Matrix,
         constraints: &Constraints,
         b: &[f64],
-        enough: f64,
+        mut enough: Enough,
     ) -> Result<Vec<f64>, Error> {
-        let enough = match enough {
-            0.0 => TOLERANCE * constraints.free_norm(b),
-            enough => enough,
-        };
+        if enough.residual == 0.0 {
+            enough.residual = TOLERANCE * constraints.free_norm(b);
+        }
         let ending = Ending {
             enough,
             most_steps: WORTH_A_FACTOR,

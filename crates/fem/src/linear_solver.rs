@@ -28,10 +28,37 @@ pub struct MultigridSolver {
     pub direct: Arc<LazyAnalysis>,
 }
 
+/// Part of the flow through given dofs to which the sum of residuals at all others is brought.
+const IMBALANCE: f64 = 3e-11;
+
+/// The accuracy to which an iteration solves a linear system.
+#[derive(Debug, Clone, Copy)]
+pub struct Enough {
+    /// Euclidean norm of the residual; zero stands for what is usual.
+    pub residual: f64,
+    /// Sum of the residual: what a conservation law loses.
+    pub imbalance: f64,
+    /// Euclidean norm of a residual whose sum is round-off and does not count.
+    pub round_off: f64,
+}
+
+impl Enough {
+    /// A Euclidean norm of the residual, whatever its sum.
+    pub fn residual(residual: f64) -> Self {
+        Self {
+            residual,
+            imbalance: f64::INFINITY,
+            round_off: 0.0,
+        }
+    }
+}
+
 /// Parts of the first residual down to which an iteration solves its systems.
 struct Ends {
     /// At last,
     enough: f64,
+    /// where the balance of the law is not reached before,
+    round_off: f64,
     /// while a set of contact is still sought,
     rough: f64,
     /// and the part of what is natural by which solutions may be off then: signs below it mean nothing.
@@ -58,25 +85,39 @@ impl LinearSolver {
         match self {
             Self::Direct(_) => Ends {
                 enough: 0.0,
+                round_off: 0.0,
                 rough: 0.0,
                 accuracy: 1e-12,
             },
             Self::Multigrid(_) => Ends {
                 enough: iterated::TOLERANCE,
+                round_off: 1e-13,
                 rough: 1e-4,
                 accuracy: 1e-9,
             },
             Self::Nested(nested) if nested.quadratic.has_factor() => Ends {
                 enough: 1e-8,
+                round_off: 1e-8,
                 rough: 1e-4,
                 accuracy: 1e-8,
             },
             // What the quadratic elements leave is reduced to this part: far below what the bars say of it.
             Self::Nested(_) => Ends {
                 enough: 1e-5,
+                round_off: 1e-9,
                 rough: 1e-3,
                 accuracy: 1e-8,
             },
+        }
+    }
+
+    /// What will do in an iteration that began with a residual of the Euclidean norm `first`, and now has the `residual` (its
+    /// entries at dofs given by `constraints` are the flow through them).
+    pub fn balanced(&self, first: f64, residual: &[f64], constraints: &Constraints) -> Enough {
+        Enough {
+            residual: self.enough(first),
+            imbalance: IMBALANCE * 0.5 * constraints.sum_of_reactions(residual),
+            round_off: self.ends().round_off * first,
         }
     }
 

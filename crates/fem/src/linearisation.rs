@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 
 use crate::factorization::SingleFactor;
 use crate::iterated::Iterated;
-use crate::linear_solver::MultigridSolver;
+use crate::linear_solver::{Enough, MultigridSolver};
 use crate::nested::{Nested, NestedSystem};
 use crate::{Constraints, Error, Factorization, LinearSolver, Matrix, UnsymmetricFactorization};
 
@@ -40,7 +40,7 @@ enum Factor {
 
 /// The tangent `dR/du` with the given dofs masked, and its factors.
 ///
-/// Its clients: the last Newton step, error estimates, equilibrium, dynamic coefficients.
+/// Newton steps, error estimates and the search for equilibrium solve with it.
 #[derive(Debug)]
 pub struct Linearisation {
     matrix: Matrix,
@@ -162,14 +162,14 @@ impl Linearisation {
     /// # Errors
     /// [`Error::NotFinite`], or [`Error::Inaccurate`] if the residual stays above 1e-7 of `b`.
     pub fn solve(&self, b: &[f64]) -> Result<Vec<f64>, Error> {
-        self.refined(b, false, 0.0)
+        self.refined(b, false, Enough::residual(0.0))
     }
 
-    /// The same where a residual (Euclidean norm) of `enough` will do; a factor gives what it has.
+    /// Solves likewise to what is `enough`; a factor gives what it has.
     ///
     /// # Errors
     /// As [`Linearisation::solve`].
-    pub fn solve_to(&self, b: &[f64], enough: f64) -> Result<Vec<f64>, Error> {
+    pub fn solve_to(&self, b: &[f64], enough: Enough) -> Result<Vec<f64>, Error> {
         self.refined(b, false, enough)
     }
 
@@ -178,7 +178,7 @@ impl Linearisation {
     /// # Errors
     /// As [`Linearisation::solve`].
     pub fn solve_transposed(&self, b: &[f64]) -> Result<Vec<f64>, Error> {
-        self.refined(b, true, 0.0)
+        self.refined(b, true, Enough::residual(0.0))
     }
 
     /// `b` masked and put through the factor once, without a look at the residual, or solved to one digit where there is
@@ -188,7 +188,7 @@ impl Linearisation {
     /// [`Error::NotFinite`].
     pub fn apply_factor(&self, b: Vec<f64>, transposed: bool) -> Result<Vec<f64>, Error> {
         let mut x = self.masked(b);
-        let enough = ONE_DIGIT * self.constraints.free_norm(&x);
+        let enough = Enough::residual(ONE_DIGIT * self.constraints.free_norm(&x));
         self.back_solve(&mut x, transposed, enough)?;
         Ok(x)
     }
@@ -212,7 +212,7 @@ impl Linearisation {
         }
     }
 
-    fn back_solve(&self, x: &mut Vec<f64>, transposed: bool, enough: f64) -> Result<(), Error> {
+    fn back_solve(&self, x: &mut Vec<f64>, transposed: bool, enough: Enough) -> Result<(), Error> {
         match (&self.factor, transposed) {
             (Factor::Cholesky(factor), _) => factor.solve(x),
             (Factor::Lu(factor), false) => factor.solve(x),
@@ -228,7 +228,7 @@ impl Linearisation {
         }
     }
 
-    fn refined(&self, b: &[f64], transposed: bool, enough: f64) -> Result<Vec<f64>, Error> {
+    fn refined(&self, b: &[f64], transposed: bool, enough: Enough) -> Result<Vec<f64>, Error> {
         let b = self.masked(b.to_vec());
         let mut x = b.clone();
         self.back_solve(&mut x, transposed, enough)?;

@@ -10,6 +10,7 @@ use rayon::prelude::*;
 
 use crate::conjugate_gradients::{Ending, conjugate_gradients};
 use crate::factorization::LazyAnalysis;
+use crate::linear_solver::Enough;
 use crate::{Constraints, Error, Factorization, Linearisation, Matrix, Prolongation};
 
 /// Steps end when the residual has fallen to this part of the right-hand side.
@@ -44,8 +45,8 @@ impl NestedSystem {
         }
     }
 
-    /// Solves `matrix x = b` on the dofs that are not given; `x` is zero at given ones. A residual (Euclidean norm) of
-    /// `enough` will do; zero stands for 1e-7 of that of `b`.
+    /// Solves `matrix x = b` on the dofs that are not given; `x` is zero at given ones. A residual of zero in
+    /// `enough` stands for 1e-7 of that of `b`.
     ///
     /// # Errors
     /// [`Error::NotFinite`], [`Error::NotPositiveDefinite`], or those of a factor.
@@ -54,7 +55,7 @@ impl NestedSystem {
         matrix: &Matrix,
         constraints: &Constraints,
         b: &[f64],
-        enough: f64,
+        enough: Enough,
     ) -> Result<Vec<f64>, Error> {
         if self.factor.get().is_none()
             && let Some(x) = self.nested.solve(matrix, constraints, b, enough)?
@@ -81,15 +82,17 @@ impl Nested {
         matrix: &Matrix,
         constraints: &Constraints,
         b: &[f64],
-        enough: f64,
+        mut enough: Enough,
     ) -> Result<Option<Vec<f64>>, Error> {
         // Zero at given dofs, so that nothing comes from there.
         let inverse: Vec<f64> = (constraints.fixed.par_iter().enumerate())
             .map(|(i, &fixed)| if fixed { 0.0 } else { 1.0 / matrix.diagonal(i) })
             .collect();
-        let first = constraints.free_norm(b);
+        if enough.residual == 0.0 {
+            enough.residual = TOLERANCE * constraints.free_norm(b);
+        }
         let ending = Ending {
-            enough: if enough > 0.0 { enough } else { TOLERANCE * first },
+            enough,
             most_steps: WORTH_A_FACTOR,
         };
         let precondition = |r: &[f64]| self.precondition(r, &inverse);

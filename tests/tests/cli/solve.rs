@@ -312,3 +312,18 @@ fn a_reader_that_goes_away_is_no_fault() {
     drop(child.stdout.take());
     assert_eq!(child.wait().expect("it ends").code(), Some(0));
 }
+
+/// Multigrid solves the quadratic film, and cubic elements on top of it judge it: both end by the balance of oil.
+#[test]
+fn oil_balances_where_multigrid_solves() {
+    let bench = Bench::new();
+    let name = "10_drawn_liner";
+    let cavity = [("[oil]", "[cavitation]\nmodel = \"reynolds\"\n[oil]")];
+    for edits in [&[][..], &cavity] {
+        bench.scene(name, edits);
+        let result = object(&bench.run(&["solve", "scene.toml", "--json"]).stdout);
+        assert_eq!(result["linear_solver"]["route"], "multigrid", "{name}");
+        let open = result["balances"]["mass"].as_f64().expect("a number");
+        assert!(open < 1e-10, "{name}: {open:e}");
+    }
+}
