@@ -31,7 +31,7 @@ const PUBLIC_TRAITS: [&str; 6] = [
 ];
 
 /// Longest source file [lines], tests within it included.
-const LONGEST: usize = 470;
+const LONGEST: usize = 420;
 
 /// Folders of `crates/reynolds` whose files are physics, but for `mod.rs`.
 const PHYSICS: [&str; 5] = ["terms", "film_thickness", "lubricant", "quantities", "analytical"];

@@ -155,7 +155,7 @@ fn notes(costs: &[EffectCost], bars: bool) -> Vec<String> {
         named(Some(true)).map(|names| format!("could be left out: {names} (no change exceeds the error bars)"));
     let open = named(None).map(|names| match bars {
         true => format!("not decided: {names} (the error bars needed are not resolved)"),
-        false => "no error bars were estimated: discretisation error cannot be told from the changes".to_owned(),
+        false => "no error bars were estimated: changes may be discretisation error".to_owned(),
     });
     costs.iter().filter_map(reason).chain(negligible).chain(open).collect()
 }

@@ -22,7 +22,7 @@ pub enum Error {
     /// The mesh is unreadable, defective, or not that of the scene.
     #[error(transparent)]
     Compile(#[from] CompileError),
-    /// The number whose convergence was asked for is zero.
+    /// The quantity whose convergence is studied is zero.
     #[error("the {goal} of this film is zero, so it has no relative error to converge")]
     NothingToConverge {
         /// Name of the quantity.

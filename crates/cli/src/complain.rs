@@ -61,9 +61,7 @@ impl From<SweepError> for Failure {
             SweepError::Report(error) => return error.into(),
             SweepError::Campaign(error) => return error.into(),
             SweepError::Interrupted { .. } => {
-                return Self::Interrupted(format!(
-                    "{error}; the same command goes on with the cases that are missing"
-                ));
+                return Self::Interrupted(format!("{error}; the same command goes on with the missing cases"));
             }
             SweepError::Other { .. } | SweepError::Earlier { .. } => {
                 format!("{error}; {ELSEWHERE}, or replace it with --fresh")

@@ -1,4 +1,4 @@
-//! Ctrl-C, or the end asked for by the system: the first asks a run to end with what it has, the second ends the program at once.
+//! Ctrl-C and SIGTERM: the first ends a run with the results it has, the second ends the program at once.
 
 use crate::complain::Failure;
 use oilwedge_study::Interrupt;
@@ -16,7 +16,7 @@ static ASKED: LazyLock<Arc<AtomicBool>> = LazyLock::new(Arc::default);
 /// Turns the two signals into a wish. Only for runs that look after it: others are ended by the first, as any program is.
 ///
 /// # Errors
-/// The system refuses to tell of signals.
+/// The system refuses to deliver signals.
 pub(crate) fn listen() -> Result<Interrupt, Failure> {
     for signal in [SIGINT, SIGTERM] {
         watch(signal).map_err(|error| Failure::Message(format!("cannot listen to Ctrl-C: {error}")))?;
@@ -24,7 +24,7 @@ pub(crate) fn listen() -> Result<Interrupt, Failure> {
     Ok(Interrupt::when(&ASKED))
 }
 
-/// The end at once is asked for first, so that the first signal does not cause it.
+/// The immediate end is registered first, so that the first signal does not cause it.
 fn watch(signal: i32) -> io::Result<()> {
     flag::register_conditional_shutdown(signal, INTERRUPTED.into(), Arc::clone(&ASKED))?;
     flag::register(signal, Arc::clone(&ASKED)).map(drop)

@@ -10,7 +10,7 @@ use oilwedge_study::result::{LevelFacts, Refinement, RunResult};
 /// Digits of a value without a bar.
 const DIGITS: usize = 6;
 
-/// All quantities; with bars where they were asked for.
+/// All quantities, with their error bars where these were estimated.
 pub(crate) fn quantities<'a>(quantities: impl IntoIterator<Item = &'a Quantity>, bars: bool) -> String {
     let mut table = match bars {
         true => table(["quantity", "symbol", "value", "± error", "unit", "what it is"], 2..4),

@@ -1,4 +1,4 @@
-//! Numbers for people: a unit that suits the size, and as many significant digits as tell something.
+//! Numbers for people: a unit that suits the size, and the significant digits that are known.
 
 /// For each SI unit of a result, the units people read, from small to large, with their size in the SI unit.
 const READABLE: [(&str, &[(&str, f64)]); 7] = [

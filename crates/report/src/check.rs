@@ -1,4 +1,4 @@
-//! What `oilwedge check` tells about a scene or mesh that can be used.
+//! What `oilwedge check` reports of a scene or mesh that can be used.
 
 use oilwedge_mesh::Quality;
 use serde::Serialize;
@@ -30,7 +30,7 @@ const SHARP: f64 = 15.0;
 /// Name and version of the form of what `oilwedge check --json` prints.
 pub const CHECK_FORMAT: &str = "oilwedge-check/1";
 
-/// What `oilwedge check` found in a scene or mesh that can be used.
+/// What was found in a scene or mesh that can be used.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct CheckReport {
     /// [`CHECK_FORMAT`].
@@ -87,7 +87,7 @@ fn in_axes<S: serde::Serializer>(axes: &[(String, usize)], serializer: S) -> Res
     serializer.collect_map(axes.iter().map(|(name, values)| (name, values)))
 }
 
-/// Reads the mesh of a scene and tells what would be computed.
+/// Reads the mesh of a scene and reports what would be computed.
 ///
 /// # Errors
 /// [`Error::Compile`] where the mesh cannot be read or does not fit the scene.

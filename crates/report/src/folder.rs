@@ -22,7 +22,7 @@ const LOOK: Duration = Duration::from_millis(2);
 
 /// Replaces and removes files of the folder `dir`, which is made if need be, step by step in this order: a name and its new content, or
 /// `None` to remove it. All contents are written beside their places first, so that what may fail has been done when
-/// the first file is touched. A file whose presence tells that others are there is removed in the first step and comes in the last. The disk
+/// the first file is touched. A file whose presence shows that others are there is removed in the first step and comes in the last. The disk
 /// is not waited for: it may take longer than the whole run, and what a machine loses that fails in the next seconds is computed
 /// again sooner.
 ///
@@ -82,7 +82,7 @@ pub fn replace_alone(dir: &Path, steps: &[(&OsStr, Option<&[u8]>)]) -> Result<()
 /// killed have left. `None` where the file system has no locks.
 ///
 /// # Errors
-/// [`Error::Busy`]: another run goes on writing there.
+/// [`Error::Busy`]: another run keeps writing there.
 pub fn alone_in(dir: &Path) -> Result<Option<File>, Error> {
     let Ok(folder) = File::open(dir) else { return Ok(None) };
     let clock = Instant::now();
@@ -107,7 +107,7 @@ pub fn alone_in(dir: &Path) -> Result<Option<File>, Error> {
     Ok(Some(folder))
 }
 
-/// Whether files of these names may stand in the folder `dir`, as far as that can be told without writing.
+/// Whether files of these names may stand in the folder `dir`, as far as that is known without writing.
 ///
 /// # Errors
 /// [`Error`]: `dir` is no folder, or a folder stands in the place of a file.

@@ -10,7 +10,7 @@ use oilwedge_scene::wording::celsius;
 
 /// Name and version of the form of what `oilwedge oil --json` prints.
 pub const OIL_FORMAT: &str = "oilwedge-oil/1";
-/// Temperatures [degrees C] of a sheet where none is asked for.
+/// Temperatures [degrees C] of a sheet where none is given.
 const USUAL: [f64; 9] = [0.0, 20.0, 40.0, 60.0, 80.0, 100.0, 120.0, 140.0, 150.0];
 /// Temperatures [degrees C] between which such oils are liquids.
 const LEAST: f64 = -40.0;

@@ -71,7 +71,7 @@ pub(crate) fn solve(table: &Table) -> Answer {
     solve_within(table, MOST_UNKNOWNS)
 }
 
-/// The same on meshes of at most so many unknowns; where they do not reach the tolerance asked for, the best of them is the answer.
+/// Solves the scene of a table on meshes of at most so many unknowns; where they do not reach its tolerance, the best of them is the answer.
 pub(crate) fn solve_within(table: &Table, max_unknowns: usize) -> Answer {
     let scene = match read(table) {
         Ok(scene) => scene,

@@ -1,4 +1,4 @@
-//! The cases of the families: each a scene as text, and what is asked of it.
+//! The cases of the families: each a scene as text, and its expected end.
 
 use toml::{Table, Value};
 
@@ -146,11 +146,11 @@ fn varied(case: &Case, key: &str, value: &Value) -> Case {
     let mut case = case.clone();
     put(&mut case.scene, key, value.clone());
     let last = key.rsplit('.').next().unwrap_or(key);
-    let told = match value {
+    let shown = match value {
         Value::String(text) => format!("{last} {text}"),
         other => format!("{last} {other}"),
     };
-    case.variant = joined(&case.variant, &told);
+    case.variant = joined(&case.variant, &shown);
     case
 }
 

@@ -211,10 +211,10 @@ pub enum Trend {
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Against {
-    /// The same scene on a finer mesh, to a quarter of the error bar of the load.
+    /// The scene on a finer mesh, to a quarter of the error bar of the load.
     #[default]
     Finer,
-    /// The same scene with other keys (and without some), and how far both may differ beside their bars.
+    /// The scene with other keys (and without some), and how far both may differ beside their bars.
     Other(Other),
     /// Known values alone.
     Known,

@@ -15,7 +15,7 @@ use crate::family::Expect;
 const BALANCED: f64 = 1e-5;
 /// Part of the greatest pressure by which quadratics waver below the pressure of a cavity.
 const WAVER: f64 = 0.02;
-/// The same of film fractions, at the edges of streaks.
+/// Part by which film fractions waver at the edges of streaks.
 const STREAK: f64 = 0.15;
 
 /// Rounding of the film fraction where there is no oil.
@@ -51,11 +51,11 @@ pub(crate) fn faults(case: &Case, answer: &Answer) -> Vec<String> {
 /// A run without an answer has a reason, and numbers only where they are the best so far.
 fn unanswered(result: &RunResult, faults: &mut Vec<String>) {
     if result.reason.as_ref().is_none_or(|reason| reason.len() < 20) {
-        faults.push("tells no reason".to_owned());
+        faults.push("gives no reason".to_owned());
     }
-    // A load below rounding is told before anything is tried.
-    let told = |reason: &String| reason.contains("rounding errors");
-    let tried = !result.reason.as_ref().is_some_and(told);
+    // A load below round-off is reported before anything is tried.
+    let is_zero = |reason: &String| reason.contains("rounding errors");
+    let tried = !result.reason.as_ref().is_some_and(is_zero);
     let silent = tried && result.history.is_empty() && result.levels.is_empty();
     if result.status == oilwedge_study::result::Status::NotConverged && silent {
         faults.push("is not converged, but shows no history".to_owned());
@@ -84,7 +84,7 @@ fn film(case: &Case, run: &Run, faults: &mut Vec<String>) {
     }
 }
 
-/// Each number has a bar, or the result tells why not.
+/// Each number has a bar, or the result says why not.
 fn bars(result: &RunResult, faults: &mut Vec<String>) {
     let bare: Vec<&str> = (result.quantities.iter())
         .filter(|quantity| quantity.bar.is_none())

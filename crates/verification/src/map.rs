@@ -19,7 +19,7 @@ const SLENDERNESS: [f64; 11] = [0.01, 0.03, 0.1, 0.3, 0.5, 1.0, 2.0, 5.0, 10.0, 
 /// The scene of all cells, Swift-Stieber's film of a ring, the viscosity law with a limit, and the title of its map.
 const RECIPE: &str = include_str!("../../../tests/hard_cases/map.toml");
 
-/// Unknowns of a cell at most: films a hundred diameters long, and those that only a fine mesh tells from none, need many.
+/// Unknowns of a cell at most: films a hundred diameters long, and those near the limit of existence, need many.
 const MOST_UNKNOWNS: usize = 300_000;
 
 /// Cells of both maps.
@@ -77,7 +77,7 @@ fn cell(answer: &Answer, beyond: bool) -> Cell {
     }
 }
 
-/// Solves all cells, and tells after each column how many cells it has.
+/// Solves all cells, and reports after each column how many cells it has.
 ///
 /// # Errors
 /// [`SuiteError::Threads`].
@@ -105,7 +105,7 @@ pub fn run_map(ended: &mut dyn FnMut(usize)) -> Result<[CellMap; 2], SuiteError>
     ])
 }
 
-/// Cells of a map that nobody explained, in words.
+/// Cells of a map without an explanation, in words.
 pub fn unexplained(map: &CellMap) -> Vec<String> {
     let mut list = Vec::new();
     for (row, cells) in map.rows.iter().zip(&map.cells) {

@@ -80,8 +80,8 @@ fn drawn(text: &mut String, maps: &[CellMap], picture: &str) -> std::fmt::Result
          {} cells: {answers} with an answer, {absent} without a film beyond the limit of the viscosity law.",
         cells().count()
     )?;
-    for told in maps.iter().flat_map(unexplained) {
-        writeln!(text, "* unexplained: {told}")?;
+    for cell in maps.iter().flat_map(unexplained) {
+        writeln!(text, "* unexplained: {cell}")?;
     }
     Ok(())
 }

@@ -18,7 +18,7 @@ const HALF: f64 = 0.5;
 const CONSERVING: f64 = 2.0;
 /// Unknowns of the finer mesh at most.
 const MOST_UNKNOWNS: usize = 20_000;
-/// Finest and coarsest tolerance asked for.
+/// Finest and coarsest tolerance of the reference.
 const TOLERANCES: [f64; 2] = [1e-7, 0.1];
 
 /// Holds another method against an answer; what does not agree goes to `faults`. Tells the method in words.

@@ -71,7 +71,7 @@ struct Work {
     cases: Vec<Case>,
 }
 
-/// The families asked for, all if none is named; with the series that take long or without.
+/// The families named, all if none is named; with the series that take long or without.
 fn work(names: &[String], long: bool) -> Result<Vec<Work>, SuiteError> {
     let families = families()?;
     let known: Vec<&'static str> = families.iter().map(|(name, _)| *name).collect();
@@ -91,7 +91,7 @@ fn work(names: &[String], long: bool) -> Result<Vec<Work>, SuiteError> {
     Ok(series.collect())
 }
 
-/// Cases of the families asked for, all if none is named; those that take `long` among them or not.
+/// Cases of the families named, all if none is named; those that take `long` among them or not.
 ///
 /// # Errors
 /// [`SuiteError::Family`], [`SuiteError::Unknown`].
@@ -99,7 +99,7 @@ pub fn count(names: &[String], long: bool) -> Result<usize, SuiteError> {
     Ok(work(names, long)?.iter().map(|work| work.cases.len()).sum())
 }
 
-/// Runs the cases of the families asked for (all if none is named), those that take `long` among them or not, and tells each
+/// Runs the cases of the families named (all if none is named), those that take `long` among them or not, and reports each
 /// case as it ends: those that take long first, each on all threads, then as many series at once as there are threads. The
 /// verdicts come in the order of the files.
 ///
@@ -108,15 +108,15 @@ pub fn count(names: &[String], long: bool) -> Result<usize, SuiteError> {
 pub fn run_suite(names: &[String], long: bool, ended: &mut dyn FnMut(&Verdict)) -> Result<Vec<Verdict>, SuiteError> {
     let all = work(names, long)?;
     let folder = tempfile::tempdir()?;
-    let mut told = |verdicts: &Vec<Verdict>| verdicts.iter().for_each(&mut *ended);
+    let mut report = |verdicts: &Vec<Verdict>| verdicts.iter().for_each(&mut *ended);
     let (long, short): (Vec<usize>, Vec<usize>) = (0..all.len()).partition(|&place| all[place].series.long);
     let piece = |place: usize| (place, judged(&all[place], folder.path(), place));
     let mut found = Vec::new();
     for place in long {
         found.push(piece(place));
-        found.last().into_iter().for_each(|(_, verdicts)| told(verdicts));
+        found.last().into_iter().for_each(|(_, verdicts)| report(verdicts));
     }
-    let others = in_threads(short.len(), |k| piece(short[k]), &mut |(_, verdicts)| told(verdicts))?;
+    let others = in_threads(short.len(), |k| piece(short[k]), &mut |(_, verdicts)| report(verdicts))?;
     found.extend(others.into_iter().map(|(_, found)| found));
     found.sort_by_key(|(place, _)| *place);
     Ok(found.into_iter().flat_map(|(_, verdicts)| verdicts).collect())

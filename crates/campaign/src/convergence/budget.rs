@@ -31,17 +31,17 @@ impl Budget {
         }
     }
 
-    /// The same, at its end too when asked for.
+    /// A budget that an interrupt ends too.
     pub fn until(self, interrupt: Interrupt) -> Self {
         Self { interrupt, ..self }
     }
 
-    /// Whether somebody asked for the end.
+    /// Whether the study was interrupted.
     pub fn is_interrupted(&self) -> bool {
         self.interrupt.is_asked()
     }
 
-    /// How long a search that begins now may go on. A study without levels says nothing, so the first is only ended when asked for.
+    /// How long a search that begins now may go on. A study without levels has no result, so only an interrupt ends the first.
     pub(super) fn deadline(&self, is_first: bool) -> Deadline {
         let seconds = match is_first {
             true => f64::INFINITY,

@@ -64,7 +64,7 @@ pub struct CostModel {
 pub struct Price {
     /// How accuracy is measured.
     pub measure: Measure,
-    /// The relative error asked for.
+    /// The relative error.
     pub accuracy: f64,
     /// The quickest strategy.
     pub strategy: Strategy,

@@ -1,18 +1,18 @@
-//! Who is told how a study gets on.
+//! Progress of a study, for whoever shows it.
 
 use super::report::LevelReport;
 use super::strategy::Strategy;
 
-/// Is told how a study gets on, while it runs.
+/// Receives the progress of a study while it runs.
 pub trait Observer {
-    /// Level `level` begins, of some `cells` triangles; `expected` seconds, where that can be told.
+    /// Level `level` begins, of some `cells` triangles; `expected` seconds, where they can be predicted.
     fn begins(&mut self, strategy: Strategy, level: usize, cells: usize, expected: Option<f64>);
 
     /// A level has ended with an answer; its error is not known yet.
     fn ended(&mut self, strategy: Strategy, level: &LevelReport);
 }
 
-/// Nobody.
+/// Ignores the progress.
 impl Observer for () {
     fn begins(&mut self, _: Strategy, _: usize, _: usize, _: Option<f64>) {}
 

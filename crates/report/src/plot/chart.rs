@@ -30,7 +30,7 @@ pub enum Style {
 /// Points that belong together.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Series {
-    /// What it is; empty: the legend does not tell. Series of one name share an entry.
+    /// What it is; empty: not in the legend. Series of one name share an entry.
     pub name: String,
     /// How it is drawn.
     pub style: Style,
@@ -55,7 +55,7 @@ pub struct Chart {
     pub series: Vec<Series>,
 }
 
-/// Colours that the colour-blind can tell apart, after M. Okabe and K. Ito, Color Universal Design (2008).
+/// Colours that the colour-blind can distinguish, after M. Okabe and K. Ito, Color Universal Design (2008).
 pub const COLOURS: [[u8; 3]; 6] = [
     [0, 114, 178],
     [86, 180, 233],

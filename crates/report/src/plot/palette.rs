@@ -1,4 +1,4 @@
-//! Colours that the colour-blind can tell apart.
+//! Colours that the colour-blind can distinguish.
 
 use plotters::style::RGBColor;
 

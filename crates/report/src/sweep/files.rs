@@ -88,7 +88,7 @@ struct Begun<'a> {
     process: u32,
 }
 
-/// The table that stands at `path`, locked, if there is one: nobody else writes it.
+/// The table that stands at `path`, locked, if there is one: no other run writes it.
 ///
 /// # Errors
 /// Another run writes it.

@@ -74,26 +74,26 @@ pub fn run(
     };
     let columns = Columns::new(&sweep.plan, &sweep.scenes, options.case.bars);
     let (mut table, rows) = Table::open(dir, &identity, &columns, options.fresh)?;
-    let mut told = Progress {
+    let mut now = Progress {
         kept: rows.len(),
         done: rows.len(),
         cases: sweep.scenes.len(),
     };
-    progress(told);
+    progress(now);
     let rows = RefCell::new(rows);
     let is_kept = |case: usize| rows.borrow().contains_key(&case);
     sweep.run(&options.case, &is_kept, &mut |case, found| -> Result<(), SweepError> {
         let row = columns.row(&sweep.plan, case, &found)?;
         table.add(&row)?;
         rows.borrow_mut().insert(case, row);
-        told.done += 1;
-        progress(told);
+        now.done += 1;
+        progress(now);
         Ok(())
     })?;
-    if told.done < told.cases {
+    if now.done < now.cases {
         return Err(SweepError::Interrupted {
-            done: told.done,
-            cases: told.cases,
+            done: now.done,
+            cases: now.cases,
             table: dir.join(TABLE_FILE),
         });
     }
@@ -103,7 +103,7 @@ pub fn run(
         plan: sweep.plan.clone(),
         columns,
         rows: rows.into_inner().into_values().collect(),
-        kept: told.kept,
+        kept: now.kept,
         seconds: clock.elapsed().as_secs_f64(),
     };
     finish(dir, &report)?;

@@ -23,7 +23,7 @@ pub struct Identity {
     pub scene_sha256: String,
     /// SHA-256 of the mesh files, hexadecimal; `None` where meshes are drawn.
     pub mesh_sha256: Option<String>,
-    /// Whether error bars were asked for.
+    /// Whether error bars are estimated.
     pub bars: bool,
     /// Number of cases.
     pub cases: usize,
@@ -64,40 +64,40 @@ impl SweepReport {
 impl Serialize for SweepReport {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         #[derive(Serialize)]
-        struct Told<'a> {
+        struct Whole<'a> {
             #[serde(flatten)]
             identity: &'a Identity,
             complete: bool,
             effects: &'a Effects,
-            axes: Vec<ToldAxis<'a>>,
-            rows: Vec<ToldRow<'a>>,
+            axes: Vec<AxisRecord<'a>>,
+            rows: Vec<RowRecord<'a>>,
         }
-        let axes = self.plan.axes.iter().map(|axis| ToldAxis {
+        let axes = self.plan.axes.iter().map(|axis| AxisRecord {
             name: &axis.name,
             key: &axis.path,
             unit: &axis.unit,
-            values: axis.values.iter().map(told).collect(),
+            values: axis.values.iter().map(json_value).collect(),
         });
-        let told = Told {
+        let whole = Whole {
             identity: &self.identity,
             complete: true,
             effects: &self.effects,
             axes: axes.collect(),
-            rows: self.rows.iter().map(|row| ToldRow { report: self, row }).collect(),
+            rows: self.rows.iter().map(|row| RowRecord { report: self, row }).collect(),
         };
-        told.serialize(serializer)
+        whole.serialize(serializer)
     }
 }
 
 #[derive(Serialize)]
-struct ToldAxis<'a> {
+struct AxisRecord<'a> {
     name: &'a str,
     key: &'a str,
     unit: &'a str,
     values: Vec<serde_json::Value>,
 }
 
-fn told(value: &AxisValue) -> serde_json::Value {
+fn json_value(value: &AxisValue) -> serde_json::Value {
     match value {
         AxisValue::Number(number) => (*number).into(),
         AxisValue::Word(word) => word.as_str().into(),
@@ -105,12 +105,12 @@ fn told(value: &AxisValue) -> serde_json::Value {
 }
 
 /// One row as an object.
-struct ToldRow<'a> {
+struct RowRecord<'a> {
     report: &'a SweepReport,
     row: &'a Row,
 }
 
-impl Serialize for ToldRow<'_> {
+impl Serialize for RowRecord<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let Self { report, row } = self;
         let number = |text: &String| text.parse::<f64>().ok();
@@ -119,7 +119,7 @@ impl Serialize for ToldRow<'_> {
         let mut inputs = serde_json::Map::new();
         let indices = report.plan.indices(case.saturating_sub(1));
         for (axis, index) in report.plan.axes.iter().zip(indices) {
-            inputs.insert(axis.name.clone(), told(&axis.values[index]));
+            inputs.insert(axis.name.clone(), json_value(&axis.values[index]));
         }
         let mut quantities = serde_json::Map::new();
         let width = if columns.bars { 2 } else { 1 };

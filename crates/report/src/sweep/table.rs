@@ -20,7 +20,7 @@ pub struct Columns {
     pub bars: bool,
 }
 
-/// A row: one text a column, empty where there is nothing to tell.
+/// A row: one text a column, empty where there is no value.
 pub type Row = Vec<String>;
 
 impl Columns {
