@@ -22,6 +22,8 @@ pub type Nodal = [f64; MOST_SHAPES];
 #[derive(Debug, Clone)]
 pub struct Rule {
     quadrature: Quadrature,
+    /// Shape functions of a triangle.
+    shapes: usize,
     values: Vec<Nodal>,
     gradients: Vec<[[f64; 2]; MOST_SHAPES]>,
 }
@@ -36,6 +38,7 @@ pub struct Points<'a> {
     weights: &'a [f64],
     values: &'a [Nodal],
     gradients: &'a [[[f64; 2]; MOST_SHAPES]],
+    shapes: usize,
 }
 
 impl Rule {
@@ -54,6 +57,7 @@ impl Rule {
         Self {
             values: lagrange::tabulated(degree, &quadrature.points),
             gradients: gradients.collect(),
+            shapes: lagrange::shapes(degree),
             quadrature,
         }
     }
@@ -76,6 +80,7 @@ impl Rule {
                 weights: &weights[batch.clone()],
                 values: &self.values[batch.clone()],
                 gradients: &self.gradients[batch],
+                shapes: self.shapes,
             });
         }
     }
@@ -90,19 +95,27 @@ impl Rule {
 
 impl Points<'_> {
     /// Weight times Jacobian determinant [m2] of point `q`.
+    #[inline]
     pub fn area(&self, q: usize) -> f64 {
         self.weights[q] * self.places[q].determinant
     }
 
     /// Value at point `q` of the function with the given nodal values.
+    #[inline]
     pub fn value(&self, q: usize, nodal: &Nodal) -> f64 {
-        nodal.iter().zip(&self.values[q]).map(|(u, shape)| u * shape).sum()
+        let shapes = &self.values[q][..self.shapes];
+        shapes.iter().zip(nodal).map(|(shape, u)| u * shape).sum()
     }
 
     /// Gradient [per m] at point `q` of the function with the given nodal values.
+    #[inline]
     pub fn gradient(&self, q: usize, nodal: &Nodal) -> [f64; 2] {
-        let by = |d: usize| nodal.iter().zip(&self.gradients[q]).map(|(u, g)| u * g[d]).sum();
-        self.places[q].gradient([by(0), by(1)])
+        let shapes = &self.gradients[q][..self.shapes];
+        let reference = shapes
+            .iter()
+            .zip(nodal)
+            .fold([0.0; 2], |[x, y], (g, u)| [x + u * g[0], y + u * g[1]]);
+        self.places[q].gradient(reference)
     }
 
     /// Values of the shape functions at point `q`.
