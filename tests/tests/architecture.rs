@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use oilwedge_tests::house::{EFFECTS, circles, knowing, sources as sources_of_house};
 use oilwedge_tests::program::repository;
 use serde_json::Value;
 
@@ -143,6 +144,36 @@ fn physics_files_open_with_their_headings() {
         );
     }
     assert!(seen >= 16, "only {seen} physics files were found");
+}
+
+/// Files that import each other in a circle: none above the physics but those of one idea, two or three below.
+const LARGEST_CIRCLE: [(&str, usize); 4] = [("study", 25), ("cli", 3), ("campaign", 3), ("report", 3)];
+
+#[test]
+fn effects_are_known_to_few_files() {
+    let sources = sources_of_house();
+    for (effect, most) in EFFECTS {
+        let files = knowing(&sources, effect);
+        assert!(
+            files.len() <= most,
+            "{effect} is known to {files:#?}, at most {most} may"
+        );
+    }
+}
+
+#[test]
+fn imports_make_no_large_circles() {
+    let sources = sources_of_house();
+    let packages: std::collections::BTreeSet<&str> = sources.iter().map(|source| source.package.as_str()).collect();
+    for package in packages {
+        let most = LARGEST_CIRCLE
+            .iter()
+            .find(|(name, _)| *name == package)
+            .map_or(3, |(_, most)| *most);
+        for circle in circles(&sources, package) {
+            assert!(circle.len() <= most, "{package}: {circle:#?}");
+        }
+    }
 }
 
 #[test]
