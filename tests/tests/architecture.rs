@@ -146,8 +146,8 @@ fn physics_files_open_with_their_headings() {
     assert!(seen >= 16, "only {seen} physics files were found");
 }
 
-/// Files that import each other in a circle: none above the physics but those of one idea, two or three below.
-const LARGEST_CIRCLE: [(&str, usize); 4] = [("study", 25), ("cli", 3), ("campaign", 3), ("report", 3)];
+/// Files that import each other in a circle, at most: two or three of one idea, but for these crates, where the number may only fall.
+const LARGEST_CIRCLE: [(&str, usize); 2] = [("study", 25), ("bearing", 5)];
 
 #[test]
 fn effects_are_known_to_few_files() {

@@ -233,7 +233,7 @@ fn what_the_plain_models_get_wrong_is_told() {
     };
     let (told, measured) = with("guembel");
     assert!((measured.flows.made() - 1.0).abs() < 1e-3, "{}", measured.flows.made());
-    assert!(told.contains("some 100 % of the oil that passes is made"), "{told}");
+    assert!(told.contains("some 100 % of the oil that passes is created"), "{told}");
     let (told, measured) = with("none");
     assert!(
         (measured.under_tension - 0.5).abs() < 1e-2,

@@ -83,7 +83,7 @@ fn every_key_of_a_scene_is_explained() {
     let Err(SceneError::Complaints { complaints, .. }) = parse(&plain_ring_with(fragment)) else {
         panic!("zzzz is no key")
     };
-    let page = page("scene.md");
+    let page = page("scene.md") + &page("quantities.md");
     let unknown: Vec<_> = complaints.iter().filter(|it| it.key.ends_with("zzzz")).collect();
     assert_eq!(unknown.len(), 26);
     for complaint in unknown {

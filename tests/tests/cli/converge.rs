@@ -60,7 +60,7 @@ fn a_study_of_the_plain_ring_is_told_written_and_drawn() {
         "unknowns",
         "load [kN]",
         "factorise",
-        "What accuracy costs that is vouched for by error bars",
+        "Cost of accuracy, by error bars",
         "by the true error",
         "predicted, not run",
         "out/scene: converge.csv, converge.json, converge.svg, converge.png",

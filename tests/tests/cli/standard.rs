@@ -15,7 +15,7 @@ fn the_twin_stands_beside_the_film() {
         "ISO 7902 (DIN 31652)",
         "a hole opposite to the load",
         "its side_flow",
-        "Q_3 ",
+        "Q_3",
     ] {
         assert!(told.stdout.contains(words), "{words}: {}", told.stdout);
     }

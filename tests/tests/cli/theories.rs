@@ -85,7 +85,7 @@ fn every_shipped_scene_has_a_table_or_a_reason() {
         bench.scene(name, &[]);
         let told = bench.run(&["solve", "scene.toml", "--theories"]);
         assert_eq!(told.status, 0, "{name}: {}", told.stderr);
-        for part in ["┆ short", "┆ long", "\nB/D       "] {
+        for part in [" short ", " long ", "\nB/D       "] {
             assert!(told.stdout.contains(part), "{name}: no {part:?} in\n{}", told.stdout);
         }
         for (theory, reason) in ["short", "long"].into_iter().zip(refused) {

@@ -10,7 +10,7 @@ fn known_values_are_met() {
     let text = String::from_utf8_lossy(&output.stdout);
     assert_eq!(output.status.code(), Some(0), "{text}");
     assert!(
-        text.contains("all as they must") && text.contains("known sommerfeld_number"),
+        text.contains("all as expected") && text.contains("known sommerfeld_number"),
         "{text}"
     );
 }

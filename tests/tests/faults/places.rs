@@ -182,7 +182,7 @@ fn a_mesh_does_not_take_the_place_of_its_scene() {
     two_scenes(&bench);
     bench.refuses(
         &["mesh", TWO[0], "-o", TWO[0]],
-        &["--output", "is a file that the mesh is made of"],
+        &["--output", "from which the mesh is made"],
     );
 }
 
