@@ -65,7 +65,7 @@ fn code(text: &str) -> Vec<String> {
         lines[k].trim() == "#[cfg(test)]" && next.contains("mod ") && !next.trim_end().ends_with(';')
     });
     let bare = |line: &&str| match line.find("//") {
-        Some(place) if line[..place].matches('"').count() % 2 == 0 => line[..place].trim_end().to_owned(),
+        Some(place) if line[..place].matches('"').count().is_multiple_of(2) => line[..place].trim_end().to_owned(),
         _ => (*line).to_owned(),
     };
     lines[..tests.unwrap_or(lines.len())].iter().map(bare).collect()

@@ -5,7 +5,7 @@ use oilwedge_reynolds::lubricant::roelands::Roelands;
 use oilwedge_scene::Scene;
 use oilwedge_scene::{PressureLaw, RoelandsExponent};
 
-use super::{BLANK, Effect, Socket, Sockets, VISCOSITY_BY_PRESSURE, changed};
+use super::{Effect, Socket, Sockets, VISCOSITY_BY_PRESSURE, changed};
 use crate::oil::Oil;
 use crate::regime::beyond_pressure;
 
@@ -22,7 +22,6 @@ pub(super) const ROW: Effect = Effect {
     instead: "constant viscosity",
     remove: |scene| changed(scene, |scene| scene.oil.pressure_law = PressureLaw::Constant),
     warnings: |_, measured| beyond_pressure(measured, LIMIT, "Roelands' law", "nothing was measured there"),
-    ..BLANK
 };
 
 fn install(scene: &Scene, sockets: &mut Sockets) {
