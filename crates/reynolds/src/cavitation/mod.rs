@@ -5,7 +5,7 @@
 //! | none (full Sommerfeld) | nothing: pressures may fall below zero | tension that oil does not bear |
 //! | Guembel (half Sommerfeld) | drops pressures below p_cav after the solve | oil appears and vanishes at the edge of the film |
 //! | Reynolds (Swift-Stieber) | an obstacle problem, p >= p_cav | oil appears where the film schemes again |
-//! | JFO (mass conserving) | carries a film fraction through the cavity, [`jfo`] | streaks are a mixture without inertia |
+//! | JFO (mass conserving) | carries a film fraction through the cavity, `cavitation::jfo` | streaks are a mixture without inertia |
 //!
 //! `docs/theory/cavitation.md` has the equations and how well each is solved.
 
