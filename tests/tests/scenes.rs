@@ -6,7 +6,8 @@
 //! 5e-5 of C_w is twice what the shipped meshes are off.
 
 use oilwedge_scene::Scene;
-use oilwedge_study::compile::{CompileError, compile};
+use oilwedge_study::compile::compile;
+use oilwedge_study::compile_error::CompileError;
 use oilwedge_study::result::RunResult;
 use oilwedge_study::warnings::warnings;
 use oilwedge_study::{RunOptions, run};

@@ -8,7 +8,8 @@ use oilwedge_study::CompileError;
 use oilwedge_study::effects::{Effect, present};
 use oilwedge_study::quantities::{ATTITUDE_ANGLE, FILM_THICKNESS_MIN, PRESSURE_MAX, SIDE_FLOW, main_quantity};
 use oilwedge_study::result::{RunResult, Status};
-use oilwedge_study::run::{RunOptions, run};
+use oilwedge_study::run::run;
+use oilwedge_study::run_options::RunOptions;
 
 use crate::add_on::{AddOn, Alternative, Comparison, ending, nullable, object};
 

@@ -218,7 +218,8 @@ fn notes(scene: &Scene, twin: &Twin) -> Vec<String> {
 mod tests {
     use super::*;
     use oilwedge_study::quantities::Unit;
-    use oilwedge_study::run::{RunOptions, run};
+    use oilwedge_study::run::run;
+    use oilwedge_study::run_options::RunOptions;
     use std::path::Path;
 
     /// The twin of a ring, eccentricity 0.7, B/D 0.6, with further lines of the scene.

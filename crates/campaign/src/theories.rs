@@ -19,7 +19,8 @@ use oilwedge_study::quantities::{
     Row, SIDE_FLOW, TEMPERATURE_EFFECTIVE,
 };
 use oilwedge_study::result::{RunResult, Status};
-use oilwedge_study::run::{RunOptions, run};
+use oilwedge_study::run::run;
+use oilwedge_study::run_options::RunOptions;
 
 use crate::add_on::{AddOn, Alternative, Comparison, ending, nullable, object};
 

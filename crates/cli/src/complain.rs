@@ -5,7 +5,7 @@ use miette::{Diagnostic, LabeledSpan, MietteHandlerOpts, NamedSource, Report, So
 use oilwedge_report::Error;
 use oilwedge_report::sweep::SweepError;
 use oilwedge_scene::{Complaint, SceneError};
-use oilwedge_study::compile::CompileError;
+use oilwedge_study::compile_error::CompileError;
 use oilwedge_verification::SuiteError;
 use std::io::{IsTerminal, Write};
 use std::ops::Range;

@@ -2,12 +2,15 @@
 
 use std::sync::Arc;
 
+use oilwedge_bearing::{Deadline, SearchOptions};
 use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSystem, JournalState};
 use oilwedge_scene::Scene;
 
-use crate::compile::lubricant;
-use crate::oil::{Oil, at_temperature};
+use crate::oil::Oil;
 use crate::position::Position;
+
+/// Degree of the unknown of a film [1].
+pub const DEGREE: usize = 2;
 
 /// A film, ready to be solved.
 #[derive(Debug, Clone)]
@@ -43,20 +46,6 @@ pub struct MeshOrigin {
 }
 
 impl Film {
-    /// This film at the temperature [K].
-    pub fn at_temperature(&self, temperature: f64) -> Self {
-        let scene = at_temperature(&self.scene, temperature);
-        let oil = self.oil.at(temperature);
-        let mut problem = self.problem.clone();
-        problem.lubricant = lubricant(&scene, &oil);
-        Self {
-            scene: Arc::new(scene),
-            oil,
-            problem,
-            ..self.clone()
-        }
-    }
-
     /// This film with the journal elsewhere.
     pub fn with_journal(&self, journal: JournalState) -> Self {
         let mut film = self.clone();
@@ -67,6 +56,15 @@ impl Film {
     /// Where the journal is.
     pub fn position(&self) -> Position {
         Position::of(&self.problem.journal, self.problem.bearing.clearance)
+    }
+
+    /// How its position is sought under a load until `deadline`, from a cold start.
+    pub(crate) fn search_options<'a>(&self, deadline: Deadline) -> SearchOptions<'a> {
+        SearchOptions {
+            centre_velocity: self.centre_velocity,
+            deadline,
+            ..SearchOptions::default()
+        }
     }
 
     /// Unknown pressures.

@@ -5,13 +5,16 @@ use std::time::Instant;
 use oilwedge_bearing::Deadline;
 use oilwedge_mesh::Mesh;
 
-use crate::analysis::{Errors, NoAnswer, SolveOptions, solve};
-use crate::compile::{CompileError, compile_on};
+use crate::analysis::solve;
+use crate::compile::compile_on;
+use crate::compile_error::CompileError;
 use crate::estimate::estimate_errors;
+use crate::film::DEGREE;
 use crate::film::Film;
+use crate::no_answer::NoAnswer;
 use crate::position::Position;
 use crate::quantities::Quantity;
-use crate::run::DEGREE;
+use crate::solved::{Errors, SolveOptions};
 use oilwedge_scene::Scene;
 
 /// What one mesh gives.

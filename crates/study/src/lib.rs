@@ -4,19 +4,23 @@
 //! Scene -> compile (sockets) -> analysis (position, temperature) -> film -> quantities, bars -> RunResult + FilmPicture
 //! ```
 //!
-//! Reading order: [`mod@compile`], [`analysis`], [`thermal`], [`mod@measure`], [`quantities`], [`estimate`], [`refinement`], [`mod@run`], [`result`],
+//! Reading order: [`mod@compile`], [`isothermal`], [`thermal`], [`analysis`], [`mod@measure`], [`quantities`], [`estimate`], [`refinement`], [`mod@run`], [`result`],
 //! [`mod@picture`].
 
 pub mod analysis;
 mod cap_joint;
 pub mod checks;
 pub mod compile;
+pub mod compile_error;
 pub mod effects;
 pub mod estimate;
 pub mod film;
+pub mod grading;
+pub mod isothermal;
 pub mod level;
 pub mod liner_mesh;
 pub mod measure;
+pub mod no_answer;
 pub mod oil;
 pub mod picture;
 pub mod position;
@@ -26,11 +30,14 @@ pub mod refinement;
 pub mod regime;
 pub mod result;
 pub mod run;
+pub mod run_options;
+pub mod solved;
 pub mod thermal;
 pub mod warnings;
 
 pub use oilwedge_bearing::Interrupt;
 
 pub use checks::{CHECKS, complaints, parse, read};
-pub use compile::CompileError;
-pub use run::{Run, RunOptions, run};
+pub use compile_error::CompileError;
+pub use run::{Run, run};
+pub use run_options::RunOptions;

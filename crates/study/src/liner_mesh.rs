@@ -9,7 +9,7 @@ use oilwedge_mesh::{Circle, Mesh, flip, gmsh, rim};
 use oilwedge_reynolds::supply::line_at_angle;
 use sha2::{Digest, Sha256};
 
-use crate::compile::CompileError;
+use crate::compile_error::CompileError;
 use crate::effects::Sockets;
 use crate::oil::Oil;
 use crate::position::Position;

@@ -2,9 +2,10 @@
 
 use oilwedge_reynolds::lubricant::density::{EXPANSION, ZERO_CELSIUS};
 use oilwedge_reynolds::lubricant::{self as law, Density, Grade, ThermalOil, ViscosityTable, Vogel, Walther};
-use oilwedge_scene::{PointViscosity, Scene, TemperatureLaw, Viscosity};
+use oilwedge_scene::{Heat, PointViscosity, Scene, TemperatureLaw, Viscosity};
 
-use crate::thermal::first_temperature;
+/// The film's temperature is first taken to be so much above that of the oil fed [K].
+const FIRST_RISE: f64 = 10.0;
 
 /// An oil at one temperature.
 #[derive(Debug, Clone, PartialEq)]
@@ -52,6 +53,11 @@ impl Oil {
         let temperature = self.temperature.unwrap_or(ZERO_CELSIUS + 20.0);
         self.density.map(|density| density.at(temperature))
     }
+}
+
+/// Temperature [K] at which the search for that of the film begins.
+pub fn first_temperature(heat: &Heat) -> f64 {
+    heat.inlet + FIRST_RISE
 }
 
 /// The scene whose film has this temperature [K], at which the search for another one begins.

@@ -4,13 +4,8 @@
 
 use std::fmt;
 
-use oilwedge_bearing::NoEquilibrium;
-use oilwedge_fem::newton::Failure;
-use oilwedge_reynolds::NoFilm;
 use oilwedge_reynolds::supply::SupplyError;
 use oilwedge_scene::wording::factor;
-
-use crate::analysis::NoAnswer;
 
 /// Ways out that are flags of the command line.
 pub mod flags {
@@ -153,45 +148,6 @@ impl fmt::Display for Limit {
                 write!(out, "{limit}; the result is that of the mesh before: {distance}")
             }
         }
-    }
-}
-
-/// What a user can do about a missing answer; none where nothing is known to help, or the reason says it itself.
-pub fn way_out(reason: &NoAnswer) -> Option<&'static str> {
-    let film = match reason {
-        NoAnswer::Film(film) | NoAnswer::Equilibrium(NoEquilibrium::Film(film)) => film,
-        NoAnswer::Equilibrium(reason) => return of_position(reason),
-        NoAnswer::Temperature(_) => return None,
-    };
-    Some(match film {
-        NoFilm::AboveLimit { .. } => {
-            "lower speed, eccentricity or viscosity, or use a law that grows slower (Roelands)"
-        }
-        NoFilm::NearLimit { .. } => "give a finer mesh ([mesh] size or tolerance), or another speed",
-        NoFilm::AtFold { .. } => {
-            "give a finer mesh ([mesh] size or tolerance), another speed, or form = \"conservative\""
-        }
-        NoFilm::BelowFloor { .. } => "add [cavitation]",
-        NoFilm::Fold { .. } => "lower speed or eccentricity, or use form = \"conservative\"",
-        NoFilm::NoSupply { .. } => "add a [[feed]], a film_start, or ends above cavitation.pressure",
-        NoFilm::FilmFraction { .. } => {
-            "use another mesh, without obtuse angles and finer where the film is thin ([mesh] size draws one)"
-        }
-        NoFilm::NotConverged(Failure::Cycling { .. }) => "another mesh ([mesh] size) may help",
-        _ => return None,
-    })
-}
-
-fn of_position(reason: &NoEquilibrium) -> Option<&'static str> {
-    match reason {
-        NoEquilibrium::Unreachable { .. } => Some("change the load, its angle, or the pressure and place of feeds"),
-        NoEquilibrium::BeyondCapacity { .. } => Some("lower the load, or raise speed, viscosity or size"),
-        NoEquilibrium::BelowRounding { .. } => Some("give no load (0 N), or a larger one"),
-        NoEquilibrium::NotConverged { .. } => {
-            Some("give another mesh ([mesh] size), or solve at a given position to see the film")
-        }
-        NoEquilibrium::Ended { .. } => Some(MORE_SECONDS),
-        _ => None,
     }
 }
 

@@ -7,19 +7,23 @@
 //! Source: Doerfler, SIAM J. Numer. Anal. 33 (1996) 1106; s measured, `docs/theory/error_estimation.md`.
 
 mod growth;
+mod level;
 mod levels;
 mod next;
 
 use oilwedge_bearing::Deadline;
 
-use crate::analysis::{Errors, NoAnswer, SolveOptions, Solved, graded, solve};
+use crate::analysis::solve;
 use crate::checks::targets;
-use crate::compile::CompileError;
+use crate::compile_error::CompileError;
 use crate::estimate::{Estimated, estimate_errors};
 use crate::film::Film;
-use crate::reasons::{Cause, Limit};
+use crate::grading::graded;
+use crate::no_answer::NoAnswer;
+use crate::reasons::Limit;
 use crate::result::LevelFacts;
-use crate::run::RunOptions;
+use crate::run_options::RunOptions;
+use crate::solved::{Errors, SolveOptions, Solved};
 use oilwedge_scene::Scene;
 
 pub use next::at_first;
@@ -74,16 +78,6 @@ pub fn ended(solved: &Solved, options: &RunOptions) -> Option<Limit> {
         Some(Limit::Position(balance.residual, cause))
     };
     of_temperature.or_else(of_position)
-}
-
-impl RunOptions {
-    /// What ends a search that ends now.
-    fn cause(&self) -> Cause {
-        match self.interrupt.is_asked() {
-            true => Cause::Interrupt,
-            false => Cause::Deadline,
-        }
-    }
 }
 
 fn solved(film: &Film, errors: Errors, deadline: Deadline) -> Result<(Solved, Estimated), NoAnswer> {

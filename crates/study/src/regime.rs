@@ -13,7 +13,7 @@ use serde::Serialize;
 use crate::film::Film;
 use crate::measure::Measured;
 use crate::oil::Oil;
-use crate::thermal::leaving;
+use crate::thermal::film_heat::leaving;
 use oilwedge_scene::Scene;
 
 /// Clearance over radius of a film that curvature does not touch.

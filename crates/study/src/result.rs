@@ -9,6 +9,7 @@ pub use heat::{Criterion, HeatPoint, HeatReport};
 pub use levels::{LevelFacts, Refinement};
 
 use crate::effects::Effects;
+use crate::no_answer::NoAnswer;
 use crate::quantities::{Quantity, Row};
 use crate::regime::Regime;
 use serde::ser::SerializeMap;
@@ -31,6 +32,14 @@ pub enum Status {
 }
 
 impl Status {
+    /// That of a run without an answer.
+    pub fn without(answer: &NoAnswer) -> Self {
+        match answer.is_unreached() {
+            true => Self::NotConverged,
+            false => Self::NoSolution,
+        }
+    }
+
     /// Its name in files.
     pub fn name(self) -> &'static str {
         match self {

@@ -2,75 +2,27 @@
 
 use std::time::Instant;
 
-use oilwedge_bearing::{Deadline, Interrupt, NoEquilibrium};
+use oilwedge_bearing::NoEquilibrium;
 use oilwedge_fem::linearisation::Route;
 use oilwedge_fem::newton;
 use oilwedge_mesh::Mesh;
 use oilwedge_mesh::quality::least_angle_of;
 use oilwedge_scene::Scene;
 
-use crate::analysis::{Errors, NoAnswer, Solved};
-use crate::compile::CompileError;
+use crate::compile_error::CompileError;
 use crate::effects::Effects;
 use crate::estimate::Estimated;
-use crate::picture::{FilmPicture, Surface, picture};
+use crate::film::DEGREE;
+use crate::no_answer::NoAnswer;
+use crate::picture::{FilmPicture, picture};
+use crate::quantities::heat::left_over;
 use crate::refinement::{Answer, answer};
 use crate::regime::Regime;
 use crate::result::{Balances, Counts, HistoryStep, LinearSolver, MeshFacts, RESULT_FORMAT, RunResult, Status};
-use crate::thermal::{heat_report, left_over};
+use crate::run_options::RunOptions;
+use crate::solved::Solved;
+use crate::thermal::heat_report;
 use crate::warnings::result_warnings;
-
-/// Degree of the unknown of a film [1].
-pub const DEGREE: usize = 2;
-/// How a scene is run.
-#[derive(Debug, Clone, Copy)]
-pub struct RunOptions {
-    /// Draw the film on the developed surface (x = R phi, y = z) instead of on the cylinder.
-    pub unrolled: bool,
-    /// Estimate error bars. Without them a tolerance that the scene does not give itself is dropped.
-    pub bars: bool,
-    /// The refinement towards a tolerance and the search for a position under a load end after this time [s], infinite for none.
-    pub max_seconds: f64,
-    /// No mesh of that refinement after the first has more unknowns.
-    pub max_unknowns: usize,
-    /// Ends them as well.
-    pub interrupt: Interrupt,
-}
-
-impl RunOptions {
-    /// How long a run that begins now may search.
-    pub fn deadline(&self) -> Deadline {
-        Deadline::after(self.max_seconds, self.interrupt)
-    }
-
-    /// Whether errors are estimated.
-    pub fn errors(&self) -> Errors {
-        match self.bars {
-            true => Errors::Estimated,
-            false => Errors::Omitted,
-        }
-    }
-
-    /// Where the film is drawn.
-    fn surface(&self) -> Surface {
-        match self.unrolled {
-            true => Surface::Developed,
-            false => Surface::Cylinder,
-        }
-    }
-}
-
-impl Default for RunOptions {
-    fn default() -> Self {
-        Self {
-            unrolled: false,
-            bars: true,
-            max_seconds: 60.0,
-            max_unknowns: 1_000_000,
-            interrupt: Interrupt::default(),
-        }
-    }
-}
 
 /// What a run found.
 #[derive(Debug, Clone, PartialEq)]
@@ -159,7 +111,7 @@ fn report_reason(reason: &NoAnswer, result: &mut RunResult) {
         }
         NoAnswer::Temperature(_) => {}
     }
-    result.status = reason.status();
+    result.status = Status::without(reason);
     result.reason = Some(reason.to_string());
 }
 

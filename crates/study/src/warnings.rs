@@ -2,12 +2,12 @@
 
 use oilwedge_reynolds::error_bar::UNRESOLVED;
 
-use crate::analysis::{Errors, Solved};
 use crate::effects;
 use crate::estimate::Estimated;
 use crate::film::Film;
 use crate::measure::Measured;
 use crate::regime::constant_viscosity;
+use crate::solved::{Errors, Solved};
 
 /// Greatest ratio of film thicknesses at the corners of a triangle of a resolved film.
 const RESOLVED: f64 = 2.0;

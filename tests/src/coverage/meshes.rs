@@ -6,12 +6,14 @@ use oilwedge_bearing::Deadline;
 use oilwedge_fem::marking::doerfler;
 use oilwedge_mesh::{Mesh, refine};
 use oilwedge_scene::Scene;
-use oilwedge_study::analysis::{Errors, SolveOptions, Solved, graded, solve};
+use oilwedge_study::analysis::solve;
 use oilwedge_study::compile::compile_on;
 use oilwedge_study::estimate::{Estimated, estimate_errors};
 use oilwedge_study::film::Film;
+use oilwedge_study::grading::graded;
 use oilwedge_study::liner_mesh::{LinerMesh, liner_mesh};
 use oilwedge_study::position::Position;
+use oilwedge_study::solved::{Errors, SolveOptions, Solved};
 
 use super::bearings::Bearing;
 use crate::random_bearings::Dice;

@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use oilwedge_study::refinement::answer;
-use oilwedge_study::run::RunOptions;
+use oilwedge_study::run_options::RunOptions;
 
 use super::bearings::{Bearing, Family, shipped};
 use super::reference::{Reference, reference};

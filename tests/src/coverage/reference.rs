@@ -9,7 +9,7 @@ use oilwedge_fem::marking::doerfler;
 use oilwedge_mesh::refine;
 use oilwedge_reynolds::ReferenceFilm;
 use oilwedge_reynolds::error_bar::film_error;
-use oilwedge_study::analysis::graded;
+use oilwedge_study::grading::graded;
 use oilwedge_study::quantities::Quantity;
 
 use super::bearings::{Bearing, Family};

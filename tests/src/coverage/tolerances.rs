@@ -4,9 +4,9 @@ use std::time::Instant;
 
 use oilwedge_bearing::Deadline;
 use oilwedge_scene::Scene;
-use oilwedge_study::analysis::graded;
+use oilwedge_study::grading::graded;
 use oilwedge_study::refinement::{Answer, answer};
-use oilwedge_study::run::RunOptions;
+use oilwedge_study::run_options::RunOptions;
 
 use super::bearings::Bearing;
 use super::meshes::{Kind, Solve, sized};

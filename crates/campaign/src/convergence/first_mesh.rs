@@ -7,10 +7,13 @@ use oilwedge_bearing::Deadline;
 use oilwedge_mesh::Mesh;
 
 use oilwedge_scene::Scene;
-use oilwedge_study::analysis::{NoAnswer, SolveOptions, graded, solve};
-use oilwedge_study::compile::CompileError;
+use oilwedge_study::analysis::solve;
+use oilwedge_study::compile_error::CompileError;
+use oilwedge_study::grading::graded;
 use oilwedge_study::liner_mesh::{liner_mesh, resized};
+use oilwedge_study::no_answer::NoAnswer;
 use oilwedge_study::position::Position;
+use oilwedge_study::solved::SolveOptions;
 
 /// How much longer than wanted the edges of a drawn mesh are, the first that leads to an answer: two, one and no halving.
 const FACTORS: [f64; 3] = [4.0, 2.0, 1.0];

@@ -26,8 +26,8 @@ use study_run::StudyRun;
 
 use crate::Error;
 use oilwedge_scene::Scene;
-use oilwedge_study::analysis::NoAnswer;
 use oilwedge_study::effects::{Effects, Sockets};
+use oilwedge_study::no_answer::NoAnswer;
 use oilwedge_study::oil::Oil;
 use oilwedge_study::quantities::main_quantity;
 use oilwedge_study::result::Status;
@@ -102,7 +102,7 @@ fn blank(scene: &Scene, budget: &Budget, goal: &str) -> ConvergenceReport {
 fn unanswered(report: ConvergenceReport, reason: &NoAnswer, budget: &Budget) -> Convergence {
     Convergence {
         report: ConvergenceReport {
-            status: reason.status(),
+            status: Status::without(reason),
             reason: Some(reason.to_string()),
             seconds: budget.spent(),
             ..report

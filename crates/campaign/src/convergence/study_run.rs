@@ -14,10 +14,10 @@ use super::observer::Observer;
 use super::report::{LevelReport, Timing};
 use super::strategy::Strategy;
 use oilwedge_scene::Scene;
-use oilwedge_study::analysis::NoAnswer;
-use oilwedge_study::compile::CompileError;
+use oilwedge_study::compile_error::CompileError;
 use oilwedge_study::effects::Effects;
 use oilwedge_study::level::{Level, LevelError, solve_level};
+use oilwedge_study::no_answer::NoAnswer;
 use oilwedge_study::position::Position;
 use oilwedge_study::quantities::Quantity;
 

@@ -7,11 +7,12 @@ pub(super) use oilwedge_reynolds::analytical::iso7902::Feed;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_scene::{Mixing, Scene};
 use oilwedge_study::oil::Oil;
+use oilwedge_study::oil::first_temperature;
 use oilwedge_study::quantities::{
     ECCENTRICITY, FILM_THICKNESS_MIN, FRICTION_POWER, LOAD, Quantity, SIDE_FLOW, TEMPERATURE_EFFECTIVE,
     TEMPERATURE_OUTLET, VISCOSITY_EFFECTIVE,
 };
-use oilwedge_study::thermal::{balance, first_temperature};
+use oilwedge_study::thermal::film_heat::balance;
 
 /// The name of the standard.
 pub(super) const NAME: &str = "ISO 7902 (DIN 31652)";

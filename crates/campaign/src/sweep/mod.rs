@@ -17,7 +17,7 @@ use oilwedge_study::CompileError;
 use oilwedge_study::compile::compile;
 use oilwedge_study::effects::Effects;
 use oilwedge_study::refinement::at_first;
-use oilwedge_study::run::RunOptions;
+use oilwedge_study::run_options::RunOptions;
 
 use crate::Error;
 use chain::chains;

@@ -9,17 +9,21 @@ use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmSolution, JournalState};
 
 use oilwedge_scene::Scene;
-use oilwedge_study::analysis::{NoAnswer, SolveOptions, Solved, graded, is_near, solve};
-use oilwedge_study::compile::{CompileError, compile_near, has_same_system};
+use oilwedge_study::analysis::solve;
+use oilwedge_study::compile::{compile_near, has_same_system};
+use oilwedge_study::compile_error::CompileError;
 use oilwedge_study::estimate::estimate_errors;
 use oilwedge_study::film::Film;
+use oilwedge_study::grading::{graded, is_near};
+use oilwedge_study::no_answer::NoAnswer;
 use oilwedge_study::oil::Oil;
 use oilwedge_study::position::Position;
 use oilwedge_study::quantities::Quantity;
 use oilwedge_study::reasons::Limit;
 use oilwedge_study::refinement::{answer, ended};
 use oilwedge_study::result::Status;
-use oilwedge_study::run::RunOptions;
+use oilwedge_study::run_options::RunOptions;
+use oilwedge_study::solved::{SolveOptions, Solved};
 
 /// How a case ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -61,7 +65,7 @@ impl Found {
 
     fn failed(reason: &NoAnswer, unknowns: usize) -> Self {
         Self {
-            status: CaseStatus::Run(reason.status()),
+            status: CaseStatus::Run(Status::without(&reason)),
             reason: Some(reason.to_string()),
             ..Self::of(Vec::new(), None, unknowns)
         }

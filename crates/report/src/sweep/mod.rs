@@ -15,7 +15,7 @@ use std::time::Instant;
 use oilwedge_campaign::sweep::Sweep;
 use oilwedge_scene::Scene;
 use oilwedge_study::CompileError;
-use oilwedge_study::run::RunOptions;
+use oilwedge_study::run_options::RunOptions;
 use sha2::{Digest, Sha256};
 
 pub use error::SweepError;

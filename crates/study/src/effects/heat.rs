@@ -6,7 +6,7 @@ use oilwedge_scene::wording::celsius;
 use super::{BLANK, Effect, Socket, changed};
 use crate::film::Film;
 use crate::measure::Measured;
-use crate::thermal::{balance, film_heat, rounded};
+use crate::thermal::film_heat::{balance, film_heat, rounded};
 
 /// Viscosity where the oil enters over that where it leaves, from which on one temperature does not describe the film.
 const UNEVEN: f64 = 2.0;

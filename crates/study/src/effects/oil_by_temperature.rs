@@ -6,7 +6,7 @@ use oilwedge_scene::wording::celsius;
 
 use super::{BLANK, Effect, Socket};
 use crate::film::Film;
-use crate::thermal::rounded;
+use crate::thermal::film_heat::rounded;
 
 pub(super) const ROW: Effect = Effect {
     name: "oil by temperature",

@@ -13,10 +13,10 @@ use super::Estimate;
 use super::coarse::CoarseComparison;
 use super::cubic::CubicPair;
 use super::position_sensitivity::position_bars;
-use crate::analysis::Solved;
 use crate::film::Film;
 use crate::measure::{Measured, measure};
 use crate::quantities::{Quantity, Subject, View, measured};
+use crate::solved::Solved;
 
 /// A film, measured, with the errors of what was measured.
 #[derive(Debug)]

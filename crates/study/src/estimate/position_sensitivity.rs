@@ -5,9 +5,9 @@ use std::collections::HashMap;
 
 use oilwedge_bearing::{NEAR, newton_step};
 
-use crate::analysis::{Balance, Solved};
 use crate::measure::measure;
 use crate::quantities::{Quantity, View, measured};
+use crate::solved::{Balance, Solved};
 
 /// For each quantity of `list` by name how much it changes where the journal moves as far as the bars of
 /// the load, `[along, across]` [N], and what is left unbalanced let it. Not finite where the film has no tangent, or so far away no film,

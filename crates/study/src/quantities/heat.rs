@@ -6,7 +6,8 @@ use oilwedge_scene::{Scene, Viscosity};
 
 use super::friction::FRICTION_POWER;
 use super::motion::MOTION_POWER;
-use super::row::{Measure::One, Table};
+use super::quantity::Quantity;
+use super::row::{Measure::One, Row, Table};
 use super::rule::ErrorRule;
 use super::view::View;
 use super::warming::Warming;
@@ -22,7 +23,7 @@ rows! {
     /// `mu0 = mu(t_m, p = 0)`; none where the oil has one viscosity
     VISCOSITY_EFFECTIVE = "viscosity_effective", "mu0", PascalSecond, "viscosity at that temperature, without pressure":
         One(|film| film.base.oil.temperature.map(|_| film.problem.lubricant.viscosity)),
-        ErrorRule::Temperature(|warming| warming.slope(&VISCOSITY_EFFECTIVE)),
+        ErrorRule::Temperature(|warming| warming.slope(VISCOSITY_EFFECTIVE.name)),
         only(is_by_temperature);
 
     /// `Q_out`: oil that leaves the film: `Q_s` where oil only leaves at the ends, and what feeds drain; none without `[heat]`
@@ -73,12 +74,28 @@ fn found(film: &View) -> Option<(HeatBalance, f64, FilmHeat)> {
 
 /// What friction makes for each kelvin and the housing does not take [W/K].
 fn carried_per_kelvin(warming: &Warming) -> Option<f64> {
-    let made = warming.slope(&FRICTION_POWER)?;
-    Some(warming.conductance().unwrap_or(0.0) + made + warming.slope(&MOTION_POWER).unwrap_or(0.0))
+    let made = warming.slope(FRICTION_POWER.name)?;
+    Some(warming.conductance().unwrap_or(0.0) + made + warming.slope(MOTION_POWER.name).unwrap_or(0.0))
 }
 
 /// Temperature [degrees C] of the oil that enters (0) and leaves (1).
 fn end(film: &View, which: usize) -> Option<f64> {
     let (balance, temperature, film) = found(film)?;
     Some(balance.ends(temperature, film.carried_over)[which] - ZERO_CELSIUS)
+}
+
+/// Heat of friction and squeeze that is not carried off, relative to it; zero where no temperature was sought.
+pub fn left_over(quantities: &[Quantity]) -> f64 {
+    let value = |row: &Row| {
+        let quantity = quantities.iter().find(|quantity| quantity.row == row);
+        quantity.map(|quantity| quantity.value)
+    };
+    let Some(carried) = value(&HEAT_CARRIED) else {
+        return 0.0;
+    };
+    let part = |row: &Row| value(row).unwrap_or(0.0);
+    match part(&FRICTION_POWER) + part(&MOTION_POWER) {
+        0.0 => 0.0,
+        power => ((power - carried - part(&HEAT_HOUSING)) / power).abs(),
+    }
 }

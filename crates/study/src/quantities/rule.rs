@@ -4,8 +4,8 @@ use oilwedge_reynolds::error_bar::Bar;
 
 use super::view::View;
 use super::warming::Warming;
-use crate::analysis::Balance;
 use crate::estimate::{Estimate, Scaled};
+use crate::solved::Balance;
 
 /// A number whose error is estimated.
 pub struct Subject<'a> {

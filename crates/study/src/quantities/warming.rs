@@ -5,8 +5,6 @@ use std::collections::HashMap;
 
 use oilwedge_bearing::{FilmHeat, HeatBalance};
 
-use super::row::Row;
-
 /// What bars of a film whose temperature is found are made of.
 #[derive(Debug)]
 pub struct Warming<'a> {
@@ -23,9 +21,9 @@ pub struct Warming<'a> {
 }
 
 impl Warming<'_> {
-    /// How a number changes with the temperature [1/K], as far as it is known.
-    pub fn slope(&self, row: &Row) -> Option<f64> {
-        self.slopes.get(row.name).copied()
+    /// How the number of this name changes with the temperature [1/K], as far as it is known.
+    pub fn slope(&self, name: &str) -> Option<f64> {
+        self.slopes.get(name).copied()
     }
 
     /// How the temperatures with which oil enters and leaves change with that of the film [1].

@@ -1,6 +1,6 @@
 //! How much finer the next mesh must be, and may be.
 
-use super::levels::Level;
+use super::level::Level;
 use crate::quantities::{ECCENTRICITY, Quantity, Unit};
 use crate::result::{LevelFacts, Refinement};
 use oilwedge_scene::Target;

@@ -5,30 +5,22 @@ use std::time::Instant;
 use oilwedge_bearing::Deadline;
 
 use super::growth::{Growth, next_seconds, worst};
+use super::level::Level;
 use super::next::Next;
 use super::{Answer, ended, solved};
-use crate::analysis::{Errors, NoAnswer, Solved};
-use crate::compile::CompileError;
+use crate::compile_error::CompileError;
 use crate::estimate::Estimated;
 use crate::film::Film;
 use crate::measure::possible_load;
+use crate::no_answer::NoAnswer;
 use crate::reasons::{Cause, Distance, Limit};
 use crate::result::{LevelFacts, Refinement};
-use crate::run::RunOptions;
+use crate::run_options::RunOptions;
+use crate::solved::{Errors, Solved};
 use oilwedge_scene::{Scene, Target};
 
 /// Most meshes.
 const MOST_LEVELS: usize = 30;
-
-/// A solved film on the way to a tolerance.
-pub(super) struct Level {
-    pub(super) solved: Solved,
-    pub(super) estimated: Estimated,
-    /// Its greatest bar over what it may be,
-    pub(super) worst: f64,
-    /// and of which quantity.
-    pub(super) worst_name: String,
-}
 
 impl Level {
     /// It is the answer.

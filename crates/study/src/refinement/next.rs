@@ -7,15 +7,16 @@ use oilwedge_fem::marking::doerfler;
 use oilwedge_mesh::{Mesh, refine};
 
 use super::growth::Growth;
-use super::levels::Level;
-use crate::analysis::graded;
-use crate::compile::{CompileError, compile_on};
+use super::level::Level;
+use crate::compile::compile_on;
+use crate::compile_error::CompileError;
+use crate::film::DEGREE;
 use crate::film::Film;
+use crate::grading::graded;
 use crate::liner_mesh::resized;
 use crate::position::Position;
 use crate::reasons::Limit;
 use crate::result::Refinement;
-use crate::run::DEGREE;
 use oilwedge_scene::{MeshSource, Scene};
 
 /// Edges of the first mesh towards a tolerance over those of a mesh that is used as it is.

@@ -2,11 +2,11 @@
 
 use oilwedge_reynolds::error_bar::Bar;
 
-use super::TemperatureFound;
 use super::film_heat::{balance, film_heat};
 use crate::film::Film;
 use crate::measure::Measured;
 use crate::quantities::{ErrorRule, FRICTION_POWER, MOTION_POWER, Quantity, Row, SIDE_FLOW, Table, Warming};
+use crate::solved::TemperatureFound;
 
 impl TemperatureFound {
     /// Bar [K] of the temperature: those of friction and flow, over the slope of their balance. None where they have none.

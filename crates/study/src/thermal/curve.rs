@@ -4,12 +4,14 @@ use oilwedge_bearing::{Deadline, InitialGuess};
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_reynolds::solve::Neighbour;
 
+use super::film_heat::{balance, film_heat};
+use super::measured;
 use super::search::from_near_or_cold;
-use super::{balance, film_heat, measured};
-use crate::analysis::{SolveOptions, Solved};
+use crate::compile::at_temperature;
 use crate::film::Film;
 use crate::quantities::{FILM_THICKNESS_MIN, LOAD, Quantity, Row};
 use crate::result::{Criterion, HeatPoint, HeatReport};
+use crate::solved::{SolveOptions, Solved};
 use oilwedge_scene::{Engine, Heat};
 
 /// Films on either side of the temperature found.
@@ -60,7 +62,7 @@ fn film_at(heat: &Heat, temperature: f64, near: &Solved, deadline: Deadline) -> 
         guess: InitialGuess::Near(Neighbour::Start(&near.solution)),
         ..SolveOptions::default()
     };
-    let solved = from_near_or_cold(&near.film.at_temperature(temperature), &options).ok()?;
+    let solved = from_near_or_cold(&at_temperature(&near.film, temperature), &options).ok()?;
     (!solved.is_ended()).then(|| point(heat, temperature, &solved))
 }
 

@@ -59,3 +59,9 @@ pub(crate) fn film_heat(heat: &Heat, film: &Film, measured: &Measured) -> FilmHe
         },
     }
 }
+
+/// To a tenth of a kelvin [K].
+pub(crate) fn rounded(temperature: f64) -> f64 {
+    // That of the ice point is a tenth and a twentieth.
+    (10.0 * (temperature - 0.05)).round() / 10.0 + 0.05
+}

@@ -11,10 +11,18 @@ use oilwedge_bearing::heat_balance::find;
 use oilwedge_bearing::{Balanced, FilmHeat, InitialGuess, NoBalance};
 use oilwedge_reynolds::solve::Neighbour;
 
-use super::{TemperatureFound, balance, film_heat, first_temperature, measured, none};
-use crate::analysis::{Errors, NoAnswer, SolveOptions, Solved, isothermal};
+use super::{
+    film_heat::{balance, film_heat},
+    measured, none,
+};
+use crate::compile::at_temperature;
 use crate::film::Film;
+use crate::isothermal::isothermal;
+use crate::no_answer::NoAnswer;
+use crate::oil::first_temperature;
 use crate::quantities::{self, Quantity, Unit, View};
+use crate::solved::TemperatureFound;
+use crate::solved::{Errors, SolveOptions, Solved};
 use oilwedge_scene::Heat;
 
 /// The heat is balanced when what is left over is this part of the friction;
@@ -113,7 +121,7 @@ impl<'a> Search<'a> {
     fn tried(&mut self, temperature: f64, kind: Kind, from: Option<&Tried>) -> Result<Tried, NoAnswer> {
         let clock = Instant::now();
         self.solved += 1;
-        let mut film = self.film.at_temperature(temperature);
+        let mut film = at_temperature(self.film, temperature);
         let mut options = self.options;
         options.errors = match kind {
             Kind::Estimated => Errors::Estimated,

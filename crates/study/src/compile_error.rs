@@ -1,0 +1,78 @@
+//! Why a scene does not become a film.
+
+use oilwedge_mesh::error::some_of;
+use oilwedge_mesh::generate::DrawingError;
+use oilwedge_reynolds::supply::SupplyError;
+
+use crate::reasons::way_out_of_supply;
+
+/// Why a scene does not become a film, though it is well written.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum CompileError {
+    /// The mesh cannot be used.
+    #[error(transparent)]
+    Mesh(#[from] oilwedge_mesh::Error),
+    /// The mesh lacks groups of feeds.
+    #[error(
+        "the mesh {} has no group for {}; its groups are {}; correct the name in the scene, or give the region that name in gmsh (Physical Curve for a hole that is cut out, Physical Surface for one that is meshed)",
+        mesh.display(), asked.join(" and "), some_of(present)
+    )]
+    NoFeedGroup {
+        /// Key and name of each group asked for.
+        asked: Vec<String>,
+        /// Mesh file.
+        mesh: std::path::PathBuf,
+        /// Groups there are.
+        present: Vec<String>,
+    },
+    /// No line of the mesh runs where the film is to start.
+    #[error("the mesh {} does not fit the key bearing.film_start: {fault}; {}, or remove film_start: the film is periodic then", mesh.display(), way_out_of_supply(fault))]
+    FilmStart {
+        /// Mesh file.
+        mesh: std::path::PathBuf,
+        /// What does not fit.
+        fault: SupplyError,
+    },
+    /// Given pressures do not fit the mesh.
+    #[error("the mesh {} does not fit the scene:{}", mesh.display(), list(&unfit_supply(faults)))]
+    Supply {
+        /// Mesh file.
+        mesh: std::path::PathBuf,
+        /// Everything that does not fit.
+        faults: Vec<SupplyError>,
+    },
+    /// A groove of the scene is not where that of the mesh is.
+    #[error(
+        "the groove of feed group \"{group}\" is not that of the mesh file: their rims are {off:.3e} m apart; correct its from, to, width, z or corner, or remove groove to take the region as it is"
+    )]
+    GrooveElsewhere {
+        /// Group of the groove.
+        group: String,
+        /// Greatest distance [m] of a node of the region from the groove described.
+        off: f64,
+    },
+    /// The liner described cannot be meshed.
+    #[error("the liner described cannot be meshed:{}", list(.0))]
+    Drawing(Vec<DrawingError>),
+    /// A pocket with a depth is cut out of the mesh.
+    #[error(
+        "feed group \"{group}\" has a depth, but the mesh has no triangles there; mesh it as a physical surface, or give its pressure"
+    )]
+    NoPocket {
+        /// Group of the pocket.
+        group: String,
+    },
+    /// The film is too large for this machine.
+    #[error(transparent)]
+    Fem(#[from] oilwedge_fem::Error),
+}
+
+fn unfit_supply(faults: &[SupplyError]) -> Vec<String> {
+    let line = |fault| format!("{fault}; {}", way_out_of_supply(fault));
+    faults.iter().map(line).collect()
+}
+
+fn list(faults: &[impl std::fmt::Display]) -> String {
+    faults.iter().map(|fault| format!("\n  {fault}")).collect()
+}

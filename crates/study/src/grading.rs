@@ -1,0 +1,79 @@
+//! Meshes graded for the position that a load leads to.
+
+use oilwedge_bearing::{Deadline, Equilibrium, GREATEST_ECCENTRICITY, NoEquilibrium, find};
+use oilwedge_reynolds::angles::wrapped;
+use oilwedge_reynolds::{Bearing, JournalState};
+use oilwedge_scene::Scene;
+
+use crate::compile::{compile, compile_near};
+use crate::compile_error::CompileError;
+use crate::film::Film;
+use crate::position::Position;
+
+/// A mesh is graded anew where the least film thickness found differs by this factor from that which it was graded for,
+const REGRADED: f64 = 1.3;
+/// or where the thinnest film lies elsewhere by this angle [rad].
+const ELSEWHERE: f64 = 0.2;
+/// Gradings of one search.
+const GRADINGS: usize = 4;
+
+/// Compiles a scene; under a load a mesh that is made here is graded for the position that the load leads to, as far as the deadline
+/// allows.
+///
+/// # Errors
+/// The scene does not become a film.
+pub fn graded(scene: &Scene, deadline: Deadline) -> Result<Film, CompileError> {
+    let mut film = compile(scene)?;
+    let Some(load) = film.load.filter(|_| scene.mesh.is_graded()) else {
+        return Ok(film);
+    };
+    let mut middle = Some(Position::middle(scene));
+    for _ in 1..GRADINGS {
+        if deadline.is_over() {
+            break;
+        }
+        let Some(position) = position_to_grade_for(&film, load, deadline, &mut middle) else {
+            break;
+        };
+        film = compile_near(scene, position)?;
+    }
+    Ok(film)
+}
+
+/// The position that the mesh should be graded for; `None` where it suits, or where none is known. `middle` is tried once.
+fn position_to_grade_for(
+    film: &Film,
+    load: [f64; 2],
+    deadline: Deadline,
+    middle: &mut Option<Position>,
+) -> Option<Position> {
+    let journal = match rough_balance(film, load, deadline) {
+        Ok(Equilibrium { problem, .. }) => problem.journal,
+        Err(NoEquilibrium::BeyondCapacity { .. } | NoEquilibrium::BelowRounding { .. }) => return None,
+        // Feeds may carry what the estimate would have a thin film carry.
+        Err(reason) => match middle.take() {
+            None => reason.last_position()?,
+            position => return position,
+        },
+    };
+    let bearing = &film.problem.bearing;
+    let is_possible = journal.eccentricity() <= GREATEST_ECCENTRICITY * bearing.clearance;
+    (is_possible && !is_near(bearing, &film.problem.journal, &journal))
+        .then(|| Position::of(&journal, bearing.clearance))
+}
+
+/// The balance on a coarser mesh, which is good enough to grade a mesh for, if it leads to a position. A load may be out of reach only because the
+/// mesh is too coarse there.
+fn rough_balance(film: &Film, load: [f64; 2], deadline: Deadline) -> Result<Equilibrium, NoEquilibrium> {
+    let options = film.search_options(deadline);
+    let on_coarser = (film.system.coarser.as_ref())
+        .and_then(|coarser| find(&coarser.problem(&film.problem), &coarser.system, load, &options).ok());
+    on_coarser.map_or_else(|| find(&film.problem, &film.system, load, &options), Ok)
+}
+
+/// Whether a mesh graded for one position suits another.
+pub fn is_near(bearing: &Bearing, graded_for: &JournalState, found: &JournalState) -> bool {
+    let ratio = bearing.least_gap(graded_for) / bearing.least_gap(found);
+    let turn = wrapped(graded_for.min_film_angle() - found.min_film_angle()).abs();
+    ratio < REGRADED && ratio > 1.0 / REGRADED && turn < ELSEWHERE
+}

@@ -1,0 +1,117 @@
+//! Why a scene has no film, no position or no temperature, and the way out.
+
+use oilwedge_bearing::NoEquilibrium;
+use oilwedge_fem::newton::Failure;
+use oilwedge_reynolds::NoFilm;
+
+use crate::reasons::flags::MORE_SECONDS;
+
+/// Why there is nothing to report.
+#[derive(Debug)]
+pub enum NoAnswer {
+    /// There is no film at the given position.
+    Film(NoFilm),
+    /// There is no position for the load.
+    Equilibrium(NoEquilibrium),
+    /// There is no temperature at which the balance closes.
+    Temperature(NoTemperature),
+}
+
+impl From<NoFilm> for NoAnswer {
+    fn from(reason: NoFilm) -> Self {
+        Self::Film(reason)
+    }
+}
+
+impl From<NoEquilibrium> for NoAnswer {
+    fn from(reason: NoEquilibrium) -> Self {
+        Self::Equilibrium(reason)
+    }
+}
+
+impl std::fmt::Display for NoAnswer {
+    /// The reason, and what can be done about it.
+    fn fmt(&self, out: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Film(reason) => reason.fmt(out),
+            Self::Equilibrium(reason) => reason.fmt(out),
+            Self::Temperature(reason) => reason.fmt(out),
+        }?;
+        way_out(self).map_or(Ok(()), |way_out| write!(out, "; {way_out}"))
+    }
+}
+
+impl std::error::Error for NoAnswer {}
+
+impl NoAnswer {
+    /// True if an answer may exist but was not reached.
+    pub fn is_unreached(&self) -> bool {
+        match self {
+            Self::Film(film) | Self::Equilibrium(NoEquilibrium::Film(film)) => matches!(
+                film,
+                NoFilm::NotConverged(_) | NoFilm::NearLimit { .. } | NoFilm::AtFold { .. }
+            ),
+            Self::Equilibrium(reason) => matches!(
+                reason,
+                NoEquilibrium::NotConverged { .. } | NoEquilibrium::BelowRounding { .. } | NoEquilibrium::Ended { .. }
+            ),
+            Self::Temperature(reason) => reason.is_unreached,
+        }
+    }
+
+    /// True if the mesh cannot tell on which side of the limit of the viscosity law the film is.
+    pub fn is_near_limit(&self) -> bool {
+        let (Self::Film(film) | Self::Equilibrium(NoEquilibrium::Film(film))) = self else {
+            return false;
+        };
+        matches!(film, NoFilm::NearLimit { .. } | NoFilm::AtFold { .. })
+    }
+}
+
+/// Why there is no temperature.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{told}")]
+pub struct NoTemperature {
+    pub(crate) told: String,
+    /// True if there may be one.
+    pub(crate) is_unreached: bool,
+}
+
+/// What a user can do about a missing answer; none where nothing is known to help, or the reason says it itself.
+fn way_out(reason: &NoAnswer) -> Option<&'static str> {
+    let film = match reason {
+        NoAnswer::Film(film) | NoAnswer::Equilibrium(NoEquilibrium::Film(film)) => film,
+        NoAnswer::Equilibrium(reason) => return of_position(reason),
+        NoAnswer::Temperature(_) => return None,
+    };
+    Some(match film {
+        NoFilm::AboveLimit { .. } => {
+            "lower speed, eccentricity or viscosity, or use a law that grows slower (Roelands)"
+        }
+        NoFilm::NearLimit { .. } => "give a finer mesh ([mesh] size or tolerance), or another speed",
+        NoFilm::AtFold { .. } => {
+            "give a finer mesh ([mesh] size or tolerance), another speed, or form = \"conservative\""
+        }
+        NoFilm::BelowFloor { .. } => "add [cavitation]",
+        NoFilm::Fold { .. } => "lower speed or eccentricity, or use form = \"conservative\"",
+        NoFilm::NoSupply { .. } => "add a [[feed]], a film_start, or ends above cavitation.pressure",
+        NoFilm::FilmFraction { .. } => {
+            "use another mesh, without obtuse angles and finer where the film is thin ([mesh] size draws one)"
+        }
+        NoFilm::NotConverged(Failure::Cycling { .. }) => "another mesh ([mesh] size) may help",
+        _ => return None,
+    })
+}
+
+fn of_position(reason: &NoEquilibrium) -> Option<&'static str> {
+    match reason {
+        NoEquilibrium::Unreachable { .. } => Some("change the load, its angle, or the pressure and place of feeds"),
+        NoEquilibrium::BeyondCapacity { .. } => Some("lower the load, or raise speed, viscosity or size"),
+        NoEquilibrium::BelowRounding { .. } => Some("give no load (0 N), or a larger one"),
+        NoEquilibrium::NotConverged { .. } => {
+            Some("give another mesh ([mesh] size), or solve at a given position to see the film")
+        }
+        NoEquilibrium::Ended { .. } => Some(MORE_SECONDS),
+        _ => None,
+    }
+}

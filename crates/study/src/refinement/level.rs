@@ -1,0 +1,14 @@
+//! A solved film on the way to a tolerance.
+
+use crate::estimate::Estimated;
+use crate::solved::Solved;
+
+/// A solved film on the way to a tolerance.
+pub(super) struct Level {
+    pub(super) solved: Solved,
+    pub(super) estimated: Estimated,
+    /// Its greatest bar over what it may be,
+    pub(super) worst: f64,
+    /// and of which quantity.
+    pub(super) worst_name: String,
+}

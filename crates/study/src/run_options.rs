@@ -1,0 +1,65 @@
+//! What a caller asks of a run.
+
+use oilwedge_bearing::{Deadline, Interrupt};
+
+use crate::picture::Surface;
+use crate::reasons::Cause;
+use crate::solved::Errors;
+
+/// How a scene is run.
+#[derive(Debug, Clone, Copy)]
+pub struct RunOptions {
+    /// Draw the film on the developed surface (x = R phi, y = z) instead of on the cylinder.
+    pub unrolled: bool,
+    /// Estimate error bars. Without them a tolerance that the scene does not give itself is dropped.
+    pub bars: bool,
+    /// The refinement towards a tolerance and the search for a position under a load end after this time [s], infinite for none.
+    pub max_seconds: f64,
+    /// No mesh of that refinement after the first has more unknowns.
+    pub max_unknowns: usize,
+    /// Ends them as well.
+    pub interrupt: Interrupt,
+}
+
+impl RunOptions {
+    /// How long a run that begins now may search.
+    pub fn deadline(&self) -> Deadline {
+        Deadline::after(self.max_seconds, self.interrupt)
+    }
+
+    /// Whether errors are estimated.
+    pub fn errors(&self) -> Errors {
+        match self.bars {
+            true => Errors::Estimated,
+            false => Errors::Omitted,
+        }
+    }
+
+    /// What ends a search that ends now.
+    pub(crate) fn cause(&self) -> Cause {
+        match self.interrupt.is_asked() {
+            true => Cause::Interrupt,
+            false => Cause::Deadline,
+        }
+    }
+
+    /// Where the film is drawn.
+    pub(crate) fn surface(&self) -> Surface {
+        match self.unrolled {
+            true => Surface::Developed,
+            false => Surface::Cylinder,
+        }
+    }
+}
+
+impl Default for RunOptions {
+    fn default() -> Self {
+        Self {
+            unrolled: false,
+            bars: true,
+            max_seconds: 60.0,
+            max_unknowns: 1_000_000,
+            interrupt: Interrupt::default(),
+        }
+    }
+}

@@ -1,0 +1,92 @@
+//! A solved film, how it was asked for, and how its position and temperature were found.
+
+use std::borrow::Cow;
+use std::collections::HashMap;
+
+use oilwedge_bearing::{Balanced, Deadline, InitialGuess};
+use oilwedge_reynolds::{FilmSolution, ReferenceFilm};
+
+use crate::film::Film;
+
+/// How a film is solved; by default without an error estimate, from a cold start, without a deadline.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct SolveOptions<'a> {
+    /// Whether errors are to be estimated.
+    pub errors: Errors,
+    /// When searches must end.
+    pub deadline: Deadline,
+    /// Where a search begins.
+    pub guess: InitialGuess<'a>,
+}
+
+/// Whether errors are to be estimated.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Errors {
+    /// No reference film is solved.
+    #[default]
+    Omitted,
+    /// A reference film is solved.
+    Estimated,
+}
+
+/// A solved film.
+#[derive(Debug)]
+pub struct Solved {
+    /// The film, at the position and temperature found.
+    pub film: Film,
+    /// Its solution.
+    pub solution: FilmSolution,
+    /// The film by which errors are estimated; none where they are omitted, or where there is no such film.
+    pub reference: Option<ReferenceFilm>,
+    /// How the load is balanced, where the position was sought.
+    pub balance: Option<Balance>,
+    /// How the temperature was found, where it was sought.
+    pub temperature: Option<TemperatureFound>,
+    /// Seconds that the reference film took at the position of the film.
+    pub reference_seconds: f64,
+}
+
+impl Solved {
+    /// True where the film is that of a position or temperature reached, not found: the search was ended.
+    pub fn is_ended(&self) -> bool {
+        let of_temperature = self.temperature.as_ref().is_some_and(|found| found.is_ended);
+        of_temperature || self.balance.is_some_and(|balance| balance.is_ended)
+    }
+}
+
+/// How well a load is balanced, and what it took.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Balance {
+    /// Load less force of the film [N].
+    pub unbalanced: f64,
+    /// Load less force of the film, relative to the load.
+    pub residual: f64,
+    /// `dW/de` [N/m] of the film, row: component of W.
+    pub stiffness: [[f64; 2]; 2],
+    /// Positions tried on the mesh of the result.
+    pub steps: usize,
+    /// True where the search was ended before the load was balanced.
+    pub is_ended: bool,
+    /// Seconds that the search took, but for the film of the result.
+    pub seconds: f64,
+}
+
+/// A temperature found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TemperatureFound {
+    /// The film there.
+    pub balanced: Balanced,
+    /// True where the search was ended before the heat was balanced.
+    pub is_ended: bool,
+    /// How each number changes with the temperature [1/K], by name.
+    pub(crate) slopes: HashMap<Cow<'static, str>, f64>,
+    /// Seconds that the films at other temperatures took.
+    pub seconds: f64,
+}
+
+impl TemperatureFound {
+    /// Heat that is not carried off, over what heats the film.
+    pub fn left_over(&self) -> f64 {
+        (self.balanced.surplus / self.balanced.film.power).abs()
+    }
+}
