@@ -14,6 +14,7 @@ mod cubic;
 pub mod deadline;
 pub mod equilibrium;
 pub mod estimate;
+mod find;
 pub mod heat_balance;
 mod load_capacity;
 mod log_eccentricity;
@@ -25,8 +26,9 @@ mod step;
 
 pub use cap_bolts::{BoltForces, CapBolts, Shell};
 pub use deadline::{Deadline, Interrupt};
-pub use equilibrium::{Equilibrium, NEAR, find};
+pub use equilibrium::{Equilibrium, NEAR};
 pub use estimate::{GREATEST_ECCENTRICITY, first_position};
+pub use find::find;
 pub use heat_balance::{Balanced, FilmHeat, HeatBalance, Housing, NoBalance};
 pub use no_equilibrium::NoEquilibrium;
 pub use prediction::{Point, Visited, predicted};

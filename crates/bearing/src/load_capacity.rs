@@ -1,8 +1,8 @@
 //! Load capacity: whether a load exceeds what the film carries at the greatest eccentricity, or is below round-off.
 
+use oilwedge_reynolds::FilmProblem;
 use oilwedge_reynolds::angles::wrapped;
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSystem};
 
 use crate::NoEquilibrium;
 use crate::estimate::GREATEST_ECCENTRICITY;
@@ -61,13 +61,4 @@ impl Search<'_> {
         let least = ROUNDING * self.reference_force;
         (asked > 0.0 && asked < least).then_some(NoEquilibrium::BelowRounding { asked, least })
     }
-}
-
-/// The force [N] of drag through the clearance, or that of the greatest pressure given on the projected area.
-pub(crate) fn reference_force(problem: &FilmProblem, system: &FilmSystem, centre_velocity: CentreVelocity) -> f64 {
-    let bearing = &problem.bearing;
-    let rate = problem.journal.speed.abs() + centre_velocity.speed() / bearing.clearance;
-    let drag = problem.lubricant.viscosity * rate * (bearing.radius / bearing.clearance).powi(2);
-    let given = system.supply.regions().iter().map(|region| region.pressure.abs());
-    given.fold(drag, f64::max) * 2.0 * bearing.radius * bearing.length
 }

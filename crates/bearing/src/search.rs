@@ -4,10 +4,9 @@ use std::cell::{Cell, RefCell};
 
 use oilwedge_reynolds::quantities::load::{load, load_change};
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalState, NoFilm};
+use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSolution, FilmSystem, JournalState, NoFilm};
 
 use crate::equilibrium::{NEAR, Stiffness};
-use crate::load_capacity::reference_force;
 use crate::{NoEquilibrium, SearchOptions};
 
 /// A load that was not balanced and is less than this part of the reference force is below round-off.
@@ -297,4 +296,13 @@ impl<'a> Search<'a> {
             why,
         }
     }
+}
+
+/// The force [N] of drag through the clearance, or that of the greatest pressure given on the projected area.
+fn reference_force(problem: &FilmProblem, system: &FilmSystem, centre_velocity: CentreVelocity) -> f64 {
+    let bearing = &problem.bearing;
+    let rate = problem.journal.speed.abs() + centre_velocity.speed() / bearing.clearance;
+    let drag = problem.lubricant.viscosity * rate * (bearing.radius / bearing.clearance).powi(2);
+    let given = system.supply.regions().iter().map(|region| region.pressure.abs());
+    given.fold(drag, f64::max) * 2.0 * bearing.radius * bearing.length
 }

@@ -1,6 +1,5 @@
 //! Errors and warnings on stderr, with the place in the scene and what to do.
 
-use crate::interrupt::INTERRUPTED;
 use miette::{Diagnostic, LabeledSpan, MietteHandlerOpts, NamedSource, Report, SourceCode};
 use oilwedge_report::Error;
 use oilwedge_report::sweep::SweepError;
@@ -10,6 +9,9 @@ use oilwedge_verification::SuiteError;
 use std::io::{IsTerminal, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
+
+/// Exit status of a run that was interrupted and has no answer: that of a program ended by Ctrl-C.
+pub(crate) const INTERRUPTED: u8 = 130;
 
 /// Why a command ends without results.
 #[derive(Debug)]

@@ -1,15 +1,12 @@
 //! Ctrl-C and SIGTERM: the first ends a run with the results it has, the second ends the program at once.
 
-use crate::complain::Failure;
+use crate::complain::{Failure, INTERRUPTED};
 use oilwedge_study::Interrupt;
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
 use std::io;
 use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, LazyLock};
-
-/// Exit status of a run that was interrupted and has no answer: that of a program ended by Ctrl-C.
-pub(crate) const INTERRUPTED: u8 = 130;
 
 static ASKED: LazyLock<Arc<AtomicBool>> = LazyLock::new(Arc::default);
 

@@ -5,13 +5,37 @@
 
 use rayon::prelude::*;
 
-use crate::linear_solver::Enough;
 use crate::{Error, Matrix};
 
 /// Entries that one task sums or updates.
 const PORTION: usize = 16_384;
 /// Steps after which it is known how quickly residuals fall.
 const TRIAL_STEPS: usize = 5;
+
+/// Part of the right-hand side to which a residual is brought where nothing else is asked for.
+pub(crate) const TOLERANCE: f64 = 1e-11;
+
+/// The accuracy to which an iteration solves a linear system.
+#[derive(Debug, Clone, Copy)]
+pub struct Enough {
+    /// Euclidean norm of the residual; zero stands for what is usual.
+    pub residual: f64,
+    /// Sum of the residual: what a conservation law loses.
+    pub imbalance: f64,
+    /// Euclidean norm of a residual whose sum is round-off and does not count.
+    pub round_off: f64,
+}
+
+impl Enough {
+    /// A Euclidean norm of the residual, whatever its sum.
+    pub fn residual(residual: f64) -> Self {
+        Self {
+            residual,
+            imbalance: f64::INFINITY,
+            round_off: 0.0,
+        }
+    }
+}
 
 /// When to end.
 #[derive(Debug, Clone, Copy)]

@@ -3,15 +3,13 @@
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use crate::conjugate_gradients::{Ending, conjugate_gradients};
-use crate::linear_solver::{Enough, MultigridSolver};
+use crate::conjugate_gradients::{Ending, Enough, TOLERANCE, conjugate_gradients};
+use crate::linear_solver::MultigridSolver;
 use crate::multigrid::Multigrid;
 use crate::{Constraints, Error, Factorization, Matrix};
 
 /// Steps that cost as much as a factor.
 const WORTH_A_FACTOR: usize = 30;
-/// Part of the right-hand side to which a residual is brought where nothing else is asked for.
-pub(crate) const TOLERANCE: f64 = 1e-11;
 
 /// A system and how it is solved.
 #[derive(Debug)]

@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
+pub use crate::conjugate_gradients::Enough;
+use crate::conjugate_gradients::TOLERANCE;
 use crate::factorization::LazyAnalysis;
-use crate::iterated;
 use crate::linear_prolongation::LinearProlongation;
 use crate::nested::Nested;
 use crate::{Analysis, Constraints, Error, Linearisation, Matrix};
@@ -30,28 +31,6 @@ pub struct MultigridSolver {
 
 /// Part of the flow through given dofs to which the sum of residuals at all others is brought.
 const IMBALANCE: f64 = 3e-11;
-
-/// The accuracy to which an iteration solves a linear system.
-#[derive(Debug, Clone, Copy)]
-pub struct Enough {
-    /// Euclidean norm of the residual; zero stands for what is usual.
-    pub residual: f64,
-    /// Sum of the residual: what a conservation law loses.
-    pub imbalance: f64,
-    /// Euclidean norm of a residual whose sum is round-off and does not count.
-    pub round_off: f64,
-}
-
-impl Enough {
-    /// A Euclidean norm of the residual, whatever its sum.
-    pub fn residual(residual: f64) -> Self {
-        Self {
-            residual,
-            imbalance: f64::INFINITY,
-            round_off: 0.0,
-        }
-    }
-}
 
 /// Parts of the first residual down to which an iteration solves its systems.
 struct Ends {
@@ -90,7 +69,7 @@ impl LinearSolver {
                 accuracy: 1e-12,
             },
             Self::Multigrid(_) => Ends {
-                enough: iterated::TOLERANCE,
+                enough: TOLERANCE,
                 round_off: 1e-13,
                 rough: 1e-4,
                 accuracy: 1e-9,

@@ -8,9 +8,8 @@ use std::sync::{Arc, OnceLock};
 
 use rayon::prelude::*;
 
-use crate::conjugate_gradients::{Ending, conjugate_gradients};
+use crate::conjugate_gradients::{Ending, Enough, conjugate_gradients};
 use crate::factorization::LazyAnalysis;
-use crate::linear_solver::Enough;
 use crate::{Constraints, Error, Factorization, Linearisation, Matrix, Prolongation};
 
 /// Steps end when the residual has fallen to this part of the right-hand side.

@@ -1,0 +1,194 @@
+//! The search for the position in which the film carries the load: from coarser meshes to the mesh asked for, step by step.
+
+use oilwedge_reynolds::solve::Neighbour;
+use oilwedge_reynolds::{FilmProblem, FilmSystem, JournalState};
+
+use crate::cubic::balance_cubic;
+use crate::equilibrium::{Equilibrium, NEAR, ROUGHLY_BALANCED, Stiffness};
+use crate::estimate::GREATEST_ECCENTRICITY;
+use crate::search::{Search, Trial};
+use crate::{Carrier, InitialGuess, NoEquilibrium, SearchOptions};
+
+/// A balance that round-off keeps from its accuracy is one below this part.
+const BALANCED_ENOUGH: f64 = 1e-10;
+/// Most positions tried.
+const MOST_STEPS: usize = 40;
+/// Most choices of the advection schemes: the last is that of the balanced position, if they settle.
+const MOST_CHOICES: usize = 6;
+/// Eccentricity up to which the last position of a failed search on a coarser mesh is a start.
+const RESOLVED: f64 = 0.99;
+/// A journal whose film is thinner than this part of the clearance touches.
+const CONTACT: f64 = 1e-6;
+
+/// Finds the position in which the film carries `load` [N], searched from that of `problem`. Where the deadline passes before, the position
+/// reached is the answer.
+///
+/// # Errors
+/// [`NoEquilibrium`]: the reason why there is none. A search from a neighbouring point may fail where a cold one finds a position.
+pub fn find(
+    problem: &FilmProblem,
+    system: &FilmSystem,
+    load: [f64; 2],
+    options: &SearchOptions,
+) -> Result<Equilibrium, NoEquilibrium> {
+    let search = Search::new(problem, system, load, *options);
+    let found = match options.guess {
+        InitialGuess::Cold => search.cold(problem)?,
+        InitialGuess::Near(near) => search.at_rest(search.trial(problem, problem.journal.offset, near)?)?,
+    };
+    match options.carrier {
+        Carrier::Quadratic => Ok(found),
+        Carrier::Cubic => balance_cubic(found, &Search::new(problem, system, load, *options)),
+    }
+}
+
+impl Search<'_> {
+    /// Balances the load from coarser meshes on.
+    fn cold(&self, problem: &FilmProblem) -> Result<Equilibrium, NoEquilibrium> {
+        self.check_capacity(problem)?;
+        let found = self.on_levels(problem).map_err(|reason| self.confirmed(reason))?;
+        let greatest = GREATEST_ECCENTRICITY * problem.bearing.clearance;
+        match found.problem.journal.eccentricity() > greatest {
+            true => self.beyond_capacity(problem).map_or(Ok(found), Err),
+            false => Ok(found),
+        }
+    }
+
+    /// Refuses a load that is below round-off and, where the search begins at the greatest eccentricity, one that exceeds the capacity there.
+    fn check_capacity(&self, problem: &FilmProblem) -> Result<(), NoEquilibrium> {
+        let nearly = (1.0 - f64::EPSILON.sqrt()) * GREATEST_ECCENTRICITY * problem.bearing.clearance;
+        let begins_at_contact = problem.journal.eccentricity() > nearly;
+        let beyond = || begins_at_contact.then(|| self.beyond_capacity(problem)).flatten();
+        self.below_rounding().or_else(beyond).map_or(Ok(()), Err)
+    }
+
+    /// Balances the load from its balance on coarser meshes, if the system has any.
+    fn on_levels(&self, problem: &FilmProblem) -> Result<Equilibrium, NoEquilibrium> {
+        let Some(coarser) = &self.system.coarser else {
+            return self.everywhere(problem);
+        };
+        let rough = SearchOptions {
+            accuracy: Some(ROUGHLY_BALANCED),
+            carrier: Carrier::Quadratic,
+            ..self.options
+        };
+        let reason = match find(&coarser.problem(problem), &coarser.system, self.load, &rough) {
+            Ok(found) => return self.run(problem, found.problem.journal),
+            Err(reason) => reason,
+        };
+        // Where a coarser mesh has no balance its last position may still be a start, unless the film there is too thin for it.
+        let is_resolved = |journal: &JournalState| journal.eccentricity() < RESOLVED * problem.bearing.clearance;
+        let outcome = self.run(problem, problem.journal);
+        match reason.last_position().filter(is_resolved) {
+            Some(start) if outcome.is_err() => self.run(problem, start),
+            _ => outcome,
+        }
+    }
+
+    /// Balances the load from this start.
+    fn run(&self, problem: &FilmProblem, start: JournalState) -> Result<Equilibrium, NoEquilibrium> {
+        self.at_rest(self.first(problem, start)?)
+    }
+
+    /// Balances the load and, in a film that conserves oil, chooses the advection schemes again at the balanced
+    /// position until they settle.
+    fn at_rest(&self, first: Trial) -> Result<Equilibrium, NoEquilibrium> {
+        let deadline = self.options.deadline;
+        let mut tried = 1;
+        let (mut trial, mut tangent) = self.balanced(first, &mut tried)?;
+        // A position on a coarser mesh is only a start.
+        let has_schemes = trial.film.film_fraction.is_some();
+        let mut at_rest = !has_schemes || self.options.keeps_schemes() || self.options.balanced() > BALANCED_ENOUGH;
+        for _ in 0..MOST_CHOICES {
+            if at_rest || deadline.is_over() {
+                break;
+            }
+            tried += 1;
+            let offset = trial.problem.journal.offset;
+            // Where the choice fails the position balanced before stands, with the schemes chosen near it.
+            let Ok(chosen) = self.trial(&trial.problem, offset, Neighbour::None) else {
+                break;
+            };
+            at_rest = self.residual(&chosen) < BALANCED_ENOUGH;
+            if at_rest {
+                (trial, tangent) = (chosen, None);
+                break;
+            }
+            match self.balanced(chosen, &mut tried) {
+                Ok(balanced) => (trial, tangent) = balanced,
+                Err(_) => break,
+            }
+        }
+        if !at_rest && !deadline.is_over() {
+            let note = "the advection schemes did not settle at the balanced position: those chosen near it are kept";
+            trial.film.fallbacks.push(note.to_owned());
+        }
+        let residual = self.residual(&trial);
+        let is_balanced = at_rest && residual < self.options.balanced().max(BALANCED_ENOUGH);
+        Ok(Equilibrium {
+            is_ended: !is_balanced && deadline.is_over(),
+            residual,
+            unbalanced: residual * self.scale,
+            stiffness: tangent.map_or_else(|| self.stiffness(&trial), Ok)?,
+            problem: trial.problem,
+            film: trial.film,
+            cubic: trial.cubic,
+            steps: tried,
+        })
+    }
+
+    /// The balanced trial, and the tangent that the search has for it, if it kept one.
+    fn balanced(&self, mut trial: Trial, tried: &mut usize) -> Result<(Trial, Option<Stiffness>), NoEquilibrium> {
+        let keeps_tangent = matches!(self.options.guess, InitialGuess::Near(_))
+            && trial.problem.cavitation.depends_smoothly_on_position();
+        let last = *tried + MOST_STEPS;
+        let mut kept = None;
+        while *tried < last {
+            let residual = self.residual(&trial);
+            if residual < self.options.balanced() || self.options.deadline.is_over() {
+                return Ok((trial, kept));
+            }
+            let tangent = kept.map_or_else(|| self.stiffness(&trial), Ok)?;
+            let step = self.step(&trial, tangent);
+            match self.damped(&trial, step, tried) {
+                // Perhaps the tangent was too old.
+                None if kept.take().is_some() => continue,
+                // Round-off is reached.
+                None if residual < BALANCED_ENOUGH => return Ok((trial, None)),
+                None => return Err(self.unreachable(&trial, "no shorter step brings the force nearer to the load")),
+                Some(next) => {
+                    kept = keeps_tangent.then(|| Self::corrected(tangent, &trial, &next));
+                    trial = next;
+                }
+            }
+            let FilmProblem { bearing, journal, .. } = &trial.problem;
+            if bearing.least_gap(journal) < CONTACT * bearing.clearance {
+                return Err(self.unreachable(&trial, "the journal touches the bearing"));
+            }
+        }
+        match self.residual(&trial) {
+            residual if residual < NEAR => Err(NoEquilibrium::NotConverged {
+                asked: self.load[0].hypot(self.load[1]),
+                residual,
+                journal: Box::new(trial.problem.journal),
+                history: self.tried.borrow().clone(),
+            }),
+            _ => Err(self.unreachable(&trial, "the force does not approach the load")),
+        }
+    }
+
+    /// From the start of `problem` or, where that fails, from the best of positions all over the bearing.
+    fn everywhere(&self, problem: &FilmProblem) -> Result<Equilibrium, NoEquilibrium> {
+        const STARTS: usize = 3;
+        let mut outcome = self.run(problem, problem.journal);
+        if let Err(NoEquilibrium::Unreachable { .. }) = outcome {
+            for start in self.starts(problem).into_iter().take(STARTS) {
+                outcome = self.run(problem, start);
+                if outcome.is_ok() {
+                    break;
+                }
+            }
+        }
+        outcome.map_err(|reason| self.confirmed(reason))
+    }
+}
