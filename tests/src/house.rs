@@ -81,20 +81,28 @@ impl Source {
     pub fn knows(&self, word: &str) -> bool {
         (self.code.iter())
             .filter(|line| !is_listing(line))
-            .any(|line| holds(&line.to_lowercase(), word))
+            .any(|line| holds(line, word))
     }
 }
 
-/// `mod barus;`, `pub use barus::Barus;`, `&barus::BARUS,`: a line of a list, that goes with the file it names.
+/// `mod barus;`, `&barus::BARUS,`, `("barus", include_str!("barus.toml")),`: a line of a list, that goes with the file it names.
 fn is_listing(line: &str) -> bool {
     let line = line.trim().trim_start_matches("pub ").trim_start_matches("pub(crate) ");
     line.starts_with("mod ") && line.ends_with(';')
+        || line.starts_with("(\"") && line.contains("include_str!")
         || line.starts_with('&') && line.ends_with(',') && line.contains("::")
 }
 
-/// Whether a line in lower case holds the word at the beginning of a part of an identifier (`heat_balance`, not `sheath`).
+/// Whether a line holds the word as a part of an identifier (`heat_balance`, `HeatBalance`, but neither `sheath` nor `squeezed`).
 fn holds(line: &str, word: &str) -> bool {
-    (line.match_indices(word)).any(|(place, _)| !line[..place].ends_with(|letter: char| letter.is_alphabetic()))
+    let small = line.to_ascii_lowercase();
+    small.match_indices(word).any(|(place, _)| {
+        let [before, it] = [&line[..place], &line[place..]];
+        let begins = !before.ends_with(char::is_alphabetic)
+            || before.ends_with(char::is_lowercase) && it.starts_with(char::is_uppercase);
+        let ends = !it[word.len()..].starts_with(char::is_lowercase);
+        begins && ends
+    })
 }
 
 /// The files whose code names the effect.
@@ -220,10 +228,10 @@ mod tests {
 
     #[test]
     fn words_are_found_in_identifiers_only() {
-        let knows = |line: &str, word| holds(&line.to_lowercase(), word);
+        let knows = holds;
         assert!(knows("enum Law { Barus(Barus) }", "barus") && knows("mod heat_balance;", "heat"));
         assert!(knows("HeatBalance", "heat") && knows("\"jfo\"", "jfo"));
-        assert!(!knows("a sheath", "heat"));
+        assert!(knows("FilmHeat", "heat") && !knows("a sheath", "heat") && !knows("squeezed_flow", "squeeze"));
         assert!(
             is_listing("    &barus::BARUS,") && is_listing("pub mod barus;") && !is_listing("Self::Barus(law) => law,")
         );

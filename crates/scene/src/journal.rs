@@ -1,8 +1,12 @@
 //! `[journal]`: how the journal turns, and where it is unless `[load]` has its position found.
 
+mod squeeze;
+
+pub use squeeze::Squeeze;
+
 use crate::reader::TableReader;
-use crate::squeeze::{self, Squeeze};
 use crate::unit::Dimension;
+use crate::{Complaints, Scene};
 
 /// What is wanted where neither a position nor a load is written.
 const POSITION: &str = "0.6 and min_film_angle = \"180 deg\", or [load] with force = \"5 kN\" and angle = \"270 deg\": the position is found then";
@@ -54,6 +58,11 @@ pub(crate) fn read(mut table: TableReader<'_>, load: Option<Position>) -> Journa
         squeeze: table.table_if_given("squeeze").map(squeeze::read),
         position: position(&mut table, load),
     }
+}
+
+/// Keys that must fit each other.
+pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
+    squeeze::check(scene, complaints);
 }
 
 fn position(table: &mut TableReader<'_>, load: Option<Position>) -> Position {

@@ -26,7 +26,6 @@ mod oil;
 mod reader;
 mod scene;
 pub mod spelling;
-mod squeeze;
 pub mod sweep;
 mod tolerance;
 pub mod unit;
@@ -40,12 +39,8 @@ pub use ends::Ends;
 pub use error::SceneError;
 pub use feed::{Feed, Groove, Hole};
 pub use heat::{Engine, Heat, Housing, Mixing};
-pub use journal::{Journal, Position};
+pub use journal::*;
 pub use mesh::{Layout, MeshSource};
-pub use oil::{
-    Barus, BarusForm, Density, Oil, PointViscosity, PressureLaw, Roelands, RoelandsExponent, TemperatureLaw, Viscosity,
-    ViscosityPoint,
-};
+pub use oil::*;
 pub use scene::{SCENE_LIMIT, Scene};
-pub use squeeze::Squeeze;
 pub use tolerance::{Target, Tolerance};

@@ -10,10 +10,9 @@ pub use density::Density;
 pub use roelands::{Roelands, RoelandsExponent};
 pub use temperature::{PointViscosity, TemperatureLaw, ViscosityPoint};
 
-pub(crate) use barus::check;
-
 use crate::reader::TableReader;
 use crate::unit::Dimension;
+use crate::{Complaints, Scene};
 
 /// The oil.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,9 +50,17 @@ pub enum PressureLaw {
 /// Reads a law of pressure.
 type ReadLaw = fn(TableReader<'_>) -> PressureLaw;
 /// Laws of pressure by the table that gives them.
-const PRESSURE_LAWS: [(&str, ReadLaw); 2] = [("barus", barus::read), ("roelands", roelands::read)];
+const PRESSURE_LAWS: &[(&str, ReadLaw)] = &[
+    ("barus", barus::read),       // mu0 exp(alpha p)
+    ("roelands", roelands::read), // mu0 exp((ln mu0 + 9.67) ((1 + p/p_r)^z - 1))
+];
 /// What a law of pressure may not do, as the end of a sentence.
 const THINNER: &str = "is negative, so the oil would grow thinner under pressure";
+
+/// Keys that must fit each other.
+pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
+    barus::check(scene, complaints);
+}
 
 /// Reads the table; `wanted` is an example of the temperature that a viscosity which depends on it needs, if the scene must give it.
 pub(crate) fn read(mut table: TableReader<'_>, wanted: Option<&str>) -> Oil {

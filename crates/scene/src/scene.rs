@@ -14,7 +14,7 @@ use crate::{
     Bearing, Cap, Cavitation, Check, Complaint, Complaints, Ends, Engine, Feed, Heat, Journal, MeshSource, Oil,
     SceneError, Tolerance,
 };
-use crate::{bearing, cap, cavitation, ends, feed, heat, journal, load, mesh, oil, squeeze};
+use crate::{bearing, cap, cavitation, ends, feed, heat, journal, load, mesh, oil};
 
 /// The largest scene file that is read [bytes].
 pub const SCENE_LIMIT: u64 = 1 << 20;
@@ -39,7 +39,7 @@ pub(crate) const SWEPT: [&str; 9] = [
 const CHECKS: [Check; 6] = [
     bearing::check,
     feed::check,
-    squeeze::check,
+    journal::check,
     oil::check,
     heat::check,
     cavitation::check,

@@ -37,7 +37,7 @@ pub(super) fn read(mut table: TableReader<'_>) -> PressureLaw {
 }
 
 /// A cavity that conserves oil needs an equation that does.
-pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
+pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
     let is_printed = matches!(
         scene.oil.pressure_law,
         PressureLaw::Barus(Barus {

@@ -114,7 +114,7 @@ fn path(table: &TableReader<'_>, key: &str, name: &str) -> Option<String> {
     let help = match nearest(name, names) {
         Some(near) => format!("did you mean \"{near}\"?"),
         None => format!(
-            "short names: {}; any other key with its table, as \"oil.barus.alpha\" or \"feed.GROUP.pressure\"",
+            "short names: {}; any other key with its table, as \"ends.pressure\" or \"feed.GROUP.pressure\"",
             names.join(", ")
         ),
     };

@@ -32,7 +32,7 @@ pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
         matches!(scene.oil.pressure_law, PressureLaw::Roelands(_)) && oil.viscosity.ln() + 9.67 <= 0.0,
         source,
         "is below the range of Roelands' law, which needs ln(viscosity in Pa.s) + 9.67 > 0",
-        "give more than 0.0632 mPa.s (is it in mPa.s?), or take barus",
+        "give more than 0.0632 mPa.s (is it in mPa.s?), or take another law of pressure",
     );
     if !complaints.concern("oil") && !complaints.concern("heat") {
         pressures(scene, complaints);

@@ -49,12 +49,12 @@ pub const EFFECTS: &[&Effect] = &[
 ];
 
 /// What a film may leave out and a reader may miss, in the order of reports; the last ones no film has.
-const MISSED: [&str; 9] = [
+const MISSED: &[&str] = &[
     couette::KIND,
     VISCOSITY_BY_PRESSURE,
     CAVITATION,
     heat::KIND,
-    "squeeze",
+    squeeze::KIND,
     "misalignment",
     "elastic liner",
     "roughness",
@@ -154,7 +154,7 @@ impl Effects {
         let mut simulated: Vec<&Effect> = present(scene).collect();
         simulated.sort_by_key(|effect| effect.socket.is_balance());
         let is_missed = |kind: &&str| simulated.iter().all(|effect| effect.kind != *kind);
-        let not_simulated = MISSED.into_iter().filter(is_missed).collect();
+        let not_simulated = MISSED.iter().copied().filter(is_missed).collect();
         Self {
             simulated,
             not_simulated,

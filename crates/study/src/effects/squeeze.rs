@@ -7,10 +7,13 @@ use oilwedge_reynolds::terms::squeeze::Squeeze;
 
 use super::{BLANK, Effect, changed};
 
+/// How reports call it.
+pub(super) const KIND: &str = "squeeze";
+
 pub(super) const ROW: Effect = Effect {
-    name: "squeeze",
+    name: KIND,
     sentence: "oil pressed out as the journal's centre moves",
-    kind: "squeeze",
+    kind: KIND,
     is_in: |scene| scene.journal.motion().is_some(),
     install: |scene, sockets| {
         sockets.terms.push(Arc::new(Squeeze));

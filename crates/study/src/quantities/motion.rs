@@ -2,6 +2,7 @@
 
 use super::row::Measure::One;
 use super::rule::ErrorRule;
+use crate::effects::Sockets;
 
 rows! {
     /// `P_e = W . de/dt`: the load times the velocity of the journal's centre; with P the whole power of a film that is fed no pressure;
@@ -10,5 +11,5 @@ rows! {
         One(|film| { let moves = film.journal().velocity != [0.0; 2]; moves.then(|| film.measured.motion_power(film.journal())) }),
         ErrorRule::Of("dual-weighted, along and across the load",
             |estimate, at| Some(estimate.product(at.view.journal().velocity))),
-        only(|scene| scene.journal.motion().is_some());
+        only(|scene| Sockets::of(scene).centre_velocity.speed() > 0.0);
 }

@@ -20,7 +20,7 @@ impl Journal {
     }
 }
 
-pub(crate) fn read(mut table: TableReader<'_>) -> Squeeze {
+pub(super) fn read(mut table: TableReader<'_>) -> Squeeze {
     let mut velocity = |key| table.quantity(key, Dimension::Velocity, "2 mm/s").or(0.0);
     Squeeze {
         radial: velocity("radial"),
@@ -29,7 +29,7 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Squeeze {
 }
 
 /// A centred journal has a line of centres only where the scene gives its angle.
-pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
+pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
     let is_centred = matches!(scene.journal.position, Position::Given { eccentricity: 0.0, .. });
     let key = "journal.min_film_angle";
     complaints.refuse_if(
