@@ -3,7 +3,7 @@
 
 use std::f64::consts::PI;
 
-use oilwedge_bearing::{CapBolts, HeatBalance, Shell};
+use oilwedge_bearing::{CapBolts, Shell, ThermalBalance};
 use oilwedge_campaign::standard;
 use oilwedge_study::quantities::Quantity;
 use oilwedge_study::result::RunResult;
@@ -108,7 +108,7 @@ pub fn tractor() -> Vec<Link> {
         value,
     };
     let (q_1, q_0, rise, fresh) = (0.16, 0.01, 54.0, 20.0);
-    let balance = HeatBalance {
+    let balance = ThermalBalance {
         inlet: fresh,
         heat_capacity: 1.8e6,
         housing: None,

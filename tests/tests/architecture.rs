@@ -41,7 +41,7 @@ const PHYSICS_FILES: [&str; 4] = [
     "crates/reynolds/src/cavitation/jfo/mod.rs",
     "crates/bearing/src/cap_bolts.rs",
     "crates/bearing/src/equilibrium.rs",
-    "crates/bearing/src/heat_balance.rs",
+    "crates/bearing/src/thermal_balance.rs",
 ];
 
 #[test]
@@ -146,8 +146,8 @@ fn physics_files_open_with_their_headings() {
     assert!(seen >= 16, "only {seen} physics files were found");
 }
 
-/// Files that import each other in a circle, at most: two or three of one idea, but for these crates, where the number may only fall.
-const LARGEST_CIRCLE: [(&str, usize); 3] = [("study", 25), ("bearing", 5), ("fem", 8)];
+/// Crates in which files of one idea import each other in a circle, and the most files in it; `docs/architecture.md` says which.
+const LARGEST_CIRCLE: [(&str, usize); 2] = [("mesh", 3), ("fem", 2)];
 
 #[test]
 fn effects_are_known_to_few_files() {
@@ -162,14 +162,14 @@ fn effects_are_known_to_few_files() {
 }
 
 #[test]
-fn imports_make_no_large_circles() {
+fn imports_make_no_circles_above_the_mesh() {
     let sources = sources_of_house();
     let packages: std::collections::BTreeSet<&str> = sources.iter().map(|source| source.package.as_str()).collect();
     for package in packages {
         let most = LARGEST_CIRCLE
             .iter()
             .find(|(name, _)| *name == package)
-            .map_or(3, |(_, most)| *most);
+            .map_or(1, |(_, most)| *most);
         for circle in circles(&sources, package) {
             assert!(circle.len() <= most, "{package}: {circle:#?}");
         }

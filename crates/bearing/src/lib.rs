@@ -3,7 +3,7 @@
 //! | balance | unknown | where |
 //! |---|---|---|
 //! | load = force of the film | position of the journal | [`equilibrium`] |
-//! | friction = heat carried off | temperature of the film | [`heat_balance`] |
+//! | friction = heat carried off | temperature of the film | [`thermal_balance`] |
 //!
 //! [`cap_bolts`]: the forces in the bolts of a connecting rod's cap, to compare the film's load with.
 //!
@@ -15,7 +15,6 @@ pub mod deadline;
 pub mod equilibrium;
 pub mod estimate;
 mod find;
-pub mod heat_balance;
 mod load_capacity;
 mod log_eccentricity;
 pub mod no_equilibrium;
@@ -23,14 +22,15 @@ mod prediction;
 mod search;
 pub mod search_options;
 mod step;
+pub mod thermal_balance;
 
 pub use cap_bolts::{BoltForces, CapBolts, Shell};
 pub use deadline::{Deadline, Interrupt};
 pub use equilibrium::{Equilibrium, NEAR};
 pub use estimate::{GREATEST_ECCENTRICITY, first_position};
 pub use find::find;
-pub use heat_balance::{Balanced, FilmHeat, HeatBalance, Housing, NoBalance};
 pub use no_equilibrium::NoEquilibrium;
 pub use prediction::{Point, Visited, predicted};
 pub use search_options::{Carrier, InitialGuess, SearchOptions};
 pub use step::{SHORT_MOVE, newton_step};
+pub use thermal_balance::{Balanced, Housing, NoBalance, ThermalBalance, ThermalFlows};

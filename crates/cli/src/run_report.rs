@@ -149,10 +149,10 @@ pub(crate) mod tests {
                 mass: 1.2e-12,
                 power: 2.5e-15,
                 force: 0.0,
-                heat: 0.0,
+                thermal: 0.0,
             },
             regime: None,
-            heat: None,
+            temperature: None,
             history: vec![],
             counts: Counts {
                 nonlinear_iterations: 1,

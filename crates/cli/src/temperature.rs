@@ -5,40 +5,44 @@ use crate::readable::significant;
 use crate::terminal::table;
 use oilwedge_report::plot::TEMPERATURE_FILES;
 use oilwedge_study::quantities::{ECCENTRICITY, Quantity, TEMPERATURE_EFFECTIVE, Table};
-use oilwedge_study::result::{Balances, Criterion, HeatReport, RunResult};
+use oilwedge_study::result::{Balances, Criterion, RunResult, TemperatureReport};
 
 /// Temperatures, heats, curves and criteria; nothing where no temperature was sought.
 pub(crate) fn balance(result: &RunResult) -> Option<String> {
-    let report = result.heat.as_ref()?;
-    let of_heat = |quantity: &&Quantity| shows(result, quantity) || quantity.row == &TEMPERATURE_EFFECTIVE;
-    let list = quantities(result.quantities.iter().filter(of_heat), result.bars);
+    let report = result.temperature.as_ref()?;
+    let is_shown = |quantity: &&Quantity| shows(result, quantity) || quantity.row == &TEMPERATURE_EFFECTIVE;
+    let list = quantities(result.quantities.iter().filter(is_shown), result.bars);
     let parts = [format!("balance of heat\n{list}"), curve(report), criteria(report)];
     Some(parts.join("\n"))
 }
 
 /// Whether a quantity stands in the balance of heat, and nowhere else.
 pub(crate) fn shows(result: &RunResult, quantity: &Quantity) -> bool {
-    result.heat.is_some() && quantity.row.table == Table::Heat
+    result.temperature.is_some() && quantity.row.table == Table::Temperature
 }
 
 /// How far the balance of heat is open, where it is solved for.
 pub(crate) fn imbalance(balances: Balances) -> String {
-    match balances.heat {
+    match balances.thermal {
         0.0 => String::new(),
-        heat => format!(
+        open => format!(
             ", friction and heat carried off by {} of the friction",
-            significant(heat, 2)
+            significant(open, 2)
         ),
     }
 }
 
 /// The files of the curves.
 pub(crate) fn files(result: &RunResult) -> &'static [&'static str] {
-    if result.heat.is_some() { &TEMPERATURE_FILES } else { &[] }
+    if result.temperature.is_some() {
+        &TEMPERATURE_FILES
+    } else {
+        &[]
+    }
 }
 
 /// Friction and heat carried off at temperatures around that found.
-fn curve(report: &HeatReport) -> String {
+fn curve(report: &TemperatureReport) -> String {
     let header = [
         "film [C]",
         "mu0 [mPa.s]",
@@ -52,14 +56,14 @@ fn curve(report: &HeatReport) -> String {
             format!("{:.2}", point.temperature),
             significant(1e3 * point.viscosity, 4),
             significant(point.friction_power, 4),
-            significant(point.heat_carried + point.heat_housing, 4),
+            significant(point.carried + point.given_off, 4),
             significant(point.eccentricity, 4),
         ]);
     }
     rows.to_string()
 }
 
-fn criteria(report: &HeatReport) -> String {
+fn criteria(report: &TemperatureReport) -> String {
     let lines = report.criteria.iter().map(|criterion| {
         let verdict = match (criterion.is_met, criterion.decides) {
             (true, _) => "met",

@@ -98,7 +98,19 @@ impl Engine {
     }
 }
 
+impl Complaints {
+    /// True if something is wrong with a table that the temperature of the film depends on.
+    pub fn concern_temperature(&self) -> bool {
+        self.concern("oil") || self.concern("heat")
+    }
+}
+
 impl Scene {
+    /// Temperature [K] of the oil fed, where that of the film is found.
+    pub fn inlet_temperature(&self) -> Option<f64> {
+        self.heat.map(|heat| heat.inlet)
+    }
+
     /// Key and value [K] of the temperature at which the scene gives the oil: of that fed where the film's is found, else of the film; none
     /// where the viscosity does not depend on it.
     pub fn given_temperature(&self) -> Option<(&'static str, f64)> {

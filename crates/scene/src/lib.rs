@@ -38,7 +38,7 @@ pub use complaint::{Check, Complaint, Complaints};
 pub use ends::Ends;
 pub use error::SceneError;
 pub use feed::{Feed, Groove, Hole};
-pub use heat::{Engine, Heat, Housing, Mixing};
+pub use heat::*;
 pub use journal::*;
 pub use mesh::{Layout, MeshSource};
 pub use oil::*;

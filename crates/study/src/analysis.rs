@@ -11,8 +11,8 @@ use crate::thermal;
 /// # Errors
 /// [`NoAnswer`]: the reason why there is no film or no position; from near another operating point also where a cold start finds an answer.
 pub fn solve(film: &Film, options: &SolveOptions) -> Result<Solved, NoAnswer> {
-    match film.scene.heat {
-        Some(heat) => thermal::solve(film, &heat, options),
+    match &film.thermal {
+        Some(model) => thermal::solve(film, model, options),
         None => isothermal(film, options),
     }
 }

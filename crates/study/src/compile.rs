@@ -59,7 +59,7 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, position: Position, degree: usize) 
     check_feed_groups(scene, &mesh)?;
     let (sockets, oil) = (Sockets::of(scene), Oil::of(scene));
     let regions = supply(scene, &sockets, &mesh)?;
-    let (load, centre_velocity) = (sockets.load, sockets.centre_velocity);
+    let (load, thermal, centre_velocity) = (sockets.load, sockets.thermal, sockets.centre_velocity);
     let problem = problem(scene, &oil, sockets, &mesh, position);
     let system = FilmSystem::new(Arc::new(mesh), degree, regions).map_err(|faults| unfit(scene, faults))?;
     // A position is sought on coarser meshes first, and by many films.
@@ -79,6 +79,7 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, position: Position, degree: usize) 
         problem,
         system: Arc::new(system),
         load,
+        thermal,
         centre_velocity,
         origin: MeshOrigin {
             flips,

@@ -8,6 +8,7 @@ use oilwedge_scene::Scene;
 
 use crate::oil::Oil;
 use crate::position::Position;
+use crate::thermal_model::ThermalModel;
 
 /// Degree of the unknown of a film [1].
 pub const DEGREE: usize = 2;
@@ -26,6 +27,8 @@ pub struct Film {
     /// Force `(F cos, F sin)` on the journal [N] under which its position is found, from that of the problem;
     /// `None` at a given position.
     pub load: Option<[f64; 2]>,
+    /// How its temperature is found; `None`: it is given, or has no effect.
+    pub thermal: Option<ThermalModel>,
     /// Velocity of the journal's centre.
     pub centre_velocity: CentreVelocity,
     /// Where the mesh comes from.

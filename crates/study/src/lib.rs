@@ -33,6 +33,7 @@ pub mod run;
 pub mod run_options;
 pub mod solved;
 pub mod thermal;
+pub mod thermal_model;
 pub mod warnings;
 
 pub use oilwedge_bearing::Interrupt;

@@ -2,7 +2,7 @@
 
 use oilwedge_reynolds::lubricant::density::{EXPANSION, ZERO_CELSIUS};
 use oilwedge_reynolds::lubricant::{self as law, Density, Grade, ThermalOil, ViscosityTable, Vogel, Walther};
-use oilwedge_scene::{Heat, PointViscosity, Scene, TemperatureLaw, Viscosity};
+use oilwedge_scene::{PointViscosity, Scene, TemperatureLaw, Viscosity};
 
 /// The film's temperature is first taken to be so much above that of the oil fed [K].
 const FIRST_RISE: f64 = 10.0;
@@ -23,7 +23,7 @@ pub struct Oil {
 impl Oil {
     /// The oil of a scene at the temperature that the scene gives or, with a heat balance, at which the search for it begins.
     pub fn of(scene: &Scene) -> Self {
-        let first = || scene.heat.as_ref().map(first_temperature);
+        let first = || scene.inlet_temperature().map(first_temperature);
         let oil = Self {
             viscosity: match scene.oil.viscosity {
                 Viscosity::Constant(viscosity) => viscosity,
@@ -55,9 +55,9 @@ impl Oil {
     }
 }
 
-/// Temperature [K] at which the search for that of the film begins.
-pub fn first_temperature(heat: &Heat) -> f64 {
-    heat.inlet + FIRST_RISE
+/// Temperature [K] at which the search for that of a film begins; `inlet` [K] is that of the oil fed.
+pub fn first_temperature(inlet: f64) -> f64 {
+    inlet + FIRST_RISE
 }
 
 /// The scene whose film has this temperature [K], at which the search for another one begins.

@@ -13,7 +13,7 @@ use serde::Serialize;
 use crate::film::Film;
 use crate::measure::Measured;
 use crate::oil::Oil;
-use crate::thermal::film_heat::leaving;
+use crate::thermal::flows::leaving;
 use oilwedge_scene::Scene;
 
 /// Clearance over radius of a film that curvature does not touch.
@@ -106,7 +106,7 @@ impl Regime {
         ];
         let rise = self
             .temperature_rise
-            .filter(|rise| film.scene.heat.is_none() && *rise > WARM);
+            .filter(|rise| film.thermal.is_none() && *rise > WARM);
         let heated = rise.map(|rise| {
             format!("a film as warm as its oil is fed: friction would heat the oil that flows through by some {} K, and the viscosity is that of another temperature; give [heat]", rounded(rise))
         });
@@ -153,7 +153,7 @@ pub(crate) fn constant_viscosity(film: &Film, measured: &Measured) -> Vec<String
 
 /// Friction and power of a moving centre over the heat that the oil which leaves takes up for each kelvin.
 fn temperature_rise(film: &Film, measured: &Measured) -> Option<f64> {
-    let capacity = film.scene.heat.map_or(HEAT_CAPACITY, |heat| heat.heat_capacity);
+    let capacity = film.thermal.map_or(HEAT_CAPACITY, |model| model.balance.heat_capacity);
     let Film { problem, system, .. } = film;
     let (bearing, journal) = (&problem.bearing, &problem.journal);
     let flow = leaving(problem, system, measured);

@@ -2,11 +2,11 @@
 //!
 //! Every number is SI, angles (degrees) and temperatures (degrees C) excepted. A number that is not finite is never written.
 
-mod heat;
 mod levels;
+mod temperature;
 
-pub use heat::{Criterion, HeatPoint, HeatReport};
 pub use levels::{LevelFacts, Refinement};
+pub use temperature::{Criterion, SECONDS_KEY, TemperaturePoint, TemperatureReport};
 
 use crate::effects::Effects;
 use crate::no_answer::NoAnswer;
@@ -73,7 +73,8 @@ pub struct Balances {
     /// Load minus the force of the film, relative to the load; zero where the position is given.
     pub force: f64,
     /// Heat of friction less what is carried off, relative to it; zero where the temperature is given.
-    pub heat: f64,
+    #[serde(rename = "heat")]
+    pub thermal: f64,
 }
 
 /// One step of the iteration.
@@ -147,7 +148,8 @@ pub struct RunResult {
     pub regime: Option<Regime>,
     /// How the temperature of the film comes about, and whether the bearing will do; absent in JSON where it was not sought.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub heat: Option<HeatReport>,
+    #[serde(rename = "heat")]
+    pub temperature: Option<TemperatureReport>,
     /// The nonlinear iteration.
     pub history: Vec<HistoryStep>,
     /// How often the dear things were done.

@@ -15,13 +15,13 @@ use crate::estimate::Estimated;
 use crate::film::DEGREE;
 use crate::no_answer::NoAnswer;
 use crate::picture::{FilmPicture, picture};
-use crate::quantities::heat::left_over;
+use crate::quantities::left_over;
 use crate::refinement::{Answer, answer};
 use crate::regime::Regime;
-use crate::result::{Balances, Counts, HistoryStep, LinearSolver, MeshFacts, RESULT_FORMAT, RunResult, Status};
+use crate::result::{Balances, Counts, HistoryStep, LinearSolver, MeshFacts, RESULT_FORMAT, RunResult, SECONDS_KEY, Status};
 use crate::run_options::RunOptions;
 use crate::solved::Solved;
-use crate::thermal::heat_report;
+use crate::thermal::temperature_report;
 use crate::warnings::result_warnings;
 
 /// What a run found.
@@ -83,7 +83,7 @@ fn without_outcome(scene: &Scene, answer: &Answer, options: &RunOptions) -> RunR
         levels: answer.levels.clone(),
         balances: Balances::default(),
         regime: None,
-        heat: None,
+        temperature: None,
         history: Vec::new(),
         counts: Counts::default(),
         linear_solver: None,
@@ -146,10 +146,10 @@ fn report(scene: &Scene, (solved, estimated): (&Solved, Estimated), options: &Ru
         mass: estimated.measured.flows.imbalance,
         power: estimated.measured.power.imbalance,
         force: solved.balance.map_or(0.0, |balance| balance.residual),
-        heat: left_over(&estimated.quantities),
+        thermal: left_over(&estimated.quantities),
     };
     let clock = Instant::now();
-    result.heat = heat_report(solved, &estimated.quantities, options.deadline());
+    result.temperature = temperature_report(solved, &estimated.quantities, options.deadline());
     let curve = clock.elapsed().as_secs_f64();
     let parts = solved.solution.seconds;
     let parts = [
@@ -159,7 +159,7 @@ fn report(scene: &Scene, (solved, estimated): (&Solved, Estimated), options: &Ru
         Some(("measure", estimated.seconds)),
         options.bars.then_some(("bars", solved.reference_seconds)),
         solved.balance.map(|balance| ("search", balance.seconds)),
-        (solved.temperature.as_ref()).map(|found| ("heat", found.seconds + curve)),
+        (solved.temperature.as_ref()).map(|found| (SECONDS_KEY, found.seconds + curve)),
     ];
     let parts = parts.into_iter().flatten();
     result

@@ -3,7 +3,7 @@
 //! The root is sought by quadratic films first, then by those whose numbers are reported. Its bar comes from those of friction and flow
 //! through the slope of their balance; all other numbers change with the temperature as the films on the way have shown.
 
-use oilwedge_bearing::{Deadline, FilmHeat, HeatBalance, NoBalance};
+use oilwedge_bearing::{Deadline, NoBalance, ThermalBalance, ThermalFlows};
 use oilwedge_reynolds::ReferenceFilm;
 use oilwedge_reynolds::existence::readable;
 
@@ -21,10 +21,10 @@ use oilwedge_scene::wording::celsius;
 
 mod bars;
 mod curve;
-pub mod film_heat;
+pub mod flows;
 mod search;
 
-pub use curve::heat_report;
+pub use curve::temperature_report;
 pub use search::solve;
 use search::{Kind, Left, ROUGHLY, Search};
 
@@ -41,8 +41,8 @@ fn measured(solved: &Solved) -> Measured {
 }
 
 /// Why there is no temperature, in words.
-fn none(balance: &HeatBalance, reason: NoBalance<Left>) -> NoAnswer {
-    let watts = |film: &FilmHeat, t: f64| {
+fn none(balance: &ThermalBalance, reason: NoBalance<Left>) -> NoAnswer {
+    let watts = |film: &ThermalFlows, t: f64| {
         let off = balance.carried(t, film) + balance.given_off(t);
         format!(
             "friction makes {} W, and {} W are carried off",
@@ -92,7 +92,7 @@ fn none(balance: &HeatBalance, reason: NoBalance<Left>) -> NoAnswer {
 /// # Errors
 /// The scene does not become a film.
 pub fn warmed(scene: &Scene, deadline: Deadline) -> Result<Option<Scene>, CompileError> {
-    if scene.heat.is_none() {
+    if scene.inlet_temperature().is_none() {
         return Ok(None);
     }
     let coarse = resized(scene, COARSE).unwrap_or_else(|| scene.clone());
@@ -101,12 +101,12 @@ pub fn warmed(scene: &Scene, deadline: Deadline) -> Result<Option<Scene>, Compil
 }
 
 fn rough_temperature(film: &Film, deadline: Deadline) -> Option<f64> {
-    let heat = film.scene.heat?;
-    let first = film.oil.temperature.unwrap_or(first_temperature(&heat));
+    let model = film.thermal?;
+    let first = film.oil.temperature.unwrap_or(first_temperature(model.balance.inlet));
     let options = SolveOptions {
         deadline,
         ..SolveOptions::default()
     };
-    let found = Search::new(film, heat, &options).find(first, ROUGHLY, Kind::Chosen);
+    let found = Search::new(film, model, &options).find(first, ROUGHLY, Kind::Chosen);
     found.ok().map(|found| found.temperature)
 }

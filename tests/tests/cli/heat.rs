@@ -206,7 +206,7 @@ fn films_that_jump_are_balanced() {
             table(scene, "load").insert("force".into(), format!("{force} N").into());
         });
         let found = run(&scene, &RunOptions::default()).expect("a film").result;
-        assert!(found.balances.heat < 1e-6, "{speed}: {}", found.balances.heat);
+        assert!(found.balances.thermal < 1e-6, "{speed}: {}", found.balances.thermal);
         let bar = found.by_name("temperature_effective").and_then(|it| it.error());
         assert!(bar.is_some_and(|bar| (1e-3..0.2).contains(&bar)), "{speed}: {bar:?}");
     }

@@ -7,8 +7,8 @@
 
 use std::f64::consts::PI;
 
-use oilwedge_bearing::heat_balance::find;
-use oilwedge_bearing::{FilmHeat, HeatBalance};
+use oilwedge_bearing::thermal_balance::find;
+use oilwedge_bearing::{ThermalBalance, ThermalFlows};
 use oilwedge_reynolds::analytical::iso7902::{
     self, Feed, attitude, eccentricity, feed_flow_number, friction, side_flow_number,
 };
@@ -22,7 +22,7 @@ const DIAMETER: f64 = 0.0745;
 const LENGTH: f64 = 0.0257;
 const PSI: f64 = 0.092e-3 / DIAMETER;
 const FEED_PRESSURE: f64 = 0.35e6;
-const BALANCE: HeatBalance = HeatBalance {
+const BALANCE: ThermalBalance = ThermalBalance {
     inlet: ZERO_CELSIUS + 75.0,
     heat_capacity: 1.8e6,
     housing: None,
@@ -70,8 +70,8 @@ fn film(temperature: f64, turns: f64, force: f64) -> Film {
     }
 }
 
-fn heat(film: &Film) -> FilmHeat {
-    FilmHeat {
+fn heat(film: &Film) -> ThermalFlows {
+    ThermalFlows {
         power: film.power,
         flow: film.flows[0] + film.flows[1],
         carried_over: 0.0,
@@ -181,7 +181,7 @@ fn the_crossing_of_both_curves() {
 fn the_table_by_the_standards_twin() {
     for (turns, force, printed) in CAR {
         let (result, heat) = car(turns, force);
-        assert!(result.balances.heat < 1e-6, "{turns}: {}", result.balances.heat);
+        assert!(result.balances.thermal < 1e-6, "{turns}: {}", result.balances.thermal);
         for ((number, printed), digit) in by_standard(&heat).into_iter().zip(printed).zip(LAST_DIGITS) {
             prints("by the standard", number, printed, digit);
         }
@@ -201,7 +201,7 @@ fn the_film_beside_the_fits() {
             table(scene, "cavitation").insert("model".into(), model.into());
         });
         let result = run(&scene, &RunOptions::default()).expect("a film").result;
-        assert!(result.balances.heat < 1e-6, "{model}: {}", result.balances.heat);
+        assert!(result.balances.thermal < 1e-6, "{model}: {}", result.balances.thermal);
         [
             "temperature_effective",
             "friction_power",

@@ -1,18 +1,18 @@
 //! The bearing of a scene by the standard, at one viscosity and at the temperature of its own balance of heat.
 
-use oilwedge_bearing::heat_balance::find;
-use oilwedge_bearing::{FilmHeat, HeatBalance};
+use oilwedge_bearing::ThermalFlows;
+use oilwedge_bearing::thermal_balance::find;
 use oilwedge_reynolds::analytical::iso7902;
 pub(super) use oilwedge_reynolds::analytical::iso7902::Feed;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_scene::{Mixing, Scene};
+use oilwedge_study::effects::Sockets;
 use oilwedge_study::oil::Oil;
 use oilwedge_study::oil::first_temperature;
 use oilwedge_study::quantities::{
     ECCENTRICITY, FILM_THICKNESS_MIN, FRICTION_POWER, LOAD, Quantity, SIDE_FLOW, TEMPERATURE_EFFECTIVE,
     TEMPERATURE_OUTLET, VISCOSITY_EFFECTIVE,
 };
-use oilwedge_study::thermal::film_heat::balance;
 
 /// The name of the standard.
 pub(super) const NAME: &str = "ISO 7902 (DIN 31652)";
@@ -146,9 +146,9 @@ pub(super) fn own_balance(scene: &Scene, given: Given, feed: &Fed) -> Vec<Quanti
 }
 
 fn balanced(scene: &Scene, given: Given, feed: &Fed) -> Option<Vec<Quantity>> {
-    let heat = scene.heat?;
+    let model = Sockets::of(scene).thermal?;
     // The oil carried round, of which a share mixes, is none of its numbers.
-    let carried_over = match heat.mixing {
+    let carried_over = match model.mixing {
         None => 0.0,
         Some(Mixing::Ratio(ratio)) => ratio,
         Some(Mixing::Share(_)) => return None,
@@ -160,14 +160,14 @@ fn balanced(scene: &Scene, given: Given, feed: &Fed) -> Option<Vec<Quantity>> {
     };
     let film = |temperature: f64| {
         let (twin, _) = at(temperature).ok_or(())?;
-        Ok::<_, ()>(FilmHeat {
+        Ok::<_, ()>(ThermalFlows {
             power: twin.power,
             flow: twin.flow.ok_or(())?,
             carried_over,
         })
     };
-    let balance: HeatBalance = balance(&heat);
-    let found = find(&balance, first_temperature(&heat), BALANCED, film).ok()?;
+    let balance = model.balance;
+    let found = find(&balance, first_temperature(balance.inlet), BALANCED, film).ok()?;
     let (twin, viscosity) = at(found.temperature)?;
     let [_, outlet] = balance.ends(found.temperature, carried_over);
     Some(vec![

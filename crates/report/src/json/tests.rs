@@ -29,10 +29,10 @@ pub(crate) fn example() -> RunResult {
             mass: 1e-12,
             power: 1e-12,
             force: 0.0,
-            heat: 0.0,
+            thermal: 0.0,
         },
         regime: None,
-        heat: None,
+        temperature: None,
         history: vec![HistoryStep {
             step: 1,
             residual: 1.0,

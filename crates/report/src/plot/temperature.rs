@@ -4,10 +4,10 @@ use super::chart::{COLOURS, Chart, Series, Style, charts_to_svg};
 use super::shortened;
 use crate::Error;
 use oilwedge_study::quantities::{FRICTION_POWER, Row, TEMPERATURE_EFFECTIVE};
-use oilwedge_study::result::{HeatPoint, HeatReport, RunResult};
+use oilwedge_study::result::{RunResult, TemperaturePoint, TemperatureReport};
 
-fn carried(point: &HeatPoint) -> f64 {
-    point.heat_carried + point.heat_housing
+fn carried(point: &TemperaturePoint) -> f64 {
+    point.carried + point.given_off
 }
 
 /// Files of the picture.
@@ -21,13 +21,13 @@ pub fn temperature_to_svg(result: &RunResult) -> Result<Option<String>, Error> {
     let value = |row: &Row| result.quantity(row).map(|quantity| quantity.value);
     let found = value(&TEMPERATURE_EFFECTIVE).zip(value(&FRICTION_POWER));
     let found = found.map(|(temperature, power)| [temperature, power]);
-    let drawn = |report: &HeatReport| to_svg(&result.title, report, found);
-    result.heat.as_ref().map(drawn).transpose()
+    let drawn = |report: &TemperatureReport| to_svg(&result.title, report, found);
+    result.temperature.as_ref().map(drawn).transpose()
 }
 
 /// `found` is the temperature found [degrees C] and the power there [W].
-fn to_svg(title: &str, report: &HeatReport, found: Option<[f64; 2]>) -> Result<String, Error> {
-    let curve = |name: &str, colour: [u8; 3], value: &dyn Fn(&HeatPoint) -> f64| {
+fn to_svg(title: &str, report: &TemperatureReport, found: Option<[f64; 2]>) -> Result<String, Error> {
+    let curve = |name: &str, colour: [u8; 3], value: &dyn Fn(&TemperaturePoint) -> f64| {
         let points: Vec<[f64; 2]> = (report.curve.iter())
             .map(|point| [point.temperature, value(point)])
             .collect();
@@ -73,19 +73,19 @@ mod tests {
     use super::*;
     use crate::plot::to_png;
 
-    fn report(points: &[(f64, f64, f64)]) -> HeatReport {
-        let point = |&(temperature, friction_power, heat_carried): &(f64, f64, f64)| HeatPoint {
+    fn report(points: &[(f64, f64, f64)]) -> TemperatureReport {
+        let point = |&(temperature, friction_power, carried): &(f64, f64, f64)| TemperaturePoint {
             temperature,
             viscosity: 0.01,
             friction_power,
-            heat_carried,
-            heat_housing: 1.0,
+            carried,
+            given_off: 1.0,
             eccentricity: 0.5,
         };
-        HeatReport {
+        TemperatureReport {
             inlet_temperature: 75.0,
             curve: points.iter().map(point).collect(),
-            ..HeatReport::default()
+            ..TemperatureReport::default()
         }
     }
 

@@ -20,7 +20,7 @@ pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
     if let Viscosity::ByTemperature(law) = &scene.oil.viscosity {
         has_meaning(law, &oil, complaints);
     }
-    if complaints.concern("oil") || complaints.concern("heat") {
+    if complaints.concern_temperature() {
         return;
     }
     at_given_temperature(scene, &oil, complaints);
@@ -34,7 +34,7 @@ pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
         "is below the range of Roelands' law, which needs ln(viscosity in Pa.s) + 9.67 > 0",
         "give more than 0.0632 mPa.s (is it in mPa.s?), or take another law of pressure",
     );
-    if !complaints.concern("oil") && !complaints.concern("heat") {
+    if !complaints.concern_temperature() {
         pressures(scene, complaints);
     }
 }

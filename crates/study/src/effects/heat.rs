@@ -1,12 +1,15 @@
 //! The heat balance: the temperature at which the oil carries off what friction makes.
 
+use oilwedge_bearing::{Housing, ThermalBalance};
 use oilwedge_reynolds::existence::readable;
+use oilwedge_scene::Scene;
 use oilwedge_scene::wording::celsius;
 
-use super::{BLANK, Effect, Socket, changed};
+use super::{BLANK, Effect, Socket, Sockets, changed};
 use crate::film::Film;
 use crate::measure::Measured;
-use crate::thermal::film_heat::{balance, film_heat, rounded};
+use crate::thermal::flows::{rounded, thermal_flows};
+use crate::thermal_model::ThermalModel;
 
 /// Viscosity where the oil enters over that where it leaves, from which on one temperature does not describe the film.
 const UNEVEN: f64 = 2.0;
@@ -21,6 +24,7 @@ pub(super) const ROW: Effect = Effect {
     socket: Socket::Temperature,
     kind: KIND,
     is_in: |scene| scene.heat.is_some(),
+    install,
     instead: "a film as warm as the oil that is fed",
     remove: |scene| {
         changed(scene, |scene| {
@@ -33,15 +37,32 @@ pub(super) const ROW: Effect = Effect {
     ..BLANK
 };
 
+fn install(scene: &Scene, sockets: &mut Sockets) {
+    sockets.thermal = scene.heat.map(|heat| ThermalModel {
+        balance: ThermalBalance {
+            inlet: heat.inlet,
+            heat_capacity: heat.heat_capacity,
+            housing: heat.housing.map(|housing| Housing {
+                conductance: housing.conductance,
+                ambient: housing.ambient,
+            }),
+        },
+        mixing: heat.mixing,
+        engine: heat.engine,
+        least_film: heat.least_film,
+        greatest_temperature: heat.greatest_temperature,
+    });
+}
+
 fn warnings(film: &Film, measured: &Measured) -> Vec<String> {
-    let (Some(heat), Some(temperature), Some(oil)) = (&film.scene.heat, film.oil.temperature, &film.oil.thermal) else {
+    let (Some(model), Some(temperature), Some(oil)) = (&film.thermal, film.oil.temperature, &film.oil.thermal) else {
         return Vec::new();
     };
-    let heated = film_heat(heat, film, measured);
-    let [inlet, outlet] = balance(heat).ends(temperature, heated.carried_over);
+    let flows = thermal_flows(model, film, measured);
+    let [inlet, outlet] = model.balance.ends(temperature, flows.carried_over);
     let ratio = oil.viscosity(inlet) / oil.viscosity(outlet);
-    let created = measured.flows.cavity / heated.flow;
-    let created = (heated.flow > 0.0 && created > CREATED).then(|| {
+    let created = measured.flows.cavity / flows.flow;
+    let created = (flows.flow > 0.0 && created > CREATED).then(|| {
         format!(
             "{:.0} % of the oil that carries the heat off is created by the cavity, which does not conserve oil where the film forms again: the film is hotter if the feeds bring no more; choose a model of cavitation that conserves oil",
             100.0 * created

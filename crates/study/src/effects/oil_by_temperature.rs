@@ -6,7 +6,7 @@ use oilwedge_scene::wording::celsius;
 
 use super::{BLANK, Effect, Socket};
 use crate::film::Film;
-use crate::thermal::film_heat::rounded;
+use crate::thermal::flows::rounded;
 
 pub(super) const ROW: Effect = Effect {
     name: "oil by temperature",
@@ -20,7 +20,7 @@ pub(super) const ROW: Effect = Effect {
 /// That a temperature that was sought lies outside the table of viscosities.
 fn outside_table(film: &Film) -> Option<String> {
     let oil = &film.oil;
-    film.scene.heat?;
+    film.thermal?;
     let (temperature, TemperatureLaw::Table(table)) = (oil.temperature?, &oil.thermal.as_ref()?.law) else {
         return None;
     };

@@ -10,6 +10,7 @@ use oilwedge_reynolds::{Cavitation, CentreVelocity, Form, Theory};
 use oilwedge_scene::Scene;
 
 use super::present;
+use crate::thermal_model::ThermalModel;
 
 /// Where an effect enters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -62,6 +63,8 @@ pub struct Sockets {
     pub centre_velocity: CentreVelocity,
     /// Force `(F cos, F sin)` on the journal [N] under which its position is found; `None` at a given position.
     pub load: Option<[f64; 2]>,
+    /// How the temperature of the film is found; `None`: it is given, or has no effect.
+    pub thermal: Option<ThermalModel>,
 }
 
 impl Sockets {
@@ -77,6 +80,7 @@ impl Sockets {
             cavitation: Cavitation::None,
             centre_velocity: CentreVelocity::default(),
             load: None,
+            thermal: None,
         };
         present(scene).for_each(|effect| (effect.install)(scene, &mut sockets));
         sockets

@@ -1,6 +1,6 @@
 //! The temperature of the film, and where its heat goes.
 
-use oilwedge_bearing::{FilmHeat, HeatBalance};
+use oilwedge_bearing::{ThermalBalance, ThermalFlows};
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_scene::{Scene, Viscosity};
 
@@ -11,7 +11,9 @@ use super::row::{Measure::One, Row, Table};
 use super::rule::ErrorRule;
 use super::view::View;
 use super::warming::Warming;
-use crate::thermal::film_heat::{balance, film_heat};
+use crate::effects::Sockets;
+use crate::thermal::flows::thermal_flows;
+use crate::thermal_model::ThermalModel;
 
 rows! {
     /// `t_m`: temperature of the film, one for all of it; with `[heat]` the one at which `P + P_e = P_oil + P_h`; none where the oil has
@@ -29,33 +31,33 @@ rows! {
     /// `Q_out`: oil that leaves the film: `Q_s` where oil only leaves at the ends, and what feeds drain; none without `[heat]`
     COOLING_FLOW = "cooling_flow", "Q_out", CubicMetrePerSecond, "oil that leaves the film and carries heat off":
         One(|film| Some(found(film)?.2.flow)),
-        ErrorRule::Heat(|warming| warming.flow, |_| Some(0.0)),
-        in_table(Table::Heat) only(is_balanced);
+        ErrorRule::Balance(|warming| warming.flow, |_| Some(0.0)),
+        in_table(Table::Temperature) only(is_balanced);
 
     /// `t_in = 2 t_m - t_out`: temperature of the oil that enters the film, hot oil mixed in; none without `heat.mixing`
     TEMPERATURE_INLET = "temperature_inlet", "t_in", Celsius, "of the oil that enters the film, hot oil mixed in":
-        One(|film| film.base.scene.heat?.mixing.and_then(|_| end(film, 0))),
+        One(|film| film.base.thermal?.mixing.and_then(|_| end(film, 0))),
         ErrorRule::Temperature(|warming| Some(warming.ends()[0])),
-        in_table(Table::Heat) only(|scene| scene.heat.is_some_and(|heat| heat.mixing.is_some()));
+        in_table(Table::Temperature) only(|scene| model(scene).is_some_and(|model| model.mixing.is_some()));
 
     /// `t_out = t_0 + 2 (1 + m)/(1 + 2 m) (t_m - t_0)`: temperature of the oil that leaves; t_0 that of the oil fed, m the hot oil carried
     /// over for each part of fresh oil; none without `[heat]`
     TEMPERATURE_OUTLET = "temperature_outlet", "t_out", Celsius, "of the oil that leaves it":
         One(|film| end(film, 1)),
         ErrorRule::Temperature(|warming| Some(warming.ends()[1])),
-        in_table(Table::Heat) only(is_balanced);
+        in_table(Table::Temperature) only(is_balanced);
 
     /// `P_oil = rho c Q_out (t_out - t_0)`; none without `[heat]`
     HEAT_CARRIED = "heat_carried", "P_oil", Watt, "heat that the oil carries off":
         One(|film| found(film).map(|(balance, temperature, film)| balance.carried(temperature, &film))),
-        ErrorRule::Heat(|warming| warming.power, carried_per_kelvin),
-        in_table(Table::Heat) only(is_balanced);
+        ErrorRule::Balance(|warming| warming.power, carried_per_kelvin),
+        in_table(Table::Temperature) only(is_balanced);
 
     /// `P_h = G (t_m - t_a)`: G the conductance of the housing, t_a the temperature around it; none without `heat.housing`
     HEAT_HOUSING = "heat_housing", "P_h", Watt, "heat that the housing gives off":
         One(|film| found(film).and_then(|(balance, temperature, _)| balance.housing.map(|_| balance.given_off(temperature)))),
         ErrorRule::Temperature(|warming| warming.conductance()),
-        in_table(Table::Heat) only(|scene| scene.heat.is_some_and(|heat| heat.housing.is_some()));
+        in_table(Table::Temperature) only(|scene| model(scene).is_some_and(|model| model.balance.housing.is_some()));
 }
 
 fn is_by_temperature(scene: &Scene) -> bool {
@@ -63,13 +65,21 @@ fn is_by_temperature(scene: &Scene) -> bool {
 }
 
 fn is_balanced(scene: &Scene) -> bool {
-    scene.heat.is_some()
+    model(scene).is_some()
+}
+
+fn model(scene: &Scene) -> Option<ThermalModel> {
+    Sockets::of(scene).thermal
 }
 
 /// The balance, the temperature [K] of the film, and what heats and cools it.
-fn found(film: &View) -> Option<(HeatBalance, f64, FilmHeat)> {
-    let (heat, temperature) = (film.base.scene.heat.as_ref()?, film.base.oil.temperature?);
-    Some((balance(heat), temperature, film_heat(heat, film.base, film.measured)))
+fn found(film: &View) -> Option<(ThermalBalance, f64, ThermalFlows)> {
+    let (model, temperature) = (film.base.thermal?, film.base.oil.temperature?);
+    Some((
+        model.balance,
+        temperature,
+        thermal_flows(&model, film.base, film.measured),
+    ))
 }
 
 /// What friction makes for each kelvin and the housing does not take [W/K].

@@ -14,7 +14,7 @@ mod cap;
 mod cavity;
 mod flow;
 mod friction;
-pub(crate) mod heat;
+mod heat;
 mod load;
 mod motion;
 mod position;

@@ -39,7 +39,7 @@ pub enum Table {
     /// That of the film.
     Film,
     /// That of the balance of heat.
-    Heat,
+    Temperature,
     /// That of the cap of a connecting rod.
     Cap,
 }

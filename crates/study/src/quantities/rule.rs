@@ -47,14 +47,14 @@ pub enum ErrorRule {
     /// It follows from given numbers and from the temperature of the film: by how much for each kelvin.
     Temperature(fn(&Warming) -> Option<f64>),
     /// It is a part of the balance of heat: its bar at the temperature of the film, and how it changes for each kelvin.
-    Heat(fn(&Warming) -> Option<f64>, fn(&Warming) -> Option<f64>),
+    Balance(fn(&Warming) -> Option<f64>, fn(&Warming) -> Option<f64>),
 }
 
 impl ErrorRule {
     /// Bar of a number at the position and the temperature of the film; none where it cannot be trusted.
     pub fn bar(&self, estimate: &dyn Estimate, subject: &Subject) -> Option<Bar> {
         match self {
-            Self::Exact | Self::Temperature(_) | Self::Heat(..) => Some(Bar::default()),
+            Self::Exact | Self::Temperature(_) | Self::Balance(..) => Some(Bar::default()),
             Self::Position if subject.view.base.load.is_none() => Some(Bar::default()),
             _ if !estimate.is_resolved() => None,
             Self::Position => Some(Bar::default()),
@@ -100,7 +100,7 @@ impl ErrorRule {
             }
             Self::Of(words, _) => words,
             Self::Temperature(_) => "exact at a given temperature; with `[heat]` that of the temperature",
-            Self::Heat(..) => "those of friction and flow, by the balance of heat",
+            Self::Balance(..) => "those of friction and flow, by the balance of heat",
         }
     }
 }

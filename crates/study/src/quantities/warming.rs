@@ -3,15 +3,15 @@
 use std::borrow::Cow;
 use std::collections::HashMap;
 
-use oilwedge_bearing::{FilmHeat, HeatBalance};
+use oilwedge_bearing::{ThermalBalance, ThermalFlows};
 
 /// What bars of a film whose temperature is found are made of.
 #[derive(Debug)]
 pub struct Warming<'a> {
     /// The balance.
-    pub balance: HeatBalance,
+    pub balance: ThermalBalance,
     /// What heats and what cools the film.
-    pub film: FilmHeat,
+    pub film: ThermalFlows,
     /// Bar [W] of what heats the film; none where it has none.
     pub power: Option<f64>,
     /// Bar [m3/s] of what carries heat off; none where it has none.

@@ -2,7 +2,7 @@
 
 use oilwedge_reynolds::error_bar::Bar;
 
-use super::film_heat::{balance, film_heat};
+use super::flows::thermal_flows;
 use crate::film::Film;
 use crate::measure::Measured;
 use crate::quantities::{ErrorRule, FRICTION_POWER, MOTION_POWER, Quantity, Row, SIDE_FLOW, Table, Warming};
@@ -24,16 +24,15 @@ impl TemperatureFound {
 
     /// Gives the quantities of the balance their bars, and adds to all others what the bar of the temperature makes of them.
     pub fn widen(&self, film: &Film, measured: &Measured, quantities: &mut [Quantity]) {
-        let Some(heat) = film
-            .scene
-            .heat
+        let Some(model) = film
+            .thermal
             .filter(|_| quantities.iter().any(|quantity| quantity.bar.is_some()))
         else {
             return;
         };
         let warming = Warming {
-            balance: balance(&heat),
-            film: film_heat(&heat, film, measured),
+            balance: model.balance,
+            film: thermal_flows(&model, film, measured),
             power: error(quantities, &FRICTION_POWER)
                 .zip(error(quantities, &MOTION_POWER))
                 .map(|(turning, moving)| turning + moving),
@@ -42,14 +41,14 @@ impl TemperatureFound {
         };
         let temperature = self.bar(&warming);
         for quantity in quantities {
-            if quantity.value == 0.0 && quantity.row.table == Table::Heat {
+            if quantity.value == 0.0 && quantity.row.table == Table::Temperature {
                 quantity.bar = Some(Bar::default());
                 continue;
             }
             let (own, per_kelvin) = match quantity.row.error {
                 ErrorRule::Exact => (quantity.bar, Some(0.0)),
                 ErrorRule::Temperature(per_kelvin) => (quantity.bar, per_kelvin(&warming)),
-                ErrorRule::Heat(own, per_kelvin) => (own(&warming).map(Bar::of), per_kelvin(&warming)),
+                ErrorRule::Balance(own, per_kelvin) => (own(&warming).map(Bar::of), per_kelvin(&warming)),
                 _ => (quantity.bar, self.slopes.get(&quantity.name).copied()),
             };
             let widened = own.zip(temperature).zip(per_kelvin);

@@ -4,15 +4,16 @@ use oilwedge_bearing::{Deadline, InitialGuess};
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_reynolds::solve::Neighbour;
 
-use super::film_heat::{balance, film_heat};
+use super::flows::thermal_flows;
 use super::measured;
 use super::search::from_near_or_cold;
 use crate::compile::at_temperature;
 use crate::film::Film;
 use crate::quantities::{FILM_THICKNESS_MIN, LOAD, Quantity, Row};
-use crate::result::{Criterion, HeatPoint, HeatReport};
+use crate::result::{Criterion, TemperaturePoint, TemperatureReport};
 use crate::solved::{SolveOptions, Solved};
-use oilwedge_scene::{Engine, Heat};
+use crate::thermal_model::ThermalModel;
+use oilwedge_scene::Engine;
 
 /// Films on either side of the temperature found.
 const FILMS: i32 = 3;
@@ -21,21 +22,21 @@ const REACH: f64 = 1.5;
 /// and this far [K] at least.
 const LEAST_REACH: f64 = 10.0;
 
-/// The report of a heat balance; none without one.
-pub fn heat_report(solved: &Solved, quantities: &[Quantity], deadline: Deadline) -> Option<HeatReport> {
+/// How the temperature of a film was found; none where it was not sought.
+pub fn temperature_report(solved: &Solved, quantities: &[Quantity], deadline: Deadline) -> Option<TemperatureReport> {
     let film = &solved.film;
-    let (heat, found) = (
-        film.scene.heat?,
+    let (model, found) = (
+        film.thermal?,
         solved.temperature.as_ref().filter(|found| !found.is_ended)?,
     );
     let root = found.balanced.temperature;
-    let reach = (REACH * (root - heat.inlet).abs()).max(LEAST_REACH);
+    let reach = (REACH * (root - model.balance.inlet).abs()).max(LEAST_REACH);
     let temperatures = (-FILMS..=FILMS).map(|k| (k, root + f64::from(k) / f64::from(FILMS) * reach));
     let curve = temperatures
-        .filter(|(_, temperature)| *temperature >= balance(&heat).range()[0])
+        .filter(|(_, temperature)| *temperature >= model.balance.range()[0])
         .filter_map(|(k, temperature)| match k {
-            0 => Some(point(&heat, temperature, solved)),
-            _ => film_at(&heat, temperature, solved, deadline),
+            0 => Some(point(&model, temperature, solved)),
+            _ => film_at(&model, temperature, solved, deadline),
         });
     let value = |row: &Row| {
         let quantity = quantities.iter().find(|quantity| quantity.row == row);
@@ -43,12 +44,12 @@ pub fn heat_report(solved: &Solved, quantities: &[Quantity], deadline: Deadline)
     };
     let (bearing, criteria) = (
         &film.problem.bearing,
-        criteria(film, &heat, value(&FILM_THICKNESS_MIN)?, root),
+        criteria(film, &model, value(&FILM_THICKNESS_MIN)?, root),
     );
-    Some(HeatReport {
-        preset: heat.engine.map(Engine::name),
-        inlet_temperature: heat.inlet - ZERO_CELSIUS,
-        heat_capacity: heat.heat_capacity,
+    Some(TemperatureReport {
+        preset: model.engine.map(Engine::name),
+        inlet_temperature: model.balance.inlet - ZERO_CELSIUS,
+        heat_capacity: model.balance.heat_capacity,
         specific_load: value(&LOAD)? / (2.0 * bearing.radius * bearing.length),
         curve: curve.collect(),
         is_fit: criteria.iter().all(|criterion| criterion.is_met || !criterion.decides),
@@ -56,31 +57,31 @@ pub fn heat_report(solved: &Solved, quantities: &[Quantity], deadline: Deadline)
     })
 }
 
-fn film_at(heat: &Heat, temperature: f64, near: &Solved, deadline: Deadline) -> Option<HeatPoint> {
+fn film_at(model: &ThermalModel, temperature: f64, near: &Solved, deadline: Deadline) -> Option<TemperaturePoint> {
     let options = SolveOptions {
         deadline,
         guess: InitialGuess::Near(Neighbour::Start(&near.solution)),
         ..SolveOptions::default()
     };
     let solved = from_near_or_cold(&at_temperature(&near.film, temperature), &options).ok()?;
-    (!solved.is_ended()).then(|| point(heat, temperature, &solved))
+    (!solved.is_ended()).then(|| point(model, temperature, &solved))
 }
 
-fn point(heat: &Heat, temperature: f64, solved: &Solved) -> HeatPoint {
-    let balance = balance(heat);
-    let film = film_heat(heat, &solved.film, &measured(solved));
-    HeatPoint {
+fn point(model: &ThermalModel, temperature: f64, solved: &Solved) -> TemperaturePoint {
+    let balance = &model.balance;
+    let film = thermal_flows(model, &solved.film, &measured(solved));
+    TemperaturePoint {
         temperature: temperature - ZERO_CELSIUS,
         viscosity: solved.film.problem.lubricant.viscosity,
         friction_power: film.power,
-        heat_carried: balance.carried(temperature, &film),
-        heat_housing: balance.given_off(temperature),
+        carried: balance.carried(temperature, &film),
+        given_off: balance.given_off(temperature),
         eccentricity: solved.film.position().eccentricity,
     }
 }
 
 /// What decides, and what is usual in an engine.
-fn criteria(film: &Film, heat: &Heat, least_film: f64, temperature: f64) -> Vec<Criterion> {
+fn criteria(film: &Film, model: &ThermalModel, least_film: f64, temperature: f64) -> Vec<Criterion> {
     let bearing = &film.problem.bearing;
     let celsius = |temperature: f64| temperature - ZERO_CELSIUS;
     let mut list = vec![
@@ -88,18 +89,18 @@ fn criteria(film: &Film, heat: &Heat, least_film: f64, temperature: f64) -> Vec<
             "thinnest film",
             "um",
             1e6 * least_film,
-            [Some(1e6 * heat.least_film), None],
+            [Some(1e6 * model.least_film), None],
             true,
         ),
         Criterion::new(
             "temperature of the film",
             "degC",
             celsius(temperature),
-            [None, Some(celsius(heat.greatest_temperature))],
+            [None, Some(celsius(model.greatest_temperature))],
             true,
         ),
     ];
-    let Some(engine) = heat.engine else { return list };
+    let Some(engine) = model.engine else { return list };
     let mut usual = |what: &str, unit: &str, value: f64, range: [f64; 2]| {
         list.push(Criterion::new(what, unit, value, range.map(Some), false));
     };
@@ -117,7 +118,7 @@ fn criteria(film: &Film, heat: &Heat, least_film: f64, temperature: f64) -> Vec<
     usual(
         "temperature of the oil fed",
         "degC",
-        celsius(heat.inlet),
+        celsius(model.balance.inlet),
         engine.inlet().map(celsius),
     );
     list

@@ -7,23 +7,20 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::time::Instant;
 
-use oilwedge_bearing::heat_balance::find;
-use oilwedge_bearing::{Balanced, FilmHeat, InitialGuess, NoBalance};
+use oilwedge_bearing::thermal_balance::find;
+use oilwedge_bearing::{Balanced, InitialGuess, NoBalance, ThermalFlows};
 use oilwedge_reynolds::solve::Neighbour;
 
-use super::{
-    film_heat::{balance, film_heat},
-    measured, none,
-};
+use super::flows::thermal_flows;
+use super::{measured, none};
 use crate::compile::at_temperature;
 use crate::film::Film;
 use crate::isothermal::isothermal;
 use crate::no_answer::NoAnswer;
 use crate::oil::first_temperature;
 use crate::quantities::{self, Quantity, Unit, View};
-use crate::solved::TemperatureFound;
-use crate::solved::{Errors, SolveOptions, Solved};
-use oilwedge_scene::Heat;
+use crate::solved::{Errors, SolveOptions, Solved, TemperatureFound};
+use crate::thermal_model::ThermalModel;
 
 /// The heat is balanced when what is left over is this part of the friction;
 const BALANCED: f64 = 1e-8;
@@ -58,7 +55,7 @@ pub(super) enum Kind {
 /// Films at one temperature after the other.
 pub(super) struct Search<'a> {
     film: &'a Film,
-    heat: Heat,
+    model: ThermalModel,
     options: SolveOptions<'a>,
     /// The film with the least heat left over.
     best: Option<Tried>,
@@ -73,7 +70,7 @@ pub(super) struct Search<'a> {
 /// A solved film at a temperature.
 struct Tried {
     temperature: f64,
-    heat: FilmHeat,
+    flows: ThermalFlows,
     surplus: f64,
     kind: Kind,
     solved: Solved,
@@ -82,10 +79,10 @@ struct Tried {
 }
 
 impl<'a> Search<'a> {
-    pub(super) fn new(film: &'a Film, heat: Heat, options: &SolveOptions<'a>) -> Self {
+    pub(super) fn new(film: &'a Film, model: ThermalModel, options: &SolveOptions<'a>) -> Self {
         Self {
             film,
-            heat,
+            model,
             options: *options,
             best: None,
             numbers: Vec::new(),
@@ -96,10 +93,11 @@ impl<'a> Search<'a> {
 
     /// The temperature at which the heat is balanced to the part `accuracy` of the friction, sought from `first` [K].
     pub(super) fn find(&mut self, first: f64, accuracy: f64, kind: Kind) -> Result<Balanced, NoBalance<Left>> {
-        find(&balance(&self.heat), first, accuracy, |t| self.at(t, kind))
+        let balance = self.model.balance;
+        find(&balance, first, accuracy, |t| self.at(t, kind))
     }
 
-    fn at(&mut self, temperature: f64, kind: Kind) -> Result<FilmHeat, Left> {
+    fn at(&mut self, temperature: f64, kind: Kind) -> Result<ThermalFlows, Left> {
         if self.options.deadline.is_over() && self.best.is_some() {
             return Err(Left::Ended);
         }
@@ -107,13 +105,13 @@ impl<'a> Search<'a> {
         let tried = self.tried(temperature, kind, best.as_ref());
         self.best = best;
         let tried = tried.map_err(Left::NoAnswer)?;
-        let (heat, is_ended) = (tried.heat, tried.solved.is_ended());
+        let (flows, is_ended) = (tried.flows, tried.solved.is_ended());
         if is_ended || self.best.as_ref().is_none_or(|best| tried.is_better(best)) {
             self.best = Some(tried);
         }
         match is_ended {
             true => Err(Left::Ended),
-            false => Ok(heat),
+            false => Ok(flows),
         }
     }
 
@@ -135,15 +133,15 @@ impl<'a> Search<'a> {
         }
         let solved = from_near_or_cold(&film, &options)?;
         let measured = measured(&solved);
-        let heat = film_heat(&self.heat, &solved.film, &measured);
+        let flows = thermal_flows(&self.model, &solved.film, &measured);
         if kind != Kind::Estimated {
             let view = View::new(&solved.film, &solved.film.problem, &measured);
             self.numbers.push((temperature, quantities::measured(&view)));
         }
         Ok(Tried {
             temperature,
-            heat,
-            surplus: balance(&self.heat).surplus(temperature, &heat),
+            flows,
+            surplus: self.model.balance.surplus(temperature, &flows),
             kind,
             solved,
             seconds: clock.elapsed().as_secs_f64(),
@@ -171,7 +169,7 @@ impl<'a> Search<'a> {
             found = or_slope(near, found.slope);
             let kept = self.best.take();
             match self.tried(found.temperature, Kind::Chosen, kept.as_ref()) {
-                Ok(chosen) if chosen.surplus.abs() > BALANCED * chosen.heat.power.abs() => self.best = Some(chosen),
+                Ok(chosen) if chosen.surplus.abs() > BALANCED * chosen.flows.power.abs() => self.best = Some(chosen),
                 // Where the choice fails the film before stands.
                 chosen => {
                     self.best = kept;
@@ -233,7 +231,7 @@ impl Tried {
     fn unbalanced(&self) -> Balanced {
         Balanced {
             temperature: self.temperature,
-            film: self.heat,
+            film: self.flows,
             surplus: self.surplus,
             slope: f64::NAN,
             films: 0,
@@ -262,10 +260,10 @@ pub(super) fn from_near_or_cold(film: &Film, options: &SolveOptions) -> Result<S
 ///
 /// # Errors
 /// [`NoAnswer`]: there is no film, no position, or no such temperature.
-pub fn solve(film: &Film, heat: &Heat, options: &SolveOptions) -> Result<Solved, NoAnswer> {
+pub fn solve(film: &Film, model: &ThermalModel, options: &SolveOptions) -> Result<Solved, NoAnswer> {
     let clock = Instant::now();
-    let first = film.oil.temperature.unwrap_or(first_temperature(heat));
-    let mut search = Search::new(film, *heat, options);
+    let first = film.oil.temperature.unwrap_or(first_temperature(model.balance.inlet));
+    let mut search = Search::new(film, *model, options);
     let found = search.balanced(first);
     if let (Ok(found), Errors::Estimated) = (&found, options.errors) {
         search.prepare_estimate(found);
@@ -284,8 +282,8 @@ pub fn solve(film: &Film, heat: &Heat, options: &SolveOptions) -> Result<Solved,
     let (balanced, best) = match (found, search.best) {
         (Ok(found), Some(best)) => (found, best),
         (Err(_), Some(best)) if is_ended => (best.unbalanced(), best),
-        (Err(reason), _) => return Err(none(&balance(heat), reason)),
-        (Ok(_), None) => return Err(none(&balance(heat), NoBalance::NoFilm(Left::Ended))),
+        (Err(reason), _) => return Err(none(&model.balance, reason)),
+        (Ok(_), None) => return Err(none(&model.balance, NoBalance::NoFilm(Left::Ended))),
     };
     let mut solved = best.solved;
     if search.is_restless {

@@ -23,7 +23,7 @@
 
 /// What heats and what cools one film at a temperature.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct FilmHeat {
+pub struct ThermalFlows {
     /// Power of friction P [W].
     pub power: f64,
     /// Oil that leaves the film Q [m3/s].
@@ -34,7 +34,7 @@ pub struct FilmHeat {
 
 /// What the heat goes into.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct HeatBalance {
+pub struct ThermalBalance {
     /// Temperature t_0 of the oil that is fed [K].
     pub inlet: f64,
     /// Heat capacity per volume rho c [J/(m3 K)].
@@ -65,7 +65,7 @@ const EDGE: f64 = 0.05;
 /// Most films.
 const MOST_FILMS: usize = 200;
 
-impl HeatBalance {
+impl ThermalBalance {
     /// Temperatures [K] with which oil enters and leaves a film of the mean temperature `mean` [K].
     pub fn ends(&self, mean: f64, carried_over: f64) -> [f64; 2] {
         let outlet = self.inlet + self.per_mean(carried_over) * (mean - self.inlet);
@@ -78,7 +78,7 @@ impl HeatBalance {
     }
 
     /// Heat [W] that the oil carries off.
-    pub fn carried(&self, mean: f64, film: &FilmHeat) -> f64 {
+    pub fn carried(&self, mean: f64, film: &ThermalFlows) -> f64 {
         self.heat_capacity * film.flow * self.per_mean(film.carried_over) * (mean - self.inlet)
     }
 
@@ -89,18 +89,18 @@ impl HeatBalance {
     }
 
     /// Heat [W] that neither takes.
-    pub fn surplus(&self, mean: f64, film: &FilmHeat) -> f64 {
+    pub fn surplus(&self, mean: f64, film: &ThermalFlows) -> f64 {
         film.power - self.carried(mean, film) - self.given_off(mean)
     }
 
     /// The temperature [K] at which these flows would be balanced, infinite where nothing carries heat off.
-    fn balanced_by(&self, film: &FilmHeat) -> f64 {
+    fn balanced_by(&self, film: &ThermalFlows) -> f64 {
         let by_oil = (self.heat_capacity * film.flow * self.per_mean(film.carried_over)).max(0.0);
         let (by_housing, ambient) = self
             .housing
             .map_or((0.0, 0.0), |housing| (housing.conductance, housing.ambient));
-        let heat = film.power + by_oil * self.inlet + by_housing * ambient;
-        heat / (by_oil + by_housing)
+        let supplied = film.power + by_oil * self.inlet + by_housing * ambient;
+        supplied / (by_oil + by_housing)
     }
 
     /// Temperatures [K] between which the film's is sought.
@@ -116,7 +116,7 @@ pub struct Balanced {
     /// Mean temperature of the film [K].
     pub temperature: f64,
     /// What heats and cools it there.
-    pub film: FilmHeat,
+    pub film: ThermalFlows,
     /// Heat that is left over [W].
     pub surplus: f64,
     /// How the surplus falls with temperature [W/K], negative; not a number where one film was enough.
@@ -135,7 +135,7 @@ pub enum NoBalance<E> {
         /// Temperature [K] of the last film.
         temperature: f64,
         /// What heats and cools it.
-        film: FilmHeat,
+        film: ThermalFlows,
         /// Why there is none beyond.
         reason: E,
     },
@@ -144,7 +144,7 @@ pub enum NoBalance<E> {
         /// That temperature [K].
         temperature: f64,
         /// What heats and cools the film there.
-        film: FilmHeat,
+        film: ThermalFlows,
     },
 }
 
@@ -152,18 +152,18 @@ pub enum NoBalance<E> {
 #[derive(Debug, Clone, Copy)]
 struct Point {
     temperature: f64,
-    film: FilmHeat,
+    film: ThermalFlows,
     surplus: f64,
 }
 
 /// A search for the root.
 struct Search<'a, F> {
-    balance: &'a HeatBalance,
+    balance: &'a ThermalBalance,
     evaluate: F,
     films: usize,
 }
 
-impl<E, F: FnMut(f64) -> Result<FilmHeat, E>> Search<'_, F> {
+impl<E, F: FnMut(f64) -> Result<ThermalFlows, E>> Search<'_, F> {
     fn at(&mut self, temperature: f64) -> Result<Point, E> {
         self.films += 1;
         let film = (self.evaluate)(temperature)?;
@@ -269,10 +269,10 @@ impl<E, F: FnMut(f64) -> Result<FilmHeat, E>> Search<'_, F> {
 /// # Errors
 /// [`NoBalance`]: the reason why there is none.
 pub fn find<E>(
-    balance: &HeatBalance,
+    balance: &ThermalBalance,
     start: f64,
     accuracy: f64,
-    evaluate: impl FnMut(f64) -> Result<FilmHeat, E>,
+    evaluate: impl FnMut(f64) -> Result<ThermalFlows, E>,
 ) -> Result<Balanced, NoBalance<E>> {
     let mut search = Search {
         balance,
@@ -301,29 +301,29 @@ pub fn find<E>(
 mod tests {
     use super::*;
 
-    const OIL: HeatBalance = HeatBalance {
+    const OIL: ThermalBalance = ThermalBalance {
         inlet: 348.15,
         heat_capacity: 1.8e6,
         housing: None,
     };
 
     /// Friction that falls, and a flow that grows with temperature.
-    fn film(temperature: f64) -> FilmHeat {
+    fn film(temperature: f64) -> ThermalFlows {
         let thinner = (-0.03 * (temperature - 348.15)).exp();
-        FilmHeat {
+        ThermalFlows {
             power: 500.0 * thinner,
             flow: 1e-5 + 2e-6 / thinner,
             carried_over: 0.0,
         }
     }
 
-    fn found(balance: &HeatBalance, start: f64, film: impl Fn(f64) -> FilmHeat) -> Balanced {
+    fn found(balance: &ThermalBalance, start: f64, film: impl Fn(f64) -> ThermalFlows) -> Balanced {
         find(balance, start, 1e-12, |t| Ok::<_, ()>(film(t))).expect("a balance")
     }
 
     #[test]
     fn the_root_is_found_from_any_start() {
-        let housing = |conductance, ambient| HeatBalance {
+        let housing = |conductance, ambient| ThermalBalance {
             housing: Some(Housing { conductance, ambient }),
             ..OIL
         };
@@ -357,7 +357,7 @@ mod tests {
     #[test]
     fn cliffs_are_bisected() {
         for cliff in [349.0, 360.0, 500.0, 590.0] {
-            let film = |t: f64| FilmHeat {
+            let film = |t: f64| ThermalFlows {
                 power: if t < cliff { 1e5 } else { 1e-3 },
                 flow: 1e-6,
                 carried_over: 0.0,
@@ -371,7 +371,7 @@ mod tests {
     /// Fresh oil q_1 and hot oil q_0 mix to the oil that enters, and what is heated is both.
     #[test]
     fn carried_over_oil_balances() {
-        let film = |t: f64| FilmHeat {
+        let film = |t: f64| ThermalFlows {
             carried_over: 0.7,
             ..film(t)
         };
@@ -387,13 +387,13 @@ mod tests {
 
     #[test]
     fn what_has_no_balance_is_told() {
-        let dry = |t: f64| FilmHeat { flow: 0.0, ..film(t) };
+        let dry = |t: f64| ThermalFlows { flow: 0.0, ..film(t) };
         let none = find(&OIL, 348.15, 1e-9, |t| Ok::<_, ()>(dry(t)));
         assert!(
             matches!(none, Err(NoBalance::TooHot { temperature, .. }) if temperature == OIL.inlet + HOTTEST),
             "{none:?}"
         );
-        let none = find(&OIL, 348.15, 1e-9, |_| Err::<FilmHeat, _>("torn"));
+        let none = find(&OIL, 348.15, 1e-9, |_| Err::<ThermalFlows, _>("torn"));
         assert_eq!(none, Err(NoBalance::NoFilm("torn")));
         // Films up to 350 K only, and the balance beyond; from above it is reached too.
         let torn = |t: f64| if t < 350.0 { Ok(film(t)) } else { Err("torn") };

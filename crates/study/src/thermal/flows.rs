@@ -1,24 +1,13 @@
 //! What heats and what cools a film, as it is measured.
 
-use oilwedge_bearing::{FilmHeat, HeatBalance, Housing};
+use oilwedge_bearing::ThermalFlows;
 use oilwedge_reynolds::supply::BoundaryKind;
 use oilwedge_reynolds::{FilmProblem, FilmSystem, Theory};
-use oilwedge_scene::{Heat, Mixing};
+use oilwedge_scene::Mixing;
 
 use crate::film::Film;
 use crate::measure::Measured;
-
-/// What is balanced.
-pub fn balance(heat: &Heat) -> HeatBalance {
-    HeatBalance {
-        inlet: heat.inlet,
-        heat_capacity: heat.heat_capacity,
-        housing: heat.housing.map(|housing| Housing {
-            conductance: housing.conductance,
-            ambient: housing.ambient,
-        }),
-    }
-}
+use crate::thermal_model::ThermalModel;
 
 /// Oil [m3/s] that leaves the film: at the ends, at the edge of an arc, at a film start, and where a feed drains it; none from between the
 /// sealed ends of a long bearing, where it goes round.
@@ -45,13 +34,13 @@ pub fn leaving(problem: &FilmProblem, system: &FilmSystem, measured: &Measured) 
 }
 
 /// What heats and what cools the film.
-pub(crate) fn film_heat(heat: &Heat, film: &Film, measured: &Measured) -> FilmHeat {
+pub(crate) fn thermal_flows(model: &ThermalModel, film: &Film, measured: &Measured) -> ThermalFlows {
     let flow = leaving(&film.problem, &film.system, measured);
     let round = measured.inlet_flow.map_or(0.0, |inlet| (inlet - flow).max(0.0));
-    FilmHeat {
+    ThermalFlows {
         power: measured.power.friction() + measured.motion_power(&film.problem.journal),
         flow,
-        carried_over: match heat.mixing {
+        carried_over: match model.mixing {
             None => 0.0,
             Some(Mixing::Ratio(ratio)) => ratio,
             Some(Mixing::Share(_)) if flow == 0.0 => 0.0,

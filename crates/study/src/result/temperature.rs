@@ -2,9 +2,12 @@
 
 use serde::Serialize;
 
+/// Key of the seconds that films at other temperatures took.
+pub const SECONDS_KEY: &str = "heat";
+
 /// Friction and what carries its heat off at one temperature.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct HeatPoint {
+pub struct TemperaturePoint {
     /// Mean temperature of the film [degrees C].
     pub temperature: f64,
     /// Viscosity there [Pa.s].
@@ -12,9 +15,11 @@ pub struct HeatPoint {
     /// Power of friction [W].
     pub friction_power: f64,
     /// Heat that the oil carries off [W].
-    pub heat_carried: f64,
+    #[serde(rename = "heat_carried")]
+    pub carried: f64,
     /// Heat that the housing gives off [W].
-    pub heat_housing: f64,
+    #[serde(rename = "heat_housing")]
+    pub given_off: f64,
     /// Eccentricity [1].
     pub eccentricity: f64,
 }
@@ -58,7 +63,7 @@ impl Criterion {
 
 /// The heat balance of a film.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
-pub struct HeatReport {
+pub struct TemperatureReport {
     /// Name of the engine whose usual values were taken; `None`: none.
     pub preset: Option<&'static str>,
     /// Temperature of the oil that is fed [degrees C].
@@ -68,7 +73,7 @@ pub struct HeatReport {
     /// Specific load, load over projected area [Pa].
     pub specific_load: f64,
     /// Films at temperatures around that of the balance, ascending; where there is no film there is no point.
-    pub curve: Vec<HeatPoint>,
+    pub curve: Vec<TemperaturePoint>,
     /// What the bearing must meet, and what is usual.
     pub criteria: Vec<Criterion>,
     /// Whether all that decides is met.

@@ -1,0 +1,19 @@
+//! How the temperature of a film is found: what the balance of its heat is made of, and what a bearing must meet.
+
+use oilwedge_bearing::ThermalBalance;
+use oilwedge_scene::{Engine, Mixing};
+
+/// A film whose temperature is found.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ThermalModel {
+    /// The balance that the temperature closes.
+    pub balance: ThermalBalance,
+    /// Hot oil that is carried over; `None`: the film gets fresh oil.
+    pub mixing: Option<Mixing>,
+    /// The engine whose usual values are compared.
+    pub engine: Option<Engine>,
+    /// Least film thickness that is enough [m].
+    pub least_film: f64,
+    /// Temperature [K] that the film must not reach.
+    pub greatest_temperature: f64,
+}
