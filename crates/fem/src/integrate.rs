@@ -15,6 +15,10 @@ use crate::quadrature::{MOST_POINTS, Quadrature, gauss_interval};
 /// Triangles that one task sums; fixed, so that the number of threads does not change a bit.
 const CELLS_A_TASK: usize = 2048;
 
+/// Shape functions of quadratic and of cubic elements.
+const QUADRATIC: usize = 6;
+const CUBIC: usize = 10;
+
 /// Values at the nodes of one triangle, in local order.
 pub type Nodal = [f64; MOST_SHAPES];
 
@@ -69,9 +73,9 @@ impl Rule {
         for first in (0..points.len()).step_by(MOST_POINTS) {
             let batch = first..(first + MOST_POINTS).min(points.len());
             let (mut positions, mut places) = ([[0.0; 2]; MOST_POINTS], [Place::default(); MOST_POINTS]);
-            for (q, &point) in points[batch.clone()].iter().enumerate() {
-                places[q] = mapping.at(point);
-                positions[q] = places[q].position;
+            mapping.all_at(&points[batch.clone()], &mut places[..batch.len()]);
+            for (position, place) in positions.iter_mut().zip(&places) {
+                *position = place.position;
             }
             visit(&Points {
                 cell: t,
@@ -103,18 +107,23 @@ impl Points<'_> {
     /// Value at point `q` of the function with the given nodal values.
     #[inline]
     pub fn value(&self, q: usize, nodal: &Nodal) -> f64 {
-        let shapes = &self.values[q][..self.shapes];
-        shapes.iter().zip(nodal).map(|(shape, u)| u * shape).sum()
+        match self.shapes {
+            QUADRATIC => value::<QUADRATIC>(&self.values[q], nodal),
+            CUBIC => value::<CUBIC>(&self.values[q], nodal),
+            shapes => (self.values[q][..shapes].iter().zip(nodal))
+                .map(|(shape, u)| u * shape)
+                .sum(),
+        }
     }
 
     /// Gradient [per m] at point `q` of the function with the given nodal values.
     #[inline]
     pub fn gradient(&self, q: usize, nodal: &Nodal) -> [f64; 2] {
-        let shapes = &self.gradients[q][..self.shapes];
-        let reference = shapes
-            .iter()
-            .zip(nodal)
-            .fold([0.0; 2], |[x, y], (g, u)| [x + u * g[0], y + u * g[1]]);
+        let add = |[x, y]: [f64; 2], (g, u): (&[f64; 2], &f64)| [x + u * g[0], y + u * g[1]];
+        let reference = match self.shapes {
+            QUADRATIC => (self.gradients[q][..QUADRATIC].iter().zip(nodal)).fold([0.0; 2], add),
+            shapes => (self.gradients[q][..shapes].iter().zip(nodal)).fold([0.0; 2], add),
+        };
         self.places[q].gradient(reference)
     }
 
@@ -127,6 +136,12 @@ impl Points<'_> {
     pub fn shape_gradient(&self, q: usize, i: usize) -> [f64; 2] {
         self.places[q].gradient(self.gradients[q][i])
     }
+}
+
+/// Value of a function of `N` shape functions: a loop of known length.
+#[inline]
+fn value<const N: usize>(shapes: &Nodal, nodal: &Nodal) -> f64 {
+    (shapes[..N].iter().zip(&nodal[..N])).map(|(shape, u)| u * shape).sum()
 }
 
 /// The sum of `share` over all triangles of a mesh, in parallel; the result does not depend on the number of threads.

@@ -63,22 +63,42 @@ impl Mapping {
             }
         }
     }
+
+    /// Position and derivatives at each of the reference points; a straight triangle has one derivative.
+    pub(crate) fn all_at(&self, points: &[[f64; 2]], places: &mut [Place]) {
+        match self {
+            Self::Straight(corners) => {
+                let first = points.first().map_or(Place::default(), |&point| self.at(point));
+                for (place, &point) in places.iter_mut().zip(points) {
+                    let position = position(&lagrange::barycentric(point), corners);
+                    *place = Place { position, ..first };
+                }
+            }
+            Self::Curved(_) => {
+                for (place, &point) in places.iter_mut().zip(points) {
+                    *place = self.at(point);
+                }
+            }
+        }
+    }
+}
+
+fn position(values: &[f64], nodes: &[[f64; 2]]) -> [f64; 2] {
+    let add = |at: Vector2<f64>, (&value, &node): (&f64, &[f64; 2])| at + value * Vector2::from(node);
+    values.iter().zip(nodes).fold(Vector2::zeros(), add).into()
 }
 
 fn place(values: &[f64], gradients: &[[f64; 2]], nodes: &[[f64; 2]]) -> Place {
-    let mut position = Vector2::zeros();
     // Row d, column k: d x_d / d xi_k.
     let mut jacobian = Matrix2::zeros();
-    for ((&value, &gradient), &node) in values.iter().zip(gradients).zip(nodes) {
-        let node = Vector2::from(node);
-        position += value * node;
-        jacobian += node * Vector2::from(gradient).transpose();
+    for (&gradient, &node) in gradients.iter().zip(nodes) {
+        jacobian += Vector2::from(node) * Vector2::from(gradient).transpose();
     }
     let determinant = jacobian.determinant();
     // The cofactors are the inverse transposed times the determinant; meshes have no zero one.
     let cofactors = Matrix2::new(jacobian.m22, -jacobian.m21, -jacobian.m12, jacobian.m11);
     Place {
-        position: position.into(),
+        position: position(values, nodes),
         determinant,
         inverse_transposed: cofactors / determinant,
     }

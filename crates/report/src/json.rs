@@ -11,7 +11,7 @@ use serde::{Serialize, Serializer};
 /// # Errors
 /// [`Error`] where a number is not finite or two values of one object bear the same name.
 pub fn json(value: &impl Serialize) -> Result<String, Error> {
-    check("", &Value::serialized(value).map_err(Error::format("JSON"))?)?;
+    check(&Value::serialized(value).map_err(Error::format("JSON"))?)?;
     let text = serde_json::to_string_pretty(value).map_err(Error::format("JSON"))?;
     Ok(text + "\n")
 }
@@ -34,25 +34,44 @@ pub fn result_json(result: &RunResult, add_ons: &[AddOn]) -> Result<String, Erro
     json(&Whole { result, add_ons })
 }
 
-fn check(place: &str, value: &Value) -> Result<(), Error> {
-    let inner = |name: &dyn std::fmt::Display| match place {
-        "" => name.to_string(),
-        place => format!("{place}.{name}"),
+/// What a value must not hold.
+enum Fault {
+    NotFinite(f64),
+    Twice,
+}
+
+fn check(value: &Value) -> Result<(), Error> {
+    match fault(value) {
+        None => Ok(()),
+        Some((name, Fault::NotFinite(value))) => Err(Error::NotFinite { name, value }),
+        Some((name, Fault::Twice)) => Err(Error::Twice { name }),
+    }
+}
+
+/// The first fault of a value, and its place in it as `heat.curve.3`.
+fn fault(value: &Value) -> Option<(String, Fault)> {
+    let within = |name: &dyn std::fmt::Display, value: &Value| {
+        let (place, fault) = fault(value)?;
+        let name = match place.is_empty() {
+            true => name.to_string(),
+            false => format!("{name}.{place}"),
+        };
+        Some((name, fault))
     };
     match value {
-        Value::Float(number) if !number.is_finite() => Err(Error::NotFinite {
-            name: place.to_owned(),
-            value: *number,
-        }),
-        Value::Array(values) => (values.iter().enumerate()).try_for_each(|(index, value)| check(&inner(&index), value)),
-        Value::Map(entries) => (entries.iter().enumerate()).try_for_each(|(index, (key, value))| {
-            let name = inner(&key.as_text().unwrap_or_default());
+        Value::Float(number) => (!number.is_finite()).then(|| (String::new(), Fault::NotFinite(*number))),
+        Value::Array(values) => values
+            .iter()
+            .enumerate()
+            .find_map(|(index, value)| within(&index, value)),
+        Value::Map(entries) => entries.iter().enumerate().find_map(|(index, (key, value))| {
+            let name = key.as_text().unwrap_or_default();
             match entries[..index].iter().any(|(other, _)| other == key) {
-                true => Err(Error::Twice { name }),
-                false => check(&name, value),
+                true => Some((name.to_owned(), Fault::Twice)),
+                false => within(&name, value),
             }
         }),
-        _ => Ok(()),
+        _ => None,
     }
 }
 

@@ -18,7 +18,9 @@ use crate::picture::{FilmPicture, picture};
 use crate::quantities::left_over;
 use crate::refinement::{Answer, answer};
 use crate::regime::Regime;
-use crate::result::{Balances, Counts, HistoryStep, LinearSolver, MeshFacts, RESULT_FORMAT, RunResult, SECONDS_KEY, Status};
+use crate::result::{
+    Balances, Counts, HistoryStep, LinearSolver, MeshFacts, RESULT_FORMAT, RunResult, SECONDS_KEY, Status,
+};
 use crate::run_options::RunOptions;
 use crate::solved::Solved;
 use crate::thermal::temperature_report;

@@ -93,14 +93,13 @@ pub fn possible_load(problem: &FilmProblem, share: &Share) -> f64 {
 /// First-order change of the load [N] where the unknown changes by `change` at each dof; regions cut out keep their
 /// pressure.
 pub fn load_change(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, change: &[f64]) -> [f64; 2] {
-    let excess = |u: f64, change: f64| problem.pressure_slope_at(u) * change;
-    integrated(problem, system, [&film.unknown, change], &excess).force
+    let excess = |[u, change]: [f64; 2]| problem.pressure_slope_at(u) * change;
+    integrated(problem, system, [&film.unknown, change], excess).force
 }
 
 fn film_share(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Share {
     let p_e = problem.bearing.end_pressure;
-    let u = &film.unknown;
-    let excess = integrated(problem, system, [u, u], &|u, _| problem.pressure_at(u) - p_e);
+    let excess = integrated(problem, system, [&film.unknown], |[u]| problem.pressure_at(u) - p_e);
     Share {
         force: excess.force,
         pressure: excess.thrust + p_e * excess.area,
@@ -131,12 +130,12 @@ impl std::ops::AddAssign for Integral {
     }
 }
 
-/// Integrals of a density [Pa] that depends on the unknown and a second function, given by their nodal values.
-fn integrated(
+/// Integrals of a density [Pa] that depends on the unknown, and on other functions, given by their nodal values.
+fn integrated<const N: usize>(
     problem: &FilmProblem,
     system: &FilmSystem,
-    fields: [&[f64]; 2],
-    density: &(dyn Fn(f64, f64) -> f64 + Sync),
+    fields: [&[f64]; N],
+    density: impl Fn([f64; N]) -> f64 + Sync,
 ) -> Integral {
     let (space, mesh) = (system.space(), system.space().mesh());
     let rule = Rule::for_degree(space.degree());
@@ -151,9 +150,8 @@ fn integrated(
         rule.integrate(mesh, t, |points, sum| {
             let [sines, cosines] = sines_and_cosines(points.positions, problem.bearing.radius);
             for q in 0..points.positions.len() {
-                let [u, change] = nodal.each_ref().map(|nodal| points.value(q, nodal));
                 let area = points.area(q);
-                let thrust = area * density(u, change);
+                let thrust = area * density(nodal.each_ref().map(|nodal| points.value(q, nodal)));
                 *sum += Integral {
                     force: [thrust * cosines[q], thrust * sines[q]],
                     thrust,
