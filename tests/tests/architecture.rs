@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use oilwedge_study::quantities::CATALOGUE;
 use oilwedge_tests::house::{EFFECTS, circles, knowing, sources as sources_of_house};
 use oilwedge_tests::program::repository;
 use serde_json::Value;
@@ -159,6 +160,24 @@ fn effects_are_known_to_few_files() {
             "{effect} is known to {files:#?}, at most {most} may"
         );
     }
+}
+
+/// The catalogue alone spells the name of a quantity; scenes and hard cases have keys that read alike.
+#[test]
+fn quantities_are_named_in_the_catalogue_only() {
+    let mut found = Vec::new();
+    for source in sources_of_house() {
+        let is_of_scenes = ["scene", "verification"].contains(&source.package.as_str());
+        if is_of_scenes || source.path.contains("study/src/quantities/") {
+            continue;
+        }
+        for line in &source.code {
+            let quoted = line.split('"').skip(1).step_by(2);
+            let named = quoted.filter(|text| CATALOGUE.iter().any(|row| row.name == *text));
+            found.extend(named.map(|name| format!("{}: {name}", source.path)));
+        }
+    }
+    assert!(found.is_empty(), "{found:#?}");
 }
 
 #[test]

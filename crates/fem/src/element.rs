@@ -176,6 +176,7 @@ impl ElementKernel {
     }
 
     /// The closed form of the file's head, without the part of `u` in the residual.
+    // Long: the element matrix of the paper, entry by entry.
     fn straight_quadratic(
         &self,
         directions: [f64; 2],

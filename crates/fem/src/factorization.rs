@@ -190,7 +190,7 @@ pub struct SingleFactor {
 }
 
 impl Factorization {
-    /// The same factor in single precision.
+    /// This factor in single precision.
     pub fn single(&self) -> SingleFactor {
         SingleFactor {
             analysis: Arc::clone(&self.analysis),

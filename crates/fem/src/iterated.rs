@@ -36,7 +36,7 @@ impl Iterated {
         })
     }
 
-    /// The same matrix with other given dofs.
+    /// The solver of this matrix with other given dofs.
     ///
     /// # Errors
     /// [`Error::NotPositiveDefinite`].

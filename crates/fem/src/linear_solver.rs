@@ -105,7 +105,7 @@ impl LinearSolver {
         self.ends().enough * first
     }
 
-    /// The same while the set of contact may still change.
+    /// The residual (Euclidean norm) that will do while the set of contact may still change, in an iteration that began with `first`.
     pub fn roughly_enough(&self, first: f64) -> f64 {
         self.ends().rough * first
     }

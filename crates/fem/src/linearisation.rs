@@ -92,7 +92,7 @@ impl Linearisation {
         }
     }
 
-    /// The same tangent with other given dofs.
+    /// This tangent with other given dofs.
     ///
     /// # Errors
     /// As [`crate::LinearSolver::linearise`].
@@ -193,7 +193,7 @@ impl Linearisation {
         Ok(x)
     }
 
-    /// The same of a symmetric tangent in single precision: what preconditions larger systems.
+    /// The solution of a system with a symmetric tangent, in single precision: what preconditions larger systems.
     ///
     /// # Errors
     /// [`Error::NotFinite`].

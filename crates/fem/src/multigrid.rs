@@ -81,7 +81,7 @@ impl Multigrid {
         })
     }
 
-    /// The same matrix with other given dofs: only the levels below it are made anew.
+    /// The hierarchy of this matrix with other given dofs: only the levels below it are made anew.
     ///
     /// # Errors
     /// [`Error::NotPositiveDefinite`].

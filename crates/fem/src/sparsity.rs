@@ -123,6 +123,7 @@ impl Sparsity {
     }
 
     /// With `NE` dofs inside an edge and `NT` inside a triangle: known when compiled, all loops are straight code.
+    // Long: one address for each pair of vertex, edge and triangle; they share the starts of the rows.
     fn addresses_in<const NE: usize, const NT: usize>(
         &self,
         row_start: &[u32],

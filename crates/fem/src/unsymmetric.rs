@@ -67,6 +67,7 @@ impl UnsymmetricAnalysis {
     ///
     /// # Errors
     /// [`Error::TooLarge`] if indices or memory do not fit.
+    // Long: the steps of a symbolic analysis, each of which needs what the last one found.
     pub fn new(pattern: Arc<Pattern>, order: Vec<u32>) -> Result<Self, Error> {
         let unknowns = pattern.dimension();
         let too_large = || Error::TooLarge { unknowns };

@@ -84,7 +84,7 @@ pub struct FilmSystem {
     pub(crate) vertices: OnceLock<Box<FilmSystem>>,
 }
 
-/// The same mesh and supply with cubic elements.
+/// The mesh and supply of this system with cubic elements.
 #[derive(Debug)]
 pub struct CubicSystem {
     /// Assembles cubic elements; never factorised.
@@ -153,7 +153,7 @@ impl FilmSystem {
         })
     }
 
-    /// The same mesh and supply with cubic elements.
+    /// The mesh and supply of this system with cubic elements.
     pub fn cubic(&self) -> &CubicSystem {
         self.cubic.get_or_init(|| {
             let prolongation = Prolongation::new(self.space());

@@ -95,7 +95,7 @@ impl FilmProblem {
         self.film_by(system, motion, neighbour, choice)
     }
 
-    /// The same where the `choice` of schemes by which a mass-conserving film carries its oil is given.
+    /// Solves the film where the `choice` of advection schemes of a mass-conserving film is given.
     fn film_by(
         &self,
         system: &FilmSystem,

@@ -139,7 +139,7 @@ impl Supply {
         }
     }
 
-    /// The same given pressures on another space of the same mesh.
+    /// These given pressures on another space of their mesh.
     pub(crate) fn on_space(&self, space: &Space) -> Self {
         let mut owner = vec![None; space.dofs()];
         for (index, region) in (0u16..).zip(&self.regions) {
@@ -153,7 +153,7 @@ impl Supply {
         }
     }
 
-    /// The same given pressures on a coarser mesh of the liner, which has ends and lines of its own but no
+    /// These given pressures on a coarser mesh of the liner, which has ends and lines of its own but no
     /// feeds: those take the dofs that lie in them, one at least. None if the coarser mesh lacks a line.
     pub(crate) fn on_coarser(&self, fine: &Space, coarse: &Space, bearing: &Bearing) -> Option<Self> {
         let mut regions = self.regions.clone();

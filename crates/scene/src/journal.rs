@@ -100,15 +100,15 @@ fn position(table: &mut TableReader<'_>, load: Option<Position>) -> Position {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
     use crate::scene::tests::{STUDY, good, read, told, told_one};
 
-    const POSITION: &str = "eccentricity = 0.6, min_film_angle = \"180 deg\"";
-    const LOAD: &str = "load = { force = \"5 kN\", angle = \"270 deg\" }\n";
+    pub(crate) const POSITION: &str = "eccentricity = 0.6, min_film_angle = \"180 deg\"";
+    pub(crate) const LOAD: &str = "load = { force = \"5 kN\", angle = \"270 deg\" }\n";
 
     /// The journal of the study with another end of its table and further tables.
-    fn journal(position: &str, tables: &str) -> Journal {
+    pub(crate) fn journal(position: &str, tables: &str) -> Journal {
         let text = tables.to_owned() + &STUDY.replacen(POSITION, position, 1);
         let scene = read(&text).unwrap_or_else(|error| panic!("{error}"));
         scene.journal

@@ -33,30 +33,7 @@ pub enum Surface {
 /// Nodes on the edge of a pocket stand on both sides of it too, for the film is thicker on one. The indicator, a value for
 /// each triangle, tells what each adds to the error.
 pub fn picture(film: &Film, solution: &FilmSolution, indicator: Option<&[f64]>, surface: Surface) -> FilmPicture {
-    let mesh = film.system.space().mesh();
-    let leftmost = mesh.points().iter().map(|point| point[0]).fold(f64::INFINITY, f64::min);
-    // The far side of the cut of a ring; rounding of the last column does not count.
-    let cut = match mesh.period() {
-        Some(period) if surface == Surface::Developed => leftmost + period * (1.0 - 1e-9),
-        _ => f64::INFINITY,
-    };
-    let mut pocket_of = vec![0u8; mesh.triangles().len()];
-    for (number, name) in (1..).zip(film.pockets()) {
-        for &cell in mesh.region(name).map_or(&[][..], |region| &region.cells) {
-            pocket_of[cell as usize] = number;
-        }
-    }
-    let mut nodes = Nodes::on(film.system.space().dofs());
-    let mut cells = Vec::with_capacity(mesh.triangles().len());
-    for t in 0..mesh.triangles().len() {
-        let dofs = film.system.space().element_dofs(t);
-        let positions = mesh.nodes(t);
-        let pocket = pocket_of[t];
-        cells.push(std::array::from_fn(|i| {
-            let side = (positions[i][0] >= cut, pocket);
-            nodes.number(dofs[i], side, positions[i], t)
-        }));
-    }
+    let (nodes, cells) = numbered(film, surface);
     let radius = film.problem.bearing.radius;
     let place = |&[x, z]: &[f64; 2]| {
         if surface == Surface::Developed {
@@ -94,6 +71,35 @@ pub fn picture(film: &Film, solution: &FilmSolution, indicator: Option<&[f64]>, 
             .into_iter()
             .collect(),
     }
+}
+
+/// The nodes of the picture, and those of each triangle.
+fn numbered(film: &Film, surface: Surface) -> (Nodes, Vec<[u32; 6]>) {
+    let mesh = film.system.space().mesh();
+    let leftmost = mesh.points().iter().map(|point| point[0]).fold(f64::INFINITY, f64::min);
+    // The far side of the cut of a ring; rounding of the last column does not count.
+    let cut = match mesh.period() {
+        Some(period) if surface == Surface::Developed => leftmost + period * (1.0 - 1e-9),
+        _ => f64::INFINITY,
+    };
+    let mut pocket_of = vec![0u8; mesh.triangles().len()];
+    for (number, name) in (1..).zip(film.pockets()) {
+        for &cell in mesh.region(name).map_or(&[][..], |region| &region.cells) {
+            pocket_of[cell as usize] = number;
+        }
+    }
+    let mut nodes = Nodes::on(film.system.space().dofs());
+    let mut cells = Vec::with_capacity(mesh.triangles().len());
+    for t in 0..mesh.triangles().len() {
+        let dofs = film.system.space().element_dofs(t);
+        let positions = mesh.nodes(t);
+        let pocket = pocket_of[t];
+        cells.push(std::array::from_fn(|i| {
+            let side = (positions[i][0] >= cut, pocket);
+            nodes.number(dofs[i], side, positions[i], t)
+        }));
+    }
+    (nodes, cells)
 }
 
 /// On which side of the cut and in which pocket a node stands.

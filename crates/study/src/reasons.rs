@@ -81,6 +81,7 @@ impl fmt::Display for Distance {
 }
 
 impl fmt::Display for Limit {
+    // Long: a sentence for each limit.
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         let ended = |out: &mut fmt::Formatter<'_>, search: String, cause: Cause| match cause {
             Cause::Interrupt => write!(out, "interrupted: {search}"),

@@ -88,7 +88,7 @@ pub struct HistoryStep {
     pub active: usize,
 }
 
-/// How often the dear things were done.
+/// How often expensive operations were done.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
 pub struct Counts {
     /// Linear solves of the problem of the result.
@@ -152,7 +152,7 @@ pub struct RunResult {
     pub temperature: Option<TemperatureReport>,
     /// The nonlinear iteration.
     pub history: Vec<HistoryStep>,
-    /// How often the dear things were done.
+    /// How often expensive operations were done.
     pub counts: Counts,
     /// How linear systems were solved; `null` where there is no film.
     pub linear_solver: Option<LinearSolver>,

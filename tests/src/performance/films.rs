@@ -73,7 +73,7 @@ pub enum Kind {
     Barus,
     /// A cavity after Swift and Stieber.
     SwiftStieber,
-    /// The same under a load whose position is sought.
+    /// This film under a load whose position is sought.
     Loaded,
 }
 
@@ -126,7 +126,7 @@ impl Films {
         self.written(&format!("{kind:?}{unknowns}"), &text)
     }
 
-    /// The same ring with its mesh drawn here, about so many `unknowns`, finer where the film is thin.
+    /// The ring with its mesh drawn here, about so many `unknowns`, finer where the film is thin.
     pub fn drawn_ring(&self, unknowns: usize) -> PathBuf {
         let hole = format!(
             "[[feed]]\nhole = {{ diameter = \"{} mm\", angle = \"{} deg\", z = \"0 mm\" }}",

@@ -20,7 +20,7 @@ const RUNS: usize = 7;
 pub struct Machine {
     /// Bytes moved a second, that is read and written, by a copy of a great array, on one thread.
     pub bandwidth: f64,
-    /// The same on two threads.
+    /// Rate of copying on two threads.
     pub bandwidth_of_two: f64,
     /// Additions and multiplications a second of a dense product in double precision, on one thread.
     pub flops: f64,

@@ -1,4 +1,4 @@
-//! The same bearing with its real length (and, to compare, as a short one) in finite elements: scenes 21 and 22 with one speed and model each.
+//! The crankshaft bearing with its real length (and, to compare, as a short one) in finite elements: scenes 21 and 22 with one speed and model each.
 
 use oilwedge_fem::Field;
 use oilwedge_mesh::Locator;

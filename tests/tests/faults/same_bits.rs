@@ -1,4 +1,4 @@
-//! The same scene gives the same bits, on any number of threads and on every run. Sweeps: `cli/sweep.rs`.
+//! The same scene gives the same bits, on any number of threads and on every run. Sweeps: `cli/sweep/`.
 
 use std::path::Path;
 

@@ -16,24 +16,31 @@ const HALF: [f64; 2] = [0.8 * PI, 1.2 * PI];
 /// The feed in the terms of the standard with its pressure [Pa] above that of the ends; nothing where oil comes from the ends only, or why the
 /// standard has none like that.
 pub(super) fn fed(scene: &Scene, load_angle: f64) -> Fed {
-    let unknown = |what: &str| {
-        Err(format!(
-            "the standard has no flow through {what}: side_flow is left out"
-        ))
-    };
     let feeds: Vec<_> = (scene.feeds.iter())
         .filter_map(|feed| Some((feed, feed.pressure? - scene.ends.pressure)))
         .collect();
-    let (feed, pressure) = match feeds[..] {
+    let pressure = match feeds[..] {
         [] => return Ok(None),
-        [one] => one,
         [(_, a), (_, b)] if a != b => return unknown("feeds of different pressures"),
-        [one, _] => one,
+        [(_, pressure)] | [(_, pressure), _] => pressure,
         _ => return unknown("more than two feeds"),
     };
+    let feeds: Vec<&oilwedge_scene::Feed> = feeds.into_iter().map(|(feed, _)| feed).collect();
+    Ok(Some((kind(&feeds, scene.bearing.length, load_angle)?, pressure)))
+}
+
+fn unknown<T>(what: &str) -> Result<T, String> {
+    Err(format!(
+        "the standard has no flow through {what}: side_flow is left out"
+    ))
+}
+
+/// What one feed, or two, are to the standard.
+fn kind(feeds: &[&oilwedge_scene::Feed], length: f64, load_angle: f64) -> Result<Feed, String> {
+    let feed = feeds[0];
     let places: Vec<Option<Side>> = feeds
         .iter()
-        .map(|(feed, _)| {
+        .map(|feed| {
             let middle = feed
                 .groove
                 .and_then(|groove| groove.arc)
@@ -42,14 +49,13 @@ pub(super) fn fed(scene: &Scene, load_angle: f64) -> Fed {
             angle.map(|angle| side(angle - load_angle.to_radians()))
         })
         .collect();
-    let length = scene.bearing.length;
-    let kind = match (feed.hole, feed.groove, &places[..]) {
+    Ok(match (feed.hole, feed.groove, &places[..]) {
         (Some(hole), _, [Some(Side::Opposite)]) => Feed::HoleOpposite(hole.diameter / length),
         (Some(hole), _, [Some(Side::Across)]) => Feed::HoleAcross(hole.diameter / length),
         (Some(hole), _, [Some(Side::Across), Some(Side::Across)])
             if feeds
                 .iter()
-                .all(|(it, _)| it.hole.map(|it| it.diameter) == Some(hole.diameter)) =>
+                .all(|it| it.hole.map(|it| it.diameter) == Some(hole.diameter)) =>
         {
             Feed::TwoHolesAcross(hole.diameter / length)
         }
@@ -68,13 +74,12 @@ pub(super) fn fed(scene: &Scene, load_angle: f64) -> Fed {
         (_, Some(groove), [Some(Side::Across), Some(Side::Across)])
             if feeds
                 .iter()
-                .all(|(it, _)| it.groove.map(|it| it.width) == Some(groove.width)) =>
+                .all(|it| it.groove.map(|it| it.width) == Some(groove.width)) =>
         {
             Feed::TwoPocketsAcross(groove.width / length)
         }
         _ => return unknown("feeds that lie like these"),
-    };
-    Ok(Some((kind, pressure)))
+    })
 }
 
 /// Where a feed lies, seen from the load.

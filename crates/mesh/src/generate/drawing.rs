@@ -104,7 +104,7 @@ pub enum DrawingError {
     Defective(Defect),
 }
 
-/// The same drawing with each feature on the turn of the liner: an angle may be given as 350 or as -10 degrees.
+/// This drawing with each feature on the turn of the liner: an angle may be given as 350 or as -10 degrees.
 pub(super) fn placed(blueprint: &Blueprint) -> Blueprint {
     let mut placed = blueprint.clone();
     let turn = blueprint.liner.circumference();

@@ -8,6 +8,7 @@ use crate::defect::MOST_DEFECTS;
 use crate::{Defect, Error};
 
 /// Puts together what the scan found.
+// Long: one pass over the elements, in which nodes, groups and defects are found together.
 pub(super) fn assemble(scan: Scan) -> Result<MshFile, Error> {
     let groups = Groups::new(&scan);
     let (nodes, elements) = (scan.nodes.unwrap_or_default(), scan.elements.unwrap_or_default());

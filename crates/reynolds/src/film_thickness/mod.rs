@@ -19,7 +19,7 @@ pub trait FilmContribution: Send + Sync + std::fmt::Debug {
     /// Adds what it changes, to first order, where the journal changes by `change`. Nothing unless it knows the journal.
     fn vary(&self, _change: &JournalChange, _cell: usize, _positions: &[[f64; 2]], _film: &mut [FilmPoint]) {}
 
-    /// The same part of the film on another mesh of the liner, whose triangle `t` lies in triangle `parents[t]` of this one.
+    /// This contribution on another mesh of the liner, whose triangle `t` lies in triangle `parents[t]` of this one.
     fn carried(&self, parents: &[u32]) -> Arc<dyn FilmContribution>;
 }
 

@@ -46,7 +46,7 @@ pub struct Power {
     pub motion: f64,
     /// Put in by the oil that comes through places of given pressure, over that of the ends.
     pub supplied: f64,
-    /// The same of the oil that a Swift-Stieber cavity makes.
+    /// Put in by the oil that a Swift-Stieber cavity makes, over the pressure of the ends.
     pub cavity: f64,
     /// Heat of the flow that pressure drives; that of shear is `shear`.
     pub driven: f64,

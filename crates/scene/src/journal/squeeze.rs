@@ -43,17 +43,8 @@ pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::tests::{STUDY, read, told, told_one};
-
-    const POSITION: &str = "eccentricity = 0.6, min_film_angle = \"180 deg\"";
-    const LOAD: &str = "load = { force = \"5 kN\", angle = \"270 deg\" }\n";
-
-    /// The journal of the study with another end of its table and further tables.
-    fn journal(position: &str, tables: &str) -> Journal {
-        let text = tables.to_owned() + &STUDY.replacen(POSITION, position, 1);
-        let scene = read(&text).unwrap_or_else(|error| panic!("{error}"));
-        scene.journal
-    }
+    use crate::journal::tests::{LOAD, POSITION, journal};
+    use crate::scene::tests::{told, told_one};
 
     #[test]
     fn squeeze_is_read() {

@@ -1,4 +1,4 @@
-//! What the coarse comparison of a mass-conserving film, on its vertices alone, tells of its errors.
+//! What the coarse comparison of a mass-conserving film, on its vertices alone, shows about its errors.
 
 use oilwedge_reynolds::error_bar::conserving::ConservingError;
 use oilwedge_reynolds::error_bar::{Bar, FlowGoal};

@@ -1,12 +1,14 @@
 //! How the temperature of a film comes about, as textbooks on engines ask for it: curves that cross, and criteria.
 
-use serde::Serialize;
+use serde::{Serialize, Serializer};
+
+use crate::quantities::{ECCENTRICITY, FRICTION_POWER, HEAT_CARRIED, HEAT_HOUSING};
 
 /// Key of the seconds that films at other temperatures took.
 pub const SECONDS_KEY: &str = "heat";
 
 /// Friction and what carries its heat off at one temperature.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TemperaturePoint {
     /// Mean temperature of the film [degrees C].
     pub temperature: f64,
@@ -15,13 +17,25 @@ pub struct TemperaturePoint {
     /// Power of friction [W].
     pub friction_power: f64,
     /// Heat that the oil carries off [W].
-    #[serde(rename = "heat_carried")]
     pub carried: f64,
     /// Heat that the housing gives off [W].
-    #[serde(rename = "heat_housing")]
     pub given_off: f64,
     /// Eccentricity [1].
     pub eccentricity: f64,
+}
+
+impl Serialize for TemperaturePoint {
+    /// By the names of the quantities.
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map([
+            ("temperature", self.temperature),
+            ("viscosity", self.viscosity),
+            (FRICTION_POWER.name, self.friction_power),
+            (HEAT_CARRIED.name, self.carried),
+            (HEAT_HOUSING.name, self.given_off),
+            (ECCENTRICITY.name, self.eccentricity),
+        ])
+    }
 }
 
 /// What a bearing must meet.

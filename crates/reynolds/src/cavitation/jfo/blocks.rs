@@ -77,7 +77,7 @@ pub(super) fn blocks(law: &FilmLaw, space: &Space, volumes: &ControlVolumes) -> 
     blocks
 }
 
-/// The same, and how they change under the change `changed` of the law.
+/// The blocks of a triangle, and how they change under the change `changed` of the law.
 pub(super) fn blocks_and_changes(
     law: &FilmLaw,
     changed: &FilmLaw,
