@@ -1,7 +1,7 @@
 //! Numbers beside numbers: other answers that stand beside a result, in its file and on the terminal.
 
 use ciborium::Value;
-use oilwedge_study::quantities::{Quantity, Row, Unit};
+use oilwedge_study::quantities::{Quantity, Row};
 use oilwedge_study::result::Status;
 
 /// A record of the result file, its entries in their order.
@@ -78,19 +78,14 @@ impl Comparison {
 
     /// The film's value less the other one; of angles the shorter way round.
     pub fn surplus(&self) -> Option<f64> {
-        self.film.zip(self.other).map(|(film, other)| self.less(film, other))
+        let (film, other) = self.film.zip(self.other)?;
+        Some(self.row.difference(film.value, other.value))
     }
 
     /// The other value less that of the film; of angles the shorter way round.
     pub fn difference(&self) -> Option<f64> {
-        self.film.zip(self.other).map(|(film, other)| self.less(other, film))
-    }
-
-    fn less(&self, one: Estimate, other: Estimate) -> f64 {
-        match self.row.unit {
-            Unit::Degree => 180.0 - (180.0 - (one.value - other.value)).rem_euclid(360.0),
-            _ => one.value - other.value,
-        }
+        let (film, other) = self.film.zip(self.other)?;
+        Some(self.row.difference(other.value, film.value))
     }
 
     /// Half the width of the error bar of the difference, the sum of both; `None` where one is missing.

@@ -65,7 +65,7 @@ impl Found {
 
     fn failed(reason: &NoAnswer, unknowns: usize) -> Self {
         Self {
-            status: CaseStatus::Run(Status::without(&reason)),
+            status: CaseStatus::Run(Status::without(reason)),
             reason: Some(reason.to_string()),
             ..Self::of(Vec::new(), None, unknowns)
         }

@@ -5,7 +5,7 @@ use oilwedge_reynolds::existence::readable;
 use oilwedge_scene::Scene;
 use oilwedge_scene::wording::celsius;
 
-use super::{BLANK, Effect, Socket, Sockets, changed};
+use super::{Effect, Socket, Sockets, changed};
 use crate::film::Film;
 use crate::measure::Measured;
 use crate::thermal::flows::{rounded, thermal_flows};
@@ -34,7 +34,6 @@ pub(super) const ROW: Effect = Effect {
         })
     },
     warnings,
-    ..BLANK
 };
 
 fn install(scene: &Scene, sockets: &mut Sockets) {

@@ -18,7 +18,7 @@ use crate::film::Film;
 use crate::isothermal::isothermal;
 use crate::no_answer::NoAnswer;
 use crate::oil::first_temperature;
-use crate::quantities::{self, Quantity, Unit, View};
+use crate::quantities::{self, Quantity, View};
 use crate::solved::{Errors, SolveOptions, Solved, TemperatureFound};
 use crate::thermal_model::ThermalModel;
 
@@ -207,10 +207,7 @@ impl<'a> Search<'a> {
         };
         let slope = |quantity: &Quantity| {
             let other = there.iter().find(|other| other.name == quantity.name)?;
-            let mut change = other.value - quantity.value;
-            if quantity.row.unit == Unit::Degree {
-                change = (change + 180.0).rem_euclid(360.0) - 180.0;
-            }
+            let change = quantity.row.difference(other.value, quantity.value);
             Some((quantity.name.clone(), change / (second - first)))
         };
         here.iter().filter_map(slope).collect()
