@@ -21,5 +21,6 @@ mod oil_balance;
 mod performance;
 mod reference;
 mod refinement;
+mod reported_numbers;
 mod scene_properties;
 mod scenes;

@@ -63,6 +63,7 @@ fn level(facts: &LevelFacts, main: Option<&Quantity>) -> String {
     let mesh = match facts.refinement {
         Refinement::Given => "first mesh",
         Refinement::Uniform => "all triangles divided",
+        Refinement::Drawn => "meshed again with shorter edges",
         Refinement::Local => "divided where the error comes from",
     };
     let error = main.and_then(|main| {

@@ -53,6 +53,12 @@ fn balances(balances: Balances) -> String {
         part(balances.mass),
         part(balances.power)
     );
+    if balances.moment != 0.0 {
+        line += &format!(
+            ", moments of friction and load by {} of the friction",
+            part(balances.moment)
+        );
+    }
     if balances.force != 0.0 {
         line += &format!(", load and film force by {} of the load", part(balances.force));
     }
@@ -96,11 +102,19 @@ fn work(counts: Counts, solver: Option<LinearSolver>) -> Option<String> {
         let meshes = plural(counts.levels, "coarser mesh", "coarser meshes");
         counted.push(format!("started from {meshes}"));
     }
+    let mut tried = Vec::new();
     if counts.position_steps > 0 {
         let positions = plural(counts.position_steps, "position", "positions");
-        counted.push(format!("{positions} of the journal tried"));
+        tried.push(format!("{positions} of the journal"));
     }
-    (!counted.is_empty()).then(|| format!("work      {}", counted.join(", ")))
+    if counts.temperature_steps > 0 {
+        tried.push(plural(counts.temperature_steps, "temperature", "temperatures"));
+    }
+    let counted = match tried.is_empty() {
+        true => counted.join(", "),
+        false => format!("{} tried; last film: {}", tried.join(" and "), counted.join(", ")),
+    };
+    (!counted.is_empty()).then(|| format!("work      {counted}"))
 }
 
 /// The total time, then its parts.
@@ -148,6 +162,7 @@ pub(crate) mod tests {
             balances: Balances {
                 mass: 1.2e-12,
                 power: 2.5e-15,
+                moment: 0.0,
                 force: 0.0,
                 thermal: 0.0,
             },

@@ -24,6 +24,8 @@ pub struct Bearing {
     pub film_start: Option<f64>,
     /// Combined roughness of journal and liner (root mean square) [m], for a warning where they touch; nothing is computed with it.
     pub roughness: Option<f64>,
+    /// Young's modulus of journal and liner [Pa], for a warning where they deflect; `None`: that of steel. Nothing is computed with it.
+    pub elastic_modulus: Option<f64>,
     /// Which pressure flows there are.
     pub theory: Theory,
 }
@@ -100,6 +102,7 @@ pub(crate) fn read(mut table: TableReader<'_>, usual_ratio: Option<f64>) -> Bear
         inlet_fraction,
         film_start,
         roughness: table.positive_if_given("roughness", Dimension::Length, "0.4 um"),
+        elastic_modulus: table.positive_if_given("elastic_modulus", Dimension::Pressure, "210 GPa"),
         theory: table.word("theory", &theories).unwrap_or_default(),
     }
 }

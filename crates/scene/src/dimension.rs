@@ -66,7 +66,7 @@ const TABLE: [Row; 19] = [
     (Angle, "an angle", "40 deg", &[("rad", 1.0), ("mrad", 1e-3), ("deg", PI / 180.0)]),
     (Pressure, "a pressure", "0.98 bar", &[("Pa", 1.0), ("kPa", 1e3), ("MPa", 1e6), ("GPa", 1e9), ("mbar", 1e-3 * BAR), ("bar", BAR), ("atm", ATMOSPHERE), ("psi", PSI), ("N/m2", 1.0), ("N/mm2", 1e6)]),
     (Viscosity, "a dynamic viscosity", "40 mPa.s", &[("Pa.s", 1.0), ("mPa.s", 1e-3), ("uPa.s", 1e-6), ("P", 0.1), ("cP", 1e-3), ("N.s/m2", 1.0), ("kg/m/s", 1.0), ("reyn", PSI)]),
-    (Speed, "an angular speed", "3000 rpm", &[("rad/s", 1.0), ("1/s", 1.0), ("rpm", PI / 30.0), ("Hz", 2.0 * PI), ("deg/s", PI / 180.0)]),
+    (Speed, "an angular speed", "3000 rpm", &[("rad/s", 1.0), ("rpm", PI / 30.0), ("RPM", PI / 30.0), ("1/min", PI / 30.0), ("U/min", PI / 30.0), ("Hz", 2.0 * PI), ("deg/s", PI / 180.0)]),
     (InversePressure, "an inverse pressure", "2.5e-8 1/Pa", &[("1/Pa", 1.0), ("1/kPa", 1e-3), ("1/MPa", 1e-6), ("1/GPa", 1e-9), ("1/bar", 1.0 / BAR), ("1/psi", 1.0 / PSI), ("m2/N", 1.0), ("mm2/N", 1e-6)]),
     (Force, "a force", "5 kN", &[("N", 1.0), ("mN", 1e-3), ("kN", 1e3), ("MN", 1e6), ("lbf", POUND_FORCE), ("kgf", 9.806_65)]),
     (Velocity, "a velocity", "2 m/s", &[("m/s", 1.0), ("cm/s", 1e-2), ("mm/s", 1e-3), ("um/s", 1e-6), ("km/h", 1.0 / 3.6), ("in/s", INCH)]),

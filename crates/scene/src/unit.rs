@@ -2,7 +2,7 @@
 //!
 //! Inside the program everything is SI: m, rad, Pa, Pa.s, rad/s, 1/Pa, N, m/s, kg, m2, K. A quantity is a number and a unit,
 //! with or without a space; `µ` and `u`, `Pa.s`, `Pa s` and `Pa·s`, `mm²` and `mm2` mean the same. Letter case
-//! matters, since mPa is not MPa. A count of turns is `rpm` or `Hz`; `1/s` is read as `rad/s`, as in SI.
+//! matters, since mPa is not MPa. Turns are counted in `rpm` or `Hz`; `1/s` is refused for a speed, for it may be a radian or a turn a second.
 //! Temperatures count from the absolute zero; only a temperature has units with a zero of their own (`C`, `F`), a difference is in `K`.
 
 pub use crate::dimension::{Dimension, ZERO_CELSIUS};
@@ -32,6 +32,8 @@ pub enum UnitFault {
     OtherDimension(Dimension),
     /// No such unit is known; the known one that looks most like it.
     UnknownUnit(Option<&'static str>),
+    /// An angular speed in `1/s`: radians in SI, turns in ISO 7902.
+    RadiansOrTurns,
     /// The quantity is too large for a floating point number.
     TooLarge,
 }
@@ -50,6 +52,10 @@ impl std::fmt::Display for UnitError {
                 write!(formatter, "\"{text}\" is a unit of {found}, but {wanted} is wanted")
             }
             UnitFault::UnknownUnit(_) => write!(formatter, "\"{text}\" is not a unit of {}", bare(wanted)),
+            UnitFault::RadiansOrTurns => write!(
+                formatter,
+                "\"{text}\" may mean radians or turns in a second, which differ by 2 pi"
+            ),
             UnitFault::TooLarge => write!(formatter, "\"{text}\" is too large for a number"),
         }
     }
@@ -74,6 +80,9 @@ impl UnitError {
             UnitFault::UnknownUnit(Some(name)) => format!("did you mean \"{name}\"? Units: {units}"),
             UnitFault::OtherDimension(_) | UnitFault::UnknownUnit(None) => {
                 format!("write for example \"{example}\"; units: {units}")
+            }
+            UnitFault::RadiansOrTurns => {
+                "write rad/s, or Hz for turns in a second (ISO 7902 writes these in 1/s)".to_owned()
             }
             UnitFault::TooLarge => format!("check the exponent, and write for example \"{example}\""),
         }
@@ -129,7 +138,9 @@ pub fn unit_size(unit: &str, expected: Dimension) -> Result<f64, UnitError> {
     if let Some((_, size)) = find(expected) {
         return Ok(*size);
     }
+    let is_bare_rate = expected == Dimension::Speed && canonical == "1/s";
     let fault = match Dimension::all().find(|other| find(*other).is_some()) {
+        _ if is_bare_rate => UnitFault::RadiansOrTurns,
         Some(found) => UnitFault::OtherDimension(found),
         None => UnitFault::UnknownUnit(nearest(&canonical, expected.units().iter().map(|(name, _)| *name))),
     };

@@ -48,11 +48,12 @@ impl Measured {
 /// Measures a solved film.
 pub fn measure(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Measured {
     let extremes = pressure::extremes(problem, system, film);
+    let load = load::load(problem, system, film);
     Measured {
-        load: load::load(problem, system, film),
+        power: power::power(problem, system, film).with_moment(problem, load.total.force),
+        load,
         flows: flow::flows(problem, system, film),
         inlet_flow: inlet_flow(problem, system, film),
-        power: power::power(problem, system, film),
         least_thickness: pressure::least_thickness(problem, system),
         cavity: problem
             .cavitation

@@ -30,8 +30,13 @@ const WARM: f64 = 25.0;
 const HEAT_CAPACITY: f64 = 1.8e6;
 /// A flow below this part of what the journal drags along is rounding.
 const NOTHING: f64 = 1e-9;
-/// Pressure [Pa] that bends a steel liner by microns.
-const RIGID: f64 = 2e8;
+/// Young's modulus [Pa] and Poisson's ratio [1] of steel.
+const STEEL: [f64; 2] = [2.1e11, 0.3];
+/// Mean deflection of a square on a half space under an even pressure, over `(1 - nu^2) F/(E a)` with its side a (Timoshenko, Goodier, Theory of
+/// Elasticity (1970), art. 139).
+const OF_SQUARE: f64 = 0.95;
+/// Pressure [Pa] at which hard steel yields.
+const YIELDING: f64 = 2e9;
 
 /// Numbers that tell which assumptions hold.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -50,6 +55,9 @@ pub struct Regime {
     pub pressure_exponent: Option<f64>,
     /// Least film thickness over roughness [1]; `None` where the scene gives no roughness.
     pub roughness_ratio: Option<f64>,
+    /// Elastic deflection of journal and liner [m], each a half space of `bearing.elastic_modulus` that carries the load on a square under half of the
+    /// greatest pressure: `2 x 0.95 (1 - nu^2)/E sqrt(W p_max/2)`.
+    pub deflection: f64,
     /// How much hotter [K] friction would make the oil that leaves than that which is fed, if all heat left with it; `None` where no oil leaves or
     /// nothing turns.
     pub temperature_rise: Option<f64>,
@@ -72,6 +80,7 @@ impl Regime {
             clearance_ratio,
             pressure_exponent: growth(&problem.lubricant.pressure_law).map(|alpha| alpha * measured.extremes.greatest),
             roughness_ratio: (scene.bearing.roughness).map(|roughness| measured.least_thickness / roughness),
+            deflection: deflection(scene, measured),
             temperature_rise: temperature_rise(film, measured),
         }
     }
@@ -100,8 +109,12 @@ impl Regime {
             self.roughness_ratio.filter(|ratio| *ratio < APART).map(|ratio| {
                 format!("smooth surfaces: the least film is {} times bearing.roughness, below {APART} times; the surfaces touch there", rounded(ratio))
             }),
-            (pressure > RIGID).then(|| {
-                format!("rigid surfaces: {} bar bend the liner by as much as the film is thick", readable(1e-5 * pressure))
+            (self.deflection > measured.least_thickness && pressure <= YIELDING).then(|| {
+                let micrometres = |length: f64| rounded(1e6 * length);
+                format!("rigid surfaces: the pressure, up to {} bar, would deflect journal and liner by some {} um, but the least film has {} um; the film adapts, and its pressure will be lower", readable(1e-5 * pressure), micrometres(self.deflection), micrometres(measured.least_thickness))
+            }),
+            (pressure > YIELDING).then(|| {
+                format!("rigid surfaces: the pressure reaches {} GPa, at which any steel yields ({} GPa); no bearing carries this load, check it and its unit", rounded(1e-9 * pressure), rounded(1e-9 * YIELDING))
             }),
         ];
         let rise = self
@@ -149,6 +162,14 @@ pub(crate) fn constant_viscosity(film: &Film, measured: &Measured) -> Vec<String
         PressureLaw::Constant => beyond_pressure(measured, CONSTANT, law, "give a law of pressure under [oil]"),
         _ => Vec::new(),
     }
+}
+
+/// How far journal and liner yield elastically under the load [m].
+fn deflection(scene: &Scene, measured: &Measured) -> f64 {
+    let [steel, poisson] = STEEL;
+    let modulus = scene.bearing.elastic_modulus.unwrap_or(steel);
+    let mean_pressure = 0.5 * measured.extremes.greatest.max(0.0);
+    2.0 * OF_SQUARE * (1.0 - poisson * poisson) / modulus * (measured.load.magnitude() * mean_pressure).sqrt()
 }
 
 /// Friction and power of a moving centre over the heat that the oil which leaves takes up for each kelvin.

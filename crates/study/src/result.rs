@@ -70,6 +70,9 @@ pub struct Balances {
     pub mass: f64,
     /// Power put in less heat, relative to the sum of all powers.
     pub power: f64,
+    /// `T - T_b - W e sin beta`, the moments on journal and bearing less that of the load, as the film's pressures have it, over the friction; zero where
+    /// pockets deepen the film, and of a short bearing.
+    pub moment: f64,
     /// Load minus the force of the film, relative to the load; zero where the position is given.
     pub force: f64,
     /// Heat of friction less what is carried off, relative to it; zero where the temperature is given.
@@ -91,7 +94,7 @@ pub struct HistoryStep {
 /// How often expensive operations were done.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
 pub struct Counts {
-    /// Linear solves of the problem of the result.
+    /// Linear solves of the film of the result; films at other positions and temperatures had theirs.
     pub linear_solves: usize,
     /// Numerical factorisations of the problem of the result; with multigrid, of its coarsest level.
     pub factorisations: usize,
@@ -101,8 +104,10 @@ pub struct Counts {
     pub levels: usize,
     /// Solves for error bars.
     pub bars: usize,
-    /// Positions of the journal that were tried.
+    /// Positions of the journal that were tried, at all temperatures together.
     pub position_steps: usize,
+    /// Temperatures of the film that were tried.
+    pub temperature_steps: usize,
 }
 
 /// How the linear systems of the problem of the result were solved.

@@ -147,6 +147,7 @@ fn report(scene: &Scene, (solved, estimated): (&Solved, Estimated), options: &Ru
     result.balances = Balances {
         mass: estimated.measured.flows.imbalance,
         power: estimated.measured.power.imbalance,
+        moment: estimated.measured.power.moment_imbalance,
         force: solved.balance.map_or(0.0, |balance| balance.residual),
         thermal: left_over(&estimated.quantities),
     };
@@ -178,7 +179,11 @@ fn counts(solved: &Solved) -> Counts {
         nonlinear_iterations: solves,
         levels: solved.solution.levels,
         bars: (solved.reference.as_ref()).map_or(0, |reference| reference.film().history.len()),
-        position_steps: solved.balance.map_or(0, |balance| balance.steps),
+        position_steps: match &solved.temperature {
+            Some(found) => found.positions,
+            None => solved.balance.map_or(0, |balance| balance.steps),
+        },
+        temperature_steps: (solved.temperature.as_ref()).map_or(0, |found| found.balanced.films),
     }
 }
 

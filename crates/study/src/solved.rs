@@ -80,6 +80,8 @@ pub struct TemperatureFound {
     pub is_ended: bool,
     /// How each number changes with the temperature [1/K], by name.
     pub(crate) slopes: HashMap<Cow<'static, str>, f64>,
+    /// Positions of the journal tried at all temperatures.
+    pub positions: usize,
     /// Seconds that the films at other temperatures took.
     pub seconds: f64,
 }

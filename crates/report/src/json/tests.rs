@@ -28,6 +28,7 @@ pub(crate) fn example() -> RunResult {
         balances: Balances {
             mass: 1e-12,
             power: 1e-12,
+            moment: 0.0,
             force: 0.0,
             thermal: 0.0,
         },

@@ -148,7 +148,10 @@ pub fn conserving_error(
     let films = [(system, film), (system.vertices_only(), coarse)];
     let [through, other_through] = films.map(|(system, film)| flow::flows(problem, system, film));
     let (flows, side_flow) = flow_bars(system, &through, &other_through, carried);
-    let [power, other_power] = films.map(|(system, film)| power(problem, system, film));
+    let [power, other_power] = films.map(|(system, film)| {
+        let force = load::load(problem, system, film).total.force;
+        power(problem, system, film).with_moment(problem, force)
+    });
     let [inlet, other_inlet] = films.map(|(system, film)| inlet_flow(problem, system, film).unwrap_or(0.0));
     let bar = |shares: &[Bar]| (shares.iter().fold(Bar::default(), |sum, &share| sum + share)).scaled(widened);
     let spread = cavitation::spread(problem, system, film, fraction).ok()?;

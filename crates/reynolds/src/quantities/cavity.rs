@@ -15,6 +15,7 @@
 use oilwedge_fem::control_volumes::sub_triangles;
 use oilwedge_mesh::triangle_area;
 
+use crate::film_law::FilmLaw;
 use crate::{FilmProblem, FilmSolution, FilmSystem};
 
 /// What a cavity is like.
@@ -98,6 +99,29 @@ pub(super) fn broken_share(problem: &FilmProblem, system: &FilmSystem, film: &Fi
         };
     }
     if free > 0.0 { broken / free } else { 0.0 }
+}
+
+/// Share of the area [1] of triangles in which a cavity may hide from the mesh: where the film diverges, and the pressure is within `margin` [Pa] of
+/// that of the cavity. Zero without a model of cavitation.
+pub fn hidden_share(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, margin: f64) -> f64 {
+    let Some(cavity) = problem.cavitation.pressure() else {
+        return 0.0;
+    };
+    let (space, law) = (system.space(), FilmLaw::new(problem, 1.0));
+    let mesh = space.mesh();
+    let (mut hidden, mut whole) = (0.0, 0.0);
+    for t in 0..mesh.triangles().len() {
+        let area = triangle_area(mesh.corners(t));
+        let nodes = &space.element_dofs(t)[..space.shapes()];
+        let is_low = |&dof: &usize| problem.pressure_at(film.unknown[dof]) <= cavity + margin;
+        let flows = law.film_and_flows(t, &mesh.corners(t)).1;
+        let diverges = flows[..3].iter().any(|flow| flow.divergence + flow.storage > 0.0);
+        if diverges && nodes.iter().any(is_low) {
+            hidden += area;
+        }
+        whole += area;
+    }
+    if whole > 0.0 { hidden / whole } else { 0.0 }
 }
 
 /// Share of the meshed area [1] where the pressure lies below `level` [Pa], as the nodes tell at which none is given.

@@ -2,13 +2,14 @@
 //!
 //! **Equation.** `Int (div(U h/2) + dh/dt) phi_i dA` over a Swift-Stieber cavity, for the nodes i where pressure is given: the
 //! reaction there counts it, but nothing flows through an end beside a cavity. Where the edge of the cavity runs through a triangle
-//! the integral goes over the part where the pressure is that of the cavity.
+//! the integral goes over the part where the pressure is that of the cavity. Where Guembel drops the pressure the reaction also counts
+//! `Int h^3/(12 mu) grad p . grad phi_i dA`, a flow that the pressure dropped would drive. What is left is the oil that the journal drags.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
 //! | made beside node i | m3/s | `made` |
 //!
-//! **Source.** Definition. **Range.** Swift-Stieber films; zero for others. Without it the side flow would be off by the
+//! **Source.** Definition. **Range.** Swift-Stieber and Guembel films; zero for others. Without it the side flow would be off by the
 //! oil made in a strip of half a triangle along the ends: some hundredths on common meshes. **Verified by** the convergence of side flows in
 //! `docs/validation/accuracy.md`.
 
@@ -35,7 +36,8 @@ pub(super) struct Beside {
 pub(super) fn made_beside(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Vec<Beside> {
     let space = system.space();
     let mut beside = vec![Beside::default(); space.dofs()];
-    let Some(pressure) = problem.cavitation.obstacle() else {
+    let dropped = problem.cavitation.kink();
+    let Some(pressure) = problem.cavitation.obstacle().or(dropped) else {
         return beside;
     };
     let floor = problem.unknown_at(pressure);
@@ -48,7 +50,8 @@ pub(super) fn made_beside(problem: &FilmProblem, system: &FilmSystem, film: &Fil
         let dofs = space.element_dofs(t);
         let dofs = &dofs[..space.shapes()];
         let is_given = |dof: usize| system.supply.owner(dof).is_some();
-        if !dofs.iter().any(|&dof| is_given(dof)) || !dofs.iter().any(|&dof| film.cavity[dof]) {
+        let is_low = |dof: usize| film.cavity[dof] || dropped.is_some() && film.unknown[dof] < floor;
+        if !dofs.iter().any(|&dof| is_given(dof)) || !dofs.iter().any(|&dof| is_low(dof)) {
             continue;
         }
         let nodal = (Field {
@@ -66,7 +69,11 @@ pub(super) fn made_beside(problem: &FilmProblem, system: &FilmSystem, film: &Fil
             let flows = law.film_and_flows(t, points.positions).1;
             for (q, flow) in flows[..points.positions.len()].iter().enumerate() {
                 // In the cavity quadratics waver about its pressure; what that drives is none of the end's.
-                let slope = if broken { points.gradient(q, &nodal) } else { [0.0; 2] };
+                let slope = if broken || dropped.is_some() {
+                    points.gradient(q, &nodal)
+                } else {
+                    [0.0; 2]
+                };
                 let area = points.area(q);
                 for (i, made) in made[..dofs.len()].iter_mut().enumerate() {
                     let [x, z] = points.shape_gradient(q, i);

@@ -10,8 +10,8 @@
 //! | Int theta dh/dt dA | m3/s | `taken_up` |
 //! | Q_c | m3/s | `cavity` |
 //!
-//! Guembel's film is that of the equation with its low pressures dropped. Beside a region whose pressure is above those nothing is dropped. At
-//! another one, as ends are, the film that is left only loses oil: what the equation has enter there does not count, and is made by the cavity.
+//! Guembel's film is that of the equation with its low pressures dropped. What those would drive through a place of given pressure does not count, and
+//! is made by the cavity; what the journal drags there does.
 //!
 //! **Source.** Hughes, Engel, Mazzei, Larson, J. Comput. Phys. 163 (2000) 467.
 //! **Range.** A balance for the conservative form only: the as-printed form makes oil, which the imbalance tells. **Verified by** `flows_balance` in the tests of the scenes and
@@ -87,15 +87,8 @@ pub fn flows(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) ->
         .collect();
     let mut cavity = 0.0_f64;
     let beside = edge::made_beside(problem, system, film);
-    let dropped = problem.cavitation.kink().unwrap_or(f64::NEG_INFINITY);
-    let given = system.supply.regions().iter();
-    let only_loses: Vec<bool> = given.map(|region| region.pressure <= dropped).collect();
     for (dof, (&inflow, beside)) in film.inflow.iter().zip(&beside).enumerate() {
         match system.supply.owner(dof) {
-            Some(region) if only_loses[region] => {
-                regions[region].add(inflow.min(0.0));
-                cavity += inflow.max(0.0);
-            }
             Some(region) => {
                 regions[region].add(inflow - beside.made);
                 regions[region].unsure += beside.unsure;

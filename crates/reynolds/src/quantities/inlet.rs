@@ -1,14 +1,15 @@
 //! # Flow into the loaded film
 //!
 //! **Equation.** `Q = Int (theta U h/2 - h^3/(12 mu0) dq/dx) dz`, in the sense of the rotation, along the line at which the loaded film begins:
-//! behind the film start, behind the leading edge of an arc; in a ring without such lines where the film is thickest.
+//! behind the film start, behind the leading edge of an arc; in a ring without such lines where the film is thickest. Where a feed lies on that line
+//! it is taken just behind the feed, so that the oil which the feed brings counts; a groove all around cuts every line.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
 //! | Q | m3/s | `inlet_flow` |
 //!
 //! **Source.** Raimondi, Boyd, Trans. ASLE 1 (1958) 159: their flow Q, of which the part Q_s leaves at the ends and the rest goes round.
-//! **Range.** A turning journal; the film alone, without what feeds on that line carry. **Verified by** `tests/tests/friction.rs`.
+//! **Range.** A turning journal; the film alone, without what grooves all around carry. **Verified by** `tests/tests/friction.rs`.
 
 use oilwedge_fem::Field;
 use oilwedge_fem::mapping::Mapping;
@@ -29,12 +30,51 @@ pub fn inlet_flow(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolutio
     }
     let sense = speed.signum();
     let mesh = system.space().mesh();
-    let x = line(problem, system, sense) + sense * BEHIND * problem.bearing.radius;
+    let step = sense * BEHIND * problem.bearing.radius;
+    let x = behind_feeds(system, line(problem, system, sense), step);
     let is_film = system.supply.film(mesh);
     let law = FilmLaw::new(problem, 1.0);
     let [around, _] = problem.theory.directions();
     let cells = (0..is_film.len()).filter(|&t| is_film[t]);
     Some(sense * cells.map(|t| across(system, film, &law, t, x, around)).sum::<f64>())
+}
+
+/// Position [m] just behind the line at `x`, or behind the feed on it, in the sense of `step` [m]; on the line where feeds leave no other place.
+fn behind_feeds(system: &FilmSystem, x: f64, step: f64) -> f64 {
+    let mesh = system.space().mesh();
+    let feeds = system
+        .supply
+        .regions()
+        .iter()
+        .filter(|region| region.kind == BoundaryKind::Feed);
+    let extents: Vec<[f64; 2]> = feeds
+        .flat_map(|region| {
+            let edges = region.edges.iter().map(|&edge| mesh.edge_nodes(edge));
+            edges.chain(region.cells.iter().map(|&cell| mesh.corners(cell as usize)))
+        })
+        .map(|nodes| nodes.map(|[x, _]| x))
+        .map(|[a, b, c]| [a.min(b).min(c), a.max(b).max(c)])
+        .collect();
+    // How far a place is from the nearest image of another.
+    let apart = |from: f64, to: f64| match mesh.period() {
+        Some(period) => to - from - period * ((to - from) / period).round(),
+        None => to - from,
+    };
+    let is_free = |x: f64| {
+        let covers = |&[low, high]: &[f64; 2]| apart(0.5 * (low + high), x).abs() < 0.5 * (high - low);
+        !extents.iter().any(covers)
+    };
+    if is_free(x + step) {
+        return x + step;
+    }
+    let downstream = |place: f64| match mesh.period() {
+        Some(period) => (step.signum() * (place - x)).rem_euclid(period),
+        None => step.signum() * (place - x),
+    };
+    let ends = extents.iter().flatten().filter(|&&end| downstream(end) > 0.0);
+    let free = ends.filter(|&&end| is_free(end + step));
+    let nearest = free.min_by(|a, b| downstream(**a).total_cmp(&downstream(**b)));
+    nearest.copied().unwrap_or(x) + step
 }
 
 /// Position [m] of the line at which the loaded film begins.

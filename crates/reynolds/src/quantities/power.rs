@@ -30,7 +30,7 @@ use super::flow::{STILL, reference_flow};
 use crate::cavitation::{self, Carriage};
 use crate::film_law::FilmLaw;
 use crate::lubricant::PressureLaw;
-use crate::{FilmPoint, FilmProblem, FilmSolution, FilmSystem};
+use crate::{FilmPoint, FilmProblem, FilmSolution, FilmSystem, Theory};
 
 /// Powers [W] of one film.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -52,9 +52,31 @@ pub struct Power {
     pub driven: f64,
     /// How well this is balanced: what is put in less what becomes heat, over the sum of all magnitudes.
     pub imbalance: f64,
+    /// How far `Int h/2 U . grad P dA` is from that of the moment of the load, over what the turning journal puts in; zero where they need not agree.
+    pub moment_imbalance: f64,
 }
 
 impl Power {
+    /// Compares the power against the pressure with that by the moment of the `force` of the film [N]. A mass-conserving film, whose pressure is linear on
+    /// pieces of triangles, takes the latter.
+    pub fn with_moment(self, problem: &FilmProblem, force: [f64; 2]) -> Self {
+        let Some(by_moment) = by_moment(problem, force) else {
+            return self;
+        };
+        let put_in = self.shear + self.pressure.abs();
+        Self {
+            pressure: match problem.cavitation.conserves_oil() {
+                true => by_moment,
+                false => self.pressure,
+            },
+            moment_imbalance: match put_in > 0.0 {
+                true => (self.pressure - by_moment).abs() / put_in,
+                false => 0.0,
+            },
+            ..self
+        }
+    }
+
     /// What the turning journal puts in [W]: friction.
     pub fn friction(&self) -> f64 {
         self.shear + self.pressure
@@ -79,6 +101,15 @@ impl std::ops::AddAssign for Work {
         self.motion += other.motion;
         self.driven += other.driven;
     }
+}
+
+/// Power [W] put in against the pressure of a film whose force is `force` [N], by parts: `Int h/2 U dP/dx dA = -omega R/2 Int P dh/dx dA`, omega times half
+/// of the moment of the force about the bearing's centre. `None` where the film has a thickness of its own beside that of the journal, or lines that
+/// stand by themselves.
+fn by_moment(problem: &FilmProblem, [x, y]: [f64; 2]) -> Option<f64> {
+    let [e_x, e_y] = problem.journal.offset;
+    let is_of_journal = problem.film_thickness.len() == 1 && problem.theory != Theory::Short;
+    is_of_journal.then(|| 0.5 * problem.journal.speed * (e_y * x - e_x * y))
 }
 
 /// Powers of a solved film.
@@ -124,6 +155,7 @@ pub fn power(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) ->
         } else {
             0.0
         },
+        moment_imbalance: 0.0,
     }
 }
 

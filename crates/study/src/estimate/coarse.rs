@@ -12,6 +12,8 @@ pub(super) struct CoarseComparison<'a> {
     pub(super) film: &'a Film,
     pub(super) error: &'a ConservingError,
     pub(super) measured: &'a Measured,
+    /// Share of the area [1] in which a cavity may hide where the mesh shows none.
+    pub(super) hidden: f64,
 }
 
 impl Estimate for CoarseComparison<'_> {
@@ -84,7 +86,10 @@ impl Estimate for CoarseComparison<'_> {
     }
 
     fn cavity_share(&self, _: f64) -> f64 {
-        self.error.cavity_share
+        match self.measured.cavity {
+            Some(cavity) if cavity.share == 0.0 => self.error.cavity_share + self.hidden,
+            _ => self.error.cavity_share,
+        }
     }
 
     fn least_fraction(&self) -> Option<f64> {

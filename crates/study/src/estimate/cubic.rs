@@ -2,6 +2,7 @@
 
 use oilwedge_fem::Field;
 use oilwedge_reynolds::error_bar::{Bar, FilmError, FlowGoal, Value};
+use oilwedge_reynolds::quantities::cavity::hidden_share;
 use oilwedge_reynolds::supply::BoundaryKind;
 use oilwedge_reynolds::{FilmSolution, FilmSystem};
 
@@ -96,7 +97,8 @@ impl Estimate for CubicPair<'_> {
     }
 
     fn cavity_power(&self, change: f64) -> Option<Bar> {
-        Some(Bar::of(change.abs() + self.front_share() * self.judged().power.shear))
+        let share = self.front_share() + self.hidden_share();
+        Some(Bar::of(change.abs() + share * self.judged().power.shear))
     }
 
     /// Torque and load may both be off.
@@ -109,7 +111,7 @@ impl Estimate for CubicPair<'_> {
     }
 
     fn cavity_share(&self, change: f64) -> f64 {
-        change.abs() + 0.4 * self.front_share()
+        change.abs() + 0.4 * self.front_share() + self.hidden_share()
     }
 
     fn least_fraction(&self) -> Option<f64> {
@@ -163,6 +165,15 @@ impl CubicPair<'_> {
             Value::Quadratic => self.measured[0],
             Value::Cubic => self.measured[1],
         }
+    }
+
+    /// Share of the area [1] in which a cavity may hide where the mesh shows none.
+    fn hidden_share(&self) -> f64 {
+        let Film { problem, system, .. } = self.film;
+        if self.front_share() > 0.0 {
+            return 0.0;
+        }
+        hidden_share(problem, system, self.quadratic, self.least_pressure().total())
     }
 
     /// Share of the area [1] in triangles through which the edge of the cavity runs.

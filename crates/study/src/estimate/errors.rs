@@ -17,6 +17,7 @@ use crate::film::Film;
 use crate::measure::{Measured, measure};
 use crate::quantities::{Quantity, Subject, View, measured};
 use crate::solved::Solved;
+use oilwedge_reynolds::quantities::cavity::hidden_share;
 
 /// A film, measured, with the errors of what was measured.
 #[derive(Debug)]
@@ -109,6 +110,7 @@ fn by_coarse(solved: &Solved, coarse: &FilmSolution) -> Estimated {
         film,
         error: &error,
         measured: &plain.measured,
+        hidden: hidden_share(&film.problem, &film.system, &solved.solution, error.greatest_pressure),
     };
     let load = [error.load, error.across].map(|bar| of_few(film, bar));
     Estimated {

@@ -24,8 +24,8 @@ rows! {
         One(|film| out_of(film, HIGH)), ErrorRule::Of(DUAL, |estimate, at| of_end(estimate, at, HIGH));
 
     /// `Q = Int (theta U h/2 - h^3/(12 mu) dp/dx) dz` along the line where the loaded film begins: just behind the film start or the
-    /// leading edge of an arc, in a ring without them where the film is thickest. What feeds on that line carry does not count. Of it Q_s
-    /// leaves at the ends, the rest goes round; none at rest
+    /// leading edge of an arc, in a ring without them where the film is thickest; behind the feed where one lies there, so that its oil counts. Of it
+    /// Q_s leaves at the ends, the rest goes round; none at rest
     INLET_FLOW = "inlet_flow", "Q", CubicMetrePerSecond, "oil carried into the loaded film":
         One(|film| film.measured.inlet_flow), OF_INLET, tolerance;
 

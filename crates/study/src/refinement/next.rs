@@ -76,7 +76,7 @@ impl Next {
                 let refinement = if *factor == FIRST {
                     Refinement::Given
                 } else {
-                    Refinement::Uniform
+                    Refinement::Drawn
                 };
                 Ok((refinement, graded(&resized, deadline)?))
             }

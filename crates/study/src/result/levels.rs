@@ -13,6 +13,8 @@ pub enum Refinement {
     Given,
     /// Every triangle was divided.
     Uniform,
+    /// The liner was meshed again with shorter edges.
+    Drawn,
     /// Triangles were divided where the error comes from.
     Local,
 }

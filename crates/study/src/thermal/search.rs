@@ -63,6 +63,8 @@ pub(super) struct Search<'a> {
     numbers: Vec<(f64, Vec<Quantity>)>,
     /// Films solved.
     solved: usize,
+    /// Positions of the journal tried.
+    positions: usize,
     /// True where the schemes of a mass-conserving film were still changing at the balance.
     is_restless: bool,
 }
@@ -87,6 +89,7 @@ impl<'a> Search<'a> {
             best: None,
             numbers: Vec::new(),
             solved: 0,
+            positions: 0,
             is_restless: false,
         }
     }
@@ -132,6 +135,7 @@ impl<'a> Search<'a> {
             options.guess = InitialGuess::Near(near(&solved.solution));
         }
         let solved = from_near_or_cold(&film, &options)?;
+        self.positions += solved.balance.map_or(0, |balance| balance.steps);
         let measured = measured(&solved);
         let flows = thermal_flows(&self.model, &solved.film, &measured);
         if kind != Kind::Estimated {
@@ -294,6 +298,7 @@ pub fn solve(film: &Film, model: &ThermalModel, options: &SolveOptions) -> Resul
             ..balanced
         },
         is_ended,
+        positions: search.positions,
         slopes,
         seconds: clock.elapsed().as_secs_f64() - best.seconds,
     });
