@@ -109,7 +109,7 @@ impl std::ops::AddAssign for Work {
 fn by_moment(problem: &FilmProblem, [x, y]: [f64; 2]) -> Option<f64> {
     let [e_x, e_y] = problem.journal.offset;
     let is_of_journal = problem.film_thickness.len() == 1 && problem.theory != Theory::Short;
-    is_of_journal.then(|| 0.5 * problem.journal.speed * (e_y * x - e_x * y))
+    is_of_journal.then_some(0.5 * problem.journal.speed * (e_y * x - e_x * y))
 }
 
 /// Powers of a solved film.
