@@ -98,6 +98,34 @@ impl Verify {
     }
 }
 
+/// Computed numbers beside known ones, in a table; nothing where there are none.
+fn known_values(verdicts: &[Verdict]) -> String {
+    let mut cells = table(
+        ["case", "quantity", "known", "computed", "± error", "difference", "unit"],
+        2..6,
+    );
+    let mut is_empty = true;
+    for verdict in verdicts {
+        for it in &verdict.known {
+            let (computed, bar) = it.computed;
+            cells.add_row([
+                verdict.case.name(),
+                it.quantity.clone(),
+                significant(it.known, 6),
+                significant(computed, 6),
+                significant(bar, 2),
+                significant(it.difference, 2),
+                it.unit.to_owned(),
+            ]);
+            is_empty = false;
+        }
+    }
+    match is_empty {
+        true => String::new(),
+        false => format!("\n{cells}\n"),
+    }
+}
+
 /// The cases in a table, their faults below it.
 fn report(verdicts: &[Verdict], maps: &[CellMap], seconds: f64) -> String {
     let mut cells = table(["case", "ends", "seconds", "load [N]", "bar", "compared with"], 2..5);
@@ -113,13 +141,17 @@ fn report(verdicts: &[Verdict], maps: &[CellMap], seconds: f64) -> String {
             verdict.against.clone(),
         ]);
     }
+    let known = known_values(verdicts);
     let faulty: Vec<&Verdict> = verdicts.iter().filter(|verdict| !verdict.faults.is_empty()).collect();
     let outcome = match faulty.len() {
         0 => "all as expected".to_owned(),
         count => format!("{count} unexplained"),
     };
-    let mut text =
-        heading("Verification", &format!("{} cases, {outcome}", verdicts.len())) + "\n\n" + &cells.to_string() + "\n";
+    let mut text = heading("Verification", &format!("{} cases, {outcome}", verdicts.len()))
+        + "\n\n"
+        + &cells.to_string()
+        + "\n"
+        + &known;
     for verdict in faulty {
         text += &format!("\n! {} ({})\n", verdict.case.name(), verdict.case.family);
         text += &verdict

@@ -23,4 +23,5 @@ mod series;
 pub mod suite;
 
 pub use map::run_map;
+pub use reference_film::Comparison;
 pub use suite::{SuiteError, Verdict, run_suite};

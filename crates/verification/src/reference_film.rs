@@ -21,9 +21,33 @@ const MOST_UNKNOWNS: usize = 20_000;
 /// Finest and coarsest tolerance of the reference.
 const TOLERANCES: [f64; 2] = [1e-7, 0.1];
 
-/// Holds another method against an answer; what does not agree goes to `faults`. Tells the method in words.
-pub(crate) fn against(series: &Series, scene: &Table, run: &Run, faults: &mut Vec<String>) -> String {
-    let mut methods = Vec::new();
+/// A number beside its known value.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Comparison {
+    /// Name of the quantity.
+    pub quantity: String,
+    /// Its unit.
+    pub unit: &'static str,
+    /// The known value.
+    pub known: f64,
+    /// The value computed, and its bar.
+    pub computed: (f64, f64),
+    /// The latter less the former.
+    pub difference: f64,
+}
+
+/// What stood against an answer.
+#[derive(Debug, Default)]
+pub(crate) struct Second {
+    /// The methods in words.
+    pub(crate) methods: String,
+    /// Numbers beside known ones.
+    pub(crate) known: Vec<Comparison>,
+}
+
+/// Holds another method against an answer; what does not agree goes to `faults`.
+pub(crate) fn against(series: &Series, scene: &Table, run: &Run, faults: &mut Vec<String>) -> Second {
+    let (mut methods, mut compared) = (Vec::new(), Vec::new());
     if run.result.status == oilwedge_study::result::Status::Converged {
         match &series.against {
             Against::Finer => methods.push(on_finer_mesh(scene, run, faults)),
@@ -31,13 +55,18 @@ pub(crate) fn against(series: &Series, scene: &Table, run: &Run, faults: &mut Ve
             Against::Known => {}
         }
         for (name, known) in &series.known {
-            methods.push(beside_known(name, known, scene, run, faults));
+            let (method, comparison) = beside_known(name, known, scene, run, faults);
+            methods.push(method);
+            compared.extend(comparison);
         }
         if methods.is_empty() {
             faults.push("no second method stands against it".to_owned());
         }
     }
-    methods.join("; ")
+    Second {
+        methods: methods.join("; "),
+        known: compared,
+    }
 }
 
 fn on_finer_mesh(scene: &Table, run: &Run, faults: &mut Vec<String>) -> String {
@@ -115,27 +144,42 @@ fn elsewhere(wanted: &Other, scene: &Table, run: &Run, faults: &mut Vec<String>)
     wanted.name.clone()
 }
 
-fn beside_known(name: &str, known: &Known, scene: &Table, run: &Run, faults: &mut Vec<String>) -> String {
+fn beside_known(
+    name: &str,
+    known: &Known,
+    scene: &Table,
+    run: &Run,
+    faults: &mut Vec<String>,
+) -> (String, Option<Comparison>) {
     let Some(quantity) = run.result.by_name(name) else {
         faults.push(format!("{name} is not there"));
-        return String::new();
+        return (String::new(), None);
     };
     let form = known.form.and_then(|form| sommerfeld_number(form, scene, run));
     let Some(value) = known.value.or(form) else {
         faults.push(format!("no known value of {name}"));
-        return String::new();
+        return (String::new(), None);
     };
     let bar = quantity.error().unwrap_or(0.0);
-    if quantity.row.difference(quantity.value, value).abs() > bar + known.to * value.abs() {
+    let difference = quantity.row.difference(quantity.value, value);
+    if difference.abs() > bar + known.to * value.abs() {
         faults.push(format!(
             "{name} is {:.8e} with a bar of {bar:.1e}, known is {value:.8e} to {:.0e}",
             quantity.value, known.to
         ));
     }
-    match known.form {
+    let comparison = Comparison {
+        quantity: name.to_owned(),
+        unit: quantity.unit(),
+        known: value,
+        computed: (quantity.value, bar),
+        difference,
+    };
+    let method = match known.form {
         Some(form) => format!("closed form ({form:?})"),
         None => format!("known {name}"),
-    }
+    };
+    (method, Some(comparison))
 }
 
 /// The Sommerfeld number of a closed form at the eccentricity and slenderness of a scene.

@@ -9,7 +9,7 @@ use crate::answer::{self, Answer};
 use crate::cases::{BadFamily, Case, cases, families};
 use crate::family::{Expect, Family, Series};
 use crate::faults::faults;
-use crate::reference_film::against;
+use crate::reference_film::{Comparison, Second, against};
 use crate::series::across;
 
 /// What was found of one case.
@@ -37,6 +37,8 @@ pub struct Verdict {
     pub reason: Option<String>,
     /// What stood against the answer, in words; empty where there is none.
     pub against: String,
+    /// Numbers beside their known values.
+    pub known: Vec<Comparison>,
     /// What does not hold; nothing where all is well.
     pub faults: Vec<String>,
 }
@@ -178,7 +180,7 @@ fn one(work: &Work, case: &Case, folder: &Path, number: usize) -> (Verdict, Answ
     };
     let seconds = clock.elapsed().as_secs_f64();
     let mut faults = faults(case, &answer);
-    let mut second = String::new();
+    let mut second = Second::default();
     if let (Ok(scene), Answer::Run(run), true) = (&scene, &answer, faults.is_empty()) {
         second = against(&work.series, scene, run, &mut faults);
     }
@@ -198,7 +200,8 @@ fn one(work: &Work, case: &Case, folder: &Path, number: usize) -> (Verdict, Answ
         triangles: result.map_or(0, |result| result.mesh.cells),
         load: load.map(|load| (load.value, load.error())),
         reason: answer.reason().map(str::to_owned),
-        against: second,
+        against: second.methods,
+        known: second.known,
         faults,
     };
     debug_assert_eq!(work.name, case.family);

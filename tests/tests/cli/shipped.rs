@@ -31,6 +31,7 @@ const SCENES: [(&str, &[&str]); 22] = [
         "19_connecting_rod_cap",
         &[
             "an assumption does not hold: a viscosity that does not depend on pressure",
+            "an assumption does not hold: rigid surfaces",
             HEATED,
         ],
     ),

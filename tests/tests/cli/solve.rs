@@ -42,6 +42,7 @@ fn check_keys(result: &Value) {
         "linear_solves",
         "nonlinear_iterations",
         "position_steps",
+        "temperature_steps",
     ];
     let sorted = |value: &Value| {
         let mut keys: Vec<String> = keys(value).into_iter().map(str::to_owned).collect();
@@ -52,7 +53,10 @@ fn check_keys(result: &Value) {
     assert_eq!(sorted(&result["counts"]), counts);
     assert_eq!(sorted(&result["effects"]), ["not_simulated", "simulated"]);
     assert_eq!(sorted(&result["mesh"]), ["cells", "min_angle_deg", "nodes", "order"]);
-    assert_eq!(sorted(&result["balances"]), ["force", "heat", "mass", "power"]);
+    assert_eq!(
+        sorted(&result["balances"]),
+        ["force", "heat", "mass", "moment", "power"]
+    );
     assert_eq!(result["format"], "oilwedge-result/1");
     for key in ["scene_sha256", "mesh_sha256"] {
         assert_eq!(result[key].as_str().map(str::len), Some(64));

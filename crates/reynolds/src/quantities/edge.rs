@@ -84,7 +84,8 @@ pub(super) fn made_beside(problem: &FilmProblem, system: &FilmSystem, film: &Fil
         });
         for (&dof, made) in dofs.iter().zip(made).filter(|(dof, _)| is_given(**dof)) {
             beside[dof].made += made;
-            beside[dof].unsure += if broken { 0.0 } else { made.abs() };
+            // Guembel's edge is a level of the pressure, known as well as that.
+            beside[dof].unsure += if broken || dropped.is_some() { 0.0 } else { made.abs() };
         }
     }
     beside

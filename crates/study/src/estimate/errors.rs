@@ -12,6 +12,7 @@ use oilwedge_reynolds::{FilmSolution, ReferenceFilm};
 use super::Estimate;
 use super::coarse::CoarseComparison;
 use super::cubic::CubicPair;
+use super::linked::link;
 use super::position_sensitivity::position_bars;
 use crate::film::Film;
 use crate::measure::{Measured, measure};
@@ -184,6 +185,7 @@ fn with_bars(
         });
         quantity.set_bar(bar);
     }
+    link(&mut list, &view);
     list
 }
 

@@ -10,6 +10,7 @@
 mod coarse;
 mod cubic;
 mod errors;
+mod linked;
 mod position_sensitivity;
 
 pub use errors::{Estimated, estimate_errors, quadratic_errors};

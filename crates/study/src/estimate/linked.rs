@@ -1,0 +1,36 @@
+//! Bars of numbers that follow from one another: where a relation is exact, so is that between the bars.
+//!
+//! * Under a load W is given, so that `f = T/(R W)` is off by as much as the torque, in proportion.
+//! * What one feed brings leaves at the ends: `Q_f = Q_s` in a film that conserves oil and has no other source. The narrower bar holds for both.
+
+use oilwedge_reynolds::supply::BoundaryKind;
+use oilwedge_reynolds::{Form, Theory};
+
+use crate::quantities::{FEED_FLOW, FRICTION_COEFFICIENT, FRICTION_TORQUE, Quantity, SIDE_FLOW, View};
+
+/// Gives linked numbers of a list bars that agree.
+pub(super) fn link(list: &mut [Quantity], view: &View) {
+    let place = |row| list.iter().position(|quantity: &Quantity| quantity.row == row);
+    let friction = place(&FRICTION_TORQUE).zip(place(&FRICTION_COEFFICIENT));
+    let flow = place(&SIDE_FLOW).zip(place(&FEED_FLOW));
+    if let Some((torque, coefficient)) = friction.filter(|_| view.base.load.is_some()) {
+        let (per_torque, bar) = (list[coefficient].value / list[torque].value, list[torque].bar);
+        list[coefficient].set_bar(bar.map(|bar| bar.scaled(per_torque)));
+    }
+    if let Some((side, feed)) = flow.filter(|_| has_one_source(view)) {
+        let narrower = [side, feed].into_iter().filter_map(|place| list[place].bar);
+        let narrower = narrower.min_by(|a, b| a.total().total_cmp(&b.total()));
+        for place in [side, feed] {
+            list[place].set_bar(narrower);
+        }
+    }
+}
+
+/// Whether all oil that leaves at the ends comes through one feed.
+fn has_one_source(view: &View) -> bool {
+    let problem = view.problem;
+    let conserves = problem.form == Form::Conservative && !problem.cavitation.drops_pressures();
+    let rests = problem.journal.velocity == [0.0; 2];
+    let has_lines = view.regions(BoundaryKind::Line).next().is_some();
+    conserves && rests && problem.theory == Theory::Full && !has_lines && view.regions(BoundaryKind::Feed).count() == 1
+}
