@@ -185,7 +185,7 @@ fn with_bars(
         });
         quantity.set_bar(bar);
     }
-    link(&mut list, &view);
+    link(&mut list, &view, balance);
     list
 }
 

@@ -1,19 +1,20 @@
 //! Bars of numbers that follow from one another: where a relation is exact, so is that between the bars.
 //!
-//! * Under a load W is given, so that `f = T/(R W)` is off by as much as the torque, in proportion.
+//! * Under a load that is balanced W is given, so that `f = T/(R W)` is off by as much as the torque, in proportion.
 //! * What one feed brings leaves at the ends: `Q_f = Q_s` in a film that conserves oil and has no other source. The narrower bar holds for both.
 
 use oilwedge_reynolds::supply::BoundaryKind;
 use oilwedge_reynolds::{Form, Theory};
 
 use crate::quantities::{FEED_FLOW, FRICTION_COEFFICIENT, FRICTION_TORQUE, Quantity, SIDE_FLOW, View};
+use crate::solved::Balance;
 
-/// Gives linked numbers of a list bars that agree.
-pub(super) fn link(list: &mut [Quantity], view: &View) {
+/// Gives linked numbers of a list bars that agree; `balance` is that of the load, where one is given.
+pub(super) fn link(list: &mut [Quantity], view: &View, balance: Option<&Balance>) {
     let place = |row| list.iter().position(|quantity: &Quantity| quantity.row == row);
     let friction = place(&FRICTION_TORQUE).zip(place(&FRICTION_COEFFICIENT));
     let flow = place(&SIDE_FLOW).zip(place(&FEED_FLOW));
-    if let Some((torque, coefficient)) = friction.filter(|_| view.base.load.is_some()) {
+    if let Some((torque, coefficient)) = friction.filter(|_| balance.is_some_and(|balance| !balance.is_ended)) {
         let (per_torque, bar) = (list[coefficient].value / list[torque].value, list[torque].bar);
         list[coefficient].set_bar(bar.map(|bar| bar.scaled(per_torque)));
     }
