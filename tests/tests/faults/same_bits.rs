@@ -1,4 +1,4 @@
-//! The same scene gives the same bits, on any number of threads and on every run. Sweeps: `cli/sweep/`.
+//! The results of a scene are bit-identical on every run and on any number of threads. Sweeps: `cli/sweep/`.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! What scenes must agree on with each other, and what they are told.
+//! Relations between scenes, such as mirror images and turned bearings, and the warnings that scenes cause.
 
 use super::*;
 use oilwedge_study::compile::compile;

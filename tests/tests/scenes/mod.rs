@@ -1,7 +1,7 @@
-//! Every shipped scene against a number from elsewhere, and what scenes must agree on with each other.
+//! Every shipped scene against a number from elsewhere, and relations between scenes.
 //!
 //! Two kinds of source. *Same mesh*: scikit-fem (`tests/crosscheck/film.py`, quadrature of degree 8) solves
-//! the same discrete problem, so all digits given here agree: 1e-9. *Converged*: the recomputation of the FlexPDE
+//! the same discrete problem, so the values agree to 1e-9. *Converged*: the recomputation of the FlexPDE
 //! study with scikit-fem on a far finer mesh, C_w and angle to four decimals (`tests/crosscheck/test_reference_numbers.py`);
 //! 5e-5 of C_w is twice what the shipped meshes are off.
 

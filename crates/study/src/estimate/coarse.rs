@@ -1,4 +1,4 @@
-//! What the coarse comparison of a mass-conserving film, on its vertices alone, shows about its errors.
+//! The errors of a mass-conserving film, estimated by its coarse comparison on the vertices alone.
 
 use oilwedge_reynolds::error_bar::conserving::ConservingError;
 use oilwedge_reynolds::error_bar::{Bar, FlowGoal};

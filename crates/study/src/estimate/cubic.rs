@@ -1,4 +1,4 @@
-//! What the film in cubic elements tells of the errors of a pressure film.
+//! The errors of a pressure film, estimated by the film in cubic elements.
 
 use oilwedge_fem::Field;
 use oilwedge_reynolds::error_bar::{Bar, FilmError, FlowGoal, Value};
