@@ -23,7 +23,7 @@ use oilwedge_reynolds::{FilmProblem, FilmSolution};
 /// The balance has been found when force and load differ by this part of the load.
 pub(crate) const BALANCED: f64 = 1e-12;
 /// On coarser meshes, which only give a start, this part is enough.
-pub(crate) const ROUGHLY_BALANCED: f64 = 1e-4;
+pub const ROUGHLY_BALANCED: f64 = 1e-4;
 /// Where force and load differ by less than this part of the load the tangent predicts the distance to the balance, and steps are taken in `e`.
 pub const NEAR: f64 = 0.1;
 

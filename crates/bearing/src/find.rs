@@ -13,6 +13,8 @@ use crate::{Carrier, InitialGuess, NoEquilibrium, SearchOptions};
 const BALANCED_ENOUGH: f64 = 1e-10;
 /// Most positions tried.
 const MOST_STEPS: usize = 40;
+/// Advection schemes chosen where force and load differ by less than this part of the load are those of the balanced position.
+const SETTLED: f64 = 1e-6;
 /// Most choices of the advection schemes: the last is that of the balanced position, if they settle.
 const MOST_CHOICES: usize = 6;
 /// Eccentricity up to which the last position of a failed search on a coarser mesh is a start.
@@ -34,6 +36,10 @@ pub fn find(
     let search = Search::new(problem, system, load, *options);
     let found = match options.guess {
         InitialGuess::Cold => search.cold(problem)?,
+        InitialGuess::NearlyBalanced => match search.run(problem, problem.journal) {
+            Ok(found) if !Search::is_beyond(&found) => found,
+            _ => search.cold(problem)?,
+        },
         InitialGuess::Near(near) => search.at_rest(search.trial(problem, problem.journal.offset, near)?)?,
     };
     match options.carrier {
@@ -47,11 +53,16 @@ impl Search<'_> {
     fn cold(&self, problem: &FilmProblem) -> Result<Equilibrium, NoEquilibrium> {
         self.check_capacity(problem)?;
         let found = self.on_levels(problem).map_err(|reason| self.confirmed(reason))?;
-        let greatest = GREATEST_ECCENTRICITY * problem.bearing.clearance;
-        match found.problem.journal.eccentricity() > greatest {
+        match Self::is_beyond(&found) {
             true => self.beyond_capacity(problem).map_or(Ok(found), Err),
             false => Ok(found),
         }
+    }
+
+    /// Whether a position lies beyond the greatest eccentricity that counts as one.
+    fn is_beyond(found: &Equilibrium) -> bool {
+        let Equilibrium { problem, .. } = found;
+        problem.journal.eccentricity() > GREATEST_ECCENTRICITY * problem.bearing.clearance
     }
 
     /// Refuses a load that is below round-off and, where the search begins at the greatest eccentricity, one that exceeds the capacity there.
@@ -70,6 +81,7 @@ impl Search<'_> {
         let rough = SearchOptions {
             accuracy: Some(ROUGHLY_BALANCED),
             carrier: Carrier::Quadratic,
+            guess: InitialGuess::Cold,
             ..self.options
         };
         let reason = match find(&coarser.problem(problem), &coarser.system, self.load, &rough) {
@@ -109,14 +121,13 @@ impl Search<'_> {
             let Ok(chosen) = self.trial(&trial.problem, offset, Neighbour::None) else {
                 break;
             };
-            at_rest = self.residual(&chosen) < BALANCED_ENOUGH;
-            if at_rest {
-                (trial, tangent) = (chosen, None);
-                break;
-            }
+            at_rest = self.residual(&chosen) < SETTLED;
             match self.balanced(chosen, &mut tried) {
                 Ok(balanced) => (trial, tangent) = balanced,
-                Err(_) => break,
+                Err(_) => {
+                    at_rest = false;
+                    break;
+                }
             }
         }
         if !at_rest && !deadline.is_over() {

@@ -26,7 +26,7 @@ pub mod thermal_balance;
 
 pub use cap_bolts::{BoltForces, CapBolts, Shell};
 pub use deadline::{Deadline, Interrupt};
-pub use equilibrium::{Equilibrium, NEAR};
+pub use equilibrium::{Equilibrium, NEAR, ROUGHLY_BALANCED};
 pub use estimate::{GREATEST_ECCENTRICITY, first_position};
 pub use find::find;
 pub use no_equilibrium::NoEquilibrium;

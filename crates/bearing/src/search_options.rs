@@ -31,6 +31,8 @@ pub enum InitialGuess<'a> {
     /// At the position of the problem, improved on coarser meshes, if the system has any.
     #[default]
     Cold,
+    /// At the position of the problem, which balances the load roughly, as a coarser mesh has shown; as [`Self::Cold`] where that leads nowhere.
+    NearlyBalanced,
     /// At the position of the problem, which a neighbouring operating point suggests; with the film of that point on the same system,
     /// if there is one. With [`Neighbour::Kept`] the advection schemes of that film are not chosen again.
     Near(Neighbour<'a>),
@@ -52,7 +54,7 @@ impl SearchOptions<'_> {
         self.accuracy.unwrap_or(match (self.carrier, self.guess) {
             (Carrier::Cubic, _) => ROUGHLY_BALANCED,
             (Carrier::Quadratic, InitialGuess::Near(_)) => NEARLY_BALANCED,
-            (Carrier::Quadratic, InitialGuess::Cold) => BALANCED,
+            (Carrier::Quadratic, InitialGuess::Cold | InitialGuess::NearlyBalanced) => BALANCED,
         })
     }
 

@@ -16,7 +16,7 @@ use oilwedge_reynolds::{Bearing, FilmProblem, FilmSystem, JournalState, Theory};
 
 use crate::compile_error::CompileError;
 use crate::effects::Sockets;
-use crate::film::{DEGREE, Film, MeshOrigin};
+use crate::film::{DEGREE, Film, MeshOrigin, Start};
 use crate::liner_mesh::{LinerMesh, liner_mesh, suited};
 use crate::oil::{self, Oil};
 use crate::position::Position;
@@ -79,6 +79,7 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, position: Position, degree: usize) 
         problem,
         system: Arc::new(system),
         load,
+        start: Start::default(),
         thermal,
         centre_velocity,
         origin: MeshOrigin {

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use oilwedge_bearing::{Deadline, SearchOptions};
+use oilwedge_bearing::{Deadline, InitialGuess, SearchOptions};
 use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSystem, JournalState};
 use oilwedge_scene::Scene;
 
@@ -27,6 +27,8 @@ pub struct Film {
     /// Force `(F cos, F sin)` on the journal [N] under which its position is found, from that of the problem;
     /// `None` at a given position.
     pub load: Option<[f64; 2]>,
+    /// What is known of that position.
+    pub start: Start,
     /// How its temperature is found; `None`: it is given, or has no effect.
     pub thermal: Option<ThermalModel>,
     /// Velocity of the journal's centre.
@@ -35,6 +37,16 @@ pub struct Film {
     pub origin: MeshOrigin,
     /// Seconds by part: reading or drawing the mesh, if that was done; numbering, pattern and analysis.
     pub seconds: Vec<(&'static str, f64)>,
+}
+
+/// What is known of the position at which the search under a load begins.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Start {
+    /// It is an estimate.
+    #[default]
+    Estimated,
+    /// It balances the load on a coarser mesh.
+    NearlyBalanced,
 }
 
 /// Where the mesh of a film comes from.
@@ -61,11 +73,15 @@ impl Film {
         Position::of(&self.problem.journal, self.problem.bearing.clearance)
     }
 
-    /// How its position is sought under a load until `deadline`, from a cold start.
+    /// How its position is sought under a load until `deadline`, without a neighbouring film.
     pub(crate) fn search_options<'a>(&self, deadline: Deadline) -> SearchOptions<'a> {
         SearchOptions {
             centre_velocity: self.centre_velocity,
             deadline,
+            guess: match self.start {
+                Start::Estimated => InitialGuess::Cold,
+                Start::NearlyBalanced => InitialGuess::NearlyBalanced,
+            },
             ..SearchOptions::default()
         }
     }

@@ -1,13 +1,15 @@
 //! Meshes graded for the position that a load leads to.
 
-use oilwedge_bearing::{Deadline, Equilibrium, GREATEST_ECCENTRICITY, NoEquilibrium, find};
+use oilwedge_bearing::{
+    Deadline, Equilibrium, GREATEST_ECCENTRICITY, NoEquilibrium, ROUGHLY_BALANCED, SearchOptions, find,
+};
 use oilwedge_reynolds::angles::wrapped;
 use oilwedge_reynolds::{Bearing, JournalState};
 use oilwedge_scene::Scene;
 
 use crate::compile::{compile, compile_near};
 use crate::compile_error::CompileError;
-use crate::film::Film;
+use crate::film::{Film, Start};
 use crate::position::Position;
 
 /// A mesh is graded anew where the least film thickness found differs by this factor from that which it was graded for,
@@ -18,7 +20,7 @@ const ELSEWHERE: f64 = 0.2;
 const GRADINGS: usize = 4;
 
 /// Compiles a scene; under a load a mesh that is made here is graded for the position that the load leads to, as far as the deadline
-/// allows.
+/// allows, and the journal is where a coarser mesh balances the load.
 ///
 /// # Errors
 /// The scene does not become a film.
@@ -32,40 +34,60 @@ pub fn graded(scene: &Scene, deadline: Deadline) -> Result<Film, CompileError> {
         if deadline.is_over() {
             break;
         }
-        let Some(position) = position_to_grade_for(&film, load, deadline, &mut middle) else {
-            break;
-        };
-        film = compile_near(scene, position)?;
+        match suited(&film, load, deadline, &mut middle) {
+            Suited::To(journal) => {
+                return Ok(Film {
+                    start: Start::NearlyBalanced,
+                    ..film.with_journal(journal)
+                });
+            }
+            Suited::Unknown => break,
+            Suited::Not(position) => film = compile_near(scene, position)?,
+        }
     }
     Ok(film)
 }
 
-/// The position that the mesh should be graded for; `None` where it suits, or where none is known. `middle` is tried once.
-fn position_to_grade_for(
-    film: &Film,
-    load: [f64; 2],
-    deadline: Deadline,
-    middle: &mut Option<Position>,
-) -> Option<Position> {
-    let journal = match rough_balance(film, load, deadline) {
+/// Whether a mesh suits the position that the load leads to.
+enum Suited {
+    /// To this position, which balances the load roughly.
+    To(JournalState),
+    /// It is better graded for this position.
+    Not(Position),
+    /// No position is known.
+    Unknown,
+}
+
+/// Whether the mesh of a film suits the position that the load leads to. `middle` is tried once.
+fn suited(film: &Film, load: [f64; 2], deadline: Deadline, middle: &mut Option<Position>) -> Suited {
+    let balance = rough_balance(film, load, deadline);
+    let journal = match &balance {
         Ok(Equilibrium { problem, .. }) => problem.journal,
-        Err(NoEquilibrium::BeyondCapacity { .. } | NoEquilibrium::BelowRounding { .. }) => return None,
+        Err(NoEquilibrium::BeyondCapacity { .. } | NoEquilibrium::BelowRounding { .. }) => return Suited::Unknown,
         // Feeds may carry what the estimate would have a thin film carry.
-        Err(reason) => match middle.take() {
-            None => reason.last_position()?,
-            position => return position,
+        Err(reason) => match (middle.take(), reason.last_position()) {
+            (Some(position), _) => return Suited::Not(position),
+            (None, Some(journal)) => journal,
+            (None, None) => return Suited::Unknown,
         },
     };
     let bearing = &film.problem.bearing;
     let is_possible = journal.eccentricity() <= GREATEST_ECCENTRICITY * bearing.clearance;
-    (is_possible && !is_near(bearing, &film.problem.journal, &journal))
-        .then(|| Position::of(&journal, bearing.clearance))
+    let suits = is_near(bearing, &film.problem.journal, &journal);
+    match balance {
+        _ if is_possible && !suits => Suited::Not(Position::of(&journal, bearing.clearance)),
+        Ok(_) if is_possible => Suited::To(journal),
+        _ => Suited::Unknown,
+    }
 }
 
 /// The balance on a coarser mesh, which is good enough to grade a mesh for, if it leads to a position. A load may be out of reach only because the
 /// mesh is too coarse there.
 fn rough_balance(film: &Film, load: [f64; 2], deadline: Deadline) -> Result<Equilibrium, NoEquilibrium> {
-    let options = film.search_options(deadline);
+    let options = SearchOptions {
+        accuracy: Some(ROUGHLY_BALANCED),
+        ..film.search_options(deadline)
+    };
     let on_coarser = (film.system.coarser.as_ref())
         .and_then(|coarser| find(&coarser.problem(&film.problem), &coarser.system, load, &options).ok());
     on_coarser.map_or_else(|| find(&film.problem, &film.system, load, &options), Ok)

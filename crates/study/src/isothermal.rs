@@ -26,7 +26,7 @@ fn at_given_position(film: &Film, options: &SolveOptions) -> Result<Solved, NoAn
         InitialGuess::Near(near @ (Neighbour::Start(_) | Neighbour::Kept(_))) => {
             film.problem.solve_from(&film.system, near)?
         }
-        InitialGuess::Cold | InitialGuess::Near(Neighbour::None) => film.problem.solve(&film.system)?,
+        InitialGuess::Cold | InitialGuess::NearlyBalanced | InitialGuess::Near(Neighbour::None) => film.problem.solve(&film.system)?,
     };
     with_reference(film.clone(), solution, options.errors)
 }
@@ -36,8 +36,11 @@ fn under_load(film: &Film, load: [f64; 2], options: &SolveOptions) -> Result<Sol
     let by_cubic = options.errors == Errors::Estimated && film.problem.cavitation.is_symmetric();
     let search = SearchOptions {
         carrier: if by_cubic { Carrier::Cubic } else { Carrier::Quadratic },
-        guess: options.guess,
         ..film.search_options(options.deadline)
+    };
+    let search = match options.guess {
+        InitialGuess::Cold => search,
+        guess => SearchOptions { guess, ..search },
     };
     let found = find(&film.problem, &film.system, load, &search)?;
     let (parts, seconds) = (found.film.seconds, clock.elapsed().as_secs_f64());
