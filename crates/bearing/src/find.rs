@@ -107,12 +107,13 @@ impl Search<'_> {
     fn at_rest(&self, first: Trial) -> Result<Equilibrium, NoEquilibrium> {
         let deadline = self.options.deadline;
         let mut tried = 1;
-        let (mut trial, mut tangent) = self.balanced(first, &mut tried)?;
+        let (mut trial, mut tangent) = self.balanced(first, None, &mut tried)?;
         // A position on a coarser mesh is only a start.
         let has_schemes = trial.film.film_fraction.is_some();
-        let mut at_rest = !has_schemes || self.options.keeps_schemes() || self.options.balanced() > BALANCED_ENOUGH;
+        let must_settle = has_schemes && !self.options.keeps_schemes() && self.options.balanced() <= BALANCED_ENOUGH;
+        let at_rest = |trial: &Trial| !must_settle || trial.schemes_chosen_at < SETTLED;
         for _ in 0..MOST_CHOICES {
-            if at_rest || deadline.is_over() {
+            if at_rest(&trial) || deadline.is_over() {
                 break;
             }
             tried += 1;
@@ -121,15 +122,12 @@ impl Search<'_> {
             let Ok(chosen) = self.trial(&trial.problem, offset, Neighbour::None) else {
                 break;
             };
-            at_rest = self.residual(&chosen) < SETTLED;
-            match self.balanced(chosen, &mut tried) {
+            match self.balanced(chosen, tangent, &mut tried) {
                 Ok(balanced) => (trial, tangent) = balanced,
-                Err(_) => {
-                    at_rest = false;
-                    break;
-                }
+                Err(_) => break,
             }
         }
+        let at_rest = at_rest(&trial);
         if !at_rest && !deadline.is_over() {
             let note = "the advection schemes did not settle at the balanced position: those chosen near it are kept";
             trial.film.fallbacks.push(note.to_owned());
@@ -148,12 +146,16 @@ impl Search<'_> {
         })
     }
 
-    /// The balanced trial, and the tangent that the search has for it, if it kept one.
-    fn balanced(&self, mut trial: Trial, tried: &mut usize) -> Result<(Trial, Option<Stiffness>), NoEquilibrium> {
+    /// The balanced trial, and the tangent that the search has for it, if it kept one; `kept` is that of a trial nearby.
+    fn balanced(
+        &self,
+        mut trial: Trial,
+        mut kept: Option<Stiffness>,
+        tried: &mut usize,
+    ) -> Result<(Trial, Option<Stiffness>), NoEquilibrium> {
         let keeps_tangent = matches!(self.options.guess, InitialGuess::Near(_))
             && trial.problem.cavitation.depends_smoothly_on_position();
         let last = *tried + MOST_STEPS;
-        let mut kept = None;
         while *tried < last {
             let residual = self.residual(&trial);
             if residual < self.options.balanced() || self.options.deadline.is_over() {
@@ -168,7 +170,7 @@ impl Search<'_> {
                 None if residual < BALANCED_ENOUGH => return Ok((trial, None)),
                 None => return Err(self.unreachable(&trial, "no shorter step brings the force nearer to the load")),
                 Some(next) => {
-                    kept = keeps_tangent.then(|| Self::corrected(tangent, &trial, &next));
+                    kept = (keeps_tangent || next.is_continued).then(|| Self::corrected(tangent, &trial, &next));
                     trial = next;
                 }
             }

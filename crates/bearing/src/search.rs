@@ -50,6 +50,11 @@ pub(crate) struct Trial {
     /// The film in cubic elements, where the force is that of it.
     pub(crate) cubic: Option<FilmSolution>,
     pub(crate) force: [f64; 2],
+    /// Residual of the position at which the advection schemes of a mass-conserving film were chosen; infinite where a
+    /// neighbouring film had a part in the choice.
+    pub(crate) schemes_chosen_at: f64,
+    /// True where the force has changed smoothly from that of the trial before: it is that of a mass-conserving film with the same schemes.
+    pub(crate) is_continued: bool,
 }
 
 impl<'a> Search<'a> {
@@ -116,12 +121,21 @@ impl<'a> Search<'a> {
         let problem = self.placed(problem, offset);
         let film = problem.solve_from(self.system, near)?;
         let force = load(&problem, self.system, &film).total.force;
-        Ok(self.recorded(Trial {
+        let trial = self.recorded(Trial {
             problem,
             film,
             cubic: None,
             force,
-        }))
+            schemes_chosen_at: f64::INFINITY,
+            is_continued: false,
+        });
+        Ok(match near {
+            Neighbour::None => Trial {
+                schemes_chosen_at: self.residual(&trial),
+                ..trial
+            },
+            Neighbour::Start(_) | Neighbour::Kept(_) => trial,
+        })
     }
 
     /// The trial at `offset` [m] by the force of the film in cubic elements, started from that of a neighbouring position, if there is one.
@@ -141,6 +155,8 @@ impl<'a> Search<'a> {
             film,
             cubic: Some(cubic),
             force,
+            schemes_chosen_at: f64::INFINITY,
+            is_continued: false,
         }))
     }
 

@@ -89,7 +89,14 @@ impl Search<'_> {
             if let Ok(trial) = self.trial(&from.problem, at(part), near)
                 && self.distance(&trial) < self.distance(from)
             {
-                return Some(trial);
+                return Some(match near {
+                    Neighbour::Kept(_) => Trial {
+                        schemes_chosen_at: from.schemes_chosen_at,
+                        is_continued: true,
+                        ..trial
+                    },
+                    Neighbour::None | Neighbour::Start(_) => trial,
+                });
             }
             part *= 0.5;
         }

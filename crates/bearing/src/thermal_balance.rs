@@ -56,6 +56,8 @@ pub struct Housing {
 pub const HOTTEST: f64 = 250.0;
 /// Starts [K] above the inlet where there is no film at the first one.
 const STARTS: [f64; 4] = [0.0, 10.0, 40.0, 120.0];
+/// Steps by the slope go on while each leaves at most this part of the surplus.
+const QUICK: f64 = 0.2;
 /// A bracket is not narrowed further than this [K].
 const NARROW: f64 = 1e-10;
 /// Films nearer to one another than this [K] do not tell how the surplus changes, where a cavity may jump.
@@ -156,6 +158,13 @@ struct Point {
     surplus: f64,
 }
 
+impl Point {
+    /// Whether the surplus is at most this part of the power.
+    fn is_balanced(&self, accuracy: f64) -> bool {
+        self.surplus.abs() <= accuracy * self.film.power.abs()
+    }
+}
+
 /// A search for the root.
 struct Search<'a, F> {
     balance: &'a ThermalBalance,
@@ -183,6 +192,26 @@ impl<E, F: FnMut(f64) -> Result<ThermalFlows, E>> Search<'_, F> {
         let [coldest, _] = self.balance.range();
         let found = STARTS.into_iter().find_map(|above| self.at(coldest + above).ok());
         found.ok_or(NoBalance::NoFilm(reason))
+    }
+
+    /// The film nearest to the root that secants lead to while they are quick, from a `slope` of the surplus; with the last slope [W/K].
+    fn by_slope(&mut self, first: Point, slope: Option<f64>, accuracy: f64) -> (Point, f64) {
+        let [coldest, hottest] = self.balance.range();
+        let (mut near, mut last_slope) = (first, slope.unwrap_or(f64::NAN));
+        while !near.is_balanced(accuracy) && last_slope < 0.0 {
+            let next = near.temperature - near.surplus / last_slope;
+            let Some(Ok(point)) = (next > coldest && next < hottest).then(|| self.at(next)) else {
+                break;
+            };
+            if point.surplus.abs() > QUICK * near.surplus.abs() {
+                break;
+            }
+            if (point.temperature - near.temperature).abs() > APART {
+                last_slope = (point.surplus - near.surplus) / (point.temperature - near.temperature);
+            }
+            near = point;
+        }
+        (near, last_slope)
     }
 
     /// A film on the other side of the root than `near`.
@@ -238,7 +267,7 @@ impl<E, F: FnMut(f64) -> Result<ThermalFlows, E>> Search<'_, F> {
             let best = if a.surplus.abs() < b.surplus.abs() { a } else { b };
             let [low, high] = [a.temperature.min(b.temperature), a.temperature.max(b.temperature)];
             let is_narrow = high - low < NARROW || self.films > MOST_FILMS;
-            if best.surplus.abs() <= accuracy * best.film.power.abs() || is_narrow {
+            if best.is_balanced(accuracy) || is_narrow {
                 return Ok((best, last_slope));
             }
             let mut next = b.temperature - b.surplus * (b.temperature - a.temperature) / (b.surplus - held);
@@ -263,14 +292,33 @@ impl<E, F: FnMut(f64) -> Result<ThermalFlows, E>> Search<'_, F> {
     }
 }
 
-/// Finds the temperature at which the heat is balanced to the part `accuracy` of the power; sought from `start` [K]. `evaluate` gives what
-/// heats and cools the film at a temperature [K].
+/// Where the search for a temperature begins.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Start {
+    /// A temperature [K].
+    pub temperature: f64,
+    /// How the surplus changes with temperature there [W/K], where that is known.
+    pub slope: Option<f64>,
+}
+
+impl Start {
+    /// At a temperature [K] where the slope is not known.
+    pub fn at(temperature: f64) -> Self {
+        Self {
+            temperature,
+            slope: None,
+        }
+    }
+}
+
+/// Finds the temperature at which the heat is balanced to the part `accuracy` of the power. `evaluate` gives what heats and cools the film at a
+/// temperature [K].
 ///
 /// # Errors
 /// [`NoBalance`]: the reason why there is none.
 pub fn find<E>(
     balance: &ThermalBalance,
-    start: f64,
+    start: Start,
     accuracy: f64,
     evaluate: impl FnMut(f64) -> Result<ThermalFlows, E>,
 ) -> Result<Balanced, NoBalance<E>> {
@@ -280,11 +328,12 @@ pub fn find<E>(
         films: 0,
     };
     let [coldest, hottest] = balance.range();
-    let first = search.first(start.clamp(coldest, hottest))?;
-    let (found, slope) = match first.surplus.abs() <= accuracy * first.film.power.abs() {
-        true => (first, f64::NAN),
+    let first = search.first(start.temperature.clamp(coldest, hottest))?;
+    let (nearest, slope) = search.by_slope(first, start.slope, accuracy);
+    let (found, slope) = match nearest.is_balanced(accuracy) {
+        true => (nearest, slope),
         false => {
-            let bracket = search.other_side(first)?;
+            let bracket = search.other_side(nearest)?;
             search.narrowed(bracket, accuracy)?
         }
     };
@@ -298,117 +347,4 @@ pub fn find<E>(
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    const OIL: ThermalBalance = ThermalBalance {
-        inlet: 348.15,
-        heat_capacity: 1.8e6,
-        housing: None,
-    };
-
-    /// Friction that falls, and a flow that grows with temperature.
-    fn film(temperature: f64) -> ThermalFlows {
-        let thinner = (-0.03 * (temperature - 348.15)).exp();
-        ThermalFlows {
-            power: 500.0 * thinner,
-            flow: 1e-5 + 2e-6 / thinner,
-            carried_over: 0.0,
-        }
-    }
-
-    fn found(balance: &ThermalBalance, start: f64, film: impl Fn(f64) -> ThermalFlows) -> Balanced {
-        find(balance, start, 1e-12, |t| Ok::<_, ()>(film(t))).expect("a balance")
-    }
-
-    #[test]
-    fn the_root_is_found_from_any_start() {
-        let housing = |conductance, ambient| ThermalBalance {
-            housing: Some(Housing { conductance, ambient }),
-            ..OIL
-        };
-        for balance in [OIL, housing(5.0, 313.15), housing(500.0, 250.0), housing(3.0, 400.0)] {
-            let reference = found(&balance, balance.inlet, film);
-            for start in [0.0, 250.0, 300.0, 348.15, 349.0, 355.0, 400.0, 598.0, 1e9] {
-                let other = found(&balance, start, film);
-                assert!(
-                    (other.temperature - reference.temperature).abs() < 1e-8,
-                    "{balance:?} {start}"
-                );
-                assert!(
-                    other.surplus.abs() < 1e-9 * other.film.power && other.films < 40,
-                    "{other:?}"
-                );
-                let heat = balance.carried(other.temperature, &other.film) + balance.given_off(other.temperature);
-                assert!((heat / other.film.power - 1.0).abs() < 1e-6);
-            }
-            let at = |t: f64| balance.surplus(t, &film(t));
-            let t = reference.temperature;
-            let slope = (at(t + 1e-3) - at(t - 1e-3)) / 2e-3;
-            assert!(
-                (reference.slope / slope - 1.0).abs() < 0.05,
-                "{} {slope}",
-                reference.slope
-            );
-        }
-    }
-
-    /// Friction that hardly changes and then falls from a cliff: false position alone would creep.
-    #[test]
-    fn cliffs_are_bisected() {
-        for cliff in [349.0, 360.0, 500.0, 590.0] {
-            let film = |t: f64| ThermalFlows {
-                power: if t < cliff { 1e5 } else { 1e-3 },
-                flow: 1e-6,
-                carried_over: 0.0,
-            };
-            let found = found(&OIL, 348.15, film);
-            assert!((found.temperature - cliff).abs() < 1e-9, "{found:?}");
-            assert!(found.films <= MOST_FILMS);
-        }
-    }
-
-    /// Fresh oil q_1 and hot oil q_0 mix to the oil that enters, and what is heated is both.
-    #[test]
-    fn carried_over_oil_balances() {
-        let film = |t: f64| ThermalFlows {
-            carried_over: 0.7,
-            ..film(t)
-        };
-        let found = found(&OIL, 348.15, film);
-        let [inlet, outlet] = OIL.ends(found.temperature, 0.7);
-        assert!((inlet - (OIL.inlet + 0.7 * (outlet - inlet))).abs() < 1e-9);
-        assert!((0.5 * (inlet + outlet) - found.temperature).abs() < 1e-9);
-        let through = 1.7 * found.film.flow * OIL.heat_capacity * (outlet - inlet);
-        assert!((through / found.film.power - 1.0).abs() < 1e-9);
-        let without = super::find(&OIL, 348.15, 1e-12, |t| Ok::<_, ()>(super::tests::film(t))).expect("a balance");
-        assert!(found.temperature > without.temperature);
-    }
-
-    #[test]
-    fn what_has_no_balance_is_told() {
-        let dry = |t: f64| ThermalFlows { flow: 0.0, ..film(t) };
-        let none = find(&OIL, 348.15, 1e-9, |t| Ok::<_, ()>(dry(t)));
-        assert!(
-            matches!(none, Err(NoBalance::TooHot { temperature, .. }) if temperature == OIL.inlet + HOTTEST),
-            "{none:?}"
-        );
-        let none = find(&OIL, 348.15, 1e-9, |_| Err::<ThermalFlows, _>("torn"));
-        assert_eq!(none, Err(NoBalance::NoFilm("torn")));
-        // Films up to 350 K only, and the balance beyond; from above it is reached too.
-        let torn = |t: f64| if t < 350.0 { Ok(film(t)) } else { Err("torn") };
-        for start in [348.15, 500.0] {
-            match find(&OIL, start, 1e-9, torn) {
-                Err(NoBalance::Ends {
-                    temperature, reason, ..
-                }) => {
-                    assert!(reason == "torn" && (350.0 - temperature) < EDGE && temperature < 350.0);
-                }
-                other => panic!("{other:?}"),
-            }
-        }
-        // A film that begins only above the inlet, as with Barus' oil.
-        let late = |t: f64| if t > 351.0 { Ok(film(t)) } else { Err("thick") };
-        assert!(find(&OIL, 348.15, 1e-9, late).is_ok());
-    }
-}
+mod tests;

@@ -16,8 +16,49 @@ use std::sync::Arc;
 
 use oilwedge_mesh::Mesh;
 
+use crate::integrate::Rule;
 use crate::ordering::elimination_order;
-use crate::{Error, Pattern, Space, UnsymmetricAnalysis};
+use crate::{Error, Pattern, Quadrature, Space, UnsymmetricAnalysis, lagrange};
+
+/// Sub-triangles of a quadratic triangle that is obtuse at its first, second or third corner, or at none.
+const QUARTERS: [[[usize; 3]; 4]; 4] = [
+    [[0, 3, 4], [3, 1, 4], [5, 4, 2], [0, 4, 5]],
+    [[0, 3, 5], [3, 1, 5], [5, 4, 2], [1, 4, 5]],
+    [[0, 3, 5], [3, 1, 4], [3, 4, 2], [3, 2, 5]],
+    [[0, 3, 5], [3, 1, 4], [5, 4, 2], [3, 4, 5]],
+];
+
+/// One quadrature rule per sub-triangle that triangles of these elements may have, with the shape functions of the whole triangle.
+#[derive(Debug)]
+pub struct SubTriangleRules(Vec<([usize; 3], Rule)>);
+
+impl SubTriangleRules {
+    /// Rules that are exact for polynomials of degree `exact`, for elements of degree `degree`.
+    pub fn new(degree: usize, exact: usize) -> Self {
+        let nodes = lagrange::nodes(degree);
+        let mut rules: Vec<([usize; 3], Rule)> = Vec::new();
+        let corners = match degree {
+            1 => vec![[0, 1, 2]],
+            _ => QUARTERS.concat(),
+        };
+        for corners in corners {
+            if rules.iter().all(|(other, _)| *other != corners) {
+                let part = Quadrature::for_degree(exact).on_part(corners.map(|node| nodes[node]));
+                rules.push((corners, Rule::new(part, degree)));
+            }
+        }
+        Self(rules)
+    }
+
+    /// The rule of the sub-triangle with these corners, one of [`sub_triangles`].
+    ///
+    /// # Panics
+    /// No triangle has such a sub-triangle.
+    pub fn of(&self, corners: &[usize; 3]) -> &Rule {
+        let found = self.0.iter().find(|(other, _)| other == corners);
+        &found.expect("corners of a sub-triangle").1
+    }
+}
 
 /// The sub-triangles of triangle `t` by its local nodes, counter-clockwise: four, or itself where the elements are linear.
 pub fn sub_triangles(space: &Space, t: usize) -> &'static [[usize; 3]] {
@@ -34,12 +75,7 @@ fn quarters(mesh: &Mesh, t: usize) -> &'static [[usize; 3]; 4] {
         let along = |d: usize| (next[d] - at[d]) * (previous[d] - at[d]);
         along(0) + along(1) < 0.0
     };
-    match (0..3).find(|&k| is_obtuse(k)) {
-        None => &[[0, 3, 5], [3, 1, 4], [5, 4, 2], [3, 4, 5]],
-        Some(0) => &[[0, 3, 4], [3, 1, 4], [5, 4, 2], [0, 4, 5]],
-        Some(1) => &[[0, 3, 5], [3, 1, 5], [5, 4, 2], [1, 4, 5]],
-        Some(_) => &[[0, 3, 5], [3, 1, 4], [3, 4, 2], [3, 2, 5]],
-    }
+    &QUARTERS[(0..3).find(|&k| is_obtuse(k)).unwrap_or(3)]
 }
 
 /// The sub-mesh of a space of quadratic or linear elements and the pattern of couplings between its nodes.

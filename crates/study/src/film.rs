@@ -68,6 +68,35 @@ impl Film {
         film
     }
 
+    /// This film on the next coarser mesh, if it has one and shares its system with no other film.
+    pub(crate) fn on_coarser(self) -> Self {
+        let mut system = match Arc::try_unwrap(self.system) {
+            Ok(system) => system,
+            Err(system) => return Self { system, ..self },
+        };
+        match system.coarser.take() {
+            None => Self {
+                system: Arc::new(system),
+                ..self
+            },
+            Some(coarser) => Self {
+                problem: coarser.problem(&self.problem),
+                system: Arc::new(coarser.system),
+                ..self
+            },
+        }
+    }
+
+    /// This film with the journal elsewhere; its centre moves on as before.
+    pub(crate) fn at_position(self, position: Position) -> Self {
+        let (sin, cos) = position.min_film_angle.sin_cos();
+        let offset = position.eccentricity * self.problem.bearing.clearance;
+        self.with_journal(JournalState {
+            offset: [offset * cos, offset * sin],
+            ..self.problem.journal
+        })
+    }
+
     /// Where the journal is.
     pub fn position(&self) -> Position {
         Position::of(&self.problem.journal, self.problem.bearing.clearance)

@@ -26,7 +26,9 @@ fn at_given_position(film: &Film, options: &SolveOptions) -> Result<Solved, NoAn
         InitialGuess::Near(near @ (Neighbour::Start(_) | Neighbour::Kept(_))) => {
             film.problem.solve_from(&film.system, near)?
         }
-        InitialGuess::Cold | InitialGuess::NearlyBalanced | InitialGuess::Near(Neighbour::None) => film.problem.solve(&film.system)?,
+        InitialGuess::Cold | InitialGuess::NearlyBalanced | InitialGuess::Near(Neighbour::None) => {
+            film.problem.solve(&film.system)?
+        }
     };
     with_reference(film.clone(), solution, options.errors)
 }
@@ -35,6 +37,7 @@ fn under_load(film: &Film, load: [f64; 2], options: &SolveOptions) -> Result<Sol
     let clock = Instant::now();
     let by_cubic = options.errors == Errors::Estimated && film.problem.cavitation.is_symmetric();
     let search = SearchOptions {
+        accuracy: options.accuracy,
         carrier: if by_cubic { Carrier::Cubic } else { Carrier::Quadratic },
         ..film.search_options(options.deadline)
     };

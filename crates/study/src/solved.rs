@@ -17,6 +17,8 @@ pub struct SolveOptions<'a> {
     pub deadline: Deadline,
     /// Where a search begins.
     pub guess: InitialGuess<'a>,
+    /// Difference of force and load over the load at which a position is found; by default near round-off.
+    pub accuracy: Option<f64>,
 }
 
 /// Whether errors are to be estimated.

@@ -3,6 +3,7 @@
 //! The root is sought by quadratic films first, then by those whose numbers are reported. Its bar comes from those of friction and flow
 //! through the slope of their balance; all other numbers change with the temperature as the films on the way have shown.
 
+use oilwedge_bearing::thermal_balance::Start;
 use oilwedge_bearing::{Deadline, NoBalance, ThermalBalance, ThermalFlows};
 use oilwedge_reynolds::ReferenceFilm;
 use oilwedge_reynolds::existence::readable;
@@ -28,8 +29,10 @@ pub use curve::temperature_report;
 pub use search::solve;
 use search::{Kind, Left, ROUGHLY, Search};
 
-/// Edges of the mesh on which the temperature is sought first, over those of the first mesh of the scene.
+/// Edges of the mesh on which the temperature is sought first, over those of the first mesh of the scene,
 const COARSE: f64 = 3.0;
+/// and its most nodes, if it has coarser ones.
+const COARSE_NODES: usize = 2500;
 
 /// What was measured on the film whose numbers are reported.
 fn measured(solved: &Solved) -> Measured {
@@ -96,7 +99,10 @@ pub fn warmed(scene: &Scene, deadline: Deadline) -> Result<Option<Scene>, Compil
         return Ok(None);
     }
     let coarse = resized(scene, COARSE).unwrap_or_else(|| scene.clone());
-    let film = graded(&coarse, deadline)?;
+    let mut film = graded(&coarse, deadline)?;
+    while film.system.coarser.is_some() && film.system.space().dofs() > COARSE_NODES {
+        film = film.on_coarser();
+    }
     Ok(rough_temperature(&film, deadline).map(|temperature| at_temperature(scene, temperature)))
 }
 
@@ -107,6 +113,6 @@ fn rough_temperature(film: &Film, deadline: Deadline) -> Option<f64> {
         deadline,
         ..SolveOptions::default()
     };
-    let found = Search::new(film, model, &options).find(first, ROUGHLY, Kind::Chosen);
+    let found = Search::new(film, model, &options).find(Start::at(first), ROUGHLY, Kind::Leading);
     found.ok().map(|found| found.temperature)
 }

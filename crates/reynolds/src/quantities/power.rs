@@ -21,9 +21,9 @@
 //! **Range.** The film, cavities included: full shear there but for a mass-conserving film, whose oil fills theta of the gap. No film, and no
 //! shear, where a feed gives the pressure. The as-printed form makes oil, and its power does not balance. **Verified by** `tests/tests/friction.rs`.
 
-use oilwedge_fem::control_volumes::sub_triangles;
+use oilwedge_fem::control_volumes::{SubTriangleRules, sub_triangles};
 use oilwedge_fem::integrate::{Nodal, Points, Rule};
-use oilwedge_fem::{Field, Quadrature, integrate, lagrange};
+use oilwedge_fem::{Field, integrate};
 
 use super::cavity::broken_share;
 use super::flow::{STILL, reference_flow};
@@ -174,6 +174,7 @@ fn integrated(
     let (space, mesh) = (system.space(), system.space().mesh());
     let is_film = system.supply.film(mesh);
     let rule = Rule::for_degree(space.degree());
+    let parts = SubTriangleRules::new(space.degree(), 1);
     let law = FilmLaw::new(problem, 1.0);
     integrate(mesh, |t| {
         let fields = [&film.unknown[..], excess].map(|values| Field { space, values }.element_values(t));
@@ -182,7 +183,7 @@ fn integrated(
         let shear = match carried {
             _ if !is_film[t] => 0.0,
             Some(carried) if carried.iter().any(|thickness| thickness.is_finite()) => {
-                broken_shear(problem, system, &law, t, &fields[1], carried)
+                broken_shear(problem, (system, &parts), &law, t, &fields[1], carried)
             }
             _ => work.shear,
         };
@@ -225,20 +226,18 @@ fn viscosity(problem: &FilmProblem, excess: f64) -> f64 {
 /// Power of shear [W] in a triangle that is not full: oil of the thickness `carried` [m] comes into each of its sub-triangles.
 fn broken_shear(
     problem: &FilmProblem,
-    system: &FilmSystem,
+    (system, parts): (&FilmSystem, &SubTriangleRules),
     law: &FilmLaw,
     t: usize,
     excess: &Nodal,
     carried: [f64; 4],
 ) -> f64 {
     let space = system.space();
-    let nodes = lagrange::nodes(space.degree());
     let velocity = law.velocity();
     let square = velocity[0] * velocity[0] + velocity[1] * velocity[1];
     let mut shear = 0.0;
     for (corners, carried) in sub_triangles(space, t).iter().zip(carried) {
-        let part = Quadrature::for_degree(1).on_part(corners.map(|node| nodes[node]));
-        Rule::new(part, space.degree()).visit(space.mesh(), t, |points| {
+        parts.of(corners).visit(space.mesh(), t, |points| {
             let film = law.film_and_flows(t, points.positions).0;
             for (q, FilmPoint { thickness, .. }) in film[..points.positions.len()].iter().enumerate() {
                 let fraction = (carried / thickness).min(1.0);

@@ -1,12 +1,12 @@
 //! Friction and heat carried off around the temperature found, and whether the bearing will do.
 
-use oilwedge_bearing::{Deadline, InitialGuess};
+use oilwedge_bearing::{Deadline, InitialGuess, Visited, predicted};
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_reynolds::solve::Neighbour;
 
 use super::flows::thermal_flows;
 use super::measured;
-use super::search::from_near_or_cold;
+use super::search::{ROUGHLY, from_near_or_cold, point as operating_point, visited};
 use crate::compile::at_temperature;
 use crate::film::Film;
 use crate::quantities::{FILM_THICKNESS_MIN, LOAD, Quantity, Row};
@@ -31,13 +31,11 @@ pub fn temperature_report(solved: &Solved, quantities: &[Quantity], deadline: De
     );
     let root = found.balanced.temperature;
     let reach = (REACH * (root - model.balance.inlet).abs()).max(LEAST_REACH);
-    let temperatures = (-FILMS..=FILMS).map(|k| (k, root + f64::from(k) / f64::from(FILMS) * reach));
-    let curve = temperatures
-        .filter(|(_, temperature)| *temperature >= model.balance.range()[0])
-        .filter_map(|(k, temperature)| match k {
-            0 => Some(point(&model, temperature, solved)),
-            _ => film_at(&model, temperature, solved, deadline),
-        });
+    let step = reach / f64::from(FILMS);
+    let mut curve = side(&model, solved, root, -step, deadline);
+    curve.reverse();
+    curve.push(point(&model, root, solved));
+    curve.extend(side(&model, solved, root, step, deadline));
     let value = |row: &Row| {
         let quantity = quantities.iter().find(|quantity| quantity.row == row);
         quantity.map(|quantity| quantity.value)
@@ -51,20 +49,45 @@ pub fn temperature_report(solved: &Solved, quantities: &[Quantity], deadline: De
         inlet_temperature: model.balance.inlet - ZERO_CELSIUS,
         heat_capacity: model.balance.heat_capacity,
         specific_load: value(&LOAD)? / (2.0 * bearing.radius * bearing.length),
-        curve: curve.collect(),
+        curve,
         is_fit: criteria.iter().all(|criterion| criterion.is_met || !criterion.decides),
         criteria,
     })
 }
 
-fn film_at(model: &ThermalModel, temperature: f64, near: &Solved, deadline: Deadline) -> Option<TemperaturePoint> {
+/// Films on one side of the temperature found, `step` [K] apart, as far as there are any: each started from the one before.
+fn side(model: &ThermalModel, found: &Solved, root: f64, step: f64, deadline: Deadline) -> Vec<TemperaturePoint> {
+    let mut positions = vec![visited(&found.film)];
+    let (mut points, mut last): (_, Option<Solved>) = (Vec::new(), None);
+    for k in 1..=FILMS {
+        let temperature = root + f64::from(k) * step;
+        if temperature < model.balance.range()[0] {
+            break;
+        }
+        let Some(solved) = film_at(temperature, last.as_ref().unwrap_or(found), &positions, deadline) else {
+            continue;
+        };
+        points.push(point(model, temperature, &solved));
+        positions.push(visited(&solved.film));
+        last = Some(solved);
+    }
+    points
+}
+
+/// The film at a temperature [K], balanced roughly, from another one and the positions of several.
+fn film_at(temperature: f64, near: &Solved, positions: &[Visited], deadline: Deadline) -> Option<Solved> {
+    let mut film = at_temperature(&near.film, temperature);
+    if let Some(position) = film.load.and_then(|_| predicted(positions, operating_point(&film))) {
+        film = film.at_position(position.into());
+    }
     let options = SolveOptions {
         deadline,
-        guess: InitialGuess::Near(Neighbour::Start(&near.solution)),
+        guess: InitialGuess::Near(Neighbour::Kept(&near.solution)),
+        accuracy: Some(ROUGHLY),
         ..SolveOptions::default()
     };
-    let solved = from_near_or_cold(&at_temperature(&near.film, temperature), &options).ok()?;
-    (!solved.is_ended()).then(|| point(model, temperature, &solved))
+    let solved = from_near_or_cold(&film, &options).ok()?;
+    (!solved.is_ended()).then_some(solved)
 }
 
 fn point(model: &ThermalModel, temperature: f64, solved: &Solved) -> TemperaturePoint {

@@ -7,8 +7,8 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::time::Instant;
 
-use oilwedge_bearing::thermal_balance::find;
-use oilwedge_bearing::{Balanced, InitialGuess, NoBalance, ThermalFlows};
+use oilwedge_bearing::thermal_balance::{Start, find};
+use oilwedge_bearing::{Balanced, InitialGuess, NoBalance, Point, ThermalFlows, Visited, predicted};
 use oilwedge_reynolds::solve::Neighbour;
 
 use super::flows::thermal_flows;
@@ -26,6 +26,15 @@ use crate::thermal_model::ThermalModel;
 const BALANCED: f64 = 1e-8;
 /// by films that only lead there, this part.
 pub(super) const ROUGHLY: f64 = 1e-4;
+/// Force and load of films that only lead to the balance differ by this part of the load at most.
+pub(super) const LEADING_ACCURACY: f64 = 1e-6;
+/// Those of films near the balance, by this part.
+const KEPT_ACCURACY: f64 = 1e-9;
+/// Advection schemes chosen where the heat left over is less than this part of the friction, and force and load differ by less than this part of
+/// the load, are those of the balance.
+const SETTLED: f64 = LEADING_ACCURACY;
+/// Friction under a load falls with temperature like this power of the viscosity: the slope of a first step, which later ones correct.
+const FRICTION_EXPONENT: f64 = 0.6;
 /// Films nearer to one another than this [K] do not show how numbers change with temperature;
 const APART: f64 = 0.02;
 /// then one further away is solved [K].
@@ -44,12 +53,14 @@ pub(super) enum Left {
 /// How a film of the search is solved.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Kind {
-    /// Without error estimate; a mass-conserving film chooses its advection schemes.
+    /// It only leads to the balance: as one that keeps the schemes, its position found roughly.
+    Leading,
+    /// A mass-conserving film chooses its advection schemes, as if there were no other film; its position is found roughly.
     Chosen,
-    /// A mass-conserving film keeps the advection schemes of the best film.
+    /// A mass-conserving film keeps the advection schemes of the best film; the first of them chooses them, its position found roughly.
     Kept,
-    /// With error estimate, the schemes kept.
-    Estimated,
+    /// As one that keeps the schemes, its numbers those that are reported: with an error estimate, where one is asked for.
+    Last,
 }
 
 /// Films at one temperature after the other.
@@ -59,14 +70,23 @@ pub(super) struct Search<'a> {
     options: SolveOptions<'a>,
     /// The film with the least heat left over.
     best: Option<Tried>,
-    /// Numbers by temperature [K], of quadratic films.
-    numbers: Vec<(f64, Vec<Quantity>)>,
+    /// Numbers of quadratic films that change smoothly with the temperature.
+    numbers: Vec<Numbers>,
+    /// Positions found, by the logarithms of one over the viscosity.
+    visited: Vec<Visited>,
     /// Films solved.
     solved: usize,
     /// Positions of the journal tried.
     positions: usize,
     /// True where the schemes of a mass-conserving film were still changing at the balance.
     is_restless: bool,
+}
+
+/// What was measured on a quadratic film.
+struct Numbers {
+    temperature: f64,
+    surplus: f64,
+    quantities: Vec<Quantity>,
 }
 
 /// A solved film at a temperature.
@@ -88,19 +108,39 @@ impl<'a> Search<'a> {
             options: *options,
             best: None,
             numbers: Vec::new(),
+            visited: Vec::new(),
             solved: 0,
             positions: 0,
             is_restless: false,
         }
     }
 
-    /// The temperature at which the heat is balanced to the part `accuracy` of the friction, sought from `first` [K].
-    pub(super) fn find(&mut self, first: f64, accuracy: f64, kind: Kind) -> Result<Balanced, NoBalance<Left>> {
+    /// The temperature at which the heat is balanced to the part `accuracy` of the friction.
+    pub(super) fn find(&mut self, start: Start, accuracy: f64, kind: Kind) -> Result<Balanced, NoBalance<Left>> {
         let balance = self.model.balance;
-        find(&balance, first, accuracy, |t| self.at(t, kind))
+        let slope = start.slope.or_else(|| self.estimated_slope(start.temperature, kind));
+        find(&balance, Start { slope, ..start }, accuracy, |t| self.at(t, kind))
+    }
+
+    /// How the surplus changes with temperature [W/K], estimated from the film at one.
+    fn estimated_slope(&mut self, temperature: f64, kind: Kind) -> Option<f64> {
+        let flows = self.at(temperature, kind).ok()?;
+        let thinner = |by: f64| -self.film.oil.at(temperature + by).viscosity.ln();
+        let exponent = if self.film.load.is_some() {
+            FRICTION_EXPONENT
+        } else {
+            1.0
+        };
+        let by_friction = exponent * flows.power * (thinner(0.5) - thinner(-0.5));
+        let balance = self.model.balance;
+        let taken = |mean: f64| balance.surplus(mean, &flows);
+        Some(taken(temperature + 1.0) - taken(temperature) - by_friction)
     }
 
     fn at(&mut self, temperature: f64, kind: Kind) -> Result<ThermalFlows, Left> {
+        if let Some(best) = (self.best.as_ref()).filter(|best| best.temperature == temperature && best.serves(kind)) {
+            return Ok(best.flows);
+        }
         if self.options.deadline.is_over() && self.best.is_some() {
             return Err(Left::Ended);
         }
@@ -124,28 +164,39 @@ impl<'a> Search<'a> {
         self.solved += 1;
         let mut film = at_temperature(self.film, temperature);
         let mut options = self.options;
-        options.errors = match kind {
-            Kind::Estimated => Errors::Estimated,
-            Kind::Chosen | Kind::Kept => Errors::Omitted,
+        let conserves_oil = film.problem.cavitation.conserves_oil();
+        (options.errors, options.accuracy) = match kind {
+            Kind::Last => (options.errors, None),
+            Kind::Kept if from.is_some() => (Errors::Omitted, Some(KEPT_ACCURACY)),
+            Kind::Kept | Kind::Leading | Kind::Chosen => (Errors::Omitted, Some(LEADING_ACCURACY)),
         };
         if let Some(Tried { solved, .. }) = from {
             film.problem.journal = solved.film.problem.journal;
-            let keeps = kind != Kind::Chosen && solved.solution.film_fraction.is_some();
-            let near = if keeps { Neighbour::Kept } else { Neighbour::Start };
-            options.guess = InitialGuess::Near(near(&solved.solution));
+            film = self.predicted(film);
+            options.guess = InitialGuess::Near(match kind {
+                _ if !conserves_oil => Neighbour::Start(&solved.solution),
+                Kind::Chosen => Neighbour::None,
+                Kind::Leading | Kind::Kept | Kind::Last => Neighbour::Kept(&solved.solution),
+            });
         }
         let solved = from_near_or_cold(&film, &options)?;
         self.positions += solved.balance.map_or(0, |balance| balance.steps);
+        self.visited.push(visited(&solved.film));
         let measured = measured(&solved);
         let flows = thermal_flows(&self.model, &solved.film, &measured);
-        if kind != Kind::Estimated {
+        let surplus = self.model.balance.surplus(temperature, &flows);
+        if kind == Kind::Kept || kind == Kind::Leading && !conserves_oil {
             let view = View::new(&solved.film, &solved.film.problem, &measured);
-            self.numbers.push((temperature, quantities::measured(&view)));
+            self.numbers.push(Numbers {
+                temperature,
+                surplus,
+                quantities: quantities::measured(&view),
+            });
         }
         Ok(Tried {
             temperature,
             flows,
-            surplus: self.model.balance.surplus(temperature, &flows),
+            surplus,
             kind,
             solved,
             seconds: clock.elapsed().as_secs_f64(),
@@ -153,79 +204,108 @@ impl<'a> Search<'a> {
     }
 
     /// The balance of films whose numbers are reported: with error estimate those of cubic ones, but for mass-conserving films.
-    fn balanced(&mut self, first: f64) -> Result<Balanced, NoBalance<Left>> {
+    fn balanced(&mut self, first: Start) -> Result<Balanced, NoBalance<Left>> {
         if self.film.problem.cavitation.conserves_oil() {
             return self.conserving(first);
         }
-        if self.options.errors == Errors::Omitted {
-            return self.find(first, BALANCED, Kind::Chosen);
-        }
-        let rough = self.find(first, ROUGHLY, Kind::Chosen)?;
-        let found = self.find(rough.temperature, BALANCED, Kind::Estimated)?;
-        Ok(or_slope(found, rough.slope))
+        let rough = self.find(first, ROUGHLY, Kind::Leading)?;
+        self.find(again(&rough), BALANCED, Kind::Last)
     }
 
     /// The balance of mass-conserving films, where their schemes have come to rest or, if they do not, by those chosen near it.
-    fn conserving(&mut self, first: f64) -> Result<Balanced, NoBalance<Left>> {
-        let mut found = self.find(first, ROUGHLY, Kind::Chosen)?;
+    fn conserving(&mut self, first: Start) -> Result<Balanced, NoBalance<Left>> {
+        let mut found = self.find(first, SETTLED, Kind::Kept)?;
         for _ in 0..MOST_CHOICES {
-            let near = self.find(found.temperature, BALANCED, Kind::Kept)?;
-            found = or_slope(near, found.slope);
             let kept = self.best.take();
             match self.tried(found.temperature, Kind::Chosen, kept.as_ref()) {
-                Ok(chosen) if chosen.surplus.abs() > BALANCED * chosen.flows.power.abs() => self.best = Some(chosen),
+                Ok(chosen) if chosen.is_settled() => {
+                    self.best = Some(chosen);
+                    return self.find(again(&found), BALANCED, Kind::Last);
+                }
+                Ok(chosen) => self.best = Some(chosen),
                 // Where the choice fails the film before stands.
-                chosen => {
+                Err(_) => {
                     self.best = kept;
-                    self.is_restless = chosen.is_err();
-                    return Ok(found);
+                    break;
                 }
             }
+            found = self.find(again(&found), SETTLED, Kind::Kept)?;
         }
         self.is_restless = true;
-        let near = self.find(found.temperature, BALANCED, Kind::Kept)?;
-        Ok(or_slope(near, found.slope))
+        self.find(again(&found), BALANCED, Kind::Last)
+    }
+
+    /// The film with the journal where the positions found before say that it will be.
+    fn predicted(&self, film: Film) -> Film {
+        let position = film.load.and_then(|_| predicted(&self.visited, point(&film)));
+        match position {
+            Some(position) => film.at_position(position.into()),
+            None => film,
+        }
     }
 
     /// Solves what an error estimate needs beside the balance. Without these films numbers have no bars; nothing else fails.
     fn prepare_estimate(&mut self, found: &Balanced) {
-        if self.film.problem.cavitation.conserves_oil() {
-            drop(self.at(found.temperature, Kind::Estimated));
-        }
-        if self.slopes(found.temperature).is_empty() {
-            for temperature in [found.temperature, found.temperature + FURTHER] {
-                drop(self.at(temperature, Kind::Chosen));
-            }
+        if self.nearest(found.temperature).is_none() {
+            drop(self.at(found.temperature + FURTHER, Kind::Kept));
         }
     }
 
-    /// How numbers change with temperature, by the two films nearest to the root.
+    /// The two films nearest to the root that are far enough from one another to show how numbers change.
+    fn nearest(&self, root: f64) -> Option<[&Numbers; 2]> {
+        let mut by_distance: Vec<&Numbers> = self.numbers.iter().collect();
+        by_distance.sort_by(|a, b| (a.temperature - root).abs().total_cmp(&(b.temperature - root).abs()));
+        let first = *by_distance.first()?;
+        let mut others = by_distance.iter();
+        let second = others.find(|other| (other.temperature - first.temperature).abs() > APART)?;
+        Some([first, second])
+    }
+
+    /// How numbers change with temperature near the root.
     fn slopes(&self, root: f64) -> HashMap<Cow<'static, str>, f64> {
-        let mut by_distance: Vec<_> = self.numbers.iter().collect();
-        by_distance.sort_by(|a, b| (a.0 - root).abs().total_cmp(&(b.0 - root).abs()));
-        let Some((first, here)) = by_distance.first() else {
-            return HashMap::new();
-        };
-        let Some((second, there)) = by_distance.iter().find(|(other, _)| (other - first).abs() > APART) else {
+        let Some([here, there]) = self.nearest(root) else {
             return HashMap::new();
         };
         let slope = |quantity: &Quantity| {
-            let other = there.iter().find(|other| other.name == quantity.name)?;
+            let other = there.quantities.iter().find(|other| other.name == quantity.name)?;
             let change = quantity.row.difference(other.value, quantity.value);
-            Some((quantity.name.clone(), change / (second - first)))
+            Some((quantity.name.clone(), change / (there.temperature - here.temperature)))
         };
-        here.iter().filter_map(slope).collect()
+        here.quantities.iter().filter_map(slope).collect()
+    }
+
+    /// A balance with the slope of its surplus as films near it show it, where they do.
+    fn with_slope(&self, found: Balanced) -> Balanced {
+        let slope = |[here, there]: [&Numbers; 2]| {
+            let change = there.surplus - here.surplus;
+            change / (there.temperature - here.temperature)
+        };
+        Balanced {
+            slope: self.nearest(found.temperature).map_or(found.slope, slope),
+            ..found
+        }
     }
 }
 
 impl Tried {
-    /// Whether less heat is left over than of another one; a film with error estimate is better than one without.
+    /// Whether its schemes, chosen at the first position tried, are those of the balance.
+    fn is_settled(&self) -> bool {
+        let was_balanced = self.solved.balance.is_none_or(|balance| balance.steps == 1);
+        was_balanced && self.surplus.abs() < SETTLED * self.flows.power.abs()
+    }
+
+    /// Whether less heat is left over than of another one; a film whose numbers can be reported is better than one that leads to it.
     fn is_better(&self, other: &Self) -> bool {
-        let is_estimated = |tried: &Self| tried.kind == Kind::Estimated;
-        match is_estimated(self) == is_estimated(other) {
+        let is_last = |tried: &Self| tried.kind == Kind::Last;
+        match is_last(self) == is_last(other) {
             true => self.surplus.abs() <= other.surplus.abs(),
-            false => is_estimated(self),
+            false => is_last(self),
         }
+    }
+
+    /// Whether another film of this kind would tell nothing new.
+    fn serves(&self, kind: Kind) -> bool {
+        self.kind == kind || self.kind == Kind::Last && kind != Kind::Chosen
     }
 
     /// Where the search was ended: the balance that is not one.
@@ -240,11 +320,27 @@ impl Tried {
     }
 }
 
-/// With that slope where it has none.
-fn or_slope(found: Balanced, slope: f64) -> Balanced {
-    match found.slope.is_nan() {
-        true => Balanced { slope, ..found },
-        false => found,
+/// Where a film's operating point lies among those of other temperatures.
+pub(super) fn point(film: &Film) -> Point {
+    let duty = -film.problem.lubricant.viscosity.ln();
+    Point { coordinate: duty, duty }
+}
+
+/// The position of a film found.
+pub(super) fn visited(film: &Film) -> Visited {
+    let position = film.position();
+    Visited {
+        point: point(film),
+        eccentricity: position.eccentricity,
+        angle: position.min_film_angle,
+    }
+}
+
+/// From a balance on, to another one nearby.
+fn again(found: &Balanced) -> Start {
+    Start {
+        temperature: found.temperature,
+        slope: Some(found.slope),
     }
 }
 
@@ -265,13 +361,14 @@ pub fn solve(film: &Film, model: &ThermalModel, options: &SolveOptions) -> Resul
     let clock = Instant::now();
     let first = film.oil.temperature.unwrap_or(first_temperature(model.balance.inlet));
     let mut search = Search::new(film, *model, options);
-    let found = search.balanced(first);
+    let found = search.balanced(Start::at(first));
     if let (Ok(found), Errors::Estimated) = (&found, options.errors) {
         search.prepare_estimate(found);
     }
     let slopes = found
         .as_ref()
         .map_or_else(|_| HashMap::new(), |found| search.slopes(found.temperature));
+    let with_slope = found.as_ref().ok().map(|found| search.with_slope(*found));
     let is_ended = matches!(
         found,
         Err(NoBalance::NoFilm(Left::Ended)
@@ -281,7 +378,7 @@ pub fn solve(film: &Film, model: &ThermalModel, options: &SolveOptions) -> Resul
             })
     );
     let (balanced, best) = match (found, search.best) {
-        (Ok(found), Some(best)) => (found, best),
+        (Ok(found), Some(best)) => (with_slope.unwrap_or(found), best),
         (Err(_), Some(best)) if is_ended => (best.unbalanced(), best),
         (Err(reason), _) => return Err(none(&model.balance, reason)),
         (Ok(_), None) => return Err(none(&model.balance, NoBalance::NoFilm(Left::Ended))),
