@@ -1,13 +1,100 @@
 //! Progress of a long run on stderr; nothing is drawn where stderr is no terminal.
 
+use crate::complain::say;
+use crate::readable::{bar, readable_unit, significant};
+use crate::terminal::time;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use oilwedge_campaign::convergence::{LevelReport, Observer, Strategy};
 use oilwedge_report::sweep::Progress as Cases;
+use oilwedge_study::{Reached, RunObserver, SearchObserver};
 use std::io::IsTerminal;
+use std::sync::Mutex;
 use std::time::Duration;
 
 /// Time between two frames.
 const TICK: Duration = Duration::from_millis(100);
+
+/// How a run gets on: one line that changes on a terminal, else a line for each mesh.
+#[derive(Debug)]
+pub(crate) struct Steps {
+    bar: ProgressBar,
+    now: Mutex<Now>,
+}
+
+/// Where a run is.
+#[derive(Debug, Default)]
+struct Now {
+    level: String,
+    temperature: String,
+    position: String,
+    reached: String,
+}
+
+impl Steps {
+    fn show(&self, change: impl FnOnce(&mut Now)) {
+        let Ok(mut now) = self.now.lock() else { return };
+        change(&mut now);
+        let parts = [&now.level, &now.temperature, &now.position, &now.reached];
+        let parts: Vec<&str> = parts
+            .into_iter()
+            .map(|part| &**part)
+            .filter(|part| !part.is_empty())
+            .collect();
+        self.bar
+            .set_message(format!("{}; Ctrl-C ends with the best so far", parts.join(", ")));
+    }
+}
+
+impl SearchObserver for Steps {
+    fn position(&self, number: usize, residual: f64) {
+        self.show(|now| now.position = format!("position {number} off the load by {} of it", significant(residual, 2)));
+    }
+}
+
+impl RunObserver for Steps {
+    fn level(&self, number: usize, unknowns: usize) {
+        self.show(|now| {
+            now.level = format!("level {number}: {unknowns} unknowns");
+            (now.temperature, now.position) = (String::new(), String::new());
+        });
+    }
+
+    fn reached(&self, reached: &Reached) {
+        let Reached { level, unknowns, .. } = reached;
+        let bars = bars(reached);
+        if self.bar.is_hidden() {
+            say(&format!(
+                "level {level}: {unknowns} unknowns, {bars}, {}",
+                time(reached.seconds)
+            ));
+        }
+        self.show(|now| now.reached = format!("level {level} reached {bars}"));
+    }
+
+    fn temperature(&self, number: usize, celsius: f64) {
+        self.show(|now| {
+            now.temperature = format!("temperature {number}: {celsius:.1} C");
+            now.position = String::new();
+        });
+    }
+}
+
+/// The error reached and the one asked for.
+fn bars(reached: &Reached) -> String {
+    let name = &reached.quantity;
+    match (reached.error, reached.asked) {
+        (Some(error), Some(asked)) => {
+            let (unit, size) = readable_unit(error, reached.unit);
+            let text = format!(
+                "{name} ± {}, asked for ± {} {unit}",
+                bar(error / size),
+                bar(asked / size)
+            );
+            text.trim_end().to_owned()
+        }
+        _ => format!("{name} not resolved yet"),
+    }
+}
 
 /// A line of progress, taken away when it is dropped.
 pub(crate) struct Progress {
@@ -21,6 +108,16 @@ impl Progress {
         let progress = Self::drawn("{spinner} {elapsed} {msg}", None);
         progress.turns_to(task);
         progress
+    }
+
+    /// Shows how a run gets on.
+    pub(crate) fn observer(&self) -> &'static dyn RunObserver {
+        let steps = Steps {
+            bar: self.bar.clone(),
+            now: Mutex::default(),
+        };
+        // One for each run of the program.
+        Box::leak(Box::new(steps))
     }
 
     /// A bar that fills within a time [s].

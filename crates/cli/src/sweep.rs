@@ -9,7 +9,8 @@ use crate::terminal::{effects, heading, output, table, time};
 use oilwedge_campaign::sweep::Sweep as Cases;
 use oilwedge_report::json;
 use oilwedge_report::sweep::{Row, SweepOptions, SweepReport};
-use oilwedge_study::quantities::{self, CATALOGUE, LOAD};
+use oilwedge_study::quantities::{self, LOAD};
+use oilwedge_study::result::headlines;
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -118,17 +119,17 @@ fn sweep_report(report: &SweepReport, folder: &Path) -> String {
 }
 
 fn rows(report: &SweepReport) -> String {
-    let columns: Vec<_> = (CATALOGUE.iter().filter(|row| row.is_headline))
-        .filter_map(|&shown| {
-            let quantities::Row { name, symbol, unit, .. } = shown;
-            report.columns.quantity(name)?;
+    let columns: Vec<_> = headlines(&report.columns.quantities, |(_, row)| row, &report.effects)
+        .into_iter()
+        .filter_map(|(name, shown)| {
+            let quantities::Row { symbol, unit, .. } = shown;
             let values = report.rows.iter().filter_map(|row| report.value(row, name));
-            let (unit, size) = readable_unit(values.map(f64::abs).fold(0.0, f64::max), unit.name());
+            let (unit, size) = readable_unit(values.map(f64::abs).fold(0.0, f64::max), *unit);
             let heading = match unit {
                 "" => (*symbol).to_owned(),
                 unit => format!("{symbol} [{unit}]"),
             };
-            Some((*name, heading, size))
+            Some((name, heading, size))
         })
         .collect();
     let inputs = report.columns.inputs.iter().map(|input| printable(input));

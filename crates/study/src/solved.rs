@@ -7,6 +7,7 @@ use oilwedge_bearing::{Balanced, Deadline, InitialGuess};
 use oilwedge_reynolds::{FilmSolution, ReferenceFilm};
 
 use crate::film::Film;
+use crate::observer::RunObserver;
 
 /// How a film is solved; by default without an error estimate, from a cold start, without a deadline.
 #[derive(Debug, Clone, Copy, Default)]
@@ -17,6 +18,8 @@ pub struct SolveOptions<'a> {
     pub deadline: Deadline,
     /// Where a search begins.
     pub guess: InitialGuess<'a>,
+    /// Is told of each position and temperature tried.
+    pub observer: Option<&'static dyn RunObserver>,
 }
 
 /// Whether errors are to be estimated.

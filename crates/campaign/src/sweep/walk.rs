@@ -179,6 +179,7 @@ impl<'a> Walker<'a> {
             errors: self.options.errors(),
             deadline: self.deadline,
             guess,
+            observer: None,
         }
     }
 

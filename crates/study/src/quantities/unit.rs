@@ -9,8 +9,10 @@ pub enum Unit {
     Newton,
     /// Of angles.
     Degree,
-    /// Of pressures and stresses.
+    /// Of pressures.
     Pascal,
+    /// Of stresses in metal.
+    PascalOfStress,
     /// Of lengths.
     Metre,
     /// Of dynamic viscosities.
@@ -42,6 +44,7 @@ impl Unit {
             Self::Newton => ["N", "force"],
             Self::Degree => ["deg", "angle"],
             Self::Pascal => ["Pa", "pressure"],
+            Self::PascalOfStress => ["Pa", "stress"],
             Self::Metre => ["m", "length"],
             Self::PascalSecond => ["Pa.s", "dynamic viscosity"],
             Self::Celsius => ["degC", "temperature"],

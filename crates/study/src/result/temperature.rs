@@ -75,6 +75,13 @@ impl Criterion {
     }
 }
 
+impl Criterion {
+    /// True if the bearing is refused for it.
+    pub fn is_missed(&self) -> bool {
+        self.decides && !self.is_met
+    }
+}
+
 /// The heat balance of a film.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct TemperatureReport {

@@ -52,7 +52,7 @@ pub fn temperature_report(solved: &Solved, quantities: &[Quantity], deadline: De
         heat_capacity: model.balance.heat_capacity,
         specific_load: value(&LOAD)? / (2.0 * bearing.radius * bearing.length),
         curve: curve.collect(),
-        is_fit: criteria.iter().all(|criterion| criterion.is_met || !criterion.decides),
+        is_fit: !criteria.iter().any(Criterion::is_missed),
         criteria,
     })
 }
