@@ -1,13 +1,16 @@
 //! The last line of a run: how it ended, what the film is fit for, and how many warnings there are.
 
-use crate::terminal::status;
+use crate::terminal::{counted, status};
 use oilwedge_study::result::{Criterion, RunResult, Status};
 
 /// Status, verdict of the design criteria where there are any, number of warnings.
 pub(crate) fn verdict(result: &RunResult) -> String {
     let mut parts = vec![ending(result)];
     parts.extend(fitness(result));
-    parts.push(warnings(result.warnings.len()));
+    parts.push(match result.warnings.len() {
+        0 => "no warnings".to_owned(),
+        count => counted(count, "warning"),
+    });
     format!("verdict   {}", parts.join("; "))
 }
 
@@ -23,23 +26,13 @@ fn ending(result: &RunResult) -> String {
 /// Whether the bearing meets its design criteria, and which it does not.
 fn fitness(result: &RunResult) -> Option<String> {
     let report = result.temperature.as_ref()?;
-    let missed: Vec<&str> = (report.criteria.iter())
-        .filter(|criterion| criterion.is_missed())
-        .map(|criterion: &Criterion| &*criterion.what)
-        .collect();
+    let missed = report.criteria.iter().filter(|criterion| criterion.is_missed());
+    let missed: Vec<String> = missed.map(Criterion::fault).collect();
     Some(match (report.is_fit, result.warnings.is_empty()) {
         (false, _) => format!("NOT fit: {}", missed.join(", ")),
         (true, true) => "fit".to_owned(),
         (true, false) => "fit as far as the warnings allow".to_owned(),
     })
-}
-
-fn warnings(count: usize) -> String {
-    match count {
-        0 => "no warnings".to_owned(),
-        1 => "1 warning".to_owned(),
-        count => format!("{count} warnings"),
-    }
 }
 
 #[cfg(test)]
@@ -64,7 +57,7 @@ mod tests {
         });
         assert_eq!(
             verdict(&result),
-            "verdict   not converged: the tolerance is not met; NOT fit: thinnest film; 1 warning"
+            "verdict   not converged: the tolerance is not met; NOT fit: thinnest film below 3 um; 1 warning"
         );
     }
 }

@@ -10,6 +10,7 @@
 pub mod analysis;
 mod cap_joint;
 pub mod checks;
+pub mod column;
 pub mod compile;
 pub mod compile_error;
 pub mod effects;

@@ -1,19 +1,28 @@
 //! Warnings beside a result, in sentences.
 
 use oilwedge_reynolds::error_bar::UNRESOLVED;
+use oilwedge_scene::Scene;
 
 use crate::effects;
 use crate::estimate::Estimated;
 use crate::film::Film;
 use crate::measure::Measured;
-use crate::regime::constant_viscosity;
+use crate::regime::{Regime, constant_viscosity};
 use crate::solved::{Errors, Solved};
 use crate::warning::{self, Warning};
 
 /// Greatest ratio of film thicknesses at the corners of a triangle of a resolved film.
 const RESOLVED: f64 = 2.0;
+/// All warnings beside the result of a solved film of `scene`: about the film, its errors, and assumptions that it breaks.
+pub fn all_warnings(scene: &Scene, solved: &Solved, estimated: &Estimated, errors: Errors) -> Vec<Warning> {
+    let regime = Regime::of(scene, &solved.film, &estimated.measured);
+    let mut warnings = result_warnings(solved, estimated, errors);
+    warnings.extend(regime.warnings(&solved.film, &estimated.measured));
+    warnings
+}
+
 /// Warnings about a solved film and its errors.
-pub fn result_warnings(solved: &Solved, estimated: &Estimated, errors: Errors) -> Vec<Warning> {
+fn result_warnings(solved: &Solved, estimated: &Estimated, errors: Errors) -> Vec<Warning> {
     let bare: Vec<&str> = (estimated.quantities.iter())
         .filter(|quantity| quantity.bar.is_none())
         .map(|quantity| &*quantity.name)

@@ -71,7 +71,10 @@ fn headlines_stand_first_and_the_verdict_last() {
         1 => "1 warning".to_owned(),
         count => format!("{count} warnings"),
     };
-    assert_eq!(last, format!("verdict   converged; NOT fit: thinnest film; {warnings}"));
+    assert_eq!(
+        last,
+        format!("verdict   converged; NOT fit: thinnest film below 30 um; {warnings}")
+    );
     // All pressures of the output are in one unit.
     for other in [" MPa", " kPa", " GPa", "┆ Pa "] {
         assert!(!told.stdout.contains(other) && !told.stderr.contains(other), "{other}");

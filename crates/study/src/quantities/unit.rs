@@ -1,5 +1,7 @@
 //! Units of reported numbers: SI, but degrees and degrees Celsius.
 
+use oilwedge_scene::unit::Dimension;
+
 /// Unit of a reported number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Unit {
@@ -36,6 +38,22 @@ impl Unit {
     /// What it measures.
     pub fn dimension(self) -> &'static str {
         self.texts()[1]
+    }
+
+    /// The kind of quantity, by which a scene names other units for it.
+    pub fn scene_dimension(self) -> Dimension {
+        match self {
+            Self::One => Dimension::Ratio,
+            Self::Newton => Dimension::Force,
+            Self::Degree => Dimension::Angle,
+            Self::Pascal | Self::PascalOfStress => Dimension::Pressure,
+            Self::Metre => Dimension::Length,
+            Self::PascalSecond => Dimension::Viscosity,
+            Self::Celsius => Dimension::Temperature,
+            Self::CubicMetrePerSecond => Dimension::VolumeFlow,
+            Self::NewtonMetre => Dimension::Torque,
+            Self::Watt => Dimension::Power,
+        }
     }
 
     fn texts(self) -> [&'static str; 2] {
