@@ -27,7 +27,7 @@ pub(crate) struct Solve {
     unrolled: bool,
 
     /// Show all quantities, not the main ones only, and the balance of heat.
-    #[arg(long, conflicts_with = "json")]
+    #[arg(long)]
     all: bool,
 
     /// Solve again without each effect, and show what it changes and what it costs.

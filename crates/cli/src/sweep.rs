@@ -97,7 +97,7 @@ fn words(forecast: &Forecast) -> String {
         "{}, about {} on {}",
         counted(forecast.cases, "case"),
         duration(forecast.seconds),
-        counted(forecast.workers, "thread")
+        counted(forecast.threads, "thread")
     )
 }
 

@@ -102,7 +102,7 @@ pub fn count(names: &[String], long: bool) -> Result<usize, SuiteError> {
 }
 
 /// Runs the cases of the families named (all if none is named), those that take `long` among them or not, and reports each
-/// series as it ends: those that take long first, each on all threads, then as many series at once as there are threads. The
+/// series as it ends: as many series at once as there are threads, then those that take long, each on all threads. The
 /// verdicts come in the order of the files.
 ///
 /// # Errors
@@ -112,19 +112,16 @@ pub fn run_suite(names: &[String], long: bool, ended: &mut dyn FnMut(&[Verdict])
     let folder = tempfile::tempdir()?;
     let (long, short): (Vec<usize>, Vec<usize>) = (0..all.len()).partition(|&place| all[place].series.long);
     let piece = |place: usize| (place, judged(&all[place], folder.path(), place));
-    let mut found = Vec::new();
-    for place in long {
-        found.push(piece(place));
-        found
-            .last()
-            .into_iter()
-            .for_each(|(_, verdicts): &(usize, Vec<Verdict>)| ended(verdicts));
-    }
     let others = in_threads(short.len(), |k| piece(short[k]), &mut |(_, verdicts): &(
         usize,
         Vec<Verdict>,
     )| ended(verdicts))?;
-    found.extend(others.into_iter().map(|(_, found)| found));
+    let mut found: Vec<(usize, Vec<Verdict>)> = others.into_iter().map(|(_, found)| found).collect();
+    for place in long {
+        let (place, verdicts) = piece(place);
+        ended(&verdicts);
+        found.push((place, verdicts));
+    }
     found.sort_by_key(|(place, _)| *place);
     Ok(found.into_iter().flat_map(|(_, verdicts)| verdicts).collect())
 }

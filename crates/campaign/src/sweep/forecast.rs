@@ -19,8 +19,8 @@ pub struct Forecast {
     pub cases: usize,
     /// Wall time of all of them [s], what has passed included.
     pub seconds: f64,
-    /// Chains that are computed at once.
-    pub workers: usize,
+    /// Threads that compute them.
+    pub threads: usize,
 }
 
 /// The chains with those in front that are sampled, spread evenly, and how many these are.

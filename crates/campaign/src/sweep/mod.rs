@@ -124,7 +124,7 @@ impl Sweep {
             event(Event::Forecast(Forecast {
                 cases: left,
                 seconds: clock.elapsed().as_secs_f64() + rest,
-                workers,
+                threads: workers * (rayon::current_num_threads() / workers.max(1)),
             }))?;
         }
         let mut ended = |case: usize, found: Found| match is_kept(case) {
