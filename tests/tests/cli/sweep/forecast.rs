@@ -18,23 +18,30 @@ fn forecast(told: &Told) -> (usize, f64) {
     )
 }
 
-/// Within a factor of two, in a sweep whose cases differ; without an error bar the film of scene 08 takes some milliseconds.
+/// Within a factor of two, in a sweep whose cases differ. Other programs on the machine may slow a part of a run, so it has three.
 #[test]
 fn the_time_is_forecast() {
     let bench = Bench::new();
     loaded(&bench, 120);
-    let clock = Instant::now();
-    let told = bench.run(&["sweep", "scene.toml", "--bars", "none"]);
-    let seconds = clock.elapsed().as_secs_f64();
-    assert_eq!(told.status, 0, "{}", told.stderr);
-    let (cases, about) = forecast(&told);
-    assert_eq!(cases, 240);
-    // It is told in whole seconds.
-    assert!(
-        about - 1.0 < 2.0 * seconds && about + 1.0 > 0.5 * seconds,
-        "{about} s, but {seconds} s"
-    );
-    assert!(told.stderr.lines().count() == 1, "{}", told.stderr);
+    let attempt = || {
+        let clock = Instant::now();
+        let told = bench.run(&["sweep", "scene.toml", "--bars", "none", "--fresh"]);
+        let seconds = clock.elapsed().as_secs_f64();
+        assert_eq!(told.status, 0, "{}", told.stderr);
+        assert!(told.stderr.lines().count() == 1, "{}", told.stderr);
+        let (cases, about) = forecast(&told);
+        assert_eq!(cases, 240);
+        // It is told in whole seconds.
+        (
+            about - 1.0 < 2.0 * seconds && about + 1.0 > 0.5 * seconds,
+            [about, seconds],
+        )
+    };
+    let mut attempts = Vec::new();
+    while attempts.len() < 3 && !attempts.last().is_some_and(|(is_near, _)| *is_near) {
+        attempts.push(attempt());
+    }
+    assert!(attempts.last().is_some_and(|(is_near, _)| *is_near), "{attempts:?}");
 }
 
 /// Values that an axis has twice are reported, and computed as often as they stand there.
