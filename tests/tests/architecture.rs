@@ -23,13 +23,15 @@ const TOP_TO_BOTTOM: [&str; 10] = [
 ];
 
 /// The sockets whose entries are a list, and the two contracts. Another one needs a reason in writing.
-const PUBLIC_TRAITS: [&str; 6] = [
+const PUBLIC_TRAITS: [&str; 8] = [
     "ConservationLaw",
     "PressureViscosity",
     "FilmContribution",
     "Term",
     "Estimate",
     "Observer",
+    "SearchObserver",
+    "RunObserver",
 ];
 
 /// Longest source file [lines], tests within it included.

@@ -178,7 +178,11 @@ impl<'a> Search<'a> {
 
     fn recorded(&self, trial: Trial) -> Trial {
         let distance = self.distance(&trial);
-        self.tried.borrow_mut().push(self.residual(&trial));
+        let residual = self.residual(&trial);
+        self.tried.borrow_mut().push(residual);
+        if let Some(observer) = self.options.observer {
+            observer.position(self.tried.borrow().len(), residual);
+        }
         if self.nearest.get().is_none_or(|nearest| distance < nearest.distance) {
             self.nearest.set(Some(Nearest {
                 distance,

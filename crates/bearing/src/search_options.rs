@@ -4,6 +4,7 @@ use oilwedge_reynolds::CentreVelocity;
 use oilwedge_reynolds::solve::Neighbour;
 
 use crate::Deadline;
+use crate::SearchObserver;
 use crate::equilibrium::{BALANCED, ROUGHLY_BALANCED};
 
 /// A balance sought from nearby is found at this difference of force and load over the load: another step of Newton's method would
@@ -23,6 +24,8 @@ pub struct SearchOptions<'a> {
     pub carrier: Carrier,
     /// Difference of force and load over the load at which the balance is found; by default near round-off.
     pub accuracy: Option<f64>,
+    /// Is told of each position tried.
+    pub observer: Option<&'static dyn SearchObserver>,
 }
 
 /// Where a search begins.

@@ -30,7 +30,7 @@ pub(crate) fn add_on(add_on: &AddOn) -> String {
 }
 
 fn number(quantity: &Quantity) -> String {
-    let (unit, size) = readable_unit(quantity.value, quantity.unit());
+    let (unit, size) = readable_unit(quantity.value, quantity.row.unit);
     let value = significant(quantity.value / size, 4);
     format!("{value} {unit}").trim_end().to_owned()
 }
@@ -49,10 +49,7 @@ fn comparisons(add_on: &AddOn) -> Option<String> {
         let header = ["quantity", "unit", add_on.film].map(str::to_owned);
         let mut table = table(header.into_iter().chain(names), 2..usize::MAX);
         for first in rows {
-            let (unit, size) = readable_unit(
-                first.film.or(first.other).map_or(0.0, |it| it.value),
-                first.row.unit.name(),
-            );
+            let (unit, size) = readable_unit(first.film.or(first.other).map_or(0.0, |it| it.value), first.row.unit);
             let film = first.film.map_or("-".to_owned(), |film| shown(film, size));
             let cells = answers.iter().map(|answer| {
                 let found = Comparison::of(first.row, &answer.comparisons);
@@ -94,7 +91,7 @@ fn difference(it: &Comparison) -> Option<String> {
     let (difference, film) = (it.difference()?, it.film?.value);
     let (unit, size) = match it.row.unit {
         Unit::Degree => (it.row.unit.name(), 1.0),
-        unit if film == 0.0 => readable_unit(difference, unit.name()),
+        unit if film == 0.0 => readable_unit(difference, unit),
         _ => ("%", 0.01 * film.abs()),
     };
     let error = it.error().filter(|error| *error > ZERO * size);
@@ -134,7 +131,7 @@ mod tests {
     fn differences_are_in_percent_or_degrees() {
         let percent = |film, other, error| difference(&comparison(&LOAD, [film, other], error)).expect("both");
         assert_eq!(percent(200.0, 250.0, None), "+25.0 %");
-        assert_eq!(percent(200.0, 150.0, Some(0.2)), "-25.0 ± 0.2 %");
+        assert_eq!(percent(200.0, 150.0, Some(0.2)), "-25.00 ± 0.2 %");
         assert_eq!(percent(200.0, 200.3, Some(0.2)), "within bars");
         assert_eq!(percent(200.0, 200.0, Some(0.2)), "0");
         assert_eq!(percent(0.0, -1500.0, None), "-1.50 kN");

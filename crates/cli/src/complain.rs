@@ -138,15 +138,15 @@ impl Failure {
 }
 
 /// A line on stderr. That it cannot be written does not change how the run ends.
-fn say(line: &str) {
+pub(crate) fn say(line: &str) {
     let written = writeln!(std::io::stderr().lock(), "{line}");
     drop(written);
 }
 
 /// Writes warnings to stderr.
-pub(crate) fn warn(warnings: &[String]) {
+pub(crate) fn warn(warnings: &[impl AsRef<str>]) {
     for warning in warnings {
-        say(&format!("warning: {}", printable(warning)));
+        say(&format!("warning: {}", printable(warning.as_ref())));
     }
 }
 

@@ -4,6 +4,7 @@ use crate::complain::printable;
 use crate::readable::{readable_unit, significant};
 use crate::terminal::{effects, heading, status, table, time};
 use oilwedge_campaign::convergence::{ConvergenceReport, Course, LevelReport, Measure, Price};
+use oilwedge_study::quantities::{self, Unit};
 use std::path::Path;
 
 /// Parts of the time; one that is small on every level is counted among the others.
@@ -68,7 +69,7 @@ pub(crate) fn convergence_report(report: &ConvergenceReport, folder: &Path) -> S
 /// The finest answer.
 fn reference(report: &ConvergenceReport) -> Option<String> {
     let reference = report.reference.as_ref()?;
-    let (unit, size) = readable_unit(reference.value, &report.goal.unit);
+    let (unit, size) = readable_unit(reference.value, unit_of(report));
     let known = match reference.uncertainty {
         Some(known) => format!("known to {}", percent(known)),
         None => "of unknown error".to_owned(),
@@ -84,13 +85,18 @@ fn reference(report: &ConvergenceReport) -> Option<String> {
     ))
 }
 
+/// Unit of what was studied.
+fn unit_of(report: &ConvergenceReport) -> Unit {
+    quantities::row(&report.goal.name).map_or(Unit::One, |row| row.unit)
+}
+
 fn levels(course: &Course, report: &ConvergenceReport) -> String {
     let share = |level: &LevelReport, part: &str| level.seconds.part(part) / level.seconds.total;
     let needed: Vec<&str> = (PARTS.into_iter())
         .filter(|part| course.levels.iter().any(|level| share(level, part) > SMALL))
         .collect();
     let scale = report.reference.as_ref().map_or(1.0, |reference| reference.value);
-    let (unit, size) = readable_unit(scale, &report.goal.unit);
+    let (unit, size) = readable_unit(scale, unit_of(report));
     let value = match unit {
         "" => report.goal.name.clone(),
         unit => format!("{} [{unit}]", report.goal.name),

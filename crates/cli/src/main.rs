@@ -17,10 +17,12 @@ mod quantities;
 mod readable;
 mod run_options;
 mod run_report;
+mod shown;
 mod solve;
 mod sweep;
 mod temperature;
 mod terminal;
+mod verdict;
 mod verify;
 
 use clap::{Parser, Subcommand};

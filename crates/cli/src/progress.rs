@@ -1,18 +1,117 @@
 //! Progress of a long run on stderr; nothing is drawn where stderr is no terminal.
 
+use crate::complain::say;
+use crate::readable::{bar, readable_unit, significant};
+use crate::terminal::{duration, time};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use oilwedge_campaign::convergence::{LevelReport, Observer, Strategy};
 use oilwedge_report::sweep::Progress as Cases;
+use oilwedge_study::{Reached, RunObserver, SearchObserver};
 use std::io::IsTerminal;
-use std::time::Duration;
+use std::sync::Mutex;
+use std::time::{Duration, Instant};
 
 /// Time between two frames.
 const TICK: Duration = Duration::from_millis(100);
+/// Time between two lines where there is no terminal.
+const SILENCE: Duration = Duration::from_secs(60);
+
+/// How a run gets on: one line that changes on a terminal, else a line for each mesh.
+#[derive(Debug)]
+pub(crate) struct Steps {
+    bar: ProgressBar,
+    now: Mutex<Now>,
+}
+
+/// Where a run is.
+#[derive(Debug, Default)]
+struct Now {
+    level: String,
+    temperature: String,
+    position: String,
+    reached: String,
+}
+
+impl Steps {
+    fn show(&self, change: impl FnOnce(&mut Now)) {
+        let Ok(mut now) = self.now.lock() else { return };
+        change(&mut now);
+        let parts = [&now.level, &now.temperature, &now.position, &now.reached];
+        let parts: Vec<&str> = parts
+            .into_iter()
+            .map(|part| &**part)
+            .filter(|part| !part.is_empty())
+            .collect();
+        self.bar
+            .set_message(format!("{}; Ctrl-C ends with the best so far", parts.join(", ")));
+    }
+}
+
+impl SearchObserver for Steps {
+    fn position(&self, number: usize, residual: f64) {
+        self.show(|now| now.position = format!("position {number} off the load by {} of it", significant(residual, 2)));
+    }
+}
+
+impl RunObserver for Steps {
+    fn level(&self, number: usize, unknowns: usize) {
+        self.show(|now| {
+            now.level = format!("level {number}: {unknowns} unknowns");
+            (now.temperature, now.position) = (String::new(), String::new());
+        });
+    }
+
+    fn reached(&self, reached: &Reached) {
+        let Reached { level, unknowns, .. } = reached;
+        let bars = bars(reached);
+        if self.bar.is_hidden() {
+            say(&format!(
+                "level {level}: {unknowns} unknowns, {bars}, {}",
+                time(reached.seconds)
+            ));
+        }
+        self.show(|now| now.reached = format!("level {level} reached {bars}"));
+    }
+
+    fn temperature(&self, number: usize, celsius: f64) {
+        self.show(|now| {
+            now.temperature = format!("temperature {number}: {celsius:.1} C");
+            now.position = String::new();
+        });
+    }
+}
+
+/// The error reached and the one asked for.
+fn bars(reached: &Reached) -> String {
+    let name = &reached.quantity;
+    match (reached.error, reached.asked) {
+        (Some(error), Some(asked)) => {
+            let (unit, size) = readable_unit(error, reached.unit);
+            let text = format!(
+                "{name} ± {}, asked for ± {} {unit}",
+                bar(error / size),
+                bar(asked / size)
+            );
+            text.trim_end().to_owned()
+        }
+        _ => format!("{name} not resolved yet"),
+    }
+}
 
 /// A line of progress, taken away when it is dropped.
 pub(crate) struct Progress {
     bar: ProgressBar,
-    begun: bool,
+    begun: Instant,
+    /// When the last line was written where there is no terminal.
+    told: Instant,
+}
+
+/// Seconds that the cases left will take at the speed of this run: those of an earlier run are not counted. `None` before the first case,
+/// and after the last.
+fn seconds_left(now: Cases, elapsed: f64) -> Option<f64> {
+    let own = now.done.saturating_sub(now.kept);
+    let left = now.cases.saturating_sub(now.done);
+    (own > 0 && left > 0).then(|| elapsed * left as f64 / own as f64)
 }
 
 impl Progress {
@@ -21,6 +120,16 @@ impl Progress {
         let progress = Self::drawn("{spinner} {elapsed} {msg}", None);
         progress.turns_to(task);
         progress
+    }
+
+    /// Shows how a run gets on.
+    pub(crate) fn observer(&self) -> &'static dyn RunObserver {
+        let steps = Steps {
+            bar: self.bar.clone(),
+            now: Mutex::default(),
+        };
+        // One for each run of the program.
+        Box::leak(Box::new(steps))
     }
 
     /// A bar that fills within a time [s].
@@ -32,7 +141,7 @@ impl Progress {
 
     /// A bar that fills as cases end, with the time left.
     pub(crate) fn of_cases() -> Self {
-        Self::drawn("{spinner} {elapsed} [{bar:24}] {pos} of {len} cases, {eta} left", None)
+        Self::drawn("{spinner} {elapsed} [{bar:24}] {pos} of {len} cases{msg}", None)
     }
 
     fn drawn(template: &str, length: Option<u64>) -> Self {
@@ -45,7 +154,11 @@ impl Progress {
             bar.set_style(style.progress_chars("=> "));
         }
         bar.enable_steady_tick(TICK);
-        Self { bar, begun: false }
+        Self {
+            bar,
+            begun: Instant::now(),
+            told: Instant::now(),
+        }
     }
 
     /// The run turns to another task.
@@ -57,11 +170,29 @@ impl Progress {
     pub(crate) fn cases(&mut self, now: Cases) {
         self.bar.set_length(now.cases as u64);
         self.bar.set_position(now.done as u64);
-        if !self.begun {
-            // Cases of an earlier run do not count in the estimate of the time left.
-            self.begun = true;
-            self.bar.reset_eta();
+        let Some(left) = seconds_left(now, self.begun.elapsed().as_secs_f64()) else {
+            return;
+        };
+        let left = format!(", about {} left", duration(left));
+        self.bar.set_message(left.clone());
+        if self.bar.is_hidden() && self.told.elapsed() > SILENCE {
+            self.told = Instant::now();
+            say(&format!("{} of {} cases{left}", now.done, now.cases));
         }
+    }
+
+    /// A line of progress where there is no terminal, on which the bar shows it.
+    pub(crate) fn line(&mut self, line: &str) {
+        match self.bar.is_hidden() {
+            true => say(line),
+            false => self.bar.set_message(format!(": {line}")),
+        }
+        self.told = Instant::now();
+    }
+
+    /// A line that stays.
+    pub(crate) fn say(&self, line: &str) {
+        self.bar.suspend(|| say(line));
     }
 
     fn show_time(&self) {
@@ -87,5 +218,22 @@ impl Observer for Progress {
 
     fn ended(&mut self, _: Strategy, _: &LevelReport) {
         self.show_time();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_of_an_earlier_run_are_no_speed() {
+        let now = Cases {
+            kept: 900,
+            done: 910,
+            cases: 1000,
+        };
+        assert_eq!(seconds_left(now, 20.0), Some(180.0));
+        assert_eq!(seconds_left(Cases { done: 900, ..now }, 20.0), None);
+        assert_eq!(seconds_left(Cases { done: 1000, ..now }, 20.0), None);
     }
 }

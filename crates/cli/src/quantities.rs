@@ -17,7 +17,7 @@ pub(crate) fn quantities<'a>(quantities: impl IntoIterator<Item = &'a Quantity>,
         false => table(["quantity", "symbol", "value", "unit", "what it is"], 2..3),
     };
     for quantity in quantities {
-        let (unit, size) = readable_unit(quantity.value, quantity.unit());
+        let (unit, size) = readable_unit(quantity.value, quantity.row.unit);
         let value = quantity_value(
             quantity.value / size,
             quantity.error().map(|error| error / size),
@@ -80,7 +80,7 @@ fn level(facts: &LevelFacts, main: Option<&Quantity>) -> String {
 
 /// An error in a unit that suits it, and not the value.
 fn in_unit_of(main: &Quantity, error: f64) -> String {
-    let (unit, size) = readable_unit(error, main.unit());
+    let (unit, size) = readable_unit(error, main.row.unit);
     format!("{} {unit}", bar(error / size)).trim_end().to_owned()
 }
 
@@ -89,6 +89,7 @@ mod tests {
     use super::*;
     use crate::run_report::run_report;
     use crate::run_report::tests::result;
+    use crate::shown::Shown;
     use oilwedge_study::effects::EFFECTS;
     use oilwedge_study::quantities::Bar;
     use std::path::Path;
@@ -114,7 +115,7 @@ mod tests {
     fn a_value_has_the_digits_that_its_bar_supports() {
         let text = quantities(&with_bars().quantities, true);
         for row in [
-            "12.911 ┆        0.001 ┆ kN",
+            "12.9112 ┆        0.001 ┆ kN",
             "49.2900 ┆ not resolved ┆ deg",
             "0.600000 ┆        exact ┆",
         ] {
@@ -138,7 +139,7 @@ mod tests {
             level(9000, Refinement::Uniform, 8.0, 0.05),
             level(12_000, Refinement::Local, 1.0, 1.2),
         ];
-        let text = run_report(&result, &[], Path::new("out"), true);
+        let text = run_report(&result, Shown::Headlines, &[], Path::new("out"), true);
         let wanted = "\
 bar       of the load, ± 1 N: triangles 0.9 N, edge of the cavity 0.1 N
 levels    2000 unknowns, W ± 36 N, 15.0 ms (first mesh)
@@ -151,12 +152,12 @@ balance";
             .copied()
             .filter(|effect| effect.socket == Socket::Position);
         result.effects.simulated.extend(position);
-        assert!(!run_report(&result, &[], Path::new("out"), true).contains("bar  "));
+        assert!(!run_report(&result, Shown::Headlines, &[], Path::new("out"), true).contains("bar  "));
         result.quantities[2].bar = Some(Bar {
             position: 2e-5,
             ..Bar::default()
         });
-        let text = run_report(&result, &[], Path::new("out"), true);
+        let text = run_report(&result, Shown::Headlines, &[], Path::new("out"), true);
         let wanted = "bar       of the eccentricity, ± 2e-5: position under the load 2e-5\n";
         assert!(text.contains(wanted), "{text}");
     }

@@ -1,29 +1,35 @@
 //! Numbers for people: a unit that suits the size, and the significant digits that are known.
 
-/// For each SI unit of a result, the units people read, from small to large, with their size in the SI unit.
-const READABLE: [(&str, &[(&str, f64)]); 7] = [
-    ("Pa", &[("Pa", 1.0), ("kPa", 1e3), ("MPa", 1e6), ("GPa", 1e9)]),
-    ("Pa.s", &[("mPa.s", 1e-3), ("Pa.s", 1.0)]),
-    ("m", &[("um", 1e-6), ("mm", 1e-3), ("m", 1.0)]),
-    ("m3/s", &[("ml/s", 1e-6), ("l/s", 1e-3)]),
-    ("N", &[("N", 1.0), ("kN", 1e3), ("MN", 1e6)]),
-    ("N.m", &[("mN.m", 1e-3), ("N.m", 1.0), ("kN.m", 1e3)]),
-    ("W", &[("mW", 1e-3), ("W", 1.0), ("kW", 1e3)]),
-];
+use oilwedge_study::quantities::Unit;
+
+/// The units in which people read a quantity, from small to large, with their size in its own unit. Pressures have one, that of all
+/// messages, so that no two numbers of a run are in different units of pressure.
+fn readable_units(unit: Unit) -> &'static [(&'static str, f64)] {
+    match unit {
+        Unit::One => &[("", 1.0)],
+        Unit::Degree => &[("deg", 1.0)],
+        Unit::Celsius => &[("degC", 1.0)],
+        Unit::Pascal => &[("bar", 1e5)],
+        Unit::PascalOfStress => &[("MPa", 1e6)],
+        Unit::PascalSecond => &[("mPa.s", 1e-3), ("Pa.s", 1.0)],
+        Unit::Metre => &[("um", 1e-6), ("mm", 1e-3), ("m", 1.0)],
+        Unit::CubicMetrePerSecond => &[("ml/s", 1e-6), ("l/s", 1e-3)],
+        Unit::Newton => &[("N", 1.0), ("kN", 1e3), ("MN", 1e6)],
+        Unit::NewtonMetre => &[("mN.m", 1e-3), ("N.m", 1.0), ("kN.m", 1e3)],
+        Unit::Watt => &[("mW", 1e-3), ("W", 1.0), ("kW", 1e3)],
+    }
+}
 
 /// The unit in which to show a value, and its size: the largest in which the value is not below one.
-pub(crate) fn readable_unit(value: f64, unit: &str) -> (&str, f64) {
-    let Some((_, units)) = READABLE.iter().find(|(si, _)| *si == unit) else {
-        return (if unit == "1" { "" } else { unit }, 1.0);
-    };
+pub(crate) fn readable_unit(value: f64, unit: Unit) -> (&'static str, f64) {
+    let units = readable_units(unit);
     let fitting = units.iter().rev().find(|(_, size)| value.abs() >= *size);
-    let own = || units.iter().find(|(name, _)| *name == unit);
-    let chosen = if value == 0.0 {
-        own().or(units.first())
-    } else {
-        fitting.or(units.first())
+    let own = || units.iter().find(|(_, size)| *size == 1.0);
+    let chosen = match value == 0.0 {
+        true => own(),
+        false => fitting,
     };
-    chosen.copied().unwrap_or((unit, 1.0))
+    chosen.or(units.first()).copied().unwrap_or((unit.name(), 1.0))
 }
 
 /// A value with this many significant digits, as a decimal where that is short and with an exponent elsewhere.
@@ -50,12 +56,12 @@ fn exponent(scientific: &str) -> i32 {
 }
 
 /// Most digits of a value with a bar.
-const MOST_DIGITS: i32 = 9;
+const MOST_DIGITS: i32 = 7;
 
-/// A value with the digits that its bar supports and one more: to the place of the bar's first digit, nine at most.
+/// A value to the place of its bar's second digit, seven digits at most: those that the next finer mesh would keep.
 fn supported(value: f64, bar: f64) -> String {
     let place = |number: f64| exponent(&format!("{number:e}"));
-    let digits = place(value) - place(bar) + 1;
+    let digits = place(value) - place(bar) + 2;
     significant(value, digits.clamp(1, MOST_DIGITS) as usize)
 }
 
@@ -92,14 +98,21 @@ mod tests {
 
     #[test]
     fn the_unit_suits_the_size() {
-        assert_eq!(readable_unit(12_910.0, "N"), ("kN", 1e3));
-        assert_eq!(readable_unit(-2.5e6, "Pa"), ("MPa", 1e6));
-        assert_eq!(readable_unit(15e-6, "m"), ("um", 1e-6));
-        assert_eq!(readable_unit(1e-9, "m"), ("um", 1e-6));
-        assert_eq!(readable_unit(0.0, "m"), ("m", 1.0));
-        assert_eq!(readable_unit(0.0, "m3/s"), ("ml/s", 1e-6));
-        assert_eq!(readable_unit(49.0, "deg"), ("deg", 1.0));
-        assert_eq!(readable_unit(2.0, "1"), ("", 1.0));
+        assert_eq!(readable_unit(12_910.0, Unit::Newton), ("kN", 1e3));
+        assert_eq!(readable_unit(15e-6, Unit::Metre), ("um", 1e-6));
+        assert_eq!(readable_unit(1e-9, Unit::Metre), ("um", 1e-6));
+        assert_eq!(readable_unit(0.0, Unit::Metre), ("m", 1.0));
+        assert_eq!(readable_unit(0.0, Unit::CubicMetrePerSecond), ("ml/s", 1e-6));
+        assert_eq!(readable_unit(49.0, Unit::Degree), ("deg", 1.0));
+        assert_eq!(readable_unit(2.0, Unit::One), ("", 1.0));
+    }
+
+    #[test]
+    fn all_pressures_are_in_one_unit() {
+        for pressure in [0.0, 3.0, -2.5e6, 4e11] {
+            assert_eq!(readable_unit(pressure, Unit::Pascal), ("bar", 1e5));
+        }
+        assert_eq!(readable_unit(4e8, Unit::PascalOfStress), ("MPa", 1e6));
     }
 
     #[test]
@@ -114,11 +127,12 @@ mod tests {
 
     #[test]
     fn a_bar_tells_how_many_digits_a_value_has() {
-        assert_eq!(supported(12.911_234, 0.001), "12.911");
-        assert_eq!(supported(12.911_234, 0.009_9), "12.911");
-        assert_eq!(supported(12.911_234, 0.012), "12.91");
+        assert_eq!(supported(46.23, 3.6), "46.2");
+        assert_eq!(supported(12.911_234, 0.001), "12.9112");
+        assert_eq!(supported(12.911_234, 0.009_9), "12.9112");
+        assert_eq!(supported(12.911_234, 0.012), "12.911");
         assert_eq!(supported(12.911_234, 25.0), "13");
-        assert_eq!(supported(12.911_234, 1e-12), "12.9112340");
+        assert_eq!(supported(12.911_234, 1e-12), "12.91123");
         assert_eq!(supported(-0.003, 0.2), "-0.003");
         assert_eq!(supported(123_456.0, 2e3), "123456");
     }

@@ -1,32 +1,26 @@
-//! A run for people: what was simulated, the numbers, the balances and the time.
+//! A run for people: the main numbers first, what was simulated, the balances and the time, and last the verdict.
 
 use crate::add_ons::add_on;
 use crate::quantities::{bars, quantities};
 use crate::readable::{readable_unit, significant};
+use crate::shown::Shown;
 use crate::temperature;
 use crate::terminal::{effects, heading, mesh, status, time};
+use crate::verdict::verdict;
 use oilwedge_campaign::AddOn;
-use oilwedge_study::quantities::{CAVITY_FLOW, CAVITY_SHARE, Table};
-use oilwedge_study::result::{Balances, Counts, LinearSolver, RunResult};
+use oilwedge_study::quantities::{CAVITY_FLOW, CAVITY_SHARE, Quantity, Table};
+use oilwedge_study::result::{Balances, Counts, LinearSolver, RunResult, headlines};
 use std::path::Path;
 
-/// Everything about a run: what was simulated, the numbers, the balances and where the time went.
-pub(crate) fn run_report(result: &RunResult, add_ons: &[AddOn], folder: &Path, picture: bool) -> String {
+/// Everything about a run: the main numbers, what was simulated, the balances, where the time went, and last the verdict.
+pub(crate) fn run_report(result: &RunResult, shown: Shown, add_ons: &[AddOn], folder: &Path, picture: bool) -> String {
     let mut parts = vec![heading(&result.title, status(result.status))];
     if let Some(reason) = &result.reason {
         parts.push(format!("reason: {reason}"));
     }
+    parts.extend(tables(result, shown));
+    parts.extend(temperature::balance(result, shown));
     parts.push(effects(&result.effects));
-    if !result.quantities.is_empty() {
-        let (of_cap, of_film): (Vec<_>, Vec<_>) = (result.quantities.iter())
-            .filter(|quantity| !temperature::shows(result, quantity))
-            .partition(|quantity| quantity.row.table == Table::Cap);
-        parts.push(quantities(of_film, result.bars));
-        if !of_cap.is_empty() {
-            parts.push(format!("joint of the cap\n{}", quantities(of_cap, result.bars)));
-        }
-    }
-    parts.extend(temperature::balance(result));
     parts.extend(add_ons.iter().map(add_on));
     let mut lines = Vec::new();
     if !result.quantities.is_empty() {
@@ -41,8 +35,42 @@ pub(crate) fn run_report(result: &RunResult, add_ons: &[AddOn], folder: &Path, p
     files.extend(picture.then_some("film.vtu"));
     files.extend(temperature::files(result));
     lines.push(format!("written   {}: {}", folder.display(), files.join(", ")));
+    lines.extend(left_out(result, shown));
+    lines.push(verdict(result));
     parts.push(lines.join("\n"));
     parts.join("\n\n") + "\n"
+}
+
+/// The tables of quantities: headlines first, then the joint of a cap, then all others of the film if they are asked for.
+fn tables(result: &RunResult, shown: Shown) -> Vec<String> {
+    if result.quantities.is_empty() {
+        return Vec::new();
+    }
+    let first = headlines(&result.quantities, |quantity| quantity.row, &result.effects);
+    let is_first = |quantity: &&Quantity| first.iter().any(|other| other.name == quantity.name);
+    let mut parts = vec![quantities(first.iter().copied(), result.bars)];
+    let of = |table: Table| {
+        result
+            .quantities
+            .iter()
+            .filter(move |quantity| quantity.row.table == table)
+    };
+    if of(Table::Cap).next().is_some() {
+        parts.push(format!("joint of the cap\n{}", quantities(of(Table::Cap), result.bars)));
+    }
+    if shown == Shown::All {
+        let others = of(Table::Film).filter(|quantity| !is_first(quantity));
+        parts.push(format!("further quantities\n{}", quantities(others, result.bars)));
+    }
+    parts
+}
+
+/// Where the quantities are that are not shown.
+fn left_out(result: &RunResult, shown: Shown) -> Option<String> {
+    (shown == Shown::Headlines && !result.quantities.is_empty()).then(|| {
+        let count = result.quantities.len();
+        format!("more      --all shows all {count} quantities; result.json has them too")
+    })
 }
 
 /// Relative imbalances; those of force and temperature only where they are solved for.
@@ -72,7 +100,7 @@ fn cavity(result: &RunResult) -> Option<String> {
         .quantity(&CAVITY_FLOW)
         .filter(|made| made.value > 0.0)
         .map(|made| {
-            let (unit, size) = readable_unit(made.value, made.unit());
+            let (unit, size) = readable_unit(made.value, made.row.unit);
             format!(
                 "; it makes {} {unit} of oil, since this cavitation model does not conserve oil",
                 significant(made.value / size, 2)
@@ -134,7 +162,7 @@ fn timing(parts: &[(String, f64)]) -> String {
 pub(crate) mod tests {
     use super::*;
     use oilwedge_study::effects::{EFFECTS, Effects};
-    use oilwedge_study::quantities::{ATTITUDE_ANGLE, BOLT_TORQUE, LOAD, Quantity, SIDE_FLOW};
+    use oilwedge_study::quantities::{ATTITUDE_ANGLE, BOLT_TORQUE, LOAD, LOAD_X, Quantity, SIDE_FLOW};
     use oilwedge_study::result::{MeshFacts, RESULT_FORMAT, Status};
 
     pub(crate) fn result() -> RunResult {
@@ -183,7 +211,7 @@ pub(crate) mod tests {
 
     #[test]
     fn a_run_is_shown_in_readable_units() {
-        let text = run_report(&result(), &[], Path::new("out/shell"), true);
+        let text = run_report(&result(), Shown::Headlines, &[], Path::new("out/shell"), true);
         let parts = [
             "Hole-fed shell: converged",
             "not simulated",
@@ -204,30 +232,49 @@ pub(crate) mod tests {
     }
 
     #[test]
+    fn the_rest_is_shown_when_asked_for_and_the_verdict_is_last() {
+        let mut result = result();
+        result.quantities.push(Quantity::new(&LOAD_X, 12.0));
+        let [short, all] =
+            [Shown::Headlines, Shown::All].map(|shown| run_report(&result, shown, &[], Path::new("out"), true));
+        assert!(
+            !short.contains("load_x") && short.contains("--all shows all 3 quantities"),
+            "{short}"
+        );
+        assert!(
+            all.find("attitude_angle") < all.find("load_x") && all.find("load_x").is_some(),
+            "{all}"
+        );
+        for text in [short, all] {
+            assert!(text.ends_with("\nverdict   converged; no warnings\n"), "{text}");
+        }
+    }
+
+    #[test]
     fn a_cavity_and_coarser_meshes_are_shown() {
         let mut result = result();
         result.quantities.push(Quantity::new(&CAVITY_SHARE, 0.4237));
         result.counts.nonlinear_iterations = 12;
         for (levels, words) in [(1, "1 coarser mesh"), (3, "3 coarser meshes")] {
             result.counts.levels = levels;
-            let text = run_report(&result, &[], Path::new("out"), true);
+            let text = run_report(&result, Shown::Headlines, &[], Path::new("out"), true);
             let work = format!("12 nonlinear iterations, started from {words}\n");
             assert!(
                 text.contains(&work) && text.contains("cavity    42 % of the film\n"),
                 "{text}"
             );
         }
-        assert!(!run_report(&self::result(), &[], Path::new("out"), true).contains("cavity "));
+        assert!(!run_report(&self::result(), Shown::Headlines, &[], Path::new("out"), true).contains("cavity "));
     }
 
     #[test]
     fn the_joint_of_a_cap_has_a_table_of_its_own() {
         let mut result = result();
         result.quantities.insert(1, Quantity::new(&BOLT_TORQUE, 55.6));
-        let text = run_report(&result, &[], Path::new("out"), true);
+        let text = run_report(&result, Shown::Headlines, &[], Path::new("out"), true);
         let place = |part: &str| text.find(part).unwrap_or_else(|| panic!("no {part} in\n{text}"));
         assert!(place("attitude_angle") < place("joint of the cap\n") && place("joint of the cap") < place("55.6000"));
-        assert!(!run_report(&self::result(), &[], Path::new("out"), true).contains("cap"));
+        assert!(!run_report(&self::result(), Shown::Headlines, &[], Path::new("out"), true).contains("cap"));
     }
 
     #[test]
@@ -236,7 +283,7 @@ pub(crate) mod tests {
         result.status = Status::NoSolution;
         result.reason = Some("no steady film above ...".into());
         result.quantities.clear();
-        let text = run_report(&result, &[], Path::new("out/shell"), false);
+        let text = run_report(&result, Shown::Headlines, &[], Path::new("out/shell"), false);
         assert!(
             text.contains("there is no solution") && text.contains("reason: no steady film"),
             "{text}"
@@ -250,7 +297,7 @@ pub(crate) mod tests {
         result.title = "a\u{1b}[31m".into();
         result.quantities = vec![Quantity::new(&SIDE_FLOW, -7e-22)];
         result.counts = Counts::default();
-        let text = run_report(&result, &[], Path::new("out"), true);
+        let text = run_report(&result, Shown::Headlines, &[], Path::new("out"), true);
         assert!(text.contains("\u{2506}     0 \u{2506} ml/s"), "{text}");
         assert!(!text.contains('\u{1b}') && !text.contains("work"), "{text}");
     }

@@ -5,6 +5,7 @@ use crate::interrupt;
 use crate::progress::Progress;
 use crate::run_options::RunArguments;
 use crate::run_report::run_report;
+use crate::shown::Shown;
 use crate::terminal::{exit_code, output};
 use oilwedge_campaign::{effect_costs, standard, theories};
 use oilwedge_report::result_json;
@@ -25,6 +26,10 @@ pub(crate) struct Solve {
     #[arg(long)]
     unrolled: bool,
 
+    /// Show all quantities, not the main ones only, and the balance of heat.
+    #[arg(long)]
+    all: bool,
+
     /// Solve again without each effect, and show what it changes and what it costs.
     #[arg(long)]
     cost: bool,
@@ -41,6 +46,7 @@ pub(crate) struct Solve {
 const EXAMPLES: &str = "\
 Examples:
   oilwedge solve bearing.toml
+  oilwedge solve bearing.toml --all
   oilwedge solve bearing.toml --out results/today --unrolled
   oilwedge solve bearing.toml --json | jq .quantities.load.value
   oilwedge solve bearing.toml --cost
@@ -71,7 +77,11 @@ impl Solve {
             ..self.run.options(&scene, interrupt)?
         };
         let working = Progress::of(Self::task(&scene));
-        let run = oilwedge_study::run(&scene, &options).map_err(Failure::of(path))?;
+        let observed = RunOptions {
+            observer: Some(working.observer()),
+            ..options
+        };
+        let run = oilwedge_study::run(&scene, &observed).map_err(Failure::of(path))?;
         let mut add_ons = Vec::new();
         if self.cost {
             working.turns_to("the film without each effect");
@@ -100,10 +110,17 @@ impl Solve {
         output(
             self.run.json,
             || Ok(json),
-            || run_report(&run.result, &add_ons, &folder, picture),
+            || run_report(&run.result, self.shown(), &add_ons, &folder, picture),
             Some(&folder),
         )?;
         Ok(exit_code(run.result.status))
+    }
+
+    fn shown(&self) -> Shown {
+        match self.all {
+            true => Shown::All,
+            false => Shown::Headlines,
+        }
     }
 
     /// The longest task of a run of the scene.

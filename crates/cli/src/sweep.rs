@@ -1,15 +1,16 @@
 //! `oilwedge sweep`: one scene for many values of its keys, to a table.
 
-use crate::complain::{Failure, printable};
+use crate::complain::{Failure, printable, warn};
 use crate::interrupt;
 use crate::progress::Progress;
 use crate::readable::{readable_unit, significant};
 use crate::run_options::RunArguments;
-use crate::terminal::{effects, heading, output, table, time};
-use oilwedge_campaign::sweep::Sweep as Cases;
+use crate::terminal::{counted, duration, effects, heading, output, table, time};
+use oilwedge_campaign::sweep::{Forecast, Sweep as Cases};
 use oilwedge_report::json;
-use oilwedge_report::sweep::{Row, SweepOptions, SweepReport};
-use oilwedge_study::quantities::{self, CATALOGUE, LOAD};
+use oilwedge_report::sweep::{LIMITS, Notice, REASON, Row, SweepOptions, SweepReport, WARNINGS};
+use oilwedge_study::column::Column;
+use oilwedge_study::result::headlines;
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -35,6 +36,7 @@ In the scene, each axis a list or a range, the last one running fastest:
   [sweep]
   force = { from = \"1 kN\", to = \"9 kN\", steps = 9 }
   speed = [\"1000 rpm\", \"2000 rpm\", \"4000 rpm\"]
+  columns = [\"h_min um\", \"p_max bar\", \"friction_power W\"]     by default the main ones, all in sweep.csv
 
 Rows are written as cases end. The same command continues a sweep that was killed or ended by Ctrl-C.
 
@@ -59,8 +61,13 @@ impl Sweep {
             )));
         };
         let folder = self.run.folder();
+        warn(&repeated(&cases));
         let mut progress = Progress::of_cases();
-        let outcome = oilwedge_report::sweep::run(&cases, &options, &folder, &mut |now| progress.cases(now));
+        let notify = &mut |notice: Notice| match notice {
+            Notice::Forecast(forecast) => progress.say(&words(&forecast)),
+            Notice::Progress(now) => progress.cases(now),
+        };
+        let outcome = oilwedge_report::sweep::run(&cases, &options, &folder, notify);
         drop(progress);
         let report = outcome?;
         output(
@@ -69,12 +76,40 @@ impl Sweep {
             || sweep_report(&report, &folder),
             Some(&folder),
         )?;
-        Ok(
-            match report.rows.iter().any(|row| report.value(row, LOAD.name).is_some()) {
-                true => ExitCode::SUCCESS,
-                false => ExitCode::from(1),
-            },
-        )
+        Ok(match report.rows.iter().any(|row| report.has_answer(row)) {
+            true => ExitCode::SUCCESS,
+            false => ExitCode::from(1),
+        })
+    }
+}
+
+/// Values that an axis has more than once.
+fn repeated(cases: &Cases) -> Vec<String> {
+    let words = |(value, count): (String, usize)| {
+        format!("[sweep] {value} stands there {count} times: its cases are computed as often; remove the others")
+    };
+    cases.plan.repeated().into_iter().map(words).collect()
+}
+
+/// How long a sweep will take.
+fn words(forecast: &Forecast) -> String {
+    format!(
+        "{}, about {} on {}",
+        counted(forecast.cases, "case"),
+        duration(forecast.seconds),
+        counted(forecast.threads, "thread")
+    )
+}
+
+/// How many cases have each code.
+fn tally(report: &SweepReport, column: &str) -> String {
+    let entries = report.tally(column);
+    let entries = entries
+        .iter()
+        .map(|(entry, count)| format!("{}: {}", printable(entry), counted(*count, "case")));
+    match entries.collect::<Vec<_>>() {
+        none if none.is_empty() => "none".to_owned(),
+        some => some.join("; "),
     }
 }
 
@@ -113,38 +148,68 @@ fn sweep_report(report: &SweepReport, folder: &Path) -> String {
         _ => format!("time      {}: {} a case", time(report.seconds), time(each)),
     });
     lines.push(format!("written   {}: sweep.csv, sweep.json", folder.display()));
+    lines.push(format!("warnings  {}", tally(report, WARNINGS)));
+    lines.push(format!("limits    {}", tally(report, LIMITS)));
     parts.push(lines.join("\n"));
     parts.join("\n\n") + "\n"
 }
 
+/// A column of numbers that is shown: the quantity by its place among those of the report, its heading, the size of its unit.
+struct Shown {
+    place: usize,
+    heading: String,
+    size: f64,
+}
+
+/// The columns that the scene asks for, in their units; else the headlines, in units that suit them.
+fn shown(report: &SweepReport) -> Vec<Shown> {
+    let all: Vec<(usize, &Column)> = report.columns.quantities.iter().enumerate().collect();
+    if report.plan.columns.is_some() {
+        let column = |&(place, column): &(usize, &Column)| Shown {
+            place,
+            heading: printable(&headed(&column.name, &column.unit)),
+            size: 1.0,
+        };
+        return all.iter().map(column).collect();
+    }
+    let column = |&(place, column): &(usize, &Column)| {
+        let values = report.rows.iter().filter_map(|row| report.value(row, place));
+        let (unit, size) = readable_unit(values.map(f64::abs).fold(0.0, f64::max), column.row.unit);
+        Shown {
+            place,
+            heading: headed(column.row.symbol, unit),
+            size,
+        }
+    };
+    let headlines = headlines(&all, |(_, column)| column.row, &report.effects);
+    headlines.into_iter().map(column).collect()
+}
+
+fn headed(name: &str, unit: &str) -> String {
+    match unit {
+        "" | "1" => name.to_owned(),
+        unit => format!("{name} [{unit}]"),
+    }
+}
+
 fn rows(report: &SweepReport) -> String {
-    let columns: Vec<_> = (CATALOGUE.iter().filter(|row| row.is_headline))
-        .filter_map(|&shown| {
-            let quantities::Row { name, symbol, unit, .. } = shown;
-            report.columns.quantity(name)?;
-            let values = report.rows.iter().filter_map(|row| report.value(row, name));
-            let (unit, size) = readable_unit(values.map(f64::abs).fold(0.0, f64::max), unit.name());
-            let heading = match unit {
-                "" => (*symbol).to_owned(),
-                unit => format!("{symbol} [{unit}]"),
-            };
-            Some((*name, heading, size))
-        })
-        .collect();
+    let columns = shown(report);
     let inputs = report.columns.inputs.iter().map(|input| printable(input));
-    let headings = columns.iter().map(|(_, heading, _)| heading.clone());
+    let headings = columns.iter().map(|column| column.heading.clone());
+    let first = ["case".to_owned()].into_iter().chain(inputs);
     let mut table = table(
-        ["case".to_owned()].into_iter().chain(inputs).chain(headings),
-        0..usize::MAX,
+        first.chain(headings).chain([WARNINGS.to_owned()]),
+        0..1 + report.columns.inputs.len() + columns.len(),
     );
     let inputs = report.columns.inputs.len();
     let mut add = |row: &Row| {
         let mut cells: Vec<String> = row[..=inputs].iter().map(|cell| printable(cell)).collect();
-        let numbers = columns.iter().map(|(name, _, size)| {
-            let value = report.value(row, name);
-            value.map_or("-".to_owned(), |value| significant(value / size, DIGITS))
+        let numbers = columns.iter().map(|column| {
+            let value = report.value(row, column.place);
+            value.map_or("-".to_owned(), |value| significant(value / column.size, DIGITS))
         });
         cells.extend(numbers);
+        cells.push(report.columns.tail(row, WARNINGS).to_owned());
         table.add_row(cells);
     };
     let cut = report.rows.len() > SHOWN;
@@ -162,9 +227,10 @@ fn rows(report: &SweepReport) -> String {
             report.rows.len()
         );
     }
-    let reasons = report.rows.iter().filter(|row| !row[row.len() - 2].is_empty());
+    let reason = |row| report.columns.tail(row, REASON);
+    let reasons = report.rows.iter().filter(|row| !reason(row).is_empty());
     for row in reasons.take(REASONS) {
-        text += &format!("\ncase {}: {}", row[0], printable(&row[row.len() - 2]));
+        text += &format!("\ncase {}: {}", row[0], printable(reason(row)));
     }
     text
 }

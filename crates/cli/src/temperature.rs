@@ -2,23 +2,23 @@
 
 use crate::quantities::quantities;
 use crate::readable::significant;
+use crate::shown::Shown;
 use crate::terminal::table;
 use oilwedge_report::plot::TEMPERATURE_FILES;
 use oilwedge_study::quantities::{ECCENTRICITY, Quantity, TEMPERATURE_EFFECTIVE, Table};
 use oilwedge_study::result::{Balances, Criterion, RunResult, TemperatureReport};
 
-/// Temperatures, heats, curves and criteria; nothing where no temperature was sought.
-pub(crate) fn balance(result: &RunResult) -> Option<String> {
+/// Criteria and, where all is shown, temperatures, heats and curves; nothing where no temperature was sought.
+pub(crate) fn balance(result: &RunResult, shown: Shown) -> Option<String> {
     let report = result.temperature.as_ref()?;
-    let is_shown = |quantity: &&Quantity| shows(result, quantity) || quantity.row == &TEMPERATURE_EFFECTIVE;
+    if shown == Shown::Headlines {
+        return Some(format!("design criteria\n{}", criteria(report)));
+    }
+    let is_shown =
+        |quantity: &&Quantity| quantity.row.table == Table::Temperature || quantity.row == &TEMPERATURE_EFFECTIVE;
     let list = quantities(result.quantities.iter().filter(is_shown), result.bars);
     let parts = [format!("balance of heat\n{list}"), curve(report), criteria(report)];
     Some(parts.join("\n"))
-}
-
-/// Whether a quantity stands in the balance of heat, and nowhere else.
-pub(crate) fn shows(result: &RunResult, quantity: &Quantity) -> bool {
-    result.temperature.is_some() && quantity.row.table == Table::Temperature
 }
 
 /// How far the balance of heat is open, where it is solved for.

@@ -117,3 +117,35 @@ pub(crate) fn time(seconds: f64) -> String {
         false => format!("{} s", significant(seconds, 3)),
     }
 }
+
+/// A number of things: `1 case`, `2 cases`.
+pub(crate) fn counted(count: usize, what: &str) -> String {
+    match count {
+        1 => format!("1 {what}"),
+        count => format!("{count} {what}s"),
+    }
+}
+
+/// Seconds that are only estimated: `12 s`, `4 min`, `3.5 h`.
+pub(crate) fn duration(seconds: f64) -> String {
+    match seconds {
+        short if short < 1.0 => "1 s".to_owned(),
+        short if short < 100.0 => format!("{short:.0} s"),
+        middle if middle < 6000.0 => format!("{:.0} min", middle / 60.0),
+        long => format!("{:.1} h", long / 3600.0),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn estimated_times_are_short() {
+        assert_eq!(
+            [0.2, 42.4, 700.0, 12_600.0].map(duration),
+            ["1 s", "42 s", "12 min", "3.5 h"]
+        );
+        assert_eq!([counted(1, "case"), counted(0, "case")], ["1 case", "0 cases"]);
+    }
+}

@@ -9,12 +9,12 @@ use oilwedge_report::plot::{CellMap, cells_to_svg, to_png};
 use oilwedge_report::sweep::Progress as Cases;
 use oilwedge_verification::cases::KNOWN_VALUES;
 use oilwedge_verification::map::{CELLS, unexplained};
-use oilwedge_verification::page::page;
+use oilwedge_verification::page::{page, page_so_far};
 use oilwedge_verification::suite::{self, Verdict};
 use oilwedge_verification::{run_map, run_suite};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 /// Arguments of `oilwedge verify`.
 #[derive(Debug, clap::Args)]
@@ -57,13 +57,36 @@ impl Verify {
         let cases = suite::count(&names, true)? + if self.hard { CELLS } else { 0 };
         let mut progress = Progress::of_cases();
         let (kept, mut done) = (0, 0);
-        let mut ended = |count: usize| {
-            done += count;
+        let mut so_far = Draft::default();
+        if self.hard {
+            // A folder that cannot be written is reported before minutes have passed.
+            so_far.write(&self.out, [0, cases])?;
+        }
+        let mut failure = None;
+        let verdicts = run_suite(&names, true, &mut |series| {
+            done += series.len();
             progress.cases(Cases { kept, done, cases });
-        };
-        let verdicts = run_suite(&names, true, &mut |_| ended(1))?;
+            if self.hard && failure.is_none() {
+                so_far.verdicts.extend_from_slice(series);
+                progress.line(&line(series, [done, cases], clock));
+                failure = so_far.keep(&self.out, [done, cases]).err();
+            }
+        })?;
+        if let Some(failure) = failure {
+            return Err(failure);
+        }
         let maps = match self.hard {
-            true => Vec::from(run_map(&mut ended)?),
+            true => {
+                so_far.write(&self.out, [done, cases])?;
+                Vec::from(run_map(&mut |count| {
+                    done += count;
+                    progress.cases(Cases { kept, done, cases });
+                    progress.line(&format!(
+                        "{done} of {cases} cases, {}: map",
+                        time(clock.elapsed().as_secs_f64())
+                    ));
+                })?)
+            }
             false => Vec::new(),
         };
         drop(progress);
@@ -88,15 +111,63 @@ impl Verify {
     fn write(&self, verdicts: &[Verdict], maps: &[CellMap]) -> Result<(), Failure> {
         let svg = cells_to_svg(maps)?;
         let png = to_png(&svg)?;
-        let text = page(verdicts, maps, "stability.png");
+        let text = page(verdicts, maps, PICTURES[1]);
         let files = [
-            ("stability.svg".as_ref(), Some(svg.as_bytes())),
-            ("stability.png".as_ref(), Some(&png[..])),
-            ("stability.md".as_ref(), Some(text.as_bytes())),
+            (PICTURES[0].as_ref(), Some(svg.as_bytes())),
+            (PICTURES[1].as_ref(), Some(&png[..])),
+            (PAGE.as_ref(), Some(text.as_bytes())),
         ];
         Ok(folder::replace(&self.out, &files)?)
     }
 }
+
+/// How far the suite has got, and which series ended.
+fn line(series: &[Verdict], [done, cases]: [usize; 2], clock: Instant) -> String {
+    let name = |verdict: &Verdict| format!("{}, {}", verdict.case.family, verdict.case.series);
+    let name = series.first().map_or(String::new(), name);
+    format!(
+        "{done} of {cases} cases, {}: {name}",
+        time(clock.elapsed().as_secs_f64())
+    )
+}
+
+/// Time between two pages of a suite that is running.
+const INTERVAL: Duration = Duration::from_secs(1);
+
+/// The page of a suite that is running.
+#[derive(Default)]
+struct Draft {
+    verdicts: Vec<Verdict>,
+    written: Option<Instant>,
+}
+
+impl Draft {
+    /// Writes the page if the last one is old.
+    fn keep(&mut self, folder: &Path, progress: [usize; 2]) -> Result<(), Failure> {
+        match self.written {
+            Some(written) if written.elapsed() < INTERVAL => Ok(()),
+            _ => self.write(folder, progress),
+        }
+    }
+
+    /// Writes the page, whole or not at all. Pictures of an earlier run are taken away.
+    fn write(&mut self, folder: &Path, progress: [usize; 2]) -> Result<(), Failure> {
+        let text = page_so_far(&self.verdicts, progress);
+        let files = [
+            (PICTURES[0].as_ref(), None),
+            (PICTURES[1].as_ref(), None),
+            (PAGE.as_ref(), Some(text.as_bytes())),
+        ];
+        folder::replace(folder, &files)?;
+        self.written = Some(Instant::now());
+        Ok(())
+    }
+}
+
+/// File of the page,
+const PAGE: &str = "stability.md";
+/// and of its picture.
+const PICTURES: [&str; 2] = ["stability.svg", "stability.png"];
 
 /// Computed numbers beside known ones, in a table; nothing where there are none.
 fn known_values(verdicts: &[Verdict]) -> String {

@@ -109,7 +109,9 @@ pub fn check_scene(scene: &Scene) -> Result<CheckReport, Error> {
         .map(|axis| (axis.heading(), axis.values.len()))
         .collect();
     report.effects = Some(Effects::of(&film.scene));
-    report.warnings.extend(mesh_warnings(&film));
+    report
+        .warnings
+        .extend(mesh_warnings(&film).into_iter().map(|warning| warning.text));
     report.cost = Some(Cost {
         unknowns: film.unknowns(),
         factor_entries: film.system.analysis().map_err(CompileError::from)?.factor_entries(),

@@ -9,6 +9,7 @@ mod number;
 pub(crate) use number::{Number, plain_number};
 
 use std::cell::RefCell;
+use std::ops::Range;
 
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -128,6 +129,28 @@ impl<'a> TableReader<'a> {
             other => self.complain(key, format!("a text in quotes is wanted, not {}", kind(other)), write),
         }
         None
+    }
+
+    /// A list of texts with their places, if it is written; `example` is what one would write between the brackets.
+    pub(crate) fn texts_if_given(&mut self, key: &'a str, example: &str) -> Option<Vec<(&'a str, Range<usize>)>> {
+        let path = self.key(key);
+        let items = self.take(key)?.as_array();
+        let text = |(index, item): (usize, &'a Spanned<DeValue<'a>>)| {
+            self.complaints
+                .borrow_mut()
+                .mark(&format!("{path}[{index}]"), item.span());
+            Some((
+                item.get_ref().as_str().filter(|text| !text.trim().is_empty())?,
+                item.span(),
+            ))
+        };
+        let texts = items.and_then(|items| items.iter().enumerate().map(text).collect::<Option<Vec<_>>>());
+        let texts = texts.filter(|texts| !texts.is_empty());
+        if texts.is_none() {
+            let help = format!("write for example {key} = [{example}]");
+            self.complain(key, "a list of texts in quotes is wanted", help);
+        }
+        texts
     }
 
     /// One of a few words, if it is written.

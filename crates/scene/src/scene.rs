@@ -215,10 +215,14 @@ fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene {
         heat,
         cavitation: root.table_if_given("cavitation").and_then(cavitation::read),
         cap: root.table_if_given("cap").map(cap::read),
-        sweep: root.table_if_given("sweep").map(|table| Plan {
-            axes: sweep::read(table),
-            text: text.to_owned(),
-            path: path.to_owned(),
+        sweep: root.table_if_given("sweep").map(|table| {
+            let (axes, columns) = sweep::read(table);
+            Plan {
+                axes,
+                columns,
+                text: text.to_owned(),
+                path: path.to_owned(),
+            }
         }),
         sha256: String::new(),
     }

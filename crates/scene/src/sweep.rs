@@ -4,10 +4,12 @@
 //! replaced, read and checked as any other scene, so that units, ranges and complaints come from one place.
 
 mod axis;
+mod column;
 mod plan;
 mod read;
 
 pub use axis::{Axis, AxisValue};
+pub use column::WantedColumn;
 pub use plan::Plan;
 
 use axis::SHORT_NAMES;

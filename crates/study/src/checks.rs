@@ -2,6 +2,7 @@
 //! quantities.
 
 mod cap;
+mod columns;
 mod oil;
 mod tolerance;
 
@@ -12,7 +13,7 @@ use oilwedge_scene::{Check, Complaint, Scene, SceneError};
 pub use tolerance::targets;
 
 /// All checks.
-pub const CHECKS: [Check; 3] = [oil::check, cap::check, tolerance::check];
+pub const CHECKS: [Check; 4] = [oil::check, cap::check, tolerance::check, columns::check];
 
 /// Reads the scene in the file `path` with all checks.
 ///

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use oilwedge_bearing::{Carrier, InitialGuess, SearchOptions, find};
+use oilwedge_bearing::{Carrier, InitialGuess, SearchObserver, SearchOptions, find};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmSolution, ReferenceFilm};
 
@@ -39,6 +39,7 @@ fn under_load(film: &Film, load: [f64; 2], options: &SolveOptions) -> Result<Sol
     let search = SearchOptions {
         accuracy: options.accuracy,
         carrier: if by_cubic { Carrier::Cubic } else { Carrier::Quadratic },
+        observer: options.observer.map(|observer| observer as &dyn SearchObserver),
         ..film.search_options(options.deadline)
     };
     let search = match options.guess {

@@ -10,6 +10,7 @@
 pub mod analysis;
 mod cap_joint;
 pub mod checks;
+pub mod column;
 pub mod compile;
 pub mod compile_error;
 pub mod effects;
@@ -21,6 +22,7 @@ pub mod level;
 pub mod liner_mesh;
 pub mod measure;
 pub mod no_answer;
+pub mod observer;
 pub mod oil;
 pub mod picture;
 pub mod position;
@@ -34,11 +36,13 @@ pub mod run_options;
 pub mod solved;
 pub mod thermal;
 pub mod thermal_model;
+pub mod warning;
 pub mod warnings;
 
-pub use oilwedge_bearing::Interrupt;
+pub use oilwedge_bearing::{Interrupt, SearchObserver};
 
 pub use checks::{CHECKS, complaints, parse, read};
 pub use compile_error::CompileError;
+pub use observer::{Reached, RunObserver};
 pub use run::{Run, run};
 pub use run_options::RunOptions;

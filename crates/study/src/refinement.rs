@@ -20,6 +20,7 @@ use crate::estimate::{Estimated, estimate_errors};
 use crate::film::Film;
 use crate::grading::graded;
 use crate::no_answer::NoAnswer;
+use crate::observer::RunObserver;
 use crate::reasons::Limit;
 use crate::result::LevelFacts;
 use crate::run_options::RunOptions;
@@ -55,7 +56,7 @@ pub fn answer(scene: &Scene, options: &RunOptions) -> Result<Answer, CompileErro
     }
     let deadline = options.deadline();
     let film = graded(scene, deadline)?;
-    let outcome = solved(&film, options.errors(), deadline);
+    let outcome = solved(&film, options.errors(), deadline, options.observer);
     let limit = outcome.as_ref().ok().and_then(|(solved, _)| ended(solved, options));
     Ok(Answer {
         film: outcome.as_ref().map_or(film, |(solved, _)| solved.film.clone()),
@@ -80,10 +81,16 @@ pub fn ended(solved: &Solved, options: &RunOptions) -> Option<Limit> {
     of_temperature.or_else(of_position)
 }
 
-fn solved(film: &Film, errors: Errors, deadline: Deadline) -> Result<(Solved, Estimated), NoAnswer> {
+fn solved(
+    film: &Film,
+    errors: Errors,
+    deadline: Deadline,
+    observer: Option<&'static dyn RunObserver>,
+) -> Result<(Solved, Estimated), NoAnswer> {
     let options = SolveOptions {
         errors,
         deadline,
+        observer,
         ..SolveOptions::default()
     };
     let solved = solve(film, &options)?;

@@ -14,6 +14,7 @@ use crate::film::Film;
 use crate::measure::Measured;
 use crate::oil::Oil;
 use crate::thermal::flows::leaving;
+use crate::warning::{self, Warning};
 use oilwedge_scene::Scene;
 
 /// Clearance over radius of a film that curvature does not touch.
@@ -86,7 +87,7 @@ impl Regime {
     }
 
     /// Assumptions that this film breaks, in sentences that name them.
-    pub fn warnings(&self, film: &Film, measured: &Measured) -> Vec<String> {
+    pub fn warnings(&self, film: &Film, measured: &Measured) -> Vec<Warning> {
         let pressure = measured.extremes.greatest;
         let flow = format!(
             "Reynolds number {} at {:.0} kg/m3",
@@ -95,33 +96,33 @@ impl Regime {
         );
         let broken = [
             (self.reynolds_number > self.taylor_limit).then(|| {
-                format!("laminar film: {flow} lies above {}, where Taylor's vortices begin; friction and flow will be others", rounded(self.taylor_limit))
+                warning::TURBULENT.says(format!("laminar film: {flow} lies above {}, where Taylor's vortices begin; friction and flow will be others", rounded(self.taylor_limit)))
             }),
             (self.inertia > 1.0 && self.reynolds_number <= self.taylor_limit).then(|| {
-                format!("film without inertia: {flow}, times c/R, is {}, but should be well below 1", rounded(self.inertia))
+                warning::INERTIA.says(format!("film without inertia: {flow}, times c/R, is {}, but should be well below 1", rounded(self.inertia)))
             }),
             (self.clearance_ratio > THIN).then(|| {
-                format!("thin film: the clearance is {} of the radius, so its curvature counts; Reynolds' equation drops it", rounded(self.clearance_ratio))
+                warning::CURVED.says(format!("thin film: the clearance is {} of the radius, so its curvature counts; Reynolds' equation drops it", rounded(self.clearance_ratio)))
             }),
             (measured.least_thickness < MOLECULES).then(|| {
-                format!("continuous film: it is {} m thin, some molecules; no oil is a fluid there", rounded(measured.least_thickness))
+                warning::MOLECULAR.says(format!("continuous film: it is {} m thin, some molecules; no oil is a fluid there", rounded(measured.least_thickness)))
             }),
             self.roughness_ratio.filter(|ratio| *ratio < APART).map(|ratio| {
-                format!("smooth surfaces: the least film is {} times bearing.roughness, below {APART} times; the surfaces touch there", rounded(ratio))
+                warning::TOUCHING.says(format!("smooth surfaces: the least film is {} times bearing.roughness, below {APART} times; the surfaces touch there", rounded(ratio)))
             }),
             (self.deflection > measured.least_thickness && pressure <= YIELDING).then(|| {
                 let micrometres = |length: f64| rounded(1e6 * length);
-                format!("rigid surfaces: the pressure, up to {} bar, would deflect journal and liner by some {} um, but the least film has {} um; the film adapts, and its pressure will be lower", readable(1e-5 * pressure), micrometres(self.deflection), micrometres(measured.least_thickness))
+                warning::ELASTIC.says(format!("rigid surfaces: the pressure, up to {} bar, would deflect journal and liner by some {} um, but the least film has {} um; the film adapts, and its pressure will be lower", readable(1e-5 * pressure), micrometres(self.deflection), micrometres(measured.least_thickness)))
             }),
             (pressure > YIELDING).then(|| {
-                format!("rigid surfaces: the pressure reaches {} GPa, at which any steel yields ({} GPa); no bearing carries this load, check it and its unit", rounded(1e-9 * pressure), rounded(1e-9 * YIELDING))
+                warning::YIELDING.says(format!("rigid surfaces: the pressure reaches {} bar, at which any steel yields ({} bar); no bearing carries this load, check it and its unit", rounded(1e-5 * pressure), rounded(1e-5 * YIELDING)))
             }),
         ];
         let rise = self
             .temperature_rise
             .filter(|rise| film.thermal.is_none() && *rise > WARM);
         let heated = rise.map(|rise| {
-            format!("a film as warm as its oil is fed: friction would heat the oil that flows through by some {} K, and the viscosity is that of another temperature; give [heat]", rounded(rise))
+            warning::WARMED.says(format!("a film as warm as its oil is fed: friction would heat the oil that flows through by some {} K, and the viscosity is that of another temperature; give [heat]", rounded(rise)))
         });
         broken
             .into_iter()
@@ -138,25 +139,25 @@ fn growth(law: &PressureLaw) -> Option<f64> {
 }
 
 /// A warning about an assumption that does not hold.
-fn broken_assumption(assumption: String) -> String {
-    format!("an assumption does not hold: {assumption}")
+fn broken_assumption(assumption: Warning) -> Warning {
+    (assumption.kind).says(format!("an assumption does not hold: {assumption}"))
 }
 
 /// That the pressure of a film lies beyond the `limit` [Pa] to which a law of viscosity holds, if so.
-pub(crate) fn beyond_pressure(measured: &Measured, limit: f64, law: &str, way_out: &str) -> Vec<String> {
+pub(crate) fn beyond_pressure(measured: &Measured, limit: f64, law: &str, way_out: &str) -> Vec<Warning> {
     let (pressure, bar) = (measured.extremes.greatest, |pascal: f64| readable(1e-5 * pascal));
     let warning = || {
-        broken_assumption(format!(
+        broken_assumption(warning::VISCOSITY_LAW.says(format!(
             "{law}: the pressure reaches {} bar, beyond the {} bar to which it holds for mineral oils; {way_out}",
             bar(pressure),
             bar(limit)
-        ))
+        )))
     };
     Vec::from_iter((pressure > limit).then(warning))
 }
 
 /// That a pressure is so high that a viscosity without a law of pressure does not hold.
-pub(crate) fn constant_viscosity(film: &Film, measured: &Measured) -> Vec<String> {
+pub(crate) fn constant_viscosity(film: &Film, measured: &Measured) -> Vec<Warning> {
     let law = "a viscosity that does not depend on pressure";
     match film.problem.lubricant.pressure_law {
         PressureLaw::Constant => beyond_pressure(measured, CONSTANT, law, "give a law of pressure under [oil]"),

@@ -2,9 +2,11 @@
 //!
 //! Every number is SI, angles (degrees) and temperatures (degrees C) excepted. A number that is not finite is never written.
 
+mod headlines;
 mod levels;
 mod temperature;
 
+pub use headlines::{MOST_HEADLINES, headlines};
 pub use levels::{LevelFacts, Refinement};
 pub use temperature::{Criterion, SECONDS_KEY, TemperaturePoint, TemperatureReport};
 
@@ -12,6 +14,7 @@ use crate::effects::Effects;
 use crate::no_answer::NoAnswer;
 use crate::quantities::{Quantity, Row};
 use crate::regime::Regime;
+use crate::warning::Warning;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
@@ -165,7 +168,7 @@ pub struct RunResult {
     #[serde(serialize_with = "in_parts")]
     pub timing_s: Vec<(String, f64)>,
     /// Doubts about the result, in sentences.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
 }
 
 impl RunResult {

@@ -24,7 +24,7 @@ use crate::result::{
 use crate::run_options::RunOptions;
 use crate::solved::Solved;
 use crate::thermal::temperature_report;
-use crate::warnings::result_warnings;
+use crate::warnings::all_warnings;
 
 /// What a run found.
 #[derive(Debug, Clone, PartialEq)]
@@ -128,12 +128,8 @@ fn history(steps: &[newton::HistoryStep]) -> Vec<HistoryStep> {
 
 /// Fills in the numbers of a solved film.
 fn report(scene: &Scene, (solved, estimated): (&Solved, Estimated), options: &RunOptions, result: &mut RunResult) {
-    let regime = Regime::of(scene, &solved.film, &estimated.measured);
-    result.warnings = result_warnings(solved, &estimated, options.errors());
-    result
-        .warnings
-        .extend(regime.warnings(&solved.film, &estimated.measured));
-    result.regime = Some(regime);
+    result.warnings = all_warnings(scene, solved, &estimated, options.errors());
+    result.regime = Some(Regime::of(scene, &solved.film, &estimated.measured));
     result.history = history(&solved.solution.history);
     result.counts = counts(solved);
     result.linear_solver = Some(LinearSolver {

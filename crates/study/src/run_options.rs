@@ -2,6 +2,7 @@
 
 use oilwedge_bearing::{Deadline, Interrupt};
 
+use crate::observer::RunObserver;
 use crate::picture::Surface;
 use crate::reasons::Cause;
 use crate::solved::Errors;
@@ -19,6 +20,8 @@ pub struct RunOptions {
     pub max_unknowns: usize,
     /// Ends them as well.
     pub interrupt: Interrupt,
+    /// Is told of each mesh, position and temperature.
+    pub observer: Option<&'static dyn RunObserver>,
 }
 
 impl RunOptions {
@@ -60,6 +63,7 @@ impl Default for RunOptions {
             max_seconds: 60.0,
             max_unknowns: 1_000_000,
             interrupt: Interrupt::default(),
+            observer: None,
         }
     }
 }

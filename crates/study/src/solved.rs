@@ -7,6 +7,7 @@ use oilwedge_bearing::{Balanced, Deadline, InitialGuess};
 use oilwedge_reynolds::{FilmSolution, ReferenceFilm};
 
 use crate::film::Film;
+use crate::observer::RunObserver;
 
 /// How a film is solved; by default without an error estimate, from a cold start, without a deadline.
 #[derive(Debug, Clone, Copy, Default)]
@@ -19,6 +20,8 @@ pub struct SolveOptions<'a> {
     pub guess: InitialGuess<'a>,
     /// Difference of force and load over the load at which a position is found; by default near round-off.
     pub accuracy: Option<f64>,
+    /// Is told of each position and temperature tried.
+    pub observer: Option<&'static dyn RunObserver>,
 }
 
 /// Whether errors are to be estimated.

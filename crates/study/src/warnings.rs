@@ -1,18 +1,28 @@
 //! Warnings beside a result, in sentences.
 
 use oilwedge_reynolds::error_bar::UNRESOLVED;
+use oilwedge_scene::Scene;
 
 use crate::effects;
 use crate::estimate::Estimated;
 use crate::film::Film;
 use crate::measure::Measured;
-use crate::regime::constant_viscosity;
+use crate::regime::{Regime, constant_viscosity};
 use crate::solved::{Errors, Solved};
+use crate::warning::{self, Warning};
 
 /// Greatest ratio of film thicknesses at the corners of a triangle of a resolved film.
 const RESOLVED: f64 = 2.0;
+/// All warnings beside the result of a solved film of `scene`: about the film, its errors, and assumptions that it breaks.
+pub fn all_warnings(scene: &Scene, solved: &Solved, estimated: &Estimated, errors: Errors) -> Vec<Warning> {
+    let regime = Regime::of(scene, &solved.film, &estimated.measured);
+    let mut warnings = result_warnings(solved, estimated, errors);
+    warnings.extend(regime.warnings(&solved.film, &estimated.measured));
+    warnings
+}
+
 /// Warnings about a solved film and its errors.
-pub fn result_warnings(solved: &Solved, estimated: &Estimated, errors: Errors) -> Vec<String> {
+fn result_warnings(solved: &Solved, estimated: &Estimated, errors: Errors) -> Vec<Warning> {
     let bare: Vec<&str> = (estimated.quantities.iter())
         .filter(|quantity| quantity.bar.is_none())
         .map(|quantity| &*quantity.name)
@@ -22,44 +32,46 @@ pub fn result_warnings(solved: &Solved, estimated: &Estimated, errors: Errors) -
         false => warnings(&solved.film, &estimated.measured),
     };
     if estimated.spread > UNRESOLVED {
-        warnings.push(format!(
+        warnings.push(warning::CROSSWISE.says(format!(
             "the triangles do not follow the flow and spread oil across it, by which numbers may be off by {:.0} %: there are no error bars, and a finer mesh of such triangles is no better; mesh the film in rows along the flow (under [mesh] remove layout = \"file\" or give size, or bring a file whose triangles have an edge along the flow)",
             100.0 * estimated.spread
-        ));
+        )));
     } else if errors == Errors::Estimated && !bare.is_empty() && !solved.is_ended() {
-        warnings.push(format!(
+        warnings.push(warning::NO_BAR.says(format!(
             "this mesh does not resolve the film well enough for an error bar of {}; give a finer one ([mesh] size or tolerance)",
             bare.join(", ")
-        ));
+        )));
     }
     warnings
 }
 
 /// Warnings about a film without error bars.
-pub fn warnings(film: &Film, measured: &Measured) -> Vec<String> {
+pub fn warnings(film: &Film, measured: &Measured) -> Vec<Warning> {
     let mut warnings = Vec::from_iter(unresolved_thickness(film));
     warnings.extend(film_warnings(film, measured));
     warnings
 }
 
 /// Warnings about a film where error bars show how well its mesh resolves it.
-fn film_warnings(film: &Film, measured: &Measured) -> Vec<String> {
+fn film_warnings(film: &Film, measured: &Measured) -> Vec<Warning> {
     let mut warnings = mesh_warnings(film);
     warnings.extend(under_tension(film, measured));
     warnings.extend(effects::warnings(film, measured));
     warnings.extend(constant_viscosity(film, measured));
     let fallbacks = measured.fallbacks.iter();
-    warnings.extend(fallbacks.map(|fallback| format!("{fallback}: a fallback; compare with a finer mesh")));
+    warnings.extend(
+        fallbacks.map(|fallback| warning::FALLBACK.says(format!("{fallback}: a fallback; compare with a finer mesh"))),
+    );
     warnings
 }
 
 /// That the film thickness changes too much within one triangle.
-fn unresolved_thickness(film: &Film) -> Option<String> {
+fn unresolved_thickness(film: &Film) -> Option<Warning> {
     let step = steepest_cell(film);
     (step > RESOLVED).then(|| {
-        format!(
+        warning::UNRESOLVED.says(format!(
             "the film is not resolved where it is thin: its thickness changes {step:.1} times within one triangle; give a finer mesh ([mesh] size)"
-        )
+        ))
     })
 }
 
@@ -76,29 +88,29 @@ fn steepest_cell(film: &Film) -> f64 {
 }
 
 /// How the mesh of the result differs from that of the file.
-pub fn mesh_warnings(film: &Film) -> Vec<String> {
+pub fn mesh_warnings(film: &Film) -> Vec<Warning> {
     let meshed_anew = film.origin.is_laid_anew.then(|| {
-        "the triangles of the mesh file do not follow the flow, along which a mass-conserving film carries its oil: the film was meshed anew in rows along the flow with the file's geometry and edge lengths; layout = \"file\" under [mesh] keeps the triangles of the file".to_owned()
+        warning::REMESHED.says("the triangles of the mesh file do not follow the flow, along which a mass-conserving film carries its oil: the film was meshed anew in rows along the flow with the file's geometry and edge lengths; layout = \"file\" under [mesh] keeps the triangles of the file")
     });
     let flips = (film.origin.flips > 0).then(|| {
-        format!(
+        warning::FLIPPED.says(format!(
             "the mesh was made Delaunay by {} edge flip{} (points, rims and lines stay): obtuse triangles spoil the film fraction of a mass-conserving film",
             film.origin.flips,
             if film.origin.flips == 1 { "" } else { "s" }
-        )
+        ))
     });
     meshed_anew.into_iter().chain(flips).collect()
 }
 
 /// That a film without a model of cavitation bears tension.
-fn under_tension(film: &Film, measured: &Measured) -> Option<String> {
+fn under_tension(film: &Film, measured: &Measured) -> Option<Warning> {
     (measured.under_tension > 0.0).then(|| {
-        format!(
+        warning::TENSION.says(format!(
             "full Sommerfeld film: the pressure falls to {:.2} bar and lies below the {:.2} bar of the ends on {} of the film; oil bears no such tension, but the load counts it; choose a model under [cavitation]",
             1e-5 * measured.extremes.least,
             1e-5 * film.problem.bearing.end_pressure,
             percent(measured.under_tension)
-        )
+        ))
     })
 }
 

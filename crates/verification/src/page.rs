@@ -9,13 +9,32 @@ use crate::family::Expect;
 use crate::map::unexplained;
 use crate::suite::Verdict;
 
+/// The page of a suite that is still running: the cases so far by family, of so many in all; the maps come last.
+pub fn page_so_far(verdicts: &[Verdict], [done, cases]: [usize; 2]) -> String {
+    let mut families: Vec<&str> = Vec::new();
+    for verdict in verdicts {
+        if !families.contains(&verdict.case.family) {
+            families.push(verdict.case.family);
+        }
+    }
+    let mut grouped = verdicts.to_vec();
+    grouped.sort_by_key(|verdict| families.iter().position(|family| *family == verdict.case.family));
+    let note = format!("**Incomplete: {done} of {cases} cases.** The run has not ended, or was ended early.\n\n");
+    written(&grouped, &[], "", &note)
+}
+
 /// The page: what was asked, how each case ended, and the maps. `picture` is the file that shows them.
 pub fn page(verdicts: &[Verdict], maps: &[CellMap], picture: &str) -> String {
+    written(verdicts, maps, picture, "")
+}
+
+fn written(verdicts: &[Verdict], maps: &[CellMap], picture: &str, note: &str) -> String {
     let mut text = String::from(
         "# Hard cases: where the solver is stable\n\nWritten by `oilwedge verify --hard`; the cases are in `tests/hard_cases`, one file a family, each with its reason. \
          A case is explained if it ends as it must, its balances close, its signs hold, it fits the other cases of its series, and a second method \
          (a finer mesh, another scene that must agree, known values) agrees within the error bars of both.\n\n",
     );
+    text += note;
     // Writing to a String cannot fail.
     let _ = summary(&mut text, verdicts);
     let _ = drawn(&mut text, maps, picture);

@@ -13,7 +13,7 @@ use crate::reference_film::{Comparison, Second, against};
 use crate::series::across;
 
 /// What was found of one case.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Verdict {
     /// The case.
     pub case: Case,
@@ -102,24 +102,26 @@ pub fn count(names: &[String], long: bool) -> Result<usize, SuiteError> {
 }
 
 /// Runs the cases of the families named (all if none is named), those that take `long` among them or not, and reports each
-/// case as it ends: those that take long first, each on all threads, then as many series at once as there are threads. The
+/// series as it ends: as many series at once as there are threads, then those that take long, each on all threads. The
 /// verdicts come in the order of the files.
 ///
 /// # Errors
 /// [`SuiteError`].
-pub fn run_suite(names: &[String], long: bool, ended: &mut dyn FnMut(&Verdict)) -> Result<Vec<Verdict>, SuiteError> {
+pub fn run_suite(names: &[String], long: bool, ended: &mut dyn FnMut(&[Verdict])) -> Result<Vec<Verdict>, SuiteError> {
     let all = work(names, long)?;
     let folder = tempfile::tempdir()?;
-    let mut report = |verdicts: &Vec<Verdict>| verdicts.iter().for_each(&mut *ended);
     let (long, short): (Vec<usize>, Vec<usize>) = (0..all.len()).partition(|&place| all[place].series.long);
     let piece = |place: usize| (place, judged(&all[place], folder.path(), place));
-    let mut found = Vec::new();
+    let others = in_threads(short.len(), |k| piece(short[k]), &mut |(_, verdicts): &(
+        usize,
+        Vec<Verdict>,
+    )| ended(verdicts))?;
+    let mut found: Vec<(usize, Vec<Verdict>)> = others.into_iter().map(|(_, found)| found).collect();
     for place in long {
-        found.push(piece(place));
-        found.last().into_iter().for_each(|(_, verdicts)| report(verdicts));
+        let (place, verdicts) = piece(place);
+        ended(&verdicts);
+        found.push((place, verdicts));
     }
-    let others = in_threads(short.len(), |k| piece(short[k]), &mut |(_, verdicts)| report(verdicts))?;
-    found.extend(others.into_iter().map(|(_, found)| found));
     found.sort_by_key(|(place, _)| *place);
     Ok(found.into_iter().flat_map(|(_, verdicts)| verdicts).collect())
 }

@@ -175,7 +175,9 @@ fn meshes_of_any_kind_agree() {
     let kept = solved(Kind::Random, ", layout = \"file\"").expect("a film");
     let load = quantity(&kept, "load").expect("a load");
     assert!((load.value / number(row, "W_N") - 1.0).abs() > 0.02 && load.bar.is_none());
-    let is_told = |warning: &String| warning.contains("do not follow the flow") && warning.contains("layout");
+    let is_told = |warning: &oilwedge_study::warning::Warning| {
+        warning.contains("do not follow the flow") && warning.contains("layout")
+    };
     assert!(kept.warnings.iter().any(is_told), "{:?}", kept.warnings);
 }
 

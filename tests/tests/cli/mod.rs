@@ -5,6 +5,7 @@ mod converge;
 mod cost;
 mod drawing;
 mod files;
+mod headlines;
 mod heat;
 mod meshes;
 mod oil;

@@ -93,6 +93,7 @@ pub(crate) const NO_BARS: RunOptions = RunOptions {
     max_seconds: 60.0,
     max_unknowns: 1_000_000,
     interrupt: Interrupt::NEVER,
+    observer: None,
 };
 
 pub(crate) fn quantity<'a>(result: &'a RunResult, name: &str) -> &'a Quantity {

@@ -43,6 +43,7 @@ mod tests {
         };
         Plan {
             axes: lengths.iter().map(axis).collect(),
+            columns: None,
             text: String::new(),
             path: "".into(),
         }

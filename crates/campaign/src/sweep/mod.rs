@@ -4,11 +4,14 @@
 //! long as they fit, films and positions begin where those before lead.
 
 mod chain;
+mod forecast;
 mod walk;
 
 use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{Sender, channel};
+use std::sync::{Mutex, PoisonError};
+use std::time::Instant;
 
 use oilwedge_scene::sweep::Plan;
 use oilwedge_scene::{Scene, SceneError};
@@ -21,8 +24,33 @@ use oilwedge_study::run_options::RunOptions;
 
 use crate::Error;
 use chain::chains;
+pub use forecast::Forecast;
+use forecast::{SAMPLED, samples_first};
 use walk::Walker;
 pub use walk::{CaseStatus, Found};
+
+/// What happens in a sweep.
+#[derive(Debug)]
+pub enum Event {
+    /// Enough cases were computed to say how long it will take.
+    Forecast(Forecast),
+    /// The case of this number (from 0) ended.
+    Ended(usize, Box<Found>),
+}
+
+/// A chain that is walked along, and may be left and taken up again.
+struct Walk<'a> {
+    /// Who walks along it; none before its first case.
+    walker: Option<Walker<'a>>,
+    /// Cases left.
+    cases: Range<usize>,
+}
+
+impl Walk<'_> {
+    fn new(cases: Range<usize>) -> Self {
+        Self { walker: None, cases }
+    }
+}
 
 /// A sweep that can be run: every case is a good scene.
 pub struct Sweep {
@@ -60,55 +88,106 @@ impl Sweep {
         Ok(first.map_or_else(Effects::default, |film| Effects::of(&film.scene)))
     }
 
-    /// Runs all cases but those that `is_kept`, on all threads, and hands on each when it ends.
+    /// Runs all cases but those that `is_kept`, on all threads, and hands on each when it ends. The first cases of some chains come first;
+    /// from them the time of the sweep is forecast, and nothing is computed twice for that.
     ///
     /// # Errors
-    /// Threads cannot be started, or the first error of `ended`.
+    /// Threads cannot be started, or the first error of `event`.
     pub fn run<E: From<Error>>(
         &self,
         options: &RunOptions,
         is_kept: &dyn Fn(usize) -> bool,
-        ended: &mut dyn FnMut(usize, Found) -> Result<(), E>,
+        event: &mut dyn FnMut(Event) -> Result<(), E>,
     ) -> Result<(), E> {
+        let clock = Instant::now();
         // A case starts from its neighbours, so a chain that was not finished is walked along from its beginning.
         let chains: Vec<Range<usize>> = (chains(&self.plan).into_iter())
             .filter(|chain| !chain.clone().all(is_kept))
             .collect();
-        let threads = rayon::current_num_threads();
-        let workers = threads.min(chains.len());
+        let workers = rayon::current_num_threads().min(chains.len());
+        let (chains, samples) = samples_first(chains, workers);
+        let mut seconds = vec![Vec::new(); samples];
+        let left: usize = chains.iter().cloned().flatten().filter(|case| !is_kept(*case)).count();
+        let walks: Vec<Mutex<Walk>> = chains.iter().cloned().map(Walk::new).map(Mutex::new).collect();
+        let mut ended = |case: usize, found: Found| match is_kept(case) {
+            true => Ok(()),
+            false => event(Event::Ended(case, Box::new(found))),
+        };
+        self.walk(&walks[..samples], workers, options, SAMPLED, &mut |case, found| {
+            let sampled = chains[..samples].iter().position(|chain| chain.contains(&case));
+            if let Some(sample) = sampled {
+                seconds[sample].push(found.seconds);
+            }
+            ended(case, found)
+        })?;
+        if let Some(rest) = forecast::rest(&chains, &seconds, workers).filter(|_| !options.interrupt.is_asked()) {
+            event(Event::Forecast(Forecast {
+                cases: left,
+                seconds: clock.elapsed().as_secs_f64() + rest,
+                threads: workers * (rayon::current_num_threads() / workers.max(1)),
+            }))?;
+        }
+        let mut ended = |case: usize, found: Found| match is_kept(case) {
+            true => Ok(()),
+            false => event(Event::Ended(case, Box::new(found))),
+        };
+        self.walk(&walks, workers, options, usize::MAX, &mut ended)
+    }
+
+    /// Walks on along each chain, by `most` cases.
+    fn walk<'a, E: From<Error>>(
+        &self,
+        walks: &[Mutex<Walk<'a>>],
+        workers: usize,
+        options: &'a RunOptions,
+        most: usize,
+        ended: &mut dyn FnMut(usize, Found) -> Result<(), E>,
+    ) -> Result<(), E> {
         let next = AtomicUsize::new(0);
         let (sender, receiver) = channel();
         std::thread::scope(|scope| {
-            for _ in 0..workers {
+            for _ in 0..workers.min(walks.len()) {
                 // Threads of its own: a worker that waits for a part of its film does not take up another chain meanwhile.
                 let pool = rayon::ThreadPoolBuilder::new()
-                    .num_threads(threads / workers)
+                    .num_threads(rayon::current_num_threads() / workers)
                     .build()
                     .map_err(|error| Error::Threads(error.to_string()))?;
-                let (sender, next, chains) = (sender.clone(), &next, &chains);
-                scope.spawn(move || pool.install(|| self.work(chains, next, options, &sender)));
+                let (sender, next) = (sender.clone(), &next);
+                scope.spawn(move || pool.install(|| self.work(walks, next, options, most, &sender)));
             }
             drop(sender);
             // Where a row cannot be written the receiver goes away, and the workers end.
             let receiver = receiver;
-            receiver.iter().try_for_each(|(case, found)| match is_kept(case) {
-                true => Ok(()),
-                false => ended(case, found),
-            })
+            receiver.iter().try_for_each(|(case, found)| ended(case, found))
         })
     }
 
-    fn work(&self, chains: &[Range<usize>], next: &AtomicUsize, options: &RunOptions, sender: &Sender<(usize, Found)>) {
-        let mut walker = Walker::new(options);
-        while let Some(chain) = chains.get(next.fetch_add(1, Ordering::Relaxed)) {
-            walker.begin();
-            for case in chain.clone() {
-                let coordinate = self.coordinate(case);
-                let found = walker.case(&self.scenes[case], coordinate);
+    fn work<'a>(
+        &self,
+        walks: &[Mutex<Walk<'a>>],
+        next: &AtomicUsize,
+        options: &'a RunOptions,
+        most: usize,
+        sender: &Sender<(usize, Found)>,
+    ) {
+        let mut spare: Option<Walker> = None;
+        while let Some(walk) = walks.get(next.fetch_add(1, Ordering::Relaxed)) {
+            let mut walk = walk.lock().unwrap_or_else(PoisonError::into_inner);
+            let mut walker = walk.walker.take().unwrap_or_else(|| {
+                let mut walker = spare.take().unwrap_or_else(|| Walker::new(options));
+                walker.begin();
+                walker
+            });
+            for case in walk.cases.by_ref().take(most) {
+                let found = walker.case(&self.scenes[case], self.coordinate(case));
                 // A case that was ended is none.
                 if options.interrupt.is_asked() || sender.send((case, found)).is_err() {
                     return;
                 }
+            }
+            match walk.cases.is_empty() {
+                true => spare = Some(walker),
+                false => walk.walker = Some(walker),
             }
         }
     }

@@ -12,7 +12,7 @@ use oilwedge_scene::Scene;
 use oilwedge_study::analysis::solve;
 use oilwedge_study::compile::{compile_near, has_same_system};
 use oilwedge_study::compile_error::CompileError;
-use oilwedge_study::estimate::estimate_errors;
+use oilwedge_study::estimate::{Estimated, estimate_errors};
 use oilwedge_study::film::Film;
 use oilwedge_study::grading::{graded, is_near};
 use oilwedge_study::no_answer::NoAnswer;
@@ -21,9 +21,12 @@ use oilwedge_study::position::Position;
 use oilwedge_study::quantities::Quantity;
 use oilwedge_study::reasons::Limit;
 use oilwedge_study::refinement::{answer, ended};
-use oilwedge_study::result::Status;
+use oilwedge_study::result::{Criterion, Status};
 use oilwedge_study::run_options::RunOptions;
 use oilwedge_study::solved::{SolveOptions, Solved};
+use oilwedge_study::thermal::design_criteria;
+use oilwedge_study::warning::Warning;
+use oilwedge_study::warnings::all_warnings;
 
 /// How a case ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -43,6 +46,10 @@ pub struct Found {
     pub reason: Option<String>,
     /// Its quantities; none without a film.
     pub quantities: Vec<Quantity>,
+    /// Warnings beside its numbers.
+    pub warnings: Vec<Warning>,
+    /// Design criteria that it does not meet.
+    pub missed: Vec<Criterion>,
     /// Nodes whose pressure was not given, on the last mesh.
     pub unknowns: Option<usize>,
     /// Wall time [s].
@@ -50,25 +57,42 @@ pub struct Found {
 }
 
 impl Found {
-    fn of(quantities: Vec<Quantity>, limit: Option<Limit>, unknowns: usize) -> Self {
+    fn of(
+        scene: &Scene,
+        (solved, estimated): (&Solved, Estimated),
+        limit: Option<&Limit>,
+        options: &RunOptions,
+    ) -> Self {
+        let missed = design_criteria(solved, &estimated.quantities).into_iter();
         Self {
             status: CaseStatus::Run(match limit {
                 Some(_) => Status::NotConverged,
                 None => Status::Converged,
             }),
-            reason: limit.map(|limit| limit.to_string()),
-            quantities,
-            unknowns: Some(unknowns),
+            reason: limit.map(Limit::to_string),
+            warnings: all_warnings(scene, solved, &estimated, options.errors()),
+            missed: missed.filter(Criterion::is_missed).collect(),
+            quantities: estimated.quantities,
+            unknowns: Some(solved.film.unknowns()),
+            seconds: 0.0,
+        }
+    }
+
+    fn without(status: CaseStatus, reason: String, unknowns: Option<usize>) -> Self {
+        Self {
+            status,
+            reason: Some(reason),
+            warnings: Vec::new(),
+            missed: Vec::new(),
+            quantities: Vec::new(),
+            unknowns,
             seconds: 0.0,
         }
     }
 
     fn failed(reason: &NoAnswer, unknowns: usize) -> Self {
-        Self {
-            status: CaseStatus::Run(Status::without(reason)),
-            reason: Some(reason.to_string()),
-            ..Self::of(Vec::new(), None, unknowns)
-        }
+        let status = CaseStatus::Run(Status::without(reason));
+        Self::without(status, reason.to_string(), Some(unknowns))
     }
 }
 
@@ -117,13 +141,7 @@ impl<'a> Walker<'a> {
             true => self.refined(scene),
             false => self.walked(scene, coordinate),
         };
-        let mut found = found.unwrap_or_else(|error| Found {
-            status: CaseStatus::BadScene,
-            reason: Some(error.to_string()),
-            quantities: Vec::new(),
-            unknowns: None,
-            seconds: 0.0,
-        });
+        let mut found = found.unwrap_or_else(|error| Found::without(CaseStatus::BadScene, error.to_string(), None));
         found.seconds = clock.elapsed().as_secs_f64();
         found
     }
@@ -133,7 +151,7 @@ impl<'a> Walker<'a> {
         let answer = answer(scene, self.options)?;
         let size = answer.film.unknowns();
         Ok(match answer.outcome {
-            Ok((_, estimated)) => Found::of(estimated.quantities, answer.limit, size),
+            Ok((solved, estimated)) => Found::of(scene, (&solved, estimated), answer.limit.as_ref(), self.options),
             Err(reason) => Found::failed(&reason, size),
         })
     }
@@ -152,9 +170,9 @@ impl<'a> Walker<'a> {
             Ok(solved) => {
                 let estimated = estimate_errors(&solved);
                 let limit = ended(&solved, self.options);
+                let found = Found::of(scene, (&solved, estimated), limit.as_ref(), self.options);
                 let Solved { film, solution, .. } = solved;
-                let solution = limit.is_none().then_some(solution);
-                (Found::of(estimated.quantities, limit, film.unknowns()), film, solution)
+                (found, film, limit.is_none().then_some(solution))
             }
             Err((film, reason)) => (Found::failed(&reason, film.unknowns()), film, None),
         };

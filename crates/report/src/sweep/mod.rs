@@ -12,7 +12,7 @@ use std::ffi::OsStr;
 use std::path::Path;
 use std::time::Instant;
 
-use oilwedge_campaign::sweep::Sweep;
+use oilwedge_campaign::sweep::{Event, Forecast, Sweep};
 use oilwedge_scene::Scene;
 use oilwedge_study::CompileError;
 use oilwedge_study::run_options::RunOptions;
@@ -21,7 +21,7 @@ use sha2::{Digest, Sha256};
 pub use error::SweepError;
 pub use files::{REPORT_FILE, TABLE_FILE};
 pub use report::{Identity, SWEEP_FORMAT, SweepReport};
-pub use table::{Columns, Row};
+pub use table::{Columns, LIMITS, REASON, Row, SECONDS, UNKNOWNS, WARNINGS};
 
 use crate::{Error, folder};
 use files::{Table, finish};
@@ -46,6 +46,15 @@ pub struct Progress {
     pub cases: usize,
 }
 
+/// What a sweep reports as it runs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Notice {
+    /// How long it will take; once, if at all.
+    Forecast(Forecast),
+    /// How far it has got.
+    Progress(Progress),
+}
+
 /// Runs all cases of a sweep and writes them to the folder `dir`. Rows that stand there from an earlier run of the same sweep are kept.
 ///
 /// # Errors
@@ -55,7 +64,7 @@ pub fn run(
     sweep: &Sweep,
     options: &SweepOptions,
     dir: &Path,
-    progress: &mut dyn FnMut(Progress),
+    progress: &mut dyn FnMut(Notice),
 ) -> Result<SweepReport, SweepError> {
     let clock = Instant::now();
     if sweep.scenes.is_empty() {
@@ -79,15 +88,22 @@ pub fn run(
         done: rows.len(),
         cases: sweep.scenes.len(),
     };
-    progress(now);
+    progress(Notice::Progress(now));
     let rows = RefCell::new(rows);
     let is_kept = |case: usize| rows.borrow().contains_key(&case);
-    sweep.run(&options.case, &is_kept, &mut |case, found| -> Result<(), SweepError> {
+    sweep.run(&options.case, &is_kept, &mut |event| -> Result<(), SweepError> {
+        let (case, found) = match event {
+            Event::Ended(case, found) => (case, found),
+            Event::Forecast(forecast) => {
+                progress(Notice::Forecast(forecast));
+                return Ok(());
+            }
+        };
         let row = columns.row(&sweep.plan, case, &found)?;
         table.add(&row)?;
         rows.borrow_mut().insert(case, row);
         now.done += 1;
-        progress(now);
+        progress(Notice::Progress(now));
         Ok(())
     })?;
     if now.done < now.cases {

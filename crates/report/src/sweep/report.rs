@@ -3,7 +3,7 @@
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
-use super::table::{Columns, Row};
+use super::table::{Columns, LIMITS, REASON, Row, SECONDS, SEPARATOR, UNKNOWNS, WARNINGS};
 use oilwedge_scene::sweep::{AxisValue, Plan};
 use oilwedge_study::effects::Effects;
 
@@ -55,9 +55,28 @@ impl SweepReport {
         self.rows.iter().filter(|row| row[column] == status).count()
     }
 
-    /// The number of a quantity in a row.
-    pub fn value(&self, row: &Row, name: &str) -> Option<f64> {
-        row[self.columns.quantity(name)?].parse().ok()
+    /// The number in a row of the quantity in the column of this number, in its unit.
+    pub fn value(&self, row: &Row, column: usize) -> Option<f64> {
+        row.get(self.columns.place(column))?.parse().ok()
+    }
+
+    /// Whether a case has an answer: a film, if only that of a search that was ended.
+    pub fn has_answer(&self, row: &Row) -> bool {
+        !self.columns.tail(row, UNKNOWNS).is_empty()
+            && (0..self.columns.quantities.len()).any(|it| self.value(row, it).is_some())
+    }
+
+    /// How many cases have each entry of one of the last columns, [`WARNINGS`] or [`LIMITS`]; the most frequent first.
+    pub fn tally(&self, column: &str) -> Vec<(&str, usize)> {
+        let mut tally: Vec<(&str, usize)> = Vec::new();
+        for entry in self.rows.iter().flat_map(|row| entries(self.columns.tail(row, column))) {
+            match tally.iter_mut().find(|(other, _)| *other == entry) {
+                Some((_, count)) => *count += 1,
+                None => tally.push((entry, 1)),
+            }
+        }
+        tally.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
+        tally
     }
 }
 
@@ -104,6 +123,11 @@ fn json_value(value: &AxisValue) -> serde_json::Value {
     }
 }
 
+/// The entries of a cell that lists several.
+fn entries(cell: &str) -> impl Iterator<Item = &str> {
+    cell.split(SEPARATOR).filter(|entry| !entry.is_empty())
+}
+
 /// One row as an object.
 struct RowRecord<'a> {
     report: &'a SweepReport,
@@ -122,26 +146,30 @@ impl Serialize for RowRecord<'_> {
             inputs.insert(axis.name.clone(), json_value(&axis.values[index]));
         }
         let mut quantities = serde_json::Map::new();
-        let width = if columns.bars { 2 } else { 1 };
-        let cells = row[columns.status() + 1..].chunks(width);
-        for ((name, about), cells) in columns.quantities.iter().zip(cells) {
-            if let Some(value) = number(&cells[0]) {
-                let error = cells.get(1).and_then(number);
+        for (place, column) in columns.quantities.iter().enumerate() {
+            if let Some(value) = report.value(row, place) {
+                let error = row
+                    .get(columns.place(place) + 1)
+                    .filter(|_| columns.bars)
+                    .and_then(number);
                 quantities.insert(
-                    name.to_string(),
-                    serde_json::json!({ "value": value, "unit": about.unit.name(), "error": error }),
+                    column.name.to_string(),
+                    serde_json::json!({ "value": value, "unit": column.unit, "error": error }),
                 );
             }
         }
-        let tail = &row[row.len() - 3..];
-        let mut map = serializer.serialize_map(Some(7))?;
+        let tail = |name: &str| columns.tail(row, name).to_owned();
+        let list = |name: &str| entries(columns.tail(row, name)).collect::<Vec<_>>();
+        let mut map = serializer.serialize_map(Some(9))?;
         map.serialize_entry("case", &case)?;
         map.serialize_entry("inputs", &inputs)?;
         map.serialize_entry("status", &row[columns.status()])?;
-        map.serialize_entry("reason", &Some(&tail[1]).filter(|reason| !reason.is_empty()))?;
+        map.serialize_entry(REASON, &Some(tail(REASON)).filter(|reason| !reason.is_empty()))?;
         map.serialize_entry("quantities", &quantities)?;
-        map.serialize_entry("unknowns", &tail[0].parse::<usize>().ok())?;
-        map.serialize_entry("seconds", &number(&tail[2]))?;
+        map.serialize_entry(WARNINGS, &list(WARNINGS))?;
+        map.serialize_entry(LIMITS, &list(LIMITS))?;
+        map.serialize_entry(UNKNOWNS, &tail(UNKNOWNS).parse::<usize>().ok())?;
+        map.serialize_entry(SECONDS, &number(&tail(SECONDS)))?;
         map.end()
     }
 }

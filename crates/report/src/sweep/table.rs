@@ -1,21 +1,20 @@
 //! The table of a sweep: one row a case, and which columns there are.
 
-use std::borrow::Cow;
-
 use crate::Error;
 use oilwedge_campaign::sweep::{CaseStatus, Found};
 use oilwedge_scene::Scene;
-use oilwedge_scene::sweep::{AxisValue, Plan};
-use oilwedge_study::quantities::{self, of_scenes};
-use oilwedge_study::result::Status;
+use oilwedge_scene::sweep::{AxisValue, Plan, WantedColumn};
+use oilwedge_study::column::Column;
+use oilwedge_study::quantities::of_scenes;
+use oilwedge_study::result::{Criterion, Status};
 
 /// The columns of a sweep, known before its first case is computed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Columns {
     /// Headings of the inputs.
     pub inputs: Vec<String>,
-    /// The quantities by name, in the order of the report.
-    pub quantities: Vec<(Cow<'static, str>, &'static quantities::Row)>,
+    /// The quantities that the scene asks for, else all in the order of the report.
+    pub quantities: Vec<Column>,
     /// Whether each quantity has a column for its error.
     pub bars: bool,
 }
@@ -24,13 +23,24 @@ pub struct Columns {
 pub type Row = Vec<String>;
 
 impl Columns {
-    /// The columns of all cases of a sweep; an input that is a quantity of the report too has one column only.
+    /// The columns of all cases of a sweep; without a wish of the scene an input that is a quantity of the report too has one column only.
     pub(crate) fn new(plan: &Plan, scenes: &[Scene], bars: bool) -> Self {
         let is_input = |name: &str| plan.axes.iter().any(|axis| axis.name == name);
-        let quantities = of_scenes(scenes).into_iter().filter(|(name, _)| !is_input(name));
+        let all = || of_scenes(scenes).into_iter().filter(|(name, _)| !is_input(name));
+        let wanted = |columns: &Vec<WantedColumn>| {
+            let scene = scenes.first()?;
+            // What is wrong with a column was refused when the scene was read.
+            Some(
+                columns
+                    .iter()
+                    .filter_map(|wanted| Column::wanted(wanted, scene).ok())
+                    .collect(),
+            )
+        };
+        let quantities = plan.columns.as_ref().and_then(wanted);
         Self {
             inputs: plan.axes.iter().map(|axis| axis.heading()).collect(),
-            quantities: quantities.collect(),
+            quantities: quantities.unwrap_or_else(|| all().map(|(name, row)| Column::of(name, row)).collect()),
             bars,
         }
     }
@@ -40,14 +50,13 @@ impl Columns {
         let mut row = vec!["case".to_owned()];
         row.extend(self.inputs.iter().cloned());
         row.push("status".to_owned());
-        for (name, about) in &self.quantities {
-            let unit = about.unit.name();
-            row.push(format!("{name} [{unit}]"));
+        for column in &self.quantities {
+            row.push(column.heading());
             if self.bars {
-                row.push(format!("{name} error [{unit}]"));
+                row.push(column.error_heading());
             }
         }
-        row.extend(["unknowns", "reason", "seconds"].map(str::to_owned));
+        row.extend(TAIL.map(str::to_owned));
         row
     }
 
@@ -64,7 +73,8 @@ impl Columns {
             });
         }
         row.push(status_name(found.status).to_owned());
-        for (name, _) in &self.quantities {
+        for column in &self.quantities {
+            let name = &column.quantity;
             let quantity = found.quantities.iter().find(|quantity| quantity.name == *name);
             let text = |value: Option<f64>| match value {
                 None => Ok(String::new()),
@@ -74,12 +84,17 @@ impl Columns {
                     value,
                 }),
             };
-            row.push(text(quantity.map(|quantity| quantity.value))?);
+            row.push(text(quantity.map(|quantity| column.value(quantity.value)))?);
             if self.bars {
-                row.push(text(quantity.and_then(|quantity| quantity.error()))?);
+                let error = quantity.and_then(|quantity| quantity.error());
+                row.push(text(error.map(|error| column.error(error)))?);
             }
         }
         row.push(found.unknowns.map_or(String::new(), |unknowns| unknowns.to_string()));
+        row.push(listed(
+            found.warnings.iter().map(|warning| warning.kind.code.to_owned()),
+        ));
+        row.push(listed(found.missed.iter().map(Criterion::fault)));
         let reason = found.reason.as_deref().unwrap_or_default();
         // One line a row.
         row.push(reason.split_whitespace().collect::<Vec<_>>().join(" "));
@@ -92,11 +107,44 @@ impl Columns {
         1 + self.inputs.len()
     }
 
-    /// Column of a quantity.
-    pub fn quantity(&self, name: &str) -> Option<usize> {
-        let place = self.quantities.iter().position(|(other, _)| other == name)?;
-        Some(self.status() + 1 + place * if self.bars { 2 } else { 1 })
+    /// Place in a row of the value of the quantity of this number.
+    pub(crate) fn place(&self, number: usize) -> usize {
+        self.status() + 1 + number * if self.bars { 2 } else { 1 }
     }
+
+    /// What a row has in one of the last columns: [`UNKNOWNS`] to [`SECONDS`].
+    pub fn tail<'a>(&self, row: &'a Row, name: &str) -> &'a str {
+        let place = TAIL.iter().position(|other| *other == name);
+        place
+            .and_then(|place| row.get(self.place(self.quantities.len()) + place))
+            .map_or("", |text| text)
+    }
+}
+
+/// Column of the unknown pressures.
+pub const UNKNOWNS: &str = "unknowns";
+/// Column of the codes of warnings.
+pub const WARNINGS: &str = "warnings";
+/// Column of the design criteria that are not met.
+pub const LIMITS: &str = "limits";
+/// Column of the reason why there is no answer.
+pub const REASON: &str = "reason";
+/// Column of the wall time.
+pub const SECONDS: &str = "seconds";
+/// The columns behind the quantities.
+const TAIL: [&str; 5] = [UNKNOWNS, WARNINGS, LIMITS, REASON, SECONDS];
+/// Between entries of one cell.
+pub(crate) const SEPARATOR: char = ';';
+
+/// Texts in one cell, each once.
+fn listed(texts: impl Iterator<Item = String>) -> String {
+    let mut list: Vec<String> = Vec::new();
+    for text in texts {
+        if !list.contains(&text) {
+            list.push(text);
+        }
+    }
+    list.join(&SEPARATOR.to_string())
 }
 
 /// How a case ended, as it is written.

@@ -8,6 +8,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::axis::{Axis, AxisValue};
+use super::column::WantedColumn;
 use crate::complaint::in_order;
 use crate::mesh::no_file;
 use crate::{Check, Complaint, Scene, SceneError};
@@ -20,6 +21,8 @@ const MOST_COMPLAINTS: usize = 5;
 pub struct Plan {
     /// The axes, in the order of the text.
     pub axes: Vec<Axis>,
+    /// The columns of its table that are asked for; `None` for the usual ones.
+    pub columns: Option<Vec<WantedColumn>>,
     /// Text of the scene.
     pub text: String,
     /// Where the scene stands.
@@ -30,6 +33,19 @@ impl Plan {
     /// Number of cases.
     pub fn cases(&self) -> usize {
         self.axes.iter().map(|axis| axis.values.len()).product()
+    }
+
+    /// Values that an axis has more than once, as `speed = 3000 rpm`, with how often.
+    pub fn repeated(&self) -> Vec<(String, usize)> {
+        let of_axis = |axis: &Axis| {
+            let count = |value: &AxisValue| axis.values.iter().filter(|other| *other == value).count();
+            let values = axis.values.iter().enumerate();
+            let first = values.filter(|(index, value)| !axis.values[..*index].contains(value));
+            let repeated = first.filter(|(_, value)| count(value) > 1);
+            let told = repeated.map(|(index, value)| (format!("{} = {}", axis.name, axis.told(index)), count(value)));
+            told.collect::<Vec<_>>()
+        };
+        self.axes.iter().flat_map(of_axis).collect()
     }
 
     /// For each axis which of its values case `number` (from 0) has.

@@ -3,7 +3,7 @@
 use toml::Spanned;
 use toml::de::DeValue;
 
-use super::{Axis, AxisValue, SHORT_NAMES};
+use super::{Axis, AxisValue, SHORT_NAMES, WantedColumn, column};
 use crate::reader::{TableReader, kind, plain_number};
 use crate::scene::SWEPT;
 use crate::spelling::nearest;
@@ -16,20 +16,24 @@ const MOST_AXES: usize = 32;
 /// How an axis is written.
 const EXAMPLE: &str = "eccentricity = { from = 0.1, to = 0.95, steps = 18 } or speed = [\"1000 rpm\", \"3000 rpm\"]";
 
-/// Reads the table: its axes in the order of the text.
-pub(crate) fn read(table: TableReader<'_>) -> Vec<Axis> {
+/// Reads the table: its axes in the order of the text, and the columns that it asks for, if any.
+pub(crate) fn read(mut table: TableReader<'_>) -> (Vec<Axis>, Option<Vec<WantedColumn>>) {
     let mut axes = Vec::new();
-    if table.is_readable() && table.keys().is_empty() {
+    if table.is_readable() && table.keys().iter().all(|key| *key == column::KEY) {
         table.complain_here("names no axis", format!("write for example {EXAMPLE}"));
     }
+    let columns = column::read(&mut table);
     read_table(table, "", &mut axes);
-    axes
+    (axes, columns)
 }
 
 /// Reads a table of axes whose names begin with `prefix`.
 fn read_table(mut table: TableReader<'_>, prefix: &str, axes: &mut Vec<Axis>) {
     for key in table.keys() {
         let name = format!("{prefix}{key}");
+        if name == column::KEY {
+            continue;
+        }
         let Some(written) = table.written(key) else { continue };
         if axes.len() > MOST_AXES || cases(axes) > MOST_CASES {
             continue;

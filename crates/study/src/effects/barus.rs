@@ -8,6 +8,7 @@ use oilwedge_scene::{BarusForm, PressureLaw};
 
 use super::{BLANK, Effect, Socket, Sockets, VISCOSITY_BY_PRESSURE, changed};
 use crate::regime::beyond_pressure;
+use crate::warning;
 
 /// Pressure [Pa] to which the law holds within some ten percent for mineral oils.
 const LIMIT: f64 = 0.3e9;
@@ -29,10 +30,10 @@ pub(super) const AS_PRINTED: Effect = Effect {
         sockets.form = Form::AsPrinted;
     },
     warnings: |film, measured| {
-        let no_balance = format!(
+        let no_balance = warning::UNBALANCED.says(format!(
             "the as-printed equation is no mass balance: in and out differ by {:.2} % of the oil that enters",
             100.0 * measured.flows.imbalance
-        );
+        ));
         std::iter::once(no_balance)
             .chain((ROW.warnings)(film, measured))
             .collect()

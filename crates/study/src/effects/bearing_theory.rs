@@ -5,6 +5,7 @@ use oilwedge_scene::{self as scene, Scene};
 
 use super::{BLANK, Effect, Socket, changed};
 use crate::film::Film;
+use crate::warning::{self, Warning};
 
 /// The B/D up to which the theory of short bearings suits.
 pub const SHORT_TO: f64 = 0.25;
@@ -52,10 +53,10 @@ fn slenderness(film: &Film) -> f64 {
     0.5 * film.problem.bearing.length / film.problem.bearing.radius
 }
 
-fn left_out(film: &Film, direction: &str, fit: String) -> String {
-    format!(
+fn left_out(film: &Film, direction: &str, fit: String) -> Warning {
+    warning::THEORY.says(format!(
         "theory = \"{}\" leaves out the flow that pressure drives {direction}; it suits B/D {fit}, and here B/D is {:.2}; --theories compares the result with that of both flows",
         film.problem.theory.name(),
         slenderness(film)
-    )
+    ))
 }

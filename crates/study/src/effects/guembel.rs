@@ -5,6 +5,7 @@ use oilwedge_scene::CavitationModel;
 
 use super::{Effect, closure};
 use crate::measure::Measured;
+use crate::warning::{self, Warning};
 use crate::warnings::percent;
 
 /// Oil that is made below this part of what passes is below round-off.
@@ -22,11 +23,13 @@ pub(super) const ROW: Effect = Effect {
     ..closure::ROW
 };
 
-fn unconserved(measured: &Measured) -> String {
+fn unconserved(measured: &Measured) -> Warning {
     let change = match measured.flows.made() {
         little if little.abs() < NOTHING => "nothing was dropped here".to_owned(),
         made if made > 0.0 => format!("some {} of the oil that passes is created there", percent(made)),
         lost => format!("some {} of the oil that passes is lost there", percent(-lost)),
     };
-    format!("Guembel's film drops low pressures after the solve: oil is not conserved at its edge ({change})")
+    warning::UNBALANCED.says(format!(
+        "Guembel's film drops low pressures after the solve: oil is not conserved at its edge ({change})"
+    ))
 }

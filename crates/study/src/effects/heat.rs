@@ -10,6 +10,7 @@ use crate::film::Film;
 use crate::measure::Measured;
 use crate::thermal::flows::{rounded, thermal_flows};
 use crate::thermal_model::ThermalModel;
+use crate::warning::{self, Warning};
 
 /// Viscosity where the oil enters over that where it leaves, from which on one temperature does not describe the film.
 const UNEVEN: f64 = 2.0;
@@ -53,7 +54,7 @@ fn install(scene: &Scene, sockets: &mut Sockets) {
     });
 }
 
-fn warnings(film: &Film, measured: &Measured) -> Vec<String> {
+fn warnings(film: &Film, measured: &Measured) -> Vec<Warning> {
     let (Some(model), Some(temperature), Some(oil)) = (&film.thermal, film.oil.temperature, &film.oil.thermal) else {
         return Vec::new();
     };
@@ -62,18 +63,18 @@ fn warnings(film: &Film, measured: &Measured) -> Vec<String> {
     let ratio = oil.viscosity(inlet) / oil.viscosity(outlet);
     let created = measured.flows.cavity / flows.flow;
     let created = (flows.flow > 0.0 && created > CREATED).then(|| {
-        format!(
+        warning::CREATED.says(format!(
             "{:.0} % of the oil that carries the heat off is created by the cavity, which does not conserve oil where the film forms again: the film is hotter if the feeds bring no more; choose a model of cavitation that conserves oil",
             100.0 * created
-        )
+        ))
     });
     let uneven = (ratio > UNEVEN).then(|| {
-        format!(
+        warning::UNEVEN.says(format!(
             "an assumption does not hold: one temperature of the film: its oil is {} times as viscous where it enters, at {}, as where it leaves, at {}",
             readable(format!("{ratio:.1e}").parse().unwrap_or(ratio)),
             celsius(rounded(inlet)),
             celsius(rounded(outlet))
-        )
+        ))
     });
     created.into_iter().chain(uneven).collect()
 }

@@ -25,6 +25,7 @@ use serde::{Serialize, Serializer};
 
 use crate::film::Film;
 use crate::measure::Measured;
+use crate::warning::Warning;
 pub use jfo::without_conservation;
 pub use sockets::{Contribution, Socket, Sockets};
 
@@ -85,7 +86,7 @@ pub struct Effect {
     /// The scene without it; `None` where leaving it out asks another question.
     pub remove: fn(&Scene) -> Option<Scene>,
     /// Warnings, in sentences, about films outside its limits of validity.
-    warnings: fn(&Film, &Measured) -> Vec<String>,
+    warnings: fn(&Film, &Measured) -> Vec<Warning>,
 }
 
 /// An effect without properties.
@@ -107,7 +108,7 @@ pub fn present(scene: &Scene) -> impl Iterator<Item = &'static Effect> + '_ {
 }
 
 /// Warnings of all effects in the scene of a film about their limits of validity.
-pub fn warnings(film: &Film, measured: &Measured) -> Vec<String> {
+pub fn warnings(film: &Film, measured: &Measured) -> Vec<Warning> {
     let warnings = present(&film.scene).map(|effect| (effect.warnings)(film, measured));
     warnings.flatten().collect()
 }

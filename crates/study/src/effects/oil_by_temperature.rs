@@ -7,6 +7,7 @@ use oilwedge_scene::wording::celsius;
 use super::{BLANK, Effect, Socket};
 use crate::film::Film;
 use crate::thermal::flows::rounded;
+use crate::warning::{self, Warning};
 
 pub(super) const ROW: Effect = Effect {
     name: "oil by temperature",
@@ -18,7 +19,7 @@ pub(super) const ROW: Effect = Effect {
 };
 
 /// That a temperature that was sought lies outside the table of viscosities.
-fn outside_table(film: &Film) -> Option<String> {
+fn outside_table(film: &Film) -> Option<Warning> {
     let oil = &film.oil;
     film.thermal?;
     let (temperature, TemperatureLaw::Table(table)) = (oil.temperature?, &oil.thermal.as_ref()?.law) else {
@@ -26,11 +27,11 @@ fn outside_table(film: &Film) -> Option<String> {
     };
     let [from, to] = table.range();
     (temperature < from || temperature > to).then(|| {
-        format!(
+        warning::VISCOSITY_LAW.says(format!(
             "the film has {}, but oil.table reaches from {} to {}: its last line was extrapolated",
             celsius(rounded(temperature)),
             celsius(from),
             celsius(to)
-        )
+        ))
     })
 }

@@ -49,20 +49,20 @@ rows! {
         One(|film| Some(joint(film)?.forces.greatest)), ErrorRule::Exact, in_table(Table::Cap) only(has_cap);
 
     /// `sigma_max = Q_max/F_1`, F_1 the stress area of the thread
-    BOLT_STRESS_MAX = "bolt_stress_max", "sigma_max", Pascal, "greatest stress of a bolt":
+    BOLT_STRESS_MAX = "bolt_stress_max", "sigma_max", PascalOfStress, "greatest stress of a bolt":
         One(|film| Some(joint(film)?.stresses()[1])), ErrorRule::Exact, in_table(Table::Cap) only(has_cap);
 
     /// `sigma_min = Q/F_1`
-    BOLT_STRESS_MIN = "bolt_stress_min", "sigma_min", Pascal, "least stress of a bolt":
+    BOLT_STRESS_MIN = "bolt_stress_min", "sigma_min", PascalOfStress, "least stress of a bolt":
         One(|film| Some(joint(film)?.stresses()[0])), ErrorRule::Exact, in_table(Table::Cap) only(has_cap);
 
     /// `sigma_m = (sigma_max + sigma_min)/2`
-    BOLT_STRESS_MEAN = "bolt_stress_mean", "sigma_m", Pascal, "their mean":
+    BOLT_STRESS_MEAN = "bolt_stress_mean", "sigma_m", PascalOfStress, "their mean":
         One(|film| joint(film).map(|joint| joint.stresses()).map(|[least, greatest]| 0.5 * (greatest + least))),
         ErrorRule::Exact, in_table(Table::Cap) only(has_cap);
 
     /// `sigma_a = (sigma_max - sigma_min)/2`
-    BOLT_STRESS_AMPLITUDE = "bolt_stress_amplitude", "sigma_a", Pascal, "half their difference":
+    BOLT_STRESS_AMPLITUDE = "bolt_stress_amplitude", "sigma_a", PascalOfStress, "half their difference":
         One(|film| joint(film).map(|joint| joint.stresses()).map(|[least, greatest]| 0.5 * (greatest - least))),
         ErrorRule::Exact, in_table(Table::Cap) only(has_cap);
 }

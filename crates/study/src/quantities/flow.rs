@@ -4,7 +4,7 @@ use oilwedge_reynolds::error_bar::{Bar, FlowGoal};
 use oilwedge_reynolds::supply::BoundaryKind;
 
 use super::load::is_fed;
-use super::row::{Measure::Each, Measure::One};
+use super::row::{Headline, Measure::Each, Measure::One};
 use super::rule::{ErrorRule, Subject};
 use super::view::View;
 use crate::estimate::Estimate;
@@ -13,7 +13,7 @@ rows! {
     /// `Q_s`: oil that leaves at both ends, less what enters there; with `guembel` where its pressure was not dropped; none with sealed
     /// ends
     SIDE_FLOW = "side_flow", "Q_s", CubicMetrePerSecond, "oil that leaves at the ends (< 0: enters)":
-        One(|film| film.side_flow()), OF_ENDS, tolerance headline;
+        One(|film| film.side_flow()), OF_ENDS, tolerance headline(Headline::Always(12));
 
     /// Its part at the end z = -B/2
     SIDE_FLOW_LOW = "side_flow_low", "Q_s", CubicMetrePerSecond, "the part at the end z = -B/2":
@@ -45,7 +45,7 @@ rows! {
     FEED_FLOW = "feed_flow.", "Q_f", CubicMetrePerSecond, "oil that enters there (< 0: leaves)":
         Each(|film| film.regions(BoundaryKind::Feed).map(|(region, flow)| (region.name.clone(), flow.net)).collect()),
         ErrorRule::Of(DUAL, |estimate, at| estimate.flow(&FlowGoal::Feed(at.region.to_owned()), at.per(1.0))),
-        tolerance only(is_fed);
+        tolerance only(is_fed) headline(Headline::Always(13));
 }
 
 const LOW: &str = "end_low";

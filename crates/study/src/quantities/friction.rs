@@ -3,7 +3,7 @@
 use oilwedge_reynolds::error_bar::Bar;
 
 use super::cavity::{drops, drops_in};
-use super::row::Measure::One;
+use super::row::{Headline, Measure::One};
 use super::rule::{ErrorRule, Subject};
 use super::view::View;
 use crate::estimate::Estimate;
@@ -13,7 +13,7 @@ rows! {
     /// against the rotation in either sense; none at rest. With `jfo` the shear is weighted with the film fraction
     FRICTION_TORQUE = "friction_torque", "T", NewtonMetre, "torque on the journal, against the rotation":
         One(|film| Some(film.friction()?.on_journal)),
-        ErrorRule::Of(DUAL, |estimate, at| of_torque(estimate, at, [1.0, 1.0])), tolerance;
+        ErrorRule::Of(DUAL, |estimate, at| of_torque(estimate, at, [1.0, 1.0])), tolerance headline(Headline::Always(10));
 
     /// `T_b = R Int (mu U/h - (h/2) dp/dx) dA`, which the bearing must be held with; none at rest
     FRICTION_TORQUE_BEARING = "friction_torque_bearing", "T_b", NewtonMetre, "torque on the bearing, with the rotation":
@@ -30,7 +30,7 @@ rows! {
     /// `P = T omega = P_s + P_p`; none at rest
     FRICTION_POWER = "friction_power", "P", Watt, "power that turns the journal, T omega":
         One(|film| turning(film, film.measured.power.friction())),
-        ErrorRule::Of(DUAL, |estimate, at| of_power(estimate, at, [1.0, 1.0])), tolerance;
+        ErrorRule::Of(DUAL, |estimate, at| of_power(estimate, at, [1.0, 1.0])), tolerance headline(Headline::Always(11));
 
     /// `P_s = Int mu U^2/h dA`; none at rest
     FRICTION_SHEAR_POWER = "friction_shear_power", "P_s", Watt, "its part against shear":

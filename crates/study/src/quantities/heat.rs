@@ -7,7 +7,7 @@ use oilwedge_scene::{Scene, Viscosity};
 use super::friction::FRICTION_POWER;
 use super::motion::MOTION_POWER;
 use super::quantity::Quantity;
-use super::row::{Measure::One, Row, Table};
+use super::row::{Headline, Measure::One, Row, Table};
 use super::rule::ErrorRule;
 use super::view::View;
 use super::warming::Warming;
@@ -20,7 +20,7 @@ rows! {
     /// one viscosity
     TEMPERATURE_EFFECTIVE = "temperature_effective", "t_m", Celsius, "temperature of the film":
         One(|film| Some(film.base.oil.temperature? - ZERO_CELSIUS)),
-        ErrorRule::Temperature(|_| Some(1.0)), only(is_by_temperature);
+        ErrorRule::Temperature(|_| Some(1.0)), only(is_by_temperature) headline(Headline::Always(8));
 
     /// `mu0 = mu(t_m, p = 0)`; none where the oil has one viscosity
     VISCOSITY_EFFECTIVE = "viscosity_effective", "mu0", PascalSecond, "viscosity at that temperature, without pressure":
@@ -45,7 +45,7 @@ rows! {
     TEMPERATURE_OUTLET = "temperature_outlet", "t_out", Celsius, "of the oil that leaves it":
         One(|film| end(film, 1)),
         ErrorRule::Temperature(|warming| Some(warming.ends()[1])),
-        in_table(Table::Temperature) only(is_balanced);
+        in_table(Table::Temperature) only(is_balanced) headline(Headline::Always(9));
 
     /// `P_oil = rho c Q_out (t_out - t_0)`; none without `[heat]`
     HEAT_CARRIED = "heat_carried", "P_oil", Watt, "heat that the oil carries off":

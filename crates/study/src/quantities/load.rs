@@ -4,14 +4,14 @@ use oilwedge_reynolds::quantities::load::Share;
 use oilwedge_reynolds::quantities::similarity;
 use oilwedge_scene::Scene;
 
-use super::row::{Measure::Each, Measure::One};
+use super::row::{Headline, Measure::Each, Measure::One};
 use super::rule::ErrorRule;
 use super::view::{View, degrees};
 
 rows! {
     /// `W = sqrt(W_x^2 + W_y^2)`: the external force on the journal that the film carries; the film pushes the journal with -W
     LOAD = "load", "W", Newton, "force that the film carries":
-        One(|film| Some(film.force)), ErrorRule::Load, tolerance headline;
+        One(|film| Some(film.force)), ErrorRule::Load, tolerance headline(Headline::AtPosition(1));
 
     /// `W_x = Int (p - p_e) cos phi dA` over the developed film and the regions cut out of it; p_e the pressure at the ends
     LOAD_X = "load_x", "W_x", Newton, "its part along x (angle 0)":
@@ -24,6 +24,10 @@ rows! {
     /// `phi_W = atan2(W_y, W_x)` in [0, 360); none without a load
     LOAD_ANGLE = "load_angle", "phi_W", Degree, "its direction, from x towards y":
         One(angle), ErrorRule::LoadAngle, tolerance;
+
+    /// `p_m = W/(D B)`: load over the projected area of the bearing
+    SPECIFIC_LOAD = "specific_load", "p_m", Pascal, "specific load, W / (D B)":
+        One(|film| Some(film.force / projected_area(film))), ErrorRule::PerLoad, headline(Headline::Always(7));
 
     /// `C_w = W/(D B (p_s - p_e))`, p_s the pressure of the feeds; none without feeds, or with feeds of different pressures
     LOAD_COEFFICIENT = "load_coefficient", "C_w", One, "W / (D B (p_feed - p_ends))":
@@ -45,6 +49,11 @@ rows! {
 
 const TOWARDS_X: ErrorRule = ErrorRule::Component(|_| Some([1.0, 0.0]));
 const TOWARDS_Y: ErrorRule = ErrorRule::Component(|_| Some([0.0, 1.0]));
+
+/// Diameter times length [m2].
+fn projected_area(film: &View) -> f64 {
+    2.0 * film.problem.bearing.radius * film.problem.bearing.length
+}
 
 fn force(film: &View) -> [f64; 2] {
     film.measured.load.total.force

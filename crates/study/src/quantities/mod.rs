@@ -37,7 +37,7 @@ pub use oilwedge_reynolds::error_bar::Bar;
 pub use position::*;
 pub use pressure::*;
 pub use quantity::Quantity;
-pub use row::{Measure, Row, Table};
+pub use row::{Headline, Measure, Row, Table};
 pub use rule::{ErrorRule, Subject};
 pub use similarity::*;
 pub use unit::Unit;
@@ -45,11 +45,12 @@ pub use view::View;
 pub use warming::Warming;
 
 /// All quantities, in the order of the report.
-pub static CATALOGUE: [&Row; 53] = [
+pub static CATALOGUE: [&Row; 54] = [
     &LOAD,
     &LOAD_X,
     &LOAD_Y,
     &LOAD_ANGLE,
+    &SPECIFIC_LOAD,
     &LOAD_COEFFICIENT,
     &SOMMERFELD_NUMBER,
     &ATTITUDE_ANGLE,

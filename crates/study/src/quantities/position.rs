@@ -2,7 +2,7 @@
 
 use oilwedge_reynolds::quantities::similarity;
 
-use super::row::Measure::One;
+use super::row::{Headline, Measure::One};
 use super::rule::{ErrorRule, direction};
 use super::view::{View, degrees};
 
@@ -10,19 +10,19 @@ rows! {
     /// `beta = (phi_min - phi_W) sgn omega` (+1 at rest) in (-180, 180]: from the load to the minimum film, positive for an ordinary
     /// bearing; none for a centred journal or without a load
     ATTITUDE_ANGLE = "attitude_angle", "beta", Degree, "from the load to the thinnest film":
-        One(attitude_angle), ATTITUDE, tolerance headline;
+        One(attitude_angle), ATTITUDE, tolerance headline(Headline::Always(3));
 
     /// `eps = e/c`: offset of the journal over the radial clearance
     ECCENTRICITY = "eccentricity", "eps", One, "offset of the journal / clearance":
-        One(eccentricity), ErrorRule::Position, tolerance headline;
+        One(eccentricity), ErrorRule::Position, tolerance headline(Headline::Always(2));
 
     /// `phi_min = atan2(e_y, e_x)` in [0, 360); none for a centred journal
     MIN_FILM_ANGLE = "min_film_angle", "phi_min", Degree, "where the film is thinnest":
-        One(min_film_angle), ErrorRule::Position, tolerance;
+        One(min_film_angle), ErrorRule::Position, tolerance headline(Headline::Always(4));
 
     /// `h_min`: least film thickness on the liner; `c (1 - eps)` where the liner covers phi_min
     FILM_THICKNESS_MIN = "film_thickness_min", "h_min", Metre, "thinnest film on the liner":
-        One(|film| Some(film.measured.least_thickness)), ErrorRule::Position, tolerance headline;
+        One(|film| Some(film.measured.least_thickness)), ErrorRule::Position, tolerance headline(Headline::Always(5));
 }
 
 const ATTITUDE: ErrorRule = ErrorRule::Of(

@@ -2,7 +2,7 @@
 
 use oilwedge_reynolds::error_bar::Bar;
 
-use super::row::Measure::One;
+use super::row::{Headline, Measure::One};
 use super::rule::{ErrorRule, Subject};
 use crate::estimate::Estimate;
 
@@ -12,7 +12,7 @@ rows! {
         One(|film| Some(film.measured.extremes.greatest)),
         ErrorRule::Of("difference of the two films where either is greatest",
             |estimate, _| Some(Bar::of(estimate.greatest_pressure()))),
-        tolerance headline;
+        tolerance headline(Headline::Always(6));
 
     /// `p_min`: least pressure, gauge, likewise; where there is a cavity, its pressure
     PRESSURE_MIN = "pressure_min", "p_min", Pascal, "least pressure, gauge":

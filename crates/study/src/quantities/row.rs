@@ -44,6 +44,17 @@ pub enum Table {
     Cap,
 }
 
+/// Whether a quantity stands in the first table of a run and in the columns of a short one: its place there, smallest first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Headline {
+    /// It does not.
+    Never,
+    /// It does.
+    Always(u8),
+    /// It does where the position of the journal is given; under a load it repeats what the scene says.
+    AtPosition(u8),
+}
+
 /// One quantity, or a family of them by region.
 pub struct Row {
     /// Key in results; that of a family ends with a dot, and the name of the region follows.
@@ -64,8 +75,8 @@ pub struct Row {
     pub table: Table,
     /// Whether a mesh may be refined until its bar is small enough.
     pub may_be_tolerance: bool,
-    /// Whether short tables show it.
-    pub is_headline: bool,
+    /// Its place in short tables.
+    pub headline: Headline,
     /// Whether a film of this scene may have it.
     pub occurs: fn(&Scene) -> bool,
 }
@@ -88,7 +99,7 @@ impl Row {
             error,
             table: Table::Film,
             may_be_tolerance: false,
-            is_headline: false,
+            headline: Headline::Never,
             occurs: |_| true,
         }
     }
@@ -102,11 +113,8 @@ impl Row {
     }
 
     /// One that short tables show.
-    pub(super) const fn headline(self) -> Self {
-        Self {
-            is_headline: true,
-            ..self
-        }
+    pub(super) const fn headline(self, headline: Headline) -> Self {
+        Self { headline, ..self }
     }
 
     /// One of films of certain scenes.

@@ -1,5 +1,7 @@
 //! Units of reported numbers: SI, but degrees and degrees Celsius.
 
+use oilwedge_scene::unit::Dimension;
+
 /// Unit of a reported number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Unit {
@@ -9,8 +11,10 @@ pub enum Unit {
     Newton,
     /// Of angles.
     Degree,
-    /// Of pressures and stresses.
+    /// Of pressures.
     Pascal,
+    /// Of stresses in metal.
+    PascalOfStress,
     /// Of lengths.
     Metre,
     /// Of dynamic viscosities.
@@ -36,12 +40,29 @@ impl Unit {
         self.texts()[1]
     }
 
+    /// The kind of quantity, by which a scene names other units for it.
+    pub fn scene_dimension(self) -> Dimension {
+        match self {
+            Self::One => Dimension::Ratio,
+            Self::Newton => Dimension::Force,
+            Self::Degree => Dimension::Angle,
+            Self::Pascal | Self::PascalOfStress => Dimension::Pressure,
+            Self::Metre => Dimension::Length,
+            Self::PascalSecond => Dimension::Viscosity,
+            Self::Celsius => Dimension::Temperature,
+            Self::CubicMetrePerSecond => Dimension::VolumeFlow,
+            Self::NewtonMetre => Dimension::Torque,
+            Self::Watt => Dimension::Power,
+        }
+    }
+
     fn texts(self) -> [&'static str; 2] {
         match self {
             Self::One => ["1", "ratio"],
             Self::Newton => ["N", "force"],
             Self::Degree => ["deg", "angle"],
             Self::Pascal => ["Pa", "pressure"],
+            Self::PascalOfStress => ["Pa", "stress"],
             Self::Metre => ["m", "length"],
             Self::PascalSecond => ["Pa.s", "dynamic viscosity"],
             Self::Celsius => ["degC", "temperature"],

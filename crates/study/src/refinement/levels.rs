@@ -13,6 +13,8 @@ use crate::estimate::Estimated;
 use crate::film::Film;
 use crate::measure::possible_load;
 use crate::no_answer::NoAnswer;
+use crate::observer::Reached;
+use crate::quantities::Quantity;
 use crate::reasons::{Cause, Distance, Limit};
 use crate::result::{LevelFacts, Refinement};
 use crate::run_options::RunOptions;
@@ -85,7 +87,11 @@ impl Refining<'_> {
         };
         self.is_laid_anew |= film.origin.is_laid_anew;
         film.origin.is_laid_anew = self.is_laid_anew;
-        Ok(match solved(&film, Errors::Estimated, self.deadline) {
+        let observer = self.options.observer;
+        if let Some(observer) = observer {
+            observer.level(self.levels.len() + 1, film.unknowns());
+        }
+        Ok(match solved(&film, Errors::Estimated, self.deadline, observer) {
             Err(reason) => self.unanswered(next, film, reason),
             // A load balanced on the mesh before is better than one that is not balanced on this one.
             Ok((solved, estimated)) => match self.best.take_if(|_| solved.is_ended()) {
@@ -158,6 +164,7 @@ impl Refining<'_> {
         });
         let possible = possible_load(&solved.film.problem, &estimated.measured);
         let (worst, name) = worst(&estimated.quantities, self.targets, possible);
+        self.tell(&estimated.quantities, worst, name);
         let level = Level {
             solved,
             estimated,
@@ -180,6 +187,26 @@ impl Refining<'_> {
             }
             (Err(limit), _) => self.done(level, limit),
         }
+    }
+
+    /// Tells the observer how far the last mesh is from the tolerance.
+    fn tell(&self, quantities: &[Quantity], worst: f64, name: &str) {
+        let (Some(observer), Some(last)) = (self.options.observer, self.levels.last()) else {
+            return;
+        };
+        let Some(quantity) = quantities.iter().find(|quantity| quantity.name == name) else {
+            return;
+        };
+        let error = quantity.error().filter(|_| worst.is_finite());
+        observer.reached(&Reached {
+            level: self.levels.len(),
+            unknowns: last.unknowns,
+            quantity: name.to_owned(),
+            unit: quantity.row.unit,
+            error,
+            asked: error.map(|error| error / worst),
+            seconds: last.seconds,
+        });
     }
 
     /// The mesh after that of a level, or why there must be none.

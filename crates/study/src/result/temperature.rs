@@ -1,5 +1,6 @@
 //! How the temperature of a film comes about, as textbooks on engines ask for it: curves that cross, and criteria.
 
+use oilwedge_reynolds::existence::readable;
 use serde::{Serialize, Serializer};
 
 use crate::quantities::{ECCENTRICITY, FRICTION_POWER, HEAT_CARRIED, HEAT_HOUSING};
@@ -72,6 +73,23 @@ impl Criterion {
             decides,
             is_met: least.is_none_or(|least| value >= least - room) && most.is_none_or(|most| value <= most + room),
         }
+    }
+}
+
+impl Criterion {
+    /// How it is missed: `thinnest film below 4 um`.
+    pub fn fault(&self) -> String {
+        let (side, bound) = match (self.least, self.most) {
+            (Some(least), _) if self.value <= least => ("below", least),
+            (_, Some(most)) => ("above", most),
+            (least, None) => ("below", least.unwrap_or(self.value)),
+        };
+        format!("{} {side} {} {}", self.what, readable(bound), self.unit)
+    }
+
+    /// True if the bearing is refused for it.
+    pub fn is_missed(&self) -> bool {
+        self.decides && !self.is_met
     }
 }
 

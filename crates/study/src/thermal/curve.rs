@@ -40,17 +40,14 @@ pub fn temperature_report(solved: &Solved, quantities: &[Quantity], deadline: De
         let quantity = quantities.iter().find(|quantity| quantity.row == row);
         quantity.map(|quantity| quantity.value)
     };
-    let (bearing, criteria) = (
-        &film.problem.bearing,
-        criteria(film, &model, value(&FILM_THICKNESS_MIN)?, root),
-    );
+    let (bearing, criteria) = (&film.problem.bearing, design_criteria(solved, quantities));
     Some(TemperatureReport {
         preset: model.engine.map(Engine::name),
         inlet_temperature: model.balance.inlet - ZERO_CELSIUS,
         heat_capacity: model.balance.heat_capacity,
         specific_load: value(&LOAD)? / (2.0 * bearing.radius * bearing.length),
         curve,
-        is_fit: criteria.iter().all(|criterion| criterion.is_met || !criterion.decides),
+        is_fit: !criteria.iter().any(Criterion::is_missed),
         criteria,
     })
 }
@@ -100,6 +97,16 @@ fn point(model: &ThermalModel, temperature: f64, solved: &Solved) -> Temperature
         carried: balance.carried(temperature, &film),
         given_off: balance.given_off(temperature),
         eccentricity: solved.film.position().eccentricity,
+    }
+}
+
+/// What a solved film must meet, and what is usual; nothing where the scene sets no limits.
+pub fn design_criteria(solved: &Solved, quantities: &[Quantity]) -> Vec<Criterion> {
+    let film = &solved.film;
+    let least_film = quantities.iter().find(|quantity| quantity.row == &FILM_THICKNESS_MIN);
+    match (&film.thermal, film.oil.temperature, least_film) {
+        (Some(model), Some(temperature), Some(least)) => criteria(film, model, least.value, temperature),
+        _ => Vec::new(),
     }
 }
 

@@ -9,6 +9,7 @@ use std::time::Instant;
 
 use oilwedge_bearing::thermal_balance::{Start, find};
 use oilwedge_bearing::{Balanced, InitialGuess, NoBalance, Point, ThermalFlows, Visited, predicted};
+use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_reynolds::solve::Neighbour;
 
 use super::flows::thermal_flows;
@@ -162,6 +163,9 @@ impl<'a> Search<'a> {
     fn tried(&mut self, temperature: f64, kind: Kind, from: Option<&Tried>) -> Result<Tried, NoAnswer> {
         let clock = Instant::now();
         self.solved += 1;
+        if let Some(observer) = self.options.observer {
+            observer.temperature(self.solved, temperature - ZERO_CELSIUS);
+        }
         let mut film = at_temperature(self.film, temperature);
         let mut options = self.options;
         let conserves_oil = film.problem.cavitation.conserves_oil();

@@ -1,0 +1,36 @@
+//! How a run gets on, for whoever waits for it.
+
+use oilwedge_bearing::SearchObserver;
+
+use crate::quantities::Unit;
+
+/// The bar that decides whether a mesh is fine enough.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reached {
+    /// Number of the mesh, from 1.
+    pub level: usize,
+    /// Its unknown pressures.
+    pub unknowns: usize,
+    /// Quantity whose bar is the widest for what is asked.
+    pub quantity: String,
+    /// Unit of its bar.
+    pub unit: Unit,
+    /// Its bar; `None` where the mesh does not resolve it.
+    pub error: Option<f64>,
+    /// The bar that is asked for, where there is one.
+    pub asked: Option<f64>,
+    /// Wall time of the mesh [s].
+    pub seconds: f64,
+}
+
+/// Is notified by a run; from any thread.
+pub trait RunObserver: SearchObserver {
+    /// A mesh with so many unknowns is solved next; meshes are counted from 1.
+    fn level(&self, number: usize, unknowns: usize);
+
+    /// A mesh was solved, and its bars are known.
+    fn reached(&self, reached: &Reached);
+
+    /// Temperature `number` of this search, from 1, is tried next [degrees C].
+    fn temperature(&self, number: usize, celsius: f64);
+}
