@@ -100,7 +100,7 @@ pub fn check_scene(scene: &Scene) -> Result<CheckReport, Error> {
     let pockets: Vec<_> = film.pockets().filter_map(|name| mesh.region(name)).collect();
     report.sketch = sketch(mesh, &film.system.supply, &pockets, scene.bearing.radius());
     report.liner = words(scene);
-    report.tolerance = (targets(scene).into_iter().flatten())
+    report.tolerance = (targets(scene).into_iter().flat_map(|targets| targets.required))
         .map(|target| (target.quantity, target.relative))
         .collect();
     report.title = Some(scene.title.clone());

@@ -10,7 +10,7 @@ use std::path::Path;
 
 use oilwedge_scene::{Check, Complaint, Scene, SceneError};
 
-pub use tolerance::targets;
+pub use tolerance::{Targets, targets};
 
 /// All checks.
 pub const CHECKS: [Check; 4] = [oil::check, cap::check, tolerance::check, columns::check];

@@ -68,6 +68,14 @@ impl Film {
         film
     }
 
+    /// This film, at whose position a coarser mesh balances the load.
+    pub(crate) fn nearly_balanced(self) -> Self {
+        Self {
+            start: Start::NearlyBalanced,
+            ..self
+        }
+    }
+
     /// This film on the next coarser mesh, if it has one and shares its system with no other film.
     pub(crate) fn on_coarser(self) -> Self {
         let mut system = match Arc::try_unwrap(self.system) {

@@ -9,7 +9,7 @@ use oilwedge_scene::Scene;
 
 use crate::compile::{compile, compile_near};
 use crate::compile_error::CompileError;
-use crate::film::{Film, Start};
+use crate::film::Film;
 use crate::position::Position;
 
 /// A mesh is graded anew where the least film thickness found differs by this factor from that which it was graded for,
@@ -36,10 +36,7 @@ pub fn graded(scene: &Scene, deadline: Deadline) -> Result<Film, CompileError> {
         }
         match suited(&film, load, deadline, &mut middle) {
             Suited::To(journal) => {
-                return Ok(Film {
-                    start: Start::NearlyBalanced,
-                    ..film.with_journal(journal)
-                });
+                return Ok(film.with_journal(journal).nearly_balanced());
             }
             Suited::Unknown => break,
             Suited::Not(position) => film = compile_near(scene, position)?,

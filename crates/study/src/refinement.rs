@@ -6,6 +6,7 @@
 //!
 //! Source: Doerfler, SIAM J. Numer. Anal. 33 (1996) 1106; s measured, `docs/theory/error_estimation.md`.
 
+mod distance;
 mod growth;
 mod level;
 mod levels;
@@ -27,6 +28,7 @@ use crate::run_options::RunOptions;
 use crate::solved::{Errors, SolveOptions, Solved};
 use oilwedge_scene::Scene;
 
+pub(crate) use distance::wide_bars;
 pub use next::at_first;
 
 /// Heat left over beyond this part of the friction is no balance.

@@ -79,6 +79,7 @@ macro_rules! kinds {
 kinds! {
     UNRESOLVED = "unresolved", "the mesh is too coarse where the film is thin";
     NO_BAR = "no_bar", "the mesh does not resolve the film well enough for some error bars";
+    WIDE_BAR = "wide_bar", "an error bar is wider than wanted, and a finer mesh would take long";
     CROSSWISE = "crosswise", "the triangles spread oil across the flow, so there are no error bars";
     REMESHED = "remeshed", "the film was meshed in rows along the flow, not by the triangles of the file";
     FLIPPED = "flipped", "edges of the mesh were flipped to make it Delaunay";

@@ -3,10 +3,12 @@
 use oilwedge_reynolds::error_bar::UNRESOLVED;
 use oilwedge_scene::Scene;
 
+use crate::checks::targets;
 use crate::effects;
 use crate::estimate::Estimated;
 use crate::film::Film;
 use crate::measure::Measured;
+use crate::refinement::wide_bars;
 use crate::regime::{Regime, constant_viscosity};
 use crate::solved::{Errors, Solved};
 use crate::warning::{self, Warning};
@@ -17,6 +19,7 @@ const RESOLVED: f64 = 2.0;
 pub fn all_warnings(scene: &Scene, solved: &Solved, estimated: &Estimated, errors: Errors) -> Vec<Warning> {
     let regime = Regime::of(scene, &solved.film, &estimated.measured);
     let mut warnings = result_warnings(solved, estimated, errors);
+    warnings.extend(wide_bar(scene, solved, estimated));
     warnings.extend(regime.warnings(&solved.film, &estimated.measured));
     warnings
 }
@@ -43,6 +46,20 @@ fn result_warnings(solved: &Solved, estimated: &Estimated, errors: Errors) -> Ve
         )));
     }
     warnings
+}
+
+/// That bars which an engineer wants narrow are not.
+fn wide_bar(scene: &Scene, solved: &Solved, estimated: &Estimated) -> Option<Warning> {
+    let targets = targets(scene)?;
+    let wide = wide_bars(&solved.film, estimated, &targets.wanted);
+    let (name, _) = wide.first()?;
+    let told: Vec<String> = (wide.iter())
+        .map(|(name, bar)| format!("{name} ({})", percent(*bar)))
+        .collect();
+    Some(warning::WIDE_BAR.says(format!(
+        "wide error bars: {}; for narrower ones give a tolerance under [mesh], as tolerance = {{ {name} = \"1 %\" }}: a finer mesh will take longer",
+        told.join(", ")
+    )))
 }
 
 /// Warnings about a film without error bars.

@@ -362,7 +362,7 @@ fn only_known_quantities_have_tolerances() {
 fn targets_stand_in_the_order_of_the_result() {
     let targets = |text: &str| {
         let scene = read(text).unwrap_or_else(|error| panic!("{error}"));
-        let targets = super::targets(&scene)?.into_iter();
+        let targets = super::targets(&scene)?.required.into_iter();
         Some(
             targets
                 .map(|target| (target.quantity, target.relative))

@@ -5,7 +5,8 @@ use oilwedge_scene::{Complaints, Position, Scene, Target, Theory, Tolerance};
 
 use crate::quantities::{
     ATTITUDE_ANGLE, CATALOGUE, ECCENTRICITY, FILM_THICKNESS_MIN, FRICTION_COEFFICIENT, FRICTION_POWER, FRICTION_TORQUE,
-    INLET_FLOW, LOAD_COEFFICIENT, MIN_FILM_ANGLE, PRESSURE_INTEGRAL, Row, SOMMERFELD_NUMBER, main_quantity, row,
+    INLET_FLOW, LOAD_COEFFICIENT, MIN_FILM_ANGLE, PRESSURE_INTEGRAL, PRESSURE_MAX, Row, SIDE_FLOW, SOMMERFELD_NUMBER,
+    main_quantity, row,
 };
 
 /// Usual bar of the main quantity [1].
@@ -13,13 +14,25 @@ const USUAL: f64 = 0.005;
 /// That of short bearings, whose films take milliseconds [1].
 const SHORT: f64 = 0.001;
 
-/// The bars that must become small by refinement of the mesh, in the order of the result; none where the mesh is used as it is.
-pub fn targets(scene: &Scene) -> Option<Vec<Target>> {
+/// Bar wanted of the other numbers that an engineer reads [1].
+const WANTED: f64 = 0.02;
+
+/// The bars that refinement of the mesh must make small.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Targets {
+    /// A run that does not reach them has not converged; in the order of the result.
+    pub required: Vec<Target>,
+    /// Those wanted beside them, as far as they are cheap: a bar that stays wider is a warning.
+    pub wanted: Vec<Target>,
+}
+
+/// The bars that must become small by refinement of the mesh; none where the mesh is used as it is.
+pub fn targets(scene: &Scene) -> Option<Targets> {
     let main = |relative: f64| {
         let quantity = main_quantity(scene).name.to_owned();
         vec![Target { quantity, relative }]
     };
-    Some(match scene.tolerance.as_ref()? {
+    let required = match scene.tolerance.as_ref()? {
         Tolerance::Usual if scene.bearing.theory == Theory::Short => main(SHORT),
         Tolerance::Usual => main(USUAL),
         Tolerance::Main(relative) => main(*relative),
@@ -38,7 +51,25 @@ pub fn targets(scene: &Scene) -> Option<Vec<Target>> {
             });
             targets
         }
+    };
+    Some(Targets {
+        required,
+        wanted: wanted(scene),
     })
+}
+
+/// What an engineer reads beside the main quantity, where the scene leaves mesh and tolerance to the program.
+fn wanted(scene: &Scene) -> Vec<Target> {
+    let target = |row: &Row| Target {
+        quantity: row.name.to_owned(),
+        relative: WANTED,
+    };
+    match scene.tolerance {
+        Some(Tolerance::Usual) => [&PRESSURE_MAX, &FILM_THICKNESS_MIN, &SIDE_FLOW, &FRICTION_TORQUE]
+            .map(target)
+            .to_vec(),
+        _ => Vec::new(),
+    }
 }
 
 pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {

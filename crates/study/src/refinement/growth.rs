@@ -1,14 +1,12 @@
 //! How much finer the next mesh must be, and may be.
 
 use super::level::Level;
-use crate::quantities::{ECCENTRICITY, Quantity, Unit};
 use crate::result::{LevelFacts, Refinement};
-use oilwedge_scene::Target;
 
 /// A mesh is drawn for bars this much smaller than asked for,
 const SAFETY: f64 = 0.7;
-/// with at least and at most this many times the unknowns of the one before.
-const GROWTH: [f64; 2] = [1.4, 16.0];
+/// with at least this many times the unknowns of the one before.
+const LEAST_GROWTH: f64 = 1.4;
 /// A mesh that was drawn finer and has not this many times the unknowns is bound by its features.
 const BOUND: f64 = 1.25;
 /// Local division that leaves this part of a bar did not serve it.
@@ -17,9 +15,17 @@ const STUCK: f64 = 0.8;
 const UNRESOLVED_GROWTH: f64 = 3.0;
 /// Seconds of a level grow like this power of the unknowns at most.
 const TIME_EXPONENT: f64 = 1.2;
-/// Tolerances of what is less than this part of what it could be count against that part: loads against those that the pressures
-/// could carry, the eccentricity against the clearance.
-const LEAST: f64 = 1e-3;
+
+/// What the next mesh is for, and how large it may be.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Goal {
+    /// The greatest bar over what it may be.
+    pub(super) worst: f64,
+    /// Most unknowns.
+    pub(super) most_unknowns: usize,
+    /// Most unknowns over those of the last mesh.
+    pub(super) most_growth: f64,
+}
 
 /// The growth of the next mesh, and how it may be made.
 #[derive(Debug, Clone, Copy)]
@@ -33,18 +39,18 @@ pub(super) struct Growth {
 }
 
 impl Growth {
-    /// The growth towards the tolerance, or less where that would be too long for the time left [s] or too large: a smaller step is better
+    /// The growth towards a goal, or less where that would be too long for the time left [s] or too large: a smaller step is better
     /// than none.
-    pub(super) fn of(level: &Level, levels: &[LevelFacts], left: f64, max_unknowns: usize) -> Self {
+    pub(super) fn of(level: &Level, goal: &Goal, levels: &[LevelFacts], left: f64) -> Self {
         let order = level.solved.film.problem.cavitation.convergence_order();
-        let [least, most] = GROWTH;
-        let wanted = match level.worst.is_finite() {
-            true => (level.worst / SAFETY).powf(1.0 / order).clamp(least, most),
-            false => UNRESOLVED_GROWTH,
+        let (least, most) = (LEAST_GROWTH, goal.most_growth);
+        let wanted = match goal.worst.is_finite() {
+            true => (goal.worst / SAFETY).powf(1.0 / order).clamp(least, most),
+            false => UNRESOLVED_GROWTH.min(most),
         };
         let fits = levels.last().map_or(f64::INFINITY, |last| {
             let in_time = (left / last.seconds).max(0.0).powf(1.0 / TIME_EXPONENT);
-            let in_size = max_unknowns as f64 / last.unknowns as f64;
+            let in_size = goal.most_unknowns as f64 / last.unknowns as f64;
             (SAFETY * in_time).min(in_size)
         });
         Self {
@@ -69,28 +75,4 @@ fn is_stuck(levels: &[LevelFacts], name: &str) -> bool {
             .is_some_and(|(before, last)| last > STUCK * before),
         _ => false,
     }
-}
-
-/// The greatest bar over what it may be, and of which quantity; infinite where one is missing. A quantity that this film does not
-/// have is met. `possible` is the load [N] that its pressures could carry.
-pub(super) fn worst<'a>(quantities: &[Quantity], targets: &'a [Target], possible: f64) -> (f64, &'a str) {
-    let ratio = |target: &Target| {
-        let Some(quantity) = quantities.iter().find(|quantity| quantity.name == target.quantity) else {
-            return 0.0;
-        };
-        let size = match quantity.row.unit {
-            Unit::Degree => 1f64.to_degrees(),
-            Unit::Newton => quantity.value.abs().max(LEAST * possible),
-            _ if quantity.row == &ECCENTRICITY => quantity.value.abs().max(LEAST),
-            _ => quantity.value.abs(),
-        };
-        match quantity.error() {
-            None => f64::INFINITY,
-            Some(0.0) => 0.0,
-            Some(error) => error / (target.relative * size),
-        }
-    };
-    (targets.iter())
-        .map(|target| (ratio(target), target.quantity.as_str()))
-        .fold((0.0, ""), |worst, next| if next.0 > worst.0 { next } else { worst })
 }

@@ -11,4 +11,6 @@ pub(super) struct Level {
     pub(super) worst: f64,
     /// and of which quantity.
     pub(super) worst_name: String,
+    /// Its greatest bar over what is wanted beside that.
+    pub(super) wanted: f64,
 }

@@ -4,14 +4,15 @@ use std::time::Instant;
 
 use oilwedge_bearing::Deadline;
 
-use super::growth::{Growth, next_seconds, worst};
+use super::distance::worst;
+use super::growth::{Goal, Growth, next_seconds};
 use super::level::Level;
 use super::next::Next;
 use super::{Answer, ended, solved};
+use crate::checks::Targets;
 use crate::compile_error::CompileError;
 use crate::estimate::Estimated;
 use crate::film::Film;
-use crate::measure::possible_load;
 use crate::no_answer::NoAnswer;
 use crate::observer::Reached;
 use crate::quantities::Quantity;
@@ -23,6 +24,14 @@ use oilwedge_scene::{Scene, Target};
 
 /// Most meshes.
 const MOST_LEVELS: usize = 30;
+/// Most unknowns of a mesh over those of the one before.
+const MOST_GROWTH: f64 = 16.0;
+/// Meshes for bars that are wanted but not required,
+const MOST_WANTED_LEVELS: usize = 2;
+/// their most unknowns,
+const MOST_WANTED_UNKNOWNS: usize = 40_000;
+/// and these over those of the mesh before.
+const MOST_WANTED_GROWTH: f64 = 2.0;
 
 impl Level {
     /// It is the answer.
@@ -45,19 +54,21 @@ enum Step {
 /// A refinement towards a tolerance.
 struct Refining<'a> {
     scene: &'a Scene,
-    targets: &'a [Target],
+    targets: &'a Targets,
     options: &'a RunOptions,
     clock: Instant,
     deadline: Deadline,
     levels: Vec<LevelFacts>,
     /// The film of the mesh before.
     best: Option<Level>,
+    /// Meshes made for bars that are wanted but not required.
+    wanted_levels: usize,
     /// True if the mesh that all others were divided from was laid anew.
     is_laid_anew: bool,
 }
 
 /// Answers a scene on meshes as fine as the targets ask for.
-pub(super) fn towards(scene: &Scene, targets: &[Target], options: &RunOptions) -> Result<Answer, CompileError> {
+pub(super) fn towards(scene: &Scene, targets: &Targets, options: &RunOptions) -> Result<Answer, CompileError> {
     let mut refining = Refining {
         scene,
         targets,
@@ -66,6 +77,7 @@ pub(super) fn towards(scene: &Scene, targets: &[Target], options: &RunOptions) -
         deadline: options.deadline(),
         levels: Vec::new(),
         best: None,
+        wanted_levels: 0,
         is_laid_anew: false,
     };
     let mut next = Next::first(scene);
@@ -111,6 +123,12 @@ impl Refining<'_> {
     }
 
     fn done(&mut self, level: Level, limit: Option<Limit>) -> Step {
+        // A mesh that meets what is required was followed by others only for more.
+        let limit = limit.filter(|_| level.worst > 1.0);
+        self.ended(level, limit)
+    }
+
+    fn ended(&mut self, level: Level, limit: Option<Limit>) -> Step {
         Step::Done(Box::new(level.answer(std::mem::take(&mut self.levels), limit)))
     }
 
@@ -159,23 +177,26 @@ impl Refining<'_> {
             unknowns: solved.film.unknowns(),
             cells: solved.film.system.space().mesh().triangles().len(),
             refinement,
-            errors: self.targets.iter().filter_map(error).collect(),
+            errors: self.targets.required.iter().filter_map(error).collect(),
             seconds: clock.elapsed().as_secs_f64(),
         });
-        let possible = possible_load(&solved.film.problem, &estimated.measured);
-        let (worst, name) = worst(&estimated.quantities, self.targets, possible);
+        let (wanted, _) = worst(&solved.film, &estimated, &self.targets.wanted);
+        let (worst, name) = worst(&solved.film, &estimated, &self.targets.required);
         self.tell(&estimated.quantities, worst, name);
         let level = Level {
             solved,
             estimated,
             worst,
             worst_name: name.to_owned(),
+            wanted,
         };
         let finer = match ended(&level.solved, self.options) {
             None if worst > 1.0 => self.finer(next, &level).map_err(Some),
+            None if wanted > 1.0 => self.finer_if_cheap(next, &level).ok_or(None),
             limit => Err(limit),
         };
         match (finer, self.best.take()) {
+            (_, Some(before)) if before.worst <= 1.0 && worst > 1.0 => self.done(before, None),
             (Ok(finer), _) => {
                 self.best = Some(level);
                 Step::Finer(finer)
@@ -185,7 +206,7 @@ impl Refining<'_> {
                 let limit = Limit::Before(Box::new(limit), before.worst);
                 self.done(before, Some(limit))
             }
-            (Err(limit), _) => self.done(level, limit),
+            (Err(limit), _) => self.ended(level, limit),
         }
     }
 
@@ -211,11 +232,33 @@ impl Refining<'_> {
 
     /// The mesh after that of a level, or why there must be none.
     fn finer(&self, last: &Next, level: &Level) -> Result<Next, Limit> {
+        let goal = Goal {
+            worst: level.worst,
+            most_unknowns: self.options.max_unknowns,
+            most_growth: MOST_GROWTH,
+        };
+        self.finer_for(&goal, last, level)
+    }
+
+    /// The mesh after that of a level which has what is required, for what is wanted beside it; none where that is expensive.
+    fn finer_if_cheap(&mut self, last: &Next, level: &Level) -> Option<Next> {
+        self.wanted_levels += 1;
+        let goal = Goal {
+            worst: level.wanted,
+            most_unknowns: self.options.max_unknowns.min(MOST_WANTED_UNKNOWNS),
+            most_growth: MOST_WANTED_GROWTH,
+        };
+        let is_allowed = self.wanted_levels <= MOST_WANTED_LEVELS;
+        is_allowed.then(|| self.finer_for(&goal, last, level).ok()).flatten()
+    }
+
+    /// The mesh after that of a level for a goal, or why there must be none.
+    fn finer_for(&self, goal: &Goal, last: &Next, level: &Level) -> Result<Next, Limit> {
         let left = self.options.max_seconds - self.clock.elapsed().as_secs_f64();
-        let growth = Growth::of(level, &self.levels, left, self.options.max_unknowns);
+        let growth = Growth::of(level, goal, &self.levels, left);
         let next = Next::refined(last, level, &growth)?;
         let growth = next.growth(&level.solved.film).unwrap_or(growth.factor);
-        self.limit(growth, level.worst).map_or(Ok(next), Err)
+        self.limit(growth, goal).map_or(Ok(next), Err)
     }
 
     fn distance(&self, worst: f64) -> Distance {
@@ -232,13 +275,14 @@ impl Refining<'_> {
     }
 
     /// Why there must not be another mesh with so many times the unknowns, if so.
-    fn limit(&self, growth: f64, worst: f64) -> Option<Limit> {
+    fn limit(&self, growth: f64, goal: &Goal) -> Option<Limit> {
         let last = self.levels.last()?;
-        let (distance, elapsed) = (self.distance(worst), self.clock.elapsed().as_secs_f64());
-        let (wanted, most) = (growth * last.unknowns as f64, self.options.max_unknowns);
+        let (distance, elapsed) = (self.distance(goal.worst), self.clock.elapsed().as_secs_f64());
+        let most = goal.most_unknowns;
+        let wanted = growth * last.unknowns as f64;
         let (seconds, max_seconds) = (next_seconds(last, growth), self.options.max_seconds);
         match self.options.cause() {
-            Cause::Interrupt => Some(self.stopped(worst)),
+            Cause::Interrupt => Some(self.stopped(goal.worst)),
             Cause::Deadline if wanted > most as f64 => Some(Limit::Unknowns { distance, wanted, most }),
             Cause::Deadline if elapsed + seconds > max_seconds => Some(Limit::Seconds {
                 distance,

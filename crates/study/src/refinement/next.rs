@@ -8,44 +8,95 @@ use oilwedge_mesh::{Mesh, refine};
 
 use super::growth::Growth;
 use super::level::Level;
-use crate::compile::compile_on;
+use crate::compile::{compile_near, compile_on};
 use crate::compile_error::CompileError;
 use crate::film::DEGREE;
 use crate::film::Film;
 use crate::grading::graded;
-use crate::liner_mesh::resized;
+use crate::liner_mesh::{liner_mesh, resized};
+use crate::oil::at_temperature;
 use crate::position::Position;
 use crate::reasons::Limit;
 use crate::result::Refinement;
 use oilwedge_scene::{MeshSource, Scene};
 
-/// Edges of the first mesh towards a tolerance over those of a mesh that is used as it is.
+/// Edges of the first mesh towards a tolerance over those of a mesh that is used as it is,
 const FIRST: f64 = 3.0;
+/// less where it would have fewer triangles, on which pictures are not smooth.
+const LEAST_TRIANGLES: usize = 300;
+/// A mesh with this part of the triangles wanted has enough;
+const NEARLY_AS_MANY: f64 = 0.9;
+/// meshes drawn to find it.
+const DRAWN: usize = 5;
 /// Share of the indicator that the triangles divided carry.
 const SHARE: f64 = 0.7;
 /// The scene with the first mesh on the way to its tolerance.
 pub fn at_first(scene: &Scene) -> Scene {
     match scene.mesh {
-        MeshSource::Drawing { size: None } => resized(scene, FIRST).unwrap_or_else(|| scene.clone()),
+        MeshSource::Drawing { size: None } => resized(scene, first_factor(scene)).unwrap_or_else(|| scene.clone()),
         _ => scene.clone(),
     }
+}
+
+/// Edges of the first mesh of a drawn liner over those of one that is used as it is.
+fn first_factor(scene: &Scene) -> f64 {
+    factor_for(scene, FIRST, LEAST_TRIANGLES, Position::start(scene))
+}
+
+/// The factor of the edges, at most `factor`, with which the drawn liner has nearly so many triangles or more: sizes that holes and
+/// grooves ask for are not those that the factor changes.
+fn factor_for(scene: &Scene, mut factor: f64, triangles: usize, position: Position) -> f64 {
+    for _ in 0..DRAWN {
+        let drawn = resized(scene, factor).map(|resized| liner_mesh(&resized, position));
+        // What cannot be drawn is reported where it is to be used.
+        let Some(Ok(drawn)) = drawn else { break };
+        let share = drawn.mesh.triangles().len() as f64 / triangles as f64;
+        if share >= NEARLY_AS_MANY {
+            break;
+        }
+        factor *= share.sqrt();
+    }
+    factor
 }
 
 /// The next mesh.
 pub(super) enum Next {
     /// Made of the scene with longest edges times this.
     Drawn(f64),
+    /// Made of the scene with longest edges times this or less, so that it has about as many triangles as this, for the film found before.
+    DrawnFiner(f64, usize, Known),
     /// That of the scene as it is.
     Given,
-    /// One at hand, for the journal at this position.
-    Divided(Arc<Mesh>, Refinement, Position),
+    /// One at hand, for the film found before.
+    Divided(Arc<Mesh>, Refinement, Known),
 }
 
-/// Where the journal of a film is, as its scene gives it where it does.
-fn position(film: &Film) -> Position {
-    match film.load {
-        None => Position::start(&film.scene),
-        Some(_) => film.position(),
+/// What a film found tells the next one.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Known {
+    /// Where the journal is, as the scene gives it where it does.
+    position: Position,
+    /// Temperature [K] where it was found.
+    temperature: Option<f64>,
+}
+
+impl Known {
+    fn of(film: &Film) -> Self {
+        Self {
+            position: match film.load {
+                None => Position::start(&film.scene),
+                Some(_) => film.position(),
+            },
+            temperature: film.thermal.and(film.oil.temperature),
+        }
+    }
+
+    /// The scene, whose temperature is sought from that found.
+    fn scene(&self, scene: &Scene) -> Scene {
+        match self.temperature {
+            Some(temperature) => at_temperature(scene, temperature),
+            None => scene.clone(),
+        }
     }
 }
 
@@ -56,13 +107,13 @@ impl Next {
         Some(Self::Divided(
             Arc::new(divided.mesh),
             Refinement::Uniform,
-            position(film),
+            Known::of(film),
         ))
     }
 
     pub(super) fn first(scene: &Scene) -> Self {
         match scene.mesh {
-            MeshSource::Drawing { size: None } => Self::Drawn(FIRST),
+            MeshSource::Drawing { size: None } => Self::Drawn(first_factor(scene)),
             _ => Self::Given,
         }
     }
@@ -73,15 +124,18 @@ impl Next {
             Self::Given => Ok((Refinement::Given, graded(scene, deadline)?)),
             Self::Drawn(factor) => {
                 let resized = resized(scene, *factor).unwrap_or_else(|| scene.clone());
-                let refinement = if *factor == FIRST {
-                    Refinement::Given
-                } else {
-                    Refinement::Drawn
-                };
-                Ok((refinement, graded(&resized, deadline)?))
+                Ok((Refinement::Given, graded(&resized, deadline)?))
             }
-            Self::Divided(mesh, refinement, near) => {
-                Ok((*refinement, compile_on(scene, Mesh::clone(mesh), *near, DEGREE)?))
+            Self::DrawnFiner(factor, triangles, known) => {
+                let scene = known.scene(scene);
+                let factor = factor_for(&scene, *factor, *triangles, known.position);
+                let resized = resized(&scene, factor).unwrap_or(scene);
+                let film = compile_near(&resized, known.position)?;
+                Ok((Refinement::Drawn, film.nearly_balanced()))
+            }
+            Self::Divided(mesh, refinement, known) => {
+                let film = compile_on(&known.scene(scene), Mesh::clone(mesh), known.position, DEGREE)?;
+                Ok((*refinement, film.nearly_balanced()))
             }
         }
     }
@@ -118,10 +172,14 @@ impl Next {
             (Some(indicator), _) if is_local && !in_rows => {
                 (refine::local(mesh, &doerfler(indicator, SHARE)), Refinement::Local)
             }
-            (_, Self::Drawn(factor)) => return Ok(Self::Drawn(factor / growth.factor.sqrt())),
+            (_, Self::Drawn(factor) | Self::DrawnFiner(factor, ..)) => {
+                let triangles = growth.factor * mesh.triangles().len() as f64;
+                let factor = factor / growth.factor.sqrt();
+                return Ok(Self::DrawnFiner(factor, triangles as usize, Known::of(film)));
+            }
             _ => (refine::uniform(mesh), Refinement::Uniform),
         };
         let divided = divided.map_err(|_| Limit::CoarseRim)?;
-        Ok(Self::Divided(Arc::new(divided.mesh), refinement, position(film)))
+        Ok(Self::Divided(Arc::new(divided.mesh), refinement, Known::of(film)))
     }
 }

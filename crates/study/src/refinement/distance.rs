@@ -1,0 +1,73 @@
+//! How far bars are from their tolerances.
+
+use crate::estimate::Estimated;
+use crate::film::Film;
+use crate::measure::possible_load;
+use crate::quantities::{ECCENTRICITY, Quantity, SIDE_FLOW, Unit};
+use oilwedge_scene::Target;
+
+/// Tolerances of what is less than this part of what it could be count against that part: loads against those that the pressures
+/// could carry, the eccentricity against the clearance.
+const LEAST: f64 = 1e-3;
+/// The same of the flow at the ends and that which the journal drags through the clearance.
+const LEAST_FLOW: f64 = 0.05;
+
+/// Sizes that numbers of a film could have: tolerances of much smaller ones count against a part of them.
+struct Possible {
+    /// The load [N] that its pressures could carry.
+    load: f64,
+    /// The oil [m3/s] that the journal drags through the clearance.
+    flow: f64,
+}
+
+impl Possible {
+    fn of(film: &Film, estimated: &Estimated) -> Self {
+        let bearing = &film.problem.bearing;
+        let drag = 0.5 * film.problem.journal.speed.abs() * bearing.radius;
+        Self {
+            load: possible_load(&film.problem, &estimated.measured),
+            flow: drag * bearing.clearance * bearing.length,
+        }
+    }
+
+    /// What a relative bar of a quantity is relative to, in its unit.
+    fn size(&self, quantity: &Quantity) -> f64 {
+        match quantity.row.unit {
+            Unit::Degree => 1f64.to_degrees(),
+            Unit::Newton => quantity.value.abs().max(LEAST * self.load),
+            _ if quantity.row == &SIDE_FLOW => quantity.value.abs().max(LEAST_FLOW * self.flow),
+            _ if quantity.row == &ECCENTRICITY => quantity.value.abs().max(LEAST),
+            _ => quantity.value.abs(),
+        }
+    }
+
+    /// The bar of a target over what it may be; infinite where it is missing. A quantity that this film does not have is met.
+    fn ratio(&self, quantities: &[Quantity], target: &Target) -> f64 {
+        let Some(quantity) = quantities.iter().find(|quantity| quantity.name == target.quantity) else {
+            return 0.0;
+        };
+        match quantity.error() {
+            None => f64::INFINITY,
+            Some(0.0) => 0.0,
+            Some(error) => error / (target.relative * self.size(quantity)),
+        }
+    }
+}
+
+/// The greatest bar over what it may be, and of which quantity.
+pub(super) fn worst<'a>(film: &Film, estimated: &Estimated, targets: &'a [Target]) -> (f64, &'a str) {
+    let possible = Possible::of(film, estimated);
+    (targets.iter())
+        .map(|target| (possible.ratio(&estimated.quantities, target), target.quantity.as_str()))
+        .fold((0.0, ""), |worst, next| if next.0 > worst.0 { next } else { worst })
+}
+
+/// Names of the targets whose bars are wider than they may be, with these bars over the values [1].
+pub(crate) fn wide_bars<'a>(film: &Film, estimated: &Estimated, targets: &'a [Target]) -> Vec<(&'a str, f64)> {
+    let possible = Possible::of(film, estimated);
+    let wide = |target: &'a Target| {
+        let ratio = possible.ratio(&estimated.quantities, target);
+        (ratio > 1.0 && ratio.is_finite()).then_some((target.quantity.as_str(), ratio * target.relative))
+    };
+    targets.iter().filter_map(wide).collect()
+}
