@@ -86,7 +86,7 @@ impl Verify {
     }
 
     fn write(&self, verdicts: &[Verdict], maps: &[CellMap]) -> Result<(), Failure> {
-        let svg = cells_to_svg(maps)?;
+        let svg = cells_to_svg(maps);
         let png = to_png(&svg)?;
         let text = page(verdicts, maps, "stability.png");
         let files = [

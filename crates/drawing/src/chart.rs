@@ -210,6 +210,7 @@ impl Chart {
         if self.kind == Kind::Curves {
             self.bands.iter().for_each(|band| draw_band(figure, &frame, band));
             frame.draw_grid(figure);
+            self.bands.iter().for_each(|band| draw_note_of(figure, &frame, band));
         }
         figure.clipped(with_room(frame.inner), |figure| {
             self.series
@@ -232,27 +233,32 @@ fn with_room([left, top, width, height]: Rectangle) -> Rectangle {
 }
 
 fn draw_band(figure: &mut Figure, frame: &Frame, band: &Band) {
-    let [left, top, width, height] = frame.inner;
+    if let Some([high, low]) = extent(frame, band) {
+        let [left, _, width, _] = frame.inner;
+        figure.rectangle([left, high, width, low - high], GRID);
+    }
+}
+
+/// What a band means, where it has room for that.
+fn draw_note_of(figure: &mut Figure, frame: &Frame, band: &Band) {
+    let letters = Letters::sized(SMALLEST_LETTERS).coloured(GREY);
+    let fits = |[high, low]: &[f64; 2]| low - high > 1.2 * letters.line() && band.note.width(letters) < frame.inner[2] - 3.0;
+    if let Some([high, low]) = extent(frame, band).filter(fits) {
+        let width = band.note.width(letters);
+        let y = low - 0.7 * letters.line();
+        // Above the lines of the grid.
+        figure.rectangle([frame.inner[0] + 1.0, f64::max(y - 0.5 * letters.line(), high), width + 1.0, 0.9 * letters.line()], GRID);
+        figure.text([frame.inner[0] + 1.5, y], &band.note, letters, Anchor::Left);
+    }
+}
+
+/// The upper and the lower end of a band on the sheet [mm], where it is within the frame.
+fn extent(frame: &Frame, band: &Band) -> Option<[f64; 2]> {
+    let [_, top, _, height] = frame.inner;
     let place = |value: f64| frame.at([1.0, value])[1].clamp(top, top + height);
     let high = place(band.high);
-    let low = if band.low.is_finite() {
-        place(band.low)
-    } else {
-        top + height
-    };
-    if low <= high {
-        return;
-    }
-    figure.rectangle([left, high, width, low - high], GRID);
-    let letters = Letters::sized(SMALLEST_LETTERS).coloured(GREY);
-    if low - high > letters.line() && band.note.width(letters) < width - 3.0 {
-        figure.text(
-            [left + 1.5, low - 0.6 * letters.line()],
-            &band.note,
-            letters,
-            Anchor::Left,
-        );
-    }
+    let low = if band.low.is_finite() { place(band.low) } else { top + height };
+    (low > high).then_some([high, low])
 }
 
 fn draw_series(figure: &mut Figure, frame: &Frame, series: &Series) {

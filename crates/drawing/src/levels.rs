@@ -31,4 +31,13 @@ impl Levels {
         }
         Self { edges, colours }
     }
+
+    /// `count` bands of equal extent between two values.
+    pub fn even([low, high]: [f64; 2], map: ColourMap, count: usize) -> Self {
+        let part = |k: usize| k as f64 / count as f64;
+        Self {
+            edges: (1..count).map(|k| low + (high - low) * part(k)).collect(),
+            colours: (0..count).map(|k| map.colour(part(k) + 0.5 / count as f64)).collect(),
+        }
+    }
 }

@@ -108,6 +108,39 @@ impl Label {
         POINT * width * if letters.weight == Weight::Bold { BOLD } else { 1.0 }
     }
 
+    /// A plain text cut off with an ellipsis where it is wider than this [mm].
+    pub fn fitted(text: &str, letters: Letters, width: f64) -> Self {
+        let whole = Self::plain(text);
+        if whole.width(letters) <= width {
+            return whole;
+        }
+        let mut short: Vec<char> = whole.text().chars().collect();
+        loop {
+            short.pop();
+            let text: String = short.iter().collect();
+            let label = Self::plain(&format!("{}\u{2026}", text.trim_end()));
+            if short.is_empty() || label.width(letters) <= width {
+                return label;
+            }
+        }
+    }
+
+    /// A plain text in lines that are no wider than this [mm], as far as its words are not.
+    pub fn wrapped(text: &str, letters: Letters, width: f64) -> Vec<Self> {
+        let mut lines: Vec<String> = Vec::new();
+        for word in text.split_whitespace() {
+            let longer = lines.last().map(|line| format!("{line} {word}"));
+            match longer.filter(|line| Self::plain(line).width(letters) <= width) {
+                Some(longer) => {
+                    lines.pop();
+                    lines.push(longer);
+                }
+                None => lines.push(word.to_owned()),
+            }
+        }
+        lines.iter().map(|line| Self::plain(line)).collect()
+    }
+
     /// The content of an SVG text element.
     pub(crate) fn to_svg(&self, letters: Letters) -> String {
         let mut svg = String::new();
@@ -243,6 +276,21 @@ mod tests {
         }
         assert_eq!(Label::plain("a *b* \u{1b}").to_svg(Letters::default()), "a *b* ");
         assert!(Label::plain("").is_empty());
+    }
+
+    #[test]
+    fn long_texts_are_cut_off_or_wrapped() {
+        let letters = Letters::default();
+        let text = "a text of several words that is too long for its place";
+        let short = Label::fitted(text, letters, 30.0);
+        assert!(
+            short.width(letters) <= 30.0 && short.text().ends_with('\u{2026}'),
+            "{short:?}"
+        );
+        assert_eq!(Label::fitted(text, letters, 200.0).text(), text);
+        let lines = Label::wrapped(text, letters, 30.0);
+        assert!(lines.len() > 2 && lines.iter().all(|line| line.width(letters) <= 30.0));
+        assert_eq!(lines.iter().map(Label::text).collect::<Vec<_>>().join(" "), text);
     }
 
     #[test]
