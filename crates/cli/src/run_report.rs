@@ -135,7 +135,7 @@ pub(crate) mod tests {
     use super::*;
     use oilwedge_study::effects::{EFFECTS, Effects};
     use oilwedge_study::quantities::{ATTITUDE_ANGLE, BOLT_TORQUE, LOAD, Quantity, SIDE_FLOW};
-    use oilwedge_study::result::{MeshFacts, RESULT_FORMAT, Status};
+    use oilwedge_study::result::{Geometry, MeshFacts, RESULT_FORMAT, Status};
 
     pub(crate) fn result() -> RunResult {
         RunResult {
@@ -150,6 +150,7 @@ pub(crate) mod tests {
                 simulated: EFFECTS[2..4].to_vec(),
                 not_simulated: vec!["squeeze"],
             },
+            geometry: Geometry::default(),
             mesh: MeshFacts {
                 cells: 592,
                 nodes: 1245,

@@ -2,6 +2,7 @@
 
 use crate::complain::{self, Failure};
 use crate::interrupt;
+use crate::plot;
 use crate::progress::Progress;
 use crate::run_options::RunArguments;
 use crate::run_report::run_report;
@@ -24,6 +25,10 @@ pub(crate) struct Solve {
     /// Draw film.vtu on the unrolled liner (x = R phi, y = z) instead of on the cylinder.
     #[arg(long)]
     unrolled: bool,
+
+    /// Draw pictures of the film into the folder plot of the results.
+    #[arg(long)]
+    plot: bool,
 
     /// Solve again without each effect, and show what it changes and what it costs.
     #[arg(long)]
@@ -86,9 +91,14 @@ impl Solve {
         }
         drop(working);
         let json = result_json(&run.result, &add_ons)?;
+        let figures = match run.picture.as_ref().filter(|_| self.plot) {
+            Some(picture) => plot::figures_of_film(&json, picture, &plot::usual())?,
+            None => Vec::new(),
+        };
         let picture = run.picture.map(to_vtu).transpose()?;
         let folder = self.run.folder();
         write_results(&folder, &run.result, &add_ons, picture.as_deref())?;
+        let drawn = plot::written(&folder, &figures)?;
         if let Some(plan) = &scene.sweep {
             let cases = plan.cases();
             complain::warn(&[format!(
@@ -100,7 +110,7 @@ impl Solve {
         output(
             self.run.json,
             || Ok(json),
-            || run_report(&run.result, &add_ons, &folder, picture),
+            || run_report(&run.result, &add_ons, &folder, picture) + &drawn,
             Some(&folder),
         )?;
         Ok(exit_code(run.result.status))

@@ -242,12 +242,21 @@ fn draw_band(figure: &mut Figure, frame: &Frame, band: &Band) {
 /// What a band means, where it has room for that.
 fn draw_note_of(figure: &mut Figure, frame: &Frame, band: &Band) {
     let letters = Letters::sized(SMALLEST_LETTERS).coloured(GREY);
-    let fits = |[high, low]: &[f64; 2]| low - high > 1.2 * letters.line() && band.note.width(letters) < frame.inner[2] - 3.0;
+    let fits =
+        |[high, low]: &[f64; 2]| low - high > 1.2 * letters.line() && band.note.width(letters) < frame.inner[2] - 3.0;
     if let Some([high, low]) = extent(frame, band).filter(fits) {
         let width = band.note.width(letters);
         let y = low - 0.7 * letters.line();
         // Above the lines of the grid.
-        figure.rectangle([frame.inner[0] + 1.0, f64::max(y - 0.5 * letters.line(), high), width + 1.0, 0.9 * letters.line()], GRID);
+        figure.rectangle(
+            [
+                frame.inner[0] + 1.0,
+                f64::max(y - 0.5 * letters.line(), high),
+                width + 1.0,
+                0.9 * letters.line(),
+            ],
+            GRID,
+        );
         figure.text([frame.inner[0] + 1.5, y], &band.note, letters, Anchor::Left);
     }
 }
@@ -257,7 +266,11 @@ fn extent(frame: &Frame, band: &Band) -> Option<[f64; 2]> {
     let [_, top, _, height] = frame.inner;
     let place = |value: f64| frame.at([1.0, value])[1].clamp(top, top + height);
     let high = place(band.high);
-    let low = if band.low.is_finite() { place(band.low) } else { top + height };
+    let low = if band.low.is_finite() {
+        place(band.low)
+    } else {
+        top + height
+    };
     (low > high).then_some([high, low])
 }
 

@@ -39,7 +39,7 @@ pub use patch::Patch;
 pub use polar::Polar;
 pub use raster::{Error, to_png};
 pub use text::{Label, Letters};
-pub use wires::draw_mesh;
+pub use wires::{draw_mesh, joined};
 
 /// A typographic point [mm].
 pub const POINT: f64 = 25.4 / 72.0;

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::outline::{PLACES, Place};
+use crate::outline::{PLACES, Place, place};
 use crate::patch::{Side, sides};
 use crate::{Figure, Patch, Pen};
 
@@ -13,10 +13,26 @@ pub fn draw_mesh(figure: &mut Figure, patches: &[Patch], pen: Pen) {
 
 /// The sides of all triangles as few lines [mm], each side once.
 fn trails(patches: &[Patch]) -> Vec<Vec<[f64; 2]>> {
-    let mut all: Vec<Side> = patches
-        .iter()
-        .flat_map(|patch| sides(patch).map(|(side, _)| side))
-        .collect();
+    join(
+        patches
+            .iter()
+            .flat_map(|patch| sides(patch).map(|(side, _)| side))
+            .collect(),
+    )
+}
+
+/// Pieces of lines [mm] as few lines: pieces that meet are drawn on from each other.
+pub fn joined(pieces: &[[[f64; 2]; 2]]) -> Vec<Vec<[f64; 2]>> {
+    let side = |piece: &[[f64; 2]; 2]| -> Side {
+        let [a, b] = piece.map(place);
+        let middle = [0, 1].map(|d| a[d] + (b[d] - a[d]) / 2);
+        if a <= b { [a, b, middle] } else { [b, a, middle] }
+    };
+    let sides = pieces.iter().map(side);
+    join(sides.filter(|[a, b, _]| a != b).collect())
+}
+
+fn join(mut all: Vec<Side>) -> Vec<Vec<[f64; 2]>> {
     all.sort_unstable();
     all.dedup();
     let mut at: HashMap<Place, Vec<usize>> = HashMap::new();
@@ -27,12 +43,25 @@ fn trails(patches: &[Patch]) -> Vec<Vec<[f64; 2]>> {
     let point = |place: Place| place.map(|part| f64::from(part) / PLACES);
     let mut drawn = vec![false; all.len()];
     let mut lines = Vec::new();
-    for start in 0..all.len() {
+    // Lines that have ends are drawn from one of them.
+    let end_of = |side: &Side| {
+        side[..2]
+            .iter()
+            .copied()
+            .find(|end| at.get(end).is_some_and(|sides| sides.len() % 2 == 1))
+    };
+    let (ends, others): (Vec<usize>, Vec<usize>) = (0..all.len()).partition(|k| end_of(&all[*k]).is_some());
+    let starts: Vec<(usize, Place)> = ends
+        .into_iter()
+        .chain(others)
+        .map(|k| (k, end_of(&all[k]).unwrap_or(all[k][0])))
+        .collect();
+    for (start, from) in starts {
         if drawn[start] {
             continue;
         }
         // Straight on through as many sides as possible.
-        let mut end = all[start][0];
+        let mut end = from;
         let mut line = vec![point(end)];
         while let Some(next) = at.get_mut(&end).and_then(|sides| {
             while sides.last().is_some_and(|k| drawn[*k]) {

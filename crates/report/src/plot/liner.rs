@@ -41,6 +41,19 @@ impl Liner {
         }
     }
 
+    /// The liner of radius R [m] between two angles `from` and `to` [rad], where triangles may be any number of turns away; cut off at both ends.
+    pub(super) fn between(cells: &[Nodes], radius: f64, [from, to]: [f64; 2]) -> Self {
+        let period = Some(std::f64::consts::TAU * radius);
+        let whole = Self::of(cells, radius, period, Some(radius * from));
+        let high = [radius * to, whole.high[1]];
+        Self { high, ..whole }
+    }
+
+    /// Angles [rad] at which the liner begins and ends.
+    pub(super) fn angles(&self) -> [f64; 2] {
+        [self.low[0] / self.radius, self.high[0] / self.radius]
+    }
+
     /// The frame of the map within a rectangle whose height is not limited, to scale. A needle or a washer, which would be too high or too
     /// low for a sheet, is narrower or stretched.
     pub(super) fn frame(&self, [left, top, width, _]: Rectangle) -> Frame {

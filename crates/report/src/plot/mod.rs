@@ -1,19 +1,35 @@
-//! Pictures, drawn by the crate `drawing`: a convergence study, a balance of heat, maps of cells.
+//! Pictures, drawn by the crate `drawing`: of a film, a sweep, a convergence study, a balance of heat, and maps of cells.
 //!
-//! Reading order: `liner.rs` (the unrolled liner on the sheet), `convergence.rs` and `error_map.rs` (errors, and the adaptive mesh),
-//! `temperature.rs` (two curves that cross), `cells.rs` (maps of cases).
+//! Reading order: `film.rs` (a film as it is drawn), `liner.rs` (the unrolled liner on the sheet), `field_map.rs`, `section.rs` (across the
+//! bearing), `sample.rs` and `profiles.rs`, `sweep.rs`, `files.rs` (which pictures there are); `convergence.rs` and `error_map.rs` (errors, and
+//! the adaptive mesh), `temperature.rs` (two curves that cross), `cells.rs` (maps of cases).
 
 mod cells;
 mod convergence;
 mod error_map;
+mod field_map;
+mod files;
+mod film;
 mod liner;
+mod profiles;
+mod sample;
+mod section;
+mod sweep;
 mod temperature;
 
 pub use cells::{Cell, CellMap, cells_to_svg};
+pub use files::{PLOT_FOLDER, PlotOptions, Unknown, figures_of_sweep, film_figures, write_figures};
+pub use film::DrawnFilm;
 pub use temperature::{TEMPERATURE_FILES, temperature_to_svg};
 
 use crate::Error;
 use oilwedge_campaign::convergence::Convergence;
+use oilwedge_drawing::Figure;
+
+/// The picture of a convergence study.
+pub fn convergence_figure(study: &Convergence) -> Figure {
+    convergence::figure(study)
+}
 
 /// The picture of a convergence study as SVG.
 pub fn to_svg(study: &Convergence) -> String {
