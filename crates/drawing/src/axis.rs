@@ -23,9 +23,10 @@ const ROOM_DECADES: f64 = 0.15;
 const MOST_DECADES: f64 = 8.0;
 /// Room beyond the outermost values, as a part of their extent.
 const ROOM: f64 = 0.05;
-/// A linear axis begins at zero where its lesser end is below this part of the other, or round-off on the other side.
+/// A linear axis begins at zero where its lesser end is below this part of the other, or hardly on the other side.
 const NEAR: f64 = 0.25;
 const ROUND_OFF: f64 = 1e-9;
+const UNDERSHOOT: f64 = 2e-3;
 /// Leading digits of round steps, and steps of angles [deg].
 const DIGITS: [f64; 4] = [1.0, 2.0, 2.5, 5.0];
 const DEGREES: [f64; 9] = [1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 60.0, 90.0];
@@ -153,7 +154,7 @@ fn linear(bounds: Option<[f64; 2]>) -> [f64; 2] {
         extent => extent,
     };
     let room = ROOM * extent;
-    let is_near = |end: f64, other: f64| (-ROUND_OFF..NEAR).contains(&(end / other));
+    let is_near = |end: f64, other: f64| (-UNDERSHOOT..NEAR).contains(&(end / other));
     [
         if is_near(low, high) { 0.0 } else { low - room },
         if is_near(high, low) { 0.0 } else { high + room },

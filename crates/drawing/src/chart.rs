@@ -1,8 +1,8 @@
 //! Curves with marks and error bars over two axes, and several such charts on one sheet with one legend.
 
 use crate::{
-    Anchor, Axis, Colour, Entry, Figure, Frame, GREY, GRID, Label, Letters, Mark, Pen, Rectangle, SMALLEST_LETTERS,
-    Scale, Stroke, draw_legend, legend_height,
+    Anchor, Axis, Colour, Entry, Figure, Frame, GREY, GRID, LETTERS, Label, Letters, Mark, Pen, Rectangle,
+    SMALLEST_LETTERS, Scale, Stroke, draw_legend, legend_height,
 };
 
 /// Height of a chart over its width, and between charts [mm].
@@ -319,21 +319,29 @@ fn entries(charts: &[Chart]) -> Vec<Entry> {
     entries
 }
 
-/// Charts beside and below each other on a sheet of that width [mm], `columns` in a row, with one legend.
+/// Charts beside and below each other on a sheet of that width [mm], `columns` in a row, with a title and one legend.
 pub fn charts_figure(title: &str, charts: &[Chart], columns: usize, width: f64) -> Figure {
     let columns = columns.clamp(1, charts.len().max(1));
     let inner = width - 2.0 * MARGIN;
     let each = (inner - GAP * (columns - 1) as f64) / columns as f64;
     let height = ASPECT * each + 8.0;
     let rows = charts.len().div_ceil(columns);
-    let below = MARGIN + (height + GAP) * rows as f64;
+    let bold = Letters::sized(LETTERS + 1.0).bold();
+    let head = MARGIN + bold.line() + 1.0;
+    let below = head + (height + GAP) * rows as f64;
     let legend = entries(charts);
     let names: Vec<String> = charts.iter().map(|chart| chart.title.text()).collect();
     let size = [width, below + legend_height(&legend, inner) + MARGIN];
     let mut figure = Figure::new(size, title, &names.join("; "));
+    figure.text(
+        [MARGIN, MARGIN + 0.5 * bold.line()],
+        &Label::fitted(title, bold, inner),
+        bold,
+        Anchor::Left,
+    );
     for (k, chart) in charts.iter().enumerate() {
         let left = MARGIN + (each + GAP) * (k % columns) as f64;
-        let top = MARGIN + (height + GAP) * (k / columns) as f64;
+        let top = head + (height + GAP) * (k / columns) as f64;
         chart.draw(&mut figure, [left, top, each, height]);
     }
     draw_legend(&mut figure, &legend, [MARGIN, below - 0.4 * GAP], inner);

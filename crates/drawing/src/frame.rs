@@ -7,10 +7,12 @@ const GAP: f64 = 1.2;
 /// Length of a tick [mm].
 const TICK: f64 = 0.8;
 /// Room of a tick across and upwards [mm].
-const ACROSS: f64 = 17.0;
+const ACROSS: f64 = 14.0;
 const UPWARDS: f64 = 8.5;
 /// Width of a colour bar, and its distance from the frame [mm].
 const BAR: [f64; 2] = [3.0, 2.5];
+/// Room of a number beside a colour bar [mm].
+const BAR_STEP: f64 = 5.0;
 /// Lines of a grid within decades.
 const FINE: Colour = Colour([241, 241, 241]);
 
@@ -184,7 +186,7 @@ pub fn draw_colour_bar(figure: &mut Figure, beside: Rectangle, axis: &Axis, map:
         figure.rectangle([x, top, BAR[0], height * (1.0 - pair[0])], colour);
     }
     figure.frame([x, top, BAR[0], height], Pen::new(0.5, INK));
-    let ticks = axis.ticks((height / UPWARDS).max(2.0));
+    let ticks = axis.ticks((height / BAR_STEP).max(2.0));
     let right = x + BAR[0];
     let place = |value: f64| top + height * (1.0 - axis.place(value));
     figure.lines(

@@ -4,6 +4,9 @@
 //! middles of the sides between them. Only where the pressure is cut off after the solve (Guembel) it follows the pressure.
 //! Oil flows into the cavity at a rupture and out of it at a reformation.
 
+use std::collections::HashMap;
+use std::f64::consts::TAU;
+
 use oilwedge_fem::control_volumes::sub_triangles;
 use oilwedge_mesh::Mesh;
 use oilwedge_reynolds::FilmSolution;
@@ -17,6 +20,11 @@ pub const RUPTURE: &str = "rupture";
 pub const REFORMATION: &str = "reformation";
 /// How the names of rims begin; the name of the feed or pocket follows.
 pub const RIM: &str = "rim.";
+
+/// How often the directions of neighbouring pieces are averaged.
+const ROUNDS: usize = 12;
+/// Ends that are closer than this part of the radius are one.
+const CLOSE: f64 = 1e-9;
 
 /// A piece of a line on the unrolled liner `(R phi, z)` [m].
 pub(crate) type Piece = [[f64; 2]; 2];
@@ -40,15 +48,14 @@ enum Node {
 
 /// Rupture and reformation.
 fn cavity_edges(film: &Film, solution: &FilmSolution) -> [Vec<Piece>; 2] {
-    let mut edges = [Vec::new(), Vec::new()];
     let problem = &film.problem;
     let Some(floor) = problem.cavitation.pressure() else {
-        return edges;
+        return [Vec::new(), Vec::new()];
     };
+    let mut pieces: Vec<(Piece, [f64; 2])> = Vec::new();
     let nodes = nodes(film, solution, floor);
     let space = film.system.space();
     let excess = |dof: usize| problem.equation_pressure(solution.unknown[dof]) - floor;
-    let velocity = problem.surface_velocity();
     for t in 0..space.mesh().triangles().len() {
         let (dofs, positions) = (space.element_dofs(t), space.mesh().nodes(t));
         for corners in sub_triangles(space, t) {
@@ -81,11 +88,43 @@ fn cavity_edges(film: &Film, solution: &FilmSolution) -> [Vec<Piece>; 2] {
             if (0..2).map(|d| normal[d] * (at(broken)[d] - from[d])).sum::<f64>() < 0.0 {
                 normal = normal.map(|part| -part);
             }
-            let enters = velocity[0] * normal[0] + velocity[1] * normal[1] >= 0.0;
-            edges[usize::from(!enters)].push([*from, *to]);
+            pieces.push(([*from, *to], normal));
         }
     }
+    let velocity = problem.surface_velocity();
+    let mut edges = [Vec::new(), Vec::new()];
+    for (piece, normal) in smoothed(pieces, problem.bearing.radius) {
+        let enters = velocity[0] * normal[0] + velocity[1] * normal[1] >= 0.0;
+        edges[usize::from(!enters)].push(piece);
+    }
     edges
+}
+
+/// The normals averaged with those of pieces that meet: an edge that runs along the flow in steps is one or the other as a whole.
+fn smoothed(mut pieces: Vec<(Piece, [f64; 2])>, radius: f64) -> Vec<(Piece, [f64; 2])> {
+    let place = |point: [f64; 2]| {
+        // The two sides of the seam of a ring are one.
+        let turn = (point[0] / radius).rem_euclid(TAU);
+        [turn * radius, point[1]].map(|part| (part / (CLOSE * radius)).round() as i64)
+    };
+    let mut at: HashMap<[i64; 2], Vec<usize>> = HashMap::new();
+    for (k, (piece, _)) in pieces.iter().enumerate() {
+        piece.iter().for_each(|end| at.entry(place(*end)).or_default().push(k));
+    }
+    for _ in 0..ROUNDS {
+        let normals: Vec<[f64; 2]> = pieces
+            .iter()
+            .map(|(piece, _)| {
+                let around = piece.iter().flat_map(|end| &at[&place(*end)]);
+                around.fold([0.0; 2], |sum, k| [0, 1].map(|d| sum[d] + 0.25 * pieces[*k].1[d]))
+            })
+            .collect();
+        pieces
+            .iter_mut()
+            .zip(normals)
+            .for_each(|(piece, normal)| piece.1 = normal);
+    }
+    pieces
 }
 
 fn nodes(film: &Film, solution: &FilmSolution, floor: f64) -> Vec<Node> {

@@ -4,8 +4,8 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use oilwedge_drawing::{
-    Anchor, BLACK, BLUE, Colour, ColourMap, Figure, GREY, GRID, INK, Label, Letters, POINT, Pen, Polar, SKY,
-    SMALLEST_LETTERS, Stroke, VERMILION, WHITE, linear_steps, number,
+    Anchor, BLACK, BLUE, Colour, Figure, GREY, GRID, INK, Label, Letters, POINT, Pen, Polar, SKY, SMALLEST_LETTERS,
+    Stroke, VERMILION, WHITE, linear_steps, number,
 };
 use oilwedge_study::fields::PRESSURE;
 use oilwedge_study::quantities::{ATTITUDE_ANGLE, ECCENTRICITY, FILM_THICKNESS_MIN, LOAD, LOAD_ANGLE, Row};
@@ -20,7 +20,7 @@ const BORE: f64 = 0.25;
 const WALL: f64 = 0.035;
 const RELIEF: f64 = 0.14;
 /// The gap at no eccentricity over the bore.
-const GAP: f64 = 0.20;
+const GAP: f64 = 0.17;
 /// Widest sheet of this picture [mm].
 const WIDEST: f64 = 120.0;
 /// The shell and the journal.
@@ -43,13 +43,14 @@ pub(super) fn section_figure(film: &DrawnFilm, width: f64) -> Option<Figure> {
     let top = draw_head(&mut figure, &film.title, &numbers, width);
     let bore = BORE * width;
     let outer = bore + WALL * width;
-    let half = outer + RELIEF * width + 5.0;
+    let half = outer + RELIEF * width + 7.0;
     let centre = [0.5 * width, top + half];
     let axes = Polar {
         centre,
         base: outer,
         scale: 1.0,
     };
+    draw_angles(&mut figure, axes, RELIEF * width);
     draw_pressure(&mut figure, film, axes, RELIEF * width);
     draw_shell(&mut figure, film, axes, [bore, outer]);
     let gap = GAP * bore;
@@ -75,7 +76,10 @@ pub(super) fn section_figure(film: &DrawnFilm, width: f64) -> Option<Figure> {
     dot(&mut figure, journal, VERMILION);
     let letters = Letters::sized(SMALLEST_LETTERS).coloured(GREY);
     let times = gap / bore * film.radius / film.clearance;
-    let note = format!("gap drawn {} times too wide", (times / 5.0).round() * 5.0);
+    let note = format!(
+        "outside the shell: pressure at mid-length; gap drawn {} times too wide",
+        (times / 5.0).round() * 5.0
+    );
     let bottom = top + 2.0 * half;
     figure.text(
         [1.0, bottom + 0.5 * letters.line()],
@@ -147,7 +151,7 @@ fn draw_pressure(figure: &mut Figure, film: &DrawnFilm, axes: Polar, room: f64) 
     let runs = angles.iter().zip(&values).collect::<Vec<_>>();
     for run in runs.split(|(_, value)| !value.is_finite()).filter(|run| run.len() > 1) {
         let curve: Vec<[f64; 2]> = run.iter().map(|(angle, value)| [**angle, **value / size]).collect();
-        axes.draw_curve(figure, &curve, ColourMap::Batlow.colour(0.14), Pen::new(1.0, BLUE));
+        axes.draw_curve(figure, &curve, SKY.towards(WHITE, 0.65), Pen::new(1.0, BLUE));
     }
     if tension > 0.0 {
         figure.line(&axes.arc(axes.base, from, to), Pen::new(0.4, INK));
@@ -187,7 +191,7 @@ fn draw_pressure(figure: &mut Figure, film: &DrawnFilm, axes: Polar, room: f64) 
     }
 }
 
-/// Shell, feeds, and the angles around.
+/// Shell and feeds.
 fn draw_shell(figure: &mut Figure, film: &DrawnFilm, axes: Polar, [bore, outer]: [f64; 2]) {
     let [from, to] = film.liner.angles();
     let sector = |inner: f64, outer: f64, from: f64, to: f64| -> Vec<[f64; 2]> {
@@ -209,12 +213,17 @@ fn draw_shell(figure: &mut Figure, film: &DrawnFilm, axes: Polar, [bore, outer]:
         let [low, high] = extent(pieces, film.radius);
         figure.polygon(&sector(bore - 0.15, bore + 0.7 * (outer - bore), low, high), SKY);
     }
-    let letters = Letters::sized(SMALLEST_LETTERS).with_halo();
+}
+
+/// Angles around, outside of all else.
+fn draw_angles(figure: &mut Figure, axes: Polar, room: f64) {
+    let letters = Letters::sized(SMALLEST_LETTERS);
     for quarter in 0..4 {
         let angle = f64::from(quarter) * FRAC_PI_2;
+        let end = axes.base + room;
         figure.line(
-            &[axes.point(angle, bore), axes.point(angle, bore - 1.0)],
-            Pen::new(0.5, INK),
+            &[axes.point(angle, axes.base), axes.point(angle, end)],
+            Pen::new(0.4, GRID),
         );
         let label = Label::plain(&format!("{}\u{b0}", 90 * quarter));
         let half = 0.5
@@ -223,7 +232,7 @@ fn draw_shell(figure: &mut Figure, film: &DrawnFilm, axes: Polar, [bore, outer]:
             } else {
                 letters.capital()
             };
-        figure.text(axes.point(angle, bore - 1.8 - half), &label, letters, Anchor::Centre);
+        figure.text(axes.point(angle, end + 2.0 + half), &label, letters, Anchor::Centre);
     }
 }
 

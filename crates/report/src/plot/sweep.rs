@@ -15,6 +15,8 @@ const CHARTS: usize = 8;
 const MAPS: usize = 4;
 /// Room of the bar of colours [mm].
 const BAR: f64 = 16.0;
+/// A quantity that is nowhere greater in its smallest unit is zero.
+const ROUND_OFF: f64 = 1e-6;
 /// Cells without an answer.
 const ABSENT: Colour = Colour([205, 205, 205]);
 
@@ -39,12 +41,20 @@ impl Input<'_> {
     fn word(&self, k: usize) -> String {
         match &self.values[k] {
             Value::String(word) => word.clone(),
-            value => value.as_f64().map_or_else(
-                || value.to_string(),
-                |value| format!("{}", (value * 1e9).round() * 1e-9),
-            ),
+            value => value.as_f64().map_or_else(|| value.to_string(), short),
         }
     }
+}
+
+/// A value with six digits at most.
+fn short(value: f64) -> String {
+    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+    let text = match value.abs() {
+        0.0 => "0".to_owned(),
+        1e-4..1e6 => format!("{rounded}"),
+        _ => format!("{rounded:e}"),
+    };
+    text.replace('-', "\u{2212}")
 }
 
 /// A sweep as `sweep.json` has it.
@@ -112,10 +122,12 @@ impl<'a> Cases<'a> {
         } else {
             selected.to_vec()
         };
-        names
-            .into_iter()
-            .filter(|name| !is_input(name) && self.size(name).is_some())
-            .collect()
+        let is_round_off = |name: &str| {
+            let is_small = |(most, unit): (f64, &str)| most < ROUND_OFF * readable_unit(most, unit).1;
+            selected.is_empty() && self.size(name).is_none_or(is_small)
+        };
+        let says_something = |name: &String| !is_input(name) && self.size(name).is_some() && !is_round_off(name);
+        names.into_iter().filter(says_something).collect()
     }
 }
 

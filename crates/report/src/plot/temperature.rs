@@ -22,7 +22,7 @@ pub(super) fn temperature_figure(result: &Value, width: f64) -> Option<Figure> {
     };
     let title = result["title"].as_str().unwrap_or_default();
     let name = Label::marked("mean temperature of the film *T*, \u{b0}C");
-    let mut chart = Chart::new(title, name, Label::plain("power, W"));
+    let mut chart = Chart::new("", name, Label::plain("power, W"));
     chart.series = vec![
         curve("friction", VERMILION, &|point| number(point, FRICTION_POWER.name)),
         curve("heat carried off", BLUE, &|point| {
