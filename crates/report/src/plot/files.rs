@@ -13,14 +13,14 @@ use super::film::DrawnFilm;
 use super::profiles::profiles_figure;
 use super::section::section_figure;
 use super::sweep::{quantity_names, sweep_figures};
-use super::temperature::temperature_figure;
+use super::temperature::{BALANCE, is_sought, temperature_figure};
 use super::to_png;
 use crate::{Error, folder};
 
 /// Name of the folder.
 pub const PLOT_FOLDER: &str = "plot";
 /// Pictures of a film beside its fields.
-const OF_FILM: [&str; 4] = ["mesh", "section", "profiles", "heat"];
+const OF_FILM: [&str; 4] = ["mesh", "section", "profiles", BALANCE];
 
 /// What is drawn.
 #[derive(Debug, Clone, PartialEq)]
@@ -45,8 +45,8 @@ pub struct Unknown {
 /// # Errors
 /// [`Unknown`]: a selected picture is not one of this film.
 pub fn film_figures(film: &DrawnFilm, options: &PlotOptions) -> Result<Vec<(String, Figure)>, Unknown> {
-    let has_heat = film.result["heat"].is_object();
-    let others = OF_FILM.into_iter().filter(|name| *name != "heat" || has_heat);
+    let has_balance = is_sought(&film.result);
+    let others = OF_FILM.into_iter().filter(|name| *name != BALANCE || has_balance);
     let known: Vec<String> = film.field_names().chain(others).map(str::to_owned).collect();
     check(&options.selected, &known)?;
     let says_something =
@@ -59,7 +59,7 @@ pub fn film_figures(film: &DrawnFilm, options: &PlotOptions) -> Result<Vec<(Stri
     };
     let names: Vec<String> = match options.selected.is_empty() {
         true => usual()
-            .chain(OF_FILM.into_iter().filter(|name| *name != "heat" || has_heat))
+            .chain(OF_FILM.into_iter().filter(|name| *name != BALANCE || has_balance))
             .map(str::to_owned)
             .collect(),
         false => options.selected.clone(),
@@ -69,7 +69,7 @@ pub fn film_figures(film: &DrawnFilm, options: &PlotOptions) -> Result<Vec<(Stri
             "mesh" => Some(mesh_figure(film, options.width)),
             "section" => section_figure(film, options.width),
             "profiles" => profiles_figure(film, options.width),
-            "heat" => temperature_figure(&film.result, options.width),
+            BALANCE => temperature_figure(&film.result, options.width),
             field => field_figure(film, field, options.width),
         };
         Some((name, figure?))

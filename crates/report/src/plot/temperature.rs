@@ -1,11 +1,19 @@
 //! Friction and the heat carried off against the temperature of the film, and where they cross.
 
 use oilwedge_drawing::{BLUE, Chart, Figure, INK, Label, Mark, PAGE_WIDTH, Series, Stroke, VERMILION, charts_figure};
-use oilwedge_study::quantities::{FRICTION_POWER, Row, TEMPERATURE_EFFECTIVE};
+use oilwedge_study::quantities::{FRICTION_POWER, HEAT_CARRIED, HEAT_HOUSING, Row, TEMPERATURE_EFFECTIVE};
 use serde_json::Value;
 
 /// Files of the picture.
 pub const TEMPERATURE_FILES: [&str; 2] = ["heat.svg", "heat.png"];
+
+/// Name of the picture.
+pub(super) const BALANCE: &str = "heat";
+
+/// True where a run has sought the temperature of its film.
+pub(super) fn is_sought(result: &Value) -> bool {
+    result[BALANCE].is_object()
+}
 
 /// The picture of a balance of heat as SVG, from the object of `result.json`; `None` where it has none.
 pub fn temperature_to_svg(result: &Value) -> Option<String> {
@@ -14,7 +22,7 @@ pub fn temperature_to_svg(result: &Value) -> Option<String> {
 
 /// The picture of a balance of heat at that width [mm].
 pub(super) fn temperature_figure(result: &Value, width: f64) -> Option<Figure> {
-    let points = result["heat"]["curve"].as_array()?;
+    let points = result[BALANCE]["curve"].as_array()?;
     let number = |point: &Value, key: &str| point[key].as_f64().unwrap_or(f64::NAN);
     let curve = |name: &str, colour, value: &dyn Fn(&Value) -> f64| {
         let points = points.iter().map(|point| [number(point, "temperature"), value(point)]);
@@ -26,7 +34,7 @@ pub(super) fn temperature_figure(result: &Value, width: f64) -> Option<Figure> {
     chart.series = vec![
         curve("friction", VERMILION, &|point| number(point, FRICTION_POWER.name)),
         curve("heat carried off", BLUE, &|point| {
-            number(point, "heat_carried") + number(point, "heat_housing")
+            number(point, HEAT_CARRIED.name) + number(point, HEAT_HOUSING.name)
         }),
     ];
     let found = |row: &Row| result["quantities"][row.name]["value"].as_f64();
@@ -53,11 +61,11 @@ mod tests {
     use serde_json::json;
 
     fn result(points: &[[f64; 3]]) -> Value {
-        let point = |[temperature, friction, carried]: &[f64; 3]| json!({ "temperature": temperature, FRICTION_POWER.name: friction, "heat_carried": carried, "heat_housing": 1.0 });
+        let point = |[temperature, friction, carried]: &[f64; 3]| json!({ "temperature": temperature, FRICTION_POWER.name: friction, HEAT_CARRIED.name: carried, HEAT_HOUSING.name: 1.0 });
         let found = |value: f64| json!({ "value": value });
         json!({
             "title": "A <bearing>",
-            "heat": { "curve": points.iter().map(point).collect::<Vec<_>>() },
+            BALANCE: { "curve": points.iter().map(point).collect::<Vec<_>>() },
             "quantities": { TEMPERATURE_EFFECTIVE.name: found(82.0), FRICTION_POWER.name: found(330.0) },
         })
     }
