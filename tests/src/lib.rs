@@ -4,6 +4,7 @@ pub mod bench;
 pub mod cavitation_counts;
 pub mod cavitation_page;
 pub mod coverage;
+pub mod docs_images;
 pub mod engine_bearings;
 pub mod flexpde_study;
 pub mod flow_meshes;

@@ -9,10 +9,11 @@ use oilwedge_tests::program::repository;
 use serde_json::Value;
 
 /// The crates from top to bottom; a crate uses crates below it only.
-const TOP_TO_BOTTOM: [&str; 10] = [
+const TOP_TO_BOTTOM: [&str; 11] = [
     "oilwedge",
     "oilwedge-verification",
     "oilwedge-report",
+    "oilwedge-drawing",
     "oilwedge-campaign",
     "oilwedge-study",
     "oilwedge-scene",
@@ -69,6 +70,12 @@ fn crates_use_only_crates_below_them() {
         let below = &TOP_TO_BOTTOM[level + 1..];
         assert!(used.iter().all(|used| below.contains(used)), "{name} uses {used:?}");
     }
+    let drawing = packages.iter().find(|package| package["name"] == "oilwedge-drawing");
+    let drawing = drawing
+        .and_then(|package| package["dependencies"].as_array())
+        .expect("its dependencies");
+    let of_house = |used: &&Value| used["name"].as_str().is_some_and(|name| name.starts_with("oilwedge"));
+    assert_eq!(drawing.iter().find(of_house), None, "drawing knows no oil");
     let others = packages.iter().filter_map(|package| package["name"].as_str());
     let others: Vec<_> = others.filter(|name| !TOP_TO_BOTTOM.contains(name)).collect();
     assert_eq!(

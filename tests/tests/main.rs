@@ -19,6 +19,7 @@ mod literature;
 mod mesh_readers;
 mod oil_balance;
 mod performance;
+mod pictures;
 mod reference;
 mod refinement;
 mod reported_numbers;

@@ -3,12 +3,14 @@
 use crate::complain::Failure;
 use crate::interrupt;
 use crate::levels_table::convergence_report;
+use crate::plot;
 use crate::progress::Progress;
 use crate::run_options::folder;
 use crate::terminal::{exit_code, output};
 use oilwedge_campaign::convergence::{Budget, converge};
 use oilwedge_report::convergence as files;
 use oilwedge_report::json;
+use oilwedge_report::plot::convergence_figure;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -27,6 +29,10 @@ pub(crate) struct Converge {
     /// Print the study as one JSON object instead of tables.
     #[arg(long)]
     json: bool,
+
+    /// Draw the study into the folder plot of the results too.
+    #[arg(long)]
+    plot: bool,
 
     /// Time limit of the study in seconds. It ends with the levels finished by then, as it does at Ctrl-C.
     #[arg(long, value_name = "S", default_value = "30", value_parser = seconds)]
@@ -67,10 +73,16 @@ impl Converge {
         drop(progress);
         let report = &study.report;
         files::write(&folder, &study)?;
+        let is_drawn = self.plot && report.levels().next().is_some();
+        let figures: Vec<_> = is_drawn
+            .then(|| ("converge".to_owned(), convergence_figure(&study)))
+            .into_iter()
+            .collect();
+        let drawn = plot::written(&folder, &figures)?;
         output(
             self.json,
             || json(report),
-            || convergence_report(report, &folder),
+            || convergence_report(report, &folder) + &drawn,
             Some(&folder),
         )?;
         Ok(exit_code(report.status))

@@ -12,6 +12,7 @@ mod interrupt;
 mod levels_table;
 mod mesh;
 mod oil;
+mod plot;
 mod progress;
 mod quantities;
 mod readable;
@@ -70,6 +71,8 @@ enum Verb {
     Converge(converge::Converge),
     /// Solve a scene for all values of its [sweep], to a table with one row a case.
     Sweep(sweep::Sweep),
+    /// Draw the film of a scene, or the results in a folder, as SVG and PNG.
+    Plot(plot::Plot),
     /// Show viscosity and density of an oil by temperature, or which oils a scene may name.
     Oil(oil::Oil),
     /// Check this program against cases with known answers, or against all hard cases.
@@ -85,6 +88,7 @@ fn main() -> ExitCode {
         Verb::Mesh(mesh) => mesh.run(),
         Verb::Converge(converge) => converge.run(),
         Verb::Sweep(sweep) => sweep.run(),
+        Verb::Plot(plot) => plot.run(),
         Verb::Oil(oil) => oil.run(),
         Verb::Verify(verify) => verify.run(),
     });

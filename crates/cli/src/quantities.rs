@@ -88,11 +88,10 @@ fn in_unit_of(main: &Quantity, error: f64) -> String {
 mod tests {
     use super::*;
     use crate::run_report::run_report;
-    use crate::run_report::tests::result;
+    use crate::run_report::tests::{result, written};
     use crate::shown::Shown;
     use oilwedge_study::effects::EFFECTS;
     use oilwedge_study::quantities::Bar;
-    use std::path::Path;
 
     /// A load with a bar, an angle whose bar is not resolved, an eccentricity that is given.
     fn with_bars() -> RunResult {
@@ -139,7 +138,7 @@ mod tests {
             level(9000, Refinement::Uniform, 8.0, 0.05),
             level(12_000, Refinement::Local, 1.0, 1.2),
         ];
-        let text = run_report(&result, Shown::Headlines, &[], Path::new("out"), true);
+        let text = run_report(&result, Shown::Headlines, &[], written());
         let wanted = "\
 bar       of the load, ± 1 N: triangles 0.9 N, edge of the cavity 0.1 N
 levels    2000 unknowns, W ± 36 N, 15.0 ms (first mesh)
@@ -152,12 +151,12 @@ balance";
             .copied()
             .filter(|effect| effect.socket == Socket::Position);
         result.effects.simulated.extend(position);
-        assert!(!run_report(&result, Shown::Headlines, &[], Path::new("out"), true).contains("bar  "));
+        assert!(!run_report(&result, Shown::Headlines, &[], written()).contains("bar  "));
         result.quantities[2].bar = Some(Bar {
             position: 2e-5,
             ..Bar::default()
         });
-        let text = run_report(&result, Shown::Headlines, &[], Path::new("out"), true);
+        let text = run_report(&result, Shown::Headlines, &[], written());
         let wanted = "bar       of the eccentricity, ± 2e-5: position under the load 2e-5\n";
         assert!(text.contains(wanted), "{text}");
     }

@@ -1,36 +1,6 @@
 //! Numbers for people: a unit that suits the size, and the significant digits that are known.
 
-use oilwedge_study::quantities::Unit;
-
-/// The units in which people read a quantity, from small to large, with their size in its own unit. Pressures have one, that of all
-/// messages, so that no two numbers of a run are in different units of pressure.
-fn readable_units(unit: Unit) -> &'static [(&'static str, f64)] {
-    match unit {
-        Unit::One => &[("", 1.0)],
-        Unit::Degree => &[("deg", 1.0)],
-        Unit::Celsius => &[("degC", 1.0)],
-        Unit::Pascal => &[("bar", 1e5)],
-        Unit::PascalOfStress => &[("MPa", 1e6)],
-        Unit::PascalSecond => &[("mPa.s", 1e-3), ("Pa.s", 1.0)],
-        Unit::Metre => &[("um", 1e-6), ("mm", 1e-3), ("m", 1.0)],
-        Unit::CubicMetrePerSecond => &[("ml/s", 1e-6), ("l/s", 1e-3)],
-        Unit::Newton => &[("N", 1.0), ("kN", 1e3), ("MN", 1e6)],
-        Unit::NewtonMetre => &[("mN.m", 1e-3), ("N.m", 1.0), ("kN.m", 1e3)],
-        Unit::Watt => &[("mW", 1e-3), ("W", 1.0), ("kW", 1e3)],
-    }
-}
-
-/// The unit in which to show a value, and its size: the largest in which the value is not below one.
-pub(crate) fn readable_unit(value: f64, unit: Unit) -> (&'static str, f64) {
-    let units = readable_units(unit);
-    let fitting = units.iter().rev().find(|(_, size)| value.abs() >= *size);
-    let own = || units.iter().find(|(_, size)| *size == 1.0);
-    let chosen = match value == 0.0 {
-        true => own(),
-        false => fitting,
-    };
-    chosen.or(units.first()).copied().unwrap_or((unit.name(), 1.0))
-}
+pub(crate) use oilwedge_report::readable::readable_unit;
 
 /// A value with this many significant digits, as a decimal where that is short and with an exponent elsewhere.
 pub(crate) fn significant(value: f64, digits: usize) -> String {
@@ -95,25 +65,6 @@ pub(crate) fn bar(half_width: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn the_unit_suits_the_size() {
-        assert_eq!(readable_unit(12_910.0, Unit::Newton), ("kN", 1e3));
-        assert_eq!(readable_unit(15e-6, Unit::Metre), ("um", 1e-6));
-        assert_eq!(readable_unit(1e-9, Unit::Metre), ("um", 1e-6));
-        assert_eq!(readable_unit(0.0, Unit::Metre), ("m", 1.0));
-        assert_eq!(readable_unit(0.0, Unit::CubicMetrePerSecond), ("ml/s", 1e-6));
-        assert_eq!(readable_unit(49.0, Unit::Degree), ("deg", 1.0));
-        assert_eq!(readable_unit(2.0, Unit::One), ("", 1.0));
-    }
-
-    #[test]
-    fn all_pressures_are_in_one_unit() {
-        for pressure in [0.0, 3.0, -2.5e6, 4e11] {
-            assert_eq!(readable_unit(pressure, Unit::Pascal), ("bar", 1e5));
-        }
-        assert_eq!(readable_unit(4e8, Unit::PascalOfStress), ("MPa", 1e6));
-    }
 
     #[test]
     fn digits_are_significant() {

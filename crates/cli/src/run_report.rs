@@ -12,8 +12,19 @@ use oilwedge_study::quantities::{CAVITY_FLOW, CAVITY_SHARE, Quantity, Table};
 use oilwedge_study::result::{Balances, Counts, LinearSolver, RunResult, headlines};
 use std::path::Path;
 
+/// What a run has written.
+#[derive(Clone, Copy)]
+pub(crate) struct Written<'a> {
+    /// The folder of the results.
+    pub(crate) folder: &'a Path,
+    /// Whether there are fields.
+    pub(crate) has_fields: bool,
+    /// The line about pictures; empty where none were drawn.
+    pub(crate) pictures: &'a str,
+}
+
 /// Everything about a run: the main numbers, what was simulated, the balances, where the time went, and last the verdict.
-pub(crate) fn run_report(result: &RunResult, shown: Shown, add_ons: &[AddOn], folder: &Path, picture: bool) -> String {
+pub(crate) fn run_report(result: &RunResult, shown: Shown, add_ons: &[AddOn], written: Written) -> String {
     let mut parts = vec![heading(&result.title, status(result.status))];
     if let Some(reason) = &result.reason {
         parts.push(format!("reason: {reason}"));
@@ -32,9 +43,11 @@ pub(crate) fn run_report(result: &RunResult, shown: Shown, add_ons: &[AddOn], fo
     lines.extend(work(result.counts, result.linear_solver));
     lines.push(format!("time      {}", timing(&result.timing_s)));
     let mut files = vec!["result.json"];
-    files.extend(picture.then_some("film.vtu"));
+    files.extend(written.has_fields.then_some("film.vtu"));
     files.extend(temperature::files(result));
-    lines.push(format!("written   {}: {}", folder.display(), files.join(", ")));
+    let folder = written.folder.display();
+    lines.push(format!("written   {folder}: {}", files.join(", ")));
+    lines.extend(written.pictures.lines().map(str::to_owned));
     lines.extend(left_out(result, shown));
     lines.push(verdict(result));
     parts.push(lines.join("\n"));
@@ -163,7 +176,15 @@ pub(crate) mod tests {
     use super::*;
     use oilwedge_study::effects::{EFFECTS, Effects};
     use oilwedge_study::quantities::{ATTITUDE_ANGLE, BOLT_TORQUE, LOAD, LOAD_X, Quantity, SIDE_FLOW};
-    use oilwedge_study::result::{MeshFacts, RESULT_FORMAT, Status};
+    use oilwedge_study::result::{Geometry, MeshFacts, RESULT_FORMAT, Status};
+
+    pub(crate) fn written() -> Written<'static> {
+        Written {
+            folder: Path::new("out/shell"),
+            has_fields: true,
+            pictures: "",
+        }
+    }
 
     pub(crate) fn result() -> RunResult {
         RunResult {
@@ -178,6 +199,7 @@ pub(crate) mod tests {
                 simulated: EFFECTS[2..4].to_vec(),
                 not_simulated: vec!["squeeze"],
             },
+            geometry: Geometry::default(),
             mesh: MeshFacts {
                 cells: 592,
                 nodes: 1245,
@@ -211,7 +233,7 @@ pub(crate) mod tests {
 
     #[test]
     fn a_run_is_shown_in_readable_units() {
-        let text = run_report(&result(), Shown::Headlines, &[], Path::new("out/shell"), true);
+        let text = run_report(&result(), Shown::Headlines, &[], written());
         let parts = [
             "Hole-fed shell: converged",
             "not simulated",
@@ -235,8 +257,7 @@ pub(crate) mod tests {
     fn the_rest_is_shown_when_asked_for_and_the_verdict_is_last() {
         let mut result = result();
         result.quantities.push(Quantity::new(&LOAD_X, 12.0));
-        let [short, all] =
-            [Shown::Headlines, Shown::All].map(|shown| run_report(&result, shown, &[], Path::new("out"), true));
+        let [short, all] = [Shown::Headlines, Shown::All].map(|shown| run_report(&result, shown, &[], written()));
         assert!(
             !short.contains("load_x") && short.contains("--all shows all 3 quantities"),
             "{short}"
@@ -257,24 +278,24 @@ pub(crate) mod tests {
         result.counts.nonlinear_iterations = 12;
         for (levels, words) in [(1, "1 coarser mesh"), (3, "3 coarser meshes")] {
             result.counts.levels = levels;
-            let text = run_report(&result, Shown::Headlines, &[], Path::new("out"), true);
+            let text = run_report(&result, Shown::Headlines, &[], written());
             let work = format!("12 nonlinear iterations, started from {words}\n");
             assert!(
                 text.contains(&work) && text.contains("cavity    42 % of the film\n"),
                 "{text}"
             );
         }
-        assert!(!run_report(&self::result(), Shown::Headlines, &[], Path::new("out"), true).contains("cavity "));
+        assert!(!run_report(&self::result(), Shown::Headlines, &[], written()).contains("cavity "));
     }
 
     #[test]
     fn the_joint_of_a_cap_has_a_table_of_its_own() {
         let mut result = result();
         result.quantities.insert(1, Quantity::new(&BOLT_TORQUE, 55.6));
-        let text = run_report(&result, Shown::Headlines, &[], Path::new("out"), true);
+        let text = run_report(&result, Shown::Headlines, &[], written());
         let place = |part: &str| text.find(part).unwrap_or_else(|| panic!("no {part} in\n{text}"));
         assert!(place("attitude_angle") < place("joint of the cap\n") && place("joint of the cap") < place("55.6000"));
-        assert!(!run_report(&self::result(), Shown::Headlines, &[], Path::new("out"), true).contains("cap"));
+        assert!(!run_report(&self::result(), Shown::Headlines, &[], written()).contains("cap"));
     }
 
     #[test]
@@ -283,7 +304,15 @@ pub(crate) mod tests {
         result.status = Status::NoSolution;
         result.reason = Some("no steady film above ...".into());
         result.quantities.clear();
-        let text = run_report(&result, Shown::Headlines, &[], Path::new("out/shell"), false);
+        let text = run_report(
+            &result,
+            Shown::Headlines,
+            &[],
+            Written {
+                has_fields: false,
+                ..written()
+            },
+        );
         assert!(
             text.contains("there is no solution") && text.contains("reason: no steady film"),
             "{text}"
@@ -297,7 +326,7 @@ pub(crate) mod tests {
         result.title = "a\u{1b}[31m".into();
         result.quantities = vec![Quantity::new(&SIDE_FLOW, -7e-22)];
         result.counts = Counts::default();
-        let text = run_report(&result, Shown::Headlines, &[], Path::new("out"), true);
+        let text = run_report(&result, Shown::Headlines, &[], written());
         assert!(text.contains("\u{2506}     0 \u{2506} ml/s"), "{text}");
         assert!(!text.contains('\u{1b}') && !text.contains("work"), "{text}");
     }

@@ -2,9 +2,10 @@
 
 use crate::complain::{self, Failure};
 use crate::interrupt;
+use crate::plot;
 use crate::progress::Progress;
 use crate::run_options::RunArguments;
-use crate::run_report::run_report;
+use crate::run_report::{Written, run_report};
 use crate::shown::Shown;
 use crate::terminal::{exit_code, output};
 use oilwedge_campaign::{effect_costs, standard, theories};
@@ -29,6 +30,10 @@ pub(crate) struct Solve {
     /// Show all quantities, not the main ones only, and the balance of heat.
     #[arg(long)]
     all: bool,
+
+    /// Draw pictures of the film into the folder plot of the results.
+    #[arg(long)]
+    plot: bool,
 
     /// Solve again without each effect, and show what it changes and what it costs.
     #[arg(long)]
@@ -96,9 +101,14 @@ impl Solve {
         }
         drop(working);
         let json = result_json(&run.result, &add_ons)?;
+        let figures = match run.picture.as_ref().filter(|_| self.plot) {
+            Some(picture) => plot::figures_of_film(&json, picture, &plot::usual())?,
+            None => Vec::new(),
+        };
         let picture = run.picture.map(to_vtu).transpose()?;
         let folder = self.run.folder();
         write_results(&folder, &run.result, &add_ons, picture.as_deref())?;
+        let drawn = plot::written(&folder, &figures)?;
         if let Some(plan) = &scene.sweep {
             let cases = plan.cases();
             complain::warn(&[format!(
@@ -106,11 +116,15 @@ impl Solve {
             )]);
         }
         complain::warn(&run.result.warnings);
-        let picture = picture.is_some();
+        let written = Written {
+            folder: &folder,
+            has_fields: picture.is_some(),
+            pictures: &drawn,
+        };
         output(
             self.run.json,
             || Ok(json),
-            || run_report(&run.result, self.shown(), &add_ons, &folder, picture),
+            || run_report(&run.result, self.shown(), &add_ons, written),
             Some(&folder),
         )?;
         Ok(exit_code(run.result.status))

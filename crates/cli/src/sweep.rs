@@ -2,6 +2,7 @@
 
 use crate::complain::{Failure, printable, warn};
 use crate::interrupt;
+use crate::plot;
 use crate::progress::Progress;
 use crate::readable::{readable_unit, significant};
 use crate::run_options::RunArguments;
@@ -24,6 +25,10 @@ pub(crate) struct Sweep {
     /// Replace a sweep that stands in the folder, also if it is that of another scene.
     #[arg(long)]
     fresh: bool,
+
+    /// Draw the quantities over the axes into the folder plot of the results.
+    #[arg(long)]
+    plot: bool,
 }
 
 const EXAMPLES: &str = "\
@@ -70,10 +75,15 @@ impl Sweep {
         let outcome = oilwedge_report::sweep::run(&cases, &options, &folder, notify);
         drop(progress);
         let report = outcome?;
+        let figures = match self.plot {
+            true => plot::figures_of_sweep(&json(&report)?, &plot::usual())?,
+            false => Vec::new(),
+        };
+        let drawn = plot::written(&folder, &figures)?;
         output(
             self.run.json,
             || json(&report),
-            || sweep_report(&report, &folder),
+            || sweep_report(&report, &folder) + &drawn,
             Some(&folder),
         )?;
         Ok(match report.rows.iter().any(|row| report.has_answer(row)) {

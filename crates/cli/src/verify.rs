@@ -109,7 +109,7 @@ impl Verify {
     }
 
     fn write(&self, verdicts: &[Verdict], maps: &[CellMap]) -> Result<(), Failure> {
-        let svg = cells_to_svg(maps)?;
+        let svg = cells_to_svg(maps);
         let png = to_png(&svg)?;
         let text = page(verdicts, maps, PICTURES[1]);
         let files = [

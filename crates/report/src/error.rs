@@ -49,6 +49,14 @@ pub enum Error {
         /// What its writer says.
         message: String,
     },
+    /// A file is not what this program writes.
+    #[error("the {format} cannot be read: {message}")]
+    Unreadable {
+        /// Which format.
+        format: &'static str,
+        /// What is wrong with it.
+        message: String,
+    },
     /// The operating system refused.
     #[error("cannot write {}: {source}", path.display())]
     System {

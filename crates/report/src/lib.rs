@@ -9,10 +9,12 @@ pub mod folder;
 pub mod json;
 pub mod oil_sheet;
 pub mod plot;
+pub mod readable;
 pub mod results;
 mod sketch;
 pub mod sweep;
 pub mod vtu;
+pub mod vtu_read;
 
 pub use check::{check_mesh, check_scene, write_mesh};
 pub use error::Error;

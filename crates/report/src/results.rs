@@ -25,7 +25,10 @@ pub const PICTURE_FILE: &str = "film.vtu";
 /// [`Error`]: a number is not finite, or the system refuses; the old files are then left as they were.
 pub fn write_results(dir: &Path, result: &RunResult, add_ons: &[AddOn], picture: Option<&[u8]>) -> Result<(), Error> {
     let json = result_json(result, add_ons)?;
-    let svg = temperature_to_svg(result)?;
+    let svg = match &result.temperature {
+        Some(_) => temperature_to_svg(&serde_json::to_value(result).map_err(Error::format("JSON"))?),
+        None => None,
+    };
     let png = svg.as_deref().map(to_png).transpose()?;
     let result = OsStr::new(RESULT_FILE);
     let [svg_file, png_file] = TEMPERATURE_FILES.map(OsStr::new);

@@ -18,6 +18,7 @@ use vtkio::xml::Compressor;
 pub fn to_vtu(picture: FilmPicture) -> Result<Vec<u8>, Error> {
     check(&picture)?;
     let cell_count = picture.cells.len();
+    let lines = line_data(&picture.lines);
     let scalar =
         |(name, values): (String, Vec<f64>)| Attribute::DataArray(DataArray::scalars(name, 1).with_vec(values));
     let piece = UnstructuredGridPiece {
@@ -46,7 +47,46 @@ pub fn to_vtu(picture: FilmPicture) -> Result<Vec<u8>, Error> {
         .map_err(Error::format("VTU file"))?;
     let mut bytes = Vec::new();
     file.write(&mut bytes).map_err(Error::format("VTU file"))?;
+    // vtkio writes no data of the field as a whole.
+    const PLACE: &[u8] = b"<Piece ";
+    let place = bytes.windows(PLACE.len()).position(|part| part == PLACE);
+    let place = place.ok_or_else(|| Error::format("VTU file")("it has no piece"))?;
+    bytes.splice(place..place, lines.into_bytes());
     Ok(bytes)
+}
+
+/// The lines as data of the whole field: of each an array of its name, in each row the two points of a piece.
+fn line_data(lines: &[(String, Vec<[[f64; 3]; 2]>)]) -> String {
+    if lines.is_empty() {
+        return String::new();
+    }
+    let mut text = String::from("<FieldData>");
+    for (name, pieces) in lines {
+        text += &format!(
+            "<DataArray type=\"Float64\" Name=\"{}\" NumberOfComponents=\"6\" NumberOfTuples=\"{}\" format=\"ascii\">",
+            escaped(name),
+            pieces.len()
+        );
+        for number in pieces.iter().flatten().flatten() {
+            text += &format!("{number:e} ");
+        }
+        text += "</DataArray>";
+    }
+    text + "</FieldData>"
+}
+
+/// A name as an attribute of XML.
+fn escaped(name: &str) -> String {
+    let letters = name.chars().filter(|letter| !letter.is_control());
+    letters
+        .map(|letter| match letter {
+            '&' => "&amp;".to_owned(),
+            '<' => "&lt;".to_owned(),
+            '>' => "&gt;".to_owned(),
+            '"' => "&quot;".to_owned(),
+            letter => letter.to_string(),
+        })
+        .collect()
 }
 
 fn check(picture: &FilmPicture) -> Result<(), Error> {
@@ -56,6 +96,9 @@ fn check(picture: &FilmPicture) -> Result<(), Error> {
         return Err(Error::Node { cell });
     }
     all_finite("points", picture.points.as_flattened())?;
+    for (name, pieces) in &picture.lines {
+        all_finite(name, pieces.as_flattened().as_flattened())?;
+    }
     let on_nodes = picture.point_data.iter().map(|field| (field, nodes));
     let on_cells = picture.cell_data.iter().map(|field| (field, picture.cells.len()));
     on_nodes.chain(on_cells).try_for_each(|((name, values), wanted)| {
@@ -83,6 +126,7 @@ fn all_finite(name: &str, values: &[f64]) -> Result<(), Error> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::vtu_read::from_vtu;
 
     /// The unit square in two quadratic triangles.
     fn square() -> FilmPicture {
@@ -105,6 +149,7 @@ mod tests {
                 points.iter().map(|point| 1e5 + point[0] / 3.0).collect(),
             )],
             cell_data: vec![("error_indicator".into(), vec![0.25, 0.75])],
+            lines: vec![("rim.a&b".into(), vec![[[0.0; 3], [1.0, 0.5, 0.0]]])],
             points,
         }
     }
@@ -113,39 +158,13 @@ mod tests {
     fn what_is_written_is_read_back() -> Result<(), Box<dyn std::error::Error>> {
         let bytes = to_vtu(square())?;
         assert!(String::from_utf8_lossy(&bytes).contains("vtkLZ4DataCompressor"));
-        let vtk = Vtk::parse_xml(bytes.as_slice())?;
-        let DataSet::UnstructuredGrid { pieces, .. } = vtk.data else {
-            panic!("no unstructured grid")
+        assert_eq!(from_vtu(&bytes)?, square());
+        let without = FilmPicture {
+            lines: Vec::new(),
+            ..square()
         };
-        let piece = pieces
-            .into_iter()
-            .next()
-            .ok_or("no piece")?
-            .into_loaded_piece_data(None)?;
-        let points: Vec<f64> = piece.points.into_vec().ok_or("points are not f64")?;
-        assert_eq!(points, square().points.into_flattened());
-        assert_eq!(piece.cells.types, vec![CellType::QuadraticTriangle; 2]);
-        let (connectivity, offsets) = piece.cells.cell_verts.into_xml();
-        assert_eq!(offsets, [6, 12]);
-        assert_eq!(
-            connectivity,
-            square()
-                .cells
-                .into_flattened()
-                .into_iter()
-                .map(u64::from)
-                .collect::<Vec<_>>()
-        );
-        for (read, (name, values)) in [
-            (&piece.data.point, &square().point_data[0]),
-            (&piece.data.cell, &square().cell_data[0]),
-        ] {
-            let Attribute::DataArray(array) = &read[0] else {
-                panic!("no data array")
-            };
-            assert_eq!(&array.name, name);
-            assert_eq!(array.data.clone().into_vec::<f64>().as_ref(), Some(values));
-        }
+        assert_eq!(from_vtu(&to_vtu(without.clone())?)?, without);
+        assert!(matches!(from_vtu(b"<VTKFile"), Err(Error::Unreadable { .. })));
         Ok(())
     }
 

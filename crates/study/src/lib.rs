@@ -5,7 +5,7 @@
 //! ```
 //!
 //! Reading order: [`mod@compile`], [`isothermal`], [`thermal`], [`analysis`], [`mod@measure`], [`quantities`], [`estimate`], [`refinement`], [`mod@run`], [`result`],
-//! [`mod@picture`].
+//! [`mod@picture`], [`film_lines`], [`fields`].
 
 pub mod analysis;
 mod cap_joint;
@@ -15,7 +15,9 @@ pub mod compile;
 pub mod compile_error;
 pub mod effects;
 pub mod estimate;
+pub mod fields;
 pub mod film;
+pub mod film_lines;
 pub mod grading;
 pub mod isothermal;
 pub mod level;

@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use oilwedge_reynolds::FilmSolution;
 
 use crate::film::Film;
+use crate::film_lines::film_lines;
 
 /// A film on its triangles: where they are, and the fields on them.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -17,6 +18,8 @@ pub struct FilmPicture {
     pub point_data: Vec<(String, Vec<f64>)>,
     /// Fields on the triangles: name and a value for each triangle, SI.
     pub cell_data: Vec<(String, Vec<f64>)>,
+    /// Lines by name ([`crate::film_lines`]), each of pieces between two points [m].
+    pub lines: Vec<(String, Vec<[[f64; 3]; 2]>)>,
 }
 
 /// Where a film is drawn.
@@ -65,6 +68,17 @@ pub fn picture(film: &Film, solution: &FilmSolution, indicator: Option<&[f64]>, 
     FilmPicture {
         points: nodes.positions.iter().map(place).collect(),
         cells,
+        lines: (film_lines(film, solution).into_iter())
+            .map(|(name, pieces)| {
+                (
+                    name,
+                    pieces
+                        .iter()
+                        .map(|piece| [place(&piece[0]), place(&piece[1])])
+                        .collect(),
+                )
+            })
+            .collect(),
         point_data,
         cell_data: indicator
             .map(|values| ("error_indicator".to_owned(), values.to_vec()))

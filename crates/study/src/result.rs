@@ -2,10 +2,12 @@
 //!
 //! Every number is SI, angles (degrees) and temperatures (degrees C) excepted. A number that is not finite is never written.
 
+mod geometry;
 mod headlines;
 mod levels;
 mod temperature;
 
+pub use geometry::Geometry;
 pub use headlines::{MOST_HEADLINES, headlines};
 pub use levels::{LevelFacts, Refinement};
 pub use temperature::{Criterion, SECONDS_KEY, TemperaturePoint, TemperatureReport};
@@ -141,6 +143,8 @@ pub struct RunResult {
     pub reason: Option<String>,
     /// What was computed and what was not.
     pub effects: Effects,
+    /// The shape of the bearing.
+    pub geometry: Geometry,
     /// The mesh of the result.
     pub mesh: MeshFacts,
     /// The numbers, in the order of the report; an object keyed by name in JSON.

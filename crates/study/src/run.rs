@@ -19,7 +19,7 @@ use crate::quantities::left_over;
 use crate::refinement::{Answer, answer};
 use crate::regime::Regime;
 use crate::result::{
-    Balances, Counts, HistoryStep, LinearSolver, MeshFacts, RESULT_FORMAT, RunResult, SECONDS_KEY, Status,
+    Balances, Counts, Geometry, HistoryStep, LinearSolver, MeshFacts, RESULT_FORMAT, RunResult, SECONDS_KEY, Status,
 };
 use crate::run_options::RunOptions;
 use crate::solved::Solved;
@@ -79,6 +79,7 @@ fn without_outcome(scene: &Scene, answer: &Answer, options: &RunOptions) -> RunR
         status: Status::Converged,
         reason: None,
         effects: Effects::of(&film.scene),
+        geometry: Geometry::of(&film.scene),
         mesh: facts(film.system.space().mesh()),
         quantities: Vec::new(),
         bars: options.bars,

@@ -2,7 +2,7 @@
 
 use oilwedge_tests::program::repository;
 use oilwedge_tests::short_crankshaft::{figures, page};
-use oilwedge_tests::{cavitation_page, engine_bearings, flexpde_study, mesh_page, quantities_page};
+use oilwedge_tests::{cavitation_page, docs_images, engine_bearings, flexpde_study, mesh_page, quantities_page};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let docs = repository().join("docs");
@@ -20,8 +20,12 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     write("validation/short_bearing.md", &|text| page::page_of(text, &study))?;
     let folder = docs.join("validation/short_bearing");
     std::fs::create_dir_all(&folder)?;
-    for (name, svg) in figures::sheets(&study)? {
+    for (name, svg) in figures::sheets(&study) {
         std::fs::write(folder.join(format!("{name}.svg")), svg)?;
+    }
+    std::fs::create_dir_all(docs.join("images"))?;
+    for (file, svg) in docs_images::images() {
+        std::fs::write(docs.join("images").join(file), svg)?;
     }
     Ok(())
 }

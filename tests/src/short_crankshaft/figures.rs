@@ -2,26 +2,25 @@
 
 use std::f64::consts::PI;
 
-use oilwedge_report::Error;
-use oilwedge_report::plot::{COLOURS, Chart, Series, Style, charts_to_svg};
+use oilwedge_drawing::{
+    BLUE, Chart, Colour, GREEN, INK, Kind, Label, Mark, Note, ORANGE, PAGE_WIDTH, SKY, Series, Stroke, VERMILION,
+    charts_figure,
+};
 
 use super::page::Study;
 use super::{SPEEDS, SQUEEZES, Scales, film_at, right, right_pressure};
 use crate::printed::rows;
 
-/// Greys and black.
-const INK: [u8; 3] = COLOURS[5];
-const GREY: [u8; 3] = [150, 150, 150];
+/// Colours of the speeds.
+const COLOURS: [Colour; 5] = [BLUE, SKY, GREEN, ORANGE, VERMILION];
+const GREY: Colour = Colour([150, 150, 150]);
 /// The document's dimensionless pressures, loads and flows are four times too small, for its width is half of the right one.
 const LOST: f64 = 4.0;
 /// Steps of a curve.
 const STEPS: u32 = 180;
 
 /// All sheets: name of the file and SVG.
-///
-/// # Errors
-/// [`Error::Format`].
-pub fn sheets(study: &Study) -> Result<Vec<(&'static str, String)>, Error> {
+pub fn sheets(study: &Study) -> Vec<(&'static str, String)> {
     let both = |chart: fn(f64, &Study) -> Chart| SQUEEZES.map(|squeeze| chart(squeeze, study));
     let sheets: [(&str, Vec<Chart>); 6] = [
         ("fig02_03_pressure_around", both(around).into()),
@@ -33,16 +32,30 @@ pub fn sheets(study: &Study) -> Result<Vec<(&'static str, String)>, Error> {
     ];
     sheets
         .into_iter()
-        .map(|(name, charts)| Ok((name, charts_to_svg(&charts, 2)?)))
+        .map(|(name, charts)| {
+            (
+                name,
+                charts_figure("The short bearing", &charts, 2, PAGE_WIDTH).to_svg(),
+            )
+        })
         .collect()
 }
 
-fn series(name: &str, style: Style, colour: [u8; 3], points: Vec<[f64; 2]>) -> Series {
-    Series {
-        name: name.to_owned(),
-        style,
-        colour,
-        points,
+/// How a series is drawn.
+#[derive(Clone, Copy)]
+enum Style {
+    Line,
+    Dashes,
+    Discs,
+    Rings,
+}
+
+fn series(name: &str, style: Style, colour: Colour, points: Vec<[f64; 2]>) -> Series {
+    match style {
+        Style::Line => Series::line(name, colour, points),
+        Style::Dashes => Series::line(name, colour, points).stroked(Stroke::Dashed),
+        Style::Discs => Series::marks(name, colour, Mark::Disc, points),
+        Style::Rings => Series::marks(name, colour, Mark::Ring, points),
     }
 }
 
@@ -88,12 +101,14 @@ fn around(squeeze: f64, study: &Study) -> Chart {
         let name = if speed == SPEEDS[4] { "printed, times 4" } else { "" };
         marks.push(series(name, Style::Rings, colour, points));
     }
+    let title = title([2, 3], "Pressure around the film at mid-width", squeeze);
     Chart {
-        title: title([2, 3], "Pressure around the film at mid-width", squeeze),
-        x: "phi from the narrowest film [deg]".to_owned(),
-        y: "Pi(phi, 0)".to_owned(),
-        is_drawing: false,
         series: [curves, dashes, marks].concat(),
+        ..Chart::new(
+            &title,
+            Label::marked("*φ* from the narrowest film, deg"),
+            Label::marked("*Π*(*φ*, 0)"),
+        )
     }
 }
 
@@ -132,12 +147,10 @@ fn along(squeeze: f64, study: &Study) -> Chart {
         let name = if speed == SPEEDS[4] { "printed, times 4" } else { "" };
         marks.push(series(name, Style::Rings, colour, points));
     }
+    let title = title([6, 7], "Pressure along the axis amid the loaded half", squeeze);
     Chart {
-        title: title([6, 7], "Pressure along the axis amid the loaded half", squeeze),
-        x: "2 z/B".to_owned(),
-        y: "Pi(phi*, z)".to_owned(),
-        is_drawing: false,
         series: [curves, dashes, marks].concat(),
+        ..Chart::new(&title, Label::marked("2 *z*/*B*"), Label::marked("*Π*(*φ*_{a}, *z*)"))
     }
 }
 
@@ -169,11 +182,8 @@ fn over_speed(squeeze: f64, study: &Study, [table, column]: [&str; 2], lost: &[f
 
 fn chart(title: String, y: &str, series: Vec<Series>) -> Chart {
     Chart {
-        title,
-        x: "n [1/min]".to_owned(),
-        y: y.to_owned(),
-        is_drawing: false,
         series,
+        ..Chart::new(&title, Label::marked("*n*, 1/min"), Label::marked(y))
     }
 }
 
@@ -186,7 +196,7 @@ fn greatest(squeeze: f64, study: &Study) -> Chart {
     let title = title([4, 5], "Greatest pressure", squeeze);
     chart(
         title,
-        "max Pi",
+        "max *Π*",
         over_speed(squeeze, study, ["table3", "maxPi[-]"], &[1.0, LOST]),
     )
 }
@@ -194,7 +204,7 @@ fn greatest(squeeze: f64, study: &Study) -> Chart {
 /// Figure 8.
 fn overload(study: &Study) -> Chart {
     let title = "Figure 8. Greatest over mean pressure".to_owned();
-    chart(title, "k = max Pi / So", both(study, ["table7", "kP[-]"], &[1.0]))
+    chart(title, "*k* = max *Π* / So", both(study, ["table7", "kP[-]"], &[1.0]))
 }
 
 /// Figure 9.
@@ -206,7 +216,7 @@ fn load(study: &Study) -> Chart {
 /// Figure 10.
 fn attitude(study: &Study) -> Chart {
     let title = "Figure 10. Angle from the load to the line of centres".to_owned();
-    chart(title, "theta [deg]", both(study, ["table7", "theta[deg]"], &[1.0]))
+    chart(title, "*θ*, deg", both(study, ["table7", "theta[deg]"], &[1.0]))
 }
 
 /// Figure 13.
@@ -239,7 +249,6 @@ fn direction(squeeze: f64, study: &Study) -> Chart {
         series("", Style::Line, GREY, circle([0.0, 0.0], 1.0)),
         series("", Style::Line, GREY, circle(centre, 0.8)),
         series("", Style::Dashes, INK, vec![[0.0, 1.1], [0.0, -1.1]]),
-        series("line of centres", Style::Word, INK, vec![[0.42, 1.08]]),
         series(
             "",
             Style::Line,
@@ -282,11 +291,16 @@ fn direction(squeeze: f64, study: &Study) -> Chart {
         let tick = vec![along(theta, 1.0), along(theta, 1.16)];
         all.push(series(name, Style::Line, COLOURS[place], tick));
     }
+    let title = title([11, 12], "The force on the journal", squeeze);
     Chart {
-        title: title([11, 12], "The force on the journal", squeeze),
-        is_drawing: true,
+        kind: Kind::Drawing,
         series: all,
-        ..Chart::default()
+        notes: vec![Note {
+            at: [0.42, 1.08],
+            label: Label::plain("line of centres"),
+            colour: INK,
+        }],
+        ..Chart::new(&title, Label::default(), Label::default())
     }
 }
 

@@ -20,6 +20,7 @@ fn check_keys(result: &Value) {
         "counts",
         "effects",
         "format",
+        "geometry",
         "history",
         "levels",
         "linear_solver",
@@ -52,6 +53,10 @@ fn check_keys(result: &Value) {
     assert_eq!(sorted(result), top);
     assert_eq!(sorted(&result["counts"]), counts);
     assert_eq!(sorted(&result["effects"]), ["not_simulated", "simulated"]);
+    assert_eq!(
+        sorted(&result["geometry"]),
+        ["arc", "clearance", "film_start", "length", "radius", "speed"]
+    );
     assert_eq!(sorted(&result["mesh"]), ["cells", "min_angle_deg", "nodes", "order"]);
     assert_eq!(
         sorted(&result["balances"]),

@@ -32,7 +32,7 @@ pub fn write(dir: &Path, study: &Convergence) -> Result<(), Error> {
     let json = json(&study.report)?;
     let (mut table, mut svg, mut png) = (None, None, None);
     if study.report.levels().next().is_some() {
-        let drawing = plot::to_svg(study)?;
+        let drawing = plot::to_svg(study);
         png = Some(plot::to_png(&drawing)?);
         svg = Some(drawing);
         table = Some(csv::to_csv(&study.report));

@@ -1,7 +1,9 @@
 use super::*;
 use oilwedge_study::effects::{EFFECTS, Effects};
 use oilwedge_study::quantities::{ATTITUDE_ANGLE, Bar, LOAD, Quantity};
-use oilwedge_study::result::{Balances, Counts, HistoryStep, LevelFacts, MeshFacts, RESULT_FORMAT, RunResult, Status};
+use oilwedge_study::result::{
+    Balances, Counts, Geometry, HistoryStep, LevelFacts, MeshFacts, RESULT_FORMAT, RunResult, Status,
+};
 
 pub(crate) fn example() -> RunResult {
     RunResult {
@@ -16,6 +18,7 @@ pub(crate) fn example() -> RunResult {
             simulated: vec![EFFECTS[2]],
             not_simulated: vec!["squeeze"],
         },
+        geometry: Geometry::default(),
         mesh: MeshFacts {
             cells: 592,
             nodes: 1245,

@@ -1,10 +1,6 @@
 //! Maps of cells: what became of each case of a grid, by colour and a word.
 
-use plotters::style::{RGBColor, WHITE};
-
-use super::canvas::{CENTRE, Canvas, LEFT, Letters, RIGHT, sheet};
-use super::palette::{GREY, INK, of_share};
-use crate::Error;
+use oilwedge_drawing::{Cell as Painted, CellGrid, Colour, ColourMap, Figure, Label, PAGE_WIDTH};
 
 /// What became of one case.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,77 +30,57 @@ pub struct CellMap {
     pub cells: Vec<Vec<Cell>>,
 }
 
-/// Width and height of a cell [points].
-const CELL: [f64; 2] = [54.0, 26.0];
-/// Between cells [points].
-const GAP: f64 = 1.0;
-/// Left of the cells, above them, below them.
-const MARGIN: [f64; 3] = [110.0, 62.0, 74.0];
 /// Iterations of the darkest cells.
 const MANY: f64 = 24.0;
 /// Cells without an answer: sand.
-const SAND: RGBColor = RGBColor(232, 205, 164);
+const SAND: Colour = Colour([232, 205, 164]);
 /// Cells without an explanation.
-const UNKNOWN: RGBColor = RGBColor(128, 128, 128);
+const UNKNOWN: Colour = Colour([110, 110, 110]);
+/// Between maps [mm].
+const GAP: f64 = 3.0;
 
 /// Maps one below the other as SVG.
-///
-/// # Errors
-/// [`Error::Format`].
-pub fn cells_to_svg(maps: &[CellMap]) -> Result<String, Error> {
-    let height = |map: &CellMap| MARGIN[1] + CELL[1] * map.rows.len() as f64 + MARGIN[2];
-    let columns = maps.iter().map(|map| map.columns.len()).max().unwrap_or(0);
-    let size = [
-        MARGIN[0] + CELL[0] * columns as f64 + 30.0,
-        maps.iter().map(height).sum::<f64>(),
-    ];
-    sheet(size, |canvas| {
-        let mut top = 0.0;
-        for map in maps {
-            draw(canvas, map, top)?;
-            top += height(map);
-        }
-        Ok(())
-    })
+pub fn cells_to_svg(maps: &[CellMap]) -> String {
+    let grids: Vec<CellGrid> = maps.iter().map(grid).collect();
+    let height: f64 = grids.iter().map(|grid| grid.height() + GAP).sum();
+    let titles: Vec<&str> = maps.iter().map(|map| map.title.as_str()).collect();
+    let mut figure = Figure::new([PAGE_WIDTH, height], "Where the solver is stable", &titles.join("; "));
+    let mut top = 0.0;
+    for grid in &grids {
+        grid.draw(&mut figure, [0.0, top], PAGE_WIDTH);
+        top += grid.height() + GAP;
+    }
+    figure.to_svg()
 }
 
-fn draw(canvas: &Canvas, map: &CellMap, top: f64) -> Result<(), Error> {
-    let left = MARGIN[0];
-    let bottom = top + MARGIN[1] + CELL[1] * map.rows.len() as f64;
-    let small = Letters::new(11.0, CENTRE);
-    canvas.text([left, top + 24.0], &map.title, Letters::new(15.0, LEFT).bold())?;
-    let legend = "colour and number: nonlinear iterations; sand: no film, as its limit says; grey: unexplained";
-    canvas.text([left, top + 45.0], legend, Letters::new(11.0, LEFT).coloured(GREY))?;
-    for (k, word) in map.columns.iter().enumerate() {
-        canvas.text([left + CELL[0] * (k as f64 + 0.5), bottom + 13.0], word, small)?;
+fn grid(map: &CellMap) -> CellGrid {
+    let labels = |words: &[String]| words.iter().map(|word| Label::plain(word)).collect();
+    CellGrid {
+        title: Label::plain(&map.title),
+        legend: Label::plain(
+            "colour and number: nonlinear iterations; sand: no film, as its limit says; grey: unexplained",
+        ),
+        x: Label::plain(&map.x),
+        columns: labels(&map.columns),
+        y: Label::plain(&map.y),
+        rows: labels(&map.rows),
+        cells: map.cells.iter().map(|row| row.iter().map(painted).collect()).collect(),
     }
-    let across = left + 0.5 * CELL[0] * map.columns.len() as f64;
-    canvas.text([across, bottom + 36.0], &map.x, Letters::new(12.0, CENTRE))?;
-    let middle = 0.5 * (top + MARGIN[1] + bottom);
-    canvas.text([22.0, middle], &map.y, Letters::new(12.0, CENTRE).upright())?;
-    for (j, (word, cells)) in map.rows.iter().zip(&map.cells).enumerate() {
-        let low = bottom - CELL[1] * j as f64;
-        canvas.text([left - 8.0, low - 0.5 * CELL[1]], word, Letters::new(11.0, RIGHT))?;
-        for (k, cell) in cells.iter().enumerate() {
-            let [x, y] = [left + CELL[0] * k as f64, low - CELL[1]];
-            let (colour, word, ink) = shown(cell);
-            canvas.rectangle([x, y], [x + CELL[0] - GAP, low - GAP], colour)?;
-            canvas.text([x + 0.5 * CELL[0], y + 0.5 * CELL[1]], &word, small.coloured(ink))?;
-        }
-    }
-    Ok(())
 }
 
-/// Colour of a cell, its word and the colour of that.
-fn shown(cell: &Cell) -> (RGBColor, String, RGBColor) {
-    match cell {
+/// Colour of a cell and its word.
+fn painted(cell: &Cell) -> Painted {
+    let (fill, word) = match cell {
         Cell::Answer(iterations) => {
             let share = *iterations as f64 / MANY;
-            let ink = if share > 0.45 { WHITE } else { INK };
-            (of_share(0.08 + 0.92 * share), iterations.to_string(), ink)
+            (ColourMap::Devon.colour(0.06 + 0.94 * share), iterations.to_string())
         }
-        Cell::Absent(word) => (SAND, word.clone(), INK),
-        Cell::Unexplained(word) => (UNKNOWN, word.clone(), WHITE),
+        Cell::Absent(word) => (SAND, word.clone()),
+        Cell::Unexplained(word) => (UNKNOWN, word.clone()),
+    };
+    Painted {
+        fill,
+        word: Label::plain(&word),
     }
 }
 
@@ -125,7 +101,7 @@ mod tests {
                 vec![Cell::Answer(23), Cell::Unexplained("?".into())],
             ],
         };
-        let svg = cells_to_svg(&[map.clone(), map]).expect("a drawing");
+        let svg = cells_to_svg(&[map.clone(), map]);
         for word in [
             "A map",
             "eccentricity",

@@ -35,6 +35,23 @@ impl Unit {
         self.texts()[0]
     }
 
+    /// The unit that results write so.
+    pub fn named(name: &str) -> Option<Self> {
+        const ALL: [Unit; 10] = [
+            Unit::One,
+            Unit::Newton,
+            Unit::Degree,
+            Unit::Pascal,
+            Unit::Metre,
+            Unit::PascalSecond,
+            Unit::Celsius,
+            Unit::CubicMetrePerSecond,
+            Unit::NewtonMetre,
+            Unit::Watt,
+        ];
+        ALL.into_iter().find(|unit| unit.name() == name)
+    }
+
     /// What it measures.
     pub fn dimension(self) -> &'static str {
         self.texts()[1]

@@ -1,0 +1,230 @@
+//! `oilwedge plot`: pictures of a film or a sweep, from a scene or from a folder of results; and `--plot` of other verbs.
+
+use crate::complain::{self, Failure};
+use crate::interrupt;
+use crate::progress::Progress;
+use crate::run_options::folder;
+use crate::terminal::{exit_code, print};
+use oilwedge_drawing::{Figure, PAGE_WIDTH};
+use oilwedge_report::plot::{self, DrawnFilm, PLOT_FOLDER, PlotOptions, Unknown, film_figures, write_figures};
+use oilwedge_report::result_json;
+use oilwedge_report::results::{PICTURE_FILE, RESULT_FILE, write_results};
+use oilwedge_report::sweep::REPORT_FILE;
+use oilwedge_report::vtu::to_vtu;
+use oilwedge_report::vtu_read::from_vtu;
+use oilwedge_scene::unit::{self, Dimension};
+use oilwedge_study::RunOptions;
+use oilwedge_study::picture::FilmPicture;
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// Arguments of `oilwedge plot`.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Plot {
+    /// A scene, which is solved first, or a folder with the results of solve or sweep.
+    #[arg(value_name = "SCENE|DIR")]
+    of: PathBuf,
+
+    /// What to draw: fields of film.vtu, mesh, section, profiles, heat; of a sweep its quantities [default: all that say something].
+    #[arg(long = "field", value_name = "NAME", value_delimiter = ',')]
+    fields: Vec<String>,
+
+    /// Width of the pictures, from 60 mm to 400 mm; letters keep their height of 7 points or more.
+    #[arg(long, value_name = "LENGTH", default_value = "170 mm", value_parser = width)]
+    width: f64,
+
+    /// Folder of the results [default: out/NAME for NAME.toml, or the folder DIR]; the pictures go to the folder plot in it.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  oilwedge plot bearing.toml
+  oilwedge plot out/bearing --field pressure,film_fraction --width \"85 mm\"
+  oilwedge plot out/map --field load,friction_power
+
+Exit status: 0 done; 1 no solution, or not converged (what there is of it is drawn); 2 bad scene, folder or arguments.";
+
+/// Narrowest and widest pictures [mm].
+const WIDTHS: [f64; 2] = [60.0, 400.0];
+
+fn width(text: &str) -> Result<f64, String> {
+    let metres = unit::parse(text, Dimension::Length).map_err(|error| format!("{error}; {}", error.help("85 mm")))?;
+    let width = 1e3 * metres;
+    match (WIDTHS[0] - 1e-9..=WIDTHS[1] + 1e-9).contains(&width) {
+        true => Ok(width),
+        false => Err(format!("give a width from {} mm to {} mm", WIDTHS[0], WIDTHS[1])),
+    }
+}
+
+/// What `--plot` draws.
+pub(crate) fn usual() -> PlotOptions {
+    PlotOptions {
+        selected: Vec::new(),
+        width: PAGE_WIDTH,
+    }
+}
+
+/// Pictures by name.
+type Figures = Vec<(String, Figure)>;
+
+/// The pictures of a film, from the text of `result.json`.
+///
+/// # Errors
+/// [`Failure`]: a selected picture is not there.
+pub(crate) fn figures_of_film(json: &str, picture: &FilmPicture, options: &PlotOptions) -> Result<Figures, Failure> {
+    let film = DrawnFilm::new(value(json)?, picture)?;
+    film_figures(&film, options).map_err(unknown)
+}
+
+/// The pictures of a sweep, from the text of `sweep.json`.
+///
+/// # Errors
+/// [`Failure`]: a selected quantity is not there.
+pub(crate) fn figures_of_sweep(json: &str, options: &PlotOptions) -> Result<Figures, Failure> {
+    plot::figures_of_sweep(&value(json)?, options).map_err(unknown)
+}
+
+fn value(json: &str) -> Result<Value, Failure> {
+    serde_json::from_str(json).map_err(|error| Failure::Message(format!("the results are no JSON: {error}")))
+}
+
+fn unknown(Unknown { name, known }: Unknown) -> Failure {
+    Failure::Message(format!(
+        "--field: there is no \"{name}\" to draw; there are {}",
+        known.join(", ")
+    ))
+}
+
+/// Writes pictures, if there are any, and says so in a line.
+///
+/// # Errors
+/// [`Failure`]: they cannot be written.
+pub(crate) fn written(folder: &Path, figures: &[(String, Figure)]) -> Result<String, Failure> {
+    if figures.is_empty() {
+        return Ok(String::new());
+    }
+    write_figures(folder, figures)?;
+    let names: Vec<&str> = figures.iter().map(|(name, _)| name.as_str()).collect();
+    let place = folder.join(PLOT_FOLDER);
+    Ok(format!(
+        "pictures  {}: {} (.svg, .png)\n",
+        place.display(),
+        names.join(", ")
+    ))
+}
+
+impl Plot {
+    /// Draws the pictures.
+    ///
+    /// # Errors
+    /// [`Failure`]: the scene or the results cannot be used, or the pictures cannot be written.
+    pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
+        match self.of.is_dir() {
+            true => self.of_folder(),
+            false => self.of_scene(),
+        }
+    }
+
+    fn options(&self) -> PlotOptions {
+        PlotOptions {
+            selected: self.fields.clone(),
+            width: self.width,
+        }
+    }
+
+    fn of_scene(&self) -> Result<ExitCode, Failure> {
+        let scene = oilwedge_study::read(&self.of)?;
+        let options = RunOptions {
+            max_seconds: if scene.tolerance.is_some() {
+                RunOptions::default().max_seconds
+            } else {
+                f64::INFINITY
+            },
+            interrupt: interrupt::listen()?,
+            ..RunOptions::default()
+        };
+        let working = Progress::of("the film");
+        let run = oilwedge_study::run(&scene, &options).map_err(Failure::of(&self.of))?;
+        drop(working);
+        let folder = folder(&self.out, &self.of);
+        let json = result_json(&run.result, &[])?;
+        let figures = match &run.picture {
+            Some(picture) => figures_of_film(&json, picture, &self.options())?,
+            None => Vec::new(),
+        };
+        let picture = run.picture.map(to_vtu).transpose()?;
+        write_results(&folder, &run.result, &[], picture.as_deref())?;
+        complain::warn(&run.result.warnings);
+        let mut text = written(&folder, &figures)?;
+        if let Some(reason) = &run.result.reason {
+            text += &format!("{}\n", complain::printable(reason));
+        }
+        print(&text, Some(&folder))?;
+        Ok(exit_code(run.result.status))
+    }
+
+    fn of_folder(&self) -> Result<ExitCode, Failure> {
+        let (result, sweep) = (self.of.join(RESULT_FILE), self.of.join(REPORT_FILE));
+        let figures = match (result.is_file(), sweep.is_file()) {
+            (true, _) => {
+                let picture = self.of.join(PICTURE_FILE);
+                if !picture.is_file() {
+                    return Err(Failure::Message(format!(
+                        "{} has no {PICTURE_FILE}: there is no film to draw",
+                        self.of.display()
+                    )));
+                }
+                let picture = from_vtu(&read(&picture)?).map_err(Failure::of_file(&picture))?;
+                figures_of_film(&text(&result)?, &picture, &self.options())?
+            }
+            (false, true) => figures_of_sweep(&text(&sweep)?, &self.options())?,
+            (false, false) => {
+                return Err(Failure::Message(format!(
+                    "{} has neither {RESULT_FILE} nor {REPORT_FILE}; give a scene, or a folder of oilwedge solve or sweep",
+                    self.of.display()
+                )));
+            }
+        };
+        let folder = self.out.clone().unwrap_or_else(|| self.of.clone());
+        let text = match written(&folder, &figures)? {
+            line if line.is_empty() => "there is nothing to draw\n".to_owned(),
+            line => line,
+        };
+        print(&text, Some(&folder))?;
+        Ok(ExitCode::SUCCESS)
+    }
+}
+
+fn read(path: &Path) -> Result<Vec<u8>, Failure> {
+    std::fs::read(path).map_err(|error| Failure::Message(format!("cannot read {}: {error}", path.display())))
+}
+
+fn text(path: &Path) -> Result<String, Failure> {
+    let bytes = read(path)?;
+    String::from_utf8(bytes).map_err(|_| Failure::Message(format!("{} is no text", path.display())))
+}
+
+impl Failure {
+    /// A failure of the file at `path`.
+    fn of_file(path: &Path) -> impl Fn(oilwedge_report::Error) -> Self {
+        move |error| Self::Message(format!("{}: {error}", path.display()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_width_is_a_length_within_bounds() {
+        assert!(width("85 mm").is_ok_and(|width| (width - 85.0).abs() < 1e-9));
+        assert!(width("17 cm").is_ok_and(|width| (width - 170.0).abs() < 1e-9));
+        for text in ["85", "1 mm", "2 m", "85 N", ""] {
+            assert!(width(text).is_err_and(|message| message.contains("mm")), "{text}");
+        }
+    }
+}

@@ -1,0 +1,124 @@
+//! The folder `plot` beside results: every picture as SVG and PNG.
+
+use std::ffi::{OsStr, OsString};
+use std::path::Path;
+
+use oilwedge_drawing::Figure;
+use oilwedge_study::fields::{FIELDS, VISCOSITY};
+use oilwedge_study::quantities::CATALOGUE;
+use serde_json::Value;
+
+use super::field_map::{field_figure, is_constant, mesh_figure};
+use super::film::DrawnFilm;
+use super::profiles::profiles_figure;
+use super::section::section_figure;
+use super::sweep::{quantity_names, sweep_figures};
+use super::temperature::{BALANCE, is_sought, temperature_figure};
+use super::to_png;
+use crate::{Error, folder};
+
+/// Name of the folder.
+pub const PLOT_FOLDER: &str = "plot";
+/// Pictures of a film beside its fields.
+const OF_FILM: [&str; 4] = ["mesh", "section", "profiles", BALANCE];
+
+/// What is drawn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlotOptions {
+    /// Names of fields and pictures, of a sweep of quantities; empty: all that say something.
+    pub selected: Vec<String>,
+    /// Width of the pictures [mm].
+    pub width: f64,
+}
+
+/// A name that was selected but is not there.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Unknown {
+    /// The name.
+    pub name: String,
+    /// Names that are there.
+    pub known: Vec<String>,
+}
+
+/// The pictures of a film by name.
+///
+/// # Errors
+/// [`Unknown`]: a selected picture is not one of this film.
+pub fn film_figures(film: &DrawnFilm, options: &PlotOptions) -> Result<Vec<(String, Figure)>, Unknown> {
+    let has_balance = is_sought(&film.result);
+    let others = OF_FILM.into_iter().filter(|name| *name != BALANCE || has_balance);
+    let known: Vec<String> = film.field_names().chain(others).map(str::to_owned).collect();
+    check(&options.selected, &known)?;
+    let says_something =
+        |name: &str| name != VISCOSITY.name || film.values(name).is_some_and(|values| !is_constant(values));
+    let usual = || {
+        FIELDS
+            .iter()
+            .map(|row| row.name)
+            .filter(|name| known.iter().any(|other| other == name) && says_something(name))
+    };
+    let names: Vec<String> = match options.selected.is_empty() {
+        true => usual()
+            .chain(OF_FILM.into_iter().filter(|name| *name != BALANCE || has_balance))
+            .map(str::to_owned)
+            .collect(),
+        false => options.selected.clone(),
+    };
+    let draw = |name: String| {
+        let figure = match name.as_str() {
+            "mesh" => Some(mesh_figure(film, options.width)),
+            "section" => section_figure(film, options.width),
+            "profiles" => profiles_figure(film, options.width),
+            BALANCE => temperature_figure(&film.result, options.width),
+            field => field_figure(film, field, options.width),
+        };
+        Some((name, figure?))
+    };
+    Ok(names.into_iter().filter_map(draw).collect())
+}
+
+/// The pictures of a sweep by name, from the object of `sweep.json`.
+///
+/// # Errors
+/// [`Unknown`]: a selected quantity is none of the sweep.
+pub fn figures_of_sweep(sweep: &Value, options: &PlotOptions) -> Result<Vec<(String, Figure)>, Unknown> {
+    check(&options.selected, &quantity_names(sweep))?;
+    Ok(sweep_figures(sweep, &options.selected, options.width))
+}
+
+fn check(selected: &[String], known: &[String]) -> Result<(), Unknown> {
+    match selected.iter().find(|name| !known.contains(name)) {
+        None => Ok(()),
+        Some(name) => Err(Unknown {
+            name: name.clone(),
+            known: known.to_vec(),
+        }),
+    }
+}
+
+/// Writes pictures into the folder `plot` of `dir` as SVG and PNG; those of an earlier run that are not drawn again are removed.
+///
+/// # Errors
+/// A picture is too large, or the system refuses; the old pictures are then left as they were.
+pub fn write_figures(dir: &Path, figures: &[(String, Figure)]) -> Result<(), Error> {
+    let mut files: Vec<(OsString, Option<Vec<u8>>)> = Vec::new();
+    for (name, figure) in figures {
+        let svg = figure.to_svg();
+        files.push((format!("{name}.png").into(), Some(to_png(&svg)?)));
+        files.push((format!("{name}.svg").into(), Some(svg.into_bytes())));
+    }
+    let usual = FIELDS.iter().map(|row| row.name.to_owned());
+    let maps = CATALOGUE.iter().map(|row| format!("map_{}", row.name));
+    let known = usual
+        .chain(OF_FILM.map(str::to_owned))
+        .chain(maps)
+        .chain(["sweep", "converge"].map(str::to_owned));
+    for name in known.filter(|name| figures.iter().all(|(drawn, _)| drawn != name)) {
+        files.extend(["svg", "png"].map(|ending| (format!("{name}.{ending}").into(), None)));
+    }
+    let steps: Vec<(&OsStr, Option<&[u8]>)> = files
+        .iter()
+        .map(|(name, bytes)| (name.as_os_str(), bytes.as_deref()))
+        .collect();
+    folder::replace(&dir.join(PLOT_FOLDER), &steps)
+}

@@ -1,0 +1,207 @@
+//! A solved film as it is drawn: the numbers of `result.json` and the fields and lines of its picture, on the unrolled liner.
+
+use std::f64::consts::TAU;
+
+use oilwedge_study::fields::{Interpolation, field};
+use oilwedge_study::film_lines::{REFORMATION, RIM, RUPTURE};
+use oilwedge_study::picture::FilmPicture;
+use oilwedge_study::quantities::{ECCENTRICITY, MIN_FILM_ANGLE, Row};
+use serde_json::Value;
+
+use super::liner::{Liner, Nodes};
+use crate::Error;
+
+/// Nodes on the cylinder are as far from its axis as this part of the radius allows.
+const OFF: f64 = 1e-6;
+
+/// A film with the numbers of its run.
+#[derive(Debug)]
+pub struct DrawnFilm {
+    pub(super) title: String,
+    /// Everything that the run found, as in `result.json`.
+    pub(super) result: Value,
+    pub(super) radius: f64,
+    pub(super) clearance: f64,
+    pub(super) speed: f64,
+    pub(super) is_ring: bool,
+    pub(super) liner: Liner,
+    pub(super) cells: Vec<Nodes>,
+    /// Fields by name: values at the nodes of each triangle, SI.
+    pub(super) fields: Vec<(String, Vec<[f64; 6]>)>,
+    /// Lines by name: pieces on the unrolled liner [m].
+    pub(super) lines: Vec<(String, Vec<[[f64; 2]; 2]>)>,
+}
+
+impl DrawnFilm {
+    /// From the object of `result.json` and the picture of the same run, on the cylinder or unrolled.
+    ///
+    /// # Errors
+    /// [`Error::Format`]: the object has no shape of the bearing, as those of older versions of the program.
+    pub fn new(result: Value, picture: &FilmPicture) -> Result<Self, Error> {
+        let geometry = &result["geometry"];
+        let number = |key: &str| geometry[key].as_f64().filter(|value| value.is_finite());
+        let (Some(radius), Some(clearance)) = (number("radius").filter(|radius| *radius > 0.0), number("clearance"))
+        else {
+            return Err(Error::format("picture")(
+                "result.json has no geometry; solve the scene again",
+            ));
+        };
+        let unroll = Unrolled::of(picture, radius);
+        let cells: Vec<Nodes> = picture.cells.iter().map(|cell| unroll.cell(cell)).collect();
+        let arc = &geometry["arc"];
+        let angles = match (arc[0].as_f64(), arc[1].as_f64()) {
+            (Some(from), Some(to)) => [from.to_radians(), to.to_radians()],
+            _ => {
+                let thinnest = result["quantities"][MIN_FILM_ANGLE.name]["value"]
+                    .as_f64()
+                    .unwrap_or(180.0);
+                let from = number("film_start").unwrap_or(thinnest - 180.0).rem_euclid(360.0);
+                [from.to_radians(), from.to_radians() + TAU]
+            }
+        };
+        let on_nodes = |values: &Vec<f64>| {
+            picture
+                .cells
+                .iter()
+                .map(|cell| cell.map(|node| values[node as usize]))
+                .collect()
+        };
+        let nodal = picture
+            .point_data
+            .iter()
+            .map(|(name, values)| (name.clone(), on_nodes(values)));
+        let on_cells = |values: &Vec<f64>| values.iter().map(|value| [*value; 6]).collect();
+        let constant = picture
+            .cell_data
+            .iter()
+            .map(|(name, values)| (name.clone(), on_cells(values)));
+        let unrolled = |pieces: &Vec<[[f64; 3]; 2]>| pieces.iter().map(|piece| unroll.piece(piece)).collect();
+        Ok(Self {
+            title: result["title"].as_str().unwrap_or_default().to_owned(),
+            radius,
+            clearance,
+            speed: number("speed").unwrap_or(0.0),
+            is_ring: arc.is_null(),
+            liner: Liner::between(&cells, radius, angles),
+            fields: nodal.chain(constant).collect(),
+            lines: picture
+                .lines
+                .iter()
+                .map(|(name, pieces)| (name.clone(), unrolled(pieces)))
+                .collect(),
+            cells,
+            result,
+        })
+    }
+
+    /// Values of a quantity of the catalogue.
+    pub(super) fn quantity(&self, row: &Row) -> Option<f64> {
+        self.result["quantities"][row.name]["value"].as_f64()
+    }
+
+    /// Eccentricity [1] and angle of the thinnest film [rad].
+    pub(super) fn position(&self) -> Option<[f64; 2]> {
+        Some([
+            self.quantity(&ECCENTRICITY)?,
+            self.quantity(&MIN_FILM_ANGLE)?.to_radians(),
+        ])
+    }
+
+    /// Names of the fields of the film.
+    pub fn field_names(&self) -> impl Iterator<Item = &str> {
+        self.fields.iter().map(|(name, _)| name.as_str())
+    }
+
+    pub(super) fn values(&self, name: &str) -> Option<&[[f64; 6]]> {
+        let (_, values) = self.fields.iter().find(|(other, _)| other == name)?;
+        Some(values)
+    }
+
+    /// Pieces of the lines of that name.
+    pub(super) fn line(&self, name: &str) -> &[[[f64; 2]; 2]] {
+        self.lines
+            .iter()
+            .find(|(other, _)| other == name)
+            .map_or(&[], |(_, pieces)| pieces)
+    }
+
+    /// Rims of feeds and pockets by name.
+    pub(super) fn rims(&self) -> impl Iterator<Item = (&str, &[[[f64; 2]; 2]])> {
+        self.lines
+            .iter()
+            .filter_map(|(name, pieces)| Some((name.strip_prefix(RIM)?, pieces.as_slice())))
+    }
+
+    /// Where the film breaks and where it forms again.
+    pub(super) fn cavity_edges(&self) -> [&[[[f64; 2]; 2]]; 2] {
+        [RUPTURE, REFORMATION].map(|name| self.line(name))
+    }
+
+    /// Triangles with the values of a field between which it is a quadratic: a field that is linear on the parts of triangles has four for each.
+    pub(super) fn pieces(&self, name: &str) -> Option<(Vec<Nodes>, Vec<[f64; 6]>)> {
+        let values = self.values(name)?;
+        if field(name).map(|row| row.interpolation) != Some(Interpolation::Linear) {
+            return Some((self.cells.clone(), values.to_vec()));
+        }
+        let parts = |cell: (&Nodes, &[f64; 6])| {
+            PARTS.map(|part| (straight(part.map(|k| cell.0[k])), linear(part.map(|k| cell.1[k]))))
+        };
+        Some(self.cells.iter().zip(values).flat_map(parts).unzip())
+    }
+}
+
+/// Parts of a triangle by its nodes.
+const PARTS: [[usize; 3]; 4] = [[0, 3, 5], [3, 1, 4], [5, 4, 2], [3, 4, 5]];
+
+fn straight([a, b, c]: [[f64; 2]; 3]) -> Nodes {
+    let middle = |a: [f64; 2], b: [f64; 2]| [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
+    [a, b, c, middle(a, b), middle(b, c), middle(c, a)]
+}
+
+fn linear([a, b, c]: [f64; 3]) -> [f64; 6] {
+    [a, b, c, 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)]
+}
+
+/// Points of a picture on the unrolled liner.
+struct Unrolled<'a> {
+    points: &'a [[f64; 3]],
+    radius: f64,
+    is_cylinder: bool,
+}
+
+impl<'a> Unrolled<'a> {
+    fn of(picture: &'a FilmPicture, radius: f64) -> Self {
+        let is_on = |point: &[f64; 3]| (point[0].hypot(point[1]) - radius).abs() < OFF * radius;
+        Self {
+            points: &picture.points,
+            radius,
+            is_cylinder: picture.points.iter().all(is_on),
+        }
+    }
+
+    fn at(&self, point: [f64; 3]) -> [f64; 2] {
+        match self.is_cylinder {
+            true => [self.radius * point[1].atan2(point[0]), point[2]],
+            false => [point[0], point[1]],
+        }
+    }
+
+    /// The turn of a point in which it is next to another one.
+    fn beside(&self, [x, z]: [f64; 2], other: [f64; 2]) -> [f64; 2] {
+        let period = TAU * self.radius;
+        match self.is_cylinder {
+            true => [x - period * ((x - other[0]) / period).round(), z],
+            false => [x, z],
+        }
+    }
+
+    fn cell(&self, cell: &[u32; 6]) -> Nodes {
+        let nodes = cell.map(|node| self.at(self.points[node as usize]));
+        nodes.map(|node| self.beside(node, nodes[0]))
+    }
+
+    fn piece(&self, piece: &[[f64; 3]; 2]) -> [[f64; 2]; 2] {
+        let [from, to] = piece.map(|point| self.at(point));
+        [from, self.beside(to, from)]
+    }
+}

@@ -1,0 +1,202 @@
+//! Lines on a solved film: where it breaks and where it forms again, and the rims of its feeds and pockets.
+//!
+//! The edge of a cavity is that of the solver's own set of nodes at the cavity pressure: in a sub-triangle with nodes of both kinds it joins the
+//! middles of the sides between them. Only where the pressure is cut off after the solve (Guembel) it follows the pressure.
+//! Oil flows into the cavity at a rupture and out of it at a reformation.
+
+use std::collections::HashMap;
+use std::f64::consts::TAU;
+
+use oilwedge_fem::control_volumes::sub_triangles;
+use oilwedge_mesh::Mesh;
+use oilwedge_reynolds::FilmSolution;
+use oilwedge_reynolds::supply::BoundaryKind;
+
+use crate::film::Film;
+
+/// Name of the line where the film breaks.
+pub const RUPTURE: &str = "rupture";
+/// Name of the line where it forms again.
+pub const REFORMATION: &str = "reformation";
+/// How the names of rims begin; the name of the feed or pocket follows.
+pub const RIM: &str = "rim.";
+
+/// How often the directions of neighbouring pieces are averaged.
+const ROUNDS: usize = 12;
+/// Ends that are closer than this part of the radius are one.
+const CLOSE: f64 = 1e-9;
+
+/// A piece of a line on the unrolled liner `(R phi, z)` [m].
+pub(crate) type Piece = [[f64; 2]; 2];
+
+/// The lines of a film by name; those without a piece are left out.
+pub(crate) fn film_lines(film: &Film, solution: &FilmSolution) -> Vec<(String, Vec<Piece>)> {
+    let [rupture, reformation] = cavity_edges(film, solution);
+    let edges = [(RUPTURE.to_owned(), rupture), (REFORMATION.to_owned(), reformation)];
+    let lines = edges.into_iter().chain(rims(film));
+    lines.filter(|(_, pieces)| !pieces.is_empty()).collect()
+}
+
+/// What a node says of the cavity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Node {
+    Full,
+    Cavity,
+    /// Its pressure is given and is no higher than that of the cavity: both meet there.
+    Either,
+}
+
+/// Rupture and reformation.
+fn cavity_edges(film: &Film, solution: &FilmSolution) -> [Vec<Piece>; 2] {
+    let problem = &film.problem;
+    let Some(floor) = problem.cavitation.pressure() else {
+        return [Vec::new(), Vec::new()];
+    };
+    let mut pieces: Vec<(Piece, [f64; 2])> = Vec::new();
+    let nodes = nodes(film, solution, floor);
+    let space = film.system.space();
+    let excess = |dof: usize| problem.equation_pressure(solution.unknown[dof]) - floor;
+    for t in 0..space.mesh().triangles().len() {
+        let (dofs, positions) = (space.element_dofs(t), space.mesh().nodes(t));
+        for corners in sub_triangles(space, t) {
+            let of = |k: usize| nodes[dofs[corners[k % 3]]];
+            let at = |k: usize| positions[corners[k % 3]];
+            let crossing = |full: usize, broken: usize| {
+                // Pressures of an active set are zero in the cavity; the edge is amid the side.
+                let [high, low] = [full, broken].map(|k| excess(dofs[corners[k % 3]]));
+                let part = if problem.cavitation.kink().is_some() {
+                    high / (high - low)
+                } else {
+                    0.5
+                };
+                [0, 1].map(|d| at(full)[d] + part * (at(broken)[d] - at(full)[d]))
+            };
+            let sides = |k: usize| match (of(k), of(k + 1)) {
+                (Node::Full, Node::Cavity) => Some(crossing(k, k + 1)),
+                (Node::Cavity, Node::Full) => Some(crossing(k + 1, k)),
+                _ => None,
+            };
+            let mut ends: Vec<[f64; 2]> = (0..3).filter_map(sides).collect();
+            if ends.len() == 1 {
+                ends.extend((0..3).find(|k| of(*k) == Node::Either).map(at));
+            }
+            let ([from, to], Some(broken)) = (ends.as_slice(), (0..3).find(|k| of(*k) == Node::Cavity)) else {
+                continue;
+            };
+            // The normal towards the cavity.
+            let mut normal = [from[1] - to[1], to[0] - from[0]];
+            if (0..2).map(|d| normal[d] * (at(broken)[d] - from[d])).sum::<f64>() < 0.0 {
+                normal = normal.map(|part| -part);
+            }
+            pieces.push(([*from, *to], normal));
+        }
+    }
+    let velocity = problem.surface_velocity();
+    let mut edges = [Vec::new(), Vec::new()];
+    for (piece, normal) in smoothed(pieces, problem.bearing.radius) {
+        let enters = velocity[0] * normal[0] + velocity[1] * normal[1] >= 0.0;
+        edges[usize::from(!enters)].push(piece);
+    }
+    edges
+}
+
+/// The normals averaged with those of pieces that meet: an edge that runs along the flow in steps is one or the other as a whole.
+fn smoothed(mut pieces: Vec<(Piece, [f64; 2])>, radius: f64) -> Vec<(Piece, [f64; 2])> {
+    let place = |point: [f64; 2]| {
+        // The two sides of the seam of a ring are one.
+        let turn = (point[0] / radius).rem_euclid(TAU);
+        [turn * radius, point[1]].map(|part| (part / (CLOSE * radius)).round() as i64)
+    };
+    let mut at: HashMap<[i64; 2], Vec<usize>> = HashMap::new();
+    for (k, (piece, _)) in pieces.iter().enumerate() {
+        piece.iter().for_each(|end| at.entry(place(*end)).or_default().push(k));
+    }
+    for _ in 0..ROUNDS {
+        let normals: Vec<[f64; 2]> = pieces
+            .iter()
+            .map(|(piece, _)| {
+                let around = piece.iter().flat_map(|end| &at[&place(*end)]);
+                around.fold([0.0; 2], |sum, k| [0, 1].map(|d| sum[d] + 0.25 * pieces[*k].1[d]))
+            })
+            .collect();
+        pieces
+            .iter_mut()
+            .zip(normals)
+            .for_each(|(piece, normal)| piece.1 = normal);
+    }
+    pieces
+}
+
+fn nodes(film: &Film, solution: &FilmSolution, floor: f64) -> Vec<Node> {
+    let (problem, system) = (&film.problem, &film.system);
+    let space = system.space();
+    let mut is_broken = solution.cavity.clone();
+    if problem.cavitation.kink().is_some() {
+        for (dof, is_broken) in is_broken.iter_mut().enumerate() {
+            *is_broken = problem.equation_pressure(solution.unknown[dof]) <= floor;
+        }
+    } else if !problem.cavitation.conserves_oil() && space.degree() == 2 {
+        // The obstacle holds the middles of sides; a vertex belongs to the cavity where all sides at it do.
+        let edges = &space.mesh().topology().edges;
+        let mut is_surrounded = vec![true; space.mesh().points().len()];
+        for (edge, ends) in (0..).zip(edges) {
+            if !solution.cavity[space.edge_dof(edge)] {
+                ends.iter().for_each(|&end| is_surrounded[end as usize] = false);
+            }
+        }
+        for (vertex, is_surrounded) in (0..).zip(is_surrounded) {
+            is_broken[space.vertex_dof(vertex)] |= is_surrounded;
+        }
+    }
+    let given = system.supply.regions();
+    let node = |(dof, is_broken): (usize, bool)| match system.supply.owner(dof) {
+        Some(region) if given[region].pressure <= floor => Node::Either,
+        Some(_) => Node::Full,
+        None if is_broken => Node::Cavity,
+        None => Node::Full,
+    };
+    is_broken.into_iter().enumerate().map(node).collect()
+}
+
+/// Rims of feeds and pockets.
+fn rims(film: &Film) -> Vec<(String, Vec<Piece>)> {
+    let mesh = film.system.space().mesh();
+    let feeds = film
+        .system
+        .supply
+        .regions()
+        .iter()
+        .filter(|region| region.kind == BoundaryKind::Feed);
+    let feeds = feeds.map(|region| (region.name.as_str(), &region.edges, &region.cells));
+    let pockets = film.pockets().filter_map(|name| mesh.region(name));
+    let pockets = pockets.map(|region| (region.name.as_str(), &region.edges, &region.cells));
+    feeds
+        .chain(pockets)
+        .map(|(name, edges, cells)| {
+            let own = match cells.is_empty() {
+                true => edges.clone(),
+                false => around(mesh, cells),
+            };
+            let halves = own.into_iter().flat_map(|edge| {
+                let [a, b, middle] = mesh.edge_nodes(edge);
+                [[a, middle], [middle, b]]
+            });
+            (format!("{RIM}{name}"), halves.collect())
+        })
+        .collect()
+}
+
+/// Edges with one of these triangles, which ascend, on one side only.
+fn around(mesh: &Mesh, cells: &[u32]) -> Vec<u32> {
+    let topology = mesh.topology();
+    let is_own = |triangle: u32| cells.binary_search(&triangle).is_ok();
+    let edges = cells.iter().flat_map(|&cell| topology.triangle_edges[cell as usize]);
+    let is_rim = |edge: &u32| {
+        topology.edge_triangles[*edge as usize]
+            .iter()
+            .filter(|t| is_own(**t))
+            .count()
+            == 1
+    };
+    edges.filter(is_rim).collect()
+}
