@@ -105,12 +105,6 @@ pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
         }
         if let Some(hole) = feed.hole {
             hole.check(&scene.bearing, &format!("{key}.hole"), complaints);
-            let radius = scene.bearing.radius();
-            let meets = |other: &&Feed| other.hole.is_some_and(|other| hole.overlaps(&other, radius));
-            if let Some(other) = before.iter().find(meets) {
-                let message = format!("overlaps the hole of \"{}\"", other.group);
-                complaints.add(&format!("{key}.hole"), message, "move one of the two holes");
-            }
         }
     }
 }

@@ -2,6 +2,7 @@
 //! quantities.
 
 mod cap;
+mod feed;
 mod oil;
 mod tolerance;
 
@@ -12,7 +13,7 @@ use oilwedge_scene::{Check, Complaint, Scene, SceneError};
 pub use tolerance::targets;
 
 /// All checks.
-pub const CHECKS: [Check; 3] = [oil::check, cap::check, tolerance::check];
+pub const CHECKS: [Check; 4] = [oil::check, feed::check, cap::check, tolerance::check];
 
 /// Reads the scene in the file `path` with all checks.
 ///

@@ -14,6 +14,7 @@ pub mod compile;
 pub mod compile_error;
 pub mod effects;
 pub mod estimate;
+pub mod feed_region;
 pub mod film;
 pub mod grading;
 pub mod isothermal;

@@ -46,6 +46,7 @@ pub fn warnings(film: &Film, measured: &Measured) -> Vec<String> {
 fn film_warnings(film: &Film, measured: &Measured) -> Vec<String> {
     let mut warnings = mesh_warnings(film);
     warnings.extend(under_tension(film, measured));
+    warnings.extend(unlimited_flow(film));
     warnings.extend(effects::warnings(film, measured));
     warnings.extend(constant_viscosity(film, measured));
     let fallbacks = measured.fallbacks.iter();
@@ -88,6 +89,19 @@ pub fn mesh_warnings(film: &Film) -> Vec<String> {
         )
     });
     meshed_anew.into_iter().chain(flips).collect()
+}
+
+/// That oil flows round a corner from one pressure to another.
+fn unlimited_flow(film: &Film) -> Option<String> {
+    let jumps = film.system.supply.jumps(film.system.space());
+    let mut feeds: Vec<&str> = jumps.iter().map(|[feed, _]| *feed).collect();
+    feeds.dedup();
+    (!feeds.is_empty()).then(|| {
+        format!(
+            "the flow of \"{}\" has no limit: at its corners it meets an end of another pressure, and the oil that flows there from one to the other grows like the logarithm of the mesh; load, pressure and friction are sound; leave a land at the ends (a shorter groove), or give the groove the pressure of the ends",
+            feeds.join("\", \"")
+        )
+    })
 }
 
 /// That a film without a model of cavitation bears tension.
