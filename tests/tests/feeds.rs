@@ -269,6 +269,16 @@ fn a_groove_of_full_length_carries_its_pressure() {
     assert!(!all.iter().any(|it| it.contains("has no limit")), "{all:?}");
 }
 
+/// Behind a groove of full length at the widest film the oil that it gives is counted: it all comes from there.
+#[test]
+fn the_loaded_film_begins_behind_a_groove_of_full_length() {
+    let widest = r#"groove = { from = "110 deg", to = "130 deg", width = "30 mm" }"#;
+    let solved = solved(&scene("jfo", &[("top", widest, "0")]));
+    let dragged = 0.5 * 0.03 * 314.159 * 0.03 * 30e-6 * (1.0 + 0.6 * 10f64.to_radians().cos());
+    let inlet = solved.quantity("inlet_flow");
+    assert!((inlet / dragged - 1.0).abs() < 0.05, "{inlet} {dragged}");
+}
+
 /// A groove that leaves next to no land at the ends carries as much as one of full length.
 #[test]
 fn a_short_land_makes_little_difference() {

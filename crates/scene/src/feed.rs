@@ -123,23 +123,23 @@ mod tests {
         for (broken, wanted) in [
             (
                 "groove = { from = \"80 deg\", width = \"20 mm\" }",
-                "feed[0].groove.from: stands without to",
+                "feed \"feed_hole\".groove.from: stands without to",
             ),
             (
                 "groove = { from = \"80 deg\", to = \"70 deg\", width = \"20 mm\" }",
-                "feed[0].groove.to: is not behind",
+                "feed \"feed_hole\".groove.to: is not behind",
             ),
             (
                 "groove = { from = \"80 deg\", to = \"90 deg\", width = \"80 mm\" }",
-                "feed[0].groove.width: is more",
+                "feed \"feed_hole\".groove.width: is more",
             ),
             (
                 "groove = { from = \"80 deg\", to = \"90 deg\", width = \"20 mm\" }, depth = \"1 mm\"",
-                "feed[0].depth: stands beside",
+                "feed \"feed_hole\".depth: stands beside",
             ),
             (
                 "groove = { width = \"20 mm\" }",
-                "feed[0].groove.width: belongs to a groove all around",
+                "feed \"feed_hole\".groove.width: belongs to a groove all around",
             ),
         ] {
             told_one(hole, broken, wanted);

@@ -19,6 +19,7 @@ pub mod film;
 pub mod grading;
 pub mod isothermal;
 pub mod level;
+mod limits;
 pub mod liner_mesh;
 pub mod measure;
 pub mod no_answer;

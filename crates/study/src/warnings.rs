@@ -5,6 +5,7 @@ use oilwedge_reynolds::error_bar::UNRESOLVED;
 use crate::effects;
 use crate::estimate::Estimated;
 use crate::film::Film;
+use crate::limits;
 use crate::measure::Measured;
 use crate::regime::constant_viscosity;
 use crate::solved::{Errors, Solved};
@@ -47,6 +48,7 @@ fn film_warnings(film: &Film, measured: &Measured) -> Vec<String> {
     let mut warnings = mesh_warnings(film);
     warnings.extend(under_tension(film, measured));
     warnings.extend(unlimited_flow(film));
+    warnings.extend(limits::exceeded(film, measured));
     warnings.extend(effects::warnings(film, measured));
     warnings.extend(constant_viscosity(film, measured));
     let fallbacks = measured.fallbacks.iter();

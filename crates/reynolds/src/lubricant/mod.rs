@@ -65,6 +65,28 @@ pub enum PressureLaw {
     Roelands(roelands::Roelands),
 }
 
+/// Which law of viscosity against pressure a film has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LawKind {
+    /// Constant viscosity.
+    Constant,
+    /// Barus' law.
+    Barus,
+    /// Roelands' law.
+    Roelands,
+}
+
+impl PressureLaw {
+    /// Which law it is.
+    pub fn kind(&self) -> LawKind {
+        match self {
+            Self::Constant => LawKind::Constant,
+            Self::Barus(_) => LawKind::Barus,
+            Self::Roelands(_) => LawKind::Roelands,
+        }
+    }
+}
+
 impl std::ops::Deref for PressureLaw {
     type Target = dyn PressureViscosity;
 

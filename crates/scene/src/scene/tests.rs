@@ -328,15 +328,19 @@ fn each_range_is_checked() {
     good::told_one(
         "\"feed_hole\"",
         "\"end_low\"",
-        "feed[0].group: \"end_low\" is a name that meshes use",
+        "feed \"end_low\".group: \"end_low\" is a name that meshes use",
     );
     good::told_one(
         "z = \"0 mm\"",
         "z = \"30 mm\"",
-        "feed[0].hole.z: puts the hole's rim beyond the end",
+        "feed \"feed_hole\".hole.z: puts the hole's rim beyond the end",
     );
-    good::told_one("130 deg", "50 deg", "feed[0].hole.angle: puts the hole");
-    good::told_one("17 mm", "80 mm", "feed[0].hole.diameter: is wider than the liner");
+    good::told_one("130 deg", "50 deg", "feed \"feed_hole\".hole.angle: puts the hole");
+    good::told_one(
+        "17 mm",
+        "80 mm",
+        "feed \"feed_hole\".hole.diameter: is wider than the liner",
+    );
     good::told_one(
         "\"guembel\"",
         "\"guembel\"\npressure = \"1 bar\"",

@@ -9,7 +9,7 @@ use super::measured;
 use super::search::from_near_or_cold;
 use crate::compile::at_temperature;
 use crate::film::Film;
-use crate::quantities::{FILM_THICKNESS_MIN, LOAD, Quantity, Row};
+use crate::quantities::{FILM_THICKNESS_MIN, LOAD, PRESSURE_MAX, Quantity, Row};
 use crate::result::{Criterion, TemperaturePoint, TemperatureReport};
 use crate::solved::{SolveOptions, Solved};
 use crate::thermal_model::ThermalModel;
@@ -44,7 +44,7 @@ pub fn temperature_report(solved: &Solved, quantities: &[Quantity], deadline: De
     };
     let (bearing, criteria) = (
         &film.problem.bearing,
-        criteria(film, &model, value(&FILM_THICKNESS_MIN)?, root),
+        criteria(film, &model, [value(&FILM_THICKNESS_MIN)?, value(&PRESSURE_MAX)?, root]),
     );
     Some(TemperatureReport {
         preset: model.engine.map(Engine::name),
@@ -80,8 +80,8 @@ fn point(model: &ThermalModel, temperature: f64, solved: &Solved) -> Temperature
     }
 }
 
-/// What decides, and what is usual in an engine.
-fn criteria(film: &Film, model: &ThermalModel, least_film: f64, temperature: f64) -> Vec<Criterion> {
+/// What decides, and what is usual in an engine; of a least film [m], a greatest pressure [Pa] and a mean temperature [K].
+fn criteria(film: &Film, model: &ThermalModel, [least_film, pressure, temperature]: [f64; 3]) -> Vec<Criterion> {
     let bearing = &film.problem.bearing;
     let celsius = |temperature: f64| temperature - ZERO_CELSIUS;
     let mut list = vec![
@@ -100,6 +100,16 @@ fn criteria(film: &Film, model: &ThermalModel, least_film: f64, temperature: f64
             true,
         ),
     ];
+    if let Some(limit) = film.scene.limits.greatest_pressure {
+        let limits = [None, Some(1e-5 * limit)];
+        list.push(Criterion::new(
+            "greatest pressure",
+            "bar",
+            1e-5 * pressure,
+            limits,
+            true,
+        ));
+    }
     let Some(engine) = model.engine else { return list };
     let mut usual = |what: &str, unit: &str, value: f64, range: [f64; 2]| {
         list.push(Criterion::new(what, unit, value, range.map(Some), false));
