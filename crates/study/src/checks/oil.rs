@@ -123,11 +123,9 @@ fn pressures(scene: &Scene, complaints: &mut Complaints) {
             pressure > 0.0 && (back / pressure - 1.0).abs() > LOST && !ratio.is_nan(),
             &key,
             format!("makes the oil {ratio:.1e} times as viscous, so near to solid that round-off hides the pressure"),
-            match law.kind() {
-                LawKind::Roelands => "give a lower pressure, or a smaller exponent (oil.roelands.z or alpha)",
-                LawKind::Constant | LawKind::Barus => {
-                    "give a lower pressure, or a law that grows slower (oil.roelands)"
-                }
+            match law.kind() == LawKind::Roelands {
+                true => "give a lower pressure, or a smaller exponent (oil.roelands.z or alpha)",
+                false => "give a lower pressure, or a law that grows slower (oil.roelands)",
             },
         );
     }
