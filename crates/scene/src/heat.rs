@@ -191,9 +191,17 @@ fn mixing(mut table: TableReader<'_>) -> Option<Mixing> {
     ratio.map(Mixing::Ratio).or(share.map(Mixing::Share))
 }
 
-/// A balance needs an oil whose viscosity falls with temperature, friction, and a way out for the heat.
+/// A limit stands in one place. A balance needs an oil whose viscosity falls with temperature, friction, and a way out for the heat.
 pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
     let Some(heat) = &scene.heat else { return };
+    for key in ["film_min", "temperature_max"] {
+        complaints.refuse_if(
+            complaints.has(&format!("limits.{key}")) && complaints.has(&format!("heat.{key}")),
+            &format!("heat.{key}"),
+            format!("stands beside limits.{key}"),
+            "keep one of them; [limits] works without [heat] too",
+        );
+    }
     match scene.oil.viscosity {
         Viscosity::Constant(viscosity) => complaints.refuse_if(
             !viscosity.is_nan(),

@@ -42,18 +42,10 @@ pub(crate) fn read_old(table: &mut TableReader<'_>) -> Limits {
     }
 }
 
-/// A limit stands in one place, and has something to be compared with.
+/// A limit of the temperature has something to be compared with.
 pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
-    for key in ["film_min", "temperature_max"] {
-        complaints.refuse_if(
-            complaints.has(&format!("limits.{key}")) && complaints.has(&format!("heat.{key}")),
-            &format!("heat.{key}"),
-            format!("stands beside limits.{key}"),
-            "keep one of them; [limits] works without [heat] too",
-        );
-    }
     complaints.refuse_if(
-        complaints.has("limits.temperature_max") && scene.heat.is_none() && scene.oil.temperature.is_none(),
+        complaints.has("limits.temperature_max") && scene.given_temperature().is_none(),
         "limits.temperature_max",
         "has nothing to be compared with: the film of this scene has no temperature",
         "add [heat], which finds it, or give oil.temperature with a law of temperature; or remove the limit",
