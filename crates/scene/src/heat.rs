@@ -191,7 +191,7 @@ fn mixing(mut table: TableReader<'_>) -> Option<Mixing> {
     ratio.map(Mixing::Ratio).or(share.map(Mixing::Share))
 }
 
-/// A limit stands in one place. A balance needs an oil whose viscosity falls with temperature, friction, and a way out for the heat.
+/// A limit stands in one place. A balance needs an oil whose viscosity falls with temperature, and a way out for the heat.
 pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
     let Some(heat) = &scene.heat else { return };
     for key in ["film_min", "temperature_max"] {
@@ -216,12 +216,6 @@ pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
             "remove it, or remove [heat]",
         ),
     }
-    complaints.refuse_if(
-        scene.journal.speed == 0.0 && scene.journal.motion().is_none(),
-        "journal.speed",
-        "is zero and the centre does not move, so that nothing heats the oil",
-        "give a speed or journal.squeeze, or remove [heat] and give oil.temperature",
-    );
     complaints.refuse_if(
         scene.bearing.theory == Theory::Long && heat.housing.is_none(),
         "bearing.theory",

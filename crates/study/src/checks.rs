@@ -3,6 +3,7 @@
 
 mod cap;
 mod feed;
+mod journal;
 mod oil;
 mod tolerance;
 
@@ -13,7 +14,7 @@ use oilwedge_scene::{Check, Complaint, Scene, SceneError};
 pub use tolerance::targets;
 
 /// All checks.
-pub const CHECKS: [Check; 4] = [oil::check, feed::check, cap::check, tolerance::check];
+pub const CHECKS: [Check; 5] = [oil::check, feed::check, journal::check, cap::check, tolerance::check];
 
 /// Reads the scene in the file `path` with all checks.
 ///
