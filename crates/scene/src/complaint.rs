@@ -90,15 +90,11 @@ impl Complaints {
     fn named(&self, key: &str) -> String {
         let is_only =
             |name: &str| !name.is_empty() && self.names.iter().filter(|(_, other)| other == name).count() == 1;
-        let renamed = self
-            .names
-            .iter()
-            .filter(|(_, name)| is_only(name))
-            .find_map(|(table, name)| {
-                let rest = key.strip_prefix(table.as_str())?;
-                let list = table.split('[').next().unwrap_or_default();
-                Some(format!("{list} \"{name}\"{rest}"))
-            });
+        let renamed = self.names.iter().find_map(|(table, name)| {
+            let rest = key.strip_prefix(table.as_str())?;
+            let list = table.split('[').next().unwrap_or_default();
+            is_only(name).then(|| format!("{list} \"{name}\"{rest}"))
+        });
         renamed.unwrap_or_else(|| key.to_owned())
     }
 

@@ -175,6 +175,12 @@ fn holds(sheet: &Sheet, outer: &Feature, inner: &Feature) -> bool {
 /// Whether two shapes on a liner overlap or touch.
 pub fn overlap(liner: &Liner, one: &Shape, other: &Shape) -> bool {
     let sheet = Sheet::of(liner, 0.0);
+    let between = [0, 1].map(|axis| one.centre[axis] - other.centre[axis]);
+    let apart = [shorter_way(between[0], liner.circumference()), between[1]];
+    let is_far = |axis: usize| apart[axis].abs() > (1.0 + 1e-9) * (one.half[axis] + other.half[axis]);
+    if is_far(0) || is_far(1) {
+        return false;
+    }
     let [one, other] = [one, other].map(|shape| Feature {
         name: String::new(),
         shape: *shape,

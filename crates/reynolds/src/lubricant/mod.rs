@@ -65,24 +65,21 @@ pub enum PressureLaw {
     Roelands(roelands::Roelands),
 }
 
-/// Which law of viscosity against pressure a film has.
+/// How viscosity grows with pressure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LawKind {
-    /// Constant viscosity.
-    Constant,
-    /// Barus' law.
-    Barus,
-    /// Roelands' law.
+    /// By Roelands' law, the slowest of those there are.
     Roelands,
+    /// By another one, or not at all.
+    Other,
 }
 
 impl PressureLaw {
     /// Which law it is.
     pub fn kind(&self) -> LawKind {
         match self {
-            Self::Constant => LawKind::Constant,
-            Self::Barus(_) => LawKind::Barus,
             Self::Roelands(_) => LawKind::Roelands,
+            _ => LawKind::Other,
         }
     }
 }

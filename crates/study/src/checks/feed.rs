@@ -28,7 +28,7 @@ pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
                 given(feed),
                 given(other)
             );
-            let help = "give both one pressure (they are one region then), or move one of the two";
+            let help = "give both one pressure (they are one region then), or move one of the two: by diameter, angle and z of a hole, by from, to, width and z of a groove";
             complaints.add(&key, message, help);
         }
     }
