@@ -35,6 +35,7 @@ impl Mesh {
     /// [`Failure`]: the scene cannot be used, its liner cannot be meshed, or the file cannot be written.
     pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
         let scene = oilwedge_study::read(&self.scene)?;
+        self.check_form()?;
         self.check_output(&scene)?;
         let mesh = mesh_scene(&scene).map_err(Failure::of(&self.scene))?;
         write_mesh(&mesh, &self.output)?;
@@ -42,6 +43,19 @@ impl Mesh {
         let text = format!("{}: {cells} triangles, {nodes} nodes\n", self.output.display());
         print(&text, Some(&self.output))?;
         Ok(ExitCode::SUCCESS)
+    }
+
+    /// gmsh and `[mesh] file` know the form by the name. What is no plain file (`/dev/stdout`) has none.
+    fn check_form(&self) -> Result<(), Failure> {
+        let is_msh = (self.output.extension()).is_some_and(|ending| ending.eq_ignore_ascii_case("msh"));
+        let is_plain = self.output.is_file() || !self.output.exists();
+        match is_msh || !is_plain {
+            true => Ok(()),
+            false => Err(Failure::Message(format!(
+                "--output {}: a gmsh file (.msh) is the only form that is written; give a name that ends in .msh (gmsh writes others of it, and `oilwedge solve --out` writes film.vtu)",
+                self.output.display()
+            ))),
+        }
     }
 
     /// The mesh must not replace the scene or the mesh file from which it is made.

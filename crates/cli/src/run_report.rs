@@ -241,7 +241,7 @@ pub(crate) mod tests {
             "kN",
             "49.2900",
             "simulated      poiseuille  oil driven by the pressure gradient\n               couette     oil dragged",
-            "force that the film carries",
+            "force on the journal that the film carries",
             "differ by 1.2e-12 of",
             "592 triangles, 1245 nodes for a pressure of degree 2, smallest angle 31.0 deg",
             "1 linear solve, 1 factorisation, 1 nonlinear iteration",

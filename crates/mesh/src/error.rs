@@ -145,8 +145,9 @@ pub enum Error {
     NoGroups,
     /// Groups that the scene needs are not in the file.
     #[error(
-        "the mesh lacks {}; it has {}; {remedy}",
+        "the mesh lacks {}{}; it has {}; {remedy}",
         missing.join(", "),
+        meant(missing, present),
         if present.is_empty() { "no groups".to_owned() } else { some_of(present) }
     )]
     MissingGroups {
@@ -337,6 +338,21 @@ pub fn some_of(names: &[String]) -> String {
     match names.len().saturating_sub(NAMES) {
         0 => told,
         more => format!("{told} and {more} more"),
+    }
+}
+
+/// The groups that look like missing ones, as a clause; each of kind and name.
+fn meant(missing: &[String], present: &[String]) -> String {
+    const LETTERS: usize = 2;
+    let near = |name: &String| {
+        let other = present.iter().min_by_key(|other| strsim::osa_distance(name, other))?;
+        let is_near = strsim::osa_distance(name, other) <= LETTERS && !missing.contains(other);
+        is_near.then(|| format!("is {other} meant as {name}?"))
+    };
+    let clauses: Vec<String> = missing.iter().filter_map(near).collect();
+    match clauses.is_empty() {
+        true => String::new(),
+        false => format!(" ({})", clauses.join(" ")),
     }
 }
 

@@ -24,6 +24,8 @@ use crate::sketch::{sketch, words};
 const DRAWN: &str = "made of the liner described";
 /// What stands there where finer meshes may follow.
 const FIRST_DRAWN: &str = "made of the liner described, the first towards the tolerance";
+/// Diameter and length [m] beyond which a unit is suspected.
+const LARGEST: f64 = 5.0;
 /// Angles below this [deg] are worth a warning.
 const SHARP: f64 = 15.0;
 
@@ -109,6 +111,9 @@ pub fn check_scene(scene: &Scene) -> Result<CheckReport, Error> {
         .map(|axis| (axis.heading(), axis.values.len()))
         .collect();
     report.effects = Some(Effects::of(&film.scene));
+    report.warnings.extend(huge(mesh).map(|size| {
+        format!("the liner is {size}, larger than any bearing: are bearing.diameter and bearing.length in millimetres, as in diameter = \"60 mm\"?")
+    }));
     report
         .warnings
         .extend(mesh_warnings(&film).into_iter().map(|warning| warning.text));
@@ -125,7 +130,22 @@ pub fn check_scene(scene: &Scene) -> Result<CheckReport, Error> {
 /// [`Error::Compile`] where the mesh cannot be read or is defective.
 pub fn check_mesh(path: &Path) -> Result<CheckReport, Error> {
     let mesh = developed::read_alone(path).map_err(CompileError::from)?;
-    Ok(check_report(path, &mesh))
+    let mut report = check_report(path, &mesh);
+    report.warnings.extend(huge(&mesh).map(|size| {
+        format!("its lengths were read as metres, and it is {size}: where they are millimetres, the scene says so by [mesh] unit = \"mm\"")
+    }));
+    Ok(report)
+}
+
+/// The size of a liner larger than any bearing, in words.
+fn huge(mesh: &Mesh) -> Option<String> {
+    let extent = |axis: usize| {
+        let places = mesh.points().iter().map(|point| point[axis]);
+        places.clone().fold(f64::NEG_INFINITY, f64::max) - places.fold(f64::INFINITY, f64::min)
+    };
+    let [around, along] = [mesh.period().unwrap_or(extent(0)), extent(1)];
+    let is_huge = around > std::f64::consts::PI * LARGEST || along > LARGEST;
+    is_huge.then(|| format!("{around:.4} m around and {along:.4} m long"))
 }
 
 /// Writes a mesh as a gmsh 4.1 file, whole or not at all. Through a link the file is replaced that it leads to; what is no plain file

@@ -101,8 +101,10 @@ pub(crate) fn sketch(mesh: &Mesh, supply: &Supply, marked: &[&Region], radius: f
             feeds.iter().position(holds).map_or('.', |index| letters[index])
         }
         None => {
-            let inside = |region: &&Region| is_inside(mesh, region, point);
-            feeds.iter().position(inside).map_or(' ', |index| letters[index])
+            let distances = feeds.iter().map(|region| from_rim(mesh, region, point));
+            let nearest = distances.enumerate().min_by(|(_, a), (_, b)| a.total_cmp(b));
+            let nearest = nearest.filter(|(_, distance)| distance.is_finite());
+            nearest.map_or(' ', |(index, _)| letters[index])
         }
     };
     let mut text = String::new();
@@ -160,16 +162,14 @@ impl Bounds {
     }
 }
 
-/// True if the closed rim of a cut-out goes round the point: edges above it are crossed an odd number of times.
-fn is_inside(mesh: &Mesh, region: &Region, [x, z]: [f64; 2]) -> bool {
-    let crossings = region.edges.iter().filter(|&&edge| {
-        let [a, b, _] = mesh.edge_nodes(edge);
-        let shift = mesh
-            .period()
-            .map_or(0.0, |period| period * ((x - 0.5 * (a[0] + b[0])) / period).round());
-        let (from, to) = (a[0] + shift, b[0] + shift);
-        let crosses = (from <= x) != (to <= x);
-        crosses && a[1] + (x - from) / (to - from) * (b[1] - a[1]) > z
-    });
-    crossings.count() % 2 == 1
+/// Distance [m] of a point from the nearest node on the rim of a region: a point outside of the film lies in the cut-out whose rim is nearest.
+fn from_rim(mesh: &Mesh, region: &Region, [x, z]: [f64; 2]) -> f64 {
+    let nodes = region.edges.iter().flat_map(|&edge| mesh.edge_nodes(edge));
+    let apart = |along: f64| {
+        mesh.period()
+            .map_or(along, |period| along - period * (along / period).round())
+    };
+    nodes
+        .map(|node| apart(node[0] - x).hypot(node[1] - z))
+        .fold(f64::INFINITY, f64::min)
 }

@@ -3,6 +3,7 @@
 use oilwedge_fem::Field;
 use oilwedge_fem::newton::{Failure, HistoryStep};
 
+use crate::lubricant::LawKind;
 use crate::solve::Neighbour;
 use crate::{FilmProblem, FilmSolution, FilmSystem, ReferenceFilm};
 
@@ -27,6 +28,8 @@ pub enum NoFilm {
         limit: f64,
         /// Their ratio.
         ratio: f64,
+        /// Which law it is.
+        law: LawKind,
         /// Speed [rad/s] up to which there is a film, where it can be computed.
         greatest_speed: Option<f64>,
     },
@@ -147,6 +150,7 @@ impl FilmProblem {
                 reached,
                 limit,
                 ratio: reached / limit,
+                law: law.kind(),
                 greatest_speed: None,
             });
         }
@@ -171,6 +175,7 @@ impl FilmProblem {
             reached,
             limit,
             ratio: reached / limit,
+            law: self.lubricant.pressure_law.kind(),
             greatest_speed: None,
         };
         if reached > FAR_ABOVE * limit {

@@ -31,11 +31,16 @@ impl FilmProblem {
     pub fn solve(&self, system: &FilmSystem) -> Result<FilmSolution, NoFilm> {
         self.solve_from(system, Neighbour::None).map_err(|reason| match reason {
             NoFilm::AboveLimit {
-                reached, limit, ratio, ..
+                reached,
+                limit,
+                ratio,
+                law,
+                ..
             } => NoFilm::AboveLimit {
                 reached,
                 limit,
                 ratio,
+                law,
                 greatest_speed: self.greatest_speed(system, limit),
             },
             other => other,

@@ -129,7 +129,7 @@ impl Supply {
                     second: region.name.clone(),
                 });
             }
-            errors.extend(open_rim(space.mesh(), region));
+            errors.extend(open_rim(space.mesh(), &regions, region));
         }
         errors.extend(unassigned(space, &regions, &owner));
         if errors.is_empty() {
@@ -234,6 +234,18 @@ impl Supply {
         found
     }
 
+    /// Feeds and what they meet at another pressure, where the flow from the one to the other has no limit: names.
+    pub fn jumps(&self, space: &Space) -> Vec<[&str; 2]> {
+        let mut jumps: Vec<[&str; 2]> = (self.meeting(space).into_iter())
+            .map(|(_, regions)| regions.map(|index| &self.regions[index]))
+            .filter(|[owner, other]| owner.kind == BoundaryKind::Feed && owner.pressure != other.pressure)
+            .map(|regions| regions.map(|region| region.name.as_str()))
+            .collect();
+        jumps.sort_unstable();
+        jumps.dedup();
+        jumps
+    }
+
     /// The regions: ends, then lines, then feeds.
     pub fn regions(&self) -> &[SupplyRegion] {
         &self.regions
@@ -297,17 +309,21 @@ pub fn rim<'a>(mesh: &'a Mesh, region: &'a SupplyRegion) -> impl Iterator<Item =
         .filter(move |&edge| region.kind == BoundaryKind::Feed && mesh.topology().is_boundary(edge))
 }
 
-/// Each vertex of a closed rim has an even number of its edges.
-fn open_rim(mesh: &Mesh, region: &SupplyRegion) -> Option<SupplyError> {
+/// Each vertex of a closed rim has an even number of its edges. The rim of a groove that reaches from end to end is closed by the ends.
+fn open_rim(mesh: &Mesh, regions: &[SupplyRegion], region: &SupplyRegion) -> Option<SupplyError> {
     let mut count: HashMap<u32, usize> = HashMap::new();
     for edge in rim(mesh, region) {
         for vertex in mesh.topology().edges[edge as usize] {
             *count.entry(vertex).or_default() += 1;
         }
     }
+    let is_end = |other: &&SupplyRegion| matches!(other.kind, BoundaryKind::Sealed | BoundaryKind::End);
+    let at_ends: HashSet<u32> = (regions.iter().filter(is_end))
+        .flat_map(|end| end.edges.iter().flat_map(|&edge| mesh.topology().edges[edge as usize]))
+        .collect();
     let loose = count
         .into_iter()
-        .filter(|(_, n)| n % 2 == 1)
+        .filter(|(vertex, n)| n % 2 == 1 && !at_ends.contains(vertex))
         .map(|(vertex, _)| vertex)
         .min()?;
     Some(SupplyError::OpenRim {

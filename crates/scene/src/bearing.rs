@@ -73,15 +73,27 @@ impl Theory {
 pub(crate) fn read(mut table: TableReader<'_>, usual_ratio: Option<f64>) -> Bearing {
     let diameter = table.positive("diameter", Dimension::Length, "75 mm");
     let length = table.positive("length", Dimension::Length, "75 mm");
+    let diametral = table.positive_if_given("diametral_clearance", Dimension::Length, "75 um");
+    table.refuse_if(
+        diametral.is_some() && table.has("clearance"),
+        "diametral_clearance",
+        "stands beside clearance, which is half of it",
+        "keep one: clearance is radial, diametral_clearance is D - d of bore and journal",
+    );
     let clearance = table.quantity("clearance", Dimension::Length, "37.5 um").positive();
-    let clearance = match usual_ratio {
-        Some(ratio) => clearance.or(0.5 * diameter * ratio),
-        None => clearance.required(),
+    let clearance = match (diametral, usual_ratio) {
+        (Some(diametral), _) => clearance.or(0.5 * diametral),
+        (None, Some(ratio)) => clearance.or(0.5 * diameter * ratio),
+        (None, None) => clearance.required(),
     };
     let radius = 0.5 * diameter;
     table.refuse_if(
         clearance >= radius,
-        "clearance",
+        if diametral.is_some() {
+            "diametral_clearance"
+        } else {
+            "clearance"
+        },
         format!("is not smaller than the radius, {}", millimetres(radius)),
         "give the radial clearance, about a thousandth of half the bearing.diameter; is it in um?",
     );

@@ -84,17 +84,15 @@ pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
         return;
     };
     let cavity = cavitation.pressure;
-    let feeds = scene.feeds.iter().enumerate().filter_map(|(index, feed)| {
-        let name = format!(" (\"{}\")", feed.group);
-        Some((format!("feed[{index}].pressure"), name, feed.pressure?))
-    });
-    let ends = ("ends.pressure".to_owned(), String::new(), scene.ends.pressure);
-    for (key, name, given) in [ends].into_iter().chain(feeds) {
+    let feeds =
+        (scene.feeds.iter()).filter_map(|feed| Some((format!("feed \"{}\".pressure", feed.group), feed.pressure?)));
+    let ends = ("ends.pressure".to_owned(), scene.ends.pressure);
+    for (key, given) in [ends].into_iter().chain(feeds) {
         complaints.refuse_if(
             cavity - given > SAME * cavity.abs(),
             "cavitation.pressure",
             format!(
-                "is {}, above the {} of {key}{name}: the oil there would be vapour",
+                "is {}, above the {} of {key}: the oil there would be vapour",
                 bars(cavity),
                 bars(given)
             ),
@@ -139,7 +137,7 @@ mod tests {
             good::told_one("\"guembel\"", &cavity, ends);
             let cavity = format!("\"{model}\"\npressure = \"2 bar\"");
             let told = good::told("\"guembel\"", &cavity);
-            let feed = "cavitation.pressure: is 2 bar, above the 1.96 bar of feed[0].pressure (\"feed_hole\")";
+            let feed = "cavitation.pressure: is 2 bar, above the 1.96 bar of feed \"feed_hole\".pressure";
             assert!(told.len() == 2 && told[1].starts_with(feed), "{told:?}");
         }
         good::told_one(

@@ -15,8 +15,8 @@ const LONGEST_TEXT: usize = 600;
 /// One thing that is wrong with a scene.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Complaint {
-    /// The key with its tables, `feed[0].hole.diameter` (feeds are counted from 0); empty for a fault of the TOML
-    /// itself.
+    /// The key with its tables, `feed "groove".hole.diameter`; feeds without a name of their own are counted from 0, `feed[0]`. Empty for a fault
+    /// of the TOML itself.
     pub key: String,
     /// The value as it is written; empty where there is none.
     pub value: String,
@@ -45,6 +45,7 @@ pub type Check = fn(&Scene, &mut Complaints);
 pub struct Complaints {
     text: String,
     spans: BTreeMap<String, Range<usize>>,
+    names: Vec<(String, String)>,
     list: Vec<Complaint>,
 }
 
@@ -80,6 +81,23 @@ impl Complaints {
         self.spans.insert(key.to_owned(), span);
     }
 
+    /// Names the tables of a list, each by its key (`feed[0]`): complaints call them `list "name"` where no other has that name.
+    pub(crate) fn name(&mut self, names: impl IntoIterator<Item = (String, String)>) {
+        self.names.extend(names);
+    }
+
+    /// The key with the name of its table.
+    fn named(&self, key: &str) -> String {
+        let is_only =
+            |name: &str| !name.is_empty() && self.names.iter().filter(|(_, other)| other == name).count() == 1;
+        let renamed = self.names.iter().find_map(|(table, name)| {
+            let rest = key.strip_prefix(table.as_str())?;
+            let list = table.split('[').next().unwrap_or_default();
+            is_only(name).then(|| format!("{list} \"{name}\"{rest}"))
+        });
+        renamed.unwrap_or_else(|| key.to_owned())
+    }
+
     /// A complaint about the value of `key`; about the table above it where the key is not written.
     pub fn add(&mut self, key: &str, message: impl Into<String>, help: impl Into<String>) {
         if self.are_full() {
@@ -105,8 +123,11 @@ impl Complaints {
     }
 
     /// The first complaints in the order of the text; the last one of many says that there are more.
-    pub fn into_list(self) -> Vec<Complaint> {
-        let mut list = in_order(self.list);
+    pub fn into_list(mut self) -> Vec<Complaint> {
+        let mut list = in_order(std::mem::take(&mut self.list));
+        for complaint in &mut list {
+            complaint.key = self.named(&complaint.key);
+        }
         if list.len() > MOST_REPORTED {
             list.truncate(MOST_REPORTED);
             list.push(Complaint {

@@ -2,16 +2,14 @@
 
 use crate::reader::TableReader;
 use crate::unit::{Dimension, ZERO_CELSIUS};
-use crate::{Complaints, Scene, Theory, Viscosity};
+use crate::{Complaints, Limits, Scene, Theory, Viscosity, limits};
 
 /// Heat capacity per volume of mineral oil [J/(m3 K)].
 const HEAT_CAPACITY: f64 = 1.8e6;
 /// Heat capacities per volume [J/(m3 K)] of liquids that are used as oils.
 const CAPACITIES: [f64; 2] = [5e5, 5e6];
-/// Least film thickness that is enough where the scene gives none [m].
-const LEAST_FILM: f64 = 4e-6;
-/// Mean temperature that must not be reached where the scene gives none [K].
-const GREATEST_TEMPERATURE: f64 = ZERO_CELSIUS + 115.0;
+/// Limits of a bearing whose heat is balanced, where the scene gives none: least film thickness [m], and mean temperature of the film [K].
+pub const USUAL_LIMITS: (f64, f64) = (4e-6, ZERO_CELSIUS + 115.0);
 
 /// The heat balance.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,10 +24,6 @@ pub struct Heat {
     pub mixing: Option<Mixing>,
     /// The engine that the bearing belongs to.
     pub engine: Option<Engine>,
-    /// Least film thickness that is enough [m].
-    pub least_film: f64,
-    /// Mean temperature of the film that must not be reached [K].
-    pub greatest_temperature: f64,
 }
 
 /// A housing at the temperature of the film.
@@ -121,7 +115,8 @@ impl Scene {
     }
 }
 
-pub(crate) fn read(mut table: TableReader<'_>) -> Heat {
+/// The table, and the limits in it.
+pub(crate) fn read(mut table: TableReader<'_>) -> (Heat, Limits) {
     let engines = [Engine::Petrol, Engine::Diesel].map(|engine| (engine.name(), engine));
     let engine = table.word("preset", &engines);
     if !table.has("preset") {
@@ -138,19 +133,15 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Heat {
             "give some 1.8 MJ/(m3.K), density times specific heat, or remove it",
         );
     let heat_capacity = heat_capacity.or(HEAT_CAPACITY);
-    let hottest = table.oil_temperature("temperature_max", "115 C");
-    Heat {
+    let limits = limits::read_old(&mut table);
+    let heat = Heat {
         heat_capacity,
-        greatest_temperature: hottest.or(GREATEST_TEMPERATURE),
         inlet: table.oil_temperature("inlet", "75 C").or(usual),
-        least_film: table
-            .quantity("film_min", Dimension::Length, "4 um")
-            .positive()
-            .or(LEAST_FILM),
         housing: table.table_if_given("housing").map(housing),
         mixing: table.table_if_given("mixing").and_then(mixing),
         engine,
-    }
+    };
+    (heat, limits)
 }
 
 /// The conductance as one number, or as that of a surface times its area.
@@ -200,9 +191,17 @@ fn mixing(mut table: TableReader<'_>) -> Option<Mixing> {
     ratio.map(Mixing::Ratio).or(share.map(Mixing::Share))
 }
 
-/// A balance needs an oil whose viscosity falls with temperature, friction, and a way out for the heat.
+/// A limit stands in one place. A balance needs an oil whose viscosity falls with temperature, and a way out for the heat.
 pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
     let Some(heat) = &scene.heat else { return };
+    for key in ["film_min", "temperature_max"] {
+        complaints.refuse_if(
+            complaints.has(&format!("limits.{key}")) && complaints.has(&format!("heat.{key}")),
+            &format!("heat.{key}"),
+            format!("stands beside limits.{key}"),
+            "keep one of them; [limits] works without [heat] too",
+        );
+    }
     match scene.oil.viscosity {
         Viscosity::Constant(viscosity) => complaints.refuse_if(
             !viscosity.is_nan(),
@@ -217,12 +216,6 @@ pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
             "remove it, or remove [heat]",
         ),
     }
-    complaints.refuse_if(
-        scene.journal.speed == 0.0,
-        "journal.speed",
-        "is zero, so that nothing heats the oil",
-        "give a speed, or remove [heat] and give oil.temperature",
-    );
     complaints.refuse_if(
         scene.bearing.theory == Theory::Long && heat.housing.is_none(),
         "bearing.theory",
@@ -244,20 +237,15 @@ mod tests {
 
     #[test]
     fn a_balance_is_read_in_si() {
-        let heat = |keys: &str| {
-            read(&with(keys))
-                .unwrap_or_else(|error| panic!("{error}"))
-                .heat
-                .expect("a balance")
-        };
+        let scene = |keys: &str| read(&with(keys)).unwrap_or_else(|error| panic!("{error}"));
+        let heat = |keys: &str| scene(keys).heat.expect("a balance");
         let plain = heat("inlet = \"75 C\"");
+        assert_eq!((plain.inlet, plain.heat_capacity), (348.15, 1.8e6));
+        assert_eq!((plain.housing, plain.mixing), (None, None));
+        let limits = scene("inlet = \"75 C\", film_min = \"2 um\", temperature_max = \"130 C\"").limits;
         assert_eq!(
-            (plain.inlet, plain.heat_capacity, plain.least_film),
-            (348.15, 1.8e6, 4e-6)
-        );
-        assert_eq!(
-            (plain.greatest_temperature, plain.housing, plain.mixing),
-            (388.15, None, None)
+            (limits.least_film, limits.greatest_temperature),
+            (Some(2e-6), Some(403.15))
         );
         let full = heat(
             "preset = \"diesel\", heat_capacity = \"1800 kJ/(m3 K)\", film_min = \"2 um\", temperature_max = \"130 C\", \

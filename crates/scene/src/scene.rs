@@ -11,10 +11,10 @@ use crate::complaint::in_order;
 use crate::reader::TableReader;
 use crate::sweep::{self, Plan};
 use crate::{
-    Bearing, Cap, Cavitation, Check, Complaint, Complaints, Ends, Engine, Feed, Heat, Journal, MeshSource, Oil,
+    Bearing, Cap, Cavitation, Check, Complaint, Complaints, Ends, Engine, Feed, Heat, Journal, Limits, MeshSource, Oil,
     SceneError, Tolerance,
 };
-use crate::{bearing, cap, cavitation, ends, feed, heat, journal, load, mesh, oil};
+use crate::{bearing, cap, cavitation, ends, feed, heat, journal, limits, load, mesh, oil};
 
 /// The largest scene file that is read [bytes].
 pub const SCENE_LIMIT: u64 = 1 << 20;
@@ -24,7 +24,7 @@ const FAULT_LIMIT: usize = 5;
 const MESH_OPENING: &[u8] = b"$MeshFormat";
 
 /// Tables whose keys can be swept.
-pub(crate) const SWEPT: [&str; 9] = [
+pub(crate) const SWEPT: [&str; 10] = [
     "bearing",
     "mesh",
     "ends",
@@ -33,15 +33,17 @@ pub(crate) const SWEPT: [&str; 9] = [
     "load",
     "oil",
     "heat",
+    "limits",
     "cavitation",
 ];
 /// Checks of keys that must fit each other, table by table.
-const CHECKS: [Check; 6] = [
+const CHECKS: [Check; 7] = [
     bearing::check,
     feed::check,
     journal::check,
     oil::check,
     heat::check,
+    limits::check,
     cavitation::check,
 ];
 
@@ -66,6 +68,8 @@ pub struct Scene {
     pub oil: Oil,
     /// The balance that finds the temperature of the film; `None`: it is given, or has no effect.
     pub heat: Option<Heat>,
+    /// Limits that the bearing must keep.
+    pub limits: Limits,
     /// What happens where the film would break; `None`: a full film, whatever its pressure.
     pub cavitation: Option<Cavitation>,
     /// The cap of the connecting rod whose bearing this is; nothing of the film depends on it.
@@ -127,6 +131,8 @@ impl Scene {
     }
 
     fn check(&self, complaints: &mut Complaints, checks: &[Check]) {
+        let names = self.feeds.iter().enumerate();
+        complaints.name(names.map(|(index, feed)| (format!("feed[{index}]"), feed.group.clone())));
         CHECKS.iter().chain(checks).for_each(|check| check(self, complaints));
     }
 
@@ -191,7 +197,8 @@ fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene {
         Some(_) => "[journal] with speed",
         None => "[journal] with speed, eccentricity and min_film_angle",
     };
-    let heat = root.table_if_given("heat").map(heat::read);
+    let (heat, in_heat) = root.table_if_given("heat").map(heat::read).unzip();
+    let limits = root.table_if_given("limits").map(limits::read).unwrap_or_default();
     let temperature = heat.is_none().then_some("\"80 C\", or a table [heat] that finds it");
     let engine = heat.and_then(|heat| heat.engine);
     let usual_ratio = engine.map(|engine| Engine::middle(engine.clearance_ratio()));
@@ -213,6 +220,7 @@ fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene {
         journal: journal::read(root.table("journal", journal), load),
         oil: oil::read(root.table("oil", "[oil] with viscosity = \"40 mPa.s\""), temperature),
         heat,
+        limits: limits.or(in_heat.unwrap_or_default()),
         cavitation: root.table_if_given("cavitation").and_then(cavitation::read),
         cap: root.table_if_given("cap").map(cap::read),
         sweep: root.table_if_given("sweep").map(|table| {

@@ -3,6 +3,8 @@
 
 mod cap;
 mod columns;
+mod feed;
+mod journal;
 mod oil;
 mod tolerance;
 
@@ -13,7 +15,14 @@ use oilwedge_scene::{Check, Complaint, Scene, SceneError};
 pub use tolerance::{Targets, targets};
 
 /// All checks.
-pub const CHECKS: [Check; 4] = [oil::check, cap::check, tolerance::check, columns::check];
+pub const CHECKS: [Check; 6] = [
+    oil::check,
+    feed::check,
+    journal::check,
+    cap::check,
+    tolerance::check,
+    columns::check,
+];
 
 /// Reads the scene in the file `path` with all checks.
 ///

@@ -16,6 +16,7 @@ use oilwedge_reynolds::{Bearing, FilmProblem, FilmSystem, JournalState, Theory};
 
 use crate::compile_error::CompileError;
 use crate::effects::Sockets;
+use crate::feed_region::{FeedRegion, feed_regions};
 use crate::film::{DEGREE, Film, MeshOrigin, Start};
 use crate::liner_mesh::{LinerMesh, liner_mesh, suited};
 use crate::oil::{self, Oil};
@@ -149,7 +150,9 @@ fn mesh_name(scene: &Scene) -> PathBuf {
         .to_owned()
 }
 
-fn disc(scene: &Scene, feed: &scene::Feed) -> Option<Disc> {
+/// The exact shape of a region that is one hole.
+fn disc(scene: &Scene, region: &FeedRegion<'_>) -> Option<Disc> {
+    let [feed] = region.feeds[..] else { return None };
     feed.hole.map(|hole| Disc {
         centre: [scene.bearing.radius() * hole.angle, hole.z],
         radius: 0.5 * hole.diameter,
@@ -158,9 +161,9 @@ fn disc(scene: &Scene, feed: &scene::Feed) -> Option<Disc> {
 
 /// Every feed must be a group of the mesh.
 fn check_feed_groups(scene: &Scene, mesh: &Mesh) -> Result<(), CompileError> {
-    let asked: Vec<String> = (scene.feeds.iter().enumerate())
-        .filter(|(_, feed)| mesh.region(&feed.group).is_none())
-        .map(|(index, feed)| format!("feed[{index}].group = \"{}\"", feed.group))
+    let asked: Vec<String> = (feed_regions(scene).into_iter())
+        .filter(|region| mesh.region(&region.name).is_none())
+        .map(|region| format!("feed \"{}\"", region.name))
         .collect();
     if !asked.is_empty() {
         return Err(CompileError::NoFeedGroup {
@@ -222,10 +225,10 @@ fn supply(scene: &Scene, sockets: &Sockets, mesh: &Mesh) -> Result<Vec<SupplyReg
             ..region("film_start", BoundaryKind::Line, p_e)
         });
     }
-    regions.extend(scene.feeds.iter().filter_map(|feed| {
+    regions.extend(feed_regions(scene).iter().filter_map(|feed| {
         Some(SupplyRegion {
             disc: disc(scene, feed),
-            ..region(&feed.group, BoundaryKind::Feed, feed.pressure?)
+            ..region(&feed.name, BoundaryKind::Feed, feed.pressure()?)
         })
     }));
     Ok(regions)

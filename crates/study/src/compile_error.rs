@@ -16,7 +16,7 @@ pub enum CompileError {
     /// The mesh lacks groups of feeds.
     #[error(
         "the mesh {} has no group for {}; its groups are {}; correct the name in the scene, or give the region that name in gmsh (Physical Curve for a hole that is cut out, Physical Surface for one that is meshed)",
-        mesh.display(), asked.join(" and "), some_of(present)
+        mesh.display(), some_of(asked), some_of(present)
     )]
     NoFeedGroup {
         /// Key and name of each group asked for.

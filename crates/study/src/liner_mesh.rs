@@ -11,9 +11,10 @@ use sha2::{Digest, Sha256};
 
 use crate::compile_error::CompileError;
 use crate::effects::Sockets;
+use crate::feed_region::{FeedRegion, feed_regions, liner, shape};
 use crate::oil::Oil;
 use crate::position::Position;
-use oilwedge_scene::{Feed, Layout, MeshSource, Scene};
+use oilwedge_scene::{Layout, MeshSource, Scene};
 
 /// Longest edges of a mesh without a wanted size, over those that resolve the film's scale: two halvings.
 const FINENESS: f64 = 0.25;
@@ -123,14 +124,6 @@ fn hexadecimal(digest: impl IntoIterator<Item = u8>) -> String {
     digest.into_iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-fn liner(scene: &Scene) -> Liner {
-    Liner {
-        radius: scene.bearing.radius(),
-        length: scene.bearing.length,
-        arc: scene.bearing.arc.map(|arc| (arc.from, arc.to)),
-    }
-}
-
 fn from_file(scene: &Scene, bytes: &[u8], unit: f64) -> Result<Mesh, oilwedge_mesh::Error> {
     let file = gmsh::parse(bytes)?;
     let mut mesh = Mesh::build(developed::unroll(&file, &liner(scene), unit)?)?;
@@ -176,7 +169,7 @@ fn check_grooves(scene: &Scene, mesh: &Mesh) -> Result<(), CompileError> {
 fn drawn(scene: &Scene, size: Option<f64>, position: Position) -> Result<Mesh, Vec<DrawingError>> {
     let blueprint = Blueprint {
         liner: liner(scene),
-        features: (scene.feeds.iter()).filter_map(|feed| feature(scene, feed)).collect(),
+        features: features(scene),
         line: scene.bearing.film_start,
     };
     graded(scene, &blueprint, size.unwrap_or(needed_size(scene)), position)
@@ -197,15 +190,20 @@ pub fn resized(scene: &Scene, factor: f64) -> Option<Scene> {
     Some(resized)
 }
 
-/// A feed that the scene describes, as it is drawn.
-fn feature(scene: &Scene, feed: &Feed) -> Option<Feature> {
-    let shape = shape(scene, feed)?;
-    Some(Feature {
-        name: feed.group.clone(),
-        shape,
-        // A groove all around would cut the film in two; a deeper film is still a film.
-        meshed: shape.is_full_turn() || feed.pressure.is_none(),
-    })
+/// The feeds that the scene describes, as they are drawn.
+fn features(scene: &Scene) -> Vec<Feature> {
+    let of_region = |region: FeedRegion<'_>| {
+        let shapes: Vec<Shape> = region.feeds.iter().filter_map(|feed| shape(scene, feed)).collect();
+        // A groove all around would leave two films; a deeper film is still a film.
+        let meshed = region.pressure().is_none() || shapes.iter().any(Shape::is_full_turn);
+        let feature = |shape| Feature {
+            name: region.name.clone(),
+            shape,
+            meshed,
+        };
+        shapes.into_iter().map(feature).collect::<Vec<Feature>>()
+    };
+    feed_regions(scene).into_iter().flat_map(of_region).collect()
 }
 
 /// The geometry of a file, meshed as the film needs it.
@@ -215,16 +213,13 @@ fn meshed_anew(scene: &Scene, mesh: &Mesh, size: f64, position: Position) -> Res
 
 /// The drawing of a mesh file's geometry.
 fn blueprint_of(scene: &Scene, mesh: &Mesh) -> Result<Blueprint, Vec<DrawingError>> {
-    let (described, shown): (Vec<&Feed>, Vec<&Feed>) =
-        (scene.feeds.iter()).partition(|feed| shape(scene, feed).is_some());
-    let names: Vec<&str> = shown.iter().map(|feed| feed.group.as_str()).collect();
+    let shown = scene.feeds.iter().filter(|feed| shape(scene, feed).is_none());
+    let names: Vec<&str> = shown.map(|feed| feed.group.as_str()).collect();
     let mut blueprint = Blueprint {
         line: scene.bearing.film_start,
         ..Blueprint::of_mesh(mesh, liner(scene), &names)?
     };
-    blueprint
-        .features
-        .extend(described.into_iter().filter_map(|feed| feature(scene, feed)));
+    blueprint.features.extend(features(scene));
     Ok(blueprint)
 }
 
@@ -306,25 +301,6 @@ fn film_scale(position: Position, phi: f64) -> f64 {
     (0.65 * (2.0 * thickness / eccentricity).sqrt()).clamp(SHORTEST, LONGEST)
 }
 
-/// The shape of a feed on the developed surface, where the scene gives it.
-pub fn shape(scene: &Scene, feed: &Feed) -> Option<Shape> {
-    let radius = scene.bearing.radius();
-    let hole = feed
-        .hole
-        .map(|hole| Shape::disc([radius * hole.angle, hole.z], 0.5 * hole.diameter));
-    let groove = feed.groove.map(|groove| {
-        let (middle, half) = match groove.arc {
-            Some(arc) => (0.5 * (arc.from + arc.to), 0.5 * radius * (arc.to - arc.from)),
-            None => (0.0, f64::INFINITY),
-        };
-        Shape {
-            centre: [radius * middle, groove.z],
-            half: [half, 0.5 * groove.width],
-            corner: groove.corner,
-        }
-    });
-    hole.or(groove)
-}
 /// Meshes or reads the liner of a scene.
 ///
 /// # Errors

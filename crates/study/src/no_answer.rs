@@ -3,6 +3,7 @@
 use oilwedge_bearing::NoEquilibrium;
 use oilwedge_fem::newton::Failure;
 use oilwedge_reynolds::NoFilm;
+use oilwedge_reynolds::lubricant::LawKind;
 
 use crate::reasons::flags::MORE_SECONDS;
 
@@ -85,6 +86,11 @@ fn way_out(reason: &NoAnswer) -> Option<&'static str> {
         NoAnswer::Temperature(_) => return None,
     };
     Some(match film {
+        NoFilm::AboveLimit {
+            law: LawKind::Roelands, ..
+        } => {
+            "lower speed, eccentricity or viscosity, or give Roelands' law a smaller exponent (oil.roelands.z or alpha)"
+        }
         NoFilm::AboveLimit { .. } => {
             "lower speed, eccentricity or viscosity, or use a law that grows slower (Roelands)"
         }

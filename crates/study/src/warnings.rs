@@ -7,6 +7,7 @@ use crate::checks::targets;
 use crate::effects;
 use crate::estimate::Estimated;
 use crate::film::Film;
+use crate::limits;
 use crate::measure::Measured;
 use crate::refinement::wide_bars;
 use crate::regime::{Regime, constant_viscosity};
@@ -73,6 +74,8 @@ pub fn warnings(film: &Film, measured: &Measured) -> Vec<Warning> {
 fn film_warnings(film: &Film, measured: &Measured) -> Vec<Warning> {
     let mut warnings = mesh_warnings(film);
     warnings.extend(under_tension(film, measured));
+    warnings.extend(unlimited_flow(film));
+    warnings.extend(limits::exceeded(film, measured));
     warnings.extend(effects::warnings(film, measured));
     warnings.extend(constant_viscosity(film, measured));
     let fallbacks = measured.fallbacks.iter();
@@ -117,6 +120,19 @@ pub fn mesh_warnings(film: &Film) -> Vec<Warning> {
         ))
     });
     meshed_anew.into_iter().chain(flips).collect()
+}
+
+/// That oil flows round a corner from one pressure to another.
+fn unlimited_flow(film: &Film) -> Option<Warning> {
+    let jumps = film.system.supply.jumps(film.system.space());
+    let mut feeds: Vec<&str> = jumps.iter().map(|[feed, _]| *feed).collect();
+    feeds.dedup();
+    (!feeds.is_empty()).then(|| {
+        warning::DIVERGENT.says(format!(
+            "the flow of \"{}\" has no limit: at its corners it meets an end of another pressure, and the oil that flows there from one to the other grows like the logarithm of the mesh; load, pressure and friction are sound; leave a land at the ends (a shorter groove), or give the groove the pressure of the ends",
+            feeds.join("\", \"")
+        ))
+    })
 }
 
 /// That a film without a model of cavitation bears tension.

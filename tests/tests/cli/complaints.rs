@@ -36,7 +36,7 @@ fn an_unknown_key_is_told_with_the_nearest_one() {
     refused(
         "z = \"0 mm\"",
         "colour = 5",
-        &["feed[0].hole.colour", "known here: angle, diameter, z"],
+        &["feed \"feed_hole\".hole.colour", "known here: angle, diameter, z"],
     );
 }
 
@@ -238,11 +238,11 @@ fn a_cavity_must_leave_oil_at_the_supply() {
         &[message, "at most that of ends and feeds, or raise ends.pressure"],
     );
     let cavity = "[cavitation]\nmodel = \"jfo\"\npressure = \"2 bar\"\n[oil]";
-    let message = "above the 1.96 bar of feed[0].pressure (\"feed_hole\")";
+    let message = "above the 1.96 bar of feed \"feed_hole\".pressure";
     refused(
         "[oil]",
         cavity,
-        &["for 2 reasons", message, "or raise feed[0].pressure"],
+        &["for 2 reasons", message, "or raise feed \"feed_hole\".pressure"],
     );
 }
 
@@ -279,7 +279,7 @@ fn several_complaints_come_at_once() {
     let words = [
         "for 5 reasons",
         "bearing.clearance",
-        "feed[0].hole.diameter",
+        "feed \"feed_hole\".hole.diameter",
         "journal.eccentricity",
         "oil.viscocity",
         "mesh.file",

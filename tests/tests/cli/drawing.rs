@@ -39,9 +39,9 @@ fn what_cannot_be_drawn_is_named() {
     let bench = Bench::new();
     for (from, to, words) in [
         (
-            "angle = \"30 deg\"",
+            "angle = \"240 deg\"",
             "angle = \"300 deg\"",
-            ["\"groove\" and \"hole_a\" overlap", "move or shrink"],
+            ["overlaps \"groove\"", "give both one pressure"],
         ),
         (
             "z = \"15 mm\"",

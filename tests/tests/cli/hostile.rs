@@ -174,7 +174,7 @@ fn a_scene_of_a_megabyte_of_faults_is_refused_in_a_few_words() {
     let scene = edited("01_plain_ring", &[]);
     let many = |count: usize, line: &dyn Fn(usize) -> String| (0..count).map(line).collect::<String>();
     let hole = |k: usize| {
-        format!("[[feed]]\ngroup=\"a{k}\"\npressure=\"1 bar\"\nhole={{diameter=\"1 mm\",angle=\"0 deg\"}}\n")
+        format!("[[feed]]\ngroup=\"a{k}\"\npressure=\"{k} bar\"\nhole={{diameter=\"1 mm\",angle=\"0 deg\"}}\n")
     };
     let texts = [
         ("brackets", format!("a = {}", "[".repeat(100_000)), "not valid TOML"),
@@ -191,11 +191,7 @@ fn a_scene_of_a_megabyte_of_faults_is_refused_in_a_few_words() {
             "these are the first 100",
         ),
         ("feeds", scene.clone() + &"[[feed]]\n".repeat(100_000), "more than 1000"),
-        (
-            "holes",
-            scene.clone() + &many(900, &hole),
-            "overlaps the hole of \"a0\"",
-        ),
+        ("holes", scene.clone() + &many(900, &hole), "overlaps \"a0\""),
         (
             "axes",
             format!("{scene}[sweep]\n{}", many(50_000, &|k| format!("oil.k{k} = [1]\n"))),

@@ -115,7 +115,7 @@ fn missing_groups_are_named_with_those_there_are() {
         &["lacks surface \"film\"", "surface \"oil\""],
     );
     let words = [
-        "no group for feed[0].group = \"feed_hole\"",
+        "no group for feed \"feed_hole\"",
         "its groups are",
         "arc_to, hole",
         "correct the name in the scene",

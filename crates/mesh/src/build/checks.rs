@@ -135,7 +135,7 @@ impl Mesh {
         defects
     }
 
-    /// The defect of a film in several pieces, if it is.
+    /// The defect of a film in several pieces, if it is. Pieces that reach from end to end are the lands between grooves of full length.
     pub(super) fn pieces(&self) -> Option<Defect> {
         let mut piece_of = vec![u32::MAX; self.triangles.len()];
         let mut sizes: Vec<(usize, usize)> = Vec::new();
@@ -160,7 +160,14 @@ impl Mesh {
                 }
             }
         }
-        if sizes.len() < 2 {
+        let mut reached = [vec![false; sizes.len()], vec![false; sizes.len()]];
+        for (reached, end) in reached.iter_mut().zip(["end_low", "end_high"]) {
+            for &edge in self.region(end).map_or(&[][..], |region| &region.edges) {
+                let triangle = self.topology.edge_triangles[edge as usize][0];
+                reached[piece_of[triangle as usize] as usize] = true;
+            }
+        }
+        if sizes.len() < 2 || (0..sizes.len()).all(|piece| reached[0][piece] && reached[1][piece]) {
             return None;
         }
         let &(cells, seed) = sizes.iter().min()?;

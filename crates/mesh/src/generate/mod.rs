@@ -1,6 +1,7 @@
 //! Meshes of a liner as it is drawn: no mesh generator needed.
 //!
-//! The developed liner is a rectangle with holes and grooves ([`Feature`]). Its outlines are cut
+//! The developed liner is a rectangle with holes and grooves ([`Feature`]), of which those of one name may overlap and a groove may
+//! reach from end to end. Its outlines are cut
 //! into edges of the wanted size (`outline`), filled with triangles (`triangulate`), and become a
 //! [`crate::RawMesh`] like that of a file: the same groups, round rims on their circles, a ring glued.
 
@@ -11,18 +12,21 @@ mod outline;
 mod recognise;
 mod rows;
 mod shape;
+mod sheet;
 mod size;
 mod triangulate;
+mod union;
 
-pub use drawing::{Blueprint, DrawingError};
+pub use drawing::{Blueprint, DrawingError, overlap};
 pub use like::generate_in_rows_like;
 pub use rows::{Rows, Sense};
 pub use shape::{Feature, Shape};
 
 use assemble::raw_mesh;
 use drawing::{faults, gaps, placed, seam_place};
-use outline::{Cutting, Sheet};
+use outline::Cutting;
 use rows::Grid;
+use sheet::Sheet;
 use size::SizeField;
 use triangulate::{Domain, triangulate};
 

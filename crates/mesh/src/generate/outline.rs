@@ -4,14 +4,18 @@ use std::collections::HashMap;
 
 use super::rows::Grid;
 use super::shape::{Feature, Piece};
+use super::sheet::{Sheet, on_sheet};
 use super::size::SizeField;
+use super::union::{Part, parts};
 use crate::Circle;
-use crate::developed::Liner;
 
 /// An arc has at least this many edges a turn.
 const EDGES_A_TURN: f64 = 16.0;
 /// Points nearer than this part of the circumference are one.
 const SAME: f64 = 1e-10;
+
+/// A point on an end, moved in: its axial position times this.
+const INSIDE: f64 = 1.0 - 1e-6;
 
 /// Points and edges that the triangulation must have.
 #[derive(Debug, Default)]
@@ -34,52 +38,6 @@ pub(super) struct Edge {
     pub(super) group: Option<String>,
     /// The circle that it lies on.
     pub(super) circle: Option<Circle>,
-}
-
-/// The rectangle that is triangulated.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Sheet {
-    pub(super) start: f64,
-    pub(super) width: f64,
-    pub(super) length: f64,
-    pub(super) ring: bool,
-}
-
-impl Sheet {
-    pub(super) fn of(liner: &Liner, start: f64) -> Self {
-        match liner.arc {
-            Some((from, to)) => Self {
-                start: liner.radius * from,
-                width: liner.radius * (to - from),
-                length: liner.length,
-                ring: false,
-            },
-            None => Self {
-                start,
-                width: liner.circumference(),
-                length: liner.length,
-                ring: true,
-            },
-        }
-    }
-
-    pub(super) fn period(&self) -> Option<f64> {
-        self.ring.then_some(self.width)
-    }
-
-    pub(super) fn end(&self) -> f64 {
-        self.start + self.width
-    }
-
-    /// Distance [m] from the ends and, on an arc, its edges; negative outside.
-    pub(super) fn margin(&self, [x, z]: [f64; 2]) -> f64 {
-        let ends = 0.5 * self.length - z.abs();
-        if self.ring {
-            ends
-        } else {
-            ends.min(x - self.start).min(self.end() - x)
-        }
-    }
 }
 
 /// Collects points, those at one place only once.
@@ -165,16 +123,12 @@ pub(super) fn outline(sheet: &Sheet, features: &[Feature], cutting: &Cutting) ->
         cell: SAME * sheet.width.max(sheet.length) * 10.0,
         known: HashMap::new(),
     };
-    let pieces: Vec<(usize, Piece)> = (features.iter().enumerate())
-        .flat_map(|(index, feature)| {
-            let pieces = on_sheet(sheet, feature);
-            pieces.into_iter().map(move |piece| (index, piece))
-        })
-        .collect();
+    let pieces = parts(sheet, features);
     sides(&mut collector, sheet, features, &pieces, cutting);
     for (z, group) in [(-0.5 * sheet.length, "end_low"), (0.5 * sheet.length, "end_high")] {
-        let line = Piece::Line([sheet.start, z], [sheet.end(), z]);
-        collector.chain(&cutting.around(&line), Some(group), None);
+        for line in free(sheet, features, &pieces, [[sheet.start, z], [sheet.end(), z]]) {
+            collector.chain(&cutting.around(&line), Some(group), None);
+        }
     }
     // Lines all around are lines of a grid; rims come last.
     let (all_around, rims): (Vec<_>, Vec<_>) =
@@ -197,29 +151,8 @@ pub(super) fn outline(sheet: &Sheet, features: &[Feature], cutting: &Cutting) ->
     collector.outline
 }
 
-/// The outline of a feature laid on the sheet: on a ring cut at its sides.
-fn on_sheet(sheet: &Sheet, feature: &Feature) -> Vec<Piece> {
-    let pieces = feature.shape.outline(sheet.start, sheet.width);
-    if !sheet.ring || feature.shape.is_full_turn() {
-        return pieces;
-    }
-    let middle = sheet.start + 0.5 * sheet.width;
-    let turns = ((middle - feature.shape.centre[0]) / sheet.width).round();
-    pieces
-        .iter()
-        .map(|piece| piece.shifted(turns * sheet.width))
-        .flat_map(|piece| piece.split_at(sheet.start))
-        .flat_map(|piece| piece.split_at(sheet.end()))
-        .map(|piece| match piece.at(0.5)[0] {
-            x if x < sheet.start => piece.shifted(sheet.width),
-            x if x > sheet.end() => piece.shifted(-sheet.width),
-            _ => piece,
-        })
-        .collect()
-}
-
 /// The two sides of the sheet: edges of an arc, or a seam with the same points on both sides.
-fn sides(collector: &mut Collector, sheet: &Sheet, features: &[Feature], pieces: &[(usize, Piece)], cutting: &Cutting) {
+fn sides(collector: &mut Collector, sheet: &Sheet, features: &[Feature], pieces: &[Part], cutting: &Cutting) {
     let (low, high) = (-0.5 * sheet.length, 0.5 * sheet.length);
     if !sheet.ring {
         for (x, group) in [(sheet.start, "arc_from"), (sheet.end(), "arc_to")] {
@@ -228,23 +161,8 @@ fn sides(collector: &mut Collector, sheet: &Sheet, features: &[Feature], pieces:
         }
         return;
     }
-    // Where outlines cross the seam; between crossings it runs through the film or through a cut-out.
-    let near = SAME * sheet.width;
-    let mut crossings: Vec<f64> = (pieces.iter())
-        .flat_map(|(_, piece)| [piece.at(0.0), piece.at(1.0)])
-        .filter(|point| (point[0] - sheet.start).abs() < near)
-        .map(|point| point[1])
-        .chain([low, high])
-        .collect();
-    crossings.sort_unstable_by(f64::total_cmp);
-    crossings.dedup_by(|a, b| (*a - *b).abs() < near);
-    for pair in crossings.windows(2) {
-        let middle = [sheet.start, 0.5 * (pair[0] + pair[1])];
-        let removed = |feature: &Feature| !feature.meshed && feature.shape.distance(middle, sheet.period()) < 0.0;
-        if features.iter().any(removed) {
-            continue;
-        }
-        let left = cutting.axial(&Piece::Line([sheet.start, pair[0]], [sheet.start, pair[1]]));
+    for line in free(sheet, features, pieces, [[sheet.start, low], [sheet.start, high]]) {
+        let left = cutting.axial(&line);
         let right: Vec<[f64; 2]> = left.iter().map(|point| [sheet.end(), point[1]]).collect();
         collector.chain(&left, None, None);
         collector.chain(&right, None, None);
@@ -255,6 +173,33 @@ fn sides(collector: &mut Collector, sheet: &Sheet, features: &[Feature], pieces:
     }
     collector.outline.seam.sort_unstable();
     collector.outline.seam.dedup();
+}
+
+/// A side of the sheet along an axis, cut where outlines meet it, without what runs through a cut-out.
+fn free(sheet: &Sheet, features: &[Feature], pieces: &[Part], [from, to]: [[f64; 2]; 2]) -> Vec<Piece> {
+    let near = SAME * sheet.width;
+    let axis = usize::from(from[0] == to[0]);
+    let mut places: Vec<f64> = (pieces.iter())
+        .flat_map(|(_, piece)| [piece.at(0.0), piece.at(1.0)])
+        .filter(|point| (point[1 - axis] - from[1 - axis]).abs() < near)
+        .map(|point| point[axis])
+        .chain([from[axis], to[axis]])
+        .collect();
+    places.sort_unstable_by(f64::total_cmp);
+    places.dedup_by(|a, b| (*a - *b).abs() < near);
+    let at = |place: f64| {
+        let mut point = from;
+        point[axis] = place;
+        point
+    };
+    let removed = |[x, z]: [f64; 2]| {
+        // Not on the end itself, to which a groove may reach.
+        let point = [x, z * INSIDE];
+        let holds = |feature: &Feature| !feature.meshed && feature.shape.distance(point, sheet.period()) < 0.0;
+        features.iter().any(holds)
+    };
+    let between = places.windows(2).filter(|pair| !removed(at(0.5 * (pair[0] + pair[1]))));
+    between.map(|pair| Piece::Line(at(pair[0]), at(pair[1]))).collect()
 }
 
 /// Points along a piece whose distances follow the wanted size, both ends included.

@@ -7,8 +7,9 @@
 
 use std::collections::{BTreeSet, HashMap};
 
-use super::outline::{Sheet, cut};
+use super::outline::cut;
 use super::shape::{Feature, Piece};
+use super::sheet::Sheet;
 use super::triangulate::{Domain, Triangles};
 
 /// Cells between two stops, at least: what leaves a groove over a narrow land is resolved.

@@ -208,6 +208,72 @@ impl Piece {
         }
     }
 
+    /// Direction of its course at the fraction `s` of its length.
+    pub(super) fn direction(&self, s: f64) -> [f64; 2] {
+        match self {
+            Self::Line(a, b) => [0, 1].map(|d| (b[d] - a[d]) / self.length()),
+            Self::Arc(_, from, to) => {
+                let (sin, cos) = (from + s * (to - from)).sin_cos();
+                [-sin, cos]
+            }
+        }
+    }
+
+    /// Where it meets another piece, or an end of it: fractions of its length. Points nearer than `near` [m] are one.
+    pub(super) fn meets(&self, other: &Self, near: f64) -> Vec<f64> {
+        let crossings = match (self, other) {
+            (Self::Line(a, b), Self::Line(c, d)) => lines_meet([*a, *b], [*c, *d]),
+            (Self::Line(a, b), Self::Arc(circle, ..)) | (Self::Arc(circle, ..), Self::Line(a, b)) => {
+                line_meets_circle([*a, *b], circle, near)
+            }
+            (Self::Arc(one, ..), Self::Arc(two, ..)) => circles_meet(one, two, near),
+        };
+        let ends = [other.at(0.0), other.at(1.0)];
+        (crossings.into_iter().chain(ends))
+            .filter(|&point| other.place(point, near).is_some())
+            .filter_map(|point| self.place(point, near))
+            .collect()
+    }
+
+    /// The fraction of its length at which a point lies on it.
+    fn place(&self, point: [f64; 2], near: f64) -> Option<f64> {
+        let slack = near / self.length();
+        let s = match self {
+            Self::Line(a, _) => {
+                let ([u, v], [x, z]) = (self.direction(0.0), [point[0] - a[0], point[1] - a[1]]);
+                ((x * v - z * u).abs() <= near).then(|| (x * u + z * v) / self.length())?
+            }
+            Self::Arc(circle, from, to) => {
+                let turn = ((point[1] - circle.centre[1]).atan2(point[0] - circle.centre[0]) - from).rem_euclid(TAU);
+                let turn = if turn > TAU - slack * (to - from) {
+                    turn - TAU
+                } else {
+                    turn
+                };
+                (circle.distance(point).abs() <= near).then(|| turn / (to - from))?
+            }
+        };
+        (s >= -slack && s <= 1.0 + slack).then(|| s.clamp(0.0, 1.0))
+    }
+
+    /// Its parts between places along it (fractions, ascending); none is shorter than `near` [m].
+    pub(super) fn divided(&self, places: &[f64], near: f64) -> Vec<Self> {
+        let slack = near / self.length();
+        let mut ends = vec![0.0];
+        for &place in places {
+            if place - ends[ends.len() - 1] > slack && 1.0 - place > slack {
+                ends.push(place);
+            }
+        }
+        ends.push(1.0);
+        ends.windows(2)
+            .map(|pair| match self {
+                Self::Line(..) => Self::Line(self.at(pair[0]), self.at(pair[1])),
+                Self::Arc(circle, a, b) => Self::Arc(*circle, a + pair[0] * (b - a), a + pair[1] * (b - a)),
+            })
+            .collect()
+    }
+
     /// Moved along `x`.
     pub(super) fn shifted(&self, by: f64) -> Self {
         let shift = |p: &[f64; 2]| [p[0] + by, p[1]];
@@ -222,6 +288,56 @@ impl Piece {
             }
         }
     }
+}
+
+/// The point in which two lines meet; none if they are parallel.
+fn lines_meet([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> Vec<[f64; 2]> {
+    let ([u, v], [x, z]) = ([b[0] - a[0], b[1] - a[1]], [d[0] - c[0], d[1] - c[1]]);
+    let cross = u * z - v * x;
+    let s = ((c[0] - a[0]) * z - (c[1] - a[1]) * x) / cross;
+    match s.is_finite() {
+        true => vec![[a[0] + s * u, a[1] + s * v]],
+        false => Vec::new(),
+    }
+}
+
+/// The points in which a line meets a circle; one where it comes as near as `near` [m] to touching it.
+fn line_meets_circle([a, b]: [[f64; 2]; 2], circle: &Circle, near: f64) -> Vec<[f64; 2]> {
+    let ([u, v], arm) = (
+        Piece::Line(a, b).direction(0.0),
+        [0, 1].map(|d| circle.centre[d] - a[d]),
+    );
+    let (along, off) = (arm[0] * u + arm[1] * v, arm[0] * v - arm[1] * u);
+    let half_chord = half_chord(circle.radius, off, near);
+    let at = |s: f64| [a[0] + s * u, a[1] + s * v];
+    half_chord.map_or(Vec::new(), |half| vec![at(along - half), at(along + half)])
+}
+
+/// The points in which two circles meet.
+fn circles_meet(one: &Circle, two: &Circle, near: f64) -> Vec<[f64; 2]> {
+    let [x, z] = [0, 1].map(|d| two.centre[d] - one.centre[d]);
+    let apart = x.hypot(z);
+    if apart <= near {
+        return Vec::new();
+    }
+    let along = 0.5 * (apart + (one.radius - two.radius) * (one.radius + two.radius) / apart);
+    let [u, v] = [x / apart, z / apart];
+    let at = |across: f64| {
+        [
+            one.centre[0] + along * u - across * v,
+            one.centre[1] + along * v + across * u,
+        ]
+    };
+    half_chord(one.radius, along, near).map_or(Vec::new(), |half| vec![at(-half), at(half)])
+}
+
+/// Half the chord [m] of a circle at the distance `off` [m] from its centre: none outside, zero where it almost touches.
+fn half_chord(radius: f64, off: f64, near: f64) -> Option<f64> {
+    let inside = radius - off.abs();
+    (inside >= -near).then(|| match inside > near {
+        true => (inside * (radius + off.abs())).sqrt(),
+        false => 0.0,
+    })
 }
 
 #[cfg(test)]

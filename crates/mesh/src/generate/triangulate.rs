@@ -7,8 +7,9 @@
 
 use spade::{ConstrainedDelaunayTriangulation, Point2, PositionInTriangulation, Triangulation};
 
-use super::outline::{Outline, Sheet};
+use super::outline::Outline;
 use super::shape::Feature;
+use super::sheet::Sheet;
 use super::size::SizeField;
 use crate::numbering::hilbert_order;
 use crate::raw::doubled_area;
@@ -57,9 +58,17 @@ impl Domain<'_> {
                 .min((point[0] - self.sheet.start).abs())
                 .min((self.sheet.end() - point[0]).abs());
         }
-        for feature in self.features {
-            let distance = feature.shape.distance(point, self.sheet.period());
-            margin = margin.min(if feature.meshed { distance.abs() } else { distance });
+        for (index, feature) in self.features.iter().enumerate() {
+            let others = self.features[index + 1..]
+                .iter()
+                .filter(|other| other.name == feature.name);
+            let distance = |feature: &Feature| feature.shape.distance(point, self.sheet.period());
+            // Of a union once, with all its features.
+            let is_first = self.features[..index].iter().all(|other| other.name != feature.name);
+            let distance = others.map(distance).fold(distance(feature), f64::min);
+            if is_first {
+                margin = margin.min(if feature.meshed { distance.abs() } else { distance });
+            }
         }
         margin
     }

@@ -65,6 +65,25 @@ pub enum PressureLaw {
     Roelands(roelands::Roelands),
 }
 
+/// How viscosity grows with pressure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LawKind {
+    /// By Roelands' law, the slowest of those there are.
+    Roelands,
+    /// By another one, or not at all.
+    Other,
+}
+
+impl PressureLaw {
+    /// Which law it is.
+    pub fn kind(&self) -> LawKind {
+        match self {
+            Self::Roelands(_) => LawKind::Roelands,
+            _ => LawKind::Other,
+        }
+    }
+}
+
 impl std::ops::Deref for PressureLaw {
     type Target = dyn PressureViscosity;
 

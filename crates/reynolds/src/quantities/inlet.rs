@@ -60,9 +60,18 @@ fn behind_feeds(system: &FilmSystem, x: f64, step: f64) -> f64 {
         Some(period) => to - from - period * ((to - from) / period).round(),
         None => to - from,
     };
+    // No film lies across a groove from end to end.
+    let has_film = |x: f64| {
+        (0..mesh.triangles().len()).any(|t| {
+            let offsets = mesh.corners(t).map(|corner| apart(corner[0], x));
+            let extent = offsets.iter().fold(0.0, |most: f64, offset| most.max(offset.abs()));
+            let is_near = mesh.period().is_none_or(|period| extent < 0.25 * period);
+            is_near && offsets.iter().any(|&offset| offset > 0.0) && offsets.iter().any(|&offset| offset < 0.0)
+        })
+    };
     let is_free = |x: f64| {
         let covers = |&[low, high]: &[f64; 2]| apart(0.5 * (low + high), x).abs() < 0.5 * (high - low);
-        !extents.iter().any(covers)
+        !extents.iter().any(covers) && (extents.is_empty() || has_film(x))
     };
     if is_free(x + step) {
         return x + step;

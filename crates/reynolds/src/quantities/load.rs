@@ -10,7 +10,7 @@
 //! | p, p_e | Pa | `pressure_at`, `end_pressure` |
 //!
 //! **Source.** Definition; Green's theorem. **Range.** Any closed rim that does not wind round the ring
-//! alone. **Verified by** `disc_and_rim_agree`, meshed against cut-out holes, scikit-fem.
+//! alone, and that of a groove from end to end. **Verified by** `disc_and_rim_agree`, meshed against cut-out holes, scikit-fem.
 
 use std::f64::consts::TAU;
 
@@ -199,7 +199,8 @@ fn disc_moments(disc: &Disc, radius: f64) -> Moments {
     moments
 }
 
-/// Along the quadratic edges of the rim, the film on their left and the region on their right.
+/// Along the quadratic edges of the rim, the film on their left and the region on their right. What closes the rim of a groove of full length lies on
+/// the ends, along which `dz = 0`; the area is counted along the axis, and on a ring it is known up to whole rings.
 fn rim_moments(mesh: &Mesh, region: &SupplyRegion, radius: f64) -> Moments {
     let mut moments = [0.0; 3];
     for at in supply::rim(mesh, region).flat_map(|edge| edge_points(mesh, edge)) {
@@ -207,7 +208,12 @@ fn rim_moments(mesh: &Mesh, region: &SupplyRegion, radius: f64) -> Moments {
         let along = at.tangent.map(|slope| at.weight * slope);
         moments[0] -= radius * sin * along[1];
         moments[1] += radius * cos * along[1];
-        moments[2] += at.position[1] * along[0];
+        moments[2] -= at.position[0] * along[1];
+    }
+    if let Some(period) = mesh.period() {
+        let ends = mesh.points().iter().map(|point| point[1]);
+        let length = ends.clone().fold(f64::NEG_INFINITY, f64::max) - ends.fold(f64::INFINITY, f64::min);
+        moments[2] = moments[2].rem_euclid(period * length);
     }
     moments
 }

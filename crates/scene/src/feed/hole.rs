@@ -1,6 +1,6 @@
 //! `hole` of a feed: a round hole on the developed surface.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 use crate::reader::TableReader;
 use crate::unit::Dimension;
@@ -27,12 +27,6 @@ pub(super) fn read(mut table: TableReader<'_>) -> Hole {
 }
 
 impl Hole {
-    /// Whether two holes overlap on a liner of this radius [m].
-    pub(super) fn overlaps(&self, other: &Self, radius: f64) -> bool {
-        let turn = (self.angle - other.angle + PI).rem_euclid(TAU) - PI;
-        (radius * turn).hypot(self.z - other.z) < 0.5 * (self.diameter + other.diameter)
-    }
-
     /// The hole lies on the liner.
     pub(super) fn check(&self, bearing: &Bearing, key: &str, complaints: &mut Complaints) {
         if self.diameter > bearing.length || self.diameter > bearing.diameter {

@@ -2,6 +2,7 @@
 
 use oilwedge_reynolds::Form;
 use oilwedge_reynolds::existence::readable;
+use oilwedge_reynolds::lubricant::LawKind;
 use oilwedge_reynolds::lubricant::grades::GRADES;
 use oilwedge_reynolds::lubricant::walther::LEAST_ON_CHART;
 use oilwedge_reynolds::lubricant::{Grade, TemperatureLaw as Law};
@@ -122,7 +123,10 @@ fn pressures(scene: &Scene, complaints: &mut Complaints) {
             pressure > 0.0 && (back / pressure - 1.0).abs() > LOST && !ratio.is_nan(),
             &key,
             format!("makes the oil {ratio:.1e} times as viscous, so near to solid that round-off hides the pressure"),
-            "give a lower pressure, or a law that grows slower (oil.roelands)",
+            match law.kind() == LawKind::Roelands {
+                true => "give a lower pressure, or a smaller exponent (oil.roelands.z or alpha)",
+                false => "give a lower pressure, or a law that grows slower (oil.roelands)",
+            },
         );
     }
 }

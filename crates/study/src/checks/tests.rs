@@ -234,7 +234,7 @@ fn pressures_that_make_oil_solid_are_refused() {
         alpha,
         "2e-4 1/Pa",
         [
-            "feed[0].pressure: makes the oil 1.1e17 times as viscous",
+            "feed \"feed_hole\".pressure: makes the oil 1.1e17 times as viscous",
             "lower pressure",
         ],
     );

@@ -3,6 +3,7 @@
 use oilwedge_scene::spelling::nearest;
 use oilwedge_scene::{Complaints, Position, Scene, Target, Theory, Tolerance};
 
+use crate::feed_region::feed_regions;
 use crate::quantities::{
     ATTITUDE_ANGLE, CATALOGUE, ECCENTRICITY, FILM_THICKNESS_MIN, FRICTION_COEFFICIENT, FRICTION_POWER, FRICTION_TORQUE,
     INLET_FLOW, LOAD_COEFFICIENT, MIN_FILM_ANGLE, PRESSURE_INTEGRAL, PRESSURE_MAX, Row, SIDE_FLOW, SOMMERFELD_NUMBER,
@@ -150,8 +151,9 @@ fn no_error(scene: &Scene, row: &Row) -> Option<Fault> {
 
 /// A group without a given pressure lets no oil in.
 fn no_flow(scene: &Scene, family: &Row, group: &str) -> Option<Fault> {
-    let fed = scene.feeds.iter().filter(|feed| feed.pressure.is_some());
-    let groups: Vec<&str> = fed.map(|feed| feed.group.as_str()).collect();
+    let regions = feed_regions(scene);
+    let fed = regions.iter().filter(|region| region.pressure().is_some());
+    let groups: Vec<&str> = fed.map(|region| region.name.as_str()).collect();
     if groups.contains(&group) {
         return None;
     }

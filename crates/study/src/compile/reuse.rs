@@ -7,6 +7,7 @@ use oilwedge_reynolds::supply::{BoundaryKind, SupplyRegion};
 
 use super::problem;
 use crate::effects::Sockets;
+use crate::feed_region::feed_regions;
 use crate::film::Film;
 use crate::oil::Oil;
 use crate::position::Position;
@@ -26,11 +27,19 @@ pub fn has_same_system(one: &Scene, other: &Scene) -> bool {
     let is_same_region = |(a, b): (&Feed, &Feed)| {
         (&a.group, a.hole, a.groove, a.pressure.is_some()) == (&b.group, b.hole, b.groove, b.pressure.is_some())
     };
+    // Feeds that overlap are one region as long as their pressures are equal.
+    let names = |scene| {
+        feed_regions(scene)
+            .into_iter()
+            .map(|region| region.name)
+            .collect::<Vec<String>>()
+    };
     one.mesh == other.mesh
         && bearing(one) == bearing(other)
         && system(one) == system(other)
         && one.feeds.len() == other.feeds.len()
         && one.feeds.iter().zip(&other.feeds).all(is_same_region)
+        && names(one) == names(other)
 }
 
 impl Film {
@@ -42,7 +51,8 @@ impl Film {
         let oil = Oil::of(scene);
         let mut system = self.system;
         let problem = problem(scene, &oil, sockets, system.space().mesh(), position);
-        let fed = |name: &str| scene.feeds.iter().find(|feed| feed.group == name)?.pressure;
+        let regions = feed_regions(scene);
+        let fed = |name: &str| regions.iter().find(|region| region.name == name)?.pressure();
         let pressure = |region: &SupplyRegion| match region.kind {
             BoundaryKind::Feed => fed(&region.name).unwrap_or(region.pressure),
             BoundaryKind::End | BoundaryKind::Line | BoundaryKind::Sealed => scene.ends.pressure,

@@ -41,7 +41,9 @@ rows! {
         ErrorRule::Of("that of `inlet_flow`, in proportion",
             |estimate, at| Some(Bar::of(estimate.inlet_flow(at.per(at.view.flow_unit()?)))));
 
-    /// `Q_f`: oil that enters through the feed of that name; below 0 the hole drains the film; none without feeds
+    /// `Q_f`: oil that enters the film across the rim of the feed of that name; below 0 the feed drains the film. Feeds that overlap are one
+    /// region, `feed_flow.A+B`. Under squeeze the gap over a feed that is cut out changes too, and is not counted: the supply gives
+    /// `Int dh/dt dA` over the feed more; over a meshed feed (a groove all around, a surface of a mesh file) this is counted. None without feeds
     FEED_FLOW = "feed_flow.", "Q_f", CubicMetrePerSecond, "oil that enters there (< 0: leaves)":
         Each(|film| film.regions(BoundaryKind::Feed).map(|(region, flow)| (region.name.clone(), flow.net)).collect()),
         ErrorRule::Of(DUAL, |estimate, at| estimate.flow(&FlowGoal::Feed(at.region.to_owned()), at.per(1.0))),

@@ -82,10 +82,11 @@ fn found(film: &View) -> Option<(ThermalBalance, f64, ThermalFlows)> {
     ))
 }
 
-/// What friction makes for each kelvin and the housing does not take [W/K].
+/// What friction and squeeze make for each kelvin and the housing does not take [W/K].
 fn carried_per_kelvin(warming: &Warming) -> Option<f64> {
-    let made = warming.slope(FRICTION_POWER.name)?;
-    Some(warming.conductance().unwrap_or(0.0) + made + warming.slope(MOTION_POWER.name).unwrap_or(0.0))
+    let slopes = [&FRICTION_POWER, &MOTION_POWER].map(|row| warming.slope(row.name));
+    let made = slopes.into_iter().flatten().reduce(|a, b| a + b)?;
+    Some(warming.conductance().unwrap_or(0.0) + made)
 }
 
 /// Temperature [degrees C] of the oil that enters (0) and leaves (1).

@@ -10,7 +10,7 @@ use super::view::{View, degrees};
 
 rows! {
     /// `W = sqrt(W_x^2 + W_y^2)`: the external force on the journal that the film carries; the film pushes the journal with -W
-    LOAD = "load", "W", Newton, "force that the film carries":
+    LOAD = "load", "W", Newton, "force on the journal that the film carries":
         One(|film| Some(film.force)), ErrorRule::Load, tolerance headline(Headline::AtPosition(1));
 
     /// `W_x = Int (p - p_e) cos phi dA` over the developed film and the regions cut out of it; p_e the pressure at the ends

@@ -6,6 +6,7 @@
 
 use std::borrow::Cow;
 
+use crate::feed_region::feed_regions;
 use oilwedge_scene::Scene;
 
 #[macro_use]
@@ -128,10 +129,10 @@ pub fn measured(film: &View) -> Vec<Quantity> {
 
 /// Names and rows of the quantities that films of these scenes may have.
 pub fn of_scenes(scenes: &[Scene]) -> Vec<(Cow<'static, str>, &'static Row)> {
-    let mut regions: Vec<&str> = Vec::new();
-    for feed in scenes.iter().flat_map(|scene| &scene.feeds) {
-        if feed.pressure.is_some() && !regions.contains(&feed.group.as_str()) {
-            regions.push(&feed.group);
+    let mut regions: Vec<String> = Vec::new();
+    for region in scenes.iter().flat_map(feed_regions) {
+        if region.pressure().is_some() && !regions.contains(&region.name) {
+            regions.push(region.name);
         }
     }
     in_order(|row| match scenes.iter().any(row.occurs) {

@@ -9,7 +9,7 @@ use super::measured;
 use super::search::{ROUGHLY, from_near_or_cold, point as operating_point, visited};
 use crate::compile::at_temperature;
 use crate::film::Film;
-use crate::quantities::{FILM_THICKNESS_MIN, LOAD, Quantity, Row};
+use crate::quantities::{FILM_THICKNESS_MIN, LOAD, PRESSURE_MAX, Quantity, Row};
 use crate::result::{Criterion, TemperaturePoint, TemperatureReport};
 use crate::solved::{SolveOptions, Solved};
 use crate::thermal_model::ThermalModel;
@@ -103,34 +103,68 @@ fn point(model: &ThermalModel, temperature: f64, solved: &Solved) -> Temperature
 /// What a solved film must meet, and what is usual; nothing where the scene sets no limits.
 pub fn design_criteria(solved: &Solved, quantities: &[Quantity]) -> Vec<Criterion> {
     let film = &solved.film;
-    let least_film = quantities.iter().find(|quantity| quantity.row == &FILM_THICKNESS_MIN);
-    match (&film.thermal, film.oil.temperature, least_film) {
-        (Some(model), Some(temperature), Some(least)) => criteria(film, model, least.value, temperature),
-        _ => Vec::new(),
+    let mut criteria = limits(film, quantities);
+    if let Some((model, engine)) = film.thermal.and_then(|model| Some((model, model.engine?))) {
+        criteria.extend(usual(film, &model, engine));
     }
+    criteria
 }
 
-/// What decides, and what is usual in an engine.
-fn criteria(film: &Film, model: &ThermalModel, least_film: f64, temperature: f64) -> Vec<Criterion> {
-    let bearing = &film.problem.bearing;
-    let celsius = |temperature: f64| temperature - ZERO_CELSIUS;
-    let mut list = vec![
-        Criterion::new(
-            "thinnest film",
-            "um",
-            1e6 * least_film,
-            [Some(1e6 * model.least_film), None],
+/// The limits of the scene; of a film whose temperature is found also those that its heat balance has without being asked.
+fn limits(film: &Film, quantities: &[Quantity]) -> Vec<Criterion> {
+    let value = |row: &Row| {
+        let quantity = quantities.iter().find(|quantity| quantity.row == row);
+        quantity.map(|quantity| quantity.value)
+    };
+    let (limits, model) = (&film.scene.limits, film.thermal.as_ref());
+    let least_film = model.map(|model| model.least_film).or(limits.least_film);
+    let hottest = model
+        .map(|model| model.greatest_temperature)
+        .or(limits.greatest_temperature);
+    let at_least = |what: &str, unit: &str, scale: f64, value: Option<f64>, limit: Option<f64>| {
+        Some(Criterion::new(
+            what,
+            unit,
+            scale * value?,
+            [Some(scale * limit?), None],
             true,
-        ),
-        Criterion::new(
+        ))
+    };
+    let at_most = |what: &str, unit: &str, scale: f64, value: Option<f64>, limit: Option<f64>| {
+        Some(Criterion::new(
+            what,
+            unit,
+            scale * value?,
+            [None, Some(scale * limit?)],
+            true,
+        ))
+    };
+    let celsius = |kelvin: f64| kelvin - ZERO_CELSIUS;
+    let all = [
+        at_least("thinnest film", "um", 1e6, value(&FILM_THICKNESS_MIN), least_film),
+        at_most(
             "temperature of the film",
             "degC",
-            celsius(temperature),
-            [None, Some(celsius(model.greatest_temperature))],
-            true,
+            1.0,
+            film.oil.temperature.map(celsius),
+            hottest.map(celsius),
+        ),
+        at_most(
+            "greatest pressure",
+            "bar",
+            1e-5,
+            value(&PRESSURE_MAX),
+            limits.greatest_pressure,
         ),
     ];
-    let Some(engine) = model.engine else { return list };
+    all.into_iter().flatten().collect()
+}
+
+/// What is usual in an engine.
+fn usual(film: &Film, model: &ThermalModel, engine: Engine) -> Vec<Criterion> {
+    let bearing = &film.problem.bearing;
+    let celsius = |temperature: f64| temperature - ZERO_CELSIUS;
+    let mut list = Vec::new();
     let mut usual = |what: &str, unit: &str, value: f64, range: [f64; 2]| {
         list.push(Criterion::new(what, unit, value, range.map(Some), false));
     };

@@ -1,0 +1,53 @@
+//! `[limits]`: the engineering limits of a bearing. A result that exceeds one has a warning, or a criterion of the heat balance that is not met.
+
+use crate::reader::TableReader;
+use crate::unit::Dimension;
+use crate::{Complaints, Scene};
+
+/// Limits that a bearing must keep; `None`: there is no such limit.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Limits {
+    /// Least film thickness that is admissible [m].
+    pub least_film: Option<f64>,
+    /// Mean temperature of the film that must not be reached [K].
+    pub greatest_temperature: Option<f64>,
+    /// Greatest pressure that is admissible [Pa].
+    pub greatest_pressure: Option<f64>,
+}
+
+impl Limits {
+    /// These limits, and those of `other` where there are none.
+    pub(crate) fn or(self, other: Self) -> Self {
+        Self {
+            least_film: self.least_film.or(other.least_film),
+            greatest_temperature: self.greatest_temperature.or(other.greatest_temperature),
+            greatest_pressure: self.greatest_pressure.or(other.greatest_pressure),
+        }
+    }
+}
+
+pub(crate) fn read(mut table: TableReader<'_>) -> Limits {
+    Limits {
+        greatest_pressure: table.positive_if_given("pressure_max", Dimension::Pressure, "600 bar"),
+        ..read_old(&mut table)
+    }
+}
+
+/// The keys that may also stand in `[heat]`.
+pub(crate) fn read_old(table: &mut TableReader<'_>) -> Limits {
+    Limits {
+        least_film: table.positive_if_given("film_min", Dimension::Length, "4 um"),
+        greatest_temperature: table.oil_temperature("temperature_max", "115 C").given(),
+        greatest_pressure: None,
+    }
+}
+
+/// A limit of the temperature has something to be compared with.
+pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
+    complaints.refuse_if(
+        complaints.has("limits.temperature_max") && scene.given_temperature().is_none(),
+        "limits.temperature_max",
+        "has nothing to be compared with: the film of this scene has no temperature",
+        "add [heat], which finds it, or give oil.temperature with a law of temperature; or remove the limit",
+    );
+}

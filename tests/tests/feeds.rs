@@ -1,0 +1,312 @@
+//! Feeds that overlap, and grooves that divide the film.
+
+use oilwedge_mesh::generate::{Blueprint, Feature, Shape, generate};
+use oilwedge_mesh::{developed::Liner, quality::Quality};
+use oilwedge_scene::Scene;
+use oilwedge_study::feed_region::feed_regions;
+use oilwedge_study::warnings::warnings;
+use oilwedge_study::{RunOptions, run};
+use oilwedge_tests::bench::Bench;
+use oilwedge_tests::scenes::{Solved, solve, written};
+
+const GROOVE: &str = r#"groove = { from = "80 deg", to = "100 deg", width = "16 mm" }"#;
+const HOLE: &str = r#"hole = { diameter = "14 mm", angle = "90 deg" }"#;
+
+/// A journal bearing of 60 x 30 mm with these keys of `[bearing]`, this model of cavitation and these feeds.
+fn text(bearing: &str, model: &str, feeds: &[(&str, &str, &str)]) -> String {
+    let feed = |(name, shape, pressure): &(&str, &str, &str)| {
+        format!("[[feed]]\ngroup = \"{name}\"\npressure = \"{pressure} bar\"\n{shape}\n")
+    };
+    let feeds: String = feeds.iter().map(feed).collect();
+    format!(
+        r#"
+[bearing]
+diameter = "60 mm"
+length = "30 mm"
+clearance = "30 um"
+{bearing}
+[mesh]
+size = "2 mm"
+[journal]
+speed = "3000 rpm"
+eccentricity = 0.6
+min_film_angle = "300 deg"
+[oil]
+viscosity = "20 mPa.s"
+[cavitation]
+model = "{model}"
+{feeds}"#
+    )
+}
+
+fn scene(model: &str, feeds: &[(&str, &str, &str)]) -> Scene {
+    written(&text("", model, feeds))
+}
+
+fn solved(scene: &Scene) -> Solved {
+    solve(scene).unwrap_or_else(|reason| panic!("{reason}"))
+}
+
+/// A hole within a groove changes nothing but the name.
+#[test]
+fn a_hole_within_a_groove_is_the_groove() {
+    let small = r#"hole = { diameter = "5 mm", angle = "91 deg", z = "1 mm" }"#;
+    for model in ["reynolds", "jfo"] {
+        let alone = solved(&scene(model, &[("groove", GROOVE, "2")]));
+        let both = solved(&scene(model, &[("groove", GROOVE, "2"), ("hole", small, "2")]));
+        assert_eq!(alone.measured.load.total, both.measured.load.total);
+        assert_eq!(
+            alone.quantity("feed_flow.groove"),
+            both.quantity("feed_flow.groove+hole")
+        );
+    }
+}
+
+/// Two grooves that overlap are the groove of their extent, in any order; a groove divided in two halves that touch is the whole one.
+#[test]
+fn parts_of_a_groove_are_the_groove() {
+    let whole = solved(&scene("reynolds", &[("groove", GROOVE, "2")]));
+    for (first, second) in [
+        ("80 deg\", to = \"92", "87 deg\", to = \"100"),
+        ("80 deg\", to = \"90", "90 deg\", to = \"100"),
+    ] {
+        let part = |ends: &str| format!("groove = {{ from = \"{ends} deg\", width = \"16 mm\" }}");
+        let parts = [part(first), part(second)];
+        for order in [[0, 1], [1, 0]] {
+            let feeds = order.map(|k| (["a", "b"][k], parts[k].as_str(), "2"));
+            let union = solved(&scene("reynolds", &feeds));
+            let name = ["feed_flow.a+b", "feed_flow.b+a"][order[0]];
+            let off = union.quantity(name) / whole.quantity("feed_flow.groove") - 1.0;
+            assert!(off.abs() < 2e-3, "{off}");
+            let off = union.quantity("load") / whole.quantity("load") - 1.0;
+            assert!(off.abs() < 1e-3, "{off}");
+        }
+    }
+}
+
+/// The rim of a union is booked once: its oil balances, and its share of the load is that of its area.
+#[test]
+fn a_hole_wider_than_its_groove_adds_two_caps() {
+    let groove = r#"groove = { from = "70 deg", to = "110 deg", width = "6 mm" }"#;
+    for model in ["none", "jfo"] {
+        let union = solved(&scene(model, &[("groove", groove, "2"), ("hole", HOLE, "2")]));
+        let flows = &union.measured.flows;
+        assert!(flows.imbalance < 1e-8, "{}", flows.imbalance);
+        let area = union.measured.load.cut_out[0].1.pressure / 2e5;
+        let (radius, half) = (7e-3_f64, 3e-3_f64);
+        let inside = 2.0 * (radius * radius * (half / radius).asin() + half * (radius * radius - half * half).sqrt());
+        let arc = 0.03 * 40f64.to_radians();
+        let wanted = arc * 6e-3 + std::f64::consts::PI * radius * radius - inside;
+        assert!((area / wanted - 1.0).abs() < 1e-6, "{model}: {area} {wanted}");
+    }
+}
+
+/// Holes in grooves all around, across the seam, and three in a row.
+#[test]
+fn unions_are_meshed_well() {
+    let liner = Liner {
+        radius: 0.03,
+        length: 0.03,
+        arc: None,
+    };
+    let rectangle = |x: f64, half: [f64; 2]| Shape {
+        centre: [x, 0.0],
+        half,
+        corner: 0.0,
+    };
+    let cases = [
+        (
+            true,
+            vec![rectangle(0.0, [f64::INFINITY, 2e-3]), Shape::disc([0.05, 0.0], 5e-3)],
+        ),
+        (
+            false,
+            vec![rectangle(0.0, [5e-3, 9e-3]), Shape::disc([-6e-3, 2e-3], 4e-3)],
+        ),
+        (
+            false,
+            vec![
+                Shape::disc([0.05, 0.0], 5e-3),
+                Shape::disc([0.056, 0.0], 5e-3),
+                Shape::disc([0.06, 3e-3], 5e-3),
+            ],
+        ),
+        (
+            false,
+            vec![rectangle(0.05, [3e-3, 0.015]), Shape::disc([0.05, 0.0], 5e-3)],
+        ),
+    ];
+    for (meshed, shapes) in cases {
+        let feature = |shape| Feature {
+            name: "one".to_owned(),
+            shape,
+            meshed,
+        };
+        let features = shapes.into_iter().map(feature).collect();
+        let line = None;
+        let mesh =
+            generate(&Blueprint { liner, features, line }, &|_| 2e-3).unwrap_or_else(|faults| panic!("{faults:?}"));
+        let quality = Quality::of(&mesh);
+        assert!(quality.least_angle > 20.0, "{}", quality.least_angle);
+        assert_eq!(quality.unnamed_boundary_edges, 0);
+    }
+}
+
+#[test]
+fn overlapping_feeds_of_different_pressures_are_refused_with_a_way_out() {
+    let bench = Bench::new();
+    bench.write(
+        "scene.toml",
+        text("", "reynolds", &[("groove", GROOVE, "3"), ("hole", HOLE, "2")]),
+    );
+    let words = [
+        "overlaps \"groove\"",
+        "at 2 bar and the other at 3 bar",
+        "give both one pressure",
+    ];
+    bench.refuses(&["solve", "scene.toml"], &words);
+    let beside = r#"hole = { diameter = "5 mm", angle = "75.3 deg" }"#;
+    bench.write(
+        "scene.toml",
+        text("", "reynolds", &[("groove", GROOVE, "2"), ("hole", beside, "2")]),
+    );
+    bench.refuses(
+        &["solve", "scene.toml"],
+        &[
+            "the rims of \"groove+hole\" meet at an angle of 10.1 deg",
+            "overlap more",
+        ],
+    );
+}
+
+/// With pressures that differ from case to case two feeds are one region in one case, and a fault in the other.
+#[test]
+fn regions_follow_the_pressures() {
+    let names = |pressure| {
+        let far = r#"hole = { diameter = "5 mm", angle = "200 deg" }"#;
+        let feeds = [("a", GROOVE, "2"), ("b", far, pressure), ("c", HOLE, "2")];
+        let scene = scene("reynolds", &feeds);
+        feed_regions(&scene)
+            .into_iter()
+            .map(|region| region.name)
+            .collect::<Vec<String>>()
+    };
+    assert_eq!(names("2"), ["a+c", "b"]);
+    assert_eq!(names("1"), ["a+c", "b"]);
+}
+
+const FULL: [(&str, &str, &str); 2] = [
+    (
+        "top",
+        r#"groove = { from = "80 deg", to = "100 deg", width = "30 mm" }"#,
+        "0",
+    ),
+    (
+        "bottom",
+        r#"groove = { from = "260 deg", to = "280 deg", width = "30 mm" }"#,
+        "0",
+    ),
+];
+
+/// Two grooves from end to end leave two films, each that of an arc. Both grooves have the pressure of the ends, as the edges of arcs have.
+#[test]
+fn grooves_of_full_length_leave_independent_arcs() {
+    for (model, within) in [("none", 1e-3), ("reynolds", 1e-3), ("jfo", 6e-3)] {
+        let options = RunOptions::default();
+        let of = |scene: &Scene| {
+            let run = run(scene, &options).unwrap_or_else(|error| panic!("{error}"));
+            let value = |name: &str| {
+                let found = run.result.quantities.iter().find(|it| it.name == name);
+                found.map_or(0.0, |it| it.value)
+            };
+            ["load_x", "load_y", "side_flow", "friction_power"].map(value)
+        };
+        let divided = of(&scene(model, &FULL));
+        let arcs = [("100", "260"), ("280", "440")].map(|(from, to)| {
+            let arc = format!("arc = {{ from = \"{from} deg\", to = \"{to} deg\" }}");
+            of(&written(&text(&arc, model, &[])))
+        });
+        let sum: Vec<f64> = (0..4).map(|k| arcs[0][k] + arcs[1][k]).collect();
+        let load = sum[0].hypot(sum[1]);
+        for k in 0..4 {
+            let scale = if k < 2 { load } else { sum[k].abs() };
+            assert!(
+                (divided[k] - sum[k]).abs() < within * scale,
+                "{model} {k}: {divided:?} {sum:?}"
+            );
+        }
+    }
+}
+
+/// What a groove of full length carries is its pressure on its projection, and its oil balances; the flow round its corners has no limit, which is
+/// said.
+#[test]
+fn a_groove_of_full_length_carries_its_pressure() {
+    for model in ["reynolds", "jfo"] {
+        let feeds = FULL.map(|(name, shape, _)| (name, shape, "2"));
+        let solved = solved(&scene(model, &feeds));
+        let top = &solved
+            .measured
+            .load
+            .cut_out
+            .iter()
+            .find(|(name, _)| name == "top")
+            .expect("the groove")
+            .1;
+        let chord = 2.0 * 0.03 * 10f64.to_radians().sin();
+        assert!(
+            (top.force[1] / (2e5 * 0.03 * chord) - 1.0).abs() < 1e-9,
+            "{:?}",
+            top.force
+        );
+        assert!((top.pressure / (2e5 * 0.03 * 0.03 * 20f64.to_radians()) - 1.0).abs() < 1e-9);
+        assert!(solved.measured.flows.imbalance < 1e-8);
+        let all = warnings(&solved.study, &solved.measured);
+        assert!(all.iter().any(|it| it.contains("has no limit")), "{all:?}");
+    }
+    let solved = solved(&scene("reynolds", &FULL));
+    let all = warnings(&solved.study, &solved.measured);
+    assert!(!all.iter().any(|it| it.contains("has no limit")), "{all:?}");
+}
+
+/// The loaded film begins behind a groove of full length at the widest film, as behind the leading edge of an arc.
+#[test]
+fn the_loaded_film_begins_behind_a_groove_of_full_length() {
+    let widest = r#"groove = { from = "110 deg", to = "130 deg", width = "30 mm" }"#;
+    let groove = solved(&scene("jfo", &[("top", widest, "0")])).quantity("inlet_flow");
+    let arc = written(&text(r#"arc = { from = "130 deg", to = "470 deg" }"#, "jfo", &[]));
+    let arc = solved(&arc).quantity("inlet_flow");
+    assert!((groove / arc - 1.0).abs() < 1e-2, "{groove} {arc}");
+}
+
+/// A groove that leaves next to no land at the ends carries as much as one of full length.
+#[test]
+fn a_short_land_makes_little_difference() {
+    let short = r#"groove = { from = "80 deg", to = "100 deg", width = "29.6 mm" }"#;
+    let load = |shape: &str| solved(&scene("reynolds", &[("top", shape, "2")])).quantity("load");
+    let (full, short) = (load(FULL[0].1), load(short));
+    assert!((full / short - 1.0).abs() < 2e-3, "{full} {short}");
+}
+
+#[test]
+fn almost_no_land_is_refused_in_plain_words() {
+    let bench = Bench::new();
+    let refused = |width: &str, words: &[&str]| {
+        let groove = format!("groove = {{ from = \"80 deg\", to = \"100 deg\", width = \"{width} mm\" }}");
+        bench.write("scene.toml", text("", "reynolds", &[("top", &groove, "2")]));
+        bench.refuses(&["solve", "scene.toml"], words);
+    };
+    refused(
+        "29.995",
+        &[
+            "\"top\" leaves only 2.500e-6 m of land",
+            "or give a groove of given pressure the length",
+        ],
+    );
+    let beyond = r#"groove = { from = "80 deg", to = "100 deg", width = "20 mm", z = "6 mm" }"#;
+    bench.write("scene.toml", text("", "reynolds", &[("top", beyond, "2")]));
+    bench.refuses(
+        &["solve", "scene.toml"],
+        &["reaches 1.000e-3 m beyond the edge of the liner"],
+    );
+}
