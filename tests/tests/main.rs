@@ -11,6 +11,7 @@ mod dependencies;
 mod equilibrium;
 mod error_bars;
 mod faults;
+mod fields;
 mod friction;
 mod fuzzing;
 mod hard_cases;

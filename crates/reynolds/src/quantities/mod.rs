@@ -10,3 +10,4 @@ pub mod load;
 pub mod power;
 pub mod pressure;
 pub mod similarity;
+pub mod stream;
