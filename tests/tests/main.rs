@@ -12,6 +12,7 @@ mod equilibrium;
 mod error_bars;
 mod faults;
 mod fields;
+mod film_places;
 mod friction;
 mod fuzzing;
 mod hard_cases;

@@ -79,7 +79,7 @@ impl Regime {
             density,
             clearance_ratio,
             pressure_exponent: growth(&problem.lubricant.pressure_law).map(|alpha| alpha * measured.extremes.greatest),
-            roughness_ratio: (scene.bearing.roughness).map(|roughness| measured.least_thickness / roughness),
+            roughness_ratio: (scene.bearing.roughness).map(|roughness| measured.thinnest.thickness / roughness),
             deflection: deflection(scene, measured),
             temperature_rise: temperature_rise(film, measured),
         }
@@ -103,15 +103,15 @@ impl Regime {
             (self.clearance_ratio > THIN).then(|| {
                 format!("thin film: the clearance is {} of the radius, so its curvature counts; Reynolds' equation drops it", rounded(self.clearance_ratio))
             }),
-            (measured.least_thickness < MOLECULES).then(|| {
-                format!("continuous film: it is {} m thin, some molecules; no oil is a fluid there", rounded(measured.least_thickness))
+            (measured.thinnest.thickness < MOLECULES).then(|| {
+                format!("continuous film: it is {} m thin, some molecules; no oil is a fluid there", rounded(measured.thinnest.thickness))
             }),
             self.roughness_ratio.filter(|ratio| *ratio < APART).map(|ratio| {
                 format!("smooth surfaces: the least film is {} times bearing.roughness, below {APART} times; the surfaces touch there", rounded(ratio))
             }),
-            (self.deflection > measured.least_thickness && pressure <= YIELDING).then(|| {
+            (self.deflection > measured.thinnest.thickness && pressure <= YIELDING).then(|| {
                 let micrometres = |length: f64| rounded(1e6 * length);
-                format!("rigid surfaces: the pressure, up to {} bar, would deflect journal and liner by some {} um, but the least film has {} um; the film adapts, and its pressure will be lower", readable(1e-5 * pressure), micrometres(self.deflection), micrometres(measured.least_thickness))
+                format!("rigid surfaces: the pressure, up to {} bar, would deflect journal and liner by some {} um, but the least film has {} um; the film adapts, and its pressure will be lower", readable(1e-5 * pressure), micrometres(self.deflection), micrometres(measured.thinnest.thickness))
             }),
             (pressure > YIELDING).then(|| {
                 format!("rigid surfaces: the pressure reaches {} GPa, at which any steel yields ({} GPa); no bearing carries this load, check it and its unit", rounded(1e-9 * pressure), rounded(1e-9 * YIELDING))

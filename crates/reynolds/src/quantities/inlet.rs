@@ -15,6 +15,7 @@ use oilwedge_fem::Field;
 use oilwedge_fem::mapping::Mapping;
 use oilwedge_fem::quadrature::integrate_interval;
 
+use super::line_cut::{between, cut};
 use crate::film_law::FilmLaw;
 use crate::supply::BoundaryKind;
 use crate::{FilmProblem, FilmSolution, FilmSystem};
@@ -103,15 +104,7 @@ fn across(system: &FilmSystem, film: &FilmSolution, law: &FilmLaw, t: usize, x: 
         }
         None => x,
     };
-    let reference = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
-    let cuts = (0..3).filter_map(|k| {
-        let (a, b) = (k, (k + 1) % 3);
-        let (from, to) = (corners[a][0], corners[b][0]);
-        let part = (x - from) / (to - from);
-        ((from < x) != (to < x)).then(|| [0, 1].map(|d| reference[a][d] + part * (reference[b][d] - reference[a][d])))
-    });
-    let cuts: Vec<[f64; 2]> = cuts.collect();
-    let &[from, to] = cuts.as_slice() else {
+    let Some([from, to]) = cut(&corners, 0, x) else {
         return 0.0;
     };
     let mapping = Mapping::of(space.mesh(), t);
@@ -121,7 +114,7 @@ fn across(system: &FilmSystem, film: &FilmSolution, law: &FilmLaw, t: usize, x: 
         values: &film.unknown,
     };
     let flux = |part: f64| {
-        let point = [0, 1].map(|d| from[d] + part * (to[d] - from[d]));
+        let point = between(&from, &to, part);
         let flow = law.film_and_flows(t, &[mapping.at(point).position]).1[0];
         let fraction = film.film_fraction.as_ref().map_or(1.0, |fraction| {
             let values = &fraction.values;

@@ -6,7 +6,7 @@ use oilwedge_reynolds::quantities::cavity::hidden_share;
 use oilwedge_reynolds::supply::BoundaryKind;
 use oilwedge_reynolds::{FilmSolution, FilmSystem};
 
-use super::{Estimate, Scaled};
+use super::{Estimate, ExtentEnd, Scaled, places};
 use crate::film::Film;
 use crate::measure::Measured;
 
@@ -56,7 +56,10 @@ impl Estimate for CubicPair<'_> {
     fn greatest_pressure(&self) -> f64 {
         let extremes = self.measured.map(|measured| measured.extremes);
         let [quadratic, cubic] = extremes.map(|extremes| extremes.greatest);
-        self.apart((cubic - quadratic).abs(), extremes.map(|extremes| extremes.greatest_in))
+        self.apart(
+            (cubic - quadratic).abs(),
+            extremes.map(|extremes| extremes.summit.triangle),
+        )
     }
 
     fn least_pressure(&self) -> Bar {
@@ -116,6 +119,14 @@ impl Estimate for CubicPair<'_> {
 
     fn least_fraction(&self) -> Option<f64> {
         None
+    }
+
+    fn summit(&self) -> [f64; 2] {
+        places::summit(self)
+    }
+
+    fn film_end(&self, end: ExtentEnd) -> Option<Bar> {
+        places::film_end(self, end)
     }
 }
 
