@@ -12,6 +12,8 @@ const CAPACITIES: [f64; 2] = [5e5, 5e6];
 const LEAST_FILM: f64 = 4e-6;
 /// Mean temperature that must not be reached where the scene gives none [K].
 const GREATEST_TEMPERATURE: f64 = ZERO_CELSIUS + 115.0;
+/// Temperature [K] that the oil which leaves must not reach where none is given: the greatest that ISO 7902-3 permits for a bearing.
+const GREATEST_OUTLET: f64 = ZERO_CELSIUS + 125.0;
 
 /// The heat balance.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,6 +32,8 @@ pub struct Heat {
     pub least_film: f64,
     /// Mean temperature of the film that must not be reached [K].
     pub greatest_temperature: f64,
+    /// Temperature of the oil that leaves that must not be reached [K].
+    pub greatest_outlet: f64,
 }
 
 /// A housing at the temperature of the film.
@@ -139,9 +143,13 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Heat {
         );
     let heat_capacity = heat_capacity.or(HEAT_CAPACITY);
     let hottest = table.oil_temperature("temperature_max", "115 C");
+    let hottest = hottest.or(GREATEST_TEMPERATURE);
+    let outlet = table.oil_temperature("outlet_max", "125 C");
+    let outlet = outlet.or(GREATEST_OUTLET);
     Heat {
         heat_capacity,
-        greatest_temperature: hottest.or(GREATEST_TEMPERATURE),
+        greatest_temperature: hottest,
+        greatest_outlet: outlet,
         inlet: table.oil_temperature("inlet", "75 C").or(usual),
         least_film: table
             .quantity("film_min", Dimension::Length, "4 um")

@@ -13,8 +13,9 @@ use serde::Serialize;
 use crate::film::Film;
 use crate::measure::Measured;
 use crate::oil::Oil;
-use crate::thermal::flows::leaving;
+use crate::thermal::flows::{leaving, rounded as kelvins, thermal_flows};
 use oilwedge_scene::Scene;
+use oilwedge_scene::wording::celsius;
 
 /// Clearance over radius of a film that curvature does not touch.
 const THIN: f64 = 1e-2;
@@ -26,6 +27,8 @@ const MOLECULES: f64 = 1e-8;
 const CONSTANT: f64 = 5e7;
 /// Rise of temperature [K] at which a mineral oil loses a third of its viscosity in the mean.
 const WARM: f64 = 25.0;
+/// Ratio of the viscosities of the oil that enters and of that which leaves a film, up to which the mean stands for both.
+const UNEVEN: f64 = 2.5;
 /// Heat capacity per volume [J/(m3 K)] of mineral oil.
 const HEAT_CAPACITY: f64 = 1.8e6;
 /// A flow below this part of what the journal drags along is rounding.
@@ -125,11 +128,22 @@ impl Regime {
         });
         broken
             .into_iter()
-            .chain([heated])
+            .chain([heated, uneven_viscosity(film, measured)])
             .flatten()
             .map(broken_assumption)
             .collect()
     }
+}
+
+/// That one viscosity stands for oil that is much thinner where it leaves than where it enters.
+fn uneven_viscosity(film: &Film, measured: &Measured) -> Option<String> {
+    let (model, temperature) = (film.thermal?, film.oil.temperature?);
+    let carried_over = thermal_flows(&model, film, measured).carried_over;
+    let [inlet, outlet] = model.balance.ends(temperature, carried_over);
+    let ratio = film.oil.at(inlet).viscosity / film.oil.at(outlet).viscosity;
+    (ratio > UNEVEN).then(|| {
+        format!("one viscosity for the whole film: the oil enters with {} and leaves with {}, {} times thinner; pressure and friction are those of the mean", celsius(kelvins(inlet)), celsius(kelvins(outlet)), rounded(ratio))
+    })
 }
 
 /// Relative growth [1/Pa] of viscosity at no pressure; `None` where it does not depend on pressure.
@@ -137,9 +151,17 @@ fn growth(law: &PressureLaw) -> Option<f64> {
     (!matches!(law, PressureLaw::Constant)).then(|| law.viscosity_slope(0.0))
 }
 
+/// How a warning about an assumption that does not hold begins.
+const BROKEN: &str = "an assumption does not hold: ";
+
 /// A warning about an assumption that does not hold.
-fn broken_assumption(assumption: String) -> String {
-    format!("an assumption does not hold: {assumption}")
+pub(crate) fn broken_assumption(assumption: String) -> String {
+    format!("{BROKEN}{assumption}")
+}
+
+/// How many of these warnings are about assumptions that do not hold.
+pub fn broken_assumptions(warnings: &[String]) -> usize {
+    warnings.iter().filter(|warning| warning.starts_with(BROKEN)).count()
 }
 
 /// That the pressure of a film lies beyond the `limit` [Pa] to which a law of viscosity holds, if so.

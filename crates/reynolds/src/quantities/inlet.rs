@@ -25,6 +25,11 @@ const BEHIND: f64 = 1e-9;
 
 /// Flow [m3/s] into the loaded film; none at rest.
 pub fn inlet_flow(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Option<f64> {
+    inlet_flows(problem, system, film).map(|flows| flows.iter().sum())
+}
+
+/// Its parts [m3/s] through each triangle, zero in those that the line does not cross; none at rest.
+pub fn inlet_flows(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Option<Vec<f64>> {
     let speed = problem.journal.speed;
     if speed == 0.0 {
         return None;
@@ -36,8 +41,11 @@ pub fn inlet_flow(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolutio
     let is_film = system.supply.film(mesh);
     let law = FilmLaw::new(problem, 1.0);
     let [around, _] = problem.theory.directions();
-    let cells = (0..is_film.len()).filter(|&t| is_film[t]);
-    Some(sense * cells.map(|t| across(system, film, &law, t, x, around)).sum::<f64>())
+    let part = |t: usize| match is_film[t] {
+        true => sense * across(system, film, &law, t, x, around),
+        false => 0.0,
+    };
+    Some((0..is_film.len()).map(part).collect())
 }
 
 /// Position [m] just behind the line at `x`, or behind the feed on it, in the sense of `step` [m]; on the line where feeds leave no other place.

@@ -50,6 +50,7 @@ fn install(scene: &Scene, sockets: &mut Sockets) {
         engine: heat.engine,
         least_film: heat.least_film,
         greatest_temperature: heat.greatest_temperature,
+        greatest_outlet: heat.greatest_outlet,
     });
 }
 

@@ -9,7 +9,7 @@ use super::measured;
 use super::search::from_near_or_cold;
 use crate::compile::at_temperature;
 use crate::film::Film;
-use crate::quantities::{FILM_THICKNESS_MIN, LOAD, Quantity, Row};
+use crate::quantities::{FILM_THICKNESS_MIN, LOAD, Quantity, Row, TEMPERATURE_OUTLET};
 use crate::result::{Criterion, TemperaturePoint, TemperatureReport};
 use crate::solved::{SolveOptions, Solved};
 use crate::thermal_model::ThermalModel;
@@ -44,7 +44,11 @@ pub fn temperature_report(solved: &Solved, quantities: &[Quantity], deadline: De
     };
     let (bearing, criteria) = (
         &film.problem.bearing,
-        criteria(film, &model, value(&FILM_THICKNESS_MIN)?, root),
+        criteria(
+            film,
+            &model,
+            [value(&FILM_THICKNESS_MIN)?, root, value(&TEMPERATURE_OUTLET)?],
+        ),
     );
     Some(TemperatureReport {
         preset: model.engine.map(Engine::name),
@@ -53,6 +57,7 @@ pub fn temperature_report(solved: &Solved, quantities: &[Quantity], deadline: De
         specific_load: value(&LOAD)? / (2.0 * bearing.radius * bearing.length),
         curve: curve.collect(),
         is_fit: criteria.iter().all(|criterion| criterion.is_met || !criterion.decides),
+        broken_assumptions: 0,
         criteria,
     })
 }
@@ -81,7 +86,9 @@ fn point(model: &ThermalModel, temperature: f64, solved: &Solved) -> Temperature
 }
 
 /// What decides, and what is usual in an engine.
-fn criteria(film: &Film, model: &ThermalModel, least_film: f64, temperature: f64) -> Vec<Criterion> {
+///
+/// Least film [m], temperature of the film [K] and of the oil that leaves [degrees C].
+fn criteria(film: &Film, model: &ThermalModel, [least_film, temperature, outlet]: [f64; 3]) -> Vec<Criterion> {
     let bearing = &film.problem.bearing;
     let celsius = |temperature: f64| temperature - ZERO_CELSIUS;
     let mut list = vec![
@@ -97,6 +104,13 @@ fn criteria(film: &Film, model: &ThermalModel, least_film: f64, temperature: f64
             "degC",
             celsius(temperature),
             [None, Some(celsius(model.greatest_temperature))],
+            true,
+        ),
+        Criterion::new(
+            "temperature of the oil that leaves",
+            "degC",
+            outlet,
+            [None, Some(celsius(model.greatest_outlet))],
             true,
         ),
     ];
