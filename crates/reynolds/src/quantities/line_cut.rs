@@ -1,4 +1,13 @@
-//! Where a straight line of constant x or z cuts a triangle.
+//! # Where a line of constant x or z cuts a triangle
+//!
+//! **Equation.** `a + s (b - a)` with `s = (x - x_a)/(x_b - x_a)` on each side that the line crosses.
+//!
+//! | symbol | unit | code |
+//! |---|---|---|
+//! | x | m | `at` |
+//! | s | 1 | `part` |
+//!
+//! **Source.** Definition. **Range.** Sides taken straight. **Verified by** `tests/tests/friction.rs` (flows through lines) and `tests/tests/film_places.rs`.
 
 const REFERENCE: [[f64; 2]; 3] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
 

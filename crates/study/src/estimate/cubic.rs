@@ -7,7 +7,8 @@ use oilwedge_reynolds::quantities::inlet::inlet_flows;
 use oilwedge_reynolds::supply::BoundaryKind;
 use oilwedge_reynolds::{FilmSolution, FilmSystem};
 
-use super::{Estimate, ExtentEnd, Scaled, places};
+use super::places::{self, PlacedPair};
+use super::{Estimate, ExtentEnd, Scaled};
 use crate::film::Film;
 use crate::measure::Measured;
 
@@ -136,15 +137,24 @@ impl Estimate for CubicPair<'_> {
     }
 
     fn summit(&self) -> [f64; 2] {
-        places::summit(self)
+        places::summit(&self.placed())
     }
 
     fn film_end(&self, end: ExtentEnd) -> Option<Bar> {
-        places::film_end(self, end)
+        places::film_end(&self.placed(), end)
     }
 }
 
 impl CubicPair<'_> {
+    /// What bars of places are made of.
+    fn placed(&self) -> PlacedPair<'_> {
+        PlacedPair {
+            film: self.film,
+            solutions: [self.quadratic, self.cubic],
+            measured: self.measured,
+        }
+    }
+
     /// Of the load along and across its direction [N].
     fn bars(&self) -> [Bar; 2] {
         [self.error.load(self.value), self.error.across(self.value)]

@@ -7,13 +7,20 @@
 
 use oilwedge_fem::Field;
 use oilwedge_fem::mapping::Mapping;
-use oilwedge_reynolds::Theory;
 use oilwedge_reynolds::error_bar::Bar;
 use oilwedge_reynolds::quantities::extent::EndKind;
+use oilwedge_reynolds::{FilmSolution, Theory};
 
 use super::ExtentEnd;
-use super::cubic::CubicPair;
 use crate::film::Film;
+use crate::measure::Measured;
+
+/// A film in quadratic and in cubic elements.
+pub(super) struct PlacedPair<'a> {
+    pub(super) film: &'a Film,
+    pub(super) solutions: [&'a FilmSolution; 2],
+    pub(super) measured: [&'a Measured; 2],
+}
 
 /// Intervals along an edge of the lattice on which two films are compared.
 const LATTICE: u32 = 4;
@@ -25,7 +32,7 @@ const OF_TRIANGLE: f64 = 0.5;
 const STEP: f64 = 0.125;
 
 /// Bars [m] of the place of the greatest pressure, around and along the axis.
-pub(super) fn summit(pair: &CubicPair) -> [f64; 2] {
+pub(super) fn summit(pair: &PlacedPair) -> [f64; 2] {
     let [quadratic, cubic] = pair.measured.map(|measured| measured.extremes.summit);
     let change = [
         apart(pair.film, quadratic.position[0], cubic.position[0]),
@@ -56,7 +63,7 @@ pub(super) fn summit(pair: &CubicPair) -> [f64; 2] {
 }
 
 /// Bar [m] of an end of the loaded film.
-pub(super) fn film_end(pair: &CubicPair, end: ExtentEnd) -> Option<Bar> {
+pub(super) fn film_end(pair: &PlacedPair, end: ExtentEnd) -> Option<Bar> {
     let [quadratic, cubic] = pair
         .measured
         .map(|measured| measured.extent.map(|extent| end.of(&extent)));
@@ -82,16 +89,16 @@ pub(super) fn film_end(pair: &CubicPair, end: ExtentEnd) -> Option<Bar> {
     })
 }
 
-fn fields<'a>(pair: &CubicPair<'a>) -> [Field<'a>; 2] {
+fn fields<'a>(pair: &PlacedPair<'a>) -> [Field<'a>; 2] {
     let system = &pair.film.system;
     [
         Field {
             space: system.space(),
-            values: &pair.quadratic.unknown,
+            values: &pair.solutions[0].unknown,
         },
         Field {
             space: system.cubic().system.space(),
-            values: &pair.cubic.unknown,
+            values: &pair.solutions[1].unknown,
         },
     ]
 }
