@@ -174,3 +174,22 @@ fn bars_of_places_hold() {
         }
     }
 }
+
+/// Rows of triangles along the flow have vertices and edges on the mid-plane, and the greatest pressure at one of them.
+#[test]
+fn rows_of_triangles_have_both_ends() {
+    for (eccentricity, size) in [(0.666_084, "4 mm"), (0.666_084, "2 mm"), (0.5, "3 mm"), (0.8, "5 mm")] {
+        let scene = written(&format!(
+            "[bearing]\ndiameter = '75 mm'\nlength = '75 mm'\nclearance = '37.5 um'\nfilm_start = '10.6 deg'\n[mesh]\nsize = '{size}'\n\
+             [journal]\nspeed = '10 rad/s'\neccentricity = {eccentricity}\nmin_film_angle = '190.6 deg'\n\
+             [oil]\nviscosity = '0.4 Pa.s'\n[cavitation]\nmodel = 'jfo'\n"
+        ));
+        let film = solved(&scene);
+        is(&film, "film_start_angle", 10.6, 1e-9);
+        let ([rupture, bar], [top, _]) = (number(&film, "film_end_angle"), number(&film, "pressure_max_angle"));
+        assert!(
+            top < 190.6 && rupture > 190.6 && rupture - bar < 230.0,
+            "{top} {rupture} {bar}"
+        );
+    }
+}

@@ -60,7 +60,7 @@ pub fn extent(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, t
         system,
         film,
         floor: problem.unknown_at(pressure),
-        pieces: pieces(system),
+        pieces: pieces(system, TOUCHES * problem.bearing.radius),
         top,
     };
     if line.is_low_at_top() {
@@ -81,8 +81,8 @@ struct Piece {
     x: [f64; 2],
 }
 
-/// The line z = 0 across the mesh.
-fn pieces(system: &FilmSystem) -> Vec<Piece> {
+/// The line z = 0 across the mesh, in pieces longer than `shortest` [m].
+fn pieces(system: &FilmSystem, shortest: f64) -> Vec<Piece> {
     let mesh = system.space().mesh();
     let piece = |triangle: usize| {
         let ends = cut(&mesh.corners(triangle), 1, 0.0)?;
@@ -95,7 +95,9 @@ fn pieces(system: &FilmSystem) -> Vec<Piece> {
             x: [x[0].min(x[1]), x[0].max(x[1])],
         })
     };
-    (0..mesh.triangles().len()).filter_map(piece).collect()
+    let pieces = (0..mesh.triangles().len()).filter_map(piece);
+    // A triangle that the line only touches has none of it.
+    pieces.filter(|piece| piece.x[1] - piece.x[0] > shortest).collect()
 }
 
 /// A film on the mid-plane.
@@ -115,6 +117,8 @@ const SAMPLES: usize = 16;
 const HALVINGS: usize = 40;
 /// The last part of a piece begins here.
 const AT_END: f64 = 1.0 - 1e-6;
+/// A piece is shorter than this part of the radius where the line only touches a triangle.
+const TOUCHES: f64 = 1e-8;
 /// Two pieces are apart from this part of the radius on.
 const APART: f64 = 1e-6;
 
@@ -166,10 +170,7 @@ impl MidPlane<'_> {
 
     /// True if the line is in the cavity at the angle of the greatest pressure.
     fn is_low_at_top(&self) -> bool {
-        let piece = self
-            .pieces
-            .iter()
-            .find(|piece| self.has_top(piece) && piece.x[1] > piece.x[0]);
+        let piece = self.pieces.iter().find(|piece| self.has_top(piece));
         piece.is_some_and(|piece| {
             let part = self.apart(self.top, piece.x[0]) / (piece.x[1] - piece.x[0]);
             self.is_low(piece.triangle, between(&piece.ends[0], &piece.ends[1], part))

@@ -19,6 +19,9 @@ use crate::{FilmProblem, FilmSystem};
 /// A pressure that exceeds the given ones by less than this part of the range is one of them.
 const ABOVE: f64 = 1e-6;
 
+/// Below this part of the pressure that motion or given pressures make it is rounding.
+const NOTHING: f64 = 1e-9;
+
 /// The place of the greatest pressure.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Summit {
@@ -38,10 +41,12 @@ pub(super) fn summit(problem: &FilmProblem, system: &FilmSystem, top: &Extremum,
     let regions = system.supply.regions().iter();
     let given = regions.filter(|region| region.kind != BoundaryKind::Sealed);
     let given = given.map(|region| region.pressure).fold(f64::NEG_INFINITY, f64::max);
+    let scale = problem.pressure_scale(&system.supply.constraints(|p| problem.unknown_at(p)));
+    let least_excess = (ABOVE * (greatest - least)).max(NOTHING * scale);
     Summit {
         position: Mapping::of(system.space().mesh(), top.triangle).at(top.point).position,
         triangle: top.triangle,
         point: top.point,
-        is_given: greatest - given <= ABOVE * (greatest - least),
+        is_given: greatest - given <= least_excess,
     }
 }
