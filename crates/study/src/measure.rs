@@ -58,7 +58,7 @@ pub fn measure(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) 
         flows: flow::flows(problem, system, film),
         inlet_flow: inlet_flow(problem, system, film),
         thinnest: pressure::thinnest(problem, system),
-        extent: extent(problem, system, film, extremes.summit.position[0]),
+        extent: extent(problem, system, film, &extremes),
         cavity: problem
             .cavitation
             .has_free_boundary()

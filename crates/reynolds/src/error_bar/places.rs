@@ -10,7 +10,7 @@ use crate::{FilmProblem, FilmSolution, FilmSystem};
 
 /// Of the width of a triangle.
 const SUB_TRIANGLE: f64 = 0.5;
-const AT_SUMMIT: f64 = 0.25;
+const AT_SUMMIT: f64 = 0.6;
 
 /// Half widths of bars of places.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,10 +30,7 @@ pub(super) fn places(
 ) -> Places {
     let films = [(system, film), (system.vertices_only(), coarse)];
     let summits = films.map(|(system, film)| extremes(problem, system, film).summit);
-    let extents = films.map(|(system, film)| {
-        let top = extremes(problem, system, film).summit.position[0];
-        extent(problem, system, film, top)
-    });
+    let extents = films.map(|(system, film)| extent(problem, system, film, &extremes(problem, system, film)));
     let radius = problem.bearing.radius;
     let turn = std::f64::consts::TAU * radius;
     let apart = |a: f64, b: f64| ((a - b) - turn * ((a - b) / turn).round()).abs();

@@ -3,8 +3,8 @@
 //! **Equation.** `Int (div(U h/2) + dh/dt) phi_i dA` over a Swift-Stieber cavity, for the nodes i where pressure is given: the
 //! reaction there counts it, but nothing flows through an end beside a cavity. Where the edge of the cavity runs through a triangle
 //! the integral goes over the part where the pressure is that of the cavity. Where Guembel drops the pressure the reaction also counts
-//! `Int h^3/(12 mu) grad p . grad phi_i dA`, a flow that the pressure dropped would drive. What is left is the oil that the journal drags. A place whose pressure is
-//! above that of the cavity is not beside it, however thin the film between them: its flow is its reaction.
+//! `Int h^3/(12 mu) grad p . grad phi_i dA`, a flow that the pressure dropped would drive. What is left is the oil that the journal drags. Where the
+//! pressure of the place is above that of the cavity a film thinner than the triangle lies between them, and what is made there is a matter of the mesh: all of it counts as unsure.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -24,8 +24,9 @@ use crate::{FilmProblem, FilmSolution, FilmSystem};
 /// Cells through which the edge of a cavity runs are quartered this many times.
 const QUARTERINGS: usize = 3;
 
-/// Width of a quartered cell over that of its triangle: what the quadrature over the part of a cut triangle is off by.
-const CUT: f64 = 1.0 / (1 << QUARTERINGS) as f64;
+/// What the quadrature over the part of a cut triangle is off by: a line cuts 8 of its 64 cells, each of which is off by half of itself at most, with either sign:
+/// sqrt(8)/2 of 64, a little less than this.
+const CUT: f64 = 1.0 / 32.0;
 
 /// Oil made beside a node of given pressure.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -86,11 +87,11 @@ pub(super) fn made_beside(problem: &FilmProblem, system: &FilmSystem, film: &Fil
                 }
             }
         });
-        // Above the pressure that Guembel drops the film reaches the given place, whose reaction is its flow: what is dropped within the triangle is none of it.
-        let counts = |dof: usize| is_given(dof) && (dropped.is_none() || film.unknown[dof] <= floor);
-        for (&dof, made) in dofs.iter().zip(made).filter(|(dof, _)| counts(**dof)) {
+        for (&dof, made) in dofs.iter().zip(made).filter(|(dof, _)| is_given(**dof)) {
             beside[dof].made += made;
             beside[dof].unsure += match dropped {
+                // Between the place and what is dropped there is film, thinner than the triangle: how much of it is dropped is a matter of the mesh.
+                Some(_) if film.unknown[dof] > floor => made.abs(),
                 _ if broken => 0.0,
                 // Guembel's edge is a level of the pressure, known as well as that; the quadrature sees it to a part of a cell.
                 Some(_) => CUT * made.abs(),

@@ -17,6 +17,7 @@ use oilwedge_fem::lagrange::nodes;
 use oilwedge_fem::mapping::Mapping;
 
 use super::line_cut::{between, cut};
+use super::pressure::Extremes;
 use crate::film_law::FilmLaw;
 use crate::supply::BoundaryKind;
 use crate::{FilmProblem, FilmSolution, FilmSystem};
@@ -52,16 +53,19 @@ pub struct Extent {
     pub ends: FilmEnd,
 }
 
-/// Extent of the loaded film that has its greatest pressure at `top` = R phi [m].
-pub fn extent(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, top: f64) -> Option<Extent> {
+/// Extent of the loaded film around its greatest pressure.
+pub fn extent(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, extremes: &Extremes) -> Option<Extent> {
     let pressure = problem.cavitation.pressure()?;
+    if !extremes.summit.is_above(pressure) {
+        return None;
+    }
     let line = MidPlane {
         problem,
         system,
         film,
         floor: problem.unknown_at(pressure),
         pieces: pieces(system, TOUCHES * problem.bearing.radius),
-        top,
+        top: extremes.summit.position[0],
     };
     if line.is_low_at_top() {
         return None;

@@ -33,6 +33,16 @@ pub struct Summit {
     pub point: [f64; 2],
     /// True where the greatest pressure is a given one, so that it has no place of its own.
     pub is_given: bool,
+    /// The greatest pressure [Pa], and what is rounding of it.
+    greatest: f64,
+    rounding: f64,
+}
+
+impl Summit {
+    /// True if it is above a pressure [Pa] by more than rounding.
+    pub fn is_above(&self, pressure: f64) -> bool {
+        self.greatest - pressure > self.rounding
+    }
 }
 
 /// Place of the greatest value `top` of the unknown, where the least pressure is `least` [Pa].
@@ -42,11 +52,13 @@ pub(super) fn summit(problem: &FilmProblem, system: &FilmSystem, top: &Extremum,
     let given = regions.filter(|region| region.kind != BoundaryKind::Sealed);
     let given = given.map(|region| region.pressure).fold(f64::NEG_INFINITY, f64::max);
     let scale = problem.pressure_scale(&system.supply.constraints(|p| problem.unknown_at(p)));
-    let least_excess = (ABOVE * (greatest - least)).max(NOTHING * scale);
+    let rounding = NOTHING * scale;
     Summit {
         position: Mapping::of(system.space().mesh(), top.triangle).at(top.point).position,
         triangle: top.triangle,
         point: top.point,
-        is_given: greatest - given <= least_excess,
+        greatest,
+        rounding,
+        is_given: greatest - given <= rounding.max(ABOVE * (greatest - least)),
     }
 }
