@@ -24,10 +24,6 @@ use crate::{FilmProblem, FilmSolution, FilmSystem};
 /// Cells through which the edge of a cavity runs are quartered this many times.
 const QUARTERINGS: usize = 3;
 
-/// What the quadrature over the part of a cut triangle is off by: a line cuts 8 of its 64 cells, each of which is off by half of itself at most, with either sign:
-/// sqrt(8)/2 of 64, a little less than this.
-const CUT: f64 = 1.0 / 32.0;
-
 /// Oil made beside a node of given pressure.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Beside {
@@ -92,9 +88,9 @@ pub(super) fn made_beside(problem: &FilmProblem, system: &FilmSystem, film: &Fil
             beside[dof].unsure += match dropped {
                 // Between the place and what is dropped there is film, thinner than the triangle: how much of it is dropped is a matter of the mesh.
                 Some(_) if film.unknown[dof] > floor => made.abs(),
-                _ if broken => 0.0,
-                // Guembel's edge is a level of the pressure, known as well as that; the quadrature sees it to a part of a cell.
-                Some(_) => CUT * made.abs(),
+                // Guembel's edge is a level of the pressure, known as well as that.
+                Some(_) => 0.0,
+                None if broken => 0.0,
                 None => made.abs(),
             };
         }
