@@ -77,11 +77,20 @@ fn criteria(report: &TemperatureReport) -> String {
             criterion.unit
         )
     });
-    let verdict = match report.is_fit {
-        true => "fit       the bearing meets its design criteria",
-        false => "NOT fit   the bearing does not meet its design criteria",
+    lines.chain([verdict(report)]).collect::<Vec<_>>().join("\n")
+}
+
+/// Never without reserve where an assumption is broken.
+fn verdict(report: &TemperatureReport) -> String {
+    let reserve = match report.broken_assumptions {
+        0 => String::new(),
+        1 => ", but 1 assumption of the film is broken: see the warnings".to_owned(),
+        several => format!(", but {several} assumptions of the film are broken: see the warnings"),
     };
-    lines.chain([verdict.to_owned()]).collect::<Vec<_>>().join("\n")
+    match report.is_fit {
+        true => format!("fit       the bearing meets its design criteria{reserve}"),
+        false => "NOT fit   the bearing does not meet its design criteria".to_owned(),
+    }
 }
 
 fn value(criterion: &Criterion) -> String {

@@ -1,10 +1,12 @@
 //! Fields for inspection: one VTU file of quadratic triangles that ParaView and PyVista open.
 //!
 //! vtkio writes the XML file with inline base64 data, LZ4 at level 1 (at level 0 it would silently not compress).
-//! meshio cannot read LZ4; PyVista, ParaView and VTK can.
+//! meshio cannot read LZ4; PyVista, ParaView and VTK can. Each array has its unit as VTK's information key `UNITS_LABEL`, which vtkio cannot write.
+
+use std::borrow::Cow;
 
 use crate::Error;
-use oilwedge_study::picture::FilmPicture;
+use oilwedge_study::picture::{FieldValues, FilmPicture, PictureField};
 use vtkio::model::{
     Attribute, Attributes, ByteOrder, CellType, Cells, DataArray, DataSet, UnstructuredGridPiece, Version,
     VertexNumbers, Vtk,
@@ -19,8 +21,8 @@ pub fn to_vtu(picture: FilmPicture) -> Result<Vec<u8>, Error> {
     check(&picture)?;
     let cell_count = picture.cells.len();
     let lines = line_data(&picture.lines);
-    let scalar =
-        |(name, values): (String, Vec<f64>)| Attribute::DataArray(DataArray::scalars(name, 1).with_vec(values));
+    let fields = picture.point_data.iter().chain(&picture.cell_data);
+    let units: Vec<_> = fields.map(|field| (field.name.clone(), field.unit.clone())).collect();
     let piece = UnstructuredGridPiece {
         points: picture.points.into_flattened().into(),
         cells: Cells {
@@ -31,8 +33,8 @@ pub fn to_vtu(picture: FilmPicture) -> Result<Vec<u8>, Error> {
             types: vec![CellType::QuadraticTriangle; cell_count],
         },
         data: Attributes {
-            point: picture.point_data.into_iter().map(scalar).collect(),
-            cell: picture.cell_data.into_iter().map(scalar).collect(),
+            point: picture.point_data.into_iter().map(attribute).collect(),
+            cell: picture.cell_data.into_iter().map(attribute).collect(),
         },
     };
     let vtk = Vtk {
@@ -52,7 +54,37 @@ pub fn to_vtu(picture: FilmPicture) -> Result<Vec<u8>, Error> {
     let place = bytes.windows(PLACE.len()).position(|part| part == PLACE);
     let place = place.ok_or_else(|| Error::format("VTU file")("it has no piece"))?;
     bytes.splice(place..place, lines.into_bytes());
-    Ok(bytes)
+    Ok(with_units(bytes, &units))
+}
+
+fn attribute(field: PictureField) -> Attribute {
+    Attribute::DataArray(match field.values {
+        FieldValues::Scalars(values) => DataArray::scalars(field.name.into_owned(), 1).with_vec(values),
+        FieldValues::Vectors(values) => DataArray::vectors(field.name.into_owned()).with_vec(values.into_flattened()),
+    })
+}
+
+/// The file with the unit of each of these arrays at the end of its element.
+fn with_units(file: Vec<u8>, units: &[(Cow<str>, Cow<str>)]) -> Vec<u8> {
+    const END: &[u8] = b"</DataArray>";
+    let find = |from: usize, what: &[u8]| {
+        let place = file[from..].windows(what.len()).position(|window| window == what);
+        place.map(|place| from + place)
+    };
+    let (mut whole, mut written) = (Vec::with_capacity(file.len() + 100 * units.len()), 0);
+    for (name, unit) in units {
+        // Arrays are in the order of the picture.
+        let begin = find(written, format!("Name=\"{name}\"").as_bytes());
+        let Some(end) = begin.and_then(|begin| find(begin, END)) else {
+            continue;
+        };
+        whole.extend_from_slice(&file[written..end]);
+        let key = format!("<InformationKey name=\"UNITS_LABEL\" location=\"vtkDataArray\">{unit}</InformationKey>");
+        whole.extend_from_slice(key.as_bytes());
+        written = end;
+    }
+    whole.extend_from_slice(&file[written..]);
+    whole
 }
 
 /// The lines as data of the whole field: of each an array of its name, in each row the two points of a piece.
@@ -101,15 +133,15 @@ fn check(picture: &FilmPicture) -> Result<(), Error> {
     }
     let on_nodes = picture.point_data.iter().map(|field| (field, nodes));
     let on_cells = picture.cell_data.iter().map(|field| (field, picture.cells.len()));
-    on_nodes.chain(on_cells).try_for_each(|((name, values), wanted)| {
-        if values.len() != wanted {
+    on_nodes.chain(on_cells).try_for_each(|(field, wanted)| {
+        if field.values.len() != wanted {
             return Err(Error::Length {
-                name: name.clone(),
-                values: values.len(),
+                name: field.name.to_string(),
+                values: field.values.len(),
                 wanted,
             });
         }
-        all_finite(name, values)
+        all_finite(&field.name, field.values.numbers())
     })
 }
 
@@ -144,11 +176,23 @@ mod tests {
         let points: Vec<_> = plane.iter().map(|(x, z)| [*x, *z, 0.0]).collect();
         FilmPicture {
             cells: vec![[0, 1, 2, 4, 5, 6], [0, 2, 3, 6, 7, 8]],
-            point_data: vec![(
-                "pressure".into(),
-                points.iter().map(|point| 1e5 + point[0] / 3.0).collect(),
-            )],
-            cell_data: vec![("error_indicator".into(), vec![0.25, 0.75])],
+            point_data: vec![
+                PictureField {
+                    name: "pressure".into(),
+                    unit: "Pa".into(),
+                    values: FieldValues::Scalars(points.iter().map(|point| 1e5 + point[0] / 3.0).collect()),
+                },
+                PictureField {
+                    name: "volume_flow [m2/s]".into(),
+                    unit: "m2/s".into(),
+                    values: FieldValues::Vectors(points.clone()),
+                },
+            ],
+            cell_data: vec![PictureField {
+                name: "error_indicator".into(),
+                unit: "N".into(),
+                values: FieldValues::Scalars(vec![0.25, 0.75]),
+            }],
             lines: vec![("rim.a&b".into(), vec![[[0.0; 3], [1.0, 0.5, 0.0]]])],
             points,
         }
@@ -157,7 +201,13 @@ mod tests {
     #[test]
     fn what_is_written_is_read_back() -> Result<(), Box<dyn std::error::Error>> {
         let bytes = to_vtu(square())?;
-        assert!(String::from_utf8_lossy(&bytes).contains("vtkLZ4DataCompressor"));
+        let text = String::from_utf8_lossy(&bytes);
+        assert!(text.contains("vtkLZ4DataCompressor"));
+        for unit in ["Pa", "m2/s", "N"] {
+            let key = format!("location=\"vtkDataArray\">{unit}</InformationKey></DataArray>");
+            assert_eq!(text.matches(&key).count(), 1, "{unit}");
+        }
+        assert!(text.contains("Name=\"volume_flow [m2/s]\" NumberOfComponents=\"3\""));
         assert_eq!(from_vtu(&bytes)?, square());
         let without = FilmPicture {
             lines: Vec::new(),
@@ -171,7 +221,7 @@ mod tests {
     #[test]
     fn pictures_that_do_not_fit_together_are_refused() {
         let mut picture = square();
-        picture.point_data[0].1.pop();
+        picture.point_data[0].values = FieldValues::Scalars(vec![0.0; 8]);
         assert!(matches!(
             to_vtu(picture),
             Err(Error::Length {
@@ -184,7 +234,7 @@ mod tests {
         picture.cells[1][5] = 9;
         assert!(matches!(to_vtu(picture), Err(Error::Node { cell: 1 })));
         let mut picture = square();
-        picture.cell_data[0].1[0] = f64::NAN;
+        picture.cell_data[0].values = FieldValues::Scalars(vec![f64::NAN, 0.75]);
         assert!(matches!(to_vtu(picture), Err(Error::NotFinite { .. })));
     }
 }

@@ -1,6 +1,6 @@
 //! The film of a `film.vtu` that this program has written.
 
-use oilwedge_study::picture::FilmPicture;
+use oilwedge_study::picture::{FieldValues, FilmPicture, PictureField};
 use vtkio::model::{Attribute, DataSet, Piece, Vtk};
 
 use crate::Error;
@@ -15,6 +15,7 @@ pub fn from_vtu(bytes: &[u8]) -> Result<FilmPicture, Error> {
         message: why.to_owned(),
     };
     let (rest, lines) = without_lines(bytes);
+    let text = String::from_utf8_lossy(bytes);
     let vtk = Vtk::parse_xml(rest.as_slice()).map_err(|error| bad(&error.to_string()))?;
     let DataSet::UnstructuredGrid { pieces, .. } = vtk.data else {
         return Err(bad("it is no unstructured grid"));
@@ -42,24 +43,47 @@ pub fn from_vtu(bytes: &[u8]) -> Result<FilmPicture, Error> {
     let cell = |cell: &[u64]| std::array::from_fn(|k| cell[k] as u32);
     let cells: Vec<[u32; 6]> = connectivity.chunks_exact(6).map(cell).collect();
     Ok(FilmPicture {
-        point_data: scalars(piece.data.point, points.len()),
-        cell_data: scalars(piece.data.cell, cells.len()),
+        point_data: fields(piece.data.point, points.len(), &text),
+        cell_data: fields(piece.data.cell, cells.len(), &text),
         points,
         cells,
         lines,
     })
 }
 
-/// The arrays with one number for each of `count` places.
-fn scalars(attributes: Vec<Attribute>, count: usize) -> Vec<(String, Vec<f64>)> {
-    let array = |attribute| match attribute {
+/// The arrays with a number or a vector for each of `count` places, with the units that `text`, the file, has for them.
+fn fields(attributes: Vec<Attribute>, count: usize, text: &str) -> Vec<PictureField> {
+    let field = |attribute| match attribute {
         Attribute::DataArray(array) => {
             let values: Vec<f64> = array.data.cast_into()?;
-            (values.len() == count).then_some((array.name, values))
+            let values = match values.len() {
+                numbers if numbers == count => FieldValues::Scalars(values),
+                numbers if numbers == 3 * count => {
+                    FieldValues::Vectors(values.chunks_exact(3).map(|v| [v[0], v[1], v[2]]).collect())
+                }
+                _ => return None,
+            };
+            Some(PictureField {
+                unit: unit(text, &array.name).to_owned().into(),
+                name: array.name.into(),
+                values,
+            })
         }
         Attribute::Field { .. } => None,
     };
-    attributes.into_iter().filter_map(array).collect()
+    attributes.into_iter().filter_map(field).collect()
+}
+
+/// The unit of the array of this name; empty where the file tells none.
+fn unit<'a>(text: &'a str, name: &str) -> &'a str {
+    let array = text
+        .split_once(&format!("Name=\"{name}\""))
+        .map_or("", |(_, rest)| rest);
+    let array = array.split("</DataArray>").next().unwrap_or_default();
+    let key = array
+        .split_once("UNITS_LABEL")
+        .and_then(|(_, rest)| rest.split_once('>'));
+    key.and_then(|(_, rest)| rest.split('<').next()).unwrap_or_default()
 }
 
 /// Lines by name.

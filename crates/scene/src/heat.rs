@@ -8,8 +8,9 @@ use crate::{Complaints, Limits, Scene, Theory, Viscosity, limits};
 const HEAT_CAPACITY: f64 = 1.8e6;
 /// Heat capacities per volume [J/(m3 K)] of liquids that are used as oils.
 const CAPACITIES: [f64; 2] = [5e5, 5e6];
-/// Limits of a bearing whose heat is balanced, where the scene gives none: least film thickness [m], and mean temperature of the film [K].
-pub const USUAL_LIMITS: (f64, f64) = (4e-6, ZERO_CELSIUS + 115.0);
+/// Limits of a bearing whose heat is balanced, where the scene gives none: least film thickness [m], mean temperature of the film [K],
+/// and temperature of the oil that leaves [K], the greatest that ISO 7902-3 permits.
+pub const USUAL_LIMITS: (f64, f64, f64) = (4e-6, ZERO_CELSIUS + 115.0, ZERO_CELSIUS + 125.0);
 
 /// The heat balance.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -11,6 +11,8 @@ pub struct Limits {
     pub least_film: Option<f64>,
     /// Mean temperature of the film that must not be reached [K].
     pub greatest_temperature: Option<f64>,
+    /// Temperature of the oil that leaves, which must not be reached [K].
+    pub greatest_outlet: Option<f64>,
     /// Greatest pressure that is admissible [Pa].
     pub greatest_pressure: Option<f64>,
 }
@@ -21,6 +23,7 @@ impl Limits {
         Self {
             least_film: self.least_film.or(other.least_film),
             greatest_temperature: self.greatest_temperature.or(other.greatest_temperature),
+            greatest_outlet: self.greatest_outlet.or(other.greatest_outlet),
             greatest_pressure: self.greatest_pressure.or(other.greatest_pressure),
         }
     }
@@ -38,6 +41,7 @@ pub(crate) fn read_old(table: &mut TableReader<'_>) -> Limits {
     Limits {
         least_film: table.positive_if_given("film_min", Dimension::Length, "4 um"),
         greatest_temperature: table.oil_temperature("temperature_max", "115 C").given(),
+        greatest_outlet: table.oil_temperature("outlet_max", "125 C").given(),
         greatest_pressure: None,
     }
 }
@@ -49,5 +53,11 @@ pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
         "limits.temperature_max",
         "has nothing to be compared with: the film of this scene has no temperature",
         "add [heat], which finds it, or give oil.temperature with a law of temperature; or remove the limit",
+    );
+    complaints.refuse_if(
+        complaints.has("limits.outlet_max") && scene.heat.is_none(),
+        "limits.outlet_max",
+        "has nothing to be compared with: without [heat] the oil leaves as warm as it enters",
+        "add [heat], which finds the temperature, or remove the limit",
     );
 }

@@ -2,11 +2,13 @@
 
 mod barus;
 mod density;
+mod high_shear;
 mod roelands;
 mod temperature;
 
 pub use barus::{Barus, BarusForm};
 pub use density::Density;
+pub use high_shear::HighShear;
 pub use roelands::{Roelands, RoelandsExponent};
 pub use temperature::{PointViscosity, TemperatureLaw, ViscosityPoint};
 
@@ -25,6 +27,8 @@ pub struct Oil {
     pub temperature: Option<f64>,
     /// Density, where the scene gives it.
     pub density: Option<Density>,
+    /// What high shear rates leave of the viscosity, where the scene gives it.
+    pub high_shear: Option<HighShear>,
 }
 
 /// Dynamic viscosity at gauge pressure zero.
@@ -87,6 +91,13 @@ pub(crate) fn read(mut table: TableReader<'_>, wanted: Option<&str>) -> Oil {
     if let (Some(example), Some(_)) = (wanted, &law) {
         table.require("temperature", example);
     }
+    let high_shear = high_shear::read(&mut table);
+    table.refuse_if(
+        high_shear.is_some() && law.is_none(),
+        "high_shear",
+        "has a meaning only beside a law by which viscosity depends on temperature",
+        "remove it, and give the viscosity of the sheared oil",
+    );
     let laws = PRESSURE_LAWS
         .iter()
         .filter_map(|(key, read)| Some((*key, read(table.table_if_given(key)?))));
@@ -101,6 +112,7 @@ pub(crate) fn read(mut table: TableReader<'_>, wanted: Option<&str>) -> Oil {
         pressure_law: laws.first().map_or(PressureLaw::Constant, |(_, law)| *law),
         temperature,
         density: density::read(&mut table),
+        high_shear,
     }
 }
 

@@ -75,6 +75,11 @@ impl<'a> TableReader<'a> {
         self.peek(key).is_some_and(|value| value.get_ref().is_table())
     }
 
+    /// True if a text is given for the key.
+    pub(crate) fn holds_text(&self, key: &str) -> bool {
+        self.peek(key).is_some_and(|value| value.get_ref().is_str())
+    }
+
     /// The keys in the order of the text.
     pub(crate) fn keys(&self) -> Vec<&'a str> {
         let keys = self.table.into_iter().flat_map(|table| table.iter());

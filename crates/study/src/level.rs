@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use oilwedge_bearing::Deadline;
+use oilwedge_bearing::{Deadline, newton_step};
 use oilwedge_mesh::Mesh;
 
 use crate::analysis::solve;
@@ -14,7 +14,7 @@ use crate::film::Film;
 use crate::no_answer::NoAnswer;
 use crate::position::Position;
 use crate::quantities::Quantity;
-use crate::solved::{Errors, SolveOptions};
+use crate::solved::{Errors, SolveOptions, Solved};
 use oilwedge_scene::Scene;
 
 /// What one mesh gives.
@@ -25,7 +25,7 @@ pub struct Level {
     pub unknowns: usize,
     /// The quantities of the report, with their error where it was estimated.
     pub quantities: Vec<Quantity>,
-    /// Share of each triangle in the error of the goal, signed, in the goal's unit; `None` where it was not estimated.
+    /// Share of each triangle in the error of the goal, in the goal's unit; `None` where it was not estimated.
     pub indicator: Option<Vec<f64>>,
     /// True where the search for a position was ended before its load was balanced.
     pub is_ended: bool,
@@ -76,11 +76,13 @@ pub fn solve_level(
         Errors::Estimated => [measuring, 0.0],
         Errors::Omitted => [0.0, measuring],
     };
+    let per_newton = per_newton(&solved);
+    let in_goal = |shares: Vec<f64>| shares.iter().map(|share| per_newton * share).collect();
     Ok(Level {
         unknowns: film.unknowns(),
         is_ended: solved.is_ended(),
         quantities: estimated.quantities,
-        indicator: estimated.indicator,
+        indicator: estimated.indicator.map(in_goal),
         seconds: vec![
             ("order", order),
             ("search", solved.balance.map_or(0.0, |balance| balance.seconds)),
@@ -92,4 +94,18 @@ pub fn solve_level(
         ],
         film: solved.film,
     })
+}
+
+/// What the goal is off by for each newton that the force of the film is off by: one newton of the load, or under a load the eccentricity
+/// `|K^-T n|/c` [1/N], K the stiffness of the film and n the direction of the line of centres. The newton counts in its worst direction.
+fn per_newton(solved: &Solved) -> f64 {
+    let Some(balance) = &solved.balance else { return 1.0 };
+    let problem = &solved.film.problem;
+    let [x, y] = problem.journal.offset;
+    let eccentricity = problem.journal.eccentricity();
+    let along = |force: [f64; 2]| {
+        let [by_x, by_y] = newton_step(balance.stiffness, force);
+        (by_x * x + by_y * y) / (eccentricity * problem.bearing.clearance)
+    };
+    along([1.0, 0.0]).hypot(along([0.0, 1.0]))
 }

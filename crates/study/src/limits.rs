@@ -19,7 +19,7 @@ pub(crate) fn exceeded(film: &Film, measured: &Measured) -> Vec<Warning> {
             readable(format!("{:.3e}", 1e6 * length).parse().unwrap_or(1e6 * length))
         )
     };
-    let thickness = measured.least_thickness;
+    let thickness = measured.thinnest.thickness;
     let thin = limits.least_film.filter(|&least| thickness < least).map(|least| {
         format!(
             "the least film is {}, below limits.film_min, {}",

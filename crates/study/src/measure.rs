@@ -1,11 +1,12 @@
 //! What is measured on a solved film.
 
 use oilwedge_reynolds::quantities::cavity::{self, Cavity};
+use oilwedge_reynolds::quantities::extent::{Extent, extent};
 use oilwedge_reynolds::quantities::flow::{self, Flows};
 use oilwedge_reynolds::quantities::inlet::inlet_flow;
 use oilwedge_reynolds::quantities::load::{self, Load};
 use oilwedge_reynolds::quantities::power::{self, Power};
-use oilwedge_reynolds::quantities::pressure::{self, Extremes};
+use oilwedge_reynolds::quantities::pressure::{self, Extremes, ThinnestFilm};
 use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalState};
 
 /// Tension below this fraction of the pressure of drag is rounding.
@@ -27,8 +28,10 @@ pub struct Measured {
     pub inlet_flow: Option<f64>,
     /// Powers, put in and turned into heat.
     pub power: Power,
-    /// Least film thickness on the liner [m].
-    pub least_thickness: f64,
+    /// The thinnest film on the liner.
+    pub thinnest: ThinnestFilm,
+    /// Where the loaded film begins and ends on the mid-plane; none without a cavity.
+    pub extent: Option<Extent>,
     /// The cavity, of models that have one while they solve.
     pub cavity: Option<Cavity>,
     /// Share of the meshed area [1] below the pressure of the ends, of a full Sommerfeld film with tension; else zero.
@@ -54,7 +57,8 @@ pub fn measure(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) 
         load,
         flows: flow::flows(problem, system, film),
         inlet_flow: inlet_flow(problem, system, film),
-        least_thickness: pressure::least_thickness(problem, system),
+        thinnest: pressure::thinnest(problem, system),
+        extent: extent(problem, system, film, &extremes),
         cavity: problem
             .cavitation
             .has_free_boundary()

@@ -2,10 +2,13 @@
 
 use oilwedge_reynolds::lubricant::density::{EXPANSION, ZERO_CELSIUS};
 use oilwedge_reynolds::lubricant::{self as law, Density, Grade, ThermalOil, ViscosityTable, Vogel, Walther};
-use oilwedge_scene::{PointViscosity, Scene, TemperatureLaw, Viscosity};
+use oilwedge_scene::{HighShear, PointViscosity, Scene, TemperatureLaw, Viscosity};
 
 /// The film's temperature is first taken to be so much above that of the oil fed [K].
 const FIRST_RISE: f64 = 10.0;
+
+/// Temperature [K] at which the viscosity of engine oils at high shear is measured (SAE J300; ASTM D4683).
+pub(crate) const HIGH_SHEAR_AT: f64 = ZERO_CELSIUS + 150.0;
 
 /// An oil at one temperature.
 #[derive(Debug, Clone, PartialEq)]
@@ -96,7 +99,25 @@ fn thermal(scene: &Scene) -> Option<ThermalOil> {
         }),
         TemperatureLaw::Table(_) => law::TemperatureLaw::Table(ViscosityTable::through(&points(described, density))?),
     };
-    Some(ThermalOil { law, density })
+    let unsheared = ThermalOil {
+        law,
+        density,
+        sheared: 1.0,
+    };
+    Some(ThermalOil {
+        sheared: sheared(scene, &unsheared),
+        ..unsheared
+    })
+}
+
+/// What the shear rate of the film leaves of the viscosity [1]. A viscosity at 150 degrees C and 1e6 1/s is one part of that at low shear, which is taken for any
+/// temperature.
+fn sheared(scene: &Scene, unsheared: &ThermalOil) -> f64 {
+    match scene.oil.high_shear {
+        None => 1.0,
+        Some(HighShear::Factor(factor)) => factor,
+        Some(HighShear::Viscosity(viscosity)) => viscosity / unsheared.viscosity(HIGH_SHEAR_AT),
+    }
 }
 
 /// The points `(T [K], nu [m2/s])` of a law that is given by points; the density makes dynamic viscosities kinematic.

@@ -1,8 +1,10 @@
 //! The solved film as a picture: nodes of the quadratic triangles and the fields there.
 
+use std::borrow::Cow;
 use std::collections::HashMap;
 
 use oilwedge_reynolds::FilmSolution;
+use oilwedge_reynolds::quantities::stream::streams;
 
 use crate::film::Film;
 use crate::film_lines::film_lines;
@@ -14,12 +16,63 @@ pub struct FilmPicture {
     pub points: Vec<[f64; 3]>,
     /// Triangles by their nodes: three vertices, then the middles of edges 01, 12, 20 (as VTK and gmsh have it).
     pub cells: Vec<[u32; 6]>,
-    /// Fields on the nodes: name and a value for each node, SI.
-    pub point_data: Vec<(String, Vec<f64>)>,
-    /// Fields on the triangles: name and a value for each triangle, SI.
-    pub cell_data: Vec<(String, Vec<f64>)>,
+    /// Fields on the nodes.
+    pub point_data: Vec<PictureField>,
+    /// Fields on the triangles.
+    pub cell_data: Vec<PictureField>,
     /// Lines by name ([`crate::film_lines`]), each of pieces between two points [m].
     pub lines: Vec<(String, Vec<[[f64; 3]; 2]>)>,
+}
+
+/// A field of a picture.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PictureField {
+    /// Its name. The unit in brackets belongs to the name, but for the fields that scripts know without one.
+    pub name: Cow<'static, str>,
+    /// Unit of the values, as `Pa`.
+    pub unit: Cow<'static, str>,
+    /// A value for each node or triangle.
+    pub values: FieldValues,
+}
+
+/// Values of a field.
+#[derive(Debug, Clone, PartialEq)]
+pub enum FieldValues {
+    /// One number each.
+    Scalars(Vec<f64>),
+    /// One vector each, in the directions of the points.
+    Vectors(Vec<[f64; 3]>),
+}
+
+impl FieldValues {
+    /// All numbers, those of a vector one after the other.
+    pub fn numbers(&self) -> &[f64] {
+        match self {
+            Self::Scalars(values) => values,
+            Self::Vectors(values) => values.as_flattened(),
+        }
+    }
+
+    /// Nodes or triangles that have a value.
+    pub fn len(&self) -> usize {
+        match self {
+            Self::Scalars(values) => values.len(),
+            Self::Vectors(values) => values.len(),
+        }
+    }
+
+    /// True if there are no values.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+impl FilmPicture {
+    /// The field on the nodes of this name.
+    pub fn at_points(&self, name: &str) -> Option<&FieldValues> {
+        let field = self.point_data.iter().find(|field| field.name == name);
+        field.map(|field| &field.values)
+    }
 }
 
 /// Where a film is drawn.
@@ -31,10 +84,10 @@ pub enum Surface {
     Developed,
 }
 
-/// Pressure [Pa] (nowhere below that of a cavity), film thickness [m], viscosity [Pa s] and, of a mass-conserving film,
-/// film fraction at the nodes of the solved film, on the cylinder `(R cos phi, R sin phi, z)` or unrolled `(R phi, z, 0)`, where nodes on the cut of a ring stand on both sides of it.
-/// Nodes on the edge of a pocket stand on both sides of it too, for the film is thicker on one. The indicator, a value for
-/// each triangle, tells what each adds to the error.
+/// The fields of a solved film at its nodes, on the cylinder `(R cos phi, R sin phi, z)` or unrolled `(R phi, z, 0)`, where nodes on the cut of a ring
+/// are on both sides of it: pressure (nowhere below that of a cavity), film thickness, viscosity, of a mass-conserving film the film fraction, place, flow per
+/// width and shear stress on the walls. Nodes on the edge of a pocket are on both sides of it too, for the film is thicker on one. The indicator [N], a value for
+/// each triangle, is what each adds to the error of the load.
 pub fn picture(film: &Film, solution: &FilmSolution, indicator: Option<&[f64]>, surface: Surface) -> FilmPicture {
     let (nodes, cells) = numbered(film, surface);
     let radius = film.problem.bearing.radius;
@@ -45,26 +98,10 @@ pub fn picture(film: &Film, solution: &FilmSolution, indicator: Option<&[f64]>, 
         let (sin, cos) = (x / radius).sin_cos();
         [radius * cos, radius * sin, z]
     };
-    let problem = &film.problem;
-    let floor = problem.cavitation.pressure().unwrap_or(f64::NEG_INFINITY);
-    let pressure: Vec<f64> = nodes
-        .dofs
-        .iter()
-        .map(|&dof| problem.pressure_at(solution.unknown[dof]).max(floor))
-        .collect();
-    let thickness = (nodes.cells.iter().zip(&nodes.positions))
-        .flat_map(|(&cell, position)| problem.thickness_at(cell, &[*position]))
-        .collect();
-    let viscosity = pressure.iter().map(|&p| problem.viscosity_at(p)).collect();
-    let mut point_data = vec![
-        ("pressure".to_owned(), pressure),
-        ("film_thickness".to_owned(), thickness),
-        ("viscosity".to_owned(), viscosity),
-    ];
-    if let Some(fraction) = &solution.film_fraction {
-        let values = nodes.dofs.iter().map(|&dof| fraction.values[dof]).collect();
-        point_data.push(("film_fraction".to_owned(), values));
-    }
+    let mut point_data = pointwise(film, solution, &nodes);
+    point_data.extend(places(film, &nodes, surface));
+    point_data.extend(streaming(film, solution, (&nodes, &cells), surface));
+    let indicator = indicator.map(|values| scalars("error_indicator", "N", values.to_vec()));
     FilmPicture {
         points: nodes.positions.iter().map(place).collect(),
         cells,
@@ -80,11 +117,106 @@ pub fn picture(film: &Film, solution: &FilmSolution, indicator: Option<&[f64]>, 
             })
             .collect(),
         point_data,
-        cell_data: indicator
-            .map(|values| ("error_indicator".to_owned(), values.to_vec()))
-            .into_iter()
-            .collect(),
+        cell_data: indicator.into_iter().collect(),
     }
+}
+
+fn scalars(name: &'static str, unit: &'static str, values: Vec<f64>) -> PictureField {
+    PictureField {
+        name: name.into(),
+        unit: unit.into(),
+        values: FieldValues::Scalars(values),
+    }
+}
+
+/// What the film is at each node.
+fn pointwise(film: &Film, solution: &FilmSolution, nodes: &Nodes) -> Vec<PictureField> {
+    let problem = &film.problem;
+    let floor = problem.cavitation.pressure().unwrap_or(f64::NEG_INFINITY);
+    let pressure = |&dof: &usize| problem.pressure_at(solution.unknown[dof]).max(floor);
+    let pressure: Vec<f64> = nodes.dofs.iter().map(pressure).collect();
+    let thickness = (nodes.cells.iter().zip(&nodes.positions))
+        .flat_map(|(&cell, position)| problem.thickness_at(cell, &[*position]))
+        .collect();
+    let viscosity = pressure.iter().map(|&p| problem.viscosity_at(p)).collect();
+    let mut fields = vec![
+        scalars("pressure", "Pa", pressure),
+        scalars("film_thickness", "m", thickness),
+        scalars("viscosity", "Pa.s", viscosity),
+    ];
+    if let Some(fraction) = &solution.film_fraction {
+        let values = nodes.dofs.iter().map(|&dof| fraction.values[dof]).collect();
+        fields.push(scalars("film_fraction", "1", values));
+    }
+    fields
+}
+
+/// Where each node is on the liner. On a closed ring the angle jumps at one line, in the plane nowhere.
+fn places(film: &Film, nodes: &Nodes, surface: Surface) -> [PictureField; 2] {
+    let radius = film.problem.bearing.radius;
+    let turn = match (surface, film.system.space().mesh().period()) {
+        (Surface::Cylinder, Some(_)) => 360.0,
+        _ => f64::INFINITY,
+    };
+    let angle = |&[x, _]: &[f64; 2]| {
+        let angle = (x / radius).to_degrees();
+        if turn.is_finite() {
+            angle.rem_euclid(turn) % turn
+        } else {
+            angle
+        }
+    };
+    [
+        scalars("phi [deg]", "deg", nodes.positions.iter().map(angle).collect()),
+        scalars("z [m]", "m", nodes.positions.iter().map(|&[_, z]| z).collect()),
+    ]
+}
+
+/// Flow and stresses: at each node the mean of its triangles, weighted with their areas; zero where a feed covers them all.
+fn streaming(
+    film: &Film,
+    solution: &FilmSolution,
+    (nodes, cells): (&Nodes, &[[u32; 6]]),
+    surface: Surface,
+) -> [PictureField; 3] {
+    let mut sums = vec![(0.0, [[0.0; 2]; 3]); nodes.dofs.len()];
+    for (cell, found) in cells.iter().zip(streams(&film.problem, &film.system, solution)) {
+        let Some((area, streams)) = found else { continue };
+        for (&node, at) in cell.iter().zip(streams) {
+            let (whole, vectors) = &mut sums[node as usize];
+            *whole += area;
+            for (sum, vector) in vectors.iter_mut().zip([at.flow, at.on_journal, at.on_bearing]) {
+                (0..2).for_each(|d| sum[d] += area * vector[d]);
+            }
+        }
+    }
+    for [here, there] in nodes.twins() {
+        let (a, b) = (sums[here], sums[there]);
+        let both = [0, 1, 2].map(|k| [0, 1].map(|d| a.1[k][d] + b.1[k][d]));
+        (sums[here], sums[there]) = ((a.0 + b.0, both), (a.0 + b.0, both));
+    }
+    let radius = film.problem.bearing.radius;
+    let directed = |k: usize| {
+        let vector = |(&(area, vectors), &[x, _]): (&(f64, [[f64; 2]; 3]), &[f64; 2])| {
+            let [around, axial] = vectors[k].map(|sum| if area > 0.0 { sum / area } else { 0.0 });
+            let (sin, cos) = (x / radius).sin_cos();
+            match surface {
+                Surface::Developed => [around, axial, 0.0],
+                Surface::Cylinder => [-around * sin, around * cos, axial],
+            }
+        };
+        FieldValues::Vectors(sums.iter().zip(&nodes.positions).map(vector).collect())
+    };
+    let names = [
+        ("volume_flow [m2/s]", "m2/s"),
+        ("shear_stress_journal [Pa]", "Pa"),
+        ("shear_stress_bearing [Pa]", "Pa"),
+    ];
+    std::array::from_fn(|k| PictureField {
+        name: names[k].0.into(),
+        unit: names[k].1.into(),
+        values: directed(k),
+    })
 }
 
 /// The nodes of the picture, and those of each triangle.
@@ -145,6 +277,19 @@ impl Nodes {
             positions: Vec::with_capacity(dofs),
             cells: Vec::with_capacity(dofs),
         }
+    }
+
+    /// Nodes at one place on the two sides of the cut.
+    fn twins(&self) -> Vec<[usize; 2]> {
+        let beyond = self.beside.iter().filter(|((_, (is_beyond, _)), _)| *is_beyond);
+        let twin = |(&(dof, (_, pocket)), &far): (&(usize, Side), &u32)| {
+            let near = match pocket {
+                0 => self.on_main[dof],
+                _ => *self.beside.get(&(dof, (false, pocket)))?,
+            };
+            (near != UNMET).then_some([near as usize, far as usize])
+        };
+        beyond.filter_map(twin).collect()
     }
 
     fn number(&mut self, dof: usize, side: Side, position: [f64; 2], cell: usize) -> u32 {

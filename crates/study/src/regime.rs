@@ -80,7 +80,7 @@ impl Regime {
             density,
             clearance_ratio,
             pressure_exponent: growth(&problem.lubricant.pressure_law).map(|alpha| alpha * measured.extremes.greatest),
-            roughness_ratio: (scene.bearing.roughness).map(|roughness| measured.least_thickness / roughness),
+            roughness_ratio: (scene.bearing.roughness).map(|roughness| measured.thinnest.thickness / roughness),
             deflection: deflection(scene, measured),
             temperature_rise: temperature_rise(film, measured),
         }
@@ -104,15 +104,15 @@ impl Regime {
             (self.clearance_ratio > THIN).then(|| {
                 warning::CURVED.says(format!("thin film: the clearance is {} of the radius, so its curvature counts; Reynolds' equation drops it", rounded(self.clearance_ratio)))
             }),
-            (measured.least_thickness < MOLECULES).then(|| {
-                warning::MOLECULAR.says(format!("continuous film: it is {} m thin, some molecules; no oil is a fluid there", rounded(measured.least_thickness)))
+            (measured.thinnest.thickness < MOLECULES).then(|| {
+                warning::MOLECULAR.says(format!("continuous film: it is {} m thin, some molecules; no oil is a fluid there", rounded(measured.thinnest.thickness)))
             }),
             self.roughness_ratio.filter(|ratio| *ratio < APART).map(|ratio| {
                 warning::TOUCHING.says(format!("smooth surfaces: the least film is {} times bearing.roughness, below {APART} times; the surfaces touch there", rounded(ratio)))
             }),
-            (self.deflection > measured.least_thickness && pressure <= YIELDING).then(|| {
+            (self.deflection > measured.thinnest.thickness && pressure <= YIELDING).then(|| {
                 let micrometres = |length: f64| rounded(1e6 * length);
-                warning::ELASTIC.says(format!("rigid surfaces: the pressure, up to {} bar, would deflect journal and liner by some {} um, but the least film has {} um; the film adapts, and its pressure will be lower", readable(1e-5 * pressure), micrometres(self.deflection), micrometres(measured.least_thickness)))
+                warning::ELASTIC.says(format!("rigid surfaces: the pressure, up to {} bar, would deflect journal and liner by some {} um, but the least film has {} um; the film adapts, and its pressure will be lower", readable(1e-5 * pressure), micrometres(self.deflection), micrometres(measured.thinnest.thickness)))
             }),
             (pressure > YIELDING).then(|| {
                 warning::YIELDING.says(format!("rigid surfaces: the pressure reaches {} bar, at which any steel yields ({} bar); no bearing carries this load, check it and its unit", rounded(1e-5 * pressure), rounded(1e-5 * YIELDING)))
@@ -138,9 +138,17 @@ fn growth(law: &PressureLaw) -> Option<f64> {
     (!matches!(law, PressureLaw::Constant)).then(|| law.viscosity_slope(0.0))
 }
 
+/// How a warning about an assumption that does not hold begins.
+const BROKEN: &str = "an assumption does not hold: ";
+
 /// A warning about an assumption that does not hold.
-fn broken_assumption(assumption: Warning) -> Warning {
-    (assumption.kind).says(format!("an assumption does not hold: {assumption}"))
+pub(crate) fn broken_assumption(assumption: Warning) -> Warning {
+    (assumption.kind).says(format!("{BROKEN}{assumption}"))
+}
+
+/// How many of these warnings are about assumptions that do not hold.
+pub fn broken_assumptions(warnings: &[Warning]) -> usize {
+    warnings.iter().filter(|warning| warning.starts_with(BROKEN)).count()
 }
 
 /// That the pressure of a film lies beyond the `limit` [Pa] to which a law of viscosity holds, if so.

@@ -17,7 +17,7 @@ use crate::no_answer::NoAnswer;
 use crate::picture::{FilmPicture, picture};
 use crate::quantities::left_over;
 use crate::refinement::{Answer, answer};
-use crate::regime::Regime;
+use crate::regime::{Regime, broken_assumptions};
 use crate::result::{
     Balances, Counts, Geometry, HistoryStep, LinearSolver, MeshFacts, RESULT_FORMAT, RunResult, SECONDS_KEY, Status,
 };
@@ -150,6 +150,9 @@ fn report(scene: &Scene, (solved, estimated): (&Solved, Estimated), options: &Ru
     };
     let clock = Instant::now();
     result.temperature = temperature_report(solved, &estimated.quantities, options.deadline());
+    if let Some(report) = &mut result.temperature {
+        report.broken_assumptions = broken_assumptions(&result.warnings);
+    }
     let curve = clock.elapsed().as_secs_f64();
     let parts = solved.solution.seconds;
     let parts = [

@@ -16,4 +16,6 @@ pub struct ThermalModel {
     pub least_film: f64,
     /// Temperature [K] that the film must not reach.
     pub greatest_temperature: f64,
+    /// Temperature [K] that the oil which leaves must not reach.
+    pub greatest_outlet: f64,
 }

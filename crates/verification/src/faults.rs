@@ -4,6 +4,7 @@ use oilwedge_report::result_json;
 use oilwedge_reynolds::Form;
 use oilwedge_study::Run;
 use oilwedge_study::effects::Socket;
+use oilwedge_study::picture::{FieldValues, FilmPicture};
 use oilwedge_study::quantities::{CAVITY_SHARE, PRESSURE_MAX, PRESSURE_MIN, Row};
 use oilwedge_study::result::RunResult;
 
@@ -122,12 +123,8 @@ fn pressures(result: &RunResult, faults: &mut Vec<String>) {
 }
 
 /// Film fractions lie between 0 and 1, and are 1 where there is pressure.
-fn fractions(picture: &oilwedge_study::picture::FilmPicture, case: &Case, faults: &mut Vec<String>) {
-    let field = |name: &str| {
-        (picture.point_data.iter())
-            .find(|(field, _)| field == name)
-            .map(|(_, values)| values)
-    };
+fn fractions(picture: &FilmPicture, case: &Case, faults: &mut Vec<String>) {
+    let field = |name: &str| picture.at_points(name).map(FieldValues::numbers);
     let (Some(pressure), Some(fraction)) = (field("pressure"), field("film_fraction")) else {
         return;
     };

@@ -2,4 +2,5 @@
 
 mod film;
 mod manufactured;
+mod map;
 mod study;

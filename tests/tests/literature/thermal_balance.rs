@@ -36,6 +36,7 @@ fn oil() -> ThermalOil {
             at_20: 885.0,
             expansion: EXPANSION,
         },
+        sheared: 1.0,
     }
 }
 

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use oilwedge_study::fields::{Interpolation, field};
 use oilwedge_study::film_lines::{REFORMATION, RIM, RUPTURE};
-use oilwedge_study::picture::FilmPicture;
+use oilwedge_study::picture::{FieldValues, FilmPicture, PictureField};
 use oilwedge_study::quantities::{ECCENTRICITY, MIN_FILM_ANGLE, Row};
 use serde_json::Value;
 
@@ -66,15 +66,9 @@ impl DrawnFilm {
                 .map(|cell| cell.map(|node| values[node as usize]))
                 .collect()
         };
-        let nodal = picture
-            .point_data
-            .iter()
-            .map(|(name, values)| (name.clone(), on_nodes(values)));
+        let nodal = numbers(&picture.point_data).map(|(name, values)| (name, on_nodes(values)));
         let on_cells = |values: &Vec<f64>| values.iter().map(|value| [*value; 6]).collect();
-        let constant = picture
-            .cell_data
-            .iter()
-            .map(|(name, values)| (name.clone(), on_cells(values)));
+        let constant = numbers(&picture.cell_data).map(|(name, values)| (name, on_cells(values)));
         let unrolled = |pieces: &Vec<[[f64; 3]; 2]>| pieces.iter().map(|piece| unroll.piece(piece)).collect();
         Ok(Self {
             title: result["title"].as_str().unwrap_or_default().to_owned(),
@@ -204,4 +198,12 @@ impl<'a> Unrolled<'a> {
         let [from, to] = piece.map(|point| self.at(point));
         [from, self.beside(to, from)]
     }
+}
+
+/// The fields of one number each, by name.
+fn numbers(fields: &[PictureField]) -> impl Iterator<Item = (String, &Vec<f64>)> {
+    fields.iter().filter_map(|field| match &field.values {
+        FieldValues::Scalars(values) => Some((field.name.to_string(), values)),
+        FieldValues::Vectors(_) => None,
+    })
 }

@@ -26,6 +26,7 @@
 use oilwedge_fem::control_volumes::sub_triangles;
 use oilwedge_mesh::triangle_area;
 
+use super::places::{Places, places};
 use super::{Bar, CANCELLING, UNRESOLVED};
 use crate::cavitation;
 use crate::quantities::flow::{self, Flows};
@@ -97,6 +98,8 @@ pub struct ConservingError {
     pub least_fraction: f64,
     /// Part of every bar, over its number, for oil that triangles spread across the flow [1]; zero on rows along it.
     pub spread: f64,
+    /// Of places.
+    pub places: Places,
     /// False where the mesh does not resolve the film, and no bar can be trusted.
     pub is_resolved: bool,
     /// Share of each triangle in the bars of the load and its angle [N]: what refinement should look at.
@@ -169,6 +172,7 @@ pub fn conserving_error(
     Some(ConservingError {
         is_resolved: resolved,
         spread: part,
+        places: places(problem, system, [film, coarse], part),
         load,
         across: with_spread(bar(&across), force),
         force: [f64::cos, f64::sin].map(|weight| with_spread(bar(&pair.shares(weight)), force)),

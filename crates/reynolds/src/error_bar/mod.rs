@@ -27,6 +27,7 @@
 pub mod conserving;
 mod drag;
 pub mod geometry;
+pub mod places;
 mod shares;
 
 use crate::quantities::load::Share;

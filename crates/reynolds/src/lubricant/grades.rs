@@ -120,6 +120,11 @@ pub const GRADES: [Grade; 31] = [
 ];
 
 impl Grade {
+    /// True of a multigrade oil, as `SAE 5W-30`, whose polymers yield to shear.
+    pub fn is_multigrade(&self) -> bool {
+        self.name.contains("W-")
+    }
+
     /// The grade of this name; letter case, spaces and hyphens do not count, nor does a missing `SAE` or `ISO`.
     pub fn named(name: &str) -> Option<Self> {
         let wanted = folded(name);
@@ -137,6 +142,7 @@ impl Grade {
         Some(ThermalOil {
             law: TemperatureLaw::Walther(Walther::through(at(40.0, self.nu_40), at(100.0, self.nu_100))?),
             density: Density::of(self.rho_15, ZERO_CELSIUS + 15.0, EXPANSION),
+            sheared: 1.0,
         })
     }
 }

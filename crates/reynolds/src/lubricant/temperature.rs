@@ -33,11 +33,18 @@ pub struct ThermalOil {
     pub law: TemperatureLaw,
     /// Its density.
     pub density: Density,
+    /// What the shear rate of the film leaves of the viscosity [1], the same at all temperatures; 1 at low shear.
+    pub sheared: f64,
 }
 
 impl ThermalOil {
     /// Dynamic viscosity mu [Pa s] at the temperature T [K]; not a number where the law has no meaning.
     pub fn viscosity(&self, temperature: f64) -> f64 {
+        self.sheared * self.unsheared(temperature)
+    }
+
+    /// Dynamic viscosity [Pa s] at low shear.
+    pub fn unsheared(&self, temperature: f64) -> f64 {
         match &self.law {
             TemperatureLaw::Vogel(law) => law.viscosity(temperature),
             TemperatureLaw::Walther(law) => law.kinematic_viscosity(temperature) * self.density.at(temperature),
@@ -109,6 +116,7 @@ mod tests {
         let oil = ThermalOil {
             law: TemperatureLaw::Table(table),
             density: Density::default(),
+            sheared: 1.0,
         };
         let mu = oil.viscosity(313.15);
         assert!((mu / (66e-6 * 870.0 * (1.0 - 68.8e-5 * 20.0)) - 1.0).abs() < 1e-12);

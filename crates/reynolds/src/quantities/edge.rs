@@ -3,7 +3,8 @@
 //! **Equation.** `Int (div(U h/2) + dh/dt) phi_i dA` over a Swift-Stieber cavity, for the nodes i where pressure is given: the
 //! reaction there counts it, but nothing flows through an end beside a cavity. Where the edge of the cavity runs through a triangle
 //! the integral goes over the part where the pressure is that of the cavity. Where Guembel drops the pressure the reaction also counts
-//! `Int h^3/(12 mu) grad p . grad phi_i dA`, a flow that the pressure dropped would drive. What is left is the oil that the journal drags.
+//! `Int h^3/(12 mu) grad p . grad phi_i dA`, a flow that the pressure dropped would drive. What is left is the oil that the journal drags. Where the
+//! pressure of the place is above that of the cavity a film thinner than the triangle lies between them, and what is made there is a matter of the mesh: all of it counts as unsure.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -84,8 +85,14 @@ pub(super) fn made_beside(problem: &FilmProblem, system: &FilmSystem, film: &Fil
         });
         for (&dof, made) in dofs.iter().zip(made).filter(|(dof, _)| is_given(**dof)) {
             beside[dof].made += made;
-            // Guembel's edge is a level of the pressure, known as well as that.
-            beside[dof].unsure += if broken || dropped.is_some() { 0.0 } else { made.abs() };
+            beside[dof].unsure += match dropped {
+                // Between the place and what is dropped there is film, thinner than the triangle: how much of it is dropped is a matter of the mesh.
+                Some(_) if film.unknown[dof] > floor => made.abs(),
+                // Guembel's edge is a level of the pressure, known as well as that.
+                Some(_) => 0.0,
+                None if broken => 0.0,
+                None => made.abs(),
+            };
         }
     }
     beside

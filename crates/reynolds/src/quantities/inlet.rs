@@ -15,6 +15,7 @@ use oilwedge_fem::Field;
 use oilwedge_fem::mapping::Mapping;
 use oilwedge_fem::quadrature::integrate_interval;
 
+use super::line_cut::{between, cut};
 use crate::film_law::FilmLaw;
 use crate::supply::BoundaryKind;
 use crate::{FilmProblem, FilmSolution, FilmSystem};
@@ -24,6 +25,11 @@ const BEHIND: f64 = 1e-9;
 
 /// Flow [m3/s] into the loaded film; none at rest.
 pub fn inlet_flow(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Option<f64> {
+    inlet_flows(problem, system, film).map(|flows| flows.iter().sum())
+}
+
+/// Its parts [m3/s] through each triangle, zero in those that the line does not cross; none at rest.
+pub fn inlet_flows(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Option<Vec<f64>> {
     let speed = problem.journal.speed;
     if speed == 0.0 {
         return None;
@@ -35,8 +41,11 @@ pub fn inlet_flow(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolutio
     let is_film = system.supply.film(mesh);
     let law = FilmLaw::new(problem, 1.0);
     let [around, _] = problem.theory.directions();
-    let cells = (0..is_film.len()).filter(|&t| is_film[t]);
-    Some(sense * cells.map(|t| across(system, film, &law, t, x, around)).sum::<f64>())
+    let part = |t: usize| match is_film[t] {
+        true => sense * across(system, film, &law, t, x, around),
+        false => 0.0,
+    };
+    Some((0..is_film.len()).map(part).collect())
 }
 
 /// Position [m] just behind the line at `x`, or behind the feed on it, in the sense of `step` [m]; on the line where feeds leave no other place.
@@ -112,15 +121,7 @@ fn across(system: &FilmSystem, film: &FilmSolution, law: &FilmLaw, t: usize, x: 
         }
         None => x,
     };
-    let reference = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
-    let cuts = (0..3).filter_map(|k| {
-        let (a, b) = (k, (k + 1) % 3);
-        let (from, to) = (corners[a][0], corners[b][0]);
-        let part = (x - from) / (to - from);
-        ((from < x) != (to < x)).then(|| [0, 1].map(|d| reference[a][d] + part * (reference[b][d] - reference[a][d])))
-    });
-    let cuts: Vec<[f64; 2]> = cuts.collect();
-    let &[from, to] = cuts.as_slice() else {
+    let Some([from, to]) = cut(&corners, 0, x) else {
         return 0.0;
     };
     let mapping = Mapping::of(space.mesh(), t);
@@ -130,7 +131,7 @@ fn across(system: &FilmSystem, film: &FilmSolution, law: &FilmLaw, t: usize, x: 
         values: &film.unknown,
     };
     let flux = |part: f64| {
-        let point = [0, 1].map(|d| from[d] + part * (to[d] - from[d]));
+        let point = between(&from, &to, part);
         let flow = law.film_and_flows(t, &[mapping.at(point).position]).1[0];
         let fraction = film.film_fraction.as_ref().map_or(1.0, |fraction| {
             let values = &fraction.values;

@@ -2,11 +2,15 @@
 
 pub mod cavity;
 mod edge;
+pub mod extent;
 pub mod flow;
 pub mod friction;
 pub mod inlet;
 mod junction;
+mod line_cut;
 pub mod load;
 pub mod power;
 pub mod pressure;
 pub mod similarity;
+pub mod stream;
+pub mod summit;

@@ -216,7 +216,7 @@ fn cell_work(problem: &FilmProblem, law: &FilmLaw, points: &Points, [unknown, ex
 }
 
 /// Viscosity [Pa s] at a pressure [Pa] above that of the ends.
-fn viscosity(problem: &FilmProblem, excess: f64) -> f64 {
+pub(super) fn viscosity(problem: &FilmProblem, excess: f64) -> f64 {
     match problem.lubricant.pressure_law {
         PressureLaw::Constant => problem.lubricant.viscosity,
         _ => problem.viscosity_at(excess + problem.bearing.end_pressure),

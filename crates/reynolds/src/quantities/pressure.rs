@@ -8,13 +8,14 @@
 //! |---|---|---|
 //! | p_max, p_min | Pa | `greatest`, `least` |
 //! | mu_max | Pa s | `viscosity` |
-//! | h_min | m | `least_thickness` |
+//! | h_min | m | `thinnest` |
 //!
 //! **Source.** Definition. **Range.** Beside the cavity of a mass-conserving film p_max is that of the nodes. Pressure grows with the unknown, so their extremes lie together.
 //! **Verified by** the reference of the FlexPDE study and the closed forms.
 
 use oilwedge_fem::Field;
 
+use super::summit::{Summit, summit};
 use crate::{FilmProblem, FilmSolution, FilmSystem};
 
 /// Greatest and least pressure and the greatest viscosity.
@@ -22,8 +23,8 @@ use crate::{FilmProblem, FilmSolution, FilmSystem};
 pub struct Extremes {
     /// Greatest pressure of the field [Pa gauge].
     pub greatest: f64,
-    /// Triangle that it lies in.
-    pub greatest_in: usize,
+    /// Where it is.
+    pub summit: Summit,
     /// Least pressure of the field [Pa gauge].
     pub least: f64,
     /// Triangle that it lies in; none where it is that of a cavity.
@@ -39,7 +40,7 @@ pub fn extremes(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution)
     let (least, least_in) = least(problem, system, film);
     Extremes {
         greatest,
-        greatest_in: top.triangle,
+        summit: summit(problem, system, &top, least),
         least,
         least_in,
         viscosity: problem.viscosity_at(greatest),
@@ -61,10 +62,19 @@ fn least(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> (f6
     (floor.map_or(least, |floor| least.max(floor)), Some(bottom.triangle))
 }
 
-/// Least film thickness [m] over the mesh and where `phi_min` lies on the liner there.
+/// The thinnest film on the liner.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ThinnestFilm {
+    /// Thickness [m].
+    pub thickness: f64,
+    /// Angle [rad] at which it is.
+    pub angle: f64,
+}
+
+/// Least film thickness over the mesh, and where it is.
 ///
 /// The film is least at `phi_min` if the liner covers it, else at an edge: the nodes tell.
-pub fn least_thickness(problem: &FilmProblem, system: &FilmSystem) -> f64 {
+pub fn thinnest(problem: &FilmProblem, system: &FilmSystem) -> ThinnestFilm {
     let mesh = system.space().mesh();
     let covered = match mesh.period() {
         Some(_) => true,
@@ -77,9 +87,25 @@ pub fn least_thickness(problem: &FilmProblem, system: &FilmSystem) -> f64 {
         }
     };
     if covered {
-        return problem.bearing.least_gap(&problem.journal);
+        return ThinnestFilm {
+            thickness: problem.bearing.least_gap(&problem.journal),
+            angle: problem.journal.min_film_angle(),
+        };
     }
-    (0..mesh.triangles().len())
-        .flat_map(|t| problem.thickness_at(t, &mesh.nodes(t)))
-        .fold(f64::INFINITY, f64::min)
+    let at_nodes = (0..mesh.triangles().len()).flat_map(|t| {
+        let nodes = mesh.nodes(t);
+        problem.thickness_at(t, &nodes).into_iter().zip(nodes)
+    });
+    let thinner = |least: ThinnestFilm, (thickness, [x, _]): (f64, [f64; 2])| match thickness < least.thickness {
+        true => ThinnestFilm {
+            thickness,
+            angle: x / problem.bearing.radius,
+        },
+        false => least,
+    };
+    let none = ThinnestFilm {
+        thickness: f64::INFINITY,
+        angle: 0.0,
+    };
+    at_nodes.fold(none, thinner)
 }

@@ -8,11 +8,14 @@ use oilwedge_reynolds::lubricant::walther::LEAST_ON_CHART;
 use oilwedge_reynolds::lubricant::{Grade, TemperatureLaw as Law};
 use oilwedge_scene::spelling::nearest;
 use oilwedge_scene::wording::celsius;
-use oilwedge_scene::{Complaints, PressureLaw, Scene, TemperatureLaw, Viscosity};
+use oilwedge_scene::{Complaints, HighShear, PressureLaw, Scene, TemperatureLaw, Viscosity};
 
 use crate::effects::Sockets;
-use crate::oil::{Oil, points};
+use crate::oil::{HIGH_SHEAR_AT, Oil, points};
 
+/// Parts of a viscosity that high shear leaves; a law through other points may be off by some percent at 150 degrees C.
+const LEAST_SHEARED: f64 = 0.3;
+const MOST_SHEARED: f64 = 1.1;
 /// A given pressure must be known from its reduced one to this part.
 const LOST: f64 = 1e-6;
 
@@ -20,6 +23,9 @@ pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
     let oil = Oil::of(scene);
     if let Viscosity::ByTemperature(law) = &scene.oil.viscosity {
         has_meaning(law, &oil, complaints);
+    }
+    if !complaints.concern_temperature() {
+        high_shear(scene, &oil, complaints);
     }
     if complaints.concern_temperature() {
         return;
@@ -38,6 +44,24 @@ pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
     if !complaints.concern_temperature() {
         pressures(scene, complaints);
     }
+}
+
+/// What shear leaves of a viscosity is less than all of it, and not next to nothing.
+fn high_shear(scene: &Scene, oil: &Oil, complaints: &mut Complaints) {
+    let (Some(HighShear::Viscosity(given)), Some(thermal)) = (scene.oil.high_shear, &oil.thermal) else {
+        return;
+    };
+    let milli = |viscosity: f64| readable(1e3 * viscosity);
+    complaints.refuse_if(
+        !(LEAST_SHEARED..=MOST_SHEARED).contains(&thermal.sheared),
+        "oil.high_shear",
+        format!(
+            "is {} mPa.s, but at low shear the oil has {} mPa.s at 150 C, of which shear leaves {LEAST_SHEARED} to 1 times",
+            milli(given),
+            milli(thermal.unsheared(HIGH_SHEAR_AT))
+        ),
+        "give the viscosity at 150 C and 1e6 1/s (HTHS) of the data sheet of this oil, or a factor as 0.8",
+    );
 }
 
 /// A grade is known, and points make a law.

@@ -51,6 +51,7 @@ fn install(scene: &Scene, sockets: &mut Sockets) {
         engine: heat.engine,
         least_film: scene.limits.least_film.unwrap_or(USUAL_LIMITS.0),
         greatest_temperature: scene.limits.greatest_temperature.unwrap_or(USUAL_LIMITS.1),
+        greatest_outlet: scene.limits.greatest_outlet.unwrap_or(USUAL_LIMITS.2),
     });
 }
 

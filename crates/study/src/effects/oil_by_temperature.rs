@@ -1,11 +1,13 @@
 //! Oil by temperature: the viscosity that the scene gives is that at the temperature of the film.
 
-use oilwedge_reynolds::lubricant::TemperatureLaw;
+use oilwedge_reynolds::lubricant::{Grade, TemperatureLaw};
 use oilwedge_scene::Viscosity;
 use oilwedge_scene::wording::celsius;
 
 use super::{BLANK, Effect, Socket};
 use crate::film::Film;
+use crate::measure::Measured;
+use crate::regime::broken_assumption;
 use crate::thermal::flows::rounded;
 use crate::warning::{self, Warning};
 
@@ -14,9 +16,27 @@ pub(super) const ROW: Effect = Effect {
     sentence: "viscosity and density are those at the temperature of the film",
     socket: Socket::Lubricant,
     is_in: |scene| matches!(scene.oil.viscosity, Viscosity::ByTemperature(_)),
-    warnings: |film, _| Vec::from_iter(outside_table(film)),
+    warnings: |film, measured| outside_table(film).into_iter().chain(sheared(film, measured)).collect(),
     ..BLANK
 };
+
+/// Shear rate [1/s] at which engine oils are measured at high shear, and from which on their polymers yield (SAE J300).
+const HIGH_SHEAR: f64 = 1e6;
+
+/// That a multigrade oil is sheared faster than its viscosity holds.
+fn sheared(film: &Film, measured: &Measured) -> Option<Warning> {
+    let Viscosity::ByTemperature(oilwedge_scene::TemperatureLaw::Grade(name)) = &film.scene.oil.viscosity else {
+        return None;
+    };
+    let grade = Grade::named(name)?;
+    let rate = (film.problem.surface_velocity()[0] / measured.thinnest.thickness).abs();
+    (grade.is_multigrade() && film.scene.oil.high_shear.is_none() && rate > HIGH_SHEAR).then(|| {
+        broken_assumption(warning::SHEARED.says(format!(
+            "viscosity at low shear: the thinnest film is sheared at {rate:.1e} 1/s, where a multigrade oil as {} has lost some 20 to 30 % of its viscosity; give oil.high_shear, the viscosity at 150 C and 1e6 1/s of its data sheet or a factor as 0.8",
+            grade.name
+        )))
+    })
+}
 
 /// That a temperature that was sought lies outside the table of viscosities.
 fn outside_table(film: &Film) -> Option<Warning> {

@@ -3,7 +3,7 @@
 use oilwedge_reynolds::error_bar::conserving::ConservingError;
 use oilwedge_reynolds::error_bar::{Bar, FlowGoal};
 
-use super::{Estimate, Scaled};
+use super::{Estimate, ExtentEnd, Scaled};
 use crate::film::Film;
 use crate::measure::Measured;
 
@@ -94,5 +94,17 @@ impl Estimate for CoarseComparison<'_> {
 
     fn least_fraction(&self) -> Option<f64> {
         Some(self.error.least_fraction)
+    }
+
+    fn summit(&self) -> [f64; 2] {
+        self.error.places.summit
+    }
+
+    fn film_end(&self, end: ExtentEnd) -> Option<Bar> {
+        let [begins, ends] = self.error.places.extent?;
+        Some(match end {
+            ExtentEnd::Begins => begins,
+            ExtentEnd::Ends => ends,
+        })
     }
 }

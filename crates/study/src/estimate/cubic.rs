@@ -3,12 +3,17 @@
 use oilwedge_fem::Field;
 use oilwedge_reynolds::error_bar::{Bar, FilmError, FlowGoal, Value};
 use oilwedge_reynolds::quantities::cavity::hidden_share;
+use oilwedge_reynolds::quantities::inlet::inlet_flows;
 use oilwedge_reynolds::supply::BoundaryKind;
 use oilwedge_reynolds::{FilmSolution, FilmSystem};
 
-use super::{Estimate, Scaled};
+use super::places::{self, PlacedPair};
+use super::{Estimate, ExtentEnd, Scaled};
 use crate::film::Film;
 use crate::measure::Measured;
+
+/// Share of the differences of the flow through triangles, without their signs, that the cubic film is off by.
+const OF_FLOWS: f64 = 0.5;
 
 /// A film in quadratic elements beside that in cubic ones.
 pub(super) struct CubicPair<'a> {
@@ -56,7 +61,10 @@ impl Estimate for CubicPair<'_> {
     fn greatest_pressure(&self) -> f64 {
         let extremes = self.measured.map(|measured| measured.extremes);
         let [quadratic, cubic] = extremes.map(|extremes| extremes.greatest);
-        self.apart((cubic - quadratic).abs(), extremes.map(|extremes| extremes.greatest_in))
+        self.apart(
+            (cubic - quadratic).abs(),
+            extremes.map(|extremes| extremes.summit.triangle),
+        )
     }
 
     fn least_pressure(&self) -> Bar {
@@ -77,8 +85,18 @@ impl Estimate for CubicPair<'_> {
         Some(Bar { discretisation, ..bar }.scaled(1.0 / unit))
     }
 
+    /// Differences of the gradients along the line cancel in that of the flow: they are summed without their signs too.
     fn inlet_flow(&self, number: Scaled) -> f64 {
-        number.change.abs()
+        let Film { problem, system, .. } = self.film;
+        let flows = [
+            inlet_flows(problem, system, self.quadratic),
+            inlet_flows(problem, &system.cubic().system, self.cubic),
+        ];
+        let apart = match flows {
+            [Some(quadratic), Some(cubic)] => quadratic.iter().zip(&cubic).map(|(a, b)| (a - b).abs()).sum(),
+            _ => 0.0,
+        };
+        number.change.abs().max(OF_FLOWS * apart / number.unit.abs())
     }
 
     /// What the cavity makes is what all others bring and take.
@@ -117,9 +135,26 @@ impl Estimate for CubicPair<'_> {
     fn least_fraction(&self) -> Option<f64> {
         None
     }
+
+    fn summit(&self) -> [f64; 2] {
+        places::summit(&self.placed())
+    }
+
+    fn film_end(&self, end: ExtentEnd) -> Option<Bar> {
+        places::film_end(&self.placed(), end)
+    }
 }
 
 impl CubicPair<'_> {
+    /// What bars of places are made of.
+    fn placed(&self) -> PlacedPair<'_> {
+        PlacedPair {
+            film: self.film,
+            solutions: [self.quadratic, self.cubic],
+            measured: self.measured,
+        }
+    }
+
     /// Of the load along and across its direction [N].
     fn bars(&self) -> [Bar; 2] {
         [self.error.load(self.value), self.error.across(self.value)]

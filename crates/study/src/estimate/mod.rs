@@ -11,11 +11,13 @@ mod coarse;
 mod cubic;
 mod errors;
 mod linked;
+mod places;
 mod position_sensitivity;
 
 pub use errors::{Estimated, estimate_errors, quadratic_errors};
 
 use oilwedge_reynolds::error_bar::{Bar, FlowGoal};
+use oilwedge_reynolds::quantities::extent::{Extent, FilmEnd};
 
 /// How a number is made of one that an estimate knows.
 #[derive(Debug, Clone, Copy)]
@@ -24,6 +26,25 @@ pub struct Scaled {
     pub unit: f64,
     /// The number less that of the other film of a pair, where there is one.
     pub change: f64,
+}
+
+/// An end of the loaded film.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ExtentEnd {
+    /// The upstream one.
+    Begins,
+    /// The downstream one.
+    Ends,
+}
+
+impl ExtentEnd {
+    /// This end of an extent.
+    pub fn of(self, extent: &Extent) -> FilmEnd {
+        match self {
+            Self::Begins => extent.begins,
+            Self::Ends => extent.ends,
+        }
+    }
 }
 
 /// What is known of the errors of a film at a given position and temperature.
@@ -60,4 +81,8 @@ pub trait Estimate {
     fn cavity_share(&self, change: f64) -> f64;
     /// Of the least film fraction [1]; none where there is none.
     fn least_fraction(&self) -> Option<f64>;
+    /// Of the place of the greatest pressure [m], around and along the axis.
+    fn summit(&self) -> [f64; 2];
+    /// Of the place of an end of the loaded film [m]; none where only one of two films has it.
+    fn film_end(&self, end: ExtentEnd) -> Option<Bar>;
 }

@@ -39,6 +39,7 @@ pub(super) fn drops_in(scene: &Scene) -> bool {
     has(scene, CavitationModel::drops_pressures)
 }
 
-fn has(scene: &Scene, property: fn(CavitationModel) -> bool) -> bool {
+/// True of a scene whose cavity has a property.
+pub(super) fn has(scene: &Scene, property: fn(CavitationModel) -> bool) -> bool {
     scene.cavitation.is_some_and(|cavitation| property(cavitation.model))
 }

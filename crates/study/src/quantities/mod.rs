@@ -18,6 +18,7 @@ mod friction;
 mod heat;
 mod load;
 mod motion;
+mod places;
 mod position;
 mod pressure;
 mod quantity;
@@ -35,6 +36,7 @@ pub use heat::*;
 pub use load::*;
 pub use motion::*;
 pub use oilwedge_reynolds::error_bar::Bar;
+pub use places::*;
 pub use position::*;
 pub use pressure::*;
 pub use quantity::Quantity;
@@ -46,7 +48,7 @@ pub use view::View;
 pub use warming::Warming;
 
 /// All quantities, in the order of the report.
-pub static CATALOGUE: [&Row; 54] = [
+pub static CATALOGUE: [&Row; 59] = [
     &LOAD,
     &LOAD_X,
     &LOAD_Y,
@@ -58,8 +60,13 @@ pub static CATALOGUE: [&Row; 54] = [
     &ECCENTRICITY,
     &MIN_FILM_ANGLE,
     &PRESSURE_MAX,
+    &PRESSURE_MAX_ANGLE,
+    &PRESSURE_MAX_Z,
     &PRESSURE_MIN,
     &FILM_THICKNESS_MIN,
+    &FILM_THICKNESS_MIN_ANGLE,
+    &FILM_START_ANGLE,
+    &FILM_END_ANGLE,
     &TEMPERATURE_EFFECTIVE,
     &VISCOSITY_EFFECTIVE,
     &VISCOSITY_MAX,

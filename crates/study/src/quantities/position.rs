@@ -22,7 +22,7 @@ rows! {
 
     /// `h_min`: least film thickness on the liner; `c (1 - eps)` where the liner covers phi_min
     FILM_THICKNESS_MIN = "film_thickness_min", "h_min", Metre, "thinnest film on the liner":
-        One(|film| Some(film.measured.least_thickness)), ErrorRule::Position, tolerance headline(Headline::Always(5));
+        One(|film| Some(film.measured.thinnest.thickness)), ErrorRule::Position, tolerance headline(Headline::Always(5));
 }
 
 const ATTITUDE: ErrorRule = ErrorRule::Of(
@@ -30,7 +30,8 @@ const ATTITUDE: ErrorRule = ErrorRule::Of(
     |estimate, _| Some(direction(estimate)),
 );
 
-fn is_eccentric(film: &View) -> bool {
+/// True where the journal is not centred.
+pub(super) fn is_eccentric(film: &View) -> bool {
     film.journal().eccentricity() > 0.0
 }
 

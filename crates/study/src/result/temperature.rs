@@ -110,4 +110,6 @@ pub struct TemperatureReport {
     pub criteria: Vec<Criterion>,
     /// Whether all that decides is met.
     pub is_fit: bool,
+    /// Assumptions of the film that do not hold, each with a warning: a verdict stands under their reserve.
+    pub broken_assumptions: usize,
 }

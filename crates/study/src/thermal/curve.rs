@@ -9,7 +9,7 @@ use super::measured;
 use super::search::{ROUGHLY, from_near_or_cold, point as operating_point, visited};
 use crate::compile::at_temperature;
 use crate::film::Film;
-use crate::quantities::{FILM_THICKNESS_MIN, LOAD, PRESSURE_MAX, Quantity, Row};
+use crate::quantities::{FILM_THICKNESS_MIN, LOAD, PRESSURE_MAX, Quantity, Row, TEMPERATURE_OUTLET};
 use crate::result::{Criterion, TemperaturePoint, TemperatureReport};
 use crate::solved::{SolveOptions, Solved};
 use crate::thermal_model::ThermalModel;
@@ -48,6 +48,7 @@ pub fn temperature_report(solved: &Solved, quantities: &[Quantity], deadline: De
         specific_load: value(&LOAD)? / (2.0 * bearing.radius * bearing.length),
         curve,
         is_fit: !criteria.iter().any(Criterion::is_missed),
+        broken_assumptions: 0,
         criteria,
     })
 }
@@ -155,6 +156,13 @@ fn limits(film: &Film, quantities: &[Quantity]) -> Vec<Criterion> {
             1e-5,
             value(&PRESSURE_MAX),
             limits.greatest_pressure,
+        ),
+        at_most(
+            "temperature of the oil that leaves",
+            "degC",
+            1.0,
+            value(&TEMPERATURE_OUTLET),
+            model.map(|model| celsius(model.greatest_outlet)),
         ),
     ];
     all.into_iter().flatten().collect()

@@ -1,0 +1,106 @@
+//! # Flow per width and shear stress on the walls
+//!
+//! **Equation.** Across the film the velocity is `u(y) = U y/h + y (y - h)/(2 mu) grad p`, y from the bearing to the journal. So
+//! ```text
+//! flow per width         J     = theta U h/2 - h^3/(12 mu) grad p
+//! stress on the bearing  tau_b = theta mu U/h - h/2 grad p
+//! stress on the journal  tau_j = -(theta mu U/h + h/2 grad p)
+//! ```
+//! `tau` is the force per area that the oil exerts on the wall, along it.
+//!
+//! | symbol | unit | code |
+//! |---|---|---|
+//! | J | m2/s | `flow` |
+//! | tau_j, tau_b | Pa | `on_journal`, `on_bearing` |
+//! | theta | 1 | the film fraction of `jfo`, 1 for other models |
+//!
+//! **Source.** Hamrock, Schmid, Jacobson, Fundamentals of Fluid Film Lubrication (2004), ch. 7. **Range.** No pressure drives oil in a cavity; models without
+//! a film fraction shear the whole gap there. No film where a feed gives the pressure. **Verified by** `tests/tests/fields.rs`: torques and flows are
+//! integrals of these fields.
+
+use oilwedge_fem::Field;
+use oilwedge_fem::lagrange::nodes;
+use oilwedge_mesh::triangle_area;
+
+use super::power::{excess, viscosity};
+use crate::film_law::FilmLaw;
+use crate::{FilmProblem, FilmSolution, FilmSystem};
+
+/// What flows past a point and what it shears there.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Stream {
+    /// Volume flow per width, along x and z [m2/s].
+    pub flow: [f64; 2],
+    /// Stress that the oil exerts on the journal, along x and z [Pa].
+    pub on_journal: [f64; 2],
+    /// Stress that the oil exerts on the bearing, along x and z [Pa].
+    pub on_bearing: [f64; 2],
+}
+
+/// Nodes of a triangle of which a picture is made: vertices, then the middles of edges.
+pub const PICTURED: usize = 6;
+
+/// What flows at the nodes of each triangle of a quadratic film, with the area [m2] of the triangle; `None` in triangles that a feed covers. Gradients jump
+/// between triangles, so that a node has a value in each of its triangles.
+pub fn streams(
+    problem: &FilmProblem,
+    system: &FilmSystem,
+    film: &FilmSolution,
+) -> Vec<Option<(f64, [Stream; PICTURED])>> {
+    let mesh = system.space().mesh();
+    let is_film = system.supply.film(mesh);
+    let nodal = Nodal {
+        problem,
+        system,
+        film,
+        excess: &film.unknown.iter().map(|&u| excess(problem, u)).collect::<Vec<_>>(),
+    };
+    let at = |t: usize| is_film[t].then(|| (triangle_area(mesh.corners(t)), nodal.streams(t)));
+    (0..is_film.len()).map(at).collect()
+}
+
+/// A film with its values at nodes.
+struct Nodal<'a> {
+    problem: &'a FilmProblem,
+    system: &'a FilmSystem,
+    film: &'a FilmSolution,
+    /// Pressure above that of the ends [Pa].
+    excess: &'a [f64],
+}
+
+impl Nodal<'_> {
+    fn streams(&self, t: usize) -> [Stream; PICTURED] {
+        let (problem, space) = (self.problem, self.system.space());
+        let law = FilmLaw::new(problem, 1.0);
+        let (points, flows) = law.film_and_flows(t, &space.mesh().nodes(t));
+        let (velocity, along) = (law.velocity(), problem.theory.directions());
+        let places = nodes(space.degree());
+        let dofs = space.element_dofs(t);
+        let is_broken = dofs[3..PICTURED].iter().all(|&dof| self.is_low(dof));
+        std::array::from_fn(|i| {
+            let (dof, thickness) = (dofs[i], points[i].thickness);
+            let slopes = [&self.film.unknown[..], self.excess].map(|values| match is_broken || self.is_low(dof) {
+                true => [0.0; 2],
+                false => Field { space, values }.value_and_gradient(t, places[i]).1,
+            });
+            let fraction = self
+                .film
+                .film_fraction
+                .as_ref()
+                .map_or(1.0, |fraction| fraction.values[dof]);
+            let shear = fraction * viscosity(problem, self.excess[dof]) / thickness;
+            let driven = |d: usize| 0.5 * thickness * slopes[1][d];
+            Stream {
+                flow: [0, 1].map(|d| fraction * flows[i].flux[d] - flows[i].conductance * along[d] * slopes[0][d]),
+                on_journal: [0, 1].map(|d| -shear * velocity[d] - driven(d)),
+                on_bearing: [0, 1].map(|d| shear * velocity[d] - driven(d)),
+            }
+        })
+    }
+
+    /// True in a cavity, and where Guembel drops the pressure.
+    fn is_low(&self, dof: usize) -> bool {
+        let dropped = self.problem.cavitation.kink();
+        self.film.cavity[dof] || dropped.is_some_and(|p| self.film.unknown[dof] < self.problem.unknown_at(p))
+    }
+}

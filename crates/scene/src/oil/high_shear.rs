@@ -1,0 +1,30 @@
+//! `high_shear` of `[oil]`: what is left of the viscosity at the shear rates of a film, as the viscosity at 150 degrees C and 1e6 1/s of a data sheet, or as a factor.
+
+use crate::reader::TableReader;
+use crate::unit::Dimension;
+
+/// Factors of oils: even those with much polymer keep this part.
+const FACTORS: [f64; 2] = [0.3, 1.0];
+
+/// What high shear rates leave of the viscosity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum HighShear {
+    /// Dynamic viscosity [Pa.s] at 150 degrees C and 1e6 1/s, as ASTM D4683 measures it and SAE J300 limits it (HTHS).
+    Viscosity(f64),
+    /// Viscosity over that at low shear [1], at any temperature.
+    Factor(f64),
+}
+
+pub(super) fn read(oil: &mut TableReader<'_>) -> Option<HighShear> {
+    if oil.holds_text("high_shear") {
+        let viscosity = oil.positive_if_given("high_shear", Dimension::Viscosity, "2.9 mPa.s");
+        return viscosity.map(HighShear::Viscosity);
+    }
+    let [least, most] = FACTORS;
+    let factor = oil.number("high_shear", "0.8").within(
+        |factor| (least..=most).contains(&factor),
+        &format!("is not what shear leaves of a viscosity: {least} to {most}"),
+        "give a factor as 0.8, or the viscosity at 150 C and 1e6 1/s of the data sheet, as \"2.9 mPa.s\"",
+    );
+    factor.given().map(HighShear::Factor)
+}

@@ -1,0 +1,137 @@
+//! Bars of places, by the film in cubic elements: of the greatest pressure, and of the ends of the loaded film.
+//!
+//! * The greatest pressure is where `grad p = 0`. A field whose gradient is off by g has it `H^-1 g` away, H the second derivatives of the cubic film; g is the
+//!   greatest difference of the two gradients in the triangles of both places.
+//! * An end of the film is off by the difference of the two films, half of the triangle in which a free boundary is found, and where the pressure is only cut off
+//!   by the difference of the two pressures over the slope.
+
+use oilwedge_fem::Field;
+use oilwedge_fem::mapping::Mapping;
+use oilwedge_reynolds::error_bar::Bar;
+use oilwedge_reynolds::quantities::extent::EndKind;
+use oilwedge_reynolds::{FilmSolution, Theory};
+
+use super::ExtentEnd;
+use crate::film::Film;
+use crate::measure::Measured;
+
+/// A film in quadratic and in cubic elements.
+pub(super) struct PlacedPair<'a> {
+    pub(super) film: &'a Film,
+    pub(super) solutions: [&'a FilmSolution; 2],
+    pub(super) measured: [&'a Measured; 2],
+}
+
+/// Intervals along an edge of the lattice on which two films are compared.
+const LATTICE: u32 = 4;
+/// Share of the difference of the gradients that the cubic film is off by.
+const OF_GRADIENTS: f64 = 0.5;
+/// Share of the triangle in which a free boundary is found.
+const OF_TRIANGLE: f64 = 0.5;
+/// Step in reference coordinates for second derivatives: gradients of cubics are quadratic, so that differences are exact.
+const STEP: f64 = 0.125;
+
+/// Bars [m] of the place of the greatest pressure, around and along the axis.
+pub(super) fn summit(pair: &PlacedPair) -> [f64; 2] {
+    let [quadratic, cubic] = pair.measured.map(|measured| measured.extremes.summit);
+    let change = [
+        apart(pair.film, quadratic.position[0], cubic.position[0]),
+        (quadratic.position[1] - cubic.position[1]).abs(),
+    ];
+    let off = [quadratic.triangle, cubic.triangle]
+        .into_iter()
+        .flat_map(|t| lattice().map(move |point| (t, point)))
+        .map(|(t, point)| {
+            let [(_, a), (_, b)] = fields(pair).map(|field| field.value_and_gradient(t, point));
+            [0, 1].map(|d| (a[d] - b[d]).abs())
+        })
+        .fold([0.0; 2], |most: [f64; 2], off| [0, 1].map(|d| most[d].max(off[d])));
+    let [[a, b], [_, c]] = second_derivatives(&fields(pair)[1], cubic.triangle, cubic.point);
+    let determinant = a * c - b * b;
+    match a < 0.0 && determinant > 0.0 {
+        // The pressure is the same all along the axis.
+        _ if pair.film.problem.theory == Theory::Long && a < 0.0 => {
+            [change[0].max(OF_GRADIENTS * off[0] / a.abs()), 0.0]
+        }
+        true => {
+            let shift = [c.abs() * off[0] + b.abs() * off[1], b.abs() * off[0] + a.abs() * off[1]];
+            [0, 1].map(|d| change[d].max(OF_GRADIENTS * shift[d] / determinant))
+        }
+        // A kink: the place is in the triangle, or beside it.
+        false => [0, 1].map(|d| change[d] + width(pair.film, cubic.triangle, d)),
+    }
+}
+
+/// Bar [m] of an end of the loaded film.
+pub(super) fn film_end(pair: &PlacedPair, end: ExtentEnd) -> Option<Bar> {
+    let [quadratic, cubic] = pair
+        .measured
+        .map(|measured| measured.extent.map(|extent| end.of(&extent)));
+    let (quadratic, cubic) = (quadratic?, cubic?);
+    let triangle = cubic.triangle;
+    let cut_off = match pair.film.problem.cavitation.kink() {
+        Some(_) if cubic.kind == EndKind::Cavity => {
+            let off = lattice().map(|point| {
+                let [a, b] = fields(pair).map(|field| field.value(triangle, point));
+                (a - b).abs()
+            });
+            let middle = [1.0 / 3.0; 2];
+            let slope = fields(pair)[1].value_and_gradient(triangle, middle).1[0].abs();
+            let off = off.fold(0.0, f64::max) / slope;
+            off.min(width(pair.film, triangle, 0))
+        }
+        _ => 0.0,
+    };
+    Some(Bar {
+        discretisation: apart(pair.film, quadratic.x, cubic.x).max(cut_off),
+        front: OF_TRIANGLE * quadratic.unsure.max(cubic.unsure),
+        ..Bar::default()
+    })
+}
+
+fn fields<'a>(pair: &PlacedPair<'a>) -> [Field<'a>; 2] {
+    let system = &pair.film.system;
+    [
+        Field {
+            space: system.space(),
+            values: &pair.solutions[0].unknown,
+        },
+        Field {
+            space: system.cubic().system.space(),
+            values: &pair.solutions[1].unknown,
+        },
+    ]
+}
+
+fn lattice() -> impl Iterator<Item = [f64; 2]> {
+    let part = |i: u32| f64::from(i) / f64::from(LATTICE);
+    (0..=LATTICE).flat_map(move |i| (0..=LATTICE - i).map(move |j| [part(i), part(j)]))
+}
+
+/// Second derivatives [Pa/m2] of a field in a triangle.
+fn second_derivatives(field: &Field, t: usize, point: [f64; 2]) -> [[f64; 2]; 2] {
+    let along = [0, 1].map(|k| {
+        let at = |step: f64| {
+            let mut shifted = point;
+            shifted[k] += step;
+            field.value_and_gradient(t, shifted).1
+        };
+        let (plus, minus) = (at(STEP), at(-STEP));
+        [0, 1].map(|d| (plus[d] - minus[d]) / (2.0 * STEP))
+    });
+    let place = Mapping::of(field.space.mesh(), t).at(point);
+    [0, 1].map(|d| place.gradient([along[0][d], along[1][d]]))
+}
+
+/// Distance [m] around the bearing, the lesser way.
+fn apart(film: &Film, a: f64, b: f64) -> f64 {
+    let turn = std::f64::consts::TAU * film.problem.bearing.radius;
+    ((a - b) - turn * ((a - b) / turn).round()).abs()
+}
+
+/// Extent [m] of a triangle along x or z.
+fn width(film: &Film, t: usize, axis: usize) -> f64 {
+    let places = film.system.space().mesh().corners(t).map(|corner| corner[axis]);
+    let most = places.iter().fold(f64::NEG_INFINITY, |most, &place| most.max(place));
+    most - places.iter().fold(f64::INFINITY, |least, &place| least.min(place))
+}

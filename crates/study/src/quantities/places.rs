@@ -1,0 +1,71 @@
+//! Places in the film: of the greatest pressure, of the thinnest film, and where the loaded film begins and ruptures.
+
+use oilwedge_reynolds::Theory;
+use oilwedge_reynolds::error_bar::Bar;
+use oilwedge_scene::{CavitationModel, Scene};
+
+use super::cavity::has;
+use super::position::is_eccentric;
+use super::row::Measure::One;
+use super::rule::{ErrorRule, Subject};
+use super::view::{View, degrees};
+use crate::estimate::{Estimate, ExtentEnd};
+
+rows! {
+    /// `phi_p` in [0, 360): angle of the greatest pressure; none where that is a given pressure, as of a feed
+    PRESSURE_MAX_ANGLE = "pressure_max_angle", "phi_p", Degree, "where the pressure is greatest":
+        One(|film| Some(degrees(summit(film)?[0] / film.problem.bearing.radius))),
+        ErrorRule::Of("difference of the two films, and of their slopes over the curvature of the pressure",
+            |estimate, at| Some(Bar::of(estimate.summit()[0]).scaled(per_metre(at))));
+
+    /// `z_p`: axial place of the greatest pressure, 0 midway between the ends; none where that is a given pressure, as of a feed,
+    /// and in the theory of long bearings
+    PRESSURE_MAX_Z = "pressure_max_z", "z_p", Metre, "where the pressure is greatest, along the axis":
+        One(|film| (film.problem.theory != Theory::Long).then_some(summit(film)?[1])),
+        ErrorRule::Of("difference of the two films, and of their slopes over the curvature of the pressure",
+            |estimate, _| Some(Bar::of(estimate.summit()[1])));
+
+    /// `phi_h` in [0, 360): angle of the thinnest film on the liner, `phi_min` where the liner covers it, else that of an edge; none for a centred
+    /// journal
+    FILM_THICKNESS_MIN_ANGLE = "film_thickness_min_angle", "phi_h", Degree, "where the film on the liner is thinnest":
+        One(|film| is_eccentric(film).then(|| degrees(film.measured.thinnest.angle))), ErrorRule::Position;
+
+    /// `phi_1` in [0, 360): upstream end of the loaded film on the mid-plane z = 0: from the greatest pressure against the rotation the first place in the cavity,
+    /// at the film start or at the edge of an arc; of models with a cavity, none where the film is full all around
+    FILM_START_ANGLE = "film_start_angle", "phi_1", Degree, "where the loaded film begins, at z = 0":
+        One(|film| end(film, ExtentEnd::Begins)),
+        ErrorRule::Of(OF_END, |estimate, at| of_end(estimate, at, ExtentEnd::Begins)),
+        only(has_cavity);
+
+    /// `phi_2` in [0, 360): downstream end of the loaded film on the mid-plane z = 0, where it ruptures: from the greatest pressure with the rotation the first
+    /// place in the cavity, at the film start or at the edge of an arc; of models with a cavity, none where the film is full all around
+    FILM_END_ANGLE = "film_end_angle", "phi_2", Degree, "where the loaded film ruptures, at z = 0":
+        One(|film| end(film, ExtentEnd::Ends)),
+        ErrorRule::Of(OF_END, |estimate, at| of_end(estimate, at, ExtentEnd::Ends)),
+        only(has_cavity);
+}
+
+const OF_END: &str = "difference of the two films, and half of the triangle in which the edge of the cavity lies; exact at a given line where the film converges";
+
+fn summit(film: &View) -> Option<[f64; 2]> {
+    let summit = film.measured.extremes.summit;
+    (!summit.is_given).then_some(summit.position)
+}
+
+fn end(film: &View, end: ExtentEnd) -> Option<f64> {
+    let end = end.of(film.measured.extent.as_ref()?);
+    Some(degrees(end.x / film.problem.bearing.radius))
+}
+
+fn of_end(estimate: &dyn Estimate, at: &Subject, end: ExtentEnd) -> Option<Bar> {
+    Some(estimate.film_end(end)?.scaled(per_metre(at)))
+}
+
+/// Degrees for each metre around the bearing.
+fn per_metre(at: &Subject) -> f64 {
+    (1.0 / at.view.problem.bearing.radius).to_degrees()
+}
+
+fn has_cavity(scene: &Scene) -> bool {
+    has(scene, |model| model != CavitationModel::None)
+}
