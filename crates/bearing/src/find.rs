@@ -195,7 +195,10 @@ impl Search<'_> {
         const STARTS: usize = 3;
         let mut outcome = self.run(problem, problem.journal);
         if let Err(NoEquilibrium::Unreachable { .. }) = outcome {
-            for start in self.starts(problem).into_iter().take(STARTS) {
+            let starts = self.starts(problem);
+            let descended = starts.iter().take(STARTS).map(|start| self.descended(problem, start));
+            let starts = starts.iter().take(STARTS).copied().chain(descended);
+            for start in starts {
                 outcome = self.run(problem, start);
                 if outcome.is_ok() {
                     break;

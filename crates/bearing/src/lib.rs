@@ -12,6 +12,7 @@
 pub mod cap_bolts;
 mod cubic;
 pub mod deadline;
+mod descent;
 pub mod equilibrium;
 pub mod estimate;
 mod find;

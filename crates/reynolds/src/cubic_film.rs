@@ -23,14 +23,18 @@ impl FilmProblem {
         film: &FilmSolution,
         neighbour: Option<&FilmSolution>,
     ) -> Result<FilmSolution, NoFilm> {
-        let cubic = self.cubic_film_unchecked(system, film, neighbour)?;
+        let cubic = match (self.cubic_film_unchecked(system, film, neighbour), self.form) {
+            // Quadratic elements have a film.
+            (Err(NoFilm::NotConverged(_)), Form::AsPrinted) => {
+                return Err(NoFilm::AtFold {
+                    asked: self.journal.speed.abs(),
+                    history: film.history.clone(),
+                });
+            }
+            (cubic, _) => cubic?,
+        };
         match self.check_existence(&system.cubic().system, &cubic) {
             Ok(()) => Ok(cubic),
-            // Quadratic elements have a film.
-            Err(NoFilm::AboveLimit { .. }) if self.form == Form::AsPrinted => Err(NoFilm::AtFold {
-                asked: self.journal.speed.abs(),
-                history: film.history.clone(),
-            }),
             Err(NoFilm::AboveLimit { limit, .. }) => Err(self.beyond(system, film, limit)),
             Err(reason) => Err(reason),
         }

@@ -5,7 +5,7 @@ use oilwedge_fem::newton::{Failure, HistoryStep};
 
 use crate::lubricant::LawKind;
 use crate::solve::Neighbour;
-use crate::{FilmProblem, FilmSolution, FilmSystem, ReferenceFilm};
+use crate::{FilmProblem, FilmSolution, FilmSystem, Form, ReferenceFilm};
 
 /// Reduced pressures beyond this many limits need no reference film.
 const FAR_ABOVE: f64 = 1.2;
@@ -137,8 +137,12 @@ impl NoFilm {
 }
 
 impl FilmProblem {
-    /// A reduced pressure at or above the limit of the viscosity law has no pressure.
+    /// A reduced pressure at or above the limit of the viscosity law has no pressure. The unknown of the as-printed equation is the pressure itself,
+    /// which may be of any size.
     pub(crate) fn check_existence(&self, system: &FilmSystem, film: &FilmSolution) -> Result<(), NoFilm> {
+        if self.form == Form::AsPrinted {
+            return Ok(());
+        }
         let law = &self.lubricant.pressure_law;
         let (limit, floor) = (law.limit(), law.floor());
         if limit == f64::INFINITY && floor == f64::NEG_INFINITY {
