@@ -123,7 +123,7 @@ feed = [{ group = "hole", pressure = "4 bar", hole = { angle = "30 deg", z = "0 
 
 #[test]
 fn a_liner_meshed_again_is_not_called_divided() {
-    let levels = result(&arc("reynolds", "")).levels;
+    let levels = result(&arc("guembel", "mesh = { tolerance = \"0.0001 %\" }")).levels;
     assert!(levels.len() > 1, "one mesh");
     assert!(
         levels[1..].iter().all(|level| level.refinement == Refinement::Drawn),

@@ -62,7 +62,7 @@ fn no_verdict_without_reserve_beside_a_broken_assumption() {
     assert_eq!(told.status, 0, "{}", told.stderr);
     let broken = told.stderr.matches("an assumption does not hold").count();
     assert!(
-        broken >= 2 && told.stderr.contains("one viscosity for the whole film"),
+        broken >= 2 && told.stderr.contains("one temperature of the film"),
         "{}",
         told.stderr
     );

@@ -35,8 +35,8 @@ impl Mesh {
     /// [`Failure`]: the scene cannot be used, its liner cannot be meshed, or the file cannot be written.
     pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
         let scene = oilwedge_study::read(&self.scene)?;
-        self.check_form()?;
         self.check_output(&scene)?;
+        self.check_form()?;
         let mesh = mesh_scene(&scene).map_err(Failure::of(&self.scene))?;
         write_mesh(&mesh, &self.output)?;
         let (cells, nodes) = (mesh.triangles().len(), mesh.quadratic_nodes());

@@ -55,7 +55,7 @@ pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
         "add [heat], which finds it, or give oil.temperature with a law of temperature; or remove the limit",
     );
     complaints.refuse_if(
-        complaints.has("limits.outlet_max") && scene.heat.is_none(),
+        complaints.has("limits.outlet_max") && scene.inlet_temperature().is_none(),
         "limits.outlet_max",
         "has nothing to be compared with: without [heat] the oil leaves as warm as it enters",
         "add [heat], which finds the temperature, or remove the limit",

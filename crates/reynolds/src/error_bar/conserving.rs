@@ -27,14 +27,14 @@ use oilwedge_fem::control_volumes::sub_triangles;
 use oilwedge_mesh::triangle_area;
 
 use super::places::{Places, places};
-use super::{Bar, CANCELLING, UNRESOLVED};
+use super::{Bar, CANCELLING, UNRESOLVED, drag, geometry};
 use crate::cavitation;
 use crate::quantities::flow::{self, Flows};
 use crate::quantities::inlet::inlet_flow;
 use crate::quantities::load;
 use crate::quantities::power::power;
-use crate::supply::BoundaryKind;
-use crate::{FilmProblem, FilmSolution, FilmSystem};
+use crate::supply::{BoundaryKind, SupplyRegion};
+use crate::{FilmPoint, FilmProblem, FilmSolution, FilmSystem};
 
 /// c: of the difference of pressures, under an integral.
 const OF_PRESSURE: f64 = 0.36;
@@ -182,7 +182,7 @@ pub fn conserving_error(
         side_flow: side_flow + part * around,
         inlet_flow: OF_INLET * (inlet - other_inlet).abs() + (CARRIED_TO_INLET * carried + part) * inlet.abs(),
         power: [power.shear - other_power.shear, power.pressure - other_power.pressure],
-        power_carried: (CARRIED_IN_SHEAR * carried + part) * power.shear,
+        power_carried: (CARRIED_IN_SHEAR * carried + part) * power.shear + at_rims(problem, system, film),
         cavity_share: OF_FRONT * front + OF_CARRIED * carried + OF_DOUBT * doubt + part,
         least_fraction: LEAST_BAR.max(least.min(LEAST_OIL * where_least(in_both) + LEAST_FRONT * front)),
         indicator: (along.iter().zip(&across).zip(&spread.shares))
@@ -316,6 +316,13 @@ impl<'a> Pair<'a> {
         }
         sum / whole
     }
+}
+
+/// Power of shear [W] of the film between element edges and the circles that they stand for: both films have the same edges.
+fn at_rims(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> f64 {
+    let still = vec![0.0; film.unknown.len()];
+    let shear = |region: &SupplyRegion, _: [f64; 2], film: &FilmPoint| drag::shear(problem, film, region.pressure);
+    geometry::rims(problem, system, film, &still, &shear).abs()
 }
 
 /// The greatest difference of pairs of film fractions where there is least oil.

@@ -40,7 +40,7 @@ pub fn extremes(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution)
     let (least, least_in) = least(problem, system, film);
     Extremes {
         greatest,
-        summit: summit(problem, system, &top, least),
+        summit: summit(problem, system, film, &top, least),
         least,
         least_in,
         viscosity: problem.viscosity_at(greatest),

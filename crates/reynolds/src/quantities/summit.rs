@@ -14,7 +14,7 @@ use oilwedge_fem::field::Extremum;
 use oilwedge_fem::mapping::Mapping;
 
 use crate::supply::BoundaryKind;
-use crate::{FilmProblem, FilmSystem};
+use crate::{FilmProblem, FilmSolution, FilmSystem};
 
 /// A pressure that exceeds the given ones by less than this part of the range is one of them.
 const ABOVE: f64 = 1e-6;
@@ -33,6 +33,9 @@ pub struct Summit {
     pub point: [f64; 2],
     /// True where the greatest pressure is a given one, so that it has no place of its own.
     pub is_given: bool,
+    /// How far the pressure at the node nearest to the mirror image of the place, beyond the middle of the width, is below that at the node nearest to it [Pa]:
+    /// a symmetric bearing with two equal summits leaves open which one is the greatest.
+    pub below_here: f64,
     /// The greatest pressure [Pa], and what is rounding of it.
     greatest: f64,
     rounding: f64,
@@ -45,20 +48,37 @@ impl Summit {
     }
 }
 
-/// Place of the greatest value `top` of the unknown, where the least pressure is `least` [Pa].
-pub(super) fn summit(problem: &FilmProblem, system: &FilmSystem, top: &Extremum, least: f64) -> Summit {
+/// Place of the greatest value `top` of the unknown of a film, where the least pressure is `least` [Pa].
+pub(super) fn summit(
+    problem: &FilmProblem,
+    system: &FilmSystem,
+    film: &FilmSolution,
+    top: &Extremum,
+    least: f64,
+) -> Summit {
     let greatest = problem.pressure_at(top.value);
     let regions = system.supply.regions().iter();
     let given = regions.filter(|region| region.kind != BoundaryKind::Sealed);
     let given = given.map(|region| region.pressure).fold(f64::NEG_INFINITY, f64::max);
     let scale = problem.pressure_scale(&system.supply.constraints(|p| problem.unknown_at(p)));
     let rounding = NOTHING * scale;
+    let position = Mapping::of(system.space().mesh(), top.triangle).at(top.point).position;
+    let nodes = system.space().positions();
+    let at = |place: [f64; 2]| problem.pressure_at(film.unknown[nearest(&nodes, place)]);
     Summit {
-        position: Mapping::of(system.space().mesh(), top.triangle).at(top.point).position,
+        position,
+        below_here: at(position) - at([position[0], -position[1]]),
         triangle: top.triangle,
         point: top.point,
         greatest,
         rounding,
         is_given: greatest - given <= rounding.max(ABOVE * (greatest - least)),
     }
+}
+
+/// Which of these places is nearest to another one [m].
+fn nearest(places: &[[f64; 2]], [x, z]: [f64; 2]) -> usize {
+    let distances = places.iter().map(|at| (at[0] - x).powi(2) + (at[1] - z).powi(2));
+    let nearest = distances.enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
+    nearest.map_or(0, |(dof, _)| dof)
 }

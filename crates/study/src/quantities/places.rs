@@ -23,7 +23,7 @@ rows! {
     PRESSURE_MAX_Z = "pressure_max_z", "z_p", Metre, "where the pressure is greatest, along the axis":
         One(|film| (film.problem.theory != Theory::Long).then_some(summit(film)?[1])),
         ErrorRule::Of("difference of the two films, and of their slopes over the curvature of the pressure",
-            |estimate, _| Some(Bar::of(estimate.summit()[1])));
+            |estimate, at| Some(Bar::of(axial(estimate, at))));
 
     /// `phi_h` in [0, 360): angle of the thinnest film on the liner, `phi_min` where the liner covers it, else that of an edge; none for a centred
     /// journal
@@ -50,6 +50,14 @@ const OF_END: &str = "difference of the two films, and half of the triangle in w
 fn summit(film: &View) -> Option<[f64; 2]> {
     let summit = film.measured.extremes.summit;
     (!summit.is_given).then_some(summit.position)
+}
+
+/// Half width of the bar of the axial place [m]: as far as the mirror image where the pressure there may be greater.
+fn axial(estimate: &dyn Estimate, at: &Subject) -> f64 {
+    let summit = at.view.measured.extremes.summit;
+    let is_open = summit.below_here <= estimate.greatest_pressure();
+    let apart = if is_open { 2.0 * summit.position[1].abs() } else { 0.0 };
+    estimate.summit()[1].max(apart)
 }
 
 fn end(film: &View, end: ExtentEnd) -> Option<f64> {

@@ -2,12 +2,12 @@
 
 use crate::estimate::Estimated;
 use crate::film::Film;
-use crate::measure::possible_load;
+use crate::measure::{drag, possible_load};
 use crate::quantities::{ECCENTRICITY, Quantity, SIDE_FLOW, Unit};
 use oilwedge_scene::Target;
 
 /// Tolerances of what is less than this part of what it could be count against that part: loads against those that the pressures
-/// could carry, the eccentricity against the clearance.
+/// could carry, pressures against that of drag, the eccentricity against the clearance.
 const LEAST: f64 = 1e-3;
 /// The same of the flow at the ends and that which the journal drags through the clearance.
 const LEAST_FLOW: f64 = 0.05;
@@ -16,6 +16,8 @@ const LEAST_FLOW: f64 = 0.05;
 struct Possible {
     /// The load [N] that its pressures could carry.
     load: f64,
+    /// The pressure [Pa] that drag through the clearance makes.
+    pressure: f64,
     /// The oil [m3/s] that the journal drags through the clearance.
     flow: f64,
 }
@@ -23,10 +25,11 @@ struct Possible {
 impl Possible {
     fn of(film: &Film, estimated: &Estimated) -> Self {
         let bearing = &film.problem.bearing;
-        let drag = 0.5 * film.problem.journal.speed.abs() * bearing.radius;
+        let dragged = 0.5 * film.problem.journal.speed.abs() * bearing.radius;
         Self {
+            pressure: drag(&film.problem),
             load: possible_load(&film.problem, &estimated.measured),
-            flow: drag * bearing.clearance * bearing.length,
+            flow: dragged * bearing.clearance * bearing.length,
         }
     }
 
@@ -34,6 +37,7 @@ impl Possible {
     fn size(&self, quantity: &Quantity) -> f64 {
         match quantity.row.unit {
             Unit::Degree => 1f64.to_degrees(),
+            Unit::Pascal => quantity.value.abs().max(LEAST * self.pressure),
             Unit::Newton => quantity.value.abs().max(LEAST * self.load),
             _ if quantity.row == &SIDE_FLOW => quantity.value.abs().max(LEAST_FLOW * self.flow),
             _ if quantity.row == &ECCENTRICITY => quantity.value.abs().max(LEAST),

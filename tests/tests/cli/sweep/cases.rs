@@ -210,9 +210,10 @@ fn a_tolerance_is_met_by_each_case() {
         &["sweep", "scene.toml", "--bars", "none"],
         &["--bars none conflicts with the mesh.tolerance"],
     );
+    bench.write("narrow.toml", drawn("tolerance = \"0.001 %\"") + "[sweep]\n" + axes);
     let told = bench.run(&[
         "sweep",
-        "scene.toml",
+        "narrow.toml",
         "--max-unknowns",
         "1",
         "--json",
