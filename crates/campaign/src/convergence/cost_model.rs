@@ -102,6 +102,22 @@ pub fn price_list(models: &[CostModel], measure: Measure) -> Vec<Price> {
     accuracies.filter_map(price).collect()
 }
 
+/// Prices by error bars, followed by those by true errors. A bar holds the error, so that an accuracy which a bar shows costs no more by the error.
+pub fn with_errors(by_bars: &[Price], by_errors: Vec<Price>) -> Vec<Price> {
+    let at_most = |price: Price| {
+        let shown = by_bars.iter().find(|shown| shown.accuracy == price.accuracy);
+        match shown.filter(|shown| shown.unknowns < price.unknowns && (!shown.extrapolated || price.extrapolated)) {
+            Some(shown) => Price {
+                measure: Measure::Error,
+                ..*shown
+            },
+            None => price,
+        }
+    };
+    let by_errors = by_errors.into_iter().map(at_most);
+    by_bars.iter().copied().chain(by_errors).collect()
+}
+
 impl CostModel {
     /// The cost of an accuracy by this strategy.
     fn price(&self, accuracy: f64, measure: Measure) -> Option<Price> {
@@ -226,6 +242,28 @@ mod tests {
                 .find(|price| price.accuracy == 1e-2)
                 .is_some_and(|price| price.unknowns == 100.0)
         );
+    }
+
+    /// A reference that is hardly better than a level makes its true error look large.
+    #[test]
+    fn what_a_bar_shows_costs_no_more_by_the_true_error() {
+        let bars = model(Strategy::P2Uniform, (1e3, 2.0), (1e-6, 1.25), 5);
+        let errors = model(Strategy::P2Uniform, (1e4, 2.0), (1e-6, 1.25), 5);
+        let by_bars = price_list(&[bars], Measure::Bar);
+        let both = with_errors(&by_bars, price_list(&[errors], Measure::Error));
+        let (shown, true_errors) = both.split_at(by_bars.len());
+        assert_eq!(shown, by_bars);
+        assert!(!true_errors.is_empty());
+        for price in true_errors {
+            let bar = shown
+                .iter()
+                .find(|bar| bar.accuracy == price.accuracy)
+                .expect("a price");
+            assert!(
+                price.measure == Measure::Error && price.unknowns <= bar.unknowns,
+                "{price:?}"
+            );
+        }
     }
 
     #[test]

@@ -20,7 +20,7 @@ pub use report::{ConvergenceReport, Course, LevelReport};
 pub use strategy::Strategy;
 pub use study_run::MarkedMesh;
 
-use cost_model::{CostModel, LevelCost, price_list};
+use cost_model::{CostModel, LevelCost, price_list, with_errors};
 use report::{CONVERGE_FORMAT, GoalFacts};
 use study_run::StudyRun;
 
@@ -165,7 +165,11 @@ fn evaluate(report: &mut ConvergenceReport) {
     for measure in [Measure::Bar, Measure::Error] {
         let courses = report.strategies.iter();
         let models: Vec<CostModel> = courses.map(|course| cost_model(course, finest, measure)).collect();
-        report.prices.extend(price_list(&models, measure));
+        let prices = price_list(&models, measure);
+        report.prices = match measure {
+            Measure::Bar => prices,
+            Measure::Error => with_errors(&report.prices, prices),
+        };
         // The model by error bars is reported for a strategy, where it has bars.
         for (course, model) in report.strategies.iter_mut().zip(&models) {
             if course.time_exponent.is_none() && !model.levels.is_empty() {
