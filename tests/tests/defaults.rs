@@ -58,7 +58,7 @@ fn what_an_engineer_reads_is_known_to_two_percent() {
     assert!((torques / moment - 1.0).abs() < 1e-6, "{torques} {moment}");
 }
 
-/// A bar that stays wide because a finer mesh would be dear is told.
+/// A bar that stays wide because a finer mesh would be expensive is reported by a warning.
 #[test]
 fn a_bar_that_stays_wide_has_a_warning() {
     let oil = "oil = { grade = \"SAE 5W-30\", temperature = \"100 C\" }";

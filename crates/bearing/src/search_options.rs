@@ -24,7 +24,7 @@ pub struct SearchOptions<'a> {
     pub carrier: Carrier,
     /// Difference of force and load over the load at which the balance is found; by default near round-off.
     pub accuracy: Option<f64>,
-    /// Is told of each position tried.
+    /// Notified of each position tried.
     pub observer: Option<&'static dyn SearchObserver>,
 }
 

@@ -20,7 +20,7 @@ pub struct RunOptions {
     pub max_unknowns: usize,
     /// Ends them as well.
     pub interrupt: Interrupt,
-    /// Is told of each mesh, position and temperature.
+    /// Notified of each mesh, position and temperature.
     pub observer: Option<&'static dyn RunObserver>,
 }
 

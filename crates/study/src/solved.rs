@@ -20,7 +20,7 @@ pub struct SolveOptions<'a> {
     pub guess: InitialGuess<'a>,
     /// Difference of force and load over the load at which a position is found; by default near round-off.
     pub accuracy: Option<f64>,
-    /// Is told of each position and temperature tried.
+    /// Notified of each position and temperature tried.
     pub observer: Option<&'static dyn RunObserver>,
 }
 

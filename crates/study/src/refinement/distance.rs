@@ -9,7 +9,7 @@ use oilwedge_scene::Target;
 /// Tolerances of what is less than this part of what it could be count against that part: loads against those that the pressures
 /// could carry, pressures against that of drag, the eccentricity against the clearance.
 const LEAST: f64 = 1e-3;
-/// The same of the flow at the ends and that which the journal drags through the clearance.
+/// Least side flow against which its tolerance counts, over the flow that the journal drags through the clearance.
 const LEAST_FLOW: f64 = 0.05;
 
 /// Sizes that numbers of a film could have: tolerances of much smaller ones count against a part of them.

@@ -4,7 +4,7 @@ use super::*;
 use oilwedge_study::warning::KINDS;
 use oilwedge_tests::program::repository;
 
-/// The same codes in the table, in `sweep.json` and in the count at the end; a case has those of the run that solves it by itself.
+/// Table, `sweep.json` and the count at the end have the same codes; a case has those of the run that solves it by itself.
 #[test]
 fn every_warning_is_in_the_table() {
     let bench = Bench::new();
