@@ -48,11 +48,11 @@ fn limits_work_without_heat() {
     assert!(told("film_min = \"11.9 um\"\npressure_max = \"120 bar\"").is_empty());
     let both = told("film_min = \"12.1 um\"\npressure_max = \"20 bar\"");
     assert_eq!(both.len(), 2, "{both:?}");
-    assert!(both[0].contains("the least film is 12 um, below limits.film_min, 12.1 um"), "{both:?}");
-    assert!(both[1].contains("above limits.pressure_max, 20 bar"), "{both:?}");
+    assert!(both[0].contains("thinnest film below 12.1 um ([limits]): it is 12 um"), "{both:?}");
+    assert!(both[1].contains("greatest pressure above 20 bar ([limits])"), "{both:?}");
     let of_given = edited(&[("viscosity = \"20 mPa.s\"", "grade = \"SAE 30\"\ntemperature = \"90 C\"")], "");
     let hot = self::told(&(of_given + "[limits]\ntemperature_max = \"85 C\"\n"));
-    assert!(hot[0].contains("the film is at 90 C, and limits.temperature_max is 85 C"), "{hot:?}");
+    assert!(hot[0].contains("temperature of the film above 85 degC ([limits]): it is 90 degC"), "{hot:?}");
 }
 
 /// A limit in `[limits]` is the criterion of the heat balance that it is in `[heat]`.

@@ -22,7 +22,7 @@ pub mod film_lines;
 pub mod grading;
 pub mod isothermal;
 pub mod level;
-mod limits;
+pub mod limits;
 pub mod liner_mesh;
 pub mod measure;
 pub mod no_answer;

@@ -25,7 +25,7 @@ mod curve;
 pub mod flows;
 mod search;
 
-pub use curve::{design_criteria, temperature_report};
+pub use curve::temperature_report;
 pub use search::solve;
 use search::{Kind, Left, ROUGHLY, Search};
 

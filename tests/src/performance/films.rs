@@ -157,7 +157,7 @@ impl Films {
     }
 
     /// `text` with a size for about so many `unknowns`, found from two coarser meshes.
-    fn drawn(&self, name: &str, text: &str, unknowns: usize) -> PathBuf {
+    pub(super) fn drawn(&self, name: &str, text: &str, unknowns: usize) -> PathBuf {
         let sized = |size: f64| format!("{text}[mesh]\nsize = \"{size:.6e} m\"\n");
         let of = |size: f64| {
             let scene = oilwedge_study::parse(&sized(size), self.folder()).expect("our own scene");
@@ -167,7 +167,8 @@ impl Films {
         self.written(&format!("{name}{unknowns}"), &sized(size))
     }
 
-    fn written(&self, name: &str, text: &str) -> PathBuf {
+    /// `text` as a scene in the folder.
+    pub(super) fn written(&self, name: &str, text: &str) -> PathBuf {
         let path = self.folder().join(format!("{name}.toml"));
         std::fs::write(&path, text).expect("a scene is written");
         path

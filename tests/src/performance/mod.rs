@@ -3,10 +3,11 @@
 //! Benches (`tests/benches/paths.rs`) and page (`bin/performance.rs`) time the same functions. Reading order:
 //! [`films`] (what is solved), [`phases`] (the parts of a solve, one a function), [`machine`] (what this machine can do),
 //! [`floor`] (what a part must move and do, and how long that takes at least), [`process`] (the whole program),
-//! [`clock`], [`page`] with its tables.
+//! [`bearings`] (engineers' cases), [`clock`], [`page`] with its tables.
 //!
 //! A new path is a function in [`phases`] or [`process`], its floor, a group in the benches, and a row of the page.
 
+pub mod bearings;
 pub mod clock;
 pub mod figures;
 pub mod films;

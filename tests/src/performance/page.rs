@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::process::Command;
 
+use super::bearings;
 use super::films::Films;
 use super::gate::{compiler, instructions};
 use super::machine::{Machine, busy, processor};
@@ -41,6 +42,7 @@ pub fn page(written: &str, program: &Path, most: usize) -> String {
     }
     page = replace(&page, "growth", &growth);
     page = replace(&page, "processes", &figures::processes(&films, program, &sizes));
+    page = replace(&page, "bearings", &bearings::rows(&films, program));
     page = replace(
         &page,
         "figures",

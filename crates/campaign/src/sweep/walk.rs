@@ -15,6 +15,7 @@ use oilwedge_study::compile_error::CompileError;
 use oilwedge_study::estimate::{Estimated, estimate_errors};
 use oilwedge_study::film::Film;
 use oilwedge_study::grading::{graded, is_near};
+use oilwedge_study::limits::design_criteria;
 use oilwedge_study::no_answer::NoAnswer;
 use oilwedge_study::oil::Oil;
 use oilwedge_study::position::Position;
@@ -24,7 +25,6 @@ use oilwedge_study::refinement::{answer, ended};
 use oilwedge_study::result::{Criterion, Status};
 use oilwedge_study::run_options::RunOptions;
 use oilwedge_study::solved::{SolveOptions, Solved};
-use oilwedge_study::thermal::design_criteria;
 use oilwedge_study::warning::Warning;
 use oilwedge_study::warnings::all_warnings;
 

@@ -283,11 +283,12 @@ impl Refining<'_> {
         let (seconds, max_seconds) = (next_seconds(last, growth), self.options.max_seconds);
         match self.options.cause() {
             Cause::Interrupt => Some(self.stopped(goal.worst)),
-            Cause::Deadline if wanted > most as f64 => Some(Limit::Unknowns { distance, wanted, most }),
+            // Time first: a mesh that is too large is made smaller where there is time for one (see `Growth::of`).
             Cause::Deadline if elapsed + seconds > max_seconds => Some(Limit::Seconds {
                 distance,
                 seconds: [elapsed, seconds, max_seconds],
             }),
+            Cause::Deadline if wanted > most as f64 => Some(Limit::Unknowns { distance, wanted, most }),
             Cause::Deadline => (self.levels.len() >= MOST_LEVELS).then_some(Limit::Meshes(distance, MOST_LEVELS)),
         }
     }

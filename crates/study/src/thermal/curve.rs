@@ -8,8 +8,8 @@ use super::flows::thermal_flows;
 use super::measured;
 use super::search::{ROUGHLY, from_near_or_cold, point as operating_point, visited};
 use crate::compile::at_temperature;
-use crate::film::Film;
-use crate::quantities::{FILM_THICKNESS_MIN, LOAD, PRESSURE_MAX, Quantity, Row, TEMPERATURE_OUTLET};
+use crate::limits::design_criteria;
+use crate::quantities::{LOAD, Quantity, Row};
 use crate::result::{Criterion, TemperaturePoint, TemperatureReport};
 use crate::solved::{SolveOptions, Solved};
 use crate::thermal_model::ThermalModel;
@@ -99,99 +99,4 @@ fn point(model: &ThermalModel, temperature: f64, solved: &Solved) -> Temperature
         given_off: balance.given_off(temperature),
         eccentricity: solved.film.position().eccentricity,
     }
-}
-
-/// What a solved film must meet, and what is usual; nothing where the scene sets no limits.
-pub fn design_criteria(solved: &Solved, quantities: &[Quantity]) -> Vec<Criterion> {
-    let film = &solved.film;
-    let mut criteria = limits(film, quantities);
-    if let Some((model, engine)) = film.thermal.and_then(|model| Some((model, model.engine?))) {
-        criteria.extend(usual(film, &model, engine));
-    }
-    criteria
-}
-
-/// The limits of the scene; of a film whose temperature is found also those that its heat balance has without being asked.
-fn limits(film: &Film, quantities: &[Quantity]) -> Vec<Criterion> {
-    let value = |row: &Row| {
-        let quantity = quantities.iter().find(|quantity| quantity.row == row);
-        quantity.map(|quantity| quantity.value)
-    };
-    let (limits, model) = (&film.scene.limits, film.thermal.as_ref());
-    let least_film = model.map(|model| model.least_film).or(limits.least_film);
-    let hottest = model
-        .map(|model| model.greatest_temperature)
-        .or(limits.greatest_temperature);
-    let at_least = |what: &str, unit: &str, scale: f64, value: Option<f64>, limit: Option<f64>| {
-        Some(Criterion::new(
-            what,
-            unit,
-            scale * value?,
-            [Some(scale * limit?), None],
-            true,
-        ))
-    };
-    let at_most = |what: &str, unit: &str, scale: f64, value: Option<f64>, limit: Option<f64>| {
-        Some(Criterion::new(
-            what,
-            unit,
-            scale * value?,
-            [None, Some(scale * limit?)],
-            true,
-        ))
-    };
-    let celsius = |kelvin: f64| kelvin - ZERO_CELSIUS;
-    let all = [
-        at_least("thinnest film", "um", 1e6, value(&FILM_THICKNESS_MIN), least_film),
-        at_most(
-            "temperature of the film",
-            "degC",
-            1.0,
-            film.oil.temperature.map(celsius),
-            hottest.map(celsius),
-        ),
-        at_most(
-            "greatest pressure",
-            "bar",
-            1e-5,
-            value(&PRESSURE_MAX),
-            limits.greatest_pressure,
-        ),
-        at_most(
-            "temperature of the oil that leaves",
-            "degC",
-            1.0,
-            value(&TEMPERATURE_OUTLET),
-            model.map(|model| celsius(model.greatest_outlet)),
-        ),
-    ];
-    all.into_iter().flatten().collect()
-}
-
-/// What is usual in an engine.
-fn usual(film: &Film, model: &ThermalModel, engine: Engine) -> Vec<Criterion> {
-    let bearing = &film.problem.bearing;
-    let celsius = |temperature: f64| temperature - ZERO_CELSIUS;
-    let mut list = Vec::new();
-    let mut usual = |what: &str, unit: &str, value: f64, range: [f64; 2]| {
-        list.push(Criterion::new(what, unit, value, range.map(Some), false));
-    };
-    let ratio = bearing.clearance / bearing.radius;
-    usual(
-        "diametral clearance over diameter",
-        "1e-3",
-        1e3 * ratio,
-        engine.clearance_ratio().map(|ratio| 1e3 * ratio),
-    );
-    if let Some(pressure) = film.supply_pressure() {
-        let range = engine.feed_pressure().map(|pressure| 1e-5 * pressure);
-        usual("pressure of the oil fed", "bar", 1e-5 * pressure, range);
-    }
-    usual(
-        "temperature of the oil fed",
-        "degC",
-        celsius(model.balance.inlet),
-        engine.inlet().map(celsius),
-    );
-    list
 }

@@ -119,8 +119,10 @@ impl<'a> Search<'a> {
     /// The temperature at which the heat is balanced to the part `accuracy` of the friction.
     pub(super) fn find(&mut self, start: Start, accuracy: f64, kind: Kind) -> Result<Balanced, NoBalance<Left>> {
         let balance = self.model.balance;
-        let slope = start.slope.or_else(|| self.estimated_slope(start.temperature, kind));
-        find(&balance, Start { slope, ..start }, accuracy, |t| self.at(t, kind))
+        let [coldest, hottest] = balance.range();
+        let temperature = start.temperature.clamp(coldest, hottest);
+        let slope = start.slope.or_else(|| self.estimated_slope(temperature, kind));
+        find(&balance, Start { temperature, slope }, accuracy, |t| self.at(t, kind))
     }
 
     /// How the surplus changes with temperature [W/K], estimated from the film at one.
