@@ -82,6 +82,24 @@ pub fn ring_of_radius(radius: f64, columns: u32, rows: u32, length: f64, start: 
     Mesh::build(raw).expect("a structured ring has no defects")
 }
 
+/// The same mesh with vertices and triangles in reverse order, each triangle begun elsewhere.
+pub fn renumbered(mesh: &Mesh) -> Mesh {
+    let mut raw = mesh.to_raw();
+    let last = raw.points.len() as u32 - 1;
+    raw.points.reverse();
+    raw.labels.reverse();
+    raw.triangles.reverse();
+    let turn = |v: u32| last - v;
+    for (t, triangle) in raw.triangles.iter_mut().enumerate() {
+        *triangle = triangle.map(turn);
+        triangle.rotate_left(t % 3);
+    }
+    for (_, edges) in &mut raw.curves {
+        edges.iter_mut().for_each(|edge| *edge = edge.map(turn));
+    }
+    Mesh::build(raw).expect("the same mesh")
+}
+
 /// Length [m] of [`stretched_ring`].
 pub const LENGTH_OF_STRETCHED: f64 = 0.1;
 

@@ -11,6 +11,28 @@ use oilwedge_study::quantities::{View, measured};
 
 use crate::program::repository;
 
+/// An axial groove that is fed.
+pub const GROOVE: &str = r#"
+[[feed]]
+group = "groove"
+groove = { from = "80 deg", to = "100 deg", width = "40 mm" }
+pressure = "0.7 bar"
+"#;
+/// A hole off the middle that is fed.
+pub const HOLE: &str = r#"
+[[feed]]
+group = "hole"
+hole = { diameter = "10 mm", angle = "-40 deg", z = "12 mm" }
+pressure = "0.3 bar"
+"#;
+/// A pocket whose pressure is found.
+pub const POCKET: &str = r#"
+[[feed]]
+group = "pocket"
+groove = { from = "150 deg", to = "190 deg", width = "30 mm" }
+depth = "60 um"
+"#;
+
 /// Path of the scene `NAME.toml` in `scenes/`.
 pub fn path(name: &str) -> PathBuf {
     repository().join("scenes").join(format!("{name}.toml"))

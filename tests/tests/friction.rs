@@ -13,7 +13,7 @@ use oilwedge_reynolds::quantities::power::{Power, power};
 use oilwedge_reynolds::terms::squeeze::Squeeze;
 use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSolution, FilmSystem, Form};
 use oilwedge_scene::Scene;
-use oilwedge_tests::scenes::{Solved, solve, written};
+use oilwedge_tests::scenes::{GROOVE, HOLE, POCKET, Solved, solve, written};
 use oilwedge_tests::*;
 
 const LENGTH: f64 = 0.08;
@@ -96,25 +96,6 @@ fn moments_of_the_two_surfaces_and_of_the_load_balance() {
     }
 }
 
-const POCKET: &str = r#"
-[[feed]]
-group = "pocket"
-groove = { from = "150 deg", to = "190 deg", width = "30 mm" }
-depth = "60 um"
-"#;
-const GROOVE: &str = r#"
-[[feed]]
-group = "groove"
-groove = { from = "80 deg", to = "100 deg", width = "40 mm" }
-pressure = "7 bar"
-"#;
-const HOLE: &str = r#"
-[[feed]]
-group = "hole"
-hole = { diameter = "10 mm", angle = "-40 deg", z = "12 mm" }
-pressure = "3 bar"
-"#;
-
 fn scene(model: &str, bearing: &str, journal: &str, oil: &str, feeds: &str) -> Scene {
     written(&format!(
         r#"
@@ -142,6 +123,13 @@ pressure = "0 bar"
     ))
 }
 
+/// Feeds of ten times the pressure, against which oil is pressed in.
+fn pressed(feeds: &str) -> String {
+    feeds
+        .replace("\"0.7 bar\"", "\"7 bar\"")
+        .replace("\"0.3 bar\"", "\"3 bar\"")
+}
+
 fn solved(scene: &Scene) -> Solved {
     solve(scene).unwrap_or_else(|reason| panic!("{reason}"))
 }
@@ -159,7 +147,7 @@ fn power_put_in_becomes_heat() {
         r#"barus = { alpha = "200 1/GPa" }"#,
         r#"roelands = { alpha = "200 1/GPa" }"#,
     ];
-    let feeds = [GROOVE, HOLE, POCKET].concat();
+    let feeds = pressed(&[GROOVE, HOLE, POCKET].concat());
     for model in ["none", "guembel", "reynolds", "jfo"] {
         for (bearing, journal, feeds) in [
             ("", TURNS, &feeds),
@@ -219,7 +207,7 @@ fn a_spoiled_film_does_not_balance() {
         let spoiled = power(&other, &system, &film).imbalance;
         assert!(spoiled > 1e-6, "{cavitation:?}, the speed: {spoiled:e}");
     }
-    let mut film = solved(&scene("none", "", TURNS, "", GROOVE));
+    let mut film = solved(&scene("none", "", TURNS, "", &pressed(GROOVE)));
     let flow = film
         .film
         .inflow
@@ -292,7 +280,7 @@ pressure = "0 bar"
 #[test]
 fn feeds_shear_nothing() {
     let (with, without) = (
-        solved(&scene("none", "", TURNS, "", HOLE)),
+        solved(&scene("none", "", TURNS, "", &pressed(HOLE))),
         solved(&scene("none", "", TURNS, "", "")),
     );
     let problem = &with.study.problem;
@@ -319,7 +307,7 @@ fn flows_of_the_ends_and_the_inlet() {
     at_rest.journal.speed = 0.0;
     at_rest.terms.push(Arc::new(Squeeze));
     assert_eq!(inlet_flow(&at_rest, &system, &film), None);
-    let tilted = solved(&scene("none", "", TURNS, "", HOLE));
+    let tilted = solved(&scene("none", "", TURNS, "", &pressed(HOLE)));
     let ends = ["side_flow_low", "side_flow_high"].map(|name| tilted.quantity(name));
     let both = tilted.quantity("side_flow");
     assert!((ends[0] + ends[1] - both).abs() < 1e-12 * both.abs(), "{ends:?} {both}");

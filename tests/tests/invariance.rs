@@ -52,26 +52,13 @@ fn mirror_with_reversed_speed() {
 #[test]
 fn renumbered_mesh() {
     let mesh = ring(48, 8, LENGTH, 0.0);
-    let mut raw = mesh.to_raw();
-    // Reverse the vertices and the triangles, and start each triangle elsewhere.
-    let last = raw.points.len() as u32 - 1;
-    raw.points.reverse();
-    raw.labels.reverse();
-    raw.triangles.reverse();
-    let turn = |v: u32| last - v;
-    for (t, triangle) in raw.triangles.iter_mut().enumerate() {
-        *triangle = triangle.map(turn);
-        triangle.rotate_left(t % 3);
-    }
-    for (_, edges) in &mut raw.curves {
-        edges.iter_mut().for_each(|edge| *edge = edge.map(turn));
-    }
+    let turned = renumbered(&mesh);
     let system_of = |mesh: Mesh| {
         let regions = ends(&mesh, LENGTH, None);
         FilmSystem::new(Arc::new(mesh), 2, regions).unwrap()
     };
-    let (reference, renumbered) = (system_of(mesh), system_of(Mesh::build(raw).unwrap()));
-    let (a, b) = (solve(&reference, 1.0, SPEED), solve(&renumbered, 1.0, SPEED));
+    let (reference, other) = (system_of(mesh), system_of(turned));
+    let (a, b) = (solve(&reference, 1.0, SPEED), solve(&other, 1.0, SPEED));
     a.iter().zip(b).for_each(|(a, b)| close(*a, b));
 }
 

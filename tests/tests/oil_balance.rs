@@ -14,27 +14,9 @@ use oilwedge_study::picture::{FieldValues, Surface, picture};
 use oilwedge_study::warnings::warnings;
 use oilwedge_study::{RunOptions, run};
 use oilwedge_tests::journal_bearings::Ring;
-use oilwedge_tests::scenes::{Solved, solve, table, variant, written};
+use oilwedge_tests::scenes::{GROOVE, HOLE, POCKET, Solved, solve, table, variant, written};
 use oilwedge_tests::{LENGTH_OF_STRETCHED, ends, stretched_ring};
 
-const GROOVE: &str = r#"
-[[feed]]
-group = "groove"
-groove = { from = "80 deg", to = "100 deg", width = "40 mm" }
-pressure = "0.7 bar"
-"#;
-const HOLE: &str = r#"
-[[feed]]
-group = "hole"
-hole = { diameter = "10 mm", angle = "-40 deg", z = "12 mm" }
-pressure = "0.3 bar"
-"#;
-const POCKET: &str = r#"
-[[feed]]
-group = "pocket"
-groove = { from = "150 deg", to = "190 deg", width = "30 mm" }
-depth = "60 um"
-"#;
 const FULL_TURN: &str = r#"
 [[feed]]
 group = "middle"

@@ -3,23 +3,11 @@
 use crate::complain::printable;
 use crate::readable::{readable_unit, significant};
 use crate::terminal::{effects, heading, status, table, time};
-use oilwedge_campaign::convergence::{ConvergenceReport, Course, LevelReport, Measure, Price};
+use oilwedge_campaign::convergence::{ConvergenceReport, Course, LevelReport, Measure, Price, TIME_PARTS};
 use oilwedge_study::quantities::{self, Unit};
 use std::path::Path;
 
-/// Parts of the time; one that is small on every level is counted among the others.
-const PARTS: [&str; 9] = [
-    "mesh",
-    "earlier",
-    "order",
-    "search",
-    "assemble",
-    "factorise",
-    "solve",
-    "bars",
-    "measure",
-];
-/// The least part of the time of a level that has a column.
+/// The least part of the time of a level that has a column; smaller ones are counted among the others.
 const SMALL: f64 = 0.02;
 
 /// Everything about a study.
@@ -92,7 +80,7 @@ fn unit_of(report: &ConvergenceReport) -> Unit {
 
 fn levels(course: &Course, report: &ConvergenceReport) -> String {
     let share = |level: &LevelReport, part: &str| level.seconds.part(part) / level.seconds.total;
-    let needed: Vec<&str> = (PARTS.into_iter())
+    let needed: Vec<&str> = (TIME_PARTS[..TIME_PARTS.len() - 1].iter().copied())
         .filter(|part| course.levels.iter().any(|level| share(level, part) > SMALL))
         .collect();
     let scale = report.reference.as_ref().map_or(1.0, |reference| reference.value);

@@ -79,21 +79,9 @@ fn mirror_with_reversed_speed() {
 #[test]
 fn renumbered_mesh() {
     let mesh = ring(COLUMNS, 16, LENGTH, 0.0);
-    let mut raw = mesh.to_raw();
-    let last = raw.points.len() as u32 - 1;
-    raw.points.reverse();
-    raw.labels.reverse();
-    raw.triangles.reverse();
-    let turn = |v: u32| last - v;
-    for (t, triangle) in raw.triangles.iter_mut().enumerate() {
-        *triangle = triangle.map(turn);
-        triangle.rotate_left(t % 3);
-    }
-    for (_, edges) in &mut raw.curves {
-        edges.iter_mut().for_each(|edge| *edge = edge.map(turn));
-    }
+    let turned = renumbered(&mesh);
     let a = answer(&film(1.0, SPEED), &grooved(mesh, 20));
-    let b = answer(&film(1.0, SPEED), &grooved(Mesh::build(raw).expect("a ring"), 20));
+    let b = answer(&film(1.0, SPEED), &grooved(turned, 20));
     (0..3).for_each(|k| close(a[k], b[k], 1e-10));
 }
 

@@ -16,7 +16,7 @@ mod study_run;
 pub use budget::Budget;
 pub use cost_model::{Measure, Price};
 pub use observer::Observer;
-pub use report::{ConvergenceReport, Course, LevelReport};
+pub use report::{ConvergenceReport, Course, LevelReport, TIME_PARTS};
 pub use strategy::Strategy;
 pub use study_run::MarkedMesh;
 

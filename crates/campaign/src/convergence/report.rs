@@ -134,6 +134,20 @@ pub struct Timing {
     pub parts: Vec<(String, f64)>,
 }
 
+/// Parts of the time of a level, in the order of the work; the last is what remains.
+pub const TIME_PARTS: [&str; 10] = [
+    "mesh",
+    "earlier",
+    "order",
+    "search",
+    "assemble",
+    "factorise",
+    "solve",
+    "bars",
+    "measure",
+    "other",
+];
+
 impl Timing {
     /// Seconds of a part; zero where it was not needed.
     pub fn part(&self, name: &str) -> f64 {

@@ -2,28 +2,14 @@
 
 use std::fmt::Write;
 
-use oilwedge_campaign::convergence::ConvergenceReport;
-
-/// The parts of the time that have a column.
-const PARTS: [&str; 10] = [
-    "mesh",
-    "earlier",
-    "order",
-    "search",
-    "assemble",
-    "factorise",
-    "solve",
-    "bars",
-    "measure",
-    "other",
-];
+use oilwedge_campaign::convergence::{ConvergenceReport, TIME_PARTS};
 
 /// The table of levels with a line of headings. What is not known is empty; seconds end in `_s`.
 pub(super) fn to_csv(report: &ConvergenceReport) -> String {
     let mut text =
         "strategy,degree,level,cells,unknowns,value,unit,relative_bar,relative_error,runs,total_s,least_s,greatest_s"
             .to_owned();
-    for part in PARTS {
+    for part in TIME_PARTS {
         text += &format!(",{part}_s");
     }
     text.push('\n');
@@ -46,7 +32,7 @@ pub(super) fn to_csv(report: &ConvergenceReport) -> String {
             seconds.greatest.to_string(),
         ];
         text += &fields.join(",");
-        for part in PARTS {
+        for part in TIME_PARTS {
             // Writing into a text cannot fail.
             let _ = write!(text, ",{}", seconds.part(part));
         }
