@@ -1,4 +1,4 @@
-//! Where a journal will be, told from where it was at neighbouring operating points.
+//! Where a journal will be, predicted from where it was at neighbouring operating points.
 //!
 //! Parabolas through the last positions: in the logarithmic eccentricity and the angle of the line of centres, in which
 //! they are nearly straight over the load.
@@ -19,7 +19,7 @@ const LEAST_SHRINK: f64 = 0.3;
 /// An operating point: what a prediction knows of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Point {
-    /// What tells it apart from its neighbours, at even pace.
+    /// What distinguishes it from its neighbours, in even steps.
     pub coordinate: f64,
     /// Logarithm of the load over that of drag through the clearance.
     pub duty: f64,
@@ -36,8 +36,8 @@ pub struct Visited {
     pub angle: f64,
 }
 
-/// Eccentricity ratio and angle of the thinnest film [rad] at `point`, told from the positions visited last; the last one itself
-/// where they tell nothing better. `None` where none was visited.
+/// Eccentricity ratio and angle of the thinnest film [rad] at `point`, predicted from the positions visited last; the last one itself
+/// where they predict nothing better. `None` where none was visited.
 ///
 /// Over the duty where that changes: the logarithm of the load is nearly linear in the logarithmic eccentricity, with a slope of one.
 pub fn predicted(visited: &[Visited], point: Point) -> Option<(f64, f64)> {

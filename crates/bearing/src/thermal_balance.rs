@@ -7,7 +7,7 @@
 //! Q is the oil that leaves the film, and is fed with the temperature t_0; r = q_0/q_1 is what goes round hot with the journal and mixes with
 //! it, over that. So `t_out - t_0 = 2 (t - t_0) (1 + r)/(1 + 2 r)`. P falls with t and the right side rises: there is one root.
 //!
-//! The flows at a temperature t tell another one, g(t), at which they would be balanced; as P falls and Q rises, the root lies between t and g(t):
+//! The flows at a temperature t lead to another one, g(t), at which they would be balanced; as P falls and Q rises, the root lies between t and g(t):
 //! that brackets it from any start. Within, false position (Illinois), bisected where that is slow, so it always converges.
 //!
 //! | symbol | unit | code |
@@ -60,7 +60,7 @@ const STARTS: [f64; 4] = [0.0, 10.0, 40.0, 120.0];
 const QUICK: f64 = 0.2;
 /// A bracket is not narrowed further than this [K].
 const NARROW: f64 = 1e-10;
-/// Films nearer to one another than this [K] do not tell how the surplus changes, where a cavity may jump.
+/// Films nearer to one another than this [K] do not show how the surplus changes, where a cavity may jump.
 const APART: f64 = 0.01;
 /// A film that is sought between a temperature that has one and one that has none is sought to this [K].
 const EDGE: f64 = 0.05;

@@ -24,7 +24,7 @@ pub(crate) enum Failure {
     Interrupted(String),
     /// stdout cannot be written to.
     Output {
-        /// What the operating system says.
+        /// The operating system's message.
         error: std::io::Error,
         /// File or folder to which results were written before.
         written: Option<PathBuf>,

@@ -1,4 +1,4 @@
-//! The frame that two axes make, and the bar that tells the colours of a map.
+//! The frame that two axes make, and the colour bar of a map.
 
 use crate::{Anchor, Axis, Colour, ColourMap, Figure, GRID, INK, Label, Letters, Pen, SMALLEST_LETTERS};
 

@@ -5,7 +5,7 @@ use crate::{Anchor, Colour, Figure, Label, Letters, Mark, Pen, SMALLEST_LETTERS,
 /// Length of a sample, its distance from the name, and that from the next sample [mm].
 const SAMPLE: [f64; 3] = [7.0, 1.5, 4.0];
 
-/// What a legend says of a curve, an area or a mark.
+/// An entry of a legend: a curve, an area or a mark.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Entry {
     /// What it is.

@@ -42,7 +42,7 @@ impl Enough {
 pub(crate) struct Ending {
     /// The accuracy that will do.
     pub(crate) enough: Enough,
-    /// Most steps; the iteration ends as soon as its pace tells that these will not do.
+    /// Most steps; the iteration ends as soon as its pace shows that these will not suffice.
     pub(crate) most_steps: usize,
 }
 

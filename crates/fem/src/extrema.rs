@@ -1,6 +1,6 @@
 //! Where the polynomial of one triangle may be greatest.
 //!
-//! A polynomial lies below its greatest Bernstein coefficient; where that tells nothing its stationary points do.
+//! A polynomial lies below its greatest Bernstein coefficient; where that does not decide, its stationary points do.
 //! Those of a quadratic, and of a cubic along an edge, are roots in closed form. Inside a triangle a cubic is
 //! climbed by Newton's method from the best point of a lattice.
 //! Verified by the tests of `field`.

@@ -7,7 +7,7 @@
 //!   below  (  L  |  S  )     update S: what the elimination leaves for the fronts above
 //! ```
 //! Without pivoting. Columns of upwind schemes are dominated by their diagonals, and stay so; whether a factor is any good,
-//! the residual of each solve tells ([`crate::Linearisation`]).
+//! the residual of each solve shows ([`crate::Linearisation`]).
 
 use faer::linalg::matmul::matmul;
 use faer::{Accum, MatMut, MatRef, Par};

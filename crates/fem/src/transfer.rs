@@ -11,7 +11,7 @@ use oilwedge_mesh::refine::Child;
 use crate::field::evaluate;
 use crate::{Field, Space, lagrange};
 
-/// Nodal values on `fine` of the field `coarse`; `lineage` tells where in the mesh of `coarse` each triangle
+/// Nodal values on `fine` of the field `coarse`; `lineage` gives where in the mesh of `coarse` each triangle
 /// of `fine` lies ([`oilwedge_mesh::Refined`]). The degrees may differ; a lower one interpolates.
 pub fn transfer(coarse: &Field, fine: &Space, lineage: &[Child]) -> Vec<f64> {
     let nodes: Vec<[f64; 3]> = lagrange::nodes(fine.degree())

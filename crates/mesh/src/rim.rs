@@ -1,6 +1,6 @@
 //! Round holes: puts the rim of a region on its circle in the developed surface.
 //!
-//! A file knows the rim of a hole by its nodes only. Where the scene tells the circle, vertices and
+//! A file knows the rim of a hole by its nodes only. Where the scene gives the circle, vertices and
 //! mid-side nodes of the rim are moved onto it, and the boundary is good to third order. Where it does
 //! not, the mid-side nodes show the circle. Either way the mesh remembers it, so that rims stay
 //! round when they are refined.

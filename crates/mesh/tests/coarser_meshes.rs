@@ -73,7 +73,7 @@ fn ratios(mesh: &Mesh, coarse: &Coarser) -> Vec<f64> {
     ratios
 }
 
-/// Checks the coarser mesh of `mesh` and tells of it.
+/// Checks the coarser mesh of `mesh` and describes it.
 fn check(name: &str, mesh: &Mesh, liner: &Liner, line: Option<f64>) {
     let started = Instant::now();
     let coarse = coarser(mesh, liner, line, 2.0).unwrap_or_else(|| panic!("{name}: no coarser mesh"));

@@ -46,7 +46,7 @@ pub enum Error {
     Format {
         /// Which format.
         format: &'static str,
-        /// What its writer says.
+        /// The writer's message.
         message: String,
     },
     /// A file is not what this program writes.
@@ -62,7 +62,7 @@ pub enum Error {
     System {
         /// File or folder.
         path: PathBuf,
-        /// What the system says.
+        /// The system's message.
         source: io::Error,
     },
     /// Another run keeps writing into the folder.

@@ -74,7 +74,7 @@ fn fields(attributes: Vec<Attribute>, count: usize, text: &str) -> Vec<PictureFi
     attributes.into_iter().filter_map(field).collect()
 }
 
-/// The unit of the array of this name; empty where the file tells none.
+/// The unit of the array of this name; empty where the file gives none.
 fn unit<'a>(text: &'a str, name: &str) -> &'a str {
     let array = text
         .split_once(&format!("Name=\"{name}\""))

@@ -37,7 +37,7 @@ pub(crate) fn film_lines(film: &Film, solution: &FilmSolution) -> Vec<(String, V
     lines.filter(|(_, pieces)| !pieces.is_empty()).collect()
 }
 
-/// What a node says of the cavity.
+/// The state of a node of the cavity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Node {
     Full,

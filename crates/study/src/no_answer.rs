@@ -60,7 +60,7 @@ impl NoAnswer {
         }
     }
 
-    /// True if the mesh cannot tell on which side of the limit of the viscosity law the film is.
+    /// True if the mesh cannot resolve on which side of the limit of the viscosity law the film is.
     pub fn is_near_limit(&self) -> bool {
         let (Self::Film(film) | Self::Equilibrium(NoEquilibrium::Film(film))) = self else {
             return false;

@@ -39,7 +39,7 @@ const OF_SQUARE: f64 = 0.95;
 /// Pressure [Pa] at which hard steel yields.
 const YIELDING: f64 = 2e9;
 
-/// Numbers that tell which assumptions hold.
+/// Numbers by which assumptions are judged.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Regime {
     /// `Re = rho U c/mu` [1].

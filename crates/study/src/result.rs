@@ -1,4 +1,4 @@
-//! What a run found, as scripts read it: `result.json`, and the facts that `oilwedge check` tells.
+//! What a run found, as scripts read it: `result.json`, and the facts that `oilwedge check` shows.
 //!
 //! Every number is SI, angles (degrees) and temperatures (degrees C) excepted. A number that is not finite is never written.
 

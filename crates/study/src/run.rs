@@ -29,7 +29,7 @@ use crate::warnings::all_warnings;
 /// What a run found.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Run {
-    /// The numbers; its status tells whether there are any.
+    /// The numbers; its status shows whether there are any.
     pub result: RunResult,
     /// The fields; `None` where there is no solution to draw.
     pub picture: Option<FilmPicture>,

@@ -1,4 +1,4 @@
-//! What the solver says to a case.
+//! The solver's answer to a case.
 
 use std::path::Path;
 

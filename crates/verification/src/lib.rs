@@ -1,4 +1,4 @@
-//! Hard cases of the oil film: that the solver converges, or says why there is no answer.
+//! Hard cases of the oil film: that the solver converges, or gives the reason why there is no answer.
 //!
 //! A case is a scene at the edge of what can be computed, with the reason why it is there and how it must end. Each answer is
 //! judged three times: by itself (balances, signs, bars: `faults.rs`), beside the other cases of its series (trends, the same

@@ -263,7 +263,7 @@ fn redrawn(scene: &Scene, position: Position) -> Result<Held, CompileError> {
     })
 }
 
-/// What tells the position of a case from those of its neighbours.
+/// Coordinate and duty of a case, by which its position is predicted from those of its neighbours.
 fn point(scene: &Scene, coordinate: f64) -> Point {
     let (bearing, journal) = (&scene.bearing, &scene.journal);
     let [x, y] = journal.load().unwrap_or_default();

@@ -72,7 +72,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<MshFile, Error> {
 /// The content of a plain file.
 ///
 /// # Errors
-/// What the operating system says; a directory, device or pipe is refused, and a file in whose first 64 kB no section
+/// The operating system's message; a directory, device or pipe is refused, and a file in whose first 64 kB no section
 /// opens: of a large one that is no mesh the rest is not read.
 pub fn read_bytes(path: &Path) -> Result<Vec<u8>, Error> {
     let failed = |error| Error::Io {

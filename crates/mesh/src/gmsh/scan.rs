@@ -129,7 +129,7 @@ fn find(bytes: &[u8], from: usize, needle: &[u8]) -> Option<usize> {
     None
 }
 
-/// A word or name of a file as it can be told, a letter more than the longest name at most.
+/// A word or name of a file as it can be shown, a letter more than the longest name at most.
 fn shown(bytes: &[u8]) -> String {
     // A letter has four bytes at most.
     let some = &bytes[..bytes.len().min(4 * (LONGEST_NAME + 1))];

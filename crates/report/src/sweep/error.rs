@@ -51,7 +51,7 @@ pub enum SweepError {
     Earlier {
         /// The file.
         path: PathBuf,
-        /// What the system says.
+        /// The system's message.
         source: io::Error,
     },
 }

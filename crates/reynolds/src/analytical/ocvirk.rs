@@ -23,7 +23,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-/// A short film, its speeds told in parts of a reference angular velocity `omega_0`.
+/// A short film, its speeds in parts of a reference angular velocity `omega_0`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ShortFilm {
     /// Relative eccentricity eps in [0, 1).

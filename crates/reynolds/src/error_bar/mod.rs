@@ -1,4 +1,4 @@
-//! # Error bars: what the film in cubic elements tells of the error of the load
+//! # Error bars: the error of the load, estimated by the film in cubic elements
 //!
 //! **Equation.** For a goal J (a component of the load, the integral of the pressure)
 //! ```text
@@ -43,7 +43,7 @@ const CANCELLING: f64 = 0.01;
 /// difference where the film takes up 270 degrees; a bit more is found, for the triangles that touch the corner do not hold all of it.
 const PER_CORNER: f64 = 0.7;
 
-/// Both films book alike where the edge of a cavity crosses an end, so their difference does not tell; the edge may lie in the next
+/// Both films book alike where the edge of a cavity crosses an end, so their difference does not show it; the edge may lie in the next
 /// triangle, and more be booked wrongly than the triangles that it crosses hold. Measured: up to 1.4 times that.
 const PER_UNSURE: f64 = 2.0;
 
@@ -221,7 +221,7 @@ impl FilmError {
         [[x / size, y / size, 0.0], [-y / size, x / size, 0.0]]
     }
 
-    /// Bar of a goal. `per_eta` tells what part of `|eta|` counts for a cubic value.
+    /// Bar of a goal. `per_eta` is the part of `|eta|` counts for a cubic value.
     fn bar(&self, goal: &GoalError, value: Value, per_eta: f64) -> Bar {
         let (mut eta, mut all, mut front, mut corner) = (0.0, 0.0, 0.0, 0.0);
         for (k, &share) in goal.shares.iter().enumerate() {

@@ -124,7 +124,7 @@ pub fn hidden_share(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolut
     if whole > 0.0 { hidden / whole } else { 0.0 }
 }
 
-/// Share of the meshed area [1] where the pressure lies below `level` [Pa], as the nodes tell at which none is given.
+/// Share of the meshed area [1] where the pressure lies below `level` [Pa], judged by the nodes at which none is given.
 pub fn share_below(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, level: f64) -> f64 {
     let space = system.space();
     let mesh = space.mesh();

@@ -40,7 +40,7 @@ pub struct FilmEnd {
     pub kind: EndKind,
     /// Triangle that it is in or beside.
     pub triangle: usize,
-    /// Length [m] within which the mesh does not tell where it is: that of the triangle for a front that the film finds, zero at a given line.
+    /// Length [m] within which the mesh cannot resolve where it is: that of the triangle for a front that the film finds, zero at a given line.
     pub unsure: f64,
 }
 

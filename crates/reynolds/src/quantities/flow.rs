@@ -14,7 +14,7 @@
 //! is made by the cavity; what the journal drags there does.
 //!
 //! **Source.** Hughes, Engel, Mazzei, Larson, J. Comput. Phys. 163 (2000) 467.
-//! **Range.** A balance for the conservative form only: the as-printed form makes oil, which the imbalance tells. **Verified by** `flows_balance` in the tests of the scenes and
+//! **Range.** A balance for the conservative form only: the as-printed form makes oil, which the imbalance shows. **Verified by** `flows_balance` in the tests of the scenes and
 //! `tests/tests/oil_balance.rs`.
 
 use oilwedge_fem::control_volumes::sub_triangles;
@@ -60,7 +60,7 @@ pub struct Flows {
 
 /// A throughput below this part of the flow that the film could have is rounding.
 pub(super) const STILL: f64 = 1e-10;
-/// What is out of balance is told as a part of this part of that flow at least: where oil only goes round, next to none comes and leaves.
+/// The imbalance is relative to this part of that flow at least: where oil only goes round, next to none comes and leaves.
 const HARDLY: f64 = 1e-6;
 
 /// Flow [m3/s] that speed, squeeze or given pressures would drive through the clearance.

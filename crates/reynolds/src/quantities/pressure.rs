@@ -73,7 +73,7 @@ pub struct ThinnestFilm {
 
 /// Least film thickness over the mesh, and where it is.
 ///
-/// The film is least at `phi_min` if the liner covers it, else at an edge: the nodes tell.
+/// The film is least at `phi_min` if the liner covers it, else at an edge: that of the nodes is taken.
 pub fn thinnest(problem: &FilmProblem, system: &FilmSystem) -> ThinnestFilm {
     let mesh = system.space().mesh();
     let covered = match mesh.period() {

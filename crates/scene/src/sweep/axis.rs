@@ -48,7 +48,7 @@ impl Axis {
         }
     }
 
-    /// Value `index` as it is told: `3000 rpm`.
+    /// Value `index` in words: `3000 rpm`.
     pub fn told(&self, index: usize) -> String {
         match &self.values[index] {
             AxisValue::Number(number) if self.unit.is_empty() => format!("{number}"),
@@ -57,7 +57,7 @@ impl Axis {
         }
     }
 
-    /// Value `index` as a number that tells how far it is from the others; its place in the list for words.
+    /// Value `index` as a number, by which its distance from the others is measured; its place in the list for words.
     pub fn coordinate(&self, index: usize) -> f64 {
         match self.values[index] {
             AxisValue::Number(number) => number,

@@ -160,7 +160,7 @@ impl CubicPair<'_> {
         [self.error.load(self.value), self.error.across(self.value)]
     }
 
-    /// A load that cannot be told from none has no direction along which or across which it may be off.
+    /// A load smaller than its own bar has no direction along which or across which it may be off.
     fn vanishes(&self) -> bool {
         let [along, across] = self.bars();
         along.total() + across.total() >= self.force()

@@ -55,7 +55,7 @@ pub trait Estimate {
     fn force(&self) -> f64;
     /// Of the magnitude of the load [N].
     fn load(&self) -> Bar;
-    /// Of the load across its direction [N]; none where it cannot be told from none.
+    /// Of the load across its direction [N]; none where the load is smaller than its own bar.
     fn across(&self) -> Option<Bar>;
     /// Of the product of the load with a vector.
     fn product(&self, vector: [f64; 2]) -> Bar;

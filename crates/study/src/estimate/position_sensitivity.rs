@@ -11,7 +11,7 @@ use crate::solved::{Balance, Solved};
 
 /// For each quantity of `list` by name how much it changes where the journal moves as far as the bars of
 /// the load, `[along, across]` [N], and what is left unbalanced let it. Not finite where the film has no tangent, or so far away no film,
-/// and where the load is so far from balanced that the tangent does not tell how far the position is.
+/// and where the load is so far from balanced that the tangent does not show how far the position is.
 pub(super) fn position_bars(
     solved: &Solved,
     balance: &Balance,

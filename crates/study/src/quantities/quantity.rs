@@ -56,7 +56,7 @@ impl Quantity {
         self.bar.map(|bar| bar.total())
     }
 
-    /// Gives it a bar, or says that there is none: one that is not finite tells nothing.
+    /// Gives it a bar, or says that there is none: one that is not finite is none.
     pub fn set_bar(&mut self, bar: Option<Bar>) {
         self.bar = bar.filter(|bar| bar.total().is_finite());
     }

@@ -105,7 +105,7 @@ impl ErrorRule {
     }
 }
 
-/// Bar [deg] of the angle of the load; any direction may be that of a load that cannot be told from none.
+/// Bar [deg] of the angle of the load; any direction may be that of a load smaller than its own bar.
 pub(super) fn direction(estimate: &dyn Estimate) -> Bar {
     match estimate.across() {
         Some(across) => across.scaled(1f64.to_degrees() / estimate.force()),

@@ -71,7 +71,7 @@ pub(super) enum Next {
     Divided(Arc<Mesh>, Refinement, Known),
 }
 
-/// What a film found tells the next one.
+/// What the next film takes over from a film found.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Known {
     /// Where the journal is, as the scene gives it where it does.

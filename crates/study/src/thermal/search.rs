@@ -309,7 +309,7 @@ impl Tried {
         }
     }
 
-    /// Whether another film of this kind would tell nothing new.
+    /// Whether another film of this kind would add nothing.
     fn serves(&self, kind: Kind) -> bool {
         self.kind == kind || self.kind == Kind::Last && kind != Kind::Chosen
     }

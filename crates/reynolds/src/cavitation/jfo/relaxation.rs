@@ -1,6 +1,6 @@
 //! Relaxation near nodes that changed sides, to foresee which of their neighbours will.
 //!
-//! A solve of all balances tells which nodes are on the wrong side, but the edge of a streak of oil then walks by one
+//! A solve of all balances shows which nodes are on the wrong side, but the edge of a streak of oil then walks by one
 //! node a solve. So between solves each node near a change is given the pressure, or the film fraction, that balances it
 //! while its neighbours stay; where that changes, its neighbours follow (projected Gauss-Seidel relaxation). They are
 //! visited downstream, so that neither their numbers nor a mirror change the answer. Only the sides of the nodes are kept: the next solve is of all balances again, and has the last word.
@@ -96,7 +96,7 @@ pub(super) struct Downstream {
 impl Downstream {
     /// A journal that moves at `velocity` [m/s]; a ring is cut at the narrowest film, `cut` [m].
     pub(super) fn new(space: &Space, velocity: [f64; 2], cut: f64) -> Self {
-        /// Places are told apart by so much of the extent of the film.
+        /// Places are distinguished by so much of the extent of the film.
         const APART: f64 = 1e-9;
         let mesh = space.mesh();
         let speed = velocity[0].hypot(velocity[1]).max(f64::MIN_POSITIVE);
