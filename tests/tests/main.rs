@@ -19,6 +19,7 @@ mod invariance;
 mod literature;
 mod mesh_readers;
 mod oil_balance;
+mod pages;
 mod performance;
 mod pictures;
 mod reference;
