@@ -78,7 +78,7 @@ def test_values_are_the_quadratics_of_the_file(browser, report):
         values = np.asarray(grid.point_data[name])
         wanted = np.einsum("ki,ki->k", weights, values[cells[chosen]])
         got = np.array([it[name] for it in found])
-        assert np.abs(got - wanted).max() <= 1e-6 * max(np.ptp(values), 1e-9 * np.abs(values).max()), name
+        assert np.abs(got - wanted).max() <= max(1e-6 * np.ptp(values), 1e-12 * np.abs(values).max()), name
     for name in grid.cell_data.keys():
         values = np.asarray(grid.cell_data[name])
         got = np.array([it[name] for it in found])

@@ -1,4 +1,4 @@
-//! Results out: JSON, CSV, VTU, pictures, and folders that are whole after a kill.
+//! Results out: JSON, CSV, VTU, pictures, the HTML page, and folders that are whole after a kill.
 //!
 //! Reading order: [`mod@json`], [`folder`], [`results`] (the folder of a run), [`sweep`], [`convergence`], [`vtu`], [`plot`], [`page`], [`mod@check`].
 

@@ -5,6 +5,7 @@
 
 use std::f64::consts::TAU;
 
+use oilwedge_drawing::joined;
 use oilwedge_study::fields::{ERROR_INDICATOR, FieldRow, Interpolation, field};
 use oilwedge_study::picture::FilmPicture;
 use oilwedge_study::quantities::{ECCENTRICITY, MIN_FILM_ANGLE};
@@ -18,6 +19,8 @@ use crate::readable::{printed_symbol, printed_unit, readable_unit_of};
 const TURN: f64 = 4_294_967_296.0;
 const LENGTH_STEPS: f64 = 4_294_967_295.0;
 const RANGE_STEPS: f64 = 16_777_215.0;
+/// Circumference of the sheet on which lines are joined [mm].
+const SHEET: f64 = 5000.0;
 
 /// A film, its fields, and where it is.
 #[derive(Debug, Serialize)]
@@ -62,11 +65,11 @@ struct FieldData {
     values: Packed,
 }
 
-/// A line on the liner: pieces of angle [rad] and height [m].
+/// A line on the liner: paths of angles [rad] and heights [m] in turn.
 #[derive(Debug, Serialize)]
 struct Line {
     kind: &'static str,
-    pieces: Vec<f64>,
+    paths: Vec<Vec<f64>>,
 }
 
 impl FilmData {
@@ -179,14 +182,19 @@ fn part(value: f64, [low, high]: [f64; 2], steps: f64) -> u32 {
 }
 
 fn lines(film: &DrawnFilm) -> Vec<Line> {
-    let pieces = |pieces: &[[[f64; 2]; 2]]| -> Vec<f64> {
-        let ends = pieces
+    // Pieces are joined on a sheet of that circumference, to the places of a drawing.
+    let scale = SHEET / (TAU * film.radius());
+    let on_liner = |[x, z]: &[f64; 2]| [x / SHEET * TAU, z / scale].map(|part| (part * 1e7).round() / 1e7);
+    let paths = |pieces: &[[[f64; 2]; 2]]| -> Vec<Vec<f64>> {
+        let pieces: Vec<[[f64; 2]; 2]> = pieces
             .iter()
-            .flatten()
-            .flatten()
-            .zip([film.radius(), 1.0].into_iter().cycle());
-        // To a thousandth of a degree or of a micrometre of the liner: a picture of a dot in a thousand needs no more.
-        ends.map(|(value, over)| (value / over * 1e7).round() / 1e7).collect()
+            .map(|piece| piece.map(|point| point.map(|part| scale * part)))
+            .collect();
+        let lines = joined(&pieces);
+        lines
+            .iter()
+            .map(|line| line.iter().flat_map(on_liner).collect())
+            .collect()
     };
     let [rupture, reformation] = film.cavity_edges();
     let rims: Vec<[[f64; 2]; 2]> = film.rims().flat_map(|(_, rim)| rim.iter().copied()).collect();
@@ -195,7 +203,7 @@ fn lines(film: &DrawnFilm) -> Vec<Line> {
     lines
         .map(|(kind, line)| Line {
             kind,
-            pieces: pieces(line),
+            paths: paths(line),
         })
         .collect()
 }

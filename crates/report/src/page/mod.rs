@@ -5,11 +5,14 @@
 //! page forbids all else: `default-src 'none'`, with the hashes of the script and the style. The same results give the same bytes; what
 //! differs from run to run, the wall times, stands in the element `timings`.
 //!
-//! Reading order: this file (what the page shows), `quantities.rs`, `tables.rs`, `film_data.rs` (the film for the script), `packing.rs`.
+//! Reading order: this file (what the page shows), `quantities.rs`, `table.rs` and `tables.rs`, `comparisons.rs`, `studies.rs`, `film_data.rs` (the film for the script), `packing.rs`.
 
+mod comparisons;
 mod film_data;
 mod packing;
 mod quantities;
+mod studies;
+mod table;
 mod tables;
 
 use std::path::Path;
@@ -26,11 +29,11 @@ use serde_json::Value;
 use sha2::{Digest, Sha256};
 
 use crate::Error;
-use crate::plot::{DrawnFilm, PlotOptions, figures_of_sweep, film_figures};
+use crate::plot::{BALANCE, DrawnFilm, PlotOptions, figures_of_sweep, film_figures};
 use crate::sketch::words;
 use film_data::FilmData;
 use quantities::{Shown, cards, quantities, simulated};
-use tables::Table;
+use table::Table;
 
 /// Name of the file.
 pub const PAGE_FILE: &str = "report.html";
@@ -50,7 +53,6 @@ const SCRIPT: &str = concat!(
 /// Figures that stand by themselves; all others are maps of the liner.
 const SECTION: &str = "section";
 const PROFILES: &str = "profiles";
-const HEAT: &str = "heat";
 const MESH: &str = "mesh";
 
 /// A figure on the page.
@@ -97,7 +99,7 @@ struct Page {
     words: Vec<String>,
     section: Option<String>,
     profiles: Option<String>,
-    heat: Option<String>,
+    balance: Option<String>,
     maps: Vec<Drawn>,
     notes: Vec<String>,
     film: Option<Interactive>,
@@ -137,7 +139,7 @@ pub fn film_page(result: &Value, picture: Option<&FilmPicture>) -> Result<String
         .collect(),
         tables: tables::criteria(result)
             .into_iter()
-            .chain(tables::comparisons(result))
+            .chain(comparisons::comparisons(result))
             .collect(),
         timings: tables::timings(result),
         ..head(result)
@@ -164,7 +166,7 @@ pub fn sweep_page(sweep: &Value) -> Result<String, Error> {
         kind: "sweep",
         status: format!("{cases} cases"),
         maps: drawn(&figures),
-        tables: tables::sweep_rows(sweep).into_iter().collect(),
+        tables: studies::sweep_rows(sweep).into_iter().collect(),
         command: command("sweep", sweep, &[]),
         ..head(sweep)
     })
@@ -182,7 +184,7 @@ pub fn convergence_page(study: &Value, svg: Option<&str>) -> Result<String, Erro
     render(Page {
         kind: "convergence study",
         maps: picture.into_iter().collect(),
-        tables: tables::study_levels(study).into_iter().collect(),
+        tables: studies::study_levels(study).into_iter().collect(),
         command: command("converge", study, &[]),
         ..head(study)
     })
@@ -222,7 +224,7 @@ fn add_film(page: &mut Page, film: DrawnFilm, picture: &FilmPicture) -> Result<(
         match name.as_str() {
             SECTION => page.section = Some(svg),
             PROFILES => page.profiles = Some(svg),
-            HEAT => page.heat = Some(svg),
+            BALANCE => page.balance = Some(svg),
             MESH if svg.len() > LARGEST_MESH => page.notes.push(format!(
                 "The mesh of {} triangles is too fine to be drawn on a page; film.vtu has it.",
                 picture.cells.len()

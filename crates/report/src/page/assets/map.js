@@ -1,4 +1,5 @@
 // The unrolled liner and the profiles through its cursor.
+const millimetres = (z) => Math.round(z * 1e6) / 1e3;
 const svgLine = (a, b, c, d, kind) => `<line class="${kind}" x1="${a.toFixed(1)}" y1="${b.toFixed(1)}" x2="${c.toFixed(1)}" y2="${d.toFixed(1)}"/>`;
 const svgText = (x, y, text, kind = "") => `<text class="tl ${kind}" x="${x.toFixed(1)}" y="${y.toFixed(1)}">${text}</text>`;
 const nameOf = (field) => `<tspan class="sy">${field.symbol}</tspan>${field.unit ? ", " + field.unit : ""}`;
@@ -75,6 +76,7 @@ function mapOf(film, state) {
   const box = document.getElementById("map"), canvas = document.getElementById("field"), axes = document.getElementById("axes"), readout = document.getElementById("readout");
   const whole = 2 * Math.PI;
   let frame = null;
+  const within = (value, low, high) => Math.min(high, Math.max(low, value));
   const at = (x, z) => [frame.left + (x / film.width) * frame.width, frame.top + ((film.top - z) / (film.top - film.bottom)) * frame.height];
   function draw() {
     const dots = Math.min(2, window.devicePixelRatio || 1), room = box.clientWidth, left = 52, right = room < 500 ? 66 : 84, top = 10, bottom = 44;
@@ -91,20 +93,26 @@ function mapOf(film, state) {
     canvas.getContext("2d").putImageData(picture, 0, 0);
     drawAxes(); drawCursor();
   }
-  function pieces({ kind, pieces: ends }) {
-    let path = "";
-    for (let k = 0; k < ends.length; k += 4) {
-      let a = (ends[k] - film.origin) % whole; if (a < 0) a += whole;
-      const b = a + ends[k + 2] - ends[k];
-      for (const shift of [-whole, 0, whole]) if (Math.max(a, b) + shift >= 0 && Math.min(a, b) + shift <= film.width) {
-        const [x0, y0] = at(Math.min(film.width, Math.max(0, a + shift)), ends[k + 1]), [x1, y1] = at(Math.min(film.width, Math.max(0, b + shift)), ends[k + 3]);
-        path += `M${x0.toFixed(1)} ${y0.toFixed(1)}L${x1.toFixed(1)} ${y1.toFixed(1)}`;
+  // A line, of a ring also where it crosses the cut.
+  function lineOf({ kind, paths }) {
+    let d = "";
+    for (const path of paths) {
+      const start = (((path[0] - film.origin) % whole) + whole) % whole;
+      for (const shift of [-whole, 0, whole]) {
+        let pen = "M";
+        for (let k = 0; k + 3 < path.length; k += 2) {
+          const a = start + path[k] - path[0] + shift, b = start + path[k + 2] - path[0] + shift;
+          if (Math.max(a, b) < 0 || Math.min(a, b) > film.width) { pen = "M"; continue; }
+          const [x0, y0] = at(within(a, 0, film.width), path[k + 1]), [x1, y1] = at(within(b, 0, film.width), path[k + 3]);
+          d += (pen === "M" ? `M${x0.toFixed(1)} ${y0.toFixed(1)}` : "") + `L${x1.toFixed(1)} ${y1.toFixed(1)}`;
+          pen = "L";
+        }
       }
     }
-    return kind === "rim" ? `<path class="rim" d="${path}"/>` : `<path class="halo" d="${path}"/><path class="${kind}" d="${path}"/>`;
+    return kind === "rim" ? `<path class="rim" d="${d}"/>` : `<path class="halo" d="${d}"/><path class="${kind}" d="${d}"/>`;
   }
   function drawAxes() {
-    const { left, top, width, height } = frame, field = state.field, out = film.lines.map(pieces), foot = top + height;
+    const { left, top, width, height } = frame, field = state.field, out = film.lines.map(lineOf), foot = top + height;
     out.push(`<rect class="frame" x="${left}" y="${top}" width="${width.toFixed(1)}" height="${height.toFixed(1)}"/>`);
     const first = film.origin / DEGREE, last = first + film.width / DEGREE, by = [15, 30, 45, 60, 90, 120, 180].find((step) => ((last - first) / step) * 42 < width) || 360;
     for (let a = Math.ceil(first / by - 1e-9) * by; a <= last + 1e-6; a += by) { const [x] = at((a - first) * DEGREE, 0); out.push(svgLine(x, foot, x, foot + 5, "tick"), svgText(x, foot + 18, ((Math.round(a) % 360) + 360) % 360 + "\u00b0")); }
@@ -115,14 +123,14 @@ function mapOf(film, state) {
     for (let k = 0; k < parts; k++) { const i = 3 * Math.round((1023 * k) / (parts - 1)), c = field.table; out.push(`<rect x="${bar.toFixed(1)}" y="${(top + tall - ((k + 1) * tall) / parts).toFixed(2)}" width="12" height="${(tall / parts + 0.6).toFixed(2)}" fill="rgb(${c[i]},${c[i + 1]},${c[i + 2]})"/>`); }
     out.push(`<rect class="frame" x="${bar.toFixed(1)}" y="${top}" width="12" height="${tall.toFixed(1)}"/>`);
     for (const value of marksOf(field, 5)) { const y = top + tall * (1 - shareOf(field, value)); out.push(svgLine(bar + 12, y, bar + 16, y, "tick"), svgText(bar + 19, y + 4, written(value / field.size, field.is_logarithmic ? 1 : 3), "ts")); }
-    out.push(svgText(bar, Math.max(foot, top + tall) + 20, nameOf(field), "ts"), '<g id="cursor"></g>');
+    out.push(svgText(bar, Math.max(foot, top + tall) + 36, nameOf(field), "ts"), '<g id="cursor"></g>');
     if (tall > height) box.style.height = tall + top + 44 + "px";
     axes.innerHTML = out.join("");
   }
   function drawCursor() {
     const [x, z] = state.cursor, [cx, cy] = at(x, z), { left, top, width, height } = frame;
     document.getElementById("cursor").innerHTML = svgLine(cx, top, cx, top + height, "cursor") + svgLine(left, cy, left + width, cy, "cursor") + `<circle class="cursor" cx="${cx.toFixed(1)}" cy="${cy.toFixed(1)}" r="5"/>`;
-    const place = film.locate(x, z), here = `${written(degreesOf(film, x), 4)}\u00b0, z = ${written(z * 1e3)} mm`;
+    const place = film.locate(x, z), here = `${written(degreesOf(film, x), 4)}\u00b0, z = ${written(millimetres(z))} mm`;
     readout.textContent = `At ${here}: ` + (place ? film.fields.map((field) => `${field.label} ${written(valueAt(film, field, place) / field.size)}${field.unit ? "\u00a0" + field.unit : ""}`).join(", ") : "no film (hole, groove or gap)");
     const count = 360, around = [], along = [], xs = [], zs = [];
     for (let k = 0; k <= count; k++) {
@@ -131,7 +139,7 @@ function mapOf(film, state) {
     }
     const first = film.origin / DEGREE, last = first + film.width / DEGREE, marks = [];
     for (let a = Math.ceil(first / 60) * 60; a <= last; a += 60) marks.push(a);
-    curve("around", xs.map((v) => first + v / DEGREE), around, [first, last], `around, at z = ${written(z * 1e3)} mm`, marks, first + x / DEGREE, (a) => ((Math.round(a) % 360) + 360) % 360 + "\u00b0");
+    curve("around", xs.map((v) => first + v / DEGREE), around, [first, last], `around, at z = ${written(millimetres(z))} mm`, marks, first + x / DEGREE, (a) => ((Math.round(a) % 360) + 360) % 360 + "\u00b0");
     curve("along", zs.map((v) => v * 1e3), along, [film.bottom * 1e3, film.top * 1e3], `along the axis, mm, at ${written(degreesOf(film, x))}\u00b0`, roundNumbers(film.bottom * 1e3, film.top * 1e3, 5), z * 1e3, (v) => written(v));
   }
   function curve(id, xs, ys, [low, high], title, marks, cursor, format) {
@@ -144,7 +152,6 @@ function mapOf(film, state) {
     out.push(`<rect class="frame" x="${l}" y="${t}" width="${w - l - r}" height="${h - t - b}"/><path class="curve" d="${path}"/>`, svgLine(X(cursor), t, X(cursor), h - b, "cursor"), svgText(w / 2, h - 6, title), upright(14, h / 2 - 10, nameOf(field)));
     document.getElementById(id).innerHTML = out.join("");
   }
-  const within = (value, low, high) => Math.min(high, Math.max(low, value));
   function move(x, z) {
     const isRing = film.is_ring;
     state.cursor = [isRing ? ((x % film.width) + film.width) % film.width : within(x, 0, film.width), within(z, film.bottom, film.top)];
