@@ -8,10 +8,10 @@ import subprocess
 
 import numpy as np
 import pytest
+import pyvista
 
 import vtu_geometry
 from oilwedge_run import SCENES, program
-import pyvista
 
 CHROMIUM = os.environ.get("CHROMIUM") or shutil.which("chromium") or shutil.which("google-chrome")
 playwright = pytest.importorskip("playwright.sync_api")
@@ -120,3 +120,11 @@ def test_without_a_script_all_figures_are_there(browser, report):
     figures = page.query_selector_all("figure svg")
     assert len(figures) >= 5
     assert all(figure.is_visible() for figure in figures)
+
+
+@pytest.mark.parametrize("scheme", ("light", "dark"))
+def test_axe_has_no_finding(browser, report, scheme):
+    axe = pytest.importorskip("axe_playwright_python.sync_playwright")
+    page, _ = opened(browser, report, bypass_csp=True, color_scheme=scheme)
+    found = axe.Axe().run(page).response["violations"]
+    assert [(it["id"], it["nodes"][0]["html"]) for it in found] == []

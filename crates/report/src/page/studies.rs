@@ -5,7 +5,10 @@ use serde_json::Value;
 
 use super::quantities::{shown_unit, with_minus};
 use super::table::{Cell, DIGITS, Table, any, optional, text};
-use crate::digits::quantity_value;
+use crate::digits::{quantity_value, significant};
+
+/// Digits of the value whose convergence is studied.
+const VALUE_DIGITS: usize = 9;
 
 /// The rows of a sweep.
 pub(super) fn sweep_rows(sweep: &Value) -> Option<Table> {
@@ -63,8 +66,13 @@ pub(super) fn study_levels(study: &Value) -> Option<Table> {
     for course in study["strategies"].as_array()? {
         for level in course["levels"].as_array().into_iter().flatten() {
             let mut cells = vec![any(&course["strategy"])];
-            let keys = ["level", "cells", "unknowns", "value", "relative_bar", "relative_error"];
-            cells.extend(keys.map(|key| optional(&level[key])));
+            cells.extend(["level", "cells", "unknowns"].map(|key| optional(&level[key])));
+            cells.extend(level["value"].as_f64().map(|value| Cell {
+                text: with_minus(significant(value, VALUE_DIGITS)),
+                si: format!("{value}"),
+                is_number: true,
+            }));
+            cells.extend(["relative_bar", "relative_error"].map(|key| optional(&level[key])));
             rows.push(cells);
         }
     }
