@@ -24,6 +24,7 @@ mod invariance;
 mod literature;
 mod mesh_readers;
 mod oil_balance;
+mod pages;
 mod performance;
 mod pictures;
 mod reference;

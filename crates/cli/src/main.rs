@@ -16,6 +16,7 @@ mod plot;
 mod progress;
 mod quantities;
 mod readable;
+mod report;
 mod run_options;
 mod run_report;
 mod shown;
@@ -53,6 +54,7 @@ Examples:
   oilwedge mesh bearing.toml -o liner.msh          mesh its liner, to a gmsh file
   oilwedge converge bearing.toml                   the cost of accuracy, in unknowns and seconds
   oilwedge sweep bearing.toml                      solve all cases of its [sweep], to a table
+  oilwedge report out/bearing --open               one page about results, in the browser
   oilwedge oil SAE 10W-40 --at \"80 C\"              viscosity and density of an oil
   oilwedge verify                                  check this program against known answers
 
@@ -73,6 +75,8 @@ enum Verb {
     Sweep(sweep::Sweep),
     /// Draw the film of a scene, or the results in a folder, as SVG and PNG.
     Plot(plot::Plot),
+    /// Write one HTML page about the results in a folder.
+    Report(report::Report),
     /// Show viscosity and density of an oil by temperature, or which oils a scene may name.
     Oil(oil::Oil),
     /// Check this program against cases with known answers, or against all hard cases.
@@ -89,6 +93,7 @@ fn main() -> ExitCode {
         Verb::Converge(converge) => converge.run(),
         Verb::Sweep(sweep) => sweep.run(),
         Verb::Plot(plot) => plot.run(),
+        Verb::Report(report) => report.run(),
         Verb::Oil(oil) => oil.run(),
         Verb::Verify(verify) => verify.run(),
     });

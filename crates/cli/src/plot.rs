@@ -88,7 +88,7 @@ pub(crate) fn figures_of_sweep(json: &str, options: &PlotOptions) -> Result<Figu
     plot::figures_of_sweep(&value(json)?, options).map_err(unknown)
 }
 
-fn value(json: &str) -> Result<Value, Failure> {
+pub(crate) fn value(json: &str) -> Result<Value, Failure> {
     serde_json::from_str(json).map_err(|error| Failure::Message(format!("the results are no JSON: {error}")))
 }
 
@@ -199,18 +199,18 @@ impl Plot {
     }
 }
 
-fn read(path: &Path) -> Result<Vec<u8>, Failure> {
+pub(crate) fn read(path: &Path) -> Result<Vec<u8>, Failure> {
     std::fs::read(path).map_err(|error| Failure::Message(format!("cannot read {}: {error}", path.display())))
 }
 
-fn text(path: &Path) -> Result<String, Failure> {
+pub(crate) fn text(path: &Path) -> Result<String, Failure> {
     let bytes = read(path)?;
     String::from_utf8(bytes).map_err(|_| Failure::Message(format!("{} is no text", path.display())))
 }
 
 impl Failure {
     /// A failure of the file at `path`.
-    fn of_file(path: &Path) -> impl Fn(oilwedge_report::Error) -> Self {
+    pub(crate) fn of_file(path: &Path) -> impl Fn(oilwedge_report::Error) -> Self {
         move |error| Self::Message(format!("{}: {error}", path.display()))
     }
 }

@@ -4,11 +4,13 @@ use crate::complain::{self, Failure};
 use crate::interrupt;
 use crate::plot;
 use crate::progress::Progress;
+use crate::report::PageArguments;
 use crate::run_options::RunArguments;
 use crate::run_report::{Written, run_report};
 use crate::shown::Shown;
 use crate::terminal::{exit_code, output};
 use oilwedge_campaign::{effect_costs, standard, theories};
+use oilwedge_report::page::film_page;
 use oilwedge_report::result_json;
 use oilwedge_report::results::write_results;
 use oilwedge_report::vtu::to_vtu;
@@ -35,6 +37,9 @@ pub(crate) struct Solve {
     #[arg(long)]
     plot: bool,
 
+    #[command(flatten)]
+    page: PageArguments,
+
     /// Solve again without each effect, and show what it changes and what it costs.
     #[arg(long)]
     cost: bool,
@@ -54,6 +59,7 @@ Examples:
   oilwedge solve bearing.toml --all
   oilwedge solve bearing.toml --out results/today --unrolled
   oilwedge solve bearing.toml --json | jq .quantities.load.value
+  oilwedge solve bearing.toml --open
   oilwedge solve bearing.toml --cost
   oilwedge solve bearing.toml --standard
   oilwedge solve bearing.toml --theories
@@ -105,10 +111,14 @@ impl Solve {
             Some(picture) => plot::figures_of_film(&json, picture, &plot::usual())?,
             None => Vec::new(),
         };
+        let page = match self.page.is_wanted() {
+            true => Some(film_page(&plot::value(&json)?, run.picture.as_ref())?),
+            false => None,
+        };
         let picture = run.picture.map(to_vtu).transpose()?;
         let folder = self.run.folder();
         write_results(&folder, &run.result, &add_ons, picture.as_deref())?;
-        let drawn = plot::written(&folder, &figures)?;
+        let drawn = plot::written(&folder, &figures)? + &self.page.written(&folder, page)?;
         if let Some(plan) = &scene.sweep {
             let cases = plan.cases();
             complain::warn(&[format!(

@@ -76,6 +76,8 @@ pub struct Scene {
     pub cap: Option<Cap>,
     /// The cases that `oilwedge sweep` makes of it; nothing else reads them.
     pub sweep: Option<Plan>,
+    /// The text that was read; empty in a case of a sweep.
+    pub text: String,
     /// SHA-256 of the scene's text, 64 hexadecimal digits; empty in a case of a sweep.
     pub sha256: String,
 }
@@ -153,6 +155,7 @@ impl Scene {
         }
         match Self::of_document(document.get_ref(), text, path, no_mesh, checks) {
             Ok(scene) => Ok(Self {
+                text: text.to_owned(),
                 sha256: Sha256::digest(text).iter().map(|byte| format!("{byte:02x}")).collect(),
                 ..scene
             }),
@@ -232,6 +235,7 @@ fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene {
                 path: path.to_owned(),
             }
         }),
+        text: String::new(),
         sha256: String::new(),
     }
 }

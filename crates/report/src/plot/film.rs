@@ -88,13 +88,35 @@ impl DrawnFilm {
         })
     }
 
+    pub(crate) fn radius(&self) -> f64 {
+        self.radius
+    }
+
+    pub(crate) fn speed(&self) -> f64 {
+        self.speed
+    }
+
+    pub(crate) fn is_ring(&self) -> bool {
+        self.is_ring
+    }
+
+    /// Angles [rad] between which the liner is drawn.
+    pub(crate) fn angles(&self) -> [f64; 2] {
+        self.liner.angles()
+    }
+
+    /// Nodes of the triangles on the unrolled liner [m], continuous within each.
+    pub(crate) fn cells(&self) -> &[Nodes] {
+        &self.cells
+    }
+
     /// Values of a quantity of the catalogue.
-    pub(super) fn quantity(&self, row: &Row) -> Option<f64> {
+    pub(crate) fn quantity(&self, row: &Row) -> Option<f64> {
         self.result["quantities"][row.name]["value"].as_f64()
     }
 
     /// Eccentricity [1] and angle of the thinnest film [rad].
-    pub(super) fn position(&self) -> Option<[f64; 2]> {
+    pub(crate) fn position(&self) -> Option<[f64; 2]> {
         Some([
             self.quantity(&ECCENTRICITY)?,
             self.quantity(&MIN_FILM_ANGLE)?.to_radians(),
@@ -120,14 +142,14 @@ impl DrawnFilm {
     }
 
     /// Rims of feeds and pockets by name.
-    pub(super) fn rims(&self) -> impl Iterator<Item = (&str, &[[[f64; 2]; 2]])> {
+    pub(crate) fn rims(&self) -> impl Iterator<Item = (&str, &[[[f64; 2]; 2]])> {
         self.lines
             .iter()
             .filter_map(|(name, pieces)| Some((name.strip_prefix(RIM)?, pieces.as_slice())))
     }
 
     /// Where the film breaks and where it forms again.
-    pub(super) fn cavity_edges(&self) -> [&[[[f64; 2]; 2]]; 2] {
+    pub(crate) fn cavity_edges(&self) -> [&[[[f64; 2]; 2]]; 2] {
         [RUPTURE, REFORMATION].map(|name| self.line(name))
     }
 

@@ -18,8 +18,10 @@ mod sweep;
 mod temperature;
 
 pub use cells::{Cell, CellMap, cells_to_svg};
+pub(crate) use field_map::FieldColours;
 pub use files::{PLOT_FOLDER, PlotOptions, Unknown, figures_of_sweep, film_figures, write_figures};
 pub use film::DrawnFilm;
+pub(crate) use temperature::BALANCE;
 pub use temperature::{TEMPERATURE_FILES, temperature_to_svg};
 
 use crate::Error;
