@@ -2,8 +2,10 @@
 //!
 //! Reading order: [`mod@json`], [`folder`], [`results`] (the folder of a run), [`sweep`], [`convergence`], [`vtu`], [`plot`], [`mod@check`].
 
+pub mod catalogue;
 pub mod check;
 pub mod convergence;
+pub mod difference;
 mod error;
 pub mod folder;
 pub mod json;
@@ -11,6 +13,7 @@ pub mod oil_sheet;
 pub mod plot;
 pub mod readable;
 pub mod results;
+pub mod schema;
 mod sketch;
 pub mod sweep;
 pub mod vtu;

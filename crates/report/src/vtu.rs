@@ -232,9 +232,15 @@ mod tests {
         ));
         let mut picture = square();
         picture.cells[1][5] = 9;
-        assert!(matches!(to_vtu(picture, Compression::None), Err(Error::Node { cell: 1 })));
+        assert!(matches!(
+            to_vtu(picture, Compression::None),
+            Err(Error::Node { cell: 1 })
+        ));
         let mut picture = square();
         picture.cell_data[0].1[0] = f64::NAN;
-        assert!(matches!(to_vtu(picture, Compression::None), Err(Error::NotFinite { .. })));
+        assert!(matches!(
+            to_vtu(picture, Compression::None),
+            Err(Error::NotFinite { .. })
+        ));
     }
 }

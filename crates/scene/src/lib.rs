@@ -10,6 +10,9 @@
 //! Reading order: `scene.rs`, `bearing.rs` as an example of a table, `reader.rs` (how a table is read and what is wrong with it collected),
 //! [`unit`] (quantities with units, by the table in `dimension.rs`), `complaint.rs`.
 
+#[macro_use]
+pub mod keys;
+
 mod bearing;
 mod cap;
 mod cavitation;

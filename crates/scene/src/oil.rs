@@ -1,9 +1,9 @@
 //! `[oil]`: one viscosity or one law of temperature, one law of pressure at most, and the density.
 
-mod barus;
-mod density;
-mod roelands;
-mod temperature;
+pub(crate) mod barus;
+pub(crate) mod density;
+pub(crate) mod roelands;
+pub(crate) mod temperature;
 
 pub use barus::{Barus, BarusForm};
 pub use density::Density;
@@ -13,6 +13,15 @@ pub use temperature::{PointViscosity, TemperatureLaw, ViscosityPoint};
 use crate::reader::TableReader;
 use crate::unit::Dimension;
 use crate::{Complaints, Scene};
+
+keys! {
+    "oil" = Table; "", "required", "",
+        "viscosity and density of the oil";
+    "oil.viscosity" = Quantity(Viscosity); "40 mPa.s", "required unless a law of temperature", "> 0",
+        "mu0, at gauge pressure zero";
+    "oil.temperature" = Quantity(Temperature); "80 C", "required with a law of temperature, unless `[heat]` finds it", "-60 to 350 C; within the `table`",
+        "temperature of the film";
+}
 
 /// The oil.
 #[derive(Debug, Clone, PartialEq)]

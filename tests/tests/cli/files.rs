@@ -34,7 +34,12 @@ fn the_fields_are_compressed_as_wanted() {
     let bench = Bench::new();
     bench.scene("01_plain_ring", &[]);
     let written = |options: &[&str]| {
-        assert_eq!(bench.run(&[&["solve", "scene.toml", "--out", "here"], options].concat()).status, 0);
+        assert_eq!(
+            bench
+                .run(&[&["solve", "scene.toml", "--out", "here"], options].concat())
+                .status,
+            0
+        );
         std::fs::read(bench.path().join("here/film.vtu")).expect("film.vtu")
     };
     let plain = written(&[]);
