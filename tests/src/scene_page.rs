@@ -1,6 +1,7 @@
 //! The page `docs/reference/scene.md`: tables made of the catalogue of keys.
 
-use oilwedge_scene::keys::{Form, Key, keys};
+use oilwedge_scene::catalogue::keys;
+use oilwedge_scene::keys::{Form, Key};
 
 use crate::tables::{replace, row};
 

@@ -34,7 +34,8 @@ enum Kind {
     /// A main bearing of an engine: groove, load, oil by its grade, mass-conserving cavitation.
     EngineMain,
     /// A ring whose film temperature is found from its friction.
-    Heat,
+    #[value(name = "heat")]
+    Warm,
     /// A pad fed only by the oil that adheres to the journal.
     Pad,
 }
@@ -68,7 +69,7 @@ impl Kind {
             Self::Hole => include_str!("new/hole.toml"),
             Self::Groove => include_str!("new/groove.toml"),
             Self::EngineMain => include_str!("new/engine_main.toml"),
-            Self::Heat => include_str!("new/heat.toml"),
+            Self::Warm => include_str!("new/heat.toml"),
             Self::Pad => include_str!("new/pad.toml"),
         }
     }

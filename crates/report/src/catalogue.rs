@@ -1,6 +1,7 @@
 //! All that this program has words for, in one list: keys of scenes, quantities, effects, fields and kinds of warnings.
 
-use oilwedge_scene::keys::{Key, keys};
+use oilwedge_scene::catalogue::keys;
+use oilwedge_scene::keys::Key;
 use oilwedge_scene::spelling::nearest;
 use oilwedge_study::effects::{EFFECTS, Effect};
 use oilwedge_study::fields::{FIELDS, FieldRow};

@@ -2,7 +2,8 @@
 //!
 //! It knows forms, units and words, not the ranges of numbers nor keys that must fit each other: these are checked by the program alone.
 
-use oilwedge_scene::keys::{Form, Key, keys};
+use oilwedge_scene::catalogue::keys;
+use oilwedge_scene::keys::{Form, Key};
 use oilwedge_scene::sweep::{SHORT_NAMES, SWEPT};
 use oilwedge_scene::unit::Dimension;
 use oilwedge_study::quantities::CATALOGUE;

@@ -15,6 +15,7 @@ pub mod keys;
 
 mod bearing;
 mod cap;
+pub mod catalogue;
 mod cavitation;
 mod complaint;
 mod dimension;

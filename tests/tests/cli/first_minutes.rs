@@ -1,6 +1,5 @@
 //! The first minutes: a scene to begin with, its schema, what names mean, and what a change has changed.
 
-use oilwedge_scene::Scene;
 use oilwedge_tests::bench::{Bench, object};
 use oilwedge_tests::program::repository;
 use serde_json::Value;
@@ -32,13 +31,17 @@ fn wrong_keys_units_and_words_are_refused() {
     let file = repository().join("tests/data/wrong_scenes.json");
     let wrong: Value = serde_json::from_str(&std::fs::read_to_string(file).expect("a file")).expect("JSON");
     let text = wrong["scene"].as_str().expect("a scene");
-    let parse = |text: &str| Scene::parse(text, "scene.toml".as_ref(), &oilwedge_study::CHECKS);
-    assert!(parse(text).is_ok(), "{:?}", parse(text).err());
+    let bench = Bench::new();
+    let check = |text: &str| {
+        bench.write("scene.toml", text);
+        bench.run(&["check", "scene.toml"])
+    };
+    assert_eq!(check(text).status, 0, "{}", check(text).stderr);
     let edits = wrong["edits"].as_array().expect("edits");
     assert!(edits.len() >= 50);
     for edit in edits {
         let [from, to] = [0, 1].map(|k| edit[k].as_str().expect("a text"));
-        assert!(parse(&text.replacen(from, to, 1)).is_err(), "{to}");
+        assert_eq!(check(&text.replacen(from, to, 1)).status, 2, "{to}");
     }
 }
 
