@@ -10,7 +10,7 @@ use oilwedge_report::plot::{self, DrawnFilm, PLOT_FOLDER, PlotOptions, Unknown, 
 use oilwedge_report::result_json;
 use oilwedge_report::results::{PICTURE_FILE, RESULT_FILE, write_results};
 use oilwedge_report::sweep::REPORT_FILE;
-use oilwedge_report::vtu::to_vtu;
+use oilwedge_report::vtu::{Compression, to_vtu};
 use oilwedge_report::vtu_read::from_vtu;
 use oilwedge_scene::unit::{self, Dimension};
 use oilwedge_study::RunOptions;
@@ -156,7 +156,11 @@ impl Plot {
             Some(picture) => figures_of_film(&json, picture, &self.options())?,
             None => Vec::new(),
         };
-        let picture = run.picture.map(to_vtu).transpose()?;
+        let picture = run.picture.map(|picture| {
+            let compression = Compression::usual(&picture);
+            to_vtu(picture, compression)
+        });
+        let picture = picture.transpose()?;
         write_results(&folder, &run.result, &[], picture.as_deref())?;
         complain::warn(&run.result.warnings);
         let mut text = written(&folder, &figures)?;

@@ -2,8 +2,10 @@
 //!
 //! Reading order: [`mod@json`], [`folder`], [`results`] (the folder of a run), [`sweep`], [`convergence`], [`vtu`], [`plot`], [`page`], [`mod@check`].
 
+pub mod catalogue;
 pub mod check;
 pub mod convergence;
+pub mod difference;
 pub mod digits;
 mod error;
 pub mod folder;
@@ -13,6 +15,7 @@ pub mod page;
 pub mod plot;
 pub mod readable;
 pub mod results;
+pub mod schema;
 mod sketch;
 pub mod sweep;
 pub mod vtu;

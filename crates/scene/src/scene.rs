@@ -16,6 +16,11 @@ use crate::{
 };
 use crate::{bearing, cap, cavitation, ends, feed, heat, journal, limits, load, mesh, oil};
 
+keys! {
+    "title" = Text; "Plain journal bearing", "the name of the file", "",
+        "title of the study in reports";
+}
+
 /// The largest scene file that is read [bytes].
 pub const SCENE_LIMIT: u64 = 1 << 20;
 /// How many faults of the TOML are reported; more follow from the first ones.
@@ -24,7 +29,7 @@ const FAULT_LIMIT: usize = 5;
 const MESH_OPENING: &[u8] = b"$MeshFormat";
 
 /// Tables whose keys can be swept.
-pub(crate) const SWEPT: [&str; 10] = [
+pub const SWEPT: [&str; 10] = [
     "bearing",
     "mesh",
     "ends",
@@ -193,7 +198,7 @@ impl Scene {
 }
 
 /// The scene as far as it can be read: numbers that were refused are NaN, and texts empty.
-fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene {
+pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene {
     let stem = || path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let load = root.table_if_given("load").map(load::read);
     let journal = match load {

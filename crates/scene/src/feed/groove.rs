@@ -7,6 +7,21 @@ use crate::unit::Dimension;
 use crate::wording::millimetres;
 use crate::{Arc, Bearing, Complaints};
 
+keys! {
+    "feed.groove" = Table; "", "", "",
+        "says that the region is a groove, a rectangle on the unrolled liner";
+    "feed.groove.from" = Quantity(Angle); "80 deg", "all around, as `to`", "",
+        "where the groove begins";
+    "feed.groove.to" = Quantity(Angle); "100 deg", "all around, as `from`", "> `from`",
+        "where it ends";
+    "feed.groove.width" = Quantity(Length); "20 mm", "required", "> 0, at most the length",
+        "its extent along the axis";
+    "feed.groove.z" = Quantity(Length); "0 mm", "0", "inside the liner",
+        "axial position of its middle";
+    "feed.groove.corner" = Quantity(Length); "2 mm", "0", "at most half its lesser side",
+        "radius of its corners";
+}
+
 /// A rectangle with round corners on the developed surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Groove {
