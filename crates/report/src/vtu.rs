@@ -293,4 +293,17 @@ mod tests {
             Err(Error::NotFinite { .. })
         ));
     }
+
+    /// vtkio compresses blocks of 32 768 bytes, and writes an empty one where the last is full.
+    #[test]
+    fn arrays_of_whole_blocks_are_read_back() -> Result<(), Box<dyn std::error::Error>> {
+        let mut picture = square();
+        picture.points = (0..4096).map(|node| [f64::from(node), 0.0, 0.0]).collect();
+        picture.point_data.truncate(1);
+        picture.point_data[0].values = FieldValues::Scalars((1..=4096).map(|node| 1.0 / f64::from(node)).collect());
+        for compression in [Compression::Lz4, Compression::Zlib] {
+            assert_eq!(from_vtu(&to_vtu(picture.clone(), compression)?)?, picture);
+        }
+        Ok(())
+    }
 }
