@@ -3,7 +3,8 @@
 use crate::complain::{Failure, printable};
 use crate::readable::significant;
 use crate::terminal::{output, table};
-use oilwedge_report::difference::{Changed, ChangedQuantity, Difference, of_results, of_scenes};
+use oilwedge_report::difference::{Changed, ChangedQuantity, Difference, of_results};
+use oilwedge_report::readable::readable_unit_of;
 use oilwedge_report::results::RESULT_FILE;
 use oilwedge_report::{json, result_json};
 use oilwedge_study::RunOptions;
@@ -31,17 +32,11 @@ pub(crate) struct Diff {
 const EXAMPLES: &str = "\
 Examples:
   oilwedge diff before.toml after.toml      changed keys and quantities
-  oilwedge diff out/before out/after        of results that are there already; these do not hold the keys of their scenes
+  oilwedge diff out/before out/after        of results that are there already
   oilwedge diff a.toml b.toml --json | jq '.quantities[] | select(.exceeds_bars)'
 
-A change exceeds the error bars if it is more than the sum of both: then they do not overlap.
+A change exceeds the error bars if it is more than the sum of both: then they do not overlap. A change below round-off is none.
 Exit status: 0 equal; 1 different; 2 bad scene, folder or arguments.";
-
-/// One side: its result, and the text of its scene where that is at hand.
-struct Side {
-    result: Value,
-    scene: Option<String>,
-}
 
 impl Diff {
     /// Prints what differs.
@@ -49,13 +44,7 @@ impl Diff {
     /// # Errors
     /// [`Failure`]: a scene or folder cannot be used.
     pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
-        let (a, b) = (side(&self.a)?, side(&self.b)?);
-        let mut difference = of_results(&a.result, &b.result);
-        if let (Some(a), Some(b)) = (&a.scene, &b.scene) {
-            difference.keys = of_scenes(a, b)?;
-            // A comment makes another text of the same scene.
-            difference.facts.retain(|fact| fact.key != "scene_sha256");
-        }
+        let difference = of_results(&result(&self.a)?, &result(&self.b)?)?;
         output(self.json, || json(&difference), || in_words(&difference), None)?;
         Ok(match difference.is_none() {
             true => ExitCode::SUCCESS,
@@ -64,7 +53,8 @@ impl Diff {
     }
 }
 
-fn side(path: &Path) -> Result<Side, Failure> {
+/// The result in a folder, or that of a scene.
+fn result(path: &Path) -> Result<Value, Failure> {
     let cannot = |path: &Path, why: &dyn std::fmt::Display| {
         Failure::Message(format!(
             "cannot read {}: {why}; give a scene, or a folder of oilwedge solve",
@@ -79,19 +69,15 @@ fn side(path: &Path) -> Result<Side, Failure> {
         if !result["quantities"].is_object() {
             return Err(cannot(&file, &"it is no result of oilwedge solve"));
         }
-        return Ok(Side { result, scene: None });
+        return Ok(result);
     }
     let scene = oilwedge_study::read(path)?;
-    let text = std::fs::read_to_string(path).map_err(|error| cannot(path, &error))?;
     let mut options = RunOptions::default();
     if scene.tolerance.is_none() {
         options.max_seconds = f64::INFINITY;
     }
     let run = oilwedge_study::run(&scene, &options).map_err(Failure::of(path))?;
-    Ok(Side {
-        result: value(path, &result_json(&run.result, &[])?)?,
-        scene: Some(text),
-    })
+    value(path, &result_json(&run.result, &[])?)
 }
 
 fn in_words(difference: &Difference) -> String {
@@ -111,14 +97,33 @@ fn in_words(difference: &Difference) -> String {
             1..5,
         );
         rows.add_rows(difference.quantities.iter().map(cells));
-        text += &format!("{rows}\n");
+        text += &format!("{rows}\n{}\n", verdict(&difference.quantities));
     }
     text
 }
 
+/// How many of the changes exceed their bars, and how many are in doubt.
+fn verdict(quantities: &[ChangedQuantity]) -> String {
+    let count = |wanted| quantities.iter().filter(|it| it.exceeds_bars == wanted).count();
+    let (more, unknown) = (count(Some(true)), count(None));
+    let unknown = match unknown {
+        0 => String::new(),
+        unknown => format!("; of {unknown} it is not known"),
+    };
+    format!(
+        "{more} of {} changed quantities exceed both error bars together{unknown}",
+        quantities.len()
+    )
+}
+
+/// Digits of a check sum that are shown.
+const SUM: usize = 12;
+
 fn line(changed: &Changed) -> String {
     let shown = |value: &Value| match value {
         Value::Null => "absent".to_owned(),
+        Value::String(sum) if changed.key.ends_with("sha256") => sum.chars().take(SUM).collect(),
+        Value::Array(items) if items.is_empty() => "none".to_owned(),
         value => printable(&value.to_string()),
     };
     format!(
@@ -130,7 +135,13 @@ fn line(changed: &Changed) -> String {
 }
 
 fn cells(quantity: &ChangedQuantity) -> [String; 7] {
-    let number = |number: Option<f64>, digits| number.map_or("none".to_owned(), |number| significant(number, digits));
+    let greatest = [quantity.a, quantity.b]
+        .into_iter()
+        .flatten()
+        .fold(0.0, |most: f64, value| most.max(value.abs()));
+    let (unit, size) = readable_unit_of(greatest, &quantity.unit);
+    let number =
+        |number: Option<f64>, digits| number.map_or("none".to_owned(), |number| significant(number / size, digits));
     let verdict = match quantity.exceeds_bars {
         Some(true) => "yes",
         Some(false) => "no",
@@ -142,7 +153,7 @@ fn cells(quantity: &ChangedQuantity) -> [String; 7] {
         number(quantity.b, 6),
         number(quantity.change, 3),
         number(quantity.bars, 3),
-        quantity.unit.clone(),
+        unit.to_owned(),
         verdict.to_owned(),
     ]
 }

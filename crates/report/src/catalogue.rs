@@ -7,11 +7,15 @@ use oilwedge_study::effects::{EFFECTS, Effect};
 use oilwedge_study::fields::{FIELDS, FieldRow};
 use oilwedge_study::quantities::{CATALOGUE, Row};
 use oilwedge_study::warning::{KINDS, Kind};
-use serde::Serialize;
-use std::collections::BTreeMap;
+use serde::{Serialize, Serializer};
 
 /// Stands for the name of a region in that of a family.
 const REGION: &str = "GROUP";
+
+/// Column of symbols.
+const SYMBOL: &str = "symbol";
+/// Fewest letters by which a part of a name is recognised.
+const PART: usize = 3;
 
 /// One row of a catalogue in words.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -22,8 +26,13 @@ pub struct Entry {
     pub name: String,
     /// What it is, in a sentence.
     pub what: String,
-    /// Further columns of its row by name; those without a content are absent.
-    pub columns: BTreeMap<&'static str, String>,
+    /// Further columns of its row, each with its name; those without a content are absent.
+    #[serde(serialize_with = "as_map")]
+    pub columns: Vec<(&'static str, String)>,
+}
+
+fn as_map<S: Serializer>(columns: &[(&'static str, String)], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(columns.iter().map(|(name, text)| (name, text)))
 }
 
 /// All entries, catalogue by catalogue.
@@ -50,11 +59,15 @@ impl Entry {
         }
     }
 
-    /// Whether it is meant by `name`: its whole name, or the last part of it, as `clearance` of `bearing.clearance` or `jfo` of `cavitation: jfo`.
+    /// Whether it is meant by `name`: its whole name, the last part of it, as `clearance` of `bearing.clearance` or `jfo` of `cavitation: jfo`, or its
+    /// symbol.
     fn is_meant_by(&self, name: &str) -> bool {
         let is_member = |family: &str| name.strip_prefix(family).is_some_and(|region| !region.is_empty());
         let is_of_family = self.name.strip_suffix(REGION).is_some_and(is_member);
-        self.name == name || is_of_family || self.short_name() == name
+        self.name == name
+            || is_of_family
+            || self.short_name() == name
+            || self.columns.contains(&(SYMBOL, name.to_owned()))
     }
 
     fn short_name(&self) -> &str {
@@ -70,16 +83,26 @@ impl Entry {
 fn of_key(key: &Key) -> Entry {
     let columns = [
         ("form", key.forms_in_words()),
-        ("example", key.example.to_owned()),
-        ("absent", key.absent.to_owned()),
         ("range", key.range_in_words()),
+        ("if absent", key.absent.to_owned()),
+        ("example", key.example.to_owned()),
+        ("keys", keys_below(key)),
     ];
     Entry::new("key", key.path, key.what, columns)
 }
 
+/// The names of the keys of a table.
+fn keys_below(table: &Key) -> String {
+    let names = keys().filter_map(|key| {
+        let (path, name) = key.table_and_name();
+        (path == table.path).then_some(name)
+    });
+    names.collect::<Vec<_>>().join(", ")
+}
+
 fn of_quantity(row: &Row) -> Entry {
     let columns = [
-        ("symbol", row.symbol.to_owned()),
+        (SYMBOL, row.symbol.to_owned()),
         ("unit", row.unit.name().to_owned()),
         ("definition", row.definition.to_owned()),
         ("error bar", row.error.sentence().to_owned()),
@@ -102,7 +125,7 @@ fn of_effect(effect: &Effect) -> Entry {
 }
 
 fn of_field(field: &FieldRow) -> Entry {
-    let columns = [("symbol", field.symbol.to_owned()), ("unit", field.unit.to_owned())];
+    let columns = [(SYMBOL, field.symbol.to_owned()), ("unit", field.unit.to_owned())];
     Entry::new("field", field.name, field.what, columns)
 }
 
@@ -118,8 +141,10 @@ pub fn explain(name: &str) -> Result<Vec<Entry>, Option<String>> {
     let all = entries();
     let meant: Vec<_> = all.iter().filter(|entry| entry.is_meant_by(name)).cloned().collect();
     if meant.is_empty() {
-        let names = all.iter().flat_map(|entry| [entry.name.as_str(), entry.short_name()]);
-        return Err(nearest(name, names).map(str::to_owned));
+        let names = || all.iter().flat_map(|entry| [entry.name.as_str(), entry.short_name()]);
+        let is_part = |whole: &&str| name.len() >= PART && whole.contains(name);
+        let near = nearest(name, names()).or_else(|| names().find(is_part));
+        return Err(near.map(str::to_owned));
     }
     Ok(meant)
 }
@@ -153,6 +178,8 @@ mod tests {
         assert_eq!(found("feed_flow.groove"), ["quantity feed_flow.GROUP"]);
         assert_eq!(found("jfo"), ["effect cavitation: jfo"]);
         assert_eq!(found("unresolved"), ["warning unresolved"]);
+        assert_eq!(found("beta"), ["quantity attitude_angle"]);
+        assert_eq!(explain("attitude"), Err(Some("attitude_angle".to_owned())));
         assert_eq!(explain("pressure_mx"), Err(Some("pressure_max".to_owned())));
         assert_eq!(explain("zeppelin"), Err(None));
     }

@@ -1,6 +1,7 @@
 //! What differs between two results, and between two scenes.
 
 use crate::Error;
+use oilwedge_study::quantities::CATALOGUE;
 use serde::Serialize;
 use serde_json::{Map, Value};
 
@@ -30,19 +31,19 @@ pub struct ChangedQuantity {
     pub change: Option<f64>,
     /// Sum of the half widths of both error bars; `null` where one has none.
     pub bars: Option<f64>,
-    /// Whether the change is more than this sum and the round-off of the greatest value of this unit, so that the bars do not overlap; `null`
-    /// where it cannot be known.
+    /// Whether the change is more than this sum, so that the bars do not overlap; `null` where it cannot be known.
     pub exceeds_bars: Option<bool>,
 }
 
 /// All that differs.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct Difference {
-    /// Keys of the scenes; empty where one of the two is a folder of results, which holds no scene.
+    /// Keys of the scenes; those of a list of tables by their number in it, `feed[0].pressure`.
     pub keys: Vec<Changed>,
-    /// Facts of the results that differ: status, scene, mesh file, effects, geometry.
+    /// Facts of the results that differ: status, reason, mesh, and the effects that only one of the two has; check sum of the scene and geometry where a
+    /// result does not hold the text of its scene.
     pub facts: Vec<Changed>,
-    /// Quantities.
+    /// Quantities that differ by more than round-off, in the order of the catalogue.
     pub quantities: Vec<ChangedQuantity>,
 }
 
@@ -57,26 +58,47 @@ impl Difference {
 const ROUND_OFF: f64 = 1e-12;
 
 /// The facts of a result that are compared.
-const FACTS: [&str; 6] = ["status", "reason", "scene_sha256", "mesh_sha256", "effects", "geometry"];
+const FACTS: [&str; 3] = ["status", "reason", "mesh_sha256"];
+/// Those that follow from the scene, and are compared where a result does not hold its text.
+const FACTS_OF_SCENE: [&str; 2] = ["scene_sha256", "geometry"];
 
 /// What differs between two results, the texts of `result.json` as values.
-pub fn of_results(a: &Value, b: &Value) -> Difference {
+///
+/// # Errors
+/// [`Error::Unreadable`]: the scene of one of them is no TOML.
+pub fn of_results(a: &Value, b: &Value) -> Result<Difference, Error> {
     let mut facts = Vec::new();
+    let keys = match (a["scene"].as_str(), b["scene"].as_str()) {
+        // A comment makes another text of the same scene, so the check sums are not compared.
+        (Some(a), Some(b)) => of_scenes(a, b)?,
+        _ => {
+            for name in FACTS_OF_SCENE {
+                compare(name, &a[name], &b[name], &mut facts);
+            }
+            Vec::new()
+        }
+    };
     for name in FACTS {
         compare(name, &a[name], &b[name], &mut facts);
     }
-    Difference {
-        keys: Vec::new(),
+    let [first, second] = [a, b].map(|side| &side["effects"]["simulated"]);
+    compare("effects", &less(first, second), &less(second, first), &mut facts);
+    Ok(Difference {
+        keys,
         facts,
         quantities: quantities(&a["quantities"], &b["quantities"]),
-    }
+    })
+}
+
+/// The items of a list that are not in another one.
+fn less(list: &Value, other: &Value) -> Value {
+    let items = |list: &Value| list.as_array().cloned().unwrap_or_default();
+    let other = items(other);
+    items(list).into_iter().filter(|item| !other.contains(item)).collect()
 }
 
 /// Keys whose values differ between the texts of two scenes.
-///
-/// # Errors
-/// [`Error::Unreadable`]: one of them is no TOML.
-pub fn of_scenes(a: &str, b: &str) -> Result<Vec<Changed>, Error> {
+fn of_scenes(a: &str, b: &str) -> Result<Vec<Changed>, Error> {
     let value = |text: &str| {
         toml::from_str::<Value>(text).map_err(|error| Error::Unreadable {
             format: "scene",
@@ -96,16 +118,20 @@ fn compare(path: &str, a: &Value, b: &Value, changed: &mut Vec<Changed>) {
         true => name.to_owned(),
         false => format!("{path}.{name}"),
     };
+    let absent = Value::Null;
     match (a, b) {
-        (Value::Object(a), Value::Object(b)) => {
-            let absent = Value::Null;
+        (Value::Object(_), Value::Object(_)) | (Value::Object(_), Value::Null) | (Value::Null, Value::Object(_)) => {
+            let none = Map::new();
+            let [a, b] = [a, b].map(|side| side.as_object().unwrap_or(&none));
+            let of = |side: &'_ Map<String, Value>, name: &str| side.get(name).unwrap_or(&absent).clone();
             for name in names(a, b) {
-                compare(
-                    &below(name),
-                    a.get(name).unwrap_or(&absent),
-                    b.get(name).unwrap_or(&absent),
-                    changed,
-                );
+                compare(&below(name), &of(a, name), &of(b, name), changed);
+            }
+        }
+        (Value::Array(a), Value::Array(b)) if a.iter().chain(b).all(Value::is_object) => {
+            for index in 0..a.len().max(b.len()) {
+                let [a, b] = [a, b].map(|side| side.get(index).unwrap_or(&absent));
+                compare(&format!("{path}[{index}]"), a, b, changed);
             }
         }
         _ => changed.push(Changed {
@@ -128,11 +154,16 @@ fn quantities(a: &Value, b: &Value) -> Vec<ChangedQuantity> {
     let changed = |name| {
         let mut changed = quantity(name, a.get(name), b.get(name))?;
         let round_off = ROUND_OFF * greatest(a, &changed.unit).max(greatest(b, &changed.unit));
-        let exceeds = |(change, bars): (f64, f64)| change.abs() > bars + round_off;
+        if changed.change.is_some_and(|change| change.abs() <= round_off) {
+            return None;
+        }
+        let exceeds = |(change, bars): (f64, f64)| change.abs() > bars;
         changed.exceeds_bars = changed.change.zip(changed.bars).map(exceeds);
         Some(changed)
     };
-    names(a, b).filter_map(changed).collect()
+    let mut all: Vec<_> = names(a, b).filter_map(changed).collect();
+    all.sort_by_key(|quantity| CATALOGUE.iter().position(|row| row.has(&quantity.name)));
+    all
 }
 
 /// The greatest magnitude of the quantities of a unit.
@@ -180,15 +211,33 @@ mod tests {
     #[test]
     fn a_change_is_held_against_both_bars() {
         let a = result(100.0, Some(1.0), 359.0);
-        assert!(of_results(&a, &a).is_none());
-        let exceeds =
-            |load: f64, error: Option<f64>| of_results(&a, &result(load, error, 359.0)).quantities[0].exceeds_bars;
+        let to = |b: &Value| of_results(&a, b).expect("a difference");
+        assert!(to(&a).is_none());
+        let exceeds = |load: f64, error: Option<f64>| to(&result(load, error, 359.0)).quantities[0].exceeds_bars;
         assert_eq!(exceeds(102.9, Some(2.0)), Some(false));
         assert_eq!(exceeds(96.9, Some(2.0)), Some(true));
         assert_eq!(exceeds(96.9, None), None);
         // Angles differ the lesser way round.
-        let turned = of_results(&a, &result(100.0, Some(1.0), 1.0)).quantities;
+        let turned = to(&result(100.0, Some(1.0), 1.0)).quantities;
         assert_eq!((turned[0].change, turned[0].exceeds_bars), (Some(2.0), Some(true)));
+    }
+
+    #[test]
+    fn scenes_are_compared_by_their_keys_where_results_hold_them() -> Result<(), Error> {
+        let with = |scene: &str, sum: &str| json!({ "scene": scene, "scene_sha256": sum });
+        assert!(of_results(&with("title = 'a'", "1"), &with("title = 'a' # b", "2"))?.is_none());
+        let without = json!({ "scene_sha256": "2" });
+        assert_eq!(of_results(&with("", "1"), &without)?.facts[0].key, "scene_sha256");
+        Ok(())
+    }
+
+    #[test]
+    fn effects_of_one_alone_are_listed() -> Result<(), Error> {
+        let with = |effects: &[&str]| json!({ "scene": "", "effects": { "simulated": effects } });
+        let facts = of_results(&with(&["couette", "barus"]), &with(&["couette", "heat"]))?.facts;
+        assert_eq!((&facts[0].a, &facts[0].b), (&json!(["barus"]), &json!(["heat"])));
+        assert!(of_results(&with(&["couette"]), &with(&["couette"]))?.is_none());
+        Ok(())
     }
 
     #[test]
@@ -201,7 +250,13 @@ mod tests {
             ("bearing.arc.from", &json!("50 deg"))
         );
         let added = of_scenes("", "load.force = '5 kN'")?;
-        assert_eq!((added[0].key.as_str(), &added[0].a), ("load", &Value::Null));
+        assert_eq!((added[0].key.as_str(), &added[0].a), ("load.force", &Value::Null));
+        let feeds = of_scenes(
+            "feed = [{ group = 'a', pressure = '1 bar' }]",
+            "feed = [{ group = 'a', pressure = '2 bar' }, { group = 'b' }]",
+        )?;
+        let keys: Vec<_> = feeds.iter().map(|feed| feed.key.as_str()).collect();
+        assert_eq!(keys, ["feed[0].pressure", "feed[1].group"]);
         Ok(())
     }
 }

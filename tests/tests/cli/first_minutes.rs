@@ -117,5 +117,13 @@ fn a_change_of_the_mesh_lies_within_the_bars_and_one_of_the_bearing_does_not() {
     assert!(exceeds(&speed) > 5, "{speed:#}");
     assert_eq!(bench.run(&["solve", "a.toml", "--out", "results"]).status, 0);
     assert_eq!(bench.run(&["diff", "a.toml", "results"]).status, 0);
+    assert_eq!(bench.run(&["solve", "b.toml", "--out", "finer"]).status, 0);
+    let told = bench.run(&["diff", "results", "finer"]);
+    assert_eq!(told.status, 1, "{}", told.stderr);
+    assert!(
+        told.stdout.contains("mesh.size: \"1.5 mm\" -> \"1.2 mm\""),
+        "{}",
+        told.stdout
+    );
     bench.refuses(&["diff", "a.toml", "absent"], &["absent"]);
 }
