@@ -4,7 +4,7 @@ use oilwedge_scene::catalogue::keys;
 use oilwedge_scene::keys::Key;
 use oilwedge_scene::spelling::nearest;
 use oilwedge_study::effects::{EFFECTS, Effect};
-use oilwedge_study::fields::{FIELDS, FieldRow};
+use oilwedge_study::fields::{FILE_FIELDS, FieldRow};
 use oilwedge_study::quantities::{CATALOGUE, Row};
 use oilwedge_study::warning::{KINDS, Kind};
 use serde::{Serialize, Serializer};
@@ -40,7 +40,7 @@ pub fn entries() -> Vec<Entry> {
     let keys = keys().map(of_key);
     let quantities = CATALOGUE.iter().map(|row| of_quantity(row));
     let effects = EFFECTS.iter().map(|effect| of_effect(effect));
-    let fields = FIELDS.iter().map(|field| of_field(field));
+    let fields = FILE_FIELDS.iter().map(|field| of_field(field));
     let warnings = KINDS.iter().map(|kind| of_warning(kind));
     keys.chain(quantities)
         .chain(effects)
@@ -71,11 +71,9 @@ impl Entry {
     }
 
     fn short_name(&self) -> &str {
-        let own = self
-            .name
-            .strip_suffix(REGION)
-            .unwrap_or(&self.name)
-            .trim_end_matches('.');
+        // Fields have their unit in their name, regions stand in that of a family.
+        let own = self.name.split(" [").next().unwrap_or_default();
+        let own = own.strip_suffix(REGION).unwrap_or(own).trim_end_matches('.');
         own.rsplit(['.', ' ']).next().unwrap_or(own)
     }
 }
@@ -116,11 +114,15 @@ fn of_quantity(row: &Row) -> Entry {
 }
 
 fn of_effect(effect: &Effect) -> Entry {
+    let instead = match effect.instead {
+        "" => "another question is asked, so it is not left out for comparison",
+        instead => instead,
+    };
     Entry::new(
         "effect",
         effect.name,
         effect.sentence,
-        [("without it", effect.instead.to_owned())],
+        [("without it", instead.to_owned())],
     )
 }
 
@@ -178,6 +180,7 @@ mod tests {
         assert_eq!(found("feed_flow.groove"), ["quantity feed_flow.GROUP"]);
         assert_eq!(found("jfo"), ["effect cavitation: jfo"]);
         assert_eq!(found("unresolved"), ["warning unresolved"]);
+        assert_eq!(found("volume_flow"), ["field volume_flow [m2/s]"]);
         assert_eq!(found("beta"), ["quantity attitude_angle"]);
         assert_eq!(explain("attitude"), Err(Some("attitude_angle".to_owned())));
         assert_eq!(explain("pressure_mx"), Err(Some("pressure_max".to_owned())));

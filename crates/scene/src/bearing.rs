@@ -16,7 +16,7 @@ keys! {
         "full length B, end to end";
     "bearing.clearance" = Quantity(Length); "37.5 um", "required unless `diametral_clearance` or a `heat.preset`", "> 0, < R",
         "radial clearance c, about R/1000";
-    "bearing.diametral_clearance" = Quantity(Length); "75 um", "", "> 0, < D",
+    "bearing.diametral_clearance" = Quantity(Length); "75 um", "`clearance` gives it", "> 0, < D",
         "instead of `clearance`: bore minus journal diameter, 2 c";
     "bearing.arc" = Table; "", "full ring, periodic", "",
         "the part of the circle that is liner; its two edges are held at the pressure of the ends";

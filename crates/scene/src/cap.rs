@@ -11,19 +11,19 @@ keys! {
     "cap.angle" = Quantity(Angle); "270 deg", "required", "",
         "where the middle of the cap lies";
     "cap.reciprocating_mass" = Quantity(Mass); "0.7 kg", "required", "> 0",
-        "piston with ring and pin, and the rod's share at its small end";
+        "mass of the piston with ring and pin, and of the rod's share at its small end";
     "cap.rotating_mass" = Quantity(Mass); "0.5 kg", "required", "> 0",
-        "the rod's share at its big end, the cap included";
+        "mass of the rod's share at its big end, the cap included";
     "cap.cap_mass" = Quantity(Mass); "0.15 kg", "required", "> 0, < `rotating_mass`",
-        "the cap";
+        "mass of the cap";
     "cap.crank_radius" = Quantity(Length); "45 mm", "required", "> 0, < `rod_length`",
-        "half the stroke";
+        "radius of the crank, half the stroke";
     "cap.rod_length" = Quantity(Length); "145 mm", "required", "> 0",
-        "between the rod's eyes";
+        "length of the rod between its eyes";
     "cap.bolts" = Table; "", "required", "",
         "the bolts of the cap";
     "cap.bolts.count" = Number; "2", "required", "2, 4, ... 16",
-        "bolts of both sides together";
+        "number of bolts, both sides together";
     "cap.bolts.diameter" = Quantity(Length); "10 mm", "required", "> 0",
         "outer diameter d of the thread";
     "cap.bolts.stress_area" = Quantity(Area); "58 mm2", "required", "> 0, at most pi d^2/4",
@@ -39,11 +39,11 @@ keys! {
     "cap.shell.protrusion" = Quantity(Length); "25 um", "required", "> 0",
         "how far a half of the shell stands out of its seat before it is clamped";
     "cap.shell.modulus" = Quantity(Pressure); "200 GPa", "required", "> 0",
-        "modulus of elasticity of its back";
+        "modulus of elasticity of the back of the shell";
     "cap.shell.section" = Quantity(Area); "60 mm2", "required", "> 0",
-        "section across its wall";
+        "section across the wall of the shell";
     "cap.shell.radius" = Quantity(Length); "26 mm", "required", "> 0",
-        "its mean radius";
+        "mean radius of the shell";
 }
 
 /// No cap has more bolts.

@@ -16,8 +16,8 @@ keys! {
     "feed.group" = Text; "feed_hole", "required", "a group of the mesh, each once",
         "name of the region. A curve of the mesh: the region is cut out; a surface: it is meshed";
     "feed.pressure" = Quantity(Pressure); "1.96 bar", "required unless `depth` or a `heat.preset`", "",
-        "pressure p_s of the oil there";
-    "feed.depth" = Quantity(Length); "20 um", "", ">= 0",
+        "pressure p_s of the oil in the region";
+    "feed.depth" = Quantity(Length); "20 um", "no pocket", ">= 0",
         "instead of `pressure`, a pocket: how much deeper the film is there; its pressure is found";
 }
 

@@ -15,7 +15,7 @@ keys! {
         "longest edges of a mesh made here, shorter where the film is thin and at rims; with `file` its geometry is meshed anew";
     "mesh.tolerance" = Quantity(Ratio), Table; "0.1 %", "0.5 % (0.1 % with `theory = \"short\"`) without `file` and `size`; with one of them the mesh is used as it is", "1e-8 % to 50 %",
         "how small error bars must become by refinement of that mesh: one ratio for the main quantity, or a table of them by quantity";
-    "mesh.tolerance.QUANTITY" = Quantity(Ratio); "0.1 %", "", "1e-8 % to 50 %",
+    "mesh.tolerance.QUANTITY" = Quantity(Ratio); "0.1 %", "the quantity has no tolerance", "1e-8 % to 50 %",
         "how small the error bar of this quantity must become relative to its value; that of an angle relative to 1 rad";
     "mesh.layout" = Choice(&["rows", "file"]); "rows", "`\"rows\"`", "with `file`, without `size`, for `model = \"jfo\"`",
         "`\"rows\"`: triangles of the file that do not follow the flow are laid anew in rows along it, with the geometry and edge lengths of the file; `\"file\"`: they stay. Then a film whose oil they spread has no error bar";

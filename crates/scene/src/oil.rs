@@ -20,9 +20,9 @@ keys! {
     "oil" = Table; "", "required", "",
         "viscosity and density of the oil";
     "oil.viscosity" = Quantity(Viscosity); "40 mPa.s", "required unless a law of temperature", "> 0",
-        "mu0, at gauge pressure zero";
+        "dynamic viscosity mu0 at gauge pressure zero";
     "oil.temperature" = Quantity(Temperature); "80 C", "required with a law of temperature, unless `[heat]` finds it", "-60 to 350 C; within the `table`",
-        "temperature of the film";
+        "temperature of the oil in the film, at which its viscosity is taken";
 }
 
 /// The oil.

@@ -10,7 +10,7 @@ keys! {
     "journal.squeeze.radial" = Quantity(Velocity); "2 mm/s", "0", "any",
         "velocity of the journal's centre along the line of centres; positive: the eccentricity grows";
     "journal.squeeze.tangential" = Quantity(Velocity); "2 mm/s", "0", "any",
-        "its velocity across that line; positive: towards growing angles";
+        "velocity of the journal's centre across the line of centres; positive: towards growing angles";
 }
 
 /// Velocity of the journal's centre.

@@ -11,7 +11,7 @@ keys! {
     "oil.density.at" = Quantity(Temperature); "15 C", "20 C", "-60 to 350 C",
         "temperature at which the density was measured";
     "oil.density.expansion" = Quantity(InverseTemperature); "68.8e-5 1/K", "68.8e-5 1/K", "0 to 2e-3 1/K",
-        "k_v of rho = rho_20 [1 - k_v (t - 20 C)]";
+        "relative expansion k_v in rho = rho_20 [1 - k_v (t - 20 C)]";
 }
 
 /// Densities [kg/m3] of liquids that are used as oils.

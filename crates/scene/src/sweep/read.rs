@@ -15,7 +15,7 @@ keys! {
         "the values of keys for which `oilwedge sweep` solves the scene, in all combinations";
     "sweep.columns" = Texts; "\"h_min um\", \"p_max bar\"", "the main quantities", "",
         "the quantities of the table, each with its unit";
-    "sweep.KEY" = Values, Table; "", "", "a short name, or a key with its table",
+    "sweep.KEY" = Values, Table; "", "the value of the scene", "a short name, or a key with its table",
         "an axis: a key of the scene, and its values in a list or by a range";
     "sweep.KEY.from" = Value; "0.1", "required", "",
         "first value of a range";
