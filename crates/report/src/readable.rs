@@ -67,7 +67,7 @@ const GREEK: [(&str, &str); 9] = [
 /// A symbol as the marks of a label: its letter italic, its index lowered.
 pub fn printed_symbol(symbol: &str) -> String {
     if symbol.contains([' ', '(', '/']) {
-        return symbol.to_owned();
+        return symbol.replace("Int ", "\u{222b} ");
     }
     let (letter, index) = symbol.split_once('_').unwrap_or((symbol, ""));
     let greek = |text: &str| {
