@@ -213,7 +213,7 @@ fn what_cannot_be_drawn_is_named() {
     bench.refuses(&["plot", "scene.toml", "--width", "2 m"], &["from 60 mm to 400 mm"]);
     bench.refuses(&["plot", "scene.toml", "--width", "85"], &["no unit", "85 mm"]);
     fs::create_dir(bench.path().join("empty")).expect("a folder");
-    bench.refuses(&["plot", "empty"], &["neither result.json nor sweep.json"]);
+    bench.refuses(&["plot", "empty"], &["no result.json, sweep.json or converge.json"]);
     fs::write(bench.path().join("empty/result.json"), "{}").expect("a file");
     bench.refuses(&["plot", "empty"], &["no film.vtu"]);
     fs::write(bench.path().join("empty/film.vtu"), "<VTKFile").expect("a file");
@@ -240,6 +240,23 @@ fn sweeps_are_drawn_with_their_bars_and_as_maps() {
             && !bench.path().join("map/plot/map_load.png").exists()
     );
     bench.refuses(&["plot", "map", "--field", "pressure"], &["no \"pressure\"", "load"]);
+}
+
+#[test]
+fn a_convergence_study_is_drawn_again_from_its_folder() {
+    let bench = Bench::new();
+    bench.scene("01_plain_ring", &[]);
+    let told = bench.run(&["converge", "scene.toml", "--out", "study", "--max-seconds", "1"]);
+    assert_eq!(told.status, 0, "{}", told.stderr);
+    let told = bench.run(&["plot", "study"]);
+    assert_eq!(told.status, 0, "{}", told.stderr);
+    let read = |name: &str| fs::read(bench.path().join(name)).expect("a picture");
+    for ending in ["svg", "png"] {
+        let [own, again] = ["study", "study/plot"].map(|folder| read(&format!("{folder}/converge.{ending}")));
+        assert!(own == again, "another {ending}");
+    }
+    bench.refuses(&["plot", "study", "--field", "load"], &["no \"load\"", "converge"]);
+    bench.refuses(&["plot", "study", "--width", "85 mm"], &["--width", "170 mm"]);
 }
 
 /// All but the places on the sheet, which other machines may round otherwise.

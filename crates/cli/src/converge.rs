@@ -12,7 +12,7 @@ use oilwedge_campaign::convergence::{Budget, converge};
 use oilwedge_report::convergence as files;
 use oilwedge_report::json;
 use oilwedge_report::page::convergence_page;
-use oilwedge_report::plot::{convergence_figure, to_svg};
+use oilwedge_report::plot::{CONVERGENCE, convergence_figure, to_svg};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -80,7 +80,7 @@ impl Converge {
         files::write(&folder, &study)?;
         let is_drawn = self.plot && report.levels().next().is_some();
         let figures: Vec<_> = is_drawn
-            .then(|| ("converge".to_owned(), convergence_figure(&study)))
+            .then(|| (CONVERGENCE.to_owned(), convergence_figure(&study)))
             .into_iter()
             .collect();
         let page = match self.page.is_wanted() {

@@ -70,7 +70,7 @@ const GREEK: [(&str, &str); 11] = [
 /// A symbol as the marks of a label: its letter italic, its index lowered.
 pub fn printed_symbol(symbol: &str) -> String {
     if symbol.contains([' ', '(']) {
-        return symbol.to_owned();
+        return symbol.replace("Int ", "\u{222b} ");
     }
     let parts: Vec<_> = symbol.split('/').map(|part| printed_part(Symbol::of(part))).collect();
     parts.join("/")

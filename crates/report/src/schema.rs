@@ -248,7 +248,7 @@ fn axis(key: &Key) -> Option<Value> {
     let is_table = |form: &&Form<'_>| matches!(form, Form::Table | Form::Tables);
     let forms: Vec<_> = key.forms.iter().filter(|form| !is_table(form)).collect();
     let is_number = |form: &&Form<'_>| matches!(form, Form::Quantity(_) | Form::Number);
-    let has_ranges = forms.iter().any(|form| is_number(form));
+    let has_ranges = forms.iter().any(is_number);
     let value = any_of(forms.into_iter().map(|form| of_form(key, form)).collect())?;
     let list = json!({ "type": "array", "items": value, "minItems": 1 });
     Some(match has_ranges {

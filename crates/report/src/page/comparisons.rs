@@ -3,7 +3,7 @@
 use oilwedge_study::quantities::row;
 use serde_json::Value;
 
-use super::quantities::{shown_unit, with_minus};
+use super::quantities::{in_words, shown_unit, with_minus};
 use super::table::{Cell, DIGITS, Table, text};
 use crate::digits::{bar, quantity_value};
 use crate::readable::readable_unit;
@@ -20,7 +20,7 @@ impl Compared {
         let row = row(name);
         let (unit, size) = row.map_or(("", 1.0), |row| readable_unit(value, row.unit));
         Self {
-            name: text(name.replace('_', " ")),
+            name: text(in_words(name)),
             unit: shown_unit(unit),
             size,
         }
@@ -34,7 +34,7 @@ impl Compared {
         let shown = with_minus(quantity_value(value / self.size, error, DIGITS));
         let bar = error
             .filter(|error| *error > 0.0)
-            .map(|error| format!(" \u{b1} {}", bar(error)));
+            .map(|error| format!(" \u{b1} {}", with_minus(bar(error))));
         Cell {
             text: format!("{shown}{} {}", bar.unwrap_or_default(), self.unit)
                 .trim_end()

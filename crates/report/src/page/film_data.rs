@@ -6,13 +6,13 @@
 use std::f64::consts::TAU;
 
 use oilwedge_drawing::joined;
-use oilwedge_study::fields::{ERROR_INDICATOR, FieldRow, Interpolation, field};
+use oilwedge_study::fields::{ERROR_INDICATOR, FIELDS, FieldRow, Interpolation};
 use oilwedge_study::picture::FilmPicture;
 use oilwedge_study::quantities::{ECCENTRICITY, MIN_FILM_ANGLE};
 use serde::Serialize;
 
 use super::packing::{Packed, Prediction, packed, triangles};
-use crate::plot::{DrawnFilm, FieldColours};
+use crate::plot::{DrawnFilm, FieldColours, drawn_fields};
 use crate::readable::{printed_symbol, printed_unit, readable_unit_of};
 
 /// Steps of a turn, of the length, and of the range of a field.
@@ -77,12 +77,7 @@ impl FilmData {
     pub(super) fn of(film: &DrawnFilm, picture: &FilmPicture) -> Self {
         let prediction = Prediction::of(&picture.cells, picture.points.len());
         let radius = film.radius();
-        let mut places = vec![[0.0; 2]; picture.points.len()];
-        for (cell, nodes) in picture.cells.iter().zip(film.cells()) {
-            for (node, place) in cell.iter().zip(nodes) {
-                places[*node as usize] = *place;
-            }
-        }
+        let places = film.places(picture);
         let ends = places
             .iter()
             .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], place| {
@@ -91,9 +86,9 @@ impl FilmData {
         let turn = |place: &[f64; 2]| ((place[0] / (TAU * radius)).rem_euclid(1.0) * TURN).round() as u64 as u32;
         let step = |place: &[f64; 2]| part(place[1], ends, LENGTH_STEPS);
         let coded = |values: Vec<u32>| packed(&prediction.differences(&values));
-        let nodal = picture.point_data.iter().map(|(name, values)| (name, values, true));
-        let constant = picture.cell_data.iter().map(|(name, values)| (name, values, false));
-        let fields = nodal.chain(constant).map(|(name, values, is_nodal)| {
+        let nodal = drawn_fields(&picture.point_data).map(|(row, values)| (row, values, true));
+        let constant = drawn_fields(&picture.cell_data).map(|(row, values)| (row, values, false));
+        let fields = nodal.chain(constant).map(|(row, values, is_nodal)| {
             let range = values
                 .iter()
                 .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
@@ -106,10 +101,10 @@ impl FilmData {
                     packed(&bits)
                 }
             };
-            FieldData::of(name, range, values)
+            FieldData::of(row, range, values)
         });
         let mut fields: Vec<FieldData> = fields.collect();
-        fields.sort_by_key(|it| place_in_list(&it.name));
+        fields.sort_by_key(|it| FIELDS.iter().position(|row| row.name == it.name));
         let position = film.position().unwrap_or_default();
         Self {
             radius,
@@ -141,36 +136,27 @@ impl FilmData {
 }
 
 impl FieldData {
-    fn of(name: &str, range: [f64; 2], values: Packed) -> Self {
-        let row: Option<&FieldRow> = field(name);
-        let (label, symbol, unit) = row.map_or((name, "", ""), |row| (row.label, row.symbol, row.unit));
-        let (unit, size) = readable_unit_of(range[0].abs().max(range[1].abs()), unit);
-        let colours = FieldColours::of(name, range);
-        let map = colours.map.table().iter().flatten();
+    fn of(row: &FieldRow, range: [f64; 2], values: Packed) -> Self {
+        let (unit, size) = readable_unit_of(range[0].abs().max(range[1].abs()), row.unit);
+        let colours = FieldColours::of(row.name, range);
         Self {
-            name: name.to_owned(),
-            label: label.to_owned(),
-            symbol: printed_symbol(symbol).replace('*', ""),
+            name: row.name.to_owned(),
+            label: row.label.to_owned(),
+            symbol: printed_symbol(row.symbol).replace('*', ""),
             unit: if unit == "1" { String::new() } else { printed_unit(unit) },
             size,
-            interpolation: match row.map(|row| row.interpolation) {
-                Some(Interpolation::Linear) => "linear",
-                Some(Interpolation::Constant) => "constant",
-                _ => "quadratic",
+            interpolation: match row.interpolation {
+                Interpolation::Linear => "linear",
+                Interpolation::Constant => "constant",
+                Interpolation::Quadratic => "quadratic",
             },
             range,
             colours: colours.range,
-            is_logarithmic: name == ERROR_INDICATOR.name,
-            map: map.map(|part| format!("{part:02x}")).collect(),
+            is_logarithmic: row.name == ERROR_INDICATOR.name,
+            map: colours.map.to_hex(),
             values,
         }
     }
-}
-
-/// The place of a field in the list of fields.
-fn place_in_list(name: &str) -> usize {
-    let known = oilwedge_study::fields::FIELDS;
-    known.iter().position(|row| row.name == name).unwrap_or(known.len())
 }
 
 /// The step of a value in its range.

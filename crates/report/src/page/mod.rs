@@ -1,19 +1,24 @@
 //! One HTML file about a run, a sweep or a convergence study, which needs nothing but itself: no request leaves it.
 //!
 //! Everything is in it without a script: numbers, tables, and the figures of [`crate::plot`]. The script draws the film on canvases
-//! (`assets/film.js` unpacks it and finds values, `map.js` draws the unrolled liner and profiles, `view.js` the liner in space). A policy in the
+//! (`assets/film.js` unpacks it and finds values, `map.js` draws the unrolled liner and profiles, `view.js` the liner in space, `sweep.js` curves and
+//! maps of a sweep). A policy in the
 //! page forbids all else: `default-src 'none'`, with the hashes of the script and the style. The same results give the same bytes; what
 //! differs from run to run, the wall times, stands in the element `timings`.
 //!
-//! Reading order: this file (what the page shows), `quantities.rs`, `table.rs` and `tables.rs`, `comparisons.rs`, `studies.rs`, `film_data.rs` (the film for the script), `packing.rs`.
+//! Reading order: this file (what the page shows), `quantities.rs`, `table.rs` and `tables.rs`, `comparisons.rs`, `studies.rs`, `film_data.rs` and
+//! `sweep_data.rs` (what the script draws), `packing.rs`, `coarser.rs` and `thinning.rs` (a film that is too large).
 
+mod coarser;
 mod comparisons;
 mod film_data;
 mod packing;
 mod quantities;
 mod studies;
+mod sweep_data;
 mod table;
 mod tables;
+mod thinning;
 
 use std::path::Path;
 
@@ -29,16 +34,18 @@ use serde_json::Value;
 use sha2::{Digest, Sha256};
 
 use crate::Error;
-use crate::plot::{BALANCE, DrawnFilm, PlotOptions, figures_of_sweep, film_figures};
+use crate::plot::{BALANCE, CONVERGENCE, DrawnFilm, PlotOptions, figures_of_sweep, film_figures};
 use crate::sketch::words;
+use coarser::coarser;
 use film_data::FilmData;
 use quantities::{Shown, cards, quantities, simulated};
+use sweep_data::SweepData;
 use table::Table;
 
 /// Name of the file.
 pub const PAGE_FILE: &str = "report.html";
 /// Most nodes of a film that the page carries.
-pub const MOST_NODES: usize = 120_000;
+pub const MOST_NODES: usize = 100_000;
 /// Most bytes of the drawing of a mesh: a finer one is black at the width of a page.
 const LARGEST_MESH: usize = 500_000;
 
@@ -48,6 +55,7 @@ const SCRIPT: &str = concat!(
     include_str!("assets/film.js"),
     include_str!("assets/map.js"),
     include_str!("assets/view.js"),
+    include_str!("assets/sweep.js"),
     include_str!("assets/start.js")
 );
 /// Figures that stand by themselves; all others are maps of the liner.
@@ -103,6 +111,8 @@ struct Page {
     maps: Vec<Drawn>,
     notes: Vec<String>,
     film: Option<Interactive>,
+    /// A sweep for the script, as JSON.
+    cases: Option<String>,
     quantities: Vec<Shown>,
     warnings: Vec<String>,
     balances: Table,
@@ -161,11 +171,11 @@ pub fn sweep_page(sweep: &Value) -> Result<String, Error> {
         width: PAGE_WIDTH,
     };
     let figures = figures_of_sweep(sweep, &options).map_err(|unknown| Error::format("page")(unknown.name))?;
-    let cases = sweep["rows"].as_array().map_or(0, Vec::len);
     render(Page {
         kind: "sweep",
-        status: format!("{cases} cases"),
+        status: studies::cases_in_words(sweep),
         maps: drawn(&figures),
+        cases: SweepData::of(sweep).map(|data| embedded(&data)).transpose()?,
         tables: studies::sweep_rows(sweep).into_iter().collect(),
         command: command("sweep", sweep, &[]),
         ..head(sweep)
@@ -178,7 +188,7 @@ pub fn sweep_page(sweep: &Value) -> Result<String, Error> {
 /// [`Error::Format`]: the page cannot be made of it.
 pub fn convergence_page(study: &Value, svg: Option<&str>) -> Result<String, Error> {
     let picture = svg.filter(|svg| svg.starts_with("<svg")).map(|svg| Drawn {
-        name: "converge".to_owned(),
+        name: CONVERGENCE.to_owned(),
         svg: svg.to_owned(),
     });
     render(Page {
@@ -208,7 +218,14 @@ fn head(result: &Value) -> Page {
             })
             .collect(),
         not_simulated: texts(&result["effects"]["not_simulated"]),
-        words: parsed.map(|scene| words(&scene)).unwrap_or_default(),
+        words: parsed
+            .map(|scene| {
+                words(&scene)
+                    .iter()
+                    .map(|line| line.replace(" deg", "\u{b0}"))
+                    .collect()
+            })
+            .unwrap_or_default(),
         scene,
         ..Page::default()
     }
@@ -232,26 +249,29 @@ fn add_film(page: &mut Page, film: DrawnFilm, picture: &FilmPicture) -> Result<(
             _ => page.maps.push(Drawn { name, svg }),
         }
     }
-    if picture.points.len() > MOST_NODES {
-        page.notes.push(format!(
-            "The film has {} nodes. A page carries {MOST_NODES} at most, so this one has the figures only; film.vtu has all values.",
-            picture.points.len()
-        ));
-        return Ok(());
-    }
-    let data = FilmData::of(&film, picture);
+    let data = match picture.points.len() > MOST_NODES {
+        true => {
+            let coarser = coarser(&film, picture, MOST_NODES)?;
+            page.notes.push(coarser.note(picture.points.len()));
+            FilmData::of(&coarser.film, &coarser.picture)
+        }
+        false => FilmData::of(&film, picture),
+    };
     let choices = data.choices().map(|(name, label)| Choice {
         name: name.to_owned(),
         label: label.to_owned(),
     });
     page.film = Some(Interactive {
         choices: choices.collect(),
-        // Nothing within ends the element.
-        data: serde_json::to_string(&data)
-            .map_err(Error::format("page"))?
-            .replace('<', "\\u003c"),
+        data: embedded(&data)?,
     });
     Ok(())
+}
+
+/// Data as JSON in an element of the page; nothing within ends the element.
+fn embedded(data: &impl Serialize) -> Result<String, Error> {
+    let json = serde_json::to_string(data).map_err(Error::format("page"))?;
+    Ok(json.replace('<', "\\u003c"))
 }
 
 fn drawn(figures: &[(String, Figure)]) -> Vec<Drawn> {

@@ -11,6 +11,10 @@ use crate::readable::{printed_symbol, printed_unit, readable_unit};
 
 /// Digits of a value without a bar.
 const DIGITS: usize = 6;
+/// Digits as powers.
+const SUPERSCRIPTS: [char; 10] = [
+    '\u{2070}', '\u{b9}', '\u{b2}', '\u{b3}', '\u{2074}', '\u{2075}', '\u{2076}', '\u{2077}', '\u{2078}', '\u{2079}',
+];
 /// Cards at the head of the page.
 const CARDS: usize = 8;
 
@@ -62,7 +66,7 @@ fn shown(row: &'static Row, name: &str, it: &Value, has_bars: bool) -> Option<Sh
     let (unit, size) = readable_unit(value, row.unit);
     let words = match error {
         Some(0.0) => "exact".to_owned(),
-        Some(error) => format!("\u{b1} {}", bar(error / size)),
+        Some(error) => format!("\u{b1} {}", with_minus(bar(error / size))),
         None if has_bars => "not resolved".to_owned(),
         None => "not estimated".to_owned(),
     };
@@ -71,13 +75,13 @@ fn shown(row: &'static Row, name: &str, it: &Value, has_bars: bool) -> Option<Sh
         let value = value.as_f64().filter(|value| *value > 0.0)?;
         Some(Part {
             name: part.clone(),
-            value: bar(value / size),
+            value: with_minus(bar(value / size)),
             si: format!("{value}"),
         })
     });
     Some(Shown {
         row,
-        name: name.to_owned(),
+        name: in_words(name),
         what: row.what,
         definition: row.definition,
         symbol: html_symbol(row.symbol),
@@ -98,9 +102,21 @@ pub(super) fn shown_unit(unit: &str) -> String {
     }
 }
 
-/// A number with a true minus.
+/// A number with a true minus, and a power of ten in place of an exponent.
 pub(super) fn with_minus(number: String) -> String {
-    number.replace('-', "\u{2212}")
+    let (mantissa, exponent) = number.split_once('e').unwrap_or((&number, ""));
+    let power = |letter: char| match letter {
+        '-' => '\u{207b}',
+        digit => digit.to_digit(10).map_or(digit, |digit| SUPERSCRIPTS[digit as usize]),
+    };
+    let power: String = exponent.chars().map(power).collect();
+    let ten = if power.is_empty() { "" } else { "\u{b7}10" };
+    format!("{}{ten}{power}", mantissa.replace('-', "\u{2212}"))
+}
+
+/// A quantity's name in words; what it is of stands behind a comma.
+pub(super) fn in_words(name: &str) -> String {
+    name.replace('.', ", ").replace('_', " ")
 }
 
 /// The quantities at the head of the page.
@@ -151,6 +167,11 @@ mod tests {
     fn symbols_have_letters_and_indices() {
         assert_eq!(html_symbol("phi_W"), "<i>\u{3c6}</i><sub>W</sub>");
         assert_eq!(html_symbol("eps"), "<i>\u{3b5}</i>");
+        assert_eq!(
+            with_minus("-2.6e-13".to_owned()),
+            "\u{2212}2.6\u{b7}10\u{207b}\u{b9}\u{b3}"
+        );
+        assert_eq!(with_minus("4.5".to_owned()), "4.5");
     }
 
     #[test]

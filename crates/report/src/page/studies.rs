@@ -1,45 +1,71 @@
 //! Tables of sweeps and convergence studies.
 
-use oilwedge_study::quantities::row;
 use serde_json::Value;
 
-use super::quantities::{shown_unit, with_minus};
+use super::quantities::{in_words, shown_unit, with_minus};
 use super::table::{Cell, DIGITS, Table, any, optional, text};
 use crate::digits::{quantity_value, significant};
+use crate::plot::{Cases, quantity_names};
+use crate::readable::readable_unit_of;
 
 /// Digits of the value whose convergence is studied.
 const VALUE_DIGITS: usize = 9;
 
-/// The rows of a sweep.
+/// How many cases there are, and what became of them.
+pub(super) fn cases_in_words(sweep: &Value) -> String {
+    let mut counts: Vec<(String, usize)> = Vec::new();
+    let rows = sweep["rows"].as_array().into_iter().flatten();
+    for status in rows.map(|row| any(&row["status"]).text.replace('_', " ")) {
+        match counts.iter_mut().find(|(known, _)| *known == status) {
+            Some((_, count)) => *count += 1,
+            None => counts.push((status, 1)),
+        }
+    }
+    let each: Vec<String> = counts
+        .iter()
+        .map(|(status, count)| format!("{count} {status}"))
+        .collect();
+    each.join(", ")
+}
+
+/// The rows of a sweep: its axes in their order, and quantities in units of a readable size.
 pub(super) fn sweep_rows(sweep: &Value) -> Option<Table> {
-    let rows = sweep["rows"].as_array()?;
-    let keys = |of: &str| -> Vec<String> {
-        let first = rows
-            .iter()
-            .find_map(|row| row[of].as_object().filter(|it| !it.is_empty()));
-        first.into_iter().flat_map(|it| it.keys().cloned()).collect()
-    };
-    let (inputs, quantities) = (keys("inputs"), keys("quantities"));
-    let symbol =
-        |name: &String| row(name).map_or(name.clone(), |row| row.symbol.to_owned() + &unit_of(row.unit.name()));
-    let mut header = inputs.clone();
-    header.extend(quantities.iter().map(symbol));
-    header.push("status".to_owned());
-    header.push("reason and warnings".to_owned());
-    let shown = rows.iter().map(|it| {
-        let mut cells: Vec<Cell> = inputs.iter().map(|key| any(&it["inputs"][key])).collect();
-        cells.extend(quantities.iter().map(|key| {
-            let quantity = &it["quantities"][key];
+    let cases = Cases::of(sweep)?;
+    let quantities: Vec<(String, &str, f64)> = quantity_names(sweep)
+        .into_iter()
+        .filter_map(|name| {
+            let (most, unit) = cases.size(&name)?;
+            let (unit, size) = readable_unit_of(most, unit);
+            Some((name, unit, size))
+        })
+        .collect();
+    let mut header = vec!["case".to_owned()];
+    header.extend(
+        cases
+            .inputs()
+            .map(|(name, unit, _)| name.replace('_', " ") + &unit_of(unit)),
+    );
+    header.extend(quantities.iter().map(|(name, unit, _)| in_words(name) + &unit_of(unit)));
+    header.extend(["status", "reason and warnings"].map(str::to_owned));
+    let shown = cases.rows().iter().map(|it| {
+        let mut cells = vec![any(&it["case"])];
+        cells.extend(cases.inputs().map(|(name, ..)| any(&it["inputs"][name])));
+        cells.extend(quantities.iter().map(|(name, _, size)| {
+            let quantity = &it["quantities"][name.as_str()];
             quantity["value"].as_f64().map_or_else(
                 || text("\u{2013}"),
                 |value| Cell {
-                    text: with_minus(quantity_value(value, quantity["error"].as_f64(), DIGITS)),
+                    text: with_minus(quantity_value(
+                        value / size,
+                        quantity["error"].as_f64().map(|error| error / size),
+                        DIGITS,
+                    )),
                     si: format!("{value}"),
                     is_number: true,
                 },
             )
         }));
-        cells.push(any(&it["status"]));
+        cells.push(text(any(&it["status"]).text.replace('_', " ")));
         let words = [&it["reason"], &it["warnings"]].map(|words| any(words).text);
         let words: Vec<String> = words.into_iter().filter(|words| !words.is_empty()).collect();
         cells.push(text(words.join("; ")));
@@ -65,7 +91,7 @@ pub(super) fn study_levels(study: &Value) -> Option<Table> {
     let mut rows = Vec::new();
     for course in study["strategies"].as_array()? {
         for level in course["levels"].as_array().into_iter().flatten() {
-            let mut cells = vec![any(&course["strategy"])];
+            let mut cells = vec![text(any(&course["strategy"]).text.replace('_', " ").replace('p', "P"))];
             cells.extend(["level", "cells", "unknowns"].map(|key| optional(&level[key])));
             cells.extend(level["value"].as_f64().map(|value| Cell {
                 text: with_minus(significant(value, VALUE_DIGITS)),

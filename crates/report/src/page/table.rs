@@ -60,12 +60,20 @@ pub(super) fn number(value: f64) -> Cell {
 pub(super) fn sized(value: f64, size: f64, unit: &str) -> Cell {
     let shown = match size == 1.0 && value.fract() == 0.0 && value.abs() < WHOLE {
         true => with_minus(format!("{}", value + 0.0)),
-        false => with_minus(significant(value / size, DIGITS)),
+        false => with_minus(without_zeros(significant(value / size, DIGITS))),
     };
     Cell {
         text: format!("{shown} {unit}").trim_end().to_owned(),
         si: format!("{value}"),
         is_number: true,
+    }
+}
+
+/// A decimal number without zeros at its end.
+pub(super) fn without_zeros(number: String) -> String {
+    match number.contains('.') && !number.contains('e') {
+        true => number.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => number,
     }
 }
 

@@ -4,8 +4,8 @@ use oilwedge_study::quantities::FILM_THICKNESS_MIN;
 use oilwedge_study::regime::{APART, THIN};
 use serde_json::Value;
 
-use super::quantities::shown_unit;
-use super::table::{Cell, DIGITS, Table, number, optional, sized, text};
+use super::quantities::{shown_unit, with_minus};
+use super::table::{Cell, DIGITS, Table, number, optional, sized, text, without_zeros};
 use crate::digits::significant;
 use crate::plot::BALANCE;
 
@@ -20,6 +20,7 @@ pub(super) fn balances(result: &Value) -> Table {
     ];
     let rows = about
         .into_iter()
+        .filter(|(key, _)| *key != BALANCE || !result[BALANCE].is_null())
         .filter_map(|(key, what)| Some(vec![text(what), number(result["balances"][key].as_f64()?)]));
     Table::new("", ["balance", "left over"], rows.collect())
 }
@@ -57,7 +58,7 @@ pub(super) fn assumptions(result: &Value) -> Table {
         least_film.map_or(String::new(), |film| {
             format!(
                 "small against the least film, {} \u{b5}m",
-                significant(film / 1e-6, DIGITS)
+                with_minus(without_zeros(significant(film / 1e-6, DIGITS)))
             )
         }),
     );
@@ -87,7 +88,7 @@ pub(super) fn criteria(result: &Value) -> Option<Table> {
         let bound = |key: &str, word: &str| {
             it[key]
                 .as_f64()
-                .map(|value| format!("{word} {}", significant(value, DIGITS)))
+                .map(|value| format!("{word} {}", sized(value, 1.0, &unit).text))
         };
         let bounds: Vec<String> = [bound("least", "at least"), bound("most", "at most")]
             .into_iter()

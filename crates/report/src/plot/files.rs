@@ -19,6 +19,8 @@ use crate::{Error, folder};
 
 /// Name of the folder.
 pub const PLOT_FOLDER: &str = "plot";
+/// The picture of a convergence study.
+pub const CONVERGENCE: &str = "converge";
 /// Pictures of a film beside its fields.
 const OF_FILM: [&str; 4] = ["mesh", "section", "profiles", BALANCE];
 
@@ -96,24 +98,23 @@ fn check(selected: &[String], known: &[String]) -> Result<(), Unknown> {
     }
 }
 
-/// Writes pictures into the folder `plot` of `dir` as SVG and PNG; those of an earlier run that are not drawn again are removed.
+/// Writes pictures, by their names as SVG, into the folder `plot` of `dir` as SVG and PNG; those of an earlier run that are not drawn again are removed.
 ///
 /// # Errors
 /// A picture is too large, or the system refuses; the old pictures are then left as they were.
-pub fn write_figures(dir: &Path, figures: &[(String, Figure)]) -> Result<(), Error> {
+pub fn write_pictures(dir: &Path, pictures: &[(String, String)]) -> Result<(), Error> {
     let mut files: Vec<(OsString, Option<Vec<u8>>)> = Vec::new();
-    for (name, figure) in figures {
-        let svg = figure.to_svg();
-        files.push((format!("{name}.png").into(), Some(to_png(&svg)?)));
-        files.push((format!("{name}.svg").into(), Some(svg.into_bytes())));
+    for (name, svg) in pictures {
+        files.push((format!("{name}.png").into(), Some(to_png(svg)?)));
+        files.push((format!("{name}.svg").into(), Some(svg.clone().into_bytes())));
     }
     let usual = FIELDS.iter().map(|row| row.name.to_owned());
     let maps = CATALOGUE.iter().map(|row| format!("map_{}", row.name));
     let known = usual
         .chain(OF_FILM.map(str::to_owned))
         .chain(maps)
-        .chain(["sweep", "converge"].map(str::to_owned));
-    for name in known.filter(|name| figures.iter().all(|(drawn, _)| drawn != name)) {
+        .chain(["sweep", CONVERGENCE].map(str::to_owned));
+    for name in known.filter(|name| pictures.iter().all(|(drawn, _)| drawn != name)) {
         files.extend(["svg", "png"].map(|ending| (format!("{name}.{ending}").into(), None)));
     }
     let steps: Vec<(&OsStr, Option<&[u8]>)> = files

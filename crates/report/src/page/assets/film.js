@@ -152,7 +152,12 @@ function roundNumbers(low, high, wanted) {
   for (let k = Math.ceil(low / step - 1e-9); k <= high / step + 1e-9; k++) list.push(k * step);
   return list;
 }
-const written = (value, digits = 4) => (value === 0 ? "0" : Math.abs(value) < 1e-3 || Math.abs(value) >= 1e6 ? value.toExponential(Math.min(2, digits - 1)) : String(+value.toPrecision(digits))).replace(/-/g, "\u2212");
+const POWERS = "\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079";
+function written(value, digits = 4) {
+  if (value === 0) return "0";
+  const isShort = Math.abs(value) >= 1e-4 && Math.abs(value) < 1e6, [mantissa, power] = isShort ? [String(+value.toPrecision(digits))] : value.toExponential(Math.min(2, digits - 1)).split("e");
+  return mantissa.replace("-", "\u2212") + (power ? "\u00b710" + power.replace("+", "").replace("-", "\u207b").replace(/\d/g, (digit) => POWERS[digit]) : "");
+}
 const shareOf = ({ colours: [low, high], is_logarithmic }, value) => (is_logarithmic ? Math.log(Math.max(value, low) / low) / Math.log(high / low) : (value - low) / (high - low));
 const marksOf = (field, wanted) => {
   const [low, high] = field.colours;

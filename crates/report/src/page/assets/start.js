@@ -1,6 +1,13 @@
-// Reads the film, draws it, and says when it is drawn.
+// Reads the film or the sweep, draws it, and says when it is drawn.
 (async () => {
-  const root = document.documentElement, text = document.getElementById("data");
+  const root = document.documentElement, text = document.getElementById("data"), cases = document.getElementById("cases");
+  if (cases && typeof DecompressionStream !== "undefined") {
+    const sweep = await readSweep(JSON.parse(cases.textContent));
+    root.dataset.live = "yes";
+    sweepOf(sweep);
+    root.dataset.ready = "yes";
+    return;
+  }
   if (!text || typeof DecompressionStream === "undefined") { root.dataset.ready = "static"; return; }
   const film = await readFilm(JSON.parse(text.textContent)), byName = (name) => film.fields.find((field) => field.name === name);
   // The cursor starts at the peak.
