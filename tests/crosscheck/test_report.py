@@ -175,19 +175,19 @@ def test_a_sweep_shows_the_chosen_quantity_over_the_chosen_axes(browser, studies
     seen = page.evaluate(curves)
     page.select_option("#quantity", label="friction power")
     assert page.evaluate(curves) != seen and "friction power" in page.evaluate(curves)
-    page.select_option("#along", label="speed")
-    page.select_option("#across", label="eccentricity")
+    page.select_option("#axis-along", label="speed")
+    page.select_option("#axis-across", label="eccentricity")
     assert page.evaluate(curves).count('class="curve') == 4
     assert page.evaluate(cells).count('class="cell"') == 12
     page.focus("#cells")
     for key in ("ArrowRight", "ArrowUp"):
         page.keyboard.press(key)
     assert "speed 2000" in page.evaluate(readout) and "friction power" in page.evaluate(readout)
-    page.select_option("#across", label="none")
+    page.select_option("#axis-across", label="none")
     assert page.evaluate(curves).count('class="curve') == 1
     assert not page.is_visible("#cells")
     # The cases without a film, and why.
-    page.select_option("#across", label="oil.barus.alpha")
+    page.select_option("#axis-across", label="oil.barus.alpha")
     assert page.evaluate(cells).count('class="cell empty"') > 0
     page.check("#logarithmic")
     assert page.evaluate(curves).count('class="curve') == 2

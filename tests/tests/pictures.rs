@@ -259,6 +259,29 @@ fn a_convergence_study_is_drawn_again_from_its_folder() {
     bench.refuses(&["plot", "study", "--width", "85 mm"], &["--width", "170 mm"]);
 }
 
+#[test]
+fn every_picture_of_the_documentation_has_a_title_and_a_description() {
+    let mut folders = vec![repository().join("docs")];
+    let mut pictures = 0;
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(&folder).expect("a folder") {
+            let path = entry.expect("an entry").path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|ending| ending == "svg") {
+                let svg = fs::read_to_string(&path).expect("a picture");
+                assert!(
+                    svg.contains("<title>") && svg.contains("<desc>") && svg.contains("mm\""),
+                    "{} is not drawn by the crate drawing",
+                    path.display()
+                );
+                pictures += 1;
+            }
+        }
+    }
+    assert!(pictures > IMAGES.len());
+}
+
 /// All but the places on the sheet, which other machines may round otherwise.
 fn words(svg: &str) -> String {
     svg.split(" d=\"")

@@ -15,6 +15,8 @@ use crate::plot::{DrawnFilm, Finder, InTriangle, drawn_fields};
 const STRAIGHT: f64 = 1e-7;
 /// A field that changes by more than this part of its range within a triangle is steep there, as the film fraction where the film breaks.
 const STEEP: f64 = 0.03;
+/// A field whose range is less than this part of its size is the same everywhere.
+const SAME: f64 = 1e-6;
 /// A vertex that goes takes three sides and two triangles with it.
 const GONE: usize = 4;
 
@@ -42,6 +44,14 @@ fn ends(values: &[f64]) -> [f64; 2] {
         .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
             [low.min(*value), high.max(*value)]
         })
+}
+
+/// The fields on nodes with their ends, but for those that are the same everywhere, whose range is round-off.
+fn varying(picture: &FilmPicture) -> impl Iterator<Item = (&'static FieldRow, &Vec<f64>, [f64; 2])> {
+    drawn_fields(&picture.point_data).filter_map(|(row, values)| {
+        let [low, high] = ends(values);
+        (high - low > SAME * low.abs().max(high.abs())).then_some((row, values, [low, high]))
+    })
 }
 
 /// Sides of a mesh.
@@ -73,8 +83,7 @@ impl Sides {
                 side.iter().for_each(|node| must_stay[*node as usize] = true);
             }
         }
-        for (_, values) in drawn_fields(&picture.point_data) {
-            let [low, high] = ends(values);
+        for (_, values, [low, high]) in varying(picture) {
             for cell in &picture.cells {
                 let [from, to] = ends(&cell.map(|node| values[node as usize]));
                 if to - from > STEEP * (high - low) {
@@ -203,13 +212,12 @@ fn differences(
     let gone: Vec<_> = gone
         .filter_map(|node| Some((node, finder.find(places[node])?)))
         .collect();
-    let difference = |(row, values): (&'static FieldRow, &Vec<f64>)| {
-        let [low, high] = ends(values);
+    let difference = |(row, values, [low, high]): (&'static FieldRow, &Vec<f64>, [f64; 2])| {
         let off = |(node, place): &(usize, InTriangle)| Some((finder.value(row, *place)? - values[*node]).abs());
         let most = gone.iter().filter_map(off).fold(0.0, f64::max);
-        (row.label, if most > 0.0 { most / (high - low) } else { 0.0 })
+        (row.label, most / (high - low))
     };
-    drawn_fields(&picture.point_data).map(difference).collect()
+    varying(picture).map(difference).collect()
 }
 
 /// Fields on triangles are parts of a sum: each is given to the triangle that covers its centroid.

@@ -9,6 +9,7 @@ use oilwedge_drawing::joined;
 use oilwedge_study::fields::{ERROR_INDICATOR, FIELDS, FieldRow, Interpolation};
 use oilwedge_study::picture::FilmPicture;
 use oilwedge_study::quantities::{ECCENTRICITY, MIN_FILM_ANGLE};
+use rayon::prelude::*;
 use serde::Serialize;
 
 use super::packing::{Packed, Prediction, packed, triangles};
@@ -88,7 +89,8 @@ impl FilmData {
         let coded = |values: Vec<u32>| packed(&prediction.differences(&values));
         let nodal = drawn_fields(&picture.point_data).map(|(row, values)| (row, values, true));
         let constant = drawn_fields(&picture.cell_data).map(|(row, values)| (row, values, false));
-        let fields = nodal.chain(constant).map(|(row, values, is_nodal)| {
+        let all: Vec<_> = nodal.chain(constant).collect();
+        let fields = all.into_par_iter().map(|(row, values, is_nodal)| {
             let range = values
                 .iter()
                 .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {

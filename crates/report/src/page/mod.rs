@@ -29,6 +29,7 @@ use minijinja::value::Serde;
 use oilwedge_drawing::{Figure, PAGE_WIDTH};
 use oilwedge_scene::Scene;
 use oilwedge_study::picture::FilmPicture;
+use rayon::prelude::*;
 use serde::Serialize;
 use serde_json::Value;
 use sha2::{Digest, Sha256};
@@ -231,13 +232,27 @@ fn head(result: &Value) -> Page {
     }
 }
 
+/// What the script draws of a film, and what the page says of it.
+fn film_data(film: &DrawnFilm, picture: &FilmPicture) -> Result<(FilmData, Option<String>), Error> {
+    if picture.points.len() <= MOST_NODES {
+        return Ok((FilmData::of(film, picture), None));
+    }
+    let coarser = coarser(film, picture, MOST_NODES)?;
+    let data = FilmData::of(&coarser.film, &coarser.picture);
+    Ok((data, Some(coarser.note(picture.points.len()))))
+}
+
 fn add_film(page: &mut Page, film: DrawnFilm, picture: &FilmPicture) -> Result<(), Error> {
     let options = PlotOptions {
         selected: Vec::new(),
         width: PAGE_WIDTH,
     };
-    let figures = film_figures(&film, &options).map_err(|unknown| Error::format("page")(unknown.name))?;
-    for Drawn { name, svg } in drawn(&figures) {
+    let (figures, data) = rayon::join(
+        || film_figures(&film, &options).map(|figures| drawn(&figures)),
+        || film_data(&film, picture),
+    );
+    let (data, note) = data?;
+    for Drawn { name, svg } in figures.map_err(|unknown| Error::format("page")(unknown.name))? {
         match name.as_str() {
             SECTION => page.section = Some(svg),
             PROFILES => page.profiles = Some(svg),
@@ -249,14 +264,7 @@ fn add_film(page: &mut Page, film: DrawnFilm, picture: &FilmPicture) -> Result<(
             _ => page.maps.push(Drawn { name, svg }),
         }
     }
-    let data = match picture.points.len() > MOST_NODES {
-        true => {
-            let coarser = coarser(&film, picture, MOST_NODES)?;
-            page.notes.push(coarser.note(picture.points.len()));
-            FilmData::of(&coarser.film, &coarser.picture)
-        }
-        false => FilmData::of(&film, picture),
-    };
+    page.notes.extend(note);
     let choices = data.choices().map(|(name, label)| Choice {
         name: name.to_owned(),
         label: label.to_owned(),
@@ -279,7 +287,7 @@ fn drawn(figures: &[(String, Figure)]) -> Vec<Drawn> {
         name: name.clone(),
         svg: figure.to_svg(),
     };
-    figures.iter().map(each).collect()
+    figures.par_iter().map(each).collect()
 }
 
 fn texts(list: &Value) -> Vec<String> {

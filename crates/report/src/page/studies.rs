@@ -3,9 +3,9 @@
 use serde_json::Value;
 
 use super::quantities::{in_words, shown_unit, with_minus};
-use super::table::{Cell, DIGITS, Table, any, optional, text};
+use super::table::{Cell, DIGITS, Table, any, optional, text, without_zeros};
 use crate::digits::{quantity_value, significant};
-use crate::plot::{Cases, quantity_names};
+use crate::plot::Cases;
 use crate::readable::readable_unit_of;
 
 /// Digits of the value whose convergence is studied.
@@ -31,7 +31,8 @@ pub(super) fn cases_in_words(sweep: &Value) -> String {
 /// The rows of a sweep: its axes in their order, and quantities in units of a readable size.
 pub(super) fn sweep_rows(sweep: &Value) -> Option<Table> {
     let cases = Cases::of(sweep)?;
-    let quantities: Vec<(String, &str, f64)> = quantity_names(sweep)
+    let quantities: Vec<(String, &str, f64)> = cases
+        .names(&[])
         .into_iter()
         .filter_map(|name| {
             let (most, unit) = cases.size(&name)?;
@@ -43,40 +44,51 @@ pub(super) fn sweep_rows(sweep: &Value) -> Option<Table> {
     header.extend(
         cases
             .inputs()
-            .map(|(name, unit, _)| name.replace('_', " ") + &unit_of(unit)),
+            .map(|(name, unit, _)| name.replace(['_', '.'], " ") + &unit_of(unit)),
     );
     header.extend(quantities.iter().map(|(name, unit, _)| in_words(name) + &unit_of(unit)));
-    header.extend(["status", "reason and warnings"].map(str::to_owned));
+    header.extend(["status", "warnings"].map(str::to_owned));
     let shown = cases.rows().iter().map(|it| {
         let mut cells = vec![any(&it["case"])];
         cells.extend(cases.inputs().map(|(name, ..)| any(&it["inputs"][name])));
-        cells.extend(quantities.iter().map(|(name, _, size)| {
-            let quantity = &it["quantities"][name.as_str()];
-            quantity["value"].as_f64().map_or_else(
-                || text("\u{2013}"),
-                |value| Cell {
-                    text: with_minus(quantity_value(
-                        value / size,
-                        quantity["error"].as_f64().map(|error| error / size),
-                        DIGITS,
-                    )),
-                    si: format!("{value}"),
-                    is_number: true,
-                },
-            )
-        }));
+        cells.extend(
+            quantities
+                .iter()
+                .map(|(name, _, size)| quantity(&it["quantities"][name.as_str()], *size)),
+        );
         cells.push(text(any(&it["status"]).text.replace('_', " ")));
-        let words = [&it["reason"], &it["warnings"]].map(|words| any(words).text);
-        let words: Vec<String> = words.into_iter().filter(|words| !words.is_empty()).collect();
-        cells.push(text(words.join("; ")));
+        cells.push(text(any(&it["warnings"]).text.replace('_', " ")));
         cells
     });
+    let reasons = cases.rows().iter().filter_map(|it| {
+        let reason = it["reason"].as_str().filter(|reason| !reason.is_empty())?;
+        Some(format!("Case {}: {reason}", it["case"]))
+    });
+    let all = "The main quantities; sweep.csv has all, with their error bars.".to_owned();
     Some(Table {
         title: "All cases".to_owned(),
         header,
         rows: shown.collect(),
-        notes: Vec::new(),
+        notes: [all].into_iter().chain(reasons).collect(),
     })
+}
+
+/// The value of a quantity in a unit of that size, with the digits of its bar.
+fn quantity(it: &Value, size: f64) -> Cell {
+    let Some(value) = it["value"].as_f64() else {
+        return text("\u{2013}");
+    };
+    let error = it["error"].as_f64().map(|error| error / size);
+    let shown = quantity_value(value / size, error, DIGITS);
+    Cell {
+        text: with_minus(if error == Some(0.0) {
+            without_zeros(shown)
+        } else {
+            shown
+        }),
+        si: format!("{value}"),
+        is_number: true,
+    }
 }
 
 fn unit_of(unit: &str) -> String {

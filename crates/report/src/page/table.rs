@@ -71,8 +71,9 @@ pub(super) fn sized(value: f64, size: f64, unit: &str) -> Cell {
 
 /// A decimal number without zeros at its end.
 pub(super) fn without_zeros(number: String) -> String {
-    match number.contains('.') && !number.contains('e') {
-        true => number.trim_end_matches('0').trim_end_matches('.').to_owned(),
+    let (mantissa, exponent) = number.split_at(number.find('e').unwrap_or(number.len()));
+    match mantissa.contains('.') {
+        true => mantissa.trim_end_matches('0').trim_end_matches('.').to_owned() + exponent,
         false => number,
     }
 }

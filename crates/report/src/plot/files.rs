@@ -6,6 +6,7 @@ use std::path::Path;
 use oilwedge_drawing::Figure;
 use oilwedge_study::fields::{FIELDS, VISCOSITY};
 use oilwedge_study::quantities::CATALOGUE;
+use rayon::prelude::*;
 use serde_json::Value;
 
 use super::field_map::{field_figure, is_constant, mesh_figure};
@@ -76,7 +77,7 @@ pub fn film_figures(film: &DrawnFilm, options: &PlotOptions) -> Result<Vec<(Stri
         };
         Some((name, figure?))
     };
-    Ok(names.into_iter().filter_map(draw).collect())
+    Ok(names.into_par_iter().filter_map(draw).collect())
 }
 
 /// The pictures of a sweep by name, from the object of `sweep.json`.

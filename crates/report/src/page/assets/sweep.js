@@ -27,8 +27,8 @@ function sweepOf(sweep) {
   function controls() {
     const named = (list) => list.map((k) => [k, escaped(axes[k].label)]);
     choices("quantity", quantities.map((it, k) => [k, escaped(it.label)]), state.quantity, (k) => { state.quantity = k; });
-    choices("along", named(many), state.along, (k) => { if (state.across === k) state.across = state.along; state.along = k; });
-    choices("across", [[-1, "none"], ...named(many.filter((k) => k !== state.along))], state.across, (k) => { state.across = k; });
+    choices("axis-along", named(many), state.along, (k) => { if (state.across === k) state.across = state.along; state.along = k; });
+    choices("axis-across", [[-1, "none"], ...named(many.filter((k) => k !== state.along))], state.across, (k) => { state.across = k; });
     const others = many.filter((k) => k !== state.along && k !== state.across);
     by("fixed").innerHTML = others.map((k) => `<label>${escaped(axes[k].label)} <select id="fixed-${k}"></select></label>`).join("");
     for (const k of others) choices(`fixed-${k}`, axes[k].values.map((it, index) => [index, word(k, index) + unitOf(axes[k].unit)]), chosen[k], (index) => { chosen[k] = index; });
