@@ -95,7 +95,8 @@ impl New {
         })?;
         std::fs::write(&schema, json(&schema::schema())?).map_err(|error| cannot(&schema, &error))?;
         let shown = path.display();
-        let text = format!("wrote     {shown}, {SCHEMA_FILE}\nnext      edit {shown}, then: oilwedge solve {shown}\n");
+        let text =
+            format!("wrote     {shown}, {SCHEMA_FILE}\nnext      edit {shown}, then: oilwedge solve {shown} --open\n");
         print(&text, Some(path))?;
         Ok(ExitCode::SUCCESS)
     }
