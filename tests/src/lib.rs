@@ -19,6 +19,7 @@ pub mod printed;
 pub mod program;
 pub mod quantities_page;
 pub mod random_bearings;
+pub mod scene_page;
 pub mod scenes;
 pub mod short_crankshaft;
 pub mod tables;

@@ -43,6 +43,7 @@ const EFFECTS: [Effect; 2] = [
             ("crates/study/src/effects/mod.rs", "&squeeze::"),
             ("crates/study/src/effects/mod.rs", "squeeze::KIND,"),
             ("crates/scene/src/journal.rs", "mod squeeze;"),
+            ("crates/scene/src/catalogue.rs", "squeeze::KEYS"),
         ],
     },
     Effect {
@@ -58,6 +59,7 @@ const EFFECTS: [Effect; 2] = [
             ("crates/study/src/effects/mod.rs", "&barus::"),
             ("crates/scene/src/oil.rs", "mod barus;"),
             ("crates/scene/src/oil.rs", "barus::read"),
+            ("crates/scene/src/catalogue.rs", "barus::KEYS"),
         ],
     },
 ];

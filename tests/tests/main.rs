@@ -1,6 +1,7 @@
 //! All tests that cross crates, as one program; `cargo test -p oilwedge-tests cli::sweep` runs some of them.
 
 mod architecture;
+mod catalogue;
 mod cavitation;
 mod cli;
 mod convergence;
@@ -24,6 +25,7 @@ mod invariance;
 mod literature;
 mod mesh_readers;
 mod oil_balance;
+mod pages;
 mod performance;
 mod pictures;
 mod reference;

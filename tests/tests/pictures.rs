@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 
 use oilwedge_report::plot::{DrawnFilm, PlotOptions, film_figures};
-use oilwedge_report::vtu::to_vtu;
+use oilwedge_report::vtu::{Compression, to_vtu};
 use oilwedge_report::vtu_read::from_vtu;
 use oilwedge_study::film_lines::{REFORMATION, RUPTURE};
 use oilwedge_study::picture::FilmPicture;
@@ -91,7 +91,7 @@ fn a_film_on_the_cylinder_and_from_its_file_gives_the_same_pictures() {
     let (_, cylinder) = solved("02_flexpde_shell", false);
     let drawn = svgs(result.clone(), &plane, 170.0);
     assert_eq!(drawn, svgs(result.clone(), &plane, 170.0));
-    let read = from_vtu(&to_vtu(plane.clone()).expect("a file")).expect("the file");
+    let read = from_vtu(&to_vtu(plane.clone(), Compression::Lz4).expect("a file")).expect("the file");
     assert_eq!(read, plane);
     assert_eq!(drawn, svgs(result.clone(), &read, 170.0));
     // On the cylinder places are rounded otherwise: the same levels, and files of nearly the same length.
@@ -213,7 +213,7 @@ fn what_cannot_be_drawn_is_named() {
     bench.refuses(&["plot", "scene.toml", "--width", "2 m"], &["from 60 mm to 400 mm"]);
     bench.refuses(&["plot", "scene.toml", "--width", "85"], &["no unit", "85 mm"]);
     fs::create_dir(bench.path().join("empty")).expect("a folder");
-    bench.refuses(&["plot", "empty"], &["neither result.json nor sweep.json"]);
+    bench.refuses(&["plot", "empty"], &["no result.json, sweep.json or converge.json"]);
     fs::write(bench.path().join("empty/result.json"), "{}").expect("a file");
     bench.refuses(&["plot", "empty"], &["no film.vtu"]);
     fs::write(bench.path().join("empty/film.vtu"), "<VTKFile").expect("a file");
@@ -240,6 +240,46 @@ fn sweeps_are_drawn_with_their_bars_and_as_maps() {
             && !bench.path().join("map/plot/map_load.png").exists()
     );
     bench.refuses(&["plot", "map", "--field", "pressure"], &["no \"pressure\"", "load"]);
+}
+
+#[test]
+fn a_convergence_study_is_drawn_again_from_its_folder() {
+    let bench = Bench::new();
+    bench.scene("01_plain_ring", &[]);
+    let told = bench.run(&["converge", "scene.toml", "--out", "study", "--max-seconds", "1"]);
+    assert_eq!(told.status, 0, "{}", told.stderr);
+    let told = bench.run(&["plot", "study"]);
+    assert_eq!(told.status, 0, "{}", told.stderr);
+    let read = |name: &str| fs::read(bench.path().join(name)).expect("a picture");
+    for ending in ["svg", "png"] {
+        let [own, again] = ["study", "study/plot"].map(|folder| read(&format!("{folder}/converge.{ending}")));
+        assert!(own == again, "another {ending}");
+    }
+    bench.refuses(&["plot", "study", "--field", "load"], &["no \"load\"", "converge"]);
+    bench.refuses(&["plot", "study", "--width", "85 mm"], &["--width", "170 mm"]);
+}
+
+#[test]
+fn every_picture_of_the_documentation_has_a_title_and_a_description() {
+    let mut folders = vec![repository().join("docs")];
+    let mut pictures = 0;
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(&folder).expect("a folder") {
+            let path = entry.expect("an entry").path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|ending| ending == "svg") {
+                let svg = fs::read_to_string(&path).expect("a picture");
+                assert!(
+                    svg.contains("<title>") && svg.contains("<desc>") && svg.contains("mm\""),
+                    "{} is not drawn by the crate drawing",
+                    path.display()
+                );
+                pictures += 1;
+            }
+        }
+    }
+    assert!(pictures > IMAGES.len());
 }
 
 /// All but the places on the sheet, which other machines may round otherwise.

@@ -7,8 +7,8 @@ use oilwedge_scene::unit::Dimension;
 use oilwedge_scene::{Scene, SceneError};
 use oilwedge_study::{RunOptions, run};
 use oilwedge_tests::program::repository;
-use oilwedge_tests::quantities_page;
 use oilwedge_tests::scenes::{path, table, variant};
+use oilwedge_tests::{quantities_page, scene_page};
 use serde_json::Value;
 
 fn page(name: &str) -> String {
@@ -216,6 +216,12 @@ fn the_result_shown_is_that_of_scene_02() {
         let [shown, found] = [shown, found].map(|value| value.as_f64().expect("a number"));
         assert!((shown / found - 1.0).abs() < 1e-6, "{shown} {found}");
     }
+}
+
+#[test]
+fn the_page_of_the_scene_is_that_of_the_catalogue_of_keys() {
+    let page = page("scene.md");
+    assert_eq!(scene_page::page(&page), page, "run validation");
 }
 
 #[test]

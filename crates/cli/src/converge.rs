@@ -5,12 +5,14 @@ use crate::interrupt;
 use crate::levels_table::convergence_report;
 use crate::plot;
 use crate::progress::Progress;
+use crate::report::PageArguments;
 use crate::run_options::folder;
 use crate::terminal::{exit_code, output};
 use oilwedge_campaign::convergence::{Budget, converge};
 use oilwedge_report::convergence as files;
 use oilwedge_report::json;
-use oilwedge_report::plot::convergence_figure;
+use oilwedge_report::page::convergence_page;
+use oilwedge_report::plot::{CONVERGENCE, convergence_figure, to_svg};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -33,6 +35,9 @@ pub(crate) struct Converge {
     /// Draw the study into the folder plot of the results too.
     #[arg(long)]
     plot: bool,
+
+    #[command(flatten)]
+    page: PageArguments,
 
     /// Time limit of the study in seconds. It ends with the levels finished by then, as it does at Ctrl-C.
     #[arg(long, value_name = "S", default_value = "30", value_parser = seconds)]
@@ -75,10 +80,17 @@ impl Converge {
         files::write(&folder, &study)?;
         let is_drawn = self.plot && report.levels().next().is_some();
         let figures: Vec<_> = is_drawn
-            .then(|| ("converge".to_owned(), convergence_figure(&study)))
+            .then(|| (CONVERGENCE.to_owned(), convergence_figure(&study)))
             .into_iter()
             .collect();
-        let drawn = plot::written(&folder, &figures)?;
+        let page = match self.page.is_wanted() {
+            true => {
+                let svg = report.levels().next().is_some().then(|| to_svg(&study));
+                Some(convergence_page(&plot::value(&json(report)?)?, svg.as_deref())?)
+            }
+            false => None,
+        };
+        let drawn = plot::written(&folder, &figures)? + &self.page.written(&folder, page)?;
         output(
             self.json,
             || json(report),

@@ -8,16 +8,22 @@ mod check;
 mod check_report;
 mod complain;
 mod converge;
+mod diff;
+mod explain;
 mod interrupt;
 mod levels_table;
 mod mesh;
+mod new;
 mod oil;
 mod plot;
 mod progress;
 mod quantities;
 mod readable;
+mod report;
 mod run_options;
 mod run_report;
+mod schema;
+mod shell;
 mod shown;
 mod solve;
 mod sweep;
@@ -26,7 +32,7 @@ mod terminal;
 mod verdict;
 mod verify;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 use complain::Failure;
 use std::process::ExitCode;
 
@@ -53,7 +59,11 @@ Examples:
   oilwedge mesh bearing.toml -o liner.msh          mesh its liner, to a gmsh file
   oilwedge converge bearing.toml                   the cost of accuracy, in unknowns and seconds
   oilwedge sweep bearing.toml                      solve all cases of its [sweep], to a table
+  oilwedge report out/bearing --open               one page about results, in the browser
   oilwedge oil SAE 10W-40 --at \"80 C\"              viscosity and density of an oil
+  oilwedge new bearing.toml --kind groove          a scene with comments to begin with
+  oilwedge explain side_flow                       what a name means
+  oilwedge diff before.toml after.toml             what changed, against the error bars
   oilwedge verify                                  check this program against known answers
 
 Exit status: 0 done; 1 no solution or not converged, or results written but stdout failed; 2 bad scene, mesh or arguments (nothing was written);
@@ -73,8 +83,22 @@ enum Verb {
     Sweep(sweep::Sweep),
     /// Draw the film of a scene, or the results in a folder, as SVG and PNG.
     Plot(plot::Plot),
+    /// Write one HTML page about the results in a folder.
+    Report(report::Report),
     /// Show viscosity and density of an oil by temperature, or which oils a scene may name.
     Oil(oil::Oil),
+    /// Write a scene with comments to begin with, and its schema.
+    New(new::New),
+    /// Explain a quantity, effect, key of a scene, field or warning by its name.
+    Explain(explain::Explain),
+    /// Compare two scenes or results: changed keys, and whether changed quantities exceed their error bars.
+    Diff(diff::Diff),
+    /// Print the JSON schema of scenes, for editors.
+    Schema(schema::Schema),
+    /// Print the completion script of a shell.
+    Completions(shell::Completions),
+    /// Write the manual pages.
+    Man(shell::Man),
     /// Check this program against cases with known answers, or against all hard cases.
     Verify(verify::Verify),
 }
@@ -89,7 +113,14 @@ fn main() -> ExitCode {
         Verb::Converge(converge) => converge.run(),
         Verb::Sweep(sweep) => sweep.run(),
         Verb::Plot(plot) => plot.run(),
+        Verb::Report(report) => report.run(),
         Verb::Oil(oil) => oil.run(),
+        Verb::New(new) => new.run(),
+        Verb::Explain(explain) => explain.run(),
+        Verb::Diff(diff) => diff.run(),
+        Verb::Schema(schema) => schema.run(),
+        Verb::Completions(completions) => completions.run(Arguments::command()),
+        Verb::Man(man) => man.run(Arguments::command()),
         Verb::Verify(verify) => verify.run(),
     });
     outcome.unwrap_or_else(|failure| {
@@ -116,7 +147,6 @@ fn use_threads(threads: Option<u16>) -> Result<(), Failure> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use clap::CommandFactory;
 
     #[test]
     fn the_arguments_are_consistent() {

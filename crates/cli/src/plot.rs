@@ -1,4 +1,4 @@
-//! `oilwedge plot`: pictures of a film or a sweep, from a scene or from a folder of results; and `--plot` of other verbs.
+//! `oilwedge plot`: pictures of a film, a sweep or a convergence study, from a scene or from a folder of results; and `--plot` of other verbs.
 
 use crate::complain::{self, Failure};
 use crate::interrupt;
@@ -6,11 +6,14 @@ use crate::progress::Progress;
 use crate::run_options::folder;
 use crate::terminal::{exit_code, print};
 use oilwedge_drawing::{Figure, PAGE_WIDTH};
-use oilwedge_report::plot::{self, DrawnFilm, PLOT_FOLDER, PlotOptions, Unknown, film_figures, write_figures};
+use oilwedge_report::convergence::REPORT_FILE as STUDY_FILE;
+use oilwedge_report::plot::{
+    self, CONVERGENCE, DrawnFilm, PLOT_FOLDER, PlotOptions, Unknown, film_figures, write_pictures,
+};
 use oilwedge_report::result_json;
 use oilwedge_report::results::{PICTURE_FILE, RESULT_FILE, write_results};
 use oilwedge_report::sweep::REPORT_FILE;
-use oilwedge_report::vtu::to_vtu;
+use oilwedge_report::vtu::{Compression, to_vtu};
 use oilwedge_report::vtu_read::from_vtu;
 use oilwedge_scene::unit::{self, Dimension};
 use oilwedge_study::RunOptions;
@@ -23,7 +26,7 @@ use std::process::ExitCode;
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Plot {
-    /// A scene, which is solved first, or a folder with the results of solve or sweep.
+    /// A scene, which is solved first, or a folder with the results of solve, sweep or converge.
     #[arg(value_name = "SCENE|DIR")]
     of: PathBuf,
 
@@ -70,6 +73,8 @@ pub(crate) fn usual() -> PlotOptions {
 
 /// Pictures by name.
 type Figures = Vec<(String, Figure)>;
+/// Pictures by name, as SVG.
+type Pictures = Vec<(String, String)>;
 
 /// The pictures of a film, from the text of `result.json`.
 ///
@@ -88,7 +93,7 @@ pub(crate) fn figures_of_sweep(json: &str, options: &PlotOptions) -> Result<Figu
     plot::figures_of_sweep(&value(json)?, options).map_err(unknown)
 }
 
-fn value(json: &str) -> Result<Value, Failure> {
+pub(crate) fn value(json: &str) -> Result<Value, Failure> {
     serde_json::from_str(json).map_err(|error| Failure::Message(format!("the results are no JSON: {error}")))
 }
 
@@ -104,11 +109,16 @@ fn unknown(Unknown { name, known }: Unknown) -> Failure {
 /// # Errors
 /// [`Failure`]: they cannot be written.
 pub(crate) fn written(folder: &Path, figures: &[(String, Figure)]) -> Result<String, Failure> {
-    if figures.is_empty() {
+    let svg = |(name, figure): &(String, Figure)| (name.clone(), figure.to_svg());
+    written_pictures(folder, &figures.iter().map(svg).collect::<Pictures>())
+}
+
+fn written_pictures(folder: &Path, pictures: &Pictures) -> Result<String, Failure> {
+    if pictures.is_empty() {
         return Ok(String::new());
     }
-    write_figures(folder, figures)?;
-    let names: Vec<&str> = figures.iter().map(|(name, _)| name.as_str()).collect();
+    write_pictures(folder, pictures)?;
+    let names: Vec<&str> = pictures.iter().map(|(name, _)| name.as_str()).collect();
     let place = folder.join(PLOT_FOLDER);
     Ok(format!(
         "pictures  {}: {} (.svg, .png)\n",
@@ -156,7 +166,11 @@ impl Plot {
             Some(picture) => figures_of_film(&json, picture, &self.options())?,
             None => Vec::new(),
         };
-        let picture = run.picture.map(to_vtu).transpose()?;
+        let picture = run.picture.map(|picture| {
+            let compression = Compression::usual(&picture);
+            to_vtu(picture, compression)
+        });
+        let picture = picture.transpose()?;
         write_results(&folder, &run.result, &[], picture.as_deref())?;
         complain::warn(&run.result.warnings);
         let mut text = written(&folder, &figures)?;
@@ -168,9 +182,9 @@ impl Plot {
     }
 
     fn of_folder(&self) -> Result<ExitCode, Failure> {
-        let (result, sweep) = (self.of.join(RESULT_FILE), self.of.join(REPORT_FILE));
-        let figures = match (result.is_file(), sweep.is_file()) {
-            (true, _) => {
+        let [result, sweep, study] = [RESULT_FILE, REPORT_FILE, STUDY_FILE].map(|name| self.of.join(name));
+        let figures = match [&result, &sweep, &study].map(|file| file.is_file()) {
+            [true, ..] => {
                 let picture = self.of.join(PICTURE_FILE);
                 if !picture.is_file() {
                     return Err(Failure::Message(format!(
@@ -181,36 +195,64 @@ impl Plot {
                 let picture = from_vtu(&read(&picture)?).map_err(Failure::of_file(&picture))?;
                 figures_of_film(&text(&result)?, &picture, &self.options())?
             }
-            (false, true) => figures_of_sweep(&text(&sweep)?, &self.options())?,
-            (false, false) => {
+            [_, true, _] => figures_of_sweep(&text(&sweep)?, &self.options())?,
+            [.., true] => return self.of_study(&study),
+            _ => {
                 return Err(Failure::Message(format!(
-                    "{} has neither {RESULT_FILE} nor {REPORT_FILE}; give a scene, or a folder of oilwedge solve or sweep",
+                    "{} has no {RESULT_FILE}, {REPORT_FILE} or {STUDY_FILE}; give a scene, or a folder of oilwedge solve, sweep or converge",
                     self.of.display()
                 )));
             }
         };
         let folder = self.out.clone().unwrap_or_else(|| self.of.clone());
-        let text = match written(&folder, &figures)? {
-            line if line.is_empty() => "there is nothing to draw\n".to_owned(),
-            line => line,
-        };
-        print(&text, Some(&folder))?;
-        Ok(ExitCode::SUCCESS)
+        say(&folder, written(&folder, &figures)?)
+    }
+
+    /// The picture that the study has drawn, for its meshes are in no file.
+    fn of_study(&self, study: &Path) -> Result<ExitCode, Failure> {
+        if let Some(name) = self.fields.iter().find(|name| *name != CONVERGENCE) {
+            let known = vec![CONVERGENCE.to_owned()];
+            return Err(unknown(Unknown {
+                name: name.clone(),
+                known,
+            }));
+        }
+        if (self.width - PAGE_WIDTH).abs() > 1e-9 {
+            return Err(Failure::Message(format!(
+                "--width: the picture of a convergence study is {PAGE_WIDTH} mm wide"
+            )));
+        }
+        let svg = study.with_extension("svg");
+        let drawn = svg.is_file().then(|| text(&svg)).transpose()?;
+        let pictures: Pictures = drawn.map(|svg| (CONVERGENCE.to_owned(), svg)).into_iter().collect();
+        let folder = self.out.clone().unwrap_or_else(|| self.of.clone());
+        say(&folder, written_pictures(&folder, &pictures)?)
     }
 }
 
-fn read(path: &Path) -> Result<Vec<u8>, Failure> {
+/// Prints the line about the pictures.
+fn say(folder: &Path, line: String) -> Result<ExitCode, Failure> {
+    let line = if line.is_empty() {
+        "there is nothing to draw\n".to_owned()
+    } else {
+        line
+    };
+    print(&line, Some(folder))?;
+    Ok(ExitCode::SUCCESS)
+}
+
+pub(crate) fn read(path: &Path) -> Result<Vec<u8>, Failure> {
     std::fs::read(path).map_err(|error| Failure::Message(format!("cannot read {}: {error}", path.display())))
 }
 
-fn text(path: &Path) -> Result<String, Failure> {
+pub(crate) fn text(path: &Path) -> Result<String, Failure> {
     let bytes = read(path)?;
     String::from_utf8(bytes).map_err(|_| Failure::Message(format!("{} is no text", path.display())))
 }
 
 impl Failure {
     /// A failure of the file at `path`.
-    fn of_file(path: &Path) -> impl Fn(oilwedge_report::Error) -> Self {
+    pub(crate) fn of_file(path: &Path) -> impl Fn(oilwedge_report::Error) -> Self {
         move |error| Self::Message(format!("{}: {error}", path.display()))
     }
 }

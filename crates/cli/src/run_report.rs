@@ -191,6 +191,7 @@ pub(crate) mod tests {
             format: RESULT_FORMAT.into(),
             title: "Hole-fed shell".into(),
             version: "0.1.0".into(),
+            scene: String::new(),
             scene_sha256: String::new(),
             mesh_sha256: String::new(),
             status: Status::Converged,

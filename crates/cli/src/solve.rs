@@ -4,14 +4,16 @@ use crate::complain::{self, Failure};
 use crate::interrupt;
 use crate::plot;
 use crate::progress::Progress;
+use crate::report::PageArguments;
 use crate::run_options::RunArguments;
 use crate::run_report::{Written, run_report};
 use crate::shown::Shown;
 use crate::terminal::{exit_code, output};
 use oilwedge_campaign::{effect_costs, standard, theories};
+use oilwedge_report::page::film_page;
 use oilwedge_report::result_json;
 use oilwedge_report::results::write_results;
-use oilwedge_report::vtu::to_vtu;
+use oilwedge_report::vtu::{Compression, to_vtu};
 use oilwedge_scene::Scene;
 use oilwedge_study::{Interrupt, RunOptions};
 use std::process::ExitCode;
@@ -27,6 +29,10 @@ pub(crate) struct Solve {
     #[arg(long)]
     unrolled: bool,
 
+    /// Compression of film.vtu; meshio does not read lz4 [default: none up to 100 000 nodes, else lz4].
+    #[arg(long, value_enum, value_name = "FORM")]
+    vtu: Option<Vtu>,
+
     /// Show all quantities, not the main ones only, and the balance of heat.
     #[arg(long)]
     all: bool,
@@ -34,6 +40,9 @@ pub(crate) struct Solve {
     /// Draw pictures of the film into the folder plot of the results.
     #[arg(long)]
     plot: bool,
+
+    #[command(flatten)]
+    page: PageArguments,
 
     /// Solve again without each effect, and show what it changes and what it costs.
     #[arg(long)]
@@ -48,12 +57,34 @@ pub(crate) struct Solve {
     theories: bool,
 }
 
+/// How film.vtu is compressed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum Vtu {
+    /// Not at all.
+    None,
+    /// By LZ4: fast.
+    Lz4,
+    /// By zlib: the smallest files.
+    Zlib,
+}
+
+impl From<Vtu> for Compression {
+    fn from(vtu: Vtu) -> Self {
+        match vtu {
+            Vtu::None => Self::None,
+            Vtu::Lz4 => Self::Lz4,
+            Vtu::Zlib => Self::Zlib,
+        }
+    }
+}
+
 const EXAMPLES: &str = "\
 Examples:
   oilwedge solve bearing.toml
   oilwedge solve bearing.toml --all
-  oilwedge solve bearing.toml --out results/today --unrolled
+  oilwedge solve bearing.toml --out results/today --unrolled --vtu zlib
   oilwedge solve bearing.toml --json | jq .quantities.load.value
+  oilwedge solve bearing.toml --open
   oilwedge solve bearing.toml --cost
   oilwedge solve bearing.toml --standard
   oilwedge solve bearing.toml --theories
@@ -105,10 +136,18 @@ impl Solve {
             Some(picture) => plot::figures_of_film(&json, picture, &plot::usual())?,
             None => Vec::new(),
         };
-        let picture = run.picture.map(to_vtu).transpose()?;
+        let page = match self.page.is_wanted() {
+            true => Some(film_page(&plot::value(&json)?, run.picture.as_ref())?),
+            false => None,
+        };
+        let picture = run.picture.map(|picture| {
+            let compression = self.vtu.map_or_else(|| Compression::usual(&picture), Compression::from);
+            to_vtu(picture, compression)
+        });
+        let picture = picture.transpose()?;
         let folder = self.run.folder();
         write_results(&folder, &run.result, &add_ons, picture.as_deref())?;
-        let drawn = plot::written(&folder, &figures)?;
+        let drawn = plot::written(&folder, &figures)? + &self.page.written(&folder, page)?;
         if let Some(plan) = &scene.sweep {
             let cases = plan.cases();
             complain::warn(&[format!(

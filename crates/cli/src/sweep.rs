@@ -5,10 +5,12 @@ use crate::interrupt;
 use crate::plot;
 use crate::progress::Progress;
 use crate::readable::{readable_unit, significant};
+use crate::report::PageArguments;
 use crate::run_options::RunArguments;
 use crate::terminal::{counted, duration, effects, heading, output, table, time};
 use oilwedge_campaign::sweep::{Forecast, Sweep as Cases};
 use oilwedge_report::json;
+use oilwedge_report::page::sweep_page;
 use oilwedge_report::sweep::{LIMITS, Notice, REASON, Row, SweepOptions, SweepReport, WARNINGS};
 use oilwedge_study::column::Column;
 use oilwedge_study::result::headlines;
@@ -29,6 +31,9 @@ pub(crate) struct Sweep {
     /// Draw the quantities over the axes into the folder plot of the results.
     #[arg(long)]
     plot: bool,
+
+    #[command(flatten)]
+    page: PageArguments,
 }
 
 const EXAMPLES: &str = "\
@@ -79,7 +84,11 @@ impl Sweep {
             true => plot::figures_of_sweep(&json(&report)?, &plot::usual())?,
             false => Vec::new(),
         };
-        let drawn = plot::written(&folder, &figures)?;
+        let page = match self.page.is_wanted() {
+            true => Some(sweep_page(&plot::value(&json(&report)?)?)?),
+            false => None,
+        };
+        let drawn = plot::written(&folder, &figures)? + &self.page.written(&folder, page)?;
         output(
             self.run.json,
             || json(&report),

@@ -113,8 +113,9 @@ impl Axis {
                     .find(|step| *step >= wanted * (1.0 - ROUND_OFF))
                     .unwrap_or(180.0);
                 let values = multiples(self.low, self.high, step).into_iter();
-                // A full turn ends where it began: 0 to 360, and on to 90 of the next turn as 90.
-                values.map(|value| (value, angle(value))).collect()
+                // A full turn from 0 ends at 360; on a longer way a turn begins there at 0.
+                let last = self.high - ROUND_OFF * self.extent();
+                values.map(|value| (value, angle(value, value >= last))).collect()
             }
             Scale::Powers | Scale::Seconds => {
                 let every = (self.extent() / most).ceil().max(1.0) as i32;
@@ -207,9 +208,9 @@ fn with_minus(text: &str) -> String {
     text.replace('-', "\u{2212}")
 }
 
-/// An angle within the turn from 0 to 360 degrees.
-fn angle(degrees: f64) -> Label {
-    let turn = if (0.0..=360.0).contains(&degrees) {
+/// An angle within the turn from 0 to 360 degrees; 360 itself at the end of an axis only.
+fn angle(degrees: f64, is_last: bool) -> Label {
+    let turn = if degrees == 360.0 && is_last {
         degrees
     } else {
         degrees.rem_euclid(360.0)
@@ -298,7 +299,7 @@ mod tests {
             texts(&ring, 6.0),
             [
                 "300\u{b0}",
-                "360\u{b0}",
+                "0\u{b0}",
                 "60\u{b0}",
                 "120\u{b0}",
                 "180\u{b0}",

@@ -1,16 +1,21 @@
-//! Results out: JSON, CSV, VTU, pictures, and folders that are whole after a kill.
+//! Results out: JSON, CSV, VTU, pictures, the HTML page, and folders that are whole after a kill.
 //!
-//! Reading order: [`mod@json`], [`folder`], [`results`] (the folder of a run), [`sweep`], [`convergence`], [`vtu`], [`plot`], [`mod@check`].
+//! Reading order: [`mod@json`], [`folder`], [`results`] (the folder of a run), [`sweep`], [`convergence`], [`vtu`], [`plot`], [`page`], [`mod@check`].
 
+pub mod catalogue;
 pub mod check;
 pub mod convergence;
+pub mod difference;
+pub mod digits;
 mod error;
 pub mod folder;
 pub mod json;
 pub mod oil_sheet;
+pub mod page;
 pub mod plot;
 pub mod readable;
 pub mod results;
+pub mod schema;
 mod sketch;
 pub mod sweep;
 pub mod vtu;

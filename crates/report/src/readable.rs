@@ -1,6 +1,7 @@
 //! Units that people read.
 
 use oilwedge_study::quantities::Unit;
+use oilwedge_study::symbol::Symbol;
 
 /// The units in which people read a quantity, from small to large, with their size in its own unit. Pressures have one, that of all
 /// messages, so that no two numbers of a run are in different units of pressure.
@@ -52,7 +53,7 @@ pub fn printed_unit(unit: &str) -> String {
 }
 
 /// Names of Greek letters in symbols.
-const GREEK: [(&str, &str); 9] = [
+const GREEK: [(&str, &str); 11] = [
     ("alpha", "\u{3b1}"),
     ("beta", "\u{3b2}"),
     ("eps", "\u{3b5}"),
@@ -61,35 +62,31 @@ const GREEK: [(&str, &str); 9] = [
     ("omega", "\u{3c9}"),
     ("phi", "\u{3c6}"),
     ("rho", "\u{3c1}"),
+    ("sigma", "\u{3c3}"),
+    ("tau", "\u{3c4}"),
     ("theta", "\u{3b8}"),
 ];
 
 /// A symbol as the marks of a label: its letter italic, its index lowered.
 pub fn printed_symbol(symbol: &str) -> String {
-    if symbol.contains([' ', '(', '/']) {
-        return symbol.to_owned();
+    if symbol.contains([' ', '(']) {
+        return symbol.replace("Int ", "\u{222b} ");
     }
-    let (letter, index) = symbol.split_once('_').unwrap_or((symbol, ""));
+    let parts: Vec<_> = symbol.split('/').map(|part| printed_part(Symbol::of(part))).collect();
+    parts.join("/")
+}
+
+fn printed_part(symbol: Symbol<'_>) -> String {
     let greek = |text: &str| {
-        GREEK
-            .iter()
-            .find(|(name, _)| *name == text)
-            .map_or(text.to_owned(), |(_, letter)| (*letter).to_owned())
+        let known = GREEK.iter().find(|(name, _)| *name == text);
+        known.map_or(text.to_owned(), |(_, letter)| (*letter).to_owned())
     };
-    let (letter, star) = match letter.strip_suffix('*') {
-        Some(letter) => (letter, "\u{2217}"),
-        None => (letter, ""),
+    let index = match symbol.index {
+        "" => String::new(),
+        index => format!("_{{{}}}", greek(index)),
     };
-    let (index, star) = match index.strip_suffix('*') {
-        Some(index) => (index, "\u{2217}"),
-        None => (index, star),
-    };
-    let index = if index.is_empty() {
-        String::new()
-    } else {
-        format!("_{{{}}}", greek(index))
-    };
-    format!("*{}*{index}{star}", greek(letter))
+    let mark = symbol.mark.replace('*', "\u{2217}");
+    format!("*{}*{index}{mark}", greek(symbol.letter))
 }
 
 /// The marks of a label `name symbol, unit`.
@@ -126,6 +123,8 @@ mod tests {
     fn symbols_and_units_have_their_letters() {
         assert_eq!(printed_symbol("phi_W"), "*\u{3c6}*_{W}");
         assert_eq!(printed_symbol("Q_s*"), "*Q*_{s}\u{2217}");
+        assert_eq!(printed_symbol("mu0"), "*\u{3bc}*_{0}");
+        assert_eq!(printed_symbol("W_c/P_o"), "*W*_{c}/*P*_{o}");
         assert_eq!(axis_label("friction power", "P", "W"), "friction power *P*, W");
         assert_eq!(axis_label("eccentricity", "eps", ""), "eccentricity *\u{3b5}*");
         assert_eq!(printed_unit("mPa.s"), "mPa\u{b7}s");

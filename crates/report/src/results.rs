@@ -6,6 +6,7 @@
 use crate::Error;
 use crate::folder::replace;
 use crate::json::result_json;
+use crate::page::PAGE_FILE;
 use crate::plot::{TEMPERATURE_FILES, temperature_to_svg, to_png};
 use oilwedge_campaign::AddOn;
 use oilwedge_study::result::RunResult;
@@ -18,7 +19,7 @@ pub const RESULT_FILE: &str = "result.json";
 pub const PICTURE_FILE: &str = "film.vtu";
 
 /// Writes `result.json` and, where there is a picture (the bytes of a VTU file), `film.vtu` into the folder `dir`,
-/// which is made if need be, and the curves of a balance of heat. Files of an earlier run are replaced; without a picture or curves earlier ones
+/// which is made if need be, and the curves of a balance of heat. Files of an earlier run are replaced, and its page is removed; without a picture or curves earlier ones
 /// are removed, since they show another run.
 ///
 /// # Errors
@@ -34,6 +35,7 @@ pub fn write_results(dir: &Path, result: &RunResult, add_ons: &[AddOn], picture:
     let [svg_file, png_file] = TEMPERATURE_FILES.map(OsStr::new);
     let steps = [
         (result, None),
+        (PAGE_FILE.as_ref(), None),
         (PICTURE_FILE.as_ref(), picture),
         (svg_file, svg.as_deref().map(str::as_bytes)),
         (png_file, png.as_deref()),

@@ -2,7 +2,7 @@
 
 use oilwedge_mesh::{Locator, Mesh, Region};
 use oilwedge_reynolds::supply::{BoundaryKind, Supply};
-use oilwedge_scene::wording::{degrees, millimetres, newtons};
+use oilwedge_scene::wording::{bars, degrees, millimetres, newtons};
 use oilwedge_scene::{Feed, Journal, Position, Scene};
 
 /// Letters along the circumference and lines along the axis.
@@ -76,7 +76,7 @@ fn feed_in_words(feed: &Feed) -> String {
         (None, None) => "region of the mesh".to_owned(),
     };
     let given = match (feed.pressure, feed.depth) {
-        (Some(pressure), _) => format!("at {:.4} bar", 1e-5 * pressure),
+        (Some(pressure), _) => format!("at {}", bars(pressure)),
         (None, Some(depth)) => format!("deeper by {}, its pressure is found", millimetres(depth)),
         (None, None) => String::new(),
     };

@@ -1,7 +1,7 @@
 //! Fields for inspection: one VTU file of quadratic triangles that ParaView and PyVista open.
 //!
-//! vtkio writes the XML file with inline base64 data, LZ4 at level 1 (at level 0 it would silently not compress).
-//! meshio cannot read LZ4; PyVista, ParaView and VTK can. Each array has its unit as VTK's information key `UNITS_LABEL`, which vtkio cannot write.
+//! vtkio writes the XML file with inline base64 data. PyVista, ParaView and VTK read every [`Compression`]; meshio does not know LZ4. Each array has its
+//! unit as VTK's information key `UNITS_LABEL`, which vtkio cannot write.
 
 use std::borrow::Cow;
 
@@ -13,11 +13,44 @@ use vtkio::model::{
 };
 use vtkio::xml::Compressor;
 
+/// How the arrays of a VTU file are compressed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Compression {
+    /// Not at all.
+    None,
+    /// LZ4: fast.
+    Lz4,
+    /// zlib: the smallest files.
+    Zlib,
+}
+
+impl Compression {
+    /// Greatest number of nodes of a film that is not compressed by default.
+    pub const MOST_PLAIN_NODES: usize = 100_000;
+
+    /// The default for a film: none, or LZ4 where it has more nodes than [`Self::MOST_PLAIN_NODES`].
+    pub fn usual(picture: &FilmPicture) -> Self {
+        match picture.points.len() > Self::MOST_PLAIN_NODES {
+            false => Self::None,
+            true => Self::Lz4,
+        }
+    }
+
+    /// The compressor of vtkio and its level. At level 0 vtkio would name a compressor, but not compress.
+    fn of_vtkio(self) -> (Compressor, u32) {
+        match self {
+            Self::None => (Compressor::None, 0),
+            Self::Lz4 => (Compressor::LZ4, 1),
+            Self::Zlib => (Compressor::ZLib, 6),
+        }
+    }
+}
+
 /// The bytes of a VTU file.
 ///
 /// # Errors
 /// [`Error`]: lengths that do not fit, a node that is not there, a value that is not finite.
-pub fn to_vtu(picture: FilmPicture) -> Result<Vec<u8>, Error> {
+pub fn to_vtu(picture: FilmPicture, compression: Compression) -> Result<Vec<u8>, Error> {
     check(&picture)?;
     let cell_count = picture.cells.len();
     let lines = line_data(&picture.lines);
@@ -44,8 +77,9 @@ pub fn to_vtu(picture: FilmPicture) -> Result<Vec<u8>, Error> {
         data: DataSet::inline(piece),
         file_path: None,
     };
+    let (compressor, level) = compression.of_vtkio();
     let file = vtk
-        .try_into_xml_format(Compressor::LZ4, 1)
+        .try_into_xml_format(compressor, level)
         .map_err(Error::format("VTU file"))?;
     let mut bytes = Vec::new();
     file.write(&mut bytes).map_err(Error::format("VTU file"))?;
@@ -200,22 +234,38 @@ mod tests {
 
     #[test]
     fn what_is_written_is_read_back() -> Result<(), Box<dyn std::error::Error>> {
-        let bytes = to_vtu(square())?;
-        let text = String::from_utf8_lossy(&bytes);
-        assert!(text.contains("vtkLZ4DataCompressor"));
-        for unit in ["Pa", "m2/s", "N"] {
-            let key = format!("location=\"vtkDataArray\">{unit}</InformationKey></DataArray>");
-            assert_eq!(text.matches(&key).count(), 1, "{unit}");
+        for (compression, name) in [
+            (Compression::None, None),
+            (Compression::Lz4, Some("vtkLZ4DataCompressor")),
+            (Compression::Zlib, Some("vtkZLibDataCompressor")),
+        ] {
+            let bytes = to_vtu(square(), compression)?;
+            let text = String::from_utf8_lossy(&bytes);
+            assert_eq!(text.contains("compressor="), name.is_some());
+            assert!(text.contains(name.unwrap_or_default()));
+            for unit in ["Pa", "m2/s", "N"] {
+                let key = format!("location=\"vtkDataArray\">{unit}</InformationKey></DataArray>");
+                assert_eq!(text.matches(&key).count(), 1, "{unit}");
+            }
+            assert!(text.contains("Name=\"volume_flow [m2/s]\" NumberOfComponents=\"3\""));
+            assert_eq!(from_vtu(&bytes)?, square());
         }
-        assert!(text.contains("Name=\"volume_flow [m2/s]\" NumberOfComponents=\"3\""));
-        assert_eq!(from_vtu(&bytes)?, square());
         let without = FilmPicture {
             lines: Vec::new(),
             ..square()
         };
-        assert_eq!(from_vtu(&to_vtu(without.clone())?)?, without);
+        assert_eq!(from_vtu(&to_vtu(without.clone(), Compression::None)?)?, without);
         assert!(matches!(from_vtu(b"<VTKFile"), Err(Error::Unreadable { .. })));
         Ok(())
+    }
+
+    #[test]
+    fn a_film_of_many_nodes_is_compressed() {
+        let mut picture = square();
+        picture.points.resize(Compression::MOST_PLAIN_NODES, [0.0; 3]);
+        assert_eq!(Compression::usual(&picture), Compression::None);
+        picture.points.push([0.0; 3]);
+        assert_eq!(Compression::usual(&picture), Compression::Lz4);
     }
 
     #[test]
@@ -223,7 +273,7 @@ mod tests {
         let mut picture = square();
         picture.point_data[0].values = FieldValues::Scalars(vec![0.0; 8]);
         assert!(matches!(
-            to_vtu(picture),
+            to_vtu(picture, Compression::None),
             Err(Error::Length {
                 values: 8,
                 wanted: 9,
@@ -232,9 +282,28 @@ mod tests {
         ));
         let mut picture = square();
         picture.cells[1][5] = 9;
-        assert!(matches!(to_vtu(picture), Err(Error::Node { cell: 1 })));
+        assert!(matches!(
+            to_vtu(picture, Compression::None),
+            Err(Error::Node { cell: 1 })
+        ));
         let mut picture = square();
         picture.cell_data[0].values = FieldValues::Scalars(vec![f64::NAN, 0.75]);
-        assert!(matches!(to_vtu(picture), Err(Error::NotFinite { .. })));
+        assert!(matches!(
+            to_vtu(picture, Compression::None),
+            Err(Error::NotFinite { .. })
+        ));
+    }
+
+    /// vtkio compresses blocks of 32 768 bytes, and writes an empty one where the last is full.
+    #[test]
+    fn arrays_of_whole_blocks_are_read_back() -> Result<(), Box<dyn std::error::Error>> {
+        let mut picture = square();
+        picture.points = (0..4096).map(|node| [f64::from(node), 0.0, 0.0]).collect();
+        picture.point_data.truncate(1);
+        picture.point_data[0].values = FieldValues::Scalars((1..=4096).map(|node| 1.0 / f64::from(node)).collect());
+        for compression in [Compression::Lz4, Compression::Zlib] {
+            assert_eq!(from_vtu(&to_vtu(picture.clone(), compression)?)?, picture);
+        }
+        Ok(())
     }
 }

@@ -7,6 +7,35 @@ use crate::unit::Dimension;
 use crate::wording::{degrees, millimetres};
 use crate::{Complaints, Scene};
 
+keys! {
+    "bearing" = Table; "", "required", "",
+        "the liner, its clearance, and which pressure flows are computed";
+    "bearing.diameter" = Quantity(Length); "75 mm", "required", "> 0",
+        "bore D = 2 R";
+    "bearing.length" = Quantity(Length); "75 mm", "required", "> 0",
+        "full length B, end to end";
+    "bearing.clearance" = Quantity(Length); "37.5 um", "required unless `diametral_clearance` or a `heat.preset`", "> 0, < R",
+        "radial clearance c, about R/1000";
+    "bearing.diametral_clearance" = Quantity(Length); "75 um", "`clearance` gives it", "> 0, < D",
+        "instead of `clearance`: bore minus journal diameter, 2 c";
+    "bearing.arc" = Table; "", "full ring, periodic", "",
+        "the part of the circle that is liner; its two edges are held at the pressure of the ends";
+    "bearing.arc.from" = Quantity(Angle); "40 deg", "required", "",
+        "angle at which the liner begins";
+    "bearing.arc.to" = Quantity(Angle); "220 deg", "required", "from < to < from + 360 deg",
+        "angle at which the liner ends";
+    "bearing.arc.inlet_fraction" = Number; "0.6", "flooded: the pressure of the ends holds there", "0 < fraction <= 1, with `jfo`",
+        "the part of the gap that the oil fills which the journal carries in at the leading edge of the arc; the pressure there is found";
+    "bearing.roughness" = Quantity(Length); "0.4 um", "no check", "> 0",
+        "combined roughness of journal and liner (root mean square): a run warns where the least film is below three times as much. Nothing is computed with it";
+    "bearing.elastic_modulus" = Quantity(Pressure); "210 GPa", "that of steel, 210 GPa", "> 0",
+        "Young's modulus of journal and liner: a run warns where their elastic deflection under the load exceeds the least film. Nothing is computed with it";
+    "bearing.film_start" = Quantity(Angle); "180 deg", "no such line", "ring only",
+        "a line across the ring, held at the pressure of the ends. The mesh needs a line of element edges there, as at its seam";
+    "bearing.theory" = Choice(&["full", "short", "long"]); "full", "`\"full\"`", "",
+        "which flow pressure drives: in both directions, along the axis only, around only";
+}
+
 /// The liner.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bearing {

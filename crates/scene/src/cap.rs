@@ -5,6 +5,47 @@ use std::f64::consts::PI;
 use crate::reader::TableReader;
 use crate::unit::Dimension;
 
+keys! {
+    "cap" = Table; "", "no cap", "",
+        "the cap of a connecting rod: the load that its bolts must hold. The film does not depend on it";
+    "cap.angle" = Quantity(Angle); "270 deg", "required", "",
+        "where the middle of the cap lies";
+    "cap.reciprocating_mass" = Quantity(Mass); "0.7 kg", "required", "> 0",
+        "mass of the piston with ring and pin, and of the rod's share at its small end";
+    "cap.rotating_mass" = Quantity(Mass); "0.5 kg", "required", "> 0",
+        "mass of the rod's share at its big end, the cap included";
+    "cap.cap_mass" = Quantity(Mass); "0.15 kg", "required", "> 0, < `rotating_mass`",
+        "mass of the cap";
+    "cap.crank_radius" = Quantity(Length); "45 mm", "required", "> 0, < `rod_length`",
+        "radius of the crank, half the stroke";
+    "cap.rod_length" = Quantity(Length); "145 mm", "required", "> 0",
+        "length of the rod between its eyes";
+    "cap.bolts" = Table; "", "required", "",
+        "the bolts of the cap";
+    "cap.bolts.count" = Number; "2", "required", "2, 4, ... 16",
+        "number of bolts, both sides together";
+    "cap.bolts.diameter" = Quantity(Length); "10 mm", "required", "> 0",
+        "outer diameter d of the thread";
+    "cap.bolts.stress_area" = Quantity(Area); "58 mm2", "required", "> 0, at most pi d^2/4",
+        "section at the core of the thread";
+    "cap.bolts.load_share" = Number; "0.2", "required", "between 0 and 1",
+        "share chi of a pull at the joint that stretches the bolts; the rest relieves what they clamp";
+    "cap.bolts.tightness" = Number; "2.5", "required", ">= 1",
+        "safety nu of the joint against opening";
+    "cap.bolts.torque_coefficient" = Number; "0.15", "required", "> 0",
+        "k of the tightening torque k Q d";
+    "cap.shell" = Table; "", "no shell", "",
+        "the half of the shell that the cap presses into its seat";
+    "cap.shell.protrusion" = Quantity(Length); "25 um", "required", "> 0",
+        "how far a half of the shell stands out of its seat before it is clamped";
+    "cap.shell.modulus" = Quantity(Pressure); "200 GPa", "required", "> 0",
+        "modulus of elasticity of the back of the shell";
+    "cap.shell.section" = Quantity(Area); "60 mm2", "required", "> 0",
+        "section across the wall of the shell";
+    "cap.shell.radius" = Quantity(Length); "26 mm", "required", "> 0",
+        "mean radius of the shell";
+}
+
 /// No cap has more bolts.
 const MOST_BOLTS: f64 = 16.0;
 

@@ -5,6 +5,15 @@ use crate::unit::Dimension;
 use crate::wording::bars;
 use crate::{Complaints, Scene, Theory};
 
+keys! {
+    "cavitation" = Table; "", "a full film, whatever its pressure", "",
+        "what happens where the film would break";
+    "cavitation.model" = Choice(&["none", "guembel", "reynolds", "jfo"]); "none", "required", "",
+        "what closes the equation where the film breaks";
+    "cavitation.pressure" = Quantity(Pressure); "0 bar", "0", "at most that of ends and feeds",
+        "pressure of the cavity";
+}
+
 /// Equal pressures in other units differ by this part at most.
 const SAME: f64 = 1e-12;
 

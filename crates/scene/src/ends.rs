@@ -3,6 +3,13 @@
 use crate::reader::TableReader;
 use crate::unit::Dimension;
 
+keys! {
+    "ends" = Table; "", "pressure 0", "",
+        "the two open ends of the bearing";
+    "ends.pressure" = Quantity(Pressure); "0 bar", "required", "",
+        "pressure p_e at both ends, at the edges of an arc and at the film start";
+}
+
 /// The two open ends of the bearing.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Ends {

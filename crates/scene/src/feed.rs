@@ -1,7 +1,7 @@
 //! `[[feed]]`: holes, grooves and pockets, regions of given pressure or of a deeper film.
 
-mod groove;
-mod hole;
+pub(crate) mod groove;
+pub(crate) mod hole;
 
 pub use groove::Groove;
 pub use hole::Hole;
@@ -9,6 +9,17 @@ pub use hole::Hole;
 use crate::reader::TableReader;
 use crate::unit::Dimension;
 use crate::{Complaints, MeshSource, Scene};
+
+keys! {
+    "feed" = Tables; "", "no feeds", "",
+        "holes, grooves and pockets, any number";
+    "feed.group" = Text; "feed_hole", "required", "a group of the mesh, each once",
+        "name of the region. A curve of the mesh: the region is cut out; a surface: it is meshed";
+    "feed.pressure" = Quantity(Pressure); "1.96 bar", "required unless `depth` or a `heat.preset`", "",
+        "pressure p_s of the oil in the region";
+    "feed.depth" = Quantity(Length); "20 um", "no pocket", ">= 0",
+        "instead of `pressure`, a pocket: how much deeper the film is there; its pressure is found";
+}
 
 /// Names of a mesh's groups that have a meaning of their own, so that no feed may have them.
 const RESERVED_GROUPS: [&str; 8] = [

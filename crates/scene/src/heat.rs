@@ -4,6 +4,39 @@ use crate::reader::TableReader;
 use crate::unit::{Dimension, ZERO_CELSIUS};
 use crate::{Complaints, Limits, Scene, Theory, Viscosity, limits};
 
+keys! {
+    "heat" = Table; "", "the temperature of the film is given, or has no effect", "",
+        "the film temperature at which the oil carries off the heat of friction";
+    "heat.inlet" = Quantity(Temperature); "75 C", "required unless `preset`", "-60 to 350 C",
+        "temperature t_0 of the oil that is fed";
+    "heat.heat_capacity" = Quantity(HeatCapacity); "1.8 MJ/(m3.K)", "1.8 MJ/(m3 K)", "0.5 to 5 MJ/(m3 K)",
+        "rho c, density times specific heat";
+    "heat.housing" = Table; "", "all heat leaves with the oil", "",
+        "the heat that the housing gives off";
+    "heat.housing.conductance" = Quantity(Conductance); "5 W/K", "required unless `transfer` and `area`", "> 0",
+        "conductance G of the housing, which gives off the heat G (t - t_a), t the temperature of the film";
+    "heat.housing.transfer" = Quantity(HeatTransfer); "17 W/(m2.K)", "`conductance` gives it", "> 0",
+        "instead of `conductance`: G is `transfer` times `area`";
+    "heat.housing.area" = Quantity(Area); "500 cm2", "required with `transfer`", "> 0",
+        "surface of the housing, with `transfer`";
+    "heat.housing.ambient" = Quantity(Temperature); "40 C", "required", "-60 to 350 C",
+        "temperature t_a around the housing";
+    "heat.mixing" = Table; "", "fresh oil only", "",
+        "hot oil that goes round and mixes with the fresh one";
+    "heat.mixing.ratio" = Number; "0.06", "required unless `share`", ">= 0",
+        "hot oil over fresh oil, q_0/q_1; the film is fed with t_in = t_0 + (t_out - t_in) q_0/q_1";
+    "heat.mixing.share" = Number; "0.7", "`ratio` gives it", "0 to 1",
+        "instead of `ratio`: the share of the oil that this film carries round which mixes";
+    "heat.film_min" = Quantity(Length); "4 um", "that of `[limits]`; else 4 um", "> 0",
+        "the same as `limits.film_min`";
+    "heat.temperature_max" = Quantity(Temperature); "115 C", "that of `[limits]`; else 115 C", "-60 to 350 C",
+        "the same as `limits.temperature_max`";
+    "heat.outlet_max" = Quantity(Temperature); "125 C", "that of `[limits]`; else 125 C", "-60 to 350 C",
+        "the same as `limits.outlet_max`";
+    "heat.preset" = Choice(&["petrol", "diesel"]); "petrol", "none", "",
+        "a crankshaft bearing of such an engine: fills `inlet`, `bearing.clearance` and the `pressure` of feeds where the scene leaves them out, and values outside the usual ranges are reported";
+}
+
 /// Heat capacity per volume of mineral oil [J/(m3 K)].
 const HEAT_CAPACITY: f64 = 1.8e6;
 /// Heat capacities per volume [J/(m3 K)] of liquids that are used as oils.

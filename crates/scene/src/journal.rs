@@ -1,12 +1,23 @@
 //! `[journal]`: how the journal turns, and where it is unless `[load]` has its position found.
 
-mod squeeze;
+pub(crate) mod squeeze;
 
 pub use squeeze::Squeeze;
 
 use crate::reader::TableReader;
 use crate::unit::Dimension;
 use crate::{Complaints, Scene};
+
+keys! {
+    "journal" = Table; "", "required", "",
+        "how the journal turns, and where it is";
+    "journal.speed" = Quantity(Speed); "3000 rpm", "required", "any; 0 is at rest",
+        "speed omega, positive towards growing angles";
+    "journal.eccentricity" = Number; "0.6", "required unless `[load]`", "0 <= eps < 1",
+        "offset of the journal over the radial clearance";
+    "journal.min_film_angle" = Quantity(Angle); "180 deg", "required unless eps = 0 or `[load]`", "",
+        "angle phi_min at which the film is thinnest";
+}
 
 /// What is wanted where neither a position nor a load is written.
 const POSITION: &str = "0.6 and min_film_angle = \"180 deg\", or [load] with force = \"5 kN\" and angle = \"270 deg\": the position is found then";

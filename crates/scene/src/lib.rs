@@ -10,8 +10,12 @@
 //! Reading order: `scene.rs`, `bearing.rs` as an example of a table, `reader.rs` (how a table is read and what is wrong with it collected),
 //! [`unit`] (quantities with units, by the table in `dimension.rs`), `complaint.rs`.
 
+#[macro_use]
+pub mod keys;
+
 mod bearing;
 mod cap;
+pub mod catalogue;
 mod cavitation;
 mod complaint;
 mod dimension;
@@ -44,5 +48,5 @@ pub use journal::*;
 pub use limits::Limits;
 pub use mesh::{Layout, MeshSource};
 pub use oil::*;
-pub use scene::{SCENE_LIMIT, Scene};
+pub use scene::{SCENE_LIMIT, SWEPT, Scene};
 pub use tolerance::{Target, Tolerance};

@@ -6,6 +6,23 @@ use crate::reader::TableReader;
 use crate::tolerance::{self, Tolerance};
 use crate::unit::{self, Dimension};
 
+keys! {
+    "mesh" = Table; "", "the liner described is meshed, as the film needs", "",
+        "where the mesh of the liner comes from, and how accurate the results must be";
+    "mesh.file" = Text; "../meshes/liner.msh", "the liner described is meshed", "a gmsh 4.1 file",
+        "path of a mesh file, counted from the folder of the scene";
+    "mesh.size" = Quantity(Length); "3 mm", "as the film needs", "> 0",
+        "longest edges of a mesh made here, shorter where the film is thin and at rims; with `file` its geometry is meshed anew";
+    "mesh.tolerance" = Quantity(Ratio), Table; "0.1 %", "0.5 % (0.1 % with `theory = \"short\"`) without `file` and `size`; with one of them the mesh is used as it is", "1e-8 % to 50 %",
+        "how small error bars must become by refinement of that mesh: one ratio for the main quantity, or a table of them by quantity";
+    "mesh.tolerance.QUANTITY" = Quantity(Ratio); "0.1 %", "the quantity has no tolerance", "1e-8 % to 50 %",
+        "how small the error bar of this quantity must become relative to its value; that of an angle relative to 1 rad";
+    "mesh.layout" = Choice(&["rows", "file"]); "rows", "`\"rows\"`", "with `file`, without `size`, for `model = \"jfo\"`",
+        "`\"rows\"`: triangles of the file that do not follow the flow are laid anew in rows along it, with the geometry and edge lengths of the file; `\"file\"`: they stay. Then a film whose oil they spread has no error bar";
+    "mesh.unit" = Text; "mm", "`\"m\"`", "name of a length unit",
+        "unit of the file's coordinates";
+}
+
 /// Where the mesh comes from.
 #[derive(Debug, Clone, PartialEq)]
 pub enum MeshSource {

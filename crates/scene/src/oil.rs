@@ -1,10 +1,10 @@
 //! `[oil]`: one viscosity or one law of temperature, one law of pressure at most, and the density.
 
-mod barus;
-mod density;
-mod high_shear;
-mod roelands;
-mod temperature;
+pub(crate) mod barus;
+pub(crate) mod density;
+pub(crate) mod high_shear;
+pub(crate) mod roelands;
+pub(crate) mod temperature;
 
 pub use barus::{Barus, BarusForm};
 pub use density::Density;
@@ -15,6 +15,15 @@ pub use temperature::{PointViscosity, TemperatureLaw, ViscosityPoint};
 use crate::reader::TableReader;
 use crate::unit::Dimension;
 use crate::{Complaints, Scene};
+
+keys! {
+    "oil" = Table; "", "required", "",
+        "viscosity and density of the oil";
+    "oil.viscosity" = Quantity(Viscosity); "40 mPa.s", "required unless a law of temperature", "> 0",
+        "dynamic viscosity mu0 at gauge pressure zero";
+    "oil.temperature" = Quantity(Temperature); "80 C", "required with a law of temperature, unless `[heat]` finds it", "-60 to 350 C; within the `table`",
+        "temperature of the oil in the film, at which its viscosity is taken";
+}
 
 /// The oil.
 #[derive(Debug, Clone, PartialEq)]

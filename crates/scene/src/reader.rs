@@ -4,6 +4,8 @@
 //! text. No number of a scene is NaN, so later checks pass over what was refused already. Keys that were not read
 //! when the reader of their table goes out of scope are unknown.
 
+#[cfg(test)]
+pub(crate) mod asked;
 mod number;
 
 pub(crate) use number::{Number, plain_number};
@@ -15,6 +17,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::Complaints;
+use crate::keys::Form;
 use crate::spelling::nearest;
 
 /// Most tables of one list.
@@ -98,6 +101,12 @@ impl<'a> TableReader<'a> {
         Some(value)
     }
 
+    /// Records, in a test, that a key of this form is asked for, with an example of its value.
+    pub(crate) fn note(&self, _key: &str, _form: Form<'_>, _example: &str) {
+        #[cfg(test)]
+        asked::record(&self.key(_key), &_form, _example);
+    }
+
     fn take(&mut self, key: &'a str) -> Option<&'a DeValue<'a>> {
         Some(self.written(key)?.get_ref())
     }
@@ -127,6 +136,7 @@ impl<'a> TableReader<'a> {
 
     /// A text, if it is written.
     pub(crate) fn text_if_given(&mut self, key: &'static str, example: &str) -> Option<String> {
+        self.note(key, Form::Text, example);
         let write = format!("write for example {key} = \"{example}\"");
         match self.take(key)? {
             DeValue::String(text) if !text.trim().is_empty() => return Some(text.to_string()),
@@ -138,6 +148,7 @@ impl<'a> TableReader<'a> {
 
     /// A list of texts with their places, if it is written; `example` is what one would write between the brackets.
     pub(crate) fn texts_if_given(&mut self, key: &'a str, example: &str) -> Option<Vec<(&'a str, Range<usize>)>> {
+        self.note(key, Form::Texts, example);
         let path = self.key(key);
         let items = self.take(key)?.as_array();
         let text = |(index, item): (usize, &'a Spanned<DeValue<'a>>)| {
@@ -160,6 +171,8 @@ impl<'a> TableReader<'a> {
 
     /// One of a few words, if it is written.
     pub(crate) fn word<T: Copy>(&mut self, key: &'static str, words: &[(&str, T)]) -> Option<T> {
+        let choices: Vec<&str> = words.iter().map(|(word, _)| *word).collect();
+        self.note(key, Form::Choice(&choices), choices.first().unwrap_or(&""));
         let text = self.text_if_given(key, words.first().map_or("", |(word, _)| word))?;
         let found = words.iter().find(|(word, _)| *word == text);
         if found.is_none() {
@@ -183,6 +196,7 @@ impl<'a> TableReader<'a> {
 
     /// A table, if it is written.
     pub(crate) fn table_if_given(&mut self, key: &'a str) -> Option<TableReader<'a>> {
+        self.note(key, Form::Table, "");
         let value = self.take(key)?;
         if !value.is_table() {
             let help = match self.path.is_empty() {
@@ -196,6 +210,7 @@ impl<'a> TableReader<'a> {
 
     /// A list of tables; none where the key is not written.
     pub(crate) fn tables(&mut self, key: &'static str) -> Vec<TableReader<'a>> {
+        self.note(key, Form::Tables, "");
         let Some(value) = self.take(key) else { return Vec::new() };
         let path = self.key(key);
         let Some(items) = value.as_array() else {

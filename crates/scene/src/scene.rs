@@ -16,6 +16,11 @@ use crate::{
 };
 use crate::{bearing, cap, cavitation, ends, feed, heat, journal, limits, load, mesh, oil};
 
+keys! {
+    "title" = Text; "Plain journal bearing", "the name of the file", "",
+        "title of the study in reports";
+}
+
 /// The largest scene file that is read [bytes].
 pub const SCENE_LIMIT: u64 = 1 << 20;
 /// How many faults of the TOML are reported; more follow from the first ones.
@@ -24,7 +29,7 @@ const FAULT_LIMIT: usize = 5;
 const MESH_OPENING: &[u8] = b"$MeshFormat";
 
 /// Tables whose keys can be swept.
-pub(crate) const SWEPT: [&str; 10] = [
+pub const SWEPT: [&str; 10] = [
     "bearing",
     "mesh",
     "ends",
@@ -76,6 +81,8 @@ pub struct Scene {
     pub cap: Option<Cap>,
     /// The cases that `oilwedge sweep` makes of it; nothing else reads them.
     pub sweep: Option<Plan>,
+    /// The text that was read; empty in a case of a sweep.
+    pub text: String,
     /// SHA-256 of the scene's text, 64 hexadecimal digits; empty in a case of a sweep.
     pub sha256: String,
 }
@@ -153,6 +160,7 @@ impl Scene {
         }
         match Self::of_document(document.get_ref(), text, path, no_mesh, checks) {
             Ok(scene) => Ok(Self {
+                text: text.to_owned(),
                 sha256: Sha256::digest(text).iter().map(|byte| format!("{byte:02x}")).collect(),
                 ..scene
             }),
@@ -190,7 +198,7 @@ impl Scene {
 }
 
 /// The scene as far as it can be read: numbers that were refused are NaN, and texts empty.
-fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene {
+pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene {
     let stem = || path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let load = root.table_if_given("load").map(load::read);
     let journal = match load {
@@ -232,6 +240,7 @@ fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene {
                 path: path.to_owned(),
             }
         }),
+        text: String::new(),
         sha256: String::new(),
     }
 }

@@ -8,9 +8,8 @@ mod column;
 mod plan;
 mod read;
 
-pub use axis::{Axis, AxisValue};
+pub use axis::{Axis, AxisValue, SHORT_NAMES};
 pub use column::WantedColumn;
 pub use plan::Plan;
 
-use axis::SHORT_NAMES;
-pub(crate) use read::read;
+pub(crate) use read::{KEYS, read};

@@ -1,4 +1,4 @@
-//! The fields of a film: their symbols, units and sentences, as pictures name them.
+//! The fields of a film: their symbols, units and sentences, as files and pictures name them.
 
 /// How a field is interpolated between its values.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -69,15 +69,74 @@ pub static ERROR_INDICATOR: FieldRow = FieldRow {
     name: "error_indicator",
     label: "error indicator",
     symbol: "eta",
-    unit: "1",
-    what: "contribution of each triangle to the error",
+    unit: "N",
+    what: "contribution of each triangle to the error of the load",
     interpolation: Interpolation::Constant,
+};
+/// Angle on the liner.
+pub static ANGLE: FieldRow = FieldRow {
+    name: "phi [deg]",
+    label: "angle",
+    symbol: "phi",
+    unit: "deg",
+    what: "angle of the place on the liner, from x towards y",
+    interpolation: Interpolation::Quadratic,
+};
+/// Place along the axis.
+pub static AXIAL_PLACE: FieldRow = FieldRow {
+    name: "z [m]",
+    label: "place along the axis",
+    symbol: "z",
+    unit: "m",
+    what: "place on the liner along the axis, zero midway between the ends",
+    interpolation: Interpolation::Quadratic,
+};
+/// Volume flow.
+pub static VOLUME_FLOW: FieldRow = FieldRow {
+    name: "volume_flow [m2/s]",
+    label: "volume flow",
+    symbol: "q",
+    unit: "m2/s",
+    what: "vector of the volume flow per width, theta U h/2 - h^3/(12 mu) grad p",
+    interpolation: Interpolation::Quadratic,
+};
+/// Shear stress on the journal.
+pub static JOURNAL_STRESS: FieldRow = FieldRow {
+    name: "shear_stress_journal [Pa]",
+    label: "shear stress on the journal",
+    symbol: "tau_j",
+    unit: "Pa",
+    what: "vector of the force per area that the oil exerts on the journal along its surface; it acts against the rotation",
+    interpolation: Interpolation::Quadratic,
+};
+/// Shear stress on the bearing.
+pub static BEARING_STRESS: FieldRow = FieldRow {
+    name: "shear_stress_bearing [Pa]",
+    label: "shear stress on the bearing",
+    symbol: "tau_b",
+    unit: "Pa",
+    what: "vector of the force per area that the oil exerts on the bearing along its surface",
+    interpolation: Interpolation::Quadratic,
 };
 
 /// The fields that are drawn, in the order of pictures.
 pub static FIELDS: [&FieldRow; 5] = [&PRESSURE, &FILM_THICKNESS, &FILM_FRACTION, &VISCOSITY, &ERROR_INDICATOR];
 
-/// The row of a field.
+/// All fields of `film.vtu`.
+pub static FILE_FIELDS: [&FieldRow; 10] = [
+    &PRESSURE,
+    &FILM_THICKNESS,
+    &FILM_FRACTION,
+    &VISCOSITY,
+    &ERROR_INDICATOR,
+    &ANGLE,
+    &AXIAL_PLACE,
+    &VOLUME_FLOW,
+    &JOURNAL_STRESS,
+    &BEARING_STRESS,
+];
+
+/// The row of a field that is drawn.
 pub fn field(name: &str) -> Option<&'static FieldRow> {
     FIELDS.into_iter().find(|row| row.name == name)
 }

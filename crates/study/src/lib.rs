@@ -38,6 +38,7 @@ pub mod result;
 pub mod run;
 pub mod run_options;
 pub mod solved;
+pub mod symbol;
 pub mod thermal;
 pub mod thermal_model;
 pub mod warning;

@@ -6,6 +6,10 @@ use std::collections::HashMap;
 use oilwedge_reynolds::FilmSolution;
 use oilwedge_reynolds::quantities::stream::streams;
 
+use crate::fields::{
+    ANGLE, AXIAL_PLACE, BEARING_STRESS, ERROR_INDICATOR, FILM_FRACTION, FILM_THICKNESS, FieldRow, JOURNAL_STRESS,
+    PRESSURE, VISCOSITY, VOLUME_FLOW,
+};
 use crate::film::Film;
 use crate::film_lines::film_lines;
 
@@ -67,6 +71,17 @@ impl FieldValues {
     }
 }
 
+impl PictureField {
+    /// The field of this row.
+    fn of(row: &FieldRow, values: FieldValues) -> Self {
+        Self {
+            name: row.name.into(),
+            unit: row.unit.into(),
+            values,
+        }
+    }
+}
+
 impl FilmPicture {
     /// The field on the nodes of this name.
     pub fn at_points(&self, name: &str) -> Option<&FieldValues> {
@@ -101,7 +116,7 @@ pub fn picture(film: &Film, solution: &FilmSolution, indicator: Option<&[f64]>, 
     let mut point_data = pointwise(film, solution, &nodes);
     point_data.extend(places(film, &nodes, surface));
     point_data.extend(streaming(film, solution, (&nodes, &cells), surface));
-    let indicator = indicator.map(|values| scalars("error_indicator", "N", values.to_vec()));
+    let indicator = indicator.map(|values| scalars(&ERROR_INDICATOR, values.to_vec()));
     FilmPicture {
         points: nodes.positions.iter().map(place).collect(),
         cells,
@@ -121,12 +136,8 @@ pub fn picture(film: &Film, solution: &FilmSolution, indicator: Option<&[f64]>, 
     }
 }
 
-fn scalars(name: &'static str, unit: &'static str, values: Vec<f64>) -> PictureField {
-    PictureField {
-        name: name.into(),
-        unit: unit.into(),
-        values: FieldValues::Scalars(values),
-    }
+fn scalars(row: &FieldRow, values: Vec<f64>) -> PictureField {
+    PictureField::of(row, FieldValues::Scalars(values))
 }
 
 /// What the film is at each node.
@@ -140,13 +151,13 @@ fn pointwise(film: &Film, solution: &FilmSolution, nodes: &Nodes) -> Vec<Picture
         .collect();
     let viscosity = pressure.iter().map(|&p| problem.viscosity_at(p)).collect();
     let mut fields = vec![
-        scalars("pressure", "Pa", pressure),
-        scalars("film_thickness", "m", thickness),
-        scalars("viscosity", "Pa.s", viscosity),
+        scalars(&PRESSURE, pressure),
+        scalars(&FILM_THICKNESS, thickness),
+        scalars(&VISCOSITY, viscosity),
     ];
     if let Some(fraction) = &solution.film_fraction {
         let values = nodes.dofs.iter().map(|&dof| fraction.values[dof]).collect();
-        fields.push(scalars("film_fraction", "1", values));
+        fields.push(scalars(&FILM_FRACTION, values));
     }
     fields
 }
@@ -167,8 +178,8 @@ fn places(film: &Film, nodes: &Nodes, surface: Surface) -> [PictureField; 2] {
         }
     };
     [
-        scalars("phi [deg]", "deg", nodes.positions.iter().map(angle).collect()),
-        scalars("z [m]", "m", nodes.positions.iter().map(|&[_, z]| z).collect()),
+        scalars(&ANGLE, nodes.positions.iter().map(angle).collect()),
+        scalars(&AXIAL_PLACE, nodes.positions.iter().map(|&[_, z]| z).collect()),
     ]
 }
 
@@ -207,16 +218,8 @@ fn streaming(
         };
         FieldValues::Vectors(sums.iter().zip(&nodes.positions).map(vector).collect())
     };
-    let names = [
-        ("volume_flow [m2/s]", "m2/s"),
-        ("shear_stress_journal [Pa]", "Pa"),
-        ("shear_stress_bearing [Pa]", "Pa"),
-    ];
-    std::array::from_fn(|k| PictureField {
-        name: names[k].0.into(),
-        unit: names[k].1.into(),
-        values: directed(k),
-    })
+    let rows = [&VOLUME_FLOW, &JOURNAL_STRESS, &BEARING_STRESS];
+    std::array::from_fn(|k| PictureField::of(rows[k], directed(k)))
 }
 
 /// The nodes of the picture, and those of each triangle.

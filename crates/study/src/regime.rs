@@ -18,9 +18,9 @@ use crate::warning::{self, Warning};
 use oilwedge_scene::Scene;
 
 /// Clearance over radius of a film that curvature does not touch.
-const THIN: f64 = 1e-2;
+pub const THIN: f64 = 1e-2;
 /// Film over roughness of surfaces that do not touch.
-const APART: f64 = 3.0;
+pub const APART: f64 = 3.0;
 /// Film [m] of some ten molecules.
 const MOLECULES: f64 = 1e-8;
 /// Pressure [Pa] at which a mineral oil (alpha 2e-8 1/Pa) is 2.7 times as viscous as at none.

@@ -133,6 +133,8 @@ pub struct RunResult {
     pub title: String,
     /// Version of the program.
     pub version: String,
+    /// The text of the scene.
+    pub scene: String,
     /// SHA-256 of the scene's text, hexadecimal.
     pub scene_sha256: String,
     /// SHA-256 of the mesh file, hexadecimal.

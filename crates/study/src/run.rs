@@ -74,6 +74,7 @@ fn without_outcome(scene: &Scene, answer: &Answer, options: &RunOptions) -> RunR
         format: RESULT_FORMAT.to_owned(),
         title: scene.title.clone(),
         version: env!("CARGO_PKG_VERSION").to_owned(),
+        scene: scene.text.clone(),
         scene_sha256: scene.sha256.clone(),
         mesh_sha256: film.origin.sha256.clone(),
         status: Status::Converged,

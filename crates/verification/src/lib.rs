@@ -17,6 +17,7 @@ pub mod family;
 mod faults;
 mod made_mesh;
 pub mod map;
+pub mod map_picture;
 pub mod page;
 mod reference_film;
 mod series;

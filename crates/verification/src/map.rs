@@ -1,6 +1,6 @@
 //! The map of where the solver is stable: eccentricity against the coefficient of the viscosity law over its limit, and against slenderness.
 
-use oilwedge_report::plot::{Cell, CellMap};
+use crate::map_picture::{CellMap, Outcome};
 use serde::Deserialize;
 use toml::{Table, Value};
 
@@ -40,7 +40,7 @@ fn recipe() -> Recipe {
 }
 
 /// A column: cells of all rows at one eccentricity.
-fn column(place: usize) -> Vec<Cell> {
+fn column(place: usize) -> Vec<Outcome> {
     let eccentricity = ECCENTRICITIES[place % ECCENTRICITIES.len()];
     let Recipe { mut scene, limited, .. } = recipe();
     put(&mut scene, "journal.eccentricity", Value::Float(eccentricity));
@@ -53,7 +53,7 @@ fn column(place: usize) -> Vec<Cell> {
                     cell(&answer, part > 1.0)
                 })
                 .collect(),
-            Err(reason) => vec![Cell::Unexplained(reason); OF_LIMIT.len()],
+            Err(reason) => vec![Outcome::Unexplained(reason); OF_LIMIT.len()],
         },
         false => (SLENDERNESS.iter())
             .map(|slenderness| {
@@ -69,11 +69,11 @@ fn column(place: usize) -> Vec<Cell> {
 }
 
 /// What became of a cell whose film must not exist (`beyond`), or must.
-fn cell(answer: &Answer, beyond: bool) -> Cell {
+fn cell(answer: &Answer, beyond: bool) -> Outcome {
     match (answer, answer.end(), beyond) {
-        (Answer::Run(run), Expect::Converged, false) => Cell::Answer(run.result.counts.nonlinear_iterations),
-        (_, Expect::NoSolution, true) => Cell::Absent("no film".to_owned()),
-        (_, end, _) => Cell::Unexplained(end.name().to_owned()),
+        (Answer::Run(run), Expect::Converged, false) => Outcome::Answer(run.result.counts.nonlinear_iterations),
+        (_, Expect::NoSolution, true) => Outcome::Absent("no film".to_owned()),
+        (_, end, _) => Outcome::Unexplained(end.name().to_owned()),
     }
 }
 
@@ -83,11 +83,11 @@ fn cell(answer: &Answer, beyond: bool) -> Cell {
 /// [`SuiteError::Threads`].
 pub fn run_map(ended: &mut dyn FnMut(usize)) -> Result<[CellMap; 2], SuiteError> {
     let columns = 2 * ECCENTRICITIES.len();
-    let mut found = in_threads(columns, column, &mut |cells: &Vec<Cell>| ended(cells.len()))?;
+    let mut found = in_threads(columns, column, &mut |cells: &Vec<Outcome>| ended(cells.len()))?;
     found.sort_by_key(|(place, _)| *place);
     let mut columns = found.into_iter().map(|(_, cells)| cells);
     let mut map = |title: &str, y: &str, rows: &[f64]| {
-        let columns: Vec<Vec<Cell>> = columns.by_ref().take(ECCENTRICITIES.len()).collect();
+        let columns: Vec<Vec<Outcome>> = columns.by_ref().take(ECCENTRICITIES.len()).collect();
         CellMap {
             title: title.to_owned(),
             x: "eccentricity".to_owned(),
@@ -110,7 +110,7 @@ pub fn unexplained(map: &CellMap) -> Vec<String> {
     let mut list = Vec::new();
     for (row, cells) in map.rows.iter().zip(&map.cells) {
         for (column, cell) in map.columns.iter().zip(cells) {
-            if let Cell::Unexplained(word) = cell {
+            if let Outcome::Unexplained(word) = cell {
                 list.push(format!("{} {column}, {} {row}: {word}", map.x, map.y));
             }
         }
@@ -129,10 +129,10 @@ mod tests {
         let alpha = limit(&scene, &limited).expect("a film");
         let at = |part: f64| solve_within(&with_law(&scene, part * alpha, &limited), MOST_UNKNOWNS);
         let (below, beyond) = (at(0.5), at(2.0));
-        assert!(matches!(cell(&below, false), Cell::Answer(1..)));
-        assert!(matches!(cell(&beyond, true), Cell::Absent(_)));
+        assert!(matches!(cell(&below, false), Outcome::Answer(1..)));
+        assert!(matches!(cell(&beyond, true), Outcome::Absent(_)));
         // On the wrong side both would be grey.
-        assert!(matches!(cell(&below, true), Cell::Unexplained(_)));
-        assert!(matches!(cell(&beyond, false), Cell::Unexplained(_)));
+        assert!(matches!(cell(&below, true), Outcome::Unexplained(_)));
+        assert!(matches!(cell(&beyond, false), Outcome::Unexplained(_)));
     }
 }

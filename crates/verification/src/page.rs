@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-use oilwedge_report::plot::{Cell, CellMap};
+use crate::map_picture::{CellMap, Outcome};
 
 use crate::family::Expect;
 use crate::map::unexplained;
@@ -91,8 +91,8 @@ fn drawn(text: &mut String, maps: &[CellMap], picture: &str) -> std::fmt::Result
         return Ok(());
     }
     let cells = || maps.iter().flat_map(|map| map.cells.iter().flatten());
-    let answers = cells().filter(|cell| matches!(cell, Cell::Answer(_))).count();
-    let absent = cells().filter(|cell| matches!(cell, Cell::Absent(_))).count();
+    let answers = cells().filter(|cell| matches!(cell, Outcome::Answer(_))).count();
+    let absent = cells().filter(|cell| matches!(cell, Outcome::Absent(_))).count();
     writeln!(
         text,
         "\n## The map\n![eccentricity against the coefficient of the viscosity law over its limit, and against slenderness]({picture})\n\n\

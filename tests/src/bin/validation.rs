@@ -2,7 +2,9 @@
 
 use oilwedge_tests::program::repository;
 use oilwedge_tests::short_crankshaft::{figures, page};
-use oilwedge_tests::{cavitation_page, docs_images, engine_bearings, flexpde_study, mesh_page, quantities_page};
+use oilwedge_tests::{
+    cavitation_page, docs_images, engine_bearings, flexpde_study, mesh_page, quantities_page, scene_page,
+};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let docs = repository().join("docs");
@@ -12,6 +14,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         std::fs::write(&path, page(&written))
     };
     write("reference/quantities.md", &quantities_page::page)?;
+    write("reference/scene.md", &scene_page::page)?;
     write("validation/flexpde_study.md", &flexpde_study::page)?;
     write("theory/cavitation.md", &cavitation_page::page)?;
     write("howto/mesh.md", &mesh_page::page)?;

@@ -30,6 +30,28 @@ fn results_of_an_earlier_run_are_replaced_whole() {
 }
 
 #[test]
+fn the_fields_are_compressed_as_wanted() {
+    let bench = Bench::new();
+    bench.scene("01_plain_ring", &[]);
+    let written = |options: &[&str]| {
+        assert_eq!(
+            bench
+                .run(&[&["solve", "scene.toml", "--out", "here"], options].concat())
+                .status,
+            0
+        );
+        std::fs::read(bench.path().join("here/film.vtu")).expect("film.vtu")
+    };
+    let plain = written(&[]);
+    assert_eq!(plain, written(&["--vtu", "none"]));
+    let has = |file: &[u8], name: &str| String::from_utf8_lossy(file).contains(name);
+    let (lz4, zlib) = (written(&["--vtu", "lz4"]), written(&["--vtu", "zlib"]));
+    assert!(!has(&plain, "compressor") && has(&lz4, "vtkLZ4DataCompressor") && has(&zlib, "vtkZLibDataCompressor"));
+    assert!(zlib.len() < lz4.len() && lz4.len() < plain.len());
+    bench.refuses(&["solve", "scene.toml", "--vtu", "gzip"], &["gzip", "none, lz4, zlib"]);
+}
+
+#[test]
 fn a_folder_that_cannot_be_written_leaves_everything_as_it_was() {
     let bench = Bench::new();
     bench.scene("01_plain_ring", &[]);

@@ -5,6 +5,7 @@ mod converge;
 mod cost;
 mod drawing;
 mod files;
+mod first_minutes;
 mod headlines;
 mod heat;
 mod meshes;

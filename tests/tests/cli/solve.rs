@@ -29,6 +29,7 @@ fn check_keys(result: &Value) {
         "quantities",
         "reason",
         "regime",
+        "scene",
         "scene_sha256",
         "status",
         "timing_s",

@@ -80,6 +80,7 @@ fn blank(scene: &Scene, budget: &Budget, goal: &str) -> ConvergenceReport {
         format: CONVERGE_FORMAT.to_owned(),
         title: scene.title.clone(),
         version: env!("CARGO_PKG_VERSION").to_owned(),
+        scene: scene.text.clone(),
         scene_sha256: scene.sha256.clone(),
         status: Status::Converged,
         reason: None,

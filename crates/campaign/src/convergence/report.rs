@@ -21,6 +21,8 @@ pub struct ConvergenceReport {
     pub title: String,
     /// Version of the program.
     pub version: String,
+    /// The text of the scene.
+    pub scene: String,
     /// SHA-256 of the scene's text, hexadecimal.
     pub scene_sha256: String,
     /// Whether there are any levels.

@@ -37,6 +37,15 @@ impl ColourMap {
         Self::Vik,
     ];
 
+    /// The colours at equal steps from 0 to 1, six hexadecimal digits each.
+    pub fn to_hex(self) -> String {
+        self.table()
+            .iter()
+            .flatten()
+            .map(|part| format!("{part:02x}"))
+            .collect()
+    }
+
     /// The colours at equal steps from 0 to 1.
     pub fn table(self) -> &'static [[u8; 3]; 33] {
         match self {

@@ -8,12 +8,15 @@ use std::ffi::OsStr;
 use std::path::Path;
 
 use crate::json::json;
+use crate::page::PAGE_FILE;
 use crate::{Error, folder, plot};
 use oilwedge_campaign::convergence::Convergence;
 
+/// Everything that a study found, for scripts.
+pub const REPORT_FILE: &str = "converge.json";
 /// The files of a study. The numbers for scripts are taken away first and come last, so they are the sign that all are there and of one
 /// study.
-pub const FILES: [&str; 4] = ["converge.csv", "converge.svg", "converge.png", "converge.json"];
+pub const FILES: [&str; 4] = ["converge.csv", "converge.svg", "converge.png", REPORT_FILE];
 
 /// Whether the files of a study may stand in the folder `dir`: better asked before the study than after it.
 ///
@@ -40,6 +43,7 @@ pub fn write(dir: &Path, study: &Convergence) -> Result<(), Error> {
     let [csv_file, svg_file, png_file, json_file] = FILES.map(OsStr::new);
     let steps = [
         (json_file, None),
+        (PAGE_FILE.as_ref(), None),
         (csv_file, table.as_deref().map(str::as_bytes)),
         (svg_file, svg.as_deref().map(str::as_bytes)),
         (png_file, png.as_deref()),

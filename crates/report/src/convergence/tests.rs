@@ -29,6 +29,7 @@ pub(crate) fn example() -> ConvergenceReport {
         format: CONVERGE_FORMAT.into(),
         title: "example".into(),
         version: "0.1.0".into(),
+        scene: "title = \"example\"\n".into(),
         scene_sha256: "ab".into(),
         status: Status::Converged,
         reason: None,

@@ -10,6 +10,7 @@ pub(crate) fn example() -> RunResult {
         format: RESULT_FORMAT.into(),
         title: "example".into(),
         version: "0.1.0".into(),
+        scene: "title = \"example\"\n".into(),
         scene_sha256: "ab".into(),
         mesh_sha256: "cd".into(),
         status: Status::NotConverged,

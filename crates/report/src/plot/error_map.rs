@@ -9,7 +9,7 @@ use oilwedge_drawing::{
 use super::liner::{Liner, Nodes};
 
 /// Decades that the colours span, bands in a decade, and room for their bar [mm].
-const MOST_DECADES: f64 = 5.0;
+pub(super) const MOST_DECADES: f64 = 5.0;
 const BANDS: f64 = 4.0;
 const BAR: f64 = 16.0;
 /// Sides of triangles.

@@ -7,7 +7,7 @@ use oilwedge_drawing::{
 };
 use oilwedge_study::fields::{ERROR_INDICATOR, FILM_FRACTION, FILM_THICKNESS, PRESSURE, VISCOSITY, field};
 
-use super::error_map::Decades;
+use super::error_map::{Decades, MOST_DECADES};
 use super::film::DrawnFilm;
 use super::liner::Liner;
 use crate::readable::{axis_label, readable_unit_of};
@@ -36,27 +36,39 @@ pub(super) fn is_constant(values: &[[f64; 6]]) -> bool {
     high - low <= 1e-6 * low.abs().max(high.abs())
 }
 
-/// The colour map of a field with that range, and the range that its colours span.
-fn colours(name: &str, [low, high]: [f64; 2]) -> (ColourMap, [f64; 2]) {
-    let most = low.abs().max(high.abs());
-    if low < -BOTH_SIGNS * most && high > BOTH_SIGNS * most {
-        return (ColourMap::Vik, [-most, most]);
-    }
-    let one_sided = if low.abs() < high.abs() {
-        [low.clamp(0.0, BOTH_SIGNS * most).min(0.0), high]
-    } else {
-        [low, 0.0]
-    };
-    let map = [
-        (&FILM_THICKNESS, ColourMap::Davos),
-        (&FILM_FRACTION, ColourMap::Devon),
-        (&VISCOSITY, ColourMap::Acton),
-    ];
-    match map.into_iter().find(|(row, _)| row.name == name) {
-        Some((row, map)) if row.name == FILM_FRACTION.name && low < 0.5 => (map, [0.0, 1.0]),
-        Some((_, map)) => (map, [low, high]),
-        None if name == PRESSURE.name => (ColourMap::Batlow, one_sided),
-        None => (ColourMap::Batlow, [low, high]),
+/// How a field is coloured.
+pub(crate) struct FieldColours {
+    pub(crate) map: ColourMap,
+    /// The range that the colours span.
+    pub(crate) range: [f64; 2],
+}
+
+impl FieldColours {
+    /// The colours of a field with that range.
+    pub(crate) fn of(name: &str, [low, high]: [f64; 2]) -> Self {
+        let most = low.abs().max(high.abs());
+        let (map, [low, high]) = if low < -BOTH_SIGNS * most && high > BOTH_SIGNS * most {
+            (ColourMap::Vik, [-most, most])
+        } else if name == FILM_THICKNESS.name {
+            (ColourMap::Davos, [low, high])
+        } else if name == FILM_FRACTION.name {
+            (ColourMap::Devon, if low < 0.5 { [0.0, 1.0] } else { [low, high] })
+        } else if name == VISCOSITY.name {
+            (ColourMap::Acton, [low, high])
+        } else if name == ERROR_INDICATOR.name {
+            (ColourMap::Lajolla, [high * 10f64.powf(-MOST_DECADES), high])
+        } else if name != PRESSURE.name {
+            (ColourMap::Batlow, [low, high])
+        } else if low.abs() < high.abs() {
+            (ColourMap::Batlow, [0.0, high])
+        } else {
+            (ColourMap::Batlow, [low, 0.0])
+        };
+        let high = if high > low { high } else { low + 1.0 };
+        Self {
+            map,
+            range: [low, high],
+        }
     }
 }
 
@@ -108,8 +120,10 @@ pub(super) fn field_figure(film: &DrawnFilm, name: &str, width: f64) -> Option<F
             &decades.edges(),
         );
     } else {
-        let (map, [low, high]) = colours(name, extremes.map(|value| value / size));
-        let high = if high > low { high } else { low + 1.0 };
+        let FieldColours {
+            map,
+            range: [low, high],
+        } = FieldColours::of(name, extremes.map(|value| value / size));
         let levels = Levels::round([low, high], map, BANDS);
         let patches = film
             .liner

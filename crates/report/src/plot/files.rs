@@ -6,6 +6,7 @@ use std::path::Path;
 use oilwedge_drawing::Figure;
 use oilwedge_study::fields::{FIELDS, VISCOSITY};
 use oilwedge_study::quantities::CATALOGUE;
+use rayon::prelude::*;
 use serde_json::Value;
 
 use super::field_map::{field_figure, is_constant, mesh_figure};
@@ -19,6 +20,8 @@ use crate::{Error, folder};
 
 /// Name of the folder.
 pub const PLOT_FOLDER: &str = "plot";
+/// The picture of a convergence study.
+pub const CONVERGENCE: &str = "converge";
 /// Pictures of a film beside its fields.
 const OF_FILM: [&str; 4] = ["mesh", "section", "profiles", BALANCE];
 
@@ -74,7 +77,7 @@ pub fn film_figures(film: &DrawnFilm, options: &PlotOptions) -> Result<Vec<(Stri
         };
         Some((name, figure?))
     };
-    Ok(names.into_iter().filter_map(draw).collect())
+    Ok(names.into_par_iter().filter_map(draw).collect())
 }
 
 /// The pictures of a sweep by name, from the object of `sweep.json`.
@@ -96,24 +99,23 @@ fn check(selected: &[String], known: &[String]) -> Result<(), Unknown> {
     }
 }
 
-/// Writes pictures into the folder `plot` of `dir` as SVG and PNG; those of an earlier run that are not drawn again are removed.
+/// Writes pictures, by their names as SVG, into the folder `plot` of `dir` as SVG and PNG; those of an earlier run that are not drawn again are removed.
 ///
 /// # Errors
 /// A picture is too large, or the system refuses; the old pictures are then left as they were.
-pub fn write_figures(dir: &Path, figures: &[(String, Figure)]) -> Result<(), Error> {
+pub fn write_pictures(dir: &Path, pictures: &[(String, String)]) -> Result<(), Error> {
     let mut files: Vec<(OsString, Option<Vec<u8>>)> = Vec::new();
-    for (name, figure) in figures {
-        let svg = figure.to_svg();
-        files.push((format!("{name}.png").into(), Some(to_png(&svg)?)));
-        files.push((format!("{name}.svg").into(), Some(svg.into_bytes())));
+    for (name, svg) in pictures {
+        files.push((format!("{name}.png").into(), Some(to_png(svg)?)));
+        files.push((format!("{name}.svg").into(), Some(svg.clone().into_bytes())));
     }
     let usual = FIELDS.iter().map(|row| row.name.to_owned());
     let maps = CATALOGUE.iter().map(|row| format!("map_{}", row.name));
     let known = usual
         .chain(OF_FILM.map(str::to_owned))
         .chain(maps)
-        .chain(["sweep", "converge"].map(str::to_owned));
-    for name in known.filter(|name| figures.iter().all(|(drawn, _)| drawn != name)) {
+        .chain(["sweep", CONVERGENCE].map(str::to_owned));
+    for name in known.filter(|name| pictures.iter().all(|(drawn, _)| drawn != name)) {
         files.extend(["svg", "png"].map(|ending| (format!("{name}.{ending}").into(), None)));
     }
     let steps: Vec<(&OsStr, Option<&[u8]>)> = files

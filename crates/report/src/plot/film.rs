@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use oilwedge_study::fields::{Interpolation, field};
+use oilwedge_study::fields::{FieldRow, Interpolation, field};
 use oilwedge_study::film_lines::{REFORMATION, RIM, RUPTURE};
 use oilwedge_study::picture::{FieldValues, FilmPicture, PictureField};
 use oilwedge_study::quantities::{ECCENTRICITY, MIN_FILM_ANGLE, Row};
@@ -24,6 +24,8 @@ pub struct DrawnFilm {
     pub(super) clearance: f64,
     pub(super) speed: f64,
     pub(super) is_ring: bool,
+    /// Whether the points of its picture are on the cylinder; otherwise they are unrolled.
+    is_cylinder: bool,
     pub(super) liner: Liner,
     pub(super) cells: Vec<Nodes>,
     /// Fields by name: values at the nodes of each triangle, SI.
@@ -66,9 +68,9 @@ impl DrawnFilm {
                 .map(|cell| cell.map(|node| values[node as usize]))
                 .collect()
         };
-        let nodal = numbers(&picture.point_data).map(|(name, values)| (name, on_nodes(values)));
+        let nodal = drawn_fields(&picture.point_data).map(|(row, values)| (row.name.to_owned(), on_nodes(values)));
         let on_cells = |values: &Vec<f64>| values.iter().map(|value| [*value; 6]).collect();
-        let constant = numbers(&picture.cell_data).map(|(name, values)| (name, on_cells(values)));
+        let constant = drawn_fields(&picture.cell_data).map(|(row, values)| (row.name.to_owned(), on_cells(values)));
         let unrolled = |pieces: &Vec<[[f64; 3]; 2]>| pieces.iter().map(|piece| unroll.piece(piece)).collect();
         Ok(Self {
             title: result["title"].as_str().unwrap_or_default().to_owned(),
@@ -76,6 +78,7 @@ impl DrawnFilm {
             clearance,
             speed: number("speed").unwrap_or(0.0),
             is_ring: arc.is_null(),
+            is_cylinder: unroll.is_cylinder,
             liner: Liner::between(&cells, radius, angles),
             fields: nodal.chain(constant).collect(),
             lines: picture
@@ -88,13 +91,72 @@ impl DrawnFilm {
         })
     }
 
+    pub(crate) fn radius(&self) -> f64 {
+        self.radius
+    }
+
+    pub(crate) fn speed(&self) -> f64 {
+        self.speed
+    }
+
+    pub(crate) fn is_ring(&self) -> bool {
+        self.is_ring
+    }
+
+    /// Angles [rad] between which the liner is drawn.
+    pub(crate) fn angles(&self) -> [f64; 2] {
+        self.liner.angles()
+    }
+
+    /// Nodes of the triangles on the unrolled liner [m], continuous within each.
+    pub(crate) fn cells(&self) -> &[Nodes] {
+        &self.cells
+    }
+
+    /// Everything that the run found, as in `result.json`.
+    pub(crate) fn result(&self) -> &Value {
+        &self.result
+    }
+
+    /// Length of the circumference [m].
+    pub(crate) fn circumference(&self) -> f64 {
+        TAU * self.radius
+    }
+
+    /// Places of the nodes of its picture on the unrolled liner [m], each on some turn.
+    pub(crate) fn places(&self, picture: &FilmPicture) -> Vec<[f64; 2]> {
+        let mut places = vec![[0.0; 2]; picture.points.len()];
+        for (cell, nodes) in picture.cells.iter().zip(&self.cells) {
+            for (node, place) in cell.iter().zip(nodes) {
+                places[*node as usize] = *place;
+            }
+        }
+        places
+    }
+
+    /// The middle of the shorter way between two places [m].
+    pub(crate) fn between(&self, from: [f64; 2], to: [f64; 2]) -> [f64; 2] {
+        let period = self.circumference();
+        let x = to[0] - period * ((to[0] - from[0]) / period).round();
+        [0.5 * (from[0] + x), 0.5 * (from[1] + to[1])]
+    }
+
+    /// The point of its picture at a place [m].
+    pub(crate) fn point(&self, [x, z]: [f64; 2]) -> [f64; 3] {
+        let (sin, cos) = (x / self.radius).sin_cos();
+        match self.is_cylinder {
+            true => [self.radius * cos, self.radius * sin, z],
+            false => [x, z, 0.0],
+        }
+    }
+
     /// Values of a quantity of the catalogue.
-    pub(super) fn quantity(&self, row: &Row) -> Option<f64> {
+    pub(crate) fn quantity(&self, row: &Row) -> Option<f64> {
         self.result["quantities"][row.name]["value"].as_f64()
     }
 
     /// Eccentricity [1] and angle of the thinnest film [rad].
-    pub(super) fn position(&self) -> Option<[f64; 2]> {
+    pub(crate) fn position(&self) -> Option<[f64; 2]> {
         Some([
             self.quantity(&ECCENTRICITY)?,
             self.quantity(&MIN_FILM_ANGLE)?.to_radians(),
@@ -120,14 +182,14 @@ impl DrawnFilm {
     }
 
     /// Rims of feeds and pockets by name.
-    pub(super) fn rims(&self) -> impl Iterator<Item = (&str, &[[[f64; 2]; 2]])> {
+    pub(crate) fn rims(&self) -> impl Iterator<Item = (&str, &[[[f64; 2]; 2]])> {
         self.lines
             .iter()
             .filter_map(|(name, pieces)| Some((name.strip_prefix(RIM)?, pieces.as_slice())))
     }
 
     /// Where the film breaks and where it forms again.
-    pub(super) fn cavity_edges(&self) -> [&[[[f64; 2]; 2]]; 2] {
+    pub(crate) fn cavity_edges(&self) -> [&[[[f64; 2]; 2]]; 2] {
         [RUPTURE, REFORMATION].map(|name| self.line(name))
     }
 
@@ -200,10 +262,10 @@ impl<'a> Unrolled<'a> {
     }
 }
 
-/// The fields of one number each, by name.
-fn numbers(fields: &[PictureField]) -> impl Iterator<Item = (String, &Vec<f64>)> {
-    fields.iter().filter_map(|field| match &field.values {
-        FieldValues::Scalars(values) => Some((field.name.to_string(), values)),
+/// The fields that are drawn: those of the list of fields, of one number each.
+pub(crate) fn drawn_fields(fields: &[PictureField]) -> impl Iterator<Item = (&'static FieldRow, &Vec<f64>)> {
+    fields.iter().filter_map(|it| match &it.values {
+        FieldValues::Scalars(values) => Some((field(&it.name)?, values)),
         FieldValues::Vectors(_) => None,
     })
 }

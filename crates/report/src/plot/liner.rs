@@ -7,7 +7,7 @@ const HIGHEST: f64 = 150.0;
 const LOWEST: f64 = 12.0;
 
 /// Nodes of a quadratic triangle on the unrolled liner [m], continuous across the seam of a ring.
-pub(super) type Nodes = [[f64; 2]; 6];
+pub(crate) type Nodes = [[f64; 2]; 6];
 
 /// The part of the plane that is shown.
 #[derive(Debug, Clone, PartialEq)]

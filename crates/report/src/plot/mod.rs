@@ -1,10 +1,9 @@
-//! Pictures, drawn by the crate `drawing`: of a film, a sweep, a convergence study, a balance of heat, and maps of cells.
+//! Pictures, drawn by the crate `drawing`: of a film, a sweep, a convergence study and a balance of heat.
 //!
 //! Reading order: `film.rs` (a film as it is drawn), `liner.rs` (the unrolled liner on the sheet), `field_map.rs`, `section.rs` (across the
 //! bearing), `sample.rs` and `profiles.rs`, `sweep.rs`, `files.rs` (which pictures there are); `convergence.rs` and `error_map.rs` (errors, and
-//! the adaptive mesh), `temperature.rs` (two curves that cross), `cells.rs` (maps of cases).
+//! the adaptive mesh), `temperature.rs` (two curves that cross).
 
-mod cells;
 mod convergence;
 mod error_map;
 mod field_map;
@@ -17,9 +16,13 @@ mod section;
 mod sweep;
 mod temperature;
 
-pub use cells::{Cell, CellMap, cells_to_svg};
-pub use files::{PLOT_FOLDER, PlotOptions, Unknown, figures_of_sweep, film_figures, write_figures};
+pub(crate) use field_map::FieldColours;
+pub use files::{CONVERGENCE, PLOT_FOLDER, PlotOptions, Unknown, figures_of_sweep, film_figures, write_pictures};
 pub use film::DrawnFilm;
+pub(crate) use film::drawn_fields;
+pub(crate) use sample::{Finder, InTriangle};
+pub(crate) use sweep::{Cases, quantity_names};
+pub(crate) use temperature::BALANCE;
 pub use temperature::{TEMPERATURE_FILES, temperature_to_svg};
 
 use crate::Error;

@@ -47,7 +47,7 @@ pub(super) fn profiles_figure(film: &DrawnFilm, width: f64) -> Option<Figure> {
             ),
             Line::Along => (&along, places.iter().map(|place| 1e3 * place).collect(), Scale::Linear),
         };
-        let values = finder.values(row.name, points)?;
+        let values = finder.values(row, points)?;
         let most = values
             .iter()
             .copied()

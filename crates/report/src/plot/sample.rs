@@ -1,72 +1,119 @@
 //! Values of a field on lines across the liner.
 
-use std::f64::consts::TAU;
-
-use oilwedge_study::fields::{Interpolation, field};
+use oilwedge_study::fields::{FieldRow, Interpolation};
 
 use super::film::DrawnFilm;
 use super::liner::Nodes;
 
-/// Columns along the circumference in which triangles are looked up.
-const COLUMNS: usize = 256;
 /// How far outside of a triangle a point may be that belongs to it [1].
 const SLACK: f64 = 1e-6;
+/// Triangles for each box of the grid in which they are looked up, and most boxes each way.
+const IN_A_BOX: f64 = 2.0;
+const MOST_BOXES: f64 = 1024.0;
 
-/// Finds the triangle of a point.
-pub(super) struct Finder<'a> {
+/// Steps of Newton's method for coordinates, and the step after which they are exact.
+const STEPS: usize = 6;
+const EXACT: f64 = 1e-12;
+
+/// A point in a triangle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct InTriangle {
+    /// The triangle.
+    pub(crate) cell: usize,
+    /// Its coordinates there.
+    parts: [f64; 3],
+}
+
+/// Finds the triangle of a point by boxes of equal size.
+pub(crate) struct Finder<'a> {
     film: &'a DrawnFilm,
-    columns: Vec<Vec<u32>>,
+    /// Length of the circumference, lower end of the axis and its length [m].
+    period: f64,
+    low: f64,
+    height: f64,
+    /// Boxes around and along the axis.
+    count: [usize; 2],
+    boxes: Vec<Vec<u32>>,
 }
 
 impl<'a> Finder<'a> {
-    pub(super) fn new(film: &'a DrawnFilm) -> Self {
-        let mut columns = vec![Vec::new(); COLUMNS];
-        let period = TAU * film.radius;
+    pub(crate) fn new(film: &'a DrawnFilm) -> Self {
+        let period = film.circumference();
+        let ends = |nodes: &mut dyn Iterator<Item = f64>| {
+            nodes.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], part| {
+                [low.min(part), high.max(part)]
+            })
+        };
+        let [low, high] = ends(&mut film.cells.iter().flatten().map(|node| node[1]));
+        let height = (high - low).max(f64::MIN_POSITIVE);
+        let side = (IN_A_BOX * period * height / film.cells.len().max(1) as f64).sqrt();
+        let count = [period, height].map(|length| (length / side).ceil().clamp(1.0, MOST_BOXES) as usize);
+        let mut finder = Self {
+            film,
+            period,
+            low,
+            height,
+            count,
+            boxes: vec![Vec::new(); count[0] * count[1]],
+        };
         for (cell, nodes) in (0..).zip(&film.cells) {
-            let low = nodes.iter().map(|node| node[0]).fold(f64::INFINITY, f64::min);
-            let high = nodes.iter().map(|node| node[0]).fold(f64::NEG_INFINITY, f64::max);
-            let column = |x: f64| (x / period * COLUMNS as f64).floor() as i64;
-            for k in column(low)..=column(high) {
-                columns[k.rem_euclid(COLUMNS as i64) as usize].push(cell);
+            let around = ends(&mut nodes.iter().map(|node| node[0]));
+            let along = ends(&mut nodes.iter().map(|node| node[1]));
+            // Points may be a little outside.
+            let [wide, tall] = [around, along].map(|[low, high]| SLACK * (high - low));
+            for column in finder.column(around[0] - wide)..=finder.column(around[1] + wide) {
+                for row in finder.row(along[0] - tall)..=finder.row(along[1] + tall) {
+                    let place = finder.place(column, row);
+                    finder.boxes[place].push(cell);
+                }
             }
         }
-        Self { film, columns }
+        finder
+    }
+
+    fn column(&self, x: f64) -> i64 {
+        (x / self.period * self.count[0] as f64).floor() as i64
+    }
+
+    fn row(&self, z: f64) -> usize {
+        let row = (z - self.low) / self.height * self.count[1] as f64;
+        (row.max(0.0) as usize).min(self.count[1] - 1)
+    }
+
+    fn place(&self, column: i64, row: usize) -> usize {
+        column.rem_euclid(self.count[0] as i64) as usize * self.count[1] + row
     }
 
     /// The triangle of a point [m] and its coordinates there.
-    fn find(&self, [x, z]: [f64; 2]) -> Option<(usize, [f64; 3])> {
-        let period = TAU * self.film.radius;
-        let column = ((x / period).rem_euclid(1.0) * COLUMNS as f64) as usize;
-        let candidates = self.columns.get(column.min(COLUMNS - 1))?;
+    pub(crate) fn find(&self, [x, z]: [f64; 2]) -> Option<InTriangle> {
+        let candidates = &self.boxes[self.place(self.column(x), self.row(z))];
         candidates.iter().find_map(|&cell| {
             let nodes = &self.film.cells[cell as usize];
-            let beside = x - period * ((x - nodes[0][0]) / period).round();
+            let beside = x - self.period * ((x - nodes[0][0]) / self.period).round();
             let parts = coordinates(nodes, [beside, z]);
-            parts
-                .iter()
-                .all(|part| *part >= -SLACK)
-                .then_some((cell as usize, parts))
+            let cell = cell as usize;
+            (parts.iter().all(|part| *part >= -SLACK)).then_some(InTriangle { cell, parts })
         })
     }
 
-    /// Values of a field at points [m]; NaN where there is no film.
-    pub(super) fn values(&self, name: &str, points: &[[f64; 2]]) -> Option<Vec<f64>> {
-        let values = self.film.values(name)?;
-        let is_linear = field(name).is_some_and(|row| row.interpolation == Interpolation::Linear);
-        let value = |(cell, parts): (usize, [f64; 3])| match is_linear {
-            true => on_parts(&values[cell], parts),
-            false => shapes(parts)
+    /// The value of a field in a triangle; `None` where the film has no such field.
+    pub(crate) fn value(&self, row: &FieldRow, InTriangle { cell, parts }: InTriangle) -> Option<f64> {
+        let values = self.film.values(row.name)?[cell];
+        Some(match row.interpolation {
+            Interpolation::Linear => on_parts(&values, parts),
+            _ => shapes(parts)
                 .iter()
-                .zip(values[cell])
+                .zip(values)
                 .map(|(shape, value)| shape * value)
                 .sum(),
-        };
-        Some(
-            points
-                .iter()
-                .map(|point| self.find(*point).map_or(f64::NAN, value))
-                .collect(),
-        )
+        })
+    }
+
+    /// Values of a field at points [m]; NaN where there is no film; `None` where the film has no such field.
+    pub(super) fn values(&self, row: &FieldRow, points: &[[f64; 2]]) -> Option<Vec<f64>> {
+        self.film.values(row.name)?;
+        let value = |point: &[f64; 2]| self.value(row, self.find(*point)?);
+        Some(points.iter().map(|point| value(point).unwrap_or(f64::NAN)).collect())
     }
 }
 
@@ -95,18 +142,26 @@ fn on_parts(values: &[f64; 6], parts: [f64; 3]) -> f64 {
     (0..3).map(|i| weights[i] * values[nodes[i]]).sum()
 }
 
-/// Coordinates of a point in a triangle with curved sides: those of its corners, corrected by two steps of Newton's method.
+/// Coordinates of a point in a triangle with curved sides, by Newton's method; a straight one takes one step.
 fn coordinates(nodes: &Nodes, point: [f64; 2]) -> [f64; 3] {
-    let [a, b, c] = [nodes[0], nodes[1], nodes[2]];
-    let (u, v) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
-    let determinant = u[0] * v[1] - u[1] * v[0];
     let (mut s, mut t) = (0.0, 0.0);
-    for _ in 0..3 {
-        let shapes = shapes([1.0 - s - t, s, t]);
-        let at = [0, 1].map(|d| (0..6).map(|k| shapes[k] * nodes[k][d]).sum::<f64>());
+    for _ in 0..STEPS {
+        let a = 1.0 - s - t;
+        let sum = |shapes: [f64; 6]| [0, 1].map(|d| (0..6).map(|k| shapes[k] * nodes[k][d]).sum::<f64>());
+        let at = sum(shapes([a, s, t]));
+        let u = sum([1.0 - 4.0 * a, 4.0 * s - 1.0, 0.0, 4.0 * (a - s), 4.0 * t, -4.0 * t]);
+        let v = sum([1.0 - 4.0 * a, 0.0, 4.0 * t - 1.0, -4.0 * s, 4.0 * s, 4.0 * (a - t)]);
         let off = [point[0] - at[0], point[1] - at[1]];
-        s += (off[0] * v[1] - off[1] * v[0]) / determinant;
-        t += (u[0] * off[1] - u[1] * off[0]) / determinant;
+        let determinant = u[0] * v[1] - u[1] * v[0];
+        let step = [
+            (off[0] * v[1] - off[1] * v[0]) / determinant,
+            (u[0] * off[1] - u[1] * off[0]) / determinant,
+        ];
+        s += step[0];
+        t += step[1];
+        if step[0].abs().max(step[1].abs()) < EXACT {
+            break;
+        }
     }
     [1.0 - s - t, s, t]
 }
@@ -148,6 +203,6 @@ mod tests {
                 .sum::<f64>()
         });
         let found = coordinates(&nodes, at);
-        assert!((0..3).all(|k| (found[k] - parts[k]).abs() < 5e-3), "{found:?}");
+        assert!((0..3).all(|k| (found[k] - parts[k]).abs() < 1e-12), "{found:?}");
     }
 }

@@ -120,7 +120,7 @@ fn draw_pressure(figure: &mut Figure, film: &DrawnFilm, axes: Polar, room: f64) 
         .map(|k| from + (to - from) * k as f64 / POINTS as f64)
         .collect();
     let points: Vec<[f64; 2]> = angles.iter().map(|angle| [angle * film.radius, 0.0]).collect();
-    let Some(values) = Finder::new(film).values(PRESSURE.name, &points) else {
+    let Some(values) = Finder::new(film).values(&PRESSURE, &points) else {
         return;
     };
     let finite = || values.iter().copied().filter(|value| value.is_finite());

@@ -58,14 +58,14 @@ fn short(value: f64) -> String {
 }
 
 /// A sweep as `sweep.json` has it.
-struct Cases<'a> {
+pub(crate) struct Cases<'a> {
     title: &'a str,
     inputs: Vec<Input<'a>>,
     rows: &'a [Value],
 }
 
 impl<'a> Cases<'a> {
-    fn of(sweep: &'a Value) -> Option<Self> {
+    pub(crate) fn of(sweep: &'a Value) -> Option<Self> {
         let list = |value: &'a Value| value.as_array().map(Vec::as_slice);
         let inputs = list(&sweep["axes"])?.iter().map(|axis| {
             Some(Input {
@@ -81,14 +81,33 @@ impl<'a> Cases<'a> {
         })
     }
 
-    /// The row of the case with these indices; the last axis runs fastest.
-    fn row(&self, indices: &[usize]) -> Option<&Value> {
-        let place = self
-            .inputs
-            .iter()
-            .zip(indices)
-            .fold(0, |place, (input, index)| place * input.values.len() + index);
-        self.rows.get(place)
+    /// Name, unit and values of each axis.
+    pub(crate) fn inputs(&self) -> impl Iterator<Item = (&str, &str, &[Value])> {
+        self.inputs.iter().map(|input| (input.name, input.unit, input.values))
+    }
+
+    /// The rows of the cases that are there.
+    pub(crate) fn rows(&self) -> &'a [Value] {
+        self.rows
+    }
+
+    /// The rows of all cases, also of those that are not there; the last axis runs fastest.
+    pub(crate) fn all(&self) -> impl Iterator<Item = Option<&'a Value>> {
+        let count = self.inputs.iter().map(|input| input.values.len()).product();
+        (0..count).map(|place| self.at(place))
+    }
+
+    /// The row of the case at a place; rows are in the order of their cases, which count from one.
+    fn at(&self, place: usize) -> Option<&'a Value> {
+        let case = |row: &Value| row["case"].as_u64().unwrap_or_default();
+        let found = self.rows.binary_search_by_key(&(place as u64 + 1), case).ok()?;
+        self.rows.get(found)
+    }
+
+    /// The row of the case with these indices.
+    fn row(&self, indices: &[usize]) -> Option<&'a Value> {
+        let each = self.inputs.iter().zip(indices);
+        self.at(each.fold(0, |place, (input, index)| place * input.values.len() + index))
     }
 
     /// Value and error of a quantity.
@@ -100,8 +119,20 @@ impl<'a> Cases<'a> {
         ])
     }
 
+    /// Whether a quantity is not the same in all cases.
+    fn varies(&self, name: &str) -> bool {
+        let values = self
+            .rows
+            .iter()
+            .filter_map(|row| row["quantities"][name]["value"].as_f64());
+        let [low, high] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
+            [low.min(value), high.max(value)]
+        });
+        high - low > ROUND_OFF * low.abs().max(high.abs())
+    }
+
     /// Greatest size of a quantity and its SI unit.
-    fn size(&self, name: &str) -> Option<(f64, &str)> {
+    pub(crate) fn size(&self, name: &str) -> Option<(f64, &'a str)> {
         let quantities = || self.rows.iter().map(|row| &row["quantities"][name]);
         let unit = quantities().find_map(|quantity| quantity["unit"].as_str())?;
         let most = quantities()
@@ -111,7 +142,7 @@ impl<'a> Cases<'a> {
     }
 
     /// The quantities that are drawn: those of the selection, else the headlines.
-    fn names(&self, selected: &[String]) -> Vec<String> {
+    pub(crate) fn names(&self, selected: &[String]) -> Vec<String> {
         let is_input = |name: &str| self.inputs.iter().any(|input| input.name == name);
         let headlines = CATALOGUE
             .iter()
@@ -132,7 +163,7 @@ impl<'a> Cases<'a> {
 }
 
 /// The names of quantities that a sweep has, for messages.
-pub(super) fn quantity_names(sweep: &Value) -> Vec<String> {
+pub(crate) fn quantity_names(sweep: &Value) -> Vec<String> {
     let rows = sweep["rows"].as_array().map(Vec::as_slice).unwrap_or_default();
     let first = rows.iter().find_map(|row| {
         row["quantities"]
@@ -170,8 +201,9 @@ pub(super) fn sweep_figures(sweep: &Value, selected: &[String], width: f64) -> V
     if let Some(upwards) = upwards {
         let maps = names
             .iter()
-            .take(MAPS)
-            .filter_map(|name| Some((format!("map_{name}"), map(&cases, name, [across, upwards], width)?)));
+            .filter(|name| !selected.is_empty() || cases.varies(name))
+            .filter_map(|name| Some((format!("map_{name}"), map(&cases, name, [across, upwards], width)?)))
+            .take(MAPS);
         figures.extend(maps);
     }
     figures

@@ -8,7 +8,7 @@ use serde_json::Value;
 pub const TEMPERATURE_FILES: [&str; 2] = ["heat.svg", "heat.png"];
 
 /// Name of the picture.
-pub(super) const BALANCE: &str = "heat";
+pub(crate) const BALANCE: &str = "heat";
 
 /// True where a run has sought the temperature of its film.
 pub(super) fn is_sought(result: &Value) -> bool {

@@ -10,6 +10,7 @@ use super::SweepError;
 use super::report::{Identity, SweepReport};
 use super::table::{Columns, Row, to_csv, whole_rows};
 use crate::json::json;
+use crate::page::PAGE_FILE;
 use crate::{Error, folder};
 
 /// The table.
@@ -55,10 +56,11 @@ impl Table {
             (OsStr::new(REPORT_FILE), Some(about.as_bytes())),
             (OsStr::new(TABLE_FILE), Some(&table[..])),
         );
+        let page_step = (OsStr::new(PAGE_FILE), None);
         // A table is never beside a report that is not its own. Rows that are kept are those of the report that stands there.
         match kept.is_empty() {
-            true => folder::replace_alone(dir, &[(table_step.0, None), about_step, table_step])?,
-            false => folder::replace_alone(dir, &[about_step, table_step])?,
+            true => folder::replace_alone(dir, &[page_step, (table_step.0, None), about_step, table_step])?,
+            false => folder::replace_alone(dir, &[page_step, about_step, table_step])?,
         }
         let file = OpenOptions::new()
             .append(true)

@@ -87,6 +87,7 @@ impl Serialize for SweepReport {
             #[serde(flatten)]
             identity: &'a Identity,
             complete: bool,
+            scene: &'a str,
             effects: &'a Effects,
             axes: Vec<AxisRecord<'a>>,
             rows: Vec<RowRecord<'a>>,
@@ -100,6 +101,7 @@ impl Serialize for SweepReport {
         let whole = Whole {
             identity: &self.identity,
             complete: true,
+            scene: &self.plan.text,
             effects: &self.effects,
             axes: axes.collect(),
             rows: self.rows.iter().map(|row| RowRecord { report: self, row }).collect(),

@@ -7,6 +7,21 @@ use crate::unit::Dimension;
 use crate::wording::millimetres;
 use crate::{Arc, Bearing, Complaints};
 
+keys! {
+    "feed.groove" = Table; "", "no groove: the region of the mesh file is as it is", "",
+        "says that the region is a groove, a rectangle on the unrolled liner";
+    "feed.groove.from" = Quantity(Angle); "80 deg", "all around, as `to`", "",
+        "angle at which the groove begins";
+    "feed.groove.to" = Quantity(Angle); "100 deg", "all around, as `from`", "> `from`",
+        "angle at which the groove ends";
+    "feed.groove.width" = Quantity(Length); "20 mm", "required", "> 0, at most the length",
+        "extent of the groove along the axis";
+    "feed.groove.z" = Quantity(Length); "0 mm", "0", "inside the liner",
+        "axial position of the middle of the groove";
+    "feed.groove.corner" = Quantity(Length); "2 mm", "0", "at most half its lesser side",
+        "radius of the corners of the groove";
+}
+
 /// A rectangle with round corners on the developed surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Groove {

@@ -7,6 +7,17 @@ use crate::unit::Dimension;
 use crate::wording::{degrees, millimetres};
 use crate::{Bearing, Complaints};
 
+keys! {
+    "feed.hole" = Table; "", "no hole: the region of the mesh file is as it is", "",
+        "says that the region is a round hole: its rim becomes round (every node lies on the circle), its share of the load exact";
+    "feed.hole.diameter" = Quantity(Length); "17 mm", "required", "> 0, inside the liner",
+        "diameter of the hole";
+    "feed.hole.angle" = Quantity(Angle); "130 deg", "required", "inside the arc",
+        "angle of the centre of the hole";
+    "feed.hole.z" = Quantity(Length); "0 mm", "0", "inside the liner",
+        "axial position of the centre of the hole";
+}
+
 /// A round hole on the developed surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hole {

@@ -4,6 +4,15 @@ use crate::reader::TableReader;
 use crate::unit::Dimension;
 use crate::{Complaints, Journal, Position, Scene};
 
+keys! {
+    "journal.squeeze" = Table; "", "the centre is at rest", "",
+        "velocity of the journal's centre";
+    "journal.squeeze.radial" = Quantity(Velocity); "2 mm/s", "0", "any",
+        "velocity of the journal's centre along the line of centres; positive: the eccentricity grows";
+    "journal.squeeze.tangential" = Quantity(Velocity); "2 mm/s", "0", "any",
+        "velocity of the journal's centre across the line of centres; positive: towards growing angles";
+}
+
 /// Velocity of the journal's centre.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Squeeze {

@@ -5,6 +5,15 @@ use crate::reader::TableReader;
 use crate::unit::Dimension;
 use crate::{Complaints, Scene};
 
+keys! {
+    "oil.barus" = Table; "", "constant viscosity", "",
+        "viscosity that grows exponentially with pressure, mu = mu0 exp(alpha p)";
+    "oil.barus.alpha" = Quantity(InversePressure); "2.5e-8 1/Pa", "required", ">= 0",
+        "alpha of mu = mu0 exp(alpha p)";
+    "oil.barus.form" = Choice(&["conservative", "as-printed"]); "conservative", "`\"conservative\"`", "",
+        "where mu(p) stands: under the divergence, a balance of mass; or on the right-hand side as the FlexPDE study prints it, which is none";
+}
+
 /// mu = mu0 exp(alpha p).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Barus {

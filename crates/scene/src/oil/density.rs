@@ -3,6 +3,17 @@
 use crate::reader::{Number, TableReader};
 use crate::unit::{Dimension, ZERO_CELSIUS};
 
+keys! {
+    "oil.density" = Quantity(Density), Table; "885 kg/m3", "that of the grade; else 870 kg/m3", "500 to 2500 kg/m3",
+        "density at 20 degrees C, or a table with the temperature of its measurement; it makes kinematic viscosity dynamic";
+    "oil.density.value" = Quantity(Density); "868 kg/m3", "required", "500 to 2500 kg/m3",
+        "the density measured at the temperature `at`";
+    "oil.density.at" = Quantity(Temperature); "15 C", "20 C", "-60 to 350 C",
+        "temperature at which the density was measured";
+    "oil.density.expansion" = Quantity(InverseTemperature); "68.8e-5 1/K", "68.8e-5 1/K", "0 to 2e-3 1/K",
+        "relative expansion k_v in rho = rho_20 [1 - k_v (t - 20 C)]";
+}
+
 /// Densities [kg/m3] of liquids that are used as oils.
 const DENSITIES: [f64; 2] = [500.0, 2500.0];
 /// Greatest relative expansion [1/K] of one.

@@ -3,6 +3,11 @@
 use crate::reader::TableReader;
 use crate::unit::Dimension;
 
+keys! {
+    "oil.high_shear" = Quantity(Viscosity), Number; "2.9 mPa.s", "low shear", "a factor: 0.3 to 1",
+        "what shear leaves of the viscosity: that at 150 degrees C and 1e6 1/s (HTHS) of the data sheet, or a factor as 0.8; with a law of temperature";
+}
+
 /// Factors of oils: even those with much polymer keep this part.
 const FACTORS: [f64; 2] = [0.3, 1.0];
 

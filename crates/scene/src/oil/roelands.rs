@@ -4,6 +4,17 @@ use super::{PressureLaw, THINNER};
 use crate::reader::TableReader;
 use crate::unit::Dimension;
 
+keys! {
+    "oil.roelands" = Table; "", "constant viscosity", "",
+        "viscosity that grows with pressure, mu = mu0 exp{(ln mu0 + 9.67) [(1 + p/p_r)^z - 1]}, mu0 in Pa.s";
+    "oil.roelands.z" = Number; "0.6", "required unless `alpha`", ">= 0",
+        "exponent z in Roelands' law";
+    "oil.roelands.alpha" = Quantity(InversePressure); "2.0e-8 1/Pa", "`z` gives the law", ">= 0",
+        "instead of `z`: slope of ln mu at zero pressure";
+    "oil.roelands.reference_pressure" = Quantity(Pressure); "196.2 MPa", "196.2 MPa", "> 0",
+        "pressure p_r in Roelands' law";
+}
+
 /// Roelands' reference pressure where the scene gives none [Pa].
 const REFERENCE_PRESSURE: f64 = 196.2e6;
 

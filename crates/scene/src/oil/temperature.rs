@@ -4,6 +4,41 @@ use crate::reader::{Number, TableReader};
 use crate::unit::{Dimension, ZERO_CELSIUS};
 use crate::wording::celsius;
 
+keys! {
+    "oil.grade" = Text; "SAE 10W-40", "no grade", "a name that `oilwedge oil` lists",
+        "a typical oil of that class, as `\"SAE 10W-40\"` or `\"ISO VG 46\"`: viscosity and density";
+    "oil.walther" = Table; "", "no such law", "",
+        "kinematic viscosity by lg lg(nu + 0.7) = A - B lg T through two points";
+    "oil.walther.nu40" = Quantity(KinematicViscosity); "95 mm2/s", "required unless two other points", "> 0.3 mm2/s",
+        "kinematic viscosity at 40 degrees C, as data sheets give it";
+    "oil.walther.nu100" = Quantity(KinematicViscosity); "14.3 mm2/s", "required unless two other points", "> 0.3 mm2/s, at most `nu40`",
+        "kinematic viscosity at 100 degrees C, as data sheets give it";
+    "oil.walther.t1" = Quantity(Temperature); "40 C", "`nu40` and `nu100` are the points", "-60 to 350 C",
+        "instead: the temperature of the first of two other points";
+    "oil.walther.nu1" = Quantity(KinematicViscosity); "95 mm2/s", "required with `t1`", "> 0.3 mm2/s",
+        "kinematic viscosity at `t1`";
+    "oil.walther.t2" = Quantity(Temperature); "100 C", "required with `t1`", "-60 to 350 C",
+        "temperature of the second point";
+    "oil.walther.nu2" = Quantity(KinematicViscosity); "14.3 mm2/s", "required with `t1`", "> 0.3 mm2/s",
+        "kinematic viscosity at `t2`";
+    "oil.vogel" = Table; "", "no such law", "",
+        "Vogel's law mu = a exp(b/(t + c)), t in degrees C";
+    "oil.vogel.a" = Quantity(Viscosity); "0.06 mPa.s", "required", "> 0",
+        "a of mu = a exp(b/(t + c)), t in degrees C";
+    "oil.vogel.b" = Quantity(TemperatureDifference); "1000 K", "required", ">= 0",
+        "b of mu = a exp(b/(t + c))";
+    "oil.vogel.c" = Quantity(TemperatureDifference); "95 K", "required", "t + c > 0",
+        "c of mu = a exp(b/(t + c))";
+    "oil.table" = Tables; "", "no such law", "two points or more, falling",
+        "measured viscosities, kinematic or dynamic; between two points straight on the chart of ASTM D341";
+    "oil.table.t" = Quantity(Temperature); "40 C", "required", "-60 to 350 C",
+        "temperature of a point";
+    "oil.table.nu" = Quantity(KinematicViscosity); "95 mm2/s", "required unless `mu`", "> 0.3 mm2/s",
+        "kinematic viscosity at `t`";
+    "oil.table.mu" = Quantity(Viscosity); "80 mPa.s", "`nu` gives the viscosity", "> 0",
+        "instead of `nu`: dynamic viscosity at `t`";
+}
+
 /// Temperatures [K] between which films of liquid oil are.
 const LIQUID: [f64; 2] = [ZERO_CELSIUS - 60.0, ZERO_CELSIUS + 350.0];
 /// The keys that give a law of temperature.

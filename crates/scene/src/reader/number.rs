@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use toml::de::DeValue;
 
 use super::{TableReader, kind};
+use crate::keys::Form;
 use crate::unit::{self, Dimension};
 
 /// Angles beyond so many turns have lost their digits.
@@ -23,6 +24,7 @@ pub(crate) struct Number<'t, 'a> {
 impl<'a> TableReader<'a> {
     /// A number with a unit of this dimension; `example` is one.
     pub(crate) fn quantity(&mut self, key: &'a str, dimension: Dimension, example: &str) -> Number<'_, 'a> {
+        self.note(key, Form::Quantity(dimension), example);
         let value = self.take(key).map(|value| self.in_si(key, value, dimension, example));
         Number {
             key,
@@ -54,6 +56,7 @@ impl<'a> TableReader<'a> {
 
     /// A number without a unit; `example` is one.
     pub(crate) fn number(&mut self, key: &'a str, example: &str) -> Number<'_, 'a> {
+        self.note(key, Form::Number, example);
         let value = self.take(key).map(|value| {
             let number = plain_number(value);
             if !matches!(value, DeValue::Integer(_) | DeValue::Float(_)) {

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 /// Short names of the keys that are swept most, and where they stand.
-pub(super) const SHORT_NAMES: [(&str, &str); 9] = [
+pub const SHORT_NAMES: [(&str, &str); 9] = [
     ("eccentricity", "journal.eccentricity"),
     ("min_film_angle", "journal.min_film_angle"),
     ("speed", "journal.speed"),

@@ -4,10 +4,28 @@ use toml::Spanned;
 use toml::de::DeValue;
 
 use super::{Axis, AxisValue, SHORT_NAMES, WantedColumn, column};
+use crate::keys::Form;
 use crate::reader::{TableReader, kind, plain_number};
 use crate::scene::SWEPT;
 use crate::spelling::nearest;
 use crate::unit;
+
+keys! {
+    "sweep" = Table; "", "one case", "",
+        "the values of keys for which `oilwedge sweep` solves the scene, in all combinations";
+    "sweep.columns" = Texts; "\"h_min um\", \"p_max bar\"", "the main quantities", "",
+        "the quantities of the table, each with its unit";
+    "sweep.KEY" = Values, Table; "", "the value of the scene", "a short name, or a key with its table",
+        "an axis: a key of the scene, and its values in a list or by a range";
+    "sweep.KEY.from" = Value; "0.1", "required", "",
+        "first value of a range";
+    "sweep.KEY.to" = Value; "0.95", "required", "",
+        "last value of a range";
+    "sweep.KEY.steps" = Number; "18", "required", "2 to 100 000",
+        "number of values, both ends included";
+    "sweep.KEY.spacing" = Choice(&["linear", "log"]); "linear", "`\"linear\"`", "",
+        "constant differences, or constant ratios, between the values";
+}
 
 /// Most cases of one sweep.
 const MOST_CASES: usize = 100_000;
@@ -34,6 +52,7 @@ fn read_table(mut table: TableReader<'_>, prefix: &str, axes: &mut Vec<Axis>) {
         if name == column::KEY {
             continue;
         }
+        table.note(key, Form::Values, "");
         let Some(written) = table.written(key) else { continue };
         if axes.len() > MOST_AXES || cases(axes) > MOST_CASES {
             continue;
@@ -185,10 +204,12 @@ enum Spacing {
 
 /// `steps` values from one to the other, both included.
 fn read_range(mut range: TableReader<'_>, name: &str) -> Option<Values> {
-    for (end, example) in [("from", "0.1"), ("to", "0.95"), ("steps", "18")] {
-        range.require(end, example);
+    let ends = [("from", "0.1"), ("to", "0.95")];
+    for (key, example) in ends.into_iter().chain([("steps", "18")]) {
+        range.require(key, example);
     }
-    let [from, to] = ["from", "to"].map(|end| {
+    let [from, to] = ends.map(|(end, example)| {
+        range.note(end, Form::Value, example);
         let written = range.written(end)?;
         match read_value(written.get_ref()) {
             Some((unit, AxisValue::Number(number))) => Some((unit, number)),

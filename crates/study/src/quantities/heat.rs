@@ -18,7 +18,7 @@ use crate::thermal_model::ThermalModel;
 rows! {
     /// `t_m`: temperature of the film, one for all of it; with `[heat]` the one at which `P + P_e = P_oil + P_h`; none where the oil has
     /// one viscosity
-    TEMPERATURE_EFFECTIVE = "temperature_effective", "t_m", Celsius, "temperature of the film":
+    TEMPERATURE_EFFECTIVE = "temperature_effective", "t_m", Celsius, "mean temperature of the film":
         One(|film| Some(film.base.oil.temperature? - ZERO_CELSIUS)),
         ErrorRule::Temperature(|_| Some(1.0)), only(is_by_temperature) headline(Headline::Always(8));
 

@@ -1,10 +1,10 @@
-//! Maps of cells: what became of each case of a grid, by colour and a word.
+//! The picture of the map: what became of each case of a grid, by colour and a word.
 
-use oilwedge_drawing::{Cell as Painted, CellGrid, Colour, ColourMap, Figure, Label, PAGE_WIDTH};
+use oilwedge_drawing::{Cell, CellGrid, Colour, ColourMap, Figure, Label, PAGE_WIDTH};
 
 /// What became of one case.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Cell {
+pub enum Outcome {
     /// An answer, after so many iterations.
     Answer(usize),
     /// There is none, as expected; a word or number that gives the reason.
@@ -27,7 +27,7 @@ pub struct CellMap {
     /// A word for each row, from below.
     pub rows: Vec<String>,
     /// Rows of cells, from below.
-    pub cells: Vec<Vec<Cell>>,
+    pub cells: Vec<Vec<Outcome>>,
 }
 
 /// Iterations of the darkest cells.
@@ -69,16 +69,16 @@ fn grid(map: &CellMap) -> CellGrid {
 }
 
 /// Colour of a cell and its word.
-fn painted(cell: &Cell) -> Painted {
+fn painted(cell: &Outcome) -> Cell {
     let (fill, word) = match cell {
-        Cell::Answer(iterations) => {
+        Outcome::Answer(iterations) => {
             let share = *iterations as f64 / MANY;
             (ColourMap::Devon.colour(0.06 + 0.94 * share), iterations.to_string())
         }
-        Cell::Absent(word) => (SAND, word.clone()),
-        Cell::Unexplained(word) => (UNKNOWN, word.clone()),
+        Outcome::Absent(word) => (SAND, word.clone()),
+        Outcome::Unexplained(word) => (UNKNOWN, word.clone()),
     };
-    Painted {
+    Cell {
         fill,
         word: Label::plain(&word),
     }
@@ -97,8 +97,8 @@ mod tests {
             y: "slenderness".into(),
             rows: vec!["1".into(), "2".into()],
             cells: vec![
-                vec![Cell::Answer(7), Cell::Absent("limit".into())],
-                vec![Cell::Answer(23), Cell::Unexplained("?".into())],
+                vec![Outcome::Answer(7), Outcome::Absent("limit".into())],
+                vec![Outcome::Answer(23), Outcome::Unexplained("?".into())],
             ],
         };
         let svg = cells_to_svg(&[map.clone(), map]);
@@ -113,6 +113,6 @@ mod tests {
         ] {
             assert!(svg.contains(word), "no {word:?} in {svg}");
         }
-        assert!(crate::plot::to_png(&svg).is_ok());
+        assert!(oilwedge_drawing::to_png(&svg).is_ok());
     }
 }

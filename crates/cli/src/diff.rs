@@ -1,0 +1,159 @@
+//! `oilwedge diff`: what differs between two scenes or results.
+
+use crate::complain::{Failure, printable};
+use crate::readable::significant;
+use crate::terminal::{output, table};
+use oilwedge_report::difference::{Changed, ChangedQuantity, Difference, of_results};
+use oilwedge_report::readable::readable_unit_of;
+use oilwedge_report::results::RESULT_FILE;
+use oilwedge_report::{json, result_json};
+use oilwedge_study::RunOptions;
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// Arguments of `oilwedge diff`.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Diff {
+    /// A scene, which is solved, or the folder of its results.
+    #[arg(value_name = "A")]
+    a: PathBuf,
+
+    /// Another one.
+    #[arg(value_name = "B")]
+    b: PathBuf,
+
+    /// Print one JSON object instead of tables.
+    #[arg(long)]
+    json: bool,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  oilwedge diff before.toml after.toml      changed keys and quantities
+  oilwedge diff out/before out/after        of results that are there already
+  oilwedge diff a.toml b.toml --json | jq '.quantities[] | select(.exceeds_bars)'
+
+A change exceeds the error bars if it is more than the sum of both: then they do not overlap. A change below round-off is none.
+Exit status: 0 equal; 1 different; 2 bad scene, folder or arguments.";
+
+impl Diff {
+    /// Prints what differs.
+    ///
+    /// # Errors
+    /// [`Failure`]: a scene or folder cannot be used.
+    pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
+        let difference = of_results(&result(&self.a)?, &result(&self.b)?)?;
+        output(self.json, || json(&difference), || in_words(&difference), None)?;
+        Ok(match difference.is_none() {
+            true => ExitCode::SUCCESS,
+            false => ExitCode::from(1),
+        })
+    }
+}
+
+/// The result in a folder, or that of a scene.
+fn result(path: &Path) -> Result<Value, Failure> {
+    let cannot = |path: &Path, why: &dyn std::fmt::Display| {
+        Failure::Message(format!(
+            "cannot read {}: {why}; give a scene, or a folder of oilwedge solve",
+            path.display()
+        ))
+    };
+    let value = |path: &Path, text: &str| serde_json::from_str(text).map_err(|error| cannot(path, &error));
+    if path.is_dir() {
+        let file = path.join(RESULT_FILE);
+        let text = std::fs::read_to_string(&file).map_err(|error| cannot(&file, &error))?;
+        let result: Value = value(&file, &text)?;
+        if !result["quantities"].is_object() {
+            return Err(cannot(&file, &"it is no result of oilwedge solve"));
+        }
+        return Ok(result);
+    }
+    let scene = oilwedge_study::read(path)?;
+    let mut options = RunOptions::default();
+    if scene.tolerance.is_none() {
+        options.max_seconds = f64::INFINITY;
+    }
+    let run = oilwedge_study::run(&scene, &options).map_err(Failure::of(path))?;
+    value(path, &result_json(&run.result, &[])?)
+}
+
+fn in_words(difference: &Difference) -> String {
+    if difference.is_none() {
+        return "equal\n".to_owned();
+    }
+    let mut text = String::new();
+    for (name, changed) in [("keys", &difference.keys), ("results", &difference.facts)] {
+        for (place, changed) in changed.iter().enumerate() {
+            let head = if place == 0 { name } else { "" };
+            text += &format!("{head:8}  {}\n", line(changed));
+        }
+    }
+    if !difference.quantities.is_empty() {
+        let mut rows = table(
+            ["quantity", "A", "B", "change", "both bars", "unit", "exceeds the bars"],
+            1..5,
+        );
+        rows.add_rows(difference.quantities.iter().map(cells));
+        text += &format!("{rows}\n{}\n", verdict(&difference.quantities));
+    }
+    text
+}
+
+/// How many of the changes exceed their bars, and how many are in doubt.
+fn verdict(quantities: &[ChangedQuantity]) -> String {
+    let count = |wanted| quantities.iter().filter(|it| it.exceeds_bars == wanted).count();
+    let (more, unknown) = (count(Some(true)), count(None));
+    let unknown = match unknown {
+        0 => String::new(),
+        unknown => format!("; of {unknown} it is not known"),
+    };
+    format!(
+        "{more} of {} changed quantities exceed both error bars together{unknown}",
+        quantities.len()
+    )
+}
+
+/// Digits of a check sum that are shown.
+const SUM: usize = 12;
+
+fn line(changed: &Changed) -> String {
+    let shown = |value: &Value| match value {
+        Value::Null => "absent".to_owned(),
+        Value::String(sum) if changed.key.ends_with("sha256") => sum.chars().take(SUM).collect(),
+        Value::Array(items) if items.is_empty() => "none".to_owned(),
+        value => printable(&value.to_string()),
+    };
+    format!(
+        "{}: {} -> {}",
+        printable(&changed.key),
+        shown(&changed.a),
+        shown(&changed.b)
+    )
+}
+
+fn cells(quantity: &ChangedQuantity) -> [String; 7] {
+    let greatest = [quantity.a, quantity.b]
+        .into_iter()
+        .flatten()
+        .fold(0.0, |most: f64, value| most.max(value.abs()));
+    let (unit, size) = readable_unit_of(greatest, &quantity.unit);
+    let number =
+        |number: Option<f64>, digits| number.map_or("none".to_owned(), |number| significant(number / size, digits));
+    let verdict = match quantity.exceeds_bars {
+        Some(true) => "yes",
+        Some(false) => "no",
+        None => "not known",
+    };
+    [
+        printable(&quantity.name),
+        number(quantity.a, 6),
+        number(quantity.b, 6),
+        number(quantity.change, 3),
+        number(quantity.bars, 3),
+        unit.to_owned(),
+        verdict.to_owned(),
+    ]
+}

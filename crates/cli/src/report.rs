@@ -1,0 +1,127 @@
+//! `oilwedge report`: the HTML page of results in a folder; and `--report`, `--open` of other verbs.
+
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+use std::process::{Command, ExitCode, Stdio};
+
+use oilwedge_report::convergence::REPORT_FILE as STUDY_FILE;
+use oilwedge_report::folder::replace;
+use oilwedge_report::page::{PAGE_FILE, convergence_page, film_page, sweep_page};
+use oilwedge_report::results::{PICTURE_FILE, RESULT_FILE};
+use oilwedge_report::sweep::REPORT_FILE as SWEEP_FILE;
+use oilwedge_report::vtu_read::from_vtu;
+
+use crate::complain::{self, Failure};
+use crate::plot::{read, text, value};
+use crate::terminal::print;
+
+/// Arguments of verbs that write results.
+#[derive(Debug, Clone, Copy, clap::Args)]
+pub(crate) struct PageArguments {
+    /// Write report.html into the folder of the results: one page with everything, which needs no network.
+    #[arg(long)]
+    report: bool,
+
+    /// Write report.html, and open it in the browser.
+    #[arg(long)]
+    open: bool,
+}
+
+impl PageArguments {
+    /// Whether a page is wanted.
+    pub(crate) fn is_wanted(self) -> bool {
+        self.report || self.open
+    }
+
+    /// Writes the page into the folder, and opens it where that is wanted; returns the line that says so.
+    ///
+    /// # Errors
+    /// [`Failure`]: it cannot be written.
+    pub(crate) fn written(self, folder: &Path, page: Option<String>) -> Result<String, Failure> {
+        let Some(page) = page else { return Ok(String::new()) };
+        replace(folder, &[(OsStr::new(PAGE_FILE), Some(page.as_bytes()))])?;
+        let path = folder.join(PAGE_FILE);
+        if self.open {
+            open(&path);
+        }
+        Ok(format!("report    {}\n", path.display()))
+    }
+}
+
+/// Opens a file in the browser; where there is none, a warning says so.
+fn open(path: &Path) {
+    let program = match std::env::consts::OS {
+        "macos" => "open",
+        "windows" => "explorer",
+        _ => "xdg-open",
+    };
+    let started = Command::new(program)
+        .arg(path)
+        .stdin(Stdio::null())
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn();
+    if let Err(error) = started {
+        complain::warn(&[format!(
+            "{} is written, but no browser could be opened: {program}: {error}",
+            path.display()
+        )]);
+    }
+}
+
+/// Arguments of `oilwedge report`.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Report {
+    /// A folder with the results of solve, sweep or converge.
+    #[arg(value_name = "DIR")]
+    of: PathBuf,
+
+    /// Open the page in the browser.
+    #[arg(long)]
+    open: bool,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  oilwedge report out/bearing
+  oilwedge report out/bearing --open
+
+Writes report.html into the folder. oilwedge solve, sweep and converge write it too, with --report or --open.
+
+Exit status: 0 done; 2 there are no results, or they cannot be read.";
+
+impl Report {
+    /// Writes the page.
+    ///
+    /// # Errors
+    /// [`Failure`]: there are no results, or the page cannot be written.
+    pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
+        let [result, sweep, study] = [RESULT_FILE, SWEEP_FILE, STUDY_FILE].map(|name| self.of.join(name));
+        let page = if result.is_file() {
+            let picture = self.of.join(PICTURE_FILE);
+            let picture = match picture.is_file() {
+                true => Some(from_vtu(&read(&picture)?).map_err(Failure::of_file(&picture))?),
+                false => None,
+            };
+            film_page(&value(&text(&result)?)?, picture.as_ref()).map_err(Failure::of_file(&result))?
+        } else if sweep.is_file() {
+            sweep_page(&value(&text(&sweep)?)?).map_err(Failure::of_file(&sweep))?
+        } else if study.is_file() {
+            let svg = study.with_extension("svg");
+            let svg = svg.is_file().then(|| text(&svg)).transpose()?;
+            convergence_page(&value(&text(&study)?)?, svg.as_deref()).map_err(Failure::of_file(&study))?
+        } else {
+            return Err(Failure::Message(format!(
+                "{} has no {RESULT_FILE}, {SWEEP_FILE} or {STUDY_FILE}; give a folder of oilwedge solve, sweep or converge",
+                self.of.display()
+            )));
+        };
+        let arguments = PageArguments {
+            report: true,
+            open: self.open,
+        };
+        print(&arguments.written(&self.of, Some(page))?, Some(&self.of))?;
+        Ok(ExitCode::SUCCESS)
+    }
+}

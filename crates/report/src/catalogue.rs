@@ -1,0 +1,189 @@
+//! All that this program has words for, in one list: keys of scenes, quantities, effects, fields and kinds of warnings.
+
+use oilwedge_scene::catalogue::keys;
+use oilwedge_scene::keys::Key;
+use oilwedge_scene::spelling::nearest;
+use oilwedge_study::effects::{EFFECTS, Effect};
+use oilwedge_study::fields::{FILE_FIELDS, FieldRow};
+use oilwedge_study::quantities::{CATALOGUE, Row};
+use oilwedge_study::warning::{KINDS, Kind};
+use serde::{Serialize, Serializer};
+
+/// Stands for the name of a region in that of a family.
+const REGION: &str = "GROUP";
+
+/// Column of symbols.
+const SYMBOL: &str = "symbol";
+/// Fewest letters by which a part of a name is recognised.
+const PART: usize = 3;
+
+/// One row of a catalogue in words.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Entry {
+    /// Which catalogue it is of: `key`, `quantity`, `effect`, `field` or `warning`.
+    pub kind: &'static str,
+    /// Its name there.
+    pub name: String,
+    /// What it is, in a sentence.
+    pub what: String,
+    /// Further columns of its row, each with its name; those without a content are absent.
+    #[serde(serialize_with = "as_map")]
+    pub columns: Vec<(&'static str, String)>,
+}
+
+fn as_map<S: Serializer>(columns: &[(&'static str, String)], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(columns.iter().map(|(name, text)| (name, text)))
+}
+
+/// All entries, catalogue by catalogue.
+pub fn entries() -> Vec<Entry> {
+    let keys = keys().map(of_key);
+    let quantities = CATALOGUE.iter().map(|row| of_quantity(row));
+    let effects = EFFECTS.iter().map(|effect| of_effect(effect));
+    let fields = FILE_FIELDS.iter().map(|field| of_field(field));
+    let warnings = KINDS.iter().map(|kind| of_warning(kind));
+    keys.chain(quantities)
+        .chain(effects)
+        .chain(fields)
+        .chain(warnings)
+        .collect()
+}
+
+impl Entry {
+    fn new<const N: usize>(kind: &'static str, name: &str, what: &str, columns: [(&'static str, String); N]) -> Self {
+        Self {
+            kind,
+            name: name.to_owned(),
+            what: what.to_owned(),
+            columns: columns.into_iter().filter(|(_, text)| !text.is_empty()).collect(),
+        }
+    }
+
+    /// Whether it is meant by `name`: its whole name, the last part of it, as `clearance` of `bearing.clearance` or `jfo` of `cavitation: jfo`, or its
+    /// symbol.
+    fn is_meant_by(&self, name: &str) -> bool {
+        let is_member = |family: &str| name.strip_prefix(family).is_some_and(|region| !region.is_empty());
+        let is_of_family = self.name.strip_suffix(REGION).is_some_and(is_member);
+        self.name == name
+            || is_of_family
+            || self.short_name() == name
+            || self.columns.contains(&(SYMBOL, name.to_owned()))
+    }
+
+    fn short_name(&self) -> &str {
+        // Fields have their unit in their name, regions stand in that of a family.
+        let own = self.name.split(" [").next().unwrap_or_default();
+        let own = own.strip_suffix(REGION).unwrap_or(own).trim_end_matches('.');
+        own.rsplit(['.', ' ']).next().unwrap_or(own)
+    }
+}
+
+fn of_key(key: &Key) -> Entry {
+    let columns = [
+        ("form", key.forms_in_words()),
+        ("range", key.range_in_words()),
+        ("if absent", key.absent.to_owned()),
+        ("example", key.example.to_owned()),
+        ("keys", keys_below(key)),
+    ];
+    Entry::new("key", key.path, key.what, columns)
+}
+
+/// The names of the keys of a table.
+fn keys_below(table: &Key) -> String {
+    let names = keys().filter_map(|key| {
+        let (path, name) = key.table_and_name();
+        (path == table.path).then_some(name)
+    });
+    names.collect::<Vec<_>>().join(", ")
+}
+
+fn of_quantity(row: &Row) -> Entry {
+    let columns = [
+        (SYMBOL, row.symbol.to_owned()),
+        ("unit", row.unit.name().to_owned()),
+        ("definition", row.definition.to_owned()),
+        ("error bar", row.error.sentence().to_owned()),
+        (
+            "tolerance",
+            if row.may_be_tolerance { "may be one" } else { "" }.to_owned(),
+        ),
+    ];
+    let region = if row.is_family() { REGION } else { "" };
+    Entry::new("quantity", &format!("{}{region}", row.name), row.what, columns)
+}
+
+fn of_effect(effect: &Effect) -> Entry {
+    let instead = match effect.instead {
+        "" => "another question is asked, so it is not left out for comparison",
+        instead => instead,
+    };
+    Entry::new(
+        "effect",
+        effect.name,
+        effect.sentence,
+        [("without it", instead.to_owned())],
+    )
+}
+
+fn of_field(field: &FieldRow) -> Entry {
+    let columns = [(SYMBOL, field.symbol.to_owned()), ("unit", field.unit.to_owned())];
+    Entry::new("field", field.name, field.what, columns)
+}
+
+fn of_warning(kind: &Kind) -> Entry {
+    Entry::new("warning", kind.code, kind.sentence, [])
+}
+
+/// The entries that `name` means; the one with this whole name alone, if it is a path.
+///
+/// # Errors
+/// There is none; the nearest name, if one looks alike.
+pub fn explain(name: &str) -> Result<Vec<Entry>, Option<String>> {
+    let all = entries();
+    let meant: Vec<_> = all.iter().filter(|entry| entry.is_meant_by(name)).cloned().collect();
+    if meant.is_empty() {
+        let names = || all.iter().flat_map(|entry| [entry.name.as_str(), entry.short_name()]);
+        let is_part = |whole: &&str| name.len() >= PART && whole.contains(name);
+        let near = nearest(name, names()).or_else(|| names().find(is_part));
+        return Err(near.map(str::to_owned));
+    }
+    Ok(meant)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_row_has_a_name_of_its_own_and_a_sentence() {
+        let entries = entries();
+        for (place, entry) in entries.iter().enumerate() {
+            assert!(!entry.name.is_empty() && !entry.what.is_empty(), "{entry:?}");
+            let is_same = |other: &Entry| other.kind == entry.kind && other.name == entry.name;
+            assert!(!entries[..place].iter().any(is_same), "{entry:?}");
+        }
+    }
+
+    #[test]
+    fn names_are_found_whole_and_by_their_last_part() {
+        let found = |name: &str| {
+            let entries = explain(name).unwrap_or_else(|near| panic!("{name}: {near:?}"));
+            entries
+                .iter()
+                .map(|entry| format!("{} {}", entry.kind, entry.name))
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(found("bearing.clearance"), ["key bearing.clearance"]);
+        assert_eq!(found("clearance"), ["key bearing.clearance"]);
+        assert_eq!(found("load"), ["key load", "quantity load"]);
+        assert_eq!(found("feed_flow.groove"), ["quantity feed_flow.GROUP"]);
+        assert_eq!(found("jfo"), ["effect cavitation: jfo"]);
+        assert_eq!(found("unresolved"), ["warning unresolved"]);
+        assert_eq!(found("volume_flow"), ["field volume_flow [m2/s]"]);
+        assert_eq!(found("beta"), ["quantity attitude_angle"]);
+        assert_eq!(explain("attitude"), Err(Some("attitude_angle".to_owned())));
+        assert_eq!(explain("pressure_mx"), Err(Some("pressure_max".to_owned())));
+        assert_eq!(explain("zeppelin"), Err(None));
+    }
+}

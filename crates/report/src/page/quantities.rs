@@ -1,0 +1,193 @@
+//! The quantities of a run as the page shows them, from the object of `result.json`.
+
+use oilwedge_study::effects::{EFFECTS, Effects};
+use oilwedge_study::quantities::{CATALOGUE, Row};
+use oilwedge_study::result::headlines;
+use serde::Serialize;
+use serde_json::Value;
+
+use crate::digits::{bar, quantity_value};
+use crate::readable::{printed_symbol, printed_unit, readable_unit};
+
+/// Digits of a value without a bar.
+const DIGITS: usize = 6;
+/// Digits as powers.
+const SUPERSCRIPTS: [char; 10] = [
+    '\u{2070}', '\u{b9}', '\u{b2}', '\u{b3}', '\u{2074}', '\u{2075}', '\u{2076}', '\u{2077}', '\u{2078}', '\u{2079}',
+];
+/// Cards at the head of the page.
+const CARDS: usize = 8;
+
+/// A quantity.
+#[derive(Debug, Clone, Serialize)]
+pub(super) struct Shown {
+    #[serde(skip)]
+    row: &'static Row,
+    name: String,
+    what: &'static str,
+    definition: &'static str,
+    /// HTML.
+    symbol: String,
+    value: String,
+    unit: String,
+    /// The value in SI.
+    si: String,
+    bar: String,
+    /// The bar in SI; empty where there is none.
+    bar_si: String,
+    parts: Vec<Part>,
+}
+
+/// A part of an error bar.
+#[derive(Debug, Clone, Serialize)]
+struct Part {
+    name: String,
+    value: String,
+    si: String,
+}
+
+/// All quantities of a run, in the order of the catalogue.
+pub(super) fn quantities(result: &Value) -> Vec<Shown> {
+    let Some(all) = result["quantities"].as_object() else {
+        return Vec::new();
+    };
+    let has_bars = result["bars"].as_bool().unwrap_or(false);
+    let of_row = |row: &'static Row| all.iter().filter(|(name, _)| row.has(name)).map(move |it| (row, it));
+    CATALOGUE
+        .iter()
+        .flat_map(|row| of_row(row))
+        .filter_map(|(row, (name, it))| shown(row, name, it, has_bars))
+        .collect()
+}
+
+fn shown(row: &'static Row, name: &str, it: &Value, has_bars: bool) -> Option<Shown> {
+    let value = it["value"].as_f64()?;
+    let error = it["error"].as_f64();
+    let (unit, size) = readable_unit(value, row.unit);
+    let words = match error {
+        Some(0.0) => "exact".to_owned(),
+        Some(error) => format!("\u{b1} {}", with_minus(bar(error / size))),
+        None if has_bars => "not resolved".to_owned(),
+        None => "not estimated".to_owned(),
+    };
+    let parts = it["error_parts"].as_object();
+    let parts = parts.into_iter().flatten().filter_map(|(part, value)| {
+        let value = value.as_f64().filter(|value| *value > 0.0)?;
+        Some(Part {
+            name: part.clone(),
+            value: with_minus(bar(value / size)),
+            si: format!("{value}"),
+        })
+    });
+    Some(Shown {
+        row,
+        name: in_words(name),
+        what: row.what,
+        definition: row.definition,
+        symbol: html_symbol(row.symbol),
+        value: with_minus(quantity_value(value / size, error.map(|error| error / size), DIGITS)),
+        unit: shown_unit(unit),
+        si: format!("{value}"),
+        bar: words,
+        bar_si: error.map(|error| format!("{error}")).unwrap_or_default(),
+        parts: parts.collect(),
+    })
+}
+
+/// A unit with its true letters; nothing for a pure number.
+pub(super) fn shown_unit(unit: &str) -> String {
+    match unit {
+        "1" => String::new(),
+        unit => printed_unit(unit),
+    }
+}
+
+/// A number with a true minus, and a power of ten in place of an exponent.
+pub(super) fn with_minus(number: String) -> String {
+    let (mantissa, exponent) = number.split_once('e').unwrap_or((&number, ""));
+    let power = |letter: char| match letter {
+        '-' => '\u{207b}',
+        digit => digit.to_digit(10).map_or(digit, |digit| SUPERSCRIPTS[digit as usize]),
+    };
+    let power: String = exponent.chars().map(power).collect();
+    let ten = if power.is_empty() { "" } else { "\u{b7}10" };
+    format!("{}{ten}{power}", mantissa.replace('-', "\u{2212}"))
+}
+
+/// A quantity's name in words; what it is of stands behind a comma.
+pub(super) fn in_words(name: &str) -> String {
+    name.replace('.', ", ").replace('_', " ")
+}
+
+/// The quantities at the head of the page.
+pub(super) fn cards<'a>(all: &'a [Shown], result: &Value) -> Vec<&'a Shown> {
+    let effects = Effects {
+        simulated: simulated(result).collect(),
+        not_simulated: Vec::new(),
+    };
+    let mut cards = headlines(all, |it| it.row, &effects);
+    cards.truncate(CARDS);
+    cards
+}
+
+/// The effects of a run.
+pub(super) fn simulated(result: &Value) -> impl Iterator<Item = &'static oilwedge_study::effects::Effect> {
+    let names = result["effects"]["simulated"].as_array().into_iter().flatten();
+    names.filter_map(|name| {
+        EFFECTS
+            .iter()
+            .copied()
+            .find(|effect| Some(effect.name) == name.as_str())
+    })
+}
+
+/// A symbol as HTML.
+pub(super) fn html_symbol(symbol: &str) -> String {
+    let escaped = symbol.replace('&', "&amp;").replace('<', "&lt;");
+    let marked = printed_symbol(&escaped);
+    let mut is_open = false;
+    let mut html = String::new();
+    for letter in marked.chars() {
+        match letter {
+            '*' => {
+                html += if is_open { "</i>" } else { "<i>" };
+                is_open = !is_open;
+            }
+            letter => html.push(letter),
+        }
+    }
+    html.replace("_{", "<sub>").replace('}', "</sub>")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn symbols_have_letters_and_indices() {
+        assert_eq!(html_symbol("phi_W"), "<i>\u{3c6}</i><sub>W</sub>");
+        assert_eq!(html_symbol("eps"), "<i>\u{3b5}</i>");
+        assert_eq!(
+            with_minus("-2.6e-13".to_owned()),
+            "\u{2212}2.6\u{b7}10\u{207b}\u{b9}\u{b3}"
+        );
+        assert_eq!(with_minus("4.5".to_owned()), "4.5");
+    }
+
+    #[test]
+    fn a_quantity_is_shown_with_the_digits_of_its_bar() {
+        let result = serde_json::json!({ "bars": true, "quantities": {
+            "load": { "symbol": "W", "value": 5000.0, "unit": "N", "error": null, "error_parts": null },
+            "friction_power": { "symbol": "P", "value": 179.612, "unit": "W", "error": 0.28, "error_parts": { "front": 0.2, "algebra": 0.0 } } } });
+        let shown = quantities(&result);
+        assert_eq!(
+            (shown[0].value.as_str(), shown[0].bar.as_str()),
+            ("5.00000", "not resolved")
+        );
+        assert_eq!(
+            (shown[1].value.as_str(), shown[1].bar.as_str()),
+            ("179.61", "\u{b1} 0.28")
+        );
+        assert_eq!(shown[1].parts.len(), 1);
+    }
+}

@@ -1,0 +1,307 @@
+//! The JSON schema (draft 7) of scenes, made of the catalogue of keys: for editors, and for tools that check TOML by a schema.
+//!
+//! It knows forms, units and words, not the ranges of numbers nor keys that must fit each other: these are checked by the program alone.
+
+use oilwedge_scene::SWEPT;
+use oilwedge_scene::catalogue::keys;
+use oilwedge_scene::keys::{Form, Key};
+use oilwedge_scene::sweep::SHORT_NAMES;
+use oilwedge_scene::unit::Dimension;
+use oilwedge_study::quantities::CATALOGUE;
+use serde_json::{Map, Value, json};
+
+/// Title of the schema, by which its files are known.
+pub const TITLE: &str = "Scene of oilwedge";
+/// A finite decimal number.
+const NUMBER: &str = r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?";
+/// A product: a point, a star or a space.
+const TIMES: &str = r"[\s.*·⋅]";
+
+/// The schema.
+pub fn schema() -> Value {
+    let dimensions = Dimension::all().map(|dimension| (definition(dimension), quantity(dimension)));
+    let axes = swept().filter_map(|key| Some((key.path.to_owned(), axis(key)?)));
+    let mut schema = table("");
+    schema["$schema"] = json!("http://json-schema.org/draft-07/schema#");
+    schema["title"] = json!(TITLE);
+    schema["description"] = json!("One journal bearing. A table that is absent is an effect that is not simulated.");
+    schema["definitions"] = Value::Object(dimensions.chain(axes).collect());
+    schema
+}
+
+fn definition(dimension: Dimension) -> String {
+    format!("{dimension:?}")
+}
+
+/// A quantity in any spelling of its units that scenes accept.
+fn quantity(dimension: Dimension) -> Value {
+    let units: Vec<_> = dimension.units().iter().map(|(unit, _)| unit_pattern(unit)).collect();
+    json!({
+        "type": "string",
+        "pattern": format!(r"^\s*{NUMBER}\s*({})\s*$", units.join("|")),
+        "description": format!("{} with its unit: {}", dimension.name(), dimension.unit_names()),
+        "examples": [dimension.example()],
+    })
+}
+
+/// A pattern of the spellings of a unit: `um`, `µm`; `Pa.s`, `Pa s`, `Pa·s`; `mm2`, `mm^2`, `mm²`; `rad/s`, `rad s^-1`.
+pub fn unit_pattern(unit: &str) -> String {
+    let direct = letters(unit);
+    match unit.rsplit_once('/') {
+        Some((front, last))
+            if !last.contains(['(', '.']) && !last.ends_with(|letter: char| letter.is_ascii_digit()) =>
+        {
+            let front = match front {
+                "1" => String::new(),
+                front => format!("{}{TIMES}+", letters(front)),
+            };
+            format!(r"{direct}|{front}{}\^?[-⁻][1¹]", letters(last))
+        }
+        _ => direct,
+    }
+}
+
+fn letters(unit: &str) -> String {
+    let unit = unit.replace("deg", "°");
+    let spelled = unit.chars().enumerate().map(|(place, letter)| match letter {
+        'u' if place == 0 => "[uµμ]".to_owned(),
+        '°' => "(deg|°)".to_owned(),
+        '.' => format!("{TIMES}+"),
+        '/' => format!("{TIMES}*/{TIMES}*"),
+        '2' => r"\^?[2²]".to_owned(),
+        '3' => r"\^?[3³]".to_owned(),
+        '(' | ')' => format!(r"\{letter}"),
+        letter => letter.to_string(),
+    });
+    spelled.collect()
+}
+
+/// The keys of the table at `path`; the empty path is the whole scene.
+fn children(path: &str) -> impl Iterator<Item = (&'static Key, &'static str)> + '_ {
+    keys().filter_map(move |key| {
+        let (table, name) = key.table_and_name();
+        (table == path).then_some((key, name))
+    })
+}
+
+/// A table with its keys, and no others.
+fn table(path: &str) -> Value {
+    let required: Vec<_> = children(path)
+        .filter(|(key, _)| key.is_required())
+        .map(|(_, name)| name)
+        .collect();
+    match path {
+        "sweep" => return sweep(),
+        "mesh.tolerance" => return tolerances(),
+        _ => (),
+    }
+    let properties: Map<_, _> = children(path)
+        .map(|(key, name)| (name.to_owned(), of_key(key)))
+        .collect();
+    let mut table = json!({ "type": "object", "properties": properties, "additionalProperties": false });
+    if !required.is_empty() {
+        table["required"] = json!(required);
+    }
+    table
+}
+
+/// A key in any of its forms, with its row in words.
+fn of_key(key: &Key) -> Value {
+    let forms = key.forms.iter().map(|form| of_form(key, form)).collect();
+    let mut schema = any_of(forms).unwrap_or_default();
+    let mut words = key.what.to_owned();
+    for (name, text) in [("absent", key.absent.to_owned()), ("range", key.range_in_words())] {
+        if !text.is_empty() {
+            words += &format!("\n{name}: {text}");
+        }
+    }
+    schema["description"] = json!(words);
+    if !key.example.is_empty() {
+        schema["examples"] = json!([example(key)]);
+    }
+    schema
+}
+
+/// One schema, or any of several.
+fn any_of(mut forms: Vec<Value>) -> Option<Value> {
+    match forms.len() {
+        0 | 1 => forms.pop(),
+        _ => Some(json!({ "anyOf": forms })),
+    }
+}
+
+fn example(key: &Key) -> Value {
+    match key.forms[0] {
+        Form::Number => serde_json::from_str(key.example).unwrap_or(Value::Null),
+        Form::Texts => serde_json::from_str(&format!("[{}]", key.example)).unwrap_or(Value::Null),
+        _ => json!(key.example),
+    }
+}
+
+fn of_form(key: &Key, form: &Form<'_>) -> Value {
+    match form {
+        Form::Quantity(dimension) => json!({ "allOf": [reference(*dimension)] }),
+        Form::Number => json!({ "type": "number" }),
+        Form::Text => json!({ "type": "string", "pattern": r"\S" }),
+        Form::Texts => json!({ "type": "array", "items": { "type": "string", "pattern": r"\S" }, "minItems": 1 }),
+        Form::Choice(words) => json!({ "enum": words }),
+        Form::Table => table(key.path),
+        Form::Tables => json!({ "type": "array", "items": table(key.path) }),
+        Form::Value => json!({ "type": ["number", "string"] }),
+        Form::Values => json!({ "type": "array", "items": { "type": ["number", "string"] }, "minItems": 1 }),
+    }
+}
+
+fn reference(dimension: Dimension) -> Value {
+    json!({ "$ref": format!("#/definitions/{}", definition(dimension)) })
+}
+
+/// Ratios by name of quantity; TOML reads `feed_flow.GROUP` as a table unless it is quoted.
+fn tolerances() -> Value {
+    let ratio = reference(Dimension::Ratio);
+    let (mut properties, mut patterns) = (Map::new(), Map::new());
+    for row in CATALOGUE.iter().filter(|row| row.may_be_tolerance) {
+        match row.name.strip_suffix('.') {
+            Some(family) => {
+                let region = json!({ "anyOf": [ratio, { "type": "object" }] });
+                properties.insert(
+                    family.to_owned(),
+                    json!({ "type": "object", "additionalProperties": region }),
+                );
+                patterns.insert(format!(r"^{family}\..+$"), ratio.clone());
+            }
+            None => drop(properties.insert(row.name.to_owned(), ratio.clone())),
+        }
+    }
+    json!({
+        "type": "object",
+        "properties": properties,
+        "patternProperties": patterns,
+        "additionalProperties": false,
+        "minProperties": 1,
+    })
+}
+
+/// The keys that a sweep can vary, below their tables.
+fn swept() -> impl Iterator<Item = &'static Key> {
+    keys().filter(|key| {
+        let (table, _) = key.path.split_once('.').unwrap_or_default();
+        SWEPT.contains(&table)
+    })
+}
+
+/// Axes by the names of keys: short, in quotes with their tables, or below their tables.
+fn sweep() -> Value {
+    let to = |path: &str| json!({ "$ref": format!("#/definitions/{path}") });
+    let mut properties: Map<_, _> = SHORT_NAMES
+        .iter()
+        .map(|(name, path)| ((*name).to_owned(), to(path)))
+        .collect();
+    let mut patterns = Map::new();
+    for key in swept().filter(|key| axis(key).is_some()) {
+        match key.path.strip_prefix("feed.") {
+            Some(rest) => patterns.insert(format!(r"^feed\..+\.{}$", rest.replace('.', r"\.")), to(key.path)),
+            None => properties.insert(key.path.to_owned(), to(key.path)),
+        };
+    }
+    for table in SWEPT {
+        properties.insert(table.to_owned(), axes(table));
+    }
+    properties.extend(
+        children("sweep")
+            .filter(|(key, _)| key.path == "sweep.columns")
+            .map(|(key, name)| (name.to_owned(), of_key(key))),
+    );
+    json!({
+        "type": "object",
+        "properties": properties,
+        "patternProperties": patterns,
+        "additionalProperties": false,
+        "minProperties": 1,
+    })
+}
+
+/// The axes of the keys of a table; those of a feed stand below the name of its region.
+fn axes(path: &str) -> Value {
+    let below = children(path).filter_map(|(key, name)| {
+        let own = axis(key).map(|_| json!({ "$ref": format!("#/definitions/{}", key.path) }));
+        let nested = key.forms.contains(&Form::Table).then(|| axes(key.path));
+        let schema = match (own, nested) {
+            (Some(own), Some(nested)) => json!({ "anyOf": [own, nested] }),
+            (own, nested) => own.or(nested)?,
+        };
+        Some((name.to_owned(), schema))
+    });
+    let mut table =
+        json!({ "type": "object", "properties": below.collect::<Map<_, _>>(), "additionalProperties": false });
+    if path == "mesh.tolerance" {
+        table = json!({ "type": "object" });
+    }
+    match path {
+        "feed" => json!({ "type": "object", "additionalProperties": table }),
+        _ => table,
+    }
+}
+
+/// The axis of a key; `None` of one that holds tables alone.
+fn axis(key: &Key) -> Option<Value> {
+    let is_table = |form: &&Form<'_>| matches!(form, Form::Table | Form::Tables);
+    let forms: Vec<_> = key.forms.iter().filter(|form| !is_table(form)).collect();
+    let is_number = |form: &&Form<'_>| matches!(form, Form::Quantity(_) | Form::Number);
+    let has_ranges = forms.iter().any(is_number);
+    let value = any_of(forms.into_iter().map(|form| of_form(key, form)).collect())?;
+    let list = json!({ "type": "array", "items": value, "minItems": 1 });
+    Some(match has_ranges {
+        true => json!({ "anyOf": [list, range(&value)] }),
+        false => list,
+    })
+}
+
+/// A range of an axis: its ends are values of the key.
+fn range(value: &Value) -> Value {
+    let keys = children("sweep.KEY").map(|(key, name)| {
+        let schema = match key.forms {
+            [Form::Value] => value.clone(),
+            _ => of_key(key),
+        };
+        (name.to_owned(), schema)
+    });
+    json!({
+        "type": "object",
+        "properties": keys.collect::<Map<_, _>>(),
+        "required": ["from", "to", "steps"],
+        "additionalProperties": false,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_key_has_a_place_in_the_schema() {
+        let schema = schema();
+        for key in keys().filter(|key| !key.path.contains(|letter: char| letter.is_ascii_uppercase())) {
+            let place = key.path.split('.').fold(&schema, |table, name| {
+                let forms = table["anyOf"]
+                    .as_array()
+                    .and_then(|forms| forms.iter().find(|form| form["type"] == "object"));
+                let table = forms.unwrap_or(table);
+                let table = if table["type"] == "array" {
+                    &table["items"]
+                } else {
+                    table
+                };
+                assert_eq!(table["additionalProperties"], false, "{}", key.path);
+                &table["properties"][name]
+            });
+            assert!(
+                place["description"]
+                    .as_str()
+                    .is_some_and(|words| words.starts_with(key.what)),
+                "{}",
+                key.path
+            );
+        }
+    }
+}
