@@ -79,7 +79,7 @@ fn check_tells_and_draws_the_liner() {
     assert_eq!(told.status, 0, "{}", told.stderr);
     for part in [
         "full ring, periodic; diameter 75 mm",
-        "\"hole_b\": hole of 8 mm at 240 deg, z = -12 mm, at 3.0000 bar",
+        "\"hole_b\": hole of 8 mm at 240 deg, z = -12 mm, at 3 bar",
         "AAAA",
         "A groove, B hole_a, C hole_b",
     ] {
