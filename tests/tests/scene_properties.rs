@@ -94,6 +94,8 @@ fn finite(scene: &Scene) -> bool {
     if let Viscosity::ByTemperature(TemperatureLaw::Grade(name)) = &mut scene.oil.viscosity {
         name.clear();
     }
+    // Words that the user chose may be any.
+    scene.text.clear();
     let told = format!("{scene:?}");
     !told.contains("NaN") && !told.contains("inf")
 }

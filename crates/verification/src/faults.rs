@@ -55,7 +55,7 @@ fn unanswered(result: &RunResult, faults: &mut Vec<String>) {
         faults.push("gives no reason".to_owned());
     }
     // A load below round-off is reported before anything is tried.
-    let is_zero = |reason: &String| reason.contains("rounding errors");
+    let is_zero = |reason: &String| reason.contains("round-off");
     let tried = !result.reason.as_ref().is_some_and(is_zero);
     let silent = tried && result.history.is_empty() && result.levels.is_empty();
     if result.status == oilwedge_study::result::Status::NotConverged && silent {
