@@ -45,6 +45,7 @@ fn refused(error: &SceneError, text: &str) {
 fn check(scene: &Scene) {
     let mut told = scene.clone();
     told.title.clear();
+    told.text.clear();
     told.mesh = MeshSource::Drawing { size: None };
     told.feeds.iter_mut().for_each(|feed| feed.group.clear());
     told.sweep = None;
