@@ -83,7 +83,6 @@ fn below(value: &DeValue<'_>, found: &mut Vec<(String, Range<usize>)>) {
 fn finite(scene: &Scene) -> bool {
     let mut scene = scene.clone();
     scene.title.clear();
-    scene.text.clear();
     scene.sweep = None;
     scene.feeds.iter_mut().for_each(|feed| feed.group.clear());
     if let MeshSource::File { path, .. } = &mut scene.mesh {
