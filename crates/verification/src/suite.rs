@@ -181,7 +181,13 @@ fn one(work: &Work, case: &Case, folder: &Path, number: usize) -> (Verdict, Answ
         Err(message) => Answer::Refused(message.clone()),
     };
     let seconds = clock.elapsed().as_secs_f64();
-    let mut faults = faults(case, &answer);
+    // Judged by the scene that was solved: a law found for the case is part of it.
+    let scene_solved = scene.clone().unwrap_or_else(|_| case.scene.clone());
+    let solved = Case {
+        scene: scene_solved,
+        ..case.clone()
+    };
+    let mut faults = faults(&solved, &answer);
     let mut second = Second::default();
     if let (Ok(scene), Answer::Run(run), true) = (&scene, &answer, faults.is_empty()) {
         second = against(&work.series, scene, run, &mut faults);

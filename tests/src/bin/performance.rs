@@ -1,14 +1,18 @@
 //! `performance [MAX_UNKNOWNS]`: times the program and writes the tables of `docs/performance.md` anew.
+//! `performance bearings`: only the table of bearings under load.
 //! `performance gate [PROGRAM]`: does the plain scene cost what the page records, or what another program needs for it?
 //! Build the program first (`cargo build --release`).
 
 use std::path::Path;
 use std::process::ExitCode;
 
+use oilwedge_tests::performance::bearings;
+use oilwedge_tests::performance::films::Films;
 use oilwedge_tests::performance::gate::{instructions, judged, recorded};
 use oilwedge_tests::performance::page::{SIZES, page};
 use oilwedge_tests::performance::process::{APART, answer};
 use oilwedge_tests::program::repository;
+use oilwedge_tests::tables::replace;
 
 fn main() -> std::io::Result<ExitCode> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -29,6 +33,10 @@ fn main() -> std::io::Result<ExitCode> {
             let (told, open) = judged(count, before);
             println!("{told}");
             return Ok(if open { ExitCode::SUCCESS } else { ExitCode::FAILURE });
+        }
+        Some("bearings") => {
+            let rows = bearings::rows(&Films::new(), &program);
+            std::fs::write(&path, replace(&written, "bearings", &rows))?;
         }
         most => {
             let most = most.and_then(|text| text.parse::<f64>().ok());
