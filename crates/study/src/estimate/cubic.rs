@@ -4,7 +4,7 @@ use oilwedge_fem::Field;
 use oilwedge_reynolds::error_bar::{Bar, FilmError, FlowGoal, Value};
 use oilwedge_reynolds::quantities::cavity::hidden_share;
 use oilwedge_reynolds::quantities::inlet::inlet_flows;
-use oilwedge_reynolds::supply::{BoundaryKind, SupplyRegion};
+use oilwedge_reynolds::supply::BoundaryKind;
 use oilwedge_reynolds::{FilmSolution, FilmSystem};
 
 use super::places::{self, PlacedPair};
@@ -79,13 +79,9 @@ impl Estimate for CubicPair<'_> {
 
     fn flow(&self, goal: &FlowGoal, Scaled { unit, change }: Scaled) -> Option<Bar> {
         let (_, error) = self.error.flows.iter().find(|(other, _)| other == goal)?;
-        let (size, unsure) = self.booked(goal);
-        let bar = self.error.flow(error, size, unsure, self.value);
+        let bar = self.error.flow(error, self.unsure(goal), self.value);
         // What a cavity makes beside an end is booked apart from the residuals, so that the two may change by another amount.
-        let discretisation = match self.has_smooth_flows() {
-            true => bar.discretisation,
-            false => bar.discretisation.max(change.abs() * unit),
-        };
+        let discretisation = bar.discretisation.max(change.abs() * unit);
         Some(Bar { discretisation, ..bar }.scaled(1.0 / unit))
     }
 
@@ -115,10 +111,7 @@ impl Estimate for CubicPair<'_> {
 
     fn power(&self, parts: [f64; 2], Scaled { unit, change }: Scaled) -> Bar {
         let per_unit = 1.0 / unit;
-        let size = self.judged().power.pressure.abs();
-        self.error
-            .drag(parts, size, change / per_unit, self.value)
-            .scaled(per_unit)
+        self.error.drag(parts, change / per_unit, self.value).scaled(per_unit)
     }
 
     fn cavity_power(&self, change: f64) -> Option<Bar> {
@@ -129,8 +122,7 @@ impl Estimate for CubicPair<'_> {
     /// Torque and load may both be off.
     fn friction_coefficient(&self, value: f64) -> Option<Bar> {
         let [quadratic, cubic] = self.measured.map(|measured| measured.power.friction());
-        let size = self.judged().power.pressure.abs();
-        let torque = self.error.drag([1.0, 1.0], size, cubic - quadratic, self.value);
+        let torque = self.error.drag([1.0, 1.0], cubic - quadratic, self.value);
         let (power, force) = (self.judged().power.friction(), self.judged().load.magnitude());
         let load = self.bars()[0].scaled(value / force);
         (!self.vanishes()).then(|| torque.scaled(value / power) + load)
@@ -202,12 +194,6 @@ impl CubicPair<'_> {
         }
     }
 
-    /// Whether the law of smooth films holds for flows too: there is no round rim, whose shape is not known to act on them.
-    fn has_smooth_flows(&self) -> bool {
-        let is_round = |region: &SupplyRegion| region.disc.is_some();
-        self.value == Value::Cubic && self.error.is_smooth && !self.film.system.supply.regions().iter().any(is_round)
-    }
-
     /// What was measured on the film whose numbers are judged.
     fn judged(&self) -> &Measured {
         match self.value {
@@ -246,8 +232,8 @@ impl CubicPair<'_> {
         edge / whole
     }
 
-    /// Magnitude of a flow, and what of it is booked by where the edge of a cavity runs within a triangle [m3/s].
-    fn booked(&self, goal: &FlowGoal) -> (f64, f64) {
+    /// What is booked by where the edge of a cavity runs within a triangle [m3/s].
+    fn unsure(&self, goal: &FlowGoal) -> f64 {
         let regions = self.film.system.supply.regions().iter();
         let counts = |kind: BoundaryKind, region: &str| match goal {
             FlowGoal::Ends => kind == BoundaryKind::End,
@@ -255,9 +241,6 @@ impl CubicPair<'_> {
         };
         let flows = regions.zip(&self.judged().flows.regions);
         let counted = flows.filter(|(region, _)| counts(region.kind, &region.name));
-        let (flow, unsure) = counted.fold((0.0, 0.0), |(flow, unsure), (_, region)| {
-            (flow + region.net, unsure + region.unsure)
-        });
-        (flow.abs(), unsure)
+        counted.map(|(_, flow)| flow.unsure).sum()
     }
 }
