@@ -72,11 +72,7 @@ fn result(path: &Path) -> Result<Value, Failure> {
         return Ok(result);
     }
     let scene = oilwedge_study::read(path)?;
-    let mut options = RunOptions::default();
-    if scene.tolerance.is_none() {
-        options.max_seconds = f64::INFINITY;
-    }
-    let run = oilwedge_study::run(&scene, &options).map_err(Failure::of(path))?;
+    let run = oilwedge_study::run(&scene, &RunOptions::of(&scene)).map_err(Failure::of(path))?;
     value(path, &result_json(&run.result, &[])?)
 }
 

@@ -149,13 +149,8 @@ impl Plot {
     fn of_scene(&self) -> Result<ExitCode, Failure> {
         let scene = oilwedge_study::read(&self.of)?;
         let options = RunOptions {
-            max_seconds: if scene.tolerance.is_some() {
-                RunOptions::default().max_seconds
-            } else {
-                f64::INFINITY
-            },
             interrupt: interrupt::listen()?,
-            ..RunOptions::default()
+            ..RunOptions::of(&scene)
         };
         let working = Progress::of("the film");
         let run = oilwedge_study::run(&scene, &options).map_err(Failure::of(&self.of))?;

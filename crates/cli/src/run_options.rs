@@ -70,16 +70,10 @@ impl RunArguments {
                 self.scene.display()
             )));
         }
-        let usual = RunOptions::default();
-        // A mesh that is given takes the time that it takes.
-        let limit = if scene.tolerance.is_some() {
-            usual.max_seconds
-        } else {
-            f64::INFINITY
-        };
+        let usual = RunOptions::of(scene);
         Ok(RunOptions {
             bars: self.bars == Bars::Auto,
-            max_seconds: self.max_seconds.unwrap_or(limit),
+            max_seconds: self.max_seconds.unwrap_or(usual.max_seconds),
             max_unknowns: self.max_unknowns,
             interrupt,
             ..usual

@@ -2,6 +2,8 @@
 
 use oilwedge_bearing::{Deadline, Interrupt};
 
+use oilwedge_scene::Scene;
+
 use crate::observer::RunObserver;
 use crate::picture::Surface;
 use crate::reasons::Cause;
@@ -25,6 +27,18 @@ pub struct RunOptions {
 }
 
 impl RunOptions {
+    /// The usual ones for a scene. A mesh that is given, and not refined towards a tolerance, takes the time that it takes.
+    pub fn of(scene: &Scene) -> Self {
+        let usual = Self::default();
+        Self {
+            max_seconds: match scene.tolerance {
+                Some(_) => usual.max_seconds,
+                None => f64::INFINITY,
+            },
+            ..usual
+        }
+    }
+
     /// How long a run that begins now may search.
     pub fn deadline(&self) -> Deadline {
         Deadline::after(self.max_seconds, self.interrupt)
