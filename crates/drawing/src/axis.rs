@@ -31,6 +31,12 @@ const UNDERSHOOT: f64 = 2e-3;
 const DIGITS: [f64; 4] = [1.0, 2.0, 2.5, 5.0];
 const DEGREES: [f64; 9] = [1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 60.0, 90.0];
 
+/// Least and greatest of values, which may be no number; of none `[inf, -inf]`.
+pub fn least_and_greatest(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
+    let ends = [f64::INFINITY, f64::NEG_INFINITY];
+    (values.into_iter()).fold(ends, |[low, high], value| [low.min(value), high.max(value)])
+}
+
 /// An axis: its ends (of a logarithmic one their exponents of ten) and its name.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {

@@ -8,7 +8,7 @@ use std::collections::HashMap;
 
 use crate::outline::{Edges, Place, place};
 use crate::patch::{Side, sides};
-use crate::{Figure, Levels, Patch};
+use crate::{Figure, Levels, Patch, least_and_greatest};
 
 /// Length of the sides of small triangles [mm], and how many there are along the side of a triangle.
 const FINE: f64 = 0.6;
@@ -168,13 +168,7 @@ fn cells(patches: &[Patch]) -> Vec<Cell> {
         // Values of Bezier's triangle enclose those of the quadratic.
         let v = patch.values;
         let controls = (0..3).map(|k| 2.0 * v[3 + k] - 0.5 * (v[k] + v[(k + 1) % 3]));
-        let bounds = v[..3]
-            .iter()
-            .copied()
-            .chain(controls)
-            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
-                [low.min(value), high.max(value)]
-            });
+        let bounds = least_and_greatest(v[..3].iter().copied().chain(controls));
         cells.push(Cell {
             patch,
             forwards: sides.map(|(_, is_forwards)| is_forwards),

@@ -25,7 +25,7 @@ mod raster;
 mod text;
 mod wires;
 
-pub use axis::{Axis, Scale, linear_steps, number};
+pub use axis::{Axis, Scale, least_and_greatest, linear_steps, number};
 pub use cells::{CELL_HEIGHT, Cell, CellGrid};
 pub use chart::{Band, Chart, Kind, Note, Series, charts_figure};
 pub use colour::{BLACK, BLUE, Colour, GREEN, GREY, GRID, INK, ORANGE, PURPLE, SERIES, SKY, VERMILION, WHITE, YELLOW};

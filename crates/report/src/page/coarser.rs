@@ -3,6 +3,7 @@
 
 use std::collections::HashMap;
 
+use oilwedge_drawing::least_and_greatest;
 use oilwedge_study::fields::FieldRow;
 use oilwedge_study::picture::{FieldValues, FilmPicture, PictureField};
 
@@ -37,19 +38,10 @@ fn side(a: u32, b: u32) -> [u32; 2] {
 /// The ends of the side whose middle is node 3, 4 or 5 of a triangle.
 const ENDS: [[usize; 2]; 3] = [[0, 1], [1, 2], [2, 0]];
 
-/// Least and greatest value.
-fn ends(values: &[f64]) -> [f64; 2] {
-    values
-        .iter()
-        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
-            [low.min(*value), high.max(*value)]
-        })
-}
-
 /// The fields on nodes with their ends, but for those that are the same everywhere, whose range is round-off.
 fn varying(picture: &FilmPicture) -> impl Iterator<Item = (&'static FieldRow, &Vec<f64>, [f64; 2])> {
     drawn_fields(&picture.point_data).filter_map(|(row, values)| {
-        let [low, high] = ends(values);
+        let [low, high] = least_and_greatest(values.iter().copied());
         (high - low > SAME * low.abs().max(high.abs())).then_some((row, values, [low, high]))
     })
 }
@@ -85,7 +77,7 @@ impl Sides {
         }
         for (_, values, [low, high]) in varying(picture) {
             for cell in &picture.cells {
-                let [from, to] = ends(&cell.map(|node| values[node as usize]));
+                let [from, to] = least_and_greatest(cell.map(|node| values[node as usize]));
                 if to - from > STEEP * (high - low) {
                     cell[..3].iter().for_each(|node| must_stay[*node as usize] = true);
                 }

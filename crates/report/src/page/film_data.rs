@@ -5,7 +5,7 @@
 
 use std::f64::consts::TAU;
 
-use oilwedge_drawing::joined;
+use oilwedge_drawing::{joined, least_and_greatest};
 use oilwedge_study::fields::{ERROR_INDICATOR, FIELDS, FieldRow, Interpolation};
 use oilwedge_study::picture::FilmPicture;
 use oilwedge_study::quantities::{ECCENTRICITY, MIN_FILM_ANGLE};
@@ -13,8 +13,9 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::packing::{Packed, Prediction, packed, triangles};
+use super::quantities::shown_unit;
 use crate::plot::{DrawnFilm, FieldColours, drawn_fields};
-use crate::readable::{printed_symbol, printed_unit, readable_unit_of};
+use crate::readable::{printed_symbol, readable_unit_of};
 
 /// Steps of a turn, of the length, and of the range of a field.
 const TURN: f64 = 4_294_967_296.0;
@@ -79,11 +80,7 @@ impl FilmData {
         let prediction = Prediction::of(&picture.cells, picture.points.len());
         let radius = film.radius();
         let places = film.places(picture);
-        let ends = places
-            .iter()
-            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], place| {
-                [low.min(place[1]), high.max(place[1])]
-            });
+        let ends = least_and_greatest(places.iter().map(|place| place[1]));
         let turn = |place: &[f64; 2]| ((place[0] / (TAU * radius)).rem_euclid(1.0) * TURN).round() as u64 as u32;
         let step = |place: &[f64; 2]| part(place[1], ends, LENGTH_STEPS);
         let coded = |values: Vec<u32>| packed(&prediction.differences(&values));
@@ -91,11 +88,7 @@ impl FilmData {
         let constant = drawn_fields(&picture.cell_data).map(|(row, values)| (row, values, false));
         let all: Vec<_> = nodal.chain(constant).collect();
         let fields = all.into_par_iter().map(|(row, values, is_nodal)| {
-            let range = values
-                .iter()
-                .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
-                    [low.min(*value), high.max(*value)]
-                });
+            let range = least_and_greatest(values.iter().copied());
             let values = match is_nodal {
                 true => coded(values.iter().map(|value| part(*value, range, RANGE_STEPS)).collect()),
                 false => {
@@ -145,7 +138,7 @@ impl FieldData {
             name: row.name.to_owned(),
             label: row.label.to_owned(),
             symbol: printed_symbol(row.symbol).replace('*', ""),
-            unit: if unit == "1" { String::new() } else { printed_unit(unit) },
+            unit: shown_unit(unit),
             size,
             interpolation: match row.interpolation {
                 Interpolation::Linear => "linear",

@@ -5,10 +5,10 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::packing::{Packed, packed};
-use super::quantities::in_words;
+use super::quantities::{in_words, shown_unit};
 use super::table::any;
 use crate::plot::{Cases, quantity_names};
-use crate::readable::{printed_unit, readable_unit_of};
+use crate::readable::readable_unit_of;
 
 /// A sweep.
 #[derive(Debug, Serialize)]
@@ -93,7 +93,7 @@ impl AxisData {
     fn of(name: &str, unit: &str, values: &[Value]) -> Self {
         Self {
             label: name.replace('_', " "),
-            unit: if unit == "1" { String::new() } else { printed_unit(unit) },
+            unit: shown_unit(unit),
             is_numeric: values.iter().all(Value::is_number),
             values: values
                 .iter()
@@ -115,7 +115,7 @@ impl QuantityData {
         let (unit, size) = readable_unit_of(most, unit);
         Self {
             label: in_words(name),
-            unit: if unit == "1" { String::new() } else { printed_unit(unit) },
+            unit: shown_unit(unit),
             size,
         }
     }

@@ -3,7 +3,7 @@
 use oilwedge_drawing::{
     Anchor, Axis, BLACK, BLUE, Colour, ColourMap, Entry, Figure, Frame, GREY, INK, Label, Letters, Levels, Mark, Pen,
     SMALLEST_LETTERS, Scale, Stroke, VERMILION, WHITE, draw_bands, draw_colour_bar, draw_legend, draw_mesh, joined,
-    legend_height,
+    least_and_greatest, legend_height,
 };
 use oilwedge_study::fields::{ERROR_INDICATOR, FILM_FRACTION, FILM_THICKNESS, PRESSURE, VISCOSITY, field};
 
@@ -24,10 +24,7 @@ const SIDES: Colour = Colour([90, 98, 106]);
 
 /// The least and the greatest of values at nodes.
 fn range(values: &[[f64; 6]]) -> [f64; 2] {
-    let finite = values.iter().flatten().copied().filter(|value| value.is_finite());
-    finite.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
-        [low.min(value), high.max(value)]
-    })
+    least_and_greatest(values.iter().flatten().copied().filter(|value| value.is_finite()))
 }
 
 /// True where a field is the same everywhere, as far as can be seen.

@@ -1,6 +1,8 @@
 //! Profiles around the liner and along its axis, both through the greatest pressure.
 
-use oilwedge_drawing::{BLUE, Chart, Figure, GREEN, Label, Scale, Series, VERMILION, charts_figure};
+use oilwedge_drawing::{
+    BLUE, Chart, Figure, GREEN, Label, Scale, Series, VERMILION, charts_figure, least_and_greatest,
+};
 use oilwedge_study::fields::{FILM_FRACTION, FILM_THICKNESS, FieldRow, PRESSURE};
 
 use super::field_map::peak;
@@ -25,13 +27,7 @@ pub(super) fn profiles_figure(film: &DrawnFilm, width: f64) -> Option<Figure> {
     let [x, z] = peak(&film.cells, pressures)?;
     let finder = Finder::new(film);
     let [from, to] = film.liner.angles();
-    let [low, high] = film
-        .cells
-        .iter()
-        .flatten()
-        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], node| {
-            [low.min(node[1]), high.max(node[1])]
-        });
+    let [low, high] = least_and_greatest(film.cells.iter().flatten().map(|node| node[1]));
     let steps =
         |count: usize, from: f64, to: f64| (0..=count).map(move |k| from + (to - from) * k as f64 / count as f64);
     let angles: Vec<f64> = steps(AROUND, from, to).collect();

@@ -1,5 +1,6 @@
 //! Values of a field on lines across the liner.
 
+use oilwedge_drawing::least_and_greatest;
 use oilwedge_study::fields::{FieldRow, Interpolation};
 
 use super::film::DrawnFilm;
@@ -39,12 +40,7 @@ pub(crate) struct Finder<'a> {
 impl<'a> Finder<'a> {
     pub(crate) fn new(film: &'a DrawnFilm) -> Self {
         let period = film.circumference();
-        let ends = |nodes: &mut dyn Iterator<Item = f64>| {
-            nodes.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], part| {
-                [low.min(part), high.max(part)]
-            })
-        };
-        let [low, high] = ends(&mut film.cells.iter().flatten().map(|node| node[1]));
+        let [low, high] = least_and_greatest(film.cells.iter().flatten().map(|node| node[1]));
         let height = (high - low).max(f64::MIN_POSITIVE);
         let side = (IN_A_BOX * period * height / film.cells.len().max(1) as f64).sqrt();
         let count = [period, height].map(|length| (length / side).ceil().clamp(1.0, MOST_BOXES) as usize);
@@ -57,8 +53,8 @@ impl<'a> Finder<'a> {
             boxes: vec![Vec::new(); count[0] * count[1]],
         };
         for (cell, nodes) in (0..).zip(&film.cells) {
-            let around = ends(&mut nodes.iter().map(|node| node[0]));
-            let along = ends(&mut nodes.iter().map(|node| node[1]));
+            let around = least_and_greatest(nodes.iter().map(|node| node[0]));
+            let along = least_and_greatest(nodes.iter().map(|node| node[1]));
             // Points may be a little outside.
             let [wide, tall] = [around, along].map(|[low, high]| SLACK * (high - low));
             for column in finder.column(around[0] - wide)..=finder.column(around[1] + wide) {

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use oilwedge_drawing::{
     Anchor, BLACK, BLUE, Colour, Figure, GREY, GRID, INK, Label, Letters, POINT, Pen, Polar, SKY, SMALLEST_LETTERS,
-    Stroke, VERMILION, WHITE, linear_steps, number,
+    Stroke, VERMILION, WHITE, least_and_greatest, linear_steps, number,
 };
 use oilwedge_study::fields::PRESSURE;
 use oilwedge_study::quantities::{ATTITUDE_ANGLE, ECCENTRICITY, FILM_THICKNESS_MIN, LOAD, LOAD_ANGLE, Row};
@@ -243,10 +243,7 @@ fn extent(pieces: &[[[f64; 2]; 2]], radius: f64) -> [f64; 2] {
         let angle = x / radius;
         angle - TAU * ((angle - first) / TAU).round()
     };
-    let ends = pieces.iter().flatten().map(|point| beside(point[0]));
-    ends.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], angle| {
-        [low.min(angle), high.max(angle)]
-    })
+    least_and_greatest(pieces.iter().flatten().map(|point| beside(point[0])))
 }
 
 /// Rotation, load and attitude angle about the journal's centre.

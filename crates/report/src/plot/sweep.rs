@@ -2,7 +2,7 @@
 
 use oilwedge_drawing::{
     Axis, Cell, CellGrid, Chart, Colour, ColourMap, Figure, Label, Mark, SERIES, Scale, Series, charts_figure,
-    draw_colour_bar, linear_steps, number,
+    draw_colour_bar, least_and_greatest, linear_steps, number,
 };
 use oilwedge_study::quantities::{CATALOGUE, Headline, row};
 use serde_json::Value;
@@ -125,9 +125,7 @@ impl<'a> Cases<'a> {
             .rows
             .iter()
             .filter_map(|row| row["quantities"][name]["value"].as_f64());
-        let [low, high] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
-            [low.min(value), high.max(value)]
-        });
+        let [low, high] = least_and_greatest(values);
         high - low > ROUND_OFF * low.abs().max(high.abs())
     }
 
