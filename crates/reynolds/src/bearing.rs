@@ -16,6 +16,12 @@ pub struct Bearing {
 }
 
 impl Bearing {
+    /// `a - b` [m] for two places `x = R phi`, the shorter way around.
+    pub fn around(&self, a: f64, b: f64) -> f64 {
+        let turn = std::f64::consts::TAU * self.radius;
+        (a - b) - turn * ((a - b) / turn).round()
+    }
+
     /// Least film thickness [m] over the whole circumference with the journal in this state.
     pub fn least_gap(&self, journal: &JournalState) -> f64 {
         self.clearance - journal.eccentricity()

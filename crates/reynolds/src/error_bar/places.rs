@@ -32,8 +32,7 @@ pub(super) fn places(
     let summits = films.map(|(system, film)| extremes(problem, system, film).summit);
     let extents = films.map(|(system, film)| extent(problem, system, film, &extremes(problem, system, film)));
     let radius = problem.bearing.radius;
-    let turn = std::f64::consts::TAU * radius;
-    let apart = |a: f64, b: f64| ((a - b) - turn * ((a - b) / turn).round()).abs();
+    let apart = |a: f64, b: f64| problem.bearing.around(a, b).abs();
     let corners = system.space().mesh().corners(summits[0].triangle);
     let width = |axis: usize| {
         let sides = (0..3).map(|k| (corners[k][axis] - corners[(k + 1) % 3][axis]).abs());

@@ -35,7 +35,9 @@ const STEP: f64 = 0.125;
 pub(super) fn summit(pair: &PlacedPair) -> [f64; 2] {
     let [quadratic, cubic] = pair.measured.map(|measured| measured.extremes.summit);
     let change = [
-        apart(pair.film, quadratic.position[0], cubic.position[0]),
+        (pair.film.problem.bearing)
+            .around(quadratic.position[0], cubic.position[0])
+            .abs(),
         (quadratic.position[1] - cubic.position[1]).abs(),
     ];
     let off = [quadratic.triangle, cubic.triangle]
@@ -68,7 +70,7 @@ pub(super) fn film_end(pair: &PlacedPair, end: ExtentEnd) -> Option<Bar> {
         .measured
         .map(|measured| measured.extent.map(|extent| end.of(&extent)));
     let (quadratic, cubic) = (quadratic?, cubic?);
-    let triangle = cubic.triangle;
+    let (triangle, bearing) = (cubic.triangle, &pair.film.problem.bearing);
     let cut_off = match pair.film.problem.cavitation.kink() {
         Some(_) if cubic.kind == EndKind::Cavity => {
             let off = lattice().map(|point| {
@@ -83,7 +85,7 @@ pub(super) fn film_end(pair: &PlacedPair, end: ExtentEnd) -> Option<Bar> {
         _ => 0.0,
     };
     Some(Bar {
-        discretisation: apart(pair.film, quadratic.x, cubic.x).max(cut_off),
+        discretisation: bearing.around(quadratic.x, cubic.x).abs().max(cut_off),
         front: OF_TRIANGLE * quadratic.unsure.max(cubic.unsure),
         ..Bar::default()
     })
@@ -121,12 +123,6 @@ fn second_derivatives(field: &Field, t: usize, point: [f64; 2]) -> [[f64; 2]; 2]
     });
     let place = Mapping::of(field.space.mesh(), t).at(point);
     [0, 1].map(|d| place.gradient([along[0][d], along[1][d]]))
-}
-
-/// Distance [m] around the bearing, the lesser way.
-fn apart(film: &Film, a: f64, b: f64) -> f64 {
-    let turn = std::f64::consts::TAU * film.problem.bearing.radius;
-    ((a - b) - turn * ((a - b) / turn).round()).abs()
 }
 
 /// Extent [m] of a triangle along x or z.
