@@ -101,6 +101,25 @@ fn a_hole_wider_than_its_groove_adds_two_caps() {
     }
 }
 
+/// The share of a union in the load is exact only where its rim is straight: the arcs of a hole are parabolas of the mesh.
+#[test]
+fn the_share_of_a_union_has_a_bar() {
+    let groove = r#"groove = { from = "70 deg", to = "110 deg", width = "6 mm" }"#;
+    let wide = r#"groove = { from = "85 deg", to = "95 deg", width = "10 mm" }"#;
+    let share = |second: &str, size: &str| {
+        let text = text("", "reynolds", &[("groove", groove, "2"), ("other", second, "2")]);
+        let scene = written(&text.replace("size = \"2 mm\"", &format!("size = \"{size}\"")));
+        let result = run(&scene, &RunOptions::default()).expect("a film").result;
+        let share = result.by_name("load_y.groove+other").expect("its share");
+        (share.value, share.error().expect("a bar"))
+    };
+    let ([coarse, fine], straight) = (["3 mm", "1 mm"].map(|size| share(HOLE, size)), share(wide, "3 mm"));
+    assert!(coarse.1 > 0.0 && fine.1 < coarse.1, "{coarse:?} {fine:?}");
+    let off = (coarse.0 - fine.0).abs();
+    assert!(off <= coarse.1 + fine.1 && off > 0.3 * coarse.1, "{coarse:?} {fine:?}");
+    assert_eq!(straight.1, 0.0);
+}
+
 /// Holes in grooves all around, across the seam, and three in a row.
 #[test]
 fn unions_are_meshed_well() {

@@ -78,7 +78,7 @@ fn side_flow_is_the_axial_flow_over_the_ends() {
     assert!((out / expected - 1.0).abs() < 0.02, "{out} {expected}");
 }
 
-/// The same vectors on the cylinder: along it everywhere, of the same size as in the plane.
+/// Vectors drawn on the cylinder are tangential to it everywhere, and as long as those drawn in the plane.
 #[test]
 fn vectors_turn_with_the_cylinder() {
     let film = ring("reynolds", "6 mm");

@@ -218,6 +218,31 @@ fn rim_moments(mesh: &Mesh, region: &SupplyRegion, radius: f64) -> Moments {
     moments
 }
 
+/// What the share of a region that is cut out of the mesh may be off [N], because parabolas stand for the arcs of its rim; zero for a region that is one round
+/// hole, whose shape is given, and along straight sides.
+///
+/// Between an arc of half the angle a and the parabola through its ends and its middle lies the area `r^2 a^5/30`. That is `8 s^3/(15 l)` for the height s of the
+/// arc over its chord l.
+pub fn rim_error(problem: &FilmProblem, mesh: &Mesh, region: &SupplyRegion) -> f64 {
+    /// An edge whose middle is off its chord by less than this part of its length is straight.
+    const STRAIGHT: f64 = 1e-9;
+    if region.disc.is_some() {
+        return 0.0;
+    }
+    let between = |edge: u32| {
+        let [a, b, middle] = mesh.edge_nodes(edge);
+        let chord = (b[0] - a[0]).hypot(b[1] - a[1]);
+        let height = (middle[0] - 0.5 * (a[0] + b[0])).hypot(middle[1] - 0.5 * (a[1] + b[1]));
+        if height > STRAIGHT * chord {
+            8.0 / 15.0 * height.powi(3) / chord
+        } else {
+            0.0
+        }
+    };
+    let area: f64 = supply::rim(mesh, region).map(between).sum();
+    (region.pressure - problem.bearing.end_pressure).abs() * area
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

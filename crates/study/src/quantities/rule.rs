@@ -1,10 +1,12 @@
 //! How the error of a quantity is estimated: rules in the terms of what an [`Estimate`] knows, for any film.
 
 use oilwedge_reynolds::error_bar::Bar;
+use oilwedge_reynolds::quantities::load::rim_error;
 
 use super::view::View;
 use super::warming::Warming;
 use crate::estimate::{Estimate, Scaled};
+use crate::film::Film;
 use crate::solved::Balance;
 
 /// A number whose error is estimated.
@@ -32,6 +34,8 @@ impl Subject<'_> {
 pub enum ErrorRule {
     /// It follows from given numbers: no error.
     Exact,
+    /// It follows from given numbers and from the shape of the rim of a region, which the mesh has roughly unless it is one hole or has straight sides.
+    Rim,
     /// It follows from the journal's position: no error where that is given.
     Position,
     /// Magnitude of the load.
@@ -55,6 +59,7 @@ impl ErrorRule {
     pub fn bar(&self, estimate: &dyn Estimate, subject: &Subject) -> Option<Bar> {
         match self {
             Self::Exact | Self::Temperature(_) | Self::Balance(..) => Some(Bar::default()),
+            Self::Rim => Some(rim(subject)),
             Self::Position if subject.view.base.load.is_none() => Some(Bar::default()),
             _ if !estimate.is_resolved() => None,
             Self::Position => Some(Bar::default()),
@@ -89,6 +94,9 @@ impl ErrorRule {
     pub fn sentence(&self) -> &'static str {
         match self {
             Self::Exact => "exact: it follows from given numbers",
+            Self::Rim => {
+                "exact for one round hole and for straight sides; else the area between arcs of the rim and the parabolas of the mesh"
+            }
             Self::Position => "exact at a given position; under a load that of the position",
             Self::Load => "dual-weighted, along the load; under a load what is left unbalanced",
             Self::PerLoad => "that of the load, in proportion; under a load what is left unbalanced",
@@ -102,6 +110,17 @@ impl ErrorRule {
             Self::Temperature(_) => "exact at a given temperature; with `[heat]` that of the temperature",
             Self::Balance(..) => "those of friction and flow, by the balance of heat",
         }
+    }
+}
+
+/// Bar [N] of the share of a region in the load.
+fn rim(subject: &Subject) -> Bar {
+    let Film { problem, system, .. } = subject.view.base;
+    let mut regions = system.supply.regions().iter();
+    let region = regions.find(|region| region.name == subject.region);
+    Bar {
+        geometry: region.map_or(0.0, |region| rim_error(problem, system.space().mesh(), region)),
+        ..Bar::default()
     }
 }
 
