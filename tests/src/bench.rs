@@ -12,7 +12,7 @@ pub struct Bench {
     folder: TempDir,
 }
 
-/// What a run told.
+/// The output of a run.
 pub struct Told {
     /// Exit status.
     pub status: i32,
@@ -22,9 +22,14 @@ pub struct Told {
     pub stderr: String,
 }
 
+impl Default for Bench {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 impl Bench {
     /// An empty one.
-    #[allow(clippy::new_without_default)]
     pub fn new() -> Self {
         let folder = tempfile::tempdir().expect("a temporary folder");
         Self { folder }

@@ -12,6 +12,7 @@ pub mod house;
 pub mod journal_bearings;
 pub mod left_out;
 pub mod mesh_page;
+pub mod mesh_readers;
 pub mod msh_file;
 pub mod performance;
 pub mod prices_page;
@@ -50,7 +51,7 @@ pub fn ring(columns: u32, rows: u32, length: f64, start: f64) -> Mesh {
     ring_of_radius(RADIUS, columns, rows, length, start)
 }
 
-/// The same with another radius [m].
+/// A full ring as [`ring`], with another radius [m].
 pub fn ring_of_radius(radius: f64, columns: u32, rows: u32, length: f64, start: f64) -> Mesh {
     let circumference = std::f64::consts::TAU * radius;
     let vertex = |i: u32, j: u32| (i % columns) * (rows + 1) + j;
@@ -83,7 +84,7 @@ pub fn ring_of_radius(radius: f64, columns: u32, rows: u32, length: f64, start: 
     Mesh::build(raw).expect("a structured ring has no defects")
 }
 
-/// The same mesh with vertices and triangles in reverse order, each triangle begun elsewhere.
+/// A copy of a mesh with vertices and triangles numbered in reverse order, the corners of each triangle beginning with another one.
 pub fn renumbered(mesh: &Mesh) -> Mesh {
     let mut raw = mesh.to_raw();
     let last = raw.points.len() as u32 - 1;

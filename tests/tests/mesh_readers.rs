@@ -3,18 +3,16 @@
 
 use std::collections::{BTreeMap, HashMap};
 use std::f64::consts::TAU;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
-use std::time::Instant;
 
 use mshio::ElementType;
 use oilwedge_mesh::generate::{Blueprint, Feature, Shape, generate};
 use oilwedge_mesh::gmsh::{self, MshFile};
 use oilwedge_mesh::{Liner, Mesh};
-use oilwedge_tests::msh_file::{Element, Encoding, Form, Numbers, scattered, to_bytes};
+use oilwedge_tests::mesh_readers::{Outcome, outcome};
+use oilwedge_tests::msh_file::{Element, Encoding, Form, Numbers, to_bytes};
 use oilwedge_tests::program::repository;
 use oilwedge_tests::random_bearings::Dice;
-use oilwedge_tests::ring_of_radius;
 use rayon::prelude::*;
 
 /// Number of random liners.
@@ -244,22 +242,6 @@ fn both_read_a_thousand_random_liners_alike_in_every_form() {
     println!("{triangles} triangles");
 }
 
-/// What becomes of a file that a reader is given.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Outcome {
-    Read,
-    Refused,
-    Panics,
-}
-
-fn outcome<T, E>(read: impl FnOnce() -> Result<T, E>) -> Outcome {
-    match catch_unwind(AssertUnwindSafe(read)) {
-        Ok(Ok(_)) => Outcome::Read,
-        Ok(Err(_)) => Outcome::Refused,
-        Err(_) => Outcome::Panics,
-    }
-}
-
 /// The files that `docs/reference/mesh_files.md` shows: our reader and mshio differ on each of them, as said there.
 #[test]
 fn what_mshio_misreads_is_documented() {
@@ -301,90 +283,4 @@ fn mshio_moves_points_whose_numbers_are_out_of_order() {
         assert_eq!(theirs.tags, sorted);
         assert_ne!(ours.triangles, theirs.triangles);
     }
-}
-
-/// The table of `docs/reference/mesh_files.md`: run it with `--ignored --nocapture` on a quiet machine.
-#[test]
-#[ignore = "a measurement"]
-fn measure_both_readers() {
-    let mesh = gmsh::parse(gmsh::to_text(&ring_of_radius(0.05, 400, 62, 0.05, 0.0)).as_bytes()).expect("our own file");
-    println!(
-        "| {} nodes | MB | own reader [ms] | mshio [ms] |\n|---|---|---|---|",
-        mesh.nodes.len()
-    );
-    for (encoding, numbers) in [
-        (Encoding::Text, Numbers::Consecutive),
-        (Encoding::Binary, Numbers::Consecutive),
-        (Encoding::Text, Numbers::Sparse),
-        (Encoding::Binary, Numbers::Sparse),
-    ] {
-        let element = Element::Quadratic;
-        let bytes = to_bytes(
-            &mesh,
-            Form {
-                encoding,
-                element,
-                numbers,
-                entities: 1,
-            },
-        );
-        let ours = fastest(|| assert!(gmsh::parse(&bytes).is_ok()));
-        let theirs = fastest(|| assert!(mshio::parse_msh_bytes(&bytes).is_ok()));
-        let size = bytes.len() as f64 * 1e-6;
-        println!(
-            "| {encoding:?}, {numbers:?} | {size:.1} | {:.1} | {:.1} |",
-            1e3 * ours,
-            1e3 * theirs
-        );
-    }
-    let small = scattered(&gmsh::parse(gmsh::to_text(&liner(&mut Dice::new(1))).as_bytes()).expect("our own file"));
-    let mut counts = BTreeMap::new();
-    let mut dice = Dice::new(7);
-    std::panic::set_hook(Box::new(|_| {}));
-    for number in 0..20_000 {
-        let encoding = [Encoding::Text, Encoding::Binary][number % 2];
-        let form = Form {
-            encoding,
-            element: Element::Linear,
-            numbers: Numbers::Consecutive,
-            entities: 2,
-        };
-        let damaged = damaged(to_bytes(&small, form), &mut dice);
-        let ours = outcome(|| gmsh::parse(&damaged));
-        let theirs = outcome(|| mshio::parse_msh_bytes(&damaged));
-        *counts.entry((ours, theirs)).or_insert(0) += 1;
-    }
-    println!("| own reader | mshio | damaged files |\n|---|---|---|");
-    for ((ours, theirs), count) in counts {
-        println!("| {ours:?} | {theirs:?} | {count} |");
-    }
-}
-
-/// Cut off, or some bytes replaced by others of a number.
-fn damaged(mut bytes: Vec<u8>, dice: &mut Dice) -> Vec<u8> {
-    let place = |dice: &mut Dice, length: usize| dice.between(0.0, length as f64 - 1.0) as usize;
-    if dice.chance(0.2) {
-        bytes.truncate(place(dice, bytes.len()));
-        return bytes;
-    }
-    for _ in 0..3 {
-        // Most damage is done by counts, which stand at the beginning.
-        let length = if dice.chance(0.5) {
-            400.min(bytes.len())
-        } else {
-            bytes.len()
-        };
-        let at = place(dice, length);
-        bytes[at] = b"0123456789-. \n\xff\x00"[place(dice, 17)];
-    }
-    bytes
-}
-
-fn fastest(read: impl Fn()) -> f64 {
-    let time = |_| {
-        let start = Instant::now();
-        read();
-        start.elapsed().as_secs_f64()
-    };
-    (0..9).map(time).fold(f64::INFINITY, f64::min)
 }
