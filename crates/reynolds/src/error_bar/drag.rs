@@ -4,12 +4,13 @@
 //! `j_i = Int |U|^2/h s phi_i dA` for shear, s the secant of the viscosity: nothing where that is constant. So the difference of the two films
 //! times the vector is the change of the power, but for what the rules of integration add.
 
-use oilwedge_fem::Field;
 use oilwedge_fem::integrate::Rule;
+use oilwedge_fem::quadrature::Quadrature;
+use oilwedge_fem::{Field, integrate};
 
 use crate::film_law::FilmLaw;
 use crate::lubricant::PressureLaw;
-use crate::{FilmPoint, FilmProblem, FilmSystem};
+use crate::{FilmPoint, FilmProblem, FilmSolution, FilmSystem};
 
 /// Steps of the unknown below this part of it are too small for a secant.
 const SMALL: f64 = 1e-6;
@@ -18,6 +19,36 @@ const SMALL: f64 = 1e-6;
 pub(super) fn shear(problem: &FilmProblem, film: &FilmPoint, p: f64) -> f64 {
     let [x, z] = film.velocity;
     problem.viscosity_at(p) * (x * x + z * z) / film.thickness
+}
+
+/// What the rules of integration for the two degrees differ by in the power of shear [W] of the `cubic` film: summed over triangles without sign, since the
+/// difference of the two powers is small by chance where it cancels. Zero for a journal at rest.
+pub(super) fn difference_of_rules(problem: &FilmProblem, system: &FilmSystem, cubic: &FilmSolution) -> f64 {
+    let law = FilmLaw::new(problem, 1.0);
+    if law.velocity() == [0.0; 2] {
+        return 0.0;
+    }
+    let better = system.cubic().system.space();
+    let mesh = better.mesh();
+    let is_film = system.supply.film(mesh);
+    let values = &cubic.unknown[..];
+    let rules =
+        [system.space(), better].map(|space| Rule::new(Quadrature::for_degree(space.degree()), better.degree()));
+    integrate(mesh, |t| {
+        if !is_film[t] {
+            return 0.0;
+        }
+        let nodal = Field { space: better, values }.element_values(t);
+        let [quadratic, cubic] = rules.each_ref().map(|rule| {
+            rule.integrate(mesh, t, |points, sum: &mut f64| {
+                let film = law.film_and_flows(t, points.positions).0;
+                for (q, film) in film[..points.positions.len()].iter().enumerate() {
+                    *sum += points.area(q) * shear(problem, film, problem.pressure_at(points.value(q, &nodal)));
+                }
+            })
+        });
+        (quadratic - cubic).abs()
+    })
 }
 
 /// The vectors for shear and pressure [W/Pa]; zero for a journal at rest.

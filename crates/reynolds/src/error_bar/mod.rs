@@ -176,6 +176,8 @@ pub struct FilmError {
     pub goals: [GoalError; 3],
     /// Of the power [W] that the turning journal puts in against shear, and against pressure.
     pub drag: [GoalError; 2],
+    /// What the rules of integration of the two degrees differ by in the power of shear [W], in each triangle and without sign.
+    pub shear_rules: f64,
     /// Of the flow into the film [m3/s] through both ends together, each end and each feed, by the name of its region.
     pub flows: Vec<(FlowGoal, GoalError)>,
     /// Triangles in the cavity and at its edge.
@@ -266,15 +268,15 @@ impl FilmError {
     }
 
     /// Bar of `shear` times the power of shear and `pressure` times that of pressure [W], which changes by `change` between the two films:
-    /// what the rules of integration add to the change is all error.
+    /// what the rules of integration add to the change is all error, and so is what they differ by where that cancels in the change.
     pub fn drag(&self, [shear, pressure]: [f64; 2], change: f64, value: Value) -> Bar {
         let goal = GoalError::default()
             .plus(shear, &self.drag[0])
             .plus(pressure, &self.drag[1]);
         let bar = self.bar(&goal, value, 0.4);
-        let integration = change - goal.shares.iter().sum::<f64>();
+        let integration = (change - goal.shares.iter().sum::<f64>()).abs();
         Bar {
-            discretisation: bar.discretisation + integration.abs(),
+            discretisation: bar.discretisation + integration.max(shear.abs() * self.shear_rules),
             ..bar
         }
     }

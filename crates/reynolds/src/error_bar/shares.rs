@@ -66,6 +66,7 @@ pub(super) fn film_error(
         force: carried.force,
         goals,
         drag,
+        shear_rules: drag::difference_of_rules(problem, system, cubic),
         flows,
         front,
         deep,

@@ -57,18 +57,16 @@ pub struct Power {
 }
 
 impl Power {
-    /// Compares the power against the pressure with that by the moment of the `force` of the film [N]. A mass-conserving film, whose pressure is linear on
-    /// pieces of triangles, takes the latter.
+    /// Takes the power against the pressure from the moment of the `force` of the film [N], where it follows from that ([`pressure_power_per_force`]):
+    /// no gradient is in it, and regions cut out of the mesh count with their true shape.
     pub fn with_moment(self, problem: &FilmProblem, force: [f64; 2]) -> Self {
-        let Some(by_moment) = by_moment(problem, force) else {
+        let Some([per_x, per_y]) = pressure_power_per_force(problem) else {
             return self;
         };
+        let by_moment = per_x * force[0] + per_y * force[1];
         let put_in = self.shear + self.pressure.abs();
         Self {
-            pressure: match problem.cavitation.conserves_oil() {
-                true => by_moment,
-                false => self.pressure,
-            },
+            pressure: by_moment,
             moment_imbalance: match put_in > 0.0 {
                 true => (self.pressure - by_moment).abs() / put_in,
                 false => 0.0,
@@ -103,13 +101,13 @@ impl std::ops::AddAssign for Work {
     }
 }
 
-/// Power [W] put in against the pressure of a film whose force is `force` [N], by parts: `Int h/2 U dP/dx dA = -omega R/2 Int P dh/dx dA`, omega times half
-/// of the moment of the force about the bearing's centre. `None` where the film has a thickness of its own beside that of the journal, or lines that
-/// stand by themselves.
-fn by_moment(problem: &FilmProblem, [x, y]: [f64; 2]) -> Option<f64> {
+/// The vector [m/s] whose product with the force of a film [N] is the power [W] that the turning journal puts in against its pressure: by parts
+/// `Int h/2 U dP/dx dA = -omega R/2 Int P dh/dx dA`, omega times half of the moment of the force about the bearing's centre. `None` where the film has a
+/// thickness of its own beside that of the journal, or lines that stand by themselves.
+pub fn pressure_power_per_force(problem: &FilmProblem) -> Option<[f64; 2]> {
     let [e_x, e_y] = problem.journal.offset;
     let is_of_journal = problem.film_thickness.len() == 1 && problem.theory != Theory::Short;
-    is_of_journal.then_some(0.5 * problem.journal.speed * (e_y * x - e_x * y))
+    is_of_journal.then(|| [e_y, -e_x].map(|arm| 0.5 * problem.journal.speed * arm))
 }
 
 /// Powers of a solved film.

@@ -72,17 +72,12 @@ impl Estimate for CoarseComparison<'_> {
         None
     }
 
-    fn power(&self, parts: [f64; 2], number: Scaled) -> Bar {
-        Bar::of(self.error.power(parts) / number.unit)
+    fn power(&self, parts: [f64; 2]) -> Bar {
+        Bar::of(self.error.power(parts))
     }
 
     fn cavity_power(&self, _: f64) -> Option<Bar> {
         None
-    }
-
-    fn friction_coefficient(&self, value: f64) -> Option<Bar> {
-        let torque = Bar::of((self.error.power([1.0, 1.0]) * value / self.measured.power.friction()).abs());
-        (self.error.load.total() < self.force()).then(|| torque + self.error.load.scaled(value / self.force()))
     }
 
     fn cavity_share(&self, _: f64) -> f64 {

@@ -109,23 +109,17 @@ impl Estimate for CubicPair<'_> {
         })
     }
 
-    fn power(&self, parts: [f64; 2], Scaled { unit, change }: Scaled) -> Bar {
-        let per_unit = 1.0 / unit;
-        self.error.drag(parts, change / per_unit, self.value).scaled(per_unit)
+    fn power(&self, [shear, pressure]: [f64; 2]) -> Bar {
+        let [quadratic, cubic] = self.measured.map(|measured| {
+            let power = measured.power;
+            shear * power.shear + pressure * power.pressure
+        });
+        self.error.drag([shear, pressure], cubic - quadratic, self.value)
     }
 
     fn cavity_power(&self, change: f64) -> Option<Bar> {
         let share = self.front_share() + self.hidden_share();
         Some(Bar::of(change.abs() + share * self.judged().power.shear))
-    }
-
-    /// Torque and load may both be off.
-    fn friction_coefficient(&self, value: f64) -> Option<Bar> {
-        let [quadratic, cubic] = self.measured.map(|measured| measured.power.friction());
-        let torque = self.error.drag([1.0, 1.0], cubic - quadratic, self.value);
-        let (power, force) = (self.judged().power.friction(), self.judged().load.magnitude());
-        let load = self.bars()[0].scaled(value / force);
-        (!self.vanishes()).then(|| torque.scaled(value / power) + load)
     }
 
     fn cavity_share(&self, change: f64) -> f64 {
@@ -137,7 +131,7 @@ impl Estimate for CubicPair<'_> {
     }
 
     fn summit(&self) -> [f64; 2] {
-        places::summit(&self.placed())
+        places::summit(&self.placed(), self.greatest_pressure())
     }
 
     fn film_end(&self, end: ExtentEnd) -> Option<Bar> {

@@ -71,12 +71,10 @@ pub trait Estimate {
     fn inlet_flow(&self, number: Scaled) -> f64;
     /// Of the oil [m3/s] that a cavity makes, which changes by `change` between two films; none where it makes none.
     fn cavity_flow(&self, change: f64) -> Option<Bar>;
-    /// Of `shear` times the power of shear and `pressure` times that of pressure.
-    fn power(&self, parts: [f64; 2], number: Scaled) -> Bar;
+    /// Of `shear` times the power [W] of shear and `pressure` times that of pressure.
+    fn power(&self, parts: [f64; 2]) -> Bar;
     /// Of the shear in a cavity [W], which changes by `change` between two films; none where it has none.
     fn cavity_power(&self, change: f64) -> Option<Bar>;
-    /// Of the coefficient of friction `value`; none where the load may be none.
-    fn friction_coefficient(&self, value: f64) -> Option<Bar>;
     /// Of the share of the cavity [1], which changes by `change` between two films.
     fn cavity_share(&self, change: f64) -> f64;
     /// Of the least film fraction [1]; none where there is none.

@@ -1,11 +1,14 @@
 //! Bars of places, by the film in cubic elements: of the greatest pressure, and of the ends of the loaded film.
 //!
 //! * The greatest pressure is where `grad p = 0`. A field whose gradient is off by g has it `H^-1 g` away, H the second derivatives of the cubic film; g is the
-//!   greatest difference of the two gradients in the triangles of both places.
+//!   greatest difference of the two gradients in the triangles in which the greatest pressure may be: where the cubic film comes nearer to it than twice its bar d.
+//!   On a flat ridge H is that of a ripple; so the curvature is no greater than `4 d/r^2`, r how far away the film comes as near; the place is no
+//!   farther than r.
 //! * An end of the film is off by the difference of the two films, half of the triangle in which a free boundary is found, and where the pressure is only cut off
 //!   by the difference of the two pressures over the slope.
 
 use oilwedge_fem::Field;
+use oilwedge_fem::lagrange;
 use oilwedge_fem::mapping::Mapping;
 use oilwedge_reynolds::error_bar::Bar;
 use oilwedge_reynolds::quantities::extent::EndKind;
@@ -31,8 +34,8 @@ const OF_TRIANGLE: f64 = 0.5;
 /// Step in reference coordinates for second derivatives: gradients of cubics are quadratic, so that differences are exact.
 const STEP: f64 = 0.125;
 
-/// Bars [m] of the place of the greatest pressure, around and along the axis.
-pub(super) fn summit(pair: &PlacedPair) -> [f64; 2] {
+/// Bars [m] of the place of the greatest pressure, around and along the axis; `bar` [Pa] is that of this pressure.
+pub(super) fn summit(pair: &PlacedPair, bar: f64) -> [f64; 2] {
     let [quadratic, cubic] = pair.measured.map(|measured| measured.extremes.summit);
     let change = [
         (pair.film.problem.bearing)
@@ -40,28 +43,57 @@ pub(super) fn summit(pair: &PlacedPair) -> [f64; 2] {
             .abs(),
         (quadratic.position[1] - cubic.position[1]).abs(),
     ];
-    let off = [quadratic.triangle, cubic.triangle]
-        .into_iter()
+    let (triangles, reach) = highest(pair, bar);
+    let off = (triangles.into_iter())
+        .chain([quadratic.triangle, cubic.triangle])
         .flat_map(|t| lattice().map(move |point| (t, point)))
         .map(|(t, point)| {
             let [(_, a), (_, b)] = fields(pair).map(|field| field.value_and_gradient(t, point));
             [0, 1].map(|d| (a[d] - b[d]).abs())
         })
         .fold([0.0; 2], |most: [f64; 2], off| [0, 1].map(|d| most[d].max(off[d])));
+    let ridge = [0, 1].map(|d| match bar > 0.0 {
+        true => change[d].max(reach[d].min(OF_GRADIENTS * off[d] * reach[d].powi(2) / (4.0 * bar))),
+        false => change[d],
+    });
     let [[a, b], [_, c]] = second_derivatives(&fields(pair)[1], cubic.triangle, cubic.point);
     let determinant = a * c - b * b;
     match a < 0.0 && determinant > 0.0 {
         // The pressure is the same all along the axis.
         _ if pair.film.problem.theory == Theory::Long && a < 0.0 => {
-            [change[0].max(OF_GRADIENTS * off[0] / a.abs()), 0.0]
+            [ridge[0].max(OF_GRADIENTS * off[0] / a.abs()), 0.0]
         }
         true => {
             let shift = [c.abs() * off[0] + b.abs() * off[1], b.abs() * off[0] + a.abs() * off[1]];
-            [0, 1].map(|d| change[d].max(OF_GRADIENTS * shift[d] / determinant))
+            [0, 1].map(|d| ridge[d].max(OF_GRADIENTS * shift[d] / determinant))
         }
         // A kink: the place is in the triangle, or beside it.
-        false => [0, 1].map(|d| change[d] + width(pair.film, cubic.triangle, d)),
+        false => [0, 1].map(|d| ridge[d].max(change[d] + width(pair.film, cubic.triangle, d))),
     }
+}
+
+/// Triangles at whose nodes the cubic film comes nearer to its greatest pressure than twice the `bar` [Pa] of that, and how far [m] these nodes are from its
+/// place, around and along the axis.
+fn highest(pair: &PlacedPair, bar: f64) -> (Vec<usize>, [f64; 2]) {
+    let (space, extremes) = (pair.film.system.cubic().system.space(), pair.measured[1].extremes);
+    let (least, top) = (extremes.greatest - 2.0 * bar, extremes.summit.position);
+    let nodes = lagrange::nodes(space.degree());
+    let (mut triangles, mut reach) = (Vec::new(), [0.0_f64; 2]);
+    for t in 0..space.mesh().triangles().len() {
+        let dofs = space.element_dofs(t);
+        let is_high = |k: &usize| pair.film.problem.pressure_at(pair.solutions[1].unknown[dofs[*k]]) > least;
+        let high: Vec<usize> = (0..space.shapes()).filter(is_high).collect();
+        if high.is_empty() {
+            continue;
+        }
+        triangles.push(t);
+        let mapping = Mapping::of(space.mesh(), t);
+        for [x, z] in high.into_iter().map(|k| mapping.at(nodes[k]).position) {
+            let away = [pair.film.problem.bearing.around(x, top[0]), z - top[1]];
+            reach = [0, 1].map(|d| reach[d].max(away[d].abs()));
+        }
+    }
+    (triangles, reach)
 }
 
 /// Bar [m] of an end of the loaded film.

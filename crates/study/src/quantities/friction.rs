@@ -1,6 +1,7 @@
 //! What it takes to turn the journal.
 
 use oilwedge_reynolds::error_bar::Bar;
+use oilwedge_reynolds::quantities::power::pressure_power_per_force;
 
 use super::cavity::{drops, drops_in};
 use super::row::{Headline, Measure::One};
@@ -23,8 +24,7 @@ rows! {
     /// `f = T/(R W)`; none at rest, or without a load
     FRICTION_COEFFICIENT = "friction_coefficient", "f", One, "T / (R W)":
         One(|film| Some(film.friction().filter(|_| film.is_directed)? .coefficient(&film.problem.bearing, film.force))),
-        ErrorRule::Of("those of torque and load, in proportion",
-            |estimate, at| estimate.friction_coefficient(at.value)),
+        ErrorRule::Of("those of torque and load, in proportion", of_coefficient),
         tolerance;
 
     /// `P = T omega = P_s + P_p`; none at rest
@@ -33,12 +33,12 @@ rows! {
         ErrorRule::Of(DUAL, |estimate, at| of_power(estimate, at, [1.0, 1.0])), tolerance headline(Headline::Always(11));
 
     /// `P_s = Int mu U^2/h dA`; none at rest
-    FRICTION_SHEAR_POWER = "friction_shear_power", "P_s", Watt, "its part against shear":
+    FRICTION_SHEAR_POWER = "friction_shear_power", "P_s", Watt, "part of P against shear":
         One(|film| turning(film, film.measured.power.shear)),
         ErrorRule::Of(DUAL, |estimate, at| of_power(estimate, at, [1.0, 0.0]));
 
-    /// `P_p = Int (h/2) U dp/dx dA`; in a ring without pockets omega times half of the moment of W about the bearing's centre; none at rest
-    FRICTION_PRESSURE_POWER = "friction_pressure_power", "P_p", Watt, "its part against pressure":
+    /// `P_p = Int (h/2) U dp/dx dA`; without pockets it is taken as omega times half of the moment of W about the bearing's centre; none at rest
+    FRICTION_PRESSURE_POWER = "friction_pressure_power", "P_p", Watt, "part of P against pressure":
         One(|film| turning(film, film.measured.power.pressure)),
         ErrorRule::Of(DUAL, |estimate, at| of_power(estimate, at, [0.0, 1.0]));
 
@@ -51,17 +51,30 @@ rows! {
         only(drops_in);
 }
 
-const DUAL: &str = "dual-weighted, with the error of integration";
+const DUAL: &str = "dual-weighted, with the error of integration; the part against pressure in proportion to the load across the eccentricity";
 
 /// A power of the journal's rotation; none at rest.
 fn turning(film: &View, power: f64) -> Option<f64> {
     (film.journal().speed.abs() > 0.0).then_some(power)
 }
 
-fn of_power(estimate: &dyn Estimate, at: &Subject, parts: [f64; 2]) -> Option<Bar> {
-    Some(estimate.power(parts, at.per(1.0)))
+/// Bar [W] of `shear` times the power of shear and `pressure` times that of pressure. The latter goes with the force of the film where it follows from that.
+fn of_power(estimate: &dyn Estimate, at: &Subject, [shear, pressure]: [f64; 2]) -> Option<Bar> {
+    Some(match pressure_power_per_force(at.view.problem) {
+        Some(per_force) => estimate.power([shear, 0.0]) + estimate.product(per_force).scaled(pressure),
+        None => estimate.power([shear, pressure]),
+    })
 }
 
 fn of_torque(estimate: &dyn Estimate, at: &Subject, parts: [f64; 2]) -> Option<Bar> {
-    Some(estimate.power(parts, at.per(at.view.journal().speed.abs())))
+    let per_speed = at.view.journal().speed.abs().recip();
+    Some(of_power(estimate, at, parts)?.scaled(per_speed))
+}
+
+/// Torque and load may both be off; none where the load may be none.
+fn of_coefficient(estimate: &dyn Estimate, at: &Subject) -> Option<Bar> {
+    estimate.across()?;
+    let power = of_power(estimate, at, [1.0, 1.0])?;
+    let per_power = at.value / at.view.measured.power.friction();
+    Some(power.scaled(per_power) + estimate.load().scaled(at.value / estimate.force()))
 }
