@@ -14,15 +14,15 @@ rows! {
         One(|film| Some(film.force)), ErrorRule::Load, tolerance headline(Headline::AtPosition(1));
 
     /// `W_x = Int (p - p_e) cos phi dA` over the developed film and the regions cut out of it; p_e the pressure at the ends
-    LOAD_X = "load_x", "W_x", Newton, "its part along x (angle 0)":
+    LOAD_X = "load_x", "W_x", Newton, "part of W along x (angle 0)":
         One(|film| Some(force(film)[0])), TOWARDS_X, tolerance;
 
     /// `W_y = Int (p - p_e) sin phi dA`, likewise
-    LOAD_Y = "load_y", "W_y", Newton, "its part along y (angle 90 deg)":
+    LOAD_Y = "load_y", "W_y", Newton, "part of W along y (angle 90 deg)":
         One(|film| Some(force(film)[1])), TOWARDS_Y, tolerance;
 
     /// `phi_W = atan2(W_y, W_x)` in [0, 360); none without a load
-    LOAD_ANGLE = "load_angle", "phi_W", Degree, "its direction, from x towards y":
+    LOAD_ANGLE = "load_angle", "phi_W", Degree, "direction of W, from x towards y":
         One(angle), ErrorRule::LoadAngle, tolerance;
 
     /// `p_m = W/(D B)`: load over the projected area of the bearing
@@ -39,11 +39,11 @@ rows! {
         ErrorRule::Of("dual-weighted", |estimate, _| Some(estimate.pressure_integral())), tolerance;
 
     /// The part of `W_x` over a region that is cut out of the mesh; none where nothing is cut out
-    REGION_LOAD_X = "load_x.", "W_x", Newton, "part of W_x over that region":
+    REGION_LOAD_X = "load_x.", "W_x", Newton, "part of W_x over the region":
         Each(|film| cut_out(film, 0)), ErrorRule::Rim, only(is_fed);
 
     /// The part of `W_y` over a region that is cut out of the mesh; none where nothing is cut out
-    REGION_LOAD_Y = "load_y.", "W_y", Newton, "part of W_y over that region":
+    REGION_LOAD_Y = "load_y.", "W_y", Newton, "part of W_y over the region":
         Each(|film| cut_out(film, 1)), ErrorRule::Rim, only(is_fed);
 }
 
