@@ -6,6 +6,7 @@ use base64::engine::general_purpose::STANDARD;
 use oilwedge_report::page::film_page;
 use oilwedge_study::{RunOptions, run};
 use oilwedge_tests::bench::Bench;
+use oilwedge_tests::program::oilwedge_command;
 use oilwedge_tests::scenes::variant;
 use serde_json::Value;
 use sha2::{Digest, Sha256};
@@ -159,4 +160,25 @@ fn a_folder_without_results_is_refused() {
         "{}",
         told.stderr
     );
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_browser_that_does_not_open_is_told() {
+    use std::os::unix::fs::PermissionsExt;
+    let bench = Bench::new();
+    bench.scene("01_plain_ring", &[]);
+    bench.write("xdg-open", "#!/bin/sh\nexit 3\n");
+    let browser = bench.path().join("xdg-open");
+    std::fs::set_permissions(browser, std::fs::Permissions::from_mode(0o755)).expect("a program");
+    let told = oilwedge_command()
+        .args(["solve", "scene.toml", "--out", "out", "--open"])
+        .current_dir(bench.path())
+        .env("PATH", bench.path())
+        .output()
+        .expect("oilwedge starts");
+    let stderr = String::from_utf8_lossy(&told.stderr);
+    assert!(told.status.success(), "{stderr}");
+    assert!(stderr.contains("no browser could be opened"), "{stderr}");
+    assert!(bench.path().join("out/report.html").is_file());
 }

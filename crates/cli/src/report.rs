@@ -2,7 +2,8 @@
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
-use std::process::{Command, ExitCode, Stdio};
+use std::process::{Child, Command, ExitCode, Stdio};
+use std::time::{Duration, Instant};
 
 use oilwedge_report::convergence::REPORT_FILE as STUDY_FILE;
 use oilwedge_report::folder::replace;
@@ -48,6 +49,11 @@ impl PageArguments {
     }
 }
 
+/// How long a program that finds no browser takes to say so, at most.
+const PATIENCE: Duration = Duration::from_secs(1);
+/// Time between two looks at that program.
+const LOOK: Duration = Duration::from_millis(20);
+
 /// Opens a file in the browser; where there is none, a warning says so.
 fn open(path: &Path) {
     let program = match std::env::consts::OS {
@@ -55,18 +61,37 @@ fn open(path: &Path) {
         "windows" => "explorer",
         _ => "xdg-open",
     };
-    let started = Command::new(program)
+    let command = Command::new(program)
         .arg(path)
         .stdin(Stdio::null())
         .stdout(Stdio::null())
         .stderr(Stdio::null())
         .spawn();
-    if let Err(error) = started {
+    let reason = match command {
+        Err(error) => Some(error.to_string()),
+        // The explorer of Windows ends with 1 in any case.
+        Ok(_) if program == "explorer" => None,
+        Ok(mut started) => failure(&mut started),
+    };
+    if let Some(reason) = reason {
         complain::warn(&[format!(
-            "{} is written, but no browser could be opened: {program}: {error}",
+            "{} is written, but no browser could be opened: {program}: {reason}",
             path.display()
         )]);
     }
+}
+
+/// Why a program that has just been started failed; none if it still runs after [`PATIENCE`].
+fn failure(started: &mut Child) -> Option<String> {
+    let clock = Instant::now();
+    while clock.elapsed() < PATIENCE {
+        match started.try_wait() {
+            Err(error) => return Some(error.to_string()),
+            Ok(Some(status)) => return (!status.success()).then(|| status.to_string()),
+            Ok(None) => std::thread::sleep(LOOK),
+        }
+    }
+    None
 }
 
 /// Arguments of `oilwedge report`.

@@ -14,12 +14,12 @@ rows! {
     /// against the rotation in either sense; none at rest. With `jfo` the shear is weighted with the film fraction
     FRICTION_TORQUE = "friction_torque", "T", NewtonMetre, "torque on the journal, against the rotation":
         One(|film| Some(film.friction()?.on_journal)),
-        ErrorRule::Of(DUAL, |estimate, at| of_torque(estimate, at, [1.0, 1.0])), tolerance headline(Headline::Always(10));
+        ErrorRule::Of(OF_PARTS, |estimate, at| of_torque(estimate, at, [1.0, 1.0])), tolerance headline(Headline::Always(10));
 
     /// `T_b = R Int (mu U/h - (h/2) dp/dx) dA`, which the bearing must be held with; none at rest
     FRICTION_TORQUE_BEARING = "friction_torque_bearing", "T_b", NewtonMetre, "torque on the bearing, with the rotation":
         One(|film| Some(film.friction()?.on_bearing)),
-        ErrorRule::Of(DUAL, |estimate, at| of_torque(estimate, at, [1.0, -1.0]));
+        ErrorRule::Of(OF_PARTS, |estimate, at| of_torque(estimate, at, [1.0, -1.0]));
 
     /// `f = T/(R W)`; none at rest, or without a load
     FRICTION_COEFFICIENT = "friction_coefficient", "f", One, "T / (R W)":
@@ -30,7 +30,7 @@ rows! {
     /// `P = T omega = P_s + P_p`; none at rest
     FRICTION_POWER = "friction_power", "P", Watt, "power that turns the journal, T omega":
         One(|film| turning(film, film.measured.power.friction())),
-        ErrorRule::Of(DUAL, |estimate, at| of_power(estimate, at, [1.0, 1.0])), tolerance headline(Headline::Always(11));
+        ErrorRule::Of(OF_PARTS, |estimate, at| of_power(estimate, at, [1.0, 1.0])), tolerance headline(Headline::Always(11));
 
     /// `P_s = Int mu U^2/h dA`; none at rest
     FRICTION_SHEAR_POWER = "friction_shear_power", "P_s", Watt, "part of P against shear":
@@ -40,7 +40,7 @@ rows! {
     /// `P_p = Int (h/2) U dp/dx dA`; without pockets it is taken as omega times half of the moment of W about the bearing's centre; none at rest
     FRICTION_PRESSURE_POWER = "friction_pressure_power", "P_p", Watt, "part of P against pressure":
         One(|film| turning(film, film.measured.power.pressure)),
-        ErrorRule::Of(DUAL, |estimate, at| of_power(estimate, at, [0.0, 1.0]));
+        ErrorRule::Of("that of the load across the eccentricity, in proportion; with pockets dual-weighted", |estimate, at| of_power(estimate, at, [0.0, 1.0]));
 
     /// `P_sc`: the part of P_s in the cavity, where models that keep no film fraction shear the whole gap; P without it is what a dry
     /// cavity would leave; none at rest
@@ -51,7 +51,8 @@ rows! {
         only(drops_in);
 }
 
-const DUAL: &str = "dual-weighted, with the error of integration; the part against pressure in proportion to the load across the eccentricity";
+const DUAL: &str = "dual-weighted, with the error of integration";
+const OF_PARTS: &str = "those of `friction_shear_power` and `friction_pressure_power` together";
 
 /// A power of the journal's rotation; none at rest.
 fn turning(film: &View, power: f64) -> Option<f64> {
