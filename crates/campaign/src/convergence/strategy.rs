@@ -44,11 +44,14 @@ impl Strategy {
         }
     }
 
-    /// The order s of the error of a load, `error ~ unknowns^-s`: that of the cavitation model on quadratic elements, 1 on linear ones.
+    /// The order s of the error of a load, `error ~ unknowns^-s`: that of the bar on quadratic elements, 1 on linear ones.
     pub fn order(self, scene: &Scene) -> f64 {
         match self.degree() {
             1 => 1.0,
-            _ => Sockets::of(scene).cavitation.convergence_order(),
+            _ => {
+                let sockets = Sockets::of(scene);
+                sockets.cavitation.convergence_order(&sockets.pressure_law)
+            }
         }
     }
 }

@@ -17,6 +17,7 @@ use oilwedge_fem::newton::Failure;
 pub use jfo::{AdvectionScheme, FilmFraction};
 pub(crate) use jfo::{Carriage, Choice, residual_change, spread, work};
 
+use crate::lubricant::PressureLaw;
 use crate::{FilmProblem, FilmSolution, FilmSystem, NoFilm};
 
 /// The closure.
@@ -101,13 +102,14 @@ impl Cavitation {
         !self.conserves_oil()
     }
 
-    /// The order s of the error of a load on quadratic elements, `error ~ unknowns^-s`: 2 for a smooth film, 7/4 where the elements
-    /// meet a free boundary, 1 for control volumes.
-    pub fn convergence_order(&self) -> f64 {
-        match self {
-            Self::None | Self::Guembel { .. } => 2.0,
-            Self::Reynolds { .. } => 1.75,
-            Self::Jfo { .. } => 1.0,
+    /// The order s of the bar of a load on quadratic elements, `bar ~ unknowns^-s`: 3 where the film is linear and smooth, so that the law of smooth films
+    /// holds ([`crate::error_bar`]), 2 with a kink or a viscosity that grows with pressure, 7/4 where the elements meet a free boundary, 1 for control volumes.
+    pub fn convergence_order(&self, pressure_law: &PressureLaw) -> f64 {
+        match (self, pressure_law) {
+            (Self::None, PressureLaw::Constant) => 3.0,
+            (Self::None | Self::Guembel { .. }, _) => 2.0,
+            (Self::Reynolds { .. }, _) => 1.75,
+            (Self::Jfo { .. }, _) => 1.0,
         }
     }
 

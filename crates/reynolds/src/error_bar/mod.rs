@@ -5,12 +5,14 @@
 //! eta = J(p3) - J(p2) = sum over K of eta_K
 //! bar of J(p2) = 1.25 |eta| + 0.4 F + 0.7 C + 0.05 S + G + A
 //! bar of J(p3) = 0.3 |eta| (0.4 for the angle) + 0.45 F + 0.7 C + 0.05 S + G + A
+//! where there is no cavity and viscosity does not depend on pressure, if that is less:
+//! bar of J(p3) = (|eta| + 0.5 S') sqrt(S'/|J|) + 0.7 (B + C) + G + A
 //! ```
-//! with `S = sum of |eta_K|`, of which F is the part of the triangles at the edge of a cavity, and C that of the triangles
-//! at re-entrant corners, none of them deep in a cavity; the geometry part `G` of round rims ([`geometry`]); and the algebra part `A = |r . z|` of an equation
-//! solved to the residual r, z the dual. F is there because at a free edge errors of either sign cancel by chance and
-//! both films have some; C because at a corner both films have a part of the same error; S because where much cancels in eta, what the
-//! pieces leave need not.
+//! with `S = sum of |eta_K|`, of which F is the part of the triangles at the edge of a cavity, C that of the triangles at re-entrant corners and
+//! jumps of the film thickness, B that at other corners, and S' the rest, none of them deep in a cavity; the geometry part `G` of round rims
+//! ([`geometry`]); and the algebra part `A = |r . z|` of an equation solved to the residual r, z the dual. F is there because at a free edge
+//! errors of either sign cancel by chance and both films have some; C because at a corner both films have a part of the same error; S
+//! because where much cancels in eta, what the pieces leave need not.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -49,6 +51,15 @@ const PER_UNSURE: f64 = 2.0;
 
 /// What the pieces of a difference leave where they cancel.
 const PER_SUM: f64 = 0.05;
+
+/// What the cubic film leaves of a difference `eta` whose shares have magnitudes of this `sum`, where the solution is smooth: the error of the
+/// quadratic film decreases like h^4, that of the cubic one like h^6, so that the latter is `c |eta| sqrt(|eta| / size)` for a goal of this
+/// `size`. Measured: c = 0.3 to 0.7; where the shares cancel, the sum counts too.
+fn smooth_law(eta: f64, sum: f64, size: f64) -> f64 {
+    const PER_CANCELLED: f64 = 0.5;
+    let eta = eta.abs().min(sum) + PER_CANCELLED * sum;
+    eta * (sum / size.max(f64::MIN_POSITIVE)).sqrt()
+}
 
 /// Parts of an error bar, in the unit of what they are the bar of.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -184,8 +195,12 @@ pub struct FilmError {
     pub front: Vec<bool>,
     /// Triangles in the cavity, away from its edge.
     pub deep: Vec<bool>,
-    /// Triangles at corners where the film takes up more than half a turn by far.
+    /// Triangles at corners where the film takes up more than half a turn by far, or its thickness jumps.
     pub corner: Vec<bool>,
+    /// Triangles where the edge of the film bends otherwise.
+    pub bend: Vec<bool>,
+    /// True if the pressure is as smooth as the film thickness away from these: there is no cavity, and viscosity is constant.
+    pub is_smooth: bool,
     /// True if the equation is nonlinear, so that the algebra part is one of the nonlinear iteration.
     pub nonlinear: bool,
 }
@@ -223,9 +238,9 @@ impl FilmError {
         [[x / size, y / size, 0.0], [-y / size, x / size, 0.0]]
     }
 
-    /// Bar of a goal. `per_eta` is the part of `|eta|` counts for a cubic value.
-    fn bar(&self, goal: &GoalError, value: Value, per_eta: f64) -> Bar {
-        let (mut eta, mut all, mut front, mut corner) = (0.0, 0.0, 0.0, 0.0);
+    /// Bar of a goal, which follows the law of smooth films if it has a `size`. `per_eta` is the part of `|eta|` that counts for a cubic value.
+    fn bar(&self, goal: &GoalError, size: Option<f64>, value: Value, per_eta: f64) -> Bar {
+        let (mut eta, mut all, mut front, mut corner, mut bend) = (0.0, 0.0, 0.0, 0.0, 0.0);
         for (k, &share) in goal.shares.iter().enumerate() {
             // Deep in the cavity the cubic film is exact, and only the quadratic one is off: it wavers about it.
             if self.deep[k] {
@@ -236,14 +251,20 @@ impl FilmError {
             all += share.abs();
             front += if self.front[k] { share.abs() } else { 0.0 };
             corner += if self.corner[k] { share.abs() } else { 0.0 };
+            bend += if self.bend[k] { share.abs() } else { 0.0 };
         }
         let (per_eta, per_front) = match value {
             Value::Quadratic => (1.25, 0.4),
             Value::Cubic => (per_eta, 0.45),
         };
+        let plain = per_eta * eta.abs() + PER_SUM * all;
+        let size = size.filter(|_| self.is_smooth && value == Value::Cubic);
+        let triangles = size.map_or(plain, |size| {
+            plain.min(smooth_law(eta, all - corner - bend, size) + PER_CORNER * bend)
+        });
         let algebra = goal.algebra.abs();
         Bar {
-            discretisation: per_eta * eta.abs() + PER_SUM * all + PER_CORNER * corner,
+            discretisation: triangles + PER_CORNER * corner,
             front: per_front * front,
             geometry: goal.geometry.abs(),
             nonlinear: if self.nonlinear { algebra } else { 0.0 },
@@ -252,19 +273,24 @@ impl FilmError {
         }
     }
 
+    /// Magnitude of the load [N].
+    fn size(&self) -> f64 {
+        self.force[0].hypot(self.force[1])
+    }
+
     /// Bar of the magnitude of the load [N].
     pub fn load(&self, value: Value) -> Bar {
-        self.bar(&self.along(0), value, 0.3)
+        self.bar(&self.along(0), Some(self.size()), value, 0.3)
     }
 
     /// Bar of the load across its direction [N]: over the magnitude, that of its angle [rad].
     pub fn across(&self, value: Value) -> Bar {
-        self.bar(&self.along(1), value, 0.4)
+        self.bar(&self.along(1), Some(self.size()), value, 0.4)
     }
 
     /// Bar of `Int p dA` [N].
     pub fn pressure_integral(&self, value: Value) -> Bar {
-        self.bar(&self.goals[2], value, 0.3)
+        self.bar(&self.goals[2], Some(self.size()), value, 0.3)
     }
 
     /// Bar of `shear` times the power of shear and `pressure` times that of pressure [W], which changes by `change` between the two films:
@@ -273,7 +299,7 @@ impl FilmError {
         let goal = GoalError::default()
             .plus(shear, &self.drag[0])
             .plus(pressure, &self.drag[1]);
-        let bar = self.bar(&goal, value, 0.4);
+        let bar = self.bar(&goal, None, value, 0.4);
         let integration = (change - goal.shares.iter().sum::<f64>()).abs();
         Bar {
             discretisation: bar.discretisation + integration.max(shear.abs() * self.shear_rules),
@@ -283,8 +309,8 @@ impl FilmError {
 
     /// Bar of a flow [m3/s]; `unsure` [m3/s] is booked by where the edge of a cavity runs within a triangle, or at nodes of two
     /// regions.
-    pub fn flow(&self, goal: &GoalError, unsure: f64, value: Value) -> Bar {
-        let bar = self.bar(goal, value, 1.0);
+    pub fn flow(&self, goal: &GoalError, size: f64, unsure: f64, value: Value) -> Bar {
+        let bar = self.bar(goal, Some(size), value, 1.0);
         Bar {
             front: bar.front + PER_UNSURE * unsure,
             ..bar

@@ -11,6 +11,7 @@ use oilwedge_fem::{Error, Field, Matrix};
 
 use super::{FilmError, FlowGoal, GoalError, drag, geometry};
 use crate::angles::sines_and_cosines;
+use crate::lubricant::PressureLaw;
 use crate::quantities::load::{Share, kinked_rule, possible_load};
 use crate::supply::{BoundaryKind, SupplyRegion};
 use crate::{FilmPoint, FilmProblem, FilmSolution, FilmSystem, Form};
@@ -19,6 +20,10 @@ use crate::{FilmPoint, FilmProblem, FilmSolution, FilmSystem, Form};
 const REENTRANT: f64 = 1.25 * std::f64::consts::PI;
 /// All around a vertex inside the film [rad], but for rounding.
 const WHOLE: f64 = 1.99 * std::f64::consts::PI;
+/// An edge of the film that turns by less [rad] is straight.
+const STRAIGHT: f64 = 0.02;
+/// The thickness of a film jumps where those of two triangles at a vertex differ by more than this part.
+const JUMP: f64 = 1e-9;
 
 /// Flows beyond these have no error estimate: each takes a dual.
 const MOST_FLOWS: usize = 9;
@@ -61,6 +66,7 @@ pub(super) fn film_error(
     ];
     let flows = split.flows()?;
     let (front, deep) = front(better, cubic);
+    let [corner, bend] = corners(problem, system);
     Ok(FilmError {
         possible: possible_load(problem, carried),
         force: carried.force,
@@ -68,11 +74,18 @@ pub(super) fn film_error(
         drag,
         shear_rules: drag::difference_of_rules(problem, system, cubic),
         flows,
+        is_smooth: is_smooth(problem) && !front.contains(&true),
         front,
         deep,
-        corner: corner(system),
+        corner,
+        bend,
         nonlinear: problem.form == Form::AsPrinted,
     })
+}
+
+/// Whether the pressure is linear in the unknown of a linear equation.
+fn is_smooth(problem: &FilmProblem) -> bool {
+    problem.lubricant.pressure_law == PressureLaw::Constant && problem.cavitation.kink().is_none()
 }
 
 /// The difference of the two films, ready to be weighed by duals.
@@ -232,23 +245,42 @@ fn front(cubic: &FilmSystem, film: &FilmSolution) -> (Vec<bool>, Vec<bool>) {
         .unzip()
 }
 
-/// Triangles at vertices around which the film takes up more than [`REENTRANT`].
-fn corner(system: &FilmSystem) -> Vec<bool> {
+/// Triangles at corners of the film: where it takes up more than [`REENTRANT`] or its thickness jumps, and where its edge bends otherwise, but for
+/// rims that are circles.
+fn corners(problem: &FilmProblem, system: &FilmSystem) -> [Vec<bool>; 2] {
     let mesh = system.space().mesh();
     let is_film = system.supply.film(mesh);
     let mut angles = vec![0.0; mesh.points().len()];
+    let mut thickness = vec![[f64::INFINITY, 0.0]; mesh.points().len()];
     for t in (0..is_film.len()).filter(|&t| is_film[t]) {
         let corners = mesh.corners(t);
+        let films = problem.thickness_at(t, &corners);
         for (k, &vertex) in mesh.triangles()[t].iter().enumerate() {
             let to = |other: usize| [0, 1].map(|d| corners[other % 3][d] - corners[k][d]);
             let (a, b) = (to(k + 1), to(k + 2));
             angles[vertex as usize] += (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]);
+            let [least, most] = &mut thickness[vertex as usize];
+            (*least, *most) = (least.min(films[k]), most.max(films[k]));
         }
     }
-    let is_corner = |vertex: &u32| {
-        let angle = angles[*vertex as usize];
-        angle > REENTRANT && angle < WHOLE
+    let on_circle = |vertex: u32| {
+        let owner = system.supply.owner(system.space().vertex_dof(vertex));
+        owner.is_some_and(|k| system.supply.regions()[k].disc.is_some())
     };
-    let at_corner = |t: usize| is_film[t] && mesh.triangles()[t].iter().any(is_corner);
-    (0..is_film.len()).map(at_corner).collect()
+    let is_sharp = |&vertex: &u32| {
+        let (angle, [least, most]) = (angles[vertex as usize], thickness[vertex as usize]);
+        (REENTRANT..WHOLE).contains(&angle) || most > (1.0 + JUMP) * least
+    };
+    let is_bend = |&vertex: &u32| {
+        let angle = angles[vertex as usize];
+        angle < WHOLE && (angle - std::f64::consts::PI).abs() > STRAIGHT && !on_circle(vertex)
+    };
+    let at = |is_corner: &dyn Fn(&u32) -> bool| {
+        let at = |t: usize| is_film[t] && mesh.triangles()[t].iter().any(is_corner);
+        (0..is_film.len()).map(at).collect::<Vec<bool>>()
+    };
+    let sharp = at(&is_sharp);
+    let bends = at(&is_bend);
+    let bends = bends.iter().zip(&sharp).map(|(&bend, &sharp)| bend && !sharp).collect();
+    [sharp, bends]
 }

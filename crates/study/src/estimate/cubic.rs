@@ -4,7 +4,7 @@ use oilwedge_fem::Field;
 use oilwedge_reynolds::error_bar::{Bar, FilmError, FlowGoal, Value};
 use oilwedge_reynolds::quantities::cavity::hidden_share;
 use oilwedge_reynolds::quantities::inlet::inlet_flows;
-use oilwedge_reynolds::supply::BoundaryKind;
+use oilwedge_reynolds::supply::{BoundaryKind, SupplyRegion};
 use oilwedge_reynolds::{FilmSolution, FilmSystem};
 
 use super::places::{self, PlacedPair};
@@ -79,9 +79,13 @@ impl Estimate for CubicPair<'_> {
 
     fn flow(&self, goal: &FlowGoal, Scaled { unit, change }: Scaled) -> Option<Bar> {
         let (_, error) = self.error.flows.iter().find(|(other, _)| other == goal)?;
-        let bar = self.error.flow(error, self.unsure(goal), self.value);
+        let (size, unsure) = self.booked(goal);
+        let bar = self.error.flow(error, size, unsure, self.value);
         // What a cavity makes beside an end is booked apart from the residuals, so that the two may change by another amount.
-        let discretisation = bar.discretisation.max(change.abs() * unit);
+        let discretisation = match self.has_smooth_flows() {
+            true => bar.discretisation,
+            false => bar.discretisation.max(change.abs() * unit),
+        };
         Some(Bar { discretisation, ..bar }.scaled(1.0 / unit))
     }
 
@@ -188,6 +192,12 @@ impl CubicPair<'_> {
         }
     }
 
+    /// Whether the law of smooth films holds for flows too: there is no round rim, whose shape is not known to act on them.
+    fn has_smooth_flows(&self) -> bool {
+        let is_round = |region: &SupplyRegion| region.disc.is_some();
+        self.value == Value::Cubic && self.error.is_smooth && !self.film.system.supply.regions().iter().any(is_round)
+    }
+
     /// What was measured on the film whose numbers are judged.
     fn judged(&self) -> &Measured {
         match self.value {
@@ -226,8 +236,8 @@ impl CubicPair<'_> {
         edge / whole
     }
 
-    /// What is booked by where the edge of a cavity runs within a triangle [m3/s].
-    fn unsure(&self, goal: &FlowGoal) -> f64 {
+    /// Magnitude of a flow, and what of it is booked by where the edge of a cavity runs within a triangle [m3/s].
+    fn booked(&self, goal: &FlowGoal) -> (f64, f64) {
         let regions = self.film.system.supply.regions().iter();
         let counts = |kind: BoundaryKind, region: &str| match goal {
             FlowGoal::Ends => kind == BoundaryKind::End,
@@ -235,6 +245,9 @@ impl CubicPair<'_> {
         };
         let flows = regions.zip(&self.judged().flows.regions);
         let counted = flows.filter(|(region, _)| counts(region.kind, &region.name));
-        counted.map(|(_, flow)| flow.unsure).sum()
+        let (flow, unsure) = counted.fold((0.0, 0.0), |(flow, unsure), (_, region)| {
+            (flow + region.net, unsure + region.unsure)
+        });
+        (flow.abs(), unsure)
     }
 }

@@ -1,5 +1,7 @@
 //! How much finer the next mesh must be, and may be.
 
+use oilwedge_reynolds::FilmProblem;
+
 use super::level::Level;
 use crate::result::{LevelFacts, Refinement};
 
@@ -42,7 +44,10 @@ impl Growth {
     /// The growth towards a goal, or less where that would be too long for the time left [s] or too large: a smaller step is better
     /// than none.
     pub(super) fn of(level: &Level, goal: &Goal, levels: &[LevelFacts], left: f64) -> Self {
-        let order = level.solved.film.problem.cavitation.convergence_order();
+        let FilmProblem {
+            cavitation, lubricant, ..
+        } = &level.solved.film.problem;
+        let order = cavitation.convergence_order(&lubricant.pressure_law);
         let (least, most) = (LEAST_GROWTH, goal.most_growth);
         let wanted = match goal.worst.is_finite() {
             true => (goal.worst / SAFETY).powf(1.0 / order).clamp(least, most),
