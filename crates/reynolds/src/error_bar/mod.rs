@@ -307,10 +307,10 @@ impl FilmError {
         }
     }
 
-    /// Bar of a flow [m3/s]; `unsure` [m3/s] is booked by where the edge of a cavity runs within a triangle, or at nodes of two
+    /// Bar of a flow [m3/s], which follows the law of smooth films if it has a `size` [m3/s]; `unsure` [m3/s] is booked by where the edge of a cavity runs within a triangle, or at nodes of two
     /// regions.
-    pub fn flow(&self, goal: &GoalError, size: f64, unsure: f64, value: Value) -> Bar {
-        let bar = self.bar(goal, Some(size), value, 1.0);
+    pub fn flow(&self, goal: &GoalError, size: Option<f64>, unsure: f64, value: Value) -> Bar {
+        let bar = self.bar(goal, size, value, 1.0);
         Bar {
             front: bar.front + PER_UNSURE * unsure,
             ..bar

@@ -27,6 +27,9 @@ pub(super) struct CubicPair<'a> {
     pub(super) value: Value,
 }
 
+/// In the law of extremes of a smooth pressure; measured: up to 2.5.
+const PER_EXTREME: f64 = 3.0;
+
 impl Estimate for CubicPair<'_> {
     fn is_resolved(&self) -> bool {
         self.error.is_resolved()
@@ -80,11 +83,12 @@ impl Estimate for CubicPair<'_> {
     fn flow(&self, goal: &FlowGoal, Scaled { unit, change }: Scaled) -> Option<Bar> {
         let (_, error) = self.error.flows.iter().find(|(other, _)| other == goal)?;
         let (size, unsure) = self.booked(goal);
+        let size = self.has_smooth_flows().then_some(size);
         let bar = self.error.flow(error, size, unsure, self.value);
         // What a cavity makes beside an end is booked apart from the residuals, so that the two may change by another amount.
-        let discretisation = match self.has_smooth_flows() {
-            true => bar.discretisation,
-            false => bar.discretisation.max(change.abs() * unit),
+        let discretisation = match size {
+            Some(_) => bar.discretisation,
+            None => bar.discretisation.max(change.abs() * unit),
         };
         Some(Bar { discretisation, ..bar }.scaled(1.0 / unit))
     }
@@ -185,17 +189,35 @@ impl CubicPair<'_> {
             };
             points.map(gap).fold(0.0, f64::max)
         };
-        let furthest = triangles.into_iter().map(apart).fold(0.0, f64::max);
+        let triangles: Vec<usize> = triangles.into_iter().collect();
+        let furthest = triangles.iter().copied().map(apart).fold(0.0, f64::max);
         match self.value {
             Value::Quadratic => (1.25 * change).max(furthest),
-            Value::Cubic => (0.3 * change).max(0.5 * furthest),
+            Value::Cubic => {
+                let plain = (0.3 * change).max(0.5 * furthest);
+                self.of_smooth_extreme(furthest, &triangles)
+                    .map_or(plain, |smooth| smooth.min(plain))
+            }
         }
     }
 
-    /// Whether the law of smooth films holds for flows too: there is no round rim, whose shape is not known to act on them.
+    /// Bar [Pa] of an extreme of a smooth pressure whose two films are `furthest` [Pa] apart in these triangles: locally the error of the quadratic film decreases
+    /// like h^3 and that of the cubic one like h^4, and what comes from elsewhere is in the load as well. None where the pressure is not smooth there.
+    fn of_smooth_extreme(&self, furthest: f64, triangles: &[usize]) -> Option<f64> {
+        let is_smooth = self.error.is_smooth && !triangles.iter().any(|&t| self.error.corner[t]);
+        let extremes = self.judged().extremes;
+        let size = (extremes.greatest - extremes.least).max(f64::MIN_POSITIVE);
+        let [along, across] = self.bars();
+        let elsewhere = size * (along.total() + across.total()) / self.force();
+        (is_smooth && !self.vanishes()).then(|| PER_EXTREME * furthest * (furthest / size).cbrt() + elsewhere)
+    }
+
+    /// Whether the law of smooth films holds for flows too: there is no round rim, whose shape is not known to act on them, and no sharp corner, at which the
+    /// flow has no bound.
     fn has_smooth_flows(&self) -> bool {
         let is_round = |region: &SupplyRegion| region.disc.is_some();
-        self.value == Value::Cubic && self.error.is_smooth && !self.film.system.supply.regions().iter().any(is_round)
+        let is_plain = !self.error.corner.contains(&true);
+        is_plain && self.error.is_smooth && !self.film.system.supply.regions().iter().any(is_round)
     }
 
     /// What was measured on the film whose numbers are judged.
