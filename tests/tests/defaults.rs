@@ -79,6 +79,29 @@ fn a_bar_that_stays_wide_has_a_warning() {
     assert_eq!(film.status, Status::Converged, "what is required is met");
 }
 
+/// A shell that is thinnest at its edge loses hardly any oil at its ends: that number is the least certain, and no mesh is made for it.
+#[test]
+fn a_small_side_flow_with_a_wide_bar_has_a_warning() {
+    let film = result(
+        r#"
+bearing = { diameter = "80 mm", length = "50 mm", clearance = "50 um", arc = { from = "200 deg", to = "340 deg" } }
+journal = { speed = "3000 rpm" }
+load = { force = "1990 N", angle = "205.9 deg" }
+oil = { viscosity = "20 mPa.s" }
+cavitation = { model = "reynolds" }
+"#,
+    );
+    let quantity = film.quantity(&SIDE_FLOW).expect("a side flow");
+    let is_wide = quantity.error().expect("a bar") > 0.02 * quantity.value.abs();
+    let told = (film.warnings.iter()).any(|told| *told.kind == warning::WIDE_BAR && told.text.contains("side_flow"));
+    assert_eq!(
+        (film.status, is_wide, told),
+        (Status::Converged, true, true),
+        "{:?}",
+        film.warnings
+    );
+}
+
 #[test]
 fn drawn_meshes_have_three_hundred_triangles() {
     let text = r#"

@@ -174,10 +174,17 @@ impl<'a> Split<'a> {
         let error = GoalError {
             shares: between.shared(&products),
             geometry: 0.0,
-            algebra: -self.residual.iter().zip(&raised).map(|(r, z)| r * z).sum::<f64>(),
+            algebra: with_scatter(self.residual.iter().zip(&raised).map(|(r, z)| -r * z)),
         };
         Ok((dual, error))
     }
+}
+
+/// A sum of parts of either sign, but no less than what scatter leaves of it: it may be small by chance.
+fn with_scatter(parts: impl Iterator<Item = f64>) -> f64 {
+    const DEVIATIONS: f64 = 3.0;
+    let (sum, squares) = parts.fold((0.0, 0.0), |(sum, squares), part| (sum + part, squares + part * part));
+    sum.abs().max(DEVIATIONS * f64::sqrt(squares)).copysign(sum)
 }
 
 /// `Int s phi_i (cos phi, sin phi, 1) dA` for each cubic function, with the secant s of the pressure between the two films.

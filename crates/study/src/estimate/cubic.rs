@@ -10,7 +10,7 @@ use oilwedge_reynolds::{FilmSolution, FilmSystem};
 use super::places::{self, PlacedPair};
 use super::{Estimate, ExtentEnd, Scaled};
 use crate::film::Film;
-use crate::measure::Measured;
+use crate::measure::{Measured, drag};
 
 /// Share of the differences of the flow through triangles, without their signs, that the cubic film is off by.
 const OF_FLOWS: f64 = 0.5;
@@ -58,7 +58,7 @@ impl Estimate for CubicPair<'_> {
     }
 
     fn pressure_integral(&self) -> Bar {
-        self.error.pressure_integral(self.value)
+        self.error.pressure_integral(self.value) + self.rounding()
     }
 
     fn greatest_pressure(&self) -> f64 {
@@ -159,7 +159,17 @@ impl CubicPair<'_> {
 
     /// Of the load along and across its direction [N].
     fn bars(&self) -> [Bar; 2] {
-        [self.error.load(self.value), self.error.across(self.value)]
+        [self.error.load(self.value), self.error.across(self.value)].map(|bar| bar + self.rounding())
+    }
+
+    /// What rounding of the film thickness does to a load: as much as to that of the drag through the whole clearance.
+    fn rounding(&self) -> Bar {
+        let bearing = &self.film.problem.bearing;
+        let load = drag(&self.film.problem) * 2.0 * bearing.radius * bearing.length;
+        Bar {
+            algebra: f64::EPSILON * load,
+            ..Bar::default()
+        }
     }
 
     /// A load smaller than its own bar has no direction along which or across which it may be off.

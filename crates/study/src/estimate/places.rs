@@ -1,9 +1,9 @@
 //! Bars of places, by the film in cubic elements: of the greatest pressure, and of the ends of the loaded film.
 //!
 //! * The greatest pressure is where `grad p = 0`. A field whose gradient is off by g has it `H^-1 g` away, H the second derivatives of the cubic film; g is the
-//!   greatest difference of the two gradients in the triangles in which the greatest pressure may be: where the cubic film comes nearer to it than twice its bar d.
-//!   On a flat ridge H is that of a ripple; so the curvature is no greater than `4 d/r^2`, r how far away the film comes as near; the place is no
-//!   farther than r.
+//!   greatest difference of the two gradients in the triangles in which the greatest pressure may be: where the cubic film comes
+//!   nearer to it at a node than d, twice its bar and four times what the highest node is below it. On a flat ridge H is that of a ripple; so the curvature is
+//!   no greater than `2 d/r^2`, r how far away the film comes as near; the place is no farther than r.
 //! * An end of the film is off by the difference of the two films, half of the triangle in which a free boundary is found, and where the pressure is only cut off
 //!   by the difference of the two pressures over the slope.
 
@@ -29,6 +29,9 @@ pub(super) struct PlacedPair<'a> {
 const LATTICE: u32 = 4;
 /// Share of the difference of the gradients that the cubic film is off by.
 const OF_GRADIENTS: f64 = 0.5;
+/// In d: of the bar of the greatest pressure, and of what the highest node is below it.
+const PER_BAR: f64 = 2.0;
+const PER_NODE: f64 = 4.0;
 /// Share of the triangle in which a free boundary is found.
 const OF_TRIANGLE: f64 = 0.5;
 /// Step in reference coordinates for second derivatives: gradients of cubics are quadratic, so that differences are exact.
@@ -43,7 +46,11 @@ pub(super) fn summit(pair: &PlacedPair, bar: f64) -> [f64; 2] {
             .abs(),
         (quadratic.position[1] - cubic.position[1]).abs(),
     ];
-    let (triangles, reach) = highest(pair, bar);
+    let High {
+        triangles,
+        depth,
+        reach,
+    } = high(pair, bar);
     let off = (triangles.into_iter())
         .chain([quadratic.triangle, cubic.triangle])
         .flat_map(|t| lattice().map(move |point| (t, point)))
@@ -52,8 +59,8 @@ pub(super) fn summit(pair: &PlacedPair, bar: f64) -> [f64; 2] {
             [0, 1].map(|d| (a[d] - b[d]).abs())
         })
         .fold([0.0; 2], |most: [f64; 2], off| [0, 1].map(|d| most[d].max(off[d])));
-    let ridge = [0, 1].map(|d| match bar > 0.0 {
-        true => change[d].max(reach[d].min(OF_GRADIENTS * off[d] * reach[d].powi(2) / (4.0 * bar))),
+    let ridge = [0, 1].map(|d| match depth > 0.0 {
+        true => change[d].max(reach[d].min(OF_GRADIENTS * off[d] * reach[d].powi(2) / (2.0 * depth))),
         false => change[d],
     });
     let [[a, b], [_, c]] = second_derivatives(&fields(pair)[1], cubic.triangle, cubic.point);
@@ -72,16 +79,28 @@ pub(super) fn summit(pair: &PlacedPair, bar: f64) -> [f64; 2] {
     }
 }
 
-/// Triangles at whose nodes the cubic film comes nearer to its greatest pressure than twice the `bar` [Pa] of that, and how far [m] these nodes are from its
-/// place, around and along the axis.
-fn highest(pair: &PlacedPair, bar: f64) -> (Vec<usize>, [f64; 2]) {
+/// Where the greatest pressure may be.
+struct High {
+    /// Triangles at whose nodes the cubic film comes as near to its greatest pressure as `depth`.
+    triangles: Vec<usize>,
+    /// d [Pa].
+    depth: f64,
+    /// How far [m] these nodes are from its place, around and along the axis.
+    reach: [f64; 2],
+}
+
+/// Where the greatest pressure may be, whose bar is `bar` [Pa].
+fn high(pair: &PlacedPair, bar: f64) -> High {
     let (space, extremes) = (pair.film.system.cubic().system.space(), pair.measured[1].extremes);
-    let (least, top) = (extremes.greatest - 2.0 * bar, extremes.summit.position);
+    let pressure = |dof: usize| pair.film.problem.pressure_at(pair.solutions[1].unknown[dof]);
+    let highest = (0..space.dofs()).map(pressure).fold(f64::NEG_INFINITY, f64::max);
+    let depth = PER_BAR * bar + PER_NODE * (extremes.greatest - highest).max(0.0);
+    let (least, top) = (extremes.greatest - depth, extremes.summit.position);
     let nodes = lagrange::nodes(space.degree());
     let (mut triangles, mut reach) = (Vec::new(), [0.0_f64; 2]);
     for t in 0..space.mesh().triangles().len() {
         let dofs = space.element_dofs(t);
-        let is_high = |k: &usize| pair.film.problem.pressure_at(pair.solutions[1].unknown[dofs[*k]]) > least;
+        let is_high = |k: &usize| pressure(dofs[*k]) > least;
         let high: Vec<usize> = (0..space.shapes()).filter(is_high).collect();
         if high.is_empty() {
             continue;
@@ -93,7 +112,11 @@ fn highest(pair: &PlacedPair, bar: f64) -> (Vec<usize>, [f64; 2]) {
             reach = [0, 1].map(|d| reach[d].max(away[d].abs()));
         }
     }
-    (triangles, reach)
+    High {
+        triangles,
+        depth,
+        reach,
+    }
 }
 
 /// Bar [m] of an end of the loaded film.

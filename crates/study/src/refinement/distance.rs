@@ -7,9 +7,9 @@ use crate::quantities::{ECCENTRICITY, Quantity, SIDE_FLOW, Unit};
 use oilwedge_scene::Target;
 
 /// Tolerances of what is less than this part of what it could be count against that part: loads against those that the pressures
-/// could carry, pressures against that of drag, the eccentricity against the clearance.
+/// could carry, pressures against that of drag, the eccentricity against the clearance, and where bars are judged side flows against what the journal drags.
 const LEAST: f64 = 1e-3;
-/// Least side flow against which its tolerance counts, over the flow that the journal drags through the clearance.
+/// Least side flow against which meshes are refined, over the flow that the journal drags through the clearance.
 const LEAST_FLOW: f64 = 0.05;
 
 /// Sizes that numbers of a film could have: tolerances of much smaller ones count against a part of them.
@@ -18,18 +18,19 @@ struct Possible {
     load: f64,
     /// The pressure [Pa] that drag through the clearance makes.
     pressure: f64,
-    /// The oil [m3/s] that the journal drags through the clearance.
-    flow: f64,
+    /// The least side flow [m3/s] that counts by its own size.
+    least_flow: f64,
 }
 
 impl Possible {
-    fn of(film: &Film, estimated: &Estimated) -> Self {
+    /// Side flows count by their own size from `least_flow` times what the journal drags through the clearance.
+    fn of(film: &Film, estimated: &Estimated, least_flow: f64) -> Self {
         let bearing = &film.problem.bearing;
         let dragged = 0.5 * film.problem.journal.speed.abs() * bearing.radius;
         Self {
             pressure: drag(&film.problem),
             load: possible_load(&film.problem, &estimated.measured),
-            flow: dragged * bearing.clearance * bearing.length,
+            least_flow: least_flow * dragged * bearing.clearance * bearing.length,
         }
     }
 
@@ -39,7 +40,7 @@ impl Possible {
             Unit::Degree => 1f64.to_degrees(),
             Unit::Pascal => quantity.value.abs().max(LEAST * self.pressure),
             Unit::Newton => quantity.value.abs().max(LEAST * self.load),
-            _ if quantity.row == &SIDE_FLOW => quantity.value.abs().max(LEAST_FLOW * self.flow),
+            _ if quantity.row == &SIDE_FLOW => quantity.value.abs().max(self.least_flow),
             _ if quantity.row == &ECCENTRICITY => quantity.value.abs().max(LEAST),
             _ => quantity.value.abs(),
         }
@@ -60,7 +61,7 @@ impl Possible {
 
 /// The greatest bar over what it may be, and of which quantity.
 pub(super) fn worst<'a>(film: &Film, estimated: &Estimated, targets: &'a [Target]) -> (f64, &'a str) {
-    let possible = Possible::of(film, estimated);
+    let possible = Possible::of(film, estimated, LEAST_FLOW);
     (targets.iter())
         .map(|target| (possible.ratio(&estimated.quantities, target), target.quantity.as_str()))
         .fold((0.0, ""), |worst, next| if next.0 > worst.0 { next } else { worst })
@@ -68,7 +69,7 @@ pub(super) fn worst<'a>(film: &Film, estimated: &Estimated, targets: &'a [Target
 
 /// Names of the targets whose bars are wider than they may be, with these bars over the values [1].
 pub(crate) fn wide_bars<'a>(film: &Film, estimated: &Estimated, targets: &'a [Target]) -> Vec<(&'a str, f64)> {
-    let possible = Possible::of(film, estimated);
+    let possible = Possible::of(film, estimated, LEAST);
     let wide = |target: &'a Target| {
         let ratio = possible.ratio(&estimated.quantities, target);
         (ratio > 1.0 && ratio.is_finite()).then_some((target.quantity.as_str(), ratio * target.relative))
