@@ -10,9 +10,9 @@
 //! ```
 //! with `S = sum of |eta_K|`, of which F is the part of the triangles at the edge of a cavity, C that of the triangles at re-entrant corners and
 //! jumps of the film thickness, B that at other corners, and S' the rest, none of them deep in a cavity; the geometry part `G` of round rims
-//! ([`geometry`]); and the algebra part `A = |r . z|` of an equation solved to the residual r, z the dual, no less than three times the root of the sum of squares. F is there because at a free edge
-//! errors of either sign cancel by chance and both films have some; C because at a corner both films have a part of the same error; S
-//! because where much cancels in eta, what the pieces leave need not.
+//! ([`geometry`]); and the algebra part `A = |r . z|` of an equation solved to the residual r, z the dual, no less than three times the root of the
+//! sum of squares. F is there because at a free edge errors of either sign cancel by chance and both films have some; C because at a corner both
+//! films have a part of the same error; S because where much cancels in eta, what the pieces leave need not.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
