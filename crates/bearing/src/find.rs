@@ -5,7 +5,7 @@ use oilwedge_reynolds::{FilmProblem, FilmSystem, JournalState};
 
 use crate::cubic::balance_cubic;
 use crate::equilibrium::{Equilibrium, NEAR, ROUGHLY_BALANCED, Stiffness};
-use crate::estimate::GREATEST_ECCENTRICITY;
+use crate::estimate::{GREATEST_ECCENTRICITY, is_contact};
 use crate::search::{Search, Trial};
 use crate::{Carrier, InitialGuess, NoEquilibrium, SearchOptions};
 
@@ -17,7 +17,7 @@ const MOST_STEPS: usize = 40;
 const SETTLED: f64 = 1e-6;
 /// Most choices of the advection schemes: the last is that of the balanced position, if they settle.
 const MOST_CHOICES: usize = 6;
-/// Eccentricity up to which the last position of a failed search on a coarser mesh is a start.
+/// Part of the clearance that the film may lose where it is thinnest, if the last position of a failed search on a coarser mesh is to be a start.
 const RESOLVED: f64 = 0.99;
 /// A journal whose film is thinner than this part of the clearance touches.
 const CONTACT: f64 = 1e-6;
@@ -62,13 +62,14 @@ impl Search<'_> {
     /// Whether a position lies beyond the greatest eccentricity that counts as one.
     fn is_beyond(found: &Equilibrium) -> bool {
         let Equilibrium { problem, .. } = found;
-        problem.journal.eccentricity() > GREATEST_ECCENTRICITY * problem.bearing.clearance
+        is_contact(&problem.bearing, &problem.journal)
     }
 
     /// Refuses a load that is below round-off and, where the search begins at the greatest eccentricity, one that exceeds the capacity there.
     fn check_capacity(&self, problem: &FilmProblem) -> Result<(), NoEquilibrium> {
-        let nearly = (1.0 - f64::EPSILON.sqrt()) * GREATEST_ECCENTRICITY * problem.bearing.clearance;
-        let begins_at_contact = problem.journal.eccentricity() > nearly;
+        let bearing = &problem.bearing;
+        let nearly = (1.0 - f64::EPSILON.sqrt()) * GREATEST_ECCENTRICITY * bearing.clearance;
+        let begins_at_contact = bearing.clearance - bearing.least_gap(&problem.journal) > nearly;
         let beyond = || begins_at_contact.then(|| self.beyond_capacity(problem)).flatten();
         self.below_rounding().or_else(beyond).map_or(Ok(()), Err)
     }
@@ -89,7 +90,10 @@ impl Search<'_> {
             Err(reason) => reason,
         };
         // Where a coarser mesh has no balance its last position may still be a start, unless the film there is too thin for it.
-        let is_resolved = |journal: &JournalState| journal.eccentricity() < RESOLVED * problem.bearing.clearance;
+        let is_resolved = |journal: &JournalState| {
+            let bearing = &problem.bearing;
+            bearing.clearance - bearing.least_gap(journal) < RESOLVED * bearing.clearance
+        };
         let outcome = self.run(problem, problem.journal);
         match reason.last_position().filter(is_resolved) {
             Some(start) if outcome.is_err() => self.run(problem, start),

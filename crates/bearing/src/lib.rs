@@ -29,7 +29,7 @@ pub mod thermal_balance;
 pub use cap_bolts::{BoltForces, CapBolts, Shell};
 pub use deadline::{Deadline, Interrupt};
 pub use equilibrium::{Equilibrium, NEAR, ROUGHLY_BALANCED};
-pub use estimate::{GREATEST_ECCENTRICITY, first_position};
+pub use estimate::{GREATEST_ECCENTRICITY, first_position, is_contact};
 pub use find::find;
 pub use no_equilibrium::NoEquilibrium;
 pub use observer::SearchObserver;

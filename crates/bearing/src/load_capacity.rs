@@ -24,7 +24,7 @@ impl Search<'_> {
         let towards = self.load[1].atan2(self.load[0]);
         let mut angle = problem.journal.min_film_angle();
         for _ in 0..TURNS {
-            let e = GREATEST_ECCENTRICITY * problem.bearing.clearance;
+            let e = GREATEST_ECCENTRICITY * problem.bearing.reach(&problem.journal, angle);
             let offset = [e * angle.cos(), e * angle.sin()];
             let trial = self.trial(problem, offset, Neighbour::None).ok()?;
             let [x, y] = trial.force;
@@ -39,7 +39,8 @@ impl Search<'_> {
                     towards: towards.to_degrees().rem_euclid(360.0),
                     greatest,
                     ratio: asked / greatest,
-                    thickness: problem.bearing.clearance - e,
+                    eccentricity: e / problem.bearing.clearance,
+                    thickness: problem.bearing.least_gap(&trial.problem.journal),
                     journal: Box::new(trial.problem.journal),
                 });
             }
@@ -50,7 +51,7 @@ impl Search<'_> {
 
     /// Whether the film carries less than `greatest` [N] at a smaller eccentricity; with tension on one side of an arc it need not.
     fn grows(&self, problem: &FilmProblem, angle: f64, greatest: f64) -> bool {
-        let e = BEFORE * problem.bearing.clearance;
+        let e = BEFORE * problem.bearing.reach(&problem.journal, angle);
         let before = self.trial(problem, [e * angle.cos(), e * angle.sin()], Neighbour::None);
         before.is_ok_and(|trial| trial.force[0].hypot(trial.force[1]) < greatest)
     }

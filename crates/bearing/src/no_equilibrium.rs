@@ -1,6 +1,5 @@
 //! Why a load is not balanced.
 
-use crate::estimate::GREATEST_ECCENTRICITY;
 use oilwedge_reynolds::existence::readable;
 use oilwedge_reynolds::{JournalState, NoFilm};
 
@@ -34,7 +33,7 @@ pub enum NoEquilibrium {
     },
     /// The load exceeds what the film carries at the greatest eccentricity at which a position is sought.
     #[error(
-        "no position of the journal carries {} N towards {towards:.1} deg: at eccentricity {GREATEST_ECCENTRICITY}, where the film is {} m thin, it carries {} N that way, and the load is {} times as much",
+        "no position of the journal carries {} N towards {towards:.1} deg: at eccentricity {eccentricity:.4}, where the film is {} m thin, it carries {} N that way, and the load is {} times as much",
         readable(*asked), readable(*thickness), readable(*greatest), readable(*ratio)
     )]
     BeyondCapacity {
@@ -46,6 +45,8 @@ pub enum NoEquilibrium {
         greatest: f64,
         /// The load over that.
         ratio: f64,
+        /// The greatest eccentricity in that direction.
+        eccentricity: f64,
         /// Least film thickness there [m].
         thickness: f64,
         /// The journal there.

@@ -91,7 +91,7 @@ impl<'a> Search<'a> {
                     break;
                 }
                 let angle = std::f64::consts::TAU * f64::from(k) / f64::from(ANGLES);
-                let e = eps * problem.bearing.clearance;
+                let e = eps * problem.bearing.reach(&problem.journal, angle);
                 if let Ok(trial) = self.trial(problem, [e * angle.cos(), e * angle.sin()], Neighbour::None) {
                     starts.push((self.distance(&trial), trial.problem.journal));
                 }
@@ -321,7 +321,8 @@ impl<'a> Search<'a> {
 /// The force [N] of drag through the clearance, or that of the greatest pressure given on the projected area.
 fn reference_force(problem: &FilmProblem, system: &FilmSystem, centre_velocity: CentreVelocity) -> f64 {
     let bearing = &problem.bearing;
-    let rate = problem.journal.speed.abs() + centre_velocity.speed() / bearing.clearance;
+    let tilting = JournalState { velocity: [0.0; 2], ..problem.journal }.squeeze_speed(0.5 * bearing.length);
+    let rate = problem.journal.speed.abs() + (centre_velocity.speed() + tilting) / bearing.clearance;
     let drag = problem.lubricant.viscosity * rate * (bearing.radius / bearing.clearance).powi(2);
     let given = system.supply.regions().iter().map(|region| region.pressure.abs());
     given.fold(drag, f64::max) * 2.0 * bearing.radius * bearing.length

@@ -34,8 +34,8 @@ impl Search<'_> {
     fn logarithmic_step(&self, trial: &Trial, stiffness: Stiffness) -> Option<[f64; 2]> {
         let [e_x, e_y] = trial.problem.journal.offset;
         let e = e_x.hypot(e_y);
-        let clearance = trial.problem.bearing.clearance;
-        let eps = e / clearance;
+        let reach = |angle: f64| trial.problem.bearing.reach(&trial.problem.journal, angle);
+        let eps = e / reach(e_y.atan2(e_x));
         let (force, load) = (trial.force[0].hypot(trial.force[1]), self.load[0].hypot(self.load[1]));
         let along = trial.force[0] * self.load[0] + trial.force[1] * self.load[1];
         if eps < CENTRED || along <= 0.0 {
@@ -45,7 +45,7 @@ impl Search<'_> {
         let wanted = [(load / force).ln(), across.atan2(along)];
         // Columns: change of (ln |W|, angle of W) by s and by the angle of the line of centres.
         let radial = [e_x / e, e_y / e];
-        let by_s = 1.0 / (1.0 / eps + 1.5 / (1.0 - eps)) * clearance;
+        let by_s = 1.0 / (1.0 / eps + 1.5 / (1.0 - eps)) * reach(e_y.atan2(e_x));
         let moves = [radial.map(|x| x * by_s), [-e_y, e_x]];
         let mut tangent = [[0.0; 2]; 2];
         for (k, step) in moves.iter().enumerate() {
@@ -58,7 +58,7 @@ impl Search<'_> {
             return None;
         }
         let angle = e_y.atan2(e_x) + turn;
-        let e_next = clearance * eccentricity_at(log_eccentricity(eps) + by_s);
+        let e_next = reach(angle) * eccentricity_at(log_eccentricity(eps) + by_s);
         Some([e_next * angle.cos() - e_x, e_next * angle.sin() - e_y])
     }
 

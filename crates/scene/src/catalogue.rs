@@ -17,6 +17,7 @@ static TABLES: &[&[Key]] = &[
     crate::feed::groove::KEYS,
     crate::journal::KEYS,
     crate::journal::squeeze::KEYS,
+    crate::journal::tilt::KEYS,
     crate::load::KEYS,
     crate::oil::KEYS,
     crate::oil::temperature::KEYS,

@@ -93,25 +93,25 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, position: Position, degree: usize) 
 
 /// The film of a scene, with the journal at `position` or, under a load, where the search for its position begins.
 fn problem(scene: &Scene, oil: &Oil, sockets: Sockets, mesh: &Mesh, position: Position) -> FilmProblem {
-    let clearance = scene.bearing.clearance;
+    let bearing = bearing(scene);
     let Position {
         eccentricity,
         min_film_angle,
+        tilt,
     } = position;
-    let journal = JournalState::at_eccentricity(eccentricity, min_film_angle, clearance, scene.journal.speed);
+    let journal = JournalState {
+        tilt,
+        tilt_rate: sockets.tilt_rate,
+        ..JournalState::at_eccentricity(eccentricity, min_film_angle, bearing.clearance, scene.journal.speed)
+    };
     let eccentric: Arc<dyn FilmContribution> = Arc::new(Eccentricity {
-        radius: scene.bearing.radius(),
-        clearance,
+        radius: bearing.radius,
+        clearance: bearing.clearance,
     });
     let deeper = sockets.film_thickness.iter().map(|contribution| contribution(mesh));
     FilmProblem {
         theory: sockets.theory,
-        bearing: Bearing {
-            radius: scene.bearing.radius(),
-            length: scene.bearing.length,
-            clearance,
-            end_pressure: scene.ends.pressure,
-        },
+        bearing,
         journal: journal.with_centre_velocity(sockets.centre_velocity, min_film_angle),
         film_thickness: std::iter::once(eccentric).chain(deeper).collect(),
         lubricant: Lubricant {
@@ -121,6 +121,16 @@ fn problem(scene: &Scene, oil: &Oil, sockets: Sockets, mesh: &Mesh, position: Po
         form: sockets.form,
         terms: sockets.terms,
         cavitation: sockets.cavitation,
+    }
+}
+
+/// The dimensions of the bearing of a scene.
+pub(crate) fn bearing(scene: &Scene) -> Bearing {
+    Bearing {
+        radius: scene.bearing.radius(),
+        length: scene.bearing.length,
+        clearance: scene.bearing.clearance,
+        end_pressure: scene.ends.pressure,
     }
 }
 

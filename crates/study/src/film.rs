@@ -101,6 +101,7 @@ impl Film {
         let offset = position.eccentricity * self.problem.bearing.clearance;
         self.with_journal(JournalState {
             offset: [offset * cos, offset * sin],
+            tilt: position.tilt,
             ..self.problem.journal
         })
     }

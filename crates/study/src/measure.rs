@@ -6,8 +6,8 @@ use oilwedge_reynolds::quantities::flow::{self, Flows};
 use oilwedge_reynolds::quantities::inlet::inlet_flow;
 use oilwedge_reynolds::quantities::load::{self, Load};
 use oilwedge_reynolds::quantities::power::{self, Power};
-use oilwedge_reynolds::quantities::pressure::{self, Extremes, ThinnestFilm};
-use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalState};
+use oilwedge_reynolds::quantities::pressure::{self, Extremes};
+use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalState, Thinnest};
 
 /// Tension below this fraction of the pressure of drag is rounding.
 const NO_TENSION: f64 = 1e-12;
@@ -29,7 +29,7 @@ pub struct Measured {
     /// Powers, put in and turned into heat.
     pub power: Power,
     /// The thinnest film on the liner.
-    pub thinnest: ThinnestFilm,
+    pub thinnest: Thinnest,
     /// Where the loaded film begins and ends on the mid-plane; none without a cavity.
     pub extent: Option<Extent>,
     /// The cavity, of models that have one while they solve.

@@ -13,7 +13,7 @@ const EVERY_TABLE: &str = r#"
 bearing = { arc = {} }
 mesh = { tolerance = { QUANTITY = "1 %" } }
 feed = [{ hole = {}, groove = {} }]
-journal = { squeeze = {} }
+journal = { squeeze = {}, tilt = {}, tilt_rate = {} }
 load = {}
 heat = { housing = {}, mixing = {} }
 limits = {}

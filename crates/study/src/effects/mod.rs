@@ -19,6 +19,7 @@ mod roelands;
 mod sockets;
 mod squeeze;
 mod starved_inlet;
+mod tilt;
 
 use oilwedge_scene::Scene;
 use serde::{Serialize, Serializer};
@@ -43,6 +44,7 @@ pub const EFFECTS: &[&Effect] = &[
     &barus::AS_PRINTED,
     &roelands::ROW,
     &groove_depth::ROW,
+    &tilt::ROW,
     &starved_inlet::ROW,
     &guembel::ROW,
     &reynolds::ROW,
@@ -56,7 +58,7 @@ const MISSED: &[&str] = &[
     CAVITATION,
     heat::KIND,
     squeeze::KIND,
-    "misalignment",
+    tilt::KIND,
     "elastic liner",
     "roughness",
     "turbulence",

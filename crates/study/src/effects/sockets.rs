@@ -61,6 +61,8 @@ pub struct Sockets {
     pub cavitation: Cavitation,
     /// Velocity of the journal's centre.
     pub centre_velocity: CentreVelocity,
+    /// Rate of the slope of the journal's axis [rad/s].
+    pub tilt_rate: [f64; 2],
     /// Force `(F cos, F sin)` on the journal [N] under which its position is found; `None` at a given position.
     pub load: Option<[f64; 2]>,
     /// How the temperature of the film is found; `None`: it is given, or has no effect.
@@ -79,6 +81,7 @@ impl Sockets {
             inlet_fraction: None,
             cavitation: Cavitation::None,
             centre_velocity: CentreVelocity::default(),
+            tilt_rate: [0.0; 2],
             load: None,
             thermal: None,
         };
