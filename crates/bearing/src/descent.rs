@@ -33,7 +33,7 @@ impl Search<'_> {
             [e * angle.cos(), e * angle.sin()]
         };
         let distance = |corner: Corner| {
-            let trial = self.trial(problem, offset(corner), Neighbour::None);
+            let trial = self.trial(problem, self.at_offset(problem, offset(corner)), Neighbour::None);
             trial.map_or(f64::INFINITY, |trial| self.distance(&trial))
         };
         let mut triangle = [first, [first[0] + SIDES[0], first[1]], [first[0], first[1] + SIDES[1]]]

@@ -52,6 +52,25 @@ pub enum NoEquilibrium {
         /// The journal there.
         journal: Box<JournalState>,
     },
+    /// The journal comes into contact with the liner at an end before the film carries the moment.
+    #[error(
+        "no position and tilt of the journal carry {} N and its moment: the journal comes into contact with the liner at its end z = {} mm, at {angle:.1} deg; with a film of {} m there, the film carries {} % of the moment",
+        readable(*asked), readable(1e3 * end), readable(*thickness), readable((100.0 * carried).round())
+    )]
+    EdgeContact {
+        /// The load [N].
+        asked: f64,
+        /// Part of what tilts the journal that was balanced [1].
+        carried: f64,
+        /// Axial position of the end [m].
+        end: f64,
+        /// Where around the bearing [deg].
+        angle: f64,
+        /// Least film thickness reached [m].
+        thickness: f64,
+        /// The journal there.
+        journal: Box<JournalState>,
+    },
     /// The load is too small for the film's force to be distinguished from round-off.
     #[error(
         "not converged: the load of {} N is below the round-off of the film's force, about {} N",
@@ -100,7 +119,11 @@ impl NoEquilibrium {
     pub fn history(&self) -> &[f64] {
         match self {
             Self::NotConverged { history, .. } | Self::Ended { history, .. } => history,
-            Self::Film(_) | Self::BelowRounding { .. } | Self::BeyondCapacity { .. } | Self::Unreachable { .. } => &[],
+            Self::Film(_)
+            | Self::BelowRounding { .. }
+            | Self::BeyondCapacity { .. }
+            | Self::EdgeContact { .. }
+            | Self::Unreachable { .. } => &[],
         }
     }
 
@@ -109,6 +132,7 @@ impl NoEquilibrium {
         match self {
             Self::Film(_) | Self::BelowRounding { .. } => None,
             Self::BeyondCapacity { journal, .. }
+            | Self::EdgeContact { journal, .. }
             | Self::Unreachable { journal, .. }
             | Self::NotConverged { journal, .. }
             | Self::Ended { journal, .. } => Some(**journal),

@@ -115,7 +115,7 @@ impl JournalState {
     }
 
     /// Greatest speed [m/s] at which the film can grow or shrink within `half_length` [m] of mid-length.
-    pub fn squeeze_speed(&self, half_length: f64) -> f64 {
+    pub fn gap_speed(&self, half_length: f64) -> f64 {
         let [[v_x, v_y], [w_x, w_y]] = [self.velocity, self.tilt_rate];
         v_x.hypot(v_y) + half_length * w_x.hypot(w_y)
     }

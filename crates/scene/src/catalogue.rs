@@ -19,6 +19,7 @@ static TABLES: &[&[Key]] = &[
     crate::journal::squeeze::KEYS,
     crate::journal::tilt::KEYS,
     crate::load::KEYS,
+    crate::support::KEYS,
     crate::oil::KEYS,
     crate::oil::temperature::KEYS,
     crate::oil::density::KEYS,

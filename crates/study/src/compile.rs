@@ -12,9 +12,10 @@ use oilwedge_mesh::Mesh;
 use oilwedge_reynolds::film_thickness::{Eccentricity, FilmContribution};
 use oilwedge_reynolds::lubricant::Lubricant;
 use oilwedge_reynolds::supply::{self as given, BoundaryKind, Disc, SupplyError, SupplyRegion};
-use oilwedge_reynolds::{Bearing, FilmProblem, FilmSystem, JournalState, Theory};
+use oilwedge_reynolds::{FilmProblem, FilmSystem, JournalState, Theory};
 
 use crate::compile_error::CompileError;
+use crate::dimensions::bearing;
 use crate::effects::Sockets;
 use crate::feed_region::{FeedRegion, feed_regions};
 use crate::film::{DEGREE, Film, MeshOrigin, Start};
@@ -60,7 +61,7 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, position: Position, degree: usize) 
     check_feed_groups(scene, &mesh)?;
     let (sockets, oil) = (Sockets::of(scene), Oil::of(scene));
     let regions = supply(scene, &sockets, &mesh)?;
-    let (load, thermal, centre_velocity) = (sockets.load, sockets.thermal, sockets.centre_velocity);
+    let (load, thermal, centre_velocity) = (sockets.load(), sockets.thermal, sockets.centre_velocity);
     let problem = problem(scene, &oil, sockets, &mesh, position);
     let system = FilmSystem::new(Arc::new(mesh), degree, regions).map_err(|faults| unfit(scene, faults))?;
     // A position is sought on coarser meshes first, and by many films.
@@ -121,16 +122,6 @@ fn problem(scene: &Scene, oil: &Oil, sockets: Sockets, mesh: &Mesh, position: Po
         form: sockets.form,
         terms: sockets.terms,
         cavitation: sockets.cavitation,
-    }
-}
-
-/// The dimensions of the bearing of a scene.
-pub(crate) fn bearing(scene: &Scene) -> Bearing {
-    Bearing {
-        radius: scene.bearing.radius(),
-        length: scene.bearing.length,
-        clearance: scene.bearing.clearance,
-        end_pressure: scene.ends.pressure,
     }
 }
 

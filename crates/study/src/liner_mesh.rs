@@ -227,7 +227,8 @@ fn blueprint_of(scene: &Scene, mesh: &Mesh) -> Result<Blueprint, Vec<DrawingErro
 fn graded(scene: &Scene, blueprint: &Blueprint, longest: f64, position: Position) -> Result<Mesh, Vec<DrawingError>> {
     let radius = scene.bearing.radius();
     let clearance = scene.bearing.clearance;
-    let in_radii = |[x, z]: [f64; 2]| film_scale(position.at(z, clearance), x / radius).min(axial_scale(scene, position, [x, z]));
+    let in_radii =
+        |[x, z]: [f64; 2]| film_scale(position.at(z, clearance), x / radius).min(axial_scale(scene, position, [x, z]));
     // Rows along the flow are as dense as the thinner of the two ends needs.
     let half = 0.5 * scene.bearing.length;
     let size = |x: f64| longest * in_radii([x, -half]).min(in_radii([x, half])) / LONGEST;

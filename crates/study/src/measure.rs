@@ -41,10 +41,11 @@ pub struct Measured {
 }
 
 impl Measured {
-    /// What the journal's centre puts in as it moves [W].
+    /// What the journal puts in as its centre moves and its axis turns [W].
     pub fn motion_power(&self, journal: &JournalState) -> f64 {
-        let ([x, y], [by_x, by_y]) = (journal.velocity, self.load.total.force);
-        x * by_x + y * by_y
+        let product = |[x, y]: [f64; 2], [by_x, by_y]: [f64; 2]| x * by_x + y * by_y;
+        let total = &self.load.total;
+        product(journal.velocity, total.force) + product(journal.tilt_rate, total.moment)
     }
 }
 
@@ -53,7 +54,7 @@ pub fn measure(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) 
     let extremes = pressure::extremes(problem, system, film);
     let load = load::load(problem, system, film);
     Measured {
-        power: power::power(problem, system, film).with_moment(problem, load.total.force),
+        power: power::power(problem, system, film).with_moment(problem, load.total.resultant()),
         load,
         flows: flow::flows(problem, system, film),
         inlet_flow: inlet_flow(problem, system, film),

@@ -6,7 +6,7 @@ use oilwedge_bearing::{Point, Visited, first_position, predicted};
 use oilwedge_reynolds::{Bearing, JournalState};
 use oilwedge_scene::{self as scene, CavitationModel, Scene};
 
-use crate::compile::bearing;
+use crate::dimensions;
 use crate::oil::Oil;
 
 /// Eccentricity ratio at which the search for the position under a load begins where nothing is known.
@@ -53,14 +53,16 @@ impl Position {
 
     /// Where the journal of a scene under a load will be, predicted from positions visited before; `None` where there are none.
     pub fn predicted(scene: &Scene, visited: &[Visited], point: Point) -> Option<Self> {
-        let (eccentricity, min_film_angle) = predicted(visited, point)?;
-        let tilt = scene.journal.tilt.unwrap_or_default();
+        let predicted = predicted(visited, point)?;
         let position = Self {
-            eccentricity,
-            min_film_angle,
-            tilt,
+            eccentricity: predicted.eccentricity,
+            min_film_angle: predicted.angle,
+            tilt: match scene.tilting() {
+                Some(_) => predicted.tilt,
+                None => scene.journal.tilt.unwrap_or_default(),
+            },
         };
-        Some(position.clear_of_the_ends(&bearing(scene)))
+        Some(position.clear_of_the_ends(&dimensions::bearing(scene)))
     }
 
     /// This position as one that a search visited at an operating point.
@@ -69,6 +71,7 @@ impl Position {
             point,
             eccentricity: self.eccentricity,
             angle: self.min_film_angle,
+            tilt: self.tilt,
         }
     }
 
@@ -106,7 +109,7 @@ impl Position {
                     min_film_angle: angle + speed.signum() * attitude,
                     tilt: scene.journal.tilt.unwrap_or_default(),
                 };
-                position.clear_of_the_ends(&self::bearing(scene))
+                position.clear_of_the_ends(&dimensions::bearing(scene))
             }
             None => Self::middle(scene),
         }
@@ -132,7 +135,7 @@ impl Position {
                     min_film_angle: angle + sense * START_ATTITUDE,
                     tilt,
                 };
-                position.clear_of_the_ends(&bearing(scene))
+                position.clear_of_the_ends(&dimensions::bearing(scene))
             }
         }
     }
@@ -184,7 +187,10 @@ mod tests {
         );
         let start = Position::start(&tilted);
         // Half of the length times the tilt is 0.75 of the clearance.
-        assert!((start.tilt, start.eccentricity < 0.6) == ([1.5e-3, 0.0], true), "{start:?}");
+        assert!(
+            (start.tilt, start.eccentricity < 0.6) == ([1.5e-3, 0.0], true),
+            "{start:?}"
+        );
         let end = start.at(0.01875, 37.5e-6);
         assert!(end.eccentricity < 0.98 && end.eccentricity > 0.7, "{end:?}");
     }

@@ -17,7 +17,7 @@ use std::sync::Arc;
 
 use oilwedge_fem::quadrature::MOST_POINTS;
 
-use super::FilmContribution;
+use super::{FilmContribution, Follows};
 use crate::angles::sines_and_cosines;
 use crate::journal_state::JournalChange;
 use crate::{FilmPoint, JournalState};
@@ -58,8 +58,8 @@ impl FilmContribution for Eccentricity {
         }
     }
 
-    fn follows_journal(&self) -> bool {
-        true
+    fn follows(&self) -> Follows {
+        Follows::Offset
     }
 
     fn carried(&self, _parents: &[u32]) -> Arc<dyn FilmContribution> {

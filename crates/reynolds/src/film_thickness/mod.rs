@@ -13,6 +13,17 @@ use std::sync::Arc;
 use crate::journal_state::JournalChange;
 use crate::{FilmPoint, JournalState};
 
+/// What a contribution follows as the journal moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Follows {
+    /// Nothing: it is a shape of the liner.
+    Nothing,
+    /// The offset of the journal; all that is left where the journal is centred is a constant gap.
+    Offset,
+    /// The slope of the journal's axis.
+    Tilt,
+}
+
 /// A part of the film thickness.
 pub trait FilmContribution: Send + Sync + std::fmt::Debug {
     /// Adds its thickness [m], slope and rate [m/s] at `positions` [m] (developed surface) in triangle `cell`.
@@ -21,10 +32,9 @@ pub trait FilmContribution: Send + Sync + std::fmt::Debug {
     /// Adds what it changes, to first order, where the journal changes by `change`. Nothing unless it knows the journal.
     fn vary(&self, _change: &JournalChange, _cell: usize, _positions: &[[f64; 2]], _film: &mut [FilmPoint]) {}
 
-    /// True if it is all due to the place of the journal, so that none of it is left where the journal is centred and parallel, but for a
-    /// constant gap.
-    fn follows_journal(&self) -> bool {
-        false
+    /// What it follows.
+    fn follows(&self) -> Follows {
+        Follows::Nothing
     }
 
     /// This contribution on another mesh of the liner, whose triangle `t` lies in triangle `parents[t]` of this one.

@@ -27,8 +27,10 @@ use oilwedge_fem::{Field, integrate};
 
 use super::cavity::broken_share;
 use super::flow::{STILL, reference_flow};
+use super::load::Resultant;
 use crate::cavitation::{self, Carriage};
 use crate::film_law::FilmLaw;
+use crate::film_thickness::Follows;
 use crate::lubricant::PressureLaw;
 use crate::{FilmPoint, FilmProblem, FilmSolution, FilmSystem, Theory};
 
@@ -57,10 +59,10 @@ pub struct Power {
 }
 
 impl Power {
-    /// Compares the power against the pressure with that by the moment of the `force` of the film [N]. A mass-conserving film, whose pressure is linear on
+    /// Compares the power against the pressure with that by what the film `carries`. A mass-conserving film, whose pressure is linear on
     /// pieces of triangles, takes the latter.
-    pub fn with_moment(self, problem: &FilmProblem, force: [f64; 2]) -> Self {
-        let Some(by_moment) = by_moment(problem, force) else {
+    pub fn with_moment(self, problem: &FilmProblem, carries: Resultant) -> Self {
+        let Some(by_moment) = by_moment(problem, carries) else {
             return self;
         };
         let put_in = self.shear + self.pressure.abs();
@@ -103,13 +105,15 @@ impl std::ops::AddAssign for Work {
     }
 }
 
-/// Power [W] put in against the pressure of a film whose force is `force` [N], by parts: `Int h/2 U dP/dx dA = -omega R/2 Int P dh/dx dA`, omega times half
-/// of the moment of the force about the bearing's centre. `None` where the film has a thickness of its own beside that of the journal, or lines that
+/// Power [W] put in against the pressure of a film that carries this force and moment, by parts: `Int h/2 U dP/dx dA = -omega R/2 Int P dh/dx dA`, omega times
+/// half of the torque of the force, at its place along a tilted axis, about the axis of the bearing: `(e_y W_x - e_x W_y + g_y m_x - g_x m_y)`. `None` where the film has a thickness of its own beside that of the journal, or lines that
 /// stand by themselves.
-fn by_moment(problem: &FilmProblem, [x, y]: [f64; 2]) -> Option<f64> {
-    let [e_x, e_y] = problem.journal.offset;
-    let is_of_journal = problem.film_thickness.len() == 1 && problem.theory != Theory::Short;
-    is_of_journal.then_some(0.5 * problem.journal.speed * (e_y * x - e_x * y))
+fn by_moment(problem: &FilmProblem, carries: Resultant) -> Option<f64> {
+    let torque = |[a_x, a_y]: [f64; 2], [x, y]: [f64; 2]| a_y * x - a_x * y;
+    let mut contributions = problem.film_thickness.iter();
+    let is_of_journal = contributions.all(|contribution| contribution.follows() != Follows::Nothing);
+    let torque = torque(problem.journal.offset, carries.force) + torque(problem.journal.tilt, carries.moment);
+    (is_of_journal && problem.theory != Theory::Short).then_some(0.5 * problem.journal.speed * torque)
 }
 
 /// Powers of a solved film.

@@ -100,8 +100,11 @@ pub fn thinnest(problem: &FilmProblem, system: &FilmSystem) -> Thinnest {
         angle: 0.0,
         z: 0.0,
     };
-    other_end.chain(at_nodes).fold(
-        none,
-        |least, place| if place.thickness < least.thickness { place } else { least },
-    )
+    other_end.chain(at_nodes).fold(none, |least, place| {
+        if place.thickness < least.thickness {
+            place
+        } else {
+            least
+        }
+    })
 }

@@ -40,12 +40,11 @@ pub(crate) fn read(mut table: TableReader<'_>, dimension: Dimension, example: &s
 /// A tilted journal must not touch the liner at an end, and a long bearing knows no axial position.
 pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
     let Journal { position, tilt, .. } = scene.journal;
-    let is_long = scene.bearing.theory == Theory::Long && scene.journal.is_tilted();
     complaints.refuse_if(
-        is_long,
-        "journal",
-        "is tilted, but bearing.theory is \"long\", whose film is the same all along the axis",
-        "remove tilt and tilt_rate, or remove theory",
+        scene.bearing.theory == Theory::Long && scene.can_tilt(),
+        "bearing.theory",
+        "is \"long\", but the journal tilts: a long film is the same all along the axis",
+        "remove theory, or remove journal.tilt, journal.tilt_rate, load.at, load.moment and [support]",
     );
     let Some(tilt) = tilt else { return };
     let offset = match position {
@@ -77,7 +76,11 @@ pub(crate) fn contact(bearing: &Bearing, offset: [f64; 2], tilt: [f64; 2]) -> Op
     if least.is_nan() || least > 0.0 {
         return None;
     }
-    let both = if low.max(high) <= 0.0 { ", and at the other end too" } else { "" };
+    let both = if low.max(high) <= 0.0 {
+        ", and at the other end too"
+    } else {
+        ""
+    };
     let message = format!(
         "makes the journal touch the liner at the end z = {}: the gap there would be {}{both}",
         millimetres(z),
@@ -93,7 +96,6 @@ pub(crate) fn contact(bearing: &Bearing, offset: [f64; 2], tilt: [f64; 2]) -> Op
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::journal::tests::{LOAD, POSITION, journal};
     use crate::scene::tests::{told, told_one};
 
@@ -110,8 +112,14 @@ mod tests {
         assert!(!journal(POSITION, "").is_tilted());
         for (keys, wanted) in [
             ("tilt = 5", "journal.tilt: a table is wanted, not a bare number"),
-            ("tilt = { x = 5 }", "journal.tilt.x: a bare number has no unit; an angle is wanted"),
-            ("tilt_rate = { y = \"1 mrad\" }", "journal.tilt_rate.y: \"mrad\" is a unit of angle"),
+            (
+                "tilt = { x = 5 }",
+                "journal.tilt.x: a bare number has no unit; an angle is wanted",
+            ),
+            (
+                "tilt_rate = { y = \"1 mrad\" }",
+                "journal.tilt_rate.y: \"mrad\" is a unit of angle",
+            ),
             ("tilt = { z = \"1 mrad\" }", "journal.tilt.z: this key is not known"),
         ] {
             told_one("speed =", &format!("{keys}, speed ="), wanted);
@@ -122,17 +130,28 @@ mod tests {
     #[test]
     fn contact_at_an_end_is_refused_with_the_end_and_the_gap() {
         let with = |tilt: &str| format!("{POSITION}, tilt = {{ {tilt} }}");
-        let told = told(POSITION, &with("x = \"-1 mrad\""));
-        assert_eq!(told.len(), 1, "{told:?}");
-        let text = format!("{} ({})", told[0], told[0].help);
-        assert!(text.starts_with("journal.tilt: makes the journal touch the liner at the end z = 37.5 mm"), "{text}");
-        assert!(text.contains("would be -22.5 um") && text.contains("below 0.400 mrad"), "{text}");
-        told_one(POSITION, &with("x = \"1 mrad\""), "the end z = -37.5 mm");
-        told_one(POSITION, &with("y = \"5 mrad\""), "and at the other end too");
+        let complaints = told(POSITION, &with("x = \"-1 mrad\""));
+        assert_eq!(complaints.len(), 1, "{complaints:?}");
+        let text = format!("{} ({})", complaints[0], complaints[0].help);
+        assert!(
+            text.starts_with("journal.tilt: makes the journal touch the liner at the end z = 37.5 mm"),
+            "{text}"
+        );
+        assert!(
+            text.contains("would be -22.5 um") && text.contains("below 0.400 mrad"),
+            "{text}"
+        );
+        let refused = |tilt: &str, wanted: &str| {
+            let complaint = told(POSITION, &with(tilt))[0].to_string();
+            assert!(complaint.contains(wanted), "{complaint}");
+        };
+        refused("x = \"1 mrad\"", "the end z = -37.5 mm");
+        refused("y = \"5 mrad\"", "and at the other end too");
         journal(&with("x = \"-0.39 mrad\""), "");
         // Under a load the position is free: a tilt that touches in the middle is refused.
         journal("tilt = { x = \"0.9 mrad\" }", LOAD);
-        let refused = LOAD.to_owned() + &crate::scene::tests::STUDY.replacen(POSITION, "tilt = { x = \"1.1 mrad\" }", 1);
+        let refused =
+            LOAD.to_owned() + &crate::scene::tests::STUDY.replacen(POSITION, "tilt = { x = \"1.1 mrad\" }", 1);
         let error = crate::scene::tests::read(&refused).expect_err("it touches").to_string();
         assert!(error.contains("at the other end too"), "{error}");
     }
@@ -143,6 +162,9 @@ mod tests {
         let text = crate::scene::tests::STUDY.replacen(POSITION, &with, 1);
         let long = text.replacen("clearance =", "theory = \"long\", clearance =", 1);
         let error = crate::scene::tests::read(&long).expect_err("long").to_string();
-        assert!(error.contains("journal: is tilted, but bearing.theory is \"long\""), "{error}");
+        assert!(
+            error.contains("bearing.theory: is \"long\", but the journal tilts"),
+            "{error}"
+        );
     }
 }

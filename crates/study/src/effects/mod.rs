@@ -12,6 +12,7 @@ mod groove_depth;
 mod guembel;
 mod heat;
 mod jfo;
+mod moment_balance;
 mod oil_by_temperature;
 mod poiseuille;
 mod reynolds;
@@ -38,6 +39,7 @@ pub const EFFECTS: &[&Effect] = &[
     &couette::ROW,
     &squeeze::ROW,
     &equilibrium::ROW,
+    &moment_balance::ROW,
     &heat::ROW,
     &oil_by_temperature::ROW,
     &barus::CONSERVATIVE,
