@@ -24,6 +24,7 @@ pub mod scene_page;
 pub mod scenes;
 pub mod short_crankshaft;
 pub mod tables;
+pub mod tilted_bearings;
 
 use std::sync::Arc;
 

@@ -33,4 +33,5 @@ mod refinement;
 mod reported_numbers;
 mod scene_properties;
 mod scenes;
+mod tilt;
 mod verdicts;

@@ -5,9 +5,9 @@
 use oilwedge_reynolds::solve::Neighbour;
 
 use crate::NoEquilibrium;
+use crate::coordinates::moved;
 use crate::equilibrium::Equilibrium;
 use crate::search::Search;
-use crate::step::newton_step;
 
 /// The balance has been found when force and load differ by this part of the load.
 const BALANCED: f64 = 1e-10;
@@ -21,7 +21,8 @@ pub(crate) fn balance_cubic(found: Equilibrium, search: &Search) -> Result<Equil
     let deadline = search.options.deadline;
     let mut steps = found.steps;
     let near = Neighbour::Start(&found.film);
-    let mut trial = search.cubic_trial(&found.problem, found.problem.journal.offset, near, None)?;
+    let place = search.coordinates.at(&found.problem.journal);
+    let mut trial = search.cubic_trial(&found.problem, place, near, None)?;
     let mut residual = search.residual(&trial);
     let mut stiffness = search.stiffness(&trial)?;
     let mut is_exact = true;
@@ -29,15 +30,14 @@ pub(crate) fn balance_cubic(found: Equilibrium, search: &Search) -> Result<Equil
         if residual < BALANCED || deadline.is_over() {
             break;
         }
-        let step = newton_step(stiffness, search.excess(&trial));
-        let [x, y] = trial.problem.journal.offset;
-        let offset = [x + step[0], y + step[1]];
+        let step = stiffness.solve(search.excess(&trial).map(|excess| -excess));
+        let place = moved(search.coordinates.at(&trial.problem.journal), 1.0, step);
         let near = Neighbour::Start(&trial.film);
-        let next = search.cubic_trial(&trial.problem, offset, near, trial.cubic.as_ref())?;
+        let next = search.cubic_trial(&trial.problem, place, near, trial.cubic.as_ref())?;
         steps += 1;
         let next_residual = search.residual(&next);
         if next_residual < residual {
-            stiffness = Search::corrected(stiffness, &trial, &next);
+            stiffness = search.corrected(stiffness, &trial, &next);
             (trial, residual, is_exact) = (next, next_residual, false);
         } else if is_exact {
             break;
@@ -49,7 +49,7 @@ pub(crate) fn balance_cubic(found: Equilibrium, search: &Search) -> Result<Equil
     let is_ended = residual > BALANCED_ENOUGH && deadline.is_over();
     if residual > BALANCED_ENOUGH && !is_ended {
         return Err(search.confirmed(NoEquilibrium::NotConverged {
-            asked: search.load[0].hypot(search.load[1]),
+            asked: search.load.magnitude(),
             residual,
             journal: Box::new(trial.problem.journal),
             history: search.tried.take(),
@@ -58,6 +58,8 @@ pub(crate) fn balance_cubic(found: Equilibrium, search: &Search) -> Result<Equil
     Ok(Equilibrium {
         residual,
         unbalanced: residual * search.scale,
+        parts: search.parts(&trial),
+        coordinates: search.coordinates,
         is_ended,
         stiffness,
         problem: trial.problem,

@@ -25,17 +25,15 @@ type Corner = [f64; 2];
 impl Search<'_> {
     /// A position nearer to the balance than `start`, by a triangle of positions that moves down the distance.
     pub(crate) fn descended(&self, problem: &FilmProblem, start: &JournalState) -> JournalState {
-        let clearance = problem.bearing.clearance;
-        let first = [
-            log_eccentricity(start.eccentricity() / clearance),
-            start.min_film_angle(),
-        ];
+        let reach = |angle: f64| problem.bearing.reach(&problem.journal, angle);
+        let towards = start.min_film_angle();
+        let first = [log_eccentricity(start.eccentricity() / reach(towards)), towards];
         let offset = |[s, angle]: Corner| {
-            let e = clearance * eccentricity_at(s);
+            let e = reach(angle) * eccentricity_at(s);
             [e * angle.cos(), e * angle.sin()]
         };
         let distance = |corner: Corner| {
-            let trial = self.trial(problem, offset(corner), Neighbour::None);
+            let trial = self.trial(problem, self.at_offset(problem, offset(corner)), Neighbour::None);
             trial.map_or(f64::INFINITY, |trial| self.distance(&trial))
         };
         let mut triangle = [first, [first[0] + SIDES[0], first[1]], [first[0], first[1] + SIDES[1]]]

@@ -1,12 +1,14 @@
-//! # Equilibrium: the position in which the film carries the load
+//! # Equilibrium: the position in which the film carries the load, and the tilt in which it carries its moment
 //!
-//! **Equation.** `W(e) = F` for the journal's offset `e`. Newton's method with the exact tangent of the film bordered by
+//! **Equation.** `W(e) = F` for the journal's offset `e`; where the tilt g is free, `W(e, g) = F` and `m(e, g) = M + k (g_0 - g)` for offset and
+//! slope. Newton's method with the exact tangent of the film bordered by
 //! that of the load: `dW/de = -(dW/dp) (dR/dp)^-1 (dR/de)`, the cavity held.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
 //! | F | N | `load` |
 //! | W | N | `force` |
+//! | M, k, g_0 | N m, N m/rad, rad | `Tilting` |
 //! | dW/de | N/m | `stiffness` |
 //! | s | - | `log_eccentricity` |
 //!
@@ -20,15 +22,14 @@
 
 use oilwedge_reynolds::{FilmProblem, FilmSolution};
 
+use crate::{Coordinates, Stiffness};
+
 /// The balance has been found when force and load differ by this part of the load.
 pub(crate) const BALANCED: f64 = 1e-12;
 /// On coarser meshes, which only give a start, this part is enough.
 pub const ROUGHLY_BALANCED: f64 = 1e-4;
 /// Where force and load differ by less than this part of the load the tangent predicts the distance to the balance, and steps are taken in `e`.
 pub const NEAR: f64 = 0.1;
-
-/// `dW/de` [N/m], row: component of W.
-pub(crate) type Stiffness = [[f64; 2]; 2];
 
 /// A journal in balance.
 #[derive(Debug)]
@@ -43,11 +44,15 @@ pub struct Equilibrium {
     pub residual: f64,
     /// Load less force of the film [N].
     pub unbalanced: f64,
+    /// That difference of the forces alone, and of the moments alone as forces at half of the bearing's length, both relative to the load.
+    pub parts: [f64; 2],
+    /// What is free.
+    pub coordinates: Coordinates,
     /// Positions tried on the mesh of the film.
     pub steps: usize,
     /// True where the deadline passed before the load was balanced: the film is that of the position reached.
     pub is_ended: bool,
-    /// `dW/de` [N/m], row: component of W; of a search from nearby and of a cubic balance as corrected by its steps: the error is of the
+    /// `dW/de` [N/m] in these coordinates, row: force; of a search from nearby and of a cubic balance as corrected by its steps: the error is of the
     /// order of the square root of the residual that they gained.
     pub stiffness: Stiffness,
 }

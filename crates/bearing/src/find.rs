@@ -4,10 +4,11 @@ use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmProblem, FilmSystem, JournalState};
 
 use crate::cubic::balance_cubic;
-use crate::equilibrium::{Equilibrium, NEAR, ROUGHLY_BALANCED, Stiffness};
-use crate::estimate::GREATEST_ECCENTRICITY;
+use crate::equilibrium::{Equilibrium, NEAR, ROUGHLY_BALANCED};
+use crate::estimate::{GREATEST_ECCENTRICITY, is_contact};
 use crate::search::{Search, Trial};
-use crate::{Carrier, InitialGuess, NoEquilibrium, SearchOptions};
+use crate::stiffness::Stiffness;
+use crate::{Carrier, InitialGuess, Load, NoEquilibrium, SearchOptions};
 
 /// A balance that round-off keeps from its accuracy is one below this part.
 const BALANCED_ENOUGH: f64 = 1e-10;
@@ -17,12 +18,12 @@ const MOST_STEPS: usize = 40;
 const SETTLED: f64 = 1e-6;
 /// Most choices of the advection schemes: the last is that of the balanced position, if they settle.
 const MOST_CHOICES: usize = 6;
-/// Eccentricity up to which the last position of a failed search on a coarser mesh is a start.
+/// Part of the clearance that the film may lose where it is thinnest, if the last position of a failed search on a coarser mesh is to be a start.
 const RESOLVED: f64 = 0.99;
 /// A journal whose film is thinner than this part of the clearance touches.
 const CONTACT: f64 = 1e-6;
 
-/// Finds the position in which the film carries `load` [N], searched from that of `problem`. Where the deadline passes before, the position
+/// Finds the position, and the tilt where that is free, in which the film carries `load`, searched from that of `problem`. Where the deadline passes before, the position
 /// reached is the answer.
 ///
 /// # Errors
@@ -30,9 +31,10 @@ const CONTACT: f64 = 1e-6;
 pub fn find(
     problem: &FilmProblem,
     system: &FilmSystem,
-    load: [f64; 2],
+    load: impl Into<Load>,
     options: &SearchOptions,
 ) -> Result<Equilibrium, NoEquilibrium> {
+    let load = load.into();
     let search = Search::new(problem, system, load, *options);
     let found = match options.guess {
         InitialGuess::Cold => search.cold(problem)?,
@@ -40,7 +42,10 @@ pub fn find(
             Ok(found) if !Search::is_beyond(&found) => found,
             _ => search.cold(problem)?,
         },
-        InitialGuess::Near(near) => search.at_rest(search.trial(problem, problem.journal.offset, near)?)?,
+        InitialGuess::Near(near) => {
+            let here = search.coordinates.at(&problem.journal);
+            search.at_rest(search.trial(problem, here, near)?)?
+        }
     };
     match options.carrier {
         Carrier::Quadratic => Ok(found),
@@ -54,6 +59,7 @@ impl Search<'_> {
         self.check_capacity(problem)?;
         let found = self.on_levels(problem).map_err(|reason| self.confirmed(reason))?;
         match Self::is_beyond(&found) {
+            true if self.load.tilting.is_some() => Err(self.in_contact(&found, 1.0)),
             true => self.beyond_capacity(problem).map_or(Ok(found), Err),
             false => Ok(found),
         }
@@ -62,13 +68,14 @@ impl Search<'_> {
     /// Whether a position lies beyond the greatest eccentricity that counts as one.
     fn is_beyond(found: &Equilibrium) -> bool {
         let Equilibrium { problem, .. } = found;
-        problem.journal.eccentricity() > GREATEST_ECCENTRICITY * problem.bearing.clearance
+        is_contact(&problem.bearing, &problem.journal)
     }
 
     /// Refuses a load that is below round-off and, where the search begins at the greatest eccentricity, one that exceeds the capacity there.
     fn check_capacity(&self, problem: &FilmProblem) -> Result<(), NoEquilibrium> {
-        let nearly = (1.0 - f64::EPSILON.sqrt()) * GREATEST_ECCENTRICITY * problem.bearing.clearance;
-        let begins_at_contact = problem.journal.eccentricity() > nearly;
+        let bearing = &problem.bearing;
+        let nearly = (1.0 - f64::EPSILON.sqrt()) * GREATEST_ECCENTRICITY * bearing.clearance;
+        let begins_at_contact = bearing.clearance - bearing.least_gap(&problem.journal) > nearly;
         let beyond = || begins_at_contact.then(|| self.beyond_capacity(problem)).flatten();
         self.below_rounding().or_else(beyond).map_or(Ok(()), Err)
     }
@@ -88,8 +95,15 @@ impl Search<'_> {
             Ok(found) => return self.run(problem, found.problem.journal),
             Err(reason) => reason,
         };
+        if let NoEquilibrium::EdgeContact { journal, .. } = &reason {
+            // The greatest moment hardly depends on the mesh; one near it may be carried on this one.
+            return self.run(problem, **journal).map_err(|_| reason);
+        }
         // Where a coarser mesh has no balance its last position may still be a start, unless the film there is too thin for it.
-        let is_resolved = |journal: &JournalState| journal.eccentricity() < RESOLVED * problem.bearing.clearance;
+        let is_resolved = |journal: &JournalState| {
+            let bearing = &problem.bearing;
+            bearing.clearance - bearing.least_gap(journal) < RESOLVED * bearing.clearance
+        };
         let outcome = self.run(problem, problem.journal);
         match reason.last_position().filter(is_resolved) {
             Some(start) if outcome.is_err() => self.run(problem, start),
@@ -98,7 +112,7 @@ impl Search<'_> {
     }
 
     /// Balances the load from this start.
-    fn run(&self, problem: &FilmProblem, start: JournalState) -> Result<Equilibrium, NoEquilibrium> {
+    pub(crate) fn run(&self, problem: &FilmProblem, start: JournalState) -> Result<Equilibrium, NoEquilibrium> {
         self.at_rest(self.first(problem, start)?)
     }
 
@@ -117,9 +131,9 @@ impl Search<'_> {
                 break;
             }
             tried += 1;
-            let offset = trial.problem.journal.offset;
+            let here = self.coordinates.at(&trial.problem.journal);
             // Where the choice fails the position balanced before stands, with the schemes chosen near it.
-            let Ok(chosen) = self.trial(&trial.problem, offset, Neighbour::None) else {
+            let Ok(chosen) = self.trial(&trial.problem, here, Neighbour::None) else {
                 break;
             };
             match self.balanced(chosen, tangent, &mut tried) {
@@ -138,6 +152,8 @@ impl Search<'_> {
             is_ended: !is_balanced && deadline.is_over(),
             residual,
             unbalanced: residual * self.scale,
+            parts: self.parts(&trial),
+            coordinates: self.coordinates,
             stiffness: tangent.map_or_else(|| self.stiffness(&trial), Ok)?,
             problem: trial.problem,
             film: trial.film,
@@ -170,7 +186,7 @@ impl Search<'_> {
                 None if residual < BALANCED_ENOUGH => return Ok((trial, None)),
                 None => return Err(self.unreachable(&trial, "no shorter step brings the force nearer to the load")),
                 Some(next) => {
-                    kept = (keeps_tangent || next.is_continued).then(|| Self::corrected(tangent, &trial, &next));
+                    kept = (keeps_tangent || next.is_continued).then(|| self.corrected(tangent, &trial, &next));
                     trial = next;
                 }
             }
@@ -181,7 +197,7 @@ impl Search<'_> {
         }
         match self.residual(&trial) {
             residual if residual < NEAR => Err(NoEquilibrium::NotConverged {
-                asked: self.load[0].hypot(self.load[1]),
+                asked: self.load.magnitude(),
                 residual,
                 journal: Box::new(trial.problem.journal),
                 history: self.tried.borrow().clone(),
@@ -190,10 +206,15 @@ impl Search<'_> {
         }
     }
 
-    /// From the start of `problem` or, where that fails, from the best of positions all over the bearing.
+    /// From the start of `problem` or, where that fails, from the best of positions all over the bearing; with a free tilt from the balance
+    /// of the force alone on.
     fn everywhere(&self, problem: &FilmProblem) -> Result<Equilibrium, NoEquilibrium> {
         const STARTS: usize = 3;
         let mut outcome = self.run(problem, problem.journal);
+        if self.load.tilting.is_some() {
+            let outcome = outcome.or_else(|_| self.by_parts_of_tilting(problem));
+            return outcome.map_err(|reason| self.confirmed(reason));
+        }
         if let Err(NoEquilibrium::Unreachable { .. }) = outcome {
             let starts = self.starts(problem);
             let descended = starts.iter().take(STARTS).map(|start| self.descended(problem, start));

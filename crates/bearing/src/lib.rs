@@ -3,6 +3,7 @@
 //! | balance | unknown | where |
 //! |---|---|---|
 //! | load = force of the film | position of the journal | [`equilibrium`] |
+//! | moment of the load and of the support = moment of the film | tilt of the journal | [`equilibrium`] |
 //! | friction = heat carried off | temperature of the film | [`thermal_balance`] |
 //!
 //! [`cap_bolts`]: the forces in the bolts of a connecting rod's cap, to compare the film's load with.
@@ -10,12 +11,14 @@
 //! The film knows its own tangent ([`oilwedge_reynolds::FilmProblem::unknown_change`]); a balance borders it.
 
 pub mod cap_bolts;
+pub mod coordinates;
 mod cubic;
 pub mod deadline;
 mod descent;
 pub mod equilibrium;
 pub mod estimate;
 mod find;
+mod load;
 mod load_capacity;
 mod log_eccentricity;
 pub mod no_equilibrium;
@@ -24,16 +27,21 @@ mod prediction;
 mod search;
 pub mod search_options;
 mod step;
+pub mod stiffness;
 pub mod thermal_balance;
+mod tilting;
 
 pub use cap_bolts::{BoltForces, CapBolts, Shell};
+pub use coordinates::Coordinates;
 pub use deadline::{Deadline, Interrupt};
 pub use equilibrium::{Equilibrium, NEAR, ROUGHLY_BALANCED};
-pub use estimate::{GREATEST_ECCENTRICITY, first_position};
+pub use estimate::{GREATEST_ECCENTRICITY, first_position, is_contact};
 pub use find::find;
+pub use load::{Load, Tilting};
 pub use no_equilibrium::NoEquilibrium;
 pub use observer::SearchObserver;
-pub use prediction::{Point, Visited, predicted};
+pub use prediction::{Point, Predicted, Visited, predicted};
 pub use search_options::{Carrier, InitialGuess, SearchOptions};
-pub use step::{SHORT_MOVE, newton_step};
+pub use step::SHORT_MOVE;
+pub use stiffness::Stiffness;
 pub use thermal_balance::{Balanced, Housing, NoBalance, ThermalBalance, ThermalFlows};

@@ -20,14 +20,14 @@ pub(crate) const ROUNDING: f64 = 1e-10;
 impl Search<'_> {
     /// The reason if the film carries less than the load at the greatest eccentricity, in the direction of the load.
     pub(crate) fn beyond_capacity(&self, problem: &FilmProblem) -> Option<NoEquilibrium> {
-        let asked = self.load[0].hypot(self.load[1]);
-        let towards = self.load[1].atan2(self.load[0]);
+        let asked = self.load.magnitude();
+        let towards = self.load.force[1].atan2(self.load.force[0]);
         let mut angle = problem.journal.min_film_angle();
         for _ in 0..TURNS {
-            let e = GREATEST_ECCENTRICITY * problem.bearing.clearance;
-            let offset = [e * angle.cos(), e * angle.sin()];
-            let trial = self.trial(problem, offset, Neighbour::None).ok()?;
-            let [x, y] = trial.force;
+            let e = GREATEST_ECCENTRICITY * problem.bearing.reach(&problem.journal, angle);
+            let at = self.at_offset(problem, [e * angle.cos(), e * angle.sin()]);
+            let trial = self.trial(problem, at, Neighbour::None).ok()?;
+            let [x, y] = trial.carried.force;
             let turn = wrapped(towards - y.atan2(x));
             if turn.abs() < ALIGNED {
                 let greatest = x.hypot(y);
@@ -39,7 +39,8 @@ impl Search<'_> {
                     towards: towards.to_degrees().rem_euclid(360.0),
                     greatest,
                     ratio: asked / greatest,
-                    thickness: problem.bearing.clearance - e,
+                    eccentricity: e / problem.bearing.clearance,
+                    thickness: problem.bearing.least_gap(&trial.problem.journal),
                     journal: Box::new(trial.problem.journal),
                 });
             }
@@ -50,14 +51,15 @@ impl Search<'_> {
 
     /// Whether the film carries less than `greatest` [N] at a smaller eccentricity; with tension on one side of an arc it need not.
     fn grows(&self, problem: &FilmProblem, angle: f64, greatest: f64) -> bool {
-        let e = BEFORE * problem.bearing.clearance;
-        let before = self.trial(problem, [e * angle.cos(), e * angle.sin()], Neighbour::None);
-        before.is_ok_and(|trial| trial.force[0].hypot(trial.force[1]) < greatest)
+        let e = BEFORE * problem.bearing.reach(&problem.journal, angle);
+        let at = self.at_offset(problem, [e * angle.cos(), e * angle.sin()]);
+        let before = self.trial(problem, at, Neighbour::None);
+        before.is_ok_and(|trial| trial.carried.force[0].hypot(trial.carried.force[1]) < greatest)
     }
 
     /// The reason if the load is below the round-off of the film's force.
     pub(crate) fn below_rounding(&self) -> Option<NoEquilibrium> {
-        let asked = self.load[0].hypot(self.load[1]);
+        let asked = self.load.magnitude();
         let least = ROUNDING * self.reference_force;
         (asked > 0.0 && asked < least).then_some(NoEquilibrium::BelowRounding { asked, least })
     }

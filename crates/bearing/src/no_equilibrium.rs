@@ -1,6 +1,5 @@
 //! Why a load is not balanced.
 
-use crate::estimate::GREATEST_ECCENTRICITY;
 use oilwedge_reynolds::existence::readable;
 use oilwedge_reynolds::{JournalState, NoFilm};
 
@@ -34,7 +33,7 @@ pub enum NoEquilibrium {
     },
     /// The load exceeds what the film carries at the greatest eccentricity at which a position is sought.
     #[error(
-        "no position of the journal carries {} N towards {towards:.1} deg: at eccentricity {GREATEST_ECCENTRICITY}, where the film is {} m thin, it carries {} N that way, and the load is {} times as much",
+        "no position of the journal carries {} N towards {towards:.1} deg: at eccentricity {eccentricity:.4}, where the film is {} m thin, it carries {} N that way, and the load is {} times as much",
         readable(*asked), readable(*thickness), readable(*greatest), readable(*ratio)
     )]
     BeyondCapacity {
@@ -46,7 +45,28 @@ pub enum NoEquilibrium {
         greatest: f64,
         /// The load over that.
         ratio: f64,
+        /// The greatest eccentricity in that direction.
+        eccentricity: f64,
         /// Least film thickness there [m].
+        thickness: f64,
+        /// The journal there.
+        journal: Box<JournalState>,
+    },
+    /// The journal comes into contact with the liner at an end before the film carries the moment.
+    #[error(
+        "no position and tilt of the journal carry {} N and its moment: the journal comes into contact with the liner at its end z = {} mm, at {angle:.1} deg; with a film of {} m there, the film carries {} % of the moment",
+        readable(*asked), readable(1e3 * end), readable(*thickness), readable((100.0 * carried).round())
+    )]
+    EdgeContact {
+        /// The load [N].
+        asked: f64,
+        /// Part of what tilts the journal that was balanced [1].
+        carried: f64,
+        /// Axial position of the end [m].
+        end: f64,
+        /// Where around the bearing [deg].
+        angle: f64,
+        /// Least film thickness reached [m].
         thickness: f64,
         /// The journal there.
         journal: Box<JournalState>,
@@ -99,7 +119,11 @@ impl NoEquilibrium {
     pub fn history(&self) -> &[f64] {
         match self {
             Self::NotConverged { history, .. } | Self::Ended { history, .. } => history,
-            Self::Film(_) | Self::BelowRounding { .. } | Self::BeyondCapacity { .. } | Self::Unreachable { .. } => &[],
+            Self::Film(_)
+            | Self::BelowRounding { .. }
+            | Self::BeyondCapacity { .. }
+            | Self::EdgeContact { .. }
+            | Self::Unreachable { .. } => &[],
         }
     }
 
@@ -108,6 +132,7 @@ impl NoEquilibrium {
         match self {
             Self::Film(_) | Self::BelowRounding { .. } => None,
             Self::BeyondCapacity { journal, .. }
+            | Self::EdgeContact { journal, .. }
             | Self::Unreachable { journal, .. }
             | Self::NotConverged { journal, .. }
             | Self::Ended { journal, .. } => Some(**journal),

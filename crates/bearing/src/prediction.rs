@@ -34,13 +34,26 @@ pub struct Visited {
     pub eccentricity: f64,
     /// Angle of the thinnest film [rad].
     pub angle: f64,
+    /// Slope of the journal's axis [rad].
+    pub tilt: [f64; 2],
 }
 
-/// Eccentricity ratio and angle of the thinnest film [rad] at `point`, predicted from the positions visited last; the last one itself
+/// A position predicted.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Predicted {
+    /// Eccentricity ratio.
+    pub eccentricity: f64,
+    /// Angle of the thinnest film [rad].
+    pub angle: f64,
+    /// Slope of the journal's axis [rad].
+    pub tilt: [f64; 2],
+}
+
+/// The position at `point`, predicted from the positions visited last; the last one itself
 /// where they predict nothing better. `None` where none was visited.
 ///
 /// Over the duty where that changes: the logarithm of the load is nearly linear in the logarithmic eccentricity, with a slope of one.
-pub fn predicted(visited: &[Visited], point: Point) -> Option<(f64, f64)> {
+pub fn predicted(visited: &[Visited], point: Point) -> Option<Predicted> {
     let last = visited.last()?;
     let points = &visited[visited.len().saturating_sub(MOST_POINTS)..];
     let duties: Vec<f64> = points.iter().map(|it| it.point.duty).collect();
@@ -51,12 +64,17 @@ pub fn predicted(visited: &[Visited], point: Point) -> Option<(f64, f64)> {
         false if are_apart(&coordinates, point.coordinate) => weights(&coordinates, point.coordinate),
         false => Vec::new(),
     };
-    let here = Some((last.eccentricity, last.angle));
+    let here = Some(Predicted {
+        eccentricity: last.eccentricity,
+        angle: last.angle,
+        tilt: last.tilt,
+    });
     if weights.is_empty() || points.iter().any(|it| it.eccentricity < CENTRED) {
         return here;
     }
-    let (mut s, mut turn) = (0.0, 0.0);
+    let (mut s, mut turn, mut tilt) = (0.0, 0.0, [0.0; 2]);
     for (weight, visited) in weights.iter().zip(points) {
+        tilt = [0, 1].map(|d| tilt[d] + weight * visited.tilt[d]);
         s += weight * log_eccentricity(visited.eccentricity);
         turn += weight * wrapped(visited.angle - last.angle);
     }
@@ -67,7 +85,11 @@ pub fn predicted(visited: &[Visited], point: Point) -> Option<(f64, f64)> {
     let shrink = (1.0 - eccentricity) / (1.0 - last.eccentricity);
     let is_near = shrink > LEAST_SHRINK && shrink < 1.0 / LEAST_SHRINK && turn.abs() < 1.0;
     if is_near {
-        Some((eccentricity, last.angle + turn))
+        Some(Predicted {
+            eccentricity,
+            angle: last.angle + turn,
+            tilt,
+        })
     } else {
         here
     }
@@ -97,12 +119,29 @@ mod tests {
             point: Point { coordinate: t, duty },
             eccentricity: eccentricity_at(0.3 * t + 0.02 * t * t),
             angle: 6.2 + 0.1 * t,
+            tilt: [1e-4 * t, 0.0],
         }
     }
 
-    fn close(told: Option<(f64, f64)>, wanted: Visited) -> bool {
-        let (eccentricity, angle) = told.expect("a position");
-        (eccentricity / wanted.eccentricity - 1.0).abs() < 1e-12 && (angle - wanted.angle).abs() < 1e-12
+    fn close(told: Option<Predicted>, wanted: Visited) -> bool {
+        let told = told.expect("a position");
+        (told.eccentricity / wanted.eccentricity - 1.0).abs() < 1e-12
+            && (told.angle - wanted.angle).abs() < 1e-12
+            && (told.tilt[0] - wanted.tilt[0]).abs() < 1e-15
+    }
+
+    fn here(visited: Visited) -> Option<Predicted> {
+        let Visited {
+            eccentricity,
+            angle,
+            tilt,
+            ..
+        } = visited;
+        Some(Predicted {
+            eccentricity,
+            angle,
+            tilt,
+        })
     }
 
     #[test]
@@ -118,15 +157,19 @@ mod tests {
             ..it
         });
         assert!(close(predicted(&visited, at(3.0, 3.0).point), at(3.0, 3.0)));
-        let here = Some((at(2.0, 2.0).eccentricity, at(2.0, 2.0).angle));
-        assert_eq!(predicted(&visited, at(60.0, 60.0).point), here);
-        assert_eq!(predicted(&[at(2.0, 1.0), at(2.0, 1.0)], at(2.0, 1.0).point), here);
+        assert_eq!(predicted(&visited, at(60.0, 60.0).point), here(at(2.0, 2.0)));
+        assert_eq!(
+            predicted(&[at(2.0, 1.0), at(2.0, 1.0)], at(2.0, 1.0).point),
+            here(at(2.0, 1.0))
+        );
         assert_eq!(predicted(&[], at(3.0, 3.0).point), None);
     }
 
     #[test]
     fn one_position_tells_the_next_by_its_duty() {
-        let (eccentricity, angle) = predicted(&[at(1.0, 1.0)], at(2.0, 1.1).point).expect("a position");
+        let Predicted {
+            eccentricity, angle, ..
+        } = predicted(&[at(1.0, 1.0)], at(2.0, 1.1).point).expect("a position");
         assert!((log_eccentricity(eccentricity) - log_eccentricity(at(1.0, 1.0).eccentricity) - 0.1).abs() < 1e-12);
         assert_eq!(angle, at(1.0, 1.0).angle);
     }

@@ -2,12 +2,14 @@
 
 use std::cell::{Cell, RefCell};
 
-use oilwedge_reynolds::quantities::load::{load, load_change};
+use oilwedge_reynolds::quantities::load::{Resultant, load, load_change};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSolution, FilmSystem, JournalState, NoFilm};
 
-use crate::equilibrium::{NEAR, Stiffness};
-use crate::{NoEquilibrium, SearchOptions};
+use crate::coordinates::{Coordinates, Vector, length, moved, unit};
+use crate::equilibrium::NEAR;
+use crate::stiffness::Stiffness;
+use crate::{Load, NoEquilibrium, SearchOptions};
 
 /// A load that was not balanced and is less than this part of the reference force is below round-off.
 const LOST: f64 = 1e-7;
@@ -21,7 +23,9 @@ const AT_REST: f64 = 1e-3;
 /// A search for the position that balances a load on one mesh.
 pub(crate) struct Search<'a> {
     pub(crate) system: &'a FilmSystem,
-    pub(crate) load: [f64; 2],
+    pub(crate) load: Load,
+    /// What is free under it.
+    pub(crate) coordinates: Coordinates,
     pub(crate) options: SearchOptions<'a>,
     /// Residuals are relative to this force [N].
     pub(crate) scale: f64,
@@ -49,7 +53,8 @@ pub(crate) struct Trial {
     pub(crate) film: FilmSolution,
     /// The film in cubic elements, where the force is that of it.
     pub(crate) cubic: Option<FilmSolution>,
-    pub(crate) force: [f64; 2],
+    /// What the film carries.
+    pub(crate) carried: Resultant,
     /// Residual of the position at which the advection schemes of a mass-conserving film were chosen; infinite where a
     /// neighbouring film had a part in the choice.
     pub(crate) schemes_chosen_at: f64,
@@ -58,20 +63,16 @@ pub(crate) struct Trial {
 }
 
 impl<'a> Search<'a> {
-    /// A search for `load` [N] on `system`.
-    pub(crate) fn new(
-        problem: &FilmProblem,
-        system: &'a FilmSystem,
-        load: [f64; 2],
-        options: SearchOptions<'a>,
-    ) -> Self {
+    /// A search for `load` on `system`.
+    pub(crate) fn new(problem: &FilmProblem, system: &'a FilmSystem, load: Load, options: SearchOptions<'a>) -> Self {
         let reference_force = reference_force(problem, system, options.centre_velocity);
         Self {
             system,
             load,
+            coordinates: Coordinates::of(&load, &problem.bearing),
             options,
             reference_force,
-            scale: match load[0].hypot(load[1]) {
+            scale: match load.magnitude() {
                 0.0 => reference_force.max(f64::MIN_POSITIVE),
                 load => load,
             },
@@ -91,8 +92,9 @@ impl<'a> Search<'a> {
                     break;
                 }
                 let angle = std::f64::consts::TAU * f64::from(k) / f64::from(ANGLES);
-                let e = eps * problem.bearing.clearance;
-                if let Ok(trial) = self.trial(problem, [e * angle.cos(), e * angle.sin()], Neighbour::None) {
+                let e = eps * problem.bearing.reach(&problem.journal, angle);
+                let at = self.at_offset(problem, [e * angle.cos(), e * angle.sin()]);
+                if let Ok(trial) = self.trial(problem, at, Neighbour::None) {
                     starts.push((self.distance(&trial), trial.problem.journal));
                 }
             }
@@ -105,27 +107,36 @@ impl<'a> Search<'a> {
     pub(crate) fn first(&self, problem: &FilmProblem, mut start: JournalState) -> Result<Trial, NoFilm> {
         const RETREATS: usize = 12;
         for _ in 0..RETREATS {
-            match self.trial(problem, start.offset, Neighbour::None) {
+            match self.trial(problem, self.coordinates.at(&start), Neighbour::None) {
                 // Without a supply there is no film anywhere.
                 Err(reason) if !matches!(reason, NoFilm::NoSupply { .. }) => {
-                    start.offset = start.offset.map(|e| 0.5 * e)
+                    let nearer = self.coordinates.at(&start).map(|x| 0.5 * x);
+                    start = self.coordinates.placed(&start, nearer);
                 }
                 other => return other,
             }
         }
-        self.trial(problem, start.offset, Neighbour::None)
+        self.trial(problem, self.coordinates.at(&start), Neighbour::None)
     }
 
-    /// The trial at `offset` [m] by the force of the film in quadratic elements.
-    pub(crate) fn trial(&self, problem: &FilmProblem, offset: [f64; 2], near: Neighbour) -> Result<Trial, NoFilm> {
-        let problem = self.placed(problem, offset);
+    /// The coordinates of the journal of a problem with its centre at `offset` [m].
+    pub(crate) fn at_offset(&self, problem: &FilmProblem, offset: [f64; 2]) -> Vector {
+        self.coordinates.at(&JournalState {
+            offset,
+            ..problem.journal
+        })
+    }
+
+    /// The trial with the journal `at` these coordinates by the force of the film in quadratic elements.
+    pub(crate) fn trial(&self, problem: &FilmProblem, at: Vector, near: Neighbour) -> Result<Trial, NoFilm> {
+        let problem = self.placed(problem, at);
         let film = problem.solve_from(self.system, near)?;
-        let force = load(&problem, self.system, &film).total.force;
+        let carried = load(&problem, self.system, &film).total.resultant();
         let trial = self.recorded(Trial {
             problem,
             film,
             cubic: None,
-            force,
+            carried,
             schemes_chosen_at: f64::INFINITY,
             is_continued: false,
         });
@@ -138,38 +149,35 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// The trial at `offset` [m] by the force of the film in cubic elements, started from that of a neighbouring position, if there is one.
+    /// The trial with the journal `at` these coordinates by the force of the film in cubic elements, started from that of a neighbouring position, if there is one.
     pub(crate) fn cubic_trial(
         &self,
         problem: &FilmProblem,
-        offset: [f64; 2],
+        at: Vector,
         near: Neighbour,
         cubic: Option<&FilmSolution>,
     ) -> Result<Trial, NoFilm> {
-        let problem = self.placed(problem, offset);
+        let problem = self.placed(problem, at);
         let film = problem.solve_from(self.system, near)?;
         let cubic = problem.cubic_film(self.system, &film, cubic)?;
-        let force = load(&problem, &self.system.cubic().system, &cubic).total.force;
+        let carried = load(&problem, &self.system.cubic().system, &cubic).total.resultant();
         Ok(self.recorded(Trial {
             problem,
             film,
             cubic: Some(cubic),
-            force,
+            carried,
             schemes_chosen_at: f64::INFINITY,
             is_continued: false,
         }))
     }
 
-    /// The problem with the journal at `offset` [m].
-    fn placed(&self, problem: &FilmProblem, offset: [f64; 2]) -> FilmProblem {
-        let angle = match offset {
-            [0.0, 0.0] => problem.journal.min_film_angle(),
-            [x, y] => y.atan2(x),
+    /// The problem with the journal `at` these coordinates.
+    fn placed(&self, problem: &FilmProblem, at: Vector) -> FilmProblem {
+        let angle = match at {
+            [0.0, 0.0, ..] => problem.journal.min_film_angle(),
+            [x, y, ..] => y.atan2(x),
         };
-        let journal = JournalState {
-            offset,
-            ..problem.journal
-        };
+        let journal = self.coordinates.placed(&problem.journal, at);
         FilmProblem {
             journal: journal.with_centre_velocity(self.options.centre_velocity, angle),
             ..problem.clone()
@@ -186,70 +194,101 @@ impl<'a> Search<'a> {
         if self.nearest.get().is_none_or(|nearest| distance < nearest.distance) {
             self.nearest.set(Some(Nearest {
                 distance,
-                force: trial.force,
+                force: trial.carried.force,
                 journal: trial.problem.journal,
             }));
         }
         trial
     }
 
-    /// Difference of force and load over the load.
+    /// Difference of forces and load over the load.
     pub(crate) fn residual(&self, trial: &Trial) -> f64 {
-        let [x, y] = self.excess(trial);
-        x.hypot(y) / self.scale
+        length(self.excess(trial)) / self.scale
     }
 
-    /// Force of the film less the load [N].
-    pub(crate) fn excess(&self, trial: &Trial) -> [f64; 2] {
-        [trial.force[0] - self.load[0], trial.force[1] - self.load[1]]
+    /// What the difference is for the forces alone, and for the moments alone.
+    pub(crate) fn parts(&self, trial: &Trial) -> [f64; 2] {
+        let [x, y, z_x, z_y] = self.excess(trial);
+        [x.hypot(y) / self.scale, z_x.hypot(z_y) / self.scale]
+    }
+
+    /// Forces of the film less the load [N].
+    pub(crate) fn excess(&self, trial: &Trial) -> Vector {
+        moved(self.response(trial), -1.0, self.asked())
+    }
+
+    /// Forces of the film and, against its tilt, of the support [N].
+    pub(crate) fn response(&self, trial: &Trial) -> Vector {
+        let [x, y, z_x, z_y] = self.coordinates.forces(&trial.carried);
+        let [_, _, tilt_x, tilt_y] = self.coordinates.at(&trial.problem.journal);
+        let per_arm = self.support_stiffness();
+        [x, y, z_x + per_arm * tilt_x, z_y + per_arm * tilt_y]
+    }
+
+    /// The load, and what tilts the journal where it is parallel to the bearing [N].
+    fn asked(&self) -> Vector {
+        let tilting = self.load.tilting.map_or([0.0; 2], |tilting| {
+            [0, 1].map(|d| (tilting.moment[d] + tilting.stiffness * tilting.support[d]) / self.coordinates.arm)
+        });
+        [self.load.force[0], self.load.force[1], tilting[0], tilting[1]]
+    }
+
+    /// Stiffness of the support in the coordinates of the search [N/m].
+    fn support_stiffness(&self) -> f64 {
+        let arm = self.coordinates.arm;
+        self.load.tilting.map_or(0.0, |tilting| tilting.stiffness / (arm * arm))
     }
 
     /// `dW/de`.
     pub(crate) fn stiffness(&self, trial: &Trial) -> Result<Stiffness, NoFilm> {
-        let mut stiffness = [[0.0; 2]; 2];
-        for k in 0..2 {
-            let mut unit = [0.0; 2];
-            unit[k] = 1.0;
-            let change = self.options.centre_velocity.change(&trial.problem.journal, unit);
+        Stiffness::by_columns(self.coordinates.order, |k| {
+            let journal = &trial.problem.journal;
+            let change = (self.coordinates).change(journal, &self.options.centre_velocity, unit(k));
             let unknown = (trial.problem)
                 .unknown_change(self.system, &trial.film, &change)
                 .map_err(oilwedge_fem::newton::Failure::from)?;
-            let by_offset = load_change(&trial.problem, self.system, &trial.film, &unknown);
-            stiffness[0][k] = by_offset[0];
-            stiffness[1][k] = by_offset[1];
-        }
-        Ok(stiffness)
+            let by_film = load_change(&trial.problem, self.system, &trial.film, &unknown);
+            let mut column = self.coordinates.forces(&by_film);
+            if k >= 2 {
+                column[k] += self.support_stiffness();
+            }
+            Ok(column)
+        })
     }
 
-    /// The tangent `dW/de` corrected by the change of the force from one trial to the next (Broyden, Math. Comp. 19 (1965) 577).
-    pub(crate) fn corrected(tangent: Stiffness, from: &Trial, to: &Trial) -> Stiffness {
-        let step = [0, 1].map(|k| to.problem.journal.offset[k] - from.problem.journal.offset[k]);
-        let square = step[0] * step[0] + step[1] * step[1];
-        let mut corrected = tangent;
-        for d in 0..2 {
-            let predicted = tangent[d][0] * step[0] + tangent[d][1] * step[1];
-            let missed = (to.force[d] - from.force[d] - predicted) / square;
-            for k in 0..2 {
-                corrected[d][k] += if square > 0.0 { missed * step[k] } else { 0.0 };
-            }
-        }
-        corrected
+    /// The tangent `dW/de` corrected by the change of the forces from one trial to the next.
+    pub(crate) fn corrected(&self, tangent: Stiffness, from: &Trial, to: &Trial) -> Stiffness {
+        let difference = |to: Vector, from: Vector| [0, 1, 2, 3].map(|k| to[k] - from[k]);
+        let place = |trial: &Trial| self.coordinates.at(&trial.problem.journal);
+        let step = difference(place(to), place(from));
+        let change = difference(self.response(to), self.response(from));
+        tangent.corrected(step, difference(change, tangent.times(step)))
     }
 
     /// How far the force is from the load: by logarithm and angle, so that forces much too large and much too small
     /// count alike; by the residual where that is small.
     pub(crate) fn distance(&self, trial: &Trial) -> f64 {
         let residual = self.residual(trial);
-        let (force, load) = (trial.force[0].hypot(trial.force[1]), self.load[0].hypot(self.load[1]));
+        let (carried, asked) = (trial.carried.force, self.load.force);
+        let (force, load) = (carried[0].hypot(carried[1]), self.load.magnitude());
         if residual < NEAR || load == 0.0 {
             return residual;
         }
         if force == 0.0 {
             return f64::MAX;
         }
-        let along = trial.force[0] * self.load[0] + trial.force[1] * self.load[1];
-        let across = trial.force[0] * self.load[1] - trial.force[1] * self.load[0];
-        (load / force).ln().hypot(across.atan2(along))
+        let along = carried[0] * asked[0] + carried[1] * asked[1];
+        let across = carried[0] * asked[1] - carried[1] * asked[0];
+        let [arm_x, arm_y] = self.arms_off(trial);
+        (load / force).ln().hypot(across.atan2(along)).hypot(arm_x.hypot(arm_y))
+    }
+
+    /// How far the arms of the forces, moment over force, are from those of the load, in half lengths of the bearing.
+    pub(crate) fn arms_off(&self, trial: &Trial) -> [f64; 2] {
+        let (response, asked) = (self.response(trial), self.asked());
+        let [x, y] = trial.carried.force;
+        let (force, load) = (x.hypot(y), self.load.magnitude());
+        [2, 3].map(|k| response[k] / force - asked[k] / load)
     }
 
     /// The reason as far as it is known: a search that was ended, or came near to the load, does not prove that there is no position;
@@ -287,7 +326,7 @@ impl<'a> Search<'a> {
     /// Whether a force was found that is as large as the load by [`NEARLY`] and points its way by [`ASTRAY`].
     fn came_near(&self) -> bool {
         self.nearest.get().is_some_and(|Nearest { force: [x, y], .. }| {
-            let [load_x, load_y] = self.load;
+            let [load_x, load_y] = self.load.force;
             let ratio = x.hypot(y) / load_x.hypot(load_y);
             let turn = (x * load_y - y * load_x).atan2(x * load_x + y * load_y);
             // A film that bears tension has forces to all sides, of any size.
@@ -301,14 +340,14 @@ impl<'a> Search<'a> {
         let degrees = |[x, y]: [f64; 2]| y.atan2(x).to_degrees().rem_euclid(360.0);
         let last = Nearest {
             distance: self.distance(trial),
-            force: trial.force,
+            force: trial.carried.force,
             journal: trial.problem.journal,
         };
         let nearest = self.nearest.get().filter(|nearest| nearest.distance < last.distance);
         let nearest = nearest.unwrap_or(last);
         NoEquilibrium::Unreachable {
-            asked: self.load[0].hypot(self.load[1]),
-            towards: degrees(self.load),
+            asked: self.load.magnitude(),
+            towards: degrees(self.load.force),
             nearest: nearest.force[0].hypot(nearest.force[1]),
             nearest_towards: degrees(nearest.force),
             eccentricity: nearest.journal.eccentricity() / trial.problem.bearing.clearance,
@@ -321,7 +360,12 @@ impl<'a> Search<'a> {
 /// The force [N] of drag through the clearance, or that of the greatest pressure given on the projected area.
 fn reference_force(problem: &FilmProblem, system: &FilmSystem, centre_velocity: CentreVelocity) -> f64 {
     let bearing = &problem.bearing;
-    let rate = problem.journal.speed.abs() + centre_velocity.speed() / bearing.clearance;
+    let tilting = JournalState {
+        velocity: [0.0; 2],
+        ..problem.journal
+    }
+    .gap_speed(0.5 * bearing.length);
+    let rate = problem.journal.speed.abs() + (centre_velocity.speed() + tilting) / bearing.clearance;
     let drag = problem.lubricant.viscosity * rate * (bearing.radius / bearing.clearance).powi(2);
     let given = system.supply.regions().iter().map(|region| region.pressure.abs());
     given.fold(drag, f64::max) * 2.0 * bearing.radius * bearing.length

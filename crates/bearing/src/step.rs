@@ -1,16 +1,19 @@
 //! The step from one trial position to the next: Newton's, in logarithmic coordinates far from the balance, damped.
 
-use oilwedge_reynolds::JournalState;
 use oilwedge_reynolds::solve::Neighbour;
 
-use crate::equilibrium::{NEAR, Stiffness};
+use crate::coordinates::{Vector, length, moved};
+use crate::equilibrium::NEAR;
 use crate::log_eccentricity::{eccentricity_at, log_eccentricity};
 use crate::search::{Search, Trial};
+use crate::stiffness::Stiffness;
 
 /// Most halvings of one step.
 const MOST_HALVINGS: usize = 8;
-/// Least film thickness after a step, over the one before.
+/// Least film thickness after a step, over the one before,
 const LEAST_SHRINK: f64 = 0.1;
+/// and where the tilt is free: an end comes near the liner before the force shows it.
+const LEAST_SHRINK_TILTING: f64 = 0.3;
 /// Longest turn of the line of centres in one step [rad].
 const LONGEST_TURN: f64 = 1.0;
 /// Least eccentricity at which steps are taken in logarithmic coordinates.
@@ -22,56 +25,70 @@ pub const SHORT_MOVE: f64 = 0.2;
 
 impl Search<'_> {
     /// Newton's step [m].
-    pub(crate) fn step(&self, trial: &Trial, stiffness: Stiffness) -> [f64; 2] {
+    pub(crate) fn step(&self, trial: &Trial, stiffness: Stiffness) -> Vector {
         let logarithmic = (self.residual(trial) > NEAR)
             .then(|| self.logarithmic_step(trial, stiffness))
             .flatten();
-        logarithmic.unwrap_or_else(|| newton_step(stiffness, self.excess(trial)))
+        logarithmic.unwrap_or_else(|| stiffness.solve(self.excess(trial).map(|excess| -excess)))
     }
 
-    /// The step in `s` and the angle of the line of centres that brings `ln |W|` and the angle of W to those of the load.
-    /// None for a centred journal, without a load, and where the force points away from the load.
-    fn logarithmic_step(&self, trial: &Trial, stiffness: Stiffness) -> Option<[f64; 2]> {
+    /// The step in `s`, the angle of the line of centres and the tilt that brings `ln |W|`, the angle of W and the arms of the moments to those of
+    /// the load. None for a centred journal, without a load, and where the force points away from the load.
+    fn logarithmic_step(&self, trial: &Trial, stiffness: Stiffness) -> Option<Vector> {
         let [e_x, e_y] = trial.problem.journal.offset;
         let e = e_x.hypot(e_y);
-        let clearance = trial.problem.bearing.clearance;
-        let eps = e / clearance;
-        let (force, load) = (trial.force[0].hypot(trial.force[1]), self.load[0].hypot(self.load[1]));
-        let along = trial.force[0] * self.load[0] + trial.force[1] * self.load[1];
+        let reach = |angle: f64| trial.problem.bearing.reach(&trial.problem.journal, angle);
+        let eps = e / reach(e_y.atan2(e_x));
+        let (carried, asked) = (trial.carried.force, self.load.force);
+        let (force, load) = (carried[0].hypot(carried[1]), self.load.magnitude());
+        let along = carried[0] * asked[0] + carried[1] * asked[1];
         if eps < CENTRED || along <= 0.0 {
             return None;
         }
-        let across = trial.force[0] * self.load[1] - trial.force[1] * self.load[0];
-        let wanted = [(load / force).ln(), across.atan2(along)];
-        // Columns: change of (ln |W|, angle of W) by s and by the angle of the line of centres.
+        let across = carried[0] * asked[1] - carried[1] * asked[0];
+        let [arm_x, arm_y] = self.arms_off(trial);
+        let wanted = [(load / force).ln(), across.atan2(along), -arm_x, -arm_y];
+        // Columns: change of (ln |W|, angle of W, arms of the moments) by s, by the angle of the line of centres, and by the tilt.
         let radial = [e_x / e, e_y / e];
-        let by_s = 1.0 / (1.0 / eps + 1.5 / (1.0 - eps)) * clearance;
-        let moves = [radial.map(|x| x * by_s), [-e_y, e_x]];
-        let mut tangent = [[0.0; 2]; 2];
-        for (k, step) in moves.iter().enumerate() {
-            let change = [0, 1].map(|d| stiffness[d][0] * step[0] + stiffness[d][1] * step[1]);
-            tangent[0][k] = (change[0] * trial.force[0] + change[1] * trial.force[1]) / force.powi(2);
-            tangent[1][k] = (change[1] * trial.force[0] - change[0] * trial.force[1]) / force.powi(2);
-        }
-        let [by_s, turn] = solve(tangent, wanted);
-        if !(by_s.is_finite() && turn.is_finite() && turn.abs() < LONGEST_TURN) {
+        let by_s = 1.0 / (1.0 / eps + 1.5 / (1.0 - eps)) * reach(e_y.atan2(e_x));
+        let by_tilt = trial.problem.bearing.clearance;
+        let moves = [
+            [radial[0] * by_s, radial[1] * by_s, 0.0, 0.0],
+            [-e_y, e_x, 0.0, 0.0],
+            [0.0, 0.0, by_tilt, 0.0],
+            [0.0, 0.0, 0.0, by_tilt],
+        ];
+        let response = self.response(trial);
+        let tangent = Stiffness::by_columns(stiffness.order(), |k| {
+            let change = stiffness.times(moves[k]);
+            let size = (change[0] * carried[0] + change[1] * carried[1]) / force.powi(2);
+            let turn = (change[1] * carried[0] - change[0] * carried[1]) / force.powi(2);
+            let [arm_x, arm_y] = [2, 3].map(|d| (change[d] - response[d] * size) / force);
+            Ok::<Vector, std::convert::Infallible>([size, turn, arm_x, arm_y])
+        });
+        let Ok(tangent) = tangent;
+        let [by_s, turn, tilt_x, tilt_y] = tangent.solve(wanted);
+        let is_step = by_s.is_finite() && tilt_x.is_finite() && tilt_y.is_finite();
+        if !(is_step && turn.is_finite() && turn.abs() < LONGEST_TURN) {
             return None;
         }
         let angle = e_y.atan2(e_x) + turn;
-        let e_next = clearance * eccentricity_at(log_eccentricity(eps) + by_s);
-        Some([e_next * angle.cos() - e_x, e_next * angle.sin() - e_y])
+        let e_next = reach(angle) * eccentricity_at(log_eccentricity(eps) + by_s);
+        let [x, y] = [e_next * angle.cos() - e_x, e_next * angle.sin() - e_y];
+        Some([x, y, by_tilt * tilt_x, by_tilt * tilt_y])
     }
 
-    /// The longest of the halved steps that brings the force nearer to the load, the film thickness kept positive.
-    pub(crate) fn damped(&self, from: &Trial, step: [f64; 2], tried: &mut usize) -> Option<Trial> {
+    /// The longest of the halved steps that brings the forces nearer to the load, the film thickness kept positive.
+    pub(crate) fn damped(&self, from: &Trial, step: Vector, tried: &mut usize) -> Option<Trial> {
         let (bearing, journal) = (&from.problem.bearing, from.problem.journal);
         let gap = bearing.least_gap(&journal);
-        let at = |part: f64| [0, 1].map(|d| journal.offset[d] + part * step[d]);
-        let thin = |part: f64| {
-            let offset = at(part);
-            bearing.least_gap(&JournalState { offset, ..journal }) < LEAST_SHRINK * gap
+        let here = self.coordinates.at(&journal);
+        let least = match self.load.tilting {
+            None => LEAST_SHRINK * gap,
+            Some(_) => LEAST_SHRINK_TILTING * gap,
         };
-        let length = step[0].hypot(step[1]);
+        let thin = |part: f64| bearing.least_gap(&self.coordinates.placed(&journal, moved(here, part, step))) < least;
+        let length = length(step);
         if !length.is_finite() {
             return None;
         }
@@ -86,7 +103,7 @@ impl Search<'_> {
                 false => Neighbour::None,
             };
             *tried += 1;
-            if let Ok(trial) = self.trial(&from.problem, at(part), near)
+            if let Ok(trial) = self.trial(&from.problem, moved(here, part, step), near)
                 && self.distance(&trial) < self.distance(from)
             {
                 return Some(match near {
@@ -102,18 +119,4 @@ impl Search<'_> {
         }
         None
     }
-}
-
-/// The step [m] that takes away the `excess` of force [N] to first order; not finite for a singular stiffness.
-pub fn newton_step(stiffness: Stiffness, excess: [f64; 2]) -> [f64; 2] {
-    solve(stiffness, excess.map(|x| -x))
-}
-
-/// Solves two equations by Cramer's rule; not finite if they are singular.
-fn solve(a: Stiffness, b: [f64; 2]) -> [f64; 2] {
-    let determinant = a[0][0] * a[1][1] - a[0][1] * a[1][0];
-    [
-        (a[1][1] * b[0] - a[0][1] * b[1]) / determinant,
-        (a[0][0] * b[1] - a[1][0] * b[0]) / determinant,
-    ]
 }

@@ -103,6 +103,12 @@ fn balances(balances: Balances) -> String {
     if balances.force != 0.0 {
         line += &format!(", load and film force by {} of the load", part(balances.force));
     }
+    if balances.tilt != 0.0 {
+        line += &format!(
+            ", moments of load and film by {} of the load at an end",
+            part(balances.tilt)
+        );
+    }
     line + &temperature::imbalance(balances)
 }
 
@@ -215,6 +221,7 @@ pub(crate) mod tests {
                 power: 2.5e-15,
                 moment: 0.0,
                 force: 0.0,
+                tilt: 0.0,
                 thermal: 0.0,
             },
             regime: None,

@@ -9,6 +9,7 @@ fn readable_units(unit: Unit) -> &'static [(&'static str, f64)] {
     match unit {
         Unit::One => &[("", 1.0)],
         Unit::Degree => &[("deg", 1.0)],
+        Unit::Radian => &[("mrad", 1e-3), ("rad", 1.0)],
         Unit::Celsius => &[("degC", 1.0)],
         Unit::Pascal => &[("bar", 1e5)],
         Unit::PascalOfStress => &[("MPa", 1e6)],

@@ -231,7 +231,7 @@ impl FilmProblem {
     pub(crate) fn greatest_speed(&self, system: &FilmSystem, limit: f64) -> Option<f64> {
         const HALVINGS: usize = 40;
         const STEPS: usize = 60;
-        if self.journal.velocity != [0.0; 2] {
+        if !self.journal.is_still() {
             return None;
         }
         let above = |motion: f64| {

@@ -13,7 +13,7 @@ use oilwedge_mesh::Mesh;
 use oilwedge_mesh::quality::needle_share;
 
 use crate::cavitation::FilmFraction;
-use crate::film_thickness::FilmContribution;
+use crate::film_thickness::{FilmContribution, Follows};
 use crate::levels::Coarser;
 use crate::lubricant::Lubricant;
 use crate::supply::{Supply, SupplyError, SupplyRegion};
@@ -234,6 +234,11 @@ impl FilmProblem {
     /// Velocity `(U_x, U_z)` [m/s] of the journal's surface.
     pub fn surface_velocity(&self) -> [f64; 2] {
         [self.journal.speed * self.bearing.radius, self.journal.axial_velocity]
+    }
+
+    /// True if the film follows a slope of the journal's axis, be it zero: moments are of interest then.
+    pub fn can_tilt(&self) -> bool {
+        (self.film_thickness.iter()).any(|contribution| contribution.follows() == Follows::Tilt)
     }
 
     /// The unknown at a point where the pressure is `p` [Pa].

@@ -1,12 +1,16 @@
 //! Where the journal is and how it moves.
 
-/// Position, rotation and velocity of the journal in the frame of the bearing.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// Position, inclination, rotation and velocity of the journal in the frame of the bearing.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct JournalState {
-    /// Offset `(e_x, e_y)` of the journal's centre from the bearing's [m].
+    /// Offset `(e_x, e_y)` of the journal's centre from the bearing's at mid-length [m].
     pub offset: [f64; 2],
-    /// Velocity `(e_x', e_y')` of the journal's centre [m/s].
+    /// Velocity `(e_x', e_y')` of the journal's centre at mid-length [m/s].
     pub velocity: [f64; 2],
+    /// Slope `(g_x, g_y)` of the journal's axis against that of the bearing [rad]: the offset grows by it for each metre of z.
+    pub tilt: [f64; 2],
+    /// Rate `(g_x', g_y')` of that slope [rad/s].
+    pub tilt_rate: [f64; 2],
     /// Angular velocity `omega` [rad/s], positive towards growing `phi`.
     pub speed: f64,
     /// Velocity [m/s] of the journal along its axis.
@@ -20,6 +24,10 @@ pub struct JournalChange {
     pub offset: [f64; 2],
     /// Change of the centre's velocity [m/s].
     pub velocity: [f64; 2],
+    /// Change of the slope of the axis [rad].
+    pub tilt: [f64; 2],
+    /// Change of the rate of that slope [rad/s].
+    pub tilt_rate: [f64; 2],
 }
 
 /// Velocity of the journal's centre [m/s] in the frame of the line of centres.
@@ -49,7 +57,11 @@ impl CentreVelocity {
             }
             false => [0.0; 2],
         };
-        JournalChange { offset: step, velocity }
+        JournalChange {
+            offset: step,
+            velocity,
+            ..JournalChange::default()
+        }
     }
 }
 
@@ -63,7 +75,7 @@ impl JournalState {
             offset: [e * cos, e * sin],
             velocity: [0.0; 2],
             speed,
-            axial_velocity: 0.0,
+            ..Self::default()
         }
     }
 
@@ -82,8 +94,41 @@ impl JournalState {
         self.offset[1].atan2(self.offset[0])
     }
 
-    /// Distance `|e|` of the centres [m].
+    /// Distance `|e|` of the centres at mid-length [m].
     pub fn eccentricity(&self) -> f64 {
         self.offset[0].hypot(self.offset[1])
+    }
+
+    /// Offset `e + z g` of the centre [m] at the axial position `z` [m].
+    pub fn offset_at(&self, z: f64) -> [f64; 2] {
+        [0, 1].map(|d| self.offset[d] + z * self.tilt[d])
+    }
+
+    /// True where the axes of journal and bearing are parallel.
+    pub fn is_parallel(&self) -> bool {
+        self.tilt == [0.0; 2]
+    }
+
+    /// True where neither the centre moves nor the axis turns.
+    pub fn is_still(&self) -> bool {
+        self.velocity == [0.0; 2] && self.tilt_rate == [0.0; 2]
+    }
+
+    /// Greatest speed [m/s] at which the film can grow or shrink within `half_length` [m] of mid-length.
+    pub fn gap_speed(&self, half_length: f64) -> f64 {
+        let [[v_x, v_y], [w_x, w_y]] = [self.velocity, self.tilt_rate];
+        v_x.hypot(v_y) + half_length * w_x.hypot(w_y)
+    }
+
+    /// The journal after a `change`.
+    pub fn changed(&self, change: &JournalChange) -> Self {
+        let sum = |a: [f64; 2], b: [f64; 2]| [0, 1].map(|d| a[d] + b[d]);
+        Self {
+            offset: sum(self.offset, change.offset),
+            velocity: sum(self.velocity, change.velocity),
+            tilt: sum(self.tilt, change.tilt),
+            tilt_rate: sum(self.tilt_rate, change.tilt_rate),
+            ..*self
+        }
     }
 }

@@ -19,6 +19,7 @@
 //! | R, B, c | m | `radius`, `length`, `clearance` | [`Bearing`] |
 //! | p_e | Pa | `end_pressure` | [`Bearing`] |
 //! | (e_x, e_y), (e_x', e_y'), omega | m, m/s, rad/s | `offset`, `velocity`, `speed` | [`JournalState`] |
+//! | (g_x, g_y), (g_x', g_y') | rad, rad/s | `tilt`, `tilt_rate` | [`JournalState`] |
 //! | h, grad h, dh/dt | m, -, m/s | `thickness`, `slope`, `rate` | [`FilmPoint`], [`film_thickness`] |
 //! | U = omega R | m/s | `velocity` | [`FilmPoint`] |
 //! | mu0, mu(p), q(p) | Pa s, Pa | `viscosity`, `viscosity_ratio`, `reduced_pressure` | [`lubricant`] |
@@ -58,7 +59,7 @@ pub mod supply;
 pub mod terms;
 pub mod theory;
 
-pub use bearing::Bearing;
+pub use bearing::{Bearing, Thinnest};
 pub use cavitation::Cavitation;
 pub use existence::NoFilm;
 pub use film_point::{FilmFlow, FilmPoint};

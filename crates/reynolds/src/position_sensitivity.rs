@@ -21,10 +21,7 @@ impl FilmProblem {
         change: &JournalChange,
     ) -> Result<(Self, FilmSolution), NoFilm> {
         let mut problem = self.clone();
-        for d in 0..2 {
-            problem.journal.offset[d] += change.offset[d];
-            problem.journal.velocity[d] += change.velocity[d];
-        }
+        problem.journal = problem.journal.changed(change);
         if film.film_fraction.is_some() {
             let film = problem.solve_from(system, Neighbour::Kept(film))?;
             return Ok((problem, film));

@@ -135,8 +135,8 @@ impl FilmProblem {
     /// greatest given one.
     pub(crate) fn pressure_scale(&self, constraints: &Constraints) -> f64 {
         let slenderness = self.bearing.radius / self.bearing.clearance;
-        let [e_x, e_y] = self.journal.velocity;
-        let motion = self.journal.speed.abs() + e_x.hypot(e_y) / self.bearing.clearance;
+        let gap_speed = self.journal.gap_speed(0.5 * self.bearing.length);
+        let motion = self.journal.speed.abs() + gap_speed / self.bearing.clearance;
         let drag = self.lubricant.viscosity * motion * slenderness.powi(2);
         (constraints.values.iter()).fold(drag, |scale, given| scale.max(given.abs()))
     }

@@ -49,6 +49,8 @@ pub enum Dimension {
     Torque,
     /// Power [W].
     Power,
+    /// Rotational stiffness [N.m/rad].
+    RotationalStiffness,
 }
 
 /// Temperature [K] of the ice point.
@@ -67,7 +69,7 @@ type Row = (Dimension, &'static str, &'static str, &'static [(&'static str, f64)
 
 /// All kinds, in the order of [`Dimension`].
 #[rustfmt::skip]
-const TABLE: [Row; 22] = [
+const TABLE: [Row; 23] = [
     (Length, "a length", "25 mm", &[("m", 1.0), ("km", 1e3), ("cm", 1e-2), ("mm", 1e-3), ("um", 1e-6), ("nm", 1e-9), ("in", INCH), ("inch", INCH), ("mil", 1e-3 * INCH)]),
     (Angle, "an angle", "40 deg", &[("rad", 1.0), ("mrad", 1e-3), ("deg", PI / 180.0)]),
     (Pressure, "a pressure", "0.98 bar", &[("Pa", 1.0), ("kPa", 1e3), ("MPa", 1e6), ("GPa", 1e9), ("mbar", 1e-3 * BAR), ("bar", BAR), ("atm", ATMOSPHERE), ("psi", PSI), ("N/m2", 1.0), ("N/mm2", 1e6)]),
@@ -90,6 +92,7 @@ const TABLE: [Row; 22] = [
     (VolumeFlow, "a volume flow", "5 ml/s", &[("m3/s", 1.0), ("l/s", 1e-3), ("l/min", 1e-3 / 60.0), ("ml/s", 1e-6), ("ml/min", 1e-6 / 60.0), ("cm3/s", 1e-6), ("mm3/s", 1e-9)]),
     (Torque, "a torque", "0.5 N.m", &[("N.m", 1.0), ("mN.m", 1e-3), ("kN.m", 1e3), ("N.mm", 1e-3), ("N.cm", 1e-2)]),
     (Power, "a power", "120 W", &[("W", 1.0), ("mW", 1e-3), ("kW", 1e3)]),
+    (RotationalStiffness, "a rotational stiffness", "20 kN.m/rad", &[("N.m/rad", 1.0), ("kN.m/rad", 1e3), ("MN.m/rad", 1e6), ("N.m/mrad", 1e3)]),
 ];
 
 impl Dimension {

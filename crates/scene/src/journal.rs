@@ -1,6 +1,7 @@
 //! `[journal]`: how the journal turns, and where it is unless `[load]` has its position found.
 
 pub(crate) mod squeeze;
+pub(crate) mod tilt;
 
 pub use squeeze::Squeeze;
 
@@ -31,6 +32,10 @@ pub struct Journal {
     pub position: Position,
     /// Velocity of its centre; `None`: the centre rests.
     pub squeeze: Option<Squeeze>,
+    /// Slope of its axis against that of the bearing, towards x and y [rad]; `None`: the axes are parallel.
+    pub tilt: Option<[f64; 2]>,
+    /// Rate of that slope [rad/s]; `None`: it does not change.
+    pub tilt_rate: Option<[f64; 2]>,
 }
 
 /// Where the journal is.
@@ -67,6 +72,8 @@ pub(crate) fn read(mut table: TableReader<'_>, load: Option<Position>) -> Journa
     Journal {
         speed: table.required("speed", Dimension::Speed, "3000 rpm"),
         squeeze: table.table_if_given("squeeze").map(squeeze::read),
+        tilt: (table.table_if_given("tilt")).map(|table| tilt::read(table, Dimension::Angle, "0.1 mrad")),
+        tilt_rate: (table.table_if_given("tilt_rate")).map(|table| tilt::read(table, Dimension::Speed, "0.2 rad/s")),
         position: position(&mut table, load),
     }
 }
@@ -74,6 +81,7 @@ pub(crate) fn read(mut table: TableReader<'_>, load: Option<Position>) -> Journa
 /// Keys that must fit each other.
 pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
     squeeze::check(scene, complaints);
+    tilt::check(scene, complaints);
 }
 
 fn position(table: &mut TableReader<'_>, load: Option<Position>) -> Position {

@@ -4,7 +4,7 @@
 //! own [`Check`]s of what it cannot compute.
 //!
 //! Each table of the file has one source file of its name, with its data type, keys, units, defaults and ranges: `bearing.rs`, `mesh.rs`
-//! (and the tolerance in it, `tolerance.rs`), `ends.rs`, `feed.rs`, `journal.rs` (and `squeeze.rs` in it), `load.rs`, `oil.rs`, `heat.rs`, `limits.rs`,
+//! (and the tolerance in it, `tolerance.rs`), `ends.rs`, `feed.rs`, `journal.rs` (and `squeeze.rs`, `tilt.rs` in it), `load.rs`, `support.rs`, `oil.rs`, `heat.rs`, `limits.rs`,
 //! `cavitation.rs`, `cap.rs`, `sweep.rs`. `scene.rs` lists them.
 //!
 //! Reading order: `scene.rs`, `bearing.rs` as an example of a table, `reader.rs` (how a table is read and what is wrong with it collected),
@@ -31,6 +31,7 @@ mod oil;
 mod reader;
 mod scene;
 pub mod spelling;
+mod support;
 pub mod sweep;
 mod tolerance;
 pub mod unit;
@@ -49,4 +50,5 @@ pub use limits::Limits;
 pub use mesh::{Layout, MeshSource};
 pub use oil::*;
 pub use scene::{SCENE_LIMIT, SWEPT, Scene};
+pub use support::{Support, Tilting};
 pub use tolerance::{Target, Tolerance};

@@ -1,6 +1,7 @@
-//! `[load]`: the force that the journal carries, where its position is found.
+//! `[load]`: the force that the journal carries, where its position is found, and the moment, where its tilt is found too.
 
 use crate::Position;
+use crate::journal::tilt;
 use crate::reader::TableReader;
 use crate::unit::Dimension;
 
@@ -11,9 +12,27 @@ keys! {
         "external force F on the journal, such as its share of the weight of the rotor; the film holds the journal with -F and pushes the liner with F";
     "load.angle" = Quantity(Angle); "270 deg", "required", "",
         "direction in which F pulls the journal";
+    "load.at" = Quantity(Length); "4 mm", "0, and the tilt is given", "inside the bearing unless a moment or `[support]` is given",
+        "axial position at which F acts, 0 midway between the ends; with this key the tilt of the journal is found where the film carries the moment";
+    "load.moment" = Table; "", "0, and the tilt is given", "",
+        "moment on the journal beside that of F at its place, M = Int z dF; with this table the tilt of the journal is found";
+    "load.moment.x" = Quantity(Torque); "5 N.m", "0", "any",
+        "moment of forces towards x (angle 0): force times its axial position";
+    "load.moment.y" = Quantity(Torque); "5 N.m", "0", "any",
+        "moment of forces towards y (angle 90 deg)";
 }
 
-pub(crate) fn read(mut table: TableReader<'_>) -> Position {
+/// The load on a journal.
+pub(crate) struct Load {
+    /// Force and angle.
+    pub(crate) position: Position,
+    /// Axial position at which the force acts [m]; `None`: not written.
+    pub(crate) at: Option<f64>,
+    /// Moment beside that of the force at its place [N m]; `None`: not written.
+    pub(crate) moment: Option<[f64; 2]>,
+}
+
+pub(crate) fn read(mut table: TableReader<'_>) -> Load {
     let force = table.quantity("force", Dimension::Force, "5 kN").within(
         |force| force >= 0.0,
         "is negative",
@@ -21,5 +40,9 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Position {
     );
     let force = force.required();
     let angle = table.required("angle", Dimension::Angle, "270 deg");
-    Position::Load { force, angle }
+    Load {
+        position: Position::Load { force, angle },
+        at: table.given("at", Dimension::Length, "4 mm"),
+        moment: (table.table_if_given("moment")).map(|table| tilt::read(table, Dimension::Torque, "5 N.m")),
+    }
 }

@@ -12,9 +12,9 @@ use crate::reader::TableReader;
 use crate::sweep::{self, Plan};
 use crate::{
     Bearing, Cap, Cavitation, Check, Complaint, Complaints, Ends, Engine, Feed, Heat, Journal, Limits, MeshSource, Oil,
-    SceneError, Tolerance,
+    SceneError, Support, Tolerance,
 };
-use crate::{bearing, cap, cavitation, ends, feed, heat, journal, limits, load, mesh, oil};
+use crate::{bearing, cap, cavitation, ends, feed, heat, journal, limits, load, mesh, oil, support};
 
 keys! {
     "title" = Text; "Plain journal bearing", "the name of the file", "",
@@ -29,23 +29,25 @@ const FAULT_LIMIT: usize = 5;
 const MESH_OPENING: &[u8] = b"$MeshFormat";
 
 /// Tables whose keys can be swept.
-pub const SWEPT: [&str; 10] = [
+pub const SWEPT: [&str; 11] = [
     "bearing",
     "mesh",
     "ends",
     "feed",
     "journal",
     "load",
+    "support",
     "oil",
     "heat",
     "limits",
     "cavitation",
 ];
 /// Checks of keys that must fit each other, table by table.
-const CHECKS: [Check; 7] = [
+const CHECKS: [Check; 8] = [
     bearing::check,
     feed::check,
     journal::check,
+    support::check,
     oil::check,
     heat::check,
     limits::check,
@@ -69,6 +71,12 @@ pub struct Scene {
     pub feeds: Vec<Feed>,
     /// The journal and where it is.
     pub journal: Journal,
+    /// Axial position at which the load acts [m]; `None`: the scene gives none.
+    pub load_at: Option<f64>,
+    /// Moment on the journal beside that of the load at its place [N m]; `None`: the scene gives none.
+    pub load_moment: Option<[f64; 2]>,
+    /// What holds the shaft against its tilt; `None`: nothing.
+    pub support: Option<Support>,
     /// The oil.
     pub oil: Oil,
     /// The balance that finds the temperature of the film; `None`: it is given, or has no effect.
@@ -225,7 +233,10 @@ pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene 
         tolerance,
         ends: root.table_if_given("ends").map_or(Ends::default(), ends::read),
         feeds: feeds.map(|table| feed::read(table, usual_pressure)).collect(),
-        journal: journal::read(root.table("journal", journal), load),
+        journal: journal::read(root.table("journal", journal), load.as_ref().map(|load| load.position)),
+        load_at: load.as_ref().and_then(|load| load.at),
+        load_moment: load.as_ref().and_then(|load| load.moment),
+        support: root.table_if_given("support").map(support::read),
         oil: oil::read(root.table("oil", "[oil] with viscosity = \"40 mPa.s\""), temperature),
         heat,
         limits: limits.or(in_heat.unwrap_or_default()),

@@ -7,6 +7,11 @@ pub fn millimetres(metres: f64) -> String {
     format!("{} mm", rounded(1e3 * metres))
 }
 
+/// A length [m] in micrometres.
+pub fn micrometres(metres: f64) -> String {
+    format!("{} um", rounded(1e6 * metres))
+}
+
 /// An angle [rad] in degrees.
 pub fn degrees(radians: f64) -> String {
     format!("{} deg", rounded(radians.to_degrees()))

@@ -12,9 +12,10 @@ use oilwedge_mesh::Mesh;
 use oilwedge_reynolds::film_thickness::{Eccentricity, FilmContribution};
 use oilwedge_reynolds::lubricant::Lubricant;
 use oilwedge_reynolds::supply::{self as given, BoundaryKind, Disc, SupplyError, SupplyRegion};
-use oilwedge_reynolds::{Bearing, FilmProblem, FilmSystem, JournalState, Theory};
+use oilwedge_reynolds::{FilmProblem, FilmSystem, JournalState, Theory};
 
 use crate::compile_error::CompileError;
+use crate::dimensions::bearing;
 use crate::effects::Sockets;
 use crate::feed_region::{FeedRegion, feed_regions};
 use crate::film::{DEGREE, Film, MeshOrigin, Start};
@@ -60,7 +61,7 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, position: Position, degree: usize) 
     check_feed_groups(scene, &mesh)?;
     let (sockets, oil) = (Sockets::of(scene), Oil::of(scene));
     let regions = supply(scene, &sockets, &mesh)?;
-    let (load, thermal, centre_velocity) = (sockets.load, sockets.thermal, sockets.centre_velocity);
+    let (load, thermal, centre_velocity) = (sockets.load(), sockets.thermal, sockets.centre_velocity);
     let problem = problem(scene, &oil, sockets, &mesh, position);
     let system = FilmSystem::new(Arc::new(mesh), degree, regions).map_err(|faults| unfit(scene, faults))?;
     // A position is sought on coarser meshes first, and by many films.
@@ -93,25 +94,25 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, position: Position, degree: usize) 
 
 /// The film of a scene, with the journal at `position` or, under a load, where the search for its position begins.
 fn problem(scene: &Scene, oil: &Oil, sockets: Sockets, mesh: &Mesh, position: Position) -> FilmProblem {
-    let clearance = scene.bearing.clearance;
+    let bearing = bearing(scene);
     let Position {
         eccentricity,
         min_film_angle,
+        tilt,
     } = position;
-    let journal = JournalState::at_eccentricity(eccentricity, min_film_angle, clearance, scene.journal.speed);
+    let journal = JournalState {
+        tilt,
+        tilt_rate: sockets.tilt_rate,
+        ..JournalState::at_eccentricity(eccentricity, min_film_angle, bearing.clearance, scene.journal.speed)
+    };
     let eccentric: Arc<dyn FilmContribution> = Arc::new(Eccentricity {
-        radius: scene.bearing.radius(),
-        clearance,
+        radius: bearing.radius,
+        clearance: bearing.clearance,
     });
     let deeper = sockets.film_thickness.iter().map(|contribution| contribution(mesh));
     FilmProblem {
         theory: sockets.theory,
-        bearing: Bearing {
-            radius: scene.bearing.radius(),
-            length: scene.bearing.length,
-            clearance,
-            end_pressure: scene.ends.pressure,
-        },
+        bearing,
         journal: journal.with_centre_velocity(sockets.centre_velocity, min_film_angle),
         film_thickness: std::iter::once(eccentric).chain(deeper).collect(),
         lubricant: Lubricant {

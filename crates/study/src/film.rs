@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use oilwedge_bearing::{Deadline, InitialGuess, SearchOptions};
+use oilwedge_bearing::{Deadline, InitialGuess, Load, SearchOptions};
 use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSystem, JournalState};
 use oilwedge_scene::Scene;
 
@@ -24,9 +24,9 @@ pub struct Film {
     pub problem: FilmProblem,
     /// Mesh, unknowns and given pressures.
     pub system: Arc<FilmSystem>,
-    /// Force `(F cos, F sin)` on the journal [N] under which its position is found, from that of the problem;
+    /// Force on the journal, and what tilts it, under which its position is found, from that of the problem;
     /// `None` at a given position.
-    pub load: Option<[f64; 2]>,
+    pub load: Option<Load>,
     /// What is known of that position.
     pub start: Start,
     /// How its temperature is found; `None`: it is given, or has no effect.
@@ -101,6 +101,7 @@ impl Film {
         let offset = position.eccentricity * self.problem.bearing.clearance;
         self.with_journal(JournalState {
             offset: [offset * cos, offset * sin],
+            tilt: position.tilt,
             ..self.problem.journal
         })
     }

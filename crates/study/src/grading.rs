@@ -1,8 +1,6 @@
 //! Meshes graded for the position that a load leads to.
 
-use oilwedge_bearing::{
-    Deadline, Equilibrium, GREATEST_ECCENTRICITY, NoEquilibrium, ROUGHLY_BALANCED, SearchOptions, find,
-};
+use oilwedge_bearing::{Deadline, Equilibrium, Load, NoEquilibrium, ROUGHLY_BALANCED, SearchOptions, find, is_contact};
 use oilwedge_reynolds::angles::wrapped;
 use oilwedge_reynolds::{Bearing, JournalState};
 use oilwedge_scene::Scene;
@@ -56,7 +54,7 @@ enum Suited {
 }
 
 /// Whether the mesh of a film suits the position that the load leads to. `middle` is tried once.
-fn suited(film: &Film, load: [f64; 2], deadline: Deadline, middle: &mut Option<Position>) -> Suited {
+fn suited(film: &Film, load: Load, deadline: Deadline, middle: &mut Option<Position>) -> Suited {
     let balance = rough_balance(film, load, deadline);
     let journal = match &balance {
         Ok(Equilibrium { problem, .. }) => problem.journal,
@@ -69,7 +67,7 @@ fn suited(film: &Film, load: [f64; 2], deadline: Deadline, middle: &mut Option<P
         },
     };
     let bearing = &film.problem.bearing;
-    let is_possible = journal.eccentricity() <= GREATEST_ECCENTRICITY * bearing.clearance;
+    let is_possible = !is_contact(bearing, &journal);
     let suits = is_near(bearing, &film.problem.journal, &journal);
     match balance {
         _ if is_possible && !suits => Suited::Not(Position::of(&journal, bearing.clearance)),
@@ -80,7 +78,7 @@ fn suited(film: &Film, load: [f64; 2], deadline: Deadline, middle: &mut Option<P
 
 /// The balance on a coarser mesh, which is good enough to grade a mesh for, if it leads to a position. A load may be out of reach only because the
 /// mesh is too coarse there.
-fn rough_balance(film: &Film, load: [f64; 2], deadline: Deadline) -> Result<Equilibrium, NoEquilibrium> {
+fn rough_balance(film: &Film, load: Load, deadline: Deadline) -> Result<Equilibrium, NoEquilibrium> {
     let options = SearchOptions {
         accuracy: Some(ROUGHLY_BALANCED),
         ..film.search_options(deadline)
@@ -92,7 +90,8 @@ fn rough_balance(film: &Film, load: [f64; 2], deadline: Deadline) -> Result<Equi
 
 /// Whether a mesh graded for one position suits another.
 pub fn is_near(bearing: &Bearing, graded_for: &JournalState, found: &JournalState) -> bool {
-    let ratio = bearing.least_gap(graded_for) / bearing.least_gap(found);
-    let turn = wrapped(graded_for.min_film_angle() - found.min_film_angle()).abs();
+    let [before, now] = [graded_for, found].map(|journal| bearing.thinnest(journal));
+    let ratio = before.thickness / now.thickness;
+    let turn = wrapped(before.angle - now.angle).abs();
     ratio < REGRADED && ratio > 1.0 / REGRADED && turn < ELSEWHERE
 }

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use oilwedge_bearing::{Carrier, InitialGuess, SearchObserver, SearchOptions, find};
+use oilwedge_bearing::{Carrier, InitialGuess, Load, SearchObserver, SearchOptions, find};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmSolution, ReferenceFilm};
 
@@ -33,7 +33,7 @@ fn at_given_position(film: &Film, options: &SolveOptions) -> Result<Solved, NoAn
     with_reference(film.clone(), solution, options.errors)
 }
 
-fn under_load(film: &Film, load: [f64; 2], options: &SolveOptions) -> Result<Solved, NoAnswer> {
+fn under_load(film: &Film, load: Load, options: &SolveOptions) -> Result<Solved, NoAnswer> {
     let clock = Instant::now();
     let by_cubic = options.errors == Errors::Estimated && film.problem.cavitation.is_symmetric();
     let search = SearchOptions {
@@ -51,6 +51,10 @@ fn under_load(film: &Film, load: [f64; 2], options: &SolveOptions) -> Result<Sol
     let balance = Balance {
         unbalanced: found.unbalanced,
         residual: found.residual,
+        parts: found.parts,
+        unbalanced_moment: (load.tilting.filter(|tilting| tilting.stiffness == 0.0))
+            .map(|_| found.unbalanced * found.coordinates.arm),
+        coordinates: found.coordinates,
         stiffness: found.stiffness,
         steps: found.steps,
         is_ended: found.is_ended,

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use oilwedge_bearing::{Deadline, newton_step};
+use oilwedge_bearing::Deadline;
 use oilwedge_mesh::Mesh;
 
 use crate::analysis::solve;
@@ -104,7 +104,7 @@ fn per_newton(solved: &Solved) -> f64 {
     let [x, y] = problem.journal.offset;
     let eccentricity = problem.journal.eccentricity();
     let along = |force: [f64; 2]| {
-        let [by_x, by_y] = newton_step(balance.stiffness, force);
+        let [by_x, by_y, ..] = balance.stiffness.solve([-force[0], -force[1], 0.0, 0.0]);
         (by_x * x + by_y * y) / (eccentricity * problem.bearing.clearance)
     };
     along([1.0, 0.0]).hypot(along([0.0, 1.0]))

@@ -13,6 +13,7 @@ pub mod checks;
 pub mod column;
 pub mod compile;
 pub mod compile_error;
+mod dimensions;
 pub mod effects;
 pub mod estimate;
 pub mod feed_region;

@@ -226,7 +226,12 @@ fn blueprint_of(scene: &Scene, mesh: &Mesh) -> Result<Blueprint, Vec<DrawingErro
 /// Edges of at most `longest` [m], shorter where the film is thin.
 fn graded(scene: &Scene, blueprint: &Blueprint, longest: f64, position: Position) -> Result<Mesh, Vec<DrawingError>> {
     let radius = scene.bearing.radius();
-    let size = |x: f64| longest * film_scale(position, x / radius) / LONGEST;
+    let clearance = scene.bearing.clearance;
+    let in_radii =
+        |[x, z]: [f64; 2]| film_scale(position.at(z, clearance), x / radius).min(axial_scale(scene, position, [x, z]));
+    // Rows along the flow are as dense as the thinner of the two ends needs.
+    let half = 0.5 * scene.bearing.length;
+    let size = |x: f64| longest * in_radii([x, -half]).min(in_radii([x, half])) / LONGEST;
     match Sockets::of(scene).cavitation.pressure() {
         Some(cavity) if conserves_oil(scene) => {
             let far = spacing(&blueprint.liner, &size);
@@ -244,7 +249,7 @@ fn graded(scene: &Scene, blueprint: &Blueprint, longest: f64, position: Position
             let sense = sense(scene);
             generate_in_rows(blueprint, &Rows { along, across, sense })
         }
-        _ => generate(blueprint, &|[x, _]| size(x)),
+        _ => generate(blueprint, &|at| longest * in_radii(at) / LONGEST),
     }
 }
 
@@ -296,9 +301,21 @@ fn film_scale(position: Position, phi: f64) -> f64 {
     let Position {
         eccentricity,
         min_film_angle,
+        ..
     } = position;
     let thickness = 1.0 - eccentricity * (phi - min_film_angle).cos();
-    (0.65 * (2.0 * thickness / eccentricity).sqrt()).clamp(SHORTEST, LONGEST)
+    (0.65 * (2.0 * thickness.max(0.0) / eccentricity).sqrt()).clamp(SHORTEST, LONGEST)
+}
+
+/// Size [radii] that resolves the film of a tilted journal along the axis: 0.65 of the length over which it loses all of its thickness.
+fn axial_scale(scene: &Scene, position: Position, [x, z]: [f64; 2]) -> f64 {
+    let (radius, clearance) = (scene.bearing.radius(), scene.bearing.clearance);
+    let (sin, cos) = (x / radius).sin_cos();
+    let [g_x, g_y] = position.tilt;
+    let slope = (g_x * cos + g_y * sin).abs();
+    let here = position.at(z, clearance);
+    let thickness = clearance * (1.0 - here.eccentricity * (x / radius - here.min_film_angle).cos());
+    (0.65 * thickness / (radius * slope)).clamp(SHORTEST, LONGEST)
 }
 
 /// Meshes or reads the liner of a scene.

@@ -6,8 +6,8 @@ use oilwedge_reynolds::quantities::flow::{self, Flows};
 use oilwedge_reynolds::quantities::inlet::inlet_flow;
 use oilwedge_reynolds::quantities::load::{self, Load};
 use oilwedge_reynolds::quantities::power::{self, Power};
-use oilwedge_reynolds::quantities::pressure::{self, Extremes, ThinnestFilm};
-use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalState};
+use oilwedge_reynolds::quantities::pressure::{self, Extremes};
+use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalState, Thinnest};
 
 /// Tension below this fraction of the pressure of drag is rounding.
 const NO_TENSION: f64 = 1e-12;
@@ -29,7 +29,7 @@ pub struct Measured {
     /// Powers, put in and turned into heat.
     pub power: Power,
     /// The thinnest film on the liner.
-    pub thinnest: ThinnestFilm,
+    pub thinnest: Thinnest,
     /// Where the loaded film begins and ends on the mid-plane; none without a cavity.
     pub extent: Option<Extent>,
     /// The cavity, of models that have one while they solve.
@@ -41,10 +41,11 @@ pub struct Measured {
 }
 
 impl Measured {
-    /// What the journal's centre puts in as it moves [W].
+    /// What the journal puts in as its centre moves and its axis turns [W].
     pub fn motion_power(&self, journal: &JournalState) -> f64 {
-        let ([x, y], [by_x, by_y]) = (journal.velocity, self.load.total.force);
-        x * by_x + y * by_y
+        let product = |[x, y]: [f64; 2], [by_x, by_y]: [f64; 2]| x * by_x + y * by_y;
+        let total = &self.load.total;
+        product(journal.velocity, total.force) + product(journal.tilt_rate, total.moment)
     }
 }
 
@@ -53,7 +54,7 @@ pub fn measure(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) 
     let extremes = pressure::extremes(problem, system, film);
     let load = load::load(problem, system, film);
     Measured {
-        power: power::power(problem, system, film).with_moment(problem, load.total.force),
+        power: power::power(problem, system, film).with_moment(problem, load.total.resultant()),
         load,
         flows: flow::flows(problem, system, film),
         inlet_flow: inlet_flow(problem, system, film),

@@ -113,6 +113,9 @@ fn of_position(reason: &NoEquilibrium) -> Option<&'static str> {
     match reason {
         NoEquilibrium::Unreachable { .. } => Some("change the load, its angle, or the pressure and place of feeds"),
         NoEquilibrium::BeyondCapacity { .. } => Some("lower the load, or raise speed, viscosity or size"),
+        NoEquilibrium::EdgeContact { .. } => {
+            Some("move the load towards the middle, lower its moment, or give [support] a greater tilt_stiffness")
+        }
         NoEquilibrium::BelowRounding { .. } => Some("give no load (0 N), or a larger one"),
         NoEquilibrium::NotConverged { .. } => {
             Some("give another mesh ([mesh] size), or solve at a given position to see the film")

@@ -2,10 +2,11 @@
 
 use std::f64::consts::FRAC_PI_4;
 
-use oilwedge_bearing::first_position;
-use oilwedge_reynolds::JournalState;
+use oilwedge_bearing::{Point, Visited, first_position, predicted};
+use oilwedge_reynolds::{Bearing, JournalState};
 use oilwedge_scene::{self as scene, CavitationModel, Scene};
 
+use crate::dimensions;
 use crate::oil::Oil;
 
 /// Eccentricity ratio at which the search for the position under a load begins where nothing is known.
@@ -13,13 +14,18 @@ const START_ECCENTRICITY: f64 = 0.5;
 /// Angle [rad] from the load to the thinnest film, against the rotation, at which it begins.
 const START_ATTITUDE: f64 = FRAC_PI_4;
 
-/// Position of the journal's centre.
+/// A journal that would leave less of the film than this part of what its tilt leaves of the clearance is moved towards the middle.
+const ROOM: f64 = 0.1;
+
+/// Position of the journal: where its centre is at mid-length, and how its axis is inclined.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Position {
     /// Offset over the clearance [1].
     pub eccentricity: f64,
-    /// Angle of the thinnest film [rad].
+    /// Angle of the thinnest film at mid-length [rad].
     pub min_film_angle: f64,
+    /// Slope of the axis towards x and y [rad].
+    pub tilt: [f64; 2],
 }
 
 impl Position {
@@ -28,6 +34,60 @@ impl Position {
         Self {
             eccentricity: journal.eccentricity() / clearance,
             min_film_angle: journal.min_film_angle(),
+            tilt: journal.tilt,
+        }
+    }
+
+    /// What this position is at the axial position `z` [m] of a bearing with this clearance [m].
+    pub fn at(self, z: f64, clearance: f64) -> Self {
+        if self.tilt == [0.0; 2] {
+            return self;
+        }
+        let journal = JournalState {
+            tilt: self.tilt,
+            ..JournalState::at_eccentricity(self.eccentricity, self.min_film_angle, clearance, 0.0)
+        };
+        let offset = journal.offset_at(z);
+        Self::of(&JournalState { offset, ..journal }, clearance)
+    }
+
+    /// Where the journal of a scene under a load will be, predicted from positions visited before; `None` where there are none.
+    pub fn predicted(scene: &Scene, visited: &[Visited], point: Point) -> Option<Self> {
+        let predicted = predicted(visited, point)?;
+        let position = Self {
+            eccentricity: predicted.eccentricity,
+            min_film_angle: predicted.angle,
+            tilt: match scene.tilting() {
+                Some(_) => predicted.tilt,
+                None => scene.journal.tilt.unwrap_or_default(),
+            },
+        };
+        Some(position.clear_of_the_ends(&dimensions::bearing(scene)))
+    }
+
+    /// This position as one that a search visited at an operating point.
+    pub fn visited(&self, point: Point) -> Visited {
+        Visited {
+            point,
+            eccentricity: self.eccentricity,
+            angle: self.min_film_angle,
+            tilt: self.tilt,
+        }
+    }
+
+    /// This position or, where its tilt makes the journal touch an end or nearly so, one nearer the middle.
+    fn clear_of_the_ends(self, bearing: &Bearing) -> Self {
+        if self.tilt == [0.0; 2] {
+            return self;
+        }
+        let journal = JournalState {
+            tilt: self.tilt,
+            ..JournalState::default()
+        };
+        let reach = bearing.reach(&journal, self.min_film_angle) / bearing.clearance;
+        Self {
+            eccentricity: self.eccentricity.min((1.0 - ROOM) * reach),
+            ..self
         }
     }
 
@@ -43,10 +103,14 @@ impl Position {
         let number = force / (drag * bearing.diameter * bearing.length);
         let full = scene.cavitation.is_none_or(|it| it.model == CavitationModel::None);
         match first_position(number, bearing.length / bearing.diameter, full) {
-            Some((eccentricity, attitude)) => Self {
-                eccentricity,
-                min_film_angle: angle + speed.signum() * attitude,
-            },
+            Some((eccentricity, attitude)) => {
+                let position = Self {
+                    eccentricity,
+                    min_film_angle: angle + speed.signum() * attitude,
+                    tilt: scene.journal.tilt.unwrap_or_default(),
+                };
+                position.clear_of_the_ends(&dimensions::bearing(scene))
+            }
             None => Self::middle(scene),
         }
     }
@@ -54,6 +118,7 @@ impl Position {
     /// The position at which a computation begins where nothing else is known: the one given, or for a load eps = 0.5 at 45 degrees from
     /// the load in the sense of the rotation.
     pub fn middle(scene: &Scene) -> Self {
+        let tilt = scene.journal.tilt.unwrap_or_default();
         match scene.journal.position {
             scene::Position::Given {
                 eccentricity,
@@ -61,24 +126,17 @@ impl Position {
             } => Self {
                 eccentricity,
                 min_film_angle,
+                tilt,
             },
             scene::Position::Load { angle, .. } => {
                 let sense = if scene.journal.speed < 0.0 { -1.0 } else { 1.0 };
-                Self {
+                let position = Self {
                     eccentricity: START_ECCENTRICITY,
                     min_film_angle: angle + sense * START_ATTITUDE,
-                }
+                    tilt,
+                };
+                position.clear_of_the_ends(&dimensions::bearing(scene))
             }
-        }
-    }
-}
-
-impl From<(f64, f64)> for Position {
-    /// From the eccentricity ratio and the angle [rad] of the thinnest film.
-    fn from((eccentricity, min_film_angle): (f64, f64)) -> Self {
-        Self {
-            eccentricity,
-            min_film_angle,
         }
     }
 }
@@ -106,6 +164,7 @@ mod tests {
         Position {
             eccentricity,
             min_film_angle,
+            tilt: [0.0; 2],
         }
     }
 
@@ -119,6 +178,21 @@ mod tests {
         for (speed, sense) in [("10 rpm", 1.0), ("-10 rpm", -1.0), ("0 rpm", 1.0)] {
             assert_eq!(Position::middle(&loaded("5 kN", speed)), at(0.5, sense * FRAC_PI_4));
         }
+    }
+
+    #[test]
+    fn a_tilted_journal_begins_clear_of_the_ends() {
+        let tilted = scene(
+            "journal = { speed = \"1000 rpm\", tilt = { x = \"1.5 mrad\" } }\nload = { force = \"1 MN\", angle = \"0 deg\" }",
+        );
+        let start = Position::start(&tilted);
+        // Half of the length times the tilt is 0.75 of the clearance.
+        assert!(
+            (start.tilt, start.eccentricity < 0.6) == ([1.5e-3, 0.0], true),
+            "{start:?}"
+        );
+        let end = start.at(0.01875, 37.5e-6);
+        assert!(end.eccentricity < 0.98 && end.eccentricity > 0.7, "{end:?}");
     }
 
     #[test]

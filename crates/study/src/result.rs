@@ -80,6 +80,8 @@ pub struct Balances {
     pub moment: f64,
     /// Load minus the force of the film, relative to the load; zero where the position is given.
     pub force: f64,
+    /// Moment of load and support less that of the film, over the load times half of the bearing's length; zero where the tilt is given.
+    pub tilt: f64,
     /// Heat of friction less what is carried off, relative to it; zero where the temperature is given.
     #[serde(rename = "heat")]
     pub thermal: f64,

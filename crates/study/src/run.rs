@@ -146,7 +146,8 @@ fn report(scene: &Scene, (solved, estimated): (&Solved, Estimated), options: &Ru
         mass: estimated.measured.flows.imbalance,
         power: estimated.measured.power.imbalance,
         moment: estimated.measured.power.moment_imbalance,
-        force: solved.balance.map_or(0.0, |balance| balance.residual),
+        force: solved.balance.map_or(0.0, |balance| balance.parts[0]),
+        tilt: solved.balance.map_or(0.0, |balance| balance.parts[1]),
         thermal: left_over(&estimated.quantities),
     };
     let clock = Instant::now();

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::collections::HashMap;
 
-use oilwedge_bearing::{Balanced, Deadline, InitialGuess};
+use oilwedge_bearing::{Balanced, Coordinates, Deadline, InitialGuess, Stiffness};
 use oilwedge_reynolds::{FilmSolution, ReferenceFilm};
 
 use crate::film::Film;
@@ -66,8 +66,14 @@ pub struct Balance {
     pub unbalanced: f64,
     /// Load less force of the film, relative to the load.
     pub residual: f64,
-    /// `dW/de` [N/m] of the film, row: component of W.
-    pub stiffness: [[f64; 2]; 2],
+    /// That difference of the forces alone, and of the moments alone as forces at half of the bearing's length, both relative to the load.
+    pub parts: [f64; 2],
+    /// Moment of the load less that of the film [N m]; `None` where no moment is given, or the support bears a part that depends on the tilt.
+    pub unbalanced_moment: Option<f64>,
+    /// What is free.
+    pub coordinates: Coordinates,
+    /// `dW/de` [N/m] of the film in these coordinates, row: force.
+    pub stiffness: Stiffness,
     /// Positions tried on the mesh of the result.
     pub steps: usize,
     /// True where the search was ended before the load was balanced.

@@ -8,7 +8,7 @@ use crate::family::{Expect, Family, LimitedLaw, MeshRecipe, Other, Series, Vary}
 pub const KNOWN_VALUES: &str = "known_values";
 
 /// The families, by the names of their files in `tests/hard_cases`.
-const FAMILIES: [(&str, &str); 16] = [
+const FAMILIES: [(&str, &str); 17] = [
     (
         KNOWN_VALUES,
         include_str!("../../../tests/hard_cases/known_values.toml"),
@@ -31,6 +31,7 @@ const FAMILIES: [(&str, &str); 16] = [
     ("along_flow", include_str!("../../../tests/hard_cases/along_flow.toml")),
     ("arcs", include_str!("../../../tests/hard_cases/arcs.toml")),
     ("squeeze", include_str!("../../../tests/hard_cases/squeeze.toml")),
+    ("tilt", include_str!("../../../tests/hard_cases/tilt.toml")),
     ("speed", include_str!("../../../tests/hard_cases/speed.toml")),
     ("supply", include_str!("../../../tests/hard_cases/supply.toml")),
     ("meshes", include_str!("../../../tests/hard_cases/meshes.toml")),

@@ -8,7 +8,7 @@ const HEATED: &str = "an assumption does not hold: a film as warm as its oil is 
 const PRINTED: &str = "the as-printed equation is no mass balance";
 
 /// Every shipped scene and the beginnings of its warnings.
-const SCENES: [(&str, &[&str]); 22] = [
+const SCENES: [(&str, &[&str]); 24] = [
     ("01_plain_ring", &[TENSION, HEATED]),
     ("02_flexpde_shell", &[TENSION]),
     ("03_hydrostatic_shell", &[]),
@@ -38,6 +38,8 @@ const SCENES: [(&str, &[&str]); 22] = [
     ("20_heat_balance", &[]),
     ("21_short_crankshaft_bearing", &[]),
     ("22_squeezed_crankshaft_bearing", &[]),
+    ("23_tilted_ring", &[]),
+    ("24_load_off_the_middle", &[]),
 ];
 
 #[test]

@@ -235,3 +235,26 @@ fn scenes_21_and_22_crankshaft_bearing() {
         }
     }
 }
+
+/// Force and moment of `dynamic_4x4`, a ring of finite volumes (`tests/data/tilted_bearings.json`).
+#[test]
+fn scene_23_tilted_ring() {
+    let film = shipped("23_tilted_ring");
+    let (force, moment) = (1500.0, 75.0);
+    close(film.quantity("load_x") / force, 0.712775, 2e-3);
+    close(film.quantity("load_y") / force, -0.766661, 2e-3);
+    close(film.quantity("moment_x") / moment, 0.048106, 5e-3);
+    close(film.quantity("moment_y") / moment, -0.027956, 5e-3);
+    close(film.quantity("film_thickness_min"), 12.5e-6, 1e-9);
+}
+
+/// Position and tilt of `balance_of_moment`, likewise; the force of the scene has five digits.
+#[test]
+fn scene_24_load_off_the_middle() {
+    let found = answer(&variant("24_load_off_the_middle", |_| ()));
+    let of = |name: &str| value(&found, name);
+    close(of("eccentricity"), 0.754631, 1e-3);
+    close(of("tilt_x"), 0.34291e-3, 1e-3);
+    close(of("tilt_y"), -0.367288e-3, 2e-3);
+    close(of("load_z"), 5e-3, 1e-9);
+}

@@ -4,7 +4,7 @@
 
 use std::time::Instant;
 
-use oilwedge_bearing::{Deadline, InitialGuess, Point, SHORT_MOVE, Visited, predicted};
+use oilwedge_bearing::{Deadline, InitialGuess, Point, SHORT_MOVE, Visited};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmSolution, JournalState};
 
@@ -178,11 +178,7 @@ impl<'a> Walker<'a> {
         };
         match solution {
             None => self.visited.clear(),
-            Some(_) => self.visited.push(Visited {
-                point: point(scene, coordinate),
-                eccentricity: film.position().eccentricity,
-                angle: film.position().min_film_angle,
-            }),
+            Some(_) => self.visited.push(film.position().visited(point(scene, coordinate))),
         }
         self.held = Some(Held {
             film,
@@ -213,7 +209,7 @@ impl<'a> Walker<'a> {
     fn following(&mut self, scene: &Scene, coordinate: f64) -> Result<Option<(JournalState, Solved)>, CompileError> {
         let position = match scene.journal.load() {
             None => Some(Position::start(scene)),
-            Some(_) => predicted(&self.visited, point(scene, coordinate)).map(Position::from),
+            Some(_) => Position::predicted(scene, &self.visited, point(scene, coordinate)),
         };
         let is_neighbour = |held: &mut Held| held.solution.is_some() && has_same_system(&held.film.scene, scene);
         let Some(position) = position else { return Ok(None) };

@@ -34,6 +34,7 @@ pub(crate) fn example() -> RunResult {
             power: 1e-12,
             moment: 0.0,
             force: 0.0,
+            tilt: 0.0,
             thermal: 0.0,
         },
         regime: None,

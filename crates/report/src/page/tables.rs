@@ -16,6 +16,10 @@ pub(super) fn balances(result: &Value) -> Table {
         ("power", "power put in less dissipation, over all powers"),
         ("moment", "moments of friction less that of the load, over the friction"),
         ("force", "load less force of the film, over the load"),
+        (
+            "tilt",
+            "moment of load and support less that of the film, over the load times half of the length",
+        ),
         (BALANCE, "power of friction less what is carried off, over the friction"),
     ];
     let rows = about

@@ -78,6 +78,8 @@ pub struct ConservingError {
     pub across: Bar,
     /// Of the load towards 0 and towards 90 degrees [N].
     pub force: [Bar; 2],
+    /// Of the moment towards 0 and towards 90 degrees [N m]; none where the journal cannot tilt.
+    pub moment: Option<[Bar; 2]>,
     /// Of `Int p dA` [N].
     pub pressure_integral: Bar,
     /// Of the greatest pressure [Pa]; not finite where the limit of the viscosity law lies within it.
@@ -139,7 +141,7 @@ pub fn conserving_error(
     let pair = Pair::new(problem, system, film, coarse);
     let total = load::load(problem, system, film);
     let towards = total.angle();
-    let [along, across] = [f64::cos, f64::sin].map(|of| pair.shares(|angle| of(angle - towards)));
+    let [along, across] = [f64::cos, f64::sin].map(|of| pair.shares(|[angle, _]| of(angle - towards)));
     let front = pair.front();
     let Disagreement {
         doubt,
@@ -152,8 +154,8 @@ pub fn conserving_error(
     let [through, other_through] = films.map(|(system, film)| flow::flows(problem, system, film));
     let (flows, side_flow) = flow_bars(system, &through, &other_through, carried);
     let [power, other_power] = films.map(|(system, film)| {
-        let force = load::load(problem, system, film).total.force;
-        power(problem, system, film).with_moment(problem, force)
+        let carries = load::load(problem, system, film).total.resultant();
+        power(problem, system, film).with_moment(problem, carries)
     });
     let [inlet, other_inlet] = films.map(|(system, film)| inlet_flow(problem, system, film).unwrap_or(0.0));
     let bar = |shares: &[Bar]| (shares.iter().fold(Bar::default(), |sum, &share| sum + share)).scaled(widened);
@@ -175,7 +177,11 @@ pub fn conserving_error(
         places: places(problem, system, [film, coarse], part),
         load,
         across: with_spread(bar(&across), force),
-        force: [f64::cos, f64::sin].map(|weight| with_spread(bar(&pair.shares(weight)), force)),
+        force: [f64::cos, f64::sin].map(|of| with_spread(bar(&pair.shares(|[angle, _]| of(angle))), force)),
+        moment: problem.can_tilt().then(|| {
+            let arm = 0.5 * problem.bearing.length;
+            [f64::cos, f64::sin].map(|of| with_spread(bar(&pair.shares(|[angle, z]| z * of(angle))), arm * force))
+        }),
         pressure_integral: with_spread(bar(&pair.shares(|_| 1.0)), force),
         greatest_pressure: pair.greatest_pressure(problem, coarse) + part * greatest,
         flows: flows.into_iter().map(|flow| flow + part * around).collect(),
@@ -238,24 +244,24 @@ impl<'a> Pair<'a> {
         }
     }
 
-    /// `c Int d |w| dA` and `|w s|` of each triangle, w given by the angle.
-    fn shares(&self, weight: impl Fn(f64) -> f64) -> Vec<Bar> {
-        let weight = |x: f64| weight(x / self.radius).abs();
+    /// `c Int d |w| dA` and `|w s|` of each triangle, w given by the angle [rad] and the axial position [m].
+    fn shares(&self, weight: impl Fn([f64; 2]) -> f64) -> Vec<Bar> {
+        let weight = |[x, z]: [f64; 2]| weight([x / self.radius, z]).abs();
         let cells = 0..self.system.space().mesh().triangles().len();
         cells.map(|t| self.share(t, &weight)).collect()
     }
 
-    fn share(&self, t: usize, weight: &dyn Fn(f64) -> f64) -> Bar {
+    fn share(&self, t: usize, weight: &dyn Fn([f64; 2]) -> f64) -> Bar {
         let mesh = self.system.space().mesh();
         let (corners, area) = (mesh.corners(t), self.area(t));
-        let at_vertices = (0..3).map(|k| weight(corners[k][0]) * self.difference[mesh.triangles()[t][k] as usize]);
+        let at_vertices = (0..3).map(|k| weight(corners[k]) * self.difference[mesh.triangles()[t][k] as usize]);
         let discretisation = OF_PRESSURE * area / 3.0 * at_vertices.sum::<f64>();
         let mut front = 0.0;
         if self.is_front(t, &[0, 1, 2, 3, 4, 5]) {
             let dofs = self.system.space().element_dofs(t);
             let sum = |nodes: [usize; 3]| nodes.iter().map(|&node| self.pressure[dofs[node]]).sum::<f64>();
             let surplus = area / 12.0 * (sum([3, 4, 5]) - sum([0, 1, 2]));
-            front = surplus.abs() * weight((corners[0][0] + corners[1][0] + corners[2][0]) / 3.0);
+            front = surplus.abs() * weight([0, 1].map(|d| (corners[0][d] + corners[1][d] + corners[2][d]) / 3.0));
         }
         Bar {
             discretisation,

@@ -185,6 +185,8 @@ pub struct FilmError {
     pub possible: f64,
     /// Of `W_x`, `W_y` and `Int p dA` [N].
     pub goals: [GoalError; 3],
+    /// Of the moment towards x and y [N m]; none where the journal cannot tilt.
+    pub moments: Option<[GoalError; 2]>,
     /// Of the power [W] that the turning journal puts in against shear, and against pressure.
     pub drag: [GoalError; 2],
     /// What the rules of integration of the two degrees differ by in the power of shear [W], in each triangle and without sign.
@@ -291,6 +293,12 @@ impl FilmError {
     /// Bar of `Int p dA` [N].
     pub fn pressure_integral(&self, value: Value) -> Bar {
         self.bar(&self.goals[2], Some(self.size()), value, 0.3)
+    }
+
+    /// Bars of the moment towards x and y [N m]; none where the journal cannot tilt.
+    pub fn moment(&self, value: Value) -> Option<[Bar; 2]> {
+        let moments = self.moments.as_ref()?;
+        Some(moments.each_ref().map(|goal| self.bar(goal, None, value, 0.4)))
     }
 
     /// Bar of `shear` times the power of shear and `pressure` times that of pressure [W], which changes by `change` between the two films:

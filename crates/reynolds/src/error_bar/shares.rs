@@ -38,26 +38,42 @@ pub(super) fn film_error(
     let better = &system.cubic().system;
     let raised = system.cubic().prolongation.prolong(&film.unknown);
     let split = Split::new(system, film, cubic, &raised);
-    let [x, y, thrust] = goal_vectors(problem, better, &cubic.unknown, &raised);
+    let vectors = GoalVectors {
+        problem,
+        cubic: better,
+        better: &cubic.unknown,
+        raised: &raised,
+    };
+    let [x, y, thrust] = vectors.of(|cos, sin, _| [cos, sin, 1.0]);
     let judged = |goal: &[f64], given: geometry::RimWeight| -> Result<GoalError, Error> {
         let (dual, error) = split.goal(goal)?;
         let geometry = geometry::rims(problem, system, film, &dual, given);
         Ok(GoalError { geometry, ..error })
     };
     // What is cut out counts with its circle if it has one, else with the element edges.
-    let load = |goal: &[f64], weight: &dyn Fn(&SupplyRegion, f64) -> f64| {
-        let given = |region: &SupplyRegion, at: [f64; 2], _: &FilmPoint| match region.disc {
+    let load = |goal: &[f64], weight: &dyn Fn(&SupplyRegion, [f64; 2]) -> f64| {
+        let given = |region: &SupplyRegion, [x, z]: [f64; 2], _: &FilmPoint| match region.disc {
             None => 0.0,
-            Some(_) => weight(region, at[0] / problem.bearing.radius),
+            Some(_) => weight(region, [x / problem.bearing.radius, z]),
         };
         judged(goal, &given)
     };
     let excess = |region: &SupplyRegion| region.pressure - problem.bearing.end_pressure;
     let goals = [
-        load(&x, &|region, angle| excess(region) * angle.cos())?,
-        load(&y, &|region, angle| excess(region) * angle.sin())?,
+        load(&x, &|region, [angle, _]| excess(region) * angle.cos())?,
+        load(&y, &|region, [angle, _]| excess(region) * angle.sin())?,
         load(&thrust, &|region, _| region.pressure)?,
     ];
+    let moments = match problem.can_tilt() {
+        true => {
+            let [x, y] = vectors.of(|cos, sin, z| [z * cos, z * sin]);
+            Some([
+                load(&x, &|region, [angle, z]| excess(region) * z * angle.cos())?,
+                load(&y, &|region, [angle, z]| excess(region) * z * angle.sin())?,
+            ])
+        }
+        false => None,
+    };
     let [shear, pressure] = drag::goal_vectors(problem, better, &cubic.unknown, &raised);
     let drag = [
         judged(&shear, &|region, _, film| drag::shear(problem, film, region.pressure))?,
@@ -71,6 +87,7 @@ pub(super) fn film_error(
         possible: possible_load(problem, carried),
         force: carried.force,
         goals,
+        moments,
         drag,
         shear_rules: drag::difference_of_rules(problem, system, cubic),
         flows,
@@ -187,36 +204,53 @@ fn with_scatter(parts: impl Iterator<Item = f64>) -> f64 {
     sum.abs().max(DEVIATIONS * f64::sqrt(squares)).copysign(sum)
 }
 
-/// `Int s phi_i (cos phi, sin phi, 1) dA` for each cubic function, with the secant s of the pressure between the two films.
-fn goal_vectors(problem: &FilmProblem, cubic: &FilmSystem, better: &[f64], raised: &[f64]) -> [Vec<f64>; 3] {
-    let (space, mesh) = (cubic.space(), cubic.space().mesh());
-    let (plain, fine) = (Rule::for_degree(space.degree()), kinked_rule(space.degree()));
-    let kink = problem.cavitation.kink().map(|p| problem.unknown_at(p));
-    let mut goals = [0, 1, 2].map(|_| vec![0.0; space.dofs()]);
-    for t in 0..mesh.triangles().len() {
-        let dofs = &space.element_dofs(t)[..space.shapes()];
-        let [p3, p2] = [better, raised].map(|values| Field { space, values }.element_values(t));
-        let mut values = p3[..dofs.len()].iter().chain(&p2[..dofs.len()]);
-        let kinked = kink.is_some_and(|kink| values.clone().any(|&u| u < kink) && values.any(|&u| u > kink));
-        let rule = if kinked { &fine } else { &plain };
-        let element = rule.integrate(mesh, t, |points, element: &mut [Nodal; 3]| {
-            let [sines, cosines] = sines_and_cosines(points.positions, problem.bearing.radius);
-            for q in 0..points.positions.len() {
-                let area = points.area(q) * secant(problem, points.value(q, &p3), points.value(q, &p2));
-                for (goal, weight) in element.iter_mut().zip([area * cosines[q], area * sines[q], area]) {
-                    for (entry, shape) in goal.iter_mut().zip(points.shapes(q)) {
-                        *entry += weight * shape;
+/// What the vectors of goals in cubic functions are made of.
+struct GoalVectors<'a> {
+    problem: &'a FilmProblem,
+    cubic: &'a FilmSystem,
+    /// The unknown of the cubic film.
+    better: &'a [f64],
+    /// That of the film, in cubic functions.
+    raised: &'a [f64],
+}
+
+impl GoalVectors<'_> {
+    /// `Int s phi_i w dA` for each cubic function, with the secant s of the pressure between the two films, for weights w of
+    /// `(cos phi, sin phi, z)`.
+    fn of<const N: usize>(&self, weights: impl Fn(f64, f64, f64) -> [f64; N]) -> [Vec<f64>; N] {
+        let Self { problem, cubic, .. } = *self;
+        let (space, mesh) = (cubic.space(), cubic.space().mesh());
+        let (plain, fine) = (Rule::for_degree(space.degree()), kinked_rule(space.degree()));
+        let kink = problem.cavitation.kink().map(|p| problem.unknown_at(p));
+        let mut goals = [(); N].map(|()| vec![0.0; space.dofs()]);
+        for t in 0..mesh.triangles().len() {
+            let dofs = &space.element_dofs(t)[..space.shapes()];
+            let [p3, p2] = [self.better, self.raised].map(|values| Field { space, values }.element_values(t));
+            let mut values = p3[..dofs.len()].iter().chain(&p2[..dofs.len()]);
+            let kinked = kink.is_some_and(|kink| values.clone().any(|&u| u < kink) && values.any(|&u| u > kink));
+            let rule = if kinked { &fine } else { &plain };
+            let mut element = [Nodal::default(); N];
+            rule.visit(mesh, t, |points| {
+                let [sines, cosines] = sines_and_cosines(points.positions, problem.bearing.radius);
+                for q in 0..points.positions.len() {
+                    let area = points.area(q) * secant(problem, points.value(q, &p3), points.value(q, &p2));
+                    let weights = weights(cosines[q], sines[q], points.positions[q][1]);
+                    for (goal, weight) in element.iter_mut().zip(weights) {
+                        let weight = area * weight;
+                        for (entry, shape) in goal.iter_mut().zip(points.shapes(q)) {
+                            *entry += weight * shape;
+                        }
                     }
                 }
-            }
-        });
-        for (goal, element) in goals.iter_mut().zip(&element) {
-            for (&dof, entry) in dofs.iter().zip(element) {
-                goal[dof] += entry;
+            });
+            for (goal, element) in goals.iter_mut().zip(&element) {
+                for (&dof, entry) in dofs.iter().zip(element) {
+                    goal[dof] += entry;
+                }
             }
         }
+        goals
     }
-    goals
 }
 
 /// Slope of the pressure that the film exerts, between two values of the unknown.

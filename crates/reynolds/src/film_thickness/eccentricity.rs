@@ -17,7 +17,7 @@ use std::sync::Arc;
 
 use oilwedge_fem::quadrature::MOST_POINTS;
 
-use super::FilmContribution;
+use super::{FilmContribution, Follows};
 use crate::angles::sines_and_cosines;
 use crate::journal_state::JournalChange;
 use crate::{FilmPoint, JournalState};
@@ -36,6 +36,7 @@ impl FilmContribution for Eccentricity {
         let change = JournalChange {
             offset: journal.offset,
             velocity: journal.velocity,
+            ..JournalChange::default()
         };
         for point in film.iter_mut() {
             point.thickness += self.clearance;
@@ -57,6 +58,10 @@ impl FilmContribution for Eccentricity {
         }
     }
 
+    fn follows(&self) -> Follows {
+        Follows::Offset
+    }
+
     fn carried(&self, _parents: &[u32]) -> Arc<dyn FilmContribution> {
         Arc::new(*self)
     }
@@ -75,8 +80,7 @@ mod tests {
         let journal = JournalState {
             offset,
             velocity: offset.map(|e| 3.0 * e),
-            speed: 0.0,
-            axial_velocity: 0.0,
+            ..JournalState::default()
         };
         let mut point = [FilmPoint::default()];
         FILM.add(&journal, 0, &[[x, 0.0]], &mut point);
@@ -93,6 +97,7 @@ mod tests {
             let change = JournalChange {
                 offset: [1e-6, -3e-6],
                 velocity: [3e-6, -9e-6],
+                ..JournalChange::default()
             };
             let mut varied = [FilmPoint::default()];
             FILM.vary(&change, 0, &[[x, 0.0]], &mut varied);

@@ -2,14 +2,27 @@
 
 mod eccentricity;
 mod groove_depth;
+mod tilt;
 
 pub use eccentricity::Eccentricity;
 pub use groove_depth::GrooveDepth;
+pub use tilt::Tilt;
 
 use std::sync::Arc;
 
 use crate::journal_state::JournalChange;
 use crate::{FilmPoint, JournalState};
+
+/// What a contribution follows as the journal moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Follows {
+    /// Nothing: it is a shape of the liner.
+    Nothing,
+    /// The offset of the journal; all that is left where the journal is centred is a constant gap.
+    Offset,
+    /// The slope of the journal's axis.
+    Tilt,
+}
 
 /// A part of the film thickness.
 pub trait FilmContribution: Send + Sync + std::fmt::Debug {
@@ -18,6 +31,11 @@ pub trait FilmContribution: Send + Sync + std::fmt::Debug {
 
     /// Adds what it changes, to first order, where the journal changes by `change`. Nothing unless it knows the journal.
     fn vary(&self, _change: &JournalChange, _cell: usize, _positions: &[[f64; 2]], _film: &mut [FilmPoint]) {}
+
+    /// What it follows.
+    fn follows(&self) -> Follows {
+        Follows::Nothing
+    }
 
     /// This contribution on another mesh of the liner, whose triangle `t` lies in triangle `parents[t]` of this one.
     fn carried(&self, parents: &[u32]) -> Arc<dyn FilmContribution>;
@@ -38,37 +56,48 @@ mod tests {
             depth: 2e-5,
             inside: vec![true],
         };
+        let tilt = Tilt { radius: 0.04 };
         let journal = JournalState {
             offset: [1e-5, -2e-5],
             velocity: [3e-5, 1e-5],
+            tilt: [4e-4, 3e-4],
+            tilt_rate: [-2e-3, 5e-3],
             speed: 10.0,
             axial_velocity: 0.0,
         };
         let change = JournalChange {
             offset: [-0.7e-5, 0.4e-5],
             velocity: [0.2e-5, -0.9e-5],
+            tilt: [2e-4, -5e-4],
+            tilt_rate: [7e-3, 1e-3],
         };
-        let contributions: [&dyn FilmContribution; 2] = [&eccentricity, &groove];
+        let contributions: [&dyn FilmContribution; 3] = [&eccentricity, &groove, &tilt];
         for contribution in contributions {
-            let at = |step: f64, x: f64| {
-                let moved = JournalState {
-                    offset: [0, 1].map(|k| journal.offset[k] + step * change.offset[k]),
-                    velocity: [0, 1].map(|k| journal.velocity[k] + step * change.velocity[k]),
-                    ..journal
-                };
+            let place = |step: f64, x: f64, z: f64| {
+                let scaled = |values: [f64; 2]| values.map(|value| step * value);
+                let moved = journal.changed(&JournalChange {
+                    offset: scaled(change.offset),
+                    velocity: scaled(change.velocity),
+                    tilt: scaled(change.tilt),
+                    tilt_rate: scaled(change.tilt_rate),
+                });
                 let mut point = [FilmPoint::default()];
-                contribution.add(&moved, 0, &[[x, 0.01]], &mut point);
+                contribution.add(&moved, 0, &[[x, z]], &mut point);
                 point[0]
             };
+            let at = |step: f64, x: f64| place(step, x, 0.01);
             for x in [0.0, 0.03, 0.11] {
                 let slope = (at(0.0, x + 1e-6).thickness - at(0.0, x - 1e-6).thickness) / 2e-6;
                 assert!((at(0.0, x).slope[0] - slope).abs() < 1e-11, "{contribution:?}");
+                let slope = (place(0.0, x, 0.01 + 1e-6).thickness - place(0.0, x, 0.01 - 1e-6).thickness) / 2e-6;
+                assert!((at(0.0, x).slope[1] - slope).abs() < 1e-11, "{contribution:?}");
                 let mut varied = [FilmPoint::default()];
                 contribution.vary(&change, 0, &[[x, 0.01]], &mut varied);
                 let (ahead, behind) = (at(1e-3, x), at(-1e-3, x));
                 let pairs = [
                     (ahead.thickness - behind.thickness, varied[0].thickness),
                     (ahead.slope[0] - behind.slope[0], varied[0].slope[0]),
+                    (ahead.slope[1] - behind.slope[1], varied[0].slope[1]),
                     (ahead.rate - behind.rate, varied[0].rate),
                 ];
                 for (difference, variation) in pairs {

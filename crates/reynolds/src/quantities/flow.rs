@@ -70,8 +70,8 @@ pub(super) fn reference_flow(problem: &FilmProblem, system: &FilmSystem) -> f64 
     let given = system.supply.regions().iter().map(|region| region.pressure.abs());
     let driven = bearing.clearance.powi(3) / (12.0 * problem.lubricant.viscosity) * given.fold(0.0, f64::max);
     let dragged = 0.5 * (journal.speed * bearing.radius).abs() * bearing.clearance * bearing.length;
-    let [e_x, e_y] = journal.velocity;
-    dragged + driven + e_x.hypot(e_y) * bearing.radius * bearing.length
+    let gap_speed = journal.gap_speed(0.5 * bearing.length);
+    dragged + driven + gap_speed * bearing.radius * bearing.length
 }
 
 /// Flows of a solved film.

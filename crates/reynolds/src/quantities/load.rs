@@ -1,12 +1,15 @@
-//! # Load: what the film carries
+//! # Load and moment: what the film carries
 //!
 //! **Equation.** `W = Int (p - p_e) (cos phi, sin phi) dA` over the whole developed surface: the
 //! film by quadrature, regions cut out of the mesh with their pressure. For a region D
-//! `Int_D cos(x/R) dA = R closed-Int sin(x/R) dz`, `Int_D sin(x/R) dA = -R closed-Int cos(x/R) dz`.
+//! `Int_D cos(x/R) dA = R closed-Int sin(x/R) dz`, `Int_D sin(x/R) dA = -R closed-Int cos(x/R) dz`. The moment about mid-length is
+//! `m = Int (p - p_e) z (cos phi, sin phi) dA`, with z under the integrals of the rims: each part is a force times its arm along the axis, so that
+//! m does work on the slope of the journal's axis as W does on its offset.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
 //! | W | N | `total` |
+//! | m | N m | `moment` |
 //! | p, p_e | Pa | `pressure_at`, `end_pressure` |
 //!
 //! **Source.** Definition; Green's theorem. **Range.** Any closed rim that does not wind round the ring
@@ -30,10 +33,31 @@ const KINK_QUARTERINGS: usize = 4;
 pub struct Share {
     /// `Int (p - p_e) (cos phi, sin phi) dA` [N].
     pub force: [f64; 2],
+    /// `Int (p - p_e) z (cos phi, sin phi) dA` [N m].
+    pub moment: [f64; 2],
     /// `Int p dA` [N].
     pub pressure: f64,
     /// `Int |p - p_e| dA` [N]: what these pressures could carry, all on one side.
     pub possible: f64,
+}
+
+/// Force and moment about mid-length, or their changes.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Resultant {
+    /// Towards x and y [N].
+    pub force: [f64; 2],
+    /// Force towards x and y times its arm along the axis [N m].
+    pub moment: [f64; 2],
+}
+
+impl Share {
+    /// Its force and moment.
+    pub fn resultant(&self) -> Resultant {
+        Resultant {
+            force: self.force,
+            moment: self.moment,
+        }
+    }
 }
 
 /// Load of a film and its shares.
@@ -59,8 +83,10 @@ impl Load {
 
 impl std::ops::AddAssign for Share {
     fn add_assign(&mut self, other: Self) {
-        self.force[0] += other.force[0];
-        self.force[1] += other.force[1];
+        for d in 0..2 {
+            self.force[d] += other.force[d];
+            self.moment[d] += other.moment[d];
+        }
         self.pressure += other.pressure;
         self.possible += other.possible;
     }
@@ -90,11 +116,12 @@ pub fn possible_load(problem: &FilmProblem, share: &Share) -> f64 {
     share.possible.max(rounding)
 }
 
-/// First-order change of the load [N] where the unknown changes by `change` at each dof; regions cut out keep their
+/// First-order change of force and moment where the unknown changes by `change` at each dof; regions cut out keep their
 /// pressure.
-pub fn load_change(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, change: &[f64]) -> [f64; 2] {
+pub fn load_change(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, change: &[f64]) -> Resultant {
     let excess = |[u, change]: [f64; 2]| problem.pressure_slope_at(u) * change;
-    integrated(problem, system, [&film.unknown, change], excess).force
+    let Integral { force, moment, .. } = integrated(problem, system, [&film.unknown, change], excess);
+    Resultant { force, moment }
 }
 
 fn film_share(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Share {
@@ -102,6 +129,7 @@ fn film_share(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -
     let excess = integrated(problem, system, [&film.unknown], |[u]| problem.pressure_at(u) - p_e);
     Share {
         force: excess.force,
+        moment: excess.moment,
         pressure: excess.thrust + p_e * excess.area,
         possible: excess.magnitude,
     }
@@ -112,6 +140,8 @@ fn film_share(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -
 struct Integral {
     /// With `(cos phi, sin phi)` [N].
     force: [f64; 2],
+    /// With `z (cos phi, sin phi)` [N m].
+    moment: [f64; 2],
     /// By itself [N].
     thrust: f64,
     /// Without its sign [N].
@@ -122,8 +152,10 @@ struct Integral {
 
 impl std::ops::AddAssign for Integral {
     fn add_assign(&mut self, other: Self) {
-        self.force[0] += other.force[0];
-        self.force[1] += other.force[1];
+        for d in 0..2 {
+            self.force[d] += other.force[d];
+            self.moment[d] += other.moment[d];
+        }
         self.thrust += other.thrust;
         self.magnitude += other.magnitude;
         self.area += other.area;
@@ -152,8 +184,11 @@ fn integrated<const N: usize>(
             for q in 0..points.positions.len() {
                 let area = points.area(q);
                 let thrust = area * density(nodal.each_ref().map(|nodal| points.value(q, nodal)));
+                let force = [thrust * cosines[q], thrust * sines[q]];
+                let arm = points.positions[q][1];
                 *sum += Integral {
-                    force: [thrust * cosines[q], thrust * sines[q]],
+                    force,
+                    moment: force.map(|part| arm * part),
                     thrust,
                     magnitude: thrust.abs(),
                     area,
@@ -168,18 +203,19 @@ pub(crate) fn kinked_rule(degree: usize) -> Rule {
     Rule::new(Quadrature::for_degree(degree).quartered(KINK_QUARTERINGS), degree)
 }
 
-/// Integrals of `cos phi`, `sin phi` and one over a region [m2].
-type Moments = [f64; 3];
+/// Integrals of `cos phi`, `sin phi` and one over a region [m2], and of `z cos phi` and `z sin phi` [m3].
+type Moments = [f64; 5];
 
 fn cut_out_share(problem: &FilmProblem, mesh: &Mesh, region: &SupplyRegion) -> Share {
     let radius = problem.bearing.radius;
-    let [cos, sin, area] = match &region.disc {
+    let [cos, sin, area, z_cos, z_sin] = match &region.disc {
         Some(disc) => disc_moments(disc, radius),
         None => rim_moments(mesh, region, radius),
     };
     let excess = region.pressure - problem.bearing.end_pressure;
     Share {
         force: [excess * cos, excess * sin],
+        moment: [excess * z_cos, excess * z_sin],
         pressure: region.pressure * area,
         possible: (excess * area).abs(),
     }
@@ -188,13 +224,16 @@ fn cut_out_share(problem: &FilmProblem, mesh: &Mesh, region: &SupplyRegion) -> S
 /// Along the circle; the trapezoidal rule is exact to rounding for a periodic integrand.
 fn disc_moments(disc: &Disc, radius: f64) -> Moments {
     const POINTS: u32 = 64;
-    let mut moments = [0.0, 0.0, TAU / 2.0 * disc.radius * disc.radius];
+    let mut moments = [0.0, 0.0, TAU / 2.0 * disc.radius * disc.radius, 0.0, 0.0];
     for k in 0..POINTS {
-        let out = (TAU * f64::from(k) / f64::from(POINTS)).cos();
+        let (up, out) = (TAU * f64::from(k) / f64::from(POINTS)).sin_cos();
+        let z = disc.centre[1] + disc.radius * up;
         let dz = disc.radius * out * TAU / f64::from(POINTS);
         let (sin, cos) = ((disc.centre[0] + disc.radius * out) / radius).sin_cos();
         moments[0] += radius * sin * dz;
         moments[1] -= radius * cos * dz;
+        moments[3] += z * radius * sin * dz;
+        moments[4] -= z * radius * cos * dz;
     }
     moments
 }
@@ -202,13 +241,15 @@ fn disc_moments(disc: &Disc, radius: f64) -> Moments {
 /// Along the quadratic edges of the rim, the film on their left and the region on their right. What closes the rim of a groove of full length lies on
 /// the ends, along which `dz = 0`; the area is counted along the axis, and on a ring it is known up to whole rings.
 fn rim_moments(mesh: &Mesh, region: &SupplyRegion, radius: f64) -> Moments {
-    let mut moments = [0.0; 3];
+    let mut moments = [0.0; 5];
     for at in supply::rim(mesh, region).flat_map(|edge| edge_points(mesh, edge)) {
         let (sin, cos) = (at.position[0] / radius).sin_cos();
         let along = at.tangent.map(|slope| at.weight * slope);
         moments[0] -= radius * sin * along[1];
         moments[1] += radius * cos * along[1];
         moments[2] -= at.position[0] * along[1];
+        moments[3] -= at.position[1] * radius * sin * along[1];
+        moments[4] += at.position[1] * radius * cos * along[1];
     }
     if let Some(period) = mesh.period() {
         let ends = mesh.points().iter().map(|point| point[1]);
@@ -291,9 +332,13 @@ mod tests {
             film_fraction: None,
         };
         let (disc, rim) = (disc_moments(&hole, 0.7), rim_moments(&mesh, &region, 0.7));
-        for k in 0..3 {
+        for k in 0..5 {
             assert!((disc[k] - rim[k]).abs() < 1e-6 * disc[2], "{k}: {} {}", disc[k], rim[k]);
         }
         assert!((disc[2] - TAU / 2.0 * 0.04).abs() < 1e-15);
+        // By symmetry the first moment of the disc is its area's at its centre.
+        for k in 0..2 {
+            assert!((disc[3 + k] - 0.1 * disc[k]).abs() < 1e-15, "{disc:?}");
+        }
     }
 }

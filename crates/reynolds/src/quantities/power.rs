@@ -27,8 +27,10 @@ use oilwedge_fem::{Field, integrate};
 
 use super::cavity::broken_share;
 use super::flow::{STILL, reference_flow};
+use super::load::Resultant;
 use crate::cavitation::{self, Carriage};
 use crate::film_law::FilmLaw;
+use crate::film_thickness::Follows;
 use crate::lubricant::PressureLaw;
 use crate::{FilmPoint, FilmProblem, FilmSolution, FilmSystem, Theory};
 
@@ -57,13 +59,14 @@ pub struct Power {
 }
 
 impl Power {
-    /// Takes the power against the pressure from the moment of the `force` of the film [N], where it follows from that ([`pressure_power_per_force`]):
-    /// no gradient is in it, and regions cut out of the mesh count with their true shape.
-    pub fn with_moment(self, problem: &FilmProblem, force: [f64; 2]) -> Self {
-        let Some([per_x, per_y]) = pressure_power_per_force(problem) else {
+    /// Takes the power against the pressure from what the film `carries`, where it follows from that ([`PressurePower`]): no gradient is in it, and
+    /// regions cut out of the mesh count with their true shape.
+    pub fn with_moment(self, problem: &FilmProblem, carries: Resultant) -> Self {
+        let Some(per) = PressurePower::of(problem) else {
             return self;
         };
-        let by_moment = per_x * force[0] + per_y * force[1];
+        let product = |[a, b]: [f64; 2], [x, y]: [f64; 2]| a * x + b * y;
+        let by_moment = product(per.force, carries.force) + product(per.moment, carries.moment);
         let put_in = self.shear + self.pressure.abs();
         Self {
             pressure: by_moment,
@@ -101,13 +104,28 @@ impl std::ops::AddAssign for Work {
     }
 }
 
-/// The vector [m/s] whose product with the force of a film [N] is the power [W] that the turning journal puts in against its pressure: by parts
-/// `Int h/2 U dP/dx dA = -omega R/2 Int P dh/dx dA`, omega times half of the moment of the force about the bearing's centre. `None` where the film has a
-/// thickness of its own beside that of the journal, or lines that stand by themselves.
-pub fn pressure_power_per_force(problem: &FilmProblem) -> Option<[f64; 2]> {
-    let [e_x, e_y] = problem.journal.offset;
-    let is_of_journal = problem.film_thickness.len() == 1 && problem.theory != Theory::Short;
-    is_of_journal.then(|| [e_y, -e_x].map(|arm| 0.5 * problem.journal.speed * arm))
+/// Power that the turning journal puts in against the pressure of a film, for each force and moment that the film carries: by parts
+/// `Int h/2 U dP/dx dA = -omega R/2 Int P dh/dx dA`, omega times half of the torque of the force, at its place along a tilted axis, about the axis of the
+/// bearing: `omega/2 (e_y W_x - e_x W_y + g_y m_x - g_x m_y)`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PressurePower {
+    /// For each force towards x and y [W/N].
+    pub force: [f64; 2],
+    /// For each moment towards x and y [W/(N m)].
+    pub moment: [f64; 2],
+}
+
+impl PressurePower {
+    /// `None` where the film has a thickness of its own beside that of the journal, or lines that stand by themselves.
+    pub fn of(problem: &FilmProblem) -> Option<Self> {
+        let mut contributions = problem.film_thickness.iter();
+        let is_of_journal = contributions.all(|contribution| contribution.follows() != Follows::Nothing);
+        let arm = |[a_x, a_y]: [f64; 2]| [a_y, -a_x].map(|arm| 0.5 * problem.journal.speed * arm);
+        (is_of_journal && problem.theory != Theory::Short).then(|| Self {
+            force: arm(problem.journal.offset),
+            moment: arm(problem.journal.tilt),
+        })
+    }
 }
 
 /// Powers of a solved film.

@@ -1,8 +1,8 @@
 //! # Extremes of the pressure, between nodes too, and of the film thickness
 //!
 //! **Equation.** `p_max`, `p_min`: extremes of the quadratic field, but that it undershoots beside a cavity, whose
-//! pressure is the least there is; `mu_max = mu(p_max)`; `h_min = c - |e|` where the liner covers the angle of the minimum
-//! film, else the least thickness at a node.
+//! pressure is the least there is; `mu_max = mu(p_max)`; `h_min = c - |e + z g|` at the end z where it is least, if the liner covers the angle of the
+//! minimum film, else the least thickness at a node.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -16,7 +16,7 @@
 use oilwedge_fem::Field;
 
 use super::summit::{Summit, summit};
-use crate::{FilmProblem, FilmSolution, FilmSystem};
+use crate::{FilmProblem, FilmSolution, FilmSystem, Thinnest};
 
 /// Greatest and least pressure and the greatest viscosity.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,50 +62,49 @@ fn least(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> (f6
     (floor.map_or(least, |floor| least.max(floor)), Some(bottom.triangle))
 }
 
-/// The thinnest film on the liner.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ThinnestFilm {
-    /// Thickness [m].
-    pub thickness: f64,
-    /// Angle [rad] at which it is.
-    pub angle: f64,
-}
-
 /// Least film thickness over the mesh, and where it is.
 ///
-/// The film is least at `phi_min` if the liner covers it, else at an edge: that of the nodes is taken.
-pub fn thinnest(problem: &FilmProblem, system: &FilmSystem) -> ThinnestFilm {
+/// At each end of the bearing the gap is least at one angle. If the liner covers it at both ends, the film is least there; else at an edge of the
+/// liner, where that of the nodes is taken.
+pub fn thinnest(problem: &FilmProblem, system: &FilmSystem) -> Thinnest {
+    let (bearing, journal) = (&problem.bearing, &problem.journal);
     let mesh = system.space().mesh();
-    let covered = match mesh.period() {
+    let is_covered = |angle: f64| match mesh.period() {
         Some(_) => true,
         None => {
             let xs = mesh.points().iter().map(|point| point[0]);
             let (low, high) = xs.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
-            let x = problem.journal.min_film_angle() * problem.bearing.radius;
-            let turn = std::f64::consts::TAU * problem.bearing.radius;
+            let x = angle * bearing.radius;
+            let turn = std::f64::consts::TAU * bearing.radius;
             (x - low).rem_euclid(turn) <= high - low
         }
     };
-    if covered {
-        return ThinnestFilm {
-            thickness: problem.bearing.least_gap(&problem.journal),
-            angle: problem.journal.min_film_angle(),
-        };
+    let thinnest = bearing.thinnest(journal);
+    if is_covered(thinnest.angle) {
+        return thinnest;
     }
     let at_nodes = (0..mesh.triangles().len()).flat_map(|t| {
         let nodes = mesh.nodes(t);
         problem.thickness_at(t, &nodes).into_iter().zip(nodes)
     });
-    let thinner = |least: ThinnestFilm, (thickness, [x, _]): (f64, [f64; 2])| match thickness < least.thickness {
-        true => ThinnestFilm {
-            thickness,
-            angle: x / problem.bearing.radius,
-        },
-        false => least,
-    };
-    let none = ThinnestFilm {
+    let at_nodes = at_nodes.map(|(thickness, [x, z])| Thinnest {
+        thickness,
+        angle: x / bearing.radius,
+        z,
+    });
+    let other_end = (bearing.ends().into_iter())
+        .map(|z| bearing.thinnest_at(journal, z))
+        .filter(|place| is_covered(place.angle));
+    let none = Thinnest {
         thickness: f64::INFINITY,
         angle: 0.0,
+        z: 0.0,
     };
-    at_nodes.fold(none, thinner)
+    other_end.chain(at_nodes).fold(none, |least, place| {
+        if place.thickness < least.thickness {
+            place
+        } else {
+            least
+        }
+    })
 }

@@ -13,8 +13,9 @@ const EVERY_TABLE: &str = r#"
 bearing = { arc = {} }
 mesh = { tolerance = { QUANTITY = "1 %" } }
 feed = [{ hole = {}, groove = {} }]
-journal = { squeeze = {} }
-load = {}
+journal = { squeeze = {}, tilt = {}, tilt_rate = {} }
+load = { moment = {} }
+support = { tilt = {} }
 heat = { housing = {}, mixing = {} }
 limits = {}
 cavitation = {}

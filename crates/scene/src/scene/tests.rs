@@ -159,7 +159,9 @@ fn a_misspelt_key_is_not_missing_too() {
     let told = told("speed", "colour");
     assert_eq!(told.len(), 2, "{told:?}");
     assert!(
-        told[1].help.ends_with("eccentricity, min_film_angle, speed, squeeze"),
+        told[1]
+            .help
+            .ends_with("eccentricity, min_film_angle, speed, squeeze, tilt, tilt_rate"),
         "{told:?}"
     );
 }

@@ -9,7 +9,8 @@ pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
         return;
     }
     let sockets = Sockets::of(scene);
-    let is_at_rest = scene.journal.speed == 0.0 && sockets.centre_velocity == Default::default();
+    let is_at_rest =
+        scene.journal.speed == 0.0 && sockets.centre_velocity == Default::default() && sockets.tilt_rate == [0.0; 2];
     complaints.refuse_if(
         sockets.thermal.is_some() && is_at_rest,
         "journal.speed",

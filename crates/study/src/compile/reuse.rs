@@ -47,7 +47,7 @@ impl Film {
     /// that touch would differ, or another film shares the system.
     pub fn reused(self, scene: &Scene, position: Position) -> Option<Self> {
         let sockets = Sockets::of(scene);
-        let (load, centre_velocity) = (sockets.load, sockets.centre_velocity);
+        let (load, centre_velocity) = (sockets.load(), sockets.centre_velocity);
         let oil = Oil::of(scene);
         let mut system = self.system;
         let problem = problem(scene, &oil, sockets, system.space().mesh(), position);

@@ -12,6 +12,7 @@ mod groove_depth;
 mod guembel;
 mod heat;
 mod jfo;
+mod moment_balance;
 mod oil_by_temperature;
 mod poiseuille;
 mod reynolds;
@@ -19,6 +20,7 @@ mod roelands;
 mod sockets;
 mod squeeze;
 mod starved_inlet;
+mod tilt;
 
 use oilwedge_scene::Scene;
 use serde::{Serialize, Serializer};
@@ -37,12 +39,14 @@ pub const EFFECTS: &[&Effect] = &[
     &couette::ROW,
     &squeeze::ROW,
     &equilibrium::ROW,
+    &moment_balance::ROW,
     &heat::ROW,
     &oil_by_temperature::ROW,
     &barus::CONSERVATIVE,
     &barus::AS_PRINTED,
     &roelands::ROW,
     &groove_depth::ROW,
+    &tilt::ROW,
     &starved_inlet::ROW,
     &guembel::ROW,
     &reynolds::ROW,
@@ -56,7 +60,7 @@ const MISSED: &[&str] = &[
     CAVITATION,
     heat::KIND,
     squeeze::KIND,
-    "misalignment",
+    tilt::KIND,
     "elastic liner",
     "roughness",
     "turbulence",

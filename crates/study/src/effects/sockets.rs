@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use oilwedge_bearing::{Load, Tilting};
 use oilwedge_mesh::Mesh;
 use oilwedge_reynolds::film_thickness::FilmContribution;
 use oilwedge_reynolds::lubricant::PressureLaw;
@@ -61,8 +62,12 @@ pub struct Sockets {
     pub cavitation: Cavitation,
     /// Velocity of the journal's centre.
     pub centre_velocity: CentreVelocity,
+    /// Rate of the slope of the journal's axis [rad/s].
+    pub tilt_rate: [f64; 2],
     /// Force `(F cos, F sin)` on the journal [N] under which its position is found; `None` at a given position.
     pub load: Option<[f64; 2]>,
+    /// What tilts the journal under that load; `None`: its tilt is given.
+    pub tilting: Option<Tilting>,
     /// How the temperature of the film is found; `None`: it is given, or has no effect.
     pub thermal: Option<ThermalModel>,
 }
@@ -79,10 +84,17 @@ impl Sockets {
             inlet_fraction: None,
             cavitation: Cavitation::None,
             centre_velocity: CentreVelocity::default(),
+            tilt_rate: [0.0; 2],
             load: None,
+            tilting: None,
             thermal: None,
         };
         present(scene).for_each(|effect| (effect.install)(scene, &mut sockets));
         sockets
+    }
+    /// Force and moment under which position and tilt are found; `None` at a given position.
+    pub fn load(&self) -> Option<Load> {
+        let tilting = self.tilting;
+        self.load.map(|force| Load { force, tilting })
     }
 }

@@ -12,9 +12,9 @@ pub(super) const KIND: &str = "squeeze";
 
 pub(super) const ROW: Effect = Effect {
     name: KIND,
-    sentence: "oil pressed out as the journal's centre moves",
+    sentence: "oil pressed out as the journal's centre moves or its axis turns",
     kind: KIND,
-    is_in: |scene| scene.journal.motion().is_some(),
+    is_in: |scene| scene.journal.motion().is_some() || scene.journal.tilts(),
     install: |scene, sockets| {
         sockets.terms.push(Arc::new(Squeeze));
         sockets.centre_velocity = (scene.journal.motion()).map_or(Default::default(), |motion| CentreVelocity {
@@ -22,7 +22,12 @@ pub(super) const ROW: Effect = Effect {
             tangential: motion.tangential,
         });
     },
-    instead: "a centre at rest",
-    remove: |scene| changed(scene, |scene| scene.journal.squeeze = None),
+    instead: "a journal whose axis is at rest",
+    remove: |scene| {
+        changed(scene, |scene| {
+            scene.journal.squeeze = None;
+            scene.journal.tilt_rate = scene.journal.tilt_rate.map(|_| [0.0; 2]);
+        })
+    },
     ..BLANK
 };

@@ -37,6 +37,10 @@ impl Estimate for CoarseComparison<'_> {
         self.error.force[0].scaled(x) + self.error.force[1].scaled(y)
     }
 
+    fn moment(&self) -> Option<[Bar; 2]> {
+        self.error.moment
+    }
+
     fn pressure_integral(&self) -> Bar {
         self.error.pressure_integral
     }

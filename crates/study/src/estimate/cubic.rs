@@ -57,6 +57,10 @@ impl Estimate for CubicPair<'_> {
         }
     }
 
+    fn moment(&self) -> Option<[Bar; 2]> {
+        self.error.moment(self.value)
+    }
+
     fn pressure_integral(&self) -> Bar {
         self.error.pressure_integral(self.value) + self.rounding()
     }

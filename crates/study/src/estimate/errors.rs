@@ -89,9 +89,13 @@ fn by_cubic(solved: &Solved, cubic: &FilmSolution) -> Estimated {
         measured: [&quadratic, &reported],
         value: Value::Cubic,
     };
-    let load = [error.load(Value::Cubic), error.across(Value::Cubic)].map(|bar| of_few(film, bar));
+    let load = bars_of_balance(
+        film,
+        [error.load(Value::Cubic), error.across(Value::Cubic)],
+        pair.moment(),
+    );
     Estimated {
-        quantities: with_bars(solved, &pair, &reported, &numbers(film, &quadratic), load),
+        quantities: with_bars(solved, &pair, &reported, &numbers(film, &quadratic), &load),
         measured: reported,
         is_local: load[0].front > load[0].discretisation,
         spread: 0.0,
@@ -113,9 +117,9 @@ fn by_coarse(solved: &Solved, coarse: &FilmSolution) -> Estimated {
         measured: &plain.measured,
         hidden: hidden_share(&film.problem, &film.system, &solved.solution, error.greatest_pressure),
     };
-    let load = [error.load, error.across].map(|bar| of_few(film, bar));
+    let load = bars_of_balance(film, [error.load, error.across], pair.moment());
     Estimated {
-        quantities: with_bars(solved, &pair, &plain.measured, &plain.quantities, load),
+        quantities: with_bars(solved, &pair, &plain.measured, &plain.quantities, &load),
         spread: error.spread,
         indicator: Some(error.indicator),
         ..plain
@@ -140,28 +144,40 @@ pub fn quadratic_errors(solved: &Solved) -> Option<Vec<Quantity>> {
         measured: [&quadratic, &better],
         value: Value::Quadratic,
     };
-    let load = [Bar::default(); 2];
-    Some(with_bars(solved, &pair, &quadratic, &numbers(film, &better), load))
+    Some(with_bars(solved, &pair, &quadratic, &numbers(film, &better), &[]))
 }
 
 fn numbers(film: &Film, of: &Measured) -> Vec<Quantity> {
     measured(&View::new(film, &film.problem, of))
 }
 
-/// The numbers of a film with their bars. `others` are those of the other film of a pair, or the numbers themselves; `load` bars of the load
-/// along and across it.
+/// Bars of what a balance fixes: of the load along and across it [N], and of the moment towards x and y [N m] where the journal can tilt.
+fn bars_of_balance(film: &Film, load: [Bar; 2], moment: Option<[Bar; 2]>) -> Vec<Bar> {
+    let bars = load.into_iter().chain(moment.into_iter().flatten());
+    bars.map(|bar| of_few(film, bar)).collect()
+}
+
+/// The numbers of a film with their bars. `others` are those of the other film of a pair, or the numbers themselves; `load` bars of what a balance
+/// fixes.
 fn with_bars(
     solved: &Solved,
     estimate: &dyn Estimate,
     reported: &Measured,
     others: &[Quantity],
-    load: [Bar; 2],
+    load: &[Bar],
 ) -> Vec<Quantity> {
     let film = &solved.film;
     let view = View::new(film, &film.problem, reported);
     let mut list = measured(&view);
     let balance = solved.balance.as_ref();
-    let moved = balance.map(|balance| position_bars(solved, balance, load.map(|bar| bar.total()), others));
+    let moved = balance.map(|balance| {
+        let totals: Vec<f64> = load
+            .iter()
+            .take(balance.coordinates.order)
+            .map(|bar| bar.total())
+            .collect();
+        position_bars(solved, balance, &totals, others)
+    });
     for quantity in &mut list {
         let other = others.iter().find(|other| other.name == quantity.name);
         let subject = Subject {

@@ -31,7 +31,7 @@ pub(super) fn link(list: &mut [Quantity], view: &View, balance: Option<&Balance>
 fn has_one_source(view: &View) -> bool {
     let problem = view.problem;
     let conserves = problem.form == Form::Conservative && !problem.cavitation.drops_pressures();
-    let rests = problem.journal.velocity == [0.0; 2];
+    let rests = problem.journal.is_still();
     let has_lines = view.regions(BoundaryKind::Line).next().is_some();
     conserves && rests && problem.theory == Theory::Full && !has_lines && view.regions(BoundaryKind::Feed).count() == 1
 }

@@ -59,6 +59,8 @@ pub trait Estimate {
     fn across(&self) -> Option<Bar>;
     /// Of the product of the load with a vector.
     fn product(&self, vector: [f64; 2]) -> Bar;
+    /// Of the moment towards x and y [N m]; none where the journal cannot tilt.
+    fn moment(&self) -> Option<[Bar; 2]>;
     /// Of `Int p dA` [N].
     fn pressure_integral(&self) -> Bar;
     /// Of the greatest pressure [Pa]; not finite where it has no bound.

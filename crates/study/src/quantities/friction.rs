@@ -1,7 +1,7 @@
 //! What it takes to turn the journal.
 
 use oilwedge_reynolds::error_bar::Bar;
-use oilwedge_reynolds::quantities::power::pressure_power_per_force;
+use oilwedge_reynolds::quantities::power::PressurePower;
 
 use super::cavity::{drops, drops_in};
 use super::row::{Headline, Measure::One};
@@ -59,12 +59,16 @@ fn turning(film: &View, power: f64) -> Option<f64> {
     (film.journal().speed.abs() > 0.0).then_some(power)
 }
 
-/// Bar [W] of `shear` times the power of shear and `pressure` times that of pressure. The latter goes with the force of the film where it follows from that.
+/// Bar [W] of `shear` times the power of shear and `pressure` times that of pressure. The latter goes with the force and the moment of the film where it follows
+/// from them.
 fn of_power(estimate: &dyn Estimate, at: &Subject, [shear, pressure]: [f64; 2]) -> Option<Bar> {
-    Some(match pressure_power_per_force(at.view.problem) {
-        Some(per_force) => estimate.power([shear, 0.0]) + estimate.product(per_force).scaled(pressure),
-        None => estimate.power([shear, pressure]),
-    })
+    let Some(per) = PressurePower::of(at.view.problem) else {
+        return Some(estimate.power([shear, pressure]));
+    };
+    let moments = estimate.moment().unwrap_or_default();
+    let by_moment = |sum: Bar, (bar, per): (Bar, f64)| sum + bar.scaled(per);
+    let of_pressure = (moments.into_iter().zip(per.moment)).fold(estimate.product(per.force), by_moment);
+    Some(estimate.power([shear, 0.0]) + of_pressure.scaled(pressure))
 }
 
 fn of_torque(estimate: &dyn Estimate, at: &Subject, parts: [f64; 2]) -> Option<Bar> {

@@ -24,6 +24,7 @@ mod pressure;
 mod quantity;
 mod rule;
 mod similarity;
+mod tilt;
 mod unit;
 pub(crate) mod view;
 mod warming;
@@ -43,12 +44,13 @@ pub use quantity::Quantity;
 pub use row::{Headline, Measure, Row, Table};
 pub use rule::{ErrorRule, Subject};
 pub use similarity::*;
+pub use tilt::*;
 pub use unit::Unit;
 pub use view::View;
 pub use warming::Warming;
 
 /// All quantities, in the order of the report.
-pub static CATALOGUE: [&Row; 59] = [
+pub static CATALOGUE: [&Row; 65] = [
     &LOAD,
     &LOAD_X,
     &LOAD_Y,
@@ -59,12 +61,18 @@ pub static CATALOGUE: [&Row; 59] = [
     &ATTITUDE_ANGLE,
     &ECCENTRICITY,
     &MIN_FILM_ANGLE,
+    &TILT_X,
+    &TILT_Y,
+    &MOMENT_X,
+    &MOMENT_Y,
+    &LOAD_Z,
     &PRESSURE_MAX,
     &PRESSURE_MAX_ANGLE,
     &PRESSURE_MAX_Z,
     &PRESSURE_MIN,
     &FILM_THICKNESS_MIN,
     &FILM_THICKNESS_MIN_ANGLE,
+    &FILM_THICKNESS_MIN_Z,
     &FILM_START_ANGLE,
     &FILM_END_ANGLE,
     &TEMPERATURE_EFFECTIVE,

@@ -12,15 +12,15 @@ rows! {
     ATTITUDE_ANGLE = "attitude_angle", "beta", Degree, "from the load to the thinnest film":
         One(attitude_angle), ATTITUDE, tolerance headline(Headline::Always(3));
 
-    /// `eps = e/c`: offset of the journal over the radial clearance
+    /// `eps = e/c`: offset of the journal over the radial clearance; of a tilted one at mid-length
     ECCENTRICITY = "eccentricity", "eps", One, "offset of the journal / clearance":
         One(eccentricity), ErrorRule::Position, tolerance headline(Headline::Always(2));
 
-    /// `phi_min = atan2(e_y, e_x)` in [0, 360); none for a centred journal
+    /// `phi_min = atan2(e_y, e_x)` in [0, 360); of a tilted journal at mid-length; none for a centred one
     MIN_FILM_ANGLE = "min_film_angle", "phi_min", Degree, "where the film is thinnest":
         One(min_film_angle), ErrorRule::Position, tolerance headline(Headline::Always(4));
 
-    /// `h_min`: least film thickness on the liner; `c (1 - eps)` where the liner covers phi_min
+    /// `h_min`: least film thickness on the liner; `c (1 - eps)` where the liner covers phi_min, of a tilted journal at the end where it is least
     FILM_THICKNESS_MIN = "film_thickness_min", "h_min", Metre, "thinnest film on the liner":
         One(|film| Some(film.measured.thinnest.thickness)), ErrorRule::Position, tolerance headline(Headline::Always(5));
 }

@@ -46,6 +46,8 @@ pub enum ErrorRule {
     LoadAngle,
     /// Product of the load with a vector that is given; none where there is no such vector.
     Component(fn(&View) -> Option<[f64; 2]>),
+    /// Moment towards x (0) or y (1).
+    Moment(usize),
     /// A rule of its own, in words and as it is computed.
     Of(&'static str, fn(&dyn Estimate, &Subject) -> Option<Bar>),
     /// It follows from given numbers and from the temperature of the film: by how much for each kelvin.
@@ -69,6 +71,7 @@ impl ErrorRule {
             Self::PerLoad => Some(estimate.load().scaled(subject.value / estimate.force())),
             Self::LoadAngle => Some(direction(estimate)),
             Self::Component(vector) => Some(estimate.product(vector(subject.view)?)),
+            Self::Moment(axis) => Some(estimate.moment()?[*axis]),
             Self::Of(_, bar) => bar(estimate, subject),
         }
     }
@@ -82,6 +85,7 @@ impl ErrorRule {
             Self::LoadAngle if balance.residual < 1.0 => balance.residual.asin().to_degrees(),
             Self::LoadAngle => 180.0,
             Self::Component(vector) => balance.unbalanced * vector(subject.view).map(|[x, y]| x.hypot(y))?,
+            Self::Moment(_) => balance.unbalanced_moment?,
             _ => return None,
         };
         Some(Bar {
@@ -106,6 +110,7 @@ impl ErrorRule {
             Self::Component(_) => {
                 "dual-weighted, along and across the load in this direction; under a load what is left unbalanced"
             }
+            Self::Moment(_) => "dual-weighted; under a given moment what is left unbalanced",
             Self::Of(words, _) => words,
             Self::Temperature(_) => "exact at a given temperature; with `[heat]` that of the temperature",
             Self::Balance(..) => "those of friction and flow, by the balance of heat",

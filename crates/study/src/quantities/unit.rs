@@ -11,6 +11,8 @@ pub enum Unit {
     Newton,
     /// Of angles.
     Degree,
+    /// Of small slopes.
+    Radian,
     /// Of pressures.
     Pascal,
     /// Of stresses in metal.
@@ -37,10 +39,11 @@ impl Unit {
 
     /// The unit that results write so.
     pub fn named(name: &str) -> Option<Self> {
-        const ALL: [Unit; 10] = [
+        const ALL: [Unit; 11] = [
             Unit::One,
             Unit::Newton,
             Unit::Degree,
+            Unit::Radian,
             Unit::Pascal,
             Unit::Metre,
             Unit::PascalSecond,
@@ -62,7 +65,7 @@ impl Unit {
         match self {
             Self::One => Dimension::Ratio,
             Self::Newton => Dimension::Force,
-            Self::Degree => Dimension::Angle,
+            Self::Degree | Self::Radian => Dimension::Angle,
             Self::Pascal | Self::PascalOfStress => Dimension::Pressure,
             Self::Metre => Dimension::Length,
             Self::PascalSecond => Dimension::Viscosity,
@@ -78,6 +81,7 @@ impl Unit {
             Self::One => ["1", "ratio"],
             Self::Newton => ["N", "force"],
             Self::Degree => ["deg", "angle"],
+            Self::Radian => ["rad", "slope"],
             Self::Pascal => ["Pa", "pressure"],
             Self::PascalOfStress => ["Pa", "stress"],
             Self::Metre => ["m", "length"],

@@ -3,7 +3,7 @@
 use crate::estimate::Estimated;
 use crate::film::Film;
 use crate::measure::{drag, possible_load};
-use crate::quantities::{ECCENTRICITY, Quantity, SIDE_FLOW, Unit};
+use crate::quantities::{ECCENTRICITY, MOMENT_X, MOMENT_Y, Quantity, SIDE_FLOW, Unit};
 use oilwedge_scene::Target;
 
 /// Tolerances of what is less than this part of what it could be count against that part: loads against those that the pressures
@@ -16,6 +16,8 @@ const LEAST_FLOW: f64 = 0.05;
 struct Possible {
     /// The load [N] that its pressures could carry.
     load: f64,
+    /// The moment [N m] of that load at an end.
+    moment: f64,
     /// The pressure [Pa] that drag through the clearance makes.
     pressure: f64,
     /// The least side flow [m3/s] that counts by its own size.
@@ -31,6 +33,7 @@ impl Possible {
             pressure: drag(&film.problem),
             load: possible_load(&film.problem, &estimated.measured),
             least_flow: least_flow * dragged * bearing.clearance * bearing.length,
+            moment: 0.5 * bearing.length * possible_load(&film.problem, &estimated.measured),
         }
     }
 
@@ -40,6 +43,7 @@ impl Possible {
             Unit::Degree => 1f64.to_degrees(),
             Unit::Pascal => quantity.value.abs().max(LEAST * self.pressure),
             Unit::Newton => quantity.value.abs().max(LEAST * self.load),
+            _ if [&MOMENT_X, &MOMENT_Y].contains(&quantity.row) => quantity.value.abs().max(LEAST * self.moment),
             _ if quantity.row == &SIDE_FLOW => quantity.value.abs().max(self.least_flow),
             _ if quantity.row == &ECCENTRICITY => quantity.value.abs().max(LEAST),
             _ => quantity.value.abs(),

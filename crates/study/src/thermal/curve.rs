@@ -1,6 +1,6 @@
 //! Friction and heat carried off around the temperature found, and whether the bearing will do.
 
-use oilwedge_bearing::{Deadline, InitialGuess, Visited, predicted};
+use oilwedge_bearing::{Deadline, InitialGuess, Visited};
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_reynolds::solve::Neighbour;
 
@@ -9,6 +9,7 @@ use super::measured;
 use super::search::{ROUGHLY, from_near_or_cold, point as operating_point, visited};
 use crate::compile::at_temperature;
 use crate::limits::design_criteria;
+use crate::position::Position;
 use crate::quantities::{LOAD, Quantity, Row};
 use crate::result::{Criterion, TemperaturePoint, TemperatureReport};
 use crate::solved::{SolveOptions, Solved};
@@ -75,8 +76,9 @@ fn side(model: &ThermalModel, found: &Solved, root: f64, step: f64, deadline: De
 /// The film at a temperature [K], balanced roughly, from another one and the positions of several.
 fn film_at(temperature: f64, near: &Solved, positions: &[Visited], deadline: Deadline) -> Option<Solved> {
     let mut film = at_temperature(&near.film, temperature);
-    if let Some(position) = film.load.and_then(|_| predicted(positions, operating_point(&film))) {
-        film = film.at_position(position.into());
+    let position = (film.load).and_then(|_| Position::predicted(&film.scene, positions, operating_point(&film)));
+    if let Some(position) = position {
+        film = film.at_position(position);
     }
     let options = SolveOptions {
         deadline,

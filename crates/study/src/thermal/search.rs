@@ -8,7 +8,7 @@ use std::collections::HashMap;
 use std::time::Instant;
 
 use oilwedge_bearing::thermal_balance::{Start, find};
-use oilwedge_bearing::{Balanced, InitialGuess, NoBalance, Point, ThermalFlows, Visited, predicted};
+use oilwedge_bearing::{Balanced, InitialGuess, NoBalance, Point, ThermalFlows, Visited};
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_reynolds::solve::Neighbour;
 
@@ -19,6 +19,7 @@ use crate::film::Film;
 use crate::isothermal::isothermal;
 use crate::no_answer::NoAnswer;
 use crate::oil::first_temperature;
+use crate::position::Position;
 use crate::quantities::{self, Quantity, View};
 use crate::solved::{Errors, SolveOptions, Solved, TemperatureFound};
 use crate::thermal_model::ThermalModel;
@@ -243,9 +244,9 @@ impl<'a> Search<'a> {
 
     /// The film with the journal where the positions found before say that it will be.
     fn predicted(&self, film: Film) -> Film {
-        let position = film.load.and_then(|_| predicted(&self.visited, point(&film)));
+        let position = (film.load).and_then(|_| Position::predicted(&film.scene, &self.visited, point(&film)));
         match position {
-            Some(position) => film.at_position(position.into()),
+            Some(position) => film.at_position(position),
             None => film,
         }
     }
@@ -334,12 +335,7 @@ pub(super) fn point(film: &Film) -> Point {
 
 /// The position of a film found.
 pub(super) fn visited(film: &Film) -> Visited {
-    let position = film.position();
-    Visited {
-        point: point(film),
-        eccentricity: position.eccentricity,
-        angle: position.min_film_angle,
-    }
+    film.position().visited(point(film))
 }
 
 /// From a balance on, to another one nearby.

@@ -1,0 +1,244 @@
+//! Position and tilt under a force and a moment.
+
+use std::sync::Arc;
+
+use oilwedge_bearing::coordinates::{moved, unit};
+use oilwedge_bearing::{Coordinates, Load, NoEquilibrium, SearchOptions, Tilting, find};
+use oilwedge_reynolds::lubricant::PressureLaw;
+use oilwedge_reynolds::lubricant::barus::Barus;
+use oilwedge_reynolds::quantities::load::load;
+use oilwedge_reynolds::solve::Neighbour;
+use oilwedge_reynolds::{Cavitation, CentreVelocity, FilmProblem, FilmSystem, terms};
+use oilwedge_study::result::Status;
+use oilwedge_tests::journal_bearings::{each, number};
+use oilwedge_tests::tilted_bearings::{
+    FORCE, MOMENT, block, carried, numbers, quantity, rows, run, scene, slope, tilted,
+};
+use oilwedge_tests::*;
+
+const LENGTH: f64 = 0.06;
+
+/// `W = F`, `m = z_F F + k (g_0 - g)` against finite volumes and their own Newton: offsets and slopes in units of c and c/R.
+#[test]
+fn positions_and_tilts_are_those_of_finite_volumes() {
+    each(&rows(&block("balance_of_moment")["rows"]), |row| {
+        let force = numbers(&row["F"]);
+        let (size, angle) = (FORCE * force[0].hypot(force[1]), force[1].atan2(force[0]).to_degrees());
+        let at = 50.0 * number(row, "load_offset_z");
+        let stiffness = 1e3 * MOMENT * number(row, "support_stiffness");
+        let support = match stiffness > 0.0 {
+            true => {
+                let tilt = numbers(&row["support_tilt"]);
+                format!(
+                    "[support]\ntilt_stiffness = \"{stiffness} N.m/rad\"\ntilt = {{ x = \"{} mrad\", y = \"{} mrad\" }}",
+                    tilt[0], tilt[1]
+                )
+            }
+            false => String::new(),
+        };
+        let keys = format!("[load]\nforce = \"{size} N\"\nangle = \"{angle} deg\"\nat = \"{at} mm\"\n{support}");
+        let result = run(&scene(number(row, "b"), "\"0.1 %\"", &keys));
+        let of = |name: &str| quantity(&result, name)[0];
+        let (eps, towards) = (of("eccentricity"), of("min_film_angle").to_radians());
+        let found = [
+            eps * towards.cos(),
+            eps * towards.sin(),
+            1e3 * of("tilt_x"),
+            1e3 * of("tilt_y"),
+        ];
+        let wanted = ["X", "Y", "gx", "gy"].map(|key| number(row, key));
+        let moment = numbers(&row["m"]);
+        let is_met = (0..4).all(|k| (found[k] - wanted[k]).abs() < 1e-3)
+            && (of("moment_x") / MOMENT - moment[0]).abs() < 1e-3
+            && (of("moment_y") / MOMENT - moment[1]).abs() < 1e-3;
+        let balances = result.balances;
+        let is_balanced = balances.force < 1e-10 && balances.tilt < 1e-10 && result.counts.position_steps <= 12;
+        match is_met && is_balanced {
+            true => Ok(()),
+            false => Err(format!("{row}: {found:?}, {balances:?}, {:?}", result.counts)),
+        }
+    });
+}
+
+/// A ring with a film start, its journal tilted and moving, and what is free of it.
+fn moving(cavitation: Cavitation) -> (FilmProblem, FilmSystem) {
+    let system = ring_system(72, 12, LENGTH, Some(160f64.to_radians()));
+    let mut problem = tilted(plain_film(LENGTH, 0.6, 0.3, SPEED), slope([0.25, -0.15]));
+    problem.cavitation = cavitation;
+    problem.lubricant.pressure_law = PressureLaw::Barus(Barus { alpha: 2e-8 });
+    problem.terms.push(Arc::new(terms::squeeze::Squeeze));
+    problem.journal.tilt_rate = [2e-3, 4e-3];
+    let system = match problem.needs_start() {
+        true => system.with_coarser(&problem.bearing, &problem.film_thickness),
+        false => system,
+    };
+    (problem, system)
+}
+
+/// What a film carries, as a load that it balances.
+fn balanced_by(problem: &FilmProblem, system: &FilmSystem) -> Load {
+    let carried = carried(problem, system);
+    Load {
+        force: carried.force,
+        tilting: Some(Tilting {
+            moment: carried.moment,
+            stiffness: 0.0,
+            support: [0.0; 2],
+        }),
+    }
+}
+
+/// `d(W, m)/d(e, g)` against central differences of the same discrete film, its set and its advection schemes unchanged.
+#[test]
+fn the_tangent_of_force_and_moment_matches_differences() {
+    let models = [
+        Cavitation::None,
+        Cavitation::Guembel { pressure: 0.0 },
+        Cavitation::Reynolds { pressure: 0.0 },
+        Cavitation::Jfo { pressure: 0.0 },
+    ];
+    for model in models {
+        let (problem, system) = moving(model);
+        let asked = balanced_by(&problem, &system);
+        let found =
+            find(&problem, &system, asked, &SearchOptions::default()).unwrap_or_else(|reason| panic!("{reason}"));
+        let coordinates = Coordinates::of(&asked, &problem.bearing);
+        let here = coordinates.at(&found.problem.journal);
+        let at = |place| {
+            let problem = FilmProblem {
+                journal: coordinates.placed(&found.problem.journal, place),
+                ..found.problem.clone()
+            };
+            let film = problem
+                .solve_from(&system, Neighbour::Kept(&found.film))
+                .expect("a film");
+            assert_eq!(film.cavity, found.film.cavity, "the set has changed");
+            coordinates.forces(&load(&problem, &system, &film).total.resultant())
+        };
+        for step in [1e-7 * CLEARANCE, 1e-6 * CLEARANCE] {
+            // Points of integration of the longer step cross the kink of Guembel's pressure: that set is not the same any more.
+            let crosses = matches!(model, Cavitation::Guembel { .. }) && step > 5e-7 * CLEARANCE;
+            let to = if crosses { 1e-5 } else { 1e-6 };
+            for k in 0..4 {
+                let (ahead, behind) = (at(moved(here, step, unit(k))), at(moved(here, -step, unit(k))));
+                for d in 0..4 {
+                    let difference = (ahead[d] - behind[d]) / (2.0 * step);
+                    let size = (found.stiffness[d][d] * found.stiffness[k][k]).abs().sqrt();
+                    let error = (difference - found.stiffness[d][k]).abs() / size;
+                    assert!(error < to, "{model:?} {d} {k} step {step:e}: {error:e}");
+                }
+            }
+        }
+    }
+}
+
+/// A position and a tilt are given back by the force and the moment of their film, from another start.
+#[test]
+fn position_and_tilt_are_given_back() {
+    for model in [Cavitation::None, Cavitation::Reynolds { pressure: 0.0 }] {
+        let (problem, system) = moving(model);
+        let asked = balanced_by(&problem, &system);
+        let mut start = problem.clone();
+        start.journal.offset = [0.3 * CLEARANCE, 0.0];
+        start.journal.tilt = [0.0; 2];
+        let found = find(&start, &system, asked, &SearchOptions::default()).unwrap_or_else(|reason| panic!("{reason}"));
+        let coordinates = Coordinates::of(&asked, &problem.bearing);
+        let (here, back) = (coordinates.at(&problem.journal), coordinates.at(&found.problem.journal));
+        assert!(
+            (0..4).all(|k| (here[k] - back[k]).abs() < 1e-9 * CLEARANCE),
+            "{here:?} {back:?}"
+        );
+        assert!(found.residual < 1e-10 && found.parts.iter().all(|part| *part < 1e-10));
+    }
+}
+
+/// A very stiff support gives the tilt that it has; the position is that of a journal with this tilt.
+#[test]
+fn a_stiff_support_gives_the_tilt() {
+    let (problem, system) = moving(Cavitation::Guembel { pressure: 0.0 });
+    let force = carried(&problem, &system).force;
+    let by_support = Load {
+        force,
+        tilting: Some(Tilting {
+            moment: [0.0; 2],
+            stiffness: 1e15,
+            support: problem.journal.tilt,
+        }),
+    };
+    let mut start = problem.clone();
+    start.journal.tilt = [0.0; 2];
+    let held = find(&start, &system, by_support, &SearchOptions::default()).unwrap_or_else(|reason| panic!("{reason}"));
+    let given = find(&problem, &system, force, &SearchOptions::default()).unwrap_or_else(|reason| panic!("{reason}"));
+    for d in 0..2 {
+        assert!((held.problem.journal.tilt[d] - problem.journal.tilt[d]).abs() < 1e-9 * 1e-3);
+        let apart = held.problem.journal.offset[d] - given.problem.journal.offset[d];
+        assert!(apart.abs() < 1e-7 * CLEARANCE, "{apart:e}");
+    }
+}
+
+/// A load in the middle of a symmetric film tilts nothing; one on the other side tilts the other way.
+#[test]
+fn the_tilt_follows_the_place_of_the_load() {
+    let system = ring_system(48, 8, LENGTH, None);
+    let mut problem = tilted(plain_film(LENGTH, 0.5, 0.0, SPEED), [0.0; 2]);
+    problem.cavitation = Cavitation::Guembel { pressure: 0.0 };
+    let force = carried(&problem, &system).force;
+    let at = |place: f64| {
+        let asked = Load {
+            force,
+            tilting: Some(Tilting {
+                moment: force.map(|part| place * part),
+                stiffness: 0.0,
+                support: [0.0; 2],
+            }),
+        };
+        let velocity = CentreVelocity::default();
+        let options = SearchOptions {
+            centre_velocity: velocity,
+            ..SearchOptions::default()
+        };
+        find(&problem, &system, asked, &options)
+    };
+    let tilt = |place: f64| {
+        at(place)
+            .unwrap_or_else(|reason| panic!("{reason}"))
+            .problem
+            .journal
+            .tilt
+    };
+    let unit = CLEARANCE / LENGTH;
+    assert!(tilt(0.0).iter().all(|g| g.abs() < 1e-9 * unit));
+    let (up, down) = (tilt(0.003), tilt(-0.003));
+    assert!((0..2).all(|d| (up[d] + down[d]).abs() < 1e-8 * unit) && up[0].hypot(up[1]) > 0.05 * unit);
+    // Beyond what the film can carry the end that touches is named.
+    match at(0.025) {
+        Err(NoEquilibrium::EdgeContact {
+            end,
+            carried,
+            thickness,
+            ..
+        }) => {
+            assert!(
+                end == 0.5 * LENGTH && carried < 0.99 && thickness < 0.05 * CLEARANCE,
+                "{carried} {thickness:e}"
+            );
+        }
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn contact_at_an_end_is_told_with_a_way_out() {
+    let keys = "[load]\nforce = \"20 kN\"\nangle = \"270 deg\"\nat = \"-20 mm\"";
+    let text = scene(0.5, "\"2 %\"", keys).replacen("mesh.tolerance = \"2 %\"", "mesh.size = \"15 mm\"", 1);
+    let result = run(&text);
+    assert_eq!(result.status, Status::NoSolution);
+    let reason = result.reason.unwrap_or_default();
+    for part in [
+        "contact with the liner at its end z = -25 mm",
+        "% of the moment",
+        "tilt_stiffness",
+    ] {
+        assert!(reason.contains(part), "{reason}");
+    }
+}
