@@ -61,7 +61,7 @@ fn check_keys(result: &Value) {
     assert_eq!(sorted(&result["mesh"]), ["cells", "min_angle_deg", "nodes", "order"]);
     assert_eq!(
         sorted(&result["balances"]),
-        ["force", "heat", "mass", "moment", "power"]
+        ["force", "heat", "mass", "moment", "power", "tilt"]
     );
     assert_eq!(result["format"], "oilwedge-result/1");
     for key in ["scene_sha256", "mesh_sha256"] {
