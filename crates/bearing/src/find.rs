@@ -106,6 +106,7 @@ impl Search<'_> {
         };
         let outcome = self.run(problem, problem.journal);
         match reason.last_position().filter(is_resolved) {
+            _ if outcome.is_err() && self.load.tilting.is_some() => self.by_parts_of_tilting(problem),
             Some(start) if outcome.is_err() => self.run(problem, start),
             _ => outcome,
         }

@@ -14,7 +14,7 @@ const SHORTEST: f64 = 2e-3;
 /// Growth of the parts after a balance.
 const GROWTH: f64 = 1.6;
 /// A film that has lost so much of the clearance at an end, when the moment grows no more, is one in contact there.
-const NEAR_CONTACT: f64 = 0.02;
+const NEAR_CONTACT: f64 = 0.05;
 /// With such a film the parts are not made shorter.
 const AT_CONTACT: f64 = 1e-3;
 
