@@ -48,6 +48,8 @@ pub enum ErrorRule {
     Component(fn(&View) -> Option<[f64; 2]>),
     /// Moment towards x (0) or y (1).
     Moment(usize),
+    /// Axial position at which the load acts: moment over load.
+    LoadPlace,
     /// A rule of its own, in words and as it is computed.
     Of(&'static str, fn(&dyn Estimate, &Subject) -> Option<Bar>),
     /// It follows from given numbers and from the temperature of the film: by how much for each kelvin.
@@ -72,6 +74,7 @@ impl ErrorRule {
             Self::LoadAngle => Some(direction(estimate)),
             Self::Component(vector) => Some(estimate.product(vector(subject.view)?)),
             Self::Moment(axis) => Some(estimate.moment()?[*axis]),
+            Self::LoadPlace => load_place(estimate, subject),
             Self::Of(_, bar) => bar(estimate, subject),
         }
     }
@@ -86,6 +89,9 @@ impl ErrorRule {
             Self::LoadAngle => 180.0,
             Self::Component(vector) => balance.unbalanced * vector(subject.view).map(|[x, y]| x.hypot(y))?,
             Self::Moment(_) => balance.unbalanced_moment?,
+            Self::LoadPlace => {
+                (balance.unbalanced_moment? + subject.value.abs() * balance.unbalanced) / subject.view.force
+            }
             _ => return None,
         };
         Some(Bar {
@@ -111,11 +117,24 @@ impl ErrorRule {
                 "dual-weighted, along and across the load in this direction; under a load what is left unbalanced"
             }
             Self::Moment(_) => "dual-weighted; under a given moment what is left unbalanced",
+            Self::LoadPlace => "those of moment and load, over the load; under a given moment what is left unbalanced",
             Self::Of(words, _) => words,
             Self::Temperature(_) => "exact at a given temperature; with `[heat]` that of the temperature",
             Self::Balance(..) => "those of friction and flow, by the balance of heat",
         }
     }
+}
+
+/// Bar [m] of the axial position at which the load acts.
+fn load_place(estimate: &dyn Estimate, at: &Subject) -> Option<Bar> {
+    let [x, y] = estimate.moment()?;
+    let (force, along) = (at.view.force, at.view.measured.load.total.force);
+    let bar = x.scaled(along[0] / force) + y.scaled(along[1] / force) + estimate.load().scaled(at.value);
+    // The direction of the load turns the moment across it into its place.
+    let [m_x, m_y] = at.view.measured.load.total.moment;
+    let across = (m_y * along[0] - m_x * along[1]) / force;
+    let turn = estimate.across()?.scaled(across / force);
+    Some((bar + turn).scaled(1.0 / force))
 }
 
 /// Bar [N] of the share of a region in the load.

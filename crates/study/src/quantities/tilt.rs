@@ -3,10 +3,8 @@
 use oilwedge_scene::Scene;
 
 use super::row::Measure::One;
-use super::rule::{ErrorRule, Subject};
+use super::rule::ErrorRule;
 use super::view::View;
-use crate::estimate::Estimate;
-use oilwedge_reynolds::error_bar::Bar;
 
 rows! {
     /// `g_x`: slope of the journal's axis towards x; the offset is `e + z g` at the axial position z, 0 at mid-length; of journals that may tilt
@@ -28,7 +26,7 @@ rows! {
 
     /// `z_W = (m . W)/W^2`: axial position at which the load acts, 0 at mid-length; moments across the load remain; none without a load
     LOAD_Z = "load_z", "z_W", Metre, "axial position at which the load acts":
-        One(place), ErrorRule::Of("those of moment and load, over the load", place_bar), only(Scene::can_tilt);
+        One(place), ErrorRule::LoadPlace, only(Scene::can_tilt);
 
     /// `z_h`: axial position of the thinnest film, at an end of the bearing; of journals that may tilt
     FILM_THICKNESS_MIN_Z = "film_thickness_min_z", "z_h", Metre, "where the film is thinnest, along the axis":
@@ -46,15 +44,4 @@ fn moment(film: &View, axis: usize) -> Option<f64> {
 fn place(film: &View) -> Option<f64> {
     let ([m_x, m_y], [x, y]) = (film.measured.load.total.moment, film.measured.load.total.force);
     (film.problem.can_tilt() && film.is_directed).then(|| (m_x * x + m_y * y) / film.force.powi(2))
-}
-
-fn place_bar(estimate: &dyn Estimate, at: &Subject) -> Option<Bar> {
-    let [x, y] = estimate.moment()?;
-    let (force, along) = (at.view.force, at.view.measured.load.total.force);
-    let bar = x.scaled(along[0] / force) + y.scaled(along[1] / force) + estimate.load().scaled(at.value);
-    // The direction of the load turns the moment across it into its place.
-    let [m_x, m_y] = at.view.measured.load.total.moment;
-    let across = (m_y * along[0] - m_x * along[1]) / force;
-    let turn = estimate.across()?.scaled(across / force);
-    Some((bar + turn).scaled(1.0 / force))
 }
