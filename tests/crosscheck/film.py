@@ -100,7 +100,7 @@ class Film:
 
         @skfem.BilinearForm
         def form(q, v, w):
-            h = scene.film_thickness(w.x[0])
+            h = scene.film_thickness(*w.x)
             return h**3 / (12 * scene.viscosity) * (q.grad[0] * v.grad[0] + q.grad[1] * v.grad[1])
 
         return form.assemble(self.basis)
@@ -111,8 +111,8 @@ class Film:
 
         @skfem.LinearForm
         def form(v, w):
-            drag = scene.speed * scene.radius / 2 * scene.film_thickness(w.x[0])
-            return drag * v.grad[0] - scene.thickness_rate(w.x[0]) * v
+            drag = scene.speed * scene.radius / 2 * scene.film_thickness(*w.x)
+            return drag * v.grad[0] - scene.thickness_rate(*w.x) * v
 
         return self.glue.T @ form.assemble(self.basis)
 

@@ -9,7 +9,7 @@ import numpy as np
 UNITS = {
     "m": 1.0, "mm": 1e-3, "um": 1e-6,
     "Pa": 1.0, "kPa": 1e3, "bar": 1e5, "MPa": 1e6,
-    "deg": np.pi / 180, "rad": 1.0, "rad/s": 1.0, "rpm": np.pi / 30, "m/s": 1.0, "mm/s": 1e-3, "um/s": 1e-6,
+    "deg": np.pi / 180, "rad": 1.0, "mrad": 1e-3, "rad/s": 1.0, "rpm": np.pi / 30, "m/s": 1.0, "mm/s": 1e-3, "um/s": 1e-6,
     "Pa.s": 1.0, "mPa.s": 1e-3, "1/Pa": 1.0, "kN": 1e3,
 }  # fmt: skip
 
@@ -50,6 +50,8 @@ class Scene:
     min_film_angle: float
     speed: float
     squeeze: tuple
+    tilt: tuple
+    tilt_rate: tuple
     film_start: float | None
     end_pressure: float
     feeds: list
@@ -59,15 +61,18 @@ class Scene:
     cavitation: str
     cavitation_pressure: float
 
-    def film_thickness(self, x):
-        """h = c (1 - eps cos(phi - phi_min)) [m] at x = R phi."""
-        phi = x / self.radius - self.min_film_angle
-        return self.clearance * (1 - self.eccentricity * np.cos(phi))
+    def film_thickness(self, x, z):
+        """h = c (1 - eps cos(phi - phi_min)) - z g . n [m] at x = R phi, n = (cos phi, sin phi)."""
+        phi = x / self.radius
+        straight = self.clearance * (1 - self.eccentricity * np.cos(phi - self.min_film_angle))
+        return straight - z * (self.tilt[0] * np.cos(phi) + self.tilt[1] * np.sin(phi))
 
-    def thickness_rate(self, x):
-        """dh/dt = -v_r cos(phi - phi_min) - v_t sin(phi - phi_min) [m/s] at x = R phi."""
-        phi = x / self.radius - self.min_film_angle
-        return -self.squeeze[0] * np.cos(phi) - self.squeeze[1] * np.sin(phi)
+    def thickness_rate(self, x, z):
+        """dh/dt = -v_r cos(phi - phi_min) - v_t sin(phi - phi_min) - z g' . n [m/s] at x = R phi."""
+        phi = x / self.radius
+        turned = phi - self.min_film_angle
+        straight = -self.squeeze[0] * np.cos(turned) - self.squeeze[1] * np.sin(turned)
+        return straight - z * (self.tilt_rate[0] * np.cos(phi) + self.tilt_rate[1] * np.sin(phi))
 
     def holes(self):
         """(group, x, z, radius) of the feeds with a given circle."""
@@ -91,6 +96,8 @@ def read_scene(path):
         min_film_angle=si(journal["min_film_angle"]),
         speed=si(journal["speed"]),
         squeeze=tuple(si(squeeze.get(key, "0 m/s")) for key in ("radial", "tangential")),
+        tilt=_towards_x_and_y(journal.get("tilt", {}), "0 rad"),
+        tilt_rate=_towards_x_and_y(journal.get("tilt_rate", {}), "0 rad/s"),
         film_start=film_start and si(film_start),
         end_pressure=si(table.get("ends", {}).get("pressure", "0 Pa")),
         feeds=[_feed(feed, radius) for feed in table.get("feed", [])],
@@ -100,6 +107,10 @@ def read_scene(path):
         cavitation=cavitation.get("model", "none"),
         cavitation_pressure=si(cavitation.get("pressure", "0 Pa")),
     )
+
+
+def _towards_x_and_y(table, nothing):
+    return tuple(si(table.get(axis, nothing)) for axis in ("x", "y"))
 
 
 def _feed(table, radius):

@@ -113,7 +113,7 @@ def test_cylinder_has_the_radius_and_the_same_fields(film):
     x, y, z = np.asarray(cylinder.points).T
     assert np.abs(np.hypot(x, y) / scene.radius - 1).max() < 1e-12
     assert z.min() == pytest.approx(-scene.length / 2) and z.max() == pytest.approx(scene.length / 2)
-    h = scene.film_thickness(scene.radius * np.arctan2(y, x))
+    h = scene.film_thickness(scene.radius * np.arctan2(y, x), z)
     assert np.abs(cylinder.point_data["film_thickness"] - h).max() < 1e-12 * h.max()
     for name in FIELDS:
         assert plane.point_data[name].min() == cylinder.point_data[name].min()

@@ -171,7 +171,7 @@ SHIPPED = sorted(path.stem for path in SCENES.glob("*.toml") if uses_the_model(p
 
 def compare(path, folder):
     """Both films of a scene on a mesh file. The bounded film is unique, so they agree to what the methods leave (1e-10)."""
-    result, _ = solve(path, folder / "out", unrolled=True, bars=False)
+    result, grid = solve(path, folder / "out", unrolled=True, bars=False)
     rule, _ = crosscheck_data(path, folder / "data")
     film = solve_film(read_scene(path), rule)
     cost = quantity(result, "load") / film.load - 1
@@ -179,7 +179,9 @@ def compare(path, folder):
     assert quantity(result, "load") == pytest.approx(film.load, rel=1e-8)
     assert quantity(result, "load_x") == pytest.approx(film.load_x, abs=1e-8 * film.load)
     assert quantity(result, "load_y") == pytest.approx(film.load_y, abs=1e-8 * film.load)
-    assert quantity(result, "pressure_max") == pytest.approx(film.pressure.max(), rel=1e-2)
+    assert grid.point_data["pressure"].max() == pytest.approx(film.pressure.max(), rel=1e-6)
+    # The greatest pressure lies between nodes, more so where the peak is narrow.
+    assert 1 - 1e-9 <= quantity(result, "pressure_max") / film.pressure.max() <= 1.03
 
 
 @pytest.mark.parametrize(("name", "changes"), CASES.values(), ids=CASES.keys())
@@ -198,5 +200,7 @@ def test_shipped_scenes_agree(name, tmp_path):
     if "load" in table:
         angle = f"{quantity(result, 'min_film_angle')!r} deg"
         position = {"eccentricity": quantity(result, "eccentricity"), "min_film_angle": angle}
+        if "tilt_x" in result["quantities"]:
+            position["tilt"] = {axis: f"{quantity(result, f'tilt_{axis}')!r} rad" for axis in "xy"}
     path = write_variant(source, tmp_path / "scene.toml", mesh=mesh, position=position)
     compare(path, tmp_path)

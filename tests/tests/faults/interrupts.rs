@@ -73,7 +73,7 @@ fn a_refinement_ends_with_the_best_answer_so_far() {
     let bench = Bench::new();
     bench.write(
         "scene.toml",
-        edited("09_drawn_ring", &[]) + "\n[mesh]\ntolerance = \"0.0000001 %\"\n",
+        edited("09_drawn_ring", &[]) + "\n[mesh]\ntolerance = \"0.0000001 %\"\n[cavitation]\nmodel = \"reynolds\"\n",
     );
     let result = interrupted(&bench, 0.3);
     assert_eq!(result["status"], "not_converged");

@@ -88,7 +88,7 @@ pub(crate) fn contact(bearing: &Bearing, offset: [f64; 2], tilt: [f64; 2]) -> Op
     );
     let room = bearing.clearance - offset[0].hypot(offset[1]);
     let help = format!(
-        "give a smaller tilt, below {:.3} mrad in any direction at this eccentricity, or a smaller eccentricity",
+        "give a smaller tilt (x and y together below {:.3} mrad at this eccentricity, clearance and length), or a smaller eccentricity",
         1e3 * room / half
     );
     Some((message, help))
