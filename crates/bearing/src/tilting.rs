@@ -35,14 +35,16 @@ impl Search<'_> {
             let next = f64::min(reached + part, 1.0);
             let search = Search::new(problem, self.system, self.load.with_part_of_tilting(next), self.options);
             match search.run(&found.problem, found.problem.journal) {
-                Ok(balanced) if balanced.is_ended || next == 1.0 => return Ok(balanced),
+                Ok(balanced) if next == 1.0 => return Ok(balanced),
+                // The best position so far, judged by the whole load.
+                Ok(balanced) if balanced.is_ended => return self.run(problem, balanced.problem.journal),
                 Ok(balanced) if !is_contact(&balanced.problem.bearing, &balanced.problem.journal) => {
                     (found, reached, part) = (balanced, next, GROWTH * part);
                 }
                 _ if part > SHORTEST && gap(&found) > AT_CONTACT && !self.options.deadline.is_over() => part *= 0.5,
                 outcome => {
                     let reason = || self.in_contact(&found, reached);
-                    let is_near = gap(&found) < NEAR_CONTACT;
+                    let is_near = gap(&found) < NEAR_CONTACT && !self.options.deadline.is_over();
                     return outcome
                         .and_then(|_| Err(reason()))
                         .map_err(|other| if is_near { reason() } else { other });
