@@ -18,7 +18,7 @@
 //! |---|---|---|
 //! | eta_K | unit of J | [`GoalError::shares`] |
 //! | G | unit of J | [`GoalError::geometry`] |
-//! | A | unit of J | [`GoalError::algebra`] |
+//! | A | unit of J | [`GoalError::algebra`], [`GoalError::scatter`] |
 //! | W, beta | N, rad | [`FilmError::load`], [`FilmError::across`] |
 //!
 //! **Source.** Bank and Smith, SIAM J. Numer. Anal. 30 (1993) 921 (two degrees); Becker and Rannacher, Acta Numerica 10 (2001) 1
@@ -51,6 +51,9 @@ const PER_UNSURE: f64 = 2.0;
 
 /// What the pieces of a difference leave where they cancel.
 const PER_SUM: f64 = 0.05;
+
+/// Of the scatter of residuals, in the algebra part.
+const DEVIATIONS: f64 = 3.0;
 
 /// What the cubic film leaves of a difference `eta` whose shares have magnitudes of this `sum`, where the solution is smooth: the error of the
 /// quadratic film decreases like h^4, that of the cubic one like h^6, so that the latter is `c |eta| sqrt(|eta| / size)` for a goal of this
@@ -161,6 +164,8 @@ pub struct GoalError {
     pub geometry: f64,
     /// Error of the equation solved: exact less computed.
     pub algebra: f64,
+    /// Root of the sum of the squares of its parts, one for each residual, which have either sign: their sum may be small by chance.
+    pub scatter: f64,
 }
 
 impl GoalError {
@@ -172,6 +177,7 @@ impl GoalError {
         }
         self.geometry += factor * other.geometry;
         self.algebra += factor * other.algebra;
+        self.scatter += factor.abs() * other.scatter;
         self
     }
 }
@@ -264,7 +270,7 @@ impl FilmError {
         let triangles = size.map_or(plain, |size| {
             plain.min(smooth_law(eta, all - corner - bend, size) + PER_CORNER * bend)
         });
-        let algebra = goal.algebra.abs();
+        let algebra = goal.algebra.abs().max(DEVIATIONS * goal.scatter);
         Bar {
             discretisation: triangles + PER_CORNER * corner,
             front: per_front * front,
@@ -315,8 +321,8 @@ impl FilmError {
         }
     }
 
-    /// Bar of a flow [m3/s], which follows the law of smooth films if it has a `size` [m3/s]; `unsure` [m3/s] is booked by where the edge of a cavity runs within a triangle, or at nodes of two
-    /// regions.
+    /// Bar of a flow [m3/s], which follows the law of smooth films if it has a `size` [m3/s]; `unsure` [m3/s] is booked by where the edge of a cavity
+    /// runs within a triangle, or at nodes of two regions.
     pub fn flow(&self, goal: &GoalError, size: Option<f64>, unsure: f64, value: Value) -> Bar {
         let bar = self.bar(goal, size, value, 1.0);
         Bar {

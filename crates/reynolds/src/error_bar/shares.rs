@@ -188,20 +188,16 @@ impl<'a> Split<'a> {
         for (product, (z, reaction)) in products.quadratic.iter_mut().zip(dual.iter().zip(&self.reaction)) {
             *product += z * reaction;
         }
+        let parts = self.residual.iter().zip(&raised).map(|(r, z)| -r * z);
+        let (algebra, squares) = parts.fold((0.0, 0.0), |(sum, squares), part| (sum + part, squares + part * part));
         let error = GoalError {
             shares: between.shared(&products),
             geometry: 0.0,
-            algebra: with_scatter(self.residual.iter().zip(&raised).map(|(r, z)| -r * z)),
+            algebra,
+            scatter: squares.sqrt(),
         };
         Ok((dual, error))
     }
-}
-
-/// A sum of parts of either sign, but no less than what scatter leaves of it: it may be small by chance.
-fn with_scatter(parts: impl Iterator<Item = f64>) -> f64 {
-    const DEVIATIONS: f64 = 3.0;
-    let (sum, squares) = parts.fold((0.0, 0.0), |(sum, squares), part| (sum + part, squares + part * part));
-    sum.abs().max(DEVIATIONS * f64::sqrt(squares)).copysign(sum)
 }
 
 /// What the vectors of goals in cubic functions are made of.
