@@ -111,7 +111,11 @@ fn the_share_of_a_union_has_a_bar() {
         let scene = written(&text.replace("size = \"2 mm\"", &format!("size = \"{size}\"")));
         let result = run(&scene, &RunOptions::default()).expect("a film").result;
         let share = result.by_name("load_y.groove+other").expect("its share");
-        (share.value, share.error().expect("a bar"))
+        let bar = share.error().expect("a bar");
+        // It is in the bar of the whole load as well.
+        let whole = result.by_name("load").and_then(|load| load.bar).expect("a bar");
+        assert!(whole.geometry >= bar, "{whole:?} {bar:e}");
+        (share.value, bar)
     };
     let ([coarse, fine], straight) = (["3 mm", "1 mm"].map(|size| share(HOLE, size)), share(wide, "3 mm"));
     assert!(coarse.1 > 0.0 && fine.1 < coarse.1, "{coarse:?} {fine:?}");

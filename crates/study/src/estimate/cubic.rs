@@ -4,6 +4,7 @@ use oilwedge_fem::Field;
 use oilwedge_reynolds::error_bar::{Bar, FilmError, FlowGoal, Value};
 use oilwedge_reynolds::quantities::cavity::hidden_share;
 use oilwedge_reynolds::quantities::inlet::inlet_flows;
+use oilwedge_reynolds::quantities::load::rim_error;
 use oilwedge_reynolds::supply::{BoundaryKind, SupplyRegion};
 use oilwedge_reynolds::{FilmSolution, FilmSystem};
 
@@ -62,7 +63,7 @@ impl Estimate for CubicPair<'_> {
     }
 
     fn pressure_integral(&self) -> Bar {
-        self.error.pressure_integral(self.value) + self.rounding()
+        self.error.pressure_integral(self.value) + self.unseen()
     }
 
     fn greatest_pressure(&self) -> f64 {
@@ -163,15 +164,21 @@ impl CubicPair<'_> {
 
     /// Of the load along and across its direction [N].
     fn bars(&self) -> [Bar; 2] {
-        [self.error.load(self.value), self.error.across(self.value)].map(|bar| bar + self.rounding())
+        [self.error.load(self.value), self.error.across(self.value)].map(|bar| bar + self.unseen())
     }
 
-    /// What rounding of the film thickness does to a load: as much as to that of the drag through the whole clearance.
-    fn rounding(&self) -> Bar {
-        let bearing = &self.film.problem.bearing;
-        let load = drag(&self.film.problem) * 2.0 * bearing.radius * bearing.length;
+    /// What neither film sees of a load [N]: rounding of the film thickness, as much as for the drag through the whole clearance; and rims that are no
+    /// single circle, whose arcs are parabolas of the mesh.
+    fn unseen(&self) -> Bar {
+        let Film { problem, system, .. } = self.film;
+        let load = drag(problem) * 2.0 * problem.bearing.radius * problem.bearing.length;
+        let regions = system.supply.regions().iter();
+        let cut_out = regions.filter(|region| region.kind == BoundaryKind::Feed);
         Bar {
             algebra: f64::EPSILON * load,
+            geometry: cut_out
+                .map(|region| rim_error(problem, system.space().mesh(), region))
+                .sum(),
             ..Bar::default()
         }
     }
