@@ -64,8 +64,8 @@ fn least(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> (f6
 
 /// Least film thickness over the mesh, and where it is.
 ///
-/// At each end of the bearing the gap is least at one angle. If the liner covers it at both ends, the film is least there; else at an edge of the
-/// liner, where that of the nodes is taken.
+/// At each end of the bearing the gap is least at one angle. If the liner covers that of the thinner end, the film is least there; else at the other end
+/// or at an edge of the liner, where that of the nodes is taken.
 pub fn thinnest(problem: &FilmProblem, system: &FilmSystem) -> Thinnest {
     let (bearing, journal) = (&problem.bearing, &problem.journal);
     let mesh = system.space().mesh();

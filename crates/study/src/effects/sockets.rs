@@ -92,6 +92,7 @@ impl Sockets {
         present(scene).for_each(|effect| (effect.install)(scene, &mut sockets));
         sockets
     }
+
     /// Force and moment under which position and tilt are found; `None` at a given position.
     pub fn load(&self) -> Option<Load> {
         let tilting = self.tilting;
