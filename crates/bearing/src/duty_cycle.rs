@@ -1,0 +1,165 @@
+//! # The load of a journal over a cycle, by crank angle
+//!
+//! **Frames.** The film sees the frame of the bearing's shell. Loads are also given in two others:
+//!
+//! | frame | axes | to the shell |
+//! |---|---|---|
+//! | [`Frame::Shell`] | of the bearing, x at angle 0 | - |
+//! | [`Frame::Cylinder`] | x from the centre of the crank to the cylinder, y a right angle from it | turned by beta in a rod, else the same |
+//! | [`Frame::Pin`] | of the journal: x along the throw, from the centre of the crank to the pin | turned by the crank angle theta, then as the cylinder's |
+//!
+//! Angles grow from x to y in all of them. A shell in a rod turns with it: x lies along the rod from the big end to the small end, and the journal turns against it with
+//! `omega (1 + d beta/d theta)`. The film has no inertia, so nothing else changes.
+//!
+//! **Signs.** A force F is that of [`crate::Load`]: external, on the journal; the film pushes the journal with -F and the shell with F. The crank angle
+//! grows with time. Where the journal turns towards falling angles of its bearing, the mechanism is mirrored in the x axis.
+//!
+//! | symbol | unit | code |
+//! |---|---|---|
+//! | theta, its period | rad | `angle`, `period` |
+//! | F, M | N, N m | [`Duty::force`], [`Duty::moment`] |
+//! | omega; against the shell | rad/s | [`Turning::speed`]; [`Duty::speed`] |
+//!
+//! **Source.** Mechanics of the slider crank ([`crank`]); periodic cubic spline: C. de Boor, A Practical Guide to Splines, 1978, ch. IV ([`spline`]). **Range.**
+//! Constant speed of the crank. **Verified by** `duty_cycle/tests.rs` and `tests/tests/duty_cycle.rs`.
+
+pub mod crank;
+mod frame;
+mod harmonics;
+pub mod spline;
+mod table;
+#[cfg(test)]
+mod tests;
+
+pub use crank::{Crank, GasPressure, Linkage, PressureCurve};
+pub use frame::{Frame, Turning};
+pub use harmonics::Harmonic;
+pub use spline::{NoSpline, PeriodicSpline};
+pub use table::LoadPoint;
+
+use frame::Acting;
+
+/// What acts on a journal at one crank angle, in the frame of the bearing's shell.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Duty {
+    /// External force on the journal [N], which the film carries.
+    pub force: [f64; 2],
+    /// Moment on the journal [N m], which does work on the tilt: `Int z dF`.
+    pub moment: [f64; 2],
+    /// Angular speed [rad/s] of the journal against the bearing's shell.
+    pub speed: f64,
+}
+
+/// The load of a journal over a cycle. It is defined at any angle, and periodic.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DutyCycle {
+    period: f64,
+    angular_speed: f64,
+    corners: Vec<f64>,
+    source: Source,
+}
+
+/// Where a load comes from.
+#[derive(Debug, Clone, PartialEq)]
+enum Source {
+    /// It does not change.
+    Constant(Duty),
+    /// A spline through the points of a table, in the frame of the shell.
+    Table(Turning, PeriodicSpline<4>),
+    /// Harmonics in a frame.
+    Harmonics(Turning, Frame, Vec<Harmonic>),
+    /// The big end of a crank.
+    BigEnd(Turning, Crank),
+}
+
+impl DutyCycle {
+    /// A load that does not change, with a nominal period [rad] of the crank angle and an angular speed [rad/s] of the crank.
+    pub fn constant(duty: Duty, period: f64, angular_speed: f64) -> Self {
+        Self {
+            period,
+            angular_speed,
+            corners: Vec::new(),
+            source: Source::Constant(duty),
+        }
+    }
+
+    /// The load through points of a table in a frame, at growing angles less than `period` [rad] apart; the first is not repeated at the end. The
+    /// points are turned to the frame of the shell, and joined there by a periodic cubic spline, so that tables of the same forces in several frames
+    /// are the same load. The second derivative of a spline is continuous: there are no corners.
+    ///
+    /// # Errors
+    /// [`NoSpline`]: the angles do not grow, or there are too few points.
+    pub fn of_table(points: &[LoadPoint], period: f64, frame: Frame, turning: Turning) -> Result<Self, NoSpline> {
+        let spline = table::spline(points, period, frame, &turning)?;
+        Ok(Self::of(period, turning, Source::Table(turning, spline)))
+    }
+
+    /// The load that is a sum of harmonics in a frame; `period` [rad] is one of all of them.
+    pub fn of_harmonics(harmonics: Vec<Harmonic>, period: f64, frame: Frame, turning: Turning) -> Self {
+        Self::of(period, turning, Source::Harmonics(turning, frame, harmonics))
+    }
+
+    /// The load of the big end of a crank that turns with `speed` [rad/s], positive towards growing angles of the bearing.
+    pub fn of_big_end(crank: Crank, speed: f64) -> Self {
+        let rod = Some(crank.linkage);
+        let turning = Turning { speed, rod };
+        Self::of(crank.gas.period(), turning, Source::BigEnd(turning, crank))
+    }
+
+    fn of(period: f64, turning: Turning, source: Source) -> Self {
+        Self {
+            period,
+            angular_speed: turning.speed.abs(),
+            corners: Vec::new(),
+            source,
+        }
+    }
+
+    /// Period of the crank angle [rad].
+    pub fn period(&self) -> f64 {
+        self.period
+    }
+
+    /// Angular speed of the crank [rad/s]: the rate of the crank angle.
+    pub fn angular_speed(&self) -> f64 {
+        self.angular_speed
+    }
+
+    /// What acts on the journal at a crank angle [rad].
+    pub fn at(&self, angle: f64) -> Duty {
+        let angle = angle.rem_euclid(self.period);
+        match &self.source {
+            Source::Constant(duty) => *duty,
+            Source::Table(turning, spline) => turning.duty(Acting::of_parts(spline.at(angle)), Frame::Shell, angle),
+            Source::Harmonics(turning, frame, harmonics) => {
+                turning.duty(Acting::of_parts(harmonics::sum(harmonics, angle)), *frame, angle)
+            }
+            Source::BigEnd(turning, crank) => {
+                let [x, y] = crank.force_on_pin(angle, turning.speed);
+                let acting = Acting::of_parts([-x, -turning.sense() * y, 0.0, 0.0]);
+                turning.duty(acting, Frame::Cylinder, angle)
+            }
+        }
+    }
+
+    /// Crank angles in [0, period) [rad], growing, at which the slope of the load jumps: ends of time steps.
+    pub fn corners(&self) -> &[f64] {
+        &self.corners
+    }
+
+    /// How the journal and the shell turn; `None`: the load is constant, and no crank is known.
+    pub fn turning(&self) -> Option<Turning> {
+        match &self.source {
+            Source::Constant(_) => None,
+            Source::Table(turning, _) | Source::Harmonics(turning, ..) | Source::BigEnd(turning, _) => Some(*turning),
+        }
+    }
+
+    /// The crank whose load it is, where there is one.
+    pub fn crank(&self) -> Option<&Crank> {
+        match &self.source {
+            Source::BigEnd(_, crank) => Some(crank),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,30 @@
+//! A load given by a table.
+
+use super::{Frame, NoSpline, PeriodicSpline, Turning};
+
+/// A row of a table of loads.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LoadPoint {
+    /// Crank angle [rad].
+    pub angle: f64,
+    /// Force on the journal [N].
+    pub force: [f64; 2],
+    /// Moment on the journal [N m].
+    pub moment: [f64; 2],
+}
+
+/// The spline through the points, in the frame of the shell.
+pub(super) fn spline(
+    points: &[LoadPoint],
+    period: f64,
+    frame: Frame,
+    turning: &Turning,
+) -> Result<PeriodicSpline<4>, NoSpline> {
+    let in_shell = |point: &LoadPoint| {
+        let [x, y] = turning.to_shell(point.force, frame, point.angle);
+        let [m_x, m_y] = turning.to_shell(point.moment, frame, point.angle);
+        [x, y, m_x, m_y]
+    };
+    let angles = points.iter().map(|point| point.angle).collect();
+    PeriodicSpline::new(angles, points.iter().map(in_shell).collect(), period)
+}
