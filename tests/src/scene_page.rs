@@ -6,13 +6,14 @@ use oilwedge_scene::keys::Key;
 use crate::tables::{replace, row};
 
 /// Tables of a scene that have a table of the page.
-const TABLES: [&str; 12] = [
+const TABLES: [&str; 13] = [
     "bearing",
     "mesh",
     "ends",
     "feed",
     "journal",
     "load",
+    "crank",
     "support",
     "oil",
     "heat",

@@ -3,8 +3,10 @@
 
 use std::path::Path;
 
+use oilwedge_report::load_sheet::LoadSheet;
 use oilwedge_scene::unit::Dimension;
 use oilwedge_scene::{Scene, SceneError};
+use oilwedge_study::duty::duty_cycle;
 use oilwedge_study::{RunOptions, run};
 use oilwedge_tests::program::repository;
 use oilwedge_tests::scenes::{path, table, variant};
@@ -67,7 +69,7 @@ fn parse(scene: &toml::Table) -> Result<Scene, SceneError> {
 fn examples_of_scenes_are_scenes() {
     let page = page("scene.md");
     let examples = blocks(&page, "toml");
-    assert_eq!(examples.len(), 24);
+    assert_eq!(examples.len(), 27);
     for example in examples {
         parse(&plain_ring_with(example)).unwrap_or_else(|error| panic!("{example}\n{error}"));
     }
@@ -76,7 +78,7 @@ fn examples_of_scenes_are_scenes() {
 #[test]
 fn every_key_of_a_scene_is_explained() {
     let fragment = "zzzz = 1\n[bearing]\nzzzz = 1\narc = { from = \"0 deg\", to = \"9 deg\", zzzz = 1 }\n[mesh]\nzzzz = 1\ntolerance = { zzzz = \"1 %\" }\n\
-        [ends]\nzzzz = 1\n[[feed]]\nzzzz = 1\nhole = { zzzz = 1 }\ngroove = { zzzz = 1 }\n[journal]\nzzzz = 1\nsqueeze = { zzzz = 1 }\n[load]\nzzzz = 1\n[oil]\nzzzz = 1\n\
+        [ends]\nzzzz = 1\n[[feed]]\nzzzz = 1\nhole = { zzzz = 1 }\ngroove = { zzzz = 1 }\n[journal]\nzzzz = 1\nsqueeze = { zzzz = 1 }\n[load]\nzzzz = 1\nharmonics = [{ zzzz = 1 }]\n[crank]\nzzzz = 1\ngas = { zzzz = 1 }\n[oil]\nzzzz = 1\n\
         barus = { zzzz = 1 }\nroelands = { zzzz = 1 }\nwalther = { zzzz = 1 }\nvogel = { zzzz = 1 }\ntable = [{ zzzz = 1 }]\n\
         density = { zzzz = 1 }\n[heat]\nzzzz = 1\nhousing = { zzzz = 1 }\nmixing = { zzzz = 1 }\n[cavitation]\nzzzz = 1\n\
         [cap]\nzzzz = 1\nbolts = { zzzz = 1 }\nshell = { zzzz = 1 }\n";
@@ -85,7 +87,7 @@ fn every_key_of_a_scene_is_explained() {
     };
     let page = page("scene.md") + &page("quantities.md");
     let unknown: Vec<_> = complaints.iter().filter(|it| it.key.ends_with("zzzz")).collect();
-    assert_eq!(unknown.len(), 26);
+    assert_eq!(unknown.len(), 29);
     for complaint in unknown {
         let known = complaint.help.strip_prefix("known here: ").expect("the known keys");
         for key in known.split(", ") {
@@ -171,6 +173,20 @@ fn result(name: &str) -> Value {
 fn result_of(scene: &Scene) -> Value {
     let run = run(scene, &RunOptions::default()).unwrap_or_else(|error| panic!("{error}"));
     serde_json::from_str(&oilwedge_report::json(&run.result).expect("finite numbers")).expect("JSON")
+}
+
+/// The page of loads has each key of `load.json`.
+#[test]
+fn every_key_of_a_load_is_explained() {
+    let page = page("load.md");
+    let scene = oilwedge_study::read(&path("loads/crank_big_end")).unwrap_or_else(|error| panic!("{error}"));
+    let cycle = duty_cycle(&scene).unwrap_or_else(|error| panic!("{error}"));
+    let sheet = LoadSheet::of(&scene, &cycle.expect("a load over a cycle"));
+    let sheet: Value = serde_json::from_str(&oilwedge_report::json(&sheet).expect("finite numbers")).expect("JSON");
+    let keys = |value: &Value| -> Vec<String> { value.as_object().expect("an object").keys().cloned().collect() };
+    for key in [keys(&sheet), keys(&sheet["peak"]), keys(&sheet["rows"][0])].concat() {
+        assert!(page.contains(&format!("`{key}`")), "{key}");
+    }
 }
 
 #[test]

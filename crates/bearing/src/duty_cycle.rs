@@ -27,6 +27,7 @@ pub mod crank;
 mod frame;
 mod harmonics;
 pub mod spline;
+mod summary;
 mod table;
 #[cfg(test)]
 mod tests;
@@ -35,6 +36,7 @@ pub use crank::{Crank, GasPressure, Linkage, PressureCurve};
 pub use frame::{Frame, Turning};
 pub use harmonics::Harmonic;
 pub use spline::{NoSpline, PeriodicSpline};
+pub use summary::Summary;
 pub use table::LoadPoint;
 
 use frame::Acting;
@@ -56,6 +58,7 @@ pub struct DutyCycle {
     period: f64,
     angular_speed: f64,
     corners: Vec<f64>,
+    at: f64,
     source: Source,
 }
 
@@ -79,6 +82,7 @@ impl DutyCycle {
             period,
             angular_speed,
             corners: Vec::new(),
+            at: 0.0,
             source: Source::Constant(duty),
         }
     }
@@ -111,8 +115,15 @@ impl DutyCycle {
             period,
             angular_speed: turning.speed.abs(),
             corners: Vec::new(),
+            at: 0.0,
             source,
         }
+    }
+
+    /// This load with its force at the axial position `at` [m], 0 midway between the ends: the moment grows by that of the force.
+    #[must_use]
+    pub fn acting_at(self, at: f64) -> Self {
+        Self { at, ..self }
     }
 
     /// Period of the crank angle [rad].
@@ -128,7 +139,7 @@ impl DutyCycle {
     /// What acts on the journal at a crank angle [rad].
     pub fn at(&self, angle: f64) -> Duty {
         let angle = angle.rem_euclid(self.period);
-        match &self.source {
+        let mut duty = match &self.source {
             Source::Constant(duty) => *duty,
             Source::Table(turning, spline) => turning.duty(Acting::of_parts(spline.at(angle)), Frame::Shell, angle),
             Source::Harmonics(turning, frame, harmonics) => {
@@ -139,7 +150,11 @@ impl DutyCycle {
                 let acting = Acting::of_parts([-x, -turning.sense() * y, 0.0, 0.0]);
                 turning.duty(acting, Frame::Cylinder, angle)
             }
+        };
+        for (moment, force) in duty.moment.iter_mut().zip(duty.force) {
+            *moment += self.at * force;
         }
+        duty
     }
 
     /// Crank angles in [0, period) [rad], growing, at which the slope of the load jumps: ends of time steps.

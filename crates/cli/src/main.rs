@@ -12,6 +12,7 @@ mod diff;
 mod explain;
 mod interrupt;
 mod levels_table;
+mod load;
 mod mesh;
 mod new;
 mod oil;
@@ -59,6 +60,7 @@ Examples:
   oilwedge mesh bearing.toml -o liner.msh          mesh its liner, to a gmsh file
   oilwedge converge bearing.toml                   the cost of accuracy, in unknowns and seconds
   oilwedge sweep bearing.toml                      solve all cases of its [sweep], to a table
+  oilwedge load big_end.toml                       the load over a cycle, and its polar diagrams
   oilwedge report out/bearing --open               one page about results, in the browser
   oilwedge oil SAE 10W-40 --at \"80 C\"              viscosity and density of an oil
   oilwedge new bearing.toml --kind groove          a scene with comments to begin with
@@ -81,6 +83,8 @@ enum Verb {
     Converge(converge::Converge),
     /// Solve a scene for all values of its [sweep], to a table with one row a case.
     Sweep(sweep::Sweep),
+    /// Print and draw the load of a scene over a cycle.
+    Load(load::Load),
     /// Draw the film of a scene, or the results in a folder, as SVG and PNG.
     Plot(plot::Plot),
     /// Write one HTML page about the results in a folder.
@@ -112,6 +116,7 @@ fn main() -> ExitCode {
         Verb::Mesh(mesh) => mesh.run(),
         Verb::Converge(converge) => converge.run(),
         Verb::Sweep(sweep) => sweep.run(),
+        Verb::Load(load) => load.run(),
         Verb::Plot(plot) => plot.run(),
         Verb::Report(report) => report.run(),
         Verb::Oil(oil) => oil.run(),

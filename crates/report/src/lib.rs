@@ -10,6 +10,7 @@ pub mod digits;
 mod error;
 pub mod folder;
 pub mod json;
+pub mod load_sheet;
 pub mod oil_sheet;
 pub mod page;
 pub mod plot;

@@ -19,6 +19,8 @@ static TABLES: &[&[Key]] = &[
     crate::journal::squeeze::KEYS,
     crate::journal::tilt::KEYS,
     crate::load::KEYS,
+    crate::load::cycle::KEYS,
+    crate::crank::KEYS,
     crate::support::KEYS,
     crate::oil::KEYS,
     crate::oil::temperature::KEYS,

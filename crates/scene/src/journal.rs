@@ -55,13 +55,15 @@ pub enum Position {
         /// Direction of the force [rad], from +x towards +y.
         angle: f64,
     },
+    /// On an orbit, under a load that changes over a cycle.
+    Cycle,
 }
 
 impl Journal {
-    /// The force on the journal `(F cos, F sin)` [N]; `None` at a given position.
+    /// The force on the journal `(F cos, F sin)` [N]; `None` at a given position and under a load that changes.
     pub fn load(&self) -> Option<[f64; 2]> {
         match self.position {
-            Position::Given { .. } => None,
+            Position::Given { .. } | Position::Cycle => None,
             Position::Load { force, angle } => Some([force * angle.cos(), force * angle.sin()]),
         }
     }

@@ -4,8 +4,9 @@
 //! own [`Check`]s of what it cannot compute.
 //!
 //! Each table of the file has one source file of its name, with its data type, keys, units, defaults and ranges: `bearing.rs`, `mesh.rs`
-//! (and the tolerance in it, `tolerance.rs`), `ends.rs`, `feed.rs`, `journal.rs` (and `squeeze.rs`, `tilt.rs` in it), `load.rs`, `support.rs`, `oil.rs`, `heat.rs`, `limits.rs`,
-//! `cavitation.rs`, `cap.rs`, `sweep.rs`. `scene.rs` lists them.
+//! (and the tolerance in it, `tolerance.rs`), `ends.rs`, `feed.rs`, `journal.rs` (and `squeeze.rs`, `tilt.rs` in it), `load.rs` (and `cycle.rs` in it), `crank.rs`, `support.rs`, `oil.rs`, `heat.rs`, `limits.rs`,
+//! `cavitation.rs`, `cap.rs`, `sweep.rs`. `scene.rs` lists them; [`periodic_table`] reads the tables
+//! in files that a scene names.
 //!
 //! Reading order: `scene.rs`, `bearing.rs` as an example of a table, `reader.rs` (how a table is read and what is wrong with it collected),
 //! [`unit`] (quantities with units, by the table in `dimension.rs`), `complaint.rs`.
@@ -18,6 +19,7 @@ mod cap;
 pub mod catalogue;
 mod cavitation;
 mod complaint;
+mod crank;
 mod dimension;
 mod ends;
 mod error;
@@ -28,6 +30,7 @@ mod limits;
 mod load;
 mod mesh;
 mod oil;
+pub mod periodic_table;
 mod reader;
 mod scene;
 pub mod spelling;
@@ -41,12 +44,14 @@ pub use bearing::{Arc, Bearing, Theory};
 pub use cap::{Bolts, Cap, Shell};
 pub use cavitation::{Cavitation, CavitationModel};
 pub use complaint::{Check, Complaint, Complaints};
+pub use crank::{Crank, Drive, Gas};
 pub use ends::Ends;
 pub use error::SceneError;
 pub use feed::{Feed, Groove, Hole};
 pub use heat::*;
 pub use journal::*;
 pub use limits::Limits;
+pub use load::cycle::{Harmonic, LoadCycle, LoadFrame, LoadSource};
 pub use mesh::{Layout, MeshSource};
 pub use oil::*;
 pub use scene::{SCENE_LIMIT, SWEPT, Scene};

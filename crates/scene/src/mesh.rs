@@ -120,7 +120,7 @@ pub(crate) fn no_file(path: &Path) -> Option<String> {
     let path_text = path.display();
     match std::fs::metadata(path) {
         Ok(metadata) if metadata.is_file() => None,
-        Ok(metadata) if metadata.is_dir() => Some(format!("{path_text} is a folder, not a mesh file")),
+        Ok(metadata) if metadata.is_dir() => Some(format!("{path_text} is a folder, not a file")),
         Ok(_) => Some(format!("{path_text} is not a plain file")),
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => Some(format!("there is no file {path_text}")),
         Err(error) => Some(format!("cannot read {path_text}: {error}")),

@@ -11,10 +11,10 @@ use crate::complaint::in_order;
 use crate::reader::TableReader;
 use crate::sweep::{self, Plan};
 use crate::{
-    Bearing, Cap, Cavitation, Check, Complaint, Complaints, Ends, Engine, Feed, Heat, Journal, Limits, MeshSource, Oil,
-    SceneError, Support, Tolerance,
+    Bearing, Cap, Cavitation, Check, Complaint, Complaints, Crank, Ends, Engine, Feed, Heat, Journal, Limits,
+    LoadCycle, LoadSource, MeshSource, Oil, SceneError, Support, Tolerance,
 };
-use crate::{bearing, cap, cavitation, ends, feed, heat, journal, limits, load, mesh, oil, support};
+use crate::{bearing, cap, cavitation, crank, ends, feed, heat, journal, limits, load, mesh, oil, support};
 
 keys! {
     "title" = Text; "Plain journal bearing", "the name of the file", "",
@@ -29,13 +29,14 @@ const FAULT_LIMIT: usize = 5;
 const MESH_OPENING: &[u8] = b"$MeshFormat";
 
 /// Tables whose keys can be swept.
-pub const SWEPT: [&str; 11] = [
+pub const SWEPT: [&str; 12] = [
     "bearing",
     "mesh",
     "ends",
     "feed",
     "journal",
     "load",
+    "crank",
     "support",
     "oil",
     "heat",
@@ -43,10 +44,11 @@ pub const SWEPT: [&str; 11] = [
     "cavitation",
 ];
 /// Checks of keys that must fit each other, table by table.
-const CHECKS: [Check; 8] = [
+const CHECKS: [Check; 9] = [
     bearing::check,
     feed::check,
     journal::check,
+    load::check,
     support::check,
     oil::check,
     heat::check,
@@ -75,6 +77,10 @@ pub struct Scene {
     pub load_at: Option<f64>,
     /// Moment on the journal beside that of the load at its place [N m]; `None`: the scene gives none.
     pub load_moment: Option<[f64; 2]>,
+    /// How the load changes over a cycle; `None`: it does not, or the position is given.
+    pub load_cycle: Option<LoadCycle>,
+    /// The crank whose rod holds the shell; `None`: the shell is at rest.
+    pub crank: Option<Crank>,
     /// What holds the shaft against its tilt; `None`: nothing.
     pub support: Option<Support>,
     /// The oil.
@@ -138,6 +144,25 @@ impl Scene {
         Self::of_text(text, path, |_| None, checks)
     }
 
+    /// The files that it names: key, path, and what to give where there is none.
+    fn files(&self) -> impl Iterator<Item = (&'static str, &Path, &'static str)> {
+        const TABLE: &str = "give the path of a table with a header of units, counted from the folder of the scene";
+        let mesh = "give the path of a gmsh 4.1 file, counted from the folder of the scene";
+        let load = match self.load_cycle.as_ref().map(|cycle| &cycle.source) {
+            Some(LoadSource::File { path, .. }) => Some(path.as_path()),
+            _ => None,
+        };
+        let gas = self.crank.as_ref().and_then(Crank::gas_file);
+        let files = [
+            ("mesh.file", self.mesh.path(), mesh),
+            ("load.file", load, TABLE),
+            ("crank.gas.file", gas, TABLE),
+        ];
+        files
+            .into_iter()
+            .filter_map(|(key, path, help)| Some((key, path?, help)))
+    }
+
     /// What is wrong with a scene that was made of another one.
     pub fn complaints(&self, checks: &[Check]) -> Vec<Complaint> {
         let mut complaints = Complaints::default();
@@ -151,11 +176,11 @@ impl Scene {
         CHECKS.iter().chain(checks).for_each(|check| check(self, complaints));
     }
 
-    /// `no_mesh` says why the mesh cannot be read.
+    /// `no_file` says why a file that the scene names cannot be read.
     fn of_text(
         text: &str,
         path: &Path,
-        no_mesh: impl Fn(&Path) -> Option<String>,
+        no_file: impl Fn(&Path) -> Option<String>,
         checks: &[Check],
     ) -> Result<Self, SceneError> {
         let (document, faults) = DeTable::parse_recoverable(text);
@@ -166,7 +191,7 @@ impl Scene {
                 complaints: in_order(faults.iter().take(FAULT_LIMIT).map(fault).collect()),
             });
         }
-        match Self::of_document(document.get_ref(), text, path, no_mesh, checks) {
+        match Self::of_document(document.get_ref(), text, path, no_file, checks) {
             Ok(scene) => Ok(Self {
                 text: text.to_owned(),
                 sha256: Sha256::digest(text).iter().map(|byte| format!("{byte:02x}")).collect(),
@@ -185,18 +210,18 @@ impl Scene {
         document: &DeTable<'_>,
         text: &str,
         path: &Path,
-        no_mesh: impl Fn(&Path) -> Option<String>,
+        no_file: impl Fn(&Path) -> Option<String>,
         checks: &[Check],
     ) -> Result<Self, Vec<Complaint>> {
         let complaints = RefCell::new(Complaints::new(text));
         let scene = read(TableReader::root(&complaints, document), text, path);
         let mut complaints = complaints.into_inner();
         scene.check(&mut complaints, checks);
-        let file = "mesh.file";
-        let is_named = complaints.has(file) && !complaints.concern(file);
-        if let Some(message) = scene.mesh.path().and_then(no_mesh).filter(|_| is_named) {
-            let help = "give the path of a gmsh 4.1 file, counted from the folder of the scene";
-            complaints.add(file, message, help);
+        for (key, path, help) in scene.files() {
+            let is_named = complaints.has(key) && !complaints.concern(key);
+            if let Some(message) = no_file(path).filter(|_| is_named) {
+                complaints.add(key, message, help);
+            }
         }
         match complaints.into_list() {
             complaints if complaints.is_empty() => Ok(scene),
@@ -208,7 +233,7 @@ impl Scene {
 /// The scene as far as it can be read: numbers that were refused are NaN, and texts empty.
 pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene {
     let stem = || path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    let load = root.table_if_given("load").map(load::read);
+    let load = root.table_if_given("load").map(|table| load::read(table, path));
     let journal = match load {
         Some(_) => "[journal] with speed",
         None => "[journal] with speed, eccentricity and min_film_angle",
@@ -236,6 +261,10 @@ pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene 
         journal: journal::read(root.table("journal", journal), load.as_ref().map(|load| load.position)),
         load_at: load.as_ref().and_then(|load| load.at),
         load_moment: load.as_ref().and_then(|load| load.moment),
+        crank: root
+            .table_if_given("crank")
+            .map(|table| crank::read(table, path, load.as_ref().and_then(|load| load.cycle.as_ref()))),
+        load_cycle: load.and_then(|load| load.cycle),
         support: root.table_if_given("support").map(support::read),
         oil: oil::read(root.table("oil", "[oil] with viscosity = \"40 mPa.s\""), temperature),
         heat,

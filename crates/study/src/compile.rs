@@ -16,6 +16,7 @@ use oilwedge_reynolds::{FilmProblem, FilmSystem, JournalState, Theory};
 
 use crate::compile_error::CompileError;
 use crate::dimensions::bearing;
+use crate::duty::refuse_cycle;
 use crate::effects::Sockets;
 use crate::feed_region::{FeedRegion, feed_regions};
 use crate::film::{DEGREE, Film, MeshOrigin, Start};
@@ -56,6 +57,7 @@ pub fn compile_near(scene: &Scene, position: Position) -> Result<Film, CompileEr
 /// # Errors
 /// As [`compile`].
 pub fn compile_on(scene: &Scene, mesh: Mesh, position: Position, degree: usize) -> Result<Film, CompileError> {
+    refuse_cycle(scene)?;
     let clock = Instant::now();
     let (mesh, flips) = suited(scene, mesh);
     check_feed_groups(scene, &mesh)?;

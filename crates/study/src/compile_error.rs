@@ -55,6 +55,11 @@ pub enum CompileError {
     /// The liner described cannot be meshed.
     #[error("the liner described cannot be meshed:{}", list(.0))]
     Drawing(Vec<DrawingError>),
+    /// The load changes over a cycle.
+    #[error(
+        "the load changes over a cycle, so no steady film carries it; give [load] with force and angle for a steady film, or see the load alone with oilwedge load SCENE"
+    )]
+    NoSteadyFilm,
     /// A pocket with a depth is cut out of the mesh.
     #[error(
         "feed group \"{group}\" has a depth, but the mesh has no triangles there; mesh it as a physical surface, or give its pressure"

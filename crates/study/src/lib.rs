@@ -5,7 +5,7 @@
 //! ```
 //!
 //! Reading order: [`mod@compile`], [`isothermal`], [`thermal`], [`analysis`], [`mod@measure`], [`quantities`], [`estimate`], [`refinement`], [`mod@run`], [`result`],
-//! [`mod@picture`], [`film_lines`], [`fields`].
+//! [`mod@picture`], [`film_lines`], [`fields`]; [`duty`] (the load over a cycle).
 
 pub mod analysis;
 mod cap_joint;
@@ -14,6 +14,7 @@ pub mod column;
 pub mod compile;
 pub mod compile_error;
 mod dimensions;
+pub mod duty;
 pub mod effects;
 pub mod estimate;
 pub mod feed_region;

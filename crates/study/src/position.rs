@@ -115,8 +115,8 @@ impl Position {
         }
     }
 
-    /// The position at which a computation begins where nothing else is known: the one given, or for a load eps = 0.5 at 45 degrees from
-    /// the load in the sense of the rotation.
+    /// The position at which a computation begins where nothing else is known: the one given, for a load eps = 0.5 at 45 degrees from
+    /// the load in the sense of the rotation, and under a load that changes the middle of the bearing.
     pub fn middle(scene: &Scene) -> Self {
         let tilt = scene.journal.tilt.unwrap_or_default();
         match scene.journal.position {
@@ -126,6 +126,12 @@ impl Position {
             } => Self {
                 eccentricity,
                 min_film_angle,
+                tilt,
+            },
+            // The orbit is not known yet: a mesh is graded as for a journal in the middle.
+            scene::Position::Cycle => Self {
+                eccentricity: 0.0,
+                min_film_angle: 0.0,
                 tilt,
             },
             scene::Position::Load { angle, .. } => {

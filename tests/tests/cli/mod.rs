@@ -8,6 +8,7 @@ mod files;
 mod first_minutes;
 mod headlines;
 mod heat;
+mod load;
 mod meshes;
 mod oil;
 mod shipped;

@@ -107,6 +107,7 @@ fn help_has_examples_and_the_exit_status() {
         &["solve", "--help"],
         &["check", "--help"],
         &["mesh", "--help"],
+        &["load", "--help"],
         &["sweep", "--help"],
         &["oil", "--help"],
     ];

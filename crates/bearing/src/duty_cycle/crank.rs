@@ -137,6 +137,16 @@ impl Crank {
         0.25 * PI * self.bore * self.bore * self.gas.at(angle)
     }
 
+    /// Work of the gas on the piston over a period [J], by the trapezoidal rule with `steps` steps.
+    pub fn gas_work(&self, steps: u32) -> f64 {
+        let step = self.gas.period() / f64::from(steps);
+        let angles = (0..steps).map(|k| step * f64::from(k));
+        -step
+            * angles
+                .map(|angle| self.gas_force(angle) * self.linkage.piston_velocity(angle, 1.0))
+                .sum::<f64>()
+    }
+
     /// Force of the rod on the pin [N] in the frame of the cylinder, at a crank angle [rad] and an angular speed [rad/s].
     pub fn force_on_pin(&self, angle: f64, speed: f64) -> [f64; 2] {
         let thrust = self.gas_force(angle) + self.reciprocating_mass * self.linkage.piston_acceleration(angle, speed);

@@ -14,7 +14,8 @@ bearing = { arc = {} }
 mesh = { tolerance = { QUANTITY = "1 %" } }
 feed = [{ hole = {}, groove = {} }]
 journal = { squeeze = {}, tilt = {}, tilt_rate = {} }
-load = { moment = {} }
+load = { moment = {}, harmonics = [{ cos = {}, sin = {} }] }
+crank = { gas = {} }
 support = { tilt = {} }
 heat = { housing = {}, mixing = {} }
 limits = {}

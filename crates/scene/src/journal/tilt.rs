@@ -56,7 +56,7 @@ pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
             [e * min_film_angle.cos(), e * min_film_angle.sin()]
         }
         // The position is found; with a tilt that touches in the middle of the bearing there is none.
-        Position::Load { .. } => [0.0; 2],
+        Position::Load { .. } | Position::Cycle => [0.0; 2],
     };
     if let Some((message, help)) = contact(&scene.bearing, offset, tilt) {
         complaints.add("journal.tilt", message, help);

@@ -1,0 +1,85 @@
+//! Extremes and means of a load over its period.
+
+use super::DutyCycle;
+
+/// At how many angles of a period a load is sampled.
+const SAMPLES: u32 = 7200;
+/// Golden sections by which an extreme between samples is narrowed: to 1e-8 of the distance of samples.
+const SECTIONS: u32 = 40;
+
+/// Extremes and means of a load over its period.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Summary {
+    /// Greatest magnitude of the force: crank angle [rad], and force [N] in the frame of the shell.
+    pub peak: (f64, [f64; 2]),
+    /// Least magnitude of the force: crank angle [rad], and force [N] in the frame of the shell.
+    pub least: (f64, [f64; 2]),
+    /// Mean force over the crank angle [N], in the frame of the shell.
+    pub mean: [f64; 2],
+    /// Mean magnitude of the force over the crank angle [N].
+    pub mean_magnitude: f64,
+    /// Greatest magnitude of the moment [N m].
+    pub greatest_moment: f64,
+    /// Least and greatest speed of the journal against the shell [rad/s].
+    pub speeds: [f64; 2],
+}
+
+impl DutyCycle {
+    /// Extremes and means over the period.
+    pub fn summary(&self) -> Summary {
+        let step = self.period / f64::from(SAMPLES);
+        let angles = (0..SAMPLES).map(|k| step * f64::from(k));
+        let duties: Vec<_> = angles.map(|angle| (angle, self.at(angle))).collect();
+        let magnitude = |[x, y]: [f64; 2]| x.hypot(y);
+        let extreme = |sign: f64| {
+            let value = |angle: f64| sign * magnitude(self.at(angle).force);
+            let samples = duties
+                .iter()
+                .map(|(angle, duty)| (*angle, sign * magnitude(duty.force)));
+            let first = samples.fold(
+                (0.0, f64::NEG_INFINITY),
+                |best, it| if it.1 > best.1 { it } else { best },
+            );
+            let refined = greatest(value, [first.0 - step, first.0 + step]);
+            let angle = if value(refined) > first.1 { refined } else { first.0 };
+            let angle = angle.rem_euclid(self.period);
+            (angle, self.at(angle).force)
+        };
+        let mean = |part: &dyn Fn([f64; 2]) -> f64| {
+            duties.iter().map(|(_, duty)| part(duty.force)).sum::<f64>() / f64::from(SAMPLES)
+        };
+        let speeds = duties.iter().map(|(_, duty)| duty.speed);
+        Summary {
+            peak: extreme(1.0),
+            least: extreme(-1.0),
+            mean: [mean(&|[x, _]| x), mean(&|[_, y]| y)],
+            mean_magnitude: mean(&magnitude),
+            greatest_moment: duties
+                .iter()
+                .map(|(_, duty)| magnitude(duty.moment))
+                .fold(0.0, f64::max),
+            speeds: speeds.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], speed| {
+                [least.min(speed), most.max(speed)]
+            }),
+        }
+    }
+}
+
+/// Where a function with one maximum in an interval has it, by golden sections.
+fn greatest(value: impl Fn(f64) -> f64, [mut from, mut to]: [f64; 2]) -> f64 {
+    let ratio = 0.5 * (5f64.sqrt() - 1.0);
+    let [mut a, mut b] = [to - ratio * (to - from), from + ratio * (to - from)];
+    let [mut at_a, mut at_b] = [value(a), value(b)];
+    for _ in 0..SECTIONS {
+        if at_a < at_b {
+            (from, a, at_a) = (a, b, at_b);
+            b = from + ratio * (to - from);
+            at_b = value(b);
+        } else {
+            (to, b, at_b) = (b, a, at_a);
+            a = to - ratio * (to - from);
+            at_a = value(a);
+        }
+    }
+    0.5 * (from + to)
+}

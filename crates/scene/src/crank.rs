@@ -1,0 +1,156 @@
+//! `[crank]`: the slider crank of the big end, its masses and the pressure on its piston.
+
+use std::path::{Path, PathBuf};
+
+use crate::reader::TableReader;
+use crate::unit::Dimension;
+use crate::{LoadCycle, LoadSource};
+
+keys! {
+    "crank" = Table; "", "the shell is at rest", "with a load over a cycle",
+        "the crank whose rod holds the bearing: its shell turns with the rod. It turns with the speed of the journal";
+    "crank.radius" = Quantity(Length); "62.5 mm", "required", "> 0, < `rod_length`",
+        "radius of the crank, half the stroke";
+    "crank.rod_length" = Quantity(Length); "230 mm", "required", "> 0",
+        "length of the rod between its eyes";
+    "crank.reciprocating_mass" = Quantity(Mass); "3.43 kg", "required with `load.bearing`", ">= 0",
+        "mass of the piston with ring and pin, and of the rod's share at its small end";
+    "crank.rotating_mass" = Quantity(Mass); "2.025 kg", "required with `load.bearing`", ">= 0",
+        "mass of the rod's share at its big end, the cap included";
+    "crank.bore" = Quantity(Length); "125 mm", "required with `load.bearing`", "> 0",
+        "diameter of the cylinder";
+    "crank.gas" = Table; "", "required with `load.bearing`", "",
+        "pressure on the piston, over that of the crankcase: a table, or one smooth peak p = peak exp(sharpness (cos(2 pi (theta - angle)/period) - 1))";
+    "crank.gas.file" = Text; "loads/gas.csv", "see `peak`", "a table with units in its header: `angle [deg], p [bar]`",
+        "path of a table of the pressure by crank angle, counted from the folder of the scene";
+    "crank.gas.peak" = Quantity(Pressure); "8 MPa", "required without `file`", ">= 0",
+        "greatest pressure";
+    "crank.gas.angle" = Quantity(Angle); "12 deg", "required without `file`", "",
+        "crank angle of the greatest pressure, 0 where the piston is farthest from the crank";
+    "crank.gas.sharpness" = Number; "14", "required without `file`", "> 0",
+        "how narrow the peak is; with a period of 720 deg, 14 makes it 72 deg wide at half its height";
+}
+
+/// The slider crank of a big end.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Crank {
+    /// Radius of the crank [m].
+    pub radius: f64,
+    /// Length of the rod between its eyes [m].
+    pub rod_length: f64,
+    /// What loads it; `None`: the load is given.
+    pub drive: Option<Drive>,
+}
+
+/// Masses of a crank and the pressure on its piston.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Drive {
+    /// Mass of the piston with what belongs to it, and of the rod at its small end [kg].
+    pub reciprocating_mass: f64,
+    /// Mass of the rod at its big end [kg].
+    pub rotating_mass: f64,
+    /// Diameter of the cylinder [m].
+    pub bore: f64,
+    /// Pressure on the piston.
+    pub gas: Gas,
+}
+
+/// Pressure on a piston over that of the crankcase.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Gas {
+    /// A table in this file.
+    File(PathBuf),
+    /// One smooth peak in a period.
+    Peak {
+        /// Greatest pressure [Pa].
+        peak: f64,
+        /// Its crank angle [rad].
+        angle: f64,
+        /// How narrow it is [1].
+        sharpness: f64,
+    },
+}
+
+impl Crank {
+    /// The file of the gas pressure, if there is one.
+    pub fn gas_file(&self) -> Option<&Path> {
+        match self.drive.as_ref().map(|drive| &drive.gas) {
+            Some(Gas::File(path)) => Some(path),
+            _ => None,
+        }
+    }
+}
+
+/// Keys of what loads a crank.
+const DRIVE: [&str; 4] = ["reciprocating_mass", "rotating_mass", "bore", "gas"];
+
+/// Reads the table of a scene that stands at `scene` and has this load.
+pub(crate) fn read(mut table: TableReader<'_>, scene: &Path, load: Option<&LoadCycle>) -> Crank {
+    let radius = table.positive("radius", Dimension::Length, "62.5 mm");
+    let rod_length = table.positive("rod_length", Dimension::Length, "230 mm");
+    table.refuse_if(
+        radius >= rod_length,
+        "radius",
+        "is not less than rod_length, so the crank could not turn",
+        "give half the stroke as radius, and the distance of the rod's eyes as rod_length",
+    );
+    let mut mass = |key, example| {
+        let mass = table.quantity(key, Dimension::Mass, example);
+        let mass = mass.within(|mass| mass >= 0.0, "is negative", "give a mass, or zero");
+        mass.given().unwrap_or(f64::NAN)
+    };
+    let reciprocating_mass = mass("reciprocating_mass", "3.43 kg");
+    let rotating_mass = mass("rotating_mass", "2.025 kg");
+    let bore = table.positive_if_given("bore", Dimension::Length, "125 mm");
+    let gas = table.table_if_given("gas").map(|table| gas(table, scene));
+    let is_computed = load.is_some_and(|load| load.source == LoadSource::BigEnd);
+    if is_computed {
+        table.require("reciprocating_mass", "\"3.43 kg\"");
+        table.require("rotating_mass", "\"2.025 kg\"");
+        table.require("bore", "\"125 mm\"");
+        table.require("gas", "{ peak = \"8 MPa\", angle = \"12 deg\", sharpness = 14 }");
+    } else if load.is_some() {
+        for key in DRIVE.into_iter().filter(|key| table.has(key)) {
+            let help = format!("remove {key}, or give load.bearing = \"big-end\" in place of the load");
+            table.complain(key, "has no effect, since the load is given", help);
+        }
+    }
+    let drive = gas.filter(|_| is_computed).map(|gas| Drive {
+        reciprocating_mass,
+        rotating_mass,
+        bore: bore.unwrap_or(f64::NAN),
+        gas,
+    });
+    Crank {
+        radius,
+        rod_length,
+        drive,
+    }
+}
+
+fn gas(mut table: TableReader<'_>, scene: &Path) -> Gas {
+    let file = table.text_if_given("file", "loads/gas.csv");
+    let peak = table.quantity("peak", Dimension::Pressure, "8 MPa").within(
+        |peak| peak >= 0.0,
+        "is negative",
+        "give the pressure over that of the crankcase",
+    );
+    let peak = peak.given();
+    let angle = table.given("angle", Dimension::Angle, "12 deg");
+    let sharpness = table.number("sharpness", "14").positive().given();
+    let keys = ["peak", "angle", "sharpness"];
+    if table.has("file") {
+        for key in keys.into_iter().filter(|key| table.has(key)) {
+            table.complain(key, "stands beside file", format!("remove {key} or file"));
+        }
+        return Gas::File(scene.parent().unwrap_or(Path::new("")).join(file.unwrap_or_default()));
+    }
+    for (key, example) in keys.into_iter().zip(["\"8 MPa\"", "\"12 deg\"", "14"]) {
+        table.require(key, example);
+    }
+    Gas::Peak {
+        peak: peak.unwrap_or(f64::NAN),
+        angle: angle.unwrap_or(f64::NAN),
+        sharpness: sharpness.unwrap_or(f64::NAN),
+    }
+}

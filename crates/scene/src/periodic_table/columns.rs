@@ -1,0 +1,147 @@
+//! Header and cells of a table: names with units, and finite numbers.
+
+use super::Row;
+use super::error::TableFault;
+use crate::spelling::nearest;
+use crate::unit::{self, Dimension};
+
+/// A column that a table may have.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Column {
+    name: &'static str,
+    dimension: Dimension,
+    presence: Presence,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Presence {
+    Needed,
+    Optional,
+}
+
+impl Column {
+    pub(super) const fn needed(name: &'static str, dimension: Dimension) -> Self {
+        Self {
+            name,
+            dimension,
+            presence: Presence::Needed,
+        }
+    }
+
+    /// Its values are zero where it is not there.
+    pub(super) const fn optional(name: &'static str, dimension: Dimension) -> Self {
+        Self {
+            presence: Presence::Optional,
+            ..Self::needed(name, dimension)
+        }
+    }
+
+    /// As it is written in a header.
+    fn example(&self) -> String {
+        let unit = match self.dimension {
+            Dimension::Angle => "deg",
+            Dimension::Force => "kN",
+            Dimension::Torque => "N.m",
+            _ => self.dimension.units().first().map_or("", |(unit, _)| unit),
+        };
+        format!("{} [{unit}]", self.name)
+    }
+}
+
+/// Where the columns of a table stand, and the size of their units in SI.
+#[derive(Debug)]
+pub(super) struct Columns<const N: usize> {
+    /// By wanted column.
+    places: [Option<(usize, f64)>; N],
+    count: usize,
+}
+
+impl<const N: usize> Columns<N> {
+    /// The rows of a text in SI; values of optional columns that are not there are zero.
+    pub(super) fn read(text: &str, wanted: &[Column; N]) -> Result<Vec<Row<N>>, TableFault> {
+        let text = text.trim_start_matches('\u{feff}');
+        let lines = (1..).zip(text.lines().map(str::trim));
+        let mut lines = lines.filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
+        let Some((line, header)) = lines.next() else {
+            return Err(TableFault::of_all("is empty", write(wanted)));
+        };
+        let columns = Self::of_header(line, header, wanted)?;
+        lines.map(|(line, cells)| columns.row(line, cells)).collect()
+    }
+
+    fn of_header(line: usize, header: &str, wanted: &[Column; N]) -> Result<Self, TableFault> {
+        let fail = |message: String| TableFault::at(line, message, write(wanted));
+        let cells: Vec<&str> = header.split(',').map(str::trim).collect();
+        let mut places = [None; N];
+        for (place, cell) in cells.iter().enumerate() {
+            let parts = cell.split_once('[');
+            let parts = parts.and_then(|(name, rest)| Some((name.trim(), rest.strip_suffix(']')?.trim())));
+            let Some((name, unit)) = parts else {
+                return Err(fail(format!("\"{cell}\" is not a name with its unit in brackets")));
+            };
+            let Some(k) = wanted.iter().position(|column| column.name == name) else {
+                let near = nearest(name, wanted.iter().map(|column| column.name));
+                let hint = near.map_or(String::new(), |near| format!(", did you mean \"{near}\"?"));
+                return Err(fail(format!("the column \"{name}\" is not known{hint}")));
+            };
+            if places[k].is_some() {
+                return Err(fail(format!("the column \"{name}\" stands there twice")));
+            }
+            let size = unit::unit_size(unit, wanted[k].dimension);
+            let size = size.map_err(|error| fail(format!("the unit of \"{name}\": {error}")))?;
+            places[k] = Some((place, size));
+        }
+        let missing = (0..N).find(|&k| places[k].is_none() && wanted[k].presence == Presence::Needed);
+        match missing {
+            Some(k) => Err(fail(format!("there is no column \"{}\"", wanted[k].name))),
+            None => Ok(Self {
+                places,
+                count: cells.len(),
+            }),
+        }
+    }
+
+    fn row(&self, line: usize, text: &str) -> Result<Row<N>, TableFault> {
+        let cells: Vec<&str> = text.split(',').map(str::trim).collect();
+        if cells.len() != self.count {
+            let message = format!("there are {} cells, and the header has {}", cells.len(), self.count);
+            let help = "write decimal points, and commas between the columns only";
+            return Err(TableFault::at(line, message, help));
+        }
+        let mut values = [0.0; N];
+        for (value, place) in values.iter_mut().zip(self.places) {
+            let Some((place, size)) = place else { continue };
+            let number = cells[place].parse::<f64>().map(|number| number * size);
+            let Some(number) = number.ok().filter(|number| number.is_finite()) else {
+                let message = format!("\"{}\" is not a finite number", cells[place]);
+                return Err(TableFault::at(
+                    line,
+                    message,
+                    "write for example 12.5 or 1.25e1, without a unit",
+                ));
+            };
+            *value = number;
+        }
+        Ok(Row { line, values })
+    }
+}
+
+/// How the header is written.
+fn write<const N: usize>(wanted: &[Column; N]) -> String {
+    let (needed, optional): (Vec<_>, Vec<_>) = wanted.iter().partition(|column| column.presence == Presence::Needed);
+    let names = |columns: Vec<&Column>| {
+        columns
+            .iter()
+            .map(|column| column.example())
+            .collect::<Vec<_>>()
+            .join(", ")
+    };
+    let rest = match optional.is_empty() {
+        true => String::new(),
+        false => format!(" and, if wanted, {}", names(optional)),
+    };
+    format!(
+        "write the header as {}{rest}, with commas between the columns",
+        names(needed)
+    )
+}

@@ -1,0 +1,55 @@
+//! Why a file is not a table over a period.
+
+use std::path::{Path, PathBuf};
+
+/// A file that is not a table over a period.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("the table {}{}: {message}; {help}", path.display(), line.map_or(String::new(), |line| format!(", line {line}")))]
+pub struct TableError {
+    /// The file.
+    pub path: PathBuf,
+    /// The line that is meant, counted from 1, if it is one.
+    pub line: Option<usize>,
+    /// What is wrong.
+    pub message: String,
+    /// The way out.
+    pub help: String,
+}
+
+/// What is wrong with the text of a table.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct TableFault {
+    line: Option<usize>,
+    message: String,
+    help: String,
+}
+
+impl TableFault {
+    /// Of a line, counted from 1.
+    pub(super) fn at(line: usize, message: impl Into<String>, help: impl Into<String>) -> Self {
+        Self {
+            line: Some(line),
+            ..Self::of_all(message, help)
+        }
+    }
+
+    /// Of the whole table.
+    pub(super) fn of_all(message: impl Into<String>, help: impl Into<String>) -> Self {
+        Self {
+            line: None,
+            message: message.into(),
+            help: help.into(),
+        }
+    }
+
+    pub(super) fn in_file(self, path: &Path) -> TableError {
+        let Self { line, message, help } = self;
+        let path = path.to_path_buf();
+        TableError {
+            path,
+            line,
+            message,
+            help,
+        }
+    }
+}

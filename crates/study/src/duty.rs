@@ -1,0 +1,126 @@
+//! The load over a cycle that a scene describes: its tables are read, and numbers become a [`DutyCycle`].
+
+use oilwedge_bearing::duty_cycle::{
+    Crank, GasPressure, Harmonic, Linkage, LoadPoint, NoSpline, PeriodicSpline, PressureCurve, Turning,
+};
+pub use oilwedge_bearing::duty_cycle::{Duty, DutyCycle, Frame, Summary};
+use oilwedge_scene::periodic_table::{TableError, read_loads, read_pressures};
+use oilwedge_scene::wording::degrees;
+use oilwedge_scene::{Drive, Gas, LoadCycle, LoadFrame, LoadSource, Scene};
+
+use crate::compile_error::CompileError;
+
+/// Why a scene has no load over a cycle, though it is well written.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum NoDuty {
+    /// A table cannot be used.
+    #[error(transparent)]
+    Table(#[from] TableError),
+    /// No curve leads through the points of a table.
+    #[error("no periodic curve leads through the rows of the table: {0}")]
+    Spline(#[from] NoSpline),
+    /// Numbers are too large.
+    #[error("the load is not a finite number at the crank angle {}; correct the forces, masses or pressures", degrees(*angle))]
+    NotFinite {
+        /// Crank angle [rad].
+        angle: f64,
+    },
+}
+
+/// At how many angles of a period it is checked that a load is finite.
+const CHECKED: u32 = 1440;
+
+/// The load over a cycle of a scene; `None`: its load does not change, or it has none.
+///
+/// # Errors
+/// [`NoDuty`]: a table cannot be read or is no table of one period, or the load is not finite.
+pub fn duty_cycle(scene: &Scene) -> Result<Option<DutyCycle>, NoDuty> {
+    let Some(load) = &scene.load_cycle else { return Ok(None) };
+    let cycle = of_load(scene, load)?.acting_at(scene.load_at.unwrap_or(0.0));
+    let angles = (0..CHECKED).map(|k| load.period * f64::from(k) / f64::from(CHECKED));
+    let is_finite = |angle: f64| {
+        let Duty { force, moment, speed } = cycle.at(angle);
+        force.into_iter().chain(moment).chain([speed]).all(f64::is_finite)
+    };
+    match angles.into_iter().find(|&angle| !is_finite(angle)) {
+        Some(angle) => Err(NoDuty::NotFinite { angle }),
+        None => Ok(Some(cycle)),
+    }
+}
+
+/// Refuses a scene whose load changes over a cycle where one film is compiled: no steady film carries such a load.
+pub(crate) fn refuse_cycle(scene: &Scene) -> Result<(), CompileError> {
+    match scene.load_cycle {
+        Some(_) => Err(CompileError::NoSteadyFilm),
+        None => Ok(()),
+    }
+}
+
+fn of_load(scene: &Scene, load: &LoadCycle) -> Result<DutyCycle, NoDuty> {
+    let (period, speed) = (load.period, scene.journal.speed);
+    let rod = scene.crank.as_ref().map(|crank| Linkage {
+        radius: crank.radius,
+        rod_length: crank.rod_length,
+    });
+    let turning = Turning { speed, rod };
+    Ok(match &load.source {
+        LoadSource::File { path, frame } => {
+            let rows = read_loads(path, period)?.into_iter();
+            let point = rows.map(|row| LoadPoint {
+                angle: row.angle,
+                force: row.force,
+                moment: row.moment,
+            });
+            DutyCycle::of_table(&point.collect::<Vec<_>>(), period, axes(*frame), turning)?
+        }
+        LoadSource::Harmonics { orders, frame } => {
+            let of_force = |[x, y]: [f64; 2]| [x, y, 0.0, 0.0];
+            let harmonic = orders.iter().map(|harmonic| Harmonic {
+                order: harmonic.order,
+                cos: of_force(harmonic.cos),
+                sin: of_force(harmonic.sin),
+            });
+            DutyCycle::of_harmonics(harmonic.collect(), period, axes(*frame), turning)
+        }
+        LoadSource::BigEnd => {
+            let drive = scene.crank.as_ref().and_then(|crank| crank.drive.as_ref());
+            // A big end without a crank is refused with the scene.
+            let (Some(drive), Some(linkage)) = (drive, rod) else {
+                return Err(NoDuty::NotFinite { angle: 0.0 });
+            };
+            DutyCycle::of_big_end(crank(drive, linkage, period)?, speed)
+        }
+    })
+}
+
+fn crank(drive: &Drive, linkage: Linkage, period: f64) -> Result<Crank, NoDuty> {
+    let gas = match &drive.gas {
+        Gas::Peak { peak, angle, sharpness } => GasPressure::Curve(PressureCurve {
+            peak: *peak,
+            angle: *angle,
+            sharpness: *sharpness,
+            period,
+        }),
+        Gas::File(path) => {
+            let (angles, pressures) = (read_pressures(path, period)?.into_iter())
+                .map(|[angle, pressure]| (angle, [pressure]))
+                .unzip();
+            GasPressure::Table(PeriodicSpline::new(angles, pressures, period)?, period)
+        }
+    };
+    Ok(Crank {
+        linkage,
+        reciprocating_mass: drive.reciprocating_mass,
+        rotating_mass: drive.rotating_mass,
+        bore: drive.bore,
+        gas,
+    })
+}
+
+fn axes(frame: LoadFrame) -> Frame {
+    match frame {
+        LoadFrame::Shell => Frame::Shell,
+        LoadFrame::Cylinder => Frame::Cylinder,
+        LoadFrame::Pin => Frame::Pin,
+    }
+}
