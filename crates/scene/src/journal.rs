@@ -86,6 +86,16 @@ pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
     tilt::check(scene, complaints);
 }
 
+/// A velocity that the key gives stands beside no load over a cycle, by which the journal moves.
+fn refuse_beside_a_cycle(key: &str, scene: &Scene, complaints: &mut Complaints) {
+    complaints.refuse_if(
+        complaints.has(key) && scene.load_cycle.is_some(),
+        key,
+        "stands beside a load over a cycle, by which the journal moves",
+        format!("remove {key}, or give [load] with force and angle"),
+    );
+}
+
 fn position(table: &mut TableReader<'_>, load: Option<Position>) -> Position {
     let eccentricity = table.number("eccentricity", "0.6").within(
         |eccentricity| eccentricity >= 0.0,

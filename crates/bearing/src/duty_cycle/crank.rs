@@ -18,8 +18,8 @@
 //! | theta, beta | rad | `angle`, `inclination` |
 //! | omega | rad/s | `speed` |
 //!
-//! **Source.** C. F. Taylor, The Internal Combustion Engine in Theory and Practice, 1985, vol. 2, ch. 8 (exact forms derived here). **Range.** lambda < 1. **Verified
-//! by** `duty_cycle/tests.rs` and `tests/tests/duty_cycle.rs`.
+//! **Source.** C. F. Taylor, The Internal Combustion Engine in Theory and Practice, 1985, vol. 2, ch. 8 (exact forms derived here). **Range.** lambda < 1.
+//! **Verified by** `duty_cycle/tests.rs` and `tests/tests/duty_cycle.rs`.
 
 use std::f64::consts::{PI, TAU};
 

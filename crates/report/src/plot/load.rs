@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 
 use oilwedge_drawing::{
-    BLACK, BLUE, Chart, Figure, GREEN, GREY, GRID, Kind, Label, Mark, Note, Series, VERMILION, charts_figure,
-    linear_steps, number,
+    BLACK, BLUE, Chart, Figure, GREEN, GREY, GRID, Kind, Label, Mark, Note, Series, Stroke, VERMILION, charts_figure,
+    least_and_greatest, linear_steps, number,
 };
 use oilwedge_study::duty::{DutyCycle, Frame};
 
@@ -12,8 +12,14 @@ use oilwedge_study::duty::{DutyCycle, Frame};
 const POINTS_OF_A_TURN: f64 = 360.0;
 /// Crank angles that are marked in a polar diagram [deg].
 const MARKED: f64 = 60.0;
-/// Most rings of a polar diagram.
-const RINGS: f64 = 4.0;
+/// Steps of the rings in the longer side of a polar diagram, at most.
+const RINGS: f64 = 8.0;
+/// Where the value of a ring may stand [turns], the first that is on the sheet.
+const RING_LABELS: [f64; 6] = [-0.09, 0.09, 0.41, 0.59, -0.02, 0.48];
+/// Parts of the longer side: room around the curve, from a mark to its label, and between labels.
+const EDGE: f64 = 0.06;
+const LABEL: f64 = 0.035;
+const ROOM: f64 = 0.035;
 /// Forces from here on are shown in kilonewtons [N].
 const KILO: f64 = 1e3;
 
@@ -24,15 +30,14 @@ pub fn load_figures(title: &str, cycle: &DutyCycle, width: f64) -> Vec<(String, 
     let polar: Vec<_> = polar.collect();
     let by_angle = drawn.by_angle();
     let name = |what: &str| format!("{what}: {title}");
-    let columns = polar.len();
     vec![
         (
-            "load".to_owned(),
+            "load_by_angle".to_owned(),
             charts_figure(&name("Load over a cycle"), &by_angle, 1, width),
         ),
         (
             "load_polar".to_owned(),
-            charts_figure(&name("Polar load diagram"), &polar, columns, width),
+            charts_figure(&name("Polar load diagram"), &polar, 1, width),
         ),
     ]
 }
@@ -40,8 +45,6 @@ pub fn load_figures(title: &str, cycle: &DutyCycle, width: f64) -> Vec<(String, 
 /// A load and the unit in which it is drawn.
 struct Drawn<'a> {
     cycle: &'a DutyCycle,
-    /// Greatest force in that unit.
-    peak: f64,
     /// The unit and its size [N].
     unit: (&'static str, f64),
 }
@@ -51,11 +54,7 @@ impl<'a> Drawn<'a> {
         let [x, y] = cycle.summary().peak.1;
         let peak = x.hypot(y);
         let unit = if peak < KILO { ("N", 1.0) } else { ("kN", KILO) };
-        Self {
-            cycle,
-            peak: peak / unit.1,
-            unit,
-        }
+        Self { cycle, unit }
     }
 
     /// The frames in which the load is known, with a word for their x axis; all of them where the shell is in a rod, else that of the shell alone.
@@ -64,7 +63,7 @@ impl<'a> Drawn<'a> {
         match rod {
             Some(_) => vec![
                 (Frame::Shell, "shell: x along the rod"),
-                (Frame::Cylinder, "x to the cylinder"),
+                (Frame::Cylinder, "cylinder: x to the cylinder"),
                 (Frame::Pin, "pin: x along the throw"),
             ],
             None => vec![(Frame::Shell, "shell")],
@@ -105,7 +104,7 @@ impl<'a> Drawn<'a> {
         force.series = vec![
             Series::line("x", BLUE, part(0)),
             Series::line("y", GREEN, part(1)),
-            Series::line("magnitude", VERMILION, magnitude),
+            Series::line("magnitude", VERMILION, magnitude).stroked(Stroke::Dashed),
         ];
         let mut charts = vec![force];
         let [least, greatest] = self.cycle.summary().speeds;
@@ -117,56 +116,101 @@ impl<'a> Drawn<'a> {
         charts
     }
 
-    /// Where the tip of the force goes, with rings and crank angles.
+    /// Where the tip of the force goes, with rings and crank angles, cut to where it goes.
     fn polar(&self, frame: Frame, title: &str) -> Chart {
         let mut chart = Chart::new(&format!("{title}, {}", self.unit.0), Label::default(), Label::default());
         chart.kind = Kind::Drawing;
-        let step = linear_steps(f64::max(self.peak, f64::MIN_POSITIVE), RINGS);
-        let count = (self.peak / step).ceil().clamp(1.0, 2.0 * RINGS) as u32;
-        let around = |radius: f64, angle: f64| [radius * angle.cos(), radius * angle.sin()];
-        let circle = |radius: f64| (0..=180).map(|k| around(radius, TAU * f64::from(k) / 180.0)).collect();
-        let end = step * f64::from(count);
-        for k in 1..=count {
-            let radius = step * f64::from(k);
-            chart.series.push(Series::line("", GRID, circle(radius)));
-            chart.notes.push(Note {
-                at: around(radius, -0.15 * TAU),
-                label: number(radius, step),
-                colour: GREY,
-            });
-        }
-        for (axis, name) in ["*x*", "*y*"].into_iter().enumerate() {
-            let point = |length: f64| if axis == 0 { [length, 0.0] } else { [0.0, length] };
-            chart.series.push(Series::line("", GRID, vec![point(-end), point(end)]));
-            chart.notes.push(Note {
-                at: point(1.08 * end),
-                label: Label::marked(name),
-                colour: GREY,
-            });
-        }
-        let tip = self.angles().map(|angle| self.force(frame, angle)).collect();
+        let tip: Vec<_> = self.angles().map(|angle| self.force(frame, angle)).collect();
+        let sheet = Sheet::around(&tip);
+        sheet.draw_rings(&mut chart);
         chart.series.push(Series::line("", VERMILION, tip));
         let marks = (0..).map(|k| MARKED * f64::from(k));
         let marks: Vec<f64> = marks
             .take_while(|mark| mark.to_radians() < self.cycle.period() - 1e-9)
             .collect();
-        let points = marks.iter().map(|mark| self.force(frame, mark.to_radians())).collect();
-        chart.series.push(Series::marks(
-            "every 60 deg of the crank angle",
-            VERMILION,
-            Mark::Disc,
-            points,
-        ));
-        for mark in marks {
-            let [x, y] = self.force(frame, mark.to_radians());
-            let length = f64::max(x.hypot(y), 1e-9 * end);
-            let beyond = 1.0 + 0.07 * end / length;
-            chart.notes.push(Note {
-                at: [beyond * x, beyond * y],
-                label: number(mark, 1.0),
-                colour: BLACK,
-            });
+        let points = marks.iter().map(|mark| self.force(frame, mark.to_radians()));
+        let points: Vec<_> = points.collect();
+        let name = "crank angle, each 60 deg";
+        chart
+            .series
+            .push(Series::marks(name, VERMILION, Mark::Disc, points.clone()));
+        for (mark, [x, y]) in marks.into_iter().zip(points) {
+            let beyond = 1.0 + LABEL * sheet.extent / f64::max(x.hypot(y), 1e-9 * sheet.extent);
+            let at = [beyond * x, beyond * y];
+            let has_room = |note: &Note| (note.at[0] - at[0]).hypot(note.at[1] - at[1]) > ROOM * sheet.extent;
+            if chart.notes.iter().all(has_room) {
+                chart.notes.push(Note {
+                    at,
+                    label: number(mark, 1.0),
+                    colour: BLACK,
+                });
+            }
         }
         chart
+    }
+}
+
+/// The rectangle of a polar diagram, in the unit of the force.
+struct Sheet {
+    low: [f64; 2],
+    high: [f64; 2],
+    /// The longer side.
+    extent: f64,
+}
+
+impl Sheet {
+    /// Around a curve and the origin.
+    fn around(curve: &[[f64; 2]]) -> Self {
+        let [x, y] = [0, 1].map(|axis| least_and_greatest(curve.iter().map(|point| point[axis]).chain([0.0])));
+        let extent = f64::max(x[1] - x[0], y[1] - y[0]);
+        let extent = if extent > 0.0 { extent } else { 1.0 };
+        let edge = EDGE * extent;
+        Self {
+            low: [x[0] - edge, y[0] - edge],
+            high: [x[1] + edge, y[1] + edge],
+            extent,
+        }
+    }
+
+    /// The point, or no number where it is outside.
+    fn cut(&self, point: [f64; 2]) -> [f64; 2] {
+        let is_inside = |axis: usize| (self.low[axis]..=self.high[axis]).contains(&point[axis]);
+        if is_inside(0) && is_inside(1) {
+            point
+        } else {
+            [f64::NAN; 2]
+        }
+    }
+
+    /// Rings of the same force with their values, and the axes.
+    fn draw_rings(&self, chart: &mut Chart) {
+        let step = linear_steps(self.extent, RINGS);
+        let corner = |axis: usize| f64::max(-self.low[axis], self.high[axis]);
+        let count = (corner(0).hypot(corner(1)) / step).ceil().min(4.0 * RINGS) as u32;
+        for k in 1..=count {
+            let radius = step * f64::from(k);
+            let point = |angle: f64| self.cut([radius * angle.cos(), radius * angle.sin()]);
+            let ring = (0..=720).map(|k| point(TAU * f64::from(k) / 720.0));
+            chart.series.push(Series::line("", GRID, ring.collect()));
+            let at = RING_LABELS
+                .into_iter()
+                .map(|turn| point(turn * TAU))
+                .find(|at| at[0].is_finite());
+            chart.notes.extend(at.map(|at| Note {
+                at,
+                label: number(radius, step),
+                colour: GREY,
+            }));
+        }
+        for (axis, name) in ["*x*", "*y*"].into_iter().enumerate() {
+            let point = |value: f64| if axis == 0 { [value, 0.0] } else { [0.0, value] };
+            let ends = vec![point(self.low[axis]), point(self.high[axis])];
+            chart.series.push(Series::line("", GRID, ends));
+            chart.notes.push(Note {
+                at: point(self.high[axis] + 0.5 * EDGE * self.extent),
+                label: Label::marked(name),
+                colour: GREY,
+            });
+        }
     }
 }

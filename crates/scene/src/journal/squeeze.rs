@@ -37,9 +37,10 @@ pub(super) fn read(mut table: TableReader<'_>) -> Squeeze {
     }
 }
 
-/// A centred journal has a line of centres only where the scene gives its angle.
+/// A centred journal has a line of centres only where the scene gives its angle; under a load over a cycle the velocity is found.
 pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
     let is_centred = matches!(scene.journal.position, Position::Given { eccentricity: 0.0, .. });
+    super::refuse_beside_a_cycle("journal.squeeze", scene, complaints);
     let key = "journal.min_film_angle";
     complaints.refuse_if(
         is_centred && scene.journal.motion().is_some() && complaints.has("journal") && !complaints.has(key),
@@ -53,7 +54,18 @@ pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
 mod tests {
     use super::*;
     use crate::journal::tests::{LOAD, POSITION, journal};
-    use crate::scene::tests::{told, told_one};
+    use crate::scene::tests::{STUDY, read, told, told_one};
+
+    #[test]
+    fn a_journal_under_a_load_over_a_cycle_moves_by_itself() {
+        let load = "load = { file = \"a.csv\", frame = \"shell\", period = \"720 deg\" }\n";
+        let text = load.to_owned() + &STUDY.replacen(POSITION, "squeeze = { radial = \"1 mm/s\" }", 1);
+        let error = read(&text).expect_err("moved").to_string();
+        assert!(
+            error.contains("journal.squeeze: stands beside a load over a cycle") && error.lines().count() == 2,
+            "{error}"
+        );
+    }
 
     #[test]
     fn squeeze_is_read() {

@@ -40,6 +40,7 @@ pub(crate) fn read(mut table: TableReader<'_>, dimension: Dimension, example: &s
 /// A tilted journal must not touch the liner at an end, and a long bearing knows no axial position.
 pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
     let Journal { position, tilt, .. } = scene.journal;
+    super::refuse_beside_a_cycle("journal.tilt_rate", scene, complaints);
     complaints.refuse_if(
         scene.bearing.theory == Theory::Long && scene.can_tilt(),
         "bearing.theory",

@@ -164,7 +164,7 @@ fn harmonic(mut table: TableReader<'_>) -> Harmonic {
     Harmonic { order, cos, sin }
 }
 
-/// A crank where its axes are used, a journal that turns and whose velocity is not given, and whole periods of harmonics.
+/// A crank where its axes are used, a journal that turns, and whole periods of harmonics.
 pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
     let Some(cycle) = &scene.load_cycle else {
         complaints.refuse_if(
@@ -181,14 +181,6 @@ pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
         "is zero, but a load over a cycle goes by the angle of the crank, which turns with the journal",
         "give the speed of the crank",
     );
-    for key in ["journal.squeeze", "journal.tilt_rate"] {
-        complaints.refuse_if(
-            complaints.has(key),
-            key,
-            "stands beside a load over a cycle, by which the journal moves",
-            format!("remove {key}, or give [load] with force and angle"),
-        );
-    }
     let frame = match &cycle.source {
         LoadSource::File { frame, .. } | LoadSource::Harmonics { frame, .. } => Some(*frame),
         LoadSource::BigEnd => None,
