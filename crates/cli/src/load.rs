@@ -10,6 +10,7 @@ use oilwedge_report::folder::replace;
 use oilwedge_report::json;
 use oilwedge_report::load_sheet::{LoadAt, LoadSheet};
 use oilwedge_report::plot::load_figures;
+use oilwedge_scene::wording::degrees;
 use oilwedge_study::duty::duty_cycle;
 use std::f64::consts::PI;
 use std::path::{Path, PathBuf};
@@ -124,10 +125,10 @@ fn in_words(sheet: &LoadSheet, folder: &Path, drawn: &str) -> String {
         );
     }
     format!(
-        "{}: load over {} deg of the crank angle at {} rpm, in the frame of the shell\n\n{rows}\n\nresults   {}\n{drawn}",
+        "{}: load over {} of the crank angle at {} rpm, in the frame of the shell\n\n{rows}\n\nresults   {}\n{drawn}",
         printable(&sheet.title),
-        significant(sheet.period_deg, 4),
-        significant(sheet.crank_speed_rad_s * 30.0 / PI, 5),
+        degrees(sheet.period_deg.to_radians()),
+        (sheet.crank_speed_rad_s * 30e3 / PI).round() / 1e3,
         folder.join(LOAD_FILE).display()
     )
 }

@@ -45,9 +45,9 @@ impl DutyCycle {
             let angle = angle.rem_euclid(self.period);
             (angle, self.at(angle).force)
         };
-        let mean = |part: &dyn Fn([f64; 2]) -> f64| {
-            duties.iter().map(|(_, duty)| part(duty.force)).sum::<f64>() / f64::from(SAMPLES)
-        };
+        let share = 1.0 / f64::from(SAMPLES);
+        let mean =
+            |part: &dyn Fn([f64; 2]) -> f64| duties.iter().map(|(_, duty)| share * part(duty.force)).sum::<f64>();
         let speeds = duties.iter().map(|(_, duty)| duty.speed);
         Summary {
             peak: extreme(1.0),
