@@ -32,7 +32,7 @@ mod table;
 #[cfg(test)]
 mod tests;
 
-pub use crank::{Crank, GasPressure, Linkage, PressureCurve};
+pub use crank::{Crank, GasPressure, Linkage, PressureCurve, Throw};
 pub use frame::{Frame, Turning};
 pub use harmonics::Harmonic;
 pub use spline::{NoSpline, PeriodicSpline};
@@ -73,6 +73,8 @@ enum Source {
     Harmonics(Turning, Frame, Vec<Harmonic>),
     /// The big end of a crank.
     BigEnd(Turning, Crank),
+    /// A main bearing between throws that have this crank drive each.
+    Main(Turning, Crank, Vec<Throw>),
 }
 
 impl DutyCycle {
@@ -108,6 +110,13 @@ impl DutyCycle {
         let rod = Some(crank.linkage);
         let turning = Turning { speed, rod };
         Self::of(crank.gas.period(), turning, Source::BigEnd(turning, crank))
+    }
+
+    /// The load of a main bearing of a crankshaft that turns with `speed` [rad/s], positive towards growing angles of the bearing: shares of the loads of the
+    /// throws beside it, each with this crank drive. The axis x of the bearing points to the cylinders, which are in line.
+    pub fn of_main(crank: Crank, throws: Vec<Throw>, speed: f64) -> Self {
+        let turning = Turning { speed, rod: None };
+        Self::of(crank.gas.period(), turning, Source::Main(turning, crank, throws))
     }
 
     fn of(period: f64, turning: Turning, source: Source) -> Self {
@@ -150,6 +159,11 @@ impl DutyCycle {
                 let acting = Acting::of_parts([-x, -turning.sense() * y, 0.0, 0.0]);
                 turning.duty(acting, Frame::Cylinder, angle)
             }
+            Source::Main(turning, crank, throws) => {
+                let [x, y] = crank.force_on_main(throws, angle, turning.speed);
+                let acting = Acting::of_parts([x, turning.sense() * y, 0.0, 0.0]);
+                turning.duty(acting, Frame::Cylinder, angle)
+            }
         };
         for (moment, force) in duty.moment.iter_mut().zip(duty.force) {
             *moment += self.at * force;
@@ -166,11 +180,14 @@ impl DutyCycle {
     pub fn turning(&self) -> Option<Turning> {
         match &self.source {
             Source::Constant(_) => None,
-            Source::Table(turning, _) | Source::Harmonics(turning, ..) | Source::BigEnd(turning, _) => Some(*turning),
+            Source::Table(turning, _)
+            | Source::Harmonics(turning, ..)
+            | Source::BigEnd(turning, _)
+            | Source::Main(turning, ..) => Some(*turning),
         }
     }
 
-    /// The crank whose load it is, where there is one.
+    /// The crank whose big end has this load, where it is one.
     pub fn crank(&self) -> Option<&Crank> {
         match &self.source {
             Source::BigEnd(_, crank) => Some(crank),

@@ -36,7 +36,7 @@ pub struct LoadSheet {
     pub greatest_moment_n_m: f64,
     /// Least and greatest angular speed of the journal against the shell.
     pub journal_speed_rad_s: [f64; 2],
-    /// Work of the gas on the piston in a period; `None`: the load is not that of a crank.
+    /// Work of the gas on the piston in a period; `None`: the load is not that of a big end computed from its crank.
     pub gas_work_j: Option<f64>,
     /// The load at growing crank angles.
     pub rows: Vec<LoadRow>,

@@ -4,11 +4,11 @@ use std::path::{Path, PathBuf};
 
 use crate::reader::TableReader;
 use crate::unit::Dimension;
-use crate::{LoadCycle, LoadSource};
+use crate::{CrankBearing, LoadCycle, LoadSource};
 
 keys! {
     "crank" = Table; "", "the shell is at rest", "with a load over a cycle",
-        "the crank whose rod holds the bearing: its shell turns with the rod. It turns with the speed of the journal";
+        "the crank whose rod holds the bearing, so that its shell turns with the rod, or whose main bearing it is. It turns with the speed of the journal";
     "crank.radius" = Quantity(Length); "62.5 mm", "required", "> 0, < `rod_length`",
         "radius of the crank, half the stroke";
     "crank.rod_length" = Quantity(Length); "230 mm", "required", "> 0",
@@ -29,9 +29,17 @@ keys! {
         "crank angle of the greatest pressure, 0 where the piston is farthest from the crank";
     "crank.gas.sharpness" = Number; "14", "required without `file`", "> 0",
         "how narrow the peak is; with a period of 720 deg, 14 makes it 72 deg wide at half its height";
+    "crank.throws" = Tables; "", "required with `bearing = \"main\"`", "",
+        "the throws beside the main bearing, cut at their main bearings; each has the same crank, masses and gas pressure";
+    "crank.throws.angle" = Quantity(Angle); "360 deg", "0", "",
+        "crank angle by which the throw and its gas pressure follow the crank angle of the load";
+    "crank.throws.share" = Number; "0.5", "required", "above 0, at most 1",
+        "share of the load of the throw that this bearing takes: the distance of its pin from the other main bearing over that of both";
+    "crank.throws.web_mass" = Quantity(Mass); "1.5 kg", "0", "any",
+        "unbalance of the webs over the radius of the crank; that of counterweights counts as negative";
 }
 
-/// The slider crank of a big end.
+/// The slider crank of a big end or a main bearing.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Crank {
     /// Radius of the crank [m].
@@ -53,6 +61,19 @@ pub struct Drive {
     pub bore: f64,
     /// Pressure on the piston.
     pub gas: Gas,
+    /// The throws beside a main bearing; none for a big end.
+    pub throws: Vec<Throw>,
+}
+
+/// A throw beside a main bearing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Throw {
+    /// Crank angle by which it follows [rad].
+    pub angle: f64,
+    /// Share of its load that the bearing takes [1].
+    pub share: f64,
+    /// Unbalance of its webs over the radius of the crank [kg].
+    pub web_mass: f64,
 }
 
 /// Pressure on a piston over that of the crankcase.
@@ -82,7 +103,7 @@ impl Crank {
 }
 
 /// Keys of what loads a crank.
-const DRIVE: [&str; 4] = ["reciprocating_mass", "rotating_mass", "bore", "gas"];
+const DRIVE: [&str; 5] = ["reciprocating_mass", "rotating_mass", "bore", "gas", "throws"];
 
 /// Reads the table of a scene that stands at `scene` and has this load.
 pub(crate) fn read(mut table: TableReader<'_>, scene: &Path, load: Option<&LoadCycle>) -> Crank {
@@ -103,8 +124,13 @@ pub(crate) fn read(mut table: TableReader<'_>, scene: &Path, load: Option<&LoadC
     let rotating_mass = mass("rotating_mass", "2.025 kg");
     let bore = table.positive_if_given("bore", Dimension::Length, "125 mm");
     let gas = table.table_if_given("gas").map(|table| gas(table, scene));
-    let is_computed = load.is_some_and(|load| load.source == LoadSource::BigEnd);
-    if is_computed {
+    let throws: Vec<Throw> = table.tables("throws").into_iter().map(throw).collect();
+    let computed = load.and_then(|load| match load.source {
+        LoadSource::Crank(bearing) => Some(bearing),
+        _ => None,
+    });
+    if let Some(bearing) = computed {
+        check_throws(&mut table, bearing, &throws);
         table.require("reciprocating_mass", "\"3.43 kg\"");
         table.require("rotating_mass", "\"2.025 kg\"");
         table.require("bore", "\"125 mm\"");
@@ -115,16 +141,50 @@ pub(crate) fn read(mut table: TableReader<'_>, scene: &Path, load: Option<&LoadC
             table.complain(key, "has no effect, since the load is given", help);
         }
     }
-    let drive = gas.filter(|_| is_computed).map(|gas| Drive {
+    let drive = gas.filter(|_| computed.is_some()).map(|gas| Drive {
         reciprocating_mass,
         rotating_mass,
         bore: bore.unwrap_or(f64::NAN),
         gas,
+        throws,
     });
     Crank {
         radius,
         rod_length,
         drive,
+    }
+}
+
+/// A main bearing has throws beside it, a big end has none.
+fn check_throws(table: &mut TableReader<'_>, bearing: CrankBearing, throws: &[Throw]) {
+    match bearing {
+        CrankBearing::BigEnd => table.refuse_if(
+            table.has("throws"),
+            "throws",
+            "has a meaning for a main bearing only",
+            "remove throws, or write load.bearing = \"main\"",
+        ),
+        CrankBearing::Main if table.has("throws") => table.refuse_if(
+            throws.is_empty(),
+            "throws",
+            "is empty",
+            "give the throws beside the bearing: throws = [{ share = 0.5 }]",
+        ),
+        CrankBearing::Main => table.require("throws", "[{ share = 0.5 }, { angle = \"360 deg\", share = 0.5 }]"),
+    }
+}
+
+fn throw(mut table: TableReader<'_>) -> Throw {
+    let share = table.number("share", "0.5").within(
+        |share| share > 0.0 && share <= 1.0,
+        "is not above 0 and at most 1",
+        "give the share of the load of the throw that the bearing takes, 0.5 midway between two",
+    );
+    let share = share.required();
+    Throw {
+        angle: table.quantity("angle", Dimension::Angle, "360 deg").or(0.0),
+        share,
+        web_mass: table.quantity("web_mass", Dimension::Mass, "1.5 kg").or(0.0),
     }
 }
 

@@ -1,12 +1,12 @@
 //! The load over a cycle that a scene describes: its tables are read, and numbers become a [`DutyCycle`].
 
 use oilwedge_bearing::duty_cycle::{
-    Crank, GasPressure, Harmonic, Linkage, LoadPoint, NoSpline, PeriodicSpline, PressureCurve, Turning,
+    Crank, GasPressure, Harmonic, Linkage, LoadPoint, NoSpline, PeriodicSpline, PressureCurve, Throw, Turning,
 };
 pub use oilwedge_bearing::duty_cycle::{Duty, DutyCycle, Frame, Summary};
 use oilwedge_scene::periodic_table::{TableError, read_loads, read_pressures};
 use oilwedge_scene::wording::degrees;
-use oilwedge_scene::{Drive, Gas, LoadCycle, LoadFrame, LoadSource, Scene};
+use oilwedge_scene::{CrankBearing, Drive, Gas, LoadCycle, LoadFrame, LoadSource, Scene};
 
 use crate::compile_error::CompileError;
 
@@ -82,15 +82,28 @@ fn of_load(scene: &Scene, load: &LoadCycle) -> Result<DutyCycle, NoDuty> {
             });
             DutyCycle::of_harmonics(harmonic.collect(), period, axes(*frame), turning)
         }
-        LoadSource::BigEnd => {
+        LoadSource::Crank(bearing) => {
             let drive = scene.crank.as_ref().and_then(|crank| crank.drive.as_ref());
-            // A big end without a crank is refused with the scene.
+            // A computed load without a crank is refused with the scene.
             let (Some(drive), Some(linkage)) = (drive, rod) else {
                 return Err(NoDuty::NotFinite { angle: 0.0 });
             };
-            DutyCycle::of_big_end(crank(drive, linkage, period)?, speed)
+            let crank = crank(drive, linkage, period)?;
+            match bearing {
+                CrankBearing::BigEnd => DutyCycle::of_big_end(crank, speed),
+                CrankBearing::Main => DutyCycle::of_main(crank, throws(drive), speed),
+            }
         }
     })
+}
+
+fn throws(drive: &Drive) -> Vec<Throw> {
+    let throw = |throw: &oilwedge_scene::Throw| Throw {
+        angle: throw.angle,
+        share: throw.share,
+        web_mass: throw.web_mass,
+    };
+    drive.throws.iter().map(throw).collect()
 }
 
 fn crank(drive: &Drive, linkage: Linkage, period: f64) -> Result<Crank, NoDuty> {

@@ -1,4 +1,4 @@
-//! # Slider crank: the force on the pin of the big end
+//! # Slider crank: the forces on the pin of the big end and on the main bearings
 //!
 //! **Equation.** In the frame of the cylinder, for a crank that turns from x to y, with the pin at `r (cos theta, sin theta)`:
 //! ```text
@@ -10,10 +10,17 @@
 //! `F . v_pin + (F_gas + m_p a_p) v_p = 0`. The rod is two masses, at its eyes; that is exact where its moment of inertia is m a b with the distances a, b of
 //! its centre of mass from the eyes. The piston has no offset, and friction is left out.
 //!
+//! A crankshaft is cut at its main bearings: each throw rests on those beside it as a beam on two supports. With the shares w of the throws beside it, whose
+//! cranks follow by the angles phi, a main bearing has the load
+//! ```text
+//! sum of w (F(theta - phi) + m_w r omega^2 (cos(theta - phi), sin(theta - phi)))
+//! ```
+//!
 //! | symbol | unit | code |
 //! |---|---|---|
 //! | r, l | m | [`Linkage`] |
 //! | m_p, m_r | kg | [`Crank::reciprocating_mass`], [`Crank::rotating_mass`] |
+//! | w, phi, m_w | 1, rad, kg | [`Throw`] |
 //! | F_gas | N | `gas_force` |
 //! | theta, beta | rad | `angle`, `inclination` |
 //! | omega | rad/s | `speed` |
@@ -131,6 +138,17 @@ pub struct Crank {
     pub gas: GasPressure,
 }
 
+/// A throw beside a main bearing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Throw {
+    /// Crank angle by which it follows [rad]: its own angle is that of the crank less this one, and so is its gas pressure.
+    pub angle: f64,
+    /// Share of its load that the main bearing takes [1].
+    pub share: f64,
+    /// Unbalance of its webs, counterweights taken off, over the radius of the crank [kg].
+    pub web_mass: f64,
+}
+
 impl Crank {
     /// Force of the gas on the piston [N], towards the crank, at a crank angle [rad].
     pub fn gas_force(&self, angle: f64) -> f64 {
@@ -155,5 +173,18 @@ impl Crank {
             centrifugal * angle.cos() - thrust,
             centrifugal * angle.sin() + thrust * self.linkage.inclination(angle).tan(),
         ]
+    }
+
+    /// Force of the throws on a main journal [N] in the frame of the cylinders, at a crank angle [rad] and an angular speed [rad/s].
+    pub fn force_on_main(&self, throws: &[Throw], angle: f64, speed: f64) -> [f64; 2] {
+        throws.iter().fold([0.0; 2], |[x, y], throw| {
+            let own = angle - throw.angle;
+            let [f_x, f_y] = self.force_on_pin(own, speed);
+            let centrifugal = throw.web_mass * self.linkage.radius * speed * speed;
+            [
+                x + throw.share * (f_x + centrifugal * own.cos()),
+                y + throw.share * (f_y + centrifugal * own.sin()),
+            ]
+        })
     }
 }

@@ -138,3 +138,61 @@ fn the_film_of_a_big_end_carries_what_the_rod_exerts() {
     let on_pin = crank().force_on_pin(0.2, 209.0);
     assert!((peak.force[0].hypot(peak.force[1]) - on_pin[0].hypot(on_pin[1])).abs() < 1e-9);
 }
+
+fn throw(angle: f64, share: f64) -> Throw {
+    Throw {
+        angle,
+        share,
+        web_mass: 0.0,
+    }
+}
+
+#[test]
+fn main_bearings_carry_what_the_pins_are_pressed_with() {
+    let big_end = DutyCycle::of_big_end(crank(), 209.0);
+    let turning = big_end.turning().expect("a crank");
+    let main = |throws: Vec<Throw>| DutyCycle::of_main(crank(), throws, 209.0);
+    let [left, right] = [0.3, 0.7].map(|share| main(vec![throw(0.0, share)]));
+    let between = main(vec![throw(0.0, 0.5), throw(TAU, 0.5)]);
+    for k in 0..100 {
+        let angle = 0.13 * f64::from(k);
+        // Both main bearings together are pressed as the pin is.
+        let pin = turning.from_shell(big_end.at(angle).force, Frame::Cylinder, angle);
+        let [l, r] = [&left, &right].map(|main| main.at(angle));
+        let both = [l.force[0] + r.force[0], l.force[1] + r.force[1]];
+        assert!(near(both, [-pin[0], -pin[1]], 1e-9), "{angle}: {both:?} {pin:?}");
+        assert_eq!((l.speed, l.moment), (209.0, [0.0; 2]));
+        // Throws that fire a turn apart make a load that repeats in a turn.
+        assert!(
+            near(between.at(angle).force, between.at(angle + TAU).force, 1e-8),
+            "{angle}"
+        );
+    }
+    let back = DutyCycle::of_main(crank(), vec![throw(0.0, 0.3)], -209.0);
+    let (forth, back) = (left.at(1.0), back.at(1.0));
+    assert!(near(forth.force, [back.force[0], -back.force[1]], 1e-9) && back.speed == -209.0);
+}
+
+#[test]
+fn counterweights_balance_a_rotating_mass() {
+    let rotating = Crank {
+        reciprocating_mass: 0.0,
+        gas: GasPressure::Curve(PressureCurve {
+            peak: 0.0,
+            angle: 0.0,
+            sharpness: 1.0,
+            period: TAU,
+        }),
+        ..crank()
+    };
+    let main = |web_mass: f64| {
+        let throws = vec![Throw {
+            web_mass,
+            ..throw(0.4, 0.5)
+        }];
+        DutyCycle::of_main(rotating.clone(), throws, 100.0).at(1.0).force
+    };
+    assert!(near(main(-2.025), [0.0; 2], 1e-9));
+    let radius: f64 = 0.5 * 2.025 * 0.0625 * 1e4;
+    assert!(near(main(0.0), [radius * 0.6f64.cos(), radius * 0.6f64.sin()], 1e-9));
+}

@@ -15,7 +15,7 @@ mesh = { tolerance = { QUANTITY = "1 %" } }
 feed = [{ hole = {}, groove = {} }]
 journal = { squeeze = {}, tilt = {}, tilt_rate = {} }
 load = { moment = {}, harmonics = [{ cos = {}, sin = {} }] }
-crank = { gas = {} }
+crank = { gas = {}, throws = [{}] }
 support = { tilt = {} }
 heat = { housing = {}, mixing = {} }
 limits = {}

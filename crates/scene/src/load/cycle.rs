@@ -27,8 +27,8 @@ keys! {
         "its part towards x";
     "load.harmonics.sin.y" = Quantity(Force); "40 kN", "0", "any",
         "its part towards y";
-    "load.bearing" = Choice(&["big-end"]); "big-end", "see `file`, `harmonics`", "",
-        "the bearing of `[crank]` whose load is computed from masses and gas pressure: the big end, x along the rod towards the small end";
+    "load.bearing" = Choice(&["big-end", "main"]); "big-end", "see `file`, `harmonics`", "",
+        "the bearing of `[crank]` whose load is computed from masses and gas pressure: the big end, x along the rod towards the small end; or a main bearing at rest, x towards the cylinders";
     "load.frame" = Choice(&["shell", "cylinder", "pin"]); "shell", "required with `file` and `harmonics`", "`\"cylinder\"` needs `[crank]`",
         "axes of the forces: those of the bearing's shell; x from the centre of the crank to the cylinder; or x along the throw, turning with the crank angle";
     "load.period" = Quantity(Angle); "720 deg", "required with `file`, `harmonics` and `bearing`", "360 deg or 720 deg",
@@ -61,8 +61,17 @@ pub enum LoadSource {
         /// Axes of the forces.
         frame: LoadFrame,
     },
-    /// Masses and gas pressure of the crank: the load of the big end.
+    /// Masses and gas pressure of a crank: the load of this bearing.
+    Crank(CrankBearing),
+}
+
+/// A bearing whose load is computed from a crank.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CrankBearing {
+    /// That of the pin.
     BigEnd,
+    /// A main bearing beside throws.
+    Main,
 }
 
 /// Axes of the forces of a load.
@@ -101,7 +110,10 @@ pub(super) fn source_key(table: &TableReader<'_>) -> Option<&'static str> {
 pub(super) fn read(table: &mut TableReader<'_>, scene: &Path) -> Option<LoadCycle> {
     let file = table.text_if_given("file", "loads/big_end.csv");
     let orders = table.tables("harmonics").into_iter().map(harmonic).collect();
-    table.word("bearing", &[("big-end", ())]);
+    let bearing = table.word(
+        "bearing",
+        &[("big-end", CrankBearing::BigEnd), ("main", CrankBearing::Main)],
+    );
     let frames = [
         ("shell", LoadFrame::Shell),
         ("cylinder", LoadFrame::Cylinder),
@@ -142,7 +154,7 @@ pub(super) fn read(table: &mut TableReader<'_>, scene: &Path) -> Option<LoadCycl
             frame,
         },
         "harmonics" => LoadSource::Harmonics { orders, frame },
-        _ => LoadSource::BigEnd,
+        _ => LoadSource::Crank(bearing.unwrap_or(CrankBearing::BigEnd)),
     };
     Some(LoadCycle {
         source,
@@ -183,7 +195,7 @@ pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
     );
     let frame = match &cycle.source {
         LoadSource::File { frame, .. } | LoadSource::Harmonics { frame, .. } => Some(*frame),
-        LoadSource::BigEnd => None,
+        LoadSource::Crank(_) => None,
     };
     complaints.refuse_if(
         frame == Some(LoadFrame::Cylinder) && scene.crank.is_none(),

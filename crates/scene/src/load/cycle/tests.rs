@@ -94,8 +94,8 @@ fn loads_over_a_cycle_are_checked() {
     wrong(&format!("{FILE}{CRANK}").replace(", rotating_mass = \"2.025 kg\", bore = \"125 mm\", gas = { peak = \"8 MPa\", angle = \"12 deg\", sharpness = 14 }", ""), "crank.reciprocating_mass: has no effect, since the load is given");
     wrong(BIG_END, "load.bearing: is computed from [crank], which is missing");
     wrong(
-        &format!("{}{CRANK}", BIG_END.replace("big-end", "main")),
-        "load.bearing: \"main\" is not known",
+        &format!("{}{CRANK}", BIG_END.replace("big-end", "small-end")),
+        "load.bearing: \"small-end\" is not known",
     );
     let crank = |from: &str, to: &str| format!("{BIG_END}{}", CRANK.replacen(from, to, 1));
     wrong(&crank("62.5 mm", "230 mm"), "crank.radius: is not less than rod_length");
@@ -141,6 +141,39 @@ fn loads_over_a_cycle_are_checked() {
         "speed = \"3000 rpm\"",
         "speed = \"3000 rpm\", eccentricity = 0.5",
         "journal.eccentricity: stands beside [load]",
+    );
+}
+
+#[test]
+fn main_bearings_have_throws() {
+    let main = |throws: &str| {
+        format!(
+            "{}{}",
+            BIG_END.replace("big-end", "main"),
+            CRANK.replace(" }\n", &format!("{throws} }}\n"))
+        )
+    };
+    let throws = ", throws = [{ share = 0.5 }, { share = 0.25, angle = \"360 deg\", web_mass = \"-1 kg\" }]";
+    let crank = scene(&main(throws))
+        .crank
+        .and_then(|crank| crank.drive)
+        .expect("a drive");
+    assert_eq!(crank.throws.len(), 2);
+    assert_eq!(
+        (crank.throws[0].angle, crank.throws[0].share, crank.throws[0].web_mass),
+        (0.0, 0.5, 0.0)
+    );
+    assert_eq!((crank.throws[1].angle, crank.throws[1].web_mass), (2.0 * PI, -1.0));
+    wrong(&main(""), "crank.throws: is missing");
+    wrong(&main(", throws = []"), "crank.throws: is empty");
+    wrong(&main(", throws = [{}]"), "crank.throws[0].share: is missing");
+    wrong(
+        &main(&throws.replace("0.25", "1.25")),
+        "crank.throws[1].share: is not above 0 and at most 1",
+    );
+    wrong(
+        &main(throws).replace("main", "big-end"),
+        "crank.throws: has a meaning for a main bearing only",
     );
 }
 
