@@ -11,7 +11,8 @@ use rayon::prelude::*;
 
 use crate::conservation_law::{ConservationLaw, Tangent};
 use crate::element::{Element, ElementKernel};
-use crate::sparsity::Sparsity;
+use crate::lagrange::MOST_SHAPES;
+use crate::sparsity::{Addresses, Sparsity};
 use crate::{Matrix, Pattern, Space};
 
 /// Blocks of rows that are assembled independently.
@@ -63,6 +64,11 @@ impl Assembler {
     /// The pattern of tangents.
     pub fn pattern(&self) -> &Arc<Pattern> {
         &self.sparsity.pattern
+    }
+
+    /// Where the entries of the element matrix of triangle `t`, with the dofs `dofs`, are in a tangent.
+    pub fn addresses(&self, t: usize, dofs: &[usize; MOST_SHAPES]) -> Addresses {
+        self.sparsity.addresses(&self.space, t, dofs)
     }
 
     /// Residual of `law` at `u` (one value a dof).

@@ -66,6 +66,29 @@ impl Rule {
         }
     }
 
+    /// Barycentric coordinates of point `q`.
+    #[inline]
+    pub fn barycentric(&self, q: usize) -> [f64; 3] {
+        lagrange::barycentric(self.quadrature.points[q])
+    }
+
+    /// Values of the shape functions at point `q`.
+    pub fn shapes(&self, q: usize) -> &Nodal {
+        &self.values[q]
+    }
+
+    /// Value at point `q` of the function with the given nodal values.
+    #[inline]
+    pub fn value(&self, q: usize, nodal: &Nodal) -> f64 {
+        value(&self.values[q], self.shapes, nodal)
+    }
+
+    /// Gradient [1/m] of shape function `i` at point `q`, which lies at `place` in a triangle.
+    #[inline]
+    pub fn gradient(&self, q: usize, i: usize, place: &Place) -> [f64; 2] {
+        place.gradient(self.gradients[q][i])
+    }
+
     /// Calls `visit` with every batch of points of triangle `t`.
     pub fn visit(&self, mesh: &Mesh, t: usize, mut visit: impl FnMut(&Points)) {
         let mapping = Mapping::of(mesh, t);
@@ -107,13 +130,7 @@ impl Points<'_> {
     /// Value at point `q` of the function with the given nodal values.
     #[inline]
     pub fn value(&self, q: usize, nodal: &Nodal) -> f64 {
-        match self.shapes {
-            QUADRATIC => value::<QUADRATIC>(&self.values[q], nodal),
-            CUBIC => value::<CUBIC>(&self.values[q], nodal),
-            shapes => (self.values[q][..shapes].iter().zip(nodal))
-                .map(|(shape, u)| u * shape)
-                .sum(),
-        }
+        value(&self.values[q], self.shapes, nodal)
     }
 
     /// Gradient [per m] at point `q` of the function with the given nodal values.
@@ -136,11 +153,26 @@ impl Points<'_> {
     pub fn shape_gradient(&self, q: usize, i: usize) -> [f64; 2] {
         self.places[q].gradient(self.gradients[q][i])
     }
+
+    /// The map of the triangle at point `q`.
+    pub fn place(&self, q: usize) -> Place {
+        self.places[q]
+    }
+}
+
+/// Value of a function of the first `count` shape functions.
+#[inline]
+fn value(shapes: &Nodal, count: usize, nodal: &Nodal) -> f64 {
+    match count {
+        QUADRATIC => value_of::<QUADRATIC>(shapes, nodal),
+        CUBIC => value_of::<CUBIC>(shapes, nodal),
+        count => (shapes[..count].iter().zip(nodal)).map(|(shape, u)| u * shape).sum(),
+    }
 }
 
 /// Value of a function of `N` shape functions: a loop of known length.
 #[inline]
-fn value<const N: usize>(shapes: &Nodal, nodal: &Nodal) -> f64 {
+fn value_of<const N: usize>(shapes: &Nodal, nodal: &Nodal) -> f64 {
     (shapes[..N].iter().zip(&nodal[..N])).map(|(shape, u)| u * shape).sum()
 }
 

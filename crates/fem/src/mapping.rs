@@ -27,6 +27,7 @@ pub struct Place {
 
 impl Place {
     /// Gradient on the surface of a function with the given reference gradient.
+    #[inline]
     pub fn gradient(&self, reference: [f64; 2]) -> [f64; 2] {
         (self.inverse_transposed * Vector2::from(reference)).into()
     }

@@ -27,7 +27,7 @@ pub struct HistoryStep {
 
 impl HistoryStep {
     /// A full step of an active-set iteration.
-    pub(crate) fn active(residual: f64, active: usize) -> Self {
+    pub fn active(residual: f64, active: usize) -> Self {
         Self {
             residual,
             damping: 1.0,
