@@ -2,7 +2,10 @@
 
 use std::ops::Index;
 
-use crate::coordinates::Vector;
+use crate::coordinates::{Vector, moved};
+
+/// Least square of the sine of the angle between two steps that tell of two directions.
+const NEARLY_PARALLEL: f64 = 1e-2;
 
 /// `dW/de` [N/m] in the coordinates of [`crate::Coordinates`], row: force.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,6 +51,19 @@ impl Stiffness {
             }
         }
         self
+    }
+
+    /// The tangent corrected by what it `missed` of the forces after a `step`, so that it still gives what a step `before` has given: that part of
+    /// the step counts which lies across the one before (Gay, Schnabel, Nonlinear Programming 3 (1978) 245); all of it where they are nearly parallel.
+    pub fn corrected_beside(self, before: Vector, step: Vector, missed: Vector) -> Self {
+        let product = |a: Vector, b: Vector| (0..self.order).fold(0.0, |sum, k| sum + a[k] * b[k]);
+        let across = moved(step, -product(step, before) / product(before, before), before);
+        let part = product(across, step) / product(step, step);
+        match part > NEARLY_PARALLEL {
+            // A correction along what lies across, by as much as the whole step missed.
+            true => self.corrected(across, missed),
+            false => self.corrected(step, missed),
+        }
     }
 
     /// The step [m] by which the forces change as `wanted` [N]; not finite where the tangent is singular.
@@ -145,6 +161,18 @@ mod tests {
             (0..4).all(|k| (corrected[k] - forces[k]).abs() < 1e-14),
             "{corrected:?}"
         );
+    }
+
+    #[test]
+    fn a_second_correction_leaves_the_first_exact() {
+        let steps = [[0.1, -0.2, 0.3, 0.05], [0.2, 0.1, -0.1, 0.02]];
+        let forces = [[1.0, 2.0, 3.0, 4.0], [0.5, -1.0, 2.0, 0.0]];
+        let missed = |of: Stiffness, k: usize| moved(forces[k], -1.0, of.times(steps[k]));
+        let first = matrix(4).corrected(steps[0], missed(matrix(4), 0));
+        let both = first.corrected_beside(steps[0], steps[1], missed(first, 1));
+        for k in 0..2 {
+            assert!(missed(both, k).iter().all(|off| off.abs() < 1e-14), "{k}");
+        }
     }
 
     #[test]
