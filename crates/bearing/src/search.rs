@@ -62,6 +62,20 @@ pub(crate) struct Trial {
     pub(crate) is_continued: bool,
 }
 
+impl Trial {
+    /// A trial by what is `carried`, with advection schemes of a neighbouring film, if any.
+    pub(crate) fn of(problem: FilmProblem, film: FilmSolution, carried: Resultant) -> Self {
+        Self {
+            problem,
+            film,
+            cubic: None,
+            carried,
+            schemes_chosen_at: f64::INFINITY,
+            is_continued: false,
+        }
+    }
+}
+
 impl<'a> Search<'a> {
     /// A search for `load` on `system`.
     pub(crate) fn new(problem: &FilmProblem, system: &'a FilmSystem, load: Load, options: SearchOptions<'a>) -> Self {
@@ -132,14 +146,7 @@ impl<'a> Search<'a> {
         let problem = self.placed(problem, at);
         let film = problem.solve_from(self.system, near)?;
         let carried = load(&problem, self.system, &film).total.resultant();
-        let trial = self.recorded(Trial {
-            problem,
-            film,
-            cubic: None,
-            carried,
-            schemes_chosen_at: f64::INFINITY,
-            is_continued: false,
-        });
+        let trial = self.recorded(Trial::of(problem, film, carried));
         Ok(match near {
             Neighbour::None => Trial {
                 schemes_chosen_at: self.residual(&trial),
@@ -162,17 +169,13 @@ impl<'a> Search<'a> {
         let cubic = problem.cubic_film(self.system, &film, cubic)?;
         let carried = load(&problem, &self.system.cubic().system, &cubic).total.resultant();
         Ok(self.recorded(Trial {
-            problem,
-            film,
             cubic: Some(cubic),
-            carried,
-            schemes_chosen_at: f64::INFINITY,
-            is_continued: false,
+            ..Trial::of(problem, film, carried)
         }))
     }
 
     /// The problem with the journal `at` these coordinates.
-    fn placed(&self, problem: &FilmProblem, at: Vector) -> FilmProblem {
+    pub(crate) fn placed(&self, problem: &FilmProblem, at: Vector) -> FilmProblem {
         let angle = match at {
             [0.0, 0.0, ..] => problem.journal.min_film_angle(),
             [x, y, ..] => y.atan2(x),
@@ -184,7 +187,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    fn recorded(&self, trial: Trial) -> Trial {
+    pub(crate) fn recorded(&self, trial: Trial) -> Trial {
         let distance = self.distance(&trial);
         let residual = self.residual(&trial);
         self.tried.borrow_mut().push(residual);

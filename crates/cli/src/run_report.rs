@@ -125,7 +125,15 @@ fn cavity(result: &RunResult) -> Option<String> {
                 significant(made.value / size, 2)
             )
         });
-    Some(format!("cavity    {share} % of the film{}", made.unwrap_or_default()))
+    let names = result.of_hill.iter().map(|name| name.replace('_', " "));
+    let of_hill = match names.collect::<Vec<_>>().join(" and ") {
+        names if names.is_empty() => names,
+        names => format!("; {names}: by the sharp hill over it"),
+    };
+    Some(format!(
+        "cavity    {share} % of the film{}{of_hill}",
+        made.unwrap_or_default()
+    ))
 }
 
 /// How often the expensive operations ran; nothing where nothing was counted.
@@ -234,6 +242,7 @@ pub(crate) mod tests {
                 ..Counts::default()
             },
             linear_solver: None,
+            of_hill: Vec::new(),
             timing_s: vec![("read".into(), 0.0123), ("total".into(), 1.5)],
             warnings: vec![],
         }

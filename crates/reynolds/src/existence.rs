@@ -191,7 +191,7 @@ impl FilmProblem {
         let other = (self.greatest_unknown(reference.system(system), reference.film())).value;
         let (better, other) = match reference {
             ReferenceFilm::Cubic(_) => (other, reached),
-            ReferenceFilm::Coarse(_) => (reached, other),
+            ReferenceFilm::Coarse { .. } => (reached, other),
         };
         let known_to = SAFETY * (better - other).abs() / limit;
         match better / limit - 1.0 > known_to {

@@ -6,8 +6,10 @@ use oilwedge_fem::complementarity::InitialGuess;
 use oilwedge_fem::factorization::LazyAnalysis;
 use oilwedge_fem::linear_solver::MultigridSolver;
 use oilwedge_fem::newton::{self, HistoryStep, Seconds};
+use oilwedge_fem::ordering::elimination_order;
 use oilwedge_fem::{
     Analysis, Assembler, ControlVolumes, LinearProlongation, LinearSolver, Linearisation, Prolongation, Space,
+    UnsymmetricAnalysis,
 };
 use oilwedge_mesh::Mesh;
 use oilwedge_mesh::quality::needle_share;
@@ -78,6 +80,8 @@ pub struct FilmSystem {
     between: OnceLock<Option<Arc<LinearProlongation>>>,
     /// Made when a mass-conserving film is first solved.
     volumes: OnceLock<Result<ControlVolumes, oilwedge_fem::Error>>,
+    /// The analysed pattern of the LU factor of a hill, made when one is first solved.
+    unsymmetric: OnceLock<Result<Arc<UnsymmetricAnalysis>, oilwedge_fem::Error>>,
     /// Made when an error bar is first estimated.
     pub(crate) cubic: OnceLock<Box<CubicSystem>>,
     /// Made when the error of a mass-conserving film is first judged.
@@ -116,6 +120,7 @@ impl FilmSystem {
             worth_multigrid: WORTH_MULTIGRID,
             between: OnceLock::new(),
             volumes: OnceLock::new(),
+            unsymmetric: OnceLock::new(),
             cubic: OnceLock::new(),
             vertices: OnceLock::new(),
         }
@@ -173,6 +178,16 @@ impl FilmSystem {
     pub fn volumes(&self) -> Result<&ControlVolumes, oilwedge_fem::Error> {
         let volumes = self.volumes.get_or_init(|| ControlVolumes::new(self.space()));
         volumes.as_ref().map_err(Clone::clone)
+    }
+
+    /// The analysed pattern of the LU factor of a hill.
+    ///
+    /// # Errors
+    /// A system that does not fit in memory.
+    pub(crate) fn unsymmetric(&self) -> Result<Arc<UnsymmetricAnalysis>, oilwedge_fem::Error> {
+        let analysed = || UnsymmetricAnalysis::new(self.assembler.pattern().clone(), elimination_order(self.space()));
+        let analysis = self.unsymmetric.get_or_init(|| analysed().map(Arc::new));
+        analysis.clone()
     }
 
     /// The space of the unknown.

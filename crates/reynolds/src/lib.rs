@@ -33,7 +33,7 @@
 //!
 //! Reading order: [`terms`] (start with `poiseuille.rs`), [`film_thickness`], [`lubricant`],
 //! [`supply`] (where pressure is given), [`film_problem`] (all of it compiled, and solved),
-//! [`quantities`] (what is reported), [`analytical`] (closed forms to test against).
+//! [`sharp`] (the pressure over the cavity that finite volumes have found), [`quantities`] (what is reported), [`analytical`] (closed forms to test against).
 //! An effect is an entry in one of these places; an empty place costs nothing.
 
 pub mod analytical;
@@ -54,6 +54,7 @@ mod position_sensitivity;
 pub mod quantities;
 mod reference_film;
 mod reuse;
+pub mod sharp;
 pub mod solve;
 pub mod supply;
 pub mod terms;

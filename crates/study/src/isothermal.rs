@@ -2,7 +2,9 @@
 
 use std::time::Instant;
 
-use oilwedge_bearing::{Carrier, InitialGuess, Load, SearchObserver, SearchOptions, find};
+use oilwedge_bearing::{Carrier, Equilibrium, InitialGuess, Load, SearchObserver, SearchOptions, balance_hill, find};
+use oilwedge_reynolds::error_bar::sharp;
+use oilwedge_reynolds::sharp::{HillStart, SharpFilm};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmSolution, ReferenceFilm};
 
@@ -47,8 +49,26 @@ fn under_load(film: &Film, load: Load, options: &SolveOptions) -> Result<Solved,
         guess => SearchOptions { guess, ..search },
     };
     let found = find(&film.problem, &film.system, load, &search)?;
+    let by_film = balance(&found, load, clock);
+    let film = film.with_journal(found.problem.journal);
+    let solved = match found.cubic {
+        None => with_reference(film, found.film, options.errors)?,
+        cubic => Solved {
+            reference: cubic.map(ReferenceFilm::Cubic),
+            ..with_reference(film, found.film, Errors::Omitted)?
+        },
+    };
+    let solved = Solved {
+        balance: Some(by_film),
+        ..solved
+    };
+    Ok(balanced_by_hill(solved, load, &search, clock))
+}
+
+/// How a `load` is balanced by a search that began at `clock`.
+fn balance(found: &Equilibrium, load: Load, clock: Instant) -> Balance {
     let (parts, seconds) = (found.film.seconds, clock.elapsed().as_secs_f64());
-    let balance = Balance {
+    Balance {
         unbalanced: found.unbalanced,
         residual: found.residual,
         parts: found.parts,
@@ -58,29 +78,71 @@ fn under_load(film: &Film, load: Load, options: &SolveOptions) -> Result<Solved,
         stiffness: found.stiffness,
         steps: found.steps,
         is_ended: found.is_ended,
+        is_of_hill: false,
         seconds: seconds - parts.assemble - parts.factorise - parts.solve,
+    }
+}
+
+/// The film at the position in which its hill carries the load, near that which the `solved` film has found, where the load is that of the hill; else that film.
+fn balanced_by_hill(mut solved: Solved, load: Load, search: &SearchOptions, clock: Instant) -> Solved {
+    let (Some(by_film), Some(hill)) = (solved.balance, hill_with_load(&mut solved)) else {
+        return solved;
     };
-    let film = film.with_journal(found.problem.journal);
-    let solved = match found.cubic {
-        None => with_reference(film, found.film, options.errors)?,
-        cubic => Solved {
-            reference: cubic.map(ReferenceFilm::Cubic),
-            ..with_reference(film, found.film, Errors::Omitted)?
-        },
+    let from = (&solved.film.problem, &solved.solution, hill);
+    let Some((found, hill)) = balance_hill(from, &solved.film.system, load, by_film.stiffness, search) else {
+        return solved;
     };
-    Ok(Solved {
-        balance: Some(balance),
+    // What the coarse comparison shows changes as little as the position.
+    if let Some(ReferenceFilm::Coarse { hill: there, .. }) = &mut solved.reference {
+        *there = Some(Box::new(hill));
+    }
+    Solved {
+        balance: Some(Balance {
+            steps: by_film.steps + found.steps,
+            is_of_hill: true,
+            ..balance(&found, load, clock)
+        }),
+        film: solved.film.with_journal(found.problem.journal),
+        solution: found.film,
         ..solved
-    })
+    }
+}
+
+/// The hill of a film, taken out of it, if the load of the film is that of the hill.
+fn hill_with_load(solved: &mut Solved) -> Option<SharpFilm> {
+    solved.balance.filter(|balance| !balance.is_ended)?;
+    let Some(ReferenceFilm::Coarse {
+        error: Some(error),
+        hill,
+        ..
+    }) = &mut solved.reference
+    else {
+        return None;
+    };
+    let film = (&solved.film.problem, &*solved.film.system, &solved.solution);
+    let hill = hill.take_if(|hill| sharp::takes_load_of_hill(error, film, hill));
+    hill.map(|hill| *hill)
 }
 
 /// A solved film at a given position and temperature, with its reference film if errors are estimated.
 fn with_reference(film: Film, solution: FilmSolution, errors: Errors) -> Result<Solved, NoAnswer> {
     let clock = Instant::now();
-    let reference = match errors {
+    let mut reference = match errors {
         Errors::Estimated => film.problem.reference_film(&film.system, &solution)?,
         Errors::Omitted => None,
     };
+    // A balance of heat is that of the film.
+    if let Some(ReferenceFilm::Coarse {
+        error: Some(error),
+        hill,
+        ..
+    }) = reference.as_mut().filter(|_| film.thermal.is_none())
+        && sharp::is_of_use(error, (&film.problem, &film.system, &solution))
+    {
+        // The film stands without its hill.
+        let found = film.problem.sharp_film(&film.system, &solution, HillStart::Film);
+        *hill = found.ok().flatten().map(Box::new);
+    }
     Ok(Solved {
         film,
         solution,

@@ -1,5 +1,6 @@
 //! What is measured on a solved film.
 
+use oilwedge_reynolds::error_bar::sharp::Sharpened;
 use oilwedge_reynolds::quantities::cavity::{self, Cavity};
 use oilwedge_reynolds::quantities::extent::{Extent, extent};
 use oilwedge_reynolds::quantities::flow::{self, Flows};
@@ -7,6 +8,7 @@ use oilwedge_reynolds::quantities::inlet::inlet_flow;
 use oilwedge_reynolds::quantities::load::{self, Load};
 use oilwedge_reynolds::quantities::power::{self, Power};
 use oilwedge_reynolds::quantities::pressure::{self, Extremes};
+use oilwedge_reynolds::sharp::HillNumbers;
 use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalState, Thinnest};
 
 /// Tension below this fraction of the pressure of drag is rounding.
@@ -46,6 +48,26 @@ impl Measured {
         let product = |[x, y]: [f64; 2], [by_x, by_y]: [f64; 2]| x * by_x + y * by_y;
         let total = &self.load.total;
         product(journal.velocity, total.force) + product(journal.tilt_rate, total.moment)
+    }
+
+    /// The numbers that a hill may sharpen.
+    pub(crate) fn as_hill(&self) -> HillNumbers {
+        HillNumbers {
+            load: self.load.total,
+            greatest: self.extremes.greatest,
+        }
+    }
+
+    /// Takes the numbers of the hill that are better than those of the film.
+    pub(crate) fn sharpen(&mut self, problem: &FilmProblem, by: &Sharpened) {
+        if let Some(load) = by.load {
+            self.load.total = load;
+            self.power.pressure = self.power.with_moment(problem, load.resultant()).pressure;
+        }
+        if let Some(greatest) = by.greatest {
+            self.extremes.greatest = greatest;
+            self.extremes.viscosity = problem.viscosity_at(greatest);
+        }
     }
 }
 

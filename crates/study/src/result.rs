@@ -156,6 +156,9 @@ pub struct RunResult {
     pub quantities: Vec<Quantity>,
     /// Whether error bars were asked for and estimated; one that is missing then could not be resolved.
     pub bars: bool,
+    /// Names of quantities that are those of the sharp hill of a mass-conserving film; what follows from them is, too. Absent in JSON where there are none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub of_hill: Vec<&'static str>,
     /// The meshes on the way to a tolerance, the last being that of the result; none without a tolerance.
     pub levels: Vec<LevelFacts>,
     /// What must vanish.

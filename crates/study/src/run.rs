@@ -91,6 +91,7 @@ fn without_outcome(scene: &Scene, answer: &Answer, options: &RunOptions) -> RunR
         history: Vec::new(),
         counts: Counts::default(),
         linear_solver: None,
+        of_hill: Vec::new(),
         timing_s: (film.seconds.iter())
             .map(|&(part, seconds)| (part.to_owned(), seconds))
             .collect(),
@@ -170,6 +171,7 @@ fn report(scene: &Scene, (solved, estimated): (&Solved, Estimated), options: &Ru
     result
         .timing_s
         .extend(parts.map(|(part, seconds)| (part.to_owned(), seconds)));
+    result.of_hill = estimated.of_hill;
     result.quantities = estimated.quantities;
 }
 

@@ -78,6 +78,8 @@ pub struct Balance {
     pub steps: usize,
     /// True where the search was ended before the load was balanced.
     pub is_ended: bool,
+    /// True where the force of the hill of a mass-conserving film balances the load, false for that of the film.
+    pub is_of_hill: bool,
     /// Seconds that the search took, but for the film of the result.
     pub seconds: f64,
 }

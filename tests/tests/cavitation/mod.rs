@@ -8,5 +8,6 @@ mod dry;
 mod invariant;
 mod linear_elements;
 mod random;
+mod sharp;
 mod starved;
 mod swift_stieber;

@@ -46,6 +46,7 @@ pub(crate) fn example() -> RunResult {
         }],
         counts: Counts::default(),
         linear_solver: None,
+        of_hill: Vec::new(),
         timing_s: vec![("read".into(), 0.25), ("assemble".into(), 0.5)],
         warnings: vec![],
     }

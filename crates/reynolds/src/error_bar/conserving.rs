@@ -84,6 +84,8 @@ pub struct ConservingError {
     pub pressure_integral: Bar,
     /// Of the greatest pressure [Pa]; not finite where the limit of the viscosity law lies within it.
     pub greatest_pressure: f64,
+    /// Of the pressure of the film anywhere [Pa], likewise.
+    pub pressure: f64,
     /// Of the net flow of each region of the supply [m3/s].
     pub flows: Vec<f64>,
     /// Of the flow through all ends together [m3/s].
@@ -170,6 +172,7 @@ pub fn conserving_error(
     let force = total.magnitude();
     let load = with_spread(bar(&along), force);
     let greatest = pair.pressure.iter().fold(0.0, |most: f64, p| most.max(p.abs()));
+    let pressure = pair.greatest_pressure(problem, coarse) + part * greatest;
     let resolved = load.total() <= UNRESOLVED * force.max(CANCELLING * load::possible_load(problem, &total.total));
     Some(ConservingError {
         is_resolved: resolved,
@@ -183,7 +186,8 @@ pub fn conserving_error(
             [f64::cos, f64::sin].map(|of| with_spread(bar(&pair.shares(|[angle, z]| z * of(angle))), arm * force))
         }),
         pressure_integral: with_spread(bar(&pair.shares(|_| 1.0)), force),
-        greatest_pressure: pair.greatest_pressure(problem, coarse) + part * greatest,
+        greatest_pressure: pressure,
+        pressure,
         flows: flows.into_iter().map(|flow| flow + part * around).collect(),
         side_flow: side_flow + part * around,
         inlet_flow: OF_INLET * (inlet - other_inlet).abs() + (CARRIED_TO_INLET * carried + part) * inlet.abs(),

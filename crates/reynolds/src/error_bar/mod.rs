@@ -31,6 +31,7 @@ mod drag;
 pub mod geometry;
 pub mod places;
 mod shares;
+pub mod sharp;
 
 use crate::quantities::load::Share;
 use crate::{FilmProblem, FilmSolution, FilmSystem};

@@ -94,16 +94,21 @@ impl std::ops::AddAssign for Share {
 
 /// Load of a solved film.
 pub fn load(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Load {
-    let mesh = system.space().mesh();
-    let cut_out: Vec<(String, Share)> = (system.supply.regions().iter())
-        .filter(|region| supply::rim(mesh, region).next().is_some())
-        .map(|region| (region.name.clone(), cut_out_share(problem, mesh, region)))
-        .collect();
+    let cut_out = cut_out_shares(problem, system);
     let mut total = film_share(problem, system, film);
     for (_, share) in &cut_out {
         total += *share;
     }
     Load { total, cut_out }
+}
+
+/// The shares of regions cut out of the mesh, by name.
+pub(crate) fn cut_out_shares(problem: &FilmProblem, system: &FilmSystem) -> Vec<(String, Share)> {
+    let mesh = system.space().mesh();
+    let cut_out = (system.supply.regions().iter()).filter(|region| supply::rim(mesh, region).next().is_some());
+    cut_out
+        .map(|region| (region.name.clone(), cut_out_share(problem, mesh, region)))
+        .collect()
 }
 
 /// What loads are small against [N]: what the pressures of a film with this `share` could carry, all on one side. At least what is rounding against

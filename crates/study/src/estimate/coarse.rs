@@ -53,7 +53,7 @@ impl Estimate for CoarseComparison<'_> {
     fn least_pressure(&self) -> Bar {
         match self.measured.cavity.is_some_and(|cavity| cavity.share > 0.0) {
             true => Bar::default(),
-            false => Bar::of(self.error.greatest_pressure),
+            false => Bar::of(self.error.pressure),
         }
     }
 

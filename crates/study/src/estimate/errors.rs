@@ -5,8 +5,10 @@
 
 use std::time::Instant;
 
-use oilwedge_reynolds::error_bar::conserving::conserving_error;
+use oilwedge_reynolds::error_bar::conserving::ConservingError;
+use oilwedge_reynolds::error_bar::sharp::{Reported, sharpen};
 use oilwedge_reynolds::error_bar::{Bar, Value, film_error};
+use oilwedge_reynolds::sharp::SharpFilm;
 use oilwedge_reynolds::{FilmSolution, ReferenceFilm};
 
 use super::Estimate;
@@ -16,8 +18,8 @@ use super::linked::link;
 use super::position_sensitivity::position_bars;
 use crate::film::Film;
 use crate::measure::{Measured, measure};
-use crate::quantities::{Quantity, Subject, View, measured};
-use crate::solved::Solved;
+use crate::quantities::{LOAD, PRESSURE_MAX, Quantity, Subject, View, measured};
+use crate::solved::{Balance, Solved};
 use oilwedge_reynolds::quantities::cavity::hidden_share;
 
 /// A film, measured, with the errors of what was measured.
@@ -33,6 +35,10 @@ pub struct Estimated {
     pub is_local: bool,
     /// Part of every bar, over its number, for oil that triangles spread across the flow; zero on rows along it.
     pub spread: f64,
+    /// Names of the quantities that are those of the sharp hill of a mass-conserving film, and all that follows from them; of the others none is.
+    pub of_hill: Vec<&'static str>,
+    /// The bar that the load would have without its hill over that which it has; one where there is none.
+    pub narrowed: f64,
     /// Seconds that measuring and estimating took.
     pub seconds: f64,
 }
@@ -46,6 +52,8 @@ impl Estimated {
             indicator: None,
             is_local: false,
             spread: 0.0,
+            of_hill: Vec::new(),
+            narrowed: 1.0,
             seconds: 0.0,
         }
     }
@@ -57,7 +65,7 @@ pub fn estimate_errors(solved: &Solved) -> Estimated {
     let mut estimated = match &solved.reference {
         None => Estimated::without_bars(film, measure(&film.problem, &film.system, &solved.solution)),
         Some(ReferenceFilm::Cubic(cubic)) => by_cubic(solved, cubic),
-        Some(ReferenceFilm::Coarse(coarse)) => by_coarse(solved, coarse),
+        Some(ReferenceFilm::Coarse { error, hill, .. }) => by_coarse(solved, error.as_deref(), hill.as_deref()),
     };
     if let Some(found) = &solved.temperature {
         found.widen(film, &estimated.measured, &mut estimated.quantities);
@@ -95,6 +103,8 @@ fn by_cubic(solved: &Solved, cubic: &FilmSolution) -> Estimated {
         pair.moment(),
     );
     Estimated {
+        of_hill: Vec::new(),
+        narrowed: 1.0,
         quantities: with_bars(solved, &pair, &reported, &numbers(film, &quadratic), &load),
         measured: reported,
         is_local: load[0].front > load[0].discretisation,
@@ -104,25 +114,45 @@ fn by_cubic(solved: &Solved, cubic: &FilmSolution) -> Estimated {
     }
 }
 
-fn by_coarse(solved: &Solved, coarse: &FilmSolution) -> Estimated {
+fn by_coarse(solved: &Solved, error: Option<&ConservingError>, hill: Option<&SharpFilm>) -> Estimated {
     let film = &solved.film;
-    let measured = measure(&film.problem, &film.system, &solved.solution);
-    let plain = Estimated::without_bars(film, measured);
-    let Some(error) = conserving_error(&film.problem, &film.system, &solved.solution, coarse) else {
-        return plain;
+    let mut measured = measure(&film.problem, &film.system, &solved.solution);
+    let Some(mut error) = error.cloned() else {
+        return Estimated::without_bars(film, measured);
     };
+    let of_film = numbers(film, &measured);
+    let (mut of_hill, by_film) = (Vec::new(), error.load.total());
+    if let Some(hill) = hill {
+        let sharpened = sharpen(&mut error, &measured.as_hill(), hill, reported(solved));
+        measured.sharpen(&film.problem, &sharpened);
+        of_hill.extend(sharpened.load.map(|_| LOAD.name));
+        of_hill.extend(sharpened.greatest.map(|_| PRESSURE_MAX.name));
+    }
+    let plain = Estimated::without_bars(film, measured);
     let pair = CoarseComparison {
         film,
         error: &error,
         measured: &plain.measured,
-        hidden: hidden_share(&film.problem, &film.system, &solved.solution, error.greatest_pressure),
+        hidden: hidden_share(&film.problem, &film.system, &solved.solution, error.pressure),
     };
     let load = bars_of_balance(film, [error.load, error.across], pair.moment());
     Estimated {
-        quantities: with_bars(solved, &pair, &plain.measured, &plain.quantities, &load),
+        quantities: with_bars(solved, &pair, &plain.measured, &of_film, &load),
         spread: error.spread,
         indicator: Some(error.indicator),
+        of_hill,
+        narrowed: (by_film / error.load.total()).max(1.0),
         ..plain
+    }
+}
+
+/// Which film is reported where there is a hill.
+fn reported(solved: &Solved) -> Reported {
+    match solved.balance {
+        _ if solved.temperature.is_some() => Reported::FiniteVolumes,
+        None => Reported::Narrower,
+        Some(Balance { is_of_hill: true, .. }) => Reported::LoadOfHill,
+        Some(Balance { is_of_hill: false, .. }) => Reported::FiniteVolumes,
     }
 }
 

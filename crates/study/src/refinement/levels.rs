@@ -20,7 +20,7 @@ use crate::reasons::{Cause, Distance, Limit};
 use crate::result::{LevelFacts, Refinement};
 use crate::run_options::RunOptions;
 use crate::solved::{Errors, Solved};
-use oilwedge_scene::{Scene, Target};
+use oilwedge_scene::{Scene, Target, Tolerance};
 
 /// Most meshes.
 const MOST_LEVELS: usize = 30;
@@ -183,15 +183,21 @@ impl Refining<'_> {
         let (wanted, _) = worst(&solved.film, &estimated, &self.targets.wanted);
         let (worst, name) = worst(&solved.film, &estimated, &self.targets.required);
         self.tell(&estimated.quantities, worst, name);
+        let by_film = match self.scene.tolerance {
+            Some(Tolerance::Usual) => worst * estimated.narrowed,
+            _ => worst,
+        };
         let level = Level {
             solved,
             estimated,
             worst,
+            by_film,
             worst_name: name.to_owned(),
             wanted,
         };
         let finer = match ended(&level.solved, self.options) {
             None if worst > 1.0 => self.finer(next, &level).map_err(Some),
+            None if by_film > 1.0 => self.finer_for_film(next, &level).ok_or(None),
             None if wanted > 1.0 => self.finer_if_cheap(next, &level).ok_or(None),
             limit => Err(limit),
         };
@@ -238,6 +244,16 @@ impl Refining<'_> {
             most_growth: MOST_GROWTH,
         };
         self.finer_for(&goal, last, level)
+    }
+
+    /// The mesh after that of a level which has what is required by its hill alone, if there may be one.
+    fn finer_for_film(&self, last: &Next, level: &Level) -> Option<Next> {
+        let goal = Goal {
+            worst: level.by_film,
+            most_unknowns: self.options.max_unknowns,
+            most_growth: MOST_GROWTH,
+        };
+        self.finer_for(&goal, last, level).ok()
     }
 
     /// The mesh after that of a level which has what is required, for what is wanted beside it; none where that is expensive.

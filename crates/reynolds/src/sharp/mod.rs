@@ -1,0 +1,302 @@
+//! # The sharp hill: pressure in quadratic and cubic elements over the cavity of a mass-conserving film
+//!
+//! **Equation.** With `k = h^3/(12 mu)`, `F = U h/2` and the reduced pressure v above that of the cavity
+//! ```text
+//! Int k grad v . grad w dA = Int T/h F . grad w dA        for all w
+//! T = h                     on the side of rupture, where v >= 0 is an obstacle
+//! T = g + (h - g) chi       on the side of reformation while g < h,    chi = clip(v/e0, 0, 1)
+//! ```
+//! The finite volumes of the film tell where cavities are and the oil `g(z) = h theta` that they carry. Rays along the flow carry it on (`rays`); rupture and reformation are
+//! found anew (`balance`, `hill`). The front is smeared over a triangle: where coefficients are
+//! constant its full side is exact, and `chi v` has the area of the sharp one, so that loads are integrals of it (`numbers`).
+//!
+//! | symbol | unit | code |
+//! |---|---|---|
+//! | v | Pa | `v` |
+//! | g | m | `oil` |
+//! | e0 | Pa | `width` |
+//!
+//! **Source.** The free boundary and its condition: Jakobsson and Floberg, Chalmers Report 190 (1957); the contact of quadratic elements: Brezzi, Hager, Raviart, Numer.
+//! Math. 28 (1977) 431. **Range.** Steady films without pockets, starved edges or axial sliding. Flows, film fraction and cavity are those of the
+//! finite volumes. **Verified by** `cavitation/sharp`: Swift-Stieber films, finer meshes.
+
+mod balance;
+mod hill;
+mod numbers;
+mod rays;
+
+use oilwedge_fem::Error;
+use oilwedge_fem::newton::{Failure, HistoryStep};
+
+use self::balance::Balance;
+use self::hill::{Hill, Kept, Nodes};
+pub use self::numbers::HillNumbers;
+use self::rays::{Rays, Side};
+use crate::cavitation::FilmFraction;
+use crate::{Cavitation, FilmProblem, FilmSolution, FilmSystem, Form, Theory};
+
+/// Residual over the greatest share of a node, where the hill is found that is reported,
+const SOLVED: f64 = 1e-8;
+/// where its force is to balance a load,
+const BALANCED: f64 = 1e-12;
+/// and where that is found with which it is compared.
+const COMPARED: f64 = 1e-6;
+
+/// The hill over the cavity of one film.
+#[derive(Debug)]
+pub struct SharpFilm {
+    /// Its numbers in cubic elements.
+    pub cubic: HillNumbers,
+    /// These less those in quadratic elements.
+    pub by_degree: HillNumbers,
+    /// What they change by, to first order, with as much more oil as keeps cavities from making or losing any.
+    pub by_oil: HillNumbers,
+    /// What they change by where cavities are found anew at this position; zero where they are those of this position.
+    pub by_cavities: HillNumbers,
+    /// How much oil that is, as a part of that which arrives.
+    pub lost: f64,
+    /// Steps of both degrees.
+    pub history: Vec<HistoryStep>,
+    kept: Kept,
+    frame: Frame,
+}
+
+/// What a hill starts from.
+#[derive(Debug)]
+pub enum HillStart {
+    /// The film: in quadratic elements, then in cubic ones.
+    Film,
+    /// The hill of a position nearby on the same system: in cubic elements alone. What degree and oil change is that which they change there.
+    Near(SharpFilm),
+    /// The same, over the cavities found there, with the oil that the film lets arrive here: forces depend smoothly on the position then.
+    SameCavities(SharpFilm),
+}
+
+/// What of a hill is found once and does not follow the position smoothly.
+#[derive(Debug)]
+struct Frame {
+    rays: Rays,
+    /// Those of cubic elements.
+    nodes: Nodes,
+    /// Dofs of the film that are in a cavity.
+    cavity: Vec<bool>,
+}
+
+impl FilmProblem {
+    /// True if a hill is a film of this problem.
+    fn has_sharp_film(&self, system: &FilmSystem) -> bool {
+        let starved = |region: &crate::supply::SupplyRegion| region.film_fraction.is_some();
+        matches!(self.cavitation, Cavitation::Jfo { .. })
+            && self.form == Form::Conservative
+            && self.theory == Theory::Full
+            && self.journal.velocity == [0.0; 2]
+            && self.journal.axial_velocity == 0.0
+            && self.journal.speed != 0.0
+            && self.film_thickness.len() == 1
+            && system.space().degree() == 2
+            && !system.supply.regions().iter().any(starved)
+    }
+
+    /// The hill over the cavity of `film`; none where the film is not of the kind that has one.
+    ///
+    /// # Errors
+    /// [`Failure`]: rupture and reformation were not found, or the viscosity law has no pressure for the film.
+    pub fn sharp_film(
+        &self,
+        system: &FilmSystem,
+        film: &FilmSolution,
+        start: HillStart,
+    ) -> Result<Option<SharpFilm>, Failure> {
+        let Some(fraction) = film.film_fraction.as_ref().filter(|_| self.has_sharp_film(system)) else {
+            return Ok(None);
+        };
+        let hill = match start {
+            HillStart::Film => self.first_hill(system, film, Rays::new(self, system, film, fraction)),
+            HillStart::Near(near) => {
+                let frame = self.frame(system, film, fraction);
+                self.hill_near(system, SharpFilm { frame, ..near }, SOLVED)
+            }
+            HillStart::SameCavities(mut near) => {
+                near.frame.rays.refill(self, system, fraction);
+                self.hill_near(system, near, BALANCED)
+            }
+        };
+        hill.map(Some)
+    }
+
+    /// This `hill` of a `film`, with what it would change by if its cavities were those of this position.
+    ///
+    /// # Errors
+    /// [`Failure`]: rupture and reformation were not found.
+    pub fn cavities_checked(
+        &self,
+        system: &FilmSystem,
+        film: &FilmSolution,
+        hill: SharpFilm,
+    ) -> Result<SharpFilm, Failure> {
+        let Some(fraction) = &film.film_fraction else {
+            return Ok(hill);
+        };
+        if hill.frame.cavity == film.cavity && hill.frame.rays.are_those_of(self, film) {
+            return Ok(hill);
+        }
+        let cubic = hill.cubic;
+        let frame = self.frame(system, film, fraction);
+        let anew = self.hill_near(system, SharpFilm { frame, ..hill }, SOLVED)?;
+        Ok(SharpFilm {
+            by_cavities: anew.cubic.less(&cubic),
+            cubic,
+            ..anew
+        })
+    }
+
+    /// In quadratic elements, then in cubic ones.
+    fn first_hill(&self, system: &FilmSystem, film: &FilmSolution, rays: Rays) -> Result<SharpFilm, Failure> {
+        let floor = self.cavity_unknown();
+        let start = Kept {
+            v: film.unknown.iter().map(|u| u - floor).collect(),
+            held: film.cavity.clone(),
+            ..Kept::default()
+        };
+        let nodes = self.nodes(system, (system, film), &rays);
+        let mut quadratic = self.hill(system, &rays, nodes, start)?;
+        quadratic.renew_direction();
+        quadratic.solve(COMPARED)?;
+        let cubic_system = system.cubic();
+        let start = Kept {
+            v: cubic_system.prolongation.prolong(&quadratic.v),
+            held: quadratic.contact_in(cubic_system.system.space()),
+            along: std::mem::take(&mut quadratic.balance.along),
+            linearisation: None,
+        };
+        let nodes = self.nodes(&cubic_system.system, (system, film), &rays);
+        let mut cubic = self.hill(&cubic_system.system, &rays, nodes, start)?;
+        cubic.solve(SOLVED)?;
+        quadratic.balance.along.clone_from(&cubic.balance.along);
+        let (replenished, lost) = cubic.replenished()?;
+        let numbers = self.measured(&cubic_system.system, &cubic, &cubic.v)?;
+        let mut history = std::mem::take(&mut quadratic.history);
+        history.append(&mut cubic.history);
+        let by_degree = numbers.less(&self.measured(system, &quadratic, &quadratic.v)?);
+        let by_oil = (self.measured(&cubic_system.system, &cubic, &replenished)?).less(&numbers);
+        let (kept, nodes) = cubic.kept();
+        Ok(SharpFilm {
+            by_degree,
+            by_oil,
+            by_cavities: numbers.less(&numbers),
+            cubic: numbers,
+            lost,
+            history,
+            kept,
+            frame: Frame {
+                rays,
+                nodes,
+                cavity: film.cavity.clone(),
+            },
+        })
+    }
+
+    /// In cubic elements, from the hill of a position nearby, in its frame, until the residual is `enough`.
+    fn hill_near(&self, system: &FilmSystem, near: SharpFilm, enough: f64) -> Result<SharpFilm, Failure> {
+        let cubic_system = &system.cubic().system;
+        let Frame { rays, nodes, cavity } = near.frame;
+        let mut cubic = self.hill(cubic_system, &rays, nodes, near.kept)?;
+        cubic.solve(enough)?;
+        let numbers = self.measured(cubic_system, &cubic, &cubic.v)?;
+        let history = std::mem::take(&mut cubic.history);
+        let (kept, nodes) = cubic.kept();
+        Ok(SharpFilm {
+            cubic: numbers,
+            history,
+            kept,
+            frame: Frame { rays, nodes, cavity },
+            ..near
+        })
+    }
+
+    /// What is found once at the position of a `film`.
+    fn frame(&self, system: &FilmSystem, film: &FilmSolution, fraction: &FilmFraction) -> Frame {
+        let rays = Rays::new(self, system, film, fraction);
+        Frame {
+            nodes: self.nodes(&system.cubic().system, (system, film), &rays),
+            cavity: film.cavity.clone(),
+            rays,
+        }
+    }
+
+    /// The numbers of a hill at v.
+    fn measured(&self, system: &FilmSystem, hill: &Hill, v: &[f64]) -> Result<HillNumbers, Failure> {
+        let numbers = numbers::measure(self, system, v, &hill.balance.filled(v));
+        match numbers.greatest.is_finite() && numbers.load.possible.is_finite() {
+            true => Ok(numbers),
+            false => Err(Error::NotFinite {
+                what: "pressure of the sharp hill",
+            }
+            .into()),
+        }
+    }
+
+    /// Reduced pressure [Pa] of the cavity.
+    pub(super) fn cavity_unknown(&self) -> f64 {
+        self.cavitation.pressure().map_or(0.0, |p| self.unknown_at(p))
+    }
+
+    /// A hill on `system` that is to start from another one.
+    fn hill<'a>(&self, system: &'a FilmSystem, rays: &Rays, nodes: Nodes, start: Kept) -> Result<Hill<'a>, Failure> {
+        let may_be = |(&held, &may): (&bool, &bool)| held && may;
+        let mut balance = Balance::new(self, system, rays);
+        if !start.along.is_empty() {
+            balance.along = start.along;
+        }
+        Ok(Hill {
+            balance,
+            analysis: system.unsymmetric()?,
+            v: start.v,
+            held: start.held.iter().zip(&nodes.may_touch).map(may_be).collect(),
+            nodes,
+            linearisation: start.linearisation,
+            is_stale: false,
+            history: Vec::new(),
+        })
+    }
+
+    /// What the nodes of `system` are, on both sides of the rays, over the cavity of the `quadratic` system's film.
+    fn nodes(&self, system: &FilmSystem, (quadratic, film): (&FilmSystem, &FilmSolution), rays: &Rays) -> Nodes {
+        let (space, floor) = (system.space(), self.cavity_unknown());
+        let sides = rays.sides(space);
+        let mut given = system.supply.constraints(|p| self.unknown_at(p));
+        for (dof, value) in given.values.iter_mut().enumerate() {
+            if given.fixed[dof] {
+                *value -= floor;
+            }
+        }
+        let mut nodes = Nodes {
+            pinned: vec![false; space.dofs()],
+            may_touch: vec![false; space.dofs()],
+            closed: vec![false; space.dofs()],
+            given,
+        };
+        for t in 0..space.mesh().triangles().len() {
+            let dofs = &space.element_dofs(t)[..space.shapes()];
+            let of_film = &quadratic.space().element_dofs(t)[..quadratic.space().shapes()];
+            if of_film.iter().all(|&dof| film.cavity[dof]) {
+                let any = |wanted: fn(&Side) -> bool| dofs.iter().any(|&dof| wanted(&sides[dof]));
+                let sees_both = any(|side| *side == Side::Rupture) && any(|side| matches!(side, Side::Reformation(_)));
+                if sees_both || any(|side| *side == Side::Bare) {
+                    dofs.iter().for_each(|&dof| nodes.pinned[dof] = true);
+                }
+                dofs.iter().for_each(|&dof| nodes.closed[dof] = nodes.given.fixed[dof]);
+            }
+            // Quadratic functions of vertices have no mean, so that contact there has no sign.
+            let first = if space.degree() == 2 { 3 } else { 0 };
+            for &dof in &dofs[first..] {
+                nodes.may_touch[dof] = !nodes.given.fixed[dof] && matches!(sides[dof], Side::Rupture | Side::Bare);
+            }
+        }
+        for dof in 0..space.dofs() {
+            nodes.pinned[dof] &= !nodes.given.fixed[dof];
+            nodes.may_touch[dof] &= !nodes.pinned[dof];
+        }
+        nodes
+    }
+}
