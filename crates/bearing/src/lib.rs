@@ -26,6 +26,7 @@ mod load_capacity;
 mod log_eccentricity;
 pub mod no_equilibrium;
 pub mod observer;
+pub mod orbit;
 mod prediction;
 mod search;
 pub mod search_options;

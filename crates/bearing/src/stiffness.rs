@@ -35,6 +35,14 @@ impl Stiffness {
         self.order
     }
 
+    /// The tangent with a force more for each coordinate [N/m].
+    pub fn with_diagonal(mut self, more: Vector) -> Self {
+        for (k, more) in more.into_iter().enumerate().take(self.order) {
+            self.rows[k][k] += more;
+        }
+        self
+    }
+
     /// The change of the forces by a `step`.
     pub fn times(&self, step: Vector) -> Vector {
         self.rows

@@ -1,0 +1,307 @@
+//! Steps of the length that the tolerance allows, from cycle to cycle, until the orbit closes.
+
+use oilwedge_reynolds::solve::Neighbour;
+use oilwedge_reynolds::NoFilm;
+
+use super::motion::{Instant, Motion};
+use super::path::Span;
+use super::scheme::ERROR_POWER;
+use super::stage::{Accuracy, NoStage};
+use super::step::{Begin, Made};
+use crate::Deadline;
+use crate::coordinates::{Vector, length, moved};
+
+/// The next step is this part of that which would just meet the tolerance,
+const SAFETY: f64 = 0.85;
+/// and between these multiples of the last one.
+const CHANGES: [f64; 2] = [0.2, 3.0];
+/// A step whose stages have no solution is divided by this.
+const RETRY: f64 = 4.0;
+/// Longest step, of the cycle.
+const LONGEST: f64 = 1.0 / 32.0;
+/// Shortest step, of the cycle.
+const SHORTEST: f64 = 1e-9;
+/// First step of a cycle: of the time in which the journal would move by the least gap.
+const FIRST: f64 = 0.1;
+/// Loads are sampled at so many times to find their peak.
+const SAMPLES: u32 = 1440;
+
+/// How an orbit is sought.
+#[derive(Debug, Clone, Copy)]
+pub struct OrbitOptions<'a> {
+    /// Local error of a step [1]: offset over the least gap, which is the error of the logarithm of the least film.
+    pub tolerance: f64,
+    /// An orbit is closed where two cycles end within this part of the clearance.
+    pub closure: f64,
+    /// Most cycles.
+    pub cycles: usize,
+    /// When it must end.
+    pub deadline: Deadline,
+    /// Notified of each step.
+    pub observer: Option<&'a dyn OrbitObserver>,
+}
+
+/// Is notified of the progress of an orbit.
+pub trait OrbitObserver: std::fmt::Debug + Sync {
+    /// The cycle `number`, from 1, has got to this part of it [1].
+    fn step(&self, number: usize, part: f64);
+}
+
+/// One step of an orbit: the journal at its end.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Step {
+    /// Time [s], from the beginning of the cycle.
+    pub time: f64,
+    /// Offsets [m] in the coordinates of the motion.
+    pub at: Vector,
+    /// Their rates [m/s].
+    pub velocity: Vector,
+    /// Estimate of the error that the step has made [m].
+    pub error: Vector,
+    /// What is left of the equation of motion, over the peak of the load [1].
+    pub residual: f64,
+}
+
+/// One cycle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cycle {
+    /// Distance between the places in which it begins and ends [m].
+    pub closure: f64,
+    /// Steps made.
+    pub steps: usize,
+    /// Steps tried with an error beyond the tolerance, or without a solution.
+    pub rejected: usize,
+    /// Films solved.
+    pub films: usize,
+}
+
+/// An orbit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Orbit {
+    /// Steps of the last complete cycle; the first entry is its beginning.
+    pub steps: Vec<Step>,
+    /// The cycles, the last one being that of the steps.
+    pub cycles: Vec<Cycle>,
+    /// How it ended.
+    pub end: OrbitEnd,
+}
+
+/// How an orbit ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum OrbitEnd {
+    /// Its last two cycles agree.
+    Closed,
+    /// They do not, and no more cycles were asked for.
+    NotClosed,
+    /// It was ended before.
+    Ended,
+}
+
+/// Why there is no orbit.
+#[derive(Debug, thiserror::Error)]
+pub enum NoOrbit {
+    /// There is no film.
+    #[error("no film at {angle:.2} deg of cycle {cycle}: {reason}")]
+    Film {
+        /// Crank angle [deg].
+        angle: f64,
+        /// Number of the cycle, from 1.
+        cycle: usize,
+        /// Why.
+        reason: NoFilm,
+    },
+    /// No step, however short, leads on.
+    #[error(
+        "not converged: no step leads on from {angle:.2} deg of cycle {cycle}, where the least film is {:.3e} of the clearance", gap
+    )]
+    Stuck {
+        /// Crank angle [deg].
+        angle: f64,
+        /// Number of the cycle, from 1.
+        cycle: usize,
+        /// Least gap over the clearance [1].
+        gap: f64,
+    },
+    /// The time was over before the first cycle was complete.
+    #[error("not converged: the orbit was ended at {angle:.1} deg of the first cycle")]
+    Ended {
+        /// Crank angle [deg].
+        angle: f64,
+    },
+}
+
+/// Where an orbit is.
+struct Traveller {
+    here: Instant,
+    acceleration: Vector,
+    before: Option<Span>,
+}
+
+impl Motion<'_> {
+    /// The orbit from the place `start` [m] on.
+    ///
+    /// # Errors
+    /// [`NoOrbit`]: why there is none.
+    pub fn orbit(&self, start: Vector, options: &OrbitOptions) -> Result<Orbit, NoOrbit> {
+        let accuracy = Accuracy {
+            tolerance: options.tolerance,
+            scale: self.peak_load(),
+        };
+        let mut films = 0;
+        let here = (self.at_rest_of(0.0, start, accuracy, &mut films)).map_err(|reason| self.told(reason, 0.0, 1, start))?;
+        let mut traveller = Traveller {
+            here,
+            acceleration: [0.0; 4],
+            before: None,
+        };
+        let mut cycles = Vec::new();
+        let mut last = Vec::new();
+        for number in 1..=options.cycles {
+            let begin = traveller.here.at;
+            let (steps, mut cycle) = match self.cycle(&mut traveller, number, accuracy, options) {
+                Ok(Some(made)) => made,
+                Ok(None) if number == 1 => {
+                    let angle = (self.cycle.angular_speed() * traveller.here.time).to_degrees();
+                    return Err(NoOrbit::Ended { angle });
+                }
+                Ok(None) => {
+                    let end = OrbitEnd::Ended;
+                    return Ok(Orbit { steps: last, cycles, end });
+                }
+                Err(reason) => return Err(reason),
+            };
+            cycle.films += std::mem::take(&mut films);
+            cycle.closure = length(moved(traveller.here.at, -1.0, begin));
+            cycles.push(cycle);
+            last = steps;
+            if cycle.closure < options.closure * self.problem.bearing.clearance {
+                let end = OrbitEnd::Closed;
+                return Ok(Orbit { steps: last, cycles, end });
+            }
+            traveller.here.time = 0.0;
+            traveller.before = None;
+        }
+        Ok(Orbit {
+            steps: last,
+            cycles,
+            end: OrbitEnd::NotClosed,
+        })
+    }
+
+    /// One cycle; `None` where the deadline came.
+    fn cycle(
+        &self,
+        traveller: &mut Traveller,
+        number: usize,
+        accuracy: Accuracy,
+        options: &OrbitOptions,
+    ) -> Result<Option<(Vec<Step>, Cycle)>, NoOrbit> {
+        let period = self.cycle.period() / self.cycle.angular_speed();
+        let mut stops: Vec<f64> = self.cycle.corners().iter().map(|angle| angle / self.cycle.angular_speed()).collect();
+        stops.push(period);
+        let mut cycle = Cycle { closure: 0.0, steps: 0, rejected: 0, films: 0 };
+        let mut steps = vec![self.recorded(traveller, [0.0; 4], accuracy)];
+        let mut dt = self.first_step(&traveller.here, period);
+        while traveller.here.time < period {
+            if options.deadline.is_over() {
+                return Ok(None);
+            }
+            let now = traveller.here.time;
+            let stop = stops.iter().copied().find(|stop| *stop > now * (1.0 + 1e-12) + SHORTEST * period).unwrap_or(period);
+            let left = stop - now;
+            // No short step is left at the end.
+            let taken = if dt >= left { left } else if dt > 0.5 * left { 0.5 * left } else { dt };
+            let begin = Begin {
+                instant: &traveller.here,
+                acceleration: traveller.acceleration,
+                before: traveller.before,
+            };
+            match self.step(&begin, taken, accuracy, &mut cycle.films) {
+                Ok(Made { mut end, acceleration, error }) => {
+                    let part = length(error) / self.gap(end.at) / accuracy.tolerance;
+                    let change = SAFETY * part.max(1e-10).powf(-1.0 / ERROR_POWER);
+                    dt = (taken * change.clamp(CHANGES[0], CHANGES[1])).min(LONGEST * period);
+                    if part > 1.0 && taken > SHORTEST * period {
+                        cycle.rejected += 1;
+                        continue;
+                    }
+                    if taken == left {
+                        end.time = stop;
+                    }
+                    let span = Span::between(&traveller.here, &end);
+                    *traveller = Traveller { here: end, acceleration, before: Some(span) };
+                    steps.push(self.recorded(traveller, error, accuracy));
+                    cycle.steps += 1;
+                    if let Some(observer) = options.observer {
+                        observer.step(number, traveller.here.time / period);
+                    }
+                }
+                Err(reason) => {
+                    cycle.rejected += 1;
+                    dt = taken / RETRY;
+                    if dt < SHORTEST * period {
+                        return Err(self.told(reason, now, number, traveller.here.at));
+                    }
+                }
+            }
+        }
+        Ok(Some((steps, cycle)))
+    }
+
+    fn recorded(&self, traveller: &Traveller, error: Vector, accuracy: Accuracy) -> Step {
+        let Instant { time, at, velocity, excess, .. } = &traveller.here;
+        let masses = self.masses();
+        let left: Vector = [0, 1, 2, 3].map(|k| excess[k] + masses[k] * traveller.acceleration[k]);
+        Step {
+            time: *time,
+            at: *at,
+            velocity: *velocity,
+            error,
+            residual: length(left) / accuracy.scale,
+        }
+    }
+
+    /// A first step in which the journal moves by a part of the least gap.
+    fn first_step(&self, here: &Instant, period: f64) -> f64 {
+        let time = FIRST * self.gap(here.at) / length(here.velocity).max(f64::MIN_POSITIVE);
+        time.clamp(10.0 * SHORTEST * period, 0.1 * LONGEST * period)
+    }
+
+    /// Greatest load over the cycle [N]; where there is none, that of drag.
+    pub fn peak_load(&self) -> f64 {
+        let period = self.cycle.period() / self.cycle.angular_speed();
+        let sampled = (0..SAMPLES).map(|k| length(self.asked(period * f64::from(k) / f64::from(SAMPLES))));
+        match sampled.fold(0.0, f64::max) {
+            0.0 => self.drag(),
+            peak => peak,
+        }
+    }
+
+    /// Load that drag through the clearance could carry [N].
+    fn drag(&self) -> f64 {
+        let bearing = &self.problem.bearing;
+        let speed = self.duty(0.0).speed.abs().max(self.cycle.angular_speed().abs());
+        let pressure = self.problem.lubricant.viscosity * speed * (bearing.radius / bearing.clearance).powi(2);
+        pressure * 2.0 * bearing.radius * bearing.length
+    }
+
+    fn told(&self, reason: NoStage, time: f64, cycle: usize, at: Vector) -> NoOrbit {
+        let angle = (self.cycle.angular_speed() * time).to_degrees();
+        match reason {
+            NoStage::Film(reason) => NoOrbit::Film { angle, cycle, reason },
+            NoStage::Diverged => NoOrbit::Stuck {
+                angle,
+                cycle,
+                gap: self.gap(at) / self.problem.bearing.clearance,
+            },
+        }
+    }
+
+    /// The film at a step, started from that of a neighbouring one.
+    ///
+    /// # Errors
+    /// [`NoFilm`]: why there is none.
+    pub fn film_at(&self, step: &Step, near: Neighbour) -> Result<Instant, NoFilm> {
+        self.film(step.time, step.at, step.velocity, near)
+    }
+}

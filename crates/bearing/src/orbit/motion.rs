@@ -1,0 +1,170 @@
+//! The equation of motion: what the film carries, what the support of the tilt adds, and the load.
+//!
+//! ```text
+//! m e'' + W(e, e') = F(t)                     m(e, g, ...) + k (g - g_0) = M(t)
+//! ```
+//!
+//! with the mass m of the rotor, which is zero unless a scene gives one.
+
+use oilwedge_fem::newton::Failure;
+use oilwedge_reynolds::quantities::load::{load, load_change};
+use oilwedge_reynolds::solve::Neighbour;
+use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSolution, FilmSystem, JournalChange, JournalState, NoFilm};
+
+use crate::coordinates::{Coordinates, Vector, unit};
+use crate::duty_cycle::{Duty, DutyCycle};
+use crate::stiffness::Stiffness;
+
+/// A support that holds the shaft against its tilt.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TiltSupport {
+    /// Stiffness k [N m/rad]; zero: the journal tilts freely.
+    pub stiffness: f64,
+    /// Slope g_0 that it would give the axis [rad].
+    pub slope: [f64; 2],
+}
+
+/// A journal that moves under a load.
+pub struct Motion<'a> {
+    /// The film; its journal gives the tilt where that is not free, and the axial velocity.
+    pub problem: &'a FilmProblem,
+    /// Its mesh and supply.
+    pub system: &'a FilmSystem,
+    /// What acts on the journal.
+    pub cycle: &'a DutyCycle,
+    /// What holds a tilt that is free; `None`: the tilt is given.
+    pub support: Option<TiltSupport>,
+    /// Mass of the rotor that this bearing bears [kg].
+    pub mass: f64,
+}
+
+/// The journal at one time, and its film.
+#[derive(Debug)]
+pub struct Instant {
+    /// Time [s].
+    pub time: f64,
+    /// Offsets of the journal [m], in the coordinates of the motion.
+    pub at: Vector,
+    /// Their rates [m/s].
+    pub velocity: Vector,
+    /// The film's problem at this time.
+    pub problem: FilmProblem,
+    /// Its film.
+    pub film: FilmSolution,
+    /// Forces of film and support less the load [N]; what a mass would take is not in them.
+    pub excess: Vector,
+}
+
+impl Motion<'_> {
+    /// Which coordinates are free.
+    pub fn coordinates(&self) -> Coordinates {
+        Coordinates {
+            order: if self.support.is_some() { 4 } else { 2 },
+            arm: 0.5 * self.problem.bearing.length,
+        }
+    }
+
+    /// What acts on the journal at a time [s].
+    pub fn duty(&self, time: f64) -> Duty {
+        self.cycle.at(self.cycle.angular_speed() * time)
+    }
+
+    /// The journal at these coordinates, moving so.
+    pub fn journal(&self, time: f64, at: Vector, velocity: Vector) -> JournalState {
+        let coordinates = self.coordinates();
+        let journal = coordinates.placed(&self.problem.journal, at);
+        let [x, y, z_x, z_y] = velocity;
+        JournalState {
+            velocity: [x, y],
+            tilt_rate: match coordinates.order {
+                2 => journal.tilt_rate,
+                _ => [z_x, z_y].map(|part| part / coordinates.arm),
+            },
+            speed: self.duty(time).speed,
+            ..journal
+        }
+    }
+
+    /// Least gap [m] of a journal at these coordinates.
+    pub(crate) fn gap(&self, at: Vector) -> f64 {
+        let journal = self.coordinates().placed(&self.problem.journal, at);
+        self.problem.bearing.least_gap(&journal)
+    }
+
+    /// The load [N], with what the support would give the journal where it is parallel to the bearing.
+    pub fn asked(&self, time: f64) -> Vector {
+        let Duty { force, moment, .. } = self.duty(time);
+        let arm = self.coordinates().arm;
+        let tilting = self.support.map_or([0.0; 2], |support| {
+            [0, 1].map(|d| (moment[d] + support.stiffness * support.slope[d]) / arm)
+        });
+        [force[0], force[1], tilting[0], tilting[1]]
+    }
+
+    /// Stiffness of the support in the coordinates of the motion [N/m].
+    fn support_stiffness(&self) -> f64 {
+        let arm = self.coordinates().arm;
+        self.support.map_or(0.0, |support| support.stiffness / (arm * arm))
+    }
+
+    /// Forces of film and support at an instant [N].
+    pub fn response(&self, problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, at: Vector) -> Vector {
+        let carried = load(problem, system, film).total.resultant();
+        let [x, y, z_x, z_y] = self.coordinates().forces(&carried);
+        let per_tilt = self.support_stiffness();
+        [x, y, z_x + per_tilt * at[2], z_y + per_tilt * at[3]]
+    }
+
+    /// The film of a journal at these coordinates, moving so, started from one nearby.
+    pub(crate) fn film(&self, time: f64, at: Vector, velocity: Vector, near: Neighbour) -> Result<Instant, NoFilm> {
+        let problem = FilmProblem {
+            journal: self.journal(time, at, velocity),
+            ..self.problem.clone()
+        };
+        let film = problem.solve_from(self.system, near)?;
+        let response = self.response(&problem, self.system, &film, at);
+        let asked = self.asked(time);
+        Ok(Instant {
+            time,
+            at,
+            velocity,
+            excess: [0, 1, 2, 3].map(|k| response[k] - asked[k]),
+            problem,
+            film,
+        })
+    }
+
+    /// The change of the forces where each coordinate changes by `per_offset` and its rate by `per_rate` [1/s]: the cavity held, exact to first order.
+    ///
+    /// # Errors
+    /// The linear systems could not be solved.
+    pub fn tangent(&self, here: &Instant, per_offset: f64, per_rate: f64) -> Result<Stiffness, NoFilm> {
+        let coordinates = self.coordinates();
+        Stiffness::by_columns(coordinates.order, |k| {
+            let of = |factor: f64| {
+                let vector = unit(k).map(|part| factor * part);
+                coordinates.change(&here.problem.journal, &CentreVelocity::default(), vector)
+            };
+            let (offset, rate) = (of(per_offset), of(per_rate));
+            let change = JournalChange {
+                velocity: rate.offset,
+                tilt_rate: rate.tilt,
+                ..offset
+            };
+            let unknown = (here.problem)
+                .unknown_change(self.system, &here.film, &change)
+                .map_err(Failure::from)?;
+            let by_film = load_change(&here.problem, self.system, &here.film, &unknown);
+            let mut column = coordinates.forces(&by_film);
+            if k >= 2 {
+                column[k] += per_offset * self.support_stiffness();
+            }
+            Ok(column)
+        })
+    }
+
+    /// The mass in each coordinate [kg]: the tilt has none.
+    pub(crate) fn masses(&self) -> Vector {
+        [self.mass, self.mass, 0.0, 0.0]
+    }
+}

@@ -1,0 +1,74 @@
+//! The path between two instants: the cubic through both places with both velocities (Hermite).
+
+use super::motion::Instant;
+use crate::coordinates::Vector;
+
+/// A part of the path.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Span {
+    /// Times of both ends [s].
+    pub times: [f64; 2],
+    /// Places there [m].
+    pub places: [Vector; 2],
+    /// Rates there [m/s].
+    pub rates: [Vector; 2],
+}
+
+impl Span {
+    /// From one instant to another.
+    pub(super) fn between(from: &Instant, to: &Instant) -> Self {
+        Self {
+            times: [from.time, to.time],
+            places: [from.at, to.at],
+            rates: [from.velocity, to.velocity],
+        }
+    }
+
+    /// The place at a time [s], which may lie beyond the ends.
+    pub fn at(&self, time: f64) -> Vector {
+        let (dt, s) = self.local(time);
+        let (t, u) = (1.0 - s, s);
+        let weights = [t * t * (1.0 + 2.0 * u), u * u * (1.0 + 2.0 * t), dt * t * t * u, -dt * u * u * t];
+        self.summed(weights)
+    }
+
+    /// The rate at a time [s].
+    pub fn rate(&self, time: f64) -> Vector {
+        let (dt, s) = self.local(time);
+        let (t, u) = (1.0 - s, s);
+        let slope = 6.0 * t * u / dt;
+        self.summed([-slope, slope, t * (t - 2.0 * u), u * (u - 2.0 * t)])
+    }
+
+    /// Length of the span [s], and how far along it a time is [1].
+    fn local(&self, time: f64) -> (f64, f64) {
+        let dt = self.times[1] - self.times[0];
+        (dt, (time - self.times[0]) / dt)
+    }
+
+    fn summed(&self, [from, to, rate_from, rate_to]: [f64; 4]) -> Vector {
+        let ([a, b], [v, w]) = (&self.places, &self.rates);
+        [0, 1, 2, 3].map(|k| from * a[k] + to * b[k] + rate_from * v[k] + rate_to * w[k])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_cubic_is_its_own_path() {
+        let place = |t: f64| [1.0 + 2.0 * t - t * t + 0.5 * t * t * t, t, -t * t, 0.0];
+        let rate = |t: f64| [2.0 - 2.0 * t + 1.5 * t * t, 1.0, -2.0 * t, 0.0];
+        let span = Span {
+            times: [0.5, 2.0],
+            places: [0.5, 2.0].map(place),
+            rates: [0.5, 2.0].map(rate),
+        };
+        for time in [0.2, 0.5, 1.1, 2.0, 2.6] {
+            for (found, right) in [(span.at(time), place(time)), (span.rate(time), rate(time))] {
+                assert!((0..4).all(|k| (found[k] - right[k]).abs() < 1e-13), "{time}: {found:?}");
+            }
+        }
+    }
+}
