@@ -6,7 +6,7 @@ use oilwedge_scene::keys::Key;
 use crate::tables::{replace, row};
 
 /// Tables of a scene that have a table of the page.
-const TABLES: [&str; 13] = [
+const TABLES: [&str; 14] = [
     "bearing",
     "mesh",
     "ends",
@@ -14,6 +14,7 @@ const TABLES: [&str; 13] = [
     "journal",
     "load",
     "crank",
+    "orbit",
     "support",
     "oil",
     "heat",

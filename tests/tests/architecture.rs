@@ -24,7 +24,7 @@ const TOP_TO_BOTTOM: [&str; 11] = [
 ];
 
 /// The sockets whose entries are a list, and the two contracts. Another one needs a reason in writing.
-const PUBLIC_TRAITS: [&str; 8] = [
+const PUBLIC_TRAITS: [&str; 9] = [
     "ConservationLaw",
     "PressureViscosity",
     "FilmContribution",
@@ -32,6 +32,7 @@ const PUBLIC_TRAITS: [&str; 8] = [
     "Estimate",
     "Observer",
     "SearchObserver",
+    "OrbitObserver",
     "RunObserver",
 ];
 

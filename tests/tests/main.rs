@@ -26,6 +26,7 @@ mod invariance;
 mod literature;
 mod mesh_readers;
 mod oil_balance;
+mod orbit;
 mod pages;
 mod performance;
 mod pictures;

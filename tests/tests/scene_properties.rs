@@ -6,7 +6,7 @@ use std::path::Path;
 
 use oilwedge_campaign::theories;
 use oilwedge_scene::unit::{self, Dimension};
-use oilwedge_scene::{MeshSource, TemperatureLaw, Tolerance, Viscosity};
+use oilwedge_scene::{LoadSource, MeshSource, TemperatureLaw, Tolerance, Viscosity};
 use oilwedge_scene::{Scene, SceneError};
 use oilwedge_study::{RunOptions, run};
 use oilwedge_tests::program::repository;
@@ -86,6 +86,9 @@ fn finite(scene: &Scene) -> bool {
     scene.sweep = None;
     scene.feeds.iter_mut().for_each(|feed| feed.group.clear());
     if let MeshSource::File { path, .. } = &mut scene.mesh {
+        path.clear();
+    }
+    if let Some(LoadSource::File { path, .. }) = scene.load_cycle.as_mut().map(|cycle| &mut cycle.source) {
         path.clear();
     }
     if let Some(Tolerance::ByName(targets)) = &mut scene.tolerance {

@@ -43,6 +43,17 @@ impl Stiffness {
         self
     }
 
+    /// The sum of this tangent and `factor` times another one.
+    #[must_use]
+    pub fn plus(mut self, factor: f64, other: &Self) -> Self {
+        for (row, more) in self.rows.iter_mut().zip(&other.rows) {
+            row.iter_mut()
+                .zip(more)
+                .for_each(|(entry, more)| *entry += factor * more);
+        }
+        self
+    }
+
     /// The change of the forces by a `step`.
     pub fn times(&self, step: Vector) -> Vector {
         self.rows

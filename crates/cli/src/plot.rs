@@ -7,11 +7,12 @@ use crate::run_options::folder;
 use crate::terminal::{exit_code, print};
 use oilwedge_drawing::{Figure, PAGE_WIDTH};
 use oilwedge_report::convergence::REPORT_FILE as STUDY_FILE;
+use oilwedge_report::orbit_table::orbit_table;
 use oilwedge_report::plot::{
     self, CONVERGENCE, DrawnFilm, PLOT_FOLDER, PlotOptions, Unknown, film_figures, write_pictures,
 };
 use oilwedge_report::result_json;
-use oilwedge_report::results::{PICTURE_FILE, RESULT_FILE, write_results};
+use oilwedge_report::results::{Beside, PICTURE_FILE, RESULT_FILE, write_results};
 use oilwedge_report::sweep::REPORT_FILE;
 use oilwedge_report::vtu::{Compression, to_vtu};
 use oilwedge_report::vtu_read::from_vtu;
@@ -161,12 +162,21 @@ impl Plot {
             Some(picture) => figures_of_film(&json, picture, &self.options())?,
             None => Vec::new(),
         };
+        let orbit = run.orbit.as_ref().map(orbit_table).transpose()?;
         let picture = run.picture.map(|picture| {
             let compression = Compression::usual(&picture);
             to_vtu(picture, compression)
         });
         let picture = picture.transpose()?;
-        write_results(&folder, &run.result, &[], picture.as_deref())?;
+        write_results(
+            &folder,
+            &run.result,
+            &[],
+            Beside {
+                picture: picture.as_deref(),
+                orbit: orbit.as_deref(),
+            },
+        )?;
         complain::warn(&run.result.warnings);
         let mut text = written(&folder, &figures)?;
         if let Some(reason) = &run.result.reason {

@@ -6,7 +6,7 @@ use crate::terminal::{duration, time};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use oilwedge_campaign::convergence::{LevelReport, Observer, Strategy};
 use oilwedge_report::sweep::Progress as Cases;
-use oilwedge_study::{Reached, RunObserver, SearchObserver};
+use oilwedge_study::{OrbitObserver, Reached, RunObserver, SearchObserver};
 use std::io::IsTerminal;
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
@@ -50,6 +50,12 @@ impl Steps {
 impl SearchObserver for Steps {
     fn position(&self, number: usize, residual: f64) {
         self.show(|now| now.position = format!("position {number} off the load by {} of it", significant(residual, 2)));
+    }
+}
+
+impl OrbitObserver for Steps {
+    fn step(&self, number: usize, part: f64) {
+        self.show(|now| now.position = format!("cycle {number}: {:.0} %", 100.0 * part));
     }
 }
 

@@ -4,7 +4,7 @@ use crate::complain::printable;
 use crate::readable::{bar, quantity_value, readable_unit};
 use crate::terminal::{table, time};
 use oilwedge_study::effects::Socket;
-use oilwedge_study::quantities::{ECCENTRICITY, LOAD, Quantity};
+use oilwedge_study::quantities::{CYCLE_FILM_THICKNESS_MIN, ECCENTRICITY, LOAD, Quantity};
 use oilwedge_study::result::{LevelFacts, Refinement, RunResult};
 
 /// Digits of a value without a bar.
@@ -40,7 +40,8 @@ pub(crate) fn quantities<'a>(quantities: impl IntoIterator<Item = &'a Quantity>,
 /// What the bar of the load or, where that is given, of the eccentricity is made of; and the meshes that led to it.
 pub(crate) fn bars(result: &RunResult) -> Vec<String> {
     let is_loaded = result.effects.fill(Socket::Position);
-    let main = result.quantity(if is_loaded { &ECCENTRICITY } else { &LOAD });
+    let main = (result.quantity(&CYCLE_FILM_THICKNESS_MIN))
+        .or_else(|| result.quantity(if is_loaded { &ECCENTRICITY } else { &LOAD }));
     let parts = main.and_then(parts);
     let levels = (0..).zip(&result.levels).map(|(number, facts)| {
         let label = if number == 0 { "levels" } else { "" };

@@ -8,6 +8,7 @@ use crate::temperature;
 use crate::terminal::{effects, heading, mesh, status, time};
 use crate::verdict::verdict;
 use oilwedge_campaign::AddOn;
+use oilwedge_study::orbit::OrbitFacts;
 use oilwedge_study::quantities::{CAVITY_FLOW, CAVITY_SHARE, Quantity, Table};
 use oilwedge_study::result::{Balances, Counts, LinearSolver, RunResult, headlines};
 use std::path::Path;
@@ -39,11 +40,13 @@ pub(crate) fn run_report(result: &RunResult, shown: Shown, add_ons: &[AddOn], wr
         lines.push(balances(result.balances));
     }
     lines.extend(cavity(result));
+    lines.extend(result.orbit.as_ref().map(orbit));
     lines.push(format!("mesh      {}", mesh(&result.mesh)));
     lines.extend(work(result.counts, result.linear_solver));
     lines.push(format!("time      {}", timing(&result.timing_s)));
     let mut files = vec!["result.json"];
     files.extend(written.has_fields.then_some("film.vtu"));
+    files.extend(result.orbit.is_some().then_some("orbit.csv"));
     files.extend(temperature::files(result));
     let folder = written.folder.display();
     lines.push(format!("written   {folder}: {}", files.join(", ")));
@@ -110,6 +113,19 @@ fn balances(balances: Balances) -> String {
         );
     }
     line + &temperature::imbalance(balances)
+}
+
+/// How the orbit closed, and the steps of its last cycle.
+fn orbit(facts: &OrbitFacts) -> String {
+    let last = facts.cycles.last();
+    let [closure, steps, films] = last.map_or([0.0; 3], |cycle| {
+        [cycle.closure, cycle.steps as f64, cycle.films as f64]
+    });
+    format!(
+        "orbit     cycle {} ended {} of the clearance from where it began; {steps} steps and {films} films in it",
+        facts.cycles.len(),
+        significant(closure, 2)
+    )
 }
 
 /// How large the cavity is, and the oil that it makes where its model conserves none.
@@ -233,6 +249,7 @@ pub(crate) mod tests {
                 thermal: 0.0,
             },
             regime: None,
+            orbit: None,
             temperature: None,
             history: vec![],
             counts: Counts {

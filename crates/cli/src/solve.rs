@@ -10,9 +10,11 @@ use crate::run_report::{Written, run_report};
 use crate::shown::Shown;
 use crate::terminal::{exit_code, output};
 use oilwedge_campaign::{effect_costs, standard, theories};
+use oilwedge_report::orbit_table::orbit_table;
 use oilwedge_report::page::film_page;
+use oilwedge_report::plot::orbit_figures;
 use oilwedge_report::result_json;
-use oilwedge_report::results::write_results;
+use oilwedge_report::results::{Beside, write_results};
 use oilwedge_report::vtu::{Compression, to_vtu};
 use oilwedge_scene::Scene;
 use oilwedge_study::{Interrupt, RunOptions};
@@ -102,7 +104,7 @@ impl Solve {
     pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
         let path = &self.run.scene;
         let scene = oilwedge_study::read(path)?;
-        let is_search = scene.tolerance.is_some() || scene.journal.load().is_some();
+        let is_search = scene.tolerance.is_some() || scene.is_loaded();
         let interrupt = if is_search {
             interrupt::listen()?
         } else {
@@ -136,17 +138,33 @@ impl Solve {
             Some(picture) => plot::figures_of_film(&json, picture, &plot::usual())?,
             None => Vec::new(),
         };
+        let figures = match run.orbit.as_ref().filter(|_| self.plot) {
+            Some(path) => orbit_figures(&run.result.title, path, plot::usual().width)
+                .into_iter()
+                .chain(figures)
+                .collect(),
+            None => figures,
+        };
         let page = match self.page.is_wanted() {
             true => Some(film_page(&plot::value(&json)?, run.picture.as_ref())?),
             false => None,
         };
+        let orbit = run.orbit.as_ref().map(orbit_table).transpose()?;
         let picture = run.picture.map(|picture| {
             let compression = self.vtu.map_or_else(|| Compression::usual(&picture), Compression::from);
             to_vtu(picture, compression)
         });
         let picture = picture.transpose()?;
         let folder = self.run.folder();
-        write_results(&folder, &run.result, &add_ons, picture.as_deref())?;
+        write_results(
+            &folder,
+            &run.result,
+            &add_ons,
+            Beside {
+                picture: picture.as_deref(),
+                orbit: orbit.as_deref(),
+            },
+        )?;
         let drawn = plot::written(&folder, &figures)? + &self.page.written(&folder, page)?;
         if let Some(plan) = &scene.sweep {
             let cases = plan.cases();
@@ -179,6 +197,9 @@ impl Solve {
     /// The longest task of a run of the scene.
     fn task(scene: &Scene) -> &'static str {
         match (scene.tolerance.is_some(), scene.journal.load().is_some()) {
+            _ if scene.orbit.is_some() => {
+                "following the journal over the cycle; Ctrl-C ends with the cycles that are complete"
+            }
             (true, _) => "refining until the tolerance is met; Ctrl-C ends with the best result so far",
             (false, true) => "searching the position under the load; Ctrl-C ends with the best so far",
             (false, false) => "the film",

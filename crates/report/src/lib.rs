@@ -12,6 +12,7 @@ pub mod folder;
 pub mod json;
 pub mod load_sheet;
 pub mod oil_sheet;
+pub mod orbit_table;
 pub mod page;
 pub mod plot;
 pub mod readable;

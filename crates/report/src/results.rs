@@ -18,13 +18,24 @@ pub const RESULT_FILE: &str = "result.json";
 /// File of the fields.
 pub const PICTURE_FILE: &str = "film.vtu";
 
-/// Writes `result.json` and, where there is a picture (the bytes of a VTU file), `film.vtu` into the folder `dir`,
-/// which is made if need be, and the curves of a balance of heat. Files of an earlier run are replaced, and its page is removed; without a picture or curves earlier ones
+/// File of the path of the journal over a cycle.
+pub const ORBIT_FILE: &str = "orbit.csv";
+
+/// What stands beside `result.json`; `None`: there is none.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Beside<'a> {
+    /// Content of `film.vtu`.
+    pub picture: Option<&'a [u8]>,
+    /// Content of `orbit.csv`.
+    pub orbit: Option<&'a [u8]>,
+}
+
+/// Writes `result.json` and what stands beside it into the folder `dir`, which is made if need be, and the curves of a balance of heat. Files of an earlier run are replaced, and its page is removed; without a picture or curves earlier ones
 /// are removed, since they show another run.
 ///
 /// # Errors
 /// [`Error`]: a number is not finite, or the system refuses; the old files are then left as they were.
-pub fn write_results(dir: &Path, result: &RunResult, add_ons: &[AddOn], picture: Option<&[u8]>) -> Result<(), Error> {
+pub fn write_results(dir: &Path, result: &RunResult, add_ons: &[AddOn], beside: Beside) -> Result<(), Error> {
     let json = result_json(result, add_ons)?;
     let svg = match &result.temperature {
         Some(_) => temperature_to_svg(&serde_json::to_value(result).map_err(Error::format("JSON"))?),
@@ -36,7 +47,8 @@ pub fn write_results(dir: &Path, result: &RunResult, add_ons: &[AddOn], picture:
     let steps = [
         (result, None),
         (PAGE_FILE.as_ref(), None),
-        (PICTURE_FILE.as_ref(), picture),
+        (PICTURE_FILE.as_ref(), beside.picture),
+        (ORBIT_FILE.as_ref(), beside.orbit),
         (svg_file, svg.as_deref().map(str::as_bytes)),
         (png_file, png.as_deref()),
         (result, Some(json.as_bytes())),
@@ -50,6 +62,13 @@ mod tests {
     use crate::json::tests::example;
     use std::{fs, io};
 
+    fn pictured(picture: &[u8]) -> Beside<'_> {
+        Beside {
+            picture: Some(picture),
+            ..Beside::default()
+        }
+    }
+
     fn names(dir: &Path) -> io::Result<Vec<String>> {
         let mut names = fs::read_dir(dir)?
             .map(|entry| entry.map(|entry| entry.file_name().to_string_lossy().into_owned()))
@@ -62,11 +81,11 @@ mod tests {
     fn results_replace_those_of_an_earlier_run() -> Result<(), Box<dyn std::error::Error>> {
         let folder = tempfile::tempdir()?;
         let dir = folder.path().join("out/study");
-        write_results(&dir, &example(), &[], Some(b"first"))?;
+        write_results(&dir, &example(), &[], pictured(b"first"))?;
         assert_eq!(names(&dir)?, ["film.vtu", "result.json"]);
-        write_results(&dir, &example(), &[], Some(b"second"))?;
+        write_results(&dir, &example(), &[], pictured(b"second"))?;
         assert_eq!(fs::read(dir.join(PICTURE_FILE))?, b"second");
-        write_results(&dir, &example(), &[], None)?;
+        write_results(&dir, &example(), &[], Beside::default())?;
         assert_eq!(names(&dir)?, ["result.json"]);
         Ok(())
     }
@@ -75,13 +94,13 @@ mod tests {
     fn a_failure_leaves_what_was_there() -> Result<(), Box<dyn std::error::Error>> {
         let folder = tempfile::tempdir()?;
         let dir = folder.path().join("out");
-        write_results(&dir, &example(), &[], Some(b"first"))?;
+        write_results(&dir, &example(), &[], pictured(b"first"))?;
         let before = fs::read(dir.join(RESULT_FILE))?;
         let mut bad = example();
         bad.title = "another".into();
         bad.balances.mass = f64::NAN;
         assert!(matches!(
-            write_results(&dir, &bad, &[], Some(b"second")),
+            write_results(&dir, &bad, &[], pictured(b"second")),
             Err(Error::NotFinite { .. })
         ));
         assert_eq!(fs::read(dir.join(PICTURE_FILE))?, b"first");
@@ -90,12 +109,13 @@ mod tests {
         let taken = folder.path().join("taken");
         fs::create_dir_all(taken.join(RESULT_FILE))?;
         assert!(matches!(
-            write_results(&taken, &example(), &[], Some(b"x")),
+            write_results(&taken, &example(), &[], pictured(b"x")),
             Err(Error::Folder { .. })
         ));
         assert_eq!(names(&taken)?, ["result.json"]);
         fs::write(folder.path().join("file"), "")?;
-        let error = write_results(&folder.path().join("file"), &example(), &[], None).expect_err("a file is no folder");
+        let error = write_results(&folder.path().join("file"), &example(), &[], Beside::default())
+            .expect_err("a file is no folder");
         assert!(error.to_string().contains("file"), "{error}");
         Ok(())
     }

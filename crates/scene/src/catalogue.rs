@@ -21,6 +21,7 @@ static TABLES: &[&[Key]] = &[
     crate::load::KEYS,
     crate::load::cycle::KEYS,
     crate::crank::KEYS,
+    crate::orbit::KEYS,
     crate::support::KEYS,
     crate::oil::KEYS,
     crate::oil::temperature::KEYS,

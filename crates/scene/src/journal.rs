@@ -86,13 +86,19 @@ pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
     tilt::check(scene, complaints);
 }
 
-/// A velocity that the key gives stands beside no load over a cycle, by which the journal moves.
+/// A velocity that the key gives stands beside no load over a cycle and no orbit, by which the journal moves.
 fn refuse_beside_a_cycle(key: &str, scene: &Scene, complaints: &mut Complaints) {
     complaints.refuse_if(
         complaints.has(key) && scene.load_cycle.is_some(),
         key,
         "stands beside a load over a cycle, by which the journal moves",
         format!("remove {key}, or give [load] with force and angle"),
+    );
+    complaints.refuse_if(
+        complaints.has(key) && scene.orbit.is_some() && scene.load_cycle.is_none(),
+        key,
+        "stands beside [orbit], by which the journal moves",
+        format!("remove {key}, or remove [orbit]"),
     );
 }
 

@@ -4,7 +4,7 @@
 //! own [`Check`]s of what it cannot compute.
 //!
 //! Each table of the file has one source file of its name, with its data type, keys, units, defaults and ranges: `bearing.rs`, `mesh.rs`
-//! (and the tolerance in it, `tolerance.rs`), `ends.rs`, `feed.rs`, `journal.rs` (and `squeeze.rs`, `tilt.rs` in it), `load.rs` (and `cycle.rs` in it), `crank.rs`, `support.rs`, `oil.rs`, `heat.rs`, `limits.rs`,
+//! (and the tolerance in it, `tolerance.rs`), `ends.rs`, `feed.rs`, `journal.rs` (and `squeeze.rs`, `tilt.rs` in it), `load.rs` (and `cycle.rs` in it), `crank.rs`, `orbit.rs`, `support.rs`, `oil.rs`, `heat.rs`, `limits.rs`,
 //! `cavitation.rs`, `cap.rs`, `sweep.rs`. `scene.rs` lists them; [`periodic_table`] reads the tables
 //! in files that a scene names.
 //!
@@ -30,6 +30,7 @@ mod limits;
 mod load;
 mod mesh;
 mod oil;
+mod orbit;
 pub mod periodic_table;
 mod reader;
 mod scene;
@@ -54,6 +55,7 @@ pub use limits::Limits;
 pub use load::cycle::{CrankBearing, Harmonic, LoadCycle, LoadFrame, LoadSource};
 pub use mesh::{Layout, MeshSource};
 pub use oil::*;
+pub use orbit::Orbit;
 pub use scene::{SCENE_LIMIT, SWEPT, Scene};
 pub use support::{Support, Tilting};
 pub use tolerance::{Target, Tolerance};

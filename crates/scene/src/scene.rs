@@ -12,9 +12,9 @@ use crate::reader::TableReader;
 use crate::sweep::{self, Plan};
 use crate::{
     Bearing, Cap, Cavitation, Check, Complaint, Complaints, Crank, Ends, Engine, Feed, Heat, Journal, Limits,
-    LoadCycle, LoadSource, MeshSource, Oil, SceneError, Support, Tolerance,
+    LoadCycle, LoadSource, MeshSource, Oil, Orbit, SceneError, Support, Tolerance,
 };
-use crate::{bearing, cap, cavitation, crank, ends, feed, heat, journal, limits, load, mesh, oil, support};
+use crate::{bearing, cap, cavitation, crank, ends, feed, heat, journal, limits, load, mesh, oil, orbit, support};
 
 keys! {
     "title" = Text; "Plain journal bearing", "the name of the file", "",
@@ -29,7 +29,7 @@ const FAULT_LIMIT: usize = 5;
 const MESH_OPENING: &[u8] = b"$MeshFormat";
 
 /// Tables whose keys can be swept.
-pub const SWEPT: [&str; 12] = [
+pub const SWEPT: [&str; 13] = [
     "bearing",
     "mesh",
     "ends",
@@ -37,6 +37,7 @@ pub const SWEPT: [&str; 12] = [
     "journal",
     "load",
     "crank",
+    "orbit",
     "support",
     "oil",
     "heat",
@@ -44,11 +45,12 @@ pub const SWEPT: [&str; 12] = [
     "cavitation",
 ];
 /// Checks of keys that must fit each other, table by table.
-const CHECKS: [Check; 9] = [
+const CHECKS: [Check; 10] = [
     bearing::check,
     feed::check,
     journal::check,
     load::check,
+    orbit::check,
     support::check,
     oil::check,
     heat::check,
@@ -81,6 +83,8 @@ pub struct Scene {
     pub load_cycle: Option<LoadCycle>,
     /// The crank whose rod holds the shell; `None`: the shell is at rest.
     pub crank: Option<Crank>,
+    /// How the path of the journal is followed over a cycle; `None`: it is not.
+    pub orbit: Option<Orbit>,
     /// What holds the shaft against its tilt; `None`: nothing.
     pub support: Option<Support>,
     /// The oil.
@@ -265,6 +269,7 @@ pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene 
             .table_if_given("crank")
             .map(|table| crank::read(table, path, load.as_ref().and_then(|load| load.cycle.as_ref()))),
         load_cycle: load.and_then(|load| load.cycle),
+        orbit: root.table_if_given("orbit").map(orbit::read),
         support: root.table_if_given("support").map(support::read),
         oil: oil::read(root.table("oil", "[oil] with viscosity = \"40 mPa.s\""), temperature),
         heat,

@@ -42,13 +42,20 @@ pub struct Tilting {
 impl Scene {
     /// What tilts the journal, where its tilt is found.
     pub fn tilting(&self) -> Option<Tilting> {
-        self.journal.load()?;
+        if !self.is_loaded() {
+            return None;
+        }
         let is_asked = self.load_at.is_some() || self.load_moment.is_some() || self.support.is_some();
         is_asked.then(|| Tilting {
             at: self.load_at.unwrap_or(0.0),
             moment: self.load_moment.unwrap_or_default(),
             support: self.support,
         })
+    }
+
+    /// True if the journal is where a load leads it, at rest or on an orbit.
+    pub fn is_loaded(&self) -> bool {
+        self.journal.load().is_some() || self.load_cycle.is_some()
     }
 
     /// True if the journal has, or may find, a slope of its axis.
@@ -69,7 +76,7 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Support {
 /// A tilt is found under a load only, and not where it is given; nothing but a support or a moment holds a load beyond an end.
 pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
     complaints.refuse_if(
-        scene.support.is_some() && scene.journal.load().is_none(),
+        scene.support.is_some() && !scene.is_loaded(),
         "support",
         "stands without [load], but at a given position the tilt is not found",
         "give [load] with force and angle in place of journal.eccentricity, or remove [support] and give journal.tilt",

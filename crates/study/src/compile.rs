@@ -67,7 +67,7 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, position: Position, degree: usize) 
     let problem = problem(scene, &oil, sockets, &mesh, position);
     let system = FilmSystem::new(Arc::new(mesh), degree, regions).map_err(|faults| unfit(scene, faults))?;
     // A position is sought on coarser meshes first, and by many films.
-    let is_sought = load.is_some();
+    let is_sought = load.is_some() || scene.orbit.is_some();
     let system = match is_sought {
         true => system.for_many_solves(),
         false => system,

@@ -57,9 +57,12 @@ pub enum CompileError {
     Drawing(Vec<DrawingError>),
     /// The load changes over a cycle.
     #[error(
-        "the load changes over a cycle, so no steady film carries it; give [load] with force and angle for a steady film, or see the load alone with oilwedge load SCENE"
+        "the load changes over a cycle, so no steady film carries it; add [orbit] to follow the journal, give [load] with force and angle for a steady film, or see the load alone with oilwedge load SCENE"
     )]
     NoSteadyFilm,
+    /// There is no load over a cycle.
+    #[error("{0}")]
+    Duty(String),
     /// A pocket with a depth is cut out of the mesh.
     #[error(
         "feed group \"{group}\" has a depth, but the mesh has no triangles there; mesh it as a physical surface, or give its pressure"

@@ -51,8 +51,8 @@ pub fn duty_cycle(scene: &Scene) -> Result<Option<DutyCycle>, NoDuty> {
 /// Refuses a scene whose load changes over a cycle where one film is compiled: no steady film carries such a load.
 pub(crate) fn refuse_cycle(scene: &Scene) -> Result<(), CompileError> {
     match scene.load_cycle {
-        Some(_) => Err(CompileError::NoSteadyFilm),
-        None => Ok(()),
+        Some(_) if scene.orbit.is_none() => Err(CompileError::NoSteadyFilm),
+        _ => Ok(()),
     }
 }
 

@@ -5,7 +5,7 @@
 //! ```
 //!
 //! Reading order: [`mod@compile`], [`isothermal`], [`thermal`], [`analysis`], [`mod@measure`], [`quantities`], [`estimate`], [`refinement`], [`mod@run`], [`result`],
-//! [`mod@picture`], [`film_lines`], [`fields`]; [`duty`] (the load over a cycle).
+//! [`mod@picture`], [`film_lines`], [`fields`]; [`duty`] (the load over a cycle), [`mod@orbit`].
 
 pub mod analysis;
 mod cap_joint;
@@ -30,6 +30,7 @@ pub mod measure;
 pub mod no_answer;
 pub mod observer;
 pub mod oil;
+pub mod orbit;
 pub mod picture;
 pub mod position;
 pub mod quantities;
@@ -46,6 +47,7 @@ pub mod thermal_model;
 pub mod warning;
 pub mod warnings;
 
+pub use oilwedge_bearing::orbit::OrbitObserver;
 pub use oilwedge_bearing::{Interrupt, SearchObserver};
 
 pub use checks::{CHECKS, complaints, parse, read};

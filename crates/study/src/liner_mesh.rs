@@ -227,8 +227,10 @@ fn blueprint_of(scene: &Scene, mesh: &Mesh) -> Result<Blueprint, Vec<DrawingErro
 fn graded(scene: &Scene, blueprint: &Blueprint, longest: f64, position: Position) -> Result<Mesh, Vec<DrawingError>> {
     let radius = scene.bearing.radius();
     let clearance = scene.bearing.clearance;
-    let in_radii =
-        |[x, z]: [f64; 2]| film_scale(position.at(z, clearance), x / radius).min(axial_scale(scene, position, [x, z]));
+    let in_radii = |[x, z]: [f64; 2]| match scene.orbit {
+        Some(_) => orbit_scale(position),
+        None => film_scale(position.at(z, clearance), x / radius).min(axial_scale(scene, position, [x, z])),
+    };
     // Rows along the flow are as dense as the thinner of the two ends needs.
     let half = 0.5 * scene.bearing.length;
     let size = |x: f64| longest * in_radii([x, -half]).min(in_radii([x, half])) / LONGEST;
@@ -305,6 +307,14 @@ fn film_scale(position: Position, phi: f64) -> f64 {
     } = position;
     let thickness = 1.0 - eccentricity * (phi - min_film_angle).cos();
     (0.65 * (2.0 * thickness.max(0.0) / eccentricity).sqrt()).clamp(SHORTEST, LONGEST)
+}
+
+/// Edges of the mesh of an orbit, over those of a film at rest at its greatest eccentricity: the film is thinnest for a moment only, and at one place.
+const ON_ORBIT: f64 = 2.0;
+
+/// Size [radii] that resolves the film all around, which is thinnest at one place after the other.
+fn orbit_scale(position: Position) -> f64 {
+    (ON_ORBIT * film_scale(position, position.min_film_angle)).min(LONGEST)
 }
 
 /// Size [radii] that resolves the film of a tilted journal along the axis: 0.65 of the length over which it loses all of its thickness.

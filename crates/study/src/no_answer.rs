@@ -1,6 +1,7 @@
 //! Why a scene has no film, no position or no temperature, and the way out.
 
 use oilwedge_bearing::NoEquilibrium;
+use oilwedge_bearing::orbit::NoOrbit;
 use oilwedge_fem::newton::Failure;
 use oilwedge_reynolds::NoFilm;
 use oilwedge_reynolds::lubricant::LawKind;
@@ -14,6 +15,8 @@ pub enum NoAnswer {
     Film(NoFilm),
     /// There is no position for the load.
     Equilibrium(NoEquilibrium),
+    /// There is no orbit.
+    Orbit(NoOrbit),
     /// There is no temperature at which the balance closes.
     Temperature(NoTemperature),
 }
@@ -36,6 +39,7 @@ impl std::fmt::Display for NoAnswer {
         match self {
             Self::Film(reason) => reason.fmt(out),
             Self::Equilibrium(reason) => reason.fmt(out),
+            Self::Orbit(reason) => reason.fmt(out),
             Self::Temperature(reason) => reason.fmt(out),
         }?;
         way_out(self).map_or(Ok(()), |way_out| write!(out, "; {way_out}"))
@@ -56,6 +60,7 @@ impl NoAnswer {
                 reason,
                 NoEquilibrium::NotConverged { .. } | NoEquilibrium::BelowRounding { .. } | NoEquilibrium::Ended { .. }
             ),
+            Self::Orbit(reason) => matches!(reason, NoOrbit::Stuck { .. } | NoOrbit::Ended { .. }),
             Self::Temperature(reason) => reason.is_unreached,
         }
     }
@@ -83,6 +88,11 @@ fn way_out(reason: &NoAnswer) -> Option<&'static str> {
     let film = match reason {
         NoAnswer::Film(film) | NoAnswer::Equilibrium(NoEquilibrium::Film(film)) => film,
         NoAnswer::Equilibrium(reason) => return of_position(reason),
+        NoAnswer::Orbit(NoOrbit::Ended { .. }) => return Some(MORE_SECONDS),
+        NoAnswer::Orbit(NoOrbit::Stuck { .. }) => {
+            return Some("give a finer mesh ([mesh] size), or a greater orbit.tolerance");
+        }
+        NoAnswer::Orbit(NoOrbit::Film { reason, .. }) => reason,
         NoAnswer::Temperature(_) => return None,
     };
     Some(match film {

@@ -1,6 +1,7 @@
 //! How a run gets on, for whoever waits for it.
 
 use oilwedge_bearing::SearchObserver;
+use oilwedge_bearing::orbit::OrbitObserver;
 
 use crate::quantities::Unit;
 
@@ -24,7 +25,7 @@ pub struct Reached {
 }
 
 /// Is notified by a run; from any thread.
-pub trait RunObserver: SearchObserver {
+pub trait RunObserver: SearchObserver + OrbitObserver {
     /// A mesh with so many unknowns is solved next; meshes are counted from 1.
     fn level(&self, number: usize, unknowns: usize);
 

@@ -25,6 +25,10 @@ pub enum Limit {
     Temperature(f64, Cause),
     /// The search for the position was ended where force and load differed by this part of the load.
     Position(f64, Cause),
+    /// So many cycles were followed, and the last one ended this far from where it began, over the clearance.
+    NotClosed(usize, f64),
+    /// The orbit was ended after so many complete cycles, the last of which closed to this part of the clearance.
+    Orbit(usize, f64, Cause),
     /// The next mesh was not finished after so many seconds.
     Unfinished(Distance, f64, Cause),
     /// The next mesh would need too many unknowns.
@@ -103,6 +107,18 @@ impl fmt::Display for Limit {
                 out,
                 format!(
                     "the search for the position was ended where force and load differ by {residual:.1e} of the load"
+                ),
+                *cause,
+            ),
+            Self::NotClosed(cycles, closure) => write!(
+                out,
+                "not closed after {cycles} {}: the last one ended {closure:.1e} of the clearance from where it began; give orbit.cycles a higher limit, or orbit.closure",
+                if *cycles == 1 { "cycle" } else { "cycles" }
+            ),
+            Self::Orbit(cycles, closure, cause) => ended(
+                out,
+                format!(
+                    "the orbit was ended after {cycles} complete cycles, the last of which closed to {closure:.1e} of the clearance"
                 ),
                 *cause,
             ),

@@ -14,6 +14,7 @@ pub use temperature::{Criterion, SECONDS_KEY, TemperaturePoint, TemperatureRepor
 
 use crate::effects::Effects;
 use crate::no_answer::NoAnswer;
+use crate::orbit::OrbitFacts;
 use crate::quantities::{Quantity, Row};
 use crate::regime::Regime;
 use crate::warning::Warning;
@@ -165,6 +166,9 @@ pub struct RunResult {
     pub balances: Balances,
     /// Which assumptions the film meets; `null` where there is none.
     pub regime: Option<Regime>,
+    /// How the orbit was followed; absent in JSON where none was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub orbit: Option<OrbitFacts>,
     /// How the temperature of the film comes about, and whether the bearing will do; absent in JSON where it was not sought.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[serde(rename = "heat")]

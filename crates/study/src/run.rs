@@ -3,6 +3,7 @@
 use std::time::Instant;
 
 use oilwedge_bearing::NoEquilibrium;
+use oilwedge_bearing::orbit::OrbitEnd;
 use oilwedge_fem::linearisation::Route;
 use oilwedge_fem::newton;
 use oilwedge_mesh::Mesh;
@@ -11,15 +12,18 @@ use oilwedge_scene::Scene;
 
 use crate::compile_error::CompileError;
 use crate::effects::Effects;
-use crate::estimate::Estimated;
-use crate::film::DEGREE;
+use crate::estimate::{Estimated, estimate_errors};
+use crate::film::{DEGREE, Film};
 use crate::no_answer::NoAnswer;
+use crate::orbit::{Followed, OrbitFacts, OrbitPath, follow};
 use crate::picture::{FilmPicture, picture};
 use crate::quantities::left_over;
-use crate::refinement::{Answer, answer};
+use crate::reasons::Limit;
+use crate::refinement::answer;
 use crate::regime::{Regime, broken_assumptions};
 use crate::result::{
-    Balances, Counts, Geometry, HistoryStep, LinearSolver, MeshFacts, RESULT_FORMAT, RunResult, SECONDS_KEY, Status,
+    Balances, Counts, Geometry, HistoryStep, LevelFacts, LinearSolver, MeshFacts, RESULT_FORMAT, RunResult,
+    SECONDS_KEY, Status,
 };
 use crate::run_options::RunOptions;
 use crate::solved::Solved;
@@ -33,6 +37,8 @@ pub struct Run {
     pub result: RunResult,
     /// The fields; `None` where there is no solution to draw.
     pub picture: Option<FilmPicture>,
+    /// The path of the journal over the last cycle; `None` where no orbit was followed.
+    pub orbit: Option<OrbitPath>,
 }
 
 /// Computes the film of a scene. A film that does not exist or is not reached is a result, with its reason.
@@ -41,8 +47,15 @@ pub struct Run {
 /// [`CompileError`] where the mesh cannot be read or does not fit the scene.
 pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, CompileError> {
     let clock = Instant::now();
+    if let Some(orbit) = &scene.orbit {
+        let mut run = on_orbit(scene, orbit, options)?;
+        run.result
+            .timing_s
+            .push(("total".to_owned(), clock.elapsed().as_secs_f64()));
+        return Ok(run);
+    }
     let answer = answer(scene, options)?;
-    let mut result = without_outcome(scene, &answer, options);
+    let mut result = without_outcome(scene, (&answer.film, &answer.levels), options);
     let picture = match answer.outcome {
         Ok((solved, estimated)) => {
             let picture = picture(
@@ -64,12 +77,70 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, CompileError> {
     }
     let total = clock.elapsed().as_secs_f64();
     result.timing_s.push(("total".to_owned(), total));
-    Ok(Run { result, picture })
+    Ok(Run {
+        result,
+        picture,
+        orbit: None,
+    })
+}
+
+/// Follows the journal over cycles.
+fn on_orbit(scene: &Scene, orbit: &oilwedge_scene::Orbit, options: &RunOptions) -> Result<Run, CompileError> {
+    let (film, outcome) = follow(scene, orbit, options)?;
+    let mut result = without_outcome(scene, (&film, &[]), options);
+    let followed = match outcome {
+        Ok(followed) => followed,
+        Err(reason) => {
+            report_reason(&reason, &mut result);
+            return Ok(Run {
+                result,
+                picture: None,
+                orbit: None,
+            });
+        }
+    };
+    let Followed { solved, facts, .. } = followed;
+    let estimated = estimate_errors(&solved);
+    let picture = picture(
+        &solved.film,
+        &solved.solution,
+        estimated.indicator.as_deref(),
+        options.surface(),
+    );
+    let films = facts.cycles.iter().map(|cycle| cycle.films).sum();
+    let limit = match followed.end {
+        OrbitEnd::Closed => None,
+        OrbitEnd::NotClosed => Some(Limit::NotClosed(facts.cycles.len(), closure(&facts))),
+        OrbitEnd::Ended => Some(Limit::Orbit(facts.cycles.len(), closure(&facts), options.cause())),
+    };
+    report(scene, (&solved, estimated), options, &mut result);
+    result.quantities = followed.quantities;
+    result.counts.position_steps = films;
+    result.balances.force = followed.residual;
+    let [integrate, measure] = followed.seconds;
+    result
+        .timing_s
+        .retain(|(part, _)| film.seconds.iter().any(|(other, _)| other == part));
+    result.timing_s.push(("orbit".to_owned(), integrate));
+    result.timing_s.push(("measure".to_owned(), measure));
+    result.orbit = Some(facts);
+    if let Some(limit) = limit {
+        (result.status, result.reason) = (Status::NotConverged, Some(limit.to_string()));
+    }
+    Ok(Run {
+        result,
+        picture: Some(picture),
+        orbit: Some(followed.path),
+    })
+}
+
+/// Closure of the last cycle, over the clearance.
+fn closure(facts: &OrbitFacts) -> f64 {
+    facts.cycles.last().map_or(0.0, |cycle| cycle.closure)
 }
 
 /// What is known of a run whatever its outcome.
-fn without_outcome(scene: &Scene, answer: &Answer, options: &RunOptions) -> RunResult {
-    let film = &answer.film;
+fn without_outcome(scene: &Scene, (film, levels): (&Film, &[LevelFacts]), options: &RunOptions) -> RunResult {
     RunResult {
         format: RESULT_FORMAT.to_owned(),
         title: scene.title.clone(),
@@ -84,9 +155,10 @@ fn without_outcome(scene: &Scene, answer: &Answer, options: &RunOptions) -> RunR
         mesh: facts(film.system.space().mesh()),
         quantities: Vec::new(),
         bars: options.bars,
-        levels: answer.levels.clone(),
+        levels: levels.to_vec(),
         balances: Balances::default(),
         regime: None,
+        orbit: None,
         temperature: None,
         history: Vec::new(),
         counts: Counts::default(),
@@ -114,7 +186,7 @@ fn report_reason(reason: &NoAnswer, result: &mut RunResult) {
             result.history = (1..).zip(reason.history()).map(step).collect();
             result.counts.position_steps = reason.history().len();
         }
-        NoAnswer::Temperature(_) => {}
+        NoAnswer::Orbit(_) | NoAnswer::Temperature(_) => {}
     }
     result.status = Status::without(reason);
     result.reason = Some(reason.to_string());

@@ -1,10 +1,10 @@
 //! Steps of the length that the tolerance allows, from cycle to cycle, until the orbit closes.
 
-use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::NoFilm;
+use oilwedge_reynolds::solve::Neighbour;
 
 use super::motion::{Instant, Motion};
-use super::path::Span;
+use super::path::{Span, Step};
 use super::scheme::ERROR_POWER;
 use super::stage::{Accuracy, NoStage};
 use super::step::{Begin, Made};
@@ -45,21 +45,6 @@ pub struct OrbitOptions<'a> {
 pub trait OrbitObserver: std::fmt::Debug + Sync {
     /// The cycle `number`, from 1, has got to this part of it [1].
     fn step(&self, number: usize, part: f64);
-}
-
-/// One step of an orbit: the journal at its end.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Step {
-    /// Time [s], from the beginning of the cycle.
-    pub time: f64,
-    /// Offsets [m] in the coordinates of the motion.
-    pub at: Vector,
-    /// Their rates [m/s].
-    pub velocity: Vector,
-    /// Estimate of the error that the step has made [m].
-    pub error: Vector,
-    /// What is left of the equation of motion, over the peak of the load [1].
-    pub residual: f64,
 }
 
 /// One cycle.
@@ -112,7 +97,8 @@ pub enum NoOrbit {
     },
     /// No step, however short, leads on.
     #[error(
-        "not converged: no step leads on from {angle:.2} deg of cycle {cycle}, where the least film is {:.3e} of the clearance", gap
+        "not converged: no step leads on from {angle:.2} deg of cycle {cycle}, where the least film is {:.3e} of the clearance",
+        gap
     )]
     Stuck {
         /// Crank angle [deg].
@@ -148,7 +134,8 @@ impl Motion<'_> {
             scale: self.peak_load(),
         };
         let mut films = 0;
-        let here = (self.at_rest_of(0.0, start, accuracy, &mut films)).map_err(|reason| self.told(reason, 0.0, 1, start))?;
+        let here = (self.carried((0.0, start), [0.0; 4], accuracy, &mut films))
+            .map_err(|reason| self.told(reason, 0.0, 1, start))?;
         let mut traveller = Traveller {
             here,
             acceleration: [0.0; 4],
@@ -166,7 +153,11 @@ impl Motion<'_> {
                 }
                 Ok(None) => {
                     let end = OrbitEnd::Ended;
-                    return Ok(Orbit { steps: last, cycles, end });
+                    return Ok(Orbit {
+                        steps: last,
+                        cycles,
+                        end,
+                    });
                 }
                 Err(reason) => return Err(reason),
             };
@@ -176,7 +167,11 @@ impl Motion<'_> {
             last = steps;
             if cycle.closure < options.closure * self.problem.bearing.clearance {
                 let end = OrbitEnd::Closed;
-                return Ok(Orbit { steps: last, cycles, end });
+                return Ok(Orbit {
+                    steps: last,
+                    cycles,
+                    end,
+                });
             }
             traveller.here.time = 0.0;
             traveller.before = None;
@@ -197,9 +192,19 @@ impl Motion<'_> {
         options: &OrbitOptions,
     ) -> Result<Option<(Vec<Step>, Cycle)>, NoOrbit> {
         let period = self.cycle.period() / self.cycle.angular_speed();
-        let mut stops: Vec<f64> = self.cycle.corners().iter().map(|angle| angle / self.cycle.angular_speed()).collect();
+        let mut stops: Vec<f64> = self
+            .cycle
+            .corners()
+            .iter()
+            .map(|angle| angle / self.cycle.angular_speed())
+            .collect();
         stops.push(period);
-        let mut cycle = Cycle { closure: 0.0, steps: 0, rejected: 0, films: 0 };
+        let mut cycle = Cycle {
+            closure: 0.0,
+            steps: 0,
+            rejected: 0,
+            films: 0,
+        };
         let mut steps = vec![self.recorded(traveller, [0.0; 4], accuracy)];
         let mut dt = self.first_step(&traveller.here, period);
         while traveller.here.time < period {
@@ -207,17 +212,31 @@ impl Motion<'_> {
                 return Ok(None);
             }
             let now = traveller.here.time;
-            let stop = stops.iter().copied().find(|stop| *stop > now * (1.0 + 1e-12) + SHORTEST * period).unwrap_or(period);
+            let stop = stops
+                .iter()
+                .copied()
+                .find(|stop| *stop > now * (1.0 + 1e-12) + SHORTEST * period)
+                .unwrap_or(period);
             let left = stop - now;
             // No short step is left at the end.
-            let taken = if dt >= left { left } else if dt > 0.5 * left { 0.5 * left } else { dt };
+            let taken = if dt >= left {
+                left
+            } else if dt > 0.5 * left {
+                0.5 * left
+            } else {
+                dt
+            };
             let begin = Begin {
                 instant: &traveller.here,
                 acceleration: traveller.acceleration,
                 before: traveller.before,
             };
             match self.step(&begin, taken, accuracy, &mut cycle.films) {
-                Ok(Made { mut end, acceleration, error }) => {
+                Ok(Made {
+                    mut end,
+                    acceleration,
+                    error,
+                }) => {
                     let part = length(error) / self.gap(end.at) / accuracy.tolerance;
                     let change = SAFETY * part.max(1e-10).powf(-1.0 / ERROR_POWER);
                     dt = (taken * change.clamp(CHANGES[0], CHANGES[1])).min(LONGEST * period);
@@ -228,8 +247,12 @@ impl Motion<'_> {
                     if taken == left {
                         end.time = stop;
                     }
-                    let span = Span::between(&traveller.here, &end);
-                    *traveller = Traveller { here: end, acceleration, before: Some(span) };
+                    let span = Span::of_instants(&traveller.here, &end);
+                    *traveller = Traveller {
+                        here: end,
+                        acceleration,
+                        before: Some(span),
+                    };
                     steps.push(self.recorded(traveller, error, accuracy));
                     cycle.steps += 1;
                     if let Some(observer) = options.observer {
@@ -249,7 +272,13 @@ impl Motion<'_> {
     }
 
     fn recorded(&self, traveller: &Traveller, error: Vector, accuracy: Accuracy) -> Step {
-        let Instant { time, at, velocity, excess, .. } = &traveller.here;
+        let Instant {
+            time,
+            at,
+            velocity,
+            excess,
+            ..
+        } = &traveller.here;
         let masses = self.masses();
         let left: Vector = [0, 1, 2, 3].map(|k| excess[k] + masses[k] * traveller.acceleration[k]);
         Step {
@@ -297,7 +326,22 @@ impl Motion<'_> {
         }
     }
 
-    /// The film at a step, started from that of a neighbouring one.
+    /// The film at a time within a span of the orbit: the place is that of the path, and the velocity that in which the film carries the load, or that of the
+    /// path for a rotor with mass.
+    ///
+    /// # Errors
+    /// [`NoOrbit`]: there is no such film.
+    pub fn between(&self, span: &Span, time: f64, tolerance: f64) -> Result<Instant, NoOrbit> {
+        let (at, velocity) = (span.at(time), span.rate(time));
+        let scale = self.peak_load();
+        let found = match self.mass > 0.0 {
+            true => (self.film(time, at, velocity, Neighbour::None)).map_err(NoStage::Film),
+            false => self.carried((time, at), velocity, Accuracy { tolerance, scale }, &mut 0),
+        };
+        found.map_err(|reason| self.told(reason, time, 1, at))
+    }
+
+    /// The film of a step, started from that of a neighbouring one.
     ///
     /// # Errors
     /// [`NoFilm`]: why there is none.

@@ -16,6 +16,6 @@ mod scheme;
 mod stage;
 mod step;
 
-pub use march::{Cycle, NoOrbit, Orbit, OrbitEnd, OrbitObserver, OrbitOptions, Step};
+pub use march::{Cycle, NoOrbit, Orbit, OrbitEnd, OrbitObserver, OrbitOptions};
 pub use motion::{Instant, Motion, TiltSupport};
-pub use path::Span;
+pub use path::{Span, Step};

@@ -3,6 +3,21 @@
 use super::motion::Instant;
 use crate::coordinates::Vector;
 
+/// One step of an orbit: the journal at its end.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Step {
+    /// Time [s], from the beginning of the cycle.
+    pub time: f64,
+    /// Offsets [m] in the coordinates of the motion.
+    pub at: Vector,
+    /// Their rates [m/s].
+    pub velocity: Vector,
+    /// Estimate of the error that the step has made [m].
+    pub error: Vector,
+    /// What is left of the equation of motion, over the peak of the load [1].
+    pub residual: f64,
+}
+
 /// A part of the path.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Span {
@@ -15,8 +30,17 @@ pub struct Span {
 }
 
 impl Span {
+    /// From one step to the next.
+    pub fn between(from: &Step, to: &Step) -> Self {
+        Self {
+            times: [from.time, to.time],
+            places: [from.at, to.at],
+            rates: [from.velocity, to.velocity],
+        }
+    }
+
     /// From one instant to another.
-    pub(super) fn between(from: &Instant, to: &Instant) -> Self {
+    pub(super) fn of_instants(from: &Instant, to: &Instant) -> Self {
         Self {
             times: [from.time, to.time],
             places: [from.at, to.at],
@@ -28,7 +52,12 @@ impl Span {
     pub fn at(&self, time: f64) -> Vector {
         let (dt, s) = self.local(time);
         let (t, u) = (1.0 - s, s);
-        let weights = [t * t * (1.0 + 2.0 * u), u * u * (1.0 + 2.0 * t), dt * t * t * u, -dt * u * u * t];
+        let weights = [
+            t * t * (1.0 + 2.0 * u),
+            u * u * (1.0 + 2.0 * t),
+            dt * t * t * u,
+            -dt * u * u * t,
+        ];
         self.summed(weights)
     }
 

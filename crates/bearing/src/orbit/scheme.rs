@@ -86,7 +86,12 @@ mod tests {
         let mut c_ac = ac;
         c_ac.iter_mut().zip(NODES).for_each(|(entry, node)| *entry *= node);
         let third = [(one, 1.0), (c, 1.0 / 2.0), (c2, 1.0 / 3.0), (ac, 1.0 / 6.0)];
-        let fourth = [(c3, 1.0 / 4.0), (c_ac, 1.0 / 8.0), (ac2, 1.0 / 12.0), (weighted(&ac), 1.0 / 24.0)];
+        let fourth = [
+            (c3, 1.0 / 4.0),
+            (c_ac, 1.0 / 8.0),
+            (ac2, 1.0 / 12.0),
+            (weighted(&ac), 1.0 / 24.0),
+        ];
         let last = COEFFICIENTS[STAGES - 1];
         for (tree, value) in third.into_iter().chain(fourth) {
             assert!((product(&last, &tree) - value).abs() < 1e-14, "{value}");
@@ -94,7 +99,9 @@ mod tests {
         for (tree, value) in third {
             assert!((product(&EMBEDDED, &tree) - value).abs() < 1e-14, "{value}");
         }
-        let differs = fourth.iter().any(|(tree, value)| (product(&EMBEDDED, tree) - value).abs() > 1e-4);
+        let differs = fourth
+            .iter()
+            .any(|(tree, value)| (product(&EMBEDDED, tree) - value).abs() > 1e-4);
         assert!(differs, "the embedded method is of order 4: it tells no error");
     }
 }

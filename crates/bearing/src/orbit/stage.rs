@@ -116,15 +116,15 @@ impl Motion<'_> {
         Err(NoStage::Diverged)
     }
 
-    /// The velocity at a given place in which film and support carry the load: where an orbit without mass begins.
-    pub(super) fn at_rest_of(
+    /// The velocity at a given place in which film and support carry the load, sought from a `guess`.
+    pub(super) fn carried(
         &self,
-        time: f64,
-        at: Vector,
+        (time, at): (f64, Vector),
+        guess: Vector,
         accuracy: Accuracy,
         films: &mut usize,
     ) -> Result<Instant, NoStage> {
-        let mut here = self.film(time, at, [0.0; 4], Neighbour::None)?;
+        let mut here = self.film(time, at, guess, Neighbour::None)?;
         *films += 1;
         for _ in 1..MOST_FILMS {
             let balance = length(here.excess) / accuracy.scale;

@@ -31,13 +31,7 @@ pub(super) struct Begin<'a> {
 
 impl Motion<'_> {
     /// A step of the length `dt` [s].
-    pub(super) fn step(
-        &self,
-        from: &Begin,
-        dt: f64,
-        accuracy: Accuracy,
-        films: &mut usize,
-    ) -> Result<Made, NoStage> {
+    pub(super) fn step(&self, from: &Begin, dt: f64, accuracy: Accuracy, films: &mut usize) -> Result<Made, NoStage> {
         let start = from.instant;
         let per_time = 1.0 / (DIAGONAL * dt);
         let mut rates = [start.velocity; STAGES];
@@ -45,7 +39,8 @@ impl Motion<'_> {
         let mut latest: Option<Instant> = None;
         let mut way = from.before;
         for stage in 1..STAGES {
-            let so_far = |first: Vector, rates: &[Vector; STAGES]| combined(first, dt, &COEFFICIENTS[stage][..stage], rates);
+            let so_far =
+                |first: Vector, rates: &[Vector; STAGES]| combined(first, dt, &COEFFICIENTS[stage][..stage], rates);
             let known = Known {
                 time: start.time + dt * NODES[stage],
                 per_time,
@@ -62,7 +57,7 @@ impl Motion<'_> {
             rates[stage] = found.velocity;
             accelerations[stage] = [0, 1, 2, 3].map(|k| (found.velocity[k] - known.rate[k]) * per_time);
             if latest.as_ref().is_none_or(|latest| latest.time < found.time) {
-                way = Some(Span::between(start, &found));
+                way = Some(Span::of_instants(start, &found));
             }
             latest = Some(found);
         }
@@ -89,6 +84,12 @@ impl Motion<'_> {
 
 /// `first + dt sum_j weight_j rate_j`.
 fn combined(first: Vector, dt: f64, weights: &[f64], rates: &[Vector]) -> Vector {
-    let sum = |k: usize| weights.iter().zip(rates).map(|(weight, rate)| weight * rate[k]).sum::<f64>();
+    let sum = |k: usize| {
+        weights
+            .iter()
+            .zip(rates)
+            .map(|(weight, rate)| weight * rate[k])
+            .sum::<f64>()
+    };
     [0, 1, 2, 3].map(|k| first[k] + dt * sum(k))
 }

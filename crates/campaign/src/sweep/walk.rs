@@ -22,7 +22,8 @@ use oilwedge_study::position::Position;
 use oilwedge_study::quantities::Quantity;
 use oilwedge_study::reasons::Limit;
 use oilwedge_study::refinement::{answer, ended};
-use oilwedge_study::result::{Criterion, Status};
+use oilwedge_study::result::{Criterion, RunResult, Status};
+use oilwedge_study::run::run;
 use oilwedge_study::run_options::RunOptions;
 use oilwedge_study::solved::{SolveOptions, Solved};
 use oilwedge_study::warning::Warning;
@@ -74,6 +75,19 @@ impl Found {
             missed: missed.filter(Criterion::is_missed).collect(),
             quantities: estimated.quantities,
             unknowns: Some(solved.film.unknowns()),
+            seconds: 0.0,
+        }
+    }
+
+    /// Of a case that is solved by itself.
+    fn of_run(result: RunResult) -> Self {
+        Self {
+            status: CaseStatus::Run(result.status),
+            reason: result.reason,
+            quantities: result.quantities,
+            warnings: result.warnings,
+            missed: Vec::new(),
+            unknowns: Some(result.mesh.nodes),
             seconds: 0.0,
         }
     }
@@ -138,6 +152,7 @@ impl<'a> Walker<'a> {
         let clock = Instant::now();
         self.deadline = self.options.deadline();
         let found = match scene.tolerance.is_some() && self.options.bars {
+            _ if scene.orbit.is_some() => run(scene, self.options).map(|run| Found::of_run(run.result)),
             true => self.refined(scene),
             false => self.walked(scene, coordinate),
         };

@@ -38,6 +38,7 @@ pub(crate) fn example() -> RunResult {
             thermal: 0.0,
         },
         regime: None,
+        orbit: None,
         temperature: None,
         history: vec![HistoryStep {
             step: 1,

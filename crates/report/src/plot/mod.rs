@@ -2,7 +2,7 @@
 //!
 //! Reading order: `film.rs` (a film as it is drawn), `liner.rs` (the unrolled liner on the sheet), `field_map.rs`, `section.rs` (across the
 //! bearing), `sample.rs` and `profiles.rs`, `sweep.rs`, `files.rs` (which pictures there are); `convergence.rs` and `error_map.rs` (errors, and
-//! the adaptive mesh), `temperature.rs` (two curves that cross), `load.rs` (the load over a cycle).
+//! the adaptive mesh), `temperature.rs` (two curves that cross), `load.rs` (the load over a cycle), `orbit.rs`.
 
 mod convergence;
 mod error_map;
@@ -11,6 +11,7 @@ mod files;
 mod film;
 mod liner;
 mod load;
+mod orbit;
 mod profiles;
 mod sample;
 mod section;
@@ -22,6 +23,7 @@ pub use files::{CONVERGENCE, PLOT_FOLDER, PlotOptions, Unknown, figures_of_sweep
 pub use film::DrawnFilm;
 pub(crate) use film::drawn_fields;
 pub use load::load_figures;
+pub use orbit::orbit_figures;
 pub(crate) use sample::{Finder, InTriangle};
 pub(crate) use sweep::{Cases, quantity_names};
 pub(crate) use temperature::BALANCE;

@@ -21,6 +21,7 @@ use sha2::{Digest, Sha256};
 pub use error::SweepError;
 pub use files::{REPORT_FILE, TABLE_FILE};
 pub use report::{Identity, SWEEP_FORMAT, SweepReport};
+pub(crate) use table::to_csv;
 pub use table::{Columns, LIMITS, REASON, Row, SECONDS, UNKNOWNS, WARNINGS};
 
 use crate::{Error, folder};

@@ -84,6 +84,8 @@ pub struct Bar {
     pub position: f64,
     /// The temperature of a film that is not quite known.
     pub temperature: f64,
+    /// Steps in time that are not short enough.
+    pub time: f64,
 }
 
 impl Bar {
@@ -96,12 +98,12 @@ impl Bar {
     }
 
     /// The parts by the names of their fields.
-    pub fn by_name(&self) -> [(&'static str, f64); 8] {
+    pub fn by_name(&self) -> [(&'static str, f64); 9] {
         self.parts().map(|(name, _, part)| (name, part))
     }
 
     /// Name of each part, in words where it comes from, and the part.
-    pub fn parts(&self) -> [(&'static str, &'static str, f64); 8] {
+    pub fn parts(&self) -> [(&'static str, &'static str, f64); 9] {
         [
             ("discretisation", "triangles", self.discretisation),
             ("front", "edge of the cavity", self.front),
@@ -111,6 +113,7 @@ impl Bar {
             ("algebra", "rounding", self.algebra),
             ("position", "position under the load", self.position),
             ("temperature", "temperature of the film", self.temperature),
+            ("time", "steps in time", self.time),
         ]
     }
 
@@ -135,6 +138,7 @@ impl Bar {
             algebra: of(self.algebra, other.algebra),
             position: of(self.position, other.position),
             temperature: of(self.temperature, other.temperature),
+            time: of(self.time, other.time),
         }
     }
 }

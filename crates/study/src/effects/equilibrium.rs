@@ -6,7 +6,7 @@ pub(super) const ROW: Effect = Effect {
     name: "equilibrium",
     sentence: "the position is found where the film carries the load",
     socket: Socket::Position,
-    is_in: |scene| scene.journal.load().is_some(),
+    is_in: |scene| scene.journal.load().is_some() && scene.orbit.is_none(),
     install: |scene, sockets| sockets.load = scene.journal.load(),
     ..BLANK
 };

@@ -14,6 +14,7 @@ mod heat;
 mod jfo;
 mod moment_balance;
 mod oil_by_temperature;
+mod orbit;
 mod poiseuille;
 mod reynolds;
 mod roelands;
@@ -39,6 +40,7 @@ pub const EFFECTS: &[&Effect] = &[
     &couette::ROW,
     &squeeze::ROW,
     &equilibrium::ROW,
+    &orbit::ROW,
     &moment_balance::ROW,
     &heat::ROW,
     &oil_by_temperature::ROW,

@@ -13,6 +13,8 @@ use oilwedge_scene::Scene;
 mod row;
 mod cap;
 mod cavity;
+mod cycle;
+pub mod cycle_view;
 mod flow;
 mod friction;
 mod heat;
@@ -31,6 +33,8 @@ mod warming;
 
 pub use cap::*;
 pub use cavity::*;
+pub use cycle::*;
+pub use cycle_view::CycleView;
 pub use flow::*;
 pub use friction::*;
 pub use heat::*;
@@ -50,7 +54,18 @@ pub use view::View;
 pub use warming::Warming;
 
 /// All quantities, in the order of the report.
-pub static CATALOGUE: [&Row; 65] = [
+pub static CATALOGUE: [&Row; 76] = [
+    &CYCLE_FILM_THICKNESS_MIN,
+    &CYCLE_FILM_THICKNESS_MIN_CRANK_ANGLE,
+    &CYCLE_FILM_THICKNESS_MIN_ANGLE,
+    &CYCLE_PRESSURE_MAX,
+    &CYCLE_PRESSURE_MAX_CRANK_ANGLE,
+    &CYCLE_LOAD_MAX,
+    &CYCLE_POWER_LOSS,
+    &CYCLE_FRICTION_POWER,
+    &CYCLE_FRICTION_POWER_MAX,
+    &CYCLE_FRICTION_SHEAR_POWER,
+    &CYCLE_SIDE_FLOW,
     &LOAD,
     &LOAD_X,
     &LOAD_Y,
@@ -126,6 +141,7 @@ pub fn row(name: &str) -> Option<&'static Row> {
 /// The quantity by which a scene is judged where nothing else is asked: the load, or the eccentricity that a given load leads to.
 pub fn main_quantity(scene: &Scene) -> &'static Row {
     match scene.journal.load() {
+        _ if scene.orbit.is_some() => &CYCLE_FILM_THICKNESS_MIN,
         Some(_) => &ECCENTRICITY,
         None => &LOAD,
     }
@@ -135,11 +151,25 @@ pub fn main_quantity(scene: &Scene) -> &'static Row {
 pub fn measured(film: &View) -> Vec<Quantity> {
     in_order(|row| match row.measure {
         Measure::One(value) => value(film).map(|value| Quantity::new(row, value)).into_iter().collect(),
+        Measure::OverCycle(_) => Vec::new(),
         Measure::Each(values) => {
             let member = |(region, value): (String, f64)| Quantity::of_region(row, &region, value);
             values(film).into_iter().map(member).collect()
         }
     })
+}
+
+/// The quantities of an orbit, with their bars where errors are estimated.
+pub fn over_cycle(cycle: &CycleView) -> Vec<Quantity> {
+    let quantity = |row: &'static Row| match row.measure {
+        Measure::OverCycle(value) => value(cycle).map(|(value, bar)| {
+            let mut quantity = Quantity::new(row, value);
+            quantity.set_bar(bar);
+            quantity
+        }),
+        Measure::One(_) | Measure::Each(_) => None,
+    };
+    CATALOGUE.into_iter().filter_map(quantity).collect()
 }
 
 /// Names and rows of the quantities that films of these scenes may have.
@@ -150,7 +180,7 @@ pub fn of_scenes(scenes: &[Scene]) -> Vec<(Cow<'static, str>, &'static Row)> {
             regions.push(region.name);
         }
     }
-    in_order(|row| match scenes.iter().any(row.occurs) {
+    in_order(|row| match scenes.iter().any(|scene| row.may_occur(scene)) {
         false => Vec::new(),
         true if row.is_family() => regions.iter().map(|region| (row.region_name(region), row)).collect(),
         true => vec![(row.name.into(), row)],

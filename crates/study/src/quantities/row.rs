@@ -5,6 +5,7 @@ use std::fmt;
 
 use oilwedge_scene::Scene;
 
+use super::cycle_view::{CycleView, Judged};
 use super::rule::ErrorRule;
 use super::unit::Unit;
 use super::view::View;
@@ -31,6 +32,8 @@ pub enum Measure {
     One(fn(&View) -> Option<f64>),
     /// A family: one number for each region, by its name.
     Each(fn(&View) -> Vec<(String, f64)>),
+    /// One number of a cycle, with its bar where errors are estimated.
+    OverCycle(fn(&CycleView) -> Option<Judged>),
 }
 
 /// In which table people read a quantity.
@@ -125,6 +128,12 @@ impl Row {
     /// One of another table than the film's.
     pub(super) const fn in_table(self, table: Table) -> Self {
         Self { table, ..self }
+    }
+
+    /// Whether the answer to this scene may have it: a film, or an orbit.
+    pub fn may_occur(&self, scene: &Scene) -> bool {
+        let is_of_cycle = matches!(self.measure, Measure::OverCycle(_));
+        is_of_cycle == scene.orbit.is_some() && (self.occurs)(scene)
     }
 
     /// True of a family by region.

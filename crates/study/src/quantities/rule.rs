@@ -52,6 +52,8 @@ pub enum ErrorRule {
     LoadPlace,
     /// A rule of its own, in words and as it is computed.
     Of(&'static str, fn(&dyn Estimate, &Subject) -> Option<Bar>),
+    /// It is one of a cycle and measured with its bar: in words.
+    OverCycle(&'static str),
     /// It follows from given numbers and from the temperature of the film: by how much for each kelvin.
     Temperature(fn(&Warming) -> Option<f64>),
     /// It is a part of the balance of heat: its bar at the temperature of the film, and how it changes for each kelvin.
@@ -76,6 +78,7 @@ impl ErrorRule {
             Self::Moment(axis) => Some(estimate.moment()?[*axis]),
             Self::LoadPlace => load_place(estimate, subject),
             Self::Of(_, bar) => bar(estimate, subject),
+            Self::OverCycle(_) => None,
         }
     }
 
@@ -118,7 +121,7 @@ impl ErrorRule {
             }
             Self::Moment(_) => "dual-weighted; under a given moment what is left unbalanced",
             Self::LoadPlace => "those of moment and load, over the load; under a given moment what is left unbalanced",
-            Self::Of(words, _) => words,
+            Self::Of(words, _) | Self::OverCycle(words) => words,
             Self::Temperature(_) => "exact at a given temperature; with `[heat]` that of the temperature",
             Self::Balance(..) => "those of friction and flow, by the balance of heat",
         }

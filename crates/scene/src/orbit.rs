@@ -1,0 +1,133 @@
+//! `[orbit]`: the path of the journal under a load over a cycle.
+
+use crate::reader::TableReader;
+use crate::unit::Dimension;
+use crate::{CavitationModel, Complaints, Scene};
+
+/// Local error of a step where a scene gives none.
+const TOLERANCE: f64 = 1e-3;
+/// Most cycles where a scene gives no number.
+const CYCLES: f64 = 10.0;
+/// Most cycles that a scene may ask for.
+const MOST_CYCLES: f64 = 1000.0;
+/// Closure over the tolerance where a scene gives none.
+const CLOSURE: f64 = 0.1;
+
+keys! {
+    "orbit" = Table; "", "one position, in which the load stays", "",
+        "the path of the journal under the load over a cycle is followed until it repeats";
+    "orbit.tolerance" = Number; "1e-3", "1e-3", "1e-10 to 0.1",
+        "error that each step in time may make: offset of the journal over the least film";
+    "orbit.cycles" = Number; "10", "10", "whole, 1 to 1000",
+        "most cycles that are followed";
+    "orbit.closure" = Number; "1e-4", "a tenth of the tolerance", "1e-12 to 0.1",
+        "an orbit is closed where a cycle ends this near to where it began, over the clearance";
+    "orbit.mass" = Quantity(Mass); "20 kg", "0", ">= 0",
+        "mass of the rotor that the bearing bears; without it the film carries the load at every moment";
+    "orbit.start" = Table; "", "near the orbit, by one on a coarser mesh", "",
+        "where the journal is at the beginning";
+    "orbit.start.eccentricity" = Number; "0.3", "required", "0 <= eps < 1",
+        "its eccentricity";
+    "orbit.start.angle" = Quantity(Angle); "0 deg", "required", "",
+        "the angle of the thinnest film";
+}
+
+/// How the orbit of a journal is followed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Orbit {
+    /// Local error of a step: offset over the least film [1].
+    pub tolerance: f64,
+    /// Most cycles.
+    pub cycles: usize,
+    /// Distance between the beginning and the end of a cycle that is closed, over the clearance [1].
+    pub closure: f64,
+    /// Mass of the rotor [kg].
+    pub mass: f64,
+    /// Eccentricity ratio [1] and angle [rad] at the beginning; `None`: those of an orbit on a coarser mesh.
+    pub start: Option<[f64; 2]>,
+}
+
+pub(crate) fn read(mut table: TableReader<'_>) -> Orbit {
+    let tolerance = (table.number("tolerance", "1e-3"))
+        .within(
+            |tolerance| (1e-10..=0.1).contains(&tolerance),
+            "is not between 1e-10 and 0.1",
+            "give 1e-3, or less for a sharper orbit",
+        )
+        .or(TOLERANCE);
+    let cycles = (table.number("cycles", "10"))
+        .within(
+            |cycles| cycles.fract() == 0.0 && (1.0..=MOST_CYCLES).contains(&cycles),
+            "is no whole number from 1 to 1000",
+            "give the greatest number of cycles, such as 10",
+        )
+        .or(CYCLES);
+    let closure = (table.number("closure", "1e-4"))
+        .within(
+            |closure| (1e-12..=0.1).contains(&closure),
+            "is not between 1e-12 and 0.1",
+            "give 1e-4, or less",
+        )
+        .or(CLOSURE * tolerance);
+    let mass = (table.quantity("mass", Dimension::Mass, "20 kg"))
+        .within(|mass| mass >= 0.0, "is negative", "give mass >= 0")
+        .or(0.0);
+    Orbit {
+        tolerance,
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "checked above; NaN becomes 0"
+        )]
+        cycles: cycles as usize,
+        closure,
+        mass,
+        start: (table.table_if_given("start")).map(|mut start| {
+            let eccentricity = (start.number("eccentricity", "0.3"))
+                .within(
+                    |eccentricity| (0.0..1.0).contains(&eccentricity),
+                    "is not in 0 <= eps < 1",
+                    "give a journal inside the bearing",
+                )
+                .required();
+            [eccentricity, start.required("angle", Dimension::Angle, "0 deg")]
+        }),
+    }
+}
+
+/// An orbit needs a load and a clock, and a film without memory.
+pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
+    if scene.orbit.is_none() {
+        return;
+    }
+    complaints.refuse_if(
+        !scene.is_loaded(),
+        "orbit",
+        "stands without [load], but the orbit is that of a journal under a load",
+        "give [load], by force and angle or over a cycle by file, harmonics or bearing",
+    );
+    complaints.refuse_if(
+        scene.load_cycle.is_none() && scene.journal.speed == 0.0,
+        "journal.speed",
+        "is zero, but the cycle of [orbit] is one of the crank angle",
+        "give the speed of the crank, or remove [orbit]",
+    );
+    complaints.refuse_if(
+        scene.cavitation.is_some_and(|it| it.model == CavitationModel::Jfo),
+        "cavitation.model",
+        "is \"jfo\" beside [orbit]: a cavity that conserves its oil has a history, which is not computed yet",
+        "give \"reynolds\"",
+    );
+    complaints.refuse_if(
+        scene.heat.is_some(),
+        "heat",
+        "stands beside [orbit], which is followed at one temperature",
+        "give oil.temperature, or remove [orbit]",
+    );
+    complaints.refuse_if(
+        complaints.has("mesh.tolerance"),
+        "mesh.tolerance",
+        "stands beside [orbit], whose mesh is not refined",
+        "remove mesh.tolerance, and give [mesh] size",
+    );
+}

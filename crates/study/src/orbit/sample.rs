@@ -1,0 +1,247 @@
+//! The films along an orbit: solved once more at the places and velocities of its steps, measured, and judged as films at given positions are.
+
+use oilwedge_bearing::coordinates::{Vector, moved, unit};
+use oilwedge_bearing::orbit::{Instant, Motion, Span, Step};
+use oilwedge_bearing::{InitialGuess, Stiffness};
+use oilwedge_reynolds::solve::Neighbour;
+use oilwedge_reynolds::{FilmSolution, JournalChange};
+use rayon::prelude::*;
+
+use crate::estimate::estimate_errors;
+use crate::film::Film;
+use crate::isothermal::isothermal;
+use crate::measure::measure;
+use crate::no_answer::NoAnswer;
+use crate::quantities::cycle_view::Sample;
+use crate::quantities::{PRESSURE_MAX, Quantity, View, measured};
+use crate::solved::{Errors, SolveOptions, Solved};
+
+/// Films that are solved one after the other, each started from the one before; groups of them run side by side.
+const GROUP: usize = 8;
+/// The journal is moved by this part of the least gap, and its velocity changed by as much of the drag's, to see what a number depends on.
+const SMALL: f64 = 1e-4;
+/// Films that are solved between steps to find the greatest pressure.
+const PEAKS: usize = 3;
+/// Tolerance to which they carry the load.
+const TOLERANCE: f64 = 1e-4;
+
+/// A film on the orbit, and what the error of the orbit needs of it.
+pub(super) struct Sampled {
+    pub(super) sample: Sample,
+    /// What errors need; none where they are not estimated.
+    pub(super) tangents: Option<Tangents>,
+}
+
+/// How a film answers to a journal elsewhere.
+pub(super) struct Tangents {
+    /// `K`, that of the support included [N/m].
+    pub(super) stiffness: Stiffness,
+    /// `C` [N s/m].
+    pub(super) damping: Stiffness,
+    /// Force of the film whose numbers are reported, less that by which the orbit was followed [N].
+    pub(super) defect: Vector,
+    /// Change of each number for each coordinate [1/m],
+    pub(super) by_offset: Vec<Vector>,
+    /// and for its rate [s/m].
+    pub(super) by_rate: Vec<Vector>,
+}
+
+/// The films of the steps.
+///
+/// # Errors
+/// [`NoAnswer`]: a film that the orbit had is not found again.
+pub(super) fn samples(film: &Film, motion: &Motion, steps: &[Step], errors: Errors) -> Result<Vec<Sampled>, NoAnswer> {
+    let groups: Result<Vec<Vec<Sampled>>, NoAnswer> = (steps.par_chunks(GROUP))
+        .map(|group| {
+            let mut before: Option<FilmSolution> = None;
+            let mut sampled = Vec::with_capacity(group.len());
+            for step in group {
+                let near = before.as_ref().map_or(Neighbour::None, Neighbour::Start);
+                let instant = motion.film_at(step, near)?;
+                let (one, solution) = sample(film, motion, instant, errors)?;
+                sampled.push(one);
+                before = Some(solution);
+            }
+            Ok(sampled)
+        })
+        .collect();
+    Ok(groups?.into_iter().flatten().collect())
+}
+
+/// Adds films where the pressure is greatest between steps.
+///
+/// # Errors
+/// [`NoAnswer`]: there is no film there.
+pub(super) fn refine_peak(
+    film: &Film,
+    motion: &Motion,
+    steps: &mut Vec<Step>,
+    samples: &mut Vec<Sampled>,
+    errors: Errors,
+) -> Result<(), NoAnswer> {
+    for _ in 0..PEAKS {
+        let Some(time) = peak(samples) else { return Ok(()) };
+        let next = steps.partition_point(|step| step.time < time);
+        if next == 0 || next >= steps.len() {
+            return Ok(());
+        }
+        let span = Span::between(&steps[next - 1], &steps[next]);
+        let instant = motion.between(&span, time, TOLERANCE).map_err(NoAnswer::Orbit)?;
+        let step = Step {
+            time,
+            at: instant.at,
+            velocity: instant.velocity,
+            error: [0.0; 4],
+            residual: 0.0,
+        };
+        let (one, _) = sample(film, motion, instant, errors)?;
+        steps.insert(next, step);
+        samples.insert(next, one);
+    }
+    Ok(())
+}
+
+/// Time [s] at which the parabola through the greatest pressure and its neighbours is greatest; none at the ends of the cycle, or near a film.
+fn peak(samples: &[Sampled]) -> Option<f64> {
+    const NEAR: f64 = 0.02;
+    let pressure = |sampled: &Sampled| sampled.sample.value(&PRESSURE_MAX);
+    let best = (1..samples.len().checked_sub(1)?).max_by(|&a, &b| {
+        let [a, b] = [a, b].map(|k| pressure(&samples[k]).unwrap_or(f64::NEG_INFINITY));
+        a.total_cmp(&b)
+    })?;
+    let [before, here, after] = [best - 1, best, best + 1].map(|k| &samples[k]);
+    let [p_0, p_1, p_2] = [pressure(before)?, pressure(here)?, pressure(after)?];
+    let [back, on] = [before, after].map(|other| other.sample.time - here.sample.time);
+    let [rise, fall] = [(p_0 - p_1) / back, (p_2 - p_1) / on];
+    let bend = (fall - rise) / (on - back);
+    let way = 0.5 * (back - rise / bend);
+    let is_near = way.abs() < NEAR * (on - back);
+    (bend < 0.0 && way > back && way < on && !is_near).then_some(here.sample.time + way)
+}
+
+/// The film at a time of the orbit, with its reference.
+///
+/// # Errors
+/// [`NoAnswer`]: there is none.
+pub(super) fn solved_at(
+    film: &Film,
+    motion: &Motion,
+    span: Option<Span>,
+    time: f64,
+    errors: Errors,
+) -> Result<Solved, NoAnswer> {
+    let journal = match span {
+        Some(span) => {
+            motion
+                .between(&span, time, TOLERANCE)
+                .map_err(NoAnswer::Orbit)?
+                .problem
+                .journal
+        }
+        None => motion.journal(time, [0.0; 4], [0.0; 4]),
+    };
+    let film = film.with_journal(journal);
+    let options = SolveOptions {
+        errors,
+        ..SolveOptions::default()
+    };
+    isothermal(&film, &options)
+}
+
+/// One film, measured; and its solution for the next one to start from.
+fn sample(film: &Film, motion: &Motion, instant: Instant, errors: Errors) -> Result<(Sampled, FilmSolution), NoAnswer> {
+    let time = instant.time;
+    let tangents = match errors {
+        Errors::Estimated => Some((motion.tangent(&instant, 1.0, 0.0)?, motion.tangent(&instant, 0.0, 1.0)?)),
+        Errors::Omitted => None,
+    };
+    let here = film.with_journal(instant.problem.journal);
+    let options = SolveOptions {
+        errors,
+        guess: InitialGuess::Near(Neighbour::Start(&instant.film)),
+        ..SolveOptions::default()
+    };
+    let solved = isothermal(&here, &options)?;
+    let estimated = estimate_errors(&solved);
+    let quantities = estimated.quantities;
+    let tangents = match tangents {
+        None => None,
+        Some((stiffness, damping)) => {
+            let carried = estimated.measured.load.total.resultant();
+            let [x, y, z_x, z_y] = motion.coordinates().forces(&carried);
+            let quadratic = motion.coordinates().forces(&quadratic_force(&here, &solved));
+            let [by_offset, by_rate] = sensitivities(motion, &here, &solved.solution, &quantities)?;
+            Some(Tangents {
+                stiffness,
+                damping,
+                defect: moved([x, y, z_x, z_y], -1.0, quadratic),
+                by_offset,
+                by_rate,
+            })
+        }
+    };
+    let sample = Sample {
+        time,
+        journal: here.problem.journal,
+        quantities,
+        drift: Vec::new(),
+    };
+    Ok((Sampled { sample, tangents }, solved.solution))
+}
+
+/// Force of the film by which the orbit was followed.
+fn quadratic_force(film: &Film, solved: &Solved) -> oilwedge_reynolds::quantities::load::Resultant {
+    oilwedge_reynolds::quantities::load::load(&film.problem, &film.system, &solved.solution)
+        .total
+        .resultant()
+}
+
+/// Change of each number for each coordinate of the journal, and for its rate.
+fn sensitivities(
+    motion: &Motion,
+    film: &Film,
+    solution: &FilmSolution,
+    quantities: &[Quantity],
+) -> Result<[Vec<Vector>; 2], NoAnswer> {
+    let values = |film_problem: &oilwedge_reynolds::FilmProblem, solution: &FilmSolution| {
+        let measured_film = measure(film_problem, &film.system, solution);
+        measured(&View::new(film, film_problem, &measured_film))
+    };
+    let base = values(&film.problem, solution);
+    let journal = film.problem.journal;
+    let bearing = &film.problem.bearing;
+    let gap = SMALL * bearing.least_gap(&journal);
+    let rate = SMALL * journal.speed.abs().max(motion.cycle.angular_speed()) * bearing.clearance;
+    let coordinates = motion.coordinates();
+    let column = |k: usize, size: f64, of: &dyn Fn(JournalChange) -> JournalChange| -> Result<Vec<f64>, NoAnswer> {
+        let along = unit(k).map(|part| size * part);
+        let change = of(coordinates.change(&journal, &oilwedge_reynolds::CentreVelocity::default(), along));
+        let (problem, moved) = film.problem.displaced(&film.system, solution, &change)?;
+        let there = values(&problem, &moved);
+        let value = |list: &[Quantity], name: &str| list.iter().find(|it| it.name == name).map(|it| it.value);
+        let per = |quantity: &Quantity| {
+            let name = &*quantity.name;
+            let change = value(&there, name)
+                .zip(value(&base, name))
+                .map_or(0.0, |(there, here)| quantity.row.difference(there, here));
+            change / size
+        };
+        Ok(quantities.iter().map(per).collect())
+    };
+    let as_it_is = |change: JournalChange| change;
+    let as_rate = |change: JournalChange| JournalChange {
+        velocity: change.offset,
+        tilt_rate: change.tilt,
+        ..JournalChange::default()
+    };
+    let all = |size: f64, of: &dyn Fn(JournalChange) -> JournalChange| -> Result<Vec<Vector>, NoAnswer> {
+        let mut vectors = vec![[0.0; 4]; quantities.len()];
+        for k in 0..coordinates.order {
+            for (vector, part) in vectors.iter_mut().zip(column(k, size, of)?) {
+                vector[k] = part;
+            }
+        }
+        Ok(vectors)
+    };
+    Ok([all(gap, &as_it_is)?, all(rate, &as_rate)?])
+}

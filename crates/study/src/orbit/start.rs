@@ -1,0 +1,128 @@
+//! The mesh of an orbit, and where the journal begins.
+
+use oilwedge_bearing::Deadline;
+use oilwedge_bearing::coordinates::Vector;
+use oilwedge_bearing::duty_cycle::{Duty, DutyCycle};
+use oilwedge_bearing::orbit::{Motion, Orbit, OrbitOptions};
+use oilwedge_scene::Scene;
+
+use super::motion;
+use crate::compile::compile_near;
+use crate::compile_error::CompileError;
+use crate::duty::duty_cycle;
+use crate::film::Film;
+use crate::position::Position;
+
+/// Crank angle of a cycle of a load that does not change: two turns.
+const CYCLE: f64 = 2.0 * std::f64::consts::TAU;
+/// The first mesh is that for an orbit with this greatest eccentricity; where the orbit on its coarser mesh leads elsewhere, another one is drawn if
+/// its edges differ by this factor.
+const USUAL: f64 = 0.93;
+const ELSEWHERE: f64 = 1.3;
+/// Greatest eccentricity for which a mesh is drawn.
+const GREATEST: f64 = 0.998;
+/// An orbit on a coarser mesh: tolerance and cycles.
+const ROUGH: f64 = 2e-2;
+const ROUGH_CYCLES: usize = 2;
+/// Where that one begins: eccentricity towards the load.
+const FIRST: f64 = 0.3;
+
+/// The load over a cycle of a scene, be it constant.
+///
+/// # Errors
+/// The load cannot be computed.
+pub(super) fn load_over_cycle(scene: &Scene) -> Result<DutyCycle, CompileError> {
+    let cycle = duty_cycle(scene).map_err(|reason| CompileError::Duty(reason.to_string()))?;
+    let constant = || {
+        let duty = Duty {
+            force: scene.journal.load().unwrap_or_default(),
+            moment: scene.load_moment.unwrap_or_default(),
+            speed: scene.journal.speed,
+        };
+        DutyCycle::constant(duty, CYCLE, scene.journal.speed.abs()).acting_at(scene.load_at.unwrap_or(0.0))
+    };
+    Ok(cycle.unwrap_or_else(constant))
+}
+
+/// The film of an orbit on a mesh that resolves it, and the offsets [m] at which it begins.
+///
+/// # Errors
+/// The scene does not become a film.
+pub(super) fn prepared(
+    scene: &Scene,
+    model: &oilwedge_scene::Orbit,
+    cycle: &DutyCycle,
+    deadline: Deadline,
+) -> Result<(Film, Vector), CompileError> {
+    let film = on_mesh_for(scene, USUAL)?;
+    let rough = rough(&film, scene, model, cycle, deadline);
+    let clearance = film.problem.bearing.clearance;
+    let given = model.start.map(|[eccentricity, angle]| {
+        let offset = eccentricity * clearance;
+        [offset * angle.cos(), offset * angle.sin(), 0.0, 0.0]
+    });
+    let Some((orbit, greatest)) = rough else {
+        return Ok((film, given.unwrap_or(first(cycle, clearance))));
+    };
+    let begin = given
+        .or_else(|| Some(orbit.steps.first()?.at))
+        .unwrap_or(first(cycle, clearance));
+    let ratio = ((1.0 - USUAL) / (1.0 - greatest)).sqrt();
+    let suits = ratio < ELSEWHERE && ratio > 1.0 / ELSEWHERE;
+    let film = match suits || !scene.mesh.is_graded() {
+        true => film,
+        false => on_mesh_for(scene, greatest)?,
+    };
+    Ok((film, begin))
+}
+
+fn on_mesh_for(scene: &Scene, eccentricity: f64) -> Result<Film, CompileError> {
+    let position = Position {
+        eccentricity,
+        min_film_angle: 0.0,
+        tilt: scene.journal.tilt.unwrap_or_default(),
+    };
+    let film = compile_near(scene, position)?;
+    // The journal is where the motion leads it.
+    Ok(Film { load: None, ..film })
+}
+
+/// An orbit on the next coarser mesh, and its greatest eccentricity at an end; `None` where there is none.
+fn rough(
+    film: &Film,
+    scene: &Scene,
+    model: &oilwedge_scene::Orbit,
+    cycle: &DutyCycle,
+    deadline: Deadline,
+) -> Option<(Orbit, f64)> {
+    let fine = motion(film, scene, model, cycle);
+    let coarser = film.system.coarser.as_ref()?;
+    let problem = coarser.problem(&film.problem);
+    let motion = Motion {
+        problem: &problem,
+        system: &coarser.system,
+        ..fine
+    };
+    let options = OrbitOptions {
+        tolerance: ROUGH,
+        closure: model.closure,
+        cycles: ROUGH_CYCLES,
+        deadline,
+        observer: None,
+    };
+    let bearing = &film.problem.bearing;
+    let orbit = motion.orbit(first(cycle, bearing.clearance), &options).ok()?;
+    let gaps = orbit.steps.iter().map(|step| {
+        let journal = motion.coordinates().placed(&film.problem.journal, step.at);
+        bearing.least_gap(&journal)
+    });
+    let greatest = 1.0 - gaps.fold(f64::INFINITY, f64::min) / bearing.clearance;
+    Some((orbit, greatest.clamp(0.0, GREATEST)))
+}
+
+/// A place towards the first load [m].
+fn first(cycle: &DutyCycle, clearance: f64) -> Vector {
+    let [x, y] = cycle.at(0.0).force;
+    let force = x.hypot(y).max(f64::MIN_POSITIVE);
+    [FIRST * clearance * x / force, FIRST * clearance * y / force, 0.0, 0.0]
+}

@@ -1,0 +1,5 @@
+//! Orbits of the journal against closed solutions and the numbers of a second code.
+
+mod finite;
+mod scene;
+mod short;

@@ -1,0 +1,146 @@
+//! Scenes with an orbit.
+
+use std::path::Path;
+
+use oilwedge_scene::SceneError;
+use oilwedge_study::quantities::*;
+use oilwedge_study::result::Status;
+use oilwedge_study::{RunOptions, parse, read, run};
+use oilwedge_tests::scenes::path;
+
+/// One land of a big end, Swift-Stieber: least film 5.7389 um, greatest pressure 43.739 MPa, losses of both lands 1140.17 + 102.81 W by structured finite
+/// volumes on two grids, extrapolated; each is within its bar and that of the reference.
+#[test]
+fn the_big_end_of_the_shipped_scene_is_that_of_finite_volumes() {
+    let scene = read(&path("27_big_end_orbit")).expect("a scene");
+    let found = run(&scene, &RunOptions::default()).expect("an orbit");
+    let result = &found.result;
+    assert_eq!(result.status, Status::Converged, "{:?}", result.reason);
+    let number = |row: &Row| {
+        let quantity = result.quantity(row).expect(row.name);
+        (quantity.value, quantity.error().expect(row.name))
+    };
+    let rows: [(&Row, f64, f64, f64); 5] = [
+        (&CYCLE_FILM_THICKNESS_MIN, 5.7389e-6, 2e-9, 3e-3),
+        (&CYCLE_PRESSURE_MAX, 43.739e6, 0.03e6, 5e-3),
+        (&CYCLE_POWER_LOSS, 0.5 * (1140.17 + 102.81), 0.1, 3e-3),
+        (&CYCLE_FRICTION_SHEAR_POWER, 0.5 * 1140.17, 0.08, 3e-3),
+        (&CYCLE_LOAD_MAX, 0.5 * 207_294.6, 0.5, 1e-5),
+    ];
+    for (row, reference, uncertain, part) in rows {
+        let (value, bar) = number(row);
+        assert!((value / reference - 1.0).abs() < part, "{}: {value}", row.name);
+        assert!(
+            (value - reference).abs() <= bar + uncertain,
+            "{}: {value} {bar}",
+            row.name
+        );
+    }
+    // 256.86 and 17.27 deg.
+    for (row, reference) in [
+        (&CYCLE_FILM_THICKNESS_MIN_CRANK_ANGLE, 256.86),
+        (&CYCLE_PRESSURE_MAX_CRANK_ANGLE, 17.27),
+    ] {
+        let (value, bar) = number(row);
+        assert!((value - reference).abs() <= bar, "{}: {value} {bar}", row.name);
+    }
+    let facts = result.orbit.as_ref().expect("an orbit");
+    let last = facts.cycles.last().expect("a cycle");
+    assert!(facts.closed && last.steps <= 150 && last.films <= 1600, "{facts:?}");
+    assert!(result.balances.force < 1e-5, "{:?}", result.balances);
+    // Least film at crank angles of the reference [um].
+    let path = found.orbit.expect("a path");
+    for (angle, film) in [(10.0, 10.971), (40.0, 7.6423), (90.0, 21.004), (150.0, 10.546)] {
+        let [x, y, ..] = path.place(angle).expect("a place");
+        let found = 1e6 * (path.clearance - x.hypot(y));
+        assert!((found / film - 1.0).abs() < 5e-3, "{angle}: {found}");
+    }
+}
+
+const SCENE: &str = r#"
+bearing = { diameter = "50 mm", length = "25 mm", clearance = "30 um", theory = "short" }
+mesh.size = "6 mm"
+journal.speed = "3000 rpm"
+oil.viscosity = "10 mPa.s"
+cavitation.model = "guembel"
+load = { harmonics = [{ order = 0, cos = { x = "2 kN" } }, { order = 1, sin = { y = "3 kN" } }], frame = "shell", period = "360 deg" }
+orbit = { cycles = 5 }
+"#;
+
+fn parsed(text: &str) -> Result<oilwedge_scene::Scene, String> {
+    parse(text, Path::new("a.toml")).map_err(|error| match error {
+        SceneError::Complaints { complaints, .. } => complaints.iter().map(ToString::to_string).collect(),
+        other => other.to_string(),
+    })
+}
+
+#[test]
+fn too_few_cycles_are_an_answer_with_numbers() {
+    let scene = parsed(&SCENE.replace("cycles = 5", "cycles = 1, closure = 1e-12")).expect("a scene");
+    let result = run(&scene, &RunOptions::default()).expect("an orbit").result;
+    assert_eq!(result.status, Status::NotConverged);
+    assert!(
+        result
+            .reason
+            .as_deref()
+            .is_some_and(|reason| reason.starts_with("not closed after 1 cycle")),
+        "{:?}",
+        result.reason
+    );
+    assert!(result.quantity(&CYCLE_FILM_THICKNESS_MIN).is_some());
+}
+
+#[test]
+fn an_orbit_without_bars_has_the_same_numbers() {
+    let scene = parsed(SCENE).expect("a scene");
+    let with = run(&scene, &RunOptions::default()).expect("an orbit").result;
+    let without = run(
+        &scene,
+        &RunOptions {
+            bars: false,
+            ..RunOptions::default()
+        },
+    )
+    .expect("an orbit")
+    .result;
+    let film =
+        |result: &oilwedge_study::result::RunResult| result.quantity(&CYCLE_FILM_THICKNESS_MIN).map(|it| it.value);
+    assert_eq!((film(&with), with.status), (film(&without), Status::Converged));
+    assert!(
+        with.quantity(&CYCLE_FILM_THICKNESS_MIN)
+            .and_then(|it| it.error())
+            .is_some_and(|bar| bar > 0.0)
+    );
+}
+
+#[test]
+fn what_has_no_orbit_is_refused() {
+    for (from, to, told) in [
+        ("\"guembel\"", "\"jfo\"", "cavitation.model: is \"jfo\" beside [orbit]"),
+        ("load = ", "ends = ", "orbit: stands without [load]"),
+        (
+            "mesh.size = \"6 mm\"",
+            "mesh.tolerance = \"1 %\"",
+            "mesh.tolerance: stands beside [orbit]",
+        ),
+        ("cycles = 5", "cycles = 1.5", "orbit.cycles: is no whole number"),
+        ("cycles = 5", "tolerance = 1", "orbit.tolerance: is not between"),
+        ("cycles = 5", "mass = \"-1 kg\"", "orbit.mass: is negative"),
+        ("orbit = { cycles = 5 }", "", ""),
+    ] {
+        let found = parsed(&SCENE.replace(from, to));
+        match told {
+            "" => {
+                let scene = found.expect("a scene");
+                let refused = run(&scene, &RunOptions::default())
+                    .expect_err("no steady film")
+                    .to_string();
+                assert!(refused.contains("add [orbit]"), "{refused}");
+            }
+            told => {
+                let refused = found.expect_err(to);
+                assert!(refused.contains(told), "{to}: {refused}");
+            }
+        }
+    }
+}

@@ -1,0 +1,197 @@
+//! Orbits of short films, whose equation of motion has closed solutions.
+
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+use oilwedge_bearing::duty_cycle::{Frame, Harmonic, Turning};
+use oilwedge_bearing::orbit::{Motion, Orbit, OrbitOptions};
+use oilwedge_bearing::{Deadline, Duty, DutyCycle, SearchOptions, find};
+use oilwedge_reynolds::terms::squeeze::Squeeze;
+use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSystem, Theory};
+use oilwedge_tests::*;
+
+const HALF: Cavitation = Cavitation::Guembel { pressure: 0.0 };
+
+/// A short ring of the slenderness B/D = b; triangles couple its lines, so that rows count too.
+fn short(b: f64, cavitation: Cavitation, [columns, rows]: [u32; 2]) -> (FilmProblem, FilmSystem) {
+    let length = 2.0 * RADIUS * b;
+    let mut problem = plain_film(length, 0.0, 0.0, SPEED);
+    problem.terms.push(Arc::new(Squeeze));
+    problem.theory = Theory::Short;
+    problem.cavitation = cavitation;
+    (problem, ring_system(columns, rows, length, None))
+}
+
+/// Unit of force `mu omega R^2/psi^2` [N].
+fn unit_of_force() -> f64 {
+    pressure_scale() * RADIUS * RADIUS
+}
+
+fn orbit(film: &(FilmProblem, FilmSystem), cycle: &DutyCycle, start: [f64; 2], tolerance: f64, cycles: usize) -> Orbit {
+    let motion = Motion {
+        problem: &film.0,
+        system: &film.1,
+        cycle,
+        support: None,
+        mass: 0.0,
+    };
+    let options = OrbitOptions {
+        tolerance,
+        closure: 0.0,
+        cycles,
+        deadline: Deadline::default(),
+        observer: None,
+    };
+    let [x, y] = start.map(|part| part * CLEARANCE);
+    motion.orbit([x, y, 0.0, 0.0], &options).expect("an orbit")
+}
+
+/// Where the last cycle ends, over the clearance.
+fn end(orbit: &Orbit) -> [f64; 2] {
+    let at = orbit.steps.last().expect("steps").at;
+    [at[0] / CLEARANCE, at[1] / CLEARANCE]
+}
+
+/// Harmonics of order, cosine and sine towards x and y, in units of the force.
+fn harmonics(orders: &[(f64, [f64; 2], [f64; 2])], period: f64) -> DutyCycle {
+    let force = |[x, y]: [f64; 2]| [x * unit_of_force(), y * unit_of_force(), 0.0, 0.0];
+    let orders = orders.iter().map(|&(order, cos, sin)| Harmonic {
+        order,
+        cos: force(cos),
+        sin: force(sin),
+    });
+    let turning = Turning {
+        speed: SPEED,
+        rod: None,
+    };
+    DutyCycle::of_harmonics(orders.collect(), period, Frame::Shell, turning)
+}
+
+/// `F = (0.02 + 0.01 cos tau, 0.005 sin 2 tau) mu omega R^2/psi^2`.
+fn two_harmonics() -> DutyCycle {
+    let orders = [
+        (0.0, [0.02, 0.0], [0.0; 2]),
+        (1.0, [0.01, 0.0], [0.0; 2]),
+        (2.0, [0.0; 2], [0.0, 0.005]),
+    ];
+    harmonics(&orders, TAU)
+}
+
+/// `q = e/(1 - eps^2)^(3/2)` obeys `q' = (i/2) q + F/(8 pi b^3)` for any load: where the journal is after one turn.
+#[test]
+fn a_full_short_film_whirls_as_the_closed_solution() {
+    let film = short(0.25, Cavitation::None, [96, 4]);
+    let [x, y] = end(&orbit(&film, &two_harmonics(), [0.2, 0.3], 1e-5, 1));
+    assert!((x + 0.21670557).hypot(y + 0.187731447) < 5e-6, "{x} {y}");
+    // With half as many columns and rows it is 16 times as far off: the film, not the steps.
+    let rough = short(0.25, Cavitation::None, [48, 2]);
+    let [x, y] = end(&orbit(&rough, &two_harmonics(), [0.2, 0.3], 1e-5, 1));
+    let off = (x + 0.21670557).hypot(y + 0.187731447);
+    assert!(off > 1e-5 && off < 1e-4, "{off}");
+}
+
+/// Over eight turns steps are as long as the tolerance allows: a hundredth of the tolerance leaves a twentieth of the error.
+#[test]
+fn errors_fall_with_the_tolerance() {
+    let film = short(0.25, HALF, [24, 2]);
+    let orders = [(0.0, [0.3, 0.0], [0.0; 2]), (1.0, [0.5, 0.0], [0.0, 0.5])];
+    let heavy = harmonics(&orders, 8.0 * TAU);
+    let at = |tolerance: f64| end(&orbit(&film, &heavy, [0.3, 0.0], tolerance, 1));
+    let exact = at(1e-6);
+    let [coarse, fine] = [1e-2, 1e-4].map(|tolerance| {
+        let [x, y] = at(tolerance);
+        (x - exact[0]).hypot(y - exact[1])
+    });
+    assert!(fine < 0.05 * coarse && fine < 1e-4, "{coarse} {fine}");
+}
+
+/// Under a load that turns with omega_l the journal runs round at the eccentricity of the bearing at rest at the speed |omega - 2 omega_l|.
+#[test]
+fn a_turning_load_leads_round_a_circle() {
+    let rows = [
+        (0.25, 0.02, 1.0, 0.18759324),
+        (0.25, 0.02, 0.25, 0.31887577),
+        (0.4, 0.2, 1.0, 0.36148589),
+    ];
+    for (b, load, ratio, eps) in rows {
+        let film = short(b, HALF, [64, 4]);
+        let turning = harmonics(&[(ratio, [load, 0.0], [0.0, load])], TAU / ratio);
+        let cycles = if ratio < 1.0 { 2 } else { 10 };
+        let orbit = orbit(&film, &turning, [0.1, 0.0], 1e-5, cycles);
+        let circle = |at: [f64; 4]| (at[0].hypot(at[1]) / CLEARANCE - eps).abs();
+        let off = orbit.steps.iter().map(|step| circle(step.at)).fold(0.0, f64::max);
+        assert!(off < 1e-4, "{ratio}: {off}");
+    }
+}
+
+/// A load turning against the rotation, and one at rest, which leads to the position of equilibrium.
+#[test]
+fn a_load_at_rest_leads_to_its_equilibrium() {
+    let film = short(0.25, HALF, [32, 2]);
+    let force = [0.1 * unit_of_force(), 0.0];
+    let duty = Duty {
+        force,
+        moment: [0.0; 2],
+        speed: SPEED,
+    };
+    let cycle = DutyCycle::constant(duty, 2.0 * TAU, SPEED);
+    let [x, y] = end(&orbit(&film, &cycle, [0.3, 0.0], 1e-8, 12));
+    let mut start = film.0.clone();
+    start.journal.offset = [0.3 * CLEARANCE, 0.0];
+    let found = find(&start, &film.1, force, &SearchOptions::default()).expect("a position");
+    let [e_x, e_y] = found.problem.journal.offset.map(|part| part / CLEARANCE);
+    assert!((x - e_x).abs() < 1e-8 && (y - e_y).abs() < 1e-8, "{x} {y} {e_x} {e_y}");
+}
+
+/// Times in which a journal at rest sinks from the middle, in `mu R^2 b^3/(F psi^2)`.
+#[test]
+fn a_journal_that_does_not_turn_sinks_in_the_time_of_the_closed_film() {
+    let b: f64 = 0.25;
+    let film = short(b, HALF, [64, 4]);
+    let force = 100.0;
+    let psi = CLEARANCE / RADIUS;
+    let unit = VISCOSITY * RADIUS * RADIUS * b.powi(3) / (force * psi * psi);
+    let duty = Duty {
+        force: [force, 0.0],
+        moment: [0.0; 2],
+        speed: 0.0,
+    };
+    for (eps, time) in [(0.5, 15.5647955), (0.8, 88.2397495), (0.9, 268.01361)] {
+        let cycle = DutyCycle::constant(duty, 1.0, 1.0 / (time * unit));
+        let [x, y] = end(&orbit(&film, &cycle, [0.0, 0.0], 1e-5, 1));
+        // Eccentricity by time: d eps/d ln t is 0.5 at 0.5 and less beyond.
+        assert!((x - eps).abs() < 5e-5 && y.abs() < 1e-12, "{eps}: {x} {y}");
+    }
+}
+
+/// A rotor with mass under a load at rest: below the speed at which it whirls it comes to rest in the same place.
+#[test]
+fn a_rotor_with_mass_settles_in_the_same_place() {
+    let film = short(0.25, HALF, [32, 2]);
+    let duty = Duty {
+        force: [0.3 * unit_of_force(), 0.0],
+        moment: [0.0; 2],
+        speed: SPEED,
+    };
+    let cycle = DutyCycle::constant(duty, 2.0 * TAU, SPEED);
+    let [x, y] = end(&orbit(&film, &cycle, [0.5, 0.0], 1e-4, 10));
+    let motion = Motion {
+        problem: &film.0,
+        system: &film.1,
+        cycle: &cycle,
+        support: None,
+        mass: 0.1 * 0.3 * unit_of_force() / (CLEARANCE * SPEED * SPEED),
+    };
+    let options = OrbitOptions {
+        tolerance: 1e-4,
+        closure: 0.0,
+        cycles: 20,
+        deadline: Deadline::default(),
+        observer: None,
+    };
+    let heavy = motion
+        .orbit([0.5 * CLEARANCE, 0.0, 0.0, 0.0], &options)
+        .expect("an orbit");
+    let [with_x, with_y] = end(&heavy);
+    assert!((x - with_x).hypot(y - with_y) < 1e-3, "{x} {y} {with_x} {with_y}");
+}
