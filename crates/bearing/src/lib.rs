@@ -6,6 +6,7 @@
 //! | moment of the load and of the support = moment of the film | tilt of the journal | [`equilibrium`] |
 //! | friction = heat carried off | temperature of the film | [`thermal_balance`] |
 //!
+//! [`dynamics`]: how the film answers to small motions of the journal, and when a rotor on it whirls.
 //! [`cap_bolts`]: the forces in the bolts of a connecting rod's cap, to compare the film's load with.
 //!
 //! The film knows its own tangent ([`oilwedge_reynolds::FilmProblem::unknown_change`]); a balance borders it.
@@ -15,6 +16,7 @@ pub mod coordinates;
 mod cubic;
 pub mod deadline;
 mod descent;
+pub mod dynamics;
 pub mod equilibrium;
 pub mod estimate;
 mod find;
@@ -34,6 +36,7 @@ mod tilting;
 pub use cap_bolts::{BoltForces, CapBolts, Shell};
 pub use coordinates::Coordinates;
 pub use deadline::{Deadline, Interrupt};
+pub use dynamics::{Coefficients, Dynamics, Stability, Threshold, stability};
 pub use equilibrium::{Equilibrium, NEAR, ROUGHLY_BALANCED};
 pub use estimate::{GREATEST_ECCENTRICITY, first_position, is_contact};
 pub use find::find;

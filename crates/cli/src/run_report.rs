@@ -1,6 +1,7 @@
 //! A run for people: the main numbers first, what was simulated, the balances and the time, and last the verdict.
 
 use crate::add_ons::add_on;
+use crate::dynamics;
 use crate::quantities::{bars, quantities};
 use crate::readable::{readable_unit, significant};
 use crate::shown::Shown;
@@ -31,6 +32,7 @@ pub(crate) fn run_report(result: &RunResult, shown: Shown, add_ons: &[AddOn], wr
     }
     parts.extend(tables(result, shown));
     parts.extend(temperature::balance(result, shown));
+    parts.extend(dynamics::dynamics(result, shown));
     parts.push(effects(&result.effects));
     parts.extend(add_ons.iter().map(add_on));
     let mut lines = Vec::new();
@@ -226,6 +228,7 @@ pub(crate) mod tests {
             },
             regime: None,
             temperature: None,
+            dynamics: None,
             history: vec![],
             counts: Counts {
                 nonlinear_iterations: 1,

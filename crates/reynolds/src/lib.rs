@@ -58,6 +58,7 @@ pub mod solve;
 pub mod supply;
 pub mod terms;
 pub mod theory;
+mod whirl;
 
 pub use bearing::{Bearing, Thinnest};
 pub use cavitation::Cavitation;
@@ -67,3 +68,4 @@ pub use film_problem::{FilmProblem, FilmSolution, FilmSystem, Form};
 pub use journal_state::{CentreVelocity, JournalChange, JournalState};
 pub use reference_film::ReferenceFilm;
 pub use theory::Theory;
+pub use whirl::Whirl;

@@ -5,7 +5,7 @@
 //!
 //! Each table of the file has one source file of its name, with its data type, keys, units, defaults and ranges: `bearing.rs`, `mesh.rs`
 //! (and the tolerance in it, `tolerance.rs`), `ends.rs`, `feed.rs`, `journal.rs` (and `squeeze.rs`, `tilt.rs` in it), `load.rs`, `support.rs`, `oil.rs`, `heat.rs`, `limits.rs`,
-//! `cavitation.rs`, `cap.rs`, `sweep.rs`. `scene.rs` lists them.
+//! `cavitation.rs`, `dynamics.rs`, `cap.rs`, `sweep.rs`. `scene.rs` lists them.
 //!
 //! Reading order: `scene.rs`, `bearing.rs` as an example of a table, `reader.rs` (how a table is read and what is wrong with it collected),
 //! [`unit`] (quantities with units, by the table in `dimension.rs`), `complaint.rs`.
@@ -19,6 +19,7 @@ pub mod catalogue;
 mod cavitation;
 mod complaint;
 mod dimension;
+mod dynamics;
 mod ends;
 mod error;
 mod feed;
@@ -41,6 +42,7 @@ pub use bearing::{Arc, Bearing, Theory};
 pub use cap::{Bolts, Cap, Shell};
 pub use cavitation::{Cavitation, CavitationModel};
 pub use complaint::{Check, Complaint, Complaints};
+pub use dynamics::Dynamics;
 pub use ends::Ends;
 pub use error::SceneError;
 pub use feed::{Feed, Groove, Hole};

@@ -11,10 +11,10 @@ use crate::complaint::in_order;
 use crate::reader::TableReader;
 use crate::sweep::{self, Plan};
 use crate::{
-    Bearing, Cap, Cavitation, Check, Complaint, Complaints, Ends, Engine, Feed, Heat, Journal, Limits, MeshSource, Oil,
-    SceneError, Support, Tolerance,
+    Bearing, Cap, Cavitation, Check, Complaint, Complaints, Dynamics, Ends, Engine, Feed, Heat, Journal, Limits,
+    MeshSource, Oil, SceneError, Support, Tolerance,
 };
-use crate::{bearing, cap, cavitation, ends, feed, heat, journal, limits, load, mesh, oil, support};
+use crate::{bearing, cap, cavitation, dynamics, ends, feed, heat, journal, limits, load, mesh, oil, support};
 
 keys! {
     "title" = Text; "Plain journal bearing", "the name of the file", "",
@@ -29,7 +29,7 @@ const FAULT_LIMIT: usize = 5;
 const MESH_OPENING: &[u8] = b"$MeshFormat";
 
 /// Tables whose keys can be swept.
-pub const SWEPT: [&str; 11] = [
+pub const SWEPT: [&str; 12] = [
     "bearing",
     "mesh",
     "ends",
@@ -41,6 +41,7 @@ pub const SWEPT: [&str; 11] = [
     "heat",
     "limits",
     "cavitation",
+    "dynamics",
 ];
 /// Checks of keys that must fit each other, table by table.
 const CHECKS: [Check; 8] = [
@@ -85,6 +86,8 @@ pub struct Scene {
     pub limits: Limits,
     /// What happens where the film would break; `None`: a full film, whatever its pressure.
     pub cavitation: Option<Cavitation>,
+    /// What is asked about small motions of the journal; `None`: nothing.
+    pub dynamics: Option<Dynamics>,
     /// The cap of the connecting rod whose bearing this is; nothing of the film depends on it.
     pub cap: Option<Cap>,
     /// The cases that `oilwedge sweep` makes of it; nothing else reads them.
@@ -241,6 +244,7 @@ pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene 
         heat,
         limits: limits.or(in_heat.unwrap_or_default()),
         cavitation: root.table_if_given("cavitation").and_then(cavitation::read),
+        dynamics: root.table_if_given("dynamics").map(dynamics::read),
         cap: root.table_if_given("cap").map(cap::read),
         sweep: root.table_if_given("sweep").map(|table| {
             let (axes, columns) = sweep::read(table);

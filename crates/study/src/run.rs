@@ -19,7 +19,8 @@ use crate::quantities::left_over;
 use crate::refinement::{Answer, answer};
 use crate::regime::{Regime, broken_assumptions};
 use crate::result::{
-    Balances, Counts, Geometry, HistoryStep, LinearSolver, MeshFacts, RESULT_FORMAT, RunResult, SECONDS_KEY, Status,
+    Balances, Counts, DynamicsReport, Geometry, HistoryStep, LinearSolver, MeshFacts, RESULT_FORMAT, RunResult,
+    SECONDS_KEY, Status,
 };
 use crate::run_options::RunOptions;
 use crate::solved::Solved;
@@ -88,6 +89,7 @@ fn without_outcome(scene: &Scene, answer: &Answer, options: &RunOptions) -> RunR
         balances: Balances::default(),
         regime: None,
         temperature: None,
+        dynamics: None,
         history: Vec::new(),
         counts: Counts::default(),
         linear_solver: None,
@@ -150,6 +152,7 @@ fn report(scene: &Scene, (solved, estimated): (&Solved, Estimated), options: &Ru
         tilt: solved.balance.map_or(0.0, |balance| balance.parts[1]),
         thermal: left_over(&estimated.quantities),
     };
+    result.dynamics = DynamicsReport::of(&solved.film, &estimated.measured);
     let clock = Instant::now();
     result.temperature = temperature_report(solved, &estimated.quantities, options.deadline());
     if let Some(report) = &mut result.temperature {

@@ -39,6 +39,7 @@ pub(crate) fn example() -> RunResult {
         },
         regime: None,
         temperature: None,
+        dynamics: None,
         history: vec![HistoryStep {
             step: 1,
             residual: 1.0,

@@ -1,5 +1,6 @@
 //! The errors of a pressure film, estimated by the film in cubic elements.
 
+use oilwedge_bearing::{Coefficients, Dynamics};
 use oilwedge_fem::Field;
 use oilwedge_reynolds::error_bar::{Bar, FilmError, FlowGoal, Value};
 use oilwedge_reynolds::quantities::cavity::hidden_share;
@@ -8,7 +9,7 @@ use oilwedge_reynolds::supply::{BoundaryKind, SupplyRegion};
 use oilwedge_reynolds::{FilmSolution, FilmSystem};
 
 use super::places::{self, PlacedPair};
-use super::{Estimate, ExtentEnd, Scaled};
+use super::{CoefficientBars, Estimate, ExtentEnd, Scaled};
 use crate::film::Film;
 use crate::measure::{Measured, drag};
 
@@ -26,6 +27,10 @@ pub(super) struct CubicPair<'a> {
     /// Which film is judged.
     pub(super) value: Value,
 }
+
+/// Part of the difference of the tangents of both films that each of them is off by at most; measured.
+const OF_QUADRATIC_TANGENTS: f64 = 2.0;
+const OF_CUBIC_TANGENTS: f64 = 1.0;
 
 /// In the law of extremes of a smooth pressure; measured: up to 2.5.
 const PER_EXTREME: f64 = 3.0;
@@ -149,9 +154,27 @@ impl Estimate for CubicPair<'_> {
     fn film_end(&self, end: ExtentEnd) -> Option<Bar> {
         places::film_end(&self.placed(), end)
     }
+
+    fn coefficients(&self) -> Option<CoefficientBars> {
+        self.bars_of_coefficients(|dynamics| Some(&dynamics.at.first()?.coefficients))
+    }
+
+    fn judged_coefficients(&self) -> Option<CoefficientBars> {
+        self.bars_of_coefficients(|dynamics| Some(&dynamics.judged.coefficients))
+    }
 }
 
 impl CubicPair<'_> {
+    /// Bars of coefficients that both films have.
+    fn bars_of_coefficients(&self, of: impl Fn(&Dynamics) -> Option<&Coefficients>) -> Option<CoefficientBars> {
+        let [quadratic, cubic] = self.measured.map(|measured| of(measured.dynamics.as_ref()?));
+        let (quadratic, cubic) = (quadratic?, cubic?);
+        Some(match self.value {
+            Value::Quadratic => CoefficientBars::of(quadratic, cubic, OF_QUADRATIC_TANGENTS),
+            Value::Cubic => CoefficientBars::of(cubic, quadratic, OF_CUBIC_TANGENTS),
+        })
+    }
+
     /// What bars of places are made of.
     fn placed(&self) -> PlacedPair<'_> {
         PlacedPair {
