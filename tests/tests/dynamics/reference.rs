@@ -90,7 +90,11 @@ fn two_grooves_of_lund_and_thomsen() {
             groove("right", 260.0)
         );
         // Near the threshold of stability with any mass the critical mass depends much on K and C.
-        let tolerance = if (0.6..0.75).contains(&of[0]) { "\"0.001 %\"" } else { "\"0.05 %\"" };
+        let tolerance = if (0.6..0.75).contains(&of[0]) {
+            "\"0.001 %\""
+        } else {
+            "\"0.05 %\""
+        };
         let result = run(&scene(0.5, tolerance, &keys));
         let found = result.dynamics.as_ref().ok_or("no coefficients")?;
         let found = found.coefficients[0].without_dimension.as_ref().ok_or("no load")?;

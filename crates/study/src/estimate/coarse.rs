@@ -20,7 +20,7 @@ pub(super) struct CoarseComparison<'a> {
 }
 
 /// Part of the difference of the tangents of film and coarse comparison that the film is off by at most; measured.
-const OF_TANGENTS: f64 = 1.0;
+const OF_TANGENTS: f64 = 1.5;
 
 impl Estimate for CoarseComparison<'_> {
     fn is_resolved(&self) -> bool {
@@ -127,6 +127,6 @@ impl CoarseComparison<'_> {
     fn bars_of_coefficients(&self, of: impl Fn(&Dynamics) -> Option<&Coefficients>) -> Option<CoefficientBars> {
         let film = of(self.measured.dynamics.as_ref()?)?;
         let coarse = of(self.dynamics.as_ref()?)?;
-        Some(CoefficientBars::of(film, coarse, OF_TANGENTS))
+        Some(CoefficientBars::of(film, coarse, OF_TANGENTS, 0.0))
     }
 }

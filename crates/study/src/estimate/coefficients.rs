@@ -16,16 +16,16 @@ pub struct CoefficientBars {
 }
 
 impl CoefficientBars {
-    /// Of a film, by `per_difference` of its difference from another one.
-    pub(super) fn of(film: &Coefficients, other: &Coefficients, per_difference: f64) -> Self {
+    /// Of a film, by `per_difference` of its difference from another one, but at least the part `least` of each entry's size.
+    pub(super) fn of(film: &Coefficients, other: &Coefficients, per_difference: f64, least: f64) -> Self {
         Self {
-            stiffness: bars(&film.stiffness, &other.stiffness, per_difference),
-            damping: bars(&film.damping, &other.damping, per_difference),
+            stiffness: bars(&film.stiffness, &other.stiffness, per_difference, least),
+            damping: bars(&film.damping, &other.damping, per_difference, least),
         }
     }
 }
 
-fn bars(of: &Square, other: &Square, per_difference: f64) -> Square {
+fn bars(of: &Square, other: &Square, per_difference: f64, least: f64) -> Square {
     // Offsets and slopes have units of their own.
     let greatest = |entries: [f64; 2]| entries.into_iter().fold(0.0, |most: f64, entry| most.max(entry.abs()));
     let size = |i: usize, j: usize| {
@@ -57,5 +57,6 @@ fn bars(of: &Square, other: &Square, per_difference: f64) -> Square {
             }
         }
     }
-    bars.map(|row| row.map(|size| per_difference * part * size))
+    let part = (per_difference * part).max(least);
+    bars.map(|row| row.map(|size| part * size))
 }

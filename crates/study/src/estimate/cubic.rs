@@ -28,9 +28,12 @@ pub(super) struct CubicPair<'a> {
     pub(super) value: Value,
 }
 
-/// Part of the difference of the tangents of both films that each of them is off by at most; measured.
+/// Parts of the difference of the tangents of both films that each of them is off by: where the edge of a cavity is found, and elsewhere; measured. Both may
+/// find the edge alike, so that at least this part of the share of the triangles there counts.
 const OF_QUADRATIC_TANGENTS: f64 = 2.0;
-const OF_CUBIC_TANGENTS: f64 = 1.0;
+const OF_CUBIC_TANGENTS: f64 = 1.5;
+const OF_SMOOTH_TANGENTS: f64 = 0.4;
+const PER_FRONT: f64 = 0.08;
 
 /// In the law of extremes of a smooth pressure; measured: up to 2.5.
 const PER_EXTREME: f64 = 3.0;
@@ -169,9 +172,16 @@ impl CubicPair<'_> {
     fn bars_of_coefficients(&self, of: impl Fn(&Dynamics) -> Option<&Coefficients>) -> Option<CoefficientBars> {
         let [quadratic, cubic] = self.measured.map(|measured| of(measured.dynamics.as_ref()?));
         let (quadratic, cubic) = (quadratic?, cubic?);
+        let has_edge = self.film.problem.cavitation.has_free_boundary();
+        let least = if has_edge {
+            PER_FRONT * (self.front_share() + self.hidden_share())
+        } else {
+            0.0
+        };
         Some(match self.value {
-            Value::Quadratic => CoefficientBars::of(quadratic, cubic, OF_QUADRATIC_TANGENTS),
-            Value::Cubic => CoefficientBars::of(cubic, quadratic, OF_CUBIC_TANGENTS),
+            Value::Quadratic => CoefficientBars::of(quadratic, cubic, OF_QUADRATIC_TANGENTS, least),
+            Value::Cubic if has_edge => CoefficientBars::of(cubic, quadratic, OF_CUBIC_TANGENTS, least),
+            Value::Cubic => CoefficientBars::of(cubic, quadratic, OF_SMOOTH_TANGENTS, least),
         })
     }
 

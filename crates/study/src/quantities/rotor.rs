@@ -30,7 +30,7 @@ rows! {
         in_table(Table::Dynamics) only(|scene| scene.dynamics.as_ref().is_some_and(|asked| asked.mass.is_some()));
 }
 
-const RULE: &str = "those of K and C, each of which moves it";
+const RULE: &str = "those of K and C, each of which moves it: half of the root of the sum of squares";
 
 fn judged<'a>(film: &'a View) -> Option<&'a Coefficients> {
     let dynamics = film.measured.dynamics.as_ref()?;
@@ -54,11 +54,14 @@ fn decrement(of: &Coefficients, film: &View) -> Option<f64> {
     Some(whirling(of, mass)?.decrement)
 }
 
+/// The errors of all coefficients have one cause, and cancel in part; measured.
+const TOGETHER: f64 = 0.5;
+
 /// What the bars of all coefficients make of a number; none where one of them takes it away.
 fn bar(estimate: &dyn Estimate, number: impl Fn(&Coefficients) -> Option<f64>, at: &Subject) -> Option<Bar> {
     let bars = estimate.judged_coefficients()?;
     let own = judged(at.view)?;
-    let mut sum = 0.0;
+    let mut squares = 0.0;
     for row in 0..2 {
         for column in 0..2 {
             for sign in [-1.0, 1.0] {
@@ -66,10 +69,10 @@ fn bar(estimate: &dyn Estimate, number: impl Fn(&Coefficients) -> Option<f64>, a
                 moved[0].stiffness[row][column] += sign * bars.stiffness[row][column];
                 moved[1].damping[row][column] += sign * bars.damping[row][column];
                 for moved in moved {
-                    sum += 0.5 * (number(&moved)? - at.value).abs();
+                    squares += 0.5 * (number(&moved)? - at.value).powi(2);
                 }
             }
         }
     }
-    Some(Bar::of(sum))
+    Some(Bar::of(TOGETHER * squares.sqrt()))
 }
