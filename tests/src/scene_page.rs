@@ -6,7 +6,7 @@ use oilwedge_scene::keys::Key;
 use crate::tables::{replace, row};
 
 /// Tables of a scene that have a table of the page.
-const TABLES: [&str; 12] = [
+const TABLES: [&str; 13] = [
     "bearing",
     "mesh",
     "ends",
@@ -18,6 +18,7 @@ const TABLES: [&str; 12] = [
     "heat",
     "limits",
     "cavitation",
+    "dynamics",
     "cap",
 ];
 
