@@ -16,13 +16,10 @@
 //! stays is exact to first order, since pressure is level at its edge. **Range.** Motions far below the film thickness, films without inertia.
 //! **Verified by** `tests/tests/dynamics`: differences of films, and a second code for mass-conserving films.
 
-use std::sync::Arc;
-
 use oilwedge_fem::{Error, HarmonicSystem};
 
 use crate::cavitation;
-use crate::terms::Poiseuille;
-use crate::terms::squeeze::Squeeze;
+use crate::terms;
 use crate::{FilmProblem, FilmSolution, FilmSystem, JournalChange};
 
 /// A solved film, ready to be moved at one frequency.
@@ -73,7 +70,7 @@ impl<'a> Whirl<'a> {
             }
         };
         let taking_up = FilmProblem {
-            terms: vec![Arc::new(Poiseuille), Arc::new(Squeeze)],
+            terms: terms::of_rates(),
             ..problem.clone()
         };
         Ok(Self {

@@ -24,7 +24,7 @@ fn sixteen_coefficients_are_those_of_finite_volumes() {
             "eccentricity = {}\nmin_film_angle = \"0 deg\"\ntilt = {{ x = \"{g_x} rad\", y = \"{g_y} rad\" }}\n[dynamics]",
             number(row, "eps")
         );
-        let result = run(&scene(number(row, "b"), "\"0.05 %\"", &keys));
+        let result = run(&scene(number(row, "b"), "\"0.02 %\"", &keys));
         let found = &result.dynamics.as_ref().ok_or("no coefficients")?.coefficients[0].in_bearing;
         let arm = |place: usize| if place < 2 { 1.0 } else { RADIUS };
         for (name, found, wanted, unit) in [
@@ -93,7 +93,7 @@ fn two_grooves_of_lund_and_thomsen() {
         let tolerance = if (0.6..0.75).contains(&of[0]) {
             "\"0.001 %\""
         } else {
-            "\"0.05 %\""
+            "\"0.02 %\""
         };
         let result = run(&scene(0.5, tolerance, &keys));
         let found = result.dynamics.as_ref().ok_or("no coefficients")?;

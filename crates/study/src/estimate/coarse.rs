@@ -20,7 +20,7 @@ pub(super) struct CoarseComparison<'a> {
 }
 
 /// Part of the difference of the tangents of film and coarse comparison that the film is off by at most; measured.
-const OF_TANGENTS: f64 = 1.5;
+const OF_TANGENTS: f64 = 2.5;
 
 impl Estimate for CoarseComparison<'_> {
     fn is_resolved(&self) -> bool {

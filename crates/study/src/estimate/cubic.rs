@@ -32,7 +32,7 @@ pub(super) struct CubicPair<'a> {
 /// find the edge alike, so that at least this part of the share of the triangles there counts.
 const OF_QUADRATIC_TANGENTS: f64 = 2.0;
 const OF_CUBIC_TANGENTS: f64 = 1.5;
-const OF_SMOOTH_TANGENTS: f64 = 0.4;
+const OF_SMOOTH_TANGENTS: f64 = 0.6;
 const PER_FRONT: f64 = 0.08;
 
 /// In the law of extremes of a smooth pressure; measured: up to 2.5.

@@ -28,7 +28,7 @@ fn a_sweep_of_the_speed_writes_a_table_for_rotors() {
         assert!((numbers[0] / speed - 1.0).abs() < 1e-12);
         let names = ["stiffness", "damping"].map(|of| ["xx", "xy", "yx", "yy"].map(|entry| format!("{of}_{entry}")));
         for (number, name) in numbers[1..].iter().zip(names.as_flattened()) {
-            assert_eq!(*number, value(row, name), "{name}");
+            assert!((number / value(row, name) - 1.0).abs() < 1e-14, "{name}");
         }
     }
     assert_eq!(table.lines().count(), 3);
@@ -72,7 +72,7 @@ fn the_table_needs_all_coefficients_over_the_speed_alone() {
 #[test]
 fn the_decrement_falls_with_the_mass() {
     let bench = Bench::new();
-    whirl(&bench, "\"dynamics.mass\" = [\"100 kg\", \"1 t\", \"2 t\"]");
+    whirl(&bench, "\"dynamics.mass\" = [\"100 kg\", \"1000 kg\", \"2000 kg\"]");
     let report = done(&bench.run(&["sweep", "scene.toml", "--json"]));
     let [light, middle, heavy] = [0, 1, 2].map(|case| value(&report["rows"][case], "logarithmic_decrement"));
     assert!(
