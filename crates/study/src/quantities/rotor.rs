@@ -30,7 +30,7 @@ rows! {
         in_table(Table::Dynamics) only(|scene| scene.dynamics.as_ref().is_some_and(|asked| asked.mass.is_some()));
 }
 
-const RULE: &str = "those of K and C, each of which moves it: half of the root of the sum of squares";
+const RULE: &str = "those of K and C, each of which moves it: the root of the sum of squares";
 
 fn judged<'a>(film: &'a View) -> Option<&'a Coefficients> {
     let dynamics = film.measured.dynamics.as_ref()?;
@@ -54,9 +54,6 @@ fn decrement(of: &Coefficients, film: &View) -> Option<f64> {
     Some(whirling(of, mass)?.decrement)
 }
 
-/// The errors of all coefficients have one cause, and cancel in part; measured.
-const TOGETHER: f64 = 0.5;
-
 /// What the bars of all coefficients make of a number; none where one of them takes it away.
 fn bar(estimate: &dyn Estimate, number: impl Fn(&Coefficients) -> Option<f64>, at: &Subject) -> Option<Bar> {
     let bars = estimate.judged_coefficients()?;
@@ -74,5 +71,5 @@ fn bar(estimate: &dyn Estimate, number: impl Fn(&Coefficients) -> Option<f64>, a
             }
         }
     }
-    Some(Bar::of(TOGETHER * squares.sqrt()))
+    Some(Bar::of(squares.sqrt()))
 }
