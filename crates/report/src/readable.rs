@@ -61,12 +61,14 @@ pub fn printed_unit(unit: &str) -> String {
 }
 
 /// Names of Greek letters in symbols.
-const GREEK: [(&str, &str); 11] = [
+const GREEK: [(&str, &str); 13] = [
     ("alpha", "\u{3b1}"),
     ("beta", "\u{3b2}"),
+    ("delta", "\u{3b4}"),
     ("eps", "\u{3b5}"),
     ("eta", "\u{3b7}"),
     ("mu", "\u{3bc}"),
+    ("nu", "\u{3bd}"),
     ("omega", "\u{3c9}"),
     ("phi", "\u{3c6}"),
     ("rho", "\u{3c1}"),
