@@ -6,7 +6,7 @@ use oilwedge_scene::keys::Key;
 use crate::tables::{replace, row};
 
 /// Tables of a scene that have a table of the page.
-const TABLES: [&str; 14] = [
+const TABLES: [&str; 15] = [
     "bearing",
     "mesh",
     "ends",
@@ -20,6 +20,7 @@ const TABLES: [&str; 14] = [
     "heat",
     "limits",
     "cavitation",
+    "dynamics",
     "cap",
 ];
 

@@ -31,6 +31,16 @@ fn bars_hold_and_are_not_much_wider_than_errors() {
         "feed_flow",
         "friction_power",
         "friction_pressure_power",
+        "stiffness_xx",
+        "stiffness_xy",
+        "stiffness_yx",
+        "stiffness_yy",
+        "damping_xx",
+        "damping_xy",
+        "damping_yx",
+        "damping_yy",
+        "critical_mass",
+        "whirl_ratio",
     ] {
         for of in [Of::Reported, Of::Quadratic] {
             let ratios = tally.ratios(|pair: &Pair| pair.quantity == quantity && pair.of == of);
@@ -43,7 +53,14 @@ fn bars_hold_and_are_not_much_wider_than_errors() {
                 ));
             }
             let wide = quantile(&ratios, 0.5);
-            if of == Of::Quadratic && wide > if quantity == "load" { 3.0 } else { 5.0 } {
+            let widest = match quantity {
+                "load" => 3.0,
+                // The tangent of a film converges irregularly, and its bar is that of the worst entry.
+                tangent if tangent.starts_with("stiffness_") || tangent.starts_with("damping_") => 20.0,
+                "critical_mass" | "whirl_ratio" => 100.0,
+                _ => 5.0,
+            };
+            if of == Of::Quadratic && wide > widest {
                 complaints.push(format!("{quantity}: bars are {wide:.1} times the error"));
             }
         }

@@ -11,6 +11,7 @@ mod defaults;
 mod deletion;
 mod dependencies;
 mod difficult_films;
+mod dynamics;
 mod duty_cycle;
 mod equilibrium;
 mod error_bars;

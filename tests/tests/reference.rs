@@ -69,7 +69,7 @@ fn parse(scene: &toml::Table) -> Result<Scene, SceneError> {
 fn examples_of_scenes_are_scenes() {
     let page = page("scene.md");
     let examples = blocks(&page, "toml");
-    assert_eq!(examples.len(), 29);
+    assert_eq!(examples.len(), 30);
     for example in examples {
         parse(&plain_ring_with(example)).unwrap_or_else(|error| panic!("{example}\n{error}"));
     }

@@ -6,6 +6,7 @@
 //! | moment of the load and of the support = moment of the film | tilt of the journal | [`equilibrium`] |
 //! | friction = heat carried off | temperature of the film | [`thermal_balance`] |
 //!
+//! [`dynamics`]: how the film answers to small motions of the journal, and when a rotor on it whirls.
 //! [`duty_cycle`]: the load of a journal over a cycle, by crank angle.
 //! [`cap_bolts`]: the forces in the bolts of a connecting rod's cap, to compare the film's load with.
 //!
@@ -16,6 +17,7 @@ pub mod coordinates;
 mod cubic;
 pub mod deadline;
 mod descent;
+pub mod dynamics;
 pub mod duty_cycle;
 pub mod equilibrium;
 pub mod estimate;
@@ -38,6 +40,7 @@ mod tilting;
 pub use cap_bolts::{BoltForces, CapBolts, Shell};
 pub use coordinates::Coordinates;
 pub use deadline::{Deadline, Interrupt};
+pub use dynamics::{Coefficients, Dynamics, Stability, Threshold, stability};
 pub use duty_cycle::{Duty, DutyCycle};
 pub use equilibrium::{Equilibrium, NEAR, ROUGHLY_BALANCED};
 pub use estimate::{GREATEST_ECCENTRICITY, first_position, is_contact};

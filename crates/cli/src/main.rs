@@ -9,6 +9,7 @@ mod check_report;
 mod complain;
 mod converge;
 mod diff;
+mod dynamics;
 mod explain;
 mod interrupt;
 mod levels_table;

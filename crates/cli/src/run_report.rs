@@ -1,6 +1,7 @@
 //! A run for people: the main numbers first, what was simulated, the balances and the time, and last the verdict.
 
 use crate::add_ons::add_on;
+use crate::dynamics;
 use crate::quantities::{bars, quantities};
 use crate::readable::{readable_unit, significant};
 use crate::shown::Shown;
@@ -32,6 +33,7 @@ pub(crate) fn run_report(result: &RunResult, shown: Shown, add_ons: &[AddOn], wr
     }
     parts.extend(tables(result, shown));
     parts.extend(temperature::balance(result, shown));
+    parts.extend(dynamics::dynamics(result, shown));
     parts.push(effects(&result.effects));
     parts.extend(add_ons.iter().map(add_on));
     let mut lines = Vec::new();
@@ -251,6 +253,7 @@ pub(crate) mod tests {
             regime: None,
             orbit: None,
             temperature: None,
+            dynamics: None,
             history: vec![],
             counts: Counts {
                 nonlinear_iterations: 1,

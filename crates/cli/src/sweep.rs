@@ -11,7 +11,7 @@ use crate::terminal::{counted, duration, effects, heading, output, table, time};
 use oilwedge_campaign::sweep::{Forecast, Sweep as Cases};
 use oilwedge_report::json;
 use oilwedge_report::page::sweep_page;
-use oilwedge_report::sweep::{LIMITS, Notice, REASON, Row, SweepOptions, SweepReport, WARNINGS};
+use oilwedge_report::sweep::{LIMITS, Notice, REASON, ROTOR_FILE, Row, SweepOptions, SweepReport, WARNINGS};
 use oilwedge_study::column::Column;
 use oilwedge_study::result::headlines;
 use std::path::Path;
@@ -166,7 +166,12 @@ fn sweep_report(report: &SweepReport, folder: &Path) -> String {
         0 => format!("time      {}: nothing was left to compute", time(report.seconds)),
         _ => format!("time      {}: {} a case", time(report.seconds), time(each)),
     });
-    lines.push(format!("written   {}: sweep.csv, sweep.json", folder.display()));
+    let rotor = if report.has_rotor_table {
+        format!(", {ROTOR_FILE}")
+    } else {
+        String::new()
+    };
+    lines.push(format!("written   {}: sweep.csv, sweep.json{rotor}", folder.display()));
     lines.push(format!("warnings  {}", tally(report, WARNINGS)));
     lines.push(format!("limits    {}", tally(report, LIMITS)));
     parts.push(lines.join("\n"));

@@ -12,13 +12,13 @@
 //! In a triangle with an obtuse corner the inner side across from it is flipped (0-4 instead of 3-5): both angles
 //! across from it would be obtuse, and its coupling of the wrong sign.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use oilwedge_mesh::Mesh;
 
 use crate::integrate::Rule;
 use crate::ordering::elimination_order;
-use crate::{Error, Pattern, Quadrature, Space, UnsymmetricAnalysis, lagrange};
+use crate::{Error, HarmonicAnalysis, Pattern, Quadrature, Space, UnsymmetricAnalysis, lagrange};
 
 /// Sub-triangles of a quadratic triangle that is obtuse at its first, second or third corner, or at none.
 const QUARTERS: [[[usize; 3]; 4]; 4] = [
@@ -93,6 +93,8 @@ pub struct ControlVolumes {
     pub analysis: Arc<UnsymmetricAnalysis>,
     /// Pieces of the boundary that bound a dof's cell.
     pub faces: Vec<BoundaryFace>,
+    /// Made when a harmonic motion is first asked for.
+    harmonic: OnceLock<Result<HarmonicAnalysis, Error>>,
 }
 
 /// A piece of the boundary at a node.
@@ -138,7 +140,17 @@ impl ControlVolumes {
             per_triangle: space.degree() * space.degree(),
             triangles,
             faces: boundary_faces(space),
+            harmonic: OnceLock::new(),
         })
+    }
+
+    /// The analysed pattern of systems of harmonic motions.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`] if the factor's indices do not fit in memory.
+    pub fn harmonic(&self) -> Result<&HarmonicAnalysis, Error> {
+        let analysis = self.harmonic.get_or_init(|| HarmonicAnalysis::new(&self.analysis));
+        analysis.as_ref().map_err(Clone::clone)
     }
 }
 

@@ -140,6 +140,16 @@ impl UnsymmetricAnalysis {
         Ok(analysis)
     }
 
+    /// The pattern.
+    pub(crate) fn pattern(&self) -> &Pattern {
+        &self.pattern
+    }
+
+    /// The dofs in the order of their elimination.
+    pub(crate) fn order(&self) -> &[u32] {
+        &self.order
+    }
+
     /// Rows below a front, by their place in the order.
     fn rows_below(&self, front: &Front) -> &[u32] {
         &self.below[front.below..front.below + front.extent.below]

@@ -19,6 +19,13 @@ fn readable_units(unit: Unit) -> &'static [(&'static str, f64)] {
         Unit::Newton => &[("N", 1.0), ("kN", 1e3), ("MN", 1e6)],
         Unit::NewtonMetre => &[("mN.m", 1e-3), ("N.m", 1.0), ("kN.m", 1e3)],
         Unit::Watt => &[("mW", 1e-3), ("W", 1.0), ("kW", 1e3)],
+        Unit::Kilogram => &[("kg", 1.0), ("t", 1e3)],
+        Unit::NewtonPerMetre => &[("N/m", 1.0), ("kN/m", 1e3), ("MN/m", 1e6)],
+        Unit::NewtonPerRadian => &[("N/rad", 1.0), ("kN/rad", 1e3), ("MN/rad", 1e6)],
+        Unit::NewtonMetrePerRadian => &[("N.m/rad", 1.0), ("kN.m/rad", 1e3), ("MN.m/rad", 1e6)],
+        Unit::NewtonSecondPerMetre => &[("N.s/m", 1.0), ("kN.s/m", 1e3), ("MN.s/m", 1e6)],
+        Unit::NewtonSecondPerRadian => &[("N.s/rad", 1.0), ("kN.s/rad", 1e3)],
+        Unit::NewtonMetreSecondPerRadian => &[("N.m.s/rad", 1.0), ("kN.m.s/rad", 1e3)],
     }
 }
 
@@ -54,12 +61,14 @@ pub fn printed_unit(unit: &str) -> String {
 }
 
 /// Names of Greek letters in symbols.
-const GREEK: [(&str, &str); 11] = [
+const GREEK: [(&str, &str); 13] = [
     ("alpha", "\u{3b1}"),
     ("beta", "\u{3b2}"),
+    ("delta", "\u{3b4}"),
     ("eps", "\u{3b5}"),
     ("eta", "\u{3b7}"),
     ("mu", "\u{3bc}"),
+    ("nu", "\u{3bd}"),
     ("omega", "\u{3c9}"),
     ("phi", "\u{3c6}"),
     ("rho", "\u{3c1}"),

@@ -142,6 +142,7 @@ fn of_form(key: &Key, form: &Form<'_>) -> Value {
     match form {
         Form::Quantity(dimension) => json!({ "allOf": [reference(*dimension)] }),
         Form::Number => json!({ "type": "number" }),
+        Form::Numbers => json!({ "type": "array", "items": { "type": "number" }, "minItems": 1 }),
         Form::Text => json!({ "type": "string", "pattern": r"\S" }),
         Form::Texts => json!({ "type": "array", "items": { "type": "string", "pattern": r"\S" }, "minItems": 1 }),
         Form::Choice(words) => json!({ "enum": words }),

@@ -59,6 +59,7 @@ pub mod solve;
 pub mod supply;
 pub mod terms;
 pub mod theory;
+mod whirl;
 
 pub use bearing::{Bearing, Thinnest};
 pub use cavitation::Cavitation;
@@ -68,3 +69,4 @@ pub use film_problem::{FilmProblem, FilmSolution, FilmSystem, Form};
 pub use journal_state::{CentreVelocity, JournalChange, JournalState};
 pub use reference_film::ReferenceFilm;
 pub use theory::Theory;
+pub use whirl::Whirl;

@@ -58,13 +58,7 @@ impl FilmProblem {
         film: &FilmSolution,
         change: &JournalChange,
     ) -> Result<Vec<f64>, Error> {
-        let residual = match &film.film_fraction {
-            Some(fraction) => cavitation::residual_change(self, system, film, fraction, change)?,
-            None => {
-                let changed = FilmLaw::changed(self, *change);
-                system.assembler.residual(&changed, &film.unknown)
-            }
-        };
+        let residual = self.residual_change(system, film, change)?;
         let minus: Vec<f64> = residual.iter().map(|r| -r).collect();
         let mut unknown = film.linearisation.solve(&minus)?;
         if film.film_fraction.is_some() {
@@ -73,5 +67,24 @@ impl FilmProblem {
             in_cavity.for_each(|(change, _)| *change = 0.0);
         }
         Ok(unknown)
+    }
+
+    /// First-order change of the residual at each dof where the journal moves by `change` and the unknown stays.
+    ///
+    /// # Errors
+    /// A system that does not fit in memory.
+    pub(crate) fn residual_change(
+        &self,
+        system: &FilmSystem,
+        film: &FilmSolution,
+        change: &JournalChange,
+    ) -> Result<Vec<f64>, Error> {
+        match &film.film_fraction {
+            Some(fraction) => cavitation::residual_change(self, system, film, fraction, change),
+            None => {
+                let changed = FilmLaw::changed(self, *change);
+                Ok(system.assembler.residual(&changed, &film.unknown))
+            }
+        }
     }
 }

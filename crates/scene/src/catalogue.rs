@@ -32,6 +32,7 @@ static TABLES: &[&[Key]] = &[
     crate::heat::KEYS,
     crate::limits::KEYS,
     crate::cavitation::KEYS,
+    crate::dynamics::KEYS,
     crate::cap::KEYS,
     crate::sweep::KEYS,
 ];

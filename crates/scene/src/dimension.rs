@@ -51,6 +51,16 @@ pub enum Dimension {
     Power,
     /// Rotational stiffness [N.m/rad].
     RotationalStiffness,
+    /// Stiffness [N/m].
+    Stiffness,
+    /// Stiffness between offset and slope [N/rad].
+    CrossStiffness,
+    /// Damping [N.s/m].
+    Damping,
+    /// Damping between offset and slope [N.s/rad].
+    CrossDamping,
+    /// Rotational damping [N.m.s/rad].
+    RotationalDamping,
 }
 
 /// Temperature [K] of the ice point.
@@ -69,7 +79,7 @@ type Row = (Dimension, &'static str, &'static str, &'static [(&'static str, f64)
 
 /// All kinds, in the order of [`Dimension`].
 #[rustfmt::skip]
-const TABLE: [Row; 23] = [
+const TABLE: [Row; 28] = [
     (Length, "a length", "25 mm", &[("m", 1.0), ("km", 1e3), ("cm", 1e-2), ("mm", 1e-3), ("um", 1e-6), ("nm", 1e-9), ("in", INCH), ("inch", INCH), ("mil", 1e-3 * INCH)]),
     (Angle, "an angle", "40 deg", &[("rad", 1.0), ("mrad", 1e-3), ("deg", PI / 180.0)]),
     (Pressure, "a pressure", "0.98 bar", &[("Pa", 1.0), ("kPa", 1e3), ("MPa", 1e6), ("GPa", 1e9), ("mbar", 1e-3 * BAR), ("bar", BAR), ("atm", ATMOSPHERE), ("psi", PSI), ("N/m2", 1.0), ("N/mm2", 1e6)]),
@@ -93,6 +103,11 @@ const TABLE: [Row; 23] = [
     (Torque, "a torque", "0.5 N.m", &[("N.m", 1.0), ("mN.m", 1e-3), ("kN.m", 1e3), ("N.mm", 1e-3), ("N.cm", 1e-2)]),
     (Power, "a power", "120 W", &[("W", 1.0), ("mW", 1e-3), ("kW", 1e3)]),
     (RotationalStiffness, "a rotational stiffness", "20 kN.m/rad", &[("N.m/rad", 1.0), ("kN.m/rad", 1e3), ("MN.m/rad", 1e6), ("N.m/mrad", 1e3)]),
+    (Stiffness, "a stiffness", "200 MN/m", &[("N/m", 1.0), ("kN/m", 1e3), ("MN/m", 1e6), ("N/mm", 1e3), ("kN/mm", 1e6), ("N/um", 1e6)]),
+    (CrossStiffness, "a stiffness between offset and slope", "5 MN/rad", &[("N/rad", 1.0), ("kN/rad", 1e3), ("MN/rad", 1e6), ("N/mrad", 1e3)]),
+    (Damping, "a damping", "500 kN.s/m", &[("N.s/m", 1.0), ("kN.s/m", 1e3), ("MN.s/m", 1e6), ("N.s/mm", 1e3)]),
+    (CrossDamping, "a damping between offset and slope", "20 kN.s/rad", &[("N.s/rad", 1.0), ("kN.s/rad", 1e3), ("MN.s/rad", 1e6)]),
+    (RotationalDamping, "a rotational damping", "2 kN.m.s/rad", &[("N.m.s/rad", 1.0), ("kN.m.s/rad", 1e3)]),
 ];
 
 impl Dimension {

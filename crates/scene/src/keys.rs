@@ -9,6 +9,8 @@ pub enum Form<'a> {
     Quantity(Dimension),
     /// A number without a unit.
     Number,
+    /// Numbers without a unit in a list.
+    Numbers,
     /// A text.
     Text,
     /// Texts in a list.
@@ -101,6 +103,7 @@ impl Form<'_> {
         match self {
             Self::Quantity(dimension) => dimension.name().trim_start_matches("an ").trim_start_matches("a "),
             Self::Number => "plain number",
+            Self::Numbers => "list of plain numbers",
             Self::Text => "text",
             Self::Texts => "list of texts",
             Self::Choice(_) => "word",

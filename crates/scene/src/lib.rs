@@ -5,7 +5,7 @@
 //!
 //! Each table of the file has one source file of its name, with its data type, keys, units, defaults and ranges: `bearing.rs`, `mesh.rs`
 //! (and the tolerance in it, `tolerance.rs`), `ends.rs`, `feed.rs`, `journal.rs` (and `squeeze.rs`, `tilt.rs` in it), `load.rs` (and `cycle.rs` in it), `crank.rs`, `orbit.rs`, `support.rs`, `oil.rs`, `heat.rs`, `limits.rs`,
-//! `cavitation.rs`, `cap.rs`, `sweep.rs`. `scene.rs` lists them; [`periodic_table`] reads the tables
+//! `cavitation.rs`, `dynamics.rs`, `cap.rs`, `sweep.rs`. `scene.rs` lists them; [`periodic_table`] reads the tables
 //! in files that a scene names.
 //!
 //! Reading order: `scene.rs`, `bearing.rs` as an example of a table, `reader.rs` (how a table is read and what is wrong with it collected),
@@ -21,6 +21,7 @@ mod cavitation;
 mod complaint;
 mod crank;
 mod dimension;
+mod dynamics;
 mod ends;
 mod error;
 mod feed;
@@ -45,6 +46,7 @@ pub use bearing::{Arc, Bearing, Theory};
 pub use cap::{Bolts, Cap, Shell};
 pub use cavitation::{Cavitation, CavitationModel};
 pub use complaint::{Check, Complaint, Complaints};
+pub use dynamics::Dynamics;
 pub use crank::{Crank, Drive, Gas, Throw};
 pub use ends::Ends;
 pub use error::SceneError;

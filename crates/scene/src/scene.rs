@@ -11,10 +11,10 @@ use crate::complaint::in_order;
 use crate::reader::TableReader;
 use crate::sweep::{self, Plan};
 use crate::{
-    Bearing, Cap, Cavitation, Check, Complaint, Complaints, Crank, Ends, Engine, Feed, Heat, Journal, Limits,
+    Bearing, Cap, Cavitation, Check, Complaint, Complaints, Crank, Dynamics, Ends, Engine, Feed, Heat, Journal, Limits,
     LoadCycle, LoadSource, MeshSource, Oil, Orbit, SceneError, Support, Tolerance,
 };
-use crate::{bearing, cap, cavitation, crank, ends, feed, heat, journal, limits, load, mesh, oil, orbit, support};
+use crate::{bearing, cap, cavitation, crank, dynamics, ends, feed, heat, journal, limits, load, mesh, oil, orbit, support};
 
 keys! {
     "title" = Text; "Plain journal bearing", "the name of the file", "",
@@ -29,7 +29,7 @@ const FAULT_LIMIT: usize = 5;
 const MESH_OPENING: &[u8] = b"$MeshFormat";
 
 /// Tables whose keys can be swept.
-pub const SWEPT: [&str; 13] = [
+pub const SWEPT: [&str; 14] = [
     "bearing",
     "mesh",
     "ends",
@@ -43,6 +43,7 @@ pub const SWEPT: [&str; 13] = [
     "heat",
     "limits",
     "cavitation",
+    "dynamics",
 ];
 /// Checks of keys that must fit each other, table by table.
 const CHECKS: [Check; 10] = [
@@ -95,6 +96,8 @@ pub struct Scene {
     pub limits: Limits,
     /// What happens where the film would break; `None`: a full film, whatever its pressure.
     pub cavitation: Option<Cavitation>,
+    /// What is asked about small motions of the journal; `None`: nothing.
+    pub dynamics: Option<Dynamics>,
     /// The cap of the connecting rod whose bearing this is; nothing of the film depends on it.
     pub cap: Option<Cap>,
     /// The cases that `oilwedge sweep` makes of it; nothing else reads them.
@@ -275,6 +278,7 @@ pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene 
         heat,
         limits: limits.or(in_heat.unwrap_or_default()),
         cavitation: root.table_if_given("cavitation").and_then(cavitation::read),
+        dynamics: root.table_if_given("dynamics").map(dynamics::read),
         cap: root.table_if_given("cap").map(cap::read),
         sweep: root.table_if_given("sweep").map(|table| {
             let (axes, columns) = sweep::read(table);

@@ -64,6 +64,12 @@ impl Column {
         (value - zero) / size
     }
 
+    /// A value in the unit of the column in that of the quantity.
+    pub fn own(&self, value: f64) -> f64 {
+        let [size, zero] = self.scale;
+        value * size + zero
+    }
+
     /// The half width of an error bar in the unit of the column.
     pub fn error(&self, error: f64) -> f64 {
         error / self.scale[0]
@@ -133,6 +139,8 @@ mod tests {
         let close = |a: f64, b: f64| assert!((a - b).abs() < 1e-9 * b.abs(), "{a} {b}");
         close(column(&FILM_THICKNESS_MIN, "um").value(3.5e-6), 3.5);
         close(column(&FILM_THICKNESS_MIN, "um").error(1e-7), 0.1);
+        close(column(&FILM_THICKNESS_MIN, "um").own(3.5), 3.5e-6);
+        close(column(&TEMPERATURE_EFFECTIVE, "F").own(212.0), 100.0);
         close(column(&TEMPERATURE_EFFECTIVE, "F").value(100.0), 212.0);
         close(column(&TEMPERATURE_EFFECTIVE, "F").error(10.0), 18.0);
         close(column(&TEMPERATURE_EFFECTIVE, "K").value(100.0), 373.15);

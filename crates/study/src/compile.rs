@@ -64,6 +64,7 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, position: Position, degree: usize) 
     let (sockets, oil) = (Sockets::of(scene), Oil::of(scene));
     let regions = supply(scene, &sockets, &mesh)?;
     let (load, thermal, centre_velocity) = (sockets.load(), sockets.thermal, sockets.centre_velocity);
+    let dynamics = sockets.dynamics.clone();
     let problem = problem(scene, &oil, sockets, &mesh, position);
     let system = FilmSystem::new(Arc::new(mesh), degree, regions).map_err(|faults| unfit(scene, faults))?;
     // A position is sought on coarser meshes first, and by many films.
@@ -85,6 +86,7 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, position: Position, degree: usize) 
         load,
         start: Start::default(),
         thermal,
+        dynamics,
         centre_velocity,
         origin: MeshOrigin {
             flips,

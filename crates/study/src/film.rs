@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use oilwedge_bearing::{Deadline, InitialGuess, Load, SearchOptions};
 use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSystem, JournalState};
-use oilwedge_scene::Scene;
+use oilwedge_scene::{Dynamics, Scene};
 
 use crate::oil::Oil;
 use crate::position::Position;
@@ -31,6 +31,8 @@ pub struct Film {
     pub start: Start,
     /// How its temperature is found; `None`: it is given, or has no effect.
     pub thermal: Option<ThermalModel>,
+    /// What is asked about small motions of the journal; `None`: nothing.
+    pub dynamics: Option<Dynamics>,
     /// Velocity of the journal's centre.
     pub centre_velocity: CentreVelocity,
     /// Where the mesh comes from.

@@ -1,5 +1,6 @@
 //! What is measured on a solved film.
 
+use oilwedge_bearing::Dynamics;
 use oilwedge_reynolds::error_bar::sharp::Sharpened;
 use oilwedge_reynolds::quantities::cavity::{self, Cavity};
 use oilwedge_reynolds::quantities::extent::{Extent, extent};
@@ -10,6 +11,8 @@ use oilwedge_reynolds::quantities::power::{self, Power};
 use oilwedge_reynolds::quantities::pressure::{self, Extremes};
 use oilwedge_reynolds::sharp::HillNumbers;
 use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalState, Thinnest};
+
+use crate::film::Film;
 
 /// Tension below this fraction of the pressure of drag is rounding.
 const NO_TENSION: f64 = 1e-12;
@@ -40,6 +43,8 @@ pub struct Measured {
     pub under_tension: f64,
     /// Ways out that the solver had to take, in words.
     pub fallbacks: Vec<String>,
+    /// How the film answers to small motions of its journal; none where that is not asked.
+    pub dynamics: Option<Dynamics>,
 }
 
 impl Measured {
@@ -48,6 +53,25 @@ impl Measured {
         let product = |[x, y]: [f64; 2], [by_x, by_y]: [f64; 2]| x * by_x + y * by_y;
         let total = &self.load.total;
         product(journal.velocity, total.force) + product(journal.tilt_rate, total.moment)
+    }
+
+    /// With what is asked of `film` about small motions of its journal, found on the solution that was measured: at the frequencies of another film that
+    /// stands for it too, if there is one.
+    pub fn with_dynamics(
+        self,
+        film: &Film,
+        (problem, system, solution): (&FilmProblem, &FilmSystem, &FilmSolution),
+        beside: Option<&Self>,
+    ) -> Self {
+        let of = || {
+            let asked = film.dynamics.as_ref()?;
+            let found = match beside {
+                Some(other) => Dynamics::beside(problem, system, solution, other.dynamics.as_ref()?),
+                None => Dynamics::of(problem, system, solution, &asked.whirl),
+            };
+            found.ok()
+        };
+        Self { dynamics: of(), ..self }
     }
 
     /// The numbers that a hill may sharpen.
@@ -92,6 +116,7 @@ pub fn measure(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) 
         },
         extremes,
         fallbacks: film.fallbacks.clone(),
+        dynamics: None,
     }
 }
 

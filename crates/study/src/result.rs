@@ -2,11 +2,13 @@
 //!
 //! Every number is SI, angles (degrees) and temperatures (degrees C) excepted. A number that is not finite is never written.
 
+mod dynamics;
 mod geometry;
 mod headlines;
 mod levels;
 mod temperature;
 
+pub use dynamics::{CoefficientReport, DynamicsReport, Matrix, Pair, RotorReport, Stable};
 pub use geometry::Geometry;
 pub use headlines::{MOST_HEADLINES, headlines};
 pub use levels::{LevelFacts, Refinement};
@@ -173,6 +175,9 @@ pub struct RunResult {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[serde(rename = "heat")]
     pub temperature: Option<TemperatureReport>,
+    /// How the film answers to small motions of the journal; absent in JSON where that is not asked, or could not be computed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub dynamics: Option<DynamicsReport>,
     /// The nonlinear iteration.
     pub history: Vec<HistoryStep>,
     /// How often expensive operations were done.

@@ -22,7 +22,8 @@ use crate::reasons::Limit;
 use crate::refinement::answer;
 use crate::regime::{Regime, broken_assumptions};
 use crate::result::{
-    Balances, Counts, Geometry, HistoryStep, LevelFacts, LinearSolver, MeshFacts, RESULT_FORMAT, RunResult,
+    Balances, Counts, DynamicsReport, Geometry, HistoryStep, LevelFacts, LinearSolver, MeshFacts,
+    RESULT_FORMAT, RunResult,
     SECONDS_KEY, Status,
 };
 use crate::run_options::RunOptions;
@@ -160,6 +161,7 @@ fn without_outcome(scene: &Scene, (film, levels): (&Film, &[LevelFacts]), option
         regime: None,
         orbit: None,
         temperature: None,
+        dynamics: None,
         history: Vec::new(),
         counts: Counts::default(),
         linear_solver: None,
@@ -223,6 +225,7 @@ fn report(scene: &Scene, (solved, estimated): (&Solved, Estimated), options: &Ru
         tilt: solved.balance.map_or(0.0, |balance| balance.parts[1]),
         thermal: left_over(&estimated.quantities),
     };
+    result.dynamics = DynamicsReport::of(&solved.film, &estimated.measured);
     let clock = Instant::now();
     result.temperature = temperature_report(solved, &estimated.quantities, options.deadline());
     if let Some(report) = &mut result.temperature {

@@ -5,8 +5,8 @@
 
 use oilwedge_bearing::thermal_balance::Start;
 use oilwedge_bearing::{Deadline, NoBalance, ThermalBalance, ThermalFlows};
-use oilwedge_reynolds::ReferenceFilm;
 use oilwedge_reynolds::existence::readable;
+use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, ReferenceFilm};
 
 use crate::compile_error::CompileError;
 use crate::film::Film;
@@ -34,13 +34,19 @@ const COARSE: f64 = 3.0;
 /// and its most nodes, if it has coarser ones.
 const COARSE_NODES: usize = 2500;
 
-/// What was measured on the film whose numbers are reported.
-fn measured(solved: &Solved) -> Measured {
+/// System and solution of the film whose numbers are reported.
+fn reported(solved: &Solved) -> (&FilmProblem, &FilmSystem, &FilmSolution) {
     let Film { problem, system, .. } = &solved.film;
     match &solved.reference {
-        Some(ReferenceFilm::Cubic(cubic)) => measure(problem, &system.cubic().system, cubic),
-        _ => measure(problem, system, &solved.solution),
+        Some(ReferenceFilm::Cubic(cubic)) => (problem, &system.cubic().system, cubic),
+        _ => (problem, system, &solved.solution),
     }
+}
+
+/// What was measured on it.
+fn measured(solved: &Solved) -> Measured {
+    let (problem, system, solution) = reported(solved);
+    measure(problem, system, solution)
 }
 
 /// Why there is no temperature, in words.

@@ -119,7 +119,7 @@ pub fn bearings(seed: u64, each: u64) -> Vec<Bearing> {
 /// The bearing of that family and number.
 pub fn bearing(family: Family, number: u64) -> Bearing {
     let name = format!("{} {number}", family.name());
-    match family {
+    let mut bearing = match family {
         Family::Conserving => Bearing {
             name,
             family,
@@ -128,7 +128,10 @@ pub fn bearing(family: Family, number: u64) -> Bearing {
         },
         Family::Imported => imported(name, number),
         _ => drawn(name, family, number),
-    }
+    };
+    // Stiffness and damping are counted too.
+    table(&mut bearing.table, "dynamics");
+    bearing
 }
 
 fn model(dice: &mut Dice) -> &'static str {

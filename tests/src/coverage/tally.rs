@@ -13,7 +13,7 @@ use super::meshes::{Kind, Solve, solves};
 use super::reference::{Reference, reference};
 
 /// Quantities whose bars are counted; `feed_flow` stands for all feeds.
-pub const COUNTED: [&str; 14] = [
+pub const COUNTED: [&str; 24] = [
     "load",
     "attitude_angle",
     "pressure_max",
@@ -28,6 +28,16 @@ pub const COUNTED: [&str; 14] = [
     "friction_power",
     "friction_pressure_power",
     "friction_torque_bearing",
+    "stiffness_xx",
+    "stiffness_xy",
+    "stiffness_yx",
+    "stiffness_yy",
+    "damping_xx",
+    "damping_xy",
+    "damping_yx",
+    "damping_yy",
+    "critical_mass",
+    "whirl_ratio",
 ];
 /// Errors below this part of the size of a quantity are rounding.
 const ROUNDING: f64 = 1e-9;

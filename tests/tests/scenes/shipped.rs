@@ -258,3 +258,35 @@ fn scene_24_load_off_the_middle() {
     close(of("tilt_y"), -0.367288e-3, 2e-3);
     close(of("load_z"), 5e-3, 1e-9);
 }
+
+/// K and C of the straight ring at the eccentricity 0.5 in `dynamic_4x4`, likewise; the load of the scene has six digits.
+#[test]
+fn scene_25_whirl() {
+    let found = answer(&variant("25_whirl", |_| ()));
+    let of = |name: &str| value(&found, name);
+    close(of("eccentricity"), 0.5, 1e-3);
+    // The table has the line of centres along x; here it lies at the angle of the thinnest film.
+    let (sin, cos) = of("min_film_angle").to_radians().sin_cos();
+    let turned = |[[xx, xy], [yx, yy]]: [[f64; 2]; 2]| cos * cos * xx - cos * sin * (xy + yx) + sin * sin * yy;
+    let unit = 8e-3 * 300.0 * 0.05f64.powi(4) / 80e-6f64.powi(3);
+    close(
+        of("stiffness_xx") / unit,
+        turned([[2.2008, 1.0257], [-1.8429, 0.70916]]),
+        1e-2,
+    );
+    close(
+        of("damping_xx") * 300.0 / unit,
+        turned([[3.9346, -1.4183], [-1.4183, 2.0514]]),
+        1e-2,
+    );
+    // Routh's conditions of this K and C.
+    let (k, c) = (
+        [[2.2008, 1.0257], [-1.8429, 0.70916]],
+        [[3.9346, -1.4183], [-1.4183, 2.0514]],
+    );
+    let spring = (k[0][0] * c[1][1] + k[1][1] * c[0][0] - k[0][1] * c[1][0] - k[1][0] * c[0][1]) / (c[0][0] + c[1][1]);
+    let square: f64 =
+        ((k[0][0] - spring) * (k[1][1] - spring) - k[0][1] * k[1][0]) / (c[0][0] * c[1][1] - c[0][1] * c[1][0]);
+    close(of("whirl_ratio"), square.sqrt(), 1e-2);
+    close(of("critical_mass") * 300.0 * 300.0 / unit, spring / square, 2e-2);
+}

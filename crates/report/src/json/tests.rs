@@ -40,6 +40,7 @@ pub(crate) fn example() -> RunResult {
         regime: None,
         orbit: None,
         temperature: None,
+        dynamics: None,
         history: vec![HistoryStep {
             step: 1,
             residual: 1.0,

@@ -1,10 +1,11 @@
 //! The folder of a sweep: rows are written as cases end, and a sweep that was ended is taken up again.
 //!
-//! `table.rs` (columns and rows), `files.rs` (a table that can be taken up again), `report.rs` (for scripts).
+//! `table.rs` (columns and rows), `rotor_table.rs` (stiffness and damping for programs of rotors), `files.rs` (a table that can be taken up again), `report.rs` (for scripts).
 
 mod error;
 mod files;
 mod report;
+mod rotor_table;
 mod table;
 
 use std::cell::RefCell;
@@ -21,6 +22,7 @@ use sha2::{Digest, Sha256};
 pub use error::SweepError;
 pub use files::{REPORT_FILE, TABLE_FILE};
 pub use report::{Identity, SWEEP_FORMAT, SweepReport};
+pub use rotor_table::ROTOR_FILE;
 pub(crate) use table::to_csv;
 pub use table::{Columns, LIMITS, REASON, Row, SECONDS, UNKNOWNS, WARNINGS};
 
@@ -71,7 +73,7 @@ pub fn run(
     if sweep.scenes.is_empty() {
         return Err(SweepError::NoCases);
     }
-    folder::check(dir, [TABLE_FILE, REPORT_FILE].iter().map(OsStr::new))?;
+    folder::check(dir, [TABLE_FILE, REPORT_FILE, ROTOR_FILE].iter().map(OsStr::new))?;
     let effects = sweep.effects().map_err(Error::from)?;
     let identity = Identity {
         format: SWEEP_FORMAT.to_owned(),
@@ -114,7 +116,7 @@ pub fn run(
             table: dir.join(TABLE_FILE),
         });
     }
-    let report = SweepReport {
+    let mut report = SweepReport {
         identity,
         effects,
         plan: sweep.plan.clone(),
@@ -122,8 +124,9 @@ pub fn run(
         rows: rows.into_inner().into_values().collect(),
         kept: now.kept,
         seconds: clock.elapsed().as_secs_f64(),
+        has_rotor_table: false,
     };
-    finish(dir, &report)?;
+    report.has_rotor_table = finish(dir, &report)?;
     Ok(report)
 }
 

@@ -46,6 +46,8 @@ pub struct SweepReport {
     pub kept: usize,
     /// Seconds that this run took.
     pub seconds: f64,
+    /// Whether there is a table for programs of rotors.
+    pub has_rotor_table: bool,
 }
 
 impl SweepReport {

@@ -7,6 +7,8 @@ pub mod squeeze;
 pub use couette::Couette;
 pub use poiseuille::Poiseuille;
 
+use std::sync::Arc;
+
 use crate::{FilmFlow, FilmPoint};
 
 /// One term of the equation.
@@ -26,6 +28,13 @@ pub trait Term: Send + Sync + std::fmt::Debug {
 
     /// Adds what its flow changes, to first order, where thickness, slope and rate change by those of `change`.
     fn vary(&self, film: &FilmPoint, change: &FilmPoint, flow: &mut FilmFlow);
+}
+
+/// What makes a film change with the rates of its journal, beside the conductance that control volumes divide by.
+pub(crate) fn of_rates() -> Vec<Arc<dyn Term>> {
+    let mut terms: Vec<Arc<dyn Term>> = vec![Arc::new(Poiseuille)];
+    terms.push(Arc::new(squeeze::Squeeze));
+    terms
 }
 
 /// That the variation of a term matches finite differences.

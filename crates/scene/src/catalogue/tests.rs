@@ -20,6 +20,7 @@ support = { tilt = {} }
 heat = { housing = {}, mixing = {} }
 limits = {}
 cavitation = {}
+dynamics = {}
 cap = { bolts = {}, shell = {} }
 ends = {}
 oil = { walther = {}, vogel = {}, table = [{}], density = {}, barus = {}, roelands = {} }

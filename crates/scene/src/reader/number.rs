@@ -77,6 +77,28 @@ impl<'a> TableReader<'a> {
         }
     }
 
+    /// A number without a unit, or several in a list, if there are any; `example` is one of them.
+    pub(crate) fn numbers(&mut self, key: &'a str, example: &str) -> Option<Vec<f64>> {
+        self.note(key, Form::Number, example);
+        self.note(key, Form::Numbers, example);
+        let value = self.take(key)?;
+        let numbers: Option<Vec<f64>> = match value {
+            DeValue::Array(list) => list.iter().map(|item| plain_number(item.get_ref())).collect(),
+            single => plain_number(single).map(|number| vec![number]),
+        };
+        let numbers = numbers.filter(|numbers| !numbers.is_empty());
+        if numbers.is_none() {
+            let wanted = "a plain number or a list of them is wanted";
+            let message = match value {
+                DeValue::Array(_) => wanted.to_owned(),
+                other => format!("{wanted}, not {}", kind(other)),
+            };
+            let help = format!("write {key} = {example} or {key} = [{example}], without quotes and units");
+            self.complain(key, message, help);
+        }
+        numbers
+    }
+
     fn in_si(&self, key: &str, value: &DeValue<'_>, dimension: Dimension, example: &str) -> f64 {
         let write = format!("write {key} = \"{example}\"");
         let (message, help) = match value {

@@ -48,6 +48,7 @@ impl Film {
     pub fn reused(self, scene: &Scene, position: Position) -> Option<Self> {
         let sockets = Sockets::of(scene);
         let (load, centre_velocity) = (sockets.load(), sockets.centre_velocity);
+        let dynamics = sockets.dynamics.clone();
         let oil = Oil::of(scene);
         let mut system = self.system;
         let problem = problem(scene, &oil, sockets, system.space().mesh(), position);
@@ -62,6 +63,7 @@ impl Film {
             scene: Arc::new(scene.clone()),
             oil,
             load,
+            dynamics,
             centre_velocity,
             problem,
             system,

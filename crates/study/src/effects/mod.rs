@@ -7,6 +7,7 @@ mod barus;
 pub mod bearing_theory;
 mod closure;
 mod couette;
+mod dynamics;
 mod equilibrium;
 mod groove_depth;
 mod guembel;
@@ -53,6 +54,7 @@ pub const EFFECTS: &[&Effect] = &[
     &guembel::ROW,
     &reynolds::ROW,
     &jfo::ROW,
+    &dynamics::ROW,
 ];
 
 /// What a film may leave out and a reader may miss, in the order of reports; the last ones no film has.
@@ -149,7 +151,7 @@ impl Serialize for Effect {
 /// What was computed and what was left out.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize)]
 pub struct Effects {
-    /// In the order of the sockets, those that close around the film last.
+    /// In the order of the sockets, those that close around the film and those that are asked of it last.
     pub simulated: Vec<&'static Effect>,
     /// In the order of reports.
     pub not_simulated: Vec<&'static str>,
@@ -159,7 +161,7 @@ impl Effects {
     /// Those of a scene.
     pub fn of(scene: &Scene) -> Self {
         let mut simulated: Vec<&Effect> = present(scene).collect();
-        simulated.sort_by_key(|effect| effect.socket.is_balance());
+        simulated.sort_by_key(|effect| (effect.socket == Socket::Analysis, effect.socket.is_balance()));
         let is_missed = |kind: &&str| simulated.iter().all(|effect| effect.kind != *kind);
         let not_simulated = MISSED.iter().copied().filter(is_missed).collect();
         Self {

@@ -8,7 +8,7 @@ use oilwedge_reynolds::film_thickness::FilmContribution;
 use oilwedge_reynolds::lubricant::PressureLaw;
 use oilwedge_reynolds::terms::Term;
 use oilwedge_reynolds::{Cavitation, CentreVelocity, Form, Theory};
-use oilwedge_scene::Scene;
+use oilwedge_scene::{Dynamics, Scene};
 
 use super::present;
 use crate::thermal_model::ThermalModel;
@@ -32,6 +32,8 @@ pub enum Socket {
     Supply,
     /// What closes the equation where the film breaks.
     Cavitation,
+    /// What is asked of the film beside its state.
+    Analysis,
 }
 
 impl Socket {
@@ -70,6 +72,8 @@ pub struct Sockets {
     pub tilting: Option<Tilting>,
     /// How the temperature of the film is found; `None`: it is given, or has no effect.
     pub thermal: Option<ThermalModel>,
+    /// What is asked about small motions of the journal; `None`: nothing.
+    pub dynamics: Option<Dynamics>,
 }
 
 impl Sockets {
@@ -88,6 +92,7 @@ impl Sockets {
             load: None,
             tilting: None,
             thermal: None,
+            dynamics: None,
         };
         present(scene).for_each(|effect| (effect.install)(scene, &mut sockets));
         sockets

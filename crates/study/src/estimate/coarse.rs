@@ -1,9 +1,10 @@
 //! The errors of a mass-conserving film, estimated by its coarse comparison on the vertices alone.
 
+use oilwedge_bearing::{Coefficients, Dynamics};
 use oilwedge_reynolds::error_bar::conserving::ConservingError;
 use oilwedge_reynolds::error_bar::{Bar, FlowGoal};
 
-use super::{Estimate, ExtentEnd, Scaled};
+use super::{CoefficientBars, Estimate, ExtentEnd, Scaled};
 use crate::film::Film;
 use crate::measure::Measured;
 
@@ -12,9 +13,14 @@ pub(super) struct CoarseComparison<'a> {
     pub(super) film: &'a Film,
     pub(super) error: &'a ConservingError,
     pub(super) measured: &'a Measured,
+    /// How the coarse film answers to small motions, at the frequencies of the film; none where that is not asked.
+    pub(super) dynamics: Option<Dynamics>,
     /// Share of the area [1] in which a cavity may hide where the mesh shows none.
     pub(super) hidden: f64,
 }
+
+/// Part of the difference of the tangents of film and coarse comparison that the film is off by at most; measured.
+const OF_TANGENTS: f64 = 2.5;
 
 impl Estimate for CoarseComparison<'_> {
     fn is_resolved(&self) -> bool {
@@ -105,5 +111,22 @@ impl Estimate for CoarseComparison<'_> {
             ExtentEnd::Begins => begins,
             ExtentEnd::Ends => ends,
         })
+    }
+
+    fn coefficients(&self) -> Option<CoefficientBars> {
+        self.bars_of_coefficients(|dynamics| Some(&dynamics.at.first()?.coefficients))
+    }
+
+    fn judged_coefficients(&self) -> Option<CoefficientBars> {
+        self.bars_of_coefficients(|dynamics| Some(&dynamics.judged.coefficients))
+    }
+}
+
+impl CoarseComparison<'_> {
+    /// Bars of coefficients that both films have.
+    fn bars_of_coefficients(&self, of: impl Fn(&Dynamics) -> Option<&Coefficients>) -> Option<CoefficientBars> {
+        let film = of(self.measured.dynamics.as_ref()?)?;
+        let coarse = of(self.dynamics.as_ref()?)?;
+        Some(CoefficientBars::of(film, coarse, OF_TANGENTS, 0.0))
     }
 }

@@ -1,5 +1,6 @@
 //! The errors of a pressure film, estimated by the film in cubic elements.
 
+use oilwedge_bearing::{Coefficients, Dynamics};
 use oilwedge_fem::Field;
 use oilwedge_reynolds::error_bar::{Bar, FilmError, FlowGoal, Value};
 use oilwedge_reynolds::quantities::cavity::hidden_share;
@@ -9,7 +10,7 @@ use oilwedge_reynolds::supply::{BoundaryKind, SupplyRegion};
 use oilwedge_reynolds::{FilmSolution, FilmSystem};
 
 use super::places::{self, PlacedPair};
-use super::{Estimate, ExtentEnd, Scaled};
+use super::{CoefficientBars, Estimate, ExtentEnd, Scaled};
 use crate::film::Film;
 use crate::measure::{Measured, drag};
 
@@ -27,6 +28,13 @@ pub(super) struct CubicPair<'a> {
     /// Which film is judged.
     pub(super) value: Value,
 }
+
+/// Parts of the difference of the tangents of both films that each of them is off by: where the edge of a cavity is found, and elsewhere; measured. Both may
+/// find the edge alike, so that at least this part of the share of the triangles there counts.
+const OF_QUADRATIC_TANGENTS: f64 = 2.0;
+const OF_CUBIC_TANGENTS: f64 = 1.5;
+const OF_SMOOTH_TANGENTS: f64 = 0.6;
+const PER_FRONT: f64 = 0.08;
 
 /// In the law of extremes of a smooth pressure; measured: up to 2.5.
 const PER_EXTREME: f64 = 3.0;
@@ -150,9 +158,34 @@ impl Estimate for CubicPair<'_> {
     fn film_end(&self, end: ExtentEnd) -> Option<Bar> {
         places::film_end(&self.placed(), end)
     }
+
+    fn coefficients(&self) -> Option<CoefficientBars> {
+        self.bars_of_coefficients(|dynamics| Some(&dynamics.at.first()?.coefficients))
+    }
+
+    fn judged_coefficients(&self) -> Option<CoefficientBars> {
+        self.bars_of_coefficients(|dynamics| Some(&dynamics.judged.coefficients))
+    }
 }
 
 impl CubicPair<'_> {
+    /// Bars of coefficients that both films have.
+    fn bars_of_coefficients(&self, of: impl Fn(&Dynamics) -> Option<&Coefficients>) -> Option<CoefficientBars> {
+        let [quadratic, cubic] = self.measured.map(|measured| of(measured.dynamics.as_ref()?));
+        let (quadratic, cubic) = (quadratic?, cubic?);
+        let has_edge = self.film.problem.cavitation.has_free_boundary();
+        let least = if has_edge {
+            PER_FRONT * (self.front_share() + self.hidden_share())
+        } else {
+            0.0
+        };
+        Some(match self.value {
+            Value::Quadratic => CoefficientBars::of(quadratic, cubic, OF_QUADRATIC_TANGENTS, least),
+            Value::Cubic if has_edge => CoefficientBars::of(cubic, quadratic, OF_CUBIC_TANGENTS, least),
+            Value::Cubic => CoefficientBars::of(cubic, quadratic, OF_SMOOTH_TANGENTS, least),
+        })
+    }
+
     /// What bars of places are made of.
     fn placed(&self) -> PlacedPair<'_> {
         PlacedPair {

@@ -5,6 +5,7 @@
 
 use std::time::Instant;
 
+use oilwedge_bearing::Dynamics;
 use oilwedge_reynolds::error_bar::conserving::ConservingError;
 use oilwedge_reynolds::error_bar::sharp::{Reported, sharpen};
 use oilwedge_reynolds::error_bar::{Bar, Value, film_error};
@@ -63,9 +64,11 @@ impl Estimated {
 pub fn estimate_errors(solved: &Solved) -> Estimated {
     let (clock, film) = (Instant::now(), &solved.film);
     let mut estimated = match &solved.reference {
-        None => Estimated::without_bars(film, measure(&film.problem, &film.system, &solved.solution)),
+        None => Estimated::without_bars(film, of_quadratic(solved, None)),
         Some(ReferenceFilm::Cubic(cubic)) => by_cubic(solved, cubic),
-        Some(ReferenceFilm::Coarse { error, hill, .. }) => by_coarse(solved, error.as_deref(), hill.as_deref()),
+        Some(ReferenceFilm::Coarse { film, error, hill }) => {
+            by_coarse(solved, film, error.as_deref(), hill.as_deref())
+        }
     };
     if let Some(found) = &solved.temperature {
         found.widen(film, &estimated.measured, &mut estimated.quantities);
@@ -78,7 +81,7 @@ pub fn estimate_errors(solved: &Solved) -> Estimated {
 
 fn by_cubic(solved: &Solved, cubic: &FilmSolution) -> Estimated {
     let film = &solved.film;
-    let reported = measure(&film.problem, &film.system.cubic().system, cubic);
+    let reported = of_cubic(film, cubic);
     let Ok(error) = film_error(
         &film.problem,
         &film.system,
@@ -88,7 +91,7 @@ fn by_cubic(solved: &Solved, cubic: &FilmSolution) -> Estimated {
     ) else {
         return Estimated::without_bars(film, reported);
     };
-    let quadratic = measure(&film.problem, &film.system, &solved.solution);
+    let quadratic = of_quadratic(solved, Some(&reported));
     let pair = CubicPair {
         film,
         quadratic: &solved.solution,
@@ -114,9 +117,9 @@ fn by_cubic(solved: &Solved, cubic: &FilmSolution) -> Estimated {
     }
 }
 
-fn by_coarse(solved: &Solved, error: Option<&ConservingError>, hill: Option<&SharpFilm>) -> Estimated {
+fn by_coarse(solved: &Solved, coarse: &FilmSolution, error: Option<&ConservingError>, hill: Option<&SharpFilm>) -> Estimated {
     let film = &solved.film;
-    let mut measured = measure(&film.problem, &film.system, &solved.solution);
+    let mut measured = of_quadratic(solved, None);
     let Some(mut error) = error.cloned() else {
         return Estimated::without_bars(film, measured);
     };
@@ -133,6 +136,9 @@ fn by_coarse(solved: &Solved, error: Option<&ConservingError>, hill: Option<&Sha
         film,
         error: &error,
         measured: &plain.measured,
+        dynamics: plain.measured.dynamics.as_ref().and_then(|dynamics| {
+            Dynamics::beside(&film.problem, film.system.vertices_only(), coarse, dynamics).ok()
+        }),
         hidden: hidden_share(&film.problem, &film.system, &solved.solution, error.pressure),
     };
     let load = bars_of_balance(film, [error.load, error.across], pair.moment());
@@ -163,9 +169,9 @@ pub fn quadratic_errors(solved: &Solved) -> Option<Vec<Quantity>> {
         return None;
     };
     let film = &solved.film;
-    let better = measure(&film.problem, &film.system.cubic().system, cubic);
+    let better = of_cubic(film, cubic);
     let error = film_error(&film.problem, &film.system, &solved.solution, cubic, &better.load.total).ok()?;
-    let quadratic = measure(&film.problem, &film.system, &solved.solution);
+    let quadratic = of_quadratic(solved, Some(&better));
     let pair = CubicPair {
         film,
         quadratic: &solved.solution,
@@ -175,6 +181,19 @@ pub fn quadratic_errors(solved: &Solved) -> Option<Vec<Quantity>> {
         value: Value::Quadratic,
     };
     Some(with_bars(solved, &pair, &quadratic, &numbers(film, &better), &[]))
+}
+
+/// What is measured on the film in cubic elements.
+fn of_cubic(film: &Film, cubic: &FilmSolution) -> Measured {
+    let parts = (&film.problem, &film.system.cubic().system, cubic);
+    measure(parts.0, parts.1, parts.2).with_dynamics(film, parts, None)
+}
+
+/// What is measured on the film itself, beside that in cubic elements if there is one.
+fn of_quadratic(solved: &Solved, beside: Option<&Measured>) -> Measured {
+    let film = &solved.film;
+    let parts = (&film.problem, &*film.system, &solved.solution);
+    measure(parts.0, parts.1, parts.2).with_dynamics(film, parts, beside)
 }
 
 fn numbers(film: &Film, of: &Measured) -> Vec<Quantity> {
@@ -206,7 +225,7 @@ fn with_bars(
             .take(balance.coordinates.order)
             .map(|bar| bar.total())
             .collect();
-        position_bars(solved, balance, &totals, others)
+        position_bars(solved, balance, &totals, others, reported)
     });
     for quantity in &mut list {
         let other = others.iter().find(|other| other.name == quantity.name);

@@ -8,12 +8,14 @@
 //! `docs/theory/error_estimation.md` has the rules and how often they hold.
 
 mod coarse;
+mod coefficients;
 mod cubic;
 mod errors;
 mod linked;
 mod places;
 mod position_sensitivity;
 
+pub use coefficients::CoefficientBars;
 pub use errors::{Estimated, estimate_errors, quadratic_errors};
 
 use oilwedge_reynolds::error_bar::{Bar, FlowGoal};
@@ -85,4 +87,8 @@ pub trait Estimate {
     fn summit(&self) -> [f64; 2];
     /// Of the place of an end of the loaded film [m]; none where only one of two films has it.
     fn film_end(&self, end: ExtentEnd) -> Option<Bar>;
+    /// Of stiffness and damping at the first frequency asked for; none where one of two films has none.
+    fn coefficients(&self) -> Option<CoefficientBars>;
+    /// Of those at the frequency at which a rotor is judged, likewise.
+    fn judged_coefficients(&self) -> Option<CoefficientBars>;
 }

@@ -4,8 +4,10 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 
 use oilwedge_bearing::NEAR;
+use oilwedge_reynolds::solve::Neighbour;
+use oilwedge_reynolds::{FilmProblem, FilmSolution};
 
-use crate::measure::measure;
+use crate::measure::{Measured, measure};
 use crate::quantities::{Quantity, View, measured};
 use crate::solved::{Balance, Solved};
 
@@ -17,6 +19,7 @@ pub(super) fn position_bars(
     balance: &Balance,
     bars: &[f64],
     list: &[Quantity],
+    reported: &Measured,
 ) -> HashMap<Cow<'static, str>, f64> {
     let base = &solved.film;
     let names = list.iter().map(|quantity| quantity.name.clone());
@@ -44,6 +47,7 @@ pub(super) fn position_bars(
         let moved = base.problem.displaced(&base.system, &solved.solution, &change);
         let moved = moved.map(|(problem, film)| {
             let there = measure(&problem, &base.system, &film);
+            let there = with_dynamics(solved, there, &problem, film, reported);
             measured(&View::new(base, &problem, &there))
         });
         let moved = moved.unwrap_or_default();
@@ -53,4 +57,26 @@ pub(super) fn position_bars(
         }
     }
     names.zip(changes).collect()
+}
+
+/// With the stiffness and damping of the film there, whose tangent is its own: a film moved along the tangent has that of the place that it comes from.
+fn with_dynamics(
+    solved: &Solved,
+    there: Measured,
+    problem: &FilmProblem,
+    moved: FilmSolution,
+    reported: &Measured,
+) -> Measured {
+    let system = &solved.film.system;
+    if solved.film.dynamics.is_none() {
+        return there;
+    }
+    let film = match moved.film_fraction {
+        Some(_) => Ok(moved),
+        None => problem.solve_from(system, Neighbour::Start(&solved.solution)),
+    };
+    match film {
+        Ok(film) => there.with_dynamics(&solved.film, (problem, system, &film), Some(reported)),
+        Err(_) => there,
+    }
 }

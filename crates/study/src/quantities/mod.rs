@@ -13,6 +13,8 @@ use oilwedge_scene::Scene;
 mod row;
 mod cap;
 mod cavity;
+mod coefficients;
+mod damping;
 mod cycle;
 pub mod cycle_view;
 mod flow;
@@ -24,8 +26,10 @@ mod places;
 mod position;
 mod pressure;
 mod quantity;
+mod rotor;
 mod rule;
 mod similarity;
+mod stiffness;
 mod tilt;
 mod unit;
 pub(crate) mod view;
@@ -33,6 +37,7 @@ mod warming;
 
 pub use cap::*;
 pub use cavity::*;
+pub use damping::*;
 pub use cycle::*;
 pub use cycle_view::CycleView;
 pub use flow::*;
@@ -45,16 +50,18 @@ pub use places::*;
 pub use position::*;
 pub use pressure::*;
 pub use quantity::Quantity;
+pub use rotor::*;
 pub use row::{Headline, Measure, Row, Table};
 pub use rule::{ErrorRule, Subject};
 pub use similarity::*;
+pub use stiffness::*;
 pub use tilt::*;
 pub use unit::Unit;
 pub use view::View;
 pub use warming::Warming;
 
 /// All quantities, in the order of the report.
-pub static CATALOGUE: [&Row; 76] = [
+pub static CATALOGUE: [&Row; 111] = [
     &CYCLE_FILM_THICKNESS_MIN,
     &CYCLE_FILM_THICKNESS_MIN_CRANK_ANGLE,
     &CYCLE_FILM_THICKNESS_MIN_ANGLE,
@@ -131,6 +138,41 @@ pub static CATALOGUE: [&Row; 76] = [
     &BOLT_STRESS_MIN,
     &BOLT_STRESS_MEAN,
     &BOLT_STRESS_AMPLITUDE,
+    &STIFFNESS_XX,
+    &STIFFNESS_XY,
+    &STIFFNESS_X_GX,
+    &STIFFNESS_X_GY,
+    &STIFFNESS_YX,
+    &STIFFNESS_YY,
+    &STIFFNESS_Y_GX,
+    &STIFFNESS_Y_GY,
+    &STIFFNESS_MX_X,
+    &STIFFNESS_MX_Y,
+    &STIFFNESS_MX_GX,
+    &STIFFNESS_MX_GY,
+    &STIFFNESS_MY_X,
+    &STIFFNESS_MY_Y,
+    &STIFFNESS_MY_GX,
+    &STIFFNESS_MY_GY,
+    &DAMPING_XX,
+    &DAMPING_XY,
+    &DAMPING_X_GX,
+    &DAMPING_X_GY,
+    &DAMPING_YX,
+    &DAMPING_YY,
+    &DAMPING_Y_GX,
+    &DAMPING_Y_GY,
+    &DAMPING_MX_X,
+    &DAMPING_MX_Y,
+    &DAMPING_MX_GX,
+    &DAMPING_MX_GY,
+    &DAMPING_MY_X,
+    &DAMPING_MY_Y,
+    &DAMPING_MY_GX,
+    &DAMPING_MY_GY,
+    &CRITICAL_MASS,
+    &WHIRL_RATIO,
+    &LOGARITHMIC_DECREMENT,
 ];
 
 /// The row that a quantity of this name belongs to.

@@ -45,6 +45,8 @@ pub enum Table {
     Temperature,
     /// That of the cap of a connecting rod.
     Cap,
+    /// That of small motions of the journal.
+    Dynamics,
 }
 
 /// Whether a quantity stands in the first table of a run and in the columns of a short one: its place there, smallest first.

@@ -29,6 +29,20 @@ pub enum Unit {
     NewtonMetre,
     /// Of powers.
     Watt,
+    /// Of masses.
+    Kilogram,
+    /// Of forces by offsets.
+    NewtonPerMetre,
+    /// Of forces by slopes, and of moments by offsets.
+    NewtonPerRadian,
+    /// Of moments by slopes.
+    NewtonMetrePerRadian,
+    /// Of forces by velocities.
+    NewtonSecondPerMetre,
+    /// Of forces by rates of slopes, and of moments by velocities.
+    NewtonSecondPerRadian,
+    /// Of moments by rates of slopes.
+    NewtonMetreSecondPerRadian,
 }
 
 impl Unit {
@@ -39,7 +53,7 @@ impl Unit {
 
     /// The unit that results write so.
     pub fn named(name: &str) -> Option<Self> {
-        const ALL: [Unit; 11] = [
+        const ALL: [Unit; 18] = [
             Unit::One,
             Unit::Newton,
             Unit::Degree,
@@ -51,6 +65,13 @@ impl Unit {
             Unit::CubicMetrePerSecond,
             Unit::NewtonMetre,
             Unit::Watt,
+            Unit::Kilogram,
+            Unit::NewtonPerMetre,
+            Unit::NewtonPerRadian,
+            Unit::NewtonMetrePerRadian,
+            Unit::NewtonSecondPerMetre,
+            Unit::NewtonSecondPerRadian,
+            Unit::NewtonMetreSecondPerRadian,
         ];
         ALL.into_iter().find(|unit| unit.name() == name)
     }
@@ -73,6 +94,13 @@ impl Unit {
             Self::CubicMetrePerSecond => Dimension::VolumeFlow,
             Self::NewtonMetre => Dimension::Torque,
             Self::Watt => Dimension::Power,
+            Self::Kilogram => Dimension::Mass,
+            Self::NewtonPerMetre => Dimension::Stiffness,
+            Self::NewtonPerRadian => Dimension::CrossStiffness,
+            Self::NewtonMetrePerRadian => Dimension::RotationalStiffness,
+            Self::NewtonSecondPerMetre => Dimension::Damping,
+            Self::NewtonSecondPerRadian => Dimension::CrossDamping,
+            Self::NewtonMetreSecondPerRadian => Dimension::RotationalDamping,
         }
     }
 
@@ -90,6 +118,13 @@ impl Unit {
             Self::CubicMetrePerSecond => ["m3/s", "volume flow"],
             Self::NewtonMetre => ["N.m", "torque"],
             Self::Watt => ["W", "power"],
+            Self::Kilogram => ["kg", "mass"],
+            Self::NewtonPerMetre => ["N/m", "stiffness"],
+            Self::NewtonPerRadian => ["N/rad", "stiffness between offset and slope"],
+            Self::NewtonMetrePerRadian => ["N.m/rad", "rotational stiffness"],
+            Self::NewtonSecondPerMetre => ["N.s/m", "damping"],
+            Self::NewtonSecondPerRadian => ["N.s/rad", "damping between offset and slope"],
+            Self::NewtonMetreSecondPerRadian => ["N.m.s/rad", "rotational damping"],
         }
     }
 }

@@ -13,7 +13,7 @@ use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_reynolds::solve::Neighbour;
 
 use super::flows::thermal_flows;
-use super::{measured, none};
+use super::{measured, none, reported};
 use crate::compile::at_temperature;
 use crate::film::Film;
 use crate::isothermal::isothermal;
@@ -193,6 +193,7 @@ impl<'a> Search<'a> {
         let flows = thermal_flows(&self.model, &solved.film, &measured);
         let surplus = self.model.balance.surplus(temperature, &flows);
         if kind == Kind::Kept || kind == Kind::Leading && !conserves_oil {
+            let measured = measured.with_dynamics(&solved.film, reported(&solved), None);
             let view = View::new(&solved.film, &solved.film.problem, &measured);
             self.numbers.push(Numbers {
                 temperature,

@@ -15,7 +15,7 @@ use super::blocks::AdvectionScheme;
 use super::loops;
 use super::relaxation::State;
 use super::rows::Condition;
-use super::{Choice, Film, ROUNDING};
+use super::{Choice, Film, ROUNDING, cell_volumes};
 
 /// Most steps of one search.
 const MOST_STEPS: usize = 300;
@@ -338,12 +338,7 @@ impl<'a> Search<'a> {
 
     /// Backward Euler in the film fraction with growing steps, towards the steady film.
     fn pseudo_time(&mut self) -> Result<(), Failure> {
-        let mut volume = vec![0.0; self.state.p.len()];
-        for (nodes, block) in self.film.volumes.triangles.iter().zip(&self.film.blocks) {
-            for i in 0..3 {
-                volume[nodes[i] as usize] += block.volume[i];
-            }
-        }
+        let volume = cell_volumes(self.film.volumes, &self.film.blocks, self.state.p.len());
         let mut time = TimeStep {
             rate: 1.0 / (FIRST_TIME_STEP * self.film.time),
             before: self.state.theta.iter().map(|theta| theta.clamp(0.0, 1.0)).collect(),

@@ -172,6 +172,31 @@ pub(crate) fn residual_change(
     Ok(residual)
 }
 
+/// Volume [m3] of the cell of each node of the cavity when it is full; zero of all others.
+pub(crate) fn held_volume(
+    problem: &FilmProblem,
+    system: &FilmSystem,
+    film: &FilmSolution,
+) -> Result<Vec<f64>, oilwedge_fem::Error> {
+    let volumes = system.volumes()?;
+    let blocks = blocks(&FilmLaw::new(problem, 1.0), system.space(), volumes);
+    let mut held = cell_volumes(volumes, &blocks, film.cavity.len());
+    let full = held.iter_mut().zip(&film.cavity).filter(|(_, cavity)| !**cavity);
+    full.for_each(|(held, _)| *held = 0.0);
+    Ok(held)
+}
+
+/// Volume [m3] of the cell of each node while it is full.
+fn cell_volumes(volumes: &ControlVolumes, blocks: &[Block], nodes: usize) -> Vec<f64> {
+    let mut volume = vec![0.0; nodes];
+    for (corners, block) in volumes.triangles.iter().zip(blocks) {
+        for (&corner, piece) in corners.iter().zip(block.volume) {
+            volume[corner as usize] += piece;
+        }
+    }
+    volume
+}
+
 impl<'a> Film<'a> {
     fn new(problem: &FilmProblem, system: &'a FilmSystem, motion: f64) -> Result<Self, NoFilm> {
         let volumes = system.volumes().map_err(oilwedge_fem::newton::Failure::from)?;

@@ -1,0 +1,25 @@
+//! Stiffness and damping as rows see them: at the first frequency asked for.
+
+use oilwedge_bearing::Coefficients;
+use oilwedge_scene::Scene;
+
+use super::view::View;
+
+/// How their errors are estimated, in words.
+pub(super) const RULE: &str =
+    "the greatest difference of two films, quadratic and cubic or fine and coarse, over the sizes of rows and columns";
+
+/// At the first frequency asked for; none where they are not asked for, or could not be computed.
+pub(super) fn first<'a>(film: &'a View) -> Option<&'a Coefficients> {
+    Some(&film.measured.dynamics.as_ref()?.at.first()?.coefficients)
+}
+
+/// Whether a scene asks for them.
+pub(super) fn is_asked(scene: &Scene) -> bool {
+    scene.dynamics.is_some()
+}
+
+/// Whether a scene asks for those of a journal that may tilt.
+pub(super) fn has_tilt(scene: &Scene) -> bool {
+    is_asked(scene) && scene.can_tilt()
+}
