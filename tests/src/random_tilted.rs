@@ -7,6 +7,7 @@ use std::path::Path;
 
 use oilwedge_scene::Scene;
 
+use crate::coverage::bearings::{Bearing, Family};
 use crate::random_bearings::Dice;
 
 /// Radius [m], radial clearance [m], viscosity [Pa s] and speed [rad/s] of all of them.
@@ -172,6 +173,25 @@ fn feeds(text: &mut String, dice: &mut Dice, length: f64, minimum: f64) {
             }
         };
         let _ = writeln!(text, "pressure = \"{} Pa\"", PRESSURE_UNIT * dice.decades(-3.0, -0.5));
+    }
+}
+
+impl TiltedBearing {
+    /// As one of those whose bars are counted.
+    ///
+    /// # Panics
+    /// If the text is no TOML.
+    pub fn counted(&self) -> Bearing {
+        Bearing {
+            name: format!("tilted {}", self.number),
+            family: match (self.model, self.tilting) {
+                ("jfo", _) => Family::Conserving,
+                (_, Tilting::Given) => Family::Ring,
+                _ => Family::Loaded,
+            },
+            model: self.model,
+            table: self.text.parse().expect("TOML"),
+        }
     }
 }
 

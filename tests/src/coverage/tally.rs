@@ -13,7 +13,7 @@ use super::meshes::{Kind, Solve, solves};
 use super::reference::{Reference, reference};
 
 /// Quantities whose bars are counted; `feed_flow` stands for all feeds.
-pub const COUNTED: [&str; 14] = [
+pub const COUNTED: [&str; 18] = [
     "load",
     "attitude_angle",
     "pressure_max",
@@ -28,6 +28,10 @@ pub const COUNTED: [&str; 14] = [
     "friction_power",
     "friction_pressure_power",
     "friction_torque_bearing",
+    "moment_x",
+    "moment_y",
+    "tilt_x",
+    "tilt_y",
 ];
 /// Errors below this part of the size of a quantity are rounding.
 const ROUNDING: f64 = 1e-9;

@@ -4,3 +4,4 @@ mod balance;
 mod characteristics;
 mod film;
 mod moment;
+mod random;
