@@ -8,6 +8,12 @@ pub fn check(scene: &Scene, complaints: &mut Complaints) {
     for [key, message, help] in present(scene).filter_map(|effect| effect.no_proportion) {
         complaints.add(key, message, help);
     }
+    complaints.refuse_if(
+        scene.journal.position == Position::Cycle,
+        "load",
+        "changes over a cycle, but characteristics are those of one position",
+        "give journal.eccentricity and journal.min_film_angle, or the force and angle of one moment",
+    );
     pressures(scene, complaints);
     turning(scene, complaints);
 }

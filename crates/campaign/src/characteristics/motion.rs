@@ -82,7 +82,7 @@ impl Motion {
                 eccentricity,
                 min_film_angle,
             } => (eccentricity, min_film_angle),
-            Position::Load { .. } => (0.0, 0.0),
+            Position::Load { .. } | Position::Cycle => (0.0, 0.0),
         };
         let (sin, cos) = angle.sin_cos();
         let clearance = scene.bearing.clearance;
