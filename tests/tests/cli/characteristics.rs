@@ -75,6 +75,19 @@ fn a_parallel_journal_has_seven_numbers_and_a_sum_that_is_too_strong() {
 }
 
 #[test]
+fn a_load_over_a_cycle_is_refused() {
+    let bench = Bench::new();
+    let scene = repository()
+        .join("scenes/loads/synthetic_big_end.toml")
+        .display()
+        .to_string();
+    let told = bench.run(&["characteristics", &scene]);
+    let wanted = "journal.eccentricity: is missing: the load changes over a cycle";
+    assert!(told.status == 2 && told.stderr.contains(wanted), "{}", told.stderr);
+    assert!(bench.files().is_empty());
+}
+
+#[test]
 fn scenes_without_characteristics_are_refused_and_nothing_is_written() {
     let feed = "[[feed]]\ngroup = \"a\"\nhole = { diameter = \"5 mm\", angle = \"210 deg\" }\npressure = \"1 bar\"\n";
     let cases = [

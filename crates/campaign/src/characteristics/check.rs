@@ -10,9 +10,9 @@ pub fn check(scene: &Scene, complaints: &mut Complaints) {
     }
     complaints.refuse_if(
         scene.journal.position == Position::Cycle,
-        "load",
-        "changes over a cycle, but characteristics are those of one position",
-        "give journal.eccentricity and journal.min_film_angle, or the force and angle of one moment",
+        "journal.eccentricity",
+        "is missing: the load changes over a cycle, but characteristics are those of one position",
+        "give journal.eccentricity and journal.min_film_angle in place of [load], or the force and angle of one moment",
     );
     pressures(scene, complaints);
     turning(scene, complaints);
