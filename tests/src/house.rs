@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use crate::program::repository;
 
 /// Effects whose knowledge is bounded: the word by which code names them, and the most files that may do so. Five for a law or a term,
-/// six for the term of which damping is made, eight for a closure or a balance.
-pub const EFFECTS: [(&str, usize); 5] = [("barus", 5), ("squeeze", 6), ("jfo", 8), ("heat", 8), ("iso7902", 4)];
+/// seven for the term of which damping is made and which is also the name of a motion among the characteristics, eight for a closure or a balance.
+pub const EFFECTS: [(&str, usize); 5] = [("barus", 5), ("squeeze", 7), ("jfo", 8), ("heat", 8), ("iso7902", 4)];
 
 /// A file of production code.
 #[derive(Debug, Clone)]

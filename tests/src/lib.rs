@@ -20,6 +20,7 @@ pub mod printed;
 pub mod program;
 pub mod quantities_page;
 pub mod random_bearings;
+pub mod random_tilted;
 pub mod scene_page;
 pub mod scenes;
 pub mod short_crankshaft;

@@ -75,7 +75,9 @@ impl Search<'_> {
     fn check_capacity(&self, problem: &FilmProblem) -> Result<(), NoEquilibrium> {
         let bearing = &problem.bearing;
         let nearly = (1.0 - f64::EPSILON.sqrt()) * GREATEST_ECCENTRICITY * bearing.clearance;
-        let begins_at_contact = bearing.clearance - bearing.least_gap(&problem.journal) > nearly;
+        // What the film carries at this tilt is no limit where the tilt is free.
+        let is_limit = self.load.tilting.is_none();
+        let begins_at_contact = is_limit && bearing.clearance - bearing.least_gap(&problem.journal) > nearly;
         let beyond = || begins_at_contact.then(|| self.beyond_capacity(problem)).flatten();
         self.below_rounding().or_else(beyond).map_or(Ok(()), Err)
     }

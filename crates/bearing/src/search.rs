@@ -120,13 +120,19 @@ impl<'a> Search<'a> {
     /// The film at the start or, where there is none, nearer to the middle.
     pub(crate) fn first(&self, problem: &FilmProblem, mut start: JournalState) -> Result<Trial, NoFilm> {
         const RETREATS: usize = 12;
+        let nearer = |start: &JournalState| {
+            let nearer = self.coordinates.at(start).map(|x| 0.5 * x);
+            self.coordinates.placed(start, nearer)
+        };
         for _ in 0..RETREATS {
+            // A film may seem to exist where the gap vanishes at the very end of the bearing only.
+            if problem.bearing.least_gap(&start) <= 0.0 {
+                start = nearer(&start);
+                continue;
+            }
             match self.trial(problem, self.coordinates.at(&start), Neighbour::None) {
                 // Without a supply there is no film anywhere.
-                Err(reason) if !matches!(reason, NoFilm::NoSupply { .. }) => {
-                    let nearer = self.coordinates.at(&start).map(|x| 0.5 * x);
-                    start = self.coordinates.placed(&start, nearer);
-                }
+                Err(reason) if !matches!(reason, NoFilm::NoSupply { .. }) => start = nearer(&start),
                 other => return other,
             }
         }

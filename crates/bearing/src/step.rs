@@ -89,7 +89,8 @@ impl Search<'_> {
         };
         let thin = |part: f64| bearing.least_gap(&self.coordinates.placed(&journal, moved(here, part, step))) < least;
         let length = length(step);
-        if !length.is_finite() {
+        // From a journal in contact no part of a step is short enough.
+        if !length.is_finite() || gap <= 0.0 {
             return None;
         }
         let mut part = 1.0;

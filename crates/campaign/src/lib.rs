@@ -1,6 +1,7 @@
-//! One scene to many answers: sweeps, convergence studies, the cost of effects, bearing theories, the ISO 7902 twin.
+//! One scene to many answers: sweeps, convergence studies, the cost of effects, bearing theories, characteristics, the ISO 7902 twin.
 
 mod add_on;
+pub mod characteristics;
 pub mod convergence;
 mod cost;
 mod standard;
@@ -8,6 +9,7 @@ pub mod sweep;
 mod theories;
 
 pub use add_on::{AddOn, Alternative, Comparison, Estimate, Record};
+pub use characteristics::characteristics;
 pub use convergence::converge;
 pub use cost::effect_costs;
 pub use standard::standard;

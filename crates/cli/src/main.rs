@@ -4,6 +4,8 @@
 //! nothing was written; 130 interrupted. Results for people and `--json` go to stdout, everything else to stderr.
 
 mod add_ons;
+mod characteristics;
+mod characteristics_report;
 mod check;
 mod check_report;
 mod complain;
@@ -62,6 +64,7 @@ Examples:
   oilwedge converge bearing.toml                   the cost of accuracy, in unknowns and seconds
   oilwedge sweep bearing.toml                      solve all cases of its [sweep], to a table
   oilwedge load big_end.toml                       the load over a cycle, and its polar diagrams
+  oilwedge characteristics bearing.toml            force and moment for each motion by itself
   oilwedge report out/bearing --open               one page about results, in the browser
   oilwedge oil SAE 10W-40 --at \"80 C\"              viscosity and density of an oil
   oilwedge new bearing.toml --kind groove          a scene with comments to begin with
@@ -86,6 +89,8 @@ enum Verb {
     Sweep(sweep::Sweep),
     /// Print and draw the load of a scene over a cycle.
     Load(load::Load),
+    /// Solve the film of each motion of the journal by itself: its sixteen characteristics, and their sum beside the film.
+    Characteristics(characteristics::CharacteristicsOf),
     /// Draw the film of a scene, or the results in a folder, as SVG and PNG.
     Plot(plot::Plot),
     /// Write one HTML page about the results in a folder.
@@ -118,6 +123,7 @@ fn main() -> ExitCode {
         Verb::Converge(converge) => converge.run(),
         Verb::Sweep(sweep) => sweep.run(),
         Verb::Load(load) => load.run(),
+        Verb::Characteristics(characteristics) => characteristics.run(),
         Verb::Plot(plot) => plot.run(),
         Verb::Report(report) => report.run(),
         Verb::Oil(oil) => oil.run(),

@@ -3,6 +3,7 @@
 //! Reading order: [`mod@json`], [`folder`], [`results`] (the folder of a run), [`sweep`], [`convergence`], [`vtu`], [`plot`], [`page`], [`mod@check`].
 
 pub mod catalogue;
+pub mod characteristics;
 pub mod check;
 pub mod convergence;
 pub mod difference;

@@ -3,8 +3,6 @@
 pub(crate) mod squeeze;
 pub(crate) mod tilt;
 
-pub use squeeze::Squeeze;
-
 use crate::reader::TableReader;
 use crate::unit::Dimension;
 use crate::{Complaints, Scene};
@@ -31,7 +29,7 @@ pub struct Journal {
     /// Where it is.
     pub position: Position,
     /// Velocity of its centre; `None`: the centre rests.
-    pub squeeze: Option<Squeeze>,
+    pub squeeze: Option<squeeze::Squeeze>,
     /// Slope of its axis against that of the bearing, towards x and y [rad]; `None`: the axes are parallel.
     pub tilt: Option<[f64; 2]>,
     /// Rate of that slope [rad/s]; `None`: it does not change.

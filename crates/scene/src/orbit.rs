@@ -119,7 +119,7 @@ pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
         "give \"reynolds\"",
     );
     complaints.refuse_if(
-        scene.heat.is_some(),
+        complaints.has("heat"),
         "heat",
         "stands beside [orbit], which is followed at one temperature",
         "give oil.temperature, or remove [orbit]",

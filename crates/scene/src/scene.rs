@@ -14,7 +14,9 @@ use crate::{
     Bearing, Cap, Cavitation, Check, Complaint, Complaints, Crank, Dynamics, Ends, Engine, Feed, Heat, Journal, Limits,
     LoadCycle, LoadSource, MeshSource, Oil, Orbit, SceneError, Support, Tolerance,
 };
-use crate::{bearing, cap, cavitation, crank, dynamics, ends, feed, heat, journal, limits, load, mesh, oil, orbit, support};
+use crate::{
+    bearing, cap, cavitation, crank, dynamics, ends, feed, heat, journal, limits, load, mesh, oil, orbit, support,
+};
 
 keys! {
     "title" = Text; "Plain journal bearing", "the name of the file", "",

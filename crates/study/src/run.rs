@@ -22,9 +22,8 @@ use crate::reasons::Limit;
 use crate::refinement::answer;
 use crate::regime::{Regime, broken_assumptions};
 use crate::result::{
-    Balances, Counts, DynamicsReport, Geometry, HistoryStep, LevelFacts, LinearSolver, MeshFacts,
-    RESULT_FORMAT, RunResult,
-    SECONDS_KEY, Status,
+    Balances, Counts, DynamicsReport, Geometry, HistoryStep, LevelFacts, LinearSolver, MeshFacts, RESULT_FORMAT,
+    RunResult, SECONDS_KEY, Status,
 };
 use crate::run_options::RunOptions;
 use crate::solved::Solved;

@@ -13,7 +13,7 @@ use super::meshes::{Kind, Solve, solves};
 use super::reference::{Reference, reference};
 
 /// Quantities whose bars are counted; `feed_flow` stands for all feeds.
-pub const COUNTED: [&str; 24] = [
+pub const COUNTED: [&str; 28] = [
     "load",
     "attitude_angle",
     "pressure_max",
@@ -38,6 +38,10 @@ pub const COUNTED: [&str; 24] = [
     "damping_yy",
     "critical_mass",
     "whirl_ratio",
+    "moment_x",
+    "moment_y",
+    "tilt_x",
+    "tilt_y",
 ];
 /// Errors below this part of the size of a quantity are rounding.
 const ROUNDING: f64 = 1e-9;

@@ -1,5 +1,6 @@
 //! The program as its user meets it: exit status, stdout, stderr, and the files it leaves.
 
+mod characteristics;
 mod complaints;
 mod converge;
 mod cost;

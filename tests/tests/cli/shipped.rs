@@ -8,7 +8,7 @@ const HEATED: &str = "an assumption does not hold: a film as warm as its oil is 
 const PRINTED: &str = "the as-printed equation is no mass balance";
 
 /// Every shipped scene and the beginnings of its warnings.
-const SCENES: [(&str, &[&str]); 26] = [
+const SCENES: [(&str, &[&str]); 27] = [
     ("01_plain_ring", &[TENSION, HEATED]),
     ("02_flexpde_shell", &[TENSION]),
     ("03_hydrostatic_shell", &[]),
@@ -41,6 +41,7 @@ const SCENES: [(&str, &[&str]); 26] = [
     ("23_tilted_ring", &[]),
     ("24_load_off_the_middle", &[]),
     ("25_whirl", &[]),
+    ("26_tilting_crankshaft_journal", &[]),
     ("27_big_end_orbit", &[HEATED]),
 ];
 

@@ -252,3 +252,24 @@ fn contact_at_an_end_is_told_with_a_way_out() {
         assert!(reason.contains(part), "{reason}");
     }
 }
+
+/// The film of a journal whose gap is negative at the very end of the bearing, where no point of integration sees it, is no start: the search ends all the same,
+/// at the balance.
+#[test]
+fn a_search_that_begins_in_contact_ends() {
+    let (problem, system) = moving(Cavitation::Reynolds { pressure: 0.0 });
+    let asked = balanced_by(&problem, &system);
+    let mut start = problem.clone();
+    let [along, across] = [0.3 * CLEARANCE, 0.7 * CLEARANCE * (1.0 + 1e-4)];
+    (start.journal.offset, start.journal.tilt) = ([along, 0.0], [across / (0.5 * LENGTH), 0.0]);
+    let gap = start.bearing.least_gap(&start.journal);
+    assert!(
+        gap < 0.0 && gap > -1e-4 * CLEARANCE && start.solve(&system).is_ok(),
+        "{gap:e}"
+    );
+    let found = find(&start, &system, asked, &SearchOptions::default()).unwrap_or_else(|reason| panic!("{reason}"));
+    let off = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
+    let (here, wanted) = (found.problem.journal, problem.journal);
+    assert!(off(here.offset, wanted.offset) < 1e-9 * CLEARANCE, "{here:?}");
+    assert!(off(here.tilt, wanted.tilt) < 1e-9 * CLEARANCE / LENGTH, "{here:?}");
+}

@@ -192,6 +192,8 @@ impl GoalError {
 pub struct FilmError {
     /// Load `(W_x, W_y)` [N] of the cubic film.
     pub force: [f64; 2],
+    /// Moment `(m_x, m_y)` [N m] of the cubic film.
+    pub moment: [f64; 2],
     /// Load [N] that its pressures could carry, all on one side.
     pub possible: f64,
     /// Of `W_x`, `W_y` and `Int p dA` [N].
@@ -308,8 +310,9 @@ impl FilmError {
 
     /// Bars of the moment towards x and y [N m]; none where the journal cannot tilt.
     pub fn moment(&self, value: Value) -> Option<[Bar; 2]> {
-        let moments = self.moments.as_ref()?;
-        Some(moments.each_ref().map(|goal| self.bar(goal, None, value, 0.4)))
+        let (moments, [x, y]) = (self.moments.as_ref()?, self.moment);
+        let size = Some(x.hypot(y));
+        Some(moments.each_ref().map(|goal| self.bar(goal, size, value, 0.4)))
     }
 
     /// Bar of `shear` times the power of shear and `pressure` times that of pressure [W], which changes by `change` between the two films:

@@ -86,6 +86,7 @@ pub(super) fn film_error(
     Ok(FilmError {
         possible: possible_load(problem, carried),
         force: carried.force,
+        moment: carried.moment,
         goals,
         moments,
         drag,

@@ -27,6 +27,14 @@ impl Journal {
     pub fn motion(&self) -> Option<Squeeze> {
         self.squeeze.filter(|it| it.radial != 0.0 || it.tangential != 0.0)
     }
+
+    /// Has the centre move along the line of centres, at this velocity [m/s], and not otherwise.
+    pub fn squeeze_along(&mut self, radial: f64) {
+        self.squeeze = Some(Squeeze {
+            radial,
+            tangential: 0.0,
+        });
+    }
 }
 
 pub(super) fn read(mut table: TableReader<'_>) -> Squeeze {

@@ -46,6 +46,11 @@ const ROW: Effect = Effect {
     kind: VISCOSITY_BY_PRESSURE,
     instead: "constant viscosity",
     remove: |scene| changed(scene, |scene| scene.oil.pressure_law = PressureLaw::Constant),
+    no_proportion: Some([
+        "oil.barus",
+        "makes the viscosity grow with pressure, so that forces are not in proportion to rates",
+        "remove it for the characteristics",
+    ]),
     warnings: |_, measured| {
         beyond_pressure(
             measured,

@@ -34,6 +34,11 @@ pub(super) const ROW: Effect = Effect {
             }
         })
     },
+    no_proportion: Some([
+        KIND,
+        "finds a temperature, which depends on all motions together",
+        "remove [heat], and give oil.temperature or oil.viscosity",
+    ]),
     warnings,
 };
 

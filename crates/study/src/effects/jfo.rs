@@ -14,6 +14,11 @@ pub(super) const ROW: Effect = Effect {
         let pressure = closure::least_pressure(scene);
         sockets.cavitation = Cavitation::Jfo { pressure };
     },
+    no_proportion: Some([
+        "cavitation.model",
+        "is \"jfo\", but a journal that does not turn carries no oil into a cavity that conserves it: its parts have no film of their own",
+        "write model = \"reynolds\" or \"guembel\" for the characteristics",
+    ]),
     ..closure::ROW
 };
 

@@ -93,6 +93,9 @@ pub struct Effect {
     pub instead: &'static str,
     /// The scene without it; `None` where leaving it out asks another question.
     pub remove: fn(&Scene) -> Option<Scene>,
+    /// Why forces are not in proportion to the rates of the journal's motions with it: a key of the scene, what is wrong with it, the way out; `None` where
+    /// they may be.
+    pub no_proportion: Option<[&'static str; 3]>,
     /// Warnings, in sentences, about films outside its limits of validity.
     warnings: fn(&Film, &Measured) -> Vec<Warning>,
 }
@@ -107,6 +110,7 @@ const BLANK: Effect = Effect {
     install: |_, _| (),
     instead: "",
     remove: |_| None,
+    no_proportion: None,
     warnings: |_, _| Vec::new(),
 };
 

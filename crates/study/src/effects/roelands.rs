@@ -21,6 +21,11 @@ pub(super) const ROW: Effect = Effect {
     install,
     instead: "constant viscosity",
     remove: |scene| changed(scene, |scene| scene.oil.pressure_law = PressureLaw::Constant),
+    no_proportion: Some([
+        "oil.roelands",
+        "makes the viscosity grow with pressure, so that forces are not in proportion to rates",
+        "remove it for the characteristics",
+    ]),
     warnings: |_, measured| beyond_pressure(measured, LIMIT, "Roelands' law", "nothing was measured there"),
 };
 

@@ -66,9 +66,7 @@ pub fn estimate_errors(solved: &Solved) -> Estimated {
     let mut estimated = match &solved.reference {
         None => Estimated::without_bars(film, of_quadratic(solved, None)),
         Some(ReferenceFilm::Cubic(cubic)) => by_cubic(solved, cubic),
-        Some(ReferenceFilm::Coarse { film, error, hill }) => {
-            by_coarse(solved, film, error.as_deref(), hill.as_deref())
-        }
+        Some(ReferenceFilm::Coarse { film, error, hill }) => by_coarse(solved, film, error.as_deref(), hill.as_deref()),
     };
     if let Some(found) = &solved.temperature {
         found.widen(film, &estimated.measured, &mut estimated.quantities);
@@ -117,7 +115,12 @@ fn by_cubic(solved: &Solved, cubic: &FilmSolution) -> Estimated {
     }
 }
 
-fn by_coarse(solved: &Solved, coarse: &FilmSolution, error: Option<&ConservingError>, hill: Option<&SharpFilm>) -> Estimated {
+fn by_coarse(
+    solved: &Solved,
+    coarse: &FilmSolution,
+    error: Option<&ConservingError>,
+    hill: Option<&SharpFilm>,
+) -> Estimated {
     let film = &solved.film;
     let mut measured = of_quadratic(solved, None);
     let Some(mut error) = error.cloned() else {
@@ -132,15 +135,16 @@ fn by_coarse(solved: &Solved, coarse: &FilmSolution, error: Option<&ConservingEr
         of_hill.extend(sharpened.greatest.map(|_| PRESSURE_MAX.name));
     }
     let plain = Estimated::without_bars(film, measured);
-    let pair = CoarseComparison {
-        film,
-        error: &error,
-        measured: &plain.measured,
-        dynamics: plain.measured.dynamics.as_ref().and_then(|dynamics| {
-            Dynamics::beside(&film.problem, film.system.vertices_only(), coarse, dynamics).ok()
-        }),
-        hidden: hidden_share(&film.problem, &film.system, &solved.solution, error.pressure),
-    };
+    let pair =
+        CoarseComparison {
+            film,
+            error: &error,
+            measured: &plain.measured,
+            dynamics: plain.measured.dynamics.as_ref().and_then(|dynamics| {
+                Dynamics::beside(&film.problem, film.system.vertices_only(), coarse, dynamics).ok()
+            }),
+            hidden: hidden_share(&film.problem, &film.system, &solved.solution, error.pressure),
+        };
     let load = bars_of_balance(film, [error.load, error.across], pair.moment());
     Estimated {
         quantities: with_bars(solved, &pair, &plain.measured, &of_film, &load),
