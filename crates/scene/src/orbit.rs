@@ -119,12 +119,6 @@ pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
         "give \"reynolds\"",
     );
     complaints.refuse_if(
-        complaints.has("heat"),
-        "heat",
-        "stands beside [orbit], which is followed at one temperature",
-        "give oil.temperature, or remove [orbit]",
-    );
-    complaints.refuse_if(
         complaints.has("mesh.tolerance"),
         "mesh.tolerance",
         "stands beside [orbit], whose mesh is not refined",
