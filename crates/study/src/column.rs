@@ -88,7 +88,11 @@ impl Column {
 
 /// The quantity of this name or symbol.
 fn named(name: &str, scene: &Scene) -> Result<(Cow<'static, str>, &'static Row), Fault> {
-    let single = || CATALOGUE.into_iter().filter(|row| !row.is_family());
+    let single = || {
+        CATALOGUE
+            .into_iter()
+            .filter(|row| !row.is_family() && row.is_of_cycle() == scene.orbit.is_some())
+    };
     if let Some(row) = row(name) {
         let region = &name[row.name.len()..];
         if !row.is_family() || scene.feeds.iter().any(|feed| feed.group == region) {

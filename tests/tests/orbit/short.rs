@@ -116,7 +116,7 @@ fn a_turning_load_leads_round_a_circle() {
     for (b, load, ratio, eps) in rows {
         let film = short(b, HALF, [64, 4]);
         let turning = harmonics(&[(ratio, [load, 0.0], [0.0, load])], TAU / ratio);
-        let cycles = if ratio < 1.0 { 2 } else { 10 };
+        let cycles = if ratio < 1.0 { 4 } else { 10 };
         let orbit = orbit(&film, &turning, [0.1, 0.0], 1e-5, cycles);
         let circle = |at: [f64; 4]| (at[0].hypot(at[1]) / CLEARANCE - eps).abs();
         let off = orbit.steps.iter().map(|step| circle(step.at)).fold(0.0, f64::max);

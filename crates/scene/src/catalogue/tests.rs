@@ -21,6 +21,7 @@ heat = { housing = {}, mixing = {} }
 limits = {}
 cavitation = {}
 dynamics = {}
+orbit = { start = {} }
 cap = { bolts = {}, shell = {} }
 ends = {}
 oil = { walther = {}, vogel = {}, table = [{}], density = {}, barus = {}, roelands = {} }

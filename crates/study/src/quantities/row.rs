@@ -134,8 +134,12 @@ impl Row {
 
     /// Whether the answer to this scene may have it: a film, or an orbit.
     pub fn may_occur(&self, scene: &Scene) -> bool {
-        let is_of_cycle = matches!(self.measure, Measure::OverCycle(_));
-        is_of_cycle == scene.orbit.is_some() && (self.occurs)(scene)
+        self.is_of_cycle() == scene.orbit.is_some() && (self.occurs)(scene)
+    }
+
+    /// True of a number of a cycle.
+    pub fn is_of_cycle(&self) -> bool {
+        matches!(self.measure, Measure::OverCycle(_))
     }
 
     /// True of a family by region.
