@@ -91,7 +91,7 @@ fn a_film_on_the_cylinder_and_from_its_file_gives_the_same_pictures() {
     let (_, cylinder) = solved("02_flexpde_shell", false);
     let drawn = svgs(result.clone(), &plane, 170.0);
     assert_eq!(drawn, svgs(result.clone(), &plane, 170.0));
-    let read = from_vtu(&to_vtu(plane.clone(), Compression::Lz4).expect("a file")).expect("the file");
+    let read = from_vtu(&to_vtu(&plane, Compression::Lz4).expect("a file")).expect("the file");
     assert_eq!(read, plane);
     assert_eq!(drawn, svgs(result.clone(), &read, 170.0));
     // On the cylinder places are rounded otherwise: the same levels, and files of nearly the same length.

@@ -165,7 +165,7 @@ impl Plot {
         let orbit = run.orbit.as_ref().map(orbit_table).transpose()?;
         let picture = run.picture.map(|picture| {
             let compression = Compression::usual(&picture);
-            to_vtu(picture, compression)
+            to_vtu(&picture, compression)
         });
         let picture = picture.transpose()?;
         write_results(

@@ -152,7 +152,7 @@ impl Solve {
         let orbit = run.orbit.as_ref().map(orbit_table).transpose()?;
         let picture = run.picture.map(|picture| {
             let compression = self.vtu.map_or_else(|| Compression::usual(&picture), Compression::from);
-            to_vtu(picture, compression)
+            to_vtu(&picture, compression)
         });
         let picture = picture.transpose()?;
         let folder = self.run.folder();

@@ -43,17 +43,30 @@ impl Field<'_> {
 
     /// Value and gradient on the surface [per m] at the reference point of triangle `t`.
     pub fn value_and_gradient(&self, t: usize, point: [f64; 2]) -> (f64, [f64; 2]) {
+        let values = self.element_values(t);
+        let gradient = self.gradient(&Mapping::of(self.space.mesh(), t), &values, point);
+        (evaluate(self.space.degree(), &values, point), gradient)
+    }
+
+    /// Gradients on the surface [per m] at these reference points of triangle `t`, at most as many as the most nodes of a triangle.
+    pub fn gradients(&self, t: usize, points: &[[f64; 2]]) -> [[f64; 2]; MOST_SHAPES] {
+        let (mapping, values) = (Mapping::of(self.space.mesh(), t), self.element_values(t));
+        let mut gradients = [[0.0; 2]; MOST_SHAPES];
+        for (gradient, point) in gradients.iter_mut().zip(points) {
+            *gradient = self.gradient(&mapping, &values, *point);
+        }
+        gradients
+    }
+
+    /// The gradient [per m] of the polynomial with these nodal values at the reference point of a triangle.
+    fn gradient(&self, mapping: &Mapping, values: &[f64; MOST_SHAPES], point: [f64; 2]) -> [f64; 2] {
         let mut reference = [[0.0; 2]; MOST_SHAPES];
         lagrange::gradients(self.space.degree(), point, &mut reference[..self.space.shapes()]);
-        let values = self.element_values(t);
         let mut gradient = [0.0; 2];
-        for i in 0..self.space.shapes() {
-            for d in 0..2 {
-                gradient[d] += values[i] * reference[i][d];
-            }
+        for (value, slope) in values.iter().zip(&reference[..self.space.shapes()]) {
+            (0..2).for_each(|d| gradient[d] += value * slope[d]);
         }
-        let place = Mapping::of(self.space.mesh(), t).at(point);
-        (self.value(t, point), place.gradient(gradient))
+        mapping.at(point).gradient(gradient)
     }
 
     /// The greatest value of the piecewise polynomial, between nodes too. Not a number if a coefficient is not.

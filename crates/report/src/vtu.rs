@@ -1,17 +1,20 @@
 //! Fields for inspection: one VTU file of quadratic triangles that ParaView and PyVista open.
 //!
-//! vtkio writes the XML file with inline base64 data. PyVista, ParaView and VTK read every [`Compression`]; meshio does not know LZ4. Each array has its
-//! unit as VTK's information key `UNITS_LABEL`, which vtkio cannot write.
+//! Arrays stand in the file as base64 text. PyVista, ParaView and VTK read every [`Compression`]; meshio does not know LZ4. Each array of a field has its
+//! unit as VTK's information key `UNITS_LABEL`.
 
-use std::borrow::Cow;
+use quick_xml::events::BytesText;
+use quick_xml::{Error as Xml, Writer};
+use rayon::prelude::*;
 
+use self::array::{Array, Numbers};
 use crate::Error;
 use oilwedge_study::picture::{FieldValues, FilmPicture, PictureField};
-use vtkio::model::{
-    Attribute, Attributes, ByteOrder, CellType, Cells, DataArray, DataSet, UnstructuredGridPiece, Version,
-    VertexNumbers, Vtk,
-};
-use vtkio::xml::Compressor;
+
+mod array;
+
+/// VTK's number of the triangle with six nodes.
+const QUADRATIC_TRIANGLE: u8 = 22;
 
 /// How the arrays of a VTU file are compressed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -36,12 +39,12 @@ impl Compression {
         }
     }
 
-    /// The compressor of vtkio and its level. At level 0 vtkio would name a compressor, but not compress.
-    fn of_vtkio(self) -> (Compressor, u32) {
+    /// VTK's name of the compressor.
+    fn compressor(self) -> Option<&'static str> {
         match self {
-            Self::None => (Compressor::None, 0),
-            Self::Lz4 => (Compressor::LZ4, 1),
-            Self::Zlib => (Compressor::ZLib, 6),
+            Self::None => None,
+            Self::Lz4 => Some("vtkLZ4DataCompressor"),
+            Self::Zlib => Some("vtkZLibDataCompressor"),
         }
     }
 }
@@ -50,109 +53,126 @@ impl Compression {
 ///
 /// # Errors
 /// [`Error`]: lengths that do not fit, a node that is not there, a value that is not finite.
-pub fn to_vtu(picture: FilmPicture, compression: Compression) -> Result<Vec<u8>, Error> {
-    check(&picture)?;
-    let cell_count = picture.cells.len();
-    let lines = line_data(&picture.lines);
-    let fields = picture.point_data.iter().chain(&picture.cell_data);
-    let units: Vec<_> = fields.map(|field| (field.name.clone(), field.unit.clone())).collect();
-    let piece = UnstructuredGridPiece {
-        points: picture.points.into_flattened().into(),
-        cells: Cells {
-            cell_verts: VertexNumbers::XML {
-                connectivity: picture.cells.into_flattened().into_iter().map(u64::from).collect(),
-                offsets: (1..=cell_count as u64).map(|cell| 6 * cell).collect(),
-            },
-            types: vec![CellType::QuadraticTriangle; cell_count],
-        },
-        data: Attributes {
-            point: picture.point_data.into_iter().map(attribute).collect(),
-            cell: picture.cell_data.into_iter().map(attribute).collect(),
-        },
+pub fn to_vtu(picture: &FilmPicture, compression: Compression) -> Result<Vec<u8>, Error> {
+    check(picture)?;
+    let mut file = Writer::new(Vec::new());
+    let head = [
+        ("type", "UnstructuredGrid"),
+        ("version", "1.0"),
+        ("byte_order", "LittleEndian"),
+        ("header_type", "UInt64"),
+    ];
+    let head = head
+        .into_iter()
+        .chain(compression.compressor().map(|name| ("compressor", name)));
+    let grid = |file: &mut Writer<Vec<u8>>| {
+        write_lines(file, &picture.lines)?;
+        write_piece(file, picture, compression)
     };
-    let vtk = Vtk {
-        version: Version::new_xml(1, 0),
-        title: String::new(),
-        byte_order: ByteOrder::LittleEndian,
-        data: DataSet::inline(piece),
-        file_path: None,
-    };
-    let (compressor, level) = compression.of_vtkio();
-    let file = vtk
-        .try_into_xml_format(compressor, level)
+    file.create_element("VTKFile")
+        .with_attributes(head)
+        .write_inner_content(|file| {
+            file.create_element("UnstructuredGrid").write_inner_content(grid)?;
+            Ok::<(), Xml>(())
+        })
         .map_err(Error::format("VTU file"))?;
-    let mut bytes = Vec::new();
-    file.write(&mut bytes).map_err(Error::format("VTU file"))?;
-    // vtkio writes no data of the field as a whole.
-    const PLACE: &[u8] = b"<Piece ";
-    let place = bytes.windows(PLACE.len()).position(|part| part == PLACE);
-    let place = place.ok_or_else(|| Error::format("VTU file")("it has no piece"))?;
-    bytes.splice(place..place, lines.into_bytes());
-    Ok(with_units(bytes, &units))
+    Ok(file.into_inner())
 }
 
-fn attribute(field: PictureField) -> Attribute {
-    Attribute::DataArray(match field.values {
-        FieldValues::Scalars(values) => DataArray::scalars(field.name.into_owned(), 1).with_vec(values),
-        FieldValues::Vectors(values) => DataArray::vectors(field.name.into_owned()).with_vec(values.into_flattened()),
-    })
+/// The film: fields at the nodes and of the triangles, places of the nodes, triangles.
+fn write_piece(file: &mut Writer<Vec<u8>>, picture: &FilmPicture, compression: Compression) -> Result<(), Xml> {
+    let connectivity = picture.cells.as_flattened().iter().map(|node| u64::from(*node));
+    let offsets: Vec<u64> = (1..=picture.cells.len() as u64).map(|cell| 6 * cell).collect();
+    let types = vec![QUADRATIC_TRIANGLE; picture.cells.len()];
+    let connectivity: Vec<u64> = connectivity.collect();
+    let points = Numbers::Float64(picture.points.as_flattened());
+    let parts = [
+        ("PointData", picture.point_data.iter().map(array).collect()),
+        ("CellData", picture.cell_data.iter().map(array).collect()),
+        ("Points", vec![Array::plain("Points", 3, points)]),
+        (
+            "Cells",
+            vec![
+                Array::plain("connectivity", 1, Numbers::UInt64(&connectivity)),
+                Array::plain("offsets", 1, Numbers::UInt64(&offsets)),
+                Array::plain("types", 1, Numbers::UInt8(&types)),
+            ],
+        ),
+    ];
+    let sizes = [picture.points.len(), picture.cells.len()].map(|size| size.to_string());
+    let sizes = [
+        ("NumberOfPoints", sizes[0].as_str()),
+        ("NumberOfCells", sizes[1].as_str()),
+    ];
+    let piece = file.create_element("Piece").with_attributes(sizes);
+    piece.write_inner_content(|file| {
+        for (name, arrays) in &parts {
+            write_part(file, name, arrays, compression)?;
+        }
+        Ok::<(), Xml>(())
+    })?;
+    Ok(())
 }
 
-/// The file with the unit of each of these arrays at the end of its element.
-fn with_units(file: Vec<u8>, units: &[(Cow<str>, Cow<str>)]) -> Vec<u8> {
-    const END: &[u8] = b"</DataArray>";
-    let find = |from: usize, what: &[u8]| {
-        let place = file[from..].windows(what.len()).position(|window| window == what);
-        place.map(|place| from + place)
+/// An element of a piece with its arrays. The first scalar and the first vector are those that a viewer shows.
+fn write_part(file: &mut Writer<Vec<u8>>, name: &str, arrays: &[Array], compression: Compression) -> Result<(), Xml> {
+    let first = |components| {
+        arrays
+            .iter()
+            .find(|array| array.components == components && array.unit.is_some())
     };
-    let (mut whole, mut written) = (Vec::with_capacity(file.len() + 100 * units.len()), 0);
-    for (name, unit) in units {
-        // Arrays are in the order of the picture.
-        let begin = find(written, format!("Name=\"{name}\"").as_bytes());
-        let Some(end) = begin.and_then(|begin| find(begin, END)) else {
-            continue;
-        };
-        whole.extend_from_slice(&file[written..end]);
-        let key = format!("<InformationKey name=\"UNITS_LABEL\" location=\"vtkDataArray\">{unit}</InformationKey>");
-        whole.extend_from_slice(key.as_bytes());
-        written = end;
+    let shown = [("Scalars", first(1)), ("Vectors", first(3))];
+    let shown = shown
+        .iter()
+        .filter_map(|(key, array)| Some((*key, array.as_ref()?.name)));
+    let texts: Vec<_> = arrays.par_iter().map(|array| array.text(compression)).collect();
+    let part = file.create_element(name).with_attributes(shown);
+    part.write_inner_content(|file| {
+        for (array, text) in arrays.iter().zip(texts) {
+            array.write(file, text)?;
+        }
+        Ok::<(), Xml>(())
+    })?;
+    Ok(())
+}
+
+fn array(field: &PictureField) -> Array<'_> {
+    let (components, numbers) = match &field.values {
+        FieldValues::Scalars(values) => (1, values.as_slice()),
+        FieldValues::Vectors(values) => (3, values.as_flattened()),
+    };
+    Array {
+        name: &field.name,
+        unit: Some(&field.unit),
+        components,
+        numbers: Numbers::Float64(numbers),
     }
-    whole.extend_from_slice(&file[written..]);
-    whole
 }
 
 /// The lines as data of the whole field: of each an array of its name, in each row the two points of a piece.
-fn line_data(lines: &[(String, Vec<[[f64; 3]; 2]>)]) -> String {
+fn write_lines(file: &mut Writer<Vec<u8>>, lines: &[(String, Vec<[[f64; 3]; 2]>)]) -> Result<(), Xml> {
     if lines.is_empty() {
-        return String::new();
+        return Ok(());
     }
-    let mut text = String::from("<FieldData>");
-    for (name, pieces) in lines {
-        text += &format!(
-            "<DataArray type=\"Float64\" Name=\"{}\" NumberOfComponents=\"6\" NumberOfTuples=\"{}\" format=\"ascii\">",
-            escaped(name),
-            pieces.len()
-        );
-        for number in pieces.iter().flatten().flatten() {
-            text += &format!("{number:e} ");
+    file.create_element("FieldData").write_inner_content(|file| {
+        for (name, pieces) in lines {
+            let name: String = name.chars().filter(|letter| !letter.is_control()).collect();
+            let rows = pieces.len().to_string();
+            let numbers = pieces.as_flattened().as_flattened().iter();
+            let numbers: String = numbers.map(|number| format!("{number:e} ")).collect();
+            file.create_element("DataArray")
+                .with_attributes([
+                    ("type", "Float64"),
+                    ("Name", name.as_str()),
+                    ("NumberOfComponents", "6"),
+                    ("NumberOfTuples", rows.as_str()),
+                    ("format", "ascii"),
+                ])
+                .write_text_content(BytesText::from_escaped(numbers))?;
         }
-        text += "</DataArray>";
-    }
-    text + "</FieldData>"
-}
-
-/// A name as an attribute of XML.
-fn escaped(name: &str) -> String {
-    let letters = name.chars().filter(|letter| !letter.is_control());
-    letters
-        .map(|letter| match letter {
-            '&' => "&amp;".to_owned(),
-            '<' => "&lt;".to_owned(),
-            '>' => "&gt;".to_owned(),
-            '"' => "&quot;".to_owned(),
-            letter => letter.to_string(),
-        })
-        .collect()
+        Ok::<(), Xml>(())
+    })?;
+    Ok(())
 }
 
 fn check(picture: &FilmPicture) -> Result<(), Error> {
@@ -239,7 +259,7 @@ mod tests {
             (Compression::Lz4, Some("vtkLZ4DataCompressor")),
             (Compression::Zlib, Some("vtkZLibDataCompressor")),
         ] {
-            let bytes = to_vtu(square(), compression)?;
+            let bytes = to_vtu(&square(), compression)?;
             let text = String::from_utf8_lossy(&bytes);
             assert_eq!(text.contains("compressor="), name.is_some());
             assert!(text.contains(name.unwrap_or_default()));
@@ -254,7 +274,7 @@ mod tests {
             lines: Vec::new(),
             ..square()
         };
-        assert_eq!(from_vtu(&to_vtu(without.clone(), Compression::None)?)?, without);
+        assert_eq!(from_vtu(&to_vtu(&without, Compression::None)?)?, without);
         assert!(matches!(from_vtu(b"<VTKFile"), Err(Error::Unreadable { .. })));
         Ok(())
     }
@@ -273,7 +293,7 @@ mod tests {
         let mut picture = square();
         picture.point_data[0].values = FieldValues::Scalars(vec![0.0; 8]);
         assert!(matches!(
-            to_vtu(picture, Compression::None),
+            to_vtu(&picture, Compression::None),
             Err(Error::Length {
                 values: 8,
                 wanted: 9,
@@ -283,18 +303,18 @@ mod tests {
         let mut picture = square();
         picture.cells[1][5] = 9;
         assert!(matches!(
-            to_vtu(picture, Compression::None),
+            to_vtu(&picture, Compression::None),
             Err(Error::Node { cell: 1 })
         ));
         let mut picture = square();
         picture.cell_data[0].values = FieldValues::Scalars(vec![f64::NAN, 0.75]);
         assert!(matches!(
-            to_vtu(picture, Compression::None),
+            to_vtu(&picture, Compression::None),
             Err(Error::NotFinite { .. })
         ));
     }
 
-    /// vtkio compresses blocks of 32 768 bytes, and writes an empty one where the last is full.
+    /// No block of the rest is written where the last one is full.
     #[test]
     fn arrays_of_whole_blocks_are_read_back() -> Result<(), Box<dyn std::error::Error>> {
         let mut picture = square();
@@ -302,7 +322,7 @@ mod tests {
         picture.point_data.truncate(1);
         picture.point_data[0].values = FieldValues::Scalars((1..=4096).map(|node| 1.0 / f64::from(node)).collect());
         for compression in [Compression::Lz4, Compression::Zlib] {
-            assert_eq!(from_vtu(&to_vtu(picture.clone(), compression)?)?, picture);
+            assert_eq!(from_vtu(&to_vtu(&picture, compression)?)?, picture);
         }
         Ok(())
     }

@@ -21,6 +21,7 @@
 use oilwedge_fem::Field;
 use oilwedge_fem::lagrange::nodes;
 use oilwedge_mesh::triangle_area;
+use rayon::prelude::*;
 
 use super::power::{excess, viscosity};
 use crate::film_law::FilmLaw;
@@ -40,23 +41,31 @@ pub struct Stream {
 /// Nodes of a triangle of which a picture is made: vertices, then the middles of edges.
 pub const PICTURED: usize = 6;
 
+/// Triangles that are worked on together: their streams fit into the cache.
+const BLOCK: usize = 1024;
+
 /// What flows at the nodes of each triangle of a quadratic film, with the area [m2] of the triangle; `None` in triangles that a feed covers. Gradients jump
 /// between triangles, so that a node has a value in each of its triangles.
-pub fn streams(
-    problem: &FilmProblem,
-    system: &FilmSystem,
-    film: &FilmSolution,
-) -> Vec<Option<(f64, [Stream; PICTURED])>> {
+pub fn streams<'a>(
+    problem: &'a FilmProblem,
+    system: &'a FilmSystem,
+    film: &'a FilmSolution,
+) -> impl Iterator<Item = Option<(f64, [Stream; PICTURED])>> + 'a {
     let mesh = system.space().mesh();
     let is_film = system.supply.film(mesh);
     let nodal = Nodal {
         problem,
         system,
         film,
-        excess: &film.unknown.iter().map(|&u| excess(problem, u)).collect::<Vec<_>>(),
+        excess: film.unknown.iter().map(|&u| excess(problem, u)).collect(),
+        places: nodes(system.space().degree()),
     };
-    let at = |t: usize| is_film[t].then(|| (triangle_area(mesh.corners(t)), nodal.streams(t)));
-    (0..is_film.len()).map(at).collect()
+    let triangles = is_film.len();
+    (0..triangles).step_by(BLOCK).flat_map(move |first| {
+        let at = |t: usize| is_film[t].then(|| (triangle_area(mesh.corners(t)), nodal.streams(t)));
+        let block = first..triangles.min(first + BLOCK);
+        block.into_par_iter().map(at).collect::<Vec<_>>()
+    })
 }
 
 /// A film with its values at nodes.
@@ -65,7 +74,9 @@ struct Nodal<'a> {
     system: &'a FilmSystem,
     film: &'a FilmSolution,
     /// Pressure above that of the ends [Pa].
-    excess: &'a [f64],
+    excess: Vec<f64>,
+    /// Reference coordinates of the nodes.
+    places: Vec<[f64; 2]>,
 }
 
 impl Nodal<'_> {
@@ -74,15 +85,16 @@ impl Nodal<'_> {
         let law = FilmLaw::new(problem, 1.0);
         let (points, flows) = law.film_and_flows(t, &space.mesh().nodes(t));
         let (velocity, along) = (law.velocity(), problem.theory.directions());
-        let places = nodes(space.degree());
+        let fields = [&self.film.unknown, &self.excess].map(|values| Field { space, values });
+        let slopes = fields.map(|field| field.gradients(t, &self.places));
         let dofs = space.element_dofs(t);
         let is_broken = dofs[3..PICTURED].iter().all(|&dof| self.is_low(dof));
         std::array::from_fn(|i| {
             let (dof, thickness) = (dofs[i], points[i].thickness);
-            let slopes = [&self.film.unknown[..], self.excess].map(|values| match is_broken || self.is_low(dof) {
-                true => [0.0; 2],
-                false => Field { space, values }.value_and_gradient(t, places[i]).1,
-            });
+            let slopes = match is_broken || self.is_low(dof) {
+                true => [[0.0; 2]; 2],
+                false => [slopes[0][i], slopes[1][i]],
+            };
             let fraction = self
                 .film
                 .film_fraction
