@@ -1,9 +1,10 @@
-"""CPU seconds from mesh file to load, oilwedge against scikit-fem, on the same mesh in one run.
+"""CPU seconds from mesh file to load, oilwedge against scikit-fem and DOLFINx, on the same mesh in one run.
 
     python compare_speed.py [N_UNKNOWNS ...]        (default 10000 100000)
 
 One thread each, the median of three runs; the mesh is a ring with a feed hole, made by meshes/benchmark.py.
 scikit-fem solves with CHOLMOD where scikit-sparse is installed, else with SuperLU; the head of the table says which.
+DOLFINx runs by the interpreter of the system (`dolfinx_film.py`), where it has it.
 Compare the ratio, not the seconds: machines differ and are shared. The time of oilwedge is that of
 the whole process without error bars, its output files included; imports of Python are not counted.
 Prints a table in Markdown; `performance` puts it into docs/performance.md.
@@ -47,6 +48,7 @@ min_film_angle = "180 deg"
 viscosity = "0.4 Pa.s"
 """
 RUNS = 3
+SYSTEM_PYTHON = "/usr/bin/python3"
 
 
 def direct_solver():
@@ -79,6 +81,16 @@ def scikit_fem(scene, solver):
     return time.process_time() - before, load
 
 
+def dolfinx(ring):
+    """CPU seconds of DOLFINx with hypre; none where it is not installed."""
+    script = Path(__file__).with_name("dolfinx_film.py")
+    run = subprocess.run([SYSTEM_PYTHON, script, ring], capture_output=True, text=True, check=False)
+    if run.returncode != 0:
+        print(f"no DOLFINx: {run.stderr.strip().splitlines()[-1:]}", file=sys.stderr)
+        return None
+    return float(run.stdout.split()[0])
+
+
 def median(run):
     """(the median of the seconds, the last answer) of some runs."""
     runs = [run() for _ in range(RUNS)]
@@ -95,13 +107,16 @@ def compare(size, folder, solver):
     peer, load = median(lambda: scikit_fem(scene, solver))
     off = result["quantities"]["load"]["value"] / load - 1
     nodes = result["mesh"]["nodes"]
-    return f"| {nodes} | {own:.3f} | {peer:.3f} | {peer / own:.1f} | {off:.0e} |"
+    other = dolfinx(folder / "ring.msh")
+    others = "not here | |" if other is None else f"{other:.3f} | {other / own:.1f} |"
+    return f"| {nodes} | {own:.3f} | {peer:.3f} | {peer / own:.1f} | {off:.0e} | {others}"
 
 
 def main(sizes):
     name, solver = direct_solver()
-    print(f"| unknowns | oilwedge [s] | scikit-fem with {name} [s] | ratio | loads differ by |")
-    print("|---|---|---|---|---|")
+    peers = f"scikit-fem with {name} [s] | ratio | loads differ by | DOLFINx with hypre [s] | ratio |"
+    print(f"| unknowns | oilwedge [s] | {peers}")
+    print("|---|---|---|---|---|---|---|")
     for size in sizes:
         with tempfile.TemporaryDirectory() as folder:
             print(compare(size, Path(folder), solver), flush=True)

@@ -53,11 +53,15 @@ impl<'a> Locator<'a> {
         if !point.iter().all(|x| x.is_finite()) {
             return None;
         }
+        let (period, on_first_turn) = (self.mesh.period(), on_turn(point, self.mesh.period()));
         let mut best = (-OUTSIDE, None);
-        let mut open = vec![(0.0, self.levels.len() - 1, 0)];
-        while let Some((_, level, place)) = open.pop() {
+        let mut open = Vec::with_capacity(IN_A_BOX * self.levels.len());
+        open.push((self.levels.len() - 1, 0));
+        while let Some((level, place)) = open.pop() {
             if level > 0 {
-                self.open_box(point, level, place, 0.0, &mut open);
+                let members = self.boxes(level, place).rev();
+                let holding = members.filter(|member| self.levels[level - 1][*member].holds(on_first_turn, period));
+                open.extend(holding.map(|member| (level - 1, member)));
                 continue;
             }
             for t in self.members(place) {
@@ -87,6 +91,7 @@ impl<'a> Locator<'a> {
         if found.is_some() {
             return found;
         }
+        let (period, on_first_turn) = (self.mesh.period(), on_turn(point, self.mesh.period()));
         let mut best = (f64::INFINITY, None);
         let mut open = vec![(0.0, self.levels.len() - 1, 0)];
         while let Some((distance, level, place)) = open.pop() {
@@ -95,7 +100,12 @@ impl<'a> Locator<'a> {
             }
             if level > 0 {
                 let before = open.len();
-                self.open_box(point, level, place, best.0, &mut open);
+                for member in self.boxes(level, place).rev() {
+                    let distance = self.levels[level - 1][member].distance(on_first_turn, period);
+                    if distance <= best.0 {
+                        open.push((distance, level - 1, member));
+                    }
+                }
                 open[before..].sort_unstable_by(|a, b| b.0.total_cmp(&a.0));
                 continue;
             }
@@ -109,19 +119,9 @@ impl<'a> Locator<'a> {
         best.1
     }
 
-    /// Puts on the stack those boxes in a box that are no further than `reach` [m] from a point, the last one
-    /// first: distance, level, place.
-    fn open_box(&self, point: [f64; 2], level: usize, place: usize, reach: f64, open: &mut Vec<(f64, usize, usize)>) {
-        let period = self.mesh.period();
-        let point = on_turn(point, period);
-        let boxes = &self.levels[level - 1];
-        let members = place * IN_A_BOX..boxes.len().min((place + 1) * IN_A_BOX);
-        for member in members.rev() {
-            let distance = boxes[member].distance(point, period);
-            if distance <= reach {
-                open.push((distance, level - 1, member));
-            }
-        }
+    /// Boxes of the next lower level in a box.
+    fn boxes(&self, level: usize, place: usize) -> std::ops::Range<usize> {
+        place * IN_A_BOX..self.levels[level - 1].len().min((place + 1) * IN_A_BOX)
     }
 
     /// Triangles in a lowest box.

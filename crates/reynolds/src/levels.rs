@@ -95,7 +95,7 @@ impl Coarser {
         for &(triangle, point) in &self.places {
             u.push(field.value(triangle as usize, point));
             let dofs = space.element_dofs(triangle as usize);
-            let distance = |&k: &usize| (nodes[k][0] - point[0]).hypot(nodes[k][1] - point[1]);
+            let distance = |&k: &usize| (nodes[k][0] - point[0]).powi(2) + (nodes[k][1] - point[1]).powi(2);
             let nearest = voters.clone().min_by(|a, b| distance(a).total_cmp(&distance(b)));
             held.push(nearest.is_some_and(|k| film.cavity[dofs[k]]));
         }

@@ -59,9 +59,19 @@ impl Bounds {
 
     /// Distance [m] of a point that lies on the same turn; zero inside.
     pub(super) fn distance(&self, point: [f64; 2], period: Option<f64>) -> f64 {
-        let off = turned(self.middle, point, period);
-        let out = [0, 1].map(|d| (off[d].abs() - self.half[d]).max(0.0));
-        if out == [0.0; 2] { 0.0 } else { out[0].hypot(out[1]) }
+        let [x, z] = self.off(point, period);
+        (x * x + z * z).sqrt()
+    }
+
+    /// True if a point that lies on the same turn is inside.
+    pub(super) fn holds(&self, point: [f64; 2], period: Option<f64>) -> bool {
+        self.off(point, period) == [0.0; 2]
+    }
+
+    /// How far [m] a point lies outside along each axis.
+    fn off(&self, point: [f64; 2], period: Option<f64>) -> [f64; 2] {
+        let way = turned(self.middle, point, period);
+        [0, 1].map(|d| (way[d].abs() - self.half[d]).max(0.0))
     }
 }
 
