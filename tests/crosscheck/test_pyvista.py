@@ -1,11 +1,13 @@
 """The film.vtu as a user of pyvista meets it: cell type, node order, geometry, interpolation."""
 
+import subprocess
+
 import numpy as np
 import pytest
 import pyvista
 
 import vtu_geometry
-from oilwedge_run import SCENES, crosscheck_data, solve
+from oilwedge_run import SCENES, crosscheck_data, program, solve
 from scene_file import read_scene, si, write_variant
 
 CASES = {
@@ -141,3 +143,42 @@ def test_a_broken_film_has_a_film_fraction_and_no_tension(model, unrolled, tmp_p
         assert fraction.min() == result["quantities"]["film_fraction_min"]["value"]
         assert pressure[fraction < 1] == pytest.approx(si(cavity), rel=1e-9)
         assert 0.05 < (fraction < 1).mean() < 0.95
+
+
+CYCLE = """
+bearing = { diameter = "50 mm", length = "25 mm", clearance = "30 um" }
+mesh.size = "6 mm"
+journal.speed = "3000 rpm"
+oil.viscosity = "10 mPa.s"
+cavitation.model = "reynolds"
+orbit = { tolerance = 1e-2 }
+
+[load]
+harmonics = [{ order = 0, cos = { x = "2 kN" } }, { order = 1, sin = { y = "3 kN" } }]
+frame = "shell"
+period = "360 deg"
+"""
+
+
+def test_the_animation_of_a_cycle_has_the_crank_angle_as_its_time(tmp_path):
+    """Each film is as thick as the place of the journal's axis says."""
+    scene, out = tmp_path / "cycle.toml", tmp_path / "out"
+    scene.write_text(CYCLE)
+    command = [program("OILWEDGE_BIN", "oilwedge"), "solve", str(scene), "--out", str(out)]
+    subprocess.run([*command, "--frames", "8", "--bars", "none"], check=True, capture_output=True)
+    reader = pyvista.get_reader(out / "film.pvd")
+    np.testing.assert_allclose(reader.time_values, np.arange(8) * 45.0)
+    least = []
+    for angle in reader.time_values:
+        reader.set_active_time_value(angle)
+        film = reader.read()[0]
+        assert set(film.celltypes) == {pyvista.CellType.QUADRATIC_TRIANGLE}
+        axis = np.asarray(film.field_data["journal_axis"]).reshape(2, 3)
+        np.testing.assert_allclose(axis[:, 2], [-0.0125, 0.0125])
+        directions = film.points[:, :2] / 0.025
+        thickness = 30e-6 - directions @ axis[0, :2]
+        np.testing.assert_allclose(film.point_data["film_thickness"], thickness, rtol=1e-6)
+        least.append(thickness.min())
+    assert max(least) > 1.2 * min(least)
+    subprocess.run([*command, "--bars", "none"], check=True, capture_output=True)
+    assert not (out / "film.pvd").exists() and not (out / "frames").exists()

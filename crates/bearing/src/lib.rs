@@ -8,6 +8,7 @@
 //!
 //! [`dynamics`]: how the film answers to small motions of the journal, and when a rotor on it whirls.
 //! [`duty_cycle`]: the load of a journal over a cycle, by crank angle.
+//! [`orbit`]: the journal under such a load; [`mobility`]: the same by a map of the film.
 //! [`cap_bolts`]: the forces in the bolts of a connecting rod's cap, to compare the film's load with.
 //!
 //! The film knows its own tangent ([`oilwedge_reynolds::FilmProblem::unknown_change`]); a balance borders it.
@@ -26,6 +27,7 @@ mod hill;
 mod load;
 mod load_capacity;
 mod log_eccentricity;
+pub mod mobility;
 pub mod no_equilibrium;
 pub mod observer;
 pub mod orbit;

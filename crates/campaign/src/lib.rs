@@ -4,6 +4,7 @@ mod add_on;
 pub mod characteristics;
 pub mod convergence;
 mod cost;
+mod mobility;
 mod standard;
 pub mod sweep;
 mod theories;
@@ -12,6 +13,7 @@ pub use add_on::{AddOn, Alternative, Comparison, Estimate, Record};
 pub use characteristics::characteristics;
 pub use convergence::converge;
 pub use cost::effect_costs;
+pub use mobility::mobility;
 pub use standard::standard;
 pub use theories::theories;
 
@@ -30,6 +32,11 @@ pub enum Error {
         /// Name of the quantity.
         goal: String,
     },
+    /// The scene has an orbit.
+    #[error(
+        "[orbit] is given, but a convergence study is one of a steady film; the bars of oilwedge solve show the errors of mesh and steps in time, by their `error_parts`; remove [orbit] and give [load] with force and angle to study a film"
+    )]
+    Orbit,
     /// Threads cannot be started.
     #[error("cannot start the threads of a sweep: {0}")]
     Threads(String),

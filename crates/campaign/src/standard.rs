@@ -60,6 +60,9 @@ fn answer(scene: &Scene, result: &RunResult, viscosity: f64) -> Result<Numbers, 
     if scene.bearing.arc.is_some() {
         return Err("its fits are those of full bearings, but this one is an arc");
     }
+    if scene.orbit.is_some() {
+        return Err("its loads are steady, but this journal runs on an orbit");
+    }
     if scene.journal.speed == 0.0 {
         return Err("the journal is at rest");
     }

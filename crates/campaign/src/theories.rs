@@ -15,8 +15,8 @@ use oilwedge_study::effects::bearing_theory::{LONG_FROM, SHORT_TO};
 use oilwedge_study::effects::{Socket, present, without_conservation};
 use oilwedge_study::oil::at_temperature;
 use oilwedge_study::quantities::{
-    ATTITUDE_ANGLE, ECCENTRICITY, FILM_THICKNESS_MIN, FRICTION_POWER, FRICTION_TORQUE, LOAD, PRESSURE_MAX, Quantity,
-    Row, SIDE_FLOW, TEMPERATURE_EFFECTIVE,
+    ATTITUDE_ANGLE, CYCLE_FILM_THICKNESS_MIN, CYCLE_POWER_LOSS, CYCLE_PRESSURE_MAX, ECCENTRICITY, FILM_THICKNESS_MIN,
+    FRICTION_POWER, FRICTION_TORQUE, LOAD, PRESSURE_MAX, Quantity, Row, SIDE_FLOW, TEMPERATURE_EFFECTIVE,
 };
 use oilwedge_study::result::{RunResult, Status};
 use oilwedge_study::run::run;
@@ -24,8 +24,8 @@ use oilwedge_study::run_options::RunOptions;
 
 use crate::add_on::{AddOn, Alternative, Comparison, ending, nullable, object};
 
-/// The numbers that are compared, those of a position under a load included.
-const COMPARED: [&Row; 8] = [
+/// The numbers that are compared, those of a position under a load and of an orbit included.
+const COMPARED: [&Row; 11] = [
     &LOAD,
     &ECCENTRICITY,
     &ATTITUDE_ANGLE,
@@ -34,6 +34,9 @@ const COMPARED: [&Row; 8] = [
     &SIDE_FLOW,
     &FRICTION_TORQUE,
     &FRICTION_POWER,
+    &CYCLE_FILM_THICKNESS_MIN,
+    &CYCLE_PRESSURE_MAX,
+    &CYCLE_POWER_LOSS,
 ];
 /// Those that the scene gives, where it gives a position and where it gives a load.
 const GIVEN: [&[&Row]; 2] = [&[&ECCENTRICITY, &FILM_THICKNESS_MIN], &[&LOAD]];

@@ -7,12 +7,14 @@ use crate::run_options::folder;
 use crate::terminal::{exit_code, print};
 use oilwedge_drawing::{Figure, PAGE_WIDTH};
 use oilwedge_report::convergence::REPORT_FILE as STUDY_FILE;
+use oilwedge_report::orbit_course::OrbitCourse;
 use oilwedge_report::orbit_table::orbit_table;
 use oilwedge_report::plot::{
-    self, CONVERGENCE, DrawnFilm, PLOT_FOLDER, PlotOptions, Unknown, film_figures, write_pictures,
+    self, CONVERGENCE, DrawnFilm, PLOT_FOLDER, PlotOptions, Unknown, film_figures, orbit_figures, orbits_beside,
+    write_pictures,
 };
 use oilwedge_report::result_json;
-use oilwedge_report::results::{Beside, PICTURE_FILE, RESULT_FILE, write_results};
+use oilwedge_report::results::{Beside, ORBIT_FILE, PICTURE_FILE, RESULT_FILE, write_results};
 use oilwedge_report::sweep::REPORT_FILE;
 use oilwedge_report::vtu::{Compression, to_vtu};
 use oilwedge_report::vtu_read::from_vtu;
@@ -30,6 +32,10 @@ pub(crate) struct Plot {
     /// A scene, which is solved first, or a folder with the results of solve, sweep or converge.
     #[arg(value_name = "SCENE|DIR")]
     of: PathBuf,
+
+    /// Another folder of solve with an orbit: draw both orbits side by side.
+    #[arg(value_name = "DIR")]
+    beside: Option<PathBuf>,
 
     /// What to draw: fields of film.vtu, mesh, section, profiles, heat; of a sweep its quantities [default: all that say something].
     #[arg(long = "field", value_name = "NAME", value_delimiter = ',')]
@@ -49,6 +55,7 @@ Examples:
   oilwedge plot bearing.toml
   oilwedge plot out/bearing --field pressure,film_fraction --width \"85 mm\"
   oilwedge plot out/map --field load,friction_power
+  oilwedge plot out/big_end out/thinner_oil
 
 Exit status: 0 done; 1 no solution, or not converged (what there is of it is drawn); 2 bad scene, folder or arguments.";
 
@@ -135,6 +142,7 @@ impl Plot {
     /// [`Failure`]: the scene or the results cannot be used, or the pictures cannot be written.
     pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
         match self.of.is_dir() {
+            _ if self.beside.is_some() => self.of_two(),
             true => self.of_folder(),
             false => self.of_scene(),
         }
@@ -162,6 +170,8 @@ impl Plot {
             Some(picture) => figures_of_film(&json, picture, &self.options())?,
             None => Vec::new(),
         };
+        let course = run.orbit.as_ref().map(OrbitCourse::of_path);
+        let figures = self.with_orbit(&run.result.title, course.as_ref(), figures);
         let orbit = run.orbit.as_ref().map(orbit_table).transpose()?;
         let picture = run.picture.map(|picture| {
             let compression = Compression::usual(&picture);
@@ -198,7 +208,12 @@ impl Plot {
                     )));
                 }
                 let picture = from_vtu(&read(&picture)?).map_err(Failure::of_file(&picture))?;
-                figures_of_film(&text(&result)?, &picture, &self.options())?
+                let json = text(&result)?;
+                let figures = figures_of_film(&json, &picture, &self.options())?;
+                let has_orbit = self.of.join(ORBIT_FILE).is_file();
+                let orbit = has_orbit.then(|| orbit_in(&self.of)).transpose()?;
+                let title = value(&json)?["title"].as_str().unwrap_or_default().to_owned();
+                self.with_orbit(&title, orbit.as_ref(), figures)
             }
             [_, true, _] => figures_of_sweep(&text(&sweep)?, &self.options())?,
             [.., true] => return self.of_study(&study),
@@ -209,6 +224,29 @@ impl Plot {
                 )));
             }
         };
+        let folder = self.out.clone().unwrap_or_else(|| self.of.clone());
+        say(&folder, written(&folder, &figures)?)
+    }
+
+    /// The pictures of an orbit, if it is one and none are selected, before others.
+    fn with_orbit(&self, title: &str, course: Option<&OrbitCourse>, figures: Figures) -> Figures {
+        let of_orbit = course
+            .filter(|_| self.fields.is_empty())
+            .map_or(Vec::new(), |course| orbit_figures(title, course, self.width));
+        of_orbit.into_iter().chain(figures).collect()
+    }
+
+    /// Two orbits side by side.
+    fn of_two(&self) -> Result<ExitCode, Failure> {
+        if !self.fields.is_empty() {
+            return Err(Failure::Message(
+                "--field: of two folders the orbits are drawn; leave out --field, or give one folder".to_owned(),
+            ));
+        }
+        let beside = self.beside.as_ref().unwrap_or(&self.of);
+        let (one, other) = (orbit_in(&self.of)?, orbit_in(beside)?);
+        let [name, other_name] = [&self.of, beside].map(|folder| folder.display().to_string());
+        let figures = orbits_beside([(&name, &one), (&other_name, &other)], self.width);
         let folder = self.out.clone().unwrap_or_else(|| self.of.clone());
         say(&folder, written(&folder, &figures)?)
     }
@@ -233,6 +271,18 @@ impl Plot {
         let folder = self.out.clone().unwrap_or_else(|| self.of.clone());
         say(&folder, written_pictures(&folder, &pictures)?)
     }
+}
+
+/// The orbit in a folder of results.
+fn orbit_in(folder: &Path) -> Result<OrbitCourse, Failure> {
+    let table = folder.join(ORBIT_FILE);
+    if !table.is_file() {
+        return Err(Failure::Message(format!(
+            "{} has no {ORBIT_FILE}: there is no orbit to draw; give folders of oilwedge solve with [orbit]",
+            folder.display()
+        )));
+    }
+    OrbitCourse::from_csv(&read(&table)?).map_err(Failure::of_file(&table))
 }
 
 /// Prints the line about the pictures.

@@ -114,6 +114,9 @@ fn balances(balances: Balances) -> String {
             part(balances.tilt)
         );
     }
+    if let Some(energy) = balances.energy {
+        line += &format!(", energy over the cycle by {} of the heat", part(energy));
+    }
     line + &temperature::imbalance(balances)
 }
 
@@ -123,9 +126,13 @@ fn orbit(facts: &OrbitFacts) -> String {
     let [closure, steps, films] = last.map_or([0.0; 3], |cycle| {
         [cycle.closure, cycle.steps as f64, cycle.films as f64]
     });
+    let earlier = match facts.earlier_cycles {
+        0 => String::new(),
+        count => format!(", {count} of them in earlier runs"),
+    };
     format!(
-        "orbit     cycle {} ended {} of the clearance from where it began; {steps} steps and {films} films in it",
-        facts.cycles.len(),
+        "orbit     cycle {}{earlier} ended {} of the clearance from where it began; {steps} steps and {films} films in it",
+        facts.earlier_cycles + facts.cycles.len(),
         significant(closure, 2)
     )
 }

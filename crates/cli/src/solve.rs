@@ -9,15 +9,19 @@ use crate::run_options::RunArguments;
 use crate::run_report::{Written, run_report};
 use crate::shown::Shown;
 use crate::terminal::{exit_code, output};
-use oilwedge_campaign::{effect_costs, standard, theories};
+use oilwedge_campaign::{effect_costs, mobility, standard, theories};
+use oilwedge_report::frames::{COLLECTION_FILE, write_frames};
+use oilwedge_report::orbit_course::OrbitCourse;
 use oilwedge_report::orbit_table::orbit_table;
 use oilwedge_report::page::film_page;
 use oilwedge_report::plot::orbit_figures;
 use oilwedge_report::result_json;
-use oilwedge_report::results::{Beside, write_results};
+use oilwedge_report::results::{Beside, earlier_orbit, write_results};
 use oilwedge_report::vtu::{Compression, to_vtu};
 use oilwedge_scene::Scene;
+use oilwedge_study::orbit::{Frame, no_map};
 use oilwedge_study::{Interrupt, RunOptions};
+use std::path::Path;
 use std::process::ExitCode;
 
 /// Arguments of `oilwedge solve`.
@@ -34,6 +38,10 @@ pub(crate) struct Solve {
     /// Compression of film.vtu; meshio does not read lz4 [default: none up to 100 000 nodes, else lz4].
     #[arg(long, value_enum, value_name = "FORM")]
     vtu: Option<Vtu>,
+
+    /// Draw so many films of the cycle of an orbit, at even crank angles: film.pvd, an animation for ParaView.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=3600))]
+    frames: Option<u32>,
 
     /// Show all quantities, not the main ones only, and the balance of heat.
     #[arg(long)]
@@ -57,6 +65,14 @@ pub(crate) struct Solve {
     /// Solve again as a short and as a long bearing, and show the error of these theories.
     #[arg(long)]
     theories: bool,
+
+    /// Begin the orbit anew; without it one that was not closed, or was ended by Ctrl-C, is continued from the results in the folder.
+    #[arg(long)]
+    fresh: bool,
+
+    /// Follow the orbit by maps of the film too, that of a short film and its own, and show their differences and times.
+    #[arg(long)]
+    mobility: bool,
 }
 
 /// How film.vtu is compressed.
@@ -90,6 +106,8 @@ Examples:
   oilwedge solve bearing.toml --cost
   oilwedge solve bearing.toml --standard
   oilwedge solve bearing.toml --theories
+  oilwedge solve big_end.toml --mobility
+  oilwedge solve big_end.toml --frames 72
   oilwedge solve bearing.toml --bars none
   oilwedge solve bearing.toml --max-seconds 600 --max-unknowns 5000000
 
@@ -112,6 +130,8 @@ impl Solve {
         };
         let options = RunOptions {
             unrolled: self.unrolled,
+            frames: self.frames.unwrap_or(0),
+            earlier: earlier_orbit(&self.run.folder(), &scene).filter(|_| !self.fresh),
             ..self.run.options(&scene, interrupt)?
         };
         let working = Progress::of(Self::task(&scene));
@@ -119,7 +139,14 @@ impl Solve {
             observer: Some(working.observer()),
             ..options
         };
+        self.check_add_ons(&scene)?;
         let run = oilwedge_study::run(&scene, &observed).map_err(Failure::of(path))?;
+        if options.earlier.is_some() && run.result.orbit.is_none() && interrupt.is_asked() {
+            return Err(Failure::Interrupted(format!(
+                "ended before the next cycle was complete; the results in {} stay those of the cycles before",
+                self.run.folder().display()
+            )));
+        }
         let mut add_ons = Vec::new();
         if self.cost {
             working.turns_to("the film without each effect");
@@ -132,6 +159,10 @@ impl Solve {
             working.turns_to("the film of a short and of a long bearing");
             add_ons.push(theories(&scene, &options, &run.result));
         }
+        if let (true, Some(path)) = (self.mobility, &run.orbit) {
+            working.turns_to("the orbit by maps of the film");
+            add_ons.push(mobility(&scene, &run.result, path)?);
+        }
         drop(working);
         let json = result_json(&run.result, &add_ons)?;
         let figures = match run.picture.as_ref().filter(|_| self.plot) {
@@ -139,7 +170,7 @@ impl Solve {
             None => Vec::new(),
         };
         let figures = match run.orbit.as_ref().filter(|_| self.plot) {
-            Some(path) => orbit_figures(&run.result.title, path, plot::usual().width)
+            Some(path) => orbit_figures(&run.result.title, &OrbitCourse::of_path(path), plot::usual().width)
                 .into_iter()
                 .chain(figures)
                 .collect(),
@@ -165,7 +196,8 @@ impl Solve {
                 orbit: orbit.as_deref(),
             },
         )?;
-        let drawn = plot::written(&folder, &figures)? + &self.page.written(&folder, page)?;
+        let animated = self.animate(&folder, run.frames)?;
+        let drawn = animated + &plot::written(&folder, &figures)? + &self.page.written(&folder, page)?;
         if let Some(plan) = &scene.sweep {
             let cases = plan.cases();
             complain::warn(&[format!(
@@ -185,6 +217,37 @@ impl Solve {
             Some(&folder),
         )?;
         Ok(exit_code(run.result.status))
+    }
+
+    /// Writes the frames of the cycle, if there are any, and says so in a line.
+    fn animate(&self, folder: &Path, frames: Vec<Frame>) -> Result<String, Failure> {
+        let Some(first) = frames.first() else {
+            return Ok(String::new());
+        };
+        let compression = (self.vtu).map_or_else(|| Compression::usual(&first.picture), Compression::from);
+        let count = frames.len();
+        write_frames(folder, frames, compression)?;
+        Ok(format!(
+            "animation {}: {count} frames\n",
+            folder.join(COLLECTION_FILE).display()
+        ))
+    }
+
+    /// Refuses what cannot stand beside the film of this scene.
+    fn check_add_ons(&self, scene: &Scene) -> Result<(), Failure> {
+        if self.frames.is_some() && scene.orbit.is_none() {
+            return Err(Failure::Message(format!(
+                "--frames: the scene {} has no [orbit], so there is no cycle to draw; leave out --frames",
+                self.run.scene.display()
+            )));
+        }
+        match no_map(scene).filter(|_| self.mobility) {
+            Some(reason) => Err(Failure::Message(format!(
+                "--mobility: no map stands for the film of {}, since {reason}; leave out --mobility",
+                self.run.scene.display()
+            ))),
+            None => Ok(()),
+        }
     }
 
     fn shown(&self) -> Shown {

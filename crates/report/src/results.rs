@@ -5,11 +5,15 @@
 
 use crate::Error;
 use crate::folder::replace;
+use crate::frames::{COLLECTION_FILE, remove_frames};
 use crate::json::result_json;
 use crate::page::PAGE_FILE;
 use crate::plot::{TEMPERATURE_FILES, temperature_to_svg, to_png};
 use oilwedge_campaign::AddOn;
+use oilwedge_scene::Scene;
+use oilwedge_study::orbit::EarlierOrbit;
 use oilwedge_study::result::RunResult;
+use serde_json::Value;
 use std::ffi::OsStr;
 use std::path::Path;
 
@@ -30,7 +34,7 @@ pub struct Beside<'a> {
     pub orbit: Option<&'a [u8]>,
 }
 
-/// Writes `result.json` and what stands beside it into the folder `dir`, which is made if need be, and the curves of a balance of heat. Files of an earlier run are replaced, and its page is removed; without a picture or curves earlier ones
+/// Writes `result.json` and what stands beside it into the folder `dir`, which is made if need be, and the curves of a balance of heat. Files of an earlier run are replaced, and its page and animation are removed; without a picture or curves earlier ones
 /// are removed, since they show another run.
 ///
 /// # Errors
@@ -47,13 +51,35 @@ pub fn write_results(dir: &Path, result: &RunResult, add_ons: &[AddOn], beside: 
     let steps = [
         (result, None),
         (PAGE_FILE.as_ref(), None),
+        (COLLECTION_FILE.as_ref(), None),
         (PICTURE_FILE.as_ref(), beside.picture),
         (ORBIT_FILE.as_ref(), beside.orbit),
         (svg_file, svg.as_deref().map(str::as_bytes)),
         (png_file, png.as_deref()),
         (result, Some(json.as_bytes())),
     ];
-    replace(dir, &steps)
+    replace(dir, &steps)?;
+    remove_frames(dir);
+    Ok(())
+}
+
+/// The orbit of this scene that a run has left in the folder `dir` before it was closed; `None` where there is none.
+pub fn earlier_orbit(dir: &Path, scene: &Scene) -> Option<EarlierOrbit> {
+    // Of a balance of heat the orbits before were those of other temperatures.
+    scene.orbit.as_ref().filter(|_| scene.heat.is_none())?;
+    let text = std::fs::read(dir.join(RESULT_FILE)).ok()?;
+    let result: Value = serde_json::from_slice(&text).ok()?;
+    let is_its_own = result["scene_sha256"] == scene.sha256.as_str() && result["version"] == env!("CARGO_PKG_VERSION");
+    let orbit = &result["orbit"];
+    if !is_its_own || orbit["closed"] != false {
+        return None;
+    }
+    let part = |k: usize| orbit["end"][k].as_f64();
+    let cycles = orbit["cycles"].as_array()?.len() as u64 + orbit["earlier_cycles"].as_u64()?;
+    Some(EarlierOrbit {
+        cycles: usize::try_from(cycles).ok()?,
+        end: [part(0)?, part(1)?, part(2)?, part(3)?],
+    })
 }
 
 #[cfg(test)]

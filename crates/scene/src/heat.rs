@@ -228,11 +228,6 @@ fn mixing(mut table: TableReader<'_>) -> Option<Mixing> {
 /// A limit stands in one place. A balance needs an oil whose viscosity falls with temperature, and a way out for the heat.
 pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
     let Some(heat) = &scene.heat else { return };
-    let (at, out) = (
-        "stands beside [orbit], which has one temperature",
-        "give oil.temperature, or remove [orbit]",
-    );
-    complaints.refuse_if(scene.orbit.is_some(), "heat", at, out);
     for key in ["film_min", "temperature_max"] {
         complaints.refuse_if(
             complaints.has(&format!("limits.{key}")) && complaints.has(&format!("heat.{key}")),

@@ -253,7 +253,10 @@ pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene 
     let engine = heat.and_then(|heat| heat.engine);
     let usual_ratio = engine.map(|engine| Engine::middle(engine.clearance_ratio()));
     let usual_pressure = engine.map(|engine| Engine::middle(engine.feed_pressure()));
+    let orbit = root.table_if_given("orbit").map(orbit::read);
     let (mesh, tolerance) = mesh::read(root.table_if_given("mesh"), path);
+    // The mesh of an orbit is not refined.
+    let tolerance = tolerance.filter(|_| orbit.is_none());
     let feeds = root.tables("feed").into_iter();
     Scene {
         title: root
@@ -274,7 +277,7 @@ pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene 
             .table_if_given("crank")
             .map(|table| crank::read(table, path, load.as_ref().and_then(|load| load.cycle.as_ref()))),
         load_cycle: load.and_then(|load| load.cycle),
-        orbit: root.table_if_given("orbit").map(orbit::read),
+        orbit,
         support: root.table_if_given("support").map(support::read),
         oil: oil::read(root.table("oil", "[oil] with viscosity = \"40 mPa.s\""), temperature),
         heat,

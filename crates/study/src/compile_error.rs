@@ -60,6 +60,11 @@ pub enum CompileError {
         "the load changes over a cycle, so no steady film carries it; add [orbit] to follow the journal, give [load] with force and angle for a steady film, or see the load alone with oilwedge load SCENE"
     )]
     NoSteadyFilm,
+    /// The load has a moment, but the tilt is not free.
+    #[error(
+        "load.file: the columns Mx and My give a moment, but the tilt of the journal is not found; add load.at = \"0 mm\" to find it where the film carries the moment, or remove both columns"
+    )]
+    UnusedMoment,
     /// There is no load over a cycle.
     #[error("{0}")]
     Duty(String),

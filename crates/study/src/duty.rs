@@ -1,9 +1,9 @@
 //! The load over a cycle that a scene describes: its tables are read, and numbers become a [`DutyCycle`].
 
 use oilwedge_bearing::duty_cycle::{
-    Crank, GasPressure, Harmonic, Linkage, LoadPoint, NoSpline, PeriodicSpline, PressureCurve, Throw, Turning,
+    Crank, GasPressure, Harmonic, Linkage, LoadPoint, NoSpline, PressureCurve, Throw, Turning,
 };
-pub use oilwedge_bearing::duty_cycle::{Duty, DutyCycle, Frame, Summary};
+pub use oilwedge_bearing::duty_cycle::{Duty, DutyCycle, Frame, PeriodicSpline, Summary};
 use oilwedge_scene::periodic_table::{TableError, read_loads, read_pressures};
 use oilwedge_scene::wording::degrees;
 use oilwedge_scene::{CrankBearing, Drive, Gas, LoadCycle, LoadFrame, LoadSource, Scene};
@@ -29,6 +29,8 @@ pub enum NoDuty {
 
 /// At how many angles of a period it is checked that a load is finite.
 const CHECKED: u32 = 1440;
+/// Crank angle [rad] of a cycle of a load that does not change: two turns.
+const CYCLE: f64 = 2.0 * std::f64::consts::TAU;
 
 /// The load over a cycle of a scene; `None`: its load does not change, or it has none.
 ///
@@ -48,11 +50,34 @@ pub fn duty_cycle(scene: &Scene) -> Result<Option<DutyCycle>, NoDuty> {
     }
 }
 
-/// Refuses a scene whose load changes over a cycle where one film is compiled: no steady film carries such a load.
+/// Refuses a scene whose load changes over a cycle where one film is compiled, for no steady film carries such a load; and one whose orbit has no usable
+/// load.
 pub(crate) fn refuse_cycle(scene: &Scene) -> Result<(), CompileError> {
-    match scene.load_cycle {
-        Some(_) if scene.orbit.is_none() => Err(CompileError::NoSteadyFilm),
-        _ => Ok(()),
+    match (&scene.load_cycle, &scene.orbit) {
+        (None, _) => Ok(()),
+        (Some(_), None) => Err(CompileError::NoSteadyFilm),
+        (Some(_), Some(_)) => load_of_orbit(scene).map(drop),
+    }
+}
+
+/// The load over a cycle of a scene with an orbit, be it constant.
+///
+/// # Errors
+/// The load cannot be computed, or has a moment though the tilt is given.
+pub(crate) fn load_of_orbit(scene: &Scene) -> Result<DutyCycle, CompileError> {
+    let Some(cycle) = duty_cycle(scene).map_err(|reason| CompileError::Duty(reason.to_string()))? else {
+        let duty = Duty {
+            force: scene.journal.load().unwrap_or_default(),
+            moment: scene.load_moment.unwrap_or_default(),
+            speed: scene.journal.speed,
+        };
+        let constant = DutyCycle::constant(duty, CYCLE, scene.journal.speed.abs());
+        return Ok(constant.acting_at(scene.load_at.unwrap_or(0.0)));
+    };
+    let has_moment = |k: u32| cycle.at(cycle.period() * f64::from(k) / f64::from(CHECKED)).moment != [0.0; 2];
+    match scene.tilting() {
+        None if (0..CHECKED).any(has_moment) => Err(CompileError::UnusedMoment),
+        _ => Ok(cycle),
     }
 }
 

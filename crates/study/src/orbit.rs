@@ -3,26 +3,41 @@
 //! | file | what |
 //! |---|---|
 //! | `orbit/start.rs` | the mesh, and where the journal begins: from an orbit on a coarser mesh |
+//! | `orbit/frame.rs` | films at even crank angles, to be drawn |
+//! | `orbit/heat.rs` | the temperature at which the mean flow carries off the mean power |
 //! | `orbit/sample.rs` | the films along the orbit, measured, with their error bars at that place and velocity |
+//! | `orbit/balances.rs` | oil and energy over the cycle |
+//! | `orbit/by_map.rs` | the same by maps of the film |
 //! | `orbit/drift.rs` | what the errors of mesh and steps do to the orbit |
 //!
 //! **Source.** `docs/theory/orbits.md`.
 
+mod balances;
+mod by_map;
 mod drift;
+mod frame;
+mod heat;
 mod sample;
 mod start;
 
-use oilwedge_bearing::duty_cycle::PeriodicSpline;
+use oilwedge_bearing::ThermalFlows;
+use oilwedge_bearing::coordinates::Vector;
 use oilwedge_bearing::orbit::{Cycle, Motion, Orbit, OrbitEnd, OrbitOptions, Span, TiltSupport};
 use oilwedge_scene::Scene;
 use serde::Serialize;
 
+use balances::CycleBalances;
+pub use by_map::{ByMap, by_maps, no_map};
+pub use frame::Frame;
+use heat::CycleHeat;
+
 use crate::compile_error::CompileError;
-use crate::duty::DutyCycle;
+use crate::duty::{DutyCycle, load_of_orbit};
+use crate::effects::Sockets;
 use crate::film::Film;
 use crate::no_answer::NoAnswer;
 use crate::quantities::cycle_view::Sample;
-use crate::quantities::{CycleView, Quantity, Row, over_cycle};
+use crate::quantities::{CycleView, Quantity, over_cycle};
 use crate::run_options::RunOptions;
 use crate::solved::Solved;
 
@@ -35,8 +50,21 @@ pub struct OrbitFacts {
     pub tolerance: f64,
     /// Whether the last two cycles agree.
     pub closed: bool,
+    /// Complete cycles of earlier runs that were continued.
+    pub earlier_cycles: usize,
     /// The cycles.
     pub cycles: Vec<CycleFacts>,
+    /// Where the last cycle ended, over the clearance [1]: offset, and slopes times half of the bearing's length where the tilt is free.
+    pub end: [f64; 4],
+}
+
+/// An orbit that an earlier run has left before it was closed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EarlierOrbit {
+    /// Its complete cycles.
+    pub cycles: usize,
+    /// Where the last of them ended, over the clearance [1], as in [`OrbitFacts::end`].
+    pub end: [f64; 4],
 }
 
 /// One cycle, as results have it.
@@ -70,21 +98,6 @@ pub struct OrbitPath {
 }
 
 impl OrbitPath {
-    /// A number over the crank angle [deg] on a smooth curve through its films; nothing where a film has none.
-    pub fn curve(&self, row: &Row) -> Vec<[f64; 2]> {
-        const POINTS: u32 = 720;
-        let Some((end, angles)) = self.crank_angles.split_last() else {
-            return Vec::new();
-        };
-        let value = |quantities: &Vec<Quantity>| Some([quantities.iter().find(|quantity| quantity.row == row)?.value]);
-        let values: Option<Vec<[f64; 1]>> = self.quantities[..angles.len()].iter().map(value).collect();
-        let spline = values.and_then(|values| PeriodicSpline::new(angles.to_vec(), values, *end).ok());
-        let angle = |k: u32| end * f64::from(k) / f64::from(POINTS);
-        spline.map_or(Vec::new(), |spline| {
-            (0..=POINTS).map(|k| [angle(k), spline.at(angle(k))[0]]).collect()
-        })
-    }
-
     /// Offsets of the journal [m] at a crank angle [deg]; none outside of the cycle.
     pub fn place(&self, crank_angle: f64) -> Option<[f64; 4]> {
         let next = self.crank_angles.partition_point(|angle| *angle <= crank_angle);
@@ -105,8 +118,18 @@ pub(crate) struct Followed {
     pub(crate) facts: OrbitFacts,
     /// The last cycle.
     pub(crate) path: OrbitPath,
+    /// Films of the cycle, drawn.
+    pub(crate) frames: Vec<Frame>,
     /// Greatest residual of the equation of motion, over the peak of the load [1].
     pub(crate) residual: f64,
+    /// Oil and energy over the cycle.
+    pub(crate) balances: CycleBalances,
+    /// Mean of what heats and what cools the films; none without a balance of heat.
+    pub(crate) flows: Option<ThermalFlows>,
+    /// How the temperature was found; none where it is given.
+    pub(crate) heat: Option<CycleHeat>,
+    /// Where the last cycle ended [m].
+    pub(crate) begin: Vector,
     /// How it ended.
     pub(crate) end: OrbitEnd,
     /// Seconds of the integration, and of measuring.
@@ -122,28 +145,44 @@ pub(crate) fn follow(
     model: &oilwedge_scene::Orbit,
     options: &RunOptions,
 ) -> Result<(Film, Result<Followed, NoAnswer>), CompileError> {
-    let deadline = options.deadline();
-    let cycle = start::load_over_cycle(scene)?;
-    let (film, begin) = start::prepared(scene, model, &cycle, deadline)?;
+    let cycle = load_of_orbit(scene)?;
+    if let Some(thermal) = Sockets::of(scene).thermal {
+        return heat::balanced(scene, model, thermal, &cycle, options);
+    }
+    let (film, begin) = start::prepared(scene, model, &cycle, options.deadline())?;
+    let clearance = film.problem.bearing.clearance;
+    let begin = options
+        .earlier
+        .map_or(begin, |earlier| earlier.end.map(|part| clearance * part));
+    let outcome = followed(&film, (scene, model, &cycle), begin, options);
+    Ok((film, outcome))
+}
+
+/// Follows the orbit of a film from the offsets `begin` [m], and measures it.
+fn followed(
+    film: &Film,
+    (scene, model, cycle): (&Scene, &oilwedge_scene::Orbit, &DutyCycle),
+    begin: Vector,
+    options: &RunOptions,
+) -> Result<Followed, NoAnswer> {
     let clock = std::time::Instant::now();
-    let motion = motion(&film, scene, model, &cycle);
+    let motion = motion(film, scene, model, cycle);
     let orbit_options = OrbitOptions {
         tolerance: model.tolerance,
         closure: model.closure,
         cycles: model.cycles,
-        deadline,
+        deadline: options.deadline(),
         observer: options
             .observer
             .map(|observer| observer as &dyn oilwedge_bearing::orbit::OrbitObserver),
     };
-    let outcome = motion.orbit(begin, &orbit_options).map_err(NoAnswer::Orbit);
+    let orbit = motion.orbit(begin, &orbit_options).map_err(NoAnswer::Orbit)?;
     let integrating = clock.elapsed().as_secs_f64();
-    let followed = outcome.and_then(|orbit| measured(&film, &motion, model, orbit, options));
-    let followed = followed.map(|followed| Followed {
+    let followed = measured(film, &motion, model, orbit, options)?;
+    Ok(Followed {
         seconds: [integrating, clock.elapsed().as_secs_f64() - integrating],
         ..followed
-    });
-    Ok((film, followed))
+    })
 }
 
 /// The equation of motion of a scene's journal on a film.
@@ -174,6 +213,8 @@ fn measured(
     drift::carry(&steps, &mut samples, end);
     let path: Vec<Span> = steps.windows(2).map(|pair| Span::between(&pair[0], &pair[1])).collect();
     let (_, peak) = motion.cycle.summary().peak;
+    let balances = balances::balances(motion, &path, &samples);
+    let flows = balances::mean_flows(&samples);
     let samples: Vec<Sample> = samples.into_iter().map(|sampled| sampled.sample).collect();
     let view = CycleView {
         samples: &samples,
@@ -187,14 +228,20 @@ fn measured(
     let last = path.last().copied();
     let span = path.iter().find(|span| span.times[1] >= thinnest_at).copied().or(last);
     let solved = sample::solved_at(film, motion, span, thinnest_at, options.errors())?;
+    let frames = frame::frames(film, motion, &path, options)?;
     let clearance = film.problem.bearing.clearance;
     Ok(Followed {
         solved,
+        frames,
         quantities: over_cycle(&view),
         facts: OrbitFacts {
             period_deg: motion.cycle.period().to_degrees(),
             tolerance: model.tolerance,
             closed: end == OrbitEnd::Closed,
+            earlier_cycles: options.earlier.map_or(0, |earlier| earlier.cycles),
+            end: steps
+                .last()
+                .map_or([0.0; 4], |step| step.at.map(|part| part / clearance)),
             cycles: cycles.iter().map(|cycle| facts(cycle, clearance)).collect(),
         },
         path: OrbitPath {
@@ -212,6 +259,10 @@ fn measured(
             spans: path,
         },
         residual: steps.iter().map(|step| step.residual).fold(0.0, f64::max),
+        balances,
+        flows,
+        heat: None,
+        begin: steps.last().map_or([0.0; 4], |step| step.at),
         end,
         seconds: [0.0; 2],
     })

@@ -112,7 +112,7 @@ impl fmt::Display for Limit {
             ),
             Self::NotClosed(cycles, closure) => write!(
                 out,
-                "not closed after {cycles} {}: the last one ended {closure:.1e} of the clearance from where it began; give orbit.cycles a higher limit, or orbit.closure",
+                "not closed after {cycles} {}: the last one ended {closure:.1e} of the clearance from where it began; the same command goes on from there, or give orbit.cycles a higher limit, or orbit.closure",
                 if *cycles == 1 { "cycle" } else { "cycles" }
             ),
             Self::Orbit(cycles, closure, cause) => ended(

@@ -88,6 +88,9 @@ pub struct Balances {
     /// Heat of friction less what is carried off, relative to it; zero where the temperature is given.
     #[serde(rename = "heat")]
     pub thermal: f64,
+    /// Over the cycle of an orbit: what turns the journal and the work of the load, less the heat, relative to the heat; absent in JSON without an orbit.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub energy: Option<f64>,
 }
 
 /// One step of the iteration.

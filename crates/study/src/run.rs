@@ -15,7 +15,7 @@ use crate::effects::Effects;
 use crate::estimate::{Estimated, estimate_errors};
 use crate::film::{DEGREE, Film};
 use crate::no_answer::NoAnswer;
-use crate::orbit::{Followed, OrbitFacts, OrbitPath, follow};
+use crate::orbit::{Followed, Frame, OrbitFacts, OrbitPath, follow};
 use crate::picture::{FilmPicture, picture};
 use crate::quantities::left_over;
 use crate::reasons::Limit;
@@ -39,6 +39,8 @@ pub struct Run {
     pub picture: Option<FilmPicture>,
     /// The path of the journal over the last cycle; `None` where no orbit was followed.
     pub orbit: Option<OrbitPath>,
+    /// Films of that cycle as they were asked for.
+    pub frames: Vec<Frame>,
 }
 
 /// Computes the film of a scene. A film that does not exist or is not reached is a result, with its reason.
@@ -81,6 +83,7 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, CompileError> {
         result,
         picture,
         orbit: None,
+        frames: Vec::new(),
     })
 }
 
@@ -96,6 +99,7 @@ fn on_orbit(scene: &Scene, orbit: &oilwedge_scene::Orbit, options: &RunOptions) 
                 result,
                 picture: None,
                 orbit: None,
+                frames: Vec::new(),
             });
         }
     };
@@ -117,6 +121,10 @@ fn on_orbit(scene: &Scene, orbit: &oilwedge_scene::Orbit, options: &RunOptions) 
     result.quantities = followed.quantities;
     result.counts.position_steps = films;
     result.balances.force = followed.residual;
+    result.balances.mass = followed.balances.mass;
+    result.balances.energy = followed.balances.energy;
+    result.balances.thermal = followed.heat.map_or(0.0, |heat| heat.left_over);
+    result.counts.temperature_steps = followed.heat.map_or(0, |heat| heat.steps);
     let [integrate, measure] = followed.seconds;
     result
         .timing_s
@@ -131,6 +139,7 @@ fn on_orbit(scene: &Scene, orbit: &oilwedge_scene::Orbit, options: &RunOptions) 
         result,
         picture: Some(picture),
         orbit: Some(followed.path),
+        frames: followed.frames,
     })
 }
 
@@ -223,6 +232,7 @@ fn report(scene: &Scene, (solved, estimated): (&Solved, Estimated), options: &Ru
         force: solved.balance.map_or(0.0, |balance| balance.parts[0]),
         tilt: solved.balance.map_or(0.0, |balance| balance.parts[1]),
         thermal: left_over(&estimated.quantities),
+        energy: None,
     };
     result.dynamics = DynamicsReport::of(&solved.film, &estimated.measured);
     let clock = Instant::now();

@@ -5,6 +5,7 @@ use oilwedge_bearing::{Deadline, Interrupt};
 use oilwedge_scene::Scene;
 
 use crate::observer::RunObserver;
+use crate::orbit::EarlierOrbit;
 use crate::picture::Surface;
 use crate::reasons::Cause;
 use crate::solved::Errors;
@@ -20,6 +21,10 @@ pub struct RunOptions {
     pub max_seconds: f64,
     /// No mesh of that refinement after the first has more unknowns.
     pub max_unknowns: usize,
+    /// Films of the cycle of an orbit that are drawn, at even crank angles; none where no orbit is followed.
+    pub frames: u32,
+    /// An orbit that an earlier run has left, which is continued; `None`: it begins anew.
+    pub earlier: Option<EarlierOrbit>,
     /// Ends them as well.
     pub interrupt: Interrupt,
     /// Notified of each mesh, position and temperature.
@@ -76,6 +81,8 @@ impl Default for RunOptions {
             bars: true,
             max_seconds: 60.0,
             max_unknowns: 1_000_000,
+            frames: 0,
+            earlier: None,
             interrupt: Interrupt::default(),
             observer: None,
         }

@@ -26,8 +26,9 @@ pub mod flows;
 mod search;
 
 pub use curve::temperature_report;
+pub(crate) use search::Left;
 pub use search::solve;
-use search::{Kind, Left, ROUGHLY, Search};
+use search::{Kind, ROUGHLY, Search};
 
 /// Edges of the mesh on which the temperature is sought first, over those of the first mesh of the scene,
 const COARSE: f64 = 3.0;
@@ -50,7 +51,7 @@ fn measured(solved: &Solved) -> Measured {
 }
 
 /// Why there is no temperature, in words.
-fn none(balance: &ThermalBalance, reason: NoBalance<Left>) -> NoAnswer {
+pub(crate) fn none(balance: &ThermalBalance, reason: NoBalance<Left>) -> NoAnswer {
     let watts = |film: &ThermalFlows, t: f64| {
         let off = balance.carried(t, film) + balance.given_off(t);
         format!(

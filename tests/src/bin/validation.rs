@@ -1,14 +1,19 @@
-//! `validation`: writes the computed tables and figures of the pages in `docs` anew.
+//! `validation [PART..]`: writes the computed tables and figures of the pages in `docs` anew; or those of pages in whose names a part is.
 
 use oilwedge_tests::program::repository;
 use oilwedge_tests::short_crankshaft::{figures, page};
 use oilwedge_tests::{
-    cavitation_page, docs_images, engine_bearings, flexpde_study, mesh_page, quantities_page, scene_page,
+    cavitation_page, docs_images, engine_bearings, flexpde_study, mesh_page, orbits_page, quantities_page, scene_page,
 };
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let docs = repository().join("docs");
+    let parts: Vec<String> = std::env::args().skip(1).collect();
+    let is_wanted = |name: &str| parts.is_empty() || parts.iter().any(|part| name.contains(part.as_str()));
     let write = |name: &str, page: &dyn Fn(&str) -> String| {
+        if !is_wanted(name) {
+            return Ok(());
+        }
         let path = docs.join(name);
         let written = std::fs::read_to_string(&path)?;
         std::fs::write(&path, page(&written))
@@ -19,6 +24,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     write("theory/cavitation.md", &cavitation_page::page)?;
     write("howto/mesh.md", &mesh_page::page)?;
     write("validation/engine_bearings.md", &engine_bearings::page)?;
+    write("validation/orbits.md", &orbits_page::page)?;
+    if !parts.is_empty() {
+        return Ok(());
+    }
     let study = page::Study::solved();
     write("validation/short_bearing.md", &|text| page::page_of(text, &study))?;
     let folder = docs.join("validation/short_bearing");

@@ -1,5 +1,8 @@
 //! Orbits of the journal against closed solutions and the numbers of a second code.
 
+mod big_end;
 mod finite;
+mod loads;
+mod mobility;
 mod scene;
 mod short;

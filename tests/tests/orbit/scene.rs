@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use oilwedge_scene::SceneError;
+use oilwedge_study::orbit::EarlierOrbit;
 use oilwedge_study::quantities::*;
 use oilwedge_study::result::Status;
 use oilwedge_study::{RunOptions, parse, read, run};
@@ -143,4 +144,108 @@ fn what_has_no_orbit_is_refused() {
             }
         }
     }
+}
+
+/// With a balance of heat the mean flow carries off the mean power, and all bars know that of the temperature.
+#[test]
+fn one_temperature_balances_the_heat_of_a_cycle() {
+    let text = SCENE.replace(
+        "oil.viscosity = \"10 mPa.s\"",
+        "oil.grade = \"SAE 30\"\nheat.inlet = \"70 C\"",
+    );
+    let scene = parsed(&text).expect("a scene");
+    let found = run(&scene, &RunOptions::default()).expect("an orbit");
+    let result = &found.result;
+    assert_eq!(result.status, Status::Converged, "{:?}", result.reason);
+    let number = |row: &Row| {
+        let quantity = result.quantity(row).expect(row.name);
+        (quantity.value, quantity.error().expect(row.name))
+    };
+    let (temperature, bar) = number(&CYCLE_TEMPERATURE);
+    let (outlet, _) = number(&CYCLE_TEMPERATURE_OUTLET);
+    let (power, flow) = (number(&CYCLE_POWER_LOSS).0, number(&CYCLE_COOLING_FLOW).0);
+    assert!(temperature > 71.0 && bar > 0.0 && bar < 1.0, "{temperature} {bar}");
+    // The usual heat capacity of oil, 1.8 MJ/(m3 K); fresh oil, so that the mean is midway.
+    let carried = 1.8e6 * flow * (outlet - 70.0);
+    assert!((carried / power - 1.0).abs() < 1e-3, "{carried} {power}");
+    assert!(
+        (outlet - 70.0 - 2.0 * (temperature - 70.0)).abs() < 1e-9,
+        "{outlet} {temperature}"
+    );
+    assert!(result.balances.thermal < 1e-3, "{:?}", result.balances);
+    let parts = result
+        .quantity(&CYCLE_FILM_THICKNESS_MIN)
+        .and_then(|it| it.bar)
+        .expect("a bar");
+    assert!(parts.temperature > 0.0);
+    // As warm a film without the balance is the same.
+    let given = text.replace(
+        "heat.inlet = \"70 C\"",
+        &format!("oil.temperature = \"{temperature} C\""),
+    );
+    let given = run(&parsed(&given).expect("a scene"), &RunOptions::default())
+        .expect("an orbit")
+        .result;
+    let (alone, balanced) = (given.quantity(&CYCLE_POWER_LOSS).expect("a power").value, power);
+    assert!((alone / balanced - 1.0).abs() < 1e-3, "{alone} {balanced}");
+}
+
+/// An orbit that was not closed goes on where it ended.
+#[test]
+fn an_orbit_is_continued() {
+    let one = parsed(&SCENE.replace("cycles = 5", "cycles = 1, closure = 1e-6")).expect("a scene");
+    let first = run(&one, &RunOptions::default()).expect("an orbit").result;
+    let facts = first.orbit.expect("an orbit");
+    let options = RunOptions {
+        earlier: Some(EarlierOrbit {
+            cycles: facts.cycles.len(),
+            end: facts.end,
+        }),
+        ..RunOptions::default()
+    };
+    let second = run(&one, &options).expect("an orbit").result.orbit.expect("an orbit");
+    let two = parsed(&SCENE.replace("cycles = 5", "cycles = 2, closure = 1e-6")).expect("a scene");
+    let both = run(&two, &RunOptions::default())
+        .expect("an orbit")
+        .result
+        .orbit
+        .expect("an orbit");
+    assert_eq!(second.earlier_cycles, 1);
+    let apart = (0..2).map(|k| (second.end[k] - both.end[k]).abs()).fold(0.0, f64::max);
+    assert!(apart < 1e-4, "{apart}");
+    assert!(
+        second.cycles[0].closure < 0.1 * facts.cycles[0].closure,
+        "{second:?} {facts:?}"
+    );
+}
+
+/// Frames stand at even crank angles, with the axis of the journal where the path has it.
+#[test]
+fn a_cycle_is_drawn_film_by_film() {
+    let scene = parsed(SCENE).expect("a scene");
+    let options = RunOptions {
+        bars: false,
+        frames: 4,
+        ..RunOptions::default()
+    };
+    let found = run(&scene, &options).expect("an orbit");
+    let path = found.orbit.expect("a path");
+    assert_eq!(found.frames.len(), 4);
+    for (frame, angle) in found.frames.iter().zip([0.0, 90.0, 180.0, 270.0]) {
+        assert!((frame.crank_angle - angle).abs() < 1e-9);
+        let (_, axis) = frame
+            .picture
+            .lines
+            .iter()
+            .find(|(name, _)| name == "journal_axis")
+            .expect("an axis");
+        let [x, y, ..] = path.place(angle).expect("a place");
+        let [from, to] = axis[0];
+        assert!(
+            (from[0] - x).hypot(from[1] - y) < 1e-9 && (to[2] - from[2] - 0.025).abs() < 1e-12,
+            "{axis:?}"
+        );
+    }
+    let without = run(&scene, &RunOptions { frames: 0, ..options }).expect("an orbit");
+    assert!(without.frames.is_empty());
 }

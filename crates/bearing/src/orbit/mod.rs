@@ -19,3 +19,4 @@ mod step;
 pub use march::{Cycle, NoOrbit, Orbit, OrbitEnd, OrbitObserver, OrbitOptions};
 pub use motion::{Instant, Motion, TiltSupport};
 pub use path::{Span, Step};
+pub(crate) use scheme::{COEFFICIENTS, DIAGONAL, EMBEDDED, ERROR_POWER, NODES, STAGES};

@@ -48,8 +48,11 @@ pub struct Convergence {
 /// there is no film is a result, with its reason.
 ///
 /// # Errors
-/// The mesh cannot be read or does not fit the scene, or the goal is zero: [`Error::NothingToConverge`].
+/// The mesh cannot be read or does not fit the scene, the goal is zero ([`Error::NothingToConverge`]), or the scene has an orbit ([`Error::Orbit`]).
 pub fn converge(scene: &Scene, budget: &Budget, observer: &mut dyn Observer) -> Result<Convergence, Error> {
+    if scene.orbit.is_some() {
+        return Err(Error::Orbit);
+    }
     let goal = main_quantity(scene).name;
     let report = blank(scene, budget, goal);
     let first = match first_mesh::first_mesh(scene, budget.deadline(true))? {

@@ -36,6 +36,7 @@ pub(crate) fn example() -> RunResult {
             force: 0.0,
             tilt: 0.0,
             thermal: 0.0,
+            energy: None,
         },
         regime: None,
         orbit: None,

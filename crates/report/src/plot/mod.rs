@@ -23,7 +23,7 @@ pub use files::{CONVERGENCE, PLOT_FOLDER, PlotOptions, Unknown, figures_of_sweep
 pub use film::DrawnFilm;
 pub(crate) use film::drawn_fields;
 pub use load::load_figures;
-pub use orbit::orbit_figures;
+pub use orbit::{orbit_figures, orbits_beside};
 pub(crate) use sample::{Finder, InTriangle};
 pub(crate) use sweep::{Cases, quantity_names};
 pub(crate) use temperature::BALANCE;

@@ -3,30 +3,30 @@
 use std::f64::consts::TAU;
 
 use oilwedge_drawing::{
-    BLACK, BLUE, Chart, Colour, Figure, GREEN, GREY, GRID, Kind, Label, Mark, Note, Series, VERMILION, charts_figure,
-    number,
+    BLACK, BLUE, Chart, Colour, Figure, GREEN, GREY, GRID, Kind, Label, Mark, Note, Series, Stroke, VERMILION,
+    charts_figure, number,
 };
-use oilwedge_study::orbit::OrbitPath;
-use oilwedge_study::quantities::{FILM_THICKNESS_MIN, FRICTION_POWER, PRESSURE_MAX, Row};
+
+use crate::orbit_course::OrbitCourse;
 
 /// Crank angles that are marked on the path [deg].
 const MARKED: f64 = 60.0;
-/// Points of the path between two films.
-const POINTS: u32 = 12;
 /// Rings of the circle of the clearance.
 const RINGS: [f64; 4] = [0.25, 0.5, 0.75, 1.0];
+/// Axes of the numbers of [`crate::orbit_course::DRAWN`], their units, and their colours.
+const OVER_ANGLE: [(&str, f64, Colour); 3] = [
+    ("least film thickness, um", 1e6, BLUE),
+    ("greatest pressure, MPa", 1e-6, VERMILION),
+    ("power that turns the journal, W", 1.0, GREEN),
+];
 
 /// The pictures of an orbit by name; `title` is that of the scene.
-pub fn orbit_figures(title: &str, path: &OrbitPath, width: f64) -> Vec<(String, Figure)> {
-    let charts = [
-        over_cycle(path, &FILM_THICKNESS_MIN, 1e6, "least film thickness, um", BLUE),
-        over_cycle(path, &PRESSURE_MAX, 1e-6, "greatest pressure, MPa", VERMILION),
-        over_cycle(path, &FRICTION_POWER, 1.0, "power that turns the journal, W", GREEN),
-    ];
+pub fn orbit_figures(title: &str, course: &OrbitCourse, width: f64) -> Vec<(String, Figure)> {
+    let charts = over_angle(&[("", course)]);
     vec![
         (
             "orbit".to_owned(),
-            charts_figure(&format!("Orbit: {title}"), &[circle(path)], 1, width),
+            charts_figure(&format!("Orbit: {title}"), &[circle("", course)], 1, width),
         ),
         (
             "orbit_by_angle".to_owned(),
@@ -35,9 +35,21 @@ pub fn orbit_figures(title: &str, path: &OrbitPath, width: f64) -> Vec<(String, 
     ]
 }
 
+/// The pictures of two orbits side by side, each with the title of its scene.
+pub fn orbits_beside(courses: [(&str, &OrbitCourse); 2], width: f64) -> Vec<(String, Figure)> {
+    let circles = courses.map(|(title, course)| circle(title, course));
+    vec![
+        ("orbits".to_owned(), charts_figure("Two orbits", &circles, 2, width)),
+        (
+            "orbits_by_angle".to_owned(),
+            charts_figure("Two films over the cycle", &over_angle(&courses), 1, width),
+        ),
+    ]
+}
+
 /// The path of the journal's centre in the circle of the clearance.
-fn circle(path: &OrbitPath) -> Chart {
-    let mut chart = Chart::new("", Label::default(), Label::default());
+fn circle(title: &str, course: &OrbitCourse) -> Chart {
+    let mut chart = Chart::new(title, Label::default(), Label::default());
     chart.kind = Kind::Drawing;
     let point = |radius: f64, turn: f64| [radius * (TAU * turn).cos(), radius * (TAU * turn).sin()];
     for radius in RINGS {
@@ -60,25 +72,15 @@ fn circle(path: &OrbitPath) -> Chart {
             colour: GREY,
         });
     }
-    let times = path.spans.iter().flat_map(|span| {
-        let [from, to] = span.times;
-        (0..POINTS).map(move |k| (span, from + (to - from) * f64::from(k) / f64::from(POINTS)))
-    });
-    let offset = |[x, y, ..]: [f64; 4]| [x / path.clearance, y / path.clearance];
-    let mut curve: Vec<[f64; 2]> = times.map(|(span, time)| offset(span.at(time))).collect();
-    curve.extend(path.offsets.last());
-    chart.series.push(Series::line("", VERMILION, curve));
-    let period = path.crank_angles.last().copied().unwrap_or(0.0);
+    chart.series.push(Series::line("", VERMILION, course.path()));
     let marks = (0..)
         .map(|k| MARKED * f64::from(k))
-        .take_while(|mark| *mark < period - 1e-9);
-    let mut points = Vec::new();
-    for mark in marks {
-        let Some(at) = path.place(mark) else { continue };
-        let at = offset(at);
-        points.push(at);
+        .take_while(|mark| *mark < course.period() - 1e-9);
+    let marks: Vec<f64> = marks.collect();
+    let points = course.places(marks.iter().copied());
+    for (mark, at) in marks.into_iter().zip(&points) {
         chart.notes.push(Note {
-            at: [0.93 * at[0], 0.93 * at[1]],
+            at: at.map(|part| 0.93 * part),
             label: number(mark, 1.0),
             colour: BLACK,
         });
@@ -88,10 +90,22 @@ fn circle(path: &OrbitPath) -> Chart {
     chart
 }
 
-/// A number over the crank angle.
-fn over_cycle(path: &OrbitPath, row: &Row, unit: f64, name: &str, colour: Colour) -> Chart {
-    let mut chart = Chart::new("", Label::plain("crank angle, deg"), Label::plain(name));
-    let points = path.curve(row).into_iter().map(|[angle, value]| [angle, unit * value]);
-    chart.series = vec![Series::line("", colour, points.collect())];
-    chart
+/// The numbers of films over the crank angle, a chart each; of two orbits the second is dashed.
+fn over_angle(courses: &[(&str, &OrbitCourse)]) -> Vec<Chart> {
+    let chart = |(which, (name, unit, colour)): (usize, (&str, f64, Colour))| {
+        let mut chart = Chart::new("", Label::plain("crank angle, deg"), Label::plain(name));
+        for (number, (title, course)) in courses.iter().enumerate() {
+            let points = course
+                .curve(which)
+                .into_iter()
+                .map(|[angle, value]| [angle, unit * value]);
+            let line = Series::line(title, if number == 0 { colour } else { BLACK }, points.collect());
+            chart.series.push(match number {
+                0 => line,
+                _ => line.stroked(Stroke::Dashed),
+            });
+        }
+        chart
+    };
+    OVER_ANGLE.into_iter().enumerate().map(chart).collect()
 }

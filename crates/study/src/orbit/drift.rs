@@ -25,7 +25,7 @@ pub(super) fn carry(steps: &[Step], samples: &mut [Sampled], end: OrbitEnd) {
     for _ in 0..rounds {
         for number in 0..samples.len() {
             let before = number.checked_sub(1).map(|before| samples[before].sample.time);
-            let Sampled { sample, tangents } = &mut samples[number];
+            let Sampled { sample, tangents, .. } = &mut samples[number];
             let Some(tangents) = tangents else { return };
             if let Some(before) = before {
                 let dt = sample.time - before;

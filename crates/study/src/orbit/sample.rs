@@ -2,7 +2,8 @@
 
 use oilwedge_bearing::coordinates::{Vector, moved, unit};
 use oilwedge_bearing::orbit::{Instant, Motion, Span, Step};
-use oilwedge_bearing::{InitialGuess, Stiffness};
+use oilwedge_bearing::{InitialGuess, Stiffness, ThermalFlows};
+use oilwedge_reynolds::quantities::power::Power;
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmSolution, JournalChange};
 use rayon::prelude::*;
@@ -15,6 +16,7 @@ use crate::no_answer::NoAnswer;
 use crate::quantities::cycle_view::Sample;
 use crate::quantities::{PRESSURE_MAX, Quantity, View, measured};
 use crate::solved::{Errors, SolveOptions, Solved};
+use crate::thermal::flows::thermal_flows;
 
 /// Films that are solved one after the other, each started from the one before; groups of them run side by side.
 const GROUP: usize = 8;
@@ -30,6 +32,12 @@ pub(super) struct Sampled {
     pub(super) sample: Sample,
     /// What errors need; none where they are not estimated.
     pub(super) tangents: Option<Tangents>,
+    /// Its powers [W].
+    pub(super) power: Power,
+    /// Oil that enters less oil that leaves, over the oil that passes [1].
+    pub(super) imbalance: f64,
+    /// What heats and what cools it; none without a balance of heat.
+    pub(super) flows: Option<ThermalFlows>,
 }
 
 /// How a film answers to a journal elsewhere.
@@ -164,6 +172,8 @@ fn sample(film: &Film, motion: &Motion, instant: Instant, errors: Errors) -> Res
     let solved = isothermal(&here, &options)?;
     let estimated = estimate_errors(&solved);
     let quantities = estimated.quantities;
+    let flows = (film.thermal.as_ref()).map(|model| thermal_flows(model, &here, &estimated.measured));
+    let (power, imbalance) = (estimated.measured.power, estimated.measured.flows.imbalance);
     let tangents = match tangents {
         None => None,
         Some((stiffness, damping)) => {
@@ -186,7 +196,14 @@ fn sample(film: &Film, motion: &Motion, instant: Instant, errors: Errors) -> Res
         quantities,
         drift: Vec::new(),
     };
-    Ok((Sampled { sample, tangents }, solved.solution))
+    let sampled = Sampled {
+        sample,
+        tangents,
+        power,
+        imbalance,
+        flows,
+    };
+    Ok((sampled, solved.solution))
 }
 
 /// Force of the film by which the orbit was followed.

@@ -2,19 +2,17 @@
 
 use oilwedge_bearing::Deadline;
 use oilwedge_bearing::coordinates::Vector;
-use oilwedge_bearing::duty_cycle::{Duty, DutyCycle};
+use oilwedge_bearing::duty_cycle::DutyCycle;
+use oilwedge_bearing::mobility::{ShortMap, Travel};
 use oilwedge_bearing::orbit::{Motion, Orbit, OrbitOptions};
 use oilwedge_scene::Scene;
 
-use super::motion;
+use super::{motion, no_map};
 use crate::compile::compile_near;
 use crate::compile_error::CompileError;
-use crate::duty::duty_cycle;
 use crate::film::Film;
 use crate::position::Position;
 
-/// Crank angle of a cycle of a load that does not change: two turns.
-const CYCLE: f64 = 2.0 * std::f64::consts::TAU;
 /// The first mesh is that for an orbit with this greatest eccentricity; where the orbit on its coarser mesh leads elsewhere, another one is drawn if
 /// its edges differ by this factor.
 const USUAL: f64 = 0.93;
@@ -26,23 +24,6 @@ const ROUGH: f64 = 2e-2;
 const ROUGH_CYCLES: usize = 2;
 /// Where that one begins: eccentricity towards the load.
 const FIRST: f64 = 0.3;
-
-/// The load over a cycle of a scene, be it constant.
-///
-/// # Errors
-/// The load cannot be computed.
-pub(super) fn load_over_cycle(scene: &Scene) -> Result<DutyCycle, CompileError> {
-    let cycle = duty_cycle(scene).map_err(|reason| CompileError::Duty(reason.to_string()))?;
-    let constant = || {
-        let duty = Duty {
-            force: scene.journal.load().unwrap_or_default(),
-            moment: scene.load_moment.unwrap_or_default(),
-            speed: scene.journal.speed,
-        };
-        DutyCycle::constant(duty, CYCLE, scene.journal.speed.abs()).acting_at(scene.load_at.unwrap_or(0.0))
-    };
-    Ok(cycle.unwrap_or_else(constant))
-}
 
 /// The film of an orbit on a mesh that resolves it, and the offsets [m] at which it begins.
 ///
@@ -76,7 +57,11 @@ pub(super) fn prepared(
     Ok((film, begin))
 }
 
-fn on_mesh_for(scene: &Scene, eccentricity: f64) -> Result<Film, CompileError> {
+/// A film whose mesh is fine enough all around for an eccentricity.
+///
+/// # Errors
+/// The scene does not become a film.
+pub(super) fn on_mesh_for(scene: &Scene, eccentricity: f64) -> Result<Film, CompileError> {
     let position = Position {
         eccentricity,
         min_film_angle: 0.0,
@@ -103,21 +88,38 @@ fn rough(
         system: &coarser.system,
         ..fine
     };
+    // Where a map leads to the orbit one cycle is enough.
+    let by_map = no_map(scene).is_none().then(|| by_short_map(film, cycle)).flatten();
     let options = OrbitOptions {
         tolerance: ROUGH,
         closure: model.closure,
-        cycles: ROUGH_CYCLES,
+        cycles: if by_map.is_some() { 1 } else { ROUGH_CYCLES },
         deadline,
         observer: None,
     };
     let bearing = &film.problem.bearing;
-    let orbit = motion.orbit(first(cycle, bearing.clearance), &options).ok()?;
+    let begin = by_map.unwrap_or(first(cycle, bearing.clearance));
+    let orbit = motion.orbit(begin, &options).ok()?;
     let gaps = orbit.steps.iter().map(|step| {
         let journal = motion.coordinates().placed(&film.problem.journal, step.at);
         bearing.least_gap(&journal)
     });
     let greatest = 1.0 - gaps.fold(f64::INFINITY, f64::min) / bearing.clearance;
     Some((orbit, greatest.clamp(0.0, GREATEST)))
+}
+
+/// Where the orbit by the short-film map begins [m]; `None` where it leads nowhere.
+fn by_short_map(film: &Film, cycle: &DutyCycle) -> Option<Vector> {
+    let bearing = film.problem.bearing;
+    let travel = Travel {
+        map: &ShortMap,
+        bearing,
+        viscosity: film.problem.lubricant.viscosity,
+        cycle,
+    };
+    let [x, y, ..] = first(cycle, bearing.clearance);
+    let orbit = travel.orbit([x, y], ROUGH, ROUGH, ROUGH_CYCLES)?;
+    Some(orbit.steps.last()?.at)
 }
 
 /// A place towards the first load [m].

@@ -1,6 +1,7 @@
 //! Numbers of a cycle: extremes and means over an orbit.
 
 use oilwedge_reynolds::error_bar::Bar;
+use oilwedge_scene::Scene;
 
 use super::cycle_view::{At, CycleView, Judged};
 use super::row::{Headline, Measure::OverCycle, Row};
@@ -66,10 +67,31 @@ rows! {
     CYCLE_SIDE_FLOW = "cycle_side_flow", "Q_s", CubicMetrePerSecond, "mean oil that leaves at both ends":
         OverCycle(|cycle| mean(cycle, &SIDE_FLOW)),
         ErrorRule::OverCycle(MEAN), headline(Headline::Always(9));
+
+    /// `t_m`: one temperature for all films of the cycle, at which the mean flow carries off the mean of `P + P_e`; none without `[heat]`
+    CYCLE_TEMPERATURE = "cycle_temperature", "t_m", Celsius, "temperature of the films, one for the cycle":
+        OverCycle(|_| None),
+        ErrorRule::OverCycle(HEAT), only(is_balanced) headline(Headline::Always(10));
+
+    /// `t_out = t_0 + 2 (1 + m)/(1 + 2 m) (t_m - t_0)`, m that of the mean flows; none without `[heat]`
+    CYCLE_TEMPERATURE_OUTLET = "cycle_temperature_outlet", "t_out", Celsius, "of the oil that leaves the films":
+        OverCycle(|_| None),
+        ErrorRule::OverCycle(HEAT), only(is_balanced) headline(Headline::Always(11));
+
+    /// Mean over the cycle of the oil that leaves the film; none without `[heat]`
+    CYCLE_COOLING_FLOW = "cycle_cooling_flow", "Q_out", CubicMetrePerSecond, "mean oil that leaves the film and carries heat off":
+        OverCycle(|_| None),
+        ErrorRule::OverCycle(MEAN), only(is_balanced);
+}
+
+/// These numbers are those of the balance around the orbit, not of one orbit.
+fn is_balanced(scene: &Scene) -> bool {
+    scene.heat.is_some()
 }
 
 const ORBIT: &str = "that of the film there; the mesh's and the steps' errors of the orbit, carried along it by the film's stiffness and damping";
 const MEAN: &str = "mean of the bars of the films, and of what the errors of the orbit make of them";
+const HEAT: &str = "those of mean power and flow, over the slope of their balance";
 const PLACE: &str = "where the film or the pressure is within twice its bar of the extreme";
 
 fn greatest(cycle: &CycleView, row: &Row) -> Option<Judged> {

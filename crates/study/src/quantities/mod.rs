@@ -61,7 +61,7 @@ pub use view::View;
 pub use warming::Warming;
 
 /// All quantities, in the order of the report.
-pub static CATALOGUE: [&Row; 111] = [
+pub static CATALOGUE: [&Row; 114] = [
     &CYCLE_FILM_THICKNESS_MIN,
     &CYCLE_FILM_THICKNESS_MIN_CRANK_ANGLE,
     &CYCLE_FILM_THICKNESS_MIN_ANGLE,
@@ -73,6 +73,9 @@ pub static CATALOGUE: [&Row; 111] = [
     &CYCLE_FRICTION_POWER_MAX,
     &CYCLE_FRICTION_SHEAR_POWER,
     &CYCLE_SIDE_FLOW,
+    &CYCLE_TEMPERATURE,
+    &CYCLE_TEMPERATURE_OUTLET,
+    &CYCLE_COOLING_FLOW,
     &LOAD,
     &LOAD_X,
     &LOAD_Y,

@@ -45,7 +45,7 @@ const FURTHER: f64 = 0.5;
 const MOST_CHOICES: usize = 4;
 
 /// Why a search for the temperature was left.
-pub(super) enum Left {
+pub(crate) enum Left {
     /// There is no film.
     NoAnswer(NoAnswer),
     /// The deadline came; the film reached is the answer.
