@@ -28,6 +28,7 @@ pub mod scenes;
 pub mod short_crankshaft;
 pub mod tables;
 pub mod tilted_bearings;
+pub mod tilted_page;
 
 use std::sync::Arc;
 

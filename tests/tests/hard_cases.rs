@@ -5,13 +5,14 @@ use oilwedge_verification::run_suite;
 use oilwedge_verification::suite::{self, Verdict};
 
 /// Families that are solved in a minute together; the others take several, and are left to `oilwedge verify --hard`.
-const QUICK: [&str; 10] = [
+const QUICK: [&str; 11] = [
     "known_values",
     "feed_pressure",
     "grooves",
     "arcs",
     "squeeze",
     "tilt",
+    "dynamics",
     "speed",
     "placement",
     "scales",

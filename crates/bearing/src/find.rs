@@ -22,6 +22,8 @@ const MOST_CHOICES: usize = 6;
 const RESOLVED: f64 = 0.99;
 /// A journal whose film is thinner than this part of the clearance touches.
 const CONTACT: f64 = 1e-6;
+/// A failed search whose film is thinner than this part of the clearance was driven into contact.
+const NEARLY_CONTACT: f64 = 1e-2;
 
 /// Finds the position, and the tilt where that is free, in which the film carries `load`, searched from that of `problem`. Where the deadline passes before, the position
 /// reached is the answer.
@@ -59,8 +61,8 @@ impl Search<'_> {
         self.check_capacity(problem)?;
         let found = self.on_levels(problem).map_err(|reason| self.confirmed(reason))?;
         match Self::is_beyond(&found) {
-            true if self.load.tilting.is_some() => Err(self.in_contact(&found, 1.0)),
-            true => self.beyond_capacity(problem).map_or(Ok(found), Err),
+            true if self.load.tilting.is_some() => Err(self.in_contact(&found.problem, 1.0, None)),
+            true => (self.beyond_capacity(problem, &problem.journal)).map_or(Ok(found), Err),
             false => Ok(found),
         }
     }
@@ -78,7 +80,11 @@ impl Search<'_> {
         // What the film carries at this tilt is no limit where the tilt is free.
         let is_limit = self.load.tilting.is_none();
         let begins_at_contact = is_limit && bearing.clearance - bearing.least_gap(&problem.journal) > nearly;
-        let beyond = || begins_at_contact.then(|| self.beyond_capacity(problem)).flatten();
+        let beyond = || {
+            begins_at_contact
+                .then(|| self.beyond_capacity(problem, &problem.journal))
+                .flatten()
+        };
         self.below_rounding().or_else(beyond).map_or(Ok(()), Err)
     }
 
@@ -97,9 +103,18 @@ impl Search<'_> {
             Ok(found) => return self.run(problem, found.problem.journal),
             Err(reason) => reason,
         };
-        if let NoEquilibrium::EdgeContact { journal, .. } = &reason {
-            // The greatest moment hardly depends on the mesh; one near it may be carried on this one.
-            return self.run(problem, **journal).map_err(|_| reason);
+        if let NoEquilibrium::EdgeContact { way: Some(way), .. } | NoEquilibrium::TiltLimit { way: Some(way), .. } =
+            &reason
+        {
+            // What a thin film carries is shown by a mesh that resolves it.
+            return self
+                .from_waypoint(problem, way)
+                .map_err(|reason| self.confirmed(reason));
+        }
+        if let NoEquilibrium::BeyondCapacity { journal, .. } = &reason
+            && let Some(beyond) = self.beyond_capacity(problem, journal)
+        {
+            return Err(beyond);
         }
         // Where a coarser mesh has no balance its last position may still be a start, unless the film there is too thin for it.
         let is_resolved = |journal: &JournalState| {
@@ -218,7 +233,18 @@ impl Search<'_> {
             let outcome = outcome.or_else(|_| self.by_parts_of_tilting(problem));
             return outcome.map_err(|reason| self.confirmed(reason));
         }
-        if let Err(NoEquilibrium::Unreachable { .. }) = outcome {
+        if let Err(NoEquilibrium::Unreachable { journal, .. }) = &outcome {
+            // A search that was driven into contact: what the film carries there shows whether there is a position elsewhere.
+            let is_driven = problem.bearing.least_gap(journal) < NEARLY_CONTACT * problem.bearing.clearance;
+            let is_tilted = problem.journal.tilt != [0.0; 2];
+            let beyond = is_driven.then(|| self.beyond_capacity(problem, journal)).flatten();
+            let beyond = beyond.or_else(|| {
+                let towards = is_tilted.then(|| self.towards_load(problem)).flatten()?;
+                self.beyond_capacity(problem, &towards)
+            });
+            if let Some(beyond) = beyond {
+                return Err(beyond);
+            }
             let starts = self.starts(problem);
             let descended = starts.iter().take(STARTS).map(|start| self.descended(problem, start));
             let starts = starts.iter().take(STARTS).copied().chain(descended);

@@ -1,5 +1,7 @@
 //! What a balance asks of the film: a force and, where the tilt of the journal is free, a moment.
 
+use crate::coordinates::Vector;
+
 /// Force on the journal, and what tilts it where its tilt is found.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Load {
@@ -25,16 +27,20 @@ impl Load {
     pub fn magnitude(&self) -> f64 {
         self.force[0].hypot(self.force[1])
     }
+}
 
-    /// This load with `part` of what tilts the journal: a part of the moment, and of the slope of the support.
-    pub(crate) fn with_part_of_tilting(self, part: f64) -> Self {
-        let scaled = |vector: [f64; 2]| vector.map(|value| part * value);
+impl Load {
+    /// This load with further forces in coordinates whose slopes are multiplied by `arm` [m].
+    pub(crate) fn with(self, [x, y, z_x, z_y]: Vector, arm: f64) -> Self {
+        let [force_x, force_y] = self.force;
         let tilting = self.tilting.map(|tilting| Tilting {
-            moment: scaled(tilting.moment),
-            support: scaled(tilting.support),
+            moment: [tilting.moment[0] + arm * z_x, tilting.moment[1] + arm * z_y],
             ..tilting
         });
-        Self { tilting, ..self }
+        Self {
+            force: [force_x + x, force_y + y],
+            tilting,
+        }
     }
 }
 

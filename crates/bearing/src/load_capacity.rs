@@ -1,32 +1,41 @@
 //! Load capacity: whether a load exceeds what the film carries at the greatest eccentricity, or is below round-off.
 
-use oilwedge_reynolds::FilmProblem;
+use std::f64::consts::{PI, TAU};
+
 use oilwedge_reynolds::angles::wrapped;
 use oilwedge_reynolds::solve::Neighbour;
+use oilwedge_reynolds::{FilmProblem, JournalState};
 
 use crate::NoEquilibrium;
 use crate::estimate::GREATEST_ECCENTRICITY;
-use crate::search::Search;
+use crate::search::{Search, Trial};
 
 /// Most turns of the line of centres until the film's force points in the direction of the load.
 const TURNS: usize = 12;
 /// Angle [rad] within which it does.
 const ALIGNED: f64 = 0.02;
+/// Turns of the line of centres over those of the force that are followed.
+const SLOPES: std::ops::RangeInclusive<f64> = 0.1..=3.0;
+/// Places all around the bearing at which the direction of the force is asked,
+const AROUND: u32 = 24;
+/// and most halvings between two of them.
+const HALVINGS: usize = 12;
 /// An eccentricity at which less should be carried.
 const BEFORE: f64 = 0.99;
 /// Loads below this part of the reference force are below the round-off of the film's force.
 pub(crate) const ROUNDING: f64 = 1e-10;
 
 impl Search<'_> {
-    /// The reason if the film carries less than the load at the greatest eccentricity, in the direction of the load.
-    pub(crate) fn beyond_capacity(&self, problem: &FilmProblem) -> Option<NoEquilibrium> {
+    /// The reason if the film carries less than the load at the greatest eccentricity, in the direction of the load; the line of centres is turned to that from that
+    /// of `start`.
+    pub(crate) fn beyond_capacity(&self, problem: &FilmProblem, start: &JournalState) -> Option<NoEquilibrium> {
         let asked = self.load.magnitude();
         let towards = self.load.force[1].atan2(self.load.force[0]);
-        let mut angle = problem.journal.min_film_angle();
+        let mut angle = start.min_film_angle();
+        let mut before: Option<[f64; 2]> = None;
         for _ in 0..TURNS {
             let e = GREATEST_ECCENTRICITY * problem.bearing.reach(&problem.journal, angle);
-            let at = self.at_offset(problem, [e * angle.cos(), e * angle.sin()]);
-            let trial = self.trial(problem, at, Neighbour::None).ok()?;
+            let trial = self.at_contact(problem, angle)?;
             let [x, y] = trial.carried.force;
             let turn = wrapped(towards - y.atan2(x));
             if turn.abs() < ALIGNED {
@@ -44,9 +53,59 @@ impl Search<'_> {
                     journal: Box::new(trial.problem.journal),
                 });
             }
-            angle += turn;
+            // With a tilt the force turns faster or slower than the line of centres.
+            let slope = before.map_or(1.0, |[last, off]| -wrapped(angle - last) / (turn - off));
+            before = Some([angle, turn]);
+            angle += turn * if SLOPES.contains(&slope) { slope } else { 1.0 };
         }
         None
+    }
+
+    /// The film at the greatest eccentricity towards an angle [rad].
+    fn at_contact(&self, problem: &FilmProblem, angle: f64) -> Option<Trial> {
+        let e = GREATEST_ECCENTRICITY * problem.bearing.reach(&problem.journal, angle);
+        let at = self.at_offset(problem, [e * angle.cos(), e * angle.sin()]);
+        self.trial(problem, at, Neighbour::None).ok()
+    }
+
+    /// The journal at the greatest eccentricity where the film's force points in the direction of the load, of several that where it is greatest: all around the bearing.
+    pub(crate) fn towards_load(&self, problem: &FilmProblem) -> Option<JournalState> {
+        let load = self.load.force[1].atan2(self.load.force[0]);
+        let off = |angle: f64| {
+            let trial = self.at_contact(problem, angle)?;
+            let [x, y] = trial.carried.force;
+            Some((wrapped(load - y.atan2(x)), x.hypot(y), trial.problem.journal))
+        };
+        let angles = (0..=AROUND).map(|k| TAU * f64::from(k) / f64::from(AROUND));
+        let around: Vec<_> = angles.map(|angle| (angle, off(angle))).collect();
+        let mut best: Option<(f64, JournalState)> = None;
+        for pair in around.windows(2) {
+            let [(mut low, Some((first, ..))), (mut high, Some((last, ..)))] =
+                [&pair[0], &pair[1]].map(|it| it.clone())
+            else {
+                continue;
+            };
+            if first * last > 0.0 || (first - last).abs() > PI {
+                continue;
+            }
+            for _ in 0..HALVINGS {
+                let middle = 0.5 * (low + high);
+                let Some((turn, force, journal)) = off(middle) else {
+                    break;
+                };
+                if turn.abs() < ALIGNED {
+                    if best.is_none_or(|(most, _)| force > most) {
+                        best = Some((force, journal));
+                    }
+                    break;
+                }
+                match turn * first > 0.0 {
+                    true => low = middle,
+                    false => high = middle,
+                }
+            }
+        }
+        best.map(|(_, journal)| journal)
     }
 
     /// Whether the film carries less than `greatest` [N] at a smaller eccentricity; with tension on one side of an arc it need not.

@@ -1,7 +1,19 @@
 //! Why a load is not balanced.
 
+use crate::coordinates::Vector;
 use oilwedge_reynolds::existence::readable;
 use oilwedge_reynolds::{JournalState, NoFilm};
+
+/// A balance on the way from that of the force alone to that of the moment.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Waypoint {
+    /// The journal.
+    pub(crate) journal: JournalState,
+    /// The part of the way [1].
+    pub(crate) part: f64,
+    /// Forces of the film less the load at the beginning of the way [N], in the coordinates of the search.
+    pub(crate) first: Vector,
+}
 
 /// Why no position was found.
 #[derive(Debug, thiserror::Error)]
@@ -70,6 +82,27 @@ pub enum NoEquilibrium {
         thickness: f64,
         /// The journal there.
         journal: Box<JournalState>,
+        /// Where a finer mesh takes up the way there, if it was followed.
+        way: Option<Box<Waypoint>>,
+    },
+    /// The film resists tilt no more before it carries the moment.
+    #[error(
+        "no position and tilt that a growing moment leads to carry {} N and its moment: the film carries at most {} % of what tilts the journal, at a slope of {} mrad with a least film of {} m; tilted more it carries less, and the journal tips over",
+        readable(*asked), readable((1e3 * carried).round() / 10.0), readable(1e3 * tilt), readable(*thickness)
+    )]
+    TiltLimit {
+        /// The load [N].
+        asked: f64,
+        /// Greatest part of what tilts the journal that is balanced [1].
+        carried: f64,
+        /// Least film thickness there [m].
+        thickness: f64,
+        /// Slope of the journal's axis there [rad].
+        tilt: f64,
+        /// The journal there.
+        journal: Box<JournalState>,
+        /// Where a finer mesh takes up the way there.
+        way: Option<Box<Waypoint>>,
     },
     /// The load is too small for the film's force to be distinguished from round-off.
     #[error(
@@ -123,6 +156,7 @@ impl NoEquilibrium {
             | Self::BelowRounding { .. }
             | Self::BeyondCapacity { .. }
             | Self::EdgeContact { .. }
+            | Self::TiltLimit { .. }
             | Self::Unreachable { .. } => &[],
         }
     }
@@ -133,6 +167,7 @@ impl NoEquilibrium {
             Self::Film(_) | Self::BelowRounding { .. } => None,
             Self::BeyondCapacity { journal, .. }
             | Self::EdgeContact { journal, .. }
+            | Self::TiltLimit { journal, .. }
             | Self::Unreachable { journal, .. }
             | Self::NotConverged { journal, .. }
             | Self::Ended { journal, .. } => Some(**journal),

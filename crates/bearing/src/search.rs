@@ -243,7 +243,7 @@ impl<'a> Search<'a> {
     }
 
     /// Stiffness of the support in the coordinates of the search [N/m].
-    fn support_stiffness(&self) -> f64 {
+    pub(crate) fn support_stiffness(&self) -> f64 {
         let arm = self.coordinates.arm;
         self.load.tilting.map_or(0.0, |tilting| tilting.stiffness / (arm * arm))
     }
@@ -292,12 +292,14 @@ impl<'a> Search<'a> {
         (load / force).ln().hypot(across.atan2(along)).hypot(arm_x.hypot(arm_y))
     }
 
-    /// How far the arms of the forces, moment over force, are from those of the load, in half lengths of the bearing.
+    /// How far the arms of the film, its moment over its force, are from those that the load and, at this tilt, the support leave to it, in half lengths of the
+    /// bearing.
     pub(crate) fn arms_off(&self, trial: &Trial) -> [f64; 2] {
-        let (response, asked) = (self.response(trial), self.asked());
+        let (film, tilted) = (self.coordinates.forces(&trial.carried), self.response(trial));
+        let asked = self.asked();
         let [x, y] = trial.carried.force;
         let (force, load) = (x.hypot(y), self.load.magnitude());
-        [2, 3].map(|k| response[k] / force - asked[k] / load)
+        [2, 3].map(|k| film[k] / force - (asked[k] - (tilted[k] - film[k])) / load)
     }
 
     /// The reason as far as it is known: a search that was ended, or came near to the load, does not prove that there is no position;

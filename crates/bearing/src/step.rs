@@ -58,12 +58,16 @@ impl Search<'_> {
             [0.0, 0.0, by_tilt, 0.0],
             [0.0, 0.0, 0.0, by_tilt],
         ];
-        let response = self.response(trial);
+        let (film, support) = (self.coordinates.forces(&trial.carried), self.support_stiffness());
         let tangent = Stiffness::by_columns(stiffness.order(), |k| {
             let change = stiffness.times(moves[k]);
             let size = (change[0] * carried[0] + change[1] * carried[1]) / force.powi(2);
             let turn = (change[1] * carried[0] - change[0] * carried[1]) / force.powi(2);
-            let [arm_x, arm_y] = [2, 3].map(|d| (change[d] - response[d] * size) / force);
+            // What the support takes over leaves less to the film.
+            let [arm_x, arm_y] = [2, 3].map(|d| {
+                let taken = support * moves[k][d];
+                (change[d] - taken - film[d] * size) / force + taken / load
+            });
             Ok::<Vector, std::convert::Infallible>([size, turn, arm_x, arm_y])
         });
         let Ok(tangent) = tangent;

@@ -1,25 +1,69 @@
-//! The balance of a moment that no start leads to at once: the moment grows from nothing, each balance the start of the next.
+//! The balance of a moment that no start leads to at once: the branch of balances that begins with that of the force alone is followed, around its folds too.
+//!
+//! **Equation.** With the difference R of forces and load and the balance x_0 of the force alone, `R(x) = (1 - part) R(x_0)`: x_0 at `part = 0`, the balance asked
+//! for at `part = 1`. Where a film resists tilt no more, the part has a greatest value and falls beyond it. So steps are taken along the length of the branch,
+//! in clearances and parts, and corrected across it.
+//!
+//! **Source.** Keller, in: Applications of Bifurcation Theory, Academic Press (1977) 359 (continuation by arc length). **Verified by** `tests/tests/tilt/balance.rs`.
 
 use oilwedge_reynolds::FilmProblem;
+use oilwedge_reynolds::solve::Neighbour;
 
-use crate::equilibrium::Equilibrium;
+use crate::coordinates::{Vector, length, moved};
+use crate::equilibrium::{Equilibrium, ROUGHLY_BALANCED};
 use crate::estimate::is_contact;
-use crate::search::Search;
-use crate::{InitialGuess, Load, NoEquilibrium, SearchOptions, find};
+use crate::no_equilibrium::Waypoint;
+use crate::search::{Search, Trial};
+use crate::stiffness::Stiffness;
+use crate::{Carrier, InitialGuess, Load, NoEquilibrium, SearchOptions, find};
 
-/// First part of what tilts the journal by which it grows.
+/// First step along the branch.
 const FIRST: f64 = 0.25;
-/// Shortest part.
-const SHORTEST: f64 = 2e-3;
-/// Growth of the parts after a balance.
+/// Growth of the steps where they are corrected quickly.
 const GROWTH: f64 = 1.6;
-/// A film that has lost so much of the clearance at an end, when the moment grows no more, is one in contact there.
+/// Corrections that count as quick,
+const QUICK: usize = 3;
+/// and most of one step.
+const MOST_CORRECTIONS: usize = 7;
+/// Least film after a step over that before.
+const LEAST_SHRINK: f64 = 0.3;
+/// A step this much shorter than the least film over the clearance leads no further.
+const SHORTEST: f64 = 1e-2;
+/// Points of a branch at most.
+const MOST_POINTS: usize = 60;
+/// A branch whose part has fallen by so much from its greatest value does not return.
+const FALLEN: f64 = 0.5;
+/// A film that has lost so much of the clearance at an end, where the branch cannot be followed further, is one in contact there.
 const NEAR_CONTACT: f64 = 0.05;
-/// With such a film the parts are not made shorter.
-const AT_CONTACT: f64 = 1e-3;
+/// A finer mesh begins where the film was still this part of the clearance,
+const WAYPOINT: f64 = 0.03;
+/// and the part still grew by so much of what it did at first.
+const AHEAD: f64 = 0.3;
+
+/// A point of the branch.
+struct Point {
+    trial: Trial,
+    stiffness: Stiffness,
+    part: f64,
+}
+
+/// A direction of the branch, one long: change of the coordinates [m], and of the part.
+#[derive(Clone, Copy)]
+struct Direction {
+    place: Vector,
+    part: f64,
+}
+
+/// The branch of one search.
+struct Branch<'a, 'b> {
+    search: &'a Search<'b>,
+    /// Difference of forces and load at its beginning [N].
+    first: Vector,
+    clearance: f64,
+}
 
 impl Search<'_> {
-    /// Balances the force alone, and then the moment by parts.
+    /// Balances the force alone, and follows the branch from there to the balance of the moment.
     pub(crate) fn by_parts_of_tilting(&self, problem: &FilmProblem) -> Result<Equilibrium, NoEquilibrium> {
         let straight = Load {
             tilting: None,
@@ -27,48 +71,263 @@ impl Search<'_> {
         };
         let options = SearchOptions {
             guess: InitialGuess::Cold,
+            carrier: Carrier::Quadratic,
+            accuracy: Some(ROUGHLY_BALANCED),
             ..self.options
         };
-        let mut found = find(problem, self.system, straight, &options)?;
-        let (mut reached, mut part) = (0.0, FIRST);
-        loop {
-            let next = f64::min(reached + part, 1.0);
-            let search = Search::new(problem, self.system, self.load.with_part_of_tilting(next), self.options);
-            match search.run(&found.problem, found.problem.journal) {
-                Ok(balanced) if next == 1.0 => return Ok(balanced),
-                // The best position so far, judged by the whole load.
-                Ok(balanced) if balanced.is_ended => return self.run(problem, balanced.problem.journal),
-                Ok(balanced) if !is_contact(&balanced.problem.bearing, &balanced.problem.journal) => {
-                    (found, reached, part) = (balanced, next, GROWTH * part);
-                }
-                _ if part > SHORTEST && gap(&found) > AT_CONTACT && !self.options.deadline.is_over() => part *= 0.5,
-                outcome => {
-                    let reason = || self.in_contact(&found, reached);
-                    let is_near = gap(&found) < NEAR_CONTACT && !self.options.deadline.is_over();
-                    return outcome
-                        .and_then(|_| Err(reason()))
-                        .map_err(|other| if is_near { reason() } else { other });
-                }
-            }
-        }
+        let found = find(problem, self.system, straight, &options)?;
+        let place = self.coordinates.at(&found.problem.journal);
+        let trial = self.trial(&found.problem, place, Neighbour::Start(&found.film))?;
+        let branch = Branch {
+            search: self,
+            first: self.excess(&trial),
+            clearance: problem.bearing.clearance,
+        };
+        let first = Point {
+            stiffness: self.stiffness(&trial)?,
+            part: 0.0,
+            trial,
+        };
+        branch.followed(first)
     }
 
-    /// That the journal comes into contact with the liner at an end when this part of what tilts it is balanced.
-    pub(crate) fn in_contact(&self, found: &Equilibrium, carried: f64) -> NoEquilibrium {
-        let place = found.problem.bearing.thinnest(&found.problem.journal);
+    /// Follows the branch that a coarser mesh has shown from a point of it on; from its beginning where there is no balance near that point.
+    pub(crate) fn from_waypoint(&self, problem: &FilmProblem, way: &Waypoint) -> Result<Equilibrium, NoEquilibrium> {
+        let options = SearchOptions {
+            guess: InitialGuess::Cold,
+            carrier: Carrier::Quadratic,
+            accuracy: Some(ROUGHLY_BALANCED),
+            ..self.options
+        };
+        let load = self
+            .load
+            .with(way.first.map(|first| (1.0 - way.part) * first), self.coordinates.arm);
+        let search = Search::new(problem, self.system, load, options);
+        let Ok(found) = search.run(problem, way.journal) else {
+            return self.by_parts_of_tilting(problem);
+        };
+        let place = self.coordinates.at(&found.problem.journal);
+        let trial = self.trial(&found.problem, place, Neighbour::Kept(&found.film))?;
+        let branch = Branch {
+            search: self,
+            first: way.first,
+            clearance: problem.bearing.clearance,
+        };
+        let first = Point {
+            stiffness: self.stiffness(&trial)?,
+            part: way.part,
+            trial,
+        };
+        branch.followed(first)
+    }
+
+    /// That the journal of a film comes into contact with the liner at an end when this part of what tilts it is balanced.
+    pub(crate) fn in_contact(&self, problem: &FilmProblem, carried: f64, way: Option<Waypoint>) -> NoEquilibrium {
+        let place = problem.bearing.thinnest(&problem.journal);
         NoEquilibrium::EdgeContact {
             asked: self.load.magnitude(),
             carried,
             end: place.z,
             angle: place.angle.to_degrees().rem_euclid(360.0),
             thickness: place.thickness,
-            journal: Box::new(found.problem.journal),
+            journal: Box::new(problem.journal),
+            way: way.map(Box::new),
         }
     }
 }
 
-/// Least film over the clearance.
-fn gap(found: &Equilibrium) -> f64 {
-    let bearing = &found.problem.bearing;
-    bearing.least_gap(&found.problem.journal) / bearing.clearance
+impl Branch<'_, '_> {
+    /// The balance at the end of the branch.
+    fn followed(&self, mut here: Point) -> Result<Equilibrium, NoEquilibrium> {
+        let search = self.search;
+        let mut way: Option<Direction> = None;
+        let mut wanted = FIRST;
+        // The greatest part, and the film there.
+        let mut greatest = (here.part, here.trial.problem.clone());
+        let mut waypoint = self.waypoint(&here);
+        let mut first_part = None;
+        for _ in 0..MOST_POINTS {
+            let Some(along) = self.direction(&here, way) else { break };
+            way = Some(along);
+            let is_ahead = along.part > AHEAD * *first_part.get_or_insert(along.part);
+            if is_ahead && self.gap(&here.trial) > WAYPOINT {
+                waypoint = self.waypoint(&here);
+            }
+            if along.part < 0.0 && here.part < greatest.0 - FALLEN {
+                break;
+            }
+            let Some(next) = self.next(&here, along, &mut wanted) else {
+                break;
+            };
+            match next {
+                Next::Contact(problem) => return Err(search.in_contact(&problem, 1.0, Some(waypoint))),
+                Next::End(found) => return Ok(*found),
+                Next::Point(next) => here = *next,
+            }
+            if search.options.deadline.is_over() {
+                return search.run(&here.trial.problem, here.trial.problem.journal);
+            }
+            if is_contact(&here.trial.problem.bearing, &here.trial.problem.journal) {
+                break;
+            }
+            if here.part > greatest.0 {
+                greatest = (here.part, here.trial.problem.clone());
+            }
+        }
+        Err(self.why(&here, way, greatest, waypoint))
+    }
+
+    /// A point as one that a finer mesh begins at.
+    fn waypoint(&self, at: &Point) -> Waypoint {
+        Waypoint {
+            journal: at.trial.problem.journal,
+            part: at.part,
+            first: self.first,
+        }
+    }
+
+    /// Why a branch that was followed up to a point does not lead to the balance.
+    fn why(
+        &self,
+        here: &Point,
+        way: Option<Direction>,
+        (part, problem): (f64, FilmProblem),
+        waypoint: Waypoint,
+    ) -> NoEquilibrium {
+        let search = self.search;
+        let has_turned = way.is_some_and(|way| way.part < 0.0);
+        if search.options.deadline.is_over() {
+            return search.confirmed(search.unreachable(&here.trial, "the search was ended"));
+        }
+        match has_turned {
+            true => NoEquilibrium::TiltLimit {
+                asked: search.load.magnitude(),
+                carried: part,
+                thickness: problem.bearing.least_gap(&problem.journal),
+                tilt: problem.journal.tilt[0].hypot(problem.journal.tilt[1]),
+                journal: Box::new(problem.journal),
+                way: Some(Box::new(waypoint)),
+            },
+            false if self.gap(&here.trial) < NEAR_CONTACT => {
+                search.in_contact(&here.trial.problem, part, Some(waypoint))
+            }
+            false => NoEquilibrium::NotConverged {
+                asked: search.load.magnitude(),
+                residual: search.residual(&here.trial),
+                journal: Box::new(here.trial.problem.journal),
+                history: search.tried.borrow().clone(),
+            },
+        }
+    }
+
+    /// Least film of a trial over the clearance.
+    fn gap(&self, trial: &Trial) -> f64 {
+        trial.problem.bearing.least_gap(&trial.problem.journal) / self.clearance
+    }
+
+    /// The direction of the branch at a point: on from the one `before` or, at its beginning, towards greater parts. None where the tangent is singular.
+    fn direction(&self, at: &Point, before: Option<Direction>) -> Option<Direction> {
+        let place = at.stiffness.solve(self.first.map(|first| -first));
+        let long = (length(place) / self.clearance).hypot(1.0);
+        let along = Direction {
+            place: place.map(|x| x / long),
+            part: 1.0 / long,
+        };
+        let is_back = before.is_some_and(|before| self.product(before, along.place, along.part) < 0.0);
+        let sense = if is_back { -1.0 } else { 1.0 };
+        long.is_finite().then(|| Direction {
+            place: along.place.map(|x| sense * x),
+            part: sense * along.part,
+        })
+    }
+
+    /// Product of a direction with a change of coordinates and part.
+    fn product(&self, along: Direction, place: Vector, part: f64) -> f64 {
+        let places = (0..4).fold(0.0, |sum, k| sum + along.place[k] * place[k]);
+        places / (self.clearance * self.clearance) + along.part * part
+    }
+
+    /// What follows a point: the next one, or the end of the branch. `wanted` is the length of the step, longer or shorter afterwards. None where no step leads on.
+    fn next(&self, here: &Point, along: Direction, wanted: &mut f64) -> Option<Next> {
+        let (search, gap) = (self.search, self.gap(&here.trial));
+        let place = search.coordinates.at(&here.trial.problem.journal);
+        let journal = |step: f64| {
+            let moved = moved(place, step, along.place);
+            search.coordinates.placed(&here.trial.problem.journal, moved)
+        };
+        let thin =
+            |step: f64| here.trial.problem.bearing.least_gap(&journal(step)) < LEAST_SHRINK * gap * self.clearance;
+        loop {
+            while thin(*wanted) {
+                *wanted *= 0.8;
+            }
+            if *wanted < SHORTEST * gap.min(1.0) || search.options.deadline.is_over() {
+                return None;
+            }
+            if here.part + *wanted * along.part >= 1.0 {
+                let found = search.run(&here.trial.problem, journal((1.0 - here.part) / along.part));
+                match found {
+                    Ok(found) if is_contact(&found.problem.bearing, &found.problem.journal) => {
+                        return Some(Next::Contact(Box::new(found.problem)));
+                    }
+                    Ok(found) => return Some(Next::End(Box::new(found))),
+                    Err(_) => {}
+                }
+            } else if let Some((point, corrections)) = self.corrected(here, along, *wanted) {
+                if corrections <= QUICK {
+                    *wanted *= GROWTH;
+                }
+                return Some(Next::Point(Box::new(point)));
+            }
+            *wanted *= 0.5;
+        }
+    }
+
+    /// The point of the branch across a step of this length along it, and the corrections that it took.
+    fn corrected(&self, here: &Point, along: Direction, step: f64) -> Option<(Point, usize)> {
+        let search = self.search;
+        let mut place = moved(search.coordinates.at(&here.trial.problem.journal), step, along.place);
+        let mut part = here.part + step * along.part;
+        let (mut last, mut before): (f64, Option<Trial>) = (f64::INFINITY, None);
+        for corrections in 0..MOST_CORRECTIONS {
+            let journal = search.coordinates.placed(&here.trial.problem.journal, place);
+            let gap = here.trial.problem.bearing.least_gap(&journal) / self.clearance;
+            if gap < 0.5 * LEAST_SHRINK * self.gap(&here.trial) {
+                return None;
+            }
+            // Corrections keep the advection schemes, so that the forces change smoothly.
+            let near = before
+                .as_ref()
+                .map_or(Neighbour::None, |trial| Neighbour::Kept(&trial.film));
+            let anew = || search.trial(&here.trial.problem, place, Neighbour::None);
+            let trial = search
+                .trial(&here.trial.problem, place, near)
+                .or_else(|_| anew())
+                .ok()?;
+            let left = moved(search.excess(&trial), -(1.0 - part), self.first);
+            let stiffness = search.stiffness(&trial).ok()?;
+            if length(left) < ROUGHLY_BALANCED * search.scale {
+                let point = Point { trial, stiffness, part };
+                return Some((point, corrections));
+            }
+            let (by_left, by_part) = (stiffness.solve(left), stiffness.solve(self.first));
+            let change = self.product(along, by_left, 0.0) / (along.part - self.product(along, by_part, 0.0));
+            let correction = moved(by_left.map(|x| -x), -change, by_part);
+            let size = length(correction) / self.clearance;
+            if !(size + change.abs()).is_finite() || size > 2.0 * last.min(step) {
+                return None;
+            }
+            (place, part, last, before) = (moved(place, 1.0, correction), part + change, size, Some(trial));
+        }
+        None
+    }
+}
+
+/// What follows a point of a branch.
+enum Next {
+    Point(Box<Point>),
+    /// The balance.
+    End(Box<Equilibrium>),
+    /// The film of a balance in which the journal is in contact.
+    Contact(Box<FilmProblem>),
 }

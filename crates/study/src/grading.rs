@@ -14,6 +14,8 @@ use crate::position::Position;
 const REGRADED: f64 = 1.3;
 /// or where the thinnest film lies elsewhere by this angle [rad].
 const ELSEWHERE: f64 = 0.2;
+/// A mesh for a journal in contact is graded for a film of this part of the clearance.
+const THIN: f64 = 0.01;
 /// Gradings of one search.
 const GRADINGS: usize = 4;
 
@@ -58,7 +60,13 @@ fn suited(film: &Film, load: Load, deadline: Deadline, middle: &mut Option<Posit
     let balance = rough_balance(film, load, deadline);
     let journal = match &balance {
         Ok(Equilibrium { problem, .. }) => problem.journal,
-        Err(NoEquilibrium::BeyondCapacity { .. } | NoEquilibrium::BelowRounding { .. }) => return Suited::Unknown,
+        Err(
+            NoEquilibrium::BeyondCapacity { .. }
+            | NoEquilibrium::BelowRounding { .. }
+            | NoEquilibrium::TiltLimit { .. },
+        ) => return Suited::Unknown,
+        // How much of a moment is carried near contact is shown by a mesh that resolves the thin film there.
+        Err(NoEquilibrium::EdgeContact { journal, .. }) => with_film(&film.problem.bearing, journal, THIN),
         // Feeds may carry what the estimate would have a thin film carry.
         Err(reason) => match (middle.take(), reason.last_position()) {
             (Some(position), _) => return Suited::Not(position),
@@ -76,6 +84,17 @@ fn suited(film: &Film, load: Load, deadline: Deadline, middle: &mut Option<Posit
     }
 }
 
+/// A journal or, where it leaves less than this part of the clearance, one nearer to the middle that leaves it.
+fn with_film(bearing: &Bearing, journal: &JournalState, part: f64) -> JournalState {
+    let taken = bearing.clearance - bearing.least_gap(journal);
+    let nearer = f64::min(1.0, (1.0 - part) * bearing.clearance / taken);
+    JournalState {
+        offset: journal.offset.map(|e| nearer * e),
+        tilt: journal.tilt.map(|g| nearer * g),
+        ..*journal
+    }
+}
+
 /// The balance on a coarser mesh, which is good enough to grade a mesh for, if it leads to a position. A load may be out of reach only because the
 /// mesh is too coarse there.
 fn rough_balance(film: &Film, load: Load, deadline: Deadline) -> Result<Equilibrium, NoEquilibrium> {
@@ -84,8 +103,12 @@ fn rough_balance(film: &Film, load: Load, deadline: Deadline) -> Result<Equilibr
         ..film.search_options(deadline)
     };
     let on_coarser = (film.system.coarser.as_ref())
-        .and_then(|coarser| find(&coarser.problem(&film.problem), &coarser.system, load, &options).ok());
-    on_coarser.map_or_else(|| find(&film.problem, &film.system, load, &options), Ok)
+        .map(|coarser| find(&coarser.problem(&film.problem), &coarser.system, load, &options));
+    match on_coarser {
+        // The way into contact was followed there.
+        Some(found @ (Ok(_) | Err(NoEquilibrium::EdgeContact { .. } | NoEquilibrium::TiltLimit { .. }))) => found,
+        _ => find(&film.problem, &film.system, load, &options),
+    }
 }
 
 /// Whether a mesh graded for one position suits another.

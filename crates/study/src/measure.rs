@@ -43,11 +43,16 @@ pub struct Measured {
     pub under_tension: f64,
     /// Ways out that the solver had to take, in words.
     pub fallbacks: Vec<String>,
-    /// How the film answers to small motions of its journal; none where that is not asked.
-    pub dynamics: Option<Dynamics>,
+    /// How the film answers to small motions of its journal, or why that could not be computed; none where it is not asked.
+    pub dynamics: Option<Result<Dynamics, oilwedge_fem::Error>>,
 }
 
 impl Measured {
+    /// How the film answers to small motions of its journal; none where that is not asked, or could not be computed.
+    pub fn dynamics(&self) -> Option<&Dynamics> {
+        self.dynamics.as_ref()?.as_ref().ok()
+    }
+
     /// What the journal puts in as its centre moves and its axis turns [W].
     pub fn motion_power(&self, journal: &JournalState) -> f64 {
         let product = |[x, y]: [f64; 2], [by_x, by_y]: [f64; 2]| x * by_x + y * by_y;
@@ -65,11 +70,10 @@ impl Measured {
     ) -> Self {
         let of = || {
             let asked = film.dynamics.as_ref()?;
-            let found = match beside {
-                Some(other) => Dynamics::beside(problem, system, solution, other.dynamics.as_ref()?),
+            Some(match beside {
+                Some(other) => Dynamics::beside(problem, system, solution, other.dynamics()?),
                 None => Dynamics::of(problem, system, solution, &asked.whirl),
-            };
-            found.ok()
+            })
         };
         Self { dynamics: of(), ..self }
     }

@@ -123,7 +123,7 @@ fn of_position(reason: &NoEquilibrium) -> Option<&'static str> {
     match reason {
         NoEquilibrium::Unreachable { .. } => Some("change the load, its angle, or the pressure and place of feeds"),
         NoEquilibrium::BeyondCapacity { .. } => Some("lower the load, or raise speed, viscosity or size"),
-        NoEquilibrium::EdgeContact { .. } => {
+        NoEquilibrium::EdgeContact { .. } | NoEquilibrium::TiltLimit { .. } => {
             Some("move the load towards the middle, lower its moment, or give [support] a greater tilt_stiffness")
         }
         NoEquilibrium::BelowRounding { .. } => Some("give no load (0 N), or a larger one"),

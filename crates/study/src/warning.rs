@@ -84,6 +84,7 @@ kinds! {
     REMESHED = "remeshed", "the film was meshed in rows along the flow, not by the triangles of the file";
     FLIPPED = "flipped", "edges of the mesh were flipped to make it Delaunay";
     FALLBACK = "fallback", "a step of the solver that failed was replaced by a less accurate one";
+    NO_COEFFICIENTS = "no_coefficients", "stiffness and damping could not be computed";
     TENSION = "tension", "the pressure falls below that of the ends, and there is no model of cavitation";
     UNBALANCED = "unbalanced", "the model of cavitation or of viscosity does not conserve oil";
     CREATED = "created", "much of the oil that carries the heat off is created by the cavity";

@@ -73,6 +73,7 @@ pub fn warnings(film: &Film, measured: &Measured) -> Vec<Warning> {
 /// Warnings about a film where error bars show how well its mesh resolves it.
 fn film_warnings(film: &Film, measured: &Measured) -> Vec<Warning> {
     let mut warnings = mesh_warnings(film);
+    warnings.extend(without_coefficients(measured));
     warnings.extend(under_tension(film, measured));
     warnings.extend(unlimited_flow(film));
     warnings.extend(limits::exceeded(film, measured));
@@ -135,6 +136,14 @@ fn unlimited_flow(film: &Film) -> Option<Warning> {
     })
 }
 
+/// Why a film that was asked for stiffness and damping has none.
+fn without_coefficients(measured: &Measured) -> Option<Warning> {
+    let reason = measured.dynamics.as_ref()?.as_ref().err()?;
+    Some(warning::NO_COEFFICIENTS.says(format!(
+        "stiffness, damping and what follows from them could not be computed and are left out: {reason}; all other numbers stand; give another mesh ([mesh] size), or other frequencies ([dynamics] whirl)"
+    )))
+}
+
 /// That a film without a model of cavitation bears tension.
 fn under_tension(film: &Film, measured: &Measured) -> Option<Warning> {
     (measured.under_tension > 0.0).then(|| {
@@ -159,7 +168,37 @@ pub(crate) fn percent(share: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::percent;
+    use std::path::Path;
+
+    use super::{percent, warnings};
+    use crate::compile::compile;
+    use crate::measure::measure;
+    use crate::warning;
+
+    /// A film that was asked for stiffness and damping says why it has none; one that was not asked says nothing.
+    #[test]
+    fn coefficients_that_are_left_out_are_explained() {
+        let text = "bearing = { diameter = \"75 mm\", length = \"75 mm\", clearance = \"37.5 um\" }\nmesh = { size = \"20 mm\" }\n\
+            oil = { viscosity = \"0.4 Pa.s\" }\njournal = { speed = \"10 rad/s\", eccentricity = 0.4, min_film_angle = \"0 rad\" }\n\
+            cavitation = { model = \"reynolds\" }\ndynamics = {}\n";
+        let scene = crate::parse(text, Path::new("ring.toml")).expect("a scene");
+        let film = compile(&scene).expect("a film");
+        let solution = film.problem.solve(&film.system).expect("a solution");
+        let parts = (&film.problem, &*film.system, &solution);
+        let plain = measure(parts.0, parts.1, parts.2);
+        let said = |measured| {
+            let mut warnings = warnings(&film, measured).into_iter();
+            warnings.find(|warning| warning.kind == &warning::NO_COEFFICIENTS)
+        };
+        assert_eq!(said(&plain), None);
+        let mut measured = plain.with_dynamics(&film, parts, None);
+        assert!(measured.dynamics().is_some());
+        assert_eq!(said(&measured), None);
+        measured.dynamics = Some(Err(oilwedge_fem::Error::TooLarge { unknowns: 1_234_567 }));
+        assert!(measured.dynamics().is_none());
+        let warning = said(&measured).expect("a warning");
+        assert!(warning.contains("1234567 unknowns does not fit in memory"), "{warning}");
+    }
 
     #[test]
     fn shares_are_readable() {

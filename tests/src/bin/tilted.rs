@@ -1,68 +1,64 @@
 //! `tilted [FROM] [TO]`: solves random bearings whose journal tilts, and prints each that has not converged, with its reason and time, and the slowest;
-//! `tilted --scene N` prints the scene of one; `tilted --bars [FROM] [TO]` counts how often the bars of moment and tilt hold.
-
-use std::time::Instant;
+//! `tilted --page` solves 300 and writes `docs/validation/tilted_bearings.md` anew; `tilted --scene N` prints the scene of one;
+//! `tilted --bars [FROM] [TO]` counts how often the bars of moment and tilt hold.
 
 use oilwedge_study::result::Status;
 use oilwedge_tests::coverage::bearings::Bearing;
 use oilwedge_tests::coverage::tally::{Of, coverage, quantile, tally};
-use oilwedge_tests::random_tilted::{TiltedBearing, solved};
+use oilwedge_tests::performance::clock::on_threads;
+use oilwedge_tests::program::repository;
+use oilwedge_tests::random_tilted::TiltedBearing;
+use oilwedge_tests::tilted_page::{LONGEST, Outcome, page};
 
-/// Longest time of a run [s].
-const LONGEST: f64 = 10.0;
+/// Bearings of the page.
+const BEARINGS: u64 = 300;
 
-fn main() {
-    if let Some(number) = std::env::args()
-        .skip_while(|it| it != "--scene")
-        .nth(1)
-        .and_then(|it| it.parse().ok())
-    {
-        print!("{}", TiltedBearing::new(number).text);
-        return;
-    }
+fn main() -> std::io::Result<()> {
+    let has = |flag: &str| std::env::args().any(|it| it == flag);
     let mut numbers = std::env::args()
         .skip(1)
         .filter_map(|argument| argument.parse::<u64>().ok());
-    let (from, to) = (numbers.next().unwrap_or(0), numbers.next().unwrap_or(300));
-    if std::env::args().any(|it| it == "--bars") {
-        return bars(from, to);
+    let (first, second) = (numbers.next(), numbers.next());
+    if let Some(number) = first.filter(|_| has("--scene")) {
+        print!("{}", TiltedBearing::new(number).text);
+        return Ok(());
     }
-    let (mut converged, mut explained, mut faults, mut slow) = (0, 0, 0, 0);
-    let mut longest = (0.0, 0);
-    for bearing in (from..to).map(TiltedBearing::new) {
-        let clock = Instant::now();
-        let (result, fault) = solved(&bearing);
-        let seconds = clock.elapsed().as_secs_f64();
-        if seconds > longest.0 {
-            longest = (seconds, bearing.number);
-        }
-        let TiltedBearing {
-            number, tilting, model, ..
-        } = bearing;
-        match result.status {
-            Status::Converged => converged += usize::from(fault.is_none()),
-            _ => {
-                explained += usize::from(fault.is_none());
-                let reason = result.reason.unwrap_or_default();
-                println!(
-                    "{number} {tilting:?} {model} {seconds:.1} s {}: {reason}",
-                    result.status.name()
-                );
-            }
-        }
-        if let Some(fault) = fault {
-            faults += 1;
-            println!("{number} {tilting:?} {model} {seconds:.1} s FAULT {}", fault.what);
-        }
-        if seconds > LONGEST {
-            slow += 1;
-            println!("{number} {tilting:?} {model} {seconds:.1} s SLOW");
-        }
+    let (from, to) = (first.unwrap_or(0), second.unwrap_or(BEARINGS));
+    if has("--bars") {
+        bars(from, to);
+        return Ok(());
     }
+    // On one thread the time of the processor is that of the bearing.
+    let outcomes = on_threads(1, || solve(from, to));
+    let count = |is: &dyn Fn(&Outcome) -> bool| outcomes.iter().filter(|outcome| is(outcome)).count();
+    let longest = outcomes.iter().max_by(|a, b| a.seconds.total_cmp(&b.seconds));
     println!(
-        "{converged} converged, {explained} without a solution, {faults} faults, {slow} slower than {LONGEST} s; the longest {:.1} s ({})",
-        longest.0, longest.1
+        "{} converged, {} without a solution, {} faults, {} slower than {LONGEST} s; the longest {:.1} s ({})",
+        count(&|it| it.status == Status::Converged && it.fault.is_none()),
+        count(&|it| it.status == Status::NoSolution),
+        count(&|it| it.fault.is_some()),
+        count(&Outcome::is_slow),
+        longest.map_or(0.0, |outcome| outcome.seconds),
+        longest.map_or(0, |outcome| outcome.bearing.number),
     );
+    if has("--page") {
+        let path = repository().join("docs/validation/tilted_bearings.md");
+        let written = std::fs::read_to_string(&path)?;
+        std::fs::write(&path, page(&written, &outcomes))?;
+    }
+    Ok(())
+}
+
+/// Solves the bearings of these numbers, and prints what is to be said of each.
+fn solve(from: u64, to: u64) -> Vec<Outcome> {
+    let outcome = |number| {
+        let outcome = Outcome::of(number);
+        if let Some(told) = outcome.told() {
+            println!("{told}");
+        }
+        outcome
+    };
+    (from..to).map(outcome).collect()
 }
 
 /// Most unknowns of a reference.

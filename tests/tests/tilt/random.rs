@@ -1,6 +1,6 @@
 //! A few of the random tilted bearings that the program `tilted` of these tests solves by the hundred: those that take milliseconds.
 
-use oilwedge_study::result::Status;
+use oilwedge_study::result::{RunResult, Status};
 use oilwedge_tests::journal_bearings::each;
 use oilwedge_tests::random_tilted::{TiltedBearing, solved};
 
@@ -14,4 +14,47 @@ fn random_tilted_bearings_converge() {
             (status, fault) => Err(format!("{number}: {status:?} {:?} {fault:?}", result.reason)),
         }
     });
+}
+
+/// A coarse mesh shows contact long before the film does: the balance is found on meshes that resolve the thin film at the end.
+#[test]
+fn contact_is_judged_by_a_mesh_that_resolves_it() {
+    let (result, fault) = solved(&TiltedBearing::new(51));
+    assert_eq!(result.status, Status::Converged, "{:?}", result.reason);
+    assert!(fault.is_none(), "{fault:?}");
+}
+
+/// A full film carries a moment up to a fold, beyond which it resists tilt no more. With a part of the moment below that of the fold the journal is balanced, with one
+/// above it is not, and the reason says so.
+#[test]
+fn a_journal_that_tips_over_is_told() {
+    let bearing = TiltedBearing::new(26);
+    let of = |result: &RunResult| result.reason.clone().unwrap_or_default();
+    let (whole, _) = solved(&bearing);
+    assert_eq!(whole.status, Status::NoSolution, "{}", of(&whole));
+    let reason = of(&whole);
+    let part = reason.split("at most ").nth(1).and_then(|rest| rest.split(' ').next());
+    let part: f64 = part
+        .and_then(|part| part.parse().ok())
+        .unwrap_or_else(|| panic!("{reason}"));
+    assert!(reason.contains("tips over") && part > 5.0 && part < 30.0, "{reason}");
+    // The whole moment about mid-length, z_F F + M.
+    let with = |share: f64| {
+        let [x, y] = [6.1, 41.2].map(|moment: f64| share * moment);
+        let mut text = String::new();
+        for line in bearing.text.lines().filter(|line| !line.starts_with("at = ")) {
+            match line.starts_with("moment = ") {
+                true => text += &format!("moment = {{ x = \"{x} N.m\", y = \"{y} N.m\" }}\n"),
+                false => text += &format!("{line}\n"),
+            }
+        }
+        solved(&TiltedBearing {
+            text,
+            ..bearing.clone()
+        })
+        .0
+    };
+    let (below, above) = (with(0.9e-2 * part), with(1.2e-2 * part));
+    assert_eq!(below.status, Status::Converged, "{}", of(&below));
+    assert!(of(&above).contains("tips over"), "{:?} {}", above.status, of(&above));
 }

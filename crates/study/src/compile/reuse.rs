@@ -8,7 +8,7 @@ use oilwedge_reynolds::supply::{BoundaryKind, SupplyRegion};
 use super::problem;
 use crate::effects::Sockets;
 use crate::feed_region::feed_regions;
-use crate::film::Film;
+use crate::film::{Film, Start};
 use crate::oil::Oil;
 use crate::position::Position;
 use oilwedge_scene::{Feed, Scene};
@@ -47,7 +47,7 @@ impl Film {
     /// that touch would differ, or another film shares the system.
     pub fn reused(self, scene: &Scene, position: Position) -> Option<Self> {
         let sockets = Sockets::of(scene);
-        let (load, centre_velocity) = (sockets.load(), sockets.centre_velocity);
+        let (load, thermal, centre_velocity) = (sockets.load(), sockets.thermal, sockets.centre_velocity);
         let dynamics = sockets.dynamics.clone();
         let oil = Oil::of(scene);
         let mut system = self.system;
@@ -59,15 +59,19 @@ impl Film {
             BoundaryKind::End | BoundaryKind::Line | BoundaryKind::Sealed => scene.ends.pressure,
         };
         let is_renewed = Arc::get_mut(&mut system)?.renew(&pressure, &problem.film_thickness);
+        // Every field by name: what another operating point may change must not stay by being forgotten here.
         is_renewed.then(|| Self {
             scene: Arc::new(scene.clone()),
             oil,
-            load,
-            dynamics,
-            centre_velocity,
             problem,
             system,
-            ..self
+            load,
+            start: Start::default(),
+            thermal,
+            dynamics,
+            centre_velocity,
+            origin: self.origin,
+            seconds: self.seconds,
         })
     }
 }

@@ -125,7 +125,7 @@ impl Estimate for CoarseComparison<'_> {
 impl CoarseComparison<'_> {
     /// Bars of coefficients that both films have.
     fn bars_of_coefficients(&self, of: impl Fn(&Dynamics) -> Option<&Coefficients>) -> Option<CoefficientBars> {
-        let film = of(self.measured.dynamics.as_ref()?)?;
+        let film = of(self.measured.dynamics()?)?;
         let coarse = of(self.dynamics.as_ref()?)?;
         Some(CoefficientBars::of(film, coarse, OF_TANGENTS, 0.0))
     }

@@ -171,7 +171,7 @@ impl Estimate for CubicPair<'_> {
 impl CubicPair<'_> {
     /// Bars of coefficients that both films have.
     fn bars_of_coefficients(&self, of: impl Fn(&Dynamics) -> Option<&Coefficients>) -> Option<CoefficientBars> {
-        let [quadratic, cubic] = self.measured.map(|measured| of(measured.dynamics.as_ref()?));
+        let [quadratic, cubic] = self.measured.map(|measured| of(measured.dynamics()?));
         let (quadratic, cubic) = (quadratic?, cubic?);
         let has_edge = self.film.problem.cavitation.has_free_boundary();
         let least = if has_edge {

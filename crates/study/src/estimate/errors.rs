@@ -135,16 +135,16 @@ fn by_coarse(
         of_hill.extend(sharpened.greatest.map(|_| PRESSURE_MAX.name));
     }
     let plain = Estimated::without_bars(film, measured);
-    let pair =
-        CoarseComparison {
-            film,
-            error: &error,
-            measured: &plain.measured,
-            dynamics: plain.measured.dynamics.as_ref().and_then(|dynamics| {
-                Dynamics::beside(&film.problem, film.system.vertices_only(), coarse, dynamics).ok()
-            }),
-            hidden: hidden_share(&film.problem, &film.system, &solved.solution, error.pressure),
-        };
+    let pair = CoarseComparison {
+        film,
+        error: &error,
+        measured: &plain.measured,
+        dynamics: plain
+            .measured
+            .dynamics()
+            .and_then(|dynamics| Dynamics::beside(&film.problem, film.system.vertices_only(), coarse, dynamics).ok()),
+        hidden: hidden_share(&film.problem, &film.system, &solved.solution, error.pressure),
+    };
     let load = bars_of_balance(film, [error.load, error.across], pair.moment());
     Estimated {
         quantities: with_bars(solved, &pair, &plain.measured, &of_film, &load),

@@ -11,7 +11,7 @@ pub(super) const RULE: &str =
 
 /// At the first frequency asked for; none where they are not asked for, or could not be computed.
 pub(super) fn first<'a>(film: &'a View) -> Option<&'a Coefficients> {
-    Some(&film.measured.dynamics.as_ref()?.at.first()?.coefficients)
+    Some(&film.measured.dynamics()?.at.first()?.coefficients)
 }
 
 /// Whether a scene asks for them.

@@ -33,7 +33,7 @@ rows! {
 const RULE: &str = "those of K and C, each of which moves it: the root of the sum of squares";
 
 fn judged<'a>(film: &'a View) -> Option<&'a Coefficients> {
-    let dynamics = film.measured.dynamics.as_ref()?;
+    let dynamics = film.measured.dynamics()?;
     (dynamics.stability != Stability::Undetermined).then_some(&dynamics.judged.coefficients)
 }
 

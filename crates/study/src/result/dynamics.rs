@@ -82,7 +82,7 @@ pub enum Stable {
 impl DynamicsReport {
     /// Of a film; `None` where that is not asked, or could not be computed.
     pub fn of(film: &Film, measured: &Measured) -> Option<Self> {
-        let (asked, dynamics) = (film.dynamics.as_ref()?, measured.dynamics.as_ref()?);
+        let (asked, dynamics) = (film.dynamics.as_ref()?, measured.dynamics()?);
         let problem = &film.problem;
         let load = measured.load.magnitude();
         let frame = Frame {

@@ -135,6 +135,43 @@ fn a_case_is_the_scene_by_itself() {
     }
 }
 
+/// What the balance of heat is made of belongs to its case: a film that takes over the mesh of the case before takes none of its heat.
+#[test]
+fn each_case_has_the_heat_of_its_own() {
+    let base = edited(
+        "08_flexpde_study_size",
+        &[(
+            "viscosity = \"0.4 Pa.s\"",
+            "walther = { nu40 = \"150 mm2/s\", nu100 = \"15 mm2/s\" }\ndensity = \"885 kg/m3\"",
+        )],
+    );
+    let heat = "[cavitation]\nmodel = \"reynolds\"\n[heat]\ninlet = \"40 C\"\nheat_capacity = \"1.7 MJ/(m3.K)\"\nhousing = { conductance = \"5 W/K\", ambient = \"20 C\" }\n";
+    for (axis, from, to) in [
+        ("heat.inlet", "40 C", "60 C"),
+        ("heat.heat_capacity", "1.7 MJ/(m3.K)", "1.2 MJ/(m3.K)"),
+        ("heat.housing.conductance", "5 W/K", "15 W/K"),
+        ("heat.housing.ambient", "20 C", "0 C"),
+    ] {
+        let bench = Bench::new();
+        let text = format!("{base}\n{heat}");
+        assert!(text.contains(from), "{text}");
+        bench.write(
+            "scene.toml",
+            format!("{text}[sweep]\n\"{axis}\" = [\"{from}\", \"{to}\"]\n"),
+        );
+        bench.write("alone.toml", text.replace(from, to));
+        let report = done(&bench.run(&["sweep", "scene.toml", "--json", "--bars", "none"]));
+        let alone = object(&bench.run(&["solve", "alone.toml", "--json", "--bars", "none"]).stdout);
+        let row = &report["rows"][1];
+        for name in ["temperature_effective", "temperature_outlet", "friction_power"] {
+            let own = alone["quantities"][name]["value"].as_f64().expect("a value");
+            let off = (value(row, name) - own).abs();
+            // The balance of heat is found to 1e-8 of the friction.
+            assert!(off <= 1e-6 * own.abs(), "{axis}: {name} {own} {off}");
+        }
+    }
+}
+
 #[test]
 fn drawn_meshes_follow_the_journal() {
     let bench = Bench::new();
