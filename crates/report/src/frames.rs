@@ -25,7 +25,7 @@ pub fn write_frames(dir: &Path, frames: Vec<Frame>, compression: Compression) ->
     let files: Vec<(OsString, Vec<u8>)> = frames
         .into_par_iter()
         .enumerate()
-        .map(|(number, frame)| Ok((name(number).into(), to_vtu(frame.picture, compression)?)))
+        .map(|(number, frame)| Ok((name(number).into(), to_vtu(&frame.picture, compression)?)))
         .collect::<Result<_, Error>>()?;
     replace(dir, &[(OsStr::new(COLLECTION_FILE), None)])?;
     remove_frames(dir);

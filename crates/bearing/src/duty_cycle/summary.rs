@@ -1,6 +1,8 @@
 //! Extremes and means of a load over its period.
 
-use super::DutyCycle;
+use std::f64::consts::TAU;
+
+use super::{Duty, DutyCycle};
 
 /// At how many angles of a period a load is sampled.
 const SAMPLES: u32 = 7200;
@@ -22,6 +24,9 @@ pub struct Summary {
     pub greatest_moment: f64,
     /// Least and greatest speed of the journal against the shell [rad/s].
     pub speeds: [f64; 2],
+    /// How much of the force turns at half the speed of the journal, as the oil does that the journal drags along: `|mean F exp(-i alpha)|/mean |F|` with
+    /// `d alpha/dt = speed/2` (0 to 1). There a film has no wedge, and carries by squeeze alone.
+    pub half_speed_share: f64,
 }
 
 impl DutyCycle {
@@ -49,11 +54,16 @@ impl DutyCycle {
         let mean =
             |part: &dyn Fn([f64; 2]) -> f64| duties.iter().map(|(_, duty)| share * part(duty.force)).sum::<f64>();
         let speeds = duties.iter().map(|(_, duty)| duty.speed);
+        let mean_magnitude = mean(&magnitude);
         Summary {
             peak: extreme(1.0),
             least: extreme(-1.0),
             mean: [mean(&|[x, _]| x), mean(&|[_, y]| y)],
-            mean_magnitude: mean(&magnitude),
+            mean_magnitude,
+            half_speed_share: match mean_magnitude > 0.0 {
+                true => self.half_speed_amplitude() / mean_magnitude,
+                false => 0.0,
+            },
             greatest_moment: duties
                 .iter()
                 .map(|(_, duty)| magnitude(duty.moment))
@@ -62,6 +72,26 @@ impl DutyCycle {
                 [least.min(speed), most.max(speed)]
             }),
         }
+    }
+}
+
+impl DutyCycle {
+    /// `|mean F exp(-i alpha)|` [N], with `d alpha/dt` half the speed of the journal, over as many periods as are two turns of the crank.
+    fn half_speed_amplitude(&self) -> f64 {
+        let step = 2.0 * TAU / f64::from(SAMPLES);
+        let (mut turned, mut sum) = (0.0, [0.0; 2]);
+        for k in 0..SAMPLES {
+            // The middle of a step, where the midpoint rule has the angle turned too.
+            let Duty {
+                force: [x, y], speed, ..
+            } = self.at(step * (f64::from(k) + 0.5));
+            let half = 0.25 * step * speed / self.angular_speed;
+            turned += half;
+            let (sin, cos) = turned.sin_cos();
+            turned += half;
+            sum = [sum[0] + x * cos + y * sin, sum[1] + y * cos - x * sin];
+        }
+        sum[0].hypot(sum[1]) / f64::from(SAMPLES)
     }
 }
 

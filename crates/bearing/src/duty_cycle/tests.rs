@@ -196,3 +196,22 @@ fn counterweights_balance_a_rotating_mass() {
     let radius: f64 = 0.5 * 2.025 * 0.0625 * 1e4;
     assert!(near(main(0.0), [radius * 0.6f64.cos(), radius * 0.6f64.sin()], 1e-9));
 }
+
+#[test]
+fn the_load_at_half_the_speed_of_the_journal_is_found() {
+    let turns = |order: f64, sense: f64, speed: f64| {
+        let rotating = Harmonic {
+            order,
+            cos: [2.0, 0.0, 0.0, 0.0],
+            sin: [0.0, 2.0 * sense, 0.0, 0.0],
+        };
+        let turning = Turning { speed, rod: None };
+        let cycle = DutyCycle::of_harmonics(vec![rotating], 2.0 * TAU, Frame::Shell, turning);
+        cycle.summary().half_speed_share
+    };
+    assert!((turns(0.5, 1.0, 30.0) - 1.0).abs() < 1e-12);
+    assert!((turns(0.5, -1.0, -30.0) - 1.0).abs() < 1e-12);
+    for (order, sense) in [(0.0, 1.0), (0.5, -1.0), (1.0, 1.0), (1.5, 1.0)] {
+        assert!(turns(order, sense, 30.0) < 1e-12, "{order}");
+    }
+}
