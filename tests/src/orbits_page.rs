@@ -74,7 +74,7 @@ pub fn changed(changes: &[(&str, &str)]) -> oilwedge_scene::Scene {
 /// A scene has no orbit.
 pub fn page(page: &str) -> String {
     let scene = changed(&[]);
-    let of = |scene: &oilwedge_scene::Scene| run(scene, &RunOptions::default()).expect("an orbit");
+    let of = |scene: &oilwedge_scene::Scene| run(scene, &RunOptions::of(scene)).expect("an orbit");
     let (finite, short) = (of(&scene), of(&changed(&MAKE_SHORT)));
     let page = replace(page, "finite", &table(&finite, &FINITE));
     let page = replace(&page, "short", &table(&short, &SHORT));

@@ -6,6 +6,7 @@ use oilwedge_reynolds::{FilmProblem, FilmSystem, JournalState};
 use crate::cubic::balance_cubic;
 use crate::equilibrium::{Equilibrium, NEAR, ROUGHLY_BALANCED};
 use crate::estimate::{GREATEST_ECCENTRICITY, is_contact};
+use crate::load_capacity::FAR;
 use crate::search::{Search, Trial};
 use crate::stiffness::Stiffness;
 use crate::{Carrier, InitialGuess, Load, NoEquilibrium, SearchOptions};
@@ -115,6 +116,9 @@ impl Search<'_> {
             && let Some(beyond) = self.beyond_capacity(problem, journal)
         {
             return Err(beyond);
+        }
+        if matches!(reason, NoEquilibrium::Unreachable { why, .. } if why == FAR) {
+            return Err(reason);
         }
         // Where a coarser mesh has no balance its last position may still be a start, unless the film there is too thin for it.
         let is_resolved = |journal: &JournalState| {
@@ -238,10 +242,7 @@ impl Search<'_> {
             let is_driven = problem.bearing.least_gap(journal) < NEARLY_CONTACT * problem.bearing.clearance;
             let is_tilted = problem.journal.tilt != [0.0; 2];
             let beyond = is_driven.then(|| self.beyond_capacity(problem, journal)).flatten();
-            let beyond = beyond.or_else(|| {
-                let towards = is_tilted.then(|| self.towards_load(problem)).flatten()?;
-                self.beyond_capacity(problem, &towards)
-            });
+            let beyond = beyond.or_else(|| is_tilted.then(|| self.beyond_contact(problem)).flatten());
             if let Some(beyond) = beyond {
                 return Err(beyond);
             }

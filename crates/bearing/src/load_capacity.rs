@@ -20,6 +20,11 @@ const SLOPES: std::ops::RangeInclusive<f64> = 0.1..=3.0;
 const AROUND: u32 = 24;
 /// and most halvings between two of them.
 const HALVINGS: usize = 12;
+/// A film that carries less than this part of the load wherever the journal is in contact is not brought to the load by a finer mesh.
+const FAR_BELOW: f64 = 1.0 / 3.0;
+/// What is said of it.
+pub(crate) const FAR: &str =
+    "in contact anywhere around the bearing the film of the journal so tilted carries less than a third of the load";
 /// An eccentricity at which less should be carried.
 const BEFORE: f64 = 0.99;
 /// Loads below this part of the reference force are below the round-off of the film's force.
@@ -68,8 +73,8 @@ impl Search<'_> {
         self.trial(problem, at, Neighbour::None).ok()
     }
 
-    /// The journal at the greatest eccentricity where the film's force points in the direction of the load, of several that where it is greatest: all around the bearing.
-    pub(crate) fn towards_load(&self, problem: &FilmProblem) -> Option<JournalState> {
+    /// The reason if a journal whose tilt is given carries less than the load wherever it is in contact; it is asked all around the bearing.
+    pub(crate) fn beyond_contact(&self, problem: &FilmProblem) -> Option<NoEquilibrium> {
         let load = self.load.force[1].atan2(self.load.force[0]);
         let off = |angle: f64| {
             let trial = self.at_contact(problem, angle)?;
@@ -78,6 +83,17 @@ impl Search<'_> {
         };
         let angles = (0..=AROUND).map(|k| TAU * f64::from(k) / f64::from(AROUND));
         let around: Vec<_> = angles.map(|angle| (angle, off(angle))).collect();
+        let known: Option<Vec<f64>> = around.iter().map(|(_, off)| off.map(|(_, force, _)| force)).collect();
+        let greatest = known?.into_iter().fold(0.0, f64::max);
+        if greatest < FAR_BELOW * self.load.magnitude() {
+            let nearest = self.nearest.get()?;
+            let here = JournalState {
+                tilt: problem.journal.tilt,
+                ..nearest.journal
+            };
+            let trial = self.trial(problem, self.coordinates.at(&here), Neighbour::None).ok()?;
+            return Some(self.unreachable(&trial, FAR));
+        }
         let mut best: Option<(f64, JournalState)> = None;
         for pair in around.windows(2) {
             let [(mut low, Some((first, ..))), (mut high, Some((last, ..)))] =
@@ -105,7 +121,7 @@ impl Search<'_> {
                 }
             }
         }
-        best.map(|(_, journal)| journal)
+        best.and_then(|(_, journal)| self.beyond_capacity(problem, &journal))
     }
 
     /// Whether the film carries less than `greatest` [N] at a smaller eccentricity; with tension on one side of an arc it need not.

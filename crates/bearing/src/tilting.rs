@@ -24,11 +24,11 @@ const GROWTH: f64 = 1.6;
 /// Corrections that count as quick,
 const QUICK: usize = 3;
 /// and most of one step.
-const MOST_CORRECTIONS: usize = 7;
+const MOST_CORRECTIONS: usize = 5;
 /// Least film after a step over that before.
 const LEAST_SHRINK: f64 = 0.3;
 /// A step this much shorter than the least film over the clearance leads no further.
-const SHORTEST: f64 = 1e-2;
+const SHORTEST: f64 = 0.1;
 /// Points of a branch at most.
 const MOST_POINTS: usize = 60;
 /// A branch whose part has fallen by so much from its greatest value does not return.

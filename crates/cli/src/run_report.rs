@@ -256,6 +256,7 @@ pub(crate) mod tests {
                 force: 0.0,
                 tilt: 0.0,
                 thermal: 0.0,
+                energy: None,
             },
             regime: None,
             orbit: None,

@@ -121,7 +121,9 @@ fn way_out(reason: &NoAnswer) -> Option<&'static str> {
 
 fn of_position(reason: &NoEquilibrium) -> Option<&'static str> {
     match reason {
-        NoEquilibrium::Unreachable { .. } => Some("change the load, its angle, or the pressure and place of feeds"),
+        NoEquilibrium::Unreachable { .. } => {
+            Some("change the load, its angle, the tilt where one is given, or the pressure and place of feeds")
+        }
         NoEquilibrium::BeyondCapacity { .. } => Some("lower the load, or raise speed, viscosity or size"),
         NoEquilibrium::EdgeContact { .. } | NoEquilibrium::TiltLimit { .. } => {
             Some("move the load towards the middle, lower its moment, or give [support] a greater tilt_stiffness")

@@ -172,7 +172,7 @@ mod tests {
 
     use super::{percent, warnings};
     use crate::compile::compile;
-    use crate::measure::measure;
+    use crate::measure::{Measured, measure};
     use crate::warning;
 
     /// A film that was asked for stiffness and damping says why it has none; one that was not asked says nothing.
@@ -186,7 +186,7 @@ mod tests {
         let solution = film.problem.solve(&film.system).expect("a solution");
         let parts = (&film.problem, &*film.system, &solution);
         let plain = measure(parts.0, parts.1, parts.2);
-        let said = |measured| {
+        let said = |measured: &Measured| {
             let mut warnings = warnings(&film, measured).into_iter();
             warnings.find(|warning| warning.kind == &warning::NO_COEFFICIENTS)
         };

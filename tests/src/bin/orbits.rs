@@ -1,5 +1,6 @@
 //! `orbits [FROM] [TO]`: bars of random orbits against references with more unknowns and shorter steps: a line an orbit, and the share that holds.
 //! `orbits --any [FROM] [TO]`: orbits of bearings of any kind: whether each closes or says why not, with a journal that stays inside.
+//! `orbits --scene N` prints the scene of one of them.
 
 use std::collections::BTreeMap;
 use std::time::Instant;
@@ -10,13 +11,22 @@ use oilwedge_tests::random_orbits::{Bars, Followed, JUDGED, RandomOrbit, fault, 
 /// Edges in the circumference of the two meshes of each bearing, and the tolerances in turn.
 const EDGES: [f64; 2] = [20.0, 30.0];
 const TOLERANCES: [f64; 3] = [1e-2, 1e-3, 1e-4];
+/// How orbits of any kind are followed.
+const ROUGH: Followed = Followed {
+    edges: 18.0,
+    tolerance: 1e-2,
+};
 
 fn main() {
     let numbers: Vec<u64> = std::env::args().filter_map(|argument| argument.parse().ok()).collect();
     let bound = |k: usize, usual: u64| numbers.get(k).copied().unwrap_or(usual);
-    match std::env::args().any(|argument| argument == "--any") {
-        true => of_any_kind(bound(0, 0), bound(1, 200)),
-        false => bars(bound(0, 0), bound(1, 20)),
+    let is_asked = |flag: &str| std::env::args().any(|argument| argument == flag);
+    if is_asked("--scene") {
+        print!("{}", RandomOrbit::of_any_kind(bound(0, 0)).text(ROUGH));
+    } else if is_asked("--any") {
+        of_any_kind(bound(0, 0), bound(1, 200));
+    } else {
+        bars(bound(0, 0), bound(1, 20));
     }
 }
 
@@ -63,14 +73,10 @@ fn bars(from: u64, to: u64) {
 }
 
 fn of_any_kind(from: u64, to: u64) {
-    let how = Followed {
-        edges: 18.0,
-        tolerance: 1e-2,
-    };
     let (mut counts, mut faults) = (BTreeMap::<String, usize>::new(), 0);
     for number in from..to {
         let clock = Instant::now();
-        let result = RandomOrbit::of_any_kind(number).solved(how, Bars::Omitted);
+        let result = RandomOrbit::of_any_kind(number).solved(ROUGH, Bars::Omitted);
         let reason = result.reason.clone().unwrap_or_default();
         let kind: String = reason.chars().take_while(|letter| !letter.is_ascii_digit()).collect();
         *counts.entry(format!("{} {kind}", result.status.name())).or_default() += 1;

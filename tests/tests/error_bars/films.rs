@@ -92,6 +92,8 @@ pub(crate) const NO_BARS: RunOptions = RunOptions {
     bars: false,
     max_seconds: 60.0,
     max_unknowns: 1_000_000,
+    frames: 0,
+    earlier: None,
     interrupt: Interrupt::NEVER,
     observer: None,
 };

@@ -7,11 +7,12 @@ use oilwedge_tests::orbits_page::{self, MAKE_SHORT, SHORT};
 
 /// The shipped scene with its text changed, without bars.
 fn changed(changes: &[(&str, &str)]) -> (RunResult, OrbitPath) {
+    let scene = orbits_page::changed(changes);
     let options = RunOptions {
         bars: false,
-        ..RunOptions::default()
+        ..RunOptions::of(&scene)
     };
-    let run = run(&orbits_page::changed(changes), &options).expect("a film");
+    let run = run(&scene, &options).expect("a film");
     assert_eq!(run.result.status, Status::Converged, "{:?}", run.result.reason);
     (run.result, run.orbit.expect("a path"))
 }
