@@ -10,11 +10,14 @@ use oilwedge_report::folder::replace;
 use oilwedge_report::json;
 use oilwedge_report::load_sheet::{LoadAt, LoadSheet};
 use oilwedge_report::plot::load_figures;
-use oilwedge_scene::wording::degrees;
+use oilwedge_scene::wording::{degrees, percent};
 use oilwedge_study::duty::duty_cycle;
 use std::f64::consts::PI;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+
+/// Parts of the load at half the speed of the journal that are no more than this are not shown [1].
+const LEAST_SHARE: f64 = 1e-3;
 
 /// Arguments of `oilwedge load`.
 #[derive(Debug, clap::Args)]
@@ -108,6 +111,13 @@ fn in_words(sheet: &LoadSheet, folder: &Path, drawn: &str) -> String {
         add(
             "greatest moment",
             format!("{} N.m", significant(sheet.greatest_moment_n_m, 4)),
+            None,
+        );
+    }
+    if sheet.half_speed_share > LEAST_SHARE {
+        add(
+            "at half the speed of the journal",
+            format!("{} of the mean magnitude", percent(sheet.half_speed_share)),
             None,
         );
     }

@@ -36,6 +36,8 @@ pub struct LoadSheet {
     pub greatest_moment_n_m: f64,
     /// Least and greatest angular speed of the journal against the shell.
     pub journal_speed_rad_s: [f64; 2],
+    /// Part of the force that turns at half the speed of the journal, over the mean magnitude: where it is most of it, a film collapses.
+    pub half_speed_share: f64,
     /// Work of the gas on the piston in a period; `None`: the load is not that of a big end computed from its crank.
     pub gas_work_j: Option<f64>,
     /// The load at growing crank angles.
@@ -86,6 +88,7 @@ impl LoadSheet {
             mean_magnitude,
             greatest_moment,
             speeds,
+            half_speed_share,
         } = cycle.summary();
         let peak = LoadAt::of(peak);
         let period = cycle.period().to_degrees();
@@ -112,6 +115,7 @@ impl LoadSheet {
             specific_load_pa: peak.magnitude_n / (scene.bearing.length * scene.bearing.diameter),
             greatest_moment_n_m: greatest_moment,
             journal_speed_rad_s: speeds,
+            half_speed_share,
             gas_work_j: cycle.crank().map(|crank| crank.gas_work(STEPS)),
             rows: (0..count).map(row).collect(),
         }

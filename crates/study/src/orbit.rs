@@ -56,6 +56,8 @@ pub struct OrbitFacts {
     pub cycles: Vec<CycleFacts>,
     /// Where the last cycle ended, over the clearance [1]: offset, and slopes times half of the bearing's length where the tilt is free.
     pub end: [f64; 4],
+    /// Part of the load that turns at half the speed of the journal, over its mean magnitude [1].
+    pub half_speed_share: f64,
 }
 
 /// An orbit that an earlier run has left before it was closed.
@@ -212,7 +214,8 @@ fn measured(
     sample::refine_peak(film, motion, &mut steps, &mut samples, options.errors())?;
     drift::carry(&steps, &mut samples, end);
     let path: Vec<Span> = steps.windows(2).map(|pair| Span::between(&pair[0], &pair[1])).collect();
-    let (_, peak) = motion.cycle.summary().peak;
+    let load = motion.cycle.summary();
+    let (_, peak) = load.peak;
     let balances = balances::balances(motion, &path, &samples);
     let flows = balances::mean_flows(&samples);
     let samples: Vec<Sample> = samples.into_iter().map(|sampled| sampled.sample).collect();
@@ -243,6 +246,7 @@ fn measured(
                 .last()
                 .map_or([0.0; 4], |step| step.at.map(|part| part / clearance)),
             cycles: cycles.iter().map(|cycle| facts(cycle, clearance)).collect(),
+            half_speed_share: load.half_speed_share,
         },
         path: OrbitPath {
             crank_angles: samples

@@ -5,7 +5,7 @@
 use std::fmt;
 
 use oilwedge_reynolds::supply::SupplyError;
-use oilwedge_scene::wording::factor;
+use oilwedge_scene::wording::{factor, percent};
 
 /// Ways out that are flags of the command line.
 pub mod flags {
@@ -27,6 +27,8 @@ pub enum Limit {
     Position(f64, Cause),
     /// So many cycles were followed, and the last one ended this far from where it began, over the clearance.
     NotClosed(usize, f64),
+    /// So many cycles were followed, the last of which closed to this part of the clearance, under a load of which this part turns at half the speed of the journal.
+    Collapse(usize, f64, f64),
     /// The orbit was ended after so many complete cycles, the last of which closed to this part of the clearance.
     Orbit(usize, f64, Cause),
     /// The next mesh was not finished after so many seconds.
@@ -114,6 +116,11 @@ impl fmt::Display for Limit {
                 out,
                 "not closed after {cycles} {}: the last one ended {closure:.1e} of the clearance from where it began; the same command goes on from there, or give orbit.cycles a higher limit, or orbit.closure",
                 if *cycles == 1 { "cycle" } else { "cycles" }
+            ),
+            Self::Collapse(cycles, closure, share) => write!(
+                out,
+                "collapse: {} of the load turns at half the speed of the journal, where a film carries nothing at rest with the load, and the journal nears the liner from cycle to cycle: the last of {cycles} ended {closure:.1e} of the clearance from where it began; give another load or speed",
+                percent(*share)
             ),
             Self::Orbit(cycles, closure, cause) => ended(
                 out,

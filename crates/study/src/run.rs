@@ -9,6 +9,7 @@ use oilwedge_fem::newton;
 use oilwedge_mesh::Mesh;
 use oilwedge_mesh::quality::least_angle_of;
 use oilwedge_scene::Scene;
+use oilwedge_scene::wording::percent;
 
 use crate::compile_error::CompileError;
 use crate::effects::Effects;
@@ -28,6 +29,7 @@ use crate::result::{
 use crate::run_options::RunOptions;
 use crate::solved::Solved;
 use crate::thermal::temperature_report;
+use crate::warning;
 use crate::warnings::all_warnings;
 
 /// What a run found.
@@ -87,6 +89,9 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, CompileError> {
     })
 }
 
+/// Part of the load that turns at half the speed of the journal, above which a film is told to collapse [1].
+const MOST_AT_HALF_SPEED: f64 = 0.5;
+
 /// Follows the journal over cycles.
 fn on_orbit(scene: &Scene, orbit: &oilwedge_scene::Orbit, options: &RunOptions) -> Result<Run, CompileError> {
     let (film, outcome) = follow(scene, orbit, options)?;
@@ -112,12 +117,22 @@ fn on_orbit(scene: &Scene, orbit: &oilwedge_scene::Orbit, options: &RunOptions) 
         options.surface(),
     );
     let films = facts.cycles.iter().map(|cycle| cycle.films).sum();
+    let half_speed = facts.half_speed_share;
     let limit = match followed.end {
         OrbitEnd::Closed => None,
+        OrbitEnd::NotClosed if half_speed > MOST_AT_HALF_SPEED => {
+            Some(Limit::Collapse(facts.cycles.len(), closure(&facts), half_speed))
+        }
         OrbitEnd::NotClosed => Some(Limit::NotClosed(facts.cycles.len(), closure(&facts))),
         OrbitEnd::Ended => Some(Limit::Orbit(facts.cycles.len(), closure(&facts), options.cause())),
     };
     report(scene, (&solved, estimated), options, &mut result);
+    if half_speed > MOST_AT_HALF_SPEED {
+        let share = percent(half_speed);
+        result.warnings.push(warning::HALF_SPEED.says(format!(
+            "{share} of the load turns at half the speed of the journal: there the film has no wedge and carries by squeeze alone, and the least film falls from cycle to cycle"
+        )));
+    }
     result.quantities = followed.quantities;
     result.counts.position_steps = films;
     result.balances.force = followed.residual;

@@ -92,6 +92,27 @@ fn too_few_cycles_are_an_answer_with_numbers() {
 }
 
 #[test]
+fn a_load_at_half_the_speed_of_the_journal_is_told_as_collapse() {
+    let turning = "[{ order = 0.5, cos = { x = \"2 kN\" }, sin = { y = \"2 kN\" } }]";
+    let (before, rest) = SCENE.split_once("load = { harmonics = ").expect("a load");
+    let (_, after) = rest.split_once(", frame").expect("a frame");
+    let scene = format!("{before}load = {{ harmonics = {turning}, frame{after}");
+    let scene = scene
+        .replace("360 deg", "720 deg")
+        .replace("cycles = 5", "cycles = 2, closure = 1e-6");
+    let result = run(&parsed(&scene).expect("a scene"), &RunOptions::default())
+        .expect("an orbit")
+        .result;
+    assert_eq!(result.status, Status::NotConverged);
+    let reason = result.reason.as_deref().unwrap_or_default();
+    assert!(
+        reason.starts_with("collapse: 100 % of the load turns at half the speed"),
+        "{reason}"
+    );
+    assert!(result.warnings.iter().any(|warning| warning.kind.code == "half_speed"));
+}
+
+#[test]
 fn an_orbit_without_bars_has_the_same_numbers() {
     let scene = parsed(SCENE).expect("a scene");
     let with = run(&scene, &RunOptions::default()).expect("an orbit").result;
