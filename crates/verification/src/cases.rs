@@ -8,7 +8,7 @@ use crate::family::{Expect, Family, LimitedLaw, MeshRecipe, Other, Series, Vary}
 pub const KNOWN_VALUES: &str = "known_values";
 
 /// The families, by the names of their files in `tests/hard_cases`.
-const FAMILIES: [(&str, &str); 17] = [
+const FAMILIES: [(&str, &str); 18] = [
     (
         KNOWN_VALUES,
         include_str!("../../../tests/hard_cases/known_values.toml"),
@@ -38,6 +38,7 @@ const FAMILIES: [(&str, &str); 17] = [
     ("placement", include_str!("../../../tests/hard_cases/placement.toml")),
     ("loads", include_str!("../../../tests/hard_cases/loads.toml")),
     ("scales", include_str!("../../../tests/hard_cases/scales.toml")),
+    ("orbits", include_str!("../../../tests/hard_cases/orbits.toml")),
 ];
 
 /// One hard case.
