@@ -24,7 +24,7 @@ const TOP_TO_BOTTOM: [&str; 11] = [
 ];
 
 /// The sockets whose entries are a list, and the two contracts. Another one needs a reason in writing.
-const PUBLIC_TRAITS: [&str; 9] = [
+const PUBLIC_TRAITS: [&str; 10] = [
     "ConservationLaw",
     "PressureViscosity",
     "FilmContribution",
@@ -34,6 +34,7 @@ const PUBLIC_TRAITS: [&str; 9] = [
     "SearchObserver",
     "OrbitObserver",
     "RunObserver",
+    "FilmMap",
 ];
 
 /// Longest source file [lines], tests within it included.

@@ -115,7 +115,7 @@ fn balances(balances: Balances) -> String {
         );
     }
     if let Some(energy) = balances.energy {
-        line += &format!(", energy over the cycle by {} of the heat", part(energy));
+        line += &format!(", energy over the cycle by {} of the dissipation", part(energy));
     }
     line + &temperature::imbalance(balances)
 }

@@ -11,8 +11,8 @@ use crate::page::PAGE_FILE;
 use crate::plot::{TEMPERATURE_FILES, temperature_to_svg, to_png};
 use oilwedge_campaign::AddOn;
 use oilwedge_scene::Scene;
-use oilwedge_study::orbit::EarlierOrbit;
 use oilwedge_study::result::RunResult;
+use oilwedge_study::run_options::EarlierOrbit;
 use serde_json::Value;
 use std::ffi::OsStr;
 use std::path::Path;
@@ -66,7 +66,7 @@ pub fn write_results(dir: &Path, result: &RunResult, add_ons: &[AddOn], beside: 
 /// The orbit of this scene that a run has left in the folder `dir` before it was closed; `None` where there is none.
 pub fn earlier_orbit(dir: &Path, scene: &Scene) -> Option<EarlierOrbit> {
     // Of a balance of heat the orbits before were those of other temperatures.
-    scene.orbit.as_ref().filter(|_| scene.heat.is_none())?;
+    scene.orbit.as_ref().filter(|_| scene.inlet_temperature().is_none())?;
     let text = std::fs::read(dir.join(RESULT_FILE)).ok()?;
     let result: Value = serde_json::from_slice(&text).ok()?;
     let is_its_own = result["scene_sha256"] == scene.sha256.as_str() && result["version"] == env!("CARGO_PKG_VERSION");

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `orbit/start.rs` | the mesh, and where the journal begins: from an orbit on a coarser mesh |
 //! | `orbit/frame.rs` | films at even crank angles, to be drawn |
-//! | `orbit/heat.rs` | the temperature at which the mean flow carries off the mean power |
+//! | `orbit/temperature.rs` | the temperature at which the mean flow carries off the mean power |
 //! | `orbit/sample.rs` | the films along the orbit, measured, with their error bars at that place and velocity |
 //! | `orbit/balances.rs` | oil and energy over the cycle |
 //! | `orbit/by_map.rs` | the same by maps of the film |
@@ -16,20 +16,20 @@ mod balances;
 mod by_map;
 mod drift;
 mod frame;
-mod heat;
 mod sample;
 mod start;
+mod temperature;
 
-use oilwedge_bearing::ThermalFlows;
 use oilwedge_bearing::coordinates::Vector;
 use oilwedge_bearing::orbit::{Cycle, Motion, Orbit, OrbitEnd, OrbitOptions, Span, TiltSupport};
+use oilwedge_bearing::{Deadline, ThermalFlows};
 use oilwedge_scene::Scene;
 use serde::Serialize;
 
 use balances::CycleBalances;
 pub use by_map::{ByMap, by_maps, no_map};
 pub use frame::Frame;
-use heat::CycleHeat;
+use temperature::CycleTemperature;
 
 use crate::compile_error::CompileError;
 use crate::duty::{DutyCycle, load_of_orbit};
@@ -39,7 +39,7 @@ use crate::no_answer::NoAnswer;
 use crate::quantities::cycle_view::Sample;
 use crate::quantities::{CycleView, Quantity, over_cycle};
 use crate::run_options::RunOptions;
-use crate::solved::Solved;
+use crate::solved::{Errors, Solved};
 
 /// Where an orbit ends its search, as results have it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -58,15 +58,6 @@ pub struct OrbitFacts {
     pub end: [f64; 4],
     /// Part of the load that turns at half the speed of the journal, over its mean magnitude [1].
     pub half_speed_share: f64,
-}
-
-/// An orbit that an earlier run has left before it was closed.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct EarlierOrbit {
-    /// Its complete cycles.
-    pub cycles: usize,
-    /// Where the last of them ended, over the clearance [1], as in [`OrbitFacts::end`].
-    pub end: [f64; 4],
 }
 
 /// One cycle, as results have it.
@@ -129,7 +120,7 @@ pub(crate) struct Followed {
     /// Mean of what heats and what cools the films; none without a balance of heat.
     pub(crate) flows: Option<ThermalFlows>,
     /// How the temperature was found; none where it is given.
-    pub(crate) heat: Option<CycleHeat>,
+    pub(crate) temperature: Option<CycleTemperature>,
     /// Where the last cycle ended [m].
     pub(crate) begin: Vector,
     /// How it ended.
@@ -147,24 +138,24 @@ pub(crate) fn follow(
     model: &oilwedge_scene::Orbit,
     options: &RunOptions,
 ) -> Result<(Film, Result<Followed, NoAnswer>), CompileError> {
-    let cycle = load_of_orbit(scene)?;
+    let (cycle, deadline) = (load_of_orbit(scene)?, options.deadline());
     if let Some(thermal) = Sockets::of(scene).thermal {
-        return heat::balanced(scene, model, thermal, &cycle, options);
+        return temperature::balanced((scene, model, &cycle), thermal, deadline, options);
     }
-    let (film, begin) = start::prepared(scene, model, &cycle, options.deadline())?;
+    let (film, begin) = start::prepared(scene, model, &cycle, deadline)?;
     let clearance = film.problem.bearing.clearance;
     let begin = options
         .earlier
         .map_or(begin, |earlier| earlier.end.map(|part| clearance * part));
-    let outcome = followed(&film, (scene, model, &cycle), begin, options);
+    let outcome = followed(&film, (scene, model, &cycle), (begin, deadline), options);
     Ok((film, outcome))
 }
 
-/// Follows the orbit of a film from the offsets `begin` [m], and measures it.
+/// Follows the orbit of a film from the offsets `begin` [m] until a deadline, and measures it.
 fn followed(
     film: &Film,
     (scene, model, cycle): (&Scene, &oilwedge_scene::Orbit, &DutyCycle),
-    begin: Vector,
+    (begin, deadline): (Vector, Deadline),
     options: &RunOptions,
 ) -> Result<Followed, NoAnswer> {
     let clock = std::time::Instant::now();
@@ -173,7 +164,7 @@ fn followed(
         tolerance: model.tolerance,
         closure: model.closure,
         cycles: model.cycles,
-        deadline: options.deadline(),
+        deadline,
         observer: options
             .observer
             .map(|observer| observer as &dyn oilwedge_bearing::orbit::OrbitObserver),
@@ -225,12 +216,18 @@ fn measured(
         bearing: film.problem.bearing,
         coordinates: motion.coordinates(),
         angular_speed: motion.cycle.angular_speed(),
+        between: 0.0,
         peak_load: peak[0].hypot(peak[1]),
     };
     let (_, thinnest_at) = view.thinnest();
     let last = path.last().copied();
     let span = path.iter().find(|span| span.times[1] >= thinnest_at).copied().or(last);
     let solved = sample::solved_at(film, motion, span, thinnest_at, options.errors())?;
+    let between = match (options.errors(), &span) {
+        (Errors::Estimated, Some(span)) => drift::between(motion, span, thinnest_at)?,
+        _ => 0.0,
+    };
+    let view = CycleView { between, ..view };
     let frames = frame::frames(film, motion, &path, options)?;
     let clearance = film.problem.bearing.clearance;
     Ok(Followed {
@@ -265,7 +262,7 @@ fn measured(
         residual: steps.iter().map(|step| step.residual).fold(0.0, f64::max),
         balances,
         flows,
-        heat: None,
+        temperature: None,
         begin: steps.last().map_or([0.0; 4], |step| step.at),
         end,
         seconds: [0.0; 2],

@@ -138,8 +138,8 @@ fn on_orbit(scene: &Scene, orbit: &oilwedge_scene::Orbit, options: &RunOptions) 
     result.balances.force = followed.residual;
     result.balances.mass = followed.balances.mass;
     result.balances.energy = followed.balances.energy;
-    result.balances.thermal = followed.heat.map_or(0.0, |heat| heat.left_over);
-    result.counts.temperature_steps = followed.heat.map_or(0, |heat| heat.steps);
+    result.balances.thermal = followed.temperature.map_or(0.0, |found| found.left_over);
+    result.counts.temperature_steps = followed.temperature.map_or(0, |found| found.steps);
     let [integrate, measure] = followed.seconds;
     result
         .timing_s

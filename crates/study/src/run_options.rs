@@ -5,7 +5,6 @@ use oilwedge_bearing::{Deadline, Interrupt};
 use oilwedge_scene::Scene;
 
 use crate::observer::RunObserver;
-use crate::orbit::EarlierOrbit;
 use crate::picture::Surface;
 use crate::reasons::Cause;
 use crate::solved::Errors;
@@ -29,6 +28,15 @@ pub struct RunOptions {
     pub interrupt: Interrupt,
     /// Notified of each mesh, position and temperature.
     pub observer: Option<&'static dyn RunObserver>,
+}
+
+/// An orbit that an earlier run has left before it was closed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EarlierOrbit {
+    /// Its complete cycles.
+    pub cycles: usize,
+    /// Where the last of them ended, over the clearance [1], as in [`crate::orbit::OrbitFacts::end`].
+    pub end: [f64; 4],
 }
 
 impl RunOptions {

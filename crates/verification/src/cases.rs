@@ -39,6 +39,7 @@ const FAMILIES: [(&str, &str); 18] = [
     ("placement", include_str!("../../../tests/hard_cases/placement.toml")),
     ("loads", include_str!("../../../tests/hard_cases/loads.toml")),
     ("scales", include_str!("../../../tests/hard_cases/scales.toml")),
+    ("orbits", include_str!("../../../tests/hard_cases/orbits.toml")),
 ];
 
 /// One hard case.

@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use oilwedge_scene::SceneError;
-use oilwedge_study::orbit::EarlierOrbit;
 use oilwedge_study::quantities::*;
 use oilwedge_study::result::Status;
+use oilwedge_study::run_options::EarlierOrbit;
 use oilwedge_study::{RunOptions, parse, read, run};
 use oilwedge_tests::scenes::path;
 
@@ -14,7 +14,7 @@ use oilwedge_tests::scenes::path;
 #[test]
 fn the_big_end_of_the_shipped_scene_is_that_of_finite_volumes() {
     let scene = read(&path("27_big_end_orbit")).expect("a scene");
-    let found = run(&scene, &RunOptions::default()).expect("an orbit");
+    let found = run(&scene, &RunOptions::of(&scene)).expect("an orbit");
     let result = &found.result;
     assert_eq!(result.status, Status::Converged, "{:?}", result.reason);
     let number = |row: &Row| {
@@ -78,7 +78,7 @@ fn parsed(text: &str) -> Result<oilwedge_scene::Scene, String> {
 #[test]
 fn too_few_cycles_are_an_answer_with_numbers() {
     let scene = parsed(&SCENE.replace("cycles = 5", "cycles = 1, closure = 1e-12")).expect("a scene");
-    let result = run(&scene, &RunOptions::default()).expect("an orbit").result;
+    let result = run(&scene, &RunOptions::of(&scene)).expect("an orbit").result;
     assert_eq!(result.status, Status::NotConverged);
     assert!(
         result
@@ -115,12 +115,12 @@ fn a_load_at_half_the_speed_of_the_journal_is_told_as_collapse() {
 #[test]
 fn an_orbit_without_bars_has_the_same_numbers() {
     let scene = parsed(SCENE).expect("a scene");
-    let with = run(&scene, &RunOptions::default()).expect("an orbit").result;
+    let with = run(&scene, &RunOptions::of(&scene)).expect("an orbit").result;
     let without = run(
         &scene,
         &RunOptions {
             bars: false,
-            ..RunOptions::default()
+            ..RunOptions::of(&scene)
         },
     )
     .expect("an orbit")
@@ -154,7 +154,7 @@ fn what_has_no_orbit_is_refused() {
         match told {
             "" => {
                 let scene = found.expect("a scene");
-                let refused = run(&scene, &RunOptions::default())
+                let refused = run(&scene, &RunOptions::of(&scene))
                     .expect_err("no steady film")
                     .to_string();
                 assert!(refused.contains("add [orbit]"), "{refused}");
@@ -175,7 +175,7 @@ fn one_temperature_balances_the_heat_of_a_cycle() {
         "oil.grade = \"SAE 30\"\nheat.inlet = \"70 C\"",
     );
     let scene = parsed(&text).expect("a scene");
-    let found = run(&scene, &RunOptions::default()).expect("an orbit");
+    let found = run(&scene, &RunOptions::of(&scene)).expect("an orbit");
     let result = &found.result;
     assert_eq!(result.status, Status::Converged, "{:?}", result.reason);
     let number = |row: &Row| {
@@ -204,9 +204,8 @@ fn one_temperature_balances_the_heat_of_a_cycle() {
         "heat.inlet = \"70 C\"",
         &format!("oil.temperature = \"{temperature} C\""),
     );
-    let given = run(&parsed(&given).expect("a scene"), &RunOptions::default())
-        .expect("an orbit")
-        .result;
+    let given = parsed(&given).expect("a scene");
+    let given = run(&given, &RunOptions::of(&given)).expect("an orbit").result;
     let (alone, balanced) = (given.quantity(&CYCLE_POWER_LOSS).expect("a power").value, power);
     assert!((alone / balanced - 1.0).abs() < 1e-3, "{alone} {balanced}");
 }
@@ -215,18 +214,18 @@ fn one_temperature_balances_the_heat_of_a_cycle() {
 #[test]
 fn an_orbit_is_continued() {
     let one = parsed(&SCENE.replace("cycles = 5", "cycles = 1, closure = 1e-6")).expect("a scene");
-    let first = run(&one, &RunOptions::default()).expect("an orbit").result;
+    let first = run(&one, &RunOptions::of(&one)).expect("an orbit").result;
     let facts = first.orbit.expect("an orbit");
     let options = RunOptions {
         earlier: Some(EarlierOrbit {
             cycles: facts.cycles.len(),
             end: facts.end,
         }),
-        ..RunOptions::default()
+        ..RunOptions::of(&one)
     };
     let second = run(&one, &options).expect("an orbit").result.orbit.expect("an orbit");
     let two = parsed(&SCENE.replace("cycles = 5", "cycles = 2, closure = 1e-6")).expect("a scene");
-    let both = run(&two, &RunOptions::default())
+    let both = run(&two, &RunOptions::of(&two))
         .expect("an orbit")
         .result
         .orbit
@@ -247,7 +246,7 @@ fn a_cycle_is_drawn_film_by_film() {
     let options = RunOptions {
         bars: false,
         frames: 4,
-        ..RunOptions::default()
+        ..RunOptions::of(&scene)
     };
     let found = run(&scene, &options).expect("an orbit");
     let path = found.orbit.expect("a path");

@@ -38,8 +38,6 @@ pub enum NoMap {
 pub struct FiniteMap {
     /// Logarithm of the ratio of the forces, and angle between them, over the direction: at each eccentricity.
     levels: Vec<PeriodicSpline<2>>,
-    /// Length over diameter [1].
-    pub slenderness: f64,
     /// Films that were solved.
     pub films: usize,
 }
@@ -57,7 +55,6 @@ impl FiniteMap {
             .collect();
         Ok(Self {
             levels: levels?,
-            slenderness: 0.5 * problem.bearing.length / problem.bearing.radius,
             films: (count + 1) * (DIRECTIONS as usize + 1),
         })
     }

@@ -1,7 +1,7 @@
 //! The orbit by a map: `e' = V(e, F) + (omega/2) k x e`, by the same implicit steps as that of a film, with the derivative of the right side by differences.
 
 use super::FilmMap;
-use crate::coordinates::{Vector, length};
+use crate::coordinates::Vector;
 use crate::duty_cycle::DutyCycle;
 use crate::orbit::{COEFFICIENTS, DIAGONAL, EMBEDDED, ERROR_POWER, NODES, STAGES, Step};
 use oilwedge_reynolds::Bearing;
@@ -206,12 +206,4 @@ fn solved([[a, b], [c, d]]: [[f64; 2]; 2], [x, y]: Place) -> Option<Place> {
     let determinant = a * d - b * c;
     let found = [(d * x - b * y) / determinant, (a * y - c * x) / determinant];
     found.iter().all(|part| part.is_finite()).then_some(found)
-}
-
-impl MapOrbit {
-    /// Greatest eccentricity at an end of a step [1].
-    pub fn greatest_eccentricity(&self, clearance: f64) -> f64 {
-        let eccentricity = |step: &Step| length(step.at) / clearance;
-        self.steps.iter().map(eccentricity).fold(0.0, f64::max)
-    }
 }

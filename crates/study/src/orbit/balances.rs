@@ -70,12 +70,12 @@ fn energy(motion: &Motion, path: &[Span], sampled: &[Sampled]) -> Option<f64> {
     let times = films.iter().map(|sampled| sampled.sample.time).collect();
     let values = films.iter().map(|sampled| {
         let power = &sampled.power;
-        let heat = power.shear + power.driven;
-        [heat, power.friction() + power.supplied + power.cavity]
+        let dissipated = power.shear + power.driven;
+        [dissipated, power.friction() + power.supplied + power.cavity]
     });
-    let [heat, put_in] = mean(times, values.collect(), period)?;
+    let [dissipated, put_in] = mean(times, values.collect(), period)?;
     let by_load = path.iter().map(|span| work(motion, span)).sum::<f64>() / period;
-    (heat > 0.0).then_some((put_in + by_load - heat).abs() / heat)
+    (dissipated > 0.0).then_some((put_in + by_load - dissipated).abs() / dissipated)
 }
 
 /// Work of the load along a part of the path [J].

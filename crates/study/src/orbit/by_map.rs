@@ -199,6 +199,7 @@ impl Beside<'_> {
                 arm: 0.5 * self.bearing.length,
             },
             angular_speed: self.cycle.angular_speed(),
+            between: 0.0,
             peak_load: peak[0].hypot(peak[1]),
         })
     }

@@ -6,11 +6,15 @@
 //! ```
 //!
 //! Both are solved by implicit Euler steps from film to film, twice around a closed orbit.
+//!
+//! Between two steps the path is a cubic, which is off by `k s^2 (1 - s)^2` to first order, s from 0 to 1. The film at s = 1/4 shows k: its velocity, by which it carries
+//! the load, differs from that of the path by v, and `C d' + K d = -C v` there.
 
-use oilwedge_bearing::coordinates::{Vector, moved};
-use oilwedge_bearing::orbit::{OrbitEnd, Step};
+use oilwedge_bearing::coordinates::{Vector, length, moved};
+use oilwedge_bearing::orbit::{Motion, OrbitEnd, Span, Step};
 
-use super::sample::{Sampled, Tangents};
+use super::sample::{Sampled, TOLERANCE, Tangents};
+use crate::no_answer::NoAnswer;
 
 /// Rounds of a closed orbit: what is left of the first start is forgotten.
 const ROUNDS: usize = 2;
@@ -44,6 +48,29 @@ pub(super) fn carry(steps: &[Step], samples: &mut [Sampled], end: OrbitEnd) {
                 .collect();
         }
     }
+}
+
+/// How far the path between two steps is off at a time [m], estimated; nothing for a rotor with mass, whose film carries another load.
+///
+/// # Errors
+/// [`NoAnswer`]: there is no film between the steps.
+pub(super) fn between(motion: &Motion, span: &Span, time: f64) -> Result<f64, NoAnswer> {
+    const QUARTER: f64 = 0.25;
+    if motion.mass > 0.0 {
+        return Ok(0.0);
+    }
+    let [from, to] = span.times;
+    let (dt, at) = (to - from, from + QUARTER * (to - from));
+    let instant = motion.between(span, at, TOLERANCE).map_err(NoAnswer::Orbit)?;
+    let differs = moved(instant.velocity, -1.0, span.rate(at));
+    let damping = motion.tangent(&instant, 0.0, 1.0)?;
+    let stiffness = motion.tangent(&instant, 1.0, 0.0)?;
+    // s^2 (1 - s)^2 and its derivative 2 s (1 - s) (1 - 2 s) at s = 1/4.
+    let (value, slope) = (9.0 / 256.0, 3.0 / 16.0);
+    let pushed = damping.times(differs).map(|part| dt / slope * part);
+    let k = damping.plus(dt * value / slope, &stiffness).solve(pushed);
+    let s = (time - from) / dt;
+    Ok(length(k) * (s * (1.0 - s)).powi(2))
 }
 
 impl Tangents {

@@ -25,7 +25,7 @@ const SMALL: f64 = 1e-4;
 /// Films that are solved between steps to find the greatest pressure.
 const PEAKS: usize = 3;
 /// Tolerance to which they carry the load.
-const TOLERANCE: f64 = 1e-4;
+pub(super) const TOLERANCE: f64 = 1e-4;
 
 /// A film on the orbit, and what the error of the orbit needs of it.
 pub(super) struct Sampled {

@@ -6,12 +6,13 @@ use oilwedge_scene::Scene;
 use super::cycle_view::{At, CycleView, Judged};
 use super::row::{Headline, Measure::OverCycle, Row};
 use super::rule::ErrorRule;
-use super::{FILM_THICKNESS_MIN, FRICTION_POWER, FRICTION_SHEAR_POWER, MOTION_POWER, PRESSURE_MAX, SIDE_FLOW};
+use super::{FRICTION_POWER, FRICTION_SHEAR_POWER, MOTION_POWER, PRESSURE_MAX, SIDE_FLOW};
+use crate::effects::Sockets;
 
 rows! {
     /// `min h` over the liner and the cycle, between the steps of the orbit too
     CYCLE_FILM_THICKNESS_MIN = "cycle_film_thickness_min", "h_min", Metre, "least film thickness over the cycle":
-        OverCycle(|cycle| { let (thinnest, time) = cycle.thinnest(); Some((thinnest.thickness, cycle.bar_at(&FILM_THICKNESS_MIN, time))) }),
+        OverCycle(|cycle| { let (thinnest, time) = cycle.thinnest(); Some((thinnest.thickness, cycle.bar_of_thinnest(time))) }),
         ErrorRule::OverCycle(ORBIT), headline(Headline::Always(1));
 
     /// Crank angle at which the film is thinnest
@@ -71,27 +72,27 @@ rows! {
     /// `t_m`: one temperature for all films of the cycle, at which the mean flow carries off the mean of `P + P_e`; none without `[heat]`
     CYCLE_TEMPERATURE = "cycle_temperature", "t_m", Celsius, "temperature of the films, one for the cycle":
         OverCycle(|_| None),
-        ErrorRule::OverCycle(HEAT), only(is_balanced) headline(Headline::Always(10));
+        ErrorRule::OverCycle(BALANCED), only(is_balanced) headline(Headline::Always(10));
 
     /// `t_out = t_0 + 2 (1 + m)/(1 + 2 m) (t_m - t_0)`, m that of the mean flows; none without `[heat]`
     CYCLE_TEMPERATURE_OUTLET = "cycle_temperature_outlet", "t_out", Celsius, "of the oil that leaves the films":
         OverCycle(|_| None),
-        ErrorRule::OverCycle(HEAT), only(is_balanced) headline(Headline::Always(11));
+        ErrorRule::OverCycle(BALANCED), only(is_balanced) headline(Headline::Always(11));
 
     /// Mean over the cycle of the oil that leaves the film; none without `[heat]`
-    CYCLE_COOLING_FLOW = "cycle_cooling_flow", "Q_out", CubicMetrePerSecond, "mean oil that leaves the film and carries heat off":
+    CYCLE_COOLING_FLOW = "cycle_cooling_flow", "Q_out", CubicMetrePerSecond, "mean oil that leaves the film and cools it":
         OverCycle(|_| None),
         ErrorRule::OverCycle(MEAN), only(is_balanced);
 }
 
 /// These numbers are those of the balance around the orbit, not of one orbit.
 fn is_balanced(scene: &Scene) -> bool {
-    scene.heat.is_some()
+    Sockets::of(scene).thermal.is_some()
 }
 
 const ORBIT: &str = "that of the film there; the mesh's and the steps' errors of the orbit, carried along it by the film's stiffness and damping";
 const MEAN: &str = "mean of the bars of the films, and of what the errors of the orbit make of them";
-const HEAT: &str = "those of mean power and flow, over the slope of their balance";
+const BALANCED: &str = "those of mean power and flow, over the slope of their balance";
 const PLACE: &str = "where the film or the pressure is within twice its bar of the extreme";
 
 fn greatest(cycle: &CycleView, row: &Row) -> Option<Judged> {

@@ -72,6 +72,8 @@ pub struct CycleView<'a> {
     pub coordinates: Coordinates,
     /// Angular speed of the crank [rad/s].
     pub angular_speed: f64,
+    /// How far the path may be off between the films where the film is thinnest [m].
+    pub between: f64,
     /// Greatest load [N].
     pub peak_load: f64,
 }
@@ -152,6 +154,15 @@ impl CycleView<'_> {
         step * reach(1.0).max(reach(-1.0))
     }
 
+    /// The bar of the thinnest film of the cycle, at its time [s]: that of the films around it, and what the path is off between them.
+    pub fn bar_of_thinnest(&self, time: f64) -> Option<Bar> {
+        let bar = self.bar_at(&FILM_THICKNESS_MIN, time)?;
+        Some(Bar {
+            time: bar.time + self.between,
+            ..bar
+        })
+    }
+
     /// The crank angle [deg] of the thinnest film and its bar.
     pub fn thinnest_crank_angle(&self) -> Judged {
         let (thinnest, time) = self.thinnest();
@@ -160,7 +171,7 @@ impl CycleView<'_> {
                 .thinnest(&self.journal(at.rem_euclid(self.period())))
                 .thickness
         };
-        let bar = self.bar_at(&FILM_THICKNESS_MIN, time);
+        let bar = self.bar_of_thinnest(time);
         let doubt = bar.map(|bar| self.doubt(time, bar.total(), |at| film(at) - thinnest.thickness));
         (self.crank_angle(time), doubt.map(|doubt| self.bar_of_time(doubt)))
     }
@@ -169,7 +180,7 @@ impl CycleView<'_> {
     pub fn thinnest_angle(&self) -> Judged {
         let (thinnest, time) = self.thinnest();
         let film = |at: f64| self.bearing.thinnest(&self.journal(at.rem_euclid(self.period())));
-        let bar = self.bar_at(&FILM_THICKNESS_MIN, time);
+        let bar = self.bar_of_thinnest(time);
         let doubt = bar.map(|bar| self.doubt(time, bar.total(), |at| film(at).thickness - thinnest.thickness));
         let turned = |doubt: f64| {
             let around = [time - doubt, time + doubt].map(|at| (film(at).angle - thinnest.angle).sin().abs().asin());

@@ -10,7 +10,7 @@ use oilwedge_bearing::coordinates::Vector;
 use oilwedge_bearing::duty_cycle::DutyCycle;
 use oilwedge_bearing::orbit::OrbitEnd;
 use oilwedge_bearing::thermal_balance::{Start, find};
-use oilwedge_bearing::{Balanced, NoBalance, ThermalFlows};
+use oilwedge_bearing::{Balanced, Deadline, NoBalance, ThermalFlows};
 use oilwedge_reynolds::error_bar::Bar;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_scene::{Orbit, Scene};
@@ -40,7 +40,7 @@ const FURTHER: f64 = 1.0;
 
 /// What the balance of a cycle has found.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct CycleHeat {
+pub(crate) struct CycleTemperature {
     /// Heat that is not carried off, over the mean power [1].
     pub(crate) left_over: f64,
     /// Temperatures that were tried on the mesh of the result.
@@ -62,6 +62,7 @@ struct Search<'a> {
     cycle: &'a DutyCycle,
     film: Film,
     begin: Vector,
+    deadline: Deadline,
     options: RunOptions,
     tried: Vec<Tried>,
 }
@@ -71,10 +72,9 @@ struct Search<'a> {
 /// # Errors
 /// The scene does not become a film.
 pub(super) fn balanced(
-    scene: &Scene,
-    model: &Orbit,
+    (scene, model, cycle): (&Scene, &Orbit, &DutyCycle),
     thermal: ThermalModel,
-    cycle: &DutyCycle,
+    deadline: Deadline,
     options: &RunOptions,
 ) -> Result<(Film, Result<Followed, NoAnswer>), CompileError> {
     let quick = RunOptions {
@@ -91,11 +91,12 @@ pub(super) fn balanced(
         cycle,
         film,
         begin,
+        deadline,
         options: quick,
         tried: Vec::new(),
     };
     let first = oil::first_temperature(thermal.balance.inlet);
-    let (film, begin) = start::prepared(scene, model, cycle, options.deadline())?;
+    let (film, begin) = start::prepared(scene, model, cycle, deadline)?;
     let rough_model = Orbit {
         tolerance: ROUGH_TOLERANCE.max(model.tolerance),
         ..*model
@@ -105,12 +106,7 @@ pub(super) fn balanced(
         Ok(found) => found,
         Err(reason) => return Ok((film, Err(none(&thermal.balance, reason)))),
     };
-    let (film, begin) = start::prepared(
-        &oil::at_temperature(scene, found.temperature),
-        model,
-        cycle,
-        options.deadline(),
-    )?;
+    let (film, begin) = start::prepared(&oil::at_temperature(scene, found.temperature), model, cycle, deadline)?;
     let mut fine = search(film, begin, *model);
     let near = Start {
         temperature: found.temperature,
@@ -147,7 +143,12 @@ impl Search<'_> {
     /// The mean flows of the orbit at a temperature [K].
     fn at(&mut self, temperature: f64) -> Result<ThermalFlows, Left> {
         let film = at_temperature(&self.film, temperature);
-        let found = followed(&film, (self.scene, &self.model, self.cycle), self.begin, &self.options);
+        let found = followed(
+            &film,
+            (self.scene, &self.model, self.cycle),
+            (self.begin, self.deadline),
+            &self.options,
+        );
         let found = found.map_err(Left::NoAnswer)?;
         if found.end == OrbitEnd::Ended {
             return Err(Left::Ended);
@@ -168,23 +169,28 @@ impl Search<'_> {
             // Without a second orbit numbers have no bars; nothing else fails.
             drop(self.at(found.temperature + FURTHER));
         }
-        let mut orbit = followed(film, (self.scene, &self.model, self.cycle), self.begin, options)?;
+        let mut orbit = followed(
+            film,
+            (self.scene, &self.model, self.cycle),
+            (self.begin, self.deadline),
+            options,
+        )?;
         let flows = orbit.flows.unwrap_or(found.film);
         let balance = &self.thermal.balance;
         let surplus = balance.surplus(found.temperature, &flows);
         let [_, outlet] = balance.ends(found.temperature, flows.carried_over);
-        let heat = [
+        let balanced = [
             (&CYCLE_TEMPERATURE, found.temperature - ZERO_CELSIUS),
             (&CYCLE_TEMPERATURE_OUTLET, outlet - ZERO_CELSIUS),
             (&CYCLE_COOLING_FLOW, flows.flow),
         ];
         orbit
             .quantities
-            .extend(heat.map(|(row, value)| Quantity::new(row, value)));
+            .extend(balanced.map(|(row, value)| Quantity::new(row, value)));
         if options.bars {
             self.widen(&mut orbit.quantities, (found.temperature, flows, surplus));
         }
-        orbit.heat = Some(CycleHeat {
+        orbit.temperature = Some(CycleTemperature {
             left_over: (surplus / flows.power).abs(),
             steps: self.tried.len(),
         });
