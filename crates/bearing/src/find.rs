@@ -108,9 +108,7 @@ impl Search<'_> {
             &reason
         {
             // What a thin film carries is shown by a mesh that resolves it.
-            return self
-                .from_waypoint(problem, way)
-                .map_err(|reason| self.confirmed(reason));
+            return self.continued(problem, way).map_err(|reason| self.confirmed(reason));
         }
         if let NoEquilibrium::BeyondCapacity { journal, .. } = &reason
             && let Some(beyond) = self.beyond_capacity(problem, journal)

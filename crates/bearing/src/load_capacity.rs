@@ -96,8 +96,7 @@ impl Search<'_> {
         }
         let mut best: Option<(f64, JournalState)> = None;
         for pair in around.windows(2) {
-            let [(mut low, Some((first, ..))), (mut high, Some((last, ..)))] =
-                [&pair[0], &pair[1]].map(|it| it.clone())
+            let [(mut low, Some((first, ..))), (mut high, Some((last, ..)))] = [&pair[0], &pair[1]].map(|it| *it)
             else {
                 continue;
             };

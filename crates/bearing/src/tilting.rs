@@ -92,7 +92,7 @@ impl Search<'_> {
     }
 
     /// Follows the branch that a coarser mesh has shown from a point of it on; from its beginning where there is no balance near that point.
-    pub(crate) fn from_waypoint(&self, problem: &FilmProblem, way: &Waypoint) -> Result<Equilibrium, NoEquilibrium> {
+    pub(crate) fn continued(&self, problem: &FilmProblem, way: &Waypoint) -> Result<Equilibrium, NoEquilibrium> {
         let options = SearchOptions {
             guess: InitialGuess::Cold,
             carrier: Carrier::Quadratic,
