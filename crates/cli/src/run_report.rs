@@ -123,8 +123,11 @@ fn orbit(facts: &OrbitFacts) -> String {
     let [closure, steps, films] = last.map_or([0.0; 3], |cycle| {
         [cycle.closure, cycle.steps as f64, cycle.films as f64]
     });
+    let oil = last.and_then(|cycle| cycle.oil_closure).map_or(String::new(), |oil| {
+        format!(" with {} of the oil elsewhere", significant(oil, 2))
+    });
     format!(
-        "orbit     cycle {} ended {} of the clearance from where it began; {steps} steps and {films} films in it",
+        "orbit     cycle {} ended {} of the clearance from where it began{oil}; {steps} steps and {films} films in it",
         facts.cycles.len(),
         significant(closure, 2)
     )

@@ -5,9 +5,11 @@
 //! | `orbit/start.rs` | the mesh, and where the journal begins: from an orbit on a coarser mesh |
 //! | `orbit/sample.rs` | the films along the orbit, measured, with their error bars at that place and velocity |
 //! | `orbit/drift.rs` | what the errors of mesh and steps do to the orbit |
+//! | `orbit/comparison.rs` | error bars of films that conserve their oil, by orbits on the vertices alone |
 //!
 //! **Source.** `docs/theory/orbits.md`.
 
+mod comparison;
 mod drift;
 mod sample;
 mod start;
@@ -24,7 +26,7 @@ use crate::no_answer::NoAnswer;
 use crate::quantities::cycle_view::Sample;
 use crate::quantities::{CycleView, Quantity, Row, over_cycle};
 use crate::run_options::RunOptions;
-use crate::solved::Solved;
+use crate::solved::{Errors, Solved};
 
 /// Where an orbit ends its search, as results have it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -50,6 +52,12 @@ pub struct CycleFacts {
     pub rejected: usize,
     /// Films solved.
     pub films: usize,
+    /// Of films that conserve their oil: oil that lies elsewhere at the end, over all oil in the film [1].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub oil_closure: Option<f64>,
+    /// Of films that conserve their oil: what is lost or made over the cycle, of the oil that passes or is held [1].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub oil_imbalance: Option<f64>,
 }
 
 /// The path of the journal over its last cycle.
@@ -138,7 +146,19 @@ pub(crate) fn follow(
     };
     let outcome = motion.orbit(begin, &orbit_options).map_err(NoAnswer::Orbit);
     let integrating = clock.elapsed().as_secs_f64();
-    let followed = outcome.and_then(|orbit| measured(&film, &motion, model, orbit, options));
+    // What such a film is off by depends on what it has held all along, not on its place alone.
+    let by_comparison = film.problem.cavitation.conserves_oil();
+    let errors = match by_comparison {
+        true => Errors::Omitted,
+        false => options.errors(),
+    };
+    let mut followed = outcome.and_then(|orbit| measured(&film, &motion, model, orbit, errors));
+    if let Ok(found) = &mut followed
+        && by_comparison
+        && options.errors() == Errors::Estimated
+    {
+        comparison::judge(&motion, (&film, model), begin, orbit_options, &mut found.quantities);
+    }
     let followed = followed.map(|followed| Followed {
         seconds: [integrating, clock.elapsed().as_secs_f64() - integrating],
         ..followed
@@ -166,11 +186,11 @@ fn measured(
     motion: &Motion,
     model: &oilwedge_scene::Orbit,
     orbit: Orbit,
-    options: &RunOptions,
+    errors: Errors,
 ) -> Result<Followed, NoAnswer> {
     let Orbit { mut steps, cycles, end } = orbit;
-    let mut samples = sample::samples(film, motion, &steps, options.errors())?;
-    sample::refine_peak(film, motion, &mut steps, &mut samples, options.errors())?;
+    let mut samples = sample::samples(film, motion, &steps, errors)?;
+    sample::refine_peak(film, motion, &mut steps, &mut samples, errors)?;
     drift::carry(&steps, &mut samples, end);
     let path: Vec<Span> = steps.windows(2).map(|pair| Span::between(&pair[0], &pair[1])).collect();
     let (_, peak) = motion.cycle.summary().peak;
@@ -184,9 +204,9 @@ fn measured(
         peak_load: peak[0].hypot(peak[1]),
     };
     let (_, thinnest_at) = view.thinnest();
-    let last = path.last().copied();
-    let span = path.iter().find(|span| span.times[1] >= thinnest_at).copied().or(last);
-    let solved = sample::solved_at(film, motion, span, thinnest_at, options.errors())?;
+    let around = path.iter().position(|span| span.times[1] >= thinnest_at);
+    let from = around.or(path.len().checked_sub(1)).map(|k| (&steps[k], path[k]));
+    let solved = sample::solved_at(film, motion, from, thinnest_at, errors)?;
     let clearance = film.problem.bearing.clearance;
     Ok(Followed {
         solved,
@@ -223,5 +243,7 @@ fn facts(cycle: &Cycle, clearance: f64) -> CycleFacts {
         steps: cycle.steps,
         rejected: cycle.rejected,
         films: cycle.films,
+        oil_closure: cycle.oil.map(|oil| oil.closure),
+        oil_imbalance: cycle.oil.map(|oil| oil.imbalance),
     }
 }

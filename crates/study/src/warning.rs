@@ -87,6 +87,7 @@ kinds! {
     TENSION = "tension", "the pressure falls below that of the ends, and there is no model of cavitation";
     UNBALANCED = "unbalanced", "the model of cavitation or of viscosity does not conserve oil";
     CREATED = "created", "much of the oil that carries the heat off is created by the cavity";
+    FROM_START = "from_start", "no oil is supplied to a part of the film: what it holds along the orbit follows from the start";
     UNEVEN = "uneven", "the viscosity of the oil changes much between inlet and outlet, so that one temperature does not describe the film";
     WARMED = "warmed", "friction would heat the oil, but the scene has no `[heat]`";
     VISCOSITY_LAW = "viscosity_law", "pressure or temperature lie beyond the range of a law of viscosity";

@@ -3,3 +3,4 @@
 mod finite;
 mod scene;
 mod short;
+mod storage;

@@ -15,7 +15,7 @@ use super::blocks::AdvectionScheme;
 use super::loops;
 use super::relaxation::State;
 use super::rows::Condition;
-use super::{Choice, Film, ROUNDING, cell_volumes};
+use super::{Choice, Film, History, ROUNDING, volumes_of};
 
 /// Most steps of one search.
 const MOST_STEPS: usize = 300;
@@ -302,14 +302,23 @@ impl<'a> Search<'a> {
         for (block, (scheme, addresses)) in self.film.blocks.iter().zip(self.schemes.iter().zip(&volumes.addresses)) {
             add(transport, addresses, &block.transport(*scheme, block));
         }
-        for dof in loops::without_source(transport, &self.state.cavity, &rows.inflow) {
-            transport.add_to_diagonal(dof, loops::LEAK * transport.diagonal(dof));
+        // What a film with a history held says how much oil goes round.
+        if self.film.history.is_none() {
+            for dof in loops::without_source(transport, &self.state.cavity, &rows.inflow) {
+                transport.add_to_diagonal(dof, loops::LEAK * transport.diagonal(dof));
+            }
         }
         for (dof, &outflow) in rows.outflow.iter().enumerate().filter(|(_, outflow)| **outflow > 0.0) {
             transport.add_to_diagonal(dof, outflow);
         }
         for (constant, inflow) in constant.iter_mut().zip(&rows.inflow) {
             *constant = -inflow;
+        }
+        if let Some(History { before, volume }) = &self.film.history {
+            for (dof, (known, volume)) in before.known.iter().zip(volume).enumerate() {
+                constant[dof] -= before.per_time * known;
+                transport.add_to_diagonal(dof, before.per_time * volume);
+            }
         }
         if let Some(time) = time {
             for dof in (0..self.state.p.len()).filter(|&dof| self.film.may_cavitate(dof)) {
@@ -338,7 +347,7 @@ impl<'a> Search<'a> {
 
     /// Backward Euler in the film fraction with growing steps, towards the steady film.
     fn pseudo_time(&mut self) -> Result<(), Failure> {
-        let volume = cell_volumes(self.film.volumes, &self.film.blocks, self.state.p.len());
+        let volume = volumes_of(self.film.volumes, &self.film.blocks, self.state.p.len());
         let mut time = TimeStep {
             rate: 1.0 / (FIRST_TIME_STEP * self.film.time),
             before: self.state.theta.iter().map(|theta| theta.clamp(0.0, 1.0)).collect(),
