@@ -136,7 +136,7 @@ impl Motion<'_> {
 
     /// The method by which steps are made.
     pub(crate) fn scheme(&self) -> &'static Scheme {
-        match self.problem.cavitation.conserves_oil() && std::env::var("OILW4").is_err() {
+        match self.problem.cavitation.conserves_oil() {
             true => &SECOND_ORDER,
             false => &FOURTH_ORDER,
         }

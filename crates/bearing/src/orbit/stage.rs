@@ -27,6 +27,8 @@ const ROUND_OFF: f64 = 1e-11;
 /// or below this where no shorter change brings it down.
 const NEARLY_BALANCED: f64 = 1e-8;
 
+/// A tangent is corrected by what it missed, not made anew, where it has reduced the residual to less than this part.
+const STEEP: f64 = 0.1;
 /// The short time in which the motion of a film that conserves its oil begins, of the cycle.
 const BEGINNING: f64 = 1e-7;
 
@@ -95,9 +97,14 @@ impl Motion<'_> {
             self.film(moving, known.before.as_ref().map(|before| &before.storage), near)
         };
         let mut here = film(self.inside(near.at, start), Neighbour::Start(&near.film), films)?;
+        let mut corrected: Option<Stiffness> = None;
         for _ in 1..MOST_FILMS {
             let residual = self.residual(known, &here);
-            let step = self.stage_tangent(known, &here)?.solve(residual.map(|part| -part));
+            let tangent = match corrected.take() {
+                Some(tangent) => tangent,
+                None => self.stage_tangent(known, &here)?,
+            };
+            let step = tangent.solve(residual.map(|part| -part));
             let gap = self.gap(here.at);
             let balance = length(residual) / accuracy.scale;
             let change = length(step) / gap;
@@ -117,6 +124,13 @@ impl Motion<'_> {
                 let falls = |next: &Instant| length(self.residual(known, next)) < length(residual);
                 match next {
                     Ok(next) if falls(&next) => {
+                        let left = self.residual(known, &next);
+                        // The tangent of a film that conserves its oil costs more than what one film more does.
+                        if known.before.is_some() && length(left) < STEEP * length(residual) {
+                            let made = moved(next.at, -1.0, here.at);
+                            let told = moved(residual, 1.0, tangent.times(made));
+                            corrected = Some(tangent.corrected(made, moved(left, -1.0, told)));
+                        }
                         here = next;
                         break;
                     }

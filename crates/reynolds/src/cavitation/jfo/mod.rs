@@ -20,6 +20,7 @@
 //! only where the inflow side of a sub-triangle is starved. Each sub-triangle may change its form once as the cavity
 //! settles; with more changes nodes along the rupture line chatter. Round the few nodes that do not settle so, or
 //! would hold less than is carried to them, the N scheme stays. On rows along the flow, in which these films are meshed, both are one scheme.
+//! A film with a history is carried by one scheme all along, so that it is continuous in time.
 //! A set of nodes that comes back is answered by the N scheme all round the cavity, and then by pseudo-time.
 //!
 //! **Source.** Jakobsson and Floberg, Chalmers Report 190 (1957); Olsson, Chalmers Report 272 (1965); Elrod,
