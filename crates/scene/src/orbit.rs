@@ -21,7 +21,7 @@ keys! {
     "orbit.cycles" = Number; "10", "10", "whole, 1 to 1000",
         "most cycles that are followed";
     "orbit.closure" = Number; "1e-4", "a tenth of the tolerance", "1e-12 to 0.1",
-        "an orbit is closed where a cycle ends this near to where it began, over the clearance";
+        "an orbit is closed where a cycle ends this near to where it began, over the clearance, and with `jfo` so does its oil";
     "orbit.mass" = Quantity(Mass); "20 kg", "0", ">= 0",
         "mass of the rotor that the bearing bears; without it the film carries the load at every moment";
     "orbit.start" = Table; "", "near the orbit, by one on a coarser mesh", "",

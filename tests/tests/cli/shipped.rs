@@ -8,7 +8,7 @@ const HEATED: &str = "an assumption does not hold: a film as warm as its oil is 
 const PRINTED: &str = "the as-printed equation is no mass balance";
 
 /// Every shipped scene and the beginnings of its warnings.
-const SCENES: [(&str, &[&str]); 27] = [
+const SCENES: [(&str, &[&str]); 28] = [
     ("01_plain_ring", &[TENSION, HEATED]),
     ("02_flexpde_shell", &[TENSION]),
     ("03_hydrostatic_shell", &[]),
@@ -43,6 +43,7 @@ const SCENES: [(&str, &[&str]); 27] = [
     ("25_whirl", &[]),
     ("26_tilting_crankshaft_journal", &[]),
     ("27_big_end_orbit", &[HEATED]),
+    ("28_big_end_orbit_conserving", &[HEATED]),
 ];
 
 #[test]

@@ -121,8 +121,11 @@ fn an_orbit_closes_with_its_oil() {
     let least = |orbit: &Orbit| {
         let pairs = orbit.steps.windows(2).map(|pair| Span::between(&pair[0], &pair[1]));
         let gap = |[x, y, ..]: [f64; 4]| 1.0 - x.hypot(y) / CLEARANCE;
-        let times = |span: &Span| [0.0, 0.25, 0.5, 0.75].map(|part| span.times[0] + part * (span.times[1] - span.times[0]));
-        pairs.flat_map(|span| times(&span).map(|time| gap(span.at(time)))).fold(1.0, f64::min)
+        let times =
+            |span: &Span| [0.0, 0.25, 0.5, 0.75].map(|part| span.times[0] + part * (span.times[1] - span.times[0]));
+        pairs
+            .flat_map(|span| times(&span).map(|time| gap(span.at(time))))
+            .fold(1.0, f64::min)
     };
     println!("{} {}", least(&orbit), least(&forgets));
     assert!(least(&orbit) < least(&forgets), "{} {}", least(&orbit), least(&forgets));
@@ -141,7 +144,15 @@ fn a_journal_at_rest_sinks_as_in_a_film_without_memory() {
     // In the time in which the shaft would turn by six radians.
     let cycle = DutyCycle::constant(duty, 1.0, SPEED / 6.0);
     let [x, y] = end(&follow(&land(CONSERVING, [32, 4]), &cycle, 1e-3, 1));
-    let [expected, _] = end(&follow(&land(Cavitation::Reynolds { pressure: 0.0 }, [32, 4]), &cycle, 1e-3, 1));
+    let [expected, _] = end(&follow(
+        &land(Cavitation::Reynolds { pressure: 0.0 }, [32, 4]),
+        &cycle,
+        1e-3,
+        1,
+    ));
     println!("{x} {y} {expected}");
-    assert!(expected > 0.5 && (x - expected).abs() < 5e-3 && y.abs() < 1e-3, "{x} {y} {expected}");
+    assert!(
+        expected > 0.5 && (x - expected).abs() < 5e-3 && y.abs() < 1e-3,
+        "{x} {y} {expected}"
+    );
 }

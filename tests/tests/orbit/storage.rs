@@ -90,7 +90,11 @@ fn strip(columns: u32) -> FilmSystem {
         let [a, b, c, d] = [vertex(i, 0), vertex(i + 1, 0), vertex(i + 1, 1), vertex(i, 1)];
         [[a, b, c], [a, c, d]]
     });
-    let side = |j: u32| (0..columns).map(|i| [vertex(i, j), vertex(i + 1, j)]).collect::<Vec<_>>();
+    let side = |j: u32| {
+        (0..columns)
+            .map(|i| [vertex(i, j), vertex(i + 1, j)])
+            .collect::<Vec<_>>()
+    };
     let raw = RawMesh {
         points: points.collect(),
         triangles: triangles.collect(),
@@ -152,22 +156,35 @@ fn errors_of_plates(columns: u32, number: u32) -> [f64; 2] {
     let places = system.space().positions();
     let (mut front, mut full_again) = (0.0f64, f64::INFINITY);
     // The steps meet every hundredth.
-    follow(&problem, &system, journal, &steps(0.0, 0.75, 75 * number), |time, film, oil| {
-        let size = 1.0 / f64::from(columns);
-        let fraction = film.film_fraction.as_ref().expect("a fraction");
-        let broken = |(dof, place): (usize, &[f64; 2])| (place[1] == 0.0 && film.cavity[dof]).then_some((place[0], fraction.values[dof]));
-        let mut broken: Vec<(f64, f64)> = places.iter().enumerate().filter_map(broken).collect();
-        broken.sort_by(|a, b| a.0.total_cmp(&b.0));
-        if let (Some((_, edge)), [first, next, ..]) = (FRONT.iter().find(|(at, _)| (at - time).abs() < 1e-9), &broken[..]) {
-            // The first cell of the cavity is full as far as its oil reaches beyond that of the next one.
-            let full = ((first.1 - next.1) / (1.0 - next.1)).clamp(0.0, 1.0);
-            front = front.max((first.0 + (full - 0.5) * size - edge).abs());
-        }
-        if time > 0.6 && broken.is_empty() {
-            full_again = full_again.min(time);
-        }
-        assert!((oil.received - (oil.total() - 0.5 / f64::from(columns))).abs() < 1e-10 * oil.total(), "{time}");
-    });
+    follow(
+        &problem,
+        &system,
+        journal,
+        &steps(0.0, 0.75, 75 * number),
+        |time, film, oil| {
+            let size = 1.0 / f64::from(columns);
+            let fraction = film.film_fraction.as_ref().expect("a fraction");
+            let broken = |(dof, place): (usize, &[f64; 2])| {
+                (place[1] == 0.0 && film.cavity[dof]).then_some((place[0], fraction.values[dof]))
+            };
+            let mut broken: Vec<(f64, f64)> = places.iter().enumerate().filter_map(broken).collect();
+            broken.sort_by(|a, b| a.0.total_cmp(&b.0));
+            if let (Some((_, edge)), [first, next, ..]) =
+                (FRONT.iter().find(|(at, _)| (at - time).abs() < 1e-9), &broken[..])
+            {
+                // The first cell of the cavity is full as far as its oil reaches beyond that of the next one.
+                let full = ((first.1 - next.1) / (1.0 - next.1)).clamp(0.0, 1.0);
+                front = front.max((first.0 + (full - 0.5) * size - edge).abs());
+            }
+            if time > 0.6 && broken.is_empty() {
+                full_again = full_again.min(time);
+            }
+            assert!(
+                (oil.received - (oil.total() - 0.5 / f64::from(columns))).abs() < 1e-10 * oil.total(),
+                "{time}"
+            );
+        },
+    );
     [front, (full_again - FULL_AGAIN).abs()]
 }
 
@@ -176,7 +193,10 @@ fn squeezed_plates_cavitate_and_reform_as_the_closed_front() {
     let coarse = errors_of_plates(100, 2);
     let fine = errors_of_plates(400, 5);
     assert!(fine[0] < 2e-3 && fine[1] < 2e-3, "{fine:?}");
-    assert!(coarse[0] > fine[0] && coarse[0] < 1e-2 && coarse[1] < 1e-2, "{coarse:?} {fine:?}");
+    assert!(
+        coarse[0] > fine[0] && coarse[0] < 1e-2 && coarse[1] < 1e-2,
+        "{coarse:?} {fine:?}"
+    );
 }
 
 /// A ring whose journal goes round: impulse of the force and oil in the film at common times of the second turn, in so many steps a turn.

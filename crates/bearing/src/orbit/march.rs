@@ -163,8 +163,8 @@ impl Motion<'_> {
         };
         let mut films = 0;
         let period = self.cycle.period() / self.cycle.angular_speed();
-        let here = (self.beginning(start, period, accuracy, &mut films))
-            .map_err(|reason| self.told(reason, 0.0, 1, start))?;
+        let here =
+            (self.beginning(start, period, accuracy, &mut films)).map_err(|reason| self.told(reason, 0.0, 1, start))?;
         let mut traveller = Traveller {
             here,
             acceleration: [0.0; 4],
@@ -192,7 +192,9 @@ impl Motion<'_> {
             };
             cycle.films += std::mem::take(&mut films);
             cycle.closure = length(moved(traveller.here.at, -1.0, begin));
-            cycle.oil = oil.zip(traveller.here.oil.as_ref()).map(|(begin, end)| CycleOil::between(&begin, end));
+            cycle.oil = oil
+                .zip(traveller.here.oil.as_ref())
+                .map(|(begin, end)| CycleOil::between(&begin, end));
             cycles.push(cycle);
             last = steps;
             if cycle.is_closed(self.problem.bearing.clearance, options.closure) {

@@ -15,9 +15,9 @@ use oilwedge_reynolds::{
     CentreVelocity, FilmProblem, FilmSolution, FilmSystem, JournalChange, JournalState, NoFilm, Storage,
 };
 
-use crate::coordinates::{Coordinates, Vector, unit};
 use super::oil::Oil;
 use super::scheme::{FOURTH_ORDER, SECOND_ORDER, Scheme};
+use crate::coordinates::{Coordinates, Vector, unit};
 use crate::duty_cycle::{Duty, DutyCycle};
 use crate::stiffness::Stiffness;
 

@@ -39,7 +39,11 @@ impl Before {
     pub fn oil(&self, problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Result<Oil, Error> {
         let held = problem.oil_held(system, film)?.unwrap_or_default();
         let inflow: f64 = film.inflow.iter().sum();
-        let given = film.inflow.iter().enumerate().filter(|(dof, _)| system.supply.owner(*dof).is_some());
+        let given = film
+            .inflow
+            .iter()
+            .enumerate()
+            .filter(|(dof, _)| system.supply.owner(*dof).is_some());
         let entering: f64 = given.map(|(_, inflow)| inflow.max(0.0)).sum();
         let time = 1.0 / self.storage.per_time;
         Ok(Oil {

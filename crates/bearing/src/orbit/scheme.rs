@@ -38,7 +38,10 @@ impl Scheme {
     /// Weights of the rates of the stages in the estimate of the error.
     pub fn error_weights(&self) -> Vec<f64> {
         let last = self.coefficients[self.stages() - 1];
-        last.iter().zip(self.embedded).map(|(last, other)| last - other).collect()
+        last.iter()
+            .zip(self.embedded)
+            .map(|(last, other)| last - other)
+            .collect()
     }
 }
 
@@ -134,7 +137,10 @@ mod tests {
     /// The greatest order whose conditions these weights meet.
     fn order(scheme: &Scheme, weights: &[f64]) -> usize {
         let meets = |(tree, value): &(Vec<f64>, f64)| (product(weights, tree) - value).abs() < 1e-14;
-        conditions(scheme).iter().take_while(|trees| trees.iter().all(meets)).count()
+        conditions(scheme)
+            .iter()
+            .take_while(|trees| trees.iter().all(meets))
+            .count()
     }
 
     #[test]

@@ -5,8 +5,8 @@
 use std::sync::Arc;
 
 use oilwedge_fem::newton::Failure;
-use oilwedge_reynolds::{FilmProblem, NoFilm};
 use oilwedge_reynolds::solve::Neighbour;
+use oilwedge_reynolds::{FilmProblem, NoFilm};
 
 use super::motion::{Instant, Motion, Moving};
 use super::oil::Before;
@@ -149,7 +149,9 @@ impl Motion<'_> {
         let Some(before) = &known.before else {
             return Ok(here);
         };
-        let oil = before.oil(&here.problem, self.system, &here.film).map_err(Failure::from);
+        let oil = before
+            .oil(&here.problem, self.system, &here.film)
+            .map_err(Failure::from);
         Ok(Instant {
             oil: Some(Arc::new(oil.map_err(NoFilm::from)?)),
             ..here

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use oilwedge_reynolds::NoFilm;
 
 use super::motion::{Instant, Motion};
-use super::path::Span;
 use super::oil::Oil;
+use super::path::Span;
 use super::stage::{Accuracy, Known, NoStage};
 use crate::coordinates::Vector;
 

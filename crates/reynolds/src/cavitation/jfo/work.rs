@@ -42,7 +42,11 @@ impl<'a> Carriage<'a> {
         let mut blocks = blocks(&law, system.space(), volumes);
         let taken_up = problem.storage.as_deref().map_or(Vec::new(), |before| {
             let volume = volumes_of(volumes, &blocks, fraction.values.len());
-            let held: Vec<f64> = volume.iter().zip(&fraction.values).map(|(v, theta)| v * theta).collect();
+            let held: Vec<f64> = volume
+                .iter()
+                .zip(&fraction.values)
+                .map(|(v, theta)| v * theta)
+                .collect();
             blocks.iter_mut().for_each(|block| block.storage = [0.0; 3]);
             before.taken_up(&held)
         });
