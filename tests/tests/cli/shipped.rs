@@ -5,6 +5,8 @@ use oilwedge_tests::program::repository;
 
 const TENSION: &str = "full Sommerfeld film: the pressure falls to";
 const HEATED: &str = "an assumption does not hold: a film as warm as its oil is fed";
+const UNRESOLVED: &str = "the film is not resolved where it is thin";
+const CONSERVING_ORBIT: &str = "28_big_end_orbit_conserving";
 const PRINTED: &str = "the as-printed equation is no mass balance";
 
 /// Every shipped scene and the beginnings of its warnings.
@@ -43,7 +45,7 @@ const SCENES: [(&str, &[&str]); 28] = [
     ("25_whirl", &[]),
     ("26_tilting_crankshaft_journal", &[]),
     ("27_big_end_orbit", &[HEATED]),
-    ("28_big_end_orbit_conserving", &[HEATED]),
+    (CONSERVING_ORBIT, &[UNRESOLVED, HEATED]),
 ];
 
 #[test]
@@ -52,7 +54,9 @@ fn every_scene_solves_with_the_warnings_expected() {
     for (name, warnings) in SCENES {
         let scene = repository().join(format!("scenes/{name}.toml"));
         let scene = scene.display().to_string();
-        let told = bench.run(&["solve", &scene, "--json"]);
+        // Bars of an orbit with a history take as long again as the orbit.
+        let bars: &[&str] = if name == CONSERVING_ORBIT { &["--bars", "none"] } else { &[] };
+        let told = bench.run(&[&["solve", &scene, "--json"], bars].concat());
         assert_eq!(told.status, 0, "{name}: {}", told.stderr);
         let result = object(&told.stdout);
         assert_eq!(result["status"], "converged", "{name}");

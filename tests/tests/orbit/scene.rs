@@ -150,34 +150,28 @@ fn what_has_no_orbit_is_refused() {
 }
 
 /// The synthetic big end with oil at 2 bar in its groove, mass-conserving: least film 5.577 um and greatest pressure 45.6 MPa by structured finite volumes, extrapolated from four grids
-/// (5.05, 5.41, 5.52 and 5.56 um on 48 x 4 to 384 x 32 cells a land). That of Swift and Stieber is 5.74 um. The mesh of the shipped scene is coarse: its bars say so.
+/// (5.05, 5.41, 5.52 and 5.56 um on 48 x 4 to 384 x 32 cells a land). The mesh of the shipped scene is as coarse as the second of them: 5.2 um. With edges of 20 and 12 mm
+/// it is 5.48 and 5.53 um.
 #[test]
 fn the_big_end_that_conserves_its_oil_is_that_of_finite_volumes() {
     let scene = read(&path("28_big_end_orbit_conserving")).expect("a scene");
-    let result = run(&scene, &RunOptions::of(&scene)).expect("an orbit").result;
+    let options = RunOptions {
+        bars: false,
+        ..RunOptions::of(&scene)
+    };
+    let result = run(&scene, &options).expect("an orbit").result;
     assert_eq!(result.status, Status::Converged, "{:?}", result.reason);
-    for (row, reference, uncertain) in [
-        (&CYCLE_FILM_THICKNESS_MIN, 5.577e-6, 0.02e-6),
-        (&CYCLE_PRESSURE_MAX, 45.6e6, 0.1e6),
+    for (row, reference, part) in [
+        (&CYCLE_FILM_THICKNESS_MIN, 5.577e-6, 0.08),
+        (&CYCLE_PRESSURE_MAX, 45.6e6, 0.01),
     ] {
-        let quantity = result.quantity(row).expect(row.name);
-        let bar = quantity.error().expect(row.name);
-        assert!(
-            (quantity.value - reference).abs() <= bar + uncertain,
-            "{}: {} {bar}",
-            row.name,
-            quantity.value
-        );
-        assert!(bar < 0.15 * quantity.value, "{}: {bar}", row.name);
+        let value = result.quantity(row).expect(row.name).value;
+        assert!((value / reference - 1.0).abs() < part, "{}: {value}", row.name);
     }
-    assert!(
-        result
-            .quantity(&CYCLE_FILM_THICKNESS_MIN)
-            .is_some_and(|film| film.value < 5.7e-6)
-    );
     let cycles = &result.orbit.as_ref().expect("an orbit").cycles;
     let last = cycles.last().expect("a cycle");
     assert!(last.oil_imbalance.is_some_and(|oil| oil < 1e-8), "{last:?}");
+    assert!(last.oil_closure.is_some_and(|oil| oil < 1e-3), "{last:?}");
     assert!(
         result.balances.mass < 1e-8 && result.balances.force < 1e-4,
         "{:?}",
@@ -185,23 +179,49 @@ fn the_big_end_that_conserves_its_oil_is_that_of_finite_volumes() {
     );
 }
 
+/// The scene with a groove at 2 bar all around, and a cavity that conserves its oil.
+fn conserving() -> String {
+    SCENE
+        .replace(", theory = \"short\"", "")
+        .replace("\"guembel\"", "\"jfo\"")
+        .replace("cycles = 5", "tolerance = 0.03")
+        + "\n[[feed]]\ngroup = \"groove\"\ngroove = { width = \"4 mm\" }\npressure = \"2 bar\"\n"
+}
+
+#[test]
+fn a_coarser_mesh_is_within_the_bars_of_an_orbit_that_conserves_its_oil() {
+    let solved = |text: &str| {
+        let scene = parsed(text).expect("a scene");
+        run(&scene, &RunOptions::of(&scene)).expect("an orbit").result
+    };
+    let coarse = solved(&conserving());
+    assert_eq!(coarse.status, Status::Converged, "{:?}", coarse.reason);
+    let fine = solved(&conserving().replace("6 mm", "3 mm"));
+    for row in [&CYCLE_FILM_THICKNESS_MIN, &CYCLE_PRESSURE_MAX, &CYCLE_POWER_LOSS] {
+        let [(value, bar), (better, rest)] = [&coarse, &fine].map(|result| {
+            let quantity = result.quantity(row).expect(row.name);
+            (quantity.value, quantity.error().expect(row.name))
+        });
+        assert!((value - better).abs() <= bar + rest, "{}: {value} {bar} {better} {rest}", row.name);
+        assert!(bar > 0.0 && rest < 0.5 * better, "{}: {bar} {better} {rest}", row.name);
+    }
+}
+
 /// Between ends at the pressure of the cavity, without a feed, the oil of the start is all there is.
 #[test]
 fn a_film_without_supply_is_told_to_follow_from_its_start() {
-    let text = SCENE
-        .replace(", theory = \"short\"", "")
-        .replace("\"guembel\"", "\"jfo\"")
-        .replace("cycles = 5", "cycles = 1, tolerance = 0.05");
-    let scene = parsed(&text).expect("a scene");
-    let options = RunOptions {
-        bars: false,
-        ..RunOptions::of(&scene)
+    let told = |text: &str| {
+        let scene = parsed(text).expect("a scene");
+        let options = RunOptions {
+            bars: false,
+            ..RunOptions::of(&scene)
+        };
+        let result = run(&scene, &options).expect("an orbit").result;
+        assert!(result.quantity(&CYCLE_FILM_THICKNESS_MIN).is_some(), "{:?}", result.reason);
+        result.warnings.iter().any(|warning| warning.kind.code == "from_start")
     };
-    let result = run(&scene, &options).expect("an orbit").result;
-    assert!(
-        result.warnings.iter().any(|warning| warning.kind.code == "from_start"),
-        "{:?} {:?}",
-        result.warnings,
-        result.reason
-    );
+    let once = conserving().replace("tolerance", "cycles = 1, tolerance");
+    assert!(!told(&once));
+    let feed = once.find("[[feed]]").expect("a feed");
+    assert!(told(&once[..feed]));
 }
