@@ -45,7 +45,10 @@ const SCENES: [(&str, &[&str]); 28] = [
     ("25_whirl", &[]),
     ("26_tilting_crankshaft_journal", &[]),
     ("27_big_end_orbit", &[HEATED]),
-    (CONSERVING_ORBIT, &[UNRESOLVED, HEATED]),
+    (
+        CONSERVING_ORBIT,
+        &[UNRESOLVED, "an assumption does not hold: rigid surfaces", HEATED],
+    ),
 ];
 
 #[test]
@@ -73,7 +76,12 @@ fn every_scene_solves_with_the_warnings_expected() {
         }
         assert!(bench.path().join(format!("out/{name}/film.vtu")).is_file(), "{name}");
         let told = bench.run(&["check", &scene]);
-        assert_eq!((told.status, told.stderr.as_str()), (0, ""), "{name}");
+        assert_eq!(told.status, 0, "{name}");
+        // Rows beside a groove all around are thin.
+        match name == CONSERVING_ORBIT {
+            true => assert!(told.stderr.starts_with("warning: the least angle"), "{name}: {}", told.stderr),
+            false => assert_eq!(told.stderr, "", "{name}"),
+        }
     }
 }
 

@@ -80,7 +80,6 @@ fn a_turning_load_leads_round_the_circle_of_the_load_at_rest() {
     let eccentricity = x.hypot(y);
     let off = |at: [f64; 4]| (at[0].hypot(at[1]) / CLEARANCE - eccentricity).abs();
     let off = orbit.steps.iter().map(|step| off(step.at)).fold(0.0, f64::max);
-    println!("{eccentricity} {off} {:?} {:?}", still.cycles, orbit.cycles);
     assert!(off < 1e-3, "{eccentricity}: {off}");
     // Mirrored: it runs behind the load by as much as it ran before it.
     let last = orbit.steps.last().expect("steps").at;
@@ -108,8 +107,7 @@ fn an_orbit_closes_with_its_oil() {
         rod: None,
     };
     let cycle = DutyCycle::of_harmonics(orders.into(), 2.0 * TAU, Frame::Shell, speed);
-    let orbit = follow(&film, &cycle, 1e-3, 3);
-    println!("{:?}", orbit.cycles);
+    let orbit = follow(&film, &cycle, 1e-3, 5);
     let oils: Vec<_> = orbit.cycles.iter().filter_map(|cycle| cycle.oil).collect();
     assert_eq!(oils.len(), orbit.cycles.len());
     assert!(oils.iter().all(|oil| oil.imbalance < 1e-12), "{oils:?}");
@@ -127,7 +125,6 @@ fn an_orbit_closes_with_its_oil() {
             .flat_map(|span| times(&span).map(|time| gap(span.at(time))))
             .fold(1.0, f64::min)
     };
-    println!("{} {}", least(&orbit), least(&forgets));
     assert!(least(&orbit) < least(&forgets), "{} {}", least(&orbit), least(&forgets));
     assert_eq!(forgets.end, OrbitEnd::Closed);
 }
@@ -150,7 +147,6 @@ fn a_journal_at_rest_sinks_as_in_a_film_without_memory() {
         1e-3,
         1,
     ));
-    println!("{x} {y} {expected}");
     assert!(
         expected > 0.5 && (x - expected).abs() < 5e-3 && y.abs() < 1e-3,
         "{x} {y} {expected}"
