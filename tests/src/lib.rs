@@ -181,6 +181,7 @@ pub fn plain_film(length: f64, eccentricity: f64, min_film_angle: f64, speed: f6
         form: Form::Conservative,
         terms: vec![Arc::new(Poiseuille), Arc::new(Couette)],
         cavitation: Cavitation::None,
+        storage: None,
     }
 }
 

@@ -158,7 +158,7 @@ impl<'a> Search<'a> {
                 schemes_chosen_at: self.residual(&trial),
                 ..trial
             },
-            Neighbour::Start(_) | Neighbour::Kept(_) => trial,
+            Neighbour::Start(_) | Neighbour::Kept(_) | Neighbour::Found(_) => trial,
         })
     }
 

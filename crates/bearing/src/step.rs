@@ -117,7 +117,7 @@ impl Search<'_> {
                         is_continued: true,
                         ..trial
                     },
-                    Neighbour::None | Neighbour::Start(_) => trial,
+                    Neighbour::None | Neighbour::Start(_) | Neighbour::Found(_) => trial,
                 });
             }
             part *= 0.5;

@@ -130,8 +130,11 @@ fn orbit(facts: &OrbitFacts) -> String {
         0 => String::new(),
         count => format!(", {count} of them in earlier runs"),
     };
+    let oil = last.and_then(|cycle| cycle.oil_closure).map_or(String::new(), |oil| {
+        format!(" with {} of the oil elsewhere", significant(oil, 2))
+    });
     format!(
-        "orbit     cycle {}{earlier} ended {} of the clearance from where it began; {steps} steps and {films} films in it",
+        "orbit     cycle {}{earlier} ended {} of the clearance from where it began{oil}; {steps} steps and {films} films in it",
         facts.earlier_cycles + facts.cycles.len(),
         significant(closure, 2)
     )

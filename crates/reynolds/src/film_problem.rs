@@ -20,7 +20,7 @@ use crate::levels::Coarser;
 use crate::lubricant::Lubricant;
 use crate::supply::{Supply, SupplyError, SupplyRegion};
 use crate::terms::Term;
-use crate::{Bearing, Cavitation, FilmPoint, JournalState, Theory};
+use crate::{Bearing, Cavitation, FilmPoint, JournalState, Storage, Theory};
 
 /// Unknowns from which on systems are solved by multigrid: half the memory and both cores from there on, time that grows with the
 /// unknowns; on one core a factor is as quick up to a million (docs/performance.md);
@@ -61,6 +61,8 @@ pub struct FilmProblem {
     pub terms: Vec<Arc<dyn Term>>,
     /// What closes the law where the film breaks.
     pub cavitation: Cavitation,
+    /// What a film that conserves oil held before; `None`: it is steady, or its thickness alone changes.
+    pub storage: Option<Arc<Storage>>,
 }
 
 /// Everything that depends on mesh and supply only: numbered, analysed once, used for every solve.
@@ -220,7 +222,37 @@ pub struct FilmSolution {
     pub fallbacks: Vec<String>,
 }
 
+/// What of a solved film is kept to solve it again: it is small beside its factor.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FilmTrace {
+    /// The unknown at each dof [Pa].
+    pub unknown: Vec<f64>,
+    /// True for each dof held at the cavitation pressure.
+    pub cavity: Vec<bool>,
+    /// How full a mass-conserving film is; none for other models.
+    pub film_fraction: Option<FilmFraction>,
+}
+
+impl FilmTrace {
+    /// What a solve starts from.
+    pub(crate) fn as_start(&self) -> InitialGuess {
+        InitialGuess {
+            u: self.unknown.clone(),
+            held: self.cavity.clone(),
+        }
+    }
+}
+
 impl FilmSolution {
+    /// What is kept to solve it again.
+    pub fn trace(&self) -> FilmTrace {
+        FilmTrace {
+            unknown: self.unknown.clone(),
+            cavity: self.cavity.clone(),
+            film_fraction: self.film_fraction.clone(),
+        }
+    }
+
     /// What a solve of a neighbouring film starts from.
     pub(crate) fn as_start(&self) -> InitialGuess {
         InitialGuess {

@@ -26,6 +26,7 @@
 //! | h^3/(12 mu0) | m4/(N s) | `conductance` | [`terms::Poiseuille`] |
 //! | U h/2 | m2/s | `flux` | [`terms::Couette`] |
 //! | dh/dt | m/s | `storage` | [`terms::squeeze`] |
+//! | d(theta h)/dt | m/s | `per_time`, `known` | [`Storage`], in orbits of films that conserve oil |
 //! | W | N | `force` | [`quantities::load`] |
 //!
 //! All pressures are gauge. The bearing is at rest; `phi` counts from +x towards +y; the minimum
@@ -56,6 +57,7 @@ mod reference_film;
 mod reuse;
 pub mod sharp;
 pub mod solve;
+mod storage;
 pub mod supply;
 pub mod terms;
 pub mod theory;
@@ -65,8 +67,9 @@ pub use bearing::{Bearing, Thinnest};
 pub use cavitation::Cavitation;
 pub use existence::NoFilm;
 pub use film_point::{FilmFlow, FilmPoint};
-pub use film_problem::{FilmProblem, FilmSolution, FilmSystem, Form};
+pub use film_problem::{FilmProblem, FilmSolution, FilmSystem, FilmTrace, Form};
 pub use journal_state::{CentreVelocity, JournalChange, JournalState};
 pub use reference_film::ReferenceFilm;
+pub use storage::Storage;
 pub use theory::Theory;
 pub use whirl::Whirl;

@@ -7,7 +7,7 @@ use oilwedge_fem::{Constraints, Error, Field, LinearSolver};
 
 use crate::cavitation::Choice;
 use crate::film_law::FilmLaw;
-use crate::{FilmProblem, FilmSolution, FilmSystem, Form, NoFilm};
+use crate::{FilmProblem, FilmSolution, FilmSystem, FilmTrace, Form, NoFilm};
 
 /// Speeds of an as-printed film are bisected to this fraction of the speed asked for.
 const FOLD_RESOLUTION: f64 = 1e-4;
@@ -21,6 +21,8 @@ pub enum Neighbour<'a> {
     Start(&'a FilmSolution),
     /// This one, and a mass-conserving film carries its oil by the same schemes, so that it changes smoothly.
     Kept(&'a FilmSolution),
+    /// This one, as it was found: its cavity and its advection schemes.
+    Found(&'a FilmTrace),
 }
 
 impl FilmProblem {
@@ -95,6 +97,10 @@ impl FilmProblem {
                 film_fraction: Some(kept),
                 ..
             }) => Choice::Kept(kept),
+            Neighbour::Found(FilmTrace {
+                film_fraction: Some(kept),
+                ..
+            }) => Choice::Kept(kept),
             _ => Choice::Anew,
         };
         self.film_by(system, motion, neighbour, choice)
@@ -110,6 +116,9 @@ impl FilmProblem {
     ) -> Result<FilmSolution, NoFilm> {
         let (start, levels) = match neighbour {
             Neighbour::Start(film) | Neighbour::Kept(film) => (film.as_start(), 0),
+            Neighbour::Found(trace) => (trace.as_start(), 0),
+            // What the film held is known on its own mesh alone.
+            Neighbour::None if self.storage.is_some() => (full_film(system), 0),
             Neighbour::None => self.start(system, motion),
         };
         let film = self.cavitation.solve(self, system, motion, start, choice)?;
@@ -124,11 +133,7 @@ impl FilmProblem {
                 .ok()?;
             Some((coarser.carried(&film, self.cavitation), film.levels + 1))
         });
-        coarse.unwrap_or_else(|| {
-            let dofs = system.space().dofs();
-            let (u, held) = (vec![0.0; dofs], vec![false; dofs]);
-            (InitialGuess { u, held }, 0)
-        })
+        coarse.unwrap_or_else(|| (full_film(system), 0))
     }
 
     /// Pressure [Pa] that drag through the clearance makes, `mu0 U R/c^2`, that of squeeze likewise, or the
@@ -231,4 +236,11 @@ impl FilmProblem {
             None => field.maximum(),
         }
     }
+}
+
+/// A full film without pressure.
+fn full_film(system: &FilmSystem) -> InitialGuess {
+    let dofs = system.space().dofs();
+    let (u, held) = (vec![0.0; dofs], vec![false; dofs]);
+    InitialGuess { u, held }
 }

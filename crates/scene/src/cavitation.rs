@@ -120,7 +120,7 @@ fn conservation(scene: &Scene, complaints: &mut Complaints) {
         "take cavitation.model = \"guembel\", which is usual for short bearings, or \"reynolds\"; or remove theory",
     );
     complaints.refuse_if(
-        conserves && scene.journal.speed == 0.0,
+        conserves && scene.journal.speed == 0.0 && scene.orbit.is_none(),
         "cavitation.model",
         "is \"jfo\", but journal.speed is 0: without rotation nothing carries the oil in the cavity, and its film fraction is undetermined",
         "take cavitation.model = \"reynolds\", or give the journal a speed",

@@ -2,7 +2,7 @@
 
 use crate::reader::TableReader;
 use crate::unit::Dimension;
-use crate::{CavitationModel, Complaints, Scene};
+use crate::{Complaints, Scene};
 
 /// Local error of a step where a scene gives none.
 const TOLERANCE: f64 = 1e-3;
@@ -21,7 +21,7 @@ keys! {
     "orbit.cycles" = Number; "10", "10", "whole, 1 to 1000",
         "most cycles that are followed";
     "orbit.closure" = Number; "1e-4", "a tenth of the tolerance", "1e-12 to 0.1",
-        "an orbit is closed where a cycle ends this near to where it began, over the clearance";
+        "an orbit is closed where a cycle ends this near to where it began, over the clearance, and with `jfo` so does its oil";
     "orbit.mass" = Quantity(Mass); "20 kg", "0", ">= 0",
         "mass of the rotor that the bearing bears; without it the film carries the load at every moment";
     "orbit.start" = Table; "", "near the orbit, by one on a coarser mesh", "",
@@ -95,7 +95,7 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Orbit {
     }
 }
 
-/// An orbit needs a load and a clock, and a film without memory.
+/// An orbit needs a load and a clock.
 pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
     if scene.orbit.is_none() {
         return;
@@ -111,12 +111,6 @@ pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
         "journal.speed",
         "is zero, but the cycle of [orbit] is one of the crank angle",
         "give the speed of the crank, or remove [orbit]",
-    );
-    complaints.refuse_if(
-        scene.cavitation.is_some_and(|it| it.model == CavitationModel::Jfo),
-        "cavitation.model",
-        "is \"jfo\" beside [orbit]: a cavity that conserves its oil has a history, which is not computed yet",
-        "give \"reynolds\"",
     );
     complaints.refuse_if(
         complaints.has("mesh.tolerance"),

@@ -126,6 +126,7 @@ fn problem(scene: &Scene, oil: &Oil, sockets: Sockets, mesh: &Mesh, position: Po
         form: sockets.form,
         terms: sockets.terms,
         cavitation: sockets.cavitation,
+        storage: None,
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use oilwedge_bearing::orbit::Instant;
 use oilwedge_bearing::{Deadline, InitialGuess, Load, SearchOptions};
 use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSystem, JournalState};
 use oilwedge_scene::{Dynamics, Scene};
@@ -67,6 +68,13 @@ impl Film {
     pub fn with_journal(&self, journal: JournalState) -> Self {
         let mut film = self.clone();
         film.problem.journal = journal;
+        film
+    }
+
+    /// This film at a time of an orbit: where the journal is, and with what it held before.
+    pub(crate) fn at_instant(&self, instant: &Instant) -> Self {
+        let mut film = self.with_journal(instant.problem.journal);
+        film.problem.storage = instant.problem.storage.clone();
         film
     }
 

@@ -25,7 +25,7 @@ pub fn isothermal(film: &Film, options: &SolveOptions) -> Result<Solved, NoAnswe
 
 fn at_given_position(film: &Film, options: &SolveOptions) -> Result<Solved, NoAnswer> {
     let solution = match options.guess {
-        InitialGuess::Near(near @ (Neighbour::Start(_) | Neighbour::Kept(_))) => {
+        InitialGuess::Near(near @ (Neighbour::Start(_) | Neighbour::Kept(_) | Neighbour::Found(_))) => {
             film.problem.solve_from(&film.system, near)?
         }
         InitialGuess::Cold | InitialGuess::NearlyBalanced | InitialGuess::Near(Neighbour::None) => {

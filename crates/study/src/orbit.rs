@@ -9,11 +9,13 @@
 //! | `orbit/balances.rs` | oil and energy over the cycle |
 //! | `orbit/by_map.rs` | the same by maps of the film |
 //! | `orbit/drift.rs` | what the errors of mesh and steps do to the orbit |
+//! | `orbit/comparison.rs` | error bars of films that conserve their oil, by orbits on the vertices alone |
 //!
 //! **Source.** `docs/theory/orbits.md`.
 
 mod balances;
 mod by_map;
+mod comparison;
 mod drift;
 mod frame;
 mod sample;
@@ -71,6 +73,12 @@ pub struct CycleFacts {
     pub rejected: usize,
     /// Films solved.
     pub films: usize,
+    /// Of films that conserve their oil: oil that lies elsewhere at the end, over all oil in the film [1].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub oil_closure: Option<f64>,
+    /// Of films that conserve their oil: what is lost or made over the cycle, of the oil that passes or is held [1].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub oil_imbalance: Option<f64>,
 }
 
 /// The path of the journal over its last cycle.
@@ -171,7 +179,22 @@ fn followed(
     };
     let orbit = motion.orbit(begin, &orbit_options).map_err(NoAnswer::Orbit)?;
     let integrating = clock.elapsed().as_secs_f64();
-    let followed = measured(film, &motion, model, orbit, options)?;
+    // What a film that conserves its oil is off by depends on what it has held all along, not on its place alone.
+    let by_comparison = film.problem.cavitation.conserves_oil();
+    let of_films = RunOptions {
+        bars: options.bars && !by_comparison,
+        ..*options
+    };
+    let mut followed = measured(film, &motion, model, orbit, &of_films)?;
+    if by_comparison && options.errors() == Errors::Estimated {
+        comparison::judge(
+            &motion,
+            (film, model),
+            (begin, orbit_options),
+            options,
+            &mut followed.quantities,
+        );
+    }
     Ok(Followed {
         seconds: [integrating, clock.elapsed().as_secs_f64() - integrating],
         ..followed
@@ -220,15 +243,19 @@ fn measured(
         peak_load: peak[0].hypot(peak[1]),
     };
     let (_, thinnest_at) = view.thinnest();
-    let last = path.last().copied();
-    let span = path.iter().find(|span| span.times[1] >= thinnest_at).copied().or(last);
-    let solved = sample::solved_at(film, motion, span, thinnest_at, options.errors())?;
-    let between = match (options.errors(), &span) {
-        (Errors::Estimated, Some(span)) => drift::between(motion, span, thinnest_at)?,
+    let around = |time: f64| {
+        let holds = path.iter().position(|span| span.times[1] >= time);
+        let at = holds.or(path.len().checked_sub(1))?;
+        Some((&steps[at], path[at]))
+    };
+    let solved = sample::solved_at(film, motion, around(thinnest_at), thinnest_at, options.errors())?;
+    let between = match (options.errors(), around(thinnest_at)) {
+        (Errors::Estimated, Some(around)) => drift::between(motion, around, thinnest_at)?,
         _ => 0.0,
     };
     let view = CycleView { between, ..view };
-    let frames = frame::frames(film, motion, &path, options)?;
+    let period = path.last().map_or(0.0, |span| span.times[1]);
+    let frames = frame::frames((film, motion), period, &around, options)?;
     let clearance = film.problem.bearing.clearance;
     Ok(Followed {
         solved,
@@ -275,5 +302,7 @@ fn facts(cycle: &Cycle, clearance: f64) -> CycleFacts {
         steps: cycle.steps,
         rejected: cycle.rejected,
         films: cycle.films,
+        oil_closure: cycle.oil.map(|oil| oil.closure),
+        oil_imbalance: cycle.oil.map(|oil| oil.imbalance),
     }
 }

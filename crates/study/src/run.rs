@@ -18,7 +18,7 @@ use crate::film::{DEGREE, Film};
 use crate::no_answer::NoAnswer;
 use crate::orbit::{Followed, Frame, OrbitFacts, OrbitPath, follow};
 use crate::picture::{FilmPicture, picture};
-use crate::quantities::left_over;
+use crate::quantities::{Quantity, left_over};
 use crate::reasons::Limit;
 use crate::refinement::answer;
 use crate::regime::{Regime, broken_assumptions};
@@ -29,7 +29,7 @@ use crate::result::{
 use crate::run_options::RunOptions;
 use crate::solved::Solved;
 use crate::thermal::temperature_report;
-use crate::warning;
+use crate::warning::{self, Warning};
 use crate::warnings::all_warnings;
 
 /// What a run found.
@@ -126,7 +126,12 @@ fn on_orbit(scene: &Scene, orbit: &oilwedge_scene::Orbit, options: &RunOptions) 
         OrbitEnd::NotClosed => Some(Limit::NotClosed(facts.cycles.len(), closure(&facts))),
         OrbitEnd::Ended => Some(Limit::Orbit(facts.cycles.len(), closure(&facts), options.cause())),
     };
-    report(scene, (&solved, estimated), options, &mut result);
+    // Bars of a film that conserves its oil are those of its orbit.
+    let of_film = RunOptions {
+        bars: options.bars && solved.reference.is_some(),
+        ..*options
+    };
+    report(scene, (&solved, estimated), &of_film, &mut result);
     if half_speed > MOST_AT_HALF_SPEED {
         let share = percent(half_speed);
         result.warnings.push(warning::HALF_SPEED.says(format!(
@@ -134,9 +139,11 @@ fn on_orbit(scene: &Scene, orbit: &oilwedge_scene::Orbit, options: &RunOptions) 
         )));
     }
     result.quantities = followed.quantities;
+    result.warnings.extend(of_history(&solved, &result.quantities, options));
+    let oil = facts.cycles.last().and_then(|cycle| cycle.oil_imbalance);
     result.counts.position_steps = films;
     result.balances.force = followed.residual;
-    result.balances.mass = followed.balances.mass;
+    result.balances.mass = oil.unwrap_or(followed.balances.mass);
     result.balances.energy = followed.balances.energy;
     result.balances.thermal = followed.temperature.map_or(0.0, |found| found.left_over);
     result.counts.temperature_steps = followed.temperature.map_or(0, |found| found.steps);
@@ -156,6 +163,24 @@ fn on_orbit(scene: &Scene, orbit: &oilwedge_scene::Orbit, options: &RunOptions) 
         orbit: Some(followed.path),
         frames: followed.frames,
     })
+}
+
+/// Warnings about an orbit whose film conserves its oil.
+fn of_history(solved: &Solved, quantities: &[Quantity], options: &RunOptions) -> Vec<Warning> {
+    let mut warnings = Vec::new();
+    let film = &solved.film;
+    if let Some([angle, z]) = film.problem.place_without_supply(&film.system) {
+        warnings.push(warning::FROM_START.says(format!(
+            "no oil is supplied to the film near {:.0} deg, z = {:.4} m: what it holds there follows from the start of the orbit, at which the film is full",
+            angle.to_degrees(),
+            z
+        )));
+    }
+    let is_judged = quantities.iter().all(|quantity| quantity.bar.is_some());
+    if options.bars && film.problem.storage.is_some() && !is_judged {
+        warnings.push(warning::NO_BAR.says("there are no error bars: the orbit on the vertices of the mesh, by which they are found, did not come to its end; give a finer mesh ([mesh] size)"));
+    }
+    warnings
 }
 
 /// Closure of the last cycle, over the clearance.

@@ -89,6 +89,7 @@ kinds! {
     UNBALANCED = "unbalanced", "the model of cavitation or of viscosity does not conserve oil";
     CREATED = "created", "much of the oil that carries the heat off is created by the cavity";
     HALF_SPEED = "half_speed", "most of the load turns at half the speed of the journal, where the film collapses";
+    FROM_START = "from_start", "no oil is supplied to a part of the film: what it holds along the orbit follows from the start";
     UNEVEN = "uneven", "the viscosity of the oil changes much between inlet and outlet, so that one temperature does not describe the film";
     WARMED = "warmed", "friction would heat the oil, but the scene has no `[heat]`";
     VISCOSITY_LAW = "viscosity_law", "pressure or temperature lie beyond the range of a law of viscosity";

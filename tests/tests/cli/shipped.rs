@@ -5,10 +5,12 @@ use oilwedge_tests::program::repository;
 
 const TENSION: &str = "full Sommerfeld film: the pressure falls to";
 const HEATED: &str = "an assumption does not hold: a film as warm as its oil is fed";
+const UNRESOLVED: &str = "the film is not resolved where it is thin";
+const CONSERVING_ORBIT: &str = "28_big_end_orbit_conserving";
 const PRINTED: &str = "the as-printed equation is no mass balance";
 
 /// Every shipped scene and the beginnings of its warnings.
-const SCENES: [(&str, &[&str]); 27] = [
+const SCENES: [(&str, &[&str]); 28] = [
     ("01_plain_ring", &[TENSION, HEATED]),
     ("02_flexpde_shell", &[TENSION]),
     ("03_hydrostatic_shell", &[]),
@@ -43,6 +45,10 @@ const SCENES: [(&str, &[&str]); 27] = [
     ("25_whirl", &[]),
     ("26_tilting_crankshaft_journal", &[]),
     ("27_big_end_orbit", &[HEATED]),
+    (
+        CONSERVING_ORBIT,
+        &[UNRESOLVED, "an assumption does not hold: rigid surfaces", HEATED],
+    ),
 ];
 
 #[test]
@@ -51,7 +57,13 @@ fn every_scene_solves_with_the_warnings_expected() {
     for (name, warnings) in SCENES {
         let scene = repository().join(format!("scenes/{name}.toml"));
         let scene = scene.display().to_string();
-        let told = bench.run(&["solve", &scene, "--json"]);
+        // Bars of an orbit with a history take as long again as the orbit.
+        let bars: &[&str] = if name == CONSERVING_ORBIT {
+            &["--bars", "none"]
+        } else {
+            &[]
+        };
+        let told = bench.run(&[&["solve", &scene, "--json"], bars].concat());
         assert_eq!(told.status, 0, "{name}: {}", told.stderr);
         let result = object(&told.stdout);
         assert_eq!(result["status"], "converged", "{name}");
@@ -68,7 +80,16 @@ fn every_scene_solves_with_the_warnings_expected() {
         }
         assert!(bench.path().join(format!("out/{name}/film.vtu")).is_file(), "{name}");
         let told = bench.run(&["check", &scene]);
-        assert_eq!((told.status, told.stderr.as_str()), (0, ""), "{name}");
+        assert_eq!(told.status, 0, "{name}");
+        // Rows beside a groove all around are thin.
+        match name == CONSERVING_ORBIT {
+            true => assert!(
+                told.stderr.starts_with("warning: the least angle"),
+                "{name}: {}",
+                told.stderr
+            ),
+            false => assert_eq!(told.stderr, "", "{name}"),
+        }
     }
 }
 

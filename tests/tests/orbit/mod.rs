@@ -1,8 +1,10 @@
 //! Orbits of the journal against closed solutions and the numbers of a second code.
 
 mod big_end;
+mod conserving;
 mod finite;
 mod loads;
 mod mobility;
 mod scene;
 mod short;
+mod storage;

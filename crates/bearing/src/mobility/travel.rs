@@ -3,9 +3,12 @@
 use super::FilmMap;
 use crate::coordinates::Vector;
 use crate::duty_cycle::DutyCycle;
-use crate::orbit::{COEFFICIENTS, DIAGONAL, EMBEDDED, ERROR_POWER, NODES, STAGES, Step};
+use crate::orbit::Step;
+use crate::orbit::scheme::{FOURTH_ORDER, Scheme};
 use oilwedge_reynolds::Bearing;
 
+/// A film that is a map has no memory.
+const SCHEME: Scheme = FOURTH_ORDER;
 /// The next step is this part of that which would just meet the tolerance,
 const SAFETY: f64 = 0.85;
 /// and between these multiples of the last one.
@@ -114,7 +117,7 @@ impl Travel<'_> {
             let taken = dt.min(stop - time);
             let outcome = self.step((time, place, rate), taken, tolerance);
             let part = outcome.map_or(f64::INFINITY, |(_, _, error)| error / tolerance);
-            let change = SAFETY * part.max(1e-10).powf(-1.0 / ERROR_POWER);
+            let change = SAFETY * part.max(1e-10).powf(-1.0 / SCHEME.error_power);
             dt = (taken * change.clamp(CHANGES[0], CHANGES[1])).min(LONGEST * period);
             match outcome {
                 Some((end, end_rate, _)) if part <= 1.0 => {
@@ -131,24 +134,25 @@ impl Travel<'_> {
 
     /// A step: place and rate at its end, and its error over the least film.
     fn step(&self, (time, place, rate): (f64, Place, Place), dt: f64, tolerance: f64) -> Option<(Place, Place, f64)> {
-        let mut rates = [rate; STAGES];
+        let mut rates = vec![rate];
         let mut at = place;
         let mut slope = [[0.0; 2]; 2];
-        for stage in 1..STAGES {
+        for stage in 1..SCHEME.stages() {
             let known: Place = [0, 1].map(|k| {
-                let sum = (0..stage).map(|j| COEFFICIENTS[stage][j] * rates[j][k]).sum::<f64>();
-                place[k] + dt * sum
+                let earlier = rates.iter().zip(SCHEME.coefficients[stage]);
+                place[k] + dt * earlier.map(|(rate, coefficient)| coefficient * rate[k]).sum::<f64>()
             });
-            let now = time + dt * NODES[stage];
+            let now = time + dt * SCHEME.nodes[stage];
             (at, slope) = self.stage(now, known, at, dt, tolerance)?;
-            rates[stage] = [0, 1].map(|k| (at[k] - known[k]) / (DIAGONAL * dt));
+            rates.push([0, 1].map(|k| (at[k] - known[k]) / (SCHEME.diagonal * dt)));
         }
+        let weights = SCHEME.error_weights();
         let error: Place = [0, 1].map(|k| {
-            let sum = (0..STAGES).map(|j| (COEFFICIENTS[STAGES - 1][j] - EMBEDDED[j]) * rates[j][k]);
-            dt * sum.sum::<f64>()
+            let parts = rates.iter().zip(&weights);
+            dt * parts.map(|(rate, weight)| weight * rate[k]).sum::<f64>()
         });
         let [x, y] = solved(implicit(slope, dt), error)?;
-        Some((at, rates[STAGES - 1], x.hypot(y) / (1.0 - at[0].hypot(at[1]))))
+        Some((at, *rates.last()?, x.hypot(y) / (1.0 - at[0].hypot(at[1]))))
     }
 
     /// The place at which `at = known + gamma dt rate(at)`, and the derivative of the rate there.
@@ -163,7 +167,7 @@ impl Travel<'_> {
                 [0, 1].map(|k| (there[k] - rate[k]) / small)
             });
             let slope = [[by_x[0], by_y[0]], [by_x[1], by_y[1]]];
-            let left = [0, 1].map(|k| known[k] + DIAGONAL * dt * rate[k] - at[k]);
+            let left = [0, 1].map(|k| known[k] + SCHEME.diagonal * dt * rate[k] - at[k]);
             let way = solved(implicit(slope, dt), left)?;
             let mut part = 1.0;
             let next = |part: f64| [at[0] + part * way[0], at[1] + part * way[1]];
@@ -191,6 +195,7 @@ impl Travel<'_> {
             velocity: vector(rate),
             error: [0.0; 4],
             residual: 0.0,
+            history: None,
         }
     }
 }
@@ -198,7 +203,7 @@ impl Travel<'_> {
 /// `1 - gamma dt slope`.
 fn implicit(slope: [[f64; 2]; 2], dt: f64) -> [[f64; 2]; 2] {
     let unit = |i: usize, j: usize| f64::from(u8::from(i == j));
-    [0, 1].map(|i| [0, 1].map(|j| unit(i, j) - DIAGONAL * dt * slope[i][j]))
+    [0, 1].map(|i| [0, 1].map(|j| unit(i, j) - SCHEME.diagonal * dt * slope[i][j]))
 }
 
 /// Solves two equations.

@@ -3,9 +3,9 @@
 use oilwedge_reynolds::NoFilm;
 use oilwedge_reynolds::solve::Neighbour;
 
-use super::motion::{Instant, Motion};
+use super::motion::{Instant, Motion, Moving};
+use super::oil::Oil;
 use super::path::{Span, Step};
-use super::scheme::ERROR_POWER;
 use super::stage::{Accuracy, NoStage};
 use super::step::{Begin, Made};
 use crate::Deadline;
@@ -58,6 +58,34 @@ pub struct Cycle {
     pub rejected: usize,
     /// Films solved.
     pub films: usize,
+    /// The oil of films that conserve it; `None` for others.
+    pub oil: Option<CycleOil>,
+}
+
+/// Oil over one cycle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CycleOil {
+    /// Oil that lies elsewhere at the end than at the beginning, over all oil in the film [1].
+    pub closure: f64,
+    /// What the film holds more at the end, less what it has received: over what has come in or, where that is more, what it holds [1].
+    pub imbalance: f64,
+}
+
+impl CycleOil {
+    fn between(begin: &Oil, end: &Oil) -> Self {
+        let missing = end.total() - begin.total() - (end.received - begin.received);
+        Self {
+            closure: end.differs(begin),
+            imbalance: missing.abs() / (end.passed - begin.passed).max(end.total()),
+        }
+    }
+}
+
+impl Cycle {
+    /// True if it ends as it began, within this part of the clearance and of the oil.
+    fn is_closed(&self, clearance: f64, within: f64) -> bool {
+        self.closure < within * clearance && self.oil.is_none_or(|oil| oil.closure < within)
+    }
 }
 
 /// An orbit.
@@ -134,8 +162,9 @@ impl Motion<'_> {
             scale: self.peak_load(),
         };
         let mut films = 0;
-        let here = (self.carried((0.0, start), [0.0; 4], accuracy, &mut films))
-            .map_err(|reason| self.told(reason, 0.0, 1, start))?;
+        let period = self.cycle.period() / self.cycle.angular_speed();
+        let here =
+            (self.beginning(start, period, accuracy, &mut films)).map_err(|reason| self.told(reason, 0.0, 1, start))?;
         let mut traveller = Traveller {
             here,
             acceleration: [0.0; 4],
@@ -144,7 +173,7 @@ impl Motion<'_> {
         let mut cycles = Vec::new();
         let mut last = Vec::new();
         for number in 1..=options.cycles {
-            let begin = traveller.here.at;
+            let (begin, oil) = (traveller.here.at, traveller.here.oil.clone());
             let (steps, mut cycle) = match self.cycle(&mut traveller, number, accuracy, options) {
                 Ok(Some(made)) => made,
                 Ok(None) if number == 1 => {
@@ -163,9 +192,12 @@ impl Motion<'_> {
             };
             cycle.films += std::mem::take(&mut films);
             cycle.closure = length(moved(traveller.here.at, -1.0, begin));
+            cycle.oil = oil
+                .zip(traveller.here.oil.as_ref())
+                .map(|(begin, end)| CycleOil::between(&begin, end));
             cycles.push(cycle);
             last = steps;
-            if cycle.closure < options.closure * self.problem.bearing.clearance {
+            if cycle.is_closed(self.problem.bearing.clearance, options.closure) {
                 let end = OrbitEnd::Closed;
                 return Ok(Orbit {
                     steps: last,
@@ -204,6 +236,7 @@ impl Motion<'_> {
             steps: 0,
             rejected: 0,
             films: 0,
+            oil: None,
         };
         let mut steps = vec![self.recorded(traveller, [0.0; 4], accuracy)];
         let mut dt = self.first_step(&traveller.here, period);
@@ -238,7 +271,7 @@ impl Motion<'_> {
                     error,
                 }) => {
                     let part = length(error) / self.gap(end.at) / accuracy.tolerance;
-                    let change = SAFETY * part.max(1e-10).powf(-1.0 / ERROR_POWER);
+                    let change = SAFETY * part.max(1e-10).powf(-1.0 / self.scheme().error_power);
                     dt = (taken * change.clamp(CHANGES[0], CHANGES[1])).min(LONGEST * period);
                     if part > 1.0 && taken > SHORTEST * period {
                         cycle.rejected += 1;
@@ -272,21 +305,11 @@ impl Motion<'_> {
     }
 
     fn recorded(&self, traveller: &Traveller, error: Vector, accuracy: Accuracy) -> Step {
-        let Instant {
-            time,
-            at,
-            velocity,
-            excess,
-            ..
-        } = &traveller.here;
-        let masses = self.masses();
-        let left: Vector = [0, 1, 2, 3].map(|k| excess[k] + masses[k] * traveller.acceleration[k]);
+        let (here, masses) = (&traveller.here, self.masses());
+        let left: Vector = [0, 1, 2, 3].map(|k| here.excess[k] + masses[k] * traveller.acceleration[k]);
         Step {
-            time: *time,
-            at: *at,
-            velocity: *velocity,
             error,
-            residual: length(left) / accuracy.scale,
+            ..Step::of(here, length(left) / accuracy.scale)
         }
     }
 
@@ -326,26 +349,57 @@ impl Motion<'_> {
         }
     }
 
-    /// The film at a time within a span of the orbit: the place is that of the path, and the velocity that in which the film carries the load, or that of the
-    /// path for a rotor with mass.
+    /// The film at a time within a span of the orbit that begins with the step `from`. The place is that of the path, and the velocity that in which the film
+    /// carries the load, or that of the path for a rotor with mass; a film that conserves its oil is led on from the step.
     ///
     /// # Errors
     /// [`NoOrbit`]: there is no such film.
-    pub fn between(&self, span: &Span, time: f64, tolerance: f64) -> Result<Instant, NoOrbit> {
+    pub fn between(&self, from: &Step, span: &Span, time: f64, tolerance: f64) -> Result<Instant, NoOrbit> {
         let (at, velocity) = (span.at(time), span.rate(time));
-        let scale = self.peak_load();
+        let accuracy = Accuracy {
+            tolerance,
+            scale: self.peak_load(),
+        };
         let found = match self.mass > 0.0 {
-            true => (self.film(time, at, velocity, Neighbour::None)).map_err(NoStage::Film),
-            false => self.carried((time, at), velocity, Accuracy { tolerance, scale }, &mut 0),
+            _ if from.history.is_some() => self.led_on(from, time, accuracy),
+            true => (self.film(Moving { time, at, velocity }, None, Neighbour::None)).map_err(NoStage::Film),
+            false => self.carried((time, at), velocity, accuracy, &mut 0),
         };
         found.map_err(|reason| self.told(reason, time, 1, at))
     }
 
-    /// The film of a step, started from that of a neighbouring one.
+    /// The end of one step from another one.
+    fn led_on(&self, from: &Step, time: f64, accuracy: Accuracy) -> Result<Instant, NoStage> {
+        let instant = self.film_at(from, Neighbour::None)?;
+        if time <= from.time {
+            return Ok(instant);
+        }
+        let masses = self.masses();
+        let acceleration = [0, 1, 2, 3].map(|k| match masses[k] > 0.0 {
+            true => -instant.excess[k] / masses[k],
+            false => 0.0,
+        });
+        let begin = Begin {
+            instant: &instant,
+            acceleration,
+            before: None,
+        };
+        let made = self.step(&begin, time - from.time, accuracy, &mut 0)?;
+        Ok(Instant { time, ..made.end })
+    }
+
+    /// The film of a step: that which was found, where it conserves its oil; else started from a neighbouring one.
     ///
     /// # Errors
     /// [`NoFilm`]: why there is none.
     pub fn film_at(&self, step: &Step, near: Neighbour) -> Result<Instant, NoFilm> {
-        self.film(step.time, step.at, step.velocity, near)
+        let Some(history) = &step.history else {
+            return self.film(step.moving(), None, near);
+        };
+        let found = self.film(step.moving(), Some(&history.before), Neighbour::Found(&history.trace))?;
+        Ok(Instant {
+            oil: Some(history.oil.clone()),
+            ..found
+        })
     }
 }

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `motion.rs` | film, support, mass and load at one time, and their tangents |
 //! | `scheme.rs`, `stage.rs`, `step.rs` | implicit steps in time with an estimate of their error |
+//! | `oil.rs` | what a film that conserves its oil holds along the way |
 //! | `march.rs` | steps as long as the tolerance allows, from cycle to cycle |
 //! | `path.rs` | the journal between two steps |
 //!
@@ -11,12 +12,13 @@
 
 mod march;
 mod motion;
+mod oil;
 mod path;
-mod scheme;
+pub mod scheme;
 mod stage;
 mod step;
 
-pub use march::{Cycle, NoOrbit, Orbit, OrbitEnd, OrbitObserver, OrbitOptions};
-pub use motion::{Instant, Motion, TiltSupport};
-pub use path::{Span, Step};
-pub(crate) use scheme::{COEFFICIENTS, DIAGONAL, EMBEDDED, ERROR_POWER, NODES, STAGES};
+pub use march::{Cycle, CycleOil, NoOrbit, Orbit, OrbitEnd, OrbitObserver, OrbitOptions};
+pub use motion::{Instant, Motion, Moving, TiltSupport};
+pub use oil::{Before, Oil};
+pub use path::{Span, Step, StepHistory};

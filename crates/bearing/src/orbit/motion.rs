@@ -4,13 +4,19 @@
 //! m e'' + W(e, e') = F(t)                     m(e, g, ...) + k (g - g_0) = M(t)
 //! ```
 //!
-//! with the mass m of the rotor, which is zero unless a scene gives one.
+//! with the mass m of the rotor, which is zero unless a scene gives one. The force W of a film that conserves its oil depends on what it held before, too.
+
+use std::sync::Arc;
 
 use oilwedge_fem::newton::Failure;
 use oilwedge_reynolds::quantities::load::{load, load_change};
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSolution, FilmSystem, JournalChange, JournalState, NoFilm};
+use oilwedge_reynolds::{
+    CentreVelocity, FilmProblem, FilmSolution, FilmSystem, JournalChange, JournalState, NoFilm, Storage,
+};
 
+use super::oil::Oil;
+use super::scheme::{FOURTH_ORDER, SECOND_ORDER, Scheme};
 use crate::coordinates::{Coordinates, Vector, unit};
 use crate::duty_cycle::{Duty, DutyCycle};
 use crate::stiffness::Stiffness;
@@ -53,6 +59,19 @@ pub struct Instant {
     pub film: FilmSolution,
     /// Forces of film and support less the load [N]; what a mass would take is not in them.
     pub excess: Vector,
+    /// The oil of a film that conserves it, at the end of a stage; else `None`.
+    pub oil: Option<Arc<Oil>>,
+}
+
+/// A journal on its way.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Moving {
+    /// Time [s].
+    pub time: f64,
+    /// Offsets [m], in the coordinates of the motion.
+    pub at: Vector,
+    /// Their rates [m/s].
+    pub velocity: Vector,
 }
 
 impl Motion<'_> {
@@ -115,10 +134,25 @@ impl Motion<'_> {
         [x, y, z_x + per_tilt * at[2], z_y + per_tilt * at[3]]
     }
 
-    /// The film of a journal at these coordinates, moving so, started from one nearby.
-    pub(crate) fn film(&self, time: f64, at: Vector, velocity: Vector, near: Neighbour) -> Result<Instant, NoFilm> {
+    /// The method by which steps are made.
+    pub(crate) fn scheme(&self) -> &'static Scheme {
+        match self.problem.cavitation.conserves_oil() {
+            true => &SECOND_ORDER,
+            false => &FOURTH_ORDER,
+        }
+    }
+
+    /// The film of a journal that moves so, which held `before`, if it conserves its oil; started from one nearby.
+    pub(crate) fn film(
+        &self,
+        moving: Moving,
+        before: Option<&Arc<Storage>>,
+        near: Neighbour,
+    ) -> Result<Instant, NoFilm> {
+        let Moving { time, at, velocity } = moving;
         let problem = FilmProblem {
             journal: self.journal(time, at, velocity),
+            storage: before.cloned(),
             ..self.problem.clone()
         };
         let film = problem.solve_from(self.system, near)?;
@@ -131,6 +165,7 @@ impl Motion<'_> {
             excess: [0, 1, 2, 3].map(|k| response[k] - asked[k]),
             problem,
             film,
+            oil: None,
         })
     }
 

@@ -1,10 +1,15 @@
 //! The path between two instants: the cubic through both places with both velocities (Hermite).
 
-use super::motion::Instant;
+use std::sync::Arc;
+
+use oilwedge_reynolds::{FilmTrace, Storage};
+
+use super::motion::{Instant, Moving};
+use super::oil::Oil;
 use crate::coordinates::Vector;
 
 /// One step of an orbit: the journal at its end.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Step {
     /// Time [s], from the beginning of the cycle.
     pub time: f64,
@@ -16,6 +21,51 @@ pub struct Step {
     pub error: Vector,
     /// What is left of the equation of motion, over the peak of the load [1].
     pub residual: f64,
+    /// What a film that conserves its oil has of the time before; `None` for others.
+    pub history: Option<Arc<StepHistory>>,
+}
+
+/// What makes the film of a step again, and leads on from it, where the cavity conserves its oil.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StepHistory {
+    /// What the film held before.
+    pub before: Arc<Storage>,
+    /// The cavity and the advection schemes that were found.
+    pub trace: FilmTrace,
+    /// The oil that it holds.
+    pub oil: Arc<Oil>,
+}
+
+impl StepHistory {
+    pub(super) fn of(here: &Instant) -> Option<Self> {
+        Some(Self {
+            before: here.problem.storage.clone()?,
+            trace: here.film.trace(),
+            oil: here.oil.clone()?,
+        })
+    }
+}
+
+impl Step {
+    /// Of an instant, with no estimate of an error.
+    pub fn of(here: &Instant, residual: f64) -> Self {
+        Self {
+            time: here.time,
+            at: here.at,
+            velocity: here.velocity,
+            error: [0.0; 4],
+            residual,
+            history: StepHistory::of(here).map(Arc::new),
+        }
+    }
+
+    pub(super) fn moving(&self) -> Moving {
+        Moving {
+            time: self.time,
+            at: self.at,
+            velocity: self.velocity,
+        }
+    }
 }
 
 /// A part of the path.

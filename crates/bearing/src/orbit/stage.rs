@@ -2,10 +2,14 @@
 //!
 //! With `v = (x - x_0)/(gamma dt)` the residual is `W(x, v) + m (v - v_0)/(gamma dt) - F`, its tangent `K + C/(gamma dt) + m/(gamma dt)^2`.
 
-use oilwedge_reynolds::NoFilm;
-use oilwedge_reynolds::solve::Neighbour;
+use std::sync::Arc;
 
-use super::motion::{Instant, Motion};
+use oilwedge_fem::newton::Failure;
+use oilwedge_reynolds::solve::Neighbour;
+use oilwedge_reynolds::{FilmProblem, NoFilm};
+
+use super::motion::{Instant, Motion, Moving};
+use super::oil::Before;
 use crate::coordinates::{Vector, length, moved};
 use crate::stiffness::Stiffness;
 
@@ -23,8 +27,13 @@ const ROUND_OFF: f64 = 1e-11;
 /// or below this where no shorter change brings it down.
 const NEARLY_BALANCED: f64 = 1e-8;
 
+/// A tangent is corrected by what it missed, not made anew, where it has reduced the residual to less than this part.
+const STEEP: f64 = 0.1;
+/// The short time in which the motion of a film that conserves its oil begins, of the cycle.
+const BEGINNING: f64 = 1e-7;
+
 /// What is known of a stage before it is solved.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(super) struct Known {
     /// Its time [s].
     pub(super) time: f64,
@@ -33,6 +42,8 @@ pub(super) struct Known {
     /// `x_0` and `v_0`: offsets [m] and, for a rotor with mass, rates [m/s] from the stages before.
     pub(super) offset: Vector,
     pub(super) rate: Vector,
+    /// What the stages before leave to a film that conserves its oil.
+    pub(super) before: Option<Before>,
 }
 
 /// How exactly a stage is solved.
@@ -76,15 +87,24 @@ impl Motion<'_> {
         accuracy: Accuracy,
         films: &mut usize,
     ) -> Result<Instant, NoStage> {
-        let film = |at: Vector, near: &Instant, films: &mut usize| {
+        let film = |at: Vector, near: Neighbour, films: &mut usize| {
             *films += 1;
-            let velocity = known.velocity(at);
-            self.film(known.time, at, velocity, Neighbour::Start(&near.film))
+            let moving = Moving {
+                time: known.time,
+                at,
+                velocity: known.velocity(at),
+            };
+            self.film(moving, known.before.as_ref().map(|before| &before.storage), near)
         };
-        let mut here = film(self.inside(near.at, start), near, films)?;
+        let mut here = film(self.inside(near.at, start), Neighbour::Start(&near.film), films)?;
+        let mut corrected: Option<Stiffness> = None;
         for _ in 1..MOST_FILMS {
             let residual = self.residual(known, &here);
-            let step = self.stage_tangent(known, &here)?.solve(residual.map(|part| -part));
+            let tangent = match corrected.take() {
+                Some(tangent) => tangent,
+                None => self.stage_tangent(known, &here)?,
+            };
+            let step = tangent.solve(residual.map(|part| -part));
             let gap = self.gap(here.at);
             let balance = length(residual) / accuracy.scale;
             let change = length(step) / gap;
@@ -92,21 +112,29 @@ impl Motion<'_> {
                 return Err(NoStage::Diverged);
             }
             if balance < accuracy.balanced() && change < SETTLED * accuracy.tolerance {
-                return Ok(here);
+                return self.with_oil(known, here);
             }
             let mut part = 1.0;
             while self.gap(moved(here.at, part, step)) < LEAST_SHRINK * gap {
                 part *= 0.8;
             }
             loop {
-                let next = film(moved(here.at, part, step), &here, films);
+                // The oil of the whole stage is carried by the same schemes, so that the force is smooth.
+                let next = film(moved(here.at, part, step), Neighbour::Kept(&here.film), films);
                 let falls = |next: &Instant| length(self.residual(known, next)) < length(residual);
                 match next {
                     Ok(next) if falls(&next) => {
+                        let left = self.residual(known, &next);
+                        // The tangent of a film that conserves its oil costs more than what one film more does.
+                        if known.before.is_some() && length(left) < STEEP * length(residual) {
+                            let made = moved(next.at, -1.0, here.at);
+                            let told = moved(residual, 1.0, tangent.times(made));
+                            corrected = Some(tangent.corrected(made, moved(left, -1.0, told)));
+                        }
                         here = next;
                         break;
                     }
-                    Ok(_) if balance < NEARLY_BALANCED => return Ok(here),
+                    Ok(_) if balance < NEARLY_BALANCED => return self.with_oil(known, here),
                     Err(reason) if part < SHORTEST => return Err(reason.into()),
                     _ if part < SHORTEST => return Err(NoStage::Diverged),
                     _ => part *= 0.5,
@@ -114,6 +142,55 @@ impl Motion<'_> {
             }
         }
         Err(NoStage::Diverged)
+    }
+
+    /// The end of a stage, with the oil that the film holds.
+    fn with_oil(&self, known: &Known, here: Instant) -> Result<Instant, NoStage> {
+        let Some(before) = &known.before else {
+            return Ok(here);
+        };
+        let oil = before
+            .oil(&here.problem, self.system, &here.film)
+            .map_err(Failure::from);
+        Ok(Instant {
+            oil: Some(Arc::new(oil.map_err(NoFilm::from)?)),
+            ..here
+        })
+    }
+
+    /// Where an orbit begins: in films without memory at the velocity in which film and support carry the load, full ones that conserve their oil after a time
+    /// that is short beside all steps.
+    pub(super) fn beginning(
+        &self,
+        at: Vector,
+        period: f64,
+        accuracy: Accuracy,
+        films: &mut usize,
+    ) -> Result<Instant, NoStage> {
+        if !self.problem.cavitation.conserves_oil() {
+            return self.carried((0.0, at), [0.0; 4], accuracy, films);
+        }
+        let at_rest = Moving {
+            time: 0.0,
+            at,
+            velocity: [0.0; 4],
+        };
+        let full = FilmProblem {
+            journal: self.journal(0.0, at, [0.0; 4]),
+            ..self.problem.clone()
+        };
+        let held = full.oil_of_full_film(self.system).map_err(Failure::from);
+        let per_time = 1.0 / (BEGINNING * period);
+        let before = Before::at_rest(per_time, held.map_err(NoFilm::from)?);
+        let near = self.film(at_rest, Some(&before.storage), Neighbour::None)?;
+        let known = Known {
+            time: 0.0,
+            per_time,
+            offset: at,
+            rate: [0.0; 4],
+            before: Some(before),
+        };
+        self.stage(&known, at, &near, accuracy, films)
     }
 
     /// The velocity at a given place in which film and support carry the load, sought from a `guess`.
@@ -124,7 +201,8 @@ impl Motion<'_> {
         accuracy: Accuracy,
         films: &mut usize,
     ) -> Result<Instant, NoStage> {
-        let mut here = self.film(time, at, guess, Neighbour::None)?;
+        let moving = |velocity: Vector| Moving { time, at, velocity };
+        let mut here = self.film(moving(guess), None, Neighbour::None)?;
         *films += 1;
         for _ in 1..MOST_FILMS {
             let balance = length(here.excess) / accuracy.scale;
@@ -139,7 +217,7 @@ impl Motion<'_> {
             loop {
                 let velocity = moved(here.velocity, part, step);
                 *films += 1;
-                let next = self.film(time, at, velocity, Neighbour::Start(&here.film))?;
+                let next = self.film(moving(velocity), None, Neighbour::Start(&here.film))?;
                 if length(next.excess) < length(here.excess) {
                     here = next;
                     break;

@@ -1,10 +1,12 @@
 //! One step in time: its stages, and the estimate of its error.
 
+use std::sync::Arc;
+
 use oilwedge_reynolds::NoFilm;
 
 use super::motion::{Instant, Motion};
+use super::oil::Oil;
 use super::path::Span;
-use super::scheme::{COEFFICIENTS, DIAGONAL, EMBEDDED, NODES, STAGES};
 use super::stage::{Accuracy, Known, NoStage};
 use crate::coordinates::Vector;
 
@@ -33,29 +35,33 @@ impl Motion<'_> {
     /// A step of the length `dt` [s].
     pub(super) fn step(&self, from: &Begin, dt: f64, accuracy: Accuracy, films: &mut usize) -> Result<Made, NoStage> {
         let start = from.instant;
-        let per_time = 1.0 / (DIAGONAL * dt);
-        let mut rates = [start.velocity; STAGES];
-        let mut accelerations = [from.acceleration; STAGES];
+        let scheme = self.scheme();
+        let per_time = 1.0 / (scheme.diagonal * dt);
+        let mut rates = vec![start.velocity];
+        let mut accelerations = vec![from.acceleration];
+        let mut oils: Vec<Arc<Oil>> = start.oil.iter().cloned().collect();
         let mut latest: Option<Instant> = None;
         let mut way = from.before;
-        for stage in 1..STAGES {
+        for stage in 1..scheme.stages() {
             let so_far =
-                |first: Vector, rates: &[Vector; STAGES]| combined(first, dt, &COEFFICIENTS[stage][..stage], rates);
+                |first: Vector, rates: &[Vector]| combined(first, dt, &scheme.coefficients[stage][..stage], rates);
             let known = Known {
-                time: start.time + dt * NODES[stage],
+                time: start.time + dt * scheme.nodes[stage],
                 per_time,
                 offset: so_far(start.at, &rates),
                 rate: so_far(start.velocity, &accelerations),
+                before: (start.oil.as_ref()).map(|oil| oil.before(scheme, stage, dt, &oils)),
             };
             let guess = match way {
                 Some(span) => span.at(known.time),
-                None => combined(start.at, dt * NODES[stage], &[1.0], &rates),
+                None => combined(start.at, dt * scheme.nodes[stage], &[1.0], &rates),
             };
             let is_nearer = |latest: &&Instant| (latest.time - known.time).abs() < (start.time - known.time).abs();
             let near = latest.as_ref().filter(is_nearer).unwrap_or(start);
             let found = self.stage(&known, guess, near, accuracy, films)?;
-            rates[stage] = found.velocity;
-            accelerations[stage] = [0, 1, 2, 3].map(|k| (found.velocity[k] - known.rate[k]) * per_time);
+            rates.push(found.velocity);
+            accelerations.push([0, 1, 2, 3].map(|k| (found.velocity[k] - known.rate[k]) * per_time));
+            oils.extend(found.oil.clone());
             if latest.as_ref().is_none_or(|latest| latest.time < found.time) {
                 way = Some(Span::of_instants(start, &found));
             }
@@ -63,21 +69,20 @@ impl Motion<'_> {
         }
         // The last stage is the end of the step.
         let end = latest.ok_or(NoStage::Diverged)?;
-        let last = &COEFFICIENTS[STAGES - 1];
-        let difference: [f64; STAGES] = std::array::from_fn(|j| last[j] - EMBEDDED[j]);
-        let error = combined([0.0; 4], dt, &difference, &rates);
+        let error = combined([0.0; 4], dt, &scheme.error_weights(), &rates);
         Ok(Made {
             error: self.damped_error(&end, error, dt)?,
-            acceleration: accelerations[STAGES - 1],
+            acceleration: accelerations.last().copied().unwrap_or_default(),
             end,
         })
     }
 
     /// `(m/(gamma dt) + C + gamma dt K)^-1 (m/(gamma dt) + C)` times an error: what stiffness leaves of it.
     fn damped_error(&self, end: &Instant, error: Vector, dt: f64) -> Result<Vector, NoFilm> {
-        let inertia = self.masses().map(|mass| mass / (DIAGONAL * dt));
+        let diagonal = self.scheme().diagonal;
+        let inertia = self.masses().map(|mass| mass / (diagonal * dt));
         let damping = self.tangent(end, 0.0, 1.0)?.with_diagonal(inertia);
-        let with_stiffness = self.tangent(end, DIAGONAL * dt, 1.0)?.with_diagonal(inertia);
+        let with_stiffness = self.tangent(end, diagonal * dt, 1.0)?.with_diagonal(inertia);
         Ok(with_stiffness.solve(damping.times(error)))
     }
 }

@@ -152,8 +152,13 @@ fn stores(problem: &FilmProblem) -> bool {
     })
 }
 
-/// `Int theta dh/dt dA` [m3/s], as the discrete equations have it.
+/// `Int theta dh/dt dA` [m3/s], with a history `Int d(theta h)/dt dA`, as the discrete equations have it.
 fn taken_up(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> f64 {
+    if let Some(before) = &problem.storage {
+        // The film was solved on the sub-mesh that is asked for; without it there is no number.
+        let held = problem.oil_held(system, film).ok().flatten();
+        return held.map_or(f64::NAN, |held| before.taken_up(&held).iter().sum());
+    }
     if !stores(problem) {
         return 0.0;
     }

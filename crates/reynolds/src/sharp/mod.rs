@@ -88,6 +88,7 @@ impl FilmProblem {
         let starved = |region: &crate::supply::SupplyRegion| region.film_fraction.is_some();
         matches!(self.cavitation, Cavitation::Jfo { .. })
             && self.form == Form::Conservative
+            && self.storage.is_none()
             && self.theory == Theory::Full
             && self.journal.velocity == [0.0; 2]
             && self.journal.axial_velocity == 0.0

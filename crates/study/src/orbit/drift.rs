@@ -54,14 +54,14 @@ pub(super) fn carry(steps: &[Step], samples: &mut [Sampled], end: OrbitEnd) {
 ///
 /// # Errors
 /// [`NoAnswer`]: there is no film between the steps.
-pub(super) fn between(motion: &Motion, span: &Span, time: f64) -> Result<f64, NoAnswer> {
+pub(super) fn between(motion: &Motion, (step, span): (&Step, Span), time: f64) -> Result<f64, NoAnswer> {
     const QUARTER: f64 = 0.25;
     if motion.mass > 0.0 {
         return Ok(0.0);
     }
     let [from, to] = span.times;
     let (dt, at) = (to - from, from + QUARTER * (to - from));
-    let instant = motion.between(span, at, TOLERANCE).map_err(NoAnswer::Orbit)?;
+    let instant = motion.between(step, &span, at, TOLERANCE).map_err(NoAnswer::Orbit)?;
     let differs = moved(instant.velocity, -1.0, span.rate(at));
     let damping = motion.tangent(&instant, 0.0, 1.0)?;
     let stiffness = motion.tangent(&instant, 1.0, 0.0)?;

@@ -1,6 +1,6 @@
 //! Films at even crank angles of the last cycle, drawn one after the other: an animation.
 
-use oilwedge_bearing::orbit::{Motion, Span};
+use oilwedge_bearing::orbit::{Motion, Span, Step};
 use oilwedge_reynolds::JournalState;
 use rayon::prelude::*;
 
@@ -23,21 +23,19 @@ pub struct Frame {
     pub picture: FilmPicture,
 }
 
-/// The films that are asked for.
+/// The films that are asked for, over a period [s], by the step before a time and the path from it.
 ///
 /// # Errors
 /// [`NoAnswer`]: there is no film at one of the crank angles.
-pub(super) fn frames(
-    film: &Film,
-    motion: &Motion,
-    path: &[Span],
+pub(super) fn frames<'a>(
+    (film, motion): (&Film, &Motion),
+    period: f64,
+    around: &(dyn Fn(f64) -> Option<(&'a Step, Span)> + Sync),
     options: &RunOptions,
 ) -> Result<Vec<Frame>, NoAnswer> {
-    let period = path.last().map_or(0.0, |span| span.times[1]);
     let frame = |k: u32| {
         let time = period * f64::from(k) / f64::from(options.frames);
-        let span = path.iter().find(|span| span.times[1] >= time).copied();
-        let solved = sample::solved_at(film, motion, span, time, Errors::Omitted)?;
+        let solved = sample::solved_at(film, motion, around(time), time, Errors::Omitted)?;
         let mut picture = picture(&solved.film, &solved.solution, None, options.surface());
         if options.surface() == Surface::Cylinder {
             let axis = axis(&solved.film.problem.journal, film.problem.bearing.length);

@@ -94,14 +94,8 @@ pub(super) fn refine_peak(
             return Ok(());
         }
         let span = Span::between(&steps[next - 1], &steps[next]);
-        let instant = motion.between(&span, time, TOLERANCE).map_err(NoAnswer::Orbit)?;
-        let step = Step {
-            time,
-            at: instant.at,
-            velocity: instant.velocity,
-            error: [0.0; 4],
-            residual: 0.0,
-        };
+        let instant = (motion.between(&steps[next - 1], &span, time, TOLERANCE)).map_err(NoAnswer::Orbit)?;
+        let step = Step::of(&instant, 0.0);
         let (one, _) = sample(film, motion, instant, errors)?;
         steps.insert(next, step);
         samples.insert(next, one);
@@ -134,26 +128,29 @@ fn peak(samples: &[Sampled]) -> Option<f64> {
 pub(super) fn solved_at(
     film: &Film,
     motion: &Motion,
-    span: Option<Span>,
+    from: Option<(&Step, Span)>,
     time: f64,
     errors: Errors,
 ) -> Result<Solved, NoAnswer> {
-    let journal = match span {
-        Some(span) => {
-            motion
-                .between(&span, time, TOLERANCE)
-                .map_err(NoAnswer::Orbit)?
-                .problem
-                .journal
-        }
-        None => motion.journal(time, [0.0; 4], [0.0; 4]),
+    let Some((step, span)) = from else {
+        let film = film.with_journal(motion.journal(time, [0.0; 4], [0.0; 4]));
+        let options = SolveOptions {
+            errors,
+            ..SolveOptions::default()
+        };
+        return isothermal(&film, &options);
     };
-    let film = film.with_journal(journal);
+    let instant = (motion.between(step, &span, time, TOLERANCE)).map_err(NoAnswer::Orbit)?;
+    let guess = match instant.oil {
+        Some(_) => InitialGuess::Near(Neighbour::Kept(&instant.film)),
+        None => InitialGuess::default(),
+    };
     let options = SolveOptions {
         errors,
+        guess,
         ..SolveOptions::default()
     };
-    isothermal(&film, &options)
+    isothermal(&film.at_instant(&instant), &options)
 }
 
 /// One film, measured; and its solution for the next one to start from.
@@ -163,10 +160,14 @@ fn sample(film: &Film, motion: &Motion, instant: Instant, errors: Errors) -> Res
         Errors::Estimated => Some((motion.tangent(&instant, 1.0, 0.0)?, motion.tangent(&instant, 0.0, 1.0)?)),
         Errors::Omitted => None,
     };
-    let here = film.with_journal(instant.problem.journal);
+    let here = film.at_instant(&instant);
+    // A film that conserves its oil is that which was found, with its advection schemes.
     let options = SolveOptions {
         errors,
-        guess: InitialGuess::Near(Neighbour::Start(&instant.film)),
+        guess: InitialGuess::Near(match instant.oil {
+            Some(_) => Neighbour::Kept(&instant.film),
+            None => Neighbour::Start(&instant.film),
+        }),
         ..SolveOptions::default()
     };
     let solved = isothermal(&here, &options)?;

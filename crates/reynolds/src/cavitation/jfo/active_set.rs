@@ -15,7 +15,7 @@ use super::blocks::AdvectionScheme;
 use super::loops;
 use super::relaxation::State;
 use super::rows::Condition;
-use super::{Choice, Film, ROUNDING, cell_volumes};
+use super::{Choice, Film, History, ROUNDING, volumes_of};
 
 /// Most steps of one search.
 const MOST_STEPS: usize = 300;
@@ -27,6 +27,8 @@ const RESTLESS: u8 = 2;
 const MOST_RETURNS: u8 = 1;
 /// Nodes that hold less than no oil are looked for once fewer signs are wrong than this part of those at first.
 const NEARLY: f64 = 0.3;
+/// What reports say of it.
+const IN_PSEUDO_TIME: &str = "the cavity was found in pseudo-time, since its set of nodes came back";
 /// Pseudo-time steps: the first as a part of the time that the journal takes over a radius, growth, number.
 const FIRST_TIME_STEP: f64 = 0.01;
 const TIME_GROWTH: f64 = 3.0;
@@ -46,6 +48,8 @@ pub(super) struct Search<'a> {
     changed: Vec<bool>,
     first: Option<f64>,
     balance: Balance,
+    /// True while the transport of a film with a history is in the balance: its schemes do not change.
+    is_carried: bool,
     /// Tangent and factor of the step before, to be renewed.
     renewed: Option<(Matrix, UnsymmetricFactorization)>,
     history: Vec<HistoryStep>,
@@ -106,6 +110,7 @@ impl<'a> Search<'a> {
             changed: vec![false; film.blocks.len()],
             first: None,
             balance: Balance::of_pressure(film),
+            is_carried: false,
             renewed: None,
             history: Vec::new(),
             seconds: Seconds::default(),
@@ -113,8 +118,23 @@ impl<'a> Search<'a> {
         }
     }
 
+    /// The film with a history, by one advection scheme all along; and pseudo-time where a set of nodes comes back.
+    fn run_with_history(mut self) -> Result<Found, Failure> {
+        self.schemes.fill(AdvectionScheme::Corrected);
+        let mut end = self.iterate(Pass::Kept, None)?;
+        if let End::Repeated = end {
+            self.fall_back(IN_PSEUDO_TIME);
+            self.pseudo_time()?;
+            end = self.iterate(Pass::Kept, None)?;
+        }
+        self.found(end)
+    }
+
     /// Both passes, and pseudo-time where a set of nodes comes back.
     pub(super) fn run(mut self, choice: Choice) -> Result<Found, Failure> {
+        if self.film.history.is_some() {
+            return self.run_with_history();
+        }
         let mut pass = Pass::Kept;
         if let Choice::Kept(kept) = choice {
             self.schemes = kept.schemes.clone();
@@ -148,7 +168,7 @@ impl<'a> Search<'a> {
             end = self.iterate(Pass::First, None)?;
         }
         if let End::Repeated = end {
-            self.fall_back("the cavity was found in pseudo-time, since its set of nodes came back");
+            self.fall_back(IN_PSEUDO_TIME);
             self.pseudo_time()?;
             end = self.iterate(Pass::Kept, None)?;
         }
@@ -294,6 +314,10 @@ impl<'a> Search<'a> {
 
     /// What is carried by the present schemes, with what the boundary brings and takes.
     fn carry(&mut self, time: Option<&TimeStep>) {
+        if self.is_carried && time.is_none() {
+            return;
+        }
+        self.is_carried = self.film.history.is_some() && time.is_none();
         let (volumes, rows) = (self.film.volumes, &self.film.rows);
         let Balance {
             transport, constant, ..
@@ -302,14 +326,23 @@ impl<'a> Search<'a> {
         for (block, (scheme, addresses)) in self.film.blocks.iter().zip(self.schemes.iter().zip(&volumes.addresses)) {
             add(transport, addresses, &block.transport(*scheme, block));
         }
-        for dof in loops::without_source(transport, &self.state.cavity, &rows.inflow) {
-            transport.add_to_diagonal(dof, loops::LEAK * transport.diagonal(dof));
+        // What a film with a history held says how much oil goes round.
+        if self.film.history.is_none() {
+            for dof in loops::without_source(transport, &self.state.cavity, &rows.inflow) {
+                transport.add_to_diagonal(dof, loops::LEAK * transport.diagonal(dof));
+            }
         }
         for (dof, &outflow) in rows.outflow.iter().enumerate().filter(|(_, outflow)| **outflow > 0.0) {
             transport.add_to_diagonal(dof, outflow);
         }
         for (constant, inflow) in constant.iter_mut().zip(&rows.inflow) {
             *constant = -inflow;
+        }
+        if let Some(History { before, volume }) = &self.film.history {
+            for (dof, (known, volume)) in before.known.iter().zip(volume).enumerate() {
+                constant[dof] -= before.per_time * known;
+                transport.add_to_diagonal(dof, before.per_time * volume);
+            }
         }
         if let Some(time) = time {
             for dof in (0..self.state.p.len()).filter(|&dof| self.film.may_cavitate(dof)) {
@@ -338,7 +371,7 @@ impl<'a> Search<'a> {
 
     /// Backward Euler in the film fraction with growing steps, towards the steady film.
     fn pseudo_time(&mut self) -> Result<(), Failure> {
-        let volume = cell_volumes(self.film.volumes, &self.film.blocks, self.state.p.len());
+        let volume = volumes_of(self.film.volumes, &self.film.blocks, self.state.p.len());
         let mut time = TimeStep {
             rate: 1.0 / (FIRST_TIME_STEP * self.film.time),
             before: self.state.theta.iter().map(|theta| theta.clamp(0.0, 1.0)).collect(),

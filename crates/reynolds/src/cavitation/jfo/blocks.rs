@@ -8,12 +8,16 @@
 //!                 N: k_i^+ (u_i - u_in), u_in = sum k_j^- u_j / sum k_j^-;   LDA: k_i^+ / sum k_j^+ of it;
 //!                 less what leaves through the sides of T (q = -2 k_c, opposite corner c):
 //!                 q (3 u_i + u_j)/8 from row i, q (3 u_j + u_i)/8 from row j
+//! B, history:     N, and a -> b:  max(d,0) theta_a + min(d,0) theta_b,   d_ab = (r_a - r_b)/3,   r = faces(1) - N(1)
 //! ```
 //! `1/k` and `F/k` are the means of `12 mu/h^3` and `(12 mu/h^3) U h/2` over T, which is exact along a flow that does not
 //! vary (Scharfetter, Gummel, IEEE Trans. Electron Devices 16 (1969) 64, for the idea). The faces are exact and central where theta = 1. The residual distributions carry oil where theta < 1 without
 //! the crosswind smearing of faces: N is positive and of first order; LDA (low diffusion, type A) is of second order
 //! and keeps the edges of oil streaks sharp on any mesh, but may overshoot there. Columns sum to zero in all, but for
 //! what is stored.
+//!
+//! A film with a history is carried by one form all along, so that what it does is continuous in time: the N scheme, with small flows that make it that of the
+//! faces where theta = 1. It is positive too.
 //!
 //! Roe, Cranfield CoA 8703 (1987); Struijs, Deconinck, Roe, VKI LS 1991-01.
 
@@ -38,6 +42,8 @@ pub enum AdvectionScheme {
     Positive,
     /// By the LDA scheme.
     LowDiffusion,
+    /// By the N scheme, corrected so that a full film is that of the faces.
+    Corrected,
 }
 
 /// Coefficients of one sub-triangle.
@@ -257,8 +263,9 @@ impl Block {
             AdvectionScheme::Faces => self.faces(upwind),
             AdvectionScheme::Positive => self.n_scheme(),
             AdvectionScheme::LowDiffusion => self.low_diffusion(),
+            AdvectionScheme::Corrected => self.corrected(upwind),
         };
-        if scheme != AdvectionScheme::Faces {
+        if matches!(scheme, AdvectionScheme::Positive | AdvectionScheme::LowDiffusion) {
             self.take_sides(&mut square);
         }
         for i in 0..3 {
@@ -296,6 +303,31 @@ impl Block {
             let part = k.max(0.0) / -inflow;
             [0, 1, 2].map(|j| part * self.weight[j] * self.thickness[j])
         })
+    }
+
+    fn corrected(&self, upwind: &Self) -> Square {
+        let mut square = self.n_scheme();
+        self.take_sides(&mut square);
+        let (missing, of_upwind) = (self.missing(), upwind.missing());
+        for (a, b) in SIDES {
+            let flow = (missing[a] - missing[b]) / 3.0;
+            let from = if of_upwind[a] > of_upwind[b] { a } else { b };
+            square[a][from] += flow;
+            square[b][from] -= flow;
+        }
+        square
+    }
+
+    /// Outflow of each piece of a full film by the faces, less that by the N scheme.
+    fn missing(&self) -> [f64; 3] {
+        let mut by_n = self.n_scheme();
+        self.take_sides(&mut by_n);
+        let mut missing = by_n.map(|row| -row.iter().sum::<f64>());
+        for (k, (a, b)) in SIDES.into_iter().enumerate() {
+            missing[a] += self.couette[k];
+            missing[b] -= self.couette[k];
+        }
+        missing
     }
 
     /// What leaves through the sides of T belongs to no inner face.

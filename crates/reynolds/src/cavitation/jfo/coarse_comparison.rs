@@ -13,11 +13,14 @@ use crate::{FilmProblem, FilmSolution, FilmSystem, NoFilm};
 impl FilmSystem {
     /// The system of linear elements on this mesh with the same given pressures; made once.
     pub fn vertices_only(&self) -> &Self {
-        self.vertices.get_or_init(|| {
-            let space = Space::new(self.space().mesh().clone(), 1);
-            let supply = self.supply.on_space(&space);
-            Box::new(Self::with_supply(space, supply))
-        })
+        self.vertices.get_or_init(|| Box::new(self.on_vertices()))
+    }
+
+    /// A system of linear elements on this mesh with the same given pressures.
+    pub fn on_vertices(&self) -> Self {
+        let space = Space::new(self.space().mesh().clone(), 1);
+        let supply = self.supply.on_space(&space);
+        Self::with_supply(space, supply)
     }
 }
 

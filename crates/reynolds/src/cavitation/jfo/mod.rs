@@ -1,7 +1,8 @@
 //! # Mass-conserving cavitation (Jakobsson, Floberg, Olsson)
 //!
 //! **Equation.** `div( U h theta/2 - h^3/(12 mu) grad p ) + theta dh/dt = 0`, `p >= p_cav`, `theta <= 1`, one of the
-//! two an equality: where the film is full oil is driven by pressure, in the cavity it is only carried.
+//! two an equality: where the film is full oil is driven by pressure, in the cavity it is only carried. A film with a history
+//! ([`crate::Storage`]) has `d(theta h)/dt` in place of `theta dh/dt`.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -19,10 +20,11 @@
 //! only where the inflow side of a sub-triangle is starved. Each sub-triangle may change its form once as the cavity
 //! settles; with more changes nodes along the rupture line chatter. Round the few nodes that do not settle so, or
 //! would hold less than is carried to them, the N scheme stays. On rows along the flow, in which these films are meshed, both are one scheme.
+//! A film with a history is carried by one scheme all along, so that it is continuous in time.
 //! A set of nodes that comes back is answered by the N scheme all round the cavity, and then by pseudo-time.
 //!
 //! **Source.** Jakobsson and Floberg, Chalmers Report 190 (1957); Olsson, Chalmers Report 272 (1965); Elrod,
-//! J. Lubr. Technol. 103 (1981) 350. **Range.** Steady with rotation; incompressible oil; triangles without
+//! J. Lubr. Technol. 103 (1981) 350. **Range.** Steady with rotation, or with a history; incompressible oil; triangles without
 //! obtuse angles, with an edge along the flow wherever oil enters in layers. **Verified by** `literature/fowell_2007`, `literature/pfeil_groove`, a structured code in Python, oil
 //! balances, and random bearings.
 
@@ -52,7 +54,7 @@ pub(crate) use self::spread::spread;
 pub(crate) use self::work::{Carriage, work};
 use crate::existence::NoFilm;
 use crate::film_law::FilmLaw;
-use crate::{FilmProblem, FilmSolution, FilmSystem, JournalChange};
+use crate::{FilmProblem, FilmSolution, FilmSystem, JournalChange, Storage};
 
 /// Film fractions below zero by more than this are no rounding.
 const ROUNDING: f64 = 1e-9;
@@ -76,8 +78,17 @@ struct Film<'a> {
     floor: f64,
     /// Natural size of q [Pa].
     scale: f64,
-    /// The time [s] in which the journal moves by a radius.
+    /// The time [s] in which the journal moves by a radius, or of the step of a film with a history.
     time: f64,
+    /// What a film with a history held before.
+    history: Option<History<'a>>,
+}
+
+/// What the cells held before, and hold when they are full.
+struct History<'a> {
+    before: &'a Storage,
+    /// Volume of each cell [m3].
+    volume: Vec<f64>,
 }
 
 /// How the advection schemes are chosen.
@@ -131,6 +142,16 @@ pub(crate) fn solve(
     })
 }
 
+/// That oil is supplied to every part of the film.
+///
+/// # Errors
+/// [`NoFilm::NoSupply`]: a place that none reaches; or the sub-mesh does not fit in memory.
+pub(crate) fn check_supply(problem: &FilmProblem, system: &FilmSystem) -> Result<(), NoFilm> {
+    let volumes = system.volumes().map_err(oilwedge_fem::newton::Failure::from)?;
+    let law = FilmLaw::new(problem, 1.0);
+    Rows::new(problem, system, volumes, &law, cavity_floor(problem)).check_supply(problem, system, volumes)
+}
+
 /// Reduced pressure [Pa] of the cavity.
 fn cavity_floor(problem: &FilmProblem) -> f64 {
     problem.cavitation.pressure().map_or(0.0, |p| problem.unknown_at(p))
@@ -180,14 +201,23 @@ pub(crate) fn held_volume(
 ) -> Result<Vec<f64>, oilwedge_fem::Error> {
     let volumes = system.volumes()?;
     let blocks = blocks(&FilmLaw::new(problem, 1.0), system.space(), volumes);
-    let mut held = cell_volumes(volumes, &blocks, film.cavity.len());
+    let mut held = volumes_of(volumes, &blocks, film.cavity.len());
     let full = held.iter_mut().zip(&film.cavity).filter(|(_, cavity)| !**cavity);
     full.for_each(|(held, _)| *held = 0.0);
     Ok(held)
 }
 
 /// Volume [m3] of the cell of each node while it is full.
-fn cell_volumes(volumes: &ControlVolumes, blocks: &[Block], nodes: usize) -> Vec<f64> {
+///
+/// # Errors
+/// The sub-mesh does not fit in memory.
+pub(crate) fn cell_volumes(problem: &FilmProblem, system: &FilmSystem) -> Result<Vec<f64>, oilwedge_fem::Error> {
+    let volumes = system.volumes()?;
+    let blocks = blocks(&FilmLaw::new(problem, 1.0), system.space(), volumes);
+    Ok(volumes_of(volumes, &blocks, system.space().dofs()))
+}
+
+fn volumes_of(volumes: &ControlVolumes, blocks: &[Block], nodes: usize) -> Vec<f64> {
     let mut volume = vec![0.0; nodes];
     for (corners, block) in volumes.triangles.iter().zip(blocks) {
         for (&corner, piece) in corners.iter().zip(block.volume) {
@@ -198,21 +228,35 @@ fn cell_volumes(volumes: &ControlVolumes, blocks: &[Block], nodes: usize) -> Vec
 }
 
 impl<'a> Film<'a> {
-    fn new(problem: &FilmProblem, system: &'a FilmSystem, motion: f64) -> Result<Self, NoFilm> {
+    fn new(problem: &'a FilmProblem, system: &'a FilmSystem, motion: f64) -> Result<Self, NoFilm> {
         let volumes = system.volumes().map_err(oilwedge_fem::newton::Failure::from)?;
         let law = FilmLaw::new(problem, motion);
         let floor = cavity_floor(problem);
         let rows = Rows::new(problem, system, volumes, &law, floor);
-        rows.check_supply(problem, system, volumes)?;
+        let mut blocks = blocks(&law, system.space(), volumes);
+        let history = problem.storage.as_deref().map(|before| {
+            let volume = volumes_of(volumes, &blocks, system.space().dofs());
+            // What squeeze takes up is part of what the history does.
+            blocks.iter_mut().for_each(|block| block.storage = [0.0; 3]);
+            History { before, volume }
+        });
+        // What the film held says how much there is now.
+        if history.is_none() {
+            rows.check_supply(problem, system, volumes)?;
+        }
         let (radius, velocity) = (problem.bearing.radius, law.velocity());
         Ok(Film {
             volumes,
-            blocks: blocks(&law, system.space(), volumes),
+            blocks,
             rows,
             downstream: Downstream::new(system.space(), velocity, radius * problem.journal.min_film_angle()),
             floor,
             scale: problem.pressure_scale(&system.supply.constraints(|p| problem.unknown_at(p))),
-            time: radius / velocity[0].hypot(velocity[1]),
+            time: match &history {
+                Some(history) => 1.0 / history.before.per_time,
+                None => radius / velocity[0].hypot(velocity[1]),
+            },
+            history,
         })
     }
 

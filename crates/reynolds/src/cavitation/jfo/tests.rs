@@ -74,6 +74,7 @@ fn problem(eccentricity: f64) -> FilmProblem {
         form: Form::Conservative,
         terms: vec![Arc::new(Poiseuille), Arc::new(Couette)],
         cavitation: Cavitation::Jfo { pressure: 0.0 },
+        storage: None,
     }
 }
 
@@ -83,7 +84,8 @@ fn problem(eccentricity: f64) -> FilmProblem {
 fn pseudo_time_arrives_at_the_film_of_the_two_passes() {
     let system = ring(48, 8);
     for eccentricity in [0.6, 0.9] {
-        let film = Film::new(&problem(eccentricity), &system, 1.0).expect("a supply");
+        let problem = problem(eccentricity);
+        let film = Film::new(&problem, &system, 1.0).expect("a supply");
         let start = |broken: bool| InitialGuess {
             u: vec![0.0; system.space().dofs()],
             held: vec![broken; system.space().dofs()],

@@ -12,6 +12,7 @@
 use oilwedge_fem::ControlVolumes;
 
 use super::blocks::{Block, SIDES, blocks};
+use super::volumes_of;
 use crate::cavitation::FilmFraction;
 use crate::film_law::FilmLaw;
 use crate::quantities::power::Work;
@@ -22,6 +23,8 @@ pub(crate) struct Carriage<'a> {
     volumes: &'a ControlVolumes,
     blocks: Vec<Block>,
     fraction: &'a FilmFraction,
+    /// What the cell of each node takes up [m3/s] in a film with a history; else empty.
+    taken_up: Vec<f64>,
 }
 
 impl<'a> Carriage<'a> {
@@ -36,8 +39,20 @@ impl<'a> Carriage<'a> {
     ) -> Result<Self, oilwedge_fem::Error> {
         let volumes = system.volumes()?;
         let law = FilmLaw::new(problem, 1.0);
+        let mut blocks = blocks(&law, system.space(), volumes);
+        let taken_up = problem.storage.as_deref().map_or(Vec::new(), |before| {
+            let volume = volumes_of(volumes, &blocks, fraction.values.len());
+            let held: Vec<f64> = volume
+                .iter()
+                .zip(&fraction.values)
+                .map(|(v, theta)| v * theta)
+                .collect();
+            blocks.iter_mut().for_each(|block| block.storage = [0.0; 3]);
+            before.taken_up(&held)
+        });
         Ok(Self {
-            blocks: blocks(&law, system.space(), volumes),
+            blocks,
+            taken_up,
             volumes,
             fraction,
         })
@@ -63,6 +78,9 @@ pub(crate) fn work(carriage: &Carriage, film: &FilmSolution, excess: &[f64], she
         shear,
         ..Work::default()
     };
+    for (excess, taken_up) in excess.iter().zip(&carriage.taken_up) {
+        sum.motion -= excess * taken_up;
+    }
     for (t, nodes) in carriage.volumes.triangles.iter().enumerate() {
         let at = |values: &[f64]| nodes.map(|node| values[node as usize]);
         let (p, q, theta) = (at(excess), at(&film.unknown), at(&carriage.fraction.values));

@@ -1,0 +1,69 @@
+//! Error bars of an orbit whose film conserves its oil: by two more orbits on the vertices of the mesh alone.
+//!
+//! What such a film is off by is handed on from one time to the next with its oil, so that no single film shows it. An orbit on the vertices has edges of
+//! twice the length; the scheme is of first order in space at least, so that a number is off by no more than it differs between both, to leading order.
+//! One more orbit there with a wider tolerance shows what the steps in time do.
+//!
+//! ```text
+//! mesh: |J - J_vertices|        time: |J_vertices(tolerance) - J_vertices(4 tolerance)|
+//! ```
+
+use std::sync::Arc;
+
+use oilwedge_bearing::coordinates::Vector;
+use oilwedge_bearing::orbit::{Motion, OrbitOptions};
+use oilwedge_reynolds::error_bar::Bar;
+
+use super::measured;
+use crate::film::Film;
+use crate::quantities::Quantity;
+use crate::run_options::RunOptions;
+
+/// Tolerance of the last orbit, over that of the others.
+const WIDER: f64 = 4.0;
+
+/// Gives the numbers of an orbit their bars; none where an orbit of the comparison does not come to its end.
+pub(super) fn judge(
+    motion: &Motion,
+    (film, model): (&Film, &oilwedge_scene::Orbit),
+    (begin, orbit): (Vector, OrbitOptions),
+    options: &RunOptions,
+    quantities: &mut [Quantity],
+) {
+    let film = Film {
+        system: Arc::new(film.system.on_vertices()),
+        ..film.clone()
+    };
+    let motion = Motion {
+        system: &film.system,
+        ..*motion
+    };
+    let numbers_alone = RunOptions {
+        bars: false,
+        frames: 0,
+        observer: None,
+        ..*options
+    };
+    let numbers = |tolerance: f64| {
+        let options = OrbitOptions {
+            tolerance,
+            observer: None,
+            ..orbit
+        };
+        let orbit = motion.orbit(begin, &options).ok()?;
+        Some(measured(&film, &motion, model, orbit, &numbers_alone).ok()?.quantities)
+    };
+    let (alike, wider) = rayon::join(|| numbers(orbit.tolerance), || numbers(WIDER * orbit.tolerance));
+    let (Some(alike), Some(wider)) = (alike, wider) else {
+        return;
+    };
+    let find = |list: &[Quantity], name: &str| list.iter().find(|it| it.name == name).map(|it| it.value);
+    for quantity in quantities {
+        let there = find(&alike, &quantity.name).zip(find(&wider, &quantity.name));
+        quantity.set_bar(there.map(|(alike, wider)| Bar {
+            discretisation: quantity.row.difference(quantity.value, alike).abs(),
+            time: quantity.row.difference(alike, wider).abs(),
+            ..Bar::default()
+        }));
+    }
+}
