@@ -20,7 +20,10 @@ pub(super) fn balances(result: &Value) -> Table {
             "tilt",
             "moment of load and support less that of the film, over the load times half of the length",
         ),
-        ("energy", "energy put in over the cycle less what is dissipated, over the latter"),
+        (
+            "energy",
+            "energy put in over the cycle less what is dissipated, over the latter",
+        ),
         (BALANCE, "power of friction less what is carried off, over the friction"),
     ];
     let rows = about
