@@ -314,7 +314,7 @@ mod tests {
         ));
     }
 
-    /// No block of the rest is written where the last one is full.
+    /// There is no rest after the last block.
     #[test]
     fn arrays_of_whole_blocks_are_read_back() -> Result<(), Box<dyn std::error::Error>> {
         let mut picture = square();

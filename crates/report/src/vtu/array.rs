@@ -90,7 +90,9 @@ impl<'a> Array<'a> {
         };
         let bytes = self.numbers.bytes(Vec::new());
         let blocks: Vec<_> = bytes.chunks(BLOCK).map(encoder).collect();
-        let sizes = [blocks.len(), BLOCK, bytes.len() % BLOCK];
+        // The size of the last block also where it is whole: VTK takes zero for that too, vtkio does not.
+        let last = bytes.chunks(BLOCK).last().map_or(0, <[u8]>::len);
+        let sizes = [blocks.len(), BLOCK, last];
         let sizes = sizes.into_iter().chain(blocks.iter().map(Vec::len));
         let header: Vec<u8> = sizes.flat_map(|size| (size as u64).to_le_bytes()).collect();
         BASE64.encode(header) + &BASE64.encode(blocks.concat())
