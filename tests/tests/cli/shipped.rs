@@ -58,7 +58,11 @@ fn every_scene_solves_with_the_warnings_expected() {
         let scene = repository().join(format!("scenes/{name}.toml"));
         let scene = scene.display().to_string();
         // Bars of an orbit with a history take as long again as the orbit.
-        let bars: &[&str] = if name == CONSERVING_ORBIT { &["--bars", "none"] } else { &[] };
+        let bars: &[&str] = if name == CONSERVING_ORBIT {
+            &["--bars", "none"]
+        } else {
+            &[]
+        };
         let told = bench.run(&[&["solve", &scene, "--json"], bars].concat());
         assert_eq!(told.status, 0, "{name}: {}", told.stderr);
         let result = object(&told.stdout);
@@ -79,7 +83,11 @@ fn every_scene_solves_with_the_warnings_expected() {
         assert_eq!(told.status, 0, "{name}");
         // Rows beside a groove all around are thin.
         match name == CONSERVING_ORBIT {
-            true => assert!(told.stderr.starts_with("warning: the least angle"), "{name}: {}", told.stderr),
+            true => assert!(
+                told.stderr.starts_with("warning: the least angle"),
+                "{name}: {}",
+                told.stderr
+            ),
             false => assert_eq!(told.stderr, "", "{name}"),
         }
     }
