@@ -147,6 +147,8 @@ fn orbit(turned: &dyn Fn([f64; 2]) -> [f64; 2], speed: f64) -> Orbit {
     motion.orbit([x, y, 0.0, 0.0], &options).expect("an orbit")
 }
 
+type Image<'a> = &'a dyn Fn([f64; 2]) -> [f64; 2];
+
 /// The mesh is its own image under quarter turns and in the axis x; a mirrored journal turns in the other sense.
 #[test]
 fn turned_and_mirrored_loads_turn_and_mirror_the_orbit() {
@@ -154,7 +156,7 @@ fn turned_and_mirrored_loads_turn_and_mirror_the_orbit() {
     let (sin, cos) = FRAC_PI_2.sin_cos();
     let turned = |[x, y]: [f64; 2]| [cos * x - sin * y, sin * x + cos * y];
     let mirrored = |[x, y]: [f64; 2]| [x, -y];
-    let images: [(&dyn Fn([f64; 2]) -> [f64; 2], f64); 2] = [(&turned, SPEED), (&mirrored, -SPEED)];
+    let images: [(Image, f64); 2] = [(&turned, SPEED), (&mirrored, -SPEED)];
     for (image, speed) in images {
         let other = orbit(image, speed);
         assert_eq!(as_it_is.steps.len(), other.steps.len());
