@@ -66,7 +66,7 @@ pub enum NoEquilibrium {
     },
     /// The journal comes into contact with the liner at an end before the film carries the moment.
     #[error(
-        "no position and tilt of the journal carry {} N and its moment: the journal comes into contact with the liner at its end z = {} mm, at {angle:.1} deg; with a film of {} m there, the film carries {} % of the moment",
+        "no position and tilt of the journal carry {} N and its moment: the journal comes into contact with the liner at its end z = {} mm, at {angle:.1} deg; the last balance found on the way there, with a film of {} m, carries {} % of the moment",
         readable(*asked), readable(1e3 * end), readable(*thickness), readable((100.0 * carried).round())
     )]
     EdgeContact {
