@@ -71,7 +71,7 @@ mod tests {
                 let [along, across] = ShortMap.mobility(eps, 2.0, angle);
                 let direction = across.atan2(along).max(0.0);
                 let force = ShortMap.force(eps, direction).map(|part| part * along.hypot(across));
-                let off = (force[0] - 2.0 * angle.cos()).hypot(force[1] - 2.0 * angle.sin());
+                let off = (0.5 * force[0] - angle.cos()).hypot(0.5 * force[1] - angle.sin());
                 assert!(off < 1e-9 + rounding, "{eps} {angle}: {force:?}");
             }
         }
