@@ -323,7 +323,7 @@ fn a_finer_mesh_is_within_the_bars_of_an_orbit_that_conserves_its_oil() {
         };
         run(&scene, &options).expect("an orbit").result
     };
-    let (coarse, fine) = (solved("10 mm", true), solved("6 mm", false));
+    let (coarse, fine) = (solved("6 mm", true), solved("4 mm", false));
     assert_eq!(coarse.status, Status::Converged, "{:?}", coarse.reason);
     for row in [&CYCLE_FILM_THICKNESS_MIN, &CYCLE_PRESSURE_MAX, &CYCLE_POWER_LOSS] {
         let quantity = coarse.quantity(row).expect(row.name);
