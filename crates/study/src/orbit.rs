@@ -96,6 +96,8 @@ pub struct OrbitPath {
     pub spans: Vec<Span>,
     /// Radial clearance [m].
     pub clearance: f64,
+    /// Viscosity of the oil at the temperature of the films, without pressure [Pa s].
+    pub viscosity: f64,
 }
 
 impl OrbitPath {
@@ -284,6 +286,7 @@ fn measured(
                 .collect(),
             quantities: samples.iter().map(Sample::judged).collect(),
             clearance,
+            viscosity: film.problem.lubricant.viscosity,
             spans: path,
         },
         residual: steps.iter().map(|step| step.residual).fold(0.0, f64::max),

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use oilwedge_scene::SceneError;
+use oilwedge_study::orbit::by_maps;
 use oilwedge_study::quantities::*;
 use oilwedge_study::result::Status;
 use oilwedge_study::run_options::EarlierOrbit;
@@ -198,6 +199,12 @@ fn one_temperature_balances_the_heat_of_a_cycle() {
         "{outlet} {temperature}"
     );
     assert!(result.balances.thermal < 1e-3, "{:?}", result.balances);
+    // Maps have the viscosity at the temperature that was found.
+    let path = found.orbit.as_ref().expect("a path");
+    for map in by_maps(&scene, path).expect("maps") {
+        let map = map.expect("an orbit");
+        assert!(map.film_difference < 1e-2, "{map:?}");
+    }
     let parts = result
         .quantity(&CYCLE_FILM_THICKNESS_MIN)
         .and_then(|it| it.bar)

@@ -14,7 +14,6 @@ use super::start::on_mesh_for;
 use crate::compile_error::CompileError;
 use crate::dimensions::bearing;
 use crate::duty::load_of_orbit;
-use crate::oil::Oil;
 use crate::quantities::cycle_view::Sample;
 use crate::quantities::{CycleView, Quantity, over_cycle};
 
@@ -90,7 +89,6 @@ pub fn by_maps(scene: &Scene, path: &OrbitPath) -> Result<Vec<Result<ByMap, Stri
     let bearing = bearing(scene);
     let beside = Beside {
         bearing,
-        viscosity: Oil::of(scene).viscosity,
         cycle: &cycle,
         path,
     };
@@ -116,7 +114,6 @@ impl OrbitPath {
 /// What orbits by maps have in common.
 struct Beside<'a> {
     bearing: Bearing,
-    viscosity: f64,
     cycle: &'a DutyCycle,
     path: &'a OrbitPath,
 }
@@ -127,7 +124,7 @@ impl Beside<'_> {
         let travel = Travel {
             map,
             bearing: self.bearing,
-            viscosity: self.viscosity,
+            viscosity: self.path.viscosity,
             cycle: self.cycle,
         };
         let begin = self.path.place(0.0).unwrap_or_default();
@@ -176,6 +173,7 @@ impl Beside<'_> {
                 .map(|pair| Span::between(&pair[0], &pair[1]))
                 .collect(),
             clearance,
+            viscosity: self.path.viscosity,
         }
     }
 

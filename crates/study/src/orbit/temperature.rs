@@ -1,7 +1,7 @@
 //! One temperature for a cycle: films take up the mean power of the cycle, and its mean flow carries the heat off.
 //!
-//! The root is sought on a coarser mesh first, which also tells how viscous the oil is for which the mesh is made; then by the orbits whose numbers are
-//! reported, each begun where the one before had closed.
+//! The temperature is first found on a coarser mesh; the mesh of the result is made for the viscosity at that temperature. On it the balance is
+//! solved again, each orbit begun where the one before had closed.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -166,7 +166,7 @@ impl Search<'_> {
     /// The orbit at the temperature found, with the numbers of the balance.
     fn reported(&mut self, film: &Film, found: Balanced, options: &RunOptions) -> Result<Followed, NoAnswer> {
         if options.bars && self.nearest(found.temperature).is_none() {
-            // Without a second orbit numbers have no bars; nothing else fails.
+            // A second orbit, for the change with temperature; without it the numbers have no bars.
             drop(self.at(found.temperature + FURTHER));
         }
         let mut orbit = followed(
@@ -187,8 +187,12 @@ impl Search<'_> {
         orbit
             .quantities
             .extend(balanced.map(|(row, value)| Quantity::new(row, value)));
-        if options.bars {
-            self.widen(&mut orbit.quantities, (found.temperature, flows, surplus));
+        if options.bars
+            && self
+                .widen(&mut orbit.quantities, (found.temperature, flows, surplus))
+                .is_none()
+        {
+            orbit.quantities.iter_mut().for_each(|quantity| quantity.set_bar(None));
         }
         orbit.temperature = Some(CycleTemperature {
             left_over: (surplus / flows.power).abs(),
@@ -211,11 +215,13 @@ impl Search<'_> {
         Some([first, second])
     }
 
-    /// Gives the numbers of the balance their bars, and adds to all others what the bar of the temperature makes of them.
-    fn widen(&self, quantities: &mut [Quantity], (temperature, flows, surplus): (f64, ThermalFlows, f64)) {
-        let Some([here, there]) = self.nearest(temperature) else {
-            return;
-        };
+    /// Gives the numbers of the balance their bars, and adds to all others what the bar of the temperature makes of them. None where that bar is not known.
+    fn widen(
+        &self,
+        quantities: &mut [Quantity],
+        (temperature, flows, surplus): (f64, ThermalFlows, f64),
+    ) -> Option<()> {
+        let [here, there] = self.nearest(temperature)?;
         let apart = there.temperature - here.temperature;
         let slopes: HashMap<Cow<'static, str>, f64> = (here.quantities.iter())
             .filter_map(|quantity| {
@@ -230,9 +236,7 @@ impl Search<'_> {
         let error = |row: &Row| quantities.iter().find(|quantity| quantity.row == row)?.error();
         let of_power = error(&CYCLE_POWER_LOSS);
         let of_flow = error(&crate::quantities::CYCLE_SIDE_FLOW);
-        let Some((power, flow)) = of_power.zip(of_flow) else {
-            return;
-        };
+        let (power, flow) = of_power.zip(of_flow)?;
         let bar = (power + carried.abs() * flow / flows.flow + surplus.abs()) / slope.abs();
         let per_kelvin =
             balance.ends(temperature + 1.0, flows.carried_over)[1] - balance.ends(temperature, flows.carried_over)[1];
@@ -249,5 +253,6 @@ impl Search<'_> {
             };
             quantity.set_bar(widened);
         }
+        Some(())
     }
 }
