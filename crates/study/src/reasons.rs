@@ -119,7 +119,7 @@ impl fmt::Display for Limit {
             ),
             Self::Collapse(cycles, closure, share) => write!(
                 out,
-                "collapse: {} of the load turns at half the speed of the journal, where a film carries nothing at rest with the load, and the journal nears the liner from cycle to cycle: the last of {cycles} ended {closure:.1e} of the clearance from where it began; give another load or speed",
+                "collapse: {} of the load turns at half the speed of the journal, where a film carries nothing at rest with the load, and the journal nears the liner from cycle to cycle: the last of {cycles} ended {closure:.1e} of the clearance from where it began; change [load] or journal.speed",
                 percent(*share)
             ),
             Self::Orbit(cycles, closure, cause) => ended(

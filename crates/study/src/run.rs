@@ -89,7 +89,7 @@ pub fn run(scene: &Scene, options: &RunOptions) -> Result<Run, CompileError> {
     })
 }
 
-/// Part of the load that turns at half the speed of the journal, above which a film is told to collapse [1].
+/// Part of the load that turns at half the speed of the journal, above which the film counts as collapsing [1].
 const MOST_AT_HALF_SPEED: f64 = 0.5;
 
 /// Follows the journal over cycles.

@@ -290,7 +290,7 @@ fn row(it: &Fitted, k: usize, grid: &[GridPoint]) -> Option<FitRow> {
     })
 }
 
-/// The same function with a1 > 0: `k0 g^-a0 (1 + k1 g^a1) = k0 k1 g^(a1 - a0) (1 + g^-a1/k1)`.
+/// A fit of the form `k0 g^-a0 (1 + k1 g^a1)`, rewritten so that a1 > 0: `k0 g^-a0 (1 + k1 g^a1) = k0 k1 g^(a1 - a0) (1 + g^-a1/k1)`.
 fn with_positive_exponent([k0, k1, k2, a0, a1]: [f64; PARAMETERS]) -> [f64; PARAMETERS] {
     match a1 < 0.0 && k1 > 0.0 {
         true => [k0 * k1, 1.0 / k1, k2, a0 - a1, -a1],

@@ -68,7 +68,8 @@ pub enum HillStart {
     Film,
     /// The hill of a position nearby on the same system: in cubic elements alone. What degree and oil change is that which they change there.
     Near(SharpFilm),
-    /// The same, over the cavities found there, with the oil that the film lets arrive here: forces depend smoothly on the position then.
+    /// The hill of a position nearby, in cubic elements alone, over the cavities found there and with the oil that arrives at them here. The force is
+    /// then a smooth function of the position.
     SameCavities(SharpFilm),
 }
 

@@ -11,7 +11,8 @@ pub(super) struct Level {
     pub(super) worst: f64,
     /// and of which quantity.
     pub(super) worst_name: String,
-    /// The same with the load of the film, not of its hill, where the program chooses the mesh: flows and cavity stay those of the film.
+    /// Greatest bar over what it may be, the load being that of the film and not of its hill, where the program chooses the mesh: flows and cavity are those
+    /// of the film in any case.
     pub(super) by_film: f64,
     /// Its greatest bar over what is wanted beside that.
     pub(super) wanted: f64,
