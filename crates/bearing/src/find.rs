@@ -59,8 +59,14 @@ pub fn find(
 impl Search<'_> {
     /// Balances the load from coarser meshes on.
     fn cold(&self, problem: &FilmProblem) -> Result<Equilibrium, NoEquilibrium> {
-        self.check_capacity(problem)?;
-        let found = self.on_levels(problem).map_err(|reason| self.confirmed(reason))?;
+        self.below_rounding().map_or(Ok(()), Err)?;
+        let found = match self.guided(problem) {
+            Some(outcome) => outcome,
+            None => self
+                .check_capacity(problem)
+                .map_or_else(|| self.on_levels(problem), Err),
+        };
+        let found = found.map_err(|reason| self.confirmed(reason))?;
         match Self::is_beyond(&found) {
             true if self.load.tilting.is_some() => Err(self.in_contact(&found.problem, 1.0, None)),
             true => (self.beyond_capacity(problem, &problem.journal)).map_or(Ok(found), Err),
@@ -74,19 +80,16 @@ impl Search<'_> {
         is_contact(&problem.bearing, &problem.journal)
     }
 
-    /// Refuses a load that is below round-off and, where the search begins at the greatest eccentricity, one that exceeds the capacity there.
-    fn check_capacity(&self, problem: &FilmProblem) -> Result<(), NoEquilibrium> {
+    /// The reason where the search begins at the greatest eccentricity and the load exceeds the capacity there.
+    fn check_capacity(&self, problem: &FilmProblem) -> Option<NoEquilibrium> {
         let bearing = &problem.bearing;
         let nearly = (1.0 - f64::EPSILON.sqrt()) * GREATEST_ECCENTRICITY * bearing.clearance;
         // What the film carries at this tilt is no limit where the tilt is free.
         let is_limit = self.load.tilting.is_none();
         let begins_at_contact = is_limit && bearing.clearance - bearing.least_gap(&problem.journal) > nearly;
-        let beyond = || {
-            begins_at_contact
-                .then(|| self.beyond_capacity(problem, &problem.journal))
-                .flatten()
-        };
-        self.below_rounding().or_else(beyond).map_or(Ok(()), Err)
+        begins_at_contact
+            .then(|| self.beyond_capacity(problem, &problem.journal))
+            .flatten()
     }
 
     /// Balances the load from its balance on coarser meshes, if the system has any.
@@ -239,8 +242,11 @@ impl Search<'_> {
             // A search that was driven into contact: what the film carries there shows whether there is a position elsewhere.
             let is_driven = problem.bearing.least_gap(journal) < NEARLY_CONTACT * problem.bearing.clearance;
             let is_tilted = problem.journal.tilt != [0.0; 2];
-            let beyond = is_driven.then(|| self.beyond_capacity(problem, journal)).flatten();
-            let beyond = beyond.or_else(|| is_tilted.then(|| self.beyond_contact(problem)).flatten());
+            // A tilted film may point towards the load at several contacts: the best of them counts.
+            let beyond = match is_tilted {
+                true => self.beyond_contact(problem),
+                false => is_driven.then(|| self.beyond_capacity(problem, journal)).flatten(),
+            };
             if let Some(beyond) = beyond {
                 return Err(beyond);
             }

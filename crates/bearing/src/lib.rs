@@ -23,6 +23,7 @@ pub mod dynamics;
 pub mod equilibrium;
 pub mod estimate;
 mod find;
+mod guide;
 mod hill;
 mod load;
 mod load_capacity;

@@ -1,6 +1,7 @@
 //! Why a load is not balanced.
 
 use crate::coordinates::Vector;
+use crate::load_capacity::FAR;
 use oilwedge_reynolds::existence::readable;
 use oilwedge_reynolds::{JournalState, NoFilm};
 
@@ -104,6 +105,11 @@ pub enum NoEquilibrium {
         /// Where a finer mesh takes up the way there.
         way: Option<Box<Waypoint>>,
     },
+    /// The Swift-Stieber film has no balance; the film that conserves oil is nowhere under more pressure.
+    #[error(
+        "{0} (found for the Swift-Stieber film, whose pressure is nowhere less than that of a film that conserves oil)"
+    )]
+    OfGuide(Box<NoEquilibrium>),
     /// The load is too small for the film's force to be distinguished from round-off.
     #[error(
         "not converged: the load of {} N is below the round-off of the film's force, about {} N",
@@ -148,23 +154,45 @@ pub enum NoEquilibrium {
 }
 
 impl NoEquilibrium {
+    /// The reason itself, of whichever film.
+    pub fn cause(&self) -> &Self {
+        match self {
+            Self::OfGuide(reason) => reason,
+            reason => reason,
+        }
+    }
+
+    /// True where the film of a journal in contact is the reason.
+    pub(crate) fn is_beyond(&self) -> bool {
+        match self {
+            Self::BeyondCapacity { .. } | Self::EdgeContact { .. } | Self::TiltLimit { .. } => true,
+            Self::Unreachable { why, .. } => *why == FAR,
+            Self::OfGuide(_)
+            | Self::Film(_)
+            | Self::BelowRounding { .. }
+            | Self::NotConverged { .. }
+            | Self::Ended { .. } => false,
+        }
+    }
+
     /// Load less force of each position tried, relative to the load; empty where there was no search.
     pub fn history(&self) -> &[f64] {
-        match self {
+        match self.cause() {
             Self::NotConverged { history, .. } | Self::Ended { history, .. } => history,
             Self::Film(_)
             | Self::BelowRounding { .. }
             | Self::BeyondCapacity { .. }
             | Self::EdgeContact { .. }
             | Self::TiltLimit { .. }
+            | Self::OfGuide(_)
             | Self::Unreachable { .. } => &[],
         }
     }
 
     /// The last position of the search, if it had one.
     pub fn last_position(&self) -> Option<JournalState> {
-        match self {
-            Self::Film(_) | Self::BelowRounding { .. } => None,
+        match self.cause() {
+            Self::Film(_) | Self::BelowRounding { .. } | Self::OfGuide(_) => None,
             Self::BeyondCapacity { journal, .. }
             | Self::EdgeContact { journal, .. }
             | Self::TiltLimit { journal, .. }

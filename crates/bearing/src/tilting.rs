@@ -77,11 +77,15 @@ impl Search<'_> {
         };
         let found = find(problem, self.system, straight, &options)?;
         let place = self.coordinates.at(&found.problem.journal);
-        let trial = self.trial(&found.problem, place, Neighbour::Start(&found.film))?;
+        self.along_branch(self.trial(&found.problem, place, Neighbour::Start(&found.film))?)
+    }
+
+    /// Follows the branch that begins with this trial.
+    pub(crate) fn along_branch(&self, trial: Trial) -> Result<Equilibrium, NoEquilibrium> {
         let branch = Branch {
             search: self,
             first: self.excess(&trial),
-            clearance: problem.bearing.clearance,
+            clearance: trial.problem.bearing.clearance,
         };
         let first = Point {
             stiffness: self.stiffness(&trial)?,

@@ -14,8 +14,10 @@ use crate::position::Position;
 const REGRADED: f64 = 1.3;
 /// or where the thinnest film lies elsewhere by this angle [rad].
 const ELSEWHERE: f64 = 0.2;
-/// A mesh for a journal in contact is graded for a film of this part of the clearance.
+/// A mesh for a journal in contact is graded for a film of this part of the clearance,
 const THIN: f64 = 0.01;
+/// and rows along the flow, which carry a size from an end through the whole bearing, for one of this part.
+const THIN_IN_ROWS: f64 = 0.2;
 /// Gradings of one search.
 const GRADINGS: usize = 4;
 
@@ -58,7 +60,7 @@ enum Suited {
 /// Whether the mesh of a film suits the position that the load leads to. `middle` is tried once.
 fn suited(film: &Film, load: Load, deadline: Deadline, middle: &mut Option<Position>) -> Suited {
     let balance = rough_balance(film, load, deadline);
-    let journal = match &balance {
+    let journal = match balance.as_ref().map_err(NoEquilibrium::cause) {
         Ok(Equilibrium { problem, .. }) => problem.journal,
         Err(
             NoEquilibrium::BeyondCapacity { .. }
@@ -66,7 +68,13 @@ fn suited(film: &Film, load: Load, deadline: Deadline, middle: &mut Option<Posit
             | NoEquilibrium::TiltLimit { .. },
         ) => return Suited::Unknown,
         // How much of a moment is carried near contact is shown by a mesh that resolves the thin film there.
-        Err(NoEquilibrium::EdgeContact { journal, .. }) => with_film(&film.problem.bearing, journal, THIN),
+        Err(NoEquilibrium::EdgeContact { journal, .. }) => {
+            let thin = match film.problem.cavitation.conserves_oil() {
+                true => THIN_IN_ROWS,
+                false => THIN,
+            };
+            with_film(&film.problem.bearing, journal, thin)
+        }
         // Feeds may carry what the estimate would have a thin film carry.
         Err(reason) => match (middle.take(), reason.last_position()) {
             (Some(position), _) => return Suited::Not(position),
@@ -104,9 +112,15 @@ fn rough_balance(film: &Film, load: Load, deadline: Deadline) -> Result<Equilibr
     };
     let on_coarser = (film.system.coarser.as_ref())
         .map(|coarser| find(&coarser.problem(&film.problem), &coarser.system, load, &options));
+    // The way into contact was followed there.
+    let is_followed = |reason: &NoEquilibrium| {
+        matches!(
+            reason.cause(),
+            NoEquilibrium::EdgeContact { .. } | NoEquilibrium::TiltLimit { .. }
+        )
+    };
     match on_coarser {
-        // The way into contact was followed there.
-        Some(found @ (Ok(_) | Err(NoEquilibrium::EdgeContact { .. } | NoEquilibrium::TiltLimit { .. }))) => found,
+        Some(found) if found.as_ref().err().is_none_or(is_followed) => found,
         _ => find(&film.problem, &film.system, load, &options),
     }
 }

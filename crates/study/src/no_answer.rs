@@ -120,7 +120,7 @@ fn way_out(reason: &NoAnswer) -> Option<&'static str> {
 }
 
 fn of_position(reason: &NoEquilibrium) -> Option<&'static str> {
-    match reason {
+    match reason.cause() {
         NoEquilibrium::Unreachable { .. } => {
             Some("change the load, its angle, the tilt where one is given, or the pressure and place of feeds")
         }

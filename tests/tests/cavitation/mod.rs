@@ -5,6 +5,7 @@ mod bad_meshes;
 mod bars;
 mod counts;
 mod dry;
+mod guide;
 mod invariant;
 mod linear_elements;
 mod random;

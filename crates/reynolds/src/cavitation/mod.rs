@@ -72,6 +72,14 @@ impl Cavitation {
         }
     }
 
+    /// A cheaper closure whose film has no less pressure anywhere at one position of the journal, for films that conserve oil: a guide of searches.
+    pub fn guide(&self) -> Option<Self> {
+        match *self {
+            Self::Jfo { pressure } => Some(Self::Reynolds { pressure }),
+            Self::None | Self::Guembel { .. } | Self::Reynolds { .. } => None,
+        }
+    }
+
     /// True if the film bears tension.
     pub fn bears_tension(&self) -> bool {
         matches!(self, Self::None)

@@ -1,0 +1,64 @@
+//! The search for a film that conserves oil, guided by the Swift-Stieber film on the same mesh.
+//!
+//! **Why.** At one position of the journal the pressure p of a steady film that conserves oil nowhere exceeds the Swift-Stieber pressure q: where p is above that of the
+//! cavity, both obey Reynolds' equation with a full gap, q as a supersolution; at the edge of that region p is the pressure of the cavity, which q is not below, and
+//! the maximum principle gives q >= p. The obstacle problem costs a small part of a film that conserves oil, and its force changes smoothly with the position. So
+//! its balance is where the search begins, and where it has none the load is refused, with that reason. **Range.** Constant viscosity, Barus' and Roelands' laws.
+//! **Verified by** `tests/tests/cavitation/guide.rs`.
+
+use oilwedge_reynolds::{FilmProblem, JournalState};
+
+use crate::equilibrium::{Equilibrium, ROUGHLY_BALANCED};
+use crate::search::Search;
+use crate::{Carrier, InitialGuess, NoEquilibrium, SearchOptions, find};
+
+impl Search<'_> {
+    /// The balance found from that of the Swift-Stieber film, or why that film has none. None where it leads nowhere, and for other films.
+    pub(crate) fn guided(&self, problem: &FilmProblem) -> Option<Result<Equilibrium, NoEquilibrium>> {
+        let guide = FilmProblem {
+            cavitation: problem.cavitation.guide()?,
+            ..problem.clone()
+        };
+        let options = SearchOptions {
+            accuracy: Some(ROUGHLY_BALANCED),
+            carrier: Carrier::Quadratic,
+            guess: InitialGuess::Cold,
+            ..self.options
+        };
+        match Search::new(&guide, self.system, self.load, options).from_coarsest(&guide)? {
+            Ok(journal) => self.from_guide(problem, journal),
+            Err(reason) => Some(Err(NoEquilibrium::OfGuide(Box::new(reason)))),
+        }
+    }
+
+    /// The balance found from that of the guide; where the tilt is free, along the branch of balances that begins there.
+    fn from_guide(&self, problem: &FilmProblem, journal: JournalState) -> Option<Result<Equilibrium, NoEquilibrium>> {
+        match self.run(problem, journal) {
+            Ok(found) => Some(Ok(found)),
+            Err(_) if self.load.tilting.is_none() => None,
+            Err(_) => Some(self.along_branch(self.first(problem, journal).ok()?)),
+        }
+    }
+
+    /// The journal balanced roughly on the coarsest mesh; or why there is no balance, as the mesh of the search confirms. None where neither is known.
+    fn from_coarsest(&self, problem: &FilmProblem) -> Option<Result<JournalState, NoEquilibrium>> {
+        let (mut coarse, mut system) = (problem.clone(), self.system);
+        while let Some(coarser) = &system.coarser {
+            (coarse, system) = (coarser.problem(&coarse), &coarser.system);
+        }
+        let reason = match find(&coarse, system, self.load, &self.options) {
+            Ok(found) => return Some(Ok(found.problem.journal)),
+            Err(reason) => reason,
+        };
+        match &reason {
+            NoEquilibrium::EdgeContact { way: Some(way), .. } | NoEquilibrium::TiltLimit { way: Some(way), .. } => {
+                match self.continued(problem, way) {
+                    Ok(found) => Some(Ok(found.problem.journal)),
+                    Err(reason) => reason.is_beyond().then_some(Err(reason)),
+                }
+            }
+            NoEquilibrium::BeyondCapacity { journal, .. } => self.beyond_capacity(problem, journal).map(Err),
+            _ => reason.is_beyond().then_some(Err(reason)),
+        }
+    }
+}

@@ -1,0 +1,72 @@
+//! The Swift-Stieber film as the guide of a film that conserves oil: it is nowhere under less pressure, its balance leads to that of the other, and where it has none
+//! the reason says whose film it was.
+
+use oilwedge_reynolds::{Cavitation, FilmSystem};
+use oilwedge_study::RunOptions;
+use oilwedge_study::result::Status;
+use oilwedge_study::run::run;
+use oilwedge_tests::scenes::written;
+use oilwedge_tests::*;
+
+const LENGTH: f64 = 0.08;
+/// Pressure at the ends [Pa], above that of the cavity.
+const ENDS: f64 = 1e5;
+
+/// Greatest pressure of the film that conserves oil above that of Swift and Stieber, over the greatest pressure, on a ring of so many cells around.
+fn excess(eccentricity: f64, around: u32) -> f64 {
+    let mesh = ring(around, around / 4, LENGTH, 0.0);
+    let mut regions = ends(&mesh, LENGTH, None);
+    regions.iter_mut().for_each(|region| region.pressure = ENDS);
+    let system = FilmSystem::new(std::sync::Arc::new(mesh), 2, regions).expect("the ends close the ring");
+    let mut film = plain_film(LENGTH, eccentricity, 0.3, SPEED);
+    film.cavitation = Cavitation::Jfo { pressure: 0.0 };
+    let conserving = film.solve(&system).expect("a film that conserves oil");
+    film.cavitation = film.cavitation.guide().expect("its guide");
+    let guide = film.solve(&system).expect("a Swift-Stieber film");
+    let pairs = conserving.unknown.iter().zip(&guide.unknown);
+    let greatest = guide.unknown.iter().fold(0.0f64, |most, p| most.max(*p));
+    pairs.fold(0.0f64, |most, (p, q)| most.max(p - q)) / greatest
+}
+
+/// Both are discrete films, by different schemes: what is left above falls with the mesh.
+#[test]
+fn the_guide_is_nowhere_under_less_pressure() {
+    for eccentricity in [0.5, 0.9] {
+        let [coarse, fine] = [48, 96].map(|around| excess(eccentricity, around));
+        println!("{eccentricity}: {coarse:.2e} {fine:.2e}");
+        assert!(
+            fine < 8e-3 && fine < 0.62 * coarse,
+            "{eccentricity}: {coarse:e} {fine:e}"
+        );
+    }
+}
+
+const TILTED: &str = r#"
+title = "Tilted ring"
+bearing = { diameter = "100 mm", length = "50 mm", clearance = "50 um" }
+mesh = { size = "4 mm" }
+oil = { viscosity = "20 mPa.s" }
+cavitation = { model = "jfo" }
+ends = { pressure = "10 kPa" }
+"#;
+
+/// A load far beyond what the tilted film carries in contact: told after the films of the guide alone, by its reason.
+#[test]
+fn a_load_that_the_guide_cannot_carry_is_refused_in_its_name() {
+    let scene = |force: &str, tilt: &str| {
+        written(&format!(
+            "{TILTED}journal = {{ speed = \"100 rad/s\"{tilt} }}\nload = {{ force = \"{force}\", angle = \"270 deg\" }}\n"
+        ))
+    };
+    let tilt = r#", tilt = { x = "-0.6 mrad", y = "-1.5 mrad" }"#;
+    let answer = |scene| run(&scene, &RunOptions::default()).expect("a film").result;
+    let refused = answer(scene("60 kN", tilt));
+    assert_eq!(refused.status, Status::NoSolution, "{:?}", refused.reason);
+    let reason = refused.reason.unwrap_or_default();
+    assert!(reason.contains("found for the Swift-Stieber film"), "{reason}");
+    assert!(reason.contains("; change the load"), "{reason}");
+    // A load that it carries is balanced by the film that conserves oil itself.
+    let balanced = answer(scene("1 kN", r#", tilt = { x = "-0.2 mrad", y = "-0.5 mrad" }"#));
+    assert_eq!(balanced.status, Status::Converged, "{:?}", balanced.reason);
+    assert!(balanced.balances.force < 1e-10, "{:?}", balanced.balances);
+}
