@@ -1,6 +1,7 @@
 //! Errors and warnings on stderr, with the place in the scene and what to do.
 
 use miette::{Diagnostic, LabeledSpan, MietteHandlerOpts, NamedSource, Report, SourceCode};
+use oilwedge_campaign::sweep::Part;
 use oilwedge_report::Error;
 use oilwedge_report::sweep::SweepError;
 use oilwedge_scene::{Complaint, SceneError};
@@ -59,18 +60,41 @@ impl From<Error> for Failure {
 
 impl From<SweepError> for Failure {
     fn from(error: SweepError) -> Self {
-        Self::Message(match error {
-            SweepError::Report(error) => return error.into(),
-            SweepError::Campaign(error) => return error.into(),
-            SweepError::Interrupted { .. } => {
-                return Self::Interrupted(format!("{error}; the same command goes on with the missing cases"));
-            }
+        let again = |part: &Part, dir: &Path| format!("--part {part} --out {}", dir.display());
+        let help = match &error {
+            SweepError::Report(_) | SweepError::Campaign(_) | SweepError::NoCases => None,
+            SweepError::Interrupted { .. } => Some("the same command goes on with the missing cases".to_owned()),
             SweepError::Other { .. } | SweepError::Earlier { .. } => {
-                format!("{error}; {ELSEWHERE}, or replace it with --fresh")
+                Some(format!("{ELSEWHERE}, or replace it with --fresh"))
             }
-            SweepError::Busy { .. } => format!("{error}; wait until it ends, end it, or {ELSEWHERE}"),
-            other => other.to_string(),
-        })
+            SweepError::Busy { .. } => Some(format!("wait until it ends, end it, or {ELSEWHERE}")),
+            SweepError::NoParts { dir } => Some(format!(
+                "compute them with --part 1/N to N/N and --out {}",
+                dir.display()
+            )),
+            SweepError::Gaps {
+                dir,
+                missing,
+                unfinished,
+                of,
+            } => (missing.iter().chain(unfinished).min())
+                .and_then(|number| Part::new(*number, *of))
+                .map(|part| format!("compute each as with {}", again(&part, dir))),
+            SweepError::Divisions { .. } => Some("move those of one division away".to_owned()),
+            SweepError::NotAPart { .. } => Some("move it away".to_owned()),
+            SweepError::Part { part, dir, .. } | SweepError::Rows { part, dir, .. } => Some(format!(
+                "join with the scene and the --bars of its run, or compute it again with {} --fresh",
+                again(part, dir)
+            )),
+            _ => None,
+        };
+        let words = help.map_or(error.to_string(), |help| format!("{error}; {help}"));
+        match error {
+            SweepError::Report(error) => error.into(),
+            SweepError::Campaign(error) => error.into(),
+            SweepError::Interrupted { .. } => Self::Interrupted(words),
+            _ => Self::Message(words),
+        }
     }
 }
 

@@ -8,13 +8,15 @@ use crate::readable::{readable_unit, significant};
 use crate::report::PageArguments;
 use crate::run_options::RunArguments;
 use crate::terminal::{counted, duration, effects, heading, output, table, time};
-use oilwedge_campaign::sweep::{Forecast, Sweep as Cases};
+use oilwedge_campaign::sweep::{Forecast, Part, Sweep as Cases};
 use oilwedge_report::json;
 use oilwedge_report::page::sweep_page;
-use oilwedge_report::sweep::{LIMITS, Notice, REASON, ROTOR_FILE, Row, SweepOptions, SweepReport, WARNINGS};
+use oilwedge_report::sweep::{
+    LIMITS, Notice, REASON, ROTOR_FILE, Row, SweepError, SweepOptions, SweepReport, WARNINGS, part_folder,
+};
 use oilwedge_study::column::Column;
 use oilwedge_study::result::headlines;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// Arguments of `oilwedge sweep`.
@@ -28,6 +30,15 @@ pub(crate) struct Sweep {
     #[arg(long)]
     fresh: bool,
 
+    /// Compute one of N parts of the sweep, for machines that share it, into the folder parts/K-of-N below that of the results. Each part is a number
+    /// of whole chains of neighbouring cases.
+    #[arg(long, value_name = "K/N", value_parser = part, conflicts_with_all = ["plot", "report", "open"])]
+    part: Option<Part>,
+
+    /// Join the parts in the folder parts below DIR to the table of the whole sweep, in DIR or in the folder of --out. Nothing is computed.
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["part", "max_seconds", "max_unknowns"])]
+    join: Option<PathBuf>,
+
     /// Draw the quantities over the axes into the folder plot of the results.
     #[arg(long)]
     plot: bool,
@@ -40,6 +51,8 @@ const EXAMPLES: &str = "\
 Examples:
   oilwedge sweep bearing.toml
   oilwedge sweep bearing.toml --bars none --out results/map
+  oilwedge sweep bearing.toml --part 3/40 --out map      one of 40 jobs of a cluster
+  oilwedge sweep bearing.toml --join map                 the table of all their cases
   oilwedge sweep bearing.toml --json | jq '.rows[] | [.inputs.speed, .quantities.load.value]'
 
 In the scene, each axis a list or a range, the last one running fastest:
@@ -51,7 +64,7 @@ In the scene, each axis a list or a range, the last one running fastest:
 Rows are written as cases end. The same command continues a sweep that was killed or ended by Ctrl-C.
 
 Exit status: 0 all cases are in the table, also those without a film (their row has the reason); 1 no case has an
-answer; 2 bad scene, mesh or arguments, or another sweep in the folder; 130 ended by Ctrl-C with its rows kept.";
+answer (not with --part); 2 bad scene, mesh or arguments, or another sweep in the folder; 130 ended by Ctrl-C with its rows kept.";
 
 impl Sweep {
     /// Runs the sweep, and prints it.
@@ -63,6 +76,7 @@ impl Sweep {
         let options = SweepOptions {
             case: self.run.options(&scene, interrupt::listen()?)?,
             fresh: self.fresh,
+            part: self.part,
         };
         let Some(cases) = Cases::of(&scene)? else {
             return Err(Failure::Message(format!(
@@ -70,16 +84,19 @@ impl Sweep {
                 self.run.scene.display()
             )));
         };
-        let folder = self.run.folder();
+        let folder = self.folder();
         warn(&repeated(&cases));
-        let mut progress = Progress::of_cases();
-        let notify = &mut |notice: Notice| match notice {
-            Notice::Forecast(forecast) => progress.say(&words(&forecast)),
-            Notice::Progress(now) => progress.cases(now),
+        warn(
+            &self
+                .part
+                .and_then(|part| empty(&cases, part))
+                .into_iter()
+                .collect::<Vec<_>>(),
+        );
+        let report = match &self.join {
+            Some(parts) => oilwedge_report::sweep::join(&cases, &options, parts, &folder)?,
+            None => computed(&cases, &options, &folder)?,
         };
-        let outcome = oilwedge_report::sweep::run(&cases, &options, &folder, notify);
-        drop(progress);
-        let report = outcome?;
         let figures = match self.plot {
             true => plot::figures_of_sweep(&json(&report)?, &plot::usual())?,
             false => Vec::new(),
@@ -89,17 +106,60 @@ impl Sweep {
             false => None,
         };
         let drawn = plot::written(&folder, &figures)? + &self.page.written(&folder, page)?;
+        let written = self.part.map_or(folder.clone(), |part| part_folder(&folder, part));
         output(
             self.run.json,
             || json(&report),
-            || sweep_report(&report, &folder) + &drawn,
-            Some(&folder),
+            || sweep_report(&report, &written) + &drawn,
+            Some(&written),
         )?;
-        Ok(match report.rows.iter().any(|row| report.has_answer(row)) {
-            true => ExitCode::SUCCESS,
-            false => ExitCode::from(1),
-        })
+        // A part is a job among others: whether the sweep has an answer is known when they are joined.
+        Ok(
+            match self.part.is_some() || report.rows.iter().any(|row| report.has_answer(row)) {
+                true => ExitCode::SUCCESS,
+                false => ExitCode::from(1),
+            },
+        )
     }
+
+    /// The folder of the sweep.
+    fn folder(&self) -> PathBuf {
+        let joined = self.join.clone().filter(|_| self.run.out.is_none());
+        joined.unwrap_or_else(|| self.run.folder())
+    }
+}
+
+/// Computes a sweep or a part of it, and shows how far it has got.
+fn computed(cases: &Cases, options: &SweepOptions, folder: &Path) -> Result<SweepReport, SweepError> {
+    let mut progress = Progress::of_cases();
+    let notify = &mut |notice: Notice| match notice {
+        Notice::Forecast(forecast) => progress.say(&words(&forecast)),
+        Notice::Progress(now) => progress.cases(now),
+    };
+    oilwedge_report::sweep::run(cases, options, folder, notify)
+}
+
+/// A part as it is written: its number and how many there are.
+fn part(text: &str) -> Result<Part, String> {
+    let part = text
+        .split_once('/')
+        .and_then(|(number, of)| Part::new(number.parse().ok()?, of.parse().ok()?));
+    part.ok_or_else(|| {
+        format!(
+            "a part is written K/N, such as 3/40, with 1 <= K <= N and N at most {}",
+            Part::MOST
+        )
+    })
+}
+
+/// That a part has no case.
+fn empty(cases: &Cases, part: Part) -> Option<String> {
+    cases.cases_of(part).is_empty().then(|| {
+        format!(
+            "part {part} has no case: parts hold whole chains, and the sweep has {}; give at most as many parts",
+            counted(cases.chains().len(), "chain")
+        )
+    })
 }
 
 /// Values that an axis has more than once.
@@ -147,12 +207,15 @@ fn sweep_report(report: &SweepReport, folder: &Path) -> String {
         ("bad_scene", "that do not fit their mesh"),
     ];
     let counts = counts.map(|(status, words)| (report.count(status), words));
-    let counts: Vec<String> = (counts.iter())
-        .filter(|(count, _)| *count > 0)
-        .map(|(count, words)| format!("{count} {words}"))
+    let counts = (counts.iter()).filter(|(count, _)| *count > 0);
+    let counts = counts.map(|(count, words)| format!("{count} {words}"));
+    let part = report.identity.part.map(|part| format!("part {part}"));
+    let status: Vec<String> = (part.into_iter())
+        .chain([counted(cases, "case")])
+        .chain(counts)
         .collect();
     let mut parts = vec![
-        heading(&report.identity.title, &format!("{cases} cases, {}", counts.join(", "))),
+        heading(&report.identity.title, &status.join(", ")),
         effects(&report.effects),
         rows(report),
     ];

@@ -13,7 +13,7 @@ const MANY: usize = 16;
 const LENGTH: [usize; 2] = [4, 32];
 
 /// The cases of each chain, in the order of the cases.
-pub(crate) fn chains(plan: &Plan) -> Vec<Range<usize>> {
+pub(super) fn chains(plan: &Plan) -> Vec<Range<usize>> {
     let cases = plan.cases();
     let along = plan.axes.last().map_or(0, |axis| axis.values.len());
     if along == 0 {

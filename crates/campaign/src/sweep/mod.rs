@@ -1,10 +1,12 @@
 //! A sweep: one scene solved for many values of its keys.
 //!
 //! Cases are cut into chains of neighbours (`chain.rs`), which are walked along (`walk.rs`): the mesh, its numbering and analysis stay as
-//! long as they fit, films and positions begin where those before lead.
+//! long as they fit, films and positions begin where those before lead. Chains do not depend on each other: machines that share a sweep
+//! compute whole ones ([`Sweep::chains`], [`Sweep::cases_of`]).
 
 mod chain;
 mod forecast;
+mod part;
 mod walk;
 
 use std::ops::Range;
@@ -26,6 +28,7 @@ use crate::Error;
 use chain::chains;
 pub use forecast::Forecast;
 use forecast::{SAMPLED, samples_first};
+pub use part::Part;
 use walk::Walker;
 pub use walk::{CaseStatus, Found};
 
@@ -88,8 +91,27 @@ impl Sweep {
         Ok(first.map_or_else(Effects::default, |film| Effects::of(&film.scene)))
     }
 
+    /// The cases of each chain, in the order of the cases; all of them together are all cases.
+    pub fn chains(&self) -> Vec<Range<usize>> {
+        chains(&self.plan)
+    }
+
+    /// The cases of a part of the sweep: whole chains, or none where there are more parts than chains.
+    pub fn cases_of(&self, part: Part) -> Range<usize> {
+        part.cases(&self.chains())
+    }
+
+    /// So many parts of the sweep and their cases; those without a case are left out.
+    pub fn parts(&self, of: u32) -> Vec<(Part, Range<usize>)> {
+        let chains = self.chains();
+        let parts = (1..=of).filter_map(|number| Part::new(number, of));
+        let parts = parts.map(|part| (part, part.cases(&chains)));
+        parts.filter(|(_, cases)| !cases.is_empty()).collect()
+    }
+
     /// Runs all cases but those that `is_kept`, on all threads, and hands on each when it ends. The first cases of some chains come first;
-    /// from them the time of the sweep is forecast, and nothing is computed twice for that.
+    /// from them the time of the sweep is forecast, and nothing is computed twice for that. A chain of which every case is kept is not touched: with all
+    /// others kept, one chain is computed by itself.
     ///
     /// # Errors
     /// Threads cannot be started, or the first error of `event`.
@@ -101,7 +123,7 @@ impl Sweep {
     ) -> Result<(), E> {
         let clock = Instant::now();
         // A case starts from its neighbours, so a chain that was not finished is walked along from its beginning.
-        let chains: Vec<Range<usize>> = (chains(&self.plan).into_iter())
+        let chains: Vec<Range<usize>> = (self.chains().into_iter())
             .filter(|chain| !chain.clone().all(is_kept))
             .collect();
         let workers = rayon::current_num_threads().min(chains.len());

@@ -33,10 +33,10 @@ impl Table {
     /// Another sweep stands there or is being written, or the system refuses.
     pub(crate) fn open(
         dir: &Path,
-        identity: &Identity,
-        columns: &Columns,
+        begun: &SweepReport,
         fresh: bool,
     ) -> Result<(Self, BTreeMap<usize, Row>), SweepError> {
+        let (identity, columns) = (&begun.identity, &begun.columns);
         let path = dir.join(TABLE_FILE);
         std::fs::create_dir_all(dir).map_err(Error::system(&path))?;
         let _alone = folder::alone_in(dir)?;
@@ -131,46 +131,86 @@ pub(crate) fn finish(dir: &Path, report: &SweepReport) -> Result<bool, Error> {
     Ok(rotor.is_some())
 }
 
-/// The rows in the folder that are those of this sweep, by the number of their case.
+/// The rows in the folder that are those of this sweep, by the number of their case (from 0).
 fn kept(dir: &Path, identity: &Identity, columns: &Columns) -> Result<BTreeMap<usize, Row>, SweepError> {
-    let other = |difference: &'static str| SweepError::Other {
-        folder: dir.to_path_buf(),
-        difference,
-    };
-    let (table, about) = (dir.join(TABLE_FILE), dir.join(REPORT_FILE));
-    if !table.exists() {
+    let Some(earlier) = Earlier::read(dir, identity, columns)? else {
         return Ok(BTreeMap::new());
-    }
-    let read = |path: &Path| {
-        std::fs::read(path).map_err(|source| SweepError::Earlier {
-            path: path.to_path_buf(),
-            source,
-        })
     };
-    if !about.exists() {
-        return Err(other("without the record of what it was computed from"));
+    let rows = earlier.rows.into_iter();
+    Ok(rows
+        .filter_map(|row| Some((case_of(&row).filter(|case| *case < identity.cases)?, row)))
+        .collect())
+}
+
+/// Number (from 0) of the case of a row.
+pub(super) fn case_of(row: &Row) -> Option<usize> {
+    row.first()?.parse::<usize>().ok()?.checked_sub(1)
+}
+
+/// What earlier runs of a sweep have left in a folder.
+pub(super) struct Earlier {
+    /// The rows of its table.
+    pub(super) rows: Vec<Row>,
+    /// Whether the sweep has ended.
+    pub(super) is_complete: bool,
+}
+
+impl Earlier {
+    /// What stands in the folder `dir`; `None` where there is no table.
+    ///
+    /// # Errors
+    /// It is another sweep than the one of this identity and these columns, or cannot be read.
+    pub(super) fn read(dir: &Path, identity: &Identity, columns: &Columns) -> Result<Option<Self>, SweepError> {
+        let other = |difference: &'static str| SweepError::Other {
+            folder: dir.to_path_buf(),
+            difference,
+        };
+        let (table, about) = (dir.join(TABLE_FILE), dir.join(REPORT_FILE));
+        if !table.exists() {
+            return Ok(None);
+        }
+        let read = |path: &Path| {
+            std::fs::read(path).map_err(|source| SweepError::Earlier {
+                path: path.to_path_buf(),
+                source,
+            })
+        };
+        if !about.exists() {
+            return Err(other("without the record of what it was computed from"));
+        }
+        let about: serde_json::Value = serde_json::from_slice(&read(&about)?).unwrap_or_default();
+        if let Some(difference) = difference(&about, identity) {
+            return Err(other(difference));
+        }
+        let rows = whole_rows(&read(&table)?, &columns.headings()).ok_or_else(|| other("with other columns"))?;
+        Ok(Some(Self {
+            rows,
+            is_complete: about.get("complete") == Some(&true.into()),
+        }))
     }
-    let about: serde_json::Value = serde_json::from_slice(&read(&about)?).unwrap_or_default();
-    let differs = |key: &str, own: &serde_json::Value| about.get(key) != Some(own);
-    if differs("format", &identity.format.as_str().into()) || differs("version", &identity.version.as_str().into()) {
-        return Err(other("of another version of the program"));
-    }
-    if differs("scene_sha256", &identity.scene_sha256.as_str().into()) {
-        return Err(other("of another scene, or of this one before it was changed"));
-    }
-    let mesh = serde_json::Value::from(identity.mesh_sha256.clone());
-    if differs("mesh_sha256", &mesh) {
-        return Err(other("of another mesh file, or of this one before it was changed"));
-    }
-    if differs("bars", &identity.bars.into()) {
-        return Err(other(match identity.bars {
+}
+
+/// How the sweep that is recorded differs from one with this identity, if it does.
+fn difference(about: &serde_json::Value, identity: &Identity) -> Option<&'static str> {
+    let differs = |key: &str, own: serde_json::Value| about.get(key) != Some(&own);
+    let part = about
+        .get("part")
+        .map(|part| ["number", "of"].map(|key| part[key].as_u64()));
+    let own_part = identity
+        .part
+        .map(|part| [part.number(), part.of()].map(|count| Some(count.into())));
+    if differs("format", identity.format.as_str().into()) || differs("version", identity.version.as_str().into()) {
+        Some("of another version of the program")
+    } else if differs("scene_sha256", identity.scene_sha256.as_str().into()) {
+        Some("of another scene, or of this one before it was changed")
+    } else if differs("mesh_sha256", identity.mesh_sha256.clone().into()) {
+        Some("of another mesh file, or of this one before it was changed")
+    } else if differs("bars", identity.bars.into()) {
+        Some(match identity.bars {
             true => "without error bars",
             false => "with error bars",
-        }));
+        })
+    } else {
+        (part != own_part).then_some("of which another part is computed")
     }
-    let rows = whole_rows(&read(&table)?, &columns.headings()).ok_or_else(|| other("with other columns"))?;
-    let number = |row: &Row| row[0].parse::<usize>().ok()?.checked_sub(1);
-    Ok((rows.into_iter())
-        .filter_map(|row| Some((number(&row).filter(|case| *case < identity.cases)?, row)))
-        .collect())
 }

@@ -1,9 +1,11 @@
 //! The folder of a sweep: rows are written as cases end, and a sweep that was ended is taken up again.
 //!
-//! `table.rs` (columns and rows), `rotor_table.rs` (stiffness and damping for programs of rotors), `files.rs` (a table that can be taken up again), `report.rs` (for scripts).
+//! `table.rs` (columns and rows), `rotor_table.rs` (stiffness and damping for programs of rotors), `files.rs` (a table that can be taken up again), `parts.rs` (a sweep
+//! that several runs share), `report.rs` (for scripts).
 
 mod error;
 mod files;
+mod parts;
 mod report;
 mod rotor_table;
 mod table;
@@ -13,7 +15,7 @@ use std::ffi::OsStr;
 use std::path::Path;
 use std::time::Instant;
 
-use oilwedge_campaign::sweep::{Event, Forecast, Sweep};
+use oilwedge_campaign::sweep::{Event, Forecast, Part, Sweep};
 use oilwedge_scene::Scene;
 use oilwedge_study::CompileError;
 use oilwedge_study::run_options::RunOptions;
@@ -21,6 +23,7 @@ use sha2::{Digest, Sha256};
 
 pub use error::SweepError;
 pub use files::{REPORT_FILE, TABLE_FILE};
+pub use parts::{PARTS_FOLDER, part_folder};
 pub use report::{Identity, SWEEP_FORMAT, SweepReport};
 pub use rotor_table::ROTOR_FILE;
 pub(crate) use table::to_csv;
@@ -28,6 +31,7 @@ pub use table::{Columns, LIMITS, REASON, Row, SECONDS, UNKNOWNS, WARNINGS};
 
 use crate::{Error, folder};
 use files::{Table, finish};
+use parts::rows_of_parts;
 
 /// How a sweep is run.
 #[derive(Debug, Clone, Copy, Default)]
@@ -36,6 +40,8 @@ pub struct SweepOptions {
     pub case: RunOptions,
     /// Replace a sweep that stands in the folder, whatever it is.
     pub fresh: bool,
+    /// The part of the sweep that is computed; all of it without one.
+    pub part: Option<Part>,
 }
 
 /// How far a sweep has got.
@@ -58,7 +64,8 @@ pub enum Notice {
     Progress(Progress),
 }
 
-/// Runs all cases of a sweep and writes them to the folder `dir`. Rows that stand there from an earlier run of the same sweep are kept.
+/// Runs all cases of a sweep, or of the part that is wanted, and writes them to the folder `dir`, a part to a folder of its own below ([`part_folder`]). Rows
+/// that stand there from an earlier run of the same sweep are kept.
 ///
 /// # Errors
 /// The first case does not become a film, another sweep stands in the folder, or it cannot be written; or the sweep was
@@ -70,30 +77,21 @@ pub fn run(
     progress: &mut dyn FnMut(Notice),
 ) -> Result<SweepReport, SweepError> {
     let clock = Instant::now();
-    if sweep.scenes.is_empty() {
-        return Err(SweepError::NoCases);
-    }
-    folder::check(dir, [TABLE_FILE, REPORT_FILE, ROTOR_FILE].iter().map(OsStr::new))?;
-    let effects = sweep.effects().map_err(Error::from)?;
-    let identity = Identity {
-        format: SWEEP_FORMAT.to_owned(),
-        title: sweep.title.clone(),
-        version: env!("CARGO_PKG_VERSION").to_owned(),
-        scene_sha256: sweep.scene_sha256.clone(),
-        mesh_sha256: meshes_sha256(&sweep.scenes)?,
-        bars: options.case.bars,
-        cases: sweep.scenes.len(),
+    let (dir, cases) = match options.part {
+        None => (dir.to_path_buf(), 0..sweep.scenes.len()),
+        Some(part) => (part_folder(dir, part), sweep.cases_of(part)),
     };
-    let columns = Columns::new(&sweep.plan, &sweep.scenes, options.case.bars);
-    let (mut table, rows) = Table::open(dir, &identity, &columns, options.fresh)?;
+    let mut report = begun(sweep, options, &dir)?;
+    let (mut table, rows) = Table::open(&dir, &report, options.fresh)?;
+    report.kept = rows.len();
     let mut now = Progress {
         kept: rows.len(),
         done: rows.len(),
-        cases: sweep.scenes.len(),
+        cases: cases.len(),
     };
     progress(Notice::Progress(now));
     let rows = RefCell::new(rows);
-    let is_kept = |case: usize| rows.borrow().contains_key(&case);
+    let is_kept = |case: usize| !cases.contains(&case) || rows.borrow().contains_key(&case);
     sweep.run(&options.case, &is_kept, &mut |event| -> Result<(), SweepError> {
         let (case, found) = match event {
             Event::Ended(case, found) => (case, found),
@@ -102,7 +100,7 @@ pub fn run(
                 return Ok(());
             }
         };
-        let row = columns.row(&sweep.plan, case, &found)?;
+        let row = report.columns.row(&sweep.plan, case, &found)?;
         table.add(&row)?;
         rows.borrow_mut().insert(case, row);
         now.done += 1;
@@ -116,18 +114,57 @@ pub fn run(
             table: dir.join(TABLE_FILE),
         });
     }
-    let mut report = SweepReport {
-        identity,
-        effects,
-        plan: sweep.plan.clone(),
-        columns,
-        rows: rows.into_inner().into_values().collect(),
-        kept: now.kept,
-        seconds: clock.elapsed().as_secs_f64(),
-        has_rotor_table: false,
-    };
+    report.rows = rows.into_inner().into_values().collect();
+    report.seconds = clock.elapsed().as_secs_f64();
+    report.has_rotor_table = finish(&dir, &report)?;
+    Ok(report)
+}
+
+/// Joins the parts of a sweep that stand below the folder `parts` to the table in the folder `dir`, which is that of [`run`] except for the times.
+///
+/// # Errors
+/// A part is missing, has not ended, or is one of another sweep; another sweep stands in the folder, or it cannot be written.
+pub fn join(sweep: &Sweep, options: &SweepOptions, parts: &Path, dir: &Path) -> Result<SweepReport, SweepError> {
+    let clock = Instant::now();
+    let mut report = begun(sweep, options, dir)?;
+    let rows = rows_of_parts(sweep, &report, parts)?;
+    let _alone = Table::open(dir, &report, options.fresh)?;
+    report.kept = rows.len();
+    report.rows = rows;
+    report.seconds = clock.elapsed().as_secs_f64();
     report.has_rotor_table = finish(dir, &report)?;
     Ok(report)
+}
+
+/// The report of a sweep, or a part of it, to be written to the folder `dir`, before its first row.
+///
+/// # Errors
+/// There is no case, the first one does not become a film, or the folder cannot be written.
+fn begun(sweep: &Sweep, options: &SweepOptions, dir: &Path) -> Result<SweepReport, SweepError> {
+    if sweep.scenes.is_empty() {
+        return Err(SweepError::NoCases);
+    }
+    folder::check(dir, [TABLE_FILE, REPORT_FILE, ROTOR_FILE].iter().map(OsStr::new))?;
+    let identity = Identity {
+        format: SWEEP_FORMAT.to_owned(),
+        title: sweep.title.clone(),
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+        scene_sha256: sweep.scene_sha256.clone(),
+        mesh_sha256: meshes_sha256(&sweep.scenes)?,
+        bars: options.case.bars,
+        cases: sweep.scenes.len(),
+        part: options.part,
+    };
+    Ok(SweepReport {
+        identity,
+        effects: sweep.effects().map_err(Error::from)?,
+        plan: sweep.plan.clone(),
+        columns: Columns::new(&sweep.plan, &sweep.scenes, options.case.bars),
+        rows: Vec::new(),
+        kept: 0,
+        seconds: 0.0,
+        has_rotor_table: false,
+    })
 }
 
 /// SHA-256 of all mesh files, each once; `None` where there are none.

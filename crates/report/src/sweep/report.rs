@@ -4,6 +4,7 @@ use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
 use super::table::{Columns, LIMITS, REASON, Row, SECONDS, SEPARATOR, UNKNOWNS, WARNINGS};
+use oilwedge_campaign::sweep::Part;
 use oilwedge_scene::sweep::{AxisValue, Plan};
 use oilwedge_study::effects::Effects;
 
@@ -25,8 +26,11 @@ pub struct Identity {
     pub mesh_sha256: Option<String>,
     /// Whether error bars are estimated.
     pub bars: bool,
-    /// Number of cases.
+    /// Number of cases of the whole sweep.
     pub cases: usize,
+    /// The part of it that is computed; `None` where it is all of it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub part: Option<Part>,
 }
 
 /// Everything that a sweep found.
@@ -40,7 +44,7 @@ pub struct SweepReport {
     pub plan: Plan,
     /// The columns of the table.
     pub columns: Columns,
-    /// One row a case, in their order.
+    /// One row a case of the sweep or its part, in their order.
     pub rows: Vec<Row>,
     /// Rows that an earlier run had computed.
     pub kept: usize,

@@ -32,9 +32,13 @@ const COLUMNS: [(&str, &Quantity); 8] = [
     ("cyy", &DAMPING_YY),
 ];
 
-/// The table of a sweep over positive speeds alone whose rows have all coefficients; `None` of any other one. Cases without an answer are left out.
+/// The table of a sweep over positive speeds alone whose rows have all coefficients; `None` of any other one, and of a part. Cases without an answer are
+/// left out.
 pub(super) fn rotor_table(report: &SweepReport) -> Option<Vec<u8>> {
     let [axis] = &report.plan.axes[..] else { return None };
+    if report.identity.part.is_some() {
+        return None;
+    }
     let unit = (axis.path == SPEED).then(|| unit_size(&axis.unit, Dimension::Speed).ok())??;
     let places: Vec<usize> = COLUMNS
         .iter()

@@ -3,6 +3,7 @@
 mod cases;
 mod columns;
 mod forecast;
+mod parts;
 mod rotor;
 mod rows;
 mod survival;
