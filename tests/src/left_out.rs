@@ -21,12 +21,12 @@ const LIBRARIES: [(&str, &str); 7] = [
 pub struct Missing {
     /// Program or library.
     pub what: String,
-    /// The Debian package, or another way.
+    /// The Debian package, or a command of several words.
     pub package: String,
 }
 
 impl Missing {
-    /// `what` from the Debian package `package`.
+    /// `what` from the Debian package `package`, or by that command.
     pub fn new(what: &str, package: &str) -> Self {
         Self {
             what: what.to_owned(),
@@ -76,25 +76,44 @@ fn folder() -> PathBuf {
 /// # Panics
 /// If something is missing under `CI=true`, or the note cannot be written.
 pub fn is_left_out(part: &str, missing: &[Missing]) -> bool {
-    let note = folder().join(part);
+    let is_ci = std::env::var("CI").as_deref() == Ok("true");
+    assert!(
+        missing.is_empty() || !is_ci,
+        "CI=true leaves nothing out. {}",
+        note(part, missing)
+    );
+    is_skipped(part, missing)
+}
+
+/// Notes that `part` of the tests is left out, and says true, if something is missing that CI does not install either.
+///
+/// # Panics
+/// If the note cannot be written.
+pub fn is_skipped(part: &str, missing: &[Missing]) -> bool {
+    let file = folder().join(part);
     if missing.is_empty() {
         // There may be no note of an earlier run.
-        let _ = fs::remove_file(note);
+        let _ = fs::remove_file(file);
         return false;
     }
-    let list = |item: fn(&Missing) -> &str, between| missing.iter().map(item).collect::<Vec<_>>().join(between);
-    let [what, packages] = [
-        list(|missing| &missing.what, ", "),
-        list(|missing| &missing.package, " "),
-    ];
-    let text = format!("{part}: this machine lacks {what}\n    apt-get install {packages}\n");
-    assert!(
-        std::env::var("CI").as_deref() != Ok("true"),
-        "CI=true leaves nothing out. {text}"
-    );
     fs::create_dir_all(folder()).expect("a folder for notes");
-    fs::write(note, text).expect("a note");
+    fs::write(file, note(part, missing)).expect("a note");
     true
+}
+
+/// What is missing for a part, and the lines that install it.
+fn note(part: &str, missing: &[Missing]) -> String {
+    let what: Vec<&str> = missing.iter().map(|missing| missing.what.as_str()).collect();
+    let (commands, packages): (Vec<_>, Vec<_>) = missing
+        .iter()
+        .map(|missing| missing.package.as_str())
+        .partition(|it| it.contains(' '));
+    let packages = match packages.is_empty() {
+        true => String::new(),
+        false => format!("    apt-get install {}\n", packages.join(" ")),
+    };
+    let commands: String = commands.iter().map(|command| format!("    {command}\n")).collect();
+    format!("{part}: this machine lacks {}\n{packages}{commands}", what.join(", "))
 }
 
 /// The notes of all parts that were left out.

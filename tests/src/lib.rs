@@ -1,6 +1,7 @@
 //! What the tests share: structured liners and plain films, made without files.
 
 pub mod bench;
+pub mod book;
 pub mod cavitation_counts;
 pub mod cavitation_page;
 pub mod coverage;
@@ -8,12 +9,14 @@ pub mod docs_images;
 pub mod engine_bearings;
 pub mod flexpde_study;
 pub mod flow_meshes;
+pub mod gallery;
 pub mod house;
 pub mod journal_bearings;
 pub mod left_out;
 pub mod mesh_page;
 pub mod mesh_readers;
 pub mod msh_file;
+pub mod notation_page;
 pub mod orbits_page;
 pub mod performance;
 pub mod prices_page;

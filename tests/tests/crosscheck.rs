@@ -3,8 +3,9 @@
 //! Runs `tests/crosscheck` with pytest in a virtual environment of its own under `target/`, made
 //! from `requirements.txt` the first time. Left out, and named, on machines without Python's venv or the libraries of gmsh and VTK.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::OnceLock;
 
 use oilwedge_tests::left_out::{is_left_out, missing_for_python};
 use oilwedge_tests::program::{build, repository};
@@ -15,7 +16,7 @@ fn run(command: &mut Command) {
 }
 
 /// The Python of an environment that holds exactly what `requirements` asks for.
-fn environment(folder: &Path, requirements: &Path) -> std::path::PathBuf {
+fn environment(folder: &Path, requirements: &Path) -> PathBuf {
     let python = folder.join("bin/python");
     let stamp = folder.join("requirements.txt");
     let wanted = std::fs::read_to_string(requirements).expect("requirements");
@@ -30,6 +31,18 @@ fn environment(folder: &Path, requirements: &Path) -> std::path::PathBuf {
     python
 }
 
+/// The Python of the environment of `tests/crosscheck`, made once.
+pub(crate) fn crosscheck_python() -> PathBuf {
+    static PYTHON: OnceLock<PathBuf> = OnceLock::new();
+    let make = || {
+        let oilwedge = build("oilwedge", "oilwedge");
+        let target = oilwedge.ancestors().nth(2).expect("target folder");
+        let requirements = repository().join("tests/crosscheck/requirements.txt");
+        environment(&target.join("crosscheck-venv"), &requirements)
+    };
+    PYTHON.get_or_init(make).clone()
+}
+
 #[test]
 fn scikit_fem_and_pyvista_agree() {
     if is_left_out("cross-check by scikit-fem, gmsh and pyvista", &missing_for_python()) {
@@ -37,10 +50,8 @@ fn scikit_fem_and_pyvista_agree() {
     }
     let oilwedge = build("oilwedge", "oilwedge");
     let crosscheck_data = build("oilwedge-tests", "crosscheck_data");
-    let target = oilwedge.ancestors().nth(2).expect("target folder").to_path_buf();
     let scripts = repository().join("tests/crosscheck");
-    let python = environment(&target.join("crosscheck-venv"), &scripts.join("requirements.txt"));
-    run(Command::new(python)
+    run(Command::new(crosscheck_python())
         .args(["-m", "pytest", "-q", "-p", "no:cacheprovider"])
         .current_dir(&scripts)
         .env("OILWEDGE_BIN", oilwedge)

@@ -1,6 +1,8 @@
 //! All tests that cross crates, as one program; `cargo test -p oilwedge-tests cli::sweep` runs some of them.
 
 mod architecture;
+#[cfg(unix)]
+mod book;
 mod catalogue;
 mod cavitation;
 mod cli;

@@ -8,6 +8,8 @@ use oilwedge_scene::unit::Dimension;
 use oilwedge_scene::{Scene, SceneError};
 use oilwedge_study::duty::duty_cycle;
 use oilwedge_study::{RunOptions, run};
+use oilwedge_tests::book::Page;
+use oilwedge_tests::book::blocks::blocks;
 use oilwedge_tests::program::repository;
 use oilwedge_tests::scenes::{path, table, variant};
 use oilwedge_tests::{quantities_page, scene_page};
@@ -15,15 +17,6 @@ use serde_json::Value;
 
 fn page(name: &str) -> String {
     std::fs::read_to_string(repository().join("docs/reference").join(name)).expect("a reference page")
-}
-
-/// The blocks of `page` in that language.
-fn blocks<'a>(page: &'a str, language: &str) -> Vec<&'a str> {
-    let opening = format!("```{language}\n");
-    let blocks = page.split(opening.as_str()).skip(1);
-    blocks
-        .map(|rest| rest.split("```").next().unwrap_or_default())
-        .collect()
 }
 
 fn table_of<'a>(scene: &'a mut toml::Table, name: &str) -> Option<&'a mut toml::Table> {
@@ -65,14 +58,9 @@ fn parse(scene: &toml::Table) -> Result<Scene, SceneError> {
     oilwedge_study::parse(&scene.to_string(), Path::new("scenes/example.toml"))
 }
 
-#[test]
-fn examples_of_scenes_are_scenes() {
-    let page = page("scene.md");
-    let examples = blocks(&page, "toml");
-    assert_eq!(examples.len(), 30);
-    for example in examples {
-        parse(&plain_ring_with(example)).unwrap_or_else(|error| panic!("{example}\n{error}"));
-    }
+/// The scene that a fragment makes of scene 01.
+pub(crate) fn parse_fragment(fragment: &str) -> Result<Scene, SceneError> {
+    parse(&plain_ring_with(fragment))
 }
 
 #[test]
@@ -191,8 +179,11 @@ fn every_key_of_a_load_is_explained() {
 
 #[test]
 fn the_result_shown_is_that_of_scene_02() {
-    let page = page("result.md");
-    let [example] = blocks(&page, "json")[..] else {
+    let examples = blocks(&Page::read("docs/reference/result.md")).into_iter();
+    let example = examples
+        .filter(|block| block.language == "json")
+        .map(|block| block.text);
+    let [example] = &example.collect::<Vec<_>>()[..] else {
         panic!("one example")
     };
     let example: Value = serde_json::from_str(example).expect("the example is JSON");

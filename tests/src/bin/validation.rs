@@ -3,7 +3,8 @@
 use oilwedge_tests::program::repository;
 use oilwedge_tests::short_crankshaft::{figures, page};
 use oilwedge_tests::{
-    cavitation_page, docs_images, engine_bearings, flexpde_study, mesh_page, orbits_page, quantities_page, scene_page,
+    cavitation_page, docs_images, engine_bearings, flexpde_study, gallery, mesh_page, notation_page, orbits_page,
+    quantities_page, scene_page,
 };
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -20,11 +21,15 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     };
     write("reference/quantities.md", &quantities_page::page)?;
     write("reference/scene.md", &scene_page::page)?;
+    write("theory/notation.md", &notation_page::page)?;
     write("validation/flexpde_study.md", &flexpde_study::page)?;
     write("theory/cavitation.md", &cavitation_page::page)?;
     write("howto/mesh.md", &mesh_page::page)?;
     write("validation/engine_bearings.md", &engine_bearings::page)?;
     write("validation/orbits.md", &orbits_page::page)?;
+    if is_wanted("gallery.md") {
+        write_gallery()?;
+    }
     if !parts.is_empty() {
         return Ok(());
     }
@@ -40,4 +45,20 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         std::fs::write(docs.join("images").join(file), svg)?;
     }
     Ok(())
+}
+
+/// Solves all scenes, and writes their page and pictures.
+fn write_gallery() -> std::io::Result<()> {
+    std::fs::create_dir_all(repository().join("docs").join(gallery::PICTURES))?;
+    let mut parts = Vec::new();
+    for (name, picture) in gallery::SCENES {
+        eprintln!("{name}");
+        let exhibit = gallery::exhibit(name, picture);
+        std::fs::write(gallery::picture_file(name), exhibit.svg)?;
+        parts.push(exhibit.text);
+    }
+    std::fs::write(
+        repository().join("docs/gallery.md"),
+        gallery::page(parts.iter().map(String::as_str)),
+    )
 }
