@@ -161,28 +161,42 @@ fn a_join_writes_the_table_for_rotors_and_parts_do_not() {
     assert!(!file(&bench, "sweep.csv").exists());
 }
 
-#[test]
-fn a_join_refuses_gaps_doubles_and_other_sweeps() {
+/// Joins the parts in `map`.
+const JOIN: [&str; 6] = ["sweep", "scene.toml", "--bars", "none", "--join", "map"];
+
+/// The sweep in all of its six chains.
+fn six_parts() -> Bench {
     let bench = Bench::new();
     loaded(&bench, 9);
-    let join = ["sweep", "scene.toml", "--bars", "none", "--join", "map"];
-    bench.refuses(&join, &["holds no parts", "--part 1/N", "--out map"]);
+    compute(&bench, 6, "none");
+    bench
+}
+
+#[test]
+fn a_join_refuses_gaps() {
+    let bench = Bench::new();
+    loaded(&bench, 9);
+    bench.refuses(&JOIN, &["holds no parts", "--part 1/N", "--out map"]);
     for number in [2, 3, 6] {
         let run = start(&bench, number, 6, "none").wait_with_output().expect("it ends");
         assert!(run.status.success());
     }
-    bench.refuses(&join, &["of its 6 parts 1, 4-5 are missing", "--part 1/6 --out map"]);
-    compute(&bench, 6, "none");
+    bench.refuses(&JOIN, &["of its 6 parts 1, 4-5 are missing", "--part 1/6 --out map"]);
+}
+
+#[test]
+fn a_join_refuses_parts_of_other_sweeps() {
+    let bench = six_parts();
     // Other bars.
     bench.refuses(
-        &join[..2].iter().chain(&join[4..]).copied().collect::<Vec<_>>(),
+        &["sweep", "scene.toml", "--join", "map"],
         &["001-of-006", "without error bars", "--bars"],
     );
     // Another scene.
     let text = read(&bench, "scene.toml");
     bench.write("scene.toml", format!("# Later.\n{text}"));
     bench.refuses(
-        &join,
+        &JOIN,
         &[
             "another scene, or of this one before it was changed",
             "--part 1/6 --out map --fresh",
@@ -193,8 +207,18 @@ fn a_join_refuses_gaps_doubles_and_other_sweeps() {
     let about = read(&bench, "map/parts/003-of-006/sweep.json");
     let path = "map/parts/003-of-006/sweep.json";
     bench.write(path, about.replacen("\"version\": \"", "\"version\": \"0.", 1));
-    bench.refuses(&join, &["003-of-006", "another version of the program", "--part 3/6"]);
+    bench.refuses(&JOIN, &["003-of-006", "another version of the program", "--part 3/6"]);
     bench.write(path, &about);
+    // Another sweep in the place of the table.
+    bench.write("map/sweep.csv", "case\n1\n");
+    bench.refuses(&JOIN, &["without the record", "--fresh"]);
+    let told = bench.run(&[&JOIN[..], &["--fresh"]].concat());
+    assert_eq!(told.status, 0, "{}", told.stderr);
+}
+
+#[test]
+fn a_join_refuses_doubles() {
+    let bench = six_parts();
     // A row that stands there twice, one that does not, and one of another part.
     let path = "map/parts/002-of-006/sweep.csv";
     let rows = read(&bench, path);
@@ -209,26 +233,20 @@ fn a_join_refuses_gaps_doubles_and_other_sweeps() {
         (rows.replacen(&format!("{last}\n"), "", 1), "case 6 "),
     ] {
         bench.write(path, wrong);
-        bench.refuses(&join, &["002-of-006", case, "--part 2/6 --out map --fresh"]);
+        bench.refuses(&JOIN, &["002-of-006", case, "--part 2/6 --out map --fresh"]);
     }
     bench.write(path, &rows);
     // A part under the name of another one, a copy, and another division.
     let parts = file(&bench, "parts");
     std::fs::rename(parts.join("004-of-006"), parts.join("away")).expect("renamed");
-    bench.refuses(&join, &["away is not the folder of a part", "move it away"]);
+    bench.refuses(&JOIN, &["away is not the folder of a part", "move it away"]);
     std::fs::rename(parts.join("away"), file(&bench, "away")).expect("renamed");
     std::fs::rename(parts.join("005-of-006"), parts.join("004-of-006")).expect("renamed");
-    bench.refuses(&join, &["004-of-006", "another part"]);
+    bench.refuses(&JOIN, &["004-of-006", "another part"]);
     std::fs::rename(parts.join("004-of-006"), parts.join("005-of-006")).expect("renamed");
     std::fs::rename(file(&bench, "away"), parts.join("004-of-006")).expect("renamed");
     start(&bench, 1, 3, "none").wait_with_output().expect("it ends");
-    bench.refuses(&join, &["holds parts of 3 and of 6", "move those of one division away"]);
-    std::fs::remove_dir_all(parts.join("001-of-003")).expect("removed");
-    // Another sweep in the place of the table.
-    bench.write("map/sweep.csv", "case\n1\n");
-    bench.refuses(&join, &["without the record", "--fresh"]);
-    let told = bench.run(&[&join[..], &["--fresh"]].concat());
-    assert_eq!(told.status, 0, "{}", told.stderr);
+    bench.refuses(&JOIN, &["holds parts of 3 and of 6", "move those of one division away"]);
 }
 
 #[test]
