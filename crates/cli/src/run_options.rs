@@ -1,7 +1,7 @@
 //! Arguments that `solve` and `sweep` share: error bars and limits of a run.
 
 use crate::complain::Failure;
-use oilwedge_scene::{Scene, Tolerance};
+use oilwedge_scene::Scene;
 use oilwedge_study::{Interrupt, RunOptions};
 use std::path::{Path, PathBuf};
 
@@ -60,11 +60,7 @@ impl RunArguments {
     /// # Errors
     /// No error bars are wanted, but the scene has a tolerance.
     pub(crate) fn options(&self, scene: &Scene, interrupt: Interrupt) -> Result<RunOptions, Failure> {
-        let is_given = scene
-            .tolerance
-            .as_ref()
-            .is_some_and(|tolerance| *tolerance != Tolerance::Usual);
-        if self.bars == Bars::None && is_given {
+        if self.bars == Bars::None && scene.gives_tolerance() {
             return Err(Failure::Message(format!(
                 "--bars none conflicts with the mesh.tolerance of the scene {}: a tolerance is met by error bars; leave out --bars none, or remove tolerance from [mesh]",
                 self.scene.display()

@@ -153,8 +153,13 @@ impl Scene {
         Self::of_text(text, path, |_| None, checks)
     }
 
+    /// Whether it gives a tolerance, and not only has the usual one.
+    pub fn gives_tolerance(&self) -> bool {
+        (self.tolerance.as_ref()).is_some_and(|tolerance| *tolerance != Tolerance::Usual)
+    }
+
     /// The files that it names: key, path, and what to give where there is none.
-    fn files(&self) -> impl Iterator<Item = (&'static str, &Path, &'static str)> {
+    pub fn files(&self) -> impl Iterator<Item = (&'static str, &Path, &'static str)> {
         const TABLE: &str = "give the path of a table with a header of units, counted from the folder of the scene";
         let mesh = "give the path of a gmsh 4.1 file, counted from the folder of the scene";
         let load = match self.load_cycle.as_ref().map(|cycle| &cycle.source) {

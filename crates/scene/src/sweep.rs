@@ -4,11 +4,13 @@
 //! replaced, read and checked as any other scene, so that units, ranges and complaints come from one place.
 
 mod axis;
+mod change;
 mod column;
 mod plan;
 mod read;
 
 pub use axis::{Axis, AxisValue, SHORT_NAMES};
+pub use change::{changed, with_axes};
 pub use column::WantedColumn;
 pub use plan::Plan;
 

@@ -45,16 +45,25 @@ impl Column {
     /// There is no such quantity, or it has no such unit.
     pub fn wanted(wanted: &WantedColumn, scene: &Scene) -> Result<Self, Fault> {
         let (quantity, row) = named(&wanted.name, scene)?;
-        let own = Self::of(quantity, row);
-        let (unit, scale) = match &*wanted.unit {
-            "" => (own.unit, own.scale),
-            unit => (unit.to_owned(), scale(unit, row.unit)?),
+        let own = match &*wanted.unit {
+            "" => Self::of(quantity, row),
+            unit => Self::in_unit(quantity, row, unit)?,
         };
         Ok(Self {
             name: wanted.name.clone().into(),
-            unit,
-            scale,
             ..own
+        })
+    }
+
+    /// The quantity in another unit.
+    ///
+    /// # Errors
+    /// It has no such unit.
+    pub fn in_unit(quantity: Cow<'static, str>, row: &'static Row, unit: &str) -> Result<Self, Fault> {
+        Ok(Self {
+            scale: scale(unit, row.unit)?,
+            unit: unit.to_owned(),
+            ..Self::of(quantity, row)
         })
     }
 
@@ -136,10 +145,7 @@ mod tests {
 
     #[test]
     fn values_are_converted() {
-        let column = |row: &'static Row, unit: &str| Column {
-            scale: scale(unit, row.unit).expect("a unit"),
-            ..Column::of(row.name.into(), row)
-        };
+        let column = |row: &'static Row, unit: &str| Column::in_unit(row.name.into(), row, unit).expect("a unit");
         let close = |a: f64, b: f64| assert!((a - b).abs() < 1e-9 * b.abs(), "{a} {b}");
         close(column(&FILM_THICKNESS_MIN, "um").value(3.5e-6), 3.5);
         close(column(&FILM_THICKNESS_MIN, "um").error(1e-7), 0.1);

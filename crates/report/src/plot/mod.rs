@@ -24,6 +24,7 @@ pub use film::DrawnFilm;
 pub(crate) use film::drawn_fields;
 pub use load::load_figures;
 pub use orbit::{orbit_figures, orbits_beside};
+pub use sample::sampled;
 pub(crate) use sample::{Finder, InTriangle};
 pub(crate) use sweep::{Cases, quantity_names};
 pub(crate) use temperature::BALANCE;

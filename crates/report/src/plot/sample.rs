@@ -113,6 +113,12 @@ impl<'a> Finder<'a> {
     }
 }
 
+/// Values of a field at points of the unrolled liner [m], by the quadratic of the triangle at each; NaN where there is no film. `None` where the film has no
+/// such field.
+pub fn sampled(film: &DrawnFilm, row: &FieldRow, points: &[[f64; 2]]) -> Option<Vec<f64>> {
+    Finder::new(film).values(row, points)
+}
+
 fn shapes([a, b, c]: [f64; 3]) -> [f64; 6] {
     [
         a * (2.0 * a - 1.0),

@@ -141,7 +141,10 @@ impl Plan {
 }
 
 /// Sets the key of an axis in a scene's document. Tables that are not there are made.
-fn put<'a>(document: &mut DeTable<'a>, axis: &Axis, value: DeValue<'a>) -> Result<(), Complaint> {
+///
+/// # Errors
+/// The axis names a feed that the scene does not have.
+pub(super) fn put<'a>(document: &mut DeTable<'a>, axis: &Axis, value: DeValue<'a>) -> Result<(), Complaint> {
     let value = Spanned::new(axis.span.clone(), value);
     match axis.path.strip_prefix("feed.") {
         None => {
