@@ -1,11 +1,10 @@
 //! The characteristics of a film for people: the sixteen numbers, the film beside the sum of its parts, and the fit.
 
-use crate::complain::printable;
 use crate::readable::{bar, quantity_value, readable_unit, significant};
-use crate::terminal::{heading, status, table};
 use oilwedge_campaign::characteristics::fit::{Domain, Fit};
 use oilwedge_campaign::characteristics::{Carried, Characteristics, JournalFacts, Number, Units};
 use oilwedge_report::characteristics::FILE;
+use oilwedge_report::tables::{heading, printable, status, table};
 use oilwedge_study::quantities::Unit;
 use std::path::Path;
 

@@ -1,9 +1,8 @@
 //! A scene or mesh that can be used, for people.
 
-use crate::complain::printable;
 use crate::readable::significant;
-use crate::terminal::{effects, heading, mesh, table};
 use oilwedge_report::check::CheckReport;
+use oilwedge_report::tables::{effects, heading, mesh, printable, table};
 
 /// Everything about a scene or mesh that can be used.
 pub(crate) fn check_report(found: &CheckReport) -> String {

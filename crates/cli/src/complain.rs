@@ -4,6 +4,7 @@ use miette::{Diagnostic, LabeledSpan, MietteHandlerOpts, NamedSource, Report, So
 use oilwedge_campaign::sweep::Part;
 use oilwedge_report::Error;
 use oilwedge_report::sweep::SweepError;
+use oilwedge_report::tables::printable;
 use oilwedge_scene::{Complaint, SceneError};
 use oilwedge_study::compile_error::CompileError;
 use oilwedge_verification::SuiteError;
@@ -236,19 +237,6 @@ fn can_be_shown(text: &str, span: &Range<usize>) -> bool {
     let start = before.rfind('\n').map_or(0, |place| place + 1);
     let end = span.end + after.find('\n').unwrap_or(after.len());
     text[start..end].lines().all(|line| line.len() <= LINE_LIMIT)
-}
-
-/// Without control characters, which could steer the terminal.
-pub(crate) fn printable(text: &str) -> String {
-    text.chars()
-        .map(|letter| {
-            if letter.is_control() && letter != '\n' {
-                '\u{fffd}'
-            } else {
-                letter
-            }
-        })
-        .collect()
 }
 
 impl std::fmt::Display for Drawn {

@@ -1,11 +1,12 @@
 //! `oilwedge diff`: what differs between two scenes or results.
 
-use crate::complain::{Failure, printable};
+use crate::complain::Failure;
 use crate::readable::significant;
-use crate::terminal::{output, table};
+use crate::terminal::output;
 use oilwedge_report::difference::{Changed, ChangedQuantity, Difference, of_results};
 use oilwedge_report::readable::readable_unit_of;
 use oilwedge_report::results::RESULT_FILE;
+use oilwedge_report::tables::{printable, table};
 use oilwedge_report::{json, result_json};
 use oilwedge_study::RunOptions;
 use serde_json::Value;

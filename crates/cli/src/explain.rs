@@ -48,22 +48,10 @@ impl Explain {
             })?,
         };
         let text = || match self.all {
-            true => meant.iter().map(line).collect(),
-            false => meant.iter().map(whole).collect::<Vec<_>>().join("\n"),
+            true => meant.iter().map(Entry::line).collect(),
+            false => meant.iter().map(Entry::in_words).collect::<Vec<_>>().join("\n"),
         };
         output(self.json, || json(&meant), text, None)?;
         Ok(ExitCode::SUCCESS)
     }
-}
-
-fn line(entry: &Entry) -> String {
-    format!("{:8}  {:34}  {}\n", entry.kind, entry.name, entry.what)
-}
-
-fn whole(entry: &Entry) -> String {
-    let mut text = format!("{} ({})\n  {}\n", entry.name, entry.kind, entry.what);
-    for (name, column) in &entry.columns {
-        text += &format!("  {name:10}  {column}\n");
-    }
-    text
 }

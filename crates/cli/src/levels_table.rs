@@ -1,9 +1,8 @@
 //! A convergence study for people: a table of levels for each strategy, and the cost of accuracies.
 
-use crate::complain::printable;
 use crate::readable::{readable_unit, significant};
-use crate::terminal::{effects, heading, status, table, time};
 use oilwedge_campaign::convergence::{ConvergenceReport, Course, LevelReport, Measure, Price, TIME_PARTS};
+use oilwedge_report::tables::{effects, heading, printable, status, table, time};
 use oilwedge_study::quantities::{self, Unit};
 use std::path::Path;
 

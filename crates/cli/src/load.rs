@@ -1,15 +1,16 @@
 //! `oilwedge load`: the load of a journal over a cycle, alone.
 
-use crate::complain::{Failure, printable};
+use crate::complain::Failure;
 use crate::plot;
 use crate::readable::significant;
 use crate::run_options::folder;
-use crate::terminal::{output, table};
+use crate::terminal::output;
 use oilwedge_drawing::PAGE_WIDTH;
 use oilwedge_report::folder::replace;
 use oilwedge_report::json;
 use oilwedge_report::load_sheet::{LoadAt, LoadSheet};
 use oilwedge_report::plot::load_figures;
+use oilwedge_report::tables::{printable, table};
 use oilwedge_scene::wording::{degrees, percent};
 use oilwedge_study::duty::duty_cycle;
 use std::f64::consts::PI;

@@ -3,7 +3,6 @@
 //! Exit status: 0 done; 1 the problem has no solution or was not converged, or stdout failed after the results were written; 2 bad scene, mesh or arguments, and then
 //! nothing was written; 130 interrupted. Results for people and `--json` go to stdout, everything else to stderr.
 
-mod add_ons;
 mod characteristics;
 mod characteristics_report;
 mod check;
@@ -11,7 +10,6 @@ mod check_report;
 mod complain;
 mod converge;
 mod diff;
-mod dynamics;
 mod explain;
 mod interrupt;
 mod levels_table;
@@ -21,19 +19,14 @@ mod new;
 mod oil;
 mod plot;
 mod progress;
-mod quantities;
 mod readable;
 mod report;
 mod run_options;
-mod run_report;
 mod schema;
 mod shell;
-mod shown;
 mod solve;
 mod sweep;
-mod temperature;
 mod terminal;
-mod verdict;
 mod verify;
 
 use clap::{CommandFactory, Parser, Subcommand};

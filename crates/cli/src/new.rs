@@ -3,6 +3,7 @@
 use crate::complain::Failure;
 use crate::terminal::print;
 use clap::builder::{PossibleValue, PossibleValuesParser};
+use oilwedge_report::kinds::{KINDS, kind};
 use oilwedge_report::{json, schema};
 use serde_json::Value;
 use std::fs::OpenOptions;
@@ -22,16 +23,6 @@ pub(crate) struct New {
     #[arg(long, value_parser = kinds(), default_value = KINDS[0].0)]
     kind: String,
 }
-
-/// Kinds of scenes by name, without the line that names their schema. The first sentence of each says what it describes.
-const KINDS: [(&str, &str); 6] = [
-    ("plain", include_str!("new/plain.toml")),
-    ("hole", include_str!("new/hole.toml")),
-    ("groove", include_str!("new/groove.toml")),
-    ("engine-main", include_str!("new/engine_main.toml")),
-    ("heat", include_str!("new/heat.toml")),
-    ("pad", include_str!("new/pad.toml")),
-];
 
 const EXAMPLES: &str = "\
 Examples:
@@ -81,11 +72,7 @@ impl New {
                 schema.display()
             )));
         }
-        let own: String = KINDS
-            .iter()
-            .filter(|(name, _)| *name == self.kind)
-            .map(|(_, text)| *text)
-            .collect();
+        let own = kind(&self.kind).unwrap_or_default();
         let text = format!("#:schema ./{SCHEMA_FILE}\n{own}");
         let file = OpenOptions::new().write(true).create_new(true).open(path);
         let written = file.and_then(|mut file| file.write_all(text.as_bytes()));
@@ -123,23 +110,4 @@ fn cannot(path: &Path, error: &std::io::Error) -> Failure {
         "cannot write {}: {error}; give a file in a folder that can be written to",
         path.display()
     ))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use oilwedge_scene::Scene;
-
-    #[test]
-    fn every_kind_is_a_scene_with_comments() {
-        for (kind, text) in KINDS {
-            let scene = Scene::parse(text, Path::new("scene.toml"), &[]);
-            assert!(scene.is_ok(), "{kind}: {}", scene.map(|_| ()).unwrap_err());
-            let explained = text
-                .lines()
-                .filter(|line| line.contains(" = ") && !line.starts_with('#'));
-            assert!(explained.clone().all(|line| line.contains("# ")), "{kind}: {text}");
-            assert!(explained.count() > 6, "{kind}");
-        }
-    }
 }

@@ -2,9 +2,10 @@
 
 use crate::complain::Failure;
 use crate::readable::significant;
-use crate::terminal::{output, print, table};
+use crate::terminal::{output, print};
 use oilwedge_report::json;
 use oilwedge_report::oil_sheet::{GRADES, NoSheet, OilSheet};
+use oilwedge_report::tables::table;
 use oilwedge_scene::unit::{self, Dimension};
 use std::process::ExitCode;
 

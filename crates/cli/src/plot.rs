@@ -16,6 +16,7 @@ use oilwedge_report::plot::{
 use oilwedge_report::result_json;
 use oilwedge_report::results::{Beside, ORBIT_FILE, PICTURE_FILE, RESULT_FILE, write_results};
 use oilwedge_report::sweep::REPORT_FILE;
+use oilwedge_report::tables::printable;
 use oilwedge_report::vtu::{Compression, to_vtu};
 use oilwedge_report::vtu_read::from_vtu;
 use oilwedge_scene::unit::{self, Dimension};
@@ -190,7 +191,7 @@ impl Plot {
         complain::warn(&run.result.warnings);
         let mut text = written(&folder, &figures)?;
         if let Some(reason) = &run.result.reason {
-            text += &format!("{}\n", complain::printable(reason));
+            text += &format!("{}\n", printable(reason));
         }
         print(&text, Some(&folder))?;
         Ok(exit_code(run.result.status))

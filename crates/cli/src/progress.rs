@@ -2,10 +2,10 @@
 
 use crate::complain::say;
 use crate::readable::{bar, readable_unit, significant};
-use crate::terminal::{duration, time};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use oilwedge_campaign::convergence::{LevelReport, Observer, Strategy};
 use oilwedge_report::sweep::Progress as Cases;
+use oilwedge_report::tables::{duration, time};
 use oilwedge_study::{OrbitObserver, Reached, RunObserver, SearchObserver};
 use std::io::IsTerminal;
 use std::sync::Mutex;

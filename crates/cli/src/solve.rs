@@ -6,8 +6,6 @@ use crate::plot;
 use crate::progress::Progress;
 use crate::report::PageArguments;
 use crate::run_options::RunArguments;
-use crate::run_report::{Written, run_report};
-use crate::shown::Shown;
 use crate::terminal::{exit_code, output};
 use oilwedge_campaign::{effect_costs, mobility, standard, theories};
 use oilwedge_report::frames::{COLLECTION_FILE, write_frames};
@@ -17,6 +15,7 @@ use oilwedge_report::page::film_page;
 use oilwedge_report::plot::orbit_figures;
 use oilwedge_report::result_json;
 use oilwedge_report::results::{Beside, earlier_orbit, write_results};
+use oilwedge_report::tables::{Shown, Written, run_report};
 use oilwedge_report::vtu::{Compression, to_vtu};
 use oilwedge_scene::Scene;
 use oilwedge_study::orbit::{Frame, no_map};
@@ -213,7 +212,7 @@ impl Solve {
         output(
             self.run.json,
             || Ok(json),
-            || run_report(&run.result, self.shown(), &add_ons, written),
+            || run_report(&run.result, self.shown(), &add_ons, Some(written)),
             Some(&folder),
         )?;
         Ok(exit_code(run.result.status))

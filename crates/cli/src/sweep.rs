@@ -1,21 +1,17 @@
 //! `oilwedge sweep`: one scene for many values of its keys, to a table.
 
-use crate::complain::{Failure, printable, warn};
+use crate::complain::{Failure, warn};
 use crate::interrupt;
 use crate::plot;
 use crate::progress::Progress;
-use crate::readable::{readable_unit, significant};
 use crate::report::PageArguments;
 use crate::run_options::RunArguments;
-use crate::terminal::{counted, duration, effects, heading, output, table, time};
+use crate::terminal::output;
 use oilwedge_campaign::sweep::{Forecast, Part, Sweep as Cases};
 use oilwedge_report::json;
 use oilwedge_report::page::sweep_page;
-use oilwedge_report::sweep::{
-    LIMITS, Notice, REASON, ROTOR_FILE, Row, SweepError, SweepOptions, SweepReport, WARNINGS, part_folder,
-};
-use oilwedge_study::column::Column;
-use oilwedge_study::result::headlines;
+use oilwedge_report::sweep::{Notice, SweepError, SweepOptions, SweepReport, part_folder};
+use oilwedge_report::tables::{counted, duration, sweep_report};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -110,7 +106,7 @@ impl Sweep {
         output(
             self.run.json,
             || json(&report),
-            || sweep_report(&report, &written) + &drawn,
+            || sweep_report(&report, Some(&written)) + &drawn,
             Some(&written),
         )?;
         // A part is a job among others: whether the sweep has an answer is known when they are joined.
@@ -179,148 +175,3 @@ fn words(forecast: &Forecast) -> String {
         counted(forecast.threads, "thread")
     )
 }
-
-/// How many cases have each code.
-fn tally(report: &SweepReport, column: &str) -> String {
-    let entries = report.tally(column);
-    let entries = entries
-        .iter()
-        .map(|(entry, count)| format!("{}: {}", printable(entry), counted(*count, "case")));
-    match entries.collect::<Vec<_>>() {
-        none if none.is_empty() => "none".to_owned(),
-        some => some.join("; "),
-    }
-}
-
-/// Rows that are shown; of more the first and the last.
-const SHOWN: usize = 24;
-/// Digits of a number without a bar.
-const DIGITS: usize = 5;
-
-/// The main numbers of a sweep, for people.
-fn sweep_report(report: &SweepReport, folder: &Path) -> String {
-    let cases = report.rows.len();
-    let counts = [
-        ("converged", "converged"),
-        ("no_solution", "without a solution"),
-        ("not_converged", "not converged"),
-        ("bad_scene", "that do not fit their mesh"),
-    ];
-    let counts = counts.map(|(status, words)| (report.count(status), words));
-    let counts = (counts.iter()).filter(|(count, _)| *count > 0);
-    let counts = counts.map(|(count, words)| format!("{count} {words}"));
-    let part = report.identity.part.map(|part| format!("part {part}"));
-    let status: Vec<String> = (part.into_iter())
-        .chain([counted(cases, "case")])
-        .chain(counts)
-        .collect();
-    let mut parts = vec![
-        heading(&report.identity.title, &status.join(", ")),
-        effects(&report.effects),
-        rows(report),
-    ];
-    let own = cases - report.kept;
-    let mut lines = Vec::new();
-    if report.kept > 0 {
-        lines.push(format!("kept      {} cases of an earlier run", report.kept));
-    }
-    let each = report.seconds / own.max(1) as f64;
-    lines.push(match own {
-        0 => format!("time      {}: nothing was left to compute", time(report.seconds)),
-        _ => format!("time      {}: {} a case", time(report.seconds), time(each)),
-    });
-    let rotor = if report.has_rotor_table {
-        format!(", {ROTOR_FILE}")
-    } else {
-        String::new()
-    };
-    lines.push(format!("written   {}: sweep.csv, sweep.json{rotor}", folder.display()));
-    lines.push(format!("warnings  {}", tally(report, WARNINGS)));
-    lines.push(format!("limits    {}", tally(report, LIMITS)));
-    parts.push(lines.join("\n"));
-    parts.join("\n\n") + "\n"
-}
-
-/// A column of numbers that is shown: the quantity by its place among those of the report, its heading, the size of its unit.
-struct Shown {
-    place: usize,
-    heading: String,
-    size: f64,
-}
-
-/// The columns that the scene asks for, in their units; else the headlines, in units that suit them.
-fn shown(report: &SweepReport) -> Vec<Shown> {
-    let all: Vec<(usize, &Column)> = report.columns.quantities.iter().enumerate().collect();
-    if report.plan.columns.is_some() {
-        let column = |&(place, column): &(usize, &Column)| Shown {
-            place,
-            heading: printable(&headed(&column.name, &column.unit)),
-            size: 1.0,
-        };
-        return all.iter().map(column).collect();
-    }
-    let column = |&(place, column): &(usize, &Column)| {
-        let values = report.rows.iter().filter_map(|row| report.value(row, place));
-        let (unit, size) = readable_unit(values.map(f64::abs).fold(0.0, f64::max), column.row.unit);
-        Shown {
-            place,
-            heading: headed(column.row.symbol, unit),
-            size,
-        }
-    };
-    let headlines = headlines(&all, |(_, column)| column.row, &report.effects);
-    headlines.into_iter().map(column).collect()
-}
-
-fn headed(name: &str, unit: &str) -> String {
-    match unit {
-        "" | "1" => name.to_owned(),
-        unit => format!("{name} [{unit}]"),
-    }
-}
-
-fn rows(report: &SweepReport) -> String {
-    let columns = shown(report);
-    let inputs = report.columns.inputs.iter().map(|input| printable(input));
-    let headings = columns.iter().map(|column| column.heading.clone());
-    let first = ["case".to_owned()].into_iter().chain(inputs);
-    let mut table = table(
-        first.chain(headings).chain([WARNINGS.to_owned()]),
-        0..1 + report.columns.inputs.len() + columns.len(),
-    );
-    let inputs = report.columns.inputs.len();
-    let mut add = |row: &Row| {
-        let mut cells: Vec<String> = row[..=inputs].iter().map(|cell| printable(cell)).collect();
-        let numbers = columns.iter().map(|column| {
-            let value = report.value(row, column.place);
-            value.map_or("-".to_owned(), |value| significant(value / column.size, DIGITS))
-        });
-        cells.extend(numbers);
-        cells.push(report.columns.tail(row, WARNINGS).to_owned());
-        table.add_row(cells);
-    };
-    let cut = report.rows.len() > SHOWN;
-    let (first, last) = match cut {
-        true => (&report.rows[..SHOWN / 2], &report.rows[report.rows.len() - SHOWN / 2..]),
-        false => (&report.rows[..], &report.rows[..0]),
-    };
-    first.iter().for_each(&mut add);
-    last.iter().for_each(&mut add);
-    let mut text = table.to_string();
-    if cut {
-        text += &format!(
-            "\nthe first and the last {} of {} cases; all are in sweep.csv",
-            SHOWN / 2,
-            report.rows.len()
-        );
-    }
-    let reason = |row| report.columns.tail(row, REASON);
-    let reasons = report.rows.iter().filter(|row| !reason(row).is_empty());
-    for row in reasons.take(REASONS) {
-        text += &format!("\ncase {}: {}", row[0], printable(reason(row)));
-    }
-    text
-}
-
-/// Reasons that are shown.
-const REASONS: usize = 3;

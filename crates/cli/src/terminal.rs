@@ -1,12 +1,8 @@
-//! What goes to stdout, and the pieces of tables for people.
+//! What goes to stdout, and how a run exits.
 
-use crate::complain::{Failure, printable};
-use crate::readable::significant;
-use comfy_table::{Cell, CellAlignment, ContentArrangement, Table, presets};
-use oilwedge_study::effects::Effects;
-use oilwedge_study::result::{MeshFacts, Status};
+use crate::complain::Failure;
+use oilwedge_study::result::Status;
 use std::io::{ErrorKind, Write};
-use std::ops::Range;
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -47,105 +43,5 @@ pub(crate) fn exit_code(status: Status) -> ExitCode {
     match status {
         Status::Converged => ExitCode::SUCCESS,
         Status::NoSolution | Status::NotConverged => ExitCode::from(1),
-    }
-}
-
-/// Title and status.
-pub(crate) fn heading(title: &str, status: &str) -> String {
-    format!("{}: {status}", printable(title))
-}
-
-/// A status in words.
-pub(crate) fn status(status: Status) -> &'static str {
-    match status {
-        Status::Converged => "converged",
-        Status::NoSolution => "there is no solution",
-        Status::NotConverged => "not converged",
-    }
-}
-
-/// Size and quality of a mesh.
-pub(crate) fn mesh(mesh: &MeshFacts) -> String {
-    format!(
-        "{} triangles, {} nodes for a pressure of degree {}, smallest angle {} deg",
-        mesh.cells,
-        mesh.nodes,
-        mesh.order,
-        significant(mesh.min_angle_deg, 3)
-    )
-}
-
-/// What is simulated, a line each, and what is not.
-pub(crate) fn effects(effects: &Effects) -> String {
-    let width = effects
-        .simulated
-        .iter()
-        .map(|effect| effect.name.len())
-        .max()
-        .unwrap_or(0);
-    let lines = effects
-        .simulated
-        .iter()
-        .map(|effect| format!("{:width$}  {}", effect.name, effect.sentence));
-    let simulated: Vec<_> = lines.collect();
-    format!(
-        "simulated      {}\nnot simulated  {}",
-        simulated.join("\n               "),
-        effects.not_simulated.join(", ")
-    )
-}
-
-/// An empty table with this header; the columns `numbers` are aligned to the right.
-pub(crate) fn table(header: impl IntoIterator<Item = impl Into<Cell>>, numbers: Range<usize>) -> Table {
-    let mut table = Table::new();
-    table
-        .load_style(presets::UTF8_FULL_CONDENSED)
-        .set_content_arrangement(ContentArrangement::Dynamic);
-    table.set_header(header.into_iter().map(Into::into).collect::<Vec<Cell>>());
-    for column in numbers.start..numbers.end.min(table.column_count()) {
-        if let Some(column) = table.column_mut(column) {
-            column.set_cell_alignment(CellAlignment::Right);
-        }
-    }
-    table
-}
-
-/// Seconds, or milliseconds where they are few.
-pub(crate) fn time(seconds: f64) -> String {
-    match seconds < 1.0 {
-        true => format!("{} ms", significant(1e3 * seconds, 3)),
-        false => format!("{} s", significant(seconds, 3)),
-    }
-}
-
-/// A number of things: `1 case`, `2 cases`.
-pub(crate) fn counted(count: usize, what: &str) -> String {
-    match count {
-        1 => format!("1 {what}"),
-        count => format!("{count} {what}s"),
-    }
-}
-
-/// Seconds that are only estimated: `12 s`, `4 min`, `3.5 h`.
-pub(crate) fn duration(seconds: f64) -> String {
-    match seconds {
-        short if short < 1.0 => "1 s".to_owned(),
-        short if short < 100.0 => format!("{short:.0} s"),
-        middle if middle < 6000.0 => format!("{:.0} min", middle / 60.0),
-        long => format!("{:.1} h", long / 3600.0),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn estimated_times_are_short() {
-        assert_eq!(
-            [0.2, 42.4, 700.0, 12_600.0].map(duration),
-            ["1 s", "42 s", "12 min", "3.5 h"]
-        );
-        assert_eq!([counted(1, "case"), counted(0, "case")], ["1 case", "0 cases"]);
     }
 }

@@ -3,10 +3,11 @@
 use crate::complain::Failure;
 use crate::progress::Progress;
 use crate::readable::significant;
-use crate::terminal::{heading, print, table, time};
+use crate::terminal::print;
 use oilwedge_report::folder;
 use oilwedge_report::plot::to_png;
 use oilwedge_report::sweep::Progress as Cases;
+use oilwedge_report::tables::{heading, table, time};
 use oilwedge_verification::cases::KNOWN_VALUES;
 use oilwedge_verification::map::{CELLS, unexplained};
 use oilwedge_verification::map_picture::{CellMap, cells_to_svg};

@@ -59,6 +59,20 @@ impl Entry {
         }
     }
 
+    /// Its kind, name and sentence, in a line.
+    pub fn line(&self) -> String {
+        format!("{:8}  {:34}  {}\n", self.kind, self.name, self.what)
+    }
+
+    /// All of it, in lines.
+    pub fn in_words(&self) -> String {
+        let mut text = format!("{} ({})\n  {}\n", self.name, self.kind, self.what);
+        for (name, column) in &self.columns {
+            text += &format!("  {name:10}  {column}\n");
+        }
+        text
+    }
+
     /// Whether it is meant by `name`: its whole name, the last part of it, as `clearance` of `bearing.clearance` or `jfo` of `cavitation: jfo`, or its
     /// symbol.
     fn is_meant_by(&self, name: &str) -> bool {

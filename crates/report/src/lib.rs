@@ -1,6 +1,6 @@
 //! Results out: JSON, CSV, VTU, pictures, the HTML page, and folders that are whole after a kill.
 //!
-//! Reading order: [`mod@json`], [`folder`], [`results`] (the folder of a run), [`sweep`], [`convergence`], [`vtu`], [`plot`], [`page`], [`mod@check`].
+//! Reading order: [`mod@json`], [`folder`], [`results`] (the folder of a run), [`sweep`], [`convergence`], [`vtu`], [`plot`], [`page`], [`tables`], [`mod@check`].
 
 pub mod catalogue;
 pub mod characteristics;
@@ -12,6 +12,7 @@ mod error;
 pub mod folder;
 pub mod frames;
 pub mod json;
+pub mod kinds;
 pub mod load_sheet;
 pub mod oil_sheet;
 pub mod orbit_course;
@@ -23,6 +24,7 @@ pub mod results;
 pub mod schema;
 mod sketch;
 pub mod sweep;
+pub mod tables;
 pub mod vtu;
 pub mod vtu_read;
 

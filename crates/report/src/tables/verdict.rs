@@ -1,6 +1,6 @@
 //! The last line of a run: how it ended, what the film is fit for, and how many warnings there are.
 
-use crate::terminal::{counted, status};
+use super::pieces::{counted, status};
 use oilwedge_study::result::{Criterion, RunResult, Status};
 
 /// Status, verdict of the design criteria where there are any, number of warnings.
@@ -38,7 +38,7 @@ fn fitness(result: &RunResult) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::run_report::tests::result;
+    use crate::tables::run::tests::result;
     use oilwedge_study::result::{LevelFacts, TemperatureReport};
     use oilwedge_study::warning::TURBULENT;
 

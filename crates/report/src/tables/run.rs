@@ -1,13 +1,14 @@
 //! A run for people: the main numbers first, what was simulated, the balances and the time, and last the verdict.
 
-use crate::add_ons::add_on;
-use crate::dynamics;
-use crate::quantities::{bars, quantities};
-use crate::readable::{readable_unit, significant};
-use crate::shown::Shown;
-use crate::temperature;
-use crate::terminal::{effects, heading, mesh, status, time};
-use crate::verdict::verdict;
+use super::add_ons::add_on;
+use super::dynamics;
+use super::pieces::{effects, heading, mesh, status, time};
+use super::quantities::{bars, quantities};
+use super::shown::Shown;
+use super::temperature;
+use super::verdict::verdict;
+use crate::digits::significant;
+use crate::readable::readable_unit;
 use oilwedge_campaign::AddOn;
 use oilwedge_study::orbit::OrbitFacts;
 use oilwedge_study::quantities::{CAVITY_FLOW, CAVITY_SHARE, Quantity, Table};
@@ -16,17 +17,30 @@ use std::path::Path;
 
 /// What a run has written.
 #[derive(Clone, Copy)]
-pub(crate) struct Written<'a> {
+pub struct Written<'a> {
     /// The folder of the results.
-    pub(crate) folder: &'a Path,
+    pub folder: &'a Path,
     /// Whether there are fields.
-    pub(crate) has_fields: bool,
+    pub has_fields: bool,
     /// The line about pictures; empty where none were drawn.
-    pub(crate) pictures: &'a str,
+    pub pictures: &'a str,
 }
 
-/// Everything about a run: the main numbers, what was simulated, the balances, where the time went, and last the verdict.
-pub(crate) fn run_report(result: &RunResult, shown: Shown, add_ons: &[AddOn], written: Written) -> String {
+impl Written<'_> {
+    /// The files and where they are.
+    fn lines(self, result: &RunResult) -> Vec<String> {
+        let mut files = vec!["result.json"];
+        files.extend(self.has_fields.then_some("film.vtu"));
+        files.extend(result.orbit.is_some().then_some("orbit.csv"));
+        files.extend(temperature::files(result));
+        let written = format!("written   {}: {}", self.folder.display(), files.join(", "));
+        let pictures = self.pictures.lines().map(str::to_owned);
+        std::iter::once(written).chain(pictures).collect()
+    }
+}
+
+/// Everything about a run: the main numbers, what was simulated, the balances, where the time went, what was written if anything was, and last the verdict.
+pub fn run_report(result: &RunResult, shown: Shown, add_ons: &[AddOn], written: Option<Written>) -> String {
     let mut parts = vec![heading(&result.title, status(result.status))];
     if let Some(reason) = &result.reason {
         parts.push(format!("reason: {reason}"));
@@ -46,14 +60,10 @@ pub(crate) fn run_report(result: &RunResult, shown: Shown, add_ons: &[AddOn], wr
     lines.push(format!("mesh      {}", mesh(&result.mesh)));
     lines.extend(work(result.counts, result.linear_solver));
     lines.push(format!("time      {}", timing(&result.timing_s)));
-    let mut files = vec!["result.json"];
-    files.extend(written.has_fields.then_some("film.vtu"));
-    files.extend(result.orbit.is_some().then_some("orbit.csv"));
-    files.extend(temperature::files(result));
-    let folder = written.folder.display();
-    lines.push(format!("written   {folder}: {}", files.join(", ")));
-    lines.extend(written.pictures.lines().map(str::to_owned));
-    lines.extend(left_out(result, shown));
+    if let Some(written) = written {
+        lines.extend(written.lines(result));
+        lines.extend(left_out(result, shown));
+    }
     lines.push(verdict(result));
     parts.push(lines.join("\n"));
     parts.join("\n\n") + "\n"
@@ -281,7 +291,7 @@ pub(crate) mod tests {
 
     #[test]
     fn a_run_is_shown_in_readable_units() {
-        let text = run_report(&result(), Shown::Headlines, &[], written());
+        let text = run_report(&result(), Shown::Headlines, &[], Some(written()));
         let parts = [
             "Hole-fed shell: converged",
             "not simulated",
@@ -305,7 +315,7 @@ pub(crate) mod tests {
     fn the_rest_is_shown_when_asked_for_and_the_verdict_is_last() {
         let mut result = result();
         result.quantities.push(Quantity::new(&LOAD_X, 12.0));
-        let [short, all] = [Shown::Headlines, Shown::All].map(|shown| run_report(&result, shown, &[], written()));
+        let [short, all] = [Shown::Headlines, Shown::All].map(|shown| run_report(&result, shown, &[], Some(written())));
         assert!(
             !short.contains("load_x") && short.contains("--all shows all 3 quantities"),
             "{short}"
@@ -326,24 +336,24 @@ pub(crate) mod tests {
         result.counts.nonlinear_iterations = 12;
         for (levels, words) in [(1, "1 coarser mesh"), (3, "3 coarser meshes")] {
             result.counts.levels = levels;
-            let text = run_report(&result, Shown::Headlines, &[], written());
+            let text = run_report(&result, Shown::Headlines, &[], Some(written()));
             let work = format!("12 nonlinear iterations, started from {words}\n");
             assert!(
                 text.contains(&work) && text.contains("cavity    42 % of the film\n"),
                 "{text}"
             );
         }
-        assert!(!run_report(&self::result(), Shown::Headlines, &[], written()).contains("cavity "));
+        assert!(!run_report(&self::result(), Shown::Headlines, &[], Some(written())).contains("cavity "));
     }
 
     #[test]
     fn the_joint_of_a_cap_has_a_table_of_its_own() {
         let mut result = result();
         result.quantities.insert(1, Quantity::new(&BOLT_TORQUE, 55.6));
-        let text = run_report(&result, Shown::Headlines, &[], written());
+        let text = run_report(&result, Shown::Headlines, &[], Some(written()));
         let place = |part: &str| text.find(part).unwrap_or_else(|| panic!("no {part} in\n{text}"));
         assert!(place("attitude_angle") < place("joint of the cap\n") && place("joint of the cap") < place("55.6000"));
-        assert!(!run_report(&self::result(), Shown::Headlines, &[], written()).contains("cap"));
+        assert!(!run_report(&self::result(), Shown::Headlines, &[], Some(written())).contains("cap"));
     }
 
     #[test]
@@ -356,10 +366,10 @@ pub(crate) mod tests {
             &result,
             Shown::Headlines,
             &[],
-            Written {
+            Some(Written {
                 has_fields: false,
                 ..written()
-            },
+            }),
         );
         assert!(
             text.contains("there is no solution") && text.contains("reason: no steady film"),
@@ -374,7 +384,7 @@ pub(crate) mod tests {
         result.title = "a\u{1b}[31m".into();
         result.quantities = vec![Quantity::new(&SIDE_FLOW, -7e-22)];
         result.counts = Counts::default();
-        let text = run_report(&result, Shown::Headlines, &[], written());
+        let text = run_report(&result, Shown::Headlines, &[], Some(written()));
         assert!(text.contains("\u{2506}     0 \u{2506} ml/s"), "{text}");
         assert!(!text.contains('\u{1b}') && !text.contains("work"), "{text}");
     }

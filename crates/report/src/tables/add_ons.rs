@@ -1,8 +1,8 @@
 //! What stands beside a result, for people: one table for every add-on.
 
-use crate::complain::printable;
-use crate::readable::{bar, quantity_value, readable_unit, significant};
-use crate::terminal::{table, time};
+use super::pieces::{printable, table, time};
+use crate::digits::{bar, quantity_value, significant};
+use crate::readable::readable_unit;
 use oilwedge_campaign::{AddOn, Comparison, Estimate};
 use oilwedge_study::quantities::{Quantity, Unit};
 

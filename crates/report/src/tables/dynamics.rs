@@ -1,9 +1,10 @@
 //! Stiffness and damping for people: small tables of two frames, and the stability of a rigid rotor.
 
-use crate::quantities::quantities;
-use crate::readable::{readable_unit, significant};
-use crate::shown::Shown;
-use crate::terminal::table;
+use super::pieces::table;
+use super::quantities::quantities;
+use super::shown::Shown;
+use crate::digits::significant;
+use crate::readable::readable_unit;
 use oilwedge_study::quantities::{CRITICAL_MASS, LOGARITHMIC_DECREMENT, Quantity, Table, WHIRL_RATIO};
 use oilwedge_study::result::{CoefficientReport, DynamicsReport, Pair, RunResult, Stable};
 

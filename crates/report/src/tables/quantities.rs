@@ -1,8 +1,8 @@
 //! The table of quantities with their error bars, and what the bars are made of.
 
-use crate::complain::printable;
-use crate::readable::{bar, quantity_value, readable_unit};
-use crate::terminal::{table, time};
+use super::pieces::{printable, table, time};
+use crate::digits::{bar, quantity_value};
+use crate::readable::readable_unit;
 use oilwedge_study::effects::Socket;
 use oilwedge_study::quantities::{CYCLE_FILM_THICKNESS_MIN, ECCENTRICITY, LOAD, Quantity};
 use oilwedge_study::result::{LevelFacts, Refinement, RunResult};
@@ -88,9 +88,9 @@ fn in_unit_of(main: &Quantity, error: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::run_report::run_report;
-    use crate::run_report::tests::{result, written};
-    use crate::shown::Shown;
+    use crate::tables::run::run_report;
+    use crate::tables::run::tests::{result, written};
+    use crate::tables::shown::Shown;
     use oilwedge_study::effects::EFFECTS;
     use oilwedge_study::quantities::Bar;
 
@@ -139,7 +139,7 @@ mod tests {
             level(9000, Refinement::Uniform, 8.0, 0.05),
             level(12_000, Refinement::Local, 1.0, 1.2),
         ];
-        let text = run_report(&result, Shown::Headlines, &[], written());
+        let text = run_report(&result, Shown::Headlines, &[], Some(written()));
         let wanted = "\
 bar       of the load, ± 1 N: triangles 0.9 N, edge of the cavity 0.1 N
 levels    2000 unknowns, W ± 36 N, 15.0 ms (first mesh)
@@ -152,12 +152,12 @@ balance";
             .copied()
             .filter(|effect| effect.socket == Socket::Position);
         result.effects.simulated.extend(position);
-        assert!(!run_report(&result, Shown::Headlines, &[], written()).contains("bar  "));
+        assert!(!run_report(&result, Shown::Headlines, &[], Some(written())).contains("bar  "));
         result.quantities[2].bar = Some(Bar {
             position: 2e-5,
             ..Bar::default()
         });
-        let text = run_report(&result, Shown::Headlines, &[], written());
+        let text = run_report(&result, Shown::Headlines, &[], Some(written()));
         let wanted = "bar       of the eccentricity, ± 2e-5: position under the load 2e-5\n";
         assert!(text.contains(wanted), "{text}");
     }

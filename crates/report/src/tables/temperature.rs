@@ -1,10 +1,10 @@
 //! The balance of heat for people: two curves as a table, and the design criteria.
 
-use crate::quantities::quantities;
-use crate::readable::significant;
-use crate::shown::Shown;
-use crate::terminal::table;
-use oilwedge_report::plot::TEMPERATURE_FILES;
+use super::pieces::table;
+use super::quantities::quantities;
+use super::shown::Shown;
+use crate::digits::significant;
+use crate::plot::TEMPERATURE_FILES;
 use oilwedge_study::quantities::{ECCENTRICITY, Quantity, TEMPERATURE_EFFECTIVE, Table};
 use oilwedge_study::result::{Balances, Criterion, RunResult, TemperatureReport};
 

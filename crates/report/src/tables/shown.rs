@@ -2,7 +2,7 @@
 
 /// Which quantities a report shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Shown {
+pub enum Shown {
     /// Headlines, and the joint of a cap.
     Headlines,
     /// All.

@@ -1,0 +1,18 @@
+//! Results as tables and lines for people, as the command line prints them and Python shows them.
+//!
+//! Reading order: `pieces.rs` (headings, tables, times), `run.rs` (a whole run), `quantities.rs`, `verdict.rs`, `temperature.rs`, `dynamics.rs`, `add_ons.rs`; `sweep.rs`.
+
+mod add_ons;
+mod dynamics;
+mod pieces;
+mod quantities;
+mod run;
+mod shown;
+mod sweep;
+mod temperature;
+mod verdict;
+
+pub use pieces::{counted, duration, effects, heading, mesh, printable, status, table, time};
+pub use run::{Written, run_report};
+pub use shown::Shown;
+pub use sweep::sweep_report;
