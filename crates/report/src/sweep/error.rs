@@ -115,6 +115,9 @@ pub enum SweepError {
         /// Number of the first wrong case, from 1.
         case: usize,
     },
+    /// Rows that were given are not those of the sweep.
+    #[error("the rows are not those of this sweep, each case once and in its order")]
+    NotItsRows,
 }
 
 /// The parts that are not there and those that have not ended, as `3, 7-9 are missing, and 5 has not ended`.

@@ -11,6 +11,7 @@ mod rotor_table;
 mod table;
 
 use std::cell::RefCell;
+use std::collections::BTreeMap;
 use std::ffi::OsStr;
 use std::path::Path;
 use std::time::Instant;
@@ -30,8 +31,9 @@ pub(crate) use table::to_csv;
 pub use table::{Columns, LIMITS, REASON, Row, SECONDS, UNKNOWNS, WARNINGS};
 
 use crate::{Error, folder};
-use files::{Table, finish};
+use files::{Table, case_of, finish};
 use parts::rows_of_parts;
+use table::whole_rows;
 
 /// How a sweep is run.
 #[derive(Debug, Clone, Copy, Default)]
@@ -81,7 +83,8 @@ pub fn run(
         None => (dir.to_path_buf(), 0..sweep.scenes.len()),
         Some(part) => (part_folder(dir, part), sweep.cases_of(part)),
     };
-    let mut report = begun(sweep, options, &dir)?;
+    check(&dir)?;
+    let mut report = begun(sweep, options)?;
     let (mut table, rows) = Table::open(&dir, &report, options.fresh)?;
     report.kept = rows.len();
     let mut now = Progress {
@@ -126,7 +129,8 @@ pub fn run(
 /// A part is missing, has not ended, or is one of another sweep; another sweep stands in the folder, or it cannot be written.
 pub fn join(sweep: &Sweep, options: &SweepOptions, parts: &Path, dir: &Path) -> Result<SweepReport, SweepError> {
     let clock = Instant::now();
-    let mut report = begun(sweep, options, dir)?;
+    check(dir)?;
+    let mut report = begun(sweep, options)?;
     let rows = rows_of_parts(sweep, &report, parts)?;
     let _alone = Table::open(dir, &report, options.fresh)?;
     report.kept = rows.len();
@@ -136,15 +140,65 @@ pub fn join(sweep: &Sweep, options: &SweepOptions, parts: &Path, dir: &Path) -> 
     Ok(report)
 }
 
-/// The report of a sweep, or a part of it, to be written to the folder `dir`, before its first row.
+/// The rows of the part of a sweep that is wanted, as CSV with headings; nothing is written. After an interrupt those of the cases that ended before.
 ///
 /// # Errors
-/// There is no case, the first one does not become a film, or the folder cannot be written.
-fn begun(sweep: &Sweep, options: &SweepOptions, dir: &Path) -> Result<SweepReport, SweepError> {
+/// The cases cannot be run, or a number is not finite.
+pub fn part_rows(sweep: &Sweep, options: &SweepOptions) -> Result<Vec<u8>, SweepError> {
+    let columns = Columns::new(&sweep.plan, &sweep.scenes, options.case.bars);
+    let cases = options.part.map_or(0..sweep.scenes.len(), |part| sweep.cases_of(part));
+    let mut rows = BTreeMap::new();
+    sweep.run(&options.case, &|case| !cases.contains(&case), &mut |event| -> Result<
+        (),
+        SweepError,
+    > {
+        if let Event::Ended(case, found) = event {
+            rows.insert(case, columns.row(&sweep.plan, case, &found)?);
+        }
+        Ok(())
+    })?;
+    Ok(to_csv(std::iter::once(&columns.headings()).chain(rows.values())))
+}
+
+/// The report of a whole sweep whose rows are given as CSV with headings, as parts of it were written.
+///
+/// # Errors
+/// They are not the rows of this sweep, each case once and in its order.
+pub fn of_rows(sweep: &Sweep, options: &SweepOptions, rows: &[u8]) -> Result<SweepReport, SweepError> {
+    let mut report = begun(sweep, options)?;
+    let rows = whole_rows(rows, &report.columns.headings()).unwrap_or_default();
+    let is_whole = rows.iter().map(case_of).eq((0..sweep.scenes.len()).map(Some));
+    match is_whole {
+        true => {
+            report.kept = rows.len();
+            report.rows = rows;
+            Ok(report)
+        }
+        false => Err(SweepError::NotItsRows),
+    }
+}
+
+/// The rows of the part of a sweep that cannot be computed, with the reason, as CSV with headings.
+pub fn failed_rows(sweep: &Sweep, options: &SweepOptions, reason: &str) -> Vec<u8> {
+    let columns = Columns::new(&sweep.plan, &sweep.scenes, options.case.bars);
+    let cases = options.part.map_or(0..sweep.scenes.len(), |part| sweep.cases_of(part));
+    let rows: Vec<Row> = cases.map(|case| columns.failed(&sweep.plan, case, reason)).collect();
+    to_csv(std::iter::once(&columns.headings()).chain(&rows))
+}
+
+/// Whether the files of a sweep may stand in the folder `dir`.
+fn check(dir: &Path) -> Result<(), Error> {
+    folder::check(dir, [TABLE_FILE, REPORT_FILE, ROTOR_FILE].iter().map(OsStr::new))
+}
+
+/// The report of a sweep, or a part of it, before its first row.
+///
+/// # Errors
+/// There is no case, or the first one does not become a film.
+fn begun(sweep: &Sweep, options: &SweepOptions) -> Result<SweepReport, SweepError> {
     if sweep.scenes.is_empty() {
         return Err(SweepError::NoCases);
     }
-    folder::check(dir, [TABLE_FILE, REPORT_FILE, ROTOR_FILE].iter().map(OsStr::new))?;
     let identity = Identity {
         format: SWEEP_FORMAT.to_owned(),
         title: sweep.title.clone(),

@@ -65,13 +65,7 @@ impl Columns {
     /// # Errors
     /// A number is not finite.
     pub(crate) fn row(&self, plan: &Plan, number: usize, found: &Found) -> Result<Row, Error> {
-        let mut row = vec![(number + 1).to_string()];
-        for (axis, index) in plan.axes.iter().zip(plan.indices(number)) {
-            row.push(match &axis.values[index] {
-                AxisValue::Number(number) => format!("{number:?}"),
-                AxisValue::Word(word) => word.clone(),
-            });
-        }
+        let mut row = inputs(plan, number);
         row.push(status_name(found.status).to_owned());
         for column in &self.quantities {
             let name = &column.quantity;
@@ -95,11 +89,24 @@ impl Columns {
             found.warnings.iter().map(|warning| warning.kind.code.to_owned()),
         ));
         row.push(listed(found.missed.iter().map(Criterion::fault)));
-        let reason = found.reason.as_deref().unwrap_or_default();
-        // One line a row.
-        row.push(reason.split_whitespace().collect::<Vec<_>>().join(" "));
+        row.push(in_a_line(found.reason.as_deref().unwrap_or_default()));
         row.push(format!("{:.6}", found.seconds));
         Ok(row)
+    }
+
+    /// The row of case `number` (from 0), which cannot be computed.
+    pub(crate) fn failed(&self, plan: &Plan, number: usize, reason: &str) -> Row {
+        let mut row = inputs(plan, number);
+        row.push(FAILED.to_owned());
+        row.resize(self.place(self.quantities.len()), String::new());
+        row.extend(TAIL.map(|column| {
+            if column == REASON {
+                in_a_line(reason)
+            } else {
+                String::new()
+            }
+        }));
+        row
     }
 
     /// Column of the status.
@@ -121,6 +128,25 @@ impl Columns {
     }
 }
 
+/// Number and inputs of a case.
+fn inputs(plan: &Plan, number: usize) -> Row {
+    let mut row = vec![(number + 1).to_string()];
+    for (axis, index) in plan.axes.iter().zip(plan.indices(number)) {
+        row.push(match &axis.values[index] {
+            AxisValue::Number(number) => format!("{number:?}"),
+            AxisValue::Word(word) => word.clone(),
+        });
+    }
+    row
+}
+
+/// A text of several lines as one: a row is a line.
+fn in_a_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// Status of a case that no worker could compute.
+pub(crate) const FAILED: &str = "failed";
 /// Column of the unknown pressures.
 pub const UNKNOWNS: &str = "unknowns";
 /// Column of the codes of warnings.
