@@ -17,7 +17,9 @@ pub fn repository() -> PathBuf {
 /// `cargo test` builds the programs of a package for that package's own tests only.
 pub fn build(package: &str, name: &str) -> PathBuf {
     let mut cargo = Command::new(env!("CARGO"));
-    cargo.args(["build", "--quiet", "--package", package, "--bin", name]);
+    // With the features that the Python module asks of dependencies: those of the whole workspace, so that nothing is compiled twice.
+    let packages = ["--package", package, "--package", "oilwedge-python"];
+    cargo.args(["build", "--quiet", "--bin", name]).args(packages);
     if !cfg!(debug_assertions) {
         cargo.arg("--release");
     }

@@ -9,8 +9,9 @@ use oilwedge_tests::program::repository;
 use serde_json::Value;
 
 /// The crates from top to bottom; a crate uses crates below it only.
-const TOP_TO_BOTTOM: [&str; 11] = [
+const TOP_TO_BOTTOM: [&str; 12] = [
     "oilwedge",
+    "oilwedge-python",
     "oilwedge-verification",
     "oilwedge-report",
     "oilwedge-drawing",

@@ -1,0 +1,28 @@
+"""What goes to the native part and comes from it."""
+
+from __future__ import annotations
+
+from typing import Optional, TypedDict
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+class FilmParts(TypedDict):
+    """A film: where its triangles are, and the fields on them."""
+
+    points: NDArray[np.float64]
+    cells: NDArray[np.uint32]
+    point_data: dict[str, NDArray[np.float64]]
+    cell_data: dict[str, NDArray[np.float64]]
+    lines: dict[str, NDArray[np.float64]]
+
+
+class Asked(TypedDict):
+    """How a scene is run."""
+
+    bars: bool
+    max_seconds: Optional[float]
+    max_unknowns: int
+    unrolled: bool
+    threads: Optional[int]

@@ -1,0 +1,106 @@
+//! Pictures, pages and samples of results that Python holds.
+
+use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
+use oilwedge_report::page as pages;
+use oilwedge_report::plot::{self, DrawnFilm, PlotOptions, Unknown, figures_of_sweep, film_figures};
+use oilwedge_study::fields::field as field_row;
+use pyo3::prelude::*;
+use pyo3::types::{PyBytes, PyDict};
+use serde_json::Value;
+
+use crate::failure::Failure;
+use crate::film::picture;
+use crate::work::done;
+
+fn value(json: &str) -> Result<Value, Failure> {
+    serde_json::from_str(json).map_err(|error| Failure::Argument(format!("the result is no JSON: {error}")))
+}
+
+fn unknown(Unknown { name, known }: Unknown) -> Failure {
+    Failure::Argument(format!(
+        "there is no \"{name}\" to draw; there are {}",
+        known.join(", ")
+    ))
+}
+
+fn options(name: String, width: f64) -> PlotOptions {
+    PlotOptions {
+        selected: vec![name],
+        width,
+    }
+}
+
+/// Values of a field at angles [deg] and places along the axis [m], both of one length; NaN where there is no film.
+#[pyfunction]
+pub(crate) fn sampled<'py>(
+    py: Python<'py>,
+    json: String,
+    film: &Bound<'py, PyDict>,
+    field: String,
+    places: [PyReadonlyArray1<'py, f64>; 2],
+) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    let picture = picture(film, Some(&field))?;
+    let [angles, z] = &places;
+    let places: Vec<[f64; 2]> = angles
+        .as_slice()?
+        .iter()
+        .zip(z.as_slice()?)
+        .map(|(angle, z)| [*angle, *z])
+        .collect();
+    let values = done(py, Some(1), move |_| {
+        let result = value(&json)?;
+        let radius = result["geometry"]["radius"].as_f64().unwrap_or(f64::NAN);
+        let film = DrawnFilm::new(result, &picture)?;
+        let points: Vec<[f64; 2]> = places
+            .iter()
+            .map(|[angle, z]| [radius * angle.to_radians(), *z])
+            .collect();
+        let values = field_row(&field).and_then(|row| plot::sampled(&film, row, &points));
+        values.ok_or_else(|| Failure::Argument(format!("there is no field \"{field}\" to sample")))
+    });
+    Ok(values?.into_pyarray(py))
+}
+
+/// A picture of a film, or of a sweep where no film is given, as SVG; and as PNG if that is wanted.
+#[pyfunction]
+pub(crate) fn figure<'py>(
+    py: Python<'py>,
+    json: String,
+    film: Option<&Bound<'py, PyDict>>,
+    name: String,
+    width: f64,
+    format: String,
+) -> PyResult<Bound<'py, PyBytes>> {
+    let picture = film.map(|film| picture(film, None)).transpose()?;
+    let bytes = done(py, Some(1), move |_| {
+        let result = value(&json)?;
+        let options = options(name, width);
+        let figures = match &picture {
+            Some(picture) => film_figures(&DrawnFilm::new(result, picture)?, &options),
+            None => figures_of_sweep(&result, &options),
+        };
+        let figures = figures.map_err(unknown)?;
+        let svg = figures.first().map(|(_, figure)| figure.to_svg());
+        let svg = svg.ok_or_else(|| Failure::Argument(format!("\"{}\" has nothing to draw", options.selected[0])))?;
+        match format.as_str() {
+            "svg" => Ok(svg.into_bytes()),
+            _ => Ok(plot::to_png(&svg)?),
+        }
+    });
+    Ok(PyBytes::new(py, &bytes?))
+}
+
+/// The page of a result.
+#[pyfunction]
+pub(crate) fn page<'py>(py: Python<'py>, json: String, film: Option<&Bound<'py, PyDict>>) -> PyResult<String> {
+    let picture = film.map(|film| picture(film, None)).transpose()?;
+    done(py, None, move |_| {
+        Ok(pages::film_page(&value(&json)?, picture.as_ref())?)
+    })
+}
+
+/// The page of a sweep.
+#[pyfunction]
+pub(crate) fn sweep_page(py: Python<'_>, json: String) -> PyResult<String> {
+    done(py, None, move |_| Ok(pages::sweep_page(&value(&json)?)?))
+}

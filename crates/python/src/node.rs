@@ -1,0 +1,128 @@
+//! Objects of Python as TOML, in the order in which they are given: the order of axes is that of cases.
+
+use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyList, PyMapping, PyString, PyTuple};
+use serde::{Serialize, Serializer};
+
+/// A value of TOML.
+#[derive(Debug, Clone)]
+pub(crate) enum Node {
+    Text(String),
+    Truth(bool),
+    Integer(i64),
+    Float(f64),
+    List(Vec<Node>),
+    Table(Vec<(String, Node)>),
+}
+
+impl Serialize for Node {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Text(text) => serializer.serialize_str(text),
+            Self::Truth(truth) => serializer.serialize_bool(*truth),
+            Self::Integer(number) => serializer.serialize_i64(*number),
+            Self::Float(number) => serializer.serialize_f64(*number),
+            Self::List(items) => serializer.collect_seq(items),
+            Self::Table(entries) => serializer.collect_map(entries.iter().map(|(key, value)| (key, value))),
+        }
+    }
+}
+
+impl Node {
+    /// The value of an object; `key` is where it stands.
+    ///
+    /// # Errors
+    /// TOML has no such value.
+    pub(crate) fn of(object: &Bound<'_, PyAny>, key: &str) -> PyResult<Self> {
+        if object.is_instance_of::<PyString>() {
+            return Ok(Self::Text(object.extract()?));
+        }
+        if object.is_instance_of::<PyBool>() {
+            return Ok(Self::Truth(object.extract()?));
+        }
+        if object.is_instance_of::<PyInt>() {
+            return Ok(Self::Integer(object.extract()?));
+        }
+        if object.is_instance_of::<PyFloat>() {
+            return Ok(Self::Float(object.extract()?));
+        }
+        if object.is_instance_of::<PyDict>() || object.cast::<PyMapping>().is_ok() {
+            return table(object, key).map(Self::Table);
+        }
+        if object.is_instance_of::<PyList>() || object.is_instance_of::<PyTuple>() {
+            let items = object.try_iter()?.map(|item| Self::of(&item?, key));
+            return items.collect::<PyResult<_>>().map(Self::List);
+        }
+        // Numbers and arrays of numpy, columns of pandas.
+        if let Ok(plain) = object.call_method0("tolist") {
+            return Self::of(&plain, key);
+        }
+        if let Ok(path) = object.call_method0("__fspath__") {
+            return Self::of(&path, key);
+        }
+        let kind = object.get_type().name()?.to_string();
+        Err(PyTypeError::new_err(format!(
+            "{key}: a {kind} is no value of a scene; give a text with its unit, a number, a list or a dict, and leave out a key that has no value"
+        )))
+    }
+
+    /// As a document.
+    ///
+    /// # Errors
+    /// It is no table.
+    pub(crate) fn document(&self) -> PyResult<String> {
+        toml::to_string(self).map_err(refused)
+    }
+
+    /// In a line, as it stands behind `=`.
+    fn line(&self) -> PyResult<String> {
+        let mut text = String::new();
+        let inner = toml::ser::ValueSerializer::new(&mut text);
+        self.serialize(inner).map(drop).map_err(refused)?;
+        Ok(text)
+    }
+}
+
+fn refused(error: toml::ser::Error) -> PyErr {
+    PyValueError::new_err(format!("this cannot be written as TOML: {error}"))
+}
+
+/// The entries of a mapping in their order.
+fn table(object: &Bound<'_, PyAny>, above: &str) -> PyResult<Vec<(String, Node)>> {
+    let items = object.cast::<PyMapping>()?.items()?;
+    let entry = |item: Bound<'_, PyAny>| {
+        let (key, value): (Bound<'_, PyAny>, Bound<'_, PyAny>) = item.extract()?;
+        let key: String = key.extract().map_err(|_| {
+            PyTypeError::new_err(format!("{above}: the key {key} is no text; keys of a scene are texts"))
+        })?;
+        let whole = match above {
+            "" => key.clone(),
+            above => format!("{above}.{key}"),
+        };
+        Ok((key, Node::of(&value, &whole)?))
+    };
+    items.iter().map(entry).collect()
+}
+
+/// The lines `key = value` of a mapping, in its order.
+pub(crate) fn lines(object: &Bound<'_, PyAny>, values: Values) -> PyResult<String> {
+    let mut text = String::new();
+    for (key, value) in table(object, "")? {
+        let value = match values {
+            Values::Single => Node::List(vec![value]),
+            Values::Listed => value,
+        };
+        text += &format!("{} = {}\n", Node::Text(key).line()?, value.line()?);
+    }
+    Ok(text)
+}
+
+/// What the values of a mapping are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Values {
+    /// One value each, which becomes a list of one.
+    Single,
+    /// Lists and ranges.
+    Listed,
+}

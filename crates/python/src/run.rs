@@ -1,0 +1,86 @@
+//! One scene to its result.
+
+use oilwedge_campaign::{AddOn, effect_costs, mobility, standard, theories};
+use oilwedge_report::orbit_table::orbit_table;
+use oilwedge_report::result_json;
+use oilwedge_study::orbit::no_map;
+use oilwedge_study::picture::FilmPicture;
+use oilwedge_study::{Interrupt, RunOptions};
+use pyo3::prelude::*;
+use pyo3::types::{PyBytes, PyDict};
+
+use crate::failure::Failure;
+use crate::film::moved;
+use crate::numbers::Numbers;
+use crate::scene::Scene;
+use crate::work::done;
+
+/// How a scene is run, as Python says it.
+#[derive(Debug, Clone, FromPyObject)]
+#[pyo3(from_item_all)]
+pub(crate) struct Asked {
+    /// Whether error bars are estimated.
+    bars: bool,
+    /// Time limit of a search [s]; that of the program where none is given.
+    max_seconds: Option<f64>,
+    /// Most unknowns of refined meshes.
+    max_unknowns: usize,
+    /// Whether the film is drawn unrolled.
+    unrolled: bool,
+    /// Threads; one for each core where no number is given.
+    pub(crate) threads: Option<usize>,
+}
+
+impl Asked {
+    /// As the program has it.
+    pub(crate) fn options(&self, scene: &oilwedge_scene::Scene, interrupt: Interrupt) -> RunOptions {
+        let usual = RunOptions::of(scene);
+        RunOptions {
+            unrolled: self.unrolled,
+            bars: self.bars,
+            max_seconds: self.max_seconds.unwrap_or(usual.max_seconds),
+            max_unknowns: self.max_unknowns,
+            interrupt,
+            ..usual
+        }
+    }
+}
+
+/// What Python is given: numbers, film, path of the journal.
+type Answer<'py> = (Numbers, Option<Bound<'py, PyDict>>, Option<Bound<'py, PyBytes>>);
+
+/// Solves a scene.
+#[pyfunction]
+pub(crate) fn solve<'py>(py: Python<'py>, scene: &Scene, asked: Asked, add_ons: Vec<String>) -> PyResult<Answer<'py>> {
+    let (own, path) = (scene.scene.clone(), scene.path.clone());
+    let found = done(py, asked.threads, move |interrupt| {
+        let options = asked.options(&own, interrupt);
+        if let Some(reason) = no_map(&own).filter(|_| add_ons.iter().any(|name| name == MOBILITY)) {
+            return Err(Failure::Argument(format!(
+                "add_ons: no map stands for the film of {}, since {reason}; leave out \"{MOBILITY}\"",
+                path.display()
+            )));
+        }
+        let run = oilwedge_study::run(&own, &options).map_err(Failure::of(&path))?;
+        let mut tables: Vec<AddOn> = Vec::new();
+        for name in &add_ons {
+            let table = match (name.as_str(), &run.orbit) {
+                ("cost", _) => Some(effect_costs(&own, &options, &run.result).map_err(Failure::of(&path))?),
+                ("standard", _) => Some(standard(&own, &run.result)),
+                ("theories", _) => Some(theories(&own, &options, &run.result)),
+                (MOBILITY, Some(orbit)) => Some(mobility(&own, &run.result, orbit).map_err(Failure::of(&path))?),
+                _ => None,
+            };
+            tables.extend(table);
+        }
+        let orbit = run.orbit.as_ref().map(orbit_table).transpose()?;
+        let json = result_json(&run.result, &tables)?;
+        Ok((Numbers::of_run(json, run.result, tables), run.picture, orbit))
+    });
+    let (numbers, picture, orbit): (Numbers, Option<FilmPicture>, Option<Vec<u8>>) = found?;
+    let film = picture.map(|picture| moved(py, picture)).transpose()?;
+    Ok((numbers, film, orbit.map(|table| PyBytes::new(py, &table))))
+}
+
+/// Name of the add-on that follows an orbit by maps.
+const MOBILITY: &str = "mobility";

@@ -1,0 +1,41 @@
+//! One scene for many values of its keys.
+
+use std::path::PathBuf;
+
+use oilwedge_report::json;
+use oilwedge_report::sweep::{SweepOptions, TABLE_FILE, run};
+use oilwedge_report::tables::sweep_report;
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+
+use crate::cases::{Written, passing, sweep_of};
+use crate::failure::Failure;
+use crate::run::Asked;
+use crate::scene::Scene;
+use crate::work::done;
+
+/// Runs the sweep of a scene into the folder `out`, or into none that stays.
+#[pyfunction]
+pub(crate) fn sweep<'py>(
+    py: Python<'py>,
+    scene: &Scene,
+    asked: Asked,
+    out: Option<PathBuf>,
+    fresh: bool,
+) -> PyResult<Written<'py>> {
+    let (own, path) = (scene.scene.clone(), scene.path.clone());
+    let (csv, json, words) = done(py, asked.threads, move |interrupt| {
+        let cases = sweep_of(&own, &path)?;
+        let temporary = tempfile::tempdir().map_err(passing)?;
+        let folder = out.as_deref().unwrap_or(temporary.path());
+        let options = SweepOptions {
+            case: asked.options(&own, interrupt),
+            fresh,
+            part: None,
+        };
+        let report = run(&cases, &options, folder, &mut |_| {}).map_err(|error| Failure::Sweep(path, error))?;
+        let csv = std::fs::read(folder.join(TABLE_FILE)).map_err(passing)?;
+        Ok((csv, json(&report)?, sweep_report(&report, None)))
+    })?;
+    Ok((PyBytes::new(py, &csv), json, words))
+}
