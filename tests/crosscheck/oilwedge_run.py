@@ -1,4 +1,4 @@
-"""Run the Rust programs and read what they write.
+"""Solve scenes by the Python package, and run the Rust programs.
 
 OILWEDGE_BIN and OILWEDGE_CROSSCHECK_DATA name the two programs; without them they are looked for
 in target/release of the repository.
@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+import oilwedge as ow
 import pyvista
 
 REPOSITORY = Path(__file__).resolve().parents[2]
@@ -33,12 +34,17 @@ def program(variable, name):
     return str(path)
 
 
-def solve(scene, out, unrolled, bars=True):
+def solve(scene, unrolled, bars=True):
     """Result (the JSON object) and film (pyvista grid) of a scene.
 
     With error bars the numbers are those of the film in cubic elements, without those of the quadratic one."""
+    result = ow.solve(scene, unrolled=unrolled, bars=bars)
+    return result.to_dict(), result.film.to_pyvista()
+
+
+def written(scene, out, unrolled):
+    """Result (the JSON object) and film (pyvista grid) that the program writes to the folder `out`."""
     command = [program("OILWEDGE_BIN", "oilwedge"), "solve", str(scene), "--out", str(out), "--json"]
-    command += ["--bars", "auto" if bars else "none"]
     subprocess.run(command + ["--unrolled"] * unrolled, check=True, stdout=subprocess.DEVNULL)
     result = json.loads((Path(out) / "result.json").read_text())
     return result, pyvista.read(Path(out) / "film.vtu")

@@ -66,7 +66,7 @@ def solved(tmp_path_factory):
         source, changes = CASES[name]
         folder = tmp_path_factory.mktemp("case")
         path = write_variant(SCENES / f"{source}.toml", folder / "scene.toml", **changes)
-        result, grid = solve(path, folder / "out", unrolled=True)
+        result, grid = solve(path, unrolled=True)
         scene = read_scene(path)
         return scene, result, grid, solve_cubic(scene)
 

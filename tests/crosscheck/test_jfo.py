@@ -152,7 +152,7 @@ def test_the_program_agrees(case, tmp_path):
     """Both are a few parts in 10^4 off their common limit here; half of what a smeared streak would cost is 1 %."""
     scene = tmp_path / "scene.toml"
     scene.write_text(SCENE.format(case=case, size=4, region=region(case)))
-    result, _ = solve(scene, tmp_path / "out", unrolled=True)
+    result, _ = solve(scene, unrolled=True)
     film = structured(case, 240, 32)
     load = film.load(BEARING.radius)
     force = np.hypot(*load)
@@ -174,7 +174,7 @@ def bearing(table, eccentricity):
     return jfo_structured.Bearing(dimensions[0] / 2, *dimensions[1:], eccentricity, viscosity, speed)
 
 
-def test_starved_pad(tmp_path):
+def test_starved_pad():
     """Scene 14; its reference (`jfo_starved_arc`) comes from grids up to 768 x 128."""
     table, expected = scene("14_starved_pad"), DATA["jfo_starved_arc"]["results"]
     thinnest = si(table["journal"]["min_film_angle"])
@@ -186,17 +186,17 @@ def test_starved_pad(tmp_path):
     assert load.real == pytest.approx(expected["W_x"], abs=5e-4 * expected["F"])
     assert load.imag == pytest.approx(expected["W_y"], abs=5e-4 * expected["F"])
     assert film.pressure.max() == pytest.approx(expected["p_max"], rel=2e-4)
-    result, _ = solve(SCENES / "14_starved_pad.toml", tmp_path / "out", unrolled=True)
+    result, _ = solve(SCENES / "14_starved_pad.toml", unrolled=True)
     for key, name in (("load_x", "W_x"), ("load_y", "W_y")):
         assert quantity(result, key) == pytest.approx(expected[name], abs=5e-4 * expected["F"])
     assert quantity(result, "pressure_max") == pytest.approx(expected["p_max"], rel=5e-4)
 
 
-def test_engine_bearing_carries_its_load(tmp_path):
+def test_engine_bearing_carries_its_load():
     """Scene 17: at the position that the program finds, the film of the structured code carries the load. Barus' pressure
     by the reduced one, p = -ln(1 - alpha q)/alpha."""
     table = scene("17_engine_main_bearing")
-    result, _ = solve(SCENES / "17_engine_main_bearing.toml", tmp_path / "out", unrolled=True)
+    result, _ = solve(SCENES / "17_engine_main_bearing.toml", unrolled=True)
     liner = bearing(table, quantity(result, "eccentricity"))
     thinnest = np.radians(quantity(result, "min_film_angle"))
     alpha, feed = si(table["oil"]["barus"]["alpha"]), table["feed"][0]

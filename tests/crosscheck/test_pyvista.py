@@ -7,7 +7,7 @@ import pytest
 import pyvista
 
 import vtu_geometry
-from oilwedge_run import SCENES, crosscheck_data, program, solve
+from oilwedge_run import SCENES, crosscheck_data, program, written
 from scene_file import read_scene, si, write_variant
 
 CASES = {
@@ -36,8 +36,8 @@ def film(request, tmp_path_factory):
     label, (name, changes) = request.param
     folder = tmp_path_factory.mktemp("film")
     path = write_variant(SCENES / f"{name}.toml", folder / "scene.toml", **changes)
-    _, plane = solve(path, folder / "plane", unrolled=True)
-    _, cylinder = solve(path, folder / "cylinder", unrolled=False)
+    _, plane = written(path, folder / "plane", unrolled=True)
+    _, cylinder = written(path, folder / "cylinder", unrolled=False)
     _, probes = crosscheck_data(path, folder / "data")
     return {
         "label": label, "scene": read_scene(path), "plane": plane, "cylinder": cylinder,
@@ -132,7 +132,7 @@ def test_a_broken_film_has_a_film_fraction_and_no_tension(model, unrolled, tmp_p
         tmp_path / "scene.toml",
         cavitation={"model": model, "pressure": cavity},
     )
-    result, grid = solve(scene, tmp_path / "out", unrolled=unrolled)
+    result, grid = written(scene, tmp_path / "out", unrolled=unrolled)
     pressure = grid.point_data["pressure"]
     assert pressure.min() == result["quantities"]["pressure_min"]["value"] == pytest.approx(si(cavity), rel=1e-12)
     assert pressure.max() == pytest.approx(result["quantities"]["pressure_max"]["value"], rel=2e-3)

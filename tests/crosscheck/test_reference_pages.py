@@ -7,7 +7,7 @@ import gmsh
 import pytest
 import pyvista
 
-from oilwedge_run import REPOSITORY, SCENES, program, quantity, solve
+from oilwedge_run import REPOSITORY, SCENES, program, quantity, solve, written
 from scene_file import write_variant
 
 
@@ -31,13 +31,13 @@ def test_geo_of_the_mesh_page_makes_a_ring(tmp_path):
     check = [program("OILWEDGE_BIN", "oilwedge"), "check", str(tmp_path / "ring.msh")]
     assert "can be used" in subprocess.run(check, check=True, capture_output=True, text=True).stdout
     scene = write_variant(SCENES / "01_plain_ring.toml", tmp_path / "scene.toml", mesh=tmp_path / "ring.msh")
-    result, _ = solve(scene, tmp_path / "out", unrolled=False)
+    result, _ = solve(scene, unrolled=False)
     # Scene 01 on its own mesh; both are off by some 1e-5.
     assert quantity(result, "load") == pytest.approx(43566.717969, rel=1e-4)
 
 
 def test_pyvista_snippet_of_the_result_page_runs(tmp_path, monkeypatch, capsys):
-    result, _ = solve(SCENES / "02_flexpde_shell.toml", tmp_path / "out/02_flexpde_shell", unrolled=False)
+    result, _ = written(SCENES / "02_flexpde_shell.toml", tmp_path / "out/02_flexpde_shell", unrolled=False)
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(pyvista, "OFF_SCREEN", True)
     code = snippet("result.md", "python")

@@ -53,7 +53,7 @@ def case(request, tmp_path_factory):
     name, changes = request.param
     folder = tmp_path_factory.mktemp("case")
     path = write_variant(SCENES / f"{name}.toml", folder / "scene.toml", **changes)
-    result, grid = solve(path, folder / "out", unrolled=True, bars=False)
+    result, grid = solve(path, unrolled=True, bars=False)
     rule, _ = crosscheck_data(path, folder / "data")
     return read_scene(path), result, grid, rule
 

@@ -172,7 +172,7 @@ SHIPPED = sorted(path.stem for path in SCENES.glob("*.toml") if uses_the_model(p
 
 def compare(path, folder):
     """Both films of a scene on a mesh file. The bounded film is unique, so they agree to what the methods leave (1e-10)."""
-    result, grid = solve(path, folder / "out", unrolled=True, bars=False)
+    result, grid = solve(path, unrolled=True, bars=False)
     rule, _ = crosscheck_data(path, folder / "data")
     film = solve_film(read_scene(path), rule)
     cost = quantity(result, "load") / film.load - 1
@@ -195,7 +195,7 @@ def test_shipped_scenes_agree(name, tmp_path):
     """A liner that the program meshes goes through a mesh file, and the position found for a load is given."""
     source = SCENES / f"{name}.toml"
     table = tomllib.loads(source.read_text())
-    result, _ = solve(source, tmp_path / "shipped", unrolled=True, bars=False)
+    result, _ = solve(source, unrolled=True, bars=False)
     mesh = write_mesh(source, tmp_path) if "file" not in table.get("mesh", {}) else None
     position = None
     if "load" in table:

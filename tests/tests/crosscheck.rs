@@ -1,7 +1,7 @@
 //! The second, independent answer: scikit-fem solves the same meshes, pyvista reads our fields.
 //!
 //! Runs `tests/crosscheck` with pytest in a virtual environment of its own under `target/`, made
-//! from `requirements.txt` the first time. Left out, and named, on machines without Python's venv or the libraries of gmsh and VTK.
+//! from `requirements.txt` the first time, with the Python package `crates/python` in it, built in the folder of this test. Left out, and named, on machines without Python's venv or the libraries of gmsh and VTK.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -31,14 +31,33 @@ fn environment(folder: &Path, requirements: &Path) -> PathBuf {
     python
 }
 
-/// The Python of the environment of `tests/crosscheck`, made once.
+/// Builds the Python package in the profile of this test and installs it.
+fn install(python: &Path, target: &Path) {
+    let mut pip = Command::new(python);
+    pip.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check"])
+        .args(["--no-deps", "--no-build-isolation", "--force-reinstall"])
+        .arg(repository().join("crates/python"))
+        .env("CARGO_TARGET_DIR", target);
+    if cfg!(debug_assertions) {
+        pip.env("MATURIN_PEP517_ARGS", "--profile dev");
+    }
+    // maturin is a program beside pip.
+    let programs = python.parent().map(Path::to_path_buf);
+    let paths = std::env::var_os("PATH").unwrap_or_default();
+    let paths = programs.into_iter().chain(std::env::split_paths(&paths));
+    run(pip.env("PATH", std::env::join_paths(paths).expect("folders of programs")));
+}
+
+/// The Python of the environment of `tests/crosscheck`, with the Python package in it, made once.
 pub(crate) fn crosscheck_python() -> PathBuf {
     static PYTHON: OnceLock<PathBuf> = OnceLock::new();
     let make = || {
         let oilwedge = build("oilwedge", "oilwedge");
         let target = oilwedge.ancestors().nth(2).expect("target folder");
         let requirements = repository().join("tests/crosscheck/requirements.txt");
-        environment(&target.join("crosscheck-venv"), &requirements)
+        let python = environment(&target.join("crosscheck-venv"), &requirements);
+        install(&python, target);
+        python
     };
     PYTHON.get_or_init(make).clone()
 }
