@@ -25,14 +25,14 @@ impl Search<'_> {
             guess: InitialGuess::Cold,
             ..self.options
         };
-        match Search::new(&guide, self.system, self.load, options).from_coarsest(&guide)? {
-            Ok(journal) => self.from_guide(problem, journal),
+        match Search::new(&guide, self.system, self.load, options).on_coarsest(&guide)? {
+            Ok(journal) => self.by_guide(problem, journal),
             Err(reason) => Some(Err(NoEquilibrium::OfGuide(Box::new(reason)))),
         }
     }
 
     /// The balance found from that of the guide; where the tilt is free, along the branch of balances that begins there.
-    fn from_guide(&self, problem: &FilmProblem, journal: JournalState) -> Option<Result<Equilibrium, NoEquilibrium>> {
+    fn by_guide(&self, problem: &FilmProblem, journal: JournalState) -> Option<Result<Equilibrium, NoEquilibrium>> {
         match self.run(problem, journal) {
             Ok(found) => Some(Ok(found)),
             Err(_) if self.load.tilting.is_none() => None,
@@ -41,7 +41,7 @@ impl Search<'_> {
     }
 
     /// The journal balanced roughly on the coarsest mesh; or why there is no balance, as the mesh of the search confirms. None where neither is known.
-    fn from_coarsest(&self, problem: &FilmProblem) -> Option<Result<JournalState, NoEquilibrium>> {
+    fn on_coarsest(&self, problem: &FilmProblem) -> Option<Result<JournalState, NoEquilibrium>> {
         let (mut coarse, mut system) = (problem.clone(), self.system);
         while let Some(coarser) = &system.coarser {
             (coarse, system) = (coarser.problem(&coarse), &coarser.system);
