@@ -1,0 +1,63 @@
+"""Scenes of the Python package: made of a file, a mapping or another scene."""
+
+import pickle
+
+import numpy as np
+import oilwedge as ow
+import pytest
+
+from oilwedge_run import SCENES
+from python_package import RING, run
+
+
+def test_a_scene_is_made_of_a_file_a_mapping_or_another_scene(tmp_path):
+    scene = ow.Scene.read(RING)
+    assert scene.text == RING.read_text() and scene.title in repr(scene)
+    faster = scene | {"journal.speed": "3000 rpm", "eccentricity": np.float64(0.5)}
+    assert faster is not scene and 'speed = "3000 rpm"' in faster.text and "eccentricity = 0.5" in faster.text
+    assert (scene | {}) == scene and pickle.loads(pickle.dumps(faster)) == faster
+    path = tmp_path / "scene.toml"
+    path.write_text(faster.text.replace("../meshes", str(SCENES.parent / "meshes")))
+    assert ow.solve(faster)["load"].value == ow.solve(path)["load"].value
+    described = {
+        "title": "of a mapping",
+        "bearing": {"diameter": "75 mm", "length": "75 mm", "clearance": "37.5 um"},
+        "mesh": {"size": "3 mm"},
+        "feed": [{"group": "hole", "hole": {"diameter": "5 mm", "angle": "90 deg"}, "pressure": "1 bar"}],
+        "journal": {"speed": "10 rad/s", "eccentricity": np.float64(0.6), "min_film_angle": "180 deg"},
+        "oil": {"viscosity": "0.4 Pa.s"},
+    }
+    mapped = ow.Scene(described)
+    assert mapped.title == "of a mapping"
+    assert ow.solve(mapped)["load"] == ow.solve(described)["load"] == ow.solve(ow.Scene.parse(mapped.text))["load"]
+    other = mapped | {"feed.hole.pressure": "2 bar"}
+    assert ow.solve(other)["load"] != ow.solve(mapped)["load"]
+    for kind in ("plain", "hole", "groove", "engine-main", "heat", "pad"):
+        run("new", tmp_path / f"{kind}.toml", "--kind", kind)
+        assert (tmp_path / f"{kind}.toml").read_text().endswith(ow.Scene.new(kind).text)
+    with pytest.raises(ValueError, match="there are plain"):
+        ow.Scene.new("plane")
+
+
+@pytest.mark.parametrize(
+    ("changes", "key", "words"),
+    [
+        ({"jurnal.speed": "3000 rpm"}, "jurnal.speed", "no table of a scene"),
+        ({"sped": "3000 rpm"}, "sped", "not known"),
+        ({"journal.speed": 3000}, "journal.speed", "bare number"),
+        ({"journal.speed": "3000 mm"}, "journal.speed", "unit of length"),
+        ({"journal.sped": "3000 rpm"}, "journal.sped", "not known"),
+        ({"eccentricity": 1.2}, "journal.eccentricity", ""),
+        ({"eccentricity": float("nan")}, "", ""),
+    ],
+)
+def test_changes_that_make_no_scene_are_refused(changes, key, words):
+    with pytest.raises(ow.SceneError) as caught:
+        ow.Scene.read(RING) | changes
+    assert any(complaint.key.startswith(key) and words in complaint.message for complaint in caught.value.complaints)
+
+
+@pytest.mark.parametrize("wrong", ({"title": None}, {"journal": {"speed": {1, 2}}}, {1: 2}))
+def test_what_toml_cannot_hold_is_refused(wrong):
+    with pytest.raises(TypeError):
+        ow.Scene(wrong)
