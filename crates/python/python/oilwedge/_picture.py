@@ -72,6 +72,24 @@ class Page:
         return f"<Page of {len(self.text) // 1024} kB>"
 
 
+class Reported:
+    """What has a report."""
+
+    def _page(self) -> Page:
+        raise NotImplementedError
+
+    def report(self, path: Optional[StrPath] = None) -> Page:
+        """The report: one page of HTML with everything, which needs no network. Written to ``path``, if one is given."""
+        page = self._page()
+        if path is not None:
+            page.save(path)
+        return page
+
+    def show(self) -> None:
+        """Shows the report: in a frame of the notebook, or in the browser."""
+        self.report().show()
+
+
 def _in_notebook() -> bool:
     """Whether a kernel of Jupyter runs this."""
     ipython = sys.modules.get("IPython")

@@ -16,7 +16,7 @@ from . import _native
 from ._catalogue import row
 from ._errors import OilwedgeError
 from ._film import Film, Floats, frozen
-from ._picture import Page, Picture, StrPath
+from ._picture import Page, Picture, Reported, StrPath
 from ._scene import Scene
 from ._types import FilmParts
 
@@ -75,7 +75,7 @@ class Quantity:
         return format(self.value, form) if form else str(self)
 
 
-class Result(Mapping[str, Quantity]):
+class Result(Reported, Mapping[str, Quantity]):
     """What a run found: quantities by name, and the film.
 
     ``print(result)`` prints the table of the program, ``result.show()`` shows the report, ``result["load"]`` is a quantity.
@@ -189,16 +189,8 @@ class Result(Mapping[str, Quantity]):
             picture.save(path)
         return picture
 
-    def report(self, path: Optional[StrPath] = None) -> Page:
-        """The report: one page of HTML with everything, which needs no network. Written to ``path``, if one is given."""
-        page = Page(_native.page(self._numbers.json, self._parts))
-        if path is not None:
-            page.save(path)
-        return page
-
-    def show(self) -> None:
-        """Shows the report: in a frame of the notebook, or in the browser."""
-        self.report().show()
+    def _page(self) -> Page:
+        return Page(_native.page(self._numbers.json, self._parts))
 
     def __repr__(self) -> str:
         return self._numbers.headlines()

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from . import _native
 from ._catalogue import row
 from ._optional import needed
-from ._picture import Page, Picture, StrPath
+from ._picture import Page, Picture, Reported, StrPath
 
 if TYPE_CHECKING:
     import pandas
@@ -29,7 +29,7 @@ _TEXTS = ("status", "warnings", "limits", "reason")
 """Columns of words."""
 
 
-class Table:
+class Table(Reported):
     """The table of a sweep: one row a case, the last axis running fastest.
 
     ``table["load [N]"]`` is a column, ``table.columns`` has all headings; cases without an answer have NaN, and ``table["reason"]`` says why.
@@ -127,16 +127,8 @@ class Table:
             picture.save(path)
         return picture
 
-    def report(self, path: Optional[StrPath] = None) -> Page:
-        """The report: one page of HTML with everything, which needs no network. Written to ``path``, if one is given."""
-        page = Page(_native.sweep_page(self._json))
-        if path is not None:
-            page.save(path)
-        return page
-
-    def show(self) -> None:
-        """Shows the report: in a frame of the notebook, or in the browser."""
-        self.report().show()
+    def _page(self) -> Page:
+        return Page(_native.sweep_page(self._json))
 
     def __repr__(self) -> str:
         return self._table

@@ -1,57 +1,21 @@
 use super::*;
-use oilwedge_study::effects::{EFFECTS, Effects};
-use oilwedge_study::quantities::{ATTITUDE_ANGLE, Bar, LOAD, Quantity};
-use oilwedge_study::result::{
-    Balances, Counts, Geometry, HistoryStep, LevelFacts, MeshFacts, RESULT_FORMAT, RunResult, Status,
-};
+use oilwedge_study::quantities::Bar;
+use oilwedge_study::result::{HistoryStep, LevelFacts, RunResult, Status};
 
 pub(crate) fn example() -> RunResult {
     RunResult {
-        format: RESULT_FORMAT.into(),
         title: "example".into(),
-        version: "0.1.0".into(),
         scene: "title = \"example\"\n".into(),
         scene_sha256: "ab".into(),
         mesh_sha256: "cd".into(),
         status: Status::NotConverged,
-        reason: None,
-        effects: Effects {
-            simulated: vec![EFFECTS[2]],
-            not_simulated: vec!["squeeze"],
-        },
-        geometry: Geometry::default(),
-        mesh: MeshFacts {
-            cells: 592,
-            nodes: 1245,
-            order: 2,
-            min_angle_deg: 31.0,
-        },
-        quantities: vec![Quantity::new(&LOAD, 12910.0), Quantity::new(&ATTITUDE_ANGLE, 49.29)],
-        bars: false,
-        levels: vec![],
-        balances: Balances {
-            mass: 1e-12,
-            power: 1e-12,
-            moment: 0.0,
-            force: 0.0,
-            tilt: 0.0,
-            thermal: 0.0,
-            energy: None,
-        },
-        regime: None,
-        orbit: None,
-        temperature: None,
-        dynamics: None,
         history: vec![HistoryStep {
             step: 1,
             residual: 1.0,
             active: 0,
         }],
-        counts: Counts::default(),
-        linear_solver: None,
-        of_hill: Vec::new(),
         timing_s: vec![("read".into(), 0.25), ("assemble".into(), 0.5)],
-        warnings: vec![],
+        ..crate::tables::example()
     }
 }
 

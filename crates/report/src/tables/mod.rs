@@ -13,6 +13,8 @@ mod temperature;
 mod verdict;
 
 pub use pieces::{counted, duration, effects, heading, mesh, printable, status, table, time};
+#[cfg(test)]
+pub(crate) use run::tests::result as example;
 pub use run::{Written, run_report};
 pub use shown::Shown;
 pub use sweep::sweep_report;
