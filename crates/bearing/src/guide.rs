@@ -3,7 +3,8 @@
 //! **Why.** At one position of the journal the pressure p of a steady film that conserves oil nowhere exceeds the Swift-Stieber pressure q: where p is above that of the
 //! cavity, both obey Reynolds' equation with a full gap, q as a supersolution; at the edge of that region p is the pressure of the cavity, which q is not below, and
 //! the maximum principle gives q >= p. The obstacle problem costs a small part of a film that conserves oil, and its force changes smoothly with the position. So
-//! its balance is where the search begins, and where it has none the load is refused, with that reason. **Range.** Constant viscosity, Barus' and Roelands' laws.
+//! its balance is where the search begins. Where it has none the load is refused, and the reason names that film: less pressure at every position makes a balance
+//! unlikely, but the inequality holds at one position and is no proof for all of them. **Range.** Constant viscosity, Barus' and Roelands' laws.
 //! **Verified by** `tests/tests/cavitation/guide.rs`.
 
 use oilwedge_reynolds::{FilmProblem, JournalState};
@@ -40,7 +41,8 @@ impl Search<'_> {
         }
     }
 
-    /// The journal balanced roughly on the coarsest mesh; or why there is no balance, as the mesh of the search confirms. None where neither is known.
+    /// The journal balanced roughly on the coarsest mesh; or why there is no balance. What a thin film carries is judged by the mesh of the search; where the film of the
+    /// coarsest mesh carries far less than the load, as it does there. None where neither is known.
     fn on_coarsest(&self, problem: &FilmProblem) -> Option<Result<JournalState, NoEquilibrium>> {
         let (mut coarse, mut system) = (problem.clone(), self.system);
         while let Some(coarser) = &system.coarser {

@@ -28,15 +28,15 @@ fn excess(eccentricity: f64, around: u32) -> f64 {
     pairs.fold(0.0f64, |most, (p, q)| most.max(p - q)) / greatest
 }
 
-/// Both are discrete films, by different schemes: what is left above falls with the mesh.
+/// Both are discrete films, by different schemes: what is left above falls towards zero with the mesh.
 #[test]
 fn the_guide_is_nowhere_under_less_pressure() {
     for eccentricity in [0.5, 0.9] {
-        let [coarse, fine] = [48, 96].map(|around| excess(eccentricity, around));
-        println!("{eccentricity}: {coarse:.2e} {fine:.2e}");
+        let left = [48, 96, 192].map(|around| excess(eccentricity, around));
+        println!("{eccentricity}: {left:.2?}");
         assert!(
-            fine < 8e-3 && fine < 0.62 * coarse,
-            "{eccentricity}: {coarse:e} {fine:e}"
+            left.windows(2).all(|pair| pair[1] < 0.7 * pair[0]),
+            "{eccentricity}: {left:?}"
         );
     }
 }
