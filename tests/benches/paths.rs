@@ -139,7 +139,7 @@ fn equilibrium(bencher: Bencher, at: &At) {
 /// The program, from its start to its written files, without error bars.
 #[divan::bench(args = at(&SIZES, Path::FileToLoad), max_time = 3, sample_count = 10)]
 fn whole_process(bencher: Bencher, at: &At) {
-    let program = build("oilwedge", "oilwedge");
+    let program = build("oilwedge");
     let scene = FILMS.ring(Kind::Linear, at.0);
     bencher.bench_local(|| process::run(&program, &scene, 1, false));
 }
@@ -147,7 +147,7 @@ fn whole_process(bencher: Bencher, at: &At) {
 /// 1000 operating points.
 #[divan::bench(sample_count = 1)]
 fn sweep(bencher: Bencher) {
-    let program = build("oilwedge", "oilwedge");
+    let program = build("oilwedge");
     let map = FILMS.map(5000);
     bencher.bench_local(|| process::sweep(&program, &map, 1));
 }
@@ -155,7 +155,7 @@ fn sweep(bencher: Bencher) {
 /// The shipped plain scene: no effect may move it.
 #[divan::bench]
 fn plain_scene(bencher: Bencher) {
-    let program = build("oilwedge", "oilwedge");
+    let program = build("oilwedge");
     let scene = FILMS.plain_ring(1000);
     bencher.bench_local(|| process::run(&program, &scene, 1, false));
 }

@@ -15,11 +15,10 @@ pub fn repository() -> PathBuf {
 /// Builds a program of the workspace in the profile of this test and returns its path.
 ///
 /// `cargo test` builds the programs of a package for that package's own tests only.
-pub fn build(package: &str, name: &str) -> PathBuf {
+pub fn build(name: &str) -> PathBuf {
     let mut cargo = Command::new(env!("CARGO"));
-    // With the features that the Python module asks of dependencies: those of the whole workspace, so that nothing is compiled twice.
-    let packages = ["--package", package, "--package", "oilwedge-python"];
-    cargo.args(["build", "--quiet", "--bin", name]).args(packages);
+    // With the features that the whole workspace asks of dependencies, as the tests have them: nothing is compiled twice.
+    cargo.args(["build", "--quiet", "--workspace", "--bin", name]);
     if !cfg!(debug_assertions) {
         cargo.arg("--release");
     }
@@ -36,7 +35,7 @@ pub fn build(package: &str, name: &str) -> PathBuf {
 /// The command `oilwedge`, built once a test program.
 pub fn oilwedge_command() -> Command {
     static PROGRAM: OnceLock<PathBuf> = OnceLock::new();
-    Command::new(PROGRAM.get_or_init(|| build("oilwedge", "oilwedge")))
+    Command::new(PROGRAM.get_or_init(|| build("oilwedge")))
 }
 
 /// Runs `oilwedge` with `arguments` in `folder`.

@@ -52,7 +52,7 @@ fn install(python: &Path, target: &Path) {
 pub(crate) fn crosscheck_python() -> PathBuf {
     static PYTHON: OnceLock<PathBuf> = OnceLock::new();
     let make = || {
-        let oilwedge = build("oilwedge", "oilwedge");
+        let oilwedge = build("oilwedge");
         let target = oilwedge.ancestors().nth(2).expect("target folder");
         let requirements = repository().join("tests/crosscheck/requirements.txt");
         let python = environment(&target.join("crosscheck-venv"), &requirements);
@@ -67,8 +67,8 @@ fn scikit_fem_and_pyvista_agree() {
     if is_left_out("cross-check by scikit-fem, gmsh and pyvista", &missing_for_python()) {
         return;
     }
-    let oilwedge = build("oilwedge", "oilwedge");
-    let crosscheck_data = build("oilwedge-tests", "crosscheck_data");
+    let oilwedge = build("oilwedge");
+    let crosscheck_data = build("crosscheck_data");
     let scripts = repository().join("tests/crosscheck");
     run(Command::new(crosscheck_python())
         .args(["-m", "pytest", "-q", "-p", "no:cacheprovider"])

@@ -181,8 +181,8 @@ fn build(tree: &Path) -> Command {
         "build",
         "--quiet",
         "--offline",
-        "--package",
-        "oilwedge",
+        // With the features that the whole workspace asks of dependencies: they are not compiled again.
+        "--workspace",
         "--bin",
         PROGRAM,
         "--profile",
