@@ -32,12 +32,15 @@ impl Search<'_> {
         }
     }
 
-    /// The balance found from that of the guide; where the tilt is free, along the branch of balances that begins there.
+    /// The balance found from that of the guide; where the tilt is free, along the branch of balances that begins there. None where neither leads to an answer.
     fn by_guide(&self, problem: &FilmProblem, journal: JournalState) -> Option<Result<Equilibrium, NoEquilibrium>> {
         match self.run(problem, journal) {
             Ok(found) => Some(Ok(found)),
             Err(_) if self.load.tilting.is_none() => None,
-            Err(_) => Some(self.along_branch(self.first(problem, journal).ok()?)),
+            Err(_) => match self.along_branch(self.first(problem, journal).ok()?) {
+                Err(reason) if !reason.is_beyond() && !self.options.deadline.is_over() => None,
+                outcome => Some(outcome),
+            },
         }
     }
 

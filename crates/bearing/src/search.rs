@@ -235,7 +235,7 @@ impl<'a> Search<'a> {
     }
 
     /// The load, and what tilts the journal where it is parallel to the bearing [N].
-    fn asked(&self) -> Vector {
+    pub(crate) fn asked(&self) -> Vector {
         let tilting = self.load.tilting.map_or([0.0; 2], |tilting| {
             [0, 1].map(|d| (tilting.moment[d] + tilting.stiffness * tilting.support[d]) / self.coordinates.arm)
         });

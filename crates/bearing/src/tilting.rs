@@ -1,6 +1,7 @@
-//! The balance of a moment that no start leads to at once: the branch of balances that begins with that of the force alone is followed, around its folds too.
+//! The balance of a moment that no start leads to at once: a branch of balances is followed, around its folds too. It begins with the balance of the force alone, or with
+//! the balance of the film that guides the search.
 //!
-//! **Equation.** With the difference R of forces and load and the balance x_0 of the force alone, `R(x) = (1 - part) R(x_0)`: x_0 at `part = 0`, the balance asked
+//! **Equation.** With the difference R of forces and load and the first position x_0, `R(x) = (1 - part) R(x_0)`: x_0 at `part = 0`, the balance asked
 //! for at `part = 1`. Where a film resists tilt no more, the part has a greatest value and falls beyond it. So steps are taken along the length of the branch,
 //! in clearances and parts, and corrected across it.
 //!
@@ -190,6 +191,13 @@ impl Branch<'_, '_> {
         }
     }
 
+    /// Part of what tilts the journal that is balanced at this part of the branch [1]: at its beginning the film may carry some of the moment already.
+    fn carried(&self, part: f64) -> f64 {
+        let tilting = |[_, _, x, y]: Vector| x.hypot(y);
+        let (asked, left) = (tilting(self.search.asked()), (1.0 - part) * tilting(self.first));
+        if asked > 0.0 { 1.0 - left / asked } else { part }
+    }
+
     /// Why a branch that was followed up to a point does not lead to the balance.
     fn why(
         &self,
@@ -206,14 +214,14 @@ impl Branch<'_, '_> {
         match has_turned {
             true => NoEquilibrium::TiltLimit {
                 asked: search.load.magnitude(),
-                carried: part,
+                carried: self.carried(part),
                 thickness: problem.bearing.least_gap(&problem.journal),
                 tilt: problem.journal.tilt[0].hypot(problem.journal.tilt[1]),
                 journal: Box::new(problem.journal),
                 way: Some(Box::new(waypoint)),
             },
             false if self.gap(&here.trial) < NEAR_CONTACT => {
-                search.in_contact(&here.trial.problem, part, Some(waypoint))
+                search.in_contact(&here.trial.problem, self.carried(part), Some(waypoint))
             }
             false => NoEquilibrium::NotConverged {
                 asked: search.load.magnitude(),
