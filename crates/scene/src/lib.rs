@@ -58,6 +58,6 @@ pub use load::cycle::{CrankBearing, Harmonic, LoadCycle, LoadFrame, LoadSource};
 pub use mesh::{Layout, MeshSource};
 pub use oil::*;
 pub use orbit::Orbit;
-pub use scene::{SCENE_LIMIT, SWEPT, Scene};
+pub use scene::{MESH_FILE, SCENE_LIMIT, SWEPT, Scene};
 pub use support::{Support, Tilting};
 pub use tolerance::{Target, Tolerance};

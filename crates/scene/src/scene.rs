@@ -30,6 +30,8 @@ const FAULT_LIMIT: usize = 5;
 /// How a gmsh file begins.
 const MESH_OPENING: &[u8] = b"$MeshFormat";
 
+/// Key of the mesh file.
+pub const MESH_FILE: &str = "mesh.file";
 /// Tables whose keys can be swept.
 pub const SWEPT: [&str; 14] = [
     "bearing",
@@ -168,7 +170,7 @@ impl Scene {
         };
         let gas = self.crank.as_ref().and_then(Crank::gas_file);
         let files = [
-            ("mesh.file", self.mesh.path(), mesh),
+            (MESH_FILE, self.mesh.path(), mesh),
             ("load.file", load, TABLE),
             ("crank.gas.file", gas, TABLE),
         ];

@@ -11,13 +11,14 @@ mod rotor_table;
 mod table;
 
 use std::cell::RefCell;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsStr;
+use std::ops::Range;
 use std::path::Path;
 use std::time::Instant;
 
 use oilwedge_campaign::sweep::{Event, Forecast, Part, Sweep};
-use oilwedge_scene::Scene;
+use oilwedge_scene::{MESH_FILE, Scene};
 use oilwedge_study::CompileError;
 use oilwedge_study::run_options::RunOptions;
 use sha2::{Digest, Sha256};
@@ -79,10 +80,8 @@ pub fn run(
     progress: &mut dyn FnMut(Notice),
 ) -> Result<SweepReport, SweepError> {
     let clock = Instant::now();
-    let (dir, cases) = match options.part {
-        None => (dir.to_path_buf(), 0..sweep.scenes.len()),
-        Some(part) => (part_folder(dir, part), sweep.cases_of(part)),
-    };
+    let cases = cases(sweep, options);
+    let dir = (options.part).map_or(dir.to_path_buf(), |part| part_folder(dir, part));
     check(&dir)?;
     let mut report = begun(sweep, options)?;
     let (mut table, rows) = Table::open(&dir, &report, options.fresh)?;
@@ -128,14 +127,11 @@ pub fn run(
 /// # Errors
 /// A part is missing, has not ended, or is one of another sweep; another sweep stands in the folder, or it cannot be written.
 pub fn join(sweep: &Sweep, options: &SweepOptions, parts: &Path, dir: &Path) -> Result<SweepReport, SweepError> {
-    let clock = Instant::now();
     check(dir)?;
     let mut report = begun(sweep, options)?;
     let rows = rows_of_parts(sweep, &report, parts)?;
     let _alone = Table::open(dir, &report, options.fresh)?;
-    report.kept = rows.len();
-    report.rows = rows;
-    report.seconds = clock.elapsed().as_secs_f64();
+    report.join(rows);
     report.has_rotor_table = finish(dir, &report)?;
     Ok(report)
 }
@@ -145,8 +141,7 @@ pub fn join(sweep: &Sweep, options: &SweepOptions, parts: &Path, dir: &Path) -> 
 /// # Errors
 /// The cases cannot be run, or a number is not finite.
 pub fn part_rows(sweep: &Sweep, options: &SweepOptions) -> Result<Vec<u8>, SweepError> {
-    let columns = Columns::new(&sweep.plan, &sweep.scenes, options.case.bars);
-    let cases = options.part.map_or(0..sweep.scenes.len(), |part| sweep.cases_of(part));
+    let (columns, cases) = (columns(sweep, options), cases(sweep, options));
     let mut rows = BTreeMap::new();
     sweep.run(&options.case, &|case| !cases.contains(&case), &mut |event| -> Result<
         (),
@@ -170,8 +165,7 @@ pub fn of_rows(sweep: &Sweep, options: &SweepOptions, rows: &[u8]) -> Result<Swe
     let is_whole = rows.iter().map(case_of).eq((0..sweep.scenes.len()).map(Some));
     match is_whole {
         true => {
-            report.kept = rows.len();
-            report.rows = rows;
+            report.join(rows);
             Ok(report)
         }
         false => Err(SweepError::NotItsRows),
@@ -180,10 +174,20 @@ pub fn of_rows(sweep: &Sweep, options: &SweepOptions, rows: &[u8]) -> Result<Swe
 
 /// The rows of the part of a sweep that cannot be computed, with the reason, as CSV with headings.
 pub fn failed_rows(sweep: &Sweep, options: &SweepOptions, reason: &str) -> Vec<u8> {
-    let columns = Columns::new(&sweep.plan, &sweep.scenes, options.case.bars);
-    let cases = options.part.map_or(0..sweep.scenes.len(), |part| sweep.cases_of(part));
+    let (columns, cases) = (columns(sweep, options), cases(sweep, options));
     let rows: Vec<Row> = cases.map(|case| columns.failed(&sweep.plan, case, reason)).collect();
     to_csv(std::iter::once(&columns.headings()).chain(&rows))
+}
+
+/// The columns of its table.
+fn columns(sweep: &Sweep, options: &SweepOptions) -> Columns {
+    Columns::new(&sweep.plan, &sweep.scenes, options.case.bars)
+}
+
+/// The cases that are computed.
+fn cases(sweep: &Sweep, options: &SweepOptions) -> Range<usize> {
+    let all = 0..sweep.scenes.len();
+    options.part.map_or(all, |part| sweep.cases_of(part))
 }
 
 /// Whether the files of a sweep may stand in the folder `dir`.
@@ -205,6 +209,7 @@ fn begun(sweep: &Sweep, options: &SweepOptions) -> Result<SweepReport, SweepErro
         version: env!("CARGO_PKG_VERSION").to_owned(),
         scene_sha256: sweep.scene_sha256.clone(),
         mesh_sha256: meshes_sha256(&sweep.scenes)?,
+        tables_sha256: tables_sha256(&sweep.scenes)?,
         bars: options.case.bars,
         cases: sweep.scenes.len(),
         part: options.part,
@@ -213,24 +218,41 @@ fn begun(sweep: &Sweep, options: &SweepOptions) -> Result<SweepReport, SweepErro
         identity,
         effects: sweep.effects().map_err(Error::from)?,
         plan: sweep.plan.clone(),
-        columns: Columns::new(&sweep.plan, &sweep.scenes, options.case.bars),
+        columns: columns(sweep, options),
         rows: Vec::new(),
         kept: 0,
         seconds: 0.0,
+        is_joined: false,
         has_rotor_table: false,
     })
 }
 
 /// SHA-256 of all mesh files, each once; `None` where there are none.
 fn meshes_sha256(scenes: &[Scene]) -> Result<Option<String>, Error> {
-    let mut paths: Vec<&Path> = scenes.iter().filter_map(|scene| scene.mesh.path()).collect();
-    paths.dedup();
-    paths.sort_unstable();
-    paths.dedup();
+    let paths = scenes.iter().filter_map(|scene| scene.mesh.path());
+    let read = |path: &Path| oilwedge_mesh::gmsh::read_bytes(path).map_err(|error| CompileError::from(error).into());
+    sha256_of(paths, read)
+}
+
+/// SHA-256 of all tables of loads and gas pressures, each once; `None` where there are none.
+fn tables_sha256(scenes: &[Scene]) -> Result<Option<String>, Error> {
+    let tables = scenes
+        .iter()
+        .flat_map(Scene::files)
+        .filter(|(key, ..)| *key != MESH_FILE);
+    let read = |path: &Path| std::fs::read(path).map_err(Error::system(path));
+    sha256_of(tables.map(|(_, path, _)| path), read)
+}
+
+/// SHA-256 of the digests of files, each once and in the order of their paths; `None` where there are none.
+fn sha256_of<'a>(
+    paths: impl Iterator<Item = &'a Path>,
+    read: impl Fn(&Path) -> Result<Vec<u8>, Error>,
+) -> Result<Option<String>, Error> {
+    let paths: BTreeSet<&Path> = paths.collect();
     let mut hash = Sha256::new();
     for path in &paths {
-        let bytes = oilwedge_mesh::gmsh::read_bytes(path).map_err(CompileError::from)?;
-        hash.update(Sha256::digest(&bytes));
+        hash.update(Sha256::digest(read(path)?));
     }
     let digest = hash.finalize();
     Ok((!paths.is_empty()).then(|| digest.iter().map(|byte| format!("{byte:02x}")).collect()))

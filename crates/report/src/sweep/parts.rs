@@ -3,6 +3,7 @@
 //! Runs do not share a file, so that they need no locks and may be on other machines. A part is a sweep in its folder: it survives a kill like one.
 
 use std::collections::BTreeSet;
+use std::io;
 use std::path::{Path, PathBuf};
 
 use oilwedge_campaign::sweep::{Part, Sweep};
@@ -62,14 +63,14 @@ pub(super) fn rows_of_parts(sweep: &Sweep, begun: &SweepReport, dir: &Path) -> R
             Some(earlier) if !earlier.is_complete => unfinished.push(part.number()),
             Some(earlier) => {
                 let mut own = earlier.rows.iter().map(case_of);
-                // One more than the cases, so that a row too many is found as well.
-                let wrong = (cases.clone().map(Some).chain([None])).find(|case| own.next().flatten() != *case);
-                if let Some(case) = wrong {
+                let wrong = cases.clone().find(|case| own.next() != Some(Some(*case)));
+                // A row too many is found as well.
+                if let Some(case) = wrong.or_else(|| own.next().map(|_| cases.end)) {
                     return Err(SweepError::Rows {
                         part,
                         dir: dir.to_path_buf(),
                         table: folder.join(TABLE_FILE),
-                        case: case.unwrap_or(cases.end) + 1,
+                        case: case + 1,
                     });
                 }
                 rows.extend(earlier.rows);
@@ -95,11 +96,16 @@ fn division(dir: &Path) -> Result<u32, SweepError> {
     let folder = dir.join(PARTS_FOLDER);
     let none = || SweepError::NoParts { dir: dir.to_path_buf() };
     let mut divisions = BTreeSet::new();
-    for entry in std::fs::read_dir(&folder).map_err(|_| none())? {
-        let entry = entry.map_err(|source| SweepError::Earlier {
-            path: folder.clone(),
-            source,
-        })?;
+    let unreadable = |source: io::Error| SweepError::Earlier {
+        path: folder.clone(),
+        source,
+    };
+    let entries = std::fs::read_dir(&folder).map_err(|error| match error.kind() {
+        io::ErrorKind::NotFound => none(),
+        _ => unreadable(error),
+    })?;
+    for entry in entries {
+        let entry = entry.map_err(unreadable)?;
         let name = entry.file_name();
         let name = name.to_string_lossy();
         match part_named(&name) {

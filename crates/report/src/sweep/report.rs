@@ -24,6 +24,9 @@ pub struct Identity {
     pub scene_sha256: String,
     /// SHA-256 of the mesh files, hexadecimal; `None` where meshes are drawn.
     pub mesh_sha256: Option<String>,
+    /// SHA-256 of the tables of loads and gas pressures, hexadecimal; `None` where there are none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tables_sha256: Option<String>,
     /// Whether error bars are estimated.
     pub bars: bool,
     /// Number of cases of the whole sweep.
@@ -48,14 +51,24 @@ pub struct SweepReport {
     pub rows: Vec<Row>,
     /// Rows that an earlier run had computed.
     pub kept: usize,
-    /// Seconds that this run took.
+    /// Seconds that this run took; of a table that is joined those of its cases together.
     pub seconds: f64,
+    /// Whether the rows were computed as parts, by other runs.
+    pub is_joined: bool,
     /// Whether there is a table for programs of rotors.
     pub has_rotor_table: bool,
 }
 
 impl SweepReport {
-    /// Number of cases that ended so: `converged`, `no_solution`, `not_converged` or `bad_scene`.
+    /// Takes rows that other runs have computed, of all cases.
+    pub(super) fn join(&mut self, rows: Vec<Row>) {
+        let seconds = |row: &Row| self.columns.tail(row, SECONDS).parse::<f64>().ok();
+        self.seconds = rows.iter().filter_map(seconds).sum();
+        self.rows = rows;
+        self.is_joined = true;
+    }
+
+    /// Number of cases that ended so: `converged`, `no_solution`, `not_converged`, `bad_scene` or `failed`.
     pub fn count(&self, status: &str) -> usize {
         let column = self.columns.status();
         self.rows.iter().filter(|row| row[column] == status).count()

@@ -48,17 +48,22 @@ pub fn sweep_report(report: &SweepReport, folder: Option<&Path>) -> String {
     let mut parts = vec![
         heading(&report.identity.title, &status.join(", ")),
         effects(&report.effects),
-        rows(report),
+        rows(report, folder),
     ];
     let own = cases - report.kept;
     let mut lines = Vec::new();
     if report.kept > 0 {
-        lines.push(format!("kept      {} cases of an earlier run", report.kept));
+        lines.push(format!("kept      {} of an earlier run", counted(report.kept, "case")));
     }
     let each = report.seconds / own.max(1) as f64;
+    let of_parts = if report.is_joined {
+        ", added up over all parts"
+    } else {
+        ""
+    };
     lines.push(match own {
         0 => format!("time      {}: nothing was left to compute", time(report.seconds)),
-        _ => format!("time      {}: {} a case", time(report.seconds), time(each)),
+        _ => format!("time      {}: {} a case{of_parts}", time(report.seconds), time(each)),
     });
     lines.extend(folder.map(|folder| written(report, folder)));
     lines.push(format!("warnings  {}", tally(report, WARNINGS)));
@@ -114,7 +119,7 @@ fn headed(name: &str, unit: &str) -> String {
     }
 }
 
-fn rows(report: &SweepReport) -> String {
+fn rows(report: &SweepReport, folder: Option<&Path>) -> String {
     let columns = shown(report);
     let inputs = report.columns.inputs.iter().map(|input| printable(input));
     let headings = columns.iter().map(|column| column.heading.clone());
@@ -143,8 +148,9 @@ fn rows(report: &SweepReport) -> String {
     last.iter().for_each(&mut add);
     let mut text = table.to_string();
     if cut {
+        let all = if folder.is_some() { "; all are in sweep.csv" } else { "" };
         text += &format!(
-            "\nthe first and the last {} of {} cases; all are in sweep.csv",
+            "\nthe first and the last {} of {} cases{all}",
             SHOWN / 2,
             report.rows.len()
         );

@@ -127,6 +127,12 @@ fn a_part_is_computed_once_and_goes_on_after_a_kill() {
     );
     let told = bench.run(&join);
     assert_eq!(told.status, 0, "{}", told.stderr);
+    let words = " a case, added up over all parts";
+    assert!(
+        told.stdout.contains(words) && !told.stdout.contains("kept"),
+        "{}",
+        told.stdout
+    );
     let told = bench.run(&["sweep", "scene.toml", "--bars", "none", "--out", "map"]);
     assert!(told.stdout.contains("kept      18 cases"), "{}", told.stdout);
 }
@@ -177,6 +183,10 @@ fn a_join_refuses_gaps() {
     let bench = Bench::new();
     loaded(&bench, 9);
     bench.refuses(&JOIN, &["holds no parts", "--part 1/N", "--out map"]);
+    std::fs::create_dir(bench.path().join("map")).expect("a folder");
+    bench.write("map/parts", "no folder");
+    bench.refuses(&JOIN, &["cannot read", "parts"]);
+    std::fs::remove_file(file(&bench, "parts")).expect("removed");
     for number in [2, 3, 6] {
         let run = start(&bench, number, 6, "none").wait_with_output().expect("it ends");
         assert!(run.status.success());
@@ -216,6 +226,39 @@ fn a_join_refuses_parts_of_other_sweeps() {
     assert_eq!(told.status, 0, "{}", told.stderr);
 }
 
+/// The table of the load is part of what is computed.
+#[test]
+fn a_sweep_under_another_table_of_loads_is_another_one() {
+    let bench = Bench::new();
+    let load = |peak: f64| {
+        let row = |angle: u32, force: f64| format!("{angle},{force},{}\n", 0.5 * force);
+        let angles = (0..=720).step_by(90);
+        let rows: String = angles
+            .map(|angle| row(angle, if angle % 720 == 360 { peak } else { 1000.0 }))
+            .collect();
+        bench.write("load.csv", format!("angle [deg],Fx [N],Fy [N]\n{rows}"));
+    };
+    load(2000.0);
+    let scene = "title = \"cycle\"\nbearing = { diameter = \"40 mm\", length = \"16 mm\", clearance = \"20 um\" }\nmesh = { size = \"5 mm\" }\n\
+        oil = { viscosity = \"10 mPa.s\" }\njournal = { speed = \"200 rad/s\" }\ncavitation = { model = \"reynolds\" }\n\
+        load = { file = \"load.csv\", frame = \"shell\", period = \"720 deg\" }\norbit = { tolerance = 0.1, cycles = 2 }\n\
+        [sweep]\nclearance = [\"20 um\", \"25 um\"]\n";
+    bench.write("scene.toml", scene);
+    let again = ["sweep", "scene.toml", "--bars", "none", "--out", "map"];
+    let told = bench.run(&again);
+    assert!(told.stdout.contains(" a case\n"), "{}{}", told.stdout, told.stderr);
+    let told = bench.run(&again);
+    assert!(told.stdout.contains("nothing was left to compute"), "{}", told.stdout);
+    load(3000.0);
+    bench.refuses(
+        &again,
+        &[
+            "map holds a sweep of another table of loads or gas pressures",
+            "--fresh",
+        ],
+    );
+}
+
 #[test]
 fn a_join_refuses_doubles() {
     let bench = six_parts();
@@ -231,6 +274,7 @@ fn a_join_refuses_doubles() {
         (rows.replacen(&format!("{first}\n"), "", 1), "case 4 "),
         (rows.replacen(first, foreign, 1), "case 4 "),
         (rows.replacen(&format!("{last}\n"), "", 1), "case 6 "),
+        (format!("{rows}x{}\n", &last[1..]), "case 7 "),
     ] {
         bench.write(path, wrong);
         bench.refuses(&JOIN, &["002-of-006", case, "--part 2/6 --out map --fresh"]);
