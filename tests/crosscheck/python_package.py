@@ -1,6 +1,7 @@
 """What the tests of the Python package share: scenes, and the program beside it."""
 
 import json
+import re
 import subprocess
 
 from oilwedge_run import SCENES, program
@@ -25,3 +26,9 @@ def solved(scene, out, *more):
 
 def without_times(result):
     return {key: value for key, value in result.items() if key not in ("timing_s", "levels")}
+
+
+def without_seconds(page, result):
+    """The lines of a page but those of the times of its result."""
+    times = tuple(f"<tr><td>{name}</td>" for name in result.to_dict()["timing_s"])
+    return [re.sub(r"\d[\d.e-]*(?=\s*(?:s|ms|min)\b)", "", line) for line in page.splitlines() if not line.startswith(times)]

@@ -8,6 +8,7 @@ import subprocess
 import sys
 import threading
 import time
+from concurrent.futures import ThreadPoolExecutor
 
 import cloudpickle
 import numpy as np
@@ -16,6 +17,8 @@ import oilwedge.dask
 import pyarrow.parquet
 import pytest
 from distributed import Client, LocalCluster
+from oilwedge._run import asked
+from oilwedge._sweep import swept
 
 from oilwedge_run import SCENES
 
@@ -45,8 +48,11 @@ def parts(folder):
     return sorted(folder.glob("part-*.parquet"))
 
 
-def wait_for_parts(folder, count):
+def wait_for_parts(folder, count, process=None):
+    """Until so many parts are there; fails after two minutes, or when the process that writes them has ended."""
+    last = time.monotonic() + 120
     while len(parts(folder)) < count:
+        assert time.monotonic() < last and (process is None or process.poll() is None), f"{len(parts(folder))} parts of {count}"
         time.sleep(0.01)
 
 
@@ -60,7 +66,7 @@ def test_a_worker_is_killed(client, wanted, tmp_path):
         os.kill(worker, signal.SIGKILL)
         seen.update({path: path.stat().st_ino for path in parts(tmp_path)})
 
-    killer = threading.Thread(target=kill)
+    killer = threading.Thread(target=kill, daemon=True)
     killer.start()
     table = oilwedge.dask.sweep(SCENE, AXES, client, out=tmp_path, bars=False)
     killer.join()
@@ -97,8 +103,10 @@ def test_the_client_is_killed(client, wanted, tmp_path, monkeypatch):
     script.write_text(CLIENT.format(folder=os.path.dirname(__file__), out=str(out)))
     out.mkdir()
     with subprocess.Popen([sys.executable, script], start_new_session=True) as process:
-        wait_for_parts(out, 8)
-        os.killpg(process.pid, signal.SIGKILL)
+        try:
+            wait_for_parts(out, 8, process)
+        finally:
+            os.killpg(process.pid, signal.SIGKILL)
     kept = {path: path.stat().st_mtime_ns for path in parts(out)}
     computed = []
     write = oilwedge.dask._Parts.write
@@ -124,14 +132,35 @@ compute = oilwedge.dask._part
 def test_a_part_ends_every_worker(client, wanted, tmp_path, monkeypatch):
     cloudpickle.register_pickle_by_value(sys.modules[__name__])
     monkeypatch.setattr(oilwedge.dask, "_part", deadly)
-    table = oilwedge.dask.sweep(SCENE, AXES, client, out=tmp_path, bars=False)
-    cloudpickle.unregister_pickle_by_value(sys.modules[__name__])
+    try:
+        table = oilwedge.dask.sweep(SCENE, AXES, client, out=tmp_path, bars=False)
+    finally:
+        cloudpickle.unregister_pickle_by_value(sys.modules[__name__])
     found = rows(table.to_csv())
     failed = [row for row in found if row[3] == "failed"]
     assert len(failed) == 20 and all("worker" in row[-1] and row[4] == "" for row in failed)
     cases = {row[0] for row in failed}
     assert [row for row in found if row[0] not in cases] == [row for row in wanted if row[0] not in cases]
     assert "20 that no worker could compute" in str(table)
+
+
+def test_threads_of_a_worker_and_two_sweeps_share_it(tmp_path):
+    """The files of a sweep stay as long as a part of it is computed, whoever reads another sweep meanwhile."""
+    sweeps = [_packed(scene) for scene in (SCENE, SCENE | {"journal.speed": "20 rad/s"})]
+    rows_of = [oilwedge.dask._part(packed, 1)[1] for packed in sweeps]
+    for _ in range(5):
+        oilwedge.dask._worker.clear()
+        with ThreadPoolExecutor(8) as threads:
+            found = list(threads.map(lambda number: oilwedge.dask._part(sweeps[number % 2], 1)[1], range(16)))
+        for number, text in enumerate(found):
+            assert rows(text.decode()) == rows(rows_of[number % 2].decode())
+
+
+def _packed(scene):
+    """A sweep of two cases as it travels."""
+    own, files = oilwedge.dask._packed_scene(swept(scene, {"eccentricity": [0.3, 0.5]}, None))
+    how = asked(own, bars=False, max_seconds=None, max_unknowns=1_000_000, threads=1)
+    return oilwedge.dask._Packed(own.text, files, how, 1)
 
 
 def test_all_workers_have_one_version():

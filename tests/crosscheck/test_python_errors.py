@@ -97,7 +97,18 @@ def test_results_that_are_no_answers_are_exceptions(tmp_path):
     assert again.result.to_dict() == reached.value.result.to_dict()
 
 
-@pytest.mark.parametrize("wrong", ({"max_seconds": 0}, {"max_seconds": float("nan")}, {"max_unknowns": 0}, {"threads": 0}))
+@pytest.mark.parametrize(
+    "wrong",
+    (
+        {"max_seconds": 0},
+        {"max_seconds": float("nan")},
+        {"max_seconds": "a"},
+        {"max_unknowns": 0},
+        {"max_unknowns": 1e6},
+        {"threads": 0},
+        {"threads": 1.5},
+    ),
+)
 def test_arguments_that_make_no_sense_are_refused(wrong):
     with pytest.raises(ValueError, match="wanted"):
         ow.solve(RING, **wrong)

@@ -45,6 +45,7 @@ def test_a_scene_is_made_of_a_file_a_mapping_or_another_scene(tmp_path):
         ({"jurnal.speed": "3000 rpm"}, "jurnal.speed", "no table of a scene"),
         ({"sped": "3000 rpm"}, "sped", "not known"),
         ({"journal.speed": 3000}, "journal.speed", "bare number"),
+        ({"journal": {"speed": "3000 rpm"}}, "journal", "is a table"),
         ({"journal.speed": "3000 mm"}, "journal.speed", "unit of length"),
         ({"journal.sped": "3000 rpm"}, "journal.sped", "not known"),
         ({"eccentricity": 1.2}, "journal.eccentricity", ""),
@@ -57,7 +58,36 @@ def test_changes_that_make_no_scene_are_refused(changes, key, words):
     assert any(complaint.key.startswith(key) and words in complaint.message for complaint in caught.value.complaints)
 
 
-@pytest.mark.parametrize("wrong", ({"title": None}, {"journal": {"speed": {1, 2}}}, {1: 2}))
-def test_what_toml_cannot_hold_is_refused(wrong):
-    with pytest.raises(TypeError):
+class Endless:
+    """Makes another one of itself for ever."""
+
+    def tolist(self):
+        return Endless()
+
+
+def in_itself():
+    table = {}
+    table["a"] = table
+    return table
+
+
+@pytest.mark.parametrize(
+    ("wrong", "words"),
+    (
+        ({"title": None}, "title: a NoneType"),
+        ({"journal": {"speed": {1, 2}}}, "journal.speed: a set"),
+        ({1: 2}, "the key 1 is no text"),
+        (None, "a scene is made of a mapping"),
+        ("bearing.toml", "Scene.read reads a file"),
+        (in_itself(), "more than 64 deep"),
+        ({"title": Endless()}, "title: lists and dicts lie more than 64 deep"),
+    ),
+)
+def test_what_toml_cannot_hold_is_refused(wrong, words):
+    with pytest.raises(TypeError, match=words):
         ow.Scene(wrong)
+
+
+def test_a_number_of_too_many_digits_is_refused():
+    with pytest.raises(ValueError, match="title: the whole number 1000"):
+        ow.Scene({"title": 10**30})

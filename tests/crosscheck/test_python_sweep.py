@@ -33,6 +33,8 @@ def test_a_sweep_is_that_of_the_program(table, tmp_path):
     printed, _ = run("sweep", path, "--out", tmp_path / "map")
     text = (tmp_path / "map/sweep.csv").read_text()
     assert lines_without_seconds(table.to_csv()) == lines_without_seconds(text)
+    # Without a folder there is no file to name.
+    printed = printed.replace("; all are in sweep.csv", "")
     words = [line for line in printed.splitlines() if not line.startswith(("time ", "written "))]
     assert [line for line in str(table).splitlines() if not line.startswith("time ")] == words
     own = ow.sweep(path, out=tmp_path / "own", threads=1)
@@ -51,6 +53,11 @@ def test_a_sweep_has_chosen_columns():
     table = ow.sweep(RING, {"eccentricity": np.linspace(0.2, 0.8, 4)}, columns=["W kN", "h_min um"], bars=False)
     assert table.columns[:5] == ("case", "eccentricity", "status", "W [kN]", "h_min [um]")
     assert np.all(np.diff(table["W [kN]"]) > 0) and len(table) == 4
+    data = table.to_xarray()
+    assert data["W"].attrs == {"units": "kN", "long_name": ow.solve(RING)["load"].description}
+    twice = ow.sweep(RING, {"eccentricity": [0.2, 0.4]}, columns=["W kN", "W N"], bars=False)
+    with pytest.raises(ValueError, match='"W" in two columns'):
+        twice.to_xarray()
 
 
 def test_a_table_becomes_a_frame_a_data_set_and_a_file(table, tmp_path):

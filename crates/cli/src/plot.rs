@@ -10,8 +10,8 @@ use oilwedge_report::convergence::REPORT_FILE as STUDY_FILE;
 use oilwedge_report::orbit_course::OrbitCourse;
 use oilwedge_report::orbit_table::orbit_table;
 use oilwedge_report::plot::{
-    self, CONVERGENCE, DrawnFilm, PLOT_FOLDER, PlotOptions, Unknown, film_figures, orbit_figures, orbits_beside,
-    write_pictures,
+    self, CONVERGENCE, DrawnFilm, PLOT_FOLDER, PlotOptions, Unknown, WIDTHS, film_figures, orbit_figures,
+    orbits_beside, write_pictures,
 };
 use oilwedge_report::result_json;
 use oilwedge_report::results::{Beside, ORBIT_FILE, PICTURE_FILE, RESULT_FILE, write_results};
@@ -60,15 +60,17 @@ Examples:
 
 Exit status: 0 done; 1 no solution, or not converged (what there is of it is drawn); 2 bad scene, folder or arguments.";
 
-/// Narrowest and widest pictures [mm].
-const WIDTHS: [f64; 2] = [60.0, 400.0];
-
 fn width(text: &str) -> Result<f64, String> {
     let metres = unit::parse(text, Dimension::Length).map_err(|error| format!("{error}; {}", error.help("85 mm")))?;
-    let width = 1e3 * metres;
-    match (WIDTHS[0] - 1e-9..=WIDTHS[1] + 1e-9).contains(&width) {
+    // The ends themselves are widths, whatever the unit makes of them.
+    let width = (1e9 * metres).round() / 1e6;
+    match WIDTHS.contains(&width) {
         true => Ok(width),
-        false => Err(format!("give a width from {} mm to {} mm", WIDTHS[0], WIDTHS[1])),
+        false => Err(format!(
+            "give a width from {} mm to {} mm",
+            WIDTHS.start(),
+            WIDTHS.end()
+        )),
     }
 }
 

@@ -100,12 +100,6 @@ pub(crate) fn sweep_of(scene: &oilwedge_scene::Scene, path: &Path) -> Result<Swe
         .ok_or_else(|| Failure::Argument(format!("the scene {} has no [sweep]; give axes", path.display())))
 }
 
-/// A failure of a folder that does not stay.
-pub(crate) fn passing(source: std::io::Error) -> Failure {
-    let path = std::env::temp_dir();
-    Failure::Report(oilwedge_report::Error::System { path, source })
-}
-
 fn part(number: u32, of: u32) -> Result<Part, Failure> {
     Part::new(number, of).ok_or_else(|| Failure::Argument(format!("there is no part {number} of {of}")))
 }

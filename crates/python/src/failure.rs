@@ -137,9 +137,9 @@ fn sweep(py: Python<'_>, path: &Path, error: SweepError) -> PyErr {
         SweepError::Other { .. } | SweepError::Earlier { .. } => PyValueError::new_err(format!(
             "{error}; give another folder as out, or replace it with fresh=True"
         )),
-        SweepError::Busy { .. } => {
-            PyOSError::new_err(format!("{error}; wait until it ends, or give another folder as out"))
-        }
+        SweepError::Busy { .. } => PyOSError::new_err(format!(
+            "{error}; wait until it ends (a sweep that Ctrl-C ended still ends its last cases), or give another folder as out"
+        )),
         other => PyValueError::new_err(other.to_string()),
     }
 }

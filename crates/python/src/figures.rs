@@ -2,7 +2,7 @@
 
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use oilwedge_report::page as pages;
-use oilwedge_report::plot::{self, DrawnFilm, PlotOptions, Unknown, figures_of_sweep, film_figures};
+use oilwedge_report::plot::{self, DrawnFilm, PlotOptions, Unknown, WIDTHS, figures_of_sweep, film_figures};
 use oilwedge_study::fields::field as field_row;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
@@ -23,11 +23,17 @@ fn unknown(Unknown { name, known }: Unknown) -> Failure {
     ))
 }
 
-fn options(name: String, width: f64) -> PlotOptions {
-    PlotOptions {
+fn options(name: String, width: f64) -> Result<PlotOptions, Failure> {
+    let wanted = format!(
+        "width={width}: a number of mm from {} to {} is wanted",
+        WIDTHS.start(),
+        WIDTHS.end()
+    );
+    let options = PlotOptions {
         selected: vec![name],
         width,
-    }
+    };
+    (WIDTHS.contains(&width).then_some(options)).ok_or(Failure::Argument(wanted))
 }
 
 /// Values of a field at angles [deg] and places along the axis [m], both of one length; NaN where there is no film.
@@ -74,7 +80,7 @@ pub(crate) fn figure<'py>(
     let picture = film.map(|film| picture(film, None)).transpose()?;
     let bytes = done(py, Some(1), move |_| {
         let result = value(&json)?;
-        let options = options(name, width);
+        let options = options(name, width)?;
         let figures = match &picture {
             Some(picture) => film_figures(&DrawnFilm::new(result, picture)?, &options),
             None => figures_of_sweep(&result, &options),

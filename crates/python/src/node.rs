@@ -5,9 +5,14 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyList, PyMapping, PyString, PyTuple};
 use serde::{Serialize, Serializer};
 
+/// Deepest value that is read; a scene has four.
+const DEEPEST: usize = 64;
+/// Letters of its key that are shown.
+const MOST_SHOWN: usize = 60;
+
 /// A value of TOML.
 #[derive(Debug, Clone)]
-pub(crate) enum Node {
+enum Node {
     Text(String),
     Truth(bool),
     Integer(i64),
@@ -30,11 +35,17 @@ impl Serialize for Node {
 }
 
 impl Node {
-    /// The value of an object; `key` is where it stands.
+    /// The value of an object; `key` is where it stands, and `depth` how far below the whole.
     ///
     /// # Errors
-    /// TOML has no such value.
-    pub(crate) fn of(object: &Bound<'_, PyAny>, key: &str) -> PyResult<Self> {
+    /// TOML has no such value, or it lies deeper than [`DEEPEST`].
+    fn of(object: &Bound<'_, PyAny>, key: &str, depth: usize) -> PyResult<Self> {
+        if depth > DEEPEST {
+            return Err(PyTypeError::new_err(format!(
+                "{}: lists and dicts lie more than {DEEPEST} deep; a scene has tables of values",
+                key.chars().take(MOST_SHOWN).collect::<String>()
+            )));
+        }
         if object.is_instance_of::<PyString>() {
             return Ok(Self::Text(object.extract()?));
         }
@@ -42,37 +53,34 @@ impl Node {
             return Ok(Self::Truth(object.extract()?));
         }
         if object.is_instance_of::<PyInt>() {
-            return Ok(Self::Integer(object.extract()?));
+            let number = object.extract().map_err(|_| {
+                PyValueError::new_err(format!(
+                    "{key}: the whole number {object} has more digits than a scene may have"
+                ))
+            })?;
+            return Ok(Self::Integer(number));
         }
         if object.is_instance_of::<PyFloat>() {
             return Ok(Self::Float(object.extract()?));
         }
         if object.is_instance_of::<PyDict>() || object.cast::<PyMapping>().is_ok() {
-            return table(object, key).map(Self::Table);
+            return table(object, key, depth).map(Self::Table);
         }
         if object.is_instance_of::<PyList>() || object.is_instance_of::<PyTuple>() {
-            let items = object.try_iter()?.map(|item| Self::of(&item?, key));
+            let items = object.try_iter()?.map(|item| Self::of(&item?, key, depth + 1));
             return items.collect::<PyResult<_>>().map(Self::List);
         }
         // Numbers and arrays of numpy, columns of pandas.
         if let Ok(plain) = object.call_method0("tolist") {
-            return Self::of(&plain, key);
+            return Self::of(&plain, key, depth + 1);
         }
         if let Ok(path) = object.call_method0("__fspath__") {
-            return Self::of(&path, key);
+            return Self::of(&path, key, depth + 1);
         }
         let kind = object.get_type().name()?.to_string();
         Err(PyTypeError::new_err(format!(
             "{key}: a {kind} is no value of a scene; give a text with its unit, a number, a list or a dict, and leave out a key that has no value"
         )))
-    }
-
-    /// As a document.
-    ///
-    /// # Errors
-    /// It is no table.
-    pub(crate) fn document(&self) -> PyResult<String> {
-        toml::to_string(self).map_err(refused)
     }
 
     /// In a line, as it stands behind `=`.
@@ -84,12 +92,27 @@ impl Node {
     }
 }
 
+/// A mapping as a document of TOML.
+///
+/// # Errors
+/// It is no mapping, or holds what TOML has not.
+pub(crate) fn document(object: &Bound<'_, PyAny>) -> PyResult<String> {
+    if object.cast::<PyMapping>().is_err() {
+        let kind = object.get_type().name()?.to_string();
+        return Err(PyTypeError::new_err(format!(
+            "a scene is made of a mapping, and this is a {kind}; Scene.read reads a file, Scene.parse a text"
+        )));
+    }
+    let whole = Node::Table(table(object, "", 0)?);
+    toml::to_string(&whole).map_err(refused)
+}
+
 fn refused(error: toml::ser::Error) -> PyErr {
     PyValueError::new_err(format!("this cannot be written as TOML: {error}"))
 }
 
 /// The entries of a mapping in their order.
-fn table(object: &Bound<'_, PyAny>, above: &str) -> PyResult<Vec<(String, Node)>> {
+fn table(object: &Bound<'_, PyAny>, above: &str, depth: usize) -> PyResult<Vec<(String, Node)>> {
     let items = object.cast::<PyMapping>()?.items()?;
     let entry = |item: Bound<'_, PyAny>| {
         let (key, value): (Bound<'_, PyAny>, Bound<'_, PyAny>) = item.extract()?;
@@ -100,7 +123,7 @@ fn table(object: &Bound<'_, PyAny>, above: &str) -> PyResult<Vec<(String, Node)>
             "" => key.clone(),
             above => format!("{above}.{key}"),
         };
-        Ok((key, Node::of(&value, &whole)?))
+        Ok((key, Node::of(&value, &whole, depth + 1)?))
     };
     items.iter().map(entry).collect()
 }
@@ -108,7 +131,7 @@ fn table(object: &Bound<'_, PyAny>, above: &str) -> PyResult<Vec<(String, Node)>
 /// The lines `key = value` of a mapping, in its order.
 pub(crate) fn lines(object: &Bound<'_, PyAny>, values: Values) -> PyResult<String> {
     let mut text = String::new();
-    for (key, value) in table(object, "")? {
+    for (key, value) in table(object, "", 0)? {
         let value = match values {
             Values::Single => Node::List(vec![value]),
             Values::Listed => value,

@@ -7,7 +7,7 @@ use oilwedge_scene::sweep::{changed, with_axes};
 use pyo3::prelude::*;
 
 use crate::failure::Failure;
-use crate::node::{Node, Values, lines};
+use crate::node::{Values, document, lines};
 
 /// A scene that was read and checked.
 #[pyclass(frozen, module = "oilwedge._native")]
@@ -38,7 +38,7 @@ impl Scene {
     /// Reads a mapping.
     #[staticmethod]
     fn of_mapping(py: Python<'_>, description: &Bound<'_, PyAny>, path: PathBuf) -> PyResult<Self> {
-        let text = Node::of(description, "")?.document()?;
+        let text = document(description)?;
         Self::parse(py, &text, path)
     }
 

@@ -1,6 +1,6 @@
 //! One scene for many values of its keys.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use oilwedge_report::json;
 use oilwedge_report::sweep::{SweepOptions, TABLE_FILE, run};
@@ -8,7 +8,7 @@ use oilwedge_report::tables::sweep_report;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
-use crate::cases::{Written, passing, sweep_of};
+use crate::cases::{Written, sweep_of};
 use crate::failure::Failure;
 use crate::run::Asked;
 use crate::scene::Scene;
@@ -26,16 +26,28 @@ pub(crate) fn sweep<'py>(
     let (own, path) = (scene.scene.clone(), scene.path.clone());
     let (csv, json, words) = done(py, asked.threads, move |interrupt| {
         let cases = sweep_of(&own, &path)?;
-        let temporary = tempfile::tempdir().map_err(passing)?;
-        let folder = out.as_deref().unwrap_or(temporary.path());
+        let temporary;
+        let folder = match &out {
+            Some(out) => out,
+            None => {
+                temporary = tempfile::tempdir().map_err(|source| system(&std::env::temp_dir(), source))?;
+                temporary.path()
+            }
+        };
         let options = SweepOptions {
             case: asked.options(&own, interrupt),
             fresh,
             part: None,
         };
         let report = run(&cases, &options, folder, &mut |_| {}).map_err(|error| Failure::Sweep(path, error))?;
-        let csv = std::fs::read(folder.join(TABLE_FILE)).map_err(passing)?;
+        let table = folder.join(TABLE_FILE);
+        let csv = std::fs::read(&table).map_err(|source| system(&table, source))?;
         Ok((csv, json(&report)?, sweep_report(&report, None)))
     })?;
     Ok((PyBytes::new(py, &csv), json, words))
+}
+
+fn system(path: &Path, source: std::io::Error) -> Failure {
+    let path = path.to_path_buf();
+    Failure::Report(oilwedge_report::Error::System { path, source })
 }

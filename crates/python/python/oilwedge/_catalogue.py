@@ -37,11 +37,17 @@ def quantities() -> dict[str, Row]:
 
 
 def row(name: str) -> Row:
-    """The row that a quantity of this name belongs to."""
+    """The row that a quantity of this name, or with this symbol, belongs to.
+
+    Raises ``KeyError`` where there is none."""
     rows = quantities()
     found = rows.get(name)
     if found is None:
-        found = next(row for family, row in rows.items() if family.endswith(".") and name.startswith(family))
+        found = next((row for family, row in rows.items() if family.endswith(".") and name.startswith(family)), None)
+    if found is None:
+        found = next((row for row in rows.values() if row.symbol == name), None)
+    if found is None:
+        raise KeyError(f'there is no quantity "{name}"')
     return found
 
 

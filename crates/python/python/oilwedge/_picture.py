@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import html
-import os
 import sys
 import tempfile
 import webbrowser
 from pathlib import Path
-from typing import Callable, Optional, Union
+from typing import Callable, Optional
 
 from ._optional import needed
-
-StrPath = Union[str, "os.PathLike[str]"]
+from ._types import StrPath
 
 _FRAME = '<iframe sandbox="allow-scripts" style="width: 100%; height: {height}px; border: 0" srcdoc="{page}"></iframe>'
 

@@ -16,9 +16,9 @@ from . import _native
 from ._catalogue import row
 from ._errors import OilwedgeError
 from ._film import Film, Floats, frozen
-from ._picture import Page, Picture, Reported, StrPath
+from ._picture import Page, Picture, Reported
 from ._scene import Scene
-from ._types import FilmParts
+from ._types import FilmParts, StrPath
 
 
 @dataclass(frozen=True)

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
+import operator
 from collections.abc import Sequence
-from typing import Optional
+from typing import Optional, SupportsIndex
 
 from . import _native
 from ._errors import NoSolution, NotConverged
@@ -29,13 +30,22 @@ def asked(
         raise ValueError(
             "bars=False conflicts with the mesh.tolerance of the scene: a tolerance is met by error bars; leave out bars=False, or remove tolerance from [mesh]"
         )
-    if max_seconds is not None and not (max_seconds > 0 and math.isfinite(max_seconds)):
-        raise ValueError(f"max_seconds={max_seconds}: a number of seconds above zero is wanted")
-    if max_unknowns < 1:
-        raise ValueError(f"max_unknowns={max_unknowns}: a whole number above zero is wanted")
-    if threads is not None and not 1 <= threads <= 1024:
-        raise ValueError(f"threads={threads}: a whole number from 1 to 1024 is wanted")
+    if max_seconds is not None and not (isinstance(max_seconds, (int, float)) and 0 < max_seconds < math.inf):
+        raise ValueError(f"max_seconds={max_seconds!r}: a number of seconds above zero is wanted")
+    max_unknowns = _whole("max_unknowns", max_unknowns, 1 << 62)
+    threads = None if threads is None else _whole("threads", threads, 1024)
     return {"bars": bars, "max_seconds": max_seconds, "max_unknowns": max_unknowns, "unrolled": unrolled, "threads": threads}
+
+
+def _whole(name: str, value: SupportsIndex, most: int) -> int:
+    """A whole number from 1 to ``most``."""
+    try:
+        number = operator.index(value)
+    except TypeError:
+        number = 0
+    if not 1 <= number <= most:
+        raise ValueError(f"{name}={value!r}: a whole number from 1 to {most} is wanted")
+    return number
 
 
 def solve(

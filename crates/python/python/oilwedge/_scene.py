@@ -8,8 +8,7 @@ from pathlib import Path
 from typing import Any, Union
 
 from . import _native
-
-StrPath = Union[str, "os.PathLike[str]"]
+from ._types import StrPath
 
 
 class Scene:

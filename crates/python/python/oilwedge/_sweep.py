@@ -7,10 +7,10 @@ from pathlib import Path
 from typing import Any, Optional
 
 from . import _native
-from ._picture import StrPath
 from ._run import asked
 from ._scene import AnyScene, Scene, scene_of
 from ._table import Table
+from ._types import StrPath
 
 
 def swept(scene: AnyScene, axes: Optional[Mapping[str, Any]], columns: Optional[Sequence[str]]) -> Scene:

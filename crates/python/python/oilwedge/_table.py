@@ -16,7 +16,8 @@ from numpy.typing import NDArray
 from . import _native
 from ._catalogue import row
 from ._optional import needed
-from ._picture import Page, Picture, Reported, StrPath
+from ._picture import Page, Picture, Reported
+from ._types import StrPath
 
 if TYPE_CHECKING:
     import pandas
@@ -101,7 +102,7 @@ class Table(Reported):
         parquet.write_table(self.to_arrow(), path, compression="zstd")
 
     def to_xarray(self) -> xarray.Dataset:
-        """The table as a data set of xarray: a dimension for each axis, a variable for each quantity by its name, its error bar as ``NAME_error``.
+        """The table as a data set of xarray: a dimension for each axis, a variable for each quantity by its name or, in chosen columns, its symbol, its error bar as ``NAME_error``.
 
         Variables have ``units`` and ``long_name``.
         """
@@ -115,6 +116,8 @@ class Table(Reported):
         for heading, column in self._columns.items():
             if heading not in inputs:
                 name, about = _about(heading)
+                if name in variables:
+                    raise ValueError(f'the table has "{name}" in two columns, and a data set one variable of that name; choose other columns')
                 variables[name] = (dimensions, np.asarray(column).reshape(shape), about)
         data: xarray.Dataset = sets.Dataset(variables, coordinates, {"title": self._values["title"]})
         return data
@@ -163,7 +166,7 @@ def _about(heading: str) -> tuple[str, dict[str, str]]:
     quantity = name.removesuffix(" error")
     try:
         words = row(quantity).description
-    except StopIteration:
+    except KeyError:
         return name.replace(" ", "_"), about
     is_error = name != quantity
     about["long_name"] = f"half width of the error bar: {words}" if is_error else words

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Optional, TypedDict
+import os
+from typing import Optional, TypedDict, Union
 
 import numpy as np
 from numpy.typing import NDArray
+
+StrPath = Union[str, "os.PathLike[str]"]
+"""The path of a file or folder."""
 
 
 class FilmParts(TypedDict):

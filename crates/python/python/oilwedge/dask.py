@@ -14,6 +14,7 @@ import io
 import json
 import os
 import tempfile
+import threading
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -24,12 +25,11 @@ import numpy as np
 from . import _native
 from ._errors import OilwedgeError
 from ._optional import needed
-from ._picture import StrPath
 from ._run import asked
 from ._scene import AnyScene, Scene
 from ._sweep import swept
 from ._table import Table, typed_columns
-from ._types import Asked
+from ._types import Asked, StrPath
 
 if TYPE_CHECKING:
     import pyarrow
@@ -145,22 +145,33 @@ def _same(packed: _Packed) -> _Packed:
 
 def _part(packed: _Packed, number: int) -> tuple[str, bytes]:
     """The rows of a part, on a worker; and its version."""
-    cases = _cases_of_worker(packed)
-    return _native.version(), cases.part(packed.asked, number, packed.parts)
+    unpacked = _unpacked(packed)
+    return _native.version(), unpacked.cases.part(packed.asked, number, packed.parts)
 
 
-_worker: dict[str, tuple[_native.Cases, tempfile.TemporaryDirectory[str]]] = {}
+@dataclass(frozen=True)
+class _Unpacked:
+    """A sweep on a worker: its cases, and the folder of its files, which lasts as long as a part of them is computed."""
+
+    cases: _native.Cases
+    folder: tempfile.TemporaryDirectory[str]
+
+
+_worker: dict[str, _Unpacked] = {}
 """The sweep that this worker computes: it is read once."""
+_unpacking = threading.Lock()
 
 
-def _cases_of_worker(packed: _Packed) -> _native.Cases:
-    found = _worker.get(packed.key)
-    if found is None:
-        _worker.clear()
-        _keep_memory()
-        local = tempfile.TemporaryDirectory(prefix="oilwedge-")
-        found = _worker[packed.key] = (_cases(packed.text, packed.files, Path(local.name)), local)
-    return found[0]
+def _unpacked(packed: _Packed) -> _Unpacked:
+    """A worker may compute several parts at once, on threads of its own."""
+    with _unpacking:
+        found = _worker.get(packed.key)
+        if found is None:
+            _worker.clear()
+            _keep_memory()
+            folder = tempfile.TemporaryDirectory(prefix="oilwedge-")
+            found = _worker[packed.key] = _Unpacked(_cases(packed.text, packed.files, Path(folder.name)), folder)
+        return found
 
 
 def _keep_memory() -> None:

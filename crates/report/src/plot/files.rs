@@ -1,6 +1,7 @@
 //! The folder `plot` beside results: every picture as SVG and PNG.
 
 use std::ffi::{OsStr, OsString};
+use std::ops::RangeInclusive;
 use std::path::Path;
 
 use oilwedge_drawing::Figure;
@@ -30,9 +31,12 @@ const OF_FILM: [&str; 4] = ["mesh", "section", "profiles", BALANCE];
 pub struct PlotOptions {
     /// Names of fields and pictures, of a sweep of quantities; empty: all that say something.
     pub selected: Vec<String>,
-    /// Width of the pictures [mm].
+    /// Width of the pictures [mm], one of [`WIDTHS`].
     pub width: f64,
 }
+
+/// Narrowest and widest pictures [mm].
+pub const WIDTHS: RangeInclusive<f64> = 60.0..=400.0;
 
 /// A name that was selected but is not there.
 #[derive(Debug, Clone, PartialEq, Eq)]

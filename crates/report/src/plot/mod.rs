@@ -19,7 +19,9 @@ mod sweep;
 mod temperature;
 
 pub(crate) use field_map::FieldColours;
-pub use files::{CONVERGENCE, PLOT_FOLDER, PlotOptions, Unknown, figures_of_sweep, film_figures, write_pictures};
+pub use files::{
+    CONVERGENCE, PLOT_FOLDER, PlotOptions, Unknown, WIDTHS, figures_of_sweep, film_figures, write_pictures,
+};
 pub use film::DrawnFilm;
 pub(crate) use film::drawn_fields;
 pub use load::load_figures;

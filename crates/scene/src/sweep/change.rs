@@ -72,6 +72,23 @@ pub fn with_axes(text: &str, path: &Path, sweep: &str) -> Result<String, SceneEr
 fn axes(text: &str) -> Result<Vec<Axis>, Vec<Complaint>> {
     let (document, _) = DeTable::parse_recoverable(text);
     let complaints = RefCell::new(Complaints::new(text));
+    // A table is told as one, and not also as an axis.
+    let tables: Vec<String> = (document.get_ref().iter())
+        .filter(|(_, list)| {
+            list.get_ref()
+                .as_array()
+                .is_some_and(|list| list.iter().any(|it| it.get_ref().is_table()))
+        })
+        .map(|(key, _)| key.get_ref().to_string())
+        .collect();
+    if !tables.is_empty() {
+        let mut complaints = complaints.into_inner();
+        for table in tables {
+            let help = format!("name the key in it: \"{table}.KEY\", with its value");
+            complaints.add(&table, "is a table, and keys are changed one by one", help);
+        }
+        return Err(complaints.into_list());
+    }
     let (axes, columns) = read::read(TableReader::root(&complaints, document.get_ref()));
     let mut complaints = complaints.into_inner();
     if columns.is_some() {
