@@ -18,7 +18,7 @@ use serde_json::Value;
 
 use crate::program::repository;
 use crate::scenes::path;
-use crate::tables::row;
+use crate::tables::{row, written};
 
 /// Each scene and what is drawn of it: a field or another picture of its film, `orbit`, or a quantity of its sweep.
 pub const SCENES: [(&str, &str); 28] = [
@@ -136,7 +136,7 @@ fn of_film(scene: &Scene, picture: &str) -> (String, String, String) {
     let result = &run.result;
     let rows = headlines(&result.quantities, |quantity| quantity.row, &result.effects).into_iter();
     let head = row(["quantity", "symbol", "value", "± error", "unit"]);
-    let numbers = table(&head, rows.map(line).collect());
+    let numbers = written(&[head].into_iter().chain(rows.map(line)).collect::<Vec<_>>());
     let effects = names(result.effects.simulated.iter().map(|effect| effect.name));
     let figures = match (&run.orbit, picture) {
         (Some(orbit), "orbit") => orbit_figures(&scene.title, &OrbitCourse::of_path(orbit), WIDTH),
@@ -221,16 +221,10 @@ fn extremes(report: &SweepReport, value: &Value) -> String {
             &printed_unit(unit),
         ]))
     });
-    format!("{} cases.\n\n{}", cases.len(), table(&head, rows.collect()))
+    let table: Vec<_> = [head].into_iter().chain(rows).collect();
+    format!("{} cases.\n\n{}", cases.len(), written(&table))
 }
 
 fn names(effects: impl Iterator<Item = &'static str>) -> String {
     effects.collect::<Vec<_>>().join(", ")
-}
-
-/// A table in Markdown.
-fn table(head: &[String], rows: Vec<Vec<String>>) -> String {
-    let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
-    let rule = format!("|{}\n", "---|".repeat(head.len()));
-    line(head) + &rule + &rows.iter().map(|row| line(row)).collect::<String>()
 }

@@ -13,7 +13,7 @@ use crate::tables::{replace, row};
 type Entry = (&'static str, &'static str, &'static str, &'static [&'static str]);
 
 /// Symbols of the theory that are in no catalogue, or have a key of a scene.
-const SYMBOLS: [Entry; 45] = [
+const SYMBOLS: [Entry; 47] = [
     ("D", "m", "diameter of the bearing", &["bearing.diameter"]),
     ("R", "m", "radius of the bearing, D/2", &[]),
     ("B", "m", "length of the bearing", &["bearing.length"]),
@@ -21,12 +21,8 @@ const SYMBOLS: [Entry; 45] = [
     ("psi", "1", "relative clearance, c/R", &[]),
     ("x", "m", "distance around the bearing, R phi", &[]),
     ("n", "1", "direction (cos phi, sin phi)", &[]),
-    (
-        "A",
-        "m2",
-        "area of the unrolled liner; of a discrete film the matrix of its tangent",
-        &[],
-    ),
+    ("A", "m2", "area of the unrolled liner", &[]),
+    ("A", "", "matrix of the tangent of a discrete film", &[]),
     (
         "omega",
         "rad/s",
@@ -63,7 +59,8 @@ const SYMBOLS: [Entry; 45] = [
         &["journal.tilt_rate"],
     ),
     ("d", "m", "depth of a pocket", &["feed.depth"]),
-    ("t", "s", "time; of the oil its temperature in degC", &[]),
+    ("t", "s", "time", &[]),
+    ("t", "degC", "temperature of the oil", &[]),
     ("J", "m2/s", "flow of oil across a line, for each length of it", &[]),
     ("p_e", "Pa", "pressure at the ends", &["ends.pressure"]),
     ("p_s", "Pa", "pressure of a feed", &["feed.pressure"]),

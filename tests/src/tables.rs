@@ -11,6 +11,11 @@ pub fn replace(page: &str, name: &str, rows: &[Vec<String>]) -> String {
         + page[start..]
             .find("<!-- end -->")
             .unwrap_or_else(|| panic!("table {name} does not end"));
+    format!("{}{}{}", &page[..start], written(rows), &page[end..])
+}
+
+/// The table of `rows` (the first is the head) in Markdown.
+pub fn written(rows: &[Vec<String>]) -> String {
     let mut table = String::new();
     for (k, row) in rows.iter().enumerate() {
         table += &format!("| {} |\n", row.join(" | "));
@@ -18,7 +23,7 @@ pub fn replace(page: &str, name: &str, rows: &[Vec<String>]) -> String {
             table += &format!("|{}\n", "---|".repeat(row.len()));
         }
     }
-    format!("{}{}{}", &page[..start], table, &page[end..])
+    table
 }
 
 /// `[a, b, ...]` as strings.

@@ -19,9 +19,10 @@ fn the_gallery_has_every_scene_in_order() {
             .map(|(name, _)| *name)
             .eq(scenes.iter().map(String::as_str))
     );
-    let shown = page.text.lines().filter(|line| line.starts_with("!["));
+    let shown: Vec<&str> = page.text.lines().filter(|line| line.starts_with("![")).collect();
     let wanted = scenes.iter().map(|name| format!("]({PICTURES}/{name}.svg)"));
-    assert!(shown.zip(wanted).all(|(line, end)| line.ends_with(&end)));
+    assert_eq!(shown.len(), scenes.len());
+    assert!(shown.iter().zip(wanted).all(|(line, end)| line.ends_with(&end)));
     assert_eq!(page.text.matches("\n## ").count(), scenes.len());
     let pictures = std::fs::read_dir(repository().join("docs").join(PICTURES)).expect("the pictures");
     assert_eq!(pictures.count(), scenes.len());
