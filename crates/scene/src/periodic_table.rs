@@ -42,7 +42,7 @@ pub struct LoadRow {
 /// # Errors
 /// [`TableError`]: the file cannot be read, or is no table of one period.
 pub fn read_loads(path: &Path, period: f64) -> Result<Vec<LoadRow>, TableError> {
-    loads(&text(path)?, period).map_err(|fault| fault.in_file(path))
+    loads(&read_text(path)?, period).map_err(|fault| fault.in_file(path))
 }
 
 /// Reads a table of pressures with a period [rad]: pairs of angle [rad] and pressure [Pa], from the columns `angle` and `p`.
@@ -50,7 +50,7 @@ pub fn read_loads(path: &Path, period: f64) -> Result<Vec<LoadRow>, TableError> 
 /// # Errors
 /// As [`read_loads`].
 pub fn read_pressures(path: &Path, period: f64) -> Result<Vec<[f64; 2]>, TableError> {
-    pressures(&text(path)?, period).map_err(|fault| fault.in_file(path))
+    pressures(&read_text(path)?, period).map_err(|fault| fault.in_file(path))
 }
 
 const ANGLE: Column = Column::needed("angle", Dimension::Angle);
@@ -181,8 +181,11 @@ fn covering<const N: usize>(rows: &[Row<N>], period: f64) -> Result<(), TableFau
     ))
 }
 
-/// The text of a file.
-fn text(path: &Path) -> Result<String, TableError> {
+/// The text of the file of a table.
+///
+/// # Errors
+/// It is no plain file, too large for a table, no UTF-8, or cannot be read.
+pub fn read_text(path: &Path) -> Result<String, TableError> {
     const HELP: &str = "give the path of a table, counted from the folder of the scene";
     let fail = |message: String| TableFault::of_all(message, HELP).in_file(path);
     let unreadable = |error: std::io::Error| fail(format!("it cannot be read: {error}"));

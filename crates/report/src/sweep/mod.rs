@@ -18,6 +18,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use oilwedge_campaign::sweep::{Event, Forecast, Part, Sweep};
+use oilwedge_scene::periodic_table::read_text;
 use oilwedge_scene::{MESH_FILE, Scene};
 use oilwedge_study::CompileError;
 use oilwedge_study::run_options::RunOptions;
@@ -240,7 +241,10 @@ fn tables_sha256(scenes: &[Scene]) -> Result<Option<String>, Error> {
         .iter()
         .flat_map(Scene::files)
         .filter(|(key, ..)| *key != MESH_FILE);
-    let read = |path: &Path| std::fs::read(path).map_err(Error::system(path));
+    let read = |path: &Path| {
+        let text = read_text(path).map_err(|error| CompileError::Duty(error.to_string()))?;
+        Ok(text.into_bytes())
+    };
     sha256_of(tables.map(|(_, path, _)| path), read)
 }
 

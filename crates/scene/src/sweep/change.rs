@@ -72,7 +72,7 @@ pub fn with_axes(text: &str, path: &Path, sweep: &str) -> Result<String, SceneEr
 fn axes(text: &str) -> Result<Vec<Axis>, Vec<Complaint>> {
     let (document, _) = DeTable::parse_recoverable(text);
     let complaints = RefCell::new(Complaints::new(text));
-    // A table is told as one, and not also as an axis.
+    // A table gets one complaint: it is not read as an axis too.
     let tables: Vec<String> = (document.get_ref().iter())
         .filter(|(_, list)| {
             list.get_ref()
