@@ -22,7 +22,10 @@ viscosity = "20 mPa.s"
 [cavitation]
 model = "reynolds"
 "#;
-const HOT: [(&str, &str); 1] = [("viscosity = \"20 mPa.s\"", "grade = \"SAE 30\"\n[heat]\ninlet = \"60 C\"")];
+const HOT: [(&str, &str); 1] = [(
+    "viscosity = \"20 mPa.s\"",
+    "grade = \"SAE 30\"\n[heat]\ninlet = \"60 C\"",
+)];
 
 fn edited(edits: &[(&str, &str)], more: &str) -> String {
     let text = edits.iter().fold(PLAIN.to_owned(), |text, (from, to)| {
@@ -39,7 +42,9 @@ fn solved(scene: &Scene) -> Solved {
 fn told(text: &str) -> Vec<String> {
     let solved = solved(&written(text));
     let all = warnings(&solved.study, &solved.measured).into_iter();
-    all.filter(|it| it.starts_with("a limit is exceeded")).collect()
+    all.filter(|it| it.starts_with("a limit is exceeded"))
+        .map(|it| it.to_string())
+        .collect()
 }
 
 #[test]
@@ -48,11 +53,23 @@ fn limits_work_without_heat() {
     assert!(told("film_min = \"11.9 um\"\npressure_max = \"120 bar\"").is_empty());
     let both = told("film_min = \"12.1 um\"\npressure_max = \"20 bar\"");
     assert_eq!(both.len(), 2, "{both:?}");
-    assert!(both[0].contains("thinnest film below 12.1 um ([limits]): it is 12 um"), "{both:?}");
-    assert!(both[1].contains("greatest pressure above 20 bar ([limits])"), "{both:?}");
-    let of_given = edited(&[("viscosity = \"20 mPa.s\"", "grade = \"SAE 30\"\ntemperature = \"90 C\"")], "");
+    assert!(
+        both[0].contains("thinnest film below 12.1 um ([limits]): it is 12 um"),
+        "{both:?}"
+    );
+    assert!(
+        both[1].contains("greatest pressure above 20 bar ([limits])"),
+        "{both:?}"
+    );
+    let of_given = edited(
+        &[("viscosity = \"20 mPa.s\"", "grade = \"SAE 30\"\ntemperature = \"90 C\"")],
+        "",
+    );
     let hot = self::told(&(of_given + "[limits]\ntemperature_max = \"85 C\"\n"));
-    assert!(hot[0].contains("temperature of the film above 85 degC ([limits]): it is 90 degC"), "{hot:?}");
+    assert!(
+        hot[0].contains("temperature of the film above 85 degC ([limits]): it is 90 degC"),
+        "{hot:?}"
+    );
 }
 
 /// A limit in `[limits]` is the criterion of the heat balance that it is in `[heat]`.
@@ -68,13 +85,20 @@ fn one_table_of_limits() {
         met.collect::<Vec<_>>()
     };
     let old = report("[limits]\nfilm_min = \"14 um\"\ntemperature_max = \"70 C\"\n");
-    let scene = edited(&HOT, "").replace("inlet = \"60 C\"", "inlet = \"60 C\"\nfilm_min = \"14 um\"\ntemperature_max = \"70 C\"");
+    let scene = edited(&HOT, "").replace(
+        "inlet = \"60 C\"",
+        "inlet = \"60 C\"\nfilm_min = \"14 um\"\ntemperature_max = \"70 C\"",
+    );
     let run = run(&written(&scene), &RunOptions::default()).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(fit(&old), fit(&run.result.temperature.expect("a balance of heat")));
     assert!(!old.is_fit);
     let pressed = report("[limits]\npressure_max = \"5 bar\"\n");
-    let last = pressed.criteria.last().expect("criteria");
-    assert!(last.what == "greatest pressure" && last.decides && !last.is_met && !pressed.is_fit);
+    let of_pressure = pressed.criteria.iter().find(|it| it.what == "greatest pressure");
+    let of_pressure = of_pressure.expect("a criterion");
+    assert!(
+        of_pressure.decides && !of_pressure.is_met && !pressed.is_fit,
+        "{pressed:?}"
+    );
 }
 
 #[test]
@@ -87,25 +111,43 @@ fn limits_are_refused_where_they_stand_twice_or_alone() {
     let twice = edited(&HOT, "[limits]\nfilm_min = \"3 um\"\n").replace("inlet", "film_min = \"2 um\"\ninlet");
     refused(twice, &["heat.film_min", "stands beside limits.film_min"]);
     let alone = edited(&[], "[limits]\ntemperature_max = \"90 C\"\n");
-    refused(alone, &["limits.temperature_max", "the film of this scene has no temperature"]);
-    refused(edited(&[], "[limits]\npressure = \"90 bar\"\n"), &["did you mean \"pressure_max\"?"]);
+    refused(
+        alone,
+        &["limits.temperature_max", "the film of this scene has no temperature"],
+    );
+    refused(
+        edited(&[], "[limits]\npressure = \"90 bar\"\n"),
+        &["did you mean \"pressure_max\"?"],
+    );
 }
 
 #[test]
 fn a_diametral_clearance_is_twice_the_radial_one() {
     let radial = written(PLAIN);
-    let diametral = written(&edited(&[("clearance = \"30 um\"", "diametral_clearance = \"60 um\"")], ""));
+    let diametral = written(&edited(
+        &[("clearance = \"30 um\"", "diametral_clearance = \"60 um\"")],
+        "",
+    ));
     assert_eq!(radial.bearing, diametral.bearing);
     let bench = Bench::new();
-    bench.write("scene.toml", edited(&[("clearance", "diametral_clearance = \"60 um\"\nclearance")], ""));
-    bench.refuses(&["solve", "scene.toml"], &["bearing.diametral_clearance", "stands beside clearance"]);
+    bench.write(
+        "scene.toml",
+        edited(&[("clearance", "diametral_clearance = \"60 um\"\nclearance")], ""),
+    );
+    bench.refuses(
+        &["solve", "scene.toml"],
+        &["bearing.diametral_clearance", "stands beside clearance"],
+    );
 }
 
 /// The power of a squeezed journal at rest heats the oil that leaves at the ends: `F v = rho c Q (t_out - t_in)`, with the mean of both temperatures
 /// that of the film.
 #[test]
 fn squeeze_heats_a_journal_at_rest() {
-    let squeezed = [HOT[0], ("\"3000 rpm\"", "\"0 rpm\"\nsqueeze = { radial = \"20 mm/s\" }")];
+    let squeezed = [
+        HOT[0],
+        ("\"3000 rpm\"", "\"0 rpm\"\nsqueeze = { radial = \"20 mm/s\" }"),
+    ];
     let scene = written(&edited(&squeezed, ""));
     let run = run(&scene, &RunOptions::default()).unwrap_or_else(|error| panic!("{error}"));
     let value = |name: &str| {
@@ -118,7 +160,10 @@ fn squeeze_heats_a_journal_at_rest() {
     assert!((carried / power - 1.0).abs() < 5e-3, "{carried} {power}");
     let bench = Bench::new();
     bench.write("scene.toml", edited(&[HOT[0], ("3000 rpm", "0 rpm")], ""));
-    bench.refuses(&["solve", "scene.toml"], &["journal.speed", "the centre does not move", "journal.squeeze"]);
+    bench.refuses(
+        &["solve", "scene.toml"],
+        &["journal.speed", "the centre does not move", "journal.squeeze"],
+    );
 }
 
 #[test]
@@ -135,9 +180,24 @@ fn meshes_are_written_as_gmsh_files_only() {
 #[test]
 fn lengths_of_metres_are_suspected() {
     let bench = Bench::new();
-    bench.write("scene.toml", edited(&[("60 mm", "60 m"), ("30 mm", "30 m"), ("30 um", "30 mm"), ("4 mm", "4 m")], ""));
+    bench.write(
+        "scene.toml",
+        edited(
+            &[
+                ("60 mm", "60 m"),
+                ("30 mm", "30 m"),
+                ("30 um", "30 mm"),
+                ("4 mm", "4 m"),
+            ],
+            "",
+        ),
+    );
     let told = bench.run(&["check", "scene.toml"]);
-    assert!(told.status == 0 && told.stderr.contains("larger than any bearing: are bearing.diameter"), "{}", told.stderr);
+    assert!(
+        told.status == 0 && told.stderr.contains("larger than any bearing: are bearing.diameter"),
+        "{}",
+        told.stderr
+    );
     assert_eq!(bench.run(&["mesh", "scene.toml", "-o", "liner.msh"]).status, 0);
     let told = bench.run(&["check", "liner.msh"]);
     assert!(told.stderr.contains("[mesh] unit = \"mm\""), "{}", told.stderr);
@@ -154,7 +214,10 @@ fn misspelt_groups_of_a_mesh_are_told_with_the_nearest_name() {
     let mesh = std::fs::read_to_string(bench.path().join("liner.msh")).expect("the mesh");
     bench.write("liner.msh", mesh.replace("\"end_low\"", "\"end_lo\""));
     bench.write("scene.toml", edited(&[("size = \"4 mm\"", "file = \"liner.msh\"")], ""));
-    bench.refuses(&["solve", "scene.toml"], &["is curve \"end_lo\" meant as curve \"end_low\"?"]);
+    bench.refuses(
+        &["solve", "scene.toml"],
+        &["is curve \"end_lo\" meant as curve \"end_low\"?"],
+    );
 }
 
 /// Feeds are called by their names, unless two have one.
@@ -168,20 +231,30 @@ fn feeds_are_called_by_name() {
     bench.write("scene.toml", edited(&[], &(feed("a", 1) + &feed("b", 14))));
     bench.refuses(&["check", "scene.toml"], &["feed \"b\".hole.z: puts the hole's rim"]);
     bench.write("scene.toml", edited(&[], &(feed("a", 1) + &feed("a", 14))));
-    bench.refuses(&["check", "scene.toml"], &["feed[1].hole.z", "feed[1].group: \"a\" is fed already"]);
+    bench.refuses(
+        &["check", "scene.toml"],
+        &["feed[1].hole.z", "feed[1].group: \"a\" is fed already"],
+    );
 }
 
 /// An exponent for which no film exists is not answered by the advice to take the law that the scene has.
 #[test]
 fn a_roelands_scene_is_not_advised_to_take_roelands() {
     let thick = [
-        ("viscosity = \"20 mPa.s\"", "viscosity = \"0.4 Pa.s\"\nroelands = { z = 1.4 }"),
+        (
+            "viscosity = \"20 mPa.s\"",
+            "viscosity = \"0.4 Pa.s\"\nroelands = { z = 1.4 }",
+        ),
         ("eccentricity = 0.6", "eccentricity = 0.9"),
     ];
     let bench = Bench::new();
     bench.write("scene.toml", edited(&thick, ""));
     let told = bench.run(&["solve", "scene.toml"]);
     assert_eq!(told.status, 1, "{}", told.stderr);
-    assert!(!told.stdout.contains("(Roelands)") && !told.stderr.contains("(Roelands)"), "{}", told.stdout);
+    assert!(
+        !told.stdout.contains("(Roelands)") && !told.stderr.contains("(Roelands)"),
+        "{}",
+        told.stdout
+    );
     assert!((told.stdout + &told.stderr).contains("a smaller exponent"));
 }

@@ -26,6 +26,7 @@ mod fuzzing;
 mod guembel_flows;
 mod hard_cases;
 mod invariance;
+mod limits;
 mod literature;
 mod mesh_readers;
 mod oil_balance;

@@ -2,20 +2,23 @@
 
 use oilwedge_reynolds::existence::readable;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
-use oilwedge_scene::Engine;
+use oilwedge_scene::{Engine, Scene};
 
 use crate::film::Film;
 use crate::measure::Measured;
-use crate::quantities::{FILM_THICKNESS_MIN, PRESSURE_MAX, Quantity, Row, TEMPERATURE_OUTLET};
-use crate::result::Criterion;
-use crate::solved::Solved;
+use crate::oil::Oil;
+use crate::quantities::{
+    CYCLE_FILM_THICKNESS_MIN, CYCLE_PRESSURE_MAX, CYCLE_TEMPERATURE_OUTLET, FILM_THICKNESS_MIN, PRESSURE_MAX, Quantity,
+    Row, TEMPERATURE_OUTLET,
+};
+use crate::result::{Criterion, RunResult};
 use crate::thermal_model::ThermalModel;
 use crate::warning::{self, Warning};
 
 /// Decimals of a value beside its limit.
 const DIGITS: usize = 4;
 
-/// What a film has to compare with its limits.
+/// What a film, or the films of a cycle, have to compare with their limits.
 struct Compared {
     /// Least film thickness [m].
     film_thickness_min: Option<f64>,
@@ -25,29 +28,34 @@ struct Compared {
     outlet: Option<f64>,
 }
 
-/// What a solved film must meet, and what is usual; nothing where the scene sets no limits.
-pub fn design_criteria(solved: &Solved, quantities: &[Quantity]) -> Vec<Criterion> {
-    let film = &solved.film;
-    let value = |row: &Row| {
-        let quantity = quantities.iter().find(|quantity| quantity.row == row);
-        quantity.map(|quantity| quantity.value)
-    };
-    let compared = Compared {
-        film_thickness_min: value(&FILM_THICKNESS_MIN),
-        pressure_max: value(&PRESSURE_MAX),
-        outlet: value(&TEMPERATURE_OUTLET),
-    };
-    let mut criteria = limits(film, &compared);
-    if let Some((model, engine)) = film.thermal.and_then(|model| Some((model, model.engine?))) {
-        criteria.extend(usual(film, &model, engine));
+impl Compared {
+    /// By the numbers reported of a film, or of a cycle.
+    fn of(quantities: &[Quantity]) -> Self {
+        let value = |rows: [&Row; 2]| {
+            let quantity = quantities.iter().find(|quantity| rows.contains(&quantity.row));
+            quantity.map(|quantity| quantity.value)
+        };
+        Self {
+            film_thickness_min: value([&FILM_THICKNESS_MIN, &CYCLE_FILM_THICKNESS_MIN]),
+            pressure_max: value([&PRESSURE_MAX, &CYCLE_PRESSURE_MAX]),
+            outlet: value([&TEMPERATURE_OUTLET, &CYCLE_TEMPERATURE_OUTLET]),
+        }
+    }
+}
+
+/// What a film of these `quantities` must meet, and what is usual; nothing where the scene sets no limits. `model` is that by which its temperature was found.
+pub fn design_criteria(film: &Film, model: Option<&ThermalModel>, quantities: &[Quantity]) -> Vec<Criterion> {
+    let mut criteria = limits(&film.scene, film.oil.temperature, model, &Compared::of(quantities));
+    if let Some((model, engine)) = model.and_then(|model| Some((model, model.engine?))) {
+        criteria.extend(usual(film, model, engine));
     }
     criteria
 }
 
 /// Limits of the scene that the film exceeds, in sentences that name them; those of a film whose temperature is found are criteria of its
-/// balance.
+/// balance, those of an orbit are compared over the cycle.
 pub(crate) fn exceeded(film: &Film, measured: &Measured) -> Vec<Warning> {
-    if film.thermal.is_some() {
+    if film.thermal.is_some() || film.scene.orbit.is_some() {
         return Vec::new();
     }
     let compared = Compared {
@@ -55,7 +63,30 @@ pub(crate) fn exceeded(film: &Film, measured: &Measured) -> Vec<Warning> {
         pressure_max: Some(measured.extremes.greatest),
         outlet: None,
     };
-    let missed = limits(film, &compared).into_iter().filter(Criterion::is_missed);
+    told(limits(&film.scene, film.oil.temperature, None, &compared))
+}
+
+/// Limits of the scene that an orbit at a given temperature exceeds over its cycle, by the numbers of that.
+pub(crate) fn exceeded_over_cycle(scene: &Scene, quantities: &[Quantity]) -> Vec<Warning> {
+    told(over_cycle(scene, quantities))
+}
+
+/// What an orbit must meet over its cycle; nothing where the scene sets no limits.
+pub fn cycle_criteria(scene: &Scene, result: &RunResult) -> Vec<Criterion> {
+    match &result.temperature {
+        Some(report) => report.criteria.clone(),
+        None => over_cycle(scene, &result.quantities),
+    }
+}
+
+/// The limits of a scene with an orbit at a given temperature.
+fn over_cycle(scene: &Scene, quantities: &[Quantity]) -> Vec<Criterion> {
+    limits(scene, Oil::of(scene).temperature, None, &Compared::of(quantities))
+}
+
+/// Sentences about the limits that are missed.
+fn told(limits: Vec<Criterion>) -> Vec<Warning> {
+    let missed = limits.into_iter().filter(Criterion::is_missed);
     missed
         .map(|limit| {
             let value = format!("{:.DIGITS$e}", limit.value).parse().unwrap_or(limit.value);
@@ -68,9 +99,14 @@ pub(crate) fn exceeded(film: &Film, measured: &Measured) -> Vec<Warning> {
         .collect()
 }
 
-/// The limits of the scene; of a film whose temperature is found also those that its heat balance has without being asked.
-fn limits(film: &Film, compared: &Compared) -> Vec<Criterion> {
-    let (limits, model) = (&film.scene.limits, film.thermal.as_ref());
+/// The limits of the scene, whose film has this `temperature` [K]; of a film whose temperature is found also those that its heat balance has without being asked.
+fn limits(
+    scene: &Scene,
+    temperature: Option<f64>,
+    model: Option<&ThermalModel>,
+    compared: &Compared,
+) -> Vec<Criterion> {
+    let limits = &scene.limits;
     let least_film = model.map(|model| model.least_film).or(limits.least_film);
     let hottest = model
         .map(|model| model.greatest_temperature)
@@ -84,7 +120,7 @@ fn limits(film: &Film, compared: &Compared) -> Vec<Criterion> {
         let bounds = [None, Some(scale * limit?)];
         Some(Criterion::new(what, unit, scale * value?, bounds, true))
     };
-    let temperature = film.oil.temperature.map(celsius);
+    let temperature = temperature.map(celsius);
     let hottest = hottest.map(celsius);
     let hottest_outlet = model.map(|model| celsius(model.greatest_outlet));
     let highest = limits.greatest_pressure;

@@ -15,6 +15,7 @@ use crate::compile_error::CompileError;
 use crate::effects::Effects;
 use crate::estimate::{Estimated, estimate_errors};
 use crate::film::{DEGREE, Film};
+use crate::limits;
 use crate::no_answer::NoAnswer;
 use crate::orbit::{Followed, Frame, OrbitFacts, OrbitPath, follow};
 use crate::picture::{FilmPicture, picture};
@@ -24,11 +25,11 @@ use crate::refinement::answer;
 use crate::regime::{Regime, broken_assumptions};
 use crate::result::{
     Balances, Counts, DynamicsReport, Geometry, HistoryStep, LevelFacts, LinearSolver, MeshFacts, RESULT_FORMAT,
-    RunResult, SECONDS_KEY, Status,
+    RunResult, SECONDS_KEY, Status, TemperatureReport,
 };
 use crate::run_options::RunOptions;
 use crate::solved::Solved;
-use crate::thermal::temperature_report;
+use crate::thermal::{cycle_temperature_report, temperature_report};
 use crate::warning::{self, Warning};
 use crate::warnings::all_warnings;
 
@@ -140,6 +141,16 @@ fn on_orbit(scene: &Scene, orbit: &oilwedge_scene::Orbit, options: &RunOptions) 
     }
     result.quantities = followed.quantities;
     result.warnings.extend(of_history(&solved, &result.quantities, options));
+    match &followed.temperature {
+        Some(found) => {
+            let report = cycle_temperature_report(&solved.film, &found.model, &result.quantities);
+            result.temperature = report.map(|report| TemperatureReport {
+                broken_assumptions: broken_assumptions(&result.warnings),
+                ..report
+            });
+        }
+        None => (result.warnings).extend(limits::exceeded_over_cycle(scene, &result.quantities)),
+    }
     let oil = facts.cycles.last().and_then(|cycle| cycle.oil_imbalance);
     result.counts.position_steps = films;
     result.balances.force = followed.residual;

@@ -25,7 +25,7 @@ mod curve;
 pub mod flows;
 mod search;
 
-pub use curve::temperature_report;
+pub use curve::{cycle_temperature_report, temperature_report};
 pub(crate) use search::Left;
 pub use search::solve;
 use search::{Kind, ROUGHLY, Search};

@@ -5,7 +5,7 @@ use std::path::Path;
 use oilwedge_scene::SceneError;
 use oilwedge_study::orbit::by_maps;
 use oilwedge_study::quantities::*;
-use oilwedge_study::result::Status;
+use oilwedge_study::result::{RunResult, Status};
 use oilwedge_study::run_options::EarlierOrbit;
 use oilwedge_study::{RunOptions, parse, read, run};
 use oilwedge_tests::scenes::path;
@@ -210,6 +210,16 @@ fn one_temperature_balances_the_heat_of_a_cycle() {
         .and_then(|it| it.bar)
         .expect("a bar");
     assert!(parts.temperature > 0.0);
+    let report = result.temperature.as_ref().expect("a verdict");
+    let asked: Vec<_> = report.criteria.iter().map(|it| (&*it.what, it.value)).collect();
+    let thinnest = 1e6 * number(&CYCLE_FILM_THICKNESS_MIN).0;
+    let wanted = [
+        ("thinnest film", thinnest),
+        ("temperature of the film", temperature),
+        ("temperature of the oil that leaves", outlet),
+    ];
+    assert_eq!(asked, wanted);
+    assert!(report.curve.is_empty() && report.is_fit, "{report:?}");
     // As warm a film without the balance is the same.
     let given = text.replace(
         "heat.inlet = \"70 C\"",
@@ -219,6 +229,31 @@ fn one_temperature_balances_the_heat_of_a_cycle() {
     let given = run(&given, &RunOptions::of(&given)).expect("an orbit").result;
     let (alone, balanced) = (given.quantity(&CYCLE_POWER_LOSS).expect("a power").value, power);
     assert!((alone / balanced - 1.0).abs() < 1e-3, "{alone} {balanced}");
+}
+
+/// Limits are compared over the cycle, not on the film that is drawn: its pressure is not the greatest.
+#[test]
+fn limits_are_those_of_the_cycle() {
+    let limit = |keys: &str| {
+        let scene = parsed(&format!("{SCENE}\n[limits]\n{keys}\n")).expect("a scene");
+        run(&scene, &RunOptions::default()).expect("an orbit").result
+    };
+    let told = |result: &RunResult| {
+        let limits = result
+            .warnings
+            .iter()
+            .filter(|it| it.starts_with("a limit is exceeded"));
+        limits.map(|it| it.to_string()).collect::<Vec<_>>()
+    };
+    let wide = limit("film_min = \"0.1 um\"\npressure_max = \"100000 bar\"");
+    assert_eq!(told(&wide), Vec::<String>::new());
+    let greatest = 1e-5 * wide.quantity(&CYCLE_PRESSURE_MAX).expect("a pressure").value;
+    let below = 0.999 * greatest;
+    let exceeded = told(&limit(&format!("pressure_max = \"{below} bar\"")));
+    assert!(
+        exceeded.len() == 1 && exceeded[0].contains("greatest pressure above"),
+        "{exceeded:?}"
+    );
 }
 
 /// An orbit that was not closed goes on where it ended.

@@ -15,7 +15,7 @@ use oilwedge_study::compile_error::CompileError;
 use oilwedge_study::estimate::{Estimated, estimate_errors};
 use oilwedge_study::film::Film;
 use oilwedge_study::grading::{graded, is_near};
-use oilwedge_study::limits::design_criteria;
+use oilwedge_study::limits::{cycle_criteria, design_criteria};
 use oilwedge_study::no_answer::NoAnswer;
 use oilwedge_study::oil::Oil;
 use oilwedge_study::position::Position;
@@ -64,7 +64,7 @@ impl Found {
         limit: Option<&Limit>,
         options: &RunOptions,
     ) -> Self {
-        let missed = design_criteria(solved, &estimated.quantities).into_iter();
+        let missed = design_criteria(&solved.film, solved.film.thermal.as_ref(), &estimated.quantities).into_iter();
         Self {
             status: CaseStatus::Run(match limit {
                 Some(_) => Status::NotConverged,
@@ -80,13 +80,14 @@ impl Found {
     }
 
     /// Of a case that is solved by itself.
-    fn of_run(result: RunResult) -> Self {
+    fn of_run(scene: &Scene, result: RunResult) -> Self {
+        let missed = cycle_criteria(scene, &result).into_iter();
         Self {
             status: CaseStatus::Run(result.status),
+            missed: missed.filter(Criterion::is_missed).collect(),
             reason: result.reason,
             quantities: result.quantities,
             warnings: result.warnings,
-            missed: Vec::new(),
             unknowns: Some(result.mesh.nodes),
             seconds: 0.0,
         }
@@ -152,7 +153,7 @@ impl<'a> Walker<'a> {
         let clock = Instant::now();
         self.deadline = self.options.deadline();
         let found = match scene.tolerance.is_some() && self.options.bars {
-            _ if scene.orbit.is_some() => run(scene, self.options).map(|run| Found::of_run(run.result)),
+            _ if scene.orbit.is_some() => run(scene, self.options).map(|run| Found::of_run(scene, run.result)),
             true => self.refined(scene),
             false => self.walked(scene, coordinate),
         };

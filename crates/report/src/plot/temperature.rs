@@ -10,9 +10,11 @@ pub const TEMPERATURE_FILES: [&str; 2] = ["heat.svg", "heat.png"];
 /// Name of the picture.
 pub(crate) const BALANCE: &str = "heat";
 
-/// True where a run has sought the temperature of its film.
+/// True where a run has sought the temperature of one film: over a cycle there are no curves.
 pub(super) fn is_sought(result: &Value) -> bool {
-    result[BALANCE].is_object()
+    result[BALANCE]["curve"]
+        .as_array()
+        .is_some_and(|curve| !curve.is_empty())
 }
 
 /// The picture of a balance of heat as SVG, from the object of `result.json`; `None` where it has none.
@@ -22,7 +24,9 @@ pub fn temperature_to_svg(result: &Value) -> Option<String> {
 
 /// The picture of a balance of heat at that width [mm].
 pub(super) fn temperature_figure(result: &Value, width: f64) -> Option<Figure> {
-    let points = result[BALANCE]["curve"].as_array()?;
+    let points = result[BALANCE]["curve"]
+        .as_array()
+        .filter(|points| !points.is_empty())?;
     let number = |point: &Value, key: &str| point[key].as_f64().unwrap_or(f64::NAN);
     let curve = |name: &str, colour, value: &dyn Fn(&Value) -> f64| {
         let points = points.iter().map(|point| [number(point, "temperature"), value(point)]);

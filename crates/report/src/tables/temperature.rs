@@ -8,10 +8,11 @@ use crate::plot::TEMPERATURE_FILES;
 use oilwedge_study::quantities::{ECCENTRICITY, Quantity, TEMPERATURE_EFFECTIVE, Table};
 use oilwedge_study::result::{Balances, Criterion, RunResult, TemperatureReport};
 
-/// Criteria and, where all is shown, temperatures, heats and curves; nothing where no temperature was sought.
+/// Criteria and, where all is shown and the film is one, temperatures, heats and curves; nothing where no temperature was sought.
 pub(crate) fn balance(result: &RunResult, shown: Shown) -> Option<String> {
     let report = result.temperature.as_ref()?;
-    if shown == Shown::Headlines {
+    // Over a cycle there is no curve.
+    if shown == Shown::Headlines || report.curve.is_empty() {
         return Some(format!("design criteria\n{}", criteria(report)));
     }
     let is_shown =
@@ -34,10 +35,9 @@ pub(crate) fn imbalance(balances: Balances) -> String {
 
 /// The files of the curves.
 pub(crate) fn files(result: &RunResult) -> &'static [&'static str] {
-    if result.temperature.is_some() {
-        &TEMPERATURE_FILES
-    } else {
-        &[]
+    match &result.temperature {
+        Some(report) if !report.curve.is_empty() => &TEMPERATURE_FILES,
+        _ => &[],
     }
 }
 

@@ -41,6 +41,8 @@ const FURTHER: f64 = 1.0;
 /// What the balance of a cycle has found.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct CycleTemperature {
+    /// How heat is balanced, and what the bearing must meet.
+    pub(crate) model: ThermalModel,
     /// Heat that is not carried off, over the mean power [1].
     pub(crate) left_over: f64,
     /// Temperatures that were tried on the mesh of the result.
@@ -195,6 +197,7 @@ impl Search<'_> {
             orbit.quantities.iter_mut().for_each(|quantity| quantity.set_bar(None));
         }
         orbit.temperature = Some(CycleTemperature {
+            model: self.thermal,
             left_over: (surplus / flows.power).abs(),
             steps: self.tried.len(),
         });

@@ -8,9 +8,10 @@ use super::flows::thermal_flows;
 use super::measured;
 use super::search::{ROUGHLY, from_near_or_cold, point as operating_point, visited};
 use crate::compile::at_temperature;
+use crate::film::Film;
 use crate::limits::design_criteria;
 use crate::position::Position;
-use crate::quantities::{LOAD, Quantity, Row};
+use crate::quantities::{CYCLE_LOAD_MAX, LOAD, Quantity};
 use crate::result::{Criterion, TemperaturePoint, TemperatureReport};
 use crate::solved::{SolveOptions, Solved};
 use crate::thermal_model::ThermalModel;
@@ -37,16 +38,35 @@ pub fn temperature_report(solved: &Solved, quantities: &[Quantity], deadline: De
     curve.reverse();
     curve.push(point(&model, root, solved));
     curve.extend(side(&model, solved, root, step, deadline));
-    let value = |row: &Row| {
-        let quantity = quantities.iter().find(|quantity| quantity.row == row);
-        quantity.map(|quantity| quantity.value)
-    };
-    let (bearing, criteria) = (&film.problem.bearing, design_criteria(solved, quantities));
+    fitness(film, &model, quantities, curve)
+}
+
+/// Whether the bearing will do over a cycle whose heat is balanced by `model`. Without curves: each of their points would be an orbit.
+pub fn cycle_temperature_report(
+    film: &Film,
+    model: &ThermalModel,
+    quantities: &[Quantity],
+) -> Option<TemperatureReport> {
+    fitness(film, model, quantities, Vec::new())
+}
+
+/// The criteria of a film, or of the films of a cycle, by the numbers reported.
+fn fitness(
+    film: &Film,
+    model: &ThermalModel,
+    quantities: &[Quantity],
+    curve: Vec<TemperaturePoint>,
+) -> Option<TemperatureReport> {
+    let load = quantities
+        .iter()
+        .find(|it| it.row == &LOAD || it.row == &CYCLE_LOAD_MAX)?;
+    let bearing = &film.problem.bearing;
+    let criteria = design_criteria(film, Some(model), quantities);
     Some(TemperatureReport {
         preset: model.engine.map(Engine::name),
         inlet_temperature: model.balance.inlet - ZERO_CELSIUS,
         heat_capacity: model.balance.heat_capacity,
-        specific_load: value(&LOAD)? / (2.0 * bearing.radius * bearing.length),
+        specific_load: load.value / (2.0 * bearing.radius * bearing.length),
         curve,
         is_fit: !criteria.iter().any(Criterion::is_missed),
         broken_assumptions: 0,
