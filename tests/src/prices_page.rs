@@ -67,7 +67,8 @@ pub fn predictions(course: &Course) -> Vec<Prediction> {
 /// Without those with a sweep, which are another one again.
 fn scenes() -> Vec<String> {
     let entries = std::fs::read_dir(repository().join("scenes")).expect("scenes");
-    let names = entries.filter_map(|entry| Some(entry.ok()?.path().file_stem()?.to_str()?.to_owned()));
+    let files = entries.filter_map(|entry| Some(entry.ok()?.file_name().to_str()?.to_owned()));
+    let names = files.filter_map(|file| Some(file.strip_suffix(".toml")?.to_owned()));
     let mut names: Vec<String> = names.filter(|name| !name.contains("_sweep_")).collect();
     names.sort();
     names
