@@ -25,7 +25,7 @@ type Corner = [f64; 2];
 impl Search<'_> {
     /// A position nearer to the balance than `start`, by a triangle of positions that moves down the distance.
     pub(crate) fn descended(&self, problem: &FilmProblem, start: &JournalState) -> JournalState {
-        let reach = |angle: f64| problem.bearing.reach(&problem.journal, angle);
+        let reach = |angle: f64| self.gap.reach(&problem.journal, angle);
         let towards = start.min_film_angle();
         let first = [log_eccentricity(start.eccentricity() / reach(towards)), towards];
         let offset = |[s, angle]: Corner| {

@@ -8,7 +8,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use oilwedge_reynolds::analytical::ocvirk::ShortFilm;
 use oilwedge_reynolds::analytical::sommerfeld;
-use oilwedge_reynolds::{Bearing, JournalState};
+use oilwedge_reynolds::{Gap, JournalState};
 
 use crate::log_eccentricity::{eccentricity_at, log_eccentricity};
 
@@ -16,9 +16,9 @@ use crate::log_eccentricity::{eccentricity_at, log_eccentricity};
 pub const GREATEST_ECCENTRICITY: f64 = 0.9999;
 
 /// Whether the film of a journal is thinner somewhere than that of a parallel one at [`GREATEST_ECCENTRICITY`]: no position is sought there.
-pub fn is_contact(bearing: &Bearing, journal: &JournalState) -> bool {
+pub fn is_contact(gap: &Gap, journal: &JournalState) -> bool {
     const ROUNDING: f64 = 1e-9;
-    bearing.least_gap(journal) < (1.0 - ROUNDING) * (1.0 - GREATEST_ECCENTRICITY) * bearing.clearance
+    gap.least(journal) < (1.0 - ROUNDING) * (1.0 - GREATEST_ECCENTRICITY) * gap.bearing().clearance
 }
 
 /// Estimated eccentricity [1] and attitude angle [rad] of a ring of slenderness `B/D` under a load of this Sommerfeld number; of the

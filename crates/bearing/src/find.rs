@@ -42,7 +42,7 @@ pub fn find(
     let found = match options.guess {
         InitialGuess::Cold => search.cold(problem)?,
         InitialGuess::NearlyBalanced => match search.run(problem, problem.journal) {
-            Ok(found) if !Search::is_beyond(&found) => found,
+            Ok(found) if !search.is_beyond(&found) => found,
             _ => search.cold(problem)?,
         },
         InitialGuess::Near(near) => {
@@ -67,7 +67,7 @@ impl Search<'_> {
                 .map_or_else(|| self.on_levels(problem), Err),
         };
         let found = found.map_err(|reason| self.confirmed(reason))?;
-        match Self::is_beyond(&found) {
+        match self.is_beyond(&found) {
             true if self.load.tilting.is_some() => Err(self.in_contact(&found.problem, 1.0, None)),
             true => (self.beyond_capacity(problem, &problem.journal)).map_or(Ok(found), Err),
             false => Ok(found),
@@ -75,9 +75,8 @@ impl Search<'_> {
     }
 
     /// Whether a position lies beyond the greatest eccentricity that counts as one.
-    fn is_beyond(found: &Equilibrium) -> bool {
-        let Equilibrium { problem, .. } = found;
-        is_contact(&problem.bearing, &problem.journal)
+    fn is_beyond(&self, found: &Equilibrium) -> bool {
+        is_contact(&self.gap, &found.problem.journal)
     }
 
     /// The reason where the search begins at the greatest eccentricity and the load exceeds the capacity there.
@@ -86,7 +85,7 @@ impl Search<'_> {
         let nearly = (1.0 - f64::EPSILON.sqrt()) * GREATEST_ECCENTRICITY * bearing.clearance;
         // What the film carries at this tilt is no limit where the tilt is free.
         let is_limit = self.load.tilting.is_none();
-        let begins_at_contact = is_limit && bearing.clearance - bearing.least_gap(&problem.journal) > nearly;
+        let begins_at_contact = is_limit && bearing.clearance - self.gap.least(&problem.journal) > nearly;
         begins_at_contact
             .then(|| self.beyond_capacity(problem, &problem.journal))
             .flatten()
@@ -124,7 +123,7 @@ impl Search<'_> {
         // Where a coarser mesh has no balance its last position may still be a start, unless the film there is too thin for it.
         let is_resolved = |journal: &JournalState| {
             let bearing = &problem.bearing;
-            bearing.clearance - bearing.least_gap(journal) < RESOLVED * bearing.clearance
+            bearing.clearance - self.gap.least(journal) < RESOLVED * bearing.clearance
         };
         let outcome = self.run(problem, problem.journal);
         match reason.last_position().filter(is_resolved) {
@@ -214,7 +213,7 @@ impl Search<'_> {
                 }
             }
             let FilmProblem { bearing, journal, .. } = &trial.problem;
-            if bearing.least_gap(journal) < CONTACT * bearing.clearance {
+            if self.gap.least(journal) < CONTACT * bearing.clearance {
                 return Err(self.unreachable(&trial, "the journal touches the bearing"));
             }
         }
@@ -240,7 +239,7 @@ impl Search<'_> {
         }
         if let Err(NoEquilibrium::Unreachable { journal, .. }) = &outcome {
             // A search that was driven into contact: what the film carries there shows whether there is a position elsewhere.
-            let is_driven = problem.bearing.least_gap(journal) < NEARLY_CONTACT * problem.bearing.clearance;
+            let is_driven = self.gap.least(journal) < NEARLY_CONTACT * problem.bearing.clearance;
             let is_tilted = problem.journal.tilt != [0.0; 2];
             // A tilted film may point towards the load at several contacts: the best of them counts.
             let beyond = match is_tilted {

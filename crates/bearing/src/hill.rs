@@ -59,7 +59,7 @@ pub fn balance_hill(
             return None;
         }
         let step = stiffness.solve(search.excess(&trial).map(|excess| -excess));
-        let gap = trial.problem.bearing.least_gap(&trial.problem.journal);
+        let gap = search.gap.least(&trial.problem.journal);
         let start = match length(step) < SHORT * gap {
             true => HillStart::SameCavities(hill),
             false => HillStart::Near(hill),

@@ -39,7 +39,7 @@ impl Search<'_> {
         let mut angle = start.min_film_angle();
         let mut before: Option<[f64; 2]> = None;
         for _ in 0..TURNS {
-            let e = GREATEST_ECCENTRICITY * problem.bearing.reach(&problem.journal, angle);
+            let e = GREATEST_ECCENTRICITY * self.gap.reach(&problem.journal, angle);
             let trial = self.at_contact(problem, angle)?;
             let [x, y] = trial.carried.force;
             let turn = wrapped(towards - y.atan2(x));
@@ -54,7 +54,7 @@ impl Search<'_> {
                     greatest,
                     ratio: asked / greatest,
                     eccentricity: e / problem.bearing.clearance,
-                    thickness: problem.bearing.least_gap(&trial.problem.journal),
+                    thickness: self.gap.least(&trial.problem.journal),
                     journal: Box::new(trial.problem.journal),
                 });
             }
@@ -68,7 +68,7 @@ impl Search<'_> {
 
     /// The film at the greatest eccentricity towards an angle [rad].
     fn at_contact(&self, problem: &FilmProblem, angle: f64) -> Option<Trial> {
-        let e = GREATEST_ECCENTRICITY * problem.bearing.reach(&problem.journal, angle);
+        let e = GREATEST_ECCENTRICITY * self.gap.reach(&problem.journal, angle);
         let at = self.at_offset(problem, [e * angle.cos(), e * angle.sin()]);
         self.trial(problem, at, Neighbour::None).ok()
     }
@@ -125,7 +125,7 @@ impl Search<'_> {
 
     /// Whether the film carries less than `greatest` [N] at a smaller eccentricity; with tension on one side of an arc it need not.
     fn grows(&self, problem: &FilmProblem, angle: f64, greatest: f64) -> bool {
-        let e = BEFORE * problem.bearing.reach(&problem.journal, angle);
+        let e = BEFORE * self.gap.reach(&problem.journal, angle);
         let at = self.at_offset(problem, [e * angle.cos(), e * angle.sin()]);
         let before = self.trial(problem, at, Neighbour::None);
         before.is_ok_and(|trial| trial.carried.force[0].hypot(trial.carried.force[1]) < greatest)

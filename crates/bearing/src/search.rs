@@ -4,7 +4,7 @@ use std::cell::{Cell, RefCell};
 
 use oilwedge_reynolds::quantities::load::{Resultant, load, load_change};
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSolution, FilmSystem, JournalState, NoFilm};
+use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSolution, FilmSystem, Gap, JournalState, NoFilm};
 
 use crate::coordinates::{Coordinates, Vector, length, moved, unit};
 use crate::equilibrium::NEAR;
@@ -24,6 +24,8 @@ const AT_REST: f64 = 1e-3;
 pub(crate) struct Search<'a> {
     pub(crate) system: &'a FilmSystem,
     pub(crate) load: Load,
+    /// Where the film is least.
+    pub(crate) gap: Gap,
     /// What is free under it.
     pub(crate) coordinates: Coordinates,
     pub(crate) options: SearchOptions<'a>,
@@ -83,6 +85,7 @@ impl<'a> Search<'a> {
         Self {
             system,
             load,
+            gap: Gap::of(problem, system),
             coordinates: Coordinates::of(&load, &problem.bearing),
             options,
             reference_force,
@@ -106,7 +109,7 @@ impl<'a> Search<'a> {
                     break;
                 }
                 let angle = std::f64::consts::TAU * f64::from(k) / f64::from(ANGLES);
-                let e = eps * problem.bearing.reach(&problem.journal, angle);
+                let e = eps * self.gap.reach(&problem.journal, angle);
                 let at = self.at_offset(problem, [e * angle.cos(), e * angle.sin()]);
                 if let Ok(trial) = self.trial(problem, at, Neighbour::None) {
                     starts.push((self.distance(&trial), trial.problem.journal));
@@ -126,7 +129,7 @@ impl<'a> Search<'a> {
         };
         for _ in 0..RETREATS {
             // A film may seem to exist where the gap vanishes at the very end of the bearing only.
-            if problem.bearing.least_gap(&start) <= 0.0 {
+            if self.gap.least(&start) <= 0.0 {
                 start = nearer(&start);
                 continue;
             }

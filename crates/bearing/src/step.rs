@@ -37,7 +37,7 @@ impl Search<'_> {
     fn logarithmic_step(&self, trial: &Trial, stiffness: Stiffness) -> Option<Vector> {
         let [e_x, e_y] = trial.problem.journal.offset;
         let e = e_x.hypot(e_y);
-        let reach = |angle: f64| trial.problem.bearing.reach(&trial.problem.journal, angle);
+        let reach = |angle: f64| self.gap.reach(&trial.problem.journal, angle);
         let eps = e / reach(e_y.atan2(e_x));
         let (carried, asked) = (trial.carried.force, self.load.force);
         let (force, load) = (carried[0].hypot(carried[1]), self.load.magnitude());
@@ -84,14 +84,18 @@ impl Search<'_> {
 
     /// The longest of the halved steps that brings the forces nearer to the load, the film thickness kept positive.
     pub(crate) fn damped(&self, from: &Trial, step: Vector, tried: &mut usize) -> Option<Trial> {
-        let (bearing, journal) = (&from.problem.bearing, from.problem.journal);
-        let gap = bearing.least_gap(&journal);
+        let journal = from.problem.journal;
+        let gap = self.gap.least(&journal);
         let here = self.coordinates.at(&journal);
         let least = match self.load.tilting {
             None => LEAST_SHRINK * gap,
             Some(_) => LEAST_SHRINK_TILTING * gap,
         };
-        let thin = |part: f64| bearing.least_gap(&self.coordinates.placed(&journal, moved(here, part, step))) < least;
+        let thin = |part: f64| {
+            self.gap
+                .least(&self.coordinates.placed(&journal, moved(here, part, step)))
+                < least
+        };
         let length = length(step);
         // From a journal in contact no part of a step is short enough.
         if !length.is_finite() || gap <= 0.0 {

@@ -128,7 +128,7 @@ impl Search<'_> {
 
     /// That the journal of a film comes into contact with the liner at an end when this part of what tilts it is balanced.
     pub(crate) fn in_contact(&self, problem: &FilmProblem, carried: f64, way: Option<Waypoint>) -> NoEquilibrium {
-        let place = problem.bearing.thinnest(&problem.journal);
+        let place = self.gap.thinnest(&problem.journal);
         NoEquilibrium::EdgeContact {
             asked: self.load.magnitude(),
             carried,
@@ -172,7 +172,7 @@ impl Branch<'_, '_> {
             if search.options.deadline.is_over() {
                 return search.run(&here.trial.problem, here.trial.problem.journal);
             }
-            if is_contact(&here.trial.problem.bearing, &here.trial.problem.journal) {
+            if is_contact(&search.gap, &here.trial.problem.journal) {
                 break;
             }
             if here.part > greatest.0 {
@@ -215,7 +215,7 @@ impl Branch<'_, '_> {
             true => NoEquilibrium::TiltLimit {
                 asked: search.load.magnitude(),
                 carried: self.carried(part),
-                thickness: problem.bearing.least_gap(&problem.journal),
+                thickness: search.gap.least(&problem.journal),
                 tilt: problem.journal.tilt[0].hypot(problem.journal.tilt[1]),
                 journal: Box::new(problem.journal),
                 way: Some(Box::new(waypoint)),
@@ -234,7 +234,7 @@ impl Branch<'_, '_> {
 
     /// Least film of a trial over the clearance.
     fn gap(&self, trial: &Trial) -> f64 {
-        trial.problem.bearing.least_gap(&trial.problem.journal) / self.clearance
+        self.search.gap.least(&trial.problem.journal) / self.clearance
     }
 
     /// The direction of the branch at a point: on from the one `before` or, at its beginning, towards greater parts. None where the tangent is singular.
@@ -267,8 +267,7 @@ impl Branch<'_, '_> {
             let moved = moved(place, step, along.place);
             search.coordinates.placed(&here.trial.problem.journal, moved)
         };
-        let thin =
-            |step: f64| here.trial.problem.bearing.least_gap(&journal(step)) < LEAST_SHRINK * gap * self.clearance;
+        let thin = |step: f64| search.gap.least(&journal(step)) < LEAST_SHRINK * gap * self.clearance;
         loop {
             while thin(*wanted) {
                 *wanted *= 0.8;
@@ -279,7 +278,7 @@ impl Branch<'_, '_> {
             if here.part + *wanted * along.part >= 1.0 {
                 let found = search.run(&here.trial.problem, journal((1.0 - here.part) / along.part));
                 match found {
-                    Ok(found) if is_contact(&found.problem.bearing, &found.problem.journal) => {
+                    Ok(found) if is_contact(&search.gap, &found.problem.journal) => {
                         return Some(Next::Contact(Box::new(found.problem)));
                     }
                     Ok(found) => return Some(Next::End(Box::new(found))),
@@ -303,7 +302,7 @@ impl Branch<'_, '_> {
         let (mut last, mut before): (f64, Option<Trial>) = (f64::INFINITY, None);
         for corrections in 0..MOST_CORRECTIONS {
             let journal = search.coordinates.placed(&here.trial.problem.journal, place);
-            let gap = here.trial.problem.bearing.least_gap(&journal) / self.clearance;
+            let gap = search.gap.least(&journal) / self.clearance;
             if gap < 0.5 * LEAST_SHRINK * self.gap(&here.trial) {
                 return None;
             }

@@ -8,6 +8,34 @@
 use crate::field::evaluate;
 use crate::lagrange::{self, MOST_SHAPES};
 
+/// Values at the nodes of a quadratic.
+pub type Quadratic = [f64; 6];
+
+/// A lower bound of the quadratic with these nodal values over its triangle.
+pub fn lower_bound(nodal: &Quadratic) -> f64 {
+    -quadratic_bound(&negative(nodal))
+}
+
+/// Reference point of the triangle at which the quadratic with these nodal values is least.
+pub fn least_at(nodal: &Quadratic) -> [f64; 2] {
+    let negative = negative(nodal);
+    let nodes = lagrange::nodes(2).into_iter();
+    let (mut best, mut place) = (f64::NEG_INFINITY, [0.0; 2]);
+    for point in nodes.chain(quadratic_candidates(&negative)) {
+        let value = evaluate(2, &negative, point);
+        if value > best {
+            (best, place) = (value, point);
+        }
+    }
+    place
+}
+
+fn negative(nodal: &Quadratic) -> [f64; MOST_SHAPES] {
+    let mut negative = [0.0; MOST_SHAPES];
+    (0..6).for_each(|k| negative[k] = -nodal[k]);
+    negative
+}
+
 /// Most steps of Newton's method.
 const STEPS: usize = 8;
 /// Intervals of the lattice along an edge.

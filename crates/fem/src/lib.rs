@@ -2,7 +2,7 @@
 //!
 //! Physics states a [`ConservationLaw`]: flux and source at a point. Reading order:
 //! [`lagrange`] and [`quadrature`] (the reference triangle), [`mapping`], [`space`] (degrees of
-//! freedom), [`field`] (functions), [`conservation_law`], [`element`] and [`assembly`] (the one
+//! freedom), [`field`] (functions), [`extrema`], [`conservation_law`], [`element`] and [`assembly`] (the one
 //! element loop), [`integrate`](mod@integrate) (all other integrals), [`sparsity`], [`ordering`], [`factorization`] and [`unsymmetric`] ([`harmonic`]: systems of harmonic motions), [`newton`], [`complementarity`] (obstacles), [`linear_solver`], [`linearisation`];
 //! for large systems `conjugate_gradients`, `multigrid` (on `sweeps`, [`linear_prolongation`] and `aggregation`), and `iterated`, which gives up on it where it is slow.
 //! [`prolongation`] and [`nested`]: cubic elements on top of quadratic ones, for error bars.
@@ -18,7 +18,7 @@ pub mod control_volumes;
 pub mod dual;
 pub mod element;
 pub mod error;
-mod extrema;
+pub mod extrema;
 pub mod factorization;
 pub mod field;
 mod front;

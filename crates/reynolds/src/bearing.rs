@@ -1,6 +1,6 @@
 //! The bearing's dimensions.
 
-use crate::JournalState;
+use crate::{JournalState, Thinnest};
 
 /// Radius, length and clearance of a journal bearing.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,13 +28,13 @@ impl Bearing {
     }
 
     /// Where the gap of circular surfaces is least: at an end, for the offset `|e + z g|` is convex in z.
-    pub fn thinnest(&self, journal: &JournalState) -> Thinnest {
+    pub(crate) fn thinnest(&self, journal: &JournalState) -> Thinnest {
         let [low, high] = self.ends().map(|z| self.thinnest_at(journal, z));
         if high.thickness < low.thickness { high } else { low }
     }
 
     /// Where the gap of circular surfaces is least at the axial position `z` [m].
-    pub fn thinnest_at(&self, journal: &JournalState, z: f64) -> Thinnest {
+    pub(crate) fn thinnest_at(&self, journal: &JournalState, z: f64) -> Thinnest {
         let [x, y] = journal.offset_at(z);
         Thinnest {
             thickness: self.clearance - x.hypot(y),
@@ -43,12 +43,8 @@ impl Bearing {
         }
     }
 
-    /// Least film thickness [m] over the whole circumference and length with the journal in this state; negative where it would touch.
-    pub fn least_gap(&self, journal: &JournalState) -> f64 {
-        self.thinnest(journal).thickness
-    }
-
-    /// Offset [m] towards `angle` [rad] at which a journal with this tilt touches the liner at one of its ends; zero where its tilt alone makes it touch.
+    /// Offset [m] towards `angle` [rad] at which a circular journal with this tilt touches a circular liner at one of its ends; zero where its tilt alone makes
+    /// it touch.
     pub fn reach(&self, journal: &JournalState, angle: f64) -> f64 {
         let (sin, cos) = angle.sin_cos();
         let [x, y] = journal.tilt;
@@ -59,17 +55,6 @@ impl Bearing {
         });
         reach[0].min(reach[1]).max(0.0)
     }
-}
-
-/// The place of the least gap between two circular surfaces.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Thinnest {
-    /// Gap there [m].
-    pub thickness: f64,
-    /// Angle [rad].
-    pub angle: f64,
-    /// Axial position [m].
-    pub z: f64,
 }
 
 #[cfg(test)]
@@ -91,7 +76,7 @@ mod tests {
             ..JournalState::default()
         };
         // e + z g = (1e-5, -+2e-5) at the ends: both are as far off.
-        assert!((BEARING.least_gap(&journal) - (5e-5 - 1e-5f64.hypot(2e-5))).abs() < 1e-20);
+        assert!((BEARING.thinnest(&journal).thickness - (5e-5 - 1e-5f64.hypot(2e-5))).abs() < 1e-20);
         let leaning = JournalState {
             tilt: [5e-4, 0.0],
             ..journal
@@ -109,7 +94,7 @@ mod tests {
             };
             let reach = BEARING.reach(&journal, angle);
             let offset = [reach * angle.cos(), reach * angle.sin()];
-            let gap = BEARING.least_gap(&JournalState { offset, ..journal });
+            let gap = BEARING.thinnest(&JournalState { offset, ..journal }).thickness;
             assert!(gap.abs() < 1e-15 * 5e-5 / 1e-5, "{tilt:?}: {gap:e}");
         }
         // The tilt alone makes it touch.

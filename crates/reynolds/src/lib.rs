@@ -33,7 +33,7 @@
 //! film lies at `atan2(e_y, e_x)`; `W` is the external force that the film carries.
 //!
 //! Reading order: [`terms`] (start with `poiseuille.rs`), [`film_thickness`], [`lubricant`],
-//! [`supply`] (where pressure is given), [`film_problem`] (all of it compiled, and solved),
+//! [`gap`] (where the film is least), [`supply`] (where pressure is given), [`film_problem`] (all of it compiled, and solved),
 //! [`sharp`] (the pressure over the cavity that finite volumes have found), [`quantities`] (what is reported), [`analytical`] (closed forms to test against).
 //! An effect is an entry in one of these places; an empty place costs nothing.
 
@@ -48,6 +48,7 @@ mod film_law;
 pub mod film_point;
 pub mod film_problem;
 pub mod film_thickness;
+pub mod gap;
 pub mod journal_state;
 pub mod levels;
 pub mod lubricant;
@@ -63,11 +64,12 @@ pub mod terms;
 pub mod theory;
 mod whirl;
 
-pub use bearing::{Bearing, Thinnest};
+pub use bearing::Bearing;
 pub use cavitation::Cavitation;
 pub use existence::NoFilm;
 pub use film_point::{FilmFlow, FilmPoint};
 pub use film_problem::{FilmProblem, FilmSolution, FilmSystem, FilmTrace, Form};
+pub use gap::{Gap, Thinnest};
 pub use journal_state::{CentreVelocity, JournalChange, JournalState};
 pub use reference_film::ReferenceFilm;
 pub use storage::Storage;

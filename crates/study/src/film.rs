@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use oilwedge_bearing::orbit::Instant;
 use oilwedge_bearing::{Deadline, InitialGuess, Load, SearchOptions};
-use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSystem, JournalState};
+use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSystem, Gap, JournalState};
 use oilwedge_scene::{Dynamics, Scene};
 
 use crate::oil::Oil;
@@ -114,6 +114,11 @@ impl Film {
             tilt: position.tilt,
             ..self.problem.journal
         })
+    }
+
+    /// Where it is least, with the journal anywhere.
+    pub fn gap(&self) -> Gap {
+        Gap::of(&self.problem, &self.system)
     }
 
     /// Where the journal is.

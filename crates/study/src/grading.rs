@@ -2,7 +2,7 @@
 
 use oilwedge_bearing::{Deadline, Equilibrium, Load, NoEquilibrium, ROUGHLY_BALANCED, SearchOptions, find, is_contact};
 use oilwedge_reynolds::angles::wrapped;
-use oilwedge_reynolds::{Bearing, JournalState};
+use oilwedge_reynolds::{Gap, JournalState};
 use oilwedge_scene::Scene;
 
 use crate::compile::{compile, compile_near};
@@ -73,7 +73,7 @@ fn suited(film: &Film, load: Load, deadline: Deadline, middle: &mut Option<Posit
                 true => THIN_IN_ROWS,
                 false => THIN,
             };
-            with_film(&film.problem.bearing, journal, thin)
+            with_film(&film.gap(), journal, thin)
         }
         // Feeds may carry what the estimate would have a thin film carry.
         Err(reason) => match (middle.take(), reason.last_position()) {
@@ -82,20 +82,27 @@ fn suited(film: &Film, load: Load, deadline: Deadline, middle: &mut Option<Posit
             (None, None) => return Suited::Unknown,
         },
     };
-    let bearing = &film.problem.bearing;
-    let is_possible = !is_contact(bearing, &journal);
-    let suits = is_near(bearing, &film.problem.journal, &journal);
+    let gap = film.gap();
+    let is_possible = !is_contact(&gap, &journal);
+    let suits = is_near(&gap, &film.problem.journal, &journal);
     match balance {
-        _ if is_possible && !suits => Suited::Not(Position::of(&journal, bearing.clearance)),
+        _ if is_possible && !suits => Suited::Not(Position::of(&journal, gap.bearing().clearance)),
         Ok(_) if is_possible => Suited::To(journal),
         _ => Suited::Unknown,
     }
 }
 
 /// A journal or, where it leaves less than this part of the clearance, one nearer to the middle that leaves it.
-fn with_film(bearing: &Bearing, journal: &JournalState, part: f64) -> JournalState {
-    let taken = bearing.clearance - bearing.least_gap(journal);
-    let nearer = f64::min(1.0, (1.0 - part) * bearing.clearance / taken);
+fn with_film(gap: &Gap, journal: &JournalState, part: f64) -> JournalState {
+    let middle = JournalState {
+        offset: [0.0; 2],
+        tilt: [0.0; 2],
+        ..*journal
+    };
+    // On the way to the middle the least film is concave.
+    let most = gap.least(&middle);
+    let taken = most - gap.least(journal);
+    let nearer = f64::min(1.0, (1.0 - part) * most / taken).max(0.0);
     JournalState {
         offset: journal.offset.map(|e| nearer * e),
         tilt: journal.tilt.map(|g| nearer * g),
@@ -126,8 +133,8 @@ fn rough_balance(film: &Film, load: Load, deadline: Deadline) -> Result<Equilibr
 }
 
 /// Whether a mesh graded for one position suits another.
-pub fn is_near(bearing: &Bearing, graded_for: &JournalState, found: &JournalState) -> bool {
-    let [before, now] = [graded_for, found].map(|journal| bearing.thinnest(journal));
+pub fn is_near(gap: &Gap, graded_for: &JournalState, found: &JournalState) -> bool {
+    let [before, now] = [graded_for, found].map(|journal| gap.thinnest(journal));
     let ratio = before.thickness / now.thickness;
     let turn = wrapped(before.angle - now.angle).abs();
     ratio < REGRADED && ratio > 1.0 / REGRADED && turn < ELSEWHERE

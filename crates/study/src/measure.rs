@@ -10,7 +10,7 @@ use oilwedge_reynolds::quantities::load::{self, Load};
 use oilwedge_reynolds::quantities::power::{self, Power};
 use oilwedge_reynolds::quantities::pressure::{self, Extremes};
 use oilwedge_reynolds::sharp::HillNumbers;
-use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalState, Thinnest};
+use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, Gap, JournalState, Thinnest};
 
 use crate::film::Film;
 
@@ -108,7 +108,7 @@ pub fn measure(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) 
         load,
         flows: flow::flows(problem, system, film),
         inlet_flow: inlet_flow(problem, system, film),
-        thinnest: pressure::thinnest(problem, system),
+        thinnest: Gap::of(problem, system).thinnest_film(problem, system),
         extent: extent(problem, system, film, &extremes),
         cavity: problem
             .cavitation

@@ -208,6 +208,7 @@ fn motion<'a>(film: &'a Film, scene: &Scene, model: &oilwedge_scene::Orbit, cycl
     Motion {
         problem: &film.problem,
         system: &film.system,
+        gap: film.gap(),
         cycle,
         support: scene.tilting().map(|tilting| TiltSupport {
             stiffness: tilting.support.map_or(0.0, |support| support.tilt_stiffness),
@@ -238,7 +239,7 @@ fn measured(
     let view = CycleView {
         samples: &samples,
         path: &path,
-        bearing: film.problem.bearing,
+        gap: &motion.gap,
         coordinates: motion.coordinates(),
         angular_speed: motion.cycle.angular_speed(),
         between: 0.0,

@@ -6,9 +6,9 @@ use std::sync::Arc;
 use oilwedge_bearing::Deadline;
 use oilwedge_bearing::duty_cycle::{DutyCycle, Frame, Harmonic, Turning};
 use oilwedge_bearing::orbit::{Motion, OrbitOptions, TiltSupport};
-use oilwedge_reynolds::Cavitation;
 use oilwedge_reynolds::film_thickness::Tilt;
 use oilwedge_reynolds::terms::squeeze::Squeeze;
+use oilwedge_reynolds::{Cavitation, Gap};
 use oilwedge_tests::*;
 
 /// A plain ring, B/D = 0.5, Swift-Stieber; `F = (2 + 1.5 cos tau, sin tau) mu omega R^2/psi^2` acts at z = 0.08 R, and a support of the stiffness
@@ -36,6 +36,7 @@ fn a_tilting_journal_runs_the_orbit_of_finite_volumes() {
     let motion = Motion {
         problem: &problem,
         system: &system,
+        gap: Gap::of(&problem, &system),
         cycle: &cycle,
         support: Some(TiltSupport {
             stiffness: 0.4 * unit * RADIUS * RADIUS / CLEARANCE,

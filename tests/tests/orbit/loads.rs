@@ -7,8 +7,8 @@ use std::sync::Arc;
 use oilwedge_bearing::Deadline;
 use oilwedge_bearing::duty_cycle::{DutyCycle, Frame, Harmonic, Linkage, Turning};
 use oilwedge_bearing::orbit::{Motion, Orbit, OrbitOptions};
-use oilwedge_reynolds::Cavitation;
 use oilwedge_reynolds::terms::squeeze::Squeeze;
+use oilwedge_reynolds::{Cavitation, Gap};
 use oilwedge_study::{RunOptions, parse, run};
 use oilwedge_tests::*;
 
@@ -132,6 +132,7 @@ fn orbit(turned: &dyn Fn([f64; 2]) -> [f64; 2], speed: f64) -> Orbit {
     let motion = Motion {
         problem: &problem,
         system: &system,
+        gap: Gap::of(&problem, &system),
         cycle: &cycle,
         support: None,
         mass: 0.0,

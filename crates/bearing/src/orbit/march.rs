@@ -270,7 +270,7 @@ impl Motion<'_> {
                     acceleration,
                     error,
                 }) => {
-                    let part = length(error) / self.gap(end.at) / accuracy.tolerance;
+                    let part = length(error) / self.least_gap(end.at) / accuracy.tolerance;
                     let change = SAFETY * part.max(1e-10).powf(-1.0 / self.scheme().error_power);
                     dt = (taken * change.clamp(CHANGES[0], CHANGES[1])).min(LONGEST * period);
                     if part > 1.0 && taken > SHORTEST * period {
@@ -315,7 +315,7 @@ impl Motion<'_> {
 
     /// A first step in which the journal moves by a part of the least gap.
     fn first_step(&self, here: &Instant, period: f64) -> f64 {
-        let time = FIRST * self.gap(here.at) / length(here.velocity).max(f64::MIN_POSITIVE);
+        let time = FIRST * self.least_gap(here.at) / length(here.velocity).max(f64::MIN_POSITIVE);
         time.clamp(10.0 * SHORTEST * period, 0.1 * LONGEST * period)
     }
 
@@ -344,7 +344,7 @@ impl Motion<'_> {
             NoStage::Diverged => NoOrbit::Stuck {
                 angle,
                 cycle,
-                gap: self.gap(at) / self.problem.bearing.clearance,
+                gap: self.least_gap(at) / self.problem.bearing.clearance,
             },
         }
     }

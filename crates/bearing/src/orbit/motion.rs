@@ -12,7 +12,7 @@ use oilwedge_fem::newton::Failure;
 use oilwedge_reynolds::quantities::load::{load, load_change};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{
-    CentreVelocity, FilmProblem, FilmSolution, FilmSystem, JournalChange, JournalState, NoFilm, Storage,
+    CentreVelocity, FilmProblem, FilmSolution, FilmSystem, Gap, JournalChange, JournalState, NoFilm, Storage,
 };
 
 use super::oil::Oil;
@@ -36,6 +36,8 @@ pub struct Motion<'a> {
     pub problem: &'a FilmProblem,
     /// Its mesh and supply.
     pub system: &'a FilmSystem,
+    /// Where the film is least on that mesh.
+    pub gap: Gap,
     /// What acts on the journal.
     pub cycle: &'a DutyCycle,
     /// What holds a tilt that is free; `None`: the tilt is given.
@@ -105,9 +107,9 @@ impl Motion<'_> {
     }
 
     /// Least gap [m] of a journal at these coordinates.
-    pub(crate) fn gap(&self, at: Vector) -> f64 {
+    pub(crate) fn least_gap(&self, at: Vector) -> f64 {
         let journal = self.coordinates().placed(&self.problem.journal, at);
-        self.problem.bearing.least_gap(&journal)
+        self.gap.least(&journal)
     }
 
     /// The load [N], with what the support would give the journal where it is parallel to the bearing.

@@ -105,7 +105,7 @@ impl Motion<'_> {
                 None => self.stage_tangent(known, &here)?,
             };
             let step = tangent.solve(residual.map(|part| -part));
-            let gap = self.gap(here.at);
+            let gap = self.least_gap(here.at);
             let balance = length(residual) / accuracy.scale;
             let change = length(step) / gap;
             if !change.is_finite() {
@@ -115,7 +115,7 @@ impl Motion<'_> {
                 return self.with_oil(known, here);
             }
             let mut part = 1.0;
-            while self.gap(moved(here.at, part, step)) < LEAST_SHRINK * gap {
+            while self.least_gap(moved(here.at, part, step)) < LEAST_SHRINK * gap {
                 part *= 0.8;
             }
             loop {
@@ -247,10 +247,10 @@ impl Motion<'_> {
 
     /// A start, or a place on the way to it that leaves enough of the film.
     fn inside(&self, from: Vector, to: Vector) -> Vector {
-        let gap = self.gap(from);
+        let gap = self.least_gap(from);
         let way: Vector = moved(to, -1.0, from);
         let mut part = 1.0;
-        while self.gap(moved(from, part, way)) < LEAST_SHRINK * gap {
+        while self.least_gap(moved(from, part, way)) < LEAST_SHRINK * gap {
             part *= 0.8;
         }
         moved(from, part, way)

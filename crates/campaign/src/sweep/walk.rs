@@ -262,7 +262,7 @@ impl<'a> Walker<'a> {
 
 /// Whether the mesh of a film, graded for one position, suits its own.
 fn suits(graded_for: &JournalState, film: &Film) -> bool {
-    !film.scene.mesh.is_graded() || is_near(&film.problem.bearing, graded_for, &film.problem.journal)
+    !film.scene.mesh.is_graded() || is_near(&film.gap(), graded_for, &film.problem.journal)
 }
 
 /// The case on a mesh drawn for this position.

@@ -58,6 +58,10 @@ impl FilmContribution for Eccentricity {
         }
     }
 
+    fn keeps_circles(&self) -> bool {
+        true
+    }
+
     fn follows(&self) -> Follows {
         Follows::Offset
     }

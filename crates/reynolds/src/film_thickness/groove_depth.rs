@@ -34,6 +34,11 @@ impl FilmContribution for GrooveDepth {
         }
     }
 
+    /// It only deepens.
+    fn keeps_circles(&self) -> bool {
+        true
+    }
+
     fn carried(&self, parents: &[u32]) -> Arc<dyn FilmContribution> {
         Arc::new(Self {
             depth: self.depth,

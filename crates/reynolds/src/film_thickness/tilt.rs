@@ -56,6 +56,10 @@ impl FilmContribution for Tilt {
         }
     }
 
+    fn keeps_circles(&self) -> bool {
+        true
+    }
+
     fn follows(&self) -> Follows {
         Follows::Tilt
     }

@@ -6,7 +6,7 @@ use oilwedge_bearing::Coordinates;
 use oilwedge_bearing::duty_cycle::DutyCycle;
 use oilwedge_bearing::mobility::{FilmMap, FiniteMap, MapOrbit, ShortMap, Travel};
 use oilwedge_bearing::orbit::Span;
-use oilwedge_reynolds::{Bearing, JournalState};
+use oilwedge_reynolds::{Bearing, Gap, JournalState};
 use oilwedge_scene::{CavitationModel, PressureLaw, Scene, Theory};
 
 use super::OrbitPath;
@@ -191,7 +191,7 @@ impl Beside<'_> {
         over_cycle(&CycleView {
             samples: &samples,
             path: &path.spans,
-            bearing: self.bearing,
+            gap: &Gap::circular(self.bearing),
             coordinates: Coordinates {
                 order: 2,
                 arm: 0.5 * self.bearing.length,

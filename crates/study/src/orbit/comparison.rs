@@ -36,6 +36,7 @@ pub(super) fn judge(
     };
     let motion = Motion {
         system: &film.system,
+        gap: film.gap(),
         ..*motion
     };
     let numbers_alone = RunOptions {

@@ -228,7 +228,7 @@ fn sensitivities(
     let base = values(&film.problem, solution);
     let journal = film.problem.journal;
     let bearing = &film.problem.bearing;
-    let gap = SMALL * bearing.least_gap(&journal);
+    let gap = SMALL * motion.gap.least(&journal);
     let rate = SMALL * journal.speed.abs().max(motion.cycle.angular_speed()) * bearing.clearance;
     let coordinates = motion.coordinates();
     let column = |k: usize, size: f64, of: &dyn Fn(JournalChange) -> JournalChange| -> Result<Vec<f64>, NoAnswer> {

@@ -5,6 +5,7 @@ use oilwedge_bearing::coordinates::Vector;
 use oilwedge_bearing::duty_cycle::DutyCycle;
 use oilwedge_bearing::mobility::{ShortMap, Travel};
 use oilwedge_bearing::orbit::{Motion, Orbit, OrbitOptions};
+use oilwedge_reynolds::Gap;
 use oilwedge_scene::Scene;
 
 use super::{motion, no_map};
@@ -86,6 +87,7 @@ fn rough(
     let motion = Motion {
         problem: &problem,
         system: &coarser.system,
+        gap: Gap::of(&problem, &coarser.system),
         ..fine
     };
     // Where a map leads to the orbit one cycle is enough.
@@ -102,7 +104,7 @@ fn rough(
     let orbit = motion.orbit(begin, &options).ok()?;
     let gaps = orbit.steps.iter().map(|step| {
         let journal = motion.coordinates().placed(&film.problem.journal, step.at);
-        bearing.least_gap(&journal)
+        motion.gap.least(&journal)
     });
     let greatest = 1.0 - gaps.fold(f64::INFINITY, f64::min) / bearing.clearance;
     Some((orbit, greatest.clamp(0.0, GREATEST)))

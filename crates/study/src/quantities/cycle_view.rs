@@ -4,7 +4,7 @@ use oilwedge_bearing::Coordinates;
 use oilwedge_bearing::duty_cycle::PeriodicSpline;
 use oilwedge_bearing::orbit::Span;
 use oilwedge_reynolds::error_bar::Bar;
-use oilwedge_reynolds::{Bearing, JournalState, Thinnest};
+use oilwedge_reynolds::{Gap, JournalState, Thinnest};
 
 use super::{FILM_THICKNESS_MIN, FILM_THICKNESS_MIN_ANGLE, Quantity, Row};
 
@@ -66,8 +66,8 @@ pub struct CycleView<'a> {
     pub samples: &'a [Sample],
     /// The path from film to film.
     pub path: &'a [Span],
-    /// The bearing.
-    pub bearing: Bearing,
+    /// Where the film is least.
+    pub gap: &'a Gap,
     /// What is free.
     pub coordinates: Coordinates,
     /// Angular speed of the crank [rad/s].
@@ -124,7 +124,7 @@ impl CycleView<'_> {
 
     /// The thinnest film of the cycle, and when it is there [s].
     pub fn thinnest(&self) -> (Thinnest, f64) {
-        let at = |time: f64| (self.bearing.thinnest(&self.journal(time)), time);
+        let at = |time: f64| (self.gap.thinnest(&self.journal(time)), time);
         let times = self.path.iter().flat_map(|span| {
             let [from, to] = span.times;
             (0..PLACES_BETWEEN).map(move |k| from + (to - from) * f64::from(k) / f64::from(PLACES_BETWEEN))
@@ -166,11 +166,7 @@ impl CycleView<'_> {
     /// The crank angle [deg] of the thinnest film and its bar.
     pub fn thinnest_crank_angle(&self) -> Judged {
         let (thinnest, time) = self.thinnest();
-        let film = |at: f64| {
-            self.bearing
-                .thinnest(&self.journal(at.rem_euclid(self.period())))
-                .thickness
-        };
+        let film = |at: f64| self.gap.thinnest(&self.journal(at.rem_euclid(self.period()))).thickness;
         let bar = self.bar_of_thinnest(time);
         let doubt = bar.map(|bar| self.doubt(time, bar.total(), |at| film(at) - thinnest.thickness));
         (self.crank_angle(time), doubt.map(|doubt| self.bar_of_time(doubt)))
@@ -179,7 +175,7 @@ impl CycleView<'_> {
     /// The angle [deg] around the bearing at which the film is thinnest, and its bar.
     pub fn thinnest_angle(&self) -> Judged {
         let (thinnest, time) = self.thinnest();
-        let film = |at: f64| self.bearing.thinnest(&self.journal(at.rem_euclid(self.period())));
+        let film = |at: f64| self.gap.thinnest(&self.journal(at.rem_euclid(self.period())));
         let bar = self.bar_of_thinnest(time);
         let doubt = bar.map(|bar| self.doubt(time, bar.total(), |at| film(at).thickness - thinnest.thickness));
         let turned = |doubt: f64| {

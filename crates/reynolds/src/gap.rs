@@ -1,0 +1,293 @@
+//! # Where journal and liner are nearest
+//!
+//! **Equation.** `h_min = min h(phi, z)`, `h = c - (e + z g).n + shape(phi, z)`. Circular surfaces: `h_min = c - |e + z g|` at the end where it is least, for
+//! that is convex in z. Others: the least of the contributions to the film thickness on the triangles of the mesh. The film is linear in the place of the
+//! journal, so each node has five numbers: the thickness with the journal in the middle, and what each coordinate changes. The triangles whose quadratic may
+//! be least are then searched in the thickness itself.
+//!
+//! | symbol | unit | code |
+//! |---|---|---|
+//! | h_min | m | `thickness` |
+//! | e, g | m, rad | `offset`, `tilt` of the journal |
+//! | shape | m | contributions that follow nothing |
+//!
+//! **Source.** Definition. **Range.** Shapes that triangles resolve: a dent that lies between nodes altogether is not seen. **Verified by** the tests below.
+
+use std::sync::Arc;
+
+use oilwedge_fem::extrema::{Quadratic, least_at, lower_bound};
+use oilwedge_fem::lagrange;
+use oilwedge_fem::mapping::Mapping;
+use oilwedge_mesh::Mesh;
+
+use crate::film_thickness::FilmContribution;
+use crate::journal_state::JournalChange;
+use crate::{Bearing, FilmPoint, FilmProblem, FilmSystem, JournalState};
+
+/// Triangles that are searched.
+const SEARCHED: usize = 8;
+/// Halvings of the neighbourhood in one of them.
+const HALVINGS: usize = 16;
+/// The reach of a journal is known to this part of the clearance,
+const EXACT: f64 = 1e-13;
+/// or after so many steps of Newton's method.
+const MOST_STEPS: usize = 50;
+
+/// The place of the least gap between journal and liner.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Thinnest {
+    /// Gap there [m].
+    pub thickness: f64,
+    /// Angle [rad].
+    pub angle: f64,
+    /// Axial position [m].
+    pub z: f64,
+}
+
+impl Thinnest {
+    const NONE: Self = Self {
+        thickness: f64::INFINITY,
+        angle: 0.0,
+        z: 0.0,
+    };
+
+    fn or(self, other: Self) -> Self {
+        if other.thickness < self.thickness { other } else { self }
+    }
+}
+
+/// The space between the liner and a journal that may be anywhere: the only place that knows where the film is least.
+#[derive(Debug, Clone)]
+pub struct Gap {
+    bearing: Bearing,
+    shaped: Option<Arc<Shaped>>,
+}
+
+/// Surfaces that are not circular, on a mesh.
+#[derive(Debug)]
+struct Shaped {
+    mesh: Arc<Mesh>,
+    film_thickness: Vec<Arc<dyn FilmContribution>>,
+    /// For each triangle its film at the nodes [m]: with the journal in the middle, and what each coordinate changes.
+    nodes: Vec<[Quadratic; 5]>,
+}
+
+impl Gap {
+    /// The gap of circular surfaces.
+    pub fn circular(bearing: Bearing) -> Self {
+        Self { bearing, shaped: None }
+    }
+
+    /// The gap of a film on a mesh.
+    pub fn of(problem: &FilmProblem, system: &FilmSystem) -> Self {
+        let is_circular = problem.film_thickness.iter().all(|it| it.keeps_circles());
+        let shaped = (!is_circular).then(|| Arc::new(Shaped::of(problem, system.space().mesh())));
+        Self {
+            bearing: problem.bearing,
+            shaped,
+        }
+    }
+
+    /// The bearing's dimensions.
+    pub fn bearing(&self) -> &Bearing {
+        &self.bearing
+    }
+
+    /// Where the gap is least with the journal in this state: over the whole circumference, beside the liner of an arc too, where the bore is taken as
+    /// circular.
+    pub fn thinnest(&self, journal: &JournalState) -> Thinnest {
+        let Some(shaped) = &self.shaped else {
+            return self.bearing.thinnest(journal);
+        };
+        let beside = (self.bearing.ends().into_iter())
+            .map(|z| self.bearing.thinnest_at(journal, z))
+            .filter(|place| !covers(&shaped.mesh, self.bearing.radius, place.angle));
+        beside.fold(shaped.thinnest(journal, self.bearing.radius), Thinnest::or)
+    }
+
+    /// Least gap [m] with the journal in this state; negative where it would touch.
+    pub fn least(&self, journal: &JournalState) -> f64 {
+        self.thinnest(journal).thickness
+    }
+
+    /// Offset [m] towards `angle` [rad] at which a journal with this tilt touches; zero where its tilt alone makes it touch.
+    pub fn reach(&self, journal: &JournalState, angle: f64) -> f64 {
+        if self.shaped.is_none() {
+            return self.bearing.reach(journal, angle);
+        }
+        let (sin, cos) = angle.sin_cos();
+        let at = |e: f64| {
+            self.thinnest(&JournalState {
+                offset: [e * cos, e * sin],
+                ..*journal
+            })
+        };
+        if at(0.0).thickness <= 0.0 {
+            return 0.0;
+        }
+        // The least of functions that are linear in e is concave: from a journal that touches Newton's method comes nearer without passing.
+        let mut e = self.bearing.clearance;
+        while at(e).thickness > 0.0 {
+            e *= 2.0;
+        }
+        for _ in 0..MOST_STEPS {
+            let place = at(e);
+            let step = place.thickness / (place.angle - angle).cos();
+            e += step;
+            if step.abs() < EXACT * self.bearing.clearance {
+                break;
+            }
+        }
+        e.max(0.0)
+    }
+
+    /// Where the film on the liner of `mesh` is least. Where the liner of an arc covers neither end's thinnest gap, that is at an edge.
+    pub fn thinnest_film(&self, problem: &FilmProblem, system: &FilmSystem) -> Thinnest {
+        let (bearing, journal, mesh) = (&self.bearing, &problem.journal, system.space().mesh());
+        if let Some(shaped) = &self.shaped {
+            return shaped.thinnest(journal, bearing.radius);
+        }
+        let is_covered = |place: &Thinnest| covers(mesh, bearing.radius, place.angle);
+        let thinnest = bearing.thinnest(journal);
+        if is_covered(&thinnest) {
+            return thinnest;
+        }
+        let at_nodes = (0..mesh.triangles().len()).flat_map(|t| {
+            let nodes = mesh.nodes(t);
+            problem.thickness_at(t, &nodes).into_iter().zip(nodes)
+        });
+        let at_nodes = at_nodes.map(|(thickness, [x, z])| Thinnest {
+            thickness,
+            angle: x / bearing.radius,
+            z,
+        });
+        let ends = bearing.ends().map(|z| bearing.thinnest_at(journal, z)).into_iter();
+        ends.filter(is_covered)
+            .chain(at_nodes)
+            .fold(Thinnest::NONE, Thinnest::or)
+    }
+}
+
+/// Whether the liner of a mesh covers an angle [rad].
+fn covers(mesh: &Mesh, radius: f64, angle: f64) -> bool {
+    match mesh.period() {
+        Some(_) => true,
+        None => {
+            let xs = mesh.points().iter().map(|point| point[0]);
+            let (low, high) = xs.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
+            let x = angle * radius;
+            let turn = std::f64::consts::TAU * radius;
+            (x - low).rem_euclid(turn) <= high - low
+        }
+    }
+}
+
+impl Shaped {
+    fn of(problem: &FilmProblem, mesh: &Arc<Mesh>) -> Self {
+        let unit = |k: usize| {
+            let along = [0, 1].map(|d| if d == k % 2 { 1.0 } else { 0.0 });
+            let (offset, tilt) = if k < 2 { (along, [0.0; 2]) } else { ([0.0; 2], along) };
+            JournalChange {
+                offset,
+                tilt,
+                ..JournalChange::default()
+            }
+        };
+        let contributions = &problem.film_thickness;
+        let of_triangle = |t: usize| {
+            let positions = mesh.nodes(t);
+            let mut numbers = [[0.0; 6]; 5];
+            numbers[0] = thickness(contributions, &JournalState::default(), t, &positions);
+            for k in 0..4 {
+                let mut film = [FilmPoint::default(); 6];
+                let change = unit(k);
+                (contributions.iter()).for_each(|it| it.vary(&change, t, &positions, &mut film));
+                numbers[1 + k] = film.map(|point| point.thickness);
+            }
+            numbers
+        };
+        Self {
+            nodes: (0..mesh.triangles().len()).map(of_triangle).collect(),
+            mesh: mesh.clone(),
+            film_thickness: contributions.clone(),
+        }
+    }
+
+    /// Where the film on the mesh is least.
+    fn thinnest(&self, journal: &JournalState, radius: f64) -> Thinnest {
+        let [e, g] = [journal.offset, journal.tilt];
+        let place = [1.0, e[0], e[1], g[0], g[1]];
+        let mut lowest: Vec<(f64, usize)> = Vec::with_capacity(SEARCHED + 1);
+        for (t, numbers) in self.nodes.iter().enumerate() {
+            let mut values = [0.0; 6];
+            for (number, part) in numbers.iter().zip(place) {
+                (0..6).for_each(|node| values[node] += part * number[node]);
+            }
+            let bound = lower_bound(&values);
+            let at = lowest.partition_point(|(other, _)| *other <= bound);
+            if at < SEARCHED {
+                lowest.insert(at, (bound, t));
+                lowest.truncate(SEARCHED);
+            }
+        }
+        let searched = lowest.into_iter().map(|(_, t)| self.thinnest_in(t, journal, radius));
+        searched.fold(Thinnest::NONE, Thinnest::or)
+    }
+
+    /// Where the film in triangle `t` is least: in ever smaller triangles around the least value of the quadratic through the nodes of the one before.
+    fn thinnest_in(&self, t: usize, journal: &JournalState, radius: f64) -> Thinnest {
+        let mapping = Mapping::of(&self.mesh, t);
+        let mut corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+        let mut best = Thinnest::NONE;
+        for _ in 0..HALVINGS {
+            let point = |[a, b]: [f64; 2]| {
+                let parts = lagrange::barycentric([a, b]);
+                [0, 1].map(|d| (0..3).map(|k| parts[k] * corners[k][d]).sum::<f64>())
+            };
+            let mut points = [[0.0; 2]; 7];
+            for (place, node) in points.iter_mut().zip(lagrange::nodes(2)) {
+                *place = point(node);
+            }
+            let at_nodes = self.film(&mapping, t, journal, &points);
+            let nodal: Quadratic = [0, 1, 2, 3, 4, 5].map(|k| at_nodes[k].0);
+            points[6] = point(least_at(&nodal));
+            let film = self.film(&mapping, t, journal, &points);
+            let least = (0..7).fold(0, |least, k| if film[k].0 < film[least].0 { k } else { least });
+            let (thickness, [x, z]) = film[least];
+            best = best.or(Thinnest {
+                thickness,
+                angle: x / radius,
+                z,
+            });
+            corners = corners.map(|corner| [0, 1].map(|d| 0.5 * (corner[d] + points[least][d])));
+        }
+        best
+    }
+
+    /// Film thickness [m] at reference points of triangle `t`, and where they are [m].
+    fn film<const N: usize>(
+        &self,
+        mapping: &Mapping,
+        t: usize,
+        journal: &JournalState,
+        points: &[[f64; 2]; N],
+    ) -> [(f64, [f64; 2]); N] {
+        let positions = points.map(|point| mapping.at(point).position);
+        let film = thickness(&self.film_thickness, journal, t, &positions);
+        std::array::from_fn(|k| (film[k], positions[k]))
+    }
+}
+
+fn thickness<const N: usize>(
+    contributions: &[Arc<dyn FilmContribution>],
+    journal: &JournalState,
+    t: usize,
+    positions: &[[f64; 2]; N],
+) -> [f64; N] {
+    let mut film = [FilmPoint::default(); N];
+    (contributions.iter()).for_each(|it| it.add(journal, t, positions, &mut film));
+    film.map(|point| point.thickness)
+}
+
+#[cfg(test)]
+mod tests;
