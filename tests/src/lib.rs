@@ -28,6 +28,7 @@ pub mod random_orbits;
 pub mod random_tilted;
 pub mod scene_page;
 pub mod scenes;
+pub mod shaped_bearings;
 pub mod short_crankshaft;
 pub mod tables;
 pub mod tilted_bearings;

@@ -6,8 +6,10 @@ use oilwedge_scene::keys::Key;
 use crate::tables::{replace, row};
 
 /// Tables of a scene that have a table of the page.
-const TABLES: [&str; 15] = [
+const TABLES: [&str; 18] = [
     "bearing",
+    "bore",
+    "shaft",
     "mesh",
     "ends",
     "feed",
@@ -19,6 +21,7 @@ const TABLES: [&str; 15] = [
     "oil",
     "heat",
     "limits",
+    "criteria",
     "cavitation",
     "dynamics",
     "cap",

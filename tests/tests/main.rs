@@ -39,5 +39,6 @@ mod refinement;
 mod reported_numbers;
 mod scene_properties;
 mod scenes;
+mod shapes;
 mod tilt;
 mod verdicts;

@@ -86,8 +86,10 @@ impl Scene {
 
     /// The files that it names, by their keys.
     #[getter]
-    fn files(&self) -> Vec<(&'static str, &Path)> {
-        self.scene.files().map(|(key, path, _)| (key, path)).collect()
+    fn files(&self) -> Vec<(String, &Path)> {
+        (self.scene.files())
+            .map(|(key, path, _)| (key.into_owned(), path))
+            .collect()
     }
 
     /// Whether it gives a tolerance.

@@ -26,8 +26,31 @@ use crate::{Bearing, FilmPoint, FilmProblem, FilmSystem, JournalState};
 
 /// Triangles that are searched.
 const SEARCHED: usize = 8;
-/// Halvings of the neighbourhood in one of them.
-const HALVINGS: usize = 16;
+/// Smaller triangles in one of them, each at most three quarters of the one before,
+const SHRINKS: usize = 48;
+/// and halvings of the part of a line.
+const HALVINGS: usize = 32;
+/// Points of a triangle, a quarter of its sides apart.
+const LATTICE: [[f64; 2]; 15] = [
+    [0.0, 0.0],
+    [0.25, 0.0],
+    [0.5, 0.0],
+    [0.75, 0.0],
+    [1.0, 0.0],
+    [0.0, 0.25],
+    [0.25, 0.25],
+    [0.5, 0.25],
+    [0.75, 0.25],
+    [0.0, 0.5],
+    [0.25, 0.5],
+    [0.5, 0.5],
+    [0.0, 0.75],
+    [0.25, 0.75],
+    [0.0, 1.0],
+];
+const SPACING: f64 = 0.25;
+/// Those that are the nodes of a quadratic, in their order.
+const NODES: [usize; 6] = [0, 4, 14, 2, 11, 9];
 /// The reach of a journal is known to this part of the clearance,
 const EXACT: f64 = 1e-13;
 /// or after so many steps of Newton's method.
@@ -166,6 +189,24 @@ impl Gap {
             .chain(at_nodes)
             .fold(Thinnest::NONE, Thinnest::or)
     }
+
+    /// Where the gap at the axial position `z` [m] is least with the journal in this state.
+    pub fn thinnest_at(&self, journal: &JournalState, z: f64) -> Thinnest {
+        match &self.shaped {
+            None => self.bearing.thinnest_at(journal, z),
+            Some(shaped) => shaped.thinnest_at(journal, self.bearing.radius, z),
+        }
+    }
+
+    /// Where the film on the liner of `mesh` is least at the axial position `z` [m].
+    pub fn thinnest_film_at(&self, problem: &FilmProblem, system: &FilmSystem, z: f64) -> Thinnest {
+        let (journal, mesh) = (&problem.journal, system.space().mesh());
+        let place = self.thinnest_at(journal, z);
+        match self.shaped.is_some() || covers(mesh, self.bearing.radius, place.angle) {
+            true => place,
+            false => Shaped::of(problem, mesh).thinnest_at(journal, self.bearing.radius, z),
+        }
+    }
 }
 
 /// Whether the liner of a mesh covers an angle [rad].
@@ -234,34 +275,69 @@ impl Shaped {
         searched.fold(Thinnest::NONE, Thinnest::or)
     }
 
-    /// Where the film in triangle `t` is least: in ever smaller triangles around the least value of the quadratic through the nodes of the one before.
+    /// Where the film in triangle `t` is least: in ever smaller triangles around the least value of a lattice, or of the quadratic through the nodes.
     fn thinnest_in(&self, t: usize, journal: &JournalState, radius: f64) -> Thinnest {
         let mapping = Mapping::of(&self.mesh, t);
         let mut corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
         let mut best = Thinnest::NONE;
-        for _ in 0..HALVINGS {
-            let point = |[a, b]: [f64; 2]| {
-                let parts = lagrange::barycentric([a, b]);
-                [0, 1].map(|d| (0..3).map(|k| parts[k] * corners[k][d]).sum::<f64>())
-            };
-            let mut points = [[0.0; 2]; 7];
-            for (place, node) in points.iter_mut().zip(lagrange::nodes(2)) {
-                *place = point(node);
-            }
-            let at_nodes = self.film(&mapping, t, journal, &points);
-            let nodal: Quadratic = [0, 1, 2, 3, 4, 5].map(|k| at_nodes[k].0);
-            points[6] = point(least_at(&nodal));
+        for _ in 0..SHRINKS {
+            let points = LATTICE.map(|at| within(&corners, at));
             let film = self.film(&mapping, t, journal, &points);
-            let least = (0..7).fold(0, |least, k| if film[k].0 < film[least].0 { k } else { least });
-            let (thickness, [x, z]) = film[least];
+            let between = least_at(&NODES.map(|k| film[k].0));
+            let [at_least] = self.film(&mapping, t, journal, &[within(&corners, between)]);
+            let mut least = (between, at_least);
+            for (point, film) in LATTICE.into_iter().zip(film) {
+                least = if film.0 < least.1.0 { (point, film) } else { least };
+            }
+            let (point, (thickness, [x, z])) = least;
             best = best.or(Thinnest {
                 thickness,
                 angle: x / radius,
                 z,
             });
-            corners = corners.map(|corner| [0, 1].map(|d| 0.5 * (corner[d] + points[least][d])));
+            // The triangle around it that holds its neighbours.
+            let beyond = lagrange::barycentric(point).map(|part| (part - SPACING).max(0.0));
+            let left = 1.0 - beyond.iter().sum::<f64>();
+            corners = [0, 1, 2].map(|k| {
+                let place = |d: usize| beyond[d] + if d == k { left } else { 0.0 };
+                within(&corners, [place(1), place(2)])
+            });
         }
         best
+    }
+
+    /// Where the film at the axial position `z` [m] is least: on the parts of that line in the triangles.
+    fn thinnest_at(&self, journal: &JournalState, radius: f64, z: f64) -> Thinnest {
+        let mut lowest: Vec<(f64, usize, [f64; 2])> = Vec::with_capacity(SEARCHED + 1);
+        for t in 0..self.nodes.len() {
+            let Some([from, to]) = crossing(self.mesh.corners(t), z) else {
+                continue;
+            };
+            let xs = [from, 0.5 * (from + to), to];
+            let film = thickness(&self.film_thickness, journal, t, &xs.map(|x| [x, z]));
+            let least = film.into_iter().fold(f64::INFINITY, f64::min);
+            let at = lowest.partition_point(|(other, ..)| *other <= least);
+            if at < SEARCHED {
+                lowest.insert(at, (least, t, [from, to]));
+                lowest.truncate(SEARCHED);
+            }
+        }
+        let searched = (lowest.into_iter()).map(|(_, t, [mut from, mut to])| {
+            let mut best = Thinnest::NONE;
+            for _ in 0..HALVINGS {
+                let xs: [f64; 5] = std::array::from_fn(|k| from + 0.25 * k as f64 * (to - from));
+                let film = thickness(&self.film_thickness, journal, t, &xs.map(|x| [x, z]));
+                let least = (0..5).fold(0, |least, k| if film[k] < film[least] { k } else { least });
+                best = best.or(Thinnest {
+                    thickness: film[least],
+                    angle: xs[least] / radius,
+                    z,
+                });
+                (from, to) = (0.5 * (from + xs[least]), 0.5 * (to + xs[least]));
+            }
+            best
+        });
+        searched.fold(Thinnest::NONE, Thinnest::or)
     }
 
     /// Film thickness [m] at reference points of triangle `t`, and where they are [m].
@@ -276,6 +352,30 @@ impl Shaped {
         let film = thickness(&self.film_thickness, journal, t, &positions);
         std::array::from_fn(|k| (film[k], positions[k]))
     }
+}
+
+/// The reference point in a triangle of these corners that is at `(xi, eta)` of it.
+fn within(corners: &[[f64; 2]; 3], at: [f64; 2]) -> [f64; 2] {
+    let parts = lagrange::barycentric(at);
+    [0, 1].map(|d| (0..3).map(|k| parts[k] * corners[k][d]).sum())
+}
+
+/// The part of the line at the axial position `z` [m] that lies in a triangle.
+fn crossing(corners: [[f64; 2]; 3], z: f64) -> Option<[f64; 2]> {
+    let side = |k: usize| {
+        let ([a, low], [b, high]) = (corners[k], corners[(k + 1) % 3]);
+        let part = (z - low) / (high - low);
+        match (low == z, (0.0..=1.0).contains(&part)) {
+            (true, _) => Some(a),
+            (false, true) => Some(a + part * (b - a)),
+            (false, false) => None,
+        }
+    };
+    let places = (0..3).filter_map(side);
+    places.fold(None, |part: Option<[f64; 2]>, x| match part {
+        None => Some([x, x]),
+        Some([from, to]) => Some([from.min(x), to.max(x)]),
+    })
 }
 
 fn thickness<const N: usize>(

@@ -10,6 +10,8 @@ use crate::keys::Key;
 static TABLES: &[&[Key]] = &[
     crate::scene::KEYS,
     crate::bearing::KEYS,
+    crate::bore::KEYS,
+    crate::shaft::KEYS,
     crate::mesh::KEYS,
     crate::ends::KEYS,
     crate::feed::KEYS,
@@ -31,6 +33,7 @@ static TABLES: &[&[Key]] = &[
     crate::oil::roelands::KEYS,
     crate::heat::KEYS,
     crate::limits::KEYS,
+    crate::criteria::KEYS,
     crate::cavitation::KEYS,
     crate::dynamics::KEYS,
     crate::cap::KEYS,

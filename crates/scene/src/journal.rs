@@ -12,7 +12,7 @@ keys! {
         "how the journal turns, and where it is";
     "journal.speed" = Quantity(Speed); "3000 rpm", "required", "any; 0 is at rest",
         "speed omega, positive towards growing angles";
-    "journal.eccentricity" = Number; "0.6", "required unless `[load]`", "0 <= eps < 1",
+    "journal.eccentricity" = Number; "0.6", "required unless `[load]`", "0 <= eps < 1; beyond 1 where the shapes of bore and shaft leave a film",
         "offset of the journal over the radial clearance";
     "journal.min_film_angle" = Quantity(Angle); "180 deg", "required unless eps = 0 or `[load]`", "",
         "angle phi_min at which the film is thinnest";
@@ -80,6 +80,13 @@ pub(crate) fn read(mut table: TableReader<'_>, load: Option<Position>) -> Journa
 
 /// Keys that must fit each other.
 pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
+    let touches = matches!(scene.journal.position, Position::Given { eccentricity, .. } if eccentricity >= 1.0);
+    complaints.refuse_if(
+        touches && scene.is_circular(),
+        "journal.eccentricity",
+        "means that the journal touches the liner: there is no film",
+        "give 0 <= eccentricity < 1, the offset of the journal over the radial clearance",
+    );
     squeeze::check(scene, complaints);
     tilt::check(scene, complaints);
 }
@@ -105,11 +112,6 @@ fn position(table: &mut TableReader<'_>, load: Option<Position>) -> Position {
         |eccentricity| eccentricity >= 0.0,
         "is negative",
         "give 0 <= eccentricity < 1, and turn min_film_angle by 180 deg",
-    );
-    let eccentricity = eccentricity.within(
-        |eccentricity| eccentricity < 1.0,
-        "means that the journal touches the liner: there is no film",
-        "give 0 <= eccentricity < 1, the offset of the journal over the radial clearance",
     );
     let eccentricity = eccentricity.given();
     let angle = table.given("min_film_angle", Dimension::Angle, "180 deg");

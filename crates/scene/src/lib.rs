@@ -3,9 +3,9 @@
 //! [`Scene::read`] reads a file and reports everything that is wrong with it at once. A scene never changes; whoever computes passes its
 //! own [`Check`]s of what it cannot compute.
 //!
-//! Each table of the file has one source file of its name, with its data type, keys, units, defaults and ranges: `bearing.rs`, `mesh.rs`
-//! (and the tolerance in it, `tolerance.rs`), `ends.rs`, `feed.rs`, `journal.rs` (and `squeeze.rs`, `tilt.rs` in it), `load.rs` (and `cycle.rs` in it), `crank.rs`, `orbit.rs`, `support.rs`, `oil.rs`, `heat.rs`, `limits.rs`,
-//! `cavitation.rs`, `dynamics.rs`, `cap.rs`, `sweep.rs`. `scene.rs` lists them; [`periodic_table`] reads the tables
+//! Each table of the file has one source file of its name, with its data type, keys, units, defaults and ranges: `bearing.rs`, `bore.rs`, `shaft.rs`, `mesh.rs`
+//! (and the tolerance in it, `tolerance.rs`), `ends.rs`, `feed.rs`, `journal.rs` (and `squeeze.rs`, `tilt.rs` in it), `load.rs` (and `cycle.rs` in it), `crank.rs`, `orbit.rs`, `support.rs`, `oil.rs`, `heat.rs`, `limits.rs`, `criteria.rs`,
+//! `cavitation.rs`, `dynamics.rs`, `cap.rs`, `sweep.rs`. `scene.rs` lists them; [`periodic_table`] and [`surface_table`] read the tables
 //! in files that a scene names.
 //!
 //! Reading order: `scene.rs`, `bearing.rs` as an example of a table, `reader.rs` (how a table is read and what is wrong with it collected),
@@ -15,11 +15,13 @@
 pub mod keys;
 
 mod bearing;
+mod bore;
 mod cap;
 pub mod catalogue;
 mod cavitation;
 mod complaint;
 mod crank;
+mod criteria;
 mod dimension;
 mod dynamics;
 mod ends;
@@ -35,18 +37,22 @@ mod orbit;
 pub mod periodic_table;
 mod reader;
 mod scene;
+mod shaft;
 pub mod spelling;
 mod support;
+pub mod surface_table;
 pub mod sweep;
 mod tolerance;
 pub mod unit;
 pub mod wording;
 
 pub use bearing::{Arc, Bearing, Theory};
+pub use bore::Bore;
 pub use cap::{Bolts, Cap, Shell};
 pub use cavitation::{Cavitation, CavitationModel};
 pub use complaint::{Check, Complaint, Complaints};
 pub use crank::{Crank, Drive, Gas, Throw};
+pub use criteria::Criteria;
 pub use dynamics::Dynamics;
 pub use ends::Ends;
 pub use error::SceneError;
@@ -59,5 +65,6 @@ pub use mesh::{Layout, MeshSource};
 pub use oil::*;
 pub use orbit::Orbit;
 pub use scene::{MESH_FILE, SCENE_LIMIT, SWEPT, Scene};
+pub use shaft::Shaft;
 pub use support::{Support, Tilting};
 pub use tolerance::{Target, Tolerance};

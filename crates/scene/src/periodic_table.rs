@@ -3,8 +3,8 @@
 //! The first line that is not empty and does not begin with `#` is the header: names, each with its unit in brackets, in any order. Angles grow, in
 //! steps of any length, over one period; the last row may repeat the first one a period later, or be left out.
 
-mod columns;
-mod error;
+pub(crate) mod columns;
+pub(crate) mod error;
 
 use std::io::Read;
 use std::path::Path;
@@ -83,9 +83,9 @@ fn pressures(text: &str, period: f64) -> Result<Vec<[f64; 2]>, TableFault> {
 
 /// A row in SI, the angle first, and its line.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Row<const N: usize> {
-    line: usize,
-    values: [f64; N],
+pub(crate) struct Row<const N: usize> {
+    pub(crate) line: usize,
+    pub(crate) values: [f64; N],
 }
 
 impl<const N: usize> Row<N> {

@@ -1,5 +1,6 @@
 //! A scene: everything that a user says about one bearing, in SI. It is a description, and never changes.
 
+use std::borrow::Cow;
 use std::cell::RefCell;
 use std::io::Read;
 use std::path::Path;
@@ -11,11 +12,12 @@ use crate::complaint::in_order;
 use crate::reader::TableReader;
 use crate::sweep::{self, Plan};
 use crate::{
-    Bearing, Cap, Cavitation, Check, Complaint, Complaints, Crank, Dynamics, Ends, Engine, Feed, Heat, Journal, Limits,
-    LoadCycle, LoadSource, MeshSource, Oil, Orbit, SceneError, Support, Tolerance,
+    Bearing, Bore, Cap, Cavitation, Check, Complaint, Complaints, Crank, Criteria, Dynamics, Ends, Engine, Feed, Heat,
+    Journal, Limits, LoadCycle, LoadSource, MeshSource, Oil, Orbit, SceneError, Shaft, Support, Tolerance,
 };
 use crate::{
-    bearing, cap, cavitation, crank, dynamics, ends, feed, heat, journal, limits, load, mesh, oil, orbit, support,
+    bearing, bore, cap, cavitation, crank, criteria, dynamics, ends, feed, heat, journal, limits, load, mesh, oil,
+    orbit, shaft, support,
 };
 
 keys! {
@@ -33,8 +35,9 @@ const MESH_OPENING: &[u8] = b"$MeshFormat";
 /// Key of the mesh file.
 pub const MESH_FILE: &str = "mesh.file";
 /// Tables whose keys can be swept.
-pub const SWEPT: [&str; 14] = [
+pub const SWEPT: [&str; 16] = [
     "bearing",
+    "shaft",
     "mesh",
     "ends",
     "feed",
@@ -46,12 +49,14 @@ pub const SWEPT: [&str; 14] = [
     "oil",
     "heat",
     "limits",
+    "criteria",
     "cavitation",
     "dynamics",
 ];
 /// Checks of keys that must fit each other, table by table.
-const CHECKS: [Check; 10] = [
+const CHECKS: [Check; 12] = [
     bearing::check,
+    bore::check,
     feed::check,
     journal::check,
     load::check,
@@ -60,6 +65,7 @@ const CHECKS: [Check; 10] = [
     oil::check,
     heat::check,
     limits::check,
+    criteria::check,
     cavitation::check,
 ];
 
@@ -70,6 +76,10 @@ pub struct Scene {
     pub title: String,
     /// The liner.
     pub bearing: Bearing,
+    /// Shapes of the bore, whose depths add up; none of a circle.
+    pub bores: Vec<Bore>,
+    /// The shape of the journal; `None`: a cylinder.
+    pub shaft: Option<Shaft>,
     /// Where the mesh comes from.
     pub mesh: MeshSource,
     /// How small error bars must become by refinement of that mesh; `None`: it is used as it is.
@@ -98,6 +108,8 @@ pub struct Scene {
     pub heat: Option<Heat>,
     /// Limits that the bearing must keep.
     pub limits: Limits,
+    /// What it is judged by; `None`: by these limits alone.
+    pub criteria: Option<Criteria>,
     /// What happens where the film would break; `None`: a full film, whatever its pressure.
     pub cavitation: Option<Cavitation>,
     /// What is asked about small motions of the journal; `None`: nothing.
@@ -161,7 +173,7 @@ impl Scene {
     }
 
     /// The files that it names: key, path, and what to give where there is none.
-    pub fn files(&self) -> impl Iterator<Item = (&'static str, &Path, &'static str)> {
+    pub fn files(&self) -> impl Iterator<Item = (Cow<'static, str>, &Path, &'static str)> {
         const TABLE: &str = "give the path of a table with a header of units, counted from the folder of the scene";
         let mesh = "give the path of a gmsh 4.1 file, counted from the folder of the scene";
         let load = match self.load_cycle.as_ref().map(|cycle| &cycle.source) {
@@ -169,14 +181,24 @@ impl Scene {
             _ => None,
         };
         let gas = self.crank.as_ref().and_then(Crank::gas_file);
+        let shaft = match &self.shaft {
+            Some(Shaft::Measured(path)) => Some(path.as_path()),
+            _ => None,
+        };
+        let bores = self.bores.iter().enumerate().filter_map(|(index, bore)| {
+            let (key, path) = bore.file()?;
+            Some((Cow::Owned(format!("bore[{index}].{key}")), path, TABLE))
+        });
         let files = [
             (MESH_FILE, self.mesh.path(), mesh),
             ("load.file", load, TABLE),
             ("crank.gas.file", gas, TABLE),
+            ("shaft.file", shaft, TABLE),
         ];
         files
             .into_iter()
-            .filter_map(|(key, path, help)| Some((key, path?, help)))
+            .filter_map(|(key, path, help)| Some((Cow::Borrowed(key), path?, help)))
+            .chain(bores)
     }
 
     /// What is wrong with a scene that was made of another one.
@@ -234,9 +256,9 @@ impl Scene {
         let mut complaints = complaints.into_inner();
         scene.check(&mut complaints, checks);
         for (key, path, help) in scene.files() {
-            let is_named = complaints.has(key) && !complaints.concern(key);
+            let is_named = complaints.has(&key) && !complaints.concern(&key);
             if let Some(message) = no_file(path).filter(|_| is_named) {
-                complaints.add(key, message, help);
+                complaints.add(&key, message, help);
             }
         }
         match complaints.into_list() {
@@ -265,6 +287,7 @@ pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene 
     // The mesh of an orbit is not refined.
     let tolerance = tolerance.filter(|_| orbit.is_none());
     let feeds = root.tables("feed").into_iter();
+    let bores = root.tables("bore").into_iter();
     Scene {
         title: root
             .text_if_given("title", "Plain journal bearing")
@@ -273,6 +296,8 @@ pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene 
             root.table("bearing", "[bearing] with diameter, length and clearance"),
             usual_ratio,
         ),
+        bores: bores.map(|table| bore::read(table, path)).collect(),
+        shaft: root.table_if_given("shaft").map(|table| shaft::read(table, path)),
         mesh,
         tolerance,
         ends: root.table_if_given("ends").map_or(Ends::default(), ends::read),
@@ -289,6 +314,7 @@ pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene 
         oil: oil::read(root.table("oil", "[oil] with viscosity = \"40 mPa.s\""), temperature),
         heat,
         limits: limits.or(in_heat.unwrap_or_default()),
+        criteria: root.table_if_given("criteria").map(criteria::read),
         cavitation: root.table_if_given("cavitation").and_then(cavitation::read),
         dynamics: root.table_if_given("dynamics").map(dynamics::read),
         cap: root.table_if_given("cap").map(cap::read),

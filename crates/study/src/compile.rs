@@ -9,10 +9,10 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use oilwedge_mesh::Mesh;
-use oilwedge_reynolds::film_thickness::{Eccentricity, FilmContribution};
+use oilwedge_reynolds::film_thickness::{Eccentricity, FilmContribution, Shape};
 use oilwedge_reynolds::lubricant::Lubricant;
 use oilwedge_reynolds::supply::{self as given, BoundaryKind, Disc, SupplyError, SupplyRegion};
-use oilwedge_reynolds::{FilmProblem, FilmSystem, JournalState, Theory};
+use oilwedge_reynolds::{FilmProblem, FilmSystem, Gap, JournalState, Theory, Thinnest};
 
 use crate::compile_error::CompileError;
 use crate::dimensions::bearing;
@@ -65,8 +65,9 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, position: Position, degree: usize) 
     let regions = supply(scene, &sockets, &mesh)?;
     let (load, thermal, centre_velocity) = (sockets.load(), sockets.thermal, sockets.centre_velocity);
     let dynamics = sockets.dynamics.clone();
-    let problem = problem(scene, &oil, sockets, &mesh, position);
+    let problem = problem(scene, &oil, sockets, &mesh, position)?;
     let system = FilmSystem::new(Arc::new(mesh), degree, regions).map_err(|faults| unfit(scene, faults))?;
+    check_gap(scene, &problem, &system)?;
     // A position is sought on coarser meshes first, and by many films.
     let is_sought = load.is_some() || scene.orbit.is_some();
     let system = match is_sought {
@@ -97,7 +98,13 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, position: Position, degree: usize) 
 }
 
 /// The film of a scene, with the journal at `position` or, under a load, where the search for its position begins.
-fn problem(scene: &Scene, oil: &Oil, sockets: Sockets, mesh: &Mesh, position: Position) -> FilmProblem {
+fn problem(
+    scene: &Scene,
+    oil: &Oil,
+    sockets: Sockets,
+    mesh: &Mesh,
+    position: Position,
+) -> Result<FilmProblem, CompileError> {
     let bearing = bearing(scene);
     let Position {
         eccentricity,
@@ -114,11 +121,15 @@ fn problem(scene: &Scene, oil: &Oil, sockets: Sockets, mesh: &Mesh, position: Po
         clearance: bearing.clearance,
     });
     let deeper = sockets.film_thickness.iter().map(|contribution| contribution(mesh));
-    FilmProblem {
+    let shapes = sockets
+        .profiles()?
+        .into_iter()
+        .map(|profile| Arc::new(Shape(profile)) as _);
+    Ok(FilmProblem {
         theory: sockets.theory,
         bearing,
         journal: journal.with_centre_velocity(sockets.centre_velocity, min_film_angle),
-        film_thickness: std::iter::once(eccentric).chain(deeper).collect(),
+        film_thickness: std::iter::once(eccentric).chain(deeper).chain(shapes).collect(),
         lubricant: Lubricant {
             viscosity: oil.viscosity,
             pressure_law: sockets.pressure_law,
@@ -127,6 +138,19 @@ fn problem(scene: &Scene, oil: &Oil, sockets: Sockets, mesh: &Mesh, position: Po
         terms: sockets.terms,
         cavitation: sockets.cavitation,
         storage: None,
+    })
+}
+
+/// A journal whose position is given leaves a film between surfaces of any shape; circles were checked with the scene.
+fn check_gap(scene: &Scene, problem: &FilmProblem, system: &FilmSystem) -> Result<(), CompileError> {
+    let is_given = matches!(scene.journal.position, scene::Position::Given { .. });
+    if scene.is_circular() || !is_given {
+        return Ok(());
+    }
+    let Thinnest { thickness, angle, z } = Gap::of(problem, system).thinnest_film(problem, system);
+    match thickness > 0.0 {
+        true => Ok(()),
+        false => Err(CompileError::Touching { angle, z, thickness }),
     }
 }
 

@@ -3,6 +3,7 @@
 use oilwedge_mesh::error::some_of;
 use oilwedge_mesh::generate::DrawingError;
 use oilwedge_reynolds::supply::SupplyError;
+use oilwedge_scene::wording::{degrees, micrometres, millimetres};
 
 use crate::reasons::way_out_of_supply;
 
@@ -68,6 +69,21 @@ pub enum CompileError {
     /// There is no load over a cycle.
     #[error("{0}")]
     Duty(String),
+    /// The table of a measured surface cannot be used.
+    #[error(transparent)]
+    Surface(#[from] oilwedge_scene::periodic_table::TableError),
+    /// The journal touches the bore where the scene places it.
+    #[error(
+        "the journal touches the bore: at {}, z = {} the film would be {} thick; give a smaller journal.eccentricity or journal.tilt, or another shape of bore or shaft", degrees(*angle), millimetres(*z), micrometres(*thickness)
+    )]
+    Touching {
+        /// Angle of the least gap [rad].
+        angle: f64,
+        /// Its axial position [m].
+        z: f64,
+        /// The gap there [m].
+        thickness: f64,
+    },
     /// A pocket with a depth is cut out of the mesh.
     #[error(
         "feed group \"{group}\" has a depth, but the mesh has no triangles there; mesh it as a physical surface, or give its pressure"

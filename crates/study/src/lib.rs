@@ -21,6 +21,7 @@ pub mod feed_region;
 pub mod fields;
 pub mod film;
 pub mod film_lines;
+mod film_scale;
 pub mod grading;
 pub mod isothermal;
 pub mod level;

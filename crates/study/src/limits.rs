@@ -1,92 +1,86 @@
-//! What a bearing must meet: the limits of the scene, those that a heat balance has without being asked, and what is usual in an engine.
+//! What a bearing must meet, compared here alone: the limits of the scene, those that a heat balance has without being asked, what is usual in an engine, and the scene's criteria.
 
 use oilwedge_reynolds::existence::readable;
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
-use oilwedge_scene::{Engine, Scene};
+use oilwedge_scene::{Engine, Limits, Scene};
 
 use crate::film::Film;
 use crate::measure::Measured;
 use crate::oil::Oil;
 use crate::quantities::{
-    CYCLE_FILM_THICKNESS_MIN, CYCLE_PRESSURE_MAX, CYCLE_TEMPERATURE_OUTLET, FILM_THICKNESS_MIN, PRESSURE_MAX, Quantity,
-    Row, TEMPERATURE_OUTLET,
+    self, CYCLE_DEVIATION, CYCLE_EQUIVALENT_FILM, CYCLE_FILM_THICKNESS_MIN, CYCLE_MIDDLE_FILM_MIN, CYCLE_PRESSURE_MAX,
+    CYCLE_TEMPERATURE, CYCLE_TEMPERATURE_OUTLET, DEVIATION, EQUIVALENT_FILM, FILM_THICKNESS_MIN, LOGARITHMIC_DECREMENT,
+    MIDDLE_FILM_MIN, PRESSURE_MAX, Quantity, Row, TEMPERATURE_EFFECTIVE, TEMPERATURE_OUTLET, View,
 };
-use crate::result::{Criterion, RunResult};
+use crate::result::Criterion;
 use crate::thermal_model::ThermalModel;
 use crate::warning::{self, Warning};
 
 /// Decimals of a value beside its limit.
 const DIGITS: usize = 4;
 
-/// What a film, or the films of a cycle, have to compare with their limits.
-struct Compared {
-    /// Least film thickness [m].
-    film_thickness_min: Option<f64>,
-    /// Greatest pressure [Pa].
-    pressure_max: Option<f64>,
-    /// Temperature of the oil that leaves [degrees C].
-    outlet: Option<f64>,
+/// A number and its error bar, in SI units.
+type Judged = (f64, Option<f64>);
+
+/// The numbers that limits are compared with.
+struct Compared<'a> {
+    quantities: &'a [Quantity],
+    /// Temperature of the film [K].
+    temperature: Option<f64>,
 }
 
-impl Compared {
-    /// By the numbers reported of a film, or of a cycle.
-    fn of(quantities: &[Quantity]) -> Self {
-        let value = |rows: [&Row; 2]| {
-            let quantity = quantities.iter().find(|quantity| rows.contains(&quantity.row));
-            quantity.map(|quantity| quantity.value)
-        };
-        Self {
-            film_thickness_min: value([&FILM_THICKNESS_MIN, &CYCLE_FILM_THICKNESS_MIN]),
-            pressure_max: value([&PRESSURE_MAX, &CYCLE_PRESSURE_MAX]),
-            outlet: value([&TEMPERATURE_OUTLET, &CYCLE_TEMPERATURE_OUTLET]),
-        }
+impl Compared<'_> {
+    /// The first of these rows that was measured.
+    fn value(&self, rows: &[&Row]) -> Option<Judged> {
+        let quantity = self.quantities.iter().find(|quantity| rows.contains(&quantity.row))?;
+        Some((quantity.value, quantity.error()))
+    }
+
+    /// Temperature of the film [degrees C], with the bar of the one found.
+    fn temperature(&self) -> Option<Judged> {
+        let found = self.value(&[&TEMPERATURE_EFFECTIVE, &CYCLE_TEMPERATURE]);
+        Some((self.temperature? - ZERO_CELSIUS, found.and_then(|(_, bar)| bar)))
     }
 }
 
-/// What a film of these `quantities` must meet, and what is usual; nothing where the scene sets no limits. `model` is that by which its temperature was found.
+/// What a film of these `quantities`, or the films of a cycle, must meet, and what is usual; nothing where the scene sets no limits. `model` is that by which
+/// the temperature was found.
 pub fn design_criteria(film: &Film, model: Option<&ThermalModel>, quantities: &[Quantity]) -> Vec<Criterion> {
-    let mut criteria = limits(&film.scene, film.oil.temperature, model, &Compared::of(quantities));
+    let compared = Compared {
+        quantities,
+        temperature: film.oil.temperature,
+    };
+    let mut all = limits(&film.scene, model, &compared);
     if let Some((model, engine)) = model.and_then(|model| Some((model, model.engine?))) {
-        criteria.extend(usual(film, model, engine));
+        all.extend(usual(film, model, engine));
     }
-    criteria
+    all.extend(criteria(&film.scene, &compared));
+    all
 }
 
 /// Limits of the scene that the film exceeds, in sentences that name them; those of a film whose temperature is found are criteria of its
 /// balance, those of an orbit are compared over the cycle.
 pub(crate) fn exceeded(film: &Film, measured: &Measured) -> Vec<Warning> {
-    if film.thermal.is_some() || film.scene.orbit.is_some() {
+    if film.thermal.is_some() || film.scene.orbit.is_some() || film.scene.limits == Limits::default() {
         return Vec::new();
     }
-    let compared = Compared {
-        film_thickness_min: Some(measured.thinnest.thickness),
-        pressure_max: Some(measured.extremes.greatest),
-        outlet: None,
-    };
-    told(limits(&film.scene, film.oil.temperature, None, &compared))
+    let quantities = quantities::measured(&View::new(film, &film.problem, measured));
+    told(&film.scene, film.oil.temperature, &quantities)
 }
 
 /// Limits of the scene that an orbit at a given temperature exceeds over its cycle, by the numbers of that.
 pub(crate) fn exceeded_over_cycle(scene: &Scene, quantities: &[Quantity]) -> Vec<Warning> {
-    told(over_cycle(scene, quantities))
+    told(scene, Oil::of(scene).temperature, quantities)
 }
 
-/// What an orbit must meet over its cycle; nothing where the scene sets no limits.
-pub fn cycle_criteria(scene: &Scene, result: &RunResult) -> Vec<Criterion> {
-    match &result.temperature {
-        Some(report) => report.criteria.clone(),
-        None => over_cycle(scene, &result.quantities),
-    }
-}
-
-/// The limits of a scene with an orbit at a given temperature.
-fn over_cycle(scene: &Scene, quantities: &[Quantity]) -> Vec<Criterion> {
-    limits(scene, Oil::of(scene).temperature, None, &Compared::of(quantities))
-}
-
-/// Sentences about the limits that are missed.
-fn told(limits: Vec<Criterion>) -> Vec<Warning> {
-    let missed = limits.into_iter().filter(Criterion::is_missed);
+/// Sentences about the limits that are missed at a temperature [K].
+fn told(scene: &Scene, temperature: Option<f64>, quantities: &[Quantity]) -> Vec<Warning> {
+    let compared = Compared {
+        quantities,
+        temperature,
+    };
+    let missed = limits(scene, None, &compared).into_iter();
+    let missed = missed.filter(|limit| limit.decides && !limit.is_met);
     missed
         .map(|limit| {
             let value = format!("{:.DIGITS$e}", limit.value).parse().unwrap_or(limit.value);
@@ -99,42 +93,98 @@ fn told(limits: Vec<Criterion>) -> Vec<Warning> {
         .collect()
 }
 
-/// The limits of the scene, whose film has this `temperature` [K]; of a film whose temperature is found also those that its heat balance has without being asked.
-fn limits(
-    scene: &Scene,
-    temperature: Option<f64>,
-    model: Option<&ThermalModel>,
-    compared: &Compared,
-) -> Vec<Criterion> {
+/// A limit, in the unit in which people read it.
+struct Limit<'a> {
+    what: &'a str,
+    unit: &'a str,
+    /// This unit over that of the number.
+    scale: f64,
+    value: Option<Judged>,
+}
+
+impl Limit<'_> {
+    fn at_least(&self, limit: Option<f64>) -> Option<Criterion> {
+        self.within([Some(self.scale * limit?), None])
+    }
+
+    fn at_most(&self, limit: Option<f64>) -> Option<Criterion> {
+        self.within([None, Some(self.scale * limit?)])
+    }
+
+    fn within(&self, bounds: [Option<f64>; 2]) -> Option<Criterion> {
+        let (value, bar) = self.value?;
+        let value = (self.scale * value, bar.map(|bar| self.scale * bar));
+        Some(Criterion::new(self.what, self.unit, value, bounds, true))
+    }
+}
+
+const FILM: [&Row; 2] = [&FILM_THICKNESS_MIN, &CYCLE_FILM_THICKNESS_MIN];
+const PRESSURE: [&Row; 2] = [&PRESSURE_MAX, &CYCLE_PRESSURE_MAX];
+const OUTLET: [&Row; 2] = [&TEMPERATURE_OUTLET, &CYCLE_TEMPERATURE_OUTLET];
+
+fn length<'a>(what: &'a str, value: Option<Judged>) -> Limit<'a> {
+    Limit {
+        what,
+        unit: "um",
+        scale: 1e6,
+        value,
+    }
+}
+
+fn pressure(compared: &Compared) -> Limit<'static> {
+    Limit {
+        what: "greatest pressure",
+        unit: "bar",
+        scale: 1e-5,
+        value: compared.value(&PRESSURE),
+    }
+}
+
+/// The limits of the scene; of a film whose temperature is found also those that its heat balance has without being asked.
+fn limits(scene: &Scene, model: Option<&ThermalModel>, compared: &Compared) -> Vec<Criterion> {
     let limits = &scene.limits;
     let least_film = model.map(|model| model.least_film).or(limits.least_film);
     let hottest = model
         .map(|model| model.greatest_temperature)
         .or(limits.greatest_temperature);
     let celsius = |kelvin: f64| kelvin - ZERO_CELSIUS;
-    let at_least = |what: &str, unit: &str, scale: f64, value: Option<f64>, limit: Option<f64>| {
-        let bounds = [Some(scale * limit?), None];
-        Some(Criterion::new(what, unit, scale * value?, bounds, true))
+    let temperature = |what, value| Limit {
+        what,
+        unit: "degC",
+        scale: 1.0,
+        value,
     };
-    let at_most = |what: &str, unit: &str, scale: f64, value: Option<f64>, limit: Option<f64>| {
-        let bounds = [None, Some(scale * limit?)];
-        Some(Criterion::new(what, unit, scale * value?, bounds, true))
-    };
-    let temperature = temperature.map(celsius);
-    let hottest = hottest.map(celsius);
-    let hottest_outlet = model.map(|model| celsius(model.greatest_outlet));
-    let highest = limits.greatest_pressure;
+    let outlet = temperature("temperature of the oil that leaves", compared.value(&OUTLET));
     let all = [
-        at_least("thinnest film", "um", 1e6, compared.film_thickness_min, least_film),
-        at_most("temperature of the film", "degC", 1.0, temperature, hottest),
-        at_most("greatest pressure", "bar", 1e-5, compared.pressure_max, highest),
-        at_most(
-            "temperature of the oil that leaves",
-            "degC",
-            1.0,
-            compared.outlet,
-            hottest_outlet,
-        ),
+        length("thinnest film", compared.value(&FILM)).at_least(least_film),
+        temperature("temperature of the film", compared.temperature()).at_most(hottest.map(celsius)),
+        pressure(compared).at_most(limits.greatest_pressure),
+        outlet.at_most(model.map(|model| celsius(model.greatest_outlet))),
+    ];
+    all.into_iter().flatten().collect()
+}
+
+/// What the scene judges the bearing by beside its limits.
+fn criteria(scene: &Scene, compared: &Compared) -> Vec<Criterion> {
+    let Some(asked) = &scene.criteria else {
+        return Vec::new();
+    };
+    let middle = compared.value(&[&MIDDLE_FILM_MIN, &CYCLE_MIDDLE_FILM_MIN]);
+    let deviation = compared.value(&[&DEVIATION, &CYCLE_DEVIATION]);
+    let equivalent = compared.value(&[&EQUIVALENT_FILM, &CYCLE_EQUIVALENT_FILM]);
+    let decrement = Limit {
+        what: "logarithmic decrement of the rotor",
+        unit: "",
+        scale: 1.0,
+        value: compared.value(&[&LOGARITHMIC_DECREMENT]),
+    };
+    let all = [
+        length("least film", compared.value(&FILM)).at_least(asked.film_min),
+        length("least film at mid-length", middle).at_least(asked.middle_film_min),
+        length("deviation of the film at the ends", deviation).at_most(asked.deviation_max),
+        length("equivalent film", equivalent).at_least(asked.equivalent_film_min),
+        pressure(compared).at_most(asked.pressure_max),
+        decrement.at_least(asked.decrement_min),
     ];
     all.into_iter().flatten().collect()
 }
@@ -145,7 +195,7 @@ fn usual(film: &Film, model: &ThermalModel, engine: Engine) -> Vec<Criterion> {
     let celsius = |temperature: f64| temperature - ZERO_CELSIUS;
     let mut list = Vec::new();
     let mut usual = |what: &str, unit: &str, value: f64, range: [f64; 2]| {
-        list.push(Criterion::new(what, unit, value, range.map(Some), false));
+        list.push(Criterion::new(what, unit, (value, None), range.map(Some), false));
     };
     let ratio = bearing.clearance / bearing.radius;
     usual(

@@ -12,6 +12,7 @@ use sha2::{Digest, Sha256};
 use crate::compile_error::CompileError;
 use crate::effects::Sockets;
 use crate::feed_region::{FeedRegion, feed_regions, liner, shape};
+use crate::film_scale::{FilmScale, LONGEST};
 use crate::oil::Oil;
 use crate::position::Position;
 use oilwedge_scene::{Layout, MeshSource, Scene};
@@ -43,6 +44,7 @@ const ACROSS_FLOW: f64 = 0.5;
 /// # Errors
 /// The file is unreadable, defective or not that of the scene; the liner described cannot be meshed.
 pub fn liner_mesh(scene: &Scene, position: Position) -> Result<LinerMesh, CompileError> {
+    let scale = FilmScale::of(scene, position)?;
     match &scene.mesh {
         MeshSource::File {
             path,
@@ -64,7 +66,7 @@ pub fn liner_mesh(scene: &Scene, position: Position) -> Result<LinerMesh, Compil
             };
             let is_laid_anew = in_rows.is_some();
             let mesh = match (size, in_rows) {
-                (Some(size), _) => meshed_anew(scene, &mesh, *size, position).map_err(CompileError::Drawing)?,
+                (Some(size), _) => meshed_anew(scene, &mesh, *size, &scale).map_err(CompileError::Drawing)?,
                 (None, in_rows) => in_rows.unwrap_or(mesh),
             };
             Ok(LinerMesh {
@@ -74,7 +76,7 @@ pub fn liner_mesh(scene: &Scene, position: Position) -> Result<LinerMesh, Compil
             })
         }
         MeshSource::Drawing { size } => {
-            let mesh = drawn(scene, *size, position).map_err(CompileError::Drawing)?;
+            let mesh = drawn(scene, *size, &scale).map_err(CompileError::Drawing)?;
             let mut hash = Sha256::new();
             for x in mesh.points().iter().flatten() {
                 hash.update(x.to_le_bytes());
@@ -166,13 +168,13 @@ fn check_grooves(scene: &Scene, mesh: &Mesh) -> Result<(), CompileError> {
     Ok(())
 }
 
-fn drawn(scene: &Scene, size: Option<f64>, position: Position) -> Result<Mesh, Vec<DrawingError>> {
+fn drawn(scene: &Scene, size: Option<f64>, scale: &FilmScale) -> Result<Mesh, Vec<DrawingError>> {
     let blueprint = Blueprint {
         liner: liner(scene),
         features: features(scene),
         line: scene.bearing.film_start,
     };
-    graded(scene, &blueprint, size.unwrap_or(needed_size(scene)), position)
+    graded(scene, &blueprint, size.unwrap_or(needed_size(scene)), scale)
 }
 
 /// Longest edges [m] of a mesh without a wanted size.
@@ -207,8 +209,8 @@ fn features(scene: &Scene) -> Vec<Feature> {
 }
 
 /// The geometry of a file, meshed as the film needs it.
-fn meshed_anew(scene: &Scene, mesh: &Mesh, size: f64, position: Position) -> Result<Mesh, Vec<DrawingError>> {
-    graded(scene, &blueprint_of(scene, mesh)?, size, position)
+fn meshed_anew(scene: &Scene, mesh: &Mesh, size: f64, scale: &FilmScale) -> Result<Mesh, Vec<DrawingError>> {
+    graded(scene, &blueprint_of(scene, mesh)?, size, scale)
 }
 
 /// The drawing of a mesh file's geometry.
@@ -224,16 +226,9 @@ fn blueprint_of(scene: &Scene, mesh: &Mesh) -> Result<Blueprint, Vec<DrawingErro
 }
 
 /// Edges of at most `longest` [m], shorter where the film is thin.
-fn graded(scene: &Scene, blueprint: &Blueprint, longest: f64, position: Position) -> Result<Mesh, Vec<DrawingError>> {
-    let radius = scene.bearing.radius();
-    let clearance = scene.bearing.clearance;
-    let in_radii = |[x, z]: [f64; 2]| match scene.orbit {
-        Some(_) => orbit_scale(position),
-        None => film_scale(position.at(z, clearance), x / radius).min(axial_scale(scene, position, [x, z])),
-    };
-    // Rows along the flow are as dense as the thinner of the two ends needs.
-    let half = 0.5 * scene.bearing.length;
-    let size = |x: f64| longest * in_radii([x, -half]).min(in_radii([x, half])) / LONGEST;
+fn graded(scene: &Scene, blueprint: &Blueprint, longest: f64, scale: &FilmScale) -> Result<Mesh, Vec<DrawingError>> {
+    // Rows along the flow are as dense as the thinnest film along the axis needs.
+    let size = |x: f64| longest * scale.all_along(x) / LONGEST;
     match Sockets::of(scene).cavitation.pressure() {
         Some(cavity) if conserves_oil(scene) => {
             let far = spacing(&blueprint.liner, &size);
@@ -251,7 +246,7 @@ fn graded(scene: &Scene, blueprint: &Blueprint, longest: f64, position: Position
             let sense = sense(scene);
             generate_in_rows(blueprint, &Rows { along, across, sense })
         }
-        _ => generate(blueprint, &|at| longest * in_radii(at) / LONGEST),
+        _ => generate(blueprint, &|at| longest * scale.at(at) / LONGEST),
     }
 }
 
@@ -291,41 +286,6 @@ fn layers(scene: &Scene, cavity: f64) -> Vec<(f64, f64)> {
     all.filter(|(_, pressure)| *pressure > cavity && drag > 0.0)
         .map(|(z, pressure)| (z, thickness(pressure)))
         .collect()
-}
-
-/// Bounds of the size that resolves the film, in radii.
-const LONGEST: f64 = 0.6;
-const SHORTEST: f64 = 0.01;
-
-/// Size [radii] that resolves the film at the angle `phi` [rad]: 0.65 of the film length `sqrt(2 h/(c eps))`,
-/// over which the thickness doubles at its minimum.
-fn film_scale(position: Position, phi: f64) -> f64 {
-    let Position {
-        eccentricity,
-        min_film_angle,
-        ..
-    } = position;
-    let thickness = 1.0 - eccentricity * (phi - min_film_angle).cos();
-    (0.65 * (2.0 * thickness.max(0.0) / eccentricity).sqrt()).clamp(SHORTEST, LONGEST)
-}
-
-/// Edges of the mesh of an orbit, over those of a film at rest at its greatest eccentricity: the film is thinnest for a moment only, and at one place.
-const ON_ORBIT: f64 = 2.0;
-
-/// Size [radii] that resolves the film all around, which is thinnest at one place after the other.
-fn orbit_scale(position: Position) -> f64 {
-    (ON_ORBIT * film_scale(position, position.min_film_angle)).min(LONGEST)
-}
-
-/// Size [radii] that resolves the film of a tilted journal along the axis: 0.65 of the length over which it loses all of its thickness.
-fn axial_scale(scene: &Scene, position: Position, [x, z]: [f64; 2]) -> f64 {
-    let (radius, clearance) = (scene.bearing.radius(), scene.bearing.clearance);
-    let (sin, cos) = (x / radius).sin_cos();
-    let [g_x, g_y] = position.tilt;
-    let slope = (g_x * cos + g_y * sin).abs();
-    let here = position.at(z, clearance);
-    let thickness = clearance * (1.0 - here.eccentricity * (x / radius - here.min_film_angle).cos());
-    (0.65 * thickness / (radius * slope)).clamp(SHORTEST, LONGEST)
 }
 
 /// Meshes or reads the liner of a scene.

@@ -244,6 +244,7 @@ fn measured(
         angular_speed: motion.cycle.angular_speed(),
         between: 0.0,
         peak_load: peak[0].hypot(peak[1]),
+        deviation_scale: film.scene.deviation_scale(),
     };
     let (_, thinnest_at) = view.thinnest();
     let around = |time: f64| {

@@ -2,17 +2,19 @@
 //!
 //! Every number is SI, angles (degrees) and temperatures (degrees C) excepted. A number that is not finite is never written.
 
+mod criterion;
 mod dynamics;
 mod geometry;
 mod headlines;
 mod levels;
 mod temperature;
 
+pub use criterion::{Criterion, Verdict};
 pub use dynamics::{CoefficientReport, DynamicsReport, Matrix, Pair, RotorReport, Stable};
 pub use geometry::Geometry;
 pub use headlines::{MOST_HEADLINES, headlines};
 pub use levels::{LevelFacts, Refinement};
-pub use temperature::{Criterion, SECONDS_KEY, TemperaturePoint, TemperatureReport};
+pub use temperature::{SECONDS_KEY, TemperaturePoint, TemperatureReport};
 
 use crate::effects::Effects;
 use crate::no_answer::NoAnswer;
@@ -178,6 +180,9 @@ pub struct RunResult {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[serde(rename = "heat")]
     pub temperature: Option<TemperatureReport>,
+    /// What the bearing is judged by: the limits of `[limits]` and `[heat]`, and `[criteria]`; absent in JSON where the scene sets none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub criteria: Vec<Criterion>,
     /// How the film answers to small motions of the journal; absent in JSON where that is not asked, or could not be computed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub dynamics: Option<DynamicsReport>,

@@ -15,7 +15,7 @@ use crate::compile_error::CompileError;
 use crate::effects::Effects;
 use crate::estimate::{Estimated, estimate_errors};
 use crate::film::{DEGREE, Film};
-use crate::limits;
+use crate::limits::{self, design_criteria};
 use crate::no_answer::NoAnswer;
 use crate::orbit::{Followed, Frame, OrbitFacts, OrbitPath, follow};
 use crate::picture::{FilmPicture, picture};
@@ -151,6 +151,10 @@ fn on_orbit(scene: &Scene, orbit: &oilwedge_scene::Orbit, options: &RunOptions) 
         }
         None => (result.warnings).extend(limits::exceeded_over_cycle(scene, &result.quantities)),
     }
+    result.criteria = match &result.temperature {
+        Some(report) => report.criteria.clone(),
+        None => design_criteria(&solved.film, None, &result.quantities),
+    };
     let oil = facts.cycles.last().and_then(|cycle| cycle.oil_imbalance);
     result.counts.position_steps = films;
     result.balances.force = followed.residual;
@@ -220,6 +224,7 @@ fn without_outcome(scene: &Scene, (film, levels): (&Film, &[LevelFacts]), option
         regime: None,
         orbit: None,
         temperature: None,
+        criteria: Vec::new(),
         dynamics: None,
         history: Vec::new(),
         counts: Counts::default(),
@@ -291,6 +296,10 @@ fn report(scene: &Scene, (solved, estimated): (&Solved, Estimated), options: &Ru
     if let Some(report) = &mut result.temperature {
         report.broken_assumptions = broken_assumptions(&result.warnings);
     }
+    result.criteria = match &result.temperature {
+        Some(report) => report.criteria.clone(),
+        None => design_criteria(&solved.film, None, &estimated.quantities),
+    };
     let curve = clock.elapsed().as_secs_f64();
     let parts = solved.solution.seconds;
     let parts = [

@@ -103,6 +103,10 @@ kinds! {
     MOLECULAR = "molecular", "the film is some molecules thin";
     TOUCHING = "touching", "the least film is below three times the roughness";
     ELASTIC = "elastic", "the surfaces would deflect by more than the least film";
+    DEEP = "deep", "a shape of bore or shaft is as deep as the clearance";
+    STEEP = "steep", "a shape of bore or shaft is steeper than Reynolds' equation allows";
+    COARSE_POINTS = "coarse_points", "the points of a measured surface are further apart than the film changes";
+    NOISY_POINTS = "noisy_points", "the noise of a measured surface shows in the film";
     YIELDING = "yielding", "steel yields at the greatest pressure";
 }
 

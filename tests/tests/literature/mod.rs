@@ -15,3 +15,4 @@ mod short_crankshaft_page;
 mod sommerfeld_1904;
 mod swift_stieber_1932;
 mod thermal_balance;
+mod zharov_1996;

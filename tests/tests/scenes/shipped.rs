@@ -290,3 +290,24 @@ fn scene_25_whirl() {
     close(of("whirl_ratio"), square.sqrt(), 1e-2);
     close(of("critical_mass") * 300.0 * 300.0 / unit, spring / square, 2e-2);
 }
+
+/// Force and least film of the worn ring in `profiles`, a ring of finite volumes (`tests/data/shaped_bearings.json`).
+#[test]
+fn scene_31_worn_bore() {
+    let film = shipped("31_worn_bore");
+    close(film.quantity("load_x") / 1500.0, 0.819824, 2e-3);
+    close(film.quantity("load_y") / 1500.0, -1.04866, 2e-3);
+    close(film.quantity("film_thickness_min"), 0.35 * 50e-6, 1e-3);
+}
+
+/// Force, moment and least film of the crowned ring there.
+#[test]
+fn scene_32_crowned_bore() {
+    let film = shipped("32_crowned_bore");
+    close(film.quantity("load_x") / 1500.0, 5.29363, 2e-3);
+    close(film.quantity("load_y") / 1500.0, -5.08486, 2e-3);
+    close(film.quantity("moment_x") / 75.0, 1.0648, 5e-3);
+    close(film.quantity("film_thickness_min"), 0.2 * 50e-6, 1e-9);
+    // 15 um at mid-length, 10 um at the thinner end.
+    close(film.quantity("equivalent_film"), 12e-6, 1e-9);
+}

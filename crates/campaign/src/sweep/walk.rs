@@ -15,7 +15,7 @@ use oilwedge_study::compile_error::CompileError;
 use oilwedge_study::estimate::{Estimated, estimate_errors};
 use oilwedge_study::film::Film;
 use oilwedge_study::grading::{graded, is_near};
-use oilwedge_study::limits::{cycle_criteria, design_criteria};
+use oilwedge_study::limits::design_criteria;
 use oilwedge_study::no_answer::NoAnswer;
 use oilwedge_study::oil::Oil;
 use oilwedge_study::position::Position;
@@ -49,7 +49,7 @@ pub struct Found {
     pub quantities: Vec<Quantity>,
     /// Warnings beside its numbers.
     pub warnings: Vec<Warning>,
-    /// Design criteria that it does not meet.
+    /// Design criteria that it does not meet, or that are undecided.
     pub missed: Vec<Criterion>,
     /// Nodes whose pressure was not given, on the last mesh.
     pub unknowns: Option<usize>,
@@ -80,8 +80,8 @@ impl Found {
     }
 
     /// Of a case that is solved by itself.
-    fn of_run(scene: &Scene, result: RunResult) -> Self {
-        let missed = cycle_criteria(scene, &result).into_iter();
+    fn of_run(result: RunResult) -> Self {
+        let missed = result.criteria.into_iter();
         Self {
             status: CaseStatus::Run(result.status),
             missed: missed.filter(Criterion::is_missed).collect(),
@@ -153,7 +153,7 @@ impl<'a> Walker<'a> {
         let clock = Instant::now();
         self.deadline = self.options.deadline();
         let found = match scene.tolerance.is_some() && self.options.bars {
-            _ if scene.orbit.is_some() => run(scene, self.options).map(|run| Found::of_run(scene, run.result)),
+            _ if scene.orbit.is_some() => run(scene, self.options).map(|run| Found::of_run(run.result)),
             true => self.refined(scene),
             false => self.walked(scene, coordinate),
         };

@@ -88,9 +88,9 @@ pub(super) fn assumptions(result: &Value) -> Table {
     Table::new("", ["assumption", "here", "valid"], rows)
 }
 
-/// What the bearing must meet, where the temperature was sought.
+/// What the bearing is judged by.
 pub(super) fn criteria(result: &Value) -> Option<Table> {
-    let criteria = result[BALANCE]["criteria"].as_array()?;
+    let criteria = result["criteria"].as_array()?;
     let rows = criteria.iter().map(|it| {
         let unit = shown_unit(it["unit"].as_str().unwrap_or_default());
         let bound = |key: &str, word: &str| {
@@ -102,23 +102,25 @@ pub(super) fn criteria(result: &Value) -> Option<Table> {
             .into_iter()
             .flatten()
             .collect();
-        let verdict = match (it["is_met"].as_bool(), it["decides"].as_bool()) {
-            (Some(true), _) => "met",
-            (_, Some(true)) => "not met",
-            _ => "unusual",
+        let verdict = match (it["verdict"].as_str(), it["decides"].as_bool()) {
+            (Some("fail"), Some(false)) => "unusual",
+            (verdict, _) => verdict.unwrap_or_default(),
         };
         vec![
             text(it["what"].as_str().unwrap_or_default()),
             it["value"]
                 .as_f64()
                 .map_or_else(Cell::default, |value| sized(value, 1.0, &unit)),
+            it["bar"]
+                .as_f64()
+                .map_or_else(Cell::default, |bar| sized(bar, 1.0, &unit)),
             text(bounds.join(", ")),
             text(verdict),
         ]
     });
     Table::new(
         "Design criteria",
-        ["criterion", "here", "bounds", "verdict"],
+        ["criterion", "here", "error bar", "bounds", "verdict"],
         rows.collect(),
     )
     .if_any()

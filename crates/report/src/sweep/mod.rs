@@ -235,12 +235,12 @@ fn meshes_sha256(scenes: &[Scene]) -> Result<Option<String>, Error> {
     sha256_of(paths, read)
 }
 
-/// SHA-256 of all tables of loads and gas pressures, each once; `None` where there are none.
+/// SHA-256 of all tables of loads, gas pressures and measured shapes, each once; `None` where there are none.
 fn tables_sha256(scenes: &[Scene]) -> Result<Option<String>, Error> {
     let tables = scenes
         .iter()
         .flat_map(Scene::files)
-        .filter(|(key, ..)| *key != MESH_FILE);
+        .filter(|(key, ..)| key.as_ref() != MESH_FILE);
     let read = |path: &Path| {
         let text = read_text(path).map_err(|error| CompileError::Duty(error.to_string()))?;
         Ok(text.into_bytes())

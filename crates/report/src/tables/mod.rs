@@ -3,6 +3,7 @@
 //! Reading order: `pieces.rs` (headings, tables, times), `run.rs` (a whole run), `quantities.rs`, `verdict.rs`, `temperature.rs`, `dynamics.rs`, `add_ons.rs`; `sweep.rs`.
 
 mod add_ons;
+mod criteria;
 mod dynamics;
 mod pieces;
 mod quantities;

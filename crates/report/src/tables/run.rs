@@ -1,6 +1,7 @@
 //! A run for people: the main numbers first, what was simulated, the balances and the time, and last the verdict.
 
 use super::add_ons::add_on;
+use super::criteria::criteria;
 use super::dynamics;
 use super::pieces::{effects, heading, mesh, status, time};
 use super::quantities::{bars, quantities};
@@ -47,6 +48,7 @@ pub fn run_report(result: &RunResult, shown: Shown, add_ons: &[AddOn], written: 
     }
     parts.extend(tables(result, shown));
     parts.extend(temperature::balance(result, shown));
+    parts.extend(criteria(result));
     parts.extend(dynamics::dynamics(result, shown));
     parts.push(effects(&result.effects));
     parts.extend(add_ons.iter().map(add_on));
@@ -274,6 +276,7 @@ pub(crate) mod tests {
             regime: None,
             orbit: None,
             temperature: None,
+            criteria: Vec::new(),
             dynamics: None,
             history: vec![],
             counts: Counts {

@@ -1,4 +1,4 @@
-//! The balance of heat for people: two curves as a table, and the design criteria.
+//! The balance of heat for people: two curves as a table.
 
 use super::pieces::table;
 use super::quantities::quantities;
@@ -6,20 +6,19 @@ use super::shown::Shown;
 use crate::digits::significant;
 use crate::plot::TEMPERATURE_FILES;
 use oilwedge_study::quantities::{ECCENTRICITY, Quantity, TEMPERATURE_EFFECTIVE, Table};
-use oilwedge_study::result::{Balances, Criterion, RunResult, TemperatureReport};
+use oilwedge_study::result::{Balances, RunResult, TemperatureReport};
 
-/// Criteria and, where all is shown and the film is one, temperatures, heats and curves; nothing where no temperature was sought.
+/// Temperatures, heats and curves where all is shown and the film is one; nothing where no temperature was sought.
 pub(crate) fn balance(result: &RunResult, shown: Shown) -> Option<String> {
     let report = result.temperature.as_ref()?;
     // Over a cycle there is no curve.
     if shown == Shown::Headlines || report.curve.is_empty() {
-        return Some(format!("design criteria\n{}", criteria(report)));
+        return None;
     }
     let is_shown =
         |quantity: &&Quantity| quantity.row.table == Table::Temperature || quantity.row == &TEMPERATURE_EFFECTIVE;
     let list = quantities(result.quantities.iter().filter(is_shown), result.bars);
-    let parts = [format!("balance of heat\n{list}"), curve(report), criteria(report)];
-    Some(parts.join("\n"))
+    Some(format!("balance of heat\n{list}\n{}", curve(report)))
 }
 
 /// How far the balance of heat is open, where it is solved for.
@@ -61,50 +60,4 @@ fn curve(report: &TemperatureReport) -> String {
         ]);
     }
     rows.to_string()
-}
-
-fn criteria(report: &TemperatureReport) -> String {
-    let lines = report.criteria.iter().map(|criterion| {
-        let verdict = match (criterion.is_met, criterion.decides) {
-            (true, _) => "met",
-            (false, true) => "NOT met",
-            (false, false) => "unusual",
-        };
-        format!(
-            "{verdict:9} {}: {} {}",
-            criterion.what,
-            value(criterion),
-            criterion.unit
-        )
-    });
-    lines.chain([verdict(report)]).collect::<Vec<_>>().join("\n")
-}
-
-/// Never without reserve where an assumption is broken.
-fn verdict(report: &TemperatureReport) -> String {
-    let reserve = match report.broken_assumptions {
-        0 => String::new(),
-        1 => ", but 1 assumption of the film is broken: see the warnings".to_owned(),
-        several => format!(", but {several} assumptions of the film are broken: see the warnings"),
-    };
-    match report.is_fit {
-        true => format!("fit       the bearing meets its design criteria{reserve}"),
-        false => "NOT fit   the bearing does not meet its design criteria".to_owned(),
-    }
-}
-
-fn value(criterion: &Criterion) -> String {
-    let value = significant(criterion.value, 4);
-    let bound = |bound: f64| {
-        significant(bound, 6)
-            .trim_end_matches('0')
-            .trim_end_matches('.')
-            .to_owned()
-    };
-    match (criterion.least, criterion.most) {
-        (Some(least), Some(most)) => format!("{value}, usual {} to {}", bound(least), bound(most)),
-        (Some(least), None) => format!("{value}, wanted above {}", bound(least)),
-        (None, Some(most)) => format!("{value}, wanted below {}", bound(most)),
-        (None, None) => value,
-    }
 }

@@ -1,7 +1,7 @@
 //! The last line of a run: how it ended, what the film is fit for, and how many warnings there are.
 
 use super::pieces::{counted, status};
-use oilwedge_study::result::{Criterion, RunResult, Status};
+use oilwedge_study::result::{Criterion, RunResult, Status, Verdict};
 
 /// Status, verdict of the design criteria where there are any, number of warnings.
 pub(crate) fn verdict(result: &RunResult) -> String {
@@ -25,13 +25,27 @@ fn ending(result: &RunResult) -> String {
 
 /// Whether the bearing meets its design criteria, and which it does not.
 fn fitness(result: &RunResult) -> Option<String> {
-    let report = result.temperature.as_ref()?;
-    let missed = report.criteria.iter().filter(|criterion| criterion.is_missed());
-    let missed: Vec<String> = missed.map(Criterion::fault).collect();
-    Some(match (report.is_fit, result.warnings.is_empty()) {
-        (false, _) => format!("NOT fit: {}", missed.join(", ")),
-        (true, true) => "fit".to_owned(),
-        (true, false) => "fit as far as the warnings allow".to_owned(),
+    if result.criteria.is_empty() {
+        return None;
+    }
+    let missed: Vec<&Criterion> = result
+        .criteria
+        .iter()
+        .filter(|criterion| criterion.is_missed())
+        .collect();
+    let is_open = missed.iter().all(|criterion| criterion.verdict == Verdict::Undecided);
+    let faults = || {
+        missed
+            .iter()
+            .map(|criterion| criterion.fault())
+            .collect::<Vec<_>>()
+            .join(", ")
+    };
+    Some(match (missed.is_empty(), is_open, result.warnings.is_empty()) {
+        (true, _, true) => "fit".to_owned(),
+        (true, _, false) => "fit as far as the warnings allow".to_owned(),
+        (false, true, _) => format!("open: {}", faults()),
+        (false, false, _) => format!("NOT fit: {}", faults()),
     })
 }
 
@@ -39,7 +53,7 @@ fn fitness(result: &RunResult) -> Option<String> {
 mod tests {
     use super::*;
     use crate::tables::run::tests::result;
-    use oilwedge_study::result::{LevelFacts, TemperatureReport};
+    use oilwedge_study::result::LevelFacts;
     use oilwedge_study::warning::TURBULENT;
 
     #[test]
@@ -50,11 +64,8 @@ mod tests {
         result.warnings = vec![TURBULENT.says("so")];
         assert_eq!(verdict(&result), "verdict   converged, within the tolerance; 1 warning");
         result.status = Status::NotConverged;
-        let film = Criterion::new("thinnest film", "um", 2.0, [Some(3.0), None], true);
-        result.temperature = Some(TemperatureReport {
-            criteria: vec![film],
-            ..TemperatureReport::default()
-        });
+        let film = Criterion::new("thinnest film", "um", (2.0, None), [Some(3.0), None], true);
+        result.criteria = vec![film];
         assert_eq!(
             verdict(&result),
             "verdict   not converged: the tolerance is not met; NOT fit: thinnest film below 3 um; 1 warning"

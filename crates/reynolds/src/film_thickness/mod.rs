@@ -1,12 +1,24 @@
 //! How thick the film is: a sum of contributions, one a file.
 
+mod crown;
 mod eccentricity;
+mod envelope;
 mod groove_depth;
+mod measured;
+mod oval;
+mod profile;
 mod tilt;
+mod worn;
 
+pub use crown::Crown;
 pub use eccentricity::Eccentricity;
+pub use envelope::Envelope;
 pub use groove_depth::GrooveDepth;
+pub use measured::{Measured, Points};
+pub use oval::Oval;
+pub use profile::{Profile, Relief, Shape};
 pub use tilt::Tilt;
+pub use worn::Worn;
 
 use std::sync::Arc;
 
@@ -50,6 +62,45 @@ pub trait FilmContribution: Send + Sync + std::fmt::Debug {
 mod tests {
     use super::*;
 
+    /// One of each kind.
+    fn shapes() -> [Shape; 5] {
+        let angles: Vec<f64> = (0..12).map(|k| std::f64::consts::TAU * f64::from(k) / 12.0).collect();
+        let zs = vec![-0.02, -0.005, 0.015, 0.02];
+        let depth = |angle: f64, z: f64| 3e-6 * (angle.cos() + 50.0 * z * angle.sin());
+        let points = Points {
+            depths: angles
+                .iter()
+                .map(|&angle| zs.iter().map(|&z| depth(angle, z)).collect())
+                .collect(),
+            angles,
+            zs,
+        };
+        [
+            Shape(Arc::new(Crown {
+                depth: 7e-6,
+                half_length: 0.02,
+            })),
+            Shape(Arc::new(Oval {
+                radius: 0.04,
+                depth: -6e-6,
+                angle: 0.4,
+            })),
+            Shape(Arc::new(Worn {
+                radius: 0.04,
+                depth: 9e-6,
+                angle: 0.9,
+                half_width: 0.7,
+            })),
+            Shape(Arc::new(Envelope {
+                radius: 0.04,
+                clearance: 4e-5,
+                film: 1e-5,
+                positions: vec![([2.5e-5, 2e-5], [1e-4, -2e-4]), ([-1e-5, -3.8e-5], [0.0, 3e-4])],
+            })),
+            Shape(Arc::new(Measured::new(&points, 0.04, 0.04, true))),
+        ]
+    }
+
     /// Every contribution against finite differences: its slope, and what it changes where the journal moves.
     #[test]
     fn slopes_and_variations_match_differences() {
@@ -62,6 +113,7 @@ mod tests {
             inside: vec![true],
         };
         let tilt = Tilt { radius: 0.04 };
+        let [crown, oval, worn, envelope, measured] = shapes();
         let journal = JournalState {
             offset: [1e-5, -2e-5],
             velocity: [3e-5, 1e-5],
@@ -76,7 +128,16 @@ mod tests {
             tilt: [2e-4, -5e-4],
             tilt_rate: [7e-3, 1e-3],
         };
-        let contributions: [&dyn FilmContribution; 3] = [&eccentricity, &groove, &tilt];
+        let contributions: [&dyn FilmContribution; 8] = [
+            &eccentricity,
+            &groove,
+            &tilt,
+            &crown,
+            &oval,
+            &worn,
+            &envelope,
+            &measured,
+        ];
         for contribution in contributions {
             let place = |step: f64, x: f64, z: f64| {
                 let scaled = |values: [f64; 2]| values.map(|value| step * value);
@@ -91,7 +152,7 @@ mod tests {
                 point[0]
             };
             let at = |step: f64, x: f64| place(step, x, 0.01);
-            for x in [0.0, 0.03, 0.11] {
+            for x in [0.005, 0.03, 0.11] {
                 let slope = (at(0.0, x + 1e-6).thickness - at(0.0, x - 1e-6).thickness) / 2e-6;
                 assert!((at(0.0, x).slope[0] - slope).abs() < 1e-11, "{contribution:?}");
                 let slope = (place(0.0, x, 0.01 + 1e-6).thickness - place(0.0, x, 0.01 - 1e-6).thickness) / 2e-6;

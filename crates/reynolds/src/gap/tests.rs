@@ -171,6 +171,24 @@ fn the_least_film_of_a_shape_is_that_of_dense_samples() {
 }
 
 #[test]
+fn a_section_has_the_least_film_at_its_place() {
+    let (circle, crowned) = (
+        gap(|_, _| 0.0, &mesh(0.0, TAU)),
+        gap(|_, z| 0.02 * z * z, &mesh(0.0, TAU)),
+    );
+    for journal in journals() {
+        for z in [-0.025, -0.004, 0.0, 0.025] {
+            let closed = BEARING.thinnest_at(&journal, z);
+            let found = circle.thinnest_at(&journal, z);
+            assert!((found.thickness - closed.thickness).abs() < 1e-13 * BEARING.clearance);
+            let crown = crowned.thinnest_at(&journal, z).thickness;
+            assert!((crown - closed.thickness - 0.02 * z * z).abs() < 1e-13 * BEARING.clearance);
+            assert!(found.z == z);
+        }
+    }
+}
+
+#[test]
 fn beside_the_liner_of_an_arc_the_bore_is_circular() {
     let gap = gap(|_, _| 1e-5, &mesh(0.0, FRAC_PI_2));
     for (angle, reach) in [(0.7, 6e-5), (4.0, 5e-5)] {

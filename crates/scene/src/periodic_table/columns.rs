@@ -7,7 +7,7 @@ use crate::unit::{self, Dimension};
 
 /// A column that a table may have.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Column {
+pub(crate) struct Column {
     name: &'static str,
     dimension: Dimension,
     presence: Presence,
@@ -20,7 +20,7 @@ enum Presence {
 }
 
 impl Column {
-    pub(super) const fn needed(name: &'static str, dimension: Dimension) -> Self {
+    pub(crate) const fn needed(name: &'static str, dimension: Dimension) -> Self {
         Self {
             name,
             dimension,
@@ -29,7 +29,7 @@ impl Column {
     }
 
     /// Its values are zero where it is not there.
-    pub(super) const fn optional(name: &'static str, dimension: Dimension) -> Self {
+    pub(crate) const fn optional(name: &'static str, dimension: Dimension) -> Self {
         Self {
             presence: Presence::Optional,
             ..Self::needed(name, dimension)
@@ -50,7 +50,7 @@ impl Column {
 
 /// Where the columns of a table stand, and the size of their units in SI.
 #[derive(Debug)]
-pub(super) struct Columns<const N: usize> {
+pub(crate) struct Columns<const N: usize> {
     /// By wanted column.
     places: [Option<(usize, f64)>; N],
     count: usize,
@@ -58,7 +58,7 @@ pub(super) struct Columns<const N: usize> {
 
 impl<const N: usize> Columns<N> {
     /// The rows of a text in SI; values of optional columns that are not there are zero.
-    pub(super) fn read(text: &str, wanted: &[Column; N]) -> Result<Vec<Row<N>>, TableFault> {
+    pub(crate) fn read(text: &str, wanted: &[Column; N]) -> Result<Vec<Row<N>>, TableFault> {
         let text = text.trim_start_matches('\u{feff}');
         let lines = (1..).zip(text.lines().map(str::trim));
         let mut lines = lines.filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));

@@ -1,8 +1,8 @@
-//! Why a file is not a table over a period.
+//! Why a file is not a table of the wanted kind.
 
 use std::path::{Path, PathBuf};
 
-/// A file that is not a table over a period.
+/// A file that is not a table of the wanted kind.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("the table {}{}: {message}; {help}", path.display(), line.map_or(String::new(), |line| format!(", line {line}")))]
 pub struct TableError {
@@ -18,7 +18,7 @@ pub struct TableError {
 
 /// What is wrong with the text of a table.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct TableFault {
+pub(crate) struct TableFault {
     line: Option<usize>,
     message: String,
     help: String,
@@ -26,7 +26,7 @@ pub(super) struct TableFault {
 
 impl TableFault {
     /// Of a line, counted from 1.
-    pub(super) fn at(line: usize, message: impl Into<String>, help: impl Into<String>) -> Self {
+    pub(crate) fn at(line: usize, message: impl Into<String>, help: impl Into<String>) -> Self {
         Self {
             line: Some(line),
             ..Self::of_all(message, help)
@@ -34,7 +34,7 @@ impl TableFault {
     }
 
     /// Of the whole table.
-    pub(super) fn of_all(message: impl Into<String>, help: impl Into<String>) -> Self {
+    pub(crate) fn of_all(message: impl Into<String>, help: impl Into<String>) -> Self {
         Self {
             line: None,
             message: message.into(),
@@ -42,7 +42,7 @@ impl TableFault {
         }
     }
 
-    pub(super) fn in_file(self, path: &Path) -> TableError {
+    pub(crate) fn in_file(self, path: &Path) -> TableError {
         let Self { line, message, help } = self;
         let path = path.to_path_buf();
         TableError {

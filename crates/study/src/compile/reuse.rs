@@ -44,14 +44,14 @@ pub fn has_same_system(one: &Scene, other: &Scene) -> bool {
 
 impl Film {
     /// The film of `scene` at `position` on the system of this one, whose scene [`has_same_system`]; `None` where given pressures of regions
-    /// that touch would differ, or another film shares the system.
+    /// that touch would differ, a measured surface cannot be read, or another film shares the system.
     pub fn reused(self, scene: &Scene, position: Position) -> Option<Self> {
         let sockets = Sockets::of(scene);
         let (load, thermal, centre_velocity) = (sockets.load(), sockets.thermal, sockets.centre_velocity);
         let dynamics = sockets.dynamics.clone();
         let oil = Oil::of(scene);
         let mut system = self.system;
-        let problem = problem(scene, &oil, sockets, system.space().mesh(), position);
+        let problem = problem(scene, &oil, sockets, system.space().mesh(), position).ok()?;
         let regions = feed_regions(scene);
         let fed = |name: &str| regions.iter().find(|region| region.name == name)?.pressure();
         let pressure = |region: &SupplyRegion| match region.kind {

@@ -19,6 +19,7 @@ mod orbit;
 mod poiseuille;
 mod reynolds;
 mod roelands;
+mod shapes;
 mod sockets;
 mod squeeze;
 mod starved_inlet;
@@ -50,6 +51,7 @@ pub const EFFECTS: &[&Effect] = &[
     &roelands::ROW,
     &groove_depth::ROW,
     &tilt::ROW,
+    &shapes::ROW,
     &starved_inlet::ROW,
     &guembel::ROW,
     &reynolds::ROW,
@@ -65,6 +67,7 @@ const MISSED: &[&str] = &[
     heat::KIND,
     squeeze::KIND,
     tilt::KIND,
+    shapes::KIND,
     "elastic liner",
     "roughness",
     "turbulence",

@@ -4,13 +4,15 @@ use std::sync::Arc;
 
 use oilwedge_bearing::{Load, Tilting};
 use oilwedge_mesh::Mesh;
-use oilwedge_reynolds::film_thickness::FilmContribution;
+use oilwedge_reynolds::film_thickness::{FilmContribution, Profile};
 use oilwedge_reynolds::lubricant::PressureLaw;
 use oilwedge_reynolds::terms::Term;
 use oilwedge_reynolds::{Cavitation, CentreVelocity, Form, Theory};
+use oilwedge_scene::periodic_table::TableError;
 use oilwedge_scene::{Dynamics, Scene};
 
 use super::present;
+use crate::compile_error::CompileError;
 use crate::thermal_model::ThermalModel;
 
 /// Where an effect enters.
@@ -46,6 +48,9 @@ impl Socket {
 /// Makes a contribution to the thickness of a film on a mesh.
 pub type Contribution = Box<dyn Fn(&Mesh) -> Arc<dyn FilmContribution>>;
 
+/// Makes the shape of a surface; a measured one is read from its file.
+pub(super) type MadeProfile = Box<dyn Fn() -> Result<Arc<dyn Profile>, TableError>>;
+
 /// The sockets of one film.
 pub struct Sockets {
     /// Which pressure flows there are.
@@ -58,6 +63,8 @@ pub struct Sockets {
     pub form: Form,
     /// Contributions to the film thickness beside that of the journal.
     pub film_thickness: Vec<Contribution>,
+    /// Shapes of bore and journal beside circles.
+    pub profiles: Vec<MadeProfile>,
     /// Film fraction of the oil that enters at the edge of an arc; `None`: full.
     pub inlet_fraction: Option<f64>,
     /// What closes the equation where the film breaks.
@@ -85,6 +92,7 @@ impl Sockets {
             pressure_law: PressureLaw::Constant,
             form: Form::Conservative,
             film_thickness: Vec::new(),
+            profiles: Vec::new(),
             inlet_fraction: None,
             cavitation: Cavitation::None,
             centre_velocity: CentreVelocity::default(),
@@ -96,6 +104,15 @@ impl Sockets {
         };
         present(scene).for_each(|effect| (effect.install)(scene, &mut sockets));
         sockets
+    }
+
+    /// The shapes of bore and journal.
+    ///
+    /// # Errors
+    /// The table of a measured one cannot be used.
+    pub fn profiles(&self) -> Result<Vec<Arc<dyn Profile>>, CompileError> {
+        let made = self.profiles.iter().map(|profile| profile());
+        made.collect::<Result<_, _>>().map_err(CompileError::Surface)
     }
 
     /// Force and moment under which position and tilt are found; `None` at a given position.

@@ -60,6 +60,7 @@ pub fn no_map(scene: &Scene) -> Option<&'static str> {
         (!scene.feeds.is_empty(), "the bearing has feeds"),
         (scene.bearing.theory == Theory::Long, "the bearing is a long one"),
         (scene.can_tilt(), "the journal tilts"),
+        (!scene.is_circular(), "bore or shaft are no circles"),
         (
             scene.orbit.is_some_and(|orbit| orbit.mass > 0.0),
             "the rotor has a mass",
@@ -199,6 +200,7 @@ impl Beside<'_> {
             angular_speed: self.cycle.angular_speed(),
             between: 0.0,
             peak_load: peak[0].hypot(peak[1]),
+            deviation_scale: None,
         })
     }
 }

@@ -76,6 +76,8 @@ pub struct CycleView<'a> {
     pub between: f64,
     /// Greatest load [N].
     pub peak_load: f64,
+    /// Deviation [m] that halves the equivalent film; `None`: it is not asked for.
+    pub deviation_scale: Option<f64>,
 }
 
 /// Part of the film thickness that decides between two places of the least film.
@@ -124,7 +126,12 @@ impl CycleView<'_> {
 
     /// The thinnest film of the cycle, and when it is there [s].
     pub fn thinnest(&self) -> (Thinnest, f64) {
-        let at = |time: f64| (self.gap.thinnest(&self.journal(time)), time);
+        self.least(|journal| self.gap.thinnest(journal))
+    }
+
+    /// The least film of the cycle where `film` looks for it, and when it is there [s].
+    pub fn least(&self, film: impl Fn(&JournalState) -> Thinnest) -> (Thinnest, f64) {
+        let at = |time: f64| (film(&self.journal(time)), time);
         let times = self.path.iter().flat_map(|span| {
             let [from, to] = span.times;
             (0..PLACES_BETWEEN).map(move |k| from + (to - from) * f64::from(k) / f64::from(PLACES_BETWEEN))

@@ -17,6 +17,7 @@ mod coefficients;
 mod cycle;
 pub mod cycle_view;
 mod damping;
+mod deviation;
 mod flow;
 mod friction;
 mod heat;
@@ -40,6 +41,7 @@ pub use cavity::*;
 pub use cycle::*;
 pub use cycle_view::CycleView;
 pub use damping::*;
+pub use deviation::*;
 pub use flow::*;
 pub use friction::*;
 pub use heat::*;
@@ -61,10 +63,13 @@ pub use view::View;
 pub use warming::Warming;
 
 /// All quantities, in the order of the report.
-pub static CATALOGUE: [&Row; 114] = [
+pub static CATALOGUE: [&Row; 120] = [
     &CYCLE_FILM_THICKNESS_MIN,
     &CYCLE_FILM_THICKNESS_MIN_CRANK_ANGLE,
     &CYCLE_FILM_THICKNESS_MIN_ANGLE,
+    &CYCLE_MIDDLE_FILM_MIN,
+    &CYCLE_DEVIATION,
+    &CYCLE_EQUIVALENT_FILM,
     &CYCLE_PRESSURE_MAX,
     &CYCLE_PRESSURE_MAX_CRANK_ANGLE,
     &CYCLE_LOAD_MAX,
@@ -98,6 +103,9 @@ pub static CATALOGUE: [&Row; 114] = [
     &FILM_THICKNESS_MIN,
     &FILM_THICKNESS_MIN_ANGLE,
     &FILM_THICKNESS_MIN_Z,
+    &MIDDLE_FILM_MIN,
+    &DEVIATION,
+    &EQUIVALENT_FILM,
     &FILM_START_ANGLE,
     &FILM_END_ANGLE,
     &TEMPERATURE_EFFECTIVE,

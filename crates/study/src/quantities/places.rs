@@ -28,7 +28,7 @@ rows! {
     /// `phi_h` in [0, 360): angle of the thinnest film on the liner, `phi_min` where the liner covers it, else that of an edge; of a tilted journal that at
     /// the end where the film is thinnest; none for a centred parallel journal
     FILM_THICKNESS_MIN_ANGLE = "film_thickness_min_angle", "phi_h", Degree, "where the film on the liner is thinnest":
-        One(|film| (is_eccentric(film) || !film.journal().is_parallel()).then(|| degrees(film.measured.thinnest.angle))), ErrorRule::Position;
+        One(|film| (is_eccentric(film) || !film.journal().is_parallel() || !film.base.scene.is_circular()).then(|| degrees(film.measured.thinnest.angle))), ErrorRule::Position;
 
     /// `phi_1` in [0, 360): upstream end of the loaded film on the mid-plane z = 0: from the greatest pressure against the rotation the first place in the cavity,
     /// at the film start or at the edge of an arc; of models with a cavity, none where the film is full all around

@@ -28,9 +28,14 @@ rows! {
     LOAD_Z = "load_z", "z_W", Metre, "axial position at which the load acts":
         One(place), ErrorRule::LoadPlace, only(Scene::can_tilt);
 
-    /// `z_h`: axial position of the thinnest film, at an end of the bearing; of journals that may tilt
+    /// `z_h`: axial position of the thinnest film, at an end of the bearing where journal and bore are circles; of journals that may tilt and of shapes of bore and shaft
     FILM_THICKNESS_MIN_Z = "film_thickness_min_z", "z_h", Metre, "where the film is thinnest, along the axis":
-        One(|film| film.problem.can_tilt().then_some(film.measured.thinnest.z)), ErrorRule::Position, only(Scene::can_tilt);
+        One(|film| has_place(&film.base.scene).then_some(film.measured.thinnest.z)), ErrorRule::Position, only(has_place);
+}
+
+/// Whether the film may be thinnest at one place along the axis.
+fn has_place(scene: &Scene) -> bool {
+    scene.can_tilt() || !scene.is_circular()
 }
 
 fn tilt(film: &View, axis: usize) -> Option<f64> {

@@ -1,0 +1,290 @@
+//! # Measured surface: depths at the points of a grid
+//!
+//! **Equation.** `d(x, z)` is the bicubic Hermite interpolant: depth, both slopes and the twist at the points, cubic along each side of a cell. It is continuous with its slopes. Slopes at a
+//! point are those of the parabola through it and its neighbours, at an end of the grid of the parabola through the last three points. Beyond an end that the
+//! grid does not reach it goes on straight.
+//!
+//! | symbol | unit | code |
+//! |---|---|---|
+//! | x = R phi, z | m | `places` of both axes |
+//! | d, dd/dx, dd/dz, d2d/dxdz | m, -, -, 1/m | `nodes` |
+//!
+//! **Source.** de Boor, A Practical Guide to Splines (1978), ch. IV (parabolic slopes, Bessel) and XVII (tensor products). **Range.** Points closer than the lengths over which
+//! the film changes; noise of a measurement is not smoothed. **Verified by** `parabolas_are_exact`, `the_surface_is_smooth_across_cells` and `tests/tests/shapes`.
+
+use super::profile::{Profile, Relief};
+
+/// Second derivatives are differences over so many radians,
+const BEND_OVER: f64 = 0.15;
+/// and over this part of the length.
+const BEND_ALONG: f64 = 0.125;
+
+/// Depths at the points of a grid.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Points {
+    /// Growing angles [rad] within one turn; one alone for a surface that does not depend on the angle.
+    pub angles: Vec<f64>,
+    /// Growing axial positions [m].
+    pub zs: Vec<f64>,
+    /// Depth [m] at each angle, at each position.
+    pub depths: Vec<Vec<f64>>,
+}
+
+/// A surface through the points of a grid.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Measured {
+    around: Axis,
+    along: Axis,
+    /// By angle and position: depth, slopes around and along, twist.
+    nodes: Vec<[f64; 4]>,
+    /// Steps [m] over which second derivatives are differences.
+    steps: [f64; 2],
+}
+
+/// Places along a line.
+#[derive(Debug, Clone, PartialEq)]
+struct Axis {
+    /// Growing [m].
+    places: Vec<f64>,
+    /// Length [m] after which they repeat, if they do.
+    period: Option<f64>,
+}
+
+/// What two neighbours have to do with a place between them: for the value and its slope the parts of their values and of their slopes.
+#[derive(Debug, Clone, Copy)]
+struct Parts {
+    neighbours: [usize; 2],
+    value: [[f64; 2]; 2],
+    slope: [[f64; 2]; 2],
+}
+
+impl Measured {
+    /// The surface of a bearing with this radius [m] and length [m]; `closed`: its angles go all around.
+    pub fn new(points: &Points, radius: f64, length: f64, closed: bool) -> Self {
+        let around = Axis {
+            places: points.angles.iter().map(|angle| radius * angle).collect(),
+            period: closed.then_some(std::f64::consts::TAU * radius),
+        };
+        let along = Axis {
+            places: points.zs.clone(),
+            period: None,
+        };
+        let rows = points.zs.len();
+        let by_x = |depths: &dyn Fn(usize) -> f64| {
+            let values: Vec<f64> = (0..points.angles.len()).map(depths).collect();
+            around.slopes(&values)
+        };
+        let slopes_around: Vec<Vec<f64>> = (0..rows).map(|j| by_x(&|i| points.depths[i][j])).collect();
+        let mut nodes = Vec::with_capacity(points.angles.len() * rows);
+        for (i, depths) in points.depths.iter().enumerate() {
+            let slopes: Vec<f64> = (0..rows).map(|j| slopes_around[j][i]).collect();
+            let (slopes_along, twists) = (along.slopes(depths), along.slopes(&slopes));
+            nodes.extend((0..rows).map(|j| [depths[j], slopes[j], slopes_along[j], twists[j]]));
+        }
+        Self {
+            around,
+            along,
+            nodes,
+            steps: [BEND_OVER * radius, BEND_ALONG * length],
+        }
+    }
+}
+
+impl Profile for Measured {
+    fn at(&self, [x, z]: [f64; 2]) -> Relief {
+        let (around, along) = (self.around.parts(x), self.along.parts(z));
+        let rows = self.along.places.len();
+        let sum = |x: &[[f64; 2]; 2], z: &[[f64; 2]; 2]| {
+            let mut sum = 0.0;
+            for (i, [by_value, by_slope]) in around.neighbours.iter().zip(x) {
+                for (j, [on_value, on_slope]) in along.neighbours.iter().zip(z) {
+                    let [depth, around, along, twist] = self.nodes[i * rows + j];
+                    sum += by_value * (on_value * depth + on_slope * along)
+                        + by_slope * (on_value * around + on_slope * twist);
+                }
+            }
+            sum
+        };
+        Relief {
+            depth: sum(&around.value, &along.value),
+            slope: [sum(&around.slope, &along.value), sum(&around.value, &along.slope)],
+        }
+    }
+
+    /// Differences over lengths that a film feels: noise from point to point is none of them.
+    fn bends(&self, [x, z]: [f64; 2]) -> [f64; 2] {
+        let depth = |x: f64, z: f64| self.at([x, z]).depth;
+        let [over, along] = self.steps;
+        let middle = 2.0 * depth(x, z);
+        [
+            (depth(x + over, z) - middle + depth(x - over, z)) / (over * over),
+            (depth(x, z + along) - middle + depth(x, z - along)) / (along * along),
+        ]
+    }
+}
+
+impl Axis {
+    /// Slopes of the parabolas through each of these values and its neighbours.
+    fn slopes(&self, values: &[f64]) -> Vec<f64> {
+        let n = values.len();
+        let point = |k: isize| match self.period {
+            Some(period) => {
+                let turn = k.div_euclid(n as isize);
+                let k = k.rem_euclid(n as isize) as usize;
+                (self.places[k] + period * turn as f64, values[k])
+            }
+            None => (self.places[k as usize], values[k as usize]),
+        };
+        let secant = |a: (f64, f64), b: (f64, f64)| (b.1 - a.1) / (b.0 - a.0);
+        let slope = |k: usize| {
+            let middle = match self.period {
+                Some(_) => k as isize,
+                None => (k as isize).clamp(1, n as isize - 2),
+            };
+            let [a, b, c] = [-1, 0, 1].map(|step| point(middle + step));
+            let (before, after) = (secant(a, b), secant(b, c));
+            let bend = (after - before) / (c.0 - a.0);
+            before + bend * ((point(k as isize).0 - a.0) + (point(k as isize).0 - b.0))
+        };
+        match (n, self.period) {
+            (0 | 1, _) => vec![0.0; n],
+            (2, None) => vec![secant(point(0), point(1)); 2],
+            _ => (0..n).map(slope).collect(),
+        }
+    }
+
+    /// The neighbours of a place, and their parts.
+    fn parts(&self, place: f64) -> Parts {
+        let (n, first) = (self.places.len(), self.places.first().copied().unwrap_or(0.0));
+        if n < 2 {
+            return Parts::of_one(0, 0.0, 0.0);
+        }
+        let place = match self.period {
+            Some(period) => first + (place - first).rem_euclid(period),
+            None => place,
+        };
+        let next = self.places.partition_point(|&at| at <= place);
+        let (before, after, length) = match self.period {
+            Some(period) if next == n => (n - 1, 0, first + period - self.places[n - 1]),
+            None if next == 0 => return Parts::of_one(0, place - first, 1.0),
+            None if next == n => return Parts::of_one(n - 1, place - self.places[n - 1], 1.0),
+            _ => {
+                let before = next.max(1) - 1;
+                (before, before + 1, self.places[before + 1] - self.places[before])
+            }
+        };
+        Parts::between(before, after, (place - self.places[before]) / length, length)
+    }
+}
+
+impl Parts {
+    /// Beyond an end: on straight from one point, a distance [m] from it.
+    fn of_one(point: usize, distance: f64, slope: f64) -> Self {
+        Self {
+            neighbours: [point, point],
+            value: [[1.0, distance], [0.0, 0.0]],
+            slope: [[0.0, slope], [0.0, 0.0]],
+        }
+    }
+
+    /// Between two points `length` [m] apart: Hermite's cubics at the part `t` of the way.
+    fn between(before: usize, after: usize, t: f64, length: f64) -> Self {
+        let (s, rise) = (1.0 - t, 6.0 * t * (1.0 - t) / length);
+        Self {
+            neighbours: [before, after],
+            value: [
+                [s * s * (1.0 + 2.0 * t), length * t * s * s],
+                [t * t * (1.0 + 2.0 * s), -length * s * t * t],
+            ],
+            slope: [[-rise, s * (s - 2.0 * t)], [rise, t * (t - 2.0 * s)]],
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::TAU;
+
+    const RADIUS: f64 = 0.05;
+
+    /// Points of a function of angle and position, `columns` around and with uneven distances along the axis.
+    fn points(columns: u32, depth: impl Fn(f64, f64) -> f64) -> Points {
+        let angles: Vec<f64> = (0..columns).map(|i| TAU * f64::from(i) / f64::from(columns)).collect();
+        let zs = vec![-0.02, -0.013, -0.004, 0.003, 0.011, 0.02];
+        let row = |&angle: &f64| zs.iter().map(|&z| depth(angle, z)).collect();
+        Points {
+            depths: angles.iter().map(row).collect(),
+            angles,
+            zs,
+        }
+    }
+
+    #[test]
+    fn parabolas_are_exact() {
+        let depth = |z: f64| 1e-6 + 2e-4 * z - 3e-3 * z * z;
+        let measured = Measured::new(&points(7, |_, z| depth(z)), RADIUS, 0.04, true);
+        for z in [-0.02, -0.017, 0.0, 0.0035, 0.02] {
+            let found = measured.at([0.123, z]);
+            assert!((found.depth - depth(z)).abs() < 1e-20, "{z}");
+            assert!((found.slope[1] - (2e-4 - 6e-3 * z)).abs() < 1e-16, "{z}");
+            assert!(found.slope[0].abs() < 1e-18);
+        }
+        // Beyond the last point it goes on straight.
+        let (end, beyond) = (measured.at([0.0, 0.02]), measured.at([0.0, 0.025]));
+        assert!((beyond.depth - end.depth - 0.005 * end.slope[1]).abs() < 1e-20 && beyond.slope == end.slope);
+    }
+
+    #[test]
+    fn the_surface_is_smooth_across_cells() {
+        let shape = |phi: f64, z: f64| 1e-6 * (3.0 * phi + 40.0 * z).sin();
+        let measured = Measured::new(&points(24, shape), RADIUS, 0.04, true);
+        let step = 1e-9;
+        // Across a column, across the seam, across a row.
+        for ([x, z], d) in [
+            ([TAU * RADIUS / 24.0, 0.007], 0),
+            ([0.0, -0.001], 0),
+            ([0.02, 0.003], 1),
+        ] {
+            let at = |way: f64| {
+                let mut place = [x, z];
+                place[d] += way * step;
+                measured.at(place)
+            };
+            let (before, after) = (at(-1.0), at(1.0));
+            assert!((after.depth - before.depth).abs() < 1e-12);
+            for d in 0..2 {
+                assert!((after.slope[d] - before.slope[d]).abs() < 1e-9, "{x} {z} {d}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_error_falls_with_the_third_power_of_the_spacing() {
+        let shape = |phi: f64, _: f64| 1e-6 * (2.0 * phi).cos();
+        let off = |columns: u32| {
+            let measured = Measured::new(&points(columns, shape), RADIUS, 0.04, true);
+            let off = |k: u32| {
+                let phi = 0.001 + 0.01 * f64::from(k);
+                (measured.at([RADIUS * phi, 0.0]).depth - shape(phi, 0.0)).abs()
+            };
+            (0..628).map(off).fold(0.0, f64::max)
+        };
+        let rate = (off(30) / off(60)).log2();
+        assert!((2.8..4.2).contains(&rate), "{rate}");
+    }
+
+    #[test]
+    fn one_angle_stands_for_all() {
+        let one = Points {
+            angles: vec![0.0],
+            zs: vec![-0.02, 0.0, 0.02],
+            depths: vec![vec![4e-6, 0.0, 4e-6]],
+        };
+        let measured = Measured::new(&one, RADIUS, 0.04, true);
+        for x in [0.0, 0.1, 0.3] {
+            let found = measured.at([x, 0.01]);
+            assert!((found.depth - 1e-6).abs() < 1e-20 && found.slope[0] == 0.0);
+        }
+    }
+}

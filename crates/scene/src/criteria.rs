@@ -1,0 +1,136 @@
+//! `[criteria]`: what a bearing is judged by. Nothing of the film depends on it.
+
+use crate::reader::TableReader;
+use crate::unit::Dimension;
+use crate::{Complaints, Scene};
+
+keys! {
+    "criteria" = Table; "", "no criteria beside those of `[limits]` and `[heat]`", "one key or more",
+        "what the bearing is judged by: each number gets a verdict, pass, fail, or undecided where the limit lies inside its error bar";
+    "criteria.film_min" = Quantity(Length); "2 um", "not judged", "> 0",
+        "least film thickness h_min that passes";
+    "criteria.middle_film_min" = Quantity(Length); "4 um", "not judged", "> 0",
+        "least film thickness h_0 at mid-length that passes";
+    "criteria.deviation_max" = Quantity(Length); "5 um", "not judged", "> 0",
+        "greatest deviation Delta_gamma that passes: h_0 less the least film at both ends";
+    "criteria.equivalent_film_min" = Quantity(Length); "3 um", "not judged", "> 0",
+        "least equivalent film h* = h_0/(1 + (Delta_gamma/s)^2) that passes, s the `deviation_scale`";
+    "criteria.deviation_scale" = Quantity(Length); "10 um", "10 um", "> 0",
+        "deviation s that halves the equivalent film";
+    "criteria.pressure_max" = Quantity(Pressure); "600 bar", "not judged", "> 0",
+        "greatest pressure p_max that passes";
+    "criteria.decrement_min" = Number; "0.1", "not judged", ">= 0, with `dynamics.mass`",
+        "least logarithmic decrement of the rotor that passes: 0 is the limit of stability";
+}
+
+/// Deviation that halves the equivalent film [m] where none is given.
+const USUAL_SCALE: f64 = 10e-6;
+
+/// Limits of the numbers that a bearing is judged by; `None`: a number is not judged.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Criteria {
+    /// Least film thickness [m].
+    pub film_min: Option<f64>,
+    /// Least film thickness at mid-length [m].
+    pub middle_film_min: Option<f64>,
+    /// Greatest deviation [m]: film at mid-length less that at the thinner end.
+    pub deviation_max: Option<f64>,
+    /// Least equivalent film [m].
+    pub equivalent_film_min: Option<f64>,
+    /// Deviation that halves the equivalent film [m].
+    pub deviation_scale: f64,
+    /// Greatest pressure [Pa].
+    pub pressure_max: Option<f64>,
+    /// Least logarithmic decrement [1].
+    pub decrement_min: Option<f64>,
+}
+
+impl Scene {
+    /// Deviation [m] that halves the equivalent film, where a scene asks for the film at mid-length, the deviation or the equivalent film.
+    pub fn deviation_scale(&self) -> Option<f64> {
+        let criteria = self.criteria?;
+        let asked = [
+            criteria.middle_film_min,
+            criteria.deviation_max,
+            criteria.equivalent_film_min,
+        ];
+        (asked.iter().any(Option::is_some)).then_some(criteria.deviation_scale)
+    }
+}
+
+pub(crate) fn read(mut table: TableReader<'_>) -> Criteria {
+    let scale = table.quantity("deviation_scale", Dimension::Length, "10 um").positive();
+    let scale = scale.or(USUAL_SCALE);
+    let decrement = table.number("decrement_min", "0.1").within(
+        |decrement| decrement >= 0.0,
+        "is negative: it would pass rotors that whirl",
+        "give 0 for the limit of stability, or more",
+    );
+    let decrement_min = decrement.given();
+    let mut length = |key: &'static str, example: &str| table.positive_if_given(key, Dimension::Length, example);
+    let criteria = Criteria {
+        film_min: length("film_min", "2 um"),
+        middle_film_min: length("middle_film_min", "4 um"),
+        deviation_max: length("deviation_max", "5 um"),
+        equivalent_film_min: length("equivalent_film_min", "3 um"),
+        deviation_scale: scale,
+        decrement_min,
+        pressure_max: table.positive_if_given("pressure_max", Dimension::Pressure, "600 bar"),
+    };
+    if table.is_readable() && table.keys().iter().all(|key| *key == "deviation_scale") {
+        table.complain_here(
+            "has no criteria",
+            "give a limit, for example film_min = \"2 um\", or remove the table",
+        );
+    }
+    criteria
+}
+
+/// A criterion of the rotor needs a rotor.
+pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
+    let has_rotor = scene.dynamics.as_ref().is_some_and(|dynamics| dynamics.mass.is_some());
+    complaints.refuse_if(
+        complaints.has("criteria.decrement_min") && !has_rotor,
+        "criteria.decrement_min",
+        "has nothing to be compared with: the scene gives no rotor",
+        "add [dynamics] with mass = \"200 kg\", the mass of the rotor for this bearing, or remove the criterion",
+    );
+    complaints.refuse_if(
+        complaints.has("criteria.decrement_min") && scene.orbit.is_some(),
+        "criteria.decrement_min",
+        "stands beside [orbit]: the decrement is that of small motions around a position at rest",
+        "remove it, or remove [orbit]",
+    );
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::tests::{STUDY, read};
+
+    #[test]
+    fn criteria_are_read_or_refused() {
+        let scene = |keys: &str| read(&format!("{STUDY}\n[criteria]\n{keys}\n"));
+        let found = scene("film_min = \"2 um\"\ndeviation_max = \"5 um\"").expect("a scene");
+        let criteria = found.criteria.expect("criteria");
+        assert_eq!(
+            (criteria.film_min, criteria.deviation_max),
+            (Some(2.0 * 1e-6), Some(5.0 * 1e-6))
+        );
+        assert_eq!((criteria.deviation_scale, found.deviation_scale()), (1e-5, Some(1e-5)));
+        assert_eq!(scene("film_min = \"2 um\"").expect("a scene").deviation_scale(), None);
+        for (keys, wanted) in [
+            ("", "criteria: has no criteria"),
+            ("deviation_scale = \"5 um\"", "criteria: has no criteria"),
+            ("film_min = \"0 um\"", "criteria.film_min"),
+            (
+                "decrement_min = 0.1",
+                "criteria.decrement_min: has nothing to be compared with",
+            ),
+            ("contact = 1", "criteria.contact: this key is not known"),
+        ] {
+            let error = scene(keys).expect_err(keys).to_string();
+            assert!(error.contains(wanted), "{error}");
+        }
+    }
+}

@@ -1,0 +1,122 @@
+//! The length over which a film changes, by which its mesh is graded: from the journal's position, its tilt, and the profiles of the surfaces.
+//!
+//! **Equation.** Around: `0.65 sqrt(2 h/h_xx)`, over which the thickness doubles at its minimum; with tilt or slopes along the axis also `0.65 h/|h_z|`, and with
+//! a bend `0.65 sqrt(2 h/h_zz)`; near a place where a profile's slope jumps what the profile asks for. **Verified by** `tests/tests/shapes` and the convergence of all graded
+//! meshes.
+
+use std::sync::Arc;
+
+use oilwedge_reynolds::film_thickness::Profile;
+use oilwedge_scene::Scene;
+
+use crate::compile_error::CompileError;
+use crate::effects::Sockets;
+use crate::position::Position;
+
+/// Bounds of the scale, in radii.
+pub(crate) const LONGEST: f64 = 0.6;
+const SHORTEST: f64 = 0.01;
+/// The scale over the length in which the film doubles.
+const PART: f64 = 0.65;
+/// Edges of the mesh of an orbit, over those of a film at rest at its greatest eccentricity: the film is thinnest for a moment only, and at one place.
+const ON_ORBIT: f64 = 2.0;
+
+/// The scale of a film.
+pub(crate) struct FilmScale<'a> {
+    scene: &'a Scene,
+    position: Position,
+    profiles: Vec<Arc<dyn Profile>>,
+}
+
+impl<'a> FilmScale<'a> {
+    /// That of the film of a scene with the journal at `position`.
+    ///
+    /// # Errors
+    /// A table of a measured surface cannot be used.
+    pub(crate) fn of(scene: &'a Scene, position: Position) -> Result<Self, CompileError> {
+        Ok(Self {
+            scene,
+            position,
+            profiles: Sockets::of(scene).profiles()?,
+        })
+    }
+
+    /// Scale [radii] at `(x, z)` [m].
+    pub(crate) fn at(&self, [x, z]: [f64; 2]) -> f64 {
+        let (radius, clearance) = (self.scene.bearing.radius(), self.scene.bearing.clearance);
+        let scale = match self.scene.orbit {
+            Some(_) => self.on_orbit(),
+            None => around(self.position.at(z, clearance), x / radius).min(self.along_by_tilt([x, z])),
+        };
+        match self.profiles.is_empty() {
+            true => scale,
+            false => scale.min(self.by_profiles([x, z])),
+        }
+    }
+
+    /// The least scale [radii] all along the axis.
+    pub(crate) fn all_along(&self, x: f64) -> f64 {
+        let half = 0.5 * self.scene.bearing.length;
+        let at_ends = self.at([x, -half]).min(self.at([x, half]));
+        match self.profiles.is_empty() {
+            true => at_ends,
+            false => at_ends.min(self.at([x, 0.0])),
+        }
+    }
+
+    /// Scale that resolves the film all around, which is thinnest at one place after the other.
+    fn on_orbit(&self) -> f64 {
+        (ON_ORBIT * around(self.position, self.position.min_film_angle)).min(LONGEST)
+    }
+
+    /// Scale of a tilted journal's film along the axis.
+    fn along_by_tilt(&self, [x, z]: [f64; 2]) -> f64 {
+        let (radius, clearance) = (self.scene.bearing.radius(), self.scene.bearing.clearance);
+        let (sin, cos) = (x / radius).sin_cos();
+        let [g_x, g_y] = self.position.tilt;
+        let slope = (g_x * cos + g_y * sin).abs();
+        let here = self.position.at(z, clearance);
+        let thickness = clearance * (1.0 - here.eccentricity * (x / radius - here.min_film_angle).cos());
+        (PART * thickness / (radius * slope)).clamp(SHORTEST, LONGEST)
+    }
+
+    /// Scale of a film between surfaces that are no circles.
+    fn by_profiles(&self, [x, z]: [f64; 2]) -> f64 {
+        let (radius, clearance) = (self.scene.bearing.radius(), self.scene.bearing.clearance);
+        let (sin, cos) = (x / radius).sin_cos();
+        let [g_x, g_y] = self.position.tilt;
+        let here = self.position.at(z, clearance);
+        let mut thickness = clearance * (1.0 - here.eccentricity * (x / radius - here.min_film_angle).cos());
+        let mut slope_along = g_x * cos + g_y * sin;
+        let (mut bends, mut finest) = ([here.eccentricity * clearance / (radius * radius), 0.0], f64::INFINITY);
+        for profile in &self.profiles {
+            let relief = profile.at([x, z]);
+            thickness += relief.depth;
+            slope_along -= relief.slope[1];
+            for (sum, bend) in bends.iter_mut().zip(profile.bends([x, z])) {
+                *sum += bend.abs();
+            }
+            finest = finest.min(profile.finest([x, z]));
+        }
+        // An orbit passes through films of all thicknesses.
+        let thickness = match self.scene.orbit {
+            Some(_) => clearance,
+            None => thickness.max(0.0),
+        };
+        let by_bends = bends.map(|bend| PART * (2.0 * thickness / bend).sqrt());
+        let by_slope = PART * thickness / slope_along.abs();
+        let least = by_bends[0].min(by_bends[1]).min(by_slope).min(finest);
+        (least / radius).clamp(SHORTEST, LONGEST)
+    }
+}
+
+/// Scale around at the angle `phi` [rad] of circular surfaces.
+fn around(position: Position, phi: f64) -> f64 {
+    let Position {
+        eccentricity,
+        min_film_angle,
+        ..
+    } = position;
+    let thickness = 1.0 - eccentricity * (phi - min_film_angle).cos();
+    (PART * (2.0 * thickness.max(0.0) / eccentricity).sqrt()).clamp(SHORTEST, LONGEST)
+}
