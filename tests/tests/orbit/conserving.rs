@@ -7,7 +7,7 @@ use oilwedge_bearing::duty_cycle::{Frame, Harmonic, Turning};
 use oilwedge_bearing::orbit::{Motion, Orbit, OrbitOptions};
 use oilwedge_bearing::{Deadline, Duty, DutyCycle};
 use oilwedge_reynolds::terms::squeeze::Squeeze;
-use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSystem};
+use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSystem, Gap};
 use oilwedge_tests::*;
 
 const CONSERVING: Cavitation = Cavitation::Jfo { pressure: 0.0 };
@@ -29,6 +29,7 @@ fn follow(film: &(FilmProblem, FilmSystem), cycle: &DutyCycle, tolerance: f64, c
     let motion = Motion {
         problem: &film.0,
         system: &film.1,
+        gap: Gap::of(&film.0, &film.1),
         cycle,
         support: None,
         mass: 0.0,

@@ -79,7 +79,7 @@ fn a_tilting_journal_runs_the_orbit_of_finite_volumes() {
     }
     let gap = |time: f64| {
         let journal = motion.coordinates().placed(&problem.journal, at(time));
-        problem.bearing.least_gap(&journal) / CLEARANCE
+        motion.gap.least(&journal) / CLEARANCE
     };
     let least = (0..=2000)
         .map(|k| gap(f64::from(k) / 2000.0))

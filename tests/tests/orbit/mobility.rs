@@ -9,7 +9,7 @@ use oilwedge_bearing::duty_cycle::{DutyCycle, Frame, Harmonic, Turning};
 use oilwedge_bearing::mobility::{ShortMap, Travel};
 use oilwedge_bearing::orbit::{Motion, OrbitOptions};
 use oilwedge_reynolds::terms::squeeze::Squeeze;
-use oilwedge_reynolds::{Cavitation, Theory};
+use oilwedge_reynolds::{Cavitation, Gap, Theory};
 use oilwedge_study::orbit::{by_maps, no_map};
 use oilwedge_study::quantities::CYCLE_FILM_THICKNESS_MIN;
 use oilwedge_study::{RunOptions, parse, run};
@@ -39,6 +39,7 @@ fn the_short_map_leads_as_the_short_film() {
     let motion = Motion {
         problem: &problem,
         system: &system,
+        gap: Gap::of(&problem, &system),
         cycle: &cycle,
         support: None,
         mass: 0.0,

@@ -7,7 +7,7 @@ use oilwedge_bearing::duty_cycle::{Frame, Harmonic, Turning};
 use oilwedge_bearing::orbit::{Motion, Orbit, OrbitOptions};
 use oilwedge_bearing::{Deadline, Duty, DutyCycle, SearchOptions, find};
 use oilwedge_reynolds::terms::squeeze::Squeeze;
-use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSystem, Theory};
+use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSystem, Gap, Theory};
 use oilwedge_tests::*;
 
 const HALF: Cavitation = Cavitation::Guembel { pressure: 0.0 };
@@ -31,6 +31,7 @@ fn orbit(film: &(FilmProblem, FilmSystem), cycle: &DutyCycle, start: [f64; 2], t
     let motion = Motion {
         problem: &film.0,
         system: &film.1,
+        gap: Gap::of(&film.0, &film.1),
         cycle,
         support: None,
         mass: 0.0,
@@ -184,6 +185,7 @@ fn a_rotor_with_mass_settles_in_the_same_place() {
     let motion = Motion {
         problem: &film.0,
         system: &film.1,
+        gap: Gap::of(&film.0, &film.1),
         cycle: &cycle,
         support: None,
         mass: 0.1 * 0.3 * unit_of_force() / (CLEARANCE * SPEED * SPEED),

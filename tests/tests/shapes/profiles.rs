@@ -38,7 +38,7 @@ fn profiles_are_those_of_finite_volumes() {
         let off = off(row, &scene_of(row, "\"0.02 %\"", table));
         match off[0] < 5e-4 && off[1] < 5e-4 && off[2] < 1e-3 {
             true => Ok(()),
-            false => Err(format!("{name}: {off:.1e?}")),
+            false => Err(format!("{name}: {off:?}")),
         }
     });
 }
@@ -59,7 +59,7 @@ fn measured_points_give_the_same_film() {
         );
         match off[0] < 2e-3 && off[1] < 2e-3 && off[2] < 2e-3 {
             true => Ok(()),
-            false => Err(format!("{name}: {off:.1e?}")),
+            false => Err(format!("{name}: {off:?}")),
         }
     });
 }

@@ -8,7 +8,7 @@ use oilwedge_reynolds::lubricant::PressureLaw;
 use oilwedge_reynolds::lubricant::barus::Barus;
 use oilwedge_reynolds::quantities::load::{load, load_change};
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{Cavitation, CentreVelocity, FilmProblem, FilmSystem, terms};
+use oilwedge_reynolds::{Cavitation, CentreVelocity, FilmProblem, FilmSystem, Gap, terms};
 use oilwedge_study::result::Status;
 use oilwedge_tests::journal_bearings::{each, number};
 use oilwedge_tests::tilted_bearings::{
@@ -262,7 +262,7 @@ fn a_search_that_begins_in_contact_ends() {
     let mut start = problem.clone();
     let [along, across] = [0.3 * CLEARANCE, 0.7 * CLEARANCE * (1.0 + 1e-4)];
     (start.journal.offset, start.journal.tilt) = ([along, 0.0], [across / (0.5 * LENGTH), 0.0]);
-    let gap = start.bearing.least_gap(&start.journal);
+    let gap = Gap::of(&start, &system).least(&start.journal);
     assert!(
         gap < 0.0 && gap > -1e-4 * CLEARANCE && start.solve(&system).is_ok(),
         "{gap:e}"
