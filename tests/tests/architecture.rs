@@ -25,10 +25,11 @@ const TOP_TO_BOTTOM: [&str; 12] = [
 ];
 
 /// The sockets whose entries are a list, and the two contracts. Another one needs a reason in writing.
-const PUBLIC_TRAITS: [&str; 10] = [
+const PUBLIC_TRAITS: [&str; 11] = [
     "ConservationLaw",
     "PressureViscosity",
     "FilmContribution",
+    "Profile",
     "Term",
     "Estimate",
     "Observer",
