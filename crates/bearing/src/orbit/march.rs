@@ -5,24 +5,13 @@ use oilwedge_reynolds::solve::Neighbour;
 
 use super::motion::{Instant, Motion, Moving};
 use super::oil::Oil;
+use super::pace::{Pace, SHORTEST};
 use super::path::{Span, Step};
 use super::stage::{Accuracy, NoStage};
 use super::step::{Begin, Made};
 use crate::Deadline;
 use crate::coordinates::{Vector, length, moved};
 
-/// The next step is this part of that which would just meet the tolerance,
-const SAFETY: f64 = 0.85;
-/// and between these multiples of the last one.
-const CHANGES: [f64; 2] = [0.2, 3.0];
-/// A step whose stages have no solution is divided by this.
-const RETRY: f64 = 4.0;
-/// Longest step, of the cycle.
-const LONGEST: f64 = 1.0 / 32.0;
-/// Shortest step, of the cycle.
-const SHORTEST: f64 = 1e-9;
-/// First step of a cycle: of the time in which the journal would move by the least gap.
-const FIRST: f64 = 0.1;
 /// Loads are sampled at so many times to find their peak.
 const SAMPLES: u32 = 1440;
 
@@ -239,7 +228,12 @@ impl Motion<'_> {
             oil: None,
         };
         let mut steps = vec![self.recorded(traveller, [0.0; 4], accuracy)];
-        let mut dt = self.first_step(&traveller.here, period);
+        let pace = Pace {
+            period,
+            error_power: self.scheme().error_power,
+        };
+        let here = &traveller.here;
+        let mut dt = pace.first(self.least_gap(here.at), length(here.velocity));
         while traveller.here.time < period {
             if options.deadline.is_over() {
                 return Ok(None);
@@ -251,14 +245,7 @@ impl Motion<'_> {
                 .find(|stop| *stop > now * (1.0 + 1e-12) + SHORTEST * period)
                 .unwrap_or(period);
             let left = stop - now;
-            // No short step is left at the end.
-            let taken = if dt >= left {
-                left
-            } else if dt > 0.5 * left {
-                0.5 * left
-            } else {
-                dt
-            };
+            let taken = pace.before(left, dt);
             let begin = Begin {
                 instant: &traveller.here,
                 acceleration: traveller.acceleration,
@@ -271,9 +258,8 @@ impl Motion<'_> {
                     error,
                 }) => {
                     let part = length(error) / self.least_gap(end.at) / accuracy.tolerance;
-                    let change = SAFETY * part.max(1e-10).powf(-1.0 / self.scheme().error_power);
-                    dt = (taken * change.clamp(CHANGES[0], CHANGES[1])).min(LONGEST * period);
-                    if part > 1.0 && taken > SHORTEST * period {
+                    dt = pace.next(taken, part);
+                    if part > 1.0 && !pace.is_shortest(taken) {
                         cycle.rejected += 1;
                         continue;
                     }
@@ -294,8 +280,8 @@ impl Motion<'_> {
                 }
                 Err(reason) => {
                     cycle.rejected += 1;
-                    dt = taken / RETRY;
-                    if dt < SHORTEST * period {
+                    dt = pace.retried(taken);
+                    if pace.is_shortest(dt) {
                         return Err(self.told(reason, now, number, traveller.here.at));
                     }
                 }
@@ -311,12 +297,6 @@ impl Motion<'_> {
             error,
             ..Step::of(here, length(left) / accuracy.scale)
         }
-    }
-
-    /// A first step in which the journal moves by a part of the least gap.
-    fn first_step(&self, here: &Instant, period: f64) -> f64 {
-        let time = FIRST * self.least_gap(here.at) / length(here.velocity).max(f64::MIN_POSITIVE);
-        time.clamp(10.0 * SHORTEST * period, 0.1 * LONGEST * period)
     }
 
     /// Greatest load over the cycle [N]; where there is none, that of drag.

@@ -5,7 +5,7 @@
 //! | `motion.rs` | film, support, mass and load at one time, and their tangents |
 //! | `scheme.rs`, `stage.rs`, `step.rs` | implicit steps in time with an estimate of their error |
 //! | `oil.rs` | what a film that conserves its oil holds along the way |
-//! | `march.rs` | steps as long as the tolerance allows, from cycle to cycle |
+//! | `pace.rs`, `march.rs` | steps as long as the tolerance allows, from cycle to cycle |
 //! | `path.rs` | the journal between two steps |
 //!
 //! **Source.** Booker, Trans. ASME J. Basic Eng. 87 (1965) 537 (journals without mass); Kennedy and Carpenter, Appl. Numer. Math. 44 (2003) 139.
@@ -13,6 +13,7 @@
 mod march;
 mod motion;
 mod oil;
+pub(crate) mod pace;
 mod path;
 pub mod scheme;
 mod stage;
