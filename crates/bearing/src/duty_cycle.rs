@@ -59,6 +59,7 @@ pub struct DutyCycle {
     angular_speed: f64,
     corners: Vec<f64>,
     at: f64,
+    unbalance: Option<[f64; 2]>,
     source: Source,
 }
 
@@ -85,6 +86,7 @@ impl DutyCycle {
             angular_speed,
             corners: Vec::new(),
             at: 0.0,
+            unbalance: None,
             source: Source::Constant(duty),
         }
     }
@@ -125,6 +127,7 @@ impl DutyCycle {
             angular_speed: turning.speed.abs(),
             corners: Vec::new(),
             at: 0.0,
+            unbalance: None,
             source,
         }
     }
@@ -133,6 +136,16 @@ impl DutyCycle {
     #[must_use]
     pub fn acting_at(self, at: f64) -> Self {
         Self { at, ..self }
+    }
+
+    /// This load with the pull of what is out of balance on the shaft: mass times radius [kg m] along the axes of the shaft, which are those of the shell at
+    /// crank angle 0 and turn with the journal.
+    #[must_use]
+    pub fn with_unbalance(self, unbalance: [f64; 2]) -> Self {
+        Self {
+            unbalance: Some(unbalance),
+            ..self
+        }
     }
 
     /// Period of the crank angle [rad].
@@ -165,6 +178,13 @@ impl DutyCycle {
                 turning.duty(acting, Frame::Cylinder, angle)
             }
         };
+        if let Some([along, across]) = self.unbalance {
+            let (sin, cos) = angle.sin_cos();
+            let square = self.angular_speed * self.angular_speed;
+            let sense = 1f64.copysign(duty.speed);
+            duty.force[0] += square * (along * cos - across * sin);
+            duty.force[1] += sense * square * (along * sin + across * cos);
+        }
         for (moment, force) in duty.moment.iter_mut().zip(duty.force) {
             *moment += self.at * force;
         }

@@ -9,6 +9,7 @@
 //! [`dynamics`]: how the film answers to small motions of the journal, and when a rotor on it whirls.
 //! [`duty_cycle`]: the load of a journal over a cycle, by crank angle.
 //! [`orbit`]: the journal under such a load; [`mobility`]: the same by a map of the film.
+//! [`shaft`]: a shaft on the films of all its bearings, and its loads.
 //! [`cap_bolts`]: the forces in the bolts of a connecting rod's cap, to compare the film's load with.
 //!
 //! The film knows its own tangent ([`oilwedge_reynolds::FilmProblem::unknown_change`]); a balance borders it.
@@ -35,6 +36,7 @@ pub mod orbit;
 mod prediction;
 mod search;
 pub mod search_options;
+pub mod shaft;
 mod step;
 pub mod stiffness;
 pub mod thermal_balance;

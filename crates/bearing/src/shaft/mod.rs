@@ -1,0 +1,35 @@
+//! A shaft on the films of all its bearings.
+//!
+//! | file | what |
+//! |---|---|
+//! | `beam.rs` | how a piece resists the motions of its ends |
+//! | `crankshaft.rs` | pieces and throws laid along the axis as beams |
+//! | `frame.rs` | the beams as the journals see them: stiffness, and loads moved to them |
+//! | `engine.rs`, `cut.rs` | loads of all throws by firing order; the shaft cut at its mains |
+//! | `films.rs`, `stage.rs` | the balance of shaft and films, and Newton's method for it |
+//! | `equilibrium.rs`, `march.rs` | the shaft at rest, and over cycles |
+//! | `counterweights.rs` | where they serve the bearings best |
+//! | `matrix.rs` | dense matrices |
+//!
+//! **Source.** `docs/theory/crankshaft.md`.
+
+pub mod beam;
+pub mod counterweights;
+pub mod crankshaft;
+mod cut;
+pub mod engine;
+mod equilibrium;
+pub mod films;
+pub mod frame;
+mod march;
+pub mod matrix;
+mod stage;
+
+pub use beam::Material;
+pub use crankshaft::{CrankThrow, Crankshaft, Piece, Round};
+pub use cut::shares;
+pub use engine::Engine;
+pub use equilibrium::{Balance, NoBalance};
+pub use films::{Film, Films};
+pub use frame::{Frame, NoShaft, NodeForce, Place, Shaft};
+pub use march::{Drive, MarchOptions, NoShaftOrbit, ShaftCycle, ShaftOrbit, ShaftStep};
