@@ -38,6 +38,10 @@ static TABLES: &[&[Key]] = &[
     crate::dynamics::KEYS,
     crate::cap::KEYS,
     crate::sweep::KEYS,
+    crate::crankshaft::KEYS,
+    crate::crankshaft::piece::KEYS,
+    crate::crankshaft::bearing::KEYS,
+    crate::crankshaft::weight::KEYS,
 ];
 
 /// All keys of scenes, in the order of the reference page.

@@ -38,6 +38,12 @@ pub enum SceneError {
         /// The file.
         path: PathBuf,
     },
+    /// The file is the scene of a crankshaft, where that of one bearing is wanted.
+    #[error("the scene {} is that of a crankshaft, not of one bearing; oilwedge solve and oilwedge check read it, and it names the scenes of its bearings", path.display())]
+    Crankshaft {
+        /// The file.
+        path: PathBuf,
+    },
     /// The file is not text.
     #[error("the scene {} is not UTF-8 text (first wrong byte: {offset}); save it as UTF-8", path.display())]
     NotText {

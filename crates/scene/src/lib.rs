@@ -5,7 +5,7 @@
 //!
 //! Each table of the file has one source file of its name, with its data type, keys, units, defaults and ranges: `bearing.rs`, `bore.rs`, `shaft.rs`, `mesh.rs`
 //! (and the tolerance in it, `tolerance.rs`), `ends.rs`, `feed.rs`, `journal.rs` (and `squeeze.rs`, `tilt.rs` in it), `load.rs` (and `cycle.rs` in it), `crank.rs`, `orbit.rs`, `support.rs`, `oil.rs`, `heat.rs`, `limits.rs`, `criteria.rs`,
-//! `cavitation.rs`, `dynamics.rs`, `cap.rs`, `sweep.rs`. `scene.rs` lists them; [`periodic_table`] and [`surface_table`] read the tables
+//! `cavitation.rs`, `dynamics.rs`, `cap.rs`, `sweep.rs`; a crankshaft has a scene of its own, in `crankshaft.rs`. `scene.rs` lists them; [`periodic_table`] and [`surface_table`] read the tables
 //! in files that a scene names.
 //!
 //! Reading order: `scene.rs`, `bearing.rs` as an example of a table, `reader.rs` (how a table is read and what is wrong with it collected),
@@ -21,6 +21,7 @@ pub mod catalogue;
 mod cavitation;
 mod complaint;
 mod crank;
+mod crankshaft;
 mod criteria;
 mod dimension;
 mod dynamics;
@@ -52,6 +53,7 @@ pub use cap::{Bolts, Cap, Shell};
 pub use cavitation::{Cavitation, CavitationModel};
 pub use complaint::{Check, Complaint, Complaints};
 pub use crank::{Crank, Drive, Gas, Throw};
+pub use crankshaft::*;
 pub use criteria::Criteria;
 pub use dynamics::Dynamics;
 pub use ends::Ends;

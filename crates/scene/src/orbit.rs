@@ -7,7 +7,7 @@ use crate::{Complaints, Scene};
 /// Local error of a step where a scene gives none.
 const TOLERANCE: f64 = 1e-3;
 /// Most cycles where a scene gives no number.
-const CYCLES: f64 = 10.0;
+const CYCLES: u32 = 10;
 /// Most cycles that a scene may ask for.
 const MOST_CYCLES: f64 = 1000.0;
 /// Closure over the tolerance where a scene gives none.
@@ -47,6 +47,19 @@ pub struct Orbit {
     pub start: Option<[f64; 2]>,
 }
 
+impl Orbit {
+    /// The one of an empty table.
+    pub fn usual() -> Self {
+        Self {
+            tolerance: TOLERANCE,
+            cycles: CYCLES as usize,
+            closure: CLOSURE * TOLERANCE,
+            mass: 0.0,
+            start: None,
+        }
+    }
+}
+
 pub(crate) fn read(mut table: TableReader<'_>) -> Orbit {
     let tolerance = (table.number("tolerance", "1e-3"))
         .within(
@@ -61,7 +74,7 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Orbit {
             "is no whole number from 1 to 1000",
             "give the greatest number of cycles, such as 10",
         )
-        .or(CYCLES);
+        .or(f64::from(CYCLES));
     let closure = (table.number("closure", "1e-4"))
         .within(
             |closure| (1e-12..=0.1).contains(&closure),

@@ -13,7 +13,7 @@ use crate::reader::TableReader;
 use crate::sweep::{self, Plan};
 use crate::{
     Bearing, Bore, Cap, Cavitation, Check, Complaint, Complaints, Crank, Criteria, Dynamics, Ends, Engine, Feed, Heat,
-    Journal, Limits, LoadCycle, LoadSource, MeshSource, Oil, Orbit, SceneError, Shaft, Support, Tolerance,
+    Journal, Limits, LoadCycle, LoadSource, MeshSource, Oil, Orbit, SceneError, Shaft, ShaftScene, Support, Tolerance,
 };
 use crate::{
     bearing, bore, cap, cavitation, crank, criteria, dynamics, ends, feed, heat, journal, limits, load, mesh, oil,
@@ -131,31 +131,7 @@ impl Scene {
     /// [`SceneError`]: the file cannot be read, is no TOML, or is no scene that can be computed; in the last two
     /// cases everything that is wrong is reported at once.
     pub fn read(path: &Path, checks: &[Check]) -> Result<Self, SceneError> {
-        let path_buf = || path.to_path_buf();
-        let fail = |source| SceneError::Read {
-            path: path_buf(),
-            source,
-        };
-        if !std::fs::metadata(path).map_err(fail)?.is_file() {
-            return Err(SceneError::NotAFile { path: path_buf() });
-        }
-        let mut bytes = Vec::new();
-        let file = std::fs::File::open(path).map_err(fail)?;
-        file.take(SCENE_LIMIT + 1).read_to_end(&mut bytes).map_err(fail)?;
-        if bytes.len() as u64 > SCENE_LIMIT {
-            return Err(SceneError::TooLarge {
-                path: path_buf(),
-                limit: SCENE_LIMIT,
-            });
-        }
-        if bytes.starts_with(MESH_OPENING) {
-            return Err(SceneError::Mesh { path: path_buf() });
-        }
-        let text = String::from_utf8(bytes).map_err(|error| SceneError::NotText {
-            path: path_buf(),
-            offset: error.utf8_error().valid_up_to(),
-        })?;
-        Self::of_text(&text, path, mesh::no_file, checks)
+        Self::of_text(&text_of(path)?, path, mesh::no_file, checks)
     }
 
     /// Reads the scene `text`; a relative mesh file counts from the folder of `path`, whose name is the title where the scene gives none.
@@ -221,12 +197,10 @@ impl Scene {
         no_file: impl Fn(&Path) -> Option<String>,
         checks: &[Check],
     ) -> Result<Self, SceneError> {
-        let (document, faults) = DeTable::parse_recoverable(text);
-        if !faults.is_empty() {
-            return Err(SceneError::Syntax {
+        let document = parsed(text, path)?;
+        if ShaftScene::is_meant(document.get_ref()) {
+            return Err(SceneError::Crankshaft {
                 path: path.to_path_buf(),
-                text: text.to_owned(),
-                complaints: in_order(faults.iter().take(FAULT_LIMIT).map(fault).collect()),
             });
         }
         match Self::of_document(document.get_ref(), text, path, no_file, checks) {
@@ -265,6 +239,53 @@ impl Scene {
             complaints if complaints.is_empty() => Ok(scene),
             complaints => Err(complaints),
         }
+    }
+}
+
+/// The text of the scene in the file `path`.
+///
+/// # Errors
+/// [`SceneError`]: the file cannot be read, or is no text.
+pub(crate) fn text_of(path: &Path) -> Result<String, SceneError> {
+    let path_buf = || path.to_path_buf();
+    let fail = |source| SceneError::Read {
+        path: path_buf(),
+        source,
+    };
+    if !std::fs::metadata(path).map_err(fail)?.is_file() {
+        return Err(SceneError::NotAFile { path: path_buf() });
+    }
+    let mut bytes = Vec::new();
+    let file = std::fs::File::open(path).map_err(fail)?;
+    file.take(SCENE_LIMIT + 1).read_to_end(&mut bytes).map_err(fail)?;
+    if bytes.len() as u64 > SCENE_LIMIT {
+        return Err(SceneError::TooLarge {
+            path: path_buf(),
+            limit: SCENE_LIMIT,
+        });
+    }
+    if bytes.starts_with(MESH_OPENING) {
+        return Err(SceneError::Mesh { path: path_buf() });
+    }
+    String::from_utf8(bytes).map_err(|error| SceneError::NotText {
+        path: path_buf(),
+        offset: error.utf8_error().valid_up_to(),
+    })
+}
+
+/// The TOML document that a text is.
+///
+/// # Errors
+/// [`SceneError::Syntax`]: it is none.
+pub(crate) fn parsed<'a>(text: &'a str, path: &Path) -> Result<toml::Spanned<DeTable<'a>>, SceneError> {
+    let (document, faults) = DeTable::parse_recoverable(text);
+    match faults.is_empty() {
+        true => Ok(document),
+        false => Err(SceneError::Syntax {
+            path: path.to_path_buf(),
+            text: text.to_owned(),
+            complaints: in_order(faults.iter().take(FAULT_LIMIT).map(fault).collect()),
+        }),
     }
 }
 

@@ -34,6 +34,10 @@ mesh.tolerance = "1 %"
 oil = { density = "870 kg/m3", high_shear = "2.9 mPa.s" }
 "#;
 
+/// A text with every table that the scene of a crankshaft may have.
+const CRANKSHAFT: &str =
+    "crankshaft = { piece = [{}], throw = {}, bearing = [{ support = {} }], load = [{}], counterweight = [{}] }";
+
 fn asked_for() -> asked::Asked {
     asked::take();
     for text in [EVERY_TABLE, OTHER_FORMS] {
@@ -45,6 +49,12 @@ fn asked_for() -> asked::Asked {
             Path::new("scene.toml"),
         );
     }
+    let document = DeTable::parse(CRANKSHAFT).expect("TOML");
+    let complaints = RefCell::new(Complaints::new(CRANKSHAFT));
+    crate::crankshaft::read_scene(
+        TableReader::root(&complaints, document.get_ref()),
+        Path::new("scene.toml"),
+    );
     asked::take()
 }
 

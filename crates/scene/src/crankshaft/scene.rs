@@ -1,0 +1,117 @@
+//! The scene of a crankshaft.
+
+use std::cell::RefCell;
+use std::path::{Path, PathBuf};
+
+use sha2::{Digest, Sha256};
+use toml::de::DeTable;
+
+use super::{Crankshaft, check};
+use crate::reader::TableReader;
+use crate::scene::{parsed, text_of};
+use crate::{Complaints, Crank, CrankBearing, LoadCycle, LoadSource, Orbit, SceneError, crank, mesh, orbit};
+
+/// A shaft on the films of its bearings, as its scene describes it, in SI.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ShaftScene {
+    /// Title of the study; the name of the file where the scene gives none.
+    pub title: String,
+    /// The shaft.
+    pub crankshaft: Crankshaft,
+    /// The crank drive of each throw; `None`: the loads do not change.
+    pub crank: Option<Crank>,
+    /// How the paths of the journals are followed; `None`: the loads do not change.
+    pub orbit: Option<Orbit>,
+    /// The text that was read.
+    pub text: String,
+    /// SHA-256 of that text, 64 hexadecimal digits.
+    pub sha256: String,
+}
+
+impl ShaftScene {
+    /// Whether a document is the scene of a crankshaft.
+    pub(crate) fn is_meant(document: &DeTable<'_>) -> bool {
+        document.contains_key("crankshaft")
+    }
+
+    /// Reads the scene in the file `path`; those of its bearings are not read.
+    ///
+    /// # Errors
+    /// [`SceneError`]: the file cannot be read, is no TOML, or is no scene of a crankshaft that can be computed.
+    pub fn read(path: &Path) -> Result<Self, SceneError> {
+        let text = text_of(path)?;
+        Self::of_text(&text, path, mesh::no_file)
+    }
+
+    /// Reads the scene `text`, as if it stood at `path`. Nothing is read from the disk.
+    ///
+    /// # Errors
+    /// [`SceneError::Syntax`] and [`SceneError::Complaints`], with everything that is wrong.
+    pub fn parse(text: &str, path: &Path) -> Result<Self, SceneError> {
+        Self::of_text(text, path, |_| None)
+    }
+
+    /// The files that it names: key, path, and what to give where there is none.
+    pub fn files(&self) -> Vec<(String, PathBuf, &'static str)> {
+        let bearings = self.crankshaft.bearings.iter().enumerate().map(|(number, bearing)| {
+            let key = format!("crankshaft.bearing[{number}].scene");
+            let help = "give the path of the scene of a bearing, counted from the folder of this scene";
+            (key, bearing.scene.clone(), help)
+        });
+        let gas = self.crank.as_ref().and_then(Crank::gas_file).map(|path| {
+            let help = "give the path of a table with a header of units, counted from the folder of the scene";
+            ("crank.gas.file".to_owned(), path.to_owned(), help)
+        });
+        bearings.chain(gas).collect()
+    }
+
+    fn of_text(text: &str, path: &Path, no_file: impl Fn(&Path) -> Option<String>) -> Result<Self, SceneError> {
+        let document = parsed(text, path)?;
+        let complaints = RefCell::new(Complaints::new(text));
+        let scene = read(TableReader::root(&complaints, document.get_ref()), path);
+        let mut complaints = complaints.into_inner();
+        check::check(&scene, &mut complaints);
+        for (key, path, help) in scene.files() {
+            let is_named = complaints.has(&key) && !complaints.concern(&key);
+            if let Some(message) = no_file(&path).filter(|_| is_named) {
+                complaints.add(&key, message, help);
+            }
+        }
+        match complaints.into_list() {
+            complaints if complaints.is_empty() => Ok(Self {
+                text: text.to_owned(),
+                sha256: Sha256::digest(text).iter().map(|byte| format!("{byte:02x}")).collect(),
+                ..scene
+            }),
+            complaints => Err(SceneError::Complaints {
+                path: path.to_path_buf(),
+                text: text.to_owned(),
+                complaints,
+            }),
+        }
+    }
+}
+
+/// The scene as far as it can be read.
+pub(crate) fn read(mut root: TableReader<'_>, path: &Path) -> ShaftScene {
+    let stem = || path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let title = root
+        .text_if_given("title", "Plain journal bearing")
+        .unwrap_or_else(stem);
+    let crankshaft = super::read(
+        root.table("crankshaft", "[crankshaft] with speed and youngs_modulus"),
+        path,
+    );
+    let of_pins = LoadCycle {
+        source: LoadSource::Crank(CrankBearing::BigEnd),
+        period: crankshaft.period,
+    };
+    ShaftScene {
+        title,
+        crank: (root.table_if_given("crank")).map(|table| crank::read(table, path, Some(&of_pins))),
+        orbit: root.table_if_given("orbit").map(orbit::read),
+        crankshaft,
+        text: String::new(),
+        sha256: String::new(),
+    }
+}
