@@ -108,27 +108,37 @@ fn of_load(scene: &Scene, load: &LoadCycle) -> Result<DutyCycle, NoDuty> {
             DutyCycle::of_harmonics(harmonic.collect(), period, axes(*frame), turning)
         }
         LoadSource::Crank(bearing) => {
-            let drive = scene.crank.as_ref().and_then(|crank| crank.drive.as_ref());
             // A computed load without a crank is refused with the scene.
-            let (Some(drive), Some(linkage)) = (drive, rod) else {
-                return Err(NoDuty::NotFinite { angle: 0.0 });
-            };
-            let crank = crank(drive, linkage, period)?;
+            let given = scene.crank.as_ref().ok_or(NoDuty::NotFinite { angle: 0.0 })?;
+            let crank = crank_of(given, period)?;
             match bearing {
                 CrankBearing::BigEnd => DutyCycle::of_big_end(crank, speed),
-                CrankBearing::Main => DutyCycle::of_main(crank, throws(drive), speed),
+                CrankBearing::Main => DutyCycle::of_main(crank, throws(given.drive.as_ref()), speed),
             }
         }
     })
 }
 
-fn throws(drive: &Drive) -> Vec<Throw> {
+/// The crank drive of a scene whose gas pressure has this period [rad].
+///
+/// # Errors
+/// [`NoDuty`]: the table of the gas pressure cannot be used; or there is no drive.
+pub(crate) fn crank_of(given: &oilwedge_scene::Crank, period: f64) -> Result<Crank, NoDuty> {
+    let linkage = Linkage {
+        radius: given.radius,
+        rod_length: given.rod_length,
+    };
+    let drive = given.drive.as_ref().ok_or(NoDuty::NotFinite { angle: 0.0 })?;
+    crank(drive, linkage, period)
+}
+
+fn throws(drive: Option<&Drive>) -> Vec<Throw> {
     let throw = |throw: &oilwedge_scene::Throw| Throw {
         angle: throw.angle,
         share: throw.share,
         web_mass: throw.web_mass,
     };
-    drive.throws.iter().map(throw).collect()
+    drive.into_iter().flat_map(|drive| &drive.throws).map(throw).collect()
 }
 
 fn crank(drive: &Drive, linkage: Linkage, period: f64) -> Result<Crank, NoDuty> {

@@ -5,7 +5,7 @@
 //! ```
 //!
 //! Reading order: [`mod@compile`], [`isothermal`], [`thermal`], [`analysis`], [`mod@measure`], [`quantities`], [`estimate`], [`refinement`], [`mod@run`], [`result`],
-//! [`mod@picture`], [`film_lines`], [`fields`]; [`duty`] (the load over a cycle), [`mod@orbit`].
+//! [`mod@picture`], [`film_lines`], [`fields`]; [`duty`] (the load over a cycle), [`mod@orbit`], [`shaft`] (many bearings).
 
 pub mod analysis;
 mod cap_joint;
@@ -41,6 +41,7 @@ pub mod regime;
 pub mod result;
 pub mod run;
 pub mod run_options;
+pub mod shaft;
 pub mod solved;
 pub mod symbol;
 pub mod thermal;

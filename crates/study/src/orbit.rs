@@ -31,6 +31,7 @@ use serde::Serialize;
 use balances::CycleBalances;
 pub use by_map::{ByMap, by_maps, no_map};
 pub use frame::Frame;
+pub(crate) use start::{GREATEST, USUAL, on_mesh_for, suits};
 use temperature::CycleTemperature;
 
 use crate::compile_error::CompileError;
@@ -148,16 +149,29 @@ pub(crate) fn follow(
     model: &oilwedge_scene::Orbit,
     options: &RunOptions,
 ) -> Result<(Film, Result<Followed, NoAnswer>), CompileError> {
-    let (cycle, deadline) = (load_of_orbit(scene)?, options.deadline());
+    follow_under(scene, model, &load_of_orbit(scene)?, options)
+}
+
+/// Follows the orbit of a scene's journal under a load that may not be that of the scene.
+///
+/// # Errors
+/// The scene does not become a film.
+pub(crate) fn follow_under(
+    scene: &Scene,
+    model: &oilwedge_scene::Orbit,
+    cycle: &DutyCycle,
+    options: &RunOptions,
+) -> Result<(Film, Result<Followed, NoAnswer>), CompileError> {
+    let deadline = options.deadline();
     if let Some(thermal) = Sockets::of(scene).thermal {
-        return temperature::balanced((scene, model, &cycle), thermal, deadline, options);
+        return temperature::balanced((scene, model, cycle), thermal, deadline, options);
     }
-    let (film, begin) = start::prepared(scene, model, &cycle, deadline)?;
+    let (film, begin) = start::prepared(scene, model, cycle, deadline)?;
     let clearance = film.problem.bearing.clearance;
     let begin = options
         .earlier
         .map_or(begin, |earlier| earlier.end.map(|part| clearance * part));
-    let outcome = followed(&film, (scene, model, &cycle), (begin, deadline), options);
+    let outcome = followed(&film, (scene, model, cycle), (begin, deadline), options);
     Ok((film, outcome))
 }
 
@@ -204,7 +218,12 @@ fn followed(
 }
 
 /// The equation of motion of a scene's journal on a film.
-fn motion<'a>(film: &'a Film, scene: &Scene, model: &oilwedge_scene::Orbit, cycle: &'a DutyCycle) -> Motion<'a> {
+pub(crate) fn motion<'a>(
+    film: &'a Film,
+    scene: &Scene,
+    model: &oilwedge_scene::Orbit,
+    cycle: &'a DutyCycle,
+) -> Motion<'a> {
     Motion {
         problem: &film.problem,
         system: &film.system,
@@ -219,7 +238,10 @@ fn motion<'a>(film: &'a Film, scene: &Scene, model: &oilwedge_scene::Orbit, cycl
 }
 
 /// The numbers of an orbit.
-fn measured(
+///
+/// # Errors
+/// [`NoAnswer`]: a film that the orbit had is not found again.
+pub(crate) fn measured(
     film: &Film,
     motion: &Motion,
     model: &oilwedge_scene::Orbit,

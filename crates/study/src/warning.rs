@@ -34,6 +34,17 @@ pub struct Warning {
     pub text: String,
 }
 
+impl Warning {
+    /// This warning as one about a part of the whole, which its sentence begins with.
+    #[must_use]
+    pub fn of(self, part: &str) -> Self {
+        Self {
+            text: format!("{part}: {}", self.text),
+            ..self
+        }
+    }
+}
+
 impl Deref for Warning {
     type Target = str;
 

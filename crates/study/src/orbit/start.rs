@@ -16,10 +16,10 @@ use crate::position::Position;
 
 /// The first mesh is that for an orbit with this greatest eccentricity; where the orbit on its coarser mesh leads elsewhere, another one is drawn if
 /// its edges differ by this factor.
-const USUAL: f64 = 0.93;
+pub(crate) const USUAL: f64 = 0.93;
 const ELSEWHERE: f64 = 1.3;
 /// Greatest eccentricity for which a mesh is drawn.
-const GREATEST: f64 = 0.998;
+pub(crate) const GREATEST: f64 = 0.998;
 /// An orbit on a coarser mesh: tolerance and cycles.
 const ROUGH: f64 = 2e-2;
 const ROUGH_CYCLES: usize = 2;
@@ -49,20 +49,24 @@ pub(super) fn prepared(
     let begin = given
         .or_else(|| Some(orbit.steps.first()?.at))
         .unwrap_or(first(cycle, clearance));
-    let ratio = ((1.0 - USUAL) / (1.0 - greatest)).sqrt();
-    let suits = ratio < ELSEWHERE && ratio > 1.0 / ELSEWHERE;
-    let film = match suits || !scene.mesh.is_graded() {
+    let film = match suits(USUAL, greatest) || !scene.mesh.is_graded() {
         true => film,
         false => on_mesh_for(scene, greatest)?,
     };
     Ok((film, begin))
 }
 
+/// Whether a mesh drawn for one greatest eccentricity suits another one.
+pub(crate) fn suits(drawn: f64, greatest: f64) -> bool {
+    let ratio = ((1.0 - drawn) / (1.0 - greatest)).sqrt();
+    ratio < ELSEWHERE && ratio > 1.0 / ELSEWHERE
+}
+
 /// A film whose mesh is fine enough all around for an eccentricity.
 ///
 /// # Errors
 /// The scene does not become a film.
-pub(super) fn on_mesh_for(scene: &Scene, eccentricity: f64) -> Result<Film, CompileError> {
+pub(crate) fn on_mesh_for(scene: &Scene, eccentricity: f64) -> Result<Film, CompileError> {
     let position = Position {
         eccentricity,
         min_film_angle: 0.0,

@@ -1,0 +1,75 @@
+//! A crankshaft on the films of all its bearings: its scene and those of its bearings compiled, solved, and measured bearing by bearing.
+//!
+//! | file | what |
+//! |---|---|
+//! | `shaft/compile.rs` | the scenes become films, a shaft and its loads |
+//! | `shaft/statics.rs` | the shaft at rest under loads that do not change |
+//! | `shaft/cycle.rs` | the shaft over a cycle of its throws |
+//! | `shaft/weights.rs` | where counterweights serve the bearings best |
+//! | `shaft/result.rs` | what was found, as scripts read it |
+//! | `shaft/error.rs` | why a scene does not become a shaft |
+//!
+//! **Source.** `docs/theory/crankshaft.md`.
+
+mod compile;
+mod cycle;
+mod error;
+mod result;
+mod statics;
+mod weights;
+
+pub use compile::{Bearing, Compiled, compile_shaft};
+pub use error::ShaftError;
+pub use result::{BearingPath, BearingReport, CycleReport, SHAFT_FORMAT, ShaftBalances, ShaftResult, ShaftRun};
+pub use weights::{CounterweightReport, NoWeights, WebReport, best_counterweights};
+
+use std::time::Instant;
+
+use oilwedge_scene::ShaftScene;
+
+use crate::orbit::USUAL;
+use crate::run_options::RunOptions;
+
+/// Solves the films of a shaft. A balance that is not found is a result, with its reason.
+///
+/// # Errors
+/// [`ShaftError`]: the scenes do not become a shaft on films.
+pub fn run_shaft(scene: &ShaftScene, options: &RunOptions) -> Result<ShaftRun, ShaftError> {
+    let clock = Instant::now();
+    let mut run = match compile::engine(scene)? {
+        Some(engine) => cycle::followed(scene, &engine, options)?,
+        None => statics::solved(scene, options)?,
+    };
+    run.result
+        .timing_s
+        .push(("total".to_owned(), clock.elapsed().as_secs_f64()));
+    Ok(run)
+}
+
+/// The shaft with the counterweights that serve its bearings best, beside a run with those of its scene: its own numbers, with what has changed.
+///
+/// # Errors
+/// [`NoWeights`]: why they cannot be sought.
+pub fn run_with_best_counterweights(
+    scene: &ShaftScene,
+    before: &ShaftRun,
+    options: &RunOptions,
+) -> Result<(ShaftRun, CounterweightReport), NoWeights> {
+    let (changed, report) = best_counterweights(scene)?;
+    let after = run_shaft(&changed, options)?;
+    let films = before.least_film().zip(after.least_film());
+    let report = CounterweightReport {
+        film: films.map(|(before, after)| [before, after]),
+        ..report
+    };
+    Ok((after, report))
+}
+
+/// Checks that a scene and those of its bearings become a shaft on films.
+///
+/// # Errors
+/// [`ShaftError`]: they do not.
+pub fn check_shaft(scene: &ShaftScene) -> Result<Compiled, ShaftError> {
+    compile::engine(scene)?;
+    compile_shaft(scene, USUAL)
+}

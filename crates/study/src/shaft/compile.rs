@@ -1,0 +1,287 @@
+//! The scene of a shaft and those of its bearings become films, a shaft and its loads.
+
+use std::path::{Path, PathBuf};
+
+use oilwedge_bearing::Coordinates;
+use oilwedge_bearing::coordinates::Vector;
+use oilwedge_bearing::shaft::{
+    self, CrankThrow, Crankshaft, Engine, Films, Material, NodeForce, Piece, Place, Round, Shaft,
+};
+use oilwedge_scene::{
+    self as scene, CavitationModel, Orbit, Position, Scene, ShaftPiece, ShaftScene, ShaftTilt, Statics, Support,
+};
+
+use super::error::ShaftError;
+use crate::compile_error::CompileError;
+use crate::duty::{NoDuty, crank_of};
+use crate::film::Film;
+use crate::orbit::on_mesh_for;
+
+/// At how many angles of a period it is checked that loads are finite.
+const CHECKED: u32 = 1440;
+
+/// A bearing of a shaft.
+#[derive(Debug, Clone)]
+pub struct Bearing {
+    /// How results call it.
+    pub name: String,
+    /// The file of its scene.
+    pub path: PathBuf,
+    /// Axial position of its middle [m].
+    pub at: f64,
+    /// Stiffness of what holds the shell against force [N/m] and moment [N m/rad], infinite for a rigid one.
+    pub support: [f64; 2],
+    /// Its film, with the journal in the middle.
+    pub film: Film,
+}
+
+/// A shaft on films, ready to be solved.
+#[derive(Debug)]
+pub struct Compiled {
+    /// Its bearings along the axis.
+    pub bearings: Vec<Bearing>,
+    /// The shaft as its journals see it.
+    pub shaft: Shaft,
+    /// Loads that do not change, on the nodes of the shaft.
+    pub loads: Vec<NodeForce>,
+    /// Axial positions of those nodes [m].
+    pub loaded_at: Vec<f64>,
+    /// Axial positions of first web, pin and second web of each throw [m].
+    pub throws: Vec<[f64; 3]>,
+}
+
+/// Compiles a shaft whose films are meshed for this greatest eccentricity [1].
+///
+/// # Errors
+/// [`ShaftError`]: a scene of a bearing cannot be used, or the bearings do not hold the shaft.
+pub fn compile_shaft(scene: &ShaftScene, eccentricity: f64) -> Result<Compiled, ShaftError> {
+    let bearings = bearings(scene, eccentricity)?;
+    let crankshaft = crankshaft(scene);
+    let places: Vec<f64> = (bearings.iter().map(|bearing| bearing.at))
+        .chain(scene.crankshaft.loads.iter().map(|load| load.at))
+        .collect();
+    let laid = crankshaft.laid(&places);
+    let (journals, loads) = laid.places.split_at(bearings.len());
+    let journals: Vec<Place> = (journals.iter().zip(&bearings))
+        .map(|(&node, bearing)| Place {
+            node,
+            coordinates: coordinates(&bearing.film),
+        })
+        .collect();
+    let pins = laid.throws.iter().map(|throw| throw.pin);
+    let webs = laid.throws.iter().flat_map(|throw| throw.webs);
+    let loaded: Vec<usize> = match scene.crank {
+        Some(_) => pins.chain(webs).collect(),
+        None => loads.to_vec(),
+    };
+    let given = (0..).zip(&scene.crankshaft.loads);
+    let loaded_at: Vec<f64> = loaded.iter().map(|&node| laid.frame.nodes[node][2]).collect();
+    let shaft = match scene.crankshaft.statics {
+        Statics::Elastic => laid.frame.on(&journals, &loaded)?,
+        Statics::Cut => Shaft::cut(
+            &bearings.iter().map(|bearing| bearing.at).collect::<Vec<_>>(),
+            &loaded_at,
+        )?,
+    };
+    Ok(Compiled {
+        shaft,
+        loads: given
+            .map(|(place, load)| NodeForce {
+                place,
+                force: load.force,
+            })
+            .collect(),
+        loaded_at,
+        throws: crankshaft.throws(),
+        bearings,
+    })
+}
+
+/// Which coordinates of its journal a film on a shaft sees.
+fn coordinates(film: &Film) -> Coordinates {
+    Coordinates {
+        order: if film.scene.support.is_some() { 4 } else { 2 },
+        arm: 0.5 * film.problem.bearing.length,
+    }
+}
+
+impl Bearing {
+    /// Which coordinates of its journal the film sees.
+    pub fn coordinates(&self) -> Coordinates {
+        coordinates(&self.film)
+    }
+}
+
+impl Compiled {
+    /// The films, as the balance of the shaft has them.
+    pub fn films(&self) -> Films<'_> {
+        Films {
+            shaft: &self.shaft,
+            films: self.bearings.iter().map(film).collect(),
+        }
+    }
+
+    /// Loads that do not change, as forces on the journals [N].
+    pub fn steady_load(&self) -> Vec<Vector> {
+        self.shaft.loads(&self.loads, 0.0)
+    }
+}
+
+fn film(bearing: &Bearing) -> shaft::Film<'_> {
+    let film = &bearing.film;
+    shaft::Film::new(&film.problem, &film.system, bearing.coordinates(), bearing.support)
+}
+
+/// The bearings with their films; bearings of one scene share its mesh.
+fn bearings(scene: &ShaftScene, eccentricity: f64) -> Result<Vec<Bearing>, ShaftError> {
+    let mut films: Vec<(PathBuf, Film)> = Vec::new();
+    let mut bearings = Vec::new();
+    for bearing in &scene.crankshaft.bearings {
+        let path = &bearing.scene;
+        let film = match films.iter().find(|(other, _)| other == path) {
+            Some((_, film)) => film.clone(),
+            None => {
+                let own = crate::read(path)?;
+                refuse(path, &own)?;
+                let film = on_mesh_for(&on_shaft(own, scene), eccentricity).map_err(failed(path))?;
+                films.push((path.clone(), film.clone()));
+                film
+            }
+        };
+        bearings.push(Bearing {
+            name: bearing.name.clone(),
+            path: path.clone(),
+            at: bearing.at,
+            support: [bearing.support.stiffness, bearing.support.tilt_stiffness],
+            film,
+        });
+    }
+    Ok(bearings)
+}
+
+fn failed(path: &Path) -> impl Fn(CompileError) -> ShaftError {
+    let path = path.to_owned();
+    move |source| ShaftError::Film {
+        path: path.clone(),
+        source,
+    }
+}
+
+/// Refuses what is not solved on a shaft.
+fn refuse(path: &Path, own: &Scene) -> Result<(), ShaftError> {
+    let refused = |key, reason, help| {
+        Err(ShaftError::Refused {
+            path: path.to_owned(),
+            key,
+            reason,
+            help,
+        })
+    };
+    if own.heat.is_some() {
+        return refused(
+            "heat",
+            "on a crankshaft the temperature of films is not found",
+            "remove [heat], and give oil.viscosity, or oil.temperature for an oil by its grade",
+        );
+    }
+    match &own.cavitation {
+        Some(cavitation) if cavitation.model == CavitationModel::Jfo => refused(
+            "cavitation.model",
+            "on a crankshaft films that conserve their oil are not solved",
+            "give model = \"reynolds\"",
+        ),
+        _ => Ok(()),
+    }
+}
+
+/// The scene of a bearing with what the shaft gives it: speed, moving journal, and tilt.
+fn on_shaft(own: Scene, scene: &ShaftScene) -> Scene {
+    let shaft = &scene.crankshaft;
+    let resists_tilt = shaft.tilt == ShaftTilt::Free && shaft.statics == Statics::Elastic;
+    let mut changed = own;
+    changed.journal.speed = shaft.speed;
+    // No load: that of the shaft acts.
+    changed.journal.position = Position::Load { force: 0.0, angle: 0.0 };
+    (changed.journal.squeeze, changed.journal.tilt, changed.journal.tilt_rate) = (None, None, None);
+    (changed.load_at, changed.load_moment, changed.load_cycle, changed.crank) = (None, None, None, None);
+    changed.support = resists_tilt.then_some(Support {
+        tilt_stiffness: 0.0,
+        tilt: [0.0; 2],
+    });
+    changed.orbit = Some(scene.orbit.unwrap_or_else(Orbit::usual));
+    changed.tolerance = None;
+    (changed.dynamics, changed.sweep) = (None, None);
+    changed
+}
+
+fn crankshaft(scene: &ShaftScene) -> Crankshaft {
+    let shaft = &scene.crankshaft;
+    let radius = scene.crank.as_ref().map_or(0.0, |crank| crank.radius);
+    let piece = |piece: &ShaftPiece| match (piece, &shaft.throw) {
+        (ShaftPiece::Straight { length, diameter, bore }, _) => Piece::Straight(Round {
+            length: *length,
+            diameter: *diameter,
+            bore: *bore,
+        }),
+        (ShaftPiece::Throw { fires_at }, shape) => {
+            let shape = shape.unwrap_or_else(scene::ThrowShape::none);
+            Piece::Throw(CrankThrow {
+                angle: -fires_at,
+                radius,
+                pin: Round {
+                    length: shape.pin_length,
+                    diameter: shape.pin_diameter,
+                    bore: shape.pin_bore,
+                },
+                web_thickness: shape.web_thickness,
+                web_width: shape.web_width,
+            })
+        }
+    };
+    Crankshaft {
+        material: Material {
+            youngs_modulus: shaft.youngs_modulus,
+            shear_modulus: shaft.shear_modulus,
+        },
+        pieces: shaft.pieces.iter().map(piece).collect(),
+    }
+}
+
+/// The cylinders of a scene with a crank; `None`: the loads do not change.
+///
+/// # Errors
+/// [`ShaftError::Load`]: the gas pressure cannot be used, or the loads are no numbers.
+pub(super) fn engine(scene: &ShaftScene) -> Result<Option<Engine>, ShaftError> {
+    let shaft = &scene.crankshaft;
+    let Some(crank) = &scene.crank else { return Ok(None) };
+    let drive = crank_of(crank, shaft.period).map_err(|reason| ShaftError::Load(reason.to_string()))?;
+    let web_mass = shaft.throw.map_or(0.0, |throw| throw.web_mass);
+    let fires_at = shaft.fires_at();
+    let of_web = |angle: f64, moment: f64| [moment * angle.cos(), moment * angle.sin()];
+    let mut unbalances: Vec<[[f64; 2]; 2]> = (fires_at.iter())
+        .map(|angle| [of_web(-angle, 0.5 * web_mass * crank.radius); 2])
+        .collect();
+    for weight in &shaft.counterweights {
+        let [x, y] = of_web(weight.angle - fires_at[weight.throw], weight.moment);
+        let web = &mut unbalances[weight.throw][weight.web];
+        *web = [web[0] + x, web[1] + y];
+    }
+    let engine = Engine {
+        crank: drive,
+        fires_at,
+        unbalances,
+        speed: shaft.speed,
+    };
+    let angles = (0..CHECKED).map(|k| shaft.period * f64::from(k) / f64::from(CHECKED));
+    let is_finite = |angle: f64| {
+        engine
+            .loads(angle)
+            .iter()
+            .flat_map(|load| load.force)
+            .all(f64::is_finite)
+    };
+    match angles.into_iter().find(|&angle| !is_finite(angle)) {
+        Some(angle) => Err(ShaftError::Load(NoDuty::NotFinite { angle }.to_string())),
+        None => Ok(Some(engine)),
+    }
+}

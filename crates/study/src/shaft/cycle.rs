@@ -1,0 +1,336 @@
+//! The shaft over a cycle of its throws: all films at once, or each orbit under what statics gives it.
+
+use std::time::Instant;
+
+use oilwedge_bearing::coordinates::Vector;
+use oilwedge_bearing::duty_cycle::{DutyCycle, Frame, LoadPoint, Turning};
+use oilwedge_bearing::orbit::{Cycle, Orbit, OrbitEnd, Step};
+use oilwedge_bearing::shaft::{Drive, Engine, Films, MarchOptions, NoShaftOrbit, ShaftOrbit, ShaftStep};
+use oilwedge_scene::{ShaftScene, Statics};
+
+use super::compile::{Bearing, Compiled, compile_shaft};
+use super::error::ShaftError;
+use super::result::{BearingPath, BearingReport, CycleReport, ShaftBalances, ShaftRun};
+use crate::orbit::{Followed, GREATEST, USUAL, follow_under, measured, motion, suits};
+use crate::reasons::Limit;
+use crate::reasons::flags::MORE_SECONDS;
+use crate::result::Status;
+use crate::run_options::RunOptions;
+
+/// The journals on coarser meshes: tolerance and cycles.
+const ROUGH: f64 = 2e-2;
+const ROUGH_CYCLES: usize = 2;
+
+/// Follows the journals of a shaft.
+///
+/// # Errors
+/// The scenes do not become a shaft on films.
+pub(super) fn followed(scene: &ShaftScene, engine: &Engine, options: &RunOptions) -> Result<ShaftRun, ShaftError> {
+    match scene.crankshaft.statics {
+        Statics::Cut => cut(scene, engine, options),
+        Statics::Elastic => elastic(scene, engine, options),
+    }
+}
+
+/// Each bearing alone, under what statics gives it.
+fn cut(scene: &ShaftScene, engine: &Engine, options: &RunOptions) -> Result<ShaftRun, ShaftError> {
+    let clock = Instant::now();
+    let compiled = compile_shaft(scene, USUAL)?;
+    let mains: Vec<f64> = compiled.bearings.iter().map(|bearing| bearing.at).collect();
+    let mut run = ShaftRun::of(scene, options.bars);
+    for (bearing, cycle) in compiled.bearings.iter().zip(engine.on_mains(&mains, &compiled.throws)) {
+        let own = &*bearing.film.scene;
+        let model = own.orbit.unwrap_or_else(oilwedge_scene::Orbit::usual);
+        let outcome = follow_under(own, &model, &cycle, options);
+        let (_, outcome) = outcome.map_err(|source| ShaftError::Film {
+            path: bearing.path.clone(),
+            source,
+        })?;
+        match outcome {
+            Ok(followed) => {
+                let cycles = &followed.facts.cycles;
+                run.result.films += cycles.iter().map(|cycle| cycle.films).sum::<usize>();
+                let last = cycles.last().map_or(0.0, |cycle| cycle.closure);
+                ended(&mut run, followed.end, (cycles.len(), last), options);
+                add(&mut run, bearing, cycle, followed, &[]);
+            }
+            Err(reason) => {
+                let told = format!("bearing {}: {reason}", bearing.name);
+                (run.result.status, run.result.reason) = (Status::without(&reason), Some(told));
+                run.result.bearings.clear();
+                run.paths.clear();
+                return Ok(run);
+            }
+        }
+    }
+    run.result
+        .timing_s
+        .push(("orbits".to_owned(), clock.elapsed().as_secs_f64()));
+    Ok(run)
+}
+
+/// All films at once.
+fn elastic(scene: &ShaftScene, engine: &Engine, options: &RunOptions) -> Result<ShaftRun, ShaftError> {
+    let clock = Instant::now();
+    let model = scene.orbit.unwrap_or_else(oilwedge_scene::Orbit::usual);
+    let mut compiled = compile_shaft(scene, USUAL)?;
+    let mut run = ShaftRun::of(scene, options.bars);
+    let march = MarchOptions {
+        tolerance: model.tolerance,
+        closure: model.closure,
+        cycles: model.cycles,
+        deadline: options.deadline(),
+        observer: options
+            .observer
+            .map(|observer| observer as &dyn oilwedge_bearing::orbit::OrbitObserver),
+    };
+    let first = compiled.shaft.loads(&engine.loads(0.0), 0.0);
+    let mut start = compiled.films().first_places(&first);
+    if let Some((end, greatest)) = rough(scene, engine, &compiled, (&start, &march)) {
+        start = end;
+        let is_graded = compiled
+            .bearings
+            .iter()
+            .any(|bearing| bearing.film.scene.mesh.is_graded());
+        if is_graded && !suits(USUAL, greatest) {
+            compiled = compile_shaft(scene, greatest)?;
+        }
+    }
+    let found = drive(scene, engine, &compiled, &compiled.films(), |drive| {
+        drive.follow(&start, &march)
+    });
+    run.result
+        .timing_s
+        .push(("orbits".to_owned(), clock.elapsed().as_secs_f64()));
+    let outcome = found.map_err(|reason| (status(&reason), told(&reason, &compiled)));
+    let outcome = outcome.and_then(|orbit| {
+        let clock = Instant::now();
+        let outcome = report(scene, engine, &compiled, &orbit, options, &mut run);
+        run.result
+            .timing_s
+            .push(("measure".to_owned(), clock.elapsed().as_secs_f64()));
+        outcome?;
+        let last = orbit.cycles.last().map_or(0.0, |cycle| cycle.closure);
+        ended(&mut run, orbit.end, (orbit.cycles.len(), last), options);
+        Ok(())
+    });
+    if let Err((status, reason)) = outcome {
+        (run.result.status, run.result.reason) = (status, Some(reason));
+    }
+    Ok(run)
+}
+
+/// What drives films of a shaft, handed to `then`.
+fn drive<T>(
+    scene: &ShaftScene,
+    engine: &Engine,
+    compiled: &Compiled,
+    films: &Films,
+    then: impl FnOnce(&Drive) -> T,
+) -> T {
+    let loads = |angle: f64| compiled.shaft.loads(&engine.loads(angle), angle);
+    then(&Drive {
+        films,
+        loads: &loads,
+        period: scene.crankshaft.period,
+        speed: scene.crankshaft.speed,
+    })
+}
+
+/// Where journals on coarser meshes end a cycle [m], and their greatest eccentricity at an end [1]; `None` where there is none.
+fn rough(
+    scene: &ShaftScene,
+    engine: &Engine,
+    compiled: &Compiled,
+    (start, march): (&[Vector], &MarchOptions),
+) -> Option<(Vec<Vector>, f64)> {
+    let films = compiled.films();
+    let coarser = films.coarser()?;
+    let options = MarchOptions {
+        tolerance: ROUGH,
+        cycles: ROUGH_CYCLES,
+        observer: None,
+        ..*march
+    };
+    let orbit = drive(scene, engine, compiled, &coarser, |drive| drive.follow(start, &options)).ok()?;
+    let end = orbit.steps.last()?.train.at.clone();
+    let gaps = orbit.steps.iter().map(|step| films.thinnest(&step.train.at).1);
+    let greatest = 1.0 - gaps.fold(f64::INFINITY, f64::min);
+    Some((end, greatest.clamp(0.0, GREATEST)))
+}
+
+/// Fills in the numbers of all bearings.
+fn report(
+    scene: &ShaftScene,
+    engine: &Engine,
+    compiled: &Compiled,
+    orbit: &ShaftOrbit,
+    options: &RunOptions,
+    run: &mut ShaftRun,
+) -> Result<(), (Status, String)> {
+    let films = compiled.films();
+    for (number, bearing) in compiled.bearings.iter().enumerate() {
+        let cycle = own_load(scene, bearing, &orbit.steps, number);
+        let cycle = cycle.map_err(|reason| (Status::NotConverged, format!("bearing {}: {reason}", bearing.name)))?;
+        let own = &*bearing.film.scene;
+        let model = own.orbit.unwrap_or_else(oilwedge_scene::Orbit::usual);
+        let motion = motion(&bearing.film, own, &model, &cycle);
+        let followed = measured(&bearing.film, &motion, &model, own_orbit(orbit, number), options)
+            .map_err(|reason| (Status::without(&reason), format!("bearing {}: {reason}", bearing.name)))?;
+        let shells: Vec<Vector> = orbit
+            .steps
+            .iter()
+            .map(|step| [0, 1, 2, 3].map(|k| films.films[number].compliance[k] * step.carried[number][k]))
+            .collect();
+        add(run, bearing, cycle, followed, &shells);
+    }
+    run.result.films = orbit.cycles.iter().map(|cycle| cycle.films).sum();
+    run.result.balances = balances(engine, compiled, &orbit.steps);
+    run.result.cycles = orbit
+        .cycles
+        .iter()
+        .map(|cycle| CycleReport {
+            closure: cycle.closure,
+            steps: cycle.steps,
+            rejected: cycle.rejected,
+            films: cycle.films,
+        })
+        .collect();
+    Ok(())
+}
+
+/// The load that the film of a bearing carries over the cycle, by a curve through its steps.
+fn own_load(
+    scene: &ShaftScene,
+    bearing: &Bearing,
+    steps: &[ShaftStep],
+    number: usize,
+) -> Result<DutyCycle, oilwedge_bearing::duty_cycle::NoSpline> {
+    let speed = scene.crankshaft.speed;
+    let arm = bearing.coordinates().arm;
+    let point = |step: &ShaftStep| {
+        let [x, y, z_x, z_y] = step.carried[number];
+        LoadPoint {
+            angle: speed * step.time,
+            force: [x, y],
+            moment: [arm * z_x, arm * z_y],
+        }
+    };
+    // The last step is the first one of the next cycle.
+    let points: Vec<LoadPoint> = steps[..steps.len().saturating_sub(1)].iter().map(point).collect();
+    DutyCycle::of_table(
+        &points,
+        scene.crankshaft.period,
+        Frame::Shell,
+        Turning { speed, rod: None },
+    )
+}
+
+/// The orbit of one journal.
+fn own_orbit(orbit: &ShaftOrbit, number: usize) -> Orbit {
+    let step = |step: &ShaftStep| Step {
+        time: step.time,
+        at: step.train.at[number],
+        velocity: step.train.velocity[number],
+        error: step.error[number],
+        residual: step.residual,
+        history: None,
+    };
+    let cycle = |cycle: &oilwedge_bearing::shaft::ShaftCycle| Cycle {
+        closure: cycle.closure,
+        steps: cycle.steps,
+        rejected: cycle.rejected,
+        films: cycle.films,
+        oil: None,
+    };
+    Orbit {
+        steps: orbit.steps.iter().map(step).collect(),
+        cycles: orbit.cycles.iter().map(cycle).collect(),
+        end: orbit.end,
+    }
+}
+
+/// Adds the report of a bearing, and its path.
+fn add(run: &mut ShaftRun, bearing: &Bearing, load: DutyCycle, followed: Followed, shells: &[Vector]) {
+    let arm = bearing.coordinates().arm;
+    let tilts = followed.path.spans.iter().map(|span| {
+        let [_, _, x, y] = span.places[0];
+        x.hypot(y) / arm
+    });
+    let shell = shells.iter().fold([0.0f64; 2], |[offset, tilt], [x, y, z_x, z_y]| {
+        [offset.max(x.hypot(*y)), tilt.max(z_x.hypot(*z_y) / arm)]
+    });
+    run.result.bearings.push(BearingReport {
+        tilt_max: tilts.fold(0.0, f64::max),
+        shell,
+        energy: followed.balances.energy,
+        ..BearingReport::of(bearing, followed.quantities)
+    });
+    run.paths.push(BearingPath {
+        name: bearing.name.clone(),
+        load,
+        path: followed.path,
+    });
+}
+
+/// The balances of the whole shaft at its worst step.
+fn balances(engine: &Engine, compiled: &Compiled, steps: &[ShaftStep]) -> ShaftBalances {
+    let at: Vec<f64> = compiled.bearings.iter().map(|bearing| bearing.at).collect();
+    let mut worst = ShaftBalances::default();
+    let loads: Vec<_> = steps
+        .iter()
+        .map(|step| engine.loads(engine.speed * step.time))
+        .collect();
+    let sizes = loads
+        .iter()
+        .map(|loads| loads.iter().map(|load| load.force[0].hypot(load.force[1])).sum::<f64>());
+    let scale = sizes.fold(f64::MIN_POSITIVE, f64::max);
+    let arm = compiled.loaded_at.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
+    for (step, loads) in steps.iter().zip(&loads) {
+        let (mut force, mut moment) = ([0.0; 2], [0.0; 2]);
+        for k in 0..2 {
+            for load in loads {
+                force[k] += load.force[k];
+                moment[k] += compiled.loaded_at[load.place] * load.force[k];
+            }
+            for ((carried, z), bearing) in step.carried.iter().zip(&at).zip(&compiled.bearings) {
+                force[k] -= carried[k];
+                moment[k] -= z * carried[k] + bearing.coordinates().arm * carried[k + 2];
+            }
+        }
+        worst.force = worst.force.max(force[0].hypot(force[1]) / scale);
+        worst.moment = worst.moment.max(moment[0].hypot(moment[1]) / (arm * scale));
+        worst.journals = worst.journals.max(step.residual);
+    }
+    worst
+}
+
+/// Says how cycles ended that are not closed, with their number and the closure of the last one.
+fn ended(run: &mut ShaftRun, end: OrbitEnd, (cycles, closure): (usize, f64), options: &RunOptions) {
+    let limit = match end {
+        OrbitEnd::Closed => return,
+        OrbitEnd::NotClosed => Limit::NotClosed(cycles, closure),
+        OrbitEnd::Ended => Limit::Orbit(cycles, closure, options.cause()),
+    };
+    (run.result.status, run.result.reason) = (Status::NotConverged, Some(limit.to_string()));
+}
+
+fn status(reason: &NoShaftOrbit) -> Status {
+    match reason {
+        NoShaftOrbit::Film { .. } => Status::NoSolution,
+        NoShaftOrbit::Stuck { .. } | NoShaftOrbit::Ended { .. } => Status::NotConverged,
+    }
+}
+
+/// Why the journals cannot be followed, with the name of the bearing that is meant, and the way out.
+fn told(reason: &NoShaftOrbit, compiled: &Compiled) -> String {
+    let name = |bearing: usize| compiled.bearings.get(bearing).map_or("", |bearing| &bearing.name);
+    match reason {
+        NoShaftOrbit::Film { bearing, .. } => format!("bearing {}: {reason}", name(*bearing)),
+        NoShaftOrbit::Stuck { bearing, .. } => format!(
+            "bearing {}: {reason}; lower the loads, or give the bearing more length or its shell less stiffness",
+            name(*bearing)
+        ),
+        NoShaftOrbit::Ended { .. } => format!("{reason}; {MORE_SECONDS}"),
+    }
+}

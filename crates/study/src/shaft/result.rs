@@ -1,0 +1,192 @@
+//! What a run of a shaft found, as scripts read it: `result.json` of a crankshaft.
+
+use oilwedge_scene::ShaftScene;
+use serde::ser::SerializeMap;
+use serde::{Serialize, Serializer};
+
+use super::compile::Bearing;
+use super::weights::CounterweightReport;
+use crate::duty::DutyCycle;
+use crate::orbit::OrbitPath;
+use crate::quantities::{CYCLE_FILM_THICKNESS_MIN, Quantity, Row};
+use crate::result::{Status, in_parts};
+use crate::warning::Warning;
+
+/// Name and version of the form of `result.json` of a crankshaft.
+pub const SHAFT_FORMAT: &str = "oilwedge-crankshaft/1";
+
+/// What a run of a shaft found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ShaftRun {
+    /// The numbers.
+    pub result: ShaftResult,
+    /// The paths of the journals over the last cycle; none where the loads do not change.
+    pub paths: Vec<BearingPath>,
+}
+
+/// One journal over the last cycle.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BearingPath {
+    /// Name of its bearing.
+    pub name: String,
+    /// What its film carries.
+    pub load: DutyCycle,
+    /// Its path, and its films.
+    pub path: OrbitPath,
+}
+
+impl ShaftRun {
+    /// Least film of all bearings over the cycle [m]; `None` where none was found.
+    pub fn least_film(&self) -> Option<f64> {
+        let films = self
+            .result
+            .bearings
+            .iter()
+            .filter_map(|bearing| bearing.quantity(&CYCLE_FILM_THICKNESS_MIN));
+        films.map(|quantity| quantity.value).reduce(f64::min)
+    }
+
+    pub(super) fn of(scene: &ShaftScene, bars: bool) -> Self {
+        Self {
+            result: ShaftResult::of(scene, bars),
+            paths: Vec::new(),
+        }
+    }
+}
+
+/// Everything that a run of a shaft reports in numbers and words.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ShaftResult {
+    /// [`SHAFT_FORMAT`].
+    pub format: String,
+    /// Title of the study.
+    pub title: String,
+    /// Version of the program.
+    pub version: String,
+    /// Text of the scene.
+    pub scene: String,
+    /// SHA-256 of that text.
+    pub scene_sha256: String,
+    /// How the run ended.
+    pub status: Status,
+    /// Why it did not converge, or why there is no solution.
+    pub reason: Option<String>,
+    /// Whether error bars were asked for.
+    pub bars: bool,
+    /// The bearings along the axis.
+    pub bearings: Vec<BearingReport>,
+    /// What is left of the balances of the whole shaft; zero where it is cut.
+    pub balances: ShaftBalances,
+    /// The cycles that were followed; none for a shaft at rest or cut.
+    pub cycles: Vec<CycleReport>,
+    /// Counterweights that would serve the bearings better; `null` where they were not sought.
+    pub counterweights: Option<CounterweightReport>,
+    /// Films solved to find the balance, on the meshes of the result.
+    pub films: usize,
+    /// Wall time of each part [s]; an object keyed by part in JSON.
+    #[serde(serialize_with = "in_parts")]
+    pub timing_s: Vec<(String, f64)>,
+    /// Doubts about the result, in sentences.
+    pub warnings: Vec<Warning>,
+}
+
+/// What is left of the balances of a shaft, greatest over a cycle.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+pub struct ShaftBalances {
+    /// Loads less forces of all films, over the loads [1].
+    pub force: f64,
+    /// Their moments about z = 0, over the moments of the magnitudes of the loads [1].
+    pub moment: f64,
+    /// What is left of the equations of all journals, over the loads [1].
+    pub journals: f64,
+}
+
+/// One cycle of the shaft.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct CycleReport {
+    /// Greatest distance between beginning and end of a journal, over its clearance [1].
+    pub closure: f64,
+    /// Steps made.
+    pub steps: usize,
+    /// Steps tried in vain.
+    pub rejected: usize,
+    /// Films solved, of all bearings.
+    pub films: usize,
+}
+
+/// One bearing.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct BearingReport {
+    /// How the scene calls it.
+    pub name: String,
+    /// The file of its scene.
+    pub scene: String,
+    /// SHA-256 of the text of that scene.
+    pub scene_sha256: String,
+    /// SHA-256 of its mesh.
+    pub mesh_sha256: String,
+    /// Axial position of its middle [m].
+    pub at: f64,
+    /// Greatest displacement of its shell [m], and greatest slope [rad].
+    pub shell: [f64; 2],
+    /// Greatest slope of the journal against the shell [rad].
+    pub tilt_max: f64,
+    /// Over a cycle: what turns the journal and the work of the load, less the heat, over that [1]; `null` for a shaft at rest.
+    pub energy: Option<f64>,
+    /// Its numbers; their error bars are those of its film under the load that it carries.
+    #[serde(serialize_with = "named")]
+    pub quantities: Vec<Quantity>,
+}
+
+impl BearingReport {
+    /// The report of a bearing at rest, parallel to a shell that does not give way.
+    pub(super) fn of(bearing: &Bearing, quantities: Vec<Quantity>) -> Self {
+        Self {
+            name: bearing.name.clone(),
+            scene: bearing.path.display().to_string(),
+            scene_sha256: bearing.film.scene.sha256.clone(),
+            mesh_sha256: bearing.film.origin.sha256.clone(),
+            at: bearing.at,
+            shell: [0.0; 2],
+            tilt_max: 0.0,
+            energy: None,
+            quantities,
+        }
+    }
+
+    /// A quantity.
+    pub fn quantity(&self, row: &Row) -> Option<&Quantity> {
+        self.quantities.iter().find(|quantity| quantity.name == row.name)
+    }
+}
+
+impl ShaftResult {
+    /// What is known of a run whatever its outcome.
+    pub(super) fn of(scene: &ShaftScene, bars: bool) -> Self {
+        Self {
+            format: SHAFT_FORMAT.to_owned(),
+            title: scene.title.clone(),
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            scene: scene.text.clone(),
+            scene_sha256: scene.sha256.clone(),
+            status: Status::Converged,
+            reason: None,
+            bars,
+            bearings: Vec::new(),
+            balances: ShaftBalances::default(),
+            cycles: Vec::new(),
+            counterweights: None,
+            films: 0,
+            timing_s: Vec::new(),
+            warnings: Vec::new(),
+        }
+    }
+}
+
+fn named<S: Serializer>(quantities: &[Quantity], serializer: S) -> Result<S::Ok, S::Error> {
+    let mut map = serializer.serialize_map(Some(quantities.len()))?;
+    for quantity in quantities {
+        map.serialize_entry(&quantity.name, quantity)?;
+    }
+    map.end()
+}

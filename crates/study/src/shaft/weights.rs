@@ -1,0 +1,257 @@
+//! Counterweights of a crankshaft: how to move them between the webs that have one, so that the least film of all bearings is greatest, and the force and the moment of
+//! the whole shaft stay.
+//!
+//! The search asks for orbits by the maps of the films, where the shaft is cut at its bearings; the answer is verified on the films of the scene.
+
+use oilwedge_bearing::duty_cycle::DutyCycle;
+use oilwedge_bearing::mobility::{FiniteMap, Travel};
+use oilwedge_bearing::orbit::Span;
+use oilwedge_bearing::shaft::Engine;
+use oilwedge_bearing::shaft::counterweights::{changes, greatest, neutral};
+use oilwedge_scene::{Counterweight, ShaftScene, Statics};
+use rayon::prelude::*;
+use serde::Serialize;
+
+use super::compile::{Compiled, compile_shaft, engine};
+use super::error::ShaftError;
+use crate::orbit::no_map;
+
+/// Maps reach to this eccentricity.
+const GREATEST: f64 = 0.99;
+/// Orbits by maps: error of a step over the least film, closure over the clearance, cycles.
+const TOLERANCE: f64 = 1e-4;
+const CLOSURE: f64 = 1e-3;
+const CYCLES: usize = 3;
+/// Least films are looked for at so many places of a step.
+const PLACES: u32 = 6;
+/// The search asks for so many shafts at most.
+const MOST: usize = 600;
+/// Its first steps, of the mean counterweight.
+const STEP: f64 = 0.3;
+
+/// What the search has found.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct CounterweightReport {
+    /// The webs with a counterweight.
+    pub webs: Vec<WebReport>,
+    /// Least film of all bearings by maps of the films, the shaft cut at its bearings: before and after [m].
+    pub film_by_maps: [f64; 2],
+    /// Least film of all bearings on the films of the scene: before and after [m]; `null` where the films after were not found.
+    pub film: Option<[f64; 2]>,
+    /// How far the force of the whole shaft has changed, over the sum of all counterweights [1].
+    pub force_change: f64,
+    /// How far its moment has changed, over that sum times the length of the shaft [1].
+    pub moment_change: f64,
+    /// Shafts that were asked for.
+    pub asked: usize,
+}
+
+/// One web: mass times radius [kg m] of its counterweight, and its angle against the throw [deg].
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct WebReport {
+    /// Number of its throw, from 1.
+    pub throw: usize,
+    /// Its number on the throw, 1 or 2.
+    pub web: usize,
+    /// Mass times radius before and after [kg m].
+    pub moment: [f64; 2],
+    /// Angle before and after [deg].
+    pub angle_deg: [f64; 2],
+}
+
+/// Why counterweights cannot be sought.
+#[derive(Debug, thiserror::Error)]
+pub enum NoWeights {
+    /// The scenes do not become a shaft on films.
+    #[error(transparent)]
+    Shaft(#[from] ShaftError),
+    /// The loads do not change.
+    #[error("the scene has no [crank], so counterweights have no effect")]
+    AtRest,
+    /// Too few may change.
+    #[error(
+        "counterweights on {0} webs leave no choice where force and moment of the shaft stay; give [[crankshaft.counterweight]] on three webs or more, be their mass zero"
+    )]
+    TooFew(usize),
+    /// A film has no map.
+    #[error("no map stands for the film of bearing {bearing}, since {reason}")]
+    NoMap {
+        /// Name of the bearing.
+        bearing: String,
+        /// Why.
+        reason: String,
+    },
+    /// The orbits by maps lead nowhere.
+    #[error("the orbits by maps of the films lead nowhere with the counterweights of the scene; lower the loads")]
+    NoOrbit,
+}
+
+/// The scene with the best counterweights, and what they are.
+///
+/// # Errors
+/// [`NoWeights`]: why they cannot be sought.
+pub fn best_counterweights(scene: &ShaftScene) -> Result<(ShaftScene, CounterweightReport), NoWeights> {
+    let engine = engine(scene)?.ok_or(NoWeights::AtRest)?;
+    let mut cut = scene.clone();
+    cut.crankshaft.statics = Statics::Cut;
+    let compiled = compile_shaft(&cut, GREATEST)?;
+    let webs = webs(scene);
+    let place = |&(throw, web): &(usize, usize)| compiled.throws[throw][2 * web];
+    let basis = neutral(&webs.iter().map(place).collect::<Vec<_>>());
+    if basis.is_empty() {
+        return Err(NoWeights::TooFew(webs.len()));
+    }
+    let maps = maps(&compiled)?;
+    let objective = |free: &[f64]| least_film(&moved(&engine, &webs, &changes(&basis, free)), &compiled, &maps);
+    let sum: f64 = scene.crankshaft.counterweights.iter().map(|weight| weight.moment).sum();
+    let radius = scene.crank.as_ref().map_or(0.0, |crank| crank.radius);
+    let usual = scene
+        .crank
+        .as_ref()
+        .and_then(|crank| crank.drive.as_ref())
+        .map_or(0.0, |drive| drive.rotating_mass);
+    let step = STEP
+        * if sum > 0.0 {
+            sum / webs.len() as f64
+        } else {
+            radius * usual
+        };
+    let best = greatest(
+        |free| objective(free).unwrap_or(f64::NAN),
+        &vec![0.0; 2 * basis.len()],
+        step,
+        MOST,
+    );
+    let before = objective(&vec![0.0; best.at.len()]).ok_or(NoWeights::NoOrbit)?;
+    let after = moved(&engine, &webs, &changes(&basis, &best.at));
+    let [was, is] = [&engine, &after].map(|engine| engine.out_of_balance(&compiled.throws));
+    let changed = [0, 1].map(|k: usize| (is[k][0] - was[k][0]).hypot(is[k][1] - was[k][1]));
+    let scale = step / STEP * webs.len() as f64;
+    let changed_scene = with_weights(scene, &webs, &changes(&basis, &best.at), &engine);
+    let report = CounterweightReport {
+        webs: reports(scene, &changed_scene, &webs),
+        film_by_maps: [before, best.value],
+        film: None,
+        force_change: changed[0] / scale,
+        moment_change: changed[1] / (scale * scene.crankshaft.length()),
+        asked: best.asked,
+    };
+    Ok((changed_scene, report))
+}
+
+/// The webs that have a counterweight, each once.
+fn webs(scene: &ShaftScene) -> Vec<(usize, usize)> {
+    let mut webs: Vec<_> = scene
+        .crankshaft
+        .counterweights
+        .iter()
+        .map(|weight| (weight.throw, weight.web))
+        .collect();
+    webs.sort_unstable();
+    webs.dedup();
+    webs
+}
+
+/// The engine with these changes [kg m] on webs.
+fn moved(engine: &Engine, webs: &[(usize, usize)], changes: &[[f64; 2]]) -> Engine {
+    let mut changed = engine.clone();
+    for (&(throw, web), change) in webs.iter().zip(changes) {
+        let unbalance = &mut changed.unbalances[throw][web];
+        *unbalance = [unbalance[0] + change[0], unbalance[1] + change[1]];
+    }
+    changed
+}
+
+/// The map of the film of each bearing; bearings of one scene share it.
+fn maps(compiled: &Compiled) -> Result<Vec<(usize, FiniteMap)>, NoWeights> {
+    let mut maps: Vec<(usize, FiniteMap)> = Vec::new();
+    for (number, bearing) in compiled.bearings.iter().enumerate() {
+        let first = compiled.bearings.iter().position(|other| other.path == bearing.path);
+        if first != Some(number) {
+            continue;
+        }
+        let none = |reason: String| NoWeights::NoMap {
+            bearing: bearing.name.clone(),
+            reason,
+        };
+        if let Some(reason) = no_map(&bearing.film.scene) {
+            return Err(none(reason.to_owned()));
+        }
+        let map = FiniteMap::new(&bearing.film.problem, &bearing.film.system, GREATEST);
+        maps.push((number, map.map_err(|reason| none(reason.to_string()))?));
+    }
+    Ok(maps)
+}
+
+/// Least film of all bearings over the cycle [m], by maps; `None` where an orbit leads nowhere.
+fn least_film(engine: &Engine, compiled: &Compiled, maps: &[(usize, FiniteMap)]) -> Option<f64> {
+    let mains: Vec<f64> = compiled.bearings.iter().map(|bearing| bearing.at).collect();
+    let cycles: Vec<DutyCycle> = engine.on_mains(&mains, &compiled.throws);
+    let least = |(bearing, cycle): (&super::Bearing, &DutyCycle)| {
+        let first = compiled.bearings.iter().position(|other| other.path == bearing.path)?;
+        let (_, map) = maps.iter().find(|(number, _)| *number == first)?;
+        let travel = Travel {
+            map,
+            bearing: bearing.film.problem.bearing,
+            viscosity: bearing.film.problem.lubricant.viscosity,
+            cycle,
+        };
+        let orbit = travel.orbit([0.0; 2], TOLERANCE, CLOSURE, CYCLES)?;
+        let spans = orbit.steps.windows(2).map(|pair| Span::between(&pair[0], &pair[1]));
+        let gaps = spans.flat_map(|span| {
+            (0..PLACES).map(move |k| {
+                let part = f64::from(k) / f64::from(PLACES);
+                let [x, y, ..] = span.at(span.times[0] + part * (span.times[1] - span.times[0]));
+                x.hypot(y)
+            })
+        });
+        Some(travel.bearing.clearance - gaps.fold(0.0, f64::max))
+    };
+    let films: Option<Vec<f64>> = compiled.bearings.par_iter().zip(&cycles).map(least).collect();
+    Some(films?.into_iter().fold(f64::INFINITY, f64::min))
+}
+
+/// The scene with one counterweight on each of these webs: those that it had, and the changes [kg m] in the axes of the shaft.
+fn with_weights(scene: &ShaftScene, webs: &[(usize, usize)], changes: &[[f64; 2]], engine: &Engine) -> ShaftScene {
+    let mut changed = scene.clone();
+    let weight = |(&(throw, web), change): (&(usize, usize), &[f64; 2])| {
+        let [x, y] = sum(scene, throw, web);
+        // The change in the axes of the throw.
+        let (sin, cos) = engine.lies_at(throw).sin_cos();
+        let [x, y] = [
+            x + cos * change[0] + sin * change[1],
+            y - sin * change[0] + cos * change[1],
+        ];
+        Counterweight {
+            throw,
+            web,
+            moment: x.hypot(y),
+            angle: y.atan2(x),
+        }
+    };
+    changed.crankshaft.counterweights = webs.iter().zip(changes).map(weight).collect();
+    changed
+}
+
+/// The counterweights of a web together [kg m], in the axes of its throw.
+fn sum(scene: &ShaftScene, throw: usize, web: usize) -> [f64; 2] {
+    let weights = scene.crankshaft.counterweights.iter();
+    let own = weights.filter(|weight| (weight.throw, weight.web) == (throw, web));
+    own.fold([0.0; 2], |[x, y], weight| {
+        let (sin, cos) = weight.angle.sin_cos();
+        [x + weight.moment * cos, y + weight.moment * sin]
+    })
+}
+
+fn reports(before: &ShaftScene, after: &ShaftScene, webs: &[(usize, usize)]) -> Vec<WebReport> {
+    let report = |&(throw, web): &(usize, usize)| {
+        let both = [before, after].map(|scene| sum(scene, throw, web));
+        WebReport {
+            throw: throw + 1,
+            web: web + 1,
+            moment: both.map(|[x, y]| x.hypot(y)),
+            angle_deg: both.map(|[x, y]| y.atan2(x).to_degrees().rem_euclid(360.0)),
+        }
+    };
+    webs.iter().map(report).collect()
+}
