@@ -2,7 +2,8 @@
 
 use crate::check_report::check_report;
 use crate::complain::{self, Failure};
-use crate::terminal::output;
+use crate::crankshaft;
+use crate::terminal::{output, print};
 use oilwedge_campaign::sweep::Sweep;
 use oilwedge_report::json;
 use std::path::{Path, PathBuf};
@@ -37,7 +38,13 @@ impl Check {
         let found = match is_mesh(&self.file) {
             true => oilwedge_report::check_mesh(&self.file)?,
             false => {
-                let scene = oilwedge_study::read(&self.file)?;
+                let scene = match oilwedge_study::read(&self.file) {
+                    Err(error) if crankshaft::is_crankshaft(&error) => {
+                        print(&crankshaft::check(&self.file)?, None)?;
+                        return Ok(ExitCode::SUCCESS);
+                    }
+                    other => other?,
+                };
                 // Every case must be a good scene.
                 Sweep::of(&scene)?;
                 oilwedge_report::check_scene(&scene).map_err(Failure::of(&self.file))?

@@ -9,6 +9,7 @@ mod check;
 mod check_report;
 mod complain;
 mod converge;
+mod crankshaft;
 mod diff;
 mod explain;
 mod interrupt;
@@ -51,6 +52,7 @@ Examples:
   oilwedge solve bearing.toml --json > load.json   the numbers as JSON for a script
   oilwedge solve bearing.toml --cost               also: what each effect changes, and its run time
   oilwedge solve bearing.toml --theories           also: short and long bearing theory
+  oilwedge solve engine.toml                       a crankshaft on the films of all its bearings
   oilwedge check bearing.toml                      what would be computed, and the quality of the mesh
   oilwedge check liner.msh                         a gmsh 4.1 mesh alone
   oilwedge mesh bearing.toml -o liner.msh          mesh its liner, to a gmsh file

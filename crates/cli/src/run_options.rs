@@ -76,6 +76,15 @@ impl RunArguments {
         })
     }
 
+    /// The options of a run of a crankshaft, which takes the time that it takes.
+    pub(crate) fn options_of_shaft(&self) -> RunOptions {
+        RunOptions {
+            bars: self.bars == Bars::Auto,
+            max_seconds: self.max_seconds.unwrap_or(f64::INFINITY),
+            ..RunOptions::default()
+        }
+    }
+
     /// The folder of the results.
     pub(crate) fn folder(&self) -> PathBuf {
         folder(&self.out, &self.scene)

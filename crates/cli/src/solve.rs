@@ -1,6 +1,7 @@
 //! `oilwedge solve`: one scene to numbers and fields.
 
 use crate::complain::{self, Failure};
+use crate::crankshaft;
 use crate::interrupt;
 use crate::plot;
 use crate::progress::Progress;
@@ -69,6 +70,10 @@ pub(crate) struct Solve {
     #[arg(long)]
     fresh: bool,
 
+    /// Of a crankshaft: seek the counterweights that make the least film of all bearings greatest, on the webs that have one, and show both.
+    #[arg(long)]
+    counterweights: bool,
+
     /// Follow the orbit by maps of the film too, that of a short film and its own, and show their differences and times.
     #[arg(long)]
     mobility: bool,
@@ -120,7 +125,10 @@ impl Solve {
     /// [`Failure`]: the scene or its mesh cannot be used, or the results cannot be written.
     pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
         let path = &self.run.scene;
-        let scene = oilwedge_study::read(path)?;
+        let scene = match oilwedge_study::read(path) {
+            Err(error) if crankshaft::is_crankshaft(&error) => return self.crankshaft(),
+            other => other?,
+        };
         let is_search = scene.tolerance.is_some() || scene.is_loaded();
         let interrupt = if is_search {
             interrupt::listen()?
@@ -218,6 +226,45 @@ impl Solve {
         Ok(exit_code(run.result.status))
     }
 
+    /// Solves the scene of a crankshaft.
+    ///
+    /// # Errors
+    /// [`Failure`]: an argument has no meaning for it, a scene cannot be used, or the results cannot be written.
+    fn crankshaft(&self) -> Result<ExitCode, Failure> {
+        let of_one = [
+            (self.unrolled, "--unrolled"),
+            (self.vtu.is_some(), "--vtu"),
+            (self.frames.is_some(), "--frames"),
+            (self.all, "--all"),
+            (self.plot, "--plot"),
+            (self.page.is_wanted(), "--report"),
+            (self.cost, "--cost"),
+            (self.standard, "--standard"),
+            (self.theories, "--theories"),
+            (self.fresh, "--fresh"),
+            (self.mobility, "--mobility"),
+        ];
+        if let Some((_, argument)) = of_one.iter().find(|(is_given, _)| *is_given) {
+            return Err(Failure::Message(format!(
+                "{argument}: has no meaning for the scene {} of a crankshaft; leave it out, or solve the scene of one of its bearings",
+                self.run.scene.display()
+            )));
+        }
+        crankshaft::solve(crankshaft::Asked {
+            scene: &self.run.scene,
+            folder: &self.run.folder(),
+            options: self.run.options_of_shaft(),
+            weights: match self.counterweights {
+                true => crankshaft::Weights::Best,
+                false => crankshaft::Weights::Given,
+            },
+            shown: match self.run.json {
+                true => crankshaft::Form::Json,
+                false => crankshaft::Form::Table,
+            },
+        })
+    }
+
     /// Writes the frames of the cycle, if there are any, and says so in a line.
     fn animate(&self, folder: &Path, frames: Vec<Frame>) -> Result<String, Failure> {
         let Some(first) = frames.first() else {
@@ -234,6 +281,12 @@ impl Solve {
 
     /// Refuses what cannot stand beside the film of this scene.
     fn check_add_ons(&self, scene: &Scene) -> Result<(), Failure> {
+        if self.counterweights {
+            return Err(Failure::Message(format!(
+                "--counterweights: the scene {} is that of one bearing; leave it out, or give the scene of a crankshaft",
+                self.run.scene.display()
+            )));
+        }
         if self.frames.is_some() && scene.orbit.is_none() {
             return Err(Failure::Message(format!(
                 "--frames: the scene {} has no [orbit], so there is no cycle to draw; leave out --frames",

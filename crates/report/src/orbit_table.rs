@@ -45,7 +45,10 @@ pub fn orbit_table(path: &OrbitPath) -> Result<Vec<u8>, Error> {
 }
 
 /// A number with all its digits.
-fn exact(value: f64) -> Result<String, Error> {
+///
+/// # Errors
+/// It is not finite.
+pub(crate) fn exact(value: f64) -> Result<String, Error> {
     match value.is_finite() {
         true => Ok(format!("{value:?}")),
         false => Err(Error::NotFinite {

@@ -25,6 +25,11 @@ pub fn schema() -> Value {
     schema["$schema"] = json!("http://json-schema.org/draft-07/schema#");
     schema["title"] = json!(TITLE);
     schema["description"] = json!("One journal bearing. A table that is absent is an effect that is not simulated.");
+    // A crankshaft has a scene of its own, without the tables of a bearing.
+    if let Some(required) = schema.as_object_mut().and_then(|schema| schema.remove("required")) {
+        schema["if"] = json!({ "required": ["crankshaft"] });
+        schema["else"] = json!({ "required": required });
+    }
     schema["definitions"] = Value::Object(dimensions.chain(axes).collect());
     schema
 }

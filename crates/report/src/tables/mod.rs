@@ -1,6 +1,6 @@
 //! Results as tables and lines for people, as the command line prints them and Python shows them.
 //!
-//! Reading order: `pieces.rs` (headings, tables, times), `run.rs` (a whole run), `quantities.rs`, `verdict.rs`, `temperature.rs`, `dynamics.rs`, `add_ons.rs`; `sweep.rs`.
+//! Reading order: `pieces.rs` (headings, tables, times), `run.rs` (a whole run), `quantities.rs`, `verdict.rs`, `temperature.rs`, `dynamics.rs`, `add_ons.rs`; `sweep.rs`, `shaft.rs`.
 
 mod add_ons;
 mod criteria;
@@ -8,6 +8,7 @@ mod dynamics;
 mod pieces;
 mod quantities;
 mod run;
+mod shaft;
 mod shown;
 mod sweep;
 mod temperature;
@@ -17,5 +18,6 @@ pub use pieces::{counted, duration, effects, heading, mesh, printable, status, t
 #[cfg(test)]
 pub(crate) use run::tests::result as example;
 pub use run::{Written, run_report};
+pub use shaft::shaft_report;
 pub use shown::Shown;
 pub use sweep::sweep_report;

@@ -1,0 +1,144 @@
+//! A run of a crankshaft for people: a row for each bearing.
+
+use super::pieces::{heading, printable, status, table, time};
+use crate::digits::{bar, significant};
+use crate::readable::readable_unit;
+use oilwedge_study::quantities::{
+    CYCLE_FILM_THICKNESS_MIN, CYCLE_FILM_THICKNESS_MIN_CRANK_ANGLE, CYCLE_LOAD_MAX, CYCLE_POWER_LOSS,
+    CYCLE_PRESSURE_MAX, CYCLE_SIDE_FLOW, FILM_THICKNESS_MIN, FRICTION_POWER, LOAD, LOAD_ANGLE, PRESSURE_MAX, Row,
+    SIDE_FLOW, Unit,
+};
+use oilwedge_study::shaft::{BearingReport, CounterweightReport, ShaftResult};
+use std::path::Path;
+
+/// Digits of a value.
+const DIGITS: usize = 4;
+
+/// Headings of the columns, and the rows of the catalogue that they hold.
+type Columns = [(&'static str, &'static Row); 6];
+
+const AT_REST: Columns = [
+    ("load", &LOAD),
+    ("towards", &LOAD_ANGLE),
+    ("least film", &FILM_THICKNESS_MIN),
+    ("p_max", &PRESSURE_MAX),
+    ("power", &FRICTION_POWER),
+    ("side flow", &SIDE_FLOW),
+];
+const OVER_CYCLE: Columns = [
+    ("greatest load", &CYCLE_LOAD_MAX),
+    ("least film", &CYCLE_FILM_THICKNESS_MIN),
+    ("at crank angle", &CYCLE_FILM_THICKNESS_MIN_CRANK_ANGLE),
+    ("p_max", &CYCLE_PRESSURE_MAX),
+    ("mean power", &CYCLE_POWER_LOSS),
+    ("side flow", &CYCLE_SIDE_FLOW),
+];
+
+/// Everything about a run of a crankshaft; `files` are those that were written to the folder.
+pub fn shaft_report(result: &ShaftResult, folder: &Path, files: &[String], pictures: &str) -> String {
+    let mut parts = vec![heading(&result.title, status(result.status))];
+    if let Some(reason) = &result.reason {
+        parts.push(format!("reason: {reason}"));
+    }
+    let mut lines = Vec::new();
+    if !result.bearings.is_empty() {
+        parts.push(bearings(result));
+        lines.push(balance(result));
+    }
+    lines.extend(result.counterweights.iter().flat_map(counterweights));
+    lines.extend(result.cycles.last().map(|last| {
+        format!(
+            "cycle     {} cycles, the last one in {} steps with {} films of all bearings; it ends {} of the clearance from where it began",
+            result.cycles.len(),
+            last.steps,
+            last.films,
+            significant(last.closure, 2)
+        )
+    }));
+    let parts_of_time = result
+        .timing_s
+        .iter()
+        .map(|(part, seconds)| format!("{part} {}", time(*seconds)));
+    lines.push(format!("time      {}", parts_of_time.collect::<Vec<_>>().join(", ")));
+    lines.push(format!("written   {}: {}", folder.display(), files.join(", ")));
+    lines.extend(pictures.lines().map(str::to_owned));
+    parts.push(lines.join("\n"));
+    parts.join("\n\n") + "\n"
+}
+
+/// The counterweights before and after, and what they do.
+fn counterweights(found: &CounterweightReport) -> Vec<String> {
+    let film = |[before, after]: [f64; 2]| {
+        let [before, after] = [before, after].map(|film| in_unit(film, None, Unit::Metre));
+        format!("{before} -> {after}")
+    };
+    let mut lines = vec![format!(
+        "weights   least film of all bearings {}; by maps, the shaft cut at its bearings, {}; {} shafts were tried",
+        found.film.map_or("not found".to_owned(), film),
+        film(found.film_by_maps),
+        found.asked
+    )];
+    for web in &found.webs {
+        let [before, after] = web.moment.map(|moment| significant(1e3 * moment, DIGITS));
+        let [from, to] = web.angle_deg.map(|angle| significant(angle, DIGITS));
+        lines.push(format!(
+            "          throw {} web {}: {before} kg mm at {from} deg -> {after} kg mm at {to} deg from the throw",
+            web.throw, web.web
+        ));
+    }
+    lines
+}
+
+fn bearings(result: &ShaftResult) -> String {
+    let is_cycle = result
+        .bearings
+        .iter()
+        .any(|bearing| bearing.quantity(&CYCLE_LOAD_MAX).is_some());
+    let columns = if is_cycle { OVER_CYCLE } else { AT_REST };
+    let headings = columns.iter().map(|(heading, _)| *heading);
+    let mut rows = table(["bearing", "z"].into_iter().chain(headings).chain(["tilt"]), 1..9);
+    for bearing in &result.bearings {
+        let numbers = columns.iter().map(|(_, row)| number(bearing, row));
+        let of = |value: f64, unit: Unit| in_unit(value, None, unit);
+        let name = printable(&bearing.name);
+        let mut cells = vec![name, of(bearing.at, Unit::Metre)];
+        cells.extend(numbers);
+        cells.push(of(bearing.tilt_max, Unit::Radian));
+        rows.add_row(cells);
+    }
+    rows.to_string()
+}
+
+fn number(bearing: &BearingReport, row: &'static Row) -> String {
+    match bearing.quantity(row) {
+        Some(quantity) => in_unit(quantity.value, quantity.error(), row.unit),
+        None => String::new(),
+    }
+}
+
+fn in_unit(value: f64, error: Option<f64>, unit: Unit) -> String {
+    let (name, size) = readable_unit(value, unit);
+    let value = significant(value / size, DIGITS);
+    match error {
+        Some(error) if error > 0.0 => format!("{value} ± {} {name}", bar(error / size)),
+        _ => format!("{value} {name}"),
+    }
+}
+
+fn balance(result: &ShaftResult) -> String {
+    let part = |value: f64| significant(value, 2);
+    let balances = result.balances;
+    let mut line = format!(
+        "balance   loads and film forces differ by {} of the loads, their moments by {}",
+        part(balances.force),
+        part(balances.moment)
+    );
+    let energies = result.bearings.iter().filter_map(|bearing| bearing.energy);
+    if let Some(worst) = energies.reduce(f64::max) {
+        line += &format!(
+            ", energy over the cycle of a bearing by {} of the dissipation",
+            part(worst)
+        );
+    }
+    line
+}
