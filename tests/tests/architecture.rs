@@ -45,11 +45,15 @@ const LONGEST: usize = 420;
 /// Folders of `crates/reynolds` whose files are physics, but for `mod.rs`.
 const PHYSICS: [&str; 5] = ["terms", "film_thickness", "lubricant", "quantities", "analytical"];
 /// Physics that has another place.
-const PHYSICS_FILES: [&str; 5] = [
+const PHYSICS_FILES: [&str; 9] = [
     "crates/reynolds/src/cavitation/jfo/mod.rs",
     "crates/bearing/src/cap_bolts.rs",
     "crates/bearing/src/duty_cycle/crank.rs",
     "crates/bearing/src/equilibrium.rs",
+    "crates/bearing/src/shaft/beam.rs",
+    "crates/bearing/src/shaft/counterweights.rs",
+    "crates/bearing/src/shaft/engine.rs",
+    "crates/bearing/src/shaft/films.rs",
     "crates/bearing/src/thermal_balance.rs",
 ];
 

@@ -39,6 +39,7 @@ mod refinement;
 mod reported_numbers;
 mod scene_properties;
 mod scenes;
+mod shaft;
 mod shapes;
 mod tilt;
 mod verdicts;

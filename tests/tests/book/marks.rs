@@ -11,9 +11,10 @@ use crate::reference::parse_fragment;
 /// Languages of blocks that are run or read here. A block without a language is a formula or a drawing; `geo` is meshed by the cross-check.
 const LANGUAGES: [&str; 7] = ["", "sh", "toml", "python", "json", "text", "geo"];
 /// Blocks that are not run, by page, so that none is marked by the way.
-const NOT_RUN: [(&str, usize); 7] = [
+const NOT_RUN: [(&str, usize); 8] = [
     ("README.md", 1),
     ("docs/howto/clusters.md", 5),
+    ("docs/howto/engine.md", 1),
     ("docs/performance.md", 2),
     ("docs/theory/dynamics.md", 1),
     ("docs/tutorial.md", 1),

@@ -23,7 +23,15 @@ struct Desk {
 impl Desk {
     fn new() -> Self {
         let bench = Bench::new();
-        for folder in ["scenes", "scenes/loads", "meshes", "bin", "home"] {
+        for folder in [
+            "scenes",
+            "scenes/loads",
+            "scenes/engines",
+            "scenes/engines/bearings",
+            "meshes",
+            "bin",
+            "home",
+        ] {
             std::fs::create_dir_all(bench.path().join(folder)).expect("a folder");
             let Ok(entries) = std::fs::read_dir(repository().join(folder)) else {
                 continue;
