@@ -151,8 +151,8 @@ impl Scene {
         self.bores.is_empty() && self.shaft.is_none()
     }
 
-    /// True if what is asked for may change along the axis by the shapes of bore and shaft.
-    fn has_shape_along_the_axis(&self) -> bool {
+    /// True if the film may change along the axis by the shapes of bore and shaft.
+    pub fn has_shape_along_the_axis(&self) -> bool {
         let is_along = |bore: &Bore| matches!(bore, Bore::Crown(_) | Bore::Envelope { .. } | Bore::Measured(_));
         self.shaft.is_some() || self.bores.iter().any(is_along)
     }

@@ -28,14 +28,17 @@ rows! {
     LOAD_Z = "load_z", "z_W", Metre, "axial position at which the load acts":
         One(place), ErrorRule::LoadPlace, only(Scene::can_tilt);
 
-    /// `z_h`: axial position of the thinnest film, at an end of the bearing where journal and bore are circles; of journals that may tilt and of shapes of bore and shaft
+    /// `z_h`: axial position of the thinnest film, one of several that are as thin, at an end of the bearing where journal and bore are circles; of journals that may tilt and of shapes that change along the axis
     FILM_THICKNESS_MIN_Z = "film_thickness_min_z", "z_h", Metre, "where the film is thinnest, along the axis":
-        One(|film| has_place(&film.base.scene).then_some(film.measured.thinnest.z)), ErrorRule::Position, only(has_place);
+        One(|film| has_place(&film.base.scene).then_some(film.measured.thinnest.z)), ErrorRule::LeastFilmPlace(|film| ROUNDING_OF_Z * film.problem.bearing.length), only(has_place);
 }
+
+/// Part of the length that values of a smooth film leave open about its least place: the root of rounding.
+const ROUNDING_OF_Z: f64 = 1e-7;
 
 /// Whether the film may be thinnest at one place along the axis.
 fn has_place(scene: &Scene) -> bool {
-    scene.can_tilt() || !scene.is_circular()
+    scene.can_tilt() || scene.has_shape_along_the_axis()
 }
 
 fn tilt(film: &View, axis: usize) -> Option<f64> {
