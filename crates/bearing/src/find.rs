@@ -113,7 +113,7 @@ impl Search<'_> {
             return self.continued(problem, way).map_err(|reason| self.confirmed(reason));
         }
         if let NoEquilibrium::BeyondCapacity { journal, .. } = &reason
-            && let Some(beyond) = self.beyond_capacity(problem, journal)
+            && let Some(beyond) = self.still_beyond(problem, journal)
         {
             return Err(beyond);
         }

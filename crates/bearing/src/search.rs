@@ -8,6 +8,7 @@ use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSolution, FilmSystem, G
 
 use crate::coordinates::{Coordinates, Vector, length, moved, unit};
 use crate::equilibrium::NEAR;
+use crate::load_capacity::FAR;
 use crate::stiffness::Stiffness;
 use crate::{Load, NoEquilibrium, SearchOptions};
 
@@ -324,6 +325,8 @@ impl<'a> Search<'a> {
                 journal,
                 history: self.tried.take(),
             },
+            // What the film carries in contact all around is known, unless a force like the load was found on the way.
+            NoEquilibrium::Unreachable { why, .. } if why == FAR && !self.found_alike() => reason,
             NoEquilibrium::Unreachable { asked, journal, .. } if self.came_near() => {
                 let history = self.tried.take();
                 NoEquilibrium::NotConverged {
@@ -337,15 +340,20 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Whether a force was found that is as large as the load by [`NEARLY`] and points its way by [`ASTRAY`].
+    /// Whether what was found leaves open that there is a position.
     fn came_near(&self) -> bool {
+        // A film that bears tension has forces to all sides, of any size.
+        let is_any = |Nearest { force: [x, y], .. }| x.hypot(y) > AT_REST * self.load.magnitude();
+        self.found_alike() || self.bears_tension && self.nearest.get().is_some_and(is_any)
+    }
+
+    /// Whether a force was found that is as large as the load by [`NEARLY`] and points its way by [`ASTRAY`].
+    fn found_alike(&self) -> bool {
         self.nearest.get().is_some_and(|Nearest { force: [x, y], .. }| {
             let [load_x, load_y] = self.load.force;
             let ratio = x.hypot(y) / load_x.hypot(load_y);
             let turn = (x * load_y - y * load_x).atan2(x * load_x + y * load_y);
-            // A film that bears tension has forces to all sides, of any size.
-            let is_any = self.bears_tension && ratio > AT_REST;
-            is_any || (1.0 / NEARLY..NEARLY).contains(&ratio) && turn.abs() < ASTRAY
+            (1.0 / NEARLY..NEARLY).contains(&ratio) && turn.abs() < ASTRAY
         })
     }
 
