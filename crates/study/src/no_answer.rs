@@ -65,6 +65,11 @@ impl NoAnswer {
         }
     }
 
+    /// True if a finer mesh would show no more: the load is far beyond what the film carries.
+    pub fn is_far_beyond(&self) -> bool {
+        matches!(self, Self::Equilibrium(reason) if reason.is_far_beyond())
+    }
+
     /// True if the mesh cannot resolve on which side of the limit of the viscosity law the film is.
     pub fn is_near_limit(&self) -> bool {
         let (Self::Film(film) | Self::Equilibrium(NoEquilibrium::Film(film))) = self else {
