@@ -52,7 +52,11 @@ fn every_shipped_scene_on_one_two_and_three_threads() {
                 true => {
                     let loads = repository().join("scenes/loads").display().to_string();
                     let text = std::fs::read_to_string(&path).expect("a scene");
-                    bench.write("28.toml", text.replace("12 mm", "40 mm").replace("\"loads/", &format!("\"{loads}/")));
+                    bench.write(
+                        "28.toml",
+                        text.replace("12 mm", "40 mm")
+                            .replace("\"loads/", &format!("\"{loads}/")),
+                    );
                     all_the_same(&bench, "28.toml", &["1", "2", "3"], &["--bars", "none"]);
                 }
                 false => all_the_same(&bench, &name(&path), &["1", "2", "3"], &[]),

@@ -7,7 +7,7 @@ use oilwedge_bearing::Deadline;
 use oilwedge_bearing::orbit::{Motion, OrbitOptions, Span};
 use oilwedge_reynolds::film_thickness::Eccentricity;
 use oilwedge_reynolds::terms::squeeze::Squeeze;
-use oilwedge_reynolds::{Cavitation, FilmSystem};
+use oilwedge_reynolds::{Cavitation, FilmSystem, Gap};
 use oilwedge_study::duty::duty_cycle;
 use oilwedge_study::orbit::OrbitPath;
 use oilwedge_study::result::{RunResult, Status};
@@ -98,6 +98,7 @@ fn beside_the_groove(cavitation: Cavitation) -> f64 {
         system: &system,
         cycle: &cycle,
         support: None,
+        gap: Gap::of(&problem, &system),
         mass: 0.0,
     };
     let options = OrbitOptions {
