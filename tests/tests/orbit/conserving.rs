@@ -145,7 +145,7 @@ fn what_memory_takes_from_the_film_makes_it_thinner_under_heavy_loads_and_thicke
         [CONSERVING, Cavitation::Reynolds { pressure: 0.0 }].map(|model| land(model, [24, 2]));
     for (times, is_thinner) in [(4.0, true), (1.0, false)] {
         let cycle = three_orders(times);
-        let [with, without] = [&conserving, &forgetting].map(|film| follow(film, &cycle, 3e-3, 3));
+        let [with, without] = [&conserving, &forgetting].map(|film| follow(film, &cycle, 1e-3, 3));
         let [with_memory, without_memory] = [&with, &without].map(thinnest);
         assert_eq!(
             with_memory < 0.99 * without_memory,
