@@ -102,36 +102,6 @@ fn a_search_for_a_position_ends_where_it_is() {
     );
 }
 
-/// A full film never forgets, so that its orbit never closes.
-const NEVER_CLOSED: &str = r#"
-bearing = { diameter = "50 mm", length = "25 mm", clearance = "30 um", theory = "short" }
-mesh.size = "12 mm"
-journal.speed = "3000 rpm"
-oil.viscosity = "10 mPa.s"
-load = { harmonics = [{ order = 0, cos = { x = "20 N" } }, { order = 1, sin = { y = "30 N" } }], frame = "shell", period = "360 deg" }
-orbit = { cycles = 100000, closure = 1e-12 }
-"#;
-
-#[test]
-fn an_orbit_ends_with_the_cycles_that_are_complete() {
-    let bench = Bench::new();
-    bench.write("scene.toml", NEVER_CLOSED.to_owned());
-    let result = interrupted(&bench, 3.0);
-    assert_eq!(result["status"], "not_converged");
-    let reason = result["reason"].as_str().expect("a reason");
-    assert!(reason.starts_with("interrupted: the orbit was ended after"), "{reason}");
-    let cycles = result["orbit"]["cycles"].as_array().expect("cycles");
-    assert!(
-        !cycles.is_empty() && reason.contains(&format!("after {} complete", cycles.len())),
-        "{reason}"
-    );
-    let thinnest = &result["quantities"]["cycle_film_thickness_min"]["value"];
-    assert!(
-        thinnest.as_f64().is_some_and(|film| film > 0.0 && film < 30e-6),
-        "{thinnest}"
-    );
-}
-
 #[test]
 fn a_study_ends_with_its_levels() {
     let bench = Bench::new();
