@@ -97,6 +97,12 @@ fn way_out(reason: &NoAnswer) -> Option<&'static str> {
         NoAnswer::Orbit(NoOrbit::Stuck { .. }) => {
             return Some("give a finer mesh ([mesh] size), or a greater orbit.tolerance");
         }
+        NoAnswer::Orbit(NoOrbit::SqueezedOut { .. }) => {
+            return Some("lower the load, or raise speed, viscosity or size");
+        }
+        NoAnswer::Orbit(NoOrbit::OffShell { .. }) => {
+            return Some("give a wider bearing.arc, or turn it under the load");
+        }
         NoAnswer::Orbit(NoOrbit::Film { reason, .. }) => reason,
         NoAnswer::Temperature(_) => return None,
     };
