@@ -31,6 +31,7 @@ const PUBLIC_TRAITS: [&str; 11] = [
     "FilmContribution",
     "Profile",
     "Term",
+    "FlowFactor",
     "Estimate",
     "Observer",
     "SearchObserver",

@@ -40,6 +40,7 @@ const FAMILIES: [(&str, &str); 20] = [
     ("placement", include_str!("../../../tests/hard_cases/placement.toml")),
     ("loads", include_str!("../../../tests/hard_cases/loads.toml")),
     ("scales", include_str!("../../../tests/hard_cases/scales.toml")),
+    ("contact", include_str!("../../../tests/hard_cases/contact.toml")),
     ("orbits", include_str!("../../../tests/hard_cases/orbits.toml")),
 ];
 
