@@ -5,7 +5,7 @@
 use std::f64::consts::PI;
 
 /// Polynomials of each piece.
-const TERMS: usize = 18;
+const TERMS: usize = 12;
 
 /// A function, and its derivative, on an interval.
 #[derive(Debug, Clone)]
@@ -61,7 +61,7 @@ mod tests {
 
     #[test]
     fn a_sine_and_its_derivative() {
-        let sine = Piecewise::new(-1.0, 4.0, 5, f64::sin);
+        let sine = Piecewise::new(-1.0, 4.0, 10, f64::sin);
         for k in 0..=500 {
             let x = -1.0 + 0.01 * f64::from(k);
             let [value, slope] = sine.at(x);

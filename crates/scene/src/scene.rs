@@ -12,12 +12,13 @@ use crate::complaint::in_order;
 use crate::reader::TableReader;
 use crate::sweep::{self, Plan};
 use crate::{
-    Bearing, Bore, Cap, Cavitation, Check, Complaint, Complaints, Contact, Crank, Criteria, Dynamics, Ends, Engine, Feed, Heat,
-    Journal, Limits, LoadCycle, LoadSource, MeshSource, Oil, Orbit, Roughness, SceneError, Shaft, Support, Tolerance,
+    Bearing, Bore, Cap, Cavitation, Check, Complaint, Complaints, Contact, Crank, Criteria, Dynamics, Ends, Engine,
+    Feed, Heat, Journal, Limits, LoadCycle, LoadSource, MeshSource, Oil, Orbit, Roughness, SceneError, Shaft, Support,
+    Tolerance,
 };
 use crate::{
-    bearing, bore, cap, cavitation, contact, crank, criteria, dynamics, ends, feed, heat, journal, limits, load, mesh, oil,
-    orbit, roughness, shaft, support,
+    bearing, bore, cap, cavitation, contact, crank, criteria, dynamics, ends, feed, heat, journal, limits, load, mesh,
+    oil, orbit, roughness, shaft, support,
 };
 
 keys! {

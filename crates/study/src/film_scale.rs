@@ -66,7 +66,8 @@ impl<'a> FilmScale<'a> {
         const IN_CONTACT: f64 = 4.0;
         let clearance = self.scene.bearing.clearance;
         let here = self.position.at(z, clearance);
-        let circles = clearance * (1.0 - here.eccentricity * (x / self.scene.bearing.radius() - here.min_film_angle).cos());
+        let circles =
+            clearance * (1.0 - here.eccentricity * (x / self.scene.bearing.radius() - here.min_film_angle).cos());
         let thickness = (self.profiles.iter()).fold(circles, |sum, profile| sum + profile.at([x, z]).depth);
         match thickness < IN_CONTACT * touching && self.scene.orbit.is_none() {
             true => (PART * (2.0 * touching / clearance).sqrt()).clamp(SHORTEST, LONGEST),

@@ -3,11 +3,11 @@
 use oilwedge_bearing::Dynamics;
 use oilwedge_reynolds::error_bar::sharp::Sharpened;
 use oilwedge_reynolds::quantities::cavity::{self, Cavity};
-use oilwedge_reynolds::quantities::contact::{self, ContactLoad};
+use oilwedge_reynolds::quantities::contact;
 use oilwedge_reynolds::quantities::extent::{Extent, extent};
 use oilwedge_reynolds::quantities::flow::{self, Flows};
 use oilwedge_reynolds::quantities::inlet::inlet_flow;
-use oilwedge_reynolds::quantities::load::{self, Load};
+use oilwedge_reynolds::quantities::load::{self, Load, Share};
 use oilwedge_reynolds::quantities::power::{self, Power};
 use oilwedge_reynolds::quantities::pressure::{self, Extremes};
 use oilwedge_reynolds::sharp::HillNumbers;
@@ -21,13 +21,22 @@ const NO_TENSION: f64 = 1e-12;
 /// Tension below this fraction of the range of pressure may be that of the interpolation.
 const TENSION: f64 = 1e-5;
 
+/// What contact carries.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Touching {
+    /// Force, moment and `Int p_a dA`.
+    pub share: Share,
+    /// Error of integration of the force [N].
+    pub unsure: f64,
+}
+
 /// Everything measured on one film.
 #[derive(Debug)]
 pub struct Measured {
     /// Load and its shares.
     pub load: Load,
     /// What contact carries; none where it is not simulated.
-    pub contact: Option<ContactLoad>,
+    pub contact: Option<Touching>,
     /// Extremes of pressure.
     pub extremes: Extremes,
     /// Flows by region.
@@ -107,7 +116,10 @@ impl Measured {
 pub fn measure(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Measured {
     let extremes = pressure::extremes(problem, system, film);
     let load = load::load(problem, system, film);
-    let contact = contact::carried(problem, system);
+    let contact = load.contact.map(|share| Touching {
+        unsure: contact::unsure(problem, system, &share),
+        share,
+    });
     let thrust = contact.map_or(0.0, |contact| contact.share.pressure);
     Measured {
         power: power::power(problem, system, film)

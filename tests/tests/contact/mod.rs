@@ -5,7 +5,6 @@ mod mixed;
 mod rest;
 mod scenes;
 mod tangent;
-mod zz_tmp;
 
 use oilwedge_reynolds::contact::{BearingCurve, Contact, ContactLaw, GreenwoodTripp};
 use oilwedge_tests::program::repository;

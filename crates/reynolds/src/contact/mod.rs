@@ -52,11 +52,11 @@ impl ContactLaw {
         }
     }
 
-    /// Gaps [m] at which the curvature of the pressure jumps.
-    pub fn kinks(&self) -> [f64; 2] {
+    /// Whether the curvature of the pressure jumps at a gap [m] between these two.
+    pub fn has_kink_in(&self, gaps: std::ops::Range<f64>) -> bool {
         match self {
-            Self::GreenwoodTripp(law) => [law.yields_at(), law.reach()],
-            Self::BearingCurve(law) => [0.0, law.depth],
+            Self::GreenwoodTripp(law) => gaps.contains(&law.yields_at()),
+            Self::BearingCurve(law) => gaps.contains(&0.0) || gaps.contains(&law.depth),
         }
     }
 

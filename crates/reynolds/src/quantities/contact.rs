@@ -6,7 +6,7 @@
 //! | symbol | unit | code |
 //! |---|---|---|
 //! | p_a, p_a' | Pa, Pa/m | [`crate::contact::ContactLaw::at`] |
-//! | W_a, m_a | N, N m | `force`, `moment` of [`ContactLoad::share`] |
+//! | W_a, m_a | N, N m | `force`, `moment` of [`share`] |
 //! | mu_b | 1 | `friction` |
 //!
 //! The pressure falls to nothing over some roughnesses, far quicker than a film changes: each triangle is divided until the gap changes little over its parts, and further where the
@@ -28,8 +28,10 @@ use crate::{FilmPoint, FilmProblem, FilmSystem, JournalChange};
 
 /// Triangles are quartered at most this often,
 const MOST_QUARTERINGS: usize = 5;
-/// until the gap changes by this part of the scale of the law over each part,
+/// until the gap changes by this part of the scale of the law over each part where the pressure is the hardness: an error that falls with the tenth power of the parts
+/// is the same for parts that are longer by the tenth root where the pressure is less,
 const PART: f64 = 0.5;
+const ORDER: f64 = 10.0;
 /// and at least so often where the law has a kink in them,
 const KINK_QUARTERINGS: usize = 4;
 /// where the pressure is more than this part of the hardness.
@@ -50,35 +52,22 @@ static RULES: LazyLock<Vec<Rule>> = LazyLock::new(|| {
     (0..=MOST_QUARTERINGS).map(rule).collect()
 });
 
-/// What contact carries.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct ContactLoad {
-    /// Force, moment and `Int p_a dA`.
-    pub share: Share,
-    /// Error of integration of force [N].
-    pub unsure: f64,
+/// What contact carries in this position; `None` where none is simulated.
+pub fn share(problem: &FilmProblem, system: &FilmSystem) -> Option<Share> {
+    carried(problem, system, Fineness::Full)
 }
 
-/// What contact carries in this position; `None` where none is simulated.
-pub fn carried(problem: &FilmProblem, system: &FilmSystem) -> Option<ContactLoad> {
-    let contact = problem.contact?;
-    let by = |fineness| {
-        integrated(problem, system, &contact.law, fineness, |_, gaps| {
-            gaps.map(|gap| contact.law.at(gap).pressure)
-        })
-    };
-    let (share, rough) = (by(Fineness::Full), by(Fineness::Halved));
-    let [x, y] = [0, 1].map(|d| share.force[d] - rough.force[d]);
-    Some(ContactLoad {
-        share,
-        unsure: x.hypot(y),
+/// Error of integration [N] of the force of a `share`: its difference from one with a quartering less.
+pub fn unsure(problem: &FilmProblem, system: &FilmSystem, share: &Share) -> f64 {
+    carried(problem, system, Fineness::Halved).map_or(0.0, |rough| {
+        let [x, y] = share.less(&rough).force;
+        x.hypot(y)
     })
 }
 
-/// What contact carries, without an estimate of its error; zero where none is simulated.
-pub(crate) fn share(problem: &FilmProblem, system: &FilmSystem) -> Option<Share> {
+fn carried(problem: &FilmProblem, system: &FilmSystem, fineness: Fineness) -> Option<Share> {
     let Contact { law, .. } = problem.contact?;
-    Some(integrated(problem, system, &law, Fineness::Full, |_, gaps| {
+    Some(integrated(problem, system, &law, fineness, |_, gaps| {
         gaps.map(|gap| law.at(gap).pressure)
     }))
 }
@@ -153,13 +142,15 @@ fn quarterings(
     if least >= law.reach() {
         return None;
     }
-    if law.at(least).pressure < SLIGHT * law.hardness() {
+    let greatest_pressure = law.at(least).pressure / law.hardness();
+    if greatest_pressure < SLIGHT {
         return Some(0);
     }
+    let part = PART * greatest_pressure.powf(-1.0 / ORDER);
     // Beyond the reach the gap does not matter.
     let range = greatest.min(law.reach()) - least;
-    let smooth = (range / (PART * law.scale())).log2().ceil().max(1.0) as usize;
-    let is_kinked = law.kinks().iter().any(|kink| (least..greatest).contains(kink));
+    let smooth = (range / (part * law.scale())).log2().ceil().max(1.0) as usize;
+    let is_kinked = law.has_kink_in(least..greatest);
     let full = if is_kinked {
         smooth.max(KINK_QUARTERINGS)
     } else {

@@ -1,4 +1,15 @@
-//! Force, moment and thrust of a part of the developed surface: a density of pressure, integrated. The film, the regions cut out of it and contact each have one.
+//! # Shares of force and moment
+//!
+//! **Equation.** Of a density p over a part of the developed surface `Int p (cos phi, sin phi) dA`, `Int p z (cos phi, sin phi) dA` and `Int p dA`; the film, the regions
+//! cut out of it and contact each have such a share, and the journal carries their sum.
+//!
+//! | symbol | unit | code |
+//! |---|---|---|
+//! | Int p n dA | N | `force` |
+//! | Int p z n dA | N m | `moment` |
+//! | Int p dA | N | `pressure` |
+//!
+//! **Source.** Definition. **Range.** Any density. **Verified by** `disc_and_rim_agree` and `tests/tests/tilt/moment.rs`.
 
 /// Integrals over a part of the developed surface.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]

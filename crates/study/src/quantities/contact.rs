@@ -1,13 +1,13 @@
 //! What contact of rough surfaces carries, and how it rubs.
 
 use oilwedge_reynolds::error_bar::Bar;
-use oilwedge_reynolds::quantities::contact::ContactLoad;
 use oilwedge_scene::Scene;
 
 use super::row::{Headline, Measure::One};
 use super::rule::{ErrorRule, Subject};
 use super::view::View;
 use crate::estimate::Estimate;
+use crate::measure::Touching;
 
 rows! {
     /// `W_a . W/W^2`, `W_a = Int p_a (cos phi, sin phi) dA`: the part of the load, along it, that contact carries; the rest is that of the oil; of scenes with
@@ -80,10 +80,7 @@ fn touches_and_tilts(scene: &Scene) -> bool {
 
 /// Bar [N] of the quadrature of contact.
 pub(super) fn integrated(at: &Subject) -> Option<Bar> {
-    at.view
-        .measured
-        .contact
-        .map(|ContactLoad { unsure, .. }| Bar::of(unsure))
+    at.view.measured.contact.map(|Touching { unsure, .. }| Bar::of(unsure))
 }
 
 fn share(film: &View) -> Option<f64> {
