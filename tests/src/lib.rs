@@ -185,7 +185,9 @@ pub fn plain_film(length: f64, eccentricity: f64, min_film_angle: f64, speed: f6
         form: Form::Conservative,
         terms: vec![Arc::new(Poiseuille), Arc::new(Couette)],
         cavitation: Cavitation::None,
+        flow_factors: Vec::new(),
         storage: None,
+        contact: None,
     }
 }
 

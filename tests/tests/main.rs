@@ -6,6 +6,7 @@ mod book;
 mod catalogue;
 mod cavitation;
 mod cli;
+mod contact;
 mod convergence;
 mod coverage;
 mod crosscheck;

@@ -260,7 +260,7 @@ impl<'a> Search<'a> {
             let unknown = (trial.problem)
                 .unknown_change(self.system, &trial.film, &change)
                 .map_err(oilwedge_fem::newton::Failure::from)?;
-            let by_film = load_change(&trial.problem, self.system, &trial.film, &unknown);
+            let by_film = load_change(&trial.problem, self.system, &trial.film, &change, &unknown);
             let mut column = self.coordinates.forces(&by_film);
             if k >= 2 {
                 column[k] += self.support_stiffness();

@@ -5,7 +5,7 @@ use oilwedge_fem::quadrature::MOST_POINTS;
 use oilwedge_fem::{ConservationLaw, Dual, Tangent};
 
 use crate::film_problem::{FilmProblem, Form};
-use crate::{FilmFlow, FilmPoint, JournalChange};
+use crate::{FilmFlow, FilmPoint, JournalChange, flow_factors};
 
 /// The law of a [`FilmProblem`], or how it changes, to first order, where the journal moves.
 pub(crate) struct FilmLaw<'a> {
@@ -74,6 +74,9 @@ impl<'a> FilmLaw<'a> {
             for term in &self.problem.terms {
                 term.add_all(&film[..positions.len()], &mut flows);
             }
+            if !self.problem.flow_factors.is_empty() {
+                self.scale(&film[..positions.len()], &mut flows);
+            }
             return (film, flows);
         };
         let mut moved = [FilmPoint::default(); MOST_POINTS];
@@ -85,7 +88,48 @@ impl<'a> FilmLaw<'a> {
                 term.vary(point, change, flow);
             }
         }
+        if !self.problem.flow_factors.is_empty() {
+            self.vary_factors(&film[..positions.len()], &moved, &mut flows);
+        }
         (moved, flows)
+    }
+
+    /// Scales the flows of a smooth film.
+    fn scale(&self, film: &[FilmPoint], flows: &mut [FilmFlow]) {
+        for (point, flow) in film.iter().zip(flows) {
+            flow_factors::scale(&self.problem.flow_factors, point, flow);
+        }
+    }
+
+    /// Scales the change of the flows of a smooth film where the film has `moved`.
+    fn vary_factors(&self, film: &[FilmPoint], moved: &[FilmPoint], changes: &mut [FilmFlow]) {
+        for ((point, moved), change) in film.iter().zip(moved).zip(changes) {
+            let mut flow = FilmFlow::default();
+            for term in &self.problem.terms {
+                term.add(point, &mut flow);
+            }
+            flow_factors::vary(&self.problem.flow_factors, point, moved.thickness, &flow, change);
+        }
+    }
+
+    /// As [`FilmLaw::film_and_flows`], but for the thickness, or its change: that which holds and carries the oil.
+    pub(crate) fn oil_and_flows(
+        &self,
+        cell: usize,
+        positions: &[[f64; 2]],
+    ) -> (AtPoints<FilmPoint>, AtPoints<FilmFlow>) {
+        let (mut film, flows) = self.film_and_flows(cell, positions);
+        if !self.problem.flow_factors.is_empty() {
+            let gaps = self.problem.gaps_at(cell, positions);
+            for (point, gap) in film[..positions.len()].iter_mut().zip(gaps) {
+                let [mean, slope] = flow_factors::mean_gap(&self.problem.flow_factors, gap);
+                point.thickness = match self.change {
+                    None => mean,
+                    Some(_) => slope * point.thickness,
+                };
+            }
+        }
+        (film, flows)
     }
 
     fn flows(&self, cell: usize, positions: &[[f64; 2]]) -> AtPoints<FilmFlow> {

@@ -7,6 +7,7 @@ use oilwedge_fem::factorization::LazyAnalysis;
 use oilwedge_fem::linear_solver::MultigridSolver;
 use oilwedge_fem::newton::{self, HistoryStep, Seconds};
 use oilwedge_fem::ordering::elimination_order;
+use oilwedge_fem::quadrature::MOST_POINTS;
 use oilwedge_fem::{
     Analysis, Assembler, ControlVolumes, LinearProlongation, LinearSolver, Linearisation, Prolongation, Space,
     UnsymmetricAnalysis,
@@ -15,7 +16,9 @@ use oilwedge_mesh::Mesh;
 use oilwedge_mesh::quality::needle_share;
 
 use crate::cavitation::FilmFraction;
+use crate::contact::Contact;
 use crate::film_thickness::{FilmContribution, Follows};
+use crate::flow_factors::FlowFactor;
 use crate::levels::Coarser;
 use crate::lubricant::Lubricant;
 use crate::supply::{Supply, SupplyError, SupplyRegion};
@@ -59,10 +62,14 @@ pub struct FilmProblem {
     pub form: Form,
     /// Fluxes: a sum.
     pub terms: Vec<Arc<dyn Term>>,
+    /// What scales them, for surfaces that are not smooth: a product.
+    pub flow_factors: Vec<Arc<dyn FlowFactor>>,
     /// What closes the law where the film breaks.
     pub cavitation: Cavitation,
     /// What a film that conserves oil held before; `None`: it is steady, or its thickness alone changes.
     pub storage: Option<Arc<Storage>>,
+    /// Where rough surfaces touch; `None`: they do not.
+    pub contact: Option<Contact>,
 }
 
 /// Everything that depends on mesh and supply only: numbered, analysed once, used for every solve.
@@ -322,6 +329,15 @@ impl FilmProblem {
     /// Viscosity [Pa s] at the pressure `p` [Pa].
     pub fn viscosity_at(&self, p: f64) -> f64 {
         self.lubricant.viscosity * self.lubricant.pressure_law.viscosity_ratio(p)
+    }
+
+    /// Film thickness [m] at as many positions [m] in triangle `cell` as a quadrature rule has at once.
+    pub(crate) fn gaps_at(&self, cell: usize, positions: &[[f64; 2]]) -> [f64; MOST_POINTS] {
+        let mut film = [FilmPoint::default(); MOST_POINTS];
+        for contribution in &self.film_thickness {
+            contribution.add(&self.journal, cell, positions, &mut film[..positions.len()]);
+        }
+        film.map(|point| point.thickness)
     }
 
     /// Film thickness [m] at positions [m] in triangle `cell`.

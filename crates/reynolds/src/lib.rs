@@ -28,6 +28,7 @@
 //! | dh/dt | m/s | `storage` | [`terms::squeeze`] |
 //! | d(theta h)/dt | m/s | `per_time`, `known` | [`Storage`], in orbits of films that conserve oil |
 //! | W | N | `force` | [`quantities::load`] |
+//! | p_a(h) | Pa | `pressure` | [`contact`], where rough surfaces touch |
 //!
 //! All pressures are gauge. The bearing is at rest; `phi` counts from +x towards +y; the minimum
 //! film lies at `atan2(e_y, e_x)`; `W` is the external force that the film carries.
@@ -41,6 +42,8 @@ pub mod analytical;
 pub mod angles;
 pub mod bearing;
 pub mod cavitation;
+mod chebyshev;
+pub mod contact;
 mod cubic_film;
 pub mod error_bar;
 pub mod existence;
@@ -48,6 +51,7 @@ mod film_law;
 pub mod film_point;
 pub mod film_problem;
 pub mod film_thickness;
+pub mod flow_factors;
 pub mod gap;
 pub mod journal_state;
 pub mod levels;

@@ -35,6 +35,8 @@ static TABLES: &[&[Key]] = &[
     crate::limits::KEYS,
     crate::criteria::KEYS,
     crate::cavitation::KEYS,
+    crate::contact::KEYS,
+    crate::roughness::KEYS,
     crate::dynamics::KEYS,
     crate::cap::KEYS,
     crate::sweep::KEYS,

@@ -137,7 +137,9 @@ fn problem(
         form: sockets.form,
         terms: sockets.terms,
         cavitation: sockets.cavitation,
+        flow_factors: sockets.flow_factors,
         storage: None,
+        contact: sockets.contact,
     })
 }
 

@@ -64,6 +64,15 @@ pub static VISCOSITY: FieldRow = FieldRow {
     what: "dynamic viscosity at the local pressure",
     interpolation: Interpolation::Quadratic,
 };
+/// Pressure of contact.
+pub static CONTACT_PRESSURE: FieldRow = FieldRow {
+    name: "contact_pressure",
+    label: "pressure of contact",
+    symbol: "p_a",
+    unit: "Pa",
+    what: "pressure between the asperities of journal and liner, beside that of the oil",
+    interpolation: Interpolation::Quadratic,
+};
 /// Error indicator.
 pub static ERROR_INDICATOR: FieldRow = FieldRow {
     name: "error_indicator",
@@ -120,14 +129,22 @@ pub static BEARING_STRESS: FieldRow = FieldRow {
 };
 
 /// The fields that are drawn, in the order of pictures.
-pub static FIELDS: [&FieldRow; 5] = [&PRESSURE, &FILM_THICKNESS, &FILM_FRACTION, &VISCOSITY, &ERROR_INDICATOR];
-
-/// All fields of `film.vtu`.
-pub static FILE_FIELDS: [&FieldRow; 10] = [
+pub static FIELDS: [&FieldRow; 6] = [
     &PRESSURE,
     &FILM_THICKNESS,
     &FILM_FRACTION,
     &VISCOSITY,
+    &CONTACT_PRESSURE,
+    &ERROR_INDICATOR,
+];
+
+/// All fields of `film.vtu`.
+pub static FILE_FIELDS: [&FieldRow; 11] = [
+    &PRESSURE,
+    &FILM_THICKNESS,
+    &FILM_FRACTION,
+    &VISCOSITY,
+    &CONTACT_PRESSURE,
     &ERROR_INDICATOR,
     &ANGLE,
     &AXIAL_PLACE,

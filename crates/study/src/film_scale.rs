@@ -10,6 +10,7 @@ use oilwedge_reynolds::film_thickness::Profile;
 use oilwedge_scene::Scene;
 
 use crate::compile_error::CompileError;
+use crate::contact::contact;
 use crate::effects::Sockets;
 use crate::position::Position;
 
@@ -26,6 +27,8 @@ pub(crate) struct FilmScale<'a> {
     scene: &'a Scene,
     position: Position,
     profiles: Vec<Arc<dyn Profile>>,
+    /// Scale [m] of the gap in which the pressure of contact changes, where surfaces touch.
+    touching: Option<f64>,
 }
 
 impl<'a> FilmScale<'a> {
@@ -38,17 +41,37 @@ impl<'a> FilmScale<'a> {
             scene,
             position,
             profiles: Sockets::of(scene).profiles()?,
+            touching: contact(scene).map(|contact| contact.law.scale()),
         })
     }
 
     /// Scale [radii] at `(x, z)` [m].
     pub(crate) fn at(&self, [x, z]: [f64; 2]) -> f64 {
         let (radius, clearance) = (self.scene.bearing.radius(), self.scene.bearing.clearance);
-        match (&self.scene.orbit, self.profiles.is_empty()) {
+        let scale = match (&self.scene.orbit, self.profiles.is_empty()) {
             (Some(_), true) => self.on_orbit(),
             (Some(_), false) => self.on_orbit().min(self.by_profiles([x, z])),
             (None, true) => around(self.position.at(z, clearance), x / radius).min(self.along_by_tilt([x, z])),
             (None, false) => self.by_profiles([x, z]),
+        };
+        match self.touching {
+            None => scale,
+            Some(touching) => scale.min(self.by_contact([x, z], touching)),
+        }
+    }
+
+    /// Scale of the zone in which surfaces touch: over which the gap grows from its least by the scale of the law of contact.
+    fn by_contact(&self, [x, z]: [f64; 2], touching: f64) -> f64 {
+        /// Gaps within which surfaces carry by contact, in scales of its law.
+        const IN_CONTACT: f64 = 4.0;
+        let clearance = self.scene.bearing.clearance;
+        let here = self.position.at(z, clearance);
+        let circles =
+            clearance * (1.0 - here.eccentricity * (x / self.scene.bearing.radius() - here.min_film_angle).cos());
+        let thickness = (self.profiles.iter()).fold(circles, |sum, profile| sum + profile.at([x, z]).depth);
+        match thickness < IN_CONTACT * touching && self.scene.orbit.is_none() {
+            true => (PART * (2.0 * touching / clearance).sqrt()).clamp(SHORTEST, LONGEST),
+            false => LONGEST,
         }
     }
 

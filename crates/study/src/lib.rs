@@ -13,6 +13,7 @@ pub mod checks;
 pub mod column;
 pub mod compile;
 pub mod compile_error;
+mod contact;
 mod dimensions;
 pub mod duty;
 pub mod effects;

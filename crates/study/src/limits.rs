@@ -8,9 +8,10 @@ use crate::film::Film;
 use crate::measure::Measured;
 use crate::oil::Oil;
 use crate::quantities::{
-    self, CYCLE_DEVIATION, CYCLE_EQUIVALENT_FILM, CYCLE_FILM_THICKNESS_MIN, CYCLE_MIDDLE_FILM_MIN, CYCLE_PRESSURE_MAX,
-    CYCLE_TEMPERATURE, CYCLE_TEMPERATURE_OUTLET, DEVIATION, EQUIVALENT_FILM, FILM_THICKNESS_MIN, LOGARITHMIC_DECREMENT,
-    MIDDLE_FILM_MIN, PRESSURE_MAX, Quantity, Row, TEMPERATURE_EFFECTIVE, TEMPERATURE_OUTLET, View,
+    self, CONTACT_SHARE, CYCLE_DEVIATION, CYCLE_EQUIVALENT_FILM, CYCLE_FILM_THICKNESS_MIN, CYCLE_MIDDLE_FILM_MIN,
+    CYCLE_PRESSURE_MAX, CYCLE_TEMPERATURE, CYCLE_TEMPERATURE_OUTLET, DEVIATION, EQUIVALENT_FILM, FILM_THICKNESS_MIN,
+    LOGARITHMIC_DECREMENT, MIDDLE_FILM_MIN, PRESSURE_MAX, Quantity, Row, TEMPERATURE_EFFECTIVE, TEMPERATURE_OUTLET,
+    View,
 };
 use crate::result::Criterion;
 use crate::thermal_model::ThermalModel;
@@ -178,12 +179,19 @@ fn criteria(scene: &Scene, compared: &Compared) -> Vec<Criterion> {
         scale: 1.0,
         value: compared.value(&[&LOGARITHMIC_DECREMENT]),
     };
+    let contact = Limit {
+        what: "part of the load that contact carries",
+        unit: "",
+        scale: 1.0,
+        value: compared.value(&[&CONTACT_SHARE]),
+    };
     let all = [
         length("least film", compared.value(&FILM)).at_least(asked.film_min),
         length("least film at mid-length", middle).at_least(asked.middle_film_min),
         length("deviation of the film at the ends", deviation).at_most(asked.deviation_max),
         length("equivalent film", equivalent).at_least(asked.equivalent_film_min),
         pressure(compared).at_most(asked.pressure_max),
+        contact.at_most(asked.contact_share_max),
         decrement.at_least(asked.decrement_min),
     ];
     all.into_iter().flatten().collect()

@@ -8,7 +8,7 @@ use crate::family::{Expect, Family, LimitedLaw, MeshRecipe, Other, Series, Vary}
 pub const KNOWN_VALUES: &str = "known_values";
 
 /// The families, by the names of their files in `tests/hard_cases`.
-const FAMILIES: [(&str, &str); 20] = [
+const FAMILIES: [(&str, &str); 21] = [
     (
         KNOWN_VALUES,
         include_str!("../../../tests/hard_cases/known_values.toml"),
@@ -40,6 +40,7 @@ const FAMILIES: [(&str, &str); 20] = [
     ("placement", include_str!("../../../tests/hard_cases/placement.toml")),
     ("loads", include_str!("../../../tests/hard_cases/loads.toml")),
     ("scales", include_str!("../../../tests/hard_cases/scales.toml")),
+    ("contact", include_str!("../../../tests/hard_cases/contact.toml")),
     ("orbits", include_str!("../../../tests/hard_cases/orbits.toml")),
 ];
 

@@ -9,7 +9,7 @@ const CONSERVING_ORBIT: &str = "28_big_end_orbit_conserving";
 const PRINTED: &str = "the as-printed equation is no mass balance";
 
 /// Every shipped scene and the beginnings of its warnings.
-const SCENES: [(&str, &[&str]); 30] = [
+const SCENES: [(&str, &[&str]); 31] = [
     ("01_plain_ring", &[TENSION, HEATED]),
     ("02_flexpde_shell", &[TENSION]),
     ("03_hydrostatic_shell", &[]),
@@ -45,6 +45,14 @@ const SCENES: [(&str, &[&str]); 30] = [
     ("26_tilting_crankshaft_journal", &[]),
     ("27_big_end_orbit", &[HEATED]),
     (CONSERVING_ORBIT, &[HEATED]),
+    (
+        "29_mixed_lubrication",
+        &[
+            "an assumption does not hold: a viscosity that does not depend on pressure",
+            "an assumption does not hold: rigid surfaces",
+            HEATED,
+        ],
+    ),
     ("31_worn_bore", &[]),
     ("32_crowned_bore", &[]),
 ];

@@ -291,6 +291,25 @@ fn scene_25_whirl() {
     close(of("critical_mass") * 300.0 * 300.0 / unit, spring / square, 2e-2);
 }
 
+/// Position and share of contact of `mixed`, a second code known to 0.2 % of the film and 0.002 of the share (`tests/data/contact.json`).
+#[test]
+fn scene_29_mixed_lubrication() {
+    let found = answer(&variant("29_mixed_lubrication", |_| ()));
+    let of = |name: &str| value(&found, name);
+    close(of("eccentricity"), 0.96906, 1e-4);
+    close(of("film_thickness_min"), 0.7735e-6, 3e-3);
+    assert!((of("contact_share") - 0.07874).abs() < 2e-3, "{}", of("contact_share"));
+    assert!((of("attitude_angle") - 11.929).abs() < 0.02);
+    // What contact rubs is its part of the friction.
+    close(
+        of("friction_contact_power") / of("friction_power"),
+        of("contact_friction_share"),
+        1e-9,
+    );
+    let thrust = 0.1 * 0.025 * of("contact_thrust") * 300.0 * std::f64::consts::PI / 30.0;
+    close(of("friction_contact_power"), thrust, 1e-9);
+}
+
 /// Force and least film of the worn ring in `profiles`, a ring of finite volumes (`tests/data/shaped_bearings.json`).
 #[test]
 fn scene_31_worn_bore() {

@@ -20,6 +20,8 @@ support = { tilt = {} }
 heat = { housing = {}, mixing = {} }
 limits = {}
 cavitation = {}
+contact = {}
+roughness = {}
 dynamics = {}
 orbit = { start = {} }
 cap = { bolts = {}, shell = {} }

@@ -6,6 +6,7 @@
 mod barus;
 pub mod bearing_theory;
 mod closure;
+mod contact;
 mod couette;
 mod dynamics;
 mod equilibrium;
@@ -19,6 +20,7 @@ mod orbit;
 mod poiseuille;
 mod reynolds;
 mod roelands;
+mod roughness;
 mod shapes;
 mod sockets;
 mod squeeze;
@@ -56,6 +58,8 @@ pub const EFFECTS: &[&Effect] = &[
     &guembel::ROW,
     &reynolds::ROW,
     &jfo::ROW,
+    &contact::ROW,
+    &roughness::ROW,
     &dynamics::ROW,
 ];
 
@@ -69,11 +73,13 @@ const MISSED: &[&str] = &[
     tilt::KIND,
     shapes::KIND,
     "elastic liner",
-    "roughness",
+    ROUGHNESS,
     "turbulence",
 ];
 /// Kind of all laws of viscosity against pressure.
 const VISCOSITY_BY_PRESSURE: &str = "viscosity growing with pressure";
+/// Kind of all that roughness does.
+const ROUGHNESS: &str = "roughness";
 /// Kind of all closures.
 const CAVITATION: &str = "cavitation";
 

@@ -4,7 +4,9 @@ use std::sync::Arc;
 
 use oilwedge_bearing::{Load, Tilting};
 use oilwedge_mesh::Mesh;
+use oilwedge_reynolds::contact::Contact;
 use oilwedge_reynolds::film_thickness::{FilmContribution, Profile};
+use oilwedge_reynolds::flow_factors::FlowFactor;
 use oilwedge_reynolds::lubricant::PressureLaw;
 use oilwedge_reynolds::terms::Term;
 use oilwedge_reynolds::{Cavitation, CentreVelocity, Form, Theory};
@@ -18,7 +20,7 @@ use crate::thermal_model::ThermalModel;
 /// Where an effect enters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Socket {
-    /// A direction in which pressure drives oil.
+    /// A direction in which pressure drives oil, and how easily it flows.
     FlowFactors,
     /// A flux or source of Reynolds' equation.
     Terms,
@@ -34,6 +36,8 @@ pub enum Socket {
     Supply,
     /// What closes the equation where the film breaks.
     Cavitation,
+    /// Where rough surfaces touch.
+    Contact,
     /// What is asked of the film beside its state.
     Analysis,
 }
@@ -57,6 +61,8 @@ pub struct Sockets {
     pub theory: Theory,
     /// Fluxes and sources.
     pub terms: Vec<Arc<dyn Term>>,
+    /// What scales them.
+    pub flow_factors: Vec<Arc<dyn FlowFactor>>,
     /// Growth of viscosity with pressure.
     pub pressure_law: PressureLaw,
     /// Where the viscosity stands in the equation.
@@ -69,6 +75,8 @@ pub struct Sockets {
     pub inlet_fraction: Option<f64>,
     /// What closes the equation where the film breaks.
     pub cavitation: Cavitation,
+    /// Where rough surfaces touch; `None`: nowhere.
+    pub contact: Option<Contact>,
     /// Velocity of the journal's centre.
     pub centre_velocity: CentreVelocity,
     /// Rate of the slope of the journal's axis [rad/s].
@@ -89,12 +97,14 @@ impl Sockets {
         let mut sockets = Self {
             theory: Theory::Full,
             terms: Vec::new(),
+            flow_factors: Vec::new(),
             pressure_law: PressureLaw::Constant,
             form: Form::Conservative,
             film_thickness: Vec::new(),
             profiles: Vec::new(),
             inlet_fraction: None,
             cavitation: Cavitation::None,
+            contact: None,
             centre_velocity: CentreVelocity::default(),
             tilt_rate: [0.0; 2],
             load: None,

@@ -14,6 +14,7 @@ mod row;
 mod cap;
 mod cavity;
 mod coefficients;
+mod contact;
 mod cycle;
 pub mod cycle_view;
 mod damping;
@@ -38,6 +39,7 @@ mod warming;
 
 pub use cap::*;
 pub use cavity::*;
+pub use contact::*;
 pub use cycle::*;
 pub use cycle_view::CycleView;
 pub use damping::*;
@@ -63,7 +65,7 @@ pub use view::View;
 pub use warming::Warming;
 
 /// All quantities, in the order of the report.
-pub static CATALOGUE: [&Row; 120] = [
+pub static CATALOGUE: [&Row; 129] = [
     &CYCLE_FILM_THICKNESS_MIN,
     &CYCLE_FILM_THICKNESS_MIN_CRANK_ANGLE,
     &CYCLE_FILM_THICKNESS_MIN_ANGLE,
@@ -96,6 +98,13 @@ pub static CATALOGUE: [&Row; 120] = [
     &MOMENT_X,
     &MOMENT_Y,
     &LOAD_Z,
+    &CONTACT_SHARE,
+    &CONTACT_LOAD_X,
+    &CONTACT_LOAD_Y,
+    &CONTACT_MOMENT_X,
+    &CONTACT_MOMENT_Y,
+    &CONTACT_THRUST,
+    &CONTACT_PRESSURE_MAX,
     &PRESSURE_MAX,
     &PRESSURE_MAX_ANGLE,
     &PRESSURE_MAX_Z,
@@ -128,6 +137,8 @@ pub static CATALOGUE: [&Row; 120] = [
     &FRICTION_SHEAR_POWER,
     &FRICTION_PRESSURE_POWER,
     &FRICTION_CAVITY_POWER,
+    &FRICTION_CONTACT_POWER,
+    &CONTACT_FRICTION_SHARE,
     &MOTION_POWER,
     &COOLING_FLOW,
     &TEMPERATURE_INLET,

@@ -16,7 +16,7 @@ rows! {
         One(|film| tilt(film, 1)), ErrorRule::Position, only(Scene::can_tilt);
 
     /// `m_x = Int (p - p_e) z cos phi dA` over the developed film and the regions cut out of it, z = 0 at mid-length: the parts of `W_x` times their arms
-    /// along the axis, which do work on `g_x` as W_x does on `e_x`; as a vector it would point along y; of journals that may tilt
+    /// along the axis, which do work on `g_x` as W_x does on `e_x`; as a vector it would point along y; with `[contact]` and the part that contact carries; of journals that may tilt
     MOMENT_X = "moment_x", "m_x", NewtonMetre, "moment that the film carries: parts of W_x times z":
         One(|film| moment(film, 0)), ErrorRule::Moment(0), tolerance only(Scene::can_tilt);
 
