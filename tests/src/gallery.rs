@@ -21,7 +21,7 @@ use crate::scenes::path;
 use crate::tables::{row, written};
 
 /// Each scene and what is drawn of it: a field or another picture of its film, `orbit`, or a quantity of its sweep.
-pub const SCENES: [(&str, &str); 30] = [
+pub const SCENES: [(&str, &str); 31] = [
     ("01_plain_ring", "pressure"),
     ("02_flexpde_shell", "pressure"),
     ("03_hydrostatic_shell", "pressure"),
@@ -52,6 +52,7 @@ pub const SCENES: [(&str, &str); 30] = [
     ("28_big_end_orbit_conserving", "orbit"),
     ("31_worn_bore", "section"),
     ("32_crowned_bore", "pressure"),
+    ("33_polymer_liner", "pressure"),
 ];
 
 /// Width of the pictures [mm].

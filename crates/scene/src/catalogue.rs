@@ -35,6 +35,7 @@ static TABLES: &[&[Key]] = &[
     crate::limits::KEYS,
     crate::criteria::KEYS,
     crate::cavitation::KEYS,
+    crate::liner::KEYS,
     crate::dynamics::KEYS,
     crate::cap::KEYS,
     crate::sweep::KEYS,

@@ -10,7 +10,7 @@ const CONSERVING_ORBIT: &str = "28_big_end_orbit_conserving";
 const PRINTED: &str = "the as-printed equation is no mass balance";
 
 /// Every shipped scene and the beginnings of its warnings.
-const SCENES: [(&str, &[&str]); 30] = [
+const SCENES: [(&str, &[&str]); 31] = [
     ("01_plain_ring", &[TENSION, HEATED]),
     ("02_flexpde_shell", &[TENSION]),
     ("03_hydrostatic_shell", &[]),
@@ -51,6 +51,7 @@ const SCENES: [(&str, &[&str]); 30] = [
     ),
     ("31_worn_bore", &[]),
     ("32_crowned_bore", &[]),
+    ("33_polymer_liner", &[]),
 ];
 
 #[test]

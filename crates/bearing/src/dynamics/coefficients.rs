@@ -1,5 +1,6 @@
 //! Stiffness and damping of a film at one frequency, and how they look in other frames and units.
 
+use crate::deflection::{Follower, harmonic_response};
 use oilwedge_fem::Error;
 use oilwedge_reynolds::quantities::load::load_change;
 use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, Whirl};
@@ -25,6 +26,7 @@ impl Coefficients {
     /// The linear systems could not be solved.
     pub fn of(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, frequency: f64) -> Result<Self, Error> {
         let whirl = Whirl::new(problem, system, film, frequency)?;
+        let follower = Follower::of(problem, system, film);
         let mut coefficients = Self {
             order: if problem.can_tilt() { 4 } else { 2 },
             ..Self::default()
@@ -33,7 +35,10 @@ impl Coefficients {
             let mut motion = [0.0; 4];
             motion[column] = 1.0;
             let [e_x, e_y, g_x, g_y] = motion;
-            let response = whirl.response([e_x, e_y], [g_x, g_y])?;
+            let mut response = whirl.response([e_x, e_y], [g_x, g_y])?;
+            if let Some(follower) = &follower {
+                response = harmonic_response((&whirl, follower), response, frequency, problem.journal.speed.abs())?;
+            }
             let [by_place, by_rate] = response.map(|unknown| {
                 let change = load_change(problem, system, film, &unknown);
                 let ([x, y], [z_x, z_y]) = (change.force, change.moment);

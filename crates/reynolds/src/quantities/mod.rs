@@ -1,6 +1,7 @@
 //! What is reported: one idea a file.
 
 pub mod cavity;
+pub mod deflection;
 pub mod deviation;
 mod edge;
 pub mod extent;

@@ -8,6 +8,7 @@ pub mod bearing_theory;
 mod closure;
 mod couette;
 mod dynamics;
+mod elastic_liner;
 mod equilibrium;
 mod groove_depth;
 mod guembel;
@@ -44,6 +45,7 @@ pub const EFFECTS: &[&Effect] = &[
     &equilibrium::ROW,
     &orbit::ROW,
     &moment_balance::ROW,
+    &elastic_liner::ROW,
     &heat::ROW,
     &oil_by_temperature::ROW,
     &barus::CONSERVATIVE,
@@ -68,7 +70,7 @@ const MISSED: &[&str] = &[
     squeeze::KIND,
     tilt::KIND,
     shapes::KIND,
-    "elastic liner",
+    elastic_liner::KIND,
     "roughness",
     "turbulence",
 ];
