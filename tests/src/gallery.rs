@@ -53,6 +53,7 @@ pub const SCENES: [(&str, &str); 31] = [
     ("29_mixed_lubrication", "friction_coefficient"),
     ("31_worn_bore", "section"),
     ("32_crowned_bore", "pressure"),
+    ("33_polymer_liner", "pressure"),
 ];
 
 /// Width of the pictures [mm].

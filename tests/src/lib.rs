@@ -6,6 +6,7 @@ pub mod cavitation_counts;
 pub mod cavitation_page;
 pub mod coverage;
 pub mod docs_images;
+pub mod elastic_liner;
 pub mod engine_bearings;
 pub mod flexpde_study;
 pub mod flow_meshes;

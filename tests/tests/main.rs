@@ -28,6 +28,7 @@ mod guembel_flows;
 mod hard_cases;
 mod invariance;
 mod limits;
+mod liner;
 mod literature;
 mod mesh_readers;
 mod oil_balance;

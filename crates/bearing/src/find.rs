@@ -103,7 +103,10 @@ impl Search<'_> {
             ..self.options
         };
         let reason = match find(&coarser.problem(problem), &coarser.system, self.load, &rough) {
-            Ok(found) => return self.run(problem, found.problem.journal),
+            Ok(found) => {
+                let bent = problem.clone().deflected(found.problem.deflection());
+                return self.run(&bent, found.problem.journal);
+            }
             Err(reason) => reason,
         };
         if let NoEquilibrium::EdgeContact { way: Some(way), .. } | NoEquilibrium::TiltLimit { way: Some(way), .. } =

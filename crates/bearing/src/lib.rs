@@ -4,6 +4,7 @@
 //! |---|---|---|
 //! | load = force of the film | position of the journal | [`equilibrium`] |
 //! | moment of the load and of the support = moment of the film | tilt of the journal | [`equilibrium`] |
+//! | deflection of the wall = that by the pressure of the film | deflection | [`deflection`] |
 //! | friction = heat carried off | temperature of the film | [`thermal_balance`] |
 //!
 //! [`dynamics`]: how the film answers to small motions of the journal, and when a rotor on it whirls.
@@ -17,6 +18,7 @@ pub mod cap_bolts;
 pub mod coordinates;
 mod cubic;
 pub mod deadline;
+pub mod deflection;
 mod descent;
 pub mod duty_cycle;
 pub mod dynamics;

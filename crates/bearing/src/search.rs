@@ -7,6 +7,7 @@ use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSolution, FilmSystem, Gap, JournalState, NoFilm};
 
 use crate::coordinates::{Coordinates, Vector, length, moved, unit};
+use crate::deflection::{Pair, closed_film, closed_pair, unknown_change};
 use crate::equilibrium::NEAR;
 use crate::load_capacity::FAR;
 use crate::stiffness::Stiffness;
@@ -25,7 +26,7 @@ const AT_REST: f64 = 1e-3;
 pub(crate) struct Search<'a> {
     pub(crate) system: &'a FilmSystem,
     pub(crate) load: Load,
-    /// Where the film is least.
+    /// Where the film is least; that of a wall that gives way before it does.
     pub(crate) gap: Gap,
     /// What is free under it.
     pub(crate) coordinates: Coordinates,
@@ -86,7 +87,7 @@ impl<'a> Search<'a> {
         Self {
             system,
             load,
-            gap: Gap::of(problem, system),
+            gap: Gap::of(&problem.clone().with_wall_at_rest(), system),
             coordinates: Coordinates::of(&load, &problem.bearing),
             options,
             reference_force,
@@ -153,8 +154,7 @@ impl<'a> Search<'a> {
 
     /// The trial with the journal `at` these coordinates by the force of the film in quadratic elements.
     pub(crate) fn trial(&self, problem: &FilmProblem, at: Vector, near: Neighbour) -> Result<Trial, NoFilm> {
-        let problem = self.placed(problem, at);
-        let film = problem.solve_from(self.system, near)?;
+        let (problem, film) = closed_film(self.placed(problem, at), self.system, near)?;
         let carried = load(&problem, self.system, &film).total.resultant();
         let trial = self.recorded(Trial::of(problem, film, carried));
         Ok(match near {
@@ -176,7 +176,7 @@ impl<'a> Search<'a> {
     ) -> Result<Trial, NoFilm> {
         let problem = self.placed(problem, at);
         let film = problem.solve_from(self.system, near)?;
-        let cubic = problem.cubic_film(self.system, &film, cubic)?;
+        let Pair { problem, film, cubic } = closed_pair(problem, self.system, film, cubic)?;
         let carried = load(&problem, &self.system.cubic().system, &cubic).total.resultant();
         Ok(self.recorded(Trial {
             cubic: Some(cubic),
@@ -257,8 +257,7 @@ impl<'a> Search<'a> {
         Stiffness::by_columns(self.coordinates.order, |k| {
             let journal = &trial.problem.journal;
             let change = (self.coordinates).change(journal, &self.options.centre_velocity, unit(k));
-            let unknown = (trial.problem)
-                .unknown_change(self.system, &trial.film, &change)
+            let unknown = unknown_change(&trial.problem, self.system, &trial.film, &change)
                 .map_err(oilwedge_fem::newton::Failure::from)?;
             let by_film = load_change(&trial.problem, self.system, &trial.film, &change, &unknown);
             let mut column = self.coordinates.forces(&by_film);

@@ -5,14 +5,14 @@ use oilwedge_fem::quadrature::MOST_POINTS;
 use oilwedge_fem::{ConservationLaw, Dual, Tangent};
 
 use crate::film_problem::{FilmProblem, Form};
-use crate::{FilmFlow, FilmPoint, JournalChange, flow_factors};
+use crate::{FilmChange, FilmFlow, FilmPoint, flow_factors};
 
-/// The law of a [`FilmProblem`], or how it changes, to first order, where the journal moves.
+/// The law of a [`FilmProblem`], or how it changes, to first order, where the journal moves or the gap grows.
 pub(crate) struct FilmLaw<'a> {
     problem: &'a FilmProblem,
     /// Scales all motion of the journal (continuation).
     motion: f64,
-    change: Option<JournalChange>,
+    change: Option<FilmChange<'a>>,
 }
 
 impl FilmProblem {
@@ -35,7 +35,7 @@ impl<'a> FilmLaw<'a> {
     }
 
     /// The first-order change of the law: a law itself, whose residual at a field is the change of the residual.
-    pub(crate) fn changed(problem: &'a FilmProblem, change: JournalChange) -> Self {
+    pub(crate) fn changed(problem: &'a FilmProblem, change: FilmChange<'a>) -> Self {
         Self {
             problem,
             motion: 1.0,
@@ -80,9 +80,7 @@ impl<'a> FilmLaw<'a> {
             return (film, flows);
         };
         let mut moved = [FilmPoint::default(); MOST_POINTS];
-        for contribution in &self.problem.film_thickness {
-            contribution.vary(change, cell, positions, &mut moved[..positions.len()]);
-        }
+        self.vary(change, cell, positions, &mut moved[..positions.len()]);
         for term in &self.problem.terms {
             for ((point, change), flow) in film[..positions.len()].iter().zip(&moved).zip(&mut flows) {
                 term.vary(point, change, flow);
@@ -130,6 +128,27 @@ impl<'a> FilmLaw<'a> {
             }
         }
         (film, flows)
+    }
+
+    /// Adds what a change adds to the film.
+    fn vary(&self, change: &FilmChange<'_>, cell: usize, positions: &[[f64; 2]], film: &mut [FilmPoint]) {
+        match change {
+            FilmChange::Journal(change) => {
+                for contribution in &self.problem.film_thickness {
+                    contribution.vary(change, cell, positions, film);
+                }
+            }
+            FilmChange::Gap(shape) => shape.add(&self.problem.journal, cell, positions, film),
+            FilmChange::GapRate(shape) => {
+                shape.add(&self.problem.journal, cell, positions, film);
+                for point in film {
+                    *point = FilmPoint {
+                        rate: point.thickness,
+                        ..FilmPoint::default()
+                    };
+                }
+            }
+        }
     }
 
     fn flows(&self, cell: usize, positions: &[[f64; 2]]) -> AtPoints<FilmFlow> {

@@ -1,6 +1,6 @@
 //! One film, compiled: what is simulated, chosen once; and its solution.
 
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use oilwedge_fem::complementarity::InitialGuess;
 use oilwedge_fem::factorization::LazyAnalysis;
@@ -23,6 +23,7 @@ use crate::levels::Coarser;
 use crate::lubricant::Lubricant;
 use crate::supply::{Supply, SupplyError, SupplyRegion};
 use crate::terms::Term;
+use crate::wall::{Grid, Pressing};
 use crate::{Bearing, Cavitation, FilmPoint, JournalState, Storage, Theory};
 
 /// Unknowns from which on systems are solved by multigrid: half the memory and both cores from there on, time that grows with the
@@ -91,6 +92,8 @@ pub struct FilmSystem {
     volumes: OnceLock<Result<ControlVolumes, oilwedge_fem::Error>>,
     /// The analysed pattern of the LU factor of a hill, made when one is first solved.
     unsymmetric: OnceLock<Result<Arc<UnsymmetricAnalysis>, oilwedge_fem::Error>>,
+    /// What presses on the grids of a wall, made when it first gives way.
+    pressing: Mutex<Vec<Arc<Pressing>>>,
     /// Made when an error bar is first estimated.
     pub(crate) cubic: OnceLock<Box<CubicSystem>>,
     /// Made when the error of a mass-conserving film is first judged.
@@ -130,6 +133,7 @@ impl FilmSystem {
             between: OnceLock::new(),
             volumes: OnceLock::new(),
             unsymmetric: OnceLock::new(),
+            pressing: Mutex::default(),
             cubic: OnceLock::new(),
             vertices: OnceLock::new(),
         }
@@ -197,6 +201,21 @@ impl FilmSystem {
         let analysed = || UnsymmetricAnalysis::new(self.assembler.pattern().clone(), elimination_order(self.space()));
         let analysis = self.unsymmetric.get_or_init(|| analysed().map(Arc::new));
         analysis.clone()
+    }
+
+    /// What a pressure at the dofs exerts on the grid of a wall.
+    pub(crate) fn pressing(&self, grid: &Grid) -> Arc<Pressing> {
+        let mut made = self.pressing.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(known) = made.iter().find(|pressing| pressing.is_on(grid)) {
+            return known.clone();
+        }
+        let pressing = Arc::new(Pressing::new(self.space(), grid));
+        // A wall has two grids; those of walls before are not needed again.
+        if made.len() > 1 {
+            made.remove(0);
+        }
+        made.push(pressing.clone());
+        pressing
     }
 
     /// The space of the unknown.

@@ -27,6 +27,7 @@
 //! | U h/2 | m2/s | `flux` | [`terms::Couette`] |
 //! | dh/dt | m/s | `storage` | [`terms::squeeze`] |
 //! | d(theta h)/dt | m/s | `per_time`, `known` | [`Storage`], in orbits of films that conserve oil |
+//! | d | m | `coefficients` | [`film_thickness::Deflection`] of a [`wall`] that gives way |
 //! | W | N | `force` | [`quantities::load`] |
 //! | p_a(h) | Pa | `pressure` | [`contact`], where rough surfaces touch |
 //!
@@ -47,6 +48,7 @@ pub mod contact;
 mod cubic_film;
 pub mod error_bar;
 pub mod existence;
+mod film_change;
 mod film_law;
 pub mod film_point;
 pub mod film_problem;
@@ -66,11 +68,13 @@ mod storage;
 pub mod supply;
 pub mod terms;
 pub mod theory;
+pub mod wall;
 mod whirl;
 
 pub use bearing::Bearing;
 pub use cavitation::Cavitation;
 pub use existence::NoFilm;
+pub use film_change::FilmChange;
 pub use film_point::{FilmFlow, FilmPoint};
 pub use film_problem::{FilmProblem, FilmSolution, FilmSystem, FilmTrace, Form};
 pub use gap::{Gap, Thinnest};

@@ -37,6 +37,7 @@ static TABLES: &[&[Key]] = &[
     crate::cavitation::KEYS,
     crate::contact::KEYS,
     crate::roughness::KEYS,
+    crate::liner::KEYS,
     crate::dynamics::KEYS,
     crate::cap::KEYS,
     crate::sweep::KEYS,

@@ -46,6 +46,15 @@ pub static FILM_THICKNESS: FieldRow = FieldRow {
     what: "gap between journal and liner",
     interpolation: Interpolation::Quadratic,
 };
+/// Deflection of the wall.
+pub static DEFLECTION: FieldRow = FieldRow {
+    name: "deflection",
+    label: "deflection",
+    symbol: "delta",
+    unit: "m",
+    what: "how far the elastic liner gives way outwards",
+    interpolation: Interpolation::Quadratic,
+};
 /// Film fraction.
 pub static FILM_FRACTION: FieldRow = FieldRow {
     name: "film_fraction",
@@ -132,6 +141,17 @@ pub static BEARING_STRESS: FieldRow = FieldRow {
 pub static FIELDS: [&FieldRow; 6] = [
     &PRESSURE,
     &FILM_THICKNESS,
+    &DEFLECTION,
+    &FILM_FRACTION,
+    &VISCOSITY,
+    &ERROR_INDICATOR,
+];
+
+/// All fields of `film.vtu`.
+pub static FILE_FIELDS: [&FieldRow; 11] = [
+    &PRESSURE,
+    &FILM_THICKNESS,
+    &DEFLECTION,
     &FILM_FRACTION,
     &VISCOSITY,
     &CONTACT_PRESSURE,

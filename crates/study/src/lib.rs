@@ -46,6 +46,7 @@ pub mod solved;
 pub mod symbol;
 pub mod thermal;
 pub mod thermal_model;
+mod wall;
 pub mod warning;
 pub mod warnings;
 

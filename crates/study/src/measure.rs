@@ -4,6 +4,7 @@ use oilwedge_bearing::Dynamics;
 use oilwedge_reynolds::error_bar::sharp::Sharpened;
 use oilwedge_reynolds::quantities::cavity::{self, Cavity};
 use oilwedge_reynolds::quantities::contact;
+use oilwedge_reynolds::quantities::deflection::deflection_max;
 use oilwedge_reynolds::quantities::extent::{Extent, extent};
 use oilwedge_reynolds::quantities::flow::{self, Flows};
 use oilwedge_reynolds::quantities::inlet::inlet_flow;
@@ -47,6 +48,8 @@ pub struct Measured {
     pub power: Power,
     /// The thinnest film on the liner.
     pub thinnest: Thinnest,
+    /// Greatest deflection of the wall [m]; none of a rigid one.
+    pub deflection: Option<f64>,
     /// Where the loaded film begins and ends on the mid-plane; none without a cavity.
     pub extent: Option<Extent>,
     /// The cavity, of models that have one while they solve.
@@ -130,6 +133,7 @@ pub fn measure(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) 
         flows: flow::flows(problem, system, film),
         inlet_flow: inlet_flow(problem, system, film),
         thinnest: Gap::of(problem, system).thinnest_film(problem, system),
+        deflection: deflection_max(problem, system),
         extent: extent(problem, system, film, &extremes),
         cavity: problem
             .cavitation

@@ -7,8 +7,8 @@ use oilwedge_reynolds::FilmSolution;
 use oilwedge_reynolds::quantities::stream::streams;
 
 use crate::fields::{
-    ANGLE, AXIAL_PLACE, BEARING_STRESS, CONTACT_PRESSURE, ERROR_INDICATOR, FILM_FRACTION, FILM_THICKNESS, FieldRow,
-    JOURNAL_STRESS, PRESSURE, VISCOSITY, VOLUME_FLOW,
+    ANGLE, AXIAL_PLACE, BEARING_STRESS, CONTACT_PRESSURE, DEFLECTION, ERROR_INDICATOR, FILM_FRACTION, FILM_THICKNESS,
+    FieldRow, JOURNAL_STRESS, PRESSURE, VISCOSITY, VOLUME_FLOW,
 };
 use crate::film::Film;
 use crate::film_lines::film_lines;
@@ -157,6 +157,14 @@ fn pointwise(film: &Film, solution: &FilmSolution, nodes: &Nodes) -> Vec<Picture
         scalars(&VISCOSITY, viscosity),
     ];
     fields.extend(contact.map(|pressure| scalars(&CONTACT_PRESSURE, pressure)));
+    if let Some(deflection) = problem.deflection() {
+        let values = nodes
+            .positions
+            .iter()
+            .map(|&position| deflection.at(position))
+            .collect();
+        fields.push(scalars(&DEFLECTION, values));
+    }
     if let Some(fraction) = &solution.film_fraction {
         let values = nodes.dofs.iter().map(|&dof| fraction.values[dof]).collect();
         fields.push(scalars(&FILM_FRACTION, values));

@@ -33,6 +33,7 @@ const FAMILIES: [(&str, &str); 21] = [
     ("squeeze", include_str!("../../../tests/hard_cases/squeeze.toml")),
     ("tilt", include_str!("../../../tests/hard_cases/tilt.toml")),
     ("shapes", include_str!("../../../tests/hard_cases/shapes.toml")),
+    ("liner", include_str!("../../../tests/hard_cases/liner.toml")),
     ("dynamics", include_str!("../../../tests/hard_cases/dynamics.toml")),
     ("speed", include_str!("../../../tests/hard_cases/speed.toml")),
     ("supply", include_str!("../../../tests/hard_cases/supply.toml")),

@@ -55,6 +55,7 @@ const SCENES: [(&str, &[&str]); 31] = [
     ),
     ("31_worn_bore", &[]),
     ("32_crowned_bore", &[]),
+    ("33_polymer_liner", &[]),
 ];
 
 #[test]

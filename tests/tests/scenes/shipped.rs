@@ -248,6 +248,17 @@ fn scene_23_tilted_ring() {
     close(film.quantity("film_thickness_min"), 12.5e-6, 1e-9);
 }
 
+/// Force and greatest pressure of a layer of 0.02 at eps 0.8 in `winkler`, a ring of finite volumes (`tests/data/elastic_liner.json`).
+#[test]
+fn scene_33_polymer_liner() {
+    let found = answer(&variant("33_polymer_liner", |_| ()));
+    let of = |name: &str| value(&found, name);
+    close(of("load_x") / 1500.0, 2.66236, 1e-3);
+    close(of("load_y") / 1500.0, -1.46334, 1e-3);
+    close(of("pressure_max") / 0.6e6, 4.2353, 1e-3);
+    close(of("film_thickness_min"), 10e-6, 1e-3);
+}
+
 /// Position and tilt of `balance_of_moment`, likewise; the force of the scene has five digits.
 #[test]
 fn scene_24_load_off_the_middle() {

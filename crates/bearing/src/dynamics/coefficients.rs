@@ -1,5 +1,6 @@
 //! Stiffness and damping of a film at one frequency, and how they look in other frames and units.
 
+use crate::deflection::{Follower, harmonic_response};
 use oilwedge_fem::Error;
 use oilwedge_reynolds::quantities::load::{Resultant, load_change, oil_change};
 use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalChange, Whirl};
@@ -25,6 +26,7 @@ impl Coefficients {
     /// The linear systems could not be solved.
     pub fn of(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, frequency: f64) -> Result<Self, Error> {
         let whirl = Whirl::new(problem, system, film, frequency)?;
+        let follower = Follower::of(problem, system, film);
         let mut coefficients = Self {
             order: if problem.can_tilt() { 4 } else { 2 },
             ..Self::default()
@@ -34,7 +36,11 @@ impl Coefficients {
             motion[column] = 1.0;
             let [e_x, e_y, g_x, g_y] = motion;
             let (offset, tilt) = ([e_x, e_y], [g_x, g_y]);
-            let [by_place, by_rate] = whirl.response(offset, tilt)?;
+            let mut response = whirl.response(offset, tilt)?;
+            if let Some(follower) = &follower {
+                response = harmonic_response((&whirl, follower), response, frequency, problem.journal.speed.abs())?;
+            }
+            let [by_place, by_rate] = response;
             let place = JournalChange {
                 offset,
                 tilt,

@@ -2,6 +2,7 @@
 
 pub mod cavity;
 pub mod contact;
+pub mod deflection;
 pub mod deviation;
 mod edge;
 pub mod extent;

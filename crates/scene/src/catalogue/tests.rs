@@ -22,6 +22,7 @@ limits = {}
 cavitation = {}
 contact = {}
 roughness = {}
+liner = { winkler = {}, wall = {}, compliance = {} }
 dynamics = {}
 orbit = { start = {} }
 cap = { bolts = {}, shell = {} }
@@ -33,6 +34,7 @@ sweep = { columns = ["load"], KEY = { from = 1, to = 2, steps = 2 } }
 /// Forms that a key has in another text.
 const OTHER_FORMS: &str = r#"
 mesh.tolerance = "1 %"
+liner.winkler = "0.02 um/MPa"
 oil = { density = "870 kg/m3", high_shear = "2.9 mPa.s" }
 "#;
 

@@ -9,6 +9,7 @@ mod closure;
 mod contact;
 mod couette;
 mod dynamics;
+mod elastic_liner;
 mod equilibrium;
 mod groove_depth;
 mod guembel;
@@ -46,6 +47,7 @@ pub const EFFECTS: &[&Effect] = &[
     &equilibrium::ROW,
     &orbit::ROW,
     &moment_balance::ROW,
+    &elastic_liner::ROW,
     &heat::ROW,
     &oil_by_temperature::ROW,
     &barus::CONSERVATIVE,
@@ -72,7 +74,7 @@ const MISSED: &[&str] = &[
     squeeze::KIND,
     tilt::KIND,
     shapes::KIND,
-    "elastic liner",
+    elastic_liner::KIND,
     ROUGHNESS,
     "turbulence",
 ];

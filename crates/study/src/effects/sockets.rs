@@ -11,7 +11,7 @@ use oilwedge_reynolds::lubricant::PressureLaw;
 use oilwedge_reynolds::terms::Term;
 use oilwedge_reynolds::{Cavitation, CentreVelocity, Form, Theory};
 use oilwedge_scene::periodic_table::TableError;
-use oilwedge_scene::{Dynamics, Scene};
+use oilwedge_scene::{Dynamics, Liner, Scene};
 
 use super::present;
 use crate::compile_error::CompileError;
@@ -26,6 +26,8 @@ pub enum Socket {
     Terms,
     /// The position of the journal as an unknown.
     Position,
+    /// The deflection of the wall as an unknown.
+    Deflection,
     /// The temperature of the film as an unknown.
     Temperature,
     /// The oil.
@@ -45,7 +47,7 @@ pub enum Socket {
 impl Socket {
     /// Whether it holds a further unknown that closes around the film.
     pub fn is_balance(self) -> bool {
-        matches!(self, Self::Position | Self::Temperature)
+        matches!(self, Self::Position | Self::Deflection | Self::Temperature)
     }
 }
 
@@ -71,6 +73,8 @@ pub struct Sockets {
     pub film_thickness: Vec<Contribution>,
     /// Shapes of bore and journal beside circles.
     pub profiles: Vec<MadeProfile>,
+    /// How the wall gives way to the pressure; `None`: it is rigid.
+    pub liner: Option<Liner>,
     /// Film fraction of the oil that enters at the edge of an arc; `None`: full.
     pub inlet_fraction: Option<f64>,
     /// What closes the equation where the film breaks.
@@ -102,6 +106,7 @@ impl Sockets {
             form: Form::Conservative,
             film_thickness: Vec::new(),
             profiles: Vec::new(),
+            liner: None,
             inlet_fraction: None,
             cavitation: Cavitation::None,
             contact: None,

@@ -22,6 +22,7 @@ mod deviation;
 mod flow;
 mod friction;
 mod heat;
+mod liner;
 mod load;
 mod motion;
 mod places;
@@ -47,6 +48,7 @@ pub use deviation::*;
 pub use flow::*;
 pub use friction::*;
 pub use heat::*;
+pub use liner::*;
 pub use load::*;
 pub use motion::*;
 pub use oilwedge_reynolds::error_bar::Bar;
@@ -65,7 +67,7 @@ pub use view::View;
 pub use warming::Warming;
 
 /// All quantities, in the order of the report.
-pub static CATALOGUE: [&Row; 129] = [
+pub static CATALOGUE: [&Row; 130] = [
     &CYCLE_FILM_THICKNESS_MIN,
     &CYCLE_FILM_THICKNESS_MIN_CRANK_ANGLE,
     &CYCLE_FILM_THICKNESS_MIN_ANGLE,
@@ -115,6 +117,7 @@ pub static CATALOGUE: [&Row; 129] = [
     &MIDDLE_FILM_MIN,
     &DEVIATION,
     &EQUIVALENT_FILM,
+    &DEFLECTION_MAX,
     &FILM_START_ANGLE,
     &FILM_END_ANGLE,
     &TEMPERATURE_EFFECTIVE,
