@@ -244,5 +244,9 @@ mod tests {
         refused("wall = {}", "liner.wall.thickness: is missing");
         refused("compliance = {}", "liner.compliance.file: is missing");
         refused("stiffness = 3", "liner.stiffness: this key is not known");
+        refused(
+            "winkler = \"0.02 um/MPa\"\n[contact]\nmodel = \"bearing-curve\"\ndepth = \"1 um\"\nhardness = \"900 MPa\"",
+            "liner: an elastic liner does not give way to the pressure of contact",
+        );
     }
 }
