@@ -180,7 +180,7 @@ fn criteria(scene: &Scene, compared: &Compared) -> Vec<Criterion> {
         value: compared.value(&[&LOGARITHMIC_DECREMENT]),
     };
     let contact = Limit {
-        what: "part of the load that contact carries",
+        what: "share of contact in the load",
         unit: "",
         scale: 1.0,
         value: compared.value(&[&CONTACT_SHARE]),
