@@ -128,7 +128,6 @@ pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::scene::tests::{STUDY, read};
 
     #[test]

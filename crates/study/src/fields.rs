@@ -138,17 +138,7 @@ pub static BEARING_STRESS: FieldRow = FieldRow {
 };
 
 /// The fields that are drawn, in the order of pictures.
-pub static FIELDS: [&FieldRow; 6] = [
-    &PRESSURE,
-    &FILM_THICKNESS,
-    &DEFLECTION,
-    &FILM_FRACTION,
-    &VISCOSITY,
-    &ERROR_INDICATOR,
-];
-
-/// All fields of `film.vtu`.
-pub static FILE_FIELDS: [&FieldRow; 11] = [
+pub static FIELDS: [&FieldRow; 7] = [
     &PRESSURE,
     &FILM_THICKNESS,
     &DEFLECTION,
@@ -159,9 +149,10 @@ pub static FILE_FIELDS: [&FieldRow; 11] = [
 ];
 
 /// All fields of `film.vtu`.
-pub static FILE_FIELDS: [&FieldRow; 11] = [
+pub static FILE_FIELDS: [&FieldRow; 12] = [
     &PRESSURE,
     &FILM_THICKNESS,
+    &DEFLECTION,
     &FILM_FRACTION,
     &VISCOSITY,
     &CONTACT_PRESSURE,

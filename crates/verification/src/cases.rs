@@ -8,7 +8,7 @@ use crate::family::{Expect, Family, LimitedLaw, MeshRecipe, Other, Series, Vary}
 pub const KNOWN_VALUES: &str = "known_values";
 
 /// The families, by the names of their files in `tests/hard_cases`.
-const FAMILIES: [(&str, &str); 21] = [
+const FAMILIES: [(&str, &str); 22] = [
     (
         KNOWN_VALUES,
         include_str!("../../../tests/hard_cases/known_values.toml"),

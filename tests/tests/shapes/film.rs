@@ -69,7 +69,7 @@ fn depth_zero_is_absence() {
     for model in MODELS {
         let plain = carried(&bearing(model), &system);
         for profile in [crown(0.0), worn(0.0), oval(0.0), measured.clone()] {
-            let zero = carried(&shaped(bearing(model), &[profile.clone()]), &system);
+            let zero = carried(&shaped(bearing(model), std::slice::from_ref(&profile)), &system);
             for k in 0..2 {
                 let size = plain.force[0].hypot(plain.force[1]);
                 let off = [

@@ -241,7 +241,7 @@ mod tests {
             }
             let compliance = Compliance::of_matrix((&around, &along), &points, layer).expect("it fits");
             let found = compliance.deflection(&forces(&around, &along, 5));
-            let off = [0.1, 1.7, 4.4].map(|angle| {
+            let off = [0.1, 1.7, 4.4].map(|angle: f64| {
                 let wanted = 1e-14 * (5.0 * angle).cos();
                 (value(&around, &along, &found, angle, 0.003) - wanted).abs() / 1e-14
             });

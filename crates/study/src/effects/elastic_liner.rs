@@ -5,7 +5,7 @@ use oilwedge_reynolds::film_thickness::Deflection;
 use oilwedge_reynolds::wall::Wall;
 use oilwedge_scene::{Layer, Liner, Material, OuterSurface};
 
-use super::{BLANK, Effect, Socket, changed};
+use super::{Effect, Socket, changed};
 use crate::film::Film;
 use crate::measure::Measured;
 use crate::wall::{ring, wall};
@@ -34,7 +34,6 @@ pub(super) const ROW: Effect = Effect {
         "remove [liner]",
     ]),
     warnings,
-    ..BLANK
 };
 
 fn warnings(film: &Film, measured: &Measured) -> Vec<Warning> {
