@@ -6,7 +6,7 @@ use oilwedge_reynolds::{FilmProblem, FilmSystem, JournalState};
 use crate::cubic::balance_cubic;
 use crate::equilibrium::{Equilibrium, NEAR, ROUGHLY_BALANCED};
 use crate::estimate::{GREATEST_ECCENTRICITY, is_contact};
-use crate::load_capacity::FAR;
+use crate::no_equilibrium::FAR;
 use crate::search::{Search, Trial};
 use crate::stiffness::Stiffness;
 use crate::{Carrier, InitialGuess, Load, NoEquilibrium, SearchOptions};

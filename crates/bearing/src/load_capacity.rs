@@ -8,6 +8,7 @@ use oilwedge_reynolds::{FilmProblem, JournalState};
 
 use crate::NoEquilibrium;
 use crate::estimate::GREATEST_ECCENTRICITY;
+use crate::no_equilibrium::{FAR, FAR_BELOW};
 use crate::search::{Search, Trial};
 
 /// Most turns of the line of centres until the film's force points in the direction of the load.
@@ -20,11 +21,6 @@ const SLOPES: std::ops::RangeInclusive<f64> = 0.1..=3.0;
 const AROUND: u32 = 24;
 /// and most halvings between two of them.
 const HALVINGS: usize = 12;
-/// A film that carries less than this part of the load wherever the journal is in contact is not brought to the load by a finer mesh.
-pub(crate) const FAR_BELOW: f64 = 1.0 / 3.0;
-/// What is said of it.
-pub(crate) const FAR: &str =
-    "in contact anywhere around the bearing the film of the journal so tilted carries less than a third of the load";
 /// An eccentricity at which less should be carried.
 const BEFORE: f64 = 0.99;
 /// Loads below this part of the reference force are below the round-off of the film's force.

@@ -1,9 +1,14 @@
 //! Why a load is not balanced.
 
 use crate::coordinates::Vector;
-use crate::load_capacity::{FAR, FAR_BELOW};
 use oilwedge_reynolds::existence::readable;
 use oilwedge_reynolds::{JournalState, NoFilm};
+
+/// A film that carries less than this part of the load wherever the journal is in contact is not brought to the load by a finer mesh.
+pub(crate) const FAR_BELOW: f64 = 1.0 / 3.0;
+/// What is said of it.
+pub(crate) const FAR: &str =
+    "in contact anywhere around the bearing the film of the journal so tilted carries less than a third of the load";
 
 /// A balance on the way from that of the force alone to that of the moment.
 #[derive(Debug, Clone, Copy, PartialEq)]

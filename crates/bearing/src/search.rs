@@ -9,7 +9,7 @@ use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSolution, FilmSystem, G
 use crate::coordinates::{Coordinates, Vector, length, moved, unit};
 use crate::deflection::{Pair, closed_film, closed_pair, unknown_change};
 use crate::equilibrium::NEAR;
-use crate::load_capacity::FAR;
+use crate::no_equilibrium::FAR;
 use crate::stiffness::Stiffness;
 use crate::{Load, NoEquilibrium, SearchOptions};
 

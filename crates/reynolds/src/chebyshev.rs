@@ -66,7 +66,7 @@ mod tests {
             let x = -1.0 + 0.01 * f64::from(k);
             let [value, slope] = sine.at(x);
             assert!(
-                (value - x.sin()).abs() < 1e-15 * 4.0 && (slope - x.cos()).abs() < 1e-13,
+                (value - x.sin()).abs() < 1e-14 && (slope - x.cos()).abs() < 1e-12,
                 "{x}"
             );
         }

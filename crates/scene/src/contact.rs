@@ -133,7 +133,8 @@ mod tests {
     const ASPERITIES: &str = "model = \"greenwood-tripp\"\neta_beta_sigma = 0.05\nsigma_over_beta = 0.01\nmodulus = \"115 GPa\"\nhardness = \"1 GPa\"\nfriction = 0";
 
     fn asked(roughness: &str, keys: &str) -> Result<Contact, String> {
-        let text = format!("{STUDY}\n[contact]\n{keys}\n").replacen("[bearing]", &format!("[bearing]\n{roughness}"), 1);
+        let text =
+            format!("{STUDY}\n[contact]\n{keys}\n").replacen("bearing = {", &format!("bearing = {{ {roughness}"), 1);
         let scene = read(&text).map_err(|error| error.to_string())?;
         Ok(scene.contact.expect("the table is there"))
     }
@@ -149,7 +150,7 @@ mod tests {
             })
         );
         assert_eq!(
-            asked("roughness = \"0.6 um\"", ASPERITIES),
+            asked("roughness = \"0.6 um\",", ASPERITIES),
             Ok(Contact {
                 model: ContactModel::GreenwoodTripp {
                     density: 0.05,
@@ -166,7 +167,7 @@ mod tests {
     #[test]
     fn what_has_no_meaning_is_refused() {
         let refused = |keys: &str, wanted: &str| {
-            let error = asked("roughness = \"0.6 um\"", keys).expect_err(wanted);
+            let error = asked("roughness = \"0.6 um\",", keys).expect_err(wanted);
             assert!(error.contains(wanted), "{error}");
         };
         refused(&CURVE.replace("0.1", "-0.1"), "contact.friction: is negative");

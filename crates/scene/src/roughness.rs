@@ -47,7 +47,7 @@ mod tests {
             error.contains("roughness.model: is \"patir-cheng\", but the bearing has no roughness"),
             "{error}"
         );
-        let rough = text.replacen("[bearing]", "[bearing]\nroughness = \"0.6 um\"", 1);
+        let rough = text.replacen("bearing = {", "bearing = { roughness = \"0.6 um\",", 1);
         assert_eq!(
             read(&rough).map(|scene| scene.roughness).ok(),
             Some(Some(Roughness::PatirCheng))

@@ -19,6 +19,9 @@ crank = { gas = {}, throws = [{}] }
 support = { tilt = {} }
 heat = { housing = {}, mixing = {} }
 limits = {}
+criteria = {}
+bore = [{ oval = {}, worn = {}, envelope = {} }]
+shaft = {}
 cavitation = {}
 contact = {}
 roughness = {}
