@@ -13,7 +13,7 @@ use crate::quantities::{
     LOGARITHMIC_DECREMENT, MIDDLE_FILM_MIN, PRESSURE_MAX, Quantity, Row, TEMPERATURE_EFFECTIVE, TEMPERATURE_OUTLET,
     View,
 };
-use crate::result::Criterion;
+use crate::result::{Criterion, Verdict};
 use crate::thermal_model::ThermalModel;
 use crate::warning::{self, Warning};
 
@@ -86,10 +86,11 @@ fn told(scene: &Scene, temperature: Option<f64>, quantities: &[Quantity]) -> Vec
         .map(|limit| {
             let value = format!("{:.DIGITS$e}", limit.value).parse().unwrap_or(limit.value);
             let (fault, value) = (limit.fault(), readable(value));
-            warning::LIMIT.says(format!(
-                "a limit is exceeded: {fault} ([limits]): it is {value} {}",
-                limit.unit
-            ))
+            let said = match limit.verdict == Verdict::Undecided {
+                true => "a limit lies inside the error bar",
+                false => "a limit is exceeded",
+            };
+            warning::LIMIT.says(format!("{said}: {fault} ([limits]): it is {value} {}", limit.unit))
         })
         .collect()
 }

@@ -109,7 +109,7 @@ fn a_full_short_film_returns_after_twenty_turns() {
 /// Steps of a cycle of eight turns are as long as the tolerance allows: a hundredth of the tolerance leaves a twentieth of the error.
 #[test]
 fn errors_fall_with_the_tolerance() {
-    let film = short(0.25, HALF, [16, 1]);
+    let film = short(0.25, HALF, [24, 2]);
     let orders = [(0.0, [0.3, 0.0], [0.0; 2]), (1.0, [0.5, 0.0], [0.0, 0.5])];
     let heavy = harmonics(&orders, 8.0 * TAU);
     let at = |tolerance: f64| end(&orbit(&film, &heavy, [0.3, 0.0], tolerance, 1));
