@@ -1,4 +1,4 @@
-//! Loads that lead to no orbit: each is told by its cause.
+//! Loads that lead to no orbit, each with its cause in the reason.
 
 use oilwedge_study::result::Status;
 use oilwedge_study::{RunOptions, run};
