@@ -21,7 +21,7 @@ use crate::scenes::path;
 use crate::tables::{row, written};
 
 /// Each scene and what is drawn of it: a field or another picture of its film, `orbit`, or a quantity of its sweep.
-pub const SCENES: [(&str, &str); 30] = [
+pub const SCENES: [(&str, &str); 32] = [
     ("01_plain_ring", "pressure"),
     ("02_flexpde_shell", "pressure"),
     ("03_hydrostatic_shell", "pressure"),
@@ -50,8 +50,10 @@ pub const SCENES: [(&str, &str); 30] = [
     ("26_tilting_crankshaft_journal", "pressure"),
     ("27_big_end_orbit", "orbit"),
     ("28_big_end_orbit_conserving", "orbit"),
+    ("29_mixed_lubrication", "friction_coefficient"),
     ("31_worn_bore", "section"),
     ("32_crowned_bore", "pressure"),
+    ("33_polymer_liner", "pressure"),
 ];
 
 /// Width of the pictures [mm].

@@ -6,6 +6,7 @@ pub mod cavitation_counts;
 pub mod cavitation_page;
 pub mod coverage;
 pub mod docs_images;
+pub mod elastic_liner;
 pub mod engine_bearings;
 pub mod flexpde_study;
 pub mod flow_meshes;
@@ -185,7 +186,9 @@ pub fn plain_film(length: f64, eccentricity: f64, min_film_angle: f64, speed: f6
         form: Form::Conservative,
         terms: vec![Arc::new(Poiseuille), Arc::new(Couette)],
         cavitation: Cavitation::None,
+        flow_factors: Vec::new(),
         storage: None,
+        contact: None,
     }
 }
 

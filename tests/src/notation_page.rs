@@ -13,7 +13,7 @@ use crate::tables::{replace, row};
 type Entry = (&'static str, &'static str, &'static str, &'static [&'static str]);
 
 /// Symbols of the theory that are in no catalogue, or have a key of a scene.
-const SYMBOLS: [Entry; 47] = [
+const SYMBOLS: [Entry; 53] = [
     ("D", "m", "diameter of the bearing", &["bearing.diameter"]),
     ("R", "m", "radius of the bearing, D/2", &[]),
     ("B", "m", "length of the bearing", &["bearing.length"]),
@@ -146,6 +146,27 @@ const SYMBOLS: [Entry; 47] = [
         &["dynamics.whirl"],
     ),
     ("M", "kg", "mass of a rigid rotor for each bearing", &["dynamics.mass"]),
+    (
+        "sigma",
+        "m",
+        "roughness of journal and liner together, root mean square",
+        &["bearing.roughness"],
+    ),
+    ("h_T", "m", "mean gap of rough surfaces", &[]),
+    ("E'", "Pa", "modulus of both surfaces that touch", &["contact.modulus"]),
+    ("H", "Pa", "hardness of the softer surface", &["contact.hardness"]),
+    (
+        "r",
+        "m",
+        "gap at which the profiles of a bearing curve touch",
+        &["contact.depth"],
+    ),
+    (
+        "mu_b",
+        "1",
+        "friction coefficient of surfaces that touch",
+        &["contact.friction"],
+    ),
 ];
 
 /// A row of the table.

@@ -6,7 +6,7 @@ use oilwedge_scene::keys::Key;
 use crate::tables::{replace, row};
 
 /// Tables of a scene that have a table of the page.
-const TABLES: [&str; 19] = [
+const TABLES: [&str; 20] = [
     "bearing",
     "bore",
     "shaft",
@@ -23,6 +23,7 @@ const TABLES: [&str; 19] = [
     "limits",
     "criteria",
     "cavitation",
+    "liner",
     "dynamics",
     "cap",
     "crankshaft",

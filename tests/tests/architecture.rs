@@ -25,12 +25,13 @@ const TOP_TO_BOTTOM: [&str; 12] = [
 ];
 
 /// The sockets whose entries are a list, and the two contracts. Another one needs a reason in writing.
-const PUBLIC_TRAITS: [&str; 11] = [
+const PUBLIC_TRAITS: [&str; 12] = [
     "ConservationLaw",
     "PressureViscosity",
     "FilmContribution",
     "Profile",
     "Term",
+    "FlowFactor",
     "Estimate",
     "Observer",
     "SearchObserver",

@@ -5,7 +5,7 @@ use oilwedge_verification::run_suite;
 use oilwedge_verification::suite::{self, Verdict};
 
 /// Families that are solved in a minute together; the others take several, and are left to `oilwedge verify --hard`.
-const QUICK: [&str; 11] = [
+const QUICK: [&str; 12] = [
     "known_values",
     "feed_pressure",
     "grooves",
@@ -13,6 +13,7 @@ const QUICK: [&str; 11] = [
     "squeeze",
     "tilt",
     "dynamics",
+    "contact",
     "speed",
     "placement",
     "scales",

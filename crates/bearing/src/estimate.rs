@@ -8,7 +8,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use oilwedge_reynolds::analytical::ocvirk::ShortFilm;
 use oilwedge_reynolds::analytical::sommerfeld;
-use oilwedge_reynolds::{Gap, JournalState};
+use oilwedge_reynolds::contact::ContactLaw;
+use oilwedge_reynolds::{Bearing, Gap, JournalState};
 
 use crate::log_eccentricity::{eccentricity_at, log_eccentricity};
 
@@ -49,6 +50,29 @@ pub fn first_position(sommerfeld_number: f64, slenderness: f64, full: bool) -> O
         false => ShortFilm::steady(eps).half_film().attitude(),
     };
     Some((eps, attitude))
+}
+
+/// Eccentricity [1] at which the contact of a parallel journal in a plain ring carries `force` [N] alone; at most [`GREATEST_ECCENTRICITY`].
+pub fn first_contact(law: &ContactLaw, bearing: &Bearing, force: f64) -> f64 {
+    const HALVINGS: usize = 50;
+    const POINTS: u32 = 2000;
+    let (radius, clearance) = (bearing.radius, bearing.clearance);
+    let carried = |eps: f64| {
+        let at = |k: u32| {
+            let cos = (PI * (f64::from(k) + 0.5) / f64::from(POINTS)).cos();
+            law.at(clearance * (1.0 - eps * cos)).pressure * cos
+        };
+        2.0 * radius * bearing.length * PI / f64::from(POINTS) * (0..POINTS).map(at).sum::<f64>()
+    };
+    let (mut low, mut high) = (0.0, GREATEST_ECCENTRICITY);
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        match carried(middle) < force {
+            true => low = middle,
+            false => high = middle,
+        }
+    }
+    high
 }
 
 /// Sommerfeld number of the infinitely long bearing with the half film: `3 eps sqrt(pi^2 - eps^2 (pi^2 - 4)) / ((2 + eps^2)

@@ -6,7 +6,7 @@ use oilwedge_reynolds::{FilmProblem, FilmSystem, JournalState};
 use crate::cubic::balance_cubic;
 use crate::equilibrium::{Equilibrium, NEAR, ROUGHLY_BALANCED};
 use crate::estimate::{GREATEST_ECCENTRICITY, is_contact};
-use crate::load_capacity::FAR;
+use crate::no_equilibrium::FAR;
 use crate::search::{Search, Trial};
 use crate::stiffness::Stiffness;
 use crate::{Carrier, InitialGuess, Load, NoEquilibrium, SearchOptions};
@@ -103,7 +103,10 @@ impl Search<'_> {
             ..self.options
         };
         let reason = match find(&coarser.problem(problem), &coarser.system, self.load, &rough) {
-            Ok(found) => return self.run(problem, found.problem.journal),
+            Ok(found) => {
+                let bent = problem.clone().deflected(found.problem.deflection());
+                return self.run(&bent, found.problem.journal);
+            }
             Err(reason) => reason,
         };
         if let NoEquilibrium::EdgeContact { way: Some(way), .. } | NoEquilibrium::TiltLimit { way: Some(way), .. } =
@@ -113,7 +116,7 @@ impl Search<'_> {
             return self.continued(problem, way).map_err(|reason| self.confirmed(reason));
         }
         if let NoEquilibrium::BeyondCapacity { journal, .. } = &reason
-            && let Some(beyond) = self.beyond_capacity(problem, journal)
+            && let Some(beyond) = self.still_beyond(problem, journal)
         {
             return Err(beyond);
         }

@@ -16,6 +16,10 @@ use crate::{Carrier, InitialGuess, NoEquilibrium, SearchOptions, find};
 impl Search<'_> {
     /// The balance found from that of the Swift-Stieber film, or why that film has none. None where it leads nowhere, and for other films.
     pub(crate) fn guided(&self, problem: &FilmProblem) -> Option<Result<Equilibrium, NoEquilibrium>> {
+        // Under a wall that gives way the guide would have another gap, and bound nothing.
+        if problem.deflection().is_some() {
+            return None;
+        }
         let guide = FilmProblem {
             cavitation: problem.cavitation.guide()?,
             ..problem.clone()

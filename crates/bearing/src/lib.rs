@@ -4,6 +4,7 @@
 //! |---|---|---|
 //! | load = force of the film | position of the journal | [`equilibrium`] |
 //! | moment of the load and of the support = moment of the film | tilt of the journal | [`equilibrium`] |
+//! | deflection of the wall = that by the pressure of the film | deflection | [`deflection`] |
 //! | friction = heat carried off | temperature of the film | [`thermal_balance`] |
 //!
 //! [`dynamics`]: how the film answers to small motions of the journal, and when a rotor on it whirls.
@@ -18,6 +19,7 @@ pub mod cap_bolts;
 pub mod coordinates;
 mod cubic;
 pub mod deadline;
+pub mod deflection;
 mod descent;
 pub mod duty_cycle;
 pub mod dynamics;
@@ -48,7 +50,7 @@ pub use deadline::{Deadline, Interrupt};
 pub use duty_cycle::{Duty, DutyCycle};
 pub use dynamics::{Coefficients, Dynamics, Stability, Threshold, stability};
 pub use equilibrium::{Equilibrium, NEAR, ROUGHLY_BALANCED};
-pub use estimate::{GREATEST_ECCENTRICITY, first_position, is_contact};
+pub use estimate::{GREATEST_ECCENTRICITY, first_contact, first_position, is_contact};
 pub use find::find;
 pub use hill::balance_hill;
 pub use load::{Load, Tilting};

@@ -8,6 +8,7 @@ use oilwedge_reynolds::{FilmProblem, JournalState};
 
 use crate::NoEquilibrium;
 use crate::estimate::GREATEST_ECCENTRICITY;
+use crate::no_equilibrium::{FAR, FAR_BELOW};
 use crate::search::{Search, Trial};
 
 /// Most turns of the line of centres until the film's force points in the direction of the load.
@@ -20,11 +21,6 @@ const SLOPES: std::ops::RangeInclusive<f64> = 0.1..=3.0;
 const AROUND: u32 = 24;
 /// and most halvings between two of them.
 const HALVINGS: usize = 12;
-/// A film that carries less than this part of the load wherever the journal is in contact is not brought to the load by a finer mesh.
-const FAR_BELOW: f64 = 1.0 / 3.0;
-/// What is said of it.
-pub(crate) const FAR: &str =
-    "in contact anywhere around the bearing the film of the journal so tilted carries less than a third of the load";
 /// An eccentricity at which less should be carried.
 const BEFORE: f64 = 0.99;
 /// Loads below this part of the reference force are below the round-off of the film's force.
@@ -34,29 +30,31 @@ impl Search<'_> {
     /// The reason if the film carries less than the load at the greatest eccentricity, in the direction of the load; the line of centres is turned to that from that
     /// of `start`.
     pub(crate) fn beyond_capacity(&self, problem: &FilmProblem, start: &JournalState) -> Option<NoEquilibrium> {
-        let asked = self.load.magnitude();
+        let trial = self.contact_towards_load(problem, start.min_film_angle())?;
+        // A film under tension may point there from its wide side too, with next to no force.
+        let is_thin = !self.bears_tension || size(&trial) > self.reference_force;
+        is_thin.then(|| self.beyond(&trial)).flatten()
+    }
+
+    /// The reason as on a coarser mesh, if it is one on this mesh too: `start` is the contact that it names.
+    pub(crate) fn still_beyond(&self, problem: &FilmProblem, start: &JournalState) -> Option<NoEquilibrium> {
+        match problem.journal.tilt {
+            [0.0, 0.0] => self.beyond_capacity(problem, start),
+            // It is the best of all contacts: how much that is in all does not count.
+            _ => self.beyond(&self.contact_towards_load(problem, start.min_film_angle())?),
+        }
+    }
+
+    /// The film at the greatest eccentricity whose force points towards the load; the line of centres is turned to that from `angle` [rad].
+    fn contact_towards_load(&self, problem: &FilmProblem, mut angle: f64) -> Option<Trial> {
         let towards = self.load.force[1].atan2(self.load.force[0]);
-        let mut angle = start.min_film_angle();
         let mut before: Option<[f64; 2]> = None;
         for _ in 0..TURNS {
-            let e = GREATEST_ECCENTRICITY * self.gap.reach(&problem.journal, angle);
             let trial = self.at_contact(problem, angle)?;
             let [x, y] = trial.carried.force;
             let turn = wrapped(towards - y.atan2(x));
             if turn.abs() < ALIGNED {
-                let greatest = x.hypot(y);
-                // A film under tension may point there from its wide side too, with next to no force.
-                let is_thin = !self.bears_tension || greatest > self.reference_force;
-                let is_beyond = greatest < asked && is_thin && self.grows(problem, angle, greatest);
-                return is_beyond.then(|| NoEquilibrium::BeyondCapacity {
-                    asked,
-                    towards: towards.to_degrees().rem_euclid(360.0),
-                    greatest,
-                    ratio: asked / greatest,
-                    eccentricity: e / problem.bearing.clearance,
-                    thickness: self.gap.least(&trial.problem.journal),
-                    journal: Box::new(trial.problem.journal),
-                });
+                return Some(trial);
             }
             // With a tilt the force turns faster or slower than the line of centres.
             let slope = before.map_or(1.0, |[last, off]| -wrapped(angle - last) / (turn - off));
@@ -64,6 +62,23 @@ impl Search<'_> {
             angle += turn * if SLOPES.contains(&slope) { slope } else { 1.0 };
         }
         None
+    }
+
+    /// The reason if the film of a journal in contact, whose force points towards the load, carries less than that, and more than before contact.
+    fn beyond(&self, trial: &Trial) -> Option<NoEquilibrium> {
+        let (asked, greatest) = (self.load.magnitude(), size(trial));
+        let FilmProblem { bearing, journal, .. } = &trial.problem;
+        let is_beyond = greatest < asked && self.grows(&trial.problem, journal.min_film_angle(), greatest);
+        let towards = self.load.force[1].atan2(self.load.force[0]);
+        is_beyond.then(|| NoEquilibrium::BeyondCapacity {
+            asked,
+            towards: towards.to_degrees().rem_euclid(360.0),
+            greatest,
+            ratio: asked / greatest,
+            eccentricity: journal.eccentricity() / bearing.clearance,
+            thickness: self.gap.least(journal),
+            journal: Box::new(*journal),
+        })
     }
 
     /// The film at the greatest eccentricity towards an angle [rad].
@@ -120,7 +135,7 @@ impl Search<'_> {
                 }
             }
         }
-        best.and_then(|(_, journal)| self.beyond_capacity(problem, &journal))
+        best.and_then(|(_, journal)| self.still_beyond(problem, &journal))
     }
 
     /// Whether the film carries less than `greatest` [N] at a smaller eccentricity; with tension on one side of an arc it need not.
@@ -128,7 +143,7 @@ impl Search<'_> {
         let e = BEFORE * self.gap.reach(&problem.journal, angle);
         let at = self.at_offset(problem, [e * angle.cos(), e * angle.sin()]);
         let before = self.trial(problem, at, Neighbour::None);
-        before.is_ok_and(|trial| trial.carried.force[0].hypot(trial.carried.force[1]) < greatest)
+        before.is_ok_and(|trial| size(&trial) < greatest)
     }
 
     /// The reason if the load is below the round-off of the film's force.
@@ -137,4 +152,9 @@ impl Search<'_> {
         let least = ROUNDING * self.reference_force;
         (asked > 0.0 && asked < least).then_some(NoEquilibrium::BelowRounding { asked, least })
     }
+}
+
+/// Magnitude of the force that a film carries [N].
+fn size(trial: &Trial) -> f64 {
+    trial.carried.force[0].hypot(trial.carried.force[1])
 }

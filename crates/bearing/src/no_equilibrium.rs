@@ -1,9 +1,14 @@
 //! Why a load is not balanced.
 
 use crate::coordinates::Vector;
-use crate::load_capacity::FAR;
 use oilwedge_reynolds::existence::readable;
 use oilwedge_reynolds::{JournalState, NoFilm};
+
+/// A film that carries less than this part of the load wherever the journal is in contact is not brought to the load by a finer mesh.
+pub(crate) const FAR_BELOW: f64 = 1.0 / 3.0;
+/// What is said of it.
+pub(crate) const FAR: &str =
+    "in contact anywhere around the bearing the film of the journal so tilted carries less than a third of the load";
 
 /// A balance on the way from that of the force alone to that of the moment.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -67,7 +72,7 @@ pub enum NoEquilibrium {
     },
     /// The journal comes into contact with the liner at an end before the film carries the moment.
     #[error(
-        "no position and tilt of the journal carry {} N and its moment: the journal comes into contact with the liner at its end z = {} mm, at {angle:.1} deg; the last balance found on the way there, with a film of {} m, carries {} % of the moment",
+        "no position and tilt that a growing moment leads to carry {} N and its moment: the journal comes into contact with the liner at its end z = {} mm, at {angle:.1} deg; the last balance found on the way there, with a film of {} m, carries {} % of the moment",
         readable(*asked), readable(1e3 * end), readable(*thickness), readable((100.0 * carried).round())
     )]
     EdgeContact {
@@ -172,6 +177,15 @@ impl NoEquilibrium {
             | Self::BelowRounding { .. }
             | Self::NotConverged { .. }
             | Self::Ended { .. } => false,
+        }
+    }
+
+    /// True where the film of a tilted journal in contact carries so much less than the load that a finer mesh shows no more.
+    pub fn is_far_beyond(&self) -> bool {
+        match self.cause() {
+            // The thin film all along a parallel journal needs a fine mesh.
+            Self::BeyondCapacity { ratio, journal, .. } => journal.tilt != [0.0; 2] && FAR_BELOW * ratio > 1.0,
+            reason => matches!(reason, Self::Unreachable { why, .. } if *why == FAR),
         }
     }
 

@@ -7,7 +7,9 @@ use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSolution, FilmSystem, Gap, JournalState, NoFilm};
 
 use crate::coordinates::{Coordinates, Vector, length, moved, unit};
+use crate::deflection::{Pair, closed_film, closed_pair, unknown_change};
 use crate::equilibrium::NEAR;
+use crate::no_equilibrium::FAR;
 use crate::stiffness::Stiffness;
 use crate::{Load, NoEquilibrium, SearchOptions};
 
@@ -24,7 +26,7 @@ const AT_REST: f64 = 1e-3;
 pub(crate) struct Search<'a> {
     pub(crate) system: &'a FilmSystem,
     pub(crate) load: Load,
-    /// Where the film is least.
+    /// Where the film is least; that of a wall that gives way before it does.
     pub(crate) gap: Gap,
     /// What is free under it.
     pub(crate) coordinates: Coordinates,
@@ -85,7 +87,7 @@ impl<'a> Search<'a> {
         Self {
             system,
             load,
-            gap: Gap::of(problem, system),
+            gap: Gap::of(&problem.clone().with_wall_at_rest(), system),
             coordinates: Coordinates::of(&load, &problem.bearing),
             options,
             reference_force,
@@ -152,8 +154,7 @@ impl<'a> Search<'a> {
 
     /// The trial with the journal `at` these coordinates by the force of the film in quadratic elements.
     pub(crate) fn trial(&self, problem: &FilmProblem, at: Vector, near: Neighbour) -> Result<Trial, NoFilm> {
-        let problem = self.placed(problem, at);
-        let film = problem.solve_from(self.system, near)?;
+        let (problem, film) = closed_film(self.placed(problem, at), self.system, near)?;
         let carried = load(&problem, self.system, &film).total.resultant();
         let trial = self.recorded(Trial::of(problem, film, carried));
         Ok(match near {
@@ -175,7 +176,7 @@ impl<'a> Search<'a> {
     ) -> Result<Trial, NoFilm> {
         let problem = self.placed(problem, at);
         let film = problem.solve_from(self.system, near)?;
-        let cubic = problem.cubic_film(self.system, &film, cubic)?;
+        let Pair { problem, film, cubic } = closed_pair(problem, self.system, film, cubic)?;
         let carried = load(&problem, &self.system.cubic().system, &cubic).total.resultant();
         Ok(self.recorded(Trial {
             cubic: Some(cubic),
@@ -256,10 +257,9 @@ impl<'a> Search<'a> {
         Stiffness::by_columns(self.coordinates.order, |k| {
             let journal = &trial.problem.journal;
             let change = (self.coordinates).change(journal, &self.options.centre_velocity, unit(k));
-            let unknown = (trial.problem)
-                .unknown_change(self.system, &trial.film, &change)
+            let unknown = unknown_change(&trial.problem, self.system, &trial.film, &change)
                 .map_err(oilwedge_fem::newton::Failure::from)?;
-            let by_film = load_change(&trial.problem, self.system, &trial.film, &unknown);
+            let by_film = load_change(&trial.problem, self.system, &trial.film, &change, &unknown);
             let mut column = self.coordinates.forces(&by_film);
             if k >= 2 {
                 column[k] += self.support_stiffness();
@@ -324,6 +324,8 @@ impl<'a> Search<'a> {
                 journal,
                 history: self.tried.take(),
             },
+            // What the film carries in contact all around is known, unless a force like the load was found on the way.
+            NoEquilibrium::Unreachable { why, .. } if why == FAR && !self.found_alike() => reason,
             NoEquilibrium::Unreachable { asked, journal, .. } if self.came_near() => {
                 let history = self.tried.take();
                 NoEquilibrium::NotConverged {
@@ -337,15 +339,20 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Whether a force was found that is as large as the load by [`NEARLY`] and points its way by [`ASTRAY`].
+    /// Whether what was found leaves open that there is a position.
     fn came_near(&self) -> bool {
+        // A film that bears tension has forces to all sides, of any size.
+        let is_any = |Nearest { force: [x, y], .. }| x.hypot(y) > AT_REST * self.load.magnitude();
+        self.found_alike() || self.bears_tension && self.nearest.get().is_some_and(is_any)
+    }
+
+    /// Whether a force was found that is as large as the load by [`NEARLY`] and points its way by [`ASTRAY`].
+    fn found_alike(&self) -> bool {
         self.nearest.get().is_some_and(|Nearest { force: [x, y], .. }| {
             let [load_x, load_y] = self.load.force;
             let ratio = x.hypot(y) / load_x.hypot(load_y);
             let turn = (x * load_y - y * load_x).atan2(x * load_x + y * load_y);
-            // A film that bears tension has forces to all sides, of any size.
-            let is_any = self.bears_tension && ratio > AT_REST;
-            is_any || (1.0 / NEARLY..NEARLY).contains(&ratio) && turn.abs() < ASTRAY
+            (1.0 / NEARLY..NEARLY).contains(&ratio) && turn.abs() < ASTRAY
         })
     }
 

@@ -14,6 +14,8 @@ const MOST_HALVINGS: usize = 8;
 const LEAST_SHRINK: f64 = 0.1;
 /// and where the tilt is free: an end comes near the liner before the force shows it.
 const LEAST_SHRINK_TILTING: f64 = 0.3;
+/// and where surfaces touch: contact grows like the exponential of the gap.
+const LEAST_SHRINK_TOUCHING: f64 = 0.4;
 /// Longest turn of the line of centres in one step [rad].
 const LONGEST_TURN: f64 = 1.0;
 /// Least eccentricity at which steps are taken in logarithmic coordinates.
@@ -87,10 +89,12 @@ impl Search<'_> {
         let journal = from.problem.journal;
         let gap = self.gap.least(&journal);
         let here = self.coordinates.at(&journal);
-        let least = match self.load.tilting {
-            None => LEAST_SHRINK * gap,
-            Some(_) => LEAST_SHRINK_TILTING * gap,
-        };
+        let least = gap
+            * match self.load.tilting {
+                _ if from.problem.contact.is_some() => LEAST_SHRINK_TOUCHING,
+                None => LEAST_SHRINK,
+                Some(_) => LEAST_SHRINK_TILTING,
+            };
         let thin = |part: f64| {
             self.gap
                 .least(&self.coordinates.placed(&journal, moved(here, part, step)))

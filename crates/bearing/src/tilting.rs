@@ -76,7 +76,15 @@ impl Search<'_> {
             accuracy: Some(ROUGHLY_BALANCED),
             ..self.options
         };
-        let found = find(problem, self.system, straight, &options)?;
+        let found = find(problem, self.system, straight, &options).or_else(|reason| {
+            // What the film carries at one tilt is no limit where the tilt is free: a parallel journal carries more.
+            let mut parallel = problem.clone();
+            parallel.journal.tilt = [0.0; 2];
+            match problem.journal.tilt {
+                [0.0, 0.0] => Err(reason),
+                _ => find(&parallel, self.system, straight, &options),
+            }
+        })?;
         let place = self.coordinates.at(&found.problem.journal);
         self.along_branch(self.trial(&found.problem, place, Neighbour::Start(&found.film))?)
     }

@@ -60,7 +60,7 @@ impl Cases {
         let (sweep, scene, path) = (Arc::clone(&self.sweep), Arc::clone(&self.scene), self.path.clone());
         let rows = done(py, asked.threads, move |interrupt| {
             let options = options(&asked, &scene, interrupt, Some(part(number, of)?));
-            part_rows(&sweep, &options).map_err(|error| Failure::Sweep(path, error))
+            part_rows(&sweep, &options).map_err(|error| Failure::Sweep(path, Box::new(error)))
         });
         Ok(PyBytes::new(py, &rows?))
     }
@@ -83,7 +83,7 @@ impl Cases {
         let (sweep, scene, path) = (Arc::clone(&self.sweep), Arc::clone(&self.scene), self.path.clone());
         let table = done(py, Some(1), move |interrupt| {
             let options = options(&asked, &scene, interrupt, None);
-            let report = of_rows(&sweep, &options, &rows).map_err(|error| Failure::Sweep(path, error))?;
+            let report = of_rows(&sweep, &options, &rows).map_err(|error| Failure::Sweep(path, Box::new(error)))?;
             Ok((rows, json(&report)?, sweep_report(&report, None)))
         });
         let (csv, json, words) = table?;

@@ -22,7 +22,7 @@ pub(crate) enum Failure {
     /// Results are not made or not written.
     Report(oilwedge_report::Error),
     /// A sweep is not run, or not to its end.
-    Sweep(PathBuf, SweepError),
+    Sweep(PathBuf, Box<SweepError>),
     /// An argument is wrong.
     Argument(String),
     /// The program has failed.
@@ -53,7 +53,7 @@ impl Failure {
             Self::Scene(error) => scene(py, error),
             Self::Compile(path, error) => compile(py, &path, &error),
             Self::Report(error) => report(py, Path::new(""), error),
-            Self::Sweep(path, error) => sweep(py, &path, error),
+            Self::Sweep(path, error) => sweep(py, &path, *error),
             Self::Argument(message) => PyValueError::new_err(message),
             Self::Panic(message) => {
                 let words = format!("{message}; this is a fault of the program, please report the scene");

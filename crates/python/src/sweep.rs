@@ -39,7 +39,8 @@ pub(crate) fn sweep<'py>(
             fresh,
             part: None,
         };
-        let report = run(&cases, &options, folder, &mut |_| {}).map_err(|error| Failure::Sweep(path, error))?;
+        let report =
+            run(&cases, &options, folder, &mut |_| {}).map_err(|error| Failure::Sweep(path, Box::new(error)))?;
         let table = folder.join(TABLE_FILE);
         let csv = std::fs::read(&table).map_err(|source| system(&table, source))?;
         Ok((csv, json(&report)?, sweep_report(&report, None)))

@@ -61,10 +61,11 @@ pub fn printed_unit(unit: &str) -> String {
 }
 
 /// Names of Greek letters in symbols.
-const GREEK: [(&str, &str); 13] = [
+const GREEK: [(&str, &str); 14] = [
     ("alpha", "\u{3b1}"),
     ("beta", "\u{3b2}"),
     ("delta", "\u{3b4}"),
+    ("Delta", "\u{394}"),
     ("eps", "\u{3b5}"),
     ("eta", "\u{3b7}"),
     ("mu", "\u{3bc}"),

@@ -106,6 +106,16 @@ pub enum NoFilm {
         /// Couplings of the wrong sign in the mesh.
         couplings: usize,
     },
+    /// No deflection of the wall balances the pressure of the film.
+    #[error(
+        "not converged: no deflection of the elastic liner was found that balances the pressure of the film: {residual:.1e} of it is left after {steps} films"
+    )]
+    Wall {
+        /// What is left of the deflection less that by the pressure, over the deflection.
+        residual: f64,
+        /// Films solved.
+        steps: usize,
+    },
     /// The iteration failed.
     #[error("not converged: {0}")]
     NotConverged(#[from] Failure),
@@ -131,7 +141,8 @@ impl NoFilm {
             | Self::BelowFloor { .. }
             | Self::Fold { .. }
             | Self::NoSupply { .. }
-            | Self::FilmFraction { .. } => &[],
+            | Self::FilmFraction { .. }
+            | Self::Wall { .. } => &[],
         }
     }
 }

@@ -5,14 +5,14 @@ use oilwedge_fem::quadrature::MOST_POINTS;
 use oilwedge_fem::{ConservationLaw, Dual, Tangent};
 
 use crate::film_problem::{FilmProblem, Form};
-use crate::{FilmFlow, FilmPoint, JournalChange};
+use crate::{FilmChange, FilmFlow, FilmPoint, flow_factors};
 
-/// The law of a [`FilmProblem`], or how it changes, to first order, where the journal moves.
+/// The law of a [`FilmProblem`], or how it changes, to first order, where the journal moves or the gap grows.
 pub(crate) struct FilmLaw<'a> {
     problem: &'a FilmProblem,
     /// Scales all motion of the journal (continuation).
     motion: f64,
-    change: Option<JournalChange>,
+    change: Option<FilmChange<'a>>,
 }
 
 impl FilmProblem {
@@ -35,7 +35,7 @@ impl<'a> FilmLaw<'a> {
     }
 
     /// The first-order change of the law: a law itself, whose residual at a field is the change of the residual.
-    pub(crate) fn changed(problem: &'a FilmProblem, change: JournalChange) -> Self {
+    pub(crate) fn changed(problem: &'a FilmProblem, change: FilmChange<'a>) -> Self {
         Self {
             problem,
             motion: 1.0,
@@ -74,18 +74,81 @@ impl<'a> FilmLaw<'a> {
             for term in &self.problem.terms {
                 term.add_all(&film[..positions.len()], &mut flows);
             }
+            if !self.problem.flow_factors.is_empty() {
+                self.scale(&film[..positions.len()], &mut flows);
+            }
             return (film, flows);
         };
         let mut moved = [FilmPoint::default(); MOST_POINTS];
-        for contribution in &self.problem.film_thickness {
-            contribution.vary(change, cell, positions, &mut moved[..positions.len()]);
-        }
+        self.vary(change, cell, positions, &mut moved[..positions.len()]);
         for term in &self.problem.terms {
             for ((point, change), flow) in film[..positions.len()].iter().zip(&moved).zip(&mut flows) {
                 term.vary(point, change, flow);
             }
         }
+        if !self.problem.flow_factors.is_empty() {
+            self.vary_factors(&film[..positions.len()], &moved, &mut flows);
+        }
         (moved, flows)
+    }
+
+    /// Scales the flows of a smooth film.
+    fn scale(&self, film: &[FilmPoint], flows: &mut [FilmFlow]) {
+        for (point, flow) in film.iter().zip(flows) {
+            flow_factors::scale(&self.problem.flow_factors, point, flow);
+        }
+    }
+
+    /// Scales the change of the flows of a smooth film where the film has `moved`.
+    fn vary_factors(&self, film: &[FilmPoint], moved: &[FilmPoint], changes: &mut [FilmFlow]) {
+        for ((point, moved), change) in film.iter().zip(moved).zip(changes) {
+            let mut flow = FilmFlow::default();
+            for term in &self.problem.terms {
+                term.add(point, &mut flow);
+            }
+            flow_factors::vary(&self.problem.flow_factors, point, moved.thickness, &flow, change);
+        }
+    }
+
+    /// As [`FilmLaw::film_and_flows`], but for the thickness, or its change: that which holds and carries the oil.
+    pub(crate) fn oil_and_flows(
+        &self,
+        cell: usize,
+        positions: &[[f64; 2]],
+    ) -> (AtPoints<FilmPoint>, AtPoints<FilmFlow>) {
+        let (mut film, flows) = self.film_and_flows(cell, positions);
+        if !self.problem.flow_factors.is_empty() {
+            let gaps = self.problem.gaps_at(cell, positions);
+            for (point, gap) in film[..positions.len()].iter_mut().zip(gaps) {
+                let [mean, slope] = flow_factors::mean_gap(&self.problem.flow_factors, gap);
+                point.thickness = match self.change {
+                    None => mean,
+                    Some(_) => slope * point.thickness,
+                };
+            }
+        }
+        (film, flows)
+    }
+
+    /// Adds what a change adds to the film.
+    fn vary(&self, change: &FilmChange<'_>, cell: usize, positions: &[[f64; 2]], film: &mut [FilmPoint]) {
+        match change {
+            FilmChange::Journal(change) => {
+                for contribution in &self.problem.film_thickness {
+                    contribution.vary(change, cell, positions, film);
+                }
+            }
+            FilmChange::Gap(shape) => shape.add(&self.problem.journal, cell, positions, film),
+            FilmChange::GapRate(shape) => {
+                shape.add(&self.problem.journal, cell, positions, film);
+                for point in film {
+                    *point = FilmPoint {
+                        rate: point.thickness,
+                        ..FilmPoint::default()
+                    };
+                }
+            }
+        }
     }
 
     fn flows(&self, cell: usize, positions: &[[f64; 2]]) -> AtPoints<FilmFlow> {

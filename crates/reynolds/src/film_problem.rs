@@ -1,12 +1,13 @@
 //! One film, compiled: what is simulated, chosen once; and its solution.
 
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use oilwedge_fem::complementarity::InitialGuess;
 use oilwedge_fem::factorization::LazyAnalysis;
 use oilwedge_fem::linear_solver::MultigridSolver;
 use oilwedge_fem::newton::{self, HistoryStep, Seconds};
 use oilwedge_fem::ordering::elimination_order;
+use oilwedge_fem::quadrature::MOST_POINTS;
 use oilwedge_fem::{
     Analysis, Assembler, ControlVolumes, LinearProlongation, LinearSolver, Linearisation, Prolongation, Space,
     UnsymmetricAnalysis,
@@ -15,11 +16,14 @@ use oilwedge_mesh::Mesh;
 use oilwedge_mesh::quality::needle_share;
 
 use crate::cavitation::FilmFraction;
+use crate::contact::Contact;
 use crate::film_thickness::{FilmContribution, Follows};
+use crate::flow_factors::FlowFactor;
 use crate::levels::Coarser;
 use crate::lubricant::Lubricant;
 use crate::supply::{Supply, SupplyError, SupplyRegion};
 use crate::terms::Term;
+use crate::wall::{Grid, Pressing};
 use crate::{Bearing, Cavitation, FilmPoint, JournalState, Storage, Theory};
 
 /// Unknowns from which on systems are solved by multigrid: half the memory and both cores from there on, time that grows with the
@@ -59,10 +63,14 @@ pub struct FilmProblem {
     pub form: Form,
     /// Fluxes: a sum.
     pub terms: Vec<Arc<dyn Term>>,
+    /// What scales them, for surfaces that are not smooth: a product.
+    pub flow_factors: Vec<Arc<dyn FlowFactor>>,
     /// What closes the law where the film breaks.
     pub cavitation: Cavitation,
     /// What a film that conserves oil held before; `None`: it is steady, or its thickness alone changes.
     pub storage: Option<Arc<Storage>>,
+    /// Where rough surfaces touch; `None`: they do not.
+    pub contact: Option<Contact>,
 }
 
 /// Everything that depends on mesh and supply only: numbered, analysed once, used for every solve.
@@ -84,6 +92,8 @@ pub struct FilmSystem {
     volumes: OnceLock<Result<ControlVolumes, oilwedge_fem::Error>>,
     /// The analysed pattern of the LU factor of a hill, made when one is first solved.
     unsymmetric: OnceLock<Result<Arc<UnsymmetricAnalysis>, oilwedge_fem::Error>>,
+    /// What presses on the grids of a wall, made when it first gives way.
+    pressing: Mutex<Vec<Arc<Pressing>>>,
     /// Made when an error bar is first estimated.
     pub(crate) cubic: OnceLock<Box<CubicSystem>>,
     /// Made when the error of a mass-conserving film is first judged.
@@ -123,6 +133,7 @@ impl FilmSystem {
             between: OnceLock::new(),
             volumes: OnceLock::new(),
             unsymmetric: OnceLock::new(),
+            pressing: Mutex::default(),
             cubic: OnceLock::new(),
             vertices: OnceLock::new(),
         }
@@ -190,6 +201,21 @@ impl FilmSystem {
         let analysed = || UnsymmetricAnalysis::new(self.assembler.pattern().clone(), elimination_order(self.space()));
         let analysis = self.unsymmetric.get_or_init(|| analysed().map(Arc::new));
         analysis.clone()
+    }
+
+    /// What a pressure at the dofs exerts on the grid of a wall.
+    pub(crate) fn pressing(&self, grid: &Grid) -> Arc<Pressing> {
+        let mut made = self.pressing.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(known) = made.iter().find(|pressing| pressing.is_on(grid)) {
+            return known.clone();
+        }
+        let pressing = Arc::new(Pressing::new(self.space(), grid));
+        // A wall has two grids; those of walls before are not needed again.
+        if made.len() > 1 {
+            made.remove(0);
+        }
+        made.push(pressing.clone());
+        pressing
     }
 
     /// The space of the unknown.
@@ -322,6 +348,15 @@ impl FilmProblem {
     /// Viscosity [Pa s] at the pressure `p` [Pa].
     pub fn viscosity_at(&self, p: f64) -> f64 {
         self.lubricant.viscosity * self.lubricant.pressure_law.viscosity_ratio(p)
+    }
+
+    /// Film thickness [m] at as many positions [m] in triangle `cell` as a quadrature rule has at once.
+    pub(crate) fn gaps_at(&self, cell: usize, positions: &[[f64; 2]]) -> [f64; MOST_POINTS] {
+        let mut film = [FilmPoint::default(); MOST_POINTS];
+        for contribution in &self.film_thickness {
+            contribution.add(&self.journal, cell, positions, &mut film[..positions.len()]);
+        }
+        film.map(|point| point.thickness)
     }
 
     /// Film thickness [m] at positions [m] in triangle `cell`.

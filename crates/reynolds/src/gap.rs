@@ -27,7 +27,9 @@ use crate::{Bearing, FilmPoint, FilmProblem, FilmSystem, JournalState};
 /// Triangles that are searched.
 const SEARCHED: usize = 8;
 /// Smaller triangles in one of them, each at most three quarters of the one before,
-const SHRINKS: usize = 48;
+const SHRINKS: usize = 96;
+/// until the film in it is even to this part,
+const EVEN: f64 = 1e-14;
 /// and halvings of the part of a line.
 const HALVINGS: usize = 32;
 /// Points of a triangle, a quarter of its sides apart.
@@ -295,6 +297,10 @@ impl Shaped {
                 angle: x / radius,
                 z,
             });
+            let greatest = film.iter().fold(thickness, |greatest, (film, _)| greatest.max(*film));
+            if greatest - thickness <= EVEN * thickness.abs() {
+                break;
+            }
             // The triangle around it that holds its neighbours.
             let beyond = lagrange::barycentric(point).map(|part| (part - SPACING).max(0.0));
             let left = 1.0 - beyond.iter().sum::<f64>();

@@ -69,10 +69,11 @@ impl Coarser {
 
     /// The film on the coarser mesh.
     pub fn problem(&self, fine: &FilmProblem) -> FilmProblem {
-        FilmProblem {
+        let problem = FilmProblem {
             film_thickness: self.film_thickness.clone(),
             ..fine.clone()
-        }
+        };
+        problem.deflected(fine.deflection())
     }
 
     /// A film of the coarser mesh as a start on the finer one. A dof is in the cavity if the nearest node is that

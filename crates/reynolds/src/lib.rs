@@ -27,7 +27,9 @@
 //! | U h/2 | m2/s | `flux` | [`terms::Couette`] |
 //! | dh/dt | m/s | `storage` | [`terms::squeeze`] |
 //! | d(theta h)/dt | m/s | `per_time`, `known` | [`Storage`], in orbits of films that conserve oil |
+//! | d | m | `coefficients` | [`film_thickness::Deflection`] of a [`wall`] that gives way |
 //! | W | N | `force` | [`quantities::load`] |
+//! | p_a(h) | Pa | `pressure` | [`contact`], where rough surfaces touch |
 //!
 //! All pressures are gauge. The bearing is at rest; `phi` counts from +x towards +y; the minimum
 //! film lies at `atan2(e_y, e_x)`; `W` is the external force that the film carries.
@@ -41,13 +43,17 @@ pub mod analytical;
 pub mod angles;
 pub mod bearing;
 pub mod cavitation;
+mod chebyshev;
+pub mod contact;
 mod cubic_film;
 pub mod error_bar;
 pub mod existence;
+mod film_change;
 mod film_law;
 pub mod film_point;
 pub mod film_problem;
 pub mod film_thickness;
+pub mod flow_factors;
 pub mod gap;
 pub mod journal_state;
 pub mod levels;
@@ -62,11 +68,13 @@ mod storage;
 pub mod supply;
 pub mod terms;
 pub mod theory;
+pub mod wall;
 mod whirl;
 
 pub use bearing::Bearing;
 pub use cavitation::Cavitation;
 pub use existence::NoFilm;
+pub use film_change::FilmChange;
 pub use film_point::{FilmFlow, FilmPoint};
 pub use film_problem::{FilmProblem, FilmSolution, FilmSystem, FilmTrace, Form};
 pub use gap::{Gap, Thinnest};

@@ -6,7 +6,7 @@ use oilwedge_fem::newton::Failure;
 use crate::cavitation;
 use crate::film_law::FilmLaw;
 use crate::solve::Neighbour;
-use crate::{FilmProblem, FilmSolution, FilmSystem, JournalChange, NoFilm};
+use crate::{FilmChange, FilmProblem, FilmSolution, FilmSystem, JournalChange, NoFilm};
 
 impl FilmProblem {
     /// The film where the journal has moved by a small `change`: along the tangent, but for a mass-conserving one, which is
@@ -27,15 +27,27 @@ impl FilmProblem {
             return Ok((problem, film));
         }
         let unknown = self.unknown_change(system, film, change).map_err(Failure::from)?;
-        let direct = system
-            .assembler
-            .residual(&FilmLaw::changed(self, *change), &film.unknown);
-        let through = film.linearisation.matrix().multiply(&unknown);
-        let add = |base: &[f64], change: Vec<f64>| base.iter().zip(change).map(|(b, c)| b + c).collect::<Vec<f64>>();
-        let inflow = add(&add(&film.inflow, direct), through);
-        let moved = FilmSolution {
+        Ok((problem, self.along_tangent(system, film, &[change.into()], &unknown)))
+    }
+
+    /// A film without a film fraction along its tangent: after `changes`, by which its unknown changes by `unknown` at each dof.
+    pub fn along_tangent(
+        &self,
+        system: &FilmSystem,
+        film: &FilmSolution,
+        changes: &[FilmChange<'_>],
+        unknown: &[f64],
+    ) -> FilmSolution {
+        let add = |base: &[f64], change: &[f64]| base.iter().zip(change).map(|(b, c)| b + c).collect::<Vec<f64>>();
+        let direct = |inflow: Vec<f64>, change: &FilmChange<'_>| {
+            let changed = FilmLaw::changed(self, *change);
+            add(&inflow, &system.assembler.residual(&changed, &film.unknown))
+        };
+        let inflow = changes.iter().fold(film.inflow.clone(), direct);
+        let through = film.linearisation.matrix().multiply(unknown);
+        FilmSolution {
+            inflow: add(&inflow, &through),
             unknown: add(&film.unknown, unknown),
-            inflow,
             cavity: film.cavity.clone(),
             film_fraction: None,
             linearisation: film.linearisation.clone(),
@@ -43,22 +55,21 @@ impl FilmProblem {
             seconds: film.seconds,
             levels: 0,
             fallbacks: Vec::new(),
-        };
-        Ok((problem, moved))
+        }
     }
 
-    /// First-order change of the unknown at each dof [Pa] where the journal moves by `change`. The cavity stays, as
+    /// First-order change of the unknown at each dof [Pa] with a `change` of the journal or the gap. The cavity stays, as
     /// it does to first order: the pressure is level at its edge.
     ///
     /// # Errors
     /// The linear system could not be solved.
-    pub fn unknown_change(
+    pub fn unknown_change<'a>(
         &self,
         system: &FilmSystem,
         film: &FilmSolution,
-        change: &JournalChange,
+        change: impl Into<FilmChange<'a>>,
     ) -> Result<Vec<f64>, Error> {
-        let residual = self.residual_change(system, film, change)?;
+        let residual = self.residual_change(system, film, change.into())?;
         let minus: Vec<f64> = residual.iter().map(|r| -r).collect();
         let mut unknown = film.linearisation.solve(&minus)?;
         if film.film_fraction.is_some() {
@@ -69,7 +80,7 @@ impl FilmProblem {
         Ok(unknown)
     }
 
-    /// First-order change of the residual at each dof where the journal moves by `change` and the unknown stays.
+    /// First-order change of the residual at each dof with a `change` of the journal or the gap while the unknown stays.
     ///
     /// # Errors
     /// A system that does not fit in memory.
@@ -77,12 +88,12 @@ impl FilmProblem {
         &self,
         system: &FilmSystem,
         film: &FilmSolution,
-        change: &JournalChange,
+        change: FilmChange<'_>,
     ) -> Result<Vec<f64>, Error> {
         match &film.film_fraction {
             Some(fraction) => cavitation::residual_change(self, system, film, fraction, change),
             None => {
-                let changed = FilmLaw::changed(self, *change);
+                let changed = FilmLaw::changed(self, change);
                 Ok(system.assembler.residual(&changed, &film.unknown))
             }
         }

@@ -19,8 +19,9 @@
 use oilwedge_fem::{Error, HarmonicSystem};
 
 use crate::cavitation;
+use crate::film_thickness::FilmContribution;
 use crate::terms;
-use crate::{FilmProblem, FilmSolution, FilmSystem, JournalChange};
+use crate::{FilmChange, FilmProblem, FilmSolution, FilmSystem, JournalChange};
 
 /// A solved film, ready to be moved at one frequency.
 pub struct Whirl<'a> {
@@ -97,11 +98,23 @@ impl<'a> Whirl<'a> {
             tilt_rate: tilt,
             ..JournalChange::default()
         };
-        let minus = |problem: &FilmProblem, change: &JournalChange| -> Result<Vec<f64>, Error> {
+        self.response_to(FilmChange::Journal(place), FilmChange::Journal(rate))
+    }
+
+    /// First-order change of the unknown at each dof where the gap grows by a `shape`, and with the same growth as a rate [1/s].
+    ///
+    /// # Errors
+    /// The linear systems could not be solved.
+    pub fn response_to_gap(&self, shape: &dyn FilmContribution) -> Result<[Vec<f64>; 2], Error> {
+        self.response_to(FilmChange::Gap(shape), FilmChange::GapRate(shape))
+    }
+
+    fn response_to(&self, place: FilmChange<'_>, rate: FilmChange<'_>) -> Result<[Vec<f64>; 2], Error> {
+        let minus = |problem: &FilmProblem, change: FilmChange<'_>| -> Result<Vec<f64>, Error> {
             let residual = problem.residual_change(self.system, self.film, change)?;
             Ok(residual.iter().map(|r| -r).collect())
         };
-        let (by_place, mut by_rate) = (minus(self.problem, &place)?, minus(&self.taking_up, &rate)?);
+        let (by_place, mut by_rate) = (minus(self.problem, place)?, minus(&self.taking_up, rate)?);
         let tangent = &self.film.linearisation;
         let mut response = match &self.cavity {
             Cavity::Empty => [tangent.solve(&by_place)?, tangent.solve(&by_rate)?],

@@ -27,7 +27,7 @@ keys! {
     "bearing.arc.inlet_fraction" = Number; "0.6", "flooded: the pressure of the ends holds there", "0 < fraction <= 1, with `jfo`",
         "the part of the gap that the oil fills which the journal carries in at the leading edge of the arc; the pressure there is found";
     "bearing.roughness" = Quantity(Length); "0.4 um", "no check", "> 0",
-        "combined roughness of journal and liner (root mean square): a run warns where the least film is below three times as much. Nothing is computed with it";
+        "combined roughness of journal and liner (root mean square): a run without `[contact]` warns where the least film is below three times as much. `[contact]` and `[roughness]` are computed with it, nothing else";
     "bearing.elastic_modulus" = Quantity(Pressure); "210 GPa", "that of steel, 210 GPa", "> 0",
         "Young's modulus of journal and liner: a run warns where their elastic deflection under the load exceeds the least film. Nothing is computed with it";
     "bearing.film_start" = Quantity(Angle); "180 deg", "no such line", "ring only",
@@ -51,7 +51,7 @@ pub struct Bearing {
     pub inlet_fraction: Option<f64>,
     /// Ring only: angle of an axial line held at the pressure of the ends [rad].
     pub film_start: Option<f64>,
-    /// Combined roughness of journal and liner (root mean square) [m], for a warning where they touch; nothing is computed with it.
+    /// Combined roughness of journal and liner (root mean square) [m], for contact and flow factors, and for a warning where no contact is simulated.
     pub roughness: Option<f64>,
     /// Young's modulus of journal and liner [Pa], for a warning where they deflect; `None`: that of steel. Nothing is computed with it.
     pub elastic_modulus: Option<f64>,

@@ -151,8 +151,8 @@ impl Scene {
         self.bores.is_empty() && self.shaft.is_none()
     }
 
-    /// True if what is asked for may change along the axis by the shapes of bore and shaft.
-    fn has_shape_along_the_axis(&self) -> bool {
+    /// True if the film may change along the axis by the shapes of bore and shaft.
+    pub fn has_shape_along_the_axis(&self) -> bool {
         let is_along = |bore: &Bore| matches!(bore, Bore::Crown(_) | Bore::Envelope { .. } | Bore::Measured(_));
         self.shaft.is_some() || self.bores.iter().any(is_along)
     }
@@ -181,14 +181,14 @@ mod tests {
     fn the_shapes_are_read() {
         assert_eq!(bores("crown = \"-3 um\""), [Bore::Crown(-3e-6)]);
         let oval = Bore::Oval {
-            depth: 5e-6,
+            depth: 5.0 * 1e-6,
             angle: 0.5 * PI,
         };
         assert_eq!(bores("oval = { depth = \"5 um\", angle = \"90 deg\" }"), [oval]);
         let keys =
             "worn = { depth = \"10 um\", angle = \"0 deg\", half_width = \"45 deg\" }\n[[bore]]\nfile = \"a/b.csv\"";
         let worn = Bore::Worn {
-            depth: 10e-6,
+            depth: 10.0 * 1e-6,
             angle: 0.0,
             half_width: 0.25 * PI,
         };

@@ -19,6 +19,8 @@ keys! {
         "deviation s that halves the equivalent film";
     "criteria.pressure_max" = Quantity(Pressure); "600 bar", "not judged", "> 0",
         "greatest pressure p_max that passes";
+    "criteria.contact_share_max" = Number; "0.05", "not judged", "0 to 1, with `[contact]`",
+        "greatest part of the load that contact may carry";
     "criteria.decrement_min" = Number; "0.1", "not judged", ">= 0, with `dynamics.mass`",
         "least logarithmic decrement of the rotor that passes: 0 is the limit of stability";
 }
@@ -41,6 +43,8 @@ pub struct Criteria {
     pub deviation_scale: f64,
     /// Greatest pressure [Pa].
     pub pressure_max: Option<f64>,
+    /// Greatest part of the load that contact carries [1].
+    pub contact_share_max: Option<f64>,
     /// Least logarithmic decrement [1].
     pub decrement_min: Option<f64>,
 }
@@ -67,6 +71,12 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Criteria {
         "give 0 for the limit of stability, or more",
     );
     let decrement_min = decrement.given();
+    let contact_share = table.number("contact_share_max", "0.05").within(
+        |share| (0.0..=1.0).contains(&share),
+        "is no part of the load",
+        "give the greatest part that contact may carry, from 0 to 1",
+    );
+    let contact_share_max = contact_share.given();
     let mut length = |key: &'static str, example: &str| table.positive_if_given(key, Dimension::Length, example);
     let criteria = Criteria {
         film_min: length("film_min", "2 um"),
@@ -75,6 +85,7 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Criteria {
         equivalent_film_min: length("equivalent_film_min", "3 um"),
         deviation_scale: scale,
         decrement_min,
+        contact_share_max,
         pressure_max: table.positive_if_given("pressure_max", Dimension::Pressure, "600 bar"),
     };
     if table.is_readable() && table.keys().iter().all(|key| *key == "deviation_scale") {
@@ -86,8 +97,20 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Criteria {
     criteria
 }
 
-/// A criterion of the rotor needs a rotor.
+/// A criterion of the rotor needs a rotor, one of contact needs contact.
 pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
+    complaints.refuse_if(
+        complaints.has("criteria.contact_share_max") && scene.contact.is_none(),
+        "criteria.contact_share_max",
+        "has nothing to be compared with: the scene simulates no contact",
+        "add [contact], or remove the criterion",
+    );
+    complaints.refuse_if(
+        complaints.has("criteria.contact_share_max") && scene.orbit.is_some(),
+        "criteria.contact_share_max",
+        "stands beside [orbit]: the share of contact is that of one position",
+        "remove it, or remove [orbit]",
+    );
     let has_rotor = scene.dynamics.as_ref().is_some_and(|dynamics| dynamics.mass.is_some());
     complaints.refuse_if(
         complaints.has("criteria.decrement_min") && !has_rotor,
@@ -105,7 +128,6 @@ pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::scene::tests::{STUDY, read};
 
     #[test]
@@ -128,6 +150,14 @@ mod tests {
                 "criteria.decrement_min: has nothing to be compared with",
             ),
             ("contact = 1", "criteria.contact: this key is not known"),
+            (
+                "contact_share_max = 0.1",
+                "criteria.contact_share_max: has nothing to be compared with",
+            ),
+            (
+                "contact_share_max = 2",
+                "criteria.contact_share_max: is no part of the load",
+            ),
         ] {
             let error = scene(keys).expect_err(keys).to_string();
             assert!(error.contains(wanted), "{error}");

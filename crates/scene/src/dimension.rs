@@ -61,6 +61,10 @@ pub enum Dimension {
     CrossDamping,
     /// Rotational damping [N.m.s/rad].
     RotationalDamping,
+    /// Displacement of a surface for each pressure [m/Pa].
+    LayerCompliance,
+    /// Displacement for each force [m/N].
+    PointCompliance,
 }
 
 /// Temperature [K] of the ice point.
@@ -79,7 +83,7 @@ type Row = (Dimension, &'static str, &'static str, &'static [(&'static str, f64)
 
 /// All kinds, in the order of [`Dimension`].
 #[rustfmt::skip]
-const TABLE: [Row; 28] = [
+const TABLE: [Row; 30] = [
     (Length, "a length", "25 mm", &[("m", 1.0), ("km", 1e3), ("cm", 1e-2), ("mm", 1e-3), ("um", 1e-6), ("nm", 1e-9), ("in", INCH), ("inch", INCH), ("mil", 1e-3 * INCH)]),
     (Angle, "an angle", "40 deg", &[("rad", 1.0), ("mrad", 1e-3), ("deg", PI / 180.0)]),
     (Pressure, "a pressure", "0.98 bar", &[("Pa", 1.0), ("kPa", 1e3), ("MPa", 1e6), ("GPa", 1e9), ("mbar", 1e-3 * BAR), ("bar", BAR), ("atm", ATMOSPHERE), ("psi", PSI), ("N/m2", 1.0), ("N/mm2", 1e6)]),
@@ -108,6 +112,8 @@ const TABLE: [Row; 28] = [
     (Damping, "a damping", "500 kN.s/m", &[("N.s/m", 1.0), ("kN.s/m", 1e3), ("MN.s/m", 1e6), ("N.s/mm", 1e3)]),
     (CrossDamping, "a damping between offset and slope", "20 kN.s/rad", &[("N.s/rad", 1.0), ("kN.s/rad", 1e3), ("MN.s/rad", 1e6)]),
     (RotationalDamping, "a rotational damping", "2 kN.m.s/rad", &[("N.m.s/rad", 1.0), ("kN.m.s/rad", 1e3)]),
+    (LayerCompliance, "a deflection by pressure", "0.02 um/MPa", &[("m/Pa", 1.0), ("mm/MPa", 1e-9), ("um/MPa", 1e-12), ("nm/MPa", 1e-15), ("um/bar", 1e-11), ("mm/GPa", 1e-12), ("m3/N", 1.0), ("mm3/N", 1e-9)]),
+    (PointCompliance, "a displacement by force", "2 nm/N", &[("m/N", 1.0), ("mm/N", 1e-3), ("um/N", 1e-6), ("nm/N", 1e-9), ("mm/kN", 1e-6), ("um/kN", 1e-9)]),
 ];
 
 impl Dimension {

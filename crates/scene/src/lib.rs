@@ -5,7 +5,7 @@
 //!
 //! Each table of the file has one source file of its name, with its data type, keys, units, defaults and ranges: `bearing.rs`, `bore.rs`, `shaft.rs`, `mesh.rs`
 //! (and the tolerance in it, `tolerance.rs`), `ends.rs`, `feed.rs`, `journal.rs` (and `squeeze.rs`, `tilt.rs` in it), `load.rs` (and `cycle.rs` in it), `crank.rs`, `orbit.rs`, `support.rs`, `oil.rs`, `heat.rs`, `limits.rs`, `criteria.rs`,
-//! `cavitation.rs`, `dynamics.rs`, `cap.rs`, `sweep.rs`; a crankshaft has a scene of its own, in `crankshaft.rs`. `scene.rs` lists them; [`periodic_table`] and [`surface_table`] read the tables
+//! `cavitation.rs`, `contact.rs`, `roughness.rs`, `dynamics.rs`, `cap.rs`, `sweep.rs`; a crankshaft has a scene of its own, in `crankshaft.rs`. `scene.rs` lists them; [`periodic_table`] and [`surface_table`] read the tables
 //! in files that a scene names.
 //!
 //! Reading order: `scene.rs`, `bearing.rs` as an example of a table, `reader.rs` (how a table is read and what is wrong with it collected),
@@ -20,6 +20,8 @@ mod cap;
 pub mod catalogue;
 mod cavitation;
 mod complaint;
+pub mod compliance_table;
+mod contact;
 mod crank;
 mod crankshaft;
 mod criteria;
@@ -31,12 +33,14 @@ mod feed;
 mod heat;
 mod journal;
 mod limits;
+mod liner;
 mod load;
 mod mesh;
 mod oil;
 mod orbit;
 pub mod periodic_table;
 mod reader;
+mod roughness;
 mod scene;
 mod shaft;
 pub mod spelling;
@@ -52,6 +56,7 @@ pub use bore::Bore;
 pub use cap::{Bolts, Cap, Shell};
 pub use cavitation::{Cavitation, CavitationModel};
 pub use complaint::{Check, Complaint, Complaints};
+pub use contact::{Contact, ContactModel};
 pub use crank::{Crank, Drive, Gas, Throw};
 pub use crankshaft::*;
 pub use criteria::Criteria;
@@ -62,10 +67,12 @@ pub use feed::{Feed, Groove, Hole};
 pub use heat::*;
 pub use journal::*;
 pub use limits::Limits;
+pub use liner::{Layer, Liner, Material, OuterSurface};
 pub use load::cycle::{CrankBearing, Harmonic, LoadCycle, LoadFrame, LoadSource};
 pub use mesh::{Layout, MeshSource};
 pub use oil::*;
 pub use orbit::Orbit;
+pub use roughness::Roughness;
 pub use scene::{MESH_FILE, SCENE_LIMIT, SWEPT, Scene};
 pub use shaft::Shaft;
 pub use support::{Support, Tilting};

@@ -12,12 +12,13 @@ use crate::complaint::in_order;
 use crate::reader::TableReader;
 use crate::sweep::{self, Plan};
 use crate::{
-    Bearing, Bore, Cap, Cavitation, Check, Complaint, Complaints, Crank, Criteria, Dynamics, Ends, Engine, Feed, Heat,
-    Journal, Limits, LoadCycle, LoadSource, MeshSource, Oil, Orbit, SceneError, Shaft, ShaftScene, Support, Tolerance,
+    Bearing, Bore, Cap, Cavitation, Check, Complaint, Complaints, Contact, Crank, Criteria, Dynamics, Ends, Engine,
+    Feed, Heat, Journal, Limits, Liner, LoadCycle, LoadSource, MeshSource, Oil, Orbit, Roughness, SceneError, Shaft,
+    ShaftScene, Support, Tolerance,
 };
 use crate::{
-    bearing, bore, cap, cavitation, crank, criteria, dynamics, ends, feed, heat, journal, limits, load, mesh, oil,
-    orbit, shaft, support,
+    bearing, bore, cap, cavitation, contact, crank, criteria, dynamics, ends, feed, heat, journal, limits, liner, load,
+    mesh, oil, orbit, roughness, shaft, support,
 };
 
 keys! {
@@ -35,7 +36,7 @@ const MESH_OPENING: &[u8] = b"$MeshFormat";
 /// Key of the mesh file.
 pub const MESH_FILE: &str = "mesh.file";
 /// Tables whose keys can be swept.
-pub const SWEPT: [&str; 16] = [
+pub const SWEPT: [&str; 19] = [
     "bearing",
     "shaft",
     "mesh",
@@ -51,10 +52,13 @@ pub const SWEPT: [&str; 16] = [
     "limits",
     "criteria",
     "cavitation",
+    "contact",
+    "roughness",
+    "liner",
     "dynamics",
 ];
 /// Checks of keys that must fit each other, table by table.
-const CHECKS: [Check; 12] = [
+const CHECKS: [Check; 15] = [
     bearing::check,
     bore::check,
     feed::check,
@@ -67,6 +71,9 @@ const CHECKS: [Check; 12] = [
     limits::check,
     criteria::check,
     cavitation::check,
+    contact::check,
+    roughness::check,
+    liner::check,
 ];
 
 /// One bearing, as its scene describes it, in SI. Whatever is `None` is not simulated.
@@ -112,6 +119,12 @@ pub struct Scene {
     pub criteria: Option<Criteria>,
     /// What happens where the film would break; `None`: a full film, whatever its pressure.
     pub cavitation: Option<Cavitation>,
+    /// Where rough surfaces touch; `None`: nowhere.
+    pub contact: Option<Contact>,
+    /// How roughness changes the flow of oil; `None`: the surfaces are smooth.
+    pub roughness: Option<Roughness>,
+    /// How the wall gives way to the pressure; `None`: it is rigid.
+    pub liner: Option<Liner>,
     /// What is asked about small motions of the journal; `None`: nothing.
     pub dynamics: Option<Dynamics>,
     /// The cap of the connecting rod whose bearing this is; nothing of the film depends on it.
@@ -151,11 +164,13 @@ impl Scene {
     /// The files that it names: key, path, and what to give where there is none.
     pub fn files(&self) -> impl Iterator<Item = (Cow<'static, str>, &Path, &'static str)> {
         const TABLE: &str = "give the path of a table with a header of units, counted from the folder of the scene";
+        const MATRIX: &str = "give the path of a table of a matrix, counted from the folder of the scene";
         let mesh = "give the path of a gmsh 4.1 file, counted from the folder of the scene";
         let load = match self.load_cycle.as_ref().map(|cycle| &cycle.source) {
             Some(LoadSource::File { path, .. }) => Some(path.as_path()),
             _ => None,
         };
+        let wall = self.liner.as_ref().and_then(Liner::file);
         let gas = self.crank.as_ref().and_then(Crank::gas_file);
         let shaft = match &self.shaft {
             Some(Shaft::Measured(path)) => Some(path.as_path()),
@@ -170,6 +185,7 @@ impl Scene {
             ("load.file", load, TABLE),
             ("crank.gas.file", gas, TABLE),
             ("shaft.file", shaft, TABLE),
+            ("liner.compliance.file", wall, MATRIX),
         ];
         files
             .into_iter()
@@ -337,6 +353,9 @@ pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene 
         limits: limits.or(in_heat.unwrap_or_default()),
         criteria: root.table_if_given("criteria").map(criteria::read),
         cavitation: root.table_if_given("cavitation").and_then(cavitation::read),
+        contact: root.table_if_given("contact").and_then(contact::read),
+        roughness: root.table_if_given("roughness").and_then(roughness::read),
+        liner: root.table_if_given("liner").and_then(|table| liner::read(table, path)),
         dynamics: root.table_if_given("dynamics").map(dynamics::read),
         cap: root.table_if_given("cap").map(cap::read),
         sweep: root.table_if_given("sweep").map(|table| {

@@ -60,7 +60,7 @@ mod tests {
         for (keys, wanted) in [
             ("", "shaft: has no shape"),
             ("crown = \"1 um\"\nfile = \"s.csv\"", "shaft.file: stands beside crown"),
-            ("oval = { depth = \"1 um\" }", "shaft.oval: this key is not known"),
+            ("oval = { depth = \"1 um\" }", "shaft.oval: this table is not known"),
         ] {
             let error = scene(keys).expect_err(keys).to_string();
             assert!(error.contains(wanted), "{error}");

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use oilwedge_mesh::Mesh;
-use oilwedge_reynolds::film_thickness::{Eccentricity, FilmContribution, Shape};
+use oilwedge_reynolds::film_thickness::{Deflection, Eccentricity, FilmContribution, Shape};
 use oilwedge_reynolds::lubricant::Lubricant;
 use oilwedge_reynolds::supply::{self as given, BoundaryKind, Disc, SupplyError, SupplyRegion};
 use oilwedge_reynolds::{FilmProblem, FilmSystem, Gap, JournalState, Theory, Thinnest};
@@ -23,6 +23,7 @@ use crate::film::{DEGREE, Film, MeshOrigin, Start};
 use crate::liner_mesh::{LinerMesh, liner_mesh, suited};
 use crate::oil::{self, Oil};
 use crate::position::Position;
+use crate::wall::wall;
 use oilwedge_scene::{self as scene, Scene};
 
 /// Compiles `scene`: reads its mesh and chooses one entry a socket.
@@ -68,8 +69,8 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, position: Position, degree: usize) 
     let problem = problem(scene, &oil, sockets, &mesh, position)?;
     let system = FilmSystem::new(Arc::new(mesh), degree, regions).map_err(|faults| unfit(scene, faults))?;
     check_gap(scene, &problem, &system)?;
-    // A position is sought on coarser meshes first, and by many films.
-    let is_sought = load.is_some() || scene.orbit.is_some();
+    // A position is sought on coarser meshes first, and by many films; so is a deflection.
+    let is_sought = load.is_some() || scene.orbit.is_some() || problem.deflection().is_some();
     let system = match is_sought {
         true => system.for_many_solves(),
         false => system,
@@ -125,11 +126,17 @@ fn problem(
         .profiles()?
         .into_iter()
         .map(|profile| Arc::new(Shape(profile)) as _);
+    let wall = sockets.liner.as_ref().map(|liner| wall(liner, &bearing)).transpose()?;
+    let deflection = wall.map(|wall| Arc::new(Deflection::none(Arc::new(wall))) as Arc<dyn FilmContribution>);
     Ok(FilmProblem {
         theory: sockets.theory,
         bearing,
         journal: journal.with_centre_velocity(sockets.centre_velocity, min_film_angle),
-        film_thickness: std::iter::once(eccentric).chain(deeper).chain(shapes).collect(),
+        film_thickness: std::iter::once(eccentric)
+            .chain(deeper)
+            .chain(shapes)
+            .chain(deflection)
+            .collect(),
         lubricant: Lubricant {
             viscosity: oil.viscosity,
             pressure_law: sockets.pressure_law,
@@ -137,7 +144,9 @@ fn problem(
         form: sockets.form,
         terms: sockets.terms,
         cavitation: sockets.cavitation,
+        flow_factors: sockets.flow_factors,
         storage: None,
+        contact: sockets.contact,
     })
 }
 

@@ -6,6 +6,7 @@ use oilwedge_reynolds::supply::SupplyError;
 use oilwedge_scene::wording::{degrees, micrometres, millimetres};
 
 use crate::reasons::way_out_of_supply;
+use crate::wall::NoWall;
 
 /// Why a scene does not become a film, though it is well written.
 #[derive(Debug, thiserror::Error)]
@@ -92,6 +93,9 @@ pub enum CompileError {
         /// Group of the pocket.
         group: String,
     },
+    /// The wall of the liner cannot be made.
+    #[error(transparent)]
+    Wall(#[from] NoWall),
     /// The film is too large for this machine.
     #[error(transparent)]
     Fem(#[from] oilwedge_fem::Error),

@@ -46,6 +46,15 @@ pub static FILM_THICKNESS: FieldRow = FieldRow {
     what: "gap between journal and liner",
     interpolation: Interpolation::Quadratic,
 };
+/// Deflection of the wall.
+pub static DEFLECTION: FieldRow = FieldRow {
+    name: "deflection",
+    label: "deflection",
+    symbol: "delta",
+    unit: "m",
+    what: "how far the elastic liner gives way outwards",
+    interpolation: Interpolation::Quadratic,
+};
 /// Film fraction.
 pub static FILM_FRACTION: FieldRow = FieldRow {
     name: "film_fraction",
@@ -62,6 +71,15 @@ pub static VISCOSITY: FieldRow = FieldRow {
     symbol: "mu",
     unit: "Pa.s",
     what: "dynamic viscosity at the local pressure",
+    interpolation: Interpolation::Quadratic,
+};
+/// Pressure of contact.
+pub static CONTACT_PRESSURE: FieldRow = FieldRow {
+    name: "contact_pressure",
+    label: "pressure of contact",
+    symbol: "p_a",
+    unit: "Pa",
+    what: "pressure between the asperities of journal and liner, beside that of the oil",
     interpolation: Interpolation::Quadratic,
 };
 /// Error indicator.
@@ -120,14 +138,24 @@ pub static BEARING_STRESS: FieldRow = FieldRow {
 };
 
 /// The fields that are drawn, in the order of pictures.
-pub static FIELDS: [&FieldRow; 5] = [&PRESSURE, &FILM_THICKNESS, &FILM_FRACTION, &VISCOSITY, &ERROR_INDICATOR];
-
-/// All fields of `film.vtu`.
-pub static FILE_FIELDS: [&FieldRow; 10] = [
+pub static FIELDS: [&FieldRow; 7] = [
     &PRESSURE,
     &FILM_THICKNESS,
+    &DEFLECTION,
     &FILM_FRACTION,
     &VISCOSITY,
+    &CONTACT_PRESSURE,
+    &ERROR_INDICATOR,
+];
+
+/// All fields of `film.vtu`.
+pub static FILE_FIELDS: [&FieldRow; 12] = [
+    &PRESSURE,
+    &FILM_THICKNESS,
+    &DEFLECTION,
+    &FILM_FRACTION,
+    &VISCOSITY,
+    &CONTACT_PRESSURE,
     &ERROR_INDICATOR,
     &ANGLE,
     &AXIAL_PLACE,

@@ -71,6 +71,13 @@ impl Film {
         film
     }
 
+    /// This film with journal and wall as a search has found them.
+    pub(crate) fn as_found(&self, found: &FilmProblem) -> Self {
+        let mut film = self.with_journal(found.journal);
+        film.problem = film.problem.deflected(found.deflection());
+        film
+    }
+
     /// This film at a time of an orbit: where the journal is, and with what it held before.
     pub(crate) fn at_instant(&self, instant: &Instant) -> Self {
         let mut film = self.with_journal(instant.problem.journal);

@@ -1,7 +1,7 @@
 //! The length over which a film changes, by which its mesh is graded: from the journal's position, its tilt, and the profiles of the surfaces.
 //!
 //! **Equation.** Around: `0.65 sqrt(2 h/h_xx)`, over which the thickness doubles at its minimum; with tilt or slopes along the axis also `0.65 h/|h_z|`, and with
-//! a bend `0.65 sqrt(2 h/h_zz)`; near a place where a profile's slope jumps what the profile asks for. **Verified by** `tests/tests/shapes` and the convergence of all graded
+//! profiles `1.3 h/|h_x|` and `0.65 sqrt(2 h/h_zz)`; near a place where a profile's slope jumps what the profile asks for. **Verified by** `tests/tests/shapes` and the convergence of all graded
 //! meshes.
 
 use std::sync::Arc;
@@ -10,6 +10,7 @@ use oilwedge_reynolds::film_thickness::Profile;
 use oilwedge_scene::Scene;
 
 use crate::compile_error::CompileError;
+use crate::contact::contact;
 use crate::effects::Sockets;
 use crate::position::Position;
 
@@ -26,6 +27,8 @@ pub(crate) struct FilmScale<'a> {
     scene: &'a Scene,
     position: Position,
     profiles: Vec<Arc<dyn Profile>>,
+    /// Scale [m] of the gap in which the pressure of contact changes, where surfaces touch.
+    touching: Option<f64>,
 }
 
 impl<'a> FilmScale<'a> {
@@ -38,19 +41,37 @@ impl<'a> FilmScale<'a> {
             scene,
             position,
             profiles: Sockets::of(scene).profiles()?,
+            touching: contact(scene).map(|contact| contact.law.scale()),
         })
     }
 
     /// Scale [radii] at `(x, z)` [m].
     pub(crate) fn at(&self, [x, z]: [f64; 2]) -> f64 {
         let (radius, clearance) = (self.scene.bearing.radius(), self.scene.bearing.clearance);
-        let scale = match self.scene.orbit {
-            Some(_) => self.on_orbit(),
-            None => around(self.position.at(z, clearance), x / radius).min(self.along_by_tilt([x, z])),
+        let scale = match (&self.scene.orbit, self.profiles.is_empty()) {
+            (Some(_), true) => self.on_orbit(),
+            (Some(_), false) => self.on_orbit().min(self.by_profiles([x, z])),
+            (None, true) => around(self.position.at(z, clearance), x / radius).min(self.along_by_tilt([x, z])),
+            (None, false) => self.by_profiles([x, z]),
         };
-        match self.profiles.is_empty() {
-            true => scale,
-            false => scale.min(self.by_profiles([x, z])),
+        match self.touching {
+            None => scale,
+            Some(touching) => scale.min(self.by_contact([x, z], touching)),
+        }
+    }
+
+    /// Scale of the zone in which surfaces touch: over which the gap grows from its least by the scale of the law of contact.
+    fn by_contact(&self, [x, z]: [f64; 2], touching: f64) -> f64 {
+        /// Gaps within which surfaces carry by contact, in scales of its law.
+        const IN_CONTACT: f64 = 4.0;
+        let clearance = self.scene.bearing.clearance;
+        let here = self.position.at(z, clearance);
+        let circles =
+            clearance * (1.0 - here.eccentricity * (x / self.scene.bearing.radius() - here.min_film_angle).cos());
+        let thickness = (self.profiles.iter()).fold(circles, |sum, profile| sum + profile.at([x, z]).depth);
+        match thickness < IN_CONTACT * touching && self.scene.orbit.is_none() {
+            true => (PART * (2.0 * touching / clearance).sqrt()).clamp(SHORTEST, LONGEST),
+            false => LONGEST,
         }
     }
 
@@ -86,26 +107,31 @@ impl<'a> FilmScale<'a> {
         let (sin, cos) = (x / radius).sin_cos();
         let [g_x, g_y] = self.position.tilt;
         let here = self.position.at(z, clearance);
-        let mut thickness = clearance * (1.0 - here.eccentricity * (x / radius - here.min_film_angle).cos());
-        let mut slope_along = g_x * cos + g_y * sin;
+        let (across, along) = (x / radius - here.min_film_angle).sin_cos();
+        let mut thickness = clearance * (1.0 - here.eccentricity * along);
+        let mut slopes = [
+            here.eccentricity * clearance * across / radius,
+            -(g_x * cos + g_y * sin),
+        ];
         let (mut bends, mut finest) = ([here.eccentricity * clearance / (radius * radius), 0.0], f64::INFINITY);
         for profile in &self.profiles {
             let relief = profile.at([x, z]);
             thickness += relief.depth;
-            slope_along -= relief.slope[1];
-            for (sum, bend) in bends.iter_mut().zip(profile.bends([x, z])) {
-                *sum += bend.abs();
-            }
+            let of_profile = profile.bends([x, z]);
+            (0..2).for_each(|d| (slopes[d], bends[d]) = (slopes[d] + relief.slope[d], bends[d] + of_profile[d]));
             finest = finest.min(profile.finest([x, z]));
         }
         // An orbit passes through films of all thicknesses.
         let thickness = match self.scene.orbit {
             Some(_) => clearance,
-            None => thickness.max(0.0),
+            // Where the journal lies in the bore there is nothing to resolve.
+            None if thickness <= 0.0 => return LONGEST,
+            None => thickness,
         };
-        let by_bends = bends.map(|bend| PART * (2.0 * thickness / bend).sqrt());
-        let by_slope = PART * thickness / slope_along.abs();
-        let least = by_bends[0].min(by_bends[1]).min(by_slope).min(finest);
+        let by_bends = bends.map(|bend| PART * (2.0 * thickness / bend.abs()).sqrt());
+        let by_slopes = [2.0, 1.0].map(|times| PART * times * thickness);
+        let by_slopes = (by_slopes[0] / slopes[0].abs()).min(by_slopes[1] / slopes[1].abs());
+        let least = by_bends[0].min(by_bends[1]).min(by_slopes).min(finest);
         (least / radius).clamp(SHORTEST, LONGEST)
     }
 }

@@ -59,6 +59,10 @@ enum Suited {
 
 /// Whether the mesh of a film suits the position that the load leads to. `middle` is tried once.
 fn suited(film: &Film, load: Load, deadline: Deadline, middle: &mut Option<Position>) -> Suited {
+    let thin = match film.problem.cavitation.conserves_oil() {
+        true => THIN_IN_ROWS,
+        false => THIN,
+    };
     let balance = rough_balance(film, load, deadline);
     let journal = match balance.as_ref().map_err(NoEquilibrium::cause) {
         Ok(Equilibrium { problem, .. }) => problem.journal,
@@ -68,17 +72,12 @@ fn suited(film: &Film, load: Load, deadline: Deadline, middle: &mut Option<Posit
             | NoEquilibrium::TiltLimit { .. },
         ) => return Suited::Unknown,
         // How much of a moment is carried near contact is shown by a mesh that resolves the thin film there.
-        Err(NoEquilibrium::EdgeContact { journal, .. }) => {
-            let thin = match film.problem.cavitation.conserves_oil() {
-                true => THIN_IN_ROWS,
-                false => THIN,
-            };
-            with_film(&film.gap(), journal, thin)
-        }
+        Err(NoEquilibrium::EdgeContact { journal, .. }) => with_film(&film.gap(), journal, thin),
         // Feeds may carry what the estimate would have a thin film carry.
         Err(reason) => match (middle.take(), reason.last_position()) {
             (Some(position), _) => return Suited::Not(position),
-            (None, Some(journal)) => journal,
+            (None, Some(journal)) if is_contact(&film.gap(), &journal) => return Suited::Unknown,
+            (None, Some(journal)) => with_film(&film.gap(), &journal, thin),
             (None, None) => return Suited::Unknown,
         },
     };

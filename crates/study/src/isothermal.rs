@@ -2,6 +2,7 @@
 
 use std::time::Instant;
 
+use oilwedge_bearing::deflection::{Pair, closed_film, closed_pair};
 use oilwedge_bearing::{Carrier, Equilibrium, InitialGuess, Load, SearchObserver, SearchOptions, balance_hill, find};
 use oilwedge_reynolds::error_bar::sharp;
 use oilwedge_reynolds::sharp::{HillStart, SharpFilm};
@@ -24,15 +25,42 @@ pub fn isothermal(film: &Film, options: &SolveOptions) -> Result<Solved, NoAnswe
 }
 
 fn at_given_position(film: &Film, options: &SolveOptions) -> Result<Solved, NoAnswer> {
-    let solution = match options.guess {
-        InitialGuess::Near(near @ (Neighbour::Start(_) | Neighbour::Kept(_) | Neighbour::Found(_))) => {
-            film.problem.solve_from(&film.system, near)?
-        }
-        InitialGuess::Cold | InitialGuess::NearlyBalanced | InitialGuess::Near(Neighbour::None) => {
-            film.problem.solve(&film.system)?
-        }
+    let near = match options.guess {
+        InitialGuess::Near(near) => near,
+        InitialGuess::Cold | InitialGuess::NearlyBalanced => Neighbour::None,
+    };
+    if film.problem.deflection().is_some() {
+        return with_wall(film, near, options.errors);
+    }
+    let solution = match near {
+        Neighbour::None => film.problem.solve(&film.system)?,
+        near => film.problem.solve_from(&film.system, near)?,
     };
     with_reference(film.clone(), solution, options.errors)
+}
+
+/// A film whose wall gives way, bent by the film that is reported.
+fn with_wall(film: &Film, near: Neighbour, errors: Errors) -> Result<Solved, NoAnswer> {
+    let (problem, solution) = closed_film(film.problem.clone(), &film.system, near)?;
+    let under = |problem| Film {
+        problem,
+        ..film.clone()
+    };
+    if errors == Errors::Omitted || !problem.cavitation.is_symmetric() {
+        return with_reference(under(problem), solution, errors);
+    }
+    let clock = Instant::now();
+    let pair = closed_pair(problem, &film.system, solution, None)?;
+    let Pair {
+        problem,
+        film: solution,
+        cubic,
+    } = pair;
+    Ok(Solved {
+        reference: Some(ReferenceFilm::Cubic(cubic)),
+        reference_seconds: clock.elapsed().as_secs_f64(),
+        ..with_reference(under(problem), solution, Errors::Omitted)?
+    })
 }
 
 fn under_load(film: &Film, load: Load, options: &SolveOptions) -> Result<Solved, NoAnswer> {
@@ -50,7 +78,7 @@ fn under_load(film: &Film, load: Load, options: &SolveOptions) -> Result<Solved,
     };
     let found = find(&film.problem, &film.system, load, &search)?;
     let by_film = balance(&found, load, clock);
-    let film = film.with_journal(found.problem.journal);
+    let film = film.as_found(&found.problem);
     let solved = match found.cubic {
         None => with_reference(film, found.film, options.errors)?,
         cubic => Solved {

@@ -13,6 +13,7 @@ pub mod checks;
 pub mod column;
 pub mod compile;
 pub mod compile_error;
+mod contact;
 mod dimensions;
 pub mod duty;
 pub mod effects;
@@ -46,6 +47,7 @@ pub mod solved;
 pub mod symbol;
 pub mod thermal;
 pub mod thermal_model;
+mod wall;
 pub mod warning;
 pub mod warnings;
 

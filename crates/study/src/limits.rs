@@ -8,11 +8,12 @@ use crate::film::Film;
 use crate::measure::Measured;
 use crate::oil::Oil;
 use crate::quantities::{
-    self, CYCLE_DEVIATION, CYCLE_EQUIVALENT_FILM, CYCLE_FILM_THICKNESS_MIN, CYCLE_MIDDLE_FILM_MIN, CYCLE_PRESSURE_MAX,
-    CYCLE_TEMPERATURE, CYCLE_TEMPERATURE_OUTLET, DEVIATION, EQUIVALENT_FILM, FILM_THICKNESS_MIN, LOGARITHMIC_DECREMENT,
-    MIDDLE_FILM_MIN, PRESSURE_MAX, Quantity, Row, TEMPERATURE_EFFECTIVE, TEMPERATURE_OUTLET, View,
+    self, CONTACT_SHARE, CYCLE_DEVIATION, CYCLE_EQUIVALENT_FILM, CYCLE_FILM_THICKNESS_MIN, CYCLE_MIDDLE_FILM_MIN,
+    CYCLE_PRESSURE_MAX, CYCLE_TEMPERATURE, CYCLE_TEMPERATURE_OUTLET, DEVIATION, EQUIVALENT_FILM, FILM_THICKNESS_MIN,
+    LOGARITHMIC_DECREMENT, MIDDLE_FILM_MIN, PRESSURE_MAX, Quantity, Row, TEMPERATURE_EFFECTIVE, TEMPERATURE_OUTLET,
+    View,
 };
-use crate::result::Criterion;
+use crate::result::{Criterion, Verdict};
 use crate::thermal_model::ThermalModel;
 use crate::warning::{self, Warning};
 
@@ -85,10 +86,11 @@ fn told(scene: &Scene, temperature: Option<f64>, quantities: &[Quantity]) -> Vec
         .map(|limit| {
             let value = format!("{:.DIGITS$e}", limit.value).parse().unwrap_or(limit.value);
             let (fault, value) = (limit.fault(), readable(value));
-            warning::LIMIT.says(format!(
-                "a limit is exceeded: {fault} ([limits]): it is {value} {}",
-                limit.unit
-            ))
+            let said = match limit.verdict == Verdict::Undecided {
+                true => "a limit lies inside the error bar",
+                false => "a limit is exceeded",
+            };
+            warning::LIMIT.says(format!("{said}: {fault} ([limits]): it is {value} {}", limit.unit))
         })
         .collect()
 }
@@ -178,12 +180,19 @@ fn criteria(scene: &Scene, compared: &Compared) -> Vec<Criterion> {
         scale: 1.0,
         value: compared.value(&[&LOGARITHMIC_DECREMENT]),
     };
+    let contact = Limit {
+        what: "share of contact in the load",
+        unit: "",
+        scale: 1.0,
+        value: compared.value(&[&CONTACT_SHARE]),
+    };
     let all = [
         length("least film", compared.value(&FILM)).at_least(asked.film_min),
         length("least film at mid-length", middle).at_least(asked.middle_film_min),
         length("deviation of the film at the ends", deviation).at_most(asked.deviation_max),
         length("equivalent film", equivalent).at_least(asked.equivalent_film_min),
         pressure(compared).at_most(asked.pressure_max),
+        contact.at_most(asked.contact_share_max),
         decrement.at_least(asked.decrement_min),
     ];
     all.into_iter().flatten().collect()

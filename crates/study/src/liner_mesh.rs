@@ -235,12 +235,16 @@ fn graded(scene: &Scene, blueprint: &Blueprint, longest: f64, scale: &FilmScale)
             let layers = layers(scene, cavity);
             // Cells keep their shape where the mesh is drawn finer.
             let usual = spacing(&blueprint.liner, &|x| needed_size(scene) / longest * size(x));
-            let across = |z: f64| {
+            let in_layers = |z: f64| {
                 let towards = |(edge, thickness): &(f64, f64)| {
                     let at_edge = far * (IN_LAYER * thickness / usual).clamp(FINEST, 1.0);
                     at_edge + TOWARDS_EDGE * (z - edge).abs()
                 };
                 layers.iter().map(towards).fold(far, f64::min)
+            };
+            let across = |z: f64| match scene.orbit {
+                Some(_) => ROWS_ON_ORBIT * far,
+                None => in_layers(z),
             };
             let (along, across) = (&size, &across);
             let sense = sense(scene);
@@ -287,6 +291,11 @@ fn layers(scene: &Scene, cavity: f64) -> Vec<(f64, f64)> {
         .map(|(z, pressure)| (z, thickness(pressure)))
         .collect()
 }
+
+/// Distance of the rows of an orbit's mesh, over that of as many equal cells: the peak of pressure that runs around is steep along the flow. One land of the big end of scene
+/// 28 on 48 x 4, 48 x 8, 64 x 4 and 96 x 4 cells, whose rows are 1.1, 0.5, 1.4 and 2.1 times as far apart as the columns: least film 1.4, 1.4, 0.9 and 0.2 % off. Layers of oil that
+/// enters beside a groove come and go with the cavity, and finer rows there do not show in it.
+const ROWS_ON_ORBIT: f64 = 1.7;
 
 /// Meshes or reads the liner of a scene.
 ///

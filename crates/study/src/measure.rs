@@ -3,10 +3,12 @@
 use oilwedge_bearing::Dynamics;
 use oilwedge_reynolds::error_bar::sharp::Sharpened;
 use oilwedge_reynolds::quantities::cavity::{self, Cavity};
+use oilwedge_reynolds::quantities::contact;
+use oilwedge_reynolds::quantities::deflection::deflection_max;
 use oilwedge_reynolds::quantities::extent::{Extent, extent};
 use oilwedge_reynolds::quantities::flow::{self, Flows};
 use oilwedge_reynolds::quantities::inlet::inlet_flow;
-use oilwedge_reynolds::quantities::load::{self, Load};
+use oilwedge_reynolds::quantities::load::{self, Load, Share};
 use oilwedge_reynolds::quantities::power::{self, Power};
 use oilwedge_reynolds::quantities::pressure::{self, Extremes};
 use oilwedge_reynolds::sharp::HillNumbers;
@@ -20,11 +22,22 @@ const NO_TENSION: f64 = 1e-12;
 /// Tension below this fraction of the range of pressure may be that of the interpolation.
 const TENSION: f64 = 1e-5;
 
+/// What contact carries.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Touching {
+    /// Force, moment and `Int p_a dA`.
+    pub share: Share,
+    /// Error of integration of the force [N].
+    pub unsure: f64,
+}
+
 /// Everything measured on one film.
 #[derive(Debug)]
 pub struct Measured {
     /// Load and its shares.
     pub load: Load,
+    /// What contact carries; none where it is not simulated.
+    pub contact: Option<Touching>,
     /// Extremes of pressure.
     pub extremes: Extremes,
     /// Flows by region.
@@ -35,6 +48,8 @@ pub struct Measured {
     pub power: Power,
     /// The thinnest film on the liner.
     pub thinnest: Thinnest,
+    /// Greatest deflection of the wall [m]; none of a rigid one.
+    pub deflection: Option<f64>,
     /// Where the loaded film begins and ends on the mid-plane; none without a cavity.
     pub extent: Option<Extent>,
     /// The cavity, of models that have one while they solve.
@@ -90,7 +105,8 @@ impl Measured {
     pub(crate) fn sharpen(&mut self, problem: &FilmProblem, by: &Sharpened) {
         if let Some(load) = by.load {
             self.load.total = load;
-            self.power.pressure = self.power.with_moment(problem, load.resultant()).pressure;
+            let of_oil = self.load.of_oil().resultant();
+            self.power.pressure = self.power.with_moment(problem, of_oil).pressure;
         }
         if let Some(greatest) = by.greatest {
             self.extremes.greatest = greatest;
@@ -103,12 +119,21 @@ impl Measured {
 pub fn measure(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Measured {
     let extremes = pressure::extremes(problem, system, film);
     let load = load::load(problem, system, film);
+    let contact = load.contact.map(|share| Touching {
+        unsure: contact::unsure(problem, system, &share),
+        share,
+    });
+    let thrust = contact.map_or(0.0, |contact| contact.share.pressure);
     Measured {
-        power: power::power(problem, system, film).with_moment(problem, load.total.resultant()),
+        power: power::power(problem, system, film)
+            .with_moment(problem, load.of_oil().resultant())
+            .with_contact(problem, thrust),
+        contact,
         load,
         flows: flow::flows(problem, system, film),
         inlet_flow: inlet_flow(problem, system, film),
         thinnest: Gap::of(problem, system).thinnest_film(problem, system),
+        deflection: deflection_max(problem, system),
         extent: extent(problem, system, film, &extremes),
         cavity: problem
             .cavitation

@@ -65,6 +65,11 @@ impl NoAnswer {
         }
     }
 
+    /// True if a finer mesh would show no more: the load is far beyond what the film carries.
+    pub fn is_far_beyond(&self) -> bool {
+        matches!(self, Self::Equilibrium(reason) if reason.is_far_beyond())
+    }
+
     /// True if the mesh cannot resolve on which side of the limit of the viscosity law the film is.
     pub fn is_near_limit(&self) -> bool {
         let (Self::Film(film) | Self::Equilibrium(NoEquilibrium::Film(film))) = self else {
@@ -91,6 +96,12 @@ fn way_out(reason: &NoAnswer) -> Option<&'static str> {
         NoAnswer::Orbit(NoOrbit::Ended { .. }) => return Some(MORE_SECONDS),
         NoAnswer::Orbit(NoOrbit::Stuck { .. }) => {
             return Some("give a finer mesh ([mesh] size), or a greater orbit.tolerance");
+        }
+        NoAnswer::Orbit(NoOrbit::SqueezedOut { .. }) => {
+            return Some("lower the load, or raise speed, viscosity or size");
+        }
+        NoAnswer::Orbit(NoOrbit::OffShell { .. }) => {
+            return Some("give a wider bearing.arc, or turn it under the load");
         }
         NoAnswer::Orbit(NoOrbit::Film { reason, .. }) => reason,
         NoAnswer::Temperature(_) => return None,

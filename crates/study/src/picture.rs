@@ -7,8 +7,8 @@ use oilwedge_reynolds::FilmSolution;
 use oilwedge_reynolds::quantities::stream::streams;
 
 use crate::fields::{
-    ANGLE, AXIAL_PLACE, BEARING_STRESS, ERROR_INDICATOR, FILM_FRACTION, FILM_THICKNESS, FieldRow, JOURNAL_STRESS,
-    PRESSURE, VISCOSITY, VOLUME_FLOW,
+    ANGLE, AXIAL_PLACE, BEARING_STRESS, CONTACT_PRESSURE, DEFLECTION, ERROR_INDICATOR, FILM_FRACTION, FILM_THICKNESS,
+    FieldRow, JOURNAL_STRESS, PRESSURE, VISCOSITY, VOLUME_FLOW,
 };
 use crate::film::Film;
 use crate::film_lines::film_lines;
@@ -100,7 +100,7 @@ pub enum Surface {
 }
 
 /// The fields of a solved film at its nodes, on the cylinder `(R cos phi, R sin phi, z)` or unrolled `(R phi, z, 0)`, where nodes on the cut of a ring
-/// are on both sides of it: pressure (nowhere below that of a cavity), film thickness, viscosity, of a mass-conserving film the film fraction, place, flow per
+/// are on both sides of it: pressure (nowhere below that of a cavity), film thickness, viscosity, where surfaces touch the pressure of contact, of a mass-conserving film the film fraction, place, flow per
 /// width and shear stress on the walls. Nodes on the edge of a pocket are on both sides of it too, for the film is thicker on one. The indicator [N], a value for
 /// each triangle, is what each adds to the error of the load.
 pub fn picture(film: &Film, solution: &FilmSolution, indicator: Option<&[f64]>, surface: Surface) -> FilmPicture {
@@ -146,15 +146,25 @@ fn pointwise(film: &Film, solution: &FilmSolution, nodes: &Nodes) -> Vec<Picture
     let floor = problem.cavitation.pressure().unwrap_or(f64::NEG_INFINITY);
     let pressure = |&dof: &usize| problem.pressure_at(solution.unknown[dof]).max(floor);
     let pressure: Vec<f64> = nodes.dofs.iter().map(pressure).collect();
-    let thickness = (nodes.cells.iter().zip(&nodes.positions))
+    let thickness: Vec<f64> = (nodes.cells.iter().zip(&nodes.positions))
         .flat_map(|(&cell, position)| problem.thickness_at(cell, &[*position]))
         .collect();
+    let contact = (problem.contact).map(|contact| thickness.iter().map(|&gap| contact.law.at(gap).pressure).collect());
     let viscosity = pressure.iter().map(|&p| problem.viscosity_at(p)).collect();
     let mut fields = vec![
         scalars(&PRESSURE, pressure),
         scalars(&FILM_THICKNESS, thickness),
         scalars(&VISCOSITY, viscosity),
     ];
+    fields.extend(contact.map(|pressure| scalars(&CONTACT_PRESSURE, pressure)));
+    if let Some(deflection) = problem.deflection() {
+        let values = nodes
+            .positions
+            .iter()
+            .map(|&position| deflection.at(position))
+            .collect();
+        fields.push(scalars(&DEFLECTION, values));
+    }
     if let Some(fraction) = &solution.film_fraction {
         let values = nodes.dofs.iter().map(|&dof| fraction.values[dof]).collect();
         fields.push(scalars(&FILM_FRACTION, values));

@@ -2,10 +2,11 @@
 
 use std::f64::consts::FRAC_PI_4;
 
-use oilwedge_bearing::{Point, Visited, first_position, predicted};
+use oilwedge_bearing::{Point, Visited, first_contact, first_position, predicted};
 use oilwedge_reynolds::{Bearing, JournalState};
 use oilwedge_scene::{self as scene, CavitationModel, Scene};
 
+use crate::contact::contact;
 use crate::dimensions;
 use crate::oil::Oil;
 
@@ -102,17 +103,21 @@ impl Position {
         let drag = Oil::of(scene).viscosity * speed.abs() / (psi * psi);
         let number = force / (drag * bearing.diameter * bearing.length);
         let full = scene.cavitation.is_none_or(|it| it.model == CavitationModel::None);
-        match first_position(number, bearing.length / bearing.diameter, full) {
-            Some((eccentricity, attitude)) => {
-                let position = Self {
-                    eccentricity,
-                    min_film_angle: angle + speed.signum() * attitude,
-                    tilt: scene.journal.tilt.unwrap_or_default(),
-                };
-                position.clear_of_the_ends(&dimensions::bearing(scene))
-            }
-            None => Self::middle(scene),
-        }
+        let by_film = first_position(number, bearing.length / bearing.diameter, full);
+        // Both together carry more than each of them.
+        let by_contact = contact(scene).map(|contact| first_contact(&contact.law, &dimensions::bearing(scene), force));
+        let (eccentricity, attitude) = match (by_film, by_contact) {
+            (Some((film, attitude)), Some(contact)) => (film.min(contact), attitude),
+            (Some(found), None) => found,
+            (None, Some(contact)) => (contact, 0.0),
+            (None, None) => return Self::middle(scene),
+        };
+        let position = Self {
+            eccentricity,
+            min_film_angle: angle + speed.signum() * attitude,
+            tilt: scene.journal.tilt.unwrap_or_default(),
+        };
+        position.clear_of_the_ends(&dimensions::bearing(scene))
     }
 
     /// The position at which a computation begins where nothing else is known: the one given, for a load eps = 0.5 at 45 degrees from

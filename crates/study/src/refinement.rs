@@ -11,6 +11,8 @@ mod growth;
 mod level;
 mod levels;
 mod next;
+#[cfg(test)]
+mod tests;
 
 use oilwedge_bearing::Deadline;
 

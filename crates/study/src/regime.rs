@@ -107,10 +107,10 @@ impl Regime {
             (measured.thinnest.thickness < MOLECULES).then(|| {
                 warning::MOLECULAR.says(format!("continuous film: it is {} m thin, some molecules; no oil is a fluid there", rounded(measured.thinnest.thickness)))
             }),
-            self.roughness_ratio.filter(|ratio| *ratio < APART).map(|ratio| {
-                warning::TOUCHING.says(format!("smooth surfaces: the least film is {} times bearing.roughness, below {APART} times; the surfaces touch there", rounded(ratio)))
+            self.roughness_ratio.filter(|ratio| film.problem.contact.is_none() && *ratio < APART).map(|ratio| {
+                warning::TOUCHING.says(format!("smooth surfaces: the least film is {} times bearing.roughness, below {APART} times; the surfaces touch there; give [contact]", rounded(ratio)))
             }),
-            (self.deflection > measured.thinnest.thickness && pressure <= YIELDING).then(|| {
+            (measured.deflection.is_none() && self.deflection > measured.thinnest.thickness && pressure <= YIELDING).then(|| {
                 let micrometres = |length: f64| rounded(1e6 * length);
                 warning::ELASTIC.says(format!("rigid surfaces: the pressure, up to {} bar, would deflect journal and liner by some {} um, but the least film has {} um; the film adapts, and its pressure will be lower", readable(1e-5 * pressure), micrometres(self.deflection), micrometres(measured.thinnest.thickness)))
             }),

@@ -87,6 +87,9 @@ pub struct Balances {
     pub force: f64,
     /// Moment of load and support less that of the film, over the load times half of the bearing's length; zero where the tilt is given.
     pub tilt: f64,
+    /// Deflection of the elastic liner less that by the pressure of the film, relative to it; absent in JSON where the liner is rigid.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub deflection: Option<f64>,
     /// Heat of friction less what is carried off, relative to it; zero where the temperature is given.
     #[serde(rename = "heat")]
     pub thermal: f64,
@@ -123,6 +126,12 @@ pub struct Counts {
     pub position_steps: usize,
     /// Temperatures of the film that were tried.
     pub temperature_steps: usize,
+    /// Films solved for the deflection of an elastic liner at the position of the result; absent in JSON where the liner is rigid.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub deflection_steps: Option<usize>,
+    /// Products with the tangent of film and liner on the way; absent likewise.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub deflection_products: Option<usize>,
 }
 
 /// How the linear systems of the problem of the result were solved.

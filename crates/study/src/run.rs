@@ -287,6 +287,11 @@ fn report(scene: &Scene, (solved, estimated): (&Solved, Estimated), options: &Ru
         moment: estimated.measured.power.moment_imbalance,
         force: solved.balance.map_or(0.0, |balance| balance.parts[0]),
         tilt: solved.balance.map_or(0.0, |balance| balance.parts[1]),
+        deflection: solved
+            .film
+            .problem
+            .deflection()
+            .map(|deflection| deflection.closing.residual),
         thermal: left_over(&estimated.quantities),
         energy: None,
     };
@@ -321,6 +326,7 @@ fn report(scene: &Scene, (solved, estimated): (&Solved, Estimated), options: &Ru
 
 fn counts(solved: &Solved) -> Counts {
     let solves = solved.solution.history.len();
+    let closing = solved.film.problem.deflection().map(|deflection| deflection.closing);
     Counts {
         linear_solves: solves,
         factorisations: solves,
@@ -332,6 +338,8 @@ fn counts(solved: &Solved) -> Counts {
             None => solved.balance.map_or(0, |balance| balance.steps),
         },
         temperature_steps: (solved.temperature.as_ref()).map_or(0, |found| found.balanced.films),
+        deflection_steps: closing.map(|closing| closing.outer),
+        deflection_products: closing.map(|closing| closing.inner),
     }
 }
 

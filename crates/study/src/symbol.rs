@@ -47,7 +47,7 @@ mod tests {
     #[test]
     fn every_symbol_of_the_catalogue_is_one() {
         let names = [
-            "beta", "delta", "eps", "eta", "mu", "nu", "phi", "sigma", "tau", "theta", "So",
+            "beta", "delta", "Delta", "eps", "eta", "mu", "nu", "phi", "sigma", "tau", "theta", "So",
         ];
         let symbols = CATALOGUE.iter().map(|row| row.symbol);
         for text in symbols.chain(FILE_FIELDS.iter().map(|row| row.symbol)) {

@@ -113,6 +113,11 @@ kinds! {
     CURVED = "curved", "the clearance is large against the radius";
     MOLECULAR = "molecular", "the film is some molecules thin";
     TOUCHING = "touching", "the least film is below three times the roughness";
+    VALLEYS = "valleys", "the flow through the valleys of rough surfaces is not that which is computed";
+    ASPERITIES = "asperities", "the pressure of contact is near the hardness: asperities yield";
+    NO_LAYER = "no_layer", "a Winkler layer is no model of the wall that it is made of";
+    SLICES = "slices", "the elastic wall is too thick for slices that move by themselves";
+    SOFT = "soft", "the elastic liner deflects by more than the clearance";
     ELASTIC = "elastic", "the surfaces would deflect by more than the least film";
     DEEP = "deep", "a shape of bore or shaft is as deep as the clearance";
     STEEP = "steep", "a shape of bore or shaft is steeper than Reynolds' equation allows";

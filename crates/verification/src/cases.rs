@@ -8,7 +8,7 @@ use crate::family::{Expect, Family, LimitedLaw, MeshRecipe, Other, Series, Vary}
 pub const KNOWN_VALUES: &str = "known_values";
 
 /// The families, by the names of their files in `tests/hard_cases`.
-const FAMILIES: [(&str, &str); 20] = [
+const FAMILIES: [(&str, &str); 22] = [
     (
         KNOWN_VALUES,
         include_str!("../../../tests/hard_cases/known_values.toml"),
@@ -33,6 +33,7 @@ const FAMILIES: [(&str, &str); 20] = [
     ("squeeze", include_str!("../../../tests/hard_cases/squeeze.toml")),
     ("tilt", include_str!("../../../tests/hard_cases/tilt.toml")),
     ("shapes", include_str!("../../../tests/hard_cases/shapes.toml")),
+    ("liner", include_str!("../../../tests/hard_cases/liner.toml")),
     ("dynamics", include_str!("../../../tests/hard_cases/dynamics.toml")),
     ("speed", include_str!("../../../tests/hard_cases/speed.toml")),
     ("supply", include_str!("../../../tests/hard_cases/supply.toml")),
@@ -40,6 +41,7 @@ const FAMILIES: [(&str, &str); 20] = [
     ("placement", include_str!("../../../tests/hard_cases/placement.toml")),
     ("loads", include_str!("../../../tests/hard_cases/loads.toml")),
     ("scales", include_str!("../../../tests/hard_cases/scales.toml")),
+    ("contact", include_str!("../../../tests/hard_cases/contact.toml")),
     ("orbits", include_str!("../../../tests/hard_cases/orbits.toml")),
 ];
 

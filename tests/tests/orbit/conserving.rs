@@ -4,8 +4,10 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use oilwedge_bearing::duty_cycle::{Frame, Harmonic, Turning};
-use oilwedge_bearing::orbit::{Motion, Orbit, OrbitOptions};
+use oilwedge_bearing::orbit::{Motion, Orbit, OrbitOptions, Span};
 use oilwedge_bearing::{Deadline, Duty, DutyCycle};
+use oilwedge_reynolds::quantities::load::load;
+use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::terms::squeeze::Squeeze;
 use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSystem, Gap};
 use oilwedge_tests::*;
@@ -25,15 +27,29 @@ fn land(cavitation: Cavitation, [columns, rows]: [u32; 2]) -> (FilmProblem, Film
     (problem, system)
 }
 
-fn follow(film: &(FilmProblem, FilmSystem), cycle: &DutyCycle, tolerance: f64, cycles: usize) -> Orbit {
-    let motion = Motion {
+fn motion<'a>(film: &'a (FilmProblem, FilmSystem), cycle: &'a DutyCycle) -> Motion<'a> {
+    Motion {
         problem: &film.0,
         system: &film.1,
         gap: Gap::of(&film.0, &film.1),
         cycle,
         support: None,
         mass: 0.0,
-    };
+    }
+}
+
+/// Until it closes to 1e-5, from 0.3 of the clearance towards the first load.
+fn follow(film: &(FilmProblem, FilmSystem), cycle: &DutyCycle, tolerance: f64, cycles: usize) -> Orbit {
+    follow_from([0.3, 0.0], film, cycle, tolerance, cycles)
+}
+
+fn follow_from(
+    start: [f64; 2],
+    film: &(FilmProblem, FilmSystem),
+    cycle: &DutyCycle,
+    tolerance: f64,
+    cycles: usize,
+) -> Orbit {
     let options = OrbitOptions {
         tolerance,
         closure: 1e-5,
@@ -41,8 +57,8 @@ fn follow(film: &(FilmProblem, FilmSystem), cycle: &DutyCycle, tolerance: f64, c
         deadline: Deadline::default(),
         observer: None,
     };
-    let start = [0.3 * CLEARANCE, 0.0, 0.0, 0.0];
-    motion.orbit(start, &options).expect("an orbit")
+    let [x, y] = start.map(|part| part * CLEARANCE);
+    (motion(film, cycle).orbit([x, y, 0.0, 0.0], &options)).expect("an orbit")
 }
 
 fn unit_of_force() -> f64 {
@@ -55,10 +71,10 @@ fn end(orbit: &Orbit) -> [f64; 2] {
 }
 
 /// Under a load that turns with the journal, and so with a shell that carries its groove all around, the journal runs round at the eccentricity of the bearing
-/// whose load is at rest: turning frames exchange the speeds omega and omega - 2 omega.
+/// whose load is at rest: turning frames exchange the speeds omega and omega - 2 omega. Nodes fill and empty all along: 35 steps a turn leave 6e-4, 82 steps leave 5e-5.
 #[test]
 fn a_turning_load_leads_round_the_circle_of_the_load_at_rest() {
-    let film = land(CONSERVING, [32, 3]);
+    let film = land(CONSERVING, [96, 1]);
     let load = 0.15 * unit_of_force();
     let duty = Duty {
         force: [load, 0.0],
@@ -77,22 +93,20 @@ fn a_turning_load_leads_round_the_circle_of_the_load_at_rest() {
         rod: None,
     };
     let cycle = DutyCycle::of_harmonics(vec![turning], TAU, Frame::Shell, speed);
-    let orbit = follow(&film, &cycle, 2e-3, 8);
+    // Mirrored: it runs behind the load by as much as it ran before it.
+    let orbit = follow_from([x, -y], &film, &cycle, 5e-5, 7);
     let eccentricity = x.hypot(y);
     let off = |at: [f64; 4]| (at[0].hypot(at[1]) / CLEARANCE - eccentricity).abs();
     let off = orbit.steps.iter().map(|step| off(step.at)).fold(0.0, f64::max);
-    assert!(off < 1e-3, "{eccentricity}: {off}");
-    // Mirrored: it runs behind the load by as much as it ran before it.
+    assert!(off < 1e-4, "{eccentricity}: {off}");
     let last = orbit.steps.last().expect("steps").at;
     let angle = last[1].atan2(last[0]);
-    assert!((angle + y.atan2(x)).abs() < 1e-2, "{angle} {x} {y}");
+    assert!((angle + y.atan2(x)).abs() < 1e-3, "{angle} {x} {y}");
 }
 
-/// Load of a cycle with a peak: the film breaks all along, and the oil returns.
-#[test]
-fn an_orbit_closes_with_its_oil() {
-    let film = land(CONSERVING, [24, 2]);
-    let unit = unit_of_force();
+/// A load of three orders over two turns, this many times the usual one.
+fn three_orders(times: f64) -> DutyCycle {
+    let unit = times * unit_of_force();
     let orders = [
         (0.0, [0.2, 0.0], [0.0; 2]),
         (1.0, [0.15, 0.0], [0.0, 0.2]),
@@ -107,8 +121,70 @@ fn an_orbit_closes_with_its_oil() {
         speed: SPEED,
         rod: None,
     };
-    let cycle = DutyCycle::of_harmonics(orders.into(), 2.0 * TAU, Frame::Shell, speed);
-    let orbit = follow(&film, &cycle, 1e-3, 5);
+    DutyCycle::of_harmonics(orders.into(), 2.0 * TAU, Frame::Shell, speed)
+}
+
+/// Least film on the path, over the clearance.
+fn thinnest(orbit: &Orbit) -> f64 {
+    let gaps = orbit.steps.windows(2).flat_map(|pair| {
+        let span = Span::between(&pair[0], &pair[1]);
+        let [from, to] = span.times;
+        (0..=20).map(move |k| {
+            let [x, y, ..] = span.at(from + (to - from) * f64::from(k) / 20.0);
+            1.0 - x.hypot(y) / CLEARANCE
+        })
+    });
+    gaps.fold(f64::INFINITY, f64::min)
+}
+
+/// The film that remembers has less oil, so less pressure at the same place and velocity. Under a heavy load that is missing below the load, and the film is
+/// thinner than that of Swift and Stieber. Under a light one it is missing on the other side, where the groove presses the journal into its load: the film is thicker.
+#[test]
+fn what_memory_takes_from_the_film_makes_it_thinner_under_heavy_loads_and_thicker_under_light_ones() {
+    let [conserving, forgetting] =
+        [CONSERVING, Cavitation::Reynolds { pressure: 0.0 }].map(|model| land(model, [24, 2]));
+    for (times, is_thinner) in [(4.0, true), (1.0, false)] {
+        let cycle = three_orders(times);
+        let [with, without] = [&conserving, &forgetting].map(|film| follow(film, &cycle, 1e-3, 3));
+        let [with_memory, without_memory] = [&with, &without].map(thinnest);
+        assert_eq!(
+            with_memory < 0.99 * without_memory,
+            is_thinner,
+            "{with_memory} {without_memory}"
+        );
+        assert_eq!(
+            with_memory > 1.01 * without_memory,
+            !is_thinner,
+            "{with_memory} {without_memory}"
+        );
+        let here = |step: &&oilwedge_bearing::orbit::Step| step.at[0].hypot(step.at[1]);
+        let step = with
+            .steps
+            .iter()
+            .max_by(|a, b| here(a).total_cmp(&here(b)))
+            .expect("steps");
+        let film = motion(&conserving, &cycle)
+            .film_at(step, Neighbour::None)
+            .expect("a film");
+        let other = FilmProblem {
+            journal: film.problem.journal,
+            ..forgetting.0.clone()
+        };
+        let forgetful = other.solve(&forgetting.1).expect("a film");
+        let missing = (forgetful.unknown.iter().zip(&film.film.unknown)).map(|(without, with)| without - with);
+        assert!(missing.sum::<f64>() > 0.0, "{times}");
+        let towards_film = |force: [f64; 2]| (force[0] * step.at[0] + force[1] * step.at[1]) / here(&step);
+        let carried = towards_film(load(&film.problem, &conserving.1, &film.film).total.force);
+        let forgetful = towards_film(load(&other, &forgetting.1, &forgetful).total.force);
+        assert_eq!(carried < forgetful, is_thinner, "{times}: {carried} {forgetful}");
+    }
+}
+
+/// Load of a cycle with a peak: the film breaks all along, and the oil returns.
+#[test]
+fn an_orbit_closes_with_its_oil() {
+    let film = land(CONSERVING, [24, 2]);
+    let orbit = follow(&film, &three_orders(1.0), 1e-3, 5);
     let oils: Vec<_> = orbit.cycles.iter().filter_map(|cycle| cycle.oil).collect();
     assert_eq!(oils.len(), orbit.cycles.len());
     assert!(oils.iter().all(|oil| oil.imbalance < 1e-12), "{oils:?}");

@@ -5,6 +5,7 @@ mod conserving;
 mod finite;
 mod loads;
 mod mobility;
+mod no_orbit;
 mod scene;
 mod short;
 mod storage;

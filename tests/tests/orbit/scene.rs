@@ -59,7 +59,7 @@ fn the_big_end_of_the_shipped_scene_is_that_of_finite_volumes() {
     }
 }
 
-const SCENE: &str = r#"
+pub(crate) const SCENE: &str = r#"
 bearing = { diameter = "50 mm", length = "25 mm", clearance = "30 um", theory = "short" }
 mesh.size = "6 mm"
 journal.speed = "3000 rpm"
@@ -69,7 +69,7 @@ load = { harmonics = [{ order = 0, cos = { x = "2 kN" } }, { order = 1, sin = { 
 orbit = { cycles = 5 }
 "#;
 
-fn parsed(text: &str) -> Result<oilwedge_scene::Scene, String> {
+pub(crate) fn parsed(text: &str) -> Result<oilwedge_scene::Scene, String> {
     parse(text, Path::new("a.toml")).map_err(|error| match error {
         SceneError::Complaints { complaints, .. } => complaints.iter().map(ToString::to_string).collect(),
         other => other.to_string(),
@@ -90,27 +90,6 @@ fn too_few_cycles_are_an_answer_with_numbers() {
         result.reason
     );
     assert!(result.quantity(&CYCLE_FILM_THICKNESS_MIN).is_some());
-}
-
-#[test]
-fn a_load_at_half_the_speed_of_the_journal_is_told_as_collapse() {
-    let turning = "[{ order = 0.5, cos = { x = \"2 kN\" }, sin = { y = \"2 kN\" } }]";
-    let (before, rest) = SCENE.split_once("load = { harmonics = ").expect("a load");
-    let (_, after) = rest.split_once(", frame").expect("a frame");
-    let scene = format!("{before}load = {{ harmonics = {turning}, frame{after}");
-    let scene = scene
-        .replace("360 deg", "720 deg")
-        .replace("cycles = 5", "cycles = 2, closure = 1e-6");
-    let result = run(&parsed(&scene).expect("a scene"), &RunOptions::default())
-        .expect("an orbit")
-        .result;
-    assert_eq!(result.status, Status::NotConverged);
-    let reason = result.reason.as_deref().unwrap_or_default();
-    assert!(
-        reason.starts_with("collapse: 100 % of the load turns at half the speed"),
-        "{reason}"
-    );
-    assert!(result.warnings.iter().any(|warning| warning.kind.code == "half_speed"));
 }
 
 #[test]
@@ -248,7 +227,8 @@ fn limits_are_those_of_the_cycle() {
     let wide = limit("film_min = \"0.1 um\"\npressure_max = \"100000 bar\"");
     assert_eq!(told(&wide), Vec::<String>::new());
     let greatest = 1e-5 * wide.quantity(&CYCLE_PRESSURE_MAX).expect("a pressure").value;
-    let below = 0.999 * greatest;
+    // Farther below than the bar is wide: a limit inside it would be undecided.
+    let below = 0.9 * greatest;
     let exceeded = told(&limit(&format!("pressure_max = \"{below} bar\"")));
     assert!(
         exceeded.len() == 1 && exceeded[0].contains("greatest pressure above"),
@@ -317,8 +297,7 @@ fn a_cycle_is_drawn_film_by_film() {
 }
 
 /// The synthetic big end with oil at 2 bar in its groove, mass-conserving: least film 5.577 um and greatest pressure 45.6 MPa by structured finite volumes, extrapolated from four grids
-/// (5.05, 5.41, 5.52 and 5.56 um on 48 x 4 to 384 x 32 cells a land). The mesh of the shipped scene is as coarse as the second of them: 5.2 um. With edges of 20 and 12 mm
-/// it is 5.48 and 5.53 um.
+/// (5.05, 5.41, 5.52 and 5.56 um on 48 x 4 to 384 x 32 cells a land): each to 1 %.
 #[test]
 fn the_big_end_that_conserves_its_oil_is_that_of_finite_volumes() {
     let scene = read(&path("28_big_end_orbit_conserving")).expect("a scene");
@@ -329,12 +308,13 @@ fn the_big_end_that_conserves_its_oil_is_that_of_finite_volumes() {
     let result = run(&scene, &options).expect("an orbit").result;
     assert_eq!(result.status, Status::Converged, "{:?}", result.reason);
     for (row, reference, part) in [
-        (&CYCLE_FILM_THICKNESS_MIN, 5.577e-6, 0.08),
+        (&CYCLE_FILM_THICKNESS_MIN, 5.577e-6, 0.01),
         (&CYCLE_PRESSURE_MAX, 45.6e6, 0.01),
     ] {
         let value = result.quantity(row).expect(row.name).value;
         assert!((value / reference - 1.0).abs() < part, "{}: {value}", row.name);
     }
+    assert!(result.mesh.nodes < 3000, "{:?}", result.mesh);
     let cycles = &result.orbit.as_ref().expect("an orbit").cycles;
     let last = cycles.last().expect("a cycle");
     assert!(last.oil_imbalance.is_some_and(|oil| oil < 1e-8), "{last:?}");

@@ -112,23 +112,30 @@ fn thin_films_are_knife_edges() {
     }
 }
 
-#[test]
-fn two_films_bear_what_statics_gives_them() {
+/// Load [kN] of the right one of [`two_films`].
+const RIGHT: f64 = (12.0 * 0.1 + 0.22) / 0.4;
+
+/// The shaft without its bearing in the middle, under 12 kN and 1 kN.
+fn two_films() -> String {
     let scene = text("three_films.toml");
     let middle =
         "[[crankshaft.bearing]]\nname  = \"middle\"\nscene = \"bearings/small_ring.toml\"\nat    = \"200 mm\"\n";
     let scene = changed(&scene, middle, "");
-    let scene = changed(
+    changed(
         &scene,
         "at    = \"300 mm\"\nforce = \"12 kN\"",
         "at    = \"220 mm\"\nforce = \"1 kN\"",
-    );
+    )
+}
+
+#[test]
+fn two_films_bear_what_statics_gives_them() {
+    let scene = two_films();
     let stiff = "youngs_modulus = \"206e6 GPa\"\ntilt = \"none\"";
     for of_shaft in [stiff, "youngs_modulus = \"206 GPa\"\nstatics = \"cut\""] {
         let run = run(&changed(&scene, "youngs_modulus = \"206 GPa\"", of_shaft));
         assert_eq!(run.result.status, Status::Converged, "{:?}", run.result.reason);
-        let right = (12.0 * 0.1 + 0.22) / 0.4;
-        for (force, wanted) in numbers(&run, &LOAD_Y).iter().zip([13.0 - right, right]) {
+        for (force, wanted) in numbers(&run, &LOAD_Y).iter().zip([13.0 - RIGHT, RIGHT]) {
             assert!((force / (-1e3 * wanted) - 1.0).abs() < 1e-9, "{force} {wanted}");
         }
     }
@@ -136,13 +143,50 @@ fn two_films_bear_what_statics_gives_them() {
 
 #[test]
 fn bearings_of_what_is_not_solved_are_refused() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let scene = with_bearing(folder.path(), ("\"reynolds\"", "\"jfo\""), &text("three_films.toml"));
-    let scene = oilwedge_scene::ShaftScene::parse(&scene, &engines("scene.toml")).expect("a scene");
-    let error = oilwedge_study::shaft::run_shaft(&scene, &oilwedge_study::RunOptions::default()).expect_err("jfo");
-    let told = error.to_string();
-    assert!(
-        told.contains("ring.toml") && told.contains("cavitation.model") && told.contains("reynolds"),
-        "{told}"
+    let refused = |change: (&str, &str)| {
+        let folder = tempfile::tempdir().expect("a folder");
+        let scene = with_bearing(folder.path(), change, &text("three_films.toml"));
+        let scene = oilwedge_scene::ShaftScene::parse(&scene, &engines("scene.toml")).expect("a scene");
+        let error = oilwedge_study::shaft::run_shaft(&scene, &oilwedge_study::RunOptions::default());
+        error.expect_err("refused").to_string()
+    };
+    let liner = "[liner]\nwinkler = \"0.02 um/MPa\"\n\n[journal]";
+    for (change, key, way_out) in [
+        (("\"reynolds\"", "\"jfo\""), "cavitation.model", "reynolds"),
+        (("[journal]", liner), "liner", "remove [liner]"),
+    ] {
+        let told = refused(change);
+        assert!(
+            told.contains("ring.toml") && told.contains(key) && told.contains(way_out),
+            "{told}"
+        );
+    }
+}
+
+/// What the peaks of rough surfaces carry is a part of the force of the film that statics asks for.
+#[test]
+fn peaks_that_touch_carry_a_part_of_the_shaft() {
+    let scene = two_films();
+    let cut = changed(
+        &scene,
+        "youngs_modulus = \"206 GPa\"",
+        "youngs_modulus = \"206 GPa\"\nstatics = \"cut\"",
     );
+    let rough = "[contact]\nmodel = \"greenwood-tripp\"\neta_beta_sigma = 0.05\nsigma_over_beta = 0.01\nmodulus = \"115 GPa\"\n\
+                 hardness = \"900 MPa\"\nfriction = 0.1\n\n[journal]";
+    let folder = tempfile::tempdir().expect("a folder");
+    let bearing = changed(
+        &text("bearings/small_ring.toml"),
+        "\"30 um\"",
+        "\"30 um\"\nroughness = \"2 um\"",
+    );
+    std::fs::write(folder.path().join("ring.toml"), changed(&bearing, "[journal]", rough)).expect("a file");
+    let path = folder.path().join("ring.toml");
+    let run = run(&cut.replace("bearings/small_ring.toml", path.to_str().expect("a path")));
+    assert_eq!(run.result.status, Status::Converged, "{:?}", run.result.reason);
+    for (force, wanted) in numbers(&run, &LOAD_Y).iter().zip([13.0 - RIGHT, RIGHT]) {
+        assert!((force / (-1e3 * wanted) - 1.0).abs() < 1e-9, "{force} {wanted}");
+    }
+    let shares = numbers(&run, &CONTACT_SHARE);
+    assert!(shares.iter().all(|share| *share > 1e-3 && *share < 0.9), "{shares:?}");
 }

@@ -69,7 +69,7 @@ fn depth_zero_is_absence() {
     for model in MODELS {
         let plain = carried(&bearing(model), &system);
         for profile in [crown(0.0), worn(0.0), oval(0.0), measured.clone()] {
-            let zero = carried(&shaped(bearing(model), &[profile.clone()]), &system);
+            let zero = carried(&shaped(bearing(model), std::slice::from_ref(&profile)), &system);
             for k in 0..2 {
                 let size = plain.force[0].hypot(plain.force[1]);
                 let off = [
@@ -131,7 +131,7 @@ fn the_tangent_matches_differences() {
             .map(|k| {
                 let change = coordinates.change(&problem.journal, &CentreVelocity::default(), unit(k));
                 let unknown = problem.unknown_change(&system, &film, &change).expect("a tangent");
-                coordinates.forces(&load_change(&problem, &system, &film, &unknown))
+                coordinates.forces(&load_change(&problem, &system, &film, &change, &unknown))
             })
             .collect();
         let step = 1e-6 * CLEARANCE;

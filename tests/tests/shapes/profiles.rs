@@ -43,7 +43,7 @@ fn profiles_are_those_of_finite_volumes() {
     });
 }
 
-/// The same bores from points of one degree and 20 positions along the axis.
+/// Bores of the reference, given by points of one degree and 20 positions along the axis.
 #[test]
 fn measured_points_give_the_same_film() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -64,7 +64,7 @@ fn measured_points_give_the_same_film() {
     });
 }
 
-/// Noise of a measurement of some tenths of the least film, and points too far apart, are told; the film is found all the same.
+/// Noise of some tenths of the least film, and points too far apart, are warned of; the film is found nevertheless.
 #[test]
 fn noise_and_coarse_points_are_told() {
     let folder = tempfile::tempdir().expect("a folder");

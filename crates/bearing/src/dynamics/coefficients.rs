@@ -1,8 +1,9 @@
 //! Stiffness and damping of a film at one frequency, and how they look in other frames and units.
 
+use crate::deflection::{Follower, harmonic_response};
 use oilwedge_fem::Error;
-use oilwedge_reynolds::quantities::load::load_change;
-use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, Whirl};
+use oilwedge_reynolds::quantities::load::{Resultant, load_change, oil_change};
+use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalChange, Whirl};
 
 /// Row: W_x, W_y, m_x, m_y; column: e_x, e_y, g_x, g_y, or their rates.
 pub type Square = [[f64; 4]; 4];
@@ -25,6 +26,7 @@ impl Coefficients {
     /// The linear systems could not be solved.
     pub fn of(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, frequency: f64) -> Result<Self, Error> {
         let whirl = Whirl::new(problem, system, film, frequency)?;
+        let follower = Follower::of(problem, system, film);
         let mut coefficients = Self {
             order: if problem.can_tilt() { 4 } else { 2 },
             ..Self::default()
@@ -33,12 +35,20 @@ impl Coefficients {
             let mut motion = [0.0; 4];
             motion[column] = 1.0;
             let [e_x, e_y, g_x, g_y] = motion;
-            let response = whirl.response([e_x, e_y], [g_x, g_y])?;
-            let [by_place, by_rate] = response.map(|unknown| {
-                let change = load_change(problem, system, film, &unknown);
-                let ([x, y], [z_x, z_y]) = (change.force, change.moment);
-                [x, y, z_x, z_y]
-            });
+            let (offset, tilt) = ([e_x, e_y], [g_x, g_y]);
+            let mut response = whirl.response(offset, tilt)?;
+            if let Some(follower) = &follower {
+                response = harmonic_response((&whirl, follower), response, frequency, problem.journal.speed.abs())?;
+            }
+            let [by_place, by_rate] = response;
+            let place = JournalChange {
+                offset,
+                tilt,
+                ..JournalChange::default()
+            };
+            // Contact answers to the place of the journal, not to its rate.
+            let by_place = forces(load_change(problem, system, film, &place, &by_place));
+            let by_rate = forces(oil_change(problem, system, film, &by_rate));
             for row in 0..coefficients.order {
                 coefficients.stiffness[row][column] = by_place[row];
                 coefficients.damping[row][column] = by_rate[row];
@@ -98,6 +108,12 @@ impl Coefficients {
     pub(super) fn forces(of: &Square) -> [[f64; 2]; 2] {
         [[of[0][0], of[0][1]], [of[1][0], of[1][1]]]
     }
+}
+
+/// Forces and moments in the order of the rows.
+fn forces(change: Resultant) -> [f64; 4] {
+    let ([x, y], [z_x, z_y]) = (change.force, change.moment);
+    [x, y, z_x, z_y]
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@ use oilwedge_reynolds::NoFilm;
 use oilwedge_reynolds::solve::Neighbour;
 
 use super::motion::{Instant, Motion, Moving};
+use super::no_orbit::NoOrbit;
 use super::oil::Oil;
 use super::pace::{Pace, SHORTEST};
 use super::path::{Span, Step};
@@ -97,40 +98,6 @@ pub enum OrbitEnd {
     NotClosed,
     /// It was ended before.
     Ended,
-}
-
-/// Why there is no orbit.
-#[derive(Debug, thiserror::Error)]
-pub enum NoOrbit {
-    /// There is no film.
-    #[error("no film at {angle:.2} deg of cycle {cycle}: {reason}")]
-    Film {
-        /// Crank angle [deg].
-        angle: f64,
-        /// Number of the cycle, from 1.
-        cycle: usize,
-        /// Why.
-        reason: NoFilm,
-    },
-    /// No step, however short, leads on.
-    #[error(
-        "not converged: no step leads on from {angle:.2} deg of cycle {cycle}, where the least film is {:.3e} of the clearance",
-        gap
-    )]
-    Stuck {
-        /// Crank angle [deg].
-        angle: f64,
-        /// Number of the cycle, from 1.
-        cycle: usize,
-        /// Least gap over the clearance [1].
-        gap: f64,
-    },
-    /// The time was over before the first cycle was complete.
-    #[error("not converged: the orbit was ended at {angle:.1} deg of the first cycle")]
-    Ended {
-        /// Crank angle [deg].
-        angle: f64,
-    },
 }
 
 /// Where an orbit is.
@@ -315,18 +282,6 @@ impl Motion<'_> {
         let speed = self.duty(0.0).speed.abs().max(self.cycle.angular_speed().abs());
         let pressure = self.problem.lubricant.viscosity * speed * (bearing.radius / bearing.clearance).powi(2);
         pressure * 2.0 * bearing.radius * bearing.length
-    }
-
-    fn told(&self, reason: NoStage, time: f64, cycle: usize, at: Vector) -> NoOrbit {
-        let angle = (self.cycle.angular_speed() * time).to_degrees();
-        match reason {
-            NoStage::Film(reason) => NoOrbit::Film { angle, cycle, reason },
-            NoStage::Diverged => NoOrbit::Stuck {
-                angle,
-                cycle,
-                gap: self.least_gap(at) / self.problem.bearing.clearance,
-            },
-        }
     }
 
     /// The film at a time within a span of the orbit that begins with the step `from`. The place is that of the path, and the velocity that in which the film

@@ -6,12 +6,14 @@
 //! | `scheme.rs`, `stage.rs`, `step.rs` | implicit steps in time with an estimate of their error |
 //! | `oil.rs` | what a film that conserves its oil holds along the way |
 //! | `pace.rs`, `march.rs` | steps as long as the tolerance allows, from cycle to cycle |
+//! | `no_orbit.rs` | why an orbit does not lead on |
 //! | `path.rs` | the journal between two steps |
 //!
 //! **Source.** Booker, Trans. ASME J. Basic Eng. 87 (1965) 537 (journals without mass); Kennedy and Carpenter, Appl. Numer. Math. 44 (2003) 139.
 
 mod march;
 mod motion;
+mod no_orbit;
 mod oil;
 pub(crate) mod pace;
 mod path;
@@ -19,7 +21,8 @@ pub mod scheme;
 mod stage;
 mod step;
 
-pub use march::{Cycle, CycleOil, NoOrbit, Orbit, OrbitEnd, OrbitObserver, OrbitOptions};
+pub use march::{Cycle, CycleOil, Orbit, OrbitEnd, OrbitObserver, OrbitOptions};
 pub use motion::{Instant, Motion, Moving, TiltSupport};
+pub use no_orbit::NoOrbit;
 pub use oil::{Before, Oil};
 pub use path::{Span, Step, StepHistory};

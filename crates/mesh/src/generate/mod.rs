@@ -68,30 +68,17 @@ pub fn generate_in_rows(blueprint: &Blueprint, rows: &Rows) -> Result<Mesh, Vec<
     let widest = widest(&sheet);
     let along = |x: f64| (rows.along)(x).min(widest);
     let across = |z: f64| (rows.across)(z).min(widest);
-    let wanted = Rows {
-        along: &along,
-        across: &across,
-        sense: rows.sense,
-    };
-    let size = |point: [f64; 2]| wanted.size(point);
-    // Towards grooves all around the rows draw nearer to each other; towards all else triangles become smaller.
-    let is_band = |feature: &Feature| feature.shape.is_full_turn();
-    let [bands, others] = [true, false].map(|band| {
-        let pairs = blueprint.features.iter().zip(&gaps);
-        pairs
-            .filter(|(feature, _)| is_band(feature) == band)
-            .map(|(feature, gap)| (feature.clone(), *gap))
-            .unzip::<_, _, Vec<Feature>, Vec<f64>>()
-    });
-    let near_bands = SizeField::new(&size, sheet.period(), &bands.0, &bands.1);
-    let across = |z: f64| across(z).min(near_bands.near_features([sheet.start, z]));
     let rows = Rows {
         along: &along,
         across: &across,
         sense: rows.sense,
     };
     let size = |point: [f64; 2]| rows.size(point);
-    let field = SizeField::new(&size, sheet.period(), &others.0, &others.1);
+    // Grooves all around have rows along their edges, which have no corner: triangles become smaller towards all else.
+    let (others, gaps): (Vec<Feature>, Vec<f64>) = (blueprint.features.iter().cloned().zip(gaps))
+        .filter(|(feature, _)| !feature.shape.is_full_turn())
+        .unzip();
+    let field = SizeField::new(&size, sheet.period(), &others, &gaps);
     let domain = Domain {
         sheet,
         features: &blueprint.features,

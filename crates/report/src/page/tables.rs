@@ -21,6 +21,10 @@ pub(super) fn balances(result: &Value) -> Table {
             "moment of load and support less that of the film, over the load times half of the length",
         ),
         (
+            "deflection",
+            "deflection less that by the pressure, over the deflection",
+        ),
+        (
             "energy",
             "energy put in over the cycle less what is dissipated, over the latter",
         ),

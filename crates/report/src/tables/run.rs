@@ -126,6 +126,9 @@ fn balances(balances: Balances) -> String {
             part(balances.tilt)
         );
     }
+    if let Some(deflection) = balances.deflection {
+        line += &format!(", deflection and pressure by {} of the deflection", part(deflection));
+    }
     if let Some(energy) = balances.energy {
         line += &format!(", energy over the cycle by {} of the dissipation", part(energy));
     }
@@ -192,6 +195,13 @@ fn work(counts: Counts, solver: Option<LinearSolver>) -> Option<String> {
         Some(("multigrid", steps)) => counted.push(format!("multigrid in {steps} steps of conjugate gradients")),
         Some(("switched", _)) => counted.push("by a factor, since multigrid was slow".to_owned()),
         _ => {}
+    }
+    if let (Some(films), Some(products)) = (counts.deflection_steps, counts.deflection_products) {
+        let products = plural(products, "product", "products");
+        counted.push(format!(
+            "{} and {products} with the tangent for the deflection",
+            plural(films, "film", "films")
+        ));
     }
     if counts.levels > 0 {
         let meshes = plural(counts.levels, "coarser mesh", "coarser meshes");
@@ -270,6 +280,7 @@ pub(crate) mod tests {
                 moment: 0.0,
                 force: 0.0,
                 tilt: 0.0,
+                deflection: None,
                 thermal: 0.0,
                 energy: None,
             },

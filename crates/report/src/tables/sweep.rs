@@ -2,7 +2,9 @@
 
 use std::path::Path;
 
+use oilwedge_reynolds::quantities::deviation::{Sections, common_crown};
 use oilwedge_study::column::Column;
+use oilwedge_study::quantities::{self, CYCLE_DEVIATION, CYCLE_MIDDLE_FILM_MIN, DEVIATION, MIDDLE_FILM_MIN};
 use oilwedge_study::result::headlines;
 
 use super::pieces::{counted, effects, heading, printable, table, time};
@@ -68,8 +70,30 @@ pub fn sweep_report(report: &SweepReport, folder: Option<&Path>) -> String {
     lines.extend(folder.map(|folder| written(report, folder)));
     lines.push(format!("warnings  {}", tally(report, WARNINGS)));
     lines.push(format!("limits    {}", tally(report, LIMITS)));
+    lines.extend(crown(report));
     parts.push(lines.join("\n"));
     parts.join("\n\n") + "\n"
+}
+
+/// The crown that evens the film of all cases, as bearings of one shaft, where films at mid-length and deviations are columns in SI units.
+fn crown(report: &SweepReport) -> Option<String> {
+    let columns = &report.columns.quantities;
+    let place = |rows: [&quantities::Row; 2]| columns.iter().position(|column| rows.contains(&column.row));
+    let middle = place([&MIDDLE_FILM_MIN, &CYCLE_MIDDLE_FILM_MIN])?;
+    let deviation = place([&DEVIATION, &CYCLE_DEVIATION])?;
+    let is_si = report.plan.columns.is_none();
+    let sections = report.rows.iter().filter_map(|row| {
+        let (middle, deviation) = (report.value(row, middle)?, report.value(row, deviation)?);
+        Some(Sections {
+            middle,
+            ends: [middle - deviation; 2],
+        })
+    });
+    let depth = common_crown(&sections.collect::<Vec<_>>()).filter(|depth| is_si && *depth > 0.0)?;
+    Some(format!(
+        "crown     {} um at the ends would even the film of all cases, as bearings of one shaft",
+        significant(1e6 * depth, 3)
+    ))
 }
 
 /// The files and where they are.

@@ -1,6 +1,7 @@
 //! How thick the film is: a sum of contributions, one a file.
 
 mod crown;
+mod deflection;
 mod eccentricity;
 mod envelope;
 mod groove_depth;
@@ -11,6 +12,7 @@ mod tilt;
 mod worn;
 
 pub use crown::Crown;
+pub use deflection::{Closing, Deflection};
 pub use eccentricity::Eccentricity;
 pub use envelope::Envelope;
 pub use groove_depth::GrooveDepth;
@@ -54,6 +56,11 @@ pub trait FilmContribution: Send + Sync + std::fmt::Debug {
         Follows::Nothing
     }
 
+    /// Itself, if it is the deflection of the wall, which is found.
+    fn as_deflection(&self) -> Option<&Deflection> {
+        None
+    }
+
     /// This contribution on another mesh of the liner, whose triangle `t` lies in triangle `parents[t]` of this one.
     fn carried(&self, parents: &[u32]) -> Arc<dyn FilmContribution>;
 }
@@ -61,6 +68,26 @@ pub trait FilmContribution: Send + Sync + std::fmt::Debug {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::wall::{Along, Around, Compliance, Grid, Wall};
+
+    /// A wall that is bent somehow.
+    fn bent() -> Deflection {
+        let (around, along) = (Around::centred(9, 0.1), Along::on_breaks(&[-0.02, 0.0, 0.02]));
+        let compliance = Compliance::of_slices((0.04, &around, &along), |_| 1e-14).expect("a grid");
+        let coarser = None;
+        let grid = Grid {
+            radius: 0.04,
+            around,
+            along,
+        };
+        let coefficients = (0..grid.number()).map(|k| 1e-5 * (1.7 * k as f64).sin()).collect();
+        Deflection::none(Arc::new(Wall {
+            grid,
+            compliance,
+            coarser,
+        }))
+        .with(coefficients)
+    }
 
     /// One of each kind.
     fn shapes() -> [Shape; 5] {
@@ -114,6 +141,7 @@ mod tests {
         };
         let tilt = Tilt { radius: 0.04 };
         let [crown, oval, worn, envelope, measured] = shapes();
+        let deflection = bent();
         let journal = JournalState {
             offset: [1e-5, -2e-5],
             velocity: [3e-5, 1e-5],
@@ -128,7 +156,7 @@ mod tests {
             tilt: [2e-4, -5e-4],
             tilt_rate: [7e-3, 1e-3],
         };
-        let contributions: [&dyn FilmContribution; 8] = [
+        let contributions: [&dyn FilmContribution; 9] = [
             &eccentricity,
             &groove,
             &tilt,
@@ -137,6 +165,7 @@ mod tests {
             &worn,
             &envelope,
             &measured,
+            &deflection,
         ];
         for contribution in contributions {
             let place = |step: f64, x: f64, z: f64| {

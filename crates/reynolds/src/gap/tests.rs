@@ -83,6 +83,8 @@ fn gap(shape: fn(f64, f64) -> f64, mesh: &Arc<Mesh>) -> Gap {
         terms: Vec::new(),
         cavitation: Cavitation::None,
         storage: None,
+        contact: None,
+        flow_factors: Vec::new(),
     };
     Gap {
         bearing: BEARING,

@@ -9,6 +9,8 @@
 //! | T omega | W | [`Power::friction`] |
 //! | f | 1 | `coefficient` |
 //!
+//! Contact adds `R mu_b Int p_a dA` to both ([`super::contact`]).
+//!
 //! **Source.** Raimondi, Boyd, Trans. ASLE 1 (1958) 159: the drag of the whole film, cavity included. **Range.** A turning journal; the torque
 //! is positive against the rotation. **Verified by** `tests/tests/friction.rs`.
 
@@ -28,8 +30,8 @@ pub struct Friction {
 pub fn friction(journal: &JournalState, power: &Power) -> Option<Friction> {
     let speed = journal.speed.abs();
     (speed > 0.0).then(|| Friction {
-        on_journal: (power.shear + power.pressure) / speed,
-        on_bearing: (power.shear - power.pressure) / speed,
+        on_journal: power.friction() / speed,
+        on_bearing: (power.shear - power.pressure + power.contact) / speed,
     })
 }
 

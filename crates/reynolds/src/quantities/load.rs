@@ -12,6 +12,8 @@
 //! | m | N m | `moment` |
 //! | p, p_e | Pa | `pressure_at`, `end_pressure` |
 //!
+//! With contact the journal carries that too ([`contact`]).
+//!
 //! **Source.** Definition; Green's theorem. **Range.** Any closed rim that does not wind round the ring
 //! alone, and that of a groove from end to end. **Verified by** `disc_and_rim_agree`, meshed against cut-out holes, scikit-fem.
 
@@ -21,55 +23,32 @@ use oilwedge_fem::integrate::{Rule, edge_points};
 use oilwedge_fem::{Field, Quadrature, integrate};
 use oilwedge_mesh::Mesh;
 
+use super::contact;
+pub use super::share::{Resultant, Share};
 use crate::angles::sines_and_cosines;
 use crate::supply::{self, Disc, SupplyRegion};
-use crate::{FilmProblem, FilmSolution, FilmSystem};
+use crate::{FilmProblem, FilmSolution, FilmSystem, JournalChange};
 
 /// Cells through which a kink of the effective pressure runs are quartered this many times.
 const KINK_QUARTERINGS: usize = 4;
 
-/// Integrals over a part of the developed surface.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Share {
-    /// `Int (p - p_e) (cos phi, sin phi) dA` [N].
-    pub force: [f64; 2],
-    /// `Int (p - p_e) z (cos phi, sin phi) dA` [N m].
-    pub moment: [f64; 2],
-    /// `Int p dA` [N].
-    pub pressure: f64,
-    /// `Int |p - p_e| dA` [N]: what these pressures could carry, all on one side.
-    pub possible: f64,
-}
-
-/// Force and moment about mid-length, or their changes.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Resultant {
-    /// Towards x and y [N].
-    pub force: [f64; 2],
-    /// Force towards x and y times its arm along the axis [N m].
-    pub moment: [f64; 2],
-}
-
-impl Share {
-    /// Its force and moment.
-    pub fn resultant(&self) -> Resultant {
-        Resultant {
-            force: self.force,
-            moment: self.moment,
-        }
-    }
-}
-
 /// Load of a film and its shares.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Load {
-    /// Everything.
+    /// Everything: film, regions cut out and contact.
     pub total: Share,
+    /// What contact carries; `None` where none is simulated.
+    pub contact: Option<Share>,
     /// Regions cut out of the mesh, by name.
     pub cut_out: Vec<(String, Share)>,
 }
 
 impl Load {
+    /// What the oil carries: all but contact.
+    pub fn of_oil(&self) -> Share {
+        self.contact.map_or(self.total, |contact| self.total.less(&contact))
+    }
+
     /// Magnitude [N].
     pub fn magnitude(&self) -> f64 {
         self.total.force[0].hypot(self.total.force[1])
@@ -81,25 +60,19 @@ impl Load {
     }
 }
 
-impl std::ops::AddAssign for Share {
-    fn add_assign(&mut self, other: Self) {
-        for d in 0..2 {
-            self.force[d] += other.force[d];
-            self.moment[d] += other.moment[d];
-        }
-        self.pressure += other.pressure;
-        self.possible += other.possible;
-    }
-}
-
 /// Load of a solved film.
 pub fn load(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Load {
     let cut_out = cut_out_shares(problem, system);
     let mut total = film_share(problem, system, film);
-    for (_, share) in &cut_out {
+    let contact = contact::share(problem, system);
+    for share in cut_out.iter().map(|(_, share)| share).chain(&contact) {
         total += *share;
     }
-    Load { total, cut_out }
+    Load {
+        total,
+        contact,
+        cut_out,
+    }
 }
 
 /// The shares of regions cut out of the mesh, by name.
@@ -121,9 +94,29 @@ pub fn possible_load(problem: &FilmProblem, share: &Share) -> f64 {
     share.possible.max(rounding)
 }
 
-/// First-order change of force and moment where the unknown changes by `change` at each dof; regions cut out keep their
+/// First-order change of force and moment where the journal moves by `change`, by which the unknown changes at each dof; contact follows the journal, regions cut out
+/// keep their pressure.
+pub fn load_change(
+    problem: &FilmProblem,
+    system: &FilmSystem,
+    film: &FilmSolution,
+    change: &JournalChange,
+    unknown: &[f64],
+) -> Resultant {
+    let mut sum = oil_change(problem, system, film, unknown);
+    if problem.contact.is_some() {
+        let by_contact = contact::contact_change(problem, system, change);
+        for d in 0..2 {
+            sum.force[d] += by_contact.force[d];
+            sum.moment[d] += by_contact.moment[d];
+        }
+    }
+    sum
+}
+
+/// First-order change of force and moment of the oil where the unknown changes by `change` at each dof; regions cut out keep their
 /// pressure.
-pub fn load_change(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, change: &[f64]) -> Resultant {
+pub fn oil_change(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, change: &[f64]) -> Resultant {
     let excess = |[u, change]: [f64; 2]| problem.pressure_slope_at(u) * change;
     let Integral { force, moment, .. } = integrated(problem, system, [&film.unknown, change], excess);
     Resultant { force, moment }

@@ -1,6 +1,8 @@
 //! What is reported: one idea a file.
 
 pub mod cavity;
+pub mod contact;
+pub mod deflection;
 pub mod deviation;
 mod edge;
 pub mod extent;
@@ -12,6 +14,7 @@ mod line_cut;
 pub mod load;
 pub mod power;
 pub mod pressure;
+mod share;
 pub mod similarity;
 pub mod stream;
 pub mod summit;

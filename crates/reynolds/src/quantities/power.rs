@@ -31,6 +31,7 @@ use super::load::Resultant;
 use crate::cavitation::{self, Carriage};
 use crate::film_law::FilmLaw;
 use crate::film_thickness::Follows;
+use crate::flow_factors::mean_gap;
 use crate::lubricant::PressureLaw;
 use crate::{FilmPoint, FilmProblem, FilmSolution, FilmSystem, Theory};
 
@@ -44,6 +45,8 @@ pub struct Power {
     pub cavity_shear: f64,
     /// Put in by the turning journal against the pressure on it.
     pub pressure: f64,
+    /// Put in by the turning journal against the friction of contact; all of it becomes heat. Zero where no contact is simulated.
+    pub contact: f64,
     /// Put in by the journal's centre as it moves.
     pub motion: f64,
     /// Put in by the oil that comes through places of given pressure, over that of the ends.
@@ -59,7 +62,17 @@ pub struct Power {
 }
 
 impl Power {
-    /// Takes the power against the pressure from what the film `carries`, where it follows from that ([`PressurePower`]): no gradient is in it, and
+    /// With the friction of contact under a `thrust` Int p_a dA [N].
+    pub fn with_contact(self, problem: &FilmProblem, thrust: f64) -> Self {
+        let [x, z] = problem.surface_velocity();
+        let friction = problem.contact.map_or(0.0, |contact| contact.friction);
+        Self {
+            contact: friction * x.hypot(z) * thrust,
+            ..self
+        }
+    }
+
+    /// Takes the power against the pressure from what the oil `carries`, where it follows from that ([`PressurePower`]): no gradient is in it, and
     /// regions cut out of the mesh count with their true shape.
     pub fn with_moment(self, problem: &FilmProblem, carries: Resultant) -> Self {
         let Some(per) = PressurePower::of(problem) else {
@@ -80,7 +93,7 @@ impl Power {
 
     /// What the turning journal puts in [W]: friction.
     pub fn friction(&self) -> f64 {
-        self.shear + self.pressure
+        self.shear + self.pressure + self.contact
     }
 }
 
@@ -90,6 +103,8 @@ pub(crate) struct Work {
     pub(crate) shear: f64,
     pub(crate) cavity_shear: f64,
     pub(crate) pressure: f64,
+    /// Done by what is dragged along; that against the pressure, unless the oil has another gap than the shear.
+    pub(crate) dragged: f64,
     pub(crate) motion: f64,
     pub(crate) driven: f64,
 }
@@ -99,6 +114,7 @@ impl std::ops::AddAssign for Work {
         self.shear += other.shear;
         self.cavity_shear += other.cavity_shear;
         self.pressure += other.pressure;
+        self.dragged += other.dragged;
         self.motion += other.motion;
         self.driven += other.driven;
     }
@@ -135,7 +151,13 @@ pub fn power(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) ->
     let carriage = (film.film_fraction.as_ref()).and_then(|fraction| Carriage::new(problem, system, fraction).ok());
     let mut work = integrated(problem, system, film, &excess, carriage.as_ref());
     match &carriage {
-        Some(carriage) => work = cavitation::work(carriage, film, &excess, work.shear),
+        Some(carriage) => {
+            let nominal = work.pressure;
+            work = cavitation::work(carriage, film, &excess, work.shear);
+            if !problem.flow_factors.is_empty() {
+                work.pressure = nominal;
+            }
+        }
         None if film.film_fraction.is_some() => work.shear = f64::NAN,
         None => {}
     }
@@ -151,17 +173,19 @@ pub fn power(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) ->
         shear,
         cavity_shear,
         pressure,
+        dragged,
         motion,
         driven,
     } = work;
     // Shear stands on both sides.
-    let parts = [pressure, motion, supplied, cavity, -driven];
+    let parts = [dragged, motion, supplied, cavity, -driven];
     let scale = shear + parts.iter().map(|part| part.abs()).sum::<f64>();
     let pressures = problem.pressure_scale(&system.supply.constraints(|p| problem.unknown_at(p)));
     Power {
         shear,
         cavity_shear,
         pressure,
+        contact: 0.0,
         motion,
         supplied,
         cavity,
@@ -221,10 +245,15 @@ fn cell_work(problem: &FilmProblem, law: &FilmLaw, points: &Points, [unknown, ex
         let (of_unknown, of_pressure) = (points.gradient(q, unknown), points.gradient(q, excess));
         let p = points.value(q, excess);
         let thickness = film[q].thickness;
+        let pressure = area * 0.5 * thickness * dot(velocity, of_pressure);
         *work += Work {
             cavity_shear: 0.0,
             shear: area * viscosity(problem, p) / thickness * dot(velocity, velocity),
-            pressure: area * 0.5 * thickness * dot(velocity, of_pressure),
+            pressure,
+            dragged: match problem.flow_factors.is_empty() {
+                true => pressure,
+                false => area * dot(flows[q].flux, of_pressure),
+            },
             motion: -area * flows[q].storage * p,
             driven: area * flows[q].conductance * dot([0, 1].map(|d| along[d] * of_unknown[d]), of_pressure),
         };
@@ -256,7 +285,8 @@ fn broken_shear(
         parts.of(corners).visit(space.mesh(), t, |points| {
             let film = law.film_and_flows(t, points.positions).0;
             for (q, FilmPoint { thickness, .. }) in film[..points.positions.len()].iter().enumerate() {
-                let fraction = (carried / thickness).min(1.0);
+                let [gap, _] = mean_gap(&problem.flow_factors, *thickness);
+                let fraction = (carried / gap).min(1.0);
                 let viscosity = viscosity(problem, points.value(q, excess));
                 shear += points.area(q) * fraction * viscosity / thickness * square;
             }

@@ -7,13 +7,14 @@ use oilwedge_fem::integrate::Rule;
 use oilwedge_fem::{Field, Space, integrate};
 
 use crate::angles::sines_and_cosines;
+use crate::quantities::contact;
 use crate::quantities::load::{Share, cut_out_shares};
 use crate::{FilmProblem, FilmSystem};
 
 /// Numbers of a hill.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HillNumbers {
-    /// Load, regions that are cut out included.
+    /// Load, regions that are cut out and contact included.
     pub load: Share,
     /// The greatest pressure of the polynomial [Pa].
     pub greatest: f64,
@@ -22,14 +23,8 @@ pub struct HillNumbers {
 impl HillNumbers {
     /// These less others.
     pub(super) fn less(&self, other: &Self) -> Self {
-        let ([x, y], [other_x, other_y]) = (self.load.force, other.load.force);
         Self {
-            load: Share {
-                force: [x - other_x, y - other_y],
-                moment: [0, 1].map(|d| self.load.moment[d] - other.load.moment[d]),
-                pressure: self.load.pressure - other.load.pressure,
-                possible: self.load.possible - other.load.possible,
-            },
+            load: self.load.less(&other.load),
             greatest: self.greatest - other.greatest,
         }
     }
@@ -67,7 +62,8 @@ pub(super) fn measure(
             }
         })
     });
-    for (_, share) in cut_out_shares(problem, system) {
+    let cut_out = cut_out_shares(problem, system).into_iter().map(|(_, share)| share);
+    for share in cut_out.chain(contact::share(problem, system)) {
         load += share;
     }
     let Extremum { value, .. } = field.maximum();

@@ -19,7 +19,13 @@ crank = { gas = {}, throws = [{}] }
 support = { tilt = {} }
 heat = { housing = {}, mixing = {} }
 limits = {}
+criteria = {}
+bore = [{ oval = {}, worn = {}, envelope = {} }]
+shaft = {}
 cavitation = {}
+contact = {}
+roughness = {}
+liner = { winkler = {}, wall = {}, compliance = {} }
 dynamics = {}
 orbit = { start = {} }
 cap = { bolts = {}, shell = {} }
@@ -31,6 +37,7 @@ sweep = { columns = ["load"], KEY = { from = 1, to = 2, steps = 2 } }
 /// Forms that a key has in another text.
 const OTHER_FORMS: &str = r#"
 mesh.tolerance = "1 %"
+liner.winkler = "0.02 um/MPa"
 oil = { density = "870 kg/m3", high_shear = "2.9 mPa.s" }
 "#;
 

@@ -348,7 +348,7 @@ fn only_known_quantities_have_tolerances() {
         (
             "friction",
             "friction: this key is not known",
-            "known here: attitude_angle, eccentricity, feed_flow, film_",
+            "known here: attitude_angle, contact_share, deflection_max, eccentricity, feed_flow, film_",
         ),
         ("pressure_min", "pressure_min: this key is not known", "pressure_max"),
         ("feed_flow", "feed_flow: a table is wanted", "feed_flow.GROUP"),

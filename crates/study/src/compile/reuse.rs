@@ -22,7 +22,12 @@ pub fn has_same_system(one: &Scene, other: &Scene) -> bool {
     let system = |scene: &Scene| {
         let sockets = Sockets::of(scene);
         let closure = (sockets.form, discriminant(&sockets.cavitation));
-        (sockets.theory, sockets.inlet_fraction, closure, sockets.load.is_some())
+        (
+            sockets.theory,
+            sockets.inlet_fraction,
+            closure,
+            sockets.load.is_some() || sockets.liner.is_some(),
+        )
     };
     let is_same_region = |(a, b): (&Feed, &Feed)| {
         (&a.group, a.hole, a.groove, a.pressure.is_some()) == (&b.group, b.hole, b.groove, b.pressure.is_some())

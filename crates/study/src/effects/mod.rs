@@ -6,8 +6,10 @@
 mod barus;
 pub mod bearing_theory;
 mod closure;
+mod contact;
 mod couette;
 mod dynamics;
+mod elastic_liner;
 mod equilibrium;
 mod groove_depth;
 mod guembel;
@@ -19,6 +21,7 @@ mod orbit;
 mod poiseuille;
 mod reynolds;
 mod roelands;
+mod roughness;
 mod shapes;
 mod sockets;
 mod squeeze;
@@ -44,6 +47,7 @@ pub const EFFECTS: &[&Effect] = &[
     &equilibrium::ROW,
     &orbit::ROW,
     &moment_balance::ROW,
+    &elastic_liner::ROW,
     &heat::ROW,
     &oil_by_temperature::ROW,
     &barus::CONSERVATIVE,
@@ -56,6 +60,8 @@ pub const EFFECTS: &[&Effect] = &[
     &guembel::ROW,
     &reynolds::ROW,
     &jfo::ROW,
+    &contact::ROW,
+    &roughness::ROW,
     &dynamics::ROW,
 ];
 
@@ -68,12 +74,14 @@ const MISSED: &[&str] = &[
     squeeze::KIND,
     tilt::KIND,
     shapes::KIND,
-    "elastic liner",
-    "roughness",
+    elastic_liner::KIND,
+    ROUGHNESS,
     "turbulence",
 ];
 /// Kind of all laws of viscosity against pressure.
 const VISCOSITY_BY_PRESSURE: &str = "viscosity growing with pressure";
+/// Kind of all that roughness does.
+const ROUGHNESS: &str = "roughness";
 /// Kind of all closures.
 const CAVITATION: &str = "cavitation";
 

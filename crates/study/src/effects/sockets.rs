@@ -4,12 +4,14 @@ use std::sync::Arc;
 
 use oilwedge_bearing::{Load, Tilting};
 use oilwedge_mesh::Mesh;
+use oilwedge_reynolds::contact::Contact;
 use oilwedge_reynolds::film_thickness::{FilmContribution, Profile};
+use oilwedge_reynolds::flow_factors::FlowFactor;
 use oilwedge_reynolds::lubricant::PressureLaw;
 use oilwedge_reynolds::terms::Term;
 use oilwedge_reynolds::{Cavitation, CentreVelocity, Form, Theory};
 use oilwedge_scene::periodic_table::TableError;
-use oilwedge_scene::{Dynamics, Scene};
+use oilwedge_scene::{Dynamics, Liner, Scene};
 
 use super::present;
 use crate::compile_error::CompileError;
@@ -18,12 +20,14 @@ use crate::thermal_model::ThermalModel;
 /// Where an effect enters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Socket {
-    /// A direction in which pressure drives oil.
+    /// A direction in which pressure drives oil, and how easily it flows.
     FlowFactors,
     /// A flux or source of Reynolds' equation.
     Terms,
     /// The position of the journal as an unknown.
     Position,
+    /// The deflection of the wall as an unknown.
+    Deflection,
     /// The temperature of the film as an unknown.
     Temperature,
     /// The oil.
@@ -34,6 +38,8 @@ pub enum Socket {
     Supply,
     /// What closes the equation where the film breaks.
     Cavitation,
+    /// Where rough surfaces touch.
+    Contact,
     /// What is asked of the film beside its state.
     Analysis,
 }
@@ -41,7 +47,7 @@ pub enum Socket {
 impl Socket {
     /// Whether it holds a further unknown that closes around the film.
     pub fn is_balance(self) -> bool {
-        matches!(self, Self::Position | Self::Temperature)
+        matches!(self, Self::Position | Self::Deflection | Self::Temperature)
     }
 }
 
@@ -57,6 +63,8 @@ pub struct Sockets {
     pub theory: Theory,
     /// Fluxes and sources.
     pub terms: Vec<Arc<dyn Term>>,
+    /// What scales them.
+    pub flow_factors: Vec<Arc<dyn FlowFactor>>,
     /// Growth of viscosity with pressure.
     pub pressure_law: PressureLaw,
     /// Where the viscosity stands in the equation.
@@ -65,10 +73,14 @@ pub struct Sockets {
     pub film_thickness: Vec<Contribution>,
     /// Shapes of bore and journal beside circles.
     pub profiles: Vec<MadeProfile>,
+    /// How the wall gives way to the pressure; `None`: it is rigid.
+    pub liner: Option<Liner>,
     /// Film fraction of the oil that enters at the edge of an arc; `None`: full.
     pub inlet_fraction: Option<f64>,
     /// What closes the equation where the film breaks.
     pub cavitation: Cavitation,
+    /// Where rough surfaces touch; `None`: nowhere.
+    pub contact: Option<Contact>,
     /// Velocity of the journal's centre.
     pub centre_velocity: CentreVelocity,
     /// Rate of the slope of the journal's axis [rad/s].
@@ -89,12 +101,15 @@ impl Sockets {
         let mut sockets = Self {
             theory: Theory::Full,
             terms: Vec::new(),
+            flow_factors: Vec::new(),
             pressure_law: PressureLaw::Constant,
             form: Form::Conservative,
             film_thickness: Vec::new(),
             profiles: Vec::new(),
+            liner: None,
             inlet_fraction: None,
             cavitation: Cavitation::None,
+            contact: None,
             centre_velocity: CentreVelocity::default(),
             tilt_rate: [0.0; 2],
             load: None,

@@ -17,6 +17,7 @@ use super::coarse::CoarseComparison;
 use super::cubic::CubicPair;
 use super::linked::link;
 use super::position_sensitivity::position_bars;
+use super::wall::wall_bars;
 use crate::film::Film;
 use crate::measure::{Measured, measure};
 use crate::quantities::{LOAD, PRESSURE_MAX, Quantity, Subject, View, measured};
@@ -223,11 +224,14 @@ fn with_bars(
     let view = View::new(film, &film.problem, reported);
     let mut list = measured(&view);
     let balance = solved.balance.as_ref();
+    let by_wall = wall_bars(solved, others, reported);
     let moved = balance.map(|balance| {
+        let by_wall = by_wall.along(reported.load.total.force);
         let totals: Vec<f64> = load
             .iter()
+            .zip(by_wall)
             .take(balance.coordinates.order)
-            .map(|bar| bar.total())
+            .map(|(bar, by_wall)| bar.total() + by_wall)
             .collect();
         position_bars(solved, balance, &totals, others, reported)
     });
@@ -248,7 +252,7 @@ fn with_bars(
                 None => 0.0,
             };
             Some(Bar {
-                position,
+                position: position + by_wall.of(&quantity.name),
                 ..of_few(film, bar)
             })
         });

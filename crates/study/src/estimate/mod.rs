@@ -14,6 +14,7 @@ mod errors;
 mod linked;
 mod places;
 mod position_sensitivity;
+mod wall;
 
 pub use coefficients::CoefficientBars;
 pub use errors::{Estimated, estimate_errors, quadratic_errors};

@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 
 use oilwedge_bearing::NEAR;
+use oilwedge_bearing::deflection::displaced;
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmProblem, FilmSolution};
 
@@ -44,7 +45,7 @@ pub(super) fn position_bars(
     for ((direction, bar), unbalanced) in directions.into_iter().zip(bars).zip(unbalanced) {
         let by = balance.stiffness.solve(direction.map(|d| d * (bar + unbalanced)));
         let change = (balance.coordinates).change(&base.problem.journal, &base.centre_velocity, by);
-        let moved = base.problem.displaced(&base.system, &solved.solution, &change);
+        let moved = displaced(&base.problem, &base.system, &solved.solution, &change);
         let moved = moved.map(|(problem, film)| {
             let there = measure(&problem, &base.system, &film);
             let there = with_dynamics(solved, there, &problem, film, reported);
@@ -60,7 +61,7 @@ pub(super) fn position_bars(
 }
 
 /// With the stiffness and damping of the film there, whose tangent is its own: a film moved along the tangent has that of the place that it comes from.
-fn with_dynamics(
+pub(super) fn with_dynamics(
     solved: &Solved,
     there: Measured,
     problem: &FilmProblem,

@@ -70,7 +70,7 @@ fn energy(motion: &Motion, path: &[Span], sampled: &[Sampled]) -> Option<f64> {
     let times = films.iter().map(|sampled| sampled.sample.time).collect();
     let values = films.iter().map(|sampled| {
         let power = &sampled.power;
-        let dissipated = power.shear + power.driven;
+        let dissipated = power.shear + power.driven + power.contact;
         [dissipated, power.friction() + power.supplied + power.cavity]
     });
     let [dissipated, put_in] = mean(times, values.collect(), period)?;

@@ -61,6 +61,7 @@ pub fn no_map(scene: &Scene) -> Option<&'static str> {
         (scene.bearing.theory == Theory::Long, "the bearing is a long one"),
         (scene.can_tilt(), "the journal tilts"),
         (!scene.is_circular(), "bore or shaft are no circles"),
+        (scene.contact.is_some(), "the surfaces touch"),
         (
             scene.orbit.is_some_and(|orbit| orbit.mass > 0.0),
             "the rotor has a mass",

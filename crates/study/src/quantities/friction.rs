@@ -11,7 +11,7 @@ use crate::estimate::Estimate;
 
 rows! {
     /// `T = R Int (mu U/h + (h/2) dp/dx) dA` over the film, mu that at the pressure of the place; the journal is turned with it; positive
-    /// against the rotation in either sense; none at rest. With `jfo` the shear is weighted with the film fraction
+    /// against the rotation in either sense; none at rest. With `jfo` the shear is weighted with the film fraction; `[contact]` adds `R mu_b Int p_a dA`
     FRICTION_TORQUE = "friction_torque", "T", NewtonMetre, "torque on the journal, against the rotation":
         One(|film| Some(film.friction()?.on_journal)),
         ErrorRule::Of(OF_PARTS, |estimate, at| of_torque(estimate, at, [1.0, 1.0])), tolerance headline(Headline::Always(10));
@@ -27,7 +27,7 @@ rows! {
         ErrorRule::Of("those of torque and load, in proportion", of_coefficient),
         tolerance;
 
-    /// `P = T omega = P_s + P_p`; none at rest
+    /// `P = T omega = P_s + P_p`, with `[contact]` also `P_a`; none at rest
     FRICTION_POWER = "friction_power", "P", Watt, "power that turns the journal, T omega":
         One(|film| turning(film, film.measured.power.friction())),
         ErrorRule::Of(OF_PARTS, |estimate, at| of_power(estimate, at, [1.0, 1.0])), tolerance headline(Headline::Always(11));

@@ -13,7 +13,8 @@ rows! {
     LOAD = "load", "W", Newton, "force on the journal that the film carries":
         One(|film| Some(film.force)), ErrorRule::Load, tolerance headline(Headline::AtPosition(1));
 
-    /// `W_x = Int (p - p_e) cos phi dA` over the developed film and the regions cut out of it; p_e the pressure at the ends
+    /// `W_x = Int (p - p_e) cos phi dA` over the developed film and the regions cut out of it; p_e the pressure at the ends; with `[contact]` and
+    /// the part that contact carries
     LOAD_X = "load_x", "W_x", Newton, "part of W along x (angle 0)":
         One(|film| Some(force(film)[0])), TOWARDS_X, tolerance;
 
@@ -33,9 +34,9 @@ rows! {
     LOAD_COEFFICIENT = "load_coefficient", "C_w", One, "W / (D B (p_feed - p_ends))":
         One(load_coefficient), ErrorRule::PerLoad, tolerance only(is_fed);
 
-    /// `Int p dA` over the liner, regions cut out of it included
+    /// `Int p dA` over the liner, regions cut out of it included; contact is no pressure of the oil
     PRESSURE_INTEGRAL = "pressure_integral", "Int p dA", Newton, "pressure times area, summed":
-        One(|film| Some(film.measured.load.total.pressure)),
+        One(|film| Some(film.measured.load.of_oil().pressure)),
         ErrorRule::Of("dual-weighted", |estimate, _| Some(estimate.pressure_integral())), tolerance;
 
     /// The part of `W_x` over a region that is cut out of the mesh; none where nothing is cut out

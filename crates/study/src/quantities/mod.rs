@@ -14,6 +14,7 @@ mod row;
 mod cap;
 mod cavity;
 mod coefficients;
+mod contact;
 mod cycle;
 pub mod cycle_view;
 mod damping;
@@ -21,6 +22,7 @@ mod deviation;
 mod flow;
 mod friction;
 mod heat;
+mod liner;
 mod load;
 mod motion;
 mod places;
@@ -38,6 +40,7 @@ mod warming;
 
 pub use cap::*;
 pub use cavity::*;
+pub use contact::*;
 pub use cycle::*;
 pub use cycle_view::CycleView;
 pub use damping::*;
@@ -45,6 +48,7 @@ pub use deviation::*;
 pub use flow::*;
 pub use friction::*;
 pub use heat::*;
+pub use liner::*;
 pub use load::*;
 pub use motion::*;
 pub use oilwedge_reynolds::error_bar::Bar;
@@ -63,7 +67,7 @@ pub use view::View;
 pub use warming::Warming;
 
 /// All quantities, in the order of the report.
-pub static CATALOGUE: [&Row; 120] = [
+pub static CATALOGUE: [&Row; 130] = [
     &CYCLE_FILM_THICKNESS_MIN,
     &CYCLE_FILM_THICKNESS_MIN_CRANK_ANGLE,
     &CYCLE_FILM_THICKNESS_MIN_ANGLE,
@@ -96,6 +100,13 @@ pub static CATALOGUE: [&Row; 120] = [
     &MOMENT_X,
     &MOMENT_Y,
     &LOAD_Z,
+    &CONTACT_SHARE,
+    &CONTACT_LOAD_X,
+    &CONTACT_LOAD_Y,
+    &CONTACT_MOMENT_X,
+    &CONTACT_MOMENT_Y,
+    &CONTACT_THRUST,
+    &CONTACT_PRESSURE_MAX,
     &PRESSURE_MAX,
     &PRESSURE_MAX_ANGLE,
     &PRESSURE_MAX_Z,
@@ -106,6 +117,7 @@ pub static CATALOGUE: [&Row; 120] = [
     &MIDDLE_FILM_MIN,
     &DEVIATION,
     &EQUIVALENT_FILM,
+    &DEFLECTION_MAX,
     &FILM_START_ANGLE,
     &FILM_END_ANGLE,
     &TEMPERATURE_EFFECTIVE,
@@ -128,6 +140,8 @@ pub static CATALOGUE: [&Row; 120] = [
     &FRICTION_SHEAR_POWER,
     &FRICTION_PRESSURE_POWER,
     &FRICTION_CAVITY_POWER,
+    &FRICTION_CONTACT_POWER,
+    &CONTACT_FRICTION_SHARE,
     &MOTION_POWER,
     &COOLING_FLOW,
     &TEMPERATURE_INLET,

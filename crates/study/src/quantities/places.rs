@@ -26,9 +26,10 @@ rows! {
             |estimate, at| Some(Bar::of(axial(estimate, at))));
 
     /// `phi_h` in [0, 360): angle of the thinnest film on the liner, `phi_min` where the liner covers it, else that of an edge; of a tilted journal that at
-    /// the end where the film is thinnest; none for a centred parallel journal
+    /// the end where the film is thinnest, between other surfaces one of the places that are as thin; none for a centred parallel journal between circles
     FILM_THICKNESS_MIN_ANGLE = "film_thickness_min_angle", "phi_h", Degree, "where the film on the liner is thinnest":
-        One(|film| (is_eccentric(film) || !film.journal().is_parallel() || !film.base.scene.is_circular()).then(|| degrees(film.measured.thinnest.angle))), ErrorRule::Position;
+        One(|film| is_thinnest_somewhere(film).then(|| degrees(film.measured.thinnest.angle))),
+        ErrorRule::LeastFilmPlace(|_| ROUNDING_OF_ANGLE);
 
     /// `phi_1` in [0, 360): upstream end of the loaded film on the mid-plane z = 0: from the greatest pressure against the rotation the first place in the cavity,
     /// at the film start or at the edge of an arc; of models with a cavity, none where the film is full all around
@@ -45,7 +46,14 @@ rows! {
         only(has_cavity);
 }
 
+/// Angle [deg] that values of a smooth film leave open about its least place: the root of rounding.
+const ROUNDING_OF_ANGLE: f64 = 2e-6;
 const OF_END: &str = "difference of the two films, and half of the triangle in which the edge of the cavity lies; exact at a given line where the film converges";
+
+/// Whether the film is not the same everywhere.
+fn is_thinnest_somewhere(film: &View) -> bool {
+    is_eccentric(film) || !film.journal().is_parallel() || !film.base.scene.is_circular()
+}
 
 fn summit(film: &View) -> Option<[f64; 2]> {
     let summit = film.measured.extremes.summit;

@@ -38,6 +38,8 @@ pub enum ErrorRule {
     Rim,
     /// It follows from the journal's position: no error where that is given.
     Position,
+    /// It is the place of the least film, which follows from the position likewise; between surfaces that are no circles it is found by values, which leave open this much.
+    LeastFilmPlace(fn(&View) -> f64),
     /// Magnitude of the load.
     Load,
     /// A constant times the magnitude of the load.
@@ -67,8 +69,10 @@ impl ErrorRule {
             Self::Exact | Self::Temperature(_) | Self::Balance(..) => Some(Bar::default()),
             Self::Rim => Some(rim(subject)),
             Self::Position if subject.view.base.load.is_none() => Some(Bar::default()),
+            Self::LeastFilmPlace(rounding) if subject.view.base.load.is_none() => Some(place(subject.view, *rounding)),
             _ if !estimate.is_resolved() => None,
             Self::Position => Some(Bar::default()),
+            Self::LeastFilmPlace(rounding) => Some(place(subject.view, *rounding)),
             Self::Load => Some(estimate.load()),
             // Without a force there is no quotient.
             Self::PerLoad if estimate.force() == 0.0 => Some(Bar::default()),
@@ -111,6 +115,9 @@ impl ErrorRule {
                 "exact for one round hole and for straight sides; else the area between arcs of the rim and the parabolas of the mesh"
             }
             Self::Position => "exact at a given position; under a load that of the position",
+            Self::LeastFilmPlace(_) => {
+                "exact at a given position between circles, else the rounding of the search; under a load that of the position"
+            }
             Self::Load => "dual-weighted, along the load; under a load what is left unbalanced",
             Self::PerLoad => "that of the load, in proportion; under a load what is left unbalanced",
             Self::LoadAngle => {
@@ -156,5 +163,13 @@ pub(super) fn direction(estimate: &dyn Estimate) -> Bar {
     match estimate.across() {
         Some(across) => across.scaled(1f64.to_degrees() / estimate.force()),
         None => Bar::of(180.0),
+    }
+}
+
+/// The bar of the place of the least film.
+fn place(film: &View, rounding: fn(&View) -> f64) -> Bar {
+    match film.base.scene.is_circular() {
+        true => Bar::default(),
+        false => Bar::of(rounding(film)),
     }
 }

@@ -16,7 +16,7 @@ rows! {
         One(|film| tilt(film, 1)), ErrorRule::Position, only(Scene::can_tilt);
 
     /// `m_x = Int (p - p_e) z cos phi dA` over the developed film and the regions cut out of it, z = 0 at mid-length: the parts of `W_x` times their arms
-    /// along the axis, which do work on `g_x` as W_x does on `e_x`; as a vector it would point along y; of journals that may tilt
+    /// along the axis, which do work on `g_x` as W_x does on `e_x`; as a vector it would point along y; with `[contact]` and the part that contact carries; of journals that may tilt
     MOMENT_X = "moment_x", "m_x", NewtonMetre, "moment that the film carries: parts of W_x times z":
         One(|film| moment(film, 0)), ErrorRule::Moment(0), tolerance only(Scene::can_tilt);
 
@@ -28,14 +28,17 @@ rows! {
     LOAD_Z = "load_z", "z_W", Metre, "axial position at which the load acts":
         One(place), ErrorRule::LoadPlace, only(Scene::can_tilt);
 
-    /// `z_h`: axial position of the thinnest film, at an end of the bearing where journal and bore are circles; of journals that may tilt and of shapes of bore and shaft
+    /// `z_h`: axial position of the thinnest film, one of several that are as thin, at an end of the bearing where journal and bore are circles; of journals that may tilt and of shapes that change along the axis
     FILM_THICKNESS_MIN_Z = "film_thickness_min_z", "z_h", Metre, "where the film is thinnest, along the axis":
-        One(|film| has_place(&film.base.scene).then_some(film.measured.thinnest.z)), ErrorRule::Position, only(has_place);
+        One(|film| has_place(&film.base.scene).then_some(film.measured.thinnest.z)), ErrorRule::LeastFilmPlace(|film| ROUNDING_OF_Z * film.problem.bearing.length), only(has_place);
 }
+
+/// Part of the length that values of a smooth film leave open about its least place: the root of rounding.
+const ROUNDING_OF_Z: f64 = 1e-7;
 
 /// Whether the film may be thinnest at one place along the axis.
 fn has_place(scene: &Scene) -> bool {
-    scene.can_tilt() || !scene.is_circular()
+    scene.can_tilt() || scene.has_shape_along_the_axis()
 }
 
 fn tilt(film: &View, axis: usize) -> Option<f64> {

@@ -149,7 +149,8 @@ impl Refining<'_> {
             return step;
         }
         // The first mesh is coarse; what it cannot answer one as fine as usual may.
-        match (next.finer_first(self.scene), self.best.take()) {
+        let finer = (next.finer_first(self.scene)).filter(|_| !reason.is_far_beyond());
+        match (finer, self.best.take()) {
             (Some(finer), None) => Step::Finer(finer),
             _ => Step::Done(Box::new(Answer {
                 film,

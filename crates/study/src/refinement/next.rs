@@ -26,6 +26,8 @@ const FIRST: f64 = 3.0;
 const LEAST_TRIANGLES: usize = 300;
 /// A mesh with this part of the triangles wanted has enough;
 const NEARLY_AS_MANY: f64 = 0.9;
+/// one with so many times as many has too many;
+const TOO_MANY: f64 = 4.0;
 /// meshes drawn to find it.
 const DRAWN: usize = 5;
 /// Share of the indicator that the triangles divided carry.
@@ -40,18 +42,18 @@ pub fn at_first(scene: &Scene) -> Scene {
 
 /// Edges of the first mesh of a drawn liner over those of one that is used as it is.
 fn first_factor(scene: &Scene) -> f64 {
-    factor_for(scene, FIRST, LEAST_TRIANGLES, Position::start(scene))
+    factor_for(scene, FIRST, (LEAST_TRIANGLES, f64::INFINITY), Position::start(scene))
 }
 
-/// The factor of the edges, at most `factor`, with which the drawn liner has nearly so many triangles or more: sizes that holes and
-/// grooves ask for are not those that the factor changes.
-fn factor_for(scene: &Scene, mut factor: f64, triangles: usize, position: Position) -> f64 {
+/// The factor of the edges, at first `factor`, with which the drawn liner has nearly so many `triangles` or more, and no more than so many times as many: sizes that
+/// holes and grooves ask for are not those that the factor changes, and a film thinner than the one of the mesh before asks for shorter edges everywhere.
+fn factor_for(scene: &Scene, mut factor: f64, (triangles, most): (usize, f64), position: Position) -> f64 {
     for _ in 0..DRAWN {
         let drawn = resized(scene, factor).map(|resized| liner_mesh(&resized, position));
         // What cannot be drawn is reported where it is to be used.
         let Some(Ok(drawn)) = drawn else { break };
         let share = drawn.mesh.triangles().len() as f64 / triangles as f64;
-        if share >= NEARLY_AS_MANY {
+        if (NEARLY_AS_MANY..=most).contains(&share) {
             break;
         }
         factor *= share.sqrt();
@@ -128,7 +130,7 @@ impl Next {
             }
             Self::DrawnFiner(factor, triangles, known) => {
                 let scene = known.scene(scene);
-                let factor = factor_for(&scene, *factor, *triangles, known.position);
+                let factor = factor_for(&scene, *factor, (*triangles, TOO_MANY), known.position);
                 let resized = resized(&scene, factor).unwrap_or(scene);
                 let film = compile_near(&resized, known.position)?;
                 Ok((Refinement::Drawn, film.nearly_balanced()))
@@ -181,5 +183,33 @@ impl Next {
         };
         let divided = divided.map_err(|_| Limit::CoarseRim)?;
         Ok(Self::Divided(Arc::new(divided.mesh), refinement, Known::of(film)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::path::Path;
+
+    #[test]
+    fn a_film_found_thinner_is_drawn_with_about_the_triangles_wanted() {
+        let text = "bearing = { diameter = \"100 mm\", length = \"50 mm\", clearance = \"50 um\" }\n\
+             oil = { viscosity = \"20 mPa.s\" }\ncavitation = { model = \"jfo\" }\nends = { pressure = \"10 kPa\" }\n\
+             journal = { speed = \"100 rad/s\" }\nload = { force = \"1 kN\", angle = \"0 deg\", at = \"2 mm\" }\n";
+        let scene = crate::parse(text, Path::new("a.toml")).expect("a scene");
+        let thin = Position {
+            eccentricity: 0.6,
+            min_film_angle: 0.3,
+            tilt: [7.6e-4, 0.0],
+        };
+        let triangles = |factor: f64| {
+            let resized = resized(&scene, factor).expect("a drawing");
+            liner_mesh(&resized, thin).expect("a mesh").mesh.triangles().len()
+        };
+        let wanted = 2_000;
+        assert!(triangles(1.0) as f64 > TOO_MANY * wanted as f64, "{}", triangles(1.0));
+        let drawn = triangles(factor_for(&scene, 1.0, (wanted, TOO_MANY), thin)) as f64;
+        let share = drawn / wanted as f64;
+        assert!((NEARLY_AS_MANY..TOO_MANY).contains(&share), "{share}");
     }
 }

@@ -184,6 +184,13 @@ fn refuse(path: &Path, own: &Scene) -> Result<(), ShaftError> {
             "remove [heat], and give oil.viscosity, or oil.temperature for an oil by its grade",
         );
     }
+    if own.liner.is_some() {
+        return refused(
+            "liner",
+            "on a crankshaft the walls of films are rigid",
+            "remove [liner], and give the support of the bearing a stiffness where the housing yields as a whole",
+        );
+    }
     match &own.cavitation {
         Some(cavitation) if cavitation.model == CavitationModel::Jfo => refused(
             "cavitation.model",

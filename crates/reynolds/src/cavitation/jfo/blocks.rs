@@ -55,7 +55,7 @@ pub(super) struct Block {
     pub(super) couette: [f64; 3],
     /// `k_i` [m2/s].
     pub(super) weight: [f64; 3],
-    /// h at the corners [m].
+    /// h at the corners [m], of rough surfaces the mean gap.
     pub(super) thickness: [f64; 3],
     /// Volume taken up by each cell's piece while full [m3/s].
     pub(super) storage: [f64; 3],
@@ -74,7 +74,7 @@ pub(super) fn blocks(law: &FilmLaw, space: &Space, volumes: &ControlVolumes) -> 
         for (k, blocks) in chunk.chunks_mut(volumes.per_triangle).enumerate() {
             let cell = task * CELLS_A_TASK + k;
             let points = Points::new(space, cell);
-            let at = law.film_and_flows(cell, points.positions());
+            let at = law.oil_and_flows(cell, points.positions());
             for (t, block) in blocks.iter_mut().enumerate() {
                 *block = points.block(t, &at, None);
             }
@@ -96,8 +96,8 @@ pub(super) fn blocks_and_changes(
         for (k, blocks) in chunk.chunks_mut(volumes.per_triangle).enumerate() {
             let cell = task * CELLS_A_TASK + k;
             let points = Points::new(space, cell);
-            let at = law.film_and_flows(cell, points.positions());
-            let change = changed.film_and_flows(cell, points.positions());
+            let at = law.oil_and_flows(cell, points.positions());
+            let change = changed.oil_and_flows(cell, points.positions());
             for (t, block) in blocks.iter_mut().enumerate() {
                 *block = [points.block(t, &at, None), points.block(t, &at, Some(&change))];
             }

@@ -54,7 +54,7 @@ pub(crate) use self::spread::spread;
 pub(crate) use self::work::{Carriage, work};
 use crate::existence::NoFilm;
 use crate::film_law::FilmLaw;
-use crate::{FilmProblem, FilmSolution, FilmSystem, JournalChange, Storage};
+use crate::{FilmChange, FilmProblem, FilmSolution, FilmSystem, Storage};
 
 /// Film fractions below zero by more than this are no rounding.
 const ROUNDING: f64 = 1e-9;
@@ -164,11 +164,11 @@ pub(crate) fn residual_change(
     system: &FilmSystem,
     film: &FilmSolution,
     fraction: &FilmFraction,
-    change: &JournalChange,
+    change: FilmChange<'_>,
 ) -> Result<Vec<f64>, oilwedge_fem::Error> {
     let volumes = system.volumes()?;
     let space = system.space();
-    let (law, changed) = (FilmLaw::new(problem, 1.0), FilmLaw::changed(problem, *change));
+    let (law, changed) = (FilmLaw::new(problem, 1.0), FilmLaw::changed(problem, change));
     let blocks = blocks_and_changes(&law, &changed, space, volumes);
     let mut residual = vec![0.0; film.unknown.len()];
     for (t, nodes) in volumes.triangles.iter().enumerate() {

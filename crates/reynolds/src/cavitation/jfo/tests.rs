@@ -74,7 +74,9 @@ fn problem(eccentricity: f64) -> FilmProblem {
         form: Form::Conservative,
         terms: vec![Arc::new(Poiseuille), Arc::new(Couette)],
         cavitation: Cavitation::Jfo { pressure: 0.0 },
+        flow_factors: Vec::new(),
         storage: None,
+        contact: None,
     }
 }
 

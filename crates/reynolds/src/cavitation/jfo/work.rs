@@ -90,6 +90,7 @@ pub(crate) fn work(carriage: &Carriage, film: &FilmSolution, excess: &[f64], she
             cavity_shear: 0.0,
             shear: 0.0,
             pressure,
+            dragged: pressure,
             motion,
             driven: driven(block, p, q),
         };

@@ -1,0 +1,317 @@
+//! Newton's method for the deflection, from the wall as it is or, where that fails, from that of a journal nearer to the middle.
+
+use oilwedge_fem::newton::Failure;
+use oilwedge_reynolds::film_thickness::{Closing, Deflection};
+use oilwedge_reynolds::solve::Neighbour;
+use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, Gap, JournalState, NoFilm};
+
+use super::gmres::norm;
+use super::tangent::Follower;
+
+/// A deflection is found where what is left of it is below this part;
+const CLOSED: f64 = 1e-11;
+/// or below this one where no shorter step helps.
+const CLOSED_ENOUGH: f64 = 1e-8;
+/// Most steps.
+const MOST_STEPS: usize = 12;
+/// Accuracy of the linear systems of a step far from the deflection, and of one near it,
+const ROUGH: f64 = 1e-3;
+const FINE: f64 = 1e-6;
+/// which is where this part is left; there a mass-conserving film keeps its advection schemes too.
+const NEAR: f64 = 1e-2;
+/// A balance of the cubic film that falls by less than this factor with the tangent of the quadratic one takes its own,
+const SLOW: f64 = 0.1;
+/// and one by less than this is at round-off.
+const STALLED: f64 = 0.5;
+/// Most halvings of a step.
+const MOST_HALVINGS: usize = 6;
+/// Least gap after a step, over that before.
+const LEAST_SHRINK: f64 = 0.1;
+/// Growth of the eccentricity [1] from one wall to the next where a film is not found at once;
+const CLIMB: f64 = 0.05;
+/// and most part of that of the film at which it begins.
+const BEGINNING: f64 = 0.5;
+
+/// Both films under one wall, bent by that in cubic elements.
+pub struct Pair {
+    /// The problem with the deflection found.
+    pub problem: FilmProblem,
+    /// The film in quadratic elements.
+    pub film: FilmSolution,
+    /// The film in cubic elements.
+    pub cubic: FilmSolution,
+}
+
+/// A film and the deflection under which it was solved, with what is left of the balance.
+struct Trial {
+    problem: FilmProblem,
+    film: FilmSolution,
+    /// `C f - d` [m].
+    left: Vec<f64>,
+    /// Its part of the deflection [1].
+    residual: f64,
+}
+
+/// Solves a film, and with it the deflection of its wall from that which the problem has.
+///
+/// # Errors
+/// [`NoFilm`]: the reason why there is none.
+pub fn closed_film(
+    problem: FilmProblem,
+    system: &FilmSystem,
+    near: Neighbour,
+) -> Result<(FilmProblem, FilmSolution), NoFilm> {
+    if problem.deflection().is_none() {
+        let film = problem.solve_from(system, near)?;
+        return Ok((problem, film));
+    }
+    let mut counts = Closing::default();
+    let reason = match closed(problem.clone(), system, near, &mut counts) {
+        Ok(found) => return Ok(found),
+        Err(reason) => reason,
+    };
+    match climbed(&problem, system, &mut counts) {
+        Some(found) => Ok(found),
+        None => Err(reason),
+    }
+}
+
+/// The film from walls of journals nearer to the middle.
+fn climbed(problem: &FilmProblem, system: &FilmSystem, counts: &mut Closing) -> Option<(FilmProblem, FilmSolution)> {
+    let eccentricity = problem.journal.eccentricity() / problem.bearing.clearance;
+    let rigid = Deflection::none(problem.deflection()?.wall.clone());
+    let at = |part: f64, wall: &Deflection| {
+        let journal = nearer(&problem.journal, part);
+        FilmProblem {
+            journal,
+            ..problem.clone()
+        }
+        .deflected(Some(wall))
+    };
+    let step = (CLIMB / eccentricity).min(BEGINNING);
+    let mut part = BEGINNING;
+    let (mut bent, _) = closed(at(part, &rigid), system, Neighbour::None, counts).ok()?;
+    loop {
+        part = (part + step).min(1.0);
+        let next = closed(at(part, bent.deflection()?), system, Neighbour::None, counts).ok()?;
+        if part == 1.0 {
+            return Some(next);
+        }
+        bent = next.0;
+    }
+}
+
+/// A journal with a part of its offset and of its tilt.
+fn nearer(journal: &JournalState, part: f64) -> JournalState {
+    JournalState {
+        offset: journal.offset.map(|x| part * x),
+        tilt: journal.tilt.map(|x| part * x),
+        ..*journal
+    }
+}
+
+/// The film by Newton's method; a mass-conserving one chooses its advection schemes again under the wall that was found.
+fn closed(
+    problem: FilmProblem,
+    system: &FilmSystem,
+    near: Neighbour,
+    counts: &mut Closing,
+) -> Result<(FilmProblem, FilmSolution), NoFilm> {
+    let film = solved(&problem, system, near, counts)?;
+    let mut found = iterated(judged(problem, film, system), system, counts)?;
+    if found.film.film_fraction.is_some() && !matches!(near, Neighbour::Kept(_)) {
+        let film = solved(&found.problem, system, Neighbour::Start(&found.film), counts)?;
+        found = iterated(judged(found.problem, film, system), system, counts)?;
+    }
+    let closing = Closing {
+        residual: found.residual,
+        ..*counts
+    };
+    Ok((found.problem.closed_by(closing), found.film))
+}
+
+/// Newton's method from a film.
+fn iterated(mut here: Trial, system: &FilmSystem, counts: &mut Closing) -> Result<Trial, NoFilm> {
+    for _ in 0..MOST_STEPS {
+        if here.residual < CLOSED {
+            return Ok(here);
+        }
+        let accuracy = if here.residual > NEAR { ROUGH } else { FINE };
+        let step = newton_step(&here, system, accuracy, counts)?;
+        match damped(&here, &step, system, counts) {
+            Some(next) => here = next,
+            None if here.residual < CLOSED_ENOUGH => return Ok(here),
+            None => break,
+        }
+    }
+    match here.residual < CLOSED_ENOUGH {
+        true => Ok(here),
+        false => Err(NoFilm::Wall {
+            residual: here.residual,
+            steps: counts.outer,
+        }),
+    }
+}
+
+/// The step [m] of Newton's method from a film.
+fn newton_step(here: &Trial, system: &FilmSystem, accuracy: f64, counts: &mut Closing) -> Result<Vec<f64>, NoFilm> {
+    let Some(follower) = Follower::of(&here.problem, system, &here.film) else {
+        return Ok(Vec::new());
+    };
+    let solved = follower.solve(&here.left, accuracy).map_err(Failure::from)?;
+    counts.inner += solved.steps;
+    Ok(solved.x)
+}
+
+/// The longest of the halved steps that leaves less of the balance, the gap kept open.
+fn damped(here: &Trial, step: &[f64], system: &FilmSystem, counts: &mut Closing) -> Option<Trial> {
+    let gap = least_gap(&here.problem, system);
+    let mut part = 1.0;
+    for _ in 0..MOST_HALVINGS {
+        let problem = stepped(&here.problem, step, part)?;
+        let is_open = least_gap(&problem, system) > LEAST_SHRINK * gap;
+        let near = match here.residual < NEAR {
+            true => Neighbour::Kept(&here.film),
+            false => Neighbour::Start(&here.film),
+        };
+        let film = is_open.then(|| solved(&problem, system, near, counts).ok()).flatten();
+        if let Some(film) = film {
+            let next = judged(problem, film, system);
+            if next.residual < here.residual {
+                return Some(next);
+            }
+        }
+        part *= 0.5;
+    }
+    None
+}
+
+/// The problem with a part of a step more of its deflection.
+fn stepped(problem: &FilmProblem, step: &[f64], part: f64) -> Option<FilmProblem> {
+    let deflection = problem.deflection()?;
+    let coefficients = deflection
+        .coefficients
+        .iter()
+        .zip(step)
+        .map(|(d, step)| d + part * step);
+    let next = deflection.with(coefficients.collect());
+    Some(problem.clone().deflected(Some(&next)))
+}
+
+/// A film under the deflection that the problem has.
+fn solved(
+    problem: &FilmProblem,
+    system: &FilmSystem,
+    near: Neighbour,
+    counts: &mut Closing,
+) -> Result<FilmSolution, NoFilm> {
+    counts.outer += 1;
+    problem.solve_from(system, near)
+}
+
+/// What a film leaves of the balance of its wall.
+fn judged(problem: FilmProblem, film: FilmSolution, system: &FilmSystem) -> Trial {
+    let (left, residual) = left_over(&problem, system, &film);
+    Trial {
+        problem,
+        film,
+        left,
+        residual,
+    }
+}
+
+/// `C f - d` [m] by the pressure of a film, and its part of the deflection [1].
+fn left_over(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> (Vec<f64>, f64) {
+    let Some(deflection) = problem.deflection() else {
+        return (Vec::new(), 0.0);
+    };
+    let wanted = deflection.wall.deflection(problem, system, &film.unknown);
+    let size = norm(&wanted).max(norm(&deflection.coefficients));
+    let left: Vec<f64> = wanted
+        .iter()
+        .zip(&*deflection.coefficients)
+        .map(|(wanted, d)| wanted - d)
+        .collect();
+    let residual = if size > 0.0 { norm(&left) / size } else { 0.0 };
+    (left, residual)
+}
+
+/// Least gap [m] of the film.
+fn least_gap(problem: &FilmProblem, system: &FilmSystem) -> f64 {
+    Gap::of(problem, system).thinnest_film(problem, system).thickness
+}
+
+/// The film in cubic elements from the quadratic `film` of the problem, from the cavity of that at a neighbouring place if there is one; a wall that gives way is
+/// bent by it.
+///
+/// # Errors
+/// [`NoFilm`]: the reason why there is none.
+pub fn closed_pair(
+    problem: FilmProblem,
+    system: &FilmSystem,
+    film: FilmSolution,
+    neighbour: Option<&FilmSolution>,
+) -> Result<Pair, NoFilm> {
+    let cubic = problem.cubic_film(system, &film, neighbour)?;
+    let mut pair = Pair { problem, film, cubic };
+    let Some(deflection) = pair.problem.deflection() else {
+        return Ok(pair);
+    };
+    let mut counts = deflection.closing;
+    let mut before = f64::INFINITY;
+    for step in 0..=MOST_STEPS {
+        let (left, residual) = left_over(&pair.problem, &system.cubic().system, &pair.cubic);
+        counts.residual = residual;
+        if residual < CLOSED || residual < CLOSED_ENOUGH && residual > STALLED * before {
+            return Ok(Pair {
+                problem: pair.problem.closed_by(counts),
+                ..pair
+            });
+        }
+        if step < MOST_STEPS {
+            let tangent = match residual > SLOW * before {
+                true => TangentOf::Cubic,
+                false => TangentOf::Quadratic,
+            };
+            before = residual;
+            pair = bent_further(pair, &left, (system, tangent), &mut counts)?;
+        }
+    }
+    Err(NoFilm::Wall {
+        residual: counts.residual,
+        steps: counts.outer,
+    })
+}
+
+/// Which of two films has the tangent of a step.
+#[derive(Debug, Clone, Copy)]
+enum TangentOf {
+    /// It has a factor of its own, and nearly the tangent of the other one.
+    Quadratic,
+    /// It is exact.
+    Cubic,
+}
+
+/// Both films under a wall that moves by what is `left` of the balance of the cubic one, along a tangent.
+fn bent_further(
+    pair: Pair,
+    left: &[f64],
+    (system, tangent): (&FilmSystem, TangentOf),
+    counts: &mut Closing,
+) -> Result<Pair, NoFilm> {
+    let follower = match tangent {
+        TangentOf::Quadratic => Follower::of(&pair.problem, system, &pair.film),
+        TangentOf::Cubic => Follower::of(&pair.problem, &system.cubic().system, &pair.cubic),
+    };
+    let Some(follower) = follower else {
+        return Ok(pair);
+    };
+    let step = follower.solve(left, FINE).map_err(Failure::from)?;
+    counts.inner += step.steps;
+    let Some(problem) = stepped(&pair.problem, &step.x, 1.0) else {
+        return Ok(pair);
+    };
+    let film = solved(&problem, system, Neighbour::Start(&pair.film), counts)?;
+    let cubic = problem.cubic_film(system, &film, Some(&pair.cubic))?;
+    Ok(Pair { problem, film, cubic })
+}

@@ -1,0 +1,108 @@
+//! # Elastic wall: the deflection by the pressure of the film that it makes room for
+//!
+//! **Equation.** `d = C f(p(d))` for the deflection of the wall, by Newton's method: `(I - C dp/dd) step = C f - d`, each step by GMRES, whose products
+//! cost a back-solve with the factor of the film, its cavity held. A search for a position closes the wall at each place that it tries.
+//!
+//! | symbol | unit | code |
+//! |---|---|---|
+//! | d | m | [`Deflection`](oilwedge_reynolds::film_thickness::Deflection) |
+//! | C, f | m/N, N | [`Wall`](oilwedge_reynolds::wall::Wall) |
+//!
+//! The wall is bent by the film that is reported: the one in cubic elements, where errors are estimated by it. The other film of a pair runs under the wall so
+//! bent, so that both have the same gap.
+//!
+//! **Source.** Knoll, Keyes, J. Comput. Phys. 193 (2004) 357 (Newton and Krylov). **Range.** Films that exist with the rigid wall, or are reached from such
+//! a film by raising the eccentricity. **Verified by** `tests/tests/liner`: a second method, the tangent against differences.
+
+mod close;
+mod dynamics;
+mod gmres;
+mod tangent;
+
+pub use close::{Pair, closed_film, closed_pair};
+pub(crate) use dynamics::harmonic_response;
+pub(crate) use tangent::Follower;
+
+use oilwedge_fem::Error;
+use oilwedge_fem::newton::Failure;
+use oilwedge_reynolds::solve::Neighbour;
+use oilwedge_reynolds::{FilmChange, FilmProblem, FilmSolution, FilmSystem, JournalChange, NoFilm};
+
+/// First-order change of the unknown at each dof [Pa] where the journal moves by `change`; a wall that gives way follows.
+///
+/// # Errors
+/// The linear systems could not be solved.
+pub fn unknown_change(
+    problem: &FilmProblem,
+    system: &FilmSystem,
+    film: &FilmSolution,
+    change: &JournalChange,
+) -> Result<Vec<f64>, Error> {
+    let unknown = problem.unknown_change(system, film, change)?;
+    match Follower::of(problem, system, film) {
+        None => Ok(unknown),
+        Some(follower) => Ok(follower.followed(unknown)?.unknown),
+    }
+}
+
+/// The film where the journal has moved by a small `change`, and with it a wall that gives way: along the tangent, but for a mass-conserving one, which is solved
+/// again from the film that is there.
+///
+/// # Errors
+/// [`NoFilm`]: the reason why there is none.
+pub fn displaced(
+    problem: &FilmProblem,
+    system: &FilmSystem,
+    film: &FilmSolution,
+    change: &JournalChange,
+) -> Result<(FilmProblem, FilmSolution), NoFilm> {
+    let Some(follower) = Follower::of(problem, system, film) else {
+        return problem.displaced(system, film, change);
+    };
+    let unknown = problem.unknown_change(system, film, change).map_err(Failure::from)?;
+    let followed = follower.followed(unknown).map_err(Failure::from)?;
+    let moved = FilmProblem {
+        journal: problem.journal.changed(change),
+        ..problem.clone()
+    };
+    follower.moved(moved, FilmChange::from(change), &followed)
+}
+
+/// The film where the wall alone would move by coefficients `free` [m] under the pressure that is there, and both have answered, to first order; none where the wall
+/// is rigid.
+///
+/// # Errors
+/// [`NoFilm`]: the reason why there is none.
+pub fn bent(
+    problem: &FilmProblem,
+    system: &FilmSystem,
+    film: &FilmSolution,
+    free: &[f64],
+) -> Result<Option<(FilmProblem, FilmSolution)>, NoFilm> {
+    let Some(follower) = Follower::of(problem, system, film) else {
+        return Ok(None);
+    };
+    let followed = follower.of_wall(free).map_err(Failure::from)?;
+    let at_rest = FilmChange::from(&JournalChange::default());
+    follower.moved(problem.clone(), at_rest, &followed).map(Some)
+}
+
+impl Follower<'_> {
+    /// The film of `moved`, whose journal has changed, under the wall that has followed.
+    fn moved(
+        &self,
+        moved: FilmProblem,
+        change: FilmChange<'_>,
+        followed: &tangent::Followed,
+    ) -> Result<(FilmProblem, FilmSolution), NoFilm> {
+        let shape = self.shape(&followed.deflection);
+        let moved = moved.deflected(Some(&self.added(&followed.deflection)));
+        if self.film.film_fraction.is_some() {
+            let film = moved.solve_from(self.system, Neighbour::Kept(self.film))?;
+            return Ok((moved, film));
+        }
+        let changes = [change, FilmChange::Gap(&shape)];
+        let film = (self.problem).along_tangent(self.system, self.film, &changes, &followed.unknown);
+        Ok((moved, film))
+    }
+}

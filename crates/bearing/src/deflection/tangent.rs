@@ -1,0 +1,96 @@
+//! The tangent of film and wall: how both answer where something else changes.
+//!
+//! At a fixed wall the unknown of the film changes by u. The wall follows, and the film follows the wall: `(I - C dp/dd) dd = C dp/du u`, then
+//! `du = u + (du/dd) dd`. One product with the operator is one back-solve with the factor of the film, its cavity held.
+
+use oilwedge_fem::Error;
+use oilwedge_reynolds::film_thickness::Deflection;
+use oilwedge_reynolds::{FilmChange, FilmProblem, FilmSolution, FilmSystem};
+
+use super::gmres::{Solved, gmres};
+
+/// Accuracy of a tangent that is not a step of an iteration.
+const EXACT: f64 = 1e-10;
+
+/// A solved film whose wall gives way.
+#[derive(Clone, Copy)]
+pub(crate) struct Follower<'a> {
+    pub(super) problem: &'a FilmProblem,
+    pub(super) system: &'a FilmSystem,
+    pub(super) film: &'a FilmSolution,
+    deflection: &'a Deflection,
+}
+
+/// What a change leads to, the wall following.
+pub(crate) struct Followed {
+    /// Change of the coefficients of the deflection [m].
+    pub(crate) deflection: Vec<f64>,
+    /// Change of the unknown at each dof [Pa].
+    pub(crate) unknown: Vec<f64>,
+}
+
+impl<'a> Follower<'a> {
+    /// None where the wall is rigid.
+    pub(crate) fn of(problem: &'a FilmProblem, system: &'a FilmSystem, film: &'a FilmSolution) -> Option<Self> {
+        Some(Self {
+            problem,
+            system,
+            film,
+            deflection: problem.deflection()?,
+        })
+    }
+
+    /// A shape of the wall with these coefficients [m].
+    pub(super) fn shape(&self, coefficients: &[f64]) -> Deflection {
+        self.deflection.with(coefficients.to_vec())
+    }
+
+    /// The deflection with more of it.
+    pub(super) fn added(&self, more: &[f64]) -> Deflection {
+        let sum = self.deflection.coefficients.iter().zip(more).map(|(d, more)| d + more);
+        self.deflection.with(sum.collect())
+    }
+
+    /// Deflection [m] by a change of the unknown.
+    pub(super) fn image(&self, unknown: &[f64]) -> Vec<f64> {
+        let wall = &self.deflection.wall;
+        let forces = (wall.grid).forces_change(self.problem, self.system, &self.film.unknown, unknown);
+        wall.compliance.deflection(&forces)
+    }
+
+    /// Change of the unknown by a deflection.
+    fn by_deflection(&self, coefficients: &[f64]) -> Result<Vec<f64>, Error> {
+        let shape = self.shape(coefficients);
+        (self.problem).unknown_change(self.system, self.film, FilmChange::Gap(&shape))
+    }
+
+    /// Solves `(I - C dp/dd) x = b`.
+    pub(super) fn solve(&self, b: &[f64], accuracy: f64) -> Result<Solved, Error> {
+        let operator = |x: &[f64]| {
+            let image = self.image(&self.by_deflection(x)?);
+            Ok(x.iter().zip(image).map(|(x, image)| x - image).collect())
+        };
+        gmres(operator, b, accuracy)
+    }
+
+    /// What follows from a change of the unknown by `unknown` at a fixed wall.
+    pub(crate) fn followed(&self, unknown: Vec<f64>) -> Result<Followed, Error> {
+        self.bent(&self.image(&unknown), unknown)
+    }
+
+    /// What follows from a change of the unknown by `unknown`, and of the wall by `free` [m], where neither answers to the other.
+    fn bent(&self, free: &[f64], mut unknown: Vec<f64>) -> Result<Followed, Error> {
+        let deflection = self.solve(free, EXACT)?.x;
+        let more = self.by_deflection(&deflection)?;
+        unknown
+            .iter_mut()
+            .zip(more)
+            .for_each(|(unknown, more)| *unknown += more);
+        Ok(Followed { deflection, unknown })
+    }
+
+    /// What follows where the wall alone changes by `free` [m] under the pressure that is there.
+    pub(crate) fn of_wall(&self, free: &[f64]) -> Result<Followed, Error> {
+        self.bent(free, vec![0.0; self.film.unknown.len()])
+    }
+}

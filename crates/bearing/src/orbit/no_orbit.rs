@@ -1,0 +1,127 @@
+//! Why an orbit does not lead on.
+
+use std::f64::consts::{PI, TAU};
+
+use oilwedge_reynolds::NoFilm;
+
+use super::motion::Motion;
+use super::stage::NoStage;
+use crate::GREATEST_ECCENTRICITY;
+use crate::coordinates::Vector;
+
+/// A load has left the shell this part of the cycle after no step led on.
+const SHORTLY: f64 = 1e-3;
+/// Angle [rad] between nodes on both sides of the opening of an arc; those of a ring are nearer to each other.
+const OPENING: f64 = 0.5 * PI;
+/// So near to the edge of an arc [rad] a film that begins away from the shell has no force.
+const NEAR: f64 = PI / 12.0;
+
+/// Why there is no orbit.
+#[derive(Debug, thiserror::Error)]
+pub enum NoOrbit {
+    /// There is no film.
+    #[error("no film at {angle:.2} deg of cycle {cycle}: {reason}")]
+    Film {
+        /// Crank angle [deg].
+        angle: f64,
+        /// Number of the cycle, from 1.
+        cycle: usize,
+        /// Why.
+        reason: NoFilm,
+    },
+    /// No step, however short, leads on.
+    #[error(
+        "not converged: no step leads on from {angle:.2} deg of cycle {cycle}, where the least film is {:.3e} of the clearance",
+        gap
+    )]
+    Stuck {
+        /// Crank angle [deg].
+        angle: f64,
+        /// Number of the cycle, from 1.
+        cycle: usize,
+        /// Least gap over the clearance [1].
+        gap: f64,
+    },
+    /// No step leads on, for the film is squeezed out.
+    #[error(
+        "the load squeezes the film out: at {angle:.2} deg of cycle {cycle} its thinnest place has {gap:.1e} of the clearance, and no step leads on"
+    )]
+    SqueezedOut {
+        /// Crank angle [deg].
+        angle: f64,
+        /// Number of the cycle, from 1.
+        cycle: usize,
+        /// Least gap over the clearance [1].
+        gap: f64,
+    },
+    /// No step leads on, for the load points beyond the shell of an arc, or too near to its edge.
+    #[error(
+        "no film carries the load at {angle:.2} deg of cycle {cycle}: it points to {direction:.1} deg, beyond the shell or too near to its edge"
+    )]
+    OffShell {
+        /// Crank angle [deg].
+        angle: f64,
+        /// Number of the cycle, from 1.
+        cycle: usize,
+        /// Direction of the load [deg].
+        direction: f64,
+    },
+    /// The time was over before the first cycle was complete.
+    #[error("not converged: the orbit was ended at {angle:.1} deg of the first cycle")]
+    Ended {
+        /// Crank angle [deg].
+        angle: f64,
+    },
+}
+
+impl Motion<'_> {
+    /// What a stage without a solution means for the orbit.
+    pub(super) fn told(&self, reason: NoStage, time: f64, cycle: usize, at: Vector) -> NoOrbit {
+        let angle = (self.cycle.angular_speed() * time).to_degrees();
+        match reason {
+            NoStage::Film(reason) => NoOrbit::Film { angle, cycle, reason },
+            NoStage::Diverged => self.stuck((angle, cycle), time, at),
+        }
+    }
+
+    /// Why no step leads on from a place.
+    fn stuck(&self, (angle, cycle): (f64, usize), time: f64, at: Vector) -> NoOrbit {
+        let gap = self.least_gap(at) / self.problem.bearing.clearance;
+        if gap < 1.0 - GREATEST_ECCENTRICITY {
+            return NoOrbit::SqueezedOut { angle, cycle, gap };
+        }
+        match self.off_shell(time) {
+            Some(direction) => {
+                let direction = direction.to_degrees().rem_euclid(360.0);
+                NoOrbit::OffShell {
+                    angle,
+                    cycle,
+                    direction,
+                }
+            }
+            None => NoOrbit::Stuck { angle, cycle, gap },
+        }
+    }
+
+    /// Direction [rad] of the load at a time or shortly after, if it points into the opening of an arc or near to it. Films push: the load must lead into the shell.
+    fn off_shell(&self, time: f64) -> Option<f64> {
+        let period = self.cycle.period() / self.cycle.angular_speed();
+        let directions = [time, time + SHORTLY * period].map(|time| {
+            let [x, y, ..] = self.asked(time);
+            y.atan2(x)
+        });
+        let is_near = |direction: &f64| [-NEAR, 0.0, NEAR].iter().any(|by| self.is_open(direction + by));
+        directions.into_iter().find(is_near)
+    }
+
+    /// Whether the film has an opening at this angle [rad].
+    fn is_open(&self, angle: f64) -> bool {
+        let radius = self.problem.bearing.radius;
+        let beyond = |[x, _]: [f64; 2]| (x / radius - angle).rem_euclid(TAU);
+        let places = self.system.space().positions().into_iter().map(beyond);
+        let [next, last] = places.fold([TAU, 0.0], |[next, last], beyond| {
+            [next.min(beyond), f64::max(last, beyond)]
+        });
+        next + TAU - last > OPENING
+    }
+}

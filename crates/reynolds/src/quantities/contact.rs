@@ -1,0 +1,164 @@
+//! # Contact: what the asperities of journal and liner carry
+//!
+//! **Equation.** `W_a = Int p_a(h) (cos phi, sin phi) dA`, `m_a = Int p_a z (cos phi, sin phi) dA`, friction `P_a = mu_b |U| Int p_a dA`; over every triangle of the
+//! film, in cavities and at the ends too. Where the journal moves, `dW_a = Int p_a'(h) dh (cos phi, sin phi) dA`.
+//!
+//! | symbol | unit | code |
+//! |---|---|---|
+//! | p_a, p_a' | Pa, Pa/m | [`crate::contact::ContactLaw::at`] |
+//! | W_a, m_a | N, N m | `force`, `moment` of [`share`] |
+//! | mu_b | 1 | `friction` |
+//!
+//! The pressure falls to nothing over some roughnesses, far quicker than a film changes: each triangle is divided until the gap changes little over its parts, and further where the
+//! law has a kink.
+//! Contact depends on the gap alone, so that this quadrature, and not the elements of the film, limits its accuracy.
+//!
+//! **Source.** Definition. **Range.** Friction of contact acts along the surface and carries no load. **Verified by** `tests/tests/contact`.
+
+use std::sync::LazyLock;
+
+use oilwedge_fem::integrate::{Points, Rule};
+use oilwedge_fem::quadrature::MOST_POINTS;
+use oilwedge_fem::{Quadrature, integrate};
+
+use super::share::{Resultant, Share};
+use crate::angles::sines_and_cosines;
+use crate::contact::{Contact, ContactLaw};
+use crate::{FilmPoint, FilmProblem, FilmSystem, JournalChange};
+
+/// Triangles are quartered at most this often,
+const MOST_QUARTERINGS: usize = 5;
+/// until the gap changes by this part of the scale of the law over each part where the pressure is the hardness: an error that falls with the tenth power of the parts
+/// is the same for parts that are longer by the tenth root where the pressure is less,
+const PART: f64 = 0.5;
+const ORDER: f64 = 10.0;
+/// and at least so often where the law has a kink in them,
+const KINK_QUARTERINGS: usize = 4;
+/// where the pressure is more than this part of the hardness.
+const SLIGHT: f64 = 1e-10;
+
+/// How finely contact is integrated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Fineness {
+    /// As it is reported.
+    Full,
+    /// With a quartering less, to compare with.
+    Halved,
+}
+
+/// Rules of degree 8 on a triangle, and on its parts after each quartering.
+static RULES: LazyLock<Vec<Rule>> = LazyLock::new(|| {
+    let rule = |quarterings| Rule::new(Quadrature::for_degree(3).quartered(quarterings), 1);
+    (0..=MOST_QUARTERINGS).map(rule).collect()
+});
+
+/// What contact carries in this position; `None` where none is simulated.
+pub fn share(problem: &FilmProblem, system: &FilmSystem) -> Option<Share> {
+    carried(problem, system, Fineness::Full)
+}
+
+/// Error of integration [N] of the force of a `share`: its difference from one with a quartering less.
+pub fn unsure(problem: &FilmProblem, system: &FilmSystem, share: &Share) -> f64 {
+    carried(problem, system, Fineness::Halved).map_or(0.0, |rough| {
+        let [x, y] = share.less(&rough).force;
+        x.hypot(y)
+    })
+}
+
+fn carried(problem: &FilmProblem, system: &FilmSystem, fineness: Fineness) -> Option<Share> {
+    let Contact { law, .. } = problem.contact?;
+    Some(integrated(problem, system, &law, fineness, |_, gaps| {
+        gaps.map(|gap| law.at(gap).pressure)
+    }))
+}
+
+/// First-order change of what contact carries where the journal moves by `change`; zero where none is simulated.
+pub fn contact_change(problem: &FilmProblem, system: &FilmSystem, change: &JournalChange) -> Resultant {
+    let Some(Contact { law, .. }) = problem.contact else {
+        return Resultant::default();
+    };
+    let by_gap = |points: &Points, gaps: [f64; MOST_POINTS]| {
+        let mut moved = [FilmPoint::default(); MOST_POINTS];
+        for contribution in &problem.film_thickness {
+            let moved = &mut moved[..points.positions.len()];
+            contribution.vary(change, points.cell, points.positions, moved);
+        }
+        std::array::from_fn(|q| law.at(gaps[q]).slope * moved[q].thickness)
+    };
+    integrated(problem, system, &law, Fineness::Full, by_gap).resultant()
+}
+
+/// Integrals over the film of a density [Pa] that depends on the gaps [m] at points; triangles are divided where it is steep.
+fn integrated(
+    problem: &FilmProblem,
+    system: &FilmSystem,
+    law: &ContactLaw,
+    fineness: Fineness,
+    density: impl Fn(&Points, [f64; MOST_POINTS]) -> [f64; MOST_POINTS] + Sync,
+) -> Share {
+    let mesh = system.space().mesh();
+    let is_film = system.supply.film(mesh);
+    integrate(mesh, |t| {
+        let Some(quarterings) = (is_film[t])
+            .then(|| quarterings(problem, system, law, fineness, t))
+            .flatten()
+        else {
+            return Share::default();
+        };
+        RULES[quarterings].integrate(mesh, t, |points, sum: &mut Share| {
+            let density = density(points, problem.gaps_at(t, points.positions));
+            let [sines, cosines] = sines_and_cosines(points.positions, problem.bearing.radius);
+            for q in 0..points.positions.len() {
+                let thrust = points.area(q) * density[q];
+                let force = [thrust * cosines[q], thrust * sines[q]];
+                *sum += Share {
+                    force,
+                    moment: force.map(|force| points.positions[q][1] * force),
+                    pressure: thrust,
+                    possible: thrust.abs(),
+                };
+            }
+        })
+    })
+}
+
+/// How often a triangle is quartered; `None` where it has no contact.
+fn quarterings(
+    problem: &FilmProblem,
+    system: &FilmSystem,
+    law: &ContactLaw,
+    fineness: Fineness,
+    t: usize,
+) -> Option<usize> {
+    /// The gap inside of a triangle may be less than that at its nodes by this part of its range.
+    const WITHIN: f64 = 0.25;
+    let gaps = problem.thickness_at(t, &system.space().mesh().nodes(t));
+    let (least, greatest) = gaps
+        .iter()
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, greatest), &gap| {
+            (least.min(gap), greatest.max(gap))
+        });
+    let least = least - WITHIN * (greatest - least);
+    if least >= law.reach() {
+        return None;
+    }
+    let greatest_pressure = law.at(least).pressure / law.hardness();
+    if greatest_pressure < SLIGHT {
+        return Some(0);
+    }
+    let part = PART * greatest_pressure.powf(-1.0 / ORDER);
+    // Beyond the reach the gap does not matter.
+    let range = greatest.min(law.reach()) - least;
+    let smooth = (range / (part * law.scale())).log2().ceil().max(1.0) as usize;
+    let is_kinked = law.has_kink_in(least..greatest);
+    let full = if is_kinked {
+        smooth.max(KINK_QUARTERINGS)
+    } else {
+        smooth
+    };
+    let full = full.min(MOST_QUARTERINGS);
+    Some(match fineness {
+        Fineness::Full => full,
+        Fineness::Halved => full - 1,
+    })
+}

@@ -1,0 +1,107 @@
+//! The grid of the wall: products of splines around and along the developed surface.
+
+use super::compliance::Product;
+use super::spline::{Along, Around, Local, SUPPORT};
+use crate::{FilmPoint, FilmProblem, FilmSystem};
+
+/// Splines on the developed surface; number `j along.number() + k` is the product of number j around and number k along.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Grid {
+    /// Radius R of the liner [m].
+    pub radius: f64,
+    /// Around the liner.
+    pub around: Around,
+    /// Along it.
+    pub along: Along,
+}
+
+impl Grid {
+    /// How many splines there are.
+    pub fn number(&self) -> usize {
+        self.around.number * self.along.number()
+    }
+
+    /// The splines at a position [m] of the developed surface.
+    fn at(&self, [x, z]: [f64; 2]) -> [Local; 2] {
+        [self.around.at(x / self.radius), self.along.at(z)]
+    }
+
+    /// Number of a spline of two local ones.
+    #[inline]
+    fn index(&self, around: usize, along: usize) -> usize {
+        (around % self.around.number) * self.along.number() + along
+    }
+
+    /// Value at a position [m] of the function with these coefficients.
+    pub fn value(&self, coefficients: &[f64], position: [f64; 2]) -> f64 {
+        let mut point = [FilmPoint::default()];
+        self.add(coefficients, &[position], &mut point);
+        point[0].thickness
+    }
+
+    /// Coefficients of the function that interpolates another one in the middle of each spline; none where the splines are no grid.
+    pub fn interpolated(&self, function: impl Fn([f64; 2]) -> f64) -> Option<Vec<f64>> {
+        let points = self.along.middles();
+        let middle = |j: usize| self.radius * self.around.middle(j);
+        let values = (0..self.around.number).flat_map(|j| points.iter().map(move |&z| [middle(j), z]));
+        let values: Vec<f64> = values.map(function).collect();
+        Some(Product::interpolation(&self.around, self.along.collocation(&points).inverse()?).times(&values))
+    }
+
+    /// Adds the function with these coefficients [m] to the gap at `positions` [m].
+    pub(crate) fn add(&self, coefficients: &[f64], positions: &[[f64; 2]], film: &mut [FilmPoint]) {
+        for (&position, point) in positions.iter().zip(film) {
+            let [around, along] = self.at(position);
+            for i in 0..SUPPORT {
+                let first = self.index(around.first + i, along.first);
+                let row = &coefficients[first..first + SUPPORT];
+                let value: f64 = row.iter().zip(along.values).map(|(c, v)| c * v).sum();
+                let slope: f64 = row.iter().zip(along.slopes).map(|(c, v)| c * v).sum();
+                point.thickness += around.values[i] * value;
+                point.slope[0] += around.slopes[i] * value / self.radius;
+                point.slope[1] += around.values[i] * slope;
+            }
+        }
+    }
+
+    /// Forces [N] of the pressure of a film on the splines; regions cut out of the mesh press on nothing.
+    pub fn forces(&self, problem: &FilmProblem, system: &FilmSystem, unknown: &[f64]) -> Vec<f64> {
+        let pressures: Vec<f64> = unknown.iter().map(|&u| problem.pressure_at(u)).collect();
+        system.pressing(self).forces(system.space(), &pressures)
+    }
+
+    /// First-order change of the [`Self::forces`] where the unknown changes by `change` at each dof.
+    pub fn forces_change(
+        &self,
+        problem: &FilmProblem,
+        system: &FilmSystem,
+        unknown: &[f64],
+        change: &[f64],
+    ) -> Vec<f64> {
+        let changes = unknown
+            .iter()
+            .zip(change)
+            .map(|(&u, change)| problem.pressure_slope_at(u) * change);
+        system
+            .pressing(self)
+            .forces(system.space(), &changes.collect::<Vec<f64>>())
+    }
+
+    /// Calls `visit` with the number and the value of each spline that is not zero at a position [m].
+    #[inline]
+    pub(super) fn each_at(&self, position: [f64; 2], mut visit: impl FnMut(usize, f64)) {
+        let [around, along] = self.at(position);
+        for i in 0..SUPPORT {
+            let first = self.index(around.first + i, along.first);
+            for k in 0..SUPPORT {
+                visit(first + k, around.values[i] * along.values[k]);
+            }
+        }
+    }
+
+    /// Width and least length of its cells [m].
+    pub(super) fn cell(&self) -> [f64; 2] {
+        let lengths = self.along.breaks().windows(2).map(|pair| pair[1] - pair[0]);
+        [self.radius * self.around.width(), lengths.fold(f64::INFINITY, f64::min)]
+    }
+}

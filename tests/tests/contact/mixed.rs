@@ -1,0 +1,58 @@
+//! Mixed lubrication of a main bearing against a second code: ten positions under a load, from a full film to one that contact all but replaces.
+
+use oilwedge_tests::tilted_bearings::run;
+
+use super::block;
+
+pub(super) const ASPERITIES: &str =
+    "model = \"greenwood-tripp\"\neta_beta_sigma = 0.05\nsigma_over_beta = 0.01\nmodulus = \"115 GPa\"";
+pub(super) const CURVE: &str = "model = \"bearing-curve\"\ndepth = \"1.2 um\"";
+
+/// The bearing of the table at a speed, with these keys of contact and of the flow.
+pub(super) fn scene(rpm: f64, contact: &str, flow: &str) -> String {
+    format!(
+        "bearing = {{ diameter = \"50 mm\", length = \"25 mm\", clearance = \"25 um\", roughness = \"0.6 um\" }}\n\
+         journal = {{ speed = \"{rpm} rpm\" }}\nload = {{ force = \"10 kN\", angle = \"0 deg\" }}\noil.viscosity = \"8 mPa.s\"\n\
+         cavitation.model = \"reynolds\"\nmesh.size = \"2 mm\"\n[contact]\n{contact}\nhardness = \"900 MPa\"\nfriction = 0.1\n{flow}"
+    )
+}
+
+/// Film to 0.5 %, share of contact to 0.005: the table has 0.2 % and 0.002.
+#[test]
+fn positions_of_a_second_code() {
+    for row in block("mixed")["rows"].as_array().expect("rows") {
+        let number = |name: &str| row[name].as_f64().unwrap_or_else(|| panic!("no {name}"));
+        let contact = if row["contact"] == "greenwood-tripp" {
+            ASPERITIES
+        } else {
+            CURVE
+        };
+        let flow = if row["flow"] == "smooth" {
+            ""
+        } else {
+            "[roughness]\nmodel = \"patir-cheng\"\n"
+        };
+        let result = run(&scene(number("rpm"), contact, flow));
+        let of = |name: &str| {
+            let quantity = result
+                .by_name(name)
+                .unwrap_or_else(|| panic!("no {name}: {:?}", result.reason));
+            (quantity.value, quantity.error().unwrap_or(f64::NAN))
+        };
+        let ((film, _), (share, bar)) = (of("film_thickness_min"), of("contact_share"));
+        println!(
+            "{row}\n  h {:.3e} share {:.3e} +- {bar:.1e} attitude {:.2e}",
+            1e6 * film / number("h_min_um") - 1.0,
+            share - number("contact_share"),
+            of("attitude_angle").0 - number("attitude_deg"),
+        );
+        assert!((1e6 * film / number("h_min_um") - 1.0).abs() < 5e-3, "{row}: {film}");
+        assert!((share - number("contact_share")).abs() < 5e-3, "{row}: {share}");
+        assert!(bar.is_finite(), "{row}: no bar of the share");
+        let thrust = of("contact_thrust").0;
+        assert!(
+            (thrust - number("contact_pressure_integral_N")).abs() < 0.005 * 10e3,
+            "{row}: {thrust}"
+        );
+    }
+}

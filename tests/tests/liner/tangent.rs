@@ -1,0 +1,135 @@
+//! The tangent of film and wall against central differences of closed films.
+
+use oilwedge_bearing::Coefficients;
+use oilwedge_bearing::deflection::{closed_film, displaced};
+use oilwedge_reynolds::film_thickness::FilmContribution;
+use oilwedge_reynolds::solve::Neighbour;
+use oilwedge_reynolds::{Cavitation, FilmProblem, JournalChange, JournalState};
+use oilwedge_tests::elastic_liner::{carried, closed, layer, walled};
+use oilwedge_tests::*;
+
+const MODELS: [Cavitation; 4] = [
+    Cavitation::None,
+    Cavitation::Guembel { pressure: 0.0 },
+    Cavitation::Reynolds { pressure: 0.0 },
+    Cavitation::Jfo { pressure: 0.0 },
+];
+
+#[test]
+fn stiffness_of_film_and_wall_is_differences_of_closed_films() {
+    for model in MODELS {
+        let system = ring_system(72, 8, RADIUS, Some(std::f64::consts::PI));
+        let (problem, film) = closed(walled(RADIUS, 0.7, model, |_| layer(0.02)), &system);
+        let coefficients = Coefficients::of(&problem, &system, &film, 0.0).expect("coefficients");
+        let at = |offset: [f64; 2]| {
+            let journal = JournalState {
+                offset,
+                ..problem.journal
+            };
+            let moved = FilmProblem {
+                journal,
+                ..problem.clone()
+            };
+            let (moved, film) =
+                closed_film(moved, &system, Neighbour::Kept(&film)).unwrap_or_else(|reason| panic!("{reason}"));
+            carried(&moved, &system, &film).force
+        };
+        let size = coefficients.stiffness[0][0]
+            .abs()
+            .max(coefficients.stiffness[1][1].abs());
+        for step in [1e-7, 1e-6] {
+            for k in 0..2 {
+                let by = |sign: f64| {
+                    let mut offset = problem.journal.offset;
+                    offset[k] += sign * step * CLEARANCE;
+                    at(offset)
+                };
+                let (ahead, behind) = (by(1.0), by(-1.0));
+                for d in 0..2 {
+                    let difference = (ahead[d] - behind[d]) / (2.0 * step * CLEARANCE);
+                    let error = (difference - coefficients.stiffness[d][k]).abs() / size;
+                    assert!(error < 1e-6, "{} {d} {k} step {step:e}: {error:e}", model.name());
+                }
+            }
+        }
+    }
+}
+
+/// A film that is moved along the tangent is the closed film there, to second order.
+#[test]
+fn displaced_films_are_closed_to_second_order() {
+    let system = ring_system(72, 8, RADIUS, Some(std::f64::consts::PI));
+    let (problem, film) = closed(walled(RADIUS, 0.7, Cavitation::None, |_| layer(0.02)), &system);
+    let off = [1e-3, 5e-4].map(|part| {
+        let change = JournalChange {
+            offset: [part * CLEARANCE, -0.5 * part * CLEARANCE],
+            ..JournalChange::default()
+        };
+        let (moved, along) = displaced(&problem, &system, &film, &change).unwrap_or_else(|reason| panic!("{reason}"));
+        let exact = FilmProblem {
+            journal: moved.journal,
+            ..problem.clone()
+        };
+        let (exact, exactly) = closed(exact, &system);
+        let deflections = [&moved, &exact].map(|problem| problem.deflection().expect("a wall").at([0.01, 0.0]));
+        let forces =
+            [(&moved, &along), (&exact, &exactly)].map(|(problem, film)| carried(problem, &system, film).force);
+        let force = (forces[0][0] - forces[1][0]).hypot(forces[0][1] - forces[1][1]);
+        [force, (deflections[0] - deflections[1]).abs()]
+    });
+    for k in 0..2 {
+        let ratio = off[0][k] / off[1][k];
+        assert!((3.5..4.5).contains(&ratio), "{k}: {off:?}");
+    }
+}
+
+/// A stiff wall leaves stiffness and damping as they are, and a softer film on it damps less.
+#[test]
+fn coefficients_of_a_stiff_wall_are_those_of_the_film() {
+    let system = ring_system(72, 8, RADIUS, Some(std::f64::consts::PI));
+    for model in MODELS {
+        let of = |lambda: f64, frequency: f64| {
+            let mut problem = walled(RADIUS, 0.7, model, |_| layer(lambda));
+            problem
+                .terms
+                .push(std::sync::Arc::new(oilwedge_reynolds::terms::squeeze::Squeeze));
+            let (problem, film) = closed(problem, &system);
+            Coefficients::of(&problem, &system, &film, frequency).expect("coefficients")
+        };
+        for frequency in [0.0, 0.5 * SPEED] {
+            let (stiff, soft) = (of(1e-12, frequency), of(0.02, frequency));
+            let mut rigid = walled(RADIUS, 0.7, model, |_| 0.0);
+            rigid.film_thickness.pop();
+            rigid
+                .terms
+                .push(std::sync::Arc::new(oilwedge_reynolds::terms::squeeze::Squeeze));
+            let film = rigid.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
+            let rigid = Coefficients::of(&rigid, &system, &film, frequency).expect("coefficients");
+            for (a, b) in [(stiff.stiffness, rigid.stiffness), (stiff.damping, rigid.damping)] {
+                let size = b.iter().flatten().fold(0.0f64, |most, entry| most.max(entry.abs()));
+                for (row, other) in a.iter().zip(b) {
+                    for (x, y) in row.iter().zip(other) {
+                        assert!((x - y).abs() < 1e-8 * size, "{}: {x} {y}", model.name());
+                    }
+                }
+            }
+            assert!(soft.damping[0][0] < rigid.damping[0][0], "{}", model.name());
+        }
+    }
+}
+
+/// Neither the grid nor its value knows triangles.
+#[test]
+fn deflections_are_the_same_on_coarser_meshes() {
+    let system = ring_system(48, 6, RADIUS, None);
+    let (problem, _) = closed(
+        walled(RADIUS, 0.6, Cavitation::Reynolds { pressure: 0.0 }, |_| layer(0.02)),
+        &system,
+    );
+    let deflection = problem.deflection().expect("a wall");
+    let carried = deflection.carried(&[0; 4]);
+    assert_eq!(
+        carried.as_deflection().map(|carried| carried.coefficients.clone()),
+        Some(deflection.coefficients.clone())
+    );
+}
