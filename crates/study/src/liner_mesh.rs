@@ -227,30 +227,129 @@ fn blueprint_of(scene: &Scene, mesh: &Mesh) -> Result<Blueprint, Vec<DrawingErro
 
 /// Edges of at most `longest` [m], shorter where the film is thin.
 fn graded(scene: &Scene, blueprint: &Blueprint, longest: f64, scale: &FilmScale) -> Result<Mesh, Vec<DrawingError>> {
-    // Rows along the flow are as dense as the thinnest film along the axis needs.
-    let size = |x: f64| longest * scale.all_along(x) / LONGEST;
-    match Sockets::of(scene).cavitation.pressure() {
-        Some(cavity) if conserves_oil(scene) => {
-            let far = spacing(&blueprint.liner, &size);
-            let layers = layers(scene, cavity);
-            // Cells keep their shape where the mesh is drawn finer.
-            let usual = spacing(&blueprint.liner, &|x| needed_size(scene) / longest * size(x));
-            let in_layers = |z: f64| {
-                let towards = |(edge, thickness): &(f64, f64)| {
-                    let at_edge = far * (IN_LAYER * thickness / usual).clamp(FINEST, 1.0);
-                    at_edge + TOWARDS_EDGE * (z - edge).abs()
-                };
-                layers.iter().map(towards).fold(far, f64::min)
-            };
-            let across = |z: f64| match scene.orbit {
-                Some(_) => ROWS_ON_ORBIT * far,
-                None => in_layers(z),
-            };
-            let (along, across) = (&size, &across);
+    match RowDistances::of(scene, &blueprint.liner, longest, scale) {
+        Some(distances) => {
+            // Columns are as dense as the thinnest film along the axis needs.
+            let (along, across) = (&|x: f64| column(longest, scale, x), &|z: f64| distances.at(z));
             let sense = sense(scene);
             generate_in_rows(blueprint, &Rows { along, across, sense })
         }
-        _ => generate(blueprint, &|at| longest * scale.at(at) / LONGEST),
+        None => generate(blueprint, &|at| longest * scale.at(at) / LONGEST),
+    }
+}
+
+/// Distance [m] of columns of a mesh in rows.
+fn column(longest: f64, scale: &FilmScale, x: f64) -> f64 {
+    longest * scale.around_all_along(x) / LONGEST
+}
+
+/// How many triangles the drawn mesh of a scene will have for the film at `position`, without those that holes and grooves ask for.
+///
+/// # Errors
+/// A table of a measured surface cannot be used.
+pub fn expected_triangles(scene: &Scene, position: Position) -> Result<f64, CompileError> {
+    const AROUND: u32 = 360;
+    const ALONG: u32 = 60;
+    let scale = FilmScale::of(scene, position)?;
+    let liner = liner(scene);
+    let longest = scene.mesh.size().unwrap_or(needed_size(scene));
+    let ((from, to), half) = (liner.arc.unwrap_or((0.0, std::f64::consts::TAU)), 0.5 * liner.length);
+    let places = |samples: u32| (0..samples).map(move |k| (f64::from(k) + 0.5) / f64::from(samples));
+    let around = || places(AROUND).map(|part| liner.radius * (from + (to - from) * part));
+    let along = || places(ALONG).map(|part| half * (2.0 * part - 1.0));
+    let [width, height] = [
+        liner.radius * (to - from) / f64::from(AROUND),
+        2.0 * half / f64::from(ALONG),
+    ];
+    Ok(match RowDistances::of(scene, &liner, longest, &scale) {
+        Some(distances) => {
+            let columns: f64 = around().map(|x| width / column(longest, &scale, x)).sum();
+            2.0 * columns * along().map(|z| height / distances.at(z)).sum::<f64>()
+        }
+        None => {
+            let equilateral = |x: f64, z: f64| 0.75f64.sqrt() / 2.0 * (longest * scale.at([x, z]) / LONGEST).powi(2);
+            around()
+                .flat_map(|x| along().map(move |z| (x, z)))
+                .map(|(x, z)| width * height / equilateral(x, z))
+                .sum()
+        }
+    })
+}
+
+/// How far rows along the flow are apart.
+struct RowDistances {
+    /// Far from all layers [m].
+    far: f64,
+    /// That of a mesh without a wanted size [m].
+    usual: f64,
+    /// Places along the axis [m] near which the film changes within a length [m].
+    layers: Vec<(f64, f64)>,
+    /// What the film of a tilted journal needs at even distances from one end to the other [m]; empty for other films.
+    by_tilt: Vec<f64>,
+    /// Half of the bearing's length [m].
+    half: f64,
+    /// True of an orbit.
+    is_orbit: bool,
+}
+
+impl RowDistances {
+    /// Those of a film that conserves its oil, none for other films.
+    fn of(scene: &Scene, liner: &Liner, longest: f64, scale: &FilmScale) -> Option<Self> {
+        let cavity = (Sockets::of(scene).cavitation.pressure()).filter(|_| conserves_oil(scene))?;
+        let usual = |x: f64| needed_size(scene) / longest * column(longest, scale, x);
+        Some(Self {
+            far: spacing(liner, &|x| column(longest, scale, x)),
+            usual: spacing(liner, &usual),
+            layers: layers(scene, cavity),
+            by_tilt: by_tilt(liner, longest, scale),
+            half: 0.5 * liner.length,
+            is_orbit: scene.orbit.is_some(),
+        })
+    }
+
+    /// At the axial position `z` [m].
+    fn at(&self, z: f64) -> f64 {
+        if self.is_orbit {
+            return ROWS_ON_ORBIT * self.far;
+        }
+        // Cells keep their shape where the mesh is drawn finer.
+        let towards = |(edge, thickness): &(f64, f64)| {
+            let at_edge = self.far * (IN_LAYER * thickness / self.usual).clamp(FINEST, 1.0);
+            at_edge + TOWARDS_EDGE * (z - edge).abs()
+        };
+        self.layers
+            .iter()
+            .map(towards)
+            .fold(self.far, f64::min)
+            .min(self.by_tilt(z))
+    }
+
+    /// What the film of a tilted journal needs at the axial position `z` [m].
+    fn by_tilt(&self, z: f64) -> f64 {
+        let Some(last) = self.by_tilt.len().checked_sub(1) else {
+            return f64::INFINITY;
+        };
+        let place = 0.5 * (1.0 + z / self.half).clamp(0.0, 2.0) * last as f64;
+        let k = (place as usize).min(last - 1);
+        let part = place - k as f64;
+        (1.0 - part) * self.by_tilt[k] + part * self.by_tilt[k + 1]
+    }
+}
+
+/// What the film of a tilted journal needs along the axis, where it changes fastest around: distances of rows [m] at even places from end to end.
+fn by_tilt(liner: &Liner, longest: f64, scale: &FilmScale) -> Vec<f64> {
+    const AROUND: u32 = 360;
+    const ALONG: u32 = 64;
+    let (from, to) = liner.arc.unwrap_or((0.0, std::f64::consts::TAU));
+    let at = |z: f64| {
+        let angles = (0..AROUND).map(|k| from + (to - from) * (f64::from(k) + 0.5) / f64::from(AROUND));
+        let scales = angles.map(|angle| scale.along_by_tilt([liner.radius * angle, z]));
+        longest * scales.fold(LONGEST, f64::min) / LONGEST
+    };
+    let places = (0..=ALONG).map(|k| liner.length * (f64::from(k) / f64::from(ALONG) - 0.5));
+    match scale.has_two_scales() {
+        true => places.map(at).collect(),
+        false => Vec::new(),
     }
 }
 

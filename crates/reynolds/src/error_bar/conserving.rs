@@ -173,7 +173,12 @@ pub fn conserving_error(
     let load = with_spread(bar(&along), force);
     let greatest = pair.pressure.iter().fold(0.0, |most: f64, p| most.max(p.abs()));
     let pressure = pair.greatest_pressure(problem, coarse) + part * greatest;
-    let resolved = load.total() <= UNRESOLVED * force.max(CANCELLING * load::possible_load(problem, &total.total));
+    // A tilted journal may bear a moment and next to no force.
+    let borne = match problem.can_tilt() {
+        true => total.total.resultant().at_ends(0.5 * problem.bearing.length),
+        false => force,
+    };
+    let resolved = load.total() <= UNRESOLVED * borne.max(CANCELLING * load::possible_load(problem, &total.total));
     Some(ConservingError {
         is_resolved: resolved,
         spread: part,

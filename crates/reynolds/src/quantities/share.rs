@@ -33,6 +33,17 @@ pub struct Resultant {
     pub moment: [f64; 2],
 }
 
+impl Resultant {
+    /// Magnitudes [N] of the two forces at `z = -half` and `z = half` [m] that stand for it, in all: no less than that of its force, and more where these are against each other.
+    pub fn at_ends(&self, half: f64) -> f64 {
+        let size = |sign: f64| {
+            let [x, y] = [0, 1].map(|d| 0.5 * (self.force[d] + sign * self.moment[d] / half));
+            x.hypot(y)
+        };
+        size(-1.0) + size(1.0)
+    }
+}
+
 impl Share {
     /// This share less another one.
     pub fn less(&self, other: &Self) -> Self {

@@ -12,8 +12,8 @@ use crate::compile::{compile_near, compile_on};
 use crate::compile_error::CompileError;
 use crate::film::DEGREE;
 use crate::film::Film;
-use crate::grading::graded;
-use crate::liner_mesh::{liner_mesh, resized};
+use crate::grading::{graded, graded_within};
+use crate::liner_mesh::{expected_triangles, liner_mesh, resized};
 use crate::oil::at_temperature;
 use crate::position::Position;
 use crate::reasons::Limit;
@@ -24,6 +24,8 @@ use oilwedge_scene::{MeshSource, Scene};
 const FIRST: f64 = 3.0;
 /// less where it would have fewer triangles, on which pictures are not smooth.
 const LEAST_TRIANGLES: usize = 300;
+/// Most triangles of that mesh, however thin the film is.
+const MOST_TRIANGLES: f64 = 20_000.0;
 /// A mesh with this part of the triangles wanted has enough;
 const NEARLY_AS_MANY: f64 = 0.9;
 /// one with so many times as many has too many;
@@ -48,6 +50,7 @@ fn first_factor(scene: &Scene) -> f64 {
 /// The factor of the edges, at first `factor`, with which the drawn liner has nearly so many `triangles` or more, and no more than so many times as many: sizes that
 /// holes and grooves ask for are not those that the factor changes, and a film thinner than the one of the mesh before asks for shorter edges everywhere.
 fn factor_for(scene: &Scene, mut factor: f64, (triangles, most): (usize, f64), position: Position) -> f64 {
+    factor *= coarsening(scene, factor, (triangles, most), position);
     for _ in 0..DRAWN {
         let drawn = resized(scene, factor).map(|resized| liner_mesh(&resized, position));
         // What cannot be drawn is reported where it is to be used.
@@ -59,6 +62,14 @@ fn factor_for(scene: &Scene, mut factor: f64, (triangles, most): (usize, f64), p
         factor *= share.sqrt();
     }
     factor
+}
+
+/// How much longer the edges of the drawn liner must be than `factor` makes them, where a film much thinner than that of the mesh before would have more than `most` times
+/// as many `triangles`: to draw it first would take longer than all the rest.
+fn coarsening(scene: &Scene, factor: f64, (triangles, most): (usize, f64), position: Position) -> f64 {
+    let expected = resized(scene, factor).and_then(|resized| expected_triangles(&resized, position).ok());
+    let share = expected.map_or(1.0, |expected| expected / triangles as f64);
+    if share > most { share.sqrt() } else { 1.0 }
 }
 
 /// The next mesh.
@@ -126,7 +137,7 @@ impl Next {
             Self::Given => Ok((Refinement::Given, graded(scene, deadline)?)),
             Self::Drawn(factor) => {
                 let resized = resized(scene, *factor).unwrap_or_else(|| scene.clone());
-                Ok((Refinement::Given, graded(&resized, deadline)?))
+                Ok((Refinement::Given, graded_within(&resized, MOST_TRIANGLES, deadline)?))
             }
             Self::DrawnFiner(factor, triangles, known) => {
                 let scene = known.scene(scene);
