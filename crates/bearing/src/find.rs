@@ -129,16 +129,10 @@ impl Search<'_> {
             bearing.clearance - self.gap.least(journal) < RESOLVED * bearing.clearance
         };
         let outcome = self.run(problem, problem.journal);
-        let outcome = match reason.last_position().filter(is_resolved) {
+        match reason.last_position().filter(is_resolved) {
             _ if outcome.is_err() && self.load.tilting.is_some() => self.by_parts_of_tilting(problem),
             Some(start) if outcome.is_err() => self.run(problem, start),
             _ => outcome,
-        };
-        // Near its capacity a film carries the load on one mesh, and less on another.
-        let is_at_given_tilt = self.load.tilting.is_none() && problem.journal.tilt != [0.0; 2];
-        match outcome.is_err() && is_at_given_tilt && !problem.cavitation.conserves_oil() {
-            true => self.beyond_contact(problem).map_or(outcome, Err),
-            false => outcome,
         }
     }
 

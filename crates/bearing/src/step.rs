@@ -37,12 +37,11 @@ impl Search<'_> {
             .then(|| self.logarithmic_steps(from, stiffness))
             .flatten();
         let [longest, shortest] = steps.unwrap_or_else(|| [newton(); 2]);
-        let shorter = |tried: &mut usize| {
-            (longest != shortest)
-                .then(|| self.damped(from, shortest, tried))
-                .flatten()
-        };
-        self.damped(from, longest, tried).or_else(|| shorter(tried))
+        self.damped(from, longest, tried).or_else(|| {
+            // Where the tilt is free the branch of balances leads on.
+            let may_try = longest != shortest && self.load.tilting.is_none();
+            may_try.then(|| self.damped(from, shortest, tried)).flatten()
+        })
     }
 
     /// Steps to try one after the other: the step in `s`, the angle of the line of centres and the tilt that brings `ln |W|`, the angle of W and the arms of the moments to those of
