@@ -75,3 +75,18 @@ impl std::ops::AddAssign for Share {
         self.possible += other.possible;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn forces_at_the_ends_stand_for_force_and_moment() {
+        let of = |force, moment| Resultant { force, moment }.at_ends(0.5);
+        assert_eq!(of([3.0, 4.0], [0.0; 2]), 5.0);
+        // Between the ends the force is all that there is; beyond them the two are against each other.
+        assert_eq!(of([2.0, 0.0], [1.0, 0.0]), 2.0);
+        assert_eq!(of([2.0, 0.0], [2.0, 0.0]), 4.0);
+        assert_eq!(of([0.0; 2], [0.0, 3.0]), 6.0);
+    }
+}

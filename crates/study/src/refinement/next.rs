@@ -202,12 +202,18 @@ mod tests {
     use super::*;
     use std::path::Path;
 
+    fn thin_scene(model: &str) -> Scene {
+        let text = format!(
+            "bearing = {{ diameter = \"100 mm\", length = \"50 mm\", clearance = \"50 um\" }}\n\
+             oil = {{ viscosity = \"20 mPa.s\" }}\ncavitation = {{ model = \"{model}\" }}\nends = {{ pressure = \"10 kPa\" }}\n\
+             journal = {{ speed = \"100 rad/s\" }}\nload = {{ force = \"1 kN\", angle = \"0 deg\", at = \"2 mm\" }}\n"
+        );
+        crate::parse(&text, Path::new("a.toml")).expect("a scene")
+    }
+
     #[test]
     fn a_film_found_thinner_is_drawn_with_about_the_triangles_wanted() {
-        let text = "bearing = { diameter = \"100 mm\", length = \"50 mm\", clearance = \"50 um\" }\n\
-             oil = { viscosity = \"20 mPa.s\" }\ncavitation = { model = \"jfo\" }\nends = { pressure = \"10 kPa\" }\n\
-             journal = { speed = \"100 rad/s\" }\nload = { force = \"1 kN\", angle = \"0 deg\", at = \"2 mm\" }\n";
-        let scene = crate::parse(text, Path::new("a.toml")).expect("a scene");
+        let scene = thin_scene("jfo");
         let thin = Position {
             eccentricity: 0.6,
             min_film_angle: 0.3,
@@ -217,10 +223,36 @@ mod tests {
             let resized = resized(&scene, factor).expect("a drawing");
             liner_mesh(&resized, thin).expect("a mesh").mesh.triangles().len()
         };
-        let wanted = 2_000;
+        let wanted = 700;
         assert!(triangles(1.0) as f64 > TOO_MANY * wanted as f64, "{}", triangles(1.0));
         let drawn = triangles(factor_for(&scene, 1.0, (wanted, TOO_MANY), thin)) as f64;
         let share = drawn / wanted as f64;
         assert!((NEARLY_AS_MANY..TOO_MANY).contains(&share), "{share}");
+    }
+
+    /// With and without rows, for a parallel journal and for one near contact at an end.
+    #[test]
+    fn about_as_many_triangles_are_expected_as_are_drawn() {
+        let parallel = Position {
+            eccentricity: 0.6,
+            min_film_angle: 0.3,
+            tilt: [0.0; 2],
+        };
+        let thin = Position {
+            tilt: [7.6e-4, 0.0],
+            ..parallel
+        };
+        for model in ["reynolds", "jfo"] {
+            let scene = thin_scene(model);
+            for position in [parallel, thin] {
+                let drawn = liner_mesh(&scene, position).expect("a mesh").mesh.triangles().len() as f64;
+                let expected = expected_triangles(&scene, position).expect("a number");
+                let share = expected / drawn;
+                assert!(
+                    (0.6..1.7).contains(&share),
+                    "{model} {position:?}: {expected} for {drawn}"
+                );
+            }
+        }
     }
 }
