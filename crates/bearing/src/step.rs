@@ -97,6 +97,17 @@ impl Search<'_> {
         Some([[x, y, tilt[0], tilt[1]], [first[0], first[1], tilt[0], tilt[1]]])
     }
 
+    /// The distance that the next trial must be below, and how often a step is halved with advection schemes chosen anew, and with those kept.
+    fn wanted(&self, from: &Trial) -> (f64, [usize; 2]) {
+        let distance = self.distance(from);
+        match (from.film.film_fraction.is_some(), self.residual(from) > NEAR) {
+            (false, _) => (distance, [MOST_HALVINGS, 0]),
+            (true, true) => ((1.0 - LEAST_GAIN) * distance, [MOST_HALVINGS, 0]),
+            // Near the balance the force of a film that conserves oil jumps as its schemes change.
+            (true, false) => (distance, [CHOSEN_ANEW, MOST_HALVINGS]),
+        }
+    }
+
     /// The longest of the halved steps that brings the forces nearer to the load, the film thickness kept positive.
     pub(crate) fn damped(&self, from: &Trial, step: Vector, tried: &mut usize) -> Option<Trial> {
         let journal = from.problem.journal;
@@ -122,18 +133,7 @@ impl Search<'_> {
         while thin(longest) {
             longest *= 0.8;
         }
-        let distance = self.distance(from);
-        let nearer = match from.film.film_fraction.is_some() && self.residual(from) > NEAR {
-            true => (1.0 - LEAST_GAIN) * distance,
-            false => distance,
-        };
-        // Near the balance of a film that conserves oil, where its force jumps as its advection schemes change.
-        let may_jump = from.film.film_fraction.is_some() && self.residual(from) < NEAR;
-        let [chosen, kept] = if may_jump {
-            [CHOSEN_ANEW, MOST_HALVINGS]
-        } else {
-            [MOST_HALVINGS, 0]
-        };
+        let (nearer, [chosen, kept]) = self.wanted(from);
         let halved = |times: usize| longest * 0.5f64.powi(times as i32);
         let parts = (0..chosen).map(|times| (halved(times), false));
         for (part, keeps_schemes) in parts.chain((0..kept).map(|times| (halved(times), true))) {
