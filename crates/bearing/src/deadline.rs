@@ -28,6 +28,9 @@ impl Interrupt {
 pub struct Clock(fn() -> f64);
 
 impl Clock {
+    /// The time on the wall.
+    pub const WALL: Self = Self(on_the_wall);
+
     /// A clock that shows the seconds [s] since some moment.
     pub fn showing(seconds: fn() -> f64) -> Self {
         Self(seconds)
@@ -41,9 +44,14 @@ impl Clock {
 
 impl Default for Clock {
     fn default() -> Self {
-        static START: LazyLock<Instant> = LazyLock::new(Instant::now);
-        Self(|| START.elapsed().as_secs_f64())
+        Self::WALL
     }
+}
+
+/// Seconds since the first call [s].
+fn on_the_wall() -> f64 {
+    static START: LazyLock<Instant> = LazyLock::new(Instant::now);
+    START.elapsed().as_secs_f64()
 }
 
 /// When a search must end: at a moment, or when it is interrupted. By default never.

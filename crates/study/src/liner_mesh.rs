@@ -1,6 +1,6 @@
 //! The mesh of a scene's liner: from its file, or drawn from what the scene says.
 
-use oilwedge_mesh::developed::{self, Liner};
+use oilwedge_mesh::developed;
 use oilwedge_mesh::generate::{
     Blueprint, DrawingError, Feature, Rows, Sense, Shape, generate, generate_in_rows, generate_in_rows_like,
 };
