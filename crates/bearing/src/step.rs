@@ -38,8 +38,9 @@ impl Search<'_> {
             .flatten();
         let [longest, shortest] = steps.unwrap_or_else(|| [newton(); 2]);
         self.damped(from, longest, tried).or_else(|| {
-            // Where the tilt is free the branch of balances leads on.
-            let may_try = longest != shortest && self.load.tilting.is_none();
+            // Where the tilt is free the branch of balances leads on, unless forces jump along it.
+            let has_branch = self.load.tilting.is_some() && from.film.film_fraction.is_none();
+            let may_try = longest != shortest && !has_branch;
             may_try.then(|| self.damped(from, shortest, tried)).flatten()
         })
     }
