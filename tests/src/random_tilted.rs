@@ -5,9 +5,11 @@ use std::f64::consts::{PI, TAU};
 use std::fmt::Write;
 use std::path::Path;
 
+use oilwedge_bearing::Clock;
 use oilwedge_scene::Scene;
 
 use crate::coverage::bearings::{Bearing, Family};
+use crate::performance::clock::processor_seconds;
 use crate::random_bearings::Dice;
 
 /// Radius [m], radial clearance [m], viscosity [Pa s] and speed [rad/s] of all of them.
@@ -207,13 +209,16 @@ pub struct Fault {
 /// The greatest residual of the balances of force and moment of a run that has converged.
 const BALANCED: f64 = 1e-10;
 
-/// Solves a bearing with the usual options; how it ended, and what is wrong with it.
+/// Solves a bearing with the usual options, its limit of time one of processor time; how it ended, and what is wrong with it.
 ///
 /// # Panics
 /// If the scene cannot be compiled.
 pub fn solved(bearing: &TiltedBearing) -> (oilwedge_study::result::RunResult, Option<Fault>) {
     let scene = bearing.scene();
-    let options = oilwedge_study::RunOptions::of(&scene);
+    let options = oilwedge_study::RunOptions {
+        clock: Clock::showing(processor_seconds),
+        ..oilwedge_study::RunOptions::of(&scene)
+    };
     let run = oilwedge_study::run(&scene, &options).unwrap_or_else(|error| panic!("{error}\n{}", bearing.text));
     let result = run.result;
     use oilwedge_study::result::Status;

@@ -1,7 +1,8 @@
 //! How long a search may run.
 
+use std::sync::LazyLock;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 /// A request, such as Ctrl-C, that a run ends with what it has reached.
 #[derive(Debug, Clone, Copy, Default)]
@@ -22,26 +23,70 @@ impl Interrupt {
     }
 }
 
+/// What counts the seconds of a run; by default the time on the wall.
+#[derive(Debug, Clone, Copy)]
+pub struct Clock(fn() -> f64);
+
+impl Clock {
+    /// The time on the wall.
+    pub const WALL: Self = Self(on_the_wall);
+
+    /// A clock that shows the seconds [s] since some moment.
+    pub fn showing(seconds: fn() -> f64) -> Self {
+        Self(seconds)
+    }
+
+    /// What it shows now [s].
+    pub fn now(&self) -> f64 {
+        (self.0)()
+    }
+}
+
+impl Default for Clock {
+    fn default() -> Self {
+        Self::WALL
+    }
+}
+
+/// Seconds since the first call [s].
+fn on_the_wall() -> f64 {
+    static START: LazyLock<Instant> = LazyLock::new(Instant::now);
+    START.elapsed().as_secs_f64()
+}
+
 /// When a search must end: at a moment, or when it is interrupted. By default never.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy)]
 pub struct Deadline {
-    until: Option<Instant>,
+    clock: Clock,
+    until: f64,
     interrupt: Interrupt,
 }
 
 impl Deadline {
     /// In `seconds` [s] from now, which may be infinite, or with the interrupt.
     pub fn after(seconds: f64, interrupt: Interrupt) -> Self {
-        let time = Duration::try_from_secs_f64(seconds).ok();
+        Self::by(Clock::default(), seconds, interrupt)
+    }
+
+    /// In `seconds` [s] of this clock from now, which may be infinite, or with the interrupt.
+    pub fn by(clock: Clock, seconds: f64, interrupt: Interrupt) -> Self {
+        let until = clock.now() + seconds;
         Self {
-            until: time.and_then(|time| Instant::now().checked_add(time)),
+            clock,
+            until,
             interrupt,
         }
     }
 
     /// Whether it has passed.
     pub fn is_over(&self) -> bool {
-        self.interrupt.is_asked() || self.until.is_some_and(|until| Instant::now() >= until)
+        self.interrupt.is_asked() || self.until.is_finite() && self.clock.now() >= self.until
+    }
+}
+
+impl Default for Deadline {
+    fn default() -> Self {
+        Self::after(f64::INFINITY, Interrupt::NEVER)
     }
 }
 
@@ -58,6 +103,9 @@ mod tests {
         assert!(!Deadline::after(1e300, interrupt).is_over());
         assert!(!Deadline::after(100.0, interrupt).is_over());
         assert!(Deadline::after(0.0, interrupt).is_over());
+        let stopped = Clock::showing(|| 3.0);
+        assert!(!Deadline::by(stopped, 1e-9, interrupt).is_over());
+        assert!(Deadline::by(stopped, 0.0, interrupt).is_over());
         ASKED.store(true, Ordering::Relaxed);
         assert!(Deadline::after(f64::INFINITY, interrupt).is_over());
     }

@@ -203,8 +203,7 @@ impl Search<'_> {
                 return Ok((trial, kept));
             }
             let tangent = kept.map_or_else(|| self.stiffness(&trial), Ok)?;
-            let step = self.step(&trial, tangent);
-            match self.damped(&trial, step, tried) {
+            match self.next_trial(&trial, tangent, tried) {
                 // Perhaps the tangent was too old.
                 None if kept.take().is_some() => continue,
                 // Round-off is reached.

@@ -46,7 +46,7 @@ mod tilting;
 
 pub use cap_bolts::{BoltForces, CapBolts, Shell};
 pub use coordinates::Coordinates;
-pub use deadline::{Deadline, Interrupt};
+pub use deadline::{Clock, Deadline, Interrupt};
 pub use duty_cycle::{Duty, DutyCycle};
 pub use dynamics::{Coefficients, Dynamics, Stability, Threshold, stability};
 pub use equilibrium::{Equilibrium, NEAR, ROUGHLY_BALANCED};

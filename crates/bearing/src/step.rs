@@ -10,6 +10,10 @@ use crate::stiffness::Stiffness;
 
 /// Most halvings of one step.
 const MOST_HALVINGS: usize = 8;
+/// A step far from the balance of a film that conserves oil, each of which takes long, brings it nearer by this part of the distance at least: one driven into contact does not.
+const LEAST_GAIN: f64 = 1e-3;
+/// Steps of a film that conserves oil tried with its advection schemes chosen anew: where that makes its force jump they are kept.
+const CHOSEN_ANEW: usize = 4;
 /// Least film thickness after a step, over the one before,
 const LEAST_SHRINK: f64 = 0.1;
 /// and where the tilt is free: an end comes near the liner before the force shows it.
@@ -26,17 +30,25 @@ const SMOOTH: f64 = 1e-2;
 pub const SHORT_MOVE: f64 = 0.2;
 
 impl Search<'_> {
-    /// Newton's step [m].
-    pub(crate) fn step(&self, trial: &Trial, stiffness: Stiffness) -> Vector {
-        let logarithmic = (self.residual(trial) > NEAR)
-            .then(|| self.logarithmic_step(trial, stiffness))
+    /// The next trial, by the longest step that brings the forces nearer to the load.
+    pub(crate) fn next_trial(&self, from: &Trial, stiffness: Stiffness, tried: &mut usize) -> Option<Trial> {
+        let newton = || stiffness.solve(self.excess(from).map(|excess| -excess));
+        let steps = (self.residual(from) > NEAR)
+            .then(|| self.logarithmic_steps(from, stiffness))
             .flatten();
-        logarithmic.unwrap_or_else(|| stiffness.solve(self.excess(trial).map(|excess| -excess)))
+        let [longest, shortest] = steps.unwrap_or_else(|| [newton(); 2]);
+        self.damped(from, longest, tried).or_else(|| {
+            // Where the tilt is free the branch of balances leads on, unless forces jump along it.
+            let has_branch = self.load.tilting.is_some() && from.film.film_fraction.is_none();
+            let may_try = longest != shortest && !has_branch;
+            may_try.then(|| self.damped(from, shortest, tried)).flatten()
+        })
     }
 
-    /// The step in `s`, the angle of the line of centres and the tilt that brings `ln |W|`, the angle of W and the arms of the moments to those of
-    /// the load. None for a centred journal, without a load, and where the force points away from the load.
-    fn logarithmic_step(&self, trial: &Trial, stiffness: Stiffness) -> Option<Vector> {
+    /// Steps to try one after the other: the step in `s`, the angle of the line of centres and the tilt that brings `ln |W|`, the angle of W and the arms of the moments to those of
+    /// the load, and the direction in which it begins: where the line of centres turns far, or the eccentricity is near its greatest, no part of the straight way to the first leads
+    /// nearer to the load. None for a centred journal, without a load, and where the force points away from the load.
+    fn logarithmic_steps(&self, trial: &Trial, stiffness: Stiffness) -> Option<[Vector; 2]> {
         let [e_x, e_y] = trial.problem.journal.offset;
         let e = e_x.hypot(e_y);
         let reach = |angle: f64| self.gap.reach(&trial.problem.journal, angle);
@@ -81,7 +93,20 @@ impl Search<'_> {
         let angle = e_y.atan2(e_x) + turn;
         let e_next = reach(angle) * eccentricity_at(log_eccentricity(eps) + by_s);
         let [x, y] = [e_next * angle.cos() - e_x, e_next * angle.sin() - e_y];
-        Some([x, y, by_tilt * tilt_x, by_tilt * tilt_y])
+        let first = [0, 1].map(|d| by_s * moves[0][d] + turn * moves[1][d]);
+        let tilt = [by_tilt * tilt_x, by_tilt * tilt_y];
+        Some([[x, y, tilt[0], tilt[1]], [first[0], first[1], tilt[0], tilt[1]]])
+    }
+
+    /// The distance that the next trial must be below, and how often a step is halved with advection schemes chosen anew, and with those kept.
+    fn wanted(&self, from: &Trial) -> (f64, [usize; 2]) {
+        let distance = self.distance(from);
+        match (from.film.film_fraction.is_some(), self.residual(from) > NEAR) {
+            (false, _) => (distance, [MOST_HALVINGS, 0]),
+            (true, true) => ((1.0 - LEAST_GAIN) * distance, [MOST_HALVINGS, 0]),
+            // Near the balance the force of a film that conserves oil jumps as its schemes change.
+            (true, false) => (distance, [CHOSEN_ANEW, MOST_HALVINGS]),
+        }
     }
 
     /// The longest of the halved steps that brings the forces nearer to the load, the film thickness kept positive.
@@ -105,19 +130,23 @@ impl Search<'_> {
         if !length.is_finite() || gap <= 0.0 {
             return None;
         }
-        let mut part = 1.0;
-        while thin(part) {
-            part *= 0.8;
+        let mut longest = 1.0;
+        while thin(longest) {
+            longest *= 0.8;
         }
-        for _ in 0..MOST_HALVINGS {
+        let (nearer, [chosen, kept]) = self.wanted(from);
+        let halved = |times: usize| longest * 0.5f64.powi(times as i32);
+        let parts = (0..chosen).map(|times| (halved(times), false));
+        for (part, keeps_schemes) in parts.chain((0..kept).map(|times| (halved(times), true))) {
             let near = match part * length < SHORT_MOVE * gap {
+                _ if keeps_schemes => Neighbour::Kept(&from.film),
                 true if self.options.keeps_schemes() || self.residual(from) < SMOOTH => Neighbour::Kept(&from.film),
                 true => Neighbour::Start(&from.film),
                 false => Neighbour::None,
             };
             *tried += 1;
             if let Ok(trial) = self.trial(&from.problem, moved(here, part, step), near)
-                && self.distance(&trial) < self.distance(from)
+                && self.distance(&trial) < nearer
             {
                 return Some(match near {
                     Neighbour::Kept(_) => Trial {
@@ -128,7 +157,6 @@ impl Search<'_> {
                     Neighbour::None | Neighbour::Start(_) | Neighbour::Found(_) => trial,
                 });
             }
-            part *= 0.5;
         }
         None
     }

@@ -63,6 +63,13 @@ impl MeshSource {
         }
     }
 
+    /// Longest edges wanted [m], if they are.
+    pub fn size(&self) -> Option<f64> {
+        match self {
+            Self::File { size, .. } | Self::Drawing { size } => *size,
+        }
+    }
+
     /// The mesh file, if there is one.
     pub fn path(&self) -> Option<&Path> {
         match self {

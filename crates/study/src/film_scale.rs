@@ -90,8 +90,25 @@ impl<'a> FilmScale<'a> {
         (ON_ORBIT * around(self.position, self.position.min_film_angle)).min(LONGEST)
     }
 
-    /// Scale of a tilted journal's film along the axis.
-    fn along_by_tilt(&self, [x, z]: [f64; 2]) -> f64 {
+    /// True of steady films between circles that do not touch, of a tilted journal: they change around, and along the axis, by lengths of their own.
+    pub(crate) fn has_two_scales(&self) -> bool {
+        let is_between_circles = self.profiles.is_empty() && self.touching.is_none() && self.scene.orbit.is_none();
+        is_between_circles && self.position.tilt != [0.0; 2]
+    }
+
+    /// The least scale [radii] around, all along the axis.
+    pub(crate) fn around_all_along(&self, x: f64) -> f64 {
+        if !self.has_two_scales() {
+            return self.all_along(x);
+        }
+        let (radius, clearance) = (self.scene.bearing.radius(), self.scene.bearing.clearance);
+        let half = 0.5 * self.scene.bearing.length;
+        let at = |z: f64| around(self.position.at(z, clearance), x / radius);
+        at(-half).min(at(half))
+    }
+
+    /// Scale [radii] of a tilted journal's film along the axis.
+    pub(crate) fn along_by_tilt(&self, [x, z]: [f64; 2]) -> f64 {
         let (radius, clearance) = (self.scene.bearing.radius(), self.scene.bearing.clearance);
         let (sin, cos) = (x / radius).sin_cos();
         let [g_x, g_y] = self.position.tilt;

@@ -1,5 +1,7 @@
 //! Meshes graded for the position that a load leads to.
 
+use std::borrow::Cow;
+
 use oilwedge_bearing::{Deadline, Equilibrium, Load, NoEquilibrium, ROUGHLY_BALANCED, SearchOptions, find, is_contact};
 use oilwedge_reynolds::angles::wrapped;
 use oilwedge_reynolds::{Gap, JournalState};
@@ -8,6 +10,7 @@ use oilwedge_scene::Scene;
 use crate::compile::{compile, compile_near};
 use crate::compile_error::CompileError;
 use crate::film::Film;
+use crate::liner_mesh::{expected_triangles, resized};
 use crate::position::Position;
 
 /// A mesh is graded anew where the least film thickness found differs by this factor from that which it was graded for,
@@ -16,7 +19,7 @@ const REGRADED: f64 = 1.3;
 const ELSEWHERE: f64 = 0.2;
 /// A mesh for a journal in contact is graded for a film of this part of the clearance,
 const THIN: f64 = 0.01;
-/// and rows along the flow, which carry a size from an end through the whole bearing, for one of this part.
+/// and, of a parallel journal, rows along the flow, which are as dense all along the bearing, for one of this part.
 const THIN_IN_ROWS: f64 = 0.2;
 /// Gradings of one search.
 const GRADINGS: usize = 4;
@@ -27,6 +30,14 @@ const GRADINGS: usize = 4;
 /// # Errors
 /// The scene does not become a film.
 pub fn graded(scene: &Scene, deadline: Deadline) -> Result<Film, CompileError> {
+    graded_within(scene, f64::INFINITY, deadline)
+}
+
+/// As [`graded`], with no more than about so many triangles on a mesh graded anew: a film found much thinner than expected asks for shorter edges everywhere.
+///
+/// # Errors
+/// The scene does not become a film.
+pub fn graded_within(scene: &Scene, most_triangles: f64, deadline: Deadline) -> Result<Film, CompileError> {
     let mut film = compile(scene)?;
     let Some(load) = film.load.filter(|_| scene.mesh.is_graded()) else {
         return Ok(film);
@@ -41,10 +52,23 @@ pub fn graded(scene: &Scene, deadline: Deadline) -> Result<Film, CompileError> {
                 return Ok(film.with_journal(journal).nearly_balanced());
             }
             Suited::Unknown => break,
-            Suited::Not(position) => film = compile_near(scene, position)?,
+            Suited::Not(position) => {
+                let scene = coarsened(scene, most_triangles, position)?;
+                film = compile_near(&scene, position)?;
+            }
         }
     }
     Ok(film)
+}
+
+/// The scene with edges so long that its mesh has no more than about so many triangles for the film at `position`.
+fn coarsened(scene: &Scene, most_triangles: f64, position: Position) -> Result<Cow<'_, Scene>, CompileError> {
+    if most_triangles.is_infinite() {
+        return Ok(Cow::Borrowed(scene));
+    }
+    let share = expected_triangles(scene, position)? / most_triangles;
+    let coarser = (share > 1.0).then(|| resized(scene, share.sqrt())).flatten();
+    Ok(coarser.map_or(Cow::Borrowed(scene), Cow::Owned))
 }
 
 /// Whether a mesh suits the position that the load leads to.
@@ -59,7 +83,8 @@ enum Suited {
 
 /// Whether the mesh of a film suits the position that the load leads to. `middle` is tried once.
 fn suited(film: &Film, load: Load, deadline: Deadline, middle: &mut Option<Position>) -> Suited {
-    let thin = match film.problem.cavitation.conserves_oil() {
+    let is_parallel = load.tilting.is_none() && film.problem.journal.tilt == [0.0; 2];
+    let thin = match film.problem.cavitation.conserves_oil() && is_parallel {
         true => THIN_IN_ROWS,
         false => THIN,
     };

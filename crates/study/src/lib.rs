@@ -40,6 +40,7 @@ pub mod reasons;
 pub mod refinement;
 pub mod regime;
 pub mod result;
+mod row_distances;
 pub mod run;
 pub mod run_options;
 pub mod shaft;

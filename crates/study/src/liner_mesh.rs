@@ -1,6 +1,6 @@
 //! The mesh of a scene's liner: from its file, or drawn from what the scene says.
 
-use oilwedge_mesh::developed::{self, Liner};
+use oilwedge_mesh::developed;
 use oilwedge_mesh::generate::{
     Blueprint, DrawingError, Feature, Rows, Sense, Shape, generate, generate_in_rows, generate_in_rows_like,
 };
@@ -13,8 +13,8 @@ use crate::compile_error::CompileError;
 use crate::effects::Sockets;
 use crate::feed_region::{FeedRegion, feed_regions, liner, shape};
 use crate::film_scale::{FilmScale, LONGEST};
-use crate::oil::Oil;
 use crate::position::Position;
+use crate::row_distances::{RowDistances, column};
 use oilwedge_scene::{Layout, MeshSource, Scene};
 
 /// Longest edges of a mesh without a wanted size, over those that resolve the film's scale: two halvings.
@@ -102,7 +102,7 @@ fn sense(scene: &Scene) -> Sense {
 }
 
 /// Whether the film carries its oil through the cavity.
-fn conserves_oil(scene: &Scene) -> bool {
+pub(crate) fn conserves_oil(scene: &Scene) -> bool {
     Sockets::of(scene).cavitation.conserves_oil()
 }
 
@@ -178,7 +178,7 @@ fn drawn(scene: &Scene, size: Option<f64>, scale: &FilmScale) -> Result<Mesh, Ve
 }
 
 /// Longest edges [m] of a mesh without a wanted size.
-fn needed_size(scene: &Scene) -> f64 {
+pub(crate) fn needed_size(scene: &Scene) -> f64 {
     (FINENESS * LONGEST * scene.bearing.radius()).min(scene.bearing.length / ACROSS)
 }
 
@@ -227,75 +227,49 @@ fn blueprint_of(scene: &Scene, mesh: &Mesh) -> Result<Blueprint, Vec<DrawingErro
 
 /// Edges of at most `longest` [m], shorter where the film is thin.
 fn graded(scene: &Scene, blueprint: &Blueprint, longest: f64, scale: &FilmScale) -> Result<Mesh, Vec<DrawingError>> {
-    // Rows along the flow are as dense as the thinnest film along the axis needs.
-    let size = |x: f64| longest * scale.all_along(x) / LONGEST;
-    match Sockets::of(scene).cavitation.pressure() {
-        Some(cavity) if conserves_oil(scene) => {
-            let far = spacing(&blueprint.liner, &size);
-            let layers = layers(scene, cavity);
-            // Cells keep their shape where the mesh is drawn finer.
-            let usual = spacing(&blueprint.liner, &|x| needed_size(scene) / longest * size(x));
-            let in_layers = |z: f64| {
-                let towards = |(edge, thickness): &(f64, f64)| {
-                    let at_edge = far * (IN_LAYER * thickness / usual).clamp(FINEST, 1.0);
-                    at_edge + TOWARDS_EDGE * (z - edge).abs()
-                };
-                layers.iter().map(towards).fold(far, f64::min)
-            };
-            let across = |z: f64| match scene.orbit {
-                Some(_) => ROWS_ON_ORBIT * far,
-                None => in_layers(z),
-            };
-            let (along, across) = (&size, &across);
+    match RowDistances::of(scene, &blueprint.liner, longest, scale) {
+        Some(distances) => {
+            // Columns are as dense as the thinnest film along the axis needs.
+            let (along, across) = (&|x: f64| column(longest, scale, x), &|z: f64| distances.at(z));
             let sense = sense(scene);
             generate_in_rows(blueprint, &Rows { along, across, sense })
         }
-        _ => generate(blueprint, &|at| longest * scale.at(at) / LONGEST),
+        None => generate(blueprint, &|at| longest * scale.at(at) / LONGEST),
     }
 }
 
-/// Distance [m] of rows along the flow that have as many nodes as equilateral triangles of `size` [m] at x.
-fn spacing(liner: &Liner, size: &dyn Fn(f64) -> f64) -> f64 {
-    const SAMPLES: u32 = 720;
-    let (from, to) = liner.arc.unwrap_or((0.0, std::f64::consts::TAU));
-    let (mut columns, mut triangles) = (0.0, 0.0);
-    for k in 0..SAMPLES {
-        let angle = from + (to - from) * (f64::from(k) + 0.5) / f64::from(SAMPLES);
-        let edge = size(liner.radius * angle);
-        columns += 1.0 / edge;
-        triangles += 1.0 / (edge * edge);
-    }
-    0.75f64.sqrt() * columns / triangles
+/// How many triangles the drawn mesh of a scene will have for the film at `position`, without those that holes and grooves ask for.
+///
+/// # Errors
+/// A table of a measured surface cannot be used.
+pub fn expected_triangles(scene: &Scene, position: Position) -> Result<f64, CompileError> {
+    const AROUND: u32 = 360;
+    const ALONG: u32 = 60;
+    let scale = FilmScale::of(scene, position)?;
+    let liner = liner(scene);
+    let longest = scene.mesh.size().unwrap_or(needed_size(scene));
+    let ((from, to), half) = (liner.arc.unwrap_or((0.0, std::f64::consts::TAU)), 0.5 * liner.length);
+    let places = |samples: u32| (0..samples).map(move |k| (f64::from(k) + 0.5) / f64::from(samples));
+    let around = || places(AROUND).map(|part| liner.radius * (from + (to - from) * part));
+    let along = || places(ALONG).map(|part| half * (2.0 * part - 1.0));
+    let [width, height] = [
+        liner.radius * (to - from) / f64::from(AROUND),
+        2.0 * half / f64::from(ALONG),
+    ];
+    Ok(match RowDistances::of(scene, &liner, longest, &scale) {
+        Some(distances) => {
+            let columns: f64 = around().map(|x| width / column(longest, &scale, x)).sum();
+            2.0 * columns * along().map(|z| height / distances.at(z)).sum::<f64>()
+        }
+        None => {
+            let equilateral = |x: f64, z: f64| 0.75f64.sqrt() / 2.0 * (longest * scale.at([x, z]) / LONGEST).powi(2);
+            around()
+                .flat_map(|x| along().map(move |z| (x, z)))
+                .map(|(x, z)| width * height / equilateral(x, z))
+                .sum()
+        }
+    })
 }
-
-/// Rows beside an edge through which oil enters a cavity, over the thickness of the layer that it makes, and over rows far from it at
-/// least; how fast they grow with the distance.
-const IN_LAYER: f64 = 0.25;
-const FINEST: f64 = 0.1;
-const TOWARDS_EDGE: f64 = 0.2;
-
-/// Edges [m] all around through which oil enters the cavity, and the thickness [m] of the layer that the excess of pressure `P` presses
-/// in while the journal turns by one radian: `c sqrt(P R/(3 mu U))`, from `U h/2 d(thickness)/dx = h^3/(12 mu) P/thickness`.
-fn layers(scene: &Scene, cavity: f64) -> Vec<(f64, f64)> {
-    let drag = 3.0 * Oil::of(scene).viscosity * scene.journal.speed.abs();
-    let thickness = |pressure: f64| scene.bearing.clearance * ((pressure - cavity) / drag).sqrt();
-    let half = 0.5 * scene.bearing.length;
-    let at_ends = [-half, half].map(|z| (z, scene.ends.pressure));
-    let at_grooves = scene.feeds.iter().flat_map(|feed| {
-        let shape = shape(scene, feed).filter(|shape| shape.is_full_turn());
-        let edges = shape.map(|shape| [-1.0, 1.0].map(|side| shape.centre[1] + side * shape.half[1]));
-        edges.into_iter().flatten().filter_map(|z| Some((z, feed.pressure?)))
-    });
-    let all = at_ends.into_iter().chain(at_grooves);
-    all.filter(|(_, pressure)| *pressure > cavity && drag > 0.0)
-        .map(|(z, pressure)| (z, thickness(pressure)))
-        .collect()
-}
-
-/// Distance of the rows of an orbit's mesh, over that of as many equal cells: the peak of pressure that runs around is steep along the flow. One land of the big end of scene
-/// 28 on 48 x 4, 48 x 8, 64 x 4 and 96 x 4 cells, whose rows are 1.1, 0.5, 1.4 and 2.1 times as far apart as the columns: least film 1.4, 1.4, 0.9 and 0.2 % off. Layers of oil that
-/// enters beside a groove come and go with the cavity, and finer rows there do not show in it.
-const ROWS_ON_ORBIT: f64 = 1.7;
 
 /// Meshes or reads the liner of a scene.
 ///

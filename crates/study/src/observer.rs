@@ -20,7 +20,7 @@ pub struct Reached {
     pub error: Option<f64>,
     /// The bar that is asked for, where there is one.
     pub asked: Option<f64>,
-    /// Wall time of the mesh [s].
+    /// Seconds of the mesh, by the clock of the run [s].
     pub seconds: f64,
 }
 

@@ -1,6 +1,6 @@
 //! What a caller asks of a run.
 
-use oilwedge_bearing::{Deadline, Interrupt};
+use oilwedge_bearing::{Clock, Deadline, Interrupt};
 
 use oilwedge_scene::Scene;
 
@@ -18,6 +18,8 @@ pub struct RunOptions {
     pub bars: bool,
     /// The refinement towards a tolerance and the search for a position under a load end after this time [s], infinite for none.
     pub max_seconds: f64,
+    /// What counts these seconds.
+    pub clock: Clock,
     /// No mesh of that refinement after the first has more unknowns.
     pub max_unknowns: usize,
     /// Films of the cycle of an orbit that are drawn, at even crank angles; none where no orbit is followed.
@@ -54,7 +56,7 @@ impl RunOptions {
 
     /// How long a run that begins now may search.
     pub fn deadline(&self) -> Deadline {
-        Deadline::after(self.max_seconds, self.interrupt)
+        Deadline::by(self.clock, self.max_seconds, self.interrupt)
     }
 
     /// Whether errors are estimated.
@@ -88,6 +90,7 @@ impl Default for RunOptions {
             unrolled: false,
             bars: true,
             max_seconds: 60.0,
+            clock: Clock::default(),
             max_unknowns: 1_000_000,
             frames: 0,
             earlier: None,

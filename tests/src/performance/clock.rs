@@ -1,5 +1,6 @@
 //! Seconds that a function takes: of the processor, and on the wall.
 
+use std::sync::LazyLock;
 use std::time::Instant;
 
 use cpu_time::ProcessTime;
@@ -18,6 +19,12 @@ impl Spent {
     pub fn on(self, threads: usize) -> f64 {
         if threads == 1 { self.cpu } else { self.wall }
     }
+}
+
+/// Processor time of all threads since the first call [s].
+pub fn processor_seconds() -> f64 {
+    static START: LazyLock<ProcessTime> = LazyLock::new(ProcessTime::now);
+    START.elapsed().as_secs_f64()
 }
 
 /// The value of `work`, and what it took.

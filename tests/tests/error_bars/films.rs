@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use oilwedge_bearing::Clock;
 use oilwedge_reynolds::error_bar::{FilmError, film_error};
 use oilwedge_reynolds::quantities::load::{Load, load};
 use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem};
@@ -91,6 +92,7 @@ pub(crate) const NO_BARS: RunOptions = RunOptions {
     unrolled: false,
     bars: false,
     max_seconds: 60.0,
+    clock: Clock::WALL,
     max_unknowns: 1_000_000,
     frames: 0,
     earlier: None,

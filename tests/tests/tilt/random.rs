@@ -24,6 +24,24 @@ fn contact_is_judged_by_a_mesh_that_resolves_it() {
     assert!(fault.is_none(), "{fault:?}");
 }
 
+/// A film of 2 thousandths of the clearance at one end only is resolved by thin cells there: with cells as short all around and all along the bearing its first mesh had 34 000 unknowns.
+#[test]
+fn a_thin_film_at_one_end_has_thin_cells_there_alone() {
+    let (result, fault) = solved(&TiltedBearing::new(219));
+    assert_eq!(result.status, Status::Converged, "{:?}", result.reason);
+    assert!(fault.is_none(), "{fault:?}");
+    let thinnest = result
+        .quantities
+        .iter()
+        .find(|quantity| quantity.name == "film_thickness_min");
+    let thinnest = thinnest.expect("a film").value;
+    assert!(thinnest < 0.3e-6, "{thinnest}");
+    let first = result.levels.first().expect("a mesh");
+    assert!(first.unknowns < 5_000, "{first:?}");
+    let bar = first.errors.first().expect("a bar on the first mesh");
+    assert!(bar.1 < 0.01, "{bar:?}");
+}
+
 /// A full film carries a moment up to a fold, beyond which it resists tilt no more. With a part of the moment below that of the fold the journal is balanced, with one
 /// above it is not, and the reason says so.
 #[test]

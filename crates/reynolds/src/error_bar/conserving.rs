@@ -31,7 +31,7 @@ use super::{Bar, CANCELLING, UNRESOLVED, drag, geometry};
 use crate::cavitation;
 use crate::quantities::flow::{self, Flows};
 use crate::quantities::inlet::inlet_flow;
-use crate::quantities::load;
+use crate::quantities::load::{self, Share};
 use crate::quantities::power::power;
 use crate::supply::{BoundaryKind, SupplyRegion};
 use crate::{FilmPoint, FilmProblem, FilmSolution, FilmSystem};
@@ -173,9 +173,8 @@ pub fn conserving_error(
     let load = with_spread(bar(&along), force);
     let greatest = pair.pressure.iter().fold(0.0, |most: f64, p| most.max(p.abs()));
     let pressure = pair.greatest_pressure(problem, coarse) + part * greatest;
-    let resolved = load.total() <= UNRESOLVED * force.max(CANCELLING * load::possible_load(problem, &total.total));
     Some(ConservingError {
-        is_resolved: resolved,
+        is_resolved: load.total() <= UNRESOLVED * least_resolved(problem, &total.total),
         spread: part,
         places: places(problem, system, [film, coarse], part),
         load,
@@ -326,6 +325,16 @@ impl<'a> Pair<'a> {
         }
         sum / whole
     }
+}
+
+/// What bars of a load are small against [N]: a tilted journal may bear a moment and next to no force, and parts of a load may cancel.
+fn least_resolved(problem: &FilmProblem, total: &Share) -> f64 {
+    let [x, y] = total.force;
+    let borne = match problem.can_tilt() {
+        true => total.resultant().at_ends(0.5 * problem.bearing.length),
+        false => x.hypot(y),
+    };
+    borne.max(CANCELLING * load::possible_load(problem, total))
 }
 
 /// Power of shear [W] of the film between element edges and the circles that they stand for: both films have the same edges.

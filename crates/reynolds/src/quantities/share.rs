@@ -33,6 +33,17 @@ pub struct Resultant {
     pub moment: [f64; 2],
 }
 
+impl Resultant {
+    /// Magnitudes [N] of the two forces at `z = -half` and `z = half` [m] that stand for it, in all: no less than that of its force, and more where these are against each other.
+    pub fn at_ends(&self, half: f64) -> f64 {
+        let size = |sign: f64| {
+            let [x, y] = [0, 1].map(|d| 0.5 * (self.force[d] + sign * self.moment[d] / half));
+            x.hypot(y)
+        };
+        size(-1.0) + size(1.0)
+    }
+}
+
 impl Share {
     /// This share less another one.
     pub fn less(&self, other: &Self) -> Self {
@@ -62,5 +73,20 @@ impl std::ops::AddAssign for Share {
         }
         self.pressure += other.pressure;
         self.possible += other.possible;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn forces_at_the_ends_stand_for_force_and_moment() {
+        let of = |force, moment| Resultant { force, moment }.at_ends(0.5);
+        assert_eq!(of([3.0, 4.0], [0.0; 2]), 5.0);
+        // Between the ends the force is all that there is; beyond them the two are against each other.
+        assert_eq!(of([2.0, 0.0], [1.0, 0.0]), 2.0);
+        assert_eq!(of([2.0, 0.0], [2.0, 0.0]), 4.0);
+        assert_eq!(of([0.0; 2], [0.0, 3.0]), 6.0);
     }
 }

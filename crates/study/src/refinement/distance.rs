@@ -4,7 +4,7 @@ use crate::estimate::Estimated;
 use crate::film::Film;
 use crate::measure::{drag, possible_load};
 use crate::quantities::{ECCENTRICITY, MOMENT_X, MOMENT_Y, Quantity, SIDE_FLOW, Unit};
-use oilwedge_scene::Target;
+use oilwedge_scene::{Target, Tolerance};
 
 /// Tolerances of what is less than this part of what it could be count against that part: loads against those that the pressures
 /// could carry, pressures against that of drag, the eccentricity against the clearance, and where bars are judged side flows against what the journal drags.
@@ -16,6 +16,8 @@ const LEAST_FLOW: f64 = 0.05;
 struct Possible {
     /// The load [N] that its pressures could carry.
     load: f64,
+    /// The least load [N] that counts by its own size.
+    least_load: f64,
     /// The moment [N m] of that load at an end.
     moment: f64,
     /// The pressure [Pa] that drag through the clearance makes.
@@ -32,6 +34,7 @@ impl Possible {
         Self {
             pressure: drag(&film.problem),
             load: possible_load(&film.problem, &estimated.measured),
+            least_load: least_load(film, estimated),
             least_flow: least_flow * dragged * bearing.clearance * bearing.length,
             moment: 0.5 * bearing.length * possible_load(&film.problem, &estimated.measured),
         }
@@ -42,7 +45,7 @@ impl Possible {
         match quantity.row.unit {
             Unit::Degree => 1f64.to_degrees(),
             Unit::Pascal => quantity.value.abs().max(LEAST * self.pressure),
-            Unit::Newton => quantity.value.abs().max(LEAST * self.load),
+            Unit::Newton => quantity.value.abs().max(LEAST * self.load).max(self.least_load),
             _ if [&MOMENT_X, &MOMENT_Y].contains(&quantity.row) => quantity.value.abs().max(LEAST * self.moment),
             _ if quantity.row == &SIDE_FLOW => quantity.value.abs().max(self.least_flow),
             _ if quantity.row == &ECCENTRICITY => quantity.value.abs().max(LEAST),
@@ -60,6 +63,15 @@ impl Possible {
             Some(0.0) => 0.0,
             Some(error) => error / (target.relative * self.size(quantity)),
         }
+    }
+}
+
+/// Where the program chooses the tolerance the load of a tilted journal that bears a moment and next to no force counts by the forces [N] at the two ends that stand for both.
+fn least_load(film: &Film, estimated: &Estimated) -> f64 {
+    let has_usual_tolerance = film.scene.tolerance == Some(Tolerance::Usual);
+    match has_usual_tolerance && film.problem.can_tilt() {
+        true => (estimated.measured.load.total.resultant()).at_ends(0.5 * film.problem.bearing.length),
+        false => 0.0,
     }
 }
 

@@ -1,7 +1,5 @@
 //! The loop from mesh to mesh.
 
-use std::time::Instant;
-
 use oilwedge_bearing::Deadline;
 
 use super::distance::worst;
@@ -30,6 +28,8 @@ const MOST_GROWTH: f64 = 16.0;
 const MOST_WANTED_LEVELS: usize = 2;
 /// their most unknowns,
 const MOST_WANTED_UNKNOWNS: usize = 40_000;
+/// fewer where position and tilt of a film that conserves oil are found,
+const MOST_WANTED_TILTING: usize = 20_000;
 /// and these over those of the mesh before.
 const MOST_WANTED_GROWTH: f64 = 2.0;
 
@@ -56,7 +56,8 @@ struct Refining<'a> {
     scene: &'a Scene,
     targets: &'a Targets,
     options: &'a RunOptions,
-    clock: Instant,
+    /// What the clock of the run showed at its beginning [s].
+    started: f64,
     deadline: Deadline,
     levels: Vec<LevelFacts>,
     /// The film of the mesh before.
@@ -73,7 +74,7 @@ pub(super) fn towards(scene: &Scene, targets: &Targets, options: &RunOptions) ->
         scene,
         targets,
         options,
-        clock: Instant::now(),
+        started: options.clock.now(),
         deadline: options.deadline(),
         levels: Vec::new(),
         best: None,
@@ -92,7 +93,7 @@ pub(super) fn towards(scene: &Scene, targets: &Targets, options: &RunOptions) ->
 impl Refining<'_> {
     /// Makes and solves one mesh.
     fn level(&mut self, next: &Next) -> Result<Step, CompileError> {
-        let clock = Instant::now();
+        let started = self.options.clock.now();
         let (refinement, mut film) = match next.film(self.scene, self.deadline) {
             Ok(made) => made,
             Err(reason) => return self.last_resort(reason.to_string()).ok_or(reason),
@@ -111,7 +112,7 @@ impl Refining<'_> {
                     let limit = self.stopped(best.worst);
                     self.done(best, Some(limit))
                 }
-                None => self.answered(next, (refinement, clock), solved, estimated),
+                None => self.answered(next, (refinement, started), solved, estimated),
             },
         })
     }
@@ -165,7 +166,7 @@ impl Refining<'_> {
     fn answered(
         &mut self,
         next: &Next,
-        (refinement, clock): (Refinement, Instant),
+        (refinement, started): (Refinement, f64),
         solved: Solved,
         estimated: Estimated,
     ) -> Step {
@@ -179,7 +180,7 @@ impl Refining<'_> {
             cells: solved.film.system.space().mesh().triangles().len(),
             refinement,
             errors: self.targets.required.iter().filter_map(error).collect(),
-            seconds: clock.elapsed().as_secs_f64(),
+            seconds: self.options.clock.now() - started,
         });
         let (wanted, _) = worst(&solved.film, &estimated, &self.targets.wanted);
         let (worst, name) = worst(&solved.film, &estimated, &self.targets.required);
@@ -260,9 +261,17 @@ impl Refining<'_> {
     /// The mesh after that of a level which has what is required, for what is wanted beside it; none where that is expensive.
     fn finer_if_cheap(&mut self, last: &Next, level: &Level) -> Option<Next> {
         self.wanted_levels += 1;
+        let film = &level.solved.film;
+        let is_expensive =
+            film.problem.cavitation.conserves_oil() && film.load.is_some_and(|load| load.tilting.is_some());
+        let most_unknowns = if is_expensive {
+            MOST_WANTED_TILTING
+        } else {
+            MOST_WANTED_UNKNOWNS
+        };
         let goal = Goal {
             worst: level.wanted,
-            most_unknowns: self.options.max_unknowns.min(MOST_WANTED_UNKNOWNS),
+            most_unknowns: self.options.max_unknowns.min(most_unknowns),
             most_growth: MOST_WANTED_GROWTH,
         };
         let is_allowed = self.wanted_levels <= MOST_WANTED_LEVELS;
@@ -271,11 +280,16 @@ impl Refining<'_> {
 
     /// The mesh after that of a level for a goal, or why there must be none.
     fn finer_for(&self, goal: &Goal, last: &Next, level: &Level) -> Result<Next, Limit> {
-        let left = self.options.max_seconds - self.clock.elapsed().as_secs_f64();
+        let left = self.options.max_seconds - self.elapsed();
         let growth = Growth::of(level, goal, &self.levels, left);
         let next = Next::refined(last, level, &growth)?;
         let growth = next.growth(&level.solved.film).unwrap_or(growth.factor);
         self.limit(growth, goal).map_or(Ok(next), Err)
+    }
+
+    /// Seconds of the run [s].
+    fn elapsed(&self) -> f64 {
+        self.options.clock.now() - self.started
     }
 
     fn distance(&self, worst: f64) -> Distance {
@@ -287,14 +301,14 @@ impl Refining<'_> {
 
     /// Why the mesh after the last one was not finished.
     fn stopped(&self, worst: f64) -> Limit {
-        let elapsed = self.clock.elapsed().as_secs_f64();
+        let elapsed = self.elapsed();
         Limit::Unfinished(self.distance(worst), elapsed, self.options.cause())
     }
 
     /// Why there must not be another mesh with so many times the unknowns, if so.
     fn limit(&self, growth: f64, goal: &Goal) -> Option<Limit> {
         let last = self.levels.last()?;
-        let (distance, elapsed) = (self.distance(goal.worst), self.clock.elapsed().as_secs_f64());
+        let (distance, elapsed) = (self.distance(goal.worst), self.elapsed());
         let most = goal.most_unknowns;
         let wanted = growth * last.unknowns as f64;
         let (seconds, max_seconds) = (next_seconds(last, growth), self.options.max_seconds);

@@ -12,8 +12,8 @@ use crate::compile::{compile_near, compile_on};
 use crate::compile_error::CompileError;
 use crate::film::DEGREE;
 use crate::film::Film;
-use crate::grading::graded;
-use crate::liner_mesh::{liner_mesh, resized};
+use crate::grading::{graded, graded_within};
+use crate::liner_mesh::{expected_triangles, liner_mesh, resized};
 use crate::oil::at_temperature;
 use crate::position::Position;
 use crate::reasons::Limit;
@@ -24,6 +24,8 @@ use oilwedge_scene::{MeshSource, Scene};
 const FIRST: f64 = 3.0;
 /// less where it would have fewer triangles, on which pictures are not smooth.
 const LEAST_TRIANGLES: usize = 300;
+/// Most triangles of that mesh, however thin the film is.
+const MOST_TRIANGLES: f64 = 20_000.0;
 /// A mesh with this part of the triangles wanted has enough;
 const NEARLY_AS_MANY: f64 = 0.9;
 /// one with so many times as many has too many;
@@ -48,6 +50,7 @@ fn first_factor(scene: &Scene) -> f64 {
 /// The factor of the edges, at first `factor`, with which the drawn liner has nearly so many `triangles` or more, and no more than so many times as many: sizes that
 /// holes and grooves ask for are not those that the factor changes, and a film thinner than the one of the mesh before asks for shorter edges everywhere.
 fn factor_for(scene: &Scene, mut factor: f64, (triangles, most): (usize, f64), position: Position) -> f64 {
+    factor *= coarsening(scene, factor, (triangles, most), position);
     for _ in 0..DRAWN {
         let drawn = resized(scene, factor).map(|resized| liner_mesh(&resized, position));
         // What cannot be drawn is reported where it is to be used.
@@ -59,6 +62,14 @@ fn factor_for(scene: &Scene, mut factor: f64, (triangles, most): (usize, f64), p
         factor *= share.sqrt();
     }
     factor
+}
+
+/// How much longer the edges of the drawn liner must be than `factor` makes them, where a film much thinner than that of the mesh before would have more than `most` times
+/// as many `triangles`: to draw it first would take longer than all the rest.
+fn coarsening(scene: &Scene, factor: f64, (triangles, most): (usize, f64), position: Position) -> f64 {
+    let expected = resized(scene, factor).and_then(|resized| expected_triangles(&resized, position).ok());
+    let share = expected.map_or(1.0, |expected| expected / triangles as f64);
+    if share > most { share.sqrt() } else { 1.0 }
 }
 
 /// The next mesh.
@@ -126,7 +137,7 @@ impl Next {
             Self::Given => Ok((Refinement::Given, graded(scene, deadline)?)),
             Self::Drawn(factor) => {
                 let resized = resized(scene, *factor).unwrap_or_else(|| scene.clone());
-                Ok((Refinement::Given, graded(&resized, deadline)?))
+                Ok((Refinement::Given, graded_within(&resized, MOST_TRIANGLES, deadline)?))
             }
             Self::DrawnFiner(factor, triangles, known) => {
                 let scene = known.scene(scene);
@@ -191,12 +202,18 @@ mod tests {
     use super::*;
     use std::path::Path;
 
+    fn thin_scene(model: &str) -> Scene {
+        let text = format!(
+            "bearing = {{ diameter = \"100 mm\", length = \"50 mm\", clearance = \"50 um\" }}\n\
+             oil = {{ viscosity = \"20 mPa.s\" }}\ncavitation = {{ model = \"{model}\" }}\nends = {{ pressure = \"10 kPa\" }}\n\
+             journal = {{ speed = \"100 rad/s\" }}\nload = {{ force = \"1 kN\", angle = \"0 deg\", at = \"2 mm\" }}\n"
+        );
+        crate::parse(&text, Path::new("a.toml")).expect("a scene")
+    }
+
     #[test]
     fn a_film_found_thinner_is_drawn_with_about_the_triangles_wanted() {
-        let text = "bearing = { diameter = \"100 mm\", length = \"50 mm\", clearance = \"50 um\" }\n\
-             oil = { viscosity = \"20 mPa.s\" }\ncavitation = { model = \"jfo\" }\nends = { pressure = \"10 kPa\" }\n\
-             journal = { speed = \"100 rad/s\" }\nload = { force = \"1 kN\", angle = \"0 deg\", at = \"2 mm\" }\n";
-        let scene = crate::parse(text, Path::new("a.toml")).expect("a scene");
+        let scene = thin_scene("jfo");
         let thin = Position {
             eccentricity: 0.6,
             min_film_angle: 0.3,
@@ -206,10 +223,36 @@ mod tests {
             let resized = resized(&scene, factor).expect("a drawing");
             liner_mesh(&resized, thin).expect("a mesh").mesh.triangles().len()
         };
-        let wanted = 2_000;
+        let wanted = 700;
         assert!(triangles(1.0) as f64 > TOO_MANY * wanted as f64, "{}", triangles(1.0));
         let drawn = triangles(factor_for(&scene, 1.0, (wanted, TOO_MANY), thin)) as f64;
         let share = drawn / wanted as f64;
         assert!((NEARLY_AS_MANY..TOO_MANY).contains(&share), "{share}");
+    }
+
+    /// With and without rows, for a parallel journal and for one near contact at an end.
+    #[test]
+    fn about_as_many_triangles_are_expected_as_are_drawn() {
+        let parallel = Position {
+            eccentricity: 0.6,
+            min_film_angle: 0.3,
+            tilt: [0.0; 2],
+        };
+        let thin = Position {
+            tilt: [7.6e-4, 0.0],
+            ..parallel
+        };
+        for model in ["reynolds", "jfo"] {
+            let scene = thin_scene(model);
+            for position in [parallel, thin] {
+                let drawn = liner_mesh(&scene, position).expect("a mesh").mesh.triangles().len() as f64;
+                let expected = expected_triangles(&scene, position).expect("a number");
+                let share = expected / drawn;
+                assert!(
+                    (0.6..1.7).contains(&share),
+                    "{model} {position:?}: {expected} for {drawn}"
+                );
+            }
+        }
     }
 }
