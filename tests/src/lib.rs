@@ -26,6 +26,7 @@ pub mod program;
 pub mod quantities_page;
 pub mod random_bearings;
 pub mod random_orbits;
+pub mod random_shafts;
 pub mod random_tilted;
 pub mod scene_page;
 pub mod scenes;

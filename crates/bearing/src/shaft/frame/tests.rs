@@ -154,6 +154,53 @@ fn rigid_motions_are_free_and_loads_keep_sum_and_moment() {
     }
 }
 
+/// A throw on two supports without tilt at its ends, under a force P on its pin in its own plane: `u/P` by Castigliano's theorem, with the arm a from a support to the
+/// middle of a web and half a pin b up to there, is `a^3/(6 E I_j) + ((a + b)^3 - a^3)/(6 E I_p) + a^2 r/(2 E I_w) + r/(2 E A_w)`; rigid webs have the first two terms alone.
+/// With the throw of `scenes/engines/three_throws.toml` and webs 110 mm wide, the webs from axis to axis make it 7.2 times as soft.
+#[test]
+fn webs_bend_from_axis_to_axis() {
+    let (pin, journal) = (0.072, 0.085);
+    let (radius, arm, half_pin, thickness, width) = (0.0625, 0.033, 0.034, 0.026, 0.11);
+    let round = |length: f64, diameter: f64| Round {
+        length,
+        diameter,
+        bore: 0.0,
+    };
+    let softness = |web_width| {
+        let outer = Piece::Straight(round(arm - 0.5 * thickness, journal));
+        let throw = CrankThrow {
+            angle: 0.0,
+            radius,
+            pin: round(2.0 * half_pin - thickness, pin),
+            web_thickness: thickness,
+            web_width,
+        };
+        let shaft = Crankshaft {
+            material: STEEL,
+            pieces: vec![outer, Piece::Throw(throw), outer],
+        };
+        let laid = shaft.laid(&[0.0, 2.0 * (arm + half_pin)]);
+        let nodes = [laid.places[0], laid.throws[0].pin, laid.places[1]];
+        let places = nodes.map(|node| place(node, 2));
+        let shaft = laid.frame.on(&places, &[]).expect("a shaft");
+        let forces = shaft.forces(&[[0.0; 4], [1.0, 0.0, 0.0, 0.0], [0.0; 4]], 0.0);
+        1.0 / forces[1][0]
+    };
+    let bending = |diameter: f64| 6.0 * STEEL.youngs_modulus * STEEL.round(diameter, 0.0).second_moments[0];
+    let rigid = arm.powi(3) / bending(journal) + ((arm + half_pin).powi(3) - arm.powi(3)) / bending(pin);
+    let second = width * thickness.powi(3) / 12.0;
+    let webs = 0.5 * radius * (arm * arm / second + 1.0 / (width * thickness)) / STEEL.youngs_modulus;
+    for (web_width, wanted) in [(None, rigid), (Some(width), rigid + webs)] {
+        let found = softness(web_width);
+        assert!((found / wanted - 1.0).abs() < 1e-9, "{found:e} {wanted:e}");
+    }
+    assert!(
+        ((rigid + webs) / rigid - 7.2).abs() < 0.05,
+        "{}",
+        (rigid + webs) / rigid
+    );
+}
+
 #[test]
 fn a_shaft_that_turns_keeps_its_stiffness_in_its_own_axes() {
     let throw = CrankThrow {
