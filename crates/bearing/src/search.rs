@@ -2,12 +2,12 @@
 
 use std::cell::{Cell, RefCell};
 
-use oilwedge_reynolds::quantities::load::{Resultant, load, load_change};
+use oilwedge_reynolds::quantities::load::{Resultant, load};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSolution, FilmSystem, Gap, JournalState, NoFilm};
 
 use crate::coordinates::{Coordinates, Vector, length, moved, unit};
-use crate::deflection::{Pair, closed_film, closed_pair, unknown_change};
+use crate::deflection::{Pair, carried_change, closed_film, closed_pair};
 use crate::equilibrium::NEAR;
 use crate::no_equilibrium::FAR;
 use crate::stiffness::Stiffness;
@@ -257,9 +257,8 @@ impl<'a> Search<'a> {
         Stiffness::by_columns(self.coordinates.order, |k| {
             let journal = &trial.problem.journal;
             let change = (self.coordinates).change(journal, &self.options.centre_velocity, unit(k));
-            let unknown = unknown_change(&trial.problem, self.system, &trial.film, &change)
+            let by_film = carried_change(&trial.problem, self.system, &trial.film, &change)
                 .map_err(oilwedge_fem::newton::Failure::from)?;
-            let by_film = load_change(&trial.problem, self.system, &trial.film, &change, &unknown);
             let mut column = self.coordinates.forces(&by_film);
             if k >= 2 {
                 column[k] += self.support_stiffness();

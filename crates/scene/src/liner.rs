@@ -165,12 +165,6 @@ pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
         "an elastic liner is not followed along an orbit",
         "remove [liner]: the orbit is that in a rigid liner; or remove [orbit], and give [load] with force and angle for a steady film",
     );
-    complaints.refuse_if(
-        scene.liner.is_some() && scene.contact.is_some(),
-        "liner",
-        "an elastic liner does not give way to the pressure of contact",
-        "remove [liner]: rough surfaces touch in a rigid liner; or remove [contact]: the film alone presses on the wall",
-    );
 }
 
 #[cfg(test)]
@@ -244,9 +238,5 @@ mod tests {
         refused("wall = {}", "liner.wall.thickness: is missing");
         refused("compliance = {}", "liner.compliance.file: is missing");
         refused("stiffness = 3", "liner.stiffness: this key is not known");
-        refused(
-            "winkler = \"0.02 um/MPa\"\n[contact]\nmodel = \"bearing-curve\"\ndepth = \"1 um\"\nhardness = \"900 MPa\"",
-            "liner: an elastic liner does not give way to the pressure of contact",
-        );
     }
 }

@@ -4,12 +4,12 @@ use oilwedge_tests::tilted_bearings::run;
 
 use super::block;
 
-pub(super) const ASPERITIES: &str =
+pub(crate) const ASPERITIES: &str =
     "model = \"greenwood-tripp\"\neta_beta_sigma = 0.05\nsigma_over_beta = 0.01\nmodulus = \"115 GPa\"";
-pub(super) const CURVE: &str = "model = \"bearing-curve\"\ndepth = \"1.2 um\"";
+pub(crate) const CURVE: &str = "model = \"bearing-curve\"\ndepth = \"1.2 um\"";
 
 /// The bearing of the table at a speed, with these keys of contact and of the flow.
-pub(super) fn scene(rpm: f64, contact: &str, flow: &str) -> String {
+pub(crate) fn scene(rpm: f64, contact: &str, flow: &str) -> String {
     format!(
         "bearing = {{ diameter = \"50 mm\", length = \"25 mm\", clearance = \"25 um\", roughness = \"0.6 um\" }}\n\
          journal = {{ speed = \"{rpm} rpm\" }}\nload = {{ force = \"10 kN\", angle = \"0 deg\" }}\noil.viscosity = \"8 mPa.s\"\n\

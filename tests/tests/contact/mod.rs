@@ -1,7 +1,7 @@
 //! Rough surfaces that touch: closed forms, tangents, and the positions of a second code.
 
 mod closed_forms;
-mod mixed;
+pub(crate) mod mixed;
 mod rest;
 mod scenes;
 mod tangent;
@@ -19,7 +19,7 @@ fn block(name: &str) -> Value {
 }
 
 /// Contact of elastic asperities of a roughness of 2 um, and by a bearing curve of 4 um: they touch where films of the tests are thin.
-fn contacts() -> [Contact; 2] {
+pub(crate) fn contacts() -> [Contact; 2] {
     let laws = [
         ContactLaw::GreenwoodTripp(GreenwoodTripp::new(2e-6, 0.05, 0.01, 115e9, 2e9)),
         ContactLaw::BearingCurve(BearingCurve {

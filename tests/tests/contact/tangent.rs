@@ -72,7 +72,7 @@ fn tangents_with_contact_are_differences() {
         let tangent: [[f64; 4]; 4] = std::array::from_fn(|k| {
             let change = change(k, 1.0);
             let unknown = problem.unknown_change(&system, &film, &change).expect("a tangent");
-            let by = load_change(&problem, &system, &film, &change, &unknown);
+            let by = load_change(&problem, &system, &film, &[(&change).into()], &unknown);
             [
                 by.force[0],
                 by.force[1],

@@ -1,6 +1,7 @@
 //! Walls that give way to the film: against closed forms, the numbers of a second code, and differences of films.
 
 mod bars;
+mod contact;
 mod film;
 mod ring;
 mod tangent;

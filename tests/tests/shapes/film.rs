@@ -131,7 +131,7 @@ fn the_tangent_matches_differences() {
             .map(|k| {
                 let change = coordinates.change(&problem.journal, &CentreVelocity::default(), unit(k));
                 let unknown = problem.unknown_change(&system, &film, &change).expect("a tangent");
-                coordinates.forces(&load_change(&problem, &system, &film, &change, &unknown))
+                coordinates.forces(&load_change(&problem, &system, &film, &[(&change).into()], &unknown))
             })
             .collect();
         let step = 1e-6 * CLEARANCE;

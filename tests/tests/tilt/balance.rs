@@ -111,7 +111,7 @@ fn the_tangent_of_force_and_moment_matches_differences() {
                 &found.problem,
                 &system,
                 &found.film,
-                &change,
+                &[(&change).into()],
                 &unknown,
             )))
         })

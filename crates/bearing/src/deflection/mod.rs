@@ -1,7 +1,7 @@
 //! # Elastic wall: the deflection by the pressure of the film that it makes room for
 //!
-//! **Equation.** `d = C f(p(d))` for the deflection of the wall, by Newton's method: `(I - C dp/dd) step = C f - d`, each step by GMRES, whose products
-//! cost a back-solve with the factor of the film, its cavity held. A search for a position closes the wall at each place that it tries.
+//! **Equation.** `d = C f(p(d))` for the deflection of the wall, p the pressure of the film and that of contact, by Newton's method: `(I - C dp/dd) step = C f - d`, each step by
+//! GMRES, whose products cost a back-solve with the factor of the film, its cavity held. A search for a position closes the wall at each place that it tries.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
@@ -20,29 +20,33 @@ mod gmres;
 mod tangent;
 
 pub use close::{Pair, closed_film, closed_pair};
-pub(crate) use dynamics::harmonic_response;
+pub(crate) use dynamics::{Response, harmonic_response};
 pub(crate) use tangent::Follower;
 
 use oilwedge_fem::Error;
 use oilwedge_fem::newton::Failure;
+use oilwedge_reynolds::quantities::load::{Resultant, load_change};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmChange, FilmProblem, FilmSolution, FilmSystem, JournalChange, NoFilm};
 
-/// First-order change of the unknown at each dof [Pa] where the journal moves by `change`; a wall that gives way follows.
+/// First-order change of what the journal carries where it moves by `change`; a wall that gives way follows.
 ///
 /// # Errors
 /// The linear systems could not be solved.
-pub fn unknown_change(
+pub fn carried_change(
     problem: &FilmProblem,
     system: &FilmSystem,
     film: &FilmSolution,
     change: &JournalChange,
-) -> Result<Vec<f64>, Error> {
+) -> Result<Resultant, Error> {
     let unknown = problem.unknown_change(system, film, change)?;
-    match Follower::of(problem, system, film) {
-        None => Ok(unknown),
-        Some(follower) => Ok(follower.followed(unknown)?.unknown),
-    }
+    let Some(follower) = Follower::of(problem, system, film) else {
+        return Ok(load_change(problem, system, film, &[change.into()], &unknown));
+    };
+    let followed = follower.followed(change, unknown)?;
+    let shape = follower.shape(&followed.deflection);
+    let changes = [change.into(), FilmChange::Gap(&shape)];
+    Ok(load_change(problem, system, film, &changes, &followed.unknown))
 }
 
 /// The film where the journal has moved by a small `change`, and with it a wall that gives way: along the tangent, but for a mass-conserving one, which is solved
@@ -60,7 +64,7 @@ pub fn displaced(
         return problem.displaced(system, film, change);
     };
     let unknown = problem.unknown_change(system, film, change).map_err(Failure::from)?;
-    let followed = follower.followed(unknown).map_err(Failure::from)?;
+    let followed = follower.followed(change, unknown).map_err(Failure::from)?;
     let moved = FilmProblem {
         journal: problem.journal.changed(change),
         ..problem.clone()

@@ -1,11 +1,13 @@
 //! The tangent of film and wall: how both answer where something else changes.
 //!
-//! At a fixed wall the unknown of the film changes by u. The wall follows, and the film follows the wall: `(I - C dp/dd) dd = C dp/du u`, then
-//! `du = u + (du/dd) dd`. One product with the operator is one back-solve with the factor of the film, its cavity held.
+//! At a fixed wall the unknown of the film changes by u, and the pressure of contact by a. The wall follows, and both follow the wall: `(I - C dp/dd) dd = C (dp/du u + a)`,
+//! then `du = u + (du/dd) dd`, p the sum of both pressures. One product with the operator is one back-solve with the factor of the film, its cavity held, and one with the matrix of
+//! contact.
 
 use oilwedge_fem::Error;
 use oilwedge_reynolds::film_thickness::Deflection;
-use oilwedge_reynolds::{FilmChange, FilmProblem, FilmSolution, FilmSystem};
+use oilwedge_reynolds::wall::ContactTangent;
+use oilwedge_reynolds::{FilmChange, FilmProblem, FilmSolution, FilmSystem, JournalChange};
 
 use super::gmres::{Solved, gmres};
 
@@ -13,12 +15,13 @@ use super::gmres::{Solved, gmres};
 const EXACT: f64 = 1e-10;
 
 /// A solved film whose wall gives way.
-#[derive(Clone, Copy)]
 pub(crate) struct Follower<'a> {
     pub(super) problem: &'a FilmProblem,
     pub(super) system: &'a FilmSystem,
     pub(super) film: &'a FilmSolution,
     deflection: &'a Deflection,
+    /// How contact answers to the wall; none where surfaces do not touch.
+    contact: Option<ContactTangent>,
 }
 
 /// What a change leads to, the wall following.
@@ -32,12 +35,19 @@ pub(crate) struct Followed {
 impl<'a> Follower<'a> {
     /// None where the wall is rigid.
     pub(crate) fn of(problem: &'a FilmProblem, system: &'a FilmSystem, film: &'a FilmSolution) -> Option<Self> {
+        let deflection = problem.deflection()?;
         Some(Self {
             problem,
             system,
             film,
-            deflection: problem.deflection()?,
+            deflection,
+            contact: deflection.wall.grid.contact_tangent(problem, system),
         })
+    }
+
+    /// How many coefficients a deflection has.
+    pub(super) fn number(&self) -> usize {
+        self.deflection.coefficients.len()
     }
 
     /// A shape of the wall with these coefficients [m].
@@ -51,10 +61,25 @@ impl<'a> Follower<'a> {
         self.deflection.with(sum.collect())
     }
 
-    /// Deflection [m] by a change of the unknown.
-    pub(super) fn image(&self, unknown: &[f64]) -> Vec<f64> {
+    /// Deflection [m] by a change of the unknown, and by that of contact with a deflection `bent` [m].
+    pub(super) fn image(&self, unknown: &[f64], bent: &[f64]) -> Vec<f64> {
+        let contact = self.contact.as_ref().map(|contact| contact.times(bent));
+        self.image_with(unknown, contact)
+    }
+
+    /// Deflection [m] by a change of the unknown, and by that of contact with a change of the journal.
+    pub(super) fn image_of(&self, unknown: &[f64], change: &JournalChange) -> Vec<f64> {
+        let grid = &self.deflection.wall.grid;
+        let contact = grid.contact_forces_change(self.problem, self.system, change.into());
+        self.image_with(unknown, contact)
+    }
+
+    fn image_with(&self, unknown: &[f64], contact: Option<Vec<f64>>) -> Vec<f64> {
         let wall = &self.deflection.wall;
-        let forces = (wall.grid).forces_change(self.problem, self.system, &self.film.unknown, unknown);
+        let mut forces = (wall.grid).forces_change(self.problem, self.system, &self.film.unknown, unknown);
+        for (force, contact) in forces.iter_mut().zip(contact.iter().flatten()) {
+            *force += contact;
+        }
         wall.compliance.deflection(&forces)
     }
 
@@ -67,15 +92,15 @@ impl<'a> Follower<'a> {
     /// Solves `(I - C dp/dd) x = b`.
     pub(super) fn solve(&self, b: &[f64], accuracy: f64) -> Result<Solved, Error> {
         let operator = |x: &[f64]| {
-            let image = self.image(&self.by_deflection(x)?);
+            let image = self.image(&self.by_deflection(x)?, x);
             Ok(x.iter().zip(image).map(|(x, image)| x - image).collect())
         };
         gmres(operator, b, accuracy)
     }
 
-    /// What follows from a change of the unknown by `unknown` at a fixed wall.
-    pub(crate) fn followed(&self, unknown: Vec<f64>) -> Result<Followed, Error> {
-        self.bent(&self.image(&unknown), unknown)
+    /// What follows from a `change` of the journal, by which the unknown changes by `unknown` at a fixed wall.
+    pub(crate) fn followed(&self, change: &JournalChange, unknown: Vec<f64>) -> Result<Followed, Error> {
+        self.bent(&self.image_of(&unknown, change), unknown)
     }
 
     /// What follows from a change of the unknown by `unknown`, and of the wall by `free` [m], where neither answers to the other.

@@ -1,9 +1,9 @@
 //! Stiffness and damping of a film at one frequency, and how they look in other frames and units.
 
-use crate::deflection::{Follower, harmonic_response};
+use crate::deflection::{Follower, Response, harmonic_response};
 use oilwedge_fem::Error;
 use oilwedge_reynolds::quantities::load::{Resultant, load_change, oil_change};
-use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalChange, Whirl};
+use oilwedge_reynolds::{FilmChange, FilmProblem, FilmSolution, FilmSystem, JournalChange, Whirl};
 
 /// Row: W_x, W_y, m_x, m_y; column: e_x, e_y, g_x, g_y, or their rates.
 pub type Square = [[f64; 4]; 4];
@@ -36,19 +36,27 @@ impl Coefficients {
             motion[column] = 1.0;
             let [e_x, e_y, g_x, g_y] = motion;
             let (offset, tilt) = ([e_x, e_y], [g_x, g_y]);
-            let mut response = whirl.response(offset, tilt)?;
-            if let Some(follower) = &follower {
-                response = harmonic_response((&whirl, follower), response, frequency, problem.journal.speed.abs())?;
-            }
-            let [by_place, by_rate] = response;
             let place = JournalChange {
                 offset,
                 tilt,
                 ..JournalChange::default()
             };
-            // Contact answers to the place of the journal, not to its rate.
-            let by_place = forces(load_change(problem, system, film, &place, &by_place));
-            let by_rate = forces(oil_change(problem, system, film, &by_rate));
+            let response = whirl.response(offset, tilt)?;
+            let [by_place, by_rate] = match &follower {
+                None => of_film(problem, system, film, &place, response),
+                Some(follower) => {
+                    let parts = (&whirl, follower);
+                    let pace = problem.journal.speed.abs();
+                    let Response { unknown, deflection } = harmonic_response(parts, &place, response, frequency, pace)?;
+                    let [placed, moving] = deflection.each_ref().map(|shape| FilmChange::Gap(shape));
+                    let place = [(&place).into(), placed];
+                    [
+                        load_change(problem, system, film, &place, &unknown[0]),
+                        load_change(problem, system, film, &[moving], &unknown[1]),
+                    ]
+                }
+            };
+            let [by_place, by_rate] = [forces(by_place), forces(by_rate)];
             for row in 0..coefficients.order {
                 coefficients.stiffness[row][column] = by_place[row];
                 coefficients.damping[row][column] = by_rate[row];
@@ -108,6 +116,20 @@ impl Coefficients {
     pub(super) fn forces(of: &Square) -> [[f64; 2]; 2] {
         [[of[0][0], of[0][1]], [of[1][0], of[1][1]]]
     }
+}
+
+/// What the journal carries more in a rigid wall with a motion as `place` and as rate: contact answers to the place of the journal, not to its rate.
+fn of_film(
+    problem: &FilmProblem,
+    system: &FilmSystem,
+    film: &FilmSolution,
+    place: &JournalChange,
+    [by_place, by_rate]: [Vec<f64>; 2],
+) -> [Resultant; 2] {
+    [
+        load_change(problem, system, film, &[place.into()], &by_place),
+        oil_change(problem, system, film, &by_rate),
+    ]
 }
 
 /// Forces and moments in the order of the rows.

@@ -191,7 +191,7 @@ impl Motion<'_> {
             let unknown = (here.problem)
                 .unknown_change(self.system, &here.film, &change)
                 .map_err(Failure::from)?;
-            let by_film = load_change(&here.problem, self.system, &here.film, &change, &unknown);
+            let by_film = load_change(&here.problem, self.system, &here.film, &[(&change).into()], &unknown);
             let mut column = coordinates.forces(&by_film);
             if k >= 2 {
                 column[k] += per_offset * self.support_stiffness();

@@ -15,6 +15,7 @@
 //!
 //! **Source.** Definition. **Range.** Friction of contact acts along the surface and carries no load. **Verified by** `tests/tests/contact`.
 
+use std::ops::AddAssign;
 use std::sync::LazyLock;
 
 use oilwedge_fem::integrate::{Points, Rule};
@@ -23,8 +24,8 @@ use oilwedge_fem::{Quadrature, integrate};
 
 use super::share::{Resultant, Share};
 use crate::angles::sines_and_cosines;
-use crate::contact::{Contact, ContactLaw};
-use crate::{FilmPoint, FilmProblem, FilmSystem, JournalChange};
+use crate::contact::{ContactLaw, ContactPressure};
+use crate::{FilmChange, FilmPoint, FilmProblem, FilmSystem};
 
 /// Triangles are quartered at most this often,
 const MOST_QUARTERINGS: usize = 5;
@@ -66,36 +67,79 @@ pub fn unsure(problem: &FilmProblem, system: &FilmSystem, share: &Share) -> f64 
 }
 
 fn carried(problem: &FilmProblem, system: &FilmSystem, fineness: Fineness) -> Option<Share> {
-    let Contact { law, .. } = problem.contact?;
-    Some(integrated(problem, system, &law, fineness, |_, gaps| {
-        gaps.map(|gap| law.at(gap).pressure)
-    }))
+    let law = problem.contact?.law;
+    Some(integrated(
+        (problem, system),
+        &law,
+        fineness,
+        |points, pressures, sum| {
+            add_share(problem, points, pressures.map(|at| at.pressure), sum);
+        },
+    ))
 }
 
-/// First-order change of what contact carries where the journal moves by `change`; zero where none is simulated.
-pub fn contact_change(problem: &FilmProblem, system: &FilmSystem, change: &JournalChange) -> Resultant {
-    let Some(Contact { law, .. }) = problem.contact else {
-        return Resultant::default();
+/// First-order change of what contact carries with a `change` of the journal or the gap; zero where none is simulated.
+pub fn contact_change(problem: &FilmProblem, system: &FilmSystem, change: FilmChange<'_>) -> Resultant {
+    let by_gap = |points: &Points<'_>, pressures: [ContactPressure; MOST_POINTS], sum: &mut Share| {
+        let moved = gap_change(problem, change, points);
+        add_share(
+            problem,
+            points,
+            std::array::from_fn(|q| pressures[q].slope * moved[q]),
+            sum,
+        );
     };
-    let by_gap = |points: &Points, gaps: [f64; MOST_POINTS]| {
-        let mut moved = [FilmPoint::default(); MOST_POINTS];
-        for contribution in &problem.film_thickness {
-            let moved = &mut moved[..points.positions.len()];
-            contribution.vary(change, points.cell, points.positions, moved);
+    each_point(problem, system, by_gap).map_or(Resultant::default(), |share: Share| share.resultant())
+}
+
+/// First-order change [m] of the gap at points with a `change` of the journal or the gap.
+pub(crate) fn gap_change(problem: &FilmProblem, change: FilmChange<'_>, points: &Points<'_>) -> [f64; MOST_POINTS] {
+    let mut film = [FilmPoint::default(); MOST_POINTS];
+    let moved = &mut film[..points.positions.len()];
+    match change {
+        FilmChange::Journal(change) => {
+            for contribution in &problem.film_thickness {
+                contribution.vary(&change, points.cell, points.positions, moved);
+            }
         }
-        std::array::from_fn(|q| law.at(gaps[q]).slope * moved[q].thickness)
-    };
-    integrated(problem, system, &law, Fineness::Full, by_gap).resultant()
+        FilmChange::Gap(shape) => shape.add(&problem.journal, points.cell, points.positions, moved),
+        FilmChange::GapRate(_) => {}
+    }
+    film.map(|point| point.thickness)
 }
 
-/// Integrals over the film of a density [Pa] that depends on the gaps [m] at points; triangles are divided where it is steep.
-fn integrated(
+/// Adds the share of a density [Pa] at points.
+fn add_share(problem: &FilmProblem, points: &Points<'_>, density: [f64; MOST_POINTS], sum: &mut Share) {
+    let [sines, cosines] = sines_and_cosines(points.positions, problem.bearing.radius);
+    for q in 0..points.positions.len() {
+        let thrust = points.area(q) * density[q];
+        let force = [thrust * cosines[q], thrust * sines[q]];
+        *sum += Share {
+            force,
+            moment: force.map(|force| points.positions[q][1] * force),
+            pressure: thrust,
+            possible: thrust.abs(),
+        };
+    }
+}
+
+/// The sum over the film of what `add` makes of points and the pressures of contact there; `None` where no contact is simulated.
+pub(crate) fn each_point<S: Default + AddAssign + Send>(
     problem: &FilmProblem,
     system: &FilmSystem,
+    add: impl Fn(&Points<'_>, [ContactPressure; MOST_POINTS], &mut S) + Sync,
+) -> Option<S> {
+    let law = problem.contact?.law;
+    Some(integrated((problem, system), &law, Fineness::Full, add))
+}
+
+/// The sum over the film; triangles are divided where the pressure of contact is steep.
+fn integrated<S: Default + AddAssign + Send>(
+    (problem, system): (&FilmProblem, &FilmSystem),
     law: &ContactLaw,
     fineness: Fineness,
-    density: impl Fn(&Points, [f64; MOST_POINTS]) -> [f64; MOST_POINTS] + Sync,
-) -> Share {
+    add: impl Fn(&Points<'_>, [ContactPressure; MOST_POINTS], &mut S) + Sync,
+) -> S {
     let mesh = system.space().mesh();
     let is_film = system.supply.film(mesh);
     integrate(mesh, |t| {
@@ -103,21 +147,11 @@ fn integrated(
             .then(|| quarterings(problem, system, law, fineness, t))
             .flatten()
         else {
-            return Share::default();
+            return S::default();
         };
-        RULES[quarterings].integrate(mesh, t, |points, sum: &mut Share| {
-            let density = density(points, problem.gaps_at(t, points.positions));
-            let [sines, cosines] = sines_and_cosines(points.positions, problem.bearing.radius);
-            for q in 0..points.positions.len() {
-                let thrust = points.area(q) * density[q];
-                let force = [thrust * cosines[q], thrust * sines[q]];
-                *sum += Share {
-                    force,
-                    moment: force.map(|force| points.positions[q][1] * force),
-                    pressure: thrust,
-                    possible: thrust.abs(),
-                };
-            }
+        RULES[quarterings].integrate(mesh, t, |points, sum: &mut S| {
+            let gaps = problem.gaps_at(t, points.positions);
+            add(points, gaps.map(|gap| law.at(gap)), sum);
         })
     })
 }

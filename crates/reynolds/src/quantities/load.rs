@@ -27,7 +27,7 @@ use super::contact;
 pub use super::share::{Resultant, Share};
 use crate::angles::sines_and_cosines;
 use crate::supply::{self, Disc, SupplyRegion};
-use crate::{FilmProblem, FilmSolution, FilmSystem, JournalChange};
+use crate::{FilmChange, FilmProblem, FilmSolution, FilmSystem};
 
 /// Cells through which a kink of the effective pressure runs are quartered this many times.
 const KINK_QUARTERINGS: usize = 4;
@@ -94,18 +94,18 @@ pub fn possible_load(problem: &FilmProblem, share: &Share) -> f64 {
     share.possible.max(rounding)
 }
 
-/// First-order change of force and moment where the journal moves by `change`, by which the unknown changes at each dof; contact follows the journal, regions cut out
+/// First-order change of force and moment with `changes` of the journal and the gap, by which the unknown changes at each dof; contact follows the gap, regions cut out
 /// keep their pressure.
 pub fn load_change(
     problem: &FilmProblem,
     system: &FilmSystem,
     film: &FilmSolution,
-    change: &JournalChange,
+    changes: &[FilmChange<'_>],
     unknown: &[f64],
 ) -> Resultant {
     let mut sum = oil_change(problem, system, film, unknown);
-    if problem.contact.is_some() {
-        let by_contact = contact::contact_change(problem, system, change);
+    for change in changes {
+        let by_contact = contact::contact_change(problem, system, *change);
         for d in 0..2 {
             sum.force[d] += by_contact.force[d];
             sum.moment[d] += by_contact.moment[d];

@@ -99,9 +99,11 @@ impl Grid {
         }
     }
 
-    /// Width and least length of its cells [m].
-    pub(super) fn cell(&self) -> [f64; 2] {
-        let lengths = self.along.breaks().windows(2).map(|pair| pair[1] - pair[0]);
-        [self.radius * self.around.width(), lengths.fold(f64::INFINITY, f64::min)]
+    /// Width and least length [m] of its cells between two axial positions [m].
+    pub(super) fn cell(&self, [low, high]: [f64; 2]) -> [f64; 2] {
+        let cells = self.along.breaks().windows(2);
+        let there = cells.filter(|pair| pair[1] > low && pair[0] < high);
+        let least = there.map(|pair| pair[1] - pair[0]).fold(f64::INFINITY, f64::min);
+        [self.radius * self.around.width(), least]
     }
 }

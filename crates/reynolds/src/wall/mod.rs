@@ -1,6 +1,7 @@
 //! The wall of the liner: how it gives way to the pressure of the film.
 //!
-//! Reading order: `spline.rs` and [`grid`] (where forces and deflections live), [`compliance`] (what makes one of the other), [`Wall`];
+//! Reading order: `spline.rs` and [`grid`] (where forces and deflections live), `pressing.rs` and `touching.rs` (forces of the film and of contact), [`compliance`] (what makes one
+//! of the other), [`Wall`];
 //! [`crate::film_thickness::Deflection`] adds the deflection to the gap. What closes around film and wall is in the crate `bearing`.
 
 pub mod compliance;
@@ -8,12 +9,14 @@ pub mod dense;
 pub mod grid;
 mod pressing;
 pub mod spline;
+mod touching;
 
 pub use compliance::Compliance;
 pub use dense::Dense;
 pub use grid::Grid;
 pub(crate) use pressing::Pressing;
 pub use spline::{Along, Around};
+pub use touching::ContactTangent;
 
 use std::sync::Arc;
 
@@ -87,9 +90,16 @@ impl Wall {
         })
     }
 
-    /// Coefficients of the deflection [m] by the pressure of a film with this unknown.
+    /// Coefficients of the deflection [m] by the pressure of a film with this unknown, and by that of contact.
     pub fn deflection(&self, problem: &FilmProblem, system: &FilmSystem, unknown: &[f64]) -> Vec<f64> {
-        (self.compliance).deflection(&self.grid.forces(problem, system, unknown))
+        let mut forces = self.grid.forces(problem, system, unknown);
+        if let Some(contact) = self.grid.contact_forces(problem, system) {
+            forces
+                .iter_mut()
+                .zip(contact)
+                .for_each(|(force, contact)| *force += contact);
+        }
+        self.compliance.deflection(&forces)
     }
 
     /// Coefficients of the deflection [m] of this wall by the pressure that bends `other` so, a wall of slices on the same grid; none where there is no such pressure.

@@ -108,15 +108,18 @@ impl AddAssign for Blocks {
     }
 }
 
-/// How often a triangle is quartered so that its parts are no wider than a cell.
+/// How often a triangle is quartered so that its parts are no wider than the cells that it lies on.
 fn quarterings(grid: &Grid, corners: &[[f64; 2]; 3]) -> usize {
-    let cell = grid.cell();
-    let extent = |d: usize| {
+    let range = |d: usize| {
         let values = corners.map(|corner| corner[d]);
-        values.iter().fold(f64::NEG_INFINITY, |most, &v| most.max(v))
-            - values.iter().fold(f64::INFINITY, |least, &v| least.min(v))
+        [
+            values.iter().fold(f64::INFINITY, |least, &v| least.min(v)),
+            values.iter().fold(f64::NEG_INFINITY, |most, &v| most.max(v)),
+        ]
     };
-    let ratio = f64::max(extent(0) / cell[0], extent(1) / cell[1]);
+    let (around, along) = (range(0), range(1));
+    let cell = grid.cell(along);
+    let ratio = f64::max((around[1] - around[0]) / cell[0], (along[1] - along[0]) / cell[1]);
     (0..MOST_QUARTERINGS)
         .find(|&levels| ratio <= (1usize << levels) as f64)
         .unwrap_or(MOST_QUARTERINGS)

@@ -1,0 +1,206 @@
+//! Walls that give way to film and contact together: tangents, limits, and a wall that contact alone bends.
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use oilwedge_bearing::Coefficients;
+use oilwedge_bearing::deflection::{carried_change, closed_film};
+use oilwedge_reynolds::contact::Contact;
+use oilwedge_reynolds::flow_factors::PatirCheng;
+use oilwedge_reynolds::solve::Neighbour;
+use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSystem, JournalChange, terms};
+use oilwedge_tests::elastic_liner::{carried, closed, layer, walled};
+use oilwedge_tests::tilted_bearings::{run, slope, tilted};
+use oilwedge_tests::*;
+
+use crate::contact::contacts;
+use crate::contact::mixed::{ASPERITIES, CURVE, scene};
+
+const LENGTH: f64 = 0.06;
+const REYNOLDS: Cavitation = Cavitation::Reynolds { pressure: 0.0 };
+
+/// Films whose surfaces touch at one end of a soft wall, smooth and rough.
+fn films() -> Vec<(String, FilmProblem, FilmSystem)> {
+    let mut films = Vec::new();
+    for (model, is_rough) in [
+        (Cavitation::None, false),
+        (REYNOLDS, true),
+        (Cavitation::Jfo { pressure: 0.0 }, false),
+    ] {
+        for contact in contacts() {
+            let system = ring_system(72, 12, LENGTH, Some(160f64.to_radians()));
+            let problem = walled(LENGTH, 0.87, model, |_| layer(5e-4));
+            let mut problem = tilted(problem, slope([0.15, -0.1]));
+            problem.contact = Some(contact);
+            problem.terms.push(Arc::new(terms::squeeze::Squeeze));
+            if is_rough {
+                problem.flow_factors = vec![Arc::new(PatirCheng { roughness: 2e-6 })];
+            }
+            films.push((format!("{model:?} {} {is_rough}", contact.law.name()), problem, system));
+        }
+    }
+    films
+}
+
+/// Forces in one unit: moments over half of the length.
+fn forces(by: &oilwedge_reynolds::quantities::load::Resultant) -> [f64; 4] {
+    let arm = 0.5 * LENGTH;
+    [by.force[0], by.force[1], by.moment[0] / arm, by.moment[1] / arm]
+}
+
+fn unit_change(k: usize, by: f64) -> JournalChange {
+    let mut change = JournalChange::default();
+    match k {
+        0 | 1 => change.offset[k] = by,
+        _ => change.tilt[k - 2] = 2.0 / LENGTH * by,
+    }
+    change
+}
+
+/// Central differences of closed films, cavities kept, steps of 1e-7 and 1e-6 of the clearance.
+#[test]
+fn tangents_of_film_wall_and_contact_are_differences() {
+    for (what, problem, system) in films() {
+        let (problem, film) = closed(problem, &system);
+        let closing = problem.deflection().expect("a wall").closing;
+        assert!(closing.residual < 1e-10, "{what}: {closing:?}");
+        println!("{what}: {closing:?}");
+        let tangent: [[f64; 4]; 4] = std::array::from_fn(|k| {
+            forces(&carried_change(&problem, &system, &film, &unit_change(k, 1.0)).expect("a tangent"))
+        });
+        let at = |change: &JournalChange| {
+            let moved = FilmProblem {
+                journal: problem.journal.changed(change),
+                ..problem.clone()
+            };
+            let (moved, film) =
+                closed_film(moved, &system, Neighbour::Kept(&film)).unwrap_or_else(|reason| panic!("{what}: {reason}"));
+            forces(&carried(&moved, &system, &film))
+        };
+        for step in [1e-7 * CLEARANCE, 1e-6 * CLEARANCE] {
+            for (k, column) in tangent.iter().enumerate() {
+                let (ahead, behind) = (at(&unit_change(k, step)), at(&unit_change(k, -step)));
+                for d in 0..4 {
+                    let difference = (ahead[d] - behind[d]) / (2.0 * step);
+                    let size = (tangent[d][d] * tangent[k][k]).abs().sqrt();
+                    let off = (difference - column[d]).abs() / size;
+                    assert!(off < 1e-6, "{what}: {d} by {k}, step {step:e}: {off:e}");
+                }
+            }
+        }
+        let slow = Coefficients::of(&problem, &system, &film, 0.0).expect("coefficients");
+        for d in 0..2 {
+            for k in 0..2 {
+                let off = (slow.stiffness[d][k] - tangent[k][d]).abs() / tangent[k][k].abs();
+                assert!(off < 1e-7, "{what}: K {d} {k}: {off:e}");
+            }
+        }
+    }
+}
+
+/// A wall that is all but rigid leaves film and contact as they are, and contact that touches nothing leaves film and wall so.
+#[test]
+fn stiff_walls_and_distant_asperities_change_nothing() {
+    let near = |what: &str, a: [f64; 4], b: [f64; 4]| {
+        let size = a[0].hypot(a[1]);
+        for (a, b) in a.iter().zip(b) {
+            assert!((a - b).abs() < 1e-12 * size, "{what}: {a} {b}");
+        }
+    };
+    for (what, problem, system) in films() {
+        let mut stiff = problem.clone();
+        let wall = walled(LENGTH, 0.87, REYNOLDS, |_| 1e-30);
+        stiff = stiff.deflected(wall.deflection());
+        let mut rigid = problem.clone();
+        rigid
+            .film_thickness
+            .retain(|contribution| contribution.as_deflection().is_none());
+        let of = |problem: FilmProblem| {
+            let (problem, film) = closed(problem, &system);
+            forces(&carried(&problem, &system, &film))
+        };
+        near(&what, of(stiff), of(rigid));
+
+        let mut distant = problem.clone();
+        distant.journal.offset = distant.journal.offset.map(|offset| 0.3 * offset);
+        let alone = FilmProblem {
+            contact: None,
+            ..distant.clone()
+        };
+        near(&what, of(distant), of(alone));
+    }
+}
+
+/// A journal that does not turn is carried by contact alone: the layer gives way at each place by itself, `d = k p_a(h_0 + d)`, a root of one equation.
+#[test]
+fn a_layer_under_contact_alone_gives_way_place_by_place() {
+    let (eps, per_pressure) = (0.97, layer(5e-4));
+    for contact in contacts() {
+        let system = ring_system(144, 12, LENGTH, Some(PI));
+        let mut problem = walled(LENGTH, eps, REYNOLDS, |_| per_pressure);
+        problem.journal.speed = 0.0;
+        problem.contact = Some(contact);
+        let (problem, film) = closed(problem, &system);
+        let carried = carried(&problem, &system, &film).force;
+        let (force, rigid) = (
+            contact_force(&contact, eps, per_pressure),
+            contact_force(&contact, eps, 0.0),
+        );
+        let off = carried[0].hypot(carried[1]) / force - 1.0;
+        println!(
+            "{}: {force} N, {rigid} N of a rigid wall, off {off:e}",
+            contact.law.name()
+        );
+        assert!(off.abs() < 2e-4, "{off:e}");
+        assert!(force < 0.97 * rigid, "{force} {rigid}");
+    }
+}
+
+/// Force [N] of the contact of a parallel journal in a layer, by bisection at each angle.
+fn contact_force(contact: &Contact, eps: f64, per_pressure: f64) -> f64 {
+    const POINTS: u32 = 20_000;
+    let at = |k: u32| {
+        let cos = (PI * (f64::from(k) + 0.5) / f64::from(POINTS)).cos();
+        let gap = CLEARANCE * (1.0 - eps * cos);
+        let (mut low, mut high) = (0.0, per_pressure * contact.law.hardness());
+        for _ in 0..200 {
+            let middle = 0.5 * (low + high);
+            match middle < per_pressure * contact.law.at(gap + middle).pressure {
+                true => low = middle,
+                false => high = middle,
+            }
+        }
+        contact.law.at(gap + low).pressure * cos
+    };
+    2.0 * RADIUS * LENGTH * PI / f64::from(POINTS) * (0..POINTS).map(at).sum::<f64>()
+}
+
+/// A main bearing in mixed lubrication on a polymer layer: balanced, with bars, and less of the load on its asperities the softer the layer is.
+#[test]
+fn loads_are_balanced_in_mixed_films_on_soft_walls() {
+    for contact in [ASPERITIES, CURVE] {
+        let share = |keys: &str| {
+            let result = run(&scene(300.0, contact, keys));
+            let of = |name: &str| {
+                let quantity = result
+                    .by_name(name)
+                    .unwrap_or_else(|| panic!("no {name}: {:?}", result.reason));
+                (quantity.value, quantity.error().unwrap_or(f64::NAN))
+            };
+            assert!(result.balances.force < 1e-10, "{:e}", result.balances.force);
+            assert!(result.balances.deflection.is_none_or(|left| left < 1e-10));
+            let (share, bar) = of("contact_share");
+            assert!(bar.is_finite(), "no bar of the share");
+            println!(
+                "{keys}: share {share} +- {bar:.1e}, film {:e}",
+                of("film_thickness_min").0
+            );
+            share
+        };
+        let layer = |micrometres: f64| format!("[liner]\nwinkler = \"{micrometres} um/MPa\"\n");
+        let (rigid, stiff) = (share(""), share(&layer(1e-12)));
+        assert!((rigid - stiff).abs() < 1e-9, "{rigid} {stiff}");
+        let soft = share(&layer(0.005));
+        assert!(soft < rigid - 0.02, "{soft} {rigid}");
+    }
+}
