@@ -58,6 +58,17 @@ pub enum Position {
 }
 
 impl Journal {
+    /// A journal that turns at `speed` [rad/s] under no load, without tilt or motion of its own.
+    pub fn without_load(speed: f64) -> Self {
+        Self {
+            speed,
+            position: Position::Load { force: 0.0, angle: 0.0 },
+            squeeze: None,
+            tilt: None,
+            tilt_rate: None,
+        }
+    }
+
     /// The force on the journal `(F cos, F sin)` [N]; `None` at a given position and under a load that changes.
     pub fn load(&self) -> Option<[f64; 2]> {
         match self.position {

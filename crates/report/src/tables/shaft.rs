@@ -18,7 +18,7 @@ const DIGITS: usize = 4;
 type Columns = [(&'static str, &'static Row); 6];
 
 const AT_REST: Columns = [
-    ("load", &LOAD),
+    ("force", &LOAD),
     ("towards", &LOAD_ANGLE),
     ("least film", &FILM_THICKNESS_MIN),
     ("p_max", &PRESSURE_MAX),

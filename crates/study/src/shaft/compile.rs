@@ -8,7 +8,7 @@ use oilwedge_bearing::shaft::{
     self, CrankThrow, Crankshaft, Engine, Films, Material, NodeForce, Piece, Place, Round, Shaft,
 };
 use oilwedge_scene::{
-    self as scene, CavitationModel, Orbit, Position, Scene, ShaftPiece, ShaftScene, ShaftTilt, Statics, Support,
+    self as scene, CavitationModel, Journal, Orbit, Scene, ShaftPiece, ShaftScene, ShaftTilt, Statics, Support,
 };
 
 use super::error::ShaftError;
@@ -206,10 +206,8 @@ fn on_shaft(own: Scene, scene: &ShaftScene) -> Scene {
     let shaft = &scene.crankshaft;
     let resists_tilt = shaft.tilt == ShaftTilt::Free && shaft.statics == Statics::Elastic;
     let mut changed = own;
-    changed.journal.speed = shaft.speed;
     // No load: that of the shaft acts.
-    changed.journal.position = Position::Load { force: 0.0, angle: 0.0 };
-    (changed.journal.squeeze, changed.journal.tilt, changed.journal.tilt_rate) = (None, None, None);
+    changed.journal = Journal::without_load(shaft.speed);
     (changed.load_at, changed.load_moment, changed.load_cycle, changed.crank) = (None, None, None, None);
     changed.support = resists_tilt.then_some(Support {
         tilt_stiffness: 0.0,
