@@ -22,7 +22,7 @@ keys! {
 const POSITION: &str = "0.6 and min_film_angle = \"180 deg\", or [load] with force = \"5 kN\" and angle = \"270 deg\": the position is found then";
 
 /// The journal.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Journal {
     /// Angular speed omega [rad/s]; positive towards growing angles.
     pub speed: f64,
@@ -37,7 +37,7 @@ pub struct Journal {
 }
 
 /// Where the journal is.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Position {
     /// At a fixed position.
     Given {
@@ -54,6 +54,7 @@ pub enum Position {
         angle: f64,
     },
     /// On an orbit, under a load that changes over a cycle.
+    #[default]
     Cycle,
 }
 
@@ -63,9 +64,7 @@ impl Journal {
         Self {
             speed,
             position: Position::Load { force: 0.0, angle: 0.0 },
-            squeeze: None,
-            tilt: None,
-            tilt_rate: None,
+            ..Self::default()
         }
     }
 

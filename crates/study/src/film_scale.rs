@@ -17,10 +17,19 @@ use crate::position::Position;
 /// Bounds of the scale, in radii.
 pub(crate) const LONGEST: f64 = 0.6;
 const SHORTEST: f64 = 0.01;
+/// Longest edges of a mesh without a wanted size, over those that resolve the film's scale: two halvings.
+const FINENESS: f64 = 0.25;
+/// Edges along the axis, at least, of a mesh without a wanted size.
+const ACROSS: f64 = 4.0;
 /// The scale over the length in which the film doubles.
 const PART: f64 = 0.65;
 /// Edges of the mesh of an orbit, over those of a film at rest at its greatest eccentricity: the film is thinnest for a moment only, and at one place.
 const ON_ORBIT: f64 = 2.0;
+
+/// Longest edges [m] of a mesh without a wanted size.
+pub(crate) fn needed_size(scene: &Scene) -> f64 {
+    (FINENESS * LONGEST * scene.bearing.radius()).min(scene.bearing.length / ACROSS)
+}
 
 /// The scale of a film.
 pub(crate) struct FilmScale<'a> {

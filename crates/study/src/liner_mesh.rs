@@ -12,18 +12,13 @@ use sha2::{Digest, Sha256};
 use crate::compile_error::CompileError;
 use crate::effects::Sockets;
 use crate::feed_region::{FeedRegion, feed_regions, liner, shape};
-use crate::film_scale::{FilmScale, LONGEST};
+use crate::film_scale::{FilmScale, LONGEST, needed_size};
 use crate::position::Position;
 use crate::row_distances::{RowDistances, column};
 use oilwedge_scene::{Layout, MeshSource, Scene};
 
-/// Longest edges of a mesh without a wanted size, over those that resolve the film's scale: two halvings.
-const FINENESS: f64 = 0.25;
-
 /// A groove of a mesh file may be this part of the radius off the groove that the scene describes.
 const ON_RIM: f64 = 1e-3;
-/// Edges along the axis, at least, of a mesh without a wanted size.
-const ACROSS: f64 = 4.0;
 
 /// The mesh of a liner, and where it comes from.
 pub struct LinerMesh {
@@ -102,7 +97,7 @@ fn sense(scene: &Scene) -> Sense {
 }
 
 /// Whether the film carries its oil through the cavity.
-pub(crate) fn conserves_oil(scene: &Scene) -> bool {
+fn conserves_oil(scene: &Scene) -> bool {
     Sockets::of(scene).cavitation.conserves_oil()
 }
 
@@ -175,11 +170,6 @@ fn drawn(scene: &Scene, size: Option<f64>, scale: &FilmScale) -> Result<Mesh, Ve
         line: scene.bearing.film_start,
     };
     graded(scene, &blueprint, size.unwrap_or(needed_size(scene)), scale)
-}
-
-/// Longest edges [m] of a mesh without a wanted size.
-pub(crate) fn needed_size(scene: &Scene) -> f64 {
-    (FINENESS * LONGEST * scene.bearing.radius()).min(scene.bearing.length / ACROSS)
 }
 
 /// The scene with the longest edges of its mesh `factor` times as long; `None` where its mesh is that of a file.

@@ -8,8 +8,7 @@ use oilwedge_mesh::developed::Liner;
 
 use crate::effects::Sockets;
 use crate::feed_region::shape;
-use crate::film_scale::{FilmScale, LONGEST};
-use crate::liner_mesh::{conserves_oil, needed_size};
+use crate::film_scale::{FilmScale, LONGEST, needed_size};
 use crate::oil::Oil;
 use oilwedge_scene::Scene;
 
@@ -37,7 +36,8 @@ pub(crate) struct RowDistances {
 impl RowDistances {
     /// Those of a film that conserves its oil, none for other films.
     pub(crate) fn of(scene: &Scene, liner: &Liner, longest: f64, scale: &FilmScale) -> Option<Self> {
-        let cavity = (Sockets::of(scene).cavitation.pressure()).filter(|_| conserves_oil(scene))?;
+        let cavitation = Sockets::of(scene).cavitation;
+        let cavity = cavitation.pressure().filter(|_| cavitation.conserves_oil())?;
         let usual = |x: f64| needed_size(scene) / longest * column(longest, scale, x);
         Some(Self {
             far: spacing(liner, &|x| column(longest, scale, x)),

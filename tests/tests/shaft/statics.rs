@@ -178,7 +178,7 @@ fn peaks_that_touch_carry_a_part_of_the_shaft() {
     let bearing = changed(
         &text("bearings/small_ring.toml"),
         "\"30 um\"",
-        "\"30 um\"\nroughness = \"2 um\"",
+        "\"30 um\"\nroughness = \"3 um\"",
     );
     std::fs::write(folder.path().join("ring.toml"), changed(&bearing, "[journal]", rough)).expect("a file");
     let path = folder.path().join("ring.toml");

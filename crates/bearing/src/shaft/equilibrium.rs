@@ -69,10 +69,10 @@ impl Films<'_> {
         let coarser = self.coarser();
         let start = coarser.and_then(|coarser| coarser.balance(asked, angle, deadline).ok());
         let mut films = 0;
-        if let Some(start) = start.map(|start| places(&start.instants)) {
-            if let Ok(found) = self.settled(self.known(asked, angle, 0.0), start, None, &mut films) {
-                return Ok(of(found, films));
-            }
+        if let Some(start) = start.map(|start| places(&start.instants))
+            && let Ok(found) = self.settled(self.known(asked, angle, 0.0), start, None, &mut films)
+        {
+            return Ok(of(found, films));
         }
         self.sunk(asked, angle, deadline, &mut films)
     }

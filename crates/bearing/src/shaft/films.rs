@@ -219,10 +219,8 @@ impl Films<'_> {
     pub(super) fn inside(&self, at: &[Vector], way: &[Vector], shrink: f64) -> f64 {
         let mut part = 1.0;
         let leaves = |part: f64| {
-            let journals = self.films.iter().zip(at.iter().zip(way));
-            journals
-                .map(|(film, (at, way))| film.least_gap(moved(*at, part, *way)) >= shrink * film.least_gap(*at))
-                .all(|leaves| leaves)
+            let mut journals = self.films.iter().zip(at.iter().zip(way));
+            journals.all(|(film, (at, way))| film.least_gap(moved(*at, part, *way)) >= shrink * film.least_gap(*at))
         };
         while part > 0.0 && !leaves(part) {
             part *= 0.8;

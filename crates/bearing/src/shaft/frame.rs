@@ -207,7 +207,7 @@ fn rigid_motions(rows: &[(usize, usize)], places: &[Place], nodes: &[Point]) -> 
             }
         }
         let left = motion.size();
-        if !(left > DEPENDENT * size) {
+        if left.is_nan() || left <= DEPENDENT * size {
             return Err(NoShaft::Free);
         }
         motions.push(motion.scaled(1.0 / left));

@@ -7,13 +7,12 @@ use oilwedge_bearing::coordinates::Vector;
 use oilwedge_bearing::shaft::{
     self, CrankThrow, Crankshaft, Engine, Films, Material, NodeForce, Piece, Place, Round, Shaft,
 };
-use oilwedge_scene::{
-    self as scene, CavitationModel, Journal, Orbit, Scene, ShaftPiece, ShaftScene, ShaftTilt, Statics, Support,
-};
+use oilwedge_scene::{self as scene, Journal, Orbit, Scene, ShaftPiece, ShaftScene, ShaftTilt, Statics, Support};
 
 use super::error::ShaftError;
 use crate::compile_error::CompileError;
 use crate::duty::{NoDuty, crank_of};
+use crate::effects::Sockets;
 use crate::film::Film;
 use crate::orbit::on_mesh_for;
 
@@ -169,35 +168,31 @@ fn failed(path: &Path) -> impl Fn(CompileError) -> ShaftError {
 
 /// Refuses what is not solved on a shaft.
 fn refuse(path: &Path, own: &Scene) -> Result<(), ShaftError> {
-    let refused = |key, reason, help| {
-        Err(ShaftError::Refused {
-            path: path.to_owned(),
-            key,
-            reason,
-            help,
-        })
-    };
-    if own.heat.is_some() {
-        return refused(
-            "heat",
-            "on a crankshaft the temperature of films is not found",
+    let sockets = Sockets::of(own);
+    let refused = [
+        (
+            sockets.thermal.is_some(),
+            "heat: on a crankshaft the temperature of films is not found",
             "remove [heat], and give oil.viscosity, or oil.temperature for an oil by its grade",
-        );
-    }
-    if own.liner.is_some() {
-        return refused(
-            "liner",
-            "on a crankshaft the walls of films are rigid",
+        ),
+        (
+            sockets.liner.is_some(),
+            "liner: on a crankshaft the walls of films are rigid",
             "remove [liner], and give the support of the bearing a stiffness where the housing yields as a whole",
-        );
-    }
-    match &own.cavitation {
-        Some(cavitation) if cavitation.model == CavitationModel::Jfo => refused(
-            "cavitation.model",
-            "on a crankshaft films that conserve their oil are not solved",
+        ),
+        (
+            sockets.cavitation.conserves_oil(),
+            "cavitation.model: on a crankshaft films that conserve their oil are not solved",
             "give model = \"reynolds\"",
         ),
-        _ => Ok(()),
+    ];
+    match refused.into_iter().find(|(is_asked, ..)| *is_asked) {
+        Some((_, reason, help)) => Err(ShaftError::Refused {
+            path: path.to_owned(),
+            reason,
+            help,
+        }),
+        None => Ok(()),
     }
 }
 

@@ -22,13 +22,11 @@ pub enum ShaftError {
         source: CompileError,
     },
     /// The scene of a bearing has what is not solved on a shaft.
-    #[error("the scene {} of a bearing: {key}: {reason}; {help}", path.display())]
+    #[error("the scene {} of a bearing: {reason}; {help}", path.display())]
     Refused {
         /// Its file.
         path: PathBuf,
-        /// The key or table.
-        key: &'static str,
-        /// Why.
+        /// The key or table, and why.
         reason: &'static str,
         /// The way out.
         help: &'static str,
