@@ -105,12 +105,6 @@ pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
         "has nothing to be compared with: the scene simulates no contact",
         "add [contact], or remove the criterion",
     );
-    complaints.refuse_if(
-        complaints.has("criteria.contact_share_max") && scene.orbit.is_some(),
-        "criteria.contact_share_max",
-        "stands beside [orbit]: the share of contact is that of one position",
-        "remove it, or remove [orbit]",
-    );
     let has_rotor = scene.dynamics.as_ref().is_some_and(|dynamics| dynamics.mass.is_some());
     complaints.refuse_if(
         complaints.has("criteria.decrement_min") && !has_rotor,

@@ -8,10 +8,10 @@ use crate::film::Film;
 use crate::measure::Measured;
 use crate::oil::Oil;
 use crate::quantities::{
-    self, CONTACT_SHARE, CYCLE_DEVIATION, CYCLE_EQUIVALENT_FILM, CYCLE_FILM_THICKNESS_MIN, CYCLE_MIDDLE_FILM_MIN,
-    CYCLE_PRESSURE_MAX, CYCLE_TEMPERATURE, CYCLE_TEMPERATURE_OUTLET, DEVIATION, EQUIVALENT_FILM, FILM_THICKNESS_MIN,
-    LOGARITHMIC_DECREMENT, MIDDLE_FILM_MIN, PRESSURE_MAX, Quantity, Row, TEMPERATURE_EFFECTIVE, TEMPERATURE_OUTLET,
-    View,
+    self, CONTACT_SHARE, CYCLE_CONTACT_SHARE_MAX, CYCLE_DEVIATION, CYCLE_EQUIVALENT_FILM, CYCLE_FILM_THICKNESS_MIN,
+    CYCLE_MIDDLE_FILM_MIN, CYCLE_PRESSURE_MAX, CYCLE_TEMPERATURE, CYCLE_TEMPERATURE_OUTLET, DEVIATION, EQUIVALENT_FILM,
+    FILM_THICKNESS_MIN, LOGARITHMIC_DECREMENT, MIDDLE_FILM_MIN, PRESSURE_MAX, Quantity, Row, TEMPERATURE_EFFECTIVE,
+    TEMPERATURE_OUTLET, View,
 };
 use crate::result::{Criterion, Verdict};
 use crate::thermal_model::ThermalModel;
@@ -184,7 +184,7 @@ fn criteria(scene: &Scene, compared: &Compared) -> Vec<Criterion> {
         what: "share of contact in the load",
         unit: "",
         scale: 1.0,
-        value: compared.value(&[&CONTACT_SHARE]),
+        value: compared.value(&[&CONTACT_SHARE, &CYCLE_CONTACT_SHARE_MAX]),
     };
     let all = [
         length("least film", compared.value(&FILM)).at_least(asked.film_min),

@@ -2,6 +2,7 @@
 
 mod closed_forms;
 pub(crate) mod mixed;
+mod orbit;
 mod rest;
 mod scenes;
 mod tangent;

@@ -3,7 +3,8 @@
 use oilwedge_reynolds::error_bar::Bar;
 use oilwedge_scene::Scene;
 
-use super::row::{Headline, Measure::One};
+use super::cycle_view::At;
+use super::row::{Headline, Measure::One, Measure::OverCycle};
 use super::rule::{ErrorRule, Subject};
 use super::view::View;
 use crate::estimate::Estimate;
@@ -58,7 +59,23 @@ rows! {
             Some(estimate.power([1.0, 1.0]).scaled(at.value / all))
         }),
         only(touches);
+
+    /// Greatest `W_a . W/W^2` over the cycle; of orbits with `[contact]`
+    CYCLE_CONTACT_SHARE_MAX = "cycle_contact_share_max", "W_a/W", One, "greatest part of the load that contact carries over the cycle":
+        OverCycle(|cycle| {
+            let At { time, value } = cycle.greatest(&CONTACT_SHARE)?;
+            Some((value, cycle.bar_at(&CONTACT_SHARE, time)))
+        }),
+        ErrorRule::OverCycle("that of the film there, and of the errors of the orbit"), only(touches_on_orbit);
+
+    /// Part of the cycle in which contact carries more than a hundredth of the load; likewise
+    CYCLE_CONTACT_DURATION = "cycle_contact_duration", "T_a/T", One, "part of the cycle in which contact carries more than a hundredth of the load":
+        OverCycle(|cycle| cycle.part_above(&CONTACT_SHARE, TOUCHING)),
+        ErrorRule::OverCycle("part of the cycle in which the share of contact is within its bar of a hundredth"), only(touches_on_orbit);
 }
+
+/// Part of the load from which on a film counts as one in contact.
+const TOUCHING: f64 = 0.01;
 
 const INTEGRATED: ErrorRule = ErrorRule::Of(
     "the error of integration; under a load that of the position",
@@ -72,6 +89,10 @@ const MOMENT: ErrorRule = ErrorRule::Of(
 /// True of a scene with contact.
 pub(super) fn touches(scene: &Scene) -> bool {
     scene.contact.is_some()
+}
+
+fn touches_on_orbit(scene: &Scene) -> bool {
+    touches(scene) && scene.orbit.is_some()
 }
 
 fn touches_and_tilts(scene: &Scene) -> bool {

@@ -220,6 +220,26 @@ impl CycleView<'_> {
         all.reduce(|a, b| if b.value > a.value { b } else { a })
     }
 
+    /// The part of the cycle [1] in which a row is above a level, on the spline through its values; its bar is the part in which it is within its bar of the level.
+    pub fn part_above(&self, row: &Row, level: f64) -> Option<Judged> {
+        let spline = self.spline(row)?;
+        let places = (0..PLACES).map(|k| self.period() * f64::from(k) / f64::from(PLACES));
+        let values: Vec<[f64; 2]> = places.map(|time| [time, spline.at(time)[0]]).collect();
+        let part = |count: usize| count as f64 / f64::from(PLACES);
+        let above = values.iter().filter(|[_, value]| *value > level).count();
+        let bars: Option<Vec<f64>> = (values.iter())
+            .map(|[time, _]| Some(self.bar_at(row, *time)?.total()))
+            .collect();
+        let near = |bars: Vec<f64>| {
+            values
+                .iter()
+                .zip(bars)
+                .filter(|([_, value], bar)| (value - level).abs() <= *bar)
+                .count()
+        };
+        Some((part(above), bars.map(|bars| Bar::of(part(near(bars).max(1))))))
+    }
+
     /// The mean of a row over the cycle.
     pub fn mean(&self, row: &Row) -> Option<f64> {
         let spline = self.spline(row)?;

@@ -67,7 +67,7 @@ pub use view::View;
 pub use warming::Warming;
 
 /// All quantities, in the order of the report.
-pub static CATALOGUE: [&Row; 130] = [
+pub static CATALOGUE: [&Row; 132] = [
     &CYCLE_FILM_THICKNESS_MIN,
     &CYCLE_FILM_THICKNESS_MIN_CRANK_ANGLE,
     &CYCLE_FILM_THICKNESS_MIN_ANGLE,
@@ -82,6 +82,8 @@ pub static CATALOGUE: [&Row; 130] = [
     &CYCLE_FRICTION_POWER_MAX,
     &CYCLE_FRICTION_SHEAR_POWER,
     &CYCLE_SIDE_FLOW,
+    &CYCLE_CONTACT_SHARE_MAX,
+    &CYCLE_CONTACT_DURATION,
     &CYCLE_TEMPERATURE,
     &CYCLE_TEMPERATURE_OUTLET,
     &CYCLE_COOLING_FLOW,
