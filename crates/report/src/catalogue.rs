@@ -190,7 +190,7 @@ mod tests {
         };
         assert_eq!(found("bearing.clearance"), ["key bearing.clearance"]);
         assert_eq!(found("clearance"), ["key bearing.clearance"]);
-        assert_eq!(found("load"), ["key load", "quantity load"]);
+        assert_eq!(found("load"), ["key load", "key crankshaft.load", "quantity load"]);
         assert_eq!(found("feed_flow.groove"), ["quantity feed_flow.GROUP"]);
         assert_eq!(found("jfo"), ["effect cavitation: jfo"]);
         assert_eq!(found("unresolved"), ["warning unresolved"]);
