@@ -60,7 +60,10 @@ impl NoAnswer {
                 reason,
                 NoEquilibrium::NotConverged { .. } | NoEquilibrium::BelowRounding { .. } | NoEquilibrium::Ended { .. }
             ),
-            Self::Orbit(reason) => matches!(reason, NoOrbit::Stuck { .. } | NoOrbit::Ended { .. }),
+            Self::Orbit(reason) => matches!(
+                reason,
+                NoOrbit::Stuck { .. } | NoOrbit::Between { .. } | NoOrbit::Ended { .. }
+            ),
             Self::Temperature(reason) => reason.is_unreached,
         }
     }
@@ -96,6 +99,9 @@ fn way_out(reason: &NoAnswer) -> Option<&'static str> {
         NoAnswer::Orbit(NoOrbit::Ended { .. }) => return Some(MORE_SECONDS),
         NoAnswer::Orbit(NoOrbit::Stuck { .. }) => {
             return Some("give a finer mesh ([mesh] size), or a greater orbit.tolerance");
+        }
+        NoAnswer::Orbit(NoOrbit::Between { .. }) => {
+            return Some("give a smaller orbit.tolerance: steps are shorter then");
         }
         NoAnswer::Orbit(NoOrbit::SqueezedOut { .. }) => {
             return Some("lower the load, or raise speed, viscosity or size");

@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
 use oilwedge_bearing::duty_cycle::{Frame, Harmonic, Turning};
-use oilwedge_bearing::orbit::{Motion, Orbit, OrbitOptions};
+use oilwedge_bearing::orbit::{Motion, NoOrbit, Orbit, OrbitOptions, Span};
 use oilwedge_bearing::{Deadline, Duty, DutyCycle, SearchOptions, find};
 use oilwedge_reynolds::terms::squeeze::Squeeze;
 use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSystem, Gap, Theory};
@@ -225,4 +225,39 @@ fn a_rotor_with_mass_settles_in_the_same_place() {
         .expect("an orbit");
     let [with_x, with_y] = end(&heavy);
     assert!((x - with_x).hypot(y - with_y) < 1e-3, "{x} {y} {with_x} {with_y}");
+}
+
+/// Two steps inside the bearing between which the cubic path runs into the wall: that is no squeezed film, and the answer says where it is.
+#[test]
+fn a_path_that_leaves_the_bearing_between_two_steps_is_told() {
+    let film = short(0.25, HALF, [32, 2]);
+    let duty = Duty {
+        force: [0.3 * unit_of_force(), 0.0],
+        moment: [0.0; 2],
+        speed: SPEED,
+    };
+    let cycle = DutyCycle::constant(duty, 2.0 * TAU, SPEED);
+    let motion = Motion {
+        problem: &film.0,
+        system: &film.1,
+        gap: Gap::of(&film.0, &film.1),
+        cycle: &cycle,
+        support: None,
+        mass: 0.0,
+    };
+    let orbit = orbit(&film, &cycle, [0.5, 0.0], 1e-2, 1);
+    let (dt, place) = (1e-3, [0.9 * CLEARANCE, 0.0, 0.0, 0.0]);
+    let rate = CLEARANCE / dt;
+    let span = Span {
+        times: [0.0, dt],
+        places: [place; 2],
+        rates: [[rate, 0.0, 0.0, 0.0], [-rate, 0.0, 0.0, 0.0]],
+    };
+    // In the middle at 0.9 + 1/4.
+    let found = motion.between(&orbit.steps[0], &span, 0.5 * dt, 1e-4);
+    let reason = found.expect_err("no film");
+    let NoOrbit::Between { gap, .. } = reason else {
+        panic!("{reason}");
+    };
+    assert!((gap + 0.15).abs() < 1e-9, "{gap}");
 }

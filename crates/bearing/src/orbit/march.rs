@@ -297,10 +297,11 @@ impl Motion<'_> {
         };
         let found = match self.mass > 0.0 {
             _ if from.history.is_some() => self.led_on(from, time, accuracy),
+            _ if self.least_gap(at) <= 0.0 => Err(NoStage::Diverged),
             true => (self.film(Moving { time, at, velocity }, None, Neighbour::None)).map_err(NoStage::Film),
             false => self.carried((time, at), velocity, accuracy, &mut 0),
         };
-        found.map_err(|reason| self.told(reason, time, 1, at))
+        found.map_err(|reason| self.told_between(reason, time, at))
     }
 
     /// The end of one step from another one.

@@ -66,6 +66,16 @@ pub enum NoOrbit {
         /// Direction of the load [deg].
         direction: f64,
     },
+    /// Between two steps there is no film on the path.
+    #[error(
+        "not converged: no film is found between two steps of the last cycle, at {angle:.2} deg, where the path between them leaves a gap of {gap:.1e} of the clearance"
+    )]
+    Between {
+        /// Crank angle [deg].
+        angle: f64,
+        /// Least gap over the clearance [1]; not positive where the path, a cubic, runs into the wall.
+        gap: f64,
+    },
     /// The time was over before the first cycle was complete.
     #[error("not converged: the orbit was ended at {angle:.1} deg of the first cycle")]
     Ended {
@@ -81,6 +91,17 @@ impl Motion<'_> {
         match reason {
             NoStage::Film(reason) => NoOrbit::Film { angle, cycle, reason },
             NoStage::Diverged => self.stuck((angle, cycle), time, at),
+        }
+    }
+
+    /// What it means for a film between two steps, at a place on the path.
+    pub(super) fn told_between(&self, reason: NoStage, time: f64, at: Vector) -> NoOrbit {
+        match reason {
+            NoStage::Film(_) if self.least_gap(at) > 0.0 => self.told(reason, time, 1, at),
+            NoStage::Film(_) | NoStage::Diverged => NoOrbit::Between {
+                angle: (self.cycle.angular_speed() * time).to_degrees(),
+                gap: self.least_gap(at) / self.problem.bearing.clearance,
+            },
         }
     }
 

@@ -116,6 +116,8 @@ fn elastic(scene: &ShaftScene, engine: &Engine, options: &RunOptions) -> Result<
     });
     if let Err((status, reason)) = outcome {
         (run.result.status, run.result.reason) = (status, Some(reason));
+        run.result.bearings.clear();
+        run.paths.clear();
     }
     Ok(run)
 }
