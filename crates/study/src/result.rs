@@ -220,7 +220,8 @@ impl RunResult {
     }
 }
 
-fn named<S: Serializer>(quantities: &[Quantity], serializer: S) -> Result<S::Ok, S::Error> {
+/// Serialises quantities as an object by their names.
+pub(crate) fn named<S: Serializer>(quantities: &[Quantity], serializer: S) -> Result<S::Ok, S::Error> {
     let mut map = serializer.serialize_map(Some(quantities.len()))?;
     for quantity in quantities {
         map.serialize_entry(&quantity.name, quantity)?;

@@ -1,49 +1,40 @@
 //! Square matrices of a few hundred rows, all entries kept, and their factors.
 
+use nalgebra::{DMatrix, DVector, Dyn, LU};
+
 /// A square matrix.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Matrix {
-    order: usize,
-    entries: Vec<f64>,
-}
+pub struct Matrix(DMatrix<f64>);
 
-/// The factors `P A = L U` of a matrix.
+/// The factors `P A = L U` of a matrix, none of whose pivots vanishes.
 #[derive(Debug, Clone)]
-pub struct Factors {
-    order: usize,
-    entries: Vec<f64>,
-    rows: Vec<usize>,
-}
+pub struct Factors(LU<f64, Dyn, Dyn>);
 
 impl Matrix {
     /// The matrix of zeros with this many rows.
     pub fn zeros(order: usize) -> Self {
-        Self {
-            order,
-            entries: vec![0.0; order * order],
-        }
+        Self(DMatrix::zeros(order, order))
     }
 
     /// Number of rows, and of columns.
     pub fn order(&self) -> usize {
-        self.order
+        self.0.nrows()
     }
 
     /// The entry of a row and a column.
     pub fn at(&self, row: usize, column: usize) -> f64 {
-        self.entries[row * self.order + column]
+        self.0[(row, column)]
     }
 
     /// Adds to the entry of a row and a column.
     pub fn add(&mut self, row: usize, column: usize, more: f64) {
-        self.entries[row * self.order + column] += more;
+        self.0[(row, column)] += more;
     }
 
     /// The matrix times a number.
     #[must_use]
-    pub fn scaled(mut self, factor: f64) -> Self {
-        self.entries.iter_mut().for_each(|entry| *entry *= factor);
-        self
+    pub fn scaled(self, factor: f64) -> Self {
+        Self(self.0 * factor)
     }
 
     /// The rows and columns of these numbers.
@@ -55,68 +46,30 @@ impl Matrix {
     /// The square matrix of the rows and columns of these numbers.
     #[must_use]
     pub fn of_numbers(&self, numbers: &[usize]) -> Self {
-        Self {
-            order: numbers.len(),
-            entries: self.part(numbers, numbers).concat(),
-        }
+        Self(self.0.select_rows(numbers).select_columns(numbers))
     }
 
     /// The product with a vector.
     pub fn times(&self, vector: &[f64]) -> Vec<f64> {
-        let rows = self.entries.chunks_exact(self.order.max(1));
-        rows.map(|row| product(row, vector)).collect()
+        (&self.0 * DVector::from_column_slice(vector)).as_slice().to_vec()
     }
 
     /// The factors by elimination with row pivots; `None` where a pivot vanishes or is no number.
     pub fn factors(&self) -> Option<Factors> {
-        let n = self.order;
-        let mut entries = self.entries.clone();
-        let mut rows: Vec<usize> = (0..n).collect();
-        for k in 0..n {
-            let size = |row: usize| entries[row * n + k].abs();
-            let pivot = (k..n).fold(k, |best, row| if size(row) > size(best) { row } else { best });
-            if !(size(pivot) > 0.0 && size(pivot).is_finite()) {
-                return None;
-            }
-            if pivot != k {
-                rows.swap(k, pivot);
-                (0..n).for_each(|column| entries.swap(k * n + column, pivot * n + column));
-            }
-            let (above, below) = entries.split_at_mut((k + 1) * n);
-            let upper = &above[k * n..];
-            for row in below.chunks_exact_mut(n) {
-                let factor = row[k] / upper[k];
-                row[k] = factor;
-                if factor != 0.0 {
-                    for (entry, upper) in row[k + 1..].iter_mut().zip(&upper[k + 1..]) {
-                        *entry -= factor * upper;
-                    }
-                }
-            }
-        }
-        Some(Factors {
-            order: n,
-            entries,
-            rows,
-        })
+        let factors = self.0.clone().lu();
+        let pivots = factors.u().diagonal();
+        let are_pivots = pivots.iter().all(|pivot| *pivot != 0.0 && pivot.is_finite());
+        are_pivots.then_some(Factors(factors))
     }
 }
 
 impl Factors {
     /// The vector whose product with the matrix is `wanted`.
     pub fn solve(&self, wanted: &[f64]) -> Vec<f64> {
-        let n = self.order;
-        let mut x: Vec<f64> = self.rows.iter().map(|&row| wanted[row]).collect();
-        for row in 0..n {
-            let (known, rest) = x.split_at_mut(row);
-            rest[0] -= product(&self.entries[row * n..row * n + row], known);
-        }
-        for row in (0..n).rev() {
-            let (head, known) = x.split_at_mut(row + 1);
-            let upper = &self.entries[row * n..(row + 1) * n];
-            head[row] = (head[row] - product(&upper[row + 1..], known)) / upper[row];
-        }
-        x
+        let mut x = DVector::from_column_slice(wanted);
+        // No pivot vanishes.
+        self.0.solve_mut(&mut x);
+        x.as_slice().to_vec()
     }
 }
 

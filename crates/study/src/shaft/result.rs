@@ -1,15 +1,14 @@
 //! What a run of a shaft found, as scripts read it: `result.json` of a crankshaft.
 
 use oilwedge_scene::ShaftScene;
-use serde::ser::SerializeMap;
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 
 use super::compile::Bearing;
 use super::weights::CounterweightReport;
 use crate::duty::DutyCycle;
 use crate::orbit::OrbitPath;
 use crate::quantities::{CYCLE_FILM_THICKNESS_MIN, Quantity, Row};
-use crate::result::{Status, in_parts};
+use crate::result::{Status, in_parts, named};
 use crate::warning::Warning;
 
 /// Name and version of the form of `result.json` of a crankshaft.
@@ -181,12 +180,4 @@ impl ShaftResult {
             warnings: Vec::new(),
         }
     }
-}
-
-fn named<S: Serializer>(quantities: &[Quantity], serializer: S) -> Result<S::Ok, S::Error> {
-    let mut map = serializer.serialize_map(Some(quantities.len()))?;
-    for quantity in quantities {
-        map.serialize_entry(&quantity.name, quantity)?;
-    }
-    map.end()
 }
