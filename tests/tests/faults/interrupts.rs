@@ -102,6 +102,47 @@ fn a_search_for_a_position_ends_where_it_is() {
     );
 }
 
+/// A heavy rotor whirls on its film: its orbit does not close.
+const WHIRLING: &str = r#"
+[bearing]
+diameter = "100 mm"
+length = "50 mm"
+clearance = "50 um"
+[oil]
+viscosity = "20 mPa.s"
+[cavitation]
+model = "guembel"
+[journal]
+speed = "100 rad/s"
+[load]
+frame = "shell"
+period = "360 deg"
+harmonics = [{ order = 0, cos = { x = "500 N" } }, { order = 1, cos = { x = "50 N" } }]
+[orbit]
+tolerance = 1e-2
+closure = 1e-12
+cycles = 1000
+mass = "20000 kg"
+[mesh]
+size = "30 mm"
+"#;
+
+#[test]
+fn an_orbit_ends_with_the_cycles_that_are_done() {
+    let bench = Bench::new();
+    bench.write("scene.toml", WHIRLING);
+    let result = interrupted(&bench, 10.0);
+    assert_eq!(result["status"], "not_converged");
+    let reason = result["reason"].as_str().expect("a reason");
+    assert!(reason.starts_with("interrupted: the orbit was ended after "), "{reason}");
+    let thinnest = &result["quantities"]["cycle_film_thickness_min"]["value"];
+    assert!(thinnest.as_f64().is_some_and(|least| least > 0.0), "{result}");
+    assert_eq!(
+        names(&bench.path().join("out")),
+        ["film.vtu", "orbit.csv", "result.json"]
+    );
+}
+
 #[test]
 fn a_study_ends_with_its_levels() {
     let bench = Bench::new();
