@@ -28,6 +28,7 @@ pub mod random_bearings;
 pub mod random_orbits;
 pub mod random_shafts;
 pub mod random_tilted;
+pub mod random_walls;
 pub mod scene_page;
 pub mod scenes;
 pub mod shaped_bearings;

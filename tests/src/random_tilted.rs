@@ -86,6 +86,19 @@ impl TiltedBearing {
         }
     }
 
+    /// The bearing of that number with rough surfaces that touch, in a wall that gives way, or a bore out of round.
+    pub fn with_walls(number: u64) -> Self {
+        let bearing = Self::new(number);
+        let mut dice = Dice::new(9_000_000 + number);
+        let walls = crate::random_walls::tables(&mut dice, PRESSURE_UNIT, CLEARANCE);
+        let clearance = format!("clearance = \"{CLEARANCE} m\"\n");
+        let rough = format!("{clearance}roughness = \"{} m\"\n", walls.roughness);
+        Self {
+            text: bearing.text.replacen(&clearance, &rough, 1) + &walls.tables,
+            ..bearing
+        }
+    }
+
     /// The scene.
     ///
     /// # Panics
@@ -209,6 +222,15 @@ pub struct Fault {
 /// The greatest residual of the balances of force and moment of a run that has converged.
 const BALANCED: f64 = 1e-10;
 
+/// What is left of the balances of force, moment and deflection, the greatest one.
+pub fn left(result: &oilwedge_study::result::RunResult) -> f64 {
+    let balances = &result.balances;
+    balances
+        .force
+        .max(balances.tilt)
+        .max(balances.deflection.unwrap_or_default())
+}
+
 /// Solves a bearing with the usual options, its limit of time one of processor time; how it ended, and what is wrong with it.
 ///
 /// # Panics
@@ -223,10 +245,7 @@ pub fn solved(bearing: &TiltedBearing) -> (oilwedge_study::result::RunResult, Op
     let result = run.result;
     use oilwedge_study::result::Status;
     let fault = match result.status {
-        Status::Converged => {
-            let (force, tilt) = (result.balances.force, result.balances.tilt);
-            (force.max(tilt) > BALANCED).then(|| format!("balances: force {force:e}, tilt {tilt:e}"))
-        }
+        Status::Converged => (left(&result) > BALANCED).then(|| format!("balances: {:e} left", left(&result))),
         Status::NoSolution => None,
         Status::NotConverged => Some(result.reason.clone().unwrap_or_default()),
     };

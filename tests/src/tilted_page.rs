@@ -1,9 +1,9 @@
-//! The page `docs/validation/tilted_bearings.md`: how random bearings whose journal tilts end.
+//! The pages `docs/validation/tilted_bearings.md` and `elastic_bearings.md` beside it: how random bearings whose journal tilts end, in rigid smooth walls and in others.
 
 use oilwedge_study::result::Status;
 
 use crate::performance::clock::timed;
-use crate::random_tilted::{Fault, TiltedBearing, Tilting, solved};
+use crate::random_tilted::{Fault, TiltedBearing, Tilting, left, solved};
 use crate::tables::{replace, row};
 
 /// Longest time of a run on one thread, of the processor [s].
@@ -27,14 +27,13 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// That of the bearing of a number.
-    pub fn of(number: u64) -> Self {
-        let bearing = TiltedBearing::new(number);
+    /// That of a bearing.
+    pub fn of(bearing: TiltedBearing) -> Self {
         let ((result, fault), spent) = timed(|| solved(&bearing));
         Self {
             bearing,
             status: result.status,
-            left: result.balances.force.max(result.balances.tilt),
+            left: left(&result),
             reason: result.reason.unwrap_or_default(),
             fault,
             seconds: spent.cpu,

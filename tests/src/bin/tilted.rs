@@ -1,5 +1,6 @@
 //! `tilted [FROM] [TO]`: solves random bearings whose journal tilts, and prints each that has not converged, with its reason and time, and the slowest;
 //! `tilted --page` solves 300 and writes `docs/validation/tilted_bearings.md` anew; `tilted --scene N` prints the scene of one;
+//! `tilted --walls`, with any of these, has rough surfaces that touch, walls that give way, bores out of round, and `docs/validation/elastic_bearings.md`;
 //! `tilted --bars [FROM] [TO]` counts how often the bars of moment and tilt hold.
 
 use oilwedge_study::result::Status;
@@ -19,8 +20,12 @@ fn main() -> std::io::Result<()> {
         .skip(1)
         .filter_map(|argument| argument.parse::<u64>().ok());
     let (first, second) = (numbers.next(), numbers.next());
+    let (bearing, at): (fn(u64) -> TiltedBearing, _) = match has("--walls") {
+        true => (TiltedBearing::with_walls, "docs/validation/elastic_bearings.md"),
+        false => (TiltedBearing::new, "docs/validation/tilted_bearings.md"),
+    };
     if let Some(number) = first.filter(|_| has("--scene")) {
-        print!("{}", TiltedBearing::new(number).text);
+        print!("{}", bearing(number).text);
         return Ok(());
     }
     let (from, to) = (first.unwrap_or(0), second.unwrap_or(BEARINGS));
@@ -29,7 +34,9 @@ fn main() -> std::io::Result<()> {
         return Ok(());
     }
     // On one thread the time of the processor is that of the bearing.
-    let outcomes = on_threads(1, || solve(from, to));
+    let outcomes = on_threads(1, || {
+        (from..to).map(|number| solve(bearing(number))).collect::<Vec<_>>()
+    });
     let count = |is: &dyn Fn(&Outcome) -> bool| outcomes.iter().filter(|outcome| is(outcome)).count();
     let longest = outcomes.iter().max_by(|a, b| a.seconds.total_cmp(&b.seconds));
     println!(
@@ -42,23 +49,20 @@ fn main() -> std::io::Result<()> {
         longest.map_or(0, |outcome| outcome.bearing.number),
     );
     if has("--page") {
-        let path = repository().join("docs/validation/tilted_bearings.md");
+        let path = repository().join(at);
         let written = std::fs::read_to_string(&path)?;
         std::fs::write(&path, page(&written, &outcomes))?;
     }
     Ok(())
 }
 
-/// Solves the bearings of these numbers, and prints what is to be said of each.
-fn solve(from: u64, to: u64) -> Vec<Outcome> {
-    let outcome = |number| {
-        let outcome = Outcome::of(number);
-        if let Some(told) = outcome.told() {
-            println!("{told}");
-        }
-        outcome
-    };
-    (from..to).map(outcome).collect()
+/// Solves a bearing, and prints what is to be said of it.
+fn solve(bearing: TiltedBearing) -> Outcome {
+    let outcome = Outcome::of(bearing);
+    if let Some(told) = outcome.told() {
+        println!("{told}");
+    }
+    outcome
 }
 
 /// Most unknowns of a reference.
