@@ -19,6 +19,8 @@ const LOST: f64 = 1e-7;
 const NEARLY: f64 = 2.0;
 /// and this angle [rad] leaves open whether there is a position.
 const ASTRAY: f64 = 0.5;
+/// Accuracy to which a wall that gives way follows in the tangent of a search: each step leaves about this part of the difference.
+const FOLLOWED: f64 = 1e-4;
 /// A film whose force is nowhere this part of the load carries none.
 const AT_REST: f64 = 1e-3;
 
@@ -257,7 +259,7 @@ impl<'a> Search<'a> {
         Stiffness::by_columns(self.coordinates.order, |k| {
             let journal = &trial.problem.journal;
             let change = (self.coordinates).change(journal, &self.options.centre_velocity, unit(k));
-            let by_film = carried_change(&trial.problem, self.system, &trial.film, &change)
+            let by_film = carried_change(&trial.problem, self.system, &trial.film, &change, FOLLOWED)
                 .map_err(oilwedge_fem::newton::Failure::from)?;
             let mut column = self.coordinates.forces(&by_film);
             if k >= 2 {

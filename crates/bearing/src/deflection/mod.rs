@@ -21,6 +21,7 @@ mod tangent;
 
 pub use close::{Pair, closed_film, closed_pair};
 pub(crate) use dynamics::{Response, harmonic_response};
+pub use tangent::EXACT;
 pub(crate) use tangent::Follower;
 
 use oilwedge_fem::Error;
@@ -29,7 +30,7 @@ use oilwedge_reynolds::quantities::load::{Resultant, load_change};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmChange, FilmProblem, FilmSolution, FilmSystem, JournalChange, NoFilm};
 
-/// First-order change of what the journal carries where it moves by `change`; a wall that gives way follows.
+/// First-order change of what the journal carries where it moves by `change`; a wall that gives way follows to an `accuracy`, relative to what it does by itself.
 ///
 /// # Errors
 /// The linear systems could not be solved.
@@ -38,12 +39,13 @@ pub fn carried_change(
     system: &FilmSystem,
     film: &FilmSolution,
     change: &JournalChange,
+    accuracy: f64,
 ) -> Result<Resultant, Error> {
     let unknown = problem.unknown_change(system, film, change)?;
     let Some(follower) = Follower::of(problem, system, film) else {
         return Ok(load_change(problem, system, film, &[change.into()], &unknown));
     };
-    let followed = follower.followed(change, unknown)?;
+    let followed = follower.followed(change, unknown, accuracy)?;
     let shape = follower.shape(&followed.deflection);
     let changes = [change.into(), FilmChange::Gap(&shape)];
     Ok(load_change(problem, system, film, &changes, &followed.unknown))
@@ -64,7 +66,7 @@ pub fn displaced(
         return problem.displaced(system, film, change);
     };
     let unknown = problem.unknown_change(system, film, change).map_err(Failure::from)?;
-    let followed = follower.followed(change, unknown).map_err(Failure::from)?;
+    let followed = follower.followed(change, unknown, EXACT).map_err(Failure::from)?;
     let moved = FilmProblem {
         journal: problem.journal.changed(change),
         ..problem.clone()

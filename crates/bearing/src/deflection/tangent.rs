@@ -12,7 +12,7 @@ use oilwedge_reynolds::{FilmChange, FilmProblem, FilmSolution, FilmSystem, Journ
 use super::gmres::{Solved, gmres};
 
 /// Accuracy of a tangent that is not a step of an iteration.
-const EXACT: f64 = 1e-10;
+pub const EXACT: f64 = 1e-10;
 
 /// A solved film whose wall gives way.
 pub(crate) struct Follower<'a> {
@@ -98,14 +98,19 @@ impl<'a> Follower<'a> {
         gmres(operator, b, accuracy)
     }
 
-    /// What follows from a `change` of the journal, by which the unknown changes by `unknown` at a fixed wall.
-    pub(crate) fn followed(&self, change: &JournalChange, unknown: Vec<f64>) -> Result<Followed, Error> {
-        self.bent(&self.image_of(&unknown, change), unknown)
+    /// What follows from a `change` of the journal, by which the unknown changes by `unknown` at a fixed wall, to an `accuracy`.
+    pub(crate) fn followed(
+        &self,
+        change: &JournalChange,
+        unknown: Vec<f64>,
+        accuracy: f64,
+    ) -> Result<Followed, Error> {
+        self.bent(&self.image_of(&unknown, change), unknown, accuracy)
     }
 
     /// What follows from a change of the unknown by `unknown`, and of the wall by `free` [m], where neither answers to the other.
-    fn bent(&self, free: &[f64], mut unknown: Vec<f64>) -> Result<Followed, Error> {
-        let deflection = self.solve(free, EXACT)?.x;
+    fn bent(&self, free: &[f64], mut unknown: Vec<f64>, accuracy: f64) -> Result<Followed, Error> {
+        let deflection = self.solve(free, accuracy)?.x;
         let more = self.by_deflection(&deflection)?;
         unknown
             .iter_mut()
@@ -116,6 +121,6 @@ impl<'a> Follower<'a> {
 
     /// What follows where the wall alone changes by `free` [m] under the pressure that is there.
     pub(crate) fn of_wall(&self, free: &[f64]) -> Result<Followed, Error> {
-        self.bent(free, vec![0.0; self.film.unknown.len()])
+        self.bent(free, vec![0.0; self.film.unknown.len()], EXACT)
     }
 }

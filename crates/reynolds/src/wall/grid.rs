@@ -29,7 +29,12 @@ impl Grid {
     /// Number of a spline of two local ones.
     #[inline]
     fn index(&self, around: usize, along: usize) -> usize {
-        (around % self.around.number) * self.along.number() + along
+        // Local numbers go once around at most.
+        let around = match around < self.around.number {
+            true => around,
+            false => around - self.around.number,
+        };
+        around * self.along.number() + along
     }
 
     /// Value at a position [m] of the function with these coefficients.

@@ -48,15 +48,16 @@ impl Around {
     /// At an angle [rad]; slopes by radian. Numbers from `first` on count modulo the number of splines.
     #[inline]
     pub(super) fn at(&self, angle: f64) -> Local {
-        let width = self.width();
-        let place = ((angle - self.start) / width).rem_euclid(self.number as f64);
+        let per_width = self.number as f64 / std::f64::consts::TAU;
+        let turns = (angle - self.start) / std::f64::consts::TAU;
+        let place = (turns - turns.floor()) * self.number as f64;
         let cell = (place as usize).min(self.number - 1);
         let t = place - cell as f64;
         Local {
             // The spline before the last begins two cells earlier.
             first: cell + self.number - 2,
             values: [0.5 * (1.0 - t) * (1.0 - t), 0.5 + t * (1.0 - t), 0.5 * t * t],
-            slopes: [-(1.0 - t) / width, (1.0 - 2.0 * t) / width, t / width],
+            slopes: [-(1.0 - t) * per_width, (1.0 - 2.0 * t) * per_width, t * per_width],
         }
     }
 
@@ -72,21 +73,69 @@ impl Around {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Along {
     knots: Vec<f64>,
+    /// The cell between two knots in which each of equally long parts of the liner begins.
+    cells: Vec<usize>,
+    /// Parts by metre.
+    per_part: f64,
+    /// For each cell one over its length, and one over those of the two pairs of cells that it is in [1/m]; it is numbered as the knot before it.
+    inverse: Vec<[f64; SUPPORT]>,
 }
+
+/// Parts of the liner in which its cells are looked up, for each of them.
+const PARTS: usize = 4;
 
 impl Along {
     /// On these growing breaks [m], the ends of the liner first and last.
     pub fn on_breaks(breaks: &[f64]) -> Self {
         let (Some(&low), Some(&high)) = (breaks.first(), breaks.last()) else {
-            return Self {
-                knots: vec![0.0; 2 * SUPPORT],
-            };
+            return Self::on_knots(vec![0.0; 2 * SUPPORT]);
         };
         let knots = [low; SUPPORT - 1]
             .into_iter()
             .chain(breaks.iter().copied())
             .chain([high; SUPPORT - 1]);
-        Self { knots: knots.collect() }
+        Self::on_knots(knots.collect())
+    }
+
+    fn on_knots(knots: Vec<f64>) -> Self {
+        let last = knots.len() - SUPPORT - 1;
+        let inverse = |from: usize, to: usize| 1.0 / (knots[to] - knots[from]);
+        let inverse = (0..=last)
+            .map(|cell| match cell < SUPPORT - 1 {
+                true => [0.0; SUPPORT],
+                false => [
+                    inverse(cell, cell + 1),
+                    inverse(cell - 1, cell + 1),
+                    inverse(cell, cell + 2),
+                ],
+            })
+            .collect();
+        let (low, high) = (knots[0], knots[knots.len() - 1]);
+        let parts = PARTS * (last + 1);
+        let cell_at = |z: f64| (knots.partition_point(|&knot| knot <= z).max(SUPPORT) - 1).min(last);
+        Self {
+            cells: (0..parts)
+                .map(|part| cell_at(low + (high - low) * part as f64 / parts as f64))
+                .collect(),
+            per_part: parts as f64 / (high - low),
+            inverse,
+            knots,
+        }
+    }
+
+    /// Number of the cell at an axial position [m] of the liner.
+    #[inline]
+    fn cell(&self, z: f64) -> usize {
+        let part = ((z - self.knots[0]) * self.per_part) as usize;
+        let mut cell = self.cells[part.min(self.cells.len() - 1)];
+        while cell + 1 < self.inverse.len() && self.knots[cell + 1] <= z {
+            cell += 1;
+        }
+        // By rounding a place just before a knot may be in the part after it.
+        while cell >= SUPPORT && self.knots[cell] > z {
+            cell -= 1;
+        }
+        cell
     }
 
     /// Those that interpolate at at least three growing `points` [m] of a liner between its `ends` [m].
@@ -117,25 +166,22 @@ impl Along {
     /// At an axial position [m], that of the nearer end outside of the liner; slopes by metre.
     #[inline]
     pub(super) fn at(&self, z: f64) -> Local {
-        let knots = &self.knots;
-        let last = self.number() - 1;
-        let span = (knots.partition_point(|&knot| knot <= z).max(SUPPORT) - 1).min(last);
-        let z = z.clamp(knots[span], knots[span + 1]);
-        let (left, right) = (|k: usize| z - knots[span + 1 - k], |k: usize| knots[span + k] - z);
-        let width = knots[span + 1] - knots[span];
-        let [low, high] = [right(1) / width, left(1) / width];
-        let wide = [knots[span + 1] - knots[span - 1], knots[span + 2] - knots[span]];
+        let (knots, cell) = (&self.knots, self.cell(z));
+        let z = z.clamp(knots[cell], knots[cell + 1]);
+        let (left, right) = (|k: usize| z - knots[cell + 1 - k], |k: usize| knots[cell + k] - z);
+        let [length, before, after] = self.inverse[cell];
+        let [low, high] = [right(1) * length, left(1) * length];
         Local {
-            first: span - (SUPPORT - 1),
+            first: cell - (SUPPORT - 1),
             values: [
-                low * right(1) / wide[0],
-                low * left(2) / wide[0] + high * right(2) / wide[1],
-                high * left(1) / wide[1],
+                low * right(1) * before,
+                low * left(2) * before + high * right(2) * after,
+                high * left(1) * after,
             ],
             slopes: [
-                -2.0 * low / wide[0],
-                2.0 * (low / wide[0] - high / wide[1]),
-                2.0 * high / wide[1],
+                -2.0 * low * before,
+                2.0 * (low * before - high * after),
+                2.0 * high * after,
             ],
         }
     }
