@@ -129,11 +129,16 @@ impl Search<'_> {
             bearing.clearance - self.gap.least(journal) < RESOLVED * bearing.clearance
         };
         let outcome = self.run(problem, problem.journal);
-        match reason.last_position().filter(is_resolved) {
+        let outcome = match reason.last_position().filter(is_resolved) {
             _ if outcome.is_err() && self.load.tilting.is_some() => self.by_parts_of_tilting(problem),
             Some(start) if outcome.is_err() => self.run(problem, start),
             _ => outcome,
-        }
+        };
+        let is_held = self.load.tilting.is_none() && problem.journal.tilt != [0.0; 2];
+        outcome.map_err(|reason| match is_held {
+            true => self.beyond_contact(problem).unwrap_or(reason),
+            false => reason,
+        })
     }
 
     /// Balances the load from this start.

@@ -3,6 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use oilwedge_reynolds::angles::wrapped;
+use oilwedge_reynolds::quantities::load::load;
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmProblem, JournalState};
 
@@ -14,7 +15,9 @@ use crate::search::{Search, Trial};
 /// Most turns of the line of centres until the film's force points in the direction of the load.
 const TURNS: usize = 12;
 /// Angle [rad] within which it does.
-const ALIGNED: f64 = 0.02;
+const ALIGNED: f64 = 1e-3;
+/// A film that carries less than the load by more than so many times its error in contact is beyond its capacity.
+const DISTINCT: f64 = 2.0;
 /// Turns of the line of centres over those of the force that are followed.
 const SLOPES: std::ops::RangeInclusive<f64> = 0.1..=3.0;
 /// Places all around the bearing at which the direction of the force is asked,
@@ -68,7 +71,8 @@ impl Search<'_> {
     fn beyond(&self, trial: &Trial) -> Option<NoEquilibrium> {
         let (asked, greatest) = (self.load.magnitude(), size(trial));
         let FilmProblem { bearing, journal, .. } = &trial.problem;
-        let is_beyond = greatest < asked && self.grows(&trial.problem, journal.min_film_angle(), greatest);
+        let is_beyond = greatest + DISTINCT * self.error(trial)? < asked
+            && self.grows(&trial.problem, journal.min_film_angle(), greatest);
         let towards = self.load.force[1].atan2(self.load.force[0]);
         is_beyond.then(|| NoEquilibrium::BeyondCapacity {
             asked,
@@ -81,6 +85,18 @@ impl Search<'_> {
         })
     }
 
+    /// How much the force of a film differs from that of the film in cubic elements [N]; one far from the load is not asked.
+    fn error(&self, trial: &Trial) -> Option<f64> {
+        if size(trial) < FAR_BELOW * self.load.magnitude() {
+            return Some(0.0);
+        }
+        let Trial { problem, film, .. } = trial;
+        let cubic = problem.cubic_film(self.system, film, None).ok()?;
+        let cubic = load(problem, &self.system.cubic().system, &cubic).total.resultant();
+        let [x, y] = [0, 1].map(|d| cubic.force[d] - trial.carried.force[d]);
+        Some(x.hypot(y))
+    }
+
     /// The film at the greatest eccentricity towards an angle [rad].
     fn at_contact(&self, problem: &FilmProblem, angle: f64) -> Option<Trial> {
         let e = GREATEST_ECCENTRICITY * self.gap.reach(&problem.journal, angle);
@@ -90,11 +106,11 @@ impl Search<'_> {
 
     /// The reason if a journal whose tilt is given carries less than the load wherever it is in contact; it is asked all around the bearing.
     pub(crate) fn beyond_contact(&self, problem: &FilmProblem) -> Option<NoEquilibrium> {
-        let load = self.load.force[1].atan2(self.load.force[0]);
+        let towards = self.load.force[1].atan2(self.load.force[0]);
         let off = |angle: f64| {
             let trial = self.at_contact(problem, angle)?;
             let [x, y] = trial.carried.force;
-            Some((wrapped(load - y.atan2(x)), x.hypot(y), trial.problem.journal))
+            Some((wrapped(towards - y.atan2(x)), x.hypot(y), trial.problem.journal))
         };
         let angles = (0..=AROUND).map(|k| TAU * f64::from(k) / f64::from(AROUND));
         let around: Vec<_> = angles.map(|angle| (angle, off(angle))).collect();
