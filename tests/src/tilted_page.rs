@@ -1,4 +1,4 @@
-//! The pages `docs/validation/tilted_bearings.md` and `elastic_bearings.md` beside it: how random bearings whose journal tilts end, in rigid smooth walls and in others.
+//! The page `docs/validation/tilted_bearings.md`: how random bearings whose journal tilts end.
 
 use oilwedge_study::result::Status;
 

@@ -1,6 +1,6 @@
 //! `tilted [FROM] [TO]`: solves random bearings whose journal tilts, and prints each that has not converged, with its reason and time, and the slowest;
 //! `tilted --page` solves 300 and writes `docs/validation/tilted_bearings.md` anew; `tilted --scene N` prints the scene of one;
-//! `tilted --walls`, with any of these, has rough surfaces that touch, walls that give way, bores out of round, and `docs/validation/elastic_bearings.md`;
+//! `tilted --walls [FROM] [TO]` and `tilted --walls --scene N` have rough surfaces that touch, walls that give way, bores out of round;
 //! `tilted --bars [FROM] [TO]` counts how often the bars of moment and tilt hold.
 
 use oilwedge_study::result::Status;
@@ -20,9 +20,9 @@ fn main() -> std::io::Result<()> {
         .skip(1)
         .filter_map(|argument| argument.parse::<u64>().ok());
     let (first, second) = (numbers.next(), numbers.next());
-    let (bearing, at): (fn(u64) -> TiltedBearing, _) = match has("--walls") {
-        true => (TiltedBearing::with_walls, "docs/validation/elastic_bearings.md"),
-        false => (TiltedBearing::new, "docs/validation/tilted_bearings.md"),
+    let bearing = match has("--walls") {
+        true => TiltedBearing::with_walls,
+        false => TiltedBearing::new,
     };
     if let Some(number) = first.filter(|_| has("--scene")) {
         print!("{}", bearing(number).text);
@@ -48,8 +48,8 @@ fn main() -> std::io::Result<()> {
         longest.map_or(0.0, |outcome| outcome.seconds),
         longest.map_or(0, |outcome| outcome.bearing.number),
     );
-    if has("--page") {
-        let path = repository().join(at);
+    if has("--page") && !has("--walls") {
+        let path = repository().join("docs/validation/tilted_bearings.md");
         let written = std::fs::read_to_string(&path)?;
         std::fs::write(&path, page(&written, &outcomes))?;
     }

@@ -99,12 +99,7 @@ impl<'a> Follower<'a> {
     }
 
     /// What follows from a `change` of the journal, by which the unknown changes by `unknown` at a fixed wall, to an `accuracy`.
-    pub(crate) fn followed(
-        &self,
-        change: &JournalChange,
-        unknown: Vec<f64>,
-        accuracy: f64,
-    ) -> Result<Followed, Error> {
+    pub(crate) fn followed(&self, change: &JournalChange, unknown: Vec<f64>, accuracy: f64) -> Result<Followed, Error> {
         self.bent(&self.image_of(&unknown, change), unknown, accuracy)
     }
 
