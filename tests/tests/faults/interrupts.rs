@@ -134,7 +134,10 @@ fn an_orbit_ends_with_the_cycles_that_are_done() {
     let result = interrupted(&bench, 10.0);
     assert_eq!(result["status"], "not_converged");
     let reason = result["reason"].as_str().expect("a reason");
-    assert!(reason.starts_with("interrupted: the orbit was ended after "), "{reason}");
+    assert!(
+        reason.starts_with("interrupted: the orbit was ended after "),
+        "{reason}"
+    );
     let thinnest = &result["quantities"]["cycle_film_thickness_min"]["value"];
     assert!(thinnest.as_f64().is_some_and(|least| least > 0.0), "{result}");
     assert_eq!(
