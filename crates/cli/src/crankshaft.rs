@@ -4,15 +4,20 @@ use crate::complain::{self, Failure};
 use crate::interrupt;
 use crate::plot;
 use crate::progress::Progress;
+use crate::report::PageArguments;
 use crate::terminal::{exit_code, output};
 use oilwedge_report::json;
 use oilwedge_report::orbit_course::OrbitCourse;
-use oilwedge_report::plot::{load_figures, orbit_figures};
-use oilwedge_report::shaft::write_shaft;
+use oilwedge_report::page::shaft_page;
+use oilwedge_report::plot::{load_figures, orbit_figures, shaft_figures};
+use oilwedge_report::shaft::{ShaftBeside, write_shaft};
+use oilwedge_report::shaft_view::ShaftViews;
 use oilwedge_report::tables::shaft_report;
 use oilwedge_scene::{SceneError, ShaftScene};
 use oilwedge_study::RunOptions;
-use oilwedge_study::shaft::{NoWeights, ShaftError, ShaftRun, check_shaft, run_shaft, run_with_best_counterweights};
+use oilwedge_study::shaft::{
+    NoWeights, ShaftError, ShaftRun, Variant, check_shaft, run_cut, run_shaft, run_with_best_counterweights,
+};
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -48,19 +53,12 @@ pub(crate) struct Asked<'a> {
     pub(crate) folder: &'a Path,
     /// How it is run.
     pub(crate) options: RunOptions,
-    /// Whether counterweights are sought.
-    pub(crate) weights: Weights,
+    /// Shafts that are solved beside that of the scene.
+    pub(crate) beside: &'a [Variant],
+    /// Whether there is to be a page.
+    pub(crate) page: PageArguments,
     /// What is printed.
     pub(crate) shown: Form,
-}
-
-/// The counterweights of a run.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Weights {
-    /// Those of the scene.
-    Given,
-    /// Those, and the best ones.
-    Best,
 }
 
 /// What is printed of a run.
@@ -85,27 +83,37 @@ pub(crate) fn solve(asked: Asked) -> Result<ExitCode, Failure> {
         ..asked.options
     };
     let mut run = run_shaft(&scene, &options)?;
-    if asked.weights == Weights::Best {
-        working.turns_to("the best counterweights");
-        let (_, report) = run_with_best_counterweights(&scene, &run, &options)?;
-        run.result.counterweights = Some(report);
+    let mut beside: Vec<ShaftBeside> = Vec::new();
+    for variant in asked.beside {
+        working.turns_to(variant.words());
+        let other = match variant {
+            Variant::Cut => run_cut(&scene, &options)?,
+            Variant::Counterweights => {
+                let (other, report) = run_with_best_counterweights(&scene, &run, &options)?;
+                run.result.counterweights = Some(report);
+                other
+            }
+        };
+        beside.push((*variant, other));
     }
     drop(working);
     let text = json(&run.result)?;
-    let files = write_shaft(asked.folder, &run)?;
-    let pictures = drawn(asked.folder, &run)?;
+    let views = ShaftViews::of_runs(&run, &beside)?;
+    let page = asked.page.is_wanted().then(|| shaft_page(&views)).transpose()?;
+    let files = write_shaft(asked.folder, &run, &beside)?;
+    let pictures = drawn(asked.folder, &run, &views)? + &asked.page.written(asked.folder, page)?;
     complain::warn(&run.result.warnings);
     output(
         asked.shown == Form::Json,
         || Ok(text),
-        || shaft_report(&run.result, asked.folder, &files, &pictures),
+        || shaft_report(&run.result, &beside, asked.folder, (&files, &pictures)),
         Some(asked.folder),
     )?;
     Ok(exit_code(run.result.status))
 }
 
-/// The load, the path and the film of each bearing over the cycle as pictures, and a line about them.
-fn drawn(folder: &Path, run: &ShaftRun) -> Result<String, Failure> {
+/// The shaft with all its bearings, and the load, the path and the film of each one over the cycle as pictures, and a line about them.
+fn drawn(folder: &Path, run: &ShaftRun, views: &ShaftViews) -> Result<String, Failure> {
     let width = plot::usual().width;
     let of_bearing = |(number, bearing): (usize, &oilwedge_study::shaft::BearingPath)| {
         let title = format!("{}, bearing {}", run.result.title, bearing.name);
@@ -116,7 +124,8 @@ fn drawn(folder: &Path, run: &ShaftRun) -> Result<String, Failure> {
         let named = move |(name, figure)| (format!("bearing_{}_{name}", number + 1), figure);
         figures.map(named).collect::<Vec<_>>()
     };
-    let figures: Vec<_> = run.paths.iter().enumerate().flat_map(of_bearing).collect();
+    let of_bearings = run.paths.iter().enumerate().flat_map(of_bearing);
+    let figures: Vec<_> = shaft_figures(views, width).into_iter().chain(of_bearings).collect();
     plot::written(folder, &figures)
 }
 

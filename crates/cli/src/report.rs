@@ -7,8 +7,9 @@ use std::time::{Duration, Instant};
 
 use oilwedge_report::convergence::REPORT_FILE as STUDY_FILE;
 use oilwedge_report::folder::replace;
-use oilwedge_report::page::{PAGE_FILE, convergence_page, film_page, sweep_page};
+use oilwedge_report::page::{PAGE_FILE, convergence_page, film_page, shaft_page, sweep_page};
 use oilwedge_report::results::{PICTURE_FILE, RESULT_FILE};
+use oilwedge_report::shaft_view::{ShaftViews, is_of_shaft};
 use oilwedge_report::sweep::REPORT_FILE as SWEEP_FILE;
 use oilwedge_report::vtu_read::from_vtu;
 
@@ -124,12 +125,7 @@ impl Report {
     pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
         let [result, sweep, study] = [RESULT_FILE, SWEEP_FILE, STUDY_FILE].map(|name| self.of.join(name));
         let page = if result.is_file() {
-            let picture = self.of.join(PICTURE_FILE);
-            let picture = match picture.is_file() {
-                true => Some(from_vtu(&read(&picture)?).map_err(Failure::of_file(&picture))?),
-                false => None,
-            };
-            film_page(&value(&text(&result)?)?, picture.as_ref()).map_err(Failure::of_file(&result))?
+            self.of_result(&result)?
         } else if sweep.is_file() {
             sweep_page(&value(&text(&sweep)?)?).map_err(Failure::of_file(&sweep))?
         } else if study.is_file() {
@@ -148,5 +144,20 @@ impl Report {
         };
         print(&arguments.written(&self.of, Some(page))?, Some(&self.of))?;
         Ok(ExitCode::SUCCESS)
+    }
+
+    /// The page of a film or a crankshaft.
+    fn of_result(&self, file: &Path) -> Result<String, Failure> {
+        let result = value(&text(file)?)?;
+        if is_of_shaft(&result) {
+            let views = ShaftViews::read(&self.of).map_err(Failure::of_file(file))?;
+            return shaft_page(&views).map_err(Failure::of_file(file));
+        }
+        let picture = self.of.join(PICTURE_FILE);
+        let picture = match picture.is_file() {
+            true => Some(from_vtu(&read(&picture)?).map_err(Failure::of_file(&picture))?),
+            false => None,
+        };
+        film_page(&result, picture.as_ref()).map_err(Failure::of_file(file))
     }
 }

@@ -20,6 +20,7 @@ use oilwedge_report::tables::{Shown, Written, run_report};
 use oilwedge_report::vtu::{Compression, to_vtu};
 use oilwedge_scene::Scene;
 use oilwedge_study::orbit::{Frame, no_map};
+use oilwedge_study::shaft::Variant;
 use oilwedge_study::{Interrupt, RunOptions};
 use std::path::Path;
 use std::process::ExitCode;
@@ -74,6 +75,10 @@ pub(crate) struct Solve {
     #[arg(long)]
     counterweights: bool,
 
+    /// Of a crankshaft: solve it cut at its bearings too, and show both.
+    #[arg(long)]
+    cut: bool,
+
     /// Follow the orbit by maps of the film too, that of a short film and its own, and show their differences and times.
     #[arg(long)]
     mobility: bool,
@@ -112,6 +117,7 @@ Examples:
   oilwedge solve bearing.toml --theories
   oilwedge solve big_end.toml --mobility
   oilwedge solve big_end.toml --frames 72
+  oilwedge solve engine.toml --cut --report
   oilwedge solve bearing.toml --bars none
   oilwedge solve bearing.toml --max-seconds 600 --max-unknowns 5000000
 
@@ -237,7 +243,6 @@ impl Solve {
             (self.frames.is_some(), "--frames"),
             (self.all, "--all"),
             (self.plot, "--plot"),
-            (self.page.is_wanted(), "--report"),
             (self.cost, "--cost"),
             (self.standard, "--standard"),
             (self.theories, "--theories"),
@@ -250,14 +255,17 @@ impl Solve {
                 self.run.scene.display()
             )));
         }
+        let beside = [(self.cut, Variant::Cut), (self.counterweights, Variant::Counterweights)];
+        let beside: Vec<Variant> = beside
+            .into_iter()
+            .filter_map(|(is_given, variant)| is_given.then_some(variant))
+            .collect();
         crankshaft::solve(crankshaft::Asked {
             scene: &self.run.scene,
             folder: &self.run.folder(),
             options: self.run.options_of_shaft(),
-            weights: match self.counterweights {
-                true => crankshaft::Weights::Best,
-                false => crankshaft::Weights::Given,
-            },
+            beside: &beside,
+            page: self.page,
             shown: match self.run.json {
                 true => crankshaft::Form::Json,
                 false => crankshaft::Form::Table,
@@ -281,9 +289,10 @@ impl Solve {
 
     /// Refuses what cannot stand beside the film of this scene.
     fn check_add_ons(&self, scene: &Scene) -> Result<(), Failure> {
-        if self.counterweights {
+        let of_shaft = [(self.counterweights, "--counterweights"), (self.cut, "--cut")];
+        if let Some((_, argument)) = of_shaft.iter().find(|(is_given, _)| *is_given) {
             return Err(Failure::Message(format!(
-                "--counterweights: the scene {} is that of one bearing; leave it out, or give the scene of a crankshaft",
+                "{argument}: the scene {} is that of one bearing; leave it out, or give the scene of a crankshaft",
                 self.run.scene.display()
             )));
         }

@@ -23,6 +23,7 @@ pub mod readable;
 pub mod results;
 pub mod schema;
 pub mod shaft;
+pub mod shaft_view;
 mod sketch;
 pub mod sweep;
 pub mod tables;

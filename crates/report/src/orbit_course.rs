@@ -2,12 +2,24 @@
 
 use oilwedge_study::duty::PeriodicSpline;
 use oilwedge_study::orbit::OrbitPath;
-use oilwedge_study::quantities::{FILM_THICKNESS_MIN, FRICTION_POWER, PRESSURE_MAX, Row};
+use oilwedge_study::quantities::{
+    CONTACT_SHARE, FILM_THICKNESS_MIN, FRICTION_POWER, LOAD_X, LOAD_Y, PRESSURE_MAX, Row, SIDE_FLOW, TILT_X, TILT_Y,
+};
 
 use crate::Error;
 
 /// Numbers that are drawn over the crank angle.
-pub const DRAWN: [&Row; 3] = [&FILM_THICKNESS_MIN, &PRESSURE_MAX, &FRICTION_POWER];
+const DRAWN: [&Row; 9] = [
+    &FILM_THICKNESS_MIN,
+    &PRESSURE_MAX,
+    &FRICTION_POWER,
+    &LOAD_X,
+    &LOAD_Y,
+    &SIDE_FLOW,
+    &CONTACT_SHARE,
+    &TILT_X,
+    &TILT_Y,
+];
 /// Points of a curve over a cycle.
 const POINTS: u32 = 720;
 /// How the columns of `orbit.csv` begin: crank angle, time, and the offset over the clearance.
@@ -96,18 +108,46 @@ impl OrbitCourse {
 
     /// The path over the cycle.
     pub fn path(&self) -> Vec<[f64; 2]> {
-        let period = self.period();
-        self.places((0..=POINTS).map(|k| period * f64::from(k) / f64::from(POINTS)))
+        self.places(self.even_angles())
     }
 
-    /// Number `which` of [`DRAWN`] over the crank angle [deg], on a smooth curve; nothing where the films have none.
-    pub fn curve(&self, which: usize) -> Vec<[f64; 2]> {
-        let values = self.numbers[which].as_ref();
+    /// A quantity over the crank angle [deg], on a smooth curve; nothing where the films have none.
+    pub fn curve(&self, row: &Row) -> Vec<[f64; 2]> {
+        let values = self.values(row);
         let values: Vec<[f64; 1]> = values.into_iter().flatten().map(|value| [*value]).collect();
-        let angle = |k: u32| self.period() * f64::from(k) / f64::from(POINTS);
-        self.spline(&values).map_or(Vec::new(), |spline| {
-            (0..=POINTS).map(|k| [angle(k), spline.at(angle(k))[0]]).collect()
+        let spline = self.spline(&values);
+        spline.map_or(Vec::new(), |spline| {
+            self.even_angles().map(|angle| [angle, spline.at(angle)[0]]).collect()
         })
+    }
+
+    /// Two components of a vector at crank angles [deg], on a smooth curve; nothing where the films have none.
+    pub fn vectors(&self, components: [&Row; 2], angles: impl Iterator<Item = f64>) -> Vec<[f64; 2]> {
+        let [Some(x), Some(y)] = components.map(|row| self.values(row)) else {
+            return Vec::new();
+        };
+        let values: Vec<[f64; 2]> = x.iter().zip(y).map(|(x, y)| [*x, *y]).collect();
+        let spline = self.spline(&values);
+        spline.map_or(Vec::new(), |spline| angles.map(|angle| spline.at(angle)).collect())
+    }
+
+    /// Crank angles over the cycle [deg], its end included.
+    pub fn even_angles(&self) -> impl Iterator<Item = f64> + use<> {
+        let period = self.period();
+        (0..=POINTS).map(move |k| period * f64::from(k) / f64::from(POINTS))
+    }
+
+    /// Crank angles of the cycle at multiples of a `step` [deg].
+    pub fn marked_angles(&self, step: f64) -> impl Iterator<Item = f64> + use<> {
+        let period = self.period();
+        (0..)
+            .map(move |k| step * f64::from(k))
+            .take_while(move |mark| *mark < period - 1e-9)
+    }
+
+    fn values(&self, row: &Row) -> Option<&Vec<f64>> {
+        let number = DRAWN.iter().position(|drawn| *drawn == row)?;
+        self.numbers[number].as_ref()
     }
 
     /// The curve through values of the films; the last film is that of the first crank angle again.
@@ -138,7 +178,13 @@ mod tests {
             (places[0][1] - 0.5).abs() < 1e-12 && (places[1][0] - 0.5).abs() < 1e-12,
             "{places:?}"
         );
-        assert_eq!((course.curve(0).len(), course.curve(1).len()), (721, 0));
+        assert_eq!(
+            (
+                course.curve(&FILM_THICKNESS_MIN).len(),
+                course.curve(&PRESSURE_MAX).len()
+            ),
+            (721, 0)
+        );
         for (from, to) in [("crank angle", "angle"), ("-0.5,0.0", "-0.5,x")] {
             assert!(
                 OrbitCourse::from_csv(TABLE.replacen(from, to, 1).as_bytes()).is_err(),

@@ -6,6 +6,7 @@ pub(crate) mod piece;
 mod scene;
 #[cfg(test)]
 mod tests;
+mod variant;
 pub(crate) mod weight;
 
 use std::path::Path;

@@ -5,6 +5,7 @@
 //! | `shaft/compile.rs` | the scenes become films, a shaft and its loads |
 //! | `shaft/statics.rs` | the shaft at rest under loads that do not change |
 //! | `shaft/cycle.rs` | the shaft over a cycle of its throws |
+//! | `shaft/variant.rs` | the same shaft cut, or with other counterweights, beside it |
 //! | `shaft/weights.rs` | where counterweights serve the bearings best |
 //! | `shaft/result.rs` | what was found, as scripts read it |
 //! | `shaft/error.rs` | why a scene does not become a shaft |
@@ -16,11 +17,13 @@ mod cycle;
 mod error;
 mod result;
 mod statics;
+mod variant;
 mod weights;
 
 pub use compile::{Bearing, Compiled, compile_shaft};
 pub use error::ShaftError;
 pub use result::{BearingPath, BearingReport, CycleReport, SHAFT_FORMAT, ShaftBalances, ShaftResult, ShaftRun};
+pub use variant::{Variant, run_cut};
 pub use weights::{CounterweightReport, NoWeights, WebReport, best_counterweights};
 
 use std::time::Instant;

@@ -6,7 +6,7 @@
 //! page forbids all else: `default-src 'none'`, with the hashes of the script and the style. The same results give the same bytes; what
 //! differs from run to run, the wall times, stands in the element `timings`.
 //!
-//! Reading order: this file (what the page shows), `quantities.rs`, `table.rs` and `tables.rs`, `comparisons.rs`, `studies.rs`, `film_data.rs` and
+//! Reading order: this file (what the page shows), `quantities.rs`, `table.rs` and `tables.rs`, `comparisons.rs`, `studies.rs`, `shaft.rs`, `film_data.rs` and
 //! `sweep_data.rs` (what the script draws), `packing.rs`, `coarser.rs` and `thinning.rs` (a film that is too large).
 
 mod coarser;
@@ -14,6 +14,7 @@ mod comparisons;
 mod film_data;
 mod packing;
 mod quantities;
+mod shaft;
 mod studies;
 mod sweep_data;
 mod table;
@@ -42,6 +43,8 @@ use film_data::FilmData;
 use quantities::{Shown, cards, quantities, simulated};
 use sweep_data::SweepData;
 use table::Table;
+
+pub use shaft::shaft_page;
 
 /// Name of the file.
 pub const PAGE_FILE: &str = "report.html";
@@ -107,6 +110,10 @@ struct Page {
     cards: Vec<Shown>,
     words: Vec<String>,
     section: Option<String>,
+    /// A crankshaft.
+    drawing: Option<String>,
+    /// Its bearings.
+    bearings: Option<Table>,
     profiles: Option<String>,
     balance: Option<String>,
     maps: Vec<Drawn>,

@@ -23,7 +23,7 @@ const CARDS: usize = 8;
 pub(super) struct Shown {
     #[serde(skip)]
     row: &'static Row,
-    name: String,
+    pub(super) name: String,
     what: &'static str,
     definition: &'static str,
     /// HTML.
@@ -32,7 +32,7 @@ pub(super) struct Shown {
     unit: String,
     /// The value in SI.
     si: String,
-    bar: String,
+    pub(super) bar: String,
     /// The bar in SI; empty where there is none.
     bar_si: String,
     parts: Vec<Part>,
@@ -60,7 +60,7 @@ pub(super) fn quantities(result: &Value) -> Vec<Shown> {
         .collect()
 }
 
-fn shown(row: &'static Row, name: &str, it: &Value, has_bars: bool) -> Option<Shown> {
+pub(super) fn shown(row: &'static Row, name: &str, it: &Value, has_bars: bool) -> Option<Shown> {
     let value = it["value"].as_f64()?;
     let error = it["error"].as_f64();
     let (unit, size) = readable_unit(value, row.unit);

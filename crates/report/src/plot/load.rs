@@ -118,40 +118,46 @@ impl<'a> Drawn<'a> {
 
     /// Where the tip of the force goes, with rings and crank angles, cut to where it goes.
     fn polar(&self, frame: Frame, title: &str) -> Chart {
-        let mut chart = Chart::new(&format!("{title}, {}", self.unit.0), Label::default(), Label::default());
-        chart.kind = Kind::Drawing;
         let tip: Vec<_> = self.angles().map(|angle| self.force(frame, angle)).collect();
         let sheet = Sheet::around(&tip);
-        sheet.draw_rings(&mut chart);
-        chart.series.push(Series::line("", VERMILION, tip));
         let marks = (0..).map(|k| MARKED * f64::from(k));
-        let marks: Vec<f64> = marks
-            .take_while(|mark| mark.to_radians() < self.cycle.period() - 1e-9)
-            .collect();
-        let points = marks.iter().map(|mark| self.force(frame, mark.to_radians()));
-        let points: Vec<_> = points.collect();
-        let name = "crank angle, each 60 deg";
-        chart
-            .series
-            .push(Series::marks(name, VERMILION, Mark::Disc, points.clone()));
-        for (mark, [x, y]) in marks.into_iter().zip(points) {
-            let beyond = 1.0 + LABEL * sheet.extent / f64::max(x.hypot(y), 1e-9 * sheet.extent);
-            let at = [beyond * x, beyond * y];
-            let has_room = |note: &Note| (note.at[0] - at[0]).hypot(note.at[1] - at[1]) > ROOM * sheet.extent;
-            if chart.notes.iter().all(has_room) {
-                chart.notes.push(Note {
-                    at,
-                    label: number(mark, 1.0),
-                    colour: BLACK,
-                });
-            }
-        }
-        chart
+        let marks = marks.take_while(|mark| mark.to_radians() < self.cycle.period() - 1e-9);
+        let marks: Vec<_> = marks.map(|mark| (mark, self.force(frame, mark.to_radians()))).collect();
+        let title = format!("{title}, {}", self.unit.0);
+        polar(&title, tip, &marks, ("crank angle, each 60 deg", &sheet))
     }
 }
 
+/// A curve of forces on a sheet with rings, and the crank angles [deg] of places on it, with their name.
+pub(super) fn polar(
+    title: &str,
+    tip: Vec<[f64; 2]>,
+    marks: &[(f64, [f64; 2])],
+    (name, sheet): (&str, &Sheet),
+) -> Chart {
+    let mut chart = Chart::new(title, Label::default(), Label::default());
+    chart.kind = Kind::Drawing;
+    sheet.draw_rings(&mut chart);
+    chart.series.push(Series::line("", VERMILION, tip));
+    let points = marks.iter().map(|(_, point)| *point).collect();
+    chart.series.push(Series::marks(name, VERMILION, Mark::Disc, points));
+    for &(mark, [x, y]) in marks {
+        let beyond = 1.0 + LABEL * sheet.extent / f64::max(x.hypot(y), 1e-9 * sheet.extent);
+        let at = [beyond * x, beyond * y];
+        let has_room = |note: &Note| (note.at[0] - at[0]).hypot(note.at[1] - at[1]) > ROOM * sheet.extent;
+        if chart.notes.iter().all(has_room) {
+            chart.notes.push(Note {
+                at,
+                label: number(mark, 1.0),
+                colour: BLACK,
+            });
+        }
+    }
+    chart
+}
+
 /// The rectangle of a polar diagram, in the unit of the force.
-struct Sheet {
+pub(super) struct Sheet {
     low: [f64; 2],
     high: [f64; 2],
     /// The longer side.
@@ -160,7 +166,7 @@ struct Sheet {
 
 impl Sheet {
     /// Around a curve and the origin.
-    fn around(curve: &[[f64; 2]]) -> Self {
+    pub(super) fn around(curve: &[[f64; 2]]) -> Self {
         let [x, y] = [0, 1].map(|axis| least_and_greatest(curve.iter().map(|point| point[axis]).chain([0.0])));
         let extent = f64::max(x[1] - x[0], y[1] - y[0]);
         let extent = if extent > 0.0 { extent } else { 1.0 };

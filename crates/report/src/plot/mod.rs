@@ -2,7 +2,8 @@
 //!
 //! Reading order: `film.rs` (a film as it is drawn), `liner.rs` (the unrolled liner on the sheet), `field_map.rs`, `section.rs` (across the
 //! bearing), `sample.rs` and `profiles.rs`, `sweep.rs`, `files.rs` (which pictures there are); `convergence.rs` and `error_map.rs` (errors, and
-//! the adaptive mesh), `temperature.rs` (two curves that cross), `load.rs` (the load over a cycle), `orbit.rs`.
+//! the adaptive mesh), `temperature.rs` (two curves that cross), `load.rs` (the load over a cycle), `orbit.rs`,
+//! `shaft.rs` (a crankshaft to scale), `shaft_cycle.rs` (all its bearings).
 
 mod convergence;
 mod error_map;
@@ -15,6 +16,8 @@ mod orbit;
 mod profiles;
 mod sample;
 mod section;
+mod shaft;
+mod shaft_cycle;
 mod sweep;
 mod temperature;
 
@@ -28,6 +31,7 @@ pub use load::load_figures;
 pub use orbit::{orbit_figures, orbits_beside};
 pub use sample::sampled;
 pub(crate) use sample::{Finder, InTriangle};
+pub use shaft_cycle::{SHAFT, shaft_figures};
 pub(crate) use sweep::{Cases, quantity_names};
 pub(crate) use temperature::BALANCE;
 pub use temperature::{TEMPERATURE_FILES, temperature_to_svg};

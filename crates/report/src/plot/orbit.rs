@@ -8,16 +8,17 @@ use oilwedge_drawing::{
 };
 
 use crate::orbit_course::OrbitCourse;
+use oilwedge_study::quantities::{FILM_THICKNESS_MIN, FRICTION_POWER, PRESSURE_MAX, Row};
 
 /// Crank angles that are marked on the path [deg].
 const MARKED: f64 = 60.0;
 /// Rings of the circle of the clearance.
 const RINGS: [f64; 4] = [0.25, 0.5, 0.75, 1.0];
-/// Axes of the numbers of [`crate::orbit_course::DRAWN`], their units, and their colours.
-const OVER_ANGLE: [(&str, f64, Colour); 3] = [
-    ("least film thickness, um", 1e6, BLUE),
-    ("greatest pressure, MPa", 1e-6, VERMILION),
-    ("power that turns the journal, W", 1.0, GREEN),
+/// What is drawn over the crank angle: axes, units, and colours.
+const OVER_ANGLE: [(&Row, &str, f64, Colour); 3] = [
+    (&FILM_THICKNESS_MIN, "least film thickness, um", 1e6, BLUE),
+    (&PRESSURE_MAX, "greatest pressure, MPa", 1e-6, VERMILION),
+    (&FRICTION_POWER, "power that turns the journal, W", 1.0, GREEN),
 ];
 
 /// The pictures of an orbit by name; `title` is that of the scene.
@@ -26,7 +27,7 @@ pub fn orbit_figures(title: &str, course: &OrbitCourse, width: f64) -> Vec<(Stri
     vec![
         (
             "orbit".to_owned(),
-            charts_figure(&format!("Orbit: {title}"), &[circle("", course)], 1, width),
+            charts_figure(&format!("Orbit: {title}"), &[circle("", course, MARKED)], 1, width),
         ),
         (
             "orbit_by_angle".to_owned(),
@@ -37,7 +38,7 @@ pub fn orbit_figures(title: &str, course: &OrbitCourse, width: f64) -> Vec<(Stri
 
 /// The pictures of two orbits side by side, each with the title of its scene.
 pub fn orbits_beside(courses: [(&str, &OrbitCourse); 2], width: f64) -> Vec<(String, Figure)> {
-    let circles = courses.map(|(title, course)| circle(title, course));
+    let circles = courses.map(|(title, course)| circle(title, course, MARKED));
     vec![
         ("orbits".to_owned(), charts_figure("Two orbits", &circles, 2, width)),
         (
@@ -47,8 +48,8 @@ pub fn orbits_beside(courses: [(&str, &OrbitCourse); 2], width: f64) -> Vec<(Str
     ]
 }
 
-/// The path of the journal's centre in the circle of the clearance.
-fn circle(title: &str, course: &OrbitCourse) -> Chart {
+/// The path of the journal's centre in the circle of the clearance, with marks each so many degrees of the crank.
+pub(super) fn circle(title: &str, course: &OrbitCourse, step: f64) -> Chart {
     let mut chart = Chart::new(title, Label::default(), Label::default());
     chart.kind = Kind::Drawing;
     let point = |radius: f64, turn: f64| [radius * (TAU * turn).cos(), radius * (TAU * turn).sin()];
@@ -73,10 +74,7 @@ fn circle(title: &str, course: &OrbitCourse) -> Chart {
         });
     }
     chart.series.push(Series::line("", VERMILION, course.path()));
-    let marks = (0..)
-        .map(|k| MARKED * f64::from(k))
-        .take_while(|mark| *mark < course.period() - 1e-9);
-    let marks: Vec<f64> = marks.collect();
+    let marks: Vec<f64> = course.marked_angles(step).collect();
     let points = course.places(marks.iter().copied());
     for (mark, at) in marks.into_iter().zip(&points) {
         chart.notes.push(Note {
@@ -85,18 +83,18 @@ fn circle(title: &str, course: &OrbitCourse) -> Chart {
             colour: BLACK,
         });
     }
-    let name = "crank angle, each 60 deg; eccentricity over the clearance";
-    chart.series.push(Series::marks(name, VERMILION, Mark::Disc, points));
+    let name = format!("crank angle, each {step} deg; eccentricity over the clearance");
+    chart.series.push(Series::marks(&name, VERMILION, Mark::Disc, points));
     chart
 }
 
 /// The numbers of films over the crank angle, a chart each; of two orbits the second is dashed.
 fn over_angle(courses: &[(&str, &OrbitCourse)]) -> Vec<Chart> {
-    let chart = |(which, (name, unit, colour)): (usize, (&str, f64, Colour))| {
+    let chart = |(row, name, unit, colour): (&Row, &str, f64, Colour)| {
         let mut chart = Chart::new("", Label::plain("crank angle, deg"), Label::plain(name));
         for (number, (title, course)) in courses.iter().enumerate() {
             let points = course
-                .curve(which)
+                .curve(row)
                 .into_iter()
                 .map(|[angle, value]| [angle, unit * value]);
             let line = Series::line(title, if number == 0 { colour } else { BLACK }, points.collect());
@@ -107,5 +105,5 @@ fn over_angle(courses: &[(&str, &OrbitCourse)]) -> Vec<Chart> {
         }
         chart
     };
-    OVER_ANGLE.into_iter().enumerate().map(chart).collect()
+    OVER_ANGLE.into_iter().map(chart).collect()
 }

@@ -3,12 +3,13 @@
 use super::pieces::{heading, printable, status, table, time};
 use crate::digits::{bar, significant};
 use crate::readable::readable_unit;
+use crate::shaft::ShaftBeside;
 use oilwedge_study::quantities::{
     CYCLE_FILM_THICKNESS_MIN, CYCLE_FILM_THICKNESS_MIN_CRANK_ANGLE, CYCLE_LOAD_MAX, CYCLE_POWER_LOSS,
     CYCLE_PRESSURE_MAX, CYCLE_SIDE_FLOW, FILM_THICKNESS_MIN, FRICTION_POWER, LOAD, LOAD_ANGLE, PRESSURE_MAX, Row,
     SIDE_FLOW, Unit,
 };
-use oilwedge_study::shaft::{BearingReport, CounterweightReport, ShaftResult};
+use oilwedge_study::shaft::{BearingReport, CounterweightReport, ShaftResult, Variant};
 use std::path::Path;
 
 /// Digits of a value.
@@ -19,8 +20,8 @@ type Columns = [(&'static str, &'static Row); 6];
 
 const AT_REST: Columns = [
     ("force", &LOAD),
-    ("towards", &LOAD_ANGLE),
     ("least film", &FILM_THICKNESS_MIN),
+    ("towards", &LOAD_ANGLE),
     ("p_max", &PRESSURE_MAX),
     ("power", &FRICTION_POWER),
     ("side flow", &SIDE_FLOW),
@@ -34,8 +35,13 @@ const OVER_CYCLE: Columns = [
     ("side flow", &CYCLE_SIDE_FLOW),
 ];
 
-/// Everything about a run of a crankshaft; `files` are those that were written to the folder.
-pub fn shaft_report(result: &ShaftResult, folder: &Path, files: &[String], pictures: &str) -> String {
+/// Everything about a run of a crankshaft and of those beside it; `files` are those that were written to the folder.
+pub fn shaft_report(
+    result: &ShaftResult,
+    beside: &[ShaftBeside],
+    folder: &Path,
+    (files, pictures): (&[String], &str),
+) -> String {
     let mut parts = vec![heading(&result.title, status(result.status))];
     if let Some(reason) = &result.reason {
         parts.push(format!("reason: {reason}"));
@@ -43,6 +49,11 @@ pub fn shaft_report(result: &ShaftResult, folder: &Path, files: &[String], pictu
     let mut lines = Vec::new();
     if !result.bearings.is_empty() {
         parts.push(bearings(result));
+        parts.extend(
+            beside
+                .iter()
+                .map(|(variant, other)| compared(result, *variant, &other.result)),
+        );
         lines.push(balance(result));
     }
     lines.extend(result.counterweights.iter().flat_map(counterweights));
@@ -89,12 +100,17 @@ fn counterweights(found: &CounterweightReport) -> Vec<String> {
     lines
 }
 
-fn bearings(result: &ShaftResult) -> String {
+/// The columns of a shaft at rest or over a cycle: the load first, the least film second.
+fn columns(result: &ShaftResult) -> Columns {
     let is_cycle = result
         .bearings
         .iter()
         .any(|bearing| bearing.quantity(&CYCLE_LOAD_MAX).is_some());
-    let columns = if is_cycle { OVER_CYCLE } else { AT_REST };
+    if is_cycle { OVER_CYCLE } else { AT_REST }
+}
+
+fn bearings(result: &ShaftResult) -> String {
+    let columns = columns(result);
     let headings = columns.iter().map(|(heading, _)| *heading);
     let mut rows = table(["bearing", "z"].into_iter().chain(headings).chain(["tilt"]), 1..9);
     for bearing in &result.bearings {
@@ -107,6 +123,28 @@ fn bearings(result: &ShaftResult) -> String {
         rows.add_row(cells);
     }
     rows.to_string()
+}
+
+/// Loads and least films of two shafts, and how far the other is off.
+fn compared(own: &ShaftResult, variant: Variant, other: &ShaftResult) -> String {
+    if let (true, Some(reason)) = (other.bearings.is_empty(), &other.reason) {
+        return format!("beside {}: {reason}", variant.words());
+    }
+    let columns = columns(own);
+    let headings = [columns[0], columns[1]].map(|(heading, _)| [heading, variant.name(), "change"]);
+    let mut rows = table(["bearing"].into_iter().chain(headings.into_iter().flatten()), 1..7);
+    for (bearing, beside) in own.bearings.iter().zip(&other.bearings) {
+        let mut cells = vec![printable(&bearing.name)];
+        for (_, row) in [columns[0], columns[1]] {
+            let change = bearing.quantity(row).zip(beside.quantity(row));
+            cells.extend([number(bearing, row), number(beside, row)]);
+            cells.push(change.map_or(String::new(), |(a, b)| {
+                format!("{:+.1} %", 1e2 * (b.value / a.value - 1.0))
+            }));
+        }
+        rows.add_row(cells);
+    }
+    format!("beside {}:\n{rows}", variant.words())
 }
 
 fn number(bearing: &BearingReport, row: &'static Row) -> String {

@@ -3,9 +3,9 @@
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 
-use sha2::{Digest, Sha256};
 use toml::de::DeTable;
 
+use super::variant::sum_of;
 use super::{Crankshaft, check};
 use crate::reader::TableReader;
 use crate::scene::{parsed, text_of};
@@ -80,7 +80,7 @@ impl ShaftScene {
         match complaints.into_list() {
             complaints if complaints.is_empty() => Ok(Self {
                 text: text.to_owned(),
-                sha256: Sha256::digest(text).iter().map(|byte| format!("{byte:02x}")).collect(),
+                sha256: sum_of(text),
                 ..scene
             }),
             complaints => Err(SceneError::Complaints {

@@ -11,11 +11,15 @@ use oilwedge_scene::{ShaftScene, Statics};
 use super::compile::{Bearing, Compiled, compile_shaft};
 use super::error::ShaftError;
 use super::result::{BearingPath, BearingReport, CycleReport, ShaftBalances, ShaftRun};
+use crate::estimate::estimate_errors;
+use crate::limits::exceeded_over_cycle;
 use crate::orbit::{Followed, GREATEST, USUAL, follow_under, measured, motion, suits};
 use crate::reasons::Limit;
 use crate::reasons::flags::MORE_SECONDS;
 use crate::result::Status;
 use crate::run_options::RunOptions;
+use crate::warning::Warning;
+use crate::warnings::all_warnings;
 
 /// The journals on coarser meshes: tolerance and cycles.
 const ROUGH: f64 = 2e-2;
@@ -52,7 +56,7 @@ fn cut(scene: &ShaftScene, engine: &Engine, options: &RunOptions) -> Result<Shaf
                 run.result.films += cycles.iter().map(|cycle| cycle.films).sum::<usize>();
                 let last = cycles.last().map_or(0.0, |cycle| cycle.closure);
                 ended(&mut run, followed.end, (cycles.len(), last), options);
-                add(&mut run, bearing, cycle, followed, &[]);
+                add(&mut run, bearing, cycle, followed, &[], options);
             }
             Err(reason) => {
                 let told = format!("bearing {}: {reason}", bearing.name);
@@ -184,7 +188,7 @@ fn report(
             .iter()
             .map(|step| [0, 1, 2, 3].map(|k| films.films[number].compliance[k] * step.carried[number][k]))
             .collect();
-        add(run, bearing, cycle, followed, &shells);
+        add(run, bearing, cycle, followed, &shells, options);
     }
     run.result.films = orbit.cycles.iter().map(|cycle| cycle.films).sum();
     run.result.balances = balances(engine, compiled, &orbit.steps);
@@ -252,8 +256,21 @@ fn own_orbit(orbit: &ShaftOrbit, number: usize) -> Orbit {
     }
 }
 
-/// Adds the report of a bearing, and its path.
-fn add(run: &mut ShaftRun, bearing: &Bearing, load: DutyCycle, followed: Followed, shells: &[Vector]) {
+/// Adds the report of a bearing, its path, and the warnings about its thinnest film and its limits.
+fn add(
+    run: &mut ShaftRun,
+    bearing: &Bearing,
+    load: DutyCycle,
+    followed: Followed,
+    shells: &[Vector],
+    options: &RunOptions,
+) {
+    let own = &bearing.film.scene;
+    let estimated = estimate_errors(&followed.solved);
+    let warnings = all_warnings(own, &followed.solved, &estimated, options.errors());
+    let exceeded = exceeded_over_cycle(own, &followed.quantities);
+    let named = |warning: Warning| warning.of(&format!("bearing {}", bearing.name));
+    (run.result.warnings).extend(warnings.into_iter().chain(exceeded).map(named));
     let arm = bearing.coordinates().arm;
     let tilts = followed.path.spans.iter().map(|span| {
         let [_, _, x, y] = span.places[0];

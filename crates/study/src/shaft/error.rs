@@ -10,6 +10,11 @@ use crate::compile_error::CompileError;
 /// Why a scene does not become a shaft on films, though it is well written.
 #[derive(Debug, thiserror::Error)]
 pub enum ShaftError {
+    /// The scene asks for the cut shaft itself.
+    #[error(
+        "statics = \"cut\" in [crankshaft] cuts the shaft already; remove it to have the whole shaft beside the cut one"
+    )]
+    CutAlready,
     /// The scene of a bearing cannot be used.
     #[error(transparent)]
     Scene(#[from] SceneError),

@@ -6,9 +6,10 @@ use serde::Serialize;
 use super::compile::Bearing;
 use super::weights::CounterweightReport;
 use crate::duty::DutyCycle;
+use crate::limits::design_criteria;
 use crate::orbit::OrbitPath;
 use crate::quantities::{CYCLE_FILM_THICKNESS_MIN, Quantity, Row};
-use crate::result::{Status, in_parts, named};
+use crate::result::{Criterion, Geometry, Status, in_parts, named};
 use crate::warning::Warning;
 
 /// Name and version of the form of `result.json` of a crankshaft.
@@ -126,12 +127,16 @@ pub struct BearingReport {
     pub mesh_sha256: String,
     /// Axial position of its middle [m].
     pub at: f64,
+    /// Its shape, and the speed of its journal.
+    pub geometry: Geometry,
     /// Greatest displacement of its shell [m], and greatest slope [rad].
     pub shell: [f64; 2],
     /// Greatest slope of the journal against the shell [rad].
     pub tilt_max: f64,
     /// Over a cycle: what turns the journal and the work of the load, less the heat, over that [1]; `null` for a shaft at rest.
     pub energy: Option<f64>,
+    /// What it is judged by, with verdicts: `[limits]` and `[criteria]` of its scene.
+    pub criteria: Vec<Criterion>,
     /// Its numbers; their error bars are those of its film under the load that it carries.
     #[serde(serialize_with = "named")]
     pub quantities: Vec<Quantity>,
@@ -146,9 +151,11 @@ impl BearingReport {
             scene_sha256: bearing.film.scene.sha256.clone(),
             mesh_sha256: bearing.film.origin.sha256.clone(),
             at: bearing.at,
+            geometry: Geometry::of(&bearing.film.scene),
             shell: [0.0; 2],
             tilt_max: 0.0,
             energy: None,
+            criteria: design_criteria(&bearing.film, None, &quantities),
             quantities,
         }
     }

@@ -8,7 +8,7 @@ use oilwedge_bearing::mobility::{FiniteMap, Travel};
 use oilwedge_bearing::orbit::Span;
 use oilwedge_bearing::shaft::Engine;
 use oilwedge_bearing::shaft::counterweights::{changes, greatest, neutral};
-use oilwedge_scene::{Counterweight, ShaftScene, Statics};
+use oilwedge_scene::{Counterweight, ShaftScene};
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -92,9 +92,7 @@ pub enum NoWeights {
 /// [`NoWeights`]: why they cannot be sought.
 pub fn best_counterweights(scene: &ShaftScene) -> Result<(ShaftScene, CounterweightReport), NoWeights> {
     let engine = engine(scene)?.ok_or(NoWeights::AtRest)?;
-    let mut cut = scene.clone();
-    cut.crankshaft.statics = Statics::Cut;
-    let compiled = compile_shaft(&cut, GREATEST)?;
+    let compiled = compile_shaft(&scene.cut(), GREATEST)?;
     let webs = webs(scene);
     let place = |&(throw, web): &(usize, usize)| compiled.throws[throw][2 * web];
     let basis = neutral(&webs.iter().map(place).collect::<Vec<_>>());
@@ -213,7 +211,6 @@ fn least_film(engine: &Engine, compiled: &Compiled, maps: &[(usize, FiniteMap)])
 
 /// The scene with one counterweight on each of these webs: those that it had, and the changes [kg m] in the axes of the shaft.
 fn with_weights(scene: &ShaftScene, webs: &[(usize, usize)], changes: &[[f64; 2]], engine: &Engine) -> ShaftScene {
-    let mut changed = scene.clone();
     let weight = |(&(throw, web), change): (&(usize, usize), &[f64; 2])| {
         let [x, y] = sum(scene, throw, web);
         // The change in the axes of the throw.
@@ -229,8 +226,7 @@ fn with_weights(scene: &ShaftScene, webs: &[(usize, usize)], changes: &[[f64; 2]
             angle: y.atan2(x),
         }
     };
-    changed.crankshaft.counterweights = webs.iter().zip(changes).map(weight).collect();
-    changed
+    scene.with_counterweights(webs.iter().zip(changes).map(weight).collect())
 }
 
 /// The counterweights of a web together [kg m], in the axes of its throw.

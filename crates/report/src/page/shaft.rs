@@ -1,0 +1,379 @@
+//! The page of a crankshaft: the shaft, a table of its bearings, their loads and paths side by side, and shafts beside it.
+
+use oilwedge_drawing::PAGE_WIDTH;
+use oilwedge_scene::wording::millimetres;
+use oilwedge_study::quantities::{
+    CONTACT_SHARE, CYCLE_CONTACT_SHARE_MAX, CYCLE_FILM_THICKNESS_MIN, CYCLE_FILM_THICKNESS_MIN_CRANK_ANGLE,
+    CYCLE_LOAD_MAX, CYCLE_POWER_LOSS, CYCLE_PRESSURE_MAX, CYCLE_SIDE_FLOW, FILM_THICKNESS_MIN, FRICTION_POWER, LOAD,
+    LOAD_ANGLE, PRESSURE_MAX, Row, SIDE_FLOW, Unit,
+};
+use oilwedge_study::shaft::Variant;
+use serde_json::Value;
+
+use super::quantities::{Shown, shown, shown_unit, with_minus};
+use super::table::{Cell, DIGITS, Table, number, sized, text};
+use super::{Drawn, Page, command, drawn, head, render, tables, texts};
+use crate::Error;
+use crate::digits::{bar, quantity_value};
+use crate::plot::{SHAFT, shaft_figures};
+use crate::readable::readable_unit;
+use crate::shaft_view::{ShaftView, ShaftViews, number_of};
+
+/// Columns of the bearings: heading, and the quantity at rest or over a cycle.
+const COLUMNS: [(&str, [&Row; 2]); 6] = [
+    ("greatest load", [&LOAD, &CYCLE_LOAD_MAX]),
+    ("least film", [&FILM_THICKNESS_MIN, &CYCLE_FILM_THICKNESS_MIN]),
+    ("greatest pressure", [&PRESSURE_MAX, &CYCLE_PRESSURE_MAX]),
+    ("mean power", [&FRICTION_POWER, &CYCLE_POWER_LOSS]),
+    ("oil", [&SIDE_FLOW, &CYCLE_SIDE_FLOW]),
+    ("contact", [&CONTACT_SHARE, &CYCLE_CONTACT_SHARE_MAX]),
+];
+/// What of two shafts is compared.
+const COMPARED: [(&str, [&Row; 2]); 3] = [COLUMNS[0], COLUMNS[1], COLUMNS[2]];
+
+/// The page of a crankshaft and of those beside it.
+///
+/// # Errors
+/// [`Error::Format`]: the page cannot be made.
+pub fn shaft_page(views: &ShaftViews) -> Result<String, Error> {
+    let own = &views.own;
+    let result = &own.result;
+    let mut page = Page {
+        kind: "crankshaft",
+        cards: cards(own),
+        words: words(own),
+        bearings: bearings(own).if_any(),
+        warnings: texts(&result["warnings"]),
+        balances: balances(own),
+        tables: [criteria(own), moved(result), cycles(result)]
+            .into_iter()
+            .flatten()
+            .collect(),
+        timings: tables::timings(result),
+        ..head(result)
+    };
+    let options: Vec<&str> = (views.beside.iter()).map(|(variant, _)| variant.name()).collect();
+    page.command = command("solve", result, &[]);
+    page.command += &options.iter().map(|option| format!(" --{option}")).collect::<String>();
+    let compared = views
+        .beside
+        .iter()
+        .map(|(variant, other)| compared(own, *variant, other));
+    page.tables.splice(0..0, compared);
+    for Drawn { name, svg } in drawn(&shaft_figures(views, PAGE_WIDTH)) {
+        match name.as_str() {
+            SHAFT => page.drawing = Some(svg),
+            _ => page.maps.push(Drawn { name, svg }),
+        }
+    }
+    render(page)
+}
+
+/// Which of two rows a shaft has: at rest or over a cycle.
+fn row_of(view: &ShaftView, rows: [&'static Row; 2]) -> &'static Row {
+    rows[usize::from(!view.courses.is_empty())]
+}
+
+/// The bearing that is worst by a row, as a card; `worst` chooses one of two values.
+fn cards(view: &ShaftView) -> Vec<Shown> {
+    let worst = |rows: [&'static Row; 2], sign: f64| {
+        let row = row_of(view, rows);
+        let value = |bearing: &&Value| number_of(bearing, row).map_or(f64::NEG_INFINITY, |(value, _)| sign * value);
+        let bearing = view.bearings().iter().max_by(|a, b| value(a).total_cmp(&value(b)))?;
+        let has_bars = view.result["bars"].as_bool().unwrap_or(false);
+        let mut card = shown(row, row.name, &bearing["quantities"][row.name], has_bars)?;
+        let of = bearing["name"].as_str().unwrap_or_default();
+        card.name = format!("{of}: {}", card.name.replace("cycle ", ""));
+        Some(card)
+    };
+    let sum = |rows: [&'static Row; 2], name: &str| {
+        let row = row_of(view, rows);
+        let numbers = view.bearings().iter().map(|bearing| Some(number_of(bearing, row)?.0));
+        let sum: f64 = numbers.sum::<Option<f64>>()?;
+        let mut card = shown(row, row.name, &serde_json::json!({ "value": sum }), false)?;
+        (card.name, card.bar) = (format!("all bearings: {name}"), String::new());
+        Some(card)
+    };
+    let all = [
+        worst(COLUMNS[1].1, -1.0),
+        worst(COLUMNS[0].1, 1.0),
+        worst(COLUMNS[2].1, 1.0),
+        sum(COLUMNS[3].1, "mean power"),
+        sum(COLUMNS[4].1, "oil"),
+    ];
+    all.into_iter().flatten().collect()
+}
+
+fn words(view: &ShaftView) -> Vec<String> {
+    let Some(scene) = view.scene() else { return Vec::new() };
+    let shaft = &scene.crankshaft;
+    let bearings = shaft.bearings.len();
+    let rpm = shaft.speed.to_degrees() / 6.0;
+    let mut words = vec![format!(
+        "{} long, {} throws on {bearings} bearings, at {rpm:.0} rpm",
+        millimetres(shaft.length()),
+        shaft.fires_at().len()
+    )];
+    words.push(match shaft.statics {
+        oilwedge_scene::Statics::Elastic => "shaft and films bear the loads together".to_owned(),
+        oilwedge_scene::Statics::Cut => {
+            "the shaft is cut at its bearings, which bear what statics gives them".to_owned()
+        }
+    });
+    if !view.courses.is_empty() {
+        words.push("x to the cylinders, y a quarter turn later in the sense of rotation; forces are those on the shells' films, and crank angle 0 is that of a throw that fires at 0".to_owned());
+    }
+    words
+}
+
+/// All bearings, a column each quantity in one unit.
+fn bearings(view: &ShaftView) -> Table {
+    let has_cycle = !view.courses.is_empty();
+    let of_rest = COLUMNS.map(|(heading, rows)| (heading, row_of(view, rows)));
+    let angle = match has_cycle {
+        true => ("film least at crank angle", &CYCLE_FILM_THICKNESS_MIN_CRANK_ANGLE),
+        false => ("load towards", &LOAD_ANGLE),
+    };
+    let mut columns = of_rest.to_vec();
+    columns.insert(2, angle);
+    let columns: Vec<Column> = columns
+        .into_iter()
+        .filter_map(|(heading, row)| Column::of(view, heading, row))
+        .collect();
+    let first = ["bearing", "z", "diameter x length", "clearance"].map(str::to_owned);
+    let mut table = Table {
+        header: first.into_iter().chain(columns.iter().map(Column::heading)).collect(),
+        ..Table::default()
+    };
+    table
+        .header
+        .extend(["tilt", "tilt at the ends", "verdict"].map(str::to_owned));
+    for bearing in view.bearings() {
+        let size = |key: &str| bearing["geometry"][key].as_f64().unwrap_or(0.0);
+        let tilt = bearing["tilt_max"].as_f64().unwrap_or(0.0);
+        let shape = format!(
+            "{} x {}",
+            millimetres(2.0 * size("radius")),
+            millimetres(size("length"))
+        );
+        let mut cells = vec![
+            text(bearing["name"].as_str().unwrap_or_default()),
+            sized(bearing["at"].as_f64().unwrap_or(0.0), 1e-3, "mm"),
+            text(shape.replace(" x ", " \u{d7} ")),
+            sized(size("clearance"), 1e-6, "\u{b5}m"),
+        ];
+        cells.extend(columns.iter().map(|column| column.cell(bearing)));
+        cells.push(sized(tilt, 1e-3, "mrad"));
+        let at_ends = tilt * 0.5 * size("length") / size("clearance");
+        cells.push(sized(at_ends, 1e-2, "% of c"));
+        cells.push(text(verdict(bearing)));
+        table.rows.push(cells);
+    }
+    table
+}
+
+/// The worst verdict of a bearing.
+fn verdict(bearing: &Value) -> &'static str {
+    let criteria = bearing["criteria"].as_array().map_or(&[][..], Vec::as_slice);
+    let decide = criteria.iter().filter(|it| it["decides"].as_bool() == Some(true));
+    let verdicts: Vec<_> = decide.filter_map(|it| it["verdict"].as_str()).collect();
+    match ["fail", "undecided", "pass"]
+        .into_iter()
+        .find(|it| verdicts.contains(it))
+    {
+        Some(verdict) => verdict,
+        None => "\u{2013}",
+    }
+}
+
+/// A quantity of all bearings in one unit.
+struct Column {
+    heading: &'static str,
+    row: &'static Row,
+    unit: String,
+    size: f64,
+}
+
+impl Column {
+    /// `None` where no bearing has the quantity.
+    fn of(view: &ShaftView, heading: &'static str, row: &'static Row) -> Option<Self> {
+        let values = view.bearings().iter().filter_map(|bearing| number_of(bearing, row));
+        let most = values.map(|(value, _)| value.abs()).reduce(f64::max)?;
+        let (unit, size) = readable_unit(most, row.unit);
+        Some(Self {
+            heading,
+            row,
+            unit: shown_unit(unit),
+            size,
+        })
+    }
+
+    fn heading(&self) -> String {
+        match self.unit.is_empty() {
+            true => self.heading.to_owned(),
+            false => format!("{}, {}", self.heading, self.unit),
+        }
+    }
+
+    fn cell(&self, bearing: &Value) -> Cell {
+        let Some((value, error)) = number_of(bearing, self.row) else {
+            return text("\u{2013}");
+        };
+        let error = error.map(|error| error / self.size);
+        let shown = with_minus(quantity_value(value / self.size, error, DIGITS));
+        let bar = error
+            .filter(|error| *error > 0.0)
+            .map(|error| format!(" \u{b1} {}", with_minus(bar(error))));
+        Cell {
+            text: format!("{shown}{}", bar.unwrap_or_default()),
+            si: format!("{value}"),
+            is_number: true,
+        }
+    }
+}
+
+/// Loads and least films of two shafts, and how far the other is off.
+fn compared(own: &ShaftView, variant: Variant, other: &ShaftView) -> Table {
+    let mut table = Table {
+        title: format!("Beside {}", variant.words()),
+        header: vec!["bearing".to_owned()],
+        ..Table::default()
+    };
+    let columns: Vec<_> = COMPARED
+        .into_iter()
+        .filter_map(|(heading, rows)| Column::of(own, heading, row_of(own, rows)))
+        .collect();
+    for column in &columns {
+        let short = variant.name();
+        table
+            .header
+            .extend([column.heading(), short.to_owned(), "change".to_owned()]);
+    }
+    for (bearing, beside) in own.bearings().iter().zip(other.bearings()) {
+        let mut cells = vec![text(bearing["name"].as_str().unwrap_or_default())];
+        for column in &columns {
+            let [before, after] = [bearing, beside].map(|it| number_of(it, column.row));
+            let change = before.zip(after).map(|((before, _), (after, _))| after / before - 1.0);
+            cells.extend([column.cell(bearing), column.cell(beside)]);
+            cells.push(change.map_or_else(|| text("\u{2013}"), percent));
+        }
+        table.rows.push(cells);
+    }
+    if let Some(reason) = other.result["reason"].as_str() {
+        table.notes.push(format!("Of {}: {reason}", variant.words()));
+    }
+    if variant == Variant::Cut {
+        let note = "A shaft cut at its bearings gives each of them what statics gives, and no tilt.";
+        table.notes.push(note.to_owned());
+    }
+    table
+}
+
+/// A relative change with its sign.
+fn percent(change: f64) -> Cell {
+    Cell {
+        text: with_minus(format!("{:+.1} %", 1e2 * change)),
+        si: format!("{change}"),
+        is_number: true,
+    }
+}
+
+/// What all bearings are judged by.
+fn criteria(view: &ShaftView) -> Option<Table> {
+    let mut all: Option<Table> = None;
+    for bearing in view.bearings() {
+        let Some(own) = tables::criteria(bearing) else { continue };
+        let table = all.get_or_insert_with(|| Table {
+            header: ["bearing".to_owned()].into_iter().chain(own.header.clone()).collect(),
+            title: own.title.clone(),
+            ..Table::default()
+        });
+        let name = bearing["name"].as_str().unwrap_or_default();
+        table.rows.extend(
+            own.rows
+                .into_iter()
+                .map(|row| [text(name)].into_iter().chain(row).collect()),
+        );
+    }
+    all
+}
+
+/// How the counterweights are moved.
+fn moved(result: &Value) -> Option<Table> {
+    let found = result["counterweights"].as_object()?;
+    let rows = found["webs"].as_array()?.iter().map(|web| {
+        let pair = |key: &str, size: f64, unit: &str| {
+            [0, 1].map(|k: usize| sized(web[key][k].as_f64().unwrap_or(0.0), size, unit))
+        };
+        let [before, after] = pair("moment", 1e-3, "kg\u{b7}mm");
+        let [from, to] = pair("angle_deg", 1.0, "\u{b0}");
+        let place = format!("throw {}, web {}", web["throw"], web["web"]);
+        vec![text(place), before, from, after, to]
+    });
+    let mut table = Table::new(
+        "Counterweights moved",
+        ["web", "before", "angle", "after", "angle"],
+        rows.collect(),
+    );
+    let (unit, size) = readable_unit(1e-6, Unit::Metre);
+    for (key, how) in [
+        ("film", "on the films of the scene"),
+        ("film_by_maps", "by maps, the shaft cut"),
+    ] {
+        let film = |k: usize| Some(sized(found[key][k].as_f64()?, size, &shown_unit(unit)).text);
+        let note = film(0)
+            .zip(film(1))
+            .map(|(a, b)| format!("Least film of all bearings {how}: {a} before, {b} after."));
+        table.notes.extend(note);
+    }
+    table
+        .notes
+        .push("Angles from the throw, in the sense of rotation. Force and moment of the whole shaft stay.".to_owned());
+    Some(table)
+}
+
+/// What must vanish, and what was left of it.
+fn balances(view: &ShaftView) -> Table {
+    let energies = view.bearings().iter().filter_map(|bearing| bearing["energy"].as_f64());
+    let about = [
+        (
+            "force",
+            "loads less forces of all films, over the loads, at the worst step",
+        ),
+        ("moment", "their moments, over those of the loads, at the worst step"),
+        (
+            "journals",
+            "what is left of the equations of all journals, over the loads",
+        ),
+    ];
+    let mut rows: Vec<_> = about
+        .into_iter()
+        .filter_map(|(key, what)| Some(vec![text(what), number(view.result["balances"][key].as_f64()?)]))
+        .collect();
+    rows.extend(energies.reduce(f64::max).map(|energy| {
+        let what = "energy of a bearing over the cycle, over its dissipation: the error of the steps";
+        vec![text(what), number(energy)]
+    }));
+    Table::new("", ["balance", "left over"], rows)
+}
+
+/// The cycles that were followed.
+fn cycles(result: &Value) -> Option<Table> {
+    let cycles = (1..).zip(result["cycles"].as_array()?);
+    let rows = cycles.map(|(count, cycle): (u32, &Value)| {
+        let numbers = ["steps", "rejected", "films", "closure"].map(|key| super::table::optional(&cycle[key]));
+        [number(f64::from(count))].into_iter().chain(numbers).collect()
+    });
+    Table::new(
+        "Cycles",
+        [
+            "cycle",
+            "steps",
+            "tried in vain",
+            "films of all bearings",
+            "end from its beginning, over c",
+        ],
+        rows.collect(),
+    )
+    .if_any()
+}

@@ -1,0 +1,49 @@
+//! Shafts that are solved beside that of a scene, to be compared with it.
+
+use oilwedge_scene::{ShaftScene, Statics};
+
+use super::error::ShaftError;
+use super::result::ShaftRun;
+use super::run_shaft;
+use crate::run_options::RunOptions;
+
+/// What differs in a shaft beside that of the scene.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Variant {
+    /// It is cut at its bearings.
+    Cut,
+    /// Its counterweights are those that serve the bearings best.
+    Counterweights,
+}
+
+impl Variant {
+    /// All of them.
+    pub const ALL: [Self; 2] = [Self::Cut, Self::Counterweights];
+
+    /// Its name in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Cut => "cut",
+            Self::Counterweights => "counterweights",
+        }
+    }
+
+    /// What it is, for headings.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Cut => "the shaft cut at its bearings",
+            Self::Counterweights => "the counterweights moved",
+        }
+    }
+}
+
+/// Solves the shaft of a scene cut at its bearings.
+///
+/// # Errors
+/// [`ShaftError`]: the scene is cut already, or does not become a shaft on films.
+pub fn run_cut(scene: &ShaftScene, options: &RunOptions) -> Result<ShaftRun, ShaftError> {
+    match scene.crankshaft.statics {
+        Statics::Cut => Err(ShaftError::CutAlready),
+        Statics::Elastic => run_shaft(&scene.cut(), options),
+    }
+}
