@@ -1,7 +1,9 @@
 //! Shafts on the films of all their bearings.
 
+mod bearings;
 mod cycle;
 mod random;
+mod report;
 mod statics;
 
 use std::path::PathBuf;

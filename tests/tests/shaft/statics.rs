@@ -89,7 +89,7 @@ fn crossed_loads_tilt_the_journals_every_way() {
 }
 
 /// A scene of three films with one part of that of their bearings changed, which then stands in a folder of its own.
-fn with_bearing(folder: &std::path::Path, (from, to): (&str, &str), scene: &str) -> String {
+pub(super) fn with_bearing(folder: &std::path::Path, (from, to): (&str, &str), scene: &str) -> String {
     let bearing = text("bearings/small_ring.toml");
     std::fs::write(folder.join("ring.toml"), changed(&bearing, from, to)).expect("a file");
     let path = folder.join("ring.toml");
@@ -113,10 +113,10 @@ fn thin_films_are_knife_edges() {
 }
 
 /// Load [kN] of the right one of [`two_films`].
-const RIGHT: f64 = (12.0 * 0.1 + 0.22) / 0.4;
+pub(super) const RIGHT: f64 = (12.0 * 0.1 + 0.22) / 0.4;
 
 /// The shaft without its bearing in the middle, under 12 kN and 1 kN.
-fn two_films() -> String {
+pub(super) fn two_films() -> String {
     let scene = text("three_films.toml");
     let middle =
         "[[crankshaft.bearing]]\nname  = \"middle\"\nscene = \"bearings/small_ring.toml\"\nat    = \"200 mm\"\n";

@@ -1,5 +1,6 @@
 //! All journals of a shaft over cycles of the crank angle, by the implicit steps of [`crate::orbit`], until they repeat.
 
+use super::NoShaftOrbit;
 use super::films::{Films, Train, all_moved, magnitude};
 use super::stage::{Accuracy, Known, NoStage, Staged};
 use crate::Deadline;
@@ -83,43 +84,6 @@ pub struct ShaftOrbit {
     pub cycles: Vec<ShaftCycle>,
     /// How it ended.
     pub end: OrbitEnd,
-}
-
-/// Why a shaft has no orbit.
-#[derive(Debug, thiserror::Error)]
-pub enum NoShaftOrbit {
-    /// A journal has no film.
-    #[error("no film at {angle:.2} deg of cycle {cycle}: {reason}")]
-    Film {
-        /// Crank angle [deg].
-        angle: f64,
-        /// Number of the cycle, from 1.
-        cycle: usize,
-        /// The bearing, by its number from 0.
-        bearing: usize,
-        /// Why.
-        reason: oilwedge_reynolds::NoFilm,
-    },
-    /// No step, however short, leads on.
-    #[error(
-        "not converged: no step leads on from {angle:.2} deg of cycle {cycle}, where the least film is {gap:.3e} of the clearance"
-    )]
-    Stuck {
-        /// Crank angle [deg].
-        angle: f64,
-        /// Number of the cycle, from 1.
-        cycle: usize,
-        /// The bearing with the least film, by its number from 0.
-        bearing: usize,
-        /// That film over the clearance [1].
-        gap: f64,
-    },
-    /// The time was over before the first cycle was complete.
-    #[error("not converged: the shaft was followed to {angle:.1} deg of the first cycle only")]
-    Ended {
-        /// Crank angle [deg].
-        angle: f64,
-    },
 }
 
 /// Where a march is.
@@ -354,27 +318,6 @@ impl Drive<'_> {
         let forces = damping.times(&self.films.shaft.gathered(error));
         let left = both.factors().map(|factors| factors.solve(&forces));
         Ok(left.map_or_else(|| error.to_vec(), |left| self.films.shaft.spread(&left)))
-    }
-
-    fn told(&self, reason: NoStage, time: f64, cycle: usize, at: &[Vector]) -> NoShaftOrbit {
-        let angle = (self.speed * time).to_degrees();
-        match reason {
-            NoStage::Film(at) => NoShaftOrbit::Film {
-                angle,
-                cycle,
-                bearing: at.bearing,
-                reason: at.reason,
-            },
-            NoStage::Diverged(..) => {
-                let (bearing, gap) = self.films.thinnest(at);
-                NoShaftOrbit::Stuck {
-                    angle,
-                    cycle,
-                    bearing,
-                    gap,
-                }
-            }
-        }
     }
 }
 

@@ -7,7 +7,7 @@
 //! | `frame.rs` | the beams as the journals see them: stiffness, and loads moved to them |
 //! | `engine.rs`, `cut.rs` | loads of all throws by firing order; the shaft cut at its mains |
 //! | `films.rs`, `stage.rs` | the balance of shaft and films, and Newton's method for it |
-//! | `equilibrium.rs`, `march.rs` | the shaft at rest, and over cycles |
+//! | `equilibrium.rs`, `march.rs`, `no_orbit.rs` | the shaft at rest, and over cycles; why it is not led on |
 //! | `counterweights.rs` | where they serve the bearings best |
 //! | `matrix.rs` | dense matrices |
 //!
@@ -23,6 +23,7 @@ pub mod films;
 pub mod frame;
 mod march;
 pub mod matrix;
+mod no_orbit;
 mod stage;
 
 pub use beam::Material;
@@ -32,4 +33,5 @@ pub use engine::Engine;
 pub use equilibrium::{Balance, NoBalance};
 pub use films::{Film, Films};
 pub use frame::{Frame, NoShaft, NodeForce, Place, Shaft};
-pub use march::{Drive, MarchOptions, NoShaftOrbit, ShaftCycle, ShaftOrbit, ShaftStep};
+pub use march::{Drive, MarchOptions, ShaftCycle, ShaftOrbit, ShaftStep};
+pub use no_orbit::NoShaftOrbit;

@@ -269,7 +269,8 @@ impl Drawn<'_> {
             );
         }
         for (names, angle) in self.groups() {
-            let place = axes.point(angle, self.scale * self.radius);
+            // Beyond the middle of the pin, where no counterweight is marked.
+            let place = axes.point(angle, self.scale * (self.radius + 0.4 * pin));
             figure.text(place, &Label::plain(&names.join(", ")), letters.bold(), Anchor::Centre);
         }
         let turning = 0.55 * self.scale * self.journal;

@@ -336,7 +336,7 @@ fn ended(run: &mut ShaftRun, end: OrbitEnd, (cycles, closure): (usize, f64), opt
 
 fn status(reason: &NoShaftOrbit) -> Status {
     match reason {
-        NoShaftOrbit::Film { .. } => Status::NoSolution,
+        NoShaftOrbit::Film { .. } | NoShaftOrbit::SqueezedOut { .. } => Status::NoSolution,
         NoShaftOrbit::Stuck { .. } | NoShaftOrbit::Ended { .. } => Status::NotConverged,
     }
 }
@@ -346,6 +346,10 @@ fn told(reason: &NoShaftOrbit, compiled: &Compiled) -> String {
     let name = |bearing: usize| compiled.bearings.get(bearing).map_or("", |bearing| &bearing.name);
     match reason {
         NoShaftOrbit::Film { bearing, .. } => format!("bearing {}: {reason}", name(*bearing)),
+        NoShaftOrbit::SqueezedOut { bearing, .. } => format!(
+            "bearing {}: {reason}; lower the loads, raise speed or viscosity, or give a stiffer shaft where its slope takes the film",
+            name(*bearing)
+        ),
         NoShaftOrbit::Stuck { bearing, .. } => format!(
             "bearing {}: {reason}; lower the loads, or give the bearing more length or its shell less stiffness",
             name(*bearing)

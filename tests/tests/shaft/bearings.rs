@@ -1,0 +1,90 @@
+//! What a scene of a bearing asks for beside its film counts on a shaft, too: roughness, bores, and criteria.
+
+use oilwedge_study::quantities::{FILM_THICKNESS_MIN, FRICTION_POWER, Row};
+use oilwedge_study::result::{Status, Verdict};
+use oilwedge_study::{RunOptions, parse};
+
+use super::statics::{RIGHT, two_films, with_bearing};
+use super::{changed, engines, numbers, run, text};
+
+/// The text of a bearing of `three_films.toml`, rough and on a mesh of its own, with further keys.
+fn bearing(keys: &str) -> String {
+    let scene = changed(
+        &text("bearings/small_ring.toml"),
+        "\"30 um\"",
+        "\"30 um\"\nroughness = \"1 um\"",
+    );
+    changed(
+        &scene,
+        "[journal]",
+        &format!("[mesh]\nsize = \"3 mm\"\n\n{keys}\n[journal]"),
+    )
+}
+
+/// Numbers of that bearing by itself, under the load on the right one of [`two_films`].
+fn alone(keys: &str, rows: [&Row; 2]) -> [f64; 2] {
+    let scene = changed(
+        &bearing(keys),
+        "eccentricity   = 0.7\nmin_film_angle = \"240 deg\"\n",
+        "",
+    );
+    let scene = format!("{scene}\n[load]\nforce = \"{RIGHT} kN\"\nangle = \"270 deg\"\n");
+    let scene = parse(&scene, &engines("bearings/alone.toml")).unwrap_or_else(|error| panic!("{error}"));
+    let options = RunOptions {
+        bars: false,
+        ..RunOptions::of(&scene)
+    };
+    let found = oilwedge_study::run(&scene, &options).unwrap_or_else(|error| panic!("{error}"));
+    rows.map(|row| found.result.quantity(row).expect(row.name).value)
+}
+
+/// Under the loads that statics gives them, the bearings of a cut shaft are what they are by themselves, and not what they are without the keys.
+#[test]
+fn rough_and_crowned_bearings_of_a_cut_shaft_are_single_bearings() {
+    let rows = [&FILM_THICKNESS_MIN, &FRICTION_POWER];
+    let plain = alone("", rows);
+    let (whole, cut) = (
+        "youngs_modulus = \"206 GPa\"",
+        "youngs_modulus = \"206 GPa\"\nstatics = \"cut\"",
+    );
+    for keys in ["[roughness]\nmodel = \"patir-cheng\"\n", "[[bore]]\ncrown = \"4 um\"\n"] {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("ring.toml");
+        std::fs::write(&path, bearing(keys)).expect("a file");
+        let scene = changed(&two_films(), whole, cut);
+        let run = run(&scene.replace("bearings/small_ring.toml", path.to_str().expect("a path")));
+        assert_eq!(run.result.status, Status::Converged, "{:?}", run.result.reason);
+        let single = alone(keys, rows);
+        for (row, single) in rows.iter().zip(single) {
+            let found = numbers(&run, row)[1];
+            assert!(
+                (found / single - 1.0).abs() < 1e-6,
+                "{keys}: {} {found} {single}",
+                row.name
+            );
+        }
+        assert!(
+            (single[0] / plain[0] - 1.0).abs() > 1e-3,
+            "{keys}: {single:?} {plain:?}"
+        );
+    }
+}
+
+/// 5 um lie between the least films of the outer bearings, 6.1 um, and that of the middle one, 3.4 um.
+#[test]
+fn each_bearing_of_a_shaft_has_its_verdicts() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let criteria = ("[journal]", "[criteria]\nfilm_min = \"5 um\"\n\n[journal]");
+    let run = run(&with_bearing(folder.path(), criteria, &text("three_films.toml")));
+    let verdicts: Vec<_> = (run.result.bearings.iter())
+        .map(|bearing| {
+            bearing
+                .criteria
+                .iter()
+                .map(|it| (it.what.as_str(), it.verdict))
+                .collect::<Vec<_>>()
+        })
+        .collect();
+    let of = |verdict| vec![("least film", verdict)];
+    assert_eq!(verdicts, [of(Verdict::Pass), of(Verdict::Fail), of(Verdict::Pass)]);
+}
