@@ -12,7 +12,7 @@ fn bearing(keys: &str) -> String {
     let scene = changed(
         &text("bearings/small_ring.toml"),
         "\"30 um\"",
-        "\"30 um\"\nroughness = \"1 um\"",
+        "\"30 um\"\nroughness = \"3 um\"",
     );
     changed(
         &scene,
