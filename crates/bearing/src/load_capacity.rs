@@ -85,9 +85,10 @@ impl Search<'_> {
         })
     }
 
-    /// How much the force of a film differs from that of the film in cubic elements [N]; one far from the load is not asked.
+    /// How much the force of a film differs from that of the film in cubic elements [N]; one far from the load is not asked, nor one of a rough search, whose answer is a
+    /// start at most.
     fn error(&self, trial: &Trial) -> Option<f64> {
-        if size(trial) < FAR_BELOW * self.load.magnitude() {
+        if size(trial) < FAR_BELOW * self.load.magnitude() || self.options.accuracy.is_some() {
             return Some(0.0);
         }
         let Trial { problem, film, .. } = trial;
