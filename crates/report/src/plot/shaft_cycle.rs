@@ -123,14 +123,14 @@ fn by_angle(view: &ShaftView) -> Vec<Chart> {
 /// One number of each journal on both shafts, all charts over one axis.
 fn compared(own: &ShaftView, (variant, other): (Variant, &ShaftView), (name, number): (&str, &Over)) -> Vec<Chart> {
     let pairs = own.journals().zip(other.journals()).enumerate();
-    let chart = |(place, ((bearing, course), (_, beside))): (usize, ((&str, &OrbitCourse), (&str, &OrbitCourse)))| {
+    let charts = pairs.map(|(place, ((bearing, course), (_, beside)))| {
         let mut chart = Chart::new(bearing, Label::plain("crank angle, deg"), Label::plain(name));
         let dashed = Series::line(variant.words(), BLACK, number(beside)).stroked(Stroke::Dashed);
         let colour = SERIES[place % SERIES.len()];
         chart.series = vec![Series::line("", colour, number(course)), dashed];
         chart
-    };
-    pairs.map(chart).collect()
+    });
+    charts.collect()
 }
 
 fn scaled(points: Vec<[f64; 2]>, unit: f64) -> Vec<[f64; 2]> {
