@@ -40,14 +40,14 @@ fn alone(keys: &str, rows: [&Row; 2]) -> [f64; 2] {
 
 /// Under the loads that statics gives them, the bearings of a cut shaft are what they are by themselves, and not what they are without the keys.
 #[test]
-fn rough_and_crowned_bearings_of_a_cut_shaft_are_single_bearings() {
+fn rough_bearings_of_a_cut_shaft_are_single_bearings() {
     let rows = [&FILM_THICKNESS_MIN, &FRICTION_POWER];
     let plain = alone("", rows);
     let (whole, cut) = (
         "youngs_modulus = \"206 GPa\"",
         "youngs_modulus = \"206 GPa\"\nstatics = \"cut\"",
     );
-    for keys in ["[roughness]\nmodel = \"patir-cheng\"\n", "[[bore]]\ncrown = \"4 um\"\n"] {
+    for keys in ["[roughness]\nmodel = \"patir-cheng\"\n"] {
         let folder = tempfile::tempdir().expect("a folder");
         let path = folder.path().join("ring.toml");
         std::fs::write(&path, bearing(keys)).expect("a file");
