@@ -134,7 +134,7 @@ impl Search<'_> {
             Some(start) if outcome.is_err() => self.run(problem, start),
             _ => outcome,
         };
-        // A mass-conserving film takes long at so many contacts: its guide has asked them.
+        // A mass-conserving film takes long at so many contacts; the search for its guide has asked there.
         let is_held = self.load.tilting.is_none() && problem.journal.tilt != [0.0; 2];
         outcome.map_err(|reason| match is_held && !problem.cavitation.conserves_oil() {
             true => self.beyond_contact(problem).unwrap_or(reason),

@@ -40,33 +40,39 @@ fn alone(keys: &str, rows: [&Row; 2]) -> [f64; 2] {
 
 /// Under the loads that statics gives them, the bearings of a cut shaft are what they are by themselves, and not what they are without the keys.
 #[test]
-fn rough_bearings_of_a_cut_shaft_are_single_bearings() {
+fn rough_and_crowned_bearings_of_a_cut_shaft_are_single_bearings() {
     let rows = [&FILM_THICKNESS_MIN, &FRICTION_POWER];
     let plain = alone("", rows);
     let (whole, cut) = (
         "youngs_modulus = \"206 GPa\"",
         "youngs_modulus = \"206 GPa\"\nstatics = \"cut\"",
     );
-    let keys = "[roughness]\nmodel = \"patir-cheng\"\n";
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("ring.toml");
-    std::fs::write(&path, bearing(keys)).expect("a file");
-    let scene = changed(&two_films(), whole, cut);
-    let run = run(&scene.replace("bearings/small_ring.toml", path.to_str().expect("a path")));
-    assert_eq!(run.result.status, Status::Converged, "{:?}", run.result.reason);
-    let single = alone(keys, rows);
-    for (row, single) in rows.iter().zip(single) {
-        let found = numbers(&run, row)[1];
+    // The mesh of a crowned bore is graded for the position in the scene, so that the single bearing has another one.
+    let (same_mesh, other_mesh) = (1e-6, 1e-4);
+    for (keys, tolerance) in [
+        ("[roughness]\nmodel = \"patir-cheng\"\n", same_mesh),
+        ("[[bore]]\ncrown = \"4 um\"\n", other_mesh),
+    ] {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("ring.toml");
+        std::fs::write(&path, bearing(keys)).expect("a file");
+        let scene = changed(&two_films(), whole, cut);
+        let run = run(&scene.replace("bearings/small_ring.toml", path.to_str().expect("a path")));
+        assert_eq!(run.result.status, Status::Converged, "{:?}", run.result.reason);
+        let single = alone(keys, rows);
+        for (row, single) in rows.iter().zip(single) {
+            let found = numbers(&run, row)[1];
+            assert!(
+                (found / single - 1.0).abs() < tolerance,
+                "{keys}: {} {found} {single}",
+                row.name
+            );
+        }
         assert!(
-            (found / single - 1.0).abs() < 1e-6,
-            "{keys}: {} {found} {single}",
-            row.name
+            (single[0] / plain[0] - 1.0).abs() > 1e-3,
+            "{keys}: {single:?} {plain:?}"
         );
     }
-    assert!(
-        (single[0] / plain[0] - 1.0).abs() > 1e-3,
-        "{keys}: {single:?} {plain:?}"
-    );
 }
 
 /// 5 um lie between the least films of the outer bearings, 6.1 um, and that of the middle one, 3.4 um.

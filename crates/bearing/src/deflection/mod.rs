@@ -30,7 +30,8 @@ use oilwedge_reynolds::quantities::load::{Resultant, load_change};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmChange, FilmProblem, FilmSolution, FilmSystem, JournalChange, NoFilm};
 
-/// First-order change of what the journal carries where it moves by `change`; a wall that gives way follows to an `accuracy`, relative to what it does by itself.
+/// First-order change of what the journal carries where it moves by `change`; a wall that gives way follows. Its linear system is solved until the norm of the residual is `accuracy` times
+/// that of the right-hand side [1].
 ///
 /// # Errors
 /// The linear systems could not be solved.

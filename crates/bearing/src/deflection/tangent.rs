@@ -11,7 +11,7 @@ use oilwedge_reynolds::{FilmChange, FilmProblem, FilmSolution, FilmSystem, Journ
 
 use super::gmres::{Solved, gmres};
 
-/// Accuracy of a tangent that is not a step of an iteration.
+/// Accuracy to which the linear systems of a tangent are solved where the tangent is a result, not a step of an iteration: norm of the residual over that of the right-hand side [1].
 pub const EXACT: f64 = 1e-10;
 
 /// A solved film whose wall gives way.
@@ -103,7 +103,7 @@ impl<'a> Follower<'a> {
         self.bent(&self.image_of(&unknown, change), unknown, accuracy)
     }
 
-    /// What follows from a change of the unknown by `unknown`, and of the wall by `free` [m], where neither answers to the other.
+    /// What follows from a change of the unknown by `unknown`, and of the wall by `free` [m], where neither answers to the other; to an `accuracy`.
     fn bent(&self, free: &[f64], mut unknown: Vec<f64>, accuracy: f64) -> Result<Followed, Error> {
         let deflection = self.solve(free, accuracy)?.x;
         let more = self.by_deflection(&deflection)?;

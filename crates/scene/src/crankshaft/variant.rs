@@ -7,6 +7,9 @@ use super::{Counterweight, ShaftScene, Statics};
 
 impl ShaftScene {
     /// This scene with the shaft cut at its bearings.
+    ///
+    /// # Panics
+    /// If `text` was replaced by one that is not the text of a crankshaft's scene.
     pub fn cut(&self) -> Self {
         let mut changed = self.with("statics", Value::from("cut"));
         changed.crankshaft.statics = Statics::Cut;
@@ -14,6 +17,9 @@ impl ShaftScene {
     }
 
     /// This scene with these counterweights in place of its own.
+    ///
+    /// # Panics
+    /// If `text` was replaced by one that is not the text of a crankshaft's scene.
     pub fn with_counterweights(&self, weights: Vec<Counterweight>) -> Self {
         let tables: Vec<Value> = weights.iter().map(|weight| Value::Table(table(weight))).collect();
         let mut changed = self.with("counterweight", Value::from(tables));
@@ -23,19 +29,17 @@ impl ShaftScene {
 
     /// This scene with another value of a key of `[crankshaft]` in its text; comments are lost.
     fn with(&self, key: &str, value: Value) -> Self {
-        let mut changed = self.clone();
-        let table = self.text.parse::<Table>().ok();
-        let edited = table.and_then(|mut table| {
-            table
-                .get_mut("crankshaft")?
-                .as_table_mut()?
-                .insert(key.to_owned(), value);
-            toml::to_string(&table).ok()
-        });
-        // A text that was read once is read again.
-        changed.text = edited.unwrap_or_default();
-        changed.sha256 = sum_of(&changed.text);
-        changed
+        let mut table: Table = self.text.parse().expect("a scene was read from this text");
+        let shaft = table.get_mut("crankshaft").and_then(Value::as_table_mut);
+        shaft
+            .expect("a scene of a crankshaft has [crankshaft]")
+            .insert(key.to_owned(), value);
+        let text = toml::to_string(&table).expect("a table that was read is written");
+        Self {
+            sha256: sum_of(&text),
+            text,
+            ..self.clone()
+        }
     }
 }
 
