@@ -32,13 +32,18 @@ fn changed(text: &str, from: &str, to: &str) -> String {
 
 /// What a run of a scene finds, without error bars.
 fn run(text: &str) -> ShaftRun {
-    let scene = ShaftScene::parse(text, &engines("scene.toml")).unwrap_or_else(|error| panic!("{error}"));
     let options = RunOptions {
         bars: false,
         max_seconds: f64::INFINITY,
         ..RunOptions::default()
     };
-    run_shaft(&scene, &options).unwrap_or_else(|error| panic!("{error}"))
+    run_with(text, &options)
+}
+
+/// What a run of a scene finds.
+fn run_with(text: &str, options: &RunOptions) -> ShaftRun {
+    let scene = ShaftScene::parse(text, &engines("scene.toml")).unwrap_or_else(|error| panic!("{error}"));
+    run_shaft(&scene, options).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// A number of each bearing.

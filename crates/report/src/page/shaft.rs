@@ -80,7 +80,8 @@ fn cards(view: &ShaftView) -> Vec<Shown> {
         let row = row_of(view, rows);
         let value = |bearing: &&Value| number_of(bearing, row).map_or(f64::NEG_INFINITY, |(value, _)| sign * value);
         let bearing = view.bearings().iter().max_by(|a, b| value(a).total_cmp(&value(b)))?;
-        let has_bars = view.result["bars"].as_bool().unwrap_or(false);
+        // What the shaft decides has no bar.
+        let has_bars = number_of(bearing, row).is_some_and(|(_, error)| error.is_some());
         let mut card = shown(row, row.name, &bearing["quantities"][row.name], has_bars)?;
         let of = bearing["name"].as_str().unwrap_or_default();
         card.name = format!("{of}: {}", card.name.replace("cycle ", ""));

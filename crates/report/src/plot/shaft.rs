@@ -76,7 +76,8 @@ pub(super) fn shaft_figure(view: &ShaftView, width: f64) -> Option<Figure> {
     let swept = shaft.throw.map_or(0.0, |throw| radius + 0.5 * throw.pin_diameter);
     let half = f64::max(swept, (1.0 + SHELL) * journal);
     let room = width - 2.0 * MARGIN - BETWEEN;
-    let scale = room / (shaft.length() + 2.0 * half);
+    let [from, to] = extent(shaft, view.bearings());
+    let scale = room / (to - from + 2.0 * half);
     let letters = Letters::sized(SMALLEST_LETTERS);
     let top = MARGIN + Letters::default().line() + 1.5 * letters.line();
     let drawn = Drawn {
@@ -85,7 +86,7 @@ pub(super) fn shaft_figure(view: &ShaftView, width: f64) -> Option<Figure> {
         throws,
         journal,
         scale,
-        origin: [MARGIN, top + scale * half],
+        origin: [MARGIN - scale * from, top + scale * half],
     };
     let title = format!("{}: the shaft", view.title());
     let description = "the shaft to scale from the side, with its bearings, and along its axis, with its throws";
@@ -104,6 +105,18 @@ pub(super) fn shaft_figure(view: &ShaftView, width: f64) -> Option<Figure> {
     }
     figure.set_height(below + 1.0 + 4.0 * letters.line());
     Some(figure)
+}
+
+/// Where the drawing begins and ends along the axis [m]: bearings may stand out at the ends of the shaft.
+fn extent(shaft: &Crankshaft, bearings: &[Value]) -> [f64; 2] {
+    let ends = bearings.iter().filter_map(|bearing| {
+        let half = 0.5 * bearing["geometry"]["length"].as_f64()?;
+        let at = bearing["at"].as_f64()?;
+        Some([at - half, at + half])
+    });
+    ends.fold([0.0, shaft.length()], |[from, to], [low, high]| {
+        [from.min(low), to.max(high)]
+    })
 }
 
 fn throws(shaft: &Crankshaft) -> Vec<Throw> {

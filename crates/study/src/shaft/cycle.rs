@@ -10,7 +10,7 @@ use oilwedge_scene::{ShaftScene, Statics};
 
 use super::compile::{Bearing, Compiled, compile_shaft};
 use super::error::ShaftError;
-use super::result::{BearingPath, BearingReport, CycleReport, ShaftBalances, ShaftRun};
+use super::result::{BearingPath, BearingReport, CycleReport, ShaftBalances, ShaftRun, found_with_shaft};
 use crate::estimate::estimate_errors;
 use crate::limits::exceeded_over_cycle;
 use crate::orbit::{Followed, GREATEST, USUAL, follow_under, measured, motion, suits};
@@ -181,8 +181,9 @@ fn report(
         let own = &*bearing.film.scene;
         let model = own.orbit.unwrap_or_else(oilwedge_scene::Orbit::usual);
         let motion = motion(&bearing.film, own, &model, &cycle);
-        let followed = measured(&bearing.film, &motion, &model, own_orbit(orbit, number), options)
+        let mut followed = measured(&bearing.film, &motion, &model, own_orbit(orbit, number), options)
             .map_err(|reason| (Status::without(&reason), format!("bearing {}: {reason}", bearing.name)))?;
+        followed.quantities = found_with_shaft(followed.quantities);
         let shells: Vec<Vector> = orbit
             .steps
             .iter()

@@ -137,7 +137,8 @@ pub struct BearingReport {
     pub energy: Option<f64>,
     /// What it is judged by, with verdicts: `[limits]` and `[criteria]` of its scene.
     pub criteria: Vec<Criterion>,
-    /// Its numbers; their error bars are those of its film under the load that it carries.
+    /// Its numbers. At rest their error bars are those of its film at the place that was found, over a cycle those of its orbit under the load that it carries; what only the
+    /// shaft decides has none.
     #[serde(serialize_with = "named")]
     pub quantities: Vec<Quantity>,
 }
@@ -164,6 +165,19 @@ impl BearingReport {
     pub fn quantity(&self, row: &Row) -> Option<&Quantity> {
         self.quantities.iter().find(|quantity| quantity.name == row.name)
     }
+}
+
+/// The numbers of a film whose place and load are found with the shaft. A bar of zero is that of a number that the scene of a single bearing gives, as its position or its
+/// load; here both have errors, which are not estimated.
+pub(super) fn found_with_shaft(quantities: Vec<Quantity>) -> Vec<Quantity> {
+    let bar = |quantity: &Quantity| quantity.bar.filter(|_| quantity.error() != Some(0.0));
+    quantities
+        .into_iter()
+        .map(|quantity| Quantity {
+            bar: bar(&quantity),
+            ..quantity
+        })
+        .collect()
 }
 
 impl ShaftResult {

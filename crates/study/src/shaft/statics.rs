@@ -10,7 +10,7 @@ use rayon::prelude::*;
 
 use super::compile::{Bearing, Compiled, compile_shaft};
 use super::error::ShaftError;
-use super::result::{BearingReport, ShaftBalances, ShaftResult, ShaftRun};
+use super::result::{BearingReport, ShaftBalances, ShaftResult, ShaftRun, found_with_shaft};
 use crate::estimate::estimate_errors;
 use crate::isothermal::isothermal;
 use crate::no_answer::NoAnswer;
@@ -105,7 +105,7 @@ fn report(
         let report = BearingReport {
             shell: [shell[0].hypot(shell[1]), shell[2].hypot(shell[3]) / arm],
             tilt_max: tilt_x.hypot(tilt_y),
-            ..BearingReport::of(bearing, estimated.quantities)
+            ..BearingReport::of(bearing, found_with_shaft(estimated.quantities))
         };
         Ok((report, warnings))
     };
