@@ -78,9 +78,9 @@ impl Film {
         film
     }
 
-    /// This film at a time of an orbit: where the journal is, and with what it held before.
+    /// This film at a time of an orbit: where journal and wall are, and with what it held before.
     pub(crate) fn at_instant(&self, instant: &Instant) -> Self {
-        let mut film = self.with_journal(instant.problem.journal);
+        let mut film = self.as_found(&instant.problem);
         film.problem.storage = instant.problem.storage.clone();
         film
     }

@@ -3,5 +3,6 @@
 mod bars;
 mod contact;
 mod film;
+mod orbit;
 mod ring;
 mod tangent;

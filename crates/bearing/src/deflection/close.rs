@@ -79,7 +79,9 @@ pub fn closed_film(
 /// The film from walls of journals nearer to the middle.
 fn climbed(problem: &FilmProblem, system: &FilmSystem, counts: &mut Closing) -> Option<(FilmProblem, FilmSolution)> {
     let eccentricity = problem.journal.eccentricity() / problem.bearing.clearance;
-    let rigid = Deflection::none(problem.deflection()?.wall.clone());
+    // In a stage the wall is near to where it was: a rigid one would be far from it.
+    let deflection = problem.deflection().filter(|deflection| deflection.rate().is_none())?;
+    let rigid = Deflection::none(deflection.wall.clone());
     let at = |part: f64, wall: &Deflection| {
         let journal = nearer(&problem.journal, part);
         FilmProblem {

@@ -50,9 +50,9 @@ impl<'a> Follower<'a> {
         self.deflection.coefficients.len()
     }
 
-    /// A shape of the wall with these coefficients [m].
+    /// A change of the wall by these coefficients [m].
     pub(super) fn shape(&self, coefficients: &[f64]) -> Deflection {
-        self.deflection.with(coefficients.to_vec())
+        self.deflection.change(coefficients.to_vec())
     }
 
     /// The deflection with more of it.

@@ -196,6 +196,7 @@ impl Travel<'_> {
             error: [0.0; 4],
             residual: 0.0,
             history: None,
+            wall: None,
         }
     }
 }

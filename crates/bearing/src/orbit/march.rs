@@ -3,7 +3,7 @@
 use oilwedge_reynolds::NoFilm;
 use oilwedge_reynolds::solve::Neighbour;
 
-use super::motion::{Instant, Motion, Moving};
+use super::motion::{Held, Instant, Motion, Moving};
 use super::no_orbit::NoOrbit;
 use super::oil::Oil;
 use super::pace::{Pace, SHORTEST};
@@ -40,7 +40,7 @@ pub trait OrbitObserver: std::fmt::Debug + Sync {
 /// One cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cycle {
-    /// Distance between the places in which it begins and ends [m].
+    /// Distance between the places in which it begins and ends, or by which the wall moves further, if that is more [m].
     pub closure: f64,
     /// Steps made.
     pub steps: usize,
@@ -130,6 +130,7 @@ impl Motion<'_> {
         let mut last = Vec::new();
         for number in 1..=options.cycles {
             let (begin, oil) = (traveller.here.at, traveller.here.oil.clone());
+            let wall = traveller.here.problem.deflection().cloned();
             let (steps, mut cycle) = match self.cycle(&mut traveller, number, accuracy, options) {
                 Ok(Some(made)) => made,
                 Ok(None) if number == 1 => {
@@ -147,7 +148,9 @@ impl Motion<'_> {
                 Err(reason) => return Err(reason),
             };
             cycle.films += std::mem::take(&mut films);
-            cycle.closure = length(moved(traveller.here.at, -1.0, begin));
+            let by_wall = wall.zip(traveller.here.problem.deflection());
+            let by_wall = by_wall.map_or(0.0, |(begin, end)| begin.distance(end));
+            cycle.closure = length(moved(traveller.here.at, -1.0, begin)).max(by_wall);
             cycle.oil = oil
                 .zip(traveller.here.oil.as_ref())
                 .map(|(begin, end)| CycleOil::between(&begin, end));
@@ -285,7 +288,7 @@ impl Motion<'_> {
     }
 
     /// The film at a time within a span of the orbit that begins with the step `from`. The place is that of the path, and the velocity that in which the film
-    /// carries the load, or that of the path for a rotor with mass; a film that conserves its oil is led on from the step.
+    /// carries the load, or that of the path for a rotor with mass; a film that conserves its oil, or whose wall gives way, is led on from the step.
     ///
     /// # Errors
     /// [`NoOrbit`]: there is no such film.
@@ -296,9 +299,9 @@ impl Motion<'_> {
             scale: self.peak_load(),
         };
         let found = match self.mass > 0.0 {
-            _ if from.history.is_some() => self.led_on(from, time, accuracy),
+            _ if from.history.is_some() || from.wall.is_some() => self.led_on(from, time, accuracy),
             _ if self.least_gap(at) <= 0.0 => Err(NoStage::Diverged),
-            true => (self.film(Moving { time, at, velocity }, None, Neighbour::None)).map_err(NoStage::Film),
+            true => (self.film(Moving { time, at, velocity }, Held::default(), Neighbour::None)).map_err(NoStage::Film),
             false => self.carried((time, at), velocity, accuracy, &mut 0),
         };
         found.map_err(|reason| self.told_between(reason, time, at))
@@ -329,10 +332,15 @@ impl Motion<'_> {
     /// # Errors
     /// [`NoFilm`]: why there is none.
     pub fn film_at(&self, step: &Step, near: Neighbour) -> Result<Instant, NoFilm> {
+        let wall = step.wall.as_ref();
         let Some(history) = &step.history else {
-            return self.film(step.moving(), None, near);
+            return self.film(step.moving(), Held { storage: None, wall }, near);
         };
-        let found = self.film(step.moving(), Some(&history.before), Neighbour::Found(&history.trace))?;
+        let held = Held {
+            storage: Some(&history.before),
+            wall,
+        };
+        let found = self.film(step.moving(), held, Neighbour::Found(&history.trace))?;
         Ok(Instant {
             oil: Some(history.oil.clone()),
             ..found

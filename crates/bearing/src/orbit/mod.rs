@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `motion.rs` | film, support, mass and load at one time, and their tangents |
 //! | `scheme.rs`, `stage.rs`, `step.rs` | implicit steps in time with an estimate of their error |
+//! | `wall.rs` | a wall that gives way along the path |
 //! | `oil.rs` | what a film that conserves its oil holds along the way |
 //! | `pace.rs`, `march.rs` | steps as long as the tolerance allows, from cycle to cycle |
 //! | `no_orbit.rs` | why an orbit does not lead on |
@@ -20,9 +21,10 @@ mod path;
 pub mod scheme;
 mod stage;
 mod step;
+mod wall;
 
 pub use march::{Cycle, CycleOil, Orbit, OrbitEnd, OrbitObserver, OrbitOptions};
-pub use motion::{Instant, Motion, Moving, TiltSupport};
+pub use motion::{Held, Instant, Motion, Moving, TiltSupport};
 pub use no_orbit::NoOrbit;
 pub use oil::{Before, Oil};
 pub use path::{Span, Step, StepHistory};

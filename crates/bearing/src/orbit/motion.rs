@@ -9,7 +9,8 @@
 use std::sync::Arc;
 
 use oilwedge_fem::newton::Failure;
-use oilwedge_reynolds::quantities::load::{load, load_change};
+use oilwedge_reynolds::film_thickness::Deflection;
+use oilwedge_reynolds::quantities::load::load;
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{
     CentreVelocity, FilmProblem, FilmSolution, FilmSystem, Gap, JournalChange, JournalState, NoFilm, Storage,
@@ -18,6 +19,7 @@ use oilwedge_reynolds::{
 use super::oil::Oil;
 use super::scheme::{FOURTH_ORDER, SECOND_ORDER, Scheme};
 use crate::coordinates::{Coordinates, Vector, unit};
+use crate::deflection::{carried_change, closed_film};
 use crate::duty_cycle::{Duty, DutyCycle};
 use crate::stiffness::Stiffness;
 
@@ -63,6 +65,15 @@ pub struct Instant {
     pub excess: Vector,
     /// The oil of a film that conserves it, at the end of a stage; else `None`.
     pub oil: Option<Arc<Oil>>,
+}
+
+/// What film and wall have of the time before.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Held<'a> {
+    /// Oil of a film that conserves it.
+    pub storage: Option<&'a Arc<Storage>>,
+    /// The wall, in the stage in which it moves, or from which it is closed; `None`: it is rigid, or at rest and not bent.
+    pub wall: Option<&'a Deflection>,
 }
 
 /// A journal on its way.
@@ -144,20 +155,15 @@ impl Motion<'_> {
         }
     }
 
-    /// The film of a journal that moves so, which held `before`, if it conserves its oil; started from one nearby.
-    pub(crate) fn film(
-        &self,
-        moving: Moving,
-        before: Option<&Arc<Storage>>,
-        near: Neighbour,
-    ) -> Result<Instant, NoFilm> {
+    /// The film of a journal that moves so, and what it `held` before, started from one nearby; a wall that gives way is closed with it.
+    pub(crate) fn film(&self, moving: Moving, held: Held<'_>, near: Neighbour) -> Result<Instant, NoFilm> {
         let Moving { time, at, velocity } = moving;
         let problem = FilmProblem {
             journal: self.journal(time, at, velocity),
-            storage: before.cloned(),
+            storage: held.storage.cloned(),
             ..self.problem.clone()
         };
-        let film = problem.solve_from(self.system, near)?;
+        let (problem, film) = closed_film(problem.deflected(held.wall), self.system, near)?;
         let response = self.response(&problem, self.system, &film, at);
         let asked = self.asked(time);
         Ok(Instant {
@@ -171,7 +177,8 @@ impl Motion<'_> {
         })
     }
 
-    /// The change of the forces where each coordinate changes by `per_offset` and its rate by `per_rate` [1/s]: the cavity held, exact to first order.
+    /// The change of the forces where each coordinate changes by `per_offset` and its rate by `per_rate` [1/s]: the cavity held, exact to first order. A wall that
+    /// gives way follows, in the stage that it has.
     ///
     /// # Errors
     /// The linear systems could not be solved.
@@ -188,10 +195,7 @@ impl Motion<'_> {
                 tilt_rate: rate.tilt,
                 ..offset
             };
-            let unknown = (here.problem)
-                .unknown_change(self.system, &here.film, &change)
-                .map_err(Failure::from)?;
-            let by_film = load_change(&here.problem, self.system, &here.film, &[(&change).into()], &unknown);
+            let by_film = carried_change(&here.problem, self.system, &here.film, &change).map_err(Failure::from)?;
             let mut column = coordinates.forces(&by_film);
             if k >= 2 {
                 column[k] += per_offset * self.support_stiffness();

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use oilwedge_reynolds::film_thickness::Deflection;
 use oilwedge_reynolds::{FilmTrace, Storage};
 
 use super::motion::{Instant, Moving};
@@ -23,6 +24,8 @@ pub struct Step {
     pub residual: f64,
     /// What a film that conserves its oil has of the time before; `None` for others.
     pub history: Option<Arc<StepHistory>>,
+    /// The deflection of a wall that gives way; `None` of a rigid one.
+    pub wall: Option<Deflection>,
 }
 
 /// What makes the film of a step again, and leads on from it, where the cavity conserves its oil.
@@ -56,6 +59,7 @@ impl Step {
             error: [0.0; 4],
             residual,
             history: StepHistory::of(here).map(Arc::new),
+            wall: here.problem.deflection().cloned(),
         }
     }
 

@@ -5,10 +5,11 @@
 use std::sync::Arc;
 
 use oilwedge_fem::newton::Failure;
+use oilwedge_reynolds::film_thickness::{Deflection, WallStage};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmProblem, NoFilm};
 
-use super::motion::{Instant, Motion, Moving};
+use super::motion::{Held, Instant, Motion, Moving};
 use super::oil::Before;
 use crate::coordinates::{Vector, length, moved};
 use crate::stiffness::Stiffness;
@@ -44,6 +45,8 @@ pub(super) struct Known {
     pub(super) rate: Vector,
     /// What the stages before leave to a film that conserves its oil.
     pub(super) before: Option<Before>,
+    /// What they leave to a wall that gives way.
+    pub(super) wall: Option<WallStage>,
 }
 
 /// How exactly a stage is solved.
@@ -87,16 +90,19 @@ impl Motion<'_> {
         accuracy: Accuracy,
         films: &mut usize,
     ) -> Result<Instant, NoStage> {
-        let film = |at: Vector, near: Neighbour, films: &mut usize| {
+        let film = |at: Vector, wall: Option<&Deflection>, near: Neighbour, films: &mut usize| {
             *films += 1;
             let moving = Moving {
                 time: known.time,
                 at,
                 velocity: known.velocity(at),
             };
-            self.film(moving, known.before.as_ref().map(|before| &before.storage), near)
+            let storage = known.before.as_ref().map(|before| &before.storage);
+            self.film(moving, Held { storage, wall }, near)
         };
-        let mut here = film(self.inside(near.at, start), Neighbour::Start(&near.film), films)?;
+        let wall = known.wall_from(near);
+        let at = self.inside(near.at, start);
+        let mut here = film(at, wall.as_ref(), Neighbour::Start(&near.film), films)?;
         let mut corrected: Option<Stiffness> = None;
         for _ in 1..MOST_FILMS {
             let residual = self.residual(known, &here);
@@ -120,7 +126,8 @@ impl Motion<'_> {
             }
             loop {
                 // The oil of the whole stage is carried by the same schemes, so that the force is smooth.
-                let next = film(moved(here.at, part, step), Neighbour::Kept(&here.film), films);
+                let (at, wall) = (moved(here.at, part, step), here.problem.deflection());
+                let next = film(at, wall, Neighbour::Kept(&here.film), films);
                 let falls = |next: &Instant| length(self.residual(known, next)) < length(residual);
                 match next {
                     Ok(next) if falls(&next) => {
@@ -182,13 +189,18 @@ impl Motion<'_> {
         let held = full.oil_of_full_film(self.system).map_err(Failure::from);
         let per_time = 1.0 / (BEGINNING * period);
         let before = Before::at_rest(per_time, held.map_err(NoFilm::from)?);
-        let near = self.film(at_rest, Some(&before.storage), Neighbour::None)?;
+        let held = Held {
+            storage: Some(&before.storage),
+            wall: None,
+        };
+        let near = self.film(at_rest, held, Neighbour::None)?;
         let known = Known {
             time: 0.0,
             per_time,
             offset: at,
             rate: [0.0; 4],
             before: Some(before),
+            wall: None,
         };
         self.stage(&known, at, &near, accuracy, films)
     }
@@ -202,7 +214,7 @@ impl Motion<'_> {
         films: &mut usize,
     ) -> Result<Instant, NoStage> {
         let moving = |velocity: Vector| Moving { time, at, velocity };
-        let mut here = self.film(moving(guess), None, Neighbour::None)?;
+        let mut here = self.film(moving(guess), Held::default(), Neighbour::None)?;
         *films += 1;
         for _ in 1..MOST_FILMS {
             let balance = length(here.excess) / accuracy.scale;
@@ -217,7 +229,11 @@ impl Motion<'_> {
             loop {
                 let velocity = moved(here.velocity, part, step);
                 *films += 1;
-                let next = self.film(moving(velocity), None, Neighbour::Start(&here.film))?;
+                let held = Held {
+                    storage: None,
+                    wall: here.problem.deflection(),
+                };
+                let next = self.film(moving(velocity), held, Neighbour::Start(&here.film))?;
                 if length(next.excess) < length(here.excess) {
                     here = next;
                     break;
@@ -261,5 +277,14 @@ impl Known {
     /// The rate of a journal at these coordinates.
     fn velocity(&self, at: Vector) -> Vector {
         moved(at, -1.0, self.offset).map(|way| way * self.per_time)
+    }
+
+    /// The wall with which the stage begins, from that of a film nearby.
+    fn wall_from(&self, near: &Instant) -> Option<Deflection> {
+        let deflection = near.problem.deflection()?;
+        Some(match &self.wall {
+            Some(stage) => deflection.in_stage(stage.clone()),
+            None => deflection.clone(),
+        })
     }
 }

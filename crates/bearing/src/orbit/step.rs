@@ -2,13 +2,16 @@
 
 use std::sync::Arc;
 
+use oilwedge_fem::newton::Failure;
 use oilwedge_reynolds::NoFilm;
 
 use super::motion::{Instant, Motion};
 use super::oil::Oil;
 use super::path::Span;
 use super::stage::{Accuracy, Known, NoStage};
-use crate::coordinates::Vector;
+use super::wall::WallStages;
+use crate::coordinates::{Vector, moved};
+use crate::deflection::carried_change_with_rate;
 
 /// A step that was made.
 #[derive(Debug)]
@@ -40,6 +43,7 @@ impl Motion<'_> {
         let mut rates = vec![start.velocity];
         let mut accelerations = vec![from.acceleration];
         let mut oils: Vec<Arc<Oil>> = start.oil.iter().cloned().collect();
+        let mut walls = WallStages::from(start);
         let mut latest: Option<Instant> = None;
         let mut way = from.before;
         for stage in 1..scheme.stages() {
@@ -51,6 +55,7 @@ impl Motion<'_> {
                 offset: so_far(start.at, &rates),
                 rate: so_far(start.velocity, &accelerations),
                 before: (start.oil.as_ref()).map(|oil| oil.before(scheme, stage, dt, &oils)),
+                wall: walls.as_ref().map(|walls| walls.stage(scheme, stage, dt)),
             };
             let guess = match way {
                 Some(span) => span.at(known.time),
@@ -62,6 +67,9 @@ impl Motion<'_> {
             rates.push(found.velocity);
             accelerations.push([0, 1, 2, 3].map(|k| (found.velocity[k] - known.rate[k]) * per_time));
             oils.extend(found.oil.clone());
+            if let Some(walls) = &mut walls {
+                walls.add(&found);
+            }
             if latest.as_ref().is_none_or(|latest| latest.time < found.time) {
                 way = Some(Span::of_instants(start, &found));
             }
@@ -71,19 +79,26 @@ impl Motion<'_> {
         let end = latest.ok_or(NoStage::Diverged)?;
         let error = combined([0.0; 4], dt, &scheme.error_weights(), &rates);
         Ok(Made {
-            error: self.damped_error(&end, error, dt)?,
+            error: self.damped_error(&end, error, walls.map(|walls| walls.error(scheme, dt)), dt)?,
             acceleration: accelerations.last().copied().unwrap_or_default(),
             end,
         })
     }
 
-    /// `(m/(gamma dt) + C + gamma dt K)^-1 (m/(gamma dt) + C)` times an error: what stiffness leaves of it.
-    fn damped_error(&self, end: &Instant, error: Vector, dt: f64) -> Result<Vector, NoFilm> {
+    /// `(m/(gamma dt) + C + gamma dt K)^-1 (m/(gamma dt) + C)` times an error: what stiffness leaves of it. C and K are those of film and wall, and the error of the wall pushes too.
+    fn damped_error(&self, end: &Instant, error: Vector, of_wall: Option<Vec<f64>>, dt: f64) -> Result<Vector, NoFilm> {
         let diagonal = self.scheme().diagonal;
         let inertia = self.masses().map(|mass| mass / (diagonal * dt));
         let damping = self.tangent(end, 0.0, 1.0)?.with_diagonal(inertia);
         let with_stiffness = self.tangent(end, diagonal * dt, 1.0)?.with_diagonal(inertia);
-        Ok(with_stiffness.solve(damping.times(error)))
+        let mut pushed = damping.times(error);
+        if let Some(rate) = of_wall {
+            let by_wall =
+                carried_change_with_rate(&end.problem, self.system, &end.film, &rate).map_err(Failure::from)?;
+            let forces = by_wall.map(|carried| self.coordinates().forces(&carried));
+            pushed = moved(pushed, 1.0, forces.unwrap_or_default());
+        }
+        Ok(with_stiffness.solve(pushed))
     }
 }
 

@@ -157,7 +157,7 @@ impl Films<'_> {
             };
             let near = near.map_or(Neighbour::None, |near| Neighbour::Start(&near[bearing].film));
             film.motion()
-                .film(moving, None, near)
+                .film(moving, crate::orbit::Held::default(), near)
                 .map_err(|reason| NoFilmAt { bearing, reason })
         };
         self.films.par_iter().enumerate().map(solve).collect()

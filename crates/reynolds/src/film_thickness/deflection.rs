@@ -1,11 +1,12 @@
 //! # Wall that gives way to the pressure
 //!
-//! **Equation.** `h` grows by the deflection `d(phi, z)` of the wall, outwards; `d = C f`, `f = T p`, is a balance around the film. Motions of the wall are
-//! slow: `dd/dt` is left out of a film at rest.
+//! **Equation.** `h` grows by the deflection `d(phi, z)` of the wall, outwards; `d = C f`, `f = T p`, is a balance around the film. In a film at rest `dd/dt` is
+//! left out; in an implicit stage of a method in time `dh/dt` grows by `dd/dt = (d - d_0)/(gamma dt)`, d_0 being what earlier stages leave.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
 //! | d | m | `coefficients`, of quadratic splines on [`crate::wall::Grid`] |
+//! | 1/(gamma dt), d_0 | 1/s, m | [`WallStage`] |
 //! | C, T | m/N, m2 | [`crate::wall::Compliance`], [`crate::wall::Grid::forces`] |
 //!
 //! **Source.** Higginson, Proc. Inst. Mech. Eng. 180 (3B) (1965) 31 (elastic journal bearings); Dowson, Higginson, Elasto-hydrodynamic Lubrication (1966).
@@ -29,6 +30,15 @@ pub struct Closing {
     pub inner: usize,
 }
 
+/// An implicit stage of a method in time, in which a wall moves by `dd/dt = (d - d_0)/(gamma dt)`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WallStage {
+    /// `1/(gamma dt)` [1/s].
+    pub per_time: f64,
+    /// d_0: what earlier stages leave, as coefficients [m].
+    pub known: Arc<[f64]>,
+}
+
 /// The deflection of a wall.
 #[derive(Debug, Clone)]
 pub struct Deflection {
@@ -38,6 +48,17 @@ pub struct Deflection {
     pub coefficients: Arc<[f64]>,
     /// How it was found.
     pub closing: Closing,
+    /// The stage in which it moves; none of a wall at rest.
+    stage: Option<WallStage>,
+    /// Coefficients of `dd/dt` [m/s]; none of a wall at rest.
+    rate: Option<Arc<[f64]>>,
+}
+
+/// Two deflections are alike where they are of one shape and move alike, however they were found.
+impl PartialEq for Deflection {
+    fn eq(&self, other: &Self) -> bool {
+        self.coefficients == other.coefficients && self.stage == other.stage
+    }
 }
 
 impl Deflection {
@@ -47,17 +68,61 @@ impl Deflection {
             coefficients: vec![0.0; wall.grid.number()].into(),
             wall,
             closing: Closing::default(),
+            stage: None,
+            rate: None,
         }
     }
 
-    /// Another deflection of this wall.
+    /// Another deflection of this wall, in the same stage.
     #[must_use]
     pub fn with(&self, coefficients: Vec<f64>) -> Self {
+        let moving = |stage: &WallStage| {
+            let way = coefficients.iter().zip(&*stage.known);
+            way.map(|(d, known)| stage.per_time * (d - known)).collect()
+        };
         Self {
             wall: self.wall.clone(),
-            coefficients: coefficients.into(),
             closing: self.closing,
+            rate: self.stage.as_ref().map(moving),
+            stage: self.stage.clone(),
+            coefficients: coefficients.into(),
         }
+    }
+
+    /// A change of this deflection by `coefficients` [m]: in a stage its rate changes too.
+    #[must_use]
+    pub fn change(&self, coefficients: Vec<f64>) -> Self {
+        let nothing = |stage: &WallStage| WallStage {
+            known: vec![0.0; coefficients.len()].into(),
+            ..*stage
+        };
+        let stage = self.stage.as_ref().map(nothing);
+        Self { stage, ..self.clone() }.with(coefficients)
+    }
+
+    /// This wall in a stage, which begins at the rate that it has.
+    #[must_use]
+    pub fn in_stage(&self, stage: WallStage) -> Self {
+        let coefficients = match &self.rate {
+            None => stage.known.to_vec(),
+            Some(rate) => {
+                let on = stage.known.iter().zip(&**rate);
+                on.map(|(known, rate)| known + rate / stage.per_time).collect()
+            }
+        };
+        let stage = Some(stage);
+        Self { stage, ..self.clone() }.with(coefficients)
+    }
+
+    /// Greatest difference [m] of the coefficients of two deflections of a wall.
+    pub fn distance(&self, other: &Self) -> f64 {
+        let pairs = self.coefficients.iter().zip(&*other.coefficients);
+        pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+    }
+
+    /// Coefficients of `dd/dt` [m/s]; none of a wall at rest.
+    pub fn rate(&self) -> Option<&Arc<[f64]>> {
+        self.rate.as_ref()
     }
 
     /// Its value [m] at positions [m] of the developed surface.
@@ -69,6 +134,9 @@ impl Deflection {
 impl FilmContribution for Deflection {
     fn add(&self, _journal: &JournalState, _cell: usize, positions: &[[f64; 2]], film: &mut [FilmPoint]) {
         self.wall.grid.add(&self.coefficients, positions, film);
+        if let Some(rate) = &self.rate {
+            self.wall.grid.add_rate(rate, positions, film);
+        }
     }
 
     fn carried(&self, _parents: &[u32]) -> Arc<dyn FilmContribution> {

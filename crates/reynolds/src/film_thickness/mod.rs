@@ -12,7 +12,7 @@ mod tilt;
 mod worn;
 
 pub use crown::Crown;
-pub use deflection::{Closing, Deflection};
+pub use deflection::{Closing, Deflection, WallStage};
 pub use eccentricity::Eccentricity;
 pub use envelope::Envelope;
 pub use groove_depth::GrooveDepth;

@@ -69,6 +69,13 @@ impl Grid {
         }
     }
 
+    /// Adds the function with these coefficients [m/s] to the rate of the gap at `positions` [m].
+    pub(crate) fn add_rate(&self, coefficients: &[f64], positions: &[[f64; 2]], film: &mut [FilmPoint]) {
+        for (&position, point) in positions.iter().zip(film) {
+            self.each_at(position, |spline, value| point.rate += value * coefficients[spline]);
+        }
+    }
+
     /// Forces [N] of the pressure of a film on the splines; regions cut out of the mesh press on nothing.
     pub fn forces(&self, problem: &FilmProblem, system: &FilmSystem, unknown: &[f64]) -> Vec<f64> {
         let pressures: Vec<f64> = unknown.iter().map(|&u| problem.pressure_at(u)).collect();

@@ -242,6 +242,7 @@ fn own_orbit(orbit: &ShaftOrbit, number: usize) -> Orbit {
         error: step.error[number],
         residual: step.residual,
         history: None,
+        wall: None,
     };
     let cycle = |cycle: &oilwedge_bearing::shaft::ShaftCycle| Cycle {
         closure: cycle.closure,

@@ -1,0 +1,225 @@
+//! A wall that gives way along the path of a journal: against the rigid wall, the position at rest, differences of films, and itself with shorter steps.
+
+use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
+
+use oilwedge_bearing::deflection::{carried_change, closed_film};
+use oilwedge_bearing::duty_cycle::{DutyCycle, Frame, Harmonic, Turning};
+use oilwedge_bearing::orbit::{Motion, OrbitOptions, Span, Step};
+use oilwedge_bearing::{Deadline, Load, SearchOptions, find};
+use oilwedge_reynolds::film_thickness::WallStage;
+use oilwedge_reynolds::solve::Neighbour;
+use oilwedge_reynolds::terms::squeeze::Squeeze;
+use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSystem, Gap, JournalChange, JournalState};
+use oilwedge_tests::elastic_liner::{carried, force_scale, layer, walled};
+use oilwedge_tests::*;
+
+const MODELS: [Cavitation; 3] = [
+    Cavitation::None,
+    Cavitation::Guembel { pressure: 0.0 },
+    Cavitation::Reynolds { pressure: 0.0 },
+];
+
+/// A film that squeezes, its wall a layer that moves by this compliance [m/Pa].
+fn squeezed(cavitation: Cavitation, per_pressure: f64) -> FilmProblem {
+    let mut problem = walled(RADIUS, 0.0, cavitation, |_| per_pressure);
+    problem.terms.push(Arc::new(Squeeze));
+    problem
+}
+
+fn ring() -> FilmSystem {
+    ring_system(36, 4, RADIUS, None)
+}
+
+/// A constant force of 1.5 units towards x, and a part of it that turns with the crank.
+fn load_with(turning: f64) -> DutyCycle {
+    let unit = force_scale();
+    let of = |order: f64, cos: [f64; 2], sin: [f64; 2]| Harmonic {
+        order,
+        cos: [unit * cos[0], unit * cos[1], 0.0, 0.0],
+        sin: [unit * sin[0], unit * sin[1], 0.0, 0.0],
+    };
+    let orders = vec![
+        of(0.0, [1.5, 0.0], [0.0; 2]),
+        of(1.0, [turning, 0.0], [0.0, 0.7 * turning]),
+    ];
+    let rotation = Turning {
+        speed: SPEED,
+        rod: None,
+    };
+    DutyCycle::of_harmonics(orders, TAU, Frame::Shell, rotation)
+}
+
+fn motion<'a>(problem: &'a FilmProblem, system: &'a FilmSystem, cycle: &'a DutyCycle) -> Motion<'a> {
+    Motion {
+        problem,
+        system,
+        gap: Gap::of(problem, system),
+        cycle,
+        support: None,
+        mass: 0.0,
+    }
+}
+
+fn options(tolerance: f64, cycles: usize) -> OrbitOptions<'static> {
+    OrbitOptions {
+        tolerance,
+        closure: 1e-10,
+        cycles,
+        deadline: Deadline::default(),
+        observer: None,
+    }
+}
+
+const START: [f64; 4] = [0.4 * CLEARANCE, 0.3 * CLEARANCE, 0.0, 0.0];
+
+#[test]
+fn a_wall_that_hardly_moves_leaves_the_orbit_as_it_is() {
+    let (system, cycle) = (ring(), load_with(1.0));
+    let soft = squeezed(Cavitation::Reynolds { pressure: 0.0 }, 1e-30);
+    let mut rigid = soft.clone();
+    rigid.film_thickness.pop();
+    let orbit = |problem: &FilmProblem| {
+        let motion = motion(problem, &system, &cycle);
+        motion.orbit(START, &options(1e-2, 1)).expect("an orbit").steps
+    };
+    let (soft, rigid) = (orbit(&soft), orbit(&rigid));
+    assert_eq!(soft.len(), rigid.len());
+    for (soft, rigid) in soft.iter().zip(&rigid) {
+        for k in 0..2 {
+            let apart = (soft.at[k] - rigid.at[k]).abs() / CLEARANCE;
+            assert!(apart < 1e-10, "{apart:e} at {}", rigid.time);
+        }
+    }
+}
+
+#[test]
+fn a_load_at_rest_leads_to_the_position_at_rest() {
+    let (system, cycle) = (ring(), load_with(0.0));
+    let problem = squeezed(Cavitation::Reynolds { pressure: 0.0 }, layer(0.05));
+    let motion = motion(&problem, &system, &cycle);
+    let orbit = motion.orbit(START, &options(1e-4, 6)).expect("an orbit");
+    let end = orbit.steps.last().expect("steps");
+    let load: Load = [1.5 * force_scale(), 0.0].into();
+    let begin = FilmProblem {
+        journal: JournalState {
+            offset: [START[0], START[1]],
+            ..problem.journal
+        },
+        ..problem
+    };
+    let rest = find(&begin, &system, load, &SearchOptions::default()).unwrap_or_else(|reason| panic!("{reason}"));
+    for k in 0..2 {
+        let apart = (end.at[k] - rest.problem.journal.offset[k]).abs() / CLEARANCE;
+        assert!(apart < 1e-8, "{apart:e}");
+    }
+    let wall = rest.problem.deflection().expect("a wall");
+    let apart = end.wall.as_ref().expect("a wall").distance(wall) / CLEARANCE;
+    assert!(apart < 1e-8, "{apart:e}");
+}
+
+#[test]
+fn the_tangent_of_a_stage_is_differences_of_closed_films() {
+    for model in MODELS {
+        let system = ring_system(72, 8, RADIUS, Some(PI));
+        let problem = squeezed(model, layer(0.02));
+        let known = [0.55 * CLEARANCE, -0.25 * CLEARANCE];
+        let per_time = 8.0 * SPEED;
+        let at = |offset: [f64; 2], near: Option<(&FilmProblem, Neighbour)>| {
+            let (from, near) = near.unwrap_or((&problem, Neighbour::None));
+            let journal = JournalState {
+                offset,
+                velocity: [0, 1].map(|k| per_time * (offset[k] - known[k])),
+                ..from.journal
+            };
+            let moved = FilmProblem {
+                journal,
+                ..from.clone()
+            };
+            closed_film(moved, &system, near).unwrap_or_else(|reason| panic!("{}: {reason}", model.name()))
+        };
+        // A wall that was bent by a film before, and has followed in part.
+        let here = [0.57 * CLEARANCE, -0.22 * CLEARANCE];
+        let (before, film) = at(here, None);
+        let bent = before.deflection().expect("a wall");
+        let stage = WallStage {
+            per_time,
+            known: bent.coefficients.iter().map(|d| 0.9 * d).collect(),
+        };
+        let staged = before.clone().deflected(Some(&bent.in_stage(stage)));
+        let (staged, film) = at(here, Some((&staged, Neighbour::Start(&film))));
+        let size = (0..2).map(|k| column(&staged, &system, &film, k, per_time)[k].abs());
+        let size = size.fold(0.0, f64::max);
+        for k in 0..2 {
+            let step = 1e-6 * CLEARANCE;
+            let by = |sign: f64| {
+                let mut offset = here;
+                offset[k] += sign * step;
+                let (moved, film) = at(offset, Some((&staged, Neighbour::Kept(&film))));
+                carried(&moved, &system, &film).force
+            };
+            let (ahead, behind) = (by(1.0), by(-1.0));
+            let tangent = column(&staged, &system, &film, k, per_time);
+            for d in 0..2 {
+                let difference = (ahead[d] - behind[d]) / (2.0 * step);
+                let error = (difference - tangent[d]).abs() / size;
+                assert!(error < 1e-6, "{} {d} {k}: {error:e}", model.name());
+            }
+        }
+    }
+}
+
+/// How the force changes [N/m] where a coordinate changes, and its rate in a stage.
+fn column(
+    problem: &FilmProblem,
+    system: &FilmSystem,
+    film: &oilwedge_reynolds::FilmSolution,
+    k: usize,
+    per_time: f64,
+) -> [f64; 2] {
+    let along = [0, 1].map(|d| if d == k { 1.0 } else { 0.0 });
+    let change = JournalChange {
+        offset: along,
+        velocity: along.map(|part| per_time * part),
+        ..JournalChange::default()
+    };
+    let changed = carried_change(problem, system, film, &change);
+    changed.expect("a tangent").force
+}
+
+/// The journal after a twelfth of a cycle of even steps, three halvings of them.
+#[test]
+fn place_and_wall_converge_with_the_step() {
+    for model in [MODELS[0], MODELS[2]] {
+        let (system, cycle) = (ring(), load_with(1.0));
+        let problem = squeezed(model, layer(0.05));
+        let motion = motion(&problem, &system, &cycle);
+        let period = TAU / cycle.angular_speed();
+        let orbit = motion.orbit(START, &options(5e-2, 1)).expect("an orbit");
+        let begin = orbit.steps.first().expect("a beginning");
+        let end = |steps: u32| {
+            let mut here: Step = begin.clone();
+            let idle = Span::between(begin, begin);
+            for number in 1..=steps {
+                let time = period / 12.0 * f64::from(number) / f64::from(steps);
+                let next = motion.between(&here, &idle, time, 1e-8);
+                here = Step::of(&next.unwrap_or_else(|reason| panic!("{reason}")), 0.0);
+            }
+            here
+        };
+        let ends: Vec<Step> = [2, 4, 8, 16].into_iter().map(end).collect();
+        let differences: Vec<[f64; 2]> = ends
+            .windows(2)
+            .map(|pair| {
+                let place = (pair[0].at[0] - pair[1].at[0]).hypot(pair[0].at[1] - pair[1].at[1]);
+                let [a, b] = [0, 1].map(|k: usize| pair[k].wall.as_ref().expect("a wall"));
+                [place, a.distance(b)].map(|apart| apart / CLEARANCE)
+            })
+            .collect();
+        println!("{}: {differences:?}", model.name());
+        for k in 0..2 {
+            let order = (differences[0][k] / differences[2][k]).log2() / 2.0;
+            assert!(order > 1.9, "{} {k}: order {order}", model.name());
+        }
+    }
+}
