@@ -54,6 +54,7 @@ pub const SCENES: [(&str, &str); 32] = [
     ("31_worn_bore", "section"),
     ("32_crowned_bore", "pressure"),
     ("33_polymer_liner", "pressure"),
+    ("34_elastic_big_end_orbit", "orbit"),
 ];
 
 /// Width of the pictures [mm].

@@ -78,9 +78,10 @@ impl Film {
         film
     }
 
-    /// This film at a time of an orbit: where journal and wall are, and with what it held before.
+    /// This film at a time of an orbit: where the journal is, the wall that moves as it does, and what it held before.
     pub(crate) fn at_instant(&self, instant: &Instant) -> Self {
         let mut film = self.as_found(&instant.problem);
+        film.problem = film.problem.with_wall_at_its_rate();
         film.problem.storage = instant.problem.storage.clone();
         film
     }

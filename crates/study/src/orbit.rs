@@ -25,6 +25,7 @@ mod temperature;
 use oilwedge_bearing::coordinates::Vector;
 use oilwedge_bearing::orbit::{Cycle, Motion, Orbit, OrbitEnd, OrbitOptions, Span, TiltSupport};
 use oilwedge_bearing::{Deadline, ThermalFlows};
+use oilwedge_reynolds::film_thickness::Deflection;
 use oilwedge_scene::Scene;
 use serde::Serialize;
 
@@ -39,7 +40,7 @@ use crate::duty::{DutyCycle, load_of_orbit};
 use crate::effects::Sockets;
 use crate::film::Film;
 use crate::no_answer::NoAnswer;
-use crate::quantities::cycle_view::Sample;
+use crate::quantities::cycle_view::{Sample, WallOnPath};
 use crate::quantities::{CycleView, Quantity, over_cycle};
 use crate::run_options::RunOptions;
 use crate::solved::{Errors, Solved};
@@ -258,10 +259,16 @@ pub(crate) fn measured(
     let balances = balances::balances(motion, &path, &samples);
     let flows = balances::mean_flows(&samples);
     let samples: Vec<Sample> = samples.into_iter().map(|sampled| sampled.sample).collect();
+    let walls: Option<Vec<Deflection>> = steps.iter().map(|step| step.wall.clone()).collect();
     let view = CycleView {
         samples: &samples,
         path: &path,
         gap: &motion.gap,
+        wall: walls.map(|walls| WallOnPath {
+            problem: &film.problem,
+            system: &film.system,
+            walls,
+        }),
         coordinates: motion.coordinates(),
         angular_speed: motion.cycle.angular_speed(),
         between: 0.0,

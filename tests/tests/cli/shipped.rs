@@ -56,6 +56,13 @@ const SCENES: [(&str, &[&str]); 32] = [
     ("31_worn_bore", &[]),
     ("32_crowned_bore", &[]),
     ("33_polymer_liner", &[]),
+    (
+        "34_elastic_big_end_orbit",
+        &[
+            "an assumption does not hold: slices of the wall that move by themselves",
+            HEATED,
+        ],
+    ),
 ];
 
 #[test]

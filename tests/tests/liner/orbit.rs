@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
-use oilwedge_bearing::deflection::{carried_change, closed_film};
+use oilwedge_bearing::deflection::{EXACT, carried_change, closed_film};
 use oilwedge_bearing::duty_cycle::{DutyCycle, Frame, Harmonic, Turning};
 use oilwedge_bearing::orbit::{Motion, OrbitOptions, Span, Step};
 use oilwedge_bearing::{Deadline, Load, SearchOptions, find};
@@ -11,7 +11,11 @@ use oilwedge_reynolds::film_thickness::WallStage;
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::terms::squeeze::Squeeze;
 use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSystem, Gap, JournalChange, JournalState};
+use oilwedge_study::quantities::*;
+use oilwedge_study::result::Status;
+use oilwedge_study::{RunOptions, read, run};
 use oilwedge_tests::elastic_liner::{carried, force_scale, layer, walled};
+use oilwedge_tests::scenes::path;
 use oilwedge_tests::*;
 
 const MODELS: [Cavitation; 3] = [
@@ -151,7 +155,8 @@ fn the_tangent_of_a_stage_is_differences_of_closed_films() {
         let size = (0..2).map(|k| column(&staged, &system, &film, k, per_time)[k].abs());
         let size = size.fold(0.0, f64::max);
         for k in 0..2 {
-            let step = 1e-6 * CLEARANCE;
+            // Where negative pressures are left out, each point of quadrature that the zero line passes within a step is missed.
+            let step = 1e-7 * CLEARANCE;
             let by = |sign: f64| {
                 let mut offset = here;
                 offset[k] += sign * step;
@@ -183,43 +188,79 @@ fn column(
         velocity: along.map(|part| per_time * part),
         ..JournalChange::default()
     };
-    let changed = carried_change(problem, system, film, &change);
+    let changed = carried_change(problem, system, film, &change, EXACT);
     changed.expect("a tangent").force
 }
 
-/// The journal after a twelfth of a cycle of even steps, three halvings of them.
+/// Place and wall after a quarter of a cycle in even steps, against 32 of them. Order 4 in time, until what edges of the cavity that pass nodes leave is in sight: on this mesh 1e-6 of the
+/// clearance, with a rigid wall too.
+fn converges_with_the_step(model: Cavitation) {
+    let (system, cycle) = (ring(), load_with(1.0));
+    let problem = squeezed(model, layer(0.05));
+    let motion = motion(&problem, &system, &cycle);
+    let period = TAU / cycle.angular_speed();
+    let orbit = motion.orbit(START, &options(5e-2, 1)).expect("an orbit");
+    let begin = orbit.steps.first().expect("a beginning");
+    let end = |steps: u32| {
+        let mut here: Step = begin.clone();
+        let idle = Span::between(begin, begin);
+        for number in 1..=steps {
+            let time = period / 4.0 * f64::from(number) / f64::from(steps);
+            let next = motion.between(&here, &idle, time, 1e-8);
+            here = Step::of(&next.unwrap_or_else(|reason| panic!("{reason}")), 0.0);
+        }
+        here
+    };
+    let exact = end(32);
+    let errors = [2, 16].map(end).map(|end| {
+        let place = (end.at[0] - exact.at[0]).hypot(end.at[1] - exact.at[1]);
+        let [wall, other] = [&end, &exact].map(|step| step.wall.as_ref().expect("a wall"));
+        [place, wall.distance(other)].map(|apart| apart / CLEARANCE)
+    });
+    for k in 0..2 {
+        let order = (errors[0][k] / errors[1][k]).log2() / 3.0;
+        assert!(order > 1.9, "{} {k}: order {order}, {errors:?}", model.name());
+    }
+}
+
 #[test]
 fn place_and_wall_converge_with_the_step() {
-    for model in [MODELS[0], MODELS[2]] {
-        let (system, cycle) = (ring(), load_with(1.0));
-        let problem = squeezed(model, layer(0.05));
-        let motion = motion(&problem, &system, &cycle);
-        let period = TAU / cycle.angular_speed();
-        let orbit = motion.orbit(START, &options(5e-2, 1)).expect("an orbit");
-        let begin = orbit.steps.first().expect("a beginning");
-        let end = |steps: u32| {
-            let mut here: Step = begin.clone();
-            let idle = Span::between(begin, begin);
-            for number in 1..=steps {
-                let time = period / 12.0 * f64::from(number) / f64::from(steps);
-                let next = motion.between(&here, &idle, time, 1e-8);
-                here = Step::of(&next.unwrap_or_else(|reason| panic!("{reason}")), 0.0);
-            }
-            here
-        };
-        let ends: Vec<Step> = [2, 4, 8, 16].into_iter().map(end).collect();
-        let differences: Vec<[f64; 2]> = ends
-            .windows(2)
-            .map(|pair| {
-                let place = (pair[0].at[0] - pair[1].at[0]).hypot(pair[0].at[1] - pair[1].at[1]);
-                let [a, b] = [0, 1].map(|k: usize| pair[k].wall.as_ref().expect("a wall"));
-                [place, a.distance(b)].map(|apart| apart / CLEARANCE)
-            })
-            .collect();
-        println!("{}: {differences:?}", model.name());
-        for k in 0..2 {
-            let order = (differences[0][k] / differences[2][k]).log2() / 2.0;
-            assert!(order > 1.9, "{} {k}: order {order}", model.name());
-        }
+    converges_with_the_step(MODELS[0]);
+}
+
+#[test]
+fn place_and_wall_converge_with_the_step_where_negative_pressure_is_left_out() {
+    converges_with_the_step(MODELS[1]);
+}
+
+#[test]
+fn place_and_wall_converge_with_the_step_where_the_film_breaks() {
+    converges_with_the_step(MODELS[2]);
+}
+
+/// The shipped big end with a wall: structured finite volumes for half of the land, C_n by linear elements in r, film and wall in one Newton iteration, the backward differentiation formula of second
+/// order with 720 steps a cycle. 64 x 5 and 96 x 8 volumes: least film 5.6335 and 5.5796 um, greatest pressure 33.275 and 33.495 MPa, deflection 3.866 and 3.891 um, at 245 and 15 deg; with second order
+/// 5.541 +- 0.01 um, 33.65 +- 0.03 MPa, 3.908 +- 0.01 um.
+#[test]
+fn the_big_end_with_a_wall_is_that_of_finite_volumes() {
+    let scene = read(&path("34_elastic_big_end_orbit")).expect("a scene");
+    let found = run(&scene, &RunOptions::of(&scene)).expect("an orbit").result;
+    assert_eq!(found.status, Status::Converged, "{:?}", found.reason);
+    let rows: [(&Row, f64, f64, f64); 3] = [
+        (&CYCLE_FILM_THICKNESS_MIN, 5.541e-6, 0.01e-6, 5e-3),
+        (&CYCLE_PRESSURE_MAX, 33.65e6, 0.03e6, 1e-2),
+        (&CYCLE_DEFLECTION_MAX, 3.908e-6, 0.01e-6, 1e-2),
+    ];
+    for (row, reference, uncertain, part) in rows {
+        let quantity = found.quantity(row).expect(row.name);
+        let (value, bar) = (quantity.value, quantity.error().expect(row.name));
+        assert!((value / reference - 1.0).abs() < part, "{}: {value}", row.name);
+        assert!(
+            (value - reference).abs() <= bar + uncertain,
+            "{}: {value} {bar}",
+            row.name
+        );
     }
+    let energy = found.balances.energy.expect("a balance");
+    assert!(found.balances.force < 1e-5 && energy < 1e-3, "{:?}", found.balances);
 }

@@ -223,7 +223,7 @@ fn judged(problem: FilmProblem, film: FilmSolution, system: &FilmSystem) -> Tria
 }
 
 /// `C f - d` [m] by the pressure of a film, and its part of the deflection [1].
-fn left_over(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> (Vec<f64>, f64) {
+pub(crate) fn left_over(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> (Vec<f64>, f64) {
     let Some(deflection) = problem.deflection() else {
         return (Vec::new(), 0.0);
     };

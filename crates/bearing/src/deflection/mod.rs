@@ -17,10 +17,15 @@
 mod close;
 mod dynamics;
 mod gmres;
+mod joint;
+mod slow;
 mod tangent;
 
+pub(crate) use close::left_over;
 pub use close::{Pair, closed_film, closed_pair};
 pub(crate) use dynamics::{Response, harmonic_response};
+pub(crate) use joint::Joint;
+pub use slow::{carried_slowly, hastened};
 pub use tangent::EXACT;
 pub(crate) use tangent::Follower;
 
@@ -50,27 +55,6 @@ pub fn carried_change(
     let shape = follower.shape(&followed.deflection);
     let changes = [change.into(), FilmChange::Gap(&shape)];
     Ok(load_change(problem, system, film, &changes, &followed.unknown))
-}
-
-/// First-order change of what the journal carries where the wall would move at a rate of coefficients `rate` [m/s] more, and answers; none where it is rigid.
-///
-/// # Errors
-/// The linear systems could not be solved.
-pub fn carried_change_with_rate(
-    problem: &FilmProblem,
-    system: &FilmSystem,
-    film: &FilmSolution,
-    rate: &[f64],
-) -> Result<Option<Resultant>, Error> {
-    let Some(follower) = Follower::of(problem, system, film) else {
-        return Ok(None);
-    };
-    let pushed = follower.shape(rate);
-    let unknown = problem.unknown_change(system, film, FilmChange::GapRate(&pushed))?;
-    let followed = follower.followed(&JournalChange::default(), unknown)?;
-    let shape = follower.shape(&followed.deflection);
-    let changes = [FilmChange::GapRate(&pushed), FilmChange::Gap(&shape)];
-    Ok(Some(load_change(problem, system, film, &changes, &followed.unknown)))
 }
 
 /// The film where the journal has moved by a small `change`, and with it a wall that gives way: along the tangent, but for a mass-conserving one, which is solved

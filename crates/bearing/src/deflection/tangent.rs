@@ -84,7 +84,7 @@ impl<'a> Follower<'a> {
     }
 
     /// Change of the unknown by a deflection.
-    fn by_deflection(&self, coefficients: &[f64]) -> Result<Vec<f64>, Error> {
+    pub(super) fn by_deflection(&self, coefficients: &[f64]) -> Result<Vec<f64>, Error> {
         let shape = self.shape(coefficients);
         (self.problem).unknown_change(self.system, self.film, FilmChange::Gap(&shape))
     }

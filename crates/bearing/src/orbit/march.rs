@@ -10,6 +10,7 @@ use super::pace::{Pace, SHORTEST};
 use super::path::{Span, Step};
 use super::stage::{Accuracy, NoStage};
 use super::step::{Begin, Made};
+use super::wall::Way;
 use crate::Deadline;
 use crate::coordinates::{Vector, length, moved};
 
@@ -104,7 +105,7 @@ pub enum OrbitEnd {
 struct Traveller {
     here: Instant,
     acceleration: Vector,
-    before: Option<Span>,
+    before: Option<Way>,
 }
 
 impl Motion<'_> {
@@ -219,7 +220,7 @@ impl Motion<'_> {
             let begin = Begin {
                 instant: &traveller.here,
                 acceleration: traveller.acceleration,
-                before: traveller.before,
+                before: traveller.before.as_ref(),
             };
             match self.step(&begin, taken, accuracy, &mut cycle.films) {
                 Ok(Made {
@@ -236,11 +237,11 @@ impl Motion<'_> {
                     if taken == left {
                         end.time = stop;
                     }
-                    let span = Span::of_instants(&traveller.here, &end);
+                    let way = Way::between(&traveller.here, &end);
                     *traveller = Traveller {
                         here: end,
                         acceleration,
-                        before: Some(span),
+                        before: Some(way),
                     };
                     steps.push(self.recorded(traveller, error, accuracy));
                     cycle.steps += 1;

@@ -19,9 +19,12 @@ use oilwedge_reynolds::{
 use super::oil::Oil;
 use super::scheme::{FOURTH_ORDER, SECOND_ORDER, Scheme};
 use crate::coordinates::{Coordinates, Vector, unit};
-use crate::deflection::{carried_change, closed_film};
+use crate::deflection::{carried_change, carried_slowly, closed_film};
 use crate::duty_cycle::{Duty, DutyCycle};
 use crate::stiffness::Stiffness;
+
+/// Accuracy to which a wall that gives way follows in the tangent of a stage: each step leaves about this part of the difference.
+const FOLLOWED: f64 = 1e-4;
 
 /// A support that holds the shaft against its tilt.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -134,7 +137,7 @@ impl Motion<'_> {
     }
 
     /// Stiffness of the support in the coordinates of the motion [N/m].
-    fn support_stiffness(&self) -> f64 {
+    pub(super) fn support_stiffness(&self) -> f64 {
         let arm = self.coordinates().arm;
         self.support.map_or(0.0, |support| support.stiffness / (arm * arm))
     }
@@ -157,16 +160,31 @@ impl Motion<'_> {
 
     /// The film of a journal that moves so, and what it `held` before, started from one nearby; a wall that gives way is closed with it.
     pub(crate) fn film(&self, moving: Moving, held: Held<'_>, near: Neighbour) -> Result<Instant, NoFilm> {
-        let Moving { time, at, velocity } = moving;
+        let (problem, film) = closed_film(self.problem_of(moving, held), self.system, near)?;
+        Ok(self.instant(moving, problem, film))
+    }
+
+    /// The film of a journal that moves so, and what it `held` before, under the wall as it is held.
+    pub(super) fn film_under(&self, moving: Moving, held: Held<'_>, near: Neighbour) -> Result<Instant, NoFilm> {
+        let problem = self.problem_of(moving, held);
+        let film = problem.solve_from(self.system, near)?;
+        Ok(self.instant(moving, problem, film))
+    }
+
+    fn problem_of(&self, moving: Moving, held: Held<'_>) -> FilmProblem {
         let problem = FilmProblem {
-            journal: self.journal(time, at, velocity),
+            journal: self.journal(moving.time, moving.at, moving.velocity),
             storage: held.storage.cloned(),
             ..self.problem.clone()
         };
-        let (problem, film) = closed_film(problem.deflected(held.wall), self.system, near)?;
+        problem.deflected(held.wall)
+    }
+
+    fn instant(&self, moving: Moving, problem: FilmProblem, film: FilmSolution) -> Instant {
+        let Moving { time, at, velocity } = moving;
         let response = self.response(&problem, self.system, &film, at);
         let asked = self.asked(time);
-        Ok(Instant {
+        Instant {
             time,
             at,
             velocity,
@@ -174,7 +192,21 @@ impl Motion<'_> {
             problem,
             film,
             oil: None,
-        })
+        }
+    }
+
+    /// The change of the journal where coordinate k changes by `per_offset` and its rate by `per_rate` [1/s].
+    pub(super) fn change(&self, journal: &JournalState, k: usize, [per_offset, per_rate]: [f64; 2]) -> JournalChange {
+        let of = |factor: f64| {
+            let vector = unit(k).map(|part| factor * part);
+            self.coordinates().change(journal, &CentreVelocity::default(), vector)
+        };
+        let (offset, rate) = (of(per_offset), of(per_rate));
+        JournalChange {
+            velocity: rate.offset,
+            tilt_rate: rate.tilt,
+            ..offset
+        }
     }
 
     /// The change of the forces where each coordinate changes by `per_offset` and its rate by `per_rate` [1/s]: the cavity held, exact to first order. A wall that
@@ -185,23 +217,40 @@ impl Motion<'_> {
     pub fn tangent(&self, here: &Instant, per_offset: f64, per_rate: f64) -> Result<Stiffness, NoFilm> {
         let coordinates = self.coordinates();
         Stiffness::by_columns(coordinates.order, |k| {
-            let of = |factor: f64| {
-                let vector = unit(k).map(|part| factor * part);
-                coordinates.change(&here.problem.journal, &CentreVelocity::default(), vector)
-            };
-            let (offset, rate) = (of(per_offset), of(per_rate));
-            let change = JournalChange {
-                velocity: rate.offset,
-                tilt_rate: rate.tilt,
-                ..offset
-            };
-            let by_film = carried_change(&here.problem, self.system, &here.film, &change).map_err(Failure::from)?;
+            let change = self.change(&here.problem.journal, k, [per_offset, per_rate]);
+            let by_film =
+                carried_change(&here.problem, self.system, &here.film, &change, FOLLOWED).map_err(Failure::from)?;
             let mut column = coordinates.forces(&by_film);
             if k >= 2 {
                 column[k] += per_offset * self.support_stiffness();
             }
             Ok(column)
         })
+    }
+
+    /// Stiffness K [N/m] and damping C [N s/m] of film and support for slow motions; a wall that gives way follows them.
+    ///
+    /// # Errors
+    /// The linear systems could not be solved.
+    pub fn slow_tangents(&self, here: &Instant) -> Result<[Stiffness; 2], NoFilm> {
+        if here.problem.deflection().is_none() {
+            return Ok([self.tangent(here, 1.0, 0.0)?, self.tangent(here, 0.0, 1.0)?]);
+        }
+        let coordinates = self.coordinates();
+        let problem = here.problem.clone().with_wall_at_its_rate();
+        let mut columns = [[[0.0; 4]; 2]; 4];
+        for (k, columns) in columns.iter_mut().enumerate().take(coordinates.order) {
+            let change = self.change(&problem.journal, k, [1.0, 0.0]);
+            let carried = carried_slowly(&problem, self.system, &here.film, &change, FOLLOWED);
+            *columns = carried
+                .map_err(Failure::from)?
+                .map(|carried| coordinates.forces(&carried));
+            if k >= 2 {
+                columns[0][k] += self.support_stiffness();
+            }
+        }
+        let of = |part: usize| Stiffness::by_columns(coordinates.order, |k| Ok::<_, NoFilm>(columns[k][part]));
+        Ok([of(0)?, of(1)?])
     }
 
     /// The mass in each coordinate [kg]: the tilt has none.

@@ -104,15 +104,19 @@ impl Span {
 
     /// The place at a time [s], which may lie beyond the ends.
     pub fn at(&self, time: f64) -> Vector {
+        self.summed(self.weights(time))
+    }
+
+    /// Weights at a time [s] of the values at both ends [1] and of their rates [s].
+    pub fn weights(&self, time: f64) -> [f64; 4] {
         let (dt, s) = self.local(time);
         let (t, u) = (1.0 - s, s);
-        let weights = [
+        [
             t * t * (1.0 + 2.0 * u),
             u * u * (1.0 + 2.0 * t),
             dt * t * t * u,
             -dt * u * u * t,
-        ];
-        self.summed(weights)
+        ]
     }
 
     /// The rate at a time [s].
@@ -121,6 +125,20 @@ impl Span {
         let (t, u) = (1.0 - s, s);
         let slope = 6.0 * t * u / dt;
         self.summed([-slope, slope, t * (t - 2.0 * u), u * (u - 2.0 * t)])
+    }
+
+    /// The wall at a time [s] on its way from one deflection to another, as coefficients [m]: on the cubic through both.
+    pub fn wall(&self, [from, to]: [&Deflection; 2], time: f64) -> Vec<f64> {
+        let [a, b, v, w] = self.weights(time);
+        let ends = from.coefficients.iter().zip(&*to.coefficients);
+        let mut wall: Vec<f64> = ends.map(|(from, to)| a * from + b * to).collect();
+        for (weight, rate) in [(v, from.rate()), (w, to.rate())] {
+            let rates = rate.iter().flat_map(|rate| rate.iter());
+            wall.iter_mut()
+                .zip(rates)
+                .for_each(|(wall, rate)| *wall += weight * rate);
+        }
+        wall
     }
 
     /// Length of the span [s], and how far along it a time is [1].

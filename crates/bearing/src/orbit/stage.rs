@@ -5,7 +5,7 @@
 use std::sync::Arc;
 
 use oilwedge_fem::newton::Failure;
-use oilwedge_reynolds::film_thickness::{Deflection, WallStage};
+use oilwedge_reynolds::film_thickness::WallStage;
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmProblem, NoFilm};
 
@@ -15,18 +15,18 @@ use crate::coordinates::{Vector, length, moved};
 use crate::stiffness::Stiffness;
 
 /// Most films of one stage.
-const MOST_FILMS: usize = 14;
+pub(super) const MOST_FILMS: usize = 14;
 /// No iteration leaves less than this part of the least gap.
-const LEAST_SHRINK: f64 = 0.4;
+pub(super) const LEAST_SHRINK: f64 = 0.4;
 /// Shortest part of an iteration that is tried.
-const SHORTEST: f64 = 0.05;
+pub(super) const SHORTEST: f64 = 0.05;
 /// A stage is solved where the residual over the load, and the next change over the least gap, are below these parts of the tolerance;
 const BALANCED: f64 = 1e-3;
-const SETTLED: f64 = 3e-2;
+pub(super) const SETTLED: f64 = 3e-2;
 /// of the residual not less than this, which is round-off;
 const ROUND_OFF: f64 = 1e-11;
 /// or below this where no shorter change brings it down.
-const NEARLY_BALANCED: f64 = 1e-8;
+pub(super) const NEARLY_BALANCED: f64 = 1e-8;
 
 /// A tangent is corrected by what it missed, not made anew, where it has reduced the residual to less than this part.
 const STEEP: f64 = 0.1;
@@ -45,8 +45,8 @@ pub(super) struct Known {
     pub(super) rate: Vector,
     /// What the stages before leave to a film that conserves its oil.
     pub(super) before: Option<Before>,
-    /// What they leave to a wall that gives way.
-    pub(super) wall: Option<WallStage>,
+    /// What they leave to a wall that gives way, and where it is to be expected.
+    pub(super) wall: Option<(WallStage, Vec<f64>)>,
 }
 
 /// How exactly a stage is solved.
@@ -60,7 +60,7 @@ pub(super) struct Accuracy {
 
 impl Accuracy {
     /// Residual over the load at which a stage is solved [1].
-    fn balanced(&self) -> f64 {
+    pub(super) fn balanced(&self) -> f64 {
         (BALANCED * self.tolerance).max(ROUND_OFF)
     }
 }
@@ -90,7 +90,10 @@ impl Motion<'_> {
         accuracy: Accuracy,
         films: &mut usize,
     ) -> Result<Instant, NoStage> {
-        let film = |at: Vector, wall: Option<&Deflection>, near: Neighbour, films: &mut usize| {
+        if let Some(wall) = known.wall_from(near) {
+            return self.stage_with_wall((known, wall), start, near, accuracy, films);
+        }
+        let film = |at: Vector, near: Neighbour, films: &mut usize| {
             *films += 1;
             let moving = Moving {
                 time: known.time,
@@ -98,11 +101,10 @@ impl Motion<'_> {
                 velocity: known.velocity(at),
             };
             let storage = known.before.as_ref().map(|before| &before.storage);
-            self.film(moving, Held { storage, wall }, near)
+            self.film(moving, Held { storage, wall: None }, near)
         };
-        let wall = known.wall_from(near);
         let at = self.inside(near.at, start);
-        let mut here = film(at, wall.as_ref(), Neighbour::Start(&near.film), films)?;
+        let mut here = film(at, Neighbour::Start(&near.film), films)?;
         let mut corrected: Option<Stiffness> = None;
         for _ in 1..MOST_FILMS {
             let residual = self.residual(known, &here);
@@ -126,8 +128,7 @@ impl Motion<'_> {
             }
             loop {
                 // The oil of the whole stage is carried by the same schemes, so that the force is smooth.
-                let (at, wall) = (moved(here.at, part, step), here.problem.deflection());
-                let next = film(at, wall, Neighbour::Kept(&here.film), films);
+                let next = film(moved(here.at, part, step), Neighbour::Kept(&here.film), films);
                 let falls = |next: &Instant| length(self.residual(known, next)) < length(residual);
                 match next {
                     Ok(next) if falls(&next) => {
@@ -152,7 +153,7 @@ impl Motion<'_> {
     }
 
     /// The end of a stage, with the oil that the film holds.
-    fn with_oil(&self, known: &Known, here: Instant) -> Result<Instant, NoStage> {
+    pub(super) fn with_oil(&self, known: &Known, here: Instant) -> Result<Instant, NoStage> {
         let Some(before) = &known.before else {
             return Ok(here);
         };
@@ -233,12 +234,15 @@ impl Motion<'_> {
                     storage: None,
                     wall: here.problem.deflection(),
                 };
-                let next = self.film(moving(velocity), held, Neighbour::Start(&here.film))?;
-                if length(next.excess) < length(here.excess) {
-                    here = next;
-                    break;
+                match self.film(moving(velocity), held, Neighbour::Start(&here.film)) {
+                    Ok(next) if length(next.excess) < length(here.excess) => {
+                        here = next;
+                        break;
+                    }
+                    // A wall is bent step by step where it is not at once.
+                    Err(reason) if part < SHORTEST || here.problem.deflection().is_none() => return Err(reason.into()),
+                    _ => part *= 0.5,
                 }
-                part *= 0.5;
                 match part < SHORTEST {
                     true if balance < NEARLY_BALANCED => return Ok(here),
                     true => return Err(NoStage::Diverged),
@@ -250,7 +254,7 @@ impl Motion<'_> {
     }
 
     /// What is left of the equation of motion [N].
-    fn residual(&self, known: &Known, here: &Instant) -> Vector {
+    pub(super) fn residual(&self, known: &Known, here: &Instant) -> Vector {
         let masses = self.masses();
         [0, 1, 2, 3].map(|k| here.excess[k] + masses[k] * (here.velocity[k] - known.rate[k]) * known.per_time)
     }
@@ -262,7 +266,7 @@ impl Motion<'_> {
     }
 
     /// A start, or a place on the way to it that leaves enough of the film.
-    fn inside(&self, from: Vector, to: Vector) -> Vector {
+    pub(super) fn inside(&self, from: Vector, to: Vector) -> Vector {
         let gap = self.least_gap(from);
         let way: Vector = moved(to, -1.0, from);
         let mut part = 1.0;
@@ -275,16 +279,7 @@ impl Motion<'_> {
 
 impl Known {
     /// The rate of a journal at these coordinates.
-    fn velocity(&self, at: Vector) -> Vector {
+    pub(super) fn velocity(&self, at: Vector) -> Vector {
         moved(at, -1.0, self.offset).map(|way| way * self.per_time)
-    }
-
-    /// The wall with which the stage begins, from that of a film nearby.
-    fn wall_from(&self, near: &Instant) -> Option<Deflection> {
-        let deflection = near.problem.deflection()?;
-        Some(match &self.wall {
-            Some(stage) => deflection.in_stage(stage.clone()),
-            None => deflection.clone(),
-        })
     }
 }

@@ -2,16 +2,13 @@
 
 use std::sync::Arc;
 
-use oilwedge_fem::newton::Failure;
 use oilwedge_reynolds::NoFilm;
 
 use super::motion::{Instant, Motion};
 use super::oil::Oil;
-use super::path::Span;
 use super::stage::{Accuracy, Known, NoStage};
-use super::wall::WallStages;
-use crate::coordinates::{Vector, moved};
-use crate::deflection::carried_change_with_rate;
+use super::wall::{WallStages, Way};
+use crate::coordinates::Vector;
 
 /// A step that was made.
 #[derive(Debug)]
@@ -31,7 +28,7 @@ pub(super) struct Begin<'a> {
     /// The acceleration of a rotor with mass [m/s2].
     pub(super) acceleration: Vector,
     /// The path before; none at the beginning.
-    pub(super) before: Option<Span>,
+    pub(super) before: Option<&'a Way>,
 }
 
 impl Motion<'_> {
@@ -45,20 +42,21 @@ impl Motion<'_> {
         let mut oils: Vec<Arc<Oil>> = start.oil.iter().cloned().collect();
         let mut walls = WallStages::from(start);
         let mut latest: Option<Instant> = None;
-        let mut way = from.before;
+        let mut way = from.before.cloned();
         for stage in 1..scheme.stages() {
             let so_far =
                 |first: Vector, rates: &[Vector]| combined(first, dt, &scheme.coefficients[stage][..stage], rates);
+            let time = start.time + dt * scheme.nodes[stage];
             let known = Known {
-                time: start.time + dt * scheme.nodes[stage],
+                time,
                 per_time,
                 offset: so_far(start.at, &rates),
                 rate: so_far(start.velocity, &accelerations),
                 before: (start.oil.as_ref()).map(|oil| oil.before(scheme, stage, dt, &oils)),
-                wall: walls.as_ref().map(|walls| walls.stage(scheme, stage, dt)),
+                wall: (walls.as_ref()).map(|walls| walls.stage((scheme, stage), dt, (way.as_ref(), time))),
             };
-            let guess = match way {
-                Some(span) => span.at(known.time),
+            let guess = match &way {
+                Some(way) => way.span.at(time),
                 None => combined(start.at, dt * scheme.nodes[stage], &[1.0], &rates),
             };
             let is_nearer = |latest: &&Instant| (latest.time - known.time).abs() < (start.time - known.time).abs();
@@ -71,34 +69,31 @@ impl Motion<'_> {
                 walls.add(&found);
             }
             if latest.as_ref().is_none_or(|latest| latest.time < found.time) {
-                way = Some(Span::of_instants(start, &found));
+                way = Some(Way::between(start, &found));
             }
             latest = Some(found);
         }
         // The last stage is the end of the step.
         let end = latest.ok_or(NoStage::Diverged)?;
         let error = combined([0.0; 4], dt, &scheme.error_weights(), &rates);
+        let error = match walls {
+            Some(walls) => self.damped_with_wall(&end, error, &walls.error(scheme, dt), per_time)?,
+            None => self.damped_error(&end, error, dt)?,
+        };
         Ok(Made {
-            error: self.damped_error(&end, error, walls.map(|walls| walls.error(scheme, dt)), dt)?,
+            error,
             acceleration: accelerations.last().copied().unwrap_or_default(),
             end,
         })
     }
 
-    /// `(m/(gamma dt) + C + gamma dt K)^-1 (m/(gamma dt) + C)` times an error: what stiffness leaves of it. C and K are those of film and wall, and the error of the wall pushes too.
-    fn damped_error(&self, end: &Instant, error: Vector, of_wall: Option<Vec<f64>>, dt: f64) -> Result<Vector, NoFilm> {
+    /// `(m/(gamma dt) + C + gamma dt K)^-1 (m/(gamma dt) + C)` times an error: what stiffness leaves of it.
+    fn damped_error(&self, end: &Instant, error: Vector, dt: f64) -> Result<Vector, NoFilm> {
         let diagonal = self.scheme().diagonal;
         let inertia = self.masses().map(|mass| mass / (diagonal * dt));
         let damping = self.tangent(end, 0.0, 1.0)?.with_diagonal(inertia);
         let with_stiffness = self.tangent(end, diagonal * dt, 1.0)?.with_diagonal(inertia);
-        let mut pushed = damping.times(error);
-        if let Some(rate) = of_wall {
-            let by_wall =
-                carried_change_with_rate(&end.problem, self.system, &end.film, &rate).map_err(Failure::from)?;
-            let forces = by_wall.map(|carried| self.coordinates().forces(&carried));
-            pushed = moved(pushed, 1.0, forces.unwrap_or_default());
-        }
-        Ok(with_stiffness.solve(pushed))
+        Ok(with_stiffness.solve(damping.times(error)))
     }
 }
 

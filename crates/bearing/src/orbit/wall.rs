@@ -5,10 +5,36 @@
 
 use std::sync::Arc;
 
-use oilwedge_reynolds::film_thickness::WallStage;
+use oilwedge_reynolds::film_thickness::{Deflection, WallStage};
 
 use super::motion::Instant;
+use super::path::Span;
 use super::scheme::Scheme;
+
+/// The way from one instant to another, of journal and wall.
+#[derive(Debug, Clone)]
+pub(super) struct Way {
+    /// That of the journal.
+    pub(super) span: Span,
+    /// The wall at both ends; none where it is rigid.
+    walls: Option<[Deflection; 2]>,
+}
+
+impl Way {
+    pub(super) fn between(from: &Instant, to: &Instant) -> Self {
+        let walls = from.problem.deflection().zip(to.problem.deflection());
+        Self {
+            span: Span::of_instants(from, to),
+            walls: walls.map(|(from, to)| [from.clone(), to.clone()]),
+        }
+    }
+
+    /// Where the wall is to be expected at a time [s], as coefficients [m]: on the cubic through both ends.
+    fn wall(&self, time: f64) -> Option<Vec<f64>> {
+        let [from, to] = self.walls.as_ref()?;
+        Some(self.span.wall([from, to], time))
+    }
+}
 
 /// The wall in the stages of one step.
 pub(super) struct WallStages {
@@ -29,13 +55,22 @@ impl WallStages {
         })
     }
 
-    /// What stage number `stage` of a step of the length `dt` [s] knows.
-    pub(super) fn stage(&self, scheme: &Scheme, stage: usize, dt: f64) -> WallStage {
+    /// What stage number `stage` of a step of the length `dt` [s] knows, and where the wall is to be expected at its `time` [s] on its way: without one, further at the rate
+    /// of the beginning.
+    pub(super) fn stage(
+        &self,
+        (scheme, stage): (&Scheme, usize),
+        dt: f64,
+        (way, time): (Option<&Way>, f64),
+    ) -> (WallStage, Vec<f64>) {
         let known = self.combined(&self.begin, dt, &scheme.coefficients[stage][..stage]);
-        WallStage {
+        let expected = way.and_then(|way| way.wall(time));
+        let straight = || self.combined(&self.begin, dt * scheme.nodes[stage], &[1.0]);
+        let stage = WallStage {
             per_time: 1.0 / (scheme.diagonal * dt),
             known: known.into(),
-        }
+        };
+        (stage, expected.unwrap_or_else(straight))
     }
 
     /// A stage that was found.

@@ -48,7 +48,7 @@ pub struct Deflection {
     pub coefficients: Arc<[f64]>,
     /// How it was found.
     pub closing: Closing,
-    /// The stage in which it moves; none of a wall at rest.
+    /// The stage in which it moves; none of a wall at rest, and of one whose rate is held.
     stage: Option<WallStage>,
     /// Coefficients of `dd/dt` [m/s]; none of a wall at rest.
     rate: Option<Arc<[f64]>>,
@@ -57,7 +57,7 @@ pub struct Deflection {
 /// Two deflections are alike where they are of one shape and move alike, however they were found.
 impl PartialEq for Deflection {
     fn eq(&self, other: &Self) -> bool {
-        self.coefficients == other.coefficients && self.stage == other.stage
+        self.coefficients == other.coefficients && self.stage == other.stage && self.rate == other.rate
     }
 }
 
@@ -73,7 +73,7 @@ impl Deflection {
         }
     }
 
-    /// Another deflection of this wall, in the same stage.
+    /// Another deflection of this wall: in the same stage, or at the same rate.
     #[must_use]
     pub fn with(&self, coefficients: Vec<f64>) -> Self {
         let moving = |stage: &WallStage| {
@@ -83,7 +83,7 @@ impl Deflection {
         Self {
             wall: self.wall.clone(),
             closing: self.closing,
-            rate: self.stage.as_ref().map(moving),
+            rate: self.stage.as_ref().map(moving).or_else(|| self.rate.clone()),
             stage: self.stage.clone(),
             coefficients: coefficients.into(),
         }
@@ -97,21 +97,38 @@ impl Deflection {
             ..*stage
         };
         let stage = self.stage.as_ref().map(nothing);
-        Self { stage, ..self.clone() }.with(coefficients)
+        let rate = None;
+        Self {
+            stage,
+            rate,
+            ..self.clone()
+        }
+        .with(coefficients)
     }
 
-    /// This wall in a stage, which begins at the rate that it has.
+    /// This wall in a stage.
     #[must_use]
     pub fn in_stage(&self, stage: WallStage) -> Self {
-        let coefficients = match &self.rate {
-            None => stage.known.to_vec(),
-            Some(rate) => {
-                let on = stage.known.iter().zip(&**rate);
-                on.map(|(known, rate)| known + rate / stage.per_time).collect()
-            }
-        };
         let stage = Some(stage);
-        Self { stage, ..self.clone() }.with(coefficients)
+        Self { stage, ..self.clone() }.with(self.coefficients.to_vec())
+    }
+
+    /// This wall at the rate that it has, whatever its deflection: in no stage.
+    #[must_use]
+    pub fn at_its_rate(&self) -> Self {
+        let stage = None;
+        Self { stage, ..self.clone() }
+    }
+
+    /// This wall at a rate of these coefficients [m/s] more.
+    #[must_use]
+    pub fn faster(&self, more: &[f64]) -> Self {
+        let rate = match &self.rate {
+            None => more.into(),
+            Some(rate) => rate.iter().zip(more).map(|(rate, more)| rate + more).collect(),
+        };
+        let rate = Some(rate);
+        Self { rate, ..self.clone() }
     }
 
     /// Greatest difference [m] of the coefficients of two deflections of a wall.
@@ -168,6 +185,13 @@ impl FilmProblem {
             .deflection()
             .map(|deflection| Deflection::none(deflection.wall.clone()));
         self.deflected(at_rest.as_ref())
+    }
+
+    /// This problem with its wall at the rate that it has, whatever its deflection.
+    #[must_use]
+    pub fn with_wall_at_its_rate(self) -> Self {
+        let held = self.deflection().map(Deflection::at_its_rate);
+        self.deflected(held.as_ref())
     }
 
     /// This problem with a deflection that was found so.

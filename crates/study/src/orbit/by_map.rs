@@ -62,6 +62,7 @@ pub fn no_map(scene: &Scene) -> Option<&'static str> {
         (scene.can_tilt(), "the journal tilts"),
         (!scene.is_circular(), "bore or shaft are no circles"),
         (scene.contact.is_some(), "the surfaces touch"),
+        (scene.liner.is_some(), "the liner gives way"),
         (
             scene.orbit.is_some_and(|orbit| orbit.mass > 0.0),
             "the rotor has a mass",
@@ -194,6 +195,7 @@ impl Beside<'_> {
             samples: &samples,
             path: &path.spans,
             gap: &Gap::circular(self.bearing),
+            wall: None,
             coordinates: Coordinates {
                 order: 2,
                 arm: 0.5 * self.bearing.length,

@@ -13,7 +13,9 @@
 //! ```
 //!
 //! Between two steps the path is a cubic, which is off by `k s^2 (1 - s)^2` to first order, s from 0 to 1. The film at s = 1/4 shows k: its velocity, by which it carries
-//! the load, differs from that of the path by v, and `C d' + K d = -C v` there.
+//! the load, differs from that of the path by v, and `C d' + K d = -C v` there. In a wall that gives way that film is led on to by a step, and shows k by its place.
+//!
+//! K and C of such a wall are those of slow motions, which it follows; its deflection has no deviation of its own.
 
 use oilwedge_bearing::coordinates::{Vector, length, moved};
 use oilwedge_bearing::orbit::{Motion, OrbitEnd, Span, Step};
@@ -118,15 +120,20 @@ pub(super) fn between(motion: &Motion, (step, span): (&Step, Span), time: f64) -
     let [from, to] = span.times;
     let (dt, at) = (to - from, from + QUARTER * (to - from));
     let instant = motion.between(step, &span, at, TOLERANCE).map_err(NoAnswer::Orbit)?;
+    let s = (time - from) / dt;
+    let shape = (s * (1.0 - s)).powi(2);
+    // s^2 (1 - s)^2 and its derivative 2 s (1 - s) (1 - 2 s) at s = 1/4.
+    let (value, slope) = (9.0 / 256.0, 3.0 / 16.0);
+    if instant.problem.deflection().is_some() {
+        let differs = moved(instant.at, -1.0, span.at(at));
+        return Ok(length(differs) / value * shape);
+    }
     let differs = moved(instant.velocity, -1.0, span.rate(at));
     let damping = motion.tangent(&instant, 0.0, 1.0)?;
     let stiffness = motion.tangent(&instant, 1.0, 0.0)?;
-    // s^2 (1 - s)^2 and its derivative 2 s (1 - s) (1 - 2 s) at s = 1/4.
-    let (value, slope) = (9.0 / 256.0, 3.0 / 16.0);
     let pushed = damping.times(differs).map(|part| dt / slope * part);
     let k = damping.plus(dt * value / slope, &stiffness).solve(pushed);
-    let s = (time - from) / dt;
-    Ok(length(k) * (s * (1.0 - s)).powi(2))
+    Ok(length(k) * shape)
 }
 
 impl Tangents {

@@ -1,11 +1,12 @@
 //! The films along an orbit: solved once more at the places and velocities of its steps, measured, and judged as films at given positions are.
 
 use oilwedge_bearing::coordinates::{Vector, moved, unit};
+use oilwedge_bearing::deflection::{displaced, hastened};
 use oilwedge_bearing::orbit::{Instant, Motion, Span, Step};
 use oilwedge_bearing::{InitialGuess, Stiffness, ThermalFlows};
 use oilwedge_reynolds::quantities::power::Power;
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{FilmSolution, JournalChange};
+use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalChange, NoFilm};
 use rayon::prelude::*;
 
 use crate::estimate::estimate_errors;
@@ -157,7 +158,7 @@ pub(super) fn solved_at(
 fn sample(film: &Film, motion: &Motion, instant: Instant, errors: Errors) -> Result<(Sampled, FilmSolution), NoAnswer> {
     let time = instant.time;
     let tangents = match errors {
-        Errors::Estimated => Some((motion.tangent(&instant, 1.0, 0.0)?, motion.tangent(&instant, 0.0, 1.0)?)),
+        Errors::Estimated => Some(motion.slow_tangents(&instant)?),
         Errors::Omitted => None,
     };
     let here = film.at_instant(&instant);
@@ -177,7 +178,7 @@ fn sample(film: &Film, motion: &Motion, instant: Instant, errors: Errors) -> Res
     let (power, imbalance) = (estimated.measured.power, estimated.measured.flows.imbalance);
     let tangents = match tangents {
         None => None,
-        Some((stiffness, damping)) => {
+        Some([stiffness, damping]) => {
             let carried = estimated.measured.load.total.resultant();
             let [x, y, z_x, z_y] = motion.coordinates().forces(&carried);
             let quadratic = motion.coordinates().forces(&quadratic_force(&here, &solved));
@@ -214,6 +215,10 @@ fn quadratic_force(film: &Film, solved: &Solved) -> oilwedge_reynolds::quantitie
         .resultant()
 }
 
+/// How a film moves with its journal, as place or as rate.
+type Moved =
+    fn(&FilmProblem, &FilmSystem, &FilmSolution, &JournalChange) -> Result<(FilmProblem, FilmSolution), NoFilm>;
+
 /// Change of each number for each coordinate of the journal, and for its rate.
 fn sensitivities(
     motion: &Motion,
@@ -221,7 +226,7 @@ fn sensitivities(
     solution: &FilmSolution,
     quantities: &[Quantity],
 ) -> Result<[Vec<Vector>; 2], NoAnswer> {
-    let values = |film_problem: &oilwedge_reynolds::FilmProblem, solution: &FilmSolution| {
+    let values = |film_problem: &FilmProblem, solution: &FilmSolution| {
         let measured_film = measure(film_problem, &film.system, solution);
         measured(&View::new(film, film_problem, &measured_film))
     };
@@ -231,10 +236,10 @@ fn sensitivities(
     let gap = SMALL * motion.gap.least(&journal);
     let rate = SMALL * journal.speed.abs().max(motion.cycle.angular_speed()) * bearing.clearance;
     let coordinates = motion.coordinates();
-    let column = |k: usize, size: f64, of: &dyn Fn(JournalChange) -> JournalChange| -> Result<Vec<f64>, NoAnswer> {
+    let column = |k: usize, size: f64, moved: Moved| -> Result<Vec<f64>, NoAnswer> {
         let along = unit(k).map(|part| size * part);
-        let change = of(coordinates.change(&journal, &oilwedge_reynolds::CentreVelocity::default(), along));
-        let (problem, moved) = film.problem.displaced(&film.system, solution, &change)?;
+        let change = coordinates.change(&journal, &oilwedge_reynolds::CentreVelocity::default(), along);
+        let (problem, moved) = moved(&film.problem, &film.system, solution, &change)?;
         let there = values(&problem, &moved);
         let value = |list: &[Quantity], name: &str| list.iter().find(|it| it.name == name).map(|it| it.value);
         let per = |quantity: &Quantity| {
@@ -246,20 +251,14 @@ fn sensitivities(
         };
         Ok(quantities.iter().map(per).collect())
     };
-    let as_it_is = |change: JournalChange| change;
-    let as_rate = |change: JournalChange| JournalChange {
-        velocity: change.offset,
-        tilt_rate: change.tilt,
-        ..JournalChange::default()
-    };
-    let all = |size: f64, of: &dyn Fn(JournalChange) -> JournalChange| -> Result<Vec<Vector>, NoAnswer> {
+    let all = |size: f64, moved: Moved| -> Result<Vec<Vector>, NoAnswer> {
         let mut vectors = vec![[0.0; 4]; quantities.len()];
         for k in 0..coordinates.order {
-            for (vector, part) in vectors.iter_mut().zip(column(k, size, of)?) {
+            for (vector, part) in vectors.iter_mut().zip(column(k, size, moved)?) {
                 vector[k] = part;
             }
         }
         Ok(vectors)
     };
-    Ok([all(gap, &as_it_is)?, all(rate, &as_rate)?])
+    Ok([all(gap, displaced)?, all(rate, hastened)?])
 }

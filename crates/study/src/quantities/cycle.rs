@@ -90,12 +90,12 @@ fn is_balanced(scene: &Scene) -> bool {
     Sockets::of(scene).thermal.is_some()
 }
 
-const ORBIT: &str = "that of the film there; the mesh's and the steps' errors of the orbit, carried along it by the film's stiffness and damping";
+pub(super) const ORBIT: &str = "that of the film there; the mesh's and the steps' errors of the orbit, carried along it by the film's stiffness and damping";
 const MEAN: &str = "mean of the bars of the films, and of what the errors of the orbit make of them";
 const BALANCED: &str = "those of mean power and flow, over the slope of their balance";
 const PLACE: &str = "where the film or the pressure is within twice its bar of the extreme";
 
-fn greatest(cycle: &CycleView, row: &Row) -> Option<Judged> {
+pub(super) fn greatest(cycle: &CycleView, row: &Row) -> Option<Judged> {
     let At { time, value } = cycle.greatest(row)?;
     Some((value, cycle.bar_at(row, time)))
 }

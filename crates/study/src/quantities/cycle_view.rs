@@ -4,7 +4,8 @@ use oilwedge_bearing::Coordinates;
 use oilwedge_bearing::duty_cycle::PeriodicSpline;
 use oilwedge_bearing::orbit::Span;
 use oilwedge_reynolds::error_bar::Bar;
-use oilwedge_reynolds::{Gap, JournalState, Thinnest};
+use oilwedge_reynolds::film_thickness::Deflection;
+use oilwedge_reynolds::{FilmProblem, FilmSystem, Gap, JournalState, Thinnest};
 
 use super::{FILM_THICKNESS_MIN, FILM_THICKNESS_MIN_ANGLE, Quantity, Row};
 
@@ -66,8 +67,10 @@ pub struct CycleView<'a> {
     pub samples: &'a [Sample],
     /// The path from film to film.
     pub path: &'a [Span],
-    /// Where the film is least.
+    /// Where the film is least, of a rigid wall.
     pub gap: &'a Gap,
+    /// A wall that gives way; `None`: it is rigid.
+    pub wall: Option<WallOnPath<'a>>,
     /// What is free.
     pub coordinates: Coordinates,
     /// Angular speed of the crank [rad/s].
@@ -78,6 +81,22 @@ pub struct CycleView<'a> {
     pub peak_load: f64,
     /// Deviation [m] that halves the equivalent film; `None`: it is not asked for.
     pub deviation_scale: Option<f64>,
+}
+
+/// A wall that gives way, along the path.
+pub struct WallOnPath<'a> {
+    /// The film,
+    pub problem: &'a FilmProblem,
+    /// and its mesh.
+    pub system: &'a FilmSystem,
+    /// The wall at each film.
+    pub walls: Vec<Deflection>,
+}
+
+impl std::fmt::Debug for WallOnPath<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("WallOnPath").field("walls", &self.walls.len()).finish()
+    }
 }
 
 /// Part of the film thickness that decides between two places of the least film.
@@ -108,30 +127,61 @@ impl CycleView<'_> {
             .rem_euclid(turns.max(f64::MIN_POSITIVE))
     }
 
+    /// Number of the part of the path in which a time [s] lies.
+    fn part(&self, time: f64) -> usize {
+        let ended = self.path.partition_point(|span| span.times[1] < time);
+        ended.min(self.path.len().saturating_sub(1))
+    }
+
     /// The journal at a time [s].
     pub fn journal(&self, time: f64) -> JournalState {
         let rest = self
             .samples
             .first()
             .map_or_else(JournalState::default, |sample| sample.journal);
-        let at = self
-            .path
-            .partition_point(|span| span.times[1] < time)
-            .min(self.path.len().saturating_sub(1));
-        match self.path.get(at) {
+        match self.path.get(self.part(time)) {
             Some(span) => self.coordinates.placed(&rest, span.at(time)),
             None => rest,
         }
     }
 
+    /// The film at a time [s] under the wall that it has there; `None` of a rigid wall.
+    fn under_wall(&self, time: f64) -> Option<(FilmProblem, &FilmSystem)> {
+        let wall = self.wall.as_ref()?;
+        let part = self.part(time);
+        let (from, to) = (wall.walls.get(part)?, wall.walls.get(part + 1)?);
+        let bent = from.with(self.path.get(part)?.wall([from, to], time));
+        let problem = FilmProblem {
+            journal: self.journal(time),
+            ..wall.problem.clone()
+        };
+        Some((problem.deflected(Some(&bent)), wall.system))
+    }
+
+    /// The thinnest film at a time [s].
+    fn thinnest_at(&self, time: f64) -> Thinnest {
+        match self.under_wall(time) {
+            Some((problem, system)) => Gap::of(&problem, system).thinnest_film(&problem, system),
+            None => self.gap.thinnest(&self.journal(time)),
+        }
+    }
+
     /// The thinnest film of the cycle, and when it is there [s].
     pub fn thinnest(&self) -> (Thinnest, f64) {
-        self.least(|journal| self.gap.thinnest(journal))
+        self.least_of(|time| self.thinnest_at(time))
+    }
+
+    /// The least film of the cycle along the axis at `z` [m], and when it is there [s].
+    pub fn least_along(&self, z: f64) -> (Thinnest, f64) {
+        self.least_of(|time| match self.under_wall(time) {
+            Some((problem, system)) => Gap::of(&problem, system).thinnest_film_at(&problem, system, z),
+            None => self.gap.thinnest_at(&self.journal(time), z),
+        })
     }
 
     /// The least film of the cycle where `film` looks for it, and when it is there [s].
-    pub fn least(&self, film: impl Fn(&JournalState) -> Thinnest) -> (Thinnest, f64) {
-        let at = |time: f64| (film(&self.journal(time)), time);
+    fn least_of(&self, film: impl Fn(f64) -> Thinnest) -> (Thinnest, f64) {
+        let at = |time: f64| (film(time), time);
         let times = self.path.iter().flat_map(|span| {
             let [from, to] = span.times;
             (0..PLACES_BETWEEN).map(move |k| from + (to - from) * f64::from(k) / f64::from(PLACES_BETWEEN))
@@ -173,7 +223,7 @@ impl CycleView<'_> {
     /// The crank angle [deg] of the thinnest film and its bar.
     pub fn thinnest_crank_angle(&self) -> Judged {
         let (thinnest, time) = self.thinnest();
-        let film = |at: f64| self.gap.thinnest(&self.journal(at.rem_euclid(self.period()))).thickness;
+        let film = |at: f64| self.thinnest_at(at.rem_euclid(self.period())).thickness;
         let bar = self.bar_of_thinnest(time);
         let doubt = bar.map(|bar| self.doubt(time, bar.total(), |at| film(at) - thinnest.thickness));
         (self.crank_angle(time), doubt.map(|doubt| self.bar_of_time(doubt)))
@@ -182,7 +232,7 @@ impl CycleView<'_> {
     /// The angle [deg] around the bearing at which the film is thinnest, and its bar.
     pub fn thinnest_angle(&self) -> Judged {
         let (thinnest, time) = self.thinnest();
-        let film = |at: f64| self.gap.thinnest(&self.journal(at.rem_euclid(self.period())));
+        let film = |at: f64| self.thinnest_at(at.rem_euclid(self.period()));
         let bar = self.bar_of_thinnest(time);
         let doubt = bar.map(|bar| self.doubt(time, bar.total(), |at| film(at).thickness - thinnest.thickness));
         let turned = |doubt: f64| {

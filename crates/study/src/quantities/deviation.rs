@@ -63,7 +63,7 @@ struct OfCycle {
 fn over_cycle(cycle: &CycleView) -> Option<OfCycle> {
     cycle.deviation_scale?;
     let [low, high] = cycle.gap.bearing().ends();
-    let [middle, low, high] = [0.0, low, high].map(|z| cycle.least(|journal| cycle.gap.thinnest_at(journal, z)));
+    let [middle, low, high] = [0.0, low, high].map(|z| cycle.least_along(z));
     let bars = [middle, low, high].map(|(_, time)| cycle.bar_of_thinnest(time));
     Some(OfCycle {
         sections: Sections {

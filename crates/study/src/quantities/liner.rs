@@ -2,7 +2,9 @@
 
 use oilwedge_reynolds::error_bar::Bar;
 
-use super::row::Measure::One;
+use super::cycle::{ORBIT, greatest};
+use super::row::Headline;
+use super::row::Measure::{One, OverCycle};
 use super::rule::ErrorRule;
 
 rows! {
@@ -12,4 +14,9 @@ rows! {
         ErrorRule::Of("change with the pressure of the other film, and with the grid of the wall, which film and wall answer; the bars of all numbers of elastic liners have this part",
             |_, _| Some(Bar::default())),
         tolerance only(|scene| scene.liner.is_some());
+
+    /// `delta_max` over the film and the cycle; of elastic liners
+    CYCLE_DEFLECTION_MAX = "cycle_deflection_max", "delta_max", Metre, "greatest deflection of the elastic liner over the cycle":
+        OverCycle(|cycle| greatest(cycle, &DEFLECTION_MAX)),
+        ErrorRule::OverCycle(ORBIT), only(|scene| scene.liner.is_some()) headline(Headline::Always(12));
 }

@@ -67,7 +67,7 @@ pub use view::View;
 pub use warming::Warming;
 
 /// All quantities, in the order of the report.
-pub static CATALOGUE: [&Row; 132] = [
+pub static CATALOGUE: [&Row; 133] = [
     &CYCLE_FILM_THICKNESS_MIN,
     &CYCLE_FILM_THICKNESS_MIN_CRANK_ANGLE,
     &CYCLE_FILM_THICKNESS_MIN_ANGLE,
@@ -120,6 +120,7 @@ pub static CATALOGUE: [&Row; 132] = [
     &DEVIATION,
     &EQUIVALENT_FILM,
     &DEFLECTION_MAX,
+    &CYCLE_DEFLECTION_MAX,
     &FILM_START_ANGLE,
     &FILM_END_ANGLE,
     &TEMPERATURE_EFFECTIVE,

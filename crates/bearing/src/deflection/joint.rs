@@ -1,0 +1,128 @@
+//! The tangent of journal and wall together, where both move in a stage.
+//!
+//! ```text
+//! K x + W_d d = r        d - C (p_d d + p_x x) = s        K: at a fixed wall
+//! ```
+//!
+//! The journal is eliminated, `x = K^-1 (r - W_d d)`, and the wall found by GMRES: one back-solve of the film a product. Under a given load the wall answers less than at a given place.
+
+use oilwedge_fem::Error;
+use oilwedge_reynolds::quantities::load::{Resultant, load_change};
+use oilwedge_reynolds::{FilmChange, JournalChange};
+
+use super::gmres::gmres;
+use super::tangent::Follower;
+use crate::coordinates::{Coordinates, Vector, moved};
+use crate::stiffness::Stiffness;
+
+/// Film, wall and journal.
+pub(crate) struct Joint<'a> {
+    follower: Follower<'a>,
+    coordinates: Coordinates,
+    /// What the pressures of a move by each coordinate bend the wall by, where it is held [m/m].
+    bent_by_place: Vec<Vec<f64>>,
+    /// K: that of the forces at a fixed wall [N/m].
+    tangent: Stiffness,
+}
+
+/// A change of the journal and of the wall.
+pub(crate) struct Moves {
+    /// Coordinates [m].
+    pub(crate) place: Vector,
+    /// Coefficients of the deflection [m].
+    pub(crate) wall: Vec<f64>,
+}
+
+impl<'a> Joint<'a> {
+    /// Of a journal that changes by `change(k)` with coordinate k, on whose coordinates `held` [N/m] acts too.
+    ///
+    /// # Errors
+    /// The linear systems could not be solved.
+    pub(crate) fn of(
+        follower: Follower<'a>,
+        coordinates: Coordinates,
+        change: impl Fn(usize) -> JournalChange,
+        held: Vector,
+    ) -> Result<Self, Error> {
+        let order = coordinates.order;
+        let mut bent_by_place = Vec::with_capacity(order);
+        let mut columns = [[0.0; 4]; 4];
+        for (k, column) in columns.iter_mut().enumerate().take(order) {
+            let change = change(k);
+            let unknown = (follower.problem).unknown_change(follower.system, follower.film, &change)?;
+            *column = coordinates.forces(&follower.carried(&[(&change).into()], &unknown));
+            bent_by_place.push(follower.image_of(&unknown, &change));
+        }
+        let tangent = Stiffness::by_columns(order, |k| Ok::<_, Error>(columns[k]))?.with_diagonal(held);
+        Ok(Self {
+            follower,
+            coordinates,
+            bent_by_place,
+            tangent,
+        })
+    }
+
+    /// The moves by which forces change by `force` [N], and the wall by `wall` [m] more than film and contact bend it.
+    ///
+    /// # Errors
+    /// The linear systems could not be solved.
+    pub(crate) fn solve(&self, force: Vector, wall: &[f64], accuracy: f64) -> Result<Moves, Error> {
+        let operator = |d: &[f64]| {
+            let (forces, image) = self.by_wall(d)?;
+            let place = self.tangent.solve(forces.map(|part| -part));
+            Ok::<_, Error>(self.bent(d.iter().zip(&image).map(|(d, image)| d - image).collect(), place))
+        };
+        let pushed = self.tangent.solve(force);
+        let wanted: Vec<f64> = self.bent(wall.to_vec(), pushed.map(|part| -part));
+        let wall = gmres(operator, &wanted, accuracy)?.x;
+        let (forces, _) = self.by_wall(&wall)?;
+        Ok(Moves {
+            place: self.tangent.solve(moved(force, -1.0, forces)),
+            wall,
+        })
+    }
+
+    /// What a journal that moves at these rates [1/s of coordinates in m] and a wall that moves at this one [m/s] push film and wall by: forces [N], and how far the wall is bent [m].
+    ///
+    /// # Errors
+    /// The linear systems could not be solved.
+    pub(crate) fn pushed(&self, change: &JournalChange, rate: &[f64]) -> Result<(Vector, Vec<f64>), Error> {
+        let Follower {
+            problem, system, film, ..
+        } = self.follower;
+        let shape = self.follower.shape(rate);
+        let by_journal = problem.unknown_change(system, film, change)?;
+        let by_wall = problem.unknown_change(system, film, FilmChange::GapRate(&shape))?;
+        let unknown: Vec<f64> = by_journal.iter().zip(&by_wall).map(|(a, b)| a + b).collect();
+        let carried = self
+            .follower
+            .carried(&[change.into(), FilmChange::GapRate(&shape)], &unknown);
+        Ok((
+            self.coordinates.forces(&carried),
+            self.follower.image_of(&unknown, change),
+        ))
+    }
+
+    /// Forces [N] of film and contact by a move of the wall, the journal held, and what the pressures bend it by [m].
+    fn by_wall(&self, d: &[f64]) -> Result<(Vector, Vec<f64>), Error> {
+        let unknown = self.follower.by_deflection(d)?;
+        let shape = self.follower.shape(d);
+        let carried = self.follower.carried(&[FilmChange::Gap(&shape)], &unknown);
+        Ok((self.coordinates.forces(&carried), self.follower.image(&unknown, d)))
+    }
+
+    /// `d - C p_x x`.
+    fn bent(&self, mut d: Vec<f64>, place: Vector) -> Vec<f64> {
+        for (bent, by) in self.bent_by_place.iter().zip(place) {
+            d.iter_mut().zip(bent).for_each(|(d, bent)| *d -= by * bent);
+        }
+        d
+    }
+}
+
+impl Follower<'_> {
+    /// Change of what the journal carries with these changes, by which the unknown changes.
+    fn carried(&self, changes: &[FilmChange<'_>], unknown: &[f64]) -> Resultant {
+        load_change(self.problem, self.system, self.film, changes, unknown)
+    }
+}

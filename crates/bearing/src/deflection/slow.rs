@@ -1,0 +1,129 @@
+//! How film and wall answer to slow motions of the journal: the wall follows by `A x + B x'`, and what its own motion `A x'` does to the film is in B.
+//!
+//! ```text
+//! A = C (p_x + p_d A)        B = C (p_v + p_d' A + p_d B)
+//! ```
+//!
+//! These are the answers of `dynamics.rs` at the frequency zero, where place and rate do not depend on each other. The rate that the wall has is held.
+
+use oilwedge_fem::Error;
+use oilwedge_fem::newton::Failure;
+use oilwedge_reynolds::film_thickness::Deflection;
+use oilwedge_reynolds::quantities::load::{Resultant, load_change};
+use oilwedge_reynolds::{FilmChange, FilmProblem, FilmSolution, FilmSystem, JournalChange, NoFilm};
+
+use super::tangent::{Followed, Follower};
+
+/// Accuracy to which the wall follows a rate: what a rate changes is asked for by bars of errors alone.
+const FOLLOWED: f64 = 1e-4;
+
+/// The answer of film and wall to a slow motion of the journal.
+struct Slow {
+    /// That to the motion as place,
+    by_place: Followed,
+    /// and to it as rate.
+    by_rate: Followed,
+    /// The motion as rate.
+    rate: JournalChange,
+    /// A of the motion: the rate of the wall.
+    of_wall: Deflection,
+}
+
+impl Follower<'_> {
+    fn slow(&self, place: &JournalChange, accuracy: f64) -> Result<Slow, Error> {
+        let Follower {
+            problem, system, film, ..
+        } = self;
+        let unknown = problem.unknown_change(system, film, place)?;
+        let by_place = self.followed(place, unknown, accuracy)?;
+        let of_wall = self.shape(&by_place.deflection);
+        let rate = as_rate(place);
+        let mut unknown = problem.unknown_change(system, film, &rate)?;
+        let more = problem.unknown_change(system, film, FilmChange::GapRate(&of_wall))?;
+        unknown
+            .iter_mut()
+            .zip(more)
+            .for_each(|(unknown, more)| *unknown += more);
+        Ok(Slow {
+            by_rate: self.followed(&rate, unknown, accuracy)?,
+            by_place,
+            rate,
+            of_wall,
+        })
+    }
+}
+
+/// First-order changes of what the journal carries with a slow motion by `place`: with it as place, and with it as rate [1/s]. A wall that gives way follows; its linear systems are
+/// solved to an `accuracy`.
+///
+/// # Errors
+/// The linear systems could not be solved.
+pub fn carried_slowly(
+    problem: &FilmProblem,
+    system: &FilmSystem,
+    film: &FilmSolution,
+    place: &JournalChange,
+    accuracy: f64,
+) -> Result<[Resultant; 2], Error> {
+    let change = |changes: &[FilmChange<'_>], unknown: &[f64]| load_change(problem, system, film, changes, unknown);
+    let Some(follower) = Follower::of(problem, system, film) else {
+        let rate = as_rate(place);
+        let of = |motion: &JournalChange| {
+            let unknown = problem.unknown_change(system, film, motion)?;
+            Ok::<_, Error>(change(&[motion.into()], &unknown))
+        };
+        return Ok([of(place)?, of(&rate)?]);
+    };
+    let slow = follower.slow(place, accuracy)?;
+    let of_rate = follower.shape(&slow.by_rate.deflection);
+    Ok([
+        change(&[place.into(), FilmChange::Gap(&slow.of_wall)], &slow.by_place.unknown),
+        change(
+            &[
+                (&slow.rate).into(),
+                FilmChange::GapRate(&slow.of_wall),
+                FilmChange::Gap(&of_rate),
+            ],
+            &slow.by_rate.unknown,
+        ),
+    ])
+}
+
+/// The film of a journal that moves faster by `motion` as a rate [1/s], and of a wall that follows it slowly: along the tangent.
+///
+/// # Errors
+/// [`NoFilm`]: the reason why there is none.
+pub fn hastened(
+    problem: &FilmProblem,
+    system: &FilmSystem,
+    film: &FilmSolution,
+    motion: &JournalChange,
+) -> Result<(FilmProblem, FilmSolution), NoFilm> {
+    let Some(follower) = Follower::of(problem, system, film) else {
+        return problem.displaced(system, film, &as_rate(motion));
+    };
+    let slow = follower.slow(motion, FOLLOWED).map_err(Failure::from)?;
+    let of_rate = follower.shape(&slow.by_rate.deflection);
+    let bent = (follower.added(&slow.by_rate.deflection)).faster(&slow.of_wall.coefficients);
+    let hastened = FilmProblem {
+        journal: problem.journal.changed(&slow.rate),
+        ..problem.clone()
+    }
+    .deflected(Some(&bent));
+    let changes = [
+        FilmChange::from(&slow.rate),
+        FilmChange::GapRate(&slow.of_wall),
+        FilmChange::Gap(&of_rate),
+    ];
+    let film = problem.along_tangent(system, film, &changes, &slow.by_rate.unknown);
+    Ok((hastened, film))
+}
+
+/// A motion as a rate.
+fn as_rate(place: &JournalChange) -> JournalChange {
+    JournalChange {
+        velocity: place.offset,
+        tilt_rate: place.tilt,
+        ..JournalChange::default()
+    }
+}
