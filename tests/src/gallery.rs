@@ -21,7 +21,7 @@ use crate::scenes::path;
 use crate::tables::{row, written};
 
 /// Each scene and what is drawn of it: a field or another picture of its film, `orbit`, or a quantity of its sweep.
-pub const SCENES: [(&str, &str); 32] = [
+pub const SCENES: [(&str, &str); 33] = [
     ("01_plain_ring", "pressure"),
     ("02_flexpde_shell", "pressure"),
     ("03_hydrostatic_shell", "pressure"),
