@@ -89,10 +89,11 @@ fn a_wall_that_hardly_moves_leaves_the_orbit_as_it_is() {
     };
     let (soft, rigid) = (orbit(&soft), orbit(&rigid));
     assert_eq!(soft.len(), rigid.len());
+    // Both solve a stage to 1e-3 of the tolerance, by iterations that end by rules of their own.
     for (soft, rigid) in soft.iter().zip(&rigid) {
         for k in 0..2 {
             let apart = (soft.at[k] - rigid.at[k]).abs() / CLEARANCE;
-            assert!(apart < 1e-10, "{apart:e} at {}", rigid.time);
+            assert!(apart < 1e-3 * 1e-2, "{apart:e} at {}", rigid.time);
         }
     }
 }
