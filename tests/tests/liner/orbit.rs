@@ -240,8 +240,8 @@ fn place_and_wall_converge_with_the_step_where_the_film_breaks() {
 }
 
 /// The shipped big end with a wall: structured finite volumes for half of the land, C_n by linear elements in r, film and wall in one Newton iteration, the backward differentiation formula of second
-/// order with 720 steps a cycle. 64 x 5 and 96 x 8 volumes: least film 5.6335 and 5.5796 um, greatest pressure 33.275 and 33.495 MPa, deflection 3.866 and 3.891 um, at 245 and 15 deg; with second order
-/// 5.541 +- 0.01 um, 33.65 +- 0.03 MPa, 3.908 +- 0.01 um.
+/// order with 720 steps a cycle. 64 x 5 and 96 x 8 volumes: least film 5.6335 and 5.5796 um, deflection at the centres of volumes 3.866 and 3.891 um. Greatest pressure, parabolas through the volumes around it:
+/// 33.352, 33.502 and 33.736 MPa on 48 x 4, 64 x 5 and 96 x 8. Extrapolated by second order; the pressure on three grids leaves 0.2 MPa open, the place between centres 1 % of the deflection.
 #[test]
 fn the_big_end_with_a_wall_is_that_of_finite_volumes() {
     let scene = read(&path("34_elastic_big_end_orbit")).expect("a scene");
@@ -249,8 +249,8 @@ fn the_big_end_with_a_wall_is_that_of_finite_volumes() {
     assert_eq!(found.status, Status::Converged, "{:?}", found.reason);
     let rows: [(&Row, f64, f64, f64); 3] = [
         (&CYCLE_FILM_THICKNESS_MIN, 5.541e-6, 0.01e-6, 5e-3),
-        (&CYCLE_PRESSURE_MAX, 33.65e6, 0.03e6, 1e-2),
-        (&CYCLE_DEFLECTION_MAX, 3.908e-6, 0.01e-6, 1e-2),
+        (&CYCLE_PRESSURE_MAX, 33.92e6, 0.2e6, 1e-2),
+        (&CYCLE_DEFLECTION_MAX, 3.908e-6, 0.04e-6, 1e-2),
     ];
     for (row, reference, uncertain, part) in rows {
         let quantity = found.quantity(row).expect(row.name);
