@@ -217,7 +217,7 @@ mod tests {
         let scene = |model: &str| {
             read(&format!(
                 "title = \"Big end\"\nbearing = {{ diameter = \"50 mm\", length = \"20 mm\", clearance = \"30 um\" }}\njournal = {{ speed = \"3000 rpm\" }}\n\
-                 load = {{ frame = \"shell\", period = \"360 deg\", harmonics = [{{ order = 0, cos = [\"1 kN\", \"0 kN\"] }}] }}\norbit = {{}}\n\
+                 load = {{ frame = \"shell\", period = \"360 deg\", harmonics = [{{ order = 0, cos = {{ x = \"1 kN\", y = \"0 kN\" }} }}] }}\norbit = {{}}\n\
                  oil = {{ viscosity = \"10 mPa.s\" }}\ncavitation = {{ model = \"{model}\" }}\nliner = {{ winkler = \"0.02 um/MPa\" }}\n"
             ))
         };
