@@ -19,6 +19,10 @@ const INNER: f64 = 1e-4;
 const PATH: f64 = 2.0;
 /// What the first stage is off by goes like this power of the step.
 const PATH_POWER: f64 = 3.0;
+/// A cycle takes the steps of the last one, so that both make the same errors and close, where they are at most this multiple of what the tolerance suggests.
+const KEPT: f64 = 1.25;
+/// Steps do not end nearer to each other than this part of the cycle.
+const APART: f64 = 1e-9;
 /// The motion begins with a step of this part of the cycle.
 const BEGINNING: f64 = 1e-7;
 /// Loads are sampled at so many crank angles to find their peak.
@@ -136,7 +140,7 @@ impl Drive<'_> {
         let (mut cycles, mut last) = (Vec::new(), Vec::new());
         for number in 1..=options.cycles {
             let begin = here.at();
-            let Some((steps, mut cycle)) = self.cycle(&mut here, number, accuracy, options)? else {
+            let Some((steps, mut cycle)) = self.cycle(&mut here, number, accuracy, &last, options)? else {
                 return match number {
                     1 => Err(NoShaftOrbit::Ended {
                         angle: (self.speed * here.time).to_degrees(),
@@ -191,12 +195,13 @@ impl Drive<'_> {
             .fold(0.0, f64::max)
     }
 
-    /// One cycle; `None` where the deadline came.
+    /// One cycle, by the steps of the last one where they suit; `None` where the deadline came.
     fn cycle(
         &self,
         here: &mut Here,
         number: usize,
         accuracy: [Accuracy; 2],
+        last: &[ShaftStep],
         options: &MarchOptions,
     ) -> Result<Option<(Vec<ShaftStep>, ShaftCycle)>, NoShaftOrbit> {
         let period = self.duration();
@@ -218,7 +223,8 @@ impl Drive<'_> {
                 return Ok(None);
             }
             let left = period - here.time;
-            let taken = pace.before(left, dt);
+            let again = ended(last, here.time, period).filter(|again| *again <= KEPT * dt);
+            let taken = again.unwrap_or_else(|| pace.before(left, dt));
             match self.step(here, taken, accuracy, &mut cycle.films) {
                 Ok(made) => {
                     let part;
@@ -249,4 +255,10 @@ impl Drive<'_> {
         }
         Ok(Some((steps, cycle)))
     }
+}
+
+/// How long it is [s] from a time until the next step of the last cycle ended; `None` where there was no cycle.
+fn ended(last: &[ShaftStep], time: f64, period: f64) -> Option<f64> {
+    let next = last.iter().find(|step| step.time > time + APART * period)?;
+    Some(next.time - time)
 }
