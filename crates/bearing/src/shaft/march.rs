@@ -1,9 +1,9 @@
 //! All journals of a shaft over cycles of the crank angle, by the implicit steps of [`crate::orbit`], until they repeat.
 
 use super::NoShaftOrbit;
-use super::films::{Films, Train, all_moved, magnitude};
-use super::stage::{Accuracy, Known};
-use super::step::{Here, Made, SCHEME, of_stage};
+use super::films::{all_moved, magnitude};
+use super::stage::Accuracy;
+use super::step::{Drive, Here, Made, SCHEME, ShaftStep, of_stage};
 use crate::Deadline;
 use crate::coordinates::Vector;
 use crate::orbit::pace::Pace;
@@ -28,18 +28,6 @@ const BEGINNING: f64 = 1e-7;
 /// Loads are sampled at so many crank angles to find their peak.
 const SAMPLES: u32 = 720;
 
-/// What drives a shaft over a cycle.
-pub struct Drive<'a> {
-    /// The shaft and its films.
-    pub films: &'a Films<'a>,
-    /// Loads as forces on the journals [N] at a crank angle [rad].
-    pub loads: &'a (dyn Fn(f64) -> Vec<Vector> + Sync),
-    /// Period of the crank angle [rad].
-    pub period: f64,
-    /// Angular speed of the crank [rad/s].
-    pub speed: f64,
-}
-
 /// How the journals are followed.
 #[derive(Debug, Clone, Copy)]
 pub struct MarchOptions<'a> {
@@ -53,21 +41,6 @@ pub struct MarchOptions<'a> {
     pub deadline: Deadline,
     /// Notified of each step.
     pub observer: Option<&'a dyn OrbitObserver>,
-}
-
-/// All journals at the end of a step.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ShaftStep {
-    /// Time [s], from the beginning of the cycle.
-    pub time: f64,
-    /// The journals.
-    pub train: Train,
-    /// Forces of their films [N].
-    pub carried: Vec<Vector>,
-    /// Estimate of the error that the step has made [m].
-    pub error: Vec<Vector>,
-    /// What is left of the balance of the shaft, over its greatest load [1].
-    pub residual: f64,
 }
 
 /// One cycle of a shaft.
@@ -111,19 +84,6 @@ impl Drive<'_> {
             scale: peak,
             steep: STEEP,
         })
-    }
-
-    pub(super) fn known(&self, time: f64, per_time: f64, offset: Vec<Vector>) -> Known {
-        let angle = self.speed * time;
-        Known {
-            time,
-            angle,
-            per_time,
-            offset,
-            asked: (self.loads)(angle),
-            shift: 0.0,
-            slopes: None,
-        }
     }
 
     /// The journals from the places `start` [m] on.

@@ -35,5 +35,6 @@ pub use engine::Engine;
 pub use equilibrium::{Balance, NoBalance};
 pub use films::{Film, Films, NoFilmAt};
 pub use frame::{Frame, NoShaft, NodeForce, Place, Shaft};
-pub use march::{Drive, MarchOptions, ShaftCycle, ShaftOrbit, ShaftStep};
+pub use march::{MarchOptions, ShaftCycle, ShaftOrbit};
 pub use no_orbit::NoShaftOrbit;
+pub use step::{Drive, ShaftStep};

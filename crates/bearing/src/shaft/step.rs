@@ -1,7 +1,6 @@
 //! One step in time of all journals of a shaft: its stages, and the estimates of its error.
 
-use super::films::{Train, all_moved};
-use super::march::{Drive, ShaftStep};
+use super::films::{Films, Train, all_moved};
 use super::stage::{Accuracy, Known, NoStage, Staged};
 use crate::coordinates::Vector;
 use crate::orbit::scheme::{FOURTH_ORDER, Scheme};
@@ -12,6 +11,33 @@ use crate::stiffness::Stiffness;
 pub(super) const SCHEME: Scheme = FOURTH_ORDER;
 /// The guess of a stage leaves this part of each least gap.
 const LEAST_SHRINK: f64 = 0.4;
+
+/// What drives a shaft over a cycle.
+pub struct Drive<'a> {
+    /// The shaft and its films.
+    pub films: &'a Films<'a>,
+    /// Loads as forces on the journals [N] at a crank angle [rad].
+    pub loads: &'a (dyn Fn(f64) -> Vec<Vector> + Sync),
+    /// Period of the crank angle [rad].
+    pub period: f64,
+    /// Angular speed of the crank [rad/s].
+    pub speed: f64,
+}
+
+/// All journals at the end of a step.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ShaftStep {
+    /// Time [s], from the beginning of the cycle.
+    pub time: f64,
+    /// The journals.
+    pub train: Train,
+    /// Forces of their films [N].
+    pub carried: Vec<Vector>,
+    /// Estimate of the error that the step has made [m].
+    pub error: Vec<Vector>,
+    /// What is left of the balance of the shaft, over its greatest load [1].
+    pub residual: f64,
+}
 
 /// Where a march is.
 pub(super) struct Here {
@@ -68,6 +94,19 @@ struct Stages {
 }
 
 impl Drive<'_> {
+    pub(super) fn known(&self, time: f64, per_time: f64, offset: Vec<Vector>) -> Known {
+        let angle = self.speed * time;
+        Known {
+            time,
+            angle,
+            per_time,
+            offset,
+            asked: (self.loads)(angle),
+            shift: 0.0,
+            slopes: None,
+        }
+    }
+
     /// A step of the length `dt` [s]; the last stage is solved to the second accuracy, those before to the first one.
     pub(super) fn step(
         &self,

@@ -4,7 +4,7 @@
 //! ```text
 //! F . e' + sum (T omega + supplied + cavity) = sum (dissipated + W_a . e') + (K u) . e'
 //! ```
-//! The loads F on the journals and what turns them put power in; it becomes heat in the films, or is stored in the shaft and in the asperities that bear the force W_a. The rate is that of the last stage of the step, so all of this
+//! The loads F on the journals and what turns them put power in; it is dissipated in the films, or is stored in the shaft and in the asperities that bear the force W_a. The rate is that of the last stage of the step, so all of this
 //! holds for the films of the steps but for the residual of their equations and the round-off of the integrals: the dissipation is an integral of flows over the films, while F and K u know
 //! nothing of pressures. How a yielding shell stores and returns its own energy is not in it, nor how the loads bend the shaft between its journals.
 //!
@@ -88,9 +88,9 @@ fn left_of_power(films: &Films, instants: &[Instant], loads: &[NodeForce], angle
             .contact
             .map_or([0.0; 4], |share| film.coordinates.forces(&share.resultant()));
         let driving = |k: usize| (asked[bearing][k] - by_shaft[bearing][k] - by_asperities[k]) * here.velocity[k];
-        let heat = power.shear + power.driven + power.contact;
-        left += (0..4).map(driving).sum::<f64>() + power.friction() + power.supplied + power.cavity - heat;
-        dissipated += heat;
+        let lost = power.shear + power.driven + power.contact;
+        left += (0..4).map(driving).sum::<f64>() + power.friction() + power.supplied + power.cavity - lost;
+        dissipated += lost;
     }
     [left, dissipated]
 }
