@@ -114,7 +114,7 @@ pub fn fault(result: &ShaftResult) -> Option<String> {
             .then(|| "not converged, without a reason".to_owned());
     }
     let balances = result.balances;
-    let off = [balances.force, balances.moment, balances.journals];
+    let off = [balances.force, balances.moment, balances.journals, balances.power];
     if !off.iter().all(|off| *off < BALANCED) {
         return Some(format!("{balances:?}"));
     }

@@ -5,6 +5,7 @@
 //! | `shaft/compile.rs` | the scenes become films, a shaft and its loads |
 //! | `shaft/statics.rs` | the shaft at rest under loads that do not change |
 //! | `shaft/cycle.rs` | the shaft over a cycle of its throws |
+//! | `shaft/balances.rs` | force, moment and power at each of its steps |
 //! | `shaft/variant.rs` | the same shaft cut, or with other counterweights, beside it |
 //! | `shaft/weights.rs` | where counterweights serve the bearings best |
 //! | `shaft/result.rs` | what was found, as scripts read it |
@@ -12,6 +13,7 @@
 //!
 //! **Source.** `docs/theory/crankshaft.md`.
 
+mod balances;
 mod compile;
 mod cycle;
 mod error;

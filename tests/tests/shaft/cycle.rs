@@ -69,9 +69,12 @@ fn all_films_of_an_engine_balance_its_loads_at_every_step() {
     assert_eq!(run.result.status, Status::Converged, "{:?}", run.result.reason);
     let balances = run.result.balances;
     assert!(
-        balances.force < 1e-8 && balances.moment < 1e-8 && balances.journals < 1e-8,
+        [balances.force, balances.moment, balances.journals, balances.power]
+            .iter()
+            .all(|off| *off < 1e-8),
         "{balances:?}"
     );
+    assert!(balances.power > 0.0, "its terms come by two ways");
     for bearing in &run.result.bearings {
         // Of the order of what steps may be off by.
         assert!(

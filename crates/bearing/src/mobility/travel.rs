@@ -3,8 +3,8 @@
 use super::FilmMap;
 use crate::coordinates::Vector;
 use crate::duty_cycle::DutyCycle;
-use crate::orbit::Step;
 use crate::orbit::scheme::{FOURTH_ORDER, Scheme};
+use crate::orbit::{Between, Step};
 use oilwedge_reynolds::Bearing;
 
 /// A film that is a map has no memory.
@@ -197,6 +197,7 @@ impl Travel<'_> {
             residual: 0.0,
             history: None,
             wall: None,
+            until_next: Between::Load,
         }
     }
 }

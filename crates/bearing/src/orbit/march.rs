@@ -7,7 +7,7 @@ use super::motion::{Held, Instant, Motion, Moving};
 use super::no_orbit::NoOrbit;
 use super::oil::Oil;
 use super::pace::{Pace, SHORTEST};
-use super::path::{Span, Step};
+use super::path::{Between, Span, Step};
 use super::stage::{Accuracy, NoStage};
 use super::step::{Begin, Made};
 use super::wall::Way;
@@ -288,8 +288,13 @@ impl Motion<'_> {
         pressure * 2.0 * bearing.radius * bearing.length
     }
 
+    /// Whether the velocity of the journal between a step and the next is that of the path.
+    pub fn moves_by_path(&self, from: &Step) -> bool {
+        self.mass > 0.0 || from.until_next == Between::Path
+    }
+
     /// The film at a time within a span of the orbit that begins with the step `from`. The place is that of the path, and the velocity that in which the film
-    /// carries the load, or that of the path for a rotor with mass; a film that conserves its oil, or whose wall gives way, is led on from the step.
+    /// carries the load, or that of the path for a rotor with mass and on a shaft; a film that conserves its oil, or whose wall gives way, is led on from the step.
     ///
     /// # Errors
     /// [`NoOrbit`]: there is no such film.
@@ -299,7 +304,7 @@ impl Motion<'_> {
             tolerance,
             scale: self.peak_load(),
         };
-        let found = match self.mass > 0.0 {
+        let found = match self.moves_by_path(from) {
             _ if from.history.is_some() || from.wall.is_some() => self.led_on(from, time, accuracy),
             _ if self.least_gap(at) <= 0.0 => Err(NoStage::Diverged),
             true => (self.film(Moving { time, at, velocity }, Held::default(), Neighbour::None)).map_err(NoStage::Film),

@@ -28,4 +28,4 @@ pub use march::{Cycle, CycleOil, Orbit, OrbitEnd, OrbitObserver, OrbitOptions};
 pub use motion::{Held, Instant, Motion, Moving, TiltSupport};
 pub use no_orbit::NoOrbit;
 pub use oil::{Before, Oil};
-pub use path::{Span, Step, StepHistory};
+pub use path::{Between, Span, Step, StepHistory};

@@ -26,6 +26,17 @@ pub struct Step {
     pub history: Option<Arc<StepHistory>>,
     /// The deflection of a wall that gives way; `None` of a rigid one.
     pub wall: Option<Deflection>,
+    /// What decides how the journal moves between this step and the next.
+    pub until_next: Between,
+}
+
+/// What decides how a journal without mass moves at a place between two steps.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Between {
+    /// The load: the velocity is that in which the film carries it.
+    Load,
+    /// The path: what a shaft leaves to one of its bearings is known at the steps alone, and a load that is drawn through them may be one that no film carries.
+    Path,
 }
 
 /// What makes the film of a step again, and leads on from it, where the cavity conserves its oil.
@@ -60,6 +71,7 @@ impl Step {
             residual,
             history: StepHistory::of(here).map(Arc::new),
             wall: here.problem.deflection().cloned(),
+            until_next: Between::Load,
         }
     }
 

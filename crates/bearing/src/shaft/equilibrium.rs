@@ -96,6 +96,7 @@ impl Films<'_> {
             offset: vec![[0.0; 4]; self.films.len()],
             asked: asked.to_vec(),
             shift,
+            slopes: None,
         }
     }
 
@@ -111,6 +112,7 @@ impl Films<'_> {
             balanced: BALANCED[0],
             settled: Some(BALANCED[1]),
             scale: self.scale(&known.asked),
+            steep: 0.0,
         };
         self.stage(&known, start, near, accuracy, films)
     }
@@ -126,6 +128,7 @@ impl Films<'_> {
             balanced: ROUGHLY[0],
             settled: Some(ROUGHLY[1]),
             scale: self.scale(asked),
+            steep: 0.0,
         };
         let mut at = self.first_places(asked);
         let mut here: Option<Vec<Instant>> = None;

@@ -25,6 +25,7 @@ use super::matrix::Matrix;
 use crate::coordinates::{Coordinates, Vector, length, moved};
 use crate::duty_cycle::{Duty, DutyCycle};
 use crate::orbit::{Instant, Motion, Moving, TiltSupport};
+use crate::stiffness::Stiffness;
 
 /// Eccentricity at which journals begin.
 const FIRST: f64 = 0.3;
@@ -175,26 +176,24 @@ impl Films<'_> {
             .collect()
     }
 
-    /// The tangent of that balance, where each offset changes by `per_offset` and its rate by `per_rate` [1/s] in the films.
+    /// How the force of each film changes where its offset changes by `per_offset` and the rate of that by `per_rate` [1/s].
     ///
     /// # Errors
     /// [`NoFilmAt`]: the linear systems of a film could not be solved.
-    pub fn tangent(
-        &self,
-        instants: &[Instant],
-        (per_offset, per_rate): (f64, f64),
-        angle: f64,
-    ) -> Result<Matrix, NoFilmAt> {
-        let blocks: Result<Vec<_>, NoFilmAt> = (self.films.par_iter().zip(instants).enumerate())
+    pub fn slopes(&self, instants: &[Instant], (per_offset, per_rate): (f64, f64)) -> Result<Vec<Stiffness>, NoFilmAt> {
+        (self.films.par_iter().zip(instants).enumerate())
             .map(|(bearing, (film, here))| {
-                let tangent = film.motion().tangent(here, per_offset, per_rate);
-                tangent.map_err(|reason| NoFilmAt { bearing, reason })
+                let slope = film.motion().tangent(here, per_offset, per_rate);
+                slope.map_err(|reason| NoFilmAt { bearing, reason })
             })
-            .collect();
-        let blocks = blocks?;
+            .collect()
+    }
+
+    /// The tangent of that balance, where each offset changes by `per_offset` [1] and the forces of the films by these `slopes`.
+    pub fn tangent(&self, slopes: &[Stiffness], per_offset: f64, angle: f64) -> Matrix {
         let mut tangent = self.shaft.stiffness(angle).scaled(per_offset);
         for (column, &(bearing, coordinate)) in self.shaft.rows().iter().enumerate() {
-            let by_film: Vector = [0, 1, 2, 3].map(|row| blocks[bearing][row][coordinate]);
+            let by_film: Vector = [0, 1, 2, 3].map(|row| slopes[bearing][row][coordinate]);
             let mut displaced = vec![[0.0; 4]; self.films.len()];
             displaced[bearing] = [0, 1, 2, 3].map(|k| self.films[bearing].compliance[k] * by_film[k]);
             let mut forces = self.shaft.forces(&displaced, angle);
@@ -203,7 +202,7 @@ impl Films<'_> {
                 .zip(self.shaft.gathered(&forces))
                 .for_each(|(row, force)| tangent.add(row, column, force));
         }
-        Ok(tangent)
+        tangent
     }
 
     /// Where journals under these loads [N] may begin: all moved as much the way that the loads pull, so that the shaft stays straight and each film has a wedge.

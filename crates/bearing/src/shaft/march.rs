@@ -1,36 +1,32 @@
 //! All journals of a shaft over cycles of the crank angle, by the implicit steps of [`crate::orbit`], until they repeat.
 
 use super::NoShaftOrbit;
-use super::films::{Films, Train, all_moved, magnitude};
-use super::stage::{Accuracy, Known, NoStage, Staged};
+use super::films::{all_moved, magnitude};
+use super::stage::Accuracy;
+use super::step::{Drive, Here, Made, SCHEME, ShaftStep, of_stage};
 use crate::Deadline;
 use crate::coordinates::Vector;
 use crate::orbit::pace::Pace;
-use crate::orbit::scheme::{FOURTH_ORDER, Scheme};
-use crate::orbit::{Instant, OrbitEnd, OrbitObserver, Span};
+use crate::orbit::{OrbitEnd, OrbitObserver};
 
-/// The films of a shaft have no memory.
-const SCHEME: Scheme = FOURTH_ORDER;
 /// A stage is solved where the residual over the greatest load is below this.
 const BALANCED: f64 = 1e-9;
-/// The guess of a stage leaves this part of each least gap.
-const LEAST_SHRINK: f64 = 0.4;
+/// A tangent is corrected by what it missed, not made anew, where it has reduced the residual to less than this part.
+const STEEP: f64 = 0.3;
+/// Stages before the last one of a step are solved to this part of the tolerance.
+const INNER: f64 = 1e-4;
+/// The path between two steps may be off by this multiple of the tolerance.
+const PATH: f64 = 2.0;
+/// What the first stage is off by goes like this power of the step.
+const PATH_POWER: f64 = 3.0;
+/// A cycle takes the steps of the last one, so that both make the same errors and close, where they are at most this multiple of what the tolerance suggests.
+const KEPT: f64 = 1.25;
+/// Steps do not end nearer to each other than this part of the cycle.
+const APART: f64 = 1e-9;
 /// The motion begins with a step of this part of the cycle.
 const BEGINNING: f64 = 1e-7;
 /// Loads are sampled at so many crank angles to find their peak.
 const SAMPLES: u32 = 720;
-
-/// What drives a shaft over a cycle.
-pub struct Drive<'a> {
-    /// The shaft and its films.
-    pub films: &'a Films<'a>,
-    /// Loads as forces on the journals [N] at a crank angle [rad].
-    pub loads: &'a (dyn Fn(f64) -> Vec<Vector> + Sync),
-    /// Period of the crank angle [rad].
-    pub period: f64,
-    /// Angular speed of the crank [rad/s].
-    pub speed: f64,
-}
 
 /// How the journals are followed.
 #[derive(Debug, Clone, Copy)]
@@ -45,21 +41,6 @@ pub struct MarchOptions<'a> {
     pub deadline: Deadline,
     /// Notified of each step.
     pub observer: Option<&'a dyn OrbitObserver>,
-}
-
-/// All journals at the end of a step.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ShaftStep {
-    /// Time [s], from the beginning of the cycle.
-    pub time: f64,
-    /// The journals.
-    pub train: Train,
-    /// Forces of their films [N].
-    pub carried: Vec<Vector>,
-    /// Estimate of the error that the step has made [m].
-    pub error: Vec<Vector>,
-    /// What is left of the balance of the shaft, over its greatest load [1].
-    pub residual: f64,
 }
 
 /// One cycle of a shaft.
@@ -86,71 +67,23 @@ pub struct ShaftOrbit {
     pub end: OrbitEnd,
 }
 
-/// Where a march is.
-struct Here {
-    instants: Vec<Instant>,
-    time: f64,
-    residual: f64,
-    /// The paths of the step before; none at the beginning.
-    before: Option<Vec<Span>>,
-}
-
-/// A step that was made.
-struct Made {
-    end: Here,
-    error: Vec<Vector>,
-}
-
-impl Here {
-    fn at(&self) -> Vec<Vector> {
-        self.instants.iter().map(|here| here.at).collect()
-    }
-
-    fn velocity(&self) -> Vec<Vector> {
-        self.instants.iter().map(|here| here.velocity).collect()
-    }
-
-    fn recorded(&self, error: Vec<Vector>) -> ShaftStep {
-        ShaftStep {
-            time: self.time,
-            train: Train {
-                at: self.at(),
-                velocity: self.velocity(),
-            },
-            carried: self.instants.iter().map(|here| here.excess).collect(),
-            error,
-            residual: self.residual,
-        }
-    }
-}
-
 impl Drive<'_> {
     fn duration(&self) -> f64 {
         self.period / self.speed
     }
 
-    fn accuracy(&self) -> Accuracy {
+    /// How exactly the stages before the last one of a step are solved, and the last one.
+    fn accuracy(&self, tolerance: f64) -> [Accuracy; 2] {
         let angle = |k: u32| self.period * f64::from(k) / f64::from(SAMPLES);
         let peak = (0..SAMPLES)
             .map(|k| magnitude(&(self.loads)(angle(k))))
             .fold(f64::MIN_POSITIVE, f64::max);
-        Accuracy {
-            balanced: BALANCED,
+        [(INNER * tolerance).max(BALANCED), BALANCED].map(|balanced| Accuracy {
+            balanced,
             settled: None,
             scale: peak,
-        }
-    }
-
-    fn known(&self, time: f64, per_time: f64, offset: Vec<Vector>) -> Known {
-        let angle = self.speed * time;
-        Known {
-            time,
-            angle,
-            per_time,
-            offset,
-            asked: (self.loads)(angle),
-            shift: 0.0,
-        }
+            steep: STEEP,
+        })
     }
 
     /// The journals from the places `start` [m] on.
@@ -158,16 +91,16 @@ impl Drive<'_> {
     /// # Errors
     /// [`NoShaftOrbit`]: why they cannot be followed.
     pub fn follow(&self, start: &[Vector], options: &MarchOptions) -> Result<ShaftOrbit, NoShaftOrbit> {
-        let accuracy = self.accuracy();
+        let accuracy = self.accuracy(options.tolerance);
         let mut films = 0;
         let known = self.known(0.0, 1.0 / (BEGINNING * self.duration()), start.to_vec());
-        let begun = self.films.stage(&known, start.to_vec(), None, accuracy, &mut films);
+        let begun = self.films.stage(&known, start.to_vec(), None, accuracy[1], &mut films);
         let begun = begun.map_err(|reason| self.told(reason, 0.0, 1, start))?;
         let mut here = of_stage(begun, 0.0);
         let (mut cycles, mut last) = (Vec::new(), Vec::new());
         for number in 1..=options.cycles {
             let begin = here.at();
-            let Some((steps, mut cycle)) = self.cycle(&mut here, number, accuracy, options)? else {
+            let Some((steps, mut cycle)) = self.cycle(&mut here, number, accuracy, &last, options)? else {
                 return match number {
                     1 => Err(NoShaftOrbit::Ended {
                         angle: (self.speed * here.time).to_degrees(),
@@ -200,6 +133,19 @@ impl Drive<'_> {
         })
     }
 
+    /// The greater error of a step of this length [s] and of its path, over the tolerance, and the length of the next step [s].
+    fn judged(&self, made: &Made, taken: f64, pace: Pace, tolerance: f64) -> (f64, f64) {
+        let [at, off] = &made.within;
+        let of_step = self.films.change(&made.end.at(), &made.error) / tolerance;
+        let of_path = self.films.change(at, off) / (PATH * tolerance);
+        let by_path = Pace {
+            error_power: PATH_POWER,
+            ..pace
+        };
+        let next = pace.next(taken, of_step).min(by_path.next(taken, of_path));
+        (of_step.max(of_path), next)
+    }
+
     /// Greatest distance of a journal in two places, over its clearance.
     fn apart(&self, from: &[Vector], to: &[Vector]) -> f64 {
         let ways = all_moved(to, -1.0, from);
@@ -209,12 +155,13 @@ impl Drive<'_> {
             .fold(0.0, f64::max)
     }
 
-    /// One cycle; `None` where the deadline came.
+    /// One cycle, by the steps of the last one where they suit; `None` where the deadline came.
     fn cycle(
         &self,
         here: &mut Here,
         number: usize,
-        accuracy: Accuracy,
+        accuracy: [Accuracy; 2],
+        last: &[ShaftStep],
         options: &MarchOptions,
     ) -> Result<Option<(Vec<ShaftStep>, ShaftCycle)>, NoShaftOrbit> {
         let period = self.duration();
@@ -236,11 +183,13 @@ impl Drive<'_> {
                 return Ok(None);
             }
             let left = period - here.time;
-            let taken = pace.before(left, dt);
+            let again = ended(last, here.time, period).filter(|again| *again <= KEPT * dt);
+            let taken = again.unwrap_or_else(|| pace.before(left, dt));
             match self.step(here, taken, accuracy, &mut cycle.films) {
-                Ok(Made { mut end, error }) => {
-                    let part = self.films.change(&end.at(), &error) / options.tolerance;
-                    dt = pace.next(taken, part);
+                Ok(made) => {
+                    let part;
+                    (part, dt) = self.judged(&made, taken, pace, options.tolerance);
+                    let Made { mut end, error, .. } = made;
                     if part > 1.0 && !pace.is_shortest(taken) {
                         cycle.rejected += 1;
                         continue;
@@ -266,84 +215,10 @@ impl Drive<'_> {
         }
         Ok(Some((steps, cycle)))
     }
-
-    /// A step of the length `dt` [s].
-    fn step(&self, from: &Here, dt: f64, accuracy: Accuracy, films: &mut usize) -> Result<Made, NoStage> {
-        let (start, first) = (from.at(), from.velocity());
-        let per_time = 1.0 / (SCHEME.diagonal * dt);
-        let mut rates = vec![first];
-        let mut latest: Option<Staged> = None;
-        let (mut way, mut farthest) = (from.before.clone(), from.time);
-        for stage in 1..SCHEME.stages() {
-            let time = from.time + dt * SCHEME.nodes[stage];
-            let offset = combined(&start, dt, &SCHEME.coefficients[stage][..stage], &rates);
-            let known = self.known(time, per_time, offset.clone());
-            let guess: Vec<Vector> = match &way {
-                Some(paths) => paths.iter().map(|path| path.at(time)).collect(),
-                None => all_moved(&start, time - from.time, &rates[0]),
-            };
-            let near = latest.as_ref().map_or(&from.instants, |latest| &latest.instants);
-            let at: Vec<Vector> = near.iter().map(|here| here.at).collect();
-            let towards = all_moved(&guess, -1.0, &at);
-            let begin = all_moved(&at, self.films.inside(&at, &towards, LEAST_SHRINK), &towards);
-            let found = self.films.stage(&known, begin, Some(near), accuracy, films)?;
-            rates.push(found.instants.iter().map(|here| here.velocity).collect());
-            if time > farthest {
-                way = Some(paths((&from.instants, from.time), (&found.instants, time)));
-                farthest = time;
-            }
-            latest = Some(found);
-        }
-        // The last stage is the end of the step.
-        let Some(end) = latest else {
-            return Err(NoStage::Diverged(f64::INFINITY, start));
-        };
-        let end = Here {
-            before: way,
-            ..of_stage(end, from.time + dt)
-        };
-        let none = vec![[0.0; 4]; start.len()];
-        let error = combined(&none, dt, &SCHEME.error_weights(), &rates);
-        Ok(Made {
-            error: self.damped(&end, &error, dt)?,
-            end,
-        })
-    }
-
-    /// `(C + gamma dt K)^-1 C` times an error, of shaft and films: what stiffness leaves of it.
-    fn damped(&self, end: &Here, error: &[Vector], dt: f64) -> Result<Vec<Vector>, NoStage> {
-        let angle = self.speed * end.time;
-        let damping = self.films.tangent(&end.instants, (0.0, 1.0), angle)?;
-        let both = self.films.tangent(&end.instants, (SCHEME.diagonal * dt, 1.0), angle)?;
-        let forces = damping.times(&self.films.shaft.gathered(error));
-        let left = both.factors().map(|factors| factors.solve(&forces));
-        Ok(left.map_or_else(|| error.to_vec(), |left| self.films.shaft.spread(&left)))
-    }
 }
 
-fn of_stage(staged: Staged, time: f64) -> Here {
-    Here {
-        instants: staged.instants,
-        time,
-        residual: staged.residual,
-        before: None,
-    }
-}
-
-/// The paths of journals from one time to another.
-fn paths(from: (&[Instant], f64), to: (&[Instant], f64)) -> Vec<Span> {
-    let pairs = from.0.iter().zip(to.0);
-    pairs
-        .map(|(a, b)| Span {
-            times: [from.1, to.1],
-            places: [a.at, b.at],
-            rates: [a.velocity, b.velocity],
-        })
-        .collect()
-}
-
-/// `first + dt sum_j weight_j rate_j`.
-fn combined(first: &[Vector], dt: f64, weights: &[f64], rates: &[Vec<Vector>]) -> Vec<Vector> {
-    let sum = first.to_vec();
-    (weights.iter().zip(rates)).fold(sum, |sum, (weight, rate)| all_moved(&sum, dt * weight, rate))
+/// How long it is [s] from a time until the next step of the last cycle ended; `None` where there was no cycle.
+fn ended(last: &[ShaftStep], time: f64, period: f64) -> Option<f64> {
+    let next = last.iter().find(|step| step.time > time + APART * period)?;
+    Some(next.time - time)
 }

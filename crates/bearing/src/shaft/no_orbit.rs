@@ -1,7 +1,7 @@
 //! Why the journals of a shaft are not led on over the cycle.
 
-use super::march::Drive;
 use super::stage::NoStage;
+use super::step::Drive;
 use crate::GREATEST_ECCENTRICITY;
 use crate::coordinates::Vector;
 

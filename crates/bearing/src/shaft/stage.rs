@@ -1,8 +1,9 @@
 //! One implicit stage of all films of a shaft: Newton's method for their balance at `e' = (e - e_0)/gamma`, or at rest.
 
 use super::films::{Films, NoFilmAt, Train, all_moved, magnitude};
-use crate::coordinates::Vector;
+use crate::coordinates::{Vector, moved};
 use crate::orbit::Instant;
+use crate::stiffness::Stiffness;
 
 /// Most films of one journal in a stage.
 const MOST_FILMS: usize = 30;
@@ -28,6 +29,8 @@ pub(super) struct Known {
     pub(super) asked: Vec<Vector>,
     /// `1/gamma` of the damping that the tangent has beside that of the motion, where the residual is as large as the load [1/s]; it falls with the residual.
     pub(super) shift: f64,
+    /// How the forces of the films change with the offsets nearby, and with the rates that go with them; `None`: that is not known.
+    pub(super) slopes: Option<Vec<Stiffness>>,
 }
 
 /// When a stage is solved.
@@ -39,6 +42,8 @@ pub(super) struct Accuracy {
     pub(super) settled: Option<f64>,
     /// A force [N].
     pub(super) scale: f64,
+    /// The tangent is corrected by what it missed, not made anew, where it has reduced the residual to less than this part [1]; zero: it is made anew always.
+    pub(super) steep: f64,
 }
 
 /// A stage that is solved.
@@ -48,6 +53,8 @@ pub(super) struct Staged {
     pub(super) instants: Vec<Instant>,
     /// Residual over the scale [1].
     pub(super) residual: f64,
+    /// How the forces of the films change, as [`Known::slopes`]; `None`: that is not known.
+    pub(super) slopes: Option<Vec<Stiffness>>,
 }
 
 /// Why a stage has no solution.
@@ -76,6 +83,14 @@ impl Known {
     }
 }
 
+/// Where the iteration is.
+struct Iterate {
+    instants: Vec<Instant>,
+    residual: Vec<Vector>,
+    /// What the tangent is made of; `None`: it is made anew.
+    slopes: Option<Vec<Stiffness>>,
+}
+
 impl Films<'_> {
     /// Solves a stage from a `start`; `films` counts those solved.
     pub(super) fn stage(
@@ -86,59 +101,117 @@ impl Films<'_> {
         accuracy: Accuracy,
         films: &mut usize,
     ) -> Result<Staged, NoStage> {
-        let solved = |at: Vec<Vector>, near: Option<&[Instant]>, films: &mut usize| {
-            *films += self.films.len();
-            self.solved(known.time, &known.train(at), near)
-        };
-        let mut here = solved(start, near, films)?;
-        let mut residual = self.residual(&here, &known.asked, known.angle);
+        let mut here = self.iterate(known, start, near, films)?;
+        here.slopes = known.slopes.clone();
         for _ in 1..MOST_FILMS {
-            let balance = magnitude(&residual) / accuracy.scale;
+            let balance = magnitude(&here.residual) / accuracy.scale;
             if balance < accuracy.balanced && accuracy.settled.is_none() {
-                return Ok(Staged {
-                    instants: here,
-                    residual: balance,
-                });
+                return Ok(here.staged(balance));
             }
-            let at: Vec<Vector> = here.iter().map(|here| here.at).collect();
-            let per_rate = known.per_time + known.shift * balance.min(1.0);
-            let tangent = self.tangent(&here, (1.0, per_rate), known.angle)?;
-            let wanted: Vec<f64> = self.shaft.gathered(&residual).iter().map(|part| -part).collect();
-            let step = tangent
-                .factors()
-                .map(|factors| self.shaft.spread(&factors.solve(&wanted)));
-            let step = step.filter(|step| magnitude(step).is_finite());
-            let Some(step) = step else {
+            let at = here.places();
+            let is_exact = here.slopes.is_none();
+            let slopes = match here.slopes.take() {
+                Some(slopes) => slopes,
+                None => self.slopes(&here.instants, (1.0, known.per_time + known.shift * balance.min(1.0)))?,
+            };
+            let Some(step) = self.newton_step(&slopes, &here.residual, known.angle) else {
                 return Err(NoStage::Diverged(balance, at));
             };
             let is_settled = |settled: f64| self.change(&at, &step) < settled;
             if balance < accuracy.balanced && accuracy.settled.is_none_or(is_settled) {
-                return Ok(Staged {
-                    instants: here,
-                    residual: balance,
-                });
+                return Ok(here.staged(balance));
             }
-            let mut part = self.inside(&at, &step, LEAST_SHRINK);
-            loop {
-                let next = solved(all_moved(&at, part, &step), Some(&here), films)?;
-                let left = self.residual(&next, &known.asked, known.angle);
-                if magnitude(&left) < magnitude(&residual) {
-                    (here, residual) = (next, left);
-                    break;
+            // The tangent of another place is not followed slowly: that of this one is made instead.
+            let shortest = match is_exact && balance >= NEARLY_BALANCED {
+                true => SHORTEST,
+                false => f64::INFINITY,
+            };
+            match self.nearer(known, &here, &step, shortest, films)? {
+                Some(mut next) => {
+                    let is_steep = magnitude(&next.residual) < accuracy.steep * magnitude(&here.residual);
+                    next.slopes = is_steep.then(|| corrected(slopes, &here.instants, &next.instants));
+                    here = next;
                 }
-                if balance < NEARLY_BALANCED {
-                    return Ok(Staged {
-                        instants: here,
-                        residual: balance,
-                    });
-                }
-                if part < SHORTEST {
-                    return Err(NoStage::Diverged(balance, at));
-                }
-                part *= 0.5;
+                None if balance < NEARLY_BALANCED => return Ok(here.staged(balance)),
+                None if is_exact => return Err(NoStage::Diverged(balance, at)),
+                None => {}
             }
         }
-        let balance = magnitude(&residual) / accuracy.scale;
-        Err(NoStage::Diverged(balance, here.iter().map(|here| here.at).collect()))
+        let balance = magnitude(&here.residual) / accuracy.scale;
+        Err(NoStage::Diverged(balance, here.places()))
     }
+
+    /// The films of journals at these places, and what they leave of the balance.
+    fn iterate(
+        &self,
+        known: &Known,
+        at: Vec<Vector>,
+        near: Option<&[Instant]>,
+        films: &mut usize,
+    ) -> Result<Iterate, NoFilmAt> {
+        *films += self.films.len();
+        let instants = self.solved(known.time, &known.train(at), near)?;
+        Ok(Iterate {
+            residual: self.residual(&instants, &known.asked, known.angle),
+            instants,
+            slopes: None,
+        })
+    }
+
+    /// The change of all places by which the balance would be met; `None` where the tangent is singular.
+    fn newton_step(&self, slopes: &[Stiffness], residual: &[Vector], angle: f64) -> Option<Vec<Vector>> {
+        let wanted: Vec<f64> = self.shaft.gathered(residual).iter().map(|part| -part).collect();
+        let factors = self.tangent(slopes, 1.0, angle).factors()?;
+        let step = self.shaft.spread(&factors.solve(&wanted));
+        magnitude(&step).is_finite().then_some(step)
+    }
+
+    /// A place on the way of a step that leaves less of the balance: its end, or half of the way and so on, down to the `shortest` part; `None` where there is none.
+    fn nearer(
+        &self,
+        known: &Known,
+        here: &Iterate,
+        step: &[Vector],
+        shortest: f64,
+        films: &mut usize,
+    ) -> Result<Option<Iterate>, NoFilmAt> {
+        let at = here.places();
+        let mut part = self.inside(&at, step, LEAST_SHRINK);
+        loop {
+            let next = self.iterate(known, all_moved(&at, part, step), Some(&here.instants), films)?;
+            if magnitude(&next.residual) < magnitude(&here.residual) {
+                return Ok(Some(next));
+            }
+            if part < shortest {
+                return Ok(None);
+            }
+            part *= 0.5;
+        }
+    }
+}
+
+impl Iterate {
+    fn places(&self) -> Vec<Vector> {
+        self.instants.iter().map(|here| here.at).collect()
+    }
+
+    fn staged(self, residual: f64) -> Staged {
+        Staged {
+            instants: self.instants,
+            residual,
+            slopes: self.slopes,
+        }
+    }
+}
+
+/// The slopes of the films, each corrected by what it missed of the way from one place to the next (Broyden, Math. Comp. 19 (1965) 577).
+fn corrected(slopes: Vec<Stiffness>, from: &[Instant], to: &[Instant]) -> Vec<Stiffness> {
+    let ways = from.iter().zip(to);
+    (slopes.into_iter().zip(ways))
+        .map(|(slope, (from, to))| {
+            let made = moved(to.at, -1.0, from.at);
+            let missed = moved(moved(to.excess, -1.0, from.excess), -1.0, slope.times(made));
+            slope.corrected(made, missed)
+        })
+        .collect()
 }

@@ -346,6 +346,10 @@ fn balances(view: &ShaftView) -> Table {
             "journals",
             "what is left of the equations of all journals, over the loads",
         ),
+        (
+            "power",
+            "power of the loads and of what turns the shaft, less what films dissipate and the shaft stores, over the dissipation, at the worst step",
+        ),
     ];
     let mut rows: Vec<_> = about
         .into_iter()

@@ -167,9 +167,10 @@ fn balance(result: &ShaftResult) -> String {
     let part = |value: f64| significant(value, 2);
     let balances = result.balances;
     let mut line = format!(
-        "balance   loads and film forces differ by {} of the loads, their moments by {}",
+        "balance   loads and film forces differ by {} of the loads, their moments by {}, powers by {} of the dissipation",
         part(balances.force),
-        part(balances.moment)
+        part(balances.moment),
+        part(balances.power)
     );
     let energies = result.bearings.iter().filter_map(|bearing| bearing.energy);
     if let Some(worst) = energies.reduce(f64::max) {

@@ -108,13 +108,13 @@ impl Parts {
     }
 }
 
-/// How far the path between two steps is off at a time [m], estimated; nothing for a rotor with mass, whose film carries another load.
+/// How far the path between two steps is off at a time [m], estimated; nothing where the path decides how the journal moves: the film carries another load than that of the motion.
 ///
 /// # Errors
 /// [`NoAnswer`]: there is no film between the steps.
 pub(super) fn between(motion: &Motion, (step, span): (&Step, Span), time: f64) -> Result<f64, NoAnswer> {
     const QUARTER: f64 = 0.25;
-    if motion.mass > 0.0 {
+    if motion.moves_by_path(step) {
         return Ok(0.0);
     }
     let [from, to] = span.times;

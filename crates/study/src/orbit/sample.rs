@@ -96,7 +96,10 @@ pub(super) fn refine_peak(
         }
         let span = Span::between(&steps[next - 1], &steps[next]);
         let instant = (motion.between(&steps[next - 1], &span, time, TOLERANCE)).map_err(NoAnswer::Orbit)?;
-        let step = Step::of(&instant, 0.0);
+        let step = Step {
+            until_next: steps[next - 1].until_next,
+            ..Step::of(&instant, 0.0)
+        };
         let (one, _) = sample(film, motion, instant, errors)?;
         steps.insert(next, step);
         samples.insert(next, one);

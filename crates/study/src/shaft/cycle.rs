@@ -4,13 +4,14 @@ use std::time::Instant;
 
 use oilwedge_bearing::coordinates::Vector;
 use oilwedge_bearing::duty_cycle::{DutyCycle, Frame, LoadPoint, Turning};
-use oilwedge_bearing::orbit::{Cycle, Orbit, OrbitEnd, Step};
-use oilwedge_bearing::shaft::{Drive, Engine, Films, MarchOptions, NoShaftOrbit, ShaftOrbit, ShaftStep};
+use oilwedge_bearing::orbit::{Between, Cycle, Orbit, OrbitEnd, Step};
+use oilwedge_bearing::shaft::{Drive, Engine, Films, MarchOptions, NoFilmAt, NoShaftOrbit, ShaftOrbit, ShaftStep};
 use oilwedge_scene::{ShaftScene, Statics};
 
+use super::balances::balances;
 use super::compile::{Bearing, Compiled, compile_shaft};
 use super::error::ShaftError;
-use super::result::{BearingPath, BearingReport, CycleReport, ShaftBalances, ShaftRun, found_with_shaft};
+use super::result::{BearingPath, BearingReport, CycleReport, ShaftRun, found_with_shaft};
 use crate::estimate::estimate_errors;
 use crate::limits::exceeded_over_cycle;
 use crate::orbit::{Followed, GREATEST, USUAL, follow_under, measured, motion, suits};
@@ -21,7 +22,7 @@ use crate::run_options::RunOptions;
 use crate::warning::Warning;
 use crate::warnings::all_warnings;
 
-/// The journals on coarser meshes: tolerance and cycles.
+/// The journals on the next coarser meshes, or on their own where there are none: tolerance and cycles.
 const ROUGH: f64 = 2e-2;
 const ROUGH_CYCLES: usize = 2;
 
@@ -143,7 +144,7 @@ fn drive<T>(
     })
 }
 
-/// Where journals on coarser meshes end a cycle [m], and their greatest eccentricity at an end [1]; `None` where there is none.
+/// Where journals that are followed roughly end a cycle [m], and their greatest eccentricity at an end [1]; `None` where there is none.
 fn rough(
     scene: &ShaftScene,
     engine: &Engine,
@@ -151,7 +152,7 @@ fn rough(
     (start, march): (&[Vector], &MarchOptions),
 ) -> Option<(Vec<Vector>, f64)> {
     let films = compiled.films();
-    let coarser = films.coarser()?;
+    let coarser = films.coarser().unwrap_or_else(|| compiled.films());
     let options = MarchOptions {
         tolerance: ROUGH,
         cycles: ROUGH_CYCLES,
@@ -192,7 +193,8 @@ fn report(
         add(run, bearing, cycle, followed, &shells, options);
     }
     run.result.films = orbit.cycles.iter().map(|cycle| cycle.films).sum();
-    run.result.balances = balances(engine, compiled, &orbit.steps);
+    run.result.balances =
+        balances(engine, compiled, &orbit.steps).map_err(|reason| (Status::NoSolution, told_at(&reason, compiled)))?;
     run.result.cycles = orbit
         .cycles
         .iter()
@@ -243,6 +245,7 @@ fn own_orbit(orbit: &ShaftOrbit, number: usize) -> Orbit {
         residual: step.residual,
         history: None,
         wall: None,
+        until_next: Between::Path,
     };
     let cycle = |cycle: &oilwedge_bearing::shaft::ShaftCycle| Cycle {
         closure: cycle.closure,
@@ -294,38 +297,6 @@ fn add(
     });
 }
 
-/// The balances of the whole shaft at its worst step.
-fn balances(engine: &Engine, compiled: &Compiled, steps: &[ShaftStep]) -> ShaftBalances {
-    let at: Vec<f64> = compiled.bearings.iter().map(|bearing| bearing.at).collect();
-    let mut worst = ShaftBalances::default();
-    let loads: Vec<_> = steps
-        .iter()
-        .map(|step| engine.loads(engine.speed * step.time))
-        .collect();
-    let sizes = loads
-        .iter()
-        .map(|loads| loads.iter().map(|load| load.force[0].hypot(load.force[1])).sum::<f64>());
-    let scale = sizes.fold(f64::MIN_POSITIVE, f64::max);
-    let arm = compiled.loaded_at.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
-    for (step, loads) in steps.iter().zip(&loads) {
-        let (mut force, mut moment) = ([0.0; 2], [0.0; 2]);
-        for k in 0..2 {
-            for load in loads {
-                force[k] += load.force[k];
-                moment[k] += compiled.loaded_at[load.place] * load.force[k];
-            }
-            for ((carried, z), bearing) in step.carried.iter().zip(&at).zip(&compiled.bearings) {
-                force[k] -= carried[k];
-                moment[k] -= z * carried[k] + bearing.coordinates().arm * carried[k + 2];
-            }
-        }
-        worst.force = worst.force.max(force[0].hypot(force[1]) / scale);
-        worst.moment = worst.moment.max(moment[0].hypot(moment[1]) / (arm * scale));
-        worst.journals = worst.journals.max(step.residual);
-    }
-    worst
-}
-
 /// Says how cycles ended that are not closed, with their number and the closure of the last one.
 fn ended(run: &mut ShaftRun, end: OrbitEnd, (cycles, closure): (usize, f64), options: &RunOptions) {
     let limit = match end {
@@ -341,6 +312,11 @@ fn status(reason: &NoShaftOrbit) -> Status {
         NoShaftOrbit::Film { .. } | NoShaftOrbit::SqueezedOut { .. } => Status::NoSolution,
         NoShaftOrbit::Stuck { .. } | NoShaftOrbit::Ended { .. } => Status::NotConverged,
     }
+}
+
+/// Why a bearing has no film.
+fn told_at(reason: &NoFilmAt, compiled: &Compiled) -> String {
+    format!("bearing {}: {reason}", compiled.bearings[reason.bearing].name)
 }
 
 /// Why the journals cannot be followed, with the name of the bearing that is meant, and the way out.

@@ -99,6 +99,8 @@ pub struct ShaftBalances {
     pub moment: f64,
     /// What is left of the equations of all journals, over the loads [1].
     pub journals: f64,
+    /// Over a cycle: power of the loads and of what turns the journals, less what the films dissipate and the shaft stores, over the greatest dissipation [1]; zero at rest.
+    pub power: f64,
 }
 
 /// One cycle of the shaft.

@@ -150,6 +150,7 @@ fn balances(compiled: &Compiled, balance: &Balance) -> ShaftBalances {
         force: over(force, scale),
         moment: over(moment, arm_scale),
         journals: balance.residual,
+        power: 0.0,
     }
 }
 
