@@ -30,6 +30,18 @@ pub struct JournalChange {
     pub tilt_rate: [f64; 2],
 }
 
+impl JournalChange {
+    /// The change of place of this one as a rate [1/s]: velocity and rate of the slope change by what offset and slope did, which do not change.
+    #[must_use]
+    pub fn as_rate(&self) -> Self {
+        Self {
+            velocity: self.offset,
+            tilt_rate: self.tilt,
+            ..Self::default()
+        }
+    }
+}
+
 /// Velocity of the journal's centre [m/s] in the frame of the line of centres.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct CentreVelocity {

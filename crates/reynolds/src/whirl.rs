@@ -93,11 +93,7 @@ impl<'a> Whirl<'a> {
             tilt,
             ..JournalChange::default()
         };
-        let rate = JournalChange {
-            velocity: offset,
-            tilt_rate: tilt,
-            ..JournalChange::default()
-        };
+        let rate = place.as_rate();
         self.response_to(FilmChange::Journal(place), FilmChange::Journal(rate))
     }
 

@@ -37,7 +37,7 @@ impl Follower<'_> {
         let unknown = problem.unknown_change(system, film, place)?;
         let by_place = self.followed(place, unknown, accuracy)?;
         let of_wall = self.shape(&by_place.deflection);
-        let rate = as_rate(place);
+        let rate = place.as_rate();
         let mut unknown = problem.unknown_change(system, film, &rate)?;
         let more = problem.unknown_change(system, film, FilmChange::GapRate(&of_wall))?;
         unknown
@@ -67,7 +67,7 @@ pub fn carried_slowly(
 ) -> Result<[Resultant; 2], Error> {
     let change = |changes: &[FilmChange<'_>], unknown: &[f64]| load_change(problem, system, film, changes, unknown);
     let Some(follower) = Follower::of(problem, system, film) else {
-        let rate = as_rate(place);
+        let rate = place.as_rate();
         let of = |motion: &JournalChange| {
             let unknown = problem.unknown_change(system, film, motion)?;
             Ok::<_, Error>(change(&[motion.into()], &unknown))
@@ -100,7 +100,7 @@ pub fn hastened(
     motion: &JournalChange,
 ) -> Result<(FilmProblem, FilmSolution), NoFilm> {
     let Some(follower) = Follower::of(problem, system, film) else {
-        return problem.displaced(system, film, &as_rate(motion));
+        return problem.displaced(system, film, &motion.as_rate());
     };
     let slow = follower.slow(motion, FOLLOWED).map_err(Failure::from)?;
     let of_rate = follower.shape(&slow.by_rate.deflection);
@@ -117,13 +117,4 @@ pub fn hastened(
     ];
     let film = problem.along_tangent(system, film, &changes, &slow.by_rate.unknown);
     Ok((hastened, film))
-}
-
-/// A motion as a rate.
-fn as_rate(place: &JournalChange) -> JournalChange {
-    JournalChange {
-        velocity: place.offset,
-        tilt_rate: place.tilt,
-        ..JournalChange::default()
-    }
 }

@@ -7,9 +7,9 @@
 
 use oilwedge_fem::Error;
 use oilwedge_fem::newton::Failure;
+use oilwedge_reynolds::CentreVelocity;
 use oilwedge_reynolds::film_thickness::Deflection;
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{CentreVelocity, JournalChange};
 
 use super::motion::{Held, Instant, Motion, Moving};
 use super::stage::{Accuracy, Known, LEAST_SHRINK, MOST_FILMS, NEARLY_BALANCED, NoStage, SETTLED, SHORTEST};
@@ -131,12 +131,7 @@ impl Motion<'_> {
     ) -> Result<Vector, NoStage> {
         let joint = self.joint(per_time, end)?;
         let along = (self.coordinates()).change(&end.problem.journal, &CentreVelocity::default(), error);
-        let change = JournalChange {
-            velocity: along.offset,
-            tilt_rate: along.tilt,
-            ..JournalChange::default()
-        };
-        let (by_film, bent) = joint.pushed(&change, of_wall)?;
+        let (by_film, bent) = joint.pushed(&along.as_rate(), of_wall)?;
         let masses = self.masses();
         let force = [0, 1, 2, 3].map(|k| per_time * (by_film[k] + masses[k] * per_time * error[k]));
         let bent: Vec<f64> = bent.iter().map(|bent| -per_time * bent).collect();
