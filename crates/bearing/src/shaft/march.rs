@@ -178,12 +178,13 @@ impl Drive<'_> {
         let none = vec![[0.0; 4]; here.instants.len()];
         let mut steps = vec![here.recorded(none)];
         let mut dt = pace.first(1.0, self.films.change(&here.at(), &here.velocity()));
+        let mut refused = f64::INFINITY;
         while here.time < period {
             if options.deadline.is_over() {
                 return Ok(None);
             }
             let left = period - here.time;
-            let again = ended(last, here.time, period).filter(|again| *again <= KEPT * dt);
+            let again = ended(last, here.time, period).filter(|again| is_kept(*again, dt, refused));
             let taken = again.unwrap_or_else(|| pace.before(left, dt));
             match self.step(here, taken, accuracy, &mut cycle.films) {
                 Ok(made) => {
@@ -191,9 +192,11 @@ impl Drive<'_> {
                     (part, dt) = self.judged(&made, taken, pace, options.tolerance);
                     let Made { mut end, error, .. } = made;
                     if part > 1.0 && !pace.is_shortest(taken) {
+                        refused = taken;
                         cycle.rejected += 1;
                         continue;
                     }
+                    refused = f64::INFINITY;
                     if taken == left {
                         end.time = period;
                     }
@@ -205,6 +208,7 @@ impl Drive<'_> {
                     }
                 }
                 Err(reason) => {
+                    refused = taken;
                     cycle.rejected += 1;
                     dt = pace.retried(taken);
                     if pace.is_shortest(dt) {
@@ -221,4 +225,23 @@ impl Drive<'_> {
 fn ended(last: &[ShaftStep], time: f64, period: f64) -> Option<f64> {
     let next = last.iter().find(|step| step.time > time + APART * period)?;
     Some(next.time - time)
+}
+
+/// Whether a step takes the length `again` [s] of one of the last cycle, where the tolerance suggests `dt` [s] and one of the length `refused` [s] has just been rejected.
+fn is_kept(again: f64, dt: f64, refused: f64) -> bool {
+    again <= KEPT * dt && again < refused
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_step_of_the_last_cycle_is_taken_where_it_suits_but_not_again_after_it_was_rejected() {
+        assert!(is_kept(1.0, 0.9, f64::INFINITY));
+        assert!(!is_kept(1.0, 0.7, f64::INFINITY));
+        // What a step rejected by little suggests is hardly shorter: the same step would be rejected for ever.
+        assert!(!is_kept(1.0, 0.9, 1.0));
+        assert!(is_kept(0.3, 0.9, 1.0));
+    }
 }
