@@ -69,7 +69,14 @@ impl FilmProblem {
         film: &FilmSolution,
         change: impl Into<FilmChange<'a>>,
     ) -> Result<Vec<f64>, Error> {
-        let residual = self.residual_change(system, film, change.into())?;
+        self.answer(film, &self.residual_change(system, film, change.into())?)
+    }
+
+    /// First-order change of the unknown at each dof [Pa] by which a film answers to a change of its residual at each dof.
+    ///
+    /// # Errors
+    /// The linear system could not be solved.
+    pub fn answer(&self, film: &FilmSolution, residual: &[f64]) -> Result<Vec<f64>, Error> {
         let minus: Vec<f64> = residual.iter().map(|r| -r).collect();
         let mut unknown = film.linearisation.solve(&minus)?;
         if film.film_fraction.is_some() {

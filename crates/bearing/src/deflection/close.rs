@@ -157,7 +157,8 @@ fn iterated(mut here: Trial, system: &FilmSystem, counts: &mut Closing) -> Resul
 
 /// The step [m] of Newton's method from a film.
 fn newton_step(here: &Trial, system: &FilmSystem, accuracy: f64, counts: &mut Closing) -> Result<Vec<f64>, NoFilm> {
-    let Some(follower) = Follower::of(&here.problem, system, &here.film) else {
+    let follower = Follower::of(&here.problem, system, &here.film).map_err(Failure::from)?;
+    let Some(follower) = follower else {
         return Ok(Vec::new());
     };
     let solved = follower.solve(&here.left, accuracy).map_err(Failure::from)?;
@@ -305,7 +306,7 @@ fn bent_further(
         TangentOf::Quadratic => Follower::of(&pair.problem, system, &pair.film),
         TangentOf::Cubic => Follower::of(&pair.problem, &system.cubic().system, &pair.cubic),
     };
-    let Some(follower) = follower else {
+    let Some(follower) = follower.map_err(Failure::from)? else {
         return Ok(pair);
     };
     let step = follower.solve(left, FINE).map_err(Failure::from)?;

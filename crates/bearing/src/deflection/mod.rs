@@ -48,7 +48,7 @@ pub fn carried_change(
     accuracy: f64,
 ) -> Result<Resultant, Error> {
     let unknown = problem.unknown_change(system, film, change)?;
-    let Some(follower) = Follower::of(problem, system, film) else {
+    let Some(follower) = Follower::of(problem, system, film)? else {
         return Ok(load_change(problem, system, film, &[change.into()], &unknown));
     };
     let followed = follower.followed(change, unknown, accuracy)?;
@@ -68,7 +68,7 @@ pub fn displaced(
     film: &FilmSolution,
     change: &JournalChange,
 ) -> Result<(FilmProblem, FilmSolution), NoFilm> {
-    let Some(follower) = Follower::of(problem, system, film) else {
+    let Some(follower) = Follower::of(problem, system, film).map_err(Failure::from)? else {
         return problem.displaced(system, film, change);
     };
     let unknown = problem.unknown_change(system, film, change).map_err(Failure::from)?;
@@ -91,7 +91,7 @@ pub fn bent(
     film: &FilmSolution,
     free: &[f64],
 ) -> Result<Option<(FilmProblem, FilmSolution)>, NoFilm> {
-    let Some(follower) = Follower::of(problem, system, film) else {
+    let Some(follower) = Follower::of(problem, system, film).map_err(Failure::from)? else {
         return Ok(None);
     };
     let followed = follower.of_wall(free).map_err(Failure::from)?;

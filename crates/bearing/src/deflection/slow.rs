@@ -66,7 +66,7 @@ pub fn carried_slowly(
     accuracy: f64,
 ) -> Result<[Resultant; 2], Error> {
     let change = |changes: &[FilmChange<'_>], unknown: &[f64]| load_change(problem, system, film, changes, unknown);
-    let Some(follower) = Follower::of(problem, system, film) else {
+    let Some(follower) = Follower::of(problem, system, film)? else {
         let rate = place.as_rate();
         let of = |motion: &JournalChange| {
             let unknown = problem.unknown_change(system, film, motion)?;
@@ -99,7 +99,7 @@ pub fn hastened(
     film: &FilmSolution,
     motion: &JournalChange,
 ) -> Result<(FilmProblem, FilmSolution), NoFilm> {
-    let Some(follower) = Follower::of(problem, system, film) else {
+    let Some(follower) = Follower::of(problem, system, film).map_err(Failure::from)? else {
         return problem.displaced(system, film, &motion.as_rate());
     };
     let slow = follower.slow(motion, FOLLOWED).map_err(Failure::from)?;

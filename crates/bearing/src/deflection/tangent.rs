@@ -1,13 +1,13 @@
 //! The tangent of film and wall: how both answer where something else changes.
 //!
 //! At a fixed wall the unknown of the film changes by u, and the pressure of contact by a. The wall follows, and both follow the wall: `(I - C dp/dd) dd = C (dp/du u + a)`,
-//! then `du = u + (du/dd) dd`, p the sum of both pressures. One product with the operator is one back-solve with the factor of the film, its cavity held, and one with the matrix of
-//! contact.
+//! then `du = u + (du/dd) dd`, p the sum of both pressures. One product with the operator is one back-solve with the factor of the film, its cavity held, and one product each with the
+//! matrices of the gap ([`GapTangent`]) and of contact.
 
 use oilwedge_fem::Error;
 use oilwedge_reynolds::film_thickness::Deflection;
-use oilwedge_reynolds::wall::ContactTangent;
-use oilwedge_reynolds::{FilmChange, FilmProblem, FilmSolution, FilmSystem, JournalChange};
+use oilwedge_reynolds::wall::{ContactTangent, GapTangent};
+use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalChange};
 
 use super::gmres::{Solved, gmres};
 
@@ -20,6 +20,8 @@ pub(crate) struct Follower<'a> {
     pub(super) system: &'a FilmSystem,
     pub(super) film: &'a FilmSolution,
     deflection: &'a Deflection,
+    /// How the film answers to the wall.
+    gap: GapTangent,
     /// How contact answers to the wall; none where surfaces do not touch.
     contact: Option<ContactTangent>,
 }
@@ -34,15 +36,25 @@ pub(crate) struct Followed {
 
 impl<'a> Follower<'a> {
     /// None where the wall is rigid.
-    pub(crate) fn of(problem: &'a FilmProblem, system: &'a FilmSystem, film: &'a FilmSolution) -> Option<Self> {
-        let deflection = problem.deflection()?;
-        Some(Self {
-            problem,
-            system,
-            film,
-            deflection,
-            contact: deflection.wall.grid.contact_tangent(problem, system),
-        })
+    ///
+    /// # Errors
+    /// A system that does not fit in memory.
+    pub(crate) fn of(
+        problem: &'a FilmProblem,
+        system: &'a FilmSystem,
+        film: &'a FilmSolution,
+    ) -> Result<Option<Self>, Error> {
+        let of_wall = |deflection: &'a Deflection| {
+            Ok(Self {
+                problem,
+                system,
+                film,
+                deflection,
+                gap: GapTangent::of(problem, system, film, deflection)?,
+                contact: deflection.wall.grid.contact_tangent(problem, system),
+            })
+        };
+        problem.deflection().map(of_wall).transpose()
     }
 
     /// How many coefficients a deflection has.
@@ -85,8 +97,7 @@ impl<'a> Follower<'a> {
 
     /// Change of the unknown by a deflection.
     pub(super) fn by_deflection(&self, coefficients: &[f64]) -> Result<Vec<f64>, Error> {
-        let shape = self.shape(coefficients);
-        (self.problem).unknown_change(self.system, self.film, FilmChange::Gap(&shape))
+        (self.problem).answer(self.film, &self.gap.times(self.system, coefficients))
     }
 
     /// Solves `(I - C dp/dd) x = b`.

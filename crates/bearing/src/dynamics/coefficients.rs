@@ -26,7 +26,7 @@ impl Coefficients {
     /// The linear systems could not be solved.
     pub fn of(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, frequency: f64) -> Result<Self, Error> {
         let whirl = Whirl::new(problem, system, film, frequency)?;
-        let follower = Follower::of(problem, system, film);
+        let follower = Follower::of(problem, system, film)?;
         let mut coefficients = Self {
             order: if problem.can_tilt() { 4 } else { 2 },
             ..Self::default()

@@ -140,7 +140,7 @@ impl Motion<'_> {
 
     /// The tangent of journal and wall in a stage; `per_time` is its `1/(gamma dt)` [1/s].
     pub(super) fn joint<'a>(&'a self, per_time: f64, here: &'a Instant) -> Result<Joint<'a>, NoStage> {
-        let follower = Follower::of(&here.problem, self.system, &here.film).ok_or(NoStage::Diverged)?;
+        let follower = Follower::of(&here.problem, self.system, &here.film)?.ok_or(NoStage::Diverged)?;
         let masses = self.masses();
         let held = [0, 1, 2, 3].map(|k| {
             let support = if k >= 2 { self.support_stiffness() } else { 0.0 };

@@ -15,7 +15,9 @@ use oilwedge_fem::complementarity::InitialGuess;
 use oilwedge_fem::newton::Failure;
 
 pub use jfo::{AdvectionScheme, FilmFraction};
-pub(crate) use jfo::{Carriage, Choice, cell_volumes, check_supply, held_volume, residual_change, spread, work};
+pub(crate) use jfo::{
+    Carriage, Choice, PointChanges, cell_volumes, check_supply, held_volume, residual_change, spread, work,
+};
 
 use crate::lubricant::PressureLaw;
 use crate::{FilmProblem, FilmSolution, FilmSystem, NoFilm};

@@ -131,6 +131,11 @@ impl Deflection {
         Self { rate, ..self.clone() }
     }
 
+    /// By what its rate grows with the deflection [1/s]: zero in no stage.
+    pub fn per_time(&self) -> f64 {
+        self.stage.as_ref().map_or(0.0, |stage| stage.per_time)
+    }
+
     /// Greatest difference [m] of the coefficients of two deflections of a wall.
     pub fn distance(&self, other: &Self) -> f64 {
         let pairs = self.coefficients.iter().zip(&*other.coefficients);

@@ -4,6 +4,17 @@ use super::compliance::Product;
 use super::spline::{Along, Around, Local, SUPPORT};
 use crate::{FilmPoint, FilmProblem, FilmSystem};
 
+/// What of a spline is meant.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Part {
+    /// Its value.
+    Value,
+    /// Its slope around the liner [1/m].
+    SlopeAround,
+    /// Its slope along it [1/m].
+    SlopeAlong,
+}
+
 /// Splines on the developed surface; number `j along.number() + k` is the product of number j around and number k along.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Grid {
@@ -101,12 +112,23 @@ impl Grid {
 
     /// Calls `visit` with the number and the value of each spline that is not zero at a position [m].
     #[inline]
-    pub(super) fn each_at(&self, position: [f64; 2], mut visit: impl FnMut(usize, f64)) {
+    pub(super) fn each_at(&self, position: [f64; 2], visit: impl FnMut(usize, f64)) {
+        self.each_part_at(Part::Value, position, visit);
+    }
+
+    /// As [`Self::each_at`], with the value or a slope [1/m] of the splines.
+    #[inline]
+    pub(super) fn each_part_at(&self, part: Part, position: [f64; 2], mut visit: impl FnMut(usize, f64)) {
         let [around, along] = self.at(position);
-        for i in 0..SUPPORT {
+        let (around_parts, along_parts) = match part {
+            Part::Value => (around.values, along.values),
+            Part::SlopeAround => (around.slopes.map(|slope| slope / self.radius), along.values),
+            Part::SlopeAlong => (around.values, along.slopes),
+        };
+        for (i, of_around) in around_parts.into_iter().enumerate() {
             let first = self.index(around.first + i, along.first);
-            for k in 0..SUPPORT {
-                visit(first + k, around.values[i] * along.values[k]);
+            for (k, of_along) in along_parts.into_iter().enumerate() {
+                visit(first + k, of_around * of_along);
             }
         }
     }

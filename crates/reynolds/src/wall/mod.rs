@@ -1,11 +1,13 @@
 //! The wall of the liner: how it gives way to the pressure of the film.
 //!
 //! Reading order: `spline.rs` and [`grid`] (where forces and deflections live), `pressing.rs` and `touching.rs` (forces of the film and of contact), [`compliance`] (what makes one
-//! of the other), [`Wall`];
+//! of the other), `gap_tangent.rs` (how a film answers to a deflection), [`Wall`];
 //! [`crate::film_thickness::Deflection`] adds the deflection to the gap. What closes around film and wall is in the crate `bearing`.
 
+mod blocks;
 pub mod compliance;
 pub mod dense;
+mod gap_tangent;
 pub mod grid;
 mod pressing;
 pub mod spline;
@@ -13,6 +15,7 @@ mod touching;
 
 pub use compliance::Compliance;
 pub use dense::Dense;
+pub use gap_tangent::GapTangent;
 pub use grid::Grid;
 pub(crate) use pressing::Pressing;
 pub use spline::{Along, Around};

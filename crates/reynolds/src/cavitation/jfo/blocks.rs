@@ -107,19 +107,20 @@ pub(super) fn blocks_and_changes(
 }
 
 /// Film and flows, or their changes, at the points of a triangle.
-type FilmAndFlows = (AtPoints<FilmPoint>, AtPoints<FilmFlow>);
+pub(super) type FilmAndFlows = (AtPoints<FilmPoint>, AtPoints<FilmFlow>);
 
 /// Where the film of a triangle is evaluated: at its nodes, and in the middle of every side of its sub-triangles.
-struct Points {
+pub(super) struct Points {
     positions: AtPoints<[f64; 2]>,
     number: usize,
-    sub_triangles: &'static [[usize; 3]],
+    /// Nodes at the corners of each sub-triangle: the first points.
+    pub(super) sub_triangles: &'static [[usize; 3]],
     /// The points in the middles of the sides of each sub-triangle.
-    middles: [[usize; 3]; 4],
+    pub(super) middles: [[usize; 3]; 4],
 }
 
 impl Points {
-    fn new(space: &Space, cell: usize) -> Self {
+    pub(super) fn new(space: &Space, cell: usize) -> Self {
         let nodes = space.mesh().nodes(cell);
         let mut points = Self {
             positions: AtPoints::default(),
@@ -145,12 +146,12 @@ impl Points {
         points
     }
 
-    fn positions(&self) -> &[[f64; 2]] {
+    pub(super) fn positions(&self) -> &[[f64; 2]] {
         &self.positions[..self.number]
     }
 
     /// Coefficients of sub-triangle `t`, or their change with a change of film and flows.
-    fn block(&self, t: usize, at: &FilmAndFlows, change: Option<&FilmAndFlows>) -> Block {
+    pub(super) fn block(&self, t: usize, at: &FilmAndFlows, change: Option<&FilmAndFlows>) -> Block {
         let (corners, middles) = (self.sub_triangles[t], self.middles[t]);
         let flow = match change {
             None => Flow::mean(&middles.map(|point| at.1[point])),

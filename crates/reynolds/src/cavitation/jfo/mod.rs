@@ -31,6 +31,7 @@
 mod active_set;
 mod balance;
 mod blocks;
+mod changes;
 mod coarse_comparison;
 mod loops;
 mod positivity;
@@ -47,14 +48,15 @@ use oilwedge_fem::complementarity::InitialGuess;
 use self::active_set::Search;
 use self::balance::Balance;
 pub use self::blocks::AdvectionScheme;
-use self::blocks::{Block, blocks, blocks_and_changes};
+use self::blocks::{Block, blocks};
+pub(crate) use self::changes::{PointChanges, residual_change};
 use self::relaxation::{Downstream, State};
 use self::rows::{Condition, Rows};
 pub(crate) use self::spread::spread;
 pub(crate) use self::work::{Carriage, work};
 use crate::existence::NoFilm;
 use crate::film_law::FilmLaw;
-use crate::{FilmChange, FilmProblem, FilmSolution, FilmSystem, Storage};
+use crate::{FilmProblem, FilmSolution, FilmSystem, Storage};
 
 /// Film fractions below zero by more than this are no rounding.
 const ROUNDING: f64 = 1e-9;
@@ -155,42 +157,6 @@ pub(crate) fn check_supply(problem: &FilmProblem, system: &FilmSystem) -> Result
 /// Reduced pressure [Pa] of the cavity.
 fn cavity_floor(problem: &FilmProblem) -> f64 {
     problem.cavitation.pressure().map_or(0.0, |p| problem.unknown_at(p))
-}
-
-/// First-order change of every balance where the journal moves by `change`: cavity, film fraction and the
-/// choice of schemes stay.
-pub(crate) fn residual_change(
-    problem: &FilmProblem,
-    system: &FilmSystem,
-    film: &FilmSolution,
-    fraction: &FilmFraction,
-    change: FilmChange<'_>,
-) -> Result<Vec<f64>, oilwedge_fem::Error> {
-    let volumes = system.volumes()?;
-    let space = system.space();
-    let (law, changed) = (FilmLaw::new(problem, 1.0), FilmLaw::changed(problem, change));
-    let blocks = blocks_and_changes(&law, &changed, space, volumes);
-    let mut residual = vec![0.0; film.unknown.len()];
-    for (t, nodes) in volumes.triangles.iter().enumerate() {
-        let [upwind, moved] = &blocks[t];
-        let (k, b) = (moved.pressure(), moved.transport(fraction.schemes[t], upwind));
-        for i in 0..3 {
-            for j in 0..3 {
-                let node = nodes[j] as usize;
-                residual[nodes[i] as usize] += k[i][j] * film.unknown[node] + b[i][j] * fraction.values[node];
-            }
-        }
-    }
-    let rows = Rows::new(problem, system, volumes, &law, cavity_floor(problem));
-    for face in &volumes.faces {
-        let share = rows.share(system, face.dof, fraction.values[face.dof]);
-        if share != 0.0 {
-            let flux = changed.film_and_flows(face.cell, &[face.middle]).1[0].flux;
-            let out = flux[0] * face.normal[0] + flux[1] * face.normal[1];
-            residual[face.dof] += share * out;
-        }
-    }
-    Ok(residual)
 }
 
 /// Volume [m3] of the cell of each node of the cavity when it is full; zero of all others.

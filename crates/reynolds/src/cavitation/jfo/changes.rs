@@ -1,0 +1,138 @@
+//! How the balances of a solved film change, to first order, with its law: cavity, film fraction and the choice of schemes stay.
+
+use oilwedge_fem::integrate::Nodal;
+use oilwedge_fem::{ControlVolumes, Error};
+
+use super::blocks::{Block, FilmAndFlows, Points, blocks_and_changes};
+use super::rows::Rows;
+use super::{FilmFraction, cavity_floor};
+use crate::film_law::{AtPoints, FilmLaw};
+use crate::{FilmChange, FilmPoint, FilmProblem, FilmSolution, FilmSystem};
+
+/// First-order change of every balance where the film changes by `change`.
+///
+/// # Errors
+/// A system that does not fit in memory.
+pub(crate) fn residual_change(
+    problem: &FilmProblem,
+    system: &FilmSystem,
+    film: &FilmSolution,
+    fraction: &FilmFraction,
+    change: FilmChange<'_>,
+) -> Result<Vec<f64>, Error> {
+    let changes = PointChanges::new(problem, system, film, fraction, change)?;
+    let blocks = blocks_and_changes(&changes.law, &changes.changed, system.space(), changes.volumes);
+    let mut residual = vec![0.0; film.unknown.len()];
+    for (t, block) in blocks.iter().enumerate() {
+        let nodes = changes.volumes.triangles[t];
+        for (node, balance) in nodes.into_iter().zip(changes.of_block(t, block)) {
+            residual[node as usize] += balance;
+        }
+    }
+    for (dof, _, balance) in changes.of_boundary() {
+        residual[dof] += balance;
+    }
+    Ok(residual)
+}
+
+/// A film and a change of its law, which acts point by point.
+pub(crate) struct PointChanges<'a> {
+    problem: &'a FilmProblem,
+    system: &'a FilmSystem,
+    film: &'a FilmSolution,
+    fraction: &'a FilmFraction,
+    volumes: &'a ControlVolumes,
+    law: FilmLaw<'a>,
+    changed: FilmLaw<'a>,
+}
+
+/// What the changes at the points of one triangle do to the balances of its nodes.
+pub(crate) struct AtPointsOf {
+    points: Points,
+    /// For each point the changes of all nodes [m3/s].
+    pub(crate) balances: AtPoints<Nodal>,
+}
+
+impl AtPointsOf {
+    /// Where the points are [m].
+    pub(crate) fn positions(&self) -> &[[f64; 2]] {
+        self.points.positions()
+    }
+}
+
+impl<'a> PointChanges<'a> {
+    /// # Errors
+    /// A system that does not fit in memory.
+    pub(crate) fn new(
+        problem: &'a FilmProblem,
+        system: &'a FilmSystem,
+        film: &'a FilmSolution,
+        fraction: &'a FilmFraction,
+        change: FilmChange<'a>,
+    ) -> Result<Self, Error> {
+        Ok(Self {
+            problem,
+            system,
+            film,
+            fraction,
+            volumes: system.volumes()?,
+            law: FilmLaw::new(problem, 1.0),
+            changed: FilmLaw::changed(problem, change),
+        })
+    }
+
+    /// What each point of a triangle does to the balances, the others unchanged.
+    pub(crate) fn of_triangle(&self, cell: usize) -> AtPointsOf {
+        let points = Points::new(self.system.space(), cell);
+        let at = self.law.oil_and_flows(cell, points.positions());
+        let change = self.changed.oil_and_flows(cell, points.positions());
+        let mut balances = AtPoints::<Nodal>::default();
+        let mut single = FilmAndFlows::default();
+        for (k, corners) in points.sub_triangles.iter().enumerate() {
+            let t = cell * self.volumes.per_triangle + k;
+            let upwind = points.block(k, &at, None);
+            for &point in corners.iter().chain(&points.middles[k]) {
+                (single.0[point], single.1[point]) = (change.0[point], change.1[point]);
+                let moved = points.block(k, &at, Some(&single));
+                for (&node, balance) in corners.iter().zip(self.of_block(t, &[upwind, moved])) {
+                    balances[point][node] += balance;
+                }
+                (single.0[point], single.1[point]) = (FilmPoint::default(), Default::default());
+            }
+        }
+        AtPointsOf { points, balances }
+    }
+
+    /// Changes of what is carried through pieces of the boundary in the balance of a dof: the dof, where the piece is [m], and the change [m3/s].
+    pub(crate) fn of_boundary(&self) -> Vec<(usize, [f64; 2], f64)> {
+        let Self {
+            problem,
+            system,
+            volumes,
+            ..
+        } = self;
+        let rows = Rows::new(problem, system, volumes, &self.law, cavity_floor(problem));
+        let mut changes = Vec::new();
+        for face in &volumes.faces {
+            let share = rows.share(system, face.dof, self.fraction.values[face.dof]);
+            if share != 0.0 {
+                let flux = self.changed.film_and_flows(face.cell, &[face.middle]).1[0].flux;
+                let out = flux[0] * face.normal[0] + flux[1] * face.normal[1];
+                changes.push((face.dof, face.middle, share * out));
+            }
+        }
+        changes
+    }
+
+    /// Changes of the balances of the corners of sub-triangle `t` with the change of its block.
+    fn of_block(&self, t: usize, [upwind, moved]: &[Block; 2]) -> [f64; 3] {
+        let (k, b) = (moved.pressure(), moved.transport(self.fraction.schemes[t], upwind));
+        let nodes = self.volumes.triangles[t].map(|node| node as usize);
+        [0, 1, 2].map(|i| {
+            let parts = nodes.iter().enumerate();
+            parts
+                .map(|(j, &node)| k[i][j] * self.film.unknown[node] + b[i][j] * self.fraction.values[node])
+                .sum()
+        })
+    }
+}

@@ -1,0 +1,179 @@
+//! How the residual of a film changes with the deflection of its wall: a sparse matrix of a mesh and a grid.
+//!
+//! At a point the law changes linearly with the gap and its slopes there. Where the wall moves by `Sum x_j B_j` the residual of dof i changes by
+//! `Sum_j x_j Sum_p (G_ip B_j(p) + G'_ip . grad B_j(p))`: G is found once a film, from unit changes at the points p of each triangle. Slopes count in the as-printed form alone.
+
+use std::sync::Arc;
+
+use oilwedge_fem::conservation_law::{ConservationLaw, Response, State};
+use oilwedge_fem::integrate::{Nodal, Points, Rule};
+use oilwedge_fem::{Dual, Error, integrate};
+
+use super::blocks::Blocks;
+use super::grid::{Grid, Part};
+use crate::cavitation::{FilmFraction, PointChanges};
+use crate::film_law::{AtPoints, FilmLaw};
+use crate::film_thickness::{Deflection, FilmContribution};
+use crate::{FilmChange, FilmPoint, FilmProblem, FilmSolution, FilmSystem, Form, JournalState};
+
+/// How the residual of a solved film changes with the coefficients of the deflection.
+#[derive(Debug)]
+pub struct GapTangent {
+    blocks: Blocks,
+    /// What pieces of the boundary add: dof, spline, entry.
+    on_boundary: Vec<(usize, usize, f64)>,
+}
+
+/// A gap that grows alike everywhere.
+#[derive(Debug, Clone, Copy)]
+struct Unit(FilmPoint);
+
+impl Unit {
+    /// A growth of one, in a stage with its rate.
+    fn thickness(deflection: &Deflection) -> Self {
+        Self(FilmPoint {
+            thickness: 1.0,
+            rate: deflection.per_time(),
+            ..FilmPoint::default()
+        })
+    }
+
+    /// A slope of one in this direction.
+    fn slope(direction: usize) -> Self {
+        let mut unit = FilmPoint::default();
+        unit.slope[direction] = 1.0;
+        Self(unit)
+    }
+}
+
+impl FilmContribution for Unit {
+    fn add(&self, _journal: &JournalState, _cell: usize, _positions: &[[f64; 2]], film: &mut [FilmPoint]) {
+        for point in film {
+            point.thickness += self.0.thickness;
+            point.rate += self.0.rate;
+            for (slope, more) in point.slope.iter_mut().zip(self.0.slope) {
+                *slope += more;
+            }
+        }
+    }
+
+    fn carried(&self, _parents: &[u32]) -> Arc<dyn FilmContribution> {
+        Arc::new(*self)
+    }
+}
+
+impl GapTangent {
+    /// Of a film that was solved under this deflection: its cavity, film fraction and advection schemes stay.
+    ///
+    /// # Errors
+    /// A system that does not fit in memory.
+    pub fn of(
+        problem: &FilmProblem,
+        system: &FilmSystem,
+        film: &FilmSolution,
+        deflection: &Deflection,
+    ) -> Result<Self, Error> {
+        let (grid, unit) = (&deflection.wall.grid, Unit::thickness(deflection));
+        match &film.film_fraction {
+            Some(fraction) => Self::conserving((problem, system), film, fraction, (grid, unit)),
+            None => Ok(Self::integrated(problem, system, film, (grid, unit))),
+        }
+    }
+
+    /// Change of the residual at each dof of the space with a deflection of these coefficients [m].
+    pub fn times(&self, system: &FilmSystem, coefficients: &[f64]) -> Vec<f64> {
+        let space = system.space();
+        let mut change = vec![0.0; space.dofs()];
+        self.blocks.each(space, |spline, dofs, entries| {
+            for (&dof, entry) in dofs.iter().zip(entries) {
+                change[dof] += entry * coefficients[spline];
+            }
+        });
+        for &(dof, spline, entry) in &self.on_boundary {
+            change[dof] += entry * coefficients[spline];
+        }
+        change
+    }
+
+    /// Of a mass-conserving film.
+    fn conserving(
+        (problem, system): (&FilmProblem, &FilmSystem),
+        film: &FilmSolution,
+        fraction: &FilmFraction,
+        (grid, unit): (&Grid, Unit),
+    ) -> Result<Self, Error> {
+        let changes = PointChanges::new(problem, system, film, fraction, FilmChange::Gap(&unit))?;
+        let space = system.space();
+        let blocks = integrate(space.mesh(), |t| {
+            let (mut block, at_points) = (Blocks::default(), changes.of_triangle(t));
+            let shares = |point: usize| at_points.balances[point];
+            block.add((grid, Part::Value), at_points.positions(), shares, space.shapes());
+            block.ended()
+        });
+        let mut on_boundary = Vec::new();
+        for (dof, position, by_gap) in changes.of_boundary() {
+            grid.each_at(position, |spline, value| {
+                on_boundary.push((dof, spline, by_gap * value))
+            });
+        }
+        Ok(Self { blocks, on_boundary })
+    }
+
+    /// Of a film without a film fraction: by the quadrature of its residual.
+    fn integrated(
+        problem: &FilmProblem,
+        system: &FilmSystem,
+        film: &FilmSolution,
+        (grid, unit): (&Grid, Unit),
+    ) -> Self {
+        let space = system.space();
+        let rule = Rule::for_degree(space.degree());
+        let mut units = vec![(Part::Value, unit)];
+        if problem.form == Form::AsPrinted {
+            units.extend([(Part::SlopeAround, Unit::slope(0)), (Part::SlopeAlong, Unit::slope(1))]);
+        }
+        let blocks = integrate(space.mesh(), |t| {
+            let mut nodal = Nodal::default();
+            for (value, &dof) in nodal.iter_mut().zip(&space.element_dofs(t)[..space.shapes()]) {
+                *value = film.unknown[dof];
+            }
+            let block: Blocks = rule.integrate(space.mesh(), t, |points, block: &mut Blocks| {
+                for (part, unit) in &units {
+                    let law = FilmLaw::changed(problem, FilmChange::Gap(unit));
+                    let shares = residuals(&law, points, &nodal, space.shapes());
+                    block.add((grid, *part), points.positions, |q| shares[q], space.shapes());
+                }
+            });
+            block.ended()
+        });
+        let on_boundary = Vec::new();
+        Self { blocks, on_boundary }
+    }
+}
+
+/// What each point adds to the residuals of a triangle's dofs under a law.
+fn residuals(law: &FilmLaw, points: &Points, nodal: &Nodal, shapes: usize) -> AtPoints<Nodal> {
+    let number = points.positions.len();
+    let (mut states, mut responses) = (AtPoints::<State>::default(), AtPoints::<Response>::default());
+    for (q, state) in states.iter_mut().enumerate().take(number) {
+        *state = State {
+            value: Dual::constant(points.value(q, nodal)),
+            gradient: points.gradient(q, nodal).map(Dual::constant),
+        };
+    }
+    law.response(
+        points.cell,
+        points.positions,
+        &states[..number],
+        &mut responses[..number],
+    );
+    let mut residuals = AtPoints::<Nodal>::default();
+    for (q, residual) in residuals.iter_mut().enumerate().take(number) {
+        let (area, Response { flux, source }) = (points.area(q), responses[q]);
+        for (i, part) in residual.iter_mut().enumerate().take(shapes) {
+            let gradient = points.shape_gradient(q, i);
+            *part = area * (source.v * points.shapes(q)[i] - flux[0].v * gradient[0] - flux[1].v * gradient[1]);
+        }
+    }
+    residuals
+}
