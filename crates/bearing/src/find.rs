@@ -80,7 +80,7 @@ impl Search<'_> {
 
     /// Whether a position lies beyond the greatest eccentricity that counts as one.
     fn is_beyond(&self, found: &Equilibrium) -> bool {
-        is_contact(&self.gap, &found.problem.journal)
+        is_contact(&self.gap_under(&found.problem), &found.problem.journal)
     }
 
     /// The reason where the search begins at the greatest eccentricity and the load exceeds the capacity there.
@@ -234,7 +234,7 @@ impl Search<'_> {
                     trial = next;
                 }
             }
-            if self.gap.least(&trial.problem.journal) < self.contact(&trial) * trial.problem.bearing.clearance {
+            if self.least_film(&trial) < self.contact(&trial) * trial.problem.bearing.clearance {
                 return Err(self.unreachable(&trial, "the journal touches the bearing"));
             }
         }

@@ -98,8 +98,11 @@ impl Search<'_> {
         Some(x.hypot(y))
     }
 
-    /// The film at the greatest eccentricity towards an angle [rad].
+    /// The film at the greatest eccentricity towards an angle [rad]; none in a wall that gives way, which carries more the further it is pressed out.
     fn at_contact(&self, problem: &FilmProblem, angle: f64) -> Option<Trial> {
+        if problem.deflection().is_some() {
+            return None;
+        }
         let e = GREATEST_ECCENTRICITY * self.gap.reach(&problem.journal, angle);
         let at = self.at_offset(problem, [e * angle.cos(), e * angle.sin()]);
         self.trial(problem, at, Neighbour::None).ok()

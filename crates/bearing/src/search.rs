@@ -1,5 +1,6 @@
 //! One position of the journal tried: its film, its force, and the tangent of the force.
 
+use std::borrow::Cow;
 use std::cell::{Cell, RefCell};
 
 use oilwedge_reynolds::quantities::load::{Resultant, load};
@@ -28,7 +29,7 @@ const AT_REST: f64 = 1e-3;
 pub(crate) struct Search<'a> {
     pub(crate) system: &'a FilmSystem,
     pub(crate) load: Load,
-    /// Where the film is least; that of a wall that gives way before it does.
+    /// Where the film is least in a wall that is not bent; see [`Self::gap_under`].
     pub(crate) gap: Gap,
     /// What is free under it.
     pub(crate) coordinates: Coordinates,
@@ -103,6 +104,19 @@ impl<'a> Search<'a> {
         }
     }
 
+    /// Where the film is least under the wall of a problem, which a journal may press out further than the clearance.
+    pub(crate) fn gap_under(&self, problem: &FilmProblem) -> Cow<'_, Gap> {
+        match problem.deflection() {
+            None => Cow::Borrowed(&self.gap),
+            Some(_) => Cow::Owned(Gap::of(problem, self.system)),
+        }
+    }
+
+    /// Least film of a trial [m].
+    pub(crate) fn least_film(&self, trial: &Trial) -> f64 {
+        self.gap_under(&trial.problem).least(&trial.problem.journal)
+    }
+
     /// Positions all over the bearing, those with the force nearest to the load first.
     pub(crate) fn starts(&self, problem: &FilmProblem) -> Vec<JournalState> {
         const ANGLES: u32 = 12;
@@ -131,9 +145,10 @@ impl<'a> Search<'a> {
             let nearer = self.coordinates.at(start).map(|x| 0.5 * x);
             self.coordinates.placed(start, nearer)
         };
+        let gap = self.gap_under(problem);
         for _ in 0..RETREATS {
             // A film may seem to exist where the gap vanishes at the very end of the bearing only.
-            if self.gap.least(&start) <= 0.0 {
+            if gap.least(&start) <= 0.0 {
                 start = nearer(&start);
                 continue;
             }

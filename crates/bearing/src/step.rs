@@ -57,7 +57,8 @@ impl Search<'_> {
     fn logarithmic_steps(&self, trial: &Trial, stiffness: Stiffness) -> Option<[Vector; 2]> {
         let [e_x, e_y] = trial.problem.journal.offset;
         let e = e_x.hypot(e_y);
-        let reach = |angle: f64| self.gap.reach(&trial.problem.journal, angle);
+        let held = self.gap_under(&trial.problem);
+        let reach = |angle: f64| held.reach(&trial.problem.journal, angle);
         let eps = e / reach(e_y.atan2(e_x));
         let (carried, asked) = (trial.carried.force, self.load.force);
         let (force, load) = (carried[0].hypot(carried[1]), self.load.magnitude());
@@ -122,7 +123,8 @@ impl Search<'_> {
     /// The longest of the halved steps that brings the forces nearer to the load, the film thickness kept positive.
     pub(crate) fn damped(&self, from: &Trial, step: Vector, tried: &mut usize) -> Option<Trial> {
         let journal = from.problem.journal;
-        let gap = self.gap.least(&journal);
+        let held = self.gap_under(&from.problem);
+        let gap = held.least(&journal);
         let here = self.coordinates.at(&journal);
         let least = gap
             * match self.load.tilting {
@@ -131,9 +133,8 @@ impl Search<'_> {
                 Some(_) => LEAST_SHRINK_TILTING,
             };
         let thin = |part: f64| {
-            self.gap
-                .least(&self.coordinates.placed(&journal, moved(here, part, step)))
-                < least
+            let moved = moved(here, part, step);
+            held.least(&self.coordinates.placed(&journal, moved)) < least
         };
         let length = length(step);
         // From a journal in contact no part of a step is short enough.

@@ -136,7 +136,7 @@ impl Search<'_> {
 
     /// That the journal of a film comes into contact with the liner at an end when this part of what tilts it is balanced.
     pub(crate) fn in_contact(&self, problem: &FilmProblem, carried: f64, way: Option<Waypoint>) -> NoEquilibrium {
-        let place = self.gap.thinnest(&problem.journal);
+        let place = self.gap_under(problem).thinnest(&problem.journal);
         NoEquilibrium::EdgeContact {
             asked: self.load.magnitude(),
             carried,
@@ -180,7 +180,7 @@ impl Branch<'_, '_> {
             if search.options.deadline.is_over() {
                 return search.run(&here.trial.problem, here.trial.problem.journal);
             }
-            if is_contact(&search.gap, &here.trial.problem.journal) {
+            if is_contact(&search.gap_under(&here.trial.problem), &here.trial.problem.journal) {
                 break;
             }
             if here.part > greatest.0 {
@@ -223,7 +223,7 @@ impl Branch<'_, '_> {
             true => NoEquilibrium::TiltLimit {
                 asked: search.load.magnitude(),
                 carried: self.carried(part),
-                thickness: search.gap.least(&problem.journal),
+                thickness: search.gap_under(&problem).least(&problem.journal),
                 tilt: problem.journal.tilt[0].hypot(problem.journal.tilt[1]),
                 journal: Box::new(problem.journal),
                 way: Some(Box::new(waypoint)),
@@ -242,7 +242,7 @@ impl Branch<'_, '_> {
 
     /// Least film of a trial over the clearance.
     fn gap(&self, trial: &Trial) -> f64 {
-        self.search.gap.least(&trial.problem.journal) / self.clearance
+        self.search.least_film(trial) / self.clearance
     }
 
     /// The direction of the branch at a point: on from the one `before` or, at its beginning, towards greater parts. None where the tangent is singular.
@@ -270,12 +270,13 @@ impl Branch<'_, '_> {
     /// What follows a point: the next one, or the end of the branch. `wanted` is the length of the step, longer or shorter afterwards. None where no step leads on.
     fn next(&self, here: &Point, along: Direction, wanted: &mut f64) -> Option<Next> {
         let (search, gap) = (self.search, self.gap(&here.trial));
+        let held = search.gap_under(&here.trial.problem);
         let place = search.coordinates.at(&here.trial.problem.journal);
         let journal = |step: f64| {
             let moved = moved(place, step, along.place);
             search.coordinates.placed(&here.trial.problem.journal, moved)
         };
-        let thin = |step: f64| search.gap.least(&journal(step)) < LEAST_SHRINK * gap * self.clearance;
+        let thin = |step: f64| held.least(&journal(step)) < LEAST_SHRINK * gap * self.clearance;
         loop {
             while thin(*wanted) {
                 *wanted *= 0.8;
@@ -286,7 +287,7 @@ impl Branch<'_, '_> {
             if here.part + *wanted * along.part >= 1.0 {
                 let found = search.run(&here.trial.problem, journal((1.0 - here.part) / along.part));
                 match found {
-                    Ok(found) if is_contact(&search.gap, &found.problem.journal) => {
+                    Ok(found) if is_contact(&search.gap_under(&found.problem), &found.problem.journal) => {
                         return Some(Next::Contact(Box::new(found.problem)));
                     }
                     Ok(found) => return Some(Next::End(Box::new(found))),
@@ -308,10 +309,11 @@ impl Branch<'_, '_> {
         let mut place = moved(search.coordinates.at(&here.trial.problem.journal), step, along.place);
         let mut part = here.part + step * along.part;
         let (mut last, mut before): (f64, Option<Trial>) = (f64::INFINITY, None);
+        let (held, thinnest) = (search.gap_under(&here.trial.problem), self.gap(&here.trial));
         for corrections in 0..MOST_CORRECTIONS {
             let journal = search.coordinates.placed(&here.trial.problem.journal, place);
-            let gap = search.gap.least(&journal) / self.clearance;
-            if gap < 0.5 * LEAST_SHRINK * self.gap(&here.trial) {
+            let gap = held.least(&journal) / self.clearance;
+            if gap < 0.5 * LEAST_SHRINK * thinnest {
                 return None;
             }
             // Corrections keep the advection schemes, so that the forces change smoothly.

@@ -90,6 +90,10 @@ fn suited(film: &Film, load: Load, deadline: Deadline, middle: &mut Option<Posit
     };
     let balance = rough_balance(film, load, deadline);
     let journal = match balance.as_ref().map_err(NoEquilibrium::cause) {
+        // A journal may press the wall out further than the clearance: the mesh is that of a thin film in the unbent one.
+        Ok(Equilibrium { problem, .. }) if problem.deflection().is_some() => {
+            with_film(&film.gap(), &problem.journal, thin)
+        }
         Ok(Equilibrium { problem, .. }) => problem.journal,
         Err(
             NoEquilibrium::BeyondCapacity { .. }

@@ -11,8 +11,8 @@
 //! The wall is bent by the film that is reported: the one in cubic elements, where errors are estimated by it. The other film of a pair runs under the wall so
 //! bent, so that both have the same gap.
 //!
-//! **Source.** Knoll, Keyes, J. Comput. Phys. 193 (2004) 357 (Newton and Krylov). **Range.** Films that exist with the rigid wall, or are reached from such
-//! a film by raising the eccentricity. **Verified by** `tests/tests/liner`: a second method, the tangent against differences.
+//! **Source.** Knoll, Keyes, J. Comput. Phys. 193 (2004) 357 (Newton and Krylov). **Range.** Films that are reached from one in the unbent wall by raising the
+//! eccentricity, beyond the clearance too. **Verified by** `tests/tests/liner`: a second method, the tangent against differences.
 
 mod close;
 mod dynamics;
