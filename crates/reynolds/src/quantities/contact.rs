@@ -9,8 +9,8 @@
 //! | W_a, m_a | N, N m | `force`, `moment` of [`share`] |
 //! | mu_b | 1 | `friction` |
 //!
-//! The pressure falls to nothing over some roughnesses, far quicker than a film changes: each triangle is divided until the gap changes little over its parts, and further where the
-//! law has a kink.
+//! The pressure falls to nothing over some roughnesses, far quicker than a film changes: each triangle is quartered, and each part again, until the gap changes little over a part, and
+//! further where the law has a kink in it.
 //! Contact depends on the gap alone, so that this quadrature, and not the elements of the film, limits its accuracy.
 //!
 //! **Source.** Definition. **Range.** Friction of contact acts along the surface and carries no load. **Verified by** `tests/tests/contact`.
@@ -19,6 +19,7 @@ use std::ops::AddAssign;
 use std::sync::LazyLock;
 
 use oilwedge_fem::integrate::{Points, Rule};
+use oilwedge_fem::mapping::Mapping;
 use oilwedge_fem::quadrature::MOST_POINTS;
 use oilwedge_fem::{Quadrature, integrate};
 
@@ -27,7 +28,7 @@ use crate::angles::sines_and_cosines;
 use crate::contact::{ContactLaw, ContactPressure};
 use crate::{FilmChange, FilmPoint, FilmProblem, FilmSystem};
 
-/// Triangles are quartered at most this often,
+/// Triangles, and their parts again, are quartered at most this often,
 const MOST_QUARTERINGS: usize = 5;
 /// until the gap changes by this part of the scale of the law over each part where the pressure is the hardness: an error that falls with the tenth power of the parts
 /// is the same for parts that are longer by the tenth root where the pressure is less,
@@ -47,11 +48,45 @@ enum Fineness {
     Halved,
 }
 
-/// Rules of degree 8 on a triangle, and on its parts after each quartering.
-static RULES: LazyLock<Vec<Rule>> = LazyLock::new(|| {
-    let rule = |quarterings| Rule::new(Quadrature::for_degree(3).quartered(quarterings), 1);
-    (0..=MOST_QUARTERINGS).map(rule).collect()
+/// A part of the reference triangle.
+struct Part {
+    /// Of degree 8.
+    rule: Rule,
+    /// Corners and middles of the sides.
+    nodes: [[f64; 2]; 6],
+}
+
+/// The parts of a triangle after each quartering; those of part k are numbers 4 k to 4 k + 3 of the next.
+static PARTS: LazyLock<Vec<Vec<Part>>> = LazyLock::new(|| {
+    let mut corners = vec![[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]];
+    let mut parts = vec![corners.iter().map(Part::of).collect()];
+    for _ in 0..MOST_QUARTERINGS {
+        corners = corners.iter().flat_map(quartered).collect();
+        parts.push(corners.iter().map(Part::of).collect());
+    }
+    parts
 });
+
+impl Part {
+    fn of(corners: &[[f64; 2]; 3]) -> Self {
+        let ([a, b, c], [ab, bc, ca]) = (*corners, middles(corners));
+        Self {
+            rule: Rule::new(Quadrature::for_degree(3).on_part(*corners), 1),
+            nodes: [a, b, c, ab, bc, ca],
+        }
+    }
+}
+
+/// The middles of the sides of a triangle.
+fn middles(&[a, b, c]: &[[f64; 2]; 3]) -> [[f64; 2]; 3] {
+    [(a, b), (b, c), (c, a)].map(|(from, to)| [0, 1].map(|d| 0.5 * (from[d] + to[d])))
+}
+
+/// The four congruent parts of a triangle.
+fn quartered(corners: &[[f64; 2]; 3]) -> [[[f64; 2]; 3]; 4] {
+    let ([a, b, c], [ab, bc, ca]) = (*corners, middles(corners));
+    [[a, ab, ca], [ab, b, bc], [ca, bc, c], [bc, ca, ab]]
+}
 
 /// What contact carries in this position; `None` where none is simulated.
 pub fn share(problem: &FilmProblem, system: &FilmSystem) -> Option<Share> {
@@ -143,30 +178,39 @@ fn integrated<S: Default + AddAssign + Send>(
     let mesh = system.space().mesh();
     let is_film = system.supply.film(mesh);
     integrate(mesh, |t| {
-        let Some(quarterings) = (is_film[t])
-            .then(|| quarterings(problem, system, law, fineness, t))
-            .flatten()
-        else {
-            return S::default();
-        };
-        RULES[quarterings].integrate(mesh, t, |points, sum: &mut S| {
-            let gaps = problem.gaps_at(t, points.positions);
-            add(points, gaps.map(|gap| law.at(gap)), sum);
-        })
+        let (mut sum, mapping) = (S::default(), Mapping::of(mesh, t));
+        let mut left = if is_film[t] { vec![(0, 0)] } else { Vec::new() };
+        while let Some((level, number)) = left.pop() {
+            let part = &PARTS[level][number];
+            let positions = part.nodes.map(|node| mapping.at(node).position);
+            match division(law, &problem.thickness_at(t, &positions), level, fineness) {
+                Division::NoContact => {}
+                Division::Parts => left.extend((0..4).map(|k| (level + 1, 4 * number + k))),
+                Division::Whole => part.rule.visit(mesh, t, |points| {
+                    let gaps = problem.gaps_at(t, points.positions);
+                    add(points, gaps.map(|gap| law.at(gap)), &mut sum);
+                }),
+            }
+        }
+        sum
     })
 }
 
-/// How often a triangle is quartered; `None` where it has no contact.
-fn quarterings(
-    problem: &FilmProblem,
-    system: &FilmSystem,
-    law: &ContactLaw,
-    fineness: Fineness,
-    t: usize,
-) -> Option<usize> {
+/// What is done with a part of a triangle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Division {
+    /// Surfaces do not touch there.
+    NoContact,
+    /// It is integrated as it is.
+    Whole,
+    /// It is quartered.
+    Parts,
+}
+
+/// What is done with a part of a triangle, from the gaps [m] at its nodes.
+fn division(law: &ContactLaw, gaps: &[f64; 6], level: usize, fineness: Fineness) -> Division {
     /// The gap inside of a triangle may be less than that at its nodes by this part of its range.
     const WITHIN: f64 = 0.25;
-    let gaps = problem.thickness_at(t, &system.space().mesh().nodes(t));
     let (least, greatest) = gaps
         .iter()
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, greatest), &gap| {
@@ -174,25 +218,24 @@ fn quarterings(
         });
     let least = least - WITHIN * (greatest - least);
     if least >= law.reach() {
-        return None;
+        return Division::NoContact;
     }
-    let greatest_pressure = law.at(least).pressure / law.hardness();
-    if greatest_pressure < SLIGHT {
-        return Some(0);
+    let pressure = law.at(least).pressure / law.hardness();
+    // How much further it would be divided in full.
+    let spared = match fineness {
+        Fineness::Full => 0,
+        Fineness::Halved => 1,
+    };
+    if pressure < SLIGHT || level + spared >= MOST_QUARTERINGS {
+        return Division::Whole;
     }
-    let part = PART * greatest_pressure.powf(-1.0 / ORDER);
+    let part = PART * pressure.powf(-1.0 / ORDER);
     // Beyond the reach the gap does not matter.
     let range = greatest.min(law.reach()) - least;
-    let smooth = (range / (part * law.scale())).log2().ceil().max(1.0) as usize;
-    let is_kinked = law.has_kink_in(least..greatest);
-    let full = if is_kinked {
-        smooth.max(KINK_QUARTERINGS)
-    } else {
-        smooth
-    };
-    let full = full.min(MOST_QUARTERINGS);
-    Some(match fineness {
-        Fineness::Full => full,
-        Fineness::Halved => full - 1,
-    })
+    let is_steep = range > f64::from(1u32 << spared) * part * law.scale();
+    let is_kinked = level + spared < KINK_QUARTERINGS && law.has_kink_in(least..greatest);
+    match is_steep || is_kinked || level + spared == 0 {
+        true => Division::Parts,
+        false => Division::Whole,
+    }
 }

@@ -113,6 +113,9 @@ impl Block {
 
 impl Forces {
     fn add(&mut self, grid: &Grid, position: [f64; 2], force: f64) {
+        if force == 0.0 {
+            return;
+        }
         grid.each_at(position, |spline, value| {
             let place = place(&mut self.splines, spline);
             if place == self.values.len() {
