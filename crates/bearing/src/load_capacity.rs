@@ -98,9 +98,10 @@ impl Search<'_> {
         Some(x.hypot(y))
     }
 
-    /// The film at the greatest eccentricity towards an angle [rad]; none in a wall that gives way, which carries more the further it is pressed out.
+    /// The film at the greatest eccentricity towards an angle [rad]; none in a wall that gives way to contact too: it carries more the further it is pressed out. The pressure of a film alone
+    /// leaves the ends of the wall where they are.
     fn at_contact(&self, problem: &FilmProblem, angle: f64) -> Option<Trial> {
-        if problem.deflection().is_some() {
+        if problem.deflection().is_some() && problem.contact.is_some() {
             return None;
         }
         let e = GREATEST_ECCENTRICITY * self.gap.reach(&problem.journal, angle);

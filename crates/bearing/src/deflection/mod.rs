@@ -12,7 +12,7 @@
 //! bent, so that both have the same gap.
 //!
 //! **Source.** Knoll, Keyes, J. Comput. Phys. 193 (2004) 357 (Newton and Krylov). **Range.** Films that are reached from one in the unbent wall by raising the
-//! eccentricity, beyond the clearance too. **Verified by** `tests/tests/liner`: a second method, the tangent against differences.
+//! eccentricity; beyond the clearance too where contact presses the ends of the wall out. **Verified by** `tests/tests/liner`: a second method, the tangent against differences.
 
 mod close;
 mod dynamics;
