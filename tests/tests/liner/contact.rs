@@ -9,7 +9,9 @@ use oilwedge_reynolds::contact::Contact;
 use oilwedge_reynolds::flow_factors::PatirCheng;
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSystem, JournalChange, terms};
+use oilwedge_study::quantities::{DEFLECTION_MAX, FILM_THICKNESS_MIN, Row};
 use oilwedge_tests::elastic_liner::{carried, closed, layer, walled};
+use oilwedge_tests::random_tilted::{TiltedBearing, solved};
 use oilwedge_tests::tilted_bearings::{run, slope, tilted};
 use oilwedge_tests::*;
 
@@ -203,4 +205,16 @@ fn loads_are_balanced_in_mixed_films_on_soft_walls() {
         let soft = share(&layer(0.005));
         assert!(soft < rigid - 0.02, "{soft} {rigid}");
     }
+}
+
+/// A tilted journal whose end needs more room than the unbent wall leaves: contact presses the wall out there.
+#[test]
+fn a_wall_is_pressed_out_further_than_the_clearance() {
+    let mut bearing = TiltedBearing::with_walls(13);
+    bearing.text += "[mesh]\nsize = \"10 mm\"\n";
+    let (result, fault) = solved(&bearing);
+    assert!(fault.is_none(), "{}", fault.map_or(String::new(), |fault| fault.what));
+    let value = |row: &Row| result.quantity(row).map_or(f64::NAN, |quantity| quantity.value);
+    let film = value(&FILM_THICKNESS_MIN);
+    assert!(film > 0.0 && value(&DEFLECTION_MAX) > film, "{film:e}");
 }

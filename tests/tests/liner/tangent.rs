@@ -1,10 +1,17 @@
 //! The tangent of film and wall against central differences of closed films.
 
+use std::sync::Arc;
+
 use oilwedge_bearing::Coefficients;
 use oilwedge_bearing::deflection::{closed_film, displaced};
-use oilwedge_reynolds::film_thickness::FilmContribution;
+use oilwedge_reynolds::film_thickness::{FilmContribution, WallStage};
+use oilwedge_reynolds::flow_factors::PatirCheng;
+use oilwedge_reynolds::lubricant::PressureLaw;
+use oilwedge_reynolds::lubricant::barus::Barus;
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{Cavitation, FilmProblem, JournalChange, JournalState};
+use oilwedge_reynolds::terms::squeeze::Squeeze;
+use oilwedge_reynolds::wall::GapTangent;
+use oilwedge_reynolds::{Cavitation, FilmChange, FilmProblem, Form, JournalChange, JournalState};
 use oilwedge_tests::elastic_liner::{carried, closed, layer, walled};
 use oilwedge_tests::*;
 
@@ -51,6 +58,57 @@ fn stiffness_of_film_and_wall_is_differences_of_closed_films() {
                     assert!(error < 1e-6, "{} {d} {k} step {step:e}: {error:e}", model.name());
                 }
             }
+        }
+    }
+}
+
+/// The sparse matrix of film and wall answers as the law does at every point.
+#[test]
+fn the_matrix_of_the_gap_is_the_change_of_the_law() {
+    let system = ring_system(48, 6, RADIUS, Some(std::f64::consts::PI));
+    let mut problems: Vec<FilmProblem> = MODELS.map(|model| walled(RADIUS, 0.7, model, |_| layer(0.02))).into();
+    for problem in &mut problems {
+        problem.terms.push(Arc::new(Squeeze));
+    }
+    let mut rough = problems[3].clone();
+    rough.flow_factors = vec![Arc::new(PatirCheng {
+        roughness: 0.1 * CLEARANCE,
+    })];
+    let mut printed = problems[0].clone();
+    printed.form = Form::AsPrinted;
+    printed.lubricant.pressure_law = PressureLaw::Barus(Barus {
+        alpha: 0.02 / pressure_scale(),
+    });
+    problems.extend([rough, printed]);
+    for problem in problems {
+        let (problem, film) = closed(problem, &system);
+        let bent = problem.deflection().expect("a wall");
+        let stage = WallStage {
+            per_time: 0.3 * SPEED,
+            known: bent.coefficients.clone(),
+        };
+        for deflection in [bent.clone(), bent.in_stage(stage)] {
+            let number = deflection.coefficients.len();
+            let shape: Vec<f64> = (0..number).map(|k| 1e-3 * CLEARANCE * (0.7 * k as f64).sin()).collect();
+            let matrix = GapTangent::of(&problem, &system, &film, &deflection).expect("a matrix");
+            let by_matrix = problem
+                .answer(&film, &matrix.times(&system, &shape))
+                .expect("an answer");
+            let change = deflection.change(shape);
+            let by_law = problem
+                .unknown_change(&system, &film, FilmChange::Gap(&change))
+                .expect("an answer");
+            let size = by_law.iter().fold(0.0f64, |most, u| most.max(u.abs()));
+            let off = by_matrix
+                .iter()
+                .zip(&by_law)
+                .fold(0.0f64, |most, (a, b)| most.max((a - b).abs()));
+            assert!(
+                size > 0.0 && off < 1e-11 * size,
+                "{} {:?}: {off:e} of {size:e}",
+                problem.cavitation.name(),
+                problem.form
+            );
         }
     }
 }
