@@ -12,10 +12,6 @@ use crate::stiffness::Stiffness;
 const MOST_HALVINGS: usize = 8;
 /// A step far from the balance of a film that conserves oil, each of which takes long, brings it nearer by this part of the distance at least: one driven into contact does not.
 const LEAST_GAIN: f64 = 1e-3;
-/// and where the tilt is free, as the branch of balances leads on from there: by this part,
-const LEAST_GAIN_TILTING: f64 = 1e-2;
-/// with a step halved so often.
-const MOST_HALVINGS_TILTING: usize = 6;
 /// Steps of a film that conserves oil tried with its advection schemes chosen anew: where that makes its force jump they are kept.
 const CHOSEN_ANEW: usize = 4;
 /// Least film thickness after a step, over the one before,
@@ -32,8 +28,6 @@ const CENTRED: f64 = 1e-3;
 const SMOOTH: f64 = 1e-2;
 /// Moves by less than this part of the least film thickness start from the film before.
 pub const SHORT_MOVE: f64 = 0.2;
-/// and those of a film that conserves oil, which coarser meshes foretell less well, by less than this part.
-const SHORT_MOVE_CONSERVING: f64 = 0.8;
 
 impl Search<'_> {
     /// The next trial, by the longest step that brings the forces nearer to the load.
@@ -108,12 +102,8 @@ impl Search<'_> {
     /// The distance that the next trial must be below, and how often a step is halved with advection schemes chosen anew, and with those kept.
     fn wanted(&self, from: &Trial) -> (f64, [usize; 2]) {
         let distance = self.distance(from);
-        let is_far = self.residual(from) > NEAR;
-        match (from.film.film_fraction.is_some(), is_far) {
+        match (from.film.film_fraction.is_some(), self.residual(from) > NEAR) {
             (false, _) => (distance, [MOST_HALVINGS, 0]),
-            (true, true) if self.load.tilting.is_some() => {
-                ((1.0 - LEAST_GAIN_TILTING) * distance, [MOST_HALVINGS_TILTING, 0])
-            }
             (true, true) => ((1.0 - LEAST_GAIN) * distance, [MOST_HALVINGS, 0]),
             // Near the balance the force of a film that conserves oil jumps as its schemes change.
             (true, false) => (distance, [CHOSEN_ANEW, MOST_HALVINGS]),
@@ -147,13 +137,9 @@ impl Search<'_> {
         }
         let (nearer, [chosen, kept]) = self.wanted(from);
         let halved = |times: usize| longest * 0.5f64.powi(times as i32);
-        let short_move = match from.film.film_fraction {
-            None => SHORT_MOVE,
-            Some(_) => SHORT_MOVE_CONSERVING,
-        };
         let parts = (0..chosen).map(|times| (halved(times), false));
         for (part, keeps_schemes) in parts.chain((0..kept).map(|times| (halved(times), true))) {
-            let near = match part * length < short_move * gap {
+            let near = match part * length < SHORT_MOVE * gap {
                 _ if keeps_schemes => Neighbour::Kept(&from.film),
                 true if self.options.keeps_schemes() || self.residual(from) < SMOOTH => Neighbour::Kept(&from.film),
                 true => Neighbour::Start(&from.film),
