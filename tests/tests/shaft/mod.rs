@@ -5,4 +5,5 @@ mod cycle;
 mod random;
 mod report;
 mod statics;
+mod sweep;
 mod weights;
