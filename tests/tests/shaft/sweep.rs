@@ -11,6 +11,7 @@ use oilwedge_scene::ShaftScene;
 use oilwedge_study::RunOptions;
 use oilwedge_study::quantities::{CYCLE_FILM_THICKNESS_MIN, FILM_THICKNESS_MIN, LOAD};
 use oilwedge_study::result::Status;
+use oilwedge_study::shaft::ShaftError;
 use oilwedge_tests::crankshafts::*;
 
 /// The sweep of a scene.
@@ -126,15 +127,11 @@ fn an_engine_is_swept_over_its_speed() {
 fn axes_and_columns_that_a_crankshaft_has_not_are_refused() {
     let refused = |axes: &str| {
         let text = format!("{}\n[sweep]\n{axes}\n", text("three_films.toml"));
-        let scene = ShaftScene::parse(&text, &engines("scene.toml"));
-        let error = match scene {
-            Err(error) => error.to_string() + &format!("{error:?}"),
-            Ok(scene) => match Sweep::of_shaft(&scene) {
-                Err(error) => error.to_string() + &format!("{error:?}"),
-                Ok(_) => panic!("{axes} is accepted"),
-            },
-        };
-        error
+        let scene = ShaftScene::parse(&text, &engines("scene.toml")).map_err(ShaftError::from);
+        match scene.and_then(|scene| Sweep::of_shaft(&scene)) {
+            Err(error) => format!("{error} {error:?}"),
+            Ok(_) => panic!("{axes} is accepted"),
+        }
     };
     for (axes, words) in [
         ("\"journal.speed\" = [\"1 rpm\"]", "no table of a scene"),

@@ -268,7 +268,7 @@ fn crankshaft(scene: &ShaftScene) -> Crankshaft {
 ///
 /// # Errors
 /// [`ShaftError::Load`]: the gas pressure cannot be used, or the loads are no numbers.
-pub(super) fn engine(scene: &ShaftScene) -> Result<Option<Engine>, ShaftError> {
+pub fn engine(scene: &ShaftScene) -> Result<Option<Engine>, ShaftError> {
     let shaft = &scene.crankshaft;
     let Some(crank) = &scene.crank else { return Ok(None) };
     let drive = crank_of(crank, shaft.period).map_err(|reason| ShaftError::Load(reason.to_string()))?;
