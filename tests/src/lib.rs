@@ -5,6 +5,8 @@ pub mod book;
 pub mod cavitation_counts;
 pub mod cavitation_page;
 pub mod coverage;
+pub mod crankshafts;
+pub mod crankshafts_page;
 pub mod docs_images;
 pub mod elastic_liner;
 pub mod engine_bearings;

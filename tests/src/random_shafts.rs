@@ -2,11 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
+use oilwedge_bearing::Deadline;
+use oilwedge_bearing::shaft::NoBalance;
 use oilwedge_scene::ShaftScene;
-use oilwedge_study::RunOptions;
 use oilwedge_study::quantities::CYCLE_FILM_THICKNESS_MIN;
 use oilwedge_study::result::Status;
-use oilwedge_study::shaft::{ShaftResult, run_shaft};
+use oilwedge_study::shaft::{ShaftResult, compile_shaft, engine, run_shaft};
+use oilwedge_study::{Interrupt, RunOptions};
 
 use crate::program::repository;
 use crate::random_bearings::Dice;
@@ -15,6 +17,11 @@ use crate::random_bearings::Dice;
 const CLEARANCE: f64 = 28e-6;
 /// What the balances of force and moment, and the equations of all journals, may be off by at any step, over the loads [1].
 const BALANCED: f64 = 1e-8;
+
+/// Eccentricity for which meshes of shafts at rest are graded.
+const ECCENTRICITY: f64 = 0.93;
+/// Most time of a search for a balance at rest [s].
+pub const REST_SECONDS: f64 = 20.0;
 
 /// The scene of the bearings of all random shafts, on a coarse mesh, in a `folder`: its path.
 ///
@@ -99,6 +106,29 @@ pub fn solved(scene: &str, max_seconds: f64) -> ShaftResult {
     run_shaft(&read, &options)
         .unwrap_or_else(|error| panic!("{error}\n{scene}"))
         .result
+}
+
+/// At which of `count` even crank angles of a cycle [deg] the films have no balance under the loads of that angle if these last; the second list has those at which a search takes
+/// longer than [`REST_SECONDS`].
+///
+/// # Panics
+/// The scene is refused.
+pub fn without_rest(scene: &str, count: u32) -> [Vec<f64>; 2] {
+    let read = ShaftScene::parse(scene, Path::new("random.toml")).unwrap_or_else(|error| panic!("{error}\n{scene}"));
+    let engine = engine(&read).unwrap_or_else(|error| panic!("{error}")).expect("throws");
+    let compiled = compile_shaft(&read, ECCENTRICITY).unwrap_or_else(|error| panic!("{error}"));
+    let mut lists = [Vec::new(), Vec::new()];
+    for k in 0..count {
+        let angle = read.crankshaft.period * f64::from(k) / f64::from(count);
+        let asked = compiled.shaft.loads(&engine.loads(angle), angle);
+        let deadline = Deadline::after(REST_SECONDS, Interrupt::default());
+        match compiled.films().balance(&asked, angle, deadline) {
+            Ok(_) => {}
+            Err(NoBalance::Ended) => lists[1].push(angle.to_degrees()),
+            Err(_) => lists[0].push(angle.to_degrees()),
+        }
+    }
+    lists
 }
 
 /// What is wrong with an answer: neither closed nor explained, a journal in the wall, a balance that is off, or no number.

@@ -175,6 +175,16 @@ pub(crate) fn warn(warnings: &[impl AsRef<str>]) {
     }
 }
 
+/// Warns that the cases of the sweep of a scene that is solved, if it has one, are not computed.
+pub(crate) fn warn_of_sweep(cases: Option<usize>) {
+    let words = cases.map(|cases| {
+        format!(
+            "[sweep] is ignored: the scene was solved as it is without it; its {cases} cases are run by oilwedge sweep"
+        )
+    });
+    warn(words.as_slice());
+}
+
 /// Lines are wrapped for people only: a script may look for a sentence.
 pub(crate) fn set_up() {
     let people = std::io::stderr().is_terminal();

@@ -102,6 +102,8 @@ pub(crate) fn solve(asked: Asked) -> Result<ExitCode, Failure> {
     let page = asked.page.is_wanted().then(|| shaft_page(&views)).transpose()?;
     let files = write_shaft(asked.folder, &run, &beside)?;
     let pictures = drawn(asked.folder, &run, &views)? + &asked.page.written(asked.folder, page)?;
+    let bearings = scene.crankshaft.bearings.len();
+    complain::warn_of_sweep(scene.sweep.as_ref().map(|plan| plan.cases() * bearings));
     complain::warn(&run.result.warnings);
     output(
         asked.shown == Form::Json,

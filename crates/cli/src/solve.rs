@@ -19,6 +19,7 @@ use oilwedge_report::results::{Beside, earlier_orbit, write_results};
 use oilwedge_report::tables::{Shown, Written, run_report};
 use oilwedge_report::vtu::{Compression, to_vtu};
 use oilwedge_scene::Scene;
+use oilwedge_scene::sweep::Plan;
 use oilwedge_study::orbit::{Frame, no_map};
 use oilwedge_study::shaft::Variant;
 use oilwedge_study::{Interrupt, RunOptions};
@@ -211,12 +212,7 @@ impl Solve {
         )?;
         let animated = self.animate(&folder, run.frames)?;
         let drawn = animated + &plot::written(&folder, &figures)? + &self.page.written(&folder, page)?;
-        if let Some(plan) = &scene.sweep {
-            let cases = plan.cases();
-            complain::warn(&[format!(
-                "[sweep] is ignored: the scene was solved as it is without it; its {cases} cases are run by oilwedge sweep"
-            )]);
-        }
+        complain::warn_of_sweep(scene.sweep.as_ref().map(Plan::cases));
         complain::warn(&run.result.warnings);
         let written = Written {
             folder: &folder,

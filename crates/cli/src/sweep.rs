@@ -1,6 +1,7 @@
 //! `oilwedge sweep`: one scene for many values of its keys, to a table.
 
 use crate::complain::{Failure, warn};
+use crate::crankshaft::is_crankshaft;
 use crate::interrupt;
 use crate::plot;
 use crate::progress::Progress;
@@ -12,6 +13,8 @@ use oilwedge_report::json;
 use oilwedge_report::page::sweep_page;
 use oilwedge_report::sweep::{Notice, SweepError, SweepOptions, SweepReport, part_folder};
 use oilwedge_report::tables::{counted, duration, sweep_report};
+use oilwedge_scene::ShaftScene;
+use oilwedge_study::RunOptions;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -68,17 +71,11 @@ impl Sweep {
     /// # Errors
     /// [`Failure`]: the scene or a case of it cannot be used, or the table cannot be written.
     pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
-        let scene = oilwedge_study::read(&self.run.scene)?;
+        let (cases, case) = self.read()?;
         let options = SweepOptions {
-            case: self.run.options(&scene, interrupt::listen()?)?,
+            case,
             fresh: self.fresh,
             part: self.part,
-        };
-        let Some(cases) = Cases::of(&scene)? else {
-            return Err(Failure::Message(format!(
-                "the scene {} has no [sweep]; write for example\n\n[sweep]\neccentricity = {{ from = 0.1, to = 0.95, steps = 18 }}",
-                self.run.scene.display()
-            )));
         };
         let folder = self.folder();
         warn(&repeated(&cases));
@@ -116,6 +113,38 @@ impl Sweep {
                 false => ExitCode::from(1),
             },
         )
+    }
+
+    /// The cases of the scene, of one bearing or of a crankshaft, and how each is run.
+    fn read(&self) -> Result<(Cases, RunOptions), Failure> {
+        let path = &self.run.scene;
+        let (cases, options, example) = match oilwedge_study::read(path) {
+            Err(error) if is_crankshaft(&error) => {
+                let scene = ShaftScene::read(path)?;
+                let options = RunOptions {
+                    interrupt: interrupt::listen()?,
+                    ..self.run.options_of_shaft()
+                };
+                let example = "speed = { from = \"1000 rpm\", to = \"6000 rpm\", steps = 6 }";
+                (Cases::of_shaft(&scene)?, options, example)
+            }
+            scene => {
+                let scene = scene?;
+                let options = self.run.options(&scene, interrupt::listen()?)?;
+                (
+                    Cases::of(&scene)?,
+                    options,
+                    "eccentricity = { from = 0.1, to = 0.95, steps = 18 }",
+                )
+            }
+        };
+        let cases = cases.ok_or_else(|| {
+            let path = path.display();
+            Failure::Message(format!(
+                "the scene {path} has no [sweep]; write for example\n\n[sweep]\n{example}"
+            ))
+        })?;
+        Ok((cases, options))
     }
 
     /// The folder of the sweep.

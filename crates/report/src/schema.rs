@@ -2,11 +2,11 @@
 //!
 //! It knows forms, units and words, not the ranges of numbers nor keys that must fit each other: these are checked by the program alone.
 
-use oilwedge_scene::SWEPT;
 use oilwedge_scene::catalogue::keys;
 use oilwedge_scene::keys::{Form, Key};
 use oilwedge_scene::sweep::SHORT_NAMES;
 use oilwedge_scene::unit::Dimension;
+use oilwedge_scene::{SWEPT, SWEPT_OF_SHAFT};
 use oilwedge_study::quantities::CATALOGUE;
 use serde_json::{Map, Value, json};
 
@@ -188,12 +188,23 @@ fn tolerances() -> Value {
     })
 }
 
-/// The keys that a sweep can vary, below their tables.
+/// The keys that a sweep can vary, below their tables. Of lists of tables those of feeds alone have names.
 fn swept() -> impl Iterator<Item = &'static Key> {
-    keys().filter(|key| {
+    let lists: Vec<String> = keys()
+        .filter(|key| key.forms.contains(&Form::Tables) && key.path != "feed")
+        .map(|key| format!("{}.", key.path))
+        .collect();
+    keys().filter(move |key| {
         let (table, _) = key.path.split_once('.').unwrap_or_default();
-        SWEPT.contains(&table)
+        let is_listed = lists.iter().any(|list| key.path.starts_with(list.as_str()));
+        swept_tables().any(|swept| swept == table) && !is_listed
     })
+}
+
+/// The tables of a bearing's scene and of a crankshaft's whose keys can be swept.
+fn swept_tables() -> impl Iterator<Item = &'static str> {
+    let of_shaft = SWEPT_OF_SHAFT.into_iter().filter(|table| !SWEPT.contains(table));
+    SWEPT.into_iter().chain(of_shaft)
 }
 
 /// Axes by the names of keys: short, in quotes with their tables, or below their tables.
@@ -210,7 +221,7 @@ fn sweep() -> Value {
             None => properties.insert(key.path.to_owned(), to(key.path)),
         };
     }
-    for table in SWEPT {
+    for table in swept_tables() {
         properties.insert(table.to_owned(), axes(table));
     }
     properties.extend(

@@ -22,7 +22,7 @@ use crate::reader::TableReader;
 use crate::unit::Dimension;
 
 keys! {
-    "crankshaft" = Table; "", "a scene of one bearing", "in a scene without `[bearing]`, beside `title`, `[crank]` and `[orbit]` alone",
+    "crankshaft" = Table; "", "a scene of one bearing", "in a scene without `[bearing]`, beside `title`, `[crank]`, `[orbit]` and `[sweep]` alone",
         "a shaft on the films of all its bearings, each with a scene of its own";
     "crankshaft.speed" = Quantity(Speed); "2000 rpm", "required", "> 0",
         "angular speed of the shaft, from x to y; it takes the place of the speed in the scenes of the bearings, as the loads on the shaft take that of theirs";

@@ -39,7 +39,7 @@ pub enum SceneError {
         path: PathBuf,
     },
     /// The file is the scene of a crankshaft, where that of one bearing is wanted.
-    #[error("the scene {} is that of a crankshaft, not of one bearing; oilwedge solve and oilwedge check read it, and it names the scenes of its bearings", path.display())]
+    #[error("the scene {} is that of a crankshaft, not of one bearing; oilwedge solve, oilwedge sweep and oilwedge check read it, and it names the scenes of its bearings", path.display())]
     Crankshaft {
         /// The file.
         path: PathBuf,

@@ -73,7 +73,7 @@ pub use mesh::{Layout, MeshSource};
 pub use oil::*;
 pub use orbit::Orbit;
 pub use roughness::Roughness;
-pub use scene::{MESH_FILE, SCENE_LIMIT, SWEPT, Scene};
+pub use scene::{MESH_FILE, SCENE_LIMIT, SWEPT, SWEPT_OF_SHAFT, Scene};
 pub use shaft::Shaft;
 pub use support::{Support, Tilting};
 pub use tolerance::{Target, Tolerance};

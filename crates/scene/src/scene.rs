@@ -57,6 +57,8 @@ pub const SWEPT: [&str; 19] = [
     "liner",
     "dynamics",
 ];
+/// Tables of a crankshaft whose keys can be swept.
+pub const SWEPT_OF_SHAFT: [&str; 3] = ["crankshaft", "crank", "orbit"];
 /// Checks of keys that must fit each other, table by table.
 const CHECKS: [Check; 15] = [
     bearing::check,
@@ -358,15 +360,9 @@ pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene 
         liner: root.table_if_given("liner").and_then(|table| liner::read(table, path)),
         dynamics: root.table_if_given("dynamics").map(dynamics::read),
         cap: root.table_if_given("cap").map(cap::read),
-        sweep: root.table_if_given("sweep").map(|table| {
-            let (axes, columns) = sweep::read(table);
-            Plan {
-                axes,
-                columns,
-                text: text.to_owned(),
-                path: path.to_owned(),
-            }
-        }),
+        sweep: root
+            .table_if_given("sweep")
+            .map(|table| sweep::plan(table, &sweep::OF_BEARING, text, path)),
         text: String::new(),
         sha256: String::new(),
     }

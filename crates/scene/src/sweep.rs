@@ -9,9 +9,9 @@ mod column;
 mod plan;
 mod read;
 
-pub use axis::{Axis, AxisValue, SHORT_NAMES};
+pub use axis::{Axis, AxisValue, BEARING, SHAFT_SHORT_NAMES, SHORT_NAMES};
 pub use change::{changed, with_axes};
 pub use column::WantedColumn;
 pub use plan::Plan;
 
-pub(crate) use read::{KEYS, read};
+pub(crate) use read::{KEYS, OF_BEARING, OF_SHAFT, plan};

@@ -12,6 +12,7 @@ use std::path::Path;
 
 use oilwedge_scene::{Check, Complaint, Scene, SceneError};
 
+pub use columns::check_columns;
 pub use tolerance::{Targets, targets};
 
 /// All checks.

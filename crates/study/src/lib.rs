@@ -55,7 +55,7 @@ pub mod warnings;
 pub use oilwedge_bearing::orbit::OrbitObserver;
 pub use oilwedge_bearing::{Interrupt, SearchObserver};
 
-pub use checks::{CHECKS, complaints, parse, read};
+pub use checks::{CHECKS, check_columns, complaints, parse, read};
 pub use compile_error::CompileError;
 pub use observer::{Reached, RunObserver};
 pub use run::{Run, run};

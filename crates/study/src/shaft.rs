@@ -22,7 +22,7 @@ mod statics;
 mod variant;
 mod weights;
 
-pub use compile::{Bearing, Compiled, compile_shaft};
+pub use compile::{Bearing, Compiled, bearing_scenes, compile_shaft, engine};
 pub use error::ShaftError;
 pub use result::{BearingPath, BearingReport, CycleReport, SHAFT_FORMAT, ShaftBalances, ShaftResult, ShaftRun};
 pub use variant::{Variant, run_cut};

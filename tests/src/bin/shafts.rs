@@ -1,13 +1,15 @@
 //! `shafts [FROM] [TO]`: random shafts and firing orders: whether each closes or says why not, with its films inside and its balances kept: a line a shaft.
-//! `shafts --scene N` prints the scene of one of them.
+//! `shafts --scene N` prints the scene of one of them. `shafts --rest [FROM] [TO]`: at which crank angles the films of each have no balance under loads that last.
 
 use std::time::Instant;
 
 use oilwedge_study::result::Status;
-use oilwedge_tests::random_shafts::{bearing, fault, least_film, scene, solved};
+use oilwedge_tests::random_shafts::{bearing, fault, least_film, scene, solved, without_rest};
 
 /// Most time for one shaft [s].
 const MOST_SECONDS: f64 = 600.0;
+/// Crank angles of a cycle at which a balance at rest is sought.
+const ANGLES: u32 = 72;
 
 fn main() {
     let numbers: Vec<u64> = std::env::args().filter_map(|argument| argument.parse().ok()).collect();
@@ -19,6 +21,13 @@ fn main() {
         return;
     }
     let (from, to) = (bound(0, 0), bound(1, 50));
+    if std::env::args().any(|argument| argument == "--rest") {
+        for number in from..to {
+            let [none, ended] = without_rest(&scene(number, &bearing), ANGLES);
+            println!("{number} no balance at {none:.0?} deg; not found in time at {ended:.0?} deg");
+        }
+        return;
+    }
     let (mut closed, mut faults) = (0, 0);
     for number in from..to {
         let clock = Instant::now();

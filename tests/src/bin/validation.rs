@@ -3,8 +3,8 @@
 use oilwedge_tests::program::repository;
 use oilwedge_tests::short_crankshaft::{figures, page};
 use oilwedge_tests::{
-    cavitation_page, docs_images, engine_bearings, flexpde_study, gallery, mesh_page, notation_page, orbits_page,
-    quantities_page, scene_page,
+    cavitation_page, crankshafts_page, docs_images, engine_bearings, flexpde_study, gallery, mesh_page, notation_page,
+    orbits_page, quantities_page, scene_page,
 };
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -27,6 +27,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     write("howto/mesh.md", &mesh_page::page)?;
     write("validation/engine_bearings.md", &engine_bearings::page)?;
     write("validation/orbits.md", &orbits_page::page)?;
+    write("validation/crankshafts.md", &crankshafts_page::page)?;
     if is_wanted("gallery.md") {
         write_gallery()?;
     }

@@ -1,6 +1,6 @@
 //! The pages that are made of scenes are up to date, and meshes made here are as good as others.
 
-use oilwedge_tests::{cavitation_page, mesh_page};
+use oilwedge_tests::{cavitation_page, crankshafts_page, mesh_page};
 
 #[test]
 fn own_meshes_are_no_worse_than_those_of_gmsh() {
@@ -37,4 +37,10 @@ fn the_page_of_meshes_is_up_to_date() {
 #[test]
 fn the_page_of_cavitation_is_up_to_date() {
     up_to_date("theory/cavitation.md", cavitation_page::page);
+}
+
+/// Those of its tables that take seconds; the orbits of the others are tested by `shaft/cycle.rs`.
+#[test]
+fn the_page_of_crankshafts_is_up_to_date() {
+    up_to_date("validation/crankshafts.md", crankshafts_page::at_rest);
 }

@@ -3,9 +3,7 @@
 use oilwedge_study::quantities::{FILM_THICKNESS_MIN, FRICTION_POWER, Row};
 use oilwedge_study::result::{Status, Verdict};
 use oilwedge_study::{RunOptions, parse};
-
-use super::statics::{RIGHT, two_films, with_bearing};
-use super::{changed, engines, numbers, run, text};
+use oilwedge_tests::crankshafts::*;
 
 /// The text of a bearing of `three_films.toml`, rough and on a mesh of its own, with further keys.
 fn bearing(keys: &str) -> String {
@@ -43,10 +41,7 @@ fn alone(keys: &str, rows: [&Row; 2]) -> [f64; 2] {
 fn rough_and_crowned_bearings_of_a_cut_shaft_are_single_bearings() {
     let rows = [&FILM_THICKNESS_MIN, &FRICTION_POWER];
     let plain = alone("", rows);
-    let (whole, cut) = (
-        "youngs_modulus = \"206 GPa\"",
-        "youngs_modulus = \"206 GPa\"\nstatics = \"cut\"",
-    );
+    let [_, (_, cut)] = BY_STATICS;
     // The mesh of a crowned bore is graded for the position in the scene, so that the single bearing has another one.
     let (same_mesh, other_mesh) = (1e-6, 1e-4);
     for (keys, tolerance) in [
@@ -56,7 +51,7 @@ fn rough_and_crowned_bearings_of_a_cut_shaft_are_single_bearings() {
         let folder = tempfile::tempdir().expect("a folder");
         let path = folder.path().join("ring.toml");
         std::fs::write(&path, bearing(keys)).expect("a file");
-        let scene = changed(&two_films(), whole, cut);
+        let scene = two_films_with(cut);
         let run = run(&scene.replace("bearings/small_ring.toml", path.to_str().expect("a path")));
         assert_eq!(run.result.status, Status::Converged, "{:?}", run.result.reason);
         let single = alone(keys, rows);
@@ -80,7 +75,12 @@ fn rough_and_crowned_bearings_of_a_cut_shaft_are_single_bearings() {
 fn each_bearing_of_a_shaft_has_its_verdicts() {
     let folder = tempfile::tempdir().expect("a folder");
     let criteria = ("[journal]", "[criteria]\nfilm_min = \"5 um\"\n\n[journal]");
-    let run = run(&with_bearing(folder.path(), criteria, &text("three_films.toml")));
+    let run = run(&with_bearing(
+        folder.path(),
+        "small_ring",
+        criteria,
+        &text("three_films.toml"),
+    ));
     let verdicts: Vec<_> = (run.result.bearings.iter())
         .map(|bearing| {
             bearing

@@ -8,15 +8,12 @@ use oilwedge_study::RunOptions;
 use oilwedge_study::quantities::CYCLE_LOAD_MAX;
 use oilwedge_study::result::Status;
 use oilwedge_study::shaft::{Variant, run_cut};
-
-use super::{changed, engines, numbers, run, text};
+use oilwedge_tests::crankshafts::*;
 
 /// The three throws with coarse films, as a scene that is written to a folder.
 fn coarse(folder: &std::path::Path) -> String {
-    let path = folder.join("main.toml");
     let mesh = "[mesh]\nsize = \"9 mm\"\n\n[criteria]\nfilm_min = \"1 um\"\n\n[journal]";
-    std::fs::write(&path, changed(&text("bearings/main_85.toml"), "[journal]", mesh)).expect("a file");
-    let scene = text("three_throws.toml").replace("bearings/main_85.toml", path.to_str().expect("a path"));
+    let scene = with_bearing(folder, "main_85", ("[journal]", mesh), &text("three_throws.toml"));
     changed(&scene, "tolerance = 1e-3", "tolerance = 2e-2")
 }
 

@@ -8,7 +8,7 @@
 //! greatest over them without derivatives: it is a least film or a peak load, whose greatest value is a corner.
 //!
 //! **Source.** Constraints: definition. Search: Nelder, Mead, Computer J. 7 (1965) 308, begun anew from its best point until that gains no more. **Range.** A few weights.
-//! **Verified by** the tests below: a crank with a rod without end and without gas, whose greatest load is least, m_p r omega^2/2, with the counterweight m_r + m_p/2.
+//! **Verified by** the tests below, and `tests/tests/shaft/weights.rs`: a crank with a rod without end and without gas, whose greatest load is least, m_p r omega^2/2, with the counterweight m_r + m_p/2.
 
 use super::matrix::product;
 
@@ -200,8 +200,6 @@ impl Simplex {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::duty_cycle::{Crank, DutyCycle, GasPressure, Linkage, PressureCurve, Throw};
-    use std::f64::consts::TAU;
 
     #[test]
     fn changes_keep_force_and_moment() {
@@ -223,42 +221,5 @@ mod tests {
     fn webs_at_one_place_exchange_their_weights() {
         assert_eq!(neutral(&[0.1, 0.1]).len(), 1);
         assert_eq!(neutral(&[0.1, 0.1, 0.3]).len(), 1);
-    }
-
-    #[test]
-    fn the_best_counterweight_of_a_crank_is_half_of_what_goes_to_and_fro() {
-        let (rotating, reciprocating, radius, speed) = (2.0, 3.0, 0.06, 200.0);
-        let crank = Crank {
-            linkage: Linkage {
-                radius,
-                rod_length: 1e12,
-            },
-            reciprocating_mass: reciprocating,
-            rotating_mass: rotating,
-            bore: 0.1,
-            gas: GasPressure::Curve(PressureCurve {
-                peak: 0.0,
-                angle: 0.0,
-                sharpness: 1.0,
-                period: TAU,
-            }),
-        };
-        let throw = Throw {
-            angle: 0.0,
-            share: 1.0,
-            web_mass: 0.0,
-        };
-        let peak = |unbalance: &[f64]| {
-            let cycle =
-                DutyCycle::of_main(crank.clone(), vec![throw], speed).with_unbalance([unbalance[0], unbalance[1]]);
-            let loads = (0..360).map(|k| cycle.at(f64::from(k).to_radians()).force);
-            loads.map(|[x, y]| x.hypot(y)).fold(0.0, f64::max)
-        };
-        let best = greatest(|unbalance| -peak(unbalance), &[0.0, 0.0], 0.05, 5000);
-        let wanted = -radius * (rotating + 0.5 * reciprocating);
-        assert!((best.at[0] / wanted - 1.0).abs() < 1e-6, "{best:?} {wanted}");
-        assert!(best.at[1].abs() < 1e-6 * wanted.abs(), "{best:?}");
-        let least = 0.5 * reciprocating * radius * speed * speed;
-        assert!((-best.value / least - 1.0).abs() < 1e-6, "{best:?} {least}");
     }
 }

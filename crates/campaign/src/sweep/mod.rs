@@ -3,6 +3,8 @@
 //! Cases are cut into chains of neighbours (`chain.rs`), which are walked along (`walk.rs`): the mesh, its numbering and analysis stay as
 //! long as they fit, films and positions begin where those before lead. Chains do not depend on each other: machines that share a sweep
 //! compute whole ones ([`Sweep::chains`], [`Sweep::cases_of`]).
+//!
+//! Of crankshafts each bearing is a case: the bearings of one shaft are a chain, and are solved together.
 
 mod chain;
 mod forecast;
@@ -16,13 +18,14 @@ use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
 use oilwedge_scene::sweep::Plan;
-use oilwedge_scene::{Scene, SceneError};
-use oilwedge_study::CHECKS;
+use oilwedge_scene::{Scene, SceneError, ShaftScene};
 use oilwedge_study::CompileError;
 use oilwedge_study::compile::compile;
 use oilwedge_study::effects::Effects;
 use oilwedge_study::refinement::at_first;
 use oilwedge_study::run_options::RunOptions;
+use oilwedge_study::shaft::{ShaftError, bearing_scenes, check_shaft};
+use oilwedge_study::{CHECKS, check_columns};
 
 use crate::Error;
 use chain::chains;
@@ -59,8 +62,10 @@ impl Walk<'_> {
 pub struct Sweep {
     /// The axes.
     pub plan: Plan,
-    /// The scene of each case.
+    /// The scene of each case; of crankshafts that of a bearing on its shaft.
     pub scenes: Vec<Scene>,
+    /// The crankshafts of a sweep of them, each of which has a case for each of its bearings; else none.
+    pub shafts: Vec<ShaftScene>,
     /// Title of the scene.
     pub title: String,
     /// SHA-256 of the scene's text, hexadecimal.
@@ -76,7 +81,31 @@ impl Sweep {
         let Some(plan) = &scene.sweep else { return Ok(None) };
         Ok(Some(Self {
             scenes: plan.scenes(&CHECKS)?,
+            shafts: Vec::new(),
             plan: plan.clone(),
+            title: scene.title.clone(),
+            scene_sha256: scene.sha256.clone(),
+        }))
+    }
+
+    /// The sweep of a crankshaft; `None` where its scene has none. The bearings are its last axis.
+    ///
+    /// # Errors
+    /// Everything that is wrong with a case, or why the first one does not become a shaft on films.
+    pub fn of_shaft(scene: &ShaftScene) -> Result<Option<Self>, ShaftError> {
+        let Some(plan) = &scene.sweep else { return Ok(None) };
+        let shafts = plan.shafts()?;
+        let scenes: Result<Vec<_>, _> = shafts.iter().map(bearing_scenes).collect();
+        let scenes = scenes?.concat();
+        check_columns(plan, &scenes)?;
+        if let Some(first) = shafts.first() {
+            check_shaft(first)?;
+        }
+        let bearings = scene.crankshaft.bearings.iter();
+        Ok(Some(Self {
+            plan: plan.with_bearings(bearings.map(|bearing| bearing.name.clone()).collect()),
+            scenes,
+            shafts,
             title: scene.title.clone(),
             scene_sha256: scene.sha256.clone(),
         }))
@@ -87,13 +116,27 @@ impl Sweep {
     /// # Errors
     /// The first case does not become a film.
     pub fn effects(&self) -> Result<Effects, CompileError> {
+        if !self.shafts.is_empty() {
+            // They were compiled on their shaft.
+            return Ok(self.scenes.first().map_or_else(Effects::default, Effects::of));
+        }
         let first = self.scenes.first().map(|first| compile(&at_first(first))).transpose()?;
         Ok(first.map_or_else(Effects::default, |film| Effects::of(&film.scene)))
     }
 
     /// The cases of each chain, in the order of the cases; all of them together are all cases.
     pub fn chains(&self) -> Vec<Range<usize>> {
-        chains(&self.plan)
+        match self.bearings() {
+            None => chains(&self.plan),
+            Some(bearings) => (0..self.shafts.len())
+                .map(|shaft| shaft * bearings..(shaft + 1) * bearings)
+                .collect(),
+        }
+    }
+
+    /// Number of bearings of each crankshaft; `None` where the cases are none of crankshafts.
+    fn bearings(&self) -> Option<usize> {
+        self.scenes.len().checked_div(self.shafts.len())
     }
 
     /// The cases of a part of the sweep: whole chains, or none where there are more parts than chains.
@@ -201,7 +244,10 @@ impl Sweep {
                 walker
             });
             for case in walk.cases.by_ref().take(most) {
-                let found = walker.case(&self.scenes[case], self.coordinate(case));
+                let found = match self.bearings() {
+                    None => walker.case(&self.scenes[case], self.coordinate(case)),
+                    Some(bearings) => walker.bearing(&self.shafts[case / bearings]),
+                };
                 // A case that was ended is none.
                 if options.interrupt.is_asked() || sender.send((case, found)).is_err() {
                     return;

@@ -8,7 +8,7 @@ use oilwedge_bearing::{Deadline, InitialGuess, Point, SHORT_MOVE, Visited};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmSolution, JournalState};
 
-use oilwedge_scene::Scene;
+use oilwedge_scene::{Scene, ShaftScene};
 use oilwedge_study::analysis::solve;
 use oilwedge_study::compile::{compile_near, has_same_system};
 use oilwedge_study::compile_error::CompileError;
@@ -25,6 +25,7 @@ use oilwedge_study::refinement::{answer, ended};
 use oilwedge_study::result::{Criterion, RunResult, Status};
 use oilwedge_study::run::run;
 use oilwedge_study::run_options::RunOptions;
+use oilwedge_study::shaft::{BearingReport, ShaftResult, run_shaft};
 use oilwedge_study::solved::{SolveOptions, Solved};
 use oilwedge_study::warning::Warning;
 use oilwedge_study::warnings::all_warnings;
@@ -93,6 +94,25 @@ impl Found {
         }
     }
 
+    /// Of each bearing of a crankshaft, in their order; where the shaft has no answer all have its reason.
+    fn of_shaft(result: &ShaftResult, bearings: usize) -> Vec<Self> {
+        let status = CaseStatus::Run(result.status);
+        if result.bearings.is_empty() {
+            let reason = result.reason.clone().unwrap_or_default();
+            return vec![Self::without(status, reason, None); bearings];
+        }
+        let of_bearing = |bearing: &BearingReport| Self {
+            status,
+            reason: result.reason.clone(),
+            quantities: bearing.quantities.clone(),
+            warnings: result.warnings_of(bearing).cloned().collect(),
+            missed: bearing.criteria.iter().filter(|it| it.is_missed()).cloned().collect(),
+            unknowns: Some(bearing.unknowns),
+            seconds: 0.0,
+        };
+        result.bearings.iter().map(of_bearing).collect()
+    }
+
     fn without(status: CaseStatus, reason: String, unknowns: Option<usize>) -> Self {
         Self {
             status,
@@ -127,6 +147,8 @@ pub(super) struct Walker<'a> {
     deadline: Deadline,
     held: Option<Held>,
     visited: Vec<Visited>,
+    /// What was found of the bearings of a crankshaft, the last one first, whose cases are still to come.
+    bearings: Vec<Found>,
 }
 
 impl<'a> Walker<'a> {
@@ -136,12 +158,14 @@ impl<'a> Walker<'a> {
             deadline: Deadline::default(),
             held: None,
             visited: Vec::new(),
+            bearings: Vec::new(),
         }
     }
 
     /// Forgets all that a new chain must not know: a mesh that no position has shaped may stay.
     pub(super) fn begin(&mut self) {
         self.visited.clear();
+        self.bearings.clear();
         self.held = self.held.take().filter(|held| !held.film.scene.mesh.is_graded());
         if let Some(held) = &mut self.held {
             held.solution = None;
@@ -160,6 +184,25 @@ impl<'a> Walker<'a> {
         let mut found = found.unwrap_or_else(|error| Found::without(CaseStatus::BadScene, error.to_string(), None));
         found.seconds = clock.elapsed().as_secs_f64();
         found
+    }
+
+    /// The next bearing of a crankshaft, which is solved with its first one; each takes its share of the time.
+    pub(super) fn bearing(&mut self, shaft: &ShaftScene) -> Found {
+        if let Some(found) = self.bearings.pop() {
+            return found;
+        }
+        let clock = Instant::now();
+        let bearings = shaft.crankshaft.bearings.len();
+        let mut found = match run_shaft(shaft, self.options) {
+            Ok(run) => Found::of_shaft(&run.result, bearings),
+            Err(error) => vec![Found::without(CaseStatus::BadScene, error.to_string(), None); bearings],
+        };
+        let seconds = clock.elapsed().as_secs_f64() / bearings as f64;
+        found.iter_mut().for_each(|it| it.seconds = seconds);
+        found.reverse();
+        let first = found.pop();
+        self.bearings = found;
+        first.unwrap_or_else(|| Found::without(CaseStatus::BadScene, "the shaft has no bearing".to_owned(), None))
     }
 
     /// With a tolerance each case has meshes of its own, as when it is solved by itself.

@@ -206,7 +206,7 @@ fn difference(about: &serde_json::Value, identity: &Identity) -> Option<&'static
     } else if differs("mesh_sha256", identity.mesh_sha256.clone().into()) {
         Some("of another mesh file, or of this one before it was changed")
     } else if about["tables_sha256"].as_str() != identity.tables_sha256.as_deref() {
-        Some("of another table of loads or gas pressures, or of this one before it was changed")
+        Some("of another table of loads or gas pressures or scene of a bearing, or of this one before it was changed")
     } else if differs("bars", identity.bars.into()) {
         Some(match identity.bars {
             true => "without error bars",

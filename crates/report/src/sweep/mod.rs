@@ -14,12 +14,12 @@ use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsStr;
 use std::ops::Range;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use oilwedge_campaign::sweep::{Event, Forecast, Part, Sweep};
 use oilwedge_scene::periodic_table::read_text;
-use oilwedge_scene::{MESH_FILE, Scene};
+use oilwedge_scene::{MESH_FILE, Scene, ShaftScene};
 use oilwedge_study::CompileError;
 use oilwedge_study::run_options::RunOptions;
 use sha2::{Digest, Sha256};
@@ -210,7 +210,7 @@ fn begun(sweep: &Sweep, options: &SweepOptions) -> Result<SweepReport, SweepErro
         version: env!("CARGO_PKG_VERSION").to_owned(),
         scene_sha256: sweep.scene_sha256.clone(),
         mesh_sha256: meshes_sha256(&sweep.scenes)?,
-        tables_sha256: tables_sha256(&sweep.scenes)?,
+        tables_sha256: tables_sha256(sweep)?,
         bars: options.case.bars,
         cases: sweep.scenes.len(),
         part: options.part,
@@ -235,9 +235,12 @@ fn meshes_sha256(scenes: &[Scene]) -> Result<Option<String>, Error> {
     sha256_of(paths, read)
 }
 
-/// SHA-256 of all tables of loads, gas pressures and measured shapes, each once; `None` where there are none.
-fn tables_sha256(scenes: &[Scene]) -> Result<Option<String>, Error> {
-    let tables = scenes
+/// SHA-256 of all tables of loads, gas pressures and measured shapes, and of the scenes of bearings on crankshafts, each once; `None` where there are none.
+fn tables_sha256(sweep: &Sweep) -> Result<Option<String>, Error> {
+    let of_shafts: Vec<PathBuf> = (sweep.shafts.iter().flat_map(ShaftScene::files))
+        .map(|(_, path, _)| path)
+        .collect();
+    let tables = (sweep.scenes)
         .iter()
         .flat_map(Scene::files)
         .filter(|(key, ..)| key.as_ref() != MESH_FILE);
@@ -245,7 +248,8 @@ fn tables_sha256(scenes: &[Scene]) -> Result<Option<String>, Error> {
         let text = read_text(path).map_err(|error| CompileError::Duty(error.to_string()))?;
         Ok(text.into_bytes())
     };
-    sha256_of(tables.map(|(_, path, _)| path), read)
+    let tables = tables.map(|(_, path, _)| path);
+    sha256_of(tables.chain(of_shafts.iter().map(PathBuf::as_path)), read)
 }
 
 /// SHA-256 of the digests of files, each once and in the order of their paths; `None` where there are none.

@@ -27,17 +27,9 @@ impl Columns {
     pub(crate) fn new(plan: &Plan, scenes: &[Scene], bars: bool) -> Self {
         let is_input = |name: &str| plan.axes.iter().any(|axis| axis.name == name);
         let all = || of_scenes(scenes).into_iter().filter(|(name, _)| !is_input(name));
-        let wanted = |columns: &Vec<WantedColumn>| {
-            let scene = scenes.first()?;
-            // What is wrong with a column was refused when the scene was read.
-            Some(
-                columns
-                    .iter()
-                    .filter_map(|wanted| Column::wanted(wanted, scene).ok())
-                    .collect(),
-            )
-        };
-        let quantities = plan.columns.as_ref().and_then(wanted);
+        // What is wrong with a column was refused when the scene was read.
+        let wanted = |wanted: &WantedColumn| Column::wanted_in(scenes, wanted)?.ok();
+        let quantities = (plan.columns.as_ref()).map(|columns| columns.iter().filter_map(wanted).collect());
         Self {
             inputs: plan.axes.iter().map(|axis| axis.heading()).collect(),
             quantities: quantities.unwrap_or_else(|| all().map(|(name, row)| Column::of(name, row)).collect()),

@@ -60,6 +60,7 @@ fn asked_for() -> asked::Asked {
     let complaints = RefCell::new(Complaints::new(CRANKSHAFT));
     crate::crankshaft::read_scene(
         TableReader::root(&complaints, document.get_ref()),
+        CRANKSHAFT,
         Path::new("scene.toml"),
     );
     asked::take()

@@ -9,7 +9,8 @@ use super::variant::sum_of;
 use super::{Crankshaft, check};
 use crate::reader::TableReader;
 use crate::scene::{parsed, text_of};
-use crate::{Complaints, Crank, CrankBearing, LoadCycle, LoadSource, Orbit, SceneError, crank, mesh, orbit};
+use crate::sweep::{self, Plan};
+use crate::{Complaint, Complaints, Crank, CrankBearing, LoadCycle, LoadSource, Orbit, SceneError, crank, mesh, orbit};
 
 /// A shaft on the films of its bearings, as its scene describes it, in SI.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,6 +23,8 @@ pub struct ShaftScene {
     pub crank: Option<Crank>,
     /// How the paths of the journals are followed; `None`: the loads do not change.
     pub orbit: Option<Orbit>,
+    /// The operating points at which it is to be solved.
+    pub sweep: Option<Plan>,
     /// The text that was read.
     pub text: String,
     /// SHA-256 of that text, 64 hexadecimal digits.
@@ -67,8 +70,22 @@ impl ShaftScene {
 
     fn of_text(text: &str, path: &Path, no_file: impl Fn(&Path) -> Option<String>) -> Result<Self, SceneError> {
         let document = parsed(text, path)?;
+        Self::of_document(document.get_ref(), text, path, no_file).map_err(|complaints| SceneError::Complaints {
+            path: path.to_path_buf(),
+            text: text.to_owned(),
+            complaints,
+        })
+    }
+
+    /// The scene that a document makes, whose values stand in `text`; or everything that is wrong with it.
+    pub(crate) fn of_document(
+        document: &DeTable<'_>,
+        text: &str,
+        path: &Path,
+        no_file: impl Fn(&Path) -> Option<String>,
+    ) -> Result<Self, Vec<Complaint>> {
         let complaints = RefCell::new(Complaints::new(text));
-        let scene = read(TableReader::root(&complaints, document.get_ref()), path);
+        let scene = read(TableReader::root(&complaints, document), text, path);
         let mut complaints = complaints.into_inner();
         check::check(&scene, &mut complaints);
         for (key, path, help) in scene.files() {
@@ -83,17 +100,13 @@ impl ShaftScene {
                 sha256: sum_of(text),
                 ..scene
             }),
-            complaints => Err(SceneError::Complaints {
-                path: path.to_path_buf(),
-                text: text.to_owned(),
-                complaints,
-            }),
+            complaints => Err(complaints),
         }
     }
 }
 
 /// The scene as far as it can be read.
-pub(crate) fn read(mut root: TableReader<'_>, path: &Path) -> ShaftScene {
+pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> ShaftScene {
     let stem = || path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let title = root
         .text_if_given("title", "Plain journal bearing")
@@ -110,6 +123,7 @@ pub(crate) fn read(mut root: TableReader<'_>, path: &Path) -> ShaftScene {
         title,
         crank: (root.table_if_given("crank")).map(|table| crank::read(table, path, Some(&of_pins))),
         orbit: root.table_if_given("orbit").map(orbit::read),
+        sweep: (root.table_if_given("sweep")).map(|table| sweep::plan(table, &sweep::OF_SHAFT, text, path)),
         crankshaft,
         text: String::new(),
         sha256: String::new(),

@@ -15,6 +15,12 @@ pub const SHORT_NAMES: [(&str, &str); 9] = [
     ("length", "bearing.length"),
 ];
 
+/// Short names of the keys of a crankshaft that are swept most, and where they stand.
+pub const SHAFT_SHORT_NAMES: [(&str, &str); 1] = [("speed", "crankshaft.speed")];
+
+/// Axis of the bearings of a crankshaft, which follows those of its sweep, and where their names stand.
+pub const BEARING: (&str, &str) = ("bearing", "crankshaft.bearing.name");
+
 /// A key of the scene and its values.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {

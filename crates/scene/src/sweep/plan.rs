@@ -7,11 +7,11 @@ use std::path::PathBuf;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::axis::{Axis, AxisValue};
+use super::axis::{Axis, AxisValue, BEARING};
 use super::column::WantedColumn;
 use crate::complaint::in_order;
 use crate::mesh::no_file;
-use crate::{Check, Complaint, Scene, SceneError};
+use crate::{Check, Complaint, Scene, SceneError, ShaftScene};
 
 /// How many complaints about cases are reported.
 const MOST_COMPLAINTS: usize = 5;
@@ -63,10 +63,38 @@ impl Plan {
     /// # Errors
     /// Everything that is wrong with a case, with its axis and value.
     pub fn scenes(&self, checks: &[Check]) -> Result<Vec<Scene>, SceneError> {
+        self.read(|document| Scene::of_document(document, &self.text, &self.path, no_file, checks))
+    }
+
+    /// The scene of every case of a crankshaft, as [`Self::scenes`].
+    ///
+    /// # Errors
+    /// Everything that is wrong with a case, with its axis and value.
+    pub fn shafts(&self) -> Result<Vec<ShaftScene>, SceneError> {
+        self.read(|document| ShaftScene::of_document(document, &self.text, &self.path, no_file))
+    }
+
+    /// This plan with one more axis, the bearings of a crankshaft by their names: each of them is a case.
+    #[must_use]
+    pub fn with_bearings(&self, names: Vec<String>) -> Self {
+        let (name, path) = BEARING;
+        let mut plan = self.clone();
+        plan.axes.push(Axis {
+            name: name.to_owned(),
+            path: path.to_owned(),
+            unit: String::new(),
+            values: names.into_iter().map(AxisValue::Word).collect(),
+            span: 0..0,
+        });
+        plan
+    }
+
+    /// The scene of every case, which `of_case` makes of its document.
+    fn read<S>(&self, of_case: impl Fn(&DeTable<'_>) -> Result<S, Vec<Complaint>>) -> Result<Vec<S>, SceneError> {
         let mut complaints: Vec<Complaint> = Vec::new();
         let mut scenes = Vec::with_capacity(self.cases());
         for number in 0..self.cases() {
-            match self.scene(&self.indices(number), checks) {
+            match self.case(&self.indices(number), &of_case) {
                 Ok(scene) => scenes.push(scene),
                 Err(found) => {
                     for complaint in found {
@@ -95,7 +123,11 @@ impl Plan {
     }
 
     /// The scene with these values of the axes.
-    fn scene(&self, indices: &[usize], checks: &[Check]) -> Result<Scene, Vec<Complaint>> {
+    fn case<S>(
+        &self,
+        indices: &[usize],
+        of_case: impl Fn(&DeTable<'_>) -> Result<S, Vec<Complaint>>,
+    ) -> Result<S, Vec<Complaint>> {
         let (mut document, _) = DeTable::parse_recoverable(&self.text);
         let document = document.get_mut();
         document.remove("sweep");
@@ -115,12 +147,11 @@ impl Plan {
             };
             put(document, axis, value).map_err(|complaint| vec![complaint])?;
         }
-        Scene::of_document(document, &self.text, &self.path, no_file, checks)
-            .map_err(|complaints| complaints.into_iter().map(|it| self.of_case(it, indices)).collect())
+        of_case(document).map_err(|complaints| complaints.into_iter().map(|it| self.named(it, indices)).collect())
     }
 
     /// A complaint about a case as one about the axis it comes from, or about all of them where it comes from none alone.
-    fn of_case(&self, complaint: Complaint, indices: &[usize]) -> Complaint {
+    fn named(&self, complaint: Complaint, indices: &[usize]) -> Complaint {
         let axis = (self.axes.iter().zip(indices)).find(|(axis, _)| Some(&axis.span) == complaint.span.as_ref());
         let told = |(axis, &index): (&Axis, &usize)| format!("{} = {}", axis.name, axis.told(index));
         let (key, value) = match axis {

@@ -3,10 +3,12 @@
 use toml::Spanned;
 use toml::de::DeValue;
 
-use super::{Axis, AxisValue, SHORT_NAMES, WantedColumn, column};
+use std::path::Path;
+
+use super::{Axis, AxisValue, Plan, SHAFT_SHORT_NAMES, SHORT_NAMES, WantedColumn, column};
 use crate::keys::Form;
 use crate::reader::{TableReader, kind, plain_number};
-use crate::scene::SWEPT;
+use crate::scene::{SWEPT, SWEPT_OF_SHAFT};
 use crate::spelling::nearest;
 use crate::unit;
 
@@ -34,19 +36,54 @@ const MOST_AXES: usize = 32;
 /// How an axis is written.
 const EXAMPLE: &str = "eccentricity = { from = 0.1, to = 0.95, steps = 18 } or speed = [\"1000 rpm\", \"3000 rpm\"]";
 
+/// Which keys a kind of scenes has, by which an axis may be named.
+#[derive(Debug)]
+pub(crate) struct Swept {
+    /// Short names, and the keys that they stand for.
+    short_names: &'static [(&'static str, &'static str)],
+    /// Tables whose keys can be swept.
+    tables: &'static [&'static str],
+    /// A key with its table.
+    example: &'static str,
+}
+
+/// Keys of the scene of one bearing.
+pub(crate) static OF_BEARING: Swept = Swept {
+    short_names: &SHORT_NAMES,
+    tables: &SWEPT,
+    example: "\"ends.pressure\" or \"feed.GROUP.pressure\"",
+};
+/// Keys of the scene of a crankshaft.
+pub(crate) static OF_SHAFT: Swept = Swept {
+    short_names: &SHAFT_SHORT_NAMES,
+    tables: &SWEPT_OF_SHAFT,
+    example: "\"crankshaft.youngs_modulus\" or \"crank.reciprocating_mass\"",
+};
+
+/// The sweep of a scene `text` that stands at `path`, which the table describes.
+pub(crate) fn plan(table: TableReader<'_>, swept: &Swept, text: &str, path: &Path) -> Plan {
+    let (axes, columns) = read(table, swept);
+    Plan {
+        axes,
+        columns,
+        text: text.to_owned(),
+        path: path.to_owned(),
+    }
+}
+
 /// Reads the table: its axes in the order of the text, and the columns that it asks for, if any.
-pub(crate) fn read(mut table: TableReader<'_>) -> (Vec<Axis>, Option<Vec<WantedColumn>>) {
+pub(super) fn read(mut table: TableReader<'_>, swept: &Swept) -> (Vec<Axis>, Option<Vec<WantedColumn>>) {
     let mut axes = Vec::new();
     if table.is_readable() && table.keys().iter().all(|key| *key == column::KEY) {
         table.complain_here("names no axis", format!("write for example {EXAMPLE}"));
     }
     let columns = column::read(&mut table);
-    read_table(table, "", &mut axes);
+    read_table(table, "", swept, &mut axes);
     (axes, columns)
 }
 
 /// Reads a table of axes whose names begin with `prefix`.
-fn read_table(mut table: TableReader<'_>, prefix: &str, axes: &mut Vec<Axis>) {
+fn read_table(mut table: TableReader<'_>, prefix: &str, swept: &Swept, axes: &mut Vec<Axis>) {
     for key in table.keys() {
         let name = format!("{prefix}{key}");
         if name == column::KEY {
@@ -60,7 +97,7 @@ fn read_table(mut table: TableReader<'_>, prefix: &str, axes: &mut Vec<Axis>) {
         let values = match written.get_ref() {
             DeValue::Table(inner) if !is_range(inner) => {
                 if let Some(inner) = table.table_if_given(key) {
-                    read_table(inner, &format!("{name}."), axes);
+                    read_table(inner, &format!("{name}."), swept, axes);
                 }
                 continue;
             }
@@ -72,7 +109,7 @@ fn read_table(mut table: TableReader<'_>, prefix: &str, axes: &mut Vec<Axis>) {
                 None
             }
         };
-        if let (Some(path), Some((unit, values))) = (path(&table, key, &name), values) {
+        if let (Some(path), Some((unit, values))) = (path(&table, key, &name, swept), values) {
             let span = written.span();
             let axis = Axis {
                 name,
@@ -119,26 +156,28 @@ fn is_range(table: &toml::de::DeTable<'_>) -> bool {
 }
 
 /// Where the key stands in the scene.
-fn path(table: &TableReader<'_>, key: &str, name: &str) -> Option<String> {
+fn path(table: &TableReader<'_>, key: &str, name: &str, swept: &Swept) -> Option<String> {
     let head = name.split('.').next().unwrap_or_default();
     if name.contains('.') {
-        if SWEPT.contains(&head) {
+        if swept.tables.contains(&head) {
             return Some(name.to_owned());
         }
-        let near = nearest(head, SWEPT).map_or(String::new(), |near| format!("did you mean \"{near}\"? "));
+        let near = nearest(head, swept.tables.iter().copied())
+            .map_or(String::new(), |near| format!("did you mean \"{near}\"? "));
         let message = format!("begins with \"{head}\", which is no table of a scene");
-        table.complain(key, message, format!("{near}Tables: {}", SWEPT.join(", ")));
+        table.complain(key, message, format!("{near}Tables: {}", swept.tables.join(", ")));
         return None;
     }
-    if let Some((_, path)) = SHORT_NAMES.iter().find(|(short, _)| *short == name) {
+    if let Some((_, path)) = swept.short_names.iter().find(|(short, _)| *short == name) {
         return Some((*path).to_owned());
     }
-    let names = SHORT_NAMES.map(|(short, _)| short);
-    let help = match nearest(name, names) {
+    let names: Vec<&str> = swept.short_names.iter().map(|(short, _)| *short).collect();
+    let help = match nearest(name, names.iter().copied()) {
         Some(near) => format!("did you mean \"{near}\"?"),
         None => format!(
-            "short names: {}; any other key with its table, as \"ends.pressure\" or \"feed.GROUP.pressure\"",
-            names.join(", ")
+            "short names: {}; any other key with its table, as {}",
+            names.join(", "),
+            swept.example
         ),
     };
     table.complain(key, "this key is not known as an axis", help);

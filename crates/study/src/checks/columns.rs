@@ -1,14 +1,47 @@
 //! Which columns the table of a sweep may have.
 
-use oilwedge_scene::{Complaints, Scene};
+use oilwedge_scene::sweep::{Plan, WantedColumn};
+use oilwedge_scene::{Complaint, Complaints, Scene, SceneError};
 
-use crate::column::Column;
+use crate::column::{Column, Fault};
 
 pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
-    let columns = scene.sweep.iter().flat_map(|plan| plan.columns.iter().flatten());
-    for (index, wanted) in columns.enumerate() {
-        if let Err((message, help)) = Column::wanted(wanted, scene) {
-            complaints.add(&format!("sweep.columns[{index}]"), message, help);
-        }
+    for (key, _, (message, help)) in scene
+        .sweep
+        .iter()
+        .flat_map(|plan| faults(plan, std::slice::from_ref(scene)))
+    {
+        complaints.add(&key, message, help);
     }
+}
+
+/// Checks the columns of a sweep of crankshafts by the scenes of their bearings.
+///
+/// # Errors
+/// [`SceneError::Complaints`]: a column is a quantity of none of them.
+pub fn check_columns(plan: &Plan, bearings: &[Scene]) -> Result<(), SceneError> {
+    let complaint = |(key, wanted, (message, help)): (String, &WantedColumn, Fault)| Complaint {
+        key,
+        value: plan.text[wanted.span.clone()].to_owned(),
+        message,
+        help,
+        span: Some(wanted.span.clone()),
+    };
+    match faults(plan, bearings).map(complaint).collect::<Vec<_>>() {
+        none if none.is_empty() => Ok(()),
+        complaints => Err(SceneError::Complaints {
+            path: plan.path.clone(),
+            text: plan.text.clone(),
+            complaints,
+        }),
+    }
+}
+
+/// Key, column and fault of those columns that no scene has.
+fn faults<'a>(plan: &'a Plan, scenes: &'a [Scene]) -> impl Iterator<Item = (String, &'a WantedColumn, Fault)> {
+    let columns = plan.columns.iter().flatten().enumerate();
+    columns.filter_map(|(index, wanted)| {
+        let fault = Column::wanted_in(scenes, wanted)?.err()?;
+        Some((format!("sweep.columns[{index}]"), wanted, fault))
+    })
 }

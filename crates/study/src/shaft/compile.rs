@@ -140,9 +140,7 @@ fn bearings(scene: &ShaftScene, eccentricity: f64) -> Result<Vec<Bearing>, Shaft
         let film = match films.iter().find(|(other, _)| other == path) {
             Some((_, film)) => film.clone(),
             None => {
-                let own = crate::read(path)?;
-                refuse(path, &own)?;
-                let film = on_mesh_for(&on_shaft(own, scene), eccentricity).map_err(failed(path))?;
+                let film = on_mesh_for(&on_shaft(path, scene)?, eccentricity).map_err(failed(path))?;
                 films.push((path.clone(), film.clone()));
                 film
             }
@@ -196,11 +194,30 @@ fn refuse(path: &Path, own: &Scene) -> Result<(), ShaftError> {
     }
 }
 
+/// The scenes of all bearings of a shaft as far as the numbers of each film depend on them: with what the shaft gives it.
+///
+/// # Errors
+/// [`ShaftError`]: the scene of a bearing cannot be used.
+pub fn bearing_scenes(scene: &ShaftScene) -> Result<Vec<Scene>, ShaftError> {
+    let bearings = scene.crankshaft.bearings.iter();
+    let scenes = bearings.map(|bearing| on_shaft(&bearing.scene, scene));
+    let measured = |own: Scene| match scene.crank {
+        Some(_) => own,
+        // The loads do not change: the journal moves on the way to its place alone.
+        None => Scene { orbit: None, ..own },
+    };
+    scenes.map(|own| own.map(measured)).collect()
+}
+
 /// The scene of a bearing with what the shaft gives it: speed, moving journal, and tilt.
-fn on_shaft(own: Scene, scene: &ShaftScene) -> Scene {
+///
+/// # Errors
+/// [`ShaftError`]: it cannot be used.
+fn on_shaft(path: &Path, scene: &ShaftScene) -> Result<Scene, ShaftError> {
     let shaft = &scene.crankshaft;
     let resists_tilt = shaft.tilt == ShaftTilt::Free && shaft.statics == Statics::Elastic;
-    let mut changed = own;
+    let mut changed = crate::read(path)?;
+    refuse(path, &changed)?;
     // No load: that of the shaft acts.
     changed.journal = Journal::without_load(shaft.speed);
     (changed.load_at, changed.load_moment, changed.load_cycle, changed.crank) = (None, None, None, None);
@@ -211,7 +228,7 @@ fn on_shaft(own: Scene, scene: &ShaftScene) -> Scene {
     changed.orbit = Some(scene.orbit.unwrap_or_else(Orbit::usual));
     changed.tolerance = None;
     (changed.dynamics, changed.sweep) = (None, None);
-    changed
+    Ok(changed)
 }
 
 fn crankshaft(scene: &ShaftScene) -> Crankshaft {
@@ -251,7 +268,7 @@ fn crankshaft(scene: &ShaftScene) -> Crankshaft {
 ///
 /// # Errors
 /// [`ShaftError::Load`]: the gas pressure cannot be used, or the loads are no numbers.
-pub(super) fn engine(scene: &ShaftScene) -> Result<Option<Engine>, ShaftError> {
+pub fn engine(scene: &ShaftScene) -> Result<Option<Engine>, ShaftError> {
     let shaft = &scene.crankshaft;
     let Some(crank) = &scene.crank else { return Ok(None) };
     let drive = crank_of(crank, shaft.period).map_err(|reason| ShaftError::Load(reason.to_string()))?;

@@ -274,7 +274,7 @@ fn add(
     let estimated = estimate_errors(&followed.solved);
     let warnings = all_warnings(own, &followed.solved, &estimated, options.errors());
     let exceeded = exceeded_over_cycle(own, &followed.quantities);
-    let named = |warning: Warning| warning.of(&format!("bearing {}", bearing.name));
+    let named = |warning: Warning| warning.of(&BearingReport::part(&bearing.name));
     (run.result.warnings).extend(warnings.into_iter().chain(exceeded).map(named));
     let arm = bearing.coordinates().arm;
     let tilts = followed.path.spans.iter().map(|span| {

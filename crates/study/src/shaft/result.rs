@@ -129,6 +129,8 @@ pub struct BearingReport {
     pub mesh_sha256: String,
     /// Axial position of its middle [m].
     pub at: f64,
+    /// Unknown pressures on its mesh.
+    pub unknowns: usize,
     /// Its shape, and the speed of its journal.
     pub geometry: Geometry,
     /// Greatest displacement of its shell [m], and greatest slope [rad].
@@ -154,6 +156,7 @@ impl BearingReport {
             scene_sha256: bearing.film.scene.sha256.clone(),
             mesh_sha256: bearing.film.origin.sha256.clone(),
             at: bearing.at,
+            unknowns: bearing.film.unknowns(),
             geometry: Geometry::of(&bearing.film.scene),
             shell: [0.0; 2],
             tilt_max: 0.0,
@@ -161,6 +164,11 @@ impl BearingReport {
             criteria: design_criteria(&bearing.film, None, &quantities),
             quantities,
         }
+    }
+
+    /// What its warnings begin with, among those of the whole shaft.
+    pub(super) fn part(name: &str) -> String {
+        format!("bearing {name}")
     }
 
     /// A quantity.
@@ -183,6 +191,12 @@ pub(super) fn found_with_shaft(quantities: Vec<Quantity>) -> Vec<Quantity> {
 }
 
 impl ShaftResult {
+    /// The warnings about a bearing.
+    pub fn warnings_of<'a>(&'a self, bearing: &'a BearingReport) -> impl Iterator<Item = &'a Warning> {
+        let part = format!("{}: ", BearingReport::part(&bearing.name));
+        self.warnings.iter().filter(move |warning| warning.starts_with(&part))
+    }
+
     /// What is known of a run whatever its outcome.
     pub(super) fn of(scene: &ShaftScene, bars: bool) -> Self {
         Self {

@@ -114,7 +114,7 @@ fn report(
     for (report, warnings) in measured? {
         let named = warnings
             .into_iter()
-            .map(|warning| warning.of(&format!("bearing {}", report.name)));
+            .map(|warning| warning.of(&BearingReport::part(&report.name)));
         result.warnings.extend(named);
         result.bearings.push(report);
     }
