@@ -172,7 +172,7 @@ fn damped(here: &Trial, step: &[f64], system: &FilmSystem, counts: &mut Closing)
     let mut part = 1.0;
     for _ in 0..MOST_HALVINGS {
         let problem = stepped(&here.problem, step, part)?;
-        let is_open = least_gap(&problem, system) > LEAST_SHRINK * gap;
+        let is_open = least_gap(&problem, system) > f64::max(0.0, LEAST_SHRINK * gap);
         let near = match here.residual < NEAR {
             true => Neighbour::Kept(&here.film),
             false => Neighbour::Start(&here.film),
@@ -314,6 +314,13 @@ fn bent_further(
     let Some(problem) = stepped(&pair.problem, &step.x, 1.0) else {
         return Ok(pair);
     };
+    // Splines that are coarse beside the film may bend the wall into it.
+    if least_gap(&problem, system) <= 0.0 {
+        return Err(NoFilm::Wall {
+            residual: counts.residual,
+            steps: counts.outer,
+        });
+    }
     let film = solved(&problem, system, Neighbour::Start(&pair.film), counts)?;
     let cubic = problem.cubic_film(system, &film, Some(&pair.cubic))?;
     Ok(Pair { problem, film, cubic })
