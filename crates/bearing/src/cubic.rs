@@ -24,26 +24,27 @@ pub(crate) fn balance_cubic(found: Equilibrium, search: &Search) -> Result<Equil
     let place = search.coordinates.at(&found.problem.journal);
     let mut trial = search.cubic_trial(&found.problem, place, near, None)?;
     let mut residual = search.residual(&trial);
-    let mut stiffness = search.stiffness(&trial)?;
+    let mut tangent = search.tangent(&trial)?;
     let mut is_exact = true;
     for _ in 0..MOST_STEPS {
         if residual < BALANCED || deadline.is_over() {
             break;
         }
-        let step = stiffness.solve(search.excess(&trial).map(|excess| -excess));
+        let step = tangent.stiffness.solve(search.excess(&trial).map(|excess| -excess));
         let place = moved(search.coordinates.at(&trial.problem.journal), 1.0, step);
         let near = Neighbour::Start(&trial.film);
-        let next = search.cubic_trial(&trial.problem, place, near, trial.cubic.as_ref())?;
+        let bent = tangent.bent(&trial.problem, step);
+        let next = search.cubic_trial(&bent, place, near, trial.cubic.as_ref())?;
         steps += 1;
         let next_residual = search.residual(&next);
         if next_residual < residual {
-            stiffness = search.corrected(stiffness, &trial, &next);
+            tangent = search.corrected(tangent, &trial, &next);
             (trial, residual, is_exact) = (next, next_residual, false);
         } else if is_exact {
             break;
         } else {
             // Perhaps the tangent was too old.
-            (stiffness, is_exact) = (search.stiffness(&trial)?, true);
+            (tangent, is_exact) = (search.tangent(&trial)?, true);
         }
     }
     let is_ended = residual > BALANCED_ENOUGH && deadline.is_over();
@@ -61,7 +62,7 @@ pub(crate) fn balance_cubic(found: Equilibrium, search: &Search) -> Result<Equil
         parts: search.parts(&trial),
         coordinates: search.coordinates,
         is_ended,
-        stiffness,
+        stiffness: tangent.stiffness,
         problem: trial.problem,
         film: trial.film,
         cubic: trial.cubic,

@@ -8,7 +8,7 @@ use crate::equilibrium::{Equilibrium, NEAR, ROUGHLY_BALANCED};
 use crate::estimate::{GREATEST_ECCENTRICITY, is_contact};
 use crate::no_equilibrium::FAR;
 use crate::search::{Search, Trial};
-use crate::stiffness::Stiffness;
+use crate::tangent::Tangent;
 use crate::{Carrier, InitialGuess, Load, NoEquilibrium, SearchOptions};
 
 /// A balance that round-off keeps from its accuracy is one below this part.
@@ -167,7 +167,7 @@ impl Search<'_> {
             let Ok(chosen) = self.trial(&trial.problem, here, Neighbour::None) else {
                 break;
             };
-            match self.balanced(chosen, tangent, &mut tried) {
+            match self.balanced(chosen, tangent.clone(), &mut tried) {
                 Ok(balanced) => (trial, tangent) = balanced,
                 Err(_) => break,
             }
@@ -185,7 +185,7 @@ impl Search<'_> {
             unbalanced: residual * self.scale,
             parts: self.parts(&trial),
             coordinates: self.coordinates,
-            stiffness: tangent.map_or_else(|| self.stiffness(&trial), Ok)?,
+            stiffness: tangent.map_or_else(|| self.tangent(&trial), Ok)?.stiffness,
             problem: trial.problem,
             film: trial.film,
             cubic: trial.cubic,
@@ -197,9 +197,9 @@ impl Search<'_> {
     fn balanced(
         &self,
         mut trial: Trial,
-        mut kept: Option<Stiffness>,
+        mut kept: Option<Tangent>,
         tried: &mut usize,
-    ) -> Result<(Trial, Option<Stiffness>), NoEquilibrium> {
+    ) -> Result<(Trial, Option<Tangent>), NoEquilibrium> {
         let keeps_tangent = matches!(self.options.guess, InitialGuess::Near(_))
             && trial.problem.cavitation.depends_smoothly_on_position();
         let last = *tried + MOST_STEPS;
@@ -208,8 +208,8 @@ impl Search<'_> {
             if residual < self.options.balanced() || self.options.deadline.is_over() {
                 return Ok((trial, kept));
             }
-            let tangent = kept.map_or_else(|| self.stiffness(&trial), Ok)?;
-            match self.next_trial(&trial, tangent, tried) {
+            let tangent = kept.clone().map_or_else(|| self.tangent(&trial), Ok)?;
+            match self.next_trial(&trial, &tangent, tried) {
                 // Perhaps the tangent was too old.
                 None if kept.take().is_some() => continue,
                 // Round-off is reached.

@@ -41,6 +41,7 @@ pub mod search_options;
 pub mod shaft;
 mod step;
 pub mod stiffness;
+mod tangent;
 pub mod thermal_balance;
 mod tilting;
 

@@ -2,6 +2,7 @@
 
 use crate::coordinates::Vector;
 use oilwedge_reynolds::existence::readable;
+use oilwedge_reynolds::film_thickness::Deflection;
 use oilwedge_reynolds::{JournalState, NoFilm};
 
 /// A film that carries less than this part of the load wherever the journal is in contact is not brought to the load by a finer mesh.
@@ -11,10 +12,12 @@ pub(crate) const FAR: &str =
     "in contact anywhere around the bearing the film of the journal so tilted carries less than a third of the load";
 
 /// A balance on the way from that of the force alone to that of the moment.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Waypoint {
     /// The journal.
     pub(crate) journal: JournalState,
+    /// The deflection of a wall that gives way.
+    pub(crate) deflection: Option<Deflection>,
     /// The part of the way [1].
     pub(crate) part: f64,
     /// Forces of the film less the load at the beginning of the way [N], in the coordinates of the search.

@@ -7,11 +7,11 @@ use oilwedge_reynolds::quantities::load::{Resultant, load};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSolution, FilmSystem, Gap, JournalState, NoFilm};
 
-use crate::coordinates::{Coordinates, Vector, length, moved, unit};
-use crate::deflection::{Pair, carried_change, closed_film, closed_pair};
+use crate::coordinates::{Coordinates, Vector, length, moved};
+use crate::deflection::{Pair, closed_film, closed_pair};
 use crate::equilibrium::NEAR;
 use crate::no_equilibrium::FAR;
-use crate::stiffness::Stiffness;
+use crate::tangent::Tangent;
 use crate::{Load, NoEquilibrium, SearchOptions};
 
 /// A load that was not balanced and is less than this part of the reference force is below round-off.
@@ -20,8 +20,6 @@ const LOST: f64 = 1e-7;
 const NEARLY: f64 = 2.0;
 /// and this angle [rad] leaves open whether there is a position.
 const ASTRAY: f64 = 0.5;
-/// Accuracy to which a wall that gives way follows in the tangent of a search: each step leaves about this part of the difference.
-const FOLLOWED: f64 = 1e-4;
 /// A film whose force is nowhere this part of the load carries none.
 const AT_REST: f64 = 1e-3;
 
@@ -269,28 +267,15 @@ impl<'a> Search<'a> {
         self.load.tilting.map_or(0.0, |tilting| tilting.stiffness / (arm * arm))
     }
 
-    /// `dW/de`.
-    pub(crate) fn stiffness(&self, trial: &Trial) -> Result<Stiffness, NoFilm> {
-        Stiffness::by_columns(self.coordinates.order, |k| {
-            let journal = &trial.problem.journal;
-            let change = (self.coordinates).change(journal, &self.options.centre_velocity, unit(k));
-            let by_film = carried_change(&trial.problem, self.system, &trial.film, &change, FOLLOWED)
-                .map_err(oilwedge_fem::newton::Failure::from)?;
-            let mut column = self.coordinates.forces(&by_film);
-            if k >= 2 {
-                column[k] += self.support_stiffness();
-            }
-            Ok(column)
-        })
-    }
-
     /// The tangent `dW/de` corrected by the change of the forces from one trial to the next.
-    pub(crate) fn corrected(&self, tangent: Stiffness, from: &Trial, to: &Trial) -> Stiffness {
+    pub(crate) fn corrected(&self, tangent: Tangent, from: &Trial, to: &Trial) -> Tangent {
         let difference = |to: Vector, from: Vector| [0, 1, 2, 3].map(|k| to[k] - from[k]);
         let place = |trial: &Trial| self.coordinates.at(&trial.problem.journal);
         let step = difference(place(to), place(from));
         let change = difference(self.response(to), self.response(from));
-        tangent.corrected(step, difference(change, tangent.times(step)))
+        let missed = difference(change, tangent.stiffness.times(step));
+        let stiffness = tangent.stiffness.corrected(step, missed);
+        tangent.with_stiffness(stiffness)
     }
 
     /// How far the force is from the load: by logarithm and angle, so that forces much too large and much too small

@@ -7,6 +7,7 @@ use crate::equilibrium::NEAR;
 use crate::log_eccentricity::{eccentricity_at, log_eccentricity};
 use crate::search::{Search, Trial};
 use crate::stiffness::Stiffness;
+use crate::tangent::Tangent;
 
 /// Most halvings of one step.
 const MOST_HALVINGS: usize = 8;
@@ -24,6 +25,10 @@ const LEAST_SHRINK_TOUCHING: f64 = 0.4;
 const LONGEST_TURN: f64 = 1.0;
 /// Least eccentricity at which steps are taken in logarithmic coordinates.
 const CENTRED: f64 = 1e-3;
+/// A small part of the gap,
+const LITTLE: f64 = 1e-2;
+/// and the greatest part of a way by which a wall is taken to follow.
+const MOST_FOLLOWED: f64 = 0.99;
 /// Below this part of the load a film that conserves oil keeps its advection schemes from step to step.
 const SMOOTH: f64 = 1e-2;
 /// Moves by less than this part of the least film thickness start from the film before.
@@ -31,28 +36,31 @@ pub const SHORT_MOVE: f64 = 0.2;
 
 impl Search<'_> {
     /// The next trial, by the longest step that brings the forces nearer to the load.
-    pub(crate) fn next_trial(&self, from: &Trial, stiffness: Stiffness, tried: &mut usize) -> Option<Trial> {
-        let newton = || stiffness.solve(self.excess(from).map(|excess| -excess));
+    pub(crate) fn next_trial(&self, from: &Trial, tangent: &Tangent, tried: &mut usize) -> Option<Trial> {
+        let newton = || tangent.stiffness.solve(self.excess(from).map(|excess| -excess));
         let steps = (self.residual(from) > NEAR)
-            .then(|| self.logarithmic_steps(from, stiffness))
+            .then(|| self.logarithmic_steps(from, tangent))
             .flatten();
         let [longest, shortest] = steps.unwrap_or_else(|| [newton(); 2]);
-        self.damped(from, longest, tried).or_else(|| {
+        self.damped((from, tangent), longest, tried).or_else(|| {
             // Where the tilt is free the branch of balances leads on, unless forces jump along it.
             let has_branch = self.load.tilting.is_some() && from.film.film_fraction.is_none();
             let may_try = longest != shortest && !has_branch;
-            may_try.then(|| self.damped(from, shortest, tried)).flatten()
+            may_try.then(|| self.damped((from, tangent), shortest, tried)).flatten()
         })
     }
 
     /// Steps to try one after the other: the step in `s`, the angle of the line of centres and the tilt that brings `ln |W|`, the angle of W and the arms of the moments to those of
     /// the load, and the direction in which it begins: where the line of centres turns far, or the eccentricity is near its greatest, no part of the straight way to the first leads
     /// nearer to the load. None for a centred journal, without a load, and where the force points away from the load.
-    fn logarithmic_steps(&self, trial: &Trial, stiffness: Stiffness) -> Option<[Vector; 2]> {
+    fn logarithmic_steps(&self, trial: &Trial, tangent: &Tangent) -> Option<[Vector; 2]> {
         let [e_x, e_y] = trial.problem.journal.offset;
         let e = e_x.hypot(e_y);
-        let held = self.gap_under(&trial.problem);
-        let reach = |angle: f64| held.reach(&trial.problem.journal, angle);
+        let (held, follows) = (self.gap_under(&trial.problem), self.following(trial, tangent));
+        let reach = |angle: f64| {
+            let to_wall = held.reach(&trial.problem.journal, angle) - e;
+            follows.map_or(e + to_wall, |part| e + to_wall / (1.0 - part))
+        };
         let eps = e / reach(e_y.atan2(e_x));
         let (carried, asked) = (trial.carried.force, self.load.force);
         let (force, load) = (carried[0].hypot(carried[1]), self.load.magnitude());
@@ -74,8 +82,8 @@ impl Search<'_> {
             [0.0, 0.0, 0.0, by_tilt],
         ];
         let (film, support) = (self.coordinates.forces(&trial.carried), self.support_stiffness());
-        let tangent = Stiffness::by_columns(stiffness.order(), |k| {
-            let change = stiffness.times(moves[k]);
+        let logarithmic = Stiffness::by_columns(tangent.stiffness.order(), |k| {
+            let change = tangent.stiffness.times(moves[k]);
             let size = (change[0] * carried[0] + change[1] * carried[1]) / force.powi(2);
             let turn = (change[1] * carried[0] - change[0] * carried[1]) / force.powi(2);
             // What the support takes over leaves less to the film.
@@ -85,8 +93,8 @@ impl Search<'_> {
             });
             Ok::<Vector, std::convert::Infallible>([size, turn, arm_x, arm_y])
         });
-        let Ok(tangent) = tangent;
-        let [by_s, turn, tilt_x, tilt_y] = tangent.solve(wanted);
+        let Ok(logarithmic) = logarithmic;
+        let [by_s, turn, tilt_x, tilt_y] = logarithmic.solve(wanted);
         let is_step = by_s.is_finite() && tilt_x.is_finite() && tilt_y.is_finite();
         if !(is_step && turn.is_finite() && turn.abs() < LONGEST_TURN) {
             return None;
@@ -97,6 +105,19 @@ impl Search<'_> {
         let first = [0, 1].map(|d| by_s * moves[0][d] + turn * moves[1][d]);
         let tilt = [by_tilt * tilt_x, by_tilt * tilt_y];
         Some([[x, y, tilt[0], tilt[1]], [first[0], first[1], tilt[0], tilt[1]]])
+    }
+
+    /// How far the wall follows a journal that moves along the line of centres, as a part of that way [1]; none of a rigid wall.
+    fn following(&self, trial: &Trial, tangent: &Tangent) -> Option<f64> {
+        let (problem, journal) = (&trial.problem, &trial.problem.journal);
+        problem.deflection()?;
+        let gap = self.least_film(trial);
+        let [sin, cos] = [journal.min_film_angle().sin(), journal.min_film_angle().cos()];
+        let step = [cos, sin, 0.0, 0.0].map(|part| part * LITTLE * gap);
+        let moved = self.coordinates.placed(journal, moved(self.coordinates.at(journal), 1.0, step));
+        let before = self.gap_under(problem).least(&moved);
+        let gained = self.gap_under(&tangent.bent(problem, step)).least(&moved) - before;
+        Some((gained / (LITTLE * gap)).clamp(0.0, MOST_FOLLOWED))
     }
 
     /// The distance that the next trial must be below, and how often a step is halved with advection schemes chosen anew, and with those kept.
@@ -110,11 +131,10 @@ impl Search<'_> {
         }
     }
 
-    /// The longest of the halved steps that brings the forces nearer to the load, the film thickness kept positive.
-    pub(crate) fn damped(&self, from: &Trial, step: Vector, tried: &mut usize) -> Option<Trial> {
+    /// The longest of the halved steps that brings the forces nearer to the load, the film thickness kept positive where the wall follows along the tangent.
+    pub(crate) fn damped(&self, (from, tangent): (&Trial, &Tangent), step: Vector, tried: &mut usize) -> Option<Trial> {
         let journal = from.problem.journal;
-        let held = self.gap_under(&from.problem);
-        let gap = held.least(&journal);
+        let gap = self.least_film(from);
         let here = self.coordinates.at(&journal);
         let least = gap
             * match self.load.tilting {
@@ -122,9 +142,10 @@ impl Search<'_> {
                 None => LEAST_SHRINK,
                 Some(_) => LEAST_SHRINK_TILTING,
             };
+        let bent = |part: f64| tangent.bent(&from.problem, step.map(|move_by| part * move_by));
         let thin = |part: f64| {
             let moved = moved(here, part, step);
-            held.least(&self.coordinates.placed(&journal, moved)) < least
+            self.gap_under(&bent(part)).least(&self.coordinates.placed(&journal, moved)) < least
         };
         let length = length(step);
         // From a journal in contact no part of a step is short enough.
@@ -146,7 +167,7 @@ impl Search<'_> {
                 false => Neighbour::None,
             };
             *tried += 1;
-            if let Ok(trial) = self.trial(&from.problem, moved(here, part, step), near)
+            if let Ok(trial) = self.trial(&bent(part), moved(here, part, step), near)
                 && self.distance(&trial) < nearer
             {
                 return Some(match near {

@@ -15,7 +15,7 @@ use crate::equilibrium::{Equilibrium, ROUGHLY_BALANCED};
 use crate::estimate::is_contact;
 use crate::no_equilibrium::Waypoint;
 use crate::search::{Search, Trial};
-use crate::stiffness::Stiffness;
+use crate::tangent::Tangent;
 use crate::{Carrier, InitialGuess, Load, NoEquilibrium, SearchOptions, find};
 
 /// First step along the branch.
@@ -44,7 +44,7 @@ const AHEAD: f64 = 0.3;
 /// A point of the branch.
 struct Point {
     trial: Trial,
-    stiffness: Stiffness,
+    tangent: Tangent,
     part: f64,
 }
 
@@ -97,7 +97,7 @@ impl Search<'_> {
             clearance: trial.problem.bearing.clearance,
         };
         let first = Point {
-            stiffness: self.stiffness(&trial)?,
+            tangent: self.tangent(&trial)?,
             part: 0.0,
             trial,
         };
@@ -116,7 +116,8 @@ impl Search<'_> {
             .load
             .with(way.first.map(|first| (1.0 - way.part) * first), self.coordinates.arm);
         let search = Search::new(problem, self.system, load, options);
-        let Ok(found) = search.run(problem, way.journal) else {
+        let bent = problem.clone().deflected(way.deflection.as_ref());
+        let Ok(found) = search.run(&bent, way.journal) else {
             return self.by_parts_of_tilting(problem);
         };
         let place = self.coordinates.at(&found.problem.journal);
@@ -127,7 +128,7 @@ impl Search<'_> {
             clearance: problem.bearing.clearance,
         };
         let first = Point {
-            stiffness: self.stiffness(&trial)?,
+            tangent: self.tangent(&trial)?,
             part: way.part,
             trial,
         };
@@ -194,6 +195,7 @@ impl Branch<'_, '_> {
     fn waypoint(&self, at: &Point) -> Waypoint {
         Waypoint {
             journal: at.trial.problem.journal,
+            deflection: at.trial.problem.deflection().cloned(),
             part: at.part,
             first: self.first,
         }
@@ -247,7 +249,7 @@ impl Branch<'_, '_> {
 
     /// The direction of the branch at a point: on from the one `before` or, at its beginning, towards greater parts. None where the tangent is singular.
     fn direction(&self, at: &Point, before: Option<Direction>) -> Option<Direction> {
-        let place = at.stiffness.solve(self.first.map(|first| -first));
+        let place = at.tangent.stiffness.solve(self.first.map(|first| -first));
         let long = (length(place) / self.clearance).hypot(1.0);
         let along = Direction {
             place: place.map(|x| x / long),
@@ -270,13 +272,13 @@ impl Branch<'_, '_> {
     /// What follows a point: the next one, or the end of the branch. `wanted` is the length of the step, longer or shorter afterwards. None where no step leads on.
     fn next(&self, here: &Point, along: Direction, wanted: &mut f64) -> Option<Next> {
         let (search, gap) = (self.search, self.gap(&here.trial));
-        let held = search.gap_under(&here.trial.problem);
+        let bent = |step: f64| here.tangent.bent(&here.trial.problem, along.place.map(|part| step * part));
         let place = search.coordinates.at(&here.trial.problem.journal);
         let journal = |step: f64| {
             let moved = moved(place, step, along.place);
             search.coordinates.placed(&here.trial.problem.journal, moved)
         };
-        let thin = |step: f64| held.least(&journal(step)) < LEAST_SHRINK * gap * self.clearance;
+        let thin = |step: f64| search.gap_under(&bent(step)).least(&journal(step)) < LEAST_SHRINK * gap * self.clearance;
         loop {
             while thin(*wanted) {
                 *wanted *= 0.8;
@@ -285,7 +287,8 @@ impl Branch<'_, '_> {
                 return None;
             }
             if here.part + *wanted * along.part >= 1.0 {
-                let found = search.run(&here.trial.problem, journal((1.0 - here.part) / along.part));
+                let last = (1.0 - here.part) / along.part;
+                let found = search.run(&bent(last), journal(last));
                 match found {
                     Ok(found) if is_contact(&search.gap_under(&found.problem), &found.problem.journal) => {
                         return Some(Next::Contact(Box::new(found.problem)));
@@ -309,10 +312,11 @@ impl Branch<'_, '_> {
         let mut place = moved(search.coordinates.at(&here.trial.problem.journal), step, along.place);
         let mut part = here.part + step * along.part;
         let (mut last, mut before): (f64, Option<Trial>) = (f64::INFINITY, None);
-        let (held, thinnest) = (search.gap_under(&here.trial.problem), self.gap(&here.trial));
+        let thinnest = self.gap(&here.trial);
+        let mut bent = here.tangent.bent(&here.trial.problem, along.place.map(|part| step * part));
         for corrections in 0..MOST_CORRECTIONS {
             let journal = search.coordinates.placed(&here.trial.problem.journal, place);
-            let gap = held.least(&journal) / self.clearance;
+            let gap = search.gap_under(&bent).least(&journal) / self.clearance;
             if gap < 0.5 * LEAST_SHRINK * thinnest {
                 return None;
             }
@@ -320,24 +324,26 @@ impl Branch<'_, '_> {
             let near = before
                 .as_ref()
                 .map_or(Neighbour::None, |trial| Neighbour::Kept(&trial.film));
-            let anew = || search.trial(&here.trial.problem, place, Neighbour::None);
+            let anew = || search.trial(&bent, place, Neighbour::None);
             let trial = search
-                .trial(&here.trial.problem, place, near)
+                .trial(&bent, place, near)
                 .or_else(|_| anew())
                 .ok()?;
             let left = moved(search.excess(&trial), -(1.0 - part), self.first);
-            let stiffness = search.stiffness(&trial).ok()?;
+            let tangent = search.tangent(&trial).ok()?;
             if length(left) < ROUGHLY_BALANCED * search.scale {
-                let point = Point { trial, stiffness, part };
+                let point = Point { trial, tangent, part };
                 return Some((point, corrections));
             }
-            let (by_left, by_part) = (stiffness.solve(left), stiffness.solve(self.first));
+            let solve = |force: Vector| tangent.stiffness.solve(force);
+            let (by_left, by_part) = (solve(left), solve(self.first));
             let change = self.product(along, by_left, 0.0) / (along.part - self.product(along, by_part, 0.0));
             let correction = moved(by_left.map(|x| -x), -change, by_part);
             let size = length(correction) / self.clearance;
             if !(size + change.abs()).is_finite() || size > 2.0 * last.min(step) {
                 return None;
             }
+            bent = tangent.bent(&trial.problem, correction);
             (place, part, last, before) = (moved(place, 1.0, correction), part + change, size, Some(trial));
         }
         None

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use oilwedge_bearing::Coefficients;
-use oilwedge_bearing::deflection::{EXACT, carried_change, closed_film};
+use oilwedge_bearing::deflection::{EXACT, carried_changes, closed_film};
 use oilwedge_reynolds::contact::Contact;
 use oilwedge_reynolds::flow_factors::PatirCheng;
 use oilwedge_reynolds::solve::Neighbour;
@@ -67,9 +67,9 @@ fn tangents_of_film_wall_and_contact_are_differences() {
         let closing = problem.deflection().expect("a wall").closing;
         assert!(closing.residual < 1e-10, "{what}: {closing:?}");
         println!("{what}: {closing:?}");
-        let tangent: [[f64; 4]; 4] = std::array::from_fn(|k| {
-            forces(&carried_change(&problem, &system, &film, &unit_change(k, 1.0), EXACT).expect("a tangent"))
-        });
+        let changes: [JournalChange; 4] = std::array::from_fn(|k| unit_change(k, 1.0));
+        let changed = carried_changes(&problem, &system, &film, &changes, EXACT).expect("a tangent");
+        let tangent: [[f64; 4]; 4] = std::array::from_fn(|k| forces(&changed[k].by_film));
         let at = |change: &JournalChange| {
             let moved = FilmProblem {
                 journal: problem.journal.changed(change),

@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
-use oilwedge_bearing::deflection::{EXACT, carried_change, closed_film};
+use oilwedge_bearing::deflection::{EXACT, carried_changes, closed_film};
 use oilwedge_bearing::duty_cycle::{DutyCycle, Frame, Harmonic, Turning};
 use oilwedge_bearing::orbit::{Motion, OrbitOptions, Span, Step};
 use oilwedge_bearing::{Deadline, Load, SearchOptions, find};
@@ -189,8 +189,8 @@ fn column(
         velocity: along.map(|part| per_time * part),
         ..JournalChange::default()
     };
-    let changed = carried_change(problem, system, film, &change, EXACT);
-    changed.expect("a tangent").force
+    let changed = carried_changes(problem, system, film, &[change], EXACT);
+    changed.expect("a tangent")[0].by_film.force
 }
 
 /// Place and wall after a quarter of a cycle in even steps, against 32 of them. Order 4 in time, until what edges of the cavity that pass nodes leave is in sight: on this mesh 1e-6 of the

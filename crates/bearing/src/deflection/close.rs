@@ -14,10 +14,13 @@ const CLOSED: f64 = 1e-11;
 const CLOSED_ENOUGH: f64 = 1e-8;
 /// Most steps.
 const MOST_STEPS: usize = 12;
-/// Accuracy of the linear systems of a step far from the deflection, and of one near it,
-const ROUGH: f64 = 1e-3;
-const FINE: f64 = 1e-6;
-/// which is where this part is left; there a mass-conserving film keeps its advection schemes too.
+/// Accuracy of the linear system of a first step,
+const ROUGH: f64 = 0.1;
+/// and the part of what may be left at last that the system of a last step leaves.
+const SPARE: f64 = 0.3;
+/// The tangents of the films in quadratic and cubic elements differ by about this part.
+const APART: f64 = 1e-3;
+/// Where this part is left a mass-conserving film keeps its advection schemes.
 const NEAR: f64 = 1e-2;
 /// A balance of the cubic film that falls by less than this factor with the tangent of the quadratic one takes its own,
 const SLOW: f64 = 0.1;
@@ -138,8 +141,7 @@ fn iterated(mut here: Trial, system: &FilmSystem, counts: &mut Closing) -> Resul
         if here.residual < CLOSED {
             return Ok(here);
         }
-        let accuracy = if here.residual > NEAR { ROUGH } else { FINE };
-        let step = newton_step(&here, system, accuracy, counts)?;
+        let step = newton_step(&here, system, accuracy(here.residual), counts)?;
         match damped(&here, &step, system, counts) {
             Some(next) => here = next,
             None if here.residual < CLOSED_ENOUGH => return Ok(here),
@@ -153,6 +155,12 @@ fn iterated(mut here: Trial, system: &FilmSystem, counts: &mut Closing) -> Resul
             steps: counts.outer,
         }),
     }
+}
+
+/// Accuracy of the linear system of a step: one that leaves no more than the curvature does, or than may be left at last
+/// (Eisenstat, Walker, SIAM J. Sci. Comput. 17 (1996) 16).
+fn accuracy(residual: f64) -> f64 {
+    residual.max(SPARE * CLOSED / residual).min(ROUGH)
 }
 
 /// The step [m] of Newton's method from a film.
@@ -309,7 +317,11 @@ fn bent_further(
     let Some(follower) = follower.map_err(Failure::from)? else {
         return Ok(pair);
     };
-    let step = follower.solve(left, FINE).map_err(Failure::from)?;
+    let accuracy = match tangent {
+        TangentOf::Quadratic => accuracy(counts.residual).max(APART),
+        TangentOf::Cubic => accuracy(counts.residual),
+    };
+    let step = follower.solve(left, accuracy).map_err(Failure::from)?;
     counts.inner += step.steps;
     let Some(problem) = stepped(&pair.problem, &step.x, 1.0) else {
         return Ok(pair);

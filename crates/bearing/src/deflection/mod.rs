@@ -35,26 +35,45 @@ use oilwedge_reynolds::quantities::load::{Resultant, load_change};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmChange, FilmProblem, FilmSolution, FilmSystem, JournalChange, NoFilm};
 
-/// First-order change of what the journal carries where it moves by `change`; a wall that gives way follows. Its linear system is solved until the norm of the residual is `accuracy` times
+/// What a move of the journal changes, to first order.
+#[derive(Debug, Clone)]
+pub struct Carried {
+    /// Change of what the journal carries.
+    pub by_film: Resultant,
+    /// Change of the coefficients of the deflection [m]; empty where the wall is rigid.
+    pub deflection: Vec<f64>,
+}
+
+/// What each of some `changes` of the journal changes, to first order; a wall that gives way follows. Its linear systems are solved until the norm of the residual is `accuracy` times
 /// that of the right-hand side [1].
 ///
 /// # Errors
 /// The linear systems could not be solved.
-pub fn carried_change(
+pub fn carried_changes(
     problem: &FilmProblem,
     system: &FilmSystem,
     film: &FilmSolution,
-    change: &JournalChange,
+    changes: &[JournalChange],
     accuracy: f64,
-) -> Result<Resultant, Error> {
-    let unknown = problem.unknown_change(system, film, change)?;
-    let Some(follower) = Follower::of(problem, system, film)? else {
-        return Ok(load_change(problem, system, film, &[change.into()], &unknown));
+) -> Result<Vec<Carried>, Error> {
+    let follower = Follower::of(problem, system, film)?;
+    let of = |change: &JournalChange| {
+        let unknown = problem.unknown_change(system, film, change)?;
+        let Some(follower) = &follower else {
+            return Ok(Carried {
+                by_film: load_change(problem, system, film, &[change.into()], &unknown),
+                deflection: Vec::new(),
+            });
+        };
+        let followed = follower.followed(change, unknown, accuracy)?;
+        let shape = follower.shape(&followed.deflection);
+        let changes = [change.into(), FilmChange::Gap(&shape)];
+        Ok(Carried {
+            by_film: load_change(problem, system, film, &changes, &followed.unknown),
+            deflection: followed.deflection,
+        })
     };
-    let followed = follower.followed(change, unknown, accuracy)?;
-    let shape = follower.shape(&followed.deflection);
-    let changes = [change.into(), FilmChange::Gap(&shape)];
-    Ok(load_change(problem, system, film, &changes, &followed.unknown))
+    changes.iter().map(of).collect()
 }
 
 /// The film where the journal has moved by a small `change`, and with it a wall that gives way: along the tangent, but for a mass-conserving one, which is solved

@@ -19,7 +19,7 @@ use oilwedge_reynolds::{
 use super::oil::Oil;
 use super::scheme::{FOURTH_ORDER, SECOND_ORDER, Scheme};
 use crate::coordinates::{Coordinates, Vector, unit};
-use crate::deflection::{carried_change, carried_slowly, closed_film};
+use crate::deflection::{carried_changes, carried_slowly, closed_film};
 use crate::duty_cycle::{Duty, DutyCycle};
 use crate::stiffness::Stiffness;
 
@@ -216,11 +216,12 @@ impl Motion<'_> {
     /// The linear systems could not be solved.
     pub fn tangent(&self, here: &Instant, per_offset: f64, per_rate: f64) -> Result<Stiffness, NoFilm> {
         let coordinates = self.coordinates();
+        let change = |k: usize| self.change(&here.problem.journal, k, [per_offset, per_rate]);
+        let changes: Vec<JournalChange> = (0..coordinates.order).map(change).collect();
+        let carried = carried_changes(&here.problem, self.system, &here.film, &changes, FOLLOWED);
+        let carried = carried.map_err(Failure::from)?;
         Stiffness::by_columns(coordinates.order, |k| {
-            let change = self.change(&here.problem.journal, k, [per_offset, per_rate]);
-            let by_film =
-                carried_change(&here.problem, self.system, &here.film, &change, FOLLOWED).map_err(Failure::from)?;
-            let mut column = coordinates.forces(&by_film);
+            let mut column = coordinates.forces(&carried[k].by_film);
             if k >= 2 {
                 column[k] += per_offset * self.support_stiffness();
             }

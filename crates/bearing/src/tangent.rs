@@ -1,0 +1,68 @@
+//! The tangent of a trial: how its forces, and a wall that gives way, change with the coordinates of the journal.
+//!
+//! A journal that presses a soft wall out takes it along: the gap shrinks by a small part of the way. So a step is judged, and its film begun, under the wall
+//! where the step takes it to first order.
+
+use std::sync::Arc;
+
+use oilwedge_fem::newton::Failure;
+use oilwedge_reynolds::{FilmProblem, NoFilm};
+
+use crate::coordinates::{Vector, unit};
+use crate::deflection::{Carried, carried_changes};
+use crate::search::{Search, Trial};
+use crate::stiffness::Stiffness;
+
+/// Accuracy to which a wall that gives way follows in the tangent of a search: each step leaves about this part of the difference.
+const FOLLOWED: f64 = 1e-4;
+
+/// How the forces and the wall change with each coordinate.
+#[derive(Debug, Clone)]
+pub(crate) struct Tangent {
+    /// `dW/de` [N/m].
+    pub(crate) stiffness: Stiffness,
+    /// Change of the coefficients of the deflection with each coordinate [1]; none of a rigid wall.
+    wall: Arc<[Vec<f64>]>,
+}
+
+impl Tangent {
+    /// The problem under the wall that a `step` [m] of the coordinates takes along.
+    pub(crate) fn bent(&self, problem: &FilmProblem, step: Vector) -> FilmProblem {
+        let Some(deflection) = problem.deflection() else {
+            return problem.clone();
+        };
+        let mut coefficients = deflection.coefficients.to_vec();
+        for (change, part) in self.wall.iter().zip(step) {
+            (coefficients.iter_mut().zip(change)).for_each(|(sum, change)| *sum += part * change);
+        }
+        problem.clone().deflected(Some(&deflection.with(coefficients)))
+    }
+
+    /// This one with other changes of the forces.
+    pub(crate) fn with_stiffness(self, stiffness: Stiffness) -> Self {
+        Self { stiffness, ..self }
+    }
+}
+
+impl Search<'_> {
+    /// The tangent of a trial, its cavity held.
+    ///
+    /// # Errors
+    /// The linear systems could not be solved.
+    pub(crate) fn tangent(&self, trial: &Trial) -> Result<Tangent, NoFilm> {
+        let journal = &trial.problem.journal;
+        let change = |k: usize| (self.coordinates).change(journal, &self.options.centre_velocity, unit(k));
+        let changes: Vec<_> = (0..self.coordinates.order).map(change).collect();
+        let followed = carried_changes(&trial.problem, self.system, &trial.film, &changes, FOLLOWED);
+        let followed: Vec<Carried> = followed.map_err(Failure::from)?;
+        let stiffness = Stiffness::by_columns(self.coordinates.order, |k| {
+            let mut column = self.coordinates.forces(&followed[k].by_film);
+            if k >= 2 {
+                column[k] += self.support_stiffness();
+            }
+            Ok::<_, NoFilm>(column)
+        })?;
+        let wall = followed.into_iter().map(|change| change.deflection).collect();
+        Ok(Tangent { stiffness, wall })
+    }
+}
