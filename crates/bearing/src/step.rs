@@ -37,27 +37,26 @@ pub const SHORT_MOVE: f64 = 0.2;
 impl Search<'_> {
     /// The next trial, by the longest step that brings the forces nearer to the load.
     pub(crate) fn next_trial(&self, from: &Trial, tangent: &Tangent, tried: &mut usize) -> Option<Trial> {
-        let newton = || tangent.stiffness.solve(self.excess(from).map(|excess| -excess));
-        let steps = (self.residual(from) > NEAR)
-            .then(|| self.logarithmic_steps(from, tangent))
+        let curved = (self.residual(from) > NEAR)
+            .then(|| self.logarithmic_way(from, tangent))
             .flatten();
-        let [longest, shortest] = steps.unwrap_or_else(|| [newton(); 2]);
-        self.damped((from, tangent), longest, tried).or_else(|| {
-            // Where the tilt is free the branch of balances leads on, unless forces jump along it.
-            let has_branch = self.load.tilting.is_some() && from.film.film_fraction.is_none();
-            let may_try = longest != shortest && !has_branch;
-            may_try.then(|| self.damped((from, tangent), shortest, tried)).flatten()
-        })
+        match curved {
+            Some(way) => self.damped((from, tangent), way, tried),
+            None => {
+                let step = tangent.stiffness.solve(self.excess(from).map(|excess| -excess));
+                self.damped((from, tangent), |part| step.map(|move_by| part * move_by), tried)
+            }
+        }
     }
 
-    /// Steps to try one after the other: the step in `s`, the angle of the line of centres and the tilt that brings `ln |W|`, the angle of W and the arms of the moments to those of
-    /// the load, and the direction in which it begins: where the line of centres turns far, or the eccentricity is near its greatest, no part of the straight way to the first leads
-    /// nearer to the load. None for a centred journal, without a load, and where the force points away from the load.
-    fn logarithmic_steps(&self, trial: &Trial, tangent: &Tangent) -> Option<[Vector; 2]> {
+    /// The way [m] in `s`, the angle of the line of centres and the tilt that brings `ln |W|`, the angle of W and the arms of the moments to those of the load: it is curved, and where the
+    /// line of centres turns far, or the eccentricity is near its greatest, no part of the straight way to its end leads nearer to the load. None for a centred journal, without a load,
+    /// and where the force points away from the load.
+    fn logarithmic_way<'a>(&'a self, trial: &'a Trial, tangent: &Tangent) -> Option<impl Fn(f64) -> Vector + 'a> {
         let [e_x, e_y] = trial.problem.journal.offset;
         let e = e_x.hypot(e_y);
         let (held, follows) = (self.gap_under(&trial.problem), self.following(trial, tangent));
-        let reach = |angle: f64| {
+        let reach = move |angle: f64| {
             let to_wall = held.reach(&trial.problem.journal, angle) - e;
             follows.map_or(e + to_wall, |part| e + to_wall / (1.0 - part))
         };
@@ -99,12 +98,12 @@ impl Search<'_> {
         if !(is_step && turn.is_finite() && turn.abs() < LONGEST_TURN) {
             return None;
         }
-        let angle = e_y.atan2(e_x) + turn;
-        let e_next = reach(angle) * eccentricity_at(log_eccentricity(eps) + by_s);
-        let [x, y] = [e_next * angle.cos() - e_x, e_next * angle.sin() - e_y];
-        let first = [0, 1].map(|d| by_s * moves[0][d] + turn * moves[1][d]);
-        let tilt = [by_tilt * tilt_x, by_tilt * tilt_y];
-        Some([[x, y, tilt[0], tilt[1]], [first[0], first[1], tilt[0], tilt[1]]])
+        Some(move |part: f64| {
+            let angle = e_y.atan2(e_x) + part * turn;
+            let e = reach(angle) * eccentricity_at(log_eccentricity(eps) + part * by_s);
+            let [tilt_x, tilt_y] = [tilt_x, tilt_y].map(|tilt| part * by_tilt * tilt);
+            [e * angle.cos() - e_x, e * angle.sin() - e_y, tilt_x, tilt_y]
+        })
     }
 
     /// How far the wall follows a journal that moves along the line of centres, as a part of that way [1]; none of a rigid wall.
@@ -131,8 +130,14 @@ impl Search<'_> {
         }
     }
 
-    /// The longest of the halved steps that brings the forces nearer to the load, the film thickness kept positive where the wall follows along the tangent.
-    pub(crate) fn damped(&self, (from, tangent): (&Trial, &Tangent), step: Vector, tried: &mut usize) -> Option<Trial> {
+    /// The trial after the longest of the halved parts of a `way` [m] that brings the forces nearer to the load, the film thickness kept positive where the wall follows along the
+    /// tangent.
+    fn damped(
+        &self,
+        (from, tangent): (&Trial, &Tangent),
+        way: impl Fn(f64) -> Vector,
+        tried: &mut usize,
+    ) -> Option<Trial> {
         let journal = from.problem.journal;
         let gap = self.least_film(from);
         let here = self.coordinates.at(&journal);
@@ -142,14 +147,14 @@ impl Search<'_> {
                 None => LEAST_SHRINK,
                 Some(_) => LEAST_SHRINK_TILTING,
             };
-        let bent = |part: f64| tangent.bent(&from.problem, step.map(|move_by| part * move_by));
         let thin = |part: f64| {
-            let moved = moved(here, part, step);
-            self.gap_under(&bent(part)).least(&self.coordinates.placed(&journal, moved)) < least
+            let step = way(part);
+            let bent = tangent.bent(&from.problem, step);
+            let there = self.coordinates.placed(&journal, moved(here, 1.0, step));
+            self.gap_under(&bent).least(&there) < least
         };
-        let length = length(step);
         // From a journal in contact no part of a step is short enough.
-        if !length.is_finite() || gap <= 0.0 {
+        if !length(way(1.0)).is_finite() || gap <= 0.0 {
             return None;
         }
         let mut longest = 1.0;
@@ -160,14 +165,16 @@ impl Search<'_> {
         let halved = |times: usize| longest * 0.5f64.powi(times as i32);
         let parts = (0..chosen).map(|times| (halved(times), false));
         for (part, keeps_schemes) in parts.chain((0..kept).map(|times| (halved(times), true))) {
-            let near = match part * length < SHORT_MOVE * gap {
+            let step = way(part);
+            let near = match length(step) < SHORT_MOVE * gap {
                 _ if keeps_schemes => Neighbour::Kept(&from.film),
                 true if self.options.keeps_schemes() || self.residual(from) < SMOOTH => Neighbour::Kept(&from.film),
                 true => Neighbour::Start(&from.film),
                 false => Neighbour::None,
             };
             *tried += 1;
-            if let Ok(trial) = self.trial(&bent(part), moved(here, part, step), near)
+            let bent = tangent.bent(&from.problem, step);
+            if let Ok(trial) = self.trial(&bent, moved(here, 1.0, step), near)
                 && self.distance(&trial) < nearer
             {
                 return Some(match near {
