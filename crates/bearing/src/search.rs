@@ -8,7 +8,7 @@ use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSolution, FilmSystem, Gap, JournalState, NoFilm};
 
 use crate::coordinates::{Coordinates, Vector, length, moved};
-use crate::deflection::{Pair, closed_film, closed_pair};
+use crate::deflection::{Pair, closed_film, closed_near, closed_pair};
 use crate::equilibrium::NEAR;
 use crate::no_equilibrium::FAR;
 use crate::tangent::Tangent;
@@ -150,7 +150,12 @@ impl<'a> Search<'a> {
                 start = nearer(&start);
                 continue;
             }
-            match self.trial(problem, self.coordinates.at(&start), Neighbour::None) {
+            let at = self.coordinates.at(&start);
+            let from_rest = |reason: NoFilm| match problem.has_bent_wall() {
+                true => self.trial(&problem.clone().with_wall_at_rest(), at, Neighbour::None),
+                false => Err(reason),
+            };
+            match self.trial(problem, at, Neighbour::None).or_else(from_rest) {
                 // Without a supply there is no film anywhere.
                 Err(reason) if !matches!(reason, NoFilm::NoSupply { .. }) => start = nearer(&start),
                 other => return other,
@@ -167,9 +172,10 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// The trial with the journal `at` these coordinates by the force of the film in quadratic elements.
+    /// The trial with the journal `at` these coordinates by the force of the film in quadratic elements. Where the wall is bent that which is looked for is near.
     pub(crate) fn trial(&self, problem: &FilmProblem, at: Vector, near: Neighbour) -> Result<Trial, NoFilm> {
-        let (problem, film) = closed_film(self.placed(problem, at), self.system, near)?;
+        let close = if problem.has_bent_wall() { closed_near } else { closed_film };
+        let (problem, film) = close(self.placed(problem, at), self.system, near)?;
         let carried = load(&problem, self.system, &film).total.resultant();
         let trial = self.recorded(Trial::of(problem, film, carried));
         Ok(match near {

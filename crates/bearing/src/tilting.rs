@@ -324,11 +324,11 @@ impl Branch<'_, '_> {
             let near = before
                 .as_ref()
                 .map_or(Neighbour::None, |trial| Neighbour::Kept(&trial.film));
-            let anew = || search.trial(&bent, place, Neighbour::None);
-            let trial = search
-                .trial(&bent, place, near)
-                .or_else(|_| anew())
-                .ok()?;
+            let trial = match (search.trial(&bent, place, near), &before) {
+                (Err(_), Some(_)) => search.trial(&bent, place, Neighbour::None),
+                (trial, _) => trial,
+            };
+            let trial = trial.ok()?;
             let left = moved(search.excess(&trial), -(1.0 - part), self.first);
             let tangent = search.tangent(&trial).ok()?;
             if length(left) < ROUGHLY_BALANCED * search.scale {

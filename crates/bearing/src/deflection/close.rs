@@ -55,7 +55,7 @@ struct Trial {
     residual: f64,
 }
 
-/// Solves a film, and with it the deflection of its wall from that which the problem has.
+/// Solves a film, and with it the deflection of its wall from that which the problem has, or from those of journals nearer to the middle.
 ///
 /// # Errors
 /// [`NoFilm`]: the reason why there is none.
@@ -76,6 +76,21 @@ pub fn closed_film(
     match climbed(&problem, system, &mut counts) {
         Some(found) => Ok(found),
         None => Err(reason),
+    }
+}
+
+/// Solves a film, and with it the deflection of its wall from that which the problem has: one that is near.
+///
+/// # Errors
+/// [`NoFilm`]: the reason why there is none, or why the wall is not near.
+pub(crate) fn closed_near(
+    problem: FilmProblem,
+    system: &FilmSystem,
+    near: Neighbour,
+) -> Result<(FilmProblem, FilmSolution), NoFilm> {
+    match problem.deflection() {
+        None => closed_film(problem, system, near),
+        Some(_) => closed(problem, system, near, &mut Closing::default()),
     }
 }
 

@@ -183,6 +183,12 @@ impl FilmProblem {
             .find_map(|contribution| contribution.as_deflection())
     }
 
+    /// Whether its wall gives way, and has done so.
+    pub fn has_bent_wall(&self) -> bool {
+        let is_bent = |deflection: &Deflection| deflection.coefficients.iter().any(|d| *d != 0.0);
+        self.deflection().is_some_and(is_bent)
+    }
+
     /// This problem with its wall not bent.
     #[must_use]
     pub fn with_wall_at_rest(self) -> Self {
