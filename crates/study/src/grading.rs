@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use oilwedge_bearing::{Deadline, Equilibrium, Load, NoEquilibrium, ROUGHLY_BALANCED, SearchOptions, find, is_contact};
 use oilwedge_reynolds::angles::wrapped;
-use oilwedge_reynolds::{Gap, JournalState};
+use oilwedge_reynolds::{FilmProblem, Gap, JournalState};
 use oilwedge_scene::Scene;
 
 use crate::compile::{compile, compile_near};
@@ -48,13 +48,15 @@ pub fn graded_within(scene: &Scene, most_triangles: f64, deadline: Deadline) -> 
             break;
         }
         match suited(&film, load, deadline, &mut middle) {
-            Suited::To(journal) => {
-                return Ok(film.with_journal(journal).nearly_balanced());
-            }
+            Suited::To(found) => return Ok(film.as_found(&found).nearly_balanced()),
             Suited::Unknown => break,
-            Suited::Not(position) => {
+            Suited::Not(position, found) => {
                 let scene = coarsened(scene, most_triangles, position)?;
-                film = compile_near(&scene, position)?;
+                let graded = compile_near(&scene, position)?;
+                film = match found.filter(|found| found.has_bent_wall()) {
+                    Some(found) => graded.as_found(&found),
+                    None => graded,
+                };
             }
         }
     }
@@ -73,10 +75,10 @@ fn coarsened(scene: &Scene, most_triangles: f64, position: Position) -> Result<C
 
 /// Whether a mesh suits the position that the load leads to.
 enum Suited {
-    /// To this position, which balances the load roughly.
-    To(JournalState),
-    /// It is better graded for this position.
-    Not(Position),
+    /// To the position, and the wall, of this film, which balances the load roughly.
+    To(Box<FilmProblem>),
+    /// It is better graded for this position; that of this film, if one is known, with a wall not bent.
+    Not(Position, Option<Box<FilmProblem>>),
     /// No position is known.
     Unknown,
 }
@@ -104,7 +106,7 @@ fn suited(film: &Film, load: Load, deadline: Deadline, middle: &mut Option<Posit
         Err(NoEquilibrium::EdgeContact { journal, .. }) => with_film(&film.gap(), journal, thin),
         // Feeds may carry what the estimate would have a thin film carry.
         Err(reason) => match (middle.take(), reason.last_position()) {
-            (Some(position), _) => return Suited::Not(position),
+            (Some(position), _) => return Suited::Not(position, None),
             (None, Some(journal)) if is_contact(&film.gap(), &journal) => return Suited::Unknown,
             (None, Some(journal)) => with_film(&film.gap(), &journal, thin),
             (None, None) => return Suited::Unknown,
@@ -113,9 +115,10 @@ fn suited(film: &Film, load: Load, deadline: Deadline, middle: &mut Option<Posit
     let gap = film.gap();
     let is_possible = !is_contact(&gap, &journal);
     let suits = is_near(&gap, &film.problem.journal, &journal);
-    match balance {
-        _ if is_possible && !suits => Suited::Not(Position::of(&journal, gap.bearing().clearance)),
-        Ok(_) if is_possible => Suited::To(journal),
+    let found = balance.ok().map(|found| Box::new(found.problem));
+    match found {
+        found if is_possible && !suits => Suited::Not(Position::of(&journal, gap.bearing().clearance), found),
+        Some(found) if is_possible => Suited::To(found),
         _ => Suited::Unknown,
     }
 }

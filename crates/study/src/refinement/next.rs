@@ -5,6 +5,7 @@ use std::sync::Arc;
 use oilwedge_bearing::Deadline;
 use oilwedge_fem::marking::doerfler;
 use oilwedge_mesh::{Mesh, refine};
+use oilwedge_reynolds::film_thickness::Deflection;
 
 use super::growth::Growth;
 use super::level::Level;
@@ -85,12 +86,14 @@ pub(super) enum Next {
 }
 
 /// What the next film takes over from a film found.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(super) struct Known {
     /// Where the journal is, as the scene gives it where it does.
     position: Position,
     /// Temperature [K] where it was found.
     temperature: Option<f64>,
+    /// How a wall that gives way is bent.
+    deflection: Option<Deflection>,
 }
 
 impl Known {
@@ -101,7 +104,14 @@ impl Known {
                 Some(_) => film.position(),
             },
             temperature: film.thermal.and(film.oil.temperature),
+            deflection: film.problem.deflection().cloned(),
         }
+    }
+
+    /// A film at the position known, under the wall known.
+    fn begun(&self, mut film: Film) -> Film {
+        film.problem = film.problem.deflected(self.deflection.as_ref());
+        film.nearly_balanced()
     }
 
     /// The scene, whose temperature is sought from that found.
@@ -144,11 +154,11 @@ impl Next {
                 let factor = factor_for(&scene, *factor, (*triangles, TOO_MANY), known.position);
                 let resized = resized(&scene, factor).unwrap_or(scene);
                 let film = compile_near(&resized, known.position)?;
-                Ok((Refinement::Drawn, film.nearly_balanced()))
+                Ok((Refinement::Drawn, known.begun(film)))
             }
             Self::Divided(mesh, refinement, known) => {
                 let film = compile_on(&known.scene(scene), Mesh::clone(mesh), known.position, DEGREE)?;
-                Ok((*refinement, film.nearly_balanced()))
+                Ok((*refinement, known.begun(film)))
             }
         }
     }
