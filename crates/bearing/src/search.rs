@@ -139,11 +139,18 @@ impl<'a> Search<'a> {
     /// The film at the start or, where there is none, nearer to the middle.
     pub(crate) fn first(&self, problem: &FilmProblem, mut start: JournalState) -> Result<Trial, NoFilm> {
         const RETREATS: usize = 12;
+        let gap = self.gap_under(problem);
+        let is_bent = problem.has_bent_wall();
         let nearer = |start: &JournalState| {
-            let nearer = self.coordinates.at(start).map(|x| 0.5 * x);
+            let least = gap.least(start);
+            // A bent wall is that of a place nearby: the gap doubles at first.
+            let part = match is_bent && least > 0.0 {
+                true => f64::max(0.5, 1.0 - least / start.eccentricity()),
+                false => 0.5,
+            };
+            let nearer = self.coordinates.at(start).map(|x| part * x);
             self.coordinates.placed(start, nearer)
         };
-        let gap = self.gap_under(problem);
         for _ in 0..RETREATS {
             // A film may seem to exist where the gap vanishes at the very end of the bearing only.
             if gap.least(&start) <= 0.0 {
@@ -151,7 +158,7 @@ impl<'a> Search<'a> {
                 continue;
             }
             let at = self.coordinates.at(&start);
-            let from_rest = |reason: NoFilm| match problem.has_bent_wall() {
+            let from_rest = |reason: NoFilm| match is_bent {
                 true => self.trial(&problem.clone().with_wall_at_rest(), at, Neighbour::None),
                 false => Err(reason),
             };

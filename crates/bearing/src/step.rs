@@ -11,7 +11,7 @@ use crate::tangent::Tangent;
 
 /// Most halvings of one step.
 const MOST_HALVINGS: usize = 8;
-/// A step far from the balance of a film that conserves oil, each of which takes long, brings it nearer by this part of the distance at least: one driven into contact does not.
+/// A step far from the balance of a film that conserves oil or bends its wall, each of which takes long, brings it nearer by this part of the distance at least: one driven into contact does not.
 const LEAST_GAIN: f64 = 1e-3;
 /// Steps of a film that conserves oil tried with its advection schemes chosen anew: where that makes its force jump they are kept.
 const CHOSEN_ANEW: usize = 4;
@@ -122,11 +122,12 @@ impl Search<'_> {
     /// The distance that the next trial must be below, and how often a step is halved with advection schemes chosen anew, and with those kept.
     fn wanted(&self, from: &Trial) -> (f64, [usize; 2]) {
         let distance = self.distance(from);
-        match (from.film.film_fraction.is_some(), self.residual(from) > NEAR) {
-            (false, _) => (distance, [MOST_HALVINGS, 0]),
-            (true, true) => ((1.0 - LEAST_GAIN) * distance, [MOST_HALVINGS, 0]),
+        let (has_schemes, is_far) = (from.film.film_fraction.is_some(), self.residual(from) > NEAR);
+        match is_far && (has_schemes || from.problem.deflection().is_some()) {
+            true => ((1.0 - LEAST_GAIN) * distance, [MOST_HALVINGS, 0]),
             // Near the balance the force of a film that conserves oil jumps as its schemes change.
-            (true, false) => (distance, [CHOSEN_ANEW, MOST_HALVINGS]),
+            false if has_schemes => (distance, [CHOSEN_ANEW, MOST_HALVINGS]),
+            false => (distance, [MOST_HALVINGS, 0]),
         }
     }
 
