@@ -181,7 +181,11 @@ impl<'a> Search<'a> {
 
     /// The trial with the journal `at` these coordinates by the force of the film in quadratic elements. Where the wall is bent that which is looked for is near.
     pub(crate) fn trial(&self, problem: &FilmProblem, at: Vector, near: Neighbour) -> Result<Trial, NoFilm> {
-        let close = if problem.has_bent_wall() { closed_near } else { closed_film };
+        let close = if problem.has_bent_wall() {
+            closed_near
+        } else {
+            closed_film
+        };
         let (problem, film) = close(self.placed(problem, at), self.system, near)?;
         let carried = load(&problem, self.system, &film).total.resultant();
         let trial = self.recorded(Trial::of(problem, film, carried));

@@ -13,6 +13,10 @@ use crate::tangent::Tangent;
 const MOST_HALVINGS: usize = 8;
 /// A step far from the balance of a film that conserves oil or bends its wall, each of which takes long, brings it nearer by this part of the distance at least: one driven into contact does not.
 const LEAST_GAIN: f64 = 1e-3;
+/// and where the tilt is free, as the branch of balances leads on from there: by this part,
+const LEAST_GAIN_TILTING: f64 = 1e-2;
+/// with a step halved so often.
+const MOST_HALVINGS_TILTING: usize = 6;
 /// Steps of a film that conserves oil tried with its advection schemes chosen anew: where that makes its force jump they are kept.
 const CHOSEN_ANEW: usize = 4;
 /// Least film thickness after a step, over the one before,
@@ -33,32 +37,41 @@ const MOST_FOLLOWED: f64 = 0.99;
 const SMOOTH: f64 = 1e-2;
 /// Moves by less than this part of the least film thickness start from the film before.
 pub const SHORT_MOVE: f64 = 0.2;
+/// and where the tilt of a film that conserves oil is free, which coarser meshes foretell less well, by less than this part.
+const SHORT_MOVE_TILTING: f64 = 0.8;
 
 impl Search<'_> {
     /// The next trial, by the longest step that brings the forces nearer to the load.
     pub(crate) fn next_trial(&self, from: &Trial, tangent: &Tangent, tried: &mut usize) -> Option<Trial> {
-        let curved = (self.residual(from) > NEAR)
-            .then(|| self.logarithmic_way(from, tangent))
+        let newton = || tangent.stiffness.solve(self.excess(from).map(|excess| -excess));
+        let steps = (self.residual(from) > NEAR)
+            .then(|| self.logarithmic_steps(from, tangent))
             .flatten();
-        match curved {
-            Some(way) => self.damped((from, tangent), way, tried),
-            None => {
-                let step = tangent.stiffness.solve(self.excess(from).map(|excess| -excess));
-                self.damped((from, tangent), |part| step.map(|move_by| part * move_by), tried)
-            }
+        let [longest, shortest] = steps.unwrap_or_else(|| [newton(); 2]);
+        let from_tangent = (from, tangent);
+        if from.problem.deflection().is_some() {
+            return self.damped(from_tangent, [longest, shortest], tried);
         }
+        self.damped(from_tangent, [longest; 2], tried).or_else(|| {
+            // Where the tilt is free the branch of balances leads on, unless forces jump along it.
+            let has_branch = self.load.tilting.is_some() && from.film.film_fraction.is_none();
+            let may_try = longest != shortest && !has_branch;
+            may_try
+                .then(|| self.damped(from_tangent, [shortest; 2], tried))
+                .flatten()
+        })
     }
 
-    /// The way [m] in `s`, the angle of the line of centres and the tilt that brings `ln |W|`, the angle of W and the arms of the moments to those of the load: it is curved, and where the
-    /// line of centres turns far, or the eccentricity is near its greatest, no part of the straight way to its end leads nearer to the load. None for a centred journal, without a load,
-    /// and where the force points away from the load.
-    fn logarithmic_way<'a>(&'a self, trial: &'a Trial, tangent: &Tangent) -> Option<impl Fn(f64) -> Vector + 'a> {
+    /// Steps to try one after the other: the step in `s`, the angle of the line of centres and the tilt that brings `ln |W|`, the angle of W and the arms of the moments to those of
+    /// the load, and the direction in which it begins: where the line of centres turns far, or the eccentricity is near its greatest, no part of the straight way to the first leads
+    /// nearer to the load. None for a centred journal, without a load, and where the force points away from the load.
+    fn logarithmic_steps(&self, trial: &Trial, tangent: &Tangent) -> Option<[Vector; 2]> {
         let [e_x, e_y] = trial.problem.journal.offset;
         let e = e_x.hypot(e_y);
         let (held, follows) = (self.gap_under(&trial.problem), self.following(trial, tangent));
-        let reach = move |angle: f64| {
-            let to_wall = held.reach(&trial.problem.journal, angle) - e;
-            follows.map_or(e + to_wall, |part| e + to_wall / (1.0 - part))
+        let reach = |angle: f64| {
+            let reach = held.reach(&trial.problem.journal, angle);
+            follows.map_or(reach, |part| e + (reach - e) / (1.0 - part))
         };
         let eps = e / reach(e_y.atan2(e_x));
         let (carried, asked) = (trial.carried.force, self.load.force);
@@ -98,12 +111,12 @@ impl Search<'_> {
         if !(is_step && turn.is_finite() && turn.abs() < LONGEST_TURN) {
             return None;
         }
-        Some(move |part: f64| {
-            let angle = e_y.atan2(e_x) + part * turn;
-            let e = reach(angle) * eccentricity_at(log_eccentricity(eps) + part * by_s);
-            let [tilt_x, tilt_y] = [tilt_x, tilt_y].map(|tilt| part * by_tilt * tilt);
-            [e * angle.cos() - e_x, e * angle.sin() - e_y, tilt_x, tilt_y]
-        })
+        let angle = e_y.atan2(e_x) + turn;
+        let e_next = reach(angle) * eccentricity_at(log_eccentricity(eps) + by_s);
+        let [x, y] = [e_next * angle.cos() - e_x, e_next * angle.sin() - e_y];
+        let first = [0, 1].map(|d| by_s * moves[0][d] + turn * moves[1][d]);
+        let tilt = [by_tilt * tilt_x, by_tilt * tilt_y];
+        Some([[x, y, tilt[0], tilt[1]], [first[0], first[1], tilt[0], tilt[1]]])
     }
 
     /// How far the wall follows a journal that moves along the line of centres, as a part of that way [1]; none of a rigid wall.
@@ -113,30 +126,39 @@ impl Search<'_> {
         let gap = self.least_film(trial);
         let [sin, cos] = [journal.min_film_angle().sin(), journal.min_film_angle().cos()];
         let step = [cos, sin, 0.0, 0.0].map(|part| part * LITTLE * gap);
-        let moved = self.coordinates.placed(journal, moved(self.coordinates.at(journal), 1.0, step));
+        let moved = self
+            .coordinates
+            .placed(journal, moved(self.coordinates.at(journal), 1.0, step));
         let before = self.gap_under(problem).least(&moved);
         let gained = self.gap_under(&tangent.bent(problem, step)).least(&moved) - before;
         Some((gained / (LITTLE * gap)).clamp(0.0, MOST_FOLLOWED))
+    }
+
+    /// Whether the tilt is free in a film that conserves oil: each trial takes long, many lead into contact, and the branch of balances leads on from there.
+    pub(crate) fn is_costly(&self, trial: &Trial) -> bool {
+        self.load.tilting.is_some() && trial.film.film_fraction.is_some()
     }
 
     /// The distance that the next trial must be below, and how often a step is halved with advection schemes chosen anew, and with those kept.
     fn wanted(&self, from: &Trial) -> (f64, [usize; 2]) {
         let distance = self.distance(from);
         let (has_schemes, is_far) = (from.film.film_fraction.is_some(), self.residual(from) > NEAR);
-        match is_far && (has_schemes || from.problem.deflection().is_some()) {
-            true => ((1.0 - LEAST_GAIN) * distance, [MOST_HALVINGS, 0]),
+        let takes_long = has_schemes || from.problem.deflection().is_some();
+        match is_far {
+            true if self.is_costly(from) => ((1.0 - LEAST_GAIN_TILTING) * distance, [MOST_HALVINGS_TILTING, 0]),
+            true if takes_long => ((1.0 - LEAST_GAIN) * distance, [MOST_HALVINGS, 0]),
             // Near the balance the force of a film that conserves oil jumps as its schemes change.
             false if has_schemes => (distance, [CHOSEN_ANEW, MOST_HALVINGS]),
-            false => (distance, [MOST_HALVINGS, 0]),
+            _ => (distance, [MOST_HALVINGS, 0]),
         }
     }
 
-    /// The trial after the longest of the halved parts of a `way` [m] that brings the forces nearer to the load, the film thickness kept positive where the wall follows along the
-    /// tangent.
+    /// The trial after the longest of the halved parts of a way that brings the forces nearer to the load, the film thickness kept positive where the wall follows along the tangent. The
+    /// way is the parabola to its `end` that begins in the direction of `beginning`, straight where both are the same.
     fn damped(
         &self,
         (from, tangent): (&Trial, &Tangent),
-        way: impl Fn(f64) -> Vector,
+        [end, beginning]: [Vector; 2],
         tried: &mut usize,
     ) -> Option<Trial> {
         let journal = from.problem.journal;
@@ -148,14 +170,17 @@ impl Search<'_> {
                 None => LEAST_SHRINK,
                 Some(_) => LEAST_SHRINK_TILTING,
             };
+        let curve = moved(end, -1.0, beginning);
+        let step = |part: f64| moved(beginning, part, curve).map(|along| part * along);
+        let bent = |part: f64| tangent.bent(&from.problem, step(part));
+        let there = |part: f64| moved(here, part, moved(beginning, part, curve));
         let thin = |part: f64| {
-            let step = way(part);
-            let bent = tangent.bent(&from.problem, step);
-            let there = self.coordinates.placed(&journal, moved(here, 1.0, step));
-            self.gap_under(&bent).least(&there) < least
+            let journal = self.coordinates.placed(&journal, there(part));
+            self.gap_under(&bent(part)).least(&journal) < least
         };
+        let length = length(end);
         // From a journal in contact no part of a step is short enough.
-        if !length(way(1.0)).is_finite() || gap <= 0.0 {
+        if !length.is_finite() || gap <= 0.0 {
             return None;
         }
         let mut longest = 1.0;
@@ -164,18 +189,20 @@ impl Search<'_> {
         }
         let (nearer, [chosen, kept]) = self.wanted(from);
         let halved = |times: usize| longest * 0.5f64.powi(times as i32);
+        let short_move = match self.is_costly(from) {
+            true => SHORT_MOVE_TILTING,
+            false => SHORT_MOVE,
+        };
         let parts = (0..chosen).map(|times| (halved(times), false));
         for (part, keeps_schemes) in parts.chain((0..kept).map(|times| (halved(times), true))) {
-            let step = way(part);
-            let near = match length(step) < SHORT_MOVE * gap {
+            let near = match part * length < short_move * gap {
                 _ if keeps_schemes => Neighbour::Kept(&from.film),
                 true if self.options.keeps_schemes() || self.residual(from) < SMOOTH => Neighbour::Kept(&from.film),
                 true => Neighbour::Start(&from.film),
                 false => Neighbour::None,
             };
             *tried += 1;
-            let bent = tangent.bent(&from.problem, step);
-            if let Ok(trial) = self.trial(&bent, moved(here, 1.0, step), near)
+            if let Ok(trial) = self.trial(&bent(part), there(part), near)
                 && self.distance(&trial) < nearer
             {
                 return Some(match near {

@@ -272,13 +272,17 @@ impl Branch<'_, '_> {
     /// What follows a point: the next one, or the end of the branch. `wanted` is the length of the step, longer or shorter afterwards. None where no step leads on.
     fn next(&self, here: &Point, along: Direction, wanted: &mut f64) -> Option<Next> {
         let (search, gap) = (self.search, self.gap(&here.trial));
-        let bent = |step: f64| here.tangent.bent(&here.trial.problem, along.place.map(|part| step * part));
+        let bent = |step: f64| {
+            here.tangent
+                .bent(&here.trial.problem, along.place.map(|part| step * part))
+        };
         let place = search.coordinates.at(&here.trial.problem.journal);
         let journal = |step: f64| {
             let moved = moved(place, step, along.place);
             search.coordinates.placed(&here.trial.problem.journal, moved)
         };
-        let thin = |step: f64| search.gap_under(&bent(step)).least(&journal(step)) < LEAST_SHRINK * gap * self.clearance;
+        let thin =
+            |step: f64| search.gap_under(&bent(step)).least(&journal(step)) < LEAST_SHRINK * gap * self.clearance;
         loop {
             while thin(*wanted) {
                 *wanted *= 0.8;
@@ -313,7 +317,9 @@ impl Branch<'_, '_> {
         let mut part = here.part + step * along.part;
         let (mut last, mut before): (f64, Option<Trial>) = (f64::INFINITY, None);
         let thinnest = self.gap(&here.trial);
-        let mut bent = here.tangent.bent(&here.trial.problem, along.place.map(|part| step * part));
+        let mut bent = here
+            .tangent
+            .bent(&here.trial.problem, along.place.map(|part| step * part));
         for corrections in 0..MOST_CORRECTIONS {
             let journal = search.coordinates.placed(&here.trial.problem.journal, place);
             let gap = search.gap_under(&bent).least(&journal) / self.clearance;

@@ -21,8 +21,8 @@ mod joint;
 mod slow;
 mod tangent;
 
-pub(crate) use close::{closed_near, left_over};
 pub use close::{Pair, closed_film, closed_pair};
+pub(crate) use close::{closed_near, left_over};
 pub(crate) use dynamics::{Response, harmonic_response};
 pub(crate) use joint::Joint;
 pub use slow::{carried_slowly, hastened};
