@@ -104,7 +104,9 @@ fn way_out(reason: &NoAnswer) -> Option<&'static str> {
             return Some("give a smaller orbit.tolerance: steps are shorter then");
         }
         NoAnswer::Orbit(NoOrbit::SqueezedOut { .. }) => {
-            return Some("lower the load, or raise speed, viscosity or size");
+            return Some(
+                "give a finer mesh ([mesh] size), for a coarse one carries less where the film is thin; else lower the load, or raise speed, viscosity or size",
+            );
         }
         NoAnswer::Orbit(NoOrbit::OffShell { .. }) => {
             return Some("give a wider bearing.arc, or turn it under the load");

@@ -325,7 +325,8 @@ fn told(reason: &NoShaftOrbit, compiled: &Compiled) -> String {
     match reason {
         NoShaftOrbit::Film { bearing, .. } => format!("bearing {}: {reason}", name(*bearing)),
         NoShaftOrbit::SqueezedOut { bearing, .. } => format!(
-            "bearing {}: {reason}; lower the loads, raise speed or viscosity, or give a stiffer shaft where its slope takes the film",
+            "bearing {}: {reason}; give its scene a finer mesh ([mesh] size), for a coarse one carries less where the film is thin; else lower the loads, raise speed or viscosity, or give a stiffer shaft \
+             where its slope takes the film",
             name(*bearing)
         ),
         NoShaftOrbit::Stuck { bearing, .. } => format!(
