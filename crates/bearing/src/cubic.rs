@@ -6,15 +6,26 @@ use oilwedge_reynolds::solve::Neighbour;
 
 use crate::NoEquilibrium;
 use crate::coordinates::moved;
+use crate::deflection::CLOSED;
 use crate::equilibrium::Equilibrium;
-use crate::search::Search;
+use crate::search::{Search, Trial};
 
 /// The balance has been found when force and load differ by this part of the load.
 const BALANCED: f64 = 1e-10;
 /// Accuracy of the iterations of the cubic film.
 const BALANCED_ENOUGH: f64 = 1e-8;
+/// Part of a deflection that may be left at the first position, where the balance is not near,
+const FIRST_CLOSED: f64 = 1e-5;
+/// and over the residual of the position before at the next ones.
+const OF_RESIDUAL: f64 = 1e-4;
 /// Most positions tried.
 const MOST_STEPS: usize = 12;
+
+/// Whether no more is left of the deflection of a wall than of the balance.
+fn is_closed(trial: &Trial) -> bool {
+    let left = trial.problem.deflection().map(|deflection| deflection.closing.residual);
+    left.is_none_or(|left| left < BALANCED)
+}
 
 /// From the balance of the quadratic film to that of the cubic one.
 pub(crate) fn balance_cubic(found: Equilibrium, search: &Search) -> Result<Equilibrium, NoEquilibrium> {
@@ -22,19 +33,20 @@ pub(crate) fn balance_cubic(found: Equilibrium, search: &Search) -> Result<Equil
     let mut steps = found.steps;
     let near = Neighbour::Start(&found.film);
     let place = search.coordinates.at(&found.problem.journal);
-    let mut trial = search.cubic_trial(&found.problem, place, near, None)?;
+    let mut trial = search.cubic_trial(&found.problem, place, (near, None), FIRST_CLOSED)?;
     let mut residual = search.residual(&trial);
     let mut tangent = search.tangent(&trial)?;
     let mut is_exact = true;
     for _ in 0..MOST_STEPS {
-        if residual < BALANCED || deadline.is_over() {
+        if residual < BALANCED && is_closed(&trial) || deadline.is_over() {
             break;
         }
         let step = tangent.stiffness.solve(search.excess(&trial).map(|excess| -excess));
         let place = moved(search.coordinates.at(&trial.problem.journal), 1.0, step);
         let near = Neighbour::Start(&trial.film);
         let bent = tangent.bent(&trial.problem, step);
-        let next = search.cubic_trial(&bent, place, near, trial.cubic.as_ref())?;
+        let closed = CLOSED.max(OF_RESIDUAL * residual);
+        let next = search.cubic_trial(&bent, place, (near, trial.cubic.as_ref()), closed)?;
         steps += 1;
         let next_residual = search.residual(&next);
         if next_residual < residual {

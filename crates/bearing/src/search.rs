@@ -198,17 +198,18 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// The trial with the journal `at` these coordinates by the force of the film in cubic elements, started from that of a neighbouring position, if there is one.
+    /// The trial with the journal `at` these coordinates by the force of the film in cubic elements, started from that of a neighbouring position, if there is one. No more of a deflection is
+    /// left than the part `closed`.
     pub(crate) fn cubic_trial(
         &self,
         problem: &FilmProblem,
         at: Vector,
-        near: Neighbour,
-        cubic: Option<&FilmSolution>,
+        (near, cubic): (Neighbour, Option<&FilmSolution>),
+        closed: f64,
     ) -> Result<Trial, NoFilm> {
         let problem = self.placed(problem, at);
         let film = problem.solve_from(self.system, near)?;
-        let Pair { problem, film, cubic } = closed_pair(problem, self.system, film, cubic)?;
+        let Pair { problem, film, cubic } = closed_pair(problem, self.system, film, cubic, closed)?;
         let carried = load(&problem, &self.system.cubic().system, &cubic).total.resultant();
         Ok(self.recorded(Trial {
             cubic: Some(cubic),

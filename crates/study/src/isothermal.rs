@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use oilwedge_bearing::deflection::{Pair, closed_film, closed_pair};
+use oilwedge_bearing::deflection::{CLOSED, Pair, closed_film, closed_pair};
 use oilwedge_bearing::{Carrier, Equilibrium, InitialGuess, Load, SearchObserver, SearchOptions, balance_hill, find};
 use oilwedge_reynolds::error_bar::sharp;
 use oilwedge_reynolds::sharp::{HillStart, SharpFilm};
@@ -50,7 +50,7 @@ fn with_wall(film: &Film, near: Neighbour, errors: Errors) -> Result<Solved, NoA
         return with_reference(under(problem), solution, errors);
     }
     let clock = Instant::now();
-    let pair = closed_pair(problem, &film.system, solution, None)?;
+    let pair = closed_pair(problem, &film.system, solution, None, CLOSED)?;
     let Pair {
         problem,
         film: solution,

@@ -9,7 +9,7 @@ use super::gmres::norm;
 use super::tangent::Follower;
 
 /// A deflection is found where what is left of it is below this part;
-const CLOSED: f64 = 1e-11;
+pub const CLOSED: f64 = 1e-11;
 /// or below this one where no shorter step helps.
 const CLOSED_ENOUGH: f64 = 1e-8;
 /// Most steps.
@@ -22,8 +22,8 @@ const SPARE: f64 = 0.3;
 const APART: f64 = 1e-3;
 /// Where this part is left a mass-conserving film keeps its advection schemes.
 const NEAR: f64 = 1e-2;
-/// A balance of the cubic film that falls by less than this factor with the tangent of the quadratic one takes its own,
-const SLOW: f64 = 0.1;
+/// A balance of the cubic film that falls by less than this factor with the tangent of the quadratic one takes its own, whose products take long,
+const SLOW: f64 = 0.3;
 /// and one by less than this is at round-off.
 const STALLED: f64 = 0.5;
 /// Most halvings of a step.
@@ -268,7 +268,7 @@ fn least_gap(problem: &FilmProblem, system: &FilmSystem) -> f64 {
 }
 
 /// The film in cubic elements from the quadratic `film` of the problem, from the cavity of that at a neighbouring place if there is one; a wall that gives way is
-/// bent by it.
+/// bent by it, until no more than the part `enough` of the deflection is left.
 ///
 /// # Errors
 /// [`NoFilm`]: the reason why there is none.
@@ -277,6 +277,7 @@ pub fn closed_pair(
     system: &FilmSystem,
     film: FilmSolution,
     neighbour: Option<&FilmSolution>,
+    enough: f64,
 ) -> Result<Pair, NoFilm> {
     let cubic = problem.cubic_film(system, &film, neighbour)?;
     let mut pair = Pair { problem, film, cubic };
@@ -288,7 +289,7 @@ pub fn closed_pair(
     for step in 0..=MOST_STEPS {
         let (left, residual) = left_over(&pair.problem, &system.cubic().system, &pair.cubic);
         counts.residual = residual;
-        if residual < CLOSED || residual < CLOSED_ENOUGH && residual > STALLED * before {
+        if residual < enough || residual < CLOSED_ENOUGH && residual > STALLED * before {
             return Ok(Pair {
                 problem: pair.problem.closed_by(counts),
                 ..pair

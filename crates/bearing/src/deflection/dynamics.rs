@@ -51,7 +51,11 @@ pub(crate) fn harmonic_response(
     };
     let at_rest = vec![0.0; follower.number()];
     let free = [follower.image_of(&place, motion), follower.image(&rate, &at_rest)].concat();
-    let found = gmres(operator, &free, EXACT)?.x;
+    let nearly = |motion: &[f64]| {
+        let (placed, moving) = motion.split_at(motion.len() / 2);
+        [follower.solve_contact(placed), follower.solve_contact(moving)].concat()
+    };
+    let found = gmres(operator, nearly, &free, EXACT)?.x;
     let [by_place, by_rate] = through(&found)?;
     let (placed, moving) = found.split_at(found.len() / 2);
     let moving: Vec<f64> = moving.iter().map(|rate| rate / pace).collect();

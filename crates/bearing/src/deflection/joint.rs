@@ -74,7 +74,8 @@ impl<'a> Joint<'a> {
         };
         let pushed = self.tangent.solve(force);
         let wanted: Vec<f64> = self.bent(wall.to_vec(), pushed.map(|part| -part));
-        let wall = gmres(operator, &wanted, accuracy)?.x;
+        let nearly = |d: &[f64]| self.follower.solve_contact(d);
+        let wall = gmres(operator, nearly, &wanted, accuracy)?.x;
         let (forces, _) = self.by_wall(&wall)?;
         Ok(Moves {
             place: self.tangent.solve(moved(force, -1.0, forces)),

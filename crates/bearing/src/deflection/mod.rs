@@ -20,8 +20,9 @@ mod gmres;
 mod joint;
 mod slow;
 mod tangent;
+mod touching;
 
-pub use close::{Pair, closed_film, closed_pair};
+pub use close::{CLOSED, Pair, closed_film, closed_pair};
 pub(crate) use close::{closed_near, left_over};
 pub(crate) use dynamics::{Response, harmonic_response};
 pub(crate) use joint::Joint;

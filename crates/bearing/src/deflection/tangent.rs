@@ -10,6 +10,7 @@ use oilwedge_reynolds::wall::{ContactTangent, GapTangent};
 use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalChange};
 
 use super::gmres::{Solved, gmres};
+use super::touching::Touching;
 
 /// Accuracy to which the linear systems of a tangent are solved where the tangent is a result, not a step of an iteration: norm of the residual over that of the right-hand side [1].
 pub const EXACT: f64 = 1e-10;
@@ -24,6 +25,8 @@ pub(crate) struct Follower<'a> {
     gap: GapTangent,
     /// How contact answers to the wall; none where surfaces do not touch.
     contact: Option<ContactTangent>,
+    /// Contact and wall alone.
+    touching: Option<Touching>,
 }
 
 /// What a change leads to, the wall following.
@@ -45,13 +48,16 @@ impl<'a> Follower<'a> {
         film: &'a FilmSolution,
     ) -> Result<Option<Self>, Error> {
         let of_wall = |deflection: &'a Deflection| {
+            let contact = deflection.wall.grid.contact_tangent(problem, system);
+            let touching = (contact.as_ref()).and_then(|contact| Touching::of(contact, &deflection.wall.compliance));
             Ok(Self {
                 problem,
                 system,
                 film,
                 deflection,
                 gap: GapTangent::of(problem, system, film, deflection)?,
-                contact: deflection.wall.grid.contact_tangent(problem, system),
+                contact,
+                touching,
             })
         };
         problem.deflection().map(of_wall).transpose()
@@ -106,7 +112,15 @@ impl<'a> Follower<'a> {
             let image = self.image(&self.by_deflection(x)?, x);
             Ok(x.iter().zip(image).map(|(x, image)| x - image).collect())
         };
-        gmres(operator, b, accuracy)
+        gmres(operator, |r| self.solve_contact(r), b, accuracy)
+    }
+
+    /// Solves `x - C A x = r`, A the tangent of contact: the system without what the film answers.
+    pub(super) fn solve_contact(&self, r: &[f64]) -> Vec<f64> {
+        match &self.touching {
+            Some(touching) => touching.solve(&self.deflection.wall.compliance, r),
+            None => r.to_vec(),
+        }
     }
 
     /// What follows from a `change` of the journal, by which the unknown changes by `unknown` at a fixed wall, to an `accuracy`.

@@ -90,6 +90,31 @@ impl Compliance {
         Some(product.inverse()?.times(coefficients))
     }
 
+    /// Its entries [m/N] between some splines.
+    pub fn among(&self, splines: &[usize]) -> Dense {
+        let mut among = Dense::zero(splines.len());
+        for (column, &pressed) in splines.iter().enumerate() {
+            let by_one = self.by_one(pressed, splines);
+            for (row, moved) in by_one.into_iter().enumerate() {
+                *among.entry(row, column) = moved;
+            }
+        }
+        among
+    }
+
+    /// How some splines move [m/N] by a force on one.
+    fn by_one(&self, pressed: usize, splines: &[usize]) -> Vec<f64> {
+        match &self.0 {
+            Form::Slices(product) => splines.iter().map(|&spline| product.at(spline, pressed)).collect(),
+            Form::Matrix { displacements, .. } => {
+                let mut force = vec![0.0; displacements.order()];
+                force[pressed] = 1.0;
+                let moved = self.deflection(&force);
+                splines.iter().map(|&spline| moved[spline]).collect()
+            }
+        }
+    }
+
     /// Coefficients [m] of the deflection by forces [N].
     pub fn deflection(&self, forces: &[f64]) -> Vec<f64> {
         match &self.0 {
@@ -129,6 +154,13 @@ impl Product {
             around: circulant(number, |wave| 1.0 / symbols[wave as usize]),
             along: self.along.inverse()?,
         })
+    }
+
+    /// An entry.
+    fn at(&self, row: usize, column: usize) -> f64 {
+        let (number, along) = (self.around.len(), self.along.order());
+        let turned = (row / along + number - column / along) % number;
+        self.around[turned] * self.along.row(row % along)[column % along]
     }
 
     pub(super) fn times(&self, x: &[f64]) -> Vec<f64> {

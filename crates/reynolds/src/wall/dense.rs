@@ -36,7 +36,8 @@ impl Dense {
         &mut self.entries[row * self.order + column]
     }
 
-    fn row(&self, row: usize) -> &[f64] {
+    /// A row.
+    pub fn row(&self, row: usize) -> &[f64] {
         &self.entries[row * self.order..(row + 1) * self.order]
     }
 

@@ -77,19 +77,24 @@ impl ContactTangent {
     /// Change of the forces [N] with a deflection of these coefficients [m].
     pub fn times(&self, coefficients: &[f64]) -> Vec<f64> {
         let mut forces = vec![0.0; coefficients.len()];
+        self.each(|row, column, entry| forces[row] += entry * coefficients[column]);
+        forces
+    }
+
+    /// Calls `visit` with row, column and a part of the entry [N/m] there, each entry in as many parts as triangles add to it.
+    pub fn each(&self, mut visit: impl FnMut(usize, usize, f64)) {
         for Block { splines, rows } in &self.blocks {
             for (k, row) in rows.iter().enumerate() {
                 let here = splines[k] as usize;
                 for (&entry, &other) in row.iter().zip(splines) {
                     let other = other as usize;
-                    forces[here] += entry * coefficients[other];
+                    visit(here, other, entry);
                     if other != here {
-                        forces[other] += entry * coefficients[here];
+                        visit(other, here, entry);
                     }
                 }
             }
         }
-        forces
     }
 }
 
