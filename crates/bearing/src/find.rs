@@ -17,12 +17,16 @@ const BALANCED_ENOUGH: f64 = 1e-10;
 const MOST_STEPS: usize = 40;
 /// Advection schemes chosen where force and load differ by less than this part of the load are those of the balanced position.
 const SETTLED: f64 = 1e-6;
+/// Until then a balance to this part of the residual at which they were chosen is enough to choose them again.
+const RECHOSEN: f64 = 1e-3;
 /// Most choices of the advection schemes: the last is that of the balanced position, if they settle.
 const MOST_CHOICES: usize = 6;
 /// Part of the clearance that the film may lose where it is thinnest, if the last position of a failed search on a coarser mesh is to be a start.
 const RESOLVED: f64 = 0.99;
 /// A journal whose film is thinner than this part of the clearance touches.
 const CONTACT: f64 = 1e-6;
+/// A mass-conserving film that is thinner than this part while force and moment are far from balanced was driven into contact: the branch of balances leads on from elsewhere.
+const DRIVEN: f64 = 1e-3;
 /// A failed search whose film is thinner than this part of the clearance was driven into contact.
 const NEARLY_CONTACT: f64 = 1e-2;
 
@@ -152,11 +156,15 @@ impl Search<'_> {
     fn at_rest(&self, first: Trial) -> Result<Equilibrium, NoEquilibrium> {
         let deadline = self.options.deadline;
         let mut tried = 1;
-        let (mut trial, mut tangent) = self.balanced(first, None, &mut tried)?;
         // A position on a coarser mesh is only a start.
-        let has_schemes = trial.film.film_fraction.is_some();
+        let has_schemes = first.film.film_fraction.is_some();
         let must_settle = has_schemes && !self.options.keeps_schemes() && self.options.balanced() <= BALANCED_ENOUGH;
         let at_rest = |trial: &Trial| !must_settle || trial.schemes_chosen_at < SETTLED;
+        let part = match must_settle && self.is_costly(&first) {
+            true => RECHOSEN,
+            false => 0.0,
+        };
+        let (mut trial, mut tangent) = self.balanced(first, None, part, &mut tried)?;
         for _ in 0..MOST_CHOICES {
             if at_rest(&trial) || deadline.is_over() {
                 break;
@@ -167,10 +175,13 @@ impl Search<'_> {
             let Ok(chosen) = self.trial(&trial.problem, here, Neighbour::None) else {
                 break;
             };
-            match self.balanced(chosen, tangent, &mut tried) {
+            match self.balanced(chosen, tangent, part, &mut tried) {
                 Ok(balanced) => (trial, tangent) = balanced,
                 Err(_) => break,
             }
+        }
+        if part > 0.0 {
+            (trial, tangent) = self.balanced(trial, tangent, 0.0, &mut tried)?;
         }
         let at_rest = at_rest(&trial);
         if !at_rest && !deadline.is_over() {
@@ -193,11 +204,13 @@ impl Search<'_> {
         })
     }
 
-    /// The balanced trial, and the tangent that the search has for it, if it kept one; `kept` is that of a trial nearby.
+    /// The balanced trial, and the tangent that the search has for it, if it kept one; `kept` is that of a trial nearby. Where the advection schemes are to be chosen
+    /// again, this `part` of the residual at which they were chosen is enough.
     fn balanced(
         &self,
         mut trial: Trial,
         mut kept: Option<Stiffness>,
+        part: f64,
         tried: &mut usize,
     ) -> Result<(Trial, Option<Stiffness>), NoEquilibrium> {
         let keeps_tangent = matches!(self.options.guess, InitialGuess::Near(_))
@@ -205,7 +218,11 @@ impl Search<'_> {
         let last = *tried + MOST_STEPS;
         while *tried < last {
             let residual = self.residual(&trial);
-            if residual < self.options.balanced() || self.options.deadline.is_over() {
+            let enough = match trial.schemes_chosen_at {
+                chosen_at if chosen_at >= SETTLED && chosen_at.is_finite() => part * chosen_at,
+                _ => 0.0,
+            };
+            if residual < self.options.balanced().max(enough) || self.options.deadline.is_over() {
                 return Ok((trial, kept));
             }
             let tangent = kept.map_or_else(|| self.stiffness(&trial), Ok)?;
@@ -220,7 +237,7 @@ impl Search<'_> {
                     trial = next;
                 }
             }
-            if self.least_film(&trial) < CONTACT * trial.problem.bearing.clearance {
+            if self.least_film(&trial) < self.contact(&trial) * trial.problem.bearing.clearance {
                 return Err(self.unreachable(&trial, "the journal touches the bearing"));
             }
         }
@@ -232,6 +249,14 @@ impl Search<'_> {
                 history: self.tried.borrow().clone(),
             }),
             _ => Err(self.unreachable(&trial, "the force does not approach the load")),
+        }
+    }
+
+    /// Part of the clearance below which the film of a journal far from its balance is one in contact.
+    fn contact(&self, trial: &Trial) -> f64 {
+        match self.is_costly(trial) && self.residual(trial) > NEAR {
+            true => DRIVEN,
+            false => CONTACT,
         }
     }
 

@@ -12,6 +12,10 @@ use crate::stiffness::Stiffness;
 const MOST_HALVINGS: usize = 8;
 /// A step far from the balance of a film that conserves oil, each of which takes long, brings it nearer by this part of the distance at least: one driven into contact does not.
 const LEAST_GAIN: f64 = 1e-3;
+/// and where the tilt is free, as the branch of balances leads on from there: by this part,
+const LEAST_GAIN_TILTING: f64 = 1e-2;
+/// with a step halved so often.
+const MOST_HALVINGS_TILTING: usize = 6;
 /// Steps of a film that conserves oil tried with its advection schemes chosen anew: where that makes its force jump they are kept.
 const CHOSEN_ANEW: usize = 4;
 /// Least film thickness after a step, over the one before,
@@ -28,6 +32,8 @@ const CENTRED: f64 = 1e-3;
 const SMOOTH: f64 = 1e-2;
 /// Moves by less than this part of the least film thickness start from the film before.
 pub const SHORT_MOVE: f64 = 0.2;
+/// and where the tilt of a film that conserves oil is free, which coarser meshes foretell less well, by less than this part.
+const SHORT_MOVE_TILTING: f64 = 0.8;
 
 impl Search<'_> {
     /// The next trial, by the longest step that brings the forces nearer to the load.
@@ -99,11 +105,17 @@ impl Search<'_> {
         Some([[x, y, tilt[0], tilt[1]], [first[0], first[1], tilt[0], tilt[1]]])
     }
 
+    /// Whether the tilt is free in a film that conserves oil: each trial takes long, many lead into contact, and the branch of balances leads on from there.
+    pub(crate) fn is_costly(&self, trial: &Trial) -> bool {
+        self.load.tilting.is_some() && trial.film.film_fraction.is_some()
+    }
+
     /// The distance that the next trial must be below, and how often a step is halved with advection schemes chosen anew, and with those kept.
     fn wanted(&self, from: &Trial) -> (f64, [usize; 2]) {
         let distance = self.distance(from);
         match (from.film.film_fraction.is_some(), self.residual(from) > NEAR) {
             (false, _) => (distance, [MOST_HALVINGS, 0]),
+            (true, true) if self.is_costly(from) => ((1.0 - LEAST_GAIN_TILTING) * distance, [MOST_HALVINGS_TILTING, 0]),
             (true, true) => ((1.0 - LEAST_GAIN) * distance, [MOST_HALVINGS, 0]),
             // Near the balance the force of a film that conserves oil jumps as its schemes change.
             (true, false) => (distance, [CHOSEN_ANEW, MOST_HALVINGS]),
@@ -137,9 +149,13 @@ impl Search<'_> {
         }
         let (nearer, [chosen, kept]) = self.wanted(from);
         let halved = |times: usize| longest * 0.5f64.powi(times as i32);
+        let short_move = match self.is_costly(from) {
+            true => SHORT_MOVE_TILTING,
+            false => SHORT_MOVE,
+        };
         let parts = (0..chosen).map(|times| (halved(times), false));
         for (part, keeps_schemes) in parts.chain((0..kept).map(|times| (halved(times), true))) {
-            let near = match part * length < SHORT_MOVE * gap {
+            let near = match part * length < short_move * gap {
                 _ if keeps_schemes => Neighbour::Kept(&from.film),
                 true if self.options.keeps_schemes() || self.residual(from) < SMOOTH => Neighbour::Kept(&from.film),
                 true => Neighbour::Start(&from.film),
