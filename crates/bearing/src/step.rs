@@ -43,11 +43,13 @@ impl Search<'_> {
             .then(|| self.logarithmic_steps(from, stiffness))
             .flatten();
         let [longest, shortest] = steps.unwrap_or_else(|| [newton(); 2]);
-        self.damped(from, longest, tried).or_else(|| {
-            // Where the tilt is free the branch of balances leads on, unless forces jump along it.
-            let has_branch = self.load.tilting.is_some() && from.film.film_fraction.is_none();
-            let may_try = longest != shortest && !has_branch;
-            may_try.then(|| self.damped(from, shortest, tried)).flatten()
+        if self.is_costly(from) {
+            return self.damped(from, [longest, shortest], tried);
+        }
+        self.damped(from, [longest; 2], tried).or_else(|| {
+            // Where the tilt is free the branch of balances leads on.
+            let may_try = longest != shortest && self.load.tilting.is_none();
+            may_try.then(|| self.damped(from, [shortest; 2], tried)).flatten()
         })
     }
 
@@ -122,8 +124,9 @@ impl Search<'_> {
         }
     }
 
-    /// The longest of the halved steps that brings the forces nearer to the load, the film thickness kept positive.
-    pub(crate) fn damped(&self, from: &Trial, step: Vector, tried: &mut usize) -> Option<Trial> {
+    /// The longest of the halved steps that brings the forces nearer to the load, the film thickness kept positive. Its parts lie on the parabola that leads to its end and
+    /// begins along `tangent`, straight where both are the same.
+    pub(crate) fn damped(&self, from: &Trial, [end, tangent]: [Vector; 2], tried: &mut usize) -> Option<Trial> {
         let journal = from.problem.journal;
         let held = self.gap_under(&from.problem);
         let gap = held.least(&journal);
@@ -134,11 +137,10 @@ impl Search<'_> {
                 None => LEAST_SHRINK,
                 Some(_) => LEAST_SHRINK_TILTING,
             };
-        let thin = |part: f64| {
-            let moved = moved(here, part, step);
-            held.least(&self.coordinates.placed(&journal, moved)) < least
-        };
-        let length = length(step);
+        let bend = moved(end, -1.0, tangent);
+        let at = |part: f64| moved(here, part, moved(tangent, part, bend));
+        let thin = |part: f64| held.least(&self.coordinates.placed(&journal, at(part))) < least;
+        let length = length(end);
         // From a journal in contact no part of a step is short enough.
         if !length.is_finite() || gap <= 0.0 {
             return None;
@@ -155,6 +157,10 @@ impl Search<'_> {
         };
         let parts = (0..chosen).map(|times| (halved(times), false));
         for (part, keeps_schemes) in parts.chain((0..kept).map(|times| (halved(times), true))) {
+            // Amid a bent way the film may be thinner than at its end.
+            if thin(part) {
+                continue;
+            }
             let near = match part * length < short_move * gap {
                 _ if keeps_schemes => Neighbour::Kept(&from.film),
                 true if self.options.keeps_schemes() || self.residual(from) < SMOOTH => Neighbour::Kept(&from.film),
@@ -162,7 +168,7 @@ impl Search<'_> {
                 false => Neighbour::None,
             };
             *tried += 1;
-            if let Ok(trial) = self.trial(&from.problem, moved(here, part, step), near)
+            if let Ok(trial) = self.trial(&from.problem, at(part), near)
                 && self.distance(&trial) < nearer
             {
                 return Some(match near {

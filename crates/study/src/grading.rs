@@ -9,7 +9,7 @@ use oilwedge_scene::Scene;
 
 use crate::compile::{compile, compile_near};
 use crate::compile_error::CompileError;
-use crate::film::Film;
+use crate::film::{Film, Start};
 use crate::liner_mesh::{expected_triangles, resized};
 use crate::position::Position;
 
@@ -52,9 +52,10 @@ pub fn graded_within(scene: &Scene, most_triangles: f64, deadline: Deadline) -> 
                 return Ok(film.with_journal(journal).nearly_balanced());
             }
             Suited::Unknown => break,
-            Suited::Not(position) => {
+            Suited::Not(position, start) => {
                 let scene = coarsened(scene, most_triangles, position)?;
                 film = compile_near(&scene, position)?;
+                film.start = start;
             }
         }
     }
@@ -75,8 +76,8 @@ fn coarsened(scene: &Scene, most_triangles: f64, position: Position) -> Result<C
 enum Suited {
     /// To this position, which balances the load roughly.
     To(JournalState),
-    /// It is better graded for this position.
-    Not(Position),
+    /// It is better graded for this position, of which this is known.
+    Not(Position, Start),
     /// No position is known.
     Unknown,
 }
@@ -104,7 +105,7 @@ fn suited(film: &Film, load: Load, deadline: Deadline, middle: &mut Option<Posit
         Err(NoEquilibrium::EdgeContact { journal, .. }) => with_film(&film.gap(), journal, thin),
         // Feeds may carry what the estimate would have a thin film carry.
         Err(reason) => match (middle.take(), reason.last_position()) {
-            (Some(position), _) => return Suited::Not(position),
+            (Some(position), _) => return Suited::Not(position, Start::Estimated),
             (None, Some(journal)) if is_contact(&film.gap(), &journal) => return Suited::Unknown,
             (None, Some(journal)) => with_film(&film.gap(), &journal, thin),
             (None, None) => return Suited::Unknown,
@@ -114,7 +115,15 @@ fn suited(film: &Film, load: Load, deadline: Deadline, middle: &mut Option<Posit
     let is_possible = !is_contact(&gap, &journal);
     let suits = is_near(&gap, &film.problem.journal, &journal);
     match balance {
-        _ if is_possible && !suits => Suited::Not(Position::of(&journal, gap.bearing().clearance)),
+        _ if is_possible && !suits => {
+            // A search for position and tilt of a film that conserves oil takes long.
+            let is_costly = film.problem.cavitation.conserves_oil() && load.tilting.is_some();
+            let start = match &balance {
+                Ok(found) if is_costly && found.problem.deflection().is_none() => Start::NearlyBalanced,
+                _ => Start::Estimated,
+            };
+            Suited::Not(Position::of(&journal, gap.bearing().clearance), start)
+        }
         Ok(_) if is_possible => Suited::To(journal),
         _ => Suited::Unknown,
     }
