@@ -49,13 +49,12 @@ impl Search<'_> {
             .flatten();
         let [longest, shortest] = steps.unwrap_or_else(|| [newton(); 2]);
         let from_tangent = (from, tangent);
-        if from.problem.deflection().is_some() {
+        if self.is_costly(from) || from.problem.deflection().is_some() {
             return self.damped(from_tangent, [longest, shortest], tried);
         }
         self.damped(from_tangent, [longest; 2], tried).or_else(|| {
-            // Where the tilt is free the branch of balances leads on, unless forces jump along it.
-            let has_branch = self.load.tilting.is_some() && from.film.film_fraction.is_none();
-            let may_try = longest != shortest && !has_branch;
+            // Where the tilt is free the branch of balances leads on.
+            let may_try = longest != shortest && self.load.tilting.is_none();
             may_try
                 .then(|| self.damped(from_tangent, [shortest; 2], tried))
                 .flatten()
@@ -195,6 +194,10 @@ impl Search<'_> {
         };
         let parts = (0..chosen).map(|times| (halved(times), false));
         for (part, keeps_schemes) in parts.chain((0..kept).map(|times| (halved(times), true))) {
+            // Amid a curved way the film may be thinner than at its end.
+            if end != beginning && thin(part) {
+                continue;
+            }
             let near = match part * length < short_move * gap {
                 _ if keeps_schemes => Neighbour::Kept(&from.film),
                 true if self.options.keeps_schemes() || self.residual(from) < SMOOTH => Neighbour::Kept(&from.film),

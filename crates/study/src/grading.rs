@@ -53,9 +53,9 @@ pub fn graded_within(scene: &Scene, most_triangles: f64, deadline: Deadline) -> 
             Suited::Not(position, found) => {
                 let scene = coarsened(scene, most_triangles, position)?;
                 let graded = compile_near(&scene, position)?;
-                film = match found.filter(|found| found.has_bent_wall()) {
-                    Some(found) => graded.as_found(&found),
-                    None => graded,
+                film = match found {
+                    Some(found) if takes_long(&found, load) => graded.as_found(&found).nearly_balanced(),
+                    _ => graded,
                 };
             }
         }
@@ -73,11 +73,16 @@ fn coarsened(scene: &Scene, most_triangles: f64, position: Position) -> Result<C
     Ok(coarser.map_or(Cow::Borrowed(scene), Cow::Owned))
 }
 
+/// Whether the search for the position of a film takes long, so that it does not begin anew on each mesh.
+fn takes_long(problem: &FilmProblem, load: Load) -> bool {
+    problem.has_bent_wall() || problem.cavitation.conserves_oil() && load.tilting.is_some()
+}
+
 /// Whether a mesh suits the position that the load leads to.
 enum Suited {
     /// To the position, and the wall, of this film, which balances the load roughly.
     To(Box<FilmProblem>),
-    /// It is better graded for this position; that of this film, if one is known, with a wall not bent.
+    /// It is better graded for this position, near that of this film, if one balances the load roughly.
     Not(Position, Option<Box<FilmProblem>>),
     /// No position is known.
     Unknown,
