@@ -11,7 +11,6 @@ use crate::coordinates::{Coordinates, Vector, length, moved};
 use crate::deflection::{Pair, closed_film, closed_near, closed_pair};
 use crate::equilibrium::NEAR;
 use crate::no_equilibrium::FAR;
-use crate::tangent::Tangent;
 use crate::{Load, NoEquilibrium, SearchOptions};
 
 /// A load that was not balanced and is less than this part of the reference force is below round-off.
@@ -283,17 +282,6 @@ impl<'a> Search<'a> {
     pub(crate) fn support_stiffness(&self) -> f64 {
         let arm = self.coordinates.arm;
         self.load.tilting.map_or(0.0, |tilting| tilting.stiffness / (arm * arm))
-    }
-
-    /// The tangent `dW/de` corrected by the change of the forces from one trial to the next.
-    pub(crate) fn corrected(&self, tangent: Tangent, from: &Trial, to: &Trial) -> Tangent {
-        let difference = |to: Vector, from: Vector| [0, 1, 2, 3].map(|k| to[k] - from[k]);
-        let place = |trial: &Trial| self.coordinates.at(&trial.problem.journal);
-        let step = difference(place(to), place(from));
-        let change = difference(self.response(to), self.response(from));
-        let missed = difference(change, tangent.stiffness.times(step));
-        let stiffness = tangent.stiffness.corrected(step, missed);
-        tangent.with_stiffness(stiffness)
     }
 
     /// How far the force is from the load: by logarithm and angle, so that forces much too large and much too small

@@ -65,4 +65,15 @@ impl Search<'_> {
         let wall = followed.into_iter().map(|change| change.deflection).collect();
         Ok(Tangent { stiffness, wall })
     }
+
+    /// The tangent `dW/de` corrected by the change of the forces from one trial to the next.
+    pub(crate) fn corrected(&self, tangent: Tangent, from: &Trial, to: &Trial) -> Tangent {
+        let difference = |to: Vector, from: Vector| [0, 1, 2, 3].map(|k| to[k] - from[k]);
+        let place = |trial: &Trial| self.coordinates.at(&trial.problem.journal);
+        let step = difference(place(to), place(from));
+        let change = difference(self.response(to), self.response(from));
+        let missed = difference(change, tangent.stiffness.times(step));
+        let stiffness = tangent.stiffness.corrected(step, missed);
+        tangent.with_stiffness(stiffness)
+    }
 }

@@ -158,6 +158,23 @@ fn a_layer_under_contact_alone_gives_way_place_by_place() {
     }
 }
 
+/// Where the film does not answer, contact and wall are solved in closed form: each step of Newton's method takes one product.
+#[test]
+fn contact_alone_is_solved_in_closed_form() {
+    for contact in contacts() {
+        let system = ring_system(72, 12, LENGTH, Some(PI));
+        let mut problem = walled(LENGTH, 0.97, REYNOLDS, |n| layer(5e-4) / (1.0 + n as f64));
+        problem.journal.speed = 0.0;
+        problem.contact = Some(contact);
+        let (problem, _) = closed(problem, &system);
+        let closing = problem.deflection().expect("a wall").closing;
+        println!("{}: {closing:?}", contact.law.name());
+        assert!(closing.residual < 1e-10, "{closing:?}");
+        // Each step solves a film; the first one is that of the unbent wall.
+        assert!(closing.outer > 2 && closing.inner < closing.outer, "{closing:?}");
+    }
+}
+
 /// Force [N] of the contact of a parallel journal in a layer, by bisection at each angle.
 fn contact_force(contact: &Contact, eps: f64, per_pressure: f64) -> f64 {
     const POINTS: u32 = 20_000;

@@ -1,6 +1,6 @@
 //! Films with elastic walls against films that must be equal to them, and against a second code.
 
-use oilwedge_bearing::deflection::closed_pair;
+use oilwedge_bearing::deflection::{CLOSED, closed_pair};
 use oilwedge_bearing::{SearchOptions, find};
 use oilwedge_reynolds::analytical::elastic_ring::{ElasticRing, OuterSurface};
 use oilwedge_reynolds::lubricant::PressureLaw;
@@ -181,7 +181,8 @@ fn soft_walls_close_with_every_model() {
             let closing = problem.deflection().expect("a wall").closing;
             assert!(closing.residual < 1e-8, "{}: {closing:?}", model.name());
             if model.is_symmetric() {
-                let pair = closed_pair(problem, &system, film, None).unwrap_or_else(|reason| panic!("{reason}"));
+                let pair =
+                    closed_pair(problem, &system, film, None, CLOSED).unwrap_or_else(|reason| panic!("{reason}"));
                 let closing = pair.problem.deflection().expect("a wall").closing;
                 assert!(closing.residual < 1e-8, "{} in cubics: {closing:?}", model.name());
             }
