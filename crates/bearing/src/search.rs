@@ -151,6 +151,9 @@ impl<'a> Search<'a> {
             self.coordinates.placed(start, nearer)
         };
         for _ in 0..RETREATS {
+            if self.options.deadline.is_over() {
+                break;
+            }
             // A film may seem to exist where the gap vanishes at the very end of the bearing only.
             if gap.least(&start) <= 0.0 {
                 start = nearer(&start);
