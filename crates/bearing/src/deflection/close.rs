@@ -23,7 +23,7 @@ const APART: f64 = 1e-3;
 /// Where this part is left a mass-conserving film keeps its advection schemes.
 const NEAR: f64 = 1e-2;
 /// A balance of the cubic film that falls by less than this factor with the tangent of the quadratic one takes its own, whose products take long,
-const SLOW: f64 = 0.3;
+const SLOW: f64 = 0.1;
 /// and one by less than this is at round-off.
 const STALLED: f64 = 0.5;
 /// Most halvings of a step.
@@ -304,10 +304,16 @@ pub fn closed_pair(
             pair = bent_further(pair, &left, (system, tangent), &mut counts)?;
         }
     }
-    Err(NoFilm::Wall {
-        residual: counts.residual,
-        steps: counts.outer,
-    })
+    match counts.residual < CLOSED_ENOUGH {
+        true => Ok(Pair {
+            problem: pair.problem.closed_by(counts),
+            ..pair
+        }),
+        false => Err(NoFilm::Wall {
+            residual: counts.residual,
+            steps: counts.outer,
+        }),
+    }
 }
 
 /// Which of two films has the tangent of a step.
