@@ -5,7 +5,7 @@ use oilwedge_verification::run_suite;
 use oilwedge_verification::suite::{self, Verdict};
 
 /// Families that are solved in a minute together; the others take several, and are left to `oilwedge verify --hard`.
-const QUICK: [&str; 12] = [
+const QUICK: [&str; 13] = [
     "known_values",
     "feed_pressure",
     "grooves",
@@ -14,6 +14,7 @@ const QUICK: [&str; 12] = [
     "tilt",
     "dynamics",
     "contact",
+    "liner",
     "speed",
     "placement",
     "scales",

@@ -8,7 +8,7 @@ use crate::NoEquilibrium;
 use crate::coordinates::moved;
 use crate::deflection::CLOSED;
 use crate::equilibrium::Equilibrium;
-use crate::search::{Search, Trial};
+use crate::search::Search;
 
 /// The balance has been found when force and load differ by this part of the load.
 const BALANCED: f64 = 1e-10;
@@ -21,35 +21,34 @@ const OF_RESIDUAL: f64 = 1e-4;
 /// Most positions tried.
 const MOST_STEPS: usize = 12;
 
-/// Whether no more is left of the deflection of a wall than of the balance.
-fn is_closed(trial: &Trial) -> bool {
-    let left = trial.problem.deflection().map(|deflection| deflection.closing.residual);
-    left.is_none_or(|left| left < BALANCED)
-}
-
 /// From the balance of the quadratic film to that of the cubic one.
 pub(crate) fn balance_cubic(found: Equilibrium, search: &Search) -> Result<Equilibrium, NoEquilibrium> {
     let deadline = search.options.deadline;
     let mut steps = found.steps;
     let near = Neighbour::Start(&found.film);
     let place = search.coordinates.at(&found.problem.journal);
-    let mut trial = search.cubic_trial(&found.problem, place, (near, None), FIRST_CLOSED)?;
+    // What may be left of the deflection at the trial; at a rigid wall nothing is.
+    let may_leave = |part: f64| found.problem.deflection().map_or(CLOSED, |_| CLOSED.max(part));
+    let mut closed = may_leave(FIRST_CLOSED);
+    let mut trial = search.cubic_trial(&found.problem, place, (near, None), closed)?;
     let mut residual = search.residual(&trial);
     let mut tangent = search.tangent(&trial)?;
     let mut is_exact = true;
     for _ in 0..MOST_STEPS {
-        if residual < BALANCED && is_closed(&trial) || deadline.is_over() {
+        if residual < BALANCED && closed <= CLOSED || deadline.is_over() {
             break;
         }
         let step = tangent.stiffness.solve(search.excess(&trial).map(|excess| -excess));
         let place = moved(search.coordinates.at(&trial.problem.journal), 1.0, step);
         let near = Neighbour::Start(&trial.film);
         let bent = tangent.bent(&trial.problem, step);
-        let closed = CLOSED.max(OF_RESIDUAL * residual);
-        let next = search.cubic_trial(&bent, place, (near, trial.cubic.as_ref()), closed)?;
+        let next_closed = may_leave(OF_RESIDUAL * residual);
+        let next = search.cubic_trial(&bent, place, (near, trial.cubic.as_ref()), next_closed)?;
         steps += 1;
         let next_residual = search.residual(&next);
-        if next_residual < residual {
+        // A balance whose wall is not closed yet is none.
+        if next_residual < residual || closed > CLOSED && next_residual < BALANCED_ENOUGH {
+            closed = next_closed;
             tangent = search.corrected(tangent, &trial, &next);
             (trial, residual, is_exact) = (next, next_residual, false);
         } else if is_exact {

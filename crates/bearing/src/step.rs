@@ -172,7 +172,7 @@ impl Search<'_> {
         let curve = moved(end, -1.0, beginning);
         let step = |part: f64| moved(beginning, part, curve).map(|along| part * along);
         let bent = |part: f64| tangent.bent(&from.problem, step(part));
-        let there = |part: f64| moved(here, part, moved(beginning, part, curve));
+        let there = |part: f64| moved(here, 1.0, step(part));
         let thin = |part: f64| {
             let journal = self.coordinates.placed(&journal, there(part));
             self.gap_under(&bent(part)).least(&journal) < least

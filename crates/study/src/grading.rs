@@ -95,31 +95,32 @@ fn suited(film: &Film, load: Load, deadline: Deadline, middle: &mut Option<Posit
         true => THIN_IN_ROWS,
         false => THIN,
     };
+    // A journal may press the wall out further than the clearance: meshes are those of a thin film in the unbent one.
+    let gap = Gap::of(&film.problem.clone().with_wall_at_rest(), &film.system);
+    let in_unbent = |problem: &FilmProblem| match problem.deflection() {
+        Some(_) => with_film(&gap, &problem.journal, thin),
+        None => problem.journal,
+    };
     let balance = rough_balance(film, load, deadline);
     let journal = match balance.as_ref().map_err(NoEquilibrium::cause) {
-        // A journal may press the wall out further than the clearance: the mesh is that of a thin film in the unbent one.
-        Ok(Equilibrium { problem, .. }) if problem.deflection().is_some() => {
-            with_film(&film.gap(), &problem.journal, thin)
-        }
-        Ok(Equilibrium { problem, .. }) => problem.journal,
+        Ok(Equilibrium { problem, .. }) => in_unbent(problem),
         Err(
             NoEquilibrium::BeyondCapacity { .. }
             | NoEquilibrium::BelowRounding { .. }
             | NoEquilibrium::TiltLimit { .. },
         ) => return Suited::Unknown,
         // How much of a moment is carried near contact is shown by a mesh that resolves the thin film there.
-        Err(NoEquilibrium::EdgeContact { journal, .. }) => with_film(&film.gap(), journal, thin),
+        Err(NoEquilibrium::EdgeContact { journal, .. }) => with_film(&gap, journal, thin),
         // Feeds may carry what the estimate would have a thin film carry.
         Err(reason) => match (middle.take(), reason.last_position()) {
             (Some(position), _) => return Suited::Not(position, None),
-            (None, Some(journal)) if is_contact(&film.gap(), &journal) => return Suited::Unknown,
-            (None, Some(journal)) => with_film(&film.gap(), &journal, thin),
+            (None, Some(journal)) if is_contact(&gap, &journal) => return Suited::Unknown,
+            (None, Some(journal)) => with_film(&gap, &journal, thin),
             (None, None) => return Suited::Unknown,
         },
     };
-    let gap = film.gap();
     let is_possible = !is_contact(&gap, &journal);
-    let suits = is_near(&gap, &film.problem.journal, &journal);
+    let suits = is_near(&gap, &in_unbent(&film.problem), &journal);
     let found = balance.ok().map(|found| Box::new(found.problem));
     match found {
         found if is_possible && !suits => Suited::Not(Position::of(&journal, gap.bearing().clearance), found),

@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use oilwedge_bearing::Coefficients;
 use oilwedge_bearing::deflection::{EXACT, carried_changes, closed_film};
+use oilwedge_bearing::{Coefficients, InitialGuess, SearchOptions, find};
 use oilwedge_reynolds::contact::Contact;
 use oilwedge_reynolds::flow_factors::PatirCheng;
 use oilwedge_reynolds::solve::Neighbour;
@@ -172,6 +172,39 @@ fn contact_alone_is_solved_in_closed_form() {
         assert!(closing.residual < 1e-10, "{closing:?}");
         // Each step solves a film; the first one is that of the unbent wall.
         assert!(closing.outer > 2 && closing.inner < closing.outer, "{closing:?}");
+    }
+}
+
+/// A journal that presses a soft wall out takes it along: few positions lead to the balance, and fewer on a finer mesh that begins under the wall found.
+#[test]
+fn a_search_takes_the_wall_along() {
+    let coarse = ring_system(72, 12, LENGTH, Some(160f64.to_radians()));
+    let fine = ring_system(144, 24, LENGTH, Some(160f64.to_radians()));
+    let load = [-1e5, 0.0];
+    for contact in contacts().into_iter().take(1) {
+        let mut problem = walled(LENGTH, 0.5, REYNOLDS, |_| layer(5e-3));
+        problem.contact = Some(contact);
+        let found =
+            find(&problem, &coarse, load, &SearchOptions::default()).unwrap_or_else(|reason| panic!("{reason}"));
+        let eccentricity = found.problem.journal.eccentricity() / CLEARANCE;
+        let begun = FilmProblem {
+            journal: found.problem.journal,
+            ..problem.deflected(found.problem.deflection())
+        };
+        let options = SearchOptions {
+            guess: InitialGuess::NearlyBalanced,
+            ..SearchOptions::default()
+        };
+        let finer = find(&begun, &fine, load, &options).unwrap_or_else(|reason| panic!("{reason}"));
+        println!(
+            "{}: eps {eccentricity}, {} positions, then {}",
+            contact.law.name(),
+            found.steps,
+            finer.steps
+        );
+        assert!(found.residual < 1e-10 && finer.residual < 1e-10);
+        assert!(eccentricity > 1.0, "{eccentricity}");
+        assert!(found.steps <= 13 && finer.steps <= 5, "{} {}", found.steps, finer.steps);
     }
 }
 

@@ -10,7 +10,7 @@ use super::tangent::Follower;
 
 /// A deflection is found where what is left of it is below this part;
 pub const CLOSED: f64 = 1e-11;
-/// or below this one where no shorter step helps.
+/// or below this one where no shorter step helps, or no step is left.
 const CLOSED_ENOUGH: f64 = 1e-8;
 /// Most steps.
 const MOST_STEPS: usize = 12;
@@ -88,10 +88,7 @@ pub(crate) fn closed_near(
     system: &FilmSystem,
     near: Neighbour,
 ) -> Result<(FilmProblem, FilmSolution), NoFilm> {
-    match problem.deflection() {
-        None => closed_film(problem, system, near),
-        Some(_) => closed(problem, system, near, &mut Closing::default()),
-    }
+    closed(problem, system, near, &mut Closing::default())
 }
 
 /// The film from walls of journals nearer to the middle.

@@ -212,6 +212,20 @@ mod tests {
     use super::*;
     use std::path::Path;
 
+    #[test]
+    fn the_next_mesh_begins_under_the_wall_found() {
+        let mut scene = thin_scene("reynolds");
+        scene.liner = Some(oilwedge_scene::Liner::Winkler(oilwedge_scene::Layer::Given(1e-13)));
+        let film = crate::compile::compile(&scene).expect("a film");
+        let wall = film.problem.deflection().expect("a wall");
+        let bent = wall.with(vec![1e-6; wall.coefficients.len()]);
+        let mut found = film.clone();
+        found.problem = found.problem.deflected(Some(&bent));
+        let next = Known::of(&found).begun(film);
+        assert_eq!(next.problem.deflection(), Some(&bent));
+        assert_eq!(next.start, crate::film::Start::NearlyBalanced);
+    }
+
     fn thin_scene(model: &str) -> Scene {
         let text = format!(
             "bearing = {{ diameter = \"100 mm\", length = \"50 mm\", clearance = \"50 um\" }}\n\
