@@ -4,7 +4,6 @@ use std::path::{Path, PathBuf};
 
 use crate::reader::TableReader;
 use crate::unit::Dimension;
-use crate::{CavitationModel, Complaints, Scene};
 
 keys! {
     "liner" = Table; "", "the liner is rigid", "",
@@ -157,17 +156,6 @@ fn matrix(mut table: TableReader<'_>, scene: &Path) -> Liner {
     }
 }
 
-/// Along an orbit the wall is followed with films that have no memory.
-pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
-    let conserves = (scene.cavitation.as_ref()).is_some_and(|cavity| cavity.model == CavitationModel::Jfo);
-    complaints.refuse_if(
-        scene.liner.is_some() && scene.orbit.is_some() && conserves,
-        "liner",
-        "along an orbit an elastic liner is not followed with cavitation.model = \"jfo\"",
-        "give cavitation.model = \"reynolds\", whose film has no memory; or remove [liner]: the orbit is that in a rigid liner",
-    );
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -210,22 +198,6 @@ mod tests {
         };
         assert!(file.ends_with("eye.csv"));
         assert_eq!(read(STUDY).expect("a scene").liner, None);
-    }
-
-    #[test]
-    fn along_an_orbit_a_film_with_memory_is_refused() {
-        let scene = |model: &str| {
-            read(&format!(
-                "title = \"Big end\"\nbearing = {{ diameter = \"50 mm\", length = \"20 mm\", clearance = \"30 um\" }}\njournal = {{ speed = \"3000 rpm\" }}\n\
-                 load = {{ frame = \"shell\", period = \"360 deg\", harmonics = [{{ order = 0, cos = {{ x = \"1 kN\", y = \"0 kN\" }} }}] }}\norbit = {{}}\n\
-                 oil = {{ viscosity = \"10 mPa.s\" }}\ncavitation = {{ model = \"{model}\" }}\nliner = {{ winkler = \"0.02 um/MPa\" }}\n"
-            ))
-        };
-        let found = scene("reynolds");
-        assert!(found.is_ok(), "{found:?}");
-        let refused = scene("jfo").expect_err("it has a memory").to_string();
-        let wanted = "liner: along an orbit an elastic liner is not followed with cavitation.model = \"jfo\"";
-        assert!(refused.contains(wanted), "{refused}");
     }
 
     #[test]

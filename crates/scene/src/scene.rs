@@ -60,7 +60,7 @@ pub const SWEPT: [&str; 19] = [
 /// Tables of a crankshaft whose keys can be swept.
 pub const SWEPT_OF_SHAFT: [&str; 3] = ["crankshaft", "crank", "orbit"];
 /// Checks of keys that must fit each other, table by table.
-const CHECKS: [Check; 15] = [
+const CHECKS: [Check; 14] = [
     bearing::check,
     bore::check,
     feed::check,
@@ -75,7 +75,6 @@ const CHECKS: [Check; 15] = [
     cavitation::check,
     contact::check,
     roughness::check,
-    liner::check,
 ];
 
 /// One bearing, as its scene describes it, in SI. Whatever is `None` is not simulated.

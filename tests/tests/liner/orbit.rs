@@ -10,7 +10,7 @@ use oilwedge_bearing::{Deadline, Load, SearchOptions, find};
 use oilwedge_reynolds::film_thickness::WallStage;
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::terms::squeeze::Squeeze;
-use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSystem, Gap, JournalChange, JournalState};
+use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSystem, Gap, JournalChange, JournalState, Storage};
 use oilwedge_study::quantities::*;
 use oilwedge_study::result::Status;
 use oilwedge_study::{RunOptions, read, run};
@@ -75,17 +75,34 @@ fn options(tolerance: f64, cycles: usize) -> OrbitOptions<'static> {
     }
 }
 
+/// Oil is conserved.
+const CONSERVING: Cavitation = Cavitation::Jfo { pressure: 0.0 };
 const START: [f64; 4] = [0.4 * CLEARANCE, 0.3 * CLEARANCE, 0.0, 0.0];
+
+/// A ring with a groove, which feeds a film that conserves its oil.
+fn fed_ring() -> FilmSystem {
+    ring_system(36, 4, RADIUS, Some(PI))
+}
 
 #[test]
 fn a_wall_that_hardly_moves_leaves_the_orbit_as_it_is() {
-    let (system, cycle) = (ring(), load_with(1.0));
-    let soft = squeezed(Cavitation::Reynolds { pressure: 0.0 }, 1e-30);
+    hardly_moves(Cavitation::Reynolds { pressure: 0.0 }, &ring());
+}
+
+#[test]
+fn a_wall_that_hardly_moves_leaves_the_orbit_that_conserves_its_oil_as_it_is() {
+    hardly_moves(CONSERVING, &fed_ring());
+}
+
+fn hardly_moves(model: Cavitation, system: &FilmSystem) {
+    let cycle = load_with(1.0);
+    let soft = squeezed(model, 1e-30);
     let mut rigid = soft.clone();
     rigid.film_thickness.pop();
     let orbit = |problem: &FilmProblem| {
-        let motion = motion(problem, &system, &cycle);
-        motion.orbit(START, &options(1e-2, 1)).expect("an orbit").steps
+        let motion = motion(problem, system, &cycle);
+        let orbit = motion.orbit(START, &options(1e-2, 1));
+        orbit.unwrap_or_else(|reason| panic!("{reason}")).steps
     };
     let (soft, rigid) = (orbit(&soft), orbit(&rigid));
     assert_eq!(soft.len(), rigid.len());
@@ -100,10 +117,21 @@ fn a_wall_that_hardly_moves_leaves_the_orbit_as_it_is() {
 
 #[test]
 fn a_load_at_rest_leads_to_the_position_at_rest() {
-    let (system, cycle) = (ring(), load_with(0.0));
-    let problem = squeezed(Cavitation::Reynolds { pressure: 0.0 }, layer(0.05));
-    let motion = motion(&problem, &system, &cycle);
-    let orbit = motion.orbit(START, &options(1e-4, 6)).expect("an orbit");
+    comes_to_rest(Cavitation::Reynolds { pressure: 0.0 }, &ring(), 1e-8);
+}
+
+/// On triangles, films with a history carry their oil by another scheme than films at rest: on this mesh the place differs by 2e-3 of the clearance, the deflection by 4e-3.
+#[test]
+fn a_load_at_rest_leads_to_the_position_at_rest_where_oil_is_conserved() {
+    comes_to_rest(CONSERVING, &fed_ring(), 5e-3);
+}
+
+fn comes_to_rest(model: Cavitation, system: &FilmSystem, within: f64) {
+    let cycle = load_with(0.0);
+    let problem = squeezed(model, layer(0.05));
+    let motion = motion(&problem, system, &cycle);
+    let orbit = motion.orbit(START, &options(1e-4, 6));
+    let orbit = orbit.unwrap_or_else(|reason| panic!("{reason}"));
     let end = orbit.steps.last().expect("steps");
     let load: Load = [1.5 * force_scale(), 0.0].into();
     let begin = FilmProblem {
@@ -113,14 +141,14 @@ fn a_load_at_rest_leads_to_the_position_at_rest() {
         },
         ..problem
     };
-    let rest = find(&begin, &system, load, &SearchOptions::default()).unwrap_or_else(|reason| panic!("{reason}"));
+    let rest = find(&begin, system, load, &SearchOptions::default()).unwrap_or_else(|reason| panic!("{reason}"));
     for k in 0..2 {
         let apart = (end.at[k] - rest.problem.journal.offset[k]).abs() / CLEARANCE;
-        assert!(apart < 1e-8, "{apart:e}");
+        assert!(apart < within, "{apart:e}");
     }
     let wall = rest.problem.deflection().expect("a wall");
     let apart = end.wall.as_ref().expect("a wall").distance(wall) / CLEARANCE;
-    assert!(apart < 1e-8, "{apart:e}");
+    assert!(apart < within, "{apart:e}");
 }
 
 #[test]
@@ -175,6 +203,69 @@ fn the_tangent_of_a_stage_is_differences_of_closed_films() {
     }
 }
 
+/// A film that was full is torn apart, and its wall has followed in part: the oil of its cells counts as long as it fills them.
+#[test]
+fn the_tangent_of_a_stage_that_conserves_its_oil_is_differences_of_closed_films() {
+    let system = ring_system(72, 8, RADIUS, Some(PI));
+    let problem = squeezed(CONSERVING, layer(0.02));
+    let (known, here) = (
+        [0.55 * CLEARANCE, -0.25 * CLEARANCE],
+        [0.57 * CLEARANCE, -0.22 * CLEARANCE],
+    );
+    let per_time = 8.0 * SPEED;
+    let placed = |offset: [f64; 2]| JournalState {
+        offset,
+        velocity: [0, 1].map(|k| per_time * (offset[k] - known[k])),
+        ..problem.journal
+    };
+    // The wall as a film without memory bends it, and the oil of a full film under it.
+    let swift = FilmProblem {
+        cavitation: Cavitation::Reynolds { pressure: 0.0 },
+        journal: placed(known),
+        ..problem.clone()
+    };
+    let (before, _) = closed_film(swift, &system, Neighbour::None).expect("a film");
+    let bent = before.deflection().expect("a wall");
+    let full = FilmProblem {
+        journal: placed(known),
+        ..problem.clone()
+    };
+    let full = full.deflected(Some(bent)).oil_of_full_film(&system).expect("oil");
+    let begin = FilmProblem {
+        storage: Some(Arc::new(Storage { per_time, known: full })),
+        ..problem.clone()
+    };
+    let begin = begin.deflected(Some(&bent.in_stage(bent.resting(per_time))));
+    let at = |offset: [f64; 2], (from, near): (&FilmProblem, Neighbour)| {
+        let moved = FilmProblem {
+            journal: placed(offset),
+            ..from.clone()
+        };
+        closed_film(moved, &system, near).unwrap_or_else(|reason| panic!("{reason}"))
+    };
+    let (staged, film) = at(here, (&begin, Neighbour::None));
+    let broken = film.cavity.iter().filter(|cavity| **cavity).count();
+    assert!(broken > 100, "{broken}");
+    let size = (0..2).map(|k| column(&staged, &system, &film, k, per_time)[k].abs());
+    let size = size.fold(0.0, f64::max);
+    for k in 0..2 {
+        let step = 1e-8 * CLEARANCE;
+        let by = |sign: f64| {
+            let mut offset = here;
+            offset[k] += sign * step;
+            let (moved, film) = at(offset, (&staged, Neighbour::Kept(&film)));
+            carried(&moved, &system, &film).force
+        };
+        let (ahead, behind) = (by(1.0), by(-1.0));
+        let tangent = column(&staged, &system, &film, k, per_time);
+        for d in 0..2 {
+            let difference = (ahead[d] - behind[d]) / (2.0 * step);
+            let error = (difference - tangent[d]).abs() / size;
+            assert!(error < 1e-6, "{d} {k}: {error:e}");
+        }
+    }
+}
+
 /// How the force changes [N/m] where a coordinate changes, and its rate in a stage.
 fn column(
     problem: &FilmProblem,
@@ -193,27 +284,27 @@ fn column(
     changed.expect("a tangent")[0].by_film.force
 }
 
-/// Place and wall after a quarter of a cycle in even steps, against 32 of them. Order 4 in time, until what edges of the cavity that pass nodes leave is in sight: on this mesh 1e-6 of the
+/// Place and wall after a quarter of the second cycle in even steps, `fewest` and 8 times as many, against 16 times as many. Order 4 in time, until what edges of the cavity that pass nodes leave is in sight: on this mesh 1e-6 of the
 /// clearance, with a rigid wall too.
-fn converges_with_the_step(model: Cavitation) {
-    let (system, cycle) = (ring(), load_with(1.0));
+fn converges_with_the_step(model: Cavitation, system: &FilmSystem, fewest: u32) {
+    let cycle = load_with(1.0);
     let problem = squeezed(model, layer(0.05));
-    let motion = motion(&problem, &system, &cycle);
+    let motion = motion(&problem, system, &cycle);
     let period = TAU / cycle.angular_speed();
     let orbit = motion.orbit(START, &options(5e-2, 1)).expect("an orbit");
-    let begin = orbit.steps.first().expect("a beginning");
+    let begin = orbit.steps.last().expect("an end");
     let end = |steps: u32| {
         let mut here: Step = begin.clone();
         let idle = Span::between(begin, begin);
         for number in 1..=steps {
-            let time = period / 4.0 * f64::from(number) / f64::from(steps);
+            let time = begin.time + period / 4.0 * f64::from(number) / f64::from(steps);
             let next = motion.between(&here, &idle, time, 1e-8);
             here = Step::of(&next.unwrap_or_else(|reason| panic!("{reason}")), 0.0);
         }
         here
     };
-    let exact = end(32);
-    let errors = [2, 16].map(end).map(|end| {
+    let exact = end(16 * fewest);
+    let errors = [fewest, 8 * fewest].map(end).map(|end| {
         let place = (end.at[0] - exact.at[0]).hypot(end.at[1] - exact.at[1]);
         let [wall, other] = [&end, &exact].map(|step| step.wall.as_ref().expect("a wall"));
         [place, wall.distance(other)].map(|apart| apart / CLEARANCE)
@@ -226,17 +317,22 @@ fn converges_with_the_step(model: Cavitation) {
 
 #[test]
 fn place_and_wall_converge_with_the_step() {
-    converges_with_the_step(MODELS[0]);
+    converges_with_the_step(MODELS[0], &ring(), 2);
 }
 
 #[test]
 fn place_and_wall_converge_with_the_step_where_negative_pressure_is_left_out() {
-    converges_with_the_step(MODELS[1]);
+    converges_with_the_step(MODELS[1], &ring(), 2);
 }
 
 #[test]
 fn place_and_wall_converge_with_the_step_where_the_film_breaks() {
-    converges_with_the_step(MODELS[2]);
+    converges_with_the_step(MODELS[2], &ring(), 2);
+}
+
+#[test]
+fn place_and_wall_converge_with_the_step_where_oil_is_conserved() {
+    converges_with_the_step(CONSERVING, &fed_ring(), 8);
 }
 
 /// The shipped big end with a wall: structured finite volumes for half of the land, C_n by linear elements in r, film and wall in one Newton iteration, the backward differentiation formula of second

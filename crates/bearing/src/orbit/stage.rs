@@ -5,7 +5,7 @@
 use std::sync::Arc;
 
 use oilwedge_fem::newton::Failure;
-use oilwedge_reynolds::film_thickness::WallStage;
+use oilwedge_reynolds::film_thickness::{Deflection, WallStage};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmProblem, NoFilm};
 
@@ -178,32 +178,58 @@ impl Motion<'_> {
         if !self.problem.cavitation.conserves_oil() {
             return self.carried((0.0, at), [0.0; 4], accuracy, films);
         }
-        let at_rest = Moving {
+        let (velocity, wall) = self.without_memory(at, accuracy, films)?;
+        let moving = Moving {
             time: 0.0,
             at,
-            velocity: [0.0; 4],
+            velocity,
         };
         let full = FilmProblem {
-            journal: self.journal(0.0, at, [0.0; 4]),
+            journal: self.journal(0.0, at, velocity),
             ..self.problem.clone()
         };
+        let full = full.deflected(wall.as_ref());
         let held = full.oil_of_full_film(self.system).map_err(Failure::from);
         let per_time = 1.0 / (BEGINNING * period);
         let before = Before::at_rest(per_time, held.map_err(NoFilm::from)?);
         let held = Held {
             storage: Some(&before.storage),
-            wall: None,
+            wall: wall.as_ref(),
         };
-        let near = self.film(at_rest, held, Neighbour::None)?;
+        let near = self.film_under(moving, held, Neighbour::None)?;
         let known = Known {
             time: 0.0,
             per_time,
             offset: at,
             rate: [0.0; 4],
             before: Some(before),
-            wall: None,
+            wall: wall.map(|wall| (wall.resting(per_time), wall.coefficients.to_vec())),
         };
-        self.stage(&known, at, &near, accuracy, films)
+        self.stage(&known, moved(at, 1.0 / per_time, velocity), &near, accuracy, films)
+    }
+
+    /// How the motion of a film that conserves its oil begins: in a rigid liner at rest. In one that gives way the wall has no time to move, so it is where a film without
+    /// memory bends it, which carries the load in this velocity.
+    fn without_memory(
+        &self,
+        at: Vector,
+        accuracy: Accuracy,
+        films: &mut usize,
+    ) -> Result<(Vector, Option<Deflection>), NoStage> {
+        if self.problem.deflection().is_none() {
+            return Ok(([0.0; 4], None));
+        }
+        let problem = FilmProblem {
+            cavitation: self.problem.cavitation.guide().unwrap_or(self.problem.cavitation),
+            ..self.problem.clone()
+        };
+        let motion = Motion {
+            problem: &problem,
+            gap: self.gap.clone(),
+            ..*self
+        };
+        let begin = motion.carried((0.0, at), [0.0; 4], accuracy, films)?;
+        Ok((begin.velocity, begin.problem.deflection().cloned()))
     }
 
     /// The velocity at a given place in which film and support carry the load, sought from a `guess`.

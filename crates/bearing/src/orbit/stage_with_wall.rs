@@ -12,12 +12,15 @@ use oilwedge_reynolds::film_thickness::Deflection;
 use oilwedge_reynolds::solve::Neighbour;
 
 use super::motion::{Held, Instant, Motion, Moving};
-use super::stage::{Accuracy, Known, LEAST_SHRINK, MOST_FILMS, NEARLY_BALANCED, NoStage, SETTLED, SHORTEST};
+use super::stage::{Accuracy, Known, LEAST_SHRINK, MOST_FILMS, NEARLY_BALANCED, NoStage, SETTLED};
 use crate::coordinates::{Vector, length, moved};
 use crate::deflection::{Follower, Joint, left_over};
 
 /// Accuracy of the linear system of a step: each step leaves about this part of what is left.
 const FOLLOWED: f64 = 1e-3;
+
+/// Shortest part of a step that is tried: cells that fill stiffen the film within a small part of one.
+const SHORTEST_BEND: f64 = 1e-3;
 
 /// A film of the iteration, and what it leaves of both equations.
 struct Trial {
@@ -77,8 +80,8 @@ impl Motion<'_> {
                 match next {
                     Ok(next) if next.left() < left => break Some(next),
                     Ok(_) if left < NEARLY_BALANCED => break None,
-                    Err(reason) if part < SHORTEST => return Err(reason),
-                    _ if part < SHORTEST => return Err(NoStage::Diverged),
+                    Err(reason) if part < SHORTEST_BEND => return Err(reason),
+                    _ if part < SHORTEST_BEND => return Err(NoStage::Diverged),
                     _ => part *= 0.5,
                 }
             };

@@ -1,7 +1,7 @@
 //! The wall along an orbit: its deflection is integrated by the method of the journal's path.
 //!
 //! A stage knows `d_0 = d_n + dt sum_{j<i} a_ij d_j'` and moves by `d' = (d - d_0)/(gamma dt)` ([`WallStage`]); the deflection closes with the film of the stage, whose thickness
-//! changes by d' too. Where the film conserves its oil, the oil is what is integrated, and the deflection has no rate of its own.
+//! changes by d' too. A film that conserves its oil takes the rate of its thickness from what its cells held before; that of the wall is the one of its tangent.
 
 use std::sync::Arc;
 
@@ -45,9 +45,9 @@ pub(super) struct WallStages {
 }
 
 impl WallStages {
-    /// Of a step from an instant; none where the wall is rigid or follows the oil.
+    /// Of a step from an instant; none where the wall is rigid.
     pub(super) fn from(start: &Instant) -> Option<Self> {
-        let deflection = start.problem.deflection().filter(|_| start.oil.is_none())?;
+        let deflection = start.problem.deflection()?;
         let at_rest = || vec![0.0; deflection.coefficients.len()].into();
         Some(Self {
             begin: deflection.coefficients.clone(),

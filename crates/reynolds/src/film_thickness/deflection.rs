@@ -113,6 +113,14 @@ impl Deflection {
         Self { stage, ..self.clone() }.with(self.coefficients.to_vec())
     }
 
+    /// The stage of a wall that has been as it is [1/s].
+    pub fn resting(&self, per_time: f64) -> WallStage {
+        WallStage {
+            per_time,
+            known: self.coefficients.clone(),
+        }
+    }
+
     /// This wall at the rate that it has, whatever its deflection: in no stage.
     #[must_use]
     pub fn at_its_rate(&self) -> Self {
