@@ -21,7 +21,7 @@ use crate::scenes::path;
 use crate::tables::{row, written};
 
 /// Each scene and what is drawn of it: a field or another picture of its film, `orbit`, or a quantity of its sweep.
-pub const SCENES: [(&str, &str); 33] = [
+pub const SCENES: [(&str, &str); 34] = [
     ("01_plain_ring", "pressure"),
     ("02_flexpde_shell", "pressure"),
     ("03_hydrostatic_shell", "pressure"),
@@ -55,6 +55,7 @@ pub const SCENES: [(&str, &str); 33] = [
     ("32_crowned_bore", "pressure"),
     ("33_polymer_liner", "pressure"),
     ("34_elastic_big_end_orbit", "orbit"),
+    ("35_squeeze_film_damper", "orbit"),
 ];
 
 /// Width of the pictures [mm].

@@ -11,6 +11,8 @@
 //! Angles grow from x to y in all of them. A shell in a rod turns with it: x lies along the rod from the big end to the small end, and the journal turns against it with
 //! `omega (1 + d beta/d theta)`. The film has no inertia, so nothing else changes.
 //!
+//! **Angle.** A load goes by the angle of the crank, which turns with the journal, or by an angle of its own: one turn of it is then one period ([`DutyCycle::at_frequency`]).
+//!
 //! **Signs.** A force F is that of [`crate::Load`]: external, on the journal; the film pushes the journal with -F and the shell with F. The crank angle
 //! grows with time. Where the journal turns towards falling angles of its bearing, the mechanism is mirrored in the x axis.
 //!
@@ -148,12 +150,18 @@ impl DutyCycle {
         }
     }
 
+    /// This load with an angle of its own, which grows at this rate [rad/s] however the journal turns. Its frame is that of the shell, which is at rest.
+    #[must_use]
+    pub fn at_frequency(self, angular_speed: f64) -> Self {
+        Self { angular_speed, ..self }
+    }
+
     /// Period of the crank angle [rad].
     pub fn period(&self) -> f64 {
         self.period
     }
 
-    /// Angular speed of the crank [rad/s]: the rate of the crank angle.
+    /// Rate of the angle [rad/s]: the speed of the crank, or that of the load's own angle.
     pub fn angular_speed(&self) -> f64 {
         self.angular_speed
     }

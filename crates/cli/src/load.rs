@@ -80,7 +80,12 @@ impl Load {
 }
 
 fn in_words(sheet: &LoadSheet, folder: &Path, drawn: &str) -> String {
-    let mut rows = table(["", "value", "crank angle", "direction"], 1..4);
+    let angle = if sheet.frequency_hz.is_some() {
+        "angle of the load"
+    } else {
+        "crank angle"
+    };
+    let mut rows = table(["", "value", angle, "direction"], 1..4);
     let mut add = |name: &str, value: String, at: Option<(f64, f64)>| {
         // Without the sign of a zero.
         let angle = |angle: f64| format!("{:.2} deg", (100.0 * angle).round() / 100.0 + 0.0);
@@ -135,11 +140,17 @@ fn in_words(sheet: &LoadSheet, folder: &Path, drawn: &str) -> String {
             None,
         );
     }
+    let period = match sheet.frequency_hz {
+        Some(frequency) => format!("load that repeats at {} Hz", significant(frequency, 6)),
+        None => format!(
+            "load over {} of the crank angle at {} rpm",
+            degrees(sheet.period_deg.to_radians()),
+            (sheet.crank_speed_rad_s * 30e3 / PI).round() / 1e3
+        ),
+    };
     format!(
-        "{}: load over {} of the crank angle at {} rpm, in the frame of the shell\n\n{rows}\n\nresults   {}\n{drawn}",
+        "{}: {period}, in the frame of the shell\n\n{rows}\n\nresults   {}\n{drawn}",
         printable(&sheet.title),
-        degrees(sheet.period_deg.to_radians()),
-        (sheet.crank_speed_rad_s * 30e3 / PI).round() / 1e3,
         folder.join(LOAD_FILE).display()
     )
 }

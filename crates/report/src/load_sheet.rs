@@ -1,5 +1,7 @@
 //! The load of a journal over a cycle: extremes, means, and the values by crank angle.
 
+use std::f64::consts::TAU;
+
 use oilwedge_scene::Scene;
 use oilwedge_study::duty::{DutyCycle, Summary};
 use serde::Serialize;
@@ -20,8 +22,11 @@ pub struct LoadSheet {
     pub title: String,
     /// Period of the crank angle.
     pub period_deg: f64,
-    /// Angular speed of the crank.
+    /// Angular speed of the crank; of a load with a frequency of its own, that of the load.
     pub crank_speed_rad_s: f64,
+    /// How often a load with a frequency of its own repeats; `None`: it goes by the crank angle.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub frequency_hz: Option<f64>,
     /// Greatest magnitude of the force.
     pub peak: LoadAt,
     /// Least magnitude of the force.
@@ -108,6 +113,9 @@ impl LoadSheet {
             title: scene.title.clone(),
             period_deg: period,
             crank_speed_rad_s: cycle.angular_speed(),
+            frequency_hz: (scene.load_cycle.as_ref())
+                .and_then(|cycle| cycle.frequency)
+                .map(|frequency| frequency / TAU),
             peak,
             least: LoadAt::of(least),
             mean_force_n: mean,

@@ -136,13 +136,17 @@ impl FilmProblem {
         coarse.unwrap_or_else(|| (full_film(system), 0))
     }
 
+    /// Pressure [Pa] that a film makes whose thickness changes by itself within the time `1/rate` [1/s].
+    pub(crate) fn pressure_of(&self, rate: f64) -> f64 {
+        self.lubricant.viscosity * rate * (self.bearing.radius / self.bearing.clearance).powi(2)
+    }
+
     /// Pressure [Pa] that drag through the clearance makes, `mu0 U R/c^2`, that of squeeze likewise, or the
     /// greatest given one.
     pub(crate) fn pressure_scale(&self, constraints: &Constraints) -> f64 {
-        let slenderness = self.bearing.radius / self.bearing.clearance;
         let gap_speed = self.journal.gap_speed(0.5 * self.bearing.length);
         let motion = self.journal.speed.abs() + gap_speed / self.bearing.clearance;
-        let drag = self.lubricant.viscosity * motion * slenderness.powi(2);
+        let drag = self.pressure_of(motion);
         (constraints.values.iter()).fold(drag, |scale, given| scale.max(given.abs()))
     }
 

@@ -122,8 +122,8 @@ pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
     complaints.refuse_if(
         scene.load_cycle.is_none() && scene.journal.speed == 0.0,
         "journal.speed",
-        "is zero, but the cycle of [orbit] is one of the crank angle",
-        "give the speed of the crank, or remove [orbit]",
+        "is zero, and a load that does not change has no period: nothing says how long the cycle of [orbit] is",
+        "give a speed; or the load over a time, by harmonics = [{ order = 0, cos = { x = \"5 kN\" } }] and frequency = \"50 Hz\"",
     );
     complaints.refuse_if(
         complaints.has("mesh.tolerance"),

@@ -39,6 +39,10 @@ const CYCLE: f64 = 2.0 * std::f64::consts::TAU;
 pub fn duty_cycle(scene: &Scene) -> Result<Option<DutyCycle>, NoDuty> {
     let Some(load) = &scene.load_cycle else { return Ok(None) };
     let cycle = of_load(scene, load)?.acting_at(scene.load_at.unwrap_or(0.0));
+    let cycle = match load.frequency {
+        Some(frequency) => cycle.at_frequency(frequency),
+        None => cycle,
+    };
     let angles = (0..CHECKED).map(|k| load.period * f64::from(k) / f64::from(CHECKED));
     let is_finite = |angle: f64| {
         let Duty { force, moment, speed } = cycle.at(angle);

@@ -29,6 +29,8 @@ pub enum Limit {
     NotClosed(usize, f64),
     /// So many cycles were followed, the last of which closed to this part of the clearance, under a load of which this part turns at half the speed of the journal.
     Collapse(usize, f64, f64),
+    /// As [`Self::Collapse`], of a journal that does not turn: the part of the load that keeps its direction, over the mean magnitude.
+    Sinking(usize, f64, f64),
     /// The orbit was ended after so many complete cycles, the last of which closed to this part of the clearance.
     Orbit(usize, f64, Cause),
     /// The next mesh was not finished after so many seconds.
@@ -120,6 +122,11 @@ impl fmt::Display for Limit {
             Self::Collapse(cycles, closure, share) => write!(
                 out,
                 "collapse: {} of the load turns at half the speed of the journal, where a film carries nothing at rest with the load, and the journal nears the liner from cycle to cycle: the last of {cycles} ended {closure:.1e} of the clearance from where it began; change [load] or journal.speed",
+                percent(*share)
+            ),
+            Self::Sinking(cycles, closure, share) => write!(
+                out,
+                "sinking: the journal does not turn, {} of the load keeps its direction, and the journal nears the liner from cycle to cycle: the last of {cycles} ended {closure:.1e} of the clearance from where it began; change [load], or give journal.speed",
                 percent(*share)
             ),
             Self::Orbit(cycles, closure, cause) => ended(

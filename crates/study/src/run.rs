@@ -118,11 +118,12 @@ fn on_orbit(scene: &Scene, orbit: &oilwedge_scene::Orbit, options: &RunOptions) 
         options.surface(),
     );
     let films = facts.cycles.iter().map(|cycle| cycle.films).sum();
-    let half_speed = facts.half_speed_share;
+    let (half_speed, turns) = (facts.half_speed_share, scene.journal.speed != 0.0);
     let limit = match followed.end {
         OrbitEnd::Closed => None,
         OrbitEnd::NotClosed if half_speed > MOST_AT_HALF_SPEED => {
-            Some(Limit::Collapse(facts.cycles.len(), closure(&facts), half_speed))
+            let reason = if turns { Limit::Collapse } else { Limit::Sinking };
+            Some(reason(facts.cycles.len(), closure(&facts), half_speed))
         }
         OrbitEnd::NotClosed => Some(Limit::NotClosed(facts.cycles.len(), closure(&facts))),
         OrbitEnd::Ended => Some(Limit::Orbit(facts.cycles.len(), closure(&facts), options.cause())),
@@ -135,9 +136,14 @@ fn on_orbit(scene: &Scene, orbit: &oilwedge_scene::Orbit, options: &RunOptions) 
     report(scene, (&solved, estimated), &of_film, &mut result);
     if half_speed > MOST_AT_HALF_SPEED {
         let share = percent(half_speed);
-        result.warnings.push(warning::HALF_SPEED.says(format!(
-            "{share} of the load turns at half the speed of the journal: there the film has no wedge and carries by squeeze alone, and the least film falls from cycle to cycle"
-        )));
+        result.warnings.push(warning::HALF_SPEED.says(match turns {
+            true => format!(
+                "{share} of the load turns at half the speed of the journal: there the film has no wedge and carries by squeeze alone, and the least film falls from cycle to cycle"
+            ),
+            false => format!(
+                "the journal does not turn, and {share} of the load keeps its direction: the film carries it by squeeze alone, and the least film falls from cycle to cycle"
+            ),
+        }));
     }
     result.quantities = followed.quantities;
     result.warnings.extend(of_history(&solved, &result.quantities, options));

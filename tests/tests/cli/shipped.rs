@@ -9,7 +9,7 @@ const CONSERVING_ORBIT: &str = "28_big_end_orbit_conserving";
 const PRINTED: &str = "the as-printed equation is no mass balance";
 
 /// Every shipped scene and the beginnings of its warnings.
-const SCENES: [(&str, &[&str]); 33] = [
+const SCENES: [(&str, &[&str]); 34] = [
     ("01_plain_ring", &[TENSION, HEATED]),
     ("02_flexpde_shell", &[TENSION]),
     ("03_hydrostatic_shell", &[]),
@@ -63,6 +63,7 @@ const SCENES: [(&str, &[&str]); 33] = [
             HEATED,
         ],
     ),
+    ("35_squeeze_film_damper", &[]),
 ];
 
 #[test]

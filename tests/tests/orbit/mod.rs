@@ -8,4 +8,5 @@ mod mobility;
 mod no_orbit;
 mod scene;
 mod short;
+mod standstill;
 mod storage;

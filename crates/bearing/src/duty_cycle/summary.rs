@@ -8,6 +8,8 @@ use super::{Duty, DutyCycle};
 const SAMPLES: u32 = 7200;
 /// Golden sections by which an extreme between samples is narrowed: to 1e-8 of the distance of samples.
 const SECTIONS: u32 = 40;
+/// How far a number of turns may be from a whole one.
+const WHOLE: f64 = 1e-9;
 
 /// Extremes and means of a load over its period.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -76,8 +78,13 @@ impl DutyCycle {
 }
 
 impl DutyCycle {
-    /// `|mean F exp(-i alpha)|` [N], with `d alpha/dt` half the speed of the journal, over as many periods as are two turns of the crank.
+    /// `|mean F exp(-i alpha)|` [N], with `d alpha/dt` half the speed of the journal, over two turns of the load's angle. It is zero where the journal does not make
+    /// whole turns in one of them: no part of the load turns with alpha then.
     fn half_speed_amplitude(&self) -> f64 {
+        let turns = self.turns_of_journal();
+        if (turns - turns.round()).abs() > WHOLE {
+            return 0.0;
+        }
         let step = 2.0 * TAU / f64::from(SAMPLES);
         let (mut turned, mut sum) = (0.0, [0.0; 2]);
         for k in 0..SAMPLES {
@@ -92,6 +99,13 @@ impl DutyCycle {
             sum = [sum[0] + x * cos + y * sin, sum[1] + y * cos - x * sin];
         }
         sum[0].hypot(sum[1]) / f64::from(SAMPLES)
+    }
+
+    /// Turns of the journal against the shell in one turn of the load's angle.
+    fn turns_of_journal(&self) -> f64 {
+        let step = TAU / f64::from(SAMPLES);
+        let speeds = (0..SAMPLES).map(|k| self.at(step * (f64::from(k) + 0.5)).speed);
+        speeds.sum::<f64>() / (f64::from(SAMPLES) * self.angular_speed)
     }
 }
 

@@ -198,6 +198,33 @@ fn counterweights_balance_a_rotating_mass() {
 }
 
 #[test]
+fn a_load_with_a_frequency_of_its_own_goes_by_that() {
+    let pulsating = Harmonic {
+        order: 1.0,
+        cos: [2.0, 0.0, 0.0, 0.0],
+        sin: [0.0; 4],
+    };
+    let constant = Harmonic {
+        order: 0.0,
+        cos: [0.0, 3.0, 0.0, 0.0],
+        sin: [0.0; 4],
+    };
+    let share = |harmonic: Harmonic, speed: f64| {
+        let turning = Turning { speed, rod: None };
+        let cycle = DutyCycle::of_harmonics(vec![harmonic], TAU, Frame::Shell, turning).at_frequency(50.0);
+        assert_eq!((cycle.angular_speed(), cycle.at(1.0).speed), (50.0, speed));
+        cycle.summary().half_speed_share
+    };
+    // A constant load on a journal at rest, and half of a pulsation on one that turns twice as often: that half turns with the oil.
+    assert!((share(constant, 0.0) - 1.0).abs() < 1e-12);
+    let mean_magnitude = 2.0 * 2.0 / std::f64::consts::PI;
+    assert!((share(pulsating, 100.0) - 1.0 / mean_magnitude).abs() < 1e-6);
+    for (harmonic, speed) in [(pulsating, 0.0), (pulsating, 50.0), (pulsating, 97.3), (constant, 33.0)] {
+        assert!(share(harmonic, speed) < 1e-12, "{speed}");
+    }
+}
+
+#[test]
 fn the_load_at_half_the_speed_of_the_journal_is_found() {
     let turns = |order: f64, sense: f64, speed: f64| {
         let rotating = Harmonic {

@@ -118,6 +118,7 @@ pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> ShaftS
     let of_pins = LoadCycle {
         source: LoadSource::Crank(CrankBearing::BigEnd),
         period: crankshaft.period,
+        frequency: None,
     };
     ShaftScene {
         title,

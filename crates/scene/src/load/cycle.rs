@@ -31,8 +31,10 @@ keys! {
         "the bearing of `[crank]` whose load is computed from masses and gas pressure: the big end, x along the rod towards the small end; or a main bearing at rest, x towards the cylinders";
     "load.frame" = Choice(&["shell", "cylinder", "pin"]); "shell", "required with `file` and `harmonics`", "`\"cylinder\"` needs `[crank]`",
         "axes of the forces: those of the bearing's shell; x from the centre of the crank to the cylinder; or x along the throw, turning with the crank angle";
-    "load.period" = Quantity(Angle); "720 deg", "required with `file`, `harmonics` and `bearing`", "360 deg or 720 deg",
+    "load.period" = Quantity(Angle); "720 deg", "required with `file`, `harmonics` and `bearing`, but see `frequency`", "360 deg or 720 deg",
         "crank angle after which the load repeats";
+    "load.frequency" = Quantity(Speed); "50 Hz", "the load goes by the crank angle: see `period`", "> 0",
+        "how often a load by `file` or `harmonics` repeats, however the journal turns or if it stands still; 360 deg are then one period of the load";
 }
 
 /// A load that changes over a cycle.
@@ -40,8 +42,10 @@ keys! {
 pub struct LoadCycle {
     /// Where it comes from.
     pub source: LoadSource,
-    /// Crank angle after which it repeats [rad]: one turn or two.
+    /// Angle after which it repeats [rad]: one turn of the crank or two, or one turn of its own.
     pub period: f64,
+    /// Rate at which its angle grows [rad/s]; `None`: that of the crank, which turns with the journal.
+    pub frequency: Option<f64>,
 }
 
 /// Where a load over a cycle comes from.
@@ -126,8 +130,17 @@ pub(super) fn read(table: &mut TableReader<'_>, scene: &Path) -> Option<LoadCycl
         "write period = \"720 deg\" for a four-stroke engine, or \"360 deg\"",
     );
     let period = period.given();
+    let frequency = table.quantity("frequency", Dimension::Speed, "50 Hz").within(
+        |frequency| frequency > 0.0,
+        "is not positive",
+        "give how often the load repeats, such as 50 Hz",
+    );
+    let frequency = frequency.given();
     let Some(key) = source_key(table) else {
-        for key in ["frame", "period"].into_iter().filter(|key| table.has(key)) {
+        for key in ["frame", "period", "frequency"]
+            .into_iter()
+            .filter(|key| table.has(key))
+        {
             let help = format!("remove {key}, or give the load as file, harmonics or bearing");
             table.complain(key, "has a meaning for a load over a cycle only", help);
         }
@@ -137,7 +150,21 @@ pub(super) fn read(table: &mut TableReader<'_>, scene: &Path) -> Option<LoadCycl
         let help = format!("remove {other} or {key}: the load is given in one way");
         table.complain(other, format!("stands beside {key}"), help);
     }
-    table.require("period", "\"720 deg\"");
+    table.refuse_if(
+        key != "bearing" && table.has("frequency") && table.has("period"),
+        "frequency",
+        "stands beside period, the crank angle after which the load repeats",
+        "remove frequency, or remove period: a load with a frequency repeats after 360 deg of its own",
+    );
+    table.refuse_if(
+        key == "bearing" && table.has("frequency"),
+        "frequency",
+        "stands beside bearing, whose load goes by the crank angle",
+        "remove frequency",
+    );
+    if !table.has("frequency") {
+        table.require("period", "\"720 deg\"");
+    }
     table.refuse_if(
         key == "bearing" && table.has("frame"),
         "frame",
@@ -158,7 +185,11 @@ pub(super) fn read(table: &mut TableReader<'_>, scene: &Path) -> Option<LoadCycl
     };
     Some(LoadCycle {
         source,
-        period: period.unwrap_or(f64::NAN),
+        period: match frequency {
+            Some(_) => TAU,
+            None => period.unwrap_or(f64::NAN),
+        },
+        frequency,
     })
 }
 
@@ -176,7 +207,7 @@ fn harmonic(mut table: TableReader<'_>) -> Harmonic {
     Harmonic { order, cos, sin }
 }
 
-/// A crank where its axes are used, a journal that turns, and whole periods of harmonics.
+/// A crank where its axes are used, a journal that turns or a frequency, and whole periods of harmonics.
 pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
     let Some(cycle) = &scene.load_cycle else {
         complaints.refuse_if(
@@ -188,20 +219,32 @@ pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
         return;
     };
     complaints.refuse_if(
-        scene.journal.speed == 0.0,
+        scene.journal.speed == 0.0 && cycle.frequency.is_none(),
         "journal.speed",
         "is zero, but a load over a cycle goes by the angle of the crank, which turns with the journal",
-        "give the speed of the crank",
+        "give the speed of the crank; or, if the load repeats by itself, load.frequency = \"50 Hz\" in place of load.period",
+    );
+    complaints.refuse_if(
+        cycle.frequency.is_some() && scene.crank.is_some() && !matches!(cycle.source, LoadSource::Crank(_)),
+        "load.frequency",
+        "stands beside [crank], whose angle turns with the journal",
+        "remove [crank]; or give load.period in place of load.frequency",
     );
     let frame = match &cycle.source {
         LoadSource::File { frame, .. } | LoadSource::Harmonics { frame, .. } => Some(*frame),
         LoadSource::Crank(_) => None,
     };
     complaints.refuse_if(
-        frame == Some(LoadFrame::Cylinder) && scene.crank.is_none(),
+        frame == Some(LoadFrame::Cylinder) && scene.crank.is_none() && cycle.frequency.is_none(),
         "load.frame",
         "is \"cylinder\", but without [crank] it is not known how the shell turns",
         "give [crank] with radius and rod_length; or, if the shell is at rest, frame = \"shell\" with x towards the cylinder",
+    );
+    complaints.refuse_if(
+        cycle.frequency.is_some() && frame.is_some_and(|frame| frame != LoadFrame::Shell),
+        "load.frame",
+        "is that of a crank, but the load repeats by itself, at load.frequency",
+        "give the load in frame = \"shell\"; or load.period in place of load.frequency",
     );
     complaints.refuse_if(
         frame.is_none() && scene.crank.is_none(),
@@ -218,7 +261,7 @@ pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
             (periods - periods.round()).abs() > WHOLE,
             &format!("load.harmonics[{index}].order"),
             "makes no whole number of cycles in the period of the load",
-            "give whole orders, or halves with period = \"720 deg\"",
+            "give whole orders, or halves with period = \"720 deg\"; for a load with a frequency, whole ones",
         );
     }
 }

@@ -15,12 +15,10 @@ use super::blocks::AdvectionScheme;
 use super::loops;
 use super::relaxation::State;
 use super::rows::Condition;
-use super::{Choice, Film, History, ROUNDING, volumes_of};
+use super::{Choice, Film, History, ROUNDING, SIGN_TOLERANCE, volumes_of};
 
 /// Most steps of one search.
 const MOST_STEPS: usize = 300;
-/// A film fraction above one, or a pressure below that of the cavity (in natural units), that changes a node's side.
-const SIGN_TOLERANCE: f64 = 1e-12;
 /// A node that changes sides so often in the second pass cannot settle with the LDA scheme.
 const RESTLESS: u8 = 2;
 /// A sub-triangle whose cavity comes back more often in the first pass keeps the N scheme there.
@@ -359,7 +357,9 @@ impl<'a> Search<'a> {
         let largest = residual.iter().fold(0.0f64, |m, r| m.max(r.abs()));
         let size = |dof: usize| match (self.state.cavity[dof], self.film.rows.condition[dof]) {
             (true, _) => self.state.theta[dof] - 1.0,
-            (false, Condition::Interior) => (self.film.floor - self.state.p[dof]) / self.film.scale,
+            (false, Condition::Interior) => {
+                (self.film.floor - self.film.rounding - self.state.p[dof]) / self.film.scale
+            }
             (false, Condition::Edge) => residual[dof] / largest.max(f64::MIN_POSITIVE),
             (false, Condition::Given) => 0.0,
         };

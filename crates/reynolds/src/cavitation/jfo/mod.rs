@@ -60,6 +60,8 @@ use crate::{FilmProblem, FilmSolution, FilmSystem, Storage};
 
 /// Film fractions below zero by more than this are no rounding.
 const ROUNDING: f64 = 1e-9;
+/// A film fraction above one, or a pressure below that of the cavity (in natural units), that changes a node's side.
+const SIGN_TOLERANCE: f64 = 1e-12;
 
 /// How full the film is.
 #[derive(Debug, Clone, PartialEq)]
@@ -80,6 +82,8 @@ struct Film<'a> {
     floor: f64,
     /// Natural size of q [Pa].
     scale: f64,
+    /// What q falls below the floor by where cells hold what they held before: rounding of both [Pa].
+    rounding: f64,
     /// The time [s] in which the journal moves by a radius, or of the step of a film with a history.
     time: f64,
     /// What a film with a history held before.
@@ -211,13 +215,17 @@ impl<'a> Film<'a> {
             rows.check_supply(problem, system, volumes)?;
         }
         let (radius, velocity) = (problem.bearing.radius, law.velocity());
+        let by_motion = problem.pressure_scale(&system.supply.constraints(|p| problem.unknown_at(p)));
+        let by_history = (problem.storage.as_ref()).map_or(0.0, |before| problem.pressure_of(before.per_time));
         Ok(Film {
             volumes,
             blocks,
             rows,
             downstream: Downstream::new(system.space(), velocity, radius * problem.journal.min_film_angle()),
             floor,
-            scale: problem.pressure_scale(&system.supply.constraints(|p| problem.unknown_at(p))),
+            // A journal at rest may have a history alone.
+            scale: if by_motion > 0.0 { by_motion } else { by_history },
+            rounding: 16.0 * f64::EPSILON * by_history,
             time: match &history {
                 Some(history) => 1.0 / history.before.per_time,
                 None => radius / velocity[0].hypot(velocity[1]),

@@ -8,6 +8,7 @@ const CRANK: &str = "crank = { radius = \"62.5 mm\", rod_length = \"230 mm\", re
     rotating_mass = \"2.025 kg\", bore = \"125 mm\", gas = { peak = \"8 MPa\", angle = \"12 deg\", sharpness = 14 } }\n";
 const LINKAGE: &str = "crank = { radius = \"62.5 mm\", rod_length = \"230 mm\" }\n";
 const FILE: &str = "load = { file = \"a.csv\", frame = \"shell\", period = \"720 deg\" }\n";
+const STUDY_LOAD: &str = "load = { force = \"5 kN\", angle = \"270 deg\" }\n";
 const BIG_END: &str = "load = { bearing = \"big-end\", period = \"720 deg\" }\n";
 const HARMONICS: &str = "load = { frame = \"pin\", period = \"720 deg\", harmonics = [{ order = 0.5, cos = { x = \"1 kN\" } }, { order = 1, sin = { y = \"2 kN\" } }] }\n";
 
@@ -50,6 +51,13 @@ fn loads_over_a_cycle_are_read() {
         (0.5, [1e3, 0.0], [0.0, 2e3])
     );
 
+    assert_eq!(harmonics.frequency, None);
+    let free = HARMONICS.replace("period = \"720 deg\"", "frequency = \"50 Hz\"");
+    let free = free.replace("pin", "shell").replace("0.5", "2");
+    let at_rest = text(&free).replacen("3000 rpm", "0 rpm", 1);
+    let cycle = read(&at_rest).expect("a scene").load_cycle.expect("a cycle");
+    assert_eq!((cycle.period, cycle.frequency), (2.0 * PI, Some(100.0 * PI)));
+
     let of_crank = scene(&format!("{BIG_END}{CRANK}"));
     let crank = of_crank.crank.expect("a crank");
     let drive = crank.drive.expect("a drive");
@@ -74,6 +82,31 @@ fn loads_over_a_cycle_are_checked() {
     );
     wrong(&file(", period = \"720 deg\"", ""), "load.period: is missing");
     wrong(&file(", frame = \"shell\"", ""), "load.frame: is missing");
+    let free = |from: &str, to: &str| {
+        let free = FILE.replace("period = \"720 deg\"", "frequency = \"50 Hz\"");
+        free.replace(from, to)
+    };
+    wrong(&free("50 Hz", "0 Hz"), "load.frequency: is not positive");
+    wrong(
+        &free("frequency", "period = \"720 deg\", frequency"),
+        "load.frequency: stands beside period",
+    );
+    wrong(
+        &free("shell", "pin"),
+        "load.frame: is that of a crank, but the load repeats",
+    );
+    wrong(
+        &format!("{}{LINKAGE}", free("", "")),
+        "load.frequency: stands beside [crank]",
+    );
+    wrong(
+        &format!("{}{CRANK}", BIG_END.replace("period", "frequency = \"50 Hz\", period")),
+        "load.frequency: stands beside bearing",
+    );
+    wrong(
+        &STUDY_LOAD.replace("force", "frequency = \"50 Hz\", force"),
+        "load.frequency: has a meaning for a load over a cycle only",
+    );
     wrong(&file("shell", "rod"), "load.frame: \"rod\" is not known");
     wrong(
         &file("shell", "cylinder"),
