@@ -7,8 +7,10 @@ use oilwedge_bearing::deflection::{EXACT, carried_changes, closed_film};
 use oilwedge_bearing::{Coefficients, InitialGuess, SearchOptions, find};
 use oilwedge_reynolds::contact::Contact;
 use oilwedge_reynolds::flow_factors::PatirCheng;
+use oilwedge_reynolds::quantities::LoadGradient;
+use oilwedge_reynolds::quantities::load::load_change;
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSystem, JournalChange, terms};
+use oilwedge_reynolds::{Cavitation, FilmChange, FilmProblem, FilmSystem, JournalChange, terms};
 use oilwedge_study::quantities::{DEFLECTION_MAX, FILM_THICKNESS_MIN, Row};
 use oilwedge_tests::elastic_liner::{carried, closed, layer, walled};
 use oilwedge_tests::random_tilted::{TiltedBearing, solved};
@@ -155,6 +157,51 @@ fn a_layer_under_contact_alone_gives_way_place_by_place() {
         );
         assert!(off.abs() < 2e-4, "{off:e}");
         assert!(force < 0.97 * rigid, "{force} {rigid}");
+    }
+}
+
+/// The forces on the splines are those of the gap, however coarse the triangles are beside the cells of the wall.
+#[test]
+fn contact_presses_on_the_splines_whatever_the_triangles() {
+    for contact in contacts() {
+        let mut problem = walled(LENGTH, 0.96, REYNOLDS, |_| layer(5e-4));
+        problem.contact = Some(contact);
+        let of = |columns: u32, rows: u32| {
+            let system = ring_system(columns, rows, LENGTH, None);
+            let grid = &problem.deflection().expect("a wall").wall.grid;
+            grid.contact_forces(&problem, &system).expect("contact")
+        };
+        let (coarse, fine) = (of(18, 3), of(144, 24));
+        let greatest = fine.iter().copied().fold(0.0, f64::max);
+        let apart = coarse.iter().zip(&fine).map(|(coarse, fine)| (coarse - fine).abs());
+        let off = apart.fold(0.0, f64::max) / greatest;
+        println!("{}: {off:e}", contact.law.name());
+        assert!(off < 2e-3, "{}: {off:e}", contact.law.name());
+    }
+}
+
+/// The linear form of a film is the change of what the journal carries.
+#[test]
+fn the_gradient_of_the_load_is_its_change() {
+    for (what, problem, system) in films() {
+        let (problem, film) = closed(problem, &system);
+        let bent = problem.deflection().expect("a wall");
+        let of =
+            |number: usize, scale: f64| -> Vec<f64> { (0..number).map(|k| scale * (7.0 * k as f64).sin()).collect() };
+        let (unknown, wall) = (
+            of(film.unknown.len(), 1e5),
+            of(bent.coefficients.len(), 1e-3 * CLEARANCE),
+        );
+        let shape = bent.change(wall.clone());
+        let change = load_change(&problem, &system, &film, &[FilmChange::Gap(&shape)], &unknown);
+        let (change, gradient) = (
+            forces(&change),
+            forces(&LoadGradient::of(&problem, &system, &film).change(&unknown, &wall)),
+        );
+        let size = change.iter().fold(0.0_f64, |size, part| size.max(part.abs()));
+        for (change, gradient) in change.iter().zip(gradient) {
+            assert!((change - gradient).abs() < 1e-11 * size, "{what}: {change} {gradient}");
+        }
     }
 }
 

@@ -7,6 +7,7 @@
 //! The journal is eliminated, `x = K^-1 (r - W_d d)`, and the wall found by GMRES: one back-solve of the film a product. Under a given load the wall answers less than at a given place.
 
 use oilwedge_fem::Error;
+use oilwedge_reynolds::quantities::LoadGradient;
 use oilwedge_reynolds::quantities::load::{Resultant, load_change};
 use oilwedge_reynolds::{FilmChange, JournalChange};
 
@@ -23,6 +24,8 @@ pub(crate) struct Joint<'a> {
     bent_by_place: Vec<Vec<f64>>,
     /// K: that of the forces at a fixed wall [N/m].
     tangent: Stiffness,
+    /// How forces change with film and wall.
+    gradient: LoadGradient,
 }
 
 /// A change of the journal and of the wall.
@@ -55,6 +58,7 @@ impl<'a> Joint<'a> {
         }
         let tangent = Stiffness::by_columns(order, |k| Ok::<_, Error>(columns[k]))?.with_diagonal(held);
         Ok(Self {
+            gradient: LoadGradient::of(follower.problem, follower.system, follower.film),
             follower,
             coordinates,
             bent_by_place,
@@ -107,8 +111,7 @@ impl<'a> Joint<'a> {
     /// Forces [N] of film and contact by a move of the wall, the journal held, and what the pressures bend it by [m].
     fn by_wall(&self, d: &[f64]) -> Result<(Vector, Vec<f64>), Error> {
         let unknown = self.follower.by_deflection(d)?;
-        let shape = self.follower.shape(d);
-        let carried = self.follower.carried(&[FilmChange::Gap(&shape)], &unknown);
+        let carried = self.gradient.change(&unknown, d);
         Ok((self.coordinates.forces(&carried), self.follower.image(&unknown, d)))
     }
 

@@ -106,7 +106,7 @@ fn carried(problem: &FilmProblem, system: &FilmSystem, fineness: Fineness) -> Op
     Some(integrated(
         (problem, system),
         &law,
-        fineness,
+        (fineness, by_contact),
         |points, pressures, sum| {
             add_share(problem, points, pressures.map(|at| at.pressure), sum);
         },
@@ -124,7 +124,7 @@ pub fn contact_change(problem: &FilmProblem, system: &FilmSystem, change: FilmCh
             sum,
         );
     };
-    each_point(problem, system, by_gap).map_or(Resultant::default(), |share: Share| share.resultant())
+    each_point(problem, system, by_contact, by_gap).map_or(Resultant::default(), |share: Share| share.resultant())
 }
 
 /// First-order change [m] of the gap at points with a `change` of the journal or the gap.
@@ -158,32 +158,40 @@ fn add_share(problem: &FilmProblem, points: &Points<'_>, density: [f64; MOST_POI
     }
 }
 
-/// The sum over the film of what `add` makes of points and the pressures of contact there; `None` where no contact is simulated.
+/// The sum over the film of what `add` makes of points and the pressures of contact there; `None` where no contact is simulated. Where surfaces touch, triangles with these corners are
+/// quartered at least so often as `quarterings` says.
 pub(crate) fn each_point<S: Default + AddAssign + Send>(
     problem: &FilmProblem,
     system: &FilmSystem,
+    quarterings: impl Fn(&[[f64; 2]; 3]) -> usize + Sync,
     add: impl Fn(&Points<'_>, [ContactPressure; MOST_POINTS], &mut S) + Sync,
 ) -> Option<S> {
     let law = problem.contact?.law;
-    Some(integrated((problem, system), &law, Fineness::Full, add))
+    Some(integrated((problem, system), &law, (Fineness::Full, quarterings), add))
+}
+
+/// As often as contact itself asks for.
+pub(crate) fn by_contact(_: &[[f64; 2]; 3]) -> usize {
+    0
 }
 
 /// The sum over the film; triangles are divided where the pressure of contact is steep.
 fn integrated<S: Default + AddAssign + Send>(
     (problem, system): (&FilmProblem, &FilmSystem),
     law: &ContactLaw,
-    fineness: Fineness,
+    (fineness, quarterings): (Fineness, impl Fn(&[[f64; 2]; 3]) -> usize + Sync),
     add: impl Fn(&Points<'_>, [ContactPressure; MOST_POINTS], &mut S) + Sync,
 ) -> S {
     let mesh = system.space().mesh();
     let is_film = system.supply.film(mesh);
     integrate(mesh, |t| {
         let (mut sum, mapping) = (S::default(), Mapping::of(mesh, t));
+        let least = quarterings(&mesh.corners(t));
         let mut left = if is_film[t] { vec![(0, 0)] } else { Vec::new() };
         while let Some((level, number)) = left.pop() {
             let part = &PARTS[level][number];
             let positions = part.nodes.map(|node| mapping.at(node).position);
-            match division(law, &problem.thickness_at(t, &positions), level, fineness) {
+            match division(law, &problem.thickness_at(t, &positions), (level, least), fineness) {
                 Division::NoContact => {}
                 Division::Parts => left.extend((0..4).map(|k| (level + 1, 4 * number + k))),
                 Division::Whole => part.rule.visit(mesh, t, |points| {
@@ -207,8 +215,8 @@ enum Division {
     Parts,
 }
 
-/// What is done with a part of a triangle, from the gaps [m] at its nodes.
-fn division(law: &ContactLaw, gaps: &[f64; 6], level: usize, fineness: Fineness) -> Division {
+/// What is done with a part of a triangle, from the gaps [m] at its nodes; one that touches is quartered to a least level.
+fn division(law: &ContactLaw, gaps: &[f64; 6], (level, least_level): (usize, usize), fineness: Fineness) -> Division {
     /// The gap inside of a triangle may be less than that at its nodes by this part of its range.
     const WITHIN: f64 = 0.25;
     let (least, greatest) = gaps
@@ -234,7 +242,7 @@ fn division(law: &ContactLaw, gaps: &[f64; 6], level: usize, fineness: Fineness)
     let range = greatest.min(law.reach()) - least;
     let is_steep = range > f64::from(1u32 << spared) * part * law.scale();
     let is_kinked = level + spared < KINK_QUARTERINGS && law.has_kink_in(least..greatest);
-    match is_steep || is_kinked || level + spared == 0 {
+    match is_steep || is_kinked || level + spared == 0 || level < least_level {
         true => Division::Parts,
         false => Division::Whole,
     }

@@ -168,16 +168,11 @@ fn integrated<const N: usize>(
     density: impl Fn([f64; N]) -> f64 + Sync,
 ) -> Integral {
     let (space, mesh) = (system.space(), system.space().mesh());
-    let rule = Rule::for_degree(space.degree());
-    let kink = problem.cavitation.kink().map(|p| problem.unknown_at(p));
-    let quartered = kink.map(|_| kinked_rule(space.degree()));
+    let rules = Rules::of(problem, space.degree());
     let fields = fields.map(|values| Field { space, values });
     integrate(mesh, |t| {
         let nodal = fields.map(|field| field.element_values(t));
-        let own = &nodal[0][..space.shapes()];
-        let kinked = kink.is_some_and(|kink| own.iter().any(|&u| u < kink) && own.iter().any(|&u| u > kink));
-        let rule = quartered.as_ref().filter(|_| kinked).unwrap_or(&rule);
-        rule.integrate(mesh, t, |points, sum| {
+        rules.at(&nodal[0][..space.shapes()]).integrate(mesh, t, |points, sum| {
             let [sines, cosines] = sines_and_cosines(points.positions, problem.bearing.radius);
             for q in 0..points.positions.len() {
                 let area = points.area(q);
@@ -194,6 +189,31 @@ fn integrated<const N: usize>(
             }
         })
     })
+}
+
+/// Rules for triangles by the unknown at their nodes.
+pub(crate) struct Rules {
+    smooth: Rule,
+    /// The unknown at which the effective pressure has a kink, and the rule for triangles through which that runs.
+    kinked: Option<(f64, Rule)>,
+}
+
+impl Rules {
+    pub(crate) fn of(problem: &FilmProblem, degree: usize) -> Self {
+        let kink = problem.cavitation.kink().map(|p| problem.unknown_at(p));
+        Self {
+            smooth: Rule::for_degree(degree),
+            kinked: kink.map(|kink| (kink, kinked_rule(degree))),
+        }
+    }
+
+    pub(crate) fn at(&self, unknown: &[f64]) -> &Rule {
+        let runs_through = |kink: f64| unknown.iter().any(|&u| u < kink) && unknown.iter().any(|&u| u > kink);
+        match &self.kinked {
+            Some((kink, rule)) if runs_through(*kink) => rule,
+            _ => &self.smooth,
+        }
+    }
 }
 
 /// The rule for triangles through which a kink of the effective pressure runs.

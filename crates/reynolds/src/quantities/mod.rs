@@ -12,9 +12,12 @@ pub mod inlet;
 mod junction;
 mod line_cut;
 pub mod load;
+mod load_gradient;
 pub mod power;
 pub mod pressure;
 mod share;
 pub mod similarity;
 pub mod stream;
 pub mod summit;
+
+pub use load_gradient::LoadGradient;

@@ -5,8 +5,14 @@
 
 use std::ops::AddAssign;
 
+use oilwedge_fem::integrate::Points;
+use oilwedge_fem::quadrature::MOST_POINTS;
+
 use super::grid::Grid;
-use crate::quantities::contact::{each_point, gap_change};
+use super::pressing::quarterings;
+use crate::angles::sines_and_cosines;
+use crate::contact::ContactPressure;
+use crate::quantities::contact::{by_contact, each_point, gap_change};
 use crate::{FilmChange, FilmProblem, FilmSystem};
 
 /// How the forces of contact on the splines change with the deflection: the matrix A, triangle by triangle.
@@ -23,22 +29,31 @@ struct Block {
     rows: Vec<Vec<f64>>,
 }
 
-/// Forces [N] on some splines of a grid.
+/// What contact presses with at the points of a batch.
+type Pressures = [ContactPressure; MOST_POINTS];
+
+/// N sums on some splines of a grid.
 #[derive(Debug, Default)]
-struct Forces {
+struct OnSplines<const N: usize> {
     splines: Vec<u32>,
-    values: Vec<f64>,
+    values: Vec<[f64; N]>,
 }
 
 impl Grid {
+    /// How often triangles are quartered so that their parts are no wider than the cells.
+    fn by_cells(&self) -> impl Fn(&[[f64; 2]; 3]) -> usize + Sync + '_ {
+        |corners| quarterings(self, corners)
+    }
+
     /// Forces [N] of contact on the splines; none where no contact is simulated.
     pub fn contact_forces(&self, problem: &FilmProblem, system: &FilmSystem) -> Option<Vec<f64>> {
-        let forces = each_point(problem, system, |points, pressures, sum: &mut Forces| {
+        let add = |points: &Points<'_>, pressures: Pressures, sum: &mut OnSplines<1>| {
             for (q, &position) in points.positions.iter().enumerate() {
-                sum.add(self, position, points.area(q) * pressures[q].pressure);
+                sum.add(self, position, [points.area(q) * pressures[q].pressure]);
             }
-        });
-        Some(forces?.on(self))
+        };
+        let forces = each_point(problem, system, self.by_cells(), add)?;
+        Some(forces.on(self).into_flattened())
     }
 
     /// First-order change of the [`Self::contact_forces`] with a `change` of the journal or the gap.
@@ -48,28 +63,47 @@ impl Grid {
         system: &FilmSystem,
         change: FilmChange<'_>,
     ) -> Option<Vec<f64>> {
-        let forces = each_point(problem, system, |points, pressures, sum: &mut Forces| {
+        let add = |points: &Points<'_>, pressures: Pressures, sum: &mut OnSplines<1>| {
             let moved = gap_change(problem, change, points);
             for (q, &position) in points.positions.iter().enumerate() {
-                sum.add(self, position, points.area(q) * pressures[q].slope * moved[q]);
+                sum.add(self, position, [points.area(q) * pressures[q].slope * moved[q]]);
             }
-        });
-        Some(forces?.on(self))
+        };
+        let forces = each_point(problem, system, self.by_cells(), add)?;
+        Some(forces.on(self).into_flattened())
+    }
+
+    /// How what contact carries changes with the coefficient of each spline: force towards x and y [N/m], and its moments [N]; none where no contact is simulated.
+    pub(crate) fn contact_load(&self, problem: &FilmProblem, system: &FilmSystem) -> Option<Vec<[f64; 4]>> {
+        let add = |points: &Points<'_>, pressures: Pressures, sum: &mut OnSplines<4>| {
+            let [sines, cosines] = sines_and_cosines(points.positions, problem.bearing.radius);
+            for (q, &position) in points.positions.iter().enumerate() {
+                let stiffness = points.area(q) * pressures[q].slope;
+                let [x, y] = [stiffness * cosines[q], stiffness * sines[q]];
+                sum.add(self, position, [x, y, position[1] * x, position[1] * y]);
+            }
+        };
+        Some(each_point(problem, system, by_contact, add)?.on(self))
     }
 
     /// How the [`Self::contact_forces`] change with the deflection; none where no contact is simulated.
     pub fn contact_tangent(&self, problem: &FilmProblem, system: &FilmSystem) -> Option<ContactTangent> {
-        each_point(problem, system, |points, pressures, sum: &mut ContactTangent| {
-            if sum.blocks.is_empty() {
-                sum.blocks.push(Block::default());
-            }
-            for (q, &position) in points.positions.iter().enumerate() {
-                let stiffness = points.area(q) * pressures[q].slope;
-                if stiffness != 0.0 {
-                    sum.blocks[0].add(self, position, stiffness);
+        each_point(
+            problem,
+            system,
+            self.by_cells(),
+            |points, pressures, sum: &mut ContactTangent| {
+                if sum.blocks.is_empty() {
+                    sum.blocks.push(Block::default());
                 }
-            }
-        })
+                for (q, &position) in points.positions.iter().enumerate() {
+                    let stiffness = points.area(q) * pressures[q].slope;
+                    if stiffness != 0.0 {
+                        sum.blocks[0].add(self, position, stiffness);
+                    }
+                }
+            },
+        )
     }
 }
 
@@ -116,27 +150,30 @@ impl Block {
     }
 }
 
-impl Forces {
-    fn add(&mut self, grid: &Grid, position: [f64; 2], force: f64) {
-        if force == 0.0 {
+impl<const N: usize> OnSplines<N> {
+    /// Adds parts of a point, in proportion to the splines there.
+    fn add(&mut self, grid: &Grid, position: [f64; 2], parts: [f64; N]) {
+        if parts.iter().all(|part| *part == 0.0) {
             return;
         }
         grid.each_at(position, |spline, value| {
             let place = place(&mut self.splines, spline);
             if place == self.values.len() {
-                self.values.push(0.0);
+                self.values.push([0.0; N]);
             }
-            self.values[place] += force * value;
+            let sums = &mut self.values[place];
+            sums.iter_mut().zip(parts).for_each(|(sum, part)| *sum += part * value);
         });
     }
 
     /// On all splines of the grid.
-    fn on(&self, grid: &Grid) -> Vec<f64> {
-        let mut forces = vec![0.0; grid.number()];
-        for (&spline, value) in self.splines.iter().zip(&self.values) {
-            forces[spline as usize] += value;
+    fn on(&self, grid: &Grid) -> Vec<[f64; N]> {
+        let mut all = vec![[0.0; N]; grid.number()];
+        for (&spline, values) in self.splines.iter().zip(&self.values) {
+            let sums = &mut all[spline as usize];
+            sums.iter_mut().zip(values).for_each(|(sum, value)| *sum += value);
         }
-        forces
+        all
     }
 }
 
@@ -155,7 +192,7 @@ impl AddAssign for ContactTangent {
     }
 }
 
-impl AddAssign for Forces {
+impl<const N: usize> AddAssign for OnSplines<N> {
     fn add_assign(&mut self, mut other: Self) {
         self.splines.append(&mut other.splines);
         self.values.append(&mut other.values);
