@@ -59,6 +59,14 @@ fn a_damper_whirls_at_the_eccentricity_of_a_journal_that_turns_twice_as_fast() {
     let film = |text: &str, row: &Row| {
         let (result, _) = solved(text);
         assert_eq!(result.status, Status::Converged, "{:?}", result.reason);
+        if text.contains("[orbit]") {
+            // Nothing turns the ring: the load alone does work, and the film turns it into heat.
+            let power = result.quantity(&CYCLE_POWER_LOSS).expect("a power").value;
+            assert!(
+                power > 1.0 && result.quantity(&CYCLE_FRICTION_POWER).is_none(),
+                "{power}"
+            );
+        }
         let quantity = result.quantity(row).expect("a film");
         (quantity.value, quantity.error().expect("a bar"))
     };

@@ -88,7 +88,7 @@ pub(super) fn circle(title: &str, course: &OrbitCourse, step: f64) -> Chart {
     chart
 }
 
-/// The numbers of films over the crank angle, a chart each; of two orbits the second is dashed.
+/// The numbers of films over the crank angle, a chart for each that they have; of two orbits the second is dashed.
 fn over_angle(courses: &[(&str, &OrbitCourse)]) -> Vec<Chart> {
     let chart = |(row, name, unit, colour): (&Row, &str, f64, Colour)| {
         let mut chart = Chart::new("", Label::plain("crank angle, deg"), Label::plain(name));
@@ -105,5 +105,7 @@ fn over_angle(courses: &[(&str, &OrbitCourse)]) -> Vec<Chart> {
         }
         chart
     };
-    OVER_ANGLE.into_iter().map(chart).collect()
+    let is_known =
+        |(row, ..): &(&Row, &str, f64, Colour)| courses.iter().any(|(_, course)| !course.curve(row).is_empty());
+    OVER_ANGLE.into_iter().filter(is_known).map(chart).collect()
 }

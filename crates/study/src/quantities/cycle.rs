@@ -40,11 +40,12 @@ rows! {
         OverCycle(|cycle| Some((cycle.peak_load, Some(Bar::default())))),
         ErrorRule::Exact, headline(Headline::Always(6));
 
-    /// Mean over the cycle of `P + P_e`: what turns the journal and what the load does on its centre, all of which the film turns into heat where no
+    /// Mean over the cycle of `P + P_e`: what turns the journal (nothing where it stands still) and what the load does on its centre, all of which the film turns into heat where no
     /// pressure is fed
     CYCLE_POWER_LOSS = "cycle_power_loss", "P_m", Watt, "mean power that the film turns into heat":
         OverCycle(|cycle| {
-            let (turning, moving) = (mean(cycle, &FRICTION_POWER)?, mean(cycle, &MOTION_POWER)?);
+            let moving = mean(cycle, &MOTION_POWER)?;
+            let turning = mean(cycle, &FRICTION_POWER).unwrap_or((0.0, Some(Bar::default())));
             Some((turning.0 + moving.0, turning.1.zip(moving.1).map(|(a, b)| a + b)))
         }),
         ErrorRule::OverCycle(MEAN), headline(Headline::Always(7));
