@@ -3,7 +3,14 @@
 //! **Equation.** `dW = Int p'(u) du (cos phi, sin phi) dA + Int p_a'(h) dd (cos phi, sin phi) dA`, with z under the integrals for the moment: a sum over dofs and over the splines of the wall.
 //! An iteration that asks for many changes at one film integrates once.
 //!
-//! **Source.** The first-order change of [`super::load`]. **Verified by** `tests/tests/liner`: it is [`super::load::load_change`].
+//! | symbol | unit | code |
+//! |---|---|---|
+//! | dW, dm | N, N m | [`LoadGradient::change`] |
+//! | du | Pa | `unknown` |
+//! | dd | m | `wall` |
+//!
+//! **Source.** The first-order change of [`super::load`]. **Range.** Any film; small changes. **Verified by** `the_gradient_of_the_load_is_its_change`: it is
+//! [`super::load::load_change`].
 
 use std::ops::AddAssign;
 
