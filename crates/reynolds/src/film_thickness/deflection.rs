@@ -113,7 +113,7 @@ impl Deflection {
         Self { stage, ..self.clone() }.with(self.coefficients.to_vec())
     }
 
-    /// The stage of a wall that has been as it is [1/s].
+    /// The stage of a method in time that begins with this deflection: `per_time` is its `1/(gamma dt)` [1/s].
     pub fn resting(&self, per_time: f64) -> WallStage {
         WallStage {
             per_time,

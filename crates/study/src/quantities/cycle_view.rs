@@ -235,9 +235,16 @@ impl CycleView<'_> {
         let film = |at: f64| self.thinnest_at(at.rem_euclid(self.period()));
         let bar = self.bar_of_thinnest(time);
         let doubt = bar.map(|bar| self.doubt(time, bar.total(), |at| film(at).thickness - thinnest.thickness));
+        // Farthest from it in all of the time in doubt: after that time a journal that runs round may be back.
         let turned = |doubt: f64| {
-            let around = [time - doubt, time + doubt].map(|at| (film(at).angle - thinnest.angle).sin().abs().asin());
-            around[0].max(around[1]).to_degrees()
+            let step = self.period() / f64::from(PLACES);
+            let times = (1..=(doubt / step).round() as u32)
+                .flat_map(|k| [-1.0, 1.0].map(|way| time + way * step * f64::from(k)));
+            let away = times.map(|at| {
+                let (sin, cos) = (film(at).angle - thinnest.angle).sin_cos();
+                sin.atan2(cos).abs()
+            });
+            away.fold(0.0, f64::max).to_degrees()
         };
         let at = self.bar_at(&FILM_THICKNESS_MIN_ANGLE, time);
         let bar = doubt.zip(at).map(|(doubt, at)| at + Bar::of(turned(doubt)));

@@ -15,10 +15,12 @@ use super::blocks::AdvectionScheme;
 use super::loops;
 use super::relaxation::State;
 use super::rows::Condition;
-use super::{Choice, Film, History, ROUNDING, SIGN_TOLERANCE, volumes_of};
+use super::{Choice, Film, History, ROUNDING, volumes_of};
 
 /// Most steps of one search.
 const MOST_STEPS: usize = 300;
+/// A film fraction above one, or a pressure below that of the cavity (in natural units), that changes a node's side.
+const SIGN_TOLERANCE: f64 = 1e-12;
 /// A node that changes sides so often in the second pass cannot settle with the LDA scheme.
 const RESTLESS: u8 = 2;
 /// A sub-triangle whose cavity comes back more often in the first pass keeps the N scheme there.

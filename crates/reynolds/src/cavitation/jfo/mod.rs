@@ -60,8 +60,8 @@ use crate::{FilmProblem, FilmSolution, FilmSystem, Storage};
 
 /// Film fractions below zero by more than this are no rounding.
 const ROUNDING: f64 = 1e-9;
-/// A film fraction above one, or a pressure below that of the cavity (in natural units), that changes a node's side.
-const SIGN_TOLERANCE: f64 = 1e-12;
+/// What rounding leaves of the difference of what cells hold and have held, in machine epsilons.
+const EPSILONS: f64 = 16.0;
 
 /// How full the film is.
 #[derive(Debug, Clone, PartialEq)]
@@ -225,7 +225,7 @@ impl<'a> Film<'a> {
             floor,
             // A journal at rest may have a history alone.
             scale: if by_motion > 0.0 { by_motion } else { by_history },
-            rounding: 16.0 * f64::EPSILON * by_history,
+            rounding: EPSILONS * f64::EPSILON * by_history,
             time: match &history {
                 Some(history) => 1.0 / history.before.per_time,
                 None => radius / velocity[0].hypot(velocity[1]),
