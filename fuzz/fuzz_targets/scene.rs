@@ -1,4 +1,5 @@
-//! Text as a scene: it is refused with complaints that point into it, or it is a scene without a number that is none.
+//! Text as a scene, of a bearing or of a crankshaft: it is refused with complaints that point into it, or it is a scene
+//! without a number that is none.
 
 #![no_main]
 
@@ -7,9 +8,9 @@ use std::path::Path;
 
 use cap::Cap;
 use libfuzzer_sys::{fuzz_mutator, fuzz_target, fuzzer_mutate};
-use oilwedge_fuzz::{bounded, mutate_words};
 use oilwedge_campaign::sweep::Sweep;
-use oilwedge_scene::{MeshSource, Scene, SceneError, TemperatureLaw, Tolerance, Viscosity};
+use oilwedge_fuzz::{bounded, mutate_words};
+use oilwedge_scene::{Scene, SceneError, ShaftScene};
 
 #[global_allocator]
 static ALLOCATOR: Cap<System> = Cap::new(System, usize::MAX);
@@ -21,8 +22,13 @@ const MOST_CASES: usize = 16;
 
 fuzz_target!(|text: &str| {
     bounded(&ALLOCATOR, BYTES_PER_BYTE * text.len(), || {
-        match oilwedge_study::parse(text, Path::new("scenes/fuzz.toml")) {
+        let path = Path::new("scenes/fuzz.toml");
+        match oilwedge_study::parse(text, path) {
             Ok(scene) => check(&scene),
+            Err(SceneError::Crankshaft { .. }) => match ShaftScene::parse(text, path) {
+                Ok(scene) => finite(&ShaftScene { sweep: None, ..scene }),
+                Err(error) => refused(&error, text),
+            },
             Err(error) => refused(&error, text),
         }
     });
@@ -42,21 +48,22 @@ fn refused(error: &SceneError, text: &str) {
     }
 }
 
+/// No number of a scene is none; the stiffness of a rigid support alone is infinite. What stands in quotes is the
+/// user's text. Axes of a sweep may have more numbers than can be told in bounded memory.
+fn finite(scene: &impl std::fmt::Debug) {
+    let told = format!("{scene:?}").replace("stiffness: inf", "stiffness: rigid");
+    let told = told.replace(r"\\", "").replace(r#"\""#, "");
+    for numbers in told.split('"').step_by(2) {
+        let mut words = numbers.split(|letter: char| !letter.is_alphanumeric() && letter != '_');
+        assert!(!words.any(|word| word == "NaN" || word == "inf"), "{numbers}");
+    }
+}
+
 fn check(scene: &Scene) {
-    let mut told = scene.clone();
-    told.title.clear();
-    told.text.clear();
-    told.mesh = MeshSource::Drawing { size: None };
-    told.feeds.iter_mut().for_each(|feed| feed.group.clear());
-    told.sweep = None;
-    if let Some(Tolerance::ByName(targets)) = &mut told.tolerance {
-        targets.iter_mut().for_each(|target| target.quantity.clear());
-    }
-    if let Viscosity::ByTemperature(TemperatureLaw::Grade(name)) = &mut told.oil.viscosity {
-        name.clear();
-    }
-    let told = format!("{told:?}");
-    assert!(!told.contains("NaN") && !told.contains("inf"), "{told}");
+    finite(&Scene {
+        sweep: None,
+        ..scene.clone()
+    });
     let few = scene.sweep.as_ref().is_some_and(|plan| plan.cases() <= MOST_CASES);
     if few && let Err(error) = Sweep::of(scene) {
         assert!(!error.to_string().is_empty());
