@@ -39,9 +39,8 @@ pub(crate) fn wall(liner: &Liner, bearing: &Bearing) -> Result<Wall, NoWall> {
         Liner::Compliance { file } => {
             let table = read_compliance(file, bearing.length)?;
             let points = table.angles * table.axial.len();
-            Dense::of_rows(points, table.displacements).and_then(|displacements| {
-                Wall::of_matrix(bearing, (table.first_angle, table.angles), &table.axial, displacements)
-            })
+            let displacements = Dense::from_vec(points, points, table.displacements);
+            Wall::of_matrix(bearing, (table.first_angle, table.angles), &table.axial, displacements)
         }
     };
     wall.ok_or(NoWall::Points)

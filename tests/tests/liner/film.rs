@@ -109,9 +109,7 @@ fn by_matrix(problem: &FilmProblem, angles: usize, along: usize, entry: impl Fn(
 fn lumped_layer(problem: &FilmProblem, angles: usize, along: usize, per_pressure: f64) -> Wall {
     let area = std::f64::consts::TAU * RADIUS / angles as f64 * problem.bearing.length / along as f64;
     by_matrix(problem, angles, along, |_| {
-        let mut layer = Dense::zero(angles * along);
-        (0..layer.order()).for_each(|k| *layer.entry(k, k) = per_pressure / area);
-        layer
+        Dense::from_diagonal_element(angles * along, angles * along, per_pressure / area)
     })
 }
 
@@ -133,12 +131,12 @@ fn condensed_layer(problem: &FilmProblem, angles: usize, along: usize, per_press
             .map(unit)
             .map(|unit| (0..n).map(|k| grid.value(&unit, at(k))).collect())
             .collect();
-        let mut matrix = Dense::zero(n);
+        let mut matrix = Dense::zeros(n, n);
         for column in 0..n {
             let forces: Vec<f64> = splines.iter().map(|values| values[column]).collect();
             let deflection = layer.deflection(&forces);
             for row in 0..n {
-                *matrix.entry(row, column) = splines.iter().zip(&deflection).map(|(values, d)| values[row] * d).sum();
+                matrix[(row, column)] = splines.iter().zip(&deflection).map(|(values, d)| values[row] * d).sum();
             }
         }
         matrix

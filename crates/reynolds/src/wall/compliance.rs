@@ -16,19 +16,18 @@
 //! **Source.** Projection on splines: de Boor, A Practical Guide to Splines (1978). **Range.** Linear elasticity. **Verified by** `waves_are_deflected_by_their_compliance`,
 //! `a_matrix_of_a_layer_is_that_layer`.
 
-use rayon::prelude::*;
+use nalgebra::{DMatrixView, DVectorView};
 
-use super::dense::Dense;
+use super::Dense;
 use super::spline::{Along, Around};
 
 /// Waves that the grid does not tell apart are summed to this number of times its own.
 const ALIASES: i64 = 6;
 
-/// A circulant matrix around times a dense one along.
+/// A circulant, symmetric matrix around times one along: numbers of the grid, those of one angle a column, are multiplied by the one from the right and by the other from the left.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Product {
-    /// First row around.
-    around: Vec<f64>,
+    around: Dense,
     along: Dense,
 }
 
@@ -66,20 +65,20 @@ impl Compliance {
         };
         Some(Self(Form::Slices(Product {
             around: circulant(around.number, symbol),
-            along: along.mass().inverse()?,
+            along: along.mass().try_inverse()?,
         })))
     }
 
     /// A matrix of displacements [m] for unit forces [N] at the `points` [m] along the liner of each angle of the grid, angle by angle; none where it does
     /// not fit the grid.
     pub fn of_matrix((around, along): (&Around, &Along), points: &[f64], displacements: Dense) -> Option<Self> {
-        if displacements.order() != around.number * along.number() || points.len() != along.number() {
+        if displacements.nrows() != around.number * along.number() || points.len() != along.number() {
             return None;
         }
-        let inverse = along.collocation(points).inverse()?;
+        let inverse = along.collocation(points).try_inverse()?;
         Some(Self(Form::Matrix {
             displacements,
-            transposed: Product::interpolation(around, inverse.transposed()),
+            transposed: Product::interpolation(around, inverse.transpose()),
             interpolation: Product::interpolation(around, inverse),
         }))
     }
@@ -92,11 +91,11 @@ impl Compliance {
 
     /// Its entries [m/N] between some splines.
     pub fn among(&self, splines: &[usize]) -> Dense {
-        let mut among = Dense::zero(splines.len());
+        let mut among = Dense::zeros(splines.len(), splines.len());
         for (column, &pressed) in splines.iter().enumerate() {
             let by_one = self.by_one(pressed, splines);
             for (row, moved) in by_one.into_iter().enumerate() {
-                *among.entry(row, column) = moved;
+                among[(row, column)] = moved;
             }
         }
         among
@@ -107,7 +106,7 @@ impl Compliance {
         match &self.0 {
             Form::Slices(product) => splines.iter().map(|&spline| product.at(spline, pressed)).collect(),
             Form::Matrix { displacements, .. } => {
-                let mut force = vec![0.0; displacements.order()];
+                let mut force = vec![0.0; displacements.nrows()];
                 force[pressed] = 1.0;
                 let moved = self.deflection(&force);
                 splines.iter().map(|&spline| moved[spline]).collect()
@@ -123,7 +122,11 @@ impl Compliance {
                 displacements,
                 interpolation,
                 transposed,
-            } => interpolation.times(&displacements.times(&transposed.times(forces))),
+            } => {
+                let at_points = transposed.times(forces);
+                let moved = displacements * DVectorView::from_slice(&at_points, at_points.len());
+                interpolation.times(moved.as_slice())
+            }
         }
     }
 }
@@ -141,45 +144,36 @@ impl Product {
 
     /// Its inverse; none where it is singular.
     fn inverse(&self) -> Option<Self> {
-        let number = self.around.len();
+        let number = self.around.nrows();
         let turn = std::f64::consts::TAU / number as f64;
         let symbol = |wave: i64| {
-            let parts = self.around.iter().enumerate();
             let cos = |k: usize| (turn * ((wave as usize * k) % number) as f64).cos();
+            let parts = self.around.column(0).into_iter().enumerate();
             parts.map(|(k, entry)| entry * cos(k)).sum::<f64>()
         };
         let symbols: Vec<f64> = (0..number as i64).map(symbol).collect();
         symbols.iter().all(|symbol| *symbol > 0.0).then_some(())?;
         Some(Self {
             around: circulant(number, |wave| 1.0 / symbols[wave as usize]),
-            along: self.along.inverse()?,
+            along: self.along.clone().try_inverse()?,
         })
     }
 
     /// An entry.
     fn at(&self, row: usize, column: usize) -> f64 {
-        let (number, along) = (self.around.len(), self.along.order());
-        let turned = (row / along + number - column / along) % number;
-        self.around[turned] * self.along.row(row % along)[column % along]
+        let along = self.along.nrows();
+        self.around[(row / along, column / along)] * self.along[(row % along, column % along)]
     }
 
     pub(super) fn times(&self, x: &[f64]) -> Vec<f64> {
-        let (number, along) = (self.around.len(), self.along.order());
-        let rows: Vec<Vec<f64>> = x.chunks(along).map(|row| self.along.times(row)).collect();
-        let turned = |i: usize| {
-            let mut sum = vec![0.0; along];
-            for (j, row) in rows.iter().enumerate() {
-                let factor = self.around[(i + number - j) % number];
-                sum.iter_mut().zip(row).for_each(|(sum, part)| *sum += factor * part);
-            }
-            sum
-        };
-        (0..number).into_par_iter().flat_map_iter(turned).collect()
+        let (number, along) = (self.around.nrows(), self.along.nrows());
+        let product = &self.along * DMatrixView::from_slice(x, along, number) * &self.around;
+        product.data.into()
     }
 }
 
-/// First row of the circulant with this even symbol.
-fn circulant(number: usize, symbol: impl Fn(i64) -> f64) -> Vec<f64> {
+/// The circulant matrix with this even symbol.
+fn circulant(number: usize, symbol: impl Fn(i64) -> f64) -> Dense {
     let symbols: Vec<f64> = (0..number as i64).map(symbol).collect();
     let turn = std::f64::consts::TAU / number as f64;
     let entry = |k: usize| {
@@ -189,7 +183,8 @@ fn circulant(number: usize, symbol: impl Fn(i64) -> f64) -> Vec<f64> {
             .map(|(n, s)| s * (turn * ((n * k) % number) as f64).cos());
         parts.sum::<f64>() / number as f64
     };
-    (0..number).map(entry).collect()
+    let first: Vec<f64> = (0..number).map(entry).collect();
+    Dense::from_fn(number, number, |row, column| first[(row + number - column) % number])
 }
 
 #[cfg(test)]
@@ -201,7 +196,7 @@ mod tests {
 
     /// Forces of `cos(n phi)` on splines around, along those of a constant.
     fn forces(around: &Around, along: &Along, n: usize) -> Vec<f64> {
-        let axial = along.mass().times(&vec![1.0; along.number()]);
+        let axial = along.mass().column_sum();
         let wave = |j: usize| RADIUS * around.transform(n as f64) * (n as f64 * around.middle(j)).cos();
         (0..around.number)
             .flat_map(|j| axial.iter().map(move |part| part * wave(j)))
@@ -264,12 +259,11 @@ mod tests {
         for number in [24usize, 48, 96] {
             let (around, points) = (Around::centred(number, 0.0), [-0.018, -0.01, 0.0, 0.01, 0.018]);
             let along = Along::through(&points, [-0.02, 0.02]);
-            let axial = along.mass().times(&vec![1.0; along.number()]);
-            let inverse = along.collocation(&points).inverse().expect("points").transposed();
-            let lengths = inverse.times(&axial);
-            let mut layer = Dense::zero(number * points.len());
-            for place in 0..layer.order() {
-                *layer.entry(place, place) = 1e-14 / (RADIUS * TAU / number as f64 * lengths[place % points.len()]);
+            let inverse = along.collocation(&points).try_inverse().expect("points").transpose();
+            let lengths = inverse * along.mass().column_sum();
+            let mut layer = Dense::zeros(number * points.len(), number * points.len());
+            for place in 0..layer.nrows() {
+                layer[(place, place)] = 1e-14 / (RADIUS * TAU / number as f64 * lengths[place % points.len()]);
             }
             let compliance = Compliance::of_matrix((&around, &along), &points, layer).expect("it fits");
             let found = compliance.deflection(&forces(&around, &along, 5));

@@ -6,7 +6,6 @@
 
 mod blocks;
 pub mod compliance;
-pub mod dense;
 mod gap_tangent;
 pub mod grid;
 mod pressing;
@@ -14,7 +13,6 @@ pub mod spline;
 mod touching;
 
 pub use compliance::Compliance;
-pub use dense::Dense;
 pub use gap_tangent::GapTangent;
 pub use grid::Grid;
 pub(crate) use pressing::Pressing;
@@ -24,6 +22,9 @@ pub use touching::ContactTangent;
 use std::sync::Arc;
 
 use crate::{Bearing, FilmProblem, FilmSystem};
+
+/// A dense matrix.
+pub type Dense = nalgebra::DMatrix<f64>;
 
 /// Splines around the liner, and cells along it, of walls without a grid of their own.
 const AROUND: usize = 180;

@@ -3,7 +3,7 @@
 //! Around the liner they are uniform and periodic; along it they have knots of their own. Both are continuously differentiable, so that the slope of a
 //! deflection has no jumps inside of triangles. Source: de Boor, A Practical Guide to Splines (1978), ch. IX and X.
 
-use super::dense::Dense;
+use super::Dense;
 
 /// Splines that are not zero at one place.
 pub(super) const SUPPORT: usize = 3;
@@ -194,14 +194,14 @@ impl Along {
             (0.0, 8.0 / 9.0),
             (0.774_596_669_241_483_4, 5.0 / 9.0),
         ];
-        let mut mass = Dense::zero(self.number());
+        let mut mass = Dense::zeros(self.number(), self.number());
         for cell in self.breaks().windows(2) {
             let (middle, half) = (0.5 * (cell[0] + cell[1]), 0.5 * (cell[1] - cell[0]));
             for (place, weight) in POINTS {
                 let local = self.at(middle + half * place);
                 for (i, a) in local.values.iter().enumerate() {
                     for (j, b) in local.values.iter().enumerate() {
-                        *mass.entry(local.first + i, local.first + j) += half * weight * a * b;
+                        mass[(local.first + i, local.first + j)] += half * weight * a * b;
                     }
                 }
             }
@@ -211,11 +211,11 @@ impl Along {
 
     /// Values of all splines at these positions [m], one row a position.
     pub(super) fn collocation(&self, points: &[f64]) -> Dense {
-        let mut values = Dense::zero(points.len());
+        let mut values = Dense::zeros(points.len(), self.number());
         for (row, &z) in points.iter().enumerate() {
             let local = self.at(z);
             for (k, value) in local.values.into_iter().enumerate() {
-                *values.entry(row, local.first + k) = value;
+                values[(row, local.first + k)] = value;
             }
         }
         values
@@ -224,6 +224,8 @@ impl Along {
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::DVector;
+
     use super::*;
 
     #[test]
@@ -268,9 +270,9 @@ mod tests {
         let quadratic = |z: f64| 3.0 - 40.0 * z + 5000.0 * z * z;
         let inverse = along
             .collocation(&points)
-            .inverse()
+            .try_inverse()
             .expect("points inside of their splines");
-        let coefficients = inverse.times(&points.map(quadratic));
+        let coefficients = inverse * DVector::from_iterator(6, points.map(quadratic));
         for z in [-0.02, -0.013, 0.0, 0.0077, 0.02] {
             let local = along.at(z);
             let value: f64 = (0..SUPPORT)
@@ -284,10 +286,10 @@ mod tests {
     fn masses_sum_to_the_length() {
         let along = Along::on_breaks(&[-0.02, -0.015, 0.0, 0.004, 0.02]);
         let mass = along.mass();
-        let sums = mass.times(&[1.0; 6]);
-        assert!((sums.iter().sum::<f64>() - 0.04).abs() < 1e-16);
+        let sums = mass.column_sum();
+        assert!((sums.sum() - 0.04).abs() < 1e-16);
         // Inverse and matrix.
-        let back = mass.inverse().expect("definite").times(&sums);
+        let back = mass.try_inverse().expect("definite") * sums;
         assert!(back.iter().all(|one| (one - 1.0).abs() < 1e-11), "{back:?}");
     }
 }
