@@ -8,6 +8,7 @@ use oilwedge_bearing::{Coefficients, InitialGuess, SearchOptions, find};
 use oilwedge_reynolds::contact::Contact;
 use oilwedge_reynolds::flow_factors::PatirCheng;
 use oilwedge_reynolds::quantities::LoadGradient;
+use oilwedge_reynolds::quantities::contact_points::ContactPoints;
 use oilwedge_reynolds::quantities::load::load_change;
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{Cavitation, FilmChange, FilmProblem, FilmSystem, JournalChange, terms};
@@ -168,8 +169,7 @@ fn contact_presses_on_the_splines_whatever_the_triangles() {
         problem.contact = Some(contact);
         let of = |columns: u32, rows: u32| {
             let system = ring_system(columns, rows, LENGTH, None);
-            let grid = &problem.deflection().expect("a wall").wall.grid;
-            grid.contact_forces(&problem, &system).expect("contact")
+            ContactPoints::of(&problem, &system).expect("contact").forces()
         };
         let (coarse, fine) = (of(18, 3), of(144, 24));
         let greatest = fine.iter().copied().fold(0.0, f64::max);
@@ -194,10 +194,9 @@ fn the_gradient_of_the_load_is_its_change() {
         );
         let shape = bent.change(wall.clone());
         let change = load_change(&problem, &system, &film, &[FilmChange::Gap(&shape)], &unknown);
-        let (change, gradient) = (
-            forces(&change),
-            forces(&LoadGradient::of(&problem, &system, &film).change(&unknown, &wall)),
-        );
+        let contact = ContactPoints::of(&problem, &system);
+        let gradient = LoadGradient::of(&problem, &system, &film, contact.as_ref());
+        let (change, gradient) = (forces(&change), forces(&gradient.change(&unknown, &wall)));
         let size = change.iter().fold(0.0_f64, |size, part| size.max(part.abs()));
         for (change, gradient) in change.iter().zip(gradient) {
             assert!((change - gradient).abs() < 1e-11 * size, "{what}: {change} {gradient}");

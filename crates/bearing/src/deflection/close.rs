@@ -1,12 +1,15 @@
 //! Newton's method for the deflection, from the wall as it is or, where that fails, from that of a journal nearer to the middle.
 
+use std::sync::Arc;
+
 use oilwedge_fem::newton::Failure;
 use oilwedge_reynolds::film_thickness::{Closing, Deflection};
+use oilwedge_reynolds::quantities::contact_points::ContactPoints;
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, Gap, JournalState, NoFilm};
 
 use super::gmres::norm;
-use super::tangent::Follower;
+use super::tangent::{Follower, contact_points};
 
 /// A deflection is found where what is left of it is below this part;
 pub const CLOSED: f64 = 1e-11;
@@ -49,10 +52,18 @@ pub struct Pair {
 struct Trial {
     problem: FilmProblem,
     film: FilmSolution,
+    /// What it leaves of the balance of its wall.
+    left: Left,
+}
+
+/// What a film leaves of the balance of its wall.
+pub(crate) struct Left {
     /// `C f - d` [m].
-    left: Vec<f64>,
+    pub(crate) wall: Vec<f64>,
     /// Its part of the deflection [1].
-    residual: f64,
+    pub(crate) residual: f64,
+    /// Where surfaces touch; none where no contact is simulated.
+    pub(crate) contact: Option<Arc<ContactPoints>>,
 }
 
 /// Solves a film, and with it the deflection of its wall from that which the problem has, or from those of journals nearer to the middle.
@@ -141,7 +152,7 @@ fn closed(
         found = iterated(judged(found.problem, film, system), system, counts)?;
     }
     let closing = Closing {
-        residual: found.residual,
+        residual: found.left.residual,
         ..*counts
     };
     Ok((found.problem.closed_by(closing), found.film))
@@ -150,20 +161,20 @@ fn closed(
 /// Newton's method from a film.
 fn iterated(mut here: Trial, system: &FilmSystem, counts: &mut Closing) -> Result<Trial, NoFilm> {
     for _ in 0..MOST_STEPS {
-        if here.residual < CLOSED {
+        if here.left.residual < CLOSED {
             return Ok(here);
         }
-        let step = newton_step(&here, system, accuracy(here.residual), counts)?;
+        let step = newton_step(&here, system, accuracy(here.left.residual), counts)?;
         match damped(&here, &step, system, counts) {
             Some(next) => here = next,
-            None if here.residual < CLOSED_ENOUGH => return Ok(here),
+            None if here.left.residual < CLOSED_ENOUGH => return Ok(here),
             None => break,
         }
     }
-    match here.residual < CLOSED_ENOUGH {
+    match here.left.residual < CLOSED_ENOUGH {
         true => Ok(here),
         false => Err(NoFilm::Wall {
-            residual: here.residual,
+            residual: here.left.residual,
             steps: counts.outer,
         }),
     }
@@ -177,11 +188,12 @@ fn accuracy(residual: f64) -> f64 {
 
 /// The step [m] of Newton's method from a film.
 fn newton_step(here: &Trial, system: &FilmSystem, accuracy: f64, counts: &mut Closing) -> Result<Vec<f64>, NoFilm> {
-    let follower = Follower::of(&here.problem, system, &here.film).map_err(Failure::from)?;
+    let contact = here.left.contact.clone();
+    let follower = Follower::touching(&here.problem, system, &here.film, contact).map_err(Failure::from)?;
     let Some(follower) = follower else {
         return Ok(Vec::new());
     };
-    let solved = follower.solve(&here.left, accuracy).map_err(Failure::from)?;
+    let solved = follower.solve(&here.left.wall, accuracy).map_err(Failure::from)?;
     counts.inner += solved.steps;
     Ok(solved.x)
 }
@@ -193,14 +205,14 @@ fn damped(here: &Trial, step: &[f64], system: &FilmSystem, counts: &mut Closing)
     for _ in 0..MOST_HALVINGS {
         let problem = stepped(&here.problem, step, part)?;
         let is_open = least_gap(&problem, system) > f64::max(0.0, LEAST_SHRINK * gap);
-        let near = match here.residual < NEAR {
+        let near = match here.left.residual < NEAR {
             true => Neighbour::Kept(&here.film),
             false => Neighbour::Start(&here.film),
         };
         let film = is_open.then(|| solved(&problem, system, near, counts).ok()).flatten();
         if let Some(film) = film {
             let next = judged(problem, film, system);
-            if next.residual < here.residual {
+            if next.left.residual < here.left.residual {
                 return Some(next);
             }
         }
@@ -232,31 +244,36 @@ fn solved(
     problem.solve_from(system, near)
 }
 
-/// What a film leaves of the balance of its wall.
+/// A film with what it leaves of the balance of its wall.
 fn judged(problem: FilmProblem, film: FilmSolution, system: &FilmSystem) -> Trial {
-    let (left, residual) = left_over(&problem, system, &film);
-    Trial {
-        problem,
-        film,
-        left,
-        residual,
-    }
+    let left = Left::of(&problem, system, &film);
+    Trial { problem, film, left }
 }
 
-/// `C f - d` [m] by the pressure of a film, and its part of the deflection [1].
-pub(crate) fn left_over(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> (Vec<f64>, f64) {
-    let Some(deflection) = problem.deflection() else {
-        return (Vec::new(), 0.0);
-    };
-    let wanted = deflection.wall.deflection(problem, system, &film.unknown);
-    let size = norm(&wanted).max(norm(&deflection.coefficients));
-    let left: Vec<f64> = wanted
-        .iter()
-        .zip(&*deflection.coefficients)
-        .map(|(wanted, d)| wanted - d)
-        .collect();
-    let residual = if size > 0.0 { norm(&left) / size } else { 0.0 };
-    (left, residual)
+impl Left {
+    /// By the pressure of a film.
+    pub(crate) fn of(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Self {
+        let Some(deflection) = problem.deflection() else {
+            return Self {
+                wall: Vec::new(),
+                residual: 0.0,
+                contact: None,
+            };
+        };
+        let contact = contact_points(problem, system);
+        let wanted = (deflection.wall).deflection((problem, system), &film.unknown, contact.as_deref());
+        let size = norm(&wanted).max(norm(&deflection.coefficients));
+        let wall: Vec<f64> = wanted
+            .iter()
+            .zip(&*deflection.coefficients)
+            .map(|(wanted, d)| wanted - d)
+            .collect();
+        Self {
+            residual: if size > 0.0 { norm(&wall) / size } else { 0.0 },
+            wall,
+            contact,
+        }
+    }
 }
 
 /// Least gap [m] of the film.
@@ -284,7 +301,8 @@ pub fn closed_pair(
     let mut counts = deflection.closing;
     let mut before = f64::INFINITY;
     for step in 0..=MOST_STEPS {
-        let (left, residual) = left_over(&pair.problem, &system.cubic().system, &pair.cubic);
+        let left = Left::of(&pair.problem, &system.cubic().system, &pair.cubic);
+        let residual = left.residual;
         counts.residual = residual;
         if residual < enough || residual < CLOSED_ENOUGH && residual > STALLED * before {
             return Ok(Pair {
@@ -325,13 +343,15 @@ enum TangentOf {
 /// Both films under a wall that moves by what is `left` of the balance of the cubic one, along a tangent.
 fn bent_further(
     pair: Pair,
-    left: &[f64],
+    left: &Left,
     (system, tangent): (&FilmSystem, TangentOf),
     counts: &mut Closing,
 ) -> Result<Pair, NoFilm> {
     let follower = match tangent {
         TangentOf::Quadratic => Follower::of(&pair.problem, system, &pair.film),
-        TangentOf::Cubic => Follower::of(&pair.problem, &system.cubic().system, &pair.cubic),
+        TangentOf::Cubic => {
+            Follower::touching(&pair.problem, &system.cubic().system, &pair.cubic, left.contact.clone())
+        }
     };
     let Some(follower) = follower.map_err(Failure::from)? else {
         return Ok(pair);
@@ -340,7 +360,7 @@ fn bent_further(
         TangentOf::Quadratic => accuracy(counts.residual).max(APART),
         TangentOf::Cubic => accuracy(counts.residual),
     };
-    let step = follower.solve(left, accuracy).map_err(Failure::from)?;
+    let step = follower.solve(&left.wall, accuracy).map_err(Failure::from)?;
     counts.inner += step.steps;
     let Some(problem) = stepped(&pair.problem, &step.x, 1.0) else {
         return Ok(pair);

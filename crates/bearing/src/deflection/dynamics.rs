@@ -9,7 +9,7 @@ use oilwedge_reynolds::film_thickness::Deflection;
 use oilwedge_reynolds::{JournalChange, Whirl};
 
 use super::gmres::gmres;
-use super::tangent::Follower;
+use super::tangent::{Follower, Free};
 
 /// Accuracy of the linear systems.
 const EXACT: f64 = 1e-9;
@@ -50,20 +50,24 @@ pub(crate) fn harmonic_response(
         Ok(sum(motion, -1.0, &images))
     };
     let at_rest = vec![0.0; follower.number()];
-    let free = [follower.image_of(&place, motion), follower.image(&rate, &at_rest)].concat();
+    let placed = Free {
+        unknown: place,
+        contact: follower.contact_change(motion),
+    };
+    let free = [follower.image_of(&placed), follower.image(&rate, &at_rest)].concat();
     let nearly = |motion: &[f64]| {
         let (placed, moving) = motion.split_at(motion.len() / 2);
         [follower.solve_contact(placed), follower.solve_contact(moving)].concat()
     };
     let found = gmres(operator, nearly, &free, EXACT)?.x;
     let [by_place, by_rate] = through(&found)?;
-    let (placed, moving) = found.split_at(found.len() / 2);
+    let (bent, moving) = found.split_at(found.len() / 2);
     let moving: Vec<f64> = moving.iter().map(|rate| rate / pace).collect();
     let mut rate = sum(&rate, 1.0, &by_rate);
     rate.iter_mut().for_each(|rate| *rate /= pace);
     Ok(Response {
-        unknown: [sum(&place, 1.0, &by_place), rate],
-        deflection: [follower.shape(placed), follower.shape(&moving)],
+        unknown: [sum(&placed.unknown, 1.0, &by_place), rate],
+        deflection: [follower.shape(bent), follower.shape(&moving)],
     })
 }
 

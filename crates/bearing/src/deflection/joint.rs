@@ -8,11 +8,11 @@
 
 use oilwedge_fem::Error;
 use oilwedge_reynolds::quantities::LoadGradient;
-use oilwedge_reynolds::quantities::load::{Resultant, load_change};
+use oilwedge_reynolds::quantities::load::Resultant;
 use oilwedge_reynolds::{FilmChange, JournalChange};
 
 use super::gmres::gmres;
-use super::tangent::Follower;
+use super::tangent::{Follower, Free};
 use crate::coordinates::{Coordinates, Vector, moved};
 use crate::stiffness::Stiffness;
 
@@ -50,15 +50,15 @@ impl<'a> Joint<'a> {
         let order = coordinates.order;
         let mut bent_by_place = Vec::with_capacity(order);
         let mut columns = [[0.0; 4]; 4];
+        let gradient = follower.load_gradient();
         for (k, column) in columns.iter_mut().enumerate().take(order) {
-            let change = change(k);
-            let unknown = (follower.problem).unknown_change(follower.system, follower.film, &change)?;
-            *column = coordinates.forces(&follower.carried(&[(&change).into()], &unknown));
-            bent_by_place.push(follower.image_of(&unknown, &change));
+            let free = follower.free(&change(k))?;
+            *column = coordinates.forces(&carried(&gradient, &free));
+            bent_by_place.push(follower.image_of(&free));
         }
         let tangent = Stiffness::by_columns(order, |k| Ok::<_, Error>(columns[k]))?.with_diagonal(held);
         Ok(Self {
-            gradient: LoadGradient::of(follower.problem, follower.system, follower.film),
+            gradient,
             follower,
             coordinates,
             bent_by_place,
@@ -96,15 +96,12 @@ impl<'a> Joint<'a> {
             problem, system, film, ..
         } = self.follower;
         let shape = self.follower.shape(rate);
-        let by_journal = problem.unknown_change(system, film, change)?;
+        let mut free = self.follower.free(change)?;
         let by_wall = problem.unknown_change(system, film, FilmChange::GapRate(&shape))?;
-        let unknown: Vec<f64> = by_journal.iter().zip(&by_wall).map(|(a, b)| a + b).collect();
-        let carried = self
-            .follower
-            .carried(&[change.into(), FilmChange::GapRate(&shape)], &unknown);
+        free.unknown.iter_mut().zip(by_wall).for_each(|(a, b)| *a += b);
         Ok((
-            self.coordinates.forces(&carried),
-            self.follower.image_of(&unknown, change),
+            self.coordinates.forces(&carried(&self.gradient, &free)),
+            self.follower.image_of(&free),
         ))
     }
 
@@ -124,9 +121,9 @@ impl<'a> Joint<'a> {
     }
 }
 
-impl Follower<'_> {
-    /// Change of what the journal carries with these changes, by which the unknown changes.
-    fn carried(&self, changes: &[FilmChange<'_>], unknown: &[f64]) -> Resultant {
-        load_change(self.problem, self.system, self.film, changes, unknown)
-    }
+/// Change of what the journal carries, the wall held.
+fn carried(gradient: &LoadGradient, free: &Free) -> Resultant {
+    let mut carried = gradient.change(&free.unknown, &[]);
+    carried += free.by_contact();
+    carried
 }

@@ -23,12 +23,12 @@ mod tangent;
 mod touching;
 
 pub use close::{CLOSED, Pair, closed_film, closed_pair};
-pub(crate) use close::{closed_near, left_over};
+pub(crate) use close::{Left, closed_near};
 pub(crate) use dynamics::{Response, harmonic_response};
 pub(crate) use joint::Joint;
 pub use slow::{carried_slowly, hastened};
 pub use tangent::EXACT;
-pub(crate) use tangent::Follower;
+pub(crate) use tangent::{Follower, contact_points};
 
 use oilwedge_fem::Error;
 use oilwedge_fem::newton::Failure;
@@ -57,20 +57,21 @@ pub fn carried_changes(
     changes: &[JournalChange],
     accuracy: f64,
 ) -> Result<Vec<Carried>, Error> {
-    let follower = Follower::of(problem, system, film)?;
-    let of = |change: &JournalChange| {
-        let unknown = problem.unknown_change(system, film, change)?;
-        let Some(follower) = &follower else {
-            return Ok(Carried {
+    let Some(follower) = Follower::of(problem, system, film)? else {
+        let of = |change: &JournalChange| {
+            let unknown = problem.unknown_change(system, film, change)?;
+            Ok(Carried {
                 by_film: load_change(problem, system, film, &[change.into()], &unknown),
                 deflection: Vec::new(),
-            });
+            })
         };
-        let followed = follower.followed(change, unknown, accuracy)?;
-        let shape = follower.shape(&followed.deflection);
-        let changes = [change.into(), FilmChange::Gap(&shape)];
+        return changes.iter().map(of).collect();
+    };
+    let gradient = follower.load_gradient();
+    let of = |change: &JournalChange| {
+        let followed = follower.followed(follower.free(change)?, accuracy)?;
         Ok(Carried {
-            by_film: load_change(problem, system, film, &changes, &followed.unknown),
+            by_film: followed.carried(&gradient),
             deflection: followed.deflection,
         })
     };
@@ -91,8 +92,8 @@ pub fn displaced(
     let Some(follower) = Follower::of(problem, system, film).map_err(Failure::from)? else {
         return problem.displaced(system, film, change);
     };
-    let unknown = problem.unknown_change(system, film, change).map_err(Failure::from)?;
-    let followed = follower.followed(change, unknown, EXACT).map_err(Failure::from)?;
+    let followed = follower.free(change).and_then(|free| follower.followed(free, EXACT));
+    let followed = followed.map_err(Failure::from)?;
     let moved = FilmProblem {
         journal: problem.journal.changed(change),
         ..problem.clone()

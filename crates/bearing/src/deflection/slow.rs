@@ -31,21 +31,16 @@ struct Slow {
 
 impl Follower<'_> {
     fn slow(&self, place: &JournalChange, accuracy: f64) -> Result<Slow, Error> {
-        let Follower {
-            problem, system, film, ..
-        } = self;
-        let unknown = problem.unknown_change(system, film, place)?;
-        let by_place = self.followed(place, unknown, accuracy)?;
+        let by_place = self.followed(self.free(place)?, accuracy)?;
         let of_wall = self.shape(&by_place.deflection);
         let rate = place.as_rate();
-        let mut unknown = problem.unknown_change(system, film, &rate)?;
-        let more = problem.unknown_change(system, film, FilmChange::GapRate(&of_wall))?;
-        unknown
-            .iter_mut()
+        let mut free = self.free(&rate)?;
+        let more = (self.problem).unknown_change(self.system, self.film, FilmChange::GapRate(&of_wall))?;
+        (free.unknown.iter_mut())
             .zip(more)
             .for_each(|(unknown, more)| *unknown += more);
         Ok(Slow {
-            by_rate: self.followed(&rate, unknown, accuracy)?,
+            by_rate: self.followed(free, accuracy)?,
             by_place,
             rate,
             of_wall,
@@ -65,28 +60,17 @@ pub fn carried_slowly(
     place: &JournalChange,
     accuracy: f64,
 ) -> Result<[Resultant; 2], Error> {
-    let change = |changes: &[FilmChange<'_>], unknown: &[f64]| load_change(problem, system, film, changes, unknown);
     let Some(follower) = Follower::of(problem, system, film)? else {
         let rate = place.as_rate();
         let of = |motion: &JournalChange| {
             let unknown = problem.unknown_change(system, film, motion)?;
-            Ok::<_, Error>(change(&[motion.into()], &unknown))
+            Ok::<_, Error>(load_change(problem, system, film, &[motion.into()], &unknown))
         };
         return Ok([of(place)?, of(&rate)?]);
     };
+    let gradient = follower.load_gradient();
     let slow = follower.slow(place, accuracy)?;
-    let of_rate = follower.shape(&slow.by_rate.deflection);
-    Ok([
-        change(&[place.into(), FilmChange::Gap(&slow.of_wall)], &slow.by_place.unknown),
-        change(
-            &[
-                (&slow.rate).into(),
-                FilmChange::GapRate(&slow.of_wall),
-                FilmChange::Gap(&of_rate),
-            ],
-            &slow.by_rate.unknown,
-        ),
-    ])
+    Ok([slow.by_place.carried(&gradient), slow.by_rate.carried(&gradient)])
 }
 
 /// The film of a journal that moves faster by `motion` as a rate [1/s], and of a wall that follows it slowly: along the tangent.

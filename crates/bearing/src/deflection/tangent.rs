@@ -4,8 +4,13 @@
 //! then `du = u + (du/dd) dd`, p the sum of both pressures. One product with the operator is one back-solve with the factor of the film, its cavity held, and one product each with the
 //! matrices of the gap ([`GapTangent`]) and of contact.
 
+use std::sync::Arc;
+
 use oilwedge_fem::Error;
 use oilwedge_reynolds::film_thickness::Deflection;
+use oilwedge_reynolds::quantities::LoadGradient;
+use oilwedge_reynolds::quantities::contact_points::ContactPoints;
+use oilwedge_reynolds::quantities::load::Resultant;
 use oilwedge_reynolds::wall::{ContactTangent, GapTangent};
 use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalChange};
 
@@ -23,10 +28,25 @@ pub(crate) struct Follower<'a> {
     deflection: &'a Deflection,
     /// How the film answers to the wall.
     gap: GapTangent,
-    /// How contact answers to the wall; none where surfaces do not touch.
-    contact: Option<ContactTangent>,
-    /// Contact and wall alone.
+    /// None where no contact is simulated.
+    contact: Option<Touch>,
+}
+
+/// Contact of a film.
+struct Touch {
+    points: Arc<ContactPoints>,
+    /// How it answers to the wall.
+    tangent: ContactTangent,
+    /// It and the wall alone; none where nothing touches.
     touching: Option<Touching>,
+}
+
+/// What a change of the journal leads to, the wall held.
+pub(super) struct Free {
+    /// Change of the unknown at each dof.
+    pub(super) unknown: Vec<f64>,
+    /// Of contact: what the journal carries, and the forces [N] on the splines; none where no contact is simulated.
+    pub(super) contact: Option<(Resultant, Vec<f64>)>,
 }
 
 /// What a change leads to, the wall following.
@@ -35,6 +55,8 @@ pub(crate) struct Followed {
     pub(crate) deflection: Vec<f64>,
     /// Change of the unknown at each dof [Pa].
     pub(crate) unknown: Vec<f64>,
+    /// What contact carries with the change of the journal alone.
+    by_contact: Resultant,
 }
 
 impl<'a> Follower<'a> {
@@ -47,17 +69,35 @@ impl<'a> Follower<'a> {
         system: &'a FilmSystem,
         film: &'a FilmSolution,
     ) -> Result<Option<Self>, Error> {
+        Self::touching(problem, system, film, contact_points(problem, system))
+    }
+
+    /// As [`Self::of`], of a film with these points of contact.
+    ///
+    /// # Errors
+    /// A system that does not fit in memory.
+    pub(crate) fn touching(
+        problem: &'a FilmProblem,
+        system: &'a FilmSystem,
+        film: &'a FilmSolution,
+        contact: Option<Arc<ContactPoints>>,
+    ) -> Result<Option<Self>, Error> {
         let of_wall = |deflection: &'a Deflection| {
-            let contact = deflection.wall.grid.contact_tangent(problem, system);
-            let touching = (contact.as_ref()).and_then(|contact| Touching::of(contact, &deflection.wall.compliance));
+            let touch = |points: Arc<ContactPoints>| {
+                let tangent = points.tangent();
+                Touch {
+                    touching: Touching::of(&tangent, &deflection.wall.compliance),
+                    points,
+                    tangent,
+                }
+            };
             Ok(Self {
                 problem,
                 system,
                 film,
                 deflection,
                 gap: GapTangent::of(problem, system, film, deflection)?,
-                contact,
-                touching,
+                contact: contact.map(touch),
             })
         };
         problem.deflection().map(of_wall).transpose()
@@ -81,21 +121,38 @@ impl<'a> Follower<'a> {
 
     /// Deflection [m] by a change of the unknown, and by that of contact with a deflection `bent` [m].
     pub(super) fn image(&self, unknown: &[f64], bent: &[f64]) -> Vec<f64> {
-        let contact = self.contact.as_ref().map(|contact| contact.times(bent));
-        self.image_with(unknown, contact)
+        let contact = self.contact.as_ref().map(|contact| contact.tangent.times(bent));
+        self.image_with(unknown, contact.as_deref())
     }
 
-    /// Deflection [m] by a change of the unknown, and by that of contact with a change of the journal.
-    pub(super) fn image_of(&self, unknown: &[f64], change: &JournalChange) -> Vec<f64> {
-        let grid = &self.deflection.wall.grid;
-        let contact = grid.contact_forces_change(self.problem, self.system, change.into());
-        self.image_with(unknown, contact)
+    /// What follows from a `change` of the journal, the wall held.
+    ///
+    /// # Errors
+    /// The linear system could not be solved.
+    pub(super) fn free(&self, change: &JournalChange) -> Result<Free, Error> {
+        Ok(Free {
+            unknown: self.problem.unknown_change(self.system, self.film, change)?,
+            contact: self.contact_change(change),
+        })
     }
 
-    fn image_with(&self, unknown: &[f64], contact: Option<Vec<f64>>) -> Vec<f64> {
+    /// What the journal carries by contact, and the forces [N] of it on the splines, more with a `change` of the journal; none where no contact is simulated.
+    pub(super) fn contact_change(&self, change: &JournalChange) -> Option<(Resultant, Vec<f64>)> {
+        let points = &self.contact.as_ref()?.points;
+        let moved = points.gap_change(self.problem, change.into());
+        Some((points.load_change(&moved), points.forces_change(&moved)))
+    }
+
+    /// Deflection [m] by what follows from a change of the journal, the wall held.
+    pub(super) fn image_of(&self, free: &Free) -> Vec<f64> {
+        let forces = free.contact.as_ref().map(|(_, forces)| forces.as_slice());
+        self.image_with(&free.unknown, forces)
+    }
+
+    fn image_with(&self, unknown: &[f64], contact: Option<&[f64]>) -> Vec<f64> {
         let wall = &self.deflection.wall;
         let mut forces = (wall.grid).forces_change(self.problem, self.system, &self.film.unknown, unknown);
-        for (force, contact) in forces.iter_mut().zip(contact.iter().flatten()) {
+        for (force, contact) in forces.iter_mut().zip(contact.unwrap_or_default()) {
             *force += contact;
         }
         wall.compliance.deflection(&forces)
@@ -117,15 +174,22 @@ impl<'a> Follower<'a> {
 
     /// Solves `x - C A x = r`, A the tangent of contact: the system without what the film answers.
     pub(super) fn solve_contact(&self, r: &[f64]) -> Vec<f64> {
-        match &self.touching {
+        match self.contact.as_ref().and_then(|contact| contact.touching.as_ref()) {
             Some(touching) => touching.solve(&self.deflection.wall.compliance, r),
             None => r.to_vec(),
         }
     }
 
-    /// What follows from a `change` of the journal, by which the unknown changes by `unknown` at a fixed wall, to an `accuracy`.
-    pub(crate) fn followed(&self, change: &JournalChange, unknown: Vec<f64>, accuracy: f64) -> Result<Followed, Error> {
-        self.bent(&self.image_of(&unknown, change), unknown, accuracy)
+    /// What follows from a change of the journal that leads to `free` where the wall is held, to an `accuracy`.
+    ///
+    /// # Errors
+    /// The linear systems could not be solved.
+    pub(super) fn followed(&self, free: Free, accuracy: f64) -> Result<Followed, Error> {
+        let by_contact = free.by_contact();
+        Ok(Followed {
+            by_contact,
+            ..self.bent(&self.image_of(&free), free.unknown, accuracy)?
+        })
     }
 
     /// What follows from a change of the unknown by `unknown`, and of the wall by `free` [m], where neither answers to the other; to an `accuracy`.
@@ -136,11 +200,42 @@ impl<'a> Follower<'a> {
             .iter_mut()
             .zip(more)
             .for_each(|(unknown, more)| *unknown += more);
-        Ok(Followed { deflection, unknown })
+        Ok(Followed {
+            deflection,
+            unknown,
+            by_contact: Resultant::default(),
+        })
+    }
+
+    /// How what the journal carries changes with film and wall.
+    pub(super) fn load_gradient(&self) -> LoadGradient {
+        let contact = self.contact.as_ref().map(|contact| contact.points.as_ref());
+        LoadGradient::of(self.problem, self.system, self.film, contact)
     }
 
     /// What follows where the wall alone changes by `free` [m] under the pressure that is there.
     pub(crate) fn of_wall(&self, free: &[f64]) -> Result<Followed, Error> {
         self.bent(free, vec![0.0; self.film.unknown.len()], EXACT)
     }
+}
+
+impl Free {
+    /// What contact carries more.
+    pub(super) fn by_contact(&self) -> Resultant {
+        self.contact.as_ref().map_or_else(Resultant::default, |(load, _)| *load)
+    }
+}
+
+impl Followed {
+    /// Change of what the journal carries, by the `gradient` of film and wall.
+    pub(super) fn carried(&self, gradient: &LoadGradient) -> Resultant {
+        let mut carried = gradient.change(&self.unknown, &self.deflection);
+        carried += self.by_contact;
+        carried
+    }
+}
+
+/// Where surfaces touch in a film; none where no contact is simulated.
+pub(crate) fn contact_points(problem: &FilmProblem, system: &FilmSystem) -> Option<Arc<ContactPoints>> {
+    ContactPoints::of(problem, system).map(Arc::new)
 }

@@ -5,16 +5,19 @@
 //! v = (x - x_0)/(gamma dt)        d' = (d - d_0)/(gamma dt)
 //! ```
 
+use std::sync::Arc;
+
 use oilwedge_fem::Error;
 use oilwedge_fem::newton::Failure;
 use oilwedge_reynolds::CentreVelocity;
 use oilwedge_reynolds::film_thickness::Deflection;
+use oilwedge_reynolds::quantities::contact_points::ContactPoints;
 use oilwedge_reynolds::solve::Neighbour;
 
 use super::motion::{Held, Instant, Motion, Moving};
 use super::stage::{Accuracy, Known, LEAST_SHRINK, MOST_FILMS, NEARLY_BALANCED, NoStage, SETTLED};
 use crate::coordinates::{Vector, length, moved};
-use crate::deflection::{Follower, Joint, left_over};
+use crate::deflection::{Follower, Joint, Left, contact_points};
 
 /// Accuracy of the linear system of a step: each step leaves about this part of what is left.
 const FOLLOWED: f64 = 1e-3;
@@ -27,8 +30,8 @@ struct Trial {
     instant: Instant,
     /// Of the equation of motion [N].
     force: Vector,
-    /// Of the wall: `C f - d` [m].
-    wall: Vec<f64>,
+    /// Of the wall.
+    wall: Left,
     /// Of the motion, over the greatest load, and of the wall, over the deflection [1].
     parts: [f64; 2],
 }
@@ -60,8 +63,8 @@ impl Motion<'_> {
             if left < accuracy.balanced() && change < SETTLED * accuracy.tolerance {
                 return self.with_oil(known, here.instant);
             }
-            let joint = self.joint(known.per_time, &here.instant)?;
-            let moves = joint.solve(here.force.map(|part| -part), &here.wall, FOLLOWED)?;
+            let joint = self.joint(known.per_time, &here.instant, here.wall.contact.clone())?;
+            let moves = joint.solve(here.force.map(|part| -part), &here.wall.wall, FOLLOWED)?;
             let gap = self.least_gap(here.instant.at);
             let size = length(moves.place) / gap;
             if !size.is_finite() {
@@ -114,10 +117,10 @@ impl Motion<'_> {
             wall: Some(wall),
         };
         let instant = self.film_under(moving, held, near)?;
-        let (wall, of_wall) = left_over(&instant.problem, self.system, &instant.film);
+        let wall = Left::of(&instant.problem, self.system, &instant.film);
         let force = self.residual(known, &instant);
         Ok(Trial {
-            parts: [length(force) / scale, of_wall],
+            parts: [length(force) / scale, wall.residual],
             force,
             wall,
             instant,
@@ -132,7 +135,7 @@ impl Motion<'_> {
         of_wall: &[f64],
         per_time: f64,
     ) -> Result<Vector, NoStage> {
-        let joint = self.joint(per_time, end)?;
+        let joint = self.joint(per_time, end, contact_points(&end.problem, self.system))?;
         let along = (self.coordinates()).change(&end.problem.journal, &CentreVelocity::default(), error);
         let (by_film, bent) = joint.pushed(&along.as_rate(), of_wall)?;
         let masses = self.masses();
@@ -141,9 +144,15 @@ impl Motion<'_> {
         Ok(joint.solve(force, &bent, FOLLOWED)?.place)
     }
 
-    /// The tangent of journal and wall in a stage; `per_time` is its `1/(gamma dt)` [1/s].
-    pub(super) fn joint<'a>(&'a self, per_time: f64, here: &'a Instant) -> Result<Joint<'a>, NoStage> {
-        let follower = Follower::of(&here.problem, self.system, &here.film)?.ok_or(NoStage::Diverged)?;
+    /// The tangent of journal and wall in a stage, by its points of contact; `per_time` is its `1/(gamma dt)` [1/s].
+    fn joint<'a>(
+        &'a self,
+        per_time: f64,
+        here: &'a Instant,
+        contact: Option<Arc<ContactPoints>>,
+    ) -> Result<Joint<'a>, NoStage> {
+        let follower = Follower::touching(&here.problem, self.system, &here.film, contact)?;
+        let follower = follower.ok_or(NoStage::Diverged)?;
         let masses = self.masses();
         let held = [0, 1, 2, 3].map(|k| {
             let support = if k >= 2 { self.support_stiffness() } else { 0.0 };

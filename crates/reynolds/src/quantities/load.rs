@@ -104,13 +104,7 @@ pub fn load_change(
     unknown: &[f64],
 ) -> Resultant {
     let mut sum = oil_change(problem, system, film, unknown);
-    for change in changes {
-        let by_contact = contact::contact_change(problem, system, *change);
-        for d in 0..2 {
-            sum.force[d] += by_contact.force[d];
-            sum.moment[d] += by_contact.moment[d];
-        }
-    }
+    sum += contact::contact_change(problem, system, changes);
     sum
 }
 

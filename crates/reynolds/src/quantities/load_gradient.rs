@@ -17,9 +17,9 @@ use std::ops::AddAssign;
 use oilwedge_fem::lagrange::MOST_SHAPES;
 use oilwedge_fem::{Field, integrate};
 
+use super::contact_points::ContactPoints;
 use super::load::{Resultant, Rules};
 use crate::angles::sines_and_cosines;
-use crate::film_thickness::Deflection;
 use crate::{FilmProblem, FilmSolution, FilmSystem};
 
 /// Force towards x and y, and its moments: for a unit of a change.
@@ -45,12 +45,16 @@ impl AddAssign for ByNodes {
 }
 
 impl LoadGradient {
-    /// At a film.
-    pub fn of(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Self {
-        let contact = |deflection: &Deflection| deflection.wall.grid.contact_load(problem, system);
+    /// At a film, by its points of contact where surfaces touch.
+    pub fn of(
+        problem: &FilmProblem,
+        system: &FilmSystem,
+        film: &FilmSolution,
+        contact: Option<&ContactPoints>,
+    ) -> Self {
         Self {
             by_unknown: by_unknown(problem, system, film),
-            by_wall: problem.deflection().and_then(contact).unwrap_or_default(),
+            by_wall: contact.map_or_else(Vec::new, ContactPoints::load_by_wall),
         }
     }
 

@@ -2,6 +2,7 @@
 
 pub mod cavity;
 pub mod contact;
+pub mod contact_points;
 pub mod deflection;
 pub mod deviation;
 mod edge;

@@ -44,6 +44,15 @@ impl Resultant {
     }
 }
 
+impl std::ops::AddAssign for Resultant {
+    fn add_assign(&mut self, other: Self) {
+        for d in 0..2 {
+            self.force[d] += other.force[d];
+            self.moment[d] += other.moment[d];
+        }
+    }
+}
+
 impl Share {
     /// This share less another one.
     pub fn less(&self, other: &Self) -> Self {

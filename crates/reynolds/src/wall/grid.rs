@@ -26,7 +26,43 @@ pub struct Grid {
     pub along: Along,
 }
 
+/// The splines that are not zero at a position: first ones around and along, and values of these and the next two.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct SplinesAt {
+    pub(super) first: [usize; 2],
+    pub(super) around: [f64; SUPPORT],
+    pub(super) along: [f64; SUPPORT],
+}
+
+impl SplinesAt {
+    /// Calls `visit` with number and value of each, of so many around and along.
+    #[inline]
+    pub(super) fn each(&self, [around, along]: [usize; 2], mut visit: impl FnMut(usize, f64)) {
+        for (i, of_around) in self.around.into_iter().enumerate() {
+            let first = ((self.first[0] + i) % around) * along + self.first[1];
+            for (k, of_along) in self.along.into_iter().enumerate() {
+                visit(first + k, of_around * of_along);
+            }
+        }
+    }
+}
+
 impl Grid {
+    /// The splines at a position [m].
+    pub(crate) fn splines_at(&self, position: [f64; 2]) -> SplinesAt {
+        let [around, along] = self.at(position);
+        SplinesAt {
+            first: [around.first, along.first],
+            around: around.values,
+            along: along.values,
+        }
+    }
+
+    /// How many splines there are around and along.
+    pub(crate) fn numbers(&self) -> [usize; 2] {
+        [self.around.number, self.along.number()]
+    }
+
     /// How many splines there are.
     pub fn number(&self) -> usize {
         self.around.number * self.along.number()

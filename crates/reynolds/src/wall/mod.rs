@@ -15,12 +15,14 @@ mod touching;
 pub use compliance::Compliance;
 pub use gap_tangent::GapTangent;
 pub use grid::Grid;
-pub(crate) use pressing::Pressing;
+pub(crate) use grid::SplinesAt;
+pub(crate) use pressing::{Pressing, quarterings};
 pub use spline::{Along, Around};
 pub use touching::ContactTangent;
 
 use std::sync::Arc;
 
+use crate::quantities::contact_points::ContactPoints;
 use crate::{Bearing, FilmProblem, FilmSystem};
 
 /// A dense matrix.
@@ -94,13 +96,18 @@ impl Wall {
         })
     }
 
-    /// Coefficients of the deflection [m] by the pressure of a film with this unknown, and by that of contact.
-    pub fn deflection(&self, problem: &FilmProblem, system: &FilmSystem, unknown: &[f64]) -> Vec<f64> {
+    /// Coefficients of the deflection [m] by the pressure of a film with this unknown, and by that of `contact` on its grid.
+    pub fn deflection(
+        &self,
+        (problem, system): (&FilmProblem, &FilmSystem),
+        unknown: &[f64],
+        contact: Option<&ContactPoints>,
+    ) -> Vec<f64> {
         let mut forces = self.grid.forces(problem, system, unknown);
-        if let Some(contact) = self.grid.contact_forces(problem, system) {
+        if let Some(contact) = contact {
             forces
                 .iter_mut()
-                .zip(contact)
+                .zip(contact.forces())
                 .for_each(|(force, contact)| *force += contact);
         }
         self.compliance.deflection(&forces)
@@ -114,11 +121,15 @@ impl Wall {
     /// By what [m] its grid may put the deflection by the pressure of a film off, as coefficients; none where the grid is given with the wall.
     pub fn grid_error(&self, problem: &FilmProblem, system: &FilmSystem, unknown: &[f64]) -> Option<Vec<f64>> {
         let coarser = self.coarser.as_ref()?;
-        let coarse = coarser.deflection(problem, system, unknown);
+        let by = |wall: &Self| {
+            let contact = ContactPoints::on(&wall.grid, problem, system);
+            wall.deflection((problem, system), unknown, contact.as_ref())
+        };
+        let coarse = by(coarser);
         let there = self
             .grid
             .interpolated(|position| coarser.grid.value(&coarse, position))?;
-        let here = self.deflection(problem, system, unknown);
+        let here = by(self);
         let difference = there.iter().zip(here).map(|(there, here)| OF_COARSER * (here - there));
         Some(difference.collect())
     }

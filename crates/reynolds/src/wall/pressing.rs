@@ -60,7 +60,7 @@ impl Pressing {
 }
 
 /// How often a triangle is quartered so that its parts are no wider than the cells that it lies on.
-pub(super) fn quarterings(grid: &Grid, corners: &[[f64; 2]; 3]) -> usize {
+pub(crate) fn quarterings(grid: &Grid, corners: &[[f64; 2]; 3]) -> usize {
     let range = |d: usize| {
         let values = corners.map(|corner| corner[d]);
         [

@@ -1,109 +1,99 @@
 //! What the contact of rough surfaces exerts on the splines of the wall, and how that changes with the gap.
 //!
-//! The asperities press with `p_a(h)` on the wall beside the film: `f_j = Int p_a(h) B_j dA`, by the quadrature of [`crate::quantities::contact`]. Where the wall moves by
+//! The asperities press with `p_a(h)` on the wall beside the film: `f_j = Int p_a(h) B_j dA`, by the points of [`crate::quantities::contact_points`]. Where the wall moves by
 //! `Sum x_i B_i` the forces change by `A x`, `A_ij = Int p_a'(h) B_i B_j dA`: symmetric, of no positive entry.
 
-use std::ops::AddAssign;
+use super::grid::SplinesAt;
+use super::spline::SUPPORT;
+use crate::quantities::contact_points::{ContactPoint, ContactPoints};
+use crate::quantities::load::Resultant;
 
-use oilwedge_fem::integrate::Points;
-use oilwedge_fem::quadrature::MOST_POINTS;
+/// Entries of a row of A from its diagonal on: with splines 0 to 2 further around, and 0 to 2, or -2 to 2, further along.
+const HALF: usize = 13;
 
-use super::grid::Grid;
-use super::pressing::quarterings;
-use crate::angles::sines_and_cosines;
-use crate::contact::ContactPressure;
-use crate::quantities::contact::{by_contact, each_point, gap_change};
-use crate::{FilmChange, FilmProblem, FilmSystem};
-
-/// How the forces of contact on the splines change with the deflection: the matrix A, triangle by triangle.
-#[derive(Debug, Clone, Default)]
+/// How the forces of contact on the splines change with the deflection: the matrix A, whose splines meet their next two each way.
+#[derive(Debug, Clone)]
 pub struct ContactTangent {
-    blocks: Vec<Block>,
+    /// How many splines there are around and along.
+    numbers: [usize; 2],
+    /// Numbers of splines that are touched, and the upper half of their rows [N/m].
+    rows: Vec<(usize, [f64; HALF])>,
 }
 
-/// What the points of one triangle add to the splines that are not zero there.
-#[derive(Debug, Clone, Default)]
-struct Block {
-    splines: Vec<u32>,
-    /// Row k of the lower half: entries with the splines 0 to k [N/m].
-    rows: Vec<Vec<f64>>,
+impl ContactPoints {
+    /// Forces [N] of contact on the splines of the wall.
+    pub fn forces(&self) -> Vec<f64> {
+        self.pressed(|_, point| point.area * point.pressure)
+    }
+
+    /// First-order change [N] of the [`Self::forces`] where the gap changes by `moved` [m] at each point.
+    pub fn forces_change(&self, moved: &[f64]) -> Vec<f64> {
+        self.pressed(|number, point| point.area * point.slope * moved[number])
+    }
+
+    /// Forces [N] on the splines by a thrust [N] at each point.
+    fn pressed(&self, thrust: impl Fn(usize, &ContactPoint) -> f64) -> Vec<f64> {
+        let numbers = self.splines();
+        let mut forces = vec![0.0; numbers[0] * numbers[1]];
+        for (number, point) in self.of_wall() {
+            let thrust = thrust(number, point);
+            point
+                .splines
+                .each(numbers, |spline, value| forces[spline] += thrust * value);
+        }
+        forces
+    }
+
+    /// How what contact carries changes with the coefficient of each spline: force towards x and y [N/m], and its moments [N].
+    pub(crate) fn load_by_wall(&self) -> Vec<[f64; 4]> {
+        let numbers = self.splines();
+        let mut load = vec![[0.0; 4]; numbers[0] * numbers[1]];
+        for (_, point) in self.of_load().filter(|_| numbers != [0; 2]) {
+            let Resultant { force, moment } = point.carried(point.area * point.slope);
+            let parts = [force[0], force[1], moment[0], moment[1]];
+            point.splines.each(numbers, |spline, value| {
+                let sums = load[spline].iter_mut();
+                sums.zip(parts).for_each(|(sum, part)| *sum += value * part);
+            });
+        }
+        load
+    }
+
+    /// How the [`Self::forces`] change with the deflection.
+    pub fn tangent(&self) -> ContactTangent {
+        let [around, along] = self.splines();
+        let mut rows = vec![[0.0; HALF]; around * along];
+        for (_, point) in self.of_wall() {
+            add(&mut rows, [around, along], &point.splines, point.area * point.slope);
+        }
+        let touched = |(_, row): &(usize, [f64; HALF])| row[0] != 0.0;
+        ContactTangent {
+            numbers: [around, along],
+            rows: rows.into_iter().enumerate().filter(touched).collect(),
+        }
+    }
 }
 
-/// What contact presses with at the points of a batch.
-type Pressures = [ContactPressure; MOST_POINTS];
-
-/// N sums on some splines of a grid.
-#[derive(Debug, Default)]
-struct OnSplines<const N: usize> {
-    splines: Vec<u32>,
-    values: Vec<[f64; N]>,
-}
-
-impl Grid {
-    /// How often triangles are quartered so that their parts are no wider than the cells.
-    fn by_cells(&self) -> impl Fn(&[[f64; 2]; 3]) -> usize + Sync + '_ {
-        |corners| quarterings(self, corners)
-    }
-
-    /// Forces [N] of contact on the splines; none where no contact is simulated.
-    pub fn contact_forces(&self, problem: &FilmProblem, system: &FilmSystem) -> Option<Vec<f64>> {
-        let add = |points: &Points<'_>, pressures: Pressures, sum: &mut OnSplines<1>| {
-            for (q, &position) in points.positions.iter().enumerate() {
-                sum.add(self, position, [points.area(q) * pressures[q].pressure]);
-            }
-        };
-        let forces = each_point(problem, system, self.by_cells(), add)?;
-        Some(forces.on(self).into_flattened())
-    }
-
-    /// First-order change of the [`Self::contact_forces`] with a `change` of the journal or the gap.
-    pub fn contact_forces_change(
-        &self,
-        problem: &FilmProblem,
-        system: &FilmSystem,
-        change: FilmChange<'_>,
-    ) -> Option<Vec<f64>> {
-        let add = |points: &Points<'_>, pressures: Pressures, sum: &mut OnSplines<1>| {
-            let moved = gap_change(problem, change, points);
-            for (q, &position) in points.positions.iter().enumerate() {
-                sum.add(self, position, [points.area(q) * pressures[q].slope * moved[q]]);
-            }
-        };
-        let forces = each_point(problem, system, self.by_cells(), add)?;
-        Some(forces.on(self).into_flattened())
-    }
-
-    /// How what contact carries changes with the coefficient of each spline: force towards x and y [N/m], and its moments [N]; none where no contact is simulated.
-    pub(crate) fn contact_load(&self, problem: &FilmProblem, system: &FilmSystem) -> Option<Vec<[f64; 4]>> {
-        let add = |points: &Points<'_>, pressures: Pressures, sum: &mut OnSplines<4>| {
-            let [sines, cosines] = sines_and_cosines(points.positions, problem.bearing.radius);
-            for (q, &position) in points.positions.iter().enumerate() {
-                let stiffness = points.area(q) * pressures[q].slope;
-                let [x, y] = [stiffness * cosines[q], stiffness * sines[q]];
-                sum.add(self, position, [x, y, position[1] * x, position[1] * y]);
-            }
-        };
-        Some(each_point(problem, system, by_contact, add)?.on(self))
-    }
-
-    /// How the [`Self::contact_forces`] change with the deflection; none where no contact is simulated.
-    pub fn contact_tangent(&self, problem: &FilmProblem, system: &FilmSystem) -> Option<ContactTangent> {
-        each_point(
-            problem,
-            system,
-            self.by_cells(),
-            |points, pressures, sum: &mut ContactTangent| {
-                if sum.blocks.is_empty() {
-                    sum.blocks.push(Block::default());
+/// Adds the products of the splines at a point, times a stiffness [N/m], to the upper halves of all rows.
+fn add(rows: &mut [[f64; HALF]], [around, along]: [usize; 2], at: &SplinesAt, stiffness: f64) {
+    for i in 0..SUPPORT {
+        let first = ((at.first[0] + i) % around) * along + at.first[1];
+        for j in i..SUPPORT {
+            let of_around = stiffness * at.around[i] * at.around[j];
+            for (k, row) in rows[first..first + SUPPORT].iter_mut().enumerate() {
+                for l in if i == j { k } else { 0 }..SUPPORT {
+                    row[place(j - i, l + SUPPORT - k)] += of_around * at.along[k] * at.along[l];
                 }
-                for (q, &position) in points.positions.iter().enumerate() {
-                    let stiffness = points.area(q) * pressures[q].slope;
-                    if stiffness != 0.0 {
-                        sum.blocks[0].add(self, position, stiffness);
-                    }
-                }
-            },
-        )
+            }
+        }
+    }
+}
+
+/// Place in a row of the entry with the spline so much further around, and so much less three further along.
+fn place(around: usize, along: usize) -> usize {
+    match around {
+        0 => along - SUPPORT,
+        _ => (2 * SUPPORT - 1) * around + along - SUPPORT,
     }
 }
 
@@ -115,86 +105,22 @@ impl ContactTangent {
         forces
     }
 
-    /// Calls `visit` with row, column and a part of the entry [N/m] there, each entry in as many parts as triangles add to it.
+    /// Calls `visit` with row, column and entry [N/m] of all pairs of splines that meet.
     pub fn each(&self, mut visit: impl FnMut(usize, usize, f64)) {
-        for Block { splines, rows } in &self.blocks {
-            for (k, row) in rows.iter().enumerate() {
-                let here = splines[k] as usize;
-                for (&entry, &other) in row.iter().zip(splines) {
-                    let other = other as usize;
-                    visit(here, other, entry);
-                    if other != here {
-                        visit(other, here, entry);
+        let [around, along] = self.numbers;
+        for (number, row) in &self.rows {
+            let (i, k) = (number / along, number % along);
+            for further in 0..SUPPORT {
+                let first = ((i + further) % around) * along;
+                let least = if further == 0 { k } else { k.saturating_sub(SUPPORT - 1) };
+                for l in least..(k + SUPPORT).min(along) {
+                    let entry = row[place(further, l + SUPPORT - k)];
+                    visit(*number, first + l, entry);
+                    if (further, l) != (0, k) {
+                        visit(first + l, *number, entry);
                     }
                 }
             }
         }
-    }
-}
-
-impl Block {
-    fn add(&mut self, grid: &Grid, position: [f64; 2], stiffness: f64) {
-        let mut here = Vec::with_capacity(9);
-        grid.each_at(position, |spline, value| {
-            let place = place(&mut self.splines, spline);
-            if place == self.rows.len() {
-                self.rows.push(vec![0.0; place + 1]);
-            }
-            here.push((place, value));
-        });
-        for &(i, value) in &here {
-            for &(j, other) in here.iter().filter(|(j, _)| *j <= i) {
-                self.rows[i][j] += stiffness * value * other;
-            }
-        }
-    }
-}
-
-impl<const N: usize> OnSplines<N> {
-    /// Adds parts of a point, in proportion to the splines there.
-    fn add(&mut self, grid: &Grid, position: [f64; 2], parts: [f64; N]) {
-        if parts.iter().all(|part| *part == 0.0) {
-            return;
-        }
-        grid.each_at(position, |spline, value| {
-            let place = place(&mut self.splines, spline);
-            if place == self.values.len() {
-                self.values.push([0.0; N]);
-            }
-            let sums = &mut self.values[place];
-            sums.iter_mut().zip(parts).for_each(|(sum, part)| *sum += part * value);
-        });
-    }
-
-    /// On all splines of the grid.
-    fn on(&self, grid: &Grid) -> Vec<[f64; N]> {
-        let mut all = vec![[0.0; N]; grid.number()];
-        for (&spline, values) in self.splines.iter().zip(&self.values) {
-            let sums = &mut all[spline as usize];
-            sums.iter_mut().zip(values).for_each(|(sum, value)| *sum += value);
-        }
-        all
-    }
-}
-
-/// Where a spline stands in a list, at its end where it is new; a triangle knows few splines.
-fn place(splines: &mut Vec<u32>, spline: usize) -> usize {
-    let spline = spline as u32;
-    splines.iter().position(|&other| other == spline).unwrap_or_else(|| {
-        splines.push(spline);
-        splines.len() - 1
-    })
-}
-
-impl AddAssign for ContactTangent {
-    fn add_assign(&mut self, mut other: Self) {
-        self.blocks.append(&mut other.blocks);
-    }
-}
-
-impl<const N: usize> AddAssign for OnSplines<N> {
-    fn add_assign(&mut self, mut other: Self) {
-        self.splines.append(&mut other.splines);
-        self.values.append(&mut other.values);
     }
 }

@@ -7,6 +7,8 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 
 use oilwedge_bearing::deflection::bent;
+use oilwedge_reynolds::FilmSystem;
+use oilwedge_reynolds::quantities::contact_points::ContactPoints;
 use oilwedge_reynolds::quantities::load::{Resultant, load};
 
 use super::position_sensitivity::with_dynamics;
@@ -55,8 +57,12 @@ pub(super) fn wall_bars(solved: &Solved, list: &[Quantity], reported: &Measured)
     let here = load(problem, system, &solved.solution).total.resultant();
     let wall = &deflection.wall;
     let by_other = solved.reference.as_ref().map(|reference| {
-        let own = wall.deflection(problem, system, &solved.solution.unknown);
-        let other = wall.deflection(problem, reference.system(system), &reference.film().unknown);
+        let by = |system: &FilmSystem, unknown: &[f64]| {
+            let contact = ContactPoints::of(problem, system);
+            wall.deflection((problem, system), unknown, contact.as_ref())
+        };
+        let own = by(system, &solved.solution.unknown);
+        let other = by(reference.system(system), &reference.film().unknown);
         other
             .iter()
             .zip(own)
