@@ -49,6 +49,10 @@ pub fn find(
             Ok(found) if !search.is_beyond(&found) => found,
             _ => search.cold(problem)?,
         },
+        InitialGuess::Along(way) => match search.continued(problem, way) {
+            Some(outcome) => search.inside(outcome)?,
+            None => search.cold(problem)?,
+        },
         InitialGuess::Near(near) => {
             let here = search.coordinates.at(&problem.journal);
             search.at_rest(search.trial(problem, here, near)?)?
@@ -70,10 +74,18 @@ impl Search<'_> {
                 .check_capacity(problem)
                 .map_or_else(|| self.on_levels(problem), Err),
         };
-        let found = found.map_err(|reason| self.confirmed(reason))?;
+        let found = self.inside(found)?;
         match self.is_beyond(&found) {
-            true if self.load.tilting.is_some() => Err(self.in_contact(&found.problem, 1.0, None)),
             true => (self.beyond_capacity(problem, &problem.journal)).map_or(Ok(found), Err),
+            false => Ok(found),
+        }
+    }
+
+    /// An outcome; that the journal is in contact where a free tilt has led it there.
+    fn inside(&self, outcome: Result<Equilibrium, NoEquilibrium>) -> Result<Equilibrium, NoEquilibrium> {
+        let found = outcome.map_err(|reason| self.confirmed(reason))?;
+        match self.load.tilting.is_some() && self.is_beyond(&found) {
+            true => Err(self.in_contact(&found.problem, 1.0, None)),
             false => Ok(found),
         }
     }
@@ -118,7 +130,7 @@ impl Search<'_> {
             &reason
         {
             // What a thin film carries is shown by a mesh that resolves it.
-            return self.continued(problem, way).map_err(|reason| self.confirmed(reason));
+            return self.taken_up(problem, way).map_err(|reason| self.confirmed(reason));
         }
         if let NoEquilibrium::BeyondCapacity { journal, .. } = &reason
             && let Some(beyond) = self.still_beyond(problem, journal)

@@ -61,7 +61,7 @@ impl Search<'_> {
         };
         match &reason {
             NoEquilibrium::EdgeContact { way: Some(way), .. } | NoEquilibrium::TiltLimit { way: Some(way), .. } => {
-                match self.continued(problem, way) {
+                match self.taken_up(problem, way) {
                     Ok(found) => Some(Ok(found.problem.journal)),
                     Err(reason) => reason.is_beyond().then_some(Err(reason)),
                 }

@@ -24,6 +24,13 @@ pub struct Waypoint {
     pub(crate) first: Vector,
 }
 
+impl Waypoint {
+    /// Whether the wall gives way there.
+    pub fn is_bent(&self) -> bool {
+        self.deflection.is_some()
+    }
+}
+
 /// Why no position was found.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -189,6 +196,14 @@ impl NoEquilibrium {
             // The thin film all along a parallel journal needs a fine mesh.
             Self::BeyondCapacity { ratio, journal, .. } => journal.tilt != [0.0; 2] && FAR_BELOW * ratio > 1.0,
             reason => matches!(reason, Self::Unreachable { why, .. } if *why == FAR),
+        }
+    }
+
+    /// Where another mesh takes up the way of a growing moment, if that was followed.
+    pub fn way(&self) -> Option<&Waypoint> {
+        match self.cause() {
+            Self::EdgeContact { way, .. } | Self::TiltLimit { way, .. } => way.as_deref(),
+            _ => None,
         }
     }
 

@@ -5,6 +5,7 @@ use oilwedge_reynolds::solve::Neighbour;
 
 use crate::Deadline;
 use crate::SearchObserver;
+use crate::Waypoint;
 use crate::equilibrium::{BALANCED, ROUGHLY_BALANCED};
 
 /// A balance sought from nearby is found at this difference of force and load over the load: another step of Newton's method would
@@ -36,6 +37,8 @@ pub enum InitialGuess<'a> {
     Cold,
     /// At the position of the problem, which balances the load roughly, as a coarser mesh has shown; as [`Self::Cold`] where that leads nowhere.
     NearlyBalanced,
+    /// At a balance on the way that a growing moment takes, as another mesh has shown; as [`Self::Cold`] where there is none near it.
+    Along(&'a Waypoint),
     /// At the position of the problem, which a neighbouring operating point suggests; with the film of that point on the same system,
     /// if there is one. With [`Neighbour::Kept`] the advection schemes of that film are not chosen again.
     Near(Neighbour<'a>),
@@ -57,7 +60,9 @@ impl SearchOptions<'_> {
         self.accuracy.unwrap_or(match (self.carrier, self.guess) {
             (Carrier::Cubic, _) => ROUGHLY_BALANCED,
             (Carrier::Quadratic, InitialGuess::Near(_)) => NEARLY_BALANCED,
-            (Carrier::Quadratic, InitialGuess::Cold | InitialGuess::NearlyBalanced) => BALANCED,
+            (Carrier::Quadratic, InitialGuess::Cold | InitialGuess::NearlyBalanced | InitialGuess::Along(_)) => {
+                BALANCED
+            }
         })
     }
 

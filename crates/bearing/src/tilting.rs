@@ -104,8 +104,12 @@ impl Search<'_> {
         branch.followed(first)
     }
 
-    /// Follows the branch that a coarser mesh has shown from a point of it on; from its beginning where there is no balance near that point.
-    pub(crate) fn continued(&self, problem: &FilmProblem, way: &Waypoint) -> Result<Equilibrium, NoEquilibrium> {
+    /// Follows the branch that a coarser mesh has shown from a point of it on; none where there is no balance near that point.
+    pub(crate) fn continued(
+        &self,
+        problem: &FilmProblem,
+        way: &Waypoint,
+    ) -> Option<Result<Equilibrium, NoEquilibrium>> {
         let options = SearchOptions {
             guess: InitialGuess::Cold,
             carrier: Carrier::Quadratic,
@@ -117,22 +121,26 @@ impl Search<'_> {
             .with(way.first.map(|first| (1.0 - way.part) * first), self.coordinates.arm);
         let search = Search::new(problem, self.system, load, options);
         let bent = problem.clone().deflected(way.deflection.as_ref());
-        let Ok(found) = search.run(&bent, way.journal) else {
-            return self.by_parts_of_tilting(problem);
-        };
+        let found = search.run(&bent, way.journal).ok()?;
         let place = self.coordinates.at(&found.problem.journal);
-        let trial = self.trial(&found.problem, place, Neighbour::Kept(&found.film))?;
+        let trial = self.trial(&found.problem, place, Neighbour::Kept(&found.film)).ok()?;
         let branch = Branch {
             search: self,
             first: way.first,
             clearance: problem.bearing.clearance,
         };
         let first = Point {
-            tangent: self.tangent(&trial)?,
+            tangent: self.tangent(&trial).ok()?,
             part: way.part,
             trial,
         };
-        branch.followed(first)
+        Some(branch.followed(first))
+    }
+
+    /// As [`Self::continued`]; where there is no balance near that point the branch is followed from its beginning.
+    pub(crate) fn taken_up(&self, problem: &FilmProblem, way: &Waypoint) -> Result<Equilibrium, NoEquilibrium> {
+        let outcome = self.continued(problem, way);
+        outcome.unwrap_or_else(|| self.by_parts_of_tilting(problem))
     }
 
     /// That the journal of a film comes into contact with the liner at an end when this part of what tilts it is balanced.

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use oilwedge_bearing::orbit::Instant;
-use oilwedge_bearing::{Deadline, InitialGuess, Load, SearchOptions};
+use oilwedge_bearing::{Deadline, InitialGuess, Load, SearchOptions, Waypoint};
 use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSystem, Gap, JournalState};
 use oilwedge_scene::{Dynamics, Scene};
 
@@ -43,13 +43,15 @@ pub struct Film {
 }
 
 /// What is known of the position at which the search under a load begins.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub enum Start {
     /// It is an estimate.
     #[default]
     Estimated,
     /// It balances the load on a coarser mesh.
     NearlyBalanced,
+    /// A growing moment leads into contact, or the journal tips over; another mesh has shown a balance on the way.
+    Along(Arc<Waypoint>),
 }
 
 /// Where the mesh of a film comes from.
@@ -90,6 +92,14 @@ impl Film {
     pub(crate) fn nearly_balanced(self) -> Self {
         Self {
             start: Start::NearlyBalanced,
+            ..self
+        }
+    }
+
+    /// This film, of which another mesh has shown where a growing moment leads.
+    pub(crate) fn along(self, way: Arc<Waypoint>) -> Self {
+        Self {
+            start: Start::Along(way),
             ..self
         }
     }
@@ -135,11 +145,12 @@ impl Film {
     }
 
     /// How its position is sought under a load until `deadline`, without a neighbouring film.
-    pub(crate) fn search_options<'a>(&self, deadline: Deadline) -> SearchOptions<'a> {
+    pub(crate) fn search_options(&self, deadline: Deadline) -> SearchOptions<'_> {
         SearchOptions {
             centre_velocity: self.centre_velocity,
             deadline,
-            guess: match self.start {
+            guess: match &self.start {
+                Start::Along(way) => InitialGuess::Along(way),
                 Start::Estimated => InitialGuess::Cold,
                 Start::NearlyBalanced => InitialGuess::NearlyBalanced,
             },

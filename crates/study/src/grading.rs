@@ -1,8 +1,11 @@
 //! Meshes graded for the position that a load leads to.
 
 use std::borrow::Cow;
+use std::sync::Arc;
 
-use oilwedge_bearing::{Deadline, Equilibrium, Load, NoEquilibrium, ROUGHLY_BALANCED, SearchOptions, find, is_contact};
+use oilwedge_bearing::{
+    Deadline, Equilibrium, Load, NoEquilibrium, ROUGHLY_BALANCED, SearchOptions, Waypoint, find, is_contact,
+};
 use oilwedge_reynolds::angles::wrapped;
 use oilwedge_reynolds::{FilmProblem, Gap, JournalState};
 use oilwedge_scene::Scene;
@@ -49,13 +52,19 @@ pub fn graded_within(scene: &Scene, most_triangles: f64, deadline: Deadline) -> 
         }
         match suited(&film, load, deadline, &mut middle) {
             Suited::To(found) => return Ok(film.as_found(&found).nearly_balanced()),
-            Suited::Unknown => break,
-            Suited::Not(position, found) => {
+            Suited::Unknown(way) => {
+                return Ok(match way {
+                    Some(way) => film.along(way),
+                    None => film,
+                });
+            }
+            Suited::Not(position, known) => {
                 let scene = coarsened(scene, most_triangles, position)?;
                 let graded = compile_near(&scene, position)?;
-                film = match found {
-                    Some(found) if takes_long(&found, load) => graded.as_found(&found).nearly_balanced(),
-                    _ => graded,
+                film = match known {
+                    Known::Balance(found) if takes_long(&found, load) => graded.as_found(&found).nearly_balanced(),
+                    Known::Way(way) => graded.along(way),
+                    Known::Balance(_) | Known::Nothing => graded,
                 };
             }
         }
@@ -82,10 +91,19 @@ fn takes_long(problem: &FilmProblem, load: Load) -> bool {
 enum Suited {
     /// To the position, and the wall, of this film, which balances the load roughly.
     To(Box<FilmProblem>),
-    /// It is better graded for this position, near that of this film, if one balances the load roughly.
-    Not(Position, Option<Box<FilmProblem>>),
-    /// No position is known.
-    Unknown,
+    /// It is better graded for this position.
+    Not(Position, Known),
+    /// No position is known, but perhaps the way of a growing moment.
+    Unknown(Option<Arc<Waypoint>>),
+}
+
+/// What a search on one mesh leaves to that on the next.
+enum Known {
+    /// A film that balances the load roughly.
+    Balance(Box<FilmProblem>),
+    /// The way that a growing moment takes, under a wall that gives way.
+    Way(Arc<Waypoint>),
+    Nothing,
 }
 
 /// Whether the mesh of a film suits the position that the load leads to. `middle` is tried once.
@@ -102,30 +120,39 @@ fn suited(film: &Film, load: Load, deadline: Deadline, middle: &mut Option<Posit
         None => problem.journal,
     };
     let balance = rough_balance(film, load, deadline);
+    // Where walls give way it takes long to follow it anew.
+    let way = balance.as_ref().err().and_then(NoEquilibrium::way);
+    let way = way.filter(|way| way.is_bent()).cloned().map(Arc::new);
     let journal = match balance.as_ref().map_err(NoEquilibrium::cause) {
         Ok(Equilibrium { problem, .. }) => in_unbent(problem),
         Err(
             NoEquilibrium::BeyondCapacity { .. }
             | NoEquilibrium::BelowRounding { .. }
             | NoEquilibrium::TiltLimit { .. },
-        ) => return Suited::Unknown,
+        ) => return Suited::Unknown(way),
         // How much of a moment is carried near contact is shown by a mesh that resolves the thin film there.
         Err(NoEquilibrium::EdgeContact { journal, .. }) => with_film(&gap, journal, thin),
         // Feeds may carry what the estimate would have a thin film carry.
         Err(reason) => match (middle.take(), reason.last_position()) {
-            (Some(position), _) => return Suited::Not(position, None),
-            (None, Some(journal)) if is_contact(&gap, &journal) => return Suited::Unknown,
+            (Some(position), _) => return Suited::Not(position, Known::Nothing),
+            (None, Some(journal)) if is_contact(&gap, &journal) => return Suited::Unknown(None),
             (None, Some(journal)) => with_film(&gap, &journal, thin),
-            (None, None) => return Suited::Unknown,
+            (None, None) => return Suited::Unknown(None),
         },
     };
     let is_possible = !is_contact(&gap, &journal);
     let suits = is_near(&gap, &in_unbent(&film.problem), &journal);
-    let found = balance.ok().map(|found| Box::new(found.problem));
-    match found {
-        found if is_possible && !suits => Suited::Not(Position::of(&journal, gap.bearing().clearance), found),
-        Some(found) if is_possible => Suited::To(found),
-        _ => Suited::Unknown,
+    match balance {
+        Ok(found) if is_possible && suits => Suited::To(Box::new(found.problem)),
+        Ok(found) if is_possible => Suited::Not(
+            Position::of(&journal, gap.bearing().clearance),
+            Known::Balance(Box::new(found.problem)),
+        ),
+        Err(_) if is_possible && !suits => Suited::Not(
+            Position::of(&journal, gap.bearing().clearance),
+            way.map_or(Known::Nothing, Known::Way),
+        ),
+        _ => Suited::Unknown(way),
     }
 }
 

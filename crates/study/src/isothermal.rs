@@ -27,7 +27,7 @@ pub fn isothermal(film: &Film, options: &SolveOptions) -> Result<Solved, NoAnswe
 fn at_given_position(film: &Film, options: &SolveOptions) -> Result<Solved, NoAnswer> {
     let near = match options.guess {
         InitialGuess::Near(near) => near,
-        InitialGuess::Cold | InitialGuess::NearlyBalanced => Neighbour::None,
+        InitialGuess::Cold | InitialGuess::NearlyBalanced | InitialGuess::Along(_) => Neighbour::None,
     };
     if film.problem.deflection().is_some() {
         return with_wall(film, near, options.errors);
