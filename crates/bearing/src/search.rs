@@ -8,7 +8,7 @@ use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSolution, FilmSystem, Gap, JournalState, NoFilm};
 
 use crate::coordinates::{Coordinates, Vector, length, moved};
-use crate::deflection::{Pair, closed_film, closed_near, closed_pair};
+use crate::deflection::{CLOSED, Pair, closed_near, closed_pair, closed_within};
 use crate::equilibrium::NEAR;
 use crate::no_equilibrium::FAR;
 use crate::{Load, NoEquilibrium, SearchOptions};
@@ -21,6 +21,9 @@ const NEARLY: f64 = 2.0;
 const ASTRAY: f64 = 0.5;
 /// A film whose force is nowhere this part of the load carries none.
 const AT_REST: f64 = 1e-3;
+
+/// Part of a deflection that a trial may leave, over the difference of force and load at which the balance is found.
+const OF_BALANCE: f64 = 1e-2;
 
 /// A search for the position that balances a load on one mesh.
 pub(crate) struct Search<'a> {
@@ -186,9 +189,10 @@ impl<'a> Search<'a> {
         let close = if problem.has_bent_wall() {
             closed_near
         } else {
-            closed_film
+            closed_within
         };
-        let (problem, film) = close(self.placed(problem, at), self.system, near)?;
+        let enough = CLOSED.max(OF_BALANCE * self.options.balanced());
+        let (problem, film) = close(self.placed(problem, at), self.system, near, enough)?;
         let carried = load(&problem, self.system, &film).total.resultant();
         let trial = self.recorded(Trial::of(problem, film, carried));
         Ok(match near {

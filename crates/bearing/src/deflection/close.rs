@@ -54,6 +54,8 @@ struct Trial {
     film: FilmSolution,
     /// What it leaves of the balance of its wall.
     left: Left,
+    /// Where the film is least [m]; not known yet of the first one.
+    gap: Option<f64>,
 }
 
 /// What a film leaves of the balance of its wall.
@@ -75,22 +77,35 @@ pub fn closed_film(
     system: &FilmSystem,
     near: Neighbour,
 ) -> Result<(FilmProblem, FilmSolution), NoFilm> {
+    closed_within(problem, system, near, CLOSED)
+}
+
+/// As [`closed_film`], until no more than the part `enough` of the deflection is left.
+///
+/// # Errors
+/// [`NoFilm`]: the reason why there is none.
+pub(crate) fn closed_within(
+    problem: FilmProblem,
+    system: &FilmSystem,
+    near: Neighbour,
+    enough: f64,
+) -> Result<(FilmProblem, FilmSolution), NoFilm> {
     if problem.deflection().is_none() {
         let film = problem.solve_from(system, near)?;
         return Ok((problem, film));
     }
     let mut counts = Closing::default();
-    let reason = match closed(problem.clone(), system, near, &mut counts) {
+    let reason = match closed(problem.clone(), (system, enough), near, &mut counts) {
         Ok(found) => return Ok(found),
         Err(reason) => reason,
     };
-    match climbed(&problem, system, &mut counts) {
+    match climbed(&problem, (system, enough), &mut counts) {
         Some(found) => Ok(found),
         None => Err(reason),
     }
 }
 
-/// Solves a film, and with it the deflection of its wall from that which the problem has: one that is near.
+/// As [`closed_within`], from the deflection that the problem has alone: one that is near.
 ///
 /// # Errors
 /// [`NoFilm`]: the reason why there is none, or why the wall is not near.
@@ -98,12 +113,17 @@ pub(crate) fn closed_near(
     problem: FilmProblem,
     system: &FilmSystem,
     near: Neighbour,
+    enough: f64,
 ) -> Result<(FilmProblem, FilmSolution), NoFilm> {
-    closed(problem, system, near, &mut Closing::default())
+    closed(problem, (system, enough), near, &mut Closing::default())
 }
 
 /// The film from walls of journals nearer to the middle.
-fn climbed(problem: &FilmProblem, system: &FilmSystem, counts: &mut Closing) -> Option<(FilmProblem, FilmSolution)> {
+fn climbed(
+    problem: &FilmProblem,
+    system: (&FilmSystem, f64),
+    counts: &mut Closing,
+) -> Option<(FilmProblem, FilmSolution)> {
     let eccentricity = problem.journal.eccentricity() / problem.bearing.clearance;
     // In a stage the wall is near to where it was: a rigid one would be far from it.
     let deflection = problem.deflection().filter(|deflection| deflection.rate().is_none())?;
@@ -141,15 +161,15 @@ fn nearer(journal: &JournalState, part: f64) -> JournalState {
 /// The film by Newton's method; a mass-conserving one chooses its advection schemes again under the wall that was found.
 fn closed(
     problem: FilmProblem,
-    system: &FilmSystem,
+    (system, enough): (&FilmSystem, f64),
     near: Neighbour,
     counts: &mut Closing,
 ) -> Result<(FilmProblem, FilmSolution), NoFilm> {
     let film = solved(&problem, system, near, counts)?;
-    let mut found = iterated(judged(problem, film, system), system, counts)?;
+    let mut found = iterated(judged(problem, film, system), (system, enough), counts)?;
     if found.film.film_fraction.is_some() && !matches!(near, Neighbour::Kept(_)) {
         let film = solved(&found.problem, system, Neighbour::Start(&found.film), counts)?;
-        found = iterated(judged(found.problem, film, system), system, counts)?;
+        found = iterated(judged(found.problem, film, system), (system, enough), counts)?;
     }
     let closing = Closing {
         residual: found.left.residual,
@@ -159,19 +179,19 @@ fn closed(
 }
 
 /// Newton's method from a film.
-fn iterated(mut here: Trial, system: &FilmSystem, counts: &mut Closing) -> Result<Trial, NoFilm> {
+fn iterated(mut here: Trial, (system, enough): (&FilmSystem, f64), counts: &mut Closing) -> Result<Trial, NoFilm> {
     for _ in 0..MOST_STEPS {
-        if here.left.residual < CLOSED {
+        if here.left.residual < enough {
             return Ok(here);
         }
-        let step = newton_step(&here, system, accuracy(here.left.residual), counts)?;
+        let step = newton_step(&here, system, accuracy(here.left.residual, enough), counts)?;
         match damped(&here, &step, system, counts) {
             Some(next) => here = next,
-            None if here.left.residual < CLOSED_ENOUGH => return Ok(here),
+            None if here.left.residual < enough.max(CLOSED_ENOUGH) => return Ok(here),
             None => break,
         }
     }
-    match here.left.residual < CLOSED_ENOUGH {
+    match here.left.residual < enough.max(CLOSED_ENOUGH) {
         true => Ok(here),
         false => Err(NoFilm::Wall {
             residual: here.left.residual,
@@ -182,8 +202,8 @@ fn iterated(mut here: Trial, system: &FilmSystem, counts: &mut Closing) -> Resul
 
 /// Accuracy of the linear system of a step: one that leaves no more than the curvature does, or than may be left at last
 /// (Eisenstat, Walker, SIAM J. Sci. Comput. 17 (1996) 16).
-fn accuracy(residual: f64) -> f64 {
-    residual.max(SPARE * CLOSED / residual).min(ROUGH)
+fn accuracy(residual: f64, enough: f64) -> f64 {
+    residual.max(SPARE * enough / residual).min(ROUGH)
 }
 
 /// The step [m] of Newton's method from a film.
@@ -200,11 +220,12 @@ fn newton_step(here: &Trial, system: &FilmSystem, accuracy: f64, counts: &mut Cl
 
 /// The longest of the halved steps that leaves less of the balance, the gap kept open.
 fn damped(here: &Trial, step: &[f64], system: &FilmSystem, counts: &mut Closing) -> Option<Trial> {
-    let gap = least_gap(&here.problem, system);
+    let gap = here.gap.unwrap_or_else(|| least_gap(&here.problem, system));
     let mut part = 1.0;
     for _ in 0..MOST_HALVINGS {
         let problem = stepped(&here.problem, step, part)?;
-        let is_open = least_gap(&problem, system) > f64::max(0.0, LEAST_SHRINK * gap);
+        let next_gap = least_gap(&problem, system);
+        let is_open = next_gap > f64::max(0.0, LEAST_SHRINK * gap);
         let near = match here.left.residual < NEAR {
             true => Neighbour::Kept(&here.film),
             false => Neighbour::Start(&here.film),
@@ -213,7 +234,10 @@ fn damped(here: &Trial, step: &[f64], system: &FilmSystem, counts: &mut Closing)
         if let Some(film) = film {
             let next = judged(problem, film, system);
             if next.left.residual < here.left.residual {
-                return Some(next);
+                return Some(Trial {
+                    gap: Some(next_gap),
+                    ..next
+                });
             }
         }
         part *= 0.5;
@@ -247,7 +271,12 @@ fn solved(
 /// A film with what it leaves of the balance of its wall.
 fn judged(problem: FilmProblem, film: FilmSolution, system: &FilmSystem) -> Trial {
     let left = Left::of(&problem, system, &film);
-    Trial { problem, film, left }
+    Trial {
+        problem,
+        film,
+        left,
+        gap: None,
+    }
 }
 
 impl Left {
@@ -357,8 +386,8 @@ fn bent_further(
         return Ok(pair);
     };
     let accuracy = match tangent {
-        TangentOf::Quadratic => accuracy(counts.residual).max(APART),
-        TangentOf::Cubic => accuracy(counts.residual),
+        TangentOf::Quadratic => accuracy(counts.residual, CLOSED).max(APART),
+        TangentOf::Cubic => accuracy(counts.residual, CLOSED),
     };
     let step = follower.solve(&left.wall, accuracy).map_err(Failure::from)?;
     counts.inner += step.steps;

@@ -23,7 +23,7 @@ mod tangent;
 mod touching;
 
 pub use close::{CLOSED, Pair, closed_film, closed_pair};
-pub(crate) use close::{Left, closed_near};
+pub(crate) use close::{Left, closed_near, closed_within};
 pub(crate) use dynamics::{Response, harmonic_response};
 pub(crate) use joint::Joint;
 pub use slow::{carried_slowly, hastened};
