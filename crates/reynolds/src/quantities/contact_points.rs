@@ -27,7 +27,8 @@ use rayon::prelude::*;
 use super::share::{Resultant, Share};
 use crate::angles::sines_and_cosines;
 use crate::contact::ContactLaw;
-use crate::wall::{Grid, SplinesAt, quarterings};
+use crate::wall::grid::{Grid, SplinesAt};
+use crate::wall::pressing::quarterings;
 use crate::{FilmChange, FilmPoint, FilmProblem, FilmSystem};
 
 /// Triangles, and their parts again, are quartered at most this often,

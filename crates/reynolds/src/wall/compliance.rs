@@ -18,7 +18,7 @@
 
 use nalgebra::{DMatrixView, DVectorView};
 
-use super::Dense;
+use super::dense::Dense;
 use super::spline::{Along, Around};
 
 /// Waves that the grid does not tell apart are summed to this number of times its own.

@@ -6,17 +6,18 @@
 
 mod blocks;
 pub mod compliance;
+mod dense;
 mod gap_tangent;
 pub mod grid;
-mod pressing;
+pub(crate) mod pressing;
 pub mod spline;
 mod touching;
 
 pub use compliance::Compliance;
+pub use dense::Dense;
 pub use gap_tangent::GapTangent;
 pub use grid::Grid;
-pub(crate) use grid::SplinesAt;
-pub(crate) use pressing::{Pressing, quarterings};
+pub(crate) use pressing::Pressing;
 pub use spline::{Along, Around};
 pub use touching::ContactTangent;
 
@@ -24,9 +25,6 @@ use std::sync::Arc;
 
 use crate::quantities::contact_points::ContactPoints;
 use crate::{Bearing, FilmProblem, FilmSystem};
-
-/// A dense matrix.
-pub type Dense = nalgebra::DMatrix<f64>;
 
 /// Splines around the liner, and cells along it, of walls without a grid of their own.
 const AROUND: usize = 180;

@@ -3,7 +3,7 @@
 //! Around the liner they are uniform and periodic; along it they have knots of their own. Both are continuously differentiable, so that the slope of a
 //! deflection has no jumps inside of triangles. Source: de Boor, A Practical Guide to Splines (1978), ch. IX and X.
 
-use super::Dense;
+use super::dense::Dense;
 
 /// Splines that are not zero at one place.
 pub(super) const SUPPORT: usize = 3;

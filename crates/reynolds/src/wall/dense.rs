@@ -1,0 +1,4 @@
+//! Dense matrices of splines and points.
+
+/// A dense matrix.
+pub type Dense = nalgebra::DMatrix<f64>;
