@@ -7,6 +7,7 @@
 //! The journal is eliminated, `x = K^-1 (r - W_d d)`, and the wall found by GMRES: one back-solve of the film a product. Under a given load the wall answers less than at a given place.
 
 use oilwedge_fem::Error;
+use oilwedge_reynolds::film_thickness::Deflection;
 use oilwedge_reynolds::quantities::LoadGradient;
 use oilwedge_reynolds::quantities::load::Resultant;
 use oilwedge_reynolds::{FilmChange, JournalChange};
@@ -34,6 +35,15 @@ pub(crate) struct Moves {
     pub(crate) place: Vector,
     /// Coefficients of the deflection [m].
     pub(crate) wall: Vec<f64>,
+}
+
+impl Moves {
+    /// Where a part of them leads from a place and a wall.
+    pub(crate) fn made(&self, at: Vector, wall: &Deflection, part: f64) -> (Vector, Deflection) {
+        let coefficients = wall.coefficients.iter().zip(&self.wall);
+        let bent = coefficients.map(|(d, more)| d + part * more).collect();
+        (moved(at, part, self.place), wall.with(bent))
+    }
 }
 
 impl<'a> Joint<'a> {

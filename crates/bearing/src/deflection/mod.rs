@@ -25,7 +25,7 @@ mod touching;
 pub use close::{CLOSED, Pair, closed_film, closed_pair};
 pub(crate) use close::{Left, closed_near, closed_within};
 pub(crate) use dynamics::{Response, harmonic_response};
-pub(crate) use joint::Joint;
+pub(crate) use joint::{Joint, Moves};
 pub use slow::{carried_slowly, hastened};
 pub use tangent::EXACT;
 pub(crate) use tangent::{Follower, contact_points};

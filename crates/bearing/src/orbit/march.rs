@@ -121,7 +121,7 @@ impl Motion<'_> {
         let mut films = 0;
         let period = self.cycle.period() / self.cycle.angular_speed();
         let here =
-            (self.beginning(start, period, accuracy, &mut films)).map_err(|reason| self.told(reason, 0.0, 1, start))?;
+            (self.beginning(start, period, accuracy, &mut films)).map_err(|reason| self.told(reason, 0.0, 1, self.least_gap(start)))?;
         let mut traveller = Traveller {
             here,
             acceleration: [0.0; 4],
@@ -204,7 +204,7 @@ impl Motion<'_> {
             error_power: self.scheme().error_power,
         };
         let here = &traveller.here;
-        let mut dt = pace.first(self.least_gap(here.at), length(here.velocity));
+        let mut dt = pace.first(self.least_gap_under(here.wall(), here.at), length(here.velocity));
         while traveller.here.time < period {
             if options.deadline.is_over() {
                 return Ok(None);
@@ -228,7 +228,7 @@ impl Motion<'_> {
                     acceleration,
                     error,
                 }) => {
-                    let part = length(error) / self.least_gap(end.at) / accuracy.tolerance;
+                    let part = length(error) / self.least_gap_under(end.wall(), end.at) / accuracy.tolerance;
                     dt = pace.next(taken, part);
                     if part > 1.0 && !pace.is_shortest(taken) {
                         cycle.rejected += 1;
@@ -253,7 +253,8 @@ impl Motion<'_> {
                     cycle.rejected += 1;
                     dt = pace.retried(taken);
                     if pace.is_shortest(dt) {
-                        return Err(self.told(reason, now, number, traveller.here.at));
+                        let gap = self.least_gap_under(traveller.here.wall(), traveller.here.at);
+                        return Err(self.told(reason, now, number, gap));
                     }
                 }
             }

@@ -70,6 +70,13 @@ pub struct Instant {
     pub oil: Option<Arc<Oil>>,
 }
 
+impl Instant {
+    /// The wall, if it gives way.
+    pub(super) fn wall(&self) -> Option<&Deflection> {
+        self.problem.deflection()
+    }
+}
+
 /// What film and wall have of the time before.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Held<'a> {
@@ -120,10 +127,20 @@ impl Motion<'_> {
         }
     }
 
-    /// Least gap [m] of a journal at these coordinates.
+    /// Least gap [m] of a journal at these coordinates in a wall that is not bent.
     pub(crate) fn least_gap(&self, at: Vector) -> f64 {
         let journal = self.coordinates().placed(&self.problem.journal, at);
         self.gap.least(&journal)
+    }
+
+    /// Least gap [m] of a journal at these coordinates under a wall, which it may press out further than the clearance.
+    pub(super) fn least_gap_under(&self, wall: Option<&Deflection>, at: Vector) -> f64 {
+        let Some(wall) = wall else {
+            return self.least_gap(at);
+        };
+        let problem = self.problem.clone().deflected(Some(wall));
+        let journal = self.coordinates().placed(&problem.journal, at);
+        Gap::of(&problem, self.system).least(&journal)
     }
 
     /// The load [N], with what the support would give the journal where it is parallel to the bearing.

@@ -85,19 +85,19 @@ pub enum NoOrbit {
 }
 
 impl Motion<'_> {
-    /// What a stage without a solution means for the orbit.
-    pub(super) fn told(&self, reason: NoStage, time: f64, cycle: usize, at: Vector) -> NoOrbit {
+    /// What a stage without a solution means for the orbit, from a film with this least gap [m] on.
+    pub(super) fn told(&self, reason: NoStage, time: f64, cycle: usize, gap: f64) -> NoOrbit {
         let angle = (self.cycle.angular_speed() * time).to_degrees();
         match reason {
             NoStage::Film(reason) => NoOrbit::Film { angle, cycle, reason },
-            NoStage::Diverged => self.stuck((angle, cycle), time, at),
+            NoStage::Diverged => self.stuck((angle, cycle), time, gap),
         }
     }
 
     /// What it means for a film between two steps, at a place on the path.
     pub(super) fn told_between(&self, reason: NoStage, time: f64, at: Vector) -> NoOrbit {
         match reason {
-            NoStage::Film(_) if self.least_gap(at) > 0.0 => self.told(reason, time, 1, at),
+            NoStage::Film(_) if self.least_gap(at) > 0.0 => self.told(reason, time, 1, self.least_gap(at)),
             NoStage::Film(_) | NoStage::Diverged => NoOrbit::Between {
                 angle: (self.cycle.angular_speed() * time).to_degrees(),
                 gap: self.least_gap(at) / self.problem.bearing.clearance,
@@ -105,9 +105,9 @@ impl Motion<'_> {
         }
     }
 
-    /// Why no step leads on from a place.
-    fn stuck(&self, (angle, cycle): (f64, usize), time: f64, at: Vector) -> NoOrbit {
-        let gap = self.least_gap(at) / self.problem.bearing.clearance;
+    /// Why no step leads on from a film with this least gap [m].
+    fn stuck(&self, (angle, cycle): (f64, usize), time: f64, gap: f64) -> NoOrbit {
+        let gap = gap / self.problem.bearing.clearance;
         if gap < 1.0 - GREATEST_ECCENTRICITY {
             return NoOrbit::SqueezedOut { angle, cycle, gap };
         }

@@ -17,7 +17,7 @@ use oilwedge_reynolds::solve::Neighbour;
 use super::motion::{Held, Instant, Motion, Moving};
 use super::stage::{Accuracy, Known, LEAST_SHRINK, MOST_FILMS, NEARLY_BALANCED, NoStage, SETTLED};
 use crate::coordinates::{Vector, length, moved};
-use crate::deflection::{Follower, Joint, Left, contact_points};
+use crate::deflection::{Follower, Joint, Left, Moves, contact_points};
 
 /// Accuracy of the linear system of a step: each step leaves about this part of what is left.
 const FOLLOWED: f64 = 1e-3;
@@ -53,8 +53,8 @@ impl Motion<'_> {
         accuracy: Accuracy,
         films: &mut usize,
     ) -> Result<Instant, NoStage> {
-        let at = self.inside(near.at, start);
         let scale = accuracy.scale;
+        let (at, wall) = self.begun(near, start, wall)?;
         let mut here = self.tried((known, scale), at, &wall, Neighbour::Start(&near.film), films)?;
         // Newton's method reduces the changes as it reduces what is left.
         let mut change = f64::INFINITY;
@@ -65,20 +65,14 @@ impl Motion<'_> {
             }
             let joint = self.joint(known.per_time, &here.instant, here.wall.contact.clone())?;
             let moves = joint.solve(here.force.map(|part| -part), &here.wall.wall, FOLLOWED)?;
-            let gap = self.least_gap(here.instant.at);
+            let bent = here.instant.wall().ok_or(NoStage::Diverged)?;
+            let (gap, mut part) = self.longest(bent, here.instant.at, &moves);
             let size = length(moves.place) / gap;
-            if !size.is_finite() {
+            if !size.is_finite() || gap <= 0.0 {
                 return Err(NoStage::Diverged);
             }
-            let mut part = 1.0;
-            while self.least_gap(moved(here.instant.at, part, moves.place)) < LEAST_SHRINK * gap {
-                part *= 0.8;
-            }
             let next = loop {
-                let bent = here.instant.problem.deflection().ok_or(NoStage::Diverged)?;
-                let coefficients = bent.coefficients.iter().zip(&moves.wall);
-                let bent = bent.with(coefficients.map(|(d, more)| d + part * more).collect());
-                let at = moved(here.instant.at, part, moves.place);
+                let (at, bent) = moves.made(here.instant.at, bent, part);
                 let next = self.tried((known, scale), at, &bent, Neighbour::Kept(&here.instant.film), films);
                 match next {
                     Ok(next) if next.left() < left => break Some(next),
@@ -95,6 +89,34 @@ impl Motion<'_> {
             here = next;
         }
         Err(NoStage::Diverged)
+    }
+
+    /// Where a stage begins from a film nearby: at a start and under a wall expected there, or on the way to both.
+    fn begun(&self, near: &Instant, start: Vector, wall: Deflection) -> Result<(Vector, Deflection), NoStage> {
+        let here = near.wall().ok_or(NoStage::Diverged)?;
+        let apart = wall.coefficients.iter().zip(&*here.coefficients);
+        let moves = Moves {
+            place: moved(start, -1.0, near.at),
+            wall: apart.map(|(there, here)| there - here).collect(),
+        };
+        let (_, part) = self.longest(here, near.at, &moves);
+        let (at, bent) = moves.made(near.at, here, part);
+        Ok((at, wall.with(bent.coefficients.to_vec())))
+    }
+
+    /// The least gap [m] at a place under a wall, and the longest part of moves that leaves enough of it.
+    fn longest(&self, wall: &Deflection, at: Vector, moves: &Moves) -> (f64, f64) {
+        let gap = self.least_gap_under(Some(wall), at);
+        let leaves = |part: f64| {
+            let (at, bent) = moves.made(at, wall, part);
+            self.least_gap_under(Some(&bent), at) >= LEAST_SHRINK * gap
+        };
+        let mut part = 1.0;
+        // A gap that is none leaves no step.
+        while gap > 0.0 && !leaves(part) && part > SHORTEST_BEND {
+            part *= 0.8;
+        }
+        (gap, part)
     }
 
     /// The film at a place of the stage under a wall.
