@@ -36,8 +36,9 @@ const MESH_OPENING: &[u8] = b"$MeshFormat";
 /// Key of the mesh file.
 pub const MESH_FILE: &str = "mesh.file";
 /// Tables whose keys can be swept.
-pub const SWEPT: [&str; 19] = [
+pub const SWEPT: [&str; 20] = [
     "bearing",
+    "bore",
     "shaft",
     "mesh",
     "ends",

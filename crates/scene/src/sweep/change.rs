@@ -237,6 +237,13 @@ viscosity = \"0.4 Pa.s\"
         assert_eq!(after.bearing, before.bearing);
         assert_ne!(after.oil, before.oil);
         assert_eq!(after.sha256.len(), 64);
+        let worn = format!("{TEXT}[[bore]]\ncrown = \"1 um\"\n[[bore]]\nworn = {{ depth = \"3 um\", angle = \"90 deg\", half_width = \"40 deg\" }}\n");
+        let changes = "\"bore.crown\" = [\"2 um\"]\n\"bore.worn.depth\" = [\"7 um\"]\n";
+        let text = super::changed(&worn, Path::new("ring.toml"), changes).expect("a text");
+        assert_eq!(
+            scene(&text).bores,
+            scene(&worn.replace("1 um", "2 um").replace("3 um", "7 um")).bores
+        );
         let mesh = super::changed(TEXT, Path::new("ring.toml"), "\"mesh.file\" = [\"3-ring.msh\"]").expect("a text");
         assert!(mesh.contains("file = \"3-ring.msh\""), "{mesh}");
     }
@@ -258,6 +265,7 @@ viscosity = \"0.4 Pa.s\"
                 "feed.other.pressure",
                 "names no [[feed]]",
             ),
+            ("\"bore.crown\" = [\"1 um\"]", "bore.crown", "names no shape"),
         ] {
             match after(changes) {
                 Err(SceneError::Complaints { complaints, .. }) => {

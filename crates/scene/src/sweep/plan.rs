@@ -174,20 +174,16 @@ impl Plan {
 /// Sets the key of an axis in a scene's document. Tables that are not there are made.
 ///
 /// # Errors
-/// The axis names a feed that the scene does not have.
+/// The axis names a feed or a shape of the bore that the scene does not have.
 pub(super) fn put<'a>(document: &mut DeTable<'a>, axis: &Axis, value: DeValue<'a>) -> Result<(), Complaint> {
     let value = Spanned::new(axis.span.clone(), value);
-    match axis.path.strip_prefix("feed.") {
-        None => {
-            set(document, &axis.path, &axis.span, value);
-            Ok(())
-        }
-        Some(rest) => {
-            let (feed, key) = feed(document, rest).ok_or_else(|| no_feed(axis))?;
-            set(feed, key, &axis.span, value);
-            Ok(())
-        }
-    }
+    let (table, path) = match axis.path.split_once('.') {
+        Some(("feed", rest)) => feed(document, rest).ok_or_else(|| no_feed(axis))?,
+        Some(("bore", rest)) => (bore(document, rest).ok_or_else(|| no_bore(axis))?, rest),
+        _ => (document, axis.path.as_str()),
+    };
+    set(table, path, &axis.span, value);
+    Ok(())
 }
 
 fn set<'a>(table: &mut DeTable<'a>, path: &str, span: &Range<usize>, value: Spanned<DeValue<'a>>) {
@@ -219,6 +215,31 @@ fn feed<'d, 'a, 'r>(document: &'d mut DeTable<'a>, rest: &'r str) -> Option<(&'d
         let key = rest.strip_prefix(group)?.strip_prefix('.')?;
         Some((feed, key))
     })
+}
+
+/// The one shape of the bore whose key begins `path`.
+fn bore<'d, 'a>(document: &'d mut DeTable<'a>, path: &str) -> Option<&'d mut DeTable<'a>> {
+    let shape = path.split('.').next()?;
+    let DeValue::Array(bores) = document.get_mut("bore")?.get_mut() else {
+        return None;
+    };
+    let mut of_shape = bores.iter_mut().filter_map(|bore| match bore.get_mut() {
+        DeValue::Table(bore) if bore.contains_key(shape) => Some(bore),
+        _ => None,
+    });
+    let bore = of_shape.next()?;
+    of_shape.next().is_none().then_some(bore)
+}
+
+fn no_bore(axis: &Axis) -> Complaint {
+    Complaint {
+        key: format!("sweep.{}", axis.name),
+        value: String::new(),
+        message: "names no shape that one [[bore]] of the scene has, and no other".to_owned(),
+        help: "write the shape and its key, as \"bore.crown\" or \"bore.worn.depth\"; of two shapes alike none is swept"
+            .to_owned(),
+        span: Some(axis.span.clone()),
+    }
 }
 
 fn no_feed(axis: &Axis) -> Complaint {

@@ -40,6 +40,8 @@ pub fn has_same_system(one: &Scene, other: &Scene) -> bool {
             .collect::<Vec<String>>()
     };
     one.mesh == other.mesh
+        // Meshes are graded for the shape of the bore.
+        && one.bores == other.bores
         && bearing(one) == bearing(other)
         && system(one) == system(other)
         && one.feeds.len() == other.feeds.len()
