@@ -1,6 +1,6 @@
 //! `tilted [FROM] [TO]`: solves random bearings whose journal tilts, and prints each that has not converged, with its reason and time, and the slowest;
 //! `tilted --page` solves 300 and writes `docs/validation/tilted_bearings.md` anew; `tilted --scene N` prints the scene of one;
-//! `tilted --walls [FROM] [TO]` and `tilted --walls --scene N` have rough surfaces that touch, walls that give way, bores out of round;
+//! `tilted --walls`, with the same arguments, has rough surfaces that touch, walls that give way, bores out of round, and no page;
 //! `tilted --bars [FROM] [TO]` counts how often the bars of moment and tilt hold.
 
 use oilwedge_study::result::Status;
@@ -30,7 +30,7 @@ fn main() -> std::io::Result<()> {
     }
     let (from, to) = (first.unwrap_or(0), second.unwrap_or(BEARINGS));
     if has("--bars") {
-        bars(from, to);
+        bars((from..to).map(bearing), from);
         return Ok(());
     }
     // On one thread the time of the processor is that of the bearing.
@@ -69,8 +69,8 @@ fn solve(bearing: TiltedBearing) -> Outcome {
 const MOST: usize = 12_000;
 
 /// How often the bars of load, moment and tilt hold, and how much wider than the errors they are, by model of cavitation.
-fn bars(from: u64, to: u64) {
-    let list: Vec<Bearing> = (from..to).map(|number| TiltedBearing::new(number).counted()).collect();
+fn bars(bearings: impl Iterator<Item = TiltedBearing>, from: u64) {
+    let list: Vec<Bearing> = bearings.map(|bearing| bearing.counted()).collect();
     let tally = tally(&list, from, MOST, |_, _| {});
     println!(
         "{} solves, {} errors not known, {} numbers without a bar",
