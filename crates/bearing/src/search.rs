@@ -2,8 +2,10 @@
 
 use std::borrow::Cow;
 use std::cell::{Cell, RefCell};
+use std::sync::Arc;
 
-use oilwedge_reynolds::quantities::load::{Resultant, load};
+use oilwedge_reynolds::quantities::contact_points::ContactPoints;
+use oilwedge_reynolds::quantities::load::{Resultant, load, load_touching};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSolution, FilmSystem, Gap, JournalState, NoFilm};
 
@@ -62,6 +64,8 @@ pub(crate) struct Trial {
     pub(crate) cubic: Option<FilmSolution>,
     /// What the film carries.
     pub(crate) carried: Resultant,
+    /// Where surfaces touch, if that was asked.
+    pub(crate) contact: Option<Arc<ContactPoints>>,
     /// Residual of the position at which the advection schemes of a mass-conserving film were chosen; infinite where a
     /// neighbouring film had a part in the choice.
     pub(crate) schemes_chosen_at: f64,
@@ -77,6 +81,7 @@ impl Trial {
             film,
             cubic: None,
             carried,
+            contact: None,
             schemes_chosen_at: f64::INFINITY,
             is_continued: false,
         }
@@ -192,9 +197,12 @@ impl<'a> Search<'a> {
             closed_within
         };
         let enough = CLOSED.max(OF_BALANCE * self.options.balanced());
-        let (problem, film) = close(self.placed(problem, at), self.system, near, enough)?;
-        let carried = load(&problem, self.system, &film).total.resultant();
-        let trial = self.recorded(Trial::of(problem, film, carried));
+        let (problem, film, contact) = close(self.placed(problem, at), self.system, near, enough)?;
+        let carried = load_touching(&problem, self.system, &film, contact.as_deref());
+        let trial = self.recorded(Trial {
+            contact,
+            ..Trial::of(problem, film, carried.total.resultant())
+        });
         Ok(match near {
             Neighbour::None => Trial {
                 schemes_chosen_at: self.residual(&trial),

@@ -6,10 +6,11 @@
 use std::sync::Arc;
 
 use oilwedge_fem::newton::Failure;
+use oilwedge_reynolds::film_thickness::Deflection;
 use oilwedge_reynolds::{FilmProblem, NoFilm};
 
 use crate::coordinates::{Vector, unit};
-use crate::deflection::{Carried, carried_changes};
+use crate::deflection::{Carried, carried_touching, contact_points};
 use crate::search::{Search, Trial};
 use crate::stiffness::Stiffness;
 
@@ -53,7 +54,11 @@ impl Search<'_> {
         let journal = &trial.problem.journal;
         let change = |k: usize| (self.coordinates).change(journal, &self.options.centre_velocity, unit(k));
         let changes: Vec<_> = (0..self.coordinates.order).map(change).collect();
-        let followed = carried_changes(&trial.problem, self.system, &trial.film, &changes, FOLLOWED);
+        let of_wall = |_: &Deflection| contact_points(&trial.problem, self.system);
+        let contact = trial.contact.clone();
+        let contact = contact.or_else(|| trial.problem.deflection().and_then(of_wall));
+        let parts = (&trial.problem, self.system);
+        let followed = carried_touching(parts, &trial.film, contact, &changes, FOLLOWED);
         let followed: Vec<Carried> = followed.map_err(Failure::from)?;
         let stiffness = Stiffness::by_columns(self.coordinates.order, |k| {
             let mut column = self.coordinates.forces(&followed[k].by_film);

@@ -77,8 +77,12 @@ pub fn closed_film(
     system: &FilmSystem,
     near: Neighbour,
 ) -> Result<(FilmProblem, FilmSolution), NoFilm> {
-    closed_within(problem, system, near, CLOSED)
+    let (problem, film, _) = closed_within(problem, system, near, CLOSED)?;
+    Ok((problem, film))
 }
+
+/// A film, its problem with the deflection found, and its points of contact where that is simulated.
+type Closed = (FilmProblem, FilmSolution, Option<Arc<ContactPoints>>);
 
 /// As [`closed_film`], until no more than the part `enough` of the deflection is left.
 ///
@@ -89,10 +93,11 @@ pub(crate) fn closed_within(
     system: &FilmSystem,
     near: Neighbour,
     enough: f64,
-) -> Result<(FilmProblem, FilmSolution), NoFilm> {
+) -> Result<Closed, NoFilm> {
     if problem.deflection().is_none() {
         let film = problem.solve_from(system, near)?;
-        return Ok((problem, film));
+        let contact = contact_points(&problem, system);
+        return Ok((problem, film, contact));
     }
     let mut counts = Closing::default();
     let reason = match closed(problem.clone(), (system, enough), near, &mut counts) {
@@ -114,16 +119,12 @@ pub(crate) fn closed_near(
     system: &FilmSystem,
     near: Neighbour,
     enough: f64,
-) -> Result<(FilmProblem, FilmSolution), NoFilm> {
+) -> Result<Closed, NoFilm> {
     closed(problem, (system, enough), near, &mut Closing::default())
 }
 
 /// The film from walls of journals nearer to the middle.
-fn climbed(
-    problem: &FilmProblem,
-    system: (&FilmSystem, f64),
-    counts: &mut Closing,
-) -> Option<(FilmProblem, FilmSolution)> {
+fn climbed(problem: &FilmProblem, system: (&FilmSystem, f64), counts: &mut Closing) -> Option<Closed> {
     let eccentricity = problem.journal.eccentricity() / problem.bearing.clearance;
     // In a stage the wall is near to where it was: a rigid one would be far from it.
     let deflection = problem.deflection().filter(|deflection| deflection.rate().is_none())?;
@@ -138,7 +139,7 @@ fn climbed(
     };
     let step = (CLIMB / eccentricity).min(BEGINNING);
     let mut part = BEGINNING;
-    let (mut bent, _) = closed(at(part, &rigid), system, Neighbour::None, counts).ok()?;
+    let (mut bent, ..) = closed(at(part, &rigid), system, Neighbour::None, counts).ok()?;
     loop {
         part = (part + step).min(1.0);
         let next = closed(at(part, bent.deflection()?), system, Neighbour::None, counts).ok()?;
@@ -164,7 +165,7 @@ fn closed(
     (system, enough): (&FilmSystem, f64),
     near: Neighbour,
     counts: &mut Closing,
-) -> Result<(FilmProblem, FilmSolution), NoFilm> {
+) -> Result<Closed, NoFilm> {
     let film = solved(&problem, system, near, counts)?;
     let mut found = iterated(judged(problem, film, system), (system, enough), counts)?;
     if found.film.film_fraction.is_some() && !matches!(near, Neighbour::Kept(_)) {
@@ -175,7 +176,7 @@ fn closed(
         residual: found.left.residual,
         ..*counts
     };
-    Ok((found.problem.closed_by(closing), found.film))
+    Ok((found.problem.closed_by(closing), found.film, found.left.contact))
 }
 
 /// Newton's method from a film.
@@ -270,7 +271,7 @@ fn solved(
 
 /// A film with what it leaves of the balance of its wall.
 fn judged(problem: FilmProblem, film: FilmSolution, system: &FilmSystem) -> Trial {
-    let left = Left::of(&problem, system, &film);
+    let left = Left::of(&problem, system, &film, contact_points(&problem, system));
     Trial {
         problem,
         film,
@@ -280,16 +281,20 @@ fn judged(problem: FilmProblem, film: FilmSolution, system: &FilmSystem) -> Tria
 }
 
 impl Left {
-    /// By the pressure of a film.
-    pub(crate) fn of(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Self {
+    /// By the pressure of a film with these points of contact.
+    pub(crate) fn of(
+        problem: &FilmProblem,
+        system: &FilmSystem,
+        film: &FilmSolution,
+        contact: Option<Arc<ContactPoints>>,
+    ) -> Self {
         let Some(deflection) = problem.deflection() else {
             return Self {
                 wall: Vec::new(),
                 residual: 0.0,
-                contact: None,
+                contact,
             };
         };
-        let contact = contact_points(problem, system);
         let wanted = (deflection.wall).deflection((problem, system), &film.unknown, contact.as_deref());
         let size = norm(&wanted).max(norm(&deflection.coefficients));
         let wall: Vec<f64> = wanted
@@ -330,7 +335,8 @@ pub fn closed_pair(
     let mut counts = deflection.closing;
     let mut before = f64::INFINITY;
     for step in 0..=MOST_STEPS {
-        let left = Left::of(&pair.problem, &system.cubic().system, &pair.cubic);
+        let contact = contact_points(&pair.problem, system);
+        let left = Left::of(&pair.problem, &system.cubic().system, &pair.cubic, contact);
         let residual = left.residual;
         counts.residual = residual;
         if residual < enough || residual < CLOSED_ENOUGH && residual > STALLED * before {

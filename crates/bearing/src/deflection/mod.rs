@@ -30,8 +30,11 @@ pub use slow::{carried_slowly, hastened};
 pub use tangent::EXACT;
 pub(crate) use tangent::{Follower, contact_points};
 
+use std::sync::Arc;
+
 use oilwedge_fem::Error;
 use oilwedge_fem::newton::Failure;
+use oilwedge_reynolds::quantities::contact_points::ContactPoints;
 use oilwedge_reynolds::quantities::load::{Resultant, load_change};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmChange, FilmProblem, FilmSolution, FilmSystem, JournalChange, NoFilm};
@@ -57,7 +60,22 @@ pub fn carried_changes(
     changes: &[JournalChange],
     accuracy: f64,
 ) -> Result<Vec<Carried>, Error> {
-    let Some(follower) = Follower::of(problem, system, film)? else {
+    let contact = problem.deflection().and_then(|_| contact_points(problem, system));
+    carried_touching((problem, system), film, contact, changes, accuracy)
+}
+
+/// As [`carried_changes`], of a film with these points of contact.
+///
+/// # Errors
+/// The linear systems could not be solved.
+pub(crate) fn carried_touching(
+    (problem, system): (&FilmProblem, &FilmSystem),
+    film: &FilmSolution,
+    contact: Option<Arc<ContactPoints>>,
+    changes: &[JournalChange],
+    accuracy: f64,
+) -> Result<Vec<Carried>, Error> {
+    let Some(follower) = Follower::touching(problem, system, film, contact)? else {
         let of = |change: &JournalChange| {
             let unknown = problem.unknown_change(system, film, change)?;
             Ok(Carried {

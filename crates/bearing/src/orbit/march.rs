@@ -120,8 +120,8 @@ impl Motion<'_> {
         };
         let mut films = 0;
         let period = self.cycle.period() / self.cycle.angular_speed();
-        let here =
-            (self.beginning(start, period, accuracy, &mut films)).map_err(|reason| self.told(reason, 0.0, 1, self.least_gap(start)))?;
+        let here = (self.beginning(start, period, accuracy, &mut films))
+            .map_err(|reason| self.told(reason, 0.0, 1, self.least_gap(start)))?;
         let mut traveller = Traveller {
             here,
             acceleration: [0.0; 4],

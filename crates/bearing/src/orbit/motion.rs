@@ -10,7 +10,8 @@ use std::sync::Arc;
 
 use oilwedge_fem::newton::Failure;
 use oilwedge_reynolds::film_thickness::Deflection;
-use oilwedge_reynolds::quantities::load::load;
+use oilwedge_reynolds::quantities::contact_points::ContactPoints;
+use oilwedge_reynolds::quantities::load::{Resultant, load, load_touching};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{
     CentreVelocity, FilmProblem, FilmSolution, FilmSystem, Gap, JournalChange, JournalState, NoFilm, Storage,
@@ -19,7 +20,7 @@ use oilwedge_reynolds::{
 use super::oil::Oil;
 use super::scheme::{FOURTH_ORDER, SECOND_ORDER, Scheme};
 use crate::coordinates::{Coordinates, Vector, unit};
-use crate::deflection::{carried_changes, carried_slowly, closed_film};
+use crate::deflection::{carried_changes, carried_slowly, closed_film, contact_points};
 use crate::duty_cycle::{Duty, DutyCycle};
 use crate::stiffness::Stiffness;
 
@@ -161,8 +162,12 @@ impl Motion<'_> {
 
     /// Forces of film and support at an instant [N].
     pub fn response(&self, problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, at: Vector) -> Vector {
-        let carried = load(problem, system, film).total.resultant();
-        let [x, y, z_x, z_y] = self.coordinates().forces(&carried);
+        self.response_by(&load(problem, system, film).total.resultant(), at)
+    }
+
+    /// Forces of the support and of a film that carries this [N].
+    fn response_by(&self, carried: &Resultant, at: Vector) -> Vector {
+        let [x, y, z_x, z_y] = self.coordinates().forces(carried);
         let per_tilt = self.support_stiffness();
         [x, y, z_x + per_tilt * at[2], z_y + per_tilt * at[3]]
     }
@@ -178,14 +183,23 @@ impl Motion<'_> {
     /// The film of a journal that moves so, and what it `held` before, started from one nearby; a wall that gives way is closed with it.
     pub(crate) fn film(&self, moving: Moving, held: Held<'_>, near: Neighbour) -> Result<Instant, NoFilm> {
         let (problem, film) = closed_film(self.problem_of(moving, held), self.system, near)?;
-        Ok(self.instant(moving, problem, film))
+        let carried = load(&problem, self.system, &film).total.resultant();
+        Ok(self.instant(moving, problem, film, &carried))
     }
 
-    /// The film of a journal that moves so, and what it `held` before, under the wall as it is held.
-    pub(super) fn film_under(&self, moving: Moving, held: Held<'_>, near: Neighbour) -> Result<Instant, NoFilm> {
+    /// The film of a journal that moves so, and what it `held` before, under the wall as it is held; and its points of contact where that is simulated.
+    pub(super) fn film_under(
+        &self,
+        moving: Moving,
+        held: Held<'_>,
+        near: Neighbour,
+    ) -> Result<(Instant, Option<Arc<ContactPoints>>), NoFilm> {
         let problem = self.problem_of(moving, held);
         let film = problem.solve_from(self.system, near)?;
-        Ok(self.instant(moving, problem, film))
+        let contact = contact_points(&problem, self.system);
+        let carried = load_touching(&problem, self.system, &film, contact.as_deref());
+        let carried = carried.total.resultant();
+        Ok((self.instant(moving, problem, film, &carried), contact))
     }
 
     fn problem_of(&self, moving: Moving, held: Held<'_>) -> FilmProblem {
@@ -197,9 +211,10 @@ impl Motion<'_> {
         problem.deflected(held.wall)
     }
 
-    fn instant(&self, moving: Moving, problem: FilmProblem, film: FilmSolution) -> Instant {
+    /// That of a film which carries this.
+    fn instant(&self, moving: Moving, problem: FilmProblem, film: FilmSolution, carried: &Resultant) -> Instant {
         let Moving { time, at, velocity } = moving;
-        let response = self.response(&problem, self.system, &film, at);
+        let response = self.response_by(carried, at);
         let asked = self.asked(time);
         Instant {
             time,

@@ -196,7 +196,7 @@ impl Motion<'_> {
             storage: Some(&before.storage),
             wall: wall.as_ref(),
         };
-        let near = self.film_under(moving, held, Neighbour::None)?;
+        let (near, _) = self.film_under(moving, held, Neighbour::None)?;
         let known = Known {
             time: 0.0,
             per_time,

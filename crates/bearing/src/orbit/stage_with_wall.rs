@@ -138,8 +138,8 @@ impl Motion<'_> {
             storage: known.before.as_ref().map(|before| &before.storage),
             wall: Some(wall),
         };
-        let instant = self.film_under(moving, held, near)?;
-        let wall = Left::of(&instant.problem, self.system, &instant.film);
+        let (instant, contact) = self.film_under(moving, held, near)?;
+        let wall = Left::of(&instant.problem, self.system, &instant.film, contact);
         let force = self.residual(known, &instant);
         Ok(Trial {
             parts: [length(force) / scale, wall.residual],

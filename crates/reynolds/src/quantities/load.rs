@@ -24,6 +24,7 @@ use oilwedge_fem::{Field, Quadrature, integrate};
 use oilwedge_mesh::Mesh;
 
 use super::contact;
+use super::contact_points::ContactPoints;
 pub use super::share::{Resultant, Share};
 use crate::angles::sines_and_cosines;
 use crate::supply::{self, Disc, SupplyRegion};
@@ -62,9 +63,19 @@ impl Load {
 
 /// Load of a solved film.
 pub fn load(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Load {
+    load_touching(problem, system, film, ContactPoints::of(problem, system).as_ref())
+}
+
+/// Load of a solved film with these points of contact.
+pub fn load_touching(
+    problem: &FilmProblem,
+    system: &FilmSystem,
+    film: &FilmSolution,
+    contact: Option<&ContactPoints>,
+) -> Load {
     let cut_out = cut_out_shares(problem, system);
     let mut total = film_share(problem, system, film);
-    let contact = contact::share(problem, system);
+    let contact = contact.map(ContactPoints::share);
     for share in cut_out.iter().map(|(_, share)| share).chain(&contact) {
         total += *share;
     }

@@ -237,7 +237,9 @@ viscosity = \"0.4 Pa.s\"
         assert_eq!(after.bearing, before.bearing);
         assert_ne!(after.oil, before.oil);
         assert_eq!(after.sha256.len(), 64);
-        let worn = format!("{TEXT}[[bore]]\ncrown = \"1 um\"\n[[bore]]\nworn = {{ depth = \"3 um\", angle = \"90 deg\", half_width = \"40 deg\" }}\n");
+        let worn = format!(
+            "{TEXT}[[bore]]\ncrown = \"1 um\"\n[[bore]]\nworn = {{ depth = \"3 um\", angle = \"90 deg\", half_width = \"40 deg\" }}\n"
+        );
         let changes = "\"bore.crown\" = [\"2 um\"]\n\"bore.worn.depth\" = [\"7 um\"]\n";
         let text = super::changed(&worn, Path::new("ring.toml"), changes).expect("a text");
         assert_eq!(
