@@ -6,11 +6,10 @@
 use std::sync::Arc;
 
 use oilwedge_fem::newton::Failure;
-use oilwedge_reynolds::film_thickness::Deflection;
 use oilwedge_reynolds::{FilmProblem, NoFilm};
 
 use crate::coordinates::{Vector, unit};
-use crate::deflection::{Carried, carried_touching, contact_points};
+use crate::deflection::{Carried, carried_touching, contact_on_wall};
 use crate::search::{Search, Trial};
 use crate::stiffness::Stiffness;
 
@@ -54,9 +53,8 @@ impl Search<'_> {
         let journal = &trial.problem.journal;
         let change = |k: usize| (self.coordinates).change(journal, &self.options.centre_velocity, unit(k));
         let changes: Vec<_> = (0..self.coordinates.order).map(change).collect();
-        let of_wall = |_: &Deflection| contact_points(&trial.problem, self.system);
         let contact = trial.contact.clone();
-        let contact = contact.or_else(|| trial.problem.deflection().and_then(of_wall));
+        let contact = contact.or_else(|| contact_on_wall(&trial.problem, self.system));
         let parts = (&trial.problem, self.system);
         let followed = carried_touching(parts, &trial.film, contact, &changes, FOLLOWED);
         let followed: Vec<Carried> = followed.map_err(Failure::from)?;

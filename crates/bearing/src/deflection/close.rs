@@ -77,6 +77,10 @@ pub fn closed_film(
     system: &FilmSystem,
     near: Neighbour,
 ) -> Result<(FilmProblem, FilmSolution), NoFilm> {
+    if problem.deflection().is_none() {
+        let film = problem.solve_from(system, near)?;
+        return Ok((problem, film));
+    }
     let (problem, film, _) = closed_within(problem, system, near, CLOSED)?;
     Ok((problem, film))
 }

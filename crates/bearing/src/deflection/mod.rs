@@ -28,7 +28,7 @@ pub(crate) use dynamics::{Response, harmonic_response};
 pub(crate) use joint::{Joint, Moves};
 pub use slow::{carried_slowly, hastened};
 pub use tangent::EXACT;
-pub(crate) use tangent::{Follower, contact_points};
+pub(crate) use tangent::{Follower, contact_on_wall, contact_points};
 
 use std::sync::Arc;
 
@@ -60,7 +60,7 @@ pub fn carried_changes(
     changes: &[JournalChange],
     accuracy: f64,
 ) -> Result<Vec<Carried>, Error> {
-    let contact = problem.deflection().and_then(|_| contact_points(problem, system));
+    let contact = contact_on_wall(problem, system);
     carried_touching((problem, system), film, contact, changes, accuracy)
 }
 

@@ -69,7 +69,7 @@ impl<'a> Follower<'a> {
         system: &'a FilmSystem,
         film: &'a FilmSolution,
     ) -> Result<Option<Self>, Error> {
-        Self::touching(problem, system, film, contact_points(problem, system))
+        Self::touching(problem, system, film, contact_on_wall(problem, system))
     }
 
     /// As [`Self::of`], of a film with these points of contact.
@@ -238,4 +238,9 @@ impl Followed {
 /// Where surfaces touch in a film; none where no contact is simulated.
 pub(crate) fn contact_points(problem: &FilmProblem, system: &FilmSystem) -> Option<Arc<ContactPoints>> {
     ContactPoints::of(problem, system).map(Arc::new)
+}
+
+/// That in a wall that gives way; none in a rigid one, whose tangent has no need of it.
+pub(crate) fn contact_on_wall(problem: &FilmProblem, system: &FilmSystem) -> Option<Arc<ContactPoints>> {
+    problem.deflection().and_then(|_| contact_points(problem, system))
 }

@@ -20,7 +20,7 @@ use oilwedge_reynolds::{
 use super::oil::Oil;
 use super::scheme::{FOURTH_ORDER, SECOND_ORDER, Scheme};
 use crate::coordinates::{Coordinates, Vector, unit};
-use crate::deflection::{carried_changes, carried_slowly, closed_film, contact_points};
+use crate::deflection::{CLOSED, carried_changes, carried_slowly, closed_within, contact_points};
 use crate::duty_cycle::{Duty, DutyCycle};
 use crate::stiffness::Stiffness;
 
@@ -182,9 +182,9 @@ impl Motion<'_> {
 
     /// The film of a journal that moves so, and what it `held` before, started from one nearby; a wall that gives way is closed with it.
     pub(crate) fn film(&self, moving: Moving, held: Held<'_>, near: Neighbour) -> Result<Instant, NoFilm> {
-        let (problem, film) = closed_film(self.problem_of(moving, held), self.system, near)?;
-        let carried = load(&problem, self.system, &film).total.resultant();
-        Ok(self.instant(moving, problem, film, &carried))
+        let (problem, film, contact) = closed_within(self.problem_of(moving, held), self.system, near, CLOSED)?;
+        let carried = load_touching(&problem, self.system, &film, contact.as_deref());
+        Ok(self.instant(moving, problem, film, &carried.total.resultant()))
     }
 
     /// The film of a journal that moves so, and what it `held` before, under the wall as it is held; and its points of contact where that is simulated.
@@ -198,8 +198,8 @@ impl Motion<'_> {
         let film = problem.solve_from(self.system, near)?;
         let contact = contact_points(&problem, self.system);
         let carried = load_touching(&problem, self.system, &film, contact.as_deref());
-        let carried = carried.total.resultant();
-        Ok((self.instant(moving, problem, film, &carried), contact))
+        let instant = self.instant(moving, problem, film, &carried.total.resultant());
+        Ok((instant, contact))
     }
 
     fn problem_of(&self, moving: Moving, held: Held<'_>) -> FilmProblem {

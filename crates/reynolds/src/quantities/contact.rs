@@ -19,12 +19,12 @@ use crate::{FilmChange, FilmProblem, FilmSystem};
 
 /// What contact carries in this position; `None` where none is simulated.
 pub fn share(problem: &FilmProblem, system: &FilmSystem) -> Option<Share> {
-    Some(ContactPoints::of(problem, system)?.share())
+    Some(ContactPoints::of_load_alone(problem, system, Fineness::Full)?.share())
 }
 
 /// Error of integration [N] of the force of a `share`: its difference from one with a quartering less.
 pub fn unsure(problem: &FilmProblem, system: &FilmSystem, share: &Share) -> f64 {
-    ContactPoints::by(problem, system, Fineness::Halved).map_or(0.0, |rough| {
+    ContactPoints::of_load_alone(problem, system, Fineness::Halved).map_or(0.0, |rough| {
         let [x, y] = share.less(&rough.share()).force;
         x.hypot(y)
     })
@@ -33,7 +33,7 @@ pub fn unsure(problem: &FilmProblem, system: &FilmSystem, share: &Share) -> f64 
 /// First-order change of what contact carries with `changes` of the journal or the gap; zero where none is simulated.
 pub fn contact_change(problem: &FilmProblem, system: &FilmSystem, changes: &[FilmChange<'_>]) -> Resultant {
     let mut sum = Resultant::default();
-    if let Some(points) = ContactPoints::of(problem, system) {
+    if let Some(points) = ContactPoints::of_load_alone(problem, system, Fineness::Full) {
         for change in changes {
             sum += points.load_change(&points.gap_change(problem, *change));
         }

@@ -47,7 +47,7 @@ const FEW: usize = 64;
 
 /// How finely contact is integrated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Fineness {
+pub(crate) enum Fineness {
     /// As it is reported.
     Full,
     /// With a quartering less, to compare with.
@@ -162,13 +162,10 @@ impl OfTriangles {
     fn visit(
         &mut self,
         (problem, system): (&FilmProblem, &FilmSystem),
-        grid: Option<&Grid>,
+        (law, grid): (&ContactLaw, Option<&Grid>),
         (t, rule): (usize, &Rule),
         serves: Serves,
     ) {
-        let Some(law) = problem.contact.map(|contact| contact.law) else {
-            return;
-        };
         rule.visit(system.space().mesh(), t, |points| {
             let gaps = problem.gaps_at(t, points.positions);
             let [sines, cosines] = sines_and_cosines(points.positions, problem.bearing.radius);
@@ -192,7 +189,8 @@ impl OfTriangles {
 impl ContactPoints {
     /// Of the film of a problem; none where no contact is simulated.
     pub fn of(problem: &FilmProblem, system: &FilmSystem) -> Option<Self> {
-        Self::by(problem, system, Fineness::Full)
+        let grid = problem.deflection().map(|deflection| &deflection.wall.grid);
+        Self::found((problem, system), grid, Fineness::Full)
     }
 
     /// Of that film, for a wall on this grid.
@@ -200,10 +198,9 @@ impl ContactPoints {
         Self::found((problem, system), Some(grid), Fineness::Full)
     }
 
-    /// Of that film, with this fineness.
-    pub(super) fn by(problem: &FilmProblem, system: &FilmSystem, fineness: Fineness) -> Option<Self> {
-        let grid = problem.deflection().map(|deflection| &deflection.wall.grid);
-        Self::found((problem, system), grid, fineness)
+    /// Of that film, for what the journal carries alone.
+    pub(crate) fn of_load_alone(problem: &FilmProblem, system: &FilmSystem, fineness: Fineness) -> Option<Self> {
+        Self::found((problem, system), None, fineness)
     }
 
     fn found((problem, system): (&FilmProblem, &FilmSystem), grid: Option<&Grid>, fineness: Fineness) -> Option<Self> {
@@ -218,25 +215,24 @@ impl ContactPoints {
                 let part = &PARTS[level][number];
                 let positions = part.nodes.map(|node| mapping.at(node).position);
                 let gaps = problem.thickness_at(t, &positions);
-                let divided = |least: usize| division(&law, &gaps, (level, least), fineness);
                 let parts = |is_for_load: bool| (0..4).map(move |k| (level + 1, 4 * number + k, is_for_load));
-                let (serves, rule) = match (divided(0), divided(by_wall)) {
-                    (Division::NoContact, _) => continue,
-                    (Division::Parts, _) => {
+                let (serves, rule) = match division(&law, &gaps, level, fineness) {
+                    Division::NoContact => continue,
+                    Division::Parts => {
                         left.extend(parts(is_for_load));
                         continue;
                     }
-                    (Division::Whole, Division::Parts) => {
+                    Division::Whole if level < by_wall => {
                         left.extend(parts(false));
                         if !is_for_load {
                             continue;
                         }
                         (Serves::Load, &part.rule)
                     }
-                    (Division::Whole, _) if is_for_load => (Serves::Both, &part.rule),
-                    (Division::Whole, _) => (Serves::Wall, &part.for_splines),
+                    Division::Whole | Division::Last if is_for_load => (Serves::Both, &part.rule),
+                    Division::Whole | Division::Last => (Serves::Wall, &part.for_splines),
                 };
-                points.visit((problem, system), grid, (t, rule), serves);
+                points.visit((problem, system), (&law, grid), (t, rule), serves);
             }
             points
         });
@@ -309,8 +305,9 @@ impl ContactPoints {
 
     /// The points for the splines of the wall, with their numbers; none of a rigid one.
     pub(crate) fn of_wall(&self) -> impl Iterator<Item = (usize, &ContactPoint)> {
-        let points = self.points.iter().enumerate();
-        points.filter(|(_, point)| self.splines != [0; 2] && point.serves != Serves::Load)
+        let points: &[ContactPoint] = if self.splines == [0; 2] { &[] } else { &self.points };
+        let points = points.iter().enumerate();
+        points.filter(|(_, point)| point.serves != Serves::Load)
     }
 }
 
@@ -319,14 +316,16 @@ impl ContactPoints {
 enum Division {
     /// Surfaces do not touch there.
     NoContact,
-    /// It is integrated as it is.
+    /// It is integrated as it is; the splines of the wall may have it divided further.
     Whole,
+    /// It is integrated as it is: its pressure is slight, or its parts would be too many.
+    Last,
     /// It is quartered.
     Parts,
 }
 
-/// What is done with a part of a triangle, from the gaps [m] at its nodes; one that touches is quartered to a least level.
-fn division(law: &ContactLaw, gaps: &[f64; 6], (level, least_level): (usize, usize), fineness: Fineness) -> Division {
+/// What is done with a part of a triangle, from the gaps [m] at its nodes and how often it was quartered.
+fn division(law: &ContactLaw, gaps: &[f64; 6], level: usize, fineness: Fineness) -> Division {
     /// The gap inside of a triangle may be less than that at its nodes by this part of its range.
     const WITHIN: f64 = 0.25;
     let (least, greatest) = gaps
@@ -345,14 +344,14 @@ fn division(law: &ContactLaw, gaps: &[f64; 6], (level, least_level): (usize, usi
         Fineness::Halved => 1,
     };
     if pressure < SLIGHT || level + spared >= MOST_QUARTERINGS {
-        return Division::Whole;
+        return Division::Last;
     }
     let part = PART * pressure.powf(-1.0 / ORDER);
     // Beyond the reach the gap does not matter.
     let range = greatest.min(law.reach()) - least;
     let is_steep = range > f64::from(1u32 << spared) * part * law.scale();
     let is_kinked = level + spared < KINK_QUARTERINGS && law.has_kink_in(least..greatest);
-    match is_steep || is_kinked || level + spared == 0 || level < least_level {
+    match is_steep || is_kinked || level + spared == 0 {
         true => Division::Parts,
         false => Division::Whole,
     }

@@ -24,7 +24,7 @@ use oilwedge_fem::{Field, Quadrature, integrate};
 use oilwedge_mesh::Mesh;
 
 use super::contact;
-use super::contact_points::ContactPoints;
+use super::contact_points::{ContactPoints, Fineness};
 pub use super::share::{Resultant, Share};
 use crate::angles::sines_and_cosines;
 use crate::supply::{self, Disc, SupplyRegion};
@@ -63,7 +63,8 @@ impl Load {
 
 /// Load of a solved film.
 pub fn load(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Load {
-    load_touching(problem, system, film, ContactPoints::of(problem, system).as_ref())
+    let contact = ContactPoints::of_load_alone(problem, system, Fineness::Full);
+    load_touching(problem, system, film, contact.as_ref())
 }
 
 /// Load of a solved film with these points of contact.

@@ -48,7 +48,10 @@ impl ContactPoints {
     pub(crate) fn load_by_wall(&self) -> Vec<[f64; 4]> {
         let numbers = self.splines();
         let mut load = vec![[0.0; 4]; numbers[0] * numbers[1]];
-        for (_, point) in self.of_load().filter(|_| numbers != [0; 2]) {
+        if numbers == [0; 2] {
+            return load;
+        }
+        for (_, point) in self.of_load() {
             let Resultant { force, moment } = point.carried(point.area * point.slope);
             let parts = [force[0], force[1], moment[0], moment[1]];
             point.splines.each(numbers, |spline, value| {

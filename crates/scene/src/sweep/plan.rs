@@ -235,7 +235,7 @@ fn no_bore(axis: &Axis) -> Complaint {
     Complaint {
         key: format!("sweep.{}", axis.name),
         value: String::new(),
-        message: "names no shape that one [[bore]] of the scene has, and no other".to_owned(),
+        message: "names no shape that exactly one [[bore]] of the scene has".to_owned(),
         help:
             "write the shape and its key, as \"bore.crown\" or \"bore.worn.depth\"; of two shapes alike none is swept"
                 .to_owned(),
