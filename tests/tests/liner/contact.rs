@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use oilwedge_bearing::deflection::{EXACT, carried_changes, closed_film};
-use oilwedge_bearing::{Coefficients, InitialGuess, SearchOptions, find};
+use oilwedge_bearing::{Coefficients, InitialGuess, Load, SearchOptions, find};
 use oilwedge_reynolds::contact::Contact;
 use oilwedge_reynolds::flow_factors::PatirCheng;
 use oilwedge_reynolds::quantities::LoadGradient;
@@ -13,7 +13,7 @@ use oilwedge_reynolds::quantities::load::load_change;
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{Cavitation, FilmChange, FilmProblem, FilmSystem, JournalChange, terms};
 use oilwedge_study::quantities::{DEFLECTION_MAX, FILM_THICKNESS_MIN, Row};
-use oilwedge_tests::elastic_liner::{carried, closed, layer, walled};
+use oilwedge_tests::elastic_liner::{carried, closed, force_scale, layer, walled};
 use oilwedge_tests::random_tilted::{TiltedBearing, solved};
 use oilwedge_tests::tilted_bearings::{run, slope, tilted};
 use oilwedge_tests::*;
@@ -181,6 +181,20 @@ fn contact_presses_on_the_splines_whatever_the_triangles() {
 }
 
 /// The linear form of a film is the change of what the journal carries.
+/// Sums over the points of contact are continuous where a part of a triangle is divided further: with sums that jump there, these loads, between both sides, have no balance.
+#[test]
+fn loads_are_balanced_where_coarse_triangles_are_divided() {
+    let system = ring_system(36, 4, RADIUS, None);
+    for units in [5.0, 6.0] {
+        let mut problem = walled(RADIUS, 0.5, REYNOLDS, |_| layer(0.05));
+        problem.contact = Some(contacts()[0]);
+        let load: Load = [units * force_scale(), 0.0].into();
+        let rest = find(&problem, &system, load, &SearchOptions::default());
+        let rest = rest.unwrap_or_else(|reason| panic!("{units} units: {reason}"));
+        assert!(rest.residual < 1e-10, "{:e}", rest.residual);
+    }
+}
+
 #[test]
 fn the_gradient_of_the_load_is_its_change() {
     for (what, problem, system) in films() {

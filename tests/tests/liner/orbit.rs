@@ -3,6 +3,7 @@
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
+use crate::contact::contacts;
 use oilwedge_bearing::deflection::{EXACT, carried_changes, closed_film};
 use oilwedge_bearing::duty_cycle::{Duty, DutyCycle, Frame, Harmonic, Turning};
 use oilwedge_bearing::orbit::{Motion, OrbitOptions, Span, Step};
@@ -118,18 +119,37 @@ fn hardly_moves(model: Cavitation, system: &FilmSystem) {
 #[test]
 fn a_load_at_rest_leads_to_the_position_at_rest() {
     let problem = squeezed(Cavitation::Reynolds { pressure: 0.0 }, layer(0.05));
-    comes_to_rest(&problem, &ring(), 1e-8);
+    comes_to_rest(&problem, &ring(), (1.5, options(1e-4, 6)), 1e-8);
+}
+
+/// The peaks that touch press the wall out, and the journal follows it beyond the clearance.
+#[test]
+fn a_load_at_rest_leads_to_the_position_at_rest_where_surfaces_touch() {
+    let mut problem = squeezed(Cavitation::Reynolds { pressure: 0.0 }, layer(0.05));
+    problem.contact = Some(contacts()[0]);
+    let rest = comes_to_rest(&problem, &ring(), (6.0, options(1e-2, 3)), 1e-6);
+    assert!(rest > CLEARANCE, "{rest}");
 }
 
 /// On triangles, films with a history carry their oil by another scheme than films at rest: on this mesh the place differs by 2e-3 of the clearance, the deflection by 4e-3.
 #[test]
 fn a_load_at_rest_leads_to_the_position_at_rest_where_oil_is_conserved() {
-    comes_to_rest(&squeezed(CONSERVING, layer(0.05)), &fed_ring(), 5e-3);
+    comes_to_rest(
+        &squeezed(CONSERVING, layer(0.05)),
+        &fed_ring(),
+        (1.5, options(1e-4, 6)),
+        5e-3,
+    );
 }
 
-/// The film at rest is that to which the path leads.
-fn comes_to_rest(problem: &FilmProblem, system: &FilmSystem, within: f64) {
-    let force = 1.5 * force_scale();
+/// The film at rest under so many units of force is that to which the path leads; its eccentricity [m].
+fn comes_to_rest(
+    problem: &FilmProblem,
+    system: &FilmSystem,
+    (units, options): (f64, OrbitOptions),
+    within: f64,
+) -> f64 {
+    let force = units * force_scale();
     let duty = Duty {
         force: [force, 0.0],
         moment: [0.0; 2],
@@ -137,7 +157,7 @@ fn comes_to_rest(problem: &FilmProblem, system: &FilmSystem, within: f64) {
     };
     let cycle = DutyCycle::constant(duty, TAU, SPEED);
     let motion = motion(problem, system, &cycle);
-    let orbit = motion.orbit(START, &options(1e-4, 6));
+    let orbit = motion.orbit(START, &options);
     let orbit = orbit.unwrap_or_else(|reason| panic!("{reason}"));
     let end = orbit.steps.last().expect("steps");
     let load: Load = [force, 0.0].into();
@@ -156,6 +176,7 @@ fn comes_to_rest(problem: &FilmProblem, system: &FilmSystem, within: f64) {
     let wall = rest.problem.deflection().expect("a wall");
     let apart = end.wall.as_ref().expect("a wall").distance(wall) / CLEARANCE;
     assert!(apart < within, "{apart:e}");
+    rest.problem.journal.eccentricity()
 }
 
 #[test]

@@ -13,7 +13,8 @@
 //!
 //! **Source.** Definition. **Range.** Friction of contact acts along the surface and carries no load. **Verified by** `tests/tests/contact`.
 
-use super::contact_points::{ContactPoints, Fineness};
+use super::contact_division::Fineness;
+use super::contact_points::ContactPoints;
 use super::share::{Resultant, Share};
 use crate::{FilmChange, FilmProblem, FilmSystem};
 

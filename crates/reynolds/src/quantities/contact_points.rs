@@ -8,22 +8,20 @@
 //! | a | m2 | `area` |
 //! | p_a, p_a' | Pa, Pa/m | `pressure`, `slope` |
 //!
-//! The pressure falls to nothing over some roughnesses, far quicker than a film changes: each triangle is quartered, and each part again, until the gap changes little over a part, and
-//! further where the law has a kink in it. For the splines of a wall parts are no wider than its cells, too.
-//! Contact depends on the gap alone, so that this quadrature, and not the elements of the film, limits its accuracy.
+//! Triangles are divided as the gap asks for ([`super::contact_division`]); for the splines of a wall parts are no wider than its cells, too.
 //!
 //! **Source.** Strang, Fix, An Analysis of the Finite Element Method (1973): rules on parts of triangles. **Range.** Any law of contact. **Verified by** `tests/tests/contact`,
 //! `tests/tests/liner/contact.rs`.
 
 use std::ops::AddAssign;
-use std::sync::LazyLock;
 
+use oilwedge_fem::integrate;
 use oilwedge_fem::integrate::Rule;
 use oilwedge_fem::mapping::Mapping;
 use oilwedge_fem::quadrature::MOST_POINTS;
-use oilwedge_fem::{Quadrature, integrate};
 use rayon::prelude::*;
 
+use super::contact_division::{Division, Fineness, PARTS, Piece, division};
 use super::share::{Resultant, Share};
 use crate::angles::sines_and_cosines;
 use crate::contact::ContactLaw;
@@ -31,71 +29,8 @@ use crate::wall::grid::{Grid, SplinesAt};
 use crate::wall::pressing::quarterings;
 use crate::{FilmChange, FilmPoint, FilmProblem, FilmSystem};
 
-/// Triangles, and their parts again, are quartered at most this often,
-const MOST_QUARTERINGS: usize = 5;
-/// until the gap changes by this part of the scale of the law over each part where the pressure is the hardness: an error that falls with the tenth power of the parts
-/// is the same for parts that are longer by the tenth root where the pressure is less,
-const PART: f64 = 0.5;
-const ORDER: f64 = 10.0;
-/// and at least so often where the law has a kink in them,
-const KINK_QUARTERINGS: usize = 4;
-/// where the pressure is more than this part of the hardness.
-const SLIGHT: f64 = 1e-10;
-
 /// Fewest batches of points for which a task is made.
 const FEW: usize = 64;
-
-/// How finely contact is integrated.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Fineness {
-    /// As it is reported.
-    Full,
-    /// With a quartering less, to compare with.
-    Halved,
-}
-
-/// A part of the reference triangle.
-struct Part {
-    /// Of degree 8,
-    rule: Rule,
-    /// and of degree 6, for splines that have a kink amid the part.
-    for_splines: Rule,
-    /// Corners and middles of the sides.
-    nodes: [[f64; 2]; 6],
-}
-
-/// The parts of a triangle after each quartering; those of part k are numbers 4 k to 4 k + 3 of the next.
-static PARTS: LazyLock<Vec<Vec<Part>>> = LazyLock::new(|| {
-    let mut corners = vec![[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]];
-    let mut parts = vec![corners.iter().map(Part::of).collect()];
-    for _ in 0..MOST_QUARTERINGS {
-        corners = corners.iter().flat_map(quartered).collect();
-        parts.push(corners.iter().map(Part::of).collect());
-    }
-    parts
-});
-
-impl Part {
-    fn of(corners: &[[f64; 2]; 3]) -> Self {
-        let ([a, b, c], [ab, bc, ca]) = (*corners, middles(corners));
-        Self {
-            rule: Rule::new(Quadrature::for_degree(3).on_part(*corners), 1),
-            for_splines: Rule::new(Quadrature::for_degree(2).on_part(*corners), 1),
-            nodes: [a, b, c, ab, bc, ca],
-        }
-    }
-}
-
-/// The middles of the sides of a triangle.
-fn middles(&[a, b, c]: &[[f64; 2]; 3]) -> [[f64; 2]; 3] {
-    [(a, b), (b, c), (c, a)].map(|(from, to)| [0, 1].map(|d| 0.5 * (from[d] + to[d])))
-}
-
-/// The four congruent parts of a triangle.
-fn quartered(corners: &[[f64; 2]; 3]) -> [[[f64; 2]; 3]; 4] {
-    let ([a, b, c], [ab, bc, ca]) = (*corners, middles(corners));
-    [[a, ab, ca], [ab, b, bc], [ca, bc, c], [bc, ca, ab]]
-}
 
 /// A point where surfaces touch.
 #[derive(Debug, Clone, Copy)]
@@ -163,7 +98,7 @@ impl OfTriangles {
         &mut self,
         (problem, system): (&FilmProblem, &FilmSystem),
         (law, grid): (&ContactLaw, Option<&Grid>),
-        (t, rule): (usize, &Rule),
+        (t, rule, weight): (usize, &Rule, f64),
         serves: Serves,
     ) {
         rule.visit(system.space().mesh(), t, |points| {
@@ -175,7 +110,7 @@ impl OfTriangles {
                     cell: t,
                     position,
                     normal: [cosines[q], sines[q]],
-                    area: points.area(q),
+                    area: weight * points.area(q),
                     pressure: at.pressure,
                     slope: at.slope,
                     splines: grid.map_or_else(SplinesAt::default, |grid| grid.splines_at(position)),
@@ -210,29 +145,32 @@ impl ContactPoints {
         let points = integrate(mesh, |t| {
             let (mut points, mapping) = (OfTriangles::default(), Mapping::of(mesh, t));
             let by_wall = grid.map_or(0, |grid| quarterings(grid, &mesh.corners(t)));
-            let mut left = if is_film[t] { vec![(0, 0, true)] } else { Vec::new() };
-            while let Some((level, number, is_for_load)) = left.pop() {
-                let part = &PARTS[level][number];
+            let mut left = if is_film[t] { vec![Piece::WHOLE] } else { Vec::new() };
+            while let Some(piece) = left.pop() {
+                let part = &PARTS[piece.level][piece.number];
                 let positions = part.nodes.map(|node| mapping.at(node).position);
                 let gaps = problem.thickness_at(t, &positions);
-                let parts = |is_for_load: bool| (0..4).map(move |k| (level + 1, 4 * number + k, is_for_load));
-                let (serves, rule) = match division(&law, &gaps, level, fineness) {
+                let (of_quarters, is_wide) = match division(&law, &gaps, piece.level, fineness) {
                     Division::NoContact => continue,
-                    Division::Parts => {
-                        left.extend(parts(is_for_load));
-                        continue;
-                    }
-                    Division::Whole if level < by_wall => {
-                        left.extend(parts(false));
-                        if !is_for_load {
-                            continue;
-                        }
-                        (Serves::Load, &part.rule)
-                    }
-                    Division::Whole | Division::Last if is_for_load => (Serves::Both, &part.rule),
-                    Division::Whole | Division::Last => (Serves::Wall, &part.for_splines),
+                    Division::Last => (0.0, false),
+                    Division::Quarters(weight) => (weight, piece.level < by_wall),
                 };
-                points.visit((problem, system), (&law, grid), (t, rule), serves);
+                if is_wide && !piece.is_for_load {
+                    left.extend(piece.quarters());
+                    continue;
+                }
+                let [quartered, whole] = piece.shared(of_quarters);
+                left.extend(quartered.into_iter().flat_map(Piece::quarters));
+                let Some(whole) = whole else { continue };
+                let (serves, rule) = match whole.is_for_load {
+                    true if is_wide => (Serves::Load, &part.rule),
+                    true => (Serves::Both, &part.rule),
+                    false => (Serves::Wall, &part.for_splines),
+                };
+                points.visit((problem, system), (&law, grid), (t, rule, whole.weight), serves);
+                if is_wide {
+                    left.extend(whole.for_wall().quarters());
+                }
             }
             points
         });
@@ -308,51 +246,5 @@ impl ContactPoints {
         let points: &[ContactPoint] = if self.splines == [0; 2] { &[] } else { &self.points };
         let points = points.iter().enumerate();
         points.filter(|(_, point)| point.serves != Serves::Load)
-    }
-}
-
-/// What is done with a part of a triangle.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Division {
-    /// Surfaces do not touch there.
-    NoContact,
-    /// It is integrated as it is; the splines of the wall may have it divided further.
-    Whole,
-    /// It is integrated as it is: its pressure is slight, or its parts would be too many.
-    Last,
-    /// It is quartered.
-    Parts,
-}
-
-/// What is done with a part of a triangle, from the gaps [m] at its nodes and how often it was quartered.
-fn division(law: &ContactLaw, gaps: &[f64; 6], level: usize, fineness: Fineness) -> Division {
-    /// The gap inside of a triangle may be less than that at its nodes by this part of its range.
-    const WITHIN: f64 = 0.25;
-    let (least, greatest) = gaps
-        .iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, greatest), &gap| {
-            (least.min(gap), greatest.max(gap))
-        });
-    let least = least - WITHIN * (greatest - least);
-    if least >= law.reach() {
-        return Division::NoContact;
-    }
-    let pressure = law.at(least).pressure / law.hardness();
-    // How much further it would be divided in full.
-    let spared = match fineness {
-        Fineness::Full => 0,
-        Fineness::Halved => 1,
-    };
-    if pressure < SLIGHT || level + spared >= MOST_QUARTERINGS {
-        return Division::Last;
-    }
-    let part = PART * pressure.powf(-1.0 / ORDER);
-    // Beyond the reach the gap does not matter.
-    let range = greatest.min(law.reach()) - least;
-    let is_steep = range > f64::from(1u32 << spared) * part * law.scale();
-    let is_kinked = level + spared < KINK_QUARTERINGS && law.has_kink_in(least..greatest);
-    match is_steep || is_kinked || level + spared == 0 {
-        true => Division::Parts,
-        false => Division::Whole,
     }
 }

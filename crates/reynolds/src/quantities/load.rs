@@ -24,7 +24,8 @@ use oilwedge_fem::{Field, Quadrature, integrate};
 use oilwedge_mesh::Mesh;
 
 use super::contact;
-use super::contact_points::{ContactPoints, Fineness};
+use super::contact_division::Fineness;
+use super::contact_points::ContactPoints;
 pub use super::share::{Resultant, Share};
 use crate::angles::sines_and_cosines;
 use crate::supply::{self, Disc, SupplyRegion};

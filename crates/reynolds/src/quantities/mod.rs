@@ -2,6 +2,7 @@
 
 pub mod cavity;
 pub mod contact;
+mod contact_division;
 pub mod contact_points;
 pub mod deflection;
 pub mod deviation;
