@@ -6,6 +6,7 @@ use oilwedge_reynolds::{FilmProblem, FilmSystem, JournalState};
 use crate::cubic::balance_cubic;
 use crate::equilibrium::{Equilibrium, NEAR, ROUGHLY_BALANCED};
 use crate::estimate::{GREATEST_ECCENTRICITY, is_contact};
+use crate::load_capacity::yields_to_contact;
 use crate::no_equilibrium::FAR;
 use crate::search::{Search, Trial};
 use crate::tangent::Tangent;
@@ -278,6 +279,9 @@ impl Search<'_> {
     fn everywhere(&self, problem: &FilmProblem) -> Result<Equilibrium, NoEquilibrium> {
         const STARTS: usize = 3;
         let mut outcome = self.run(problem, problem.journal);
+        if yields_to_contact(problem) && self.load.tilting.is_none() {
+            outcome = outcome.or_else(|reason| self.by_parts_of_load(problem).map_err(|_| reason));
+        }
         if self.load.tilting.is_some() {
             let outcome = outcome.or_else(|_| self.by_parts_of_tilting(problem));
             return outcome.map_err(|reason| self.confirmed(reason));
@@ -294,8 +298,14 @@ impl Search<'_> {
             if let Some(beyond) = beyond {
                 return Err(beyond);
             }
-            let starts = self.starts(problem);
-            let descended = starts.iter().take(STARTS).map(|start| self.descended(problem, start));
+            // Where the wall gives way films take long, and those in a rigid one lead as near.
+            let rigid = problem.deflection().map(|_| problem.clone().with_rigid_wall());
+            let in_rigid = rigid
+                .as_ref()
+                .map(|rigid| Search::new(rigid, self.system, self.load, self.options));
+            let (search, asked) = (in_rigid.as_ref().unwrap_or(self), rigid.as_ref().unwrap_or(problem));
+            let starts = search.starts(asked);
+            let descended = starts.iter().take(STARTS).map(|start| search.descended(asked, start));
             let starts = starts.iter().take(STARTS).copied().chain(descended);
             for start in starts {
                 outcome = self.run(problem, start);

@@ -24,6 +24,12 @@ const SLOPES: std::ops::RangeInclusive<f64> = 0.1..=3.0;
 const AROUND: u32 = 24;
 /// and most halvings between two of them.
 const HALVINGS: usize = 12;
+/// Contact presses a wall no further out where one more solve of it moves the end of the journal's way by less than this part of the clearance,
+const YIELDED: f64 = 1e-4;
+/// within so many,
+const MOST_YIELDS: usize = 6;
+/// and far where that end lies so many clearances further out.
+const FAR_OUT: f64 = 0.1;
 /// An eccentricity at which less should be carried.
 const BEFORE: f64 = 0.99;
 /// Loads below this part of the reference force are below the round-off of the film's force.
@@ -80,7 +86,7 @@ impl Search<'_> {
             greatest,
             ratio: asked / greatest,
             eccentricity: journal.eccentricity() / bearing.clearance,
-            thickness: self.gap.least(journal),
+            thickness: self.least_film(trial),
             journal: Box::new(*journal),
         })
     }
@@ -98,22 +104,44 @@ impl Search<'_> {
         Some(x.hypot(y))
     }
 
-    /// The film at the greatest eccentricity towards an angle [rad]; none in a wall that gives way to contact too: it carries more the further it is pressed out. The pressure of a film alone
-    /// leaves the ends of the wall where they are.
+    /// The film at the greatest eccentricity towards an angle [rad]. A wall that gives way to contact lets the journal go on until contact presses it out no further; none where that is far: it
+    /// carries more the further it is pressed out. The pressure of a film alone leaves the ends of the wall where they are.
     fn at_contact(&self, problem: &FilmProblem, angle: f64) -> Option<Trial> {
-        if problem.deflection().is_some() && problem.contact.is_some() {
-            return None;
+        let place = |reach: f64| {
+            let e = GREATEST_ECCENTRICITY * reach;
+            self.at_offset(problem, [e * angle.cos(), e * angle.sin()])
+        };
+        let (clearance, first) = (problem.bearing.clearance, self.gap.reach(&problem.journal, angle));
+        let mut trial = self.trial(problem, place(first), Neighbour::None).ok()?;
+        if !yields_to_contact(problem) {
+            return Some(trial);
         }
-        let e = GREATEST_ECCENTRICITY * self.gap.reach(&problem.journal, angle);
-        let at = self.at_offset(problem, [e * angle.cos(), e * angle.sin()]);
-        self.trial(problem, at, Neighbour::None).ok()
+        let mut reach = first;
+        for _ in 0..MOST_YIELDS {
+            let further = self.gap_under(&trial.problem).reach(&problem.journal, angle);
+            if further - reach < YIELDED * clearance {
+                return Some(trial);
+            }
+            if further - first > FAR_OUT * clearance {
+                return None;
+            }
+            reach = further;
+            trial = (self.trial(&trial.problem, place(reach), Neighbour::Start(&trial.film))).ok()?;
+        }
+        None
     }
 
-    /// The reason if a journal whose tilt is given carries less than the load wherever it is in contact; it is asked all around the bearing.
+    /// The reason if a journal whose tilt is given carries less than the load wherever it is in contact; it is asked all around the bearing, where the wall gives way to contact in a rigid one,
+    /// and at the best place there in the wall itself.
     pub(crate) fn beyond_contact(&self, problem: &FilmProblem) -> Option<NoEquilibrium> {
         let towards = self.load.force[1].atan2(self.load.force[0]);
+        let rigid = yields_to_contact(problem).then(|| problem.clone().with_rigid_wall());
+        let in_rigid = rigid
+            .as_ref()
+            .map(|rigid| Search::new(rigid, self.system, self.load, self.options));
+        let (search, asked) = (in_rigid.as_ref().unwrap_or(self), rigid.as_ref().unwrap_or(problem));
         let off = |angle: f64| {
-            let trial = self.at_contact(problem, angle)?;
+            let trial = search.at_contact(asked, angle)?;
             let [x, y] = trial.carried.force;
             Some((wrapped(towards - y.atan2(x)), x.hypot(y), trial.problem.journal))
         };
@@ -121,7 +149,8 @@ impl Search<'_> {
         let around: Vec<_> = angles.map(|angle| (angle, off(angle))).collect();
         let known: Option<Vec<f64>> = around.iter().map(|(_, off)| off.map(|(_, force, _)| force)).collect();
         let greatest = known?.into_iter().fold(0.0, f64::max);
-        if greatest < FAR_BELOW * self.load.magnitude() {
+        // A wall that is pressed out may carry many times what a rigid one does.
+        if rigid.is_none() && greatest < FAR_BELOW * self.load.magnitude() {
             let nearest = self.nearest.get()?;
             let here = JournalState {
                 tilt: problem.journal.tilt,
@@ -173,6 +202,11 @@ impl Search<'_> {
         let least = ROUNDING * self.reference_force;
         (asked > 0.0 && asked < least).then_some(NoEquilibrium::BelowRounding { asked, least })
     }
+}
+
+/// Whether contact presses the wall out.
+pub(crate) fn yields_to_contact(problem: &FilmProblem) -> bool {
+    problem.deflection().is_some() && problem.contact.is_some()
 }
 
 /// Magnitude of the force that a film carries [N].

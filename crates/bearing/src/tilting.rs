@@ -89,6 +89,11 @@ impl Search<'_> {
         self.along_branch(self.trial(&found.problem, place, Neighbour::Start(&found.film))?)
     }
 
+    /// Follows the branch from the film with which a search begins: what it leaves of the load is balanced in parts.
+    pub(crate) fn by_parts_of_load(&self, problem: &FilmProblem) -> Result<Equilibrium, NoEquilibrium> {
+        self.along_branch(self.first(problem, problem.journal)?)
+    }
+
     /// Follows the branch that begins with this trial.
     pub(crate) fn along_branch(&self, trial: Trial) -> Result<Equilibrium, NoEquilibrium> {
         let branch = Branch {
