@@ -1,6 +1,7 @@
-//! The page `docs/validation/tilted_bearings.md`: how random bearings whose journal tilts end.
+//! The pages `docs/validation/tilted_bearings.md` and `elastic_bearings.md`: how random bearings whose journal tilts end.
 
 use oilwedge_study::result::Status;
+use serde_json::{Value, json};
 
 use crate::performance::clock::timed;
 use crate::random_tilted::{Fault, TiltedBearing, Tilting, left, solved};
@@ -40,6 +41,34 @@ impl Outcome {
         }
     }
 
+    /// As JSON, without the bearing.
+    pub fn to_json(&self) -> Value {
+        json!({
+            "status": self.status.name(),
+            "reason": self.reason,
+            "fault": self.fault.as_ref().map(|fault| &fault.what),
+            "left": self.left,
+            "seconds": self.seconds,
+        })
+    }
+
+    /// That of a bearing by what [`Self::to_json`] wrote; none where it is something else.
+    pub fn from_json(bearing: TiltedBearing, written: &Value) -> Option<Self> {
+        let statuses = [Status::Converged, Status::NoSolution, Status::NotConverged];
+        let number = bearing.number;
+        Some(Self {
+            status: statuses.into_iter().find(|status| written["status"] == status.name())?,
+            reason: written["reason"].as_str()?.to_owned(),
+            fault: written["fault"].as_str().map(|what| Fault {
+                number,
+                what: what.to_owned(),
+            }),
+            left: written["left"].as_f64()?,
+            seconds: written["seconds"].as_f64()?,
+            bearing,
+        })
+    }
+
     /// Whether it took longer than [`LONGEST`].
     pub fn is_slow(&self) -> bool {
         self.seconds > LONGEST
@@ -65,7 +94,12 @@ impl Outcome {
 /// The page with its tables written anew.
 pub fn page(written: &str, outcomes: &[Outcome]) -> String {
     let written = replace(written, "ends", &ends(outcomes));
-    replace(&written, "without an answer", &unanswered(outcomes))
+    let (mut slow, mut answers) = (outcomes.to_vec(), outcomes.to_vec());
+    slow.retain(Outcome::is_slow);
+    slow.sort_by(|a, b| b.seconds.total_cmp(&a.seconds));
+    answers.retain(|outcome| outcome.status != Status::Converged);
+    let written = replace(&written, "slow", &listed(&slow));
+    replace(&written, "without an answer", &listed(&answers))
 }
 
 fn ends(outcomes: &[Outcome]) -> Vec<Vec<String>> {
@@ -109,9 +143,10 @@ fn ends(outcomes: &[Outcome]) -> Vec<Vec<String>> {
     rows
 }
 
-fn unanswered(outcomes: &[Outcome]) -> Vec<Vec<String>> {
-    let mut rows = vec![row(["bearing", "tilt", "cavitation", "seconds", "reason"])];
-    for outcome in outcomes.iter().filter(|outcome| outcome.status != Status::Converged) {
+/// A row for each bearing.
+fn listed(outcomes: &[Outcome]) -> Vec<Vec<String>> {
+    let mut rows = vec![row(["bearing", "tilt", "cavitation", "seconds", "end"])];
+    for outcome in outcomes {
         let TiltedBearing {
             number, tilting, model, ..
         } = &outcome.bearing;
@@ -120,7 +155,10 @@ fn unanswered(outcomes: &[Outcome]) -> Vec<Vec<String>> {
             format!("{tilting:?}").to_lowercase(),
             (*model).to_owned(),
             format!("{:.1}", outcome.seconds),
-            outcome.reason.clone(),
+            match outcome.status {
+                Status::Converged => "converged".to_owned(),
+                Status::NoSolution | Status::NotConverged => outcome.reason.clone(),
+            },
         ]);
     }
     rows
