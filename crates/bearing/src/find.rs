@@ -299,11 +299,10 @@ impl Search<'_> {
                 return Err(beyond);
             }
             // Where the wall gives way films take long, and those in a rigid one lead as near.
-            let rigid = problem.deflection().map(|_| problem.clone().with_rigid_wall());
-            let in_rigid = rigid
+            let guide = problem.deflection().map(|_| self.in_rigid_wall(problem));
+            let (asked, search) = guide
                 .as_ref()
-                .map(|rigid| Search::new(rigid, self.system, self.load, self.options));
-            let (search, asked) = (in_rigid.as_ref().unwrap_or(self), rigid.as_ref().unwrap_or(problem));
+                .map_or((problem, self), |(rigid, search)| (rigid, search));
             let starts = search.starts(asked);
             let descended = starts.iter().take(STARTS).map(|start| search.descended(asked, start));
             let starts = starts.iter().take(STARTS).copied().chain(descended);

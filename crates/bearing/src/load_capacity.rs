@@ -135,11 +135,10 @@ impl Search<'_> {
     /// and at the best place there in the wall itself.
     pub(crate) fn beyond_contact(&self, problem: &FilmProblem) -> Option<NoEquilibrium> {
         let towards = self.load.force[1].atan2(self.load.force[0]);
-        let rigid = yields_to_contact(problem).then(|| problem.clone().with_rigid_wall());
-        let in_rigid = rigid
+        let guide = yields_to_contact(problem).then(|| self.in_rigid_wall(problem));
+        let (asked, search) = guide
             .as_ref()
-            .map(|rigid| Search::new(rigid, self.system, self.load, self.options));
-        let (search, asked) = (in_rigid.as_ref().unwrap_or(self), rigid.as_ref().unwrap_or(problem));
+            .map_or((problem, self), |(rigid, search)| (rigid, search));
         let off = |angle: f64| {
             let trial = search.at_contact(asked, angle)?;
             let [x, y] = trial.carried.force;
@@ -150,7 +149,7 @@ impl Search<'_> {
         let known: Option<Vec<f64>> = around.iter().map(|(_, off)| off.map(|(_, force, _)| force)).collect();
         let greatest = known?.into_iter().fold(0.0, f64::max);
         // A wall that is pressed out may carry many times what a rigid one does.
-        if rigid.is_none() && greatest < FAR_BELOW * self.load.magnitude() {
+        if guide.is_none() && greatest < FAR_BELOW * self.load.magnitude() {
             let nearest = self.nearest.get()?;
             let here = JournalState {
                 tilt: problem.journal.tilt,
@@ -186,6 +185,13 @@ impl Search<'_> {
             }
         }
         best.and_then(|(_, journal)| self.still_beyond(problem, &journal))
+    }
+
+    /// The problem in a rigid wall, and this search there; what it finds is no force of the film asked for, and kept apart.
+    pub(crate) fn in_rigid_wall(&self, problem: &FilmProblem) -> (FilmProblem, Self) {
+        let rigid = problem.clone().with_rigid_wall();
+        let search = Self::new(&rigid, self.system, self.load, self.options);
+        (rigid, search)
     }
 
     /// Whether the film carries less than `greatest` [N] at a smaller eccentricity; with tension on one side of an arc it need not.

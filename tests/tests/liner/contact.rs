@@ -182,7 +182,6 @@ fn contact_presses_on_the_splines_whatever_the_triangles() {
     }
 }
 
-/// The linear form of a film is the change of what the journal carries.
 /// Sums over the points of contact are continuous where a part of a triangle is divided further: with sums that jump there, these loads, between both sides, have no balance.
 #[test]
 fn loads_are_balanced_where_coarse_triangles_are_divided() {
@@ -197,6 +196,7 @@ fn loads_are_balanced_where_coarse_triangles_are_divided() {
     }
 }
 
+/// The linear form of a film is the change of what the journal carries.
 #[test]
 fn the_gradient_of_the_load_is_its_change() {
     for (what, problem, system) in films() {
@@ -331,9 +331,9 @@ fn a_wall_is_pressed_out_further_than_the_clearance() {
     assert!(film > 0.0 && value(&DEFLECTION_MAX) > film, "{film:e}");
 }
 
-/// A journal whose end lies a fifth of the clearance further out than in a rigid wall; a search from the usual start does not get there, and what that leaves of the load is balanced in parts.
+/// A journal whose end lies a fifth of the clearance further out than in a rigid wall, to which no step of a search from the usual start leads.
 #[test]
-fn a_load_that_presses_a_soft_wall_far_out_is_balanced_in_parts() {
+fn a_load_that_presses_a_soft_wall_far_out_is_balanced() {
     let mut bearing = TiltedBearing::with_walls(255);
     bearing.text += "[mesh]\nsize = \"30 mm\"\n";
     let scene = bearing.scene();

@@ -3,7 +3,6 @@
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
-use crate::contact::contacts;
 use oilwedge_bearing::deflection::{EXACT, carried_changes, closed_film};
 use oilwedge_bearing::duty_cycle::{Duty, DutyCycle, Frame, Harmonic, Turning};
 use oilwedge_bearing::orbit::{Motion, OrbitOptions, Span, Step};
@@ -18,6 +17,8 @@ use oilwedge_study::{RunOptions, read, run};
 use oilwedge_tests::elastic_liner::{carried, force_scale, layer, walled};
 use oilwedge_tests::scenes::path;
 use oilwedge_tests::*;
+
+use crate::contact::contacts;
 
 const MODELS: [Cavitation; 3] = [
     Cavitation::None,
