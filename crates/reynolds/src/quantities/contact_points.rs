@@ -8,7 +8,7 @@
 //! | a | m2 | `area` |
 //! | p_a, p_a' | Pa, Pa/m | `pressure`, `slope` |
 //!
-//! Triangles are divided as the gap asks for ([`super::contact_division`]); for the splines of a wall parts are no wider than its cells, too.
+//! Triangles are divided as the gap asks for (`contact_division`); for the splines of a wall parts are no wider than its cells, too.
 //!
 //! **Source.** Strang, Fix, An Analysis of the Finite Element Method (1973): rules on parts of triangles. **Range.** Any law of contact. **Verified by** `tests/tests/contact`,
 //! `tests/tests/liner/contact.rs`.
