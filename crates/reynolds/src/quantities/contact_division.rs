@@ -26,30 +26,32 @@ use crate::contact::ContactLaw;
 const MOST_QUARTERINGS: usize = 5;
 /// until the gap changes by this part of the scale of the law over each part where the pressure is the hardness: an error that falls with the tenth power of the parts
 /// is the same for parts that are longer by the tenth root where the pressure is less,
-const PART: f64 = 0.5;
+const PART: f64 = 0.4;
 const ORDER: f64 = 10.0;
 /// and at least so often where the law has a kink in them,
 const KINK_QUARTERINGS: usize = 4;
 /// where the pressure is more than this part of the hardness.
 const SLIGHT: f64 = 1e-10;
+/// Below this part of it, which is far below what a film or a load is known to, there is no contact.
+const NOTHING: f64 = 1e-14;
 /// From this part of the greatest change of the gap on the quarters of a part take over.
 const STEADY: f64 = 0.85;
 
-/// How finely contact is integrated.
+/// By which rule contact is integrated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Fineness {
-    /// As it is reported.
+pub(crate) enum Accuracy {
+    /// That which is reported.
     Full,
-    /// With a quartering less, to compare with.
-    Halved,
+    /// One of lower degree on the same parts, to compare with.
+    Lower,
 }
 
 /// A part of the reference triangle.
 pub(super) struct Part {
     /// Of degree 8,
     pub(super) rule: Rule,
-    /// and of degree 6, for splines that have a kink amid the part.
-    pub(super) for_splines: Rule,
+    /// and of degree 6: to compare with, and for splines that have a kink amid the part.
+    pub(super) lower: Rule,
     /// Corners and middles of the sides.
     pub(super) nodes: [[f64; 2]; 6],
 }
@@ -70,7 +72,7 @@ impl Part {
         let ([a, b, c], [ab, bc, ca]) = (*corners, middles(corners));
         Self {
             rule: Rule::new(Quadrature::for_degree(3).on_part(*corners), 1),
-            for_splines: Rule::new(Quadrature::for_degree(2).on_part(*corners), 1),
+            lower: Rule::new(Quadrature::for_degree(2).on_part(*corners), 1),
             nodes: [a, b, c, ab, bc, ca],
         }
     }
@@ -155,7 +157,7 @@ fn smooth_step(x: f64) -> f64 {
 }
 
 /// What is done with a part of a triangle, from the gaps [m] at its nodes and how often it was quartered.
-pub(super) fn division(law: &ContactLaw, gaps: &[f64; 6], level: usize, fineness: Fineness) -> Division {
+pub(super) fn division(law: &ContactLaw, gaps: &[f64; 6], level: usize) -> Division {
     /// The gap inside of a triangle may be less than that at its nodes by this part of its range.
     const WITHIN: f64 = 0.25;
     let (least, greatest) = gaps
@@ -164,24 +166,19 @@ pub(super) fn division(law: &ContactLaw, gaps: &[f64; 6], level: usize, fineness
             (least.min(gap), greatest.max(gap))
         });
     let least = least - WITHIN * (greatest - least);
-    if least >= law.reach() {
+    let pressure = law.at(least).pressure / law.hardness();
+    if pressure < NOTHING {
         return Division::NoContact;
     }
-    let pressure = law.at(least).pressure / law.hardness();
-    // How much further it would be divided in full.
-    let spared = match fineness {
-        Fineness::Full => 0,
-        Fineness::Halved => 1,
-    };
-    if pressure < SLIGHT || level + spared >= MOST_QUARTERINGS {
+    if pressure < SLIGHT || level >= MOST_QUARTERINGS {
         return Division::Last;
     }
     let part = PART * pressure.powf(-1.0 / ORDER);
     // Beyond the reach the gap does not matter.
     let range = greatest.min(law.reach()) - least;
-    let steepness = range / (f64::from(1u32 << spared) * part * law.scale());
-    let is_kinked = level + spared < KINK_QUARTERINGS && law.has_kink_in(least..greatest);
-    Division::Quarters(match is_kinked || level + spared == 0 {
+    let steepness = range / (part * law.scale());
+    let is_kinked = level < KINK_QUARTERINGS && law.has_kink_in(least..greatest);
+    Division::Quarters(match is_kinked {
         true => 1.0,
         false => smooth_step((steepness - STEADY) / (1.0 - STEADY)),
     })

@@ -21,7 +21,7 @@ use oilwedge_fem::mapping::Mapping;
 use oilwedge_fem::quadrature::MOST_POINTS;
 use rayon::prelude::*;
 
-use super::contact_division::{Division, Fineness, PARTS, Piece, division};
+use super::contact_division::{Accuracy, Division, PARTS, Part, Piece, division};
 use super::share::{Resultant, Share};
 use crate::angles::sines_and_cosines;
 use crate::contact::ContactLaw;
@@ -125,23 +125,27 @@ impl ContactPoints {
     /// Of the film of a problem; none where no contact is simulated.
     pub fn of(problem: &FilmProblem, system: &FilmSystem) -> Option<Self> {
         let grid = problem.deflection().map(|deflection| &deflection.wall.grid);
-        Self::found((problem, system), grid, Fineness::Full)
+        Self::found((problem, system), grid, Accuracy::Full)
     }
 
     /// Of that film, for a wall on this grid.
     pub(crate) fn on(grid: &Grid, problem: &FilmProblem, system: &FilmSystem) -> Option<Self> {
-        Self::found((problem, system), Some(grid), Fineness::Full)
+        Self::found((problem, system), Some(grid), Accuracy::Full)
     }
 
     /// Of that film, for what the journal carries alone.
-    pub(crate) fn of_load_alone(problem: &FilmProblem, system: &FilmSystem, fineness: Fineness) -> Option<Self> {
-        Self::found((problem, system), None, fineness)
+    pub(crate) fn of_load_alone(problem: &FilmProblem, system: &FilmSystem, accuracy: Accuracy) -> Option<Self> {
+        Self::found((problem, system), None, accuracy)
     }
 
-    fn found((problem, system): (&FilmProblem, &FilmSystem), grid: Option<&Grid>, fineness: Fineness) -> Option<Self> {
+    fn found((problem, system): (&FilmProblem, &FilmSystem), grid: Option<&Grid>, accuracy: Accuracy) -> Option<Self> {
         let law = problem.contact?.law;
         let mesh = system.space().mesh();
         let is_film = system.supply.film(mesh);
+        let of_load = |part: &'static Part| match accuracy {
+            Accuracy::Full => &part.rule,
+            Accuracy::Lower => &part.lower,
+        };
         let points = integrate(mesh, |t| {
             let (mut points, mapping) = (OfTriangles::default(), Mapping::of(mesh, t));
             let by_wall = grid.map_or(0, |grid| quarterings(grid, &mesh.corners(t)));
@@ -150,7 +154,7 @@ impl ContactPoints {
                 let part = &PARTS[piece.level][piece.number];
                 let positions = part.nodes.map(|node| mapping.at(node).position);
                 let gaps = problem.thickness_at(t, &positions);
-                let (of_quarters, is_wide) = match division(&law, &gaps, piece.level, fineness) {
+                let (of_quarters, is_wide) = match division(&law, &gaps, piece.level) {
                     Division::NoContact => continue,
                     Division::Last => (0.0, false),
                     Division::Quarters(weight) => (weight, piece.level < by_wall),
@@ -163,9 +167,9 @@ impl ContactPoints {
                 left.extend(quartered.into_iter().flat_map(Piece::quarters));
                 let Some(whole) = whole else { continue };
                 let (serves, rule) = match whole.is_for_load {
-                    true if is_wide => (Serves::Load, &part.rule),
-                    true => (Serves::Both, &part.rule),
-                    false => (Serves::Wall, &part.for_splines),
+                    true if is_wide => (Serves::Load, of_load(part)),
+                    true => (Serves::Both, of_load(part)),
+                    false => (Serves::Wall, &part.lower),
                 };
                 points.visit((problem, system), (&law, grid), (t, rule, whole.weight), serves);
                 if is_wide {

@@ -24,7 +24,7 @@ use oilwedge_fem::{Field, Quadrature, integrate};
 use oilwedge_mesh::Mesh;
 
 use super::contact;
-use super::contact_division::Fineness;
+use super::contact_division::Accuracy;
 use super::contact_points::ContactPoints;
 pub use super::share::{Resultant, Share};
 use crate::angles::sines_and_cosines;
@@ -64,7 +64,7 @@ impl Load {
 
 /// Load of a solved film.
 pub fn load(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Load {
-    let contact = ContactPoints::of_load_alone(problem, system, Fineness::Full);
+    let contact = ContactPoints::of_load_alone(problem, system, Accuracy::Full);
     load_touching(problem, system, film, contact.as_ref())
 }
 
