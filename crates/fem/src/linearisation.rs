@@ -162,7 +162,7 @@ impl Linearisation {
     /// # Errors
     /// [`Error::NotFinite`], or [`Error::Inaccurate`] if the residual stays above 1e-7 of `b`.
     pub fn solve(&self, b: &[f64]) -> Result<Vec<f64>, Error> {
-        self.refined(b, false, Enough::residual(0.0))
+        self.refined(b, false, Enough::residual(0.0), REFINE_ABOVE)
     }
 
     /// Solves likewise to what is `enough`; a factor gives what it has.
@@ -170,7 +170,16 @@ impl Linearisation {
     /// # Errors
     /// As [`Linearisation::solve`].
     pub fn solve_to(&self, b: &[f64], enough: Enough) -> Result<Vec<f64>, Error> {
-        self.refined(b, false, enough)
+        self.refined(b, false, enough, REFINE_ABOVE)
+    }
+
+    /// Solves likewise until the residual is this `part` of b: a product with an inverse that is to be no more accurate.
+    ///
+    /// # Errors
+    /// As [`Linearisation::solve`].
+    pub fn solve_within(&self, b: &[f64], part: f64) -> Result<Vec<f64>, Error> {
+        let enough = Enough::residual(part * self.constraints.free_norm(b));
+        self.refined(b, false, enough, part.max(REFINE_ABOVE))
     }
 
     /// Solves `(dR/du)^T x = b`, likewise.
@@ -178,7 +187,7 @@ impl Linearisation {
     /// # Errors
     /// As [`Linearisation::solve`].
     pub fn solve_transposed(&self, b: &[f64]) -> Result<Vec<f64>, Error> {
-        self.refined(b, true, Enough::residual(0.0))
+        self.refined(b, true, Enough::residual(0.0), REFINE_ABOVE)
     }
 
     /// `b` masked and put through the factor once, without a look at the residual, or solved to one digit where there is
@@ -228,7 +237,8 @@ impl Linearisation {
         }
     }
 
-    fn refined(&self, b: &[f64], transposed: bool, enough: Enough) -> Result<Vec<f64>, Error> {
+    /// The solution; where a residual is above this part of the right-hand side it is refined once.
+    fn refined(&self, b: &[f64], transposed: bool, enough: Enough, refine_above: f64) -> Result<Vec<f64>, Error> {
         let b = self.masked(b.to_vec());
         let mut x = b.clone();
         self.back_solve(&mut x, transposed, enough)?;
@@ -242,7 +252,7 @@ impl Linearisation {
         }
         let mut correction = self.residual(&b, &x, transposed);
         let left = self.constraints.free_norm(&correction);
-        if left.is_nan() || left > REFINE_ABOVE * size {
+        if left.is_nan() || left > refine_above * size {
             self.back_solve(&mut correction, transposed, enough)?;
             for (x, correction) in x.iter_mut().zip(&correction) {
                 *x += correction;

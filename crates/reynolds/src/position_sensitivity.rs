@@ -69,16 +69,16 @@ impl FilmProblem {
         film: &FilmSolution,
         change: impl Into<FilmChange<'a>>,
     ) -> Result<Vec<f64>, Error> {
-        self.answer(film, &self.residual_change(system, film, change.into())?)
+        self.answer(film, &self.residual_change(system, film, change.into())?, 0.0)
     }
 
-    /// First-order change of the unknown at each dof [Pa] by which a film answers to a change of its residual at each dof.
+    /// First-order change of the unknown at each dof [Pa] by which a film answers to a change of its residual at each dof; its linear system may leave this `part` of that [1].
     ///
     /// # Errors
     /// The linear system could not be solved.
-    pub fn answer(&self, film: &FilmSolution, residual: &[f64]) -> Result<Vec<f64>, Error> {
+    pub fn answer(&self, film: &FilmSolution, residual: &[f64], part: f64) -> Result<Vec<f64>, Error> {
         let minus: Vec<f64> = residual.iter().map(|r| -r).collect();
-        let mut unknown = film.linearisation.solve(&minus)?;
+        let mut unknown = film.linearisation.solve_within(&minus, part)?;
         if film.film_fraction.is_some() {
             // In the cavity it is the film fraction that changes.
             let in_cavity = unknown.iter_mut().zip(&film.cavity).filter(|(_, cavity)| **cavity);

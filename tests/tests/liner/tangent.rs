@@ -92,7 +92,7 @@ fn the_matrix_of_the_gap_is_the_change_of_the_law() {
             let shape: Vec<f64> = (0..number).map(|k| 1e-3 * CLEARANCE * (0.7 * k as f64).sin()).collect();
             let matrix = GapTangent::of(&problem, &system, &film, &deflection).expect("a matrix");
             let by_matrix = problem
-                .answer(&film, &matrix.times(&system, &shape))
+                .answer(&film, &matrix.times(&system, &shape), 0.0)
                 .expect("an answer");
             let change = deflection.change(shape);
             let by_law = problem

@@ -82,7 +82,7 @@ impl<'a> Joint<'a> {
     /// The linear systems could not be solved.
     pub(crate) fn solve(&self, force: Vector, wall: &[f64], accuracy: f64) -> Result<Moves, Error> {
         let operator = |d: &[f64]| {
-            let (forces, image) = self.by_wall(d)?;
+            let (forces, image) = self.by_wall(d, accuracy)?;
             let place = self.tangent.solve(forces.map(|part| -part));
             Ok::<_, Error>(self.bent(d.iter().zip(&image).map(|(d, image)| d - image).collect(), place))
         };
@@ -90,7 +90,7 @@ impl<'a> Joint<'a> {
         let wanted: Vec<f64> = self.bent(wall.to_vec(), pushed.map(|part| -part));
         let nearly = |d: &[f64]| self.follower.solve_contact(d);
         let wall = gmres(operator, nearly, &wanted, accuracy)?.x;
-        let (forces, _) = self.by_wall(&wall)?;
+        let (forces, _) = self.by_wall(&wall, accuracy)?;
         Ok(Moves {
             place: self.tangent.solve(moved(force, -1.0, forces)),
             wall,
@@ -115,9 +115,9 @@ impl<'a> Joint<'a> {
         ))
     }
 
-    /// Forces [N] of film and contact by a move of the wall, the journal held, and what the pressures bend it by [m].
-    fn by_wall(&self, d: &[f64]) -> Result<(Vector, Vec<f64>), Error> {
-        let unknown = self.follower.by_deflection(d)?;
+    /// Forces [N] of film and contact by a move of the wall, the journal held, and what the pressures bend it by [m], for a system that is solved to an `accuracy`.
+    fn by_wall(&self, d: &[f64], accuracy: f64) -> Result<(Vector, Vec<f64>), Error> {
+        let unknown = self.follower.by_deflection(d, accuracy)?;
         let carried = self.gradient.change(&unknown, d);
         Ok((self.coordinates.forces(&carried), self.follower.image(&unknown, d)))
     }

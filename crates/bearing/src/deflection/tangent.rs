@@ -19,6 +19,8 @@ use super::touching::Touching;
 
 /// Accuracy to which the linear systems of a tangent are solved where the tangent is a result, not a step of an iteration: norm of the residual over that of the right-hand side [1].
 pub const EXACT: f64 = 1e-10;
+/// Part of it to which each product with a tangent is known.
+const OF_ACCURACY: f64 = 1e-3;
 
 /// A solved film whose wall gives way.
 pub(crate) struct Follower<'a> {
@@ -158,15 +160,16 @@ impl<'a> Follower<'a> {
         wall.compliance.deflection(&forces)
     }
 
-    /// Change of the unknown by a deflection.
-    pub(super) fn by_deflection(&self, coefficients: &[f64]) -> Result<Vec<f64>, Error> {
-        (self.problem).answer(self.film, &self.gap.times(self.system, coefficients))
+    /// Change of the unknown by a deflection, for a system that is solved to an `accuracy`.
+    pub(super) fn by_deflection(&self, coefficients: &[f64], accuracy: f64) -> Result<Vec<f64>, Error> {
+        let part = OF_ACCURACY * accuracy;
+        (self.problem).answer(self.film, &self.gap.times(self.system, coefficients), part)
     }
 
     /// Solves `(I - C dp/dd) x = b`.
     pub(super) fn solve(&self, b: &[f64], accuracy: f64) -> Result<Solved, Error> {
         let operator = |x: &[f64]| {
-            let image = self.image(&self.by_deflection(x)?, x);
+            let image = self.image(&self.by_deflection(x, accuracy)?, x);
             Ok(x.iter().zip(image).map(|(x, image)| x - image).collect())
         };
         gmres(operator, |r| self.solve_contact(r), b, accuracy)
@@ -195,7 +198,7 @@ impl<'a> Follower<'a> {
     /// What follows from a change of the unknown by `unknown`, and of the wall by `free` [m], where neither answers to the other; to an `accuracy`.
     fn bent(&self, free: &[f64], mut unknown: Vec<f64>, accuracy: f64) -> Result<Followed, Error> {
         let deflection = self.solve(free, accuracy)?.x;
-        let more = self.by_deflection(&deflection)?;
+        let more = self.by_deflection(&deflection, accuracy)?;
         unknown
             .iter_mut()
             .zip(more)
