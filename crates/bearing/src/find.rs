@@ -8,9 +8,9 @@ use crate::equilibrium::{Equilibrium, NEAR, ROUGHLY_BALANCED};
 use crate::estimate::{GREATEST_ECCENTRICITY, is_contact};
 use crate::load_capacity::yields_to_contact;
 use crate::no_equilibrium::FAR;
-use crate::search::{Search, Trial};
+use crate::search::{OF_BALANCE, Search, Trial};
 use crate::tangent::Tangent;
-use crate::{Carrier, InitialGuess, Load, NoEquilibrium, SearchOptions};
+use crate::{Carrier, InitialGuess, Load, NoEquilibrium, Purpose, SearchOptions, Waypoint};
 
 /// A balance that round-off keeps from its accuracy is one below this part.
 const BALANCED_ENOUGH: f64 = 1e-10;
@@ -51,7 +51,7 @@ pub fn find(
             _ => search.cold(problem)?,
         },
         InitialGuess::Along(way) => match search.continued(problem, way) {
-            Some(outcome) => search.inside(outcome)?,
+            Some(outcome) => search.inside(outcome, Some(way))?,
             None => search.cold(problem)?,
         },
         InitialGuess::Near(near) => {
@@ -75,18 +75,22 @@ impl Search<'_> {
                 .check_capacity(problem)
                 .map_or_else(|| self.on_levels(problem), Err),
         };
-        let found = self.inside(found)?;
+        let found = self.inside(found, None)?;
         match self.is_beyond(&found) {
             true => (self.beyond_capacity(problem, &problem.journal)).map_or(Ok(found), Err),
             false => Ok(found),
         }
     }
 
-    /// An outcome; that the journal is in contact where a free tilt has led it there.
-    fn inside(&self, outcome: Result<Equilibrium, NoEquilibrium>) -> Result<Equilibrium, NoEquilibrium> {
+    /// An outcome; that the journal is in contact where a free tilt has led it there, on the `way` that another mesh has shown.
+    fn inside(
+        &self,
+        outcome: Result<Equilibrium, NoEquilibrium>,
+        way: Option<&Waypoint>,
+    ) -> Result<Equilibrium, NoEquilibrium> {
         let found = outcome.map_err(|reason| self.confirmed(reason))?;
         match self.load.tilting.is_some() && self.is_beyond(&found) {
-            true => Err(self.in_contact(&found.problem, 1.0, None)),
+            true => Err(self.in_contact(&found.problem, 1.0, way.cloned())),
             false => Ok(found),
         }
     }
@@ -118,6 +122,7 @@ impl Search<'_> {
             accuracy: Some(ROUGHLY_BALANCED),
             carrier: Carrier::Quadratic,
             guess: InitialGuess::Cold,
+            purpose: Purpose::Start,
             ..self.options
         };
         let reason = match find(&coarser.problem(problem), &coarser.system, self.load, &rough) {
@@ -186,7 +191,7 @@ impl Search<'_> {
             tried += 1;
             let here = self.coordinates.at(&trial.problem.journal);
             // Where the choice fails the position balanced before stands, with the schemes chosen near it.
-            let Ok(chosen) = self.trial(&trial.problem, here, Neighbour::None) else {
+            let Ok(chosen) = self.trial_within(&trial.problem, here, Neighbour::None, OF_BALANCE * SETTLED) else {
                 break;
             };
             match self.balanced(chosen, tangent.clone(), part, &mut tried) {
@@ -237,7 +242,18 @@ impl Search<'_> {
                 _ => 0.0,
             };
             if residual < self.options.balanced().max(enough) || self.options.deadline.is_over() {
-                return Ok((trial, kept));
+                if trial.may_leave <= self.left_at_balance() || self.options.deadline.is_over() {
+                    return Ok((trial, kept));
+                }
+                // The load is balanced, the wall not yet.
+                let here = self.coordinates.at(&trial.problem.journal);
+                *tried += 1;
+                trial = Trial {
+                    schemes_chosen_at: trial.schemes_chosen_at,
+                    is_continued: true,
+                    ..self.trial(&trial.problem, here, Neighbour::Kept(&trial.film))?
+                };
+                continue;
             }
             let tangent = kept.clone().map_or_else(|| self.tangent(&trial), Ok)?;
             match self.next_trial(&trial, &tangent, tried) {

@@ -7,7 +7,7 @@
 //! unlikely, but the inequality holds at one position and is no proof for all of them. **Range.** Constant viscosity, Barus' and Roelands' laws.
 //! **Verified by** `tests/tests/cavitation/guide.rs`.
 
-use oilwedge_reynolds::{FilmProblem, JournalState};
+use oilwedge_reynolds::{FilmProblem, FilmSystem, JournalState};
 
 use crate::equilibrium::{Equilibrium, ROUGHLY_BALANCED};
 use crate::search::Search;
@@ -16,10 +16,6 @@ use crate::{Carrier, InitialGuess, NoEquilibrium, SearchOptions, find};
 impl Search<'_> {
     /// The balance found from that of the Swift-Stieber film, or why that film has none. None where it leads nowhere, and for other films.
     pub(crate) fn guided(&self, problem: &FilmProblem) -> Option<Result<Equilibrium, NoEquilibrium>> {
-        // Under a wall that gives way the guide would have another gap, and bound nothing.
-        if problem.deflection().is_some() {
-            return None;
-        }
         let guide = FilmProblem {
             cavitation: problem.cavitation.guide()?,
             ..problem.clone()
@@ -30,10 +26,33 @@ impl Search<'_> {
             guess: InitialGuess::Cold,
             ..self.options
         };
+        if problem.deflection().is_some() {
+            return self.far_beyond(&guide, &options).map(Err);
+        }
         match Search::new(&guide, self.system, self.load, options).on_coarsest(&guide)? {
             Ok(journal) => self.by_guide(problem, journal),
             Err(reason) => Some(Err(NoEquilibrium::OfGuide(Box::new(reason)))),
         }
+    }
+
+    /// Under a wall that gives way the guide has another gap, and starts badly; but where it carries far less than the load the film that conserves oil will not carry that. What a
+    /// free tilt leads to is not known so.
+    fn far_beyond(&self, guide: &FilmProblem, options: &SearchOptions) -> Option<NoEquilibrium> {
+        if self.load.tilting.is_some() {
+            return None;
+        }
+        let (coarse, system) = self.coarsest(guide);
+        let reason = find(&coarse, system, self.load, options).err()?;
+        reason.is_far_beyond().then(|| NoEquilibrium::OfGuide(Box::new(reason)))
+    }
+
+    /// A problem on the coarsest mesh.
+    fn coarsest(&self, problem: &FilmProblem) -> (FilmProblem, &FilmSystem) {
+        let (mut coarse, mut system) = (problem.clone(), self.system);
+        while let Some(coarser) = &system.coarser {
+            (coarse, system) = (coarser.problem(&coarse), &coarser.system);
+        }
+        (coarse, system)
     }
 
     /// The balance found from that of the guide; where the tilt is free, along the branch of balances that begins there. None where neither leads to an answer.
@@ -51,10 +70,7 @@ impl Search<'_> {
     /// The journal balanced roughly on the coarsest mesh; or why there is no balance. What a thin film carries is judged by the mesh of the search; where the film of the
     /// coarsest mesh carries far less than the load, as it does there. None where neither is known.
     fn on_coarsest(&self, problem: &FilmProblem) -> Option<Result<JournalState, NoEquilibrium>> {
-        let (mut coarse, mut system) = (problem.clone(), self.system);
-        while let Some(coarser) = &system.coarser {
-            (coarse, system) = (coarser.problem(&coarse), &coarser.system);
-        }
+        let (coarse, system) = self.coarsest(problem);
         let reason = match find(&coarse, system, self.load, &self.options) {
             Ok(found) => return Some(Ok(found.problem.journal)),
             Err(reason) => reason,

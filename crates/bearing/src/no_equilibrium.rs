@@ -120,9 +120,9 @@ pub enum NoEquilibrium {
         /// Where a finer mesh takes up the way there.
         way: Option<Box<Waypoint>>,
     },
-    /// The Swift-Stieber film has no balance; at the same position the film that conserves oil is nowhere under more pressure, so that a balance of it is unlikely.
+    /// The Swift-Stieber film has no balance; at the same gap the film that conserves oil is nowhere under more pressure, so that a balance of it is unlikely.
     #[error(
-        "{0} (found for the Swift-Stieber film; at the same position a film that conserves oil is nowhere under more pressure)"
+        "{0} (found for the Swift-Stieber film; at the same gap a film that conserves oil is nowhere under more pressure)"
     )]
     OfGuide(Box<NoEquilibrium>),
     /// The load is too small for the film's force to be distinguished from round-off.

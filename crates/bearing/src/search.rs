@@ -12,20 +12,12 @@ use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSolution, FilmSystem, G
 use crate::coordinates::{Coordinates, Vector, length, moved};
 use crate::deflection::{CLOSED, Pair, closed_near, closed_pair, closed_within};
 use crate::equilibrium::NEAR;
-use crate::no_equilibrium::FAR;
-use crate::{Load, NoEquilibrium, SearchOptions};
-
-/// A load that was not balanced and is less than this part of the reference force is below round-off.
-const LOST: f64 = 1e-7;
-/// A force within this factor of the load
-const NEARLY: f64 = 2.0;
-/// and this angle [rad] leaves open whether there is a position.
-const ASTRAY: f64 = 0.5;
-/// A film whose force is nowhere this part of the load carries none.
-const AT_REST: f64 = 1e-3;
+use crate::{Load, SearchOptions};
 
 /// Part of a deflection that a trial may leave, over the difference of force and load at which the balance is found.
-const OF_BALANCE: f64 = 1e-2;
+pub(crate) const OF_BALANCE: f64 = 1e-2;
+/// Part of it that may be left at a start.
+const AT_START: f64 = 1e-5;
 
 /// A search for the position that balances a load on one mesh.
 pub(crate) struct Search<'a> {
@@ -66,6 +58,8 @@ pub(crate) struct Trial {
     pub(crate) carried: Resultant,
     /// Where surfaces touch, if that was asked.
     pub(crate) contact: Option<Arc<ContactPoints>>,
+    /// Part of its deflection that may be left.
+    pub(crate) may_leave: f64,
     /// Residual of the position at which the advection schemes of a mass-conserving film were chosen; infinite where a
     /// neighbouring film had a part in the choice.
     pub(crate) schemes_chosen_at: f64,
@@ -82,6 +76,7 @@ impl Trial {
             cubic: None,
             carried,
             contact: None,
+            may_leave: CLOSED,
             schemes_chosen_at: f64::INFINITY,
             is_continued: false,
         }
@@ -169,10 +164,13 @@ impl<'a> Search<'a> {
             }
             let at = self.coordinates.at(&start);
             let from_rest = |reason: NoFilm| match is_bent {
-                true => self.trial(&problem.clone().with_wall_at_rest(), at, Neighbour::None),
+                true => self.trial_within(&problem.clone().with_wall_at_rest(), at, Neighbour::None, AT_START),
                 false => Err(reason),
             };
-            match self.trial(problem, at, Neighbour::None).or_else(from_rest) {
+            match self
+                .trial_within(problem, at, Neighbour::None, AT_START)
+                .or_else(from_rest)
+            {
                 // Without a supply there is no film anywhere.
                 Err(reason) if !matches!(reason, NoFilm::NoSupply { .. }) => start = nearer(&start),
                 other => return other,
@@ -191,16 +189,28 @@ impl<'a> Search<'a> {
 
     /// The trial with the journal `at` these coordinates by the force of the film in quadratic elements. Where the wall is bent that which is looked for is near.
     pub(crate) fn trial(&self, problem: &FilmProblem, at: Vector, near: Neighbour) -> Result<Trial, NoFilm> {
+        self.trial_within(problem, at, near, 0.0)
+    }
+
+    /// As [`Self::trial`]; a trial on the way to the balance may leave this part of a deflection.
+    pub(crate) fn trial_within(
+        &self,
+        problem: &FilmProblem,
+        at: Vector,
+        near: Neighbour,
+        part: f64,
+    ) -> Result<Trial, NoFilm> {
         let close = if problem.has_bent_wall() {
             closed_near
         } else {
             closed_within
         };
-        let enough = CLOSED.max(OF_BALANCE * self.options.balanced());
-        let (problem, film, contact) = close(self.placed(problem, at), self.system, near, enough)?;
+        let left = part.max(self.left_at_balance());
+        let (problem, film, contact) = close(self.placed(problem, at), self.system, near, left)?;
         let carried = load_touching(&problem, self.system, &film, contact.as_deref());
         let trial = self.recorded(Trial {
             contact,
+            may_leave: left,
             ..Trial::of(problem, film, carried.total.resultant())
         });
         Ok(match near {
@@ -229,6 +239,11 @@ impl<'a> Search<'a> {
             cubic: Some(cubic),
             ..Trial::of(problem, film, carried)
         }))
+    }
+
+    /// Part of a deflection that may be left where the load is balanced.
+    pub(crate) fn left_at_balance(&self) -> f64 {
+        CLOSED.max(OF_BALANCE * self.options.balanced())
     }
 
     /// The problem with the journal `at` these coordinates.
@@ -325,78 +340,6 @@ impl<'a> Search<'a> {
         let [x, y] = trial.carried.force;
         let (force, load) = (x.hypot(y), self.load.magnitude());
         [2, 3].map(|k| film[k] / force - (asked[k] - (tilted[k] - film[k])) / load)
-    }
-
-    /// The reason as far as it is known: a search that was ended, or came near to the load, does not prove that there is no position;
-    /// a load near round-off is reported as one.
-    pub(crate) fn confirmed(&self, reason: NoEquilibrium) -> NoEquilibrium {
-        let least = LOST * self.reference_force;
-        match reason {
-            NoEquilibrium::Unreachable { asked, .. } | NoEquilibrium::NotConverged { asked, .. } if asked < least => {
-                NoEquilibrium::BelowRounding { asked, least }
-            }
-            NoEquilibrium::Unreachable {
-                asked,
-                nearest,
-                journal,
-                ..
-            } if self.options.deadline.is_over() => NoEquilibrium::Ended {
-                asked,
-                nearest,
-                journal,
-                history: self.tried.take(),
-            },
-            // What the film carries in contact all around is known, unless a force like the load was found on the way.
-            NoEquilibrium::Unreachable { why, .. } if why == FAR && !self.found_alike() => reason,
-            NoEquilibrium::Unreachable { asked, journal, .. } if self.came_near() => {
-                let history = self.tried.take();
-                NoEquilibrium::NotConverged {
-                    asked,
-                    residual: history.iter().copied().fold(f64::INFINITY, f64::min),
-                    journal,
-                    history,
-                }
-            }
-            reason => reason,
-        }
-    }
-
-    /// Whether what was found leaves open that there is a position.
-    fn came_near(&self) -> bool {
-        // A film that bears tension has forces to all sides, of any size.
-        let is_any = |Nearest { force: [x, y], .. }| x.hypot(y) > AT_REST * self.load.magnitude();
-        self.found_alike() || self.bears_tension && self.nearest.get().is_some_and(is_any)
-    }
-
-    /// Whether a force was found that is as large as the load by [`NEARLY`] and points its way by [`ASTRAY`].
-    fn found_alike(&self) -> bool {
-        self.nearest.get().is_some_and(|Nearest { force: [x, y], .. }| {
-            let [load_x, load_y] = self.load.force;
-            let ratio = x.hypot(y) / load_x.hypot(load_y);
-            let turn = (x * load_y - y * load_x).atan2(x * load_x + y * load_y);
-            (1.0 / NEARLY..NEARLY).contains(&ratio) && turn.abs() < ASTRAY
-        })
-    }
-
-    /// The reason with the nearest of all trials.
-    pub(crate) fn unreachable(&self, trial: &Trial, why: &'static str) -> NoEquilibrium {
-        let degrees = |[x, y]: [f64; 2]| y.atan2(x).to_degrees().rem_euclid(360.0);
-        let last = Nearest {
-            distance: self.distance(trial),
-            force: trial.carried.force,
-            journal: trial.problem.journal,
-        };
-        let nearest = self.nearest.get().filter(|nearest| nearest.distance < last.distance);
-        let nearest = nearest.unwrap_or(last);
-        NoEquilibrium::Unreachable {
-            asked: self.load.magnitude(),
-            towards: degrees(self.load.force),
-            nearest: nearest.force[0].hypot(nearest.force[1]),
-            nearest_towards: degrees(nearest.force),
-            eccentricity: nearest.journal.eccentricity() / trial.problem.bearing.clearance,
-            journal: Box::new(trial.problem.journal),
-            why,
-        }
     }
 }
 

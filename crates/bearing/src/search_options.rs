@@ -25,6 +25,8 @@ pub struct SearchOptions<'a> {
     pub carrier: Carrier,
     /// Difference of force and load over the load at which the balance is found; by default near round-off.
     pub accuracy: Option<f64>,
+    /// What the balance is for.
+    pub purpose: Purpose,
     /// Notified of each position tried.
     pub observer: Option<&'static dyn SearchObserver>,
 }
@@ -52,6 +54,16 @@ pub enum Carrier {
     Quadratic,
     /// Cubic elements; not for models that conserve oil.
     Cubic,
+}
+
+/// What a balance is for.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Purpose {
+    /// The answer on its mesh.
+    #[default]
+    Answer,
+    /// A start on a finer mesh, which shows what a thin film carries: it is not followed into contact under a wall that gives way.
+    Start,
 }
 
 impl SearchOptions<'_> {

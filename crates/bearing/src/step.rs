@@ -5,7 +5,7 @@ use oilwedge_reynolds::solve::Neighbour;
 use crate::coordinates::{Vector, length, moved};
 use crate::equilibrium::NEAR;
 use crate::log_eccentricity::{eccentricity_at, log_eccentricity};
-use crate::search::{Search, Trial};
+use crate::search::{OF_BALANCE, Search, Trial};
 use crate::stiffness::Stiffness;
 use crate::tangent::Tangent;
 
@@ -192,6 +192,8 @@ impl Search<'_> {
             true => SHORT_MOVE_TILTING,
             false => SHORT_MOVE,
         };
+        // Newton's method squares what is left.
+        let may_leave = OF_BALANCE * self.residual(from).min(NEAR).powi(2);
         let parts = (0..chosen).map(|times| (halved(times), false));
         for (part, keeps_schemes) in parts.chain((0..kept).map(|times| (halved(times), true))) {
             // Amid a curved way the film may be thinner than at its end.
@@ -205,7 +207,7 @@ impl Search<'_> {
                 false => Neighbour::None,
             };
             *tried += 1;
-            if let Ok(trial) = self.trial(&bent(part), there(part), near)
+            if let Ok(trial) = self.trial_within(&bent(part), there(part), near, may_leave)
                 && self.distance(&trial) < nearer
             {
                 return Some(match near {

@@ -14,9 +14,9 @@ use crate::coordinates::{Vector, length, moved};
 use crate::equilibrium::{Equilibrium, ROUGHLY_BALANCED};
 use crate::estimate::is_contact;
 use crate::no_equilibrium::Waypoint;
-use crate::search::{Search, Trial};
+use crate::search::{OF_BALANCE, Search, Trial};
 use crate::tangent::Tangent;
-use crate::{Carrier, InitialGuess, Load, NoEquilibrium, SearchOptions, find};
+use crate::{Carrier, InitialGuess, Load, NoEquilibrium, Purpose, SearchOptions, find};
 
 /// First step along the branch.
 const FIRST: f64 = 0.25;
@@ -40,6 +40,8 @@ const NEAR_CONTACT: f64 = 0.05;
 const WAYPOINT: f64 = 0.03;
 /// and the part still grew by so much of what it did at first.
 const AHEAD: f64 = 0.3;
+/// Under a wall that gives way a film thinner than this part of the clearance is left to that mesh.
+const LEFT_TO_FINER: f64 = 0.01;
 
 /// A point of the branch.
 struct Point {
@@ -194,7 +196,7 @@ impl Branch<'_, '_> {
             if search.options.deadline.is_over() {
                 return search.run(&here.trial.problem, here.trial.problem.journal);
             }
-            if is_contact(&search.gap_under(&here.trial.problem), &here.trial.problem.journal) {
+            if is_contact(&search.gap_under(&here.trial.problem), &here.trial.problem.journal) || self.is_left(&here) {
                 break;
             }
             if here.part > greatest.0 {
@@ -202,6 +204,12 @@ impl Branch<'_, '_> {
             }
         }
         Err(self.why(&here, way, greatest, waypoint))
+    }
+
+    /// Whether a finer mesh is to show what follows a point.
+    fn is_left(&self, here: &Point) -> bool {
+        let is_start = self.search.options.purpose == Purpose::Start;
+        is_start && here.trial.problem.deflection().is_some() && self.gap(&here.trial) < LEFT_TO_FINER
     }
 
     /// A point as one that a finer mesh begins at.
@@ -343,8 +351,9 @@ impl Branch<'_, '_> {
             let near = before
                 .as_ref()
                 .map_or(Neighbour::None, |trial| Neighbour::Kept(&trial.film));
-            let trial = match (search.trial(&bent, place, near), &before) {
-                (Err(_), Some(_)) => search.trial(&bent, place, Neighbour::None),
+            let tried = |near| search.trial_within(&bent, place, near, OF_BALANCE * ROUGHLY_BALANCED);
+            let trial = match (tried(near), &before) {
+                (Err(_), Some(_)) => tried(Neighbour::None),
                 (trial, _) => trial,
             };
             let trial = trial.ok()?;

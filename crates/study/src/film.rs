@@ -104,6 +104,14 @@ impl Film {
         }
     }
 
+    /// The way along which its position is sought, if another mesh has shown one.
+    pub(crate) fn way(&self) -> Option<&Arc<Waypoint>> {
+        match &self.start {
+            Start::Along(way) => Some(way),
+            Start::Estimated | Start::NearlyBalanced => None,
+        }
+    }
+
     /// This film on the next coarser mesh, if it has one and shares its system with no other film.
     pub(crate) fn on_coarser(self) -> Self {
         let mut system = match Arc::try_unwrap(self.system) {

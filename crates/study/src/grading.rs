@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 use oilwedge_bearing::{
-    Deadline, Equilibrium, Load, NoEquilibrium, ROUGHLY_BALANCED, SearchOptions, Waypoint, find, is_contact,
+    Deadline, Equilibrium, Load, NoEquilibrium, Purpose, ROUGHLY_BALANCED, SearchOptions, Waypoint, find, is_contact,
 };
 use oilwedge_reynolds::angles::wrapped;
 use oilwedge_reynolds::{FilmProblem, Gap, JournalState};
@@ -14,6 +14,7 @@ use crate::compile::{compile, compile_near};
 use crate::compile_error::CompileError;
 use crate::film::Film;
 use crate::liner_mesh::{expected_triangles, resized};
+use crate::no_answer::NoAnswer;
 use crate::position::Position;
 
 /// A mesh is graded anew where the least film thickness found differs by this factor from that which it was graded for,
@@ -33,15 +34,47 @@ const GRADINGS: usize = 4;
 /// # Errors
 /// The scene does not become a film.
 pub fn graded(scene: &Scene, deadline: Deadline) -> Result<Film, CompileError> {
-    graded_within(scene, f64::INFINITY, deadline)
+    graded_within(scene, f64::INFINITY, None, deadline)
 }
 
-/// As [`graded`], with no more than about so many triangles on a mesh graded anew: a film found much thinner than expected asks for shorter edges everywhere.
+/// Where another mesh has shown that a growing moment leads, under a wall that gives way.
+#[derive(Debug, Clone)]
+pub struct Shown {
+    /// What its mesh was graded for.
+    position: Position,
+    way: Arc<Waypoint>,
+}
+
+impl Shown {
+    /// By why a film has no answer, or by the way along which it was sought.
+    pub fn of(film: &Film, reason: &NoAnswer) -> Option<Self> {
+        let found = reason.way().cloned().map(Arc::new);
+        let way = found.or_else(|| film.way().cloned())?;
+        way.is_bent().then(|| Self {
+            position: film.position(),
+            way,
+        })
+    }
+}
+
+/// As [`graded`], with no more than about so many triangles on a mesh graded anew: a film found much thinner than expected asks for shorter edges everywhere. The search begins
+/// where another mesh has shown the way.
 ///
 /// # Errors
 /// The scene does not become a film.
-pub fn graded_within(scene: &Scene, most_triangles: f64, deadline: Deadline) -> Result<Film, CompileError> {
-    let mut film = compile(scene)?;
+pub fn graded_within(
+    scene: &Scene,
+    most_triangles: f64,
+    shown: Option<&Shown>,
+    deadline: Deadline,
+) -> Result<Film, CompileError> {
+    let mut film = match shown {
+        None => compile(scene)?,
+        Some(Shown { position, way }) => {
+            let scene = coarsened(scene, most_triangles, *position)?;
+            compile_near(&scene, *position)?.along(way.clone())
+        }
+    };
     let Some(load) = film.load.filter(|_| scene.mesh.is_graded()) else {
         return Ok(film);
     };
@@ -179,6 +212,7 @@ fn with_film(gap: &Gap, journal: &JournalState, part: f64) -> JournalState {
 fn rough_balance(film: &Film, load: Load, deadline: Deadline) -> Result<Equilibrium, NoEquilibrium> {
     let options = SearchOptions {
         accuracy: Some(ROUGHLY_BALANCED),
+        purpose: Purpose::Start,
         ..film.search_options(deadline)
     };
     let on_coarser = (film.system.coarser.as_ref())

@@ -1,7 +1,7 @@
 //! Why a scene has no film, no position or no temperature, and the way out.
 
-use oilwedge_bearing::NoEquilibrium;
 use oilwedge_bearing::orbit::NoOrbit;
+use oilwedge_bearing::{NoEquilibrium, Waypoint};
 use oilwedge_fem::newton::Failure;
 use oilwedge_reynolds::NoFilm;
 use oilwedge_reynolds::lubricant::LawKind;
@@ -71,6 +71,14 @@ impl NoAnswer {
     /// True if a finer mesh would show no more: the load is far beyond what the film carries.
     pub fn is_far_beyond(&self) -> bool {
         matches!(self, Self::Equilibrium(reason) if reason.is_far_beyond())
+    }
+
+    /// Where another mesh takes up the way of a growing moment, if that was followed.
+    pub fn way(&self) -> Option<&Waypoint> {
+        match self {
+            Self::Equilibrium(reason) => reason.way(),
+            Self::Film(_) | Self::Orbit(_) | Self::Temperature(_) => None,
+        }
     }
 
     /// True if the mesh cannot resolve on which side of the limit of the viscosity law the film is.

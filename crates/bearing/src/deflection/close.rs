@@ -29,6 +29,8 @@ const NEAR: f64 = 1e-2;
 const SLOW: f64 = 0.1;
 /// and one by less than this is at round-off.
 const STALLED: f64 = 0.5;
+/// Where more than this part may be left a mass-conserving film has its advection schemes chosen once.
+const CHOSEN_ONCE: f64 = 1e-7;
 /// Most halvings of a step.
 const MOST_HALVINGS: usize = 6;
 /// Least gap after a step, over that before.
@@ -172,7 +174,8 @@ fn closed(
 ) -> Result<Closed, NoFilm> {
     let film = solved(&problem, system, near, counts)?;
     let mut found = iterated(judged(problem, film, system), (system, enough), counts)?;
-    if found.film.film_fraction.is_some() && !matches!(near, Neighbour::Kept(_)) {
+    let is_final = enough < CHOSEN_ONCE && !matches!(near, Neighbour::Kept(_));
+    if found.film.film_fraction.is_some() && is_final {
         let film = solved(&found.problem, system, Neighbour::Start(&found.film), counts)?;
         found = iterated(judged(found.problem, film, system), (system, enough), counts)?;
     }

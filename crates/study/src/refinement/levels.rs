@@ -28,8 +28,8 @@ const MOST_GROWTH: f64 = 16.0;
 const MOST_WANTED_LEVELS: usize = 2;
 /// their most unknowns,
 const MOST_WANTED_UNKNOWNS: usize = 40_000;
-/// fewer where position and tilt of a film that conserves oil are found,
-const MOST_WANTED_TILTING: usize = 20_000;
+/// fewer where each position that is tried takes long: with a wall that gives way, and where position and tilt of a film that conserves oil are found,
+const MOST_WANTED_EXPENSIVE: usize = 20_000;
 /// and these over those of the mesh before.
 const MOST_WANTED_GROWTH: f64 = 2.0;
 
@@ -150,7 +150,7 @@ impl Refining<'_> {
             return step;
         }
         // The first mesh is coarse; what it cannot answer one as fine as usual may.
-        let finer = (next.finer_first(self.scene)).filter(|_| !reason.is_far_beyond());
+        let finer = (next.finer_first(&film, &reason)).filter(|_| !reason.is_far_beyond());
         match (finer, self.best.take()) {
             (Some(finer), None) => Step::Finer(finer),
             _ => Step::Done(Box::new(Answer {
@@ -262,10 +262,11 @@ impl Refining<'_> {
     fn finer_if_cheap(&mut self, last: &Next, level: &Level) -> Option<Next> {
         self.wanted_levels += 1;
         let film = &level.solved.film;
-        let is_expensive =
-            film.problem.cavitation.conserves_oil() && film.load.is_some_and(|load| load.tilting.is_some());
+        let is_expensive = film.load.is_some_and(|load| {
+            film.problem.deflection().is_some() || film.problem.cavitation.conserves_oil() && load.tilting.is_some()
+        });
         let most_unknowns = if is_expensive {
-            MOST_WANTED_TILTING
+            MOST_WANTED_EXPENSIVE
         } else {
             MOST_WANTED_UNKNOWNS
         };

@@ -13,8 +13,9 @@ use crate::compile::{compile_near, compile_on};
 use crate::compile_error::CompileError;
 use crate::film::DEGREE;
 use crate::film::Film;
-use crate::grading::{graded, graded_within};
+use crate::grading::{Shown, graded, graded_within};
 use crate::liner_mesh::{expected_triangles, liner_mesh, resized};
+use crate::no_answer::NoAnswer;
 use crate::oil::at_temperature;
 use crate::position::Position;
 use crate::reasons::Limit;
@@ -75,8 +76,8 @@ fn coarsening(scene: &Scene, factor: f64, (triangles, most): (usize, f64), posit
 
 /// The next mesh.
 pub(super) enum Next {
-    /// Made of the scene with longest edges times this.
-    Drawn(f64),
+    /// Made of the scene with longest edges times this, from what a coarser one has shown of the way that a moment takes.
+    Drawn(f64, Option<Shown>),
     /// Made of the scene with longest edges times this or less, so that it has about as many triangles as this, for the film found before.
     DrawnFiner(f64, usize, Known),
     /// That of the scene as it is.
@@ -136,7 +137,7 @@ impl Next {
 
     pub(super) fn first(scene: &Scene) -> Self {
         match scene.mesh {
-            MeshSource::Drawing { size: None } => Self::Drawn(first_factor(scene)),
+            MeshSource::Drawing { size: None } => Self::Drawn(first_factor(scene), None),
             _ => Self::Given,
         }
     }
@@ -145,9 +146,10 @@ impl Next {
     pub(super) fn film(&self, scene: &Scene, deadline: Deadline) -> Result<(Refinement, Film), CompileError> {
         match self {
             Self::Given => Ok((Refinement::Given, graded(scene, deadline)?)),
-            Self::Drawn(factor) => {
+            Self::Drawn(factor, shown) => {
                 let resized = resized(scene, *factor).unwrap_or_else(|| scene.clone());
-                Ok((Refinement::Given, graded_within(&resized, MOST_TRIANGLES, deadline)?))
+                let film = graded_within(&resized, MOST_TRIANGLES, shown.as_ref(), deadline)?;
+                Ok((Refinement::Given, film))
             }
             Self::DrawnFiner(factor, triangles, known) => {
                 let scene = known.scene(scene);
@@ -174,10 +176,12 @@ impl Next {
         }
     }
 
-    /// Another start where the first mesh was too coarse to have an answer.
-    pub(super) fn finer_first(&self, scene: &Scene) -> Option<Self> {
-        match (self, &scene.mesh) {
-            (Self::Drawn(factor), MeshSource::Drawing { size: None }) if *factor > 1.0 => Some(Self::Drawn(1.0)),
+    /// Another start where the first mesh, that of `film`, was too coarse to have an answer.
+    pub(super) fn finer_first(&self, film: &Film, reason: &NoAnswer) -> Option<Self> {
+        match (self, &film.scene.mesh) {
+            (Self::Drawn(factor, _), MeshSource::Drawing { .. }) if *factor > 1.0 => {
+                Some(Self::Drawn(1.0, Shown::of(film, reason)))
+            }
             _ => None,
         }
     }
@@ -195,7 +199,7 @@ impl Next {
             (Some(indicator), _) if is_local && !in_rows => {
                 (refine::local(mesh, &doerfler(indicator, SHARE)), Refinement::Local)
             }
-            (_, Self::Drawn(factor) | Self::DrawnFiner(factor, ..)) => {
+            (_, Self::Drawn(factor, _) | Self::DrawnFiner(factor, ..)) => {
                 let triangles = growth.factor * mesh.triangles().len() as f64;
                 let factor = factor / growth.factor.sqrt();
                 return Ok(Self::DrawnFiner(factor, triangles as usize, Known::of(film)));

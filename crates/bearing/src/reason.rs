@@ -1,0 +1,88 @@
+//! Why a search has found no balance, as far as that is known.
+
+use crate::NoEquilibrium;
+use crate::no_equilibrium::FAR;
+use crate::search::{Nearest, Search, Trial};
+
+/// A load that was not balanced and is less than this part of the reference force is below round-off.
+const LOST: f64 = 1e-7;
+/// A force within this factor of the load
+const NEARLY: f64 = 2.0;
+/// and this angle [rad] leaves open whether there is a position.
+const ASTRAY: f64 = 0.5;
+/// A film whose force is nowhere this part of the load carries none.
+const AT_REST: f64 = 1e-3;
+
+impl Search<'_> {
+    /// The reason as far as it is known: a search that was ended, or came near to the load, does not prove that there is no position;
+    /// a load near round-off is reported as one.
+    pub(crate) fn confirmed(&self, reason: NoEquilibrium) -> NoEquilibrium {
+        let least = LOST * self.reference_force;
+        match reason {
+            NoEquilibrium::Unreachable { asked, .. } | NoEquilibrium::NotConverged { asked, .. } if asked < least => {
+                NoEquilibrium::BelowRounding { asked, least }
+            }
+            NoEquilibrium::Unreachable {
+                asked,
+                nearest,
+                journal,
+                ..
+            } if self.options.deadline.is_over() => NoEquilibrium::Ended {
+                asked,
+                nearest,
+                journal,
+                history: self.tried.take(),
+            },
+            // What the film carries in contact all around is known, unless a force like the load was found on the way.
+            NoEquilibrium::Unreachable { why, .. } if why == FAR && !self.found_alike() => reason,
+            NoEquilibrium::Unreachable { asked, journal, .. } if self.came_near() => {
+                let history = self.tried.take();
+                NoEquilibrium::NotConverged {
+                    asked,
+                    residual: history.iter().copied().fold(f64::INFINITY, f64::min),
+                    journal,
+                    history,
+                }
+            }
+            reason => reason,
+        }
+    }
+
+    /// Whether what was found leaves open that there is a position.
+    fn came_near(&self) -> bool {
+        // A film that bears tension has forces to all sides, of any size.
+        let is_any = |Nearest { force: [x, y], .. }| x.hypot(y) > AT_REST * self.load.magnitude();
+        self.found_alike() || self.bears_tension && self.nearest.get().is_some_and(is_any)
+    }
+
+    /// Whether a force was found that is as large as the load by [`NEARLY`] and points its way by [`ASTRAY`].
+    fn found_alike(&self) -> bool {
+        self.nearest.get().is_some_and(|Nearest { force: [x, y], .. }| {
+            let [load_x, load_y] = self.load.force;
+            let ratio = x.hypot(y) / load_x.hypot(load_y);
+            let turn = (x * load_y - y * load_x).atan2(x * load_x + y * load_y);
+            (1.0 / NEARLY..NEARLY).contains(&ratio) && turn.abs() < ASTRAY
+        })
+    }
+
+    /// The reason with the nearest of all trials.
+    pub(crate) fn unreachable(&self, trial: &Trial, why: &'static str) -> NoEquilibrium {
+        let degrees = |[x, y]: [f64; 2]| y.atan2(x).to_degrees().rem_euclid(360.0);
+        let last = Nearest {
+            distance: self.distance(trial),
+            force: trial.carried.force,
+            journal: trial.problem.journal,
+        };
+        let nearest = self.nearest.get().filter(|nearest| nearest.distance < last.distance);
+        let nearest = nearest.unwrap_or(last);
+        NoEquilibrium::Unreachable {
+            asked: self.load.magnitude(),
+            towards: degrees(self.load.force),
+            nearest: nearest.force[0].hypot(nearest.force[1]),
+            nearest_towards: degrees(nearest.force),
+            eccentricity: nearest.journal.eccentricity() / trial.problem.bearing.clearance,
+            journal: Box::new(trial.problem.journal),
+            why,
+        }
+    }
+}
