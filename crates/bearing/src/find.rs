@@ -1,7 +1,7 @@
 //! The search for the position in which the film carries the load: from coarser meshes to the mesh asked for, step by step.
 
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{FilmProblem, FilmSystem, JournalState};
+use oilwedge_reynolds::{FilmProblem, FilmSystem, JournalState, NoFilm};
 
 use crate::cubic::balance_cubic;
 use crate::equilibrium::{Equilibrium, NEAR, ROUGHLY_BALANCED};
@@ -241,18 +241,13 @@ impl Search<'_> {
                 chosen_at if chosen_at >= SETTLED && chosen_at.is_finite() => part * chosen_at,
                 _ => 0.0,
             };
-            if residual < self.options.balanced().max(enough) || self.options.deadline.is_over() {
-                if trial.may_leave <= self.left_at_balance() || self.options.deadline.is_over() {
-                    return Ok((trial, kept));
-                }
-                // The load is balanced, the wall not yet.
-                let here = self.coordinates.at(&trial.problem.journal);
-                *tried += 1;
-                trial = Trial {
-                    schemes_chosen_at: trial.schemes_chosen_at,
-                    is_continued: true,
-                    ..self.trial(&trial.problem, here, Neighbour::Kept(&trial.film))?
-                };
+            let is_balanced = residual < self.options.balanced().max(enough);
+            let is_closed = trial.may_leave <= self.left_at_balance().max(OF_BALANCE * enough);
+            if is_balanced && is_closed || self.options.deadline.is_over() {
+                return Ok((trial, kept));
+            }
+            if is_balanced {
+                trial = self.closed_further(&trial, tried)?;
                 continue;
             }
             let tangent = kept.clone().map_or_else(|| self.tangent(&trial), Ok)?;
@@ -260,7 +255,8 @@ impl Search<'_> {
                 // Perhaps the tangent was too old.
                 None if kept.take().is_some() => continue,
                 // Round-off is reached.
-                None if residual < BALANCED_ENOUGH => return Ok((trial, None)),
+                None if residual < BALANCED_ENOUGH && is_closed => return Ok((trial, None)),
+                None if residual < BALANCED_ENOUGH => trial = self.closed_further(&trial, tried)?,
                 None => return Err(self.unreachable(&trial, "no shorter step brings the force nearer to the load")),
                 Some(next) => {
                     kept = (keeps_tangent || next.is_continued).then(|| self.corrected(tangent, &trial, &next));
@@ -280,6 +276,17 @@ impl Search<'_> {
             }),
             _ => Err(self.unreachable(&trial, "the force does not approach the load")),
         }
+    }
+
+    /// A trial whose wall is closed as far as a balance asks for.
+    fn closed_further(&self, trial: &Trial, tried: &mut usize) -> Result<Trial, NoFilm> {
+        *tried += 1;
+        let here = self.coordinates.at(&trial.problem.journal);
+        Ok(Trial {
+            schemes_chosen_at: trial.schemes_chosen_at,
+            is_continued: true,
+            ..self.trial(&trial.problem, here, Neighbour::Kept(&trial.film))?
+        })
     }
 
     /// Part of the clearance below which the film of a journal far from its balance is one in contact.

@@ -58,7 +58,7 @@ pub(crate) struct Trial {
     pub(crate) carried: Resultant,
     /// Where surfaces touch, if that was asked.
     pub(crate) contact: Option<Arc<ContactPoints>>,
-    /// Part of its deflection that may be left.
+    /// Part of its deflection that may be left; zero of a rigid wall.
     pub(crate) may_leave: f64,
     /// Residual of the position at which the advection schemes of a mass-conserving film were chosen; infinite where a
     /// neighbouring film had a part in the choice.
@@ -208,9 +208,10 @@ impl<'a> Search<'a> {
         let left = part.max(self.left_at_balance());
         let (problem, film, contact) = close(self.placed(problem, at), self.system, near, left)?;
         let carried = load_touching(&problem, self.system, &film, contact.as_deref());
+        let may_leave = problem.deflection().map_or(0.0, |_| left);
         let trial = self.recorded(Trial {
             contact,
-            may_leave: left,
+            may_leave,
             ..Trial::of(problem, film, carried.total.resultant())
         });
         Ok(match near {

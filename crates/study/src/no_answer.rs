@@ -54,7 +54,7 @@ impl NoAnswer {
         match self {
             Self::Film(film) | Self::Equilibrium(NoEquilibrium::Film(film)) => matches!(
                 film,
-                NoFilm::NotConverged(_) | NoFilm::NearLimit { .. } | NoFilm::AtFold { .. }
+                NoFilm::NotConverged(_) | NoFilm::NearLimit { .. } | NoFilm::AtFold { .. } | NoFilm::Wall { .. }
             ),
             Self::Equilibrium(reason) => matches!(
                 reason,

@@ -178,10 +178,8 @@ impl Next {
 
     /// Another start where the first mesh, that of `film`, was too coarse to have an answer.
     pub(super) fn finer_first(&self, film: &Film, reason: &NoAnswer) -> Option<Self> {
-        match (self, &film.scene.mesh) {
-            (Self::Drawn(factor, _), MeshSource::Drawing { .. }) if *factor > 1.0 => {
-                Some(Self::Drawn(1.0, Shown::of(film, reason)))
-            }
+        match self {
+            Self::Drawn(factor, _) if *factor > 1.0 => Some(Self::Drawn(1.0, Shown::of(film, reason))),
             _ => None,
         }
     }
