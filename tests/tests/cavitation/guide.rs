@@ -70,20 +70,3 @@ fn a_load_that_the_guide_cannot_carry_is_refused_in_its_name() {
     assert_eq!(balanced.status, Status::Converged, "{:?}", balanced.reason);
     assert!(balanced.balances.force < 1e-10, "{:?}", balanced.balances);
 }
-
-/// The same load in a wall that gives way where it touches: the guide is asked on the coarsest mesh, under its own wall.
-#[test]
-fn a_load_far_beyond_the_guide_is_refused_under_a_soft_wall_too() {
-    let soft = "journal = { speed = \"100 rad/s\", tilt = { x = \"-0.6 mrad\", y = \"-1.5 mrad\" } }\n\
-                load = { force = \"60 kN\", angle = \"270 deg\" }\n\
-                liner = { winkler = \"0.02 um/MPa\" }\n\
-                [contact]\nmodel = \"bearing-curve\"\ndepth = \"1 um\"\nhardness = \"100 MPa\"\nfriction = 0.1\n";
-    let refused = run(&written(&format!("{TILTED}{soft}")), &RunOptions::default());
-    let refused = refused.expect("a film").result;
-    assert_eq!(refused.status, Status::NoSolution, "{:?}", refused.reason);
-    let reason = refused.reason.unwrap_or_default();
-    assert!(
-        reason.contains("times as much (found for the Swift-Stieber film"),
-        "{reason}"
-    );
-}
