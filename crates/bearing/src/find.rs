@@ -51,6 +51,8 @@ pub fn find(
             _ => search.cold(problem)?,
         },
         InitialGuess::Along(way) => match search.continued(problem, way) {
+            // A way that ends without a reason is followed anew.
+            Some(Err(reason)) if !reason.is_beyond() && !options.deadline.is_over() => search.cold(problem)?,
             Some(outcome) => search.inside(outcome, Some(way))?,
             None => search.cold(problem)?,
         },

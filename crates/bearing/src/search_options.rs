@@ -39,7 +39,7 @@ pub enum InitialGuess<'a> {
     Cold,
     /// At the position of the problem, which balances the load roughly, as a coarser mesh has shown; as [`Self::Cold`] where that leads nowhere.
     NearlyBalanced,
-    /// At a balance on the way that a growing moment takes, as another mesh has shown; as [`Self::Cold`] where there is none near it.
+    /// At a balance on the way that a growing moment takes, as another mesh has shown; as [`Self::Cold`] where there is none near it, or the way from there ends without a reason.
     Along(&'a Waypoint),
     /// At the position of the problem, which a neighbouring operating point suggests; with the film of that point on the same system,
     /// if there is one. With [`Neighbour::Kept`] the advection schemes of that film are not chosen again.

@@ -46,8 +46,11 @@ pub struct Shown {
 }
 
 impl Shown {
-    /// By why a film has no answer, or by the way along which it was sought.
+    /// By why a film has no answer, or by the way along which it was sought; none where the journal tips over: at which tilt depends on the mesh.
     pub fn of(film: &Film, reason: &NoAnswer) -> Option<Self> {
+        if reason.is_tilt_limit() {
+            return None;
+        }
         let found = reason.way().cloned().map(Arc::new);
         let way = found.or_else(|| film.way().cloned())?;
         way.is_bent().then(|| Self {

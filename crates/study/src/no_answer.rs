@@ -73,6 +73,11 @@ impl NoAnswer {
         matches!(self, Self::Equilibrium(reason) if reason.is_far_beyond())
     }
 
+    /// True if the journal tips over.
+    pub fn is_tilt_limit(&self) -> bool {
+        matches!(self, Self::Equilibrium(reason) if matches!(reason.cause(), NoEquilibrium::TiltLimit { .. }))
+    }
+
     /// Where another mesh takes up the way of a growing moment, if that was followed.
     pub fn way(&self) -> Option<&Waypoint> {
         match self {

@@ -24,6 +24,17 @@ fn contact_is_judged_by_a_mesh_that_resolves_it() {
     assert!(fault.is_none(), "{fault:?}");
 }
 
+/// Under walls that give way: a load far beyond what the Swift-Stieber film carries is refused in its name, and a journal that tips over on the first mesh is told to on the next.
+#[test]
+fn walls_that_give_way_leave_a_reason() {
+    for (number, told) in [(198, "found for the Swift-Stieber film"), (43, "tips over")] {
+        let (result, fault) = solved(&TiltedBearing::with_walls(number));
+        assert_eq!(result.status, Status::NoSolution, "{number}: {fault:?}");
+        let reason = result.reason.unwrap_or_default();
+        assert!(reason.contains(told), "{number}: {reason}");
+    }
+}
+
 /// A film of 2 thousandths of the clearance at one end only is resolved by thin cells there: with cells as short all around and all along the bearing its first mesh had 34 000 unknowns.
 #[test]
 fn a_thin_film_at_one_end_has_thin_cells_there_alone() {
