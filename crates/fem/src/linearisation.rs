@@ -190,6 +190,15 @@ impl Linearisation {
         self.refined(b, true, Enough::residual(0.0), REFINE_ABOVE)
     }
 
+    /// Solves `(dR/du)^T x = b` until the residual is this `part` of b, likewise.
+    ///
+    /// # Errors
+    /// As [`Linearisation::solve`].
+    pub fn solve_transposed_within(&self, b: &[f64], part: f64) -> Result<Vec<f64>, Error> {
+        let enough = Enough::residual(part * self.constraints.free_norm(b));
+        self.refined(b, true, enough, part.max(REFINE_ABOVE))
+    }
+
     /// `b` masked and put through the factor once, without a look at the residual, or solved to one digit where there is
     /// no factor: for those who need no more.
     ///
@@ -259,7 +268,9 @@ impl Linearisation {
             }
             let residual = self.residual(&b, &x, transposed);
             let relative = self.constraints.free_norm(&residual) / size;
-            if (relative.is_nan() || relative > REFUSE_ABOVE) && !self.is_stable(&b, &x, &residual, transposed) {
+            if (relative.is_nan() || relative > REFUSE_ABOVE.max(refine_above))
+                && !self.is_stable(&b, &x, &residual, transposed)
+            {
                 return Err(Error::Inaccurate { relative });
             }
         }

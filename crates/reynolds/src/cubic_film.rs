@@ -48,7 +48,11 @@ impl FilmProblem {
         neighbour: Option<&FilmSolution>,
     ) -> Result<FilmSolution, NoFilm> {
         let cubic = system.cubic();
-        let u = cubic.prolongation.prolong(&film.unknown);
+        // While a wall is closed the neighbour comes as near as the wall, and conjugate gradients end at a part of what they begin with.
+        let u = match neighbour.filter(|_| self.deflection().is_some()) {
+            Some(neighbour) => neighbour.unknown.clone(),
+            None => cubic.prolongation.prolong(&film.unknown),
+        };
         let held = match (neighbour, self.cavitation.pressure()) {
             (Some(neighbour), _) => neighbour.cavity.clone(),
             (None, Some(pressure)) => {

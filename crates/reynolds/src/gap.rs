@@ -170,7 +170,11 @@ impl Gap {
     pub fn thinnest_film(&self, problem: &FilmProblem, system: &FilmSystem) -> Thinnest {
         let (bearing, journal, mesh) = (&self.bearing, &problem.journal, system.space().mesh());
         if let Some(shaped) = &self.shaped {
-            return shaped.thinnest(journal, bearing.radius);
+            // A wall that gives way rises towards the ends within less than a triangle.
+            let ends = bearing.ends().map(|z| shaped.thinnest_at(journal, bearing.radius, z));
+            return ends
+                .into_iter()
+                .fold(shaped.thinnest(journal, bearing.radius), Thinnest::or);
         }
         let is_covered = |place: &Thinnest| covers(mesh, bearing.radius, place.angle);
         let thinnest = bearing.thinnest(journal);

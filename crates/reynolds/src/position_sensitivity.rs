@@ -87,6 +87,20 @@ impl FilmProblem {
         Ok(unknown)
     }
 
+    /// The transposed of [`Self::answer`]: how a sum over the unknown with these `weights` of the dofs changes with the residual at each dof.
+    ///
+    /// # Errors
+    /// The linear system could not be solved.
+    pub fn answer_transposed(film: &FilmSolution, weights: &[f64], part: f64) -> Result<Vec<f64>, Error> {
+        let minus = weights.iter().zip(&film.cavity);
+        // In the cavity of a film that conserves oil it is the film fraction that changes.
+        let changes = |in_cavity: bool| film.film_fraction.is_none() || !in_cavity;
+        let minus: Vec<f64> = minus
+            .map(|(weight, &in_cavity)| if changes(in_cavity) { -weight } else { 0.0 })
+            .collect();
+        film.linearisation.solve_transposed_within(&minus, part)
+    }
+
     /// First-order change of the residual at each dof with a `change` of the journal or the gap while the unknown stays.
     ///
     /// # Errors

@@ -1,6 +1,7 @@
 //! The second film by which the error of a film is estimated; which one it is the cavitation model decides.
 
 use crate::error_bar::conserving::{ConservingError, conserving_error};
+use crate::error_bar::following::FollowingWall;
 use crate::sharp::SharpFilm;
 use crate::{FilmProblem, FilmSolution, FilmSystem, NoFilm};
 
@@ -21,14 +22,15 @@ pub enum ReferenceFilm {
 }
 
 impl ReferenceFilm {
-    /// The `coarse` comparison of a mass-conserving film, and its `hill`.
+    /// The `coarse` comparison of a mass-conserving film, whose wall is `following` if it gives way, and its `hill`.
     pub fn coarse(
         (problem, system, film): (&FilmProblem, &FilmSystem, &FilmSolution),
         coarse: FilmSolution,
         hill: Option<SharpFilm>,
+        following: Option<&FollowingWall>,
     ) -> Self {
         Self::Coarse {
-            error: conserving_error(problem, system, film, &coarse).map(Box::new),
+            error: conserving_error(problem, system, film, &coarse, following).map(Box::new),
             film: coarse,
             hill: hill.map(Box::new),
         }
@@ -51,16 +53,26 @@ impl ReferenceFilm {
 }
 
 impl FilmProblem {
-    /// The film by which the error of `film` is estimated, without a hill. None where a coarse film does not exist: `film` may be sound without it.
+    /// The film by which the error of `film` is estimated, without a hill, where a wall that gives way is `following`. None where a coarse film does not exist: `film` may be sound without it.
     ///
     /// # Errors
     /// [`NoFilm`]: cubic elements have no film, or the mesh does not resolve on which side of the limit of the viscosity law it lies.
-    pub fn reference_film(&self, system: &FilmSystem, film: &FilmSolution) -> Result<Option<ReferenceFilm>, NoFilm> {
+    pub fn reference_film(
+        &self,
+        system: &FilmSystem,
+        film: &FilmSolution,
+        following: Option<&FollowingWall>,
+    ) -> Result<Option<ReferenceFilm>, NoFilm> {
         if self.cavitation.is_symmetric() {
             return Ok(Some(ReferenceFilm::Cubic(self.cubic_film(system, film, None)?)));
         }
         match self.coarse_comparison(system, film) {
-            Ok(coarse) => Ok(Some(ReferenceFilm::coarse((self, system, film), coarse, None))),
+            Ok(coarse) => Ok(Some(ReferenceFilm::coarse(
+                (self, system, film),
+                coarse,
+                None,
+                following,
+            ))),
             Err(reason @ NoFilm::NearLimit { .. }) => Err(reason),
             Err(_) => Ok(None),
         }

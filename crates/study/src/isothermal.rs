@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use oilwedge_bearing::deflection::{CLOSED, Pair, closed_film, closed_pair};
+use oilwedge_bearing::deflection::{CLOSED, Pair, closed_film, closed_pair, following_wall};
 use oilwedge_bearing::{Carrier, Equilibrium, InitialGuess, Load, SearchObserver, SearchOptions, balance_hill, find};
 use oilwedge_reynolds::error_bar::sharp;
 use oilwedge_reynolds::sharp::{HillStart, SharpFilm};
@@ -156,7 +156,11 @@ fn hill_with_load(solved: &mut Solved) -> Option<SharpFilm> {
 fn with_reference(film: Film, solution: FilmSolution, errors: Errors) -> Result<Solved, NoAnswer> {
     let clock = Instant::now();
     let mut reference = match errors {
-        Errors::Estimated => film.problem.reference_film(&film.system, &solution)?,
+        // Without the tangent of the wall nothing is known of errors.
+        Errors::Estimated => match following_wall(&film.problem, &film.system, &solution) {
+            Ok(following) => (film.problem).reference_film(&film.system, &solution, following.as_ref())?,
+            Err(_) => None,
+        },
         Errors::Omitted => None,
     };
     // A balance of heat is that of the film.

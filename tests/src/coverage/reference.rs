@@ -99,6 +99,7 @@ fn indicator(solve: &Solve) -> Option<Vec<f64>> {
         &solve.solved.solution,
         cubic,
         &solve.judged.measured.load.total,
+        None,
     )
     .ok()?;
     let force = error.force[0].hypot(error.force[1]);

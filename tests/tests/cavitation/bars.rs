@@ -23,7 +23,7 @@ fn bars(study: &Film, film: &FilmSolution) -> ConservingError {
     let companion = problem
         .coarse_comparison(system, film)
         .unwrap_or_else(|reason| panic!("{reason}"));
-    let bars = conserving_error(problem, system, film, &companion).expect("a mass-conserving film");
+    let bars = conserving_error(problem, system, film, &companion, None).expect("a mass-conserving film");
     let greatest = bars.load.total().max(bars.across.total());
     assert!(bars.indicator.iter().sum::<f64>() > (1.0 - 1e-12) * greatest);
     bars

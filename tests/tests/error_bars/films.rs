@@ -31,7 +31,7 @@ impl Judged {
             .cubic_film(&system, &film, None)
             .unwrap_or_else(|reason| panic!("{reason}"));
         let carried = load(&problem, &system.cubic().system, &cubic).total;
-        let error = film_error(&problem, &system, &film, &cubic, &carried).expect("duals");
+        let error = film_error(&problem, &system, &film, &cubic, &carried, None).expect("duals");
         Self {
             problem,
             system,

@@ -1,7 +1,16 @@
-//! Error bars of films with elastic walls hold the numbers of finer meshes.
+//! Error bars of films with elastic walls hold the numbers of finer meshes; what the wall takes back of an error is that of closed films.
 
+use oilwedge_bearing::deflection::{CLOSED, closed_film, closed_pair, following_wall};
+use oilwedge_reynolds::Cavitation;
+use oilwedge_reynolds::error_bar::film_error;
+use oilwedge_reynolds::quantities::load::{Resultant, load};
+use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_study::result::RunResult;
-use oilwedge_tests::tilted_bearings::{quantity, run};
+use oilwedge_tests::elastic_liner::{carried, closed, layer, walled};
+use oilwedge_tests::tilted_bearings::{quantity, run, tilted};
+use oilwedge_tests::*;
+
+use crate::contact::contacts;
 
 /// A ring on a mesh of this size, with a table of a liner.
 fn found(size: &str, eps: f64, model: &str, liner: &str) -> RunResult {
@@ -43,4 +52,42 @@ fn bars_hold_the_numbers_of_finer_meshes() {
         }
     }
     assert!(missed.is_empty(), "{} of {compared}: {missed:#?}", missed.len());
+}
+
+/// The shares of all triangles in the difference of two degrees sum to the difference of two films that each bend the wall themselves, in a soft wall much less than that under one wall.
+#[test]
+fn shares_are_those_of_films_under_walls_of_their_own() {
+    let system = ring_system(48, 6, RADIUS, Some(std::f64::consts::PI));
+    for cavitation in [Cavitation::None, Cavitation::Reynolds { pressure: 0.0 }] {
+        for touches in [false, true] {
+            let mut problem = tilted(walled(RADIUS, 0.9, cavitation, |_| layer(0.05)), [2e-5, -1e-5]);
+            problem.contact = touches.then(|| contacts().into_iter().next().expect("a law"));
+            let (problem, film) = closed(problem, &system);
+            let pair = closed_pair(problem, &system, film, None, CLOSED).unwrap_or_else(|reason| panic!("{reason}"));
+            let (problem, cubic) = (&pair.problem, &system.cubic().system);
+            let following = following_wall(problem, &system, &pair.film).expect("a tangent");
+            let share = load(problem, cubic, &pair.cubic).total;
+            let eta = |following| {
+                let error = film_error(problem, &system, &pair.film, &pair.cubic, &share, following).expect("duals");
+                let [x, y] = error.moments.expect("the journal can tilt");
+                [&error.goals[0], &error.goals[1], &x, &y].map(|goal| goal.shares.iter().sum::<f64>())
+            };
+            let (held, found) = (eta(None), eta(following.as_ref()));
+            let (own, of_own) = closed_film(problem.clone(), &system, Neighbour::Kept(&pair.film))
+                .unwrap_or_else(|reason| panic!("{reason}"));
+            let [better, worse] = [carried(problem, cubic, &pair.cubic), carried(&own, &system, &of_own)];
+            let parts = |of: &Resultant| [of.force[0], of.force[1], of.moment[0], of.moment[1]];
+            let wanted: Vec<f64> = parts(&better).iter().zip(parts(&worse)).map(|(a, b)| a - b).collect();
+            for (range, name) in [(0..2, "force"), (2..4, "moment")] {
+                let size = |of: &[f64]| of[range.clone()].iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+                let off: Vec<f64> = found.iter().zip(&wanted).map(|(a, b)| a - b).collect();
+                let case = format!(
+                    "{} {touches} {name}: {found:?}, {wanted:?}, held {held:?}",
+                    cavitation.name()
+                );
+                assert!(size(&off) < 0.05 * size(&held), "{case}");
+                assert!(size(&wanted) < 0.5 * size(&held), "{case}");
+            }
+        }
+    }
 }

@@ -25,7 +25,7 @@ const SPARE: f64 = 0.3;
 const APART: f64 = 1e-3;
 /// Where this part is left a mass-conserving film keeps its advection schemes.
 const NEAR: f64 = 1e-2;
-/// A balance of the cubic film that falls by less than this factor with the tangent of the quadratic one takes its own, whose products take long,
+/// A balance of the cubic film that falls by less than this factor with the tangent of the quadratic one takes its own from then on, whose products take long,
 const SLOW: f64 = 0.1;
 /// and one by less than this is at round-off.
 const STALLED: f64 = 0.5;
@@ -340,23 +340,23 @@ pub fn closed_pair(
         return Ok(pair);
     };
     let mut counts = deflection.closing;
-    let mut before = f64::INFINITY;
+    let (mut before, mut tangent) = (f64::INFINITY, TangentOf::Quadratic);
     for step in 0..=MOST_STEPS {
         let contact = contact_points(&pair.problem, system);
         let left = Left::of(&pair.problem, &system.cubic().system, &pair.cubic, contact);
         let residual = left.residual;
         counts.residual = residual;
-        if residual < enough || residual < CLOSED_ENOUGH && residual > STALLED * before {
+        let is_stalled = tangent == TangentOf::Cubic && residual > STALLED * before;
+        if residual < enough || residual < CLOSED_ENOUGH && is_stalled {
             return Ok(Pair {
                 problem: pair.problem.closed_by(counts),
                 ..pair
             });
         }
         if step < MOST_STEPS {
-            let tangent = match residual > SLOW * before {
-                true => TangentOf::Cubic,
-                false => TangentOf::Quadratic,
-            };
+            if residual > SLOW * before {
+                tangent = TangentOf::Cubic;
+            }
             before = residual;
             pair = bent_further(pair, &left, (system, tangent), &mut counts)?;
         }
@@ -374,7 +374,7 @@ pub fn closed_pair(
 }
 
 /// Which of two films has the tangent of a step.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum TangentOf {
     /// It has a factor of its own, and nearly the tangent of the other one.
     Quadratic,

@@ -16,6 +16,7 @@
 
 mod close;
 mod dynamics;
+mod following;
 mod gmres;
 mod joint;
 mod slow;
@@ -25,6 +26,7 @@ mod touching;
 pub use close::{CLOSED, Pair, closed_film, closed_pair};
 pub(crate) use close::{Left, closed_near, closed_within};
 pub(crate) use dynamics::{Response, harmonic_response};
+pub use following::following_wall;
 pub(crate) use joint::{Joint, Moves};
 pub use slow::{carried_slowly, hastened};
 pub use tangent::EXACT;
@@ -34,10 +36,14 @@ use std::sync::Arc;
 
 use oilwedge_fem::Error;
 use oilwedge_fem::newton::Failure;
+use oilwedge_reynolds::film_thickness::Deflection;
 use oilwedge_reynolds::quantities::contact_points::ContactPoints;
 use oilwedge_reynolds::quantities::load::{Resultant, load_change};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmChange, FilmProblem, FilmSolution, FilmSystem, JournalChange, NoFilm};
+
+/// Accuracy of the linear systems of films moved for bars of errors.
+const FOR_BARS: f64 = 1e-6;
 
 /// What a move of the journal changes, to first order.
 #[derive(Debug, Clone)]
@@ -110,7 +116,7 @@ pub fn displaced(
     let Some(follower) = Follower::of(problem, system, film).map_err(Failure::from)? else {
         return problem.displaced(system, film, change);
     };
-    let followed = follower.free(change).and_then(|free| follower.followed(free, EXACT));
+    let followed = follower.free(change).and_then(|free| follower.followed(free, FOR_BARS));
     let followed = followed.map_err(Failure::from)?;
     let moved = FilmProblem {
         journal: problem.journal.changed(change),
@@ -133,9 +139,23 @@ pub fn bent(
     let Some(follower) = Follower::of(problem, system, film).map_err(Failure::from)? else {
         return Ok(None);
     };
-    let followed = follower.of_wall(free).map_err(Failure::from)?;
+    let followed = follower.of_wall(free, FOR_BARS).map_err(Failure::from)?;
     let at_rest = FilmChange::from(&JournalChange::default());
     follower.moved(problem.clone(), at_rest, &followed).map(Some)
+}
+
+/// The deflection where the wall moves by coefficients `free` [m] and contact has answered, the pressure of the film held; none where the wall is rigid.
+///
+/// # Errors
+/// A system that does not fit in memory.
+pub fn touched(
+    problem: &FilmProblem,
+    system: &FilmSystem,
+    film: &FilmSolution,
+    free: &[f64],
+) -> Result<Option<Deflection>, Error> {
+    let follower = Follower::of(problem, system, film)?;
+    Ok(follower.map(|follower| follower.added(&follower.solve_contact(free))))
 }
 
 impl Follower<'_> {

@@ -27,9 +27,9 @@ pub(crate) struct Follower<'a> {
     pub(super) problem: &'a FilmProblem,
     pub(super) system: &'a FilmSystem,
     pub(super) film: &'a FilmSolution,
-    deflection: &'a Deflection,
+    pub(super) deflection: &'a Deflection,
     /// How the film answers to the wall.
-    gap: GapTangent,
+    pub(super) gap: GapTangent,
     /// None where no contact is simulated.
     contact: Option<Touch>,
 }
@@ -123,8 +123,7 @@ impl<'a> Follower<'a> {
 
     /// Deflection [m] by a change of the unknown, and by that of contact with a deflection `bent` [m].
     pub(super) fn image(&self, unknown: &[f64], bent: &[f64]) -> Vec<f64> {
-        let contact = self.contact.as_ref().map(|contact| contact.tangent.times(bent));
-        self.image_with(unknown, contact.as_deref())
+        self.image_with(unknown, self.contact_times(bent).as_deref())
     }
 
     /// What follows from a `change` of the journal, the wall held.
@@ -183,6 +182,11 @@ impl<'a> Follower<'a> {
         }
     }
 
+    /// Change of the forces [N] of contact on the splines by a deflection [m]; none where no contact is simulated.
+    pub(super) fn contact_times(&self, bent: &[f64]) -> Option<Vec<f64>> {
+        Some(self.contact.as_ref()?.tangent.times(bent))
+    }
+
     /// What follows from a change of the journal that leads to `free` where the wall is held, to an `accuracy`.
     ///
     /// # Errors
@@ -216,9 +220,9 @@ impl<'a> Follower<'a> {
         LoadGradient::of(self.problem, self.system, self.film, contact)
     }
 
-    /// What follows where the wall alone changes by `free` [m] under the pressure that is there.
-    pub(crate) fn of_wall(&self, free: &[f64]) -> Result<Followed, Error> {
-        self.bent(free, vec![0.0; self.film.unknown.len()], EXACT)
+    /// What follows where the wall alone changes by `free` [m] under the pressure that is there, to an `accuracy`.
+    pub(crate) fn of_wall(&self, free: &[f64], accuracy: f64) -> Result<Followed, Error> {
+        self.bent(free, vec![0.0; self.film.unknown.len()], accuracy)
     }
 }
 

@@ -26,6 +26,7 @@
 use oilwedge_fem::control_volumes::sub_triangles;
 use oilwedge_mesh::triangle_area;
 
+use super::following::{FollowingWall, GOALS};
 use super::places::{Places, places};
 use super::{Bar, CANCELLING, UNRESOLVED, drag, geometry};
 use crate::cavitation;
@@ -120,30 +121,42 @@ struct Disagreement {
     in_both: Vec<[f64; 2]>,
 }
 
+/// Weights of the pressure in force and moment, a wall that gives way following.
+struct Weights {
+    /// Of the force towards x and y [1].
+    force: [f64; 2],
+    /// Of its moments [m].
+    moment: [f64; 2],
+}
+
 /// A film and its coarse comparison.
 struct Pair<'a> {
     system: &'a FilmSystem,
     film: &'a FilmSolution,
     radius: f64,
+    /// The wall, if it gives way.
+    following: Option<&'a FollowingWall>,
     /// Pressure [Pa] at each dof of the film.
     pressure: Vec<f64>,
     /// |p - p_2h| [Pa] at each vertex.
     difference: Vec<f64>,
 }
 
-/// Estimates the errors of a mass-conserving `film` of quadratic elements by its `coarse` comparison ([`FilmProblem::coarse_comparison`]); none for other films.
+/// Estimates the errors of a mass-conserving `film` of quadratic elements by its `coarse` comparison ([`FilmProblem::coarse_comparison`]), where a wall that gives way is `following`, or held where
+/// there is none; none for other films.
 pub fn conserving_error(
     problem: &FilmProblem,
     system: &FilmSystem,
     film: &FilmSolution,
     coarse: &FilmSolution,
+    following: Option<&FollowingWall>,
 ) -> Option<ConservingError> {
     let (fraction, other) = (film.film_fraction.as_ref()?, coarse.film_fraction.as_ref()?);
     (system.space().degree() == 2).then_some(())?;
-    let pair = Pair::new(problem, system, film, coarse);
+    let pair = Pair::new((problem, system), film, coarse, following);
     let total = load::load(problem, system, film);
-    let towards = total.angle();
-    let [along, across] = [f64::cos, f64::sin].map(|of| pair.shares(|[angle, _]| of(angle - towards)));
+    let (sin, cos) = total.angle().sin_cos();
+    let [along, across] = [[cos, sin], [-sin, cos]].map(|[x, y]| pair.shares(|at| x * at.force[0] + y * at.force[1]));
     let front = pair.front();
     let Disagreement {
         doubt,
@@ -179,10 +192,10 @@ pub fn conserving_error(
         places: places(problem, system, [film, coarse], part),
         load,
         across: with_spread(bar(&across), force),
-        force: [f64::cos, f64::sin].map(|of| with_spread(bar(&pair.shares(|[angle, _]| of(angle))), force)),
+        force: [0, 1].map(|towards| with_spread(bar(&pair.shares(|at| at.force[towards])), force)),
         moment: problem.can_tilt().then(|| {
             let arm = 0.5 * problem.bearing.length;
-            [f64::cos, f64::sin].map(|of| with_spread(bar(&pair.shares(|[angle, z]| z * of(angle))), arm * force))
+            [0, 1].map(|towards| with_spread(bar(&pair.shares(|at| at.moment[towards])), arm * force))
         }),
         pressure_integral: with_spread(bar(&pair.shares(|_| 1.0)), force),
         greatest_pressure: pressure,
@@ -208,12 +221,18 @@ impl ConservingError {
 }
 
 impl<'a> Pair<'a> {
-    fn new(problem: &FilmProblem, system: &'a FilmSystem, film: &'a FilmSolution, coarse: &FilmSolution) -> Self {
+    fn new(
+        (problem, system): (&FilmProblem, &'a FilmSystem),
+        film: &'a FilmSolution,
+        coarse: &FilmSolution,
+        following: Option<&'a FollowingWall>,
+    ) -> Self {
         let pressure: Vec<f64> = film.unknown.iter().map(|&u| problem.pressure_at(u)).collect();
         let mut pair = Self {
             system,
             film,
             radius: problem.bearing.radius,
+            following,
             pressure,
             difference: Vec::new(),
         };
@@ -247,11 +266,21 @@ impl<'a> Pair<'a> {
         }
     }
 
-    /// `c Int d |w| dA` and `|w s|` of each triangle, w given by the angle [rad] and the axial position [m].
-    fn shares(&self, weight: impl Fn([f64; 2]) -> f64) -> Vec<Bar> {
-        let weight = |[x, z]: [f64; 2]| weight([x / self.radius, z]).abs();
+    /// `c Int d |w| dA` and `|w s|` of each triangle, w made of the weights of force and moment.
+    fn shares(&self, weight: impl Fn(Weights) -> f64) -> Vec<Bar> {
+        let weight = |position: [f64; 2]| weight(self.weights(position)).abs();
         let cells = 0..self.system.space().mesh().triangles().len();
         cells.map(|t| self.share(t, &weight)).collect()
+    }
+
+    /// Weights at a position [m].
+    fn weights(&self, [x, z]: [f64; 2]) -> Weights {
+        let (sin, cos) = (x / self.radius).sin_cos();
+        let [x, y, m_x, m_y] = self.following.map_or([0.0; GOALS], |wall| wall.at([x, z]));
+        Weights {
+            force: [cos + x, sin + y],
+            moment: [z * cos + m_x, z * sin + m_y],
+        }
     }
 
     fn share(&self, t: usize, weight: &dyn Fn([f64; 2]) -> f64) -> Bar {

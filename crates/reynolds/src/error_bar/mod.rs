@@ -28,11 +28,13 @@
 
 pub mod conserving;
 mod drag;
+pub mod following;
 pub mod geometry;
 pub mod places;
 mod shares;
 pub mod sharp;
 
+use self::following::FollowingWall;
 use crate::quantities::load::Share;
 use crate::{FilmProblem, FilmSolution, FilmSystem};
 
@@ -231,7 +233,7 @@ pub enum FlowGoal {
     Feed(String),
 }
 
-/// Judges `film` by the `cubic` film of `system.cubic()`, which carries `carried`.
+/// Judges `film` by the `cubic` film of `system.cubic()`, which carries `carried`, where a wall that gives way is `following`, or held where there is none.
 ///
 /// # Errors
 /// The linear systems of the duals could not be solved.
@@ -241,8 +243,9 @@ pub fn film_error(
     film: &FilmSolution,
     cubic: &FilmSolution,
     carried: &Share,
+    following: Option<&FollowingWall>,
 ) -> Result<FilmError, oilwedge_fem::Error> {
-    shares::film_error(problem, system, film, cubic, carried)
+    shares::film_error(problem, system, film, cubic, carried, following)
 }
 
 impl FilmError {

@@ -9,6 +9,7 @@ use oilwedge_fem::integrate::{Nodal, Rule};
 use oilwedge_fem::prolongation::Hierarchical;
 use oilwedge_fem::{Error, Field, Matrix};
 
+use super::following::{FollowingWall, GOALS};
 use super::{FilmError, FlowGoal, GoalError, drag, geometry};
 use crate::angles::sines_and_cosines;
 use crate::lubricant::PressureLaw;
@@ -34,6 +35,7 @@ pub(super) fn film_error(
     film: &FilmSolution,
     cubic: &FilmSolution,
     carried: &Share,
+    following: Option<&FollowingWall>,
 ) -> Result<FilmError, Error> {
     let better = &system.cubic().system;
     let raised = system.cubic().prolongation.prolong(&film.unknown);
@@ -43,33 +45,38 @@ pub(super) fn film_error(
         cubic: better,
         better: &cubic.unknown,
         raised: &raised,
+        following,
     };
-    let [x, y, thrust] = vectors.of(|cos, sin, _| [cos, sin, 1.0]);
+    let [x, y, thrust] = vectors.of(|At { cos, sin, mu, .. }| [cos + mu[0], sin + mu[1], 1.0]);
     let judged = |goal: &[f64], given: geometry::RimWeight| -> Result<GoalError, Error> {
         let (dual, error) = split.goal(goal)?;
         let geometry = geometry::rims(problem, system, film, &dual, given);
         Ok(GoalError { geometry, ..error })
     };
-    // What is cut out counts with its circle if it has one, else with the element edges.
-    let load = |goal: &[f64], weight: &dyn Fn(&SupplyRegion, [f64; 2]) -> f64| {
-        let given = |region: &SupplyRegion, [x, z]: [f64; 2], _: &FilmPoint| match region.disc {
-            None => 0.0,
-            Some(_) => weight(region, [x / problem.bearing.radius, z]),
+    // What is cut out counts with its circle if it has one, else with the element edges; it presses on no wall.
+    let load = |goal: &[f64], part: Option<usize>, weight: &dyn Fn(&SupplyRegion, [f64; 2]) -> f64| {
+        let given = |region: &SupplyRegion, [x, z]: [f64; 2], _: &FilmPoint| {
+            let carried = match region.disc {
+                None => 0.0,
+                Some(_) => weight(region, [x / problem.bearing.radius, z]),
+            };
+            let following = following.zip(part).map_or(0.0, |(wall, part)| wall.at([x, z])[part]);
+            carried + following * region.pressure
         };
         judged(goal, &given)
     };
     let excess = |region: &SupplyRegion| region.pressure - problem.bearing.end_pressure;
     let goals = [
-        load(&x, &|region, [angle, _]| excess(region) * angle.cos())?,
-        load(&y, &|region, [angle, _]| excess(region) * angle.sin())?,
-        load(&thrust, &|region, _| region.pressure)?,
+        load(&x, Some(0), &|region, [angle, _]| excess(region) * angle.cos())?,
+        load(&y, Some(1), &|region, [angle, _]| excess(region) * angle.sin())?,
+        load(&thrust, None, &|region, _| region.pressure)?,
     ];
     let moments = match problem.can_tilt() {
         true => {
-            let [x, y] = vectors.of(|cos, sin, z| [z * cos, z * sin]);
+            let [x, y] = vectors.of(|At { cos, sin, z, mu }| [z * cos + mu[2], z * sin + mu[3]]);
             Some([
-                load(&x, &|region, [angle, z]| excess(region) * z * angle.cos())?,
-                load(&y, &|region, [angle, z]| excess(region) * z * angle.sin())?,
+                load(&x, Some(2), &|region, [angle, z]| excess(region) * z * angle.cos())?,
+                load(&y, Some(3), &|region, [angle, z]| excess(region) * z * angle.sin())?,
             ])
         }
         false => None,
@@ -209,13 +216,29 @@ struct GoalVectors<'a> {
     better: &'a [f64],
     /// That of the film, in cubic functions.
     raised: &'a [f64],
+    /// The wall, if it gives way.
+    following: Option<&'a FollowingWall>,
+}
+
+/// Where a goal is weighed.
+struct At {
+    cos: f64,
+    sin: f64,
+    /// Axial position [m].
+    z: f64,
+    /// What the wall adds to the weights of force and moment.
+    mu: [f64; GOALS],
 }
 
 impl GoalVectors<'_> {
-    /// `Int s phi_i w dA` for each cubic function, with the secant s of the pressure between the two films, for weights w of
-    /// `(cos phi, sin phi, z)`.
-    fn of<const N: usize>(&self, weights: impl Fn(f64, f64, f64) -> [f64; N]) -> [Vec<f64>; N] {
-        let Self { problem, cubic, .. } = *self;
+    /// `Int s phi_i w dA` for each cubic function, with the secant s of the pressure between the two films, for weights w.
+    fn of<const N: usize>(&self, weights: impl Fn(At) -> [f64; N]) -> [Vec<f64>; N] {
+        let Self {
+            problem,
+            cubic,
+            following,
+            ..
+        } = *self;
         let (space, mesh) = (cubic.space(), cubic.space().mesh());
         let (plain, fine) = (Rule::for_degree(space.degree()), kinked_rule(space.degree()));
         let kink = problem.cavitation.kink().map(|p| problem.unknown_at(p));
@@ -231,7 +254,13 @@ impl GoalVectors<'_> {
                 let [sines, cosines] = sines_and_cosines(points.positions, problem.bearing.radius);
                 for q in 0..points.positions.len() {
                     let area = points.area(q) * secant(problem, points.value(q, &p3), points.value(q, &p2));
-                    let weights = weights(cosines[q], sines[q], points.positions[q][1]);
+                    let position = points.positions[q];
+                    let weights = weights(At {
+                        cos: cosines[q],
+                        sin: sines[q],
+                        z: position[1],
+                        mu: following.map_or([0.0; GOALS], |wall| wall.at(position)),
+                    });
                     for (goal, weight) in element.iter_mut().zip(weights) {
                         let weight = area * weight;
                         for (entry, shape) in goal.iter_mut().zip(points.shapes(q)) {

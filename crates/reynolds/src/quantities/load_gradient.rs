@@ -58,6 +58,11 @@ impl LoadGradient {
         }
     }
 
+    /// Of one part, force towards x or y or its moment: by the unknown at each dof, and by the coefficient of each spline of the wall; this is empty where surfaces do not touch.
+    pub fn of_part(&self, part: usize) -> [Vec<f64>; 2] {
+        [&self.by_unknown, &self.by_wall].map(|by| by.iter().map(|parts| parts[part]).collect())
+    }
+
     /// Where the unknown changes by `unknown` at each dof, and the deflection by coefficients `wall` [m].
     pub fn change(&self, unknown: &[f64], wall: &[f64]) -> Resultant {
         let mut sum = Parts::default();

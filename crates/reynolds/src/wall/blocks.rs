@@ -48,8 +48,29 @@ impl Blocks {
         self
     }
 
+    /// The product with a number for each spline: one for each dof of the space.
+    pub(super) fn times(&self, space: &Space, of_splines: &[f64]) -> Vec<f64> {
+        let mut of_dofs = vec![0.0; space.dofs()];
+        self.each(space, |spline, dofs, entries| {
+            for (&dof, entry) in dofs.iter().zip(entries) {
+                of_dofs[dof] += entry * of_splines[spline];
+            }
+        });
+        of_dofs
+    }
+
+    /// The transposed product, with a number for each dof: one for each of so many splines.
+    pub(super) fn transposed(&self, space: &Space, of_dofs: &[f64], splines: usize) -> Vec<f64> {
+        let mut of_splines = vec![0.0; splines];
+        self.each(space, |spline, dofs, entries| {
+            let sum: f64 = entries.iter().zip(dofs).map(|(part, &dof)| part * of_dofs[dof]).sum();
+            of_splines[spline] += sum;
+        });
+        of_splines
+    }
+
     /// Calls `visit` with each spline of each triangle, the dofs of the triangle and the entries of both.
-    pub(super) fn each(&self, space: &Space, mut visit: impl FnMut(usize, &[usize], &[f64])) {
+    fn each(&self, space: &Space, mut visit: impl FnMut(usize, &[usize], &[f64])) {
         let (shapes, mut begin) = (space.shapes(), 0);
         for (t, &end) in self.ends.iter().enumerate() {
             let dofs = &space.element_dofs(t)[..shapes];

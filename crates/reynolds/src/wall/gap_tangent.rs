@@ -22,6 +22,8 @@ pub struct GapTangent {
     blocks: Blocks,
     /// What pieces of the boundary add: dof, spline, entry.
     on_boundary: Vec<(usize, usize, f64)>,
+    /// How many splines there are.
+    splines: usize,
 }
 
 /// A gap that grows alike everywhere.
@@ -82,15 +84,18 @@ impl GapTangent {
 
     /// Change of the residual at each dof of the space with a deflection of these coefficients [m].
     pub fn times(&self, system: &FilmSystem, coefficients: &[f64]) -> Vec<f64> {
-        let space = system.space();
-        let mut change = vec![0.0; space.dofs()];
-        self.blocks.each(space, |spline, dofs, entries| {
-            for (&dof, entry) in dofs.iter().zip(entries) {
-                change[dof] += entry * coefficients[spline];
-            }
-        });
+        let mut change = self.blocks.times(system.space(), coefficients);
         for &(dof, spline, entry) in &self.on_boundary {
             change[dof] += entry * coefficients[spline];
+        }
+        change
+    }
+
+    /// The transposed product: change with the coefficient of each spline [1/m] of a sum over residuals with these weights of the dofs.
+    pub fn times_transposed(&self, system: &FilmSystem, weights: &[f64]) -> Vec<f64> {
+        let mut change = self.blocks.transposed(system.space(), weights, self.splines);
+        for &(dof, spline, entry) in &self.on_boundary {
+            change[spline] += entry * weights[dof];
         }
         change
     }
@@ -116,7 +121,11 @@ impl GapTangent {
                 on_boundary.push((dof, spline, by_gap * value))
             });
         }
-        Ok(Self { blocks, on_boundary })
+        Ok(Self {
+            blocks,
+            on_boundary,
+            splines: grid.number(),
+        })
     }
 
     /// Of a film without a film fraction: by the quadrature of its residual.
@@ -146,8 +155,11 @@ impl GapTangent {
             });
             block.ended()
         });
-        let on_boundary = Vec::new();
-        Self { blocks, on_boundary }
+        Self {
+            blocks,
+            on_boundary: Vec::new(),
+            splines: grid.number(),
+        }
     }
 }
 

@@ -37,7 +37,7 @@ pub(crate) struct SplinesAt {
 impl SplinesAt {
     /// Calls `visit` with number and value of each, of so many around and along.
     #[inline]
-    pub(super) fn each(&self, [around, along]: [usize; 2], mut visit: impl FnMut(usize, f64)) {
+    pub(crate) fn each(&self, [around, along]: [usize; 2], mut visit: impl FnMut(usize, f64)) {
         for (i, of_around) in self.around.into_iter().enumerate() {
             let first = ((self.first[0] + i) % around) * along + self.first[1];
             for (k, of_along) in self.along.into_iter().enumerate() {
@@ -144,6 +144,15 @@ impl Grid {
         system
             .pressing(self)
             .forces(system.space(), &changes.collect::<Vec<f64>>())
+    }
+
+    /// The transposed product of [`Self::forces_change`] with a number for each spline: how the sum of these times the forces changes with the unknown at each dof.
+    pub fn weights(&self, problem: &FilmProblem, system: &FilmSystem, unknown: &[f64], of_splines: &[f64]) -> Vec<f64> {
+        let integrals = system.pressing(self).integrals(system.space(), of_splines);
+        let weights = unknown.iter().zip(integrals);
+        weights
+            .map(|(&u, integral)| problem.pressure_slope_at(u) * integral)
+            .collect()
     }
 
     /// Calls `visit` with the number and the value of each spline that is not zero at a position [m].

@@ -24,6 +24,7 @@ pub use touching::ContactTangent;
 use std::sync::Arc;
 
 use crate::quantities::contact_points::ContactPoints;
+use crate::supply::{BoundaryKind, SupplyRegion};
 use crate::{Bearing, FilmProblem, FilmSystem};
 
 /// Splines around the liner, and cells along it, of walls without a grid of their own.
@@ -130,5 +131,22 @@ impl Wall {
         let here = by(self);
         let difference = there.iter().zip(here).map(|(there, here)| OF_COARSER * (here - there));
         Some(difference.collect())
+    }
+
+    /// How much more [m] the ends would be bent by a film than they are on this grid, as coefficients: slices there are bent by the pressure of the ends alone. None where the grid is given with the wall, or an end is
+    /// sealed.
+    pub fn error_at_ends(&self, problem: &FilmProblem, system: &FilmSystem, unknown: &[f64]) -> Option<Vec<f64>> {
+        let is_sealed = |region: &SupplyRegion| region.kind == BoundaryKind::Sealed;
+        if self.coarser.is_none() || system.supply.regions().iter().any(is_sealed) {
+            return None;
+        }
+        let even = vec![problem.unknown_at(problem.bearing.end_pressure); unknown.len()];
+        let [film, ends] = [unknown, &even].map(|unknown| self.deflection((problem, system), unknown, None));
+        let along = self.grid.along.number();
+        let of = |(k, (film, ends)): (usize, (f64, f64))| match [0, along - 1].contains(&(k % along)) {
+            true => ends - film,
+            false => 0.0,
+        };
+        Some(film.into_iter().zip(ends).enumerate().map(of).collect())
     }
 }

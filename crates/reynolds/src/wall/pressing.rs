@@ -46,16 +46,12 @@ impl Pressing {
 
     /// Forces [N] on the splines by pressures [Pa] at the dofs of the space.
     pub(crate) fn forces(&self, space: &Space, pressures: &[f64]) -> Vec<f64> {
-        let mut forces = vec![0.0; self.grid.number()];
-        self.blocks.each(space, |spline, dofs, integrals| {
-            let force: f64 = integrals
-                .iter()
-                .zip(dofs)
-                .map(|(part, &dof)| part * pressures[dof])
-                .sum();
-            forces[spline] += force;
-        });
-        forces
+        self.blocks.transposed(space, pressures, self.grid.number())
+    }
+
+    /// The transposed product: integral of each shape function times the function of the grid with these coefficients.
+    pub(crate) fn integrals(&self, space: &Space, coefficients: &[f64]) -> Vec<f64> {
+        self.blocks.times(space, coefficients)
     }
 }
 

@@ -65,10 +65,14 @@ fn wanted(scene: &Scene) -> Vec<Target> {
         quantity: row.name.to_owned(),
         relative: WANTED,
     };
+    // At the ends of a wall that gives way no mesh narrows what its grid leaves open of the least film.
+    let of_mesh = |row: &&Row| scene.liner.is_none() || *row != &FILM_THICKNESS_MIN;
     match scene.tolerance {
         Some(Tolerance::Usual) => [&PRESSURE_MAX, &FILM_THICKNESS_MIN, &SIDE_FLOW, &FRICTION_TORQUE]
+            .into_iter()
+            .filter(of_mesh)
             .map(target)
-            .to_vec(),
+            .collect(),
         _ => Vec::new(),
     }
 }

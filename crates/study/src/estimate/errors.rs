@@ -6,6 +6,7 @@
 use std::time::Instant;
 
 use oilwedge_bearing::Dynamics;
+use oilwedge_bearing::deflection::following_wall;
 use oilwedge_reynolds::error_bar::conserving::ConservingError;
 use oilwedge_reynolds::error_bar::sharp::{Reported, sharpen};
 use oilwedge_reynolds::error_bar::{Bar, Value, film_error};
@@ -81,12 +82,16 @@ pub fn estimate_errors(solved: &Solved) -> Estimated {
 fn by_cubic(solved: &Solved, cubic: &FilmSolution) -> Estimated {
     let film = &solved.film;
     let reported = of_cubic(film, cubic);
+    let Ok(following) = following_wall(&film.problem, &film.system, &solved.solution) else {
+        return Estimated::without_bars(film, reported);
+    };
     let Ok(error) = film_error(
         &film.problem,
         &film.system,
         &solved.solution,
         cubic,
         &reported.load.total,
+        following.as_ref(),
     ) else {
         return Estimated::without_bars(film, reported);
     };
@@ -175,7 +180,15 @@ pub fn quadratic_errors(solved: &Solved) -> Option<Vec<Quantity>> {
     };
     let film = &solved.film;
     let better = of_cubic(film, cubic);
-    let error = film_error(&film.problem, &film.system, &solved.solution, cubic, &better.load.total).ok()?;
+    let error = film_error(
+        &film.problem,
+        &film.system,
+        &solved.solution,
+        cubic,
+        &better.load.total,
+        None,
+    )
+    .ok()?;
     let quadratic = of_quadratic(solved, Some(&better));
     let pair = CubicPair {
         film,

@@ -6,14 +6,15 @@
 use std::borrow::Cow;
 use std::collections::HashMap;
 
-use oilwedge_bearing::deflection::bent;
-use oilwedge_reynolds::FilmSystem;
+use oilwedge_bearing::deflection::{bent, touched};
+use oilwedge_reynolds::film_thickness::Deflection;
 use oilwedge_reynolds::quantities::contact_points::ContactPoints;
 use oilwedge_reynolds::quantities::load::{Resultant, load};
+use oilwedge_reynolds::{FilmSystem, Gap};
 
 use super::position_sensitivity::with_dynamics;
 use crate::measure::{Measured, measure};
-use crate::quantities::{Quantity, View, measured};
+use crate::quantities::{FILM_THICKNESS_MIN, Quantity, View, measured};
 use crate::solved::Solved;
 
 /// What the deflection lets numbers change by.
@@ -21,8 +22,17 @@ use crate::solved::Solved;
 pub(super) struct WallBars {
     /// Quantities by name; not finite where the film has no tangent.
     by_name: HashMap<Cow<'static, str>, f64>,
-    /// Forces towards x and y [N], and moments [N m], at a fixed position.
+    /// Forces towards x and y [N], and moments [N m], at a fixed position: what the grid changes, for the dual of the wall has the rest.
     forces: [f64; 4],
+}
+
+/// Why the wall would be bent otherwise.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum By {
+    /// The pressure of the other film.
+    OtherFilm,
+    /// A finer grid.
+    Grid,
 }
 
 impl WallBars {
@@ -70,7 +80,8 @@ pub(super) fn wall_bars(solved: &Solved, list: &[Quantity], reported: &Measured)
             .collect::<Vec<f64>>()
     });
     let by_grid = wall.grid_error(problem, system, &solved.solution.unknown);
-    for free in [by_other, by_grid].into_iter().flatten() {
+    for (by, free) in [(By::OtherFilm, by_other), (By::Grid, by_grid)] {
+        let Some(free) = free else { continue };
         let moved = bent(problem, system, &solved.solution, &free).ok().flatten();
         let there = moved.map(|(problem, film)| {
             let forces = load(&problem, system, &film).total.resultant();
@@ -79,16 +90,29 @@ pub(super) fn wall_bars(solved: &Solved, list: &[Quantity], reported: &Measured)
             (forces, measured(&View::new(&solved.film, &problem, &there)))
         });
         let (forces, numbers) = there.unwrap_or((Resultant::default(), Vec::new()));
-        for (change, difference) in bars.forces.iter_mut().zip(differences(&here, &forces)) {
-            *change += difference.abs();
+        let is_in_dual = |quantity: &Quantity| by == By::OtherFilm && quantity.row.error.is_of_load();
+        if by == By::Grid {
+            for (change, difference) in bars.forces.iter_mut().zip(differences(&here, &forces)) {
+                *change += difference.abs();
+            }
         }
-        for quantity in list {
+        for quantity in list.iter().filter(|quantity| !is_in_dual(quantity)) {
             let there = numbers.iter().find(|there| there.name == quantity.name);
             let change = there.map_or(f64::NAN, |there| {
                 quantity.row.difference(quantity.value, there.value).abs()
             });
             *bars.by_name.entry(quantity.name.clone()).or_default() += change;
         }
+    }
+    if let Some(free) = wall.error_at_ends(problem, system, &solved.solution.unknown) {
+        let thickness = |deflection: &Deflection| {
+            let bent = problem.clone().deflected(Some(deflection));
+            Gap::of(&bent, system).thinnest_film(&bent, system).thickness
+        };
+        // The pressure there is given: contact alone answers.
+        let moved = touched(problem, system, &solved.solution, &free).ok().flatten();
+        let change = moved.map_or(f64::NAN, |moved| (thickness(deflection) - thickness(&moved)).abs());
+        *bars.by_name.entry(FILM_THICKNESS_MIN.name.into()).or_default() += change;
     }
     bars
 }

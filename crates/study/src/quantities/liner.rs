@@ -11,7 +11,7 @@ rows! {
     /// `delta_max`: greatest deflection of the wall outwards, where there is film; of elastic liners
     DEFLECTION_MAX = "deflection_max", "delta_max", Metre, "greatest deflection of the elastic liner":
         One(|film| film.measured.deflection),
-        ErrorRule::Of("change with the pressure of the other film, and with the grid of the wall, which film and wall answer; the bars of all numbers of elastic liners have this part",
+        ErrorRule::Of("change with the pressure of the other film, and with the grid of the wall, which film and wall answer; all numbers of elastic liners have this part in their bars, forces and moments that of the grid alone",
             |_, _| Some(Bar::default())),
         tolerance only(|scene| scene.liner.is_some());
 

@@ -107,6 +107,14 @@ impl ErrorRule {
         })
     }
 
+    /// True if it is that of force and moment alone, which know of a wall that follows.
+    pub fn is_of_load(&self) -> bool {
+        matches!(
+            self,
+            Self::Load | Self::PerLoad | Self::LoadAngle | Self::Component(_) | Self::Moment(_) | Self::LoadPlace
+        )
+    }
+
     /// In words.
     pub fn sentence(&self) -> &'static str {
         match self {

@@ -1,0 +1,75 @@
+//! What the wall adds to the weights of force and moment where it follows an error of the pressure: the dual of film and wall, of which the film is eliminated.
+//!
+//! ```text
+//! mu - C B^T mu = C g        B^T mu = A mu - G^T K^-T F^T mu        g = J_d - G^T K^-T j
+//! ```
+//!
+//! K is the tangent of the film, G how its residual changes with the wall. The operator is the transposed one of `tangent.rs` with C, which is symmetric, before it instead of behind.
+
+use oilwedge_fem::Error;
+use oilwedge_reynolds::error_bar::following::{FollowingWall, GOALS};
+use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem};
+
+use super::gmres::gmres;
+use super::tangent::Follower;
+
+/// Accuracy of the linear systems: in a soft wall mu and the weight that it is added to are nearly the same.
+const ACCURACY: f64 = 1e-4;
+/// Part to which each product is known.
+const OF_PRODUCTS: f64 = 1e-6;
+
+/// What a wall that gives way adds to the weights of force and moment at a solved film; none where it is rigid.
+///
+/// # Errors
+/// The linear systems could not be solved.
+pub fn following_wall(
+    problem: &FilmProblem,
+    system: &FilmSystem,
+    film: &FilmSolution,
+) -> Result<Option<FollowingWall>, Error> {
+    let Some(follower) = Follower::of(problem, system, film)? else {
+        return Ok(None);
+    };
+    let gradient = follower.load_gradient();
+    let mut coefficients = [const { Vec::new() }; GOALS];
+    for (part, coefficients) in coefficients.iter_mut().enumerate() {
+        let [by_unknown, by_wall] = gradient.of_part(part);
+        *coefficients = follower.weight(&by_unknown, &by_wall)?;
+    }
+    Ok(Some(FollowingWall {
+        grid: follower.deflection.wall.grid.clone(),
+        coefficients,
+    }))
+}
+
+impl Follower<'_> {
+    /// mu of a number that changes with the unknown at each dof and with the coefficients of the wall by so much.
+    fn weight(&self, by_unknown: &[f64], by_wall: &[f64]) -> Result<Vec<f64>, Error> {
+        let (grid, compliance) = (&self.deflection.wall.grid, &self.deflection.wall.compliance);
+        let mut by_all = self.by_film_transposed(by_unknown)?;
+        by_all
+            .iter_mut()
+            .zip(by_wall)
+            .for_each(|(sum, by_wall)| *sum += by_wall);
+        let operator = |mu: &[f64]| {
+            let weights = grid.weights(self.problem, self.system, &self.film.unknown, mu);
+            let mut forces = self.by_film_transposed(&weights)?;
+            if let Some(contact) = self.contact_times(mu) {
+                forces
+                    .iter_mut()
+                    .zip(contact)
+                    .for_each(|(sum, contact)| *sum += contact);
+            }
+            let image = compliance.deflection(&forces);
+            Ok::<_, Error>(mu.iter().zip(image).map(|(mu, image)| mu - image).collect())
+        };
+        let wanted = compliance.deflection(&by_all);
+        Ok(gmres(operator, |r| self.solve_contact(r), &wanted, ACCURACY)?.x)
+    }
+
+    /// How a sum over the unknown with these weights of the dofs changes with the wall.
+    fn by_film_transposed(&self, weights: &[f64]) -> Result<Vec<f64>, Error> {
+        let dual = FilmProblem::answer_transposed(self.film, weights, OF_PRODUCTS)?;
+        Ok(self.gap.times_transposed(self.system, &dual))
+    }
+}
