@@ -67,15 +67,38 @@ pub fn find(
     }
 }
 
+/// As [`find`] from a cold start with quadratic elements, where the coarser mesh of the system is known to have no balance, for this `reason`.
+///
+/// # Errors
+/// [`NoEquilibrium`]: the reason why there is none.
+pub fn find_after(
+    problem: &FilmProblem,
+    system: &FilmSystem,
+    load: impl Into<Load>,
+    options: &SearchOptions,
+    reason: NoEquilibrium,
+) -> Result<Equilibrium, NoEquilibrium> {
+    Search::new(problem, system, load.into(), *options).cold_after(problem, Some(reason))
+}
+
 impl Search<'_> {
     /// Balances the load from coarser meshes on.
     fn cold(&self, problem: &FilmProblem) -> Result<Equilibrium, NoEquilibrium> {
+        self.cold_after(problem, None)
+    }
+
+    /// As [`Self::cold`]; `known` is why the coarser mesh has no balance, where that was asked.
+    fn cold_after(
+        &self,
+        problem: &FilmProblem,
+        known: Option<NoEquilibrium>,
+    ) -> Result<Equilibrium, NoEquilibrium> {
         self.below_rounding().map_or(Ok(()), Err)?;
         let found = match self.guided(problem) {
             Some(outcome) => outcome,
             None => self
                 .check_capacity(problem)
-                .map_or_else(|| self.on_levels(problem), Err),
+                .map_or_else(|| self.on_levels(problem, known), Err),
         };
         let found = self.inside(found, None)?;
         match self.is_beyond(&found) {
@@ -115,8 +138,8 @@ impl Search<'_> {
             .flatten()
     }
 
-    /// Balances the load from its balance on coarser meshes, if the system has any.
-    fn on_levels(&self, problem: &FilmProblem) -> Result<Equilibrium, NoEquilibrium> {
+    /// Balances the load from its balance on coarser meshes, if the system has any; `known` is why they have none.
+    fn on_levels(&self, problem: &FilmProblem, known: Option<NoEquilibrium>) -> Result<Equilibrium, NoEquilibrium> {
         let Some(coarser) = &self.system.coarser else {
             return self.everywhere(problem);
         };
@@ -127,7 +150,8 @@ impl Search<'_> {
             purpose: Purpose::Start,
             ..self.options
         };
-        let reason = match find(&coarser.problem(problem), &coarser.system, self.load, &rough) {
+        let on_coarser = || find(&coarser.problem(problem), &coarser.system, self.load, &rough);
+        let reason = match known.map_or_else(on_coarser, Err) {
             Ok(found) => {
                 let bent = problem.clone().deflected(found.problem.deflection());
                 return self.run(&bent, found.problem.journal);

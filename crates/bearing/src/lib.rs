@@ -53,7 +53,7 @@ pub use duty_cycle::{Duty, DutyCycle};
 pub use dynamics::{Coefficients, Dynamics, Stability, Threshold, stability};
 pub use equilibrium::{Equilibrium, NEAR, ROUGHLY_BALANCED};
 pub use estimate::{GREATEST_ECCENTRICITY, first_contact, first_position, is_contact};
-pub use find::find;
+pub use find::{find, find_after};
 pub use hill::balance_hill;
 pub use load::{Load, Tilting};
 pub use no_equilibrium::{NoEquilibrium, Waypoint};

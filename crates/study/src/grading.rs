@@ -4,15 +4,16 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 use oilwedge_bearing::{
-    Deadline, Equilibrium, Load, NoEquilibrium, Purpose, ROUGHLY_BALANCED, SearchOptions, Waypoint, find, is_contact,
+    Deadline, Equilibrium, InitialGuess, Load, NoEquilibrium, Purpose, ROUGHLY_BALANCED, SearchOptions, Waypoint, find, find_after, is_contact,
 };
 use oilwedge_reynolds::angles::wrapped;
+use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmProblem, Gap, JournalState};
 use oilwedge_scene::Scene;
 
 use crate::compile::{compile, compile_near};
 use crate::compile_error::CompileError;
-use crate::film::Film;
+use crate::film::{Film, Start};
 use crate::liner_mesh::{expected_triangles, resized};
 use crate::no_answer::NoAnswer;
 use crate::position::Position;
@@ -218,8 +219,17 @@ fn rough_balance(film: &Film, load: Load, deadline: Deadline) -> Result<Equilibr
         purpose: Purpose::Start,
         ..film.search_options(deadline)
     };
+    // Where a mesh before has the balance and walls give way, a coarser one that does not is not asked where else there is one.
+    let has_balance = film.start == Start::NearlyBalanced && film.problem.has_bent_wall();
+    let of_coarser = SearchOptions {
+        guess: match has_balance {
+            true => InitialGuess::Near(Neighbour::None),
+            false => options.guess,
+        },
+        ..options
+    };
     let on_coarser = (film.system.coarser.as_ref())
-        .map(|coarser| find(&coarser.problem(&film.problem), &coarser.system, load, &options));
+        .map(|coarser| find(&coarser.problem(&film.problem), &coarser.system, load, &of_coarser));
     // The way into contact was followed there.
     let is_followed = |reason: &NoEquilibrium| {
         matches!(
@@ -228,7 +238,11 @@ fn rough_balance(film: &Film, load: Load, deadline: Deadline) -> Result<Equilibr
         )
     };
     match on_coarser {
-        Some(found) if found.as_ref().err().is_none_or(is_followed) => found,
+        Some(Ok(found)) => Ok(found),
+        Some(Err(reason)) if is_followed(&reason) => Err(reason),
+        Some(Err(reason)) if film.start == Start::Estimated => {
+            find_after(&film.problem, &film.system, load, &options, reason)
+        }
         _ => find(&film.problem, &film.system, load, &options),
     }
 }

@@ -28,8 +28,10 @@ const MOST_GROWTH: f64 = 16.0;
 const MOST_WANTED_LEVELS: usize = 2;
 /// their most unknowns,
 const MOST_WANTED_UNKNOWNS: usize = 40_000;
-/// fewer where each position that is tried takes long: with a wall that gives way, and where position and tilt of a film that conserves oil are found,
+/// fewer where each position that is tried takes long: where position and tilt of a film that conserves oil are found,
 const MOST_WANTED_EXPENSIVE: usize = 20_000;
+/// and with a wall that gives way, which is closed at each position,
+const MOST_WANTED_ON_WALL: usize = 5_000;
 /// and these over those of the mesh before.
 const MOST_WANTED_GROWTH: f64 = 2.0;
 
@@ -262,13 +264,10 @@ impl Refining<'_> {
     fn finer_if_cheap(&mut self, last: &Next, level: &Level) -> Option<Next> {
         self.wanted_levels += 1;
         let film = &level.solved.film;
-        let is_expensive = film.load.is_some_and(|load| {
-            film.problem.deflection().is_some() || film.problem.cavitation.conserves_oil() && load.tilting.is_some()
-        });
-        let most_unknowns = if is_expensive {
-            MOST_WANTED_EXPENSIVE
-        } else {
-            MOST_WANTED_UNKNOWNS
+        let most_unknowns = match film.load {
+            Some(_) if film.problem.deflection().is_some() => MOST_WANTED_ON_WALL,
+            Some(load) if film.problem.cavitation.conserves_oil() && load.tilting.is_some() => MOST_WANTED_EXPENSIVE,
+            _ => MOST_WANTED_UNKNOWNS,
         };
         let goal = Goal {
             worst: level.wanted,
