@@ -88,11 +88,7 @@ impl Search<'_> {
     }
 
     /// As [`Self::cold`]; `known` is why the coarser mesh has no balance, where that was asked.
-    fn cold_after(
-        &self,
-        problem: &FilmProblem,
-        known: Option<NoEquilibrium>,
-    ) -> Result<Equilibrium, NoEquilibrium> {
+    fn cold_after(&self, problem: &FilmProblem, known: Option<NoEquilibrium>) -> Result<Equilibrium, NoEquilibrium> {
         self.below_rounding().map_or(Ok(()), Err)?;
         let found = match self.guided(problem) {
             Some(outcome) => outcome,

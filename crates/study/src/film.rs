@@ -52,6 +52,8 @@ pub enum Start {
     NearlyBalanced,
     /// A growing moment leads into contact, or the journal tips over; another mesh has shown a balance on the way.
     Along(Arc<Waypoint>),
+    /// It is an estimate, from which a rough search on this mesh has found no balance: under a wall that gives way, where that takes long.
+    Failed,
 }
 
 /// Where the mesh of a film comes from.
@@ -104,11 +106,19 @@ impl Film {
         }
     }
 
+    /// This film, on whose mesh a rough search has found no balance.
+    pub(crate) fn failed(self) -> Self {
+        Self {
+            start: Start::Failed,
+            ..self
+        }
+    }
+
     /// The way along which its position is sought, if another mesh has shown one.
     pub(crate) fn way(&self) -> Option<&Arc<Waypoint>> {
         match &self.start {
             Start::Along(way) => Some(way),
-            Start::Estimated | Start::NearlyBalanced => None,
+            Start::Estimated | Start::NearlyBalanced | Start::Failed => None,
         }
     }
 
@@ -159,7 +169,7 @@ impl Film {
             deadline,
             guess: match &self.start {
                 Start::Along(way) => InitialGuess::Along(way),
-                Start::Estimated => InitialGuess::Cold,
+                Start::Estimated | Start::Failed => InitialGuess::Cold,
                 Start::NearlyBalanced => InitialGuess::NearlyBalanced,
             },
             ..SearchOptions::default()

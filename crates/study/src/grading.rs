@@ -4,7 +4,8 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 use oilwedge_bearing::{
-    Deadline, Equilibrium, InitialGuess, Load, NoEquilibrium, Purpose, ROUGHLY_BALANCED, SearchOptions, Waypoint, find, find_after, is_contact,
+    Deadline, Equilibrium, InitialGuess, Load, NoEquilibrium, Purpose, ROUGHLY_BALANCED, SearchOptions, Waypoint, find,
+    find_after, is_contact,
 };
 use oilwedge_reynolds::angles::wrapped;
 use oilwedge_reynolds::solve::Neighbour;
@@ -95,6 +96,7 @@ pub fn graded_within(
                     None => film,
                 });
             }
+            Suited::Failed => return Ok(film.failed()),
             Suited::Not(position, known) => {
                 let scene = coarsened(scene, most_triangles, position)?;
                 let graded = compile_near(&scene, position)?;
@@ -132,6 +134,8 @@ enum Suited {
     Not(Position, Known),
     /// No position is known, but perhaps the way of a growing moment.
     Unknown(Option<Arc<Waypoint>>),
+    /// The search under a wall that gives way has led nowhere.
+    Failed,
 }
 
 /// What a search on one mesh leaves to that on the next.
@@ -171,6 +175,7 @@ fn suited(film: &Film, load: Load, deadline: Deadline, middle: &mut Option<Posit
         Err(NoEquilibrium::EdgeContact { journal, .. }) => with_film(&gap, journal, thin),
         // Feeds may carry what the estimate would have a thin film carry.
         Err(reason) => match (middle.take(), reason.last_position()) {
+            (None, _) if film.problem.deflection().is_some() && !reason.is_far_beyond() => return Suited::Failed,
             (Some(position), _) => return Suited::Not(position, Known::Nothing),
             (None, Some(journal)) if is_contact(&gap, &journal) => return Suited::Unknown(None),
             (None, Some(journal)) => with_film(&gap, &journal, thin),

@@ -10,7 +10,7 @@ use super::{Answer, ended, solved};
 use crate::checks::Targets;
 use crate::compile_error::CompileError;
 use crate::estimate::Estimated;
-use crate::film::Film;
+use crate::film::{Film, Start};
 use crate::no_answer::NoAnswer;
 use crate::observer::Reached;
 use crate::quantities::Quantity;
@@ -100,6 +100,11 @@ impl Refining<'_> {
             Ok(made) => made,
             Err(reason) => return self.last_resort(reason.to_string()).ok_or(reason),
         };
+        if film.start == Start::Failed
+            && let Some(finer) = next.finer_than_failed()
+        {
+            return Ok(Step::Finer(finer));
+        }
         self.is_laid_anew |= film.origin.is_laid_anew;
         film.origin.is_laid_anew = self.is_laid_anew;
         let observer = self.options.observer;

@@ -184,6 +184,11 @@ impl Next {
         }
     }
 
+    /// Another start where a rough search on the first mesh has found no balance.
+    pub(super) fn finer_than_failed(&self) -> Option<Self> {
+        matches!(self, Self::Drawn(factor, _) if *factor > 1.0).then_some(Self::Drawn(1.0, None))
+    }
+
     /// The mesh after that of a level, or why it cannot be made.
     pub(super) fn refined(last: &Self, level: &Level, growth: &Growth) -> Result<Self, Limit> {
         let (film, estimated) = (&level.solved.film, &level.estimated);
