@@ -5,7 +5,7 @@
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
-//! | d | m | [`Deflection`](oilwedge_reynolds::film_thickness::Deflection) |
+//! | d | m | [`Deflection`] |
 //! | C, f | m/N, N | [`Wall`](oilwedge_reynolds::wall::Wall) |
 //!
 //! The wall is bent by the film that is reported: the one in cubic elements, where errors are estimated by it. The other film of a pair runs under the wall so
