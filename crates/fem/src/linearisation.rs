@@ -176,7 +176,7 @@ impl Linearisation {
     /// Solves likewise until the residual is this `part` of b: a product with an inverse that is to be no more accurate.
     ///
     /// # Errors
-    /// As [`Linearisation::solve`].
+    /// As [`Linearisation::solve`], where the residual stays above both 1e-7 and `part` of b.
     pub fn solve_within(&self, b: &[f64], part: f64) -> Result<Vec<f64>, Error> {
         let enough = Enough::residual(part * self.constraints.free_norm(b));
         self.refined(b, false, enough, part.max(REFINE_ABOVE))
@@ -193,7 +193,7 @@ impl Linearisation {
     /// Solves `(dR/du)^T x = b` until the residual is this `part` of b, likewise.
     ///
     /// # Errors
-    /// As [`Linearisation::solve`].
+    /// As [`Linearisation::solve_within`].
     pub fn solve_transposed_within(&self, b: &[f64], part: f64) -> Result<Vec<f64>, Error> {
         let enough = Enough::residual(part * self.constraints.free_norm(b));
         self.refined(b, true, enough, part.max(REFINE_ABOVE))

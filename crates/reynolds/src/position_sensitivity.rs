@@ -87,7 +87,7 @@ impl FilmProblem {
         Ok(unknown)
     }
 
-    /// The transposed of [`Self::answer`]: how a sum over the unknown with these `weights` of the dofs changes with the residual at each dof.
+    /// The transposed of [`Self::answer`]: how a sum over the unknown with these `weights` of the dofs changes with the residual at each dof, zero where the unknown is given; its linear system may leave this `part` of the weights [1].
     ///
     /// # Errors
     /// The linear system could not be solved.

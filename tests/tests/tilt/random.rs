@@ -24,7 +24,7 @@ fn contact_is_judged_by_a_mesh_that_resolves_it() {
     assert!(fault.is_none(), "{fault:?}");
 }
 
-/// Under walls that give way: a load far beyond what the Swift-Stieber film carries is refused in its name, and a journal that tips over on the first mesh is told to on the next.
+/// On elastic liners a mass-conserving film whose load is far beyond the capacity of the Swift-Stieber film is refused with that reason, and a journal that tips over is reported as such.
 #[test]
 fn walls_that_give_way_leave_a_reason() {
     for (number, told) in [(198, "found for the Swift-Stieber film"), (43, "tips over")] {

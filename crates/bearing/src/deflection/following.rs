@@ -7,7 +7,7 @@
 //! K is the tangent of the film, G how its residual changes with the wall. The operator is the transposed one of `tangent.rs` with C, which is symmetric, before it instead of behind.
 
 use oilwedge_fem::Error;
-use oilwedge_reynolds::error_bar::following::{FollowingWall, GOALS};
+use oilwedge_reynolds::error_bar::following::{FORCES, FollowingWall, GOALS};
 use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem};
 
 use super::gmres::gmres;
@@ -18,7 +18,8 @@ const ACCURACY: f64 = 1e-4;
 /// Part to which each product is known.
 const OF_PRODUCTS: f64 = 1e-6;
 
-/// What a wall that gives way adds to the weights of force and moment at a solved film; none where it is rigid.
+/// What a wall that gives way adds to the weights of force [1] and, where the journal can tilt, of moment [m] at a solved film, which runs under the wall of `problem`; none where the wall is rigid.
+/// Source: [`oilwedge_reynolds::error_bar::following`].
 ///
 /// # Errors
 /// The linear systems could not be solved.
@@ -31,8 +32,10 @@ pub fn following_wall(
         return Ok(None);
     };
     let gradient = follower.load_gradient();
-    let mut coefficients = [const { Vec::new() }; GOALS];
-    for (part, coefficients) in coefficients.iter_mut().enumerate() {
+    let mut coefficients = [(); GOALS].map(|()| vec![0.0; follower.number()]);
+    // A journal that cannot tilt has no moment whose error is asked for.
+    let asked = if problem.can_tilt() { GOALS } else { FORCES };
+    for (part, coefficients) in coefficients.iter_mut().enumerate().take(asked) {
         let [by_unknown, by_wall] = gradient.of_part(part);
         *coefficients = follower.weight(&by_unknown, &by_wall)?;
     }

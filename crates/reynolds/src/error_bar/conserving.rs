@@ -5,6 +5,7 @@
 //! ```text
 //! bar of Int p w dA = (1 + chi/chi_1) (c Int d |w| dA + Sum |w s|)
 //! ```
+//! Where a wall gives way, w of a force or moment has the part mu of [`super::following`] added.
 //! Both films carry oil by the same scheme, and what it spreads across the flow shows in neither: sigma and n (`jfo/spread.rs`) say. Every bar has
 //! the part `min(0.1 + 0.3 n, 0.8) sigma` of its number added. Of second order the error at a node is a third of d, here without its sign, since signs change from mesh to mesh: c is a
 //! little more than a third. Where the two films do not agree on which nodes are in the cavity the mesh is not yet fine enough for

@@ -19,7 +19,9 @@
 
 use crate::wall::Grid;
 
-/// Force towards x and y, and its moments.
+/// Force towards x and y: the first goals,
+pub const FORCES: usize = 2;
+/// and those with its moments.
 pub const GOALS: usize = 4;
 
 /// What the wall adds to the weights of force and moment.
@@ -27,7 +29,7 @@ pub const GOALS: usize = 4;
 pub struct FollowingWall {
     /// The splines.
     pub grid: Grid,
-    /// mu of the force towards x and y [1], and of its moments [m].
+    /// mu of the force towards x and y [1], and of its moments [m]: zero of a journal that cannot tilt. One coefficient for each spline.
     pub coefficients: [Vec<f64>; GOALS],
 }
 

@@ -91,7 +91,7 @@ impl GapTangent {
         change
     }
 
-    /// The transposed product: change with the coefficient of each spline [1/m] of a sum over residuals with these weights of the dofs.
+    /// The transposed product: change with the coefficient of each spline of a sum over residuals with these weights of the dofs: by metre, in the unit of that sum.
     pub fn times_transposed(&self, system: &FilmSystem, weights: &[f64]) -> Vec<f64> {
         let mut change = self.blocks.transposed(system.space(), weights, self.splines);
         for &(dof, spline, entry) in &self.on_boundary {

@@ -133,8 +133,8 @@ impl Wall {
         Some(difference.collect())
     }
 
-    /// How much more [m] the ends would be bent by a film than they are on this grid, as coefficients: slices there are bent by the pressure of the ends alone. None where the grid is given with the wall, or an end is
-    /// sealed.
+    /// How much more [m] the ends would be bent by a film than they are on this grid, as coefficients: slices there are bent by the pressure of the ends alone (where a feed reaches an
+    /// end, by its own: too much is counted). None where the grid is given with the wall, or an end is sealed.
     pub fn error_at_ends(&self, problem: &FilmProblem, system: &FilmSystem, unknown: &[f64]) -> Option<Vec<f64>> {
         let is_sealed = |region: &SupplyRegion| region.kind == BoundaryKind::Sealed;
         if self.coarser.is_none() || system.supply.regions().iter().any(is_sealed) {

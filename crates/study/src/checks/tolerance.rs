@@ -1,7 +1,7 @@
 //! Which quantities a tolerance may name, and what a tolerance without a name means.
 
 use oilwedge_scene::spelling::nearest;
-use oilwedge_scene::{Complaints, Position, Scene, Target, Theory, Tolerance};
+use oilwedge_scene::{Complaints, Liner, Position, Scene, Target, Theory, Tolerance};
 
 use crate::feed_region::feed_regions;
 use crate::quantities::{
@@ -65,8 +65,9 @@ fn wanted(scene: &Scene) -> Vec<Target> {
         quantity: row.name.to_owned(),
         relative: WANTED,
     };
-    // At the ends of a wall that gives way no mesh narrows what its grid leaves open of the least film.
-    let of_mesh = |row: &&Row| scene.liner.is_none() || *row != &FILM_THICKNESS_MIN;
+    // At the ends of slices that give way no mesh narrows what their grid leaves open of the least film.
+    let has_slices = matches!(scene.liner, Some(Liner::Winkler(_) | Liner::Wall { .. }));
+    let of_mesh = |row: &&Row| !has_slices || *row != &FILM_THICKNESS_MIN;
     match scene.tolerance {
         Some(Tolerance::Usual) => [&PRESSURE_MAX, &FILM_THICKNESS_MIN, &SIDE_FLOW, &FRICTION_TORQUE]
             .into_iter()
