@@ -10,7 +10,7 @@ use oilwedge_fem::Error;
 use oilwedge_reynolds::error_bar::following::{FORCES, FollowingWall, GOALS};
 use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem};
 
-use super::gmres::gmres;
+use super::gmres::Known;
 use super::tangent::Follower;
 
 /// Accuracy of the linear systems: in a soft wall mu and the weight that it is added to are nearly the same.
@@ -35,9 +35,10 @@ pub fn following_wall(
     let mut coefficients = [(); GOALS].map(|()| vec![0.0; follower.number()]);
     // A journal that cannot tilt has no moment whose error is asked for.
     let asked = if problem.can_tilt() { GOALS } else { FORCES };
+    let mut known = Known::default();
     for (part, coefficients) in coefficients.iter_mut().enumerate().take(asked) {
         let [by_unknown, by_wall] = gradient.of_part(part);
-        *coefficients = follower.weight(&by_unknown, &by_wall)?;
+        *coefficients = follower.weight((&by_unknown, &by_wall), &mut known)?;
     }
     Ok(Some(FollowingWall {
         grid: follower.deflection.wall.grid.clone(),
@@ -46,8 +47,8 @@ pub fn following_wall(
 }
 
 impl Follower<'_> {
-    /// mu of a number that changes with the unknown at each dof and with the coefficients of the wall by so much.
-    fn weight(&self, by_unknown: &[f64], by_wall: &[f64]) -> Result<Vec<f64>, Error> {
+    /// mu of a number that changes with the unknown at each dof and with the coefficients of the wall by so much; `known` is what those of other numbers have shown.
+    fn weight(&self, (by_unknown, by_wall): (&[f64], &[f64]), known: &mut Known) -> Result<Vec<f64>, Error> {
         let (grid, compliance) = (&self.deflection.wall.grid, &self.deflection.wall.compliance);
         let mut by_all = self.by_film_transposed(by_unknown)?;
         by_all
@@ -67,7 +68,7 @@ impl Follower<'_> {
             Ok::<_, Error>(mu.iter().zip(image).map(|(mu, image)| mu - image).collect())
         };
         let wanted = compliance.deflection(&by_all);
-        Ok(gmres(operator, |r| self.solve_contact(r), &wanted, ACCURACY)?.x)
+        Ok(known.solve(operator, |r| self.solve_contact(r), &wanted, ACCURACY)?.x)
     }
 
     /// How a sum over the unknown with these weights of the dofs changes with the wall.

@@ -4,6 +4,7 @@
 //! then `du = u + (du/dd) dd`, p the sum of both pressures. One product with the operator is one back-solve with the factor of the film, its cavity held, and one product each with the
 //! matrices of the gap ([`GapTangent`]) and of contact.
 
+use std::cell::RefCell;
 use std::sync::Arc;
 
 use oilwedge_fem::Error;
@@ -14,7 +15,7 @@ use oilwedge_reynolds::quantities::load::Resultant;
 use oilwedge_reynolds::wall::{ContactTangent, GapTangent};
 use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, JournalChange};
 
-use super::gmres::{Solved, gmres};
+use super::gmres::{Known, Solved};
 use super::touching::Touching;
 
 /// Accuracy to which the linear systems of a tangent are solved where the tangent is a result, not a step of an iteration: norm of the residual over that of the right-hand side [1].
@@ -32,6 +33,8 @@ pub(crate) struct Follower<'a> {
     pub(super) gap: GapTangent,
     /// None where no contact is simulated.
     contact: Option<Touch>,
+    /// What systems solved have shown of `I - C dp/dd`.
+    known: RefCell<Known>,
 }
 
 /// Contact of a film.
@@ -100,6 +103,7 @@ impl<'a> Follower<'a> {
                 deflection,
                 gap: GapTangent::of(problem, system, film, deflection)?,
                 contact: contact.map(touch),
+                known: RefCell::default(),
             })
         };
         problem.deflection().map(of_wall).transpose()
@@ -171,7 +175,7 @@ impl<'a> Follower<'a> {
             let image = self.image(&self.by_deflection(x, accuracy)?, x);
             Ok(x.iter().zip(image).map(|(x, image)| x - image).collect())
         };
-        gmres(operator, |r| self.solve_contact(r), b, accuracy)
+        (self.known.borrow_mut()).solve(operator, |r| self.solve_contact(r), b, accuracy)
     }
 
     /// Solves `x - C A x = r`, A the tangent of contact: the system without what the film answers.
