@@ -30,6 +30,13 @@ pub trait Profile: Send + Sync + std::fmt::Debug {
     /// The profile at `(x, z)` [m] of the developed surface.
     fn at(&self, position: [f64; 2]) -> Relief;
 
+    /// Calls `visit` with the number of each of some positions [m] near to each other, and the profile there.
+    fn each(&self, positions: &[[f64; 2]], visit: &mut dyn FnMut(usize, Relief)) {
+        for (q, &position) in positions.iter().enumerate() {
+            visit(q, self.at(position));
+        }
+    }
+
     /// Second derivatives of its depth around and along the axis [1/m], by which a mesh is graded.
     fn bends(&self, position: [f64; 2]) -> [f64; 2];
 
@@ -45,12 +52,11 @@ pub struct Shape(pub Arc<dyn Profile>);
 
 impl FilmContribution for Shape {
     fn add(&self, _journal: &JournalState, _cell: usize, positions: &[[f64; 2]], film: &mut [FilmPoint]) {
-        for (position, point) in positions.iter().zip(film) {
-            let Relief { depth, slope } = self.0.at(*position);
-            point.thickness += depth;
-            point.slope[0] += slope[0];
-            point.slope[1] += slope[1];
-        }
+        self.0.each(positions, &mut |q, Relief { depth, slope }| {
+            film[q].thickness += depth;
+            film[q].slope[0] += slope[0];
+            film[q].slope[1] += slope[1];
+        });
     }
 
     fn carried(&self, _parents: &[u32]) -> Arc<dyn FilmContribution> {
