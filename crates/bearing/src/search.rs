@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::cell::{Cell, RefCell};
 use std::sync::Arc;
 
+use oilwedge_reynolds::contact::Fineness;
 use oilwedge_reynolds::quantities::contact_points::ContactPoints;
 use oilwedge_reynolds::quantities::load::{Resultant, load, load_touching};
 use oilwedge_reynolds::solve::Neighbour;
@@ -18,6 +19,8 @@ use crate::{Load, SearchOptions};
 pub(crate) const OF_BALANCE: f64 = 1e-2;
 /// Part of it that may be left at a start.
 const AT_START: f64 = 1e-5;
+/// From this part on contact need not be integrated as finely as for numbers that are reported.
+const OF_CONTACT: f64 = 1e-6;
 
 /// A search for the position that balances a load on one mesh.
 pub(crate) struct Search<'a> {
@@ -58,7 +61,7 @@ pub(crate) struct Trial {
     pub(crate) carried: Resultant,
     /// Where surfaces touch, if that was asked.
     pub(crate) contact: Option<Arc<ContactPoints>>,
-    /// Part of its deflection that may be left; zero of a rigid wall.
+    /// Part of its deflection that may be left, and contact is integrated to; zero of a rigid wall without contact.
     pub(crate) may_leave: f64,
     /// Residual of the position at which the advection schemes of a mass-conserving film were chosen; infinite where a
     /// neighbouring film had a part in the choice.
@@ -141,6 +144,8 @@ impl<'a> Search<'a> {
     /// The film at the start or, where there is none, nearer to the middle.
     pub(crate) fn first(&self, problem: &FilmProblem, mut start: JournalState) -> Result<Trial, NoFilm> {
         const RETREATS: usize = 12;
+        /// From a wall at rest it takes long: that is tried at the start, and again after so many retreats.
+        const FROM_REST: usize = 6;
         let gap = self.gap_under(problem);
         let is_bent = problem.has_bent_wall();
         let nearer = |start: &JournalState| {
@@ -153,7 +158,7 @@ impl<'a> Search<'a> {
             let nearer = self.coordinates.at(start).map(|x| part * x);
             self.coordinates.placed(start, nearer)
         };
-        for _ in 0..RETREATS {
+        for retreat in 0..RETREATS {
             if self.options.deadline.is_over() {
                 break;
             }
@@ -163,7 +168,7 @@ impl<'a> Search<'a> {
                 continue;
             }
             let at = self.coordinates.at(&start);
-            let from_rest = |reason: NoFilm| match is_bent {
+            let from_rest = |reason: NoFilm| match is_bent && (retreat == 0 || retreat >= FROM_REST) {
                 true => self.trial_within(&problem.clone().with_wall_at_rest(), at, Neighbour::None, AT_START),
                 false => Err(reason),
             };
@@ -206,9 +211,15 @@ impl<'a> Search<'a> {
             closed_within
         };
         let left = part.max(self.left_at_balance());
-        let (problem, film, contact) = close(self.placed(problem, at), self.system, near, left)?;
+        let placed = self.placed(problem, at);
+        let placed = match left < OF_CONTACT {
+            true => placed,
+            false => placed.with_contact(Fineness::Tried),
+        };
+        let (problem, film, contact) = close(placed, self.system, near, left)?;
         let carried = load_touching(&problem, self.system, &film, contact.as_deref());
-        let may_leave = problem.deflection().map_or(0.0, |_| left);
+        let is_exact = problem.deflection().is_none() && problem.contact.is_none();
+        let may_leave = if is_exact { 0.0 } else { left };
         let trial = self.recorded(Trial {
             contact,
             may_leave,
@@ -256,7 +267,7 @@ impl<'a> Search<'a> {
         let journal = self.coordinates.placed(&problem.journal, at);
         FilmProblem {
             journal: journal.with_centre_velocity(self.options.centre_velocity, angle),
-            ..problem.clone()
+            ..problem.clone().with_contact(Fineness::Reported)
         }
     }
 

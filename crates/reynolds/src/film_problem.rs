@@ -16,7 +16,7 @@ use oilwedge_mesh::Mesh;
 use oilwedge_mesh::quality::needle_share;
 
 use crate::cavitation::FilmFraction;
-use crate::contact::Contact;
+use crate::contact::{Contact, Fineness};
 use crate::film_thickness::{FilmContribution, Follows};
 use crate::flow_factors::FlowFactor;
 use crate::levels::Coarser;
@@ -319,6 +319,14 @@ impl FilmProblem {
         match self.form {
             Form::Conservative => self.lubricant.pressure_law.reduced_pressure(p),
             Form::AsPrinted => p,
+        }
+    }
+
+    /// This problem with its contact, if there is one, integrated so finely.
+    pub fn with_contact(self, fineness: Fineness) -> Self {
+        Self {
+            contact: self.contact.map(|contact| Contact { fineness, ..contact }),
+            ..self
         }
     }
 

@@ -1,6 +1,6 @@
 //! Contact of a scene as films know it.
 
-use oilwedge_reynolds::contact::{BearingCurve, Contact, ContactLaw, GreenwoodTripp};
+use oilwedge_reynolds::contact::{BearingCurve, Contact, ContactLaw, Fineness, GreenwoodTripp};
 use oilwedge_scene::{ContactModel, Scene};
 
 /// The contact of a scene.
@@ -24,5 +24,6 @@ pub(crate) fn contact(scene: &Scene) -> Option<Contact> {
     Some(Contact {
         law,
         friction: contact.friction,
+        fineness: Fineness::Reported,
     })
 }

@@ -2,7 +2,7 @@
 
 use oilwedge_reynolds::analytical::bearing_curve::force_and_moment;
 use oilwedge_reynolds::contact::greenwood_tripp::integral;
-use oilwedge_reynolds::contact::{BearingCurve, Contact, ContactLaw};
+use oilwedge_reynolds::contact::{BearingCurve, Contact, ContactLaw, Fineness};
 use oilwedge_reynolds::film_thickness::{Eccentricity, Tilt};
 use oilwedge_reynolds::flow_factors::PatirCheng;
 use oilwedge_reynolds::quantities::contact::{share, unsure};
@@ -73,6 +73,7 @@ fn force_and_moment_of_a_bearing_curve() {
             contact: Some(Contact {
                 law: ContactLaw::BearingCurve(curve),
                 friction: 0.0,
+                fineness: Fineness::Reported,
             }),
             ..plain_film(length, 0.5, 0.0, 0.0)
         };
@@ -81,6 +82,8 @@ fn force_and_moment_of_a_bearing_curve() {
         close(found.force[0], force_of_film, 1e-3);
         close_or_zero(found.moment[0], 1e-3 * moment_of_film, 1e-3);
         assert!(found.force[1].abs() < 1e-9 * force);
+        let rough = share(&problem.clone().with_contact(Fineness::Tried), &system).expect("contact");
+        close(rough.force[0], found.force[0], 1e-5);
         let unsure = unsure(&problem, &system, &found);
         assert!(unsure > 0.0 && unsure < 1e-3 * force, "{unsure:e}");
     }

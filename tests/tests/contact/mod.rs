@@ -7,7 +7,7 @@ mod rest;
 mod scenes;
 mod tangent;
 
-use oilwedge_reynolds::contact::{BearingCurve, Contact, ContactLaw, GreenwoodTripp};
+use oilwedge_reynolds::contact::{BearingCurve, Contact, ContactLaw, Fineness, GreenwoodTripp};
 use oilwedge_tests::program::repository;
 use serde_json::Value;
 
@@ -28,5 +28,9 @@ pub(crate) fn contacts() -> [Contact; 2] {
             hardness: 1e8,
         }),
     ];
-    laws.map(|law| Contact { law, friction: 0.1 })
+    laws.map(|law| Contact {
+        law,
+        friction: 0.1,
+        fineness: Fineness::Reported,
+    })
 }

@@ -84,6 +84,18 @@ pub struct Contact {
     pub law: ContactLaw,
     /// Friction coefficient mu_b of surfaces that touch [1].
     pub friction: f64,
+    /// How finely it is integrated.
+    pub fineness: Fineness,
+}
+
+/// How finely a pressure of contact is integrated.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Fineness {
+    /// For numbers that are reported: to about 1e-10 of the hardness.
+    #[default]
+    Reported,
+    /// For places on the way to a balance: to about 1e-6 of it.
+    Tried,
 }
 
 #[cfg(test)]

@@ -20,20 +20,15 @@ use std::sync::LazyLock;
 use oilwedge_fem::Quadrature;
 use oilwedge_fem::integrate::Rule;
 
-use crate::contact::ContactLaw;
+use crate::contact::{ContactLaw, Fineness};
 
 /// Triangles, and their parts again, are quartered at most this often,
 const MOST_QUARTERINGS: usize = 5;
-/// until the gap changes by this part of the scale of the law over each part where the pressure is the hardness: an error that falls with the tenth power of the parts
-/// is the same for parts that are longer by the tenth root where the pressure is less,
-const PART: f64 = 0.4;
+/// until the gap changes by a part of the scale of the law over each part where the pressure is the hardness: an error that falls with the tenth power of the parts
+/// is the same for parts that are longer by the tenth root where the pressure is less.
 const ORDER: f64 = 10.0;
-/// and at least so often where the law has a kink in them,
-const KINK_QUARTERINGS: usize = 4;
-/// where the pressure is more than this part of the hardness.
-const SLIGHT: f64 = 1e-10;
-/// Below this part of it, which is far below what a film or a load is known to, there is no contact.
-const NOTHING: f64 = 1e-14;
+/// Below this part of the least pressure at which triangles are quartered, which is far below what a film or a load is known to, there is no contact.
+const NOTHING: f64 = 1e-4;
 /// From this part of the greatest change of the gap on the quarters of a part take over.
 const STEADY: f64 = 0.85;
 
@@ -44,6 +39,33 @@ pub(crate) enum Accuracy {
     Full,
     /// One of lower degree on the same parts, to compare with.
     Lower,
+}
+
+impl Fineness {
+    /// Change of the gap over a part at the hardness, over the scale of the law.
+    fn part(self) -> f64 {
+        match self {
+            Self::Reported => 0.4,
+            // The tenth root of 1e4 times as much.
+            Self::Tried => 1.0,
+        }
+    }
+
+    /// How often parts are quartered at least where the law has a kink in them.
+    fn kink_quarterings(self) -> usize {
+        match self {
+            Self::Reported => 4,
+            Self::Tried => 2,
+        }
+    }
+
+    /// Pressures below this part of the hardness are integrated over triangles as they are.
+    fn slight(self) -> f64 {
+        match self {
+            Self::Reported => 1e-10,
+            Self::Tried => 1e-6,
+        }
+    }
 }
 
 /// A part of the reference triangle.
@@ -157,7 +179,7 @@ fn smooth_step(x: f64) -> f64 {
 }
 
 /// What is done with a part of a triangle, from the gaps [m] at its nodes and how often it was quartered.
-pub(super) fn division(law: &ContactLaw, gaps: &[f64; 6], level: usize) -> Division {
+pub(super) fn division(law: &ContactLaw, fineness: Fineness, gaps: &[f64; 6], level: usize) -> Division {
     /// The gap inside of a triangle may be less than that at its nodes by this part of its range.
     const WITHIN: f64 = 0.25;
     let (least, greatest) = gaps
@@ -167,17 +189,17 @@ pub(super) fn division(law: &ContactLaw, gaps: &[f64; 6], level: usize) -> Divis
         });
     let least = least - WITHIN * (greatest - least);
     let pressure = law.at(least).pressure / law.hardness();
-    if pressure < NOTHING {
+    if pressure < NOTHING * fineness.slight() {
         return Division::NoContact;
     }
-    if pressure < SLIGHT || level >= MOST_QUARTERINGS {
+    if pressure < fineness.slight() || level >= MOST_QUARTERINGS {
         return Division::Last;
     }
-    let part = PART * pressure.powf(-1.0 / ORDER);
+    let part = fineness.part() * pressure.powf(-1.0 / ORDER);
     // Beyond the reach the gap does not matter.
     let range = greatest.min(law.reach()) - least;
     let steepness = range / (part * law.scale());
-    let is_kinked = level < KINK_QUARTERINGS && law.has_kink_in(least..greatest);
+    let is_kinked = level < fineness.kink_quarterings() && law.has_kink_in(least..greatest);
     Division::Quarters(match is_kinked {
         true => 1.0,
         false => smooth_step((steepness - STEADY) / (1.0 - STEADY)),

@@ -24,7 +24,7 @@ use rayon::prelude::*;
 use super::contact_division::{Accuracy, Division, PARTS, Part, Piece, division};
 use super::share::{Resultant, Share};
 use crate::angles::sines_and_cosines;
-use crate::contact::ContactLaw;
+use crate::contact::{Contact, ContactLaw};
 use crate::wall::grid::{Grid, SplinesAt};
 use crate::wall::pressing::quarterings;
 use crate::{FilmChange, FilmPoint, FilmProblem, FilmSystem};
@@ -139,7 +139,7 @@ impl ContactPoints {
     }
 
     fn found((problem, system): (&FilmProblem, &FilmSystem), grid: Option<&Grid>, accuracy: Accuracy) -> Option<Self> {
-        let law = problem.contact?.law;
+        let Contact { law, fineness, .. } = problem.contact?;
         let mesh = system.space().mesh();
         let is_film = system.supply.film(mesh);
         let of_load = |part: &'static Part| match accuracy {
@@ -154,7 +154,7 @@ impl ContactPoints {
                 let part = &PARTS[piece.level][piece.number];
                 let positions = part.nodes.map(|node| mapping.at(node).position);
                 let gaps = problem.thickness_at(t, &positions);
-                let (of_quarters, is_wide) = match division(&law, &gaps, piece.level) {
+                let (of_quarters, is_wide) = match division(&law, fineness, &gaps, piece.level) {
                     Division::NoContact => continue,
                     Division::Last => (0.0, false),
                     Division::Quarters(weight) => (weight, piece.level < by_wall),
