@@ -31,8 +31,8 @@ const SLOW: f64 = 0.1;
 const STALLED: f64 = 0.5;
 /// Where more than this part may be left a mass-conserving film has its advection schemes chosen once.
 const CHOSEN_ONCE: f64 = 1e-7;
-/// Most halvings of a step.
-const MOST_HALVINGS: usize = 6;
+/// Most lengths of a step, each half of the one before.
+const MOST_HALVINGS: i32 = 4;
 /// Least gap after a step, over that before.
 const LEAST_SHRINK: f64 = 0.1;
 /// Growth of the eccentricity [1] from one wall to the next where a film is not found at once;
@@ -226,18 +226,17 @@ fn newton_step(here: &Trial, system: &FilmSystem, accuracy: f64, counts: &mut Cl
     Ok(solved.x)
 }
 
-/// The longest of the halved steps that leaves less of the balance, the gap kept open.
+/// The longest of the halved steps that leaves less of the balance, the gap kept open. Far from the balance a mass-conserving film chooses its advection schemes anew at first; where what
+/// it leaves then jumps up they are kept.
 fn damped(here: &Trial, step: &[f64], system: &FilmSystem, counts: &mut Closing) -> Option<Trial> {
     let gap = here.gap.unwrap_or_else(|| least_gap(&here.problem, system));
-    let mut part = 1.0;
-    for _ in 0..MOST_HALVINGS {
+    let chooses = here.film.film_fraction.is_some() && here.left.residual >= NEAR;
+    let anew = chooses.then_some((1.0, Neighbour::Start(&here.film)));
+    let halved = (0..MOST_HALVINGS).map(|times| (0.5f64.powi(times), Neighbour::Kept(&here.film)));
+    for (part, near) in anew.into_iter().chain(halved) {
         let problem = stepped(&here.problem, step, part)?;
         let next_gap = least_gap(&problem, system);
         let is_open = next_gap > f64::max(0.0, LEAST_SHRINK * gap);
-        let near = match here.left.residual < NEAR {
-            true => Neighbour::Kept(&here.film),
-            false => Neighbour::Start(&here.film),
-        };
         let film = is_open.then(|| solved(&problem, system, near, counts).ok()).flatten();
         if let Some(film) = film {
             let next = judged(problem, film, system);
@@ -248,7 +247,6 @@ fn damped(here: &Trial, step: &[f64], system: &FilmSystem, counts: &mut Closing)
                 });
             }
         }
-        part *= 0.5;
     }
     None
 }
