@@ -111,7 +111,7 @@ impl Search<'_> {
     ) -> Result<Equilibrium, NoEquilibrium> {
         let found = outcome.map_err(|reason| self.confirmed(reason))?;
         match self.load.tilting.is_some() && self.is_beyond(&found) {
-            true => Err(self.in_contact(&found.problem, 1.0, way.cloned())),
+            true => Err(self.in_contact(&found.problem, (1.0, None), way.cloned())),
             false => Ok(found),
         }
     }
@@ -143,7 +143,7 @@ impl Search<'_> {
             accuracy: Some(ROUGHLY_BALANCED),
             carrier: Carrier::Quadratic,
             guess: InitialGuess::Cold,
-            purpose: Purpose::Start,
+            purpose: self.options.purpose.on_coarser(),
             ..self.options
         };
         let on_coarser = || find(&coarser.problem(problem), &coarser.system, self.load, &rough);
@@ -181,7 +181,8 @@ impl Search<'_> {
         };
         // A mass-conserving film takes long at so many contacts; the search for its guide has asked there.
         let is_held = self.load.tilting.is_none() && problem.journal.tilt != [0.0; 2];
-        outcome.map_err(|reason| match is_held && !problem.cavitation.conserves_oil() {
+        let is_asked = is_held && !problem.cavitation.conserves_oil() && self.options.purpose != Purpose::Branch;
+        outcome.map_err(|reason| match is_asked {
             true => self.beyond_contact(problem).unwrap_or(reason),
             false => reason,
         })
@@ -201,7 +202,8 @@ impl Search<'_> {
         let has_schemes = first.film.film_fraction.is_some();
         let must_settle = has_schemes && !self.options.keeps_schemes() && self.options.balanced() <= BALANCED_ENOUGH;
         let at_rest = |trial: &Trial| !must_settle || trial.schemes_chosen_at < SETTLED;
-        let part = match must_settle && self.is_costly(&first) {
+        let takes_long = self.is_costly(&first) || first.problem.deflection().is_some();
+        let part = match must_settle && takes_long {
             true => RECHOSEN,
             false => 0.0,
         };
@@ -331,7 +333,9 @@ impl Search<'_> {
             let outcome = outcome.or_else(|_| self.by_parts_of_tilting(problem));
             return outcome.map_err(|reason| self.confirmed(reason));
         }
-        if let Err(NoEquilibrium::Unreachable { journal, .. }) = &outcome {
+        if let Err(NoEquilibrium::Unreachable { journal, .. }) = &outcome
+            && self.options.purpose != Purpose::Branch
+        {
             // A search that was driven into contact: what the film carries there shows whether there is a position elsewhere.
             let is_driven = self.gap.least(journal) < NEARLY_CONTACT * problem.bearing.clearance;
             let is_tilted = problem.journal.tilt != [0.0; 2];

@@ -5,19 +5,18 @@ use std::f64::consts::{PI, TAU};
 use oilwedge_reynolds::angles::wrapped;
 use oilwedge_reynolds::quantities::load::load;
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{FilmProblem, JournalState};
+use oilwedge_reynolds::{FilmProblem, FilmSolution, JournalState};
 
 use crate::NoEquilibrium;
+use crate::coordinates::{Vector, moved};
 use crate::estimate::GREATEST_ECCENTRICITY;
-use crate::no_equilibrium::{FAR, FAR_BELOW};
+use crate::no_equilibrium::{DISTINCT, FAR, FAR_BELOW};
 use crate::search::{Search, Trial};
 
 /// Most turns of the line of centres until the film's force points in the direction of the load.
 const TURNS: usize = 12;
 /// Angle [rad] within which it does.
 const ALIGNED: f64 = 1e-3;
-/// A film that carries less than the load by more than so many times its error in contact is beyond its capacity.
-const DISTINCT: f64 = 2.0;
 /// Turns of the line of centres over those of the force that are followed.
 const SLOPES: std::ops::RangeInclusive<f64> = 0.1..=3.0;
 /// Places all around the bearing at which the direction of the force is asked,
@@ -97,11 +96,27 @@ impl Search<'_> {
         if size(trial) < FAR_BELOW * self.load.magnitude() || self.options.accuracy.is_some() {
             return Some(0.0);
         }
-        let Trial { problem, film, .. } = trial;
-        let cubic = problem.cubic_film(self.system, film, None).ok()?;
-        let cubic = load(problem, &self.system.cubic().system, &cubic).total.resultant();
-        let [x, y] = [0, 1].map(|d| cubic.force[d] - trial.carried.force[d]);
+        let [x, y, ..] = self.missed(&trial.problem, &trial.film)?;
         Some(x.hypot(y))
+    }
+
+    /// By how much forces [N] of another film under the same wall differ from those of a film: the one in cubic elements or, of a film that conserves oil, the one on the coarser mesh, which is
+    /// further from the limit of fine meshes. None where there is no such film.
+    pub(crate) fn missed(&self, problem: &FilmProblem, film: &FilmSolution) -> Option<Vector> {
+        let other = match problem.cavitation.conserves_oil() {
+            false => {
+                let cubic = problem.cubic_film(self.system, film, None).ok()?;
+                load(problem, &self.system.cubic().system, &cubic)
+            }
+            true => {
+                let coarser = self.system.coarser.as_ref()?;
+                let problem = coarser.problem(problem);
+                load(&problem, &coarser.system, &problem.solve(&coarser.system).ok()?)
+            }
+        };
+        let of_film = load(problem, self.system, film);
+        let [other, of_film] = [other, of_film].map(|load| self.coordinates.forces(&load.total.resultant()));
+        Some(moved(other, -1.0, of_film))
     }
 
     /// The film at the greatest eccentricity towards an angle [rad]. A wall that gives way to contact lets the journal go on until contact presses it out no further; none where that is far: it
@@ -131,11 +146,11 @@ impl Search<'_> {
         None
     }
 
-    /// The reason if a journal whose tilt is given carries less than the load wherever it is in contact; it is asked all around the bearing, where the wall gives way to contact in a rigid one,
+    /// The reason if a journal whose tilt is given carries less than the load wherever it is in contact; it is asked all around the bearing, where the wall gives way in a rigid one,
     /// and at the best place there in the wall itself.
     pub(crate) fn beyond_contact(&self, problem: &FilmProblem) -> Option<NoEquilibrium> {
         let towards = self.load.force[1].atan2(self.load.force[0]);
-        let guide = yields_to_contact(problem).then(|| self.in_rigid_wall(problem));
+        let guide = problem.deflection().map(|_| self.in_rigid_wall(problem));
         let (asked, search) = guide
             .as_ref()
             .map_or((problem, self), |(rigid, search)| (rigid, search));

@@ -7,6 +7,8 @@ use oilwedge_reynolds::{JournalState, NoFilm};
 
 /// A film that carries less than this part of the load wherever the journal is in contact is not brought to the load by a finer mesh.
 pub(crate) const FAR_BELOW: f64 = 1.0 / 3.0;
+/// A film that carries less than what is asked by more than so many times its error does not carry it.
+pub(crate) const DISTINCT: f64 = 2.0;
 /// What is said of it.
 pub(crate) const FAR: &str =
     "in contact anywhere around the bearing the film of the journal so tilted carries less than a third of the load";
@@ -90,6 +92,8 @@ pub enum NoEquilibrium {
         asked: f64,
         /// Part of what tilts the journal that was balanced [1].
         carried: f64,
+        /// Its error at most, where that is known [1].
+        error: Option<f64>,
         /// Axial position of the end [m].
         end: f64,
         /// Where around the bearing [deg].
@@ -111,6 +115,8 @@ pub enum NoEquilibrium {
         asked: f64,
         /// Greatest part of what tilts the journal that is balanced [1].
         carried: f64,
+        /// Its error at most, where that is known [1].
+        error: Option<f64>,
         /// Least film thickness there [m].
         thickness: f64,
         /// Slope of the journal's axis there [rad].
@@ -190,9 +196,12 @@ impl NoEquilibrium {
         }
     }
 
-    /// True where the film of a tilted journal in contact carries so much less than the load that a finer mesh shows no more.
+    /// True where the film carries so much less than the load, or than its moment, that a finer mesh shows no more.
     pub fn is_far_beyond(&self) -> bool {
         match self.cause() {
+            Self::EdgeContact { carried, error, .. } | Self::TiltLimit { carried, error, .. } => {
+                error.is_some_and(|error| carried + DISTINCT * error < 1.0)
+            }
             // The thin film all along a parallel journal needs a fine mesh.
             Self::BeyondCapacity { ratio, journal, .. } => journal.tilt != [0.0; 2] && FAR_BELOW * ratio > 1.0,
             reason => matches!(reason, Self::Unreachable { why, .. } if *why == FAR),

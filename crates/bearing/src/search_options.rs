@@ -64,6 +64,18 @@ pub enum Purpose {
     Answer,
     /// A start on a finer mesh, which shows what a thin film carries: it is not followed into contact under a wall that gives way.
     Start,
+    /// The beginning of a branch of balances, where another one is at hand: it is not sought all over the bearing.
+    Branch,
+}
+
+impl Purpose {
+    /// That of a search on a coarser mesh.
+    pub(crate) fn on_coarser(self) -> Self {
+        match self {
+            Self::Answer | Self::Start => Self::Start,
+            Self::Branch => Self::Branch,
+        }
+    }
 }
 
 impl SearchOptions<'_> {

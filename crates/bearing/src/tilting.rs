@@ -7,6 +7,8 @@
 //!
 //! **Source.** Keller, in: Applications of Bifurcation Theory, Academic Press (1977) 359 (continuation by arc length). **Verified by** `tests/tests/tilt/balance.rs`.
 
+use std::rc::Rc;
+
 use oilwedge_reynolds::FilmProblem;
 use oilwedge_reynolds::solve::Neighbour;
 
@@ -42,6 +44,8 @@ const WAYPOINT: f64 = 0.03;
 const AHEAD: f64 = 0.3;
 /// Under a wall that gives way a film thinner than this part of the clearance is left to that mesh.
 const LEFT_TO_FINER: f64 = 0.01;
+/// Error of the part of a branch over that by the forces at one place: places follow other forces all along the branch. Up to 4.5 was seen.
+const OF_BRANCH: f64 = 5.0;
 
 /// A point of the branch.
 struct Point {
@@ -78,15 +82,17 @@ impl Search<'_> {
             accuracy: Some(ROUGHLY_BALANCED),
             ..self.options
         };
-        let found = find(problem, self.system, straight, &options).or_else(|reason| {
+        let straightened = |problem: &FilmProblem, purpose: Purpose| {
+            let options = SearchOptions { purpose, ..options };
+            find(problem, self.system, straight, &options)
+        };
+        let mut parallel = problem.clone();
+        parallel.journal.tilt = [0.0; 2];
+        let found = match problem.journal.tilt {
+            [0.0, 0.0] => straightened(problem, options.purpose),
             // What the film carries at one tilt is no limit where the tilt is free: a parallel journal carries more.
-            let mut parallel = problem.clone();
-            parallel.journal.tilt = [0.0; 2];
-            match problem.journal.tilt {
-                [0.0, 0.0] => Err(reason),
-                _ => find(&parallel, self.system, straight, &options),
-            }
-        })?;
+            _ => straightened(problem, Purpose::Branch).or_else(|_| straightened(&parallel, options.purpose)),
+        }?;
         let place = self.coordinates.at(&found.problem.journal);
         self.along_branch(self.trial(&found.problem, place, Neighbour::Start(&found.film))?)
     }
@@ -150,12 +156,18 @@ impl Search<'_> {
         outcome.unwrap_or_else(|| self.by_parts_of_tilting(problem))
     }
 
-    /// That the journal of a film comes into contact with the liner at an end when this part of what tilts it is balanced.
-    pub(crate) fn in_contact(&self, problem: &FilmProblem, carried: f64, way: Option<Waypoint>) -> NoEquilibrium {
+    /// That the journal of a film comes into contact with the liner at an end when this part of what tilts it is balanced, with its error where that is known.
+    pub(crate) fn in_contact(
+        &self,
+        problem: &FilmProblem,
+        (carried, error): (f64, Option<f64>),
+        way: Option<Waypoint>,
+    ) -> NoEquilibrium {
         let place = self.gap_under(problem).thinnest(&problem.journal);
         NoEquilibrium::EdgeContact {
             asked: self.load.magnitude(),
             carried,
+            error,
             end: place.z,
             angle: place.angle.to_degrees().rem_euclid(360.0),
             thickness: place.thickness,
@@ -167,12 +179,13 @@ impl Search<'_> {
 
 impl Branch<'_, '_> {
     /// The balance at the end of the branch.
-    fn followed(&self, mut here: Point) -> Result<Equilibrium, NoEquilibrium> {
+    fn followed(&self, first: Point) -> Result<Equilibrium, NoEquilibrium> {
         let search = self.search;
+        let mut here = Rc::new(first);
         let mut way: Option<Direction> = None;
         let mut wanted = FIRST;
-        // The greatest part, and the film there.
-        let mut greatest = (here.part, here.trial.problem.clone());
+        // The point with the greatest part.
+        let mut greatest = Rc::clone(&here);
         let mut waypoint = self.waypoint(&here);
         let mut first_part = None;
         for _ in 0..MOST_POINTS {
@@ -182,16 +195,16 @@ impl Branch<'_, '_> {
             if is_ahead && self.gap(&here.trial) > WAYPOINT {
                 waypoint = self.waypoint(&here);
             }
-            if along.part < 0.0 && here.part < greatest.0 - FALLEN {
+            if along.part < 0.0 && here.part < greatest.part - FALLEN {
                 break;
             }
             let Some(next) = self.next(&here, along, &mut wanted) else {
                 break;
             };
             match next {
-                Next::Contact(problem) => return Err(search.in_contact(&problem, 1.0, Some(waypoint))),
+                Next::Contact(problem) => return Err(search.in_contact(&problem, (1.0, None), Some(waypoint))),
                 Next::End(found) => return Ok(*found),
-                Next::Point(next) => here = *next,
+                Next::Point(next) => here = Rc::from(next),
             }
             if search.options.deadline.is_over() {
                 return search.run(&here.trial.problem, here.trial.problem.journal);
@@ -199,11 +212,11 @@ impl Branch<'_, '_> {
             if is_contact(&search.gap_under(&here.trial.problem), &here.trial.problem.journal) || self.is_left(&here) {
                 break;
             }
-            if here.part > greatest.0 {
-                greatest = (here.part, here.trial.problem.clone());
+            if here.part > greatest.part {
+                greatest = Rc::clone(&here);
             }
         }
-        Err(self.why(&here, way, greatest, waypoint))
+        Err(self.why(&here, way, &greatest, waypoint))
     }
 
     /// Whether a finer mesh is to show what follows a point.
@@ -229,30 +242,42 @@ impl Branch<'_, '_> {
         if asked > 0.0 { 1.0 - left / asked } else { part }
     }
 
+    /// The part of what tilts the journal that is balanced at a point, and its error at most, by another film under the same wall; no error in a rough search, whose reason is a
+    /// start at most.
+    fn carried_with_error(&self, at: &Point) -> (f64, Option<f64>) {
+        let (search, Trial { problem, film, .. }) = (self.search, &at.trial);
+        let carried = self.carried(at.part);
+        let missed = match search.options.purpose {
+            Purpose::Start => None,
+            Purpose::Answer | Purpose::Branch => search.missed(problem, film),
+        };
+        let error = |missed: Vector| self.carried(at.part + OF_BRANCH * length(missed) / length(self.first)) - carried;
+        (carried, missed.map(error))
+    }
+
     /// Why a branch that was followed up to a point does not lead to the balance.
-    fn why(
-        &self,
-        here: &Point,
-        way: Option<Direction>,
-        (part, problem): (f64, FilmProblem),
-        waypoint: Waypoint,
-    ) -> NoEquilibrium {
+    fn why(&self, here: &Point, way: Option<Direction>, greatest: &Point, waypoint: Waypoint) -> NoEquilibrium {
         let search = self.search;
         let has_turned = way.is_some_and(|way| way.part < 0.0);
         if search.options.deadline.is_over() {
             return search.confirmed(search.unreachable(&here.trial, "the search was ended"));
         }
         match has_turned {
-            true => NoEquilibrium::TiltLimit {
-                asked: search.load.magnitude(),
-                carried: self.carried(part),
-                thickness: search.gap_under(&problem).least(&problem.journal),
-                tilt: problem.journal.tilt[0].hypot(problem.journal.tilt[1]),
-                journal: Box::new(problem.journal),
-                way: Some(Box::new(waypoint)),
-            },
+            true => {
+                let (carried, error) = self.carried_with_error(greatest);
+                let problem = &greatest.trial.problem;
+                NoEquilibrium::TiltLimit {
+                    asked: search.load.magnitude(),
+                    carried,
+                    error,
+                    thickness: search.gap_under(problem).least(&problem.journal),
+                    tilt: problem.journal.tilt[0].hypot(problem.journal.tilt[1]),
+                    journal: Box::new(problem.journal),
+                    way: Some(Box::new(waypoint)),
+                }
+            }
             false if self.gap(&here.trial) < NEAR_CONTACT => {
-                search.in_contact(&here.trial.problem, self.carried(part), Some(waypoint))
+                search.in_contact(&here.trial.problem, self.carried_with_error(here), Some(waypoint))
             }
             false => NoEquilibrium::NotConverged {
                 asked: search.load.magnitude(),

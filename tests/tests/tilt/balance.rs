@@ -239,6 +239,52 @@ fn the_tilt_follows_the_place_of_the_load() {
     }
 }
 
+/// The part of the moment with which a coarse mesh refuses a load is that of finer ones, within its error.
+#[test]
+fn reasons_of_coarse_meshes_hold_on_finer_ones() {
+    let refused = |across: u32, model: Cavitation| {
+        let system = ring_system(6 * across, across, LENGTH, None);
+        let mut problem = tilted(plain_film(LENGTH, 0.5, 0.0, SPEED), [0.0; 2]);
+        problem.cavitation = model;
+        let force = carried(&problem, &system).force;
+        let asked = Load {
+            force,
+            tilting: Some(Tilting {
+                moment: force.map(|part| 0.025 * part),
+                stiffness: 0.0,
+                support: [0.0; 2],
+            }),
+        };
+        let reason = find(&problem, &system, asked, &SearchOptions::default()).map(|found| found.residual);
+        let reason = reason.expect_err("a moment that no film carries");
+        let is_last = reason.is_far_beyond();
+        match reason {
+            NoEquilibrium::EdgeContact { carried, error, .. } | NoEquilibrium::TiltLimit { carried, error, .. } => {
+                (carried, error.expect("a film to compare with"), is_last)
+            }
+            other => panic!("{other}"),
+        }
+    };
+    let mut known = 0;
+    for model in [
+        Cavitation::None,
+        Cavitation::Guembel { pressure: 0.0 },
+        Cavitation::Reynolds { pressure: 0.0 },
+    ] {
+        let (fine, ..) = refused(24, model);
+        for across in [6, 12] {
+            let (coarse, error, is_last) = refused(across, model);
+            assert!(
+                (coarse - fine).abs() < error,
+                "{model:?} {across}: {coarse} +- {error}, {fine}"
+            );
+            assert!(!is_last || coarse + 2.0 * error < 1.0, "{coarse} {error}");
+            known += usize::from(is_last);
+        }
+    }
+    assert!(known > 0, "no reason is the last one");
+}
+
 #[test]
 fn contact_at_an_end_is_told_with_a_way_out() {
     let keys = "[load]\nforce = \"20 kN\"\nangle = \"270 deg\"\nat = \"-20 mm\"";
