@@ -32,7 +32,7 @@ const STALLED: f64 = 0.5;
 /// Where more than this part may be left a mass-conserving film has its advection schemes chosen once.
 const CHOSEN_ONCE: f64 = 1e-7;
 /// Most lengths of a step, each half of the one before.
-const MOST_HALVINGS: i32 = 4;
+const MOST_LENGTHS: i32 = 4;
 /// Least gap after a step, over that before.
 const LEAST_SHRINK: f64 = 0.1;
 /// Growth of the eccentricity [1] from one wall to the next where a film is not found at once;
@@ -232,7 +232,7 @@ fn damped(here: &Trial, step: &[f64], system: &FilmSystem, counts: &mut Closing)
     let gap = here.gap.unwrap_or_else(|| least_gap(&here.problem, system));
     let chooses = here.film.film_fraction.is_some() && here.left.residual >= NEAR;
     let anew = chooses.then_some((1.0, Neighbour::Start(&here.film)));
-    let halved = (0..MOST_HALVINGS).map(|times| (0.5f64.powi(times), Neighbour::Kept(&here.film)));
+    let halved = (0..MOST_LENGTHS).map(|times| (0.5f64.powi(times), Neighbour::Kept(&here.film)));
     for (part, near) in anew.into_iter().chain(halved) {
         let problem = stepped(&here.problem, step, part)?;
         let next_gap = least_gap(&problem, system);

@@ -89,10 +89,9 @@ pub struct Contact {
 }
 
 /// How finely a pressure of contact is integrated.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Fineness {
     /// For numbers that are reported: to about 1e-10 of the hardness.
-    #[default]
     Reported,
     /// For places on the way to a balance: to about 1e-6 of it.
     Tried,
