@@ -7,6 +7,8 @@
 //!
 //! **Source.** Keller, in: Applications of Bifurcation Theory, Academic Press (1977) 359 (continuation by arc length). **Verified by** `tests/tests/tilt/balance.rs`.
 
+mod error;
+
 use std::rc::Rc;
 
 use oilwedge_reynolds::FilmProblem;
@@ -44,8 +46,6 @@ const WAYPOINT: f64 = 0.03;
 const AHEAD: f64 = 0.3;
 /// Under a wall that gives way a film thinner than this part of the clearance is left to that mesh.
 const LEFT_TO_FINER: f64 = 0.01;
-/// Error of the part of a branch over that by the forces at one place: places follow other forces all along the branch. Up to 4.5 was seen.
-const OF_BRANCH: f64 = 5.0;
 
 /// A point of the branch.
 struct Point {
@@ -233,26 +233,6 @@ impl Branch<'_, '_> {
             part: at.part,
             first: self.first,
         }
-    }
-
-    /// Part of what tilts the journal that is balanced at this part of the branch [1]: at its beginning the film may carry some of the moment already.
-    fn carried(&self, part: f64) -> f64 {
-        let tilting = |[_, _, x, y]: Vector| x.hypot(y);
-        let (asked, left) = (tilting(self.search.asked()), (1.0 - part) * tilting(self.first));
-        if asked > 0.0 { 1.0 - left / asked } else { part }
-    }
-
-    /// The part of what tilts the journal that is balanced at a point, and its error at most, by another film under the same wall; no error in a rough search, whose reason is a
-    /// start at most.
-    fn carried_with_error(&self, at: &Point) -> (f64, Option<f64>) {
-        let (search, Trial { problem, film, .. }) = (self.search, &at.trial);
-        let carried = self.carried(at.part);
-        let missed = match search.options.purpose {
-            Purpose::Start => None,
-            Purpose::Answer | Purpose::Branch => search.missed(problem, film),
-        };
-        let error = |missed: Vector| self.carried(at.part + OF_BRANCH * length(missed) / length(self.first)) - carried;
-        (carried, missed.map(error))
     }
 
     /// Why a branch that was followed up to a point does not lead to the balance.

@@ -5,7 +5,8 @@
 //! the same place, times a ratio.
 
 use crate::developed::Liner;
-use crate::generate::{Blueprint, generate};
+use crate::generate::{Blueprint, Sense, generate, generate_in_rows_like};
+use crate::quality::lies_in_rows;
 use crate::size_tree::SizeTree;
 use crate::{Locator, Mesh};
 
@@ -34,13 +35,19 @@ pub fn coarser(mesh: &Mesh, liner: &Liner, line: Option<f64>, ratio: f64) -> Opt
     if liner.arc.is_none() != mesh.period().is_some() {
         return None;
     }
-    let sizes = SizeTree::new(mesh);
     let blueprint = Blueprint {
         liner: *liner,
         features: Vec::new(),
         line,
     };
-    let coarse = generate(&blueprint, &|point| ASKED * ratio * sizes.at(point)).ok()?;
+    let coarse = match lies_in_rows(mesh) {
+        true => generate_in_rows_like(&blueprint, mesh, ratio, Sense::Forwards),
+        false => {
+            let sizes = SizeTree::new(mesh);
+            generate(&blueprint, &|point| ASKED * ratio * sizes.at(point))
+        }
+    };
+    let coarse = coarse.ok()?;
     if coarse.triangles().len() < FEWEST {
         return None;
     }

@@ -66,6 +66,12 @@ pub fn share_across_flow(mesh: &Mesh) -> f64 {
     across / whole
 }
 
+/// True of a mesh most of whose area lies in triangles with an edge along x.
+pub fn lies_in_rows(mesh: &Mesh) -> bool {
+    const MOST_ACROSS: f64 = 0.5;
+    share_across_flow(mesh) <= MOST_ACROSS
+}
+
 /// True if an edge of the triangle lies along x: its ends differ by little of the extent of the triangle across the flow.
 fn follows_flow(corners: [[f64; 2]; 3]) -> bool {
     const LITTLE: f64 = 0.1;

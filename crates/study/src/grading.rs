@@ -30,13 +30,27 @@ const THIN_IN_ROWS: f64 = 0.2;
 /// Gradings of one search.
 const GRADINGS: usize = 4;
 
+/// A film on a mesh graded for it.
+pub struct Graded {
+    /// The film.
+    pub film: Film,
+    /// Why the load is not balanced, where a coarser mesh is certain of it.
+    pub refused: Option<NoEquilibrium>,
+}
+
+impl From<Film> for Graded {
+    fn from(film: Film) -> Self {
+        Self { film, refused: None }
+    }
+}
+
 /// Compiles a scene; under a load a mesh that is made here is graded for the position that the load leads to, as far as the deadline
 /// allows, and the journal is where a coarser mesh balances the load.
 ///
 /// # Errors
 /// The scene does not become a film.
 pub fn graded(scene: &Scene, deadline: Deadline) -> Result<Film, CompileError> {
-    graded_within(scene, f64::INFINITY, None, deadline)
+    Ok(graded_within(scene, f64::INFINITY, None, deadline)?.film)
 }
 
 /// Where another mesh has shown that a growing moment leads, under a wall that gives way.
@@ -72,7 +86,7 @@ pub fn graded_within(
     most_triangles: f64,
     shown: Option<&Shown>,
     deadline: Deadline,
-) -> Result<Film, CompileError> {
+) -> Result<Graded, CompileError> {
     let mut film = match shown {
         None => compile(scene)?,
         Some(Shown { position, way }) => {
@@ -81,7 +95,7 @@ pub fn graded_within(
         }
     };
     let Some(load) = film.load.filter(|_| scene.mesh.is_graded()) else {
-        return Ok(film);
+        return Ok(film.into());
     };
     let mut middle = Some(Position::middle(scene));
     for _ in 1..GRADINGS {
@@ -89,14 +103,21 @@ pub fn graded_within(
             break;
         }
         match suited(&film, load, deadline, &mut middle) {
-            Suited::To(found) => return Ok(film.as_found(&found).nearly_balanced()),
+            Suited::To(found) => return Ok(film.as_found(&found).nearly_balanced().into()),
             Suited::Unknown(way) => {
-                return Ok(match way {
+                let film = match way {
                     Some(way) => film.along(way),
                     None => film,
+                };
+                return Ok(film.into());
+            }
+            Suited::Failed => return Ok(film.failed().into()),
+            Suited::Refused(reason) => {
+                return Ok(Graded {
+                    film,
+                    refused: Some(reason),
                 });
             }
-            Suited::Failed => return Ok(film.failed()),
             Suited::Not(position, known) => {
                 let scene = coarsened(scene, most_triangles, position)?;
                 let graded = compile_near(&scene, position)?;
@@ -108,7 +129,7 @@ pub fn graded_within(
             }
         }
     }
-    Ok(film)
+    Ok(film.into())
 }
 
 /// The scene with edges so long that its mesh has no more than about so many triangles for the film at `position`.
@@ -136,6 +157,8 @@ enum Suited {
     Unknown(Option<Arc<Waypoint>>),
     /// The search under a wall that gives way has led nowhere.
     Failed,
+    /// A growing moment leads into contact under such a wall, or the journal tips over, and a finer mesh would show no more.
+    Refused(NoEquilibrium),
 }
 
 /// What a search on one mesh leaves to that on the next.
@@ -160,7 +183,12 @@ fn suited(film: &Film, load: Load, deadline: Deadline, middle: &mut Option<Posit
         Some(_) => with_film(&gap, &problem.journal, thin),
         None => problem.journal,
     };
-    let balance = rough_balance(film, load, deadline);
+    let balance = match rough_balance(film, load, deadline) {
+        Err(reason) if reason.way().is_some_and(Waypoint::is_bent) && reason.is_far_beyond() => {
+            return Suited::Refused(reason);
+        }
+        balance => balance,
+    };
     // Where walls give way it takes long to follow it anew.
     let way = balance.as_ref().err().and_then(NoEquilibrium::way);
     let way = way.filter(|way| way.is_bent()).cloned().map(Arc::new);
@@ -221,7 +249,11 @@ fn with_film(gap: &Gap, journal: &JournalState, part: f64) -> JournalState {
 fn rough_balance(film: &Film, load: Load, deadline: Deadline) -> Result<Equilibrium, NoEquilibrium> {
     let options = SearchOptions {
         accuracy: Some(ROUGHLY_BALANCED),
-        purpose: Purpose::Start,
+        // The way into contact under a wall that gives way takes long: what it leads to may be certain on this mesh.
+        purpose: match film.problem.deflection() {
+            Some(_) => Purpose::Answer,
+            None => Purpose::Start,
+        },
         ..film.search_options(deadline)
     };
     // Where a mesh before has the balance and walls give way, a coarser one that does not is not asked where else there is one.

@@ -4,7 +4,7 @@ use oilwedge_mesh::developed;
 use oilwedge_mesh::generate::{
     Blueprint, DrawingError, Feature, Rows, Sense, Shape, generate, generate_in_rows, generate_in_rows_like,
 };
-use oilwedge_mesh::quality::share_across_flow;
+use oilwedge_mesh::quality::lies_in_rows;
 use oilwedge_mesh::{Circle, Mesh, flip, gmsh, rim};
 use oilwedge_reynolds::supply::line_at_angle;
 use sha2::{Digest, Sha256};
@@ -30,9 +30,6 @@ pub struct LinerMesh {
     pub is_laid_anew: bool,
 }
 
-/// A mesh of which so much of the area lies in triangles without an edge along the flow carries oil across it.
-const ACROSS_FLOW: f64 = 0.5;
-
 /// The mesh of the liner. A mesh made here is graded for the film at `position`. Where oil is conserved the triangles lie in rows along the flow; those of a file that do not are laid anew, as long as the edges
 /// are there, unless the scene keeps them or its features are none that can be drawn.
 ///
@@ -51,10 +48,10 @@ pub fn liner_mesh(scene: &Scene, position: Position) -> Result<LinerMesh, Compil
             let mesh = from_file(scene, &bytes, *unit).map_err(|error| error.in_file(path))?;
             check_grooves(scene, &mesh)?;
             let in_rows = match (size, layout) {
-                (None, Layout::Rows) if conserves_oil(scene) && share_across_flow(&mesh) > ACROSS_FLOW => {
+                (None, Layout::Rows) if conserves_oil(scene) && !lies_in_rows(&mesh) => {
                     let blueprint = blueprint_of(scene, &mesh);
                     blueprint
-                        .and_then(|blueprint| generate_in_rows_like(&blueprint, &mesh, sense(scene)))
+                        .and_then(|blueprint| generate_in_rows_like(&blueprint, &mesh, 1.0, sense(scene)))
                         .ok()
                 }
                 _ => None,

@@ -11,6 +11,7 @@ use crate::checks::Targets;
 use crate::compile_error::CompileError;
 use crate::estimate::Estimated;
 use crate::film::{Film, Start};
+use crate::grading::Graded;
 use crate::no_answer::NoAnswer;
 use crate::observer::Reached;
 use crate::quantities::Quantity;
@@ -96,10 +97,11 @@ impl Refining<'_> {
     /// Makes and solves one mesh.
     fn level(&mut self, next: &Next) -> Result<Step, CompileError> {
         let started = self.options.clock.now();
-        let (refinement, mut film) = match next.film(self.scene, self.deadline) {
+        let (refinement, graded) = match next.film(self.scene, self.deadline) {
             Ok(made) => made,
             Err(reason) => return self.last_resort(reason.to_string()).ok_or(reason),
         };
+        let Graded { mut film, refused } = graded;
         if film.start == Start::Failed
             && let Some(finer) = next.finer_than_failed()
         {
@@ -111,7 +113,11 @@ impl Refining<'_> {
         if let Some(observer) = observer {
             observer.level(self.levels.len() + 1, film.unknowns());
         }
-        Ok(match solved(&film, Errors::Estimated, self.deadline, observer) {
+        let outcome = match refused {
+            Some(reason) => Err(reason.into()),
+            None => solved(&film, Errors::Estimated, self.deadline, observer),
+        };
+        Ok(match outcome {
             Err(reason) => self.unanswered(next, film, reason),
             // A load balanced on the mesh before is better than one that is not balanced on this one.
             Ok((solved, estimated)) => match self.best.take_if(|_| solved.is_ended()) {

@@ -13,7 +13,7 @@ use crate::compile::{compile_near, compile_on};
 use crate::compile_error::CompileError;
 use crate::film::DEGREE;
 use crate::film::Film;
-use crate::grading::{Shown, graded, graded_within};
+use crate::grading::{Graded, Shown, graded_within};
 use crate::liner_mesh::{expected_triangles, liner_mesh, resized};
 use crate::no_answer::NoAnswer;
 use crate::oil::at_temperature;
@@ -143,9 +143,12 @@ impl Next {
     }
 
     /// The film on it, and how the mesh was made.
-    pub(super) fn film(&self, scene: &Scene, deadline: Deadline) -> Result<(Refinement, Film), CompileError> {
+    pub(super) fn film(&self, scene: &Scene, deadline: Deadline) -> Result<(Refinement, Graded), CompileError> {
         match self {
-            Self::Given => Ok((Refinement::Given, graded(scene, deadline)?)),
+            Self::Given => {
+                let film = graded_within(scene, f64::INFINITY, None, deadline)?;
+                Ok((Refinement::Given, film))
+            }
             Self::Drawn(factor, shown) => {
                 let resized = resized(scene, *factor).unwrap_or_else(|| scene.clone());
                 let film = graded_within(&resized, MOST_TRIANGLES, shown.as_ref(), deadline)?;
@@ -156,11 +159,11 @@ impl Next {
                 let factor = factor_for(&scene, *factor, (*triangles, TOO_MANY), known.position);
                 let resized = resized(&scene, factor).unwrap_or(scene);
                 let film = compile_near(&resized, known.position)?;
-                Ok((Refinement::Drawn, known.begun(film)))
+                Ok((Refinement::Drawn, known.begun(film).into()))
             }
             Self::Divided(mesh, refinement, known) => {
                 let film = compile_on(&known.scene(scene), Mesh::clone(mesh), known.position, DEGREE)?;
-                Ok((*refinement, known.begun(film)))
+                Ok((*refinement, known.begun(film).into()))
             }
         }
     }
