@@ -47,7 +47,7 @@ pub mod thermal_balance;
 mod tilting;
 
 pub use cap_bolts::{BoltForces, CapBolts, Shell};
-pub use coordinates::Coordinates;
+pub use coordinates::{Coordinates, Vector};
 pub use deadline::{Clock, Deadline, Interrupt};
 pub use duty_cycle::{Duty, DutyCycle};
 pub use dynamics::{Coefficients, Dynamics, Stability, Threshold, stability};

@@ -173,9 +173,11 @@ fn closed(
     counts: &mut Closing,
 ) -> Result<Closed, NoFilm> {
     let film = solved(&problem, system, near, counts)?;
-    let mut found = iterated(judged(problem, film, system), (system, enough), counts)?;
-    let is_final = enough < CHOSEN_ONCE && !matches!(near, Neighbour::Kept(_));
-    if found.film.film_fraction.is_some() && is_final {
+    let first = judged(problem, film, system);
+    let is_far = first.left.residual > NEAR;
+    let mut found = iterated(first, (system, enough), counts)?;
+    let is_chosen_again = (enough < CHOSEN_ONCE || is_far) && !matches!(near, Neighbour::Kept(_));
+    if found.film.film_fraction.is_some() && is_chosen_again {
         let film = solved(&found.problem, system, Neighbour::Start(&found.film), counts)?;
         found = iterated(judged(found.problem, film, system), (system, enough), counts)?;
     }
@@ -226,14 +228,12 @@ fn newton_step(here: &Trial, system: &FilmSystem, accuracy: f64, counts: &mut Cl
     Ok(solved.x)
 }
 
-/// The longest of the halved steps that leaves less of the balance, the gap kept open. Far from the balance a mass-conserving film chooses its advection schemes anew at first; where what
-/// it leaves then jumps up they are kept.
+/// The longest of the halved steps that leaves less of the balance, the gap kept open. A mass-conserving film keeps its advection schemes: chosen anew at each step they would make what it leaves
+/// jump, and take long. Where a whole step leaves more with them they may be too old.
 fn damped(here: &Trial, step: &[f64], system: &FilmSystem, counts: &mut Closing) -> Option<Trial> {
     let gap = here.gap.unwrap_or_else(|| least_gap(&here.problem, system));
-    let chooses = here.film.film_fraction.is_some() && here.left.residual >= NEAR;
-    let anew = chooses.then_some((1.0, Neighbour::Start(&here.film)));
     let halved = (0..MOST_LENGTHS).map(|times| (0.5f64.powi(times), Neighbour::Kept(&here.film)));
-    for (part, near) in anew.into_iter().chain(halved) {
+    for (part, near) in halved {
         let problem = stepped(&here.problem, step, part)?;
         let next_gap = least_gap(&problem, system);
         let is_open = next_gap > f64::max(0.0, LEAST_SHRINK * gap);

@@ -24,6 +24,10 @@
 //! **Range.** Mass-conserving films of quadratic elements. No bar can be trusted where that of the load exceeds a twentieth of it.
 //! **Verified by** `cavitation/bars`: finer meshes.
 
+mod directions;
+
+pub use self::directions::ErrorDirection;
+
 use oilwedge_fem::control_volumes::sub_triangles;
 use oilwedge_mesh::triangle_area;
 
@@ -82,6 +86,8 @@ pub struct ConservingError {
     pub force: [Bar; 2],
     /// Of the moment towards 0 and towards 90 degrees [N m]; none where the journal cannot tilt.
     pub moment: Option<[Bar; 2]>,
+    /// Directions of force and moment together; none where the journal cannot tilt.
+    pub directions: Vec<ErrorDirection>,
     /// Of `Int p dA` [N].
     pub pressure_integral: Bar,
     /// Of the greatest pressure [Pa]; not finite where the limit of the viscosity law lies within it.
@@ -185,6 +191,11 @@ pub fn conserving_error(
     };
     let force = total.magnitude();
     let load = with_spread(bar(&along), force);
+    let arm = 0.5 * problem.bearing.length;
+    let directions = match problem.can_tilt() {
+        true => directions::directions(&pair, arm, |shares| with_spread(bar(shares), force)),
+        false => Vec::new(),
+    };
     let greatest = pair.pressure.iter().fold(0.0, |most: f64, p| most.max(p.abs()));
     let pressure = pair.greatest_pressure(problem, coarse) + part * greatest;
     Some(ConservingError {
@@ -194,10 +205,10 @@ pub fn conserving_error(
         load,
         across: with_spread(bar(&across), force),
         force: [0, 1].map(|towards| with_spread(bar(&pair.shares(|at| at.force[towards])), force)),
-        moment: problem.can_tilt().then(|| {
-            let arm = 0.5 * problem.bearing.length;
-            [0, 1].map(|towards| with_spread(bar(&pair.shares(|at| at.moment[towards])), arm * force))
-        }),
+        moment: problem
+            .can_tilt()
+            .then(|| [0, 1].map(|towards| with_spread(bar(&pair.shares(|at| at.moment[towards])), arm * force))),
+        directions,
         pressure_integral: with_spread(bar(&pair.shares(|_| 1.0)), force),
         greatest_pressure: pressure,
         pressure,

@@ -5,9 +5,9 @@
 
 use std::time::Instant;
 
-use oilwedge_bearing::Dynamics;
 use oilwedge_bearing::deflection::following_wall;
-use oilwedge_reynolds::error_bar::conserving::ConservingError;
+use oilwedge_bearing::{Dynamics, Vector};
+use oilwedge_reynolds::error_bar::conserving::{ConservingError, ErrorDirection};
 use oilwedge_reynolds::error_bar::sharp::{Reported, sharpen};
 use oilwedge_reynolds::error_bar::{Bar, Value, film_error};
 use oilwedge_reynolds::sharp::SharpFilm;
@@ -104,9 +104,10 @@ fn by_cubic(solved: &Solved, cubic: &FilmSolution) -> Estimated {
         measured: [&quadratic, &reported],
         value: Value::Cubic,
     };
+    let along = error.load(Value::Cubic);
     let load = bars_of_balance(
         film,
-        [error.load(Value::Cubic), error.across(Value::Cubic)],
+        [along, error.across(Value::Cubic)],
         pair.moment(),
     );
     Estimated {
@@ -114,7 +115,7 @@ fn by_cubic(solved: &Solved, cubic: &FilmSolution) -> Estimated {
         narrowed: 1.0,
         quantities: with_bars(solved, &pair, &reported, &numbers(film, &quadratic), &load),
         measured: reported,
-        is_local: load[0].front > load[0].discretisation,
+        is_local: along.front > along.discretisation,
         spread: 0.0,
         indicator: Some(error.indicator()),
         seconds: 0.0,
@@ -151,7 +152,13 @@ fn by_coarse(
             .and_then(|dynamics| Dynamics::beside(&film.problem, film.system.vertices_only(), coarse, dynamics).ok()),
         hidden: hidden_share(&film.problem, &film.system, &solved.solution, error.pressure),
     };
-    let load = bars_of_balance(film, [error.load, error.across], pair.moment());
+    let is_free = film.load.is_some_and(|load| load.tilting.is_some());
+    let load: Vec<(Vector, Bar)> = match is_free {
+        true => (error.directions.iter())
+            .map(|&ErrorDirection { direction, bar }| (direction, of_few(film, bar)))
+            .collect(),
+        false => bars_of_balance(film, [error.load, error.across], None),
+    };
     Estimated {
         quantities: with_bars(solved, &pair, &plain.measured, &of_film, &load),
         spread: error.spread,
@@ -218,20 +225,31 @@ fn numbers(film: &Film, of: &Measured) -> Vec<Quantity> {
     measured(&View::new(film, &film.problem, of))
 }
 
-/// Bars of what a balance fixes: of the load along and across it [N], and of the moment towards x and y [N m] where the journal can tilt.
-fn bars_of_balance(film: &Film, load: [Bar; 2], moment: Option<[Bar; 2]>) -> Vec<Bar> {
-    let bars = load.into_iter().chain(moment.into_iter().flatten());
-    bars.map(|bar| of_few(film, bar)).collect()
+/// Bars of what a balance fixes [N], in directions of force and moment: along the load and across it and, where the journal can tilt, of the `moment` [N m] towards x and y.
+fn bars_of_balance(film: &Film, [along, across]: [Bar; 2], moment: Option<[Bar; 2]>) -> Vec<(Vector, Bar)> {
+    let [x, y] = film.load.map_or([0.0; 2], |load| load.force);
+    let size = x.hypot(y);
+    let [x, y] = if size > 0.0 { [x / size, y / size] } else { [1.0, 0.0] };
+    let per_arm = 2.0 / film.problem.bearing.length;
+    let of_force = [([x, y, 0.0, 0.0], along), ([-y, x, 0.0, 0.0], across)];
+    let of_moment = moment.map(|[m_x, m_y]| {
+        [
+            ([0.0, 0.0, 1.0, 0.0], m_x.scaled(per_arm)),
+            ([0.0, 0.0, 0.0, 1.0], m_y.scaled(per_arm)),
+        ]
+    });
+    let bars = of_force.into_iter().chain(of_moment.into_iter().flatten());
+    bars.map(|(direction, bar)| (direction, of_few(film, bar))).collect()
 }
 
-/// The numbers of a film with their bars. `others` are those of the other film of a pair, or the numbers themselves; `load` bars of what a balance
-/// fixes.
+/// The numbers of a film with their bars. `others` are those of the other film of a pair, or the numbers themselves; `load` bars [N] of what a balance
+/// fixes, by direction.
 fn with_bars(
     solved: &Solved,
     estimate: &dyn Estimate,
     reported: &Measured,
     others: &[Quantity],
-    load: &[Bar],
+    load: &[(Vector, Bar)],
 ) -> Vec<Quantity> {
     let film = &solved.film;
     let view = View::new(film, &film.problem, reported);
@@ -239,13 +257,9 @@ fn with_bars(
     let balance = solved.balance.as_ref();
     let by_wall = wall_bars(solved, others, reported);
     let moved = balance.map(|balance| {
-        let by_wall = by_wall.along(reported.load.total.force);
-        let totals: Vec<f64> = load
-            .iter()
-            .zip(by_wall)
-            .take(balance.coordinates.order)
-            .map(|(bar, by_wall)| bar.total() + by_wall)
-            .collect();
+        let arm = balance.coordinates.arm;
+        let total = |(direction, bar): &(Vector, Bar)| (*direction, bar.total() + by_wall.towards(*direction, arm));
+        let totals: Vec<(Vector, f64)> = load.iter().take(balance.coordinates.order).map(total).collect();
         position_bars(solved, balance, &totals, others, reported)
     });
     for quantity in &mut list {

@@ -3,8 +3,8 @@
 use std::borrow::Cow;
 use std::collections::HashMap;
 
-use oilwedge_bearing::NEAR;
 use oilwedge_bearing::deflection::displaced;
+use oilwedge_bearing::{NEAR, Vector};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmProblem, FilmSolution};
 
@@ -12,13 +12,12 @@ use crate::measure::{Measured, measure};
 use crate::quantities::{Quantity, View, measured};
 use crate::solved::{Balance, Solved};
 
-/// For each quantity of `list` by name how much it changes where the journal moves as far as the bars of
-/// the load, along and across [N], those of the moment towards x and y [N m] where the tilt is free, and what is left unbalanced let it. Not finite where the film has no tangent, or so far away no film,
-/// and where the load is so far from balanced that the tangent does not show how far the position is.
+/// For each quantity of `list` by name how much it changes where the journal moves as far as the bars [N] of what it carries in some directions of force and moment, and what is left unbalanced, let it.
+/// Not finite where the film has no tangent, or so far away no film, and where the load is so far from balanced that the tangent does not show how far the position is.
 pub(super) fn position_bars(
     solved: &Solved,
     balance: &Balance,
-    bars: &[f64],
+    bars: &[(Vector, f64)],
     list: &[Quantity],
     reported: &Measured,
 ) -> HashMap<Cow<'static, str>, f64> {
@@ -27,23 +26,11 @@ pub(super) fn position_bars(
     if balance.residual >= NEAR {
         return names.map(|name| (name, f64::NAN)).collect();
     }
-    let [x, y] = base.load.map_or([0.0; 2], |load| load.force);
-    let size = x.hypot(y);
-    let along = match size > 0.0 {
-        true => [x / size, y / size],
-        false => [1.0, 0.0],
-    };
-    let per_arm = 1.0 / balance.coordinates.arm;
-    let directions = [
-        [along[0], along[1], 0.0, 0.0],
-        [-along[1], along[0], 0.0, 0.0],
-        [0.0, 0.0, per_arm, 0.0],
-        [0.0, 0.0, 0.0, per_arm],
-    ];
-    let unbalanced = [1.0, 1.0, balance.coordinates.arm, balance.coordinates.arm].map(|unit| unit * balance.unbalanced);
     let mut changes = vec![0.0; list.len()];
-    for ((direction, bar), unbalanced) in directions.into_iter().zip(bars).zip(unbalanced) {
-        let by = balance.stiffness.solve(direction.map(|d| d * (bar + unbalanced)));
+    for (direction, bar) in bars {
+        let by = balance
+            .stiffness
+            .solve(direction.map(|d| d * (bar + balance.unbalanced)));
         let change = (balance.coordinates).change(&base.problem.journal, &base.centre_velocity, by);
         let moved = displaced(&base.problem, &base.system, &solved.solution, &change);
         let moved = moved.map(|(problem, film)| {

@@ -7,6 +7,7 @@
 use std::borrow::Cow;
 use std::collections::HashMap;
 
+use oilwedge_bearing::Vector;
 use oilwedge_bearing::deflection::{bent, touched};
 use oilwedge_reynolds::film_thickness::Deflection;
 use oilwedge_reynolds::quantities::contact_points::ContactPoints;
@@ -42,18 +43,16 @@ impl WallBars {
         self.by_name.get(name).copied().unwrap_or(0.0)
     }
 
-    /// Changes of the force along a load [N] and across it, and of the moments [N m].
-    pub(super) fn along(&self, [x, y]: [f64; 2]) -> [f64; 4] {
-        let size = x.hypot(y);
-        let [along, across] = if size > 0.0 { [x / size, y / size] } else { [1.0, 0.0] };
+    /// Change of the force [N] in a `direction` of force and moment over this arm [m].
+    pub(super) fn towards(&self, direction: Vector, arm: f64) -> f64 {
         let [f_x, f_y, m_x, m_y] = self.forces;
-        // Signs are lost: both parts count to both sides.
-        [
-            f_x * along.abs() + f_y * across.abs(),
-            f_x * across.abs() + f_y * along.abs(),
-            m_x,
-            m_y,
-        ]
+        // Signs are lost: all parts count to all sides.
+        let forces = [f_x, f_y, m_x / arm, m_y / arm];
+        direction
+            .iter()
+            .zip(forces)
+            .map(|(part, force)| part.abs() * force)
+            .sum()
     }
 }
 
