@@ -23,7 +23,7 @@ const ROUGH: f64 = 0.1;
 const SPARE: f64 = 0.3;
 /// The tangents of the films in quadratic and cubic elements differ by about this part.
 const APART: f64 = 1e-3;
-/// Where this part is left a mass-conserving film keeps its advection schemes.
+/// Where more than this part is left a mass-conserving film has its advection schemes chosen anew at the first step: at each one they would make what is left jump, and take long.
 const NEAR: f64 = 1e-2;
 /// A balance of the cubic film that falls by less than this factor with the tangent of the quadratic one takes its own from then on, whose products take long,
 const SLOW: f64 = 0.1;
@@ -173,11 +173,9 @@ fn closed(
     counts: &mut Closing,
 ) -> Result<Closed, NoFilm> {
     let film = solved(&problem, system, near, counts)?;
-    let first = judged(problem, film, system);
-    let is_far = first.left.residual > NEAR;
-    let mut found = iterated(first, (system, enough), counts)?;
-    let is_chosen_again = (enough < CHOSEN_ONCE || is_far) && !matches!(near, Neighbour::Kept(_));
-    if found.film.film_fraction.is_some() && is_chosen_again {
+    let mut found = iterated(judged(problem, film, system), (system, enough), counts)?;
+    let is_final = enough < CHOSEN_ONCE && !matches!(near, Neighbour::Kept(_));
+    if found.film.film_fraction.is_some() && is_final {
         let film = solved(&found.problem, system, Neighbour::Start(&found.film), counts)?;
         found = iterated(judged(found.problem, film, system), (system, enough), counts)?;
     }
@@ -190,12 +188,14 @@ fn closed(
 
 /// Newton's method from a film.
 fn iterated(mut here: Trial, (system, enough): (&FilmSystem, f64), counts: &mut Closing) -> Result<Trial, NoFilm> {
-    for _ in 0..MOST_STEPS {
+    for number in 0..MOST_STEPS {
         if here.left.residual < enough {
             return Ok(here);
         }
         let step = newton_step(&here, system, accuracy(here.left.residual, enough), counts)?;
-        match damped(&here, &step, system, counts) {
+        let chooses = number == 0 && here.film.film_fraction.is_some() && here.left.residual >= NEAR;
+        let anew = chooses.then_some((1.0, Neighbour::Start(&here.film)));
+        match damped(&here, &step, anew, system, counts) {
             Some(next) => here = next,
             None if here.left.residual < enough.max(CLOSED_ENOUGH) => return Ok(here),
             None => break,
@@ -228,12 +228,17 @@ fn newton_step(here: &Trial, system: &FilmSystem, accuracy: f64, counts: &mut Cl
     Ok(solved.x)
 }
 
-/// The longest of the halved steps that leaves less of the balance, the gap kept open. A mass-conserving film keeps its advection schemes: chosen anew at each step they would make what it leaves
-/// jump, and take long. Where a whole step leaves more with them they may be too old.
-fn damped(here: &Trial, step: &[f64], system: &FilmSystem, counts: &mut Closing) -> Option<Trial> {
+/// The first of some lengths of a step that leaves less of the balance, the gap kept open: one with `anew` advection schemes, if any, then halved ones with those that the film has.
+fn damped<'a>(
+    here: &'a Trial,
+    step: &[f64],
+    anew: Option<(f64, Neighbour<'a>)>,
+    system: &FilmSystem,
+    counts: &mut Closing,
+) -> Option<Trial> {
     let gap = here.gap.unwrap_or_else(|| least_gap(&here.problem, system));
     let halved = (0..MOST_LENGTHS).map(|times| (0.5f64.powi(times), Neighbour::Kept(&here.film)));
-    for (part, near) in halved {
+    for (part, near) in anew.into_iter().chain(halved) {
         let problem = stepped(&here.problem, step, part)?;
         let next_gap = least_gap(&problem, system);
         let is_open = next_gap > f64::max(0.0, LEAST_SHRINK * gap);

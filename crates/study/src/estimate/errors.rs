@@ -105,11 +105,7 @@ fn by_cubic(solved: &Solved, cubic: &FilmSolution) -> Estimated {
         value: Value::Cubic,
     };
     let along = error.load(Value::Cubic);
-    let load = bars_of_balance(
-        film,
-        [along, error.across(Value::Cubic)],
-        pair.moment(),
-    );
+    let load = bars_of_balance(film, [along, error.across(Value::Cubic)], pair.moment());
     Estimated {
         of_hill: Vec::new(),
         narrowed: 1.0,

@@ -42,8 +42,8 @@ pub(super) struct Growth {
 
 impl Growth {
     /// The growth towards a goal, or less where that would be too long for the time left [s] or too large: a smaller step is better
-    /// than none.
-    pub(super) fn of(level: &Level, goal: &Goal, levels: &[LevelFacts], left: f64) -> Self {
+    /// than none. The last mesh would take so many `seconds` [s] again.
+    pub(super) fn of(level: &Level, goal: &Goal, levels: &[LevelFacts], [left, seconds]: [f64; 2]) -> Self {
         let FilmProblem {
             cavitation, lubricant, ..
         } = &level.solved.film.problem;
@@ -54,7 +54,7 @@ impl Growth {
             false => UNRESOLVED_GROWTH.min(most),
         };
         let fits = levels.last().map_or(f64::INFINITY, |last| {
-            let in_time = (left / last.seconds).max(0.0).powf(1.0 / TIME_EXPONENT);
+            let in_time = (left / seconds).max(0.0).powf(1.0 / TIME_EXPONENT);
             let in_size = goal.most_unknowns as f64 / last.unknowns as f64;
             (SAFETY * in_time).min(in_size)
         });
@@ -66,9 +66,9 @@ impl Growth {
     }
 }
 
-/// Seconds [s] that a mesh with so many times the unknowns of the last one takes.
-pub(super) fn next_seconds(last: &LevelFacts, growth: f64) -> f64 {
-    last.seconds * growth.powf(TIME_EXPONENT)
+/// Seconds [s] that a mesh takes with so many times the unknowns of one that takes so many `seconds` [s].
+pub(super) fn next_seconds(seconds: f64, growth: f64) -> f64 {
+    seconds * growth.powf(TIME_EXPONENT)
 }
 
 /// True where dividing triangles locally, for the load, hardly narrowed the bar of this name.

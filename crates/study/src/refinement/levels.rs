@@ -63,6 +63,8 @@ struct Refining<'a> {
     started: f64,
     deadline: Deadline,
     levels: Vec<LevelFacts>,
+    /// Seconds of the last mesh in which the position was found that it is graded for: known from then on [s].
+    grading: f64,
     /// The film of the mesh before.
     best: Option<Level>,
     /// Meshes made for bars that are wanted but not required.
@@ -80,6 +82,7 @@ pub(super) fn towards(scene: &Scene, targets: &Targets, options: &RunOptions) ->
         started: options.clock.now(),
         deadline: options.deadline(),
         levels: Vec::new(),
+        grading: 0.0,
         best: None,
         wanted_levels: 0,
         is_laid_anew: false,
@@ -102,6 +105,10 @@ impl Refining<'_> {
             Err(reason) => return self.last_resort(reason.to_string()).ok_or(reason),
         };
         let Graded { mut film, refused } = graded;
+        self.grading = match next.finds_position() {
+            true => self.options.clock.now() - started,
+            false => 0.0,
+        };
         if film.start == Start::Failed
             && let Some(finer) = next.finer_than_failed()
         {
@@ -292,10 +299,15 @@ impl Refining<'_> {
     /// The mesh after that of a level for a goal, or why there must be none.
     fn finer_for(&self, goal: &Goal, last: &Next, level: &Level) -> Result<Next, Limit> {
         let left = self.options.max_seconds - self.elapsed();
-        let growth = Growth::of(level, goal, &self.levels, left);
+        let growth = Growth::of(level, goal, &self.levels, [left, self.seconds_again()]);
         let next = Next::refined(last, level, &growth)?;
         let growth = next.growth(&level.solved.film).unwrap_or(growth.factor);
         self.limit(growth, goal).map_or(Ok(next), Err)
+    }
+
+    /// Seconds that the last mesh would take again [s].
+    fn seconds_again(&self) -> f64 {
+        self.levels.last().map_or(0.0, |last| last.seconds - self.grading)
     }
 
     /// Seconds of the run [s].
@@ -322,7 +334,7 @@ impl Refining<'_> {
         let (distance, elapsed) = (self.distance(goal.worst), self.elapsed());
         let most = goal.most_unknowns;
         let wanted = growth * last.unknowns as f64;
-        let (seconds, max_seconds) = (next_seconds(last, growth), self.options.max_seconds);
+        let (seconds, max_seconds) = (next_seconds(self.seconds_again(), growth), self.options.max_seconds);
         match self.options.cause() {
             Cause::Interrupt => Some(self.stopped(goal.worst)),
             // Time first: a mesh that is too large is made smaller where there is time for one (see `Growth::of`).

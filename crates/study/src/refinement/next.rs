@@ -168,6 +168,11 @@ impl Next {
         }
     }
 
+    /// Whether it is graded for a position that is to be found.
+    pub(super) fn finds_position(&self) -> bool {
+        matches!(self, Self::Given | Self::Drawn(..))
+    }
+
     /// How many times the triangles of `film` it has; none where that shows only once it is drawn.
     pub(super) fn growth(&self, film: &Film) -> Option<f64> {
         match self {
