@@ -5,8 +5,7 @@
 //! the same place, times a ratio.
 
 use crate::developed::Liner;
-use crate::generate::{Blueprint, Sense, generate, generate_in_rows_like};
-use crate::quality::lies_in_rows;
+use crate::generate::{Blueprint, DrawingError, Sense, generate, generate_in_rows_like};
 use crate::size_tree::SizeTree;
 use crate::{Locator, Mesh};
 
@@ -32,6 +31,25 @@ pub struct Coarser {
 /// a line of edges, as in [`Blueprint::line`]. None if `mesh` is of another kind of liner (ring, arc), if so few
 /// triangles are left that the mesh would be of no use, or if it cannot be made.
 pub fn coarser(mesh: &Mesh, liner: &Liner, line: Option<f64>, ratio: f64) -> Option<Coarser> {
+    let sizes = SizeTree::new(mesh);
+    let size = |point| ASKED * ratio * sizes.at(point);
+    made(mesh, liner, line, |blueprint| generate(blueprint, &size))
+}
+
+/// As [`coarser`], in rows along a flow in this sense, columns and rows as unlike as those of `mesh`: oil is not spread across the flow.
+pub fn coarser_in_rows(mesh: &Mesh, liner: &Liner, line: Option<f64>, ratio: f64, sense: Sense) -> Option<Coarser> {
+    made(mesh, liner, line, |blueprint| {
+        generate_in_rows_like(blueprint, mesh, ratio, sense)
+    })
+}
+
+/// The mesh that `generate` makes of the liner without features.
+fn made(
+    mesh: &Mesh,
+    liner: &Liner,
+    line: Option<f64>,
+    generate: impl Fn(&Blueprint) -> Result<Mesh, Vec<DrawingError>>,
+) -> Option<Coarser> {
     if liner.arc.is_none() != mesh.period().is_some() {
         return None;
     }
@@ -40,14 +58,7 @@ pub fn coarser(mesh: &Mesh, liner: &Liner, line: Option<f64>, ratio: f64) -> Opt
         features: Vec::new(),
         line,
     };
-    let coarse = match lies_in_rows(mesh) {
-        true => generate_in_rows_like(&blueprint, mesh, ratio, Sense::Forwards),
-        false => {
-            let sizes = SizeTree::new(mesh);
-            generate(&blueprint, &|point| ASKED * ratio * sizes.at(point))
-        }
-    };
-    let coarse = coarse.ok()?;
+    let coarse = generate(&blueprint).ok()?;
     if coarse.triangles().len() < FEWEST {
         return None;
     }
@@ -55,8 +66,10 @@ pub fn coarser(mesh: &Mesh, liner: &Liner, line: Option<f64>, ratio: f64) -> Opt
     let parents: Option<Vec<u32>> = (0..coarse.triangles().len())
         .map(|t| Some(locator.nearest(centroid(&coarse, t))?.0 as u32))
         .collect();
-    let parents = parents?;
-    Some(Coarser { mesh: coarse, parents })
+    Some(Coarser {
+        mesh: coarse,
+        parents: parents?,
+    })
 }
 
 fn centroid(mesh: &Mesh, t: usize) -> [f64; 2] {

@@ -4,9 +4,10 @@ use std::f64::consts::{PI, TAU};
 use std::path::PathBuf;
 use std::time::Instant;
 
-use oilwedge_mesh::coarsen::{Coarser, coarser};
+use oilwedge_mesh::coarsen::{Coarser, coarser, coarser_in_rows};
 use oilwedge_mesh::developed::{Liner, read};
-use oilwedge_mesh::generate::{Blueprint, Feature, Shape, generate};
+use oilwedge_mesh::generate::{Blueprint, Feature, Rows, Sense, Shape, generate, generate_in_rows};
+use oilwedge_mesh::quality::share_across_flow;
 use oilwedge_mesh::{Locator, Mesh, Quality, refine};
 
 const RADIUS: f64 = 0.0375;
@@ -254,4 +255,38 @@ fn no_mesh_rather_than_a_useless_one() {
     for ratio in [0.0, -1.0, f64::NAN, 1e-6] {
         assert!(coarser(&mesh, &liner(None), None, ratio).is_none(), "{ratio}");
     }
+}
+
+/// Thin rows at one end stay thin.
+#[test]
+fn coarser_meshes_of_rows_are_rows() {
+    let blueprint = Blueprint {
+        liner: liner(None),
+        features: features(),
+        line: None,
+    };
+    let across = |z: f64| 0.0005 + 0.03 * (z + 0.0375);
+    let rows = Rows {
+        along: &|_| 0.002,
+        across: &across,
+        sense: Sense::Forwards,
+    };
+    let fine = generate_in_rows(&blueprint, &rows).expect("a mesh");
+    let coarse = coarser_in_rows(&fine, &blueprint.liner, None, 2.0, Sense::Forwards)
+        .expect("a mesh")
+        .mesh;
+    assert!(share_across_flow(&fine) > 0.0);
+    assert_eq!(share_across_flow(&coarse), 0.0);
+    let share = fine.triangles().len() as f64 / coarse.triangles().len() as f64;
+    assert!((3.0..6.0).contains(&share), "{share}");
+    let lowest = |mesh: &Mesh| {
+        let above = mesh
+            .points()
+            .iter()
+            .map(|point| point[1] + 0.0375)
+            .filter(|z| *z > 1e-9);
+        above.fold(f64::INFINITY, f64::min)
+    };
+    let thicker = lowest(&coarse) / lowest(&fine);
+    assert!((1.4..3.0).contains(&thicker), "{thicker}");
 }

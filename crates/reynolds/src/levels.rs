@@ -10,7 +10,9 @@ use oilwedge_fem::complementarity::InitialGuess;
 use oilwedge_fem::{Field, Space, lagrange};
 use oilwedge_mesh::coarsen;
 use oilwedge_mesh::developed::Liner;
+use oilwedge_mesh::generate::Sense;
 use oilwedge_mesh::locate::Locator;
+use oilwedge_mesh::quality::lies_in_rows;
 use rayon::prelude::*;
 
 use crate::film_thickness::FilmContribution;
@@ -33,17 +35,26 @@ pub struct Coarser {
 }
 
 impl FilmSystem {
-    /// The system with coarser ones behind it, as long as there are any.
-    pub fn with_coarser(mut self, bearing: &Bearing, film_thickness: &[Arc<dyn FilmContribution>]) -> Self {
-        self.coarser = Coarser::of(&self, bearing, film_thickness).map(Box::new);
+    /// The system with coarser ones behind it for a problem, as long as there are any.
+    pub fn with_coarser(self, problem: &FilmProblem) -> Self {
+        self.with_levels(problem, &problem.film_thickness)
+    }
+
+    fn with_levels(mut self, problem: &FilmProblem, film_thickness: &[Arc<dyn FilmContribution>]) -> Self {
+        self.coarser = Coarser::of(&self, problem, film_thickness).map(Box::new);
         self
     }
 }
 
 impl Coarser {
-    fn of(fine: &FilmSystem, bearing: &Bearing, film_thickness: &[Arc<dyn FilmContribution>]) -> Option<Self> {
-        let mesh = fine.space().mesh();
-        let coarse = coarsen::coarser(mesh, &liner(fine, bearing), line(fine, bearing), RATIO)?;
+    fn of(fine: &FilmSystem, problem: &FilmProblem, film_thickness: &[Arc<dyn FilmContribution>]) -> Option<Self> {
+        let (mesh, bearing) = (fine.space().mesh(), &problem.bearing);
+        let (liner, line) = (liner(fine, bearing), line(fine, bearing));
+        // Oil that triangles spread across the flow would feed a film that should starve.
+        let coarse = match problem.cavitation.conserves_oil() && lies_in_rows(mesh) {
+            true => coarsen::coarser_in_rows(mesh, &liner, line, RATIO, sense(problem)),
+            false => coarsen::coarser(mesh, &liner, line, RATIO),
+        }?;
         // A mesh that is bound by its length, not by the sizes asked for, would not become coarser for ever.
         if 2 * coarse.mesh.triangles().len() > mesh.triangles().len() {
             return None;
@@ -60,7 +71,7 @@ impl Coarser {
             .collect::<Option<_>>()?;
         let system = FilmSystem::with_supply(space, supply);
         Some(Self {
-            system: system.with_coarser(bearing, &film_thickness),
+            system: system.with_levels(problem, &film_thickness),
             film_thickness,
             parents: coarse.parents,
             places,
@@ -101,6 +112,14 @@ impl Coarser {
             held.push(nearest.is_some_and(|k| film.cavity[dofs[k]]));
         }
         InitialGuess { u, held }
+    }
+}
+
+/// In which sense the journal carries the oil.
+fn sense(problem: &FilmProblem) -> Sense {
+    match problem.journal.speed < 0.0 {
+        true => Sense::Backwards,
+        false => Sense::Forwards,
     }
 }
 

@@ -77,7 +77,7 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, position: Position, degree: usize) 
     };
     problem.prepare(&system)?;
     let system = match problem.needs_start() || is_sought {
-        true => system.with_coarser(&problem.bearing, &problem.film_thickness),
+        true => system.with_coarser(&problem),
         false => system,
     };
     Ok(Film {

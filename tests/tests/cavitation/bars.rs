@@ -9,7 +9,7 @@ use oilwedge_study::film::Film;
 use oilwedge_study::measure::{Measured, measure};
 use oilwedge_study::position::Position;
 use oilwedge_tests::random_bearings::RandomBearing;
-use oilwedge_tests::scenes::{table, variant};
+use oilwedge_tests::scenes::{table, variant, written};
 
 fn film(study: &Film) -> FilmSolution {
     study
@@ -125,4 +125,60 @@ fn bars_shrink_with_the_mesh() {
     ratios.sort_by(f64::total_cmp);
     println!("{ratios:.2?}");
     assert!((2.5..6.0).contains(&ratios[ratios.len() / 2]), "{ratios:.2?}");
+}
+
+/// A tilted journal whose film is thin at one end and fed by a hole near the middle, too little to fill it.
+fn thin_end(size: &str) -> Scene {
+    written(&format!(
+        "title = \"Thin end\"\n\
+         bearing = {{ diameter = \"100 mm\", length = \"120 mm\", clearance = \"50 um\" }}\n\
+         oil = {{ viscosity = \"20 mPa.s\" }}\ncavitation = {{ model = \"jfo\" }}\nmesh = {{ size = \"{size}\" }}\n\
+         journal = {{ speed = \"-100 rad/s\", eccentricity = 0.63, min_film_angle = \"156 deg\", \
+         tilt = {{ x = \"-0.33 mrad\", y = \"-0.33 mrad\" }} }}\n\
+         [[feed]]\ngroup = \"hole\"\nhole = {{ diameter = \"28 mm\", angle = \"237 deg\", z = \"-11 mm\" }}\npressure = \"8 kPa\"\n"
+    ))
+}
+
+fn forces(measured: &Measured) -> [f64; 4] {
+    let carried = measured.load.total.resultant();
+    let ([x, y], [m_x, m_y]) = (carried.force, carried.moment);
+    [x, y, m_x / 0.06, m_y / 0.06]
+}
+
+/// Finer meshes lie inside the bars of all directions of force and moment, and a film that is thin at one end errs in one of them.
+#[test]
+fn a_film_thin_at_one_end_errs_in_one_direction() {
+    let scene = thin_end("10 mm");
+    let study = compile(&scene).unwrap_or_else(|error| panic!("{error}"));
+    let coarse_film = film(&study);
+    let bars = bars(&study, &coarse_film);
+    let here = forces(&measure(&study.problem, &study.system, &coarse_film));
+    let there = forces(&finer(&scene, &study, 1));
+    let mut totals = Vec::new();
+    for direction in &bars.directions {
+        let error: f64 = (0..4).map(|k| direction.direction[k] * (there[k] - here[k])).sum();
+        let bar = direction.bar.total();
+        println!("{:?}: {error:.3e} of {bar:.3e} N", direction.direction);
+        assert!(error.abs() < bar, "{error} {bar}");
+        totals.push(bar);
+    }
+    totals.sort_by(f64::total_cmp);
+    assert!(totals.len() == 4 && totals[2] < 0.6 * totals[3], "{totals:?}");
+}
+
+/// Triangles that spread oil across the flow would feed what should starve: a coarser mesh lies in rows like its own, and its film carries nearly as much.
+#[test]
+fn coarser_meshes_of_a_starved_film_carry_nearly_what_it_carries() {
+    let study = compile(&thin_end("5 mm")).unwrap_or_else(|error| panic!("{error}"));
+    let here = forces(&measure(&study.problem, &study.system, &film(&study)));
+    let coarser = study.system.coarser.as_ref().expect("a coarser mesh");
+    let problem = coarser.problem(&study.problem);
+    let coarse_film = problem
+        .solve(&coarser.system)
+        .unwrap_or_else(|reason| panic!("{reason}"));
+    let there = forces(&measure(&problem, &coarser.system, &coarse_film));
+    let size = here.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let off = (0..4).map(|k| (there[k] - here[k]).powi(2)).sum::<f64>().sqrt() / size;
+    println!("{off:.3e}");
+    assert!(off < 0.05, "{off}");
 }

@@ -193,9 +193,7 @@ fn iterated(mut here: Trial, (system, enough): (&FilmSystem, f64), counts: &mut 
             return Ok(here);
         }
         let step = newton_step(&here, system, accuracy(here.left.residual, enough), counts)?;
-        let chooses = number == 0 && here.film.film_fraction.is_some() && here.left.residual >= NEAR;
-        let anew = chooses.then_some((1.0, Neighbour::Start(&here.film)));
-        match damped(&here, &step, anew, system, counts) {
+        match damped(&here, (number, &step), system, counts) {
             Some(next) => here = next,
             None if here.left.residual < enough.max(CLOSED_ENOUGH) => return Ok(here),
             None => break,
@@ -228,15 +226,12 @@ fn newton_step(here: &Trial, system: &FilmSystem, accuracy: f64, counts: &mut Cl
     Ok(solved.x)
 }
 
-/// The first of some lengths of a step that leaves less of the balance, the gap kept open: one with `anew` advection schemes, if any, then halved ones with those that the film has.
-fn damped<'a>(
-    here: &'a Trial,
-    step: &[f64],
-    anew: Option<(f64, Neighbour<'a>)>,
-    system: &FilmSystem,
-    counts: &mut Closing,
-) -> Option<Trial> {
+/// The longest of the halved steps that leaves less of the balance, the gap kept open. Far from the balance a mass-conserving film chooses its advection schemes anew at the first of all steps; where
+/// what it leaves then jumps up they are kept.
+fn damped(here: &Trial, (number, step): (usize, &[f64]), system: &FilmSystem, counts: &mut Closing) -> Option<Trial> {
     let gap = here.gap.unwrap_or_else(|| least_gap(&here.problem, system));
+    let chooses = number == 0 && here.film.film_fraction.is_some() && here.left.residual >= NEAR;
+    let anew = chooses.then_some((1.0, Neighbour::Start(&here.film)));
     let halved = (0..MOST_LENGTHS).map(|times| (0.5f64.powi(times), Neighbour::Kept(&here.film)));
     for (part, near) in anew.into_iter().chain(halved) {
         let problem = stepped(&here.problem, step, part)?;
