@@ -65,7 +65,7 @@ fn refined(study: &mut Film) {
         })
         .collect();
     let system = FilmSystem::new(Arc::new(finer.mesh), 2, regions).expect("refinement keeps the boundary");
-    study.system = Arc::new(system.with_coarser(&study.problem));
+    study.system = Arc::new(system.with_coarser(&study.problem, oilwedge_reynolds::levels::Layout::Rows));
 }
 
 /// The film of a bearing under a model of cavitation.

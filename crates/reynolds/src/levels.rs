@@ -22,6 +22,15 @@ use crate::{Bearing, Cavitation, FilmProblem, FilmSolution, FilmSystem};
 /// Edges of a coarser mesh over those of the finer.
 const RATIO: f64 = 2.0;
 
+/// How the triangles of coarser meshes lie.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Layout {
+    /// Of a film that conserves oil in rows along the flow, where its own mesh lies in rows: oil that triangles spread across the flow would feed a film that should starve.
+    Rows,
+    /// Anyhow.
+    Free,
+}
+
 /// A coarser mesh and the film on it.
 #[derive(Debug)]
 pub struct Coarser {
@@ -36,24 +45,34 @@ pub struct Coarser {
 
 impl FilmSystem {
     /// The system with coarser ones behind it for a problem, as long as there are any.
-    pub fn with_coarser(self, problem: &FilmProblem) -> Self {
-        self.with_levels(problem, &problem.film_thickness)
+    pub fn with_coarser(self, problem: &FilmProblem, layout: Layout) -> Self {
+        self.with_levels(problem, layout, &problem.film_thickness)
     }
 
-    fn with_levels(mut self, problem: &FilmProblem, film_thickness: &[Arc<dyn FilmContribution>]) -> Self {
-        self.coarser = Coarser::of(&self, problem, film_thickness).map(Box::new);
+    fn with_levels(
+        mut self,
+        problem: &FilmProblem,
+        layout: Layout,
+        film_thickness: &[Arc<dyn FilmContribution>],
+    ) -> Self {
+        self.coarser = Coarser::of(&self, (problem, layout), film_thickness).map(Box::new);
         self
     }
 }
 
 impl Coarser {
-    fn of(fine: &FilmSystem, problem: &FilmProblem, film_thickness: &[Arc<dyn FilmContribution>]) -> Option<Self> {
+    fn of(
+        fine: &FilmSystem,
+        (problem, layout): (&FilmProblem, Layout),
+        film_thickness: &[Arc<dyn FilmContribution>],
+    ) -> Option<Self> {
         let (mesh, bearing) = (fine.space().mesh(), &problem.bearing);
         let (liner, line) = (liner(fine, bearing), line(fine, bearing));
-        // Oil that triangles spread across the flow would feed a film that should starve.
-        let coarse = match problem.cavitation.conserves_oil() && lies_in_rows(mesh) {
-            true => coarsen::coarser_in_rows(mesh, &liner, line, RATIO, sense(problem)),
-            false => coarsen::coarser(mesh, &liner, line, RATIO),
+        let coarse = match layout {
+            Layout::Rows if problem.cavitation.conserves_oil() && lies_in_rows(mesh) => {
+                coarsen::coarser_in_rows(mesh, &liner, line, RATIO, sense(problem))
+            }
+            Layout::Rows | Layout::Free => coarsen::coarser(mesh, &liner, line, RATIO),
         }?;
         // A mesh that is bound by its length, not by the sizes asked for, would not become coarser for ever.
         if 2 * coarse.mesh.triangles().len() > mesh.triangles().len() {
@@ -71,7 +90,7 @@ impl Coarser {
             .collect::<Option<_>>()?;
         let system = FilmSystem::with_supply(space, supply);
         Some(Self {
-            system: system.with_levels(problem, &film_thickness),
+            system: system.with_levels(problem, layout, &film_thickness),
             film_thickness,
             parents: coarse.parents,
             places,

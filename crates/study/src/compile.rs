@@ -10,6 +10,7 @@ use std::time::Instant;
 
 use oilwedge_mesh::Mesh;
 use oilwedge_reynolds::film_thickness::{Deflection, Eccentricity, FilmContribution, Shape};
+use oilwedge_reynolds::levels::Layout;
 use oilwedge_reynolds::lubricant::Lubricant;
 use oilwedge_reynolds::supply::{self as given, BoundaryKind, Disc, SupplyError, SupplyRegion};
 use oilwedge_reynolds::{FilmProblem, FilmSystem, Gap, JournalState, Theory, Thinnest};
@@ -77,7 +78,7 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, position: Position, degree: usize) 
     };
     problem.prepare(&system)?;
     let system = match problem.needs_start() || is_sought {
-        true => system.with_coarser(&problem),
+        true => system.with_coarser(&problem, coarser_layout(scene)),
         false => system,
     };
     Ok(Film {
@@ -148,6 +149,14 @@ fn problem(
         storage: None,
         contact: sockets.contact,
     })
+}
+
+/// How coarser meshes lie. An orbit only begins on one, with a film that is full.
+fn coarser_layout(scene: &Scene) -> Layout {
+    match scene.orbit {
+        Some(_) => Layout::Free,
+        None => Layout::Rows,
+    }
 }
 
 /// A journal whose position is given leaves a film between surfaces of any shape; circles were checked with the scene.

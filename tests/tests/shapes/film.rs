@@ -109,7 +109,7 @@ fn the_tangent_matches_differences() {
         let system = ring_system(72, 12, LENGTH, Some(160f64.to_radians()));
         let problem = shaped(bearing(model), &[crown(5e-6), worn(6e-6), oval(3e-6)]);
         let system = match problem.needs_start() {
-            true => system.with_coarser(&problem),
+            true => system.with_coarser(&problem, oilwedge_reynolds::levels::Layout::Rows),
             false => system,
         };
         let film = problem.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));

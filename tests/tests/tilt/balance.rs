@@ -69,7 +69,7 @@ fn moving(cavitation: Cavitation) -> (FilmProblem, FilmSystem) {
     problem.terms.push(Arc::new(terms::squeeze::Squeeze));
     problem.journal.tilt_rate = [2e-3, 4e-3];
     let system = match problem.needs_start() {
-        true => system.with_coarser(&problem),
+        true => system.with_coarser(&problem, oilwedge_reynolds::levels::Layout::Rows),
         false => system,
     };
     (problem, system)
