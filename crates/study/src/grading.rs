@@ -184,7 +184,7 @@ fn suited(film: &Film, load: Load, deadline: Deadline, middle: &mut Option<Posit
         None => problem.journal,
     };
     let balance = match rough_balance(film, load, deadline) {
-        Err(reason) if reason.way().is_some_and(Waypoint::is_bent) && reason.is_far_beyond() => {
+        Err(reason) if is_judged(film) && reason.way().is_some() && reason.is_far_beyond() => {
             return Suited::Refused(reason);
         }
         balance => balance,
@@ -226,6 +226,11 @@ fn suited(film: &Film, load: Load, deadline: Deadline, middle: &mut Option<Posit
     }
 }
 
+/// Whether a coarser mesh may be certain that a load has no balance: of a film that conserves oil, under a wall that gives way. Other films tip over on coarse meshes that do not on finer ones.
+fn is_judged(film: &Film) -> bool {
+    film.problem.deflection().is_some() && film.problem.cavitation.conserves_oil()
+}
+
 /// A journal or, where it leaves less than this part of the clearance, one nearer to the middle that leaves it.
 fn with_film(gap: &Gap, journal: &JournalState, part: f64) -> JournalState {
     let middle = JournalState {
@@ -250,9 +255,9 @@ fn rough_balance(film: &Film, load: Load, deadline: Deadline) -> Result<Equilibr
     let options = SearchOptions {
         accuracy: Some(ROUGHLY_BALANCED),
         // The way into contact under a wall that gives way takes long: what it leads to may be certain on this mesh.
-        purpose: match film.problem.deflection() {
-            Some(_) => Purpose::Answer,
-            None => Purpose::Start,
+        purpose: match is_judged(film) {
+            true => Purpose::Answer,
+            false => Purpose::Start,
         },
         ..film.search_options(deadline)
     };
