@@ -5,13 +5,17 @@
 //! ```text
 //! K dx + m = -dpart R_0,    g . dx = 0:    dpart = -(g . K^-1 m)/(g . K^-1 R_0)
 //! ```
-//! for a film that conserves oil. Near contact K is stiff, so that a great difference at one place moves the branch by little. Other films may turn before contact, on one mesh and not on another: their error is m over R_0. **Verified by** `tests/tests/tilt/balance.rs`: finer meshes.
+//! for a film that conserves oil, in contact: near it K is stiff, so that a great difference at one place moves the branch by little. Where such a branch ends before contact, for its next balance was not
+//! found or it turns, it may lead on on another mesh: no error is known. Other films may turn before contact on one mesh and not on another: their error is m over R_0.
+//! **Verified by** `tests/tests/tilt/balance.rs`: finer meshes.
 
 use super::{Branch, Point};
 use crate::Purpose;
 use crate::coordinates::{Vector, length, moved};
+use crate::estimate::is_contact;
+use crate::search::Trial;
 
-/// Error at most over that to first order by the tangent at the end of the branch, of a film that conserves oil: up to 1.2 was seen.
+/// Error at most over that to first order by the tangent at the end of the branch, of a film that conserves oil: up to 1 was seen.
 const OF_FIRST_ORDER: f64 = 2.0;
 /// Error over that by the forces at one place, of films whose branch may turn: where it does on another mesh the tangent at the end does not show. Up to 4.5 was seen.
 const OF_FORCES: f64 = 5.0;
@@ -26,15 +30,18 @@ impl Branch<'_, '_> {
         if asked > 0.0 { 1.0 - left / asked } else { part }
     }
 
-    /// The part of what tilts the journal that is balanced at a point, and its error at most, by another film under the same wall; no error where there is none, and in a search whose reason is a
-    /// start at most.
+    /// The part of what tilts the journal that is balanced at a point, and its error at most, by another film under the same wall; no error where there is none, of a mass-conserving film before contact,
+    /// and in a search whose reason is a start at most.
     pub(super) fn carried_with_error(&self, at: &Point) -> (f64, Option<f64>) {
+        let (search, Trial { problem, film, .. }) = (self.search, &at.trial);
         let carried = self.carried(at.part);
-        let missed = match self.search.options.purpose {
-            Purpose::Start => None,
-            Purpose::Answer | Purpose::Branch => self.search.missed(&at.trial.problem, &at.trial.film),
+        let conserves_oil = problem.cavitation.conserves_oil();
+        let is_known = !conserves_oil || is_contact(&search.gap_under(problem), &problem.journal);
+        let missed = match search.options.purpose {
+            Purpose::Answer | Purpose::Branch if is_known => search.missed(problem, film),
+            Purpose::Start | Purpose::Answer | Purpose::Branch => None,
         };
-        let part = |missed: Vector| match at.trial.problem.cavitation.conserves_oil() {
+        let part = |missed: Vector| match conserves_oil {
             true => OF_FIRST_ORDER * self.missed_part(at, missed),
             false => OF_FORCES * length(missed) / length(self.first),
         };
