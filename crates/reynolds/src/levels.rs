@@ -70,7 +70,7 @@ impl Coarser {
         let (liner, line) = (liner(fine, bearing), line(fine, bearing));
         let coarse = match layout {
             Layout::Rows if problem.cavitation.conserves_oil() && lies_in_rows(mesh) => {
-                coarsen::coarser_in_rows(mesh, &liner, line, RATIO, sense(problem))
+                coarsen::coarser_in_rows(mesh, &liner, line, RATIO, Sense::of(problem.journal.speed))
             }
             Layout::Rows | Layout::Free => coarsen::coarser(mesh, &liner, line, RATIO),
         }?;
@@ -131,14 +131,6 @@ impl Coarser {
             held.push(nearest.is_some_and(|k| film.cavity[dofs[k]]));
         }
         InitialGuess { u, held }
-    }
-}
-
-/// In which sense the journal carries the oil.
-fn sense(problem: &FilmProblem) -> Sense {
-    match problem.journal.speed < 0.0 {
-        true => Sense::Backwards,
-        false => Sense::Forwards,
     }
 }
 

@@ -51,7 +51,9 @@ pub fn liner_mesh(scene: &Scene, position: Position) -> Result<LinerMesh, Compil
                 (None, Layout::Rows) if conserves_oil(scene) && !lies_in_rows(&mesh) => {
                     let blueprint = blueprint_of(scene, &mesh);
                     blueprint
-                        .and_then(|blueprint| generate_in_rows_like(&blueprint, &mesh, 1.0, sense(scene)))
+                        .and_then(|blueprint| {
+                            generate_in_rows_like(&blueprint, &mesh, 1.0, Sense::of(scene.journal.speed))
+                        })
                         .ok()
                 }
                 _ => None,
@@ -82,14 +84,6 @@ pub fn liner_mesh(scene: &Scene, position: Position) -> Result<LinerMesh, Compil
                 is_laid_anew: false,
             })
         }
-    }
-}
-
-/// In which sense the journal carries the oil.
-fn sense(scene: &Scene) -> Sense {
-    match scene.journal.speed < 0.0 {
-        true => Sense::Backwards,
-        false => Sense::Forwards,
     }
 }
 
@@ -218,7 +212,7 @@ fn graded(scene: &Scene, blueprint: &Blueprint, longest: f64, scale: &FilmScale)
         Some(distances) => {
             // Columns are as dense as the thinnest film along the axis needs.
             let (along, across) = (&|x: f64| column(longest, scale, x), &|z: f64| distances.at(z));
-            let sense = sense(scene);
+            let sense = Sense::of(scene.journal.speed);
             generate_in_rows(blueprint, &Rows { along, across, sense })
         }
         None => generate(blueprint, &|at| longest * scale.at(at) / LONGEST),

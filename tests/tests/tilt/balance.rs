@@ -4,12 +4,15 @@ use std::sync::Arc;
 
 use oilwedge_bearing::coordinates::{moved, unit};
 use oilwedge_bearing::{Coordinates, Load, NoEquilibrium, SearchOptions, Stiffness, Tilting, find};
+use oilwedge_reynolds::levels::Layout;
 use oilwedge_reynolds::lubricant::PressureLaw;
 use oilwedge_reynolds::lubricant::barus::Barus;
 use oilwedge_reynolds::quantities::load::{load, load_change};
 use oilwedge_reynolds::solve::Neighbour;
+use oilwedge_reynolds::wall::Wall;
 use oilwedge_reynolds::{Cavitation, CentreVelocity, FilmProblem, FilmSystem, Gap, terms};
 use oilwedge_study::result::Status;
+use oilwedge_tests::elastic_liner::{layer, with_wall};
 use oilwedge_tests::journal_bearings::{each, number};
 use oilwedge_tests::tilted_bearings::{
     FORCE, MOMENT, block, carried, numbers, quantity, rows, run, scene, slope, tilted,
@@ -239,6 +242,28 @@ fn the_tilt_follows_the_place_of_the_load() {
     }
 }
 
+/// The part that the film carries of a moment 25 mm times the force that it carries without tilt, the error of that part, and whether no finer mesh need be asked.
+fn refused(problem: &FilmProblem, system: &FilmSystem) -> (f64, f64, bool) {
+    let force = carried(problem, system).force;
+    let asked = Load {
+        force,
+        tilting: Some(Tilting {
+            moment: force.map(|part| 0.025 * part),
+            stiffness: 0.0,
+            support: [0.0; 2],
+        }),
+    };
+    let reason = find(problem, system, asked, &SearchOptions::default()).map(|found| found.residual);
+    let reason = reason.expect_err("a moment that no film carries");
+    let is_last = reason.is_far_beyond();
+    match reason {
+        NoEquilibrium::EdgeContact { carried, error, .. } | NoEquilibrium::TiltLimit { carried, error, .. } => {
+            (carried, error.expect("a film to compare with"), is_last)
+        }
+        other => panic!("{other}"),
+    }
+}
+
 /// The part of the moment with which a coarse mesh refuses a load is that of finer ones, within its error.
 #[test]
 fn reasons_of_coarse_meshes_hold_on_finer_ones() {
@@ -246,24 +271,7 @@ fn reasons_of_coarse_meshes_hold_on_finer_ones() {
         let system = ring_system(6 * across, across, LENGTH, None);
         let mut problem = tilted(plain_film(LENGTH, 0.5, 0.0, SPEED), [0.0; 2]);
         problem.cavitation = model;
-        let force = carried(&problem, &system).force;
-        let asked = Load {
-            force,
-            tilting: Some(Tilting {
-                moment: force.map(|part| 0.025 * part),
-                stiffness: 0.0,
-                support: [0.0; 2],
-            }),
-        };
-        let reason = find(&problem, &system, asked, &SearchOptions::default()).map(|found| found.residual);
-        let reason = reason.expect_err("a moment that no film carries");
-        let is_last = reason.is_far_beyond();
-        match reason {
-            NoEquilibrium::EdgeContact { carried, error, .. } | NoEquilibrium::TiltLimit { carried, error, .. } => {
-                (carried, error.expect("a film to compare with"), is_last)
-            }
-            other => panic!("{other}"),
-        }
+        refused(&problem, &system)
     };
     let mut known = 0;
     for model in [
@@ -282,6 +290,24 @@ fn reasons_of_coarse_meshes_hold_on_finer_ones() {
         }
     }
     assert!(known > 0, "no reason is the last one");
+}
+
+/// So is that of a mass-conserving film in a wall that gives way, which follows the branch into contact itself.
+#[test]
+fn a_reason_of_a_film_that_conserves_oil_in_an_elastic_liner_holds_on_a_finer_mesh() {
+    let [(coarse, error, _), (fine, ..)] = [12, 18].map(|across| {
+        let mut problem = tilted(plain_film(LENGTH, 0.5, 0.0, SPEED), [0.0; 2]);
+        problem.cavitation = Cavitation::Jfo { pressure: 0.0 };
+        let compliance = layer(0.02);
+        let problem = with_wall(
+            problem.clone(),
+            Wall::of_slices(&problem.bearing, |_| compliance).expect("a bearing with a length"),
+        );
+        let system = ring_system(6 * across, across, LENGTH, Some(std::f64::consts::PI));
+        refused(&problem, &system.with_coarser(&problem, Layout::Rows))
+    });
+    assert!((coarse - fine).abs() < error, "{coarse} +- {error}, {fine}");
+    assert!(error < 0.1 && (0.4..0.6).contains(&fine), "{fine} +- {error}");
 }
 
 #[test]

@@ -46,6 +46,16 @@ pub enum Sense {
     Backwards,
 }
 
+impl Sense {
+    /// That of the flow which a surface drags along that moves along x at this speed, of any unit.
+    pub fn of(speed: f64) -> Self {
+        match speed < 0.0 {
+            true => Self::Backwards,
+            false => Self::Forwards,
+        }
+    }
+}
+
 impl Rows<'_> {
     /// The shorter edge of the grid [m] at a point.
     pub(super) fn size(&self, [x, z]: [f64; 2]) -> f64 {
