@@ -13,7 +13,7 @@
 //!
 //! **Source.** Definition. **Range.** Shapes that triangles resolve: a dent that lies between nodes altogether is not seen. **Verified by** the tests below.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use oilwedge_fem::extrema::{Quadratic, least_at, lower_bound};
 use oilwedge_fem::lagrange;
@@ -93,8 +93,8 @@ pub struct Gap {
 struct Shaped {
     mesh: Arc<Mesh>,
     film_thickness: Vec<Arc<dyn FilmContribution>>,
-    /// For each triangle its film at the nodes [m]: with the journal in the middle, and what each coordinate changes.
-    nodes: Vec<[Quadratic; 5]>,
+    /// For each triangle its film at the nodes [m]: with the journal in the middle, and what each coordinate changes; made for the first journal that is not that of the film.
+    nodes: OnceLock<Vec<[Quadratic; 5]>>,
 }
 
 impl Gap {
@@ -174,7 +174,7 @@ impl Gap {
             let ends = bearing.ends().map(|z| shaped.thinnest_at(journal, bearing.radius, z));
             return ends
                 .into_iter()
-                .fold(shaped.thinnest(journal, bearing.radius), Thinnest::or);
+                .fold(shaped.thinnest_of_one(journal, bearing.radius), Thinnest::or);
         }
         let is_covered = |place: &Thinnest| covers(mesh, bearing.radius, place.angle);
         let thinnest = bearing.thinnest(journal);
@@ -231,6 +231,15 @@ fn covers(mesh: &Mesh, radius: f64, angle: f64) -> bool {
 
 impl Shaped {
     fn of(problem: &FilmProblem, mesh: &Arc<Mesh>) -> Self {
+        Self {
+            nodes: OnceLock::new(),
+            mesh: mesh.clone(),
+            film_thickness: problem.film_thickness.clone(),
+        }
+    }
+
+    /// The film at the nodes of triangle `t` [m]: with the journal in the middle, and what each coordinate changes.
+    fn nodes_of(&self, t: usize) -> [Quadratic; 5] {
         let unit = |k: usize| {
             let along = [0, 1].map(|d| if d == k % 2 { 1.0 } else { 0.0 });
             let (offset, tilt) = if k < 2 { (along, [0.0; 2]) } else { ([0.0; 2], along) };
@@ -240,37 +249,45 @@ impl Shaped {
                 ..JournalChange::default()
             }
         };
-        let contributions = &problem.film_thickness;
-        let of_triangle = |t: usize| {
-            let positions = mesh.nodes(t);
-            let mut numbers = [[0.0; 6]; 5];
-            numbers[0] = thickness(contributions, &JournalState::default(), t, &positions);
-            for k in 0..4 {
-                let mut film = [FilmPoint::default(); 6];
-                let change = unit(k);
-                (contributions.iter()).for_each(|it| it.vary(&change, t, &positions, &mut film));
-                numbers[1 + k] = film.map(|point| point.thickness);
-            }
-            numbers
-        };
-        Self {
-            nodes: (0..mesh.triangles().len()).map(of_triangle).collect(),
-            mesh: mesh.clone(),
-            film_thickness: contributions.clone(),
+        let (contributions, positions) = (&self.film_thickness, self.mesh.nodes(t));
+        let mut numbers = [[0.0; 6]; 5];
+        numbers[0] = thickness(contributions, &JournalState::default(), t, &positions);
+        for k in 0..4 {
+            let mut film = [FilmPoint::default(); 6];
+            let change = unit(k);
+            (contributions.iter()).for_each(|it| it.vary(&change, t, &positions, &mut film));
+            numbers[1 + k] = film.map(|point| point.thickness);
         }
+        numbers
     }
 
     /// Where the film on the mesh is least.
     fn thinnest(&self, journal: &JournalState, radius: f64) -> Thinnest {
         let [e, g] = [journal.offset, journal.tilt];
         let place = [1.0, e[0], e[1], g[0], g[1]];
-        let mut lowest: Vec<(f64, usize)> = Vec::with_capacity(SEARCHED + 1);
-        for (t, numbers) in self.nodes.iter().enumerate() {
+        let triangles = 0..self.mesh.triangles().len();
+        let nodes = (self.nodes).get_or_init(|| triangles.map(|t| self.nodes_of(t)).collect());
+        let at_nodes = |t: usize| {
             let mut values = [0.0; 6];
-            for (number, part) in numbers.iter().zip(place) {
+            for (number, part) in nodes[t].iter().zip(place) {
                 (0..6).for_each(|node| values[node] += part * number[node]);
             }
-            let bound = lower_bound(&values);
+            values
+        };
+        self.thinnest_by(at_nodes, journal, radius)
+    }
+
+    /// The same where no other journal is asked.
+    fn thinnest_of_one(&self, journal: &JournalState, radius: f64) -> Thinnest {
+        let at_nodes = |t: usize| thickness(&self.film_thickness, journal, t, &self.mesh.nodes(t));
+        self.thinnest_by(at_nodes, journal, radius)
+    }
+
+    /// Where the film is least that has this thickness [m] at the nodes of each triangle.
+    fn thinnest_by(&self, at_nodes: impl Fn(usize) -> Quadratic, journal: &JournalState, radius: f64) -> Thinnest {
+        let mut lowest: Vec<(f64, usize)> = Vec::with_capacity(SEARCHED + 1);
+        for t in 0..self.mesh.triangles().len() {
+            let bound = lower_bound(&at_nodes(t));
             let at = lowest.partition_point(|(other, _)| *other <= bound);
             if at < SEARCHED {
                 lowest.insert(at, (bound, t));
@@ -319,7 +336,7 @@ impl Shaped {
     /// Where the film at the axial position `z` [m] is least: on the parts of that line in the triangles.
     fn thinnest_at(&self, journal: &JournalState, radius: f64, z: f64) -> Thinnest {
         let mut lowest: Vec<(f64, usize, [f64; 2])> = Vec::with_capacity(SEARCHED + 1);
-        for t in 0..self.nodes.len() {
+        for t in 0..self.mesh.triangles().len() {
             let Some([from, to]) = crossing(self.mesh.corners(t), z) else {
                 continue;
             };

@@ -29,7 +29,7 @@ const FROM: f64 = -4.0;
 /// End of that interval.
 const TO: f64 = 12.0;
 /// Pieces of it.
-const PIECES: usize = 32;
+const PIECES: usize = 128;
 
 static LOGARITHM: LazyLock<Piecewise> = LazyLock::new(|| Piecewise::new(FROM, TO, PIECES, |l| integral(5, l).ln()));
 

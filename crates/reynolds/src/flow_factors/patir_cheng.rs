@@ -26,7 +26,7 @@ use crate::chebyshev::Piecewise;
 const APART: f64 = 9.0;
 
 /// The normal distribution from zero on.
-static NORMAL: LazyLock<Piecewise> = LazyLock::new(|| Piecewise::new(0.0, APART, 18, normal));
+static NORMAL: LazyLock<Piecewise> = LazyLock::new(|| Piecewise::new(0.0, APART, 72, normal));
 
 /// Factors of two surfaces that are equally rough in all directions.
 #[derive(Debug, Clone, Copy, PartialEq)]

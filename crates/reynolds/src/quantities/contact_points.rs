@@ -13,9 +13,6 @@
 //! **Source.** Strang, Fix, An Analysis of the Finite Element Method (1973): rules on parts of triangles. **Range.** Any law of contact. **Verified by** `tests/tests/contact`,
 //! `tests/tests/liner/contact.rs`.
 
-use std::ops::AddAssign;
-
-use oilwedge_fem::integrate;
 use oilwedge_fem::integrate::Rule;
 use oilwedge_fem::mapping::Mapping;
 use oilwedge_fem::quadrature::MOST_POINTS;
@@ -24,13 +21,15 @@ use rayon::prelude::*;
 use super::contact_division::{Accuracy, Division, PARTS, Part, Piece, division};
 use super::share::{Resultant, Share};
 use crate::angles::sines_and_cosines;
-use crate::contact::{Contact, ContactLaw};
+use crate::contact::{Contact, ContactLaw, Fineness};
 use crate::wall::grid::{Grid, SplinesAt};
 use crate::wall::pressing::quarterings;
 use crate::{FilmChange, FilmPoint, FilmProblem, FilmSystem};
 
 /// Fewest batches of points for which a task is made.
 const FEW: usize = 64;
+/// Triangles that one task looks for points in: surfaces touch on few of them.
+const CELLS_A_TASK: usize = 64;
 
 /// A point where surfaces touch.
 #[derive(Debug, Clone, Copy)]
@@ -82,42 +81,96 @@ pub struct ContactPoints {
     splines: [usize; 2],
 }
 
-/// The points of some triangles.
-#[derive(Default)]
-struct OfTriangles(Vec<ContactPoint>);
-
-impl AddAssign for OfTriangles {
-    fn add_assign(&mut self, mut other: Self) {
-        self.0.append(&mut other.0);
-    }
+/// A film whose surfaces touch.
+struct Touching<'a> {
+    problem: &'a FilmProblem,
+    system: &'a FilmSystem,
+    law: ContactLaw,
+    fineness: Fineness,
+    accuracy: Accuracy,
+    /// The splines whose forces are asked for.
+    grid: Option<&'a Grid>,
+    /// The splines of the wall that gives way, and how it is bent.
+    bent: Option<(&'a Grid, &'a [f64])>,
 }
 
-impl OfTriangles {
+impl Touching<'_> {
+    /// Adds the points of triangle `t`, where its parts touch.
+    fn add(&self, t: usize, points: &mut Vec<ContactPoint>) {
+        let mesh = self.system.space().mesh();
+        let mapping = Mapping::of(mesh, t);
+        let by_wall = self.grid.map_or(0, |grid| quarterings(grid, &mesh.corners(t)));
+        let mut left = vec![Piece::WHOLE];
+        while let Some(piece) = left.pop() {
+            let part = &PARTS[piece.level][piece.number];
+            let gaps = self.at_nodes(t, part.nodes.map(|node| mapping.at(node).position));
+            let (of_quarters, is_wide) = match division(&self.law, self.fineness, &gaps, piece.level) {
+                Division::NoContact => continue,
+                Division::Last => (0.0, false),
+                Division::Quarters(weight) => (weight, piece.level < by_wall),
+            };
+            if is_wide && !piece.is_for_load {
+                left.extend(piece.quarters());
+                continue;
+            }
+            let [quartered, whole] = piece.shared(of_quarters);
+            left.extend(quartered.into_iter().flat_map(Piece::quarters));
+            let Some(whole) = whole else { continue };
+            let (serves, rule) = match whole.is_for_load {
+                true if is_wide => (Serves::Load, self.of_load(part)),
+                true => (Serves::Both, self.of_load(part)),
+                false => (Serves::Wall, &part.lower),
+            };
+            self.visit((t, rule, whole.weight), serves, points);
+            if is_wide {
+                left.extend(whole.for_wall().quarters());
+            }
+        }
+    }
+
+    fn of_load<'a>(&self, part: &'a Part) -> &'a Rule {
+        match self.accuracy {
+            Accuracy::Full => &part.rule,
+            Accuracy::Lower => &part.lower,
+        }
+    }
+
     /// Adds the points of a rule in a triangle.
-    fn visit(
-        &mut self,
-        (problem, system): (&FilmProblem, &FilmSystem),
-        (law, grid): (&ContactLaw, Option<&Grid>),
-        (t, rule, weight): (usize, &Rule, f64),
-        serves: Serves,
-    ) {
-        rule.visit(system.space().mesh(), t, |points| {
-            let gaps = problem.gaps_at(t, points.positions);
-            let [sines, cosines] = sines_and_cosines(points.positions, problem.bearing.radius);
+    fn visit(&self, (t, rule, weight): (usize, &Rule, f64), serves: Serves, found: &mut Vec<ContactPoint>) {
+        rule.visit(self.system.space().mesh(), t, |points| {
+            let unbent = self.problem.unbent_at(t, points.positions);
+            let [sines, cosines] = sines_and_cosines(points.positions, self.problem.bearing.radius);
             for (q, &position) in points.positions.iter().enumerate() {
-                let at = law.at(gaps[q]);
-                self.0.push(ContactPoint {
+                let splines = self.grid.map(|grid| grid.splines_at(position));
+                let at = self.law.at(unbent[q] + self.deflection(position, splines));
+                found.push(ContactPoint {
                     cell: t,
                     position,
                     normal: [cosines[q], sines[q]],
                     area: weight * points.area(q),
                     pressure: at.pressure,
                     slope: at.slope,
-                    splines: grid.map_or_else(SplinesAt::default, |grid| grid.splines_at(position)),
+                    splines: splines.unwrap_or_default(),
                     serves,
                 });
             }
         });
+    }
+
+    /// Gaps [m] at the nodes of a part of triangle `t`.
+    fn at_nodes(&self, t: usize, positions: [[f64; 2]; 6]) -> [f64; 6] {
+        let unbent = self.problem.unbent_at(t, &positions);
+        std::array::from_fn(|node| unbent[node] + self.deflection(positions[node], None))
+    }
+
+    /// Deflection [m] of the wall at a position, by the splines that are asked for where those are its own.
+    fn deflection(&self, position: [f64; 2], splines: Option<SplinesAt>) -> f64 {
+        let Some((grid, coefficients)) = self.bent else {
+            return 0.0;
+        };
+        let own = splines.filter(|_| self.grid.is_some_and(|asked| std::ptr::eq(asked, grid)));
+        own.unwrap_or_else(|| grid.splines_at(position))
+            .value(grid.numbers(), coefficients)
     }
 }
 
@@ -140,46 +193,26 @@ impl ContactPoints {
 
     fn found((problem, system): (&FilmProblem, &FilmSystem), grid: Option<&Grid>, accuracy: Accuracy) -> Option<Self> {
         let Contact { law, fineness, .. } = problem.contact?;
-        let mesh = system.space().mesh();
-        let is_film = system.supply.film(mesh);
-        let of_load = |part: &'static Part| match accuracy {
-            Accuracy::Full => &part.rule,
-            Accuracy::Lower => &part.lower,
+        let deflection = problem.deflection();
+        let touching = Touching {
+            problem,
+            system,
+            law,
+            fineness,
+            accuracy,
+            grid,
+            bent: deflection.map(|deflection| (&deflection.wall.grid, &*deflection.coefficients)),
         };
-        let points = integrate(mesh, |t| {
-            let (mut points, mapping) = (OfTriangles::default(), Mapping::of(mesh, t));
-            let by_wall = grid.map_or(0, |grid| quarterings(grid, &mesh.corners(t)));
-            let mut left = if is_film[t] { vec![Piece::WHOLE] } else { Vec::new() };
-            while let Some(piece) = left.pop() {
-                let part = &PARTS[piece.level][piece.number];
-                let positions = part.nodes.map(|node| mapping.at(node).position);
-                let gaps = problem.thickness_at(t, &positions);
-                let (of_quarters, is_wide) = match division(&law, fineness, &gaps, piece.level) {
-                    Division::NoContact => continue,
-                    Division::Last => (0.0, false),
-                    Division::Quarters(weight) => (weight, piece.level < by_wall),
-                };
-                if is_wide && !piece.is_for_load {
-                    left.extend(piece.quarters());
-                    continue;
-                }
-                let [quartered, whole] = piece.shared(of_quarters);
-                left.extend(quartered.into_iter().flat_map(Piece::quarters));
-                let Some(whole) = whole else { continue };
-                let (serves, rule) = match whole.is_for_load {
-                    true if is_wide => (Serves::Load, of_load(part)),
-                    true => (Serves::Both, of_load(part)),
-                    false => (Serves::Wall, &part.lower),
-                };
-                points.visit((problem, system), (&law, grid), (t, rule, whole.weight), serves);
-                if is_wide {
-                    left.extend(whole.for_wall().quarters());
-                }
-            }
+        let is_film = system.supply.film(system.space().mesh());
+        let cells: Vec<usize> = (0..is_film.len()).filter(|&t| is_film[t]).collect();
+        let of_cells = |cells: &[usize]| {
+            let mut points = Vec::new();
+            cells.iter().for_each(|&t| touching.add(t, &mut points));
             points
-        });
+        };
+        let points: Vec<Vec<ContactPoint>> = cells.par_chunks(CELLS_A_TASK).map(of_cells).collect();
         Some(Self {
-            points: points.0,
+            points: points.concat(),
             splines: grid.map_or([0; 2], Grid::numbers),
         })
     }

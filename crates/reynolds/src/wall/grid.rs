@@ -39,11 +39,28 @@ impl SplinesAt {
     #[inline]
     pub(crate) fn each(&self, [around, along]: [usize; 2], mut visit: impl FnMut(usize, f64)) {
         for (i, of_around) in self.around.into_iter().enumerate() {
-            let first = ((self.first[0] + i) % around) * along + self.first[1];
+            let first = once_around(self.first[0] + i, around) * along + self.first[1];
             for (k, of_along) in self.along.into_iter().enumerate() {
                 visit(first + k, of_around * of_along);
             }
         }
+    }
+
+    /// Value there of the function with these coefficients, of so many splines around and along.
+    #[inline]
+    pub(crate) fn value(&self, numbers: [usize; 2], coefficients: &[f64]) -> f64 {
+        let mut sum = 0.0;
+        self.each(numbers, |spline, value| sum += value * coefficients[spline]);
+        sum
+    }
+}
+
+/// A number of a spline around the liner, counted on from the last to the first: numbers go once around at most.
+#[inline]
+pub(super) fn once_around(number: usize, splines: usize) -> usize {
+    match number < splines {
+        true => number,
+        false => number - splines,
     }
 }
 
@@ -76,12 +93,7 @@ impl Grid {
     /// Number of a spline of two local ones.
     #[inline]
     fn index(&self, around: usize, along: usize) -> usize {
-        // Local numbers go once around at most.
-        let around = match around < self.around.number {
-            true => around,
-            false => around - self.around.number,
-        };
-        around * self.along.number() + along
+        once_around(around, self.around.number) * self.along.number() + along
     }
 
     /// Value at a position [m] of the function with these coefficients.

@@ -3,7 +3,7 @@
 //! The asperities press with `p_a(h)` on the wall beside the film: `f_j = Int p_a(h) B_j dA`, by the points of [`crate::quantities::contact_points`]. Where the wall moves by
 //! `Sum x_i B_i` the forces change by `A x`, `A_ij = Int p_a'(h) B_i B_j dA`: symmetric, of no positive entry.
 
-use super::grid::SplinesAt;
+use super::grid::{SplinesAt, once_around};
 use super::spline::SUPPORT;
 use crate::quantities::contact_points::{ContactPoint, ContactPoints};
 use crate::quantities::load::Resultant;
@@ -80,7 +80,7 @@ impl ContactPoints {
 /// Adds the products of the splines at a point, times a stiffness [N/m], to the upper halves of all rows.
 fn add(rows: &mut [[f64; HALF]], [around, along]: [usize; 2], at: &SplinesAt, stiffness: f64) {
     for i in 0..SUPPORT {
-        let first = ((at.first[0] + i) % around) * along + at.first[1];
+        let first = once_around(at.first[0] + i, around) * along + at.first[1];
         for j in i..SUPPORT {
             let of_around = stiffness * at.around[i] * at.around[j];
             for (k, row) in rows[first..first + SUPPORT].iter_mut().enumerate() {

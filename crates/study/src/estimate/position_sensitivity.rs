@@ -7,6 +7,7 @@ use oilwedge_bearing::deflection::displaced;
 use oilwedge_bearing::{NEAR, Vector};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmProblem, FilmSolution};
+use rayon::prelude::*;
 
 use crate::measure::{Measured, measure};
 use crate::quantities::{Quantity, View, measured};
@@ -26,8 +27,7 @@ pub(super) fn position_bars(
     if balance.residual >= NEAR {
         return names.map(|name| (name, f64::NAN)).collect();
     }
-    let mut changes = vec![0.0; list.len()];
-    for (direction, bar) in bars {
+    let moved_towards = |(direction, bar): &(Vector, f64)| {
         let by = balance
             .stiffness
             .solve(direction.map(|d| d * (bar + balance.unbalanced)));
@@ -39,11 +39,14 @@ pub(super) fn position_bars(
             measured(&View::new(base, &problem, &there))
         });
         let moved = moved.unwrap_or_default();
-        for (change, here) in changes.iter_mut().zip(list) {
+        let change = |here: &Quantity| {
             let there = moved.iter().find(|there| there.name == here.name);
-            *change += there.map_or(f64::NAN, |there| here.row.difference(here.value, there.value).abs());
-        }
-    }
+            there.map_or(f64::NAN, |there| here.row.difference(here.value, there.value).abs())
+        };
+        list.iter().map(change).collect::<Vec<f64>>()
+    };
+    let by_direction: Vec<Vec<f64>> = bars.par_iter().map(moved_towards).collect();
+    let changes = (0..list.len()).map(|k| by_direction.iter().map(|changes| changes[k]).sum());
     names.zip(changes).collect()
 }
 

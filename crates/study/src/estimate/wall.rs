@@ -67,10 +67,8 @@ pub(super) fn wall_bars(solved: &Solved, list: &[Quantity], reported: &Measured)
     let here = load(problem, system, &solved.solution).total.resultant();
     let wall = &deflection.wall;
     let by_other = solved.reference.as_ref().map(|reference| {
-        let by = |system: &FilmSystem, unknown: &[f64]| {
-            let contact = ContactPoints::of(problem, system);
-            wall.deflection((problem, system), unknown, contact.as_ref())
-        };
+        let contact = ContactPoints::of(problem, system);
+        let by = |system: &FilmSystem, unknown: &[f64]| wall.deflection((problem, system), unknown, contact.as_ref());
         let own = by(system, &solved.solution.unknown);
         let other = by(reference.system(system), &reference.film().unknown);
         other
