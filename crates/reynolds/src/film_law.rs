@@ -25,6 +25,9 @@ impl FilmProblem {
 /// As many points as a law is asked for at once.
 pub(crate) type AtPoints<T> = [T; MOST_POINTS];
 
+/// Film and flows, or their changes, at some points.
+pub(crate) type FilmAndFlows = (AtPoints<FilmPoint>, AtPoints<FilmFlow>);
+
 impl<'a> FilmLaw<'a> {
     pub(crate) fn new(problem: &'a FilmProblem, motion: f64) -> Self {
         Self {
@@ -63,23 +66,38 @@ impl<'a> FilmLaw<'a> {
     }
 
     /// Film (or its change) and what flows (or the change of that) at `positions` in triangle `cell`.
-    pub(crate) fn film_and_flows(
-        &self,
-        cell: usize,
-        positions: &[[f64; 2]],
-    ) -> (AtPoints<FilmPoint>, AtPoints<FilmFlow>) {
+    pub(crate) fn film_and_flows(&self, cell: usize, positions: &[[f64; 2]]) -> FilmAndFlows {
         let film = self.film(cell, positions);
+        self.of_film(film, cell, positions)
+    }
+
+    fn of_film(&self, film: AtPoints<FilmPoint>, cell: usize, positions: &[[f64; 2]]) -> FilmAndFlows {
+        match &self.change {
+            None => (film, self.flows_in(&film[..positions.len()])),
+            Some(change) => self.moved(change, &film, (cell, positions)),
+        }
+    }
+
+    /// What flows in a film.
+    fn flows_in(&self, film: &[FilmPoint]) -> AtPoints<FilmFlow> {
         let mut flows = [FilmFlow::default(); MOST_POINTS];
-        let Some(change) = &self.change else {
-            for term in &self.problem.terms {
-                term.add_all(&film[..positions.len()], &mut flows);
-            }
-            if !self.problem.flow_factors.is_empty() {
-                self.scale(&film[..positions.len()], &mut flows);
-            }
-            return (film, flows);
-        };
-        let mut moved = [FilmPoint::default(); MOST_POINTS];
+        for term in &self.problem.terms {
+            term.add_all(film, &mut flows);
+        }
+        if !self.problem.flow_factors.is_empty() {
+            self.scale(film, &mut flows);
+        }
+        flows
+    }
+
+    /// The change of a film, and of what flows in it.
+    fn moved(
+        &self,
+        change: &FilmChange<'_>,
+        film: &AtPoints<FilmPoint>,
+        (cell, positions): (usize, &[[f64; 2]]),
+    ) -> FilmAndFlows {
+        let (mut moved, mut flows) = FilmAndFlows::default();
         self.vary(change, cell, positions, &mut moved[..positions.len()]);
         for term in &self.problem.terms {
             for ((point, change), flow) in film[..positions.len()].iter().zip(&moved).zip(&mut flows) {
@@ -111,23 +129,40 @@ impl<'a> FilmLaw<'a> {
     }
 
     /// As [`FilmLaw::film_and_flows`], but for the thickness, or its change: that which holds and carries the oil.
-    pub(crate) fn oil_and_flows(
+    pub(crate) fn oil_and_flows(&self, cell: usize, positions: &[[f64; 2]]) -> FilmAndFlows {
+        let film = self.film(cell, positions);
+        let (mut oil, flows) = self.of_film(film, cell, positions);
+        self.hold_oil(&film[..positions.len()], self.change.as_ref(), &mut oil);
+        (oil, flows)
+    }
+
+    /// [`FilmLaw::oil_and_flows`] of a law and of a `change` of it, by one film.
+    pub(crate) fn oil_and_flows_with_change(
         &self,
+        change: FilmChange<'_>,
         cell: usize,
         positions: &[[f64; 2]],
-    ) -> (AtPoints<FilmPoint>, AtPoints<FilmFlow>) {
-        let (mut film, flows) = self.film_and_flows(cell, positions);
-        if !self.problem.flow_factors.is_empty() {
-            let gaps = self.problem.gaps_at(cell, positions);
-            for (point, gap) in film[..positions.len()].iter_mut().zip(gaps) {
-                let [mean, slope] = flow_factors::mean_gap(&self.problem.flow_factors, gap);
-                point.thickness = match self.change {
-                    None => mean,
-                    Some(_) => slope * point.thickness,
-                };
-            }
+    ) -> [FilmAndFlows; 2] {
+        let film = self.film(cell, positions);
+        let (mut oil, flows) = (film, self.flows_in(&film[..positions.len()]));
+        let (mut moved, changes) = self.moved(&change, &film, (cell, positions));
+        self.hold_oil(&film[..positions.len()], None, &mut oil);
+        self.hold_oil(&film[..positions.len()], Some(&change), &mut moved);
+        [(oil, flows), (moved, changes)]
+    }
+
+    /// Makes the thickness of a film, or its change, that of the mean gap of rough surfaces.
+    fn hold_oil(&self, film: &[FilmPoint], change: Option<&FilmChange<'_>>, oil: &mut AtPoints<FilmPoint>) {
+        if self.problem.flow_factors.is_empty() {
+            return;
         }
-        (film, flows)
+        for (point, film) in oil.iter_mut().zip(film) {
+            let [mean, slope] = flow_factors::mean_gap(&self.problem.flow_factors, film.thickness);
+            point.thickness = match change {
+                None => mean,
+                Some(_) => slope * point.thickness,
+            };
+        }
     }
 
     /// Adds what a change adds to the film.

@@ -358,24 +358,11 @@ impl FilmProblem {
         self.lubricant.viscosity * self.lubricant.pressure_law.viscosity_ratio(p)
     }
 
-    /// Film thickness [m] at as many positions [m] in triangle `cell` as a quadrature rule has at once.
-    pub(crate) fn gaps_at(&self, cell: usize, positions: &[[f64; 2]]) -> [f64; MOST_POINTS] {
-        self.gaps_of(|_| true, cell, positions)
-    }
-
-    /// The same without the deflection of a wall that gives way.
+    /// Film thickness [m] without the deflection of a wall that gives way, at as many positions [m] in triangle `cell` as a quadrature rule has at once.
     pub(crate) fn unbent_at(&self, cell: usize, positions: &[[f64; 2]]) -> [f64; MOST_POINTS] {
-        self.gaps_of(|it| it.as_deflection().is_none(), cell, positions)
-    }
-
-    fn gaps_of(
-        &self,
-        counts: impl Fn(&dyn FilmContribution) -> bool,
-        cell: usize,
-        positions: &[[f64; 2]],
-    ) -> [f64; MOST_POINTS] {
         let mut film = [FilmPoint::default(); MOST_POINTS];
-        for contribution in self.film_thickness.iter().filter(|it| counts(&***it)) {
+        let is_rigid = |it: &&Arc<dyn FilmContribution>| it.as_deflection().is_none();
+        for contribution in self.film_thickness.iter().filter(is_rigid) {
             contribution.add(&self.journal, cell, positions, &mut film[..positions.len()]);
         }
         film.map(|point| point.thickness)

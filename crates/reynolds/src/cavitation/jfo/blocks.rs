@@ -25,8 +25,8 @@ use oilwedge_fem::control_volumes::sub_triangles;
 use oilwedge_fem::{ControlVolumes, Space};
 use rayon::prelude::*;
 
-use crate::film_law::{AtPoints, FilmLaw};
-use crate::{FilmFlow, FilmPoint};
+use crate::film_law::{AtPoints, FilmAndFlows, FilmLaw};
+use crate::{FilmChange, FilmFlow, FilmPoint};
 
 /// Sides of a sub-triangle, from corner to corner.
 pub(super) const SIDES: [(usize, usize); 3] = [(0, 1), (1, 2), (2, 0)];
@@ -83,10 +83,10 @@ pub(super) fn blocks(law: &FilmLaw, space: &Space, volumes: &ControlVolumes) -> 
     blocks
 }
 
-/// The blocks of a triangle, and how they change under the change `changed` of the law.
+/// The blocks of a triangle, and how they change under a `change` of the law.
 pub(super) fn blocks_and_changes(
     law: &FilmLaw,
-    changed: &FilmLaw,
+    change: FilmChange<'_>,
     space: &Space,
     volumes: &ControlVolumes,
 ) -> Vec<[Block; 2]> {
@@ -96,8 +96,7 @@ pub(super) fn blocks_and_changes(
         for (k, blocks) in chunk.chunks_mut(volumes.per_triangle).enumerate() {
             let cell = task * CELLS_A_TASK + k;
             let points = Points::new(space, cell);
-            let at = law.oil_and_flows(cell, points.positions());
-            let change = changed.oil_and_flows(cell, points.positions());
+            let [at, change] = law.oil_and_flows_with_change(change, cell, points.positions());
             for (t, block) in blocks.iter_mut().enumerate() {
                 *block = [points.block(t, &at, None), points.block(t, &at, Some(&change))];
             }
@@ -105,9 +104,6 @@ pub(super) fn blocks_and_changes(
     });
     blocks
 }
-
-/// Film and flows, or their changes, at the points of a triangle.
-pub(super) type FilmAndFlows = (AtPoints<FilmPoint>, AtPoints<FilmFlow>);
 
 /// Where the film of a triangle is evaluated: at its nodes, and in the middle of every side of its sub-triangles.
 pub(super) struct Points {

@@ -3,10 +3,10 @@
 use oilwedge_fem::integrate::Nodal;
 use oilwedge_fem::{ControlVolumes, Error};
 
-use super::blocks::{Block, FilmAndFlows, Points, blocks_and_changes};
+use super::blocks::{Block, Points, blocks_and_changes};
 use super::rows::Rows;
 use super::{FilmFraction, cavity_floor};
-use crate::film_law::{AtPoints, FilmLaw};
+use crate::film_law::{AtPoints, FilmAndFlows, FilmLaw};
 use crate::{FilmChange, FilmPoint, FilmProblem, FilmSolution, FilmSystem};
 
 /// First-order change of every balance where the film changes by `change`.
@@ -21,7 +21,7 @@ pub(crate) fn residual_change(
     change: FilmChange<'_>,
 ) -> Result<Vec<f64>, Error> {
     let changes = PointChanges::new(problem, system, film, fraction, change)?;
-    let blocks = blocks_and_changes(&changes.law, &changes.changed, system.space(), changes.volumes);
+    let blocks = blocks_and_changes(&changes.law, change, system.space(), changes.volumes);
     let mut residual = vec![0.0; film.unknown.len()];
     for (t, block) in blocks.iter().enumerate() {
         let nodes = changes.volumes.triangles[t];
@@ -43,7 +43,7 @@ pub(crate) struct PointChanges<'a> {
     fraction: &'a FilmFraction,
     volumes: &'a ControlVolumes,
     law: FilmLaw<'a>,
-    changed: FilmLaw<'a>,
+    change: FilmChange<'a>,
 }
 
 /// What the changes at the points of one triangle do to the balances of its nodes.
@@ -77,15 +77,14 @@ impl<'a> PointChanges<'a> {
             fraction,
             volumes: system.volumes()?,
             law: FilmLaw::new(problem, 1.0),
-            changed: FilmLaw::changed(problem, change),
+            change,
         })
     }
 
     /// What each point of a triangle does to the balances, the others unchanged.
     pub(crate) fn of_triangle(&self, cell: usize) -> AtPointsOf {
         let points = Points::new(self.system.space(), cell);
-        let at = self.law.oil_and_flows(cell, points.positions());
-        let change = self.changed.oil_and_flows(cell, points.positions());
+        let [at, change] = (self.law).oil_and_flows_with_change(self.change, cell, points.positions());
         let mut balances = AtPoints::<Nodal>::default();
         let mut single = FilmAndFlows::default();
         for (k, corners) in points.sub_triangles.iter().enumerate() {
@@ -112,11 +111,12 @@ impl<'a> PointChanges<'a> {
             ..
         } = self;
         let rows = Rows::new(problem, system, volumes, &self.law, cavity_floor(problem));
+        let changed = FilmLaw::changed(problem, self.change);
         let mut changes = Vec::new();
         for face in &volumes.faces {
             let share = rows.share(system, face.dof, self.fraction.values[face.dof]);
             if share != 0.0 {
-                let flux = self.changed.film_and_flows(face.cell, &[face.middle]).1[0].flux;
+                let flux = changed.film_and_flows(face.cell, &[face.middle]).1[0].flux;
                 let out = flux[0] * face.normal[0] + flux[1] * face.normal[1];
                 changes.push((face.dof, face.middle, share * out));
             }
