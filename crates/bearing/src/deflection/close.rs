@@ -30,7 +30,7 @@ const SLOW: f64 = 0.1;
 /// and one by less than this is at round-off.
 const STALLED: f64 = 0.5;
 /// Where more than this part may be left a mass-conserving film has its advection schemes chosen once.
-const CHOSEN_ONCE: f64 = 1e-7;
+const CHOSEN_ONCE: f64 = 1e-9;
 /// Most lengths of a step, each half of the one before.
 const MOST_LENGTHS: i32 = 4;
 /// Least gap after a step, over that before.
