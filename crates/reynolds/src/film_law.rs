@@ -68,10 +68,6 @@ impl<'a> FilmLaw<'a> {
     /// Film (or its change) and what flows (or the change of that) at `positions` in triangle `cell`.
     pub(crate) fn film_and_flows(&self, cell: usize, positions: &[[f64; 2]]) -> FilmAndFlows {
         let film = self.film(cell, positions);
-        self.of_film(film, cell, positions)
-    }
-
-    fn of_film(&self, film: AtPoints<FilmPoint>, cell: usize, positions: &[[f64; 2]]) -> FilmAndFlows {
         match &self.change {
             None => (film, self.flows_in(&film[..positions.len()])),
             Some(change) => self.moved(change, &film, (cell, positions)),
@@ -128,15 +124,21 @@ impl<'a> FilmLaw<'a> {
         }
     }
 
-    /// As [`FilmLaw::film_and_flows`], but for the thickness, or its change: that which holds and carries the oil.
+    /// Film and what flows at `positions` in triangle `cell`, the thickness that which holds and carries the oil: of rough surfaces the mean gap.
     pub(crate) fn oil_and_flows(&self, cell: usize, positions: &[[f64; 2]]) -> FilmAndFlows {
         let film = self.film(cell, positions);
-        let (mut oil, flows) = self.of_film(film, cell, positions);
-        self.hold_oil(&film[..positions.len()], self.change.as_ref(), &mut oil);
-        (oil, flows)
+        self.of_oil(&film, positions.len())
     }
 
-    /// [`FilmLaw::oil_and_flows`] of a law and of a `change` of it, by one film.
+    fn of_oil(&self, film: &AtPoints<FilmPoint>, number: usize) -> FilmAndFlows {
+        let mut oil = *film;
+        for (point, [mean, _]) in oil.iter_mut().zip(self.mean_gaps(&film[..number])) {
+            point.thickness = mean;
+        }
+        (oil, self.flows_in(&film[..number]))
+    }
+
+    /// [`FilmLaw::oil_and_flows`], and its first-order change with a `change` of the journal or the gap, by one film.
     pub(crate) fn oil_and_flows_with_change(
         &self,
         change: FilmChange<'_>,
@@ -144,25 +146,18 @@ impl<'a> FilmLaw<'a> {
         positions: &[[f64; 2]],
     ) -> [FilmAndFlows; 2] {
         let film = self.film(cell, positions);
-        let (mut oil, flows) = (film, self.flows_in(&film[..positions.len()]));
         let (mut moved, changes) = self.moved(&change, &film, (cell, positions));
-        self.hold_oil(&film[..positions.len()], None, &mut oil);
-        self.hold_oil(&film[..positions.len()], Some(&change), &mut moved);
-        [(oil, flows), (moved, changes)]
+        for (point, [_, slope]) in moved.iter_mut().zip(self.mean_gaps(&film[..positions.len()])) {
+            point.thickness *= slope;
+        }
+        [self.of_oil(&film, positions.len()), (moved, changes)]
     }
 
-    /// Makes the thickness of a film, or its change, that of the mean gap of rough surfaces.
-    fn hold_oil(&self, film: &[FilmPoint], change: Option<&FilmChange<'_>>, oil: &mut AtPoints<FilmPoint>) {
-        if self.problem.flow_factors.is_empty() {
-            return;
-        }
-        for (point, film) in oil.iter_mut().zip(film) {
-            let [mean, slope] = flow_factors::mean_gap(&self.problem.flow_factors, film.thickness);
-            point.thickness = match change {
-                None => mean,
-                Some(_) => slope * point.thickness,
-            };
-        }
+    /// Mean gap [m] between rough surfaces at each point of a film, and its derivative by the thickness [1]; none between smooth ones.
+    fn mean_gaps(&self, film: &[FilmPoint]) -> impl Iterator<Item = [f64; 2]> {
+        let is_rough = !self.problem.flow_factors.is_empty();
+        let film = if is_rough { film } else { &[] };
+        (film.iter()).map(|point| flow_factors::mean_gap(&self.problem.flow_factors, point.thickness))
     }
 
     /// Adds what a change adds to the film.

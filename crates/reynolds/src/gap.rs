@@ -277,7 +277,7 @@ impl Shaped {
         self.thinnest_by(at_nodes, journal, radius)
     }
 
-    /// The same where no other journal is asked.
+    /// Where the film on the mesh is least for one journal alone: its film at the nodes is evaluated directly, and what each coordinate changes is not made.
     fn thinnest_of_one(&self, journal: &JournalState, radius: f64) -> Thinnest {
         let at_nodes = |t: usize| thickness(&self.film_thickness, journal, t, &self.mesh.nodes(t));
         self.thinnest_by(at_nodes, journal, radius)

@@ -10,7 +10,6 @@ use std::collections::HashMap;
 use oilwedge_bearing::Vector;
 use oilwedge_bearing::deflection::{bent, touched};
 use oilwedge_reynolds::film_thickness::Deflection;
-use oilwedge_reynolds::quantities::contact_points::ContactPoints;
 use oilwedge_reynolds::quantities::load::{Resultant, load};
 use oilwedge_reynolds::{FilmSystem, Gap};
 
@@ -67,8 +66,8 @@ pub(super) fn wall_bars(solved: &Solved, list: &[Quantity], reported: &Measured)
     let here = load(problem, system, &solved.solution).total.resultant();
     let wall = &deflection.wall;
     let by_other = solved.reference.as_ref().map(|reference| {
-        let contact = ContactPoints::of(problem, system);
-        let by = |system: &FilmSystem, unknown: &[f64]| wall.deflection((problem, system), unknown, contact.as_ref());
+        // Contact presses alike under both.
+        let by = |system: &FilmSystem, unknown: &[f64]| wall.deflection((problem, system), unknown, None);
         let own = by(system, &solved.solution.unknown);
         let other = by(reference.system(system), &reference.film().unknown);
         other
