@@ -18,8 +18,13 @@ pub const GREATEST_ECCENTRICITY: f64 = 0.9999;
 
 /// Whether the film of a journal is thinner somewhere than that of a parallel one at [`GREATEST_ECCENTRICITY`]: no position is sought there.
 pub fn is_contact(gap: &Gap, journal: &JournalState) -> bool {
+    is_film_of_contact(gap.least(journal), gap.bearing().clearance)
+}
+
+/// As [`is_contact`], by the least film and the clearance [m].
+pub(crate) fn is_film_of_contact(least: f64, clearance: f64) -> bool {
     const ROUNDING: f64 = 1e-9;
-    gap.least(journal) < (1.0 - ROUNDING) * (1.0 - GREATEST_ECCENTRICITY) * gap.bearing().clearance
+    least < (1.0 - ROUNDING) * (1.0 - GREATEST_ECCENTRICITY) * clearance
 }
 
 /// Estimated eccentricity [1] and attitude angle [rad] of a ring of slenderness `B/D` under a load of this Sommerfeld number; of the

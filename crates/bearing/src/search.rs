@@ -1,7 +1,7 @@
 //! One position of the journal tried: its film, its force, and the tangent of the force.
 
 use std::borrow::Cow;
-use std::cell::{Cell, RefCell};
+use std::cell::{Cell, OnceCell, RefCell};
 use std::sync::Arc;
 
 use oilwedge_reynolds::contact::Fineness;
@@ -13,6 +13,7 @@ use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSolution, FilmSystem, G
 use crate::coordinates::{Coordinates, Vector, length, moved};
 use crate::deflection::{CLOSED, Pair, closed_near, closed_pair, closed_within};
 use crate::equilibrium::NEAR;
+use crate::estimate::is_film_of_contact;
 use crate::{Load, SearchOptions};
 
 /// Part of a deflection that a trial may leave, over the difference of force and load at which the balance is found.
@@ -63,6 +64,8 @@ pub(crate) struct Trial {
     pub(crate) contact: Option<Arc<ContactPoints>>,
     /// Part of its deflection that may be left, and contact is integrated to; zero of a rigid wall without contact.
     pub(crate) may_leave: f64,
+    /// Least film [m], once it was asked for.
+    pub(crate) least_film: OnceCell<f64>,
     /// Residual of the position at which the advection schemes of a mass-conserving film were chosen; infinite where a
     /// neighbouring film had a part in the choice.
     pub(crate) schemes_chosen_at: f64,
@@ -80,6 +83,7 @@ impl Trial {
             carried,
             contact: None,
             may_leave: CLOSED,
+            least_film: OnceCell::new(),
             schemes_chosen_at: f64::INFINITY,
             is_continued: false,
         }
@@ -117,7 +121,13 @@ impl<'a> Search<'a> {
 
     /// Least film of a trial [m].
     pub(crate) fn least_film(&self, trial: &Trial) -> f64 {
-        self.gap_under(&trial.problem).least(&trial.problem.journal)
+        let least = || self.gap_under(&trial.problem).least(&trial.problem.journal);
+        *trial.least_film.get_or_init(least)
+    }
+
+    /// Whether the journal of a trial is in contact; see [`is_contact`](crate::is_contact).
+    pub(crate) fn is_in_contact(&self, trial: &Trial) -> bool {
+        is_film_of_contact(self.least_film(trial), trial.problem.bearing.clearance)
     }
 
     /// Positions all over the bearing, those with the force nearest to the load first.

@@ -209,7 +209,7 @@ impl Branch<'_, '_> {
             if search.options.deadline.is_over() {
                 return search.run(&here.trial.problem, here.trial.problem.journal);
             }
-            if is_contact(&search.gap_under(&here.trial.problem), &here.trial.problem.journal) || self.is_left(&here) {
+            if search.is_in_contact(&here.trial) || self.is_left(&here) {
                 break;
             }
             if here.part > greatest.part {

@@ -21,7 +21,7 @@ use oilwedge_fem::mapping::Mapping;
 use oilwedge_mesh::Mesh;
 
 use crate::film_thickness::FilmContribution;
-use crate::journal_state::JournalChange;
+use crate::journal_state::{COORDINATES, JournalChange};
 use crate::{Bearing, FilmPoint, FilmProblem, FilmSystem, JournalState};
 
 /// Triangles that are searched.
@@ -93,8 +93,10 @@ pub struct Gap {
 struct Shaped {
     mesh: Arc<Mesh>,
     film_thickness: Vec<Arc<dyn FilmContribution>>,
-    /// For each triangle its film at the nodes [m]: with the journal in the middle, and what each coordinate changes; made for the first journal that is not that of the film.
+    /// For each triangle its film at the nodes [m]: with the journal in the middle, and what each coordinate changes; made for the second journal.
     nodes: OnceLock<Vec<[Quadratic; 5]>>,
+    /// Set where a journal was asked for.
+    asked: OnceLock<()>,
 }
 
 impl Gap {
@@ -233,6 +235,7 @@ impl Shaped {
     fn of(problem: &FilmProblem, mesh: &Arc<Mesh>) -> Self {
         Self {
             nodes: OnceLock::new(),
+            asked: OnceLock::new(),
             mesh: mesh.clone(),
             film_thickness: problem.film_thickness.clone(),
         }
@@ -240,21 +243,12 @@ impl Shaped {
 
     /// The film at the nodes of triangle `t` [m]: with the journal in the middle, and what each coordinate changes.
     fn nodes_of(&self, t: usize) -> [Quadratic; 5] {
-        let unit = |k: usize| {
-            let along = [0, 1].map(|d| if d == k % 2 { 1.0 } else { 0.0 });
-            let (offset, tilt) = if k < 2 { (along, [0.0; 2]) } else { ([0.0; 2], along) };
-            JournalChange {
-                offset,
-                tilt,
-                ..JournalChange::default()
-            }
-        };
         let (contributions, positions) = (&self.film_thickness, self.mesh.nodes(t));
         let mut numbers = [[0.0; 6]; 5];
         numbers[0] = thickness(contributions, &JournalState::default(), t, &positions);
-        for k in 0..4 {
+        for k in 0..COORDINATES {
             let mut film = [FilmPoint::default(); 6];
-            let change = unit(k);
+            let change = JournalChange::of_coordinate(k);
             (contributions.iter()).for_each(|it| it.vary(&change, t, &positions, &mut film));
             numbers[1 + k] = film.map(|point| point.thickness);
         }
@@ -263,6 +257,9 @@ impl Shaped {
 
     /// Where the film on the mesh is least.
     fn thinnest(&self, journal: &JournalState, radius: f64) -> Thinnest {
+        if self.asked.set(()).is_ok() {
+            return self.thinnest_of_one(journal, radius);
+        }
         let [e, g] = [journal.offset, journal.tilt];
         let place = [1.0, e[0], e[1], g[0], g[1]];
         let triangles = 0..self.mesh.triangles().len();

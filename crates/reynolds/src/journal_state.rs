@@ -30,7 +30,27 @@ pub struct JournalChange {
     pub tilt_rate: [f64; 2],
 }
 
+/// Coordinates of the place of a journal: its offset and the slope of its axis.
+pub(crate) const COORDINATES: usize = 4;
+
 impl JournalChange {
+    /// A change by one of a coordinate of the place: e_x, e_y [m], g_x, g_y [rad].
+    pub(crate) fn of_coordinate(number: usize) -> Self {
+        let mut change = Self::default();
+        match number {
+            0 | 1 => change.offset[number] = 1.0,
+            _ => change.tilt[number - 2] = 1.0,
+        }
+        change
+    }
+
+    /// What changes of each of these coordinates; none where the velocity changes too.
+    pub(crate) fn of_place(&self) -> Option<[f64; COORDINATES]> {
+        let is_still = [self.velocity, self.tilt_rate] == [[0.0; 2]; 2];
+        let ([e_x, e_y], [g_x, g_y]) = (self.offset, self.tilt);
+        is_still.then_some([e_x, e_y, g_x, g_y])
+    }
+
     /// The change of place of this one as a rate [1/s]: velocity and rate of the slope change by what offset and slope did, which do not change.
     #[must_use]
     pub fn as_rate(&self) -> Self {

@@ -135,8 +135,12 @@ impl<'a> Follower<'a> {
     /// # Errors
     /// The linear system could not be solved.
     pub(super) fn free(&self, change: &JournalChange) -> Result<Free, Error> {
+        let unknown = match self.gap.by_journal(self.system, change) {
+            Some(residual) => self.problem.answer(self.film, &residual, 0.0)?,
+            None => self.problem.unknown_change(self.system, self.film, change)?,
+        };
         Ok(Free {
-            unknown: self.problem.unknown_change(self.system, self.film, change)?,
+            unknown,
             contact: self.contact_change(change),
         })
     }

@@ -12,7 +12,6 @@
 use super::{Branch, Point};
 use crate::Purpose;
 use crate::coordinates::{Vector, length, moved};
-use crate::estimate::is_contact;
 use crate::search::Trial;
 
 /// Error at most over that to first order by the tangent at the end of the branch, of a film that conserves oil: up to 1 was seen on twelve rows of cells and more, 4 on six.
@@ -36,7 +35,7 @@ impl Branch<'_, '_> {
         let (search, Trial { problem, film, .. }) = (self.search, &at.trial);
         let carried = self.carried(at.part);
         let conserves_oil = problem.cavitation.conserves_oil();
-        let is_known = !conserves_oil || is_contact(&search.gap_under(problem), &problem.journal);
+        let is_known = !conserves_oil || search.is_in_contact(&at.trial);
         let missed = match search.options.purpose {
             Purpose::Answer | Purpose::Branch if is_known => search.missed(problem, film),
             Purpose::Start | Purpose::Answer | Purpose::Branch => None,

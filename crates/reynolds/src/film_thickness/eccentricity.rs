@@ -47,6 +47,9 @@ impl FilmContribution for Eccentricity {
     /// Linear in the offset and its velocity.
     fn vary(&self, change: &JournalChange, _cell: usize, positions: &[[f64; 2]], film: &mut [FilmPoint]) {
         let ([e_x, e_y], [v_x, v_y]) = (change.offset, change.velocity);
+        if [e_x, e_y, v_x, v_y] == [0.0; 4] {
+            return;
+        }
         // As many points as their sines are made for at once.
         for (positions, film) in positions.chunks(MOST_POINTS).zip(film.chunks_mut(MOST_POINTS)) {
             let [sines, cosines] = sines_and_cosines(positions, self.radius);

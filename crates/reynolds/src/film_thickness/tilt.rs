@@ -42,6 +42,9 @@ impl FilmContribution for Tilt {
     /// Linear in the slope and its rate.
     fn vary(&self, change: &JournalChange, _cell: usize, positions: &[[f64; 2]], film: &mut [FilmPoint]) {
         let ([g_x, g_y], [w_x, w_y]) = (change.tilt, change.tilt_rate);
+        if [g_x, g_y, w_x, w_y] == [0.0; 4] {
+            return;
+        }
         // As many points as their sines are made for at once.
         for (positions, film) in positions.chunks(MOST_POINTS).zip(film.chunks_mut(MOST_POINTS)) {
             let [sines, cosines] = sines_and_cosines(positions, self.radius);

@@ -1,8 +1,10 @@
-//! How the residual of a film changes with the deflection of its wall: a sparse matrix of a mesh and a grid.
+//! How the residual of a film changes with the deflection of its wall and with the place of the journal: a sparse matrix of a mesh and a grid, and one column a coordinate.
 //!
 //! At a point the law changes linearly with the gap and its slopes there. Where the wall moves by `Sum x_j B_j` the residual of dof i changes by
-//! `Sum_j x_j Sum_p (G_ip B_j(p) + G'_ip . grad B_j(p))`: G is found once a film, from unit changes at the points p of each triangle. Slopes count in the as-printed form alone.
+//! `Sum_j x_j Sum_p (G_ip B_j(p) + G'_ip . grad B_j(p))`: G is found once a film, from unit changes at the points p of each triangle. Slopes count in the as-printed form alone. A journal that
+//! moves changes the gap too, so that G tells what follows from that.
 
+use std::ops::AddAssign;
 use std::sync::Arc;
 
 use oilwedge_fem::conservation_law::{ConservationLaw, Response, State};
@@ -14,16 +16,80 @@ use super::grid::{Grid, Part};
 use crate::cavitation::{FilmFraction, PointChanges};
 use crate::film_law::{AtPoints, FilmLaw};
 use crate::film_thickness::{Deflection, FilmContribution};
+use crate::journal_state::{COORDINATES, JournalChange};
 use crate::{FilmChange, FilmPoint, FilmProblem, FilmSolution, FilmSystem, Form, JournalState};
 
-/// How the residual of a solved film changes with the coefficients of the deflection.
+/// How the residual of a solved film changes with the coefficients of the deflection, and with the coordinates of the journal.
 #[derive(Debug)]
 pub struct GapTangent {
-    blocks: Blocks,
-    /// What pieces of the boundary add: dof, spline, entry.
+    columns: Columns,
+    /// What pieces of the boundary add: dof, spline, entry;
     on_boundary: Vec<(usize, usize, f64)>,
+    /// and with the coordinates of the journal: dof, entries.
+    on_boundary_by_place: Vec<(usize, [f64; COORDINATES])>,
     /// How many splines there are.
     splines: usize,
+    /// Whether a wall in a stage moves with its deflection: what a place of the journal changes is not known then.
+    is_in_stage: bool,
+}
+
+/// Columns of splines, and of coordinates.
+#[derive(Debug, Clone, Default)]
+struct Columns {
+    of_splines: Blocks,
+    of_place: Blocks,
+}
+
+impl Columns {
+    /// Adds, at each of some `positions` [m] of triangle `cell`, what a part of the gap shares out among the first `shapes` dofs.
+    fn add(
+        &mut self,
+        (problem, grid, part): (&FilmProblem, &Grid, Part),
+        (cell, positions): (usize, &[[f64; 2]]),
+        shares: &AtPoints<Nodal>,
+        shapes: usize,
+    ) {
+        let moved = by_place(problem, part, cell, positions);
+        for (q, (&position, shares)) in positions.iter().zip(shares).enumerate() {
+            grid.each_part_at(part, position, |spline, value| {
+                self.of_splines.add(spline, value, shares, shapes);
+            });
+            for (coordinate, gap) in moved.iter().enumerate() {
+                self.of_place.add(coordinate, gap[q], shares, shapes);
+            }
+        }
+    }
+
+    /// The columns of a triangle to which all has been added.
+    fn ended(self) -> Self {
+        Self {
+            of_splines: self.of_splines.ended(),
+            of_place: self.of_place.ended(),
+        }
+    }
+}
+
+impl AddAssign for Columns {
+    fn add_assign(&mut self, other: Self) {
+        self.of_splines += other.of_splines;
+        self.of_place += other.of_place;
+    }
+}
+
+/// Change of a part of the gap with each coordinate of the journal at some positions.
+fn by_place(problem: &FilmProblem, part: Part, cell: usize, positions: &[[f64; 2]]) -> [AtPoints<f64>; COORDINATES] {
+    std::array::from_fn(|k| {
+        let mut film = AtPoints::<FilmPoint>::default();
+        let change = JournalChange::of_coordinate(k);
+        for contribution in &problem.film_thickness {
+            contribution.vary(&change, cell, positions, &mut film[..positions.len()]);
+        }
+        film.map(|point| match part {
+            Part::Value => point.thickness,
+            Part::SlopeAround => point.slope[0],
+            Part::SlopeAlong => point.slope[1],
+        })
+    })
 }
 
 /// A gap that grows alike everywhere.
@@ -84,7 +150,7 @@ impl GapTangent {
 
     /// Change of the residual at each dof of the space with a deflection of these coefficients [m].
     pub fn times(&self, system: &FilmSystem, coefficients: &[f64]) -> Vec<f64> {
-        let mut change = self.blocks.times(system.space(), coefficients);
+        let mut change = self.columns.of_splines.times(system.space(), coefficients);
         for &(dof, spline, entry) in &self.on_boundary {
             change[dof] += entry * coefficients[spline];
         }
@@ -93,11 +159,21 @@ impl GapTangent {
 
     /// The transposed product: change with the coefficient of each spline of a sum over residuals with these weights of the dofs: by metre, in the unit of that sum.
     pub fn times_transposed(&self, system: &FilmSystem, weights: &[f64]) -> Vec<f64> {
-        let mut change = self.blocks.transposed(system.space(), weights, self.splines);
+        let mut change = (self.columns.of_splines).transposed(system.space(), weights, self.splines);
         for &(dof, spline, entry) in &self.on_boundary {
             change[spline] += entry * weights[dof];
         }
         change
+    }
+
+    /// Change of the residual at each dof with a change of the journal, the wall held; none where the journal changes its velocity, or the wall is in a stage.
+    pub fn by_journal(&self, system: &FilmSystem, change: &JournalChange) -> Option<Vec<f64>> {
+        let place = change.of_place().filter(|_| !self.is_in_stage)?;
+        let mut residual = self.columns.of_place.times(system.space(), &place);
+        for (dof, entries) in &self.on_boundary_by_place {
+            residual[*dof] += entries.iter().zip(place).map(|(entry, part)| entry * part).sum::<f64>();
+        }
+        Some(residual)
     }
 
     /// Of a mass-conserving film.
@@ -109,22 +185,26 @@ impl GapTangent {
     ) -> Result<Self, Error> {
         let changes = PointChanges::new(problem, system, film, fraction, FilmChange::Gap(&unit))?;
         let space = system.space();
-        let blocks = integrate(space.mesh(), |t| {
-            let (mut block, at_points) = (Blocks::default(), changes.of_triangle(t));
-            let shares = |point: usize| at_points.balances[point];
-            block.add((grid, Part::Value), at_points.positions(), shares, space.shapes());
-            block.ended()
+        let columns = integrate(space.mesh(), |t| {
+            let (mut columns, at_points) = (Columns::default(), changes.of_triangle(t));
+            let place = (t, at_points.positions());
+            columns.add((problem, grid, Part::Value), place, &at_points.balances, space.shapes());
+            columns.ended()
         });
-        let mut on_boundary = Vec::new();
-        for (dof, position, by_gap) in changes.of_boundary() {
+        let (mut on_boundary, mut on_boundary_by_place) = (Vec::new(), Vec::new());
+        for (dof, (cell, position), by_gap) in changes.of_boundary() {
             grid.each_at(position, |spline, value| {
                 on_boundary.push((dof, spline, by_gap * value))
             });
+            let moved = by_place(problem, Part::Value, cell, &[position]);
+            on_boundary_by_place.push((dof, moved.map(|gap| by_gap * gap[0])));
         }
         Ok(Self {
-            blocks,
+            columns,
             on_boundary,
+            on_boundary_by_place,
             splines: grid.number(),
+            is_in_stage: unit.0.rate != 0.0,
         })
     }
 
@@ -141,24 +221,27 @@ impl GapTangent {
         if problem.form == Form::AsPrinted {
             units.extend([(Part::SlopeAround, Unit::slope(0)), (Part::SlopeAlong, Unit::slope(1))]);
         }
-        let blocks = integrate(space.mesh(), |t| {
+        let columns = integrate(space.mesh(), |t| {
             let mut nodal = Nodal::default();
             for (value, &dof) in nodal.iter_mut().zip(&space.element_dofs(t)[..space.shapes()]) {
                 *value = film.unknown[dof];
             }
-            let block: Blocks = rule.integrate(space.mesh(), t, |points, block: &mut Blocks| {
+            let columns: Columns = rule.integrate(space.mesh(), t, |points, columns: &mut Columns| {
                 for (part, unit) in &units {
                     let law = FilmLaw::changed(problem, FilmChange::Gap(unit));
                     let shares = residuals(&law, points, &nodal, space.shapes());
-                    block.add((grid, *part), points.positions, |q| shares[q], space.shapes());
+                    let place = (points.cell, points.positions);
+                    columns.add((problem, grid, *part), place, &shares, space.shapes());
                 }
             });
-            block.ended()
+            columns.ended()
         });
         Self {
-            blocks,
+            columns,
             on_boundary: Vec::new(),
+            on_boundary_by_place: Vec::new(),
             splines: grid.number(),
+            is_in_stage: unit.0.rate != 0.0,
         }
     }
 }

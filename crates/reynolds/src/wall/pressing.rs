@@ -7,7 +7,7 @@ use oilwedge_fem::integrate::Rule;
 use oilwedge_fem::{Quadrature, Space, integrate};
 
 use super::blocks::Blocks;
-use super::grid::{Grid, Part};
+use super::grid::Grid;
 
 /// Most times that triangles are quartered which are wider than the cells of the grid.
 const MOST_QUARTERINGS: usize = 4;
@@ -28,8 +28,12 @@ impl Pressing {
         let blocks = integrate(mesh, |t| {
             let levels = quarterings(grid, &mesh.corners(t));
             let block: Blocks = rules[levels].integrate(mesh, t, |points, block: &mut Blocks| {
-                let shares = |q: usize| points.shapes(q).map(|shape| points.area(q) * shape);
-                block.add((grid, Part::Value), points.positions, shares, space.shapes());
+                for (q, &position) in points.positions.iter().enumerate() {
+                    let shares = points.shapes(q).map(|shape| points.area(q) * shape);
+                    grid.each_at(position, |spline, value| {
+                        block.add(spline, value, &shares, space.shapes())
+                    });
+                }
             });
             block.ended()
         });

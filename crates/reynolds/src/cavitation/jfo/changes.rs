@@ -102,8 +102,8 @@ impl<'a> PointChanges<'a> {
         AtPointsOf { points, balances }
     }
 
-    /// Changes of what is carried through pieces of the boundary in the balance of a dof: the dof, where the piece is [m], and the change [m3/s].
-    pub(crate) fn of_boundary(&self) -> Vec<(usize, [f64; 2], f64)> {
+    /// Changes of what is carried through pieces of the boundary in the balance of a dof: the dof, the triangle of the piece and where it is [m], and the change [m3/s].
+    pub(crate) fn of_boundary(&self) -> Vec<(usize, (usize, [f64; 2]), f64)> {
         let Self {
             problem,
             system,
@@ -118,7 +118,7 @@ impl<'a> PointChanges<'a> {
             if share != 0.0 {
                 let flux = changed.film_and_flows(face.cell, &[face.middle]).1[0].flux;
                 let out = flux[0] * face.normal[0] + flux[1] * face.normal[1];
-                changes.push((face.dof, face.middle, share * out));
+                changes.push((face.dof, (face.cell, face.middle), share * out));
             }
         }
         changes
