@@ -204,13 +204,9 @@ pub const BY_STATICS: [(&str, &str); 2] = [
     ("cut shaft", "youngs_modulus = \"206 GPa\"\nstatics = \"cut\""),
 ];
 
-/// The three throws cut at their main bearings.
-pub fn three_throws_cut() -> String {
-    changed(
-        &text("three_throws.toml"),
-        "period         = \"720 deg\"",
-        "statics = \"cut\"",
-    )
+/// An `engine` of three throws, `three_throws.toml` or a change of it, cut at its main bearings.
+pub fn three_throws_cut(engine: &str) -> String {
+    changed(engine, "period         = \"720 deg\"", "statics = \"cut\"")
 }
 
 /// The throws beside the first two main bearings of `three_throws.toml`, as the scene of a single bearing has them.
@@ -219,14 +215,13 @@ pub const BESIDE: [&str; 2] = [
     "[{ share = 0.5, web_mass = \"2.4 kg\" }, { angle = \"240 deg\", share = 0.5, web_mass = \"2.4 kg\" }]",
 ];
 
-/// Least film [m] over the orbit of a main bearing of the three throws by itself, beside these throws.
+/// Least film [m] over the orbit of a main bearing of this `engine` of three throws by itself, beside these throws.
 ///
 /// # Panics
 /// It has no orbit.
-pub fn single_main(throws: &str) -> f64 {
+pub fn single_main(engine: &str, throws: &str) -> f64 {
     let bearing = text("bearings/main_85.toml");
     let bearing = changed(&bearing, "eccentricity   = 0.8\nmin_film_angle = \"180 deg\"\n", "");
-    let engine = text("three_throws.toml");
     let (_, crank) = engine.split_once("[crank]").expect("a crank drive");
     let (crank, orbit) = crank.split_once("[orbit]").expect("an orbit");
     let scene = format!(

@@ -25,7 +25,8 @@ pub fn at_rest(page: &str) -> String {
 
 /// The page with those of its tables anew that take minutes.
 fn over_cycles(page: &str) -> String {
-    let (whole, cut) = (run(&text("three_throws.toml")), run(&three_throws_cut()));
+    let engine = text("three_throws.toml");
+    let (whole, cut) = (run(&engine), run(&three_throws_cut(&engine)));
     let page = replace(page, "balances", &balances(&whole));
     let page = replace(&page, "single", &single(&cut));
     let page = replace(&page, "beside", &beside(&whole, &cut));
@@ -145,7 +146,7 @@ fn single(cut: &ShaftRun) -> Table {
     ])];
     let films = numbers(cut, &CYCLE_FILM_THICKNESS_MIN);
     for (number, throws) in BESIDE.iter().enumerate() {
-        let (alone, film) = (single_main(throws), films[number]);
+        let (alone, film) = (single_main(&text("three_throws.toml"), throws), films[number]);
         rows.push(vec![
             cut.result.bearings[number].name.clone(),
             format!("{:.6}", 1e6 * alone),

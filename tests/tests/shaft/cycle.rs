@@ -6,11 +6,13 @@ use oilwedge_tests::crankshafts::*;
 
 #[test]
 fn a_shaft_cut_at_its_mains_has_the_orbits_of_single_bearings() {
-    let run = run(&three_throws_cut());
+    // The same steps, coarse ones, lead to the same orbits.
+    let engine = changed(&text("three_throws.toml"), "tolerance = 1e-3", "tolerance = 1e-2");
+    let run = run(&three_throws_cut(&engine));
     assert_eq!(run.result.status, Status::Converged, "{:?}", run.result.reason);
     let films = numbers(&run, &CYCLE_FILM_THICKNESS_MIN);
     for (number, throws) in BESIDE.iter().enumerate() {
-        let film = single_main(throws);
+        let film = single_main(&engine, throws);
         assert!(
             (films[number] / film - 1.0).abs() < 1e-6,
             "{number}: {} {film}",
