@@ -127,8 +127,7 @@ impl Search<'_> {
         let nearly = (1.0 - f64::EPSILON.sqrt()) * GREATEST_ECCENTRICITY * bearing.clearance;
         // What the film carries at this tilt is no limit where the tilt is free.
         let is_limit = self.load.tilting.is_none();
-        let begins_at_contact =
-            is_limit && bearing.clearance - self.gap_under(problem).least(&problem.journal) > nearly;
+        let begins_at_contact = is_limit && bearing.clearance - self.least_under(problem, &problem.journal) > nearly;
         begins_at_contact
             .then(|| self.beyond_capacity(problem, &problem.journal))
             .flatten()

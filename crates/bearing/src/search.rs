@@ -121,8 +121,16 @@ impl<'a> Search<'a> {
 
     /// Least film of a trial [m].
     pub(crate) fn least_film(&self, trial: &Trial) -> f64 {
-        let least = || self.gap_under(&trial.problem).least(&trial.problem.journal);
+        let least = || self.least_under(&trial.problem, &trial.problem.journal);
         *trial.least_film.get_or_init(least)
+    }
+
+    /// Least film [m] of a journal under the wall of a problem.
+    pub(crate) fn least_under(&self, problem: &FilmProblem, journal: &JournalState) -> f64 {
+        match problem.deflection() {
+            None => self.gap.least(journal),
+            Some(_) => Gap::of(problem, self.system).least_of_one(journal),
+        }
     }
 
     /// Whether the journal of a trial is in contact; see [`is_contact`](crate::is_contact).

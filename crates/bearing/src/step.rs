@@ -128,8 +128,8 @@ impl Search<'_> {
         let moved = self
             .coordinates
             .placed(journal, moved(self.coordinates.at(journal), 1.0, step));
-        let before = self.gap_under(problem).least(&moved);
-        let gained = self.gap_under(&tangent.bent(problem, step)).least(&moved) - before;
+        let before = self.least_under(problem, &moved);
+        let gained = self.least_under(&tangent.bent(problem, step), &moved) - before;
         Some((gained / (LITTLE * gap)).clamp(0.0, MOST_FOLLOWED))
     }
 
@@ -175,7 +175,7 @@ impl Search<'_> {
         let there = |part: f64| moved(here, 1.0, step(part));
         let thin = |part: f64| {
             let journal = self.coordinates.placed(&journal, there(part));
-            self.gap_under(&bent(part)).least(&journal) < least
+            self.least_under(&bent(part), &journal) < least
         };
         let length = length(end);
         // From a journal in contact no part of a step is short enough.

@@ -250,7 +250,7 @@ impl Branch<'_, '_> {
                     asked: search.load.magnitude(),
                     carried,
                     error,
-                    thickness: search.gap_under(problem).least(&problem.journal),
+                    thickness: search.least_under(problem, &problem.journal),
                     tilt: problem.journal.tilt[0].hypot(problem.journal.tilt[1]),
                     journal: Box::new(problem.journal),
                     way: Some(Box::new(waypoint)),
@@ -307,8 +307,7 @@ impl Branch<'_, '_> {
             let moved = moved(place, step, along.place);
             search.coordinates.placed(&here.trial.problem.journal, moved)
         };
-        let thin =
-            |step: f64| search.gap_under(&bent(step)).least(&journal(step)) < LEAST_SHRINK * gap * self.clearance;
+        let thin = |step: f64| search.least_under(&bent(step), &journal(step)) < LEAST_SHRINK * gap * self.clearance;
         loop {
             while thin(*wanted) {
                 *wanted *= 0.8;
@@ -348,7 +347,7 @@ impl Branch<'_, '_> {
             .bent(&here.trial.problem, along.place.map(|part| step * part));
         for corrections in 0..MOST_CORRECTIONS {
             let journal = search.coordinates.placed(&here.trial.problem.journal, place);
-            let gap = search.gap_under(&bent).least(&journal) / self.clearance;
+            let gap = search.least_under(&bent, &journal) / self.clearance;
             if gap < 0.5 * LEAST_SHRINK * thinnest {
                 return None;
             }

@@ -93,10 +93,8 @@ pub struct Gap {
 struct Shaped {
     mesh: Arc<Mesh>,
     film_thickness: Vec<Arc<dyn FilmContribution>>,
-    /// For each triangle its film at the nodes [m]: with the journal in the middle, and what each coordinate changes; made for the second journal.
+    /// For each triangle its film at the nodes [m]: with the journal in the middle, and what each coordinate changes; made for the first of many journals.
     nodes: OnceLock<Vec<[Quadratic; 5]>>,
-    /// Set where a journal was asked for.
-    asked: OnceLock<()>,
 }
 
 impl Gap {
@@ -123,18 +121,27 @@ impl Gap {
     /// Where the gap is least with the journal in this state: over the whole circumference, beside the liner of an arc too, where the bore is taken as
     /// circular.
     pub fn thinnest(&self, journal: &JournalState) -> Thinnest {
+        self.thinnest_by(journal, Shaped::thinnest)
+    }
+
+    fn thinnest_by(&self, journal: &JournalState, on_mesh: fn(&Shaped, &JournalState, f64) -> Thinnest) -> Thinnest {
         let Some(shaped) = &self.shaped else {
             return self.bearing.thinnest(journal);
         };
         let beside = (self.bearing.ends().into_iter())
             .map(|z| self.bearing.thinnest_at(journal, z))
             .filter(|place| !covers(&shaped.mesh, self.bearing.radius, place.angle));
-        beside.fold(shaped.thinnest(journal, self.bearing.radius), Thinnest::or)
+        beside.fold(on_mesh(shaped, journal, self.bearing.radius), Thinnest::or)
     }
 
     /// Least gap [m] with the journal in this state; negative where it would touch.
     pub fn least(&self, journal: &JournalState) -> f64 {
         self.thinnest(journal).thickness
+    }
+
+    /// As [`Gap::least`], of a gap that is asked for one journal alone.
+    pub fn least_of_one(&self, journal: &JournalState) -> f64 {
+        self.thinnest_by(journal, Shaped::thinnest_of_one).thickness
     }
 
     /// Offset [m] towards `angle` [rad] at which a journal with this tilt touches; zero where its tilt alone makes it touch.
@@ -235,7 +242,6 @@ impl Shaped {
     fn of(problem: &FilmProblem, mesh: &Arc<Mesh>) -> Self {
         Self {
             nodes: OnceLock::new(),
-            asked: OnceLock::new(),
             mesh: mesh.clone(),
             film_thickness: problem.film_thickness.clone(),
         }
@@ -257,9 +263,6 @@ impl Shaped {
 
     /// Where the film on the mesh is least.
     fn thinnest(&self, journal: &JournalState, radius: f64) -> Thinnest {
-        if self.asked.set(()).is_ok() {
-            return self.thinnest_of_one(journal, radius);
-        }
         let [e, g] = [journal.offset, journal.tilt];
         let place = [1.0, e[0], e[1], g[0], g[1]];
         let triangles = 0..self.mesh.triangles().len();

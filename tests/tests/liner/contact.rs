@@ -11,6 +11,7 @@ use oilwedge_reynolds::quantities::LoadGradient;
 use oilwedge_reynolds::quantities::contact_points::ContactPoints;
 use oilwedge_reynolds::quantities::load::load_change;
 use oilwedge_reynolds::solve::Neighbour;
+use oilwedge_reynolds::wall::GapTangent;
 use oilwedge_reynolds::{Cavitation, FilmChange, FilmProblem, FilmSystem, JournalChange, terms};
 use oilwedge_study::quantities::{DEFLECTION_MAX, ECCENTRICITY, FILM_THICKNESS_MIN, Row};
 use oilwedge_study::result::Status;
@@ -101,6 +102,29 @@ fn tangents_of_film_wall_and_contact_are_differences() {
                 let off = (slow.stiffness[d][k] - tangent[k][d]).abs() / tangent[k][k].abs();
                 assert!(off < 1e-7, "{what}: K {d} {k}: {off:e}");
             }
+        }
+    }
+}
+
+/// The tangent by the gap has that by the place of the journal: the residual that a pass over the film itself finds. It has none by a velocity.
+#[test]
+fn the_gap_tangent_answers_to_the_journal() {
+    for (what, problem, system) in films() {
+        let (problem, film) = closed(problem, &system);
+        let deflection = problem.deflection().expect("a wall");
+        let tangent = GapTangent::of(&problem, &system, &film, deflection).expect("a tangent");
+        for k in 0..4 {
+            let change = unit_change(k, 1.0);
+            let residual = tangent.by_journal(&system, &change).expect("a wall at rest");
+            let found = problem.answer(&film, &residual, 0.0).expect("an answer");
+            let wanted = problem.unknown_change(&system, &film, &change).expect("a change");
+            let size = wanted.iter().fold(0.0f64, |most, x| most.max(x.abs()));
+            let off = found
+                .iter()
+                .zip(&wanted)
+                .fold(0.0f64, |most, (a, b)| most.max((a - b).abs()));
+            assert!(size > 0.0 && off < 1e-11 * size, "{what}: {k}: {off:e} of {size:e}");
+            assert!(tangent.by_journal(&system, &change.as_rate()).is_none(), "{what}: {k}");
         }
     }
 }

@@ -141,7 +141,7 @@ impl Motion<'_> {
         };
         let problem = self.problem.clone().deflected(Some(wall));
         let journal = self.coordinates().placed(&problem.journal, at);
-        Gap::of(&problem, self.system).least(&journal)
+        Gap::of(&problem, self.system).least_of_one(&journal)
     }
 
     /// The load [N], with what the support would give the journal where it is parallel to the bearing.

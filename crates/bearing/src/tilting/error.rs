@@ -62,6 +62,6 @@ impl Branch<'_, '_> {
         let place = moved(search.coordinates.at(&problem.journal), step, direction);
         let bent = at.tangent.bent(problem, direction.map(|x| step * x));
         let journal = search.coordinates.placed(&problem.journal, place);
-        (search.gap_under(&bent).least(&journal) - least) / step
+        (search.least_under(&bent, &journal) - least) / step
     }
 }

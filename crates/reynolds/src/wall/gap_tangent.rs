@@ -2,7 +2,7 @@
 //!
 //! At a point the law changes linearly with the gap and its slopes there. Where the wall moves by `Sum x_j B_j` the residual of dof i changes by
 //! `Sum_j x_j Sum_p (G_ip B_j(p) + G'_ip . grad B_j(p))`: G is found once a film, from unit changes at the points p of each triangle. Slopes count in the as-printed form alone. A journal that
-//! moves changes the gap too, so that G tells what follows from that.
+//! moves by dx_k changes the gap by `dx_k dh/dx_k`, and the residual by the same G times that.
 
 use std::ops::AddAssign;
 use std::sync::Arc;
@@ -166,7 +166,7 @@ impl GapTangent {
         change
     }
 
-    /// Change of the residual at each dof with a change of the journal, the wall held; none where the journal changes its velocity, or the wall is in a stage.
+    /// First-order change of the residual at each dof, in its unit, with a `change` of the journal [m, rad], the wall held; none where the journal changes its velocity, or the wall is in a stage.
     pub fn by_journal(&self, system: &FilmSystem, change: &JournalChange) -> Option<Vec<f64>> {
         let place = change.of_place().filter(|_| !self.is_in_stage)?;
         let mut residual = self.columns.of_place.times(system.space(), &place);
