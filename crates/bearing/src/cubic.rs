@@ -1,6 +1,7 @@
 //! The balance of the more accurate force: that of the film in cubic elements, where it is the one reported.
 //!
-//! The tangent of the quadratic film is a good start, for the two forces differ by a thousandth or so; each step corrects it.
+//! Journal and a wall that gives way are moved together, by the tangent of the cubic film. In a rigid wall the tangent of the quadratic film is a good start, for the two forces differ by a thousandth or so; each
+//! step corrects it.
 
 use oilwedge_reynolds::solve::Neighbour;
 
@@ -8,7 +9,7 @@ use crate::NoEquilibrium;
 use crate::coordinates::moved;
 use crate::deflection::CLOSED;
 use crate::equilibrium::Equilibrium;
-use crate::search::Search;
+use crate::search::{Search, Trial};
 
 /// The balance has been found when force and load differ by this part of the load.
 const BALANCED: f64 = 1e-10;
@@ -23,6 +24,34 @@ const MOST_STEPS: usize = 12;
 
 /// From the balance of the quadratic film to that of the cubic one.
 pub(crate) fn balance_cubic(found: Equilibrium, search: &Search) -> Result<Equilibrium, NoEquilibrium> {
+    let mut steps = found.steps;
+    let Some(trial) = moved_with_wall(&found, search, &mut steps) else {
+        return place_by_place(found, search);
+    };
+    let residual = search.residual(&trial);
+    Ok(Equilibrium {
+        residual,
+        unbalanced: residual * search.scale,
+        parts: search.parts(&trial),
+        stiffness: search.tangent(&trial)?.stiffness,
+        problem: trial.problem,
+        film: trial.film,
+        cubic: trial.cubic,
+        steps,
+        ..found
+    })
+}
+
+/// Journal and wall moved together; none where the wall is rigid, or the balance is not near.
+fn moved_with_wall(found: &Equilibrium, search: &Search, steps: &mut usize) -> Option<Trial> {
+    found.problem.deflection()?;
+    let place = search.coordinates.at(&found.problem.journal);
+    let first = search.open_cubic(&found.problem, place, (&found.film, None)).ok()?;
+    search.with_wall(first, (BALANCED, CLOSED), steps).ok()
+}
+
+/// From place to place, a wall that gives way closed at each.
+fn place_by_place(found: Equilibrium, search: &Search) -> Result<Equilibrium, NoEquilibrium> {
     let deadline = search.options.deadline;
     let mut steps = found.steps;
     let near = Neighbour::Start(&found.film);

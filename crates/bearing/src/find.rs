@@ -10,6 +10,7 @@ use crate::load_capacity::yields_to_contact;
 use crate::no_equilibrium::FAR;
 use crate::search::{OF_BALANCE, Search, Trial};
 use crate::tangent::Tangent;
+use crate::with_wall::WITHIN;
 use crate::{Carrier, InitialGuess, Load, NoEquilibrium, Purpose, SearchOptions, Waypoint};
 
 /// A balance that round-off keeps from its accuracy is one below this part.
@@ -22,6 +23,8 @@ const SETTLED: f64 = 1e-6;
 const RECHOSEN: f64 = 1e-3;
 /// Most choices of the advection schemes: the last is that of the balanced position, if they settle.
 const MOST_CHOICES: usize = 6;
+/// Force and wall are sought together again where less than this part is left of what was left where that has failed.
+const OF_FAILED: f64 = 0.1;
 /// Part of the clearance that the film may lose where it is thinnest, if the last position of a failed search on a coarser mesh is to be a start.
 const RESOLVED: f64 = 0.99;
 /// A journal whose film is thinner than this part of the clearance touches.
@@ -58,7 +61,8 @@ pub fn find(
         },
         InitialGuess::Near(near) => {
             let here = search.coordinates.at(&problem.journal);
-            search.at_rest(search.trial(problem, here, near)?)?
+            let first = (search.opened(problem, here, near)).map_or_else(|| search.trial(problem, here, near), Ok)?;
+            search.at_rest(first)?
         }
     };
     match options.carrier {
@@ -189,7 +193,12 @@ impl Search<'_> {
 
     /// Balances the load from this start.
     pub(crate) fn run(&self, problem: &FilmProblem, start: JournalState) -> Result<Equilibrium, NoEquilibrium> {
-        self.at_rest(self.first(problem, start)?)
+        let opened = self.opened(problem, self.coordinates.at(&start), Neighbour::None);
+        let rough = self.options.balanced().max(ROUGHLY_BALANCED);
+        match opened.and_then(|opened| self.with_wall(opened, (rough, rough), &mut 0).ok()) {
+            Some(near) => self.at_rest(near),
+            None => self.at_rest(self.first(problem, start)?),
+        }
     }
 
     /// Balances the load and, in a film that conserves oil, chooses the advection schemes again at the balanced
@@ -214,7 +223,11 @@ impl Search<'_> {
             tried += 1;
             let here = self.coordinates.at(&trial.problem.journal);
             // Where the choice fails the position balanced before stands, with the schemes chosen near it.
-            let Ok(chosen) = self.trial_within(&trial.problem, here, Neighbour::None, OF_BALANCE * SETTLED) else {
+            let chosen = (self.opened(&trial.problem, here, Neighbour::None)).map_or_else(
+                || self.trial_within(&trial.problem, here, Neighbour::None, OF_BALANCE * SETTLED),
+                Ok,
+            );
+            let Ok(chosen) = chosen else {
                 break;
             };
             match self.balanced(chosen, tangent.clone(), part, &mut tried) {
@@ -258,6 +271,7 @@ impl Search<'_> {
         let keeps_tangent = matches!(self.options.guess, InitialGuess::Near(_))
             && trial.problem.cavitation.depends_smoothly_on_position();
         let last = *tried + MOST_STEPS;
+        let mut within = WITHIN;
         while *tried < last {
             let residual = self.residual(&trial);
             let enough = match trial.schemes_chosen_at {
@@ -265,9 +279,19 @@ impl Search<'_> {
                 _ => 0.0,
             };
             let is_balanced = residual < self.options.balanced().max(enough);
-            let is_closed = trial.may_leave <= self.left_at_balance().max(OF_BALANCE * enough);
+            let closed = self.left_at_balance().max(OF_BALANCE * enough);
+            let is_closed = trial.may_leave <= closed;
             if is_balanced && is_closed || self.options.deadline.is_over() {
                 return Ok((trial, kept));
+            }
+            if trial.problem.has_bent_wall() && self.left(&trial) < within {
+                within = OF_FAILED * self.left(&trial);
+                trial = match self.with_wall(trial, (self.options.balanced().max(enough), closed), tried) {
+                    Ok(found) => return Ok((found, None)),
+                    Err(from) if from.left.is_some() => self.closed_here(&from, tried)?,
+                    Err(from) => *from,
+                };
+                continue;
             }
             if is_balanced {
                 trial = self.closed_further(&trial, tried)?;
@@ -299,6 +323,16 @@ impl Search<'_> {
             }),
             _ => Err(self.unreachable(&trial, "the force does not approach the load")),
         }
+    }
+
+    /// The trial at this place with its wall closed roughly.
+    fn closed_here(&self, trial: &Trial, tried: &mut usize) -> Result<Trial, NoFilm> {
+        *tried += 1;
+        let here = self.coordinates.at(&trial.problem.journal);
+        Ok(Trial {
+            schemes_chosen_at: trial.schemes_chosen_at,
+            ..self.trial_within(&trial.problem, here, Neighbour::Kept(&trial.film), OF_BALANCE * NEAR)?
+        })
     }
 
     /// A trial whose wall is closed as far as a balance asks for.

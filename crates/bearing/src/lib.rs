@@ -45,6 +45,7 @@ pub mod stiffness;
 mod tangent;
 pub mod thermal_balance;
 mod tilting;
+mod with_wall;
 
 pub use cap_bolts::{BoltForces, CapBolts, Shell};
 pub use coordinates::{Coordinates, Vector};

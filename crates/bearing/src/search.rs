@@ -11,7 +11,7 @@ use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSolution, FilmSystem, Gap, JournalState, NoFilm};
 
 use crate::coordinates::{Coordinates, Vector, length, moved};
-use crate::deflection::{CLOSED, Pair, closed_near, closed_pair, closed_within};
+use crate::deflection::{CLOSED, Left, Pair, closed_near, closed_pair, closed_within};
 use crate::equilibrium::NEAR;
 use crate::estimate::is_film_of_contact;
 use crate::{Load, SearchOptions};
@@ -21,7 +21,7 @@ pub(crate) const OF_BALANCE: f64 = 1e-2;
 /// Part of it that may be left at a start.
 const AT_START: f64 = 1e-5;
 /// From this part on contact need not be integrated as finely as for numbers that are reported.
-const OF_CONTACT: f64 = 1e-6;
+pub(crate) const OF_CONTACT: f64 = 1e-6;
 
 /// A search for the position that balances a load on one mesh.
 pub(crate) struct Search<'a> {
@@ -64,6 +64,8 @@ pub(crate) struct Trial {
     pub(crate) contact: Option<Arc<ContactPoints>>,
     /// Part of its deflection that may be left, and contact is integrated to; zero of a rigid wall without contact.
     pub(crate) may_leave: f64,
+    /// What it leaves of the balance of its wall, where the wall is not closed at each place.
+    pub(crate) left: Option<Left>,
     /// Least film [m], once it was asked for.
     pub(crate) least_film: OnceCell<f64>,
     /// Residual of the position at which the advection schemes of a mass-conserving film were chosen; infinite where a
@@ -83,6 +85,7 @@ impl Trial {
             carried,
             contact: None,
             may_leave: CLOSED,
+            left: None,
             least_film: OnceCell::new(),
             schemes_chosen_at: f64::INFINITY,
             is_continued: false,

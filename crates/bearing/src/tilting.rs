@@ -11,25 +11,28 @@ mod error;
 
 use std::rc::Rc;
 
-use oilwedge_reynolds::FilmProblem;
 use oilwedge_reynolds::solve::Neighbour;
+use oilwedge_reynolds::{FilmProblem, NoFilm};
 
 use crate::coordinates::{Vector, length, moved};
+use crate::deflection::Moves;
 use crate::equilibrium::{Equilibrium, ROUGHLY_BALANCED};
 use crate::estimate::is_contact;
 use crate::no_equilibrium::Waypoint;
-use crate::search::{OF_BALANCE, Search, Trial};
-use crate::tangent::Tangent;
+use crate::search::{Search, Trial};
+use crate::with_wall::Tangents;
 use crate::{Carrier, InitialGuess, Load, NoEquilibrium, Purpose, SearchOptions, find};
 
 /// First step along the branch.
 const FIRST: f64 = 0.25;
 /// Growth of the steps where they are corrected quickly.
 const GROWTH: f64 = 1.6;
-/// Corrections that count as quick,
-const QUICK: usize = 3;
-/// and most of one step.
-const MOST_CORRECTIONS: usize = 5;
+/// Corrections that count as quick, and most of one step;
+const CORRECTIONS: [usize; 2] = [3, 5];
+/// under a wall that gives way, where each film is one.
+const CORRECTIONS_WITH_WALL: [usize; 2] = [6, 9];
+/// Accuracy of the linear systems of film and wall.
+const FOLLOWED: f64 = 1e-3;
 /// Least film after a step over that before.
 const LEAST_SHRINK: f64 = 0.3;
 /// A step this much shorter than the least film over the clearance leads no further.
@@ -50,14 +53,15 @@ const LEFT_TO_FINER: f64 = 0.01;
 /// A point of the branch.
 struct Point {
     trial: Trial,
-    tangent: Tangent,
+    /// How journal and wall move with the part.
+    ahead: Moves,
     part: f64,
 }
 
-/// A direction of the branch, one long: change of the coordinates [m], and of the part.
-#[derive(Clone, Copy)]
+/// A direction of the branch, one long: changes of the coordinates and of the wall [m], and of the part.
+#[derive(Clone)]
 struct Direction {
-    place: Vector,
+    moves: Moves,
     part: f64,
 }
 
@@ -109,12 +113,7 @@ impl Search<'_> {
             first: self.excess(&trial),
             clearance: trial.problem.bearing.clearance,
         };
-        let first = Point {
-            tangent: self.tangent(&trial)?,
-            part: 0.0,
-            trial,
-        };
-        branch.followed(first)
+        branch.followed(branch.point(trial, 0.0)?)
     }
 
     /// Follows the branch that a coarser mesh has shown from a point of it on; none where there is no balance near that point.
@@ -142,12 +141,7 @@ impl Search<'_> {
             first: way.first,
             clearance: problem.bearing.clearance,
         };
-        let first = Point {
-            tangent: self.tangent(&trial).ok()?,
-            part: way.part,
-            trial,
-        };
-        Some(branch.followed(first))
+        Some(branch.followed(branch.point(trial, way.part).ok()?))
     }
 
     /// As [`Self::continued`]; where there is no balance near that point the branch is followed from its beginning.
@@ -189,18 +183,20 @@ impl Branch<'_, '_> {
         let mut waypoint = self.waypoint(&here);
         let mut first_part = None;
         for _ in 0..MOST_POINTS {
-            let Some(along) = self.direction(&here, way) else { break };
-            way = Some(along);
+            let Some(along) = self.direction(&here, way.as_ref()) else {
+                break;
+            };
             let is_ahead = along.part > AHEAD * *first_part.get_or_insert(along.part);
             if is_ahead && self.gap(&here.trial) > WAYPOINT {
                 waypoint = self.waypoint(&here);
             }
             if along.part < 0.0 && here.part < greatest.part - FALLEN {
+                way = Some(along);
                 break;
             }
-            let Some(next) = self.next(&here, along, &mut wanted) else {
-                break;
-            };
+            let next = self.next(&here, &along, &mut wanted);
+            way = Some(along);
+            let Some(next) = next else { break };
             match next {
                 Next::Contact(problem) => return Err(search.in_contact(&problem, (1.0, None), Some(waypoint))),
                 Next::End(found) => return Ok(*found),
@@ -274,40 +270,46 @@ impl Branch<'_, '_> {
     }
 
     /// The direction of the branch at a point: on from the one `before` or, at its beginning, towards greater parts. None where the tangent is singular.
-    fn direction(&self, at: &Point, before: Option<Direction>) -> Option<Direction> {
-        let place = at.tangent.stiffness.solve(self.first.map(|first| -first));
-        let long = (length(place) / self.clearance).hypot(1.0);
-        let along = Direction {
-            place: place.map(|x| x / long),
-            part: 1.0 / long,
-        };
-        let is_back = before.is_some_and(|before| self.product(before, along.place, along.part) < 0.0);
-        let sense = if is_back { -1.0 } else { 1.0 };
+    fn direction(&self, at: &Point, before: Option<&Direction>) -> Option<Direction> {
+        let long = (length(at.ahead.place) / self.clearance).hypot(1.0);
+        let is_back = before.is_some_and(|before| self.product(before, at.ahead.place, 1.0) < 0.0);
+        let long = if is_back { -long } else { long };
         long.is_finite().then(|| Direction {
-            place: along.place.map(|x| sense * x),
-            part: sense * along.part,
+            moves: at.ahead.over(long),
+            part: 1.0 / long,
         })
     }
 
+    /// A point of the branch at this part.
+    fn point(&self, trial: Trial, part: f64) -> Result<Point, NoFilm> {
+        let wall = self.search.left_of_wall(&trial).into_owned();
+        let ahead = self.ahead(&self.search.tangents(&trial, &wall)?)?;
+        Ok(Point { trial, ahead, part })
+    }
+
+    /// How journal and wall move with the part, by their tangents at a point.
+    fn ahead(&self, tangents: &Tangents) -> Result<Moves, NoFilm> {
+        tangents.solve(self.first.map(|first| -first), None, FOLLOWED)
+    }
+
     /// Product of a direction with a change of coordinates and part.
-    fn product(&self, along: Direction, place: Vector, part: f64) -> f64 {
-        let places = (0..4).fold(0.0, |sum, k| sum + along.place[k] * place[k]);
+    fn product(&self, along: &Direction, place: Vector, part: f64) -> f64 {
+        let places = (0..4).fold(0.0, |sum, k| sum + along.moves.place[k] * place[k]);
         places / (self.clearance * self.clearance) + along.part * part
     }
 
     /// What follows a point: the next one, or the end of the branch. `wanted` is the length of the step, longer or shorter afterwards. None where no step leads on.
-    fn next(&self, here: &Point, along: Direction, wanted: &mut f64) -> Option<Next> {
-        let (search, gap) = (self.search, self.gap(&here.trial));
-        let bent = |step: f64| {
-            here.tangent
-                .bent(&here.trial.problem, along.place.map(|part| step * part))
+    fn next(&self, here: &Point, along: &Direction, wanted: &mut f64) -> Option<Next> {
+        let (search, gap, [quick, _]) = (self.search, self.gap(&here.trial), corrections(&here.trial));
+        let led_to = |step: f64| {
+            let (bent, at) = search.led_to(&here.trial, &along.moves, step);
+            let journal = search.coordinates.placed(&bent.journal, at);
+            (bent, journal)
         };
-        let place = search.coordinates.at(&here.trial.problem.journal);
-        let journal = |step: f64| {
-            let moved = moved(place, step, along.place);
-            search.coordinates.placed(&here.trial.problem.journal, moved)
+        let thin = |step: f64| {
+            let (bent, journal) = led_to(step);
+            search.least_under(&bent, &journal) < LEAST_SHRINK * gap * self.clearance
         };
-        let thin = |step: f64| search.least_under(&bent(step), &journal(step)) < LEAST_SHRINK * gap * self.clearance;
         loop {
             while thin(*wanted) {
                 *wanted *= 0.8;
@@ -317,8 +319,8 @@ impl Branch<'_, '_> {
             }
             if here.part + *wanted * along.part >= 1.0 {
                 let last = (1.0 - here.part) / along.part;
-                let found = search.run(&bent(last), journal(last));
-                match found {
+                let (bent, journal) = led_to(last);
+                match search.run(&bent, journal) {
                     Ok(found) if is_contact(&search.gap_under(&found.problem), &found.problem.journal) => {
                         return Some(Next::Contact(Box::new(found.problem)));
                     }
@@ -326,7 +328,7 @@ impl Branch<'_, '_> {
                     Err(_) => {}
                 }
             } else if let Some((point, corrections)) = self.corrected(here, along, *wanted) {
-                if corrections <= QUICK {
+                if corrections <= quick {
                     *wanted *= GROWTH;
                 }
                 return Some(Next::Point(Box::new(point)));
@@ -336,17 +338,15 @@ impl Branch<'_, '_> {
     }
 
     /// The point of the branch across a step of this length along it, and the corrections that it took.
-    fn corrected(&self, here: &Point, along: Direction, step: f64) -> Option<(Point, usize)> {
+    fn corrected(&self, here: &Point, along: &Direction, step: f64) -> Option<(Point, usize)> {
         let search = self.search;
-        let mut place = moved(search.coordinates.at(&here.trial.problem.journal), step, along.place);
+        let (mut bent, mut place) = search.led_to(&here.trial, &along.moves, step);
         let mut part = here.part + step * along.part;
         let (mut last, mut before): (f64, Option<Trial>) = (f64::INFINITY, None);
         let thinnest = self.gap(&here.trial);
-        let mut bent = here
-            .tangent
-            .bent(&here.trial.problem, along.place.map(|part| step * part));
-        for corrections in 0..MOST_CORRECTIONS {
-            let journal = search.coordinates.placed(&here.trial.problem.journal, place);
+        let [_, most] = corrections(&here.trial);
+        for corrections in 0..most {
+            let journal = search.coordinates.placed(&bent.journal, place);
             let gap = search.least_under(&bent, &journal) / self.clearance;
             if gap < 0.5 * LEAST_SHRINK * thinnest {
                 return None;
@@ -355,31 +355,58 @@ impl Branch<'_, '_> {
             let near = before
                 .as_ref()
                 .map_or(Neighbour::None, |trial| Neighbour::Kept(&trial.film));
-            let tried = |near| search.trial_within(&bent, place, near, OF_BALANCE * ROUGHLY_BALANCED);
+            let tried = |near| search.open(&bent, place, near, ROUGHLY_BALANCED);
             let trial = match (tried(near), &before) {
                 (Err(_), Some(_)) => tried(Neighbour::None),
                 (trial, _) => trial,
             };
             let trial = trial.ok()?;
-            let left = moved(search.excess(&trial), -(1.0 - part), self.first);
-            let tangent = search.tangent(&trial).ok()?;
-            if length(left) < ROUGHLY_BALANCED * search.scale {
-                let point = Point { trial, tangent, part };
-                return Some((point, corrections));
-            }
-            let solve = |force: Vector| tangent.stiffness.solve(force);
-            let (by_left, by_part) = (solve(left), solve(self.first));
-            let change = self.product(along, by_left, 0.0) / (along.part - self.product(along, by_part, 0.0));
-            let correction = moved(by_left.map(|x| -x), -change, by_part);
-            let size = length(correction) / self.clearance;
+            let (correction, change) = match self.judged(along, &trial, part)? {
+                Judged::Point(ahead) => return Some((Point { trial, ahead, part }, corrections)),
+                Judged::Beside(correction, change) => (correction, change),
+            };
+            let size = length(correction.place) / self.clearance;
             if !(size + change.abs()).is_finite() || size > 2.0 * last.min(step) {
                 return None;
             }
-            bent = tangent.bent(&trial.problem, correction);
-            (place, part, last, before) = (moved(place, 1.0, correction), part + change, size, Some(trial));
+            (bent, place) = search.led_to(&trial, &correction, 1.0);
+            (part, last, before) = (part + change, size, Some(trial));
         }
         None
     }
+
+    /// Whether a film at this part is a point of the branch or, where it lies beside, the moves and the change of the part that lead across `along` to it.
+    fn judged(&self, along: &Direction, trial: &Trial, part: f64) -> Option<Judged> {
+        let search = self.search;
+        let wall = search.left_of_wall(trial);
+        let tangents = search.tangents(trial, &wall).ok()?;
+        let ahead = self.ahead(&tangents).ok()?;
+        let left = moved(search.excess(trial), -(1.0 - part), self.first);
+        if length(left) < ROUGHLY_BALANCED * search.scale && wall.residual < ROUGHLY_BALANCED {
+            return Some(Judged::Point(ahead));
+        }
+        let back = tangents
+            .solve(left.map(|left| -left), Some(&wall.wall), FOLLOWED)
+            .ok()?;
+        let change = -self.product(along, back.place, 0.0) / (along.part + self.product(along, ahead.place, 0.0));
+        Some(Judged::Beside(back.plus(change, &ahead), change))
+    }
+}
+
+/// How many corrections of a step are quick, and how many it has at most.
+fn corrections(trial: &Trial) -> [usize; 2] {
+    match trial.problem.deflection() {
+        None => CORRECTIONS,
+        Some(_) => CORRECTIONS_WITH_WALL,
+    }
+}
+
+/// What a film near a branch is.
+enum Judged {
+    /// A point of it, with how journal and wall move with the part.
+    Point(Moves),
+    /// One beside it: the moves to it, and the change of the part.
+    Beside(Moves, f64),
 }
 
 /// What follows a point of a branch.

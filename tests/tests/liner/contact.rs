@@ -290,7 +290,8 @@ fn a_search_takes_the_wall_along() {
         );
         assert!(found.residual < 1e-10 && finer.residual < 1e-10);
         assert!(eccentricity > 1.0, "{eccentricity}");
-        assert!(found.steps <= 13 && finer.steps <= 5, "{} {}", found.steps, finer.steps);
+        // Each position near the balance is one film.
+        assert!(found.steps <= 24 && finer.steps <= 5, "{} {}", found.steps, finer.steps);
     }
 }
 

@@ -1,11 +1,12 @@
 //! Films with elastic walls against films that must be equal to them, and against a second code.
 
 use oilwedge_bearing::deflection::{CLOSED, closed_pair};
-use oilwedge_bearing::{SearchOptions, find};
+use oilwedge_bearing::{InitialGuess, SearchOptions, find};
 use oilwedge_reynolds::analytical::elastic_ring::{ElasticRing, OuterSurface};
 use oilwedge_reynolds::lubricant::PressureLaw;
 use oilwedge_reynolds::lubricant::barus::Barus;
 use oilwedge_reynolds::quantities::pressure::extremes;
+use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::wall::{Along, Around, Compliance, Dense, Grid, Wall};
 use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSystem};
 use oilwedge_tests::elastic_liner::{block, carried, closed, force_scale, layer, walled, with_wall};
@@ -204,5 +205,32 @@ fn a_load_leads_back_to_its_place() {
         let to = if model.conserves_oil() { 1e-4 } else { 1e-7 };
         assert!((x - 0.8).hypot(y) < to, "{}: {x} {y}", model.name());
         assert!(found.residual < 1e-10, "{:e}", found.residual);
+    }
+}
+
+/// Journal and wall are found together: the film that closes the wall at the place found by itself carries the load, and from a place nearby both take some films, not some at each place.
+#[test]
+fn place_and_wall_are_those_of_one_another() {
+    for model in MODELS {
+        let system = ring_system(96, 8, RADIUS, Some(std::f64::consts::PI)).for_many_solves();
+        let (near, film) = closed(walled(RADIUS, 0.8, model, |_| layer(0.3)), &system);
+        let load = carried(&near, &system, &film).force.map(|part| 1.1 * part);
+        let options = SearchOptions {
+            guess: InitialGuess::Near(Neighbour::Start(&film)),
+            ..SearchOptions::default()
+        };
+        let found = find(&near, &system, load, &options).unwrap_or_else(|reason| panic!("{reason}"));
+        let closing = |problem: &FilmProblem| problem.deflection().expect("a wall").closing;
+        let films = closing(&found.problem).outer - closing(&near).outer;
+        // A mass-conserving film chooses its advection schemes until they settle.
+        let most = if model.conserves_oil() { 30 } else { 6 };
+        assert!(films <= most, "{}: {films}", model.name());
+        assert!(found.residual < 1e-10 && closing(&found.problem).residual < 1e-10);
+        let (again, film) = closed(found.problem.deflected(near.deflection()), &system);
+        let force = carried(&again, &system, &film).force;
+        let off = (force[0] - load[0]).hypot(force[1] - load[1]) / load[0].hypot(load[1]);
+        // The film by itself chooses its advection schemes once more.
+        let to = if model.conserves_oil() { 1e-3 } else { 1e-9 };
+        assert!(off < to, "{}: {off:e}", model.name());
     }
 }

@@ -61,6 +61,7 @@ struct Trial {
 }
 
 /// What a film leaves of the balance of its wall.
+#[derive(Debug, Clone)]
 pub(crate) struct Left {
     /// `C f - d` [m].
     pub(crate) wall: Vec<f64>,

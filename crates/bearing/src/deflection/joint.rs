@@ -6,13 +6,15 @@
 //!
 //! The journal is eliminated, `x = K^-1 (r - W_d d)`, and the wall found by GMRES: one back-solve of the film a product. Under a given load the wall answers less than at a given place.
 
+use std::cell::{Cell, RefCell};
+
 use oilwedge_fem::Error;
 use oilwedge_reynolds::film_thickness::Deflection;
 use oilwedge_reynolds::quantities::LoadGradient;
 use oilwedge_reynolds::quantities::load::Resultant;
 use oilwedge_reynolds::{FilmChange, JournalChange};
 
-use super::gmres::gmres;
+use super::gmres::Known;
 use super::tangent::{Follower, Free};
 use crate::coordinates::{Coordinates, Vector, moved};
 use crate::stiffness::Stiffness;
@@ -27,9 +29,14 @@ pub(crate) struct Joint<'a> {
     tangent: Stiffness,
     /// How forces change with film and wall.
     gradient: LoadGradient,
+    /// What systems solved have shown.
+    known: RefCell<Known>,
+    /// How many products that took.
+    products: Cell<usize>,
 }
 
 /// A change of the journal and of the wall.
+#[derive(Debug, Clone)]
 pub(crate) struct Moves {
     /// Coordinates [m].
     pub(crate) place: Vector,
@@ -38,6 +45,23 @@ pub(crate) struct Moves {
 }
 
 impl Moves {
+    /// They over a number.
+    pub(crate) fn over(&self, number: f64) -> Self {
+        Self {
+            place: self.place.map(|x| x / number),
+            wall: self.wall.iter().map(|d| d / number).collect(),
+        }
+    }
+
+    /// These and a part of others.
+    pub(crate) fn plus(&self, part: f64, more: &Self) -> Self {
+        let walls = self.wall.iter().zip(&more.wall);
+        Self {
+            place: moved(self.place, part, more.place),
+            wall: walls.map(|(d, more)| d + part * more).collect(),
+        }
+    }
+
     /// Where a part of them leads from a place and a wall.
     pub(crate) fn made(&self, at: Vector, wall: &Deflection, part: f64) -> (Vector, Deflection) {
         let coefficients = wall.coefficients.iter().zip(&self.wall);
@@ -73,28 +97,38 @@ impl<'a> Joint<'a> {
             coordinates,
             bent_by_place,
             tangent,
+            known: RefCell::default(),
+            products: Cell::default(),
         })
     }
 
-    /// The moves by which forces change by `force` [N], and the wall by `wall` [m] more than film and contact bend it.
+    /// The moves by which forces change by `force` [N], and the wall by `wall` [m] more than film and contact bend it, or by no more.
     ///
     /// # Errors
     /// The linear systems could not be solved.
-    pub(crate) fn solve(&self, force: Vector, wall: &[f64], accuracy: f64) -> Result<Moves, Error> {
+    pub(crate) fn solve(&self, force: Vector, wall: Option<&[f64]>, accuracy: f64) -> Result<Moves, Error> {
         let operator = |d: &[f64]| {
             let (forces, image) = self.by_wall(d, accuracy)?;
             let place = self.tangent.solve(forces.map(|part| -part));
             Ok::<_, Error>(self.bent(d.iter().zip(&image).map(|(d, image)| d - image).collect(), place))
         };
         let pushed = self.tangent.solve(force);
-        let wanted: Vec<f64> = self.bent(wall.to_vec(), pushed.map(|part| -part));
+        let more = wall.map_or_else(|| vec![0.0; self.follower.number()], <[f64]>::to_vec);
+        let wanted: Vec<f64> = self.bent(more, pushed.map(|part| -part));
         let nearly = |d: &[f64]| self.follower.solve_contact(d);
-        let wall = gmres(operator, nearly, &wanted, accuracy)?.x;
+        let solved = (self.known.borrow_mut()).solve(operator, nearly, &wanted, accuracy)?;
+        self.products.set(self.products.get() + solved.steps);
+        let wall = solved.x;
         let (forces, _) = self.by_wall(&wall, accuracy)?;
         Ok(Moves {
             place: self.tangent.solve(moved(force, -1.0, forces)),
             wall,
         })
+    }
+
+    /// How many products with the tangent the systems have taken.
+    pub(crate) fn products(&self) -> usize {
+        self.products.get()
     }
 
     /// What a journal that moves at these rates [1/s of coordinates in m] and a wall that moves at this one [m/s] push film and wall by: forces [N], and how far the wall is bent [m].

@@ -9,9 +9,10 @@
 //! found or it turns, it may lead on on another mesh: no error is known. Other films may turn before contact on one mesh and not on another: their error is m over R_0.
 //! **Verified by** `tests/tests/tilt/balance.rs`: finer meshes.
 
-use super::{Branch, Point};
+use super::{Branch, FOLLOWED, Point};
 use crate::Purpose;
-use crate::coordinates::{Vector, length, moved};
+use crate::coordinates::{Vector, length};
+use crate::deflection::Moves;
 use crate::search::Trial;
 
 /// Error at most over that to first order by the tangent at the end of the branch, of a film that conserves oil: up to 1 was seen on twelve rows of cells and more, 4 on six.
@@ -50,18 +51,24 @@ impl Branch<'_, '_> {
 
     /// By how much the part at a point differs for a film whose forces differ by `missed` [N] [1].
     fn missed_part(&self, at: &Point, missed: Vector) -> f64 {
-        let shrink = |force: Vector| self.growth(at, at.tangent.stiffness.solve(force));
+        let search = self.search;
+        let tangents = search.tangents(&at.trial, &search.left_of_wall(&at.trial)).ok();
+        let shrink = |force: Vector| {
+            let moves = tangents
+                .as_ref()
+                .and_then(|tangents| tangents.solve(force, None, FOLLOWED).ok());
+            moves.map_or(f64::NAN, |moves| self.growth(at, &moves))
+        };
         (shrink(missed) / shrink(self.first)).abs()
     }
 
-    /// Growth of the least film along a `direction` of the coordinates, over its length [1].
-    fn growth(&self, at: &Point, direction: Vector) -> f64 {
-        let (search, problem) = (self.search, &at.trial.problem);
+    /// Growth of the least film along `moves`, over the change of the coordinates [1].
+    fn growth(&self, at: &Point, moves: &Moves) -> f64 {
+        let search = self.search;
         let least = search.least_film(&at.trial);
-        let step = STEP * least / length(direction);
-        let place = moved(search.coordinates.at(&problem.journal), step, direction);
-        let bent = at.tangent.bent(problem, direction.map(|x| step * x));
-        let journal = search.coordinates.placed(&problem.journal, place);
+        let step = STEP * least / length(moves.place);
+        let (bent, place) = search.led_to(&at.trial, moves, step);
+        let journal = search.coordinates.placed(&bent.journal, place);
         (search.least_under(&bent, &journal) - least) / step
     }
 }

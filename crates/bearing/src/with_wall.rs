@@ -1,0 +1,259 @@
+//! Journal and wall found together, where the wall gives way and the balance is near: each step solves one film.
+//!
+//! ```text
+//! W(x, d) = F        C f(p(x, d)) = d
+//! ```
+//!
+//! **Method.** Newton's, with the tangent of both ([`Joint`]), the wall eliminated by GMRES. Under a load the wall answers less than at a place, so that it is found under soft walls in contact too, where no place
+//! that is held has one near. Far from the balance the wall is closed at each place that is tried. **Verified by** `tests/tests/liner`: balances of force and wall.
+
+use std::borrow::Cow;
+
+use oilwedge_fem::newton::Failure;
+use oilwedge_reynolds::contact::Fineness;
+use oilwedge_reynolds::film_thickness::Closing;
+use oilwedge_reynolds::quantities::load::{load, load_touching};
+use oilwedge_reynolds::solve::Neighbour;
+use oilwedge_reynolds::{FilmProblem, FilmSolution, NoFilm};
+
+use crate::coordinates::{Vector, moved, unit};
+use crate::deflection::{Follower, Joint, Left, Moves, contact_points};
+use crate::search::{OF_CONTACT, Search, Trial};
+use crate::stiffness::Stiffness;
+
+/// Part of load and deflection that a film may leave from which on both are found together.
+pub(crate) const WITHIN: f64 = 1.0;
+/// Most films of one balance.
+const MOST_FILMS: usize = 40;
+/// Most lengths of a step, each half of the one before.
+const MOST_LENGTHS: i32 = 7;
+/// Finest accuracy of the linear system of a step,
+const FINEST: f64 = 1e-5;
+/// and the roughest one.
+const ROUGHEST: f64 = 1e-2;
+/// Least film after a step over that before.
+const LEAST_SHRINK: f64 = 0.3;
+/// Below this part a step that leaves more has reached round-off.
+const AT_ROUNDING: f64 = 1e-10;
+
+/// How the journal of a film, and a wall that gives way, move where their balances are to change.
+pub(crate) enum Tangents<'a> {
+    /// The wall is rigid.
+    Rigid(Stiffness),
+    /// It gives way.
+    Yielding(Box<Joint<'a>>),
+}
+
+impl Tangents<'_> {
+    /// The moves by which forces change by `force` [N], and the wall by `wall` [m] more than film and contact bend it, or by no more; for a system that is solved to an `accuracy`.
+    ///
+    /// # Errors
+    /// The linear systems could not be solved.
+    pub(crate) fn solve(&self, force: Vector, wall: Option<&[f64]>, accuracy: f64) -> Result<Moves, NoFilm> {
+        match self {
+            Self::Rigid(stiffness) => Ok(Moves {
+                place: stiffness.solve(force),
+                wall: Vec::new(),
+            }),
+            Self::Yielding(joint) => Ok(joint.solve(force, wall, accuracy).map_err(Failure::from)?),
+        }
+    }
+
+    /// How many products with the tangent that took.
+    fn products(&self) -> usize {
+        match self {
+            Self::Rigid(_) => 0,
+            Self::Yielding(joint) => joint.products(),
+        }
+    }
+}
+
+impl Search<'_> {
+    /// The film `at` these coordinates under the wall of a problem as it is, what it leaves of the balance of that wall included. Contact is integrated as finely as a balance to the `part` asks for.
+    pub(crate) fn open(&self, problem: &FilmProblem, at: Vector, near: Neighbour, part: f64) -> Result<Trial, NoFilm> {
+        let placed = self.placed(problem, at);
+        let problem = match part < OF_CONTACT {
+            true => placed,
+            false => placed.with_contact(Fineness::Tried),
+        };
+        let film = problem.solve_from(self.system, near)?;
+        let left = Left::of(&problem, self.system, &film, contact_points(&problem, self.system));
+        let carried = load_touching(&problem, self.system, &film, left.contact.as_deref());
+        let problem = counted(problem, (1, 0), left.residual);
+        let trial = self.recorded(Trial {
+            contact: left.contact.clone(),
+            may_leave: left.residual,
+            left: Some(left),
+            ..Trial::of(problem, film, carried.total.resultant())
+        });
+        Ok(match near {
+            Neighbour::None => Trial {
+                schemes_chosen_at: self.left(&trial),
+                ..trial
+            },
+            Neighbour::Start(_) | Neighbour::Kept(_) | Neighbour::Found(_) => trial,
+        })
+    }
+
+    /// As [`Self::open`], by the film in cubic elements, started from films of a neighbouring place.
+    pub(crate) fn open_cubic(
+        &self,
+        problem: &FilmProblem,
+        at: Vector,
+        (film, cubic): (&FilmSolution, Option<&FilmSolution>),
+    ) -> Result<Trial, NoFilm> {
+        let problem = self.placed(problem, at);
+        let film = problem.solve_from(self.system, Neighbour::Start(film))?;
+        let cubic = problem.cubic_film(self.system, &film, cubic)?;
+        let system = &self.system.cubic().system;
+        let left = Left::of(&problem, system, &cubic, contact_points(&problem, self.system));
+        let problem = counted(problem, (1, 0), left.residual);
+        let carried = load(&problem, system, &cubic).total.resultant();
+        Ok(self.recorded(Trial {
+            cubic: Some(cubic),
+            contact: left.contact.clone(),
+            may_leave: left.residual,
+            left: Some(left),
+            ..Trial::of(problem, film, carried)
+        }))
+    }
+
+    /// What a trial leaves of load and deflection, as parts of them, where the wall is bent and the balance is so near that both are found together.
+    pub(crate) fn opened(&self, problem: &FilmProblem, at: Vector, near: Neighbour) -> Option<Trial> {
+        let trial = problem.has_bent_wall().then(|| self.open(problem, at, near, 0.0).ok());
+        trial.flatten().filter(|trial| self.left(trial) < WITHIN)
+    }
+
+    /// What a trial leaves of load and deflection, as parts of them [1].
+    pub(crate) fn left(&self, trial: &Trial) -> f64 {
+        let wall = trial.left.as_ref().map_or(0.0, |left| left.residual);
+        self.residual(trial).hypot(wall)
+    }
+
+    /// What a trial leaves of the balance of its wall.
+    pub(crate) fn left_of_wall<'t>(&self, trial: &'t Trial) -> Cow<'t, Left> {
+        let of = || {
+            Left::of(
+                &trial.problem,
+                self.system,
+                &trial.film,
+                contact_points(&trial.problem, self.system),
+            )
+        };
+        trial.left.as_ref().map_or_else(|| Cow::Owned(of()), Cow::Borrowed)
+    }
+
+    /// How journal and wall of a trial move; see [`Tangents`].
+    ///
+    /// # Errors
+    /// The linear systems could not be solved.
+    pub(crate) fn tangents<'t>(&'t self, trial: &'t Trial, left: &Left) -> Result<Tangents<'t>, NoFilm> {
+        let (problem, journal) = (&trial.problem, &trial.problem.journal);
+        let (system, film) = match &trial.cubic {
+            Some(cubic) => (&self.system.cubic().system, cubic),
+            None => (self.system, &trial.film),
+        };
+        let follower = Follower::touching(problem, system, film, left.contact.clone());
+        let Some(follower) = follower.map_err(Failure::from)? else {
+            return Ok(Tangents::Rigid(self.tangent(trial)?.stiffness));
+        };
+        let support = self.support_stiffness();
+        let change = |k: usize| (self.coordinates).change(journal, &self.options.centre_velocity, unit(k));
+        let joint = Joint::of(follower, self.coordinates, change, [0.0, 0.0, support, support]);
+        Ok(Tangents::Yielding(Box::new(joint.map_err(Failure::from)?)))
+    }
+
+    /// Where a part of moves leads: the problem under the wall there, and the coordinates.
+    pub(crate) fn led_to(&self, trial: &Trial, moves: &Moves, part: f64) -> (FilmProblem, Vector) {
+        let (problem, at) = (trial.problem.clone(), self.coordinates.at(&trial.problem.journal));
+        match trial.problem.deflection() {
+            None => (problem, moved(at, part, moves.place)),
+            Some(wall) => {
+                let (at, bent) = moves.made(at, wall, part);
+                (problem.deflected(Some(&bent)), at)
+            }
+        }
+    }
+
+    /// The balance of force and wall near a trial, until force and load differ by less than `balanced` of the load, and less than the part `closed` of the deflection is left.
+    ///
+    /// # Errors
+    /// The trial itself, where the balance is not near.
+    pub(crate) fn with_wall(
+        &self,
+        from: Trial,
+        (balanced, closed): (f64, f64),
+        tried: &mut usize,
+    ) -> Result<Trial, Box<Trial>> {
+        let mut found: Option<Trial> = None;
+        for _ in 0..MOST_FILMS {
+            let here = found.as_ref().unwrap_or(&from);
+            let left = self.left_of_wall(here);
+            let (force, wall) = (self.residual(here), left.residual);
+            let is_within = |balanced: f64, closed: f64| force < balanced && wall < closed;
+            if is_within(balanced, closed) {
+                return Ok(found.unwrap_or(from));
+            }
+            if self.options.deadline.is_over() {
+                break;
+            }
+            match self.nearer(here, &left, tried) {
+                Ok(Some(next)) => found = Some(next),
+                _ if is_within(balanced.max(AT_ROUNDING), closed.max(AT_ROUNDING)) => return Ok(found.unwrap_or(from)),
+                _ => break,
+            }
+        }
+        Err(Box::new(from))
+    }
+
+    /// The film after the longest of the halved steps of Newton's method that leaves less, the gap kept open; none where no step does.
+    fn nearer(&self, trial: &Trial, left: &Left, tried: &mut usize) -> Result<Option<Trial>, NoFilm> {
+        let before = self.residual(trial).hypot(left.residual);
+        let accuracy = before.clamp(FINEST, ROUGHEST);
+        let wanted = self.excess(trial).map(|excess| -excess);
+        let tangents = self.tangents(trial, left)?;
+        let moves = tangents.solve(wanted, Some(&left.wall), accuracy)?;
+        let least = LEAST_SHRINK * self.least_film(trial);
+        let mut films = 0;
+        for part in (0..MOST_LENGTHS).map(|times| 0.5f64.powi(times)) {
+            let (bent, at) = self.led_to(trial, &moves, part);
+            let journal = self.coordinates.placed(&trial.problem.journal, at);
+            if self.least_under(&bent, &journal) < least {
+                continue;
+            }
+            *tried += 1;
+            let bent = counted(bent, (films, tangents.products()), f64::INFINITY);
+            let next = match &trial.cubic {
+                Some(cubic) => self.open_cubic(&bent, at, (&trial.film, Some(cubic))),
+                None => self.open(&bent, at, Neighbour::Kept(&trial.film), 0.0),
+            };
+            films += 1;
+            if let Ok(next) = next
+                && self.left(&next) < before
+            {
+                return Ok(Some(Trial {
+                    schemes_chosen_at: trial.schemes_chosen_at,
+                    is_continued: true,
+                    ..next
+                }));
+            }
+            if before < AT_ROUNDING {
+                break;
+            }
+        }
+        Ok(None)
+    }
+}
+
+/// A problem whose wall took so many films and products more, and leaves this part of its balance.
+fn counted(problem: FilmProblem, (films, products): (usize, usize), residual: f64) -> FilmProblem {
+    let before = problem.deflection().map(|deflection| deflection.closing);
+    match before {
+        None => problem,
+        Some(before) => problem.closed_by(Closing {
+            residual,
+            outer: before.outer + films,
+            inner: before.inner + products,
+        }),
+    }
+}
