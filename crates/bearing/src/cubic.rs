@@ -37,6 +37,7 @@ pub(crate) fn balance_cubic(found: Equilibrium, search: &Search) -> Result<Equil
         problem: trial.problem,
         film: trial.film,
         cubic: trial.cubic,
+        is_ended: false,
         steps,
         ..found
     })

@@ -270,7 +270,7 @@ impl Search<'_> {
     ) -> Result<(Trial, Option<Tangent>), NoEquilibrium> {
         let keeps_tangent = matches!(self.options.guess, InitialGuess::Near(_))
             && trial.problem.cavitation.depends_smoothly_on_position();
-        let last = *tried + MOST_STEPS;
+        let mut last = *tried + MOST_STEPS;
         let mut within = WITHIN;
         while *tried < last {
             let residual = self.residual(&trial);
@@ -286,11 +286,14 @@ impl Search<'_> {
             }
             if trial.problem.has_bent_wall() && self.left(&trial) < within {
                 within = OF_FAILED * self.left(&trial);
+                let before = *tried;
                 trial = match self.with_wall(trial, (self.options.balanced().max(enough), closed), tried) {
                     Ok(found) => return Ok((found, None)),
                     Err(from) if from.left.is_some() => self.closed_here(&from, tried)?,
                     Err(from) => *from,
                 };
+                // What has failed leaves as many positions to the search from place to place as it had.
+                last += *tried - before;
                 continue;
             }
             if is_balanced {
