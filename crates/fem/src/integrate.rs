@@ -3,7 +3,7 @@
 //! A [`Rule`] visits the points of one triangle in batches of at most [`MOST_POINTS`]; [`integrate`] sums over the triangles of a mesh;
 //! [`edge_points`] are the points of a straight or quadratic edge. Verified by `areas_and_moments_of_a_curved_mesh`.
 
-use std::ops::AddAssign;
+use std::ops::{AddAssign, Range};
 
 use oilwedge_mesh::Mesh;
 use rayon::prelude::*;
@@ -89,27 +89,36 @@ impl Rule {
         place.gradient(self.gradients[q][i])
     }
 
+    /// Number of its points.
+    pub(crate) fn points(&self) -> usize {
+        self.quadrature.points.len()
+    }
+
     /// Calls `visit` with every batch of points of triangle `t`.
     pub fn visit(&self, mesh: &Mesh, t: usize, mut visit: impl FnMut(&Points)) {
         let mapping = Mapping::of(mesh, t);
-        let Quadrature { points, weights, .. } = &self.quadrature;
-        for first in (0..points.len()).step_by(MOST_POINTS) {
-            let batch = first..(first + MOST_POINTS).min(points.len());
-            let (mut positions, mut places) = ([[0.0; 2]; MOST_POINTS], [Place::default(); MOST_POINTS]);
-            mapping.all_at(&points[batch.clone()], &mut places[..batch.len()]);
-            for (position, place) in positions.iter_mut().zip(&places) {
-                *position = place.position;
-            }
-            visit(&Points {
-                cell: t,
-                positions: &positions[..batch.len()],
-                places: &places[..batch.len()],
-                weights: &weights[batch.clone()],
-                values: &self.values[batch.clone()],
-                gradients: &self.gradients[batch],
-                shapes: self.shapes,
-            });
+        for first in (0..self.points()).step_by(MOST_POINTS) {
+            self.visit_batch(&mapping, t, first..(first + MOST_POINTS).min(self.points()), &mut visit);
         }
+    }
+
+    /// Calls `visit` with a batch of at most [`MOST_POINTS`] points of triangle `t`, which has this `mapping`.
+    pub(crate) fn visit_batch(&self, mapping: &Mapping, t: usize, batch: Range<usize>, mut visit: impl FnMut(&Points)) {
+        let Quadrature { points, weights, .. } = &self.quadrature;
+        let (mut positions, mut places) = ([[0.0; 2]; MOST_POINTS], [Place::default(); MOST_POINTS]);
+        mapping.all_at(&points[batch.clone()], &mut places[..batch.len()]);
+        for (position, place) in positions.iter_mut().zip(&places) {
+            *position = place.position;
+        }
+        visit(&Points {
+            cell: t,
+            positions: &positions[..batch.len()],
+            places: &places[..batch.len()],
+            weights: &weights[batch.clone()],
+            values: &self.values[batch.clone()],
+            gradients: &self.gradients[batch],
+            shapes: self.shapes,
+        });
     }
 
     /// The integral over triangle `t`, to which `add` adds the contributions of a batch of points.
@@ -162,7 +171,7 @@ impl Points<'_> {
 
 /// Value of a function of the first `count` shape functions.
 #[inline]
-fn value(shapes: &Nodal, count: usize, nodal: &Nodal) -> f64 {
+pub(crate) fn value(shapes: &Nodal, count: usize, nodal: &Nodal) -> f64 {
     match count {
         QUADRATIC => value_of::<QUADRATIC>(shapes, nodal),
         CUBIC => value_of::<CUBIC>(shapes, nodal),

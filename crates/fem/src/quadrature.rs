@@ -29,24 +29,16 @@ impl Quadrature {
         }
     }
 
-    /// The rule on `4^levels` congruent parts of the reference triangle.
+    /// The rule on `4^levels` congruent parts of the reference triangle, one after the other.
     pub fn quartered(&self, levels: usize) -> Self {
-        let mut fine = self.clone();
-        for _ in 0..levels {
-            let coarse = fine;
-            fine = Self {
-                degree: coarse.degree,
-                points: Vec::new(),
-                weights: Vec::new(),
-            };
-            for (&[xi, eta], weight) in coarse.points.iter().zip(&coarse.weights) {
-                let (a, b) = (0.5 * xi, 0.5 * eta);
-                fine.points
-                    .extend([[a, b], [a + 0.5, b], [a, b + 0.5], [0.5 - a, 0.5 - b]]);
-                fine.weights.extend([0.25 * weight; 4]);
-            }
+        let parts = 4usize.pow(levels as u32);
+        let share = 1.0 / parts as f64;
+        let weights: Vec<f64> = self.weights.iter().map(|weight| share * weight).collect();
+        Self {
+            degree: self.degree,
+            points: in_quarters(&self.points, levels),
+            weights: weights.repeat(parts),
         }
-        fine
     }
 
     /// The rule on the part of the reference triangle with these corners.
@@ -111,6 +103,22 @@ const DEGREE_8: [(f64, f64); 3] = [
     (0.03245849762319808, 0.05054722831703098),
 ];
 const DEGREE_8_SIX: (f64, f64, f64) = (0.027230314174434993, 0.008394777409957605, 0.2631128296346381);
+
+/// Points of the reference triangle in each of its `4^levels` congruent parts, one part after the other: those of part `k` of a level lie in the parts from `4 k` on of the next.
+pub(crate) fn in_quarters(points: &[[f64; 2]], levels: usize) -> Vec<[f64; 2]> {
+    let quarters: [fn([f64; 2]) -> [f64; 2]; 4] = [
+        |[a, b]| [a, b],
+        |[a, b]| [a + 0.5, b],
+        |[a, b]| [a, b + 0.5],
+        |[a, b]| [0.5 - a, 0.5 - b],
+    ];
+    (0..levels).fold(points.to_vec(), |points, _| {
+        let halved: Vec<[f64; 2]> = points.iter().map(|point| point.map(|x| 0.5 * x)).collect();
+        (quarters.iter())
+            .flat_map(|quarter| halved.iter().copied().map(quarter))
+            .collect()
+    })
+}
 
 /// Integral of a function over `[0, 1]`.
 pub fn integrate_interval(f: impl Fn(f64) -> f64) -> f64 {

@@ -4,6 +4,8 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use oilwedge_fem::complementarity::InitialGuess;
 use oilwedge_fem::factorization::LazyAnalysis;
+use oilwedge_fem::integrate::Nodal;
+use oilwedge_fem::kink_rule::Kink;
 use oilwedge_fem::linear_solver::MultigridSolver;
 use oilwedge_fem::newton::{self, HistoryStep, Seconds};
 use oilwedge_fem::ordering::elimination_order;
@@ -319,6 +321,14 @@ impl FilmProblem {
         match self.form {
             Form::Conservative => self.lubricant.pressure_law.reduced_pressure(p),
             Form::AsPrinted => p,
+        }
+    }
+
+    /// The kink of the effective pressure in a triangle where the unknown of one or several films has these values at the nodes.
+    pub(crate) fn kink<'a, const N: usize>(&self, functions: [&'a Nodal; N]) -> Kink<'a, N> {
+        Kink {
+            level: self.cavitation.kink().map(|p| self.unknown_at(p)),
+            functions,
         }
     }
 

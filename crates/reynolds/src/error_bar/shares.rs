@@ -5,15 +5,15 @@
 //! where j - K z is not. In the hierarchical basis each product belongs to a function, and is shared
 //! equally among the triangles that it lives on.
 
-use oilwedge_fem::integrate::{Nodal, Rule};
+use oilwedge_fem::integrate::Nodal;
 use oilwedge_fem::prolongation::Hierarchical;
-use oilwedge_fem::{Error, Field, Matrix};
+use oilwedge_fem::{Error, Field, KinkRule, Matrix};
 
 use super::following::{FollowingWall, GOALS};
 use super::{FilmError, FlowGoal, GoalError, drag, geometry};
 use crate::angles::sines_and_cosines;
 use crate::lubricant::PressureLaw;
-use crate::quantities::load::{Share, kinked_rule, possible_load};
+use crate::quantities::load::{Share, possible_load};
 use crate::supply::{BoundaryKind, SupplyRegion};
 use crate::{FilmPoint, FilmProblem, FilmSolution, FilmSystem, Form};
 
@@ -240,17 +240,13 @@ impl GoalVectors<'_> {
             ..
         } = *self;
         let (space, mesh) = (cubic.space(), cubic.space().mesh());
-        let (plain, fine) = (Rule::for_degree(space.degree()), kinked_rule(space.degree()));
-        let kink = problem.cavitation.kink().map(|p| problem.unknown_at(p));
+        let rule = KinkRule::for_degree(space.degree());
         let mut goals = [(); N].map(|()| vec![0.0; space.dofs()]);
         for t in 0..mesh.triangles().len() {
             let dofs = &space.element_dofs(t)[..space.shapes()];
             let [p3, p2] = [self.better, self.raised].map(|values| Field { space, values }.element_values(t));
-            let mut values = p3[..dofs.len()].iter().chain(&p2[..dofs.len()]);
-            let kinked = kink.is_some_and(|kink| values.clone().any(|&u| u < kink) && values.any(|&u| u > kink));
-            let rule = if kinked { &fine } else { &plain };
             let mut element = [Nodal::default(); N];
-            rule.visit(mesh, t, |points| {
+            rule.visit(mesh, t, problem.kink([&p3, &p2]), |points| {
                 let [sines, cosines] = sines_and_cosines(points.positions, problem.bearing.radius);
                 for q in 0..points.positions.len() {
                     let area = points.area(q) * secant(problem, points.value(q, &p3), points.value(q, &p2));

@@ -19,8 +19,8 @@
 
 use std::f64::consts::TAU;
 
-use oilwedge_fem::integrate::{Rule, edge_points};
-use oilwedge_fem::{Field, Quadrature, integrate};
+use oilwedge_fem::integrate::edge_points;
+use oilwedge_fem::{Field, KinkRule, integrate};
 use oilwedge_mesh::Mesh;
 
 use super::contact;
@@ -30,9 +30,6 @@ pub use super::share::{Resultant, Share};
 use crate::angles::sines_and_cosines;
 use crate::supply::{self, Disc, SupplyRegion};
 use crate::{FilmChange, FilmProblem, FilmSolution, FilmSystem};
-
-/// Cells through which a kink of the effective pressure runs are quartered this many times.
-const KINK_QUARTERINGS: usize = 4;
 
 /// Load of a film and its shares.
 #[derive(Debug, Clone, PartialEq)]
@@ -175,18 +172,19 @@ fn integrated<const N: usize>(
     density: impl Fn([f64; N]) -> f64 + Sync,
 ) -> Integral {
     let (space, mesh) = (system.space(), system.space().mesh());
-    let rules = Rules::of(problem, space.degree());
+    let rule = KinkRule::for_degree(space.degree());
     let fields = fields.map(|values| Field { space, values });
     integrate(mesh, |t| {
         let nodal = fields.map(|field| field.element_values(t));
-        rules.at(&nodal[0][..space.shapes()]).integrate(mesh, t, |points, sum| {
+        let mut sum = Integral::default();
+        rule.visit(mesh, t, problem.kink([&nodal[0]]), |points| {
             let [sines, cosines] = sines_and_cosines(points.positions, problem.bearing.radius);
             for q in 0..points.positions.len() {
                 let area = points.area(q);
                 let thrust = area * density(nodal.each_ref().map(|nodal| points.value(q, nodal)));
                 let force = [thrust * cosines[q], thrust * sines[q]];
                 let arm = points.positions[q][1];
-                *sum += Integral {
+                sum += Integral {
                     force,
                     moment: force.map(|part| arm * part),
                     thrust,
@@ -194,38 +192,9 @@ fn integrated<const N: usize>(
                     area,
                 };
             }
-        })
+        });
+        sum
     })
-}
-
-/// Rules for triangles by the unknown at their nodes.
-pub(crate) struct Rules {
-    smooth: Rule,
-    /// The unknown at which the effective pressure has a kink, and the rule for triangles through which that runs.
-    kinked: Option<(f64, Rule)>,
-}
-
-impl Rules {
-    pub(crate) fn of(problem: &FilmProblem, degree: usize) -> Self {
-        let kink = problem.cavitation.kink().map(|p| problem.unknown_at(p));
-        Self {
-            smooth: Rule::for_degree(degree),
-            kinked: kink.map(|kink| (kink, kinked_rule(degree))),
-        }
-    }
-
-    pub(crate) fn at(&self, unknown: &[f64]) -> &Rule {
-        let runs_through = |kink: f64| unknown.iter().any(|&u| u < kink) && unknown.iter().any(|&u| u > kink);
-        match &self.kinked {
-            Some((kink, rule)) if runs_through(*kink) => rule,
-            _ => &self.smooth,
-        }
-    }
-}
-
-/// The rule for triangles through which a kink of the effective pressure runs.
-pub(crate) fn kinked_rule(degree: usize) -> Rule {
-    Rule::new(Quadrature::for_degree(degree).quartered(KINK_QUARTERINGS), degree)
 }
 
 /// Integrals of `cos phi`, `sin phi` and one over a region [m2], and of `z cos phi` and `z sin phi` [m3].

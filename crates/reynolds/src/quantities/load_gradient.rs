@@ -15,10 +15,10 @@
 use std::ops::AddAssign;
 
 use oilwedge_fem::lagrange::MOST_SHAPES;
-use oilwedge_fem::{Field, integrate};
+use oilwedge_fem::{Field, KinkRule, integrate};
 
 use super::contact_points::ContactPoints;
-use super::load::{Resultant, Rules};
+use super::load::Resultant;
 use crate::angles::sines_and_cosines;
 use crate::{FilmProblem, FilmSolution, FilmSystem};
 
@@ -81,7 +81,7 @@ impl LoadGradient {
 
 fn by_unknown(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -> Vec<Parts> {
     let (space, mesh) = (system.space(), system.space().mesh());
-    let rules = Rules::of(problem, space.degree());
+    let rule = KinkRule::for_degree(space.degree());
     let unknown = Field {
         space,
         values: &film.unknown,
@@ -89,7 +89,7 @@ fn by_unknown(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution) -
     let by_nodes = integrate(mesh, |t| {
         let nodal = unknown.element_values(t);
         let mut parts = [Parts::default(); MOST_SHAPES];
-        rules.at(&nodal[..space.shapes()]).visit(mesh, t, |points| {
+        rule.visit(mesh, t, problem.kink([&nodal]), |points| {
             let [sines, cosines] = sines_and_cosines(points.positions, problem.bearing.radius);
             for q in 0..points.positions.len() {
                 let thrust = points.area(q) * problem.pressure_slope_at(points.value(q, &nodal));
