@@ -1,6 +1,6 @@
 //! The one element loop: residual `R_i = Int (s phi_i - F . grad phi_i)` and its tangent.
 //!
-//! Triangles belong to their least vertex. Vertices are cut in a fixed number of ranges; a range
+//! Triangles belong to their least vertex. Vertices are cut in ranges, whose number is that of the mesh; a range
 //! owns a contiguous block of rows, writes there directly, and lists what it owes to later blocks.
 //! The lists are added in order, so any number of threads gives the same bits.
 
@@ -15,8 +15,10 @@ use crate::lagrange::MOST_SHAPES;
 use crate::sparsity::{Addresses, Sparsity};
 use crate::{Matrix, Pattern, Space};
 
-/// Blocks of rows that are assembled independently.
-const RANGES: usize = 32;
+/// Most blocks of rows that are assembled independently,
+const MOST_RANGES: usize = 32;
+/// and least triangles of one: fewer take less time than it takes to share them out.
+const LEAST_TRIANGLES: usize = 256;
 
 /// Assembles laws on one space.
 #[derive(Debug)]
@@ -167,9 +169,10 @@ impl Assembler {
 fn vertex_ranges(space: &Space, sparsity: &Sparsity) -> Vec<VertexRange> {
     let vertices = space.mesh().points().len();
     let triangle_start = &space.mesh().topology().triangle_start;
-    (0..RANGES)
+    let ranges = (space.mesh().triangles().len() / LEAST_TRIANGLES).clamp(1, MOST_RANGES);
+    (0..ranges)
         .map(|k| {
-            let (from, to) = (k * vertices / RANGES, (k + 1) * vertices / RANGES);
+            let (from, to) = (k * vertices / ranges, (k + 1) * vertices / ranges);
             let rows = space.vertex_dof(from as u32)..space.vertex_dof(to as u32);
             VertexRange {
                 triangles: triangle_start[from] as usize..triangle_start[to] as usize,
@@ -320,7 +323,7 @@ pub(crate) mod tests {
 
     #[test]
     fn threads_do_not_change_a_bit() {
-        let assembler = Assembler::new(Space::new(wavy_ring(40, 12), 2));
+        let assembler = Assembler::new(Space::new(wavy_ring(80, 24), 2));
         let u = assembler.space().interpolate(|x| (0.7 * x[0]).sin());
         let on = |threads: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();

@@ -19,6 +19,8 @@ use crate::{Constraints, Error, Linearisation, Matrix};
 
 /// Most steps of one solve.
 const MOST_STEPS: usize = 400;
+/// Least dofs that one task looks at.
+const DOFS_A_TASK: usize = 16_384;
 
 /// A lower bound of the solution, and where it applies.
 #[derive(Debug, Clone, PartialEq)]
@@ -167,6 +169,7 @@ impl<'a> Iteration<'a> {
         let least_reaction = equation.solver.enough(self.first);
         (0..self.u.len())
             .into_par_iter()
+            .with_min_len(DOFS_A_TASK)
             .filter(|&i| obstacle.candidates[i] && !equation.constraints.fixed[i])
             .filter(|&i| match self.held[i] {
                 true => {

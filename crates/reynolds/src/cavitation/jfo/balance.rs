@@ -6,6 +6,9 @@ use rayon::prelude::*;
 use super::Film;
 use super::blocks::Square;
 
+/// Least nodes whose balances are one task.
+const NODES_A_TASK: usize = 4096;
+
 /// `K p + B theta + constant`: outflow of every cell.
 pub(super) struct Balance {
     /// K.
@@ -39,7 +42,8 @@ impl Balance {
             let driven = |k: usize| self.pressure.values[k] * (p[pattern.columns[k] as usize] - p[i]);
             pattern.row(i).map(driven).sum::<f64>() + carried + self.constant[i]
         };
-        carried.par_iter().enumerate().map(balance).collect()
+        let rows = carried.par_iter().with_min_len(NODES_A_TASK);
+        rows.enumerate().map(balance).collect()
     }
 
     /// Its change with the unknown of each node: the film fraction in the cavity, the pressure elsewhere. Into `spare`
