@@ -25,7 +25,7 @@ use crate::levels::Coarser;
 use crate::lubricant::Lubricant;
 use crate::supply::{Supply, SupplyError, SupplyRegion};
 use crate::terms::Term;
-use crate::wall::{Grid, Pressing};
+use crate::wall::{GapTangent, Grid, Pressing};
 use crate::{Bearing, Cavitation, FilmPoint, JournalState, Storage, Theory};
 
 /// Unknowns from which on systems are solved by multigrid: half the memory and both cores from there on, time that grows with the
@@ -240,6 +240,8 @@ pub struct FilmSolution {
     pub film_fraction: Option<FilmFraction>,
     /// The factorised tangent.
     pub linearisation: Arc<Linearisation>,
+    /// How its residual changes with a wall that gives way, once that was asked for.
+    pub(crate) gap_tangent: OnceLock<Arc<GapTangent>>,
     /// One entry a linear solve on the way.
     pub history: Vec<HistoryStep>,
     /// Where the time went.
@@ -297,6 +299,7 @@ impl FilmSolution {
             inflow: solution.reactions,
             film_fraction: None,
             linearisation: Arc::new(solution.linearisation),
+            gap_tangent: OnceLock::new(),
             history: solution.history,
             seconds: solution.seconds,
             levels: 0,

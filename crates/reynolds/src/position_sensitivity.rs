@@ -1,5 +1,7 @@
 //! How a solved film changes, to first order, where the journal moves: with the factors that are there.
 
+use std::sync::OnceLock;
+
 use oilwedge_fem::Error;
 use oilwedge_fem::newton::Failure;
 
@@ -51,6 +53,7 @@ impl FilmProblem {
             cavity: film.cavity.clone(),
             film_fraction: None,
             linearisation: film.linearisation.clone(),
+            gap_tangent: OnceLock::new(),
             history: Vec::new(),
             seconds: film.seconds,
             levels: 0,

@@ -90,7 +90,7 @@ fn the_matrix_of_the_gap_is_the_change_of_the_law() {
         for deflection in [bent.clone(), bent.in_stage(stage)] {
             let number = deflection.coefficients.len();
             let shape: Vec<f64> = (0..number).map(|k| 1e-3 * CLEARANCE * (0.7 * k as f64).sin()).collect();
-            let matrix = GapTangent::of(&problem, &system, &film, &deflection).expect("a matrix");
+            let matrix = GapTangent::kept(&problem, &system, &film, &deflection).expect("a matrix");
             let by_matrix = problem
                 .answer(&film, &matrix.times(&system, &shape), 0.0)
                 .expect("an answer");

@@ -30,7 +30,7 @@ pub(crate) struct Follower<'a> {
     pub(super) film: &'a FilmSolution,
     pub(super) deflection: &'a Deflection,
     /// How the film answers to the wall.
-    pub(super) gap: GapTangent,
+    pub(super) gap: Arc<GapTangent>,
     /// None where no contact is simulated.
     contact: Option<Touch>,
     /// What systems solved have shown of `I - C dp/dd`.
@@ -101,7 +101,7 @@ impl<'a> Follower<'a> {
                 system,
                 film,
                 deflection,
-                gap: GapTangent::of(problem, system, film, deflection)?,
+                gap: GapTangent::kept(problem, system, film, deflection)?,
                 contact: contact.map(touch),
                 known: RefCell::default(),
             })

@@ -29,8 +29,8 @@ pub struct GapTangent {
     on_boundary_by_place: Vec<(usize, [f64; COORDINATES])>,
     /// How many splines there are.
     splines: usize,
-    /// Whether a wall in a stage moves with its deflection: what a place of the journal changes is not known then.
-    is_in_stage: bool,
+    /// By what the rate of a wall in a stage grows with its deflection [1/s]; zero in no stage. In one it is not known what a place of the journal changes.
+    per_time: f64,
 }
 
 /// Columns of splines, and of coordinates.
@@ -148,6 +148,28 @@ impl GapTangent {
         }
     }
 
+    /// As [`Self::of`], found once for each film.
+    ///
+    /// # Errors
+    /// A system that does not fit in memory.
+    pub fn kept(
+        problem: &FilmProblem,
+        system: &FilmSystem,
+        film: &FilmSolution,
+        deflection: &Deflection,
+    ) -> Result<Arc<Self>, Error> {
+        let kept = film.gap_tangent.get();
+        if let Some(kept) = kept.filter(|kept| kept.per_time == deflection.per_time()) {
+            return Ok(kept.clone());
+        }
+        let found = Arc::new(Self::of(problem, system, film, deflection)?);
+        // Another stage than that for which one is kept has its own.
+        Ok(match kept {
+            Some(_) => found,
+            None => film.gap_tangent.get_or_init(|| found).clone(),
+        })
+    }
+
     /// Change of the residual at each dof of the space with a deflection of these coefficients [m].
     pub fn times(&self, system: &FilmSystem, coefficients: &[f64]) -> Vec<f64> {
         let mut change = self.columns.of_splines.times(system.space(), coefficients);
@@ -168,7 +190,7 @@ impl GapTangent {
 
     /// First-order change of the residual at each dof, in its unit, with a `change` of the journal [m, rad], the wall held; none where the journal changes its velocity, or the wall is in a stage.
     pub fn by_journal(&self, system: &FilmSystem, change: &JournalChange) -> Option<Vec<f64>> {
-        let place = change.of_place().filter(|_| !self.is_in_stage)?;
+        let place = change.of_place().filter(|_| self.per_time == 0.0)?;
         let mut residual = self.columns.of_place.times(system.space(), &place);
         for (dof, entries) in &self.on_boundary_by_place {
             residual[*dof] += entries.iter().zip(place).map(|(entry, part)| entry * part).sum::<f64>();
@@ -204,7 +226,7 @@ impl GapTangent {
             on_boundary,
             on_boundary_by_place,
             splines: grid.number(),
-            is_in_stage: unit.0.rate != 0.0,
+            per_time: unit.0.rate,
         })
     }
 
@@ -241,7 +263,7 @@ impl GapTangent {
             on_boundary: Vec::new(),
             on_boundary_by_place: Vec::new(),
             splines: grid.number(),
-            is_in_stage: unit.0.rate != 0.0,
+            per_time: unit.0.rate,
         }
     }
 }

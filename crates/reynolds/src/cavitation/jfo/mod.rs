@@ -141,6 +141,7 @@ pub(crate) fn solve(
             schemes: found.schemes,
         }),
         linearisation: std::sync::Arc::new(found.linearisation),
+        gap_tangent: std::sync::OnceLock::new(),
         history: found.history,
         seconds: found.seconds,
         levels: 0,
