@@ -241,7 +241,7 @@ pub struct FilmSolution {
     /// The factorised tangent.
     pub linearisation: Arc<Linearisation>,
     /// How its residual changes with a wall that gives way, once that was asked for.
-    pub(crate) gap_tangent: OnceLock<Arc<GapTangent>>,
+    pub gap_tangent: OnceLock<Arc<GapTangent>>,
     /// One entry a linear solve on the way.
     pub history: Vec<HistoryStep>,
     /// Where the time went.

@@ -1,5 +1,7 @@
 //! The shares of the triangles are all of the difference: nothing is lost where it is told where the error comes from.
 
+use std::sync::OnceLock;
+
 use oilwedge_reynolds::error_bar::FlowGoal;
 use oilwedge_reynolds::quantities::load::load;
 use oilwedge_reynolds::quantities::power::power;
@@ -17,6 +19,7 @@ fn raised(judged: &Judged) -> FilmSolution {
         cavity: vec![false; judged.cubic.unknown.len()],
         film_fraction: None,
         linearisation: film.linearisation.clone(),
+        gap_tangent: OnceLock::new(),
         history: Vec::new(),
         seconds: film.seconds,
         levels: 0,
