@@ -147,8 +147,8 @@ mod tests {
                     points += batch.positions.len();
                 });
                 let left = 1.0 - level;
-                assert!((raised - left.powi(3) / 6.0).abs() < 1e-4, "{degree} {level}: {raised}");
-                assert!((step - left.powi(2) / 2.0).abs() < 1e-2, "{degree} {level}: {step}");
+                assert!((raised - left.powi(3) / 6.0).abs() < 2e-5, "{degree} {level}: {raised}");
+                assert!((step - left.powi(2) / 2.0).abs() < 5e-3, "{degree} {level}: {step}");
                 assert!((area - 0.5).abs() < 1e-14, "{area}");
                 assert!(points < 16 * 110, "{points}");
             }

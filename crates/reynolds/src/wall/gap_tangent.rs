@@ -148,7 +148,7 @@ impl GapTangent {
         }
     }
 
-    /// As [`Self::of`], found once for each film.
+    /// As [`Self::of`], found once for each film: problem and system are those that it was solved for.
     ///
     /// # Errors
     /// A system that does not fit in memory.
