@@ -24,13 +24,15 @@ const SPARE: f64 = 0.3;
 /// The tangents of the films in quadratic and cubic elements differ by about this part.
 const APART: f64 = 1e-3;
 /// Where more than this part is left a mass-conserving film has its advection schemes chosen anew at the first step: at each one they would make what is left jump, and take long.
-const NEAR: f64 = 1e-2;
+const NEAR: f64 = 0.1;
 /// A balance of the cubic film that falls by less than this factor with the tangent of the quadratic one takes its own from then on, whose products take long,
 const SLOW: f64 = 0.1;
 /// and one by less than this is at round-off.
 const STALLED: f64 = 0.5;
-/// Where more than this part may be left a mass-conserving film has its advection schemes chosen once.
+/// Where more than this part may be left a mass-conserving film has its advection schemes chosen once;
 const CHOSEN_ONCE: f64 = 1e-9;
+/// else they are chosen again where less than this part is left.
+const SETTLED: f64 = 1e-6;
 /// Most lengths of a step, each half of the one before.
 const MOST_LENGTHS: i32 = 4;
 /// Least gap after a step, over that before.
@@ -174,16 +176,15 @@ fn closed(
     counts: &mut Closing,
 ) -> Result<Closed, NoFilm> {
     let film = solved(&problem, system, near, counts)?;
-    let mut found = iterated(judged(problem, film, system), (system, enough), counts)?;
-    let is_final = enough < CHOSEN_ONCE && !matches!(near, Neighbour::Kept(_));
-    if found.film.film_fraction.is_some() && is_final {
+    let is_final = film.film_fraction.is_some() && enough < CHOSEN_ONCE && !matches!(near, Neighbour::Kept(_));
+    let first = if is_final { SETTLED } else { enough };
+    let mut found = iterated(judged(problem, film, system), (system, first), counts)?;
+    if is_final {
         let film = solved(&found.problem, system, Neighbour::Start(&found.film), counts)?;
         found = iterated(judged(found.problem, film, system), (system, enough), counts)?;
     }
-    let closing = Closing {
-        residual: found.left.residual,
-        ..*counts
-    };
+    let residual = found.left.residual;
+    let closing = Closing { residual, ..*counts };
     Ok((found.problem.closed_by(closing), found.film, found.left.contact))
 }
 
