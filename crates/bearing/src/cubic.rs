@@ -29,11 +29,13 @@ pub(crate) fn balance_cubic(found: Equilibrium, search: &Search) -> Result<Equil
         return place_by_place(found, search);
     };
     let residual = search.residual(&trial);
+    let tangent = search.tangent(&trial)?;
     Ok(Equilibrium {
         residual,
         unbalanced: residual * search.scale,
         parts: search.parts(&trial),
-        stiffness: search.tangent(&trial)?.stiffness,
+        stiffness: tangent.stiffness,
+        wall: tangent.wall,
         problem: trial.problem,
         film: trial.film,
         cubic: trial.cubic,
@@ -104,6 +106,7 @@ fn place_by_place(found: Equilibrium, search: &Search) -> Result<Equilibrium, No
         coordinates: search.coordinates,
         is_ended,
         stiffness: tangent.stiffness,
+        wall: tangent.wall,
         problem: trial.problem,
         film: trial.film,
         cubic: trial.cubic,

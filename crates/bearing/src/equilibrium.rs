@@ -22,7 +22,7 @@
 
 use oilwedge_reynolds::{FilmProblem, FilmSolution};
 
-use crate::{Coordinates, Stiffness};
+use crate::{Coordinates, Stiffness, WallByPlace};
 
 /// The balance has been found when force and load differ by this part of the load.
 pub(crate) const BALANCED: f64 = 1e-12;
@@ -55,4 +55,6 @@ pub struct Equilibrium {
     /// `dW/de` [N/m] in these coordinates, row: force; of a search from nearby and of a cubic balance as corrected by its steps: the error is of the
     /// order of the square root of the residual that they gained.
     pub stiffness: Stiffness,
+    /// How the wall follows in that tangent.
+    pub wall: WallByPlace,
 }

@@ -245,13 +245,15 @@ impl Search<'_> {
         }
         let residual = self.residual(&trial);
         let is_balanced = at_rest && residual < self.options.balanced().max(BALANCED_ENOUGH);
+        let tangent = tangent.map_or_else(|| self.tangent(&trial), Ok)?;
         Ok(Equilibrium {
             is_ended: !is_balanced && deadline.is_over(),
             residual,
             unbalanced: residual * self.scale,
             parts: self.parts(&trial),
             coordinates: self.coordinates,
-            stiffness: tangent.map_or_else(|| self.tangent(&trial), Ok)?.stiffness,
+            stiffness: tangent.stiffness,
+            wall: tangent.wall,
             problem: trial.problem,
             film: trial.film,
             cubic: trial.cubic,

@@ -11,7 +11,7 @@ use crate::coordinates::{Vector, length, moved};
 use crate::equilibrium::Equilibrium;
 use crate::search::{Search, Trial};
 use crate::search_options::SearchOptions;
-use crate::{Load, Stiffness};
+use crate::{Load, Stiffness, WallByPlace};
 
 /// The balance has been found when force and load differ by this part of the load.
 const BALANCED: f64 = 1e-10;
@@ -48,6 +48,8 @@ pub fn balance_hill(
                 coordinates: search.coordinates,
                 is_ended: false,
                 stiffness: tangent,
+                // Films in walls that give way have no hill.
+                wall: WallByPlace::default(),
                 problem: trial.problem,
                 film: trial.film,
                 cubic: None,

@@ -63,4 +63,5 @@ pub use prediction::{Point, Predicted, Visited, predicted};
 pub use search_options::{Carrier, InitialGuess, Purpose, SearchOptions};
 pub use step::SHORT_MOVE;
 pub use stiffness::Stiffness;
+pub use tangent::WallByPlace;
 pub use thermal_balance::{Balanced, Housing, NoBalance, ThermalBalance, ThermalFlows};

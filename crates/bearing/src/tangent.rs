@@ -16,13 +16,28 @@ use crate::stiffness::Stiffness;
 /// Accuracy to which a wall that gives way follows in the tangent of a search: each step leaves about this part of the difference.
 const FOLLOWED: f64 = 1e-4;
 
+/// How the coefficients of a deflection change with each coordinate of the journal [1]; nothing of a rigid wall.
+#[derive(Debug, Clone, Default)]
+pub struct WallByPlace(Arc<[Vec<f64>]>);
+
+impl WallByPlace {
+    /// Change of the coefficients [m] by a step [m] of the coordinates; none of a rigid wall.
+    pub fn times(&self, step: Vector) -> Vec<f64> {
+        let mut change = vec![0.0; self.0.first().map_or(0, Vec::len)];
+        for (by_coordinate, part) in self.0.iter().zip(step) {
+            (change.iter_mut().zip(by_coordinate)).for_each(|(sum, by)| *sum += part * by);
+        }
+        change
+    }
+}
+
 /// How the forces and the wall change with each coordinate.
 #[derive(Debug, Clone)]
 pub(crate) struct Tangent {
     /// `dW/de` [N/m].
     pub(crate) stiffness: Stiffness,
-    /// Change of the coefficients of the deflection with each coordinate [1]; none of a rigid wall.
-    wall: Arc<[Vec<f64>]>,
+    /// How the wall follows.
+    pub(crate) wall: WallByPlace,
 }
 
 impl Tangent {
@@ -31,11 +46,8 @@ impl Tangent {
         let Some(deflection) = problem.deflection() else {
             return problem.clone();
         };
-        let mut coefficients = deflection.coefficients.to_vec();
-        for (change, part) in self.wall.iter().zip(step) {
-            (coefficients.iter_mut().zip(change)).for_each(|(sum, change)| *sum += part * change);
-        }
-        problem.clone().deflected(Some(&deflection.with(coefficients)))
+        let bent = deflection.with_more(&self.wall.times(step));
+        problem.clone().deflected(Some(&bent))
     }
 
     /// This one with other changes of the forces.
@@ -65,8 +77,11 @@ impl Search<'_> {
             }
             Ok::<_, NoFilm>(column)
         })?;
-        let wall = followed.into_iter().map(|change| change.deflection).collect();
-        Ok(Tangent { stiffness, wall })
+        let wall = followed.into_iter().map(|change| change.deflection);
+        Ok(Tangent {
+            stiffness,
+            wall: WallByPlace(wall.collect()),
+        })
     }
 
     /// The tangent `dW/de` corrected by the change of the forces from one trial to the next.

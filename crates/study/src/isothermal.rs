@@ -3,7 +3,9 @@
 use std::time::Instant;
 
 use oilwedge_bearing::deflection::{CLOSED, Pair, closed_film, closed_pair, following_wall};
-use oilwedge_bearing::{Carrier, Equilibrium, InitialGuess, Load, SearchObserver, SearchOptions, balance_hill, find};
+use oilwedge_bearing::{
+    Carrier, Equilibrium, InitialGuess, Load, SearchObserver, SearchOptions, WallByPlace, balance_hill, find,
+};
 use oilwedge_reynolds::error_bar::sharp;
 use oilwedge_reynolds::sharp::{HillStart, SharpFilm};
 use oilwedge_reynolds::solve::Neighbour;
@@ -88,6 +90,7 @@ fn under_load(film: &Film, load: Load, options: &SolveOptions) -> Result<Solved,
     };
     let solved = Solved {
         balance: Some(by_film),
+        wall: found.wall,
         ..solved
     };
     Ok(balanced_by_hill(solved, load, &search, clock))
@@ -180,6 +183,7 @@ fn with_reference(film: Film, solution: FilmSolution, errors: Errors) -> Result<
         solution,
         reference,
         balance: None,
+        wall: WallByPlace::default(),
         temperature: None,
         reference_seconds: clock.elapsed().as_secs_f64(),
     })

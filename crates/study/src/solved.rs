@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::collections::HashMap;
 
-use oilwedge_bearing::{Balanced, Coordinates, Deadline, InitialGuess, Stiffness};
+use oilwedge_bearing::{Balanced, Coordinates, Deadline, InitialGuess, Stiffness, WallByPlace};
 use oilwedge_reynolds::{FilmSolution, ReferenceFilm};
 
 use crate::film::Film;
@@ -45,6 +45,8 @@ pub struct Solved {
     pub reference: Option<ReferenceFilm>,
     /// How the load is balanced, where the position was sought.
     pub balance: Option<Balance>,
+    /// How the wall follows where the journal moves along the coordinates of the balance.
+    pub wall: WallByPlace,
     /// How the temperature was found, where it was sought.
     pub temperature: Option<TemperatureFound>,
     /// Seconds that the reference film took at the position of the film.

@@ -113,16 +113,51 @@ pub fn displaced(
     film: &FilmSolution,
     change: &JournalChange,
 ) -> Result<(FilmProblem, FilmSolution), NoFilm> {
-    let Some(follower) = Follower::of(problem, system, film).map_err(Failure::from)? else {
+    let wall = match Follower::of(problem, system, film).map_err(Failure::from)? {
+        None => Vec::new(),
+        Some(follower) => {
+            let followed = follower.free(change).and_then(|free| follower.followed(free, FOR_BARS));
+            followed.map_err(Failure::from)?.deflection
+        }
+    };
+    displaced_with_wall(problem, system, film, change, &wall)
+}
+
+/// As [`displaced`], where it is known by which coefficients [m] the wall follows; none of a rigid one.
+///
+/// # Errors
+/// [`NoFilm`]: the reason why there is none.
+pub fn displaced_with_wall(
+    problem: &FilmProblem,
+    system: &FilmSystem,
+    film: &FilmSolution,
+    change: &JournalChange,
+    wall: &[f64],
+) -> Result<(FilmProblem, FilmSolution), NoFilm> {
+    let Some(deflection) = problem.deflection() else {
         return problem.displaced(system, film, change);
     };
-    let followed = follower.free(change).and_then(|free| follower.followed(free, FOR_BARS));
-    let followed = followed.map_err(Failure::from)?;
     let moved = FilmProblem {
         journal: problem.journal.changed(change),
         ..problem.clone()
-    };
-    follower.moved(moved, FilmChange::from(change), &followed)
+    }
+    .deflected(Some(&deflection.with_more(wall)));
+    if film.film_fraction.is_some() {
+        let film = moved.solve_from(system, Neighbour::Kept(film))?;
+        return Ok((moved, film));
+    }
+    let shape = deflection.change(wall.to_vec());
+    let changes = [FilmChange::from(change), FilmChange::Gap(&shape)];
+    let mut unknown = vec![0.0; film.unknown.len()];
+    for change in changes {
+        let more = problem.unknown_change(system, film, change).map_err(Failure::from)?;
+        unknown
+            .iter_mut()
+            .zip(more)
+            .for_each(|(unknown, more)| *unknown += more);
+    }
+    let film = problem.along_tangent(system, film, &changes, &unknown);
+    Ok((moved, film))
 }
 
 /// The film where the wall alone would move by coefficients `free` [m] under the pressure that is there, and both have answered, to first order; none where the wall
@@ -140,8 +175,7 @@ pub fn bent(
         return Ok(None);
     };
     let followed = follower.of_wall(free, FOR_BARS).map_err(Failure::from)?;
-    let at_rest = FilmChange::from(&JournalChange::default());
-    follower.moved(problem.clone(), at_rest, &followed).map(Some)
+    follower.moved(&followed).map(Some)
 }
 
 /// The deflection where the wall moves by coefficients `free` [m] and contact has answered, the pressure of the film held; none where the wall is rigid.
@@ -155,24 +189,20 @@ pub fn touched(
     free: &[f64],
 ) -> Result<Option<Deflection>, Error> {
     let follower = Follower::of(problem, system, film)?;
-    Ok(follower.map(|follower| follower.added(&follower.solve_contact(free))))
+    Ok(follower.map(|follower| follower.deflection.with_more(&follower.solve_contact(free))))
 }
 
 impl Follower<'_> {
-    /// The film of `moved`, whose journal has changed, under the wall that has followed.
-    fn moved(
-        &self,
-        moved: FilmProblem,
-        change: FilmChange<'_>,
-        followed: &tangent::Followed,
-    ) -> Result<(FilmProblem, FilmSolution), NoFilm> {
+    /// The film under the wall that has followed.
+    fn moved(&self, followed: &tangent::Followed) -> Result<(FilmProblem, FilmSolution), NoFilm> {
         let shape = self.shape(&followed.deflection);
-        let moved = moved.deflected(Some(&self.added(&followed.deflection)));
+        let bent = self.deflection.with_more(&followed.deflection);
+        let moved = self.problem.clone().deflected(Some(&bent));
         if self.film.film_fraction.is_some() {
             let film = moved.solve_from(self.system, Neighbour::Kept(self.film))?;
             return Ok((moved, film));
         }
-        let changes = [change, FilmChange::Gap(&shape)];
+        let changes = [FilmChange::Gap(&shape)];
         let film = (self.problem).along_tangent(self.system, self.film, &changes, &followed.unknown);
         Ok((moved, film))
     }

@@ -88,7 +88,7 @@ pub fn hastened(
     };
     let slow = follower.slow(motion, FOLLOWED).map_err(Failure::from)?;
     let of_rate = follower.shape(&slow.by_rate.deflection);
-    let bent = (follower.added(&slow.by_rate.deflection)).faster(&slow.of_wall.coefficients);
+    let bent = (follower.deflection.with_more(&slow.by_rate.deflection)).faster(&slow.of_wall.coefficients);
     let hastened = FilmProblem {
         journal: problem.journal.changed(&slow.rate),
         ..problem.clone()

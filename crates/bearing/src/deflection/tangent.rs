@@ -119,12 +119,6 @@ impl<'a> Follower<'a> {
         self.deflection.change(coefficients.to_vec())
     }
 
-    /// The deflection with more of it.
-    pub(super) fn added(&self, more: &[f64]) -> Deflection {
-        let sum = self.deflection.coefficients.iter().zip(more).map(|(d, more)| d + more);
-        self.deflection.with(sum.collect())
-    }
-
     /// Deflection [m] by a change of the unknown, and by that of contact with a deflection `bent` [m].
     pub(super) fn image(&self, unknown: &[f64], bent: &[f64]) -> Vec<f64> {
         self.image_with(unknown, self.contact_times(bent).as_deref())

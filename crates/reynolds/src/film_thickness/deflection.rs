@@ -89,6 +89,14 @@ impl Deflection {
         }
     }
 
+    /// This deflection and these coefficients [m] more.
+    #[must_use]
+    pub fn with_more(&self, more: &[f64]) -> Self {
+        let mut sum = self.coefficients.to_vec();
+        sum.iter_mut().zip(more).for_each(|(d, more)| *d += more);
+        self.with(sum)
+    }
+
     /// A change of this deflection by `coefficients` [m]: in a stage its rate changes too.
     #[must_use]
     pub fn change(&self, coefficients: Vec<f64>) -> Self {

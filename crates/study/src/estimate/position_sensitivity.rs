@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::collections::HashMap;
 
-use oilwedge_bearing::deflection::displaced;
+use oilwedge_bearing::deflection::displaced_with_wall;
 use oilwedge_bearing::{NEAR, Vector};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmProblem, FilmSolution};
@@ -32,7 +32,8 @@ pub(super) fn position_bars(
             .stiffness
             .solve(direction.map(|d| d * (bar + balance.unbalanced)));
         let change = (balance.coordinates).change(&base.problem.journal, &base.centre_velocity, by);
-        let moved = displaced(&base.problem, &base.system, &solved.solution, &change);
+        let wall = solved.wall.times(by);
+        let moved = displaced_with_wall(&base.problem, &base.system, &solved.solution, &change, &wall);
         let moved = moved.map(|(problem, film)| {
             let there = measure(&problem, &base.system, &film);
             let there = with_dynamics(solved, there, &problem, film, reported);
