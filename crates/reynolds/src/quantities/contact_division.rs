@@ -45,8 +45,8 @@ impl Fineness {
     /// Change of the gap over a part at the hardness, over the scale of the law.
     fn part(self) -> f64 {
         match self {
-            Self::Reported => 0.63,
-            // The tenth root of 1e2 times as much.
+            Self::Reported => 0.4,
+            // The tenth root of 1e4 times as much.
             Self::Tried => 1.0,
         }
     }
@@ -54,7 +54,7 @@ impl Fineness {
     /// How often parts are quartered at least where the law has a kink in them.
     fn kink_quarterings(self) -> usize {
         match self {
-            Self::Reported => 3,
+            Self::Reported => 4,
             Self::Tried => 2,
         }
     }
@@ -62,7 +62,7 @@ impl Fineness {
     /// Pressures below this part of the hardness are integrated over triangles as they are.
     fn slight(self) -> f64 {
         match self {
-            Self::Reported => 1e-8,
+            Self::Reported => 1e-10,
             Self::Tried => 1e-6,
         }
     }
