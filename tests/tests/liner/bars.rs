@@ -54,6 +54,27 @@ fn bars_hold_the_numbers_of_finer_meshes() {
     assert!(missed.is_empty(), "{} of {compared}: {missed:#?}", missed.len());
 }
 
+/// A layer moves by the pressure on it alone. Where no pressure is negative its least film is that of the rigid wall, at an open end.
+#[test]
+fn bars_hold_the_film_of_the_rigid_wall_at_the_ends() {
+    const RIGID: f64 = 1e-5;
+    let mut missed = Vec::new();
+    for layer in [0.2, 1.0, 10.0] {
+        for size in ["12 mm", "8 mm", "5 mm", "3 mm"] {
+            let film = found(size, 0.8, "reynolds", &format!("liner.winkler = \"{layer} um/MPa\""));
+            let [thickness, bar] = quantity(&film, "film_thickness_min");
+            let [angle, of_angle] = quantity(&film, "film_thickness_min_angle");
+            let off = angle.min(360.0 - angle);
+            if (thickness - RIGID).abs() > bar || off > of_angle {
+                missed.push(format!(
+                    "{layer} {size}: {thickness:e} +- {bar:e}, {angle} +- {of_angle}"
+                ));
+            }
+        }
+    }
+    assert!(missed.is_empty(), "{missed:#?}");
+}
+
 /// The shares of all triangles in the difference of two degrees sum to the difference of two films that each bend the wall themselves, in a soft wall much less than that under one wall.
 #[test]
 fn shares_are_those_of_films_under_walls_of_their_own() {

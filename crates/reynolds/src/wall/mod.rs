@@ -133,20 +133,21 @@ impl Wall {
         Some(difference.collect())
     }
 
-    /// How much more [m] the ends would be bent by a film than they are on this grid, as coefficients: slices there are bent by the pressure of the ends alone (where a feed reaches an
-    /// end, by its own: too much is counted). None where the grid is given with the wall, or an end is sealed.
-    pub fn error_at_ends(&self, problem: &FilmProblem, system: &FilmSystem, unknown: &[f64]) -> Option<Vec<f64>> {
+    /// How much more [m] the ends are bent than by this deflection of a film, as coefficients: slices there are bent by the pressure of the ends and by contact alone (where a feed reaches
+    /// an end, by its own: too much is counted). None where the grid is given with the wall, or an end is sealed.
+    pub fn error_at_ends(&self, problem: &FilmProblem, system: &FilmSystem, deflection: &[f64]) -> Option<Vec<f64>> {
         let is_sealed = |region: &SupplyRegion| region.kind == BoundaryKind::Sealed;
         if self.coarser.is_none() || system.supply.regions().iter().any(is_sealed) {
             return None;
         }
-        let even = vec![problem.unknown_at(problem.bearing.end_pressure); unknown.len()];
-        let [film, ends] = [unknown, &even].map(|unknown| self.deflection((problem, system), unknown, None));
+        let even = vec![problem.unknown_at(problem.bearing.end_pressure); system.space().dofs()];
+        let contact = ContactPoints::on(&self.grid, problem, system);
+        let ends = self.deflection((problem, system), &even, contact.as_ref());
         let along = self.grid.along.number();
-        let of = |(k, (film, ends)): (usize, (f64, f64))| match [0, along - 1].contains(&(k % along)) {
+        let of = |(k, (film, ends)): (usize, (&f64, f64))| match [0, along - 1].contains(&(k % along)) {
             true => ends - film,
             false => 0.0,
         };
-        Some(film.into_iter().zip(ends).enumerate().map(of).collect())
+        Some(deflection.iter().zip(ends).enumerate().map(of).collect())
     }
 }

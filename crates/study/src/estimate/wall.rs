@@ -11,11 +11,13 @@ use oilwedge_bearing::Vector;
 use oilwedge_bearing::deflection::{bent, touched};
 use oilwedge_reynolds::film_thickness::Deflection;
 use oilwedge_reynolds::quantities::load::{Resultant, load};
-use oilwedge_reynolds::{FilmSystem, Gap};
+use oilwedge_reynolds::{FilmSystem, Gap, Thinnest};
 
 use super::position_sensitivity::with_dynamics;
 use crate::measure::{Measured, measure};
-use crate::quantities::{FILM_THICKNESS_MIN, Quantity, View, measured};
+use crate::quantities::{
+    FILM_THICKNESS_MIN, FILM_THICKNESS_MIN_ANGLE, FILM_THICKNESS_MIN_Z, Quantity, Row, View, measured,
+};
 use crate::solved::Solved;
 
 /// What the deflection lets numbers change by.
@@ -101,15 +103,23 @@ pub(super) fn wall_bars(solved: &Solved, list: &[Quantity], reported: &Measured)
             *bars.by_name.entry(quantity.name.clone()).or_default() += change;
         }
     }
-    if let Some(free) = wall.error_at_ends(problem, system, &solved.solution.unknown) {
-        let thickness = |deflection: &Deflection| {
+    if let Some(free) = wall.error_at_ends(problem, system, &deflection.coefficients) {
+        let thinnest = |deflection: &Deflection| {
             let bent = problem.clone().deflected(Some(deflection));
-            Gap::of(&bent, system).thinnest_film(&bent, system).thickness
+            Gap::of(&bent, system).thinnest_film(&bent, system)
         };
         // The pressure there is given: contact alone answers.
         let moved = touched(problem, system, &solved.solution, &free).ok().flatten();
-        let change = moved.map_or(f64::NAN, |moved| (thickness(deflection) - thickness(&moved)).abs());
-        *bars.by_name.entry(FILM_THICKNESS_MIN.name.into()).or_default() += change;
+        let [here, there] = [Some(thinnest(deflection)), moved.map(|moved| thinnest(&moved))];
+        let mut add = |row: &'static Row, of: fn(Thinnest) -> f64| {
+            let change = here
+                .zip(there)
+                .map_or(f64::NAN, |(here, there)| row.difference(of(here), of(there)).abs());
+            *bars.by_name.entry(row.name.into()).or_default() += change;
+        };
+        add(&FILM_THICKNESS_MIN, |film| film.thickness);
+        add(&FILM_THICKNESS_MIN_ANGLE, |film| film.angle.to_degrees());
+        add(&FILM_THICKNESS_MIN_Z, |film| film.z);
     }
     bars
 }
