@@ -11,7 +11,7 @@ use oilwedge_reynolds::{FilmProblem, FilmSystem, JournalState};
 
 use crate::equilibrium::{Equilibrium, ROUGHLY_BALANCED};
 use crate::search::Search;
-use crate::{Carrier, InitialGuess, NoEquilibrium, SearchOptions, find};
+use crate::{Carrier, InitialGuess, NoEquilibrium, Purpose, SearchOptions, find};
 
 impl Search<'_> {
     /// The balance found from that of the Swift-Stieber film, or why that film has none. None where it leads nowhere, and for other films.
@@ -36,9 +36,9 @@ impl Search<'_> {
     }
 
     /// Under a wall that gives way the guide has another gap, and starts badly; but where it carries far less than the load the film that conserves oil will not carry that. What a
-    /// free tilt leads to is not known so.
+    /// free tilt leads to is not known so, and for a start it was asked by the search on the finer mesh: the coarsest one is the same.
     fn far_beyond(&self, guide: &FilmProblem, options: &SearchOptions) -> Option<NoEquilibrium> {
-        if self.load.tilting.is_some() {
+        if self.load.tilting.is_some() || self.options.purpose == Purpose::Start {
             return None;
         }
         let (coarse, system) = self.coarsest(guide);
