@@ -84,6 +84,8 @@ pub struct Bar {
     pub algebra: f64,
     /// The position of a journal under a load that is not quite known.
     pub position: f64,
+    /// The deflection of a wall that is not quite known.
+    pub wall: f64,
     /// The temperature of a film that is not quite known.
     pub temperature: f64,
     /// Steps in time that are not short enough.
@@ -100,12 +102,12 @@ impl Bar {
     }
 
     /// The parts by the names of their fields.
-    pub fn by_name(&self) -> [(&'static str, f64); 9] {
+    pub fn by_name(&self) -> [(&'static str, f64); 10] {
         self.parts().map(|(name, _, part)| (name, part))
     }
 
     /// Name of each part, in words where it comes from, and the part.
-    pub fn parts(&self) -> [(&'static str, &'static str, f64); 9] {
+    pub fn parts(&self) -> [(&'static str, &'static str, f64); 10] {
         [
             ("discretisation", "triangles", self.discretisation),
             ("front", "edge of the cavity", self.front),
@@ -114,6 +116,7 @@ impl Bar {
             ("nonlinear", "nonlinear iteration", self.nonlinear),
             ("algebra", "rounding", self.algebra),
             ("position", "position under the load", self.position),
+            ("wall", "deflection of the wall", self.wall),
             ("temperature", "temperature of the film", self.temperature),
             ("time", "steps in time", self.time),
         ]
@@ -139,6 +142,7 @@ impl Bar {
             nonlinear: of(self.nonlinear, other.nonlinear),
             algebra: of(self.algebra, other.algebra),
             position: of(self.position, other.position),
+            wall: of(self.wall, other.wall),
             temperature: of(self.temperature, other.temperature),
             time: of(self.time, other.time),
         }

@@ -275,7 +275,8 @@ fn with_bars(
                 None => 0.0,
             };
             Some(Bar {
-                position: position + by_wall.of(&quantity.name),
+                position,
+                wall: by_wall.of(&quantity.name),
                 ..of_few(film, bar)
             })
         });
