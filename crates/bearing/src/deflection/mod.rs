@@ -142,22 +142,35 @@ pub fn displaced_with_wall(
         ..problem.clone()
     }
     .deflected(Some(&deflection.with_more(wall)));
-    if film.film_fraction.is_some() {
-        let film = moved.solve_from(system, Neighbour::Kept(film))?;
-        return Ok((moved, film));
-    }
     let shape = deflection.change(wall.to_vec());
     let changes = [FilmChange::from(change), FilmChange::Gap(&shape)];
-    let mut unknown = vec![0.0; film.unknown.len()];
-    for change in changes {
-        let more = problem.unknown_change(system, film, change).map_err(Failure::from)?;
-        unknown
-            .iter_mut()
-            .zip(more)
-            .for_each(|(unknown, more)| *unknown += more);
-    }
-    let film = problem.along_tangent(system, film, &changes, &unknown);
+    let unknown = || {
+        let mut unknown = vec![0.0; film.unknown.len()];
+        for change in changes {
+            let more = problem.unknown_change(system, film, change)?;
+            unknown
+                .iter_mut()
+                .zip(more)
+                .for_each(|(unknown, more)| *unknown += more);
+        }
+        Ok(unknown)
+    };
+    let film = with_change((problem, system, film), &moved, &changes, unknown)?;
     Ok((moved, film))
+}
+
+/// The film of a problem that is `moved` by small changes: along the tangent, by which the unknown changes so; one that conserves oil is solved again from the film that is there.
+fn with_change(
+    (problem, system, film): (&FilmProblem, &FilmSystem, &FilmSolution),
+    moved: &FilmProblem,
+    changes: &[FilmChange<'_>],
+    unknown: impl FnOnce() -> Result<Vec<f64>, Error>,
+) -> Result<FilmSolution, NoFilm> {
+    if film.film_fraction.is_some() {
+        return moved.solve_from(system, Neighbour::Kept(film));
+    }
+    let unknown = unknown().map_err(Failure::from)?;
+    Ok(problem.along_tangent(system, film, changes, &unknown))
 }
 
 /// The film where the wall alone would move by coefficients `free` [m] under the pressure that is there, and both have answered, to first order; none where the wall
@@ -198,12 +211,9 @@ impl Follower<'_> {
         let shape = self.shape(&followed.deflection);
         let bent = self.deflection.with_more(&followed.deflection);
         let moved = self.problem.clone().deflected(Some(&bent));
-        if self.film.film_fraction.is_some() {
-            let film = moved.solve_from(self.system, Neighbour::Kept(self.film))?;
-            return Ok((moved, film));
-        }
         let changes = [FilmChange::Gap(&shape)];
-        let film = (self.problem).along_tangent(self.system, self.film, &changes, &followed.unknown);
+        let here = (self.problem, self.system, self.film);
+        let film = with_change(here, &moved, &changes, || Ok(followed.unknown.clone()))?;
         Ok((moved, film))
     }
 }
