@@ -85,7 +85,7 @@ pub enum NoEquilibrium {
     /// The journal comes into contact with the liner at an end before the film carries the moment.
     #[error(
         "no position and tilt that a growing moment leads to carry {} N and its moment: the journal comes into contact with the liner at its end z = {} mm, at {angle:.1} deg; the last balance found on the way there, with a film of {} m, carries {} % of the moment",
-        readable(*asked), readable(1e3 * end), readable(*thickness), readable((100.0 * carried).round())
+        readable(*asked), readable(1e3 * end), readable(*thickness), readable(percent(*carried, 1.0))
     )]
     EdgeContact {
         /// The load [N].
@@ -108,7 +108,7 @@ pub enum NoEquilibrium {
     /// The film resists tilt no more before it carries the moment.
     #[error(
         "no position and tilt that a growing moment leads to carry {} N and its moment: the film carries at most {} % of what tilts the journal, at a slope of {} mrad with a least film of {} m; tilted more it carries less, and the journal tips over",
-        readable(*asked), readable((1e3 * carried).round() / 10.0), readable(1e3 * tilt), readable(*thickness)
+        readable(*asked), readable(percent(*carried, 10.0)), readable(1e3 * tilt), readable(*thickness)
     )]
     TiltLimit {
         /// The load [N].
@@ -172,6 +172,16 @@ pub enum NoEquilibrium {
         /// Load less force of each position tried, relative to the load.
         history: Vec<f64>,
     },
+}
+
+/// Percent of a whole that a `part` of it [1] is, in steps of one over `steps`; the whole is only what is no less.
+fn percent(part: f64, steps: f64) -> f64 {
+    let percent = 100.0 * part * steps;
+    let rounded = match part < 1.0 {
+        true => percent.round().min(100.0 * steps - 1.0),
+        false => percent.round(),
+    };
+    rounded / steps
 }
 
 impl NoEquilibrium {
@@ -241,5 +251,17 @@ impl NoEquilibrium {
             | Self::NotConverged { journal, .. }
             | Self::Ended { journal, .. } => Some(**journal),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::percent;
+
+    #[test]
+    fn less_than_the_whole_does_not_read_as_the_whole() {
+        assert_eq!([percent(0.997, 1.0), percent(0.9996, 10.0)], [99.0, 99.9]);
+        assert_eq!([percent(0.5046, 1.0), percent(0.5046, 10.0)], [50.0, 50.5]);
+        assert_eq!([percent(1.0, 1.0), percent(1.02, 10.0)], [100.0, 102.0]);
     }
 }
