@@ -62,6 +62,8 @@ fn bars_hold_the_film_of_the_rigid_wall_at_the_ends() {
     for layer in [0.2, 1.0, 10.0] {
         for size in ["12 mm", "8 mm", "5 mm"] {
             let film = found(size, 0.8, "reynolds", &format!("liner.winkler = \"{layer} um/MPa\""));
+            let parts = film.by_name("film_thickness_min").and_then(|it| it.bar).expect("a bar");
+            assert!(parts.wall > 0.0 && parts.position == 0.0, "{parts:?}");
             let [thickness, bar] = quantity(&film, "film_thickness_min");
             let [angle, of_angle] = quantity(&film, "film_thickness_min_angle");
             let off = angle.min(360.0 - angle);
