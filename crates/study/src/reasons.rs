@@ -16,6 +16,9 @@ pub mod flags {
 }
 use flags::{MORE_SECONDS, MORE_UNKNOWNS};
 
+/// Force and load that differ by less than this part of the load are balanced.
+const BALANCED: f64 = 1e-10;
+
 /// Why a run ended short of its tolerance or of a balance.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Limit {
@@ -105,6 +108,11 @@ impl fmt::Display for Limit {
                 format!(
                     "the search for the temperature was ended where friction and heat carried off differ by {left_over:.1e} of the friction"
                 ),
+                *cause,
+            ),
+            Self::Position(residual, cause) if *residual < BALANCED => ended(
+                out,
+                "the search for the position was ended where force and load are balanced, but the film has not settled there yet".to_owned(),
                 *cause,
             ),
             Self::Position(residual, cause) => ended(
