@@ -193,21 +193,11 @@ impl Search<'_> {
 
     /// Balances the load from this start.
     pub(crate) fn run(&self, problem: &FilmProblem, start: JournalState) -> Result<Equilibrium, NoEquilibrium> {
-        let at = self.coordinates.at(&start);
-        // To close the wall would take as many films as a search.
-        let is_over = || problem.has_bent_wall() && self.options.deadline.is_over();
-        if is_over()
-            && let Ok(begun) = self.open(problem, at, Neighbour::None, 0.0)
-        {
-            return self.at_rest(begun);
-        }
-        let opened = self.opened(problem, at, Neighbour::None);
+        let opened = self.opened(problem, self.coordinates.at(&start), Neighbour::None);
         let rough = self.options.balanced().max(ROUGHLY_BALANCED);
-        let near = opened.map(|opened| self.with_wall(opened, (rough, rough), &mut 0));
-        match near {
-            Some(Ok(near)) => self.at_rest(near),
-            Some(Err(begun)) if is_over() => self.at_rest(*begun),
-            _ => self.at_rest(self.first(problem, start)?),
+        match opened.and_then(|opened| self.with_wall(opened, (rough, rough), &mut 0).ok()) {
+            Some(near) => self.at_rest(near),
+            None => self.at_rest(self.first(problem, start)?),
         }
     }
 
