@@ -29,6 +29,8 @@ const MOST_QUARTERINGS: usize = 5;
 const ORDER: f64 = 10.0;
 /// Below this part of the least pressure at which triangles are quartered, which is far below what a film or a load is known to, there is no contact.
 const NOTHING: f64 = 1e-4;
+/// Parts in which the law has a kink are quartered at least so often. With two quarterings on the way to a balance what the weights of quarters add to the tangent, which leaves it out, would make Newton's method slow.
+const KINK_QUARTERINGS: usize = 4;
 /// From this part of the greatest change of the gap on the quarters of a part take over.
 const STEADY: f64 = 0.85;
 
@@ -48,14 +50,6 @@ impl Fineness {
             Self::Reported => 0.4,
             // The tenth root of 1e4 times as much.
             Self::Tried => 1.0,
-        }
-    }
-
-    /// How often parts are quartered at least where the law has a kink in them.
-    fn kink_quarterings(self) -> usize {
-        match self {
-            Self::Reported => 4,
-            Self::Tried => 2,
         }
     }
 
@@ -199,7 +193,7 @@ pub(super) fn division(law: &ContactLaw, fineness: Fineness, gaps: &[f64; 6], le
     // Beyond the reach the gap does not matter.
     let range = greatest.min(law.reach()) - least;
     let steepness = range / (part * law.scale());
-    let is_kinked = level < fineness.kink_quarterings() && law.has_kink_in(least..greatest);
+    let is_kinked = level < KINK_QUARTERINGS && law.has_kink_in(least..greatest);
     Division::Quarters(match is_kinked {
         true => 1.0,
         false => smooth_step((steepness - STEADY) / (1.0 - STEADY)),
