@@ -61,7 +61,8 @@ pub fn find(
         },
         InitialGuess::Near(near) => {
             let here = search.coordinates.at(&problem.journal);
-            let first = (search.opened(problem, here, near)).map_or_else(|| search.trial(problem, here, near), Ok)?;
+            let first = (search.opened(problem, here, near, search.left_at_balance()))
+                .map_or_else(|| search.trial(problem, here, near), Ok)?;
             search.at_rest(first)?
         }
     };
@@ -193,8 +194,8 @@ impl Search<'_> {
 
     /// Balances the load from this start.
     pub(crate) fn run(&self, problem: &FilmProblem, start: JournalState) -> Result<Equilibrium, NoEquilibrium> {
-        let opened = self.opened(problem, self.coordinates.at(&start), Neighbour::None);
         let rough = self.options.balanced().max(ROUGHLY_BALANCED);
+        let opened = self.opened(problem, self.coordinates.at(&start), Neighbour::None, rough);
         match opened.and_then(|opened| self.with_wall(opened, (rough, rough), &mut 0).ok()) {
             Some(near) => self.at_rest(near),
             None => self.at_rest(self.first(problem, start)?),
@@ -223,7 +224,7 @@ impl Search<'_> {
             tried += 1;
             let here = self.coordinates.at(&trial.problem.journal);
             // Where the choice fails the position balanced before stands, with the schemes chosen near it.
-            let chosen = (self.opened(&trial.problem, here, Neighbour::None)).map_or_else(
+            let chosen = (self.opened(&trial.problem, here, Neighbour::None, self.left_at_balance())).map_or_else(
                 || self.trial_within(&trial.problem, here, Neighbour::None, OF_BALANCE * SETTLED),
                 Ok,
             );

@@ -21,7 +21,7 @@ pub(crate) const OF_BALANCE: f64 = 1e-2;
 /// Part of it that may be left at a start.
 const AT_START: f64 = 1e-5;
 /// From this part on contact need not be integrated as finely as for numbers that are reported.
-pub(crate) const OF_CONTACT: f64 = 1e-6;
+const OF_CONTACT: f64 = 1e-6;
 
 /// A search for the position that balances a load on one mesh.
 pub(crate) struct Search<'a> {
@@ -232,11 +232,7 @@ impl<'a> Search<'a> {
             closed_within
         };
         let left = part.max(self.left_at_balance());
-        let placed = self.placed(problem, at);
-        let placed = match left < OF_CONTACT {
-            true => placed,
-            false => placed.with_contact(Fineness::Tried),
-        };
+        let placed = self.placed(problem, at).with_contact(fineness(left));
         let (problem, film, contact) = close(placed, self.system, near, left)?;
         let carried = load_touching(&problem, self.system, &film, contact.as_deref());
         let is_exact = problem.deflection().is_none() && problem.contact.is_none();
@@ -373,6 +369,14 @@ impl<'a> Search<'a> {
         let [x, y] = trial.carried.force;
         let (force, load) = (x.hypot(y), self.load.magnitude());
         [2, 3].map(|k| film[k] / force - (asked[k] - (tilted[k] - film[k])) / load)
+    }
+}
+
+/// How finely contact is integrated in a film that may leave this part of a deflection.
+pub(crate) fn fineness(part: f64) -> Fineness {
+    match part < OF_CONTACT {
+        true => Fineness::Reported,
+        false => Fineness::Tried,
     }
 }
 

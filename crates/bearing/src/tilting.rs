@@ -301,14 +301,10 @@ impl Branch<'_, '_> {
     /// What follows a point: the next one, or the end of the branch. `wanted` is the length of the step, longer or shorter afterwards. None where no step leads on.
     fn next(&self, here: &Point, along: &Direction, wanted: &mut f64) -> Option<Next> {
         let (search, gap, [quick, _]) = (self.search, self.gap(&here.trial), corrections(&here.trial));
-        let led_to = |step: f64| {
-            let (bent, at) = search.led_to(&here.trial, &along.moves, step);
-            let journal = search.coordinates.placed(&bent.journal, at);
-            (bent, journal)
-        };
+        let least = LEAST_SHRINK * gap * self.clearance;
         let thin = |step: f64| {
-            let (bent, journal) = led_to(step);
-            search.least_under(&bent, &journal) < LEAST_SHRINK * gap * self.clearance
+            let (bent, at) = search.led_to(&here.trial, &along.moves, step);
+            search.least_under(&bent, &search.coordinates.placed(&bent.journal, at)) < least
         };
         loop {
             while thin(*wanted) {
@@ -319,13 +315,14 @@ impl Branch<'_, '_> {
             }
             if here.part + *wanted * along.part >= 1.0 {
                 let last = (1.0 - here.part) / along.part;
-                let (bent, journal) = led_to(last);
-                match search.run(&bent, journal) {
-                    Ok(found) if is_contact(&search.gap_under(&found.problem), &found.problem.journal) => {
+                let found = (search.led_on(&here.trial, &along.moves, last, least))
+                    .map(|(bent, _)| search.run(&bent, bent.journal));
+                match found {
+                    Some(Ok(found)) if is_contact(&search.gap_under(&found.problem), &found.problem.journal) => {
                         return Some(Next::Contact(Box::new(found.problem)));
                     }
-                    Ok(found) => return Some(Next::End(Box::new(found))),
-                    Err(_) => {}
+                    Some(Ok(found)) => return Some(Next::End(Box::new(found))),
+                    Some(Err(_)) | None => {}
                 }
             } else if let Some((point, corrections)) = self.corrected(here, along, *wanted) {
                 if corrections <= quick {
@@ -340,17 +337,12 @@ impl Branch<'_, '_> {
     /// The point of the branch across a step of this length along it, and the corrections that it took.
     fn corrected(&self, here: &Point, along: &Direction, step: f64) -> Option<(Point, usize)> {
         let search = self.search;
-        let (mut bent, mut place) = search.led_to(&here.trial, &along.moves, step);
+        let least = 0.5 * LEAST_SHRINK * search.least_film(&here.trial);
+        let (mut bent, mut place) = search.led_on(&here.trial, &along.moves, step, least)?;
         let mut part = here.part + step * along.part;
         let (mut last, mut before): (f64, Option<Trial>) = (f64::INFINITY, None);
-        let thinnest = self.gap(&here.trial);
         let [_, most] = corrections(&here.trial);
         for corrections in 0..most {
-            let journal = search.coordinates.placed(&bent.journal, place);
-            let gap = search.least_under(&bent, &journal) / self.clearance;
-            if gap < 0.5 * LEAST_SHRINK * thinnest {
-                return None;
-            }
             // Corrections keep the advection schemes, so that the forces change smoothly.
             let near = before
                 .as_ref()
@@ -369,7 +361,7 @@ impl Branch<'_, '_> {
             if !(size + change.abs()).is_finite() || size > 2.0 * last.min(step) {
                 return None;
             }
-            (bent, place) = search.led_to(&trial, &correction, 1.0);
+            (bent, place) = search.led_on(&trial, &correction, 1.0, least)?;
             (part, last, before) = (part + change, size, Some(trial));
         }
         None

@@ -10,15 +10,15 @@
 use std::borrow::Cow;
 
 use oilwedge_fem::newton::Failure;
-use oilwedge_reynolds::contact::Fineness;
+use oilwedge_reynolds::contact::Contact;
 use oilwedge_reynolds::film_thickness::Closing;
 use oilwedge_reynolds::quantities::load::{load, load_touching};
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmProblem, FilmSolution, NoFilm};
 
 use crate::coordinates::{Vector, moved, unit};
-use crate::deflection::{Follower, Joint, Left, Moves, contact_points};
-use crate::search::{OF_CONTACT, Search, Trial};
+use crate::deflection::{Follower, Joint, Left, Moves, contact_points, settled};
+use crate::search::{Search, Trial, fineness};
 use crate::stiffness::Stiffness;
 
 /// Part of load and deflection that a film may leave from which on both are found together.
@@ -54,6 +54,7 @@ impl Tangents<'_> {
             Self::Rigid(stiffness) => Ok(Moves {
                 place: stiffness.solve(force),
                 wall: Vec::new(),
+                contact: Vec::new(),
             }),
             Self::Yielding(joint) => Ok(joint.solve(force, wall, accuracy).map_err(Failure::from)?),
         }
@@ -71,11 +72,7 @@ impl Tangents<'_> {
 impl Search<'_> {
     /// The film `at` these coordinates under the wall of a problem as it is, what it leaves of the balance of that wall included. Contact is integrated as finely as a balance to the `part` asks for.
     pub(crate) fn open(&self, problem: &FilmProblem, at: Vector, near: Neighbour, part: f64) -> Result<Trial, NoFilm> {
-        let placed = self.placed(problem, at);
-        let problem = match part < OF_CONTACT {
-            true => placed,
-            false => placed.with_contact(Fineness::Tried),
-        };
+        let problem = self.placed(problem, at).with_contact(fineness(part));
         let film = problem.solve_from(self.system, near)?;
         let left = Left::of(&problem, self.system, &film, contact_points(&problem, self.system));
         let carried = load_touching(&problem, self.system, &film, left.contact.as_deref());
@@ -118,9 +115,9 @@ impl Search<'_> {
         }))
     }
 
-    /// What a trial leaves of load and deflection, as parts of them, where the wall is bent and the balance is so near that both are found together.
-    pub(crate) fn opened(&self, problem: &FilmProblem, at: Vector, near: Neighbour) -> Option<Trial> {
-        let trial = problem.has_bent_wall().then(|| self.open(problem, at, near, 0.0).ok());
+    /// The film of [`Self::open`], where the wall is bent and the balance is so near that both are found together.
+    pub(crate) fn opened(&self, problem: &FilmProblem, at: Vector, near: Neighbour, part: f64) -> Option<Trial> {
+        let trial = problem.has_bent_wall().then(|| self.open(problem, at, near, part).ok());
         trial.flatten().filter(|trial| self.left(trial) < WITHIN)
     }
 
@@ -175,6 +172,26 @@ impl Search<'_> {
         }
     }
 
+    /// As [`Self::led_to`], contact settled under the wall there; none where the film along the tangent is thinner than `least` [m].
+    pub(crate) fn led_on(&self, trial: &Trial, moves: &Moves, part: f64, least: f64) -> Option<(FilmProblem, Vector)> {
+        let (bent, at) = self.led_to(trial, moves, part);
+        let led = FilmProblem {
+            journal: self.coordinates.placed(&trial.problem.journal, at),
+            ..bent
+        };
+        (self.least_under(&led, &led.journal) >= least).then_some(())?;
+        let contact = (trial.contact.clone()).or_else(|| contact_points(&trial.problem, self.system));
+        let settled = contact.filter(|_| !moves.contact.is_empty()).and_then(|contact| {
+            let along = contact.forces().into_iter().zip(&moves.contact);
+            let forces: Vec<f64> = along.map(|(force, more)| force + part * more).collect();
+            settled(&led, self.system, &forces)
+        });
+        Some(match settled {
+            None => (led, at),
+            Some(deflection) => (led.deflected(Some(&deflection)), at),
+        })
+    }
+
     /// The balance of force and wall near a trial, until force and load differ by less than `balanced` of the load, and less than the part `closed` of the deflection is left.
     ///
     /// # Errors
@@ -185,7 +202,7 @@ impl Search<'_> {
         (balanced, closed): (f64, f64),
         tried: &mut usize,
     ) -> Result<Trial, Box<Trial>> {
-        let mut found: Option<Trial> = None;
+        let mut found = self.as_fine(&from, closed, tried);
         for _ in 0..MOST_FILMS {
             let here = found.as_ref().unwrap_or(&from);
             let left = self.left_of_wall(here);
@@ -197,7 +214,7 @@ impl Search<'_> {
             if self.options.deadline.is_over() {
                 break;
             }
-            match self.nearer(here, &left, tried) {
+            match self.nearer(here, &left, closed, tried) {
                 Ok(Some(next)) => found = Some(next),
                 _ if is_within(balanced.max(AT_ROUNDING), closed.max(AT_ROUNDING)) => return Ok(found.unwrap_or(from)),
                 _ => break,
@@ -206,8 +223,26 @@ impl Search<'_> {
         Err(Box::new(from))
     }
 
+    /// A trial whose contact is not integrated as finely as a balance asks for, with it so: films of one balance are compared. None where it is, or there is no such film.
+    fn as_fine(&self, trial: &Trial, closed: f64, tried: &mut usize) -> Option<Trial> {
+        let is_fine = |contact: Contact| contact.fineness == fineness(closed);
+        if trial.problem.contact.is_none_or(is_fine) || trial.cubic.is_some() {
+            return None;
+        }
+        *tried += 1;
+        let here = self.coordinates.at(&trial.problem.journal);
+        let fine = self
+            .open(&trial.problem, here, Neighbour::Kept(&trial.film), closed)
+            .ok()?;
+        Some(Trial {
+            schemes_chosen_at: trial.schemes_chosen_at,
+            is_continued: trial.is_continued,
+            ..fine
+        })
+    }
+
     /// The film after the longest of the halved steps of Newton's method that leaves less, the gap kept open; none where no step does.
-    fn nearer(&self, trial: &Trial, left: &Left, tried: &mut usize) -> Result<Option<Trial>, NoFilm> {
+    fn nearer(&self, trial: &Trial, left: &Left, closed: f64, tried: &mut usize) -> Result<Option<Trial>, NoFilm> {
         let before = self.residual(trial).hypot(left.residual);
         let accuracy = before.clamp(FINEST, ROUGHEST);
         let wanted = self.excess(trial).map(|excess| -excess);
@@ -216,16 +251,14 @@ impl Search<'_> {
         let least = LEAST_SHRINK * self.least_film(trial);
         let mut films = 0;
         for part in (0..MOST_LENGTHS).map(|times| 0.5f64.powi(times)) {
-            let (bent, at) = self.led_to(trial, &moves, part);
-            let journal = self.coordinates.placed(&trial.problem.journal, at);
-            if self.least_under(&bent, &journal) < least {
+            let Some((bent, at)) = self.led_on(trial, &moves, part, least) else {
                 continue;
-            }
+            };
             *tried += 1;
             let bent = counted(bent, (films, tangents.products()), f64::INFINITY);
             let next = match &trial.cubic {
                 Some(cubic) => self.open_cubic(&bent, at, (&trial.film, Some(cubic))),
-                None => self.open(&bent, at, Neighbour::Kept(&trial.film), 0.0),
+                None => self.open(&bent, at, Neighbour::Kept(&trial.film), closed),
             };
             films += 1;
             if let Ok(next) = next

@@ -25,6 +25,8 @@ pub(crate) struct Joint<'a> {
     coordinates: Coordinates,
     /// What the pressures of a move by each coordinate bend the wall by, where it is held [m/m].
     bent_by_place: Vec<Vec<f64>>,
+    /// By what contact then presses the wall [N/m]; none where no contact is simulated.
+    contact_by_place: Vec<Vec<f64>>,
     /// K: that of the forces at a fixed wall [N/m].
     tangent: Stiffness,
     /// How forces change with film and wall.
@@ -42,6 +44,8 @@ pub(crate) struct Moves {
     pub(crate) place: Vector,
     /// Coefficients of the deflection [m].
     pub(crate) wall: Vec<f64>,
+    /// Forces of contact on the splines of the wall [N]; none where no contact is simulated.
+    pub(crate) contact: Vec<f64>,
 }
 
 impl Moves {
@@ -50,15 +54,17 @@ impl Moves {
         Self {
             place: self.place.map(|x| x / number),
             wall: self.wall.iter().map(|d| d / number).collect(),
+            contact: self.contact.iter().map(|force| force / number).collect(),
         }
     }
 
     /// These and a part of others.
     pub(crate) fn plus(&self, part: f64, more: &Self) -> Self {
-        let walls = self.wall.iter().zip(&more.wall);
+        let both = |here: &[f64], more: &[f64]| here.iter().zip(more).map(|(here, more)| here + part * more).collect();
         Self {
             place: moved(self.place, part, more.place),
-            wall: walls.map(|(d, more)| d + part * more).collect(),
+            wall: both(&self.wall, &more.wall),
+            contact: both(&self.contact, &more.contact),
         }
     }
 
@@ -82,13 +88,14 @@ impl<'a> Joint<'a> {
         held: Vector,
     ) -> Result<Self, Error> {
         let order = coordinates.order;
-        let mut bent_by_place = Vec::with_capacity(order);
+        let (mut bent_by_place, mut contact_by_place) = (Vec::with_capacity(order), Vec::new());
         let mut columns = [[0.0; 4]; 4];
         let gradient = follower.load_gradient();
         for (k, column) in columns.iter_mut().enumerate().take(order) {
             let free = follower.free(&change(k))?;
             *column = coordinates.forces(&carried(&gradient, &free));
             bent_by_place.push(follower.image_of(&free));
+            contact_by_place.extend(free.contact.map(|(_, forces)| forces));
         }
         let tangent = Stiffness::by_columns(order, |k| Ok::<_, Error>(columns[k]))?.with_diagonal(held);
         Ok(Self {
@@ -96,6 +103,7 @@ impl<'a> Joint<'a> {
             follower,
             coordinates,
             bent_by_place,
+            contact_by_place,
             tangent,
             known: RefCell::default(),
             products: Cell::default(),
@@ -120,8 +128,10 @@ impl<'a> Joint<'a> {
         self.products.set(self.products.get() + solved.steps);
         let wall = solved.x;
         let (forces, _) = self.by_wall(&wall, accuracy)?;
+        let place = self.tangent.solve(moved(force, -1.0, forces));
         Ok(Moves {
-            place: self.tangent.solve(moved(force, -1.0, forces)),
+            place,
+            contact: self.contact_by(place, &wall),
             wall,
         })
     }
@@ -154,6 +164,18 @@ impl<'a> Joint<'a> {
         let unknown = self.follower.by_deflection(d, accuracy)?;
         let carried = self.gradient.change(&unknown, d);
         Ok((self.coordinates.forces(&carried), self.follower.image(&unknown, d)))
+    }
+
+    /// Forces [N] of contact on the splines by a move of the journal and of the wall; none where no contact is simulated.
+    fn contact_by(&self, place: Vector, wall: &[f64]) -> Vec<f64> {
+        let mut forces = self.follower.contact_times(wall).unwrap_or_default();
+        for (pressed, by) in self.contact_by_place.iter().zip(place) {
+            forces
+                .iter_mut()
+                .zip(pressed)
+                .for_each(|(force, pressed)| *force += by * pressed);
+        }
+        forces
     }
 
     /// `d - C p_x x`.

@@ -98,6 +98,7 @@ impl Motion<'_> {
         let moves = Moves {
             place: moved(start, -1.0, near.at),
             wall: apart.map(|(there, here)| there - here).collect(),
+            contact: Vec::new(),
         };
         let (_, part) = self.longest(here, near.at, &moves);
         let (at, bent) = moves.made(near.at, here, part);

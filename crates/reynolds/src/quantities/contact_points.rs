@@ -42,6 +42,8 @@ pub(crate) struct ContactPoint {
     normal: [f64; 2],
     /// What its pressure acts on [m2].
     pub(crate) area: f64,
+    /// Gap between the mean planes [m].
+    gap: f64,
     /// Pressure of contact [Pa].
     pub(crate) pressure: f64,
     /// Its derivative by the gap [Pa/m].
@@ -142,12 +144,14 @@ impl Touching<'_> {
             let [sines, cosines] = sines_and_cosines(points.positions, self.problem.bearing.radius);
             for (q, &position) in points.positions.iter().enumerate() {
                 let splines = self.grid.map(|grid| grid.splines_at(position));
-                let at = self.law.at(unbent[q] + self.deflection(position, splines));
+                let gap = unbent[q] + self.deflection(position, splines);
+                let at = self.law.at(gap);
                 found.push(ContactPoint {
                     cell: t,
                     position,
                     normal: [cosines[q], sines[q]],
                     area: weight * points.area(q),
+                    gap,
                     pressure: at.pressure,
                     slope: at.slope,
                     splines: splines.unwrap_or_default(),
@@ -215,6 +219,24 @@ impl ContactPoints {
             points: points.concat(),
             splines: grid.map_or([0; 2], Grid::numbers),
         })
+    }
+
+    /// These points where the wall on whose grid they are gives way by more [m], their areas kept; `law` is that of their contact.
+    pub fn bent_further(&self, law: &ContactLaw, more: &[f64]) -> Self {
+        let bent = |point: &ContactPoint| {
+            let gap = point.gap + point.splines.value(self.splines, more);
+            let at = law.at(gap);
+            ContactPoint {
+                gap,
+                pressure: at.pressure,
+                slope: at.slope,
+                ..*point
+            }
+        };
+        Self {
+            points: self.points.par_iter().with_min_len(FEW).map(bent).collect(),
+            splines: self.splines,
+        }
     }
 
     /// How many splines there are around and along the wall.
