@@ -90,7 +90,7 @@ fn place_by_place(found: Equilibrium, search: &Search) -> Result<Equilibrium, No
             (tangent, is_exact) = (search.tangent(&trial)?, true);
         }
     }
-    let is_ended = residual > BALANCED_ENOUGH && deadline.is_over();
+    let is_ended = residual.max(closed) > BALANCED_ENOUGH && deadline.is_over();
     if residual > BALANCED_ENOUGH && !is_ended {
         return Err(search.confirmed(NoEquilibrium::NotConverged {
             asked: search.load.magnitude(),

@@ -195,10 +195,16 @@ impl Search<'_> {
     /// Balances the load from this start.
     pub(crate) fn run(&self, problem: &FilmProblem, start: JournalState) -> Result<Equilibrium, NoEquilibrium> {
         let rough = self.options.balanced().max(ROUGHLY_BALANCED);
-        let opened = self.opened(problem, self.coordinates.at(&start), Neighbour::None, rough);
-        match opened.and_then(|opened| self.with_wall(opened, (rough, rough), &mut 0).ok()) {
-            Some(near) => self.at_rest(near),
-            None => self.at_rest(self.first(problem, start)?),
+        let at = self.coordinates.at(&start);
+        if problem.has_bent_wall() && self.options.deadline.is_over() {
+            // To close the wall would take as many films as a search.
+            return self.at_rest(self.open(problem, at, Neighbour::None, self.left_at_balance())?);
+        }
+        let opened = self.opened(problem, at, Neighbour::None, rough);
+        match opened.map(|opened| self.with_wall(opened, (rough, rough), &mut 0)) {
+            Some(Ok(near)) => self.at_rest(near),
+            Some(Err(begun)) if self.options.deadline.is_over() => self.at_rest(*begun),
+            Some(Err(_)) | None => self.at_rest(self.first(problem, start)?),
         }
     }
 
@@ -245,7 +251,8 @@ impl Search<'_> {
             trial.film.fallbacks.push(note.to_owned());
         }
         let residual = self.residual(&trial);
-        let is_balanced = at_rest && residual < self.options.balanced().max(BALANCED_ENOUGH);
+        let is_closed = trial.may_leave <= self.left_at_balance().max(BALANCED_ENOUGH);
+        let is_balanced = at_rest && is_closed && residual < self.options.balanced().max(BALANCED_ENOUGH);
         let tangent = tangent.map_or_else(|| self.tangent(&trial), Ok)?;
         Ok(Equilibrium {
             is_ended: !is_balanced && deadline.is_over(),

@@ -1,7 +1,7 @@
 //! Films with elastic walls against films that must be equal to them, and against a second code.
 
 use oilwedge_bearing::deflection::{CLOSED, closed_pair};
-use oilwedge_bearing::{InitialGuess, SearchOptions, find};
+use oilwedge_bearing::{Deadline, InitialGuess, Interrupt, SearchOptions, find};
 use oilwedge_reynolds::analytical::elastic_ring::{ElasticRing, OuterSurface};
 use oilwedge_reynolds::lubricant::PressureLaw;
 use oilwedge_reynolds::lubricant::barus::Barus;
@@ -232,5 +232,35 @@ fn place_and_wall_are_those_of_one_another() {
         // The film by itself chooses its advection schemes once more.
         let to = if model.conserves_oil() { 1e-3 } else { 1e-9 };
         assert!(off < to, "{}: {off:e}", model.name());
+    }
+}
+
+/// A search whose time is over begins a film and closes no wall. Where that film happens to carry the load its wall is still open: the search was ended, and there is no balance.
+#[test]
+fn a_search_that_is_ended_has_no_balance_while_its_wall_is_open() {
+    let (length, system) = (RADIUS, ring_system(48, 8, RADIUS, Some(std::f64::consts::PI)));
+    let (problem, _) = closed(walled(length, 0.7, SWIFT_STIEBER, |_| layer(0.05)), &system);
+    let half: Vec<f64> = problem
+        .deflection()
+        .expect("a wall")
+        .coefficients
+        .iter()
+        .map(|d| 0.5 * d)
+        .collect();
+    let open = problem
+        .clone()
+        .deflected(problem.deflection().map(|bent| bent.with(half)).as_ref());
+    let film = open.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
+    let load = carried(&open, &system, &film).force;
+    for guess in [InitialGuess::NearlyBalanced, InitialGuess::Cold] {
+        let options = SearchOptions {
+            guess,
+            deadline: Deadline::after(0.0, Interrupt::NEVER),
+            ..SearchOptions::default()
+        };
+        let found = find(&open, &system, load, &options).unwrap_or_else(|reason| panic!("{reason}"));
+        let left = found.problem.deflection().expect("a wall").closing.residual;
+        assert!(found.residual < 1e-12 && left > 0.1, "{:e} {left:e}", found.residual);
+        assert!(found.is_ended && found.steps == 1, "{} {}", found.is_ended, found.steps);
     }
 }

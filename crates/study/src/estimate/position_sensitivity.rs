@@ -13,8 +13,11 @@ use crate::measure::{Measured, measure};
 use crate::quantities::{Quantity, View, measured};
 use crate::solved::{Balance, Solved};
 
+/// A wall that leaves more than this part of its deflection is open.
+const OPEN: f64 = 1e-6;
+
 /// For each quantity of `list` by name how much it changes where the journal moves as far as the bars [N] of what it carries in some directions of force and moment, and what is left unbalanced, let it.
-/// Not finite where the film has no tangent, or so far away no film, and where the load is so far from balanced that the tangent does not show how far the position is.
+/// Not finite where the film has no tangent, or so far away no film, and where the load is so far from balanced that the tangent does not show how far the position is, or the wall is open.
 pub(super) fn position_bars(
     solved: &Solved,
     balance: &Balance,
@@ -24,7 +27,8 @@ pub(super) fn position_bars(
 ) -> HashMap<Cow<'static, str>, f64> {
     let base = &solved.film;
     let names = list.iter().map(|quantity| quantity.name.clone());
-    if balance.residual >= NEAR {
+    let is_open = (base.problem.deflection()).is_some_and(|deflection| deflection.closing.residual > OPEN);
+    if balance.residual >= NEAR || is_open {
         return names.map(|name| (name, f64::NAN)).collect();
     }
     let moved_towards = |(direction, bar): &(Vector, f64)| {
