@@ -3,10 +3,11 @@
 use std::sync::Arc;
 
 use oilwedge_bearing::orbit::Instant;
-use oilwedge_bearing::{Deadline, InitialGuess, Load, SearchOptions, Waypoint};
+use oilwedge_bearing::{InitialGuess, Load, SearchObserver, SearchOptions, Waypoint};
 use oilwedge_reynolds::{CentreVelocity, FilmProblem, FilmSystem, Gap, JournalState};
 use oilwedge_scene::{Dynamics, Scene};
 
+use crate::observer::Watch;
 use crate::oil::Oil;
 use crate::position::Position;
 use crate::thermal_model::ThermalModel;
@@ -162,11 +163,12 @@ impl Film {
         Position::of(&self.problem.journal, self.problem.bearing.clearance)
     }
 
-    /// How its position is sought under a load until `deadline`, without a neighbouring film.
-    pub(crate) fn search_options(&self, deadline: Deadline) -> SearchOptions<'_> {
+    /// How its position is sought under a load, without a neighbouring film.
+    pub(crate) fn search_options(&self, watch: Watch) -> SearchOptions<'_> {
         SearchOptions {
             centre_velocity: self.centre_velocity,
-            deadline,
+            deadline: watch.deadline,
+            observer: watch.observer.map(|observer| observer as &dyn SearchObserver),
             guess: match &self.start {
                 Start::Along(way) => InitialGuess::Along(way),
                 Start::Estimated | Start::Failed => InitialGuess::Cold,

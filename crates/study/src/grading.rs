@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 use oilwedge_bearing::{
-    Deadline, Equilibrium, InitialGuess, Load, NoEquilibrium, Purpose, ROUGHLY_BALANCED, SearchOptions, Waypoint, find,
+    Equilibrium, InitialGuess, Load, NoEquilibrium, Purpose, ROUGHLY_BALANCED, SearchOptions, Waypoint, find,
     find_after, is_contact,
 };
 use oilwedge_reynolds::angles::wrapped;
@@ -17,6 +17,7 @@ use crate::compile_error::CompileError;
 use crate::film::{Film, Start};
 use crate::liner_mesh::{expected_triangles, resized};
 use crate::no_answer::NoAnswer;
+use crate::observer::Watch;
 use crate::position::Position;
 
 /// A mesh is graded anew where the least film thickness found differs by this factor from that which it was graded for,
@@ -49,8 +50,8 @@ impl From<Film> for Graded {
 ///
 /// # Errors
 /// The scene does not become a film.
-pub fn graded(scene: &Scene, deadline: Deadline) -> Result<Film, CompileError> {
-    Ok(graded_within(scene, f64::INFINITY, None, deadline)?.film)
+pub fn graded(scene: &Scene, watch: Watch) -> Result<Film, CompileError> {
+    Ok(graded_within(scene, f64::INFINITY, None, watch)?.film)
 }
 
 /// Where another mesh has shown that a growing moment leads, under a wall that gives way.
@@ -85,7 +86,7 @@ pub fn graded_within(
     scene: &Scene,
     most_triangles: f64,
     shown: Option<&Shown>,
-    deadline: Deadline,
+    watch: Watch,
 ) -> Result<Graded, CompileError> {
     let mut film = match shown {
         None => compile(scene)?,
@@ -99,10 +100,10 @@ pub fn graded_within(
     };
     let mut middle = Some(Position::middle(scene));
     for _ in 1..GRADINGS {
-        if deadline.is_over() {
+        if watch.deadline.is_over() {
             break;
         }
-        match suited(&film, load, deadline, &mut middle) {
+        match suited(&film, load, watch, &mut middle) {
             Suited::To(found) => return Ok(film.as_found(&found).nearly_balanced().into()),
             Suited::Unknown(way) => {
                 let film = match way {
@@ -171,7 +172,7 @@ enum Known {
 }
 
 /// Whether the mesh of a film suits the position that the load leads to. `middle` is tried once.
-fn suited(film: &Film, load: Load, deadline: Deadline, middle: &mut Option<Position>) -> Suited {
+fn suited(film: &Film, load: Load, watch: Watch, middle: &mut Option<Position>) -> Suited {
     let is_parallel = load.tilting.is_none() && film.problem.journal.tilt == [0.0; 2];
     let thin = match film.problem.cavitation.conserves_oil() && is_parallel {
         true => THIN_IN_ROWS,
@@ -183,7 +184,7 @@ fn suited(film: &Film, load: Load, deadline: Deadline, middle: &mut Option<Posit
         Some(_) => with_film(&gap, &problem.journal, thin),
         None => problem.journal,
     };
-    let balance = match rough_balance(film, load, deadline) {
+    let balance = match rough_balance(film, load, watch) {
         Err(reason) if is_judged(film) && reason.way().is_some() && reason.is_far_beyond() => {
             return Suited::Refused(reason);
         }
@@ -251,7 +252,7 @@ fn with_film(gap: &Gap, journal: &JournalState, part: f64) -> JournalState {
 
 /// The balance on a coarser mesh, which is good enough to grade a mesh for, if it leads to a position. A load may be out of reach only because the
 /// mesh is too coarse there.
-fn rough_balance(film: &Film, load: Load, deadline: Deadline) -> Result<Equilibrium, NoEquilibrium> {
+fn rough_balance(film: &Film, load: Load, watch: Watch) -> Result<Equilibrium, NoEquilibrium> {
     let options = SearchOptions {
         accuracy: Some(ROUGHLY_BALANCED),
         // The way into contact under a wall that gives way takes long: what it leads to may be certain on this mesh.
@@ -259,7 +260,7 @@ fn rough_balance(film: &Film, load: Load, deadline: Deadline) -> Result<Equilibr
             true => Purpose::Answer,
             false => Purpose::Start,
         },
-        ..film.search_options(deadline)
+        ..film.search_options(watch)
     };
     // Where a mesh before has the balance and walls give way, a coarser one that does not is not asked where else there is one, but for a film that conserves oil: it takes longer on a finer mesh.
     let is_asked = film.problem.cavitation.conserves_oil();

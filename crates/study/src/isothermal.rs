@@ -3,9 +3,7 @@
 use std::time::Instant;
 
 use oilwedge_bearing::deflection::{CLOSED, Pair, closed_film, closed_pair, following_wall};
-use oilwedge_bearing::{
-    Carrier, Equilibrium, InitialGuess, Load, SearchObserver, SearchOptions, WallByPlace, balance_hill, find,
-};
+use oilwedge_bearing::{Carrier, Equilibrium, InitialGuess, Load, SearchOptions, WallByPlace, balance_hill, find};
 use oilwedge_reynolds::error_bar::sharp;
 use oilwedge_reynolds::sharp::{HillStart, SharpFilm};
 use oilwedge_reynolds::solve::Neighbour;
@@ -71,8 +69,7 @@ fn under_load(film: &Film, load: Load, options: &SolveOptions) -> Result<Solved,
     let search = SearchOptions {
         accuracy: options.accuracy,
         carrier: if by_cubic { Carrier::Cubic } else { Carrier::Quadratic },
-        observer: options.observer.map(|observer| observer as &dyn SearchObserver),
-        ..film.search_options(options.deadline)
+        ..film.search_options(options.watch())
     };
     let search = match options.guess {
         InitialGuess::Cold => search,

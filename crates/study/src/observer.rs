@@ -1,7 +1,7 @@
 //! How a run gets on, for whoever waits for it.
 
-use oilwedge_bearing::SearchObserver;
 use oilwedge_bearing::orbit::OrbitObserver;
+use oilwedge_bearing::{Deadline, SearchObserver};
 
 use crate::quantities::Unit;
 
@@ -22,6 +22,24 @@ pub struct Reached {
     pub asked: Option<f64>,
     /// Seconds of the mesh, by the clock of the run [s].
     pub seconds: f64,
+}
+
+/// How long the searches of a run may take, and who is told how they get on.
+#[derive(Debug, Clone, Copy)]
+pub struct Watch {
+    /// When they must end.
+    pub deadline: Deadline,
+    /// Notified of each position that is tried, if anyone is.
+    pub observer: Option<&'static dyn RunObserver>,
+}
+
+impl From<Deadline> for Watch {
+    fn from(deadline: Deadline) -> Self {
+        Self {
+            deadline,
+            observer: None,
+        }
+    }
 }
 
 /// Is notified by a run; from any thread.

@@ -14,8 +14,6 @@ mod next;
 #[cfg(test)]
 mod tests;
 
-use oilwedge_bearing::Deadline;
-
 use crate::analysis::solve;
 use crate::checks::targets;
 use crate::compile_error::CompileError;
@@ -23,7 +21,7 @@ use crate::estimate::{Estimated, estimate_errors};
 use crate::film::Film;
 use crate::grading::graded;
 use crate::no_answer::NoAnswer;
-use crate::observer::RunObserver;
+use crate::observer::Watch;
 use crate::reasons::Limit;
 use crate::result::LevelFacts;
 use crate::run_options::RunOptions;
@@ -53,14 +51,14 @@ pub struct Answer {
 /// # Errors
 /// The scene does not become a film.
 pub fn answer(scene: &Scene, options: &RunOptions) -> Result<Answer, CompileError> {
-    let warmed = crate::thermal::warmed(scene, options.deadline())?;
+    let warmed = crate::thermal::warmed(scene, options.watch())?;
     let scene = warmed.as_ref().unwrap_or(scene);
     if let Some(targets) = targets(scene).filter(|_| options.bars) {
         return levels::towards(scene, &targets, options);
     }
-    let deadline = options.deadline();
-    let film = graded(scene, deadline)?;
-    let outcome = solved(&film, options.errors(), deadline, options.observer);
+    let watch = options.watch();
+    let film = graded(scene, watch)?;
+    let outcome = solved(&film, options.errors(), watch);
     let limit = outcome.as_ref().ok().and_then(|(solved, _)| ended(solved, options));
     Ok(Answer {
         film: outcome.as_ref().map_or(film, |(solved, _)| solved.film.clone()),
@@ -85,16 +83,11 @@ pub fn ended(solved: &Solved, options: &RunOptions) -> Option<Limit> {
     of_temperature.or_else(of_position)
 }
 
-fn solved(
-    film: &Film,
-    errors: Errors,
-    deadline: Deadline,
-    observer: Option<&'static dyn RunObserver>,
-) -> Result<(Solved, Estimated), NoAnswer> {
+fn solved(film: &Film, errors: Errors, watch: Watch) -> Result<(Solved, Estimated), NoAnswer> {
     let options = SolveOptions {
         errors,
-        deadline,
-        observer,
+        deadline: watch.deadline,
+        observer: watch.observer,
         ..SolveOptions::default()
     };
     let solved = solve(film, &options)?;

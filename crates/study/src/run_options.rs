@@ -4,7 +4,7 @@ use oilwedge_bearing::{Clock, Deadline, Interrupt};
 
 use oilwedge_scene::Scene;
 
-use crate::observer::RunObserver;
+use crate::observer::{RunObserver, Watch};
 use crate::picture::Surface;
 use crate::reasons::Cause;
 use crate::solved::Errors;
@@ -57,6 +57,14 @@ impl RunOptions {
     /// How long a run that begins now may search.
     pub fn deadline(&self) -> Deadline {
         Deadline::by(self.clock, self.max_seconds, self.interrupt)
+    }
+
+    /// That, and who is told how it gets on.
+    pub fn watch(&self) -> Watch {
+        Watch {
+            deadline: self.deadline(),
+            observer: self.observer,
+        }
     }
 
     /// Whether errors are estimated.

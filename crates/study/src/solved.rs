@@ -7,7 +7,7 @@ use oilwedge_bearing::{Balanced, Coordinates, Deadline, InitialGuess, Stiffness,
 use oilwedge_reynolds::{FilmSolution, ReferenceFilm};
 
 use crate::film::Film;
-use crate::observer::RunObserver;
+use crate::observer::{RunObserver, Watch};
 
 /// How a film is solved; by default without an error estimate, from a cold start, without a deadline.
 #[derive(Debug, Clone, Copy, Default)]
@@ -22,6 +22,16 @@ pub struct SolveOptions<'a> {
     pub accuracy: Option<f64>,
     /// Notified of each position and temperature tried.
     pub observer: Option<&'static dyn RunObserver>,
+}
+
+impl SolveOptions<'_> {
+    /// When its searches must end, and who is told of them.
+    pub(crate) fn watch(&self) -> Watch {
+        Watch {
+            deadline: self.deadline,
+            observer: self.observer,
+        }
+    }
 }
 
 /// Whether errors are to be estimated.

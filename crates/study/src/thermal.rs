@@ -4,7 +4,7 @@
 //! through the slope of their balance; all other numbers change with the temperature as the films on the way have shown.
 
 use oilwedge_bearing::thermal_balance::Start;
-use oilwedge_bearing::{Deadline, NoBalance, ThermalBalance, ThermalFlows};
+use oilwedge_bearing::{NoBalance, ThermalBalance, ThermalFlows};
 use oilwedge_reynolds::existence::readable;
 use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, ReferenceFilm};
 
@@ -15,6 +15,7 @@ use crate::liner_mesh::resized;
 use crate::measure::{Measured, measure};
 use crate::no_answer::NoAnswer;
 use crate::no_answer::NoTemperature;
+use crate::observer::Watch;
 use crate::oil::{at_temperature, first_temperature};
 use crate::solved::{SolveOptions, Solved};
 use oilwedge_scene::Scene;
@@ -101,23 +102,24 @@ pub(crate) fn none(balance: &ThermalBalance, reason: NoBalance<Left>) -> NoAnswe
 ///
 /// # Errors
 /// The scene does not become a film.
-pub fn warmed(scene: &Scene, deadline: Deadline) -> Result<Option<Scene>, CompileError> {
+pub fn warmed(scene: &Scene, watch: Watch) -> Result<Option<Scene>, CompileError> {
     if scene.inlet_temperature().is_none() {
         return Ok(None);
     }
     let coarse = resized(scene, COARSE).unwrap_or_else(|| scene.clone());
-    let mut film = graded(&coarse, deadline)?;
+    let mut film = graded(&coarse, watch)?;
     while film.system.coarser.is_some() && film.system.space().dofs() > COARSE_NODES {
         film = film.on_coarser();
     }
-    Ok(rough_temperature(&film, deadline).map(|temperature| at_temperature(scene, temperature)))
+    Ok(rough_temperature(&film, watch).map(|temperature| at_temperature(scene, temperature)))
 }
 
-fn rough_temperature(film: &Film, deadline: Deadline) -> Option<f64> {
+fn rough_temperature(film: &Film, watch: Watch) -> Option<f64> {
     let model = film.thermal?;
     let first = film.oil.temperature.unwrap_or(first_temperature(model.balance.inlet));
     let options = SolveOptions {
-        deadline,
+        deadline: watch.deadline,
+        observer: watch.observer,
         ..SolveOptions::default()
     };
     let found = Search::new(film, model, &options).find(Start::at(first), ROUGHLY, Kind::Leading);

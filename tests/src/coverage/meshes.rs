@@ -128,7 +128,7 @@ pub fn sized(bearing: &Bearing, wanted: f64) -> Scene {
 pub fn solves(bearing: &Bearing, seed: u64) -> Vec<Result<Solve, String>> {
     let mut dice = Dice::new(seed);
     let compiled = |scene: &Scene| {
-        let study = graded(scene, Deadline::default()).map_err(|error| error.to_string())?;
+        let study = graded(scene, Deadline::default().into()).map_err(|error| error.to_string())?;
         Solve::new(&study, Kind::Drawn)
     };
     let mut found = Vec::new();

@@ -50,7 +50,7 @@ pub struct Reference {
 /// The reason why there are none.
 pub fn reference(bearing: &Bearing, most: usize) -> Result<Reference, String> {
     let scene = sized(bearing, FIRST);
-    let study = graded(&scene, Deadline::default()).map_err(|error| error.to_string())?;
+    let study = graded(&scene, Deadline::default().into()).map_err(|error| error.to_string())?;
     let mut before: Vec<Quantity> = Vec::new();
     let mut last = Solve::new(&study, Kind::Drawn)?;
     while last.unknowns < most {

@@ -52,7 +52,7 @@ pub fn met(bearing: &Bearing, reference: &Reference) -> Vec<Met> {
     let relative = |load: f64| (load / known.value - 1.0).abs();
     let errors: Vec<(usize, f64)> = (0..MOST)
         .filter_map(|k| {
-            let study = graded(&sized(bearing, LEAST * GROWTH.powi(k)), Deadline::default()).ok()?;
+            let study = graded(&sized(bearing, LEAST * GROWTH.powi(k)), Deadline::default().into()).ok()?;
             let solve = Solve::new(&study, Kind::Drawn).ok()?;
             let load = solve
                 .judged

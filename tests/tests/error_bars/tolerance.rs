@@ -1,7 +1,11 @@
 //! Towards a tolerance: meshes until the bars are small enough, or until a limit.
 
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use oilwedge_bearing::SearchObserver;
+use oilwedge_bearing::orbit::OrbitObserver;
 use oilwedge_study::result::{Refinement, Status};
-use oilwedge_study::{RunOptions, run};
+use oilwedge_study::{Reached, RunObserver, RunOptions, run};
 use oilwedge_tests::scenes::{table, variant};
 
 use super::films::{NO_BARS, answer, bar, drawn, quantity, set};
@@ -203,4 +207,57 @@ fn the_edge_of_a_cavity_is_refined_where_it_dominates() {
     );
     let (load, error) = bar(&result, "load");
     assert!(error < 1e-4 * load);
+}
+
+/// What a run has told of.
+#[derive(Debug)]
+struct Told {
+    /// Positions before the first mesh was named,
+    first: AtomicUsize,
+    /// and after that.
+    later: AtomicUsize,
+    levels: AtomicUsize,
+}
+
+impl SearchObserver for Told {
+    fn position(&self, _: usize, _: f64) {
+        let is_first = self.levels.load(Ordering::Relaxed) == 0;
+        let counter = if is_first { &self.first } else { &self.later };
+        counter.fetch_add(1, Ordering::Relaxed);
+    }
+}
+
+impl OrbitObserver for Told {
+    fn step(&self, _: usize, _: f64) {}
+}
+
+impl RunObserver for Told {
+    fn level(&self, _: usize, _: usize) {
+        self.levels.fetch_add(1, Ordering::Relaxed);
+    }
+
+    fn reached(&self, _: &Reached) {}
+
+    fn temperature(&self, _: usize, _: f64) {}
+}
+
+/// The search that grades the first mesh for its load may take long: its positions are told of before that mesh is made.
+#[test]
+fn a_run_tells_of_the_search_that_grades_its_mesh() {
+    static TOLD: Told = Told {
+        first: AtomicUsize::new(0),
+        later: AtomicUsize::new(0),
+        levels: AtomicUsize::new(0),
+    };
+    let options = RunOptions {
+        observer: Some(&TOLD),
+        ..RunOptions::default()
+    };
+    let result = answer(&variant("24_load_off_the_middle", |_| ()), &options);
+    assert_eq!(result.status, Status::Converged);
+    let [first, later, levels] = [&TOLD.first, &TOLD.later, &TOLD.levels].map(|count| count.load(Ordering::Relaxed));
+    assert!(
+        first > 0 && later > 0 && levels == result.levels.len(),
+        "{first} {later} {levels}"
+    );
 }

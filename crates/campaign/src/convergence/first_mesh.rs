@@ -53,7 +53,7 @@ pub(super) fn first_mesh(scene: &Scene, deadline: Deadline) -> Result<Result<Fir
             }
             continue;
         }
-        match graded(&coarse, deadline).map(|film| solve(&film, &options)) {
+        match graded(&coarse, deadline.into()).map(|film| solve(&film, &options)) {
             Ok(Ok(solved)) => {
                 let mesh = Mesh::clone(solved.film.system.space().mesh());
                 return Ok(Ok(first(mesh, solved.film.position())));

@@ -261,7 +261,7 @@ impl<'a> Walker<'a> {
         let held = self.held.take();
         let ungraded = held.filter(|held| !scene.mesh.is_graded() && has_same_system(&held.film.scene, scene));
         let reused = ungraded.and_then(|held| held.film.reused(scene, Position::start(scene)));
-        reused.map_or_else(|| graded(scene, self.deadline), Ok)
+        reused.map_or_else(|| graded(scene, self.deadline.into()), Ok)
     }
 
     /// From the case before, if there is one and it leads to an answer; with the position for which the mesh was graded.

@@ -1,7 +1,5 @@
 //! The loop from mesh to mesh.
 
-use oilwedge_bearing::Deadline;
-
 use super::distance::worst;
 use super::growth::{Goal, Growth, next_seconds};
 use super::level::Level;
@@ -13,7 +11,7 @@ use crate::estimate::Estimated;
 use crate::film::{Film, Start};
 use crate::grading::Graded;
 use crate::no_answer::NoAnswer;
-use crate::observer::Reached;
+use crate::observer::{Reached, Watch};
 use crate::quantities::Quantity;
 use crate::reasons::{Cause, Distance, Limit};
 use crate::result::{LevelFacts, Refinement};
@@ -61,7 +59,7 @@ struct Refining<'a> {
     options: &'a RunOptions,
     /// What the clock of the run showed at its beginning [s].
     started: f64,
-    deadline: Deadline,
+    watch: Watch,
     levels: Vec<LevelFacts>,
     /// Seconds of the last mesh in which the position was found that it is graded for: known from then on [s].
     grading: f64,
@@ -80,7 +78,7 @@ pub(super) fn towards(scene: &Scene, targets: &Targets, options: &RunOptions) ->
         targets,
         options,
         started: options.clock.now(),
-        deadline: options.deadline(),
+        watch: options.watch(),
         levels: Vec::new(),
         grading: 0.0,
         best: None,
@@ -100,7 +98,7 @@ impl Refining<'_> {
     /// Makes and solves one mesh.
     fn level(&mut self, next: &Next) -> Result<Step, CompileError> {
         let started = self.options.clock.now();
-        let (refinement, graded) = match next.film(self.scene, self.deadline) {
+        let (refinement, graded) = match next.film(self.scene, self.watch) {
             Ok(made) => made,
             Err(reason) => return self.last_resort(reason.to_string()).ok_or(reason),
         };
@@ -116,13 +114,12 @@ impl Refining<'_> {
         }
         self.is_laid_anew |= film.origin.is_laid_anew;
         film.origin.is_laid_anew = self.is_laid_anew;
-        let observer = self.options.observer;
-        if let Some(observer) = observer {
+        if let Some(observer) = self.watch.observer {
             observer.level(self.levels.len() + 1, film.unknowns());
         }
         let outcome = match refused {
             Some(reason) => Err(reason.into()),
-            None => solved(&film, Errors::Estimated, self.deadline, observer),
+            None => solved(&film, Errors::Estimated, self.watch),
         };
         Ok(match outcome {
             Err(reason) => self.unanswered(next, film, reason),
@@ -155,7 +152,7 @@ impl Refining<'_> {
 
     /// What follows a mesh without an answer.
     fn unanswered(&mut self, next: &Next, film: Film, reason: NoAnswer) -> Step {
-        let may_divide = !self.deadline.is_over() && 4 * film.unknowns() <= self.options.max_unknowns;
+        let may_divide = !self.watch.deadline.is_over() && 4 * film.unknowns() <= self.options.max_unknowns;
         // A finer mesh shows whether there is a film.
         if let Some(finer) = (reason.is_near_limit() && may_divide)
             .then(|| Next::divided(&film))
@@ -240,7 +237,7 @@ impl Refining<'_> {
 
     /// Tells the observer how far the last mesh is from the tolerance.
     fn tell(&self, quantities: &[Quantity], worst: f64, name: &str) {
-        let (Some(observer), Some(last)) = (self.options.observer, self.levels.last()) else {
+        let (Some(observer), Some(last)) = (self.watch.observer, self.levels.last()) else {
             return;
         };
         let Some(quantity) = quantities.iter().find(|quantity| quantity.name == name) else {

@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use oilwedge_bearing::Deadline;
 use oilwedge_fem::marking::doerfler;
 use oilwedge_mesh::{Mesh, refine};
 use oilwedge_reynolds::film_thickness::Deflection;
@@ -16,6 +15,7 @@ use crate::film::Film;
 use crate::grading::{Graded, Shown, graded_within};
 use crate::liner_mesh::{expected_triangles, liner_mesh, resized};
 use crate::no_answer::NoAnswer;
+use crate::observer::Watch;
 use crate::oil::at_temperature;
 use crate::position::Position;
 use crate::reasons::Limit;
@@ -143,15 +143,15 @@ impl Next {
     }
 
     /// The film on it, and how the mesh was made.
-    pub(super) fn film(&self, scene: &Scene, deadline: Deadline) -> Result<(Refinement, Graded), CompileError> {
+    pub(super) fn film(&self, scene: &Scene, watch: Watch) -> Result<(Refinement, Graded), CompileError> {
         match self {
             Self::Given => {
-                let film = graded_within(scene, f64::INFINITY, None, deadline)?;
+                let film = graded_within(scene, f64::INFINITY, None, watch)?;
                 Ok((Refinement::Given, film))
             }
             Self::Drawn(factor, shown) => {
                 let resized = resized(scene, *factor).unwrap_or_else(|| scene.clone());
-                let film = graded_within(&resized, MOST_TRIANGLES, shown.as_ref(), deadline)?;
+                let film = graded_within(&resized, MOST_TRIANGLES, shown.as_ref(), watch)?;
                 Ok((Refinement::Given, film))
             }
             Self::DrawnFiner(factor, triangles, known) => {
