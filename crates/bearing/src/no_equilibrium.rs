@@ -84,8 +84,8 @@ pub enum NoEquilibrium {
     },
     /// The journal comes into contact with the liner at an end before the film carries the moment.
     #[error(
-        "no position and tilt that a growing moment leads to carry {} N and its moment: the journal comes into contact with the liner at its end z = {} mm, at {angle:.1} deg; the last balance found on the way there, with a film of {} m, carries {} % of the moment",
-        readable(*asked), readable(1e3 * end), readable(*thickness), readable(percent(*carried, 1.0))
+        "no position and tilt that a growing moment leads to carry {} N and its moment: the journal comes into contact with the liner at its end z = {} mm, at {angle:.1} deg; the last balance found on the way there, with a film of {} m, carries {} of the moment",
+        readable(*asked), readable(1e3 * end), readable(*thickness), told((*carried, *error), 1.0)
     )]
     EdgeContact {
         /// The load [N].
@@ -107,8 +107,8 @@ pub enum NoEquilibrium {
     },
     /// The film resists tilt no more before it carries the moment.
     #[error(
-        "no position and tilt that a growing moment leads to carry {} N and its moment: the film carries at most {} % of what tilts the journal, at a slope of {} mrad with a least film of {} m; tilted more it carries less, and the journal tips over",
-        readable(*asked), readable(percent(*carried, 10.0)), readable(1e3 * tilt), readable(*thickness)
+        "no position and tilt that a growing moment leads to carry {} N and its moment: the film carries at most {} of what tilts the journal, at a slope of {} mrad with a least film of {} m; tilted more it carries less, and the journal tips over",
+        readable(*asked), told((*carried, *error), 10.0), readable(1e3 * tilt), readable(*thickness)
     )]
     TiltLimit {
         /// The load [N].
@@ -184,6 +184,15 @@ fn percent(part: f64, steps: f64) -> f64 {
     rounded / steps
 }
 
+/// A part that is carried, and its error on the mesh where that is known and leaves open whether all is carried.
+fn told((carried, error): (f64, Option<f64>), steps: f64) -> String {
+    let percent = readable(percent(carried, steps));
+    match error.filter(|error| carried + error >= 1.0) {
+        Some(error) => format!("{percent} ± {:.1} %", 100.0 * error),
+        None => format!("{percent} %"),
+    }
+}
+
 impl NoEquilibrium {
     /// The reason itself, of whichever film.
     pub fn cause(&self) -> &Self {
@@ -215,6 +224,16 @@ impl NoEquilibrium {
             // The thin film all along a parallel journal needs a fine mesh.
             Self::BeyondCapacity { ratio, journal, .. } => journal.tilt != [0.0; 2] && FAR_BELOW * ratio > 1.0,
             reason => matches!(reason, Self::Unreachable { why, .. } if *why == FAR),
+        }
+    }
+
+    /// True where the film of this mesh lacks no more of the moment than its error: a finer mesh may show a balance.
+    pub fn is_undecided(&self) -> bool {
+        match self.cause() {
+            Self::EdgeContact { carried, error, .. } | Self::TiltLimit { carried, error, .. } => {
+                error.is_some_and(|error| carried + error >= 1.0)
+            }
+            _ => false,
         }
     }
 

@@ -56,6 +56,7 @@ impl NoAnswer {
                 film,
                 NoFilm::NotConverged(_) | NoFilm::NearLimit { .. } | NoFilm::AtFold { .. } | NoFilm::Wall { .. }
             ),
+            Self::Equilibrium(reason) if reason.is_undecided() => true,
             Self::Equilibrium(reason) => matches!(
                 reason,
                 NoEquilibrium::NotConverged { .. } | NoEquilibrium::BelowRounding { .. } | NoEquilibrium::Ended { .. }
@@ -71,6 +72,11 @@ impl NoAnswer {
     /// True if a finer mesh would show no more: the load is far beyond what the film carries.
     pub fn is_far_beyond(&self) -> bool {
         matches!(self, Self::Equilibrium(reason) if reason.is_far_beyond())
+    }
+
+    /// True if a finer mesh may show a balance where this one shows contact, or a journal that tips over.
+    pub fn is_undecided(&self) -> bool {
+        matches!(self, Self::Equilibrium(reason) if reason.is_undecided())
     }
 
     /// True if the journal tips over.
@@ -157,6 +163,9 @@ fn of_position(reason: &NoEquilibrium) -> Option<&'static str> {
             Some("change the load, its angle, the tilt where one is given, or the pressure and place of feeds")
         }
         NoEquilibrium::BeyondCapacity { .. } => Some("lower the load, or raise speed, viscosity or size"),
+        NoEquilibrium::EdgeContact { .. } | NoEquilibrium::TiltLimit { .. } if reason.is_undecided() => Some(
+            "a finer mesh ([mesh] size) may show that all is carried; or move the load towards the middle, lower its moment, or give [support] a greater tilt_stiffness",
+        ),
         NoEquilibrium::EdgeContact { .. } | NoEquilibrium::TiltLimit { .. } => {
             Some("move the load towards the middle, lower its moment, or give [support] a greater tilt_stiffness")
         }

@@ -12,6 +12,7 @@ use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::wall::Wall;
 use oilwedge_reynolds::{Cavitation, CentreVelocity, FilmProblem, FilmSystem, Gap, terms};
 use oilwedge_study::result::Status;
+use oilwedge_tests::bench::edited;
 use oilwedge_tests::elastic_liner::{layer, with_wall};
 use oilwedge_tests::journal_bearings::{each, number};
 use oilwedge_tests::tilted_bearings::{
@@ -323,6 +324,26 @@ fn contact_at_an_end_is_told_with_a_way_out() {
     ] {
         assert!(reason.contains(part), "{reason}");
     }
+}
+
+/// A moment of which the film lacks no more than the error of its mesh may be carried: a finer mesh is asked, and where that does not show it either there is no answer, but no refusal.
+#[test]
+fn a_moment_within_the_error_of_its_mesh_is_not_refused() {
+    let at = |place: f64| {
+        let edits = [("4.1596 kN", "20 kN"), ("\"5 mm\"", &format!("\"{place} mm\""))];
+        run(&edited("24_load_off_the_middle", &edits))
+    };
+    assert_eq!(at(10.4).status, Status::Converged);
+    let undecided = at(10.6);
+    let reason = undecided.reason.unwrap_or_default();
+    assert_eq!(undecided.status, Status::NotConverged, "{reason}");
+    for part in [" ± ", "% of the moment", "a finer mesh"] {
+        assert!(reason.contains(part), "{reason}");
+    }
+    let refused = at(14.0);
+    let reason = refused.reason.unwrap_or_default();
+    assert_eq!(refused.status, Status::NoSolution, "{reason}");
+    assert!(!reason.contains('±'), "{reason}");
 }
 
 /// The film of a journal whose gap is negative at the very end of the bearing, where no point of integration sees it, is no start: the search ends all the same,

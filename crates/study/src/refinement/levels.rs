@@ -167,7 +167,10 @@ impl Refining<'_> {
             return step;
         }
         // The first mesh is coarse; what it cannot answer one as fine as usual may.
-        let finer = (next.finer_first(&film, &reason)).filter(|_| !reason.is_far_beyond());
+        let finer = next
+            .finer_first(&film, &reason)
+            .filter(|_| !reason.is_far_beyond())
+            .or_else(|| next.finer_undecided(&film, &reason).filter(|_| may_divide));
         match (finer, self.best.take()) {
             (Some(finer), None) => Step::Finer(finer),
             _ => Step::Done(Box::new(Answer {

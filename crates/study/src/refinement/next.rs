@@ -28,6 +28,8 @@ const FIRST: f64 = 3.0;
 const LEAST_TRIANGLES: usize = 300;
 /// Most triangles of that mesh, however thin the film is.
 const MOST_TRIANGLES: f64 = 20_000.0;
+/// Edges of one that follows where that does not show whether a moment is carried, over its own.
+const UNDECIDED: f64 = 0.5;
 /// A mesh with this part of the triangles wanted has enough;
 const NEARLY_AS_MANY: f64 = 0.9;
 /// one with so many times as many has too many;
@@ -151,7 +153,12 @@ impl Next {
             }
             Self::Drawn(factor, shown) => {
                 let resized = resized(scene, *factor).unwrap_or_else(|| scene.clone());
-                let film = graded_within(&resized, MOST_TRIANGLES, shown.as_ref(), watch)?;
+                let film = graded_within(
+                    &resized,
+                    MOST_TRIANGLES / factor.min(1.0).powi(2),
+                    shown.as_ref(),
+                    watch,
+                )?;
                 Ok((Refinement::Given, film))
             }
             Self::DrawnFiner(factor, triangles, known) => {
@@ -188,6 +195,16 @@ impl Next {
     pub(super) fn finer_first(&self, film: &Film, reason: &NoAnswer) -> Option<Self> {
         match self {
             Self::Drawn(factor, _) if *factor > 1.0 => Some(Self::Drawn(1.0, Shown::of(film, reason))),
+            _ => None,
+        }
+    }
+
+    /// Another start where a mesh that is as fine as usual, that of `film`, does not show whether a moment is carried.
+    pub(super) fn finer_undecided(&self, film: &Film, reason: &NoAnswer) -> Option<Self> {
+        match self {
+            Self::Drawn(factor, _) if *factor > UNDECIDED && reason.is_undecided() => {
+                Some(Self::Drawn(UNDECIDED, Shown::of(film, reason)))
+            }
             _ => None,
         }
     }
