@@ -188,7 +188,9 @@ fn percent(part: f64, steps: f64) -> f64 {
 fn told((carried, error): (f64, Option<f64>), steps: f64) -> String {
     let percent = readable(percent(carried, steps));
     match error.filter(|error| carried + error >= 1.0) {
-        Some(error) => format!("{percent} ± {:.1} %", 100.0 * error),
+        // Two digits, rounded up.
+        Some(error) if error < 0.1 => format!("{percent} ± {:.1} %", (1e3 * error).ceil() / 10.0),
+        Some(error) => format!("{percent} ± {:.0} %", (100.0 * error).ceil()),
         None => format!("{percent} %"),
     }
 }
@@ -275,12 +277,20 @@ impl NoEquilibrium {
 
 #[cfg(test)]
 mod tests {
-    use super::percent;
+    use super::{percent, told};
 
     #[test]
     fn less_than_the_whole_does_not_read_as_the_whole() {
         assert_eq!([percent(0.997, 1.0), percent(0.9996, 10.0)], [99.0, 99.9]);
         assert_eq!([percent(0.5046, 1.0), percent(0.5046, 10.0)], [50.0, 50.5]);
         assert_eq!([percent(1.0, 1.0), percent(1.02, 10.0)], [100.0, 102.0]);
+    }
+
+    #[test]
+    fn an_error_is_told_where_it_leaves_open_whether_all_is_carried() {
+        assert_eq!(told((0.8, Some(0.1999)), 1.0), "80 %");
+        assert_eq!(told((0.98, Some(0.0341)), 1.0), "98 ± 3.5 %");
+        assert_eq!(told((0.80, Some(0.248)), 10.0), "80 ± 25 %");
+        assert_eq!(told((0.99, None), 1.0), "99 %");
     }
 }
