@@ -196,9 +196,12 @@ impl Search<'_> {
     pub(crate) fn run(&self, problem: &FilmProblem, start: JournalState) -> Result<Equilibrium, NoEquilibrium> {
         let rough = self.options.balanced().max(ROUGHLY_BALANCED);
         let at = self.coordinates.at(&start);
-        if problem.has_bent_wall() && self.options.deadline.is_over() {
-            // To close the wall would take as many films as a search.
-            return self.at_rest(self.open(problem, at, Neighbour::None, self.left_at_balance())?);
+        // To close the wall would take as many films as a search.
+        if problem.has_bent_wall()
+            && self.options.deadline.is_over()
+            && let Ok(begun) = self.open(problem, at, Neighbour::None, self.left_at_balance())
+        {
+            return self.at_rest(begun);
         }
         let opened = self.opened(problem, at, Neighbour::None, rough);
         match opened.map(|opened| self.with_wall(opened, (rough, rough), &mut 0)) {

@@ -24,7 +24,7 @@ pub struct Reached {
     pub seconds: f64,
 }
 
-/// How long the searches of a run may take, and who is told how they get on.
+/// The deadline of the searches of a run, and the observer that is notified of their positions.
 #[derive(Debug, Clone, Copy)]
 pub struct Watch {
     /// When they must end.

@@ -59,7 +59,7 @@ impl RunOptions {
         Deadline::by(self.clock, self.max_seconds, self.interrupt)
     }
 
-    /// That, and who is told how it gets on.
+    /// The deadline of a run that begins now, and its observer.
     pub fn watch(&self) -> Watch {
         Watch {
             deadline: self.deadline(),

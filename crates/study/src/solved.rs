@@ -25,7 +25,7 @@ pub struct SolveOptions<'a> {
 }
 
 impl SolveOptions<'_> {
-    /// When its searches must end, and who is told of them.
+    /// The deadline of the searches for a film, and the observer that is notified of them.
     pub(crate) fn watch(&self) -> Watch {
         Watch {
             deadline: self.deadline,

@@ -241,7 +241,7 @@ impl RunObserver for Told {
     fn temperature(&self, _: usize, _: f64) {}
 }
 
-/// The search that grades the first mesh for its load may take long: its positions are told of before that mesh is made.
+/// The search that grades the first mesh for its load may take long: the observer is notified of its positions before that mesh is made.
 #[test]
 fn a_run_tells_of_the_search_that_grades_its_mesh() {
     static TOLD: Told = Told {

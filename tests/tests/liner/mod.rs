@@ -5,4 +5,5 @@ mod contact;
 mod film;
 mod orbit;
 mod ring;
+mod search;
 mod tangent;

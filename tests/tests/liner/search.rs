@@ -1,0 +1,99 @@
+//! Searches for the position under a load that presses a soft wall out: contact and wall are found together.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use oilwedge_bearing::{InitialGuess, SearchObserver, SearchOptions, find};
+use oilwedge_reynolds::{Cavitation, FilmProblem};
+use oilwedge_study::compile::compile;
+use oilwedge_study::quantities::{DEFLECTION_MAX, FILM_THICKNESS_MIN, Row};
+use oilwedge_tests::elastic_liner::{layer, walled};
+use oilwedge_tests::random_tilted::{TiltedBearing, solved};
+use oilwedge_tests::*;
+
+use crate::contact::contacts;
+
+const LENGTH: f64 = 0.06;
+const REYNOLDS: Cavitation = Cavitation::Reynolds { pressure: 0.0 };
+
+/// A journal that presses a soft wall out takes it along: few positions lead to the balance, and fewer on a finer mesh that begins under the wall found.
+#[test]
+fn a_search_takes_the_wall_along() {
+    let coarse = ring_system(72, 12, LENGTH, Some(160f64.to_radians()));
+    let fine = ring_system(144, 24, LENGTH, Some(160f64.to_radians()));
+    let load = [-1e5, 0.0];
+    for contact in contacts().into_iter().take(1) {
+        let mut problem = walled(LENGTH, 0.5, REYNOLDS, |_| layer(5e-3));
+        problem.contact = Some(contact);
+        let found =
+            find(&problem, &coarse, load, &SearchOptions::default()).unwrap_or_else(|reason| panic!("{reason}"));
+        let eccentricity = found.problem.journal.eccentricity() / CLEARANCE;
+        let begun = FilmProblem {
+            journal: found.problem.journal,
+            ..problem.deflected(found.problem.deflection())
+        };
+        let options = SearchOptions {
+            guess: InitialGuess::NearlyBalanced,
+            ..SearchOptions::default()
+        };
+        let finer = find(&begun, &fine, load, &options).unwrap_or_else(|reason| panic!("{reason}"));
+        println!(
+            "{}: eps {eccentricity}, {} positions, then {}",
+            contact.law.name(),
+            found.steps,
+            finer.steps
+        );
+        assert!(found.residual < 1e-10 && finer.residual < 1e-10);
+        assert!(eccentricity > 1.0, "{eccentricity}");
+        // Each position near the balance is one film.
+        assert!(found.steps <= 24 && finer.steps <= 5, "{} {}", found.steps, finer.steps);
+    }
+}
+
+/// A tilted journal whose end needs more room than the unbent wall leaves: contact presses the wall out there.
+#[test]
+fn a_wall_is_pressed_out_further_than_the_clearance() {
+    let mut bearing = TiltedBearing::with_walls(13);
+    bearing.text += "[mesh]\nsize = \"10 mm\"\n";
+    let (result, fault) = solved(&bearing);
+    assert!(fault.is_none(), "{}", fault.map_or(String::new(), |fault| fault.what));
+    let value = |row: &Row| result.quantity(row).map_or(f64::NAN, |quantity| quantity.value);
+    let film = value(&FILM_THICKNESS_MIN);
+    assert!(film > 0.0 && value(&DEFLECTION_MAX) > film, "{film:e}");
+}
+
+/// How many films a search has solved.
+#[derive(Debug)]
+struct Films(AtomicUsize);
+
+impl SearchObserver for Films {
+    fn position(&self, _: usize, _: f64) {
+        self.0.fetch_add(1, Ordering::Relaxed);
+    }
+}
+
+/// Journals whose ends lie further out than a rigid wall lets them, to which no step of a search from the usual start leads: moments grow until they are balanced. Surfaces touch on the way, and steps
+/// along the tangent press them into each other. If contact did not settle before the next film is solved the first of these journals would seem to come into contact with the liner, and the second one
+/// would take twice as many films.
+#[test]
+fn loads_that_press_soft_walls_far_out_are_balanced() {
+    static FILMS: Films = Films(AtomicUsize::new(0));
+    for (number, least_eccentricity, most_films) in [(63, 1.0, 140), (115, 0.6, 220), (255, 1.1, 100)] {
+        let mut bearing = TiltedBearing::with_walls(number);
+        bearing.text += "[mesh]\nsize = \"30 mm\"\n";
+        let film = compile(&bearing.scene()).unwrap_or_else(|error| panic!("{error}"));
+        let options = SearchOptions {
+            observer: Some(&FILMS),
+            ..SearchOptions::default()
+        };
+        let found = find(&film.problem, &film.system, film.load.expect("a load"), &options);
+        let found = found.unwrap_or_else(|reason| panic!("{number}: {reason}"));
+        let (eccentricity, films) = (
+            found.problem.journal.eccentricity() / CLEARANCE,
+            FILMS.0.swap(0, Ordering::Relaxed),
+        );
+        println!("{number}: eps {eccentricity}, {films} films");
+        assert!(found.residual < 1e-10, "{number}: {:e}", found.residual);
+        assert!(eccentricity > least_eccentricity, "{number}: {eccentricity}");
+        assert!(films < most_films, "{number}: {films}");
+    }
+}
