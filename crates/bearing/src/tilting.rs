@@ -283,13 +283,13 @@ impl Branch<'_, '_> {
     /// A point of the branch at this part.
     fn point(&self, trial: Trial, part: f64) -> Result<Point, NoFilm> {
         let wall = self.search.left_of_wall(&trial).into_owned();
-        let ahead = self.ahead(&self.search.tangents(&trial, &wall)?)?;
+        let ahead = self.ahead(&self.search.tangents(&trial, &wall, FOLLOWED)?)?;
         Ok(Point { trial, ahead, part })
     }
 
     /// How journal and wall move with the part, by their tangents at a point.
     fn ahead(&self, tangents: &Tangents) -> Result<Moves, NoFilm> {
-        tangents.solve(self.first.map(|first| -first), None, FOLLOWED)
+        tangents.solve(self.first.map(|first| -first), None)
     }
 
     /// Product of a direction with a change of coordinates and part.
@@ -371,15 +371,13 @@ impl Branch<'_, '_> {
     fn judged(&self, along: &Direction, trial: &Trial, part: f64) -> Option<Judged> {
         let search = self.search;
         let wall = search.left_of_wall(trial);
-        let tangents = search.tangents(trial, &wall).ok()?;
+        let tangents = search.tangents(trial, &wall, FOLLOWED).ok()?;
         let ahead = self.ahead(&tangents).ok()?;
         let left = moved(search.excess(trial), -(1.0 - part), self.first);
         if length(left) < ROUGHLY_BALANCED * search.scale && wall.residual < ROUGHLY_BALANCED {
             return Some(Judged::Point(ahead));
         }
-        let back = tangents
-            .solve(left.map(|left| -left), Some(&wall.wall), FOLLOWED)
-            .ok()?;
+        let back = tangents.solve(left.map(|left| -left), Some(&wall.wall)).ok()?;
         let change = -self.product(along, back.place, 0.0) / (along.part + self.product(along, ahead.place, 0.0));
         Some(Judged::Beside(back.plus(change, &ahead), change))
     }

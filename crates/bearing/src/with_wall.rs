@@ -9,15 +9,16 @@
 
 use std::borrow::Cow;
 
+use oilwedge_fem::Error;
 use oilwedge_fem::newton::Failure;
 use oilwedge_reynolds::contact::Contact;
 use oilwedge_reynolds::film_thickness::Closing;
 use oilwedge_reynolds::quantities::load::{load, load_touching};
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{FilmProblem, FilmSolution, NoFilm};
+use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, NoFilm};
 
 use crate::coordinates::{Vector, moved, unit};
-use crate::deflection::{Follower, Joint, Left, Moves, contact_points, settled};
+use crate::deflection::{Follower, Joint, Left, Moves, NEARLY, contact_points, settled};
 use crate::search::{Search, Trial, fineness};
 use crate::stiffness::Stiffness;
 
@@ -27,10 +28,12 @@ pub(crate) const WITHIN: f64 = 1.0;
 const MOST_FILMS: usize = 40;
 /// Most lengths of a step, each half of the one before.
 const MOST_LENGTHS: i32 = 7;
-/// Finest accuracy of the linear system of a step,
-const FINEST: f64 = 1e-5;
-/// and the roughest one.
+/// Accuracy of the linear system of a step at the roughest;
 const ROUGHEST: f64 = 1e-2;
+/// over what is left, which Newton's method squares;
+const OF_LEFT: f64 = 0.3;
+/// and the part of what may be left at last that it leaves of it.
+const SPARE: f64 = 0.3;
 /// Least film after a step over that before.
 const LEAST_SHRINK: f64 = 0.3;
 /// Below this part a step that leaves more has reached round-off.
@@ -45,18 +48,18 @@ pub(crate) enum Tangents<'a> {
 }
 
 impl Tangents<'_> {
-    /// The moves by which forces change by `force` [N], and the wall by `wall` [m] more than film and contact bend it, or by no more; for a system that is solved to an `accuracy`.
+    /// The moves by which forces change by `force` [N], and the wall by `wall` [m] more than film and contact bend it, or by no more.
     ///
     /// # Errors
     /// The linear systems could not be solved.
-    pub(crate) fn solve(&self, force: Vector, wall: Option<&[f64]>, accuracy: f64) -> Result<Moves, NoFilm> {
+    pub(crate) fn solve(&self, force: Vector, wall: Option<&[f64]>) -> Result<Moves, NoFilm> {
         match self {
             Self::Rigid(stiffness) => Ok(Moves {
                 place: stiffness.solve(force),
                 wall: Vec::new(),
                 contact: Vec::new(),
             }),
-            Self::Yielding(joint) => Ok(joint.solve(force, wall, accuracy).map_err(Failure::from)?),
+            Self::Yielding(joint) => Ok(joint.solve(force, wall).map_err(Failure::from)?),
         }
     }
 
@@ -140,24 +143,48 @@ impl Search<'_> {
         trial.left.as_ref().map_or_else(|| Cow::Owned(of()), Cow::Borrowed)
     }
 
-    /// How journal and wall of a trial move; see [`Tangents`].
+    /// How journal and wall of a trial move; see [`Tangents`]. Its linear systems are solved to an `accuracy`.
     ///
     /// # Errors
     /// The linear systems could not be solved.
-    pub(crate) fn tangents<'t>(&'t self, trial: &'t Trial, left: &Left) -> Result<Tangents<'t>, NoFilm> {
-        let (problem, journal) = (&trial.problem, &trial.problem.journal);
-        let (system, film) = match &trial.cubic {
-            Some(cubic) => (&self.system.cubic().system, cubic),
-            None => (self.system, &trial.film),
+    pub(crate) fn tangents<'t>(&'t self, trial: &'t Trial, left: &Left, accuracy: f64) -> Result<Tangents<'t>, NoFilm> {
+        let of = |system, film, accuracy| self.joint(trial, (system, film), left, accuracy).map_err(Failure::from);
+        let joint = match &trial.cubic {
+            None => of(self.system, &trial.film, accuracy)?,
+            Some(cubic) => {
+                let quadratic = of(self.system, &trial.film, NEARLY)?;
+                let cubic = of(&self.system.cubic().system, cubic, accuracy)?;
+                cubic.zip(quadratic).map(|(cubic, quadratic)| cubic.nearly(quadratic))
+            }
         };
-        let follower = Follower::touching(problem, system, film, left.contact.clone());
-        let Some(follower) = follower.map_err(Failure::from)? else {
-            return Ok(Tangents::Rigid(self.tangent(trial)?.stiffness));
-        };
+        Ok(match joint {
+            None => Tangents::Rigid(self.tangent(trial)?.stiffness),
+            Some(joint) => Tangents::Yielding(Box::new(joint)),
+        })
+    }
+
+    /// That of one of the films of a trial; none where the wall is rigid.
+    fn joint<'t>(
+        &'t self,
+        trial: &'t Trial,
+        (system, film): (&'t FilmSystem, &'t FilmSolution),
+        left: &Left,
+        accuracy: f64,
+    ) -> Result<Option<Joint<'t>>, Error> {
+        let follower = Follower::touching(&trial.problem, system, film, left.contact.clone())?;
         let support = self.support_stiffness();
+        let journal = &trial.problem.journal;
         let change = |k: usize| (self.coordinates).change(journal, &self.options.centre_velocity, unit(k));
-        let joint = Joint::of(follower, self.coordinates, change, [0.0, 0.0, support, support]);
-        Ok(Tangents::Yielding(Box::new(joint.map_err(Failure::from)?)))
+        let of = |follower| {
+            Joint::of(
+                follower,
+                self.coordinates,
+                change,
+                [0.0, 0.0, support, support],
+                accuracy,
+            )
+        };
+        follower.map(of).transpose()
     }
 
     /// Where a part of moves leads: the problem under the wall there, and the coordinates.
@@ -244,10 +271,10 @@ impl Search<'_> {
     /// The film after the longest of the halved steps of Newton's method that leaves less, the gap kept open; none where no step does.
     fn nearer(&self, trial: &Trial, left: &Left, closed: f64, tried: &mut usize) -> Result<Option<Trial>, NoFilm> {
         let before = self.residual(trial).hypot(left.residual);
-        let accuracy = before.clamp(FINEST, ROUGHEST);
+        let accuracy = (OF_LEFT * before).max(SPARE * closed / before).min(ROUGHEST);
         let wanted = self.excess(trial).map(|excess| -excess);
-        let tangents = self.tangents(trial, left)?;
-        let moves = tangents.solve(wanted, Some(&left.wall), accuracy)?;
+        let tangents = self.tangents(trial, left, accuracy)?;
+        let moves = tangents.solve(wanted, Some(&left.wall))?;
         let least = LEAST_SHRINK * self.least_film(trial);
         let mut films = 0;
         for part in (0..MOST_LENGTHS).map(|times| 0.5f64.powi(times)) {

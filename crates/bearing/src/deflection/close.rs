@@ -21,13 +21,9 @@ const MOST_STEPS: usize = 12;
 const ROUGH: f64 = 0.1;
 /// and the part of what may be left at last that the system of a last step leaves.
 const SPARE: f64 = 0.3;
-/// The tangents of the films in quadratic and cubic elements differ by about this part.
-const APART: f64 = 1e-3;
 /// Where more than this part is left a mass-conserving film has its advection schemes chosen anew at the first step: at each one they would make what is left jump, and take long.
 const NEAR: f64 = 0.1;
-/// A balance of the cubic film that falls by less than this factor with the tangent of the quadratic one takes its own from then on, whose products take long,
-const SLOW: f64 = 0.1;
-/// and one by less than this is at round-off.
+/// A balance of the cubic film that falls by less than this factor is at round-off.
 const STALLED: f64 = 0.5;
 /// Where more than this part may be left a mass-conserving film has its advection schemes chosen once;
 const CHOSEN_ONCE: f64 = 1e-9;
@@ -340,13 +336,13 @@ pub fn closed_pair(
         return Ok(pair);
     };
     let mut counts = deflection.closing;
-    let (mut before, mut tangent) = (f64::INFINITY, TangentOf::Quadratic);
+    let mut before = f64::INFINITY;
     for step in 0..=MOST_STEPS {
         let contact = contact_points(&pair.problem, system);
         let left = Left::of(&pair.problem, &system.cubic().system, &pair.cubic, contact);
         let residual = left.residual;
         counts.residual = residual;
-        let is_stalled = tangent == TangentOf::Cubic && residual > STALLED * before;
+        let is_stalled = residual > STALLED * before;
         if residual < enough || residual < CLOSED_ENOUGH && is_stalled {
             return Ok(Pair {
                 problem: pair.problem.closed_by(counts),
@@ -354,11 +350,8 @@ pub fn closed_pair(
             });
         }
         if step < MOST_STEPS {
-            if residual > SLOW * before {
-                tangent = TangentOf::Cubic;
-            }
             before = residual;
-            pair = bent_further(pair, &left, (system, tangent), &mut counts)?;
+            pair = bent_further(pair, &left, system, &mut counts)?;
         }
     }
     match counts.residual < CLOSED_ENOUGH {
@@ -373,35 +366,15 @@ pub fn closed_pair(
     }
 }
 
-/// Which of two films has the tangent of a step.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum TangentOf {
-    /// It has a factor of its own, and nearly the tangent of the other one.
-    Quadratic,
-    /// It is exact.
-    Cubic,
-}
-
 /// Both films under a wall that moves by what is `left` of the balance of the cubic one, along a tangent.
-fn bent_further(
-    pair: Pair,
-    left: &Left,
-    (system, tangent): (&FilmSystem, TangentOf),
-    counts: &mut Closing,
-) -> Result<Pair, NoFilm> {
-    let follower = match tangent {
-        TangentOf::Quadratic => Follower::of(&pair.problem, system, &pair.film),
-        TangentOf::Cubic => {
-            Follower::touching(&pair.problem, &system.cubic().system, &pair.cubic, left.contact.clone())
-        }
-    };
-    let Some(follower) = follower.map_err(Failure::from)? else {
+fn bent_further(pair: Pair, left: &Left, system: &FilmSystem, counts: &mut Closing) -> Result<Pair, NoFilm> {
+    let of = |system, film| Follower::touching(&pair.problem, system, film, left.contact.clone());
+    let quadratic = of(system, &pair.film).map_err(Failure::from)?;
+    let Some(cubic) = of(&system.cubic().system, &pair.cubic).map_err(Failure::from)? else {
         return Ok(pair);
     };
-    let accuracy = match tangent {
-        TangentOf::Quadratic => accuracy(counts.residual, CLOSED).max(APART),
-        TangentOf::Cubic => accuracy(counts.residual, CLOSED),
-    };
+    let follower = cubic.nearly(quadratic);
+    let accuracy = accuracy(counts.residual, CLOSED);
     let step = follower.solve(&left.wall, accuracy).map_err(Failure::from)?;
     counts.inner += step.steps;
     let Some(problem) = stepped(&pair.problem, &step.x, 1.0) else {

@@ -57,7 +57,7 @@ pub(crate) fn harmonic_response(
     let free = [follower.image_of(&placed), follower.image(&rate, &at_rest)].concat();
     let nearly = |motion: &[f64]| {
         let (placed, moving) = motion.split_at(motion.len() / 2);
-        [follower.solve_contact(placed), follower.solve_contact(moving)].concat()
+        Ok([follower.solve_contact(placed), follower.solve_contact(moving)].concat())
     };
     let found = gmres(operator, nearly, &free, EXACT)?.x;
     let [by_place, by_rate] = through(&found)?;

@@ -68,7 +68,9 @@ impl Follower<'_> {
             Ok::<_, Error>(mu.iter().zip(image).map(|(mu, image)| mu - image).collect())
         };
         let wanted = compliance.deflection(&by_all);
-        Ok(known.solve(operator, |r| self.solve_contact(r), &wanted, ACCURACY)?.x)
+        Ok(known
+            .solve(operator, |r| Ok(self.solve_contact(r)), &wanted, ACCURACY)?
+            .x)
     }
 
     /// How a sum over the unknown with these weights of the dofs changes with the wall.

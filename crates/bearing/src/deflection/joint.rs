@@ -31,10 +31,14 @@ pub(crate) struct Joint<'a> {
     tangent: Stiffness,
     /// How forces change with film and wall.
     gradient: LoadGradient,
+    /// To which its linear systems are solved: norm of the residual over that of the right-hand side [1].
+    accuracy: f64,
     /// What systems solved have shown.
     known: RefCell<Known>,
     /// How many products that took.
     products: Cell<usize>,
+    /// That of a film much like it, whose products cost less.
+    near: Option<Box<Self>>,
 }
 
 /// A change of the journal and of the wall.
@@ -77,7 +81,7 @@ impl Moves {
 }
 
 impl<'a> Joint<'a> {
-    /// Of a journal that changes by `change(k)` with coordinate k, on whose coordinates `held` [N/m] acts too.
+    /// Of a journal that changes by `change(k)` with coordinate k, on whose coordinates `held` [N/m] acts too; its linear systems are solved to an `accuracy`.
     ///
     /// # Errors
     /// The linear systems could not be solved.
@@ -86,13 +90,14 @@ impl<'a> Joint<'a> {
         coordinates: Coordinates,
         change: impl Fn(usize) -> JournalChange,
         held: Vector,
+        accuracy: f64,
     ) -> Result<Self, Error> {
         let order = coordinates.order;
         let (mut bent_by_place, mut contact_by_place) = (Vec::with_capacity(order), Vec::new());
         let mut columns = [[0.0; 4]; 4];
         let gradient = follower.load_gradient();
         for (k, column) in columns.iter_mut().enumerate().take(order) {
-            let free = follower.free(&change(k))?;
+            let free = follower.free_within(&change(k), accuracy)?;
             *column = coordinates.forces(&carried(&gradient, &free));
             bent_by_place.push(follower.image_of(&free));
             contact_by_place.extend(free.contact.map(|(_, forces)| forces));
@@ -100,6 +105,7 @@ impl<'a> Joint<'a> {
         let tangent = Stiffness::by_columns(order, |k| Ok::<_, Error>(columns[k]))?.with_diagonal(held);
         Ok(Self {
             gradient,
+            accuracy,
             follower,
             coordinates,
             bent_by_place,
@@ -107,33 +113,49 @@ impl<'a> Joint<'a> {
             tangent,
             known: RefCell::default(),
             products: Cell::default(),
+            near: None,
         })
+    }
+
+    /// As it is, with the tangent of a film much like it by which its systems are nearly solved.
+    pub(crate) fn nearly(self, near: Self) -> Self {
+        Self {
+            near: Some(Box::new(near)),
+            ..self
+        }
     }
 
     /// The moves by which forces change by `force` [N], and the wall by `wall` [m] more than film and contact bend it, or by no more.
     ///
     /// # Errors
     /// The linear systems could not be solved.
-    pub(crate) fn solve(&self, force: Vector, wall: Option<&[f64]>, accuracy: f64) -> Result<Moves, Error> {
-        let operator = |d: &[f64]| {
-            let (forces, image) = self.by_wall(d, accuracy)?;
-            let place = self.tangent.solve(forces.map(|part| -part));
-            Ok::<_, Error>(self.bent(d.iter().zip(&image).map(|(d, image)| d - image).collect(), place))
-        };
+    pub(crate) fn solve(&self, force: Vector, wall: Option<&[f64]>) -> Result<Moves, Error> {
         let pushed = self.tangent.solve(force);
         let more = wall.map_or_else(|| vec![0.0; self.follower.number()], <[f64]>::to_vec);
-        let wanted: Vec<f64> = self.bent(more, pushed.map(|part| -part));
-        let nearly = |d: &[f64]| self.follower.solve_contact(d);
-        let solved = (self.known.borrow_mut()).solve(operator, nearly, &wanted, accuracy)?;
-        self.products.set(self.products.get() + solved.steps);
-        let wall = solved.x;
-        let (forces, _) = self.by_wall(&wall, accuracy)?;
+        let wall = self.wall(&self.bent(more, pushed.map(|part| -part)))?;
+        let (forces, _) = self.by_wall(&wall)?;
         let place = self.tangent.solve(moved(force, -1.0, forces));
         Ok(Moves {
             place,
             contact: self.contact_by(place, &wall),
             wall,
         })
+    }
+
+    /// The change of the wall that solves the system without the journal: `d - C (p_d d - p_x K^-1 W_d d) = wanted`.
+    fn wall(&self, wanted: &[f64]) -> Result<Vec<f64>, Error> {
+        let operator = |d: &[f64]| {
+            let (forces, image) = self.by_wall(d)?;
+            let place = self.tangent.solve(forces.map(|part| -part));
+            Ok::<_, Error>(self.bent(d.iter().zip(&image).map(|(d, image)| d - image).collect(), place))
+        };
+        let nearly = |d: &[f64]| match &self.near {
+            Some(near) => near.wall(d),
+            None => Ok(self.follower.solve_contact(d)),
+        };
+        let solved = (self.known.borrow_mut()).solve(operator, nearly, wanted, self.accuracy)?;
+        self.products.set(self.products.get() + solved.steps);
+        Ok(solved.x)
     }
 
     /// How many products with the tangent the systems have taken.
@@ -159,9 +181,9 @@ impl<'a> Joint<'a> {
         ))
     }
 
-    /// Forces [N] of film and contact by a move of the wall, the journal held, and what the pressures bend it by [m], for a system that is solved to an `accuracy`.
-    fn by_wall(&self, d: &[f64], accuracy: f64) -> Result<(Vector, Vec<f64>), Error> {
-        let unknown = self.follower.by_deflection(d, accuracy)?;
+    /// Forces [N] of film and contact by a move of the wall, the journal held, and what the pressures bend it by [m].
+    fn by_wall(&self, d: &[f64]) -> Result<(Vector, Vec<f64>), Error> {
+        let unknown = self.follower.by_deflection(d, self.accuracy)?;
         let carried = self.gradient.change(&unknown, d);
         Ok((self.coordinates.forces(&carried), self.follower.image(&unknown, d)))
     }

@@ -32,7 +32,7 @@ pub(crate) use joint::{Joint, Moves};
 pub(crate) use settled::settled;
 pub use slow::{carried_slowly, hastened};
 pub use tangent::EXACT;
-pub(crate) use tangent::{Follower, contact_on_wall, contact_points};
+pub(crate) use tangent::{Follower, NEARLY, contact_on_wall, contact_points};
 
 use std::sync::Arc;
 

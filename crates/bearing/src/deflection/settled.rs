@@ -69,7 +69,7 @@ pub(crate) fn settled(problem: &FilmProblem, system: &FilmSystem, forces: &[f64]
             let bent = compliance.deflection(&tangent.times(x));
             Ok::<_, Infallible>(x.iter().zip(bent).map(|(x, bent)| x - bent).collect())
         };
-        let Ok(step) = gmres(operator, <[f64]>::to_vec, &left, ACCURACY);
+        let Ok(step) = gmres(operator, |r| Ok(r.to_vec()), &left, ACCURACY);
         points = points.bent_further(&law, &step.x);
         more.iter_mut().zip(&step.x).for_each(|(more, step)| *more += step);
         left = left_by(&points, &more);

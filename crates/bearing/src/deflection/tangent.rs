@@ -20,6 +20,8 @@ use super::touching::Touching;
 
 /// Accuracy to which the linear systems of a tangent are solved where the tangent is a result, not a step of an iteration: norm of the residual over that of the right-hand side [1].
 pub const EXACT: f64 = 1e-10;
+/// Accuracy to which the systems of a film much like another one are solved, where they stand in for those of it.
+pub(crate) const NEARLY: f64 = 1e-2;
 /// Part of it to which each product with a tangent is known.
 const OF_ACCURACY: f64 = 1e-3;
 
@@ -35,6 +37,8 @@ pub(crate) struct Follower<'a> {
     contact: Option<Touch>,
     /// What systems solved have shown of `I - C dp/dd`.
     known: RefCell<Known>,
+    /// A film much like it, whose products cost less.
+    near: Option<Box<Self>>,
 }
 
 /// Contact of a film.
@@ -104,9 +108,18 @@ impl<'a> Follower<'a> {
                 gap: GapTangent::kept(problem, system, film, deflection)?,
                 contact: contact.map(touch),
                 known: RefCell::default(),
+                near: None,
             })
         };
         problem.deflection().map(of_wall).transpose()
+    }
+
+    /// As it is, with a film much like it by which its systems are nearly solved.
+    pub(super) fn nearly(self, near: Option<Self>) -> Self {
+        Self {
+            near: near.map(Box::new),
+            ..self
+        }
     }
 
     /// How many coefficients a deflection has.
@@ -129,8 +142,13 @@ impl<'a> Follower<'a> {
     /// # Errors
     /// The linear system could not be solved.
     pub(super) fn free(&self, change: &JournalChange) -> Result<Free, Error> {
+        self.free_within(change, 0.0)
+    }
+
+    /// As [`Self::free`], for systems of the wall that are solved to an `accuracy`.
+    pub(super) fn free_within(&self, change: &JournalChange, accuracy: f64) -> Result<Free, Error> {
         let unknown = match self.gap.by_journal(self.system, change) {
-            Some(residual) => self.problem.answer(self.film, &residual, 0.0)?,
+            Some(residual) => self.problem.answer(self.film, &residual, OF_ACCURACY * accuracy)?,
             None => self.problem.unknown_change(self.system, self.film, change)?,
         };
         Ok(Free {
@@ -173,7 +191,11 @@ impl<'a> Follower<'a> {
             let image = self.image(&self.by_deflection(x, accuracy)?, x);
             Ok(x.iter().zip(image).map(|(x, image)| x - image).collect())
         };
-        (self.known.borrow_mut()).solve(operator, |r| self.solve_contact(r), b, accuracy)
+        let nearly = |r: &[f64]| match &self.near {
+            Some(near) => Ok(near.solve(r, NEARLY)?.x),
+            None => Ok(self.solve_contact(r)),
+        };
+        (self.known.borrow_mut()).solve(operator, nearly, b, accuracy)
     }
 
     /// Solves `x - C A x = r`, A the tangent of contact: the system without what the film answers.

@@ -64,7 +64,7 @@ impl Motion<'_> {
                 return self.with_oil(known, here.instant);
             }
             let joint = self.joint(known.per_time, &here.instant, here.wall.contact.clone())?;
-            let moves = joint.solve(here.force.map(|part| -part), Some(&here.wall.wall), FOLLOWED)?;
+            let moves = joint.solve(here.force.map(|part| -part), Some(&here.wall.wall))?;
             let bent = here.instant.wall().ok_or(NoStage::Diverged)?;
             let (gap, mut part) = self.longest(bent, here.instant.at, &moves);
             let size = length(moves.place) / gap;
@@ -164,7 +164,7 @@ impl Motion<'_> {
         let masses = self.masses();
         let force = [0, 1, 2, 3].map(|k| per_time * (by_film[k] + masses[k] * per_time * error[k]));
         let bent: Vec<f64> = bent.iter().map(|bent| -per_time * bent).collect();
-        Ok(joint.solve(force, Some(&bent), FOLLOWED)?.place)
+        Ok(joint.solve(force, Some(&bent))?.place)
     }
 
     /// The tangent of journal and wall in a stage, by its points of contact; `per_time` is its `1/(gamma dt)` [1/s].
@@ -182,7 +182,7 @@ impl Motion<'_> {
             support + masses[k] * per_time.powi(2)
         });
         let change = |k: usize| self.change(&here.problem.journal, k, [1.0, per_time]);
-        Ok(Joint::of(follower, self.coordinates(), change, held)?)
+        Ok(Joint::of(follower, self.coordinates(), change, held, FOLLOWED)?)
     }
 }
 
