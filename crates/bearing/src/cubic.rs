@@ -6,12 +6,13 @@
 use oilwedge_reynolds::solve::Neighbour;
 
 use crate::NoEquilibrium;
+use crate::balance::Balance;
 use crate::coordinates::moved;
 use crate::deflection::CLOSED;
 use crate::equilibrium::Equilibrium;
 use crate::search::{Search, Trial};
 
-/// The balance has been found when force and load differ by this part of the load.
+/// The balance has been found when force and load differ by this part of the load; found together, no more than it is left of the deflection either.
 const BALANCED: f64 = 1e-10;
 /// Accuracy of the iterations of the cubic film.
 const BALANCED_ENOUGH: f64 = 1e-8;
@@ -23,40 +24,36 @@ const OF_RESIDUAL: f64 = 1e-4;
 const MOST_STEPS: usize = 12;
 
 /// From the balance of the quadratic film to that of the cubic one.
-pub(crate) fn balance_cubic(found: Equilibrium, search: &Search) -> Result<Equilibrium, NoEquilibrium> {
-    let mut steps = found.steps;
-    let Some(trial) = moved_with_wall(&found, search, &mut steps) else {
-        return place_by_place(found, search);
+pub(crate) fn balance_cubic(found: Balance, search: &Search) -> Result<Equilibrium, NoEquilibrium> {
+    let mut tried = found.tried;
+    let balance = match moved_with_wall(&found.trial, search, &mut tried) {
+        None => place_by_place(found, search)?,
+        Some(trial) => Balance {
+            trial,
+            tangent: None,
+            tried,
+            is_ended: false,
+        },
     };
-    let residual = search.residual(&trial);
-    let tangent = search.tangent(&trial)?;
-    Ok(Equilibrium {
-        residual,
-        unbalanced: residual * search.scale,
-        parts: search.parts(&trial),
-        stiffness: tangent.stiffness,
-        wall: tangent.wall,
-        problem: trial.problem,
-        film: trial.film,
-        cubic: trial.cubic,
-        is_ended: false,
-        steps,
-        ..found
-    })
+    search.equilibrium(balance)
 }
 
 /// Journal and wall moved together; none where the wall is rigid, or the balance is not near.
-fn moved_with_wall(found: &Equilibrium, search: &Search, steps: &mut usize) -> Option<Trial> {
+fn moved_with_wall(found: &Trial, search: &Search, tried: &mut usize) -> Option<Trial> {
     found.problem.deflection()?;
     let place = search.coordinates.at(&found.problem.journal);
     let first = search.open_cubic(&found.problem, place, (&found.film, None)).ok()?;
-    search.with_wall(first, (BALANCED, CLOSED), steps).ok()
+    search.with_wall(first, (BALANCED, BALANCED), tried).ok()
 }
 
 /// From place to place, a wall that gives way closed at each.
-fn place_by_place(found: Equilibrium, search: &Search) -> Result<Equilibrium, NoEquilibrium> {
+fn place_by_place(found: Balance, search: &Search) -> Result<Balance, NoEquilibrium> {
     let deadline = search.options.deadline;
-    let mut steps = found.steps;
+    let Balance {
+        trial: found,
+        mut tried,
+        ..
+    } = found;
     let near = Neighbour::Start(&found.film);
     let place = search.coordinates.at(&found.problem.journal);
     // What may be left of the deflection at the trial; at a rigid wall nothing is.
@@ -76,7 +73,7 @@ fn place_by_place(found: Equilibrium, search: &Search) -> Result<Equilibrium, No
         let bent = tangent.bent(&trial.problem, step);
         let next_closed = may_leave(OF_RESIDUAL * residual);
         let next = search.cubic_trial(&bent, place, (near, trial.cubic.as_ref()), next_closed)?;
-        steps += 1;
+        tried += 1;
         let next_residual = search.residual(&next);
         // A balance whose wall is not closed yet is none.
         if next_residual < residual || closed > CLOSED && next_residual < BALANCED_ENOUGH {
@@ -99,17 +96,10 @@ fn place_by_place(found: Equilibrium, search: &Search) -> Result<Equilibrium, No
             history: search.tried.take(),
         }));
     }
-    Ok(Equilibrium {
-        residual,
-        unbalanced: residual * search.scale,
-        parts: search.parts(&trial),
-        coordinates: search.coordinates,
+    Ok(Balance {
+        trial,
+        tangent: Some(tangent),
+        tried,
         is_ended,
-        stiffness: tangent.stiffness,
-        wall: tangent.wall,
-        problem: trial.problem,
-        film: trial.film,
-        cubic: trial.cubic,
-        steps,
     })
 }

@@ -3,6 +3,7 @@
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmProblem, FilmSystem, JournalState, NoFilm};
 
+use crate::balance::Balance;
 use crate::cubic::balance_cubic;
 use crate::equilibrium::{Equilibrium, NEAR, ROUGHLY_BALANCED};
 use crate::estimate::{GREATEST_ECCENTRICITY, is_contact};
@@ -47,28 +48,10 @@ pub fn find(
 ) -> Result<Equilibrium, NoEquilibrium> {
     let load = load.into();
     let search = Search::new(problem, system, load, *options);
-    let found = match options.guess {
-        InitialGuess::Cold => search.cold(problem)?,
-        InitialGuess::NearlyBalanced => match search.run(problem, problem.journal) {
-            Ok(found) if !search.is_beyond(&found) => found,
-            _ => search.cold(problem)?,
-        },
-        InitialGuess::Along(way) => match search.continued(problem, way) {
-            // A way that ends without a reason is followed anew.
-            Some(Err(reason)) if !reason.is_beyond() && !options.deadline.is_over() => search.cold(problem)?,
-            Some(outcome) => search.inside(outcome, Some(way))?,
-            None => search.cold(problem)?,
-        },
-        InitialGuess::Near(near) => {
-            let here = search.coordinates.at(&problem.journal);
-            let first = (search.opened(problem, here, near, search.left_at_balance()))
-                .map_or_else(|| search.trial(problem, here, near), Ok)?;
-            search.at_rest(first)?
-        }
-    };
+    let balance = search.found(problem)?;
     match options.carrier {
-        Carrier::Quadratic => Ok(found),
-        Carrier::Cubic => balance_cubic(found, &Search::new(problem, system, load, *options)),
+        Carrier::Quadratic => search.equilibrium(balance),
+        Carrier::Cubic => balance_cubic(balance, &Search::new(problem, system, load, *options)),
     }
 }
 
@@ -83,17 +66,41 @@ pub fn find_after(
     options: &SearchOptions,
     reason: NoEquilibrium,
 ) -> Result<Equilibrium, NoEquilibrium> {
-    Search::new(problem, system, load.into(), *options).cold_after(problem, Some(reason))
+    let search = Search::new(problem, system, load.into(), *options);
+    search.equilibrium(search.cold_after(problem, Some(reason))?)
 }
 
 impl Search<'_> {
+    /// The balance of the film in quadratic elements, searched as the options have it.
+    pub(crate) fn found(&self, problem: &FilmProblem) -> Result<Balance, NoEquilibrium> {
+        match self.options.guess {
+            InitialGuess::Cold => self.cold(problem),
+            InitialGuess::NearlyBalanced => match self.run(problem, problem.journal) {
+                Ok(found) if !self.is_beyond(&found) => Ok(found),
+                _ => self.cold(problem),
+            },
+            InitialGuess::Along(way) => match self.continued(problem, way) {
+                // A way that ends without a reason is followed anew.
+                Some(Err(reason)) if !reason.is_beyond() && !self.options.deadline.is_over() => self.cold(problem),
+                Some(outcome) => self.inside(outcome, Some(way)),
+                None => self.cold(problem),
+            },
+            InitialGuess::Near(near) => {
+                let here = self.coordinates.at(&problem.journal);
+                let first = (self.opened(problem, here, near, self.left_at_balance()))
+                    .map_or_else(|| self.trial(problem, here, near), Ok)?;
+                self.at_rest(first)
+            }
+        }
+    }
+
     /// Balances the load from coarser meshes on.
-    fn cold(&self, problem: &FilmProblem) -> Result<Equilibrium, NoEquilibrium> {
+    fn cold(&self, problem: &FilmProblem) -> Result<Balance, NoEquilibrium> {
         self.cold_after(problem, None)
     }
 
     /// As [`Self::cold`]; `known` is why the coarser mesh has no balance, where that was asked.
-    fn cold_after(&self, problem: &FilmProblem, known: Option<NoEquilibrium>) -> Result<Equilibrium, NoEquilibrium> {
+    fn cold_after(&self, problem: &FilmProblem, known: Option<NoEquilibrium>) -> Result<Balance, NoEquilibrium> {
         self.below_rounding().map_or(Ok(()), Err)?;
         let found = match self.guided(problem) {
             Some(outcome) => outcome,
@@ -111,19 +118,19 @@ impl Search<'_> {
     /// An outcome; that the journal is in contact where a free tilt has led it there, on the `way` that another mesh has shown.
     fn inside(
         &self,
-        outcome: Result<Equilibrium, NoEquilibrium>,
+        outcome: Result<Balance, NoEquilibrium>,
         way: Option<&Waypoint>,
-    ) -> Result<Equilibrium, NoEquilibrium> {
+    ) -> Result<Balance, NoEquilibrium> {
         let found = outcome.map_err(|reason| self.confirmed(reason))?;
         match self.load.tilting.is_some() && self.is_beyond(&found) {
-            true => Err(self.in_contact(&found.problem, (1.0, None), way.cloned())),
+            true => Err(self.in_contact(&found.trial.problem, (1.0, None), way.cloned())),
             false => Ok(found),
         }
     }
 
     /// Whether a position lies beyond the greatest eccentricity that counts as one.
-    fn is_beyond(&self, found: &Equilibrium) -> bool {
-        is_contact(&self.gap_under(&found.problem), &found.problem.journal)
+    fn is_beyond(&self, found: &Balance) -> bool {
+        is_contact(&self.gap_under(&found.trial.problem), &found.trial.problem.journal)
     }
 
     /// The reason where the search begins at the greatest eccentricity and the load exceeds the capacity there.
@@ -139,7 +146,7 @@ impl Search<'_> {
     }
 
     /// Balances the load from its balance on coarser meshes, if the system has any; `known` is why they have none.
-    fn on_levels(&self, problem: &FilmProblem, known: Option<NoEquilibrium>) -> Result<Equilibrium, NoEquilibrium> {
+    fn on_levels(&self, problem: &FilmProblem, known: Option<NoEquilibrium>) -> Result<Balance, NoEquilibrium> {
         let Some(coarser) = &self.system.coarser else {
             return self.everywhere(problem);
         };
@@ -150,11 +157,14 @@ impl Search<'_> {
             purpose: self.options.purpose.on_coarser(),
             ..self.options
         };
-        let on_coarser = || find(&coarser.problem(problem), &coarser.system, self.load, &rough);
+        let on_coarser = || {
+            let problem = coarser.problem(problem);
+            Search::new(&problem, &coarser.system, self.load, rough).found(&problem)
+        };
         let reason = match known.map_or_else(on_coarser, Err) {
             Ok(found) => {
-                let bent = problem.clone().deflected(found.problem.deflection());
-                return self.run(&bent, found.problem.journal);
+                let bent = problem.clone().deflected(found.trial.problem.deflection());
+                return self.run(&bent, found.trial.problem.journal);
             }
             Err(reason) => reason,
         };
@@ -193,7 +203,7 @@ impl Search<'_> {
     }
 
     /// Balances the load from this start.
-    pub(crate) fn run(&self, problem: &FilmProblem, start: JournalState) -> Result<Equilibrium, NoEquilibrium> {
+    pub(crate) fn run(&self, problem: &FilmProblem, start: JournalState) -> Result<Balance, NoEquilibrium> {
         let rough = self.options.balanced().max(ROUGHLY_BALANCED);
         let at = self.coordinates.at(&start);
         // To close the wall would take as many films as a search.
@@ -213,7 +223,7 @@ impl Search<'_> {
 
     /// Balances the load and, in a film that conserves oil, chooses the advection schemes again at the balanced
     /// position until they settle.
-    fn at_rest(&self, first: Trial) -> Result<Equilibrium, NoEquilibrium> {
+    fn at_rest(&self, first: Trial) -> Result<Balance, NoEquilibrium> {
         let deadline = self.options.deadline;
         let mut tried = 1;
         // A position on a coarser mesh is only a start.
@@ -253,22 +263,13 @@ impl Search<'_> {
             let note = "the advection schemes did not settle at the balanced position: those chosen near it are kept";
             trial.film.fallbacks.push(note.to_owned());
         }
-        let residual = self.residual(&trial);
         let is_closed = trial.may_leave <= self.left_at_balance().max(BALANCED_ENOUGH);
-        let is_balanced = at_rest && is_closed && residual < self.options.balanced().max(BALANCED_ENOUGH);
-        let tangent = tangent.map_or_else(|| self.tangent(&trial), Ok)?;
-        Ok(Equilibrium {
+        let is_balanced = at_rest && is_closed && self.residual(&trial) < self.options.balanced().max(BALANCED_ENOUGH);
+        Ok(Balance {
             is_ended: !is_balanced && deadline.is_over(),
-            residual,
-            unbalanced: residual * self.scale,
-            parts: self.parts(&trial),
-            coordinates: self.coordinates,
-            stiffness: tangent.stiffness,
-            wall: tangent.wall,
-            problem: trial.problem,
-            film: trial.film,
-            cubic: trial.cubic,
-            steps: tried,
+            trial,
+            tangent,
+            tried,
         })
     }
 
@@ -372,7 +373,7 @@ impl Search<'_> {
 
     /// From the start of `problem` or, where that fails, from the best of positions all over the bearing; with a free tilt from the balance
     /// of the force alone on.
-    fn everywhere(&self, problem: &FilmProblem) -> Result<Equilibrium, NoEquilibrium> {
+    fn everywhere(&self, problem: &FilmProblem) -> Result<Balance, NoEquilibrium> {
         const STARTS: usize = 3;
         let mut outcome = self.run(problem, problem.journal);
         if yields_to_contact(problem) && self.load.tilting.is_none() {

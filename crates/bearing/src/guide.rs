@@ -9,13 +9,14 @@
 
 use oilwedge_reynolds::{FilmProblem, FilmSystem, JournalState};
 
-use crate::equilibrium::{Equilibrium, ROUGHLY_BALANCED};
+use crate::balance::Balance;
+use crate::equilibrium::ROUGHLY_BALANCED;
 use crate::search::Search;
-use crate::{Carrier, InitialGuess, NoEquilibrium, Purpose, SearchOptions, find};
+use crate::{Carrier, InitialGuess, NoEquilibrium, Purpose, SearchOptions};
 
 impl Search<'_> {
     /// The balance found from that of the Swift-Stieber film, or why that film has none. None where it leads nowhere, and for other films.
-    pub(crate) fn guided(&self, problem: &FilmProblem) -> Option<Result<Equilibrium, NoEquilibrium>> {
+    pub(crate) fn guided(&self, problem: &FilmProblem) -> Option<Result<Balance, NoEquilibrium>> {
         let guide = FilmProblem {
             cavitation: problem.cavitation.guide()?,
             ..problem.clone()
@@ -42,7 +43,7 @@ impl Search<'_> {
             return None;
         }
         let (coarse, system) = self.coarsest(guide);
-        let reason = find(&coarse, system, self.load, options).err()?;
+        let reason = Search::new(&coarse, system, self.load, *options).found(&coarse).err()?;
         reason.is_far_beyond().then(|| NoEquilibrium::OfGuide(Box::new(reason)))
     }
 
@@ -56,7 +57,7 @@ impl Search<'_> {
     }
 
     /// The balance found from that of the guide; where the tilt is free, along the branch of balances that begins there. None where neither leads to an answer.
-    fn by_guide(&self, problem: &FilmProblem, journal: JournalState) -> Option<Result<Equilibrium, NoEquilibrium>> {
+    fn by_guide(&self, problem: &FilmProblem, journal: JournalState) -> Option<Result<Balance, NoEquilibrium>> {
         match self.run(problem, journal) {
             Ok(found) => Some(Ok(found)),
             Err(_) if self.load.tilting.is_none() => None,
@@ -71,14 +72,14 @@ impl Search<'_> {
     /// coarsest mesh carries far less than the load, as it does there. None where neither is known.
     fn on_coarsest(&self, problem: &FilmProblem) -> Option<Result<JournalState, NoEquilibrium>> {
         let (coarse, system) = self.coarsest(problem);
-        let reason = match find(&coarse, system, self.load, &self.options) {
-            Ok(found) => return Some(Ok(found.problem.journal)),
+        let reason = match Search::new(&coarse, system, self.load, self.options).found(&coarse) {
+            Ok(found) => return Some(Ok(found.trial.problem.journal)),
             Err(reason) => reason,
         };
         match &reason {
             NoEquilibrium::EdgeContact { way: Some(way), .. } | NoEquilibrium::TiltLimit { way: Some(way), .. } => {
                 match self.taken_up(problem, way) {
-                    Ok(found) => Some(Ok(found.problem.journal)),
+                    Ok(found) => Some(Ok(found.trial.problem.journal)),
                     Err(reason) => reason.is_beyond().then_some(Err(reason)),
                 }
             }

@@ -15,6 +15,7 @@
 //!
 //! The film knows its own tangent ([`oilwedge_reynolds::FilmProblem::unknown_change`]); a balance borders it.
 
+mod balance;
 pub mod cap_bolts;
 pub mod coordinates;
 mod cubic;

@@ -14,14 +14,15 @@ use std::rc::Rc;
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmProblem, NoFilm};
 
+use crate::balance::Balance;
 use crate::coordinates::{Vector, length, moved};
 use crate::deflection::Moves;
-use crate::equilibrium::{Equilibrium, ROUGHLY_BALANCED};
+use crate::equilibrium::ROUGHLY_BALANCED;
 use crate::estimate::is_contact;
 use crate::no_equilibrium::Waypoint;
 use crate::search::{Search, Trial};
 use crate::with_wall::Tangents;
-use crate::{Carrier, InitialGuess, Load, NoEquilibrium, Purpose, SearchOptions, find};
+use crate::{Carrier, InitialGuess, Load, NoEquilibrium, Purpose, SearchOptions};
 
 /// First step along the branch.
 const FIRST: f64 = 0.25;
@@ -31,6 +32,10 @@ const GROWTH: f64 = 1.6;
 const CORRECTIONS: [usize; 2] = [3, 5];
 /// under a wall that gives way, where each film is one.
 const CORRECTIONS_WITH_WALL: [usize; 2] = [6, 9];
+/// A film that leaves no more than this part of the load,
+const ON_BRANCH: f64 = 1e-3;
+/// and this one of the deflection, is a point of the branch.
+const CLOSED_ON_BRANCH: f64 = 1e-2;
 /// Accuracy of the linear systems of film and wall.
 const FOLLOWED: f64 = 1e-3;
 /// Least film after a step over that before.
@@ -44,7 +49,7 @@ const FALLEN: f64 = 0.5;
 /// A film that has lost so much of the clearance at an end, where the branch cannot be followed further, is one in contact there.
 const NEAR_CONTACT: f64 = 0.05;
 /// A finer mesh begins where the film was still this part of the clearance,
-const WAYPOINT: f64 = 0.03;
+const WAYPOINT: f64 = 0.02;
 /// and the part still grew by so much of what it did at first.
 const AHEAD: f64 = 0.3;
 /// Under a wall that gives way a film thinner than this part of the clearance is left to that mesh.
@@ -75,7 +80,7 @@ struct Branch<'a, 'b> {
 
 impl Search<'_> {
     /// Balances the force alone, and follows the branch from there to the balance of the moment.
-    pub(crate) fn by_parts_of_tilting(&self, problem: &FilmProblem) -> Result<Equilibrium, NoEquilibrium> {
+    pub(crate) fn by_parts_of_tilting(&self, problem: &FilmProblem) -> Result<Balance, NoEquilibrium> {
         let straight = Load {
             tilting: None,
             ..self.load
@@ -88,7 +93,7 @@ impl Search<'_> {
         };
         let straightened = |problem: &FilmProblem, purpose: Purpose| {
             let options = SearchOptions { purpose, ..options };
-            find(problem, self.system, straight, &options)
+            Search::new(problem, self.system, straight, options).found(problem)
         };
         let mut parallel = problem.clone();
         parallel.journal.tilt = [0.0; 2];
@@ -97,17 +102,16 @@ impl Search<'_> {
             // What the film carries at one tilt is no limit where the tilt is free: a parallel journal carries more.
             _ => straightened(problem, Purpose::Branch).or_else(|_| straightened(&parallel, options.purpose)),
         }?;
-        let place = self.coordinates.at(&found.problem.journal);
-        self.along_branch(self.trial(&found.problem, place, Neighbour::Start(&found.film))?)
+        self.along_branch(self.recorded(found.trial))
     }
 
     /// Follows the branch from the film with which a search begins: what it leaves of the load is balanced in parts.
-    pub(crate) fn by_parts_of_load(&self, problem: &FilmProblem) -> Result<Equilibrium, NoEquilibrium> {
+    pub(crate) fn by_parts_of_load(&self, problem: &FilmProblem) -> Result<Balance, NoEquilibrium> {
         self.along_branch(self.first(problem, problem.journal)?)
     }
 
     /// Follows the branch that begins with this trial.
-    pub(crate) fn along_branch(&self, trial: Trial) -> Result<Equilibrium, NoEquilibrium> {
+    pub(crate) fn along_branch(&self, trial: Trial) -> Result<Balance, NoEquilibrium> {
         let branch = Branch {
             search: self,
             first: self.excess(&trial),
@@ -117,11 +121,7 @@ impl Search<'_> {
     }
 
     /// Follows the branch that a coarser mesh has shown from a point of it on; none where there is no balance near that point.
-    pub(crate) fn continued(
-        &self,
-        problem: &FilmProblem,
-        way: &Waypoint,
-    ) -> Option<Result<Equilibrium, NoEquilibrium>> {
+    pub(crate) fn continued(&self, problem: &FilmProblem, way: &Waypoint) -> Option<Result<Balance, NoEquilibrium>> {
         let options = SearchOptions {
             guess: InitialGuess::Cold,
             carrier: Carrier::Quadratic,
@@ -134,18 +134,16 @@ impl Search<'_> {
         let search = Search::new(problem, self.system, load, options);
         let bent = problem.clone().deflected(way.deflection.as_ref());
         let found = search.run(&bent, way.journal).ok()?;
-        let place = self.coordinates.at(&found.problem.journal);
-        let trial = self.trial(&found.problem, place, Neighbour::Kept(&found.film)).ok()?;
         let branch = Branch {
             search: self,
             first: way.first,
             clearance: problem.bearing.clearance,
         };
-        Some(branch.followed(branch.point(trial, way.part).ok()?))
+        Some(branch.followed(branch.point(self.recorded(found.trial), way.part).ok()?))
     }
 
     /// As [`Self::continued`]; where there is no balance near that point the branch is followed from its beginning.
-    pub(crate) fn taken_up(&self, problem: &FilmProblem, way: &Waypoint) -> Result<Equilibrium, NoEquilibrium> {
+    pub(crate) fn taken_up(&self, problem: &FilmProblem, way: &Waypoint) -> Result<Balance, NoEquilibrium> {
         let outcome = self.continued(problem, way);
         outcome.unwrap_or_else(|| self.by_parts_of_tilting(problem))
     }
@@ -173,7 +171,7 @@ impl Search<'_> {
 
 impl Branch<'_, '_> {
     /// The balance at the end of the branch.
-    fn followed(&self, first: Point) -> Result<Equilibrium, NoEquilibrium> {
+    fn followed(&self, first: Point) -> Result<Balance, NoEquilibrium> {
         let search = self.search;
         let mut here = Rc::new(first);
         let mut way: Option<Direction> = None;
@@ -306,6 +304,8 @@ impl Branch<'_, '_> {
             let (bent, at) = search.led_to(&here.trial, &along.moves, step);
             search.least_under(&bent, &search.coordinates.placed(&bent.journal, at)) < least
         };
+        // Advection schemes chosen anew may make the forces jump: shorter steps keep them.
+        let mut near = Neighbour::None;
         loop {
             while thin(*wanted) {
                 *wanted *= 0.8;
@@ -318,24 +318,27 @@ impl Branch<'_, '_> {
                 let found = (search.led_on(&here.trial, &along.moves, last, least))
                     .map(|(bent, _)| search.run(&bent, bent.journal));
                 match found {
-                    Some(Ok(found)) if is_contact(&search.gap_under(&found.problem), &found.problem.journal) => {
-                        return Some(Next::Contact(Box::new(found.problem)));
+                    Some(Ok(found))
+                        if is_contact(&search.gap_under(&found.trial.problem), &found.trial.problem.journal) =>
+                    {
+                        return Some(Next::Contact(Box::new(found.trial.problem)));
                     }
                     Some(Ok(found)) => return Some(Next::End(Box::new(found))),
                     Some(Err(_)) | None => {}
                 }
-            } else if let Some((point, corrections)) = self.corrected(here, along, *wanted) {
+            } else if let Some((point, corrections)) = self.corrected((here, near), along, *wanted) {
                 if corrections <= quick {
                     *wanted *= GROWTH;
                 }
                 return Some(Next::Point(Box::new(point)));
             }
             *wanted *= 0.5;
+            near = Neighbour::Kept(&here.trial.film);
         }
     }
 
-    /// The point of the branch across a step of this length along it, and the corrections that it took.
-    fn corrected(&self, here: &Point, along: &Direction, step: f64) -> Option<(Point, usize)> {
+    /// The point of the branch across a step of this length along it, and the corrections that it took; its first film is begun `near` another one.
+    fn corrected(&self, (here, near): (&Point, Neighbour), along: &Direction, step: f64) -> Option<(Point, usize)> {
         let search = self.search;
         let least = 0.5 * LEAST_SHRINK * search.least_film(&here.trial);
         let (mut bent, mut place) = search.led_on(&here.trial, &along.moves, step, least)?;
@@ -344,9 +347,7 @@ impl Branch<'_, '_> {
         let [_, most] = corrections(&here.trial);
         for corrections in 0..most {
             // Corrections keep the advection schemes, so that the forces change smoothly.
-            let near = before
-                .as_ref()
-                .map_or(Neighbour::None, |trial| Neighbour::Kept(&trial.film));
+            let near = before.as_ref().map_or(near, |trial| Neighbour::Kept(&trial.film));
             let tried = |near| search.open(&bent, place, near, ROUGHLY_BALANCED);
             let trial = match (tried(near), &before) {
                 (Err(_), Some(_)) => tried(Neighbour::None),
@@ -374,7 +375,7 @@ impl Branch<'_, '_> {
         let tangents = search.tangents(trial, &wall, FOLLOWED).ok()?;
         let ahead = self.ahead(&tangents).ok()?;
         let left = moved(search.excess(trial), -(1.0 - part), self.first);
-        if length(left) < ROUGHLY_BALANCED * search.scale && wall.residual < ROUGHLY_BALANCED {
+        if length(left) < ON_BRANCH * search.scale && wall.residual < CLOSED_ON_BRANCH {
             return Some(Judged::Point(ahead));
         }
         let back = tangents.solve(left.map(|left| -left), Some(&wall.wall)).ok()?;
@@ -403,7 +404,7 @@ enum Judged {
 enum Next {
     Point(Box<Point>),
     /// The balance.
-    End(Box<Equilibrium>),
+    End(Box<Balance>),
     /// The film of a balance in which the journal is in contact.
     Contact(Box<FilmProblem>),
 }

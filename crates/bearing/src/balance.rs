@@ -1,0 +1,48 @@
+//! A balance found in a search, from which the [`Equilibrium`] is made that is reported: one on the way to it needs no tangent.
+
+use crate::NoEquilibrium;
+use crate::equilibrium::Equilibrium;
+use crate::search::{Search, Trial};
+use crate::tangent::Tangent;
+
+/// A journal in balance.
+pub(crate) struct Balance {
+    /// Its film.
+    pub(crate) trial: Trial,
+    /// The tangent that the search has for it, if it kept one.
+    pub(crate) tangent: Option<Tangent>,
+    /// Positions tried.
+    pub(crate) tried: usize,
+    /// True where the deadline passed before.
+    pub(crate) is_ended: bool,
+}
+
+impl Search<'_> {
+    /// A balance with its tangent.
+    ///
+    /// # Errors
+    /// The linear systems of the tangent could not be solved.
+    pub(crate) fn equilibrium(&self, balance: Balance) -> Result<Equilibrium, NoEquilibrium> {
+        let Balance {
+            trial,
+            tangent,
+            tried,
+            is_ended,
+        } = balance;
+        let tangent = tangent.map_or_else(|| self.tangent(&trial), Ok)?;
+        let residual = self.residual(&trial);
+        Ok(Equilibrium {
+            residual,
+            unbalanced: residual * self.scale,
+            parts: self.parts(&trial),
+            coordinates: self.coordinates,
+            steps: tried,
+            is_ended,
+            stiffness: tangent.stiffness,
+            wall: tangent.wall,
+            problem: trial.problem,
+            film: trial.film,
+            cubic: trial.cubic,
+        })
+    }
+}
