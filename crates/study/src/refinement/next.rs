@@ -29,7 +29,9 @@ const LEAST_TRIANGLES: usize = 300;
 /// Most triangles of that mesh, however thin the film is.
 const MOST_TRIANGLES: f64 = 20_000.0;
 /// Edges of one that follows where that does not show whether a moment is carried, over its own.
-const UNDECIDED: f64 = 0.5;
+const UNDECIDED: f64 = 0.7;
+/// and the least ones over those as usual.
+const FINEST: f64 = 0.5;
 /// A mesh with this part of the triangles wanted has enough;
 const NEARLY_AS_MANY: f64 = 0.9;
 /// one with so many times as many has too many;
@@ -202,8 +204,8 @@ impl Next {
     /// Another start where a mesh that is as fine as usual, that of `film`, does not show whether a moment is carried.
     pub(super) fn finer_undecided(&self, film: &Film, reason: &NoAnswer) -> Option<Self> {
         match self {
-            Self::Drawn(factor, _) if *factor > UNDECIDED && reason.is_undecided() => {
-                Some(Self::Drawn(UNDECIDED, Shown::of(film, reason)))
+            Self::Drawn(factor, _) if *factor > FINEST && reason.is_undecided() => {
+                Some(Self::Drawn(factor * UNDECIDED, Shown::of(film, reason)))
             }
             _ => None,
         }
