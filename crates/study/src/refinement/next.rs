@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use oilwedge_fem::marking::doerfler;
-use oilwedge_mesh::{Mesh, refine};
+use oilwedge_mesh::refine::{Child, Refined};
+use oilwedge_mesh::{Defect, Mesh, refine};
 use oilwedge_reynolds::film_thickness::Deflection;
 
 use super::growth::Growth;
@@ -40,6 +41,10 @@ const TOO_MANY: f64 = 4.0;
 const DRAWN: usize = 5;
 /// Share of the indicator that the triangles divided carry.
 const SHARE: f64 = 0.7;
+/// Triangles of a mesh divided locally over those before: where fewer triangles carry that share they are divided again,
+const LOCAL_GROWTH: f64 = 1.2;
+/// so many times at most.
+const MOST_DIVISIONS: usize = 4;
 /// The scene with the first mesh on the way to its tolerance.
 pub fn at_first(scene: &Scene) -> Scene {
     match scene.mesh {
@@ -226,19 +231,45 @@ impl Next {
         // Rows along the flow are divided as a whole: a triangle divided for its neighbour's sake lies across it.
         let in_rows = film.problem.cavitation.conserves_oil();
         let (divided, refinement) = match (&estimated.indicator, last) {
-            (Some(indicator), _) if is_local && !in_rows => {
-                (refine::local(mesh, &doerfler(indicator, SHARE)), Refinement::Local)
-            }
+            (Some(indicator), _) if is_local && !in_rows => (divided_locally(mesh, indicator), Refinement::Local),
             (_, Self::Drawn(factor, _) | Self::DrawnFiner(factor, ..)) => {
                 let triangles = growth.factor * mesh.triangles().len() as f64;
                 let factor = factor / growth.factor.sqrt();
                 return Ok(Self::DrawnFiner(factor, triangles as usize, Known::of(film)));
             }
-            _ => (refine::uniform(mesh), Refinement::Uniform),
+            _ => (refine::uniform(mesh).map(|divided| divided.mesh), Refinement::Uniform),
         };
         let divided = divided.map_err(|_| Limit::CoarseRim)?;
-        Ok(Self::Divided(Arc::new(divided.mesh), refinement, Known::of(film)))
+        Ok(Self::Divided(Arc::new(divided), refinement, Known::of(film)))
     }
+}
+
+/// A mesh whose triangles with the greatest indicators are divided: once, or as often as it takes for a mesh that is notably larger. At the edge of a cavity the part of a triangle falls with the square
+/// of its area.
+fn divided_locally(mesh: &Mesh, indicator: &[f64]) -> Result<Mesh, Vec<Defect>> {
+    let wanted = LOCAL_GROWTH * mesh.triangles().len() as f64;
+    let (mut divided, mut expected) = divided_once(mesh, indicator)?;
+    for _ in 1..MOST_DIVISIONS {
+        if divided.triangles().len() as f64 >= wanted {
+            break;
+        }
+        match divided_once(&divided, &expected) {
+            Ok(further) => (divided, expected) = further,
+            Err(_) => break,
+        }
+    }
+    Ok(divided)
+}
+
+/// A mesh divided once, and the indicator expected on it.
+fn divided_once(mesh: &Mesh, indicator: &[f64]) -> Result<(Mesh, Vec<f64>), Vec<Defect>> {
+    let Refined { mesh, lineage } = refine::local(mesh, &doerfler(indicator, SHARE))?;
+    let expected = |child: &Child| {
+        let [[ax, ay], [bx, by], [cx, cy]] = child.corners;
+        let part = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay);
+        indicator[child.parent as usize] * part * part
+    };
+    Ok((mesh, lineage.iter().map(expected).collect()))
 }
 
 #[cfg(test)]
@@ -286,6 +317,26 @@ mod tests {
         let drawn = triangles(factor_for(&scene, 1.0, (wanted, TOO_MANY), thin)) as f64;
         let share = drawn / wanted as f64;
         assert!((NEARLY_AS_MANY..TOO_MANY).contains(&share), "{share}");
+    }
+
+    #[test]
+    fn few_triangles_are_divided_until_the_mesh_is_notably_larger() {
+        let scene = thin_scene("reynolds");
+        let mesh = liner_mesh(&scene, Position::start(&scene)).expect("a mesh").mesh;
+        let number = mesh.triangles().len();
+        let growth = |mesh: &Mesh| mesh.triangles().len() as f64 / number as f64;
+        // Two in a hundred triangles carry all: divided once they make no mesh as large as wanted.
+        let few: Vec<f64> = (0..number).map(|t| f64::from(u8::from(t < number / 50))).collect();
+        let (once, expected) = divided_once(&mesh, &few).expect("a mesh");
+        assert!(growth(&once) < LOCAL_GROWTH && expected.len() == once.triangles().len());
+        // The part of a triangle falls with the square of its area: what four quarters carry is a quarter.
+        let left = expected.iter().sum::<f64>() / few.iter().sum::<f64>();
+        assert!((0.25..0.6).contains(&left), "{left}");
+        assert!(growth(&divided_locally(&mesh, &few).expect("a mesh")) >= LOCAL_GROWTH);
+        let all = vec![1.0; number];
+        let (once, _) = divided_once(&mesh, &all).expect("a mesh");
+        let locally = divided_locally(&mesh, &all).expect("a mesh");
+        assert_eq!(locally.triangles(), once.triangles());
     }
 
     /// With and without rows, for a parallel journal and for one near contact at an end.
