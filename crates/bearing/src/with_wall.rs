@@ -9,16 +9,15 @@
 
 use std::borrow::Cow;
 
-use oilwedge_fem::Error;
 use oilwedge_fem::newton::Failure;
 use oilwedge_reynolds::contact::Contact;
 use oilwedge_reynolds::film_thickness::Closing;
 use oilwedge_reynolds::quantities::load::{load, load_touching};
 use oilwedge_reynolds::solve::Neighbour;
-use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem, NoFilm};
+use oilwedge_reynolds::{FilmProblem, FilmSolution, NoFilm};
 
 use crate::coordinates::{Vector, moved, unit};
-use crate::deflection::{Follower, Joint, Left, Moves, NEARLY, contact_points, settled};
+use crate::deflection::{Bordered, Follower, Joint, Left, Moves, NEARLY, contact_points, settled};
 use crate::search::{Search, Trial, fineness};
 use crate::stiffness::Stiffness;
 
@@ -45,6 +44,8 @@ pub(crate) enum Tangents<'a> {
     Rigid(Stiffness),
     /// It gives way.
     Yielding(Box<Joint<'a>>),
+    /// It gives way to the film in cubic elements.
+    OfCubic(Box<Bordered<'a>>),
 }
 
 impl Tangents<'_> {
@@ -60,6 +61,7 @@ impl Tangents<'_> {
                 contact: Vec::new(),
             }),
             Self::Yielding(joint) => Ok(joint.solve(force, wall).map_err(Failure::from)?),
+            Self::OfCubic(bordered) => Ok(bordered.solve(force, wall).map_err(Failure::from)?),
         }
     }
 
@@ -68,6 +70,7 @@ impl Tangents<'_> {
         match self {
             Self::Rigid(_) => 0,
             Self::Yielding(joint) => joint.products(),
+            Self::OfCubic(bordered) => bordered.products(),
         }
     }
 }
@@ -148,43 +151,28 @@ impl Search<'_> {
     /// # Errors
     /// The linear systems could not be solved.
     pub(crate) fn tangents<'t>(&'t self, trial: &'t Trial, left: &Left, accuracy: f64) -> Result<Tangents<'t>, NoFilm> {
-        let of = |system, film, accuracy| self.joint(trial, (system, film), left, accuracy).map_err(Failure::from);
-        let joint = match &trial.cubic {
-            None => of(self.system, &trial.film, accuracy)?,
+        let problem = &trial.problem;
+        let of = |system, film| Follower::touching(problem, system, film, left.contact.clone()).map_err(Failure::from);
+        let Some(follower) = of(self.system, &trial.film)? else {
+            return Ok(Tangents::Rigid(self.tangent(trial)?.stiffness));
+        };
+        let (journal, velocity, support) = (&problem.journal, self.options.centre_velocity, self.support_stiffness());
+        let held = [0.0, 0.0, support, support];
+        let change = |k: usize| self.coordinates.change(journal, &velocity, unit(k));
+        let joint = |accuracy| Joint::of(follower, self.coordinates, change, held, accuracy).map_err(Failure::from);
+        let cubic = match &trial.cubic {
+            None => None,
+            Some(cubic) => of(&self.system.cubic().system, cubic)?,
+        };
+        Ok(match cubic {
+            None => Tangents::Yielding(Box::new(joint(accuracy)?)),
             Some(cubic) => {
-                let quadratic = of(self.system, &trial.film, NEARLY)?;
-                let cubic = of(&self.system.cubic().system, cubic, accuracy)?;
-                cubic.zip(quadratic).map(|(cubic, quadratic)| cubic.nearly(quadratic))
+                let weight = left.size.max(f64::MIN_POSITIVE) / self.scale;
+                let moving = (self.coordinates, velocity, held);
+                let bordered = Bordered::of(cubic, moving, (weight, accuracy), joint(NEARLY)?);
+                Tangents::OfCubic(Box::new(bordered))
             }
-        };
-        Ok(match joint {
-            None => Tangents::Rigid(self.tangent(trial)?.stiffness),
-            Some(joint) => Tangents::Yielding(Box::new(joint)),
         })
-    }
-
-    /// That of one of the films of a trial; none where the wall is rigid.
-    fn joint<'t>(
-        &'t self,
-        trial: &'t Trial,
-        (system, film): (&'t FilmSystem, &'t FilmSolution),
-        left: &Left,
-        accuracy: f64,
-    ) -> Result<Option<Joint<'t>>, Error> {
-        let follower = Follower::touching(&trial.problem, system, film, left.contact.clone())?;
-        let support = self.support_stiffness();
-        let journal = &trial.problem.journal;
-        let change = |k: usize| (self.coordinates).change(journal, &self.options.centre_velocity, unit(k));
-        let of = |follower| {
-            Joint::of(
-                follower,
-                self.coordinates,
-                change,
-                [0.0, 0.0, support, support],
-                accuracy,
-            )
-        };
-        follower.map(of).transpose()
     }
 
     /// Where a part of moves leads: the problem under the wall there, and the coordinates.

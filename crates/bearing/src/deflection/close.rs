@@ -63,8 +63,10 @@ struct Trial {
 pub(crate) struct Left {
     /// `C f - d` [m].
     pub(crate) wall: Vec<f64>,
-    /// Its part of the deflection [1].
+    /// Its part of the deflection [1],
     pub(crate) residual: f64,
+    /// whose norm this is [m].
+    pub(crate) size: f64,
     /// Where surfaces touch; none where no contact is simulated.
     pub(crate) contact: Option<Arc<ContactPoints>>,
 }
@@ -295,6 +297,7 @@ impl Left {
             return Self {
                 wall: Vec::new(),
                 residual: 0.0,
+                size: 0.0,
                 contact,
             };
         };
@@ -307,6 +310,7 @@ impl Left {
             .collect();
         Self {
             residual: if size > 0.0 { norm(&wall) / size } else { 0.0 },
+            size,
             wall,
             contact,
         }

@@ -37,8 +37,6 @@ pub(crate) struct Joint<'a> {
     known: RefCell<Known>,
     /// How many products that took.
     products: Cell<usize>,
-    /// That of a film much like it, whose products cost less.
-    near: Option<Box<Self>>,
 }
 
 /// A change of the journal and of the wall.
@@ -113,16 +111,7 @@ impl<'a> Joint<'a> {
             tangent,
             known: RefCell::default(),
             products: Cell::default(),
-            near: None,
         })
-    }
-
-    /// As it is, with the tangent of a film much like it by which its systems are nearly solved.
-    pub(crate) fn nearly(self, near: Self) -> Self {
-        Self {
-            near: Some(Box::new(near)),
-            ..self
-        }
     }
 
     /// The moves by which forces change by `force` [N], and the wall by `wall` [m] more than film and contact bend it, or by no more.
@@ -130,9 +119,18 @@ impl<'a> Joint<'a> {
     /// # Errors
     /// The linear systems could not be solved.
     pub(crate) fn solve(&self, force: Vector, wall: Option<&[f64]>) -> Result<Moves, Error> {
+        let operator = |d: &[f64]| {
+            let (forces, image) = self.by_wall(d)?;
+            let place = self.tangent.solve(forces.map(|part| -part));
+            Ok::<_, Error>(self.bent(d.iter().zip(&image).map(|(d, image)| d - image).collect(), place))
+        };
         let pushed = self.tangent.solve(force);
         let more = wall.map_or_else(|| vec![0.0; self.follower.number()], <[f64]>::to_vec);
-        let wall = self.wall(&self.bent(more, pushed.map(|part| -part)))?;
+        let wanted: Vec<f64> = self.bent(more, pushed.map(|part| -part));
+        let nearly = |d: &[f64]| Ok(self.follower.solve_contact(d));
+        let solved = (self.known.borrow_mut()).solve(operator, nearly, &wanted, self.accuracy)?;
+        self.products.set(self.products.get() + solved.steps);
+        let wall = solved.x;
         let (forces, _) = self.by_wall(&wall)?;
         let place = self.tangent.solve(moved(force, -1.0, forces));
         Ok(Moves {
@@ -140,22 +138,6 @@ impl<'a> Joint<'a> {
             contact: self.contact_by(place, &wall),
             wall,
         })
-    }
-
-    /// The change of the wall that solves the system without the journal: `d - C (p_d d - p_x K^-1 W_d d) = wanted`.
-    fn wall(&self, wanted: &[f64]) -> Result<Vec<f64>, Error> {
-        let operator = |d: &[f64]| {
-            let (forces, image) = self.by_wall(d)?;
-            let place = self.tangent.solve(forces.map(|part| -part));
-            Ok::<_, Error>(self.bent(d.iter().zip(&image).map(|(d, image)| d - image).collect(), place))
-        };
-        let nearly = |d: &[f64]| match &self.near {
-            Some(near) => near.wall(d),
-            None => Ok(self.follower.solve_contact(d)),
-        };
-        let solved = (self.known.borrow_mut()).solve(operator, nearly, wanted, self.accuracy)?;
-        self.products.set(self.products.get() + solved.steps);
-        Ok(solved.x)
     }
 
     /// How many products with the tangent the systems have taken.

@@ -14,6 +14,7 @@
 //! **Source.** Knoll, Keyes, J. Comput. Phys. 193 (2004) 357 (Newton and Krylov). **Range.** Films that are reached from one in the unbent wall by raising the
 //! eccentricity; beyond the clearance too where contact presses the ends of the wall out. **Verified by** `tests/tests/liner`: a second method, the tangent against differences.
 
+mod bordered;
 mod close;
 mod dynamics;
 mod following;
@@ -24,6 +25,7 @@ mod slow;
 mod tangent;
 mod touching;
 
+pub(crate) use bordered::Bordered;
 pub use close::{CLOSED, Pair, closed_film, closed_pair};
 pub(crate) use close::{Left, closed_near, closed_within};
 pub(crate) use dynamics::{Response, harmonic_response};

@@ -157,6 +157,32 @@ impl<'a> Follower<'a> {
         })
     }
 
+    /// Change of the unknown with a `change` of the journal and a deflection `bent` [m], for systems that are solved to an `accuracy`.
+    ///
+    /// # Errors
+    /// The linear system could not be solved.
+    pub(super) fn by_both(&self, change: &JournalChange, bent: &[f64], accuracy: f64) -> Result<Vec<f64>, Error> {
+        let sum = |a: Vec<f64>, b: Vec<f64>| a.iter().zip(b).map(|(a, b)| a + b).collect();
+        match self.gap.by_journal(self.system, change) {
+            Some(by_journal) => {
+                let residual: Vec<f64> = sum(self.gap.times(self.system, bent), by_journal);
+                (self.problem).answer(self.film, &residual, OF_ACCURACY * accuracy)
+            }
+            None => {
+                let by_journal = self.problem.unknown_change(self.system, self.film, change)?;
+                Ok(sum(self.by_deflection(bent, accuracy)?, by_journal))
+            }
+        }
+    }
+
+    /// What the journal carries by contact with a `change` of the journal, and the forces [N] of contact on the splines with a deflection `bent` [m] too; none where no contact is simulated.
+    pub(super) fn contact_by_both(&self, change: &JournalChange, bent: &[f64]) -> Option<(Resultant, Vec<f64>)> {
+        let (carried, mut forces) = self.contact_change(change)?;
+        let by_wall = self.contact_times(bent)?;
+        forces.iter_mut().zip(by_wall).for_each(|(force, more)| *force += more);
+        Some((carried, forces))
+    }
+
     /// What the journal carries by contact, and the forces [N] of it on the splines, more with a `change` of the journal; none where no contact is simulated.
     pub(super) fn contact_change(&self, change: &JournalChange) -> Option<(Resultant, Vec<f64>)> {
         let points = &self.contact.as_ref()?.points;
@@ -170,7 +196,8 @@ impl<'a> Follower<'a> {
         self.image_with(&free.unknown, forces)
     }
 
-    fn image_with(&self, unknown: &[f64], contact: Option<&[f64]>) -> Vec<f64> {
+    /// Deflection [m] by a change of the unknown, and by these forces [N] of contact on the splines.
+    pub(super) fn image_with(&self, unknown: &[f64], contact: Option<&[f64]>) -> Vec<f64> {
         let wall = &self.deflection.wall;
         let mut forces = (wall.grid).forces_change(self.problem, self.system, &self.film.unknown, unknown);
         for (force, contact) in forces.iter_mut().zip(contact.unwrap_or_default()) {
