@@ -4,7 +4,7 @@
 //! W(x, d) = F        C f(p(x, d)) = d
 //! ```
 //!
-//! **Method.** Newton's, with the tangent of both ([`Joint`]), the wall eliminated by GMRES. Under a load the wall answers less than at a place, so that it is found under soft walls in contact too, where no place
+//! **Method.** Newton's, with the tangent of both: [`Joint`], the journal eliminated and the wall found by GMRES, or [`Bordered`], of the film in cubic elements. Under a load the wall answers less than at a place, so that it is found under soft walls in contact too, where no place
 //! that is held has one near. Far from the balance the wall is closed at each place that is tried. **Verified by** `tests/tests/liner`: balances of force and wall.
 
 use std::borrow::Cow;

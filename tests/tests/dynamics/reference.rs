@@ -91,7 +91,7 @@ fn two_grooves_of_lund_and_thomsen() {
         );
         // Near the threshold of stability with any mass the critical mass depends much on K and C.
         let tolerance = if (0.6..0.75).contains(&of[0]) {
-            "\"0.001 %\""
+            "\"0.0003 %\""
         } else {
             "\"0.02 %\""
         };

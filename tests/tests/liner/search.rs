@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use oilwedge_bearing::{InitialGuess, SearchObserver, SearchOptions, find};
+use oilwedge_bearing::{Carrier, InitialGuess, SearchObserver, SearchOptions, find};
 use oilwedge_reynolds::{Cavitation, FilmProblem};
 use oilwedge_study::compile::compile;
 use oilwedge_study::quantities::{DEFLECTION_MAX, FILM_THICKNESS_MIN, Row};
@@ -95,5 +95,36 @@ fn loads_that_press_soft_walls_far_out_are_balanced() {
         assert!(found.residual < 1e-10, "{number}: {:e}", found.residual);
         assert!(eccentricity > least_eccentricity, "{number}: {eccentricity}");
         assert!(films < most_films, "{number}: {films}");
+    }
+}
+
+/// The systems of the film in cubic elements are nearly solved by those of the quadratic film: from the balance of that one few films lead to its own, with few products each.
+#[test]
+fn the_balance_of_the_cubic_film_takes_few_films_and_products() {
+    for number in [115, 255] {
+        let mut bearing = TiltedBearing::with_walls(number);
+        bearing.text += "[mesh]\nsize = \"30 mm\"\n";
+        let [quadratic, cubic] = [Carrier::Quadratic, Carrier::Cubic].map(|carrier| {
+            let film = compile(&bearing.scene()).unwrap_or_else(|error| panic!("{error}"));
+            let options = SearchOptions {
+                carrier,
+                ..SearchOptions::default()
+            };
+            let found = find(&film.problem, &film.system, film.load.expect("a load"), &options);
+            let found = found.unwrap_or_else(|reason| panic!("{number}: {reason}"));
+            assert!(found.residual < 1e-10, "{number}: {:e}", found.residual);
+            found.problem.deflection().expect("a wall").closing
+        });
+        println!("{number}: {quadratic:?}, then {cubic:?}");
+        assert!(cubic.residual < 1e-10, "{number}: {cubic:?}");
+        // The balance of the quadratic film is a start, and found less exactly.
+        let films = cubic.outer - quadratic.outer;
+        assert!(films <= 10, "{number}: {films} films");
+        let most = quadratic.inner + 8 * films;
+        assert!(
+            cubic.inner <= most,
+            "{number}: {} products, {most} at most",
+            cubic.inner
+        );
     }
 }

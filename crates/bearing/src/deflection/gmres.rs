@@ -26,7 +26,7 @@ pub(super) struct Known {
 /// Solves `A x = b` until the residual is below `accuracy` of b, or no further product helps; `nearly` solves a system much like it.
 ///
 /// # Errors
-/// Those of the operator.
+/// Those of the operator, and of the system much like it.
 pub(super) fn gmres<E>(
     operator: impl Fn(&[f64]) -> Result<Vec<f64>, E>,
     nearly: impl Fn(&[f64]) -> Result<Vec<f64>, E>,
@@ -40,7 +40,7 @@ impl Known {
     /// As [`gmres`], with the operator of the systems before.
     ///
     /// # Errors
-    /// Those of the operator.
+    /// Those of the operator, and of the system much like it.
     pub(super) fn solve<E>(
         &mut self,
         operator: impl Fn(&[f64]) -> Result<Vec<f64>, E>,
