@@ -32,7 +32,7 @@ const GROWTH: f64 = 1.6;
 const CORRECTIONS: [usize; 2] = [3, 5];
 /// under a wall that gives way, where each film is one.
 const CORRECTIONS_WITH_WALL: [usize; 2] = [6, 9];
-/// A film that leaves no more than this part of what the branch balances, or of the load,
+/// Under a wall that gives way a film that leaves no more than this part of what the branch balances, or of the load,
 const ON_BRANCH: f64 = 1e-3;
 /// and this one of the deflection, is a point of the branch.
 const CLOSED_ON_BRANCH: f64 = 1e-2;
@@ -375,7 +375,12 @@ impl Branch<'_, '_> {
         let tangents = search.tangents(trial, &wall, FOLLOWED).ok()?;
         let ahead = self.ahead(&tangents).ok()?;
         let left = moved(search.excess(trial), -(1.0 - part), self.first);
-        if length(left) < ON_BRANCH * length(self.first).min(search.scale) && wall.residual < CLOSED_ON_BRANCH {
+        // Under a rigid wall a correction costs little.
+        let near = match trial.problem.deflection() {
+            None => ROUGHLY_BALANCED * search.scale,
+            Some(_) => ON_BRANCH * length(self.first).min(search.scale),
+        };
+        if length(left) < near && wall.residual < CLOSED_ON_BRANCH {
             return Some(Judged::Point(ahead));
         }
         let back = tangents.solve(left.map(|left| -left), Some(&wall.wall)).ok()?;
