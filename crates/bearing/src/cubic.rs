@@ -12,7 +12,7 @@ use crate::deflection::CLOSED;
 use crate::equilibrium::Equilibrium;
 use crate::search::{Search, Trial};
 
-/// The balance has been found when force and load differ by this part of the load; found together, no more than it is left of the deflection either.
+/// The balance has been found when force and load differ by this part of the load; where the wall is moved with the journal, no more than this part of its deflection is left either.
 const BALANCED: f64 = 1e-10;
 /// Accuracy of the iterations of the cubic film.
 const BALANCED_ENOUGH: f64 = 1e-8;

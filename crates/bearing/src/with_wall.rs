@@ -44,7 +44,7 @@ pub(crate) enum Tangents<'a> {
     Rigid(Stiffness),
     /// It gives way.
     Yielding(Box<Joint<'a>>),
-    /// It gives way to the film in cubic elements.
+    /// It gives way, and the film in cubic elements carries the load.
     OfCubic(Box<Bordered<'a>>),
 }
 
