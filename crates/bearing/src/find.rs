@@ -3,6 +3,7 @@
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmProblem, FilmSystem, JournalState, NoFilm};
 
+use crate::at_rest::{BALANCED_ENOUGH, SETTLED};
 use crate::balance::Balance;
 use crate::cubic::balance_cubic;
 use crate::equilibrium::{Equilibrium, NEAR, ROUGHLY_BALANCED};
@@ -14,16 +15,8 @@ use crate::tangent::Tangent;
 use crate::with_wall::WITHIN;
 use crate::{Carrier, InitialGuess, Load, NoEquilibrium, Purpose, SearchOptions, Waypoint};
 
-/// A balance that round-off keeps from its accuracy is one below this part.
-const BALANCED_ENOUGH: f64 = 1e-10;
 /// Most positions tried.
 const MOST_STEPS: usize = 40;
-/// Advection schemes chosen where force and load differ by less than this part of the load are those of the balanced position.
-const SETTLED: f64 = 1e-6;
-/// Until then a balance to this part of the residual at which they were chosen is enough to choose them again.
-const RECHOSEN: f64 = 1e-3;
-/// Most choices of the advection schemes: the last is that of the balanced position, if they settle.
-const MOST_CHOICES: usize = 6;
 /// Force and wall are sought together again where less than this part is left of what was left where that has failed.
 const OF_FAILED: f64 = 0.1;
 /// Part of the clearance that the film may lose where it is thinnest, if the last position of a failed search on a coarser mesh is to be a start.
@@ -221,61 +214,9 @@ impl Search<'_> {
         }
     }
 
-    /// Balances the load and, in a film that conserves oil, chooses the advection schemes again at the balanced
-    /// position until they settle.
-    fn at_rest(&self, first: Trial) -> Result<Balance, NoEquilibrium> {
-        let deadline = self.options.deadline;
-        let mut tried = 1;
-        // A position on a coarser mesh is only a start.
-        let has_schemes = first.film.film_fraction.is_some();
-        let must_settle = has_schemes && !self.options.keeps_schemes() && self.options.balanced() <= BALANCED_ENOUGH;
-        let at_rest = |trial: &Trial| !must_settle || trial.schemes_chosen_at < SETTLED;
-        let takes_long = self.is_costly(&first) || first.problem.deflection().is_some();
-        let part = match must_settle && takes_long {
-            true => RECHOSEN,
-            false => 0.0,
-        };
-        let (mut trial, mut tangent) = self.balanced(first, None, part, &mut tried)?;
-        for _ in 0..MOST_CHOICES {
-            if at_rest(&trial) || deadline.is_over() {
-                break;
-            }
-            tried += 1;
-            let here = self.coordinates.at(&trial.problem.journal);
-            // Where the choice fails the position balanced before stands, with the schemes chosen near it.
-            let chosen = (self.opened(&trial.problem, here, Neighbour::None, self.left_at_balance())).map_or_else(
-                || self.trial_within(&trial.problem, here, Neighbour::None, OF_BALANCE * SETTLED),
-                Ok,
-            );
-            let Ok(chosen) = chosen else {
-                break;
-            };
-            match self.balanced(chosen, tangent.clone(), part, &mut tried) {
-                Ok(balanced) => (trial, tangent) = balanced,
-                Err(_) => break,
-            }
-        }
-        if part > 0.0 {
-            (trial, tangent) = self.balanced(trial, tangent, 0.0, &mut tried)?;
-        }
-        let at_rest = at_rest(&trial);
-        if !at_rest && !deadline.is_over() {
-            let note = "the advection schemes did not settle at the balanced position: those chosen near it are kept";
-            trial.film.fallbacks.push(note.to_owned());
-        }
-        let is_closed = trial.may_leave <= self.left_at_balance().max(BALANCED_ENOUGH);
-        let is_balanced = at_rest && is_closed && self.residual(&trial) < self.options.balanced().max(BALANCED_ENOUGH);
-        Ok(Balance {
-            is_ended: !is_balanced && deadline.is_over(),
-            trial,
-            tangent,
-            tried,
-        })
-    }
-
     /// The balanced trial, and the tangent that the search has for it, if it kept one; `kept` is that of a trial nearby. Where the advection schemes are to be chosen
     /// again, this `part` of the residual at which they were chosen is enough.
-    fn balanced(
+    pub(crate) fn balanced(
         &self,
         mut trial: Trial,
         mut kept: Option<Tangent>,
@@ -293,7 +234,7 @@ impl Search<'_> {
                 _ => 0.0,
             };
             let is_balanced = residual < self.options.balanced().max(enough);
-            let closed = self.left_at_balance().max(OF_BALANCE * enough);
+            let closed = self.left_at_balance().max(enough);
             let is_closed = trial.may_leave <= closed;
             if is_balanced && is_closed || self.options.deadline.is_over() {
                 return Ok((trial, kept));
