@@ -47,7 +47,7 @@ impl Growth {
         let FilmProblem {
             cavitation, lubricant, ..
         } = &level.solved.film.problem;
-        let order = cavitation.convergence_order(&lubricant.pressure_law);
+        let order = cavitation.bar_order(&lubricant.pressure_law);
         let (least, most) = (LEAST_GROWTH, goal.most_growth);
         let wanted = match goal.worst.is_finite() {
             true => (goal.worst / SAFETY).powf(1.0 / order).clamp(least, most),
