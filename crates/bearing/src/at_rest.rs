@@ -36,8 +36,8 @@ impl Search<'_> {
             false => 0.0,
         };
         let (mut trial, mut tangent) = self.balanced(first, None, part, &mut tried)?;
-        let mut choices = vec![schemes(&trial).to_vec()];
-        while choices.len() <= MOST_CHOICES && !at_rest(&trial) && !deadline.is_over() {
+        let mut choices: Vec<Vec<AdvectionScheme>> = Vec::new();
+        while choices.len() < MOST_CHOICES && !at_rest(&trial) && !deadline.is_over() {
             tried += 1;
             // Where the choice fails the position balanced before stands, with the schemes chosen near it;
             let Ok(chosen) = self.chosen_anew(&trial) else {
