@@ -7,11 +7,11 @@ use oilwedge_reynolds::quantities::load::load;
 use oilwedge_reynolds::solve::Neighbour;
 use oilwedge_reynolds::{FilmProblem, FilmSolution, JournalState};
 
-use crate::NoEquilibrium;
 use crate::coordinates::{Vector, moved};
 use crate::estimate::GREATEST_ECCENTRICITY;
 use crate::no_equilibrium::{DISTINCT, FAR, FAR_BELOW};
 use crate::search::{Search, Trial};
+use crate::{NoEquilibrium, Purpose};
 
 /// Most turns of the line of centres until the film's force points in the direction of the load.
 const TURNS: usize = 12;
@@ -90,10 +90,9 @@ impl Search<'_> {
         })
     }
 
-    /// How much the force of a film differs from that of the film in cubic elements [N]; one far from the load is not asked, nor one of a rough search, whose answer is a
-    /// start at most.
+    /// How much the force of a film differs from that of the film in cubic elements [N]; one far from the load is not asked, nor one of a search whose answer is a start at most.
     fn error(&self, trial: &Trial) -> Option<f64> {
-        if size(trial) < FAR_BELOW * self.load.magnitude() || self.options.accuracy.is_some() {
+        if size(trial) < FAR_BELOW * self.load.magnitude() || self.options.purpose == Purpose::Start {
             return Some(0.0);
         }
         let [x, y, ..] = self.missed(&trial.problem, &trial.film)?;

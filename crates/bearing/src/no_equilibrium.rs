@@ -9,6 +9,8 @@ use oilwedge_reynolds::{JournalState, NoFilm};
 pub(crate) const FAR_BELOW: f64 = 1.0 / 3.0;
 /// A film that carries less than what is asked by more than so many times its error does not carry it.
 pub(crate) const DISTINCT: f64 = 2.0;
+/// A film whose force is nowhere this part of the load carries none.
+pub(crate) const AT_REST: f64 = 1e-3;
 /// What is said of it.
 pub(crate) const FAR: &str =
     "in contact anywhere around the bearing the film of the journal so tilted carries less than a third of the load";
@@ -92,7 +94,7 @@ pub enum NoEquilibrium {
         asked: f64,
         /// Part of what tilts the journal that was balanced [1].
         carried: f64,
-        /// Its error at most, where that is known [1].
+        /// Its error at most [1]. None where it is not known: the branch may lead on, on this mesh or another.
         error: Option<f64>,
         /// Axial position of the end [m].
         end: f64,
@@ -107,7 +109,7 @@ pub enum NoEquilibrium {
     },
     /// The film resists tilt no more before it carries the moment.
     #[error(
-        "no position and tilt that a growing moment leads to carry {} N and its moment: the film carries at most {} of what tilts the journal, at a slope of {} mrad with a least film of {} m; tilted more it carries less, and the journal tips over",
+        "no position and tilt that a growing moment leads to carry {} N and its moment: on that way the film carries at most {} of what tilts the journal, at a slope of {} mrad with a least film of {} m; tilted more it carries less, and the journal tips over",
         readable(*asked), told((*carried, *error), 10.0), readable(1e3 * tilt), readable(*thickness)
     )]
     TiltLimit {
@@ -115,7 +117,7 @@ pub enum NoEquilibrium {
         asked: f64,
         /// Greatest part of what tilts the journal that is balanced [1].
         carried: f64,
-        /// Its error at most, where that is known [1].
+        /// Its error at most [1]. None where it is not known: the branch may return, on this mesh or another.
         error: Option<f64>,
         /// Least film thickness there [m].
         thickness: f64,
@@ -201,6 +203,27 @@ impl NoEquilibrium {
         match self {
             Self::OfGuide(reason) => reason,
             reason => reason,
+        }
+    }
+
+    /// True if there may be a balance that was not found.
+    pub fn is_unreached(&self) -> bool {
+        match self {
+            Self::Film(reason) => reason.is_unreached(),
+            Self::BeyondCapacity { .. } => false,
+            Self::Unreachable {
+                asked, nearest, why, ..
+            } => *why != FAR && *nearest > AT_REST * asked,
+            // What carries all of the moment in contact has no thicker film.
+            Self::EdgeContact { carried, error, .. } | Self::TiltLimit { carried, error, .. } => {
+                *carried < 1.0 && error.is_none_or(|error| carried + error >= 1.0)
+            }
+            // The branch of another film is another branch.
+            Self::OfGuide(reason) => match **reason {
+                Self::EdgeContact { .. } | Self::TiltLimit { .. } => true,
+                _ => reason.is_unreached(),
+            },
+            Self::BelowRounding { .. } | Self::NotConverged { .. } | Self::Ended { .. } => true,
         }
     }
 

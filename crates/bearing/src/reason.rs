@@ -1,21 +1,19 @@
 //! Why a search has found no balance, as far as that is known.
 
 use crate::NoEquilibrium;
-use crate::no_equilibrium::FAR;
+use crate::no_equilibrium::{AT_REST, FAR};
 use crate::search::{Nearest, Search, Trial};
 
 /// A load that was not balanced and is less than this part of the reference force is below round-off.
 const LOST: f64 = 1e-7;
 /// A force within this factor of the load
 const NEARLY: f64 = 2.0;
-/// and this angle [rad] leaves open whether there is a position.
+/// and this angle [rad] leaves open whether there is a position where little is carried in contact.
 const ASTRAY: f64 = 0.5;
-/// A film whose force is nowhere this part of the load carries none.
-const AT_REST: f64 = 1e-3;
 
 impl Search<'_> {
-    /// The reason as far as it is known: a search that was ended, or came near to the load, does not prove that there is no position;
-    /// a load near round-off is reported as one.
+    /// The reason as far as it is known: a search that was ended, or found no better position, does not prove that there is none unless the film carries nothing anywhere; a load near round-off is
+    /// reported as one.
     pub(crate) fn confirmed(&self, reason: NoEquilibrium) -> NoEquilibrium {
         let least = LOST * self.reference_force;
         match reason {
@@ -35,7 +33,7 @@ impl Search<'_> {
             },
             // What the film carries in contact all around is known, unless a force like the load was found on the way.
             NoEquilibrium::Unreachable { why, .. } if why == FAR && !self.found_alike() => reason,
-            NoEquilibrium::Unreachable { asked, journal, .. } if self.came_near() => {
+            NoEquilibrium::Unreachable { asked, journal, .. } if self.carries_some() => {
                 let history = self.tried.take();
                 NoEquilibrium::NotConverged {
                     asked,
@@ -48,11 +46,10 @@ impl Search<'_> {
         }
     }
 
-    /// Whether what was found leaves open that there is a position.
-    fn came_near(&self) -> bool {
-        // A film that bears tension has forces to all sides, of any size.
+    /// Whether a film was found that carries some part of the load.
+    fn carries_some(&self) -> bool {
         let is_any = |Nearest { force: [x, y], .. }| x.hypot(y) > AT_REST * self.load.magnitude();
-        self.found_alike() || self.bears_tension && self.nearest.get().is_some_and(is_any)
+        self.nearest.get().is_some_and(is_any)
     }
 
     /// Whether a force was found that is as large as the load by [`NEARLY`] and points its way by [`ASTRAY`].

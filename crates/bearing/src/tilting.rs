@@ -233,12 +233,18 @@ impl Branch<'_, '_> {
     fn why(&self, here: &Point, way: Option<Direction>, greatest: &Point, waypoint: Waypoint) -> NoEquilibrium {
         let search = self.search;
         let has_turned = way.is_some_and(|way| way.part < 0.0);
+        let is_at_end = search.is_in_contact(&here.trial) || has_turned && here.part < greatest.part - FALLEN;
+        let carried = |at: &Point| match is_at_end {
+            true => self.carried_with_error(at),
+            // No step leads on: the branch itself may.
+            false => (self.carried(at.part), None),
+        };
         if search.options.deadline.is_over() {
             return search.confirmed(search.unreachable(&here.trial, "the search was ended"));
         }
         match has_turned {
             true => {
-                let (carried, error) = self.carried_with_error(greatest);
+                let (carried, error) = carried(greatest);
                 let problem = &greatest.trial.problem;
                 NoEquilibrium::TiltLimit {
                     asked: search.load.magnitude(),
@@ -251,7 +257,7 @@ impl Branch<'_, '_> {
                 }
             }
             false if self.gap(&here.trial) < NEAR_CONTACT => {
-                search.in_contact(&here.trial.problem, self.carried_with_error(here), Some(waypoint))
+                search.in_contact(&here.trial.problem, carried(here), Some(waypoint))
             }
             false => NoEquilibrium::NotConverged {
                 asked: search.load.magnitude(),
@@ -306,7 +312,8 @@ impl Branch<'_, '_> {
         };
         // Advection schemes chosen anew may make the forces jump: shorter steps keep them.
         let mut near = Neighbour::None;
-        loop {
+        // A search that was ended may begin where the gap vanishes.
+        while gap > 0.0 {
             while thin(*wanted) {
                 *wanted *= 0.8;
             }
@@ -335,6 +342,7 @@ impl Branch<'_, '_> {
             *wanted *= 0.5;
             near = Neighbour::Kept(&here.trial.film);
         }
+        None
     }
 
     /// The point of the branch across a step of this length along it, and the corrections that it took; its first film is begun `near` another one.

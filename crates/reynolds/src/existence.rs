@@ -132,6 +132,18 @@ pub fn readable(value: f64) -> String {
 }
 
 impl NoFilm {
+    /// True if there may be a film: the iteration has not found it, or the mesh does not decide it.
+    pub fn is_unreached(&self) -> bool {
+        match self {
+            Self::NotConverged(_) | Self::NearLimit { .. } | Self::AtFold { .. } | Self::Wall { .. } => true,
+            Self::AboveLimit { .. }
+            | Self::BelowFloor { .. }
+            | Self::Fold { .. }
+            | Self::NoSupply { .. }
+            | Self::FilmFraction { .. } => false,
+        }
+    }
+
     /// The iteration; empty where there was none.
     pub fn history(&self) -> &[HistoryStep] {
         match self {

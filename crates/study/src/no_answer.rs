@@ -2,7 +2,6 @@
 
 use oilwedge_bearing::orbit::NoOrbit;
 use oilwedge_bearing::{NoEquilibrium, Waypoint};
-use oilwedge_fem::newton::Failure;
 use oilwedge_reynolds::NoFilm;
 use oilwedge_reynolds::lubricant::LawKind;
 
@@ -52,19 +51,9 @@ impl NoAnswer {
     /// True if an answer may exist but was not reached.
     pub fn is_unreached(&self) -> bool {
         match self {
-            Self::Film(film) | Self::Equilibrium(NoEquilibrium::Film(film)) => matches!(
-                film,
-                NoFilm::NotConverged(_) | NoFilm::NearLimit { .. } | NoFilm::AtFold { .. } | NoFilm::Wall { .. }
-            ),
-            Self::Equilibrium(reason) if reason.is_undecided() => true,
-            Self::Equilibrium(reason) => matches!(
-                reason,
-                NoEquilibrium::NotConverged { .. } | NoEquilibrium::BelowRounding { .. } | NoEquilibrium::Ended { .. }
-            ),
-            Self::Orbit(reason) => matches!(
-                reason,
-                NoOrbit::Stuck { .. } | NoOrbit::Between { .. } | NoOrbit::Ended { .. }
-            ),
+            Self::Film(reason) => reason.is_unreached(),
+            Self::Equilibrium(reason) => reason.is_unreached(),
+            Self::Orbit(reason) => reason.is_unreached(),
             Self::Temperature(reason) => reason.is_unreached,
         }
     }
@@ -152,8 +141,10 @@ fn way_out(reason: &NoAnswer) -> Option<&'static str> {
         NoFilm::FilmFraction { .. } => {
             "use another mesh, without obtuse angles and finer where the film is thin ([mesh] size draws one)"
         }
-        NoFilm::NotConverged(Failure::Cycling { .. }) => "another mesh ([mesh] size) may help",
-        _ => return None,
+        NoFilm::Wall { .. } => {
+            "give a stiffer liner or a smaller eccentricity to see the film, or another mesh ([mesh] size)"
+        }
+        NoFilm::NotConverged(_) => "another mesh ([mesh] size) may help",
     })
 }
 
@@ -163,7 +154,7 @@ fn of_position(reason: &NoEquilibrium) -> Option<&'static str> {
             Some("change the load, its angle, the tilt where one is given, or the pressure and place of feeds")
         }
         NoEquilibrium::BeyondCapacity { .. } => Some("lower the load, or raise speed, viscosity or size"),
-        NoEquilibrium::EdgeContact { .. } | NoEquilibrium::TiltLimit { .. } if reason.is_undecided() => Some(
+        NoEquilibrium::EdgeContact { .. } | NoEquilibrium::TiltLimit { .. } if reason.is_unreached() => Some(
             "a finer mesh ([mesh] size) may show that all is carried; or move the load towards the middle, lower its moment, or give [support] a greater tilt_stiffness",
         ),
         NoEquilibrium::EdgeContact { .. } | NoEquilibrium::TiltLimit { .. } => {

@@ -84,6 +84,17 @@ pub enum NoOrbit {
     },
 }
 
+impl NoOrbit {
+    /// True if there may be an orbit that was not found.
+    pub fn is_unreached(&self) -> bool {
+        match self {
+            Self::Film { reason, .. } => reason.is_unreached(),
+            Self::Stuck { .. } | Self::Between { .. } | Self::Ended { .. } => true,
+            Self::SqueezedOut { .. } | Self::OffShell { .. } => false,
+        }
+    }
+}
+
 impl Motion<'_> {
     /// What a stage without a solution means for the orbit, from a film with this least gap [m] on.
     pub(super) fn told(&self, reason: NoStage, time: f64, cycle: usize, gap: f64) -> NoOrbit {

@@ -309,6 +309,7 @@ fn ended(run: &mut ShaftRun, end: OrbitEnd, (cycles, closure): (usize, f64), opt
 
 fn status(reason: &NoShaftOrbit) -> Status {
     match reason {
+        NoShaftOrbit::Film { reason, .. } if reason.is_unreached() => Status::NotConverged,
         NoShaftOrbit::Film { .. } | NoShaftOrbit::SqueezedOut { .. } => Status::NoSolution,
         NoShaftOrbit::Stuck { .. } | NoShaftOrbit::Ended { .. } => Status::NotConverged,
     }

@@ -67,6 +67,7 @@ pub(super) fn solved(scene: &ShaftScene, options: &RunOptions) -> Result<ShaftRu
         }
         Err(reason) => {
             result.status = match &reason {
+                NoBalance::Film(at) if at.reason.is_unreached() => Status::NotConverged,
                 NoBalance::Film(_) => Status::NoSolution,
                 NoBalance::Stuck { .. } | NoBalance::Ended => Status::NotConverged,
             };
