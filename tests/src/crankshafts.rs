@@ -215,13 +215,12 @@ pub const BESIDE: [&str; 2] = [
     "[{ share = 0.5, web_mass = \"2.4 kg\" }, { angle = \"240 deg\", share = 0.5, web_mass = \"2.4 kg\" }]",
 ];
 
-/// Least film [m] over the orbit of a main bearing of this `engine` of three throws by itself, beside these throws.
+/// Least film [m] over the orbit of a main bearing of this `engine` of three throws by itself, beside these throws; `bearing` is the text of its scene.
 ///
 /// # Panics
 /// It has no orbit.
-pub fn single_main(engine: &str, throws: &str) -> f64 {
-    let bearing = text("bearings/main_85.toml");
-    let bearing = changed(&bearing, "eccentricity   = 0.8\nmin_film_angle = \"180 deg\"\n", "");
+pub fn single_main(engine: &str, throws: &str, bearing: &str) -> f64 {
+    let bearing = changed(bearing, "eccentricity   = 0.8\nmin_film_angle = \"180 deg\"\n", "");
     let (_, crank) = engine.split_once("[crank]").expect("a crank drive");
     let (crank, orbit) = crank.split_once("[orbit]").expect("an orbit");
     let scene = format!(

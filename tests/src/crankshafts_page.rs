@@ -146,7 +146,10 @@ fn single(cut: &ShaftRun) -> Table {
     ])];
     let films = numbers(cut, &CYCLE_FILM_THICKNESS_MIN);
     for (number, throws) in BESIDE.iter().enumerate() {
-        let (alone, film) = (single_main(&text("three_throws.toml"), throws), films[number]);
+        let (alone, film) = (
+            single_main(&text("three_throws.toml"), throws, &text("bearings/main_85.toml")),
+            films[number],
+        );
         rows.push(vec![
             cut.result.bearings[number].name.clone(),
             format!("{:.6}", 1e6 * alone),

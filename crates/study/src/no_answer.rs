@@ -145,6 +145,7 @@ fn way_out(reason: &NoAnswer) -> Option<&'static str> {
             "give a stiffer liner or a smaller eccentricity to see the film, or another mesh ([mesh] size)"
         }
         NoFilm::NotConverged(_) => "another mesh ([mesh] size) may help",
+        _ => return None,
     })
 }
 

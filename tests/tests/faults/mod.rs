@@ -7,6 +7,6 @@ mod interrupts;
 mod kill;
 mod limits;
 mod places;
-mod same_bits;
+pub(crate) mod same_bits;
 mod scenes;
 mod shared;
