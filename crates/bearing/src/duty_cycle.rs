@@ -59,7 +59,6 @@ pub struct Duty {
 pub struct DutyCycle {
     period: f64,
     angular_speed: f64,
-    corners: Vec<f64>,
     at: f64,
     unbalance: Option<[f64; 2]>,
     source: Source,
@@ -86,7 +85,6 @@ impl DutyCycle {
         Self {
             period,
             angular_speed,
-            corners: Vec::new(),
             at: 0.0,
             unbalance: None,
             source: Source::Constant(duty),
@@ -95,7 +93,7 @@ impl DutyCycle {
 
     /// The load through points of a table in a frame, at growing angles less than `period` [rad] apart; the first is not repeated at the end. The
     /// points are turned to the frame of the shell, and joined there by a periodic cubic spline, so that tables of the same forces in several frames
-    /// are the same load. The second derivative of a spline is continuous: there are no corners.
+    /// are the same load.
     ///
     /// # Errors
     /// [`NoSpline`]: the angles do not grow, or there are too few points.
@@ -127,7 +125,6 @@ impl DutyCycle {
         Self {
             period,
             angular_speed: turning.speed.abs(),
-            corners: Vec::new(),
             at: 0.0,
             unbalance: None,
             source,
@@ -197,11 +194,6 @@ impl DutyCycle {
             *moment += self.at * force;
         }
         duty
-    }
-
-    /// Crank angles in [0, period) [rad], growing, at which the slope of the load jumps: ends of time steps.
-    pub fn corners(&self) -> &[f64] {
-        &self.corners
     }
 
     /// How the journal and the shell turn; `None`: the load is constant, and no crank is known.

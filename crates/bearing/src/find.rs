@@ -7,7 +7,7 @@ use crate::at_rest::{BALANCED_ENOUGH, SETTLED};
 use crate::balance::Balance;
 use crate::cubic::balance_cubic;
 use crate::equilibrium::{Equilibrium, NEAR, ROUGHLY_BALANCED};
-use crate::estimate::{GREATEST_ECCENTRICITY, is_contact};
+use crate::estimate::GREATEST_ECCENTRICITY;
 use crate::load_capacity::yields_to_contact;
 use crate::no_equilibrium::FAR;
 use crate::search::{OF_BALANCE, Search, Trial};
@@ -69,7 +69,7 @@ impl Search<'_> {
         match self.options.guess {
             InitialGuess::Cold => self.cold(problem),
             InitialGuess::NearlyBalanced => match self.run(problem, problem.journal) {
-                Ok(found) if !self.is_beyond(&found) => Ok(found),
+                Ok(found) if !self.is_in_contact(&found.trial) => Ok(found),
                 _ => self.cold(problem),
             },
             InitialGuess::Along(way) => match self.continued(problem, way) {
@@ -82,7 +82,7 @@ impl Search<'_> {
                 let here = self.coordinates.at(&problem.journal);
                 let first = (self.opened(problem, here, near, self.left_at_balance()))
                     .map_or_else(|| self.trial(problem, here, near), Ok)?;
-                self.at_rest(first)
+                self.inside(self.at_rest(first), None)
             }
         }
     }
@@ -102,7 +102,7 @@ impl Search<'_> {
                 .map_or_else(|| self.on_levels(problem, known), Err),
         };
         let found = self.inside(found, None)?;
-        match self.is_beyond(&found) {
+        match self.is_in_contact(&found.trial) {
             true => (self.beyond_capacity(problem, &problem.journal)).map_or(Ok(found), Err),
             false => Ok(found),
         }
@@ -115,15 +115,10 @@ impl Search<'_> {
         way: Option<&Waypoint>,
     ) -> Result<Balance, NoEquilibrium> {
         let found = outcome.map_err(|reason| self.confirmed(reason))?;
-        match self.load.tilting.is_some() && self.is_beyond(&found) {
+        match self.load.tilting.is_some() && self.is_in_contact(&found.trial) {
             true => Err(self.in_contact(&found.trial.problem, (1.0, None), way.cloned())),
             false => Ok(found),
         }
-    }
-
-    /// Whether a position lies beyond the greatest eccentricity that counts as one.
-    fn is_beyond(&self, found: &Balance) -> bool {
-        is_contact(&self.gap_under(&found.trial.problem), &found.trial.problem.journal)
     }
 
     /// The reason where the search begins at the greatest eccentricity and the load exceeds the capacity there.
@@ -244,6 +239,7 @@ impl Search<'_> {
                 let before = *tried;
                 trial = match self.with_wall(trial, (self.options.balanced().max(enough), closed), tried) {
                     Ok(found) => return Ok((found, None)),
+                    Err(from) if self.options.deadline.is_over() => return Ok((*from, None)),
                     Err(from) if from.left.is_some() => self.closed_here(&from, tried)?,
                     Err(from) => *from,
                 };

@@ -15,7 +15,7 @@ use crate::search::Search;
 use crate::{Carrier, InitialGuess, NoEquilibrium, Purpose, SearchOptions};
 
 impl Search<'_> {
-    /// The balance found from that of the Swift-Stieber film, or why that film has none. None where it leads nowhere, and for other films.
+    /// The balance found from that of the Swift-Stieber film, or why no position of that film carries the load. None where it leads nowhere, and for other films.
     pub(crate) fn guided(&self, problem: &FilmProblem) -> Option<Result<Balance, NoEquilibrium>> {
         let guide = FilmProblem {
             cavitation: problem.cavitation.guide()?,
@@ -32,6 +32,8 @@ impl Search<'_> {
         }
         match Search::new(&guide, self.system, self.load, options).on_coarsest(&guide)? {
             Ok(journal) => self.by_guide(problem, journal),
+            // Its branch of a growing moment is another one than that of the film that conserves oil.
+            Err(NoEquilibrium::EdgeContact { .. } | NoEquilibrium::TiltLimit { .. }) => None,
             Err(reason) => Some(Err(NoEquilibrium::OfGuide(Box::new(reason)))),
         }
     }

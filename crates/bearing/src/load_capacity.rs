@@ -121,6 +121,9 @@ impl Search<'_> {
     /// The film at the greatest eccentricity towards an angle [rad]. A wall that gives way to contact lets the journal go on until contact presses it out no further; none where that is far: it
     /// carries more the further it is pressed out. The pressure of a film alone leaves the ends of the wall where they are.
     fn at_contact(&self, problem: &FilmProblem, angle: f64) -> Option<Trial> {
+        if self.options.deadline.is_over() {
+            return None;
+        }
         let place = |reach: f64| {
             let e = GREATEST_ECCENTRICITY * reach;
             self.at_offset(problem, [e * angle.cos(), e * angle.sin()])
@@ -158,19 +161,14 @@ impl Search<'_> {
             let [x, y] = trial.carried.force;
             Some((wrapped(towards - y.atan2(x)), x.hypot(y), trial.problem.journal))
         };
-        let angles = (0..=AROUND).map(|k| TAU * f64::from(k) / f64::from(AROUND));
-        let around: Vec<_> = angles.map(|angle| (angle, off(angle))).collect();
+        let angles = (0..AROUND).map(|k| TAU * f64::from(k) / f64::from(AROUND));
+        let mut around: Vec<_> = angles.map(|angle| (angle, off(angle))).collect();
+        around.push((TAU, around[0].1));
         let known: Option<Vec<f64>> = around.iter().map(|(_, off)| off.map(|(_, force, _)| force)).collect();
         let greatest = known?.into_iter().fold(0.0, f64::max);
         // A wall that is pressed out may carry many times what a rigid one does.
         if guide.is_none() && greatest < FAR_BELOW * self.load.magnitude() {
-            let nearest = self.nearest.get()?;
-            let here = JournalState {
-                tilt: problem.journal.tilt,
-                ..nearest.journal
-            };
-            let trial = self.trial(problem, self.coordinates.at(&here), Neighbour::None).ok()?;
-            return Some(self.unreachable(&trial, FAR));
+            return Some(self.unreachable_from(self.nearest.get()?, FAR));
         }
         let mut best: Option<(f64, JournalState)> = None;
         for pair in around.windows(2) {

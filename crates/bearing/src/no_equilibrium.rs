@@ -218,11 +218,7 @@ impl NoEquilibrium {
             Self::EdgeContact { carried, error, .. } | Self::TiltLimit { carried, error, .. } => {
                 *carried < 1.0 && error.is_none_or(|error| carried + error >= 1.0)
             }
-            // The branch of another film is another branch.
-            Self::OfGuide(reason) => match **reason {
-                Self::EdgeContact { .. } | Self::TiltLimit { .. } => true,
-                _ => reason.is_unreached(),
-            },
+            Self::OfGuide(reason) => reason.is_unreached(),
             Self::BelowRounding { .. } | Self::NotConverged { .. } | Self::Ended { .. } => true,
         }
     }

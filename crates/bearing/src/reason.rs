@@ -62,14 +62,21 @@ impl Search<'_> {
         })
     }
 
-    /// The reason with the nearest of all trials.
+    /// The reason with the nearest of all trials, where the search ended with this one.
     pub(crate) fn unreachable(&self, trial: &Trial, why: &'static str) -> NoEquilibrium {
+        self.unreachable_from(
+            Nearest {
+                distance: self.distance(trial),
+                force: trial.carried.force,
+                journal: trial.problem.journal,
+            },
+            why,
+        )
+    }
+
+    /// As [`Self::unreachable`].
+    pub(crate) fn unreachable_from(&self, last: Nearest, why: &'static str) -> NoEquilibrium {
         let degrees = |[x, y]: [f64; 2]| y.atan2(x).to_degrees().rem_euclid(360.0);
-        let last = Nearest {
-            distance: self.distance(trial),
-            force: trial.carried.force,
-            journal: trial.problem.journal,
-        };
         let nearest = self.nearest.get().filter(|nearest| nearest.distance < last.distance);
         let nearest = nearest.unwrap_or(last);
         NoEquilibrium::Unreachable {
@@ -77,8 +84,8 @@ impl Search<'_> {
             towards: degrees(self.load.force),
             nearest: nearest.force[0].hypot(nearest.force[1]),
             nearest_towards: degrees(nearest.force),
-            eccentricity: nearest.journal.eccentricity() / trial.problem.bearing.clearance,
-            journal: Box::new(trial.problem.journal),
+            eccentricity: nearest.journal.eccentricity() / self.gap.bearing().clearance,
+            journal: Box::new(last.journal),
             why,
         }
     }

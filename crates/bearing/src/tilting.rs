@@ -18,7 +18,6 @@ use crate::balance::Balance;
 use crate::coordinates::{Vector, length, moved};
 use crate::deflection::Moves;
 use crate::equilibrium::ROUGHLY_BALANCED;
-use crate::estimate::is_contact;
 use crate::no_equilibrium::Waypoint;
 use crate::search::{Search, Trial};
 use crate::with_wall::Tangents;
@@ -325,9 +324,7 @@ impl Branch<'_, '_> {
                 let found = (search.led_on(&here.trial, &along.moves, last, least))
                     .map(|(bent, _)| search.run(&bent, bent.journal));
                 match found {
-                    Some(Ok(found))
-                        if is_contact(&search.gap_under(&found.trial.problem), &found.trial.problem.journal) =>
-                    {
+                    Some(Ok(found)) if search.is_in_contact(&found.trial) => {
                         return Some(Next::Contact(Box::new(found.trial.problem)));
                     }
                     Some(Ok(found)) => return Some(Next::End(Box::new(found))),

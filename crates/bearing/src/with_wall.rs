@@ -210,7 +210,7 @@ impl Search<'_> {
     /// The balance of force and wall near a trial, until force and load differ by less than `balanced` of the load, and less than the part `closed` of the deflection is left.
     ///
     /// # Errors
-    /// The trial itself, where the balance is not near.
+    /// The trial itself, where the balance is not near; that which is nearest to it, where the search was ended.
     pub(crate) fn with_wall(
         &self,
         from: Trial,
@@ -227,7 +227,7 @@ impl Search<'_> {
                 return Ok(found.unwrap_or(from));
             }
             if self.options.deadline.is_over() {
-                break;
+                return Err(Box::new(found.unwrap_or(from)));
             }
             match self.nearer(here, &left, closed, tried) {
                 Ok(Some(next)) => found = Some(next),

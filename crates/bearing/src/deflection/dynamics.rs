@@ -59,7 +59,7 @@ pub(crate) fn harmonic_response(
         let (placed, moving) = motion.split_at(motion.len() / 2);
         Ok([follower.solve_contact(placed), follower.solve_contact(moving)].concat())
     };
-    let found = gmres(operator, nearly, &free, EXACT)?.x;
+    let found = gmres(operator, nearly, &free, EXACT)?.to(EXACT)?;
     let [by_place, by_rate] = through(&found)?;
     let (bent, moving) = found.split_at(found.len() / 2);
     let moving: Vec<f64> = moving.iter().map(|rate| rate / pace).collect();

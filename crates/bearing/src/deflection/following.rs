@@ -68,9 +68,9 @@ impl Follower<'_> {
             Ok::<_, Error>(mu.iter().zip(image).map(|(mu, image)| mu - image).collect())
         };
         let wanted = compliance.deflection(&by_all);
-        Ok(known
+        known
             .solve(operator, |r| Ok(self.solve_contact(r)), &wanted, ACCURACY)?
-            .x)
+            .to(ACCURACY)
     }
 
     /// How a sum over the unknown with these weights of the dofs changes with the wall.

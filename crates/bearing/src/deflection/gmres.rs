@@ -2,15 +2,31 @@
 //! 20 (1983) 345; which direction comes next: Jiranek, Rozloznik, Numer. Algorithms 53 (2010) 93). Later systems with the same operator begin with them: what C has of a right-hand side
 //! is solved at once.
 
+use oilwedge_fem::Error;
+
 /// Most products with the operator.
 const MOST_STEPS: usize = 400;
 /// Where a product leaves more than this part of the residual, the next direction is that of its image, not of the residual.
 const SLOW: f64 = 0.9;
 
-/// A solution, and how many products with the operator it took.
+/// A solution, how many products with the operator it took, and the residual over the right-hand side.
 pub(super) struct Solved {
     pub(super) x: Vec<f64>,
     pub(super) steps: usize,
+    pub(super) left: f64,
+}
+
+impl Solved {
+    /// The solution of a system whose answer is a number that is reported.
+    ///
+    /// # Errors
+    /// It was not solved to this accuracy.
+    pub(super) fn to(self, accuracy: f64) -> Result<Vec<f64>, Error> {
+        match self.left <= accuracy {
+            true => Ok(self.x),
+            false => Err(Error::Inaccurate { relative: self.left }),
+        }
+    }
 }
 
 /// What products with an operator have shown of it.
@@ -53,6 +69,7 @@ impl Known {
             return Ok(Solved {
                 x: b.to_vec(),
                 steps: 0,
+                left: size,
             });
         }
         // Products are as exact as their systems ask for.
@@ -85,7 +102,8 @@ impl Known {
             self.moves.push(step);
             self.images.push(image);
         }
-        Ok(Solved { x, steps })
+        let left = left / size;
+        Ok(Solved { x, steps, left })
     }
 
     /// Takes what the images known have of a vector out of it, by Gram and Schmidt twice; the move whose image that was.
@@ -144,9 +162,10 @@ mod tests {
         let b: Vec<f64> = (0..40).map(|i| (1.3 * f64::from(i)).cos()).collect();
         let mut before = 0;
         for accuracy in [1e-2, 1e-6, 1e-12] {
-            let Ok(Solved { x, steps }) = gmres(|x| Ok::<_, Infallible>(times(x)), as_it_is, &b, accuracy);
+            let Ok(Solved { x, steps, left }) = gmres(|x| Ok::<_, Infallible>(times(x)), as_it_is, &b, accuracy);
             let residual: Vec<f64> = times(&x).iter().zip(&b).map(|(a, b)| a - b).collect();
             assert!(norm(&residual) < 1.5 * accuracy * norm(&b), "{accuracy:e}");
+            assert!((norm(&residual) / norm(&b) - left).abs() < 0.1 * accuracy, "{left:e}");
             assert!(steps > before && steps <= 40, "{steps}");
             before = steps;
         }
@@ -157,7 +176,7 @@ mod tests {
         let b: Vec<f64> = (0..40).map(|i| (1.3 * f64::from(i)).cos()).collect();
         let of_diagonal = |r: &[f64]| Ok(r.iter().enumerate().map(|(i, r)| r / (2.0 + i as f64)).collect());
         let Ok(plain) = gmres(|x| Ok::<_, Infallible>(times(x)), as_it_is, &b, 1e-10);
-        let Ok(Solved { x, steps }) = gmres(|x| Ok::<_, Infallible>(times(x)), of_diagonal, &b, 1e-10);
+        let Ok(Solved { x, steps, .. }) = gmres(|x| Ok::<_, Infallible>(times(x)), of_diagonal, &b, 1e-10);
         let residual: Vec<f64> = times(&x).iter().zip(&b).map(|(a, b)| a - b).collect();
         assert!(norm(&residual) < 1.5e-10 * norm(&b));
         assert!(2 * steps < plain.steps, "{steps} {}", plain.steps);
@@ -185,5 +204,16 @@ mod tests {
         let Ok(nothing) = gmres(|x| Ok::<_, Infallible>(times(x)), as_it_is, &[0.0; 5], 1e-6);
         assert_eq!((nothing.x, nothing.steps), (vec![0.0; 5], 0));
         assert!(gmres(|_| Err("no"), as_it_is, &[1.0; 5], 1e-6).is_err());
+    }
+
+    /// A singular operator, and a right-hand side that is no number.
+    #[test]
+    fn what_is_not_solved_is_no_answer() {
+        let Ok(vanishing) = gmres(|_| Ok::<_, Infallible>(vec![0.0; 5]), as_it_is, &[1.0; 5], 1e-6);
+        assert!(matches!(vanishing.to(1e-6), Err(Error::Inaccurate { relative: 1.0 })));
+        let Ok(undefined) = gmres(|x| Ok::<_, Infallible>(x.to_vec()), as_it_is, &[f64::NAN; 5], 1e-6);
+        assert!(undefined.to(1e-6).is_err());
+        let Ok(solved) = gmres(|x| Ok::<_, Infallible>(x.to_vec()), as_it_is, &[2.0; 5], 1e-6);
+        assert_eq!(solved.to(1e-6).ok(), Some(vec![2.0; 5]));
     }
 }

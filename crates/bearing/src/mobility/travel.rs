@@ -3,19 +3,13 @@
 use super::FilmMap;
 use crate::coordinates::Vector;
 use crate::duty_cycle::DutyCycle;
+use crate::orbit::pace::Pace;
 use crate::orbit::scheme::{FOURTH_ORDER, Scheme};
 use crate::orbit::{Between, Step};
 use oilwedge_reynolds::Bearing;
 
 /// A film that is a map has no memory.
 const SCHEME: Scheme = FOURTH_ORDER;
-/// The next step is this part of that which would just meet the tolerance,
-const SAFETY: f64 = 0.85;
-/// and between these multiples of the last one.
-const CHANGES: [f64; 2] = [0.2, 3.0];
-/// Longest and shortest step, of the cycle.
-const LONGEST: f64 = 1.0 / 32.0;
-const SHORTEST: f64 = 1e-10;
 /// Iterations of a stage, and the part of the tolerance below which it is solved.
 const MOST_ITERATIONS: usize = 12;
 const SOLVED: f64 = 1e-4;
@@ -103,29 +97,25 @@ impl Travel<'_> {
     /// One cycle from a place.
     fn cycle(&self, start: Place, tolerance: f64) -> Option<Vec<Step>> {
         let period = self.cycle.period() / self.cycle.angular_speed();
-        let stops = self
-            .cycle
-            .corners()
-            .iter()
-            .map(|angle| angle / self.cycle.angular_speed());
-        let stops: Vec<f64> = stops.chain([period]).collect();
+        let pace = Pace {
+            period,
+            error_power: SCHEME.error_power,
+        };
         let (mut time, mut place, mut rate) = (0.0, start, self.rate(0.0, start));
         let mut steps = vec![self.recorded(time, place, rate)];
         let mut dt = 1e-3 * period;
         while time < period {
-            let stop = stops.iter().copied().find(|stop| *stop > time).unwrap_or(period);
-            let taken = dt.min(stop - time);
+            let taken = dt.min(period - time);
             let outcome = self.step((time, place, rate), taken, tolerance);
             let part = outcome.map_or(f64::INFINITY, |(_, _, error)| error / tolerance);
-            let change = SAFETY * part.max(1e-10).powf(-1.0 / SCHEME.error_power);
-            dt = (taken * change.clamp(CHANGES[0], CHANGES[1])).min(LONGEST * period);
+            dt = pace.next(taken, part);
             match outcome {
                 Some((end, end_rate, _)) if part <= 1.0 => {
-                    time = if taken == stop - time { stop } else { time + taken };
+                    time = if taken == period - time { period } else { time + taken };
                     (place, rate) = (end, end_rate);
                     steps.push(self.recorded(time, place, rate));
                 }
-                _ if dt < SHORTEST * period => return None,
+                _ if pace.is_shortest(dt) => return None,
                 _ => {}
             }
         }

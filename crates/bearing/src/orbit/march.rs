@@ -6,7 +6,7 @@ use oilwedge_reynolds::solve::Neighbour;
 use super::motion::{Held, Instant, Motion, Moving};
 use super::no_orbit::NoOrbit;
 use super::oil::Oil;
-use super::pace::{Pace, SHORTEST};
+use super::pace::Pace;
 use super::path::{Between, Span, Step};
 use super::stage::{Accuracy, NoStage};
 use super::step::{Begin, Made};
@@ -130,7 +130,7 @@ impl Motion<'_> {
         let mut cycles = Vec::new();
         let mut last = Vec::new();
         for number in 1..=options.cycles {
-            let (begin, oil) = (traveller.here.at, traveller.here.oil.clone());
+            let (begin, velocity, oil) = (traveller.here.at, traveller.here.velocity, traveller.here.oil.clone());
             let wall = traveller.here.problem.deflection().cloned();
             let (steps, mut cycle) = match self.cycle(&mut traveller, number, accuracy, options) {
                 Ok(Some(made)) => made,
@@ -151,7 +151,10 @@ impl Motion<'_> {
             cycle.films += std::mem::take(&mut films);
             let by_wall = wall.zip(traveller.here.problem.deflection());
             let by_wall = by_wall.map_or(0.0, |(begin, end)| begin.distance(end));
-            cycle.closure = length(moved(traveller.here.at, -1.0, begin)).max(by_wall);
+            let by_place = length(moved(traveller.here.at, -1.0, begin));
+            cycle.closure = by_place
+                .max(by_wall)
+                .max(self.closure_of_velocity(velocity, traveller.here.velocity));
             cycle.oil = oil
                 .zip(traveller.here.oil.as_ref())
                 .map(|(begin, end)| CycleOil::between(&begin, end));
@@ -175,6 +178,13 @@ impl Motion<'_> {
         })
     }
 
+    /// By how much a rotor with mass would be off after the crank has turned by one radian with the difference of two velocities [m]; a journal without mass moves as its place asks.
+    fn closure_of_velocity(&self, begin: Vector, end: Vector) -> f64 {
+        let masses = self.masses();
+        let moves = [0, 1, 2, 3].map(|k| if masses[k] > 0.0 { end[k] - begin[k] } else { 0.0 });
+        length(moves) / self.cycle.angular_speed()
+    }
+
     /// One cycle; `None` where the deadline came.
     fn cycle(
         &self,
@@ -184,13 +194,6 @@ impl Motion<'_> {
         options: &OrbitOptions,
     ) -> Result<Option<(Vec<Step>, Cycle)>, NoOrbit> {
         let period = self.cycle.period() / self.cycle.angular_speed();
-        let mut stops: Vec<f64> = self
-            .cycle
-            .corners()
-            .iter()
-            .map(|angle| angle / self.cycle.angular_speed())
-            .collect();
-        stops.push(period);
         let mut cycle = Cycle {
             closure: 0.0,
             steps: 0,
@@ -210,12 +213,7 @@ impl Motion<'_> {
                 return Ok(None);
             }
             let now = traveller.here.time;
-            let stop = stops
-                .iter()
-                .copied()
-                .find(|stop| *stop > now * (1.0 + 1e-12) + SHORTEST * period)
-                .unwrap_or(period);
-            let left = stop - now;
+            let left = period - now;
             let taken = pace.before(left, dt);
             let begin = Begin {
                 instant: &traveller.here,
@@ -235,7 +233,7 @@ impl Motion<'_> {
                         continue;
                     }
                     if taken == left {
-                        end.time = stop;
+                        end.time = period;
                     }
                     let way = Way::between(&traveller.here, &end);
                     *traveller = Traveller {

@@ -9,7 +9,7 @@ const RETRY: f64 = 4.0;
 /// Longest step, of the cycle.
 const LONGEST: f64 = 1.0 / 32.0;
 /// Shortest step, of the cycle.
-pub(super) const SHORTEST: f64 = 1e-9;
+const SHORTEST: f64 = 1e-9;
 /// First step of a cycle: of the time in which a journal would move by the least gap.
 const FIRST: f64 = 0.1;
 
