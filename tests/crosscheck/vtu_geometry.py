@@ -60,10 +60,17 @@ def bulge(nodes):
     return np.column_stack(columns)
 
 
-def locate(nodes, point):
-    """(cell, xi, eta) of a point, by Newton's method in the cells whose box holds it."""
+def locate(nodes, points):
+    """(cell, xi, eta) of each point."""
+    boxes = nodes.min(axis=1), nodes.max(axis=1)
+    return [_locate(nodes, boxes, point) for point in points]
+
+
+def _locate(nodes, boxes, point):
+    """By Newton's method in the cells whose box holds the point."""
+    low, high = boxes
     margin = 1e-9
-    inside = (nodes.min(axis=1) <= point + margin) & (nodes.max(axis=1) >= point - margin)
+    inside = (low <= point + margin) & (high >= point - margin)
     candidates = np.flatnonzero(inside.all(axis=1))
     local = np.full((len(candidates), 2), 1 / 3)
     for _ in range(20):

@@ -203,9 +203,19 @@ fn loads_out_of_reach_are_told() {
         find(&problem, &system, [500.0, 0.0], &SearchOptions::default()).expect("it is pushed into the shell");
     assert!(carried.problem.journal.offset[0] > 0.0);
     match find(&problem, &system, [-500.0, 0.0], &SearchOptions::default()) {
-        Err(NoEquilibrium::Unreachable { asked, towards, .. }) => assert_eq!((asked, towards), (500.0, 180.0)),
+        Err(reason @ NoEquilibrium::Unreachable { asked, towards, .. }) => {
+            assert_eq!((asked, towards), (500.0, 180.0));
+            assert!(
+                !reason.is_unreached() && reason.to_string().contains("out of the shell"),
+                "{reason}"
+            );
+        }
         other => panic!("{:?}", other.map(|found| found.problem.journal)),
     }
+    // Where a cavity may suck, a load that is not carried there is not shown to be carried nowhere.
+    let (problem, system) = half_shell(Cavitation::Reynolds { pressure: -1.0 }, None);
+    let reason = find(&problem, &system, [-500.0, 0.0], &SearchOptions::default()).expect_err("a light pull at most");
+    assert!(reason.is_unreached(), "{reason}");
 }
 
 /// A start beyond the limit of Barus' law is no reason to give up.

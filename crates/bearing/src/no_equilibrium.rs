@@ -15,6 +15,9 @@ pub(crate) const AT_REST: f64 = 1e-3;
 pub(crate) const FAR: &str =
     "in contact anywhere around the bearing the film of the journal so tilted carries less than a third of the load";
 
+/// What is said of a load that no pressure balances.
+pub(crate) const OUT: &str = "the load points out of the shell, and the film only pushes";
+
 /// A balance on the way from that of the force alone to that of the moment.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Waypoint {
@@ -213,7 +216,7 @@ impl NoEquilibrium {
             Self::BeyondCapacity { .. } => false,
             Self::Unreachable {
                 asked, nearest, why, ..
-            } => *why != FAR && *nearest > AT_REST * asked,
+            } => ![FAR, OUT].contains(why) && *nearest > AT_REST * asked,
             // What carries all of the moment in contact has no thicker film.
             Self::EdgeContact { carried, error, .. } | Self::TiltLimit { carried, error, .. } => {
                 *carried < 1.0 && error.is_none_or(|error| carried + error >= 1.0)

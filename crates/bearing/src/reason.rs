@@ -1,7 +1,11 @@
 //! Why a search has found no balance, as far as that is known.
 
+use std::f64::consts::{PI, TAU};
+
+use oilwedge_reynolds::FilmSystem;
+
 use crate::NoEquilibrium;
-use crate::no_equilibrium::{AT_REST, FAR};
+use crate::no_equilibrium::{AT_REST, FAR, OUT};
 use crate::search::{Nearest, Search, Trial};
 
 /// A load that was not balanced and is less than this part of the reference force is below round-off.
@@ -12,8 +16,8 @@ const NEARLY: f64 = 2.0;
 const ASTRAY: f64 = 0.5;
 
 impl Search<'_> {
-    /// The reason as far as it is known: a search that was ended, or found no better position, does not prove that there is none unless the film carries nothing anywhere; a load near round-off is
-    /// reported as one.
+    /// The reason as far as it is known. A search that was ended, or found no better position, does not prove that there is none, unless the film carries nothing anywhere or the load points out of
+    /// the shell; a load near round-off is reported as one.
     pub(crate) fn confirmed(&self, reason: NoEquilibrium) -> NoEquilibrium {
         let least = LOST * self.reference_force;
         match reason {
@@ -33,6 +37,12 @@ impl Search<'_> {
             },
             // What the film carries in contact all around is known, unless a force like the load was found on the way.
             NoEquilibrium::Unreachable { why, .. } if why == FAR && !self.found_alike() => reason,
+            mut reason @ NoEquilibrium::Unreachable { .. } if self.points_out() => {
+                if let NoEquilibrium::Unreachable { why, .. } = &mut reason {
+                    *why = OUT;
+                }
+                reason
+            }
             NoEquilibrium::Unreachable { asked, journal, .. } if self.carries_some() => {
                 let history = self.tried.take();
                 NoEquilibrium::NotConverged {
@@ -50,6 +60,14 @@ impl Search<'_> {
     fn carries_some(&self) -> bool {
         let is_any = |Nearest { force: [x, y], .. }| x.hypot(y) > AT_REST * self.load.magnitude();
         self.nearest.get().is_some_and(is_any)
+    }
+
+    /// Whether a film that only pushes has no force towards the load, for that points out of the shell of an arc.
+    fn points_out(&self) -> bool {
+        /// Rounding of the ends of a half shell.
+        const ROUNDING: f64 = 1e-9;
+        let [x, y] = self.load.force;
+        self.only_pushes && opening(self.system, self.gap.bearing().radius, y.atan2(x)) > PI - ROUNDING
     }
 
     /// Whether a force was found that is as large as the load by [`NEARLY`] and points its way by [`ASTRAY`].
@@ -89,4 +107,14 @@ impl Search<'_> {
             why,
         }
     }
+}
+
+/// Angle [rad] between the nodes of a film on both sides of a direction [rad]: more than pi where the shell of an arc does not reach around it.
+pub(crate) fn opening(system: &FilmSystem, radius: f64, direction: f64) -> f64 {
+    let beyond = |[x, _]: [f64; 2]| (x / radius - direction).rem_euclid(TAU);
+    let places = system.space().positions().into_iter().map(beyond);
+    let [next, last] = places.fold([TAU, 0.0], |[next, last], beyond| {
+        [next.min(beyond), f64::max(last, beyond)]
+    });
+    next + TAU - last
 }

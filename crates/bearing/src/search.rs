@@ -40,6 +40,8 @@ pub(crate) struct Search<'a> {
     pub(crate) nearest: Cell<Option<Nearest>>,
     /// True of a full Sommerfeld film.
     pub(crate) bears_tension: bool,
+    /// True of a film whose pressure is nowhere below that from which loads count.
+    pub(crate) only_pushes: bool,
     /// Load less force of each trial, relative to the load.
     pub(crate) tried: RefCell<Vec<f64>>,
 }
@@ -110,6 +112,7 @@ impl<'a> Search<'a> {
             },
             nearest: Cell::new(None),
             bears_tension: problem.cavitation.bears_tension(),
+            only_pushes: only_pushes(problem, system),
             tried: RefCell::default(),
         }
     }
@@ -378,6 +381,14 @@ pub(crate) fn fineness(part: f64) -> Fineness {
         true => Fineness::Reported,
         false => Fineness::Tried,
     }
+}
+
+/// Whether no pressure of a film or of its supply is below that from which loads count.
+fn only_pushes(problem: &FilmProblem, system: &FilmSystem) -> bool {
+    let least = problem.bearing.end_pressure;
+    let mut regions = system.supply.regions().iter();
+    problem.cavitation.pressure().is_some_and(|pressure| pressure >= least)
+        && regions.all(|region| region.pressure >= least)
 }
 
 /// The force [N] of drag through the clearance, or that of the greatest pressure given on the projected area.

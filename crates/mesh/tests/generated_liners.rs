@@ -164,11 +164,19 @@ fn check(blueprint: &Blueprint, mesh: &Mesh, least_angle: f64) -> f64 {
 }
 
 #[test]
-fn a_thousand_random_liners() {
-    let mut random = Random(2024);
+fn five_hundred_random_liners() {
+    are_meshed_or_refused(Random(2024));
+}
+
+#[test]
+fn five_hundred_more() {
+    are_meshed_or_refused(Random(2026));
+}
+
+fn are_meshed_or_refused(mut random: Random) {
     let mut angles = Vec::new();
     let mut refused = 0;
-    while angles.len() < 1000 {
+    while angles.len() < 500 {
         let blueprint = blueprint(&mut random);
         let size = blueprint.liner.radius.min(blueprint.liner.length) * random.between(0.05, 0.3);
         match generate(&blueprint, &|_| size) {
@@ -185,9 +193,9 @@ fn a_thousand_random_liners() {
     angles.sort_unstable_by(f64::total_cmp);
     println!(
         "least {:.2}, 1 % {:.2}, median {:.2} deg; {refused} refused",
-        angles[0], angles[10], angles[500]
+        angles[0], angles[5], angles[250]
     );
-    assert!(angles[500] >= 30.0, "median of the least angles {}", angles[500]);
+    assert!(angles[250] >= 30.0, "median of the least angles {}", angles[250]);
 }
 
 /// Random liners in rows along the flow, up to four times as long as wide. Measured: no angle below 1 degree (beside narrow grooves all around, where cells are long rectangles), 15 % of the area

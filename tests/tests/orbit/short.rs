@@ -101,7 +101,7 @@ fn a_full_short_film_returns_after_twenty_turns() {
             1,
         ))
     };
-    let [rough, fine] = [[24, 2], [48, 4]].map(on);
+    let [rough, fine] = [[32, 2], [64, 4]].map(on);
     let [x, y] = [0, 1].map(|d| fine[d] + (fine[d] - rough[d]) / 15.0);
     assert!((x - 0.2).hypot(y - 0.3) < 1e-6, "{x} {y} {rough:?} {fine:?}");
 }

@@ -1,6 +1,6 @@
 //! Why an orbit does not lead on.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 
 use oilwedge_reynolds::NoFilm;
 
@@ -8,6 +8,7 @@ use super::motion::Motion;
 use super::stage::NoStage;
 use crate::GREATEST_ECCENTRICITY;
 use crate::coordinates::Vector;
+use crate::reason::opening;
 
 /// A load has left the shell this part of the cycle after no step led on.
 const SHORTLY: f64 = 1e-3;
@@ -148,12 +149,6 @@ impl Motion<'_> {
 
     /// Whether the film has an opening at this angle [rad].
     fn is_open(&self, angle: f64) -> bool {
-        let radius = self.problem.bearing.radius;
-        let beyond = |[x, _]: [f64; 2]| (x / radius - angle).rem_euclid(TAU);
-        let places = self.system.space().positions().into_iter().map(beyond);
-        let [next, last] = places.fold([TAU, 0.0], |[next, last], beyond| {
-            [next.min(beyond), f64::max(last, beyond)]
-        });
-        next + TAU - last > OPENING
+        opening(self.system, self.problem.bearing.radius, angle) > OPENING
     }
 }
