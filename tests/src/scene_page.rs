@@ -5,33 +5,19 @@ use oilwedge_scene::keys::Key;
 
 use crate::tables::{replace, row};
 
-/// Tables of a scene that have a table of the page.
-const TABLES: [&str; 20] = [
-    "bearing",
-    "bore",
-    "shaft",
-    "mesh",
-    "ends",
-    "feed",
-    "journal",
-    "load",
-    "crank",
-    "orbit",
-    "support",
-    "oil",
-    "heat",
-    "limits",
-    "criteria",
-    "cavitation",
-    "liner",
-    "dynamics",
-    "cap",
-    "crankshaft",
-];
+/// Tables of a scene that have a table of the page: all but `[sweep]`, whose keys are those of other tables.
+fn tables() -> Vec<&'static str> {
+    let mut tables: Vec<_> = (keys().filter_map(|key| key.path.split_once('.')))
+        .map(|(table, _)| table)
+        .filter(|table| *table != "sweep")
+        .collect();
+    tables.dedup();
+    tables
+}
 
 /// The page with tables made anew.
 pub fn page(text: &str) -> String {
-    TABLES.iter().fold(text.to_owned(), |text, table| {
+    tables().into_iter().fold(text.to_owned(), |text, table| {
         let prefix = format!("{table}.");
         let below = keys().filter(|key| key.path.starts_with(&prefix));
         let rows = below.map(|key| line(key, &key.path[prefix.len()..]));

@@ -25,7 +25,7 @@ keys! {
     "bearing.arc.to" = Quantity(Angle); "220 deg", "required", "from < to < from + 360 deg",
         "angle at which the liner ends";
     "bearing.arc.inlet_fraction" = Number; "0.6", "flooded: the pressure of the ends holds there", "0 < fraction <= 1, with `jfo`",
-        "the part of the gap that the oil fills which the journal carries in at the leading edge of the arc; the pressure there is found";
+        "how full the gap is with the oil that the journal carries in at the leading edge; the pressure there is found";
     "bearing.roughness" = Quantity(Length); "0.4 um", "no check", "> 0",
         "combined roughness of journal and liner (root mean square): a run without `[contact]` warns where the least film is below three times as much. `[contact]` and `[roughness]` are computed with it, nothing else";
     "bearing.elastic_modulus" = Quantity(Pressure); "210 GPa", "that of steel, 210 GPa", "> 0",

@@ -8,21 +8,21 @@ keys! {
     "criteria" = Table; "", "no criteria beside those of `[limits]` and `[heat]`", "one key or more",
         "what the bearing is judged by: each number gets a verdict, pass, fail, or undecided where the limit lies inside its error bar";
     "criteria.film_min" = Quantity(Length); "2 um", "not judged", "> 0",
-        "least film thickness h_min that passes";
+        "the least film thickness h_min must be greater than this";
     "criteria.middle_film_min" = Quantity(Length); "4 um", "not judged", "> 0",
-        "least film thickness h_0 at mid-length that passes";
+        "the least film thickness h_0 at mid-length must be greater than this";
     "criteria.deviation_max" = Quantity(Length); "5 um", "not judged", "> 0",
-        "greatest deviation Delta_gamma that passes: h_0 less the least film at both ends";
+        "the deviation Delta_gamma must be less than this: h_0 less the least film at both ends";
     "criteria.equivalent_film_min" = Quantity(Length); "3 um", "not judged", "> 0",
-        "least equivalent film h* = h_0/(1 + (Delta_gamma/s)^2) that passes, s the `deviation_scale`";
+        "the equivalent film h* = h_0/(1 + (Delta_gamma/s)^2) must be greater than this, s the `deviation_scale`";
     "criteria.deviation_scale" = Quantity(Length); "10 um", "10 um", "> 0",
         "deviation s that halves the equivalent film";
     "criteria.pressure_max" = Quantity(Pressure); "600 bar", "not judged", "> 0",
-        "greatest pressure p_max that passes";
+        "the greatest pressure p_max must be below this";
     "criteria.contact_share_max" = Number; "0.05", "not judged", "0 to 1, with `[contact]`",
-        "greatest part of the load that contact may carry";
+        "the part of the load that contact carries must be below this";
     "criteria.decrement_min" = Number; "0.1", "not judged", ">= 0, with `dynamics.mass`",
-        "least logarithmic decrement of the rotor that passes: 0 is the limit of stability";
+        "the logarithmic decrement of the rotor must be greater than this: 0 is the limit of stability";
 }
 
 /// Deviation that halves the equivalent film [m] where none is given.

@@ -26,7 +26,7 @@ keys! {
     "heat.mixing.ratio" = Number; "0.06", "required unless `share`", ">= 0",
         "hot oil over fresh oil, q_0/q_1; the film is fed with t_in = t_0 + (t_out - t_in) q_0/q_1";
     "heat.mixing.share" = Number; "0.7", "`ratio` gives it", "0 to 1",
-        "instead of `ratio`: the share of the oil that this film carries round which mixes";
+        "instead of `ratio`: the share of the oil carried round that mixes with the fresh oil";
     "heat.film_min" = Quantity(Length); "4 um", "that of `[limits]`; else 4 um", "> 0",
         "the same as `limits.film_min`";
     "heat.temperature_max" = Quantity(Temperature); "115 C", "that of `[limits]`; else 115 C", "-60 to 350 C",

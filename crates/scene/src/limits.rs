@@ -8,13 +8,13 @@ keys! {
     "limits" = Table; "", "no limits; with `[heat]` its defaults", "",
         "what the bearing must keep; nothing is computed with it";
     "limits.film_min" = Quantity(Length); "4 um", "no limit; with `[heat]` 4 um", "> 0",
-        "least film thickness that is admissible";
+        "the film must be thicker than this everywhere";
     "limits.temperature_max" = Quantity(Temperature); "115 C", "no limit; with `[heat]` 115 C", "-60 to 350 C, where the film has a temperature",
-        "film temperature that must not be reached";
+        "the temperature of the film must stay below this";
     "limits.outlet_max" = Quantity(Temperature); "125 C", "no limit; with `[heat]` 125 C", "-60 to 350 C, with `[heat]`",
-        "temperature that the oil which leaves must not reach; 125 C is the greatest that ISO 7902-3 permits";
+        "the temperature of the oil that leaves must stay below this; 125 C is the greatest that ISO 7902-3 permits";
     "limits.pressure_max" = Quantity(Pressure); "600 bar", "no limit", "> 0",
-        "greatest pressure that is admissible";
+        "the pressure must stay below this everywhere";
 }
 
 /// Limits that a bearing must keep; `None`: there is no such limit.

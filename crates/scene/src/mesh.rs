@@ -13,7 +13,7 @@ keys! {
         "path of a mesh file, counted from the folder of the scene";
     "mesh.size" = Quantity(Length); "3 mm", "as the film needs", "> 0",
         "longest edges of a mesh made here, shorter where the film is thin and at rims; with `file` its geometry is meshed anew";
-    "mesh.tolerance" = Quantity(Ratio), Table; "0.1 %", "0.5 % (0.1 % with `theory = \"short\"`) without `file` and `size`; with one of them the mesh is used as it is", "1e-8 % to 50 %",
+    "mesh.tolerance" = Quantity(Ratio), Table; "0.1 %", "without `file` and `size` 0.5 % of the main quantity (0.1 % with `theory = \"short\"`), and where that is cheap 2 % of greatest pressure, least film, side flow and friction torque; with one of them the mesh is used as it is", "1e-8 % to 50 %",
         "how small error bars must become by refinement of that mesh: one ratio for the main quantity, or a table of them by quantity";
     "mesh.tolerance.QUANTITY" = Quantity(Ratio); "0.1 %", "the quantity has no tolerance", "1e-8 % to 50 %",
         "how small the error bar of this quantity must become relative to its value; that of an angle relative to 1 rad";
