@@ -116,7 +116,7 @@ const FINEST: f64 = 0.1;
 const TOWARDS_EDGE: f64 = 0.2;
 
 /// Edges [m] all around through which oil enters the cavity, and the thickness [m] of the layer that the excess of pressure `P` presses
-/// in while the journal turns by one radian: `c sqrt(P R/(3 mu U))`, from `U h/2 d(thickness)/dx = h^3/(12 mu) P/thickness`.
+/// in over one radian of the circumference: `c sqrt(P R/(3 mu U))`, from `U h/2 d(thickness)/dx = h^3/(12 mu) P/thickness`.
 fn layers(scene: &Scene, cavity: f64) -> Vec<(f64, f64)> {
     let drag = 3.0 * Oil::of(scene).viscosity * scene.journal.speed.abs();
     let thickness = |pressure: f64| scene.bearing.clearance * ((pressure - cavity) / drag).sqrt();
