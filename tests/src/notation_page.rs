@@ -13,9 +13,14 @@ use crate::tables::{replace, row};
 type Entry = (&'static str, &'static str, &'static str, &'static [&'static str]);
 
 /// Symbols of the theory that are in no catalogue, or have a key of a scene.
-const SYMBOLS: [Entry; 53] = [
+const SYMBOLS: [Entry; 76] = [
     ("D", "m", "diameter of the bearing", &["bearing.diameter"]),
-    ("R", "m", "radius of the bearing, D/2", &[]),
+    (
+        "R",
+        "m",
+        "radius of the bearing, D/2, which stands for that of the journal too",
+        &[],
+    ),
     ("B", "m", "length of the bearing", &["bearing.length"]),
     ("c", "m", "radial clearance", &["bearing.clearance"]),
     ("psi", "1", "relative clearance, c/R", &[]),
@@ -167,6 +172,103 @@ const SYMBOLS: [Entry; 53] = [
         "friction coefficient of surfaces that touch",
         &["contact.friction"],
     ),
+    (
+        "nu",
+        "1",
+        "Poisson's ratio of a wall (liners that give way)",
+        &["liner.wall.poisson", "liner.winkler.poisson"],
+    ),
+    (
+        "t",
+        "m",
+        "thickness of a wall or a layer (liners that give way)",
+        &["liner.wall.thickness", "liner.winkler.thickness"],
+    ),
+    (
+        "E",
+        "Pa",
+        "Young's modulus of a wall (liners that give way), of the shaft (crankshafts)",
+        &[
+            "liner.wall.modulus",
+            "liner.winkler.modulus",
+            "crankshaft.youngs_modulus",
+        ],
+    ),
+    (
+        "d",
+        "m",
+        "deflection of a wall outwards, delta of the results (liners that give way)",
+        &[],
+    ),
+    (
+        "k",
+        "m/Pa",
+        "compliance of a layer, displacement for each pressure (liners that give way)",
+        &["liner.winkler"],
+    ),
+    (
+        "C",
+        "m/Pa",
+        "compliance of a wall: C p the deflection by a pressure, C_n for a wave of it (liners that give way)",
+        &[],
+    ),
+    (
+        "a",
+        "m",
+        "radius of the bore (liners that give way); arm of a load on a throw (crankshafts)",
+        &[],
+    ),
+    (
+        "C",
+        "m/N",
+        "compliance of what holds a shell (crankshafts)",
+        &["crankshaft.bearing.support.stiffness"],
+    ),
+    ("K", "N/m", "stiffness of the shaft at its journals (crankshafts)", &[]),
+    ("k", "1", "shear factor of the section of a beam (crankshafts)", &[]),
+    (
+        "G",
+        "Pa",
+        "shear modulus of the shaft (crankshafts)",
+        &["crankshaft.shear_modulus"],
+    ),
+    (
+        "l",
+        "m",
+        "half of a bearing's length (crankshafts); length of the rod (loads)",
+        &["crank.rod_length"],
+    ),
+    ("r", "m", "radius of the crank (loads, crankshafts)", &["crank.radius"]),
+    (
+        "lambda",
+        "1",
+        "radius of the crank over the length of the rod (loads)",
+        &[],
+    ),
+    ("beta", "rad", "inclination of the rod (loads)", &[]),
+    (
+        "a",
+        "m",
+        "distance of the rod's centre of mass from one eye, b from the other (loads)",
+        &[],
+    ),
+    ("b", "m", "half of the bearing's length, B/2 (shapes)", &[]),
+    ("b", "1", "B/D (characteristics)", &[]),
+    (
+        "gamma",
+        "1",
+        "slope of the journal's axis times R/c (characteristics)",
+        &[],
+    ),
+    (
+        "gamma",
+        "1",
+        "part of a step in time that a stage takes (orbits, liners that give way, crankshafts)",
+        &[],
+    ),
+    ("s", "1/s", "rate of the eccentricity, eps' (characteristics)", &[]),
+    ("eta", "1/m2", "asperities for each area of a surface (contact)", &[]),
+    ("beta", "m", "radius of the tips of asperities (contact)", &[]),
 ];
 
 /// A row of the table.
@@ -188,7 +290,7 @@ pub fn page(text: &str) -> String {
     replace(text, "notation", &rows)
 }
 
-/// One line for each meaning: symbols with one unit are one, and all their names stand with them.
+/// One line for each meaning: fields and quantities whose symbol and unit are those of a line before stand with it.
 fn lines() -> Vec<Line> {
     let own = SYMBOLS.iter().map(|&(symbol, unit, what, names)| Line {
         symbol,
@@ -211,8 +313,8 @@ fn lines() -> Vec<Line> {
         what: row.what,
         names: vec![format!("{}{}", row.name, if row.is_family() { "GROUP" } else { "" })],
     });
-    let mut lines: Vec<Line> = Vec::new();
-    for line in own.chain(fields).chain(quantities) {
+    let mut lines: Vec<Line> = own.collect();
+    for line in fields.chain(quantities) {
         let known = lines
             .iter_mut()
             .find(|known| (known.symbol, known.unit) == (line.symbol, line.unit));

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 /// How a scene is run.
 #[derive(Debug, clap::Args)]
 pub(crate) struct RunArguments {
-    /// The scene: a TOML file that describes one bearing.
+    /// The scene: a TOML file that describes one bearing, or a crankshaft with its bearings.
     #[arg(value_name = "SCENE")]
     pub(crate) scene: PathBuf,
 
@@ -25,7 +25,8 @@ pub(crate) struct RunArguments {
     bars: Bars,
 
     /// Time limit of a run in seconds, of each case of a sweep: for the refinement towards a tolerance and the search for a position
-    /// under a load [default: 60 with a tolerance, else none]. A film that was begun is finished.
+    /// under a load [default: 60 where the mesh is refined: with a tolerance, or with neither mesh file nor size; none on a given mesh and
+    /// for a crankshaft]. A film that was begun is finished.
     #[arg(long, value_name = "S", value_parser = seconds)]
     max_seconds: Option<f64>,
 

@@ -61,7 +61,7 @@ pub enum Limit {
     /// The next mesh has no answer, for this reason.
     NoAnswer(String),
     /// The limit was met on a mesh whose bars are wider than those of the mesh before, which is reported.
-    Before(Box<Limit>, f64),
+    Before(Box<Limit>, Distance),
 }
 
 /// What ended a search or a refinement.
@@ -80,14 +80,30 @@ pub struct Distance {
     pub worst: f64,
     /// Unknowns of the mesh.
     pub unknowns: usize,
+    /// Whether the scene gives no tolerance, so that the usual one holds.
+    pub is_usual: bool,
+}
+
+impl Distance {
+    /// What a user may give in place of a higher limit.
+    fn way_out(&self) -> &'static str {
+        match self.is_usual {
+            true => "mesh.tolerance or mesh.size",
+            false => "a wider tolerance",
+        }
+    }
 }
 
 impl fmt::Display for Distance {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.worst.is_finite() {
-            true => write!(out, "the bars are {} times as wide as asked for", factor(self.worst)),
-            false => write!(out, "the mesh does not resolve the film yet"),
+        if !self.worst.is_finite() {
+            return write!(out, "the mesh does not resolve the film yet");
         }
+        let asked = match self.is_usual {
+            true => "the usual tolerance",
+            false => "asked for",
+        };
+        write!(out, "the bars are {} times as wide as {asked}", factor(self.worst))
     }
 }
 
@@ -124,7 +140,7 @@ impl fmt::Display for Limit {
             ),
             Self::NotClosed(cycles, closure) => write!(
                 out,
-                "not closed after {cycles} {}: the last one ended {closure:.1e} of the clearance from where it began; the same command goes on from there, or give orbit.cycles a higher limit, or orbit.closure",
+                "not closed after {cycles} {}: the last one ended {closure:.1e} of the clearance from where it began; the same command goes on from there, or give orbit.cycles a higher limit, or a greater orbit.closure",
                 if *cycles == 1 { "cycle" } else { "cycles" }
             ),
             Self::Collapse(cycles, closure, share) => write!(
@@ -150,24 +166,28 @@ impl fmt::Display for Limit {
                     Cause::Interrupt => write!(out, "interrupted: {distance} on {unknowns} unknowns"),
                     Cause::Deadline => write!(
                         out,
-                        "limit: {distance} on {unknowns} unknowns, and the next mesh was not finished after {seconds:.1} s; {MORE_SECONDS}, or a wider tolerance"
+                        "limit: {distance} on {unknowns} unknowns, and the next mesh was not finished after {seconds:.1} s; {MORE_SECONDS}, or {}",
+                        distance.way_out()
                     ),
                 }
             }
             Self::Unknowns { distance, wanted, most } => write!(
                 out,
-                "limit: {distance} on {} unknowns, and the next mesh would need some {wanted:.0}, more than {most}; {MORE_UNKNOWNS}, or a wider tolerance",
-                distance.unknowns
+                "limit: {distance} on {} unknowns, and the next mesh would need some {wanted:.0}, more than {most}; {MORE_UNKNOWNS}, or {}",
+                distance.unknowns,
+                distance.way_out()
             ),
             Self::Seconds {
                 distance,
                 seconds: [elapsed, next, most],
             } => write!(
                 out,
-                "limit: {distance} after {elapsed:.1} s, and the next mesh would take some {next:.1} s, beyond {most:.1} s in all; {MORE_SECONDS}, or a wider tolerance"
+                "limit: {distance} after {elapsed:.1} s, and the next mesh would take some {next:.1} s, beyond {most:.1} s in all; {MORE_SECONDS}, or {}",
+                distance.way_out()
             ),
             Self::Meshes(distance, meshes) => {
-                write!(out, "limit: {distance} after {meshes} meshes; give a wider tolerance")
+                let way_out = distance.way_out();
+                write!(out, "limit: {distance} after {meshes} meshes; give {way_out}")
             }
             Self::CoarseRim => {
                 write!(
@@ -179,13 +199,7 @@ impl fmt::Display for Limit {
                 out,
                 "limit: the bars are wider than asked for, and the next mesh has no answer: {reason}"
             ),
-            Self::Before(limit, worst) => {
-                let distance = Distance {
-                    worst: *worst,
-                    unknowns: 0,
-                };
-                write!(out, "{limit}; the result is that of the mesh before: {distance}")
-            }
+            Self::Before(limit, distance) => write!(out, "{limit}; the result is that of the mesh before: {distance}"),
         }
     }
 }

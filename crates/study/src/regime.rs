@@ -112,7 +112,7 @@ impl Regime {
             }),
             (measured.deflection.is_none() && self.deflection > measured.thinnest.thickness && pressure <= YIELDING).then(|| {
                 let micrometres = |length: f64| rounded(1e6 * length);
-                warning::ELASTIC.says(format!("rigid surfaces: the pressure, up to {} bar, would deflect journal and liner by some {} um, but the least film has {} um; the film adapts, and its pressure will be lower", readable(1e-5 * pressure), micrometres(self.deflection), micrometres(measured.thinnest.thickness)))
+                warning::ELASTIC.says(format!("rigid surfaces: the pressure, up to {} bar, would deflect journal and liner by some {} um, but the least film has {} um; the film adapts, and its pressure will be lower; give [liner] for the wall of the bearing, or bearing.elastic_modulus if it is not of steel", readable(1e-5 * pressure), micrometres(self.deflection), micrometres(measured.thinnest.thickness)))
             }),
             (pressure > YIELDING).then(|| {
                 warning::YIELDING.says(format!("rigid surfaces: the pressure reaches {} bar, at which any steel yields ({} bar); no bearing carries this load, check it and its unit", rounded(1e-5 * pressure), rounded(1e-5 * YIELDING)))
@@ -122,7 +122,7 @@ impl Regime {
             .temperature_rise
             .filter(|rise| film.thermal.is_none() && *rise > WARM);
         let heated = rise.map(|rise| {
-            warning::WARMED.says(format!("a film as warm as its oil is fed: friction would heat the oil that flows through by some {} K, and the viscosity is that of another temperature; give [heat]", rounded(rise)))
+            warning::WARMED.says(format!("a film as warm as its oil is fed: friction would heat the oil that flows through by some {} K, and the viscosity is that of another temperature; check that oil.viscosity (or oil.temperature) is that of the film, or give [heat] with a grade or another law of temperature", rounded(rise)))
         });
         broken
             .into_iter()

@@ -70,7 +70,7 @@ fn warnings(film: &Film, measured: &Measured) -> Vec<Warning> {
     let created = measured.flows.cavity / flows.flow;
     let created = (flows.flow > 0.0 && created > CREATED).then(|| {
         warning::CREATED.says(format!(
-            "{:.0} % of the oil that carries the heat off is created by the cavity, which does not conserve oil where the film forms again: the film is hotter if the feeds bring no more; choose a model of cavitation that conserves oil",
+            "{:.0} % of the oil that carries the heat off is created by the cavity, which does not conserve oil where the film forms again: the film is hotter if the feeds bring no more; give [cavitation] the model jfo",
             100.0 * created
         ))
     });

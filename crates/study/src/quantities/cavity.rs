@@ -23,7 +23,7 @@ rows! {
         only(|scene| has(scene, CavitationModel::conserves_oil));
 
     /// `Q_c`: oil that comes out of the cavity less what goes into it; of models that do not conserve oil there
-    CAVITY_FLOW = "cavity_flow", "Q_c", CubicMetrePerSecond, "oil that the cavity makes, which conserves none":
+    CAVITY_FLOW = "cavity_flow", "Q_c", CubicMetrePerSecond, "oil created by a cavity model that does not conserve oil":
         One(|film| drops(film).then_some(film.measured.flows.cavity)),
         ErrorRule::Of("sum of those of all flows that it balances", |estimate, at| estimate.cavity_flow(at.change)),
         only(drops_in);

@@ -37,7 +37,7 @@ rows! {
     CONTACT_THRUST = "contact_thrust", "Int p_a dA", Newton, "pressure of contact times area, summed":
         One(|film| Some(film.measured.contact?.share.pressure)), INTEGRATED, only(touches);
 
-    /// `p_a` where the film is thinnest, where it is greatest
+    /// greatest `p_a`, that at the thinnest film
     CONTACT_PRESSURE_MAX = "contact_pressure_max", "p_a", Pascal, "greatest pressure of contact":
         One(greatest), ErrorRule::Position, only(touches);
 

@@ -25,7 +25,7 @@ rows! {
 
     /// `Q = Int (theta U h/2 - h^3/(12 mu) dp/dx) dz` along the line where the loaded film begins: just behind the film start or the
     /// leading edge of an arc, in a ring without them where the film is thickest; behind the feed where one lies there, so that its oil counts. Of it
-    /// Q_s leaves at the ends, the rest goes round; none at rest
+    /// Q_s leaves at the ends, the rest goes round; none at rest. With `[roughness]` h_T stands for h in the first term, and phi_p before the second
     INLET_FLOW = "inlet_flow", "Q", CubicMetrePerSecond, "oil carried into the loaded film":
         One(|film| film.measured.inlet_flow), OF_INLET, tolerance;
 

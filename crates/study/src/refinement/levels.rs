@@ -231,7 +231,7 @@ impl Refining<'_> {
             }
             // A mesh that resolves less than the one before, as may happen at the edge of a cavity.
             (Err(Some(limit)), Some(before)) if before.worst < worst => {
-                let limit = Limit::Before(Box::new(limit), before.worst);
+                let limit = Limit::Before(Box::new(limit), self.distance(before.worst));
                 self.done(before, Some(limit))
             }
             (Err(limit), _) => self.ended(level, limit),
@@ -319,6 +319,7 @@ impl Refining<'_> {
         Distance {
             worst,
             unknowns: self.levels.last().map_or(0, |level| level.unknowns),
+            is_usual: matches!(self.scene.tolerance, Some(Tolerance::Usual)),
         }
     }
 
