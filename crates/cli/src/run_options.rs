@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 /// How a scene is run.
 #[derive(Debug, clap::Args)]
 pub(crate) struct RunArguments {
-    /// The scene: a TOML file that describes one bearing, or a crankshaft with its bearings.
+    /// The scene: a TOML file that describes a bearing or, for solve and sweep, a crankshaft.
     #[arg(value_name = "SCENE")]
     pub(crate) scene: PathBuf,
 
