@@ -38,7 +38,7 @@ impl PartMotion {
 
     /// Symbol and definition of its rate.
     pub(super) fn symbol(self) -> &'static str {
-        ["u = omega - 2 beta'", "c = eps'", "g_x = gamma_x'", "g_y = gamma_y'"][self.index()]
+        ["u = omega - 2 beta'", "s = eps'", "g_x = gamma_x'", "g_y = gamma_y'"][self.index()]
     }
 
     /// Makes it the only motion of a scene, at a rate [1/s].
