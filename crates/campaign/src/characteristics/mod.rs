@@ -1,10 +1,10 @@
 //! The characteristics of a film: what it carries for each motion of the journal by itself, with the cavity of that motion.
 //!
 //! ```text
-//! div(H^3 grad P) = 6 u H_phi - 12 (c cos + g_x z cos + g_y z sin),   H = 1 - eps cos - z (gamma_x cos + gamma_y sin)
+//! div(H^3 grad P) = 6 u H_phi - 12 (s cos + g_x z cos + g_y z sin),   H = 1 - eps cos - z (gamma_x cos + gamma_y sin)
 //! S = Int P {cos, sin, z cos, z sin} dphi dz,   W = S mu R^2/psi^2 rate,   m = S mu R^3/psi^2 rate
 //! ```
-//! with phi from the line of centres, z in radii from mid-length, gamma = g R/c, psi = c/R, and one unit rate at a time: rotation u, squeeze c = eps',
+//! with phi from the line of centres, z in radii from mid-length, gamma = g R/c, psi = c/R, and one unit rate at a time: rotation u, squeeze s = eps',
 //! and the rates g_x, g_y of the tilt along the line of centres and across it. A journal that turns at omega while its line of centres turns at beta'
 //! makes the film of one that turns at `u = omega - 2 beta'` about a line of centres that rests. Sixteen numbers. Where the cavity bears no tension, the
 //! pressures of the parts together are nowhere below that of the film that has all motions at once: their sum is too strong.
