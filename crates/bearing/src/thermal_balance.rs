@@ -279,7 +279,11 @@ impl<E, F: FnMut(f64) -> Result<ThermalFlows, E>> Search<'_, F> {
             if is_slow || !(next > low && next < high) {
                 next = 0.5 * (low + high);
             }
-            let point = self.at(next).map_err(NoBalance::NoFilm)?;
+            let point = self.at(next).map_err(|reason| NoBalance::Ends {
+                temperature: best.temperature,
+                film: best.film,
+                reason,
+            })?;
             if (point.temperature - best.temperature).abs() > APART {
                 last_slope = slope(&best, &point);
             }

@@ -116,7 +116,7 @@ fn way_out(reason: &NoAnswer) -> Option<&'static str> {
                 "give a finer mesh ([mesh] size), for a coarse one carries less where the film is thin; else lower the load, or raise speed, viscosity or size",
             );
         }
-        NoAnswer::Orbit(NoOrbit::OffShell { .. }) => {
+        NoAnswer::Orbit(NoOrbit::OffShell { .. } | NoOrbit::AtOpening { .. }) => {
             return Some("give a wider bearing.arc, or turn it under the load");
         }
         NoAnswer::Orbit(NoOrbit::Film { reason, .. }) => reason,

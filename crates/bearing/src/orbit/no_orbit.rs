@@ -14,6 +14,8 @@ use crate::reason::opening;
 const SHORTLY: f64 = 1e-3;
 /// Angle [rad] between nodes on both sides of the opening of an arc; those of a ring are nearer to each other.
 const OPENING: f64 = 0.5 * PI;
+/// Rounding of the ends of a half shell [rad].
+const ROUNDING: f64 = 1e-9;
 /// So near to the edge of an arc [rad] a film that begins away from the shell has no force.
 const NEAR: f64 = PI / 12.0;
 
@@ -55,11 +57,23 @@ pub enum NoOrbit {
         /// Least gap over the clearance [1].
         gap: f64,
     },
-    /// No step leads on, for the load points beyond the shell of an arc, or too near to its edge.
+    /// No step leads on, for the load of a journal without mass points out of the shell of an arc.
     #[error(
-        "no film carries the load at {angle:.2} deg of cycle {cycle}: it points to {direction:.1} deg, beyond the shell or too near to its edge"
+        "no film carries the load at {angle:.2} deg of cycle {cycle}: it points to {direction:.1} deg, beyond the shell"
     )]
     OffShell {
+        /// Crank angle [deg].
+        angle: f64,
+        /// Number of the cycle, from 1.
+        cycle: usize,
+        /// Direction of the load [deg].
+        direction: f64,
+    },
+    /// No step leads on, and the load points to the opening of an arc, or near to its edge.
+    #[error(
+        "not converged: no step leads on from {angle:.2} deg of cycle {cycle}, where the load points to {direction:.1} deg, into the opening of the shell or near to its edge"
+    )]
+    AtOpening {
         /// Crank angle [deg].
         angle: f64,
         /// Number of the cycle, from 1.
@@ -90,7 +104,7 @@ impl NoOrbit {
     pub fn is_unreached(&self) -> bool {
         match self {
             Self::Film { reason, .. } => reason.is_unreached(),
-            Self::Stuck { .. } | Self::Between { .. } | Self::Ended { .. } => true,
+            Self::Stuck { .. } | Self::AtOpening { .. } | Self::Between { .. } | Self::Ended { .. } => true,
             Self::SqueezedOut { .. } | Self::OffShell { .. } => false,
         }
     }
@@ -123,32 +137,41 @@ impl Motion<'_> {
         if gap < 1.0 - GREATEST_ECCENTRICITY {
             return NoOrbit::SqueezedOut { angle, cycle, gap };
         }
-        match self.off_shell(time) {
-            Some(direction) => {
-                let direction = direction.to_degrees().rem_euclid(360.0);
-                NoOrbit::OffShell {
-                    angle,
-                    cycle,
-                    direction,
-                }
-            }
-            None => NoOrbit::Stuck { angle, cycle, gap },
+        let Some(towards) = self.towards_opening(time) else {
+            return NoOrbit::Stuck { angle, cycle, gap };
+        };
+        let direction = towards.to_degrees().rem_euclid(360.0);
+        match self.mass == 0.0 && self.opening(towards) > PI - ROUNDING {
+            true => NoOrbit::OffShell {
+                angle,
+                cycle,
+                direction,
+            },
+            false => NoOrbit::AtOpening {
+                angle,
+                cycle,
+                direction,
+            },
         }
     }
 
-    /// Direction [rad] of the load at a time or shortly after, if it points into the opening of an arc or near to it. Films push: the load must lead into the shell.
-    fn off_shell(&self, time: f64) -> Option<f64> {
+    /// Direction [rad] of the load at a time or shortly after, if it points into the opening of an arc or near to it.
+    fn towards_opening(&self, time: f64) -> Option<f64> {
         let period = self.cycle.period() / self.cycle.angular_speed();
         let directions = [time, time + SHORTLY * period].map(|time| {
             let [x, y, ..] = self.asked(time);
             y.atan2(x)
         });
-        let is_near = |direction: &f64| [-NEAR, 0.0, NEAR].iter().any(|by| self.is_open(direction + by));
+        let is_near = |direction: &f64| {
+            [-NEAR, 0.0, NEAR]
+                .iter()
+                .any(|by| self.opening(direction + by) > OPENING)
+        };
         directions.into_iter().find(is_near)
     }
 
-    /// Whether the film has an opening at this angle [rad].
-    fn is_open(&self, angle: f64) -> bool {
-        opening(self.system, self.problem.bearing.radius, angle) > OPENING
+    /// Angle [rad] between the nodes on both sides of this one [rad]: from pi on a film, which pushes, has no force that way.
+    fn opening(&self, angle: f64) -> f64 {
+        opening(self.system, self.problem.bearing.radius, angle)
     }
 }

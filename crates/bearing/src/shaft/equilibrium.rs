@@ -154,7 +154,9 @@ impl Films<'_> {
                     if is_slow || dt > LONGEST {
                         match self.settled(self.known(asked, angle, speed / dt), at.clone(), here.as_deref(), films) {
                             Ok(found) => return Ok(of(found, *films)),
-                            Err(NoStage::Film(reason)) => return Err(NoBalance::Film(reason)),
+                            Err(NoStage::Film(reason)) if dt > LONGEST => return Err(NoBalance::Film(reason)),
+                            // A slower journal may have one.
+                            Err(NoStage::Film(_)) => {}
                             Err(NoStage::Diverged(residual, place)) => stuck = (residual, place),
                         }
                     }
