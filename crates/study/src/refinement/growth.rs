@@ -11,9 +11,9 @@ const SAFETY: f64 = 0.7;
 const LEAST_GROWTH: f64 = 1.4;
 /// A mesh that was drawn finer and has not this many times the unknowns is bound by its features.
 const BOUND: f64 = 1.25;
-/// Local division that leaves this part of a bar did not serve it.
+/// A mesh that leaves this part of a bar did not serve it.
 const STUCK: f64 = 0.8;
-/// Growth where no bar can be trusted yet.
+/// Growth where no bar can be trusted yet, and at least where the last mesh did not serve.
 const UNRESOLVED_GROWTH: f64 = 3.0;
 /// Seconds of a level grow like this power of the unknowns at most.
 const TIME_EXPONENT: f64 = 1.2;
@@ -49,8 +49,10 @@ impl Growth {
         } = &level.solved.film.problem;
         let order = cavitation.bar_order(&lubricant.pressure_law);
         let (least, most) = (LEAST_GROWTH, goal.most_growth);
+        let has_served = left_of_bar(levels, &level.worst_name).is_none_or(|part| part < STUCK);
+        let serving = if has_served { least } else { UNRESOLVED_GROWTH };
         let wanted = match goal.worst.is_finite() {
-            true => (goal.worst / SAFETY).powf(1.0 / order).clamp(least, most),
+            true => (goal.worst / SAFETY).powf(1.0 / order).clamp(serving.min(most), most),
             false => UNRESOLVED_GROWTH.min(most),
         };
         let fits = levels.last().map_or(f64::INFINITY, |last| {
@@ -61,7 +63,7 @@ impl Growth {
         Self {
             factor: if fits >= least { wanted.min(fits) } else { wanted },
             is_bound: matches!(levels, [.., before, last] if (last.unknowns as f64) < BOUND * before.unknowns as f64),
-            is_stuck: is_stuck(levels, &level.worst_name),
+            is_stuck: !has_served && levels.last().is_some_and(|last| last.refinement == Refinement::Local),
         }
     }
 }
@@ -71,13 +73,9 @@ pub(super) fn next_seconds(seconds: f64, growth: f64) -> f64 {
     seconds * growth.powf(TIME_EXPONENT)
 }
 
-/// True where dividing triangles locally, for the load, hardly narrowed the bar of this name.
-fn is_stuck(levels: &[LevelFacts], name: &str) -> bool {
+/// Part of the bar of this name that the last mesh left; none where it is the first.
+fn left_of_bar(levels: &[LevelFacts], name: &str) -> Option<f64> {
     let error = |level: &LevelFacts| Some(level.errors.iter().find(|(other, _)| other == name)?.1);
-    match levels {
-        [.., before, last] if last.refinement == Refinement::Local => error(before)
-            .zip(error(last))
-            .is_some_and(|(before, last)| last > STUCK * before),
-        _ => false,
-    }
+    let [.., before, last] = levels else { return None };
+    Some(error(last)? / error(before)?)
 }
