@@ -299,7 +299,59 @@ impl NoEquilibrium {
 
 #[cfg(test)]
 mod tests {
-    use super::{percent, told};
+    use super::{FAR, NoEquilibrium, OUT, percent, told};
+    use oilwedge_reynolds::JournalState;
+
+    /// That the film in contact carries this part of a moment, with its error.
+    fn edge_contact((carried, error): (f64, Option<f64>)) -> NoEquilibrium {
+        NoEquilibrium::EdgeContact {
+            asked: 1e3,
+            carried,
+            error,
+            end: 0.02,
+            angle: 90.0,
+            thickness: 1e-9,
+            journal: Box::new(JournalState::default()),
+            way: None,
+        }
+    }
+
+    /// That a search found no better position than one that carries `nearest` of 1000 N.
+    fn unreachable(nearest: f64, why: &'static str) -> NoEquilibrium {
+        NoEquilibrium::Unreachable {
+            asked: 1e3,
+            towards: 0.0,
+            nearest,
+            nearest_towards: 90.0,
+            eccentricity: 0.5,
+            journal: Box::new(JournalState::default()),
+            why,
+        }
+    }
+
+    #[test]
+    fn there_is_no_balance_only_where_something_is_known_of_all_positions() {
+        for (known, is_unreached) in [
+            ((0.8, Some(0.1)), false),
+            ((0.8, Some(0.2)), true),
+            ((0.8, None), true),
+            // All of it, in contact.
+            ((1.0, None), false),
+        ] {
+            assert_eq!(edge_contact(known).is_unreached(), is_unreached, "{known:?}");
+        }
+        for (nearest, why, is_unreached) in [
+            (500.0, "no shorter step brings the force nearer to the load", true),
+            (0.0, "no shorter step brings the force nearer to the load", false),
+            (500.0, FAR, false),
+            (500.0, OUT, false),
+        ] {
+            let reason = unreachable(nearest, why);
+            assert_eq!(reason.is_unreached(), is_unreached, "{nearest} {why}");
+            let of_guide = NoEquilibrium::OfGuide(Box::new(reason));
+            assert_eq!(of_guide.is_unreached(), is_unreached, "{nearest} {why}");
+        }
+    }
 
     #[test]
     fn less_than_the_whole_does_not_read_as_the_whole() {

@@ -9,12 +9,12 @@ fn random_shafts_close_or_say_why_not() {
     let folder = tempfile::tempdir().expect("a folder");
     let bearing = bearing(folder.path());
     let mut closed = 0;
-    for number in 0..4 {
+    for number in 0..3 {
         let scene = scene(number, &bearing);
         let result = solved(&scene, f64::INFINITY);
         let fault = fault(&result);
         assert!(fault.is_none(), "{number}: {fault:?}\n{scene}");
         closed += usize::from(result.status == Status::Converged);
     }
-    assert!(closed >= 2, "{closed} of 4");
+    assert!(closed >= 2, "{closed} of 3");
 }
