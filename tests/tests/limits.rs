@@ -47,6 +47,27 @@ fn told(text: &str) -> Vec<String> {
         .collect()
 }
 
+/// A number is compared with its bar: a limit inside it is not said to be exceeded.
+#[test]
+fn a_limit_inside_a_bar_is_told_as_that() {
+    let limited = |limits: &str| {
+        let scene = written(&edited(&[("4 mm", "8 mm")], limits));
+        run(&scene, &RunOptions::of(&scene)).expect("a film").result
+    };
+    let free = limited("");
+    let pressure = (free.quantities.iter()).find(|quantity| quantity.name == "pressure_max");
+    let pressure = pressure.expect("a pressure");
+    let (value, error) = (pressure.value, pressure.error().expect("a bar"));
+    for (part, told) in [(0.5, "a limit lies inside the error bar"), (2.0, "a limit is exceeded")] {
+        let result = limited(&format!("[limits]\npressure_max = \"{} Pa\"\n", value - part * error));
+        let warnings: Vec<_> = result.warnings.iter().filter(|it| it.contains("a limit")).collect();
+        assert!(
+            warnings.len() == 1 && warnings[0].starts_with(told),
+            "{part}: {warnings:?}"
+        );
+    }
+}
+
 #[test]
 fn limits_work_without_heat() {
     let told = |keys: &str| told(&edited(&[], &format!("[limits]\n{keys}\n")));

@@ -135,12 +135,12 @@ impl NoFilm {
     /// True if there may be a film: the iteration has not found it, or the mesh does not decide it.
     pub fn is_unreached(&self) -> bool {
         match self {
-            Self::NotConverged(_) | Self::NearLimit { .. } | Self::AtFold { .. } | Self::Wall { .. } => true,
-            Self::AboveLimit { .. }
-            | Self::BelowFloor { .. }
-            | Self::Fold { .. }
-            | Self::NoSupply { .. }
-            | Self::FilmFraction { .. } => false,
+            Self::NotConverged(_)
+            | Self::NearLimit { .. }
+            | Self::AtFold { .. }
+            | Self::FilmFraction { .. }
+            | Self::Wall { .. } => true,
+            Self::AboveLimit { .. } | Self::BelowFloor { .. } | Self::Fold { .. } | Self::NoSupply { .. } => false,
         }
     }
 

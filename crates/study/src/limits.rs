@@ -5,13 +5,12 @@ use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
 use oilwedge_scene::{Engine, Limits, Scene};
 
 use crate::film::Film;
-use crate::measure::Measured;
 use crate::oil::Oil;
 use crate::quantities::{
-    self, CONTACT_SHARE, CYCLE_CONTACT_SHARE_MAX, CYCLE_DEVIATION, CYCLE_EQUIVALENT_FILM, CYCLE_FILM_THICKNESS_MIN,
+    CONTACT_SHARE, CYCLE_CONTACT_SHARE_MAX, CYCLE_DEVIATION, CYCLE_EQUIVALENT_FILM, CYCLE_FILM_THICKNESS_MIN,
     CYCLE_MIDDLE_FILM_MIN, CYCLE_PRESSURE_MAX, CYCLE_TEMPERATURE, CYCLE_TEMPERATURE_OUTLET, DEVIATION, EQUIVALENT_FILM,
     FILM_THICKNESS_MIN, LOGARITHMIC_DECREMENT, MIDDLE_FILM_MIN, PRESSURE_MAX, Quantity, Row, TEMPERATURE_EFFECTIVE,
-    TEMPERATURE_OUTLET, View,
+    TEMPERATURE_OUTLET,
 };
 use crate::result::{Criterion, Verdict};
 use crate::thermal_model::ThermalModel;
@@ -59,14 +58,13 @@ pub fn design_criteria(film: &Film, model: Option<&ThermalModel>, quantities: &[
     all
 }
 
-/// Limits of the scene that the film exceeds, in sentences that name them; those of a film whose temperature is found are criteria of its
+/// Limits of the scene that numbers of the film exceed, or that lie inside their bars, in sentences that name them; those of a film whose temperature is found are criteria of its
 /// balance, those of an orbit are compared over the cycle.
-pub(crate) fn exceeded(film: &Film, measured: &Measured) -> Vec<Warning> {
+pub(crate) fn exceeded(film: &Film, quantities: &[Quantity]) -> Vec<Warning> {
     if film.thermal.is_some() || film.scene.orbit.is_some() || film.scene.limits == Limits::default() {
         return Vec::new();
     }
-    let quantities = quantities::measured(&View::new(film, &film.problem, measured));
-    told(&film.scene, film.oil.temperature, &quantities)
+    told(&film.scene, film.oil.temperature, quantities)
 }
 
 /// Limits of the scene that an orbit at a given temperature exceeds over its cycle, by the numbers of that.

@@ -209,7 +209,7 @@ pub fn conserving_error(
             .can_tilt()
             .then(|| [0, 1].map(|towards| with_spread(bar(&pair.shares(|at| at.moment[towards])), arm * force))),
         directions,
-        pressure_integral: with_spread(bar(&pair.shares(|_| 1.0)), force),
+        pressure_integral: with_spread(bar(&pair.shares(|_| 1.0)), total.of_oil().pressure),
         greatest_pressure: pressure,
         pressure,
         flows: flows.into_iter().map(|flow| flow + part * around).collect(),
