@@ -192,7 +192,9 @@ impl<'a> Search<'a> {
         let measured = measured(&solved);
         let flows = thermal_flows(&self.model, &solved.film, &measured);
         let surplus = self.model.balance.surplus(temperature, &flows);
-        if kind == Kind::Kept || kind == Kind::Leading && !conserves_oil {
+        let is_kept = kind == Kind::Kept || kind == Kind::Leading && !conserves_oil;
+        // How numbers change with temperature is shown by balanced films alone.
+        if is_kept && !solved.is_ended() {
             let measured = measured.with_dynamics(&solved.film, reported(&solved), None);
             let view = View::new(&solved.film, &solved.film.problem, &measured);
             self.numbers.push(Numbers {
@@ -252,11 +254,14 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Solves what an error estimate needs beside the balance. Without these films numbers have no bars; nothing else fails.
+    /// Solves what an error estimate needs beside the balance, which stays the answer. Without that film numbers have no bars; nothing else fails.
     fn prepare_estimate(&mut self, found: &Balanced) {
-        if self.nearest(found.temperature).is_none() {
-            drop(self.at(found.temperature + FURTHER, Kind::Kept));
+        if self.nearest(found.temperature).is_some() || self.options.deadline.is_over() {
+            return;
         }
+        let best = self.best.take();
+        drop(self.tried(found.temperature + FURTHER, Kind::Kept, best.as_ref()));
+        self.best = best;
     }
 
     /// The two films nearest to the root that are far enough from one another to show how numbers change.
