@@ -304,6 +304,8 @@ impl Branch<'_, '_> {
     /// What follows a point: the next one, or the end of the branch. `wanted` is the length of the step, longer or shorter afterwards. None where no step leads on.
     fn next(&self, here: &Point, along: &Direction, wanted: &mut f64) -> Option<Next> {
         let (search, gap, [quick, _]) = (self.search, self.gap(&here.trial), corrections(&here.trial));
+        // A search that was ended may begin where the gap vanishes.
+        (gap > 0.0).then_some(())?;
         let least = LEAST_SHRINK * gap * self.clearance;
         let thin = |step: f64| {
             let (bent, at) = search.led_to(&here.trial, &along.moves, step);
@@ -311,8 +313,7 @@ impl Branch<'_, '_> {
         };
         // Advection schemes chosen anew may make the forces jump: shorter steps keep them.
         let mut near = Neighbour::None;
-        // A search that was ended may begin where the gap vanishes.
-        while gap > 0.0 {
+        loop {
             while thin(*wanted) {
                 *wanted *= 0.8;
             }
@@ -339,7 +340,6 @@ impl Branch<'_, '_> {
             *wanted *= 0.5;
             near = Neighbour::Kept(&here.trial.film);
         }
-        None
     }
 
     /// The point of the branch across a step of this length along it, and the corrections that it took; its first film is begun `near` another one.
