@@ -89,8 +89,8 @@ pub enum NoEquilibrium {
     },
     /// The journal comes into contact with the liner at an end before the film carries the moment.
     #[error(
-        "no position and tilt that a growing moment leads to carry {} N and its moment: the journal comes into contact with the liner at its end z = {} mm, at {angle:.1} deg; the last balance found on the way there, with a film of {} m, carries {} of the moment",
-        readable(*asked), readable(1e3 * end), readable(*thickness), told((*carried, *error), 1.0)
+        "no position and tilt that a growing moment leads to carry {} N and its moment: the journal {} the liner at its end z = {} mm, at {angle:.1} deg; the last balance found on the way there, with a film of {} m, carries {} of the moment",
+        readable(*asked), met((*carried, *error)), readable(1e3 * end), readable(*thickness), told((*carried, *error), 1.0)
     )]
     EdgeContact {
         /// The load [N].
@@ -187,6 +187,14 @@ fn percent(part: f64, steps: f64) -> f64 {
         false => percent.round(),
     };
     rounded / steps
+}
+
+/// How far a branch near an end was followed: into contact, or to a film from which no step was found to lead on.
+fn met((carried, error): (f64, Option<f64>)) -> &'static str {
+    match error.is_some() || carried >= 1.0 {
+        true => "comes into contact with",
+        false => "comes near",
+    }
 }
 
 /// A part that is carried, and its error on the mesh where that is known and leaves open whether all is carried.
@@ -339,6 +347,8 @@ mod tests {
             ((1.0, None), false),
         ] {
             assert_eq!(edge_contact(known).is_unreached(), is_unreached, "{known:?}");
+            let is_near = edge_contact(known).to_string().contains("comes near the liner");
+            assert_eq!(is_near, known == (0.8, None), "{known:?}");
         }
         for (nearest, why, is_unreached) in [
             (500.0, "no shorter step brings the force nearer to the load", true),

@@ -43,7 +43,12 @@ impl Search<'_> {
                 }
                 reason
             }
-            NoEquilibrium::Unreachable { asked, journal, .. } if self.carries_some() => {
+            NoEquilibrium::Unreachable {
+                asked,
+                nearest,
+                journal,
+                ..
+            } if nearest > AT_REST * asked => {
                 let history = self.tried.take();
                 NoEquilibrium::NotConverged {
                     asked,
@@ -54,12 +59,6 @@ impl Search<'_> {
             }
             reason => reason,
         }
-    }
-
-    /// Whether a film was found that carries some part of the load.
-    fn carries_some(&self) -> bool {
-        let is_any = |Nearest { force: [x, y], .. }| x.hypot(y) > AT_REST * self.load.magnitude();
-        self.nearest.get().is_some_and(is_any)
     }
 
     /// Whether a film that only pushes has no force towards the load, for that points out of the shell of an arc.

@@ -2,6 +2,7 @@
 
 use oilwedge_bearing::orbit::NoOrbit;
 use oilwedge_bearing::{NoEquilibrium, Waypoint};
+use oilwedge_fem::newton::Failure;
 use oilwedge_reynolds::NoFilm;
 use oilwedge_reynolds::lubricant::LawKind;
 
@@ -144,6 +145,8 @@ fn way_out(reason: &NoAnswer) -> Option<&'static str> {
         NoFilm::Wall { .. } => {
             "give a stiffer liner or a smaller eccentricity to see the film, or another mesh ([mesh] size)"
         }
+        // It says itself what is wrong.
+        NoFilm::NotConverged(Failure::Linear { .. }) => return None,
         NoFilm::NotConverged(_) => "another mesh ([mesh] size) may help",
         _ => return None,
     })

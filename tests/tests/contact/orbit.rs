@@ -37,7 +37,7 @@ fn a_pulsing_load_touches_for_a_part_of_the_cycle() {
              {{ order = 0.5, cos = {{ x = \"{wave} kN\", y = \"0 N\" }} }}] }}"
         )
     };
-    let tables = "[criteria]\ncontact_share_max = 0.5\n[orbit]\ntolerance = 3e-3\n";
+    let tables = "[criteria]\ncontact_share_max = 0.5\n[orbit]\ntolerance = 1e-3\n";
     let (heavy, light) = (at_300_rpm(&wave(7.0, 6.0), tables), at_300_rpm(&wave(1.5, 1.0), tables));
     let of = |result: &RunResult| {
         let share = quantity(result, "cycle_contact_share_max");
