@@ -19,7 +19,7 @@ use crate::warning::{self, Warning};
 /// Decimals of a value beside its limit.
 const DIGITS: usize = 4;
 
-/// A number and its error bar, in SI units.
+/// A number and its error bar, in SI units; infinite where bars are estimated and this one is not known.
 type Judged = (f64, Option<f64>);
 
 /// The numbers that limits are compared with.
@@ -33,13 +33,20 @@ impl Compared<'_> {
     /// The first of these rows that was measured.
     fn value(&self, rows: &[&Row]) -> Option<Judged> {
         let quantity = self.quantities.iter().find(|quantity| rows.contains(&quantity.row))?;
-        Some((quantity.value, quantity.error()))
+        let unknown = self.has_bars().then_some(f64::INFINITY);
+        Some((quantity.value, quantity.error().or(unknown)))
     }
 
     /// Temperature of the film [degrees C], with the bar of the one found.
     fn temperature(&self) -> Option<Judged> {
+        let given = self.has_bars().then_some(0.0);
         let found = self.value(&[&TEMPERATURE_EFFECTIVE, &CYCLE_TEMPERATURE]);
-        Some((self.temperature? - ZERO_CELSIUS, found.and_then(|(_, bar)| bar)))
+        Some((self.temperature? - ZERO_CELSIUS, found.map_or(given, |(_, bar)| bar)))
+    }
+
+    /// Whether errors were estimated: numbers that follow from given ones have a bar then.
+    fn has_bars(&self) -> bool {
+        self.quantities.iter().any(|quantity| quantity.bar.is_some())
     }
 }
 

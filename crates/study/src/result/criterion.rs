@@ -11,7 +11,7 @@ pub enum Verdict {
     Pass,
     /// It is not.
     Fail,
-    /// The limit lies inside the error bar, or there is no number.
+    /// The limit lies inside the error bar, or errors are estimated and that of this number is not known.
     Undecided,
 }
 
@@ -50,7 +50,8 @@ pub struct Criterion {
 }
 
 impl Criterion {
-    /// `value` must lie between `least` and `most`; a limit that `decides` is not met by itself. Without a `bar` the value alone decides.
+    /// `value` must lie between `least` and `most`; a limit that `decides` is not met by itself. Without a `bar` the value alone decides; an infinite one, of a
+    /// number whose error is not known, leaves it open.
     pub fn new(
         what: &str,
         unit: &str,
@@ -73,7 +74,7 @@ impl Criterion {
         Self {
             what: what.to_owned(),
             value,
-            bar,
+            bar: bar.filter(|bar| bar.is_finite()),
             least,
             most,
             unit: unit.to_owned(),
@@ -120,6 +121,7 @@ mod tests {
             (4.1, Some(0.2), Verdict::Undecided),
             (3.9, Some(0.2), Verdict::Undecided),
             (3.9, Some(0.05), Verdict::Fail),
+            (9.9, Some(f64::INFINITY), Verdict::Undecided),
         ] {
             let found = film(value, bar);
             assert_eq!((found.verdict, found.is_met), (verdict, value > 4.0), "{value} {bar:?}");
