@@ -79,6 +79,11 @@ impl ThermalBalance {
         2.0 * (1.0 + carried_over) / (1.0 + 2.0 * carried_over)
     }
 
+    /// How much warmer [K] the oil enters, and colder it leaves, for each unit of what is carried over.
+    pub fn ends_per_carried_over(&self, mean: f64, carried_over: f64) -> f64 {
+        2.0 * (mean - self.inlet) / (1.0 + 2.0 * carried_over).powi(2)
+    }
+
     /// Heat [W] that the oil carries off.
     pub fn carried(&self, mean: f64, film: &ThermalFlows) -> f64 {
         self.heat_capacity * film.flow * self.per_mean(film.carried_over) * (mean - self.inlet)

@@ -3,6 +3,7 @@
 mod balanced;
 mod effectivity;
 mod films;
+mod heat;
 mod mass_conserving;
 mod nothing;
 mod rims;

@@ -108,8 +108,7 @@ fn of_flows() {
         for (goal, error) in &judged.error.flows {
             let is_asked = |name: &str, kind: BoundaryKind| match goal {
                 FlowGoal::Ends => kind == BoundaryKind::End,
-                FlowGoal::End(end) => kind == BoundaryKind::End && name == end,
-                FlowGoal::Feed(feed) => kind == BoundaryKind::Feed && name == feed,
+                FlowGoal::Region(region) => name == region,
             };
             let after = net(&judged.cubic, better, is_asked);
             let wanted = after - net(&judged.film, &judged.system, is_asked);

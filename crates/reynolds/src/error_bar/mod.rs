@@ -210,7 +210,7 @@ pub struct FilmError {
     pub drag: [GoalError; 2],
     /// What the rules of integration of the two degrees differ by in the power of shear [W], in each triangle and without sign.
     pub shear_rules: f64,
-    /// Of the flow into the film [m3/s] through both ends together, each end and each feed, by the name of its region.
+    /// Of the flow into the film [m3/s] through both ends together, and through each region that gives a pressure.
     pub flows: Vec<(FlowGoal, GoalError)>,
     /// Triangles in the cavity and at its edge.
     pub front: Vec<bool>,
@@ -231,10 +231,8 @@ pub struct FilmError {
 pub enum FlowGoal {
     /// Both ends together.
     Ends,
-    /// The end of this name.
-    End(String),
-    /// The feed of this name.
-    Feed(String),
+    /// The region of this name: an end, an edge of an arc, the line of a film start, or a feed.
+    Region(String),
 }
 
 /// Judges `film` by the `cubic` film of `system.cubic()`, which carries `carried`, where a wall that gives way is `following`, or held where there is none.

@@ -26,9 +26,6 @@ const STRAIGHT: f64 = 0.02;
 /// The thickness of a film jumps where those of two triangles at a vertex differ by more than this part.
 const JUMP: f64 = 1e-9;
 
-/// Flows beyond these have no error estimate: each takes a dual.
-const MOST_FLOWS: usize = 9;
-
 pub(super) fn film_error(
     problem: &FilmProblem,
     system: &FilmSystem,
@@ -143,34 +140,27 @@ impl<'a> Split<'a> {
         }
     }
 
-    /// The errors of the flows through both ends together, through each end and through each feed.
+    /// The errors of the flows through both ends together, and through each region that gives a pressure.
     fn flows(&self) -> Result<Vec<(FlowGoal, GoalError)>, Error> {
-        let regions = self.system.supply.regions();
-        let of = |kind: BoundaryKind| regions.iter().filter(move |region| region.kind == kind);
-        let ends = of(BoundaryKind::End).map(|region| FlowGoal::End(region.name.clone()));
-        let feeds = of(BoundaryKind::Feed).map(|region| FlowGoal::Feed(region.name.clone()));
-        let asked = ends.chain(feeds);
-        let mut flows = asked
-            .take(MOST_FLOWS)
-            .map(|goal| {
-                let is_asked = |region: &SupplyRegion| match &goal {
-                    FlowGoal::Ends => region.kind == BoundaryKind::End,
-                    FlowGoal::End(name) => region.kind == BoundaryKind::End && region.name == *name,
-                    FlowGoal::Feed(name) => region.kind == BoundaryKind::Feed && region.name == *name,
-                };
-                // Both films weigh their residuals with this one function, up to one that is orthogonal to that of the cubic film.
-                let owned = |dof: usize| self.system.supply.owner(dof).is_some_and(|k| is_asked(&regions[k]));
-                let chi: Vec<f64> = (self.film.unknown.iter().enumerate())
-                    .map(|(dof, _)| f64::from(u8::from(owned(dof))))
-                    .collect();
-                let chi = self.system.cubic().prolongation.prolong(&chi);
-                let error = self.goal(&self.stiffness.multiply(&chi))?.1;
-                Ok((goal, error))
-            })
-            .collect::<Result<Vec<_>, Error>>()?;
-        let both = flows.iter().filter(|(goal, _)| matches!(goal, FlowGoal::End(_)));
-        let both = both.fold(GoalError::default(), |sum, (_, end)| sum.plus(1.0, end));
-        flows.insert(0, (FlowGoal::Ends, both));
+        let supply = &self.system.supply;
+        let mut both = GoalError::default();
+        let mut flows = Vec::new();
+        for (k, region) in supply.regions().iter().enumerate() {
+            if region.kind == BoundaryKind::Sealed {
+                continue;
+            }
+            // Both films weigh their residuals with this one function, up to one that is orthogonal to that of the cubic film.
+            let chi: Vec<f64> = (0..self.film.unknown.len())
+                .map(|dof| f64::from(u8::from(supply.owner(dof) == Some(k))))
+                .collect();
+            let chi = self.system.cubic().prolongation.prolong(&chi);
+            let (_, error) = self.goal(&self.stiffness.multiply(&chi))?;
+            if region.kind == BoundaryKind::End {
+                both = both.plus(1.0, &error);
+            }
+            flows.push((FlowGoal::Region(region.name.clone()), error));
+        }
+        flows.push((FlowGoal::Ends, both));
         Ok(flows)
     }
 

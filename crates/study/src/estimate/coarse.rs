@@ -66,7 +66,7 @@ impl Estimate for CoarseComparison<'_> {
     fn flow(&self, goal: &FlowGoal, number: Scaled) -> Option<Bar> {
         let error = match goal {
             FlowGoal::Ends => self.error.side_flow,
-            FlowGoal::End(name) | FlowGoal::Feed(name) => {
+            FlowGoal::Region(name) => {
                 let mut regions = self.film.system.supply.regions().iter();
                 *self.error.flows.get(regions.position(|region| region.name == *name)?)?
             }

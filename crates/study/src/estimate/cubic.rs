@@ -122,12 +122,16 @@ impl Estimate for CubicPair<'_> {
 
     /// What the cavity makes is what all others bring and take.
     fn cavity_flow(&self, change: f64) -> Option<Bar> {
-        let goals = self.error.flows.iter().map(|(goal, _)| goal);
-        let mut once = goals.filter(|goal| !matches!(goal, FlowGoal::End(_)));
+        let regions = self.film.system.supply.regions().iter();
+        let others = regions.filter(|region| matches!(region.kind, BoundaryKind::Line | BoundaryKind::Feed));
+        let goals = others.map(|region| FlowGoal::Region(region.name.clone()));
         let unchanged = Scaled { unit: 1.0, change: 0.0 };
-        once.try_fold(Bar::of(change.abs()), |sum, goal| {
-            Some(sum + self.flow(goal, unchanged)?)
-        })
+        [FlowGoal::Ends]
+            .into_iter()
+            .chain(goals)
+            .try_fold(Bar::of(change.abs()), |sum, goal| {
+                Some(sum + self.flow(&goal, unchanged)?)
+            })
     }
 
     fn power(&self, [shear, pressure]: [f64; 2]) -> Bar {
@@ -317,7 +321,7 @@ impl CubicPair<'_> {
         let regions = self.film.system.supply.regions().iter();
         let counts = |kind: BoundaryKind, region: &str| match goal {
             FlowGoal::Ends => kind == BoundaryKind::End,
-            FlowGoal::End(name) | FlowGoal::Feed(name) => region == name,
+            FlowGoal::Region(name) => region == name,
         };
         let flows = regions.zip(&self.judged().flows.regions);
         let counted = flows.filter(|(region, _)| counts(region.kind, &region.name));

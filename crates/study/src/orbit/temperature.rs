@@ -184,7 +184,6 @@ impl Search<'_> {
         let balanced = [
             (&CYCLE_TEMPERATURE, found.temperature - ZERO_CELSIUS),
             (&CYCLE_TEMPERATURE_OUTLET, outlet - ZERO_CELSIUS),
-            (&CYCLE_COOLING_FLOW, flows.flow),
         ];
         orbit
             .quantities
@@ -238,7 +237,7 @@ impl Search<'_> {
         let carried = balance.carried(temperature, &flows);
         let error = |row: &Row| quantities.iter().find(|quantity| quantity.row == row)?.error();
         let of_power = error(&CYCLE_POWER_LOSS);
-        let of_flow = error(&crate::quantities::CYCLE_SIDE_FLOW);
+        let of_flow = error(&CYCLE_COOLING_FLOW);
         let (power, flow) = of_power.zip(of_flow)?;
         let bar = (power + carried.abs() * flow / flows.flow + surplus.abs()) / slope.abs();
         let per_kelvin =
@@ -251,7 +250,6 @@ impl Search<'_> {
             let widened = match quantity.row {
                 row if row == &CYCLE_TEMPERATURE => Some(by_temperature(1.0)),
                 row if row == &CYCLE_TEMPERATURE_OUTLET => Some(by_temperature(per_kelvin)),
-                row if row == &CYCLE_COOLING_FLOW => Some(Bar::of(flow)),
                 _ => (quantity.bar.zip(slopes.get(&quantity.name))).map(|(own, slope)| own + by_temperature(*slope)),
             };
             quantity.set_bar(widened);

@@ -6,7 +6,7 @@ use oilwedge_scene::Scene;
 use super::cycle_view::{At, CycleView, Judged};
 use super::row::{Headline, Measure::OverCycle, Row};
 use super::rule::ErrorRule;
-use super::{FRICTION_POWER, FRICTION_SHEAR_POWER, MOTION_POWER, PRESSURE_MAX, SIDE_FLOW};
+use super::{COOLING_FLOW, FRICTION_POWER, FRICTION_SHEAR_POWER, MOTION_POWER, PRESSURE_MAX, SIDE_FLOW};
 use crate::effects::Sockets;
 
 rows! {
@@ -82,11 +82,11 @@ rows! {
 
     /// Mean over the cycle of the oil that leaves the film; none without `[heat]`
     CYCLE_COOLING_FLOW = "cycle_cooling_flow", "Q_out", CubicMetrePerSecond, "mean oil that leaves the film and cools it":
-        OverCycle(|_| None),
+        OverCycle(|cycle| mean(cycle, &COOLING_FLOW)),
         ErrorRule::OverCycle(MEAN), only(is_balanced);
 }
 
-/// These numbers are those of the balance around the orbit, not of one orbit.
+/// There is a balance of heat; its temperatures are numbers of the balance around the orbit, not of one orbit.
 fn is_balanced(scene: &Scene) -> bool {
     Sockets::of(scene).thermal.is_some()
 }

@@ -46,7 +46,7 @@ rows! {
     /// `Int dh/dt dA` over the feed more; over a meshed feed (a groove all around, a surface of a mesh file) this is counted. None without feeds
     FEED_FLOW = "feed_flow.", "Q_f", CubicMetrePerSecond, "oil that enters there (< 0: leaves)":
         Each(|film| film.regions(BoundaryKind::Feed).map(|(region, flow)| (region.name.clone(), flow.net)).collect()),
-        ErrorRule::Of(DUAL, |estimate, at| estimate.flow(&FlowGoal::Feed(at.region.to_owned()), at.per(1.0))),
+        ErrorRule::Of(DUAL, |estimate, at| estimate.flow(&FlowGoal::Region(at.region.to_owned()), at.per(1.0))),
         tolerance only(is_fed) headline(Headline::Always(13));
 }
 
@@ -64,5 +64,5 @@ fn out_of(film: &View, end: &str) -> Option<f64> {
 }
 
 fn of_end(estimate: &dyn Estimate, at: &Subject, end: &str) -> Option<Bar> {
-    estimate.flow(&FlowGoal::End(end.to_owned()), at.per(1.0))
+    estimate.flow(&FlowGoal::Region(end.to_owned()), at.per(1.0))
 }

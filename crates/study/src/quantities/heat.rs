@@ -1,17 +1,20 @@
 //! The temperature of the film, and where its heat goes.
 
 use oilwedge_bearing::{ThermalBalance, ThermalFlows};
+use oilwedge_reynolds::error_bar::{Bar, FlowGoal};
 use oilwedge_reynolds::lubricant::density::ZERO_CELSIUS;
+use oilwedge_reynolds::supply::BoundaryKind;
 use oilwedge_scene::{Scene, Viscosity};
 
 use super::friction::FRICTION_POWER;
 use super::motion::MOTION_POWER;
 use super::quantity::Quantity;
 use super::row::{Headline, Measure::One, Row, Table};
-use super::rule::ErrorRule;
+use super::rule::{ErrorRule, Subject};
 use super::view::View;
 use super::warming::Warming;
 use crate::effects::Sockets;
+use crate::estimate::{Estimate, Scaled};
 use crate::thermal::flows::thermal_flows;
 use crate::thermal_model::ThermalModel;
 
@@ -31,20 +34,20 @@ rows! {
     /// `Q_out`: oil that leaves the film: `Q_s` where oil only leaves at the ends, and what feeds drain; none without `[heat]`
     COOLING_FLOW = "cooling_flow", "Q_out", CubicMetrePerSecond, "oil that leaves the film and carries heat off":
         One(|film| Some(found(film)?.2.flow)),
-        ErrorRule::Balance(|warming| warming.flow, |_| Some(0.0)),
+        ErrorRule::Of("those of the flows at the ends, and where else oil leaves", of_leaving),
         in_table(Table::Temperature) only(is_balanced);
 
     /// `t_in = 2 t_m - t_out`: temperature of the oil that enters the film, hot oil mixed in; none without `heat.mixing`
     TEMPERATURE_INLET = "temperature_inlet", "t_in", Celsius, "of the oil that enters the film, hot oil mixed in":
         One(|film| film.base.thermal?.mixing.and_then(|_| end(film, 0))),
-        ErrorRule::Temperature(|warming| Some(warming.ends()[0])),
+        ErrorRule::Balance(|warming| warming.of_mixing(), |warming| Some(warming.ends()[0])),
         in_table(Table::Temperature) only(|scene| model(scene).is_some_and(|model| model.mixing.is_some()));
 
     /// `t_out = t_0 + 2 (1 + m)/(1 + 2 m) (t_m - t_0)`: temperature of the oil that leaves; t_0 that of the oil fed, m the hot oil carried
     /// over for each part of fresh oil; none without `[heat]`
     TEMPERATURE_OUTLET = "temperature_outlet", "t_out", Celsius, "of the oil that leaves it":
         One(|film| end(film, 1)),
-        ErrorRule::Temperature(|warming| Some(warming.ends()[1])),
+        ErrorRule::Balance(|warming| warming.of_mixing(), |warming| Some(warming.ends()[1])),
         in_table(Table::Temperature) only(is_balanced) headline(Headline::Always(9));
 
     /// `P_oil = rho c Q_out (t_out - t_0)`; none without `[heat]`
@@ -80,6 +83,24 @@ fn found(film: &View) -> Option<(ThermalBalance, f64, ThermalFlows)> {
         temperature,
         thermal_flows(&model, film.base, film.measured),
     ))
+}
+
+/// Bar of the oil that leaves the film: those of the flows through the ends, and through all other regions as far as oil may leave there.
+fn of_leaving(estimate: &dyn Estimate, at: &Subject) -> Option<Bar> {
+    if at.value == 0.0 {
+        return Some(Bar::default());
+    }
+    let elsewhere = [BoundaryKind::Line, BoundaryKind::Feed].map(|kind| at.view.regions(kind));
+    let of_ends = estimate.flow(&FlowGoal::Ends, at.per(1.0))?;
+    elsewhere
+        .into_iter()
+        .flatten()
+        .try_fold(of_ends, |sum, (region, flow)| {
+            let goal = FlowGoal::Region(region.name.clone());
+            let bar = estimate.flow(&goal, Scaled { unit: 1.0, change: 0.0 })?;
+            let leaves = (bar.total() - flow.net.max(0.0)).max(0.0);
+            Some(sum + bar.scaled(leaves / bar.total().max(f64::MIN_POSITIVE)))
+        })
 }
 
 /// What friction and squeeze make for each kelvin and the housing does not take [W/K].

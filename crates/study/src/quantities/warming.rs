@@ -16,6 +16,10 @@ pub struct Warming<'a> {
     pub power: Option<f64>,
     /// Bar [m3/s] of what carries heat off; none where it has none.
     pub flow: Option<f64>,
+    /// Bar [1] of what is carried over for each part that leaves; none where it has none.
+    pub carried_over: Option<f64>,
+    /// Temperature of the film [K].
+    pub temperature: f64,
     /// How each number changes with the temperature [1/K], by name.
     pub slopes: &'a HashMap<Cow<'static, str>, f64>,
 }
@@ -30,6 +34,12 @@ impl Warming<'_> {
     pub fn ends(&self) -> [f64; 2] {
         let ends = self.balance.ends(self.balance.inlet + 1.0, self.film.carried_over);
         ends.map(|end| end - self.balance.inlet)
+    }
+
+    /// What the bar of the oil carried over makes of the temperatures with which oil enters and leaves [K].
+    pub fn of_mixing(&self) -> Option<f64> {
+        let per_unit = (self.balance).ends_per_carried_over(self.temperature, self.film.carried_over);
+        Some(self.carried_over? * per_unit.abs())
     }
 
     /// Conductance of the housing [W/K], if it gives off heat.

@@ -1,24 +1,29 @@
 //! The bar of a temperature found, and what it adds to those of all other numbers.
 
 use oilwedge_reynolds::error_bar::Bar;
+use oilwedge_scene::Mixing;
 
 use super::flows::thermal_flows;
 use crate::film::Film;
 use crate::measure::Measured;
-use crate::quantities::{ErrorRule, FRICTION_POWER, MOTION_POWER, Quantity, Row, SIDE_FLOW, Table, Warming};
+use crate::quantities::{
+    COOLING_FLOW, ErrorRule, FRICTION_POWER, INLET_FLOW, MOTION_POWER, Quantity, Row, Table, Warming,
+};
 use crate::solved::TemperatureFound;
 
 impl TemperatureFound {
-    /// Bar [K] of the temperature: those of friction and flow, over the slope of their balance. None where they have none.
+    /// Bar [K] of the temperature: those of friction, flow and mixing, over the slope of their balance. None where they have none.
     fn bar(&self, warming: &Warming) -> Option<f64> {
         let film = &self.balanced.film;
         let carried = warming.balance.carried(self.balanced.temperature, film);
-        // Of a film whose ends take oil in too the side flow is less than what leaves, and of a sealed one there is none.
+        // From a sealed film nothing leaves.
         let flow = match film.flow > 0.0 {
             true => warming.flow? / film.flow,
             false => 0.0,
         };
-        let bar = (warming.power? + carried.abs() * flow + self.balanced.surplus.abs()) / self.balanced.slope.abs();
+        let by_mixing = warming.balance.heat_capacity * film.flow * warming.of_mixing()?;
+        let off = warming.power? + carried.abs() * flow + by_mixing + self.balanced.surplus.abs();
+        let bar = off / self.balanced.slope.abs();
         bar.is_finite().then_some(bar)
     }
 
@@ -30,13 +35,30 @@ impl TemperatureFound {
         else {
             return;
         };
+        let flows = thermal_flows(&model, film, measured);
+        let flow = error(quantities, &COOLING_FLOW);
+        let carried_over = match model.mixing {
+            // q_0/q_1 is a share of Q/Q_out - 1.
+            Some(Mixing::Share(share)) if flows.flow > 0.0 => {
+                let inlet = measured.inlet_flow.unwrap_or(0.0);
+                let bars = error(quantities, &INLET_FLOW).zip(flow);
+                bars.map(|(of_inlet, of_flow)| {
+                    let bar = of_inlet + inlet / flows.flow * of_flow;
+                    // Where less enters than leaves, nothing goes round.
+                    share * (inlet - flows.flow + bar).clamp(0.0, bar) / flows.flow
+                })
+            }
+            _ => Some(0.0),
+        };
         let warming = Warming {
             balance: model.balance,
-            film: thermal_flows(&model, film, measured),
+            film: flows,
+            temperature: self.balanced.temperature,
+            carried_over,
             power: error(quantities, &FRICTION_POWER)
                 .zip(error(quantities, &MOTION_POWER))
                 .map(|(turning, moving)| turning + moving),
-            flow: error(quantities, &SIDE_FLOW),
+            flow,
             slopes: &self.slopes,
         };
         let temperature = self.bar(&warming);
