@@ -120,7 +120,12 @@ fn hardly_moves(model: Cavitation, system: &FilmSystem) {
 #[test]
 fn a_load_at_rest_leads_to_the_position_at_rest() {
     let problem = squeezed(Cavitation::Reynolds { pressure: 0.0 }, layer(0.05));
-    comes_to_rest(&problem, &ring(), (1.5, options(1e-4, 6)), 1e-8);
+    let way = Way {
+        start: START,
+        turns: 6.0,
+        options: options(1e-4, 1),
+    };
+    comes_to_rest(&problem, &ring(), 1.5, &way, 1e-8);
 }
 
 /// The peaks that touch press the wall out, and the journal follows it beyond the clearance.
@@ -128,43 +133,51 @@ fn a_load_at_rest_leads_to_the_position_at_rest() {
 fn a_load_at_rest_leads_to_the_position_at_rest_where_surfaces_touch() {
     let mut problem = squeezed(Cavitation::Reynolds { pressure: 0.0 }, layer(0.05));
     problem.contact = Some(contacts()[0]);
-    let rest = comes_to_rest(&problem, &ring(), (6.0, options(1e-2, 3)), 1e-6);
+    let way = Way {
+        start: [0.9 * CLEARANCE, 0.2 * CLEARANCE, 0.0, 0.0],
+        turns: 3.0,
+        options: options(1e-2, 1),
+    };
+    let rest = comes_to_rest(&problem, &ring(), 6.0, &way, 1e-6);
     assert!(rest > CLEARANCE, "{rest}");
 }
 
 /// On triangles, films with a history carry their oil by another scheme than films at rest: on this mesh the place differs by 2e-3 of the clearance, the deflection by 4e-3.
 #[test]
 fn a_load_at_rest_leads_to_the_position_at_rest_where_oil_is_conserved() {
-    comes_to_rest(
-        &squeezed(CONSERVING, layer(0.05)),
-        &fed_ring(),
-        (1.5, options(1e-4, 6)),
-        5e-3,
-    );
+    let way = Way {
+        start: START,
+        turns: 3.0,
+        options: options(1e-4, 2),
+    };
+    comes_to_rest(&squeezed(CONSERVING, layer(0.05)), &fed_ring(), 1.5, &way, 5e-3);
+}
+
+/// How a journal comes to rest: steps are no longer than 1/32 of a cycle, and those near the place at rest may be as long.
+struct Way {
+    start: [f64; 4],
+    /// Turns of the journal in a cycle.
+    turns: f64,
+    options: OrbitOptions<'static>,
 }
 
 /// The film at rest under so many units of force is that to which the path leads; its eccentricity [m].
-fn comes_to_rest(
-    problem: &FilmProblem,
-    system: &FilmSystem,
-    (units, options): (f64, OrbitOptions),
-    within: f64,
-) -> f64 {
+fn comes_to_rest(problem: &FilmProblem, system: &FilmSystem, units: f64, way: &Way, within: f64) -> f64 {
     let force = units * force_scale();
     let duty = Duty {
         force: [force, 0.0],
         moment: [0.0; 2],
         speed: SPEED,
     };
-    let cycle = DutyCycle::constant(duty, TAU, SPEED);
+    let cycle = DutyCycle::constant(duty, way.turns * TAU, SPEED);
     let motion = motion(problem, system, &cycle);
-    let orbit = motion.orbit(START, &options);
+    let orbit = motion.orbit(way.start, &way.options);
     let orbit = orbit.unwrap_or_else(|reason| panic!("{reason}"));
     let end = orbit.steps.last().expect("steps");
     let load: Load = [force, 0.0].into();
     let begin = FilmProblem {
         journal: JournalState {
-            offset: [START[0], START[1]],
+            offset: [way.start[0], way.start[1]],
             ..problem.journal
         },
         ..problem.clone()
@@ -313,8 +326,8 @@ fn column(
     changed.expect("a tangent")[0].by_film.force
 }
 
-/// Place and wall after a quarter of the second cycle in even steps, `fewest` and 8 times as many, against 16 times as many. Order 4 in time, until what edges of the cavity that pass nodes leave is in sight: on this mesh 1e-6 of the
-/// clearance, with a rigid wall too.
+/// Place and wall after a quarter of the second cycle in even steps, `fewest` and 4 times as many, against 8 times as many. Order 4 in time, until what edges of the cavity that pass nodes leave is in sight: on this mesh 1e-6 of the
+/// clearance, with a rigid wall too. The stages are solved far more exactly than that.
 fn converges_with_the_step(model: Cavitation, system: &FilmSystem, fewest: u32) {
     let cycle = load_with(1.0);
     let problem = squeezed(model, layer(0.05));
@@ -327,36 +340,26 @@ fn converges_with_the_step(model: Cavitation, system: &FilmSystem, fewest: u32) 
         let idle = Span::between(begin, begin);
         for number in 1..=steps {
             let time = begin.time + period / 4.0 * f64::from(number) / f64::from(steps);
-            let next = motion.between(&here, &idle, time, 1e-8);
+            let next = motion.between(&here, &idle, time, 1e-6);
             here = Step::of(&next.unwrap_or_else(|reason| panic!("{reason}")), 0.0);
         }
         here
     };
-    let exact = end(16 * fewest);
-    let errors = [fewest, 8 * fewest].map(end).map(|end| {
+    let exact = end(8 * fewest);
+    let errors = [fewest, 4 * fewest].map(end).map(|end| {
         let place = (end.at[0] - exact.at[0]).hypot(end.at[1] - exact.at[1]);
         let [wall, other] = [&end, &exact].map(|step| step.wall.as_ref().expect("a wall"));
         [place, wall.distance(other)].map(|apart| apart / CLEARANCE)
     });
     for k in 0..2 {
-        let order = (errors[0][k] / errors[1][k]).log2() / 3.0;
+        let order = (errors[0][k] / errors[1][k]).log2() / 2.0;
         assert!(order > 1.9, "{} {k}: order {order}, {errors:?}", model.name());
     }
 }
 
 #[test]
-fn place_and_wall_converge_with_the_step() {
-    converges_with_the_step(MODELS[0], &ring(), 2);
-}
-
-#[test]
-fn place_and_wall_converge_with_the_step_where_negative_pressure_is_left_out() {
-    converges_with_the_step(MODELS[1], &ring(), 2);
-}
-
-#[test]
 fn place_and_wall_converge_with_the_step_where_the_film_breaks() {
-    converges_with_the_step(MODELS[2], &ring(), 2);
+    converges_with_the_step(Cavitation::Reynolds { pressure: 0.0 }, &ring(), 2);
 }
 
 #[test]
