@@ -29,7 +29,7 @@ fn bars_hold_the_numbers_of_finer_meshes() {
     const SOFT: &str = "liner.winkler = \"0.167 um/MPa\"";
     let mut missed = Vec::new();
     let mut compared = 0;
-    for (eps, model, liner) in [(0.8, "reynolds", WALL), (0.8, "reynolds", SOFT), (0.7, "none", SOFT)] {
+    for (eps, model, liner) in [(0.8, "reynolds", WALL), (0.7, "none", SOFT)] {
         let fine = found("2.5 mm", eps, model, liner);
         for size in ["12 mm", "6 mm"] {
             let coarse = found(size, eps, model, liner);
@@ -59,8 +59,8 @@ fn bars_hold_the_numbers_of_finer_meshes() {
 fn bars_hold_the_film_of_the_rigid_wall_at_the_ends() {
     const RIGID: f64 = 1e-5;
     let mut missed = Vec::new();
-    for layer in [0.2, 1.0, 10.0] {
-        for size in ["12 mm", "8 mm", "5 mm"] {
+    for layer in [0.2, 10.0] {
+        for size in ["12 mm", "5 mm"] {
             let film = found(size, 0.8, "reynolds", &format!("liner.winkler = \"{layer} um/MPa\""));
             let parts = film.by_name("film_thickness_min").and_then(|it| it.bar).expect("a bar");
             assert!(parts.wall > 0.0 && parts.position == 0.0, "{parts:?}");
@@ -81,36 +81,37 @@ fn bars_hold_the_film_of_the_rigid_wall_at_the_ends() {
 #[test]
 fn shares_are_those_of_films_under_walls_of_their_own() {
     let system = ring_system(96, 12, RADIUS, Some(std::f64::consts::PI));
-    for cavitation in [Cavitation::None, Cavitation::Reynolds { pressure: 0.0 }] {
-        for touches in [false, true] {
-            let mut problem = tilted(walled(RADIUS, 0.8, cavitation, |_| layer(0.05)), [2e-5, -1e-5]);
-            problem.contact = touches.then(|| contacts().into_iter().next().expect("a law"));
-            let (problem, film) = closed(problem, &system);
-            let pair = closed_pair(problem, &system, film, None, CLOSED).unwrap_or_else(|reason| panic!("{reason}"));
-            let (problem, cubic) = (&pair.problem, &system.cubic().system);
-            let following = following_wall(problem, &system, &pair.film).expect("a tangent");
-            let share = load(problem, cubic, &pair.cubic).total;
-            let eta = |following| {
-                let error = film_error(problem, &system, &pair.film, &pair.cubic, &share, following).expect("duals");
-                let [x, y] = error.moments.expect("the journal can tilt");
-                [&error.goals[0], &error.goals[1], &x, &y].map(|goal| goal.shares.iter().sum::<f64>())
-            };
-            let (held, found) = (eta(None), eta(following.as_ref()));
-            let (own, of_own) = closed_film(problem.clone(), &system, Neighbour::Kept(&pair.film))
-                .unwrap_or_else(|reason| panic!("{reason}"));
-            let [better, worse] = [carried(problem, cubic, &pair.cubic), carried(&own, &system, &of_own)];
-            let parts = |of: &Resultant| [of.force[0], of.force[1], of.moment[0], of.moment[1]];
-            let wanted: Vec<f64> = parts(&better).iter().zip(parts(&worse)).map(|(a, b)| a - b).collect();
-            for (range, name) in [(0..2, "force"), (2..4, "moment")] {
-                let size = |of: &[f64]| of[range.clone()].iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-                let off: Vec<f64> = found.iter().zip(&wanted).map(|(a, b)| a - b).collect();
-                let case = format!(
-                    "{} {touches} {name}: {found:?}, {wanted:?}, held {held:?}",
-                    cavitation.name()
-                );
-                assert!(size(&off) < 0.01 * size(&held), "{case}");
-                assert!(size(&wanted) < 0.5 * size(&held), "{case}");
-            }
+    for (cavitation, touches) in [
+        (Cavitation::None, false),
+        (Cavitation::Reynolds { pressure: 0.0 }, true),
+    ] {
+        let mut problem = tilted(walled(RADIUS, 0.8, cavitation, |_| layer(0.05)), [2e-5, -1e-5]);
+        problem.contact = touches.then(|| contacts().into_iter().next().expect("a law"));
+        let (problem, film) = closed(problem, &system);
+        let pair = closed_pair(problem, &system, film, None, CLOSED).unwrap_or_else(|reason| panic!("{reason}"));
+        let (problem, cubic) = (&pair.problem, &system.cubic().system);
+        let following = following_wall(problem, &system, &pair.film).expect("a tangent");
+        let share = load(problem, cubic, &pair.cubic).total;
+        let eta = |following| {
+            let error = film_error(problem, &system, &pair.film, &pair.cubic, &share, following).expect("duals");
+            let [x, y] = error.moments.expect("the journal can tilt");
+            [&error.goals[0], &error.goals[1], &x, &y].map(|goal| goal.shares.iter().sum::<f64>())
+        };
+        let (held, found) = (eta(None), eta(following.as_ref()));
+        let (own, of_own) = closed_film(problem.clone(), &system, Neighbour::Kept(&pair.film))
+            .unwrap_or_else(|reason| panic!("{reason}"));
+        let [better, worse] = [carried(problem, cubic, &pair.cubic), carried(&own, &system, &of_own)];
+        let parts = |of: &Resultant| [of.force[0], of.force[1], of.moment[0], of.moment[1]];
+        let wanted: Vec<f64> = parts(&better).iter().zip(parts(&worse)).map(|(a, b)| a - b).collect();
+        for (range, name) in [(0..2, "force"), (2..4, "moment")] {
+            let size = |of: &[f64]| of[range.clone()].iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+            let off: Vec<f64> = found.iter().zip(&wanted).map(|(a, b)| a - b).collect();
+            let case = format!(
+                "{} {touches} {name}: {found:?}, {wanted:?}, held {held:?}",
+                cavitation.name()
+            );
+            assert!(size(&off) < 0.01 * size(&held), "{case}");
+            assert!(size(&wanted) < 0.5 * size(&held), "{case}");
         }
     }
 }

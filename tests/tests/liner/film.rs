@@ -166,32 +166,29 @@ fn a_matrix_of_a_layer_has_the_film_of_the_layer() {
     assert!(lumped[1] < 0.5 * lumped[0] && lumped[1] < 1e-2, "{lumped:?}");
 }
 
-/// Softness that bends the film by several of its least thickness, with each model, Barus's oil, and both films of a pair.
+/// Softness that bends the film by several of its least thickness, with each model, Barus's oil where films break, and both films of a pair.
 #[test]
 fn soft_walls_close_with_every_model() {
-    for model in MODELS {
-        for alpha in [0.0, 2e-8] {
-            let system = ring_system(96, 6, RADIUS, Some(std::f64::consts::PI));
-            let mut problem = walled(RADIUS, 0.9, model, |_| layer(0.02));
-            if alpha > 0.0 {
-                problem.lubricant.pressure_law = PressureLaw::Barus(Barus { alpha });
-            }
-            let (problem, film) = closed(problem, &system);
-            let closing = problem.deflection().expect("a wall").closing;
-            assert!(closing.residual < 1e-8, "{}: {closing:?}", model.name());
-            if model.is_symmetric() {
-                let pair =
-                    closed_pair(problem, &system, film, None, CLOSED).unwrap_or_else(|reason| panic!("{reason}"));
-                let both = pair.problem.deflection().expect("a wall").closing;
-                assert!(both.residual < 1e-8, "{} in cubics: {both:?}", model.name());
-                // The film in quadratic elements nearly solves the systems of the one in cubic elements.
-                let [steps, products] = [both.outer - closing.outer, both.inner - closing.inner];
-                assert!(
-                    products <= 6 * steps,
-                    "{}: {products} products in {steps} steps",
-                    model.name()
-                );
-            }
+    for (model, alpha) in MODELS.into_iter().zip([0.0, 0.0, 2e-8, 2e-8]) {
+        let system = ring_system(96, 6, RADIUS, Some(std::f64::consts::PI));
+        let mut problem = walled(RADIUS, 0.9, model, |_| layer(0.02));
+        if alpha > 0.0 {
+            problem.lubricant.pressure_law = PressureLaw::Barus(Barus { alpha });
+        }
+        let (problem, film) = closed(problem, &system);
+        let closing = problem.deflection().expect("a wall").closing;
+        assert!(closing.residual < 1e-8, "{}: {closing:?}", model.name());
+        if model.is_symmetric() {
+            let pair = closed_pair(problem, &system, film, None, CLOSED).unwrap_or_else(|reason| panic!("{reason}"));
+            let both = pair.problem.deflection().expect("a wall").closing;
+            assert!(both.residual < 1e-8, "{} in cubics: {both:?}", model.name());
+            // The film in quadratic elements nearly solves the systems of the one in cubic elements.
+            let [steps, products] = [both.outer - closing.outer, both.inner - closing.inner];
+            assert!(
+                products <= 6 * steps,
+                "{}: {products} products in {steps} steps",
+                model.name()
+            );
         }
     }
 }

@@ -146,23 +146,19 @@ fn displaced_films_are_closed_to_second_order() {
 fn coefficients_of_a_stiff_wall_are_those_of_the_film() {
     let system = ring_system(72, 8, RADIUS, Some(std::f64::consts::PI));
     for model in MODELS {
-        let of = |lambda: f64, frequency: f64| {
+        let of = |lambda: f64| {
             let mut problem = walled(RADIUS, 0.7, model, |_| layer(lambda));
+            problem.terms.push(Arc::new(Squeeze));
             problem
-                .terms
-                .push(std::sync::Arc::new(oilwedge_reynolds::terms::squeeze::Squeeze));
-            let (problem, film) = closed(problem, &system);
-            Coefficients::of(&problem, &system, &film, frequency).expect("coefficients")
         };
+        let mut rigid = of(0.0);
+        rigid.film_thickness.pop();
+        let film = rigid.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
+        let films = [closed(of(1e-12), &system), closed(of(0.02), &system), (rigid, film)];
         for frequency in [0.0, 0.5 * SPEED] {
-            let (stiff, soft) = (of(1e-12, frequency), of(0.02, frequency));
-            let mut rigid = walled(RADIUS, 0.7, model, |_| 0.0);
-            rigid.film_thickness.pop();
-            rigid
-                .terms
-                .push(std::sync::Arc::new(oilwedge_reynolds::terms::squeeze::Squeeze));
-            let film = rigid.solve(&system).unwrap_or_else(|reason| panic!("{reason}"));
-            let rigid = Coefficients::of(&rigid, &system, &film, frequency).expect("coefficients");
+            let [stiff, soft, rigid] = films
+                .each_ref()
+                .map(|(problem, film)| Coefficients::of(problem, &system, film, frequency).expect("coefficients"));
             for (a, b) in [(stiff.stiffness, rigid.stiffness), (stiff.damping, rigid.damping)] {
                 let size = b.iter().flatten().fold(0.0f64, |most, entry| most.max(entry.abs()));
                 for (row, other) in a.iter().zip(b) {
