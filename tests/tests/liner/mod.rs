@@ -3,7 +3,7 @@
 mod bars;
 mod contact;
 mod film;
-mod orbit;
+pub(crate) mod orbit;
 mod ring;
 mod search;
 mod tangent;
