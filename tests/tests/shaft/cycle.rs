@@ -1,22 +1,54 @@
 //! Shafts over a cycle of their throws.
 
+use oilwedge_scene::ShaftScene;
+use oilwedge_study::RunOptions;
 use oilwedge_study::quantities::*;
 use oilwedge_study::result::Status;
+use oilwedge_study::shaft::{ShaftRun, run_cut};
 use oilwedge_tests::crankshafts::*;
 
+use super::report;
+
+/// The mesh of the films.
+const MESH: &str = "[mesh]\nsize = \"12 mm\"\n\n";
+
+/// Three throws on coarse films with long steps, as one shaft and cut at its main bearings.
 #[test]
-fn a_shaft_cut_at_its_mains_has_the_orbits_of_single_bearings() {
-    // The same steps, coarse ones, lead to the same orbits of films on the same meshes.
+fn an_engine_runs_as_one_shaft_and_cut_at_its_mains() {
     let folder = tempfile::tempdir().expect("a folder");
-    let coarse = ("[journal]", "[mesh]\nsize = \"9 mm\"\n\n[journal]");
-    let engine = with_bearing(folder.path(), "main_85", coarse, &text("three_throws.toml"));
-    let engine = changed(&engine, "tolerance = 1e-3", "tolerance = 1e-2");
-    let run = run(&three_throws_cut(&engine));
-    assert_eq!(run.result.status, Status::Converged, "{:?}", run.result.reason);
-    let films = numbers(&run, &CYCLE_FILM_THICKNESS_MIN);
-    let bearing = changed(&text("bearings/main_85.toml"), coarse.0, coarse.1);
+    let judged = format!("{MESH}[criteria]\nfilm_min = \"1 um\"\n\n[journal]");
+    let scene = text("three_throws.toml");
+    let engine = with_bearing(folder.path(), "main_85", ("[journal]", &judged), &scene);
+    let engine = changed(&engine, "tolerance = 1e-3", "tolerance = 2e-2");
+    let whole = run(&engine);
+    assert_eq!(whole.result.status, Status::Converged, "{:?}", whole.result.reason);
+    all_films_balance_the_loads_at_every_step(&whole);
+
+    let options = RunOptions {
+        bars: false,
+        max_seconds: f64::INFINITY,
+        ..RunOptions::default()
+    };
+    let read = ShaftScene::parse(&engine, &engines("scene.toml")).expect("a scene");
+    let cut = run_cut(&read, &options).expect("a run");
+    assert_eq!(cut.result.status, Status::Converged, "{:?}", cut.result.reason);
+    mains_have_the_orbits_of_single_bearings(&cut, &engine);
+    // The text of the cut shaft is that of its own scene.
+    let again = ShaftScene::parse(&cut.result.scene, &engines("scene.toml")).expect("a scene");
+    let told = run_cut(&again, &options).expect_err("cut already").to_string();
+    assert!(told.contains("statics") && told.contains("remove it"), "{told}");
+    // Statics leaves the outer bearings what the whole shaft takes from them.
+    let [of_whole, of_cut] = [&whole, &cut].map(|run| numbers(run, &CYCLE_LOAD_MAX)[0]);
+    assert!(of_cut > 1.03 * of_whole, "{of_cut} {of_whole}");
+    report::shows_all_bearings_and_the_cut_shaft(folder.path(), &whole, cut);
+}
+
+/// The same steps lead to the same orbits of films on the same meshes.
+fn mains_have_the_orbits_of_single_bearings(cut: &ShaftRun, engine: &str) {
+    let films = numbers(cut, &CYCLE_FILM_THICKNESS_MIN);
+    let bearing = changed(&text("bearings/main_85.toml"), "[journal]", &format!("{MESH}[journal]"));
     for (number, throws) in BESIDE.iter().enumerate() {
-        let film = single_main(&engine, throws, &bearing);
+        let film = single_main(engine, throws, &bearing);
         assert!(
             (films[number] / film - 1.0).abs() < 1e-6,
             "{number}: {} {film}",
@@ -25,14 +57,8 @@ fn a_shaft_cut_at_its_mains_has_the_orbits_of_single_bearings() {
     }
 }
 
-#[test]
-fn all_films_of_an_engine_balance_its_loads_at_every_step() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let coarse = ("[journal]", "[mesh]\nsize = \"9 mm\"\n\n[journal]");
-    let scene = with_bearing(folder.path(), "main_85", coarse, &text("three_throws.toml"));
-    let run = run(&changed(&scene, "tolerance = 1e-3", "tolerance = 1e-2"));
-    assert_eq!(run.result.status, Status::Converged, "{:?}", run.result.reason);
-    let balances = run.result.balances;
+fn all_films_balance_the_loads_at_every_step(whole: &ShaftRun) {
+    let balances = whole.result.balances;
     assert!(
         [balances.force, balances.moment, balances.journals, balances.power]
             .iter()
@@ -40,7 +66,7 @@ fn all_films_of_an_engine_balance_its_loads_at_every_step() {
         "{balances:?}"
     );
     assert!(balances.power > 0.0, "its terms come by two ways");
-    for bearing in &run.result.bearings {
+    for bearing in &whole.result.bearings {
         // Of the order of what steps may be off by.
         assert!(
             bearing.energy.is_some_and(|energy| energy < 1e-2),
@@ -50,7 +76,7 @@ fn all_films_of_an_engine_balance_its_loads_at_every_step() {
         );
     }
     // Films and cavities mirror each other in no throw: the outer bearings bear one throw each, the inner ones two.
-    let loads = numbers(&run, &CYCLE_LOAD_MAX);
+    let loads = numbers(whole, &CYCLE_LOAD_MAX);
     assert!(
         loads[1] > 0.8 * loads[0] && loads.iter().all(|load| *load > 1e4),
         "{loads:?}"
