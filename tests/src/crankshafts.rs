@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 
 use oilwedge_bearing::duty_cycle::{Crank, DutyCycle, GasPressure, Linkage, PressureCurve, Throw};
 use oilwedge_bearing::shaft::counterweights::{Best, greatest};
@@ -139,11 +140,17 @@ pub const THREE_FILMS: [ThreeFilms; 3] = [
 const SECOND_LOAD: &str = "at    = \"300 mm\"\nforce = \"12 kN\"\nangle = \"270 deg\"";
 
 impl ThreeFilms {
-    /// What a run finds.
+    /// What a run finds. Each of [`THREE_FILMS`] is run once in a program.
     ///
     /// # Panics
-    /// No folder for a scene can be made.
-    pub fn solved(&self) -> ShaftRun {
+    /// It is none of these, or no folder for a scene can be made.
+    pub fn solved(&self) -> &'static ShaftRun {
+        static RUNS: [OnceLock<ShaftRun>; 3] = [const { OnceLock::new() }; 3];
+        let number = THREE_FILMS.iter().position(|case| case.name == self.name);
+        RUNS[number.expect("one of the cases")].get_or_init(|| self.found())
+    }
+
+    fn found(&self) -> ShaftRun {
         let folder = tempfile::tempdir().expect("a folder");
         let [from, to] = self.change;
         let scene = changed(&text("three_films.toml"), from, to);
@@ -161,20 +168,23 @@ impl ThreeFilms {
 /// Parts of one load of 12 kN that three rigid knife edges bear.
 pub const KNIFE_EDGES: [f64; 3] = [5.0 / 16.0, 11.0 / 8.0, 5.0 / 16.0];
 
-/// The shaft on films of a hundredth of the clearance, which bear no moment.
+/// The shaft on films of a hundredth of the clearance, which bear no moment. It is run once in a program.
 ///
 /// # Panics
 /// No folder for a scene can be made.
-pub fn on_thin_films() -> ShaftRun {
-    let folder = tempfile::tempdir().expect("a folder");
-    let modulus = "youngs_modulus = \"206 GPa\"";
-    let scene = changed(
-        &text("three_films.toml"),
-        modulus,
-        &format!("{modulus}\ntilt = \"none\""),
-    );
-    let thin = ("\"30 um\"", "\"0.3 um\"");
-    run(&with_bearing(folder.path(), "small_ring", thin, &scene))
+pub fn on_thin_films() -> &'static ShaftRun {
+    static RUN: OnceLock<ShaftRun> = OnceLock::new();
+    RUN.get_or_init(|| {
+        let folder = tempfile::tempdir().expect("a folder");
+        let modulus = "youngs_modulus = \"206 GPa\"";
+        let scene = changed(
+            &text("three_films.toml"),
+            modulus,
+            &format!("{modulus}\ntilt = \"none\""),
+        );
+        let thin = ("\"30 um\"", "\"0.3 um\"");
+        run(&with_bearing(folder.path(), "small_ring", thin, &scene))
+    })
 }
 
 /// Load [kN] of the right one of [`two_films`].
@@ -203,6 +213,12 @@ pub const BY_STATICS: [(&str, &str); 2] = [
     ("rigid shaft", "youngs_modulus = \"206e6 GPa\"\ntilt = \"none\""),
     ("cut shaft", "youngs_modulus = \"206 GPa\"\nstatics = \"cut\""),
 ];
+
+/// What runs of [`BY_STATICS`] on two films find. They are run once in a program.
+pub fn by_statics() -> &'static [ShaftRun; 2] {
+    static RUNS: OnceLock<[ShaftRun; 2]> = OnceLock::new();
+    RUNS.get_or_init(|| BY_STATICS.map(|(_, keys)| run(&two_films_with(keys))))
+}
 
 /// An `engine` of three throws, `three_throws.toml` or a change of it, cut at its main bearings.
 pub fn three_throws_cut(engine: &str) -> String {

@@ -58,7 +58,7 @@ fn three_films() -> Table {
     ])];
     for case in THREE_FILMS {
         let run = case.solved();
-        let columns = [&LOAD_X, &LOAD_Y, &TILT_X, &TILT_Y, &FILM_THICKNESS_MIN].map(|row| numbers(&run, row));
+        let columns = [&LOAD_X, &LOAD_Y, &TILT_X, &TILT_Y, &FILM_THICKNESS_MIN].map(|row| numbers(run, row));
         for (number, (report, wanted)) in run.result.bearings.iter().zip(case.bearings).enumerate() {
             let [force_x, force_y, tilt_x, tilt_y, film] = [0, 1, 2, 3, 4].map(|k: usize| columns[k][number]);
             let [tilt_x, tilt_y] = [tilt_x, tilt_y].map(|tilt| tilt / (CLEARANCE / RADIUS));
@@ -104,11 +104,11 @@ fn limits() -> Table {
             ]);
         }
     };
-    add("knife edges", &on_thin_films(), &KNIFE_EDGES.map(|part| -12e3 * part));
-    for (name, keys) in BY_STATICS {
+    add("knife edges", on_thin_films(), &KNIFE_EDGES.map(|part| -12e3 * part));
+    for ((name, _), run) in BY_STATICS.iter().zip(by_statics()) {
         add(
             &format!("two films, {name}"),
-            &run(&two_films_with(keys)),
+            run,
             &[RIGHT - 13.0, -RIGHT].map(|kilo| 1e3 * kilo),
         );
     }
