@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use oilwedge_scene::SceneError;
+use oilwedge_scene::{Scene, SceneError};
 use oilwedge_study::orbit::by_maps;
 use oilwedge_study::quantities::*;
 use oilwedge_study::result::{RunResult, Status};
@@ -69,11 +69,19 @@ load = { harmonics = [{ order = 0, cos = { x = "2 kN" } }, { order = 1, sin = { 
 orbit = { cycles = 5 }
 "#;
 
-pub(crate) fn parsed(text: &str) -> Result<oilwedge_scene::Scene, String> {
+pub(crate) fn parsed(text: &str) -> Result<Scene, String> {
     parse(text, Path::new("a.toml")).map_err(|error| match error {
         SceneError::Complaints { complaints, .. } => complaints.iter().map(ToString::to_string).collect(),
         other => other.to_string(),
     })
+}
+
+/// The usual options but for bars.
+fn without_bars(scene: &Scene) -> RunOptions {
+    RunOptions {
+        bars: false,
+        ..RunOptions::of(scene)
+    }
 }
 
 #[test]
@@ -92,27 +100,42 @@ fn too_few_cycles_are_an_answer_with_numbers() {
     assert!(result.quantity(&CYCLE_FILM_THICKNESS_MIN).is_some());
 }
 
+/// Without bars an orbit has the same numbers. Frames stand at even crank angles, with the axis of the journal where the path has it.
 #[test]
-fn an_orbit_without_bars_has_the_same_numbers() {
+fn an_orbit_is_the_same_without_bars_and_is_drawn_film_by_film() {
     let scene = parsed(SCENE).expect("a scene");
-    let with = run(&scene, &RunOptions::of(&scene)).expect("an orbit").result;
-    let without = run(
-        &scene,
-        &RunOptions {
-            bars: false,
-            ..RunOptions::of(&scene)
-        },
-    )
-    .expect("an orbit")
-    .result;
-    let film =
-        |result: &oilwedge_study::result::RunResult| result.quantity(&CYCLE_FILM_THICKNESS_MIN).map(|it| it.value);
-    assert_eq!((film(&with), with.status), (film(&without), Status::Converged));
-    assert!(
-        with.quantity(&CYCLE_FILM_THICKNESS_MIN)
-            .and_then(|it| it.error())
-            .is_some_and(|bar| bar > 0.0)
+    let with = run(&scene, &RunOptions::of(&scene)).expect("an orbit");
+    let options = RunOptions {
+        bars: false,
+        frames: 4,
+        ..RunOptions::of(&scene)
+    };
+    let without = run(&scene, &options).expect("an orbit");
+    let film = |result: &RunResult| result.quantity(&CYCLE_FILM_THICKNESS_MIN).map(|it| it.value);
+    assert_eq!(
+        (film(&with.result), with.result.status),
+        (film(&without.result), Status::Converged)
     );
+    let bar = |result: &RunResult| result.quantity(&CYCLE_FILM_THICKNESS_MIN).and_then(|it| it.error());
+    assert!(bar(&with.result).is_some_and(|bar| bar > 0.0));
+    assert!(with.frames.is_empty());
+    let path = without.orbit.expect("a path");
+    assert_eq!(without.frames.len(), 4);
+    for (frame, angle) in without.frames.iter().zip([0.0, 90.0, 180.0, 270.0]) {
+        assert!((frame.crank_angle - angle).abs() < 1e-9);
+        let (_, axis) = frame
+            .picture
+            .lines
+            .iter()
+            .find(|(name, _)| name == "journal_axis")
+            .expect("an axis");
+        let [x, y, ..] = path.place(angle).expect("a place");
+        let [from, to] = axis[0];
+        assert!(
+            (from[0] - x).hypot(from[1] - y) < 1e-9 && (to[2] - from[2] - 0.025).abs() < 1e-12,
+            "{axis:?}"
+        );
+    }
 }
 
 #[test]
@@ -205,7 +228,7 @@ fn one_temperature_balances_the_heat_of_a_cycle() {
         &format!("oil.temperature = \"{temperature} C\""),
     );
     let given = parsed(&given).expect("a scene");
-    let given = run(&given, &RunOptions::of(&given)).expect("an orbit").result;
+    let given = run(&given, &without_bars(&given)).expect("an orbit").result;
     let (alone, balanced) = (given.quantity(&CYCLE_POWER_LOSS).expect("a power").value, power);
     assert!((alone / balanced - 1.0).abs() < 1e-3, "{alone} {balanced}");
 }
@@ -240,18 +263,18 @@ fn limits_are_those_of_the_cycle() {
 #[test]
 fn an_orbit_is_continued() {
     let one = parsed(&SCENE.replace("cycles = 5", "cycles = 1, closure = 1e-6")).expect("a scene");
-    let first = run(&one, &RunOptions::of(&one)).expect("an orbit").result;
+    let first = run(&one, &without_bars(&one)).expect("an orbit").result;
     let facts = first.orbit.expect("an orbit");
     let options = RunOptions {
         earlier: Some(EarlierOrbit {
             cycles: facts.cycles.len(),
             end: facts.end,
         }),
-        ..RunOptions::of(&one)
+        ..without_bars(&one)
     };
     let second = run(&one, &options).expect("an orbit").result.orbit.expect("an orbit");
     let two = parsed(&SCENE.replace("cycles = 5", "cycles = 2, closure = 1e-6")).expect("a scene");
-    let both = run(&two, &RunOptions::of(&two))
+    let both = run(&two, &without_bars(&two))
         .expect("an orbit")
         .result
         .orbit
@@ -265,47 +288,12 @@ fn an_orbit_is_continued() {
     );
 }
 
-/// Frames stand at even crank angles, with the axis of the journal where the path has it.
-#[test]
-fn a_cycle_is_drawn_film_by_film() {
-    let scene = parsed(SCENE).expect("a scene");
-    let options = RunOptions {
-        bars: false,
-        frames: 4,
-        ..RunOptions::of(&scene)
-    };
-    let found = run(&scene, &options).expect("an orbit");
-    let path = found.orbit.expect("a path");
-    assert_eq!(found.frames.len(), 4);
-    for (frame, angle) in found.frames.iter().zip([0.0, 90.0, 180.0, 270.0]) {
-        assert!((frame.crank_angle - angle).abs() < 1e-9);
-        let (_, axis) = frame
-            .picture
-            .lines
-            .iter()
-            .find(|(name, _)| name == "journal_axis")
-            .expect("an axis");
-        let [x, y, ..] = path.place(angle).expect("a place");
-        let [from, to] = axis[0];
-        assert!(
-            (from[0] - x).hypot(from[1] - y) < 1e-9 && (to[2] - from[2] - 0.025).abs() < 1e-12,
-            "{axis:?}"
-        );
-    }
-    let without = run(&scene, &RunOptions { frames: 0, ..options }).expect("an orbit");
-    assert!(without.frames.is_empty());
-}
-
 /// The synthetic big end with oil at 2 bar in its groove, mass-conserving: least film 5.577 um and greatest pressure 45.6 MPa by structured finite volumes, extrapolated from four grids
 /// (5.05, 5.41, 5.52 and 5.56 um on 48 x 4 to 384 x 32 cells a land): each to 1 %.
 #[test]
 fn the_big_end_that_conserves_its_oil_is_that_of_finite_volumes() {
     let scene = read(&path("28_big_end_orbit_conserving")).expect("a scene");
-    let options = RunOptions {
-        bars: false,
-        ..RunOptions::of(&scene)
-    };
-    let result = run(&scene, &options).expect("an orbit").result;
+    let result = run(&scene, &without_bars(&scene)).expect("an orbit").result;
     assert_eq!(result.status, Status::Converged, "{:?}", result.reason);
     for (row, reference, part) in [
         (&CYCLE_FILM_THICKNESS_MIN, 5.577e-6, 0.01),
@@ -366,11 +354,7 @@ fn a_finer_mesh_is_within_the_bars_of_an_orbit_that_conserves_its_oil() {
 fn a_film_without_supply_is_told_to_follow_from_its_start() {
     let told = |text: &str| {
         let scene = parsed(text).expect("a scene");
-        let options = RunOptions {
-            bars: false,
-            ..RunOptions::of(&scene)
-        };
-        let result = run(&scene, &options).expect("an orbit").result;
+        let result = run(&scene, &without_bars(&scene)).expect("an orbit").result;
         assert!(
             result.quantity(&CYCLE_FILM_THICKNESS_MIN).is_some(),
             "{:?}",

@@ -7,9 +7,13 @@ use oilwedge_tests::scenes::path;
 
 use super::scene::parsed;
 
-fn solved(text: &str) -> (RunResult, Option<[f64; 4]>) {
+fn solved(text: &str, bars: bool) -> (RunResult, Option<[f64; 4]>) {
     let scene = parsed(text).unwrap_or_else(|reason| panic!("{reason}"));
-    let found = run(&scene, &RunOptions::of(&scene)).expect("an answer");
+    let options = RunOptions {
+        bars,
+        ..RunOptions::of(&scene)
+    };
+    let found = run(&scene, &options).expect("an answer");
     (found.result, found.orbit.and_then(|orbit| orbit.place(359.9999)))
 }
 
@@ -25,7 +29,7 @@ fn a_journal_under_a_constant_load_sinks_in_the_time_of_the_closed_film() {
         orbit = { cycles = 1, tolerance = 1e-6, start = { eccentricity = 0, angle = "0 deg" } }
         cavitation.model = "none"
     "#;
-    let (result, place) = solved(text);
+    let (result, place) = solved(text, false);
     assert_eq!(result.status, Status::NotConverged);
     let reason = result.reason.as_deref().unwrap_or_default();
     assert!(
@@ -57,7 +61,7 @@ fn a_damper_whirls_at_the_eccentricity_of_a_journal_that_turns_twice_as_fast() {
         )
     };
     let film = |text: &str, row: &Row| {
-        let (result, _) = solved(text);
+        let (result, _) = solved(text, true);
         assert_eq!(result.status, Status::Converged, "{:?}", result.reason);
         if text.contains("[orbit]") {
             // Nothing turns the ring: the load alone does work, and the film turns it into heat.
