@@ -107,17 +107,10 @@ fn is_right(row: &Value, result: &RunResult, off: f64) -> Result<(), String> {
 
 #[test]
 fn drowned_rings_lie_inside_their_bars() {
-    let cases: Vec<(Value, &str, f64)> = rings()
-        .into_iter()
-        .flat_map(|row| {
-            [
-                ("", 1e-2),
-                ("mesh.tolerance = \"0.3 %\"", 4e-3),
-                ("mesh.tolerance = \"0.1 %\"", 2e-3),
-            ]
-            .map(|(mesh, off)| (row.clone(), mesh, off))
-        })
-        .collect();
+    let rows = rings();
+    let mut cases: Vec<(&Value, &str, f64)> = rows.iter().map(|row| (row, "", 1e-2)).collect();
+    // The thickest film and one of the two thinnest.
+    cases.extend([&rows[0], &rows[5]].map(|row| (row, "mesh.tolerance = \"0.1 %\"", 2e-3)));
     each(&cases, |(row, mesh, off)| {
         let told = |what: String| format!("{what} of {row} with {mesh:?}");
         let result = answered(&drowned(row, mesh)).map_err(told)?;
@@ -287,16 +280,11 @@ cavitation = {{ model = "jfo", pressure = "{} Pa" }}
 fn flow_of_a_groove_all_around() {
     assert!((GROOVED[0].flow() - 7.6453e-7).abs() < 1e-11);
     each(&GROOVED, |bearing| bearing.check("", 5e-3).map(|_| ()));
-    each(&GROOVED, |bearing| {
+    each(&[&GROOVED[2], &GROOVED[4]], |bearing| {
         bearing.check("mesh.tolerance = \"0.1 %\"", 1e-3).map(|_| ())
     });
     // The third has so little pressure that its layer is as thin as a row.
-    let fine = [
-        (&GROOVED[0], 1e-4),
-        (&GROOVED[1], 1e-4),
-        (&GROOVED[2], 3e-4),
-        (&GROOVED[3], 1e-4),
-    ];
+    let fine = [(&GROOVED[2], 3e-4), (&GROOVED[3], 1e-4)];
     each(&fine, |(bearing, off)| {
         let nodes = bearing.check("mesh.size = \"1 mm\"", *off)?;
         match (6e4..1.5e5).contains(&nodes) {

@@ -40,7 +40,8 @@ fn shaken(columns: u32, rows: u32, part: f64, seed: u64) -> Option<FilmSystem> {
 fn shaken_meshes_have_a_film_or_a_place_where_it_is_wrong() {
     let (mut films, mut refused) = (0, 0);
     for (columns, rows) in [(16, 64), (24, 24), (96, 6)] {
-        for seed in 0..30 {
+        // Both eccentricities at every second step of the way to folded meshes.
+        for seed in (0..30u64).filter(|seed| seed % 4 < 2) {
             let part = 0.05 + 0.01 * seed as f64;
             let Some(system) = shaken(columns, rows, part, seed) else {
                 continue;
@@ -73,5 +74,5 @@ fn shaken_meshes_have_a_film_or_a_place_where_it_is_wrong() {
         }
     }
     println!("{films} films, {refused} refused");
-    assert!(films >= 10 && refused >= 10, "{films} films, {refused} refused");
+    assert!(films >= 5 && refused >= 5, "{films} films, {refused} refused");
 }

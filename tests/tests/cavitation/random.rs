@@ -10,7 +10,7 @@ use oilwedge_tests::journal_bearings::each;
 use oilwedge_tests::random_bearings::{PRESSURE_UNIT, RandomBearing};
 
 /// How many bearings.
-const BEARINGS: u64 = 250;
+const BEARINGS: u64 = 100;
 /// Most iterations on the finest mesh: measured 27 (mass-conserving) and 14 (Swift-Stieber, on the same meshes).
 const MOST_CONSERVING: usize = 35;
 const MOST_SWIFT_STIEBER: usize = 20;
