@@ -29,7 +29,11 @@ pub fn car(turns: f64, force: f64) -> (RunResult, Vec<Quantity>) {
         table(scene, "journal").insert("speed".into(), format!("{turns} rpm").into());
         table(scene, "load").insert("force".into(), format!("{force} N").into());
     });
-    let result = run(&scene, &RunOptions::default()).expect("a film").result;
+    let options = RunOptions {
+        bars: false,
+        ..RunOptions::default()
+    };
+    let result = run(&scene, &options).expect("a film").result;
     let (_, heat) = standard(&scene, &result)
         .lists
         .pop()

@@ -1,5 +1,7 @@
 //! The FlexPDE study (Mordvinkin, Gorkun, Sergienko 2016) and its independent recomputation.
 
+use std::sync::OnceLock;
+
 use oilwedge_reynolds::NoFilm;
 use oilwedge_scene::Scene;
 use serde_json::Value;
@@ -53,21 +55,43 @@ pub fn rows() -> Vec<Row> {
         .collect()
 }
 
-/// Greatest speeds [rad/s] with a film: liner, eccentricity, conservative, as printed.
-pub fn limits() -> Vec<(String, f64, f64, f64)> {
-    let list = data()["limits"].as_array().cloned().unwrap_or_default();
-    let number = |row: &Value, key: &str| row[key].as_f64().unwrap_or(f64::NAN);
-    list.iter()
-        .map(|row| {
+/// Greatest speeds [rad/s] with a film, each by the reference and as found here.
+pub struct Limit {
+    /// `shell` or `ring`.
+    pub liner: String,
+    /// Eccentricity.
+    pub eccentricity: f64,
+    /// Of a conservative film.
+    pub conservative: [f64; 2],
+    /// Of a film of the printed equation.
+    pub as_printed: [f64; 2],
+}
+
+/// All limits of the reference, found once.
+///
+/// # Panics
+/// If there is a film beyond one of them.
+pub fn limits() -> &'static [Limit] {
+    static LIMITS: OnceLock<Vec<Limit>> = OnceLock::new();
+    LIMITS.get_or_init(|| {
+        let list = data()["limits"].as_array().cloned().unwrap_or_default();
+        let number = |row: &Value, key: &str| row[key].as_f64().unwrap_or(f64::NAN);
+        let find = |row: &Value| {
             let liner = row["liner"].as_str().unwrap_or_default().to_owned();
-            (
+            let eccentricity = number(row, "eccentricity");
+            let [conservative, as_printed] = ["conservative", "as_printed"].map(|form| number(row, form));
+            Limit {
+                conservative: [
+                    conservative,
+                    limit_of_existence(&liner, eccentricity, 2.0 * conservative),
+                ],
+                as_printed: [as_printed, fold(&liner, eccentricity, conservative)],
                 liner,
-                number(row, "eccentricity"),
-                number(row, "conservative"),
-                number(row, "as_printed"),
-            )
-        })
-        .collect()
+                eccentricity,
+            }
+        };
+        list.iter().map(find).collect()
+    })
 }
 
 impl Row {
@@ -211,13 +235,12 @@ fn limits_table() -> Vec<Vec<String>> {
         "as printed",
         "reference",
     ])];
-    for (liner, eccentricity, conservative, as_printed) in limits() {
-        let limit = limit_of_existence(&liner, eccentricity, 2.0 * conservative);
-        let fold = fold(&liner, eccentricity, conservative);
+    for limit in limits() {
+        let ([conservative, found], [as_printed, fold]) = (limit.conservative, limit.as_printed);
         table.push(vec![
-            liner,
-            eccentricity.to_string(),
-            format!("{limit:.1}"),
+            limit.liner.clone(),
+            limit.eccentricity.to_string(),
+            format!("{found:.1}"),
             format!("{conservative:.1}"),
             format!("{fold:.1}"),
             format!("{as_printed:.1}"),
@@ -227,10 +250,7 @@ fn limits_table() -> Vec<Vec<String>> {
 }
 
 /// The greatest speed [rad/s] with a conservative film, as a run at the too high speed `above` tells.
-///
-/// # Panics
-/// If that run has a film.
-pub fn limit_of_existence(liner: &str, eccentricity: f64, above: f64) -> f64 {
+fn limit_of_existence(liner: &str, eccentricity: f64, above: f64) -> f64 {
     match solve(&barus_scene(liner, eccentricity, "conservative", above)) {
         Err(NoFilm::AboveLimit {
             greatest_speed: Some(speed),
@@ -242,10 +262,7 @@ pub fn limit_of_existence(liner: &str, eccentricity: f64, above: f64) -> f64 {
 }
 
 /// The last speed [rad/s] with an as-printed film, as a run at the too high speed `above` tells.
-///
-/// # Panics
-/// If that run has a film.
-pub fn fold(liner: &str, eccentricity: f64, above: f64) -> f64 {
+fn fold(liner: &str, eccentricity: f64, above: f64) -> f64 {
     match solve(&barus_scene(liner, eccentricity, "as-printed", above)) {
         Err(NoFilm::Fold { last, .. }) => last,
         Err(reason) => panic!("{liner} {eccentricity}: {reason}"),

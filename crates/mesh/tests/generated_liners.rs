@@ -1,4 +1,4 @@
-//! A thousand random liners: every mesh made is good, every refusal is named.
+//! Random liners: every mesh made is good, every refusal is named.
 
 use std::f64::consts::{PI, TAU};
 
@@ -164,19 +164,11 @@ fn check(blueprint: &Blueprint, mesh: &Mesh, least_angle: f64) -> f64 {
 }
 
 #[test]
-fn five_hundred_random_liners() {
-    are_meshed_or_refused(Random(2024));
-}
-
-#[test]
-fn five_hundred_more() {
-    are_meshed_or_refused(Random(2026));
-}
-
-fn are_meshed_or_refused(mut random: Random) {
+fn random_liners_are_meshed_or_refused() {
+    let mut random = Random(2024);
     let mut angles = Vec::new();
     let mut refused = 0;
-    while angles.len() < 500 {
+    while angles.len() < 300 {
         let blueprint = blueprint(&mut random);
         let size = blueprint.liner.radius.min(blueprint.liner.length) * random.between(0.05, 0.3);
         match generate(&blueprint, &|_| size) {
@@ -193,9 +185,9 @@ fn are_meshed_or_refused(mut random: Random) {
     angles.sort_unstable_by(f64::total_cmp);
     println!(
         "least {:.2}, 1 % {:.2}, median {:.2} deg; {refused} refused",
-        angles[0], angles[5], angles[250]
+        angles[0], angles[3], angles[150]
     );
-    assert!(angles[250] >= 30.0, "median of the least angles {}", angles[250]);
+    assert!(angles[150] >= 30.0, "median of the least angles {}", angles[150]);
 }
 
 /// Random liners in rows along the flow, up to four times as long as wide. Measured: no angle below 1 degree (beside narrow grooves all around, where cells are long rectangles), 15 % of the area
@@ -204,7 +196,7 @@ fn are_meshed_or_refused(mut random: Random) {
 fn random_liners_in_rows() {
     let mut random = Random(2025);
     let (mut angles, mut across) = (Vec::new(), Vec::new());
-    while angles.len() < 200 {
+    while angles.len() < 100 {
         let blueprint = blueprint(&mut random);
         let size = blueprint.liner.radius.min(blueprint.liner.length) * random.between(0.05, 0.3);
         let spacing = size * random.between(0.25, 1.0);
@@ -234,9 +226,9 @@ fn random_liners_in_rows() {
     across.sort_unstable_by(f64::total_cmp);
     println!(
         "least {:.2}, median {:.2} deg; across the flow median {:.3}, most {:.3}",
-        angles[0], angles[100], across[100], across[199]
+        angles[0], angles[50], across[50], across[99]
     );
-    assert!(across[100] < 0.05 && across[199] < 0.3, "{across:?}");
+    assert!(across[50] < 0.05 && across[99] < 0.3, "{across:?}");
 }
 
 /// A plain liner in rows follows the flow everywhere; the two senses are mirror images.

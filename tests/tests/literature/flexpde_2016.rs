@@ -88,19 +88,17 @@ fn rows_with_a_mass_conserving_film() {
 
 #[test]
 fn limits_of_existence() {
-    for (liner, eccentricity, conservative, as_printed) in limits() {
-        // Three digits of a coarse mesh.
-        let speed = limit_of_existence(&liner, eccentricity, 2.0 * conservative);
-        assert!(
-            (speed / conservative - 1.0).abs() < 5e-3,
-            "{liner} {eccentricity}: {speed} {conservative}"
-        );
-        // Two digits.
-        let last = fold(&liner, eccentricity, conservative);
-        assert!(
-            (last / as_printed - 1.0).abs() < 2e-2,
-            "{liner} {eccentricity}: {last} {as_printed}"
-        );
+    let limits = limits();
+    assert_eq!(limits.len(), 10);
+    for limit in limits {
+        let (liner, eccentricity) = (&limit.liner, limit.eccentricity);
+        // Three digits of a coarse mesh, and two.
+        for ([reference, found], part) in [(limit.conservative, 5e-3), (limit.as_printed, 2e-2)] {
+            assert!(
+                (found / reference - 1.0).abs() < part,
+                "{liner} {eccentricity}: {found} {reference}"
+            );
+        }
     }
 }
 

@@ -19,9 +19,9 @@ const ARC: f64 = 0.5;
 /// The groove leaves narrow lands at its ends: they stay clear of mid-length.
 const STEP: f64 = 0.35;
 
-/// The film over a step of that depth [m] and its system.
-fn step(depth: f64) -> (FilmProblem, FilmSystem) {
-    let length = 12.0 * RADIUS * ARC;
+/// The film over a step of that depth [m] and its system, so many arc lengths long.
+fn step(depth: f64, arcs: f64) -> (FilmProblem, FilmSystem) {
+    let length = arcs * RADIUS * ARC;
     let liner = Liner {
         radius: RADIUS,
         length,
@@ -73,7 +73,7 @@ fn step(depth: f64) -> (FilmProblem, FilmSystem) {
 #[test]
 fn pressure_at_the_step() {
     let depth = 0.87 * CLEARANCE;
-    let (film, system) = step(depth);
+    let (film, system) = step(depth, 12.0);
     let solution = film.solve(&system).unwrap();
     // The land before the groove is the film's own clearance: a three-part step bearing.
     let margin = 0.002 * RADIUS;
@@ -94,7 +94,7 @@ fn pressure_at_the_step() {
 
 #[test]
 fn depth_zero_is_no_groove() {
-    let (mut film, system) = step(0.0);
+    let (mut film, system) = step(0.0, 2.0);
     let with = film.solve(&system).unwrap().unknown;
     film.film_thickness.pop();
     let without = film.solve(&system).unwrap().unknown;
