@@ -205,8 +205,12 @@ fn any_scene_has_three_theories_or_their_reasons() {
         ..RunOptions::default()
     };
     let (mut legal, mut films) = (0, 0);
-    for (liner, feed) in liners.iter().flat_map(|liner| feeds.map(|feed| (liner, feed))) {
-        for (journal, model) in journals.iter().flat_map(|journal| models.map(|model| (journal, model))) {
+    // Each liner with each journal and each model; feeds in turn, so that each of them meets all of the others.
+    for (i, liner) in liners.iter().enumerate() {
+        for (j, journal, k, model) in (journals.iter().enumerate())
+            .flat_map(|(j, journal)| models.iter().enumerate().map(move |(k, model)| (j, journal, k, model)))
+        {
+            let feed = feeds[(i + j + k) % feeds.len()];
             let text = format!(
                 "{feed}bearing = {{ diameter = \"60 mm\", length = \"24 mm\", clearance = \"40 um\"{liner} }}\nmesh = {{ size = \"6 mm\" }}\n\
                  ends = {{ pressure = \"1 bar\" }}\n{journal}\noil = {{ viscosity = \"0.02 Pa.s\" }}\ncavitation = {{ model = \"{model}\" }}\n"
@@ -229,7 +233,7 @@ fn any_scene_has_three_theories_or_their_reasons() {
             legal += 1;
         }
     }
-    assert!(legal > 100 && films > 100, "{legal} scenes, {films} films");
+    assert!(legal > 33 && films > 33, "{legal} scenes, {films} films");
 }
 
 proptest! {
