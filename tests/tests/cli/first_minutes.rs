@@ -91,13 +91,14 @@ fn a_change_of_the_mesh_lies_within_the_bars_and_one_of_the_bearing_does_not() {
         bench.scene(scene, edit);
         std::fs::read_to_string(bench.path().join("scene.toml")).expect("a scene")
     };
-    bench.write("b.toml", text(&[("\"1.5 mm\"", "\"1.2 mm\"")]));
-    bench.write("c.toml", text(&[("\"4000 rpm\"", "\"4200 rpm\"")]));
-    bench.write("a.toml", text(&[]));
+    let size = ("\"1.5 mm\"", "\"2.5 mm\"");
+    bench.write("b.toml", text(&[("\"1.5 mm\"", "\"2 mm\"")]));
+    bench.write("c.toml", text(&[size, ("\"4000 rpm\"", "\"5000 rpm\"")]));
+    bench.write("a.toml", text(&[size]));
     let equal = bench.run(&["diff", "a.toml", "a.toml"]);
     assert_eq!((equal.status, equal.stdout.as_str()), (0, "equal\n"));
-    let changed = |b: &str| {
-        let told = bench.run(&["diff", "a.toml", b, "--json"]);
+    let changed = |a: &str, b: &str| {
+        let told = bench.run(&["diff", a, b, "--json"]);
         assert_eq!(told.status, 1, "{}", told.stderr);
         object(&told.stdout)
     };
@@ -106,22 +107,22 @@ fn a_change_of_the_mesh_lies_within_the_bars_and_one_of_the_bearing_does_not() {
         assert!(!quantities.is_empty());
         quantities.iter().filter(|it| it["exceeds_bars"] == true).count()
     };
-    let mesh = changed("b.toml");
+    assert_eq!(bench.run(&["solve", "a.toml", "--out", "results"]).status, 0);
+    assert_eq!(bench.run(&["solve", "b.toml", "--out", "finer"]).status, 0);
+    let mesh = changed("results", "finer");
     assert_eq!(mesh["keys"][0]["key"], "mesh.size");
     assert_eq!(exceeds(&mesh), 0, "{mesh:#}");
-    let speed = changed("c.toml");
+    let speed = changed("a.toml", "c.toml");
     assert_eq!(
         (&speed["keys"][0]["key"], &speed["keys"][0]["b"]),
-        (&"journal.speed".into(), &"4200 rpm".into())
+        (&"journal.speed".into(), &"5000 rpm".into())
     );
     assert!(exceeds(&speed) > 5, "{speed:#}");
-    assert_eq!(bench.run(&["solve", "a.toml", "--out", "results"]).status, 0);
     assert_eq!(bench.run(&["diff", "a.toml", "results"]).status, 0);
-    assert_eq!(bench.run(&["solve", "b.toml", "--out", "finer"]).status, 0);
     let told = bench.run(&["diff", "results", "finer"]);
     assert_eq!(told.status, 1, "{}", told.stderr);
     assert!(
-        told.stdout.contains("mesh.size: \"1.5 mm\" -> \"1.2 mm\""),
+        told.stdout.contains("mesh.size: \"2.5 mm\" -> \"2 mm\""),
         "{}",
         told.stdout
     );
