@@ -1,4 +1,4 @@
-//! `kill -9` at random moments, two hundred times in all: over the whole run, and in the moments of writing.
+//! `kill -9` at random moments, a hundred times in all: over the whole run, and in the moments of writing.
 
 use std::path::Path;
 use std::process::Child;
@@ -8,11 +8,11 @@ use super::scenes::{TWO, left_over, names, pair, rows, start, sweep, two_scenes,
 use oilwedge_tests::bench::{Bench, object};
 use oilwedge_tests::random_bearings::Dice;
 
-/// Kills of each kind of run; they are 200 together.
-const SOLVES: usize = 90;
-const SWEEPS: usize = 50;
-const MESHES: usize = 40;
-const STUDIES: usize = 20;
+/// Kills of each kind of run; they are 100 together.
+const SOLVES: usize = 45;
+const SWEEPS: usize = 25;
+const MESHES: usize = 20;
+const STUDIES: usize = 10;
 const SEED: u64 = 20_260_722;
 
 /// Kills of one kind of run, which write into one folder.
