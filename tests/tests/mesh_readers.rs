@@ -16,7 +16,7 @@ use oilwedge_tests::random_bearings::Dice;
 use rayon::prelude::*;
 
 /// Number of random liners.
-const LINERS: u64 = 256;
+const LINERS: u64 = 1000;
 
 /// Names of physical groups by dimension and tag, which mshio does not read.
 fn names(bytes: &[u8]) -> HashMap<(i32, i32), String> {
@@ -210,7 +210,7 @@ fn liner(dice: &mut Dice) -> Mesh {
 }
 
 #[test]
-fn both_read_random_liners_alike_in_every_form() {
+fn both_read_a_thousand_random_liners_alike_in_every_form() {
     let triangles: usize = (0..LINERS)
         .into_par_iter()
         .map(|number| {
