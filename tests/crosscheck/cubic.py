@@ -11,11 +11,11 @@ import numpy as np
 import skfem
 from scipy.sparse import coo_matrix, csr_matrix
 from scipy.sparse.csgraph import connected_components
-from scipy.sparse.linalg import splu, spsolve
 from scipy.spatial import cKDTree
 
-from film import Film, barus_pressure, curve_area, cut_out_share, reduced_pressure, rule_of_degree
+from film import Film, barus_pressure, curve_area, cut_out_share, reduced_pressure, rule_of_degree, solve_symmetric
 from liner_mesh import read_liner
+from obstacle import factorised
 
 STEPS = 60
 
@@ -51,7 +51,7 @@ class CubicFilm(Film):
     """Dofs are those of scikit-fem; `unknown` numbers them with the two sides of a seam glued."""
 
     def __init__(self, scene, mesh, rule):
-        self.scene, self.mesh, self.solver = scene, mesh, spsolve
+        self.scene, self.mesh, self.solver = scene, mesh, solve_symmetric
         cells, self.vertices = ascending(mesh.cells), np.unique(mesh.cells[:, :3])
         grid = skfem.MeshTri2(np.ascontiguousarray(mesh.points.T), np.ascontiguousarray(cells.T))
         self.basis = skfem.Basis(grid, skfem.ElementTriP3(), quadrature=rule)
@@ -164,13 +164,7 @@ def solve_bounded_everywhere(matrix, right, lower, fixed):
     for _ in range(STEPS):
         free = np.flatnonzero(open_ & ~held)
         x[held], x[free] = lower, 0.0
-        factor = splu(
-            matrix[free][:, free].tocsc(),
-            permc_spec="MMD_AT_PLUS_A",
-            diag_pivot_thresh=0.0,
-            options={"SymmetricMode": True},
-        )
-        x[free] = factor.solve((right - matrix @ x)[free])
+        x[free] = factorised(matrix[free][:, free])((right - matrix @ x)[free])
         force = np.where(held, matrix @ x - right, 0.0)
         next_held = open_ & (force - scale * (x - lower) > 0)
         if (next_held == held).all():

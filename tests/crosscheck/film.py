@@ -23,7 +23,7 @@ from scipy.spatial import cKDTree
 from scipy.special import j1
 
 from liner_mesh import LinerMesh, read_liner, refined
-from obstacle import solve_bounded
+from obstacle import factorised, solve_bounded
 
 EDGE_RULE = np.polynomial.legendre.leggauss(8)
 
@@ -47,10 +47,15 @@ def rule_of_degree(degree):
     return skfem.quadrature.get_quadrature_tri(degree)
 
 
-def solve_film(scene, rule, refinements=0, solver=spsolve):
+def solve_symmetric(matrix, right):
+    return factorised(matrix)(right)
+
+
+def solve_film(scene, rule, refinements=0, solver=None):
     """Solve a scene (see `scene_file.Scene`) with a quadrature rule, on its mesh refined so many times.
 
     solver(matrix, right) solves linear systems; the matrix is symmetric but for the printed form."""
+    solver = solver or (spsolve if scene.as_printed else solve_symmetric)
     mesh = read_liner(scene.mesh, scene.radius, scene.holes())
     for _ in range(refinements):
         mesh = refined(mesh, scene.radius, scene.holes())
@@ -96,25 +101,23 @@ class Film:
         self.stiffness = self.glue.T @ self._conductance() @ self.glue
 
     def _conductance(self):
-        scene = self.scene
-
         @skfem.BilinearForm
         def form(q, v, w):
-            h = scene.film_thickness(*w.x)
-            return h**3 / (12 * scene.viscosity) * (q.grad[0] * v.grad[0] + q.grad[1] * v.grad[1])
+            return w.conductance * (q.grad[0] * v.grad[0] + q.grad[1] * v.grad[1])
 
-        return form.assemble(self.basis)
+        h = self.scene.film_thickness(*self.basis.global_coordinates())
+        return form.assemble(self.basis, conductance=h**3 / (12 * self.scene.viscosity))
 
     def _couette(self):
         """Int U h/2 dv/dx - dh/dt v."""
-        scene = self.scene
+        scene, places = self.scene, self.basis.global_coordinates()
 
         @skfem.LinearForm
         def form(v, w):
-            drag = scene.speed * scene.radius / 2 * scene.film_thickness(*w.x)
-            return drag * v.grad[0] - scene.thickness_rate(*w.x) * v
+            return w.drag * v.grad[0] - w.rate * v
 
-        return self.glue.T @ form.assemble(self.basis)
+        drag = scene.speed * scene.radius / 2 * scene.film_thickness(*places)
+        return self.glue.T @ form.assemble(self.basis, drag=drag, rate=scene.thickness_rate(*places))
 
     def _printed_source(self, p):
         """s = Int (exp(alpha p) - 1) U/2 dh/dx v and its derivative ds/dp: the oil that the printed form makes."""

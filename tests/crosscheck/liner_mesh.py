@@ -158,14 +158,13 @@ def _separate_nodes(numbers, coordinates):
 
 def _oriented_edges(cells, origin, edges):
     """The edges of a group as their cells run through them."""
-    wanted = {tuple(sorted(pair)) for pair in edges[:, :2].tolist()}
-    found = [
-        cell[list(local)]
-        for local in EDGES
-        for cell in cells
-        if tuple(sorted(origin[cell[list(local[:2])]].tolist())) in wanted
-    ]
-    return np.array(found)
+    count = origin.max() + 1
+
+    def keys(pairs):
+        return np.sort(pairs, axis=1) @ [count, 1]
+
+    all_edges = np.concatenate([cells[:, local] for local in EDGES])
+    return all_edges[np.isin(keys(origin[all_edges[:, :2]]), keys(edges[:, :2]))]
 
 
 def _glue_seam(points, origin, curves):

@@ -37,7 +37,7 @@ def solve_bounded(matrix, right, lower, bounded, fixed):
 
 def _interior_point(matrix, right, lower, bounded):
     """All unknowns free, those in `bounded` at least `lower`."""
-    x = _solver(matrix)(right)
+    x = factorised(matrix)(right)
     size = np.abs(x - lower).max()
     force = np.abs(matrix.diagonal()[bounded]).mean() * size
     slack = np.maximum(x[bounded] - lower, 1e-2 * size)
@@ -52,7 +52,7 @@ def _interior_point(matrix, right, lower, bounded):
             return x, multiplier
         barrier = np.zeros(len(x))
         barrier[bounded] = multiplier / slack
-        solve = _solver(matrix + diags_array(barrier))
+        solve = factorised(matrix + diags_array(barrier))
 
         def step(target):
             """Newton's step towards slack * multiplier = target."""
@@ -79,7 +79,7 @@ def _reach(value, change):
     return np.min(-value[falling] / change[falling], initial=1.0 / TO_THE_WALL)
 
 
-def _solver(matrix):
-    """Solves with a symmetric positive definite matrix."""
+def factorised(matrix):
+    """Solves with a symmetric positive definite matrix, whose order keeps the factors thin."""
     options = {"SymmetricMode": True}
     return splu(matrix.tocsc(), permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options=options).solve
