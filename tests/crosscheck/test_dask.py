@@ -1,14 +1,16 @@
 """Sweeps on a cluster of Dask: the table is that of one process, whatever happens to workers and clients."""
 
 import csv
+import functools
 import io
+import json
 import os
 import signal
 import subprocess
 import sys
-import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 
 import cloudpickle
 import numpy as np
@@ -22,10 +24,12 @@ from oilwedge._sweep import swept
 
 from oilwedge_run import SCENES
 
-SCENE = ow.Scene.read(SCENES / "02_flexpde_shell.toml") | {"oil.barus.alpha": "6e-8 1/Pa"}
-AXES = {"journal.speed": [f"{n} rpm" for n in range(500, 4500, 250)], "eccentricity": np.linspace(0.1, 0.9, 20).round(6)}
-"""320 cases in 16 chains; fast journals have no film at the greatest eccentricities."""
-KILLER = 3
+SHIPPED, CHANGES = str(SCENES / "08_flexpde_study_size.toml"), {"oil.barus.alpha": "6e-8 1/Pa"}
+SCENE = ow.Scene.read(SHIPPED) | CHANGES
+AXES = {"journal.speed": [f"{n} rpm" for n in range(500, 4700, 350)], "eccentricity": np.linspace(0.1, 0.9, 16).round(6).tolist()}
+"""192 cases in 12 chains; fast journals have no film at the greatest eccentricities."""
+KILLER, LATE = 3, 9
+"""A part that ends its worker each time, and one that ends it once, when others are gathered."""
 
 
 def rows(text):
@@ -38,14 +42,20 @@ def wanted():
     return rows(ow.sweep(SCENE, AXES, bars=False).to_csv())
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def client():
     with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster, Client(cluster) as client:
+        # A part may end one worker less than it may by itself, for each is started anew.
+        cluster.scheduler.allowed_failures = 1
         yield client
 
 
 def parts(folder):
-    return sorted(folder.glob("part-*.parquet"))
+    return sorted(Path(folder).glob("part-*.parquet"))
+
+
+def inodes(folder):
+    return {str(path): path.stat().st_ino for path in parts(folder)}
 
 
 def wait_for_parts(folder, count, process=None):
@@ -56,43 +66,46 @@ def wait_for_parts(folder, count, process=None):
         time.sleep(0.01)
 
 
-def test_a_worker_is_killed(client, wanted, tmp_path):
-    """The table is that of one process, and what was gathered before is not computed again."""
-    seen = {}
+compute = oilwedge.dask._part
 
-    def kill():
-        wait_for_parts(tmp_path, 10)
-        worker = next(iter(client.run(os.getpid).values()))
-        os.kill(worker, signal.SIGKILL)
-        seen.update({path: path.stat().st_ino for path in parts(tmp_path)})
 
-    killer = threading.Thread(target=kill, daemon=True)
-    killer.start()
-    table = oilwedge.dask.sweep(SCENE, AXES, client, out=tmp_path, bars=False)
-    killer.join()
-    assert rows(table.to_csv()) == wanted
-    assert {path: path.stat().st_ino for path in seen} == seen and len(seen) >= 10
-    written = pyarrow.parquet.read_table(tmp_path / "table.parquet").to_pydict()
-    assert written["case"] == list(range(1, 321))
-    assert written["status"] == [row[3] for row in wanted[1:]] and {"converged", "no_solution"} <= set(written["status"])
-    assert str(table).startswith(f"{SCENE.title}: 320 cases, ")
-    assert (tmp_path / "table.parquet").stat().st_size <= 2 / 3 * len(table.to_csv())
-    # The folder is that of one sweep.
-    with pytest.raises(ValueError, match="part of another sweep"):
-        oilwedge.dask.sweep(SCENE, AXES, client, out=tmp_path, bars=True)
-    with pytest.raises(ow.SceneError, match="not known"):
-        oilwedge.dask.sweep(SCENE, {"sped": ["1 rpm"]}, client, out=tmp_path)
+def deadly(folder, seen, packed, number):
+    """A part that may end its worker; the late one writes down first what has been gathered."""
+    if number == KILLER:
+        os.kill(os.getpid(), signal.SIGKILL)
+    if number == LATE and not os.path.exists(seen):
+        wait_for_parts(folder, 5)
+        Path(seen).write_text(json.dumps(inodes(folder)))
+        os.kill(os.getpid(), signal.SIGKILL)
+    return compute(packed, number)
+
+
+def test_workers_are_killed(client, wanted, tmp_path, monkeypatch):
+    """The table is that of one process but for the part that ends every worker, and what was gathered before is not computed again."""
+    out, seen = tmp_path / "map", tmp_path / "seen.json"
+    cloudpickle.register_pickle_by_value(sys.modules[__name__])
+    monkeypatch.setattr(oilwedge.dask, "_part", functools.partial(deadly, str(out), str(seen)))
+    try:
+        table = oilwedge.dask.sweep(SCENE, AXES, client, out=out, bars=False)
+    finally:
+        cloudpickle.unregister_pickle_by_value(sys.modules[__name__])
+    found = rows(table.to_csv())
+    failed = [row for row in found if row[3] == "failed"]
+    assert len(failed) == 16 and all("worker" in row[-1] and row[4] == "" for row in failed)
+    cases = {row[0] for row in failed}
+    assert [row for row in found if row[0] not in cases] == [row for row in wanted if row[0] not in cases]
+    assert "16 that no worker could compute" in str(table)
+    gathered = json.loads(seen.read_text())
+    assert len(gathered) >= 5 and inodes(out).items() >= gathered.items()
 
 
 CLIENT = """
-import sys
+import oilwedge as ow
 import oilwedge.dask
-from distributed import Client, LocalCluster
-sys.path.insert(0, {folder!r})
-from test_dask import AXES, SCENE
-if __name__ == "__main__":
-    with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster, Client(cluster) as client:
-        oilwedge.dask.sweep(SCENE, AXES, client, out={out!r}, bars=False)
+from distributed import Client
+scene = ow.Scene.read({shipped!r}) | {changes!r}
+with Client({address!r}) as client:
+    oilwedge.dask.sweep(scene, {axes!r}, client, out={out!r}, bars=False)
 """
 
 
@@ -100,13 +113,13 @@ def test_the_client_is_killed(client, wanted, tmp_path, monkeypatch):
     """What it has written is kept, and the rest is computed by the next one."""
     script = tmp_path / "client.py"
     out = tmp_path / "map"
-    script.write_text(CLIENT.format(folder=os.path.dirname(__file__), out=str(out)))
-    out.mkdir()
-    with subprocess.Popen([sys.executable, script], start_new_session=True) as process:
+    how = {"shipped": SHIPPED, "changes": CHANGES, "axes": AXES, "address": client.scheduler.address, "out": str(out)}
+    script.write_text(CLIENT.format(**how))
+    with subprocess.Popen([sys.executable, script]) as process:
         try:
-            wait_for_parts(out, 8, process)
+            wait_for_parts(out, 3, process)
         finally:
-            os.killpg(process.pid, signal.SIGKILL)
+            process.kill()
     kept = {path: path.stat().st_mtime_ns for path in parts(out)}
     computed = []
     write = oilwedge.dask._Parts.write
@@ -117,34 +130,19 @@ def test_the_client_is_killed(client, wanted, tmp_path, monkeypatch):
     assert len(computed) == len(set(computed)) == len(parts(out)) - len(kept) > 0
     again = oilwedge.dask.sweep(SCENE, AXES, client, out=out, bars=False)
     assert again.to_csv() == table.to_csv() and len(computed) == len(parts(out)) - len(kept), "nothing was left to compute"
+    written = pyarrow.parquet.read_table(out / "table.parquet").to_pydict()
+    assert written["case"] == list(range(1, 193))
+    assert written["status"] == [row[3] for row in wanted[1:]] and {"converged", "no_solution"} <= set(written["status"])
+    assert str(table).startswith(f"{SCENE.title}: 192 cases, ")
+    assert (out / "table.parquet").stat().st_size <= 2 / 3 * len(table.to_csv())
+    # The folder is that of one sweep.
+    with pytest.raises(ValueError, match="part of another sweep"):
+        oilwedge.dask.sweep(SCENE, AXES, client, out=out, bars=True)
+    with pytest.raises(ow.SceneError, match="not known"):
+        oilwedge.dask.sweep(SCENE, {"sped": ["1 rpm"]}, client, out=out)
 
 
-def deadly(packed, number):
-    """A part that ends its worker."""
-    if number == KILLER:
-        os.kill(os.getpid(), signal.SIGKILL)
-    return compute(packed, number)
-
-
-compute = oilwedge.dask._part
-
-
-def test_a_part_ends_every_worker(client, wanted, tmp_path, monkeypatch):
-    cloudpickle.register_pickle_by_value(sys.modules[__name__])
-    monkeypatch.setattr(oilwedge.dask, "_part", deadly)
-    try:
-        table = oilwedge.dask.sweep(SCENE, AXES, client, out=tmp_path, bars=False)
-    finally:
-        cloudpickle.unregister_pickle_by_value(sys.modules[__name__])
-    found = rows(table.to_csv())
-    failed = [row for row in found if row[3] == "failed"]
-    assert len(failed) == 20 and all("worker" in row[-1] and row[4] == "" for row in failed)
-    cases = {row[0] for row in failed}
-    assert [row for row in found if row[0] not in cases] == [row for row in wanted if row[0] not in cases]
-    assert "20 that no worker could compute" in str(table)
-
-
-def test_threads_of_a_worker_and_two_sweeps_share_it(tmp_path):
+def test_threads_of_a_worker_and_two_sweeps_share_it():
     """The files of a sweep stay as long as a part of it is computed, whoever reads another sweep meanwhile."""
     sweeps = [_packed(scene) for scene in (SCENE, SCENE | {"journal.speed": "20 rad/s"})]
     rows_of = [oilwedge.dask._part(packed, 1)[1] for packed in sweeps]
