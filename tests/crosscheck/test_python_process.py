@@ -18,11 +18,11 @@ from python_package import ENGINE, RING, without_times
 def test_other_threads_run_meanwhile():
     """A thread counts while another one solves; two threads solve two scenes."""
     scene = ow.Scene.read(ENGINE)
-    alone = ow.solve(scene, threads=1)
+    alone = ow.solve(scene, bars=False, threads=1)
     counted, results = [0], {}
 
     def solve(name):
-        results[name] = ow.solve(scene, threads=1)
+        results[name] = ow.solve(scene, bars=False, threads=1)
 
     threads = [threading.Thread(target=solve, args=(name,)) for name in "ab"]
     for thread in threads:
@@ -59,7 +59,7 @@ def test_ctrl_c_ends_a_run_and_not_the_interpreter(call):
     command = [sys.executable, "-c", INTERRUPTED.format(call=call), str(ENGINE), str(RING)]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout.readline() == "begin\n"
-        time.sleep(2)
+        time.sleep(0.5)
         sent = time.time()
         process.send_signal(signal.SIGINT)
         words = process.stdout.readline().split()
@@ -71,9 +71,9 @@ def test_ctrl_c_ends_a_run_and_not_the_interpreter(call):
     assert process.returncode == 0
 
 
-def test_thousands_of_runs_leave_nothing_behind():
+def test_many_runs_leave_nothing_behind():
     before = threads_of_process()
-    for _ in range(200):
+    for _ in range(60):
         ow.solve(RING, bars=False, threads=2)
     assert threads_of_process() <= before + 2
 
@@ -94,7 +94,7 @@ def test_the_module_links_no_python():
 TYPES = """
 [mypy]
 ignore_missing_imports = True
-[mypy-meshio.*,pandas.*,pyarrow.*,pyvista.*,xarray.*]
+[mypy-dask.*,distributed.*,meshio.*,pandas.*,pyarrow.*,pyvista.*,xarray.*]
 follow_imports = skip
 """
 
@@ -102,7 +102,7 @@ follow_imports = skip
 def test_types_hold(tmp_path):
     """Examples are checked strictly, and the stubs against the module."""
     (tmp_path / "mypy.ini").write_text(TYPES)
-    (tmp_path / "allowed").write_text("oilwedge\\..*\\.(meshio|pandas|pyarrow|pyvista|xarray)\n")
+    (tmp_path / "allowed").write_text("oilwedge\\..*\\.(Client|meshio|pandas|pyarrow|pyvista|xarray)\n")
     examples = ["mypy", "--strict", "--config-file", "mypy.ini", str(REPOSITORY / "crates/python/examples")]
     stubs = ["mypy.stubtest", "oilwedge", "--mypy-config-file", "mypy.ini", "--allowlist", "allowed"]
     for check in (examples, stubs):
