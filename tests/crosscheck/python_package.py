@@ -9,6 +9,20 @@ from oilwedge_run import SCENES, program
 RING = SCENES / "01_plain_ring.toml"
 SHELL = SCENES / "02_flexpde_shell.toml"
 ENGINE = SCENES / "17_engine_main_bearing.toml"
+CYCLE = """
+bearing = { diameter = "50 mm", length = "25 mm", clearance = "30 um" }
+mesh.size = "6 mm"
+journal.speed = "3000 rpm"
+oil.viscosity = "10 mPa.s"
+cavitation.model = "reynolds"
+orbit = { tolerance = 1e-2 }
+
+[load]
+harmonics = [{ order = 0, cos = { x = "2 kN" } }, { order = 1, sin = { y = "3 kN" } }]
+frame = "shell"
+period = "360 deg"
+"""
+"""An orbit that closes soon."""
 
 
 def run(*arguments, status=0):

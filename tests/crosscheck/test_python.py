@@ -9,7 +9,7 @@ import pyvista
 
 import vtu_geometry
 from oilwedge_run import SCENES
-from python_package import ENGINE, RING, SHELL, run, solved, without_seconds, without_times
+from python_package import CYCLE, ENGINE, RING, SHELL, run, solved, without_seconds, without_times
 
 
 @pytest.mark.parametrize("path", sorted(SCENES.glob("0[1-7]*.toml")) + [ENGINE], ids=lambda path: path.stem)
@@ -102,7 +102,7 @@ def test_results_travel_to_other_processes(shell):
 
 
 def test_an_orbit_has_its_path():
-    result = ow.solve(SCENES / "27_big_end_orbit.toml", bars=False)
+    result = ow.solve(ow.Scene.parse(CYCLE), bars=False)
     assert result.orbit is not None
     assert {"crank angle [deg]", "e_x/c [1]"} <= result.orbit.keys()
     assert np.all(np.diff(result.orbit["crank angle [deg]"]) > 0)

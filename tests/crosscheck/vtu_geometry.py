@@ -61,24 +61,17 @@ def bulge(nodes):
 
 
 def locate(nodes, points):
-    """(cell, xi, eta) of each point."""
-    boxes = nodes.min(axis=1), nodes.max(axis=1)
-    return [_locate(nodes, boxes, point) for point in points]
-
-
-def _locate(nodes, boxes, point):
-    """By Newton's method in the cells whose box holds the point."""
-    low, high = boxes
-    margin = 1e-9
-    inside = (low <= point + margin) & (high >= point - margin)
-    candidates = np.flatnonzero(inside.all(axis=1))
-    local = np.full((len(candidates), 2), 1 / 3)
+    """(cell, xi, eta) of each point, by Newton's method in all cells whose box holds it."""
+    low, high = nodes.min(axis=1) - 1e-9, nodes.max(axis=1) + 1e-9
+    candidates = [np.flatnonzero(((low <= point) & (point <= high)).all(axis=1)) for point in points]
+    cell, place = np.concatenate(candidates), np.repeat(points, list(map(len, candidates)), axis=0)
+    local = np.full((len(cell), 2), 1 / 3)
     for _ in range(20):
-        values = shape(local[:, 0], local[:, 1])
-        gap = np.einsum("km,mkc->mc", values, nodes[candidates]) - point
-        slope = jacobian(nodes[candidates], local[:, 0], local[:, 1])
+        gap = np.einsum("km,mkc->mc", shape(local[:, 0], local[:, 1]), nodes[cell]) - place
+        slope = jacobian(nodes[cell], local[:, 0], local[:, 1])
         local = local - np.linalg.solve(slope, gap[:, :, None])[:, :, 0]
     depth = np.minimum(local.min(axis=1), 1 - local.sum(axis=1))
-    best = int(np.argmax(depth))
-    assert depth[best] > -1e-9, f"no cell holds {point}"
-    return candidates[best], *local[best]
+    ends = np.cumsum(list(map(len, candidates)))
+    best = [start + int(np.argmax(depth[start:end])) for start, end in zip([0, *ends[:-1]], ends)]
+    assert depth[best].min() > -1e-9, f"no cell holds {place[best[int(np.argmin(depth[best]))]]}"
+    return [(cell[k], *local[k]) for k in best]
