@@ -24,7 +24,9 @@ import tempfile
 import time
 from pathlib import Path
 
-from film import rule_of_degree, solve_film, spsolve
+from scipy.sparse.linalg import spsolve
+
+from film import rule_of_degree, solve_film
 from oilwedge_run import REPOSITORY, program
 from scene_file import read_scene
 

@@ -18,7 +18,6 @@ from dataclasses import dataclass
 import numpy as np
 import skfem
 from scipy.sparse import csr_matrix
-from scipy.sparse.linalg import spsolve
 from scipy.spatial import cKDTree
 from scipy.special import j1
 
@@ -51,11 +50,10 @@ def solve_symmetric(matrix, right):
     return factorised(matrix)(right)
 
 
-def solve_film(scene, rule, refinements=0, solver=None):
+def solve_film(scene, rule, refinements=0, solver=solve_symmetric):
     """Solve a scene (see `scene_file.Scene`) with a quadrature rule, on its mesh refined so many times.
 
-    solver(matrix, right) solves linear systems; the matrix is symmetric but for the printed form."""
-    solver = solver or (spsolve if scene.as_printed else solve_symmetric)
+    solver(matrix, right) solves linear systems; the matrix is symmetric."""
     mesh = read_liner(scene.mesh, scene.radius, scene.holes())
     for _ in range(refinements):
         mesh = refined(mesh, scene.radius, scene.holes())
@@ -87,7 +85,7 @@ def barus_pressure(q, alpha):
 class Film:
     """Discrete film: basis with the given rule, seam glued, Dirichlet values known."""
 
-    def __init__(self, scene, mesh, rule, solver=spsolve):
+    def __init__(self, scene, mesh, rule, solver=solve_symmetric):
         self.scene, self.mesh, self.solver = scene, mesh, solver
         self.basis = skfem.Basis(_skfem_mesh(mesh), skfem.ElementTriP2(), quadrature=rule)
         self.node = _nodes_of_dofs(self.basis, mesh)
@@ -122,21 +120,15 @@ class Film:
     def _printed_source(self, p):
         """s = Int (exp(alpha p) - 1) U/2 dh/dx v and its derivative ds/dp: the oil that the printed form makes."""
         scene = self.scene
-        field = self.basis.interpolate(self.glue @ p)
-
-        def source(w):
-            phi = w.x[0] / scene.radius - scene.min_film_angle
-            slope = scene.clearance * scene.eccentricity * np.sin(phi) / scene.radius
-            return scene.speed * scene.radius / 2 * slope
-
-        vector = skfem.LinearForm(lambda v, w: np.expm1(scene.barus * w.p) * source(w) * v)
-        matrix = skfem.BilinearForm(
-            lambda u, v, w: scene.barus * np.exp(scene.barus * w.p) * source(w) * u * v
-        )
-        return (
-            self.glue.T @ vector.assemble(self.basis, p=field),
-            self.glue.T @ matrix.assemble(self.basis, p=field) @ self.glue,
-        )
+        pressure = np.asarray(self.basis.interpolate(self.glue @ p))
+        phi = self.basis.global_coordinates()[0] / scene.radius - scene.min_film_angle
+        slope = scene.clearance * scene.eccentricity * np.sin(phi) / scene.radius
+        drag = scene.speed * scene.radius / 2 * slope
+        made = np.expm1(scene.barus * pressure) * drag
+        growth = scene.barus * np.exp(scene.barus * pressure) * drag
+        vector = skfem.LinearForm(lambda v, w: w.made * v).assemble(self.basis, made=made)
+        matrix = skfem.BilinearForm(lambda u, v, w: w.growth * u * v).assemble(self.basis, growth=growth)
+        return self.glue.T @ vector, self.glue.T @ matrix @ self.glue
 
     def _solve_linear(self, matrix, right, fixed):
         """Solve with the unknowns in `fixed` (number -> value) held."""

@@ -28,10 +28,8 @@ LINEAR = {
     "shell at rest": ("03_hydrostatic_shell", {}),
     "shell, straight cells": ("02_flexpde_shell", {"mesh": "flexpde_shell_straight.msh", "hole_keys": False}),
     "shell, straight cells, exact rim": ("02_flexpde_shell", {"mesh": "flexpde_shell_straight.msh"}),
-    "shell, meshed hole": ("02_flexpde_shell", {"mesh": "flexpde_shell_meshed_hole.msh"}),
     "ring": ("04_flexpde_ring", {}),
     "ring, constant viscosity": ("04_flexpde_ring", CONSTANT),
-    "ring, hole on top": ("05_flexpde_ring_top", {}),
     "liner on the cylinder": ("07_grooved_liner", {}),
     "liner, constant viscosity": ("07_grooved_liner", CONSTANT),
     "liner, holes by their closed curves": ("07_grooved_liner", {"hole_keys": False}),
@@ -41,9 +39,6 @@ BROKEN = {
     "plain ring, broken": ("01_plain_ring", REYNOLDS),
     "plain ring, Barus, broken": ("01_plain_ring", REYNOLDS | BARUS),
     "shell, broken": ("02_flexpde_shell", REYNOLDS),
-    "shell, straight cells, broken": (
-        "02_flexpde_shell", REYNOLDS | {"mesh": "flexpde_shell_straight.msh", "hole_keys": False}
-    ),
     "shell, meshed hole, broken": ("02_flexpde_shell", REYNOLDS | {"mesh": "flexpde_shell_meshed_hole.msh"}),
     "ring, broken below the ends": (
         "04_flexpde_ring", {"cavitation": {"model": "reynolds", "pressure": "-0.5 bar"}}
