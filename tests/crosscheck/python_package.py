@@ -8,6 +8,7 @@ from oilwedge_run import SCENES, program
 
 RING = SCENES / "01_plain_ring.toml"
 SHELL = SCENES / "02_flexpde_shell.toml"
+STUDY = SCENES / "08_flexpde_study_size.toml"
 ENGINE = SCENES / "17_engine_main_bearing.toml"
 CYCLE = """
 bearing = { diameter = "50 mm", length = "25 mm", clearance = "30 um" }

@@ -23,8 +23,9 @@ from oilwedge._run import asked
 from oilwedge._sweep import swept
 
 from oilwedge_run import SCENES
+from python_package import STUDY
 
-SHIPPED, CHANGES = str(SCENES / "08_flexpde_study_size.toml"), {"oil.barus.alpha": "6e-8 1/Pa"}
+SHIPPED, CHANGES = str(STUDY), {"oil.barus.alpha": "6e-8 1/Pa"}
 SCENE = ow.Scene.read(SHIPPED) | CHANGES
 AXES = {"journal.speed": [f"{n} rpm" for n in range(500, 4700, 350)], "eccentricity": np.linspace(0.1, 0.9, 16).round(6).tolist()}
 """192 cases in 12 chains; fast journals have no film at the greatest eccentricities."""

@@ -9,7 +9,7 @@ import oilwedge as ow
 import pytest
 
 from oilwedge_run import SCENES
-from python_package import RING, SHELL, run
+from python_package import RING, STUDY, run
 
 AXES = {"journal.speed": ["100 rpm", "300 rpm", "1000 rpm"], "eccentricity": {"from": 0.1, "to": 0.9, "steps": 9}}
 SWEEP = '\n[sweep]\n"journal.speed" = ["100 rpm", "300 rpm", "1000 rpm"]\neccentricity = { from = 0.1, to = 0.9, steps = 9 }\n'
@@ -23,11 +23,11 @@ def lines_without_seconds(text):
 
 @pytest.fixture(scope="module")
 def table():
-    return ow.sweep(ow.Scene.read(SHELL) | {"oil.barus.alpha": "6e-8 1/Pa"}, AXES)
+    return ow.sweep(ow.Scene.read(STUDY) | {"oil.barus.alpha": "6e-8 1/Pa"}, AXES)
 
 
 def test_a_sweep_is_that_of_the_program(table, tmp_path):
-    scene = ow.Scene.read(SHELL) | {"oil.barus.alpha": "6e-8 1/Pa"}
+    scene = ow.Scene.read(STUDY) | {"oil.barus.alpha": "6e-8 1/Pa"}
     path = tmp_path / "map.toml"
     path.write_text(scene.text.replace("../meshes", str(SCENES.parent / "meshes")) + SWEEP)
     printed, _ = run("sweep", path, "--out", tmp_path / "map")
