@@ -200,27 +200,34 @@ impl FilmProblem {
                     }
                 }
                 Err(_) if step > FOLD_RESOLUTION => step *= 0.5,
-                // A stable branch left behind is a fold; a branch that never began is something else.
-                Err(_) if reached > 0.0 => {
-                    let asked = self.journal.speed.abs();
-                    return Err(NoFilm::Fold {
-                        last: reached * asked,
-                        asked,
-                    });
-                }
-                // At rest it is there, and after the least step it is not: the fold lies between.
-                Err(NoFilm::NotConverged(Failure::Linear {
+                Err(failure) => return Err(self.fold_between([reached, next], failure)),
+            }
+        }
+    }
+
+    /// What the least step that fails shows, between two parts of the speed: the fold of the stable branch, or else the failure itself.
+    fn fold_between(&self, [reached, next]: [f64; 2], failure: NoFilm) -> NoFilm {
+        let asked = self.journal.speed.abs();
+        let part = match &failure {
+            // The tangent is singular at a fold, and Newton's method finds nothing beyond.
+            NoFilm::NotConverged(
+                Failure::Stagnated { .. }
+                | Failure::TooManySteps { .. }
+                | Failure::Linear {
                     error: Error::NotPositiveDefinite,
                     ..
-                })) => {
-                    let asked = self.journal.speed.abs();
-                    return Err(NoFilm::Fold {
-                        last: next * asked,
-                        asked,
-                    });
-                }
-                Err(failure) => return Err(failure),
-            }
+                },
+            ) if reached > 0.0 => reached,
+            // At rest it is there, and after the least step it is not: the fold lies between.
+            NoFilm::NotConverged(Failure::Linear {
+                error: Error::NotPositiveDefinite,
+                ..
+            }) => next,
+            _ => return failure,
+        };
+        NoFilm::Fold {
+            last: part * asked,
+            asked,
         }
     }
 
