@@ -48,7 +48,15 @@ const SCENES: [(&str, &[&str]); 34] = [
     ("25_whirl", &[]),
     ("26_tilting_crankshaft_journal", &[]),
     ("27_big_end_orbit", &[HEATED]),
-    (CONSERVING_ORBIT, &[HEATED]),
+    // On the coarse mesh on which it is solved here.
+    (
+        CONSERVING_ORBIT,
+        &[
+            "the film is not resolved where it is thin",
+            "an assumption does not hold: rigid surfaces",
+            HEATED,
+        ],
+    ),
     (
         "29_mixed_lubrication",
         &[

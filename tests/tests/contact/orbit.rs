@@ -8,12 +8,12 @@ use oilwedge_tests::tilted_bearings::quantity;
 
 use super::mixed::{ASPERITIES, scene};
 
-/// The bearing of the second code at 300 rpm on a coarse mesh, with this load and these tables; with error bars or without.
-fn at_300_rpm(load: &str, tables: &str, bars: bool) -> RunResult {
+/// The bearing of the second code at 300 rpm on a mesh of this size, with this load and these tables; with error bars or without.
+fn at_300_rpm(size: &str, load: &str, tables: &str, bars: bool) -> RunResult {
     let at_rest = "load = { force = \"10 kN\", angle = \"0 deg\" }";
     let text = scene(300.0, ASPERITIES, tables);
     assert!(text.contains(at_rest), "{text}");
-    let text = text.replace(at_rest, load).replace("\"2 mm\"", "\"4 mm\"");
+    let text = text.replace(at_rest, load).replace("2 mm", size);
     let scene = oilwedge_study::parse(&text, Path::new("orbit.toml")).unwrap_or_else(|error| panic!("{error}"));
     let options = RunOptions {
         bars,
@@ -36,7 +36,7 @@ fn value(result: &RunResult, name: &str) -> f64 {
 fn a_load_at_rest_leads_to_its_mixed_film() {
     let load = "load = { force = \"10 kN\", angle = \"0 deg\" }";
     let orbit = "[orbit]\ntolerance = 1e-3\ncycles = 4\nclosure = 1e-6\n";
-    let [moving, resting] = [orbit, ""].map(|tables| at_300_rpm(load, tables, false));
+    let [moving, resting] = [orbit, ""].map(|tables| at_300_rpm("4 mm", load, tables, false));
     let differ = |of_cycle: &str, at_rest: &str| value(&moving, of_cycle) - value(&resting, at_rest);
     let film = value(&resting, "film_thickness_min");
     let by = differ("cycle_film_thickness_min", "film_thickness_min") / film;
@@ -56,7 +56,7 @@ fn a_pulsing_load_touches_for_a_part_of_the_cycle() {
         )
     };
     let tables = |tolerance: &str| format!("[criteria]\ncontact_share_max = 0.5\n[orbit]\ntolerance = {tolerance}\n");
-    let heavy = at_300_rpm(&wave(7.0, 6.0), &tables("3e-3"), true);
+    let heavy = at_300_rpm("6 mm", &wave(7.0, 6.0), &tables("3e-3"), true);
     let [share, bar] = quantity(&heavy, "cycle_contact_share_max");
     let [duration, doubt] = quantity(&heavy, "cycle_contact_duration");
     assert!(share > 0.02 && share < 0.5 && bar < share, "{share} +- {bar}");
@@ -69,7 +69,7 @@ fn a_pulsing_load_touches_for_a_part_of_the_cycle() {
         criterion.is_met && (criterion.value - share).abs() < 1e-12,
         "{criterion:?}"
     );
-    let light = at_300_rpm(&wave(1.5, 1.0), &tables("1e-2"), false);
+    let light = at_300_rpm("6 mm", &wave(1.5, 1.0), &tables("1e-2"), false);
     let [share, duration] = ["cycle_contact_share_max", "cycle_contact_duration"].map(|name| value(&light, name));
     assert!(share < 0.01 && duration == 0.0, "{share} {duration}");
 }

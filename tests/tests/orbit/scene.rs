@@ -7,7 +7,7 @@ use oilwedge_study::orbit::by_maps;
 use oilwedge_study::quantities::*;
 use oilwedge_study::result::{RunResult, Status};
 use oilwedge_study::run_options::EarlierOrbit;
-use oilwedge_study::{RunOptions, parse, read, run};
+use oilwedge_study::{RunOptions, parse, read, run, warning};
 use oilwedge_tests::scenes::path;
 
 /// One land of a big end, Swift-Stieber: least film 5.7389 um, greatest pressure 43.739 MPa, losses of both lands 1140.17 + 102.81 W by structured finite
@@ -303,6 +303,10 @@ fn the_big_end_that_conserves_its_oil_is_that_of_finite_volumes() {
         assert!((value / reference - 1.0).abs() < part, "{}: {value}", row.name);
     }
     assert!(result.mesh.nodes < 3000, "{:?}", result.mesh);
+    let [told] = &result.warnings[..] else {
+        panic!("{:?}", result.warnings);
+    };
+    assert!(*told.kind == warning::WARMED, "{}", told.text);
     let cycles = &result.orbit.as_ref().expect("an orbit").cycles;
     let last = cycles.last().expect("a cycle");
     assert!(last.oil_imbalance.is_some_and(|oil| oil < 1e-8), "{last:?}");
