@@ -1,4 +1,4 @@
-//! A minute of coverage-guided fuzzing from the corpus of the repository. The targets are a workspace of their own,
+//! Half a minute of coverage-guided fuzzing from the corpus of the repository. The targets are a workspace of their own,
 //! `fuzz/`; they are built here with libFuzzer, which needs a C++ compiler;
 //! without one this is left out, and named.
 
@@ -9,7 +9,7 @@ use oilwedge_tests::left_out::{is_left_out, missing_for_fuzzing};
 use oilwedge_tests::program::repository;
 
 /// Targets and for how long each is run [s].
-const TARGETS: [(&str, u32); 4] = [("msh", 15), ("scene", 15), ("liner", 15), ("unit", 5)];
+const TARGETS: [(&str, u32); 4] = [("msh", 9), ("scene", 9), ("liner", 9), ("unit", 3)];
 /// No input may take longer [s]. The counters make the programs some times slower, and machines of CI are busy.
 const LONGEST: u32 = 180;
 /// No target may hold more memory [MB]. What one input may take is bounded by the targets themselves.
@@ -88,7 +88,7 @@ fn fuzz(programs: &Path, target: &str, seconds: u32) -> Option<String> {
 }
 
 #[test]
-fn a_minute_finds_nothing() {
+fn half_a_minute_finds_nothing() {
     if is_left_out("fuzzing", &missing_for_fuzzing()) {
         return;
     }

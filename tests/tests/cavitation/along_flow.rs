@@ -280,7 +280,7 @@ cavitation = {{ model = "jfo", pressure = "{} Pa" }}
 fn flow_of_a_groove_all_around() {
     assert!((GROOVED[0].flow() - 7.6453e-7).abs() < 1e-11);
     each(&GROOVED, |bearing| bearing.check("", 5e-3).map(|_| ()));
-    each(&[&GROOVED[2], &GROOVED[4]], |bearing| {
+    each(&[&GROOVED[4]], |bearing| {
         bearing.check("mesh.tolerance = \"0.1 %\"", 1e-3).map(|_| ())
     });
     // The third has so little pressure that its layer is as thin as a row.
