@@ -91,9 +91,10 @@ fn told(scene: &Scene, temperature: Option<f64>, quantities: &[Quantity]) -> Vec
         .map(|limit| {
             let value = format!("{:.DIGITS$e}", limit.value).parse().unwrap_or(limit.value);
             let (fault, value) = (limit.fault(), readable(value));
-            let said = match limit.verdict == Verdict::Undecided {
-                true => "a limit lies inside the error bar",
-                false => "a limit is exceeded",
+            let said = match (limit.verdict, limit.bar) {
+                (Verdict::Undecided, None) => "a limit is compared with a number that the mesh does not resolve",
+                (Verdict::Undecided, _) => "a limit lies inside the error bar",
+                _ => "a limit is exceeded",
             };
             warning::LIMIT.says(format!("{said}: {fault} ([limits]): it is {value} {}", limit.unit))
         })

@@ -52,6 +52,22 @@ fn a_limit_inside_the_bar_is_undecided() {
     }
 }
 
+/// A number that the mesh does not resolve decides nothing; the least film, which follows from the position, does.
+#[test]
+fn a_number_that_is_not_resolved_is_undecided() {
+    let result = run(
+        "[bearing]\ndiameter = \"100 mm\"\nlength = \"50 mm\"\nclearance = \"50 um\"\n\
+         [journal]\nspeed = \"30 rad/s\"\neccentricity = 0.998\nmin_film_angle = \"0 deg\"\n\
+         [oil]\nviscosity = \"20 mPa.s\"\n[cavitation]\nmodel = \"reynolds\"\n[mesh]\nsize = \"60 mm\"\n\
+         [criteria]\nfilm_min = \"1 nm\"\npressure_max = \"1 GPa\"\n",
+    );
+    let [film, pressure] = &result.criteria[..] else {
+        panic!("{:?}", result.criteria);
+    };
+    assert_eq!((film.verdict, film.bar), (Verdict::Pass, Some(0.0)));
+    assert_eq!((pressure.verdict, pressure.bar), (Verdict::Undecided, None));
+}
+
 /// The crown that the deviation asks for brings the least film to the middle of a tilted journal's bearing.
 #[test]
 fn a_crown_of_the_deviation_evens_the_film() {

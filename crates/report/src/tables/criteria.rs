@@ -40,7 +40,8 @@ fn verdict(result: &RunResult) -> String {
     match missed().next() {
         None => format!("fit       the bearing meets its design criteria{reserve}"),
         Some(_) if missed().all(|criterion| criterion.verdict == Verdict::Undecided) => {
-            "open      a limit lies inside an error bar: a finer mesh decides".to_owned()
+            "open      a limit lies inside an error bar, or the mesh does not resolve the number: a finer mesh decides"
+                .to_owned()
         }
         Some(_) => "NOT fit   the bearing does not meet its design criteria".to_owned(),
     }
@@ -50,6 +51,7 @@ fn value(criterion: &Criterion) -> String {
     let value = significant(criterion.value, 4);
     let value = match criterion.bar {
         Some(bar) if bar > 0.0 => format!("{value} +- {}", significant(bar, 2)),
+        None if criterion.verdict == Verdict::Undecided => format!("{value} (not resolved)"),
         _ => value,
     };
     let bound = |bound: f64| match significant(bound, 6) {
