@@ -43,9 +43,9 @@ impl TemperatureFound {
                 let inlet = measured.inlet_flow.unwrap_or(0.0);
                 let bars = error(quantities, &INLET_FLOW).zip(flow);
                 bars.map(|(of_inlet, of_flow)| {
-                    let bar = of_inlet + inlet / flows.flow * of_flow;
+                    let bar = of_inlet + (inlet / flows.flow).abs() * of_flow;
                     // Where less enters than leaves, nothing goes round.
-                    share * (inlet - flows.flow + bar).clamp(0.0, bar) / flows.flow
+                    share * (inlet - flows.flow + bar).min(bar).max(0.0) / flows.flow
                 })
             }
             _ => Some(0.0),
