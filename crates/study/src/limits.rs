@@ -92,7 +92,9 @@ fn told(scene: &Scene, temperature: Option<f64>, quantities: &[Quantity]) -> Vec
             let value = format!("{:.DIGITS$e}", limit.value).parse().unwrap_or(limit.value);
             let (fault, value) = (limit.fault(), readable(value));
             let said = match (limit.verdict, limit.bar) {
-                (Verdict::Undecided, None) => "a limit is compared with a number that the mesh does not resolve",
+                (Verdict::Undecided, None) => {
+                    "a limit is open, as the mesh does not resolve the number (give a finer one: [mesh] size)"
+                }
                 (Verdict::Undecided, _) => "a limit lies inside the error bar",
                 _ => "a limit is exceeded",
             };
