@@ -13,6 +13,7 @@ from oilwedge_run import REPOSITORY
 CHROMIUM = os.environ.get("CHROMIUM") or shutil.which("chromium") or shutil.which("google-chrome")
 playwright = pytest.importorskip("playwright.sync_api")
 pytestmark = [
+    pytest.mark.full,
     pytest.mark.skipif(CHROMIUM is None, reason="no chromium on this machine"),
     pytest.mark.skipif(shutil.which("mdbook") is None, reason="mdBook is not installed"),
 ]

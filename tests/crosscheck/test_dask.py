@@ -81,6 +81,7 @@ def deadly(folder, seen, packed, number):
     return compute(packed, number)
 
 
+@pytest.mark.full
 def test_workers_are_killed(client, wanted, tmp_path, monkeypatch):
     """The table is that of one process but for the part that ends every worker, and what was gathered before is not computed again."""
     out, seen = tmp_path / "map", tmp_path / "seen.json"
@@ -110,6 +111,7 @@ with Client({address!r}) as client:
 """
 
 
+@pytest.mark.full
 def test_the_client_is_killed(client, wanted, tmp_path, monkeypatch):
     """What it has written is kept, and the rest is computed by the next one."""
     script = tmp_path / "client.py"

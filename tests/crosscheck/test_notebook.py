@@ -1,6 +1,7 @@
 """The notebook draws the study again: its numbers are checked in it, its pictures are there."""
 
 import nbformat
+import pytest
 from nbclient import NotebookClient
 
 from oilwedge_run import REPOSITORY
@@ -8,6 +9,7 @@ from oilwedge_run import REPOSITORY
 EXAMPLES = REPOSITORY / "crates/python/examples"
 
 
+@pytest.mark.full
 def test_the_notebook_of_the_study_runs():
     notebook = nbformat.read(EXAMPLES / "flexpde_study.ipynb", as_version=4)
     assert all(not cell.get("outputs") for cell in notebook.cells), "outputs are not kept in the repository"

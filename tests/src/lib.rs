@@ -1,43 +1,24 @@
 //! What the tests share: structured liners and plain films, made without files.
 
 pub mod bench;
-pub mod book;
-pub mod cavitation_counts;
-pub mod cavitation_page;
-pub mod coverage;
+pub mod big_end;
 pub mod crankshafts;
-pub mod crankshafts_page;
-pub mod docs_images;
 pub mod elastic_liner;
 pub mod engine_bearings;
 pub mod flexpde_study;
-pub mod flow_meshes;
-pub mod gallery;
 pub mod house;
 pub mod journal_bearings;
 pub mod left_out;
-pub mod mesh_page;
-pub mod mesh_readers;
-pub mod msh_file;
-pub mod notation_page;
-pub mod orbits_page;
-pub mod performance;
-pub mod prices_page;
 pub mod printed;
 pub mod program;
-pub mod quantities_page;
+pub mod python_environment;
 pub mod random_bearings;
-pub mod random_orbits;
-pub mod random_shafts;
-pub mod random_tilted;
-pub mod random_walls;
-pub mod scene_page;
+pub mod rough_surfaces;
 pub mod scenes;
 pub mod shaped_bearings;
 pub mod short_crankshaft;
-pub mod tables;
 pub mod tilted_bearings;
-pub mod tilted_page;
+pub mod two_scenes;
 
 use std::sync::Arc;
 

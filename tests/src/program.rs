@@ -12,11 +12,18 @@ pub fn repository() -> PathBuf {
         .unwrap_or_default()
 }
 
+/// Cargo, as the user calls it: without the variable by which CI lets test programs print times, for it would compile everything again.
+pub fn cargo() -> Command {
+    let mut cargo = Command::new(env!("CARGO"));
+    cargo.env_remove("RUSTC_BOOTSTRAP");
+    cargo
+}
+
 /// Builds a program of the workspace in the profile of this test and returns its path.
 ///
 /// `cargo test` builds the programs of a package for that package's own tests only.
 pub fn build(name: &str) -> PathBuf {
-    let mut cargo = Command::new(env!("CARGO"));
+    let mut cargo = cargo();
     // With the features that the whole workspace asks of dependencies, as the tests have them: nothing is compiled twice.
     cargo.args(["build", "--quiet", "--workspace", "--bin", name]);
     if !cfg!(debug_assertions) {

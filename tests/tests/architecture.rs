@@ -1,11 +1,10 @@
 //! The layout that `docs/architecture.md` promises: crate arrows, sockets, headings of physics files, file sizes.
 
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 use oilwedge_study::quantities::CATALOGUE;
 use oilwedge_tests::house::{EFFECTS, circles, knowing, sources as sources_of_house};
-use oilwedge_tests::program::repository;
+use oilwedge_tests::program::{cargo, repository};
 use serde_json::Value;
 
 /// The crates from top to bottom; a crate uses crates below it only.
@@ -60,7 +59,7 @@ const PHYSICS_FILES: [&str; 9] = [
 
 #[test]
 fn crates_use_only_crates_below_them() {
-    let output = Command::new(env!("CARGO"))
+    let output = cargo()
         .args(["metadata", "--no-deps", "--offline", "--format-version", "1"])
         .current_dir(repository())
         .output()

@@ -6,7 +6,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::process::Command;
 
-use oilwedge_tests::program::repository;
+use oilwedge_tests::program::{cargo, repository};
 use serde_json::Value;
 use spdx::{Expression, ParseMode};
 
@@ -35,10 +35,7 @@ fn locked() -> Vec<toml::Table> {
 /// Name and licence of the packages that are built on this platform, those of the workspace left out.
 fn licences() -> Vec<(String, Option<String>)> {
     let cargo = |arguments: &[&str]| {
-        let output = Command::new(env!("CARGO"))
-            .args(arguments)
-            .current_dir(repository())
-            .output();
+        let output = cargo().args(arguments).current_dir(repository()).output();
         let output = output.expect("cargo starts");
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
         String::from_utf8(output.stdout).expect("UTF-8")

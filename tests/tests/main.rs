@@ -1,17 +1,13 @@
 //! All tests that cross crates, as one program; `cargo test -p oilwedge-tests cli::sweep` runs some of them.
 
 mod architecture;
-#[cfg(unix)]
-mod book;
 mod catalogue;
 mod cavitation;
 mod cli;
 mod contact;
 mod convergence;
-mod coverage;
 mod crosscheck;
 mod defaults;
-mod deletion;
 mod dependencies;
 mod difficult_films;
 mod duty_cycle;
@@ -23,20 +19,15 @@ mod feeds;
 mod fields;
 mod film_places;
 mod friction;
-mod fuzzing;
 mod guembel_flows;
-mod hard_cases;
 mod invariance;
 mod limits;
 mod liner;
 mod literature;
-mod mesh_readers;
 mod oil_balance;
 mod orbit;
 mod pages;
-mod performance;
 mod pictures;
-mod reference;
 mod refinement;
 mod reported_numbers;
 mod scene_properties;

@@ -10,7 +10,6 @@ use oilwedge_study::film_lines::{REFORMATION, RUPTURE};
 use oilwedge_study::picture::FilmPicture;
 use oilwedge_study::{RunOptions, run};
 use oilwedge_tests::bench::Bench;
-use oilwedge_tests::docs_images::{IMAGES, images};
 use oilwedge_tests::program::repository;
 use oilwedge_tests::scenes::variant;
 
@@ -279,36 +278,5 @@ fn every_picture_of_the_documentation_has_a_title_and_a_description() {
             }
         }
     }
-    assert!(pictures > IMAGES.len());
-}
-
-/// All but the places on the sheet, which other machines may round otherwise.
-fn words(svg: &str) -> String {
-    svg.split(" d=\"")
-        .enumerate()
-        .map(|(k, part)| {
-            if k == 0 {
-                part
-            } else {
-                part.split_once('"').map_or("", |(_, rest)| rest)
-            }
-        })
-        .collect()
-}
-
-#[test]
-fn the_images_of_the_documentation_are_up_to_date() {
-    let folder = repository().join("docs/images");
-    for (file, svg) in images() {
-        let written = fs::read_to_string(folder.join(&file)).unwrap_or_default();
-        assert!(
-            words(&written) == words(&svg),
-            "{file}: run cargo run --release -p oilwedge-tests --bin validation"
-        );
-    }
-    let files = fs::read_dir(&folder)
-        .expect("docs/images")
-        .filter(|entry| entry.as_ref().expect("an entry").path().is_file())
-        .count();
-    assert_eq!(files, IMAGES.len(), "an image that no scene gives");
+    assert!(pictures > 10);
 }

@@ -5,9 +5,7 @@
 //! D = 74.5 mm, B = 25.7 mm, **diametral** clearance 0.092 mm, eps = 0.8, mu = 6.1 mPa s; phi from the narrowest film; at rest (E = 0) and squeezed
 //! (E = 0.4), at five speeds. [`Document`] is the arithmetic of the print, slips and all; nothing else may use it.
 
-pub mod figures;
 pub mod finite;
-pub mod page;
 
 use std::f64::consts::PI;
 

@@ -10,10 +10,11 @@ use oilwedge_reynolds::quantities::friction::friction;
 use oilwedge_reynolds::quantities::load::load;
 use oilwedge_reynolds::{Bearing, Cavitation, FilmProblem, FilmSystem, JournalState};
 use oilwedge_study::measure::measure;
+use oilwedge_tests::rough_surfaces::contacts;
 use oilwedge_tests::tilted_bearings::numbers;
 use oilwedge_tests::*;
 
-use super::{block, contacts};
+use super::block;
 
 /// `F_5/2` of the second code, nine digits.
 #[test]

@@ -10,7 +10,7 @@ use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSystem, JournalChange, Jour
 use oilwedge_tests::tilted_bearings::{slope, tilted};
 use oilwedge_tests::*;
 
-use super::contacts;
+use oilwedge_tests::rough_surfaces::contacts;
 
 const LENGTH: f64 = 0.06;
 

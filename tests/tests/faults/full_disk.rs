@@ -3,9 +3,9 @@
 
 use std::process::{Command, Output};
 
-use super::scenes::{TWO, left_over, names, pair, rows, sweep, two_scenes, whole_pairs};
 use oilwedge_tests::bench::Bench;
 use oilwedge_tests::program::oilwedge_command;
+use oilwedge_tests::two_scenes::{TWO, left_over, names, pair, rows, sweep, two_scenes, whole_pairs};
 
 /// Runs the program from a script of the shell in which `"$@"` is its command line.
 fn by_script(bench: &Bench, script: &str, arguments: &[&str]) -> Output {

@@ -4,8 +4,8 @@ use std::path::Path;
 use std::process::{Child, Output};
 use std::time::Duration;
 
-use super::scenes::{names, rows, send, start, sweep, until};
 use oilwedge_tests::bench::{Bench, edited, object};
+use oilwedge_tests::two_scenes::{names, rows, send, start, sweep, until};
 use serde_json::Value;
 
 fn ended(run: Child) -> (Output, String) {

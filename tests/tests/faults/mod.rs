@@ -4,9 +4,7 @@
 
 mod full_disk;
 mod interrupts;
-mod kill;
 mod limits;
 mod places;
 pub(crate) mod same_bits;
-mod scenes;
 mod shared;

@@ -4,9 +4,9 @@ use std::fs::OpenOptions;
 use std::os::unix::fs::{PermissionsExt, symlink};
 use std::process::{Command, Output};
 
-use super::scenes::{TWO, names, pair, rows, send, start, sweep, two_scenes, until, whole_pairs};
 use oilwedge_tests::bench::{Bench, edited};
 use oilwedge_tests::program::oilwedge_command;
+use oilwedge_tests::two_scenes::{TWO, names, pair, rows, send, start, sweep, two_scenes, until, whole_pairs};
 
 /// Runs the program as a user who is not the superuser; none where that cannot be done.
 fn as_nobody(bench: &Bench, arguments: &[&str]) -> Option<Output> {

@@ -1,7 +1,7 @@
 //! Two runs in one folder: results belong together, and a sweep is written by one run only.
 
-use super::scenes::{TWO, names, pair, rows, send, start, sweep, two_scenes, until, whole_pairs};
 use oilwedge_tests::bench::Bench;
+use oilwedge_tests::two_scenes::{TWO, names, pair, rows, send, start, sweep, two_scenes, until, whole_pairs};
 
 const ROUNDS: usize = 20;
 const SWEEP: [&str; 6] = ["sweep", "scene.toml", "--out", "out", "--threads", "1"];

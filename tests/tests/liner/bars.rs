@@ -10,7 +10,7 @@ use oilwedge_tests::elastic_liner::{carried, closed, layer, walled};
 use oilwedge_tests::tilted_bearings::{quantity, run, tilted};
 use oilwedge_tests::*;
 
-use crate::contact::contacts;
+use oilwedge_tests::rough_surfaces::contacts;
 
 /// A ring on a mesh of this size, with a table of a liner.
 fn found(size: &str, eps: f64, model: &str, liner: &str) -> RunResult {

@@ -5,5 +5,4 @@ mod contact;
 mod film;
 pub(crate) mod orbit;
 mod ring;
-mod search;
 mod tangent;

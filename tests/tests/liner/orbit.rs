@@ -15,7 +15,7 @@ use oilwedge_tests::elastic_liner::{carried, force_scale, layer, walled};
 use oilwedge_tests::*;
 use serde_json::Value;
 
-use crate::contact::contacts;
+use oilwedge_tests::rough_surfaces::contacts;
 
 const MODELS: [Cavitation; 3] = [
     Cavitation::None,

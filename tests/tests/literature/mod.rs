@@ -11,7 +11,6 @@ mod raimondi_boyd_1958;
 mod rayleigh_1918;
 mod short_bearing_finite_length;
 mod short_crankshaft_bearing;
-mod short_crankshaft_page;
 mod sommerfeld_1904;
 mod swift_stieber_1932;
 mod thermal_balance;

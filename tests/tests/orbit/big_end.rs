@@ -12,12 +12,12 @@ use oilwedge_study::duty::duty_cycle;
 use oilwedge_study::orbit::OrbitPath;
 use oilwedge_study::result::{RunResult, Status};
 use oilwedge_study::{RunOptions, read, run};
-use oilwedge_tests::orbits_page::{self, MAKE_SHORT, SHORT};
+use oilwedge_tests::big_end::{self, MAKE_SHORT, SHORT};
 use oilwedge_tests::*;
 
 /// The shipped scene with its text changed, without bars.
 fn changed(changes: &[(&str, &str)]) -> (RunResult, OrbitPath) {
-    let scene = orbits_page::changed(changes);
+    let scene = big_end::changed(changes);
     let options = RunOptions {
         bars: false,
         ..RunOptions::of(&scene)

@@ -6,7 +6,6 @@
 //! 5e-5 of C_w is twice what the shipped meshes are off.
 
 mod agree;
-mod pages;
 mod shipped;
 
 use oilwedge_scene::Scene;

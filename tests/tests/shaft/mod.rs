@@ -2,7 +2,6 @@
 
 mod bearings;
 mod cycle;
-mod random;
 mod report;
 mod statics;
 mod sweep;

@@ -4,4 +4,3 @@ mod balance;
 mod characteristics;
 mod film;
 mod moment;
-mod random;

@@ -13,7 +13,7 @@
 //! | Q_c | m3/s | `unsure` |
 //!
 //! **Source.** Definition. **Range.** Films that conserve no oil in a cavity. **Verified by** the coverage of side flows in
-//! `tests/tests/coverage.rs`.
+//! `tests/full/tests/coverage.rs`.
 
 use oilwedge_fem::integrate::Rule;
 

@@ -1,0 +1,87 @@
+//! Films of one bearing on meshes of many sizes: how many iterations find the cavity.
+
+use std::sync::Arc;
+use std::time::Instant;
+
+use oilwedge_mesh::refine;
+use oilwedge_reynolds::supply::SupplyRegion;
+use oilwedge_reynolds::{Cavitation, FilmProblem, FilmSolution, FilmSystem};
+use oilwedge_study::compile::compile;
+use oilwedge_study::film::Film;
+
+use oilwedge_tests::scenes::{table, variant};
+
+/// A film and how it was found.
+pub struct Count {
+    /// Unknowns on the finest mesh.
+    pub unknowns: usize,
+    /// Films solved on coarser meshes.
+    pub levels: usize,
+    /// Iterations on the finest mesh.
+    pub iterations: usize,
+    /// Time of all solves [s].
+    pub seconds: f64,
+    /// Ways out that had to be taken.
+    pub fallbacks: usize,
+}
+
+/// The bearing with an axial groove and two holes of scene 10, drawn with some `unknowns`.
+pub fn drawn(unknowns: f64) -> Film {
+    let area = std::f64::consts::TAU * 0.0375 * 0.075;
+    // Two unknowns a triangle; near rims and the narrowest film there are some more.
+    let size = (2.0 * area / (0.433 * unknowns)).sqrt();
+    study("10_drawn_liner", |scene| {
+        table(scene, "mesh").insert("size".into(), format!("{size} m").into());
+    })
+}
+
+/// Scene 07, the same bearing with its mesh from a file, refined uniformly so often.
+pub fn imported(times: usize) -> Film {
+    let mut study = study("07_grooved_liner", |_| {});
+    for _ in 0..times {
+        refined(&mut study);
+    }
+    study
+}
+
+fn study(name: &str, edit: impl FnOnce(&mut toml::Table)) -> Film {
+    let scene = variant(name, |scene| {
+        table(scene, "cavitation").insert("model".into(), "jfo".into());
+        edit(scene);
+    });
+    compile(&scene).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn refined(study: &mut Film) {
+    let finer = refine::uniform(study.system.space().mesh()).expect("a mesh that was sound");
+    let regions: Vec<SupplyRegion> = (study.system.supply.regions().iter())
+        .map(|region| {
+            let same = finer.mesh.region(&region.name).expect("refinement keeps groups");
+            SupplyRegion {
+                edges: same.edges.clone(),
+                cells: same.cells.clone(),
+                ..region.clone()
+            }
+        })
+        .collect();
+    let system = FilmSystem::new(Arc::new(finer.mesh), 2, regions).expect("refinement keeps the boundary");
+    study.system = Arc::new(system.with_coarser(&study.problem, oilwedge_reynolds::levels::Layout::Rows));
+}
+
+/// The film of a bearing under a model of cavitation.
+pub fn count(study: &Film, cavitation: Cavitation) -> (Count, FilmSolution) {
+    let problem = FilmProblem {
+        cavitation,
+        ..study.problem.clone()
+    };
+    let clock = Instant::now();
+    let film = problem.solve(&study.system).unwrap_or_else(|reason| panic!("{reason}"));
+    let count = Count {
+        unknowns: film.unknown.len(),
+        levels: film.levels,
+        iterations: film.history.len(),
+        seconds: clock.elapsed().as_secs_f64(),
+        fallbacks: film.fallbacks.len(),
+    };
+    (count, film)
+}

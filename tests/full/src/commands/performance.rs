@@ -1,0 +1,48 @@
+//! `performance [MAX_UNKNOWNS]`: times the program and writes the tables of `docs/performance.md` anew.
+//! `performance bearings`: only the table of bearings under load.
+//! `performance gate [PROGRAM]`: does the plain scene cost what the page records, or what another program needs for it?
+//! Build the program first (`cargo build --release`).
+
+use std::path::Path;
+use std::process::ExitCode;
+
+use oilwedge_full::performance::bearings;
+use oilwedge_full::performance::films::Films;
+use oilwedge_full::performance::gate::{instructions, judged, recorded};
+use oilwedge_full::performance::page::{SIZES, page};
+use oilwedge_full::performance::process::{APART, answer};
+use oilwedge_full::tables::replace;
+use oilwedge_tests::program::repository;
+
+/// Runs the command.
+pub(crate) fn run(arguments: &[String]) -> std::io::Result<ExitCode> {
+    let program = std::env::current_exe()?.with_file_name("oilwedge");
+    let path = repository().join("docs/performance.md");
+    let written = std::fs::read_to_string(&path)?;
+    match arguments.first().map(String::as_str) {
+        Some(APART) => answer(&arguments[1..]),
+        Some("gate") => {
+            let before = match arguments.get(1) {
+                Some(other) => instructions(Path::new(other)),
+                None => recorded(&written),
+            };
+            let (Some(count), Some(before)) = (instructions(&program), before) else {
+                eprintln!("the gate needs valgrind, and a count in docs/performance.md or another program");
+                return Ok(ExitCode::from(2));
+            };
+            let (told, open) = judged(count, before);
+            println!("{told}");
+            return Ok(if open { ExitCode::SUCCESS } else { ExitCode::FAILURE });
+        }
+        Some("bearings") => {
+            let rows = bearings::rows(&Films::new(), &program);
+            std::fs::write(&path, replace(&written, "bearings", &rows))?;
+        }
+        most => {
+            let most = most.and_then(|text| text.parse::<f64>().ok());
+            let most = most.map_or(SIZES[SIZES.len() - 1], |most| most as usize);
+            std::fs::write(&path, page(&written, &program, most))?;
+        }
+    }
+    Ok(ExitCode::SUCCESS)
+}

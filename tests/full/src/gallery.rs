@@ -1,0 +1,236 @@
+//! The page `docs/gallery.md`: every shipped scene with its own words, a picture and its main numbers.
+
+use std::path::PathBuf;
+
+use oilwedge_campaign::sweep::Sweep;
+use oilwedge_report::digits::{bar, quantity_value};
+use oilwedge_report::json;
+use oilwedge_report::orbit_course::OrbitCourse;
+use oilwedge_report::plot::{DrawnFilm, PlotOptions, figures_of_sweep, film_figures, orbit_figures};
+use oilwedge_report::readable::{printed_unit, readable_unit, readable_unit_of};
+use oilwedge_report::sweep::{SweepOptions, SweepReport};
+use oilwedge_scene::Scene;
+use oilwedge_study::column::Column;
+use oilwedge_study::quantities::Quantity;
+use oilwedge_study::result::headlines;
+use oilwedge_study::{RunOptions, run};
+use serde_json::Value;
+
+use crate::tables::{row, written};
+use oilwedge_tests::program::repository;
+use oilwedge_tests::scenes::path;
+
+/// Each scene and what is drawn of it: a field or another picture of its film, `orbit`, or a quantity of its sweep.
+pub const SCENES: [(&str, &str); 34] = [
+    ("01_plain_ring", "pressure"),
+    ("02_flexpde_shell", "pressure"),
+    ("03_hydrostatic_shell", "pressure"),
+    ("04_flexpde_ring", "pressure"),
+    ("05_flexpde_ring_top", "pressure"),
+    ("06_flexpde_as_printed", "viscosity"),
+    ("07_grooved_liner", "pressure"),
+    ("08_flexpde_study_size", "mesh"),
+    ("09_drawn_ring", "mesh"),
+    ("10_drawn_liner", "mesh"),
+    ("11_swift_stieber_ring", "section"),
+    ("12_flexpde_shell_cavitated", "pressure"),
+    ("13_grooved_ring", "film_fraction"),
+    ("14_starved_pad", "film_fraction"),
+    ("15_squeezed_ring", "pressure"),
+    ("16_loaded_shell", "section"),
+    ("17_engine_main_bearing", "film_fraction"),
+    ("18_sweep_eccentricity", "load"),
+    ("19_connecting_rod_cap", "section"),
+    ("20_heat_balance", "heat"),
+    ("21_short_crankshaft_bearing", "load"),
+    ("22_squeezed_crankshaft_bearing", "load"),
+    ("23_tilted_ring", "pressure"),
+    ("24_load_off_the_middle", "pressure"),
+    ("25_whirl", "M_crit"),
+    ("26_tilting_crankshaft_journal", "pressure"),
+    ("27_big_end_orbit", "orbit"),
+    ("28_big_end_orbit_conserving", "orbit"),
+    ("29_mixed_lubrication", "friction_coefficient"),
+    ("31_worn_bore", "section"),
+    ("32_crowned_bore", "pressure"),
+    ("33_polymer_liner", "pressure"),
+    ("34_elastic_big_end_orbit", "orbit"),
+    ("35_squeeze_film_damper", "orbit"),
+];
+
+/// Width of the pictures [mm].
+const WIDTH: f64 = 120.0;
+/// Digits of a number without a bar.
+const DIGITS: usize = 5;
+/// Folder of the pictures, below `docs`.
+pub const PICTURES: &str = "images/gallery";
+
+const HEAD: &str = "# Gallery
+
+All scenes of the folder `scenes`, in teaching order: each scene's own words, a picture of what it computes, and its main numbers with their error bars. Solve one with
+`oilwedge solve scenes/NAME.toml --open`, or a sweep with `oilwedge sweep scenes/NAME.toml --open`, and look at all of it. Written by
+`cargo run --release -p oilwedge-full -- validation gallery`.
+";
+
+/// A scene as the page shows it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Exhibit {
+    /// Its part of the page.
+    pub text: String,
+    /// Its picture, as SVG.
+    pub svg: String,
+}
+
+/// The page made of these parts.
+pub fn page<'a>(parts: impl IntoIterator<Item = &'a str>) -> String {
+    let parts = parts.into_iter().map(|part| format!("\n{part}"));
+    HEAD.to_owned() + &parts.collect::<String>()
+}
+
+/// File of the picture of a scene.
+pub fn picture_file(name: &str) -> PathBuf {
+    repository().join("docs").join(PICTURES).join(format!("{name}.svg"))
+}
+
+/// Solves and draws a scene.
+///
+/// # Panics
+/// It has no film, or no such picture.
+pub fn exhibit(name: &str, picture: &str) -> Exhibit {
+    let scene = oilwedge_study::read(&path(name)).unwrap_or_else(|error| panic!("{error}"));
+    let (numbers, effects, svg) = match Sweep::of(&scene).expect("good cases") {
+        Some(sweep) => of_sweep(&sweep, picture),
+        None => of_film(&scene, picture),
+    };
+    let words = words(&std::fs::read_to_string(path(name)).expect("a scene"));
+    let text = format!(
+        "## {}\n`scenes/{name}.toml`\n\n{words}\n![{}]({PICTURES}/{name}.svg)\n\n{numbers}\nSimulated: {effects}.\n",
+        scene.title, scene.title
+    );
+    Exhibit { text, svg }
+}
+
+/// The comment at the head of a scene: a line for each paragraph, and commands as code.
+fn words(scene: &str) -> String {
+    let mut words = String::new();
+    for line in scene.lines().map_while(|line| line.strip_prefix('#')) {
+        match (line.strip_prefix("   "), line.trim()) {
+            (Some(command), _) => words += &format!("    {command}\n"),
+            (None, "") if words.ends_with('\n') => words.push('\n'),
+            (None, "") => words += "\n\n",
+            (None, line) if words.is_empty() || words.ends_with('\n') => words += line,
+            (None, line) => words += &format!(" {line}"),
+        }
+    }
+    words + "\n"
+}
+
+fn options() -> PlotOptions {
+    PlotOptions {
+        selected: Vec::new(),
+        width: WIDTH,
+    }
+}
+
+/// Numbers, effects and picture of a film or an orbit.
+fn of_film(scene: &Scene, picture: &str) -> (String, String, String) {
+    let options_of_run = RunOptions {
+        unrolled: true,
+        ..RunOptions::of(scene)
+    };
+    let run = run(scene, &options_of_run).expect("a mesh");
+    let result = &run.result;
+    let rows = headlines(&result.quantities, |quantity| quantity.row, &result.effects).into_iter();
+    let head = row(["quantity", "symbol", "value", "± error", "unit"]);
+    let numbers = written(&[head].into_iter().chain(rows.map(line)).collect::<Vec<_>>());
+    let effects = names(result.effects.simulated.iter().map(|effect| effect.name));
+    let figures = match (&run.orbit, picture) {
+        (Some(orbit), "orbit") => orbit_figures(&scene.title, &OrbitCourse::of_path(orbit), WIDTH),
+        _ => {
+            let value = serde_json::to_value(result).expect("JSON");
+            let film = DrawnFilm::new(value, run.picture.as_ref().expect("a film")).expect("a film to draw");
+            let selected = vec![picture.to_owned()];
+            film_figures(&film, &PlotOptions { selected, ..options() }).expect("such a picture")
+        }
+    };
+    let (_, figure) = figures.first().expect("a picture");
+    (numbers, effects, figure.to_svg())
+}
+
+fn line(quantity: &Quantity) -> Vec<String> {
+    let (unit, size) = readable_unit(quantity.value, quantity.row.unit);
+    let [value, error] = shown(quantity.value / size, quantity.error().map(|error| error / size));
+    let symbol = format!("`{}`", quantity.row.symbol);
+    row([
+        &quantity.name.replace('_', " "),
+        &symbol,
+        &value,
+        &error,
+        &printed_unit(unit),
+    ])
+}
+
+/// Value and bar as people read them.
+fn shown(value: f64, error: Option<f64>) -> [String; 2] {
+    let words = match error {
+        None => "not resolved".to_owned(),
+        Some(0.0) => "exact".to_owned(),
+        Some(error) => bar(error),
+    };
+    [quantity_value(value, error, DIGITS), words]
+}
+
+/// Numbers, effects and picture of a sweep.
+fn of_sweep(sweep: &Sweep, picture: &str) -> (String, String, String) {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let options_of_run = SweepOptions {
+        case: RunOptions::default(),
+        ..SweepOptions::default()
+    };
+    let report = oilwedge_report::sweep::run(sweep, &options_of_run, folder.path(), &mut |_| {}).expect("a sweep");
+    let value: Value = serde_json::from_str(&json(&report).expect("finite numbers")).expect("JSON");
+    let selected = vec![picture.to_owned()];
+    let figures = figures_of_sweep(&value, &PlotOptions { selected, ..options() }).expect("such a picture");
+    let (_, figure) = figures.first().expect("a picture");
+    let effects = names(report.effects.simulated.iter().map(|effect| effect.name));
+    (extremes(&report, &value), effects, figure.to_svg())
+}
+
+/// The quantities of a sweep where they are least and greatest: those that the scene asks for, in their units, else the main ones.
+fn extremes(report: &SweepReport, value: &Value) -> String {
+    let head = row(["quantity", "symbol", "least", "± error", "greatest", "± error", "unit"]);
+    let all = &report.columns.quantities;
+    let columns: Vec<&Column> = match report.plan.columns {
+        Some(_) => all.iter().collect(),
+        None => headlines(all, |column| column.row, &report.effects),
+    };
+    let cases = value["rows"].as_array().expect("rows");
+    let rows = columns.into_iter().filter_map(|column| {
+        let quantity = |case: &Value, key: &str| case["quantities"][&*column.name][key].as_f64();
+        let found = cases
+            .iter()
+            .filter_map(|case| Some((quantity(case, "value")?, quantity(case, "error"))));
+        let mut found: Vec<(f64, Option<f64>)> = found.collect();
+        found.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+        let (unit, size) = readable_unit_of(found.last()?.0, &column.unit);
+        let [least, greatest] = [found.first()?, found.last()?];
+        let [[low, low_bar], [high, high_bar]] =
+            [least, greatest].map(|(value, error)| shown(value / size, error.map(|error| error / size)));
+        let (name, symbol) = (column.quantity.replace('_', " "), format!("`{}`", column.row.symbol));
+        Some(row([
+            &name,
+            &symbol,
+            &low,
+            &low_bar,
+            &high,
+            &high_bar,
+            &printed_unit(unit),
+        ]))
+    });
+    let table: Vec<_> = [head].into_iter().chain(rows).collect();
+    format!("{} cases.\n\n{}", cases.len(), written(&table))
+}
+
+fn names(effects: impl Iterator<Item = &'static str>) -> String {
+    effects.collect::<Vec<_>>().join(", ")
+}

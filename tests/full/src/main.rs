@@ -1,0 +1,57 @@
+//! `cargo run --release -p oilwedge-full -- COMMAND [..]`: measures, or writes pages of `docs` anew.
+
+mod commands;
+
+use std::error::Error;
+use std::process::ExitCode;
+
+use commands::{
+    accuracy, cavitation_iterations, house, orbits, performance, prices, read_meshes, shafts, tilted, validation,
+};
+
+/// What each command is for; the head of its file in `src/commands` tells its arguments.
+const COMMANDS: [(&str, &str); 10] = [
+    ("accuracy", "how often error bars hold: docs/validation/accuracy.md"),
+    ("cavitation_iterations", "iterations that find the cavity, by unknowns"),
+    (
+        "house",
+        "files that know an effect, circles of imports, sizes of the crates",
+    ),
+    ("orbits", "bars of random orbits"),
+    (
+        "performance",
+        "times: docs/performance.md; `performance gate` counts instructions",
+    ),
+    ("prices", "what the next digit costs: docs/validation/prices.md"),
+    ("read_meshes", "the reader of gmsh files against mshio"),
+    ("shafts", "random shafts over their cycles"),
+    ("tilted", "random tilted and elastic bearings"),
+    ("validation", "computed tables and figures of the other pages"),
+];
+
+fn main() -> Result<ExitCode, Box<dyn Error>> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let Some((command, arguments)) = arguments.split_first() else {
+        return Ok(usage());
+    };
+    match command.as_str() {
+        "accuracy" => accuracy::run(arguments)?,
+        "cavitation_iterations" => cavitation_iterations::run(arguments),
+        "house" => house::run(arguments),
+        "orbits" => orbits::run(arguments),
+        "performance" => return Ok(performance::run(arguments)?),
+        "prices" => prices::run(arguments)?,
+        "read_meshes" => read_meshes::run(arguments),
+        "shafts" => shafts::run(arguments),
+        "tilted" => tilted::run(arguments)?,
+        "validation" => validation::run(arguments)?,
+        _ => return Ok(usage()),
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Lists the commands.
+fn usage() -> ExitCode {
+    COMMANDS.iter().for_each(|(name, what)| eprintln!("{name:22} {what}"));
+    ExitCode::from(2)
+}
