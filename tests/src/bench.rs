@@ -137,3 +137,15 @@ pub fn timeless(mut result: Value) -> Value {
     assert!(timings.is_some_and(|timings| timings.is_object()));
     result
 }
+
+/// The lines of a `result.json` but for its times: `timing_s`, and `seconds` of levels.
+pub fn lines_without_times(text: &str) -> Vec<&str> {
+    let mut in_times = false;
+    let lines = text.lines().filter(|line| {
+        let line = line.trim_start();
+        let is_time = in_times || line.starts_with("\"timing_s\"") || line.starts_with("\"seconds\"");
+        in_times = (in_times || line.starts_with("\"timing_s\"")) && !line.starts_with('}');
+        !is_time
+    });
+    lines.collect()
+}

@@ -17,7 +17,6 @@ mod error_bars;
 mod faults;
 mod feeds;
 mod fields;
-mod film_places;
 mod friction;
 mod guembel_flows;
 mod invariance;

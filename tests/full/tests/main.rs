@@ -3,33 +3,23 @@
 
 #[cfg(unix)]
 mod book;
-mod cavitation {
-    mod along_flow;
-    mod counts;
-    mod random;
-}
+mod cavitation;
+mod contact;
 mod coverage;
 mod crosscheck;
 mod deletion;
-#[cfg(unix)]
-mod faults {
-    mod kill;
-}
+mod faults;
+mod film_places;
+mod frequency;
 mod fuzzing;
 mod hard_cases;
-mod liner {
-    mod search;
-}
-mod literature {
-    mod short_crankshaft_page;
-}
+mod liner;
 mod mesh_readers;
 mod pages;
+mod parts;
 mod performance;
+mod random_shafts;
+mod random_tilted;
 mod reference;
-mod shaft {
-    mod random;
-}
-mod tilt {
-    mod random;
-}
+mod shipped_scenes;
+mod short_crankshaft_page;

@@ -14,7 +14,7 @@ use oilwedge_tests::rough_surfaces::contacts;
 use oilwedge_tests::tilted_bearings::numbers;
 use oilwedge_tests::*;
 
-use super::block;
+use oilwedge_tests::rough_surfaces::block;
 
 /// `F_5/2` of the second code, nine digits.
 #[test]

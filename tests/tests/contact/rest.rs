@@ -2,7 +2,7 @@
 
 use oilwedge_tests::tilted_bearings::run;
 
-use super::mixed::{ASPERITIES, CURVE, scene};
+use oilwedge_tests::rough_surfaces::{ASPERITIES, CURVE, mixed_scene as scene};
 
 /// A journal that does not turn rests on its asperities: contact carries all, straight towards the load.
 #[test]

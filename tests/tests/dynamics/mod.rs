@@ -1,5 +1,4 @@
 //! Stiffness, damping and the stability of a rotor: against differences of films, identities, and the numbers of second codes.
 
-mod frequency;
 mod reference;
 mod tangent;

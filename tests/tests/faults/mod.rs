@@ -2,9 +2,4 @@
 //! Ctrl-C, limits of time and size. Results are whole or absent, and what was finished is kept.
 #![cfg(unix)]
 
-mod full_disk;
-mod interrupts;
-mod limits;
 mod places;
-pub(crate) mod same_bits;
-mod shared;

@@ -1,7 +1,6 @@
 //! Which cases a sweep makes of its axes, and what it says of each.
 
-use super::*;
-use oilwedge_tests::bench::{Bench, edited, object};
+use oilwedge_tests::sweeps::*;
 use serde_json::Value;
 
 #[test]

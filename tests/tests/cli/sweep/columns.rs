@@ -1,6 +1,6 @@
 //! `[sweep] columns`: which quantities, in which units.
 
-use super::*;
+use oilwedge_tests::sweeps::*;
 
 fn headings(bench: &Bench) -> Vec<String> {
     let text = table(bench, "out/scene");

@@ -1,6 +1,6 @@
 //! How long a sweep will take, and axes that have a value twice.
 
-use super::*;
+use oilwedge_tests::sweeps::*;
 use std::time::Instant;
 
 /// The seconds in `300 cases, about 4 s on 2 threads`.

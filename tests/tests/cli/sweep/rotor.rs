@@ -1,6 +1,6 @@
 //! The table of stiffness and damping for programs of rotors.
 
-use super::*;
+use oilwedge_tests::sweeps::*;
 
 /// The shipped scene over these axes.
 fn whirl(bench: &Bench, sweep: &str) {

@@ -1,9 +1,9 @@
 //! Sweeps meet the rows of the studies they repeat.
 
-use super::*;
 use oilwedge_tests::bench::Bench;
 use oilwedge_tests::flexpde_study::rows;
 use oilwedge_tests::printed;
+use oilwedge_tests::sweeps::*;
 
 #[test]
 fn the_sweep_of_the_study_meets_its_rows() {

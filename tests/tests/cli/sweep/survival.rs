@@ -3,9 +3,9 @@
 use std::process::Stdio;
 use std::time::{Duration, Instant};
 
-use super::*;
 use oilwedge_tests::bench::Bench;
 use oilwedge_tests::program::oilwedge_command;
+use oilwedge_tests::sweeps::*;
 
 #[test]
 fn any_number_of_threads_gives_the_same_rows() {

@@ -1,8 +1,8 @@
 //! Warnings and limits in the table of a sweep, and how many there are.
 
-use super::*;
 use oilwedge_study::warning::KINDS;
 use oilwedge_tests::program::repository;
+use oilwedge_tests::sweeps::*;
 
 /// Table, `sweep.json` and the count at the end have the same codes; a case has those of the run that solves it by itself.
 #[test]

@@ -1,18 +1,6 @@
 //! The results of a scene are bit-identical on every run and on any number of threads. Shipped scenes: `cli/shipped.rs`; sweeps: `cli/sweep/`.
 
-use oilwedge_tests::bench::{Bench, edited, object};
-
-/// The lines of a `result.json` but for its times: `timing_s`, and `seconds` of levels.
-pub(crate) fn timeless(text: &str) -> Vec<&str> {
-    let mut in_times = false;
-    let lines = text.lines().filter(|line| {
-        let line = line.trim_start();
-        let is_time = in_times || line.starts_with("\"timing_s\"") || line.starts_with("\"seconds\"");
-        in_times = (in_times || line.starts_with("\"timing_s\"")) && !line.starts_with('}');
-        !is_time
-    });
-    lines.collect()
-}
+use oilwedge_tests::bench::{Bench, edited, lines_without_times, object};
 
 /// What a run of `scene.toml` on so many threads gives: the numbers, and the picture.
 fn bits(bench: &Bench, threads: &str) -> (String, Vec<u8>) {
@@ -32,7 +20,7 @@ fn a_large_film_on_one_thread_and_on_three() {
         edited("09_drawn_ring", &[]) + "\n[mesh]\nsize = \"0.55 mm\"\n",
     );
     let [alone, together] = ["1", "3"].map(|threads| bits(&bench, threads));
-    assert_eq!(timeless(&alone.0), timeless(&together.0));
+    assert_eq!(lines_without_times(&alone.0), lines_without_times(&together.0));
     assert!(alone.1 == together.1, "another picture");
     let result = object(&alone.0);
     assert!(

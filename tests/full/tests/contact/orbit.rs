@@ -6,7 +6,7 @@ use oilwedge_study::RunOptions;
 use oilwedge_study::result::RunResult;
 use oilwedge_tests::tilted_bearings::quantity;
 
-use super::mixed::{ASPERITIES, scene};
+use oilwedge_tests::rough_surfaces::{ASPERITIES, mixed_scene as scene};
 
 /// The bearing of the second code at 300 rpm on a mesh of this size, with this load and these tables; with error bars or without.
 fn at_300_rpm(size: &str, load: &str, tables: &str, bars: bool) -> RunResult {

@@ -2,7 +2,7 @@
 
 use oilwedge_tests::tilted_bearings::{quantity, run};
 
-use super::mixed::{ASPERITIES, scene};
+use oilwedge_tests::rough_surfaces::{ASPERITIES, mixed_scene as scene};
 
 const ROUGH: &str = "[roughness]\nmodel = \"patir-cheng\"\n";
 

@@ -17,8 +17,8 @@ use oilwedge_tests::elastic_liner::{carried, closed, force_scale, layer, walled}
 use oilwedge_tests::tilted_bearings::{run, slope, tilted};
 use oilwedge_tests::*;
 
-use crate::contact::mixed::{ASPERITIES, CURVE, scene};
 use oilwedge_tests::rough_surfaces::contacts;
+use oilwedge_tests::rough_surfaces::{ASPERITIES, CURVE, mixed_scene as scene};
 
 const LENGTH: f64 = 0.06;
 const REYNOLDS: Cavitation = Cavitation::Reynolds { pressure: 0.0 };

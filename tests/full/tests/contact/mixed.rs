@@ -1,21 +1,7 @@
 //! Mixed lubrication of a main bearing against a second code: ten positions under a load, from a full film to one that contact all but replaces.
 
+use oilwedge_tests::rough_surfaces::{ASPERITIES, CURVE, block, mixed_scene};
 use oilwedge_tests::tilted_bearings::run;
-
-use super::block;
-
-pub(crate) const ASPERITIES: &str =
-    "model = \"greenwood-tripp\"\neta_beta_sigma = 0.05\nsigma_over_beta = 0.01\nmodulus = \"115 GPa\"";
-pub(crate) const CURVE: &str = "model = \"bearing-curve\"\ndepth = \"1.2 um\"";
-
-/// The bearing of the table at a speed, with these keys of contact and of the flow.
-pub(crate) fn scene(rpm: f64, contact: &str, flow: &str) -> String {
-    format!(
-        "bearing = {{ diameter = \"50 mm\", length = \"25 mm\", clearance = \"25 um\", roughness = \"0.6 um\" }}\n\
-         journal = {{ speed = \"{rpm} rpm\" }}\nload = {{ force = \"10 kN\", angle = \"0 deg\" }}\noil.viscosity = \"8 mPa.s\"\n\
-         cavitation.model = \"reynolds\"\nmesh.size = \"2 mm\"\n[contact]\n{contact}\nhardness = \"900 MPa\"\nfriction = 0.1\n{flow}"
-    )
-}
 
 /// Film to 0.5 %, share of contact to 0.005: the table has 0.2 % and 0.002.
 #[test]
@@ -32,7 +18,7 @@ fn positions_of_a_second_code() {
         } else {
             "[roughness]\nmodel = \"patir-cheng\"\n"
         };
-        let result = run(&scene(number("rpm"), contact, flow));
+        let result = run(&mixed_scene(number("rpm"), contact, flow));
         let of = |name: &str| {
             let quantity = result
                 .by_name(name)

@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 use std::process::{Child, Stdio};
 
-use super::*;
 use oilwedge_tests::program::oilwedge_command;
+use oilwedge_tests::sweeps::*;
 
 /// Starts part `number` of `of` of the sweep in `scene.toml`, into `map`.
 fn start(bench: &Bench, number: usize, of: usize, bars: &str) -> Child {
