@@ -39,6 +39,17 @@ pub mod tables;
 pub mod tilted_bearings;
 pub mod tilted_page;
 
+/// The examples on the first pages of crates that are published alone are tests of the documentation.
+#[cfg(doctest)]
+mod readmes {
+    #[doc = include_str!("../../crates/mesh/README.md")]
+    struct Mesh;
+    #[doc = include_str!("../../crates/scene/README.md")]
+    struct Scene;
+    #[doc = include_str!("../../crates/drawing/README.md")]
+    struct Drawing;
+}
+
 use std::sync::Arc;
 
 use oilwedge_fem::Space;

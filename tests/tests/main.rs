@@ -38,6 +38,8 @@ mod performance;
 mod pictures;
 mod reference;
 mod refinement;
+#[cfg(target_os = "linux")]
+mod release;
 mod reported_numbers;
 mod scene_properties;
 mod scenes;
