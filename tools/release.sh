@@ -32,11 +32,6 @@ while [ $# -gt 0 ]; do
 done
 here=$(cd "$(dirname "$0")/.." && pwd)
 out=${out:-$here/dist}
-mkdir -p "$out" "${CARGO_TARGET_DIR:=$here/target}"
-out=$(cd "$out" && pwd)
-CARGO_TARGET_DIR=$(cd "$CARGO_TARGET_DIR" && pwd)
-export CARGO_TARGET_DIR
-cd "$here"
 
 system=$(uname -s)
 need cargo "install Rust 1.95 or later"
@@ -45,6 +40,12 @@ python=$(command -v python3 || command -v python) || fail "python3 is missing: a
 "$python" -c "import ensurepip, venv" || fail "the venv of Python is missing: apt-get install python3-venv"
 [ "$system" != Linux ] || need strip "apt-get install binutils"
 [ "$system" != Linux ] || need ldd "apt-get install libc-bin"
+
+mkdir -p "$out" "${CARGO_TARGET_DIR:=$here/target}"
+out=$(cd "$out" && pwd)
+CARGO_TARGET_DIR=$(cd "$CARGO_TARGET_DIR" && pwd)
+export CARGO_TARGET_DIR
+cd "$here"
 
 version=$(cargo pkgid --package oilwedge)
 version=${version##*[#@]}

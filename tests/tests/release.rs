@@ -101,7 +101,7 @@ fn what_is_missing_is_named_with_what_installs_it() {
     let (status, told) = run(&["--fast"], "/usr/bin:/bin");
     assert!(status == Some(2) && told.contains("--fast"), "{told}");
     // A path with the tools of the shell alone.
-    for tool in ["dirname", "mkdir", "uname"] {
+    for tool in ["dirname", "uname"] {
         let tools = ["/usr/bin", "/bin"].map(|folder| std::path::Path::new(folder).join(tool));
         let found = tools.iter().find(|path| path.exists()).expect("a tool of the system");
         std::os::unix::fs::symlink(found, bench.path().join(tool)).expect("a link");
@@ -111,4 +111,5 @@ fn what_is_missing_is_named_with_what_installs_it() {
         status == Some(2) && told.contains("cargo is missing: install Rust"),
         "{told}"
     );
+    assert!(!bench.path().join("dist").exists(), "{told}");
 }
