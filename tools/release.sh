@@ -87,14 +87,15 @@ programs=$tools/bin
 [ -x "$programs/python" ] || "$python" -m venv "$tools"
 [ -d "$programs" ] || programs=$tools/Scripts
 "$programs/python" -m pip install --quiet --disable-pip-version-check "$maturin"
-# It carries the licences too: pyproject.toml takes what lies in this folder.
+# It carries the licences and the bill of materials too: pyproject.toml takes what lies in this folder.
 licences=crates/python/licences
 trap 'rm -rf "$here/$licences"' EXIT
 mkdir -p "$licences"
 cp LICENSE-MIT LICENSE-APACHE "$licences"
 "$programs/maturin" sdist --manifest-path crates/python/Cargo.toml --out "$out"
 cp "$stage/$name/licences/dependencies.txt" "$licences"
-"$programs/maturin" build --release --locked --interpreter "$programs/python" --manifest-path crates/python/Cargo.toml --out "$out"
+"$programs/maturin" build --release --locked --interpreter "$programs/python" --manifest-path crates/python/Cargo.toml \
+    --sbom-include "$out/oilwedge-$version.cdx.json" --out "$out"
 
 cd "$out"
 sum=$(command -v sha256sum || echo "shasum -a 256")
