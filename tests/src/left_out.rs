@@ -39,18 +39,25 @@ fn succeeds(command: &mut Command) -> bool {
     command.output().is_ok_and(|output| output.status.success())
 }
 
+fn python(program: &str) -> bool {
+    succeeds(Command::new("python3").args(["-c", program]))
+}
+
+/// What Python environments need and this machine lacks.
+pub fn missing_for_venv() -> Vec<Missing> {
+    match (python(""), python("import ensurepip, venv")) {
+        (false, _) => vec![Missing::new("python3", "python3")],
+        (true, false) => vec![Missing::new("venv of Python", "python3-venv")],
+        (true, true) => Vec::new(),
+    }
+}
+
 /// What Python environments with gmsh and VTK need and this machine lacks.
 pub fn missing_for_python() -> Vec<Missing> {
-    let python = |program: &str| succeeds(Command::new("python3").args(["-c", program]));
-    if !python("") {
-        return vec![Missing::new("python3", "python3")];
-    }
-    let mut missing = Vec::new();
-    if !python("import ensurepip, venv") {
-        missing.push(Missing::new("venv of Python", "python3-venv"));
-    }
+    let mut missing = missing_for_venv();
+    // Python itself looks for the libraries.
     let absent = LIBRARIES.iter().filter(|(library, _)| {
-        cfg!(target_os = "linux") && !python(&format!("import ctypes; ctypes.CDLL({library:?})"))
+        cfg!(target_os = "linux") && python("") && !python(&format!("import ctypes; ctypes.CDLL({library:?})"))
     });
     missing.extend(absent.map(|(library, package)| Missing::new(library, package)));
     missing

@@ -21,6 +21,17 @@ pub mod sweeps;
 pub mod tilted_bearings;
 pub mod two_scenes;
 
+/// The examples on the first pages of crates that are published alone are tests of the documentation.
+#[cfg(doctest)]
+mod readmes {
+    #[doc = include_str!("../../crates/mesh/README.md")]
+    struct Mesh;
+    #[doc = include_str!("../../crates/scene/README.md")]
+    struct Scene;
+    #[doc = include_str!("../../crates/drawing/README.md")]
+    struct Drawing;
+}
+
 use std::sync::Arc;
 
 use oilwedge_fem::Space;

@@ -32,15 +32,17 @@ fn locked() -> Vec<toml::Table> {
         .collect()
 }
 
+/// What cargo prints.
+fn told_by_cargo(arguments: &[&str]) -> String {
+    let output = cargo().args(arguments).current_dir(repository()).output();
+    let output = output.expect("cargo starts");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).expect("UTF-8")
+}
+
 /// Name and licence of the packages that are built on this platform, those of the workspace left out.
 fn licences() -> Vec<(String, Option<String>)> {
-    let cargo = |arguments: &[&str]| {
-        let output = cargo().args(arguments).current_dir(repository()).output();
-        let output = output.expect("cargo starts");
-        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-        String::from_utf8(output.stdout).expect("UTF-8")
-    };
-    let version = cargo(&["--version", "--verbose"]);
+    let version = told_by_cargo(&["--version", "--verbose"]);
     let host = version
         .lines()
         .find_map(|line| line.strip_prefix("host: "))
@@ -53,7 +55,7 @@ fn licences() -> Vec<(String, Option<String>)> {
         "--filter-platform",
         host,
     ];
-    let metadata: Value = serde_json::from_str(&cargo(&metadata)).expect("JSON");
+    let metadata: Value = serde_json::from_str(&told_by_cargo(&metadata)).expect("JSON");
     let packages = metadata["packages"].as_array().expect("packages").iter();
     let foreign = packages.filter(|package| !package["source"].is_null());
     let text = |value: &Value| value.as_str().map(str::to_owned);
@@ -86,6 +88,20 @@ fn licences_are_allowed() {
     }
     let idle: Vec<_> = allowed.iter().filter(|licence| !needed.contains(*licence)).collect();
     assert!(idle.is_empty(), "no package has {idle:?}: take it out of deny.toml");
+}
+
+/// pip builds the Python package alone: with other features than those of the workspace it would compile again what the program has too.
+#[test]
+fn the_python_package_has_the_features_of_the_workspace() {
+    let packages = |of: &[&str]| {
+        let tree = "tree --offline --edges normal,build --prefix none --no-dedupe --format {p}#{f}";
+        let arguments: Vec<&str> = tree.split(' ').chain(of.iter().copied()).collect();
+        let lines: BTreeSet<String> = told_by_cargo(&arguments).lines().map(str::to_owned).collect();
+        lines
+    };
+    let [python, all] = [packages(&["--package", "oilwedge-python"]), packages(&["--workspace"])];
+    let other: Vec<_> = python.difference(&all).collect();
+    assert!(other.is_empty() && python.len() > 100, "{other:?}");
 }
 
 #[test]

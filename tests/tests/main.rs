@@ -28,6 +28,7 @@ mod orbit;
 mod pages;
 mod pictures;
 mod refinement;
+#[cfg(target_os = "linux")]
 mod reported_numbers;
 mod scene_properties;
 mod scenes;

@@ -21,5 +21,7 @@ mod performance;
 mod random_shafts;
 mod random_tilted;
 mod reference;
+#[cfg(unix)]
+mod release;
 mod shipped_scenes;
 mod short_crankshaft_page;

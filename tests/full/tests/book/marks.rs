@@ -11,10 +11,11 @@ use crate::reference::parse_fragment;
 /// Languages of blocks that are run or read here. A block without a language is a formula or a drawing; `geo` is meshed by the cross-check.
 const LANGUAGES: [&str; 7] = ["", "sh", "toml", "python", "json", "text", "geo"];
 /// Blocks that are not run, by page, so that none is marked by the way.
-const NOT_RUN: [(&str, usize); 8] = [
+const NOT_RUN: [(&str, usize); 9] = [
     ("README.md", 1),
     ("docs/howto/clusters.md", 5),
     ("docs/howto/engine.md", 2),
+    ("docs/howto/install.md", 5),
     ("docs/performance.md", 2),
     ("docs/theory/dynamics.md", 1),
     ("docs/tutorial.md", 1),
