@@ -85,7 +85,11 @@ impl Converge {
             .collect();
         let page = match self.page.is_wanted() {
             true => {
-                let svg = report.levels().next().is_some().then(|| convergence_figure(&study).to_svg());
+                let svg = report
+                    .levels()
+                    .next()
+                    .is_some()
+                    .then(|| convergence_figure(&study).to_svg());
                 Some(convergence_page(&plot::value(&json(report)?)?, svg.as_deref())?)
             }
             false => None,

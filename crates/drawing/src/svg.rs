@@ -34,7 +34,7 @@ impl Figure {
 /// Appends an element a line; `clips` counts the rectangles, which `key` and their number name.
 fn append(primitives: &[Primitive], key: &str, clips: &mut u32, svg: &mut String) {
     for primitive in primitives {
-        *svg += &match primitive {
+        let element = match primitive {
             Primitive::Lines(lines, pen) => {
                 let cap = match pen.stroke {
                     Stroke::Dotted => " stroke-linecap=\"round\"",
@@ -66,6 +66,7 @@ fn append(primitives: &[Primitive], key: &str, clips: &mut u32, svg: &mut String
                 "</g>\n".to_owned()
             }
         };
+        svg.push_str(&element);
     }
 }
 

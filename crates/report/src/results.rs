@@ -43,7 +43,10 @@ pub struct Beside<'a> {
 pub fn write_results(dir: &Path, result: &RunResult, add_ons: &[AddOn], beside: Beside) -> Result<(), Error> {
     let json = result_json(result, add_ons)?;
     let figure = match &result.temperature {
-        Some(_) => temperature_figure(&serde_json::to_value(result).map_err(Error::format("JSON"))?, PAGE_WIDTH),
+        Some(_) => temperature_figure(
+            &serde_json::to_value(result).map_err(Error::format("JSON"))?,
+            PAGE_WIDTH,
+        ),
         None => None,
     };
     let svg = figure.as_ref().map(Figure::to_svg);

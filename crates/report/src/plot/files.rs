@@ -148,9 +148,6 @@ pub fn write_pictures(dir: &Path, pictures: &[PictureFiles]) -> Result<(), Error
     for name in known.filter(|name| pictures.iter().all(|picture| picture.name != *name)) {
         files.extend(["svg", "png"].map(|ending| (format!("{name}.{ending}").into(), None)));
     }
-    let steps: Vec<(&OsStr, Option<&[u8]>)> = files
-        .iter()
-        .map(|(name, bytes)| (name.as_os_str(), *bytes))
-        .collect();
+    let steps: Vec<(&OsStr, Option<&[u8]>)> = files.iter().map(|(name, bytes)| (name.as_os_str(), *bytes)).collect();
     folder::replace(&dir.join(PLOT_FOLDER), &steps)
 }

@@ -23,8 +23,8 @@ mod temperature;
 
 pub(crate) use field_map::FieldColours;
 pub use files::{
-    CONVERGENCE, PLOT_FOLDER, PictureFiles, PlotOptions, Unknown, WIDTHS, figures_of_sweep, film_figures, picture_files,
-    write_pictures,
+    CONVERGENCE, PLOT_FOLDER, PictureFiles, PlotOptions, Unknown, WIDTHS, figures_of_sweep, film_figures,
+    picture_files, write_pictures,
 };
 pub use film::DrawnFilm;
 pub(crate) use film::drawn_fields;
