@@ -12,7 +12,7 @@ use oilwedge_campaign::convergence::{Budget, converge};
 use oilwedge_report::convergence as files;
 use oilwedge_report::json;
 use oilwedge_report::page::convergence_page;
-use oilwedge_report::plot::{CONVERGENCE, convergence_figure, to_svg};
+use oilwedge_report::plot::{CONVERGENCE, convergence_figure};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -85,7 +85,11 @@ impl Converge {
             .collect();
         let page = match self.page.is_wanted() {
             true => {
-                let svg = report.levels().next().is_some().then(|| to_svg(&study));
+                let svg = report
+                    .levels()
+                    .next()
+                    .is_some()
+                    .then(|| convergence_figure(&study).to_svg());
                 Some(convergence_page(&plot::value(&json(report)?)?, svg.as_deref())?)
             }
             false => None,

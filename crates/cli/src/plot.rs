@@ -10,8 +10,8 @@ use oilwedge_report::convergence::REPORT_FILE as STUDY_FILE;
 use oilwedge_report::orbit_course::OrbitCourse;
 use oilwedge_report::orbit_table::orbit_table;
 use oilwedge_report::plot::{
-    self, CONVERGENCE, DrawnFilm, PLOT_FOLDER, PlotOptions, Unknown, WIDTHS, film_figures, orbit_figures,
-    orbits_beside, write_pictures,
+    self, CONVERGENCE, DrawnFilm, PLOT_FOLDER, PictureFiles, PlotOptions, Unknown, WIDTHS, film_figures, orbit_figures,
+    orbits_beside, picture_files, write_pictures,
 };
 use oilwedge_report::result_json;
 use oilwedge_report::results::{Beside, ORBIT_FILE, PICTURE_FILE, RESULT_FILE, write_results};
@@ -84,8 +84,6 @@ pub(crate) fn usual() -> PlotOptions {
 
 /// Pictures by name.
 type Figures = Vec<(String, Figure)>;
-/// Pictures by name, as SVG.
-type Pictures = Vec<(String, String)>;
 
 /// The pictures of a film, from the text of `result.json`.
 ///
@@ -120,16 +118,15 @@ fn unknown(Unknown { name, known }: Unknown) -> Failure {
 /// # Errors
 /// [`Failure`]: they cannot be written.
 pub(crate) fn written(folder: &Path, figures: &[(String, Figure)]) -> Result<String, Failure> {
-    let svg = |(name, figure): &(String, Figure)| (name.clone(), figure.to_svg());
-    written_pictures(folder, &figures.iter().map(svg).collect::<Pictures>())
+    written_files(folder, &picture_files(figures)?)
 }
 
-fn written_pictures(folder: &Path, pictures: &Pictures) -> Result<String, Failure> {
+fn written_files(folder: &Path, pictures: &[PictureFiles]) -> Result<String, Failure> {
     if pictures.is_empty() {
         return Ok(String::new());
     }
     write_pictures(folder, pictures)?;
-    let names: Vec<&str> = pictures.iter().map(|(name, _)| name.as_str()).collect();
+    let names: Vec<&str> = pictures.iter().map(|picture| picture.name.as_str()).collect();
     let place = folder.join(PLOT_FOLDER);
     Ok(format!(
         "pictures  {}: {} (.svg, .png)\n",
@@ -254,7 +251,7 @@ impl Plot {
         say(&folder, written(&folder, &figures)?)
     }
 
-    /// The picture that the study has drawn, for its meshes are in no file.
+    /// The picture that the study has drawn, copied, for its meshes are in no file.
     fn of_study(&self, study: &Path) -> Result<ExitCode, Failure> {
         if let Some(name) = self.fields.iter().find(|name| *name != CONVERGENCE) {
             let known = vec![CONVERGENCE.to_owned()];
@@ -268,11 +265,16 @@ impl Plot {
                 "--width: the picture of a convergence study is {PAGE_WIDTH} mm wide"
             )));
         }
-        let svg = study.with_extension("svg");
-        let drawn = svg.is_file().then(|| text(&svg)).transpose()?;
-        let pictures: Pictures = drawn.map(|svg| (CONVERGENCE.to_owned(), svg)).into_iter().collect();
+        let [svg, png] = ["svg", "png"].map(|ending| study.with_extension(ending));
+        let drawn = svg.is_file().then(|| {
+            Ok::<_, Failure>(PictureFiles {
+                name: CONVERGENCE.to_owned(),
+                svg: read(&svg)?,
+                png: read(&png)?,
+            })
+        });
         let folder = self.out.clone().unwrap_or_else(|| self.of.clone());
-        say(&folder, written_pictures(&folder, &pictures)?)
+        say(&folder, written_files(&folder, drawn.transpose()?.as_slice())?)
     }
 }
 

@@ -10,7 +10,7 @@ use oilwedge_report::sweep::Progress as Cases;
 use oilwedge_report::tables::{heading, table, time};
 use oilwedge_verification::cases::KNOWN_VALUES;
 use oilwedge_verification::map::{CELLS, unexplained};
-use oilwedge_verification::map_picture::{CellMap, cells_to_svg};
+use oilwedge_verification::map_picture::{CellMap, cells_figure};
 use oilwedge_verification::page::{page, page_so_far};
 use oilwedge_verification::suite::{self, Verdict};
 use oilwedge_verification::{run_map, run_suite};
@@ -111,8 +111,8 @@ impl Verify {
     }
 
     fn write(&self, verdicts: &[Verdict], maps: &[CellMap]) -> Result<(), Failure> {
-        let svg = cells_to_svg(maps);
-        let png = to_png(&svg)?;
+        let figure = cells_figure(maps);
+        let (svg, png) = (figure.to_svg(), to_png(&figure)?);
         let text = page(verdicts, maps, PICTURES[1]);
         let files = [
             (PICTURES[0].as_ref(), Some(svg.as_bytes())),

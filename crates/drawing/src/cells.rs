@@ -105,7 +105,7 @@ impl CellGrid {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{BLUE, WHITE, to_png};
+    use crate::{BLUE, WHITE};
 
     #[test]
     fn every_cell_is_drawn_with_its_word() {
@@ -139,6 +139,6 @@ mod tests {
         ] {
             assert!(svg.contains(word), "no {word:?} in {svg}");
         }
-        assert!(to_png(&svg).is_ok());
+        assert!(figure.to_png().is_ok());
     }
 }

@@ -351,7 +351,7 @@ pub fn charts_figure(title: &str, charts: &[Chart], columns: usize, width: f64) 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{BLUE, PAGE_WIDTH, to_png};
+    use crate::{BLUE, PAGE_WIDTH};
 
     #[test]
     fn charts_have_titles_axes_numbers_bars_and_one_legend() {
@@ -380,7 +380,8 @@ mod tests {
             label: "O".into(),
             colour: BLUE,
         }];
-        let svg = charts_figure("Two charts", &[chart, drawing], 2, PAGE_WIDTH).to_svg();
+        let figure = charts_figure("Two charts", &[chart, drawing], 2, PAGE_WIDTH);
+        let svg = figure.to_svg();
         for part in [
             "flow &amp; power",
             "3000",
@@ -393,7 +394,7 @@ mod tests {
             assert!(svg.contains(part), "no {part} in\n{svg}");
         }
         assert_eq!(svg.matches("\nright\n").count(), 1);
-        assert!(to_png(&svg).is_ok());
-        assert!(to_png(&charts_figure("none", &[], 3, PAGE_WIDTH).to_svg()).is_ok());
+        assert!(figure.to_png().is_ok());
+        assert!(charts_figure("none", &[], 3, PAGE_WIDTH).to_png().is_ok());
     }
 }

@@ -291,6 +291,6 @@ mod tests {
         let svg = figure.to_svg();
         assert_eq!(svg.matches("<path").count(), levels.colours.len());
         assert!(svg.len() < 60_000, "{}", svg.len());
-        assert!(svg.contains("#ffffff") && crate::to_png(&svg).is_ok());
+        assert!(svg.contains("#ffffff") && figure.to_png().is_ok());
     }
 }

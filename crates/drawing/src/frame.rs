@@ -1,6 +1,6 @@
 //! The frame that two axes make, and the colour bar of a map.
 
-use crate::{Anchor, Axis, Colour, ColourMap, Figure, GRID, INK, Label, Letters, Pen, SMALLEST_LETTERS};
+use crate::{Anchor, Axis, Colour, ColourMap, Figure, GRID, INK, Label, Letters, Pen, Rectangle, SMALLEST_LETTERS};
 
 /// Between the frame and numbers, and between those and the name of an axis [mm].
 const GAP: f64 = 1.2;
@@ -15,9 +15,6 @@ const BAR: [f64; 2] = [3.0, 2.5];
 const BAR_STEP: f64 = 5.0;
 /// Lines of a grid within decades.
 const FINE: Colour = Colour([241, 241, 241]);
-
-/// A rectangle on the sheet: left, top, width, height [mm].
-pub type Rectangle = [f64; 4];
 
 /// Axes around a rectangle of the sheet.
 #[derive(Debug, Clone, PartialEq)]

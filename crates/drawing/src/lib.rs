@@ -5,7 +5,8 @@
 //!
 //! Reading order: `colour.rs`, [`colour_map`] (tables of colours), `text.rs` (labels and their widths), `figure.rs` (the sheet),
 //! `axis.rs` and `frame.rs` (axes), `chart.rs` (curves with error bars), `legend.rs`, `polar.rs`, `cells.rs` (grids of coloured cells),
-//! `contour.rs` (filled contours of quadratic fields; `outline.rs` joins their edges), `wires.rs` (meshes), `raster.rs` (PNG).
+//! `contour.rs` (filled contours of quadratic fields; `outline.rs` joins their edges), `wires.rs` (meshes); a
+//! figure is a list of primitives, which `svg.rs` writes and `raster.rs` draws (PNG).
 
 mod axis;
 mod cells;
@@ -22,6 +23,7 @@ mod patch;
 mod path;
 mod polar;
 mod raster;
+mod svg;
 mod text;
 mod wires;
 
@@ -31,13 +33,13 @@ pub use chart::{Band, Chart, Kind, Note, Series, charts_figure};
 pub use colour::{BLACK, BLUE, Colour, GREEN, GREY, GRID, INK, ORANGE, PURPLE, SERIES, SKY, VERMILION, WHITE, YELLOW};
 pub use colour_map::ColourMap;
 pub use contour::draw_bands;
-pub use figure::{Anchor, Figure, Mark, Pen, Stroke};
-pub use frame::{Frame, Rectangle, draw_colour_bar};
+pub use figure::{Anchor, Figure, Mark, Pen, Rectangle, Stroke};
+pub use frame::{Frame, draw_colour_bar};
 pub use legend::{Entry, draw_legend, legend_height};
 pub use levels::Levels;
 pub use patch::Patch;
 pub use polar::Polar;
-pub use raster::{Error, to_png};
+pub use raster::Error;
 pub use text::{Label, Letters};
 pub use wires::{draw_mesh, joined};
 

@@ -1,68 +1,78 @@
-//! Paths in few letters: relative places in hundredths of a millimetre.
+//! Lines through places in hundredths of a millimetre: what SVG and PNG both draw.
 
 use std::fmt::Write;
 
-/// Parts of a millimetre in which places are written.
+/// Parts of a millimetre in which places are kept.
 pub(crate) const PARTS: f64 = 100.0;
 
-/// How a path ends.
+/// How lines end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum End {
-    /// Where its last point is.
+    /// Where the last point is.
     Open,
-    /// Where it began.
+    /// Where the line began.
     Closed,
 }
 
-/// The data of a path through several lines.
-#[derive(Debug, Default)]
-pub(crate) struct PathData {
-    text: String,
-    at: [i64; 2],
+/// Several lines that end alike.
+#[derive(Debug, Clone)]
+pub(crate) struct Polylines {
+    /// Places of each line, of which there is one at least and no two equal ones follow each other.
+    pub(crate) lines: Vec<Vec<[i32; 2]>>,
+    pub(crate) end: End,
 }
 
-impl PathData {
-    /// Adds a line through points [mm]; points that fall on the one before are left out.
-    pub(crate) fn add(&mut self, points: impl IntoIterator<Item = [f64; 2]>, end: End) {
-        let mut points = points
-            .into_iter()
-            .map(|point| point.map(|part| (PARTS * part).round() as i64));
-        let Some(first) = points.next() else { return };
-        let command = if self.text.is_empty() { "M" } else { "m" };
-        // After closing, the current point is the beginning of what was closed.
-        self.step(command, first);
-        let mut has_line = false;
-        for point in points {
-            if point != self.at {
-                self.step(if has_line { "" } else { "l" }, point);
-                has_line = true;
-            }
-        }
-        if !has_line && end == End::Open {
-            self.text += "h0";
-        }
-        if end == End::Closed {
-            self.text += "z";
-            self.at = first;
+impl Polylines {
+    /// Lines through points [mm]; points that fall on the one before are left out.
+    pub(crate) fn new<L: IntoIterator<Item = [f64; 2]>>(lines: impl IntoIterator<Item = L>, end: End) -> Self {
+        let placed = |line: L| {
+            let points = line.into_iter();
+            let mut places: Vec<_> = points
+                .map(|point| point.map(|part| (PARTS * part).round() as i32))
+                .collect();
+            places.dedup();
+            places
+        };
+        let lines = lines.into_iter().map(placed).filter(|places| !places.is_empty());
+        Self {
+            lines: lines.collect(),
+            end,
         }
     }
 
-    fn step(&mut self, command: &str, to: [i64; 2]) {
-        self.text += command;
-        for k in 0..2 {
-            let number = short(to[k] - self.at[k]);
-            let needs_space = (k == 1 || command.is_empty()) && !number.starts_with('-');
-            if needs_space {
-                self.text.push(' ');
+    /// The attribute `d` of a path, relative and in few letters.
+    pub(crate) fn to_svg(&self) -> String {
+        let mut text = String::new();
+        let mut at = [0; 2];
+        for line in &self.lines {
+            for (k, place) in line.iter().enumerate() {
+                let command = match k {
+                    0 if text.is_empty() => "M",
+                    0 => "m",
+                    1 => "l",
+                    _ => "",
+                };
+                text += command;
+                for d in 0..2 {
+                    let number = short(i64::from(place[d]) - i64::from(at[d]));
+                    if (d == 1 || command.is_empty()) && !number.starts_with('-') {
+                        text.push(' ');
+                    }
+                    text += &number;
+                }
+                at = *place;
             }
-            self.text += &number;
+            match self.end {
+                End::Closed => {
+                    // After closing, the current point is the beginning of what was closed.
+                    text.push('z');
+                    at = line[0];
+                }
+                End::Open if line.len() == 1 => text += "h0",
+                End::Open => {}
+            }
         }
-        self.at = to;
-    }
-
-    /// The attribute `d`.
-    pub(crate) fn into_text(self) -> String {
-        self.text
+        text
     }
 }
 
@@ -88,13 +98,6 @@ fn short(hundredths: i64) -> String {
     text
 }
 
-/// A length as an attribute, to a thousandth of a millimetre.
-pub(crate) fn length(value: f64) -> String {
-    let text = format!("{value:.3}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" { "0".to_owned() } else { text.to_owned() }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -103,14 +106,17 @@ mod tests {
     fn numbers_are_short() {
         let texts = [0, 5, 50, 100, -125, 1230, -3].map(short);
         assert_eq!(texts, ["0", ".05", ".5", "1", "-1.25", "12.3", "-.03"]);
-        assert_eq!([length(1.0), length(-0.0001), length(0.25)], ["1", "0", "0.25"]);
     }
 
     #[test]
     fn paths_are_relative_and_do_not_drift() {
-        let mut path = PathData::default();
-        path.add([[1.0, 2.0], [1.004, 2.0], [1.5, 1.0], [0.0, 0.0]], End::Closed);
-        path.add([[1.0, 1.0], [2.0, 1.0]], End::Open);
-        assert_eq!(path.into_text(), "M1 2l.5-1-1.5-1zm0-1l1 0");
+        let rims = [
+            vec![[1.0, 2.0], [1.004, 2.0], [1.5, 1.0], [0.0, 0.0]],
+            vec![],
+            vec![[1.0, 1.0], [2.0, 1.0]],
+        ];
+        assert_eq!(Polylines::new(rims, End::Closed).to_svg(), "M1 2l.5-1-1.5-1zm0-1l1 0z");
+        let lines = [vec![[1.0, 1.0], [2.0, 1.0]], vec![[f64::NAN, f64::INFINITY]]];
+        assert_eq!(Polylines::new(lines, End::Open).to_svg(), "M1 1l1 0m-2 21474835.47h0");
     }
 }

@@ -1,5 +1,9 @@
 //! Labels: words with italic symbols, indices and exponents, and how wide they are.
 
+use std::sync::LazyLock;
+
+use ttf_parser::{Face, GlyphId};
+
 use crate::{Colour, INK, LETTERS, POINT, SMALLEST_LETTERS};
 
 /// Advance widths of Noto Sans Regular from the space to `~` [1/2048 of the height of the letters].
@@ -24,11 +28,32 @@ const RAISED: f64 = 0.38;
 
 /// How a part of a label is set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Style {
+pub(crate) enum Style {
     Upright,
     Italic,
     Lowered,
     Raised,
+}
+
+impl Style {
+    /// Height of its letters [mm].
+    pub(crate) fn size(self, letters: Letters) -> f64 {
+        POINT
+            * match self {
+                Self::Upright | Self::Italic => letters.size,
+                Self::Lowered | Self::Raised => f64::max(0.72 * letters.size, SMALLEST_LETTERS),
+            }
+    }
+
+    /// How far its letters stand above the line [mm].
+    pub(crate) fn raised(self, letters: Letters) -> f64 {
+        let part = match self {
+            Self::Upright | Self::Italic => 0.0,
+            Self::Lowered => -LOWERED,
+            Self::Raised => RAISED,
+        };
+        part * letters.size * POINT
+    }
 }
 
 /// Words on a sheet.
@@ -97,15 +122,9 @@ impl Label {
 
     /// Its width [mm] in Noto Sans; other typefaces differ by some percent.
     pub fn width(&self, letters: Letters) -> f64 {
-        let width = |(style, text): &(Style, String)| {
-            let size = match style {
-                Style::Upright | Style::Italic => letters.size,
-                Style::Lowered | Style::Raised => small(letters.size),
-            };
-            size * text.chars().map(advance).sum::<f64>()
-        };
+        let width = |(style, text): &(Style, String)| style.size(letters) * text.chars().map(advance).sum::<f64>();
         let width: f64 = self.parts.iter().map(width).sum();
-        POINT * width * if letters.weight == Weight::Bold { BOLD } else { 1.0 }
+        width * if letters.weight == Weight::Bold { BOLD } else { 1.0 }
     }
 
     /// A plain text cut off with an ellipsis where it is wider than this [mm].
@@ -141,35 +160,39 @@ impl Label {
         lines.iter().map(|line| Self::plain(line)).collect()
     }
 
-    /// The content of an SVG text element.
-    pub(crate) fn to_svg(&self, letters: Letters) -> String {
-        let mut svg = String::new();
-        let mut shift = 0.0;
+    /// Its parts, each in one style.
+    pub(crate) fn parts(&self) -> &[(Style, String)] {
+        &self.parts
+    }
+
+    /// Sets the letters on a line from 0 on: `put` takes each glyph, its typeface, the length of a unit of that [mm], how far the letter stands
+    /// along the line and how far above it [mm]. Returns the length of the line [mm].
+    pub(crate) fn set(&self, letters: Letters, mut put: impl FnMut(GlyphId, &Face, f64, [f64; 2])) -> f64 {
+        let mut along = 0.0;
         for (style, text) in &self.parts {
-            let wanted = match style {
-                Style::Upright | Style::Italic => 0.0,
-                Style::Lowered => LOWERED,
-                Style::Raised => -RAISED,
-            } * letters.size
-                * POINT;
-            let mut attributes = String::new();
-            if wanted != shift {
-                attributes += &format!(" dy=\"{:.2}\"", wanted - shift);
-            }
-            match style {
-                Style::Upright => {}
-                Style::Italic => attributes += " font-style=\"italic\"",
-                Style::Lowered | Style::Raised => {
-                    attributes += &format!(" font-size=\"{:.3}\"", small(letters.size) * POINT);
-                }
-            }
-            shift = wanted;
-            match attributes.is_empty() {
-                true => svg += &escaped(text),
-                false => svg += &format!("<tspan{attributes}>{}</tspan>", escaped(text)),
+            let face = typeface(*style, letters.weight);
+            let unit = style.size(letters) / f64::from(face.units_per_em());
+            for letter in text.chars() {
+                // The first glyph is the box of letters that the typeface lacks.
+                let glyph = face.glyph_index(letter).unwrap_or_default();
+                put(glyph, face, unit, [along, style.raised(letters)]);
+                along += unit * f64::from(face.glyph_hor_advance(glyph).unwrap_or_default());
             }
         }
-        svg
+        along
+    }
+}
+
+/// The faces of Noto Sans that the program carries; italic letters have no bold ones.
+fn typeface(style: Style, weight: Weight) -> &'static Face<'static> {
+    static FACES: LazyLock<[Face; 3]> = LazyLock::new(|| {
+        [notosans::REGULAR_TTF, notosans::BOLD_TTF, notosans::ITALIC_TTF]
+            .map(|font| Face::parse(font, 0).expect("the program carries fonts"))
+    });
+    match (style, weight) {
+        (Style::Italic, _) => &FACES[2],
+        (_, Weight::Bold) => &FACES[1],
+        (_, Weight::Usual) => &FACES[0],
     }
 }
 
@@ -179,18 +202,9 @@ impl From<&str> for Label {
     }
 }
 
-/// Size of indices.
-fn small(size: f64) -> f64 {
-    f64::max(0.72 * size, SMALLEST_LETTERS)
-}
-
 fn advance(letter: char) -> f64 {
     let known = (letter as usize).checked_sub(32).and_then(|place| ADVANCES.get(place));
     known.map_or(OTHER_ADVANCE, |advance| f64::from(*advance)) / 2048.0
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
 /// Weight of letters.
@@ -267,18 +281,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn marks_become_styles() {
-        let label = Label::marked("pressure *p*_{max}, 10^{3} Pa & a_b");
-        assert_eq!(label.text(), "pressure pmax, 103 Pa & a_b");
-        let svg = label.to_svg(Letters::default());
-        for part in ["<tspan font-style=\"italic\">p</tspan>", ">max</tspan>", "&amp; a_b"] {
-            assert!(svg.contains(part), "{svg}");
-        }
-        assert_eq!(Label::plain("a *b* \u{1b}").to_svg(Letters::default()), "a *b* ");
-        assert!(Label::plain("").is_empty());
-    }
-
-    #[test]
     fn long_texts_are_cut_off_or_wrapped() {
         let letters = Letters::default();
         let text = "a text of several words that is too long for its place";
@@ -294,12 +296,8 @@ mod tests {
     }
 
     #[test]
-    fn indices_are_no_smaller_than_the_smallest_letters() {
-        let svg = Label::marked("*p*_{max}").to_svg(Letters::sized(7.0));
-        assert!(
-            svg.contains(&format!("font-size=\"{:.3}\"", SMALLEST_LETTERS * POINT)),
-            "{svg}"
-        );
+    fn letters_are_no_smaller_than_the_smallest() {
         assert_eq!(Letters::sized(3.0).size, SMALLEST_LETTERS);
+        assert!(Label::plain("").is_empty());
     }
 }

@@ -86,11 +86,11 @@ pub(crate) fn figure<'py>(
             None => figures_of_sweep(&result, &options),
         };
         let figures = figures.map_err(unknown)?;
-        let svg = figures.first().map(|(_, figure)| figure.to_svg());
-        let svg = svg.ok_or_else(|| Failure::Argument(format!("\"{}\" has nothing to draw", options.selected[0])))?;
+        let nothing = || Failure::Argument(format!("\"{}\" has nothing to draw", options.selected[0]));
+        let (_, figure) = figures.first().ok_or_else(nothing)?;
         match format.as_str() {
-            "svg" => Ok(svg.into_bytes()),
-            _ => Ok(plot::to_png(&svg)?),
+            "svg" => Ok(figure.to_svg().into_bytes()),
+            _ => Ok(plot::to_png(figure)?),
         }
     });
     Ok(PyBytes::new(py, &bytes?))

@@ -8,8 +8,9 @@ use crate::folder::replace;
 use crate::frames::{COLLECTION_FILE, remove_frames};
 use crate::json::result_json;
 use crate::page::PAGE_FILE;
-use crate::plot::{TEMPERATURE_FILES, temperature_to_svg, to_png};
+use crate::plot::{TEMPERATURE_FILES, temperature_figure, to_png};
 use oilwedge_campaign::AddOn;
+use oilwedge_drawing::{Figure, PAGE_WIDTH};
 use oilwedge_scene::Scene;
 use oilwedge_study::result::RunResult;
 use oilwedge_study::run_options::EarlierOrbit;
@@ -41,11 +42,15 @@ pub struct Beside<'a> {
 /// [`Error`]: a number is not finite, or the system refuses; the old files are then left as they were.
 pub fn write_results(dir: &Path, result: &RunResult, add_ons: &[AddOn], beside: Beside) -> Result<(), Error> {
     let json = result_json(result, add_ons)?;
-    let svg = match &result.temperature {
-        Some(_) => temperature_to_svg(&serde_json::to_value(result).map_err(Error::format("JSON"))?),
+    let figure = match &result.temperature {
+        Some(_) => temperature_figure(
+            &serde_json::to_value(result).map_err(Error::format("JSON"))?,
+            PAGE_WIDTH,
+        ),
         None => None,
     };
-    let png = svg.as_deref().map(to_png).transpose()?;
+    let svg = figure.as_ref().map(Figure::to_svg);
+    let png = figure.as_ref().map(to_png).transpose()?;
     let result = OsStr::new(RESULT_FILE);
     let [svg_file, png_file] = TEMPERATURE_FILES.map(OsStr::new);
     let steps = [

@@ -39,8 +39,8 @@ const UNKNOWN: Colour = Colour([110, 110, 110]);
 /// Between maps [mm].
 const GAP: f64 = 3.0;
 
-/// Maps one below the other as SVG.
-pub fn cells_to_svg(maps: &[CellMap]) -> String {
+/// Maps one below the other.
+pub fn cells_figure(maps: &[CellMap]) -> Figure {
     let grids: Vec<CellGrid> = maps.iter().map(grid).collect();
     let height: f64 = grids.iter().map(|grid| grid.height() + GAP).sum();
     let titles: Vec<&str> = maps.iter().map(|map| map.title.as_str()).collect();
@@ -50,7 +50,7 @@ pub fn cells_to_svg(maps: &[CellMap]) -> String {
         grid.draw(&mut figure, [0.0, top], PAGE_WIDTH);
         top += grid.height() + GAP;
     }
-    figure.to_svg()
+    figure
 }
 
 fn grid(map: &CellMap) -> CellGrid {
@@ -101,7 +101,8 @@ mod tests {
                 vec![Outcome::Answer(23), Outcome::Unexplained("?".into())],
             ],
         };
-        let svg = cells_to_svg(&[map.clone(), map]);
+        let figure = cells_figure(&[map.clone(), map]);
+        let svg = figure.to_svg();
         for word in [
             "A map",
             "eccentricity",
@@ -113,6 +114,6 @@ mod tests {
         ] {
             assert!(svg.contains(word), "no {word:?} in {svg}");
         }
-        assert!(oilwedge_drawing::to_png(&svg).is_ok());
+        assert!(figure.to_png().is_ok());
     }
 }

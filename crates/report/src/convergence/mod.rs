@@ -35,9 +35,9 @@ pub fn write(dir: &Path, study: &Convergence) -> Result<(), Error> {
     let json = json(&study.report)?;
     let (mut table, mut svg, mut png) = (None, None, None);
     if study.report.levels().next().is_some() {
-        let drawing = plot::to_svg(study);
-        png = Some(plot::to_png(&drawing)?);
-        svg = Some(drawing);
+        let figure = plot::convergence_figure(study);
+        png = Some(plot::to_png(&figure)?);
+        svg = Some(figure.to_svg());
         table = Some(csv::to_csv(&study.report));
     }
     let [csv_file, svg_file, png_file, json_file] = FILES.map(OsStr::new);

@@ -103,15 +103,41 @@ fn check(selected: &[String], known: &[String]) -> Result<(), Unknown> {
     }
 }
 
-/// Writes pictures, by their names as SVG, into the folder `plot` of `dir` as SVG and PNG; those of an earlier run that are not drawn again are removed.
+/// The two files of a picture.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct PictureFiles {
+    /// Its name without an ending.
+    pub name: String,
+    /// Content of the SVG.
+    pub svg: Vec<u8>,
+    /// Content of the PNG.
+    pub png: Vec<u8>,
+}
+
+/// Figures by name as files.
 ///
 /// # Errors
-/// A picture is too large, or the system refuses; the old pictures are then left as they were.
-pub fn write_pictures(dir: &Path, pictures: &[(String, String)]) -> Result<(), Error> {
-    let mut files: Vec<(OsString, Option<Vec<u8>>)> = Vec::new();
-    for (name, svg) in pictures {
-        files.push((format!("{name}.png").into(), Some(to_png(svg)?)));
-        files.push((format!("{name}.svg").into(), Some(svg.clone().into_bytes())));
+/// [`Error::Format`]: a figure is too large for a PNG.
+pub fn picture_files(figures: &[(String, Figure)]) -> Result<Vec<PictureFiles>, Error> {
+    let files = |(name, figure): &(String, Figure)| {
+        Ok(PictureFiles {
+            name: name.clone(),
+            svg: figure.to_svg().into_bytes(),
+            png: to_png(figure)?,
+        })
+    };
+    figures.par_iter().map(files).collect()
+}
+
+/// Writes pictures into the folder `plot` of `dir`; those of an earlier run that are not drawn again are removed.
+///
+/// # Errors
+/// The system refuses; the old pictures are then left as they were.
+pub fn write_pictures(dir: &Path, pictures: &[PictureFiles]) -> Result<(), Error> {
+    let mut files: Vec<(OsString, Option<&[u8]>)> = Vec::new();
+    for PictureFiles { name, svg, png } in pictures {
+        files.push((format!("{name}.png").into(), Some(png)));
+        files.push((format!("{name}.svg").into(), Some(svg)));
     }
     let usual = FIELDS.iter().map(|row| row.name.to_owned());
     let maps = CATALOGUE.iter().map(|row| format!("map_{}", row.name));
@@ -119,12 +145,9 @@ pub fn write_pictures(dir: &Path, pictures: &[(String, String)]) -> Result<(), E
         .chain(OF_FILM.map(str::to_owned))
         .chain(maps)
         .chain(["sweep", CONVERGENCE].map(str::to_owned));
-    for name in known.filter(|name| pictures.iter().all(|(drawn, _)| drawn != name)) {
+    for name in known.filter(|name| pictures.iter().all(|picture| picture.name != *name)) {
         files.extend(["svg", "png"].map(|ending| (format!("{name}.{ending}").into(), None)));
     }
-    let steps: Vec<(&OsStr, Option<&[u8]>)> = files
-        .iter()
-        .map(|(name, bytes)| (name.as_os_str(), bytes.as_deref()))
-        .collect();
+    let steps: Vec<(&OsStr, Option<&[u8]>)> = files.iter().map(|(name, bytes)| (name.as_os_str(), *bytes)).collect();
     folder::replace(&dir.join(PLOT_FOLDER), &steps)
 }

@@ -23,7 +23,8 @@ mod temperature;
 
 pub(crate) use field_map::FieldColours;
 pub use files::{
-    CONVERGENCE, PLOT_FOLDER, PlotOptions, Unknown, WIDTHS, figures_of_sweep, film_figures, write_pictures,
+    CONVERGENCE, PLOT_FOLDER, PictureFiles, PlotOptions, Unknown, WIDTHS, figures_of_sweep, film_figures,
+    picture_files, write_pictures,
 };
 pub use film::DrawnFilm;
 pub(crate) use film::drawn_fields;
@@ -34,7 +35,8 @@ pub(crate) use sample::{Finder, InTriangle};
 pub use shaft_cycle::{SHAFT, shaft_figures};
 pub(crate) use sweep::{Cases, quantity_names};
 pub(crate) use temperature::BALANCE;
-pub use temperature::{TEMPERATURE_FILES, temperature_to_svg};
+pub use temperature::TEMPERATURE_FILES;
+pub(crate) use temperature::temperature_figure;
 
 use crate::Error;
 use oilwedge_campaign::convergence::Convergence;
@@ -45,17 +47,12 @@ pub fn convergence_figure(study: &Convergence) -> Figure {
     convergence::figure(study)
 }
 
-/// The picture of a convergence study as SVG.
-pub fn to_svg(study: &Convergence) -> String {
-    convergence::figure(study).to_svg()
-}
-
-/// The PNG of an SVG at 300 dots per inch.
+/// The PNG of a figure at 300 dots per inch.
 ///
 /// # Errors
-/// [`Error::Format`]: the text is no drawing, or it is too large.
-pub fn to_png(svg: &str) -> Result<Vec<u8>, Error> {
-    oilwedge_drawing::to_png(svg).map_err(Error::format("PNG"))
+/// [`Error::Format`]: it is too large.
+pub fn to_png(figure: &Figure) -> Result<Vec<u8>, Error> {
+    figure.to_png().map_err(Error::format("PNG"))
 }
 
 #[cfg(test)]
@@ -99,7 +96,8 @@ mod tests {
             report,
             mesh: Some(marked(20)),
         };
-        let svg = to_svg(&study);
+        let figure = convergence_figure(&study);
+        let svg = figure.to_svg();
         let told = [
             "A &lt;bearing&gt; &amp; co",
             "P2 uniform",
@@ -114,7 +112,7 @@ mod tests {
             assert!(svg.contains(words), "no {words}");
         }
         assert!(svg.len() < 60_000, "{} bytes", svg.len());
-        let png = to_png(&svg).expect("dots");
+        let png = to_png(&figure).expect("dots");
         let dots = |place: usize| u32::from_be_bytes([0, 1, 2, 3].map(|k| png[place + k]));
         assert_eq!(dots(16), 2008);
     }
@@ -129,7 +127,7 @@ mod tests {
         if let Some(reference) = &mut report.reference {
             reference.uncertainty = None;
         }
-        let svg = to_svg(&Convergence { report, mesh: None });
+        let svg = convergence_figure(&Convergence { report, mesh: None }).to_svg();
         assert!(svg.contains("one level only") && !svg.contains("Adaptive mesh"));
     }
 }

@@ -17,13 +17,8 @@ pub(super) fn is_sought(result: &Value) -> bool {
         .is_some_and(|curve| !curve.is_empty())
 }
 
-/// The picture of a balance of heat as SVG, from the object of `result.json`; `None` where it has none.
-pub fn temperature_to_svg(result: &Value) -> Option<String> {
-    Some(temperature_figure(result, 0.6 * PAGE_WIDTH)?.to_svg())
-}
-
-/// The picture of a balance of heat at that width [mm].
-pub(super) fn temperature_figure(result: &Value, width: f64) -> Option<Figure> {
+/// The picture of a balance of heat, at most that wide [mm], from the object of `result.json`; `None` where it has none.
+pub(crate) fn temperature_figure(result: &Value, width: f64) -> Option<Figure> {
     let points = result[BALANCE]["curve"]
         .as_array()
         .filter(|points| !points.is_empty())?;
@@ -76,12 +71,9 @@ mod tests {
 
     #[test]
     fn the_picture_shows_both_curves_and_where_they_cross() {
-        let svg = temperature_to_svg(&result(&[
-            [75.0, 400.0, -3.0],
-            [82.0, 330.0, 329.0],
-            [90.0, 280.0, 700.0],
-        ]));
-        let svg = svg.expect("a picture");
+        let points = [[75.0, 400.0, -3.0], [82.0, 330.0, 329.0], [90.0, 280.0, 700.0]];
+        let figure = temperature_figure(&result(&points), PAGE_WIDTH).expect("a picture");
+        let svg = figure.to_svg();
         for words in [
             "A &lt;bearing&gt;",
             "friction",
@@ -91,15 +83,14 @@ mod tests {
         ] {
             assert!(svg.contains(words), "no {words}");
         }
-        assert!(to_png(&svg).is_ok());
+        assert!(to_png(&figure).is_ok());
     }
 
     /// Of a cycle there are no points.
     #[test]
     fn one_point_is_drawn_and_none_is_no_picture() {
-        let svg = temperature_to_svg(&result(&[[80.0, 0.0, 0.0]]));
-        assert!(svg.is_some_and(|svg| to_png(&svg).is_ok()));
-        assert_eq!(temperature_to_svg(&result(&[])), None);
-        assert_eq!(temperature_to_svg(&json!({ "title": "a" })), None);
+        let drawn = |result: &Value| temperature_figure(result, PAGE_WIDTH);
+        assert!(drawn(&result(&[[80.0, 0.0, 0.0]])).is_some_and(|figure| to_png(&figure).is_ok()));
+        assert!(drawn(&result(&[])).is_none() && drawn(&json!({ "title": "a" })).is_none());
     }
 }
