@@ -93,7 +93,7 @@ impl ElementKernel {
         let nowhere = Place {
             position: [0.0; 2],
             determinant: 0.0,
-            inverse_transposed: nalgebra::Matrix2::zeros(),
+            inverse_transposed: [[0.0; 2]; 2],
         };
         let mut geometry = Geometry {
             positions: [[0.0; 2]; MOST_POINTS],

@@ -6,7 +6,7 @@
 //! element loop), [`integrate`](mod@integrate) (all other integrals), [`sparsity`], [`ordering`], [`factorization`] and [`unsymmetric`] ([`harmonic`]: systems of harmonic motions), [`newton`], [`complementarity`] (obstacles), [`linear_solver`], [`linearisation`];
 //! for large systems `conjugate_gradients`, `multigrid` (on `sweeps`, [`linear_prolongation`] and `aggregation`), and `iterated`, which gives up on it where it is slow.
 //! [`prolongation`] and [`nested`]: cubic elements on top of quadratic ones, for error bars.
-//! [`marking`] chooses triangles to refine; [`transfer`](mod@transfer) carries a field to the refined mesh. [`control_volumes`] is the sub-mesh of schemes of finite volumes.
+//! [`marking`] chooses triangles to refine; [`transfer`](mod@transfer) carries a field to the refined mesh. [`control_volumes`] is the sub-mesh of schemes of finite volumes; [`dense`] are small matrices.
 
 mod aggregation;
 pub mod assembly;
@@ -15,6 +15,7 @@ mod conjugate_gradients;
 pub mod conservation_law;
 pub mod constraints;
 pub mod control_volumes;
+pub mod dense;
 pub mod dual;
 pub mod element;
 pub mod error;
@@ -50,6 +51,7 @@ pub use assembly::Assembler;
 pub use conservation_law::{ConservationLaw, Tangent};
 pub use constraints::Constraints;
 pub use control_volumes::ControlVolumes;
+pub use dense::{Dense, DenseFactors};
 pub use dual::Dual;
 pub use error::Error;
 pub use factorization::{Analysis, Factorization};

@@ -1,6 +1,5 @@
 //! The map from the reference triangle to a straight or curved (quadratic) triangle.
 
-use nalgebra::{Matrix2, Vector2};
 use oilwedge_mesh::Mesh;
 
 use crate::lagrange;
@@ -21,15 +20,15 @@ pub struct Place {
     pub position: [f64; 2],
     /// Jacobian determinant [m2].
     pub determinant: f64,
-    /// Inverse transposed Jacobian [1/m]: turns reference gradients into gradients on the surface.
-    pub inverse_transposed: Matrix2<f64>,
+    /// Inverse transposed Jacobian [1/m], row by row: turns reference gradients into gradients on the surface.
+    pub inverse_transposed: [[f64; 2]; 2],
 }
 
 impl Place {
     /// Gradient on the surface of a function with the given reference gradient.
     #[inline]
     pub fn gradient(&self, reference: [f64; 2]) -> [f64; 2] {
-        (self.inverse_transposed * Vector2::from(reference)).into()
+        self.inverse_transposed.map(|row| row[0] * reference[0] + row[1] * reference[1])
     }
 }
 
@@ -85,23 +84,27 @@ impl Mapping {
 }
 
 fn position(values: &[f64], nodes: &[[f64; 2]]) -> [f64; 2] {
-    let add = |at: Vector2<f64>, (&value, &node): (&f64, &[f64; 2])| at + value * Vector2::from(node);
-    values.iter().zip(nodes).fold(Vector2::zeros(), add).into()
+    let add = |at: [f64; 2], (value, node): (&f64, &[f64; 2])| [at[0] + value * node[0], at[1] + value * node[1]];
+    values.iter().zip(nodes).fold([0.0; 2], add)
 }
 
 fn place(values: &[f64], gradients: &[[f64; 2]], nodes: &[[f64; 2]]) -> Place {
     // Row d, column k: d x_d / d xi_k.
-    let mut jacobian = Matrix2::zeros();
-    for (&gradient, &node) in gradients.iter().zip(nodes) {
-        jacobian += Vector2::from(node) * Vector2::from(gradient).transpose();
+    let mut jacobian = [[0.0; 2]; 2];
+    for (gradient, node) in gradients.iter().zip(nodes) {
+        for (row, x) in jacobian.iter_mut().zip(node) {
+            row[0] += x * gradient[0];
+            row[1] += x * gradient[1];
+        }
     }
-    let determinant = jacobian.determinant();
+    let [[a, b], [c, d]] = jacobian;
+    let determinant = a * d - c * b;
     // The cofactors are the inverse transposed times the determinant; meshes have no zero one.
-    let cofactors = Matrix2::new(jacobian.m22, -jacobian.m21, -jacobian.m12, jacobian.m11);
+    let cofactors = [[d, -c], [-b, a]];
     Place {
         position: position(values, nodes),
         determinant,
-        inverse_transposed: cofactors / determinant,
+        inverse_transposed: cofactors.map(|row| row.map(|entry| entry / determinant)),
     }
 }
 

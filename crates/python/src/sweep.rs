@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use oilwedge_report::folder::TemporaryFolder;
 use oilwedge_report::json;
 use oilwedge_report::sweep::{SweepOptions, TABLE_FILE, run};
 use oilwedge_report::tables::sweep_report;
@@ -30,7 +31,8 @@ pub(crate) fn sweep<'py>(
         let folder = match &out {
             Some(out) => out,
             None => {
-                temporary = tempfile::tempdir().map_err(|source| system(&std::env::temp_dir(), source))?;
+                let place = std::env::temp_dir();
+                temporary = TemporaryFolder::within(&place).map_err(|source| system(&place, source))?;
                 temporary.path()
             }
         };

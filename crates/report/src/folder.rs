@@ -8,7 +8,7 @@
 use std::ffi::OsStr;
 use std::fs::{self, File, TryLockError};
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use crate::Error;
@@ -19,6 +19,40 @@ const BESIDE: &str = ".oilwedge-";
 const LONGEST_WAIT: Duration = Duration::from_secs(10);
 /// Between two looks whether it has ended.
 const LOOK: Duration = Duration::from_millis(2);
+
+/// A new folder, which is removed with its files when it is dropped.
+#[derive(Debug)]
+pub struct TemporaryFolder(PathBuf);
+
+impl TemporaryFolder {
+    /// A folder `.oilwedge-...` in the folder `dir`.
+    ///
+    /// # Errors
+    /// The operating system refuses.
+    pub fn within(dir: &Path) -> io::Result<Self> {
+        let process = std::process::id();
+        let mut number = 0;
+        loop {
+            let path = dir.join(format!("{BESIDE}{process}-{number}"));
+            match fs::create_dir(&path) {
+                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => number += 1,
+                made => return made.map(|()| Self(path)),
+            }
+        }
+    }
+
+    /// Where it is.
+    pub fn path(&self) -> &Path {
+        &self.0
+    }
+}
+
+impl Drop for TemporaryFolder {
+    fn drop(&mut self) {
+        // What cannot be removed does no harm.
+        drop(fs::remove_dir_all(&self.0));
+    }
+}
 
 /// Replaces and removes files of the folder `dir`, which is made if need be, step by step in this order: a name and its new content, or
 /// `None` to remove it. All contents are written beside their places first, so that what may fail has been done when
@@ -40,10 +74,7 @@ pub fn replace(dir: &Path, steps: &[(&OsStr, Option<&[u8]>)]) -> Result<(), Erro
 /// # Errors
 /// As [`replace`].
 pub fn replace_alone(dir: &Path, steps: &[(&OsStr, Option<&[u8]>)]) -> Result<(), Error> {
-    let beside = tempfile::Builder::new()
-        .prefix(BESIDE)
-        .tempdir_in(dir)
-        .map_err(Error::system(dir))?;
+    let beside = TemporaryFolder::within(dir).map_err(Error::system(dir))?;
     let (new, old) = (beside.path().join("new"), beside.path().join("old"));
     for folder in [&new, &old] {
         fs::create_dir(folder).map_err(Error::system(dir))?;

@@ -11,7 +11,7 @@ use self::array::{Array, Numbers};
 use crate::Error;
 use oilwedge_study::picture::{FieldValues, FilmPicture, PictureField};
 
-mod array;
+pub(crate) mod array;
 
 /// VTK's number of the triangle with six nodes.
 const QUADRATIC_TRIANGLE: u8 = 22;
@@ -40,7 +40,7 @@ impl Compression {
     }
 
     /// VTK's name of the compressor.
-    fn compressor(self) -> Option<&'static str> {
+    pub(crate) fn compressor(self) -> Option<&'static str> {
         match self {
             Self::None => None,
             Self::Lz4 => Some("vtkLZ4DataCompressor"),

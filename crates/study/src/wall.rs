@@ -39,7 +39,7 @@ pub(crate) fn wall(liner: &Liner, bearing: &Bearing) -> Result<Wall, NoWall> {
         Liner::Compliance { file } => {
             let table = read_compliance(file, bearing.length)?;
             let points = table.angles * table.axial.len();
-            let displacements = Dense::from_row_slice(points, points, &table.displacements);
+            let displacements = Dense::from_columns(points, table.displacements).transposed();
             Wall::of_matrix(bearing, (table.first_angle, table.angles), &table.axial, displacements)
         }
     };

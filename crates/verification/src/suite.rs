@@ -11,6 +11,7 @@ use crate::family::{Expect, Family, Series};
 use crate::faults::faults;
 use crate::reference_film::{Comparison, Second, against};
 use crate::series::across;
+use oilwedge_report::folder::TemporaryFolder;
 
 /// What was found of one case.
 #[derive(Debug, Clone)]
@@ -109,7 +110,7 @@ pub fn count(names: &[String], long: bool) -> Result<usize, SuiteError> {
 /// [`SuiteError`].
 pub fn run_suite(names: &[String], long: bool, ended: &mut dyn FnMut(&[Verdict])) -> Result<Vec<Verdict>, SuiteError> {
     let all = work(names, long)?;
-    let folder = tempfile::tempdir()?;
+    let folder = TemporaryFolder::within(&std::env::temp_dir())?;
     let (long, short): (Vec<usize>, Vec<usize>) = (0..all.len()).partition(|&place| all[place].series.long);
     let piece = |place: usize| (place, judged(&all[place], folder.path(), place));
     let others = in_threads(short.len(), |k| piece(short[k]), &mut |(_, verdicts): &(

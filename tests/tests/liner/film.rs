@@ -110,7 +110,8 @@ fn by_matrix(problem: &FilmProblem, angles: usize, along: usize, entry: impl Fn(
 fn lumped_layer(problem: &FilmProblem, angles: usize, along: usize, per_pressure: f64) -> Wall {
     let area = std::f64::consts::TAU * RADIUS / angles as f64 * problem.bearing.length / along as f64;
     by_matrix(problem, angles, along, |_| {
-        Dense::from_diagonal_element(angles * along, angles * along, per_pressure / area)
+        let diagonal = |row, column| if row == column { per_pressure / area } else { 0.0 };
+        Dense::from_fn(angles * along, angles * along, diagonal)
     })
 }
 

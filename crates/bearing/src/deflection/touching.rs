@@ -16,7 +16,7 @@
 
 use std::collections::BTreeMap;
 
-use nalgebra::{DMatrix, DVector, Dyn, LU};
+use oilwedge_fem::{Dense, DenseFactors};
 use oilwedge_reynolds::wall::{Compliance, ContactTangent};
 
 /// Most splines whose contact is solved so: those that touch hardest.
@@ -30,8 +30,8 @@ pub(super) struct Touching {
     splines: Vec<usize>,
     /// A between them: places in the list, entries [N/m].
     stiffness: Vec<(usize, usize, f64)>,
-    /// `I - C_c A_c`.
-    factor: LU<f64, Dyn, Dyn>,
+    /// Factors of `I - C_c A_c`; none where that is singular.
+    factors: Option<DenseFactors>,
 }
 
 impl Touching {
@@ -46,25 +46,27 @@ impl Touching {
             }
         });
         let among = compliance.among(&splines);
-        let mut matrix = DMatrix::identity(splines.len(), splines.len());
+        let number = splines.len();
+        let mut matrix = Dense::from_fn(number, number, |row, column| f64::from(u8::from(row == column)));
         for &(row, column, entry) in &stiffness {
-            for (k, compliance) in among.row(row).iter().enumerate() {
-                matrix[(k, column)] -= compliance * entry;
+            for k in 0..number {
+                matrix[(k, column)] -= among[(row, k)] * entry;
             }
         }
         Some(Self {
             splines,
             stiffness,
-            factor: matrix.lu(),
+            factors: matrix.factors(),
         })
     }
 
     /// Solves `x - C A x = r` with the contact of these splines; r itself where that is singular.
     pub(super) fn solve(&self, compliance: &Compliance, r: &[f64]) -> Vec<f64> {
-        let here = DVector::from_iterator(self.splines.len(), self.splines.iter().map(|&spline| r[spline]));
-        let Some(moved) = self.factor.solve(&here) else {
+        let Some(factors) = &self.factors else {
             return r.to_vec();
         };
+        let here: Vec<f64> = self.splines.iter().map(|&spline| r[spline]).collect();
+        let moved = factors.solve(&here);
         let mut forces = vec![0.0; r.len()];
         for &(row, column, entry) in &self.stiffness {
             forces[self.splines[row]] += entry * moved[column];

@@ -7,9 +7,11 @@
 //! Rigid motions across the axis cost nothing, and loads are moved to the journals by statics: round-off of the elimination is taken out of both by projection, so that the
 //! sums of forces and moments are right to round-off of their own size, however stiff the shaft is.
 
+use oilwedge_fem::DenseFactors;
+
 use super::beam::{Beam, Point};
 use super::cut::shares;
-use super::matrix::{Factors, Matrix, product};
+use super::matrix::{Matrix, product};
 use crate::coordinates::{Coordinates, Vector};
 
 /// Beams between nodes. The last node is held along and about the axis z, where the shaft is driven.
@@ -173,7 +175,7 @@ impl Retained {
 }
 
 /// How all else follows a unit of each retained coordinate, but for the sign.
-fn following(inner: &Factors, coupling: &[Vec<f64>]) -> Vec<Vec<f64>> {
+fn following(inner: &DenseFactors, coupling: &[Vec<f64>]) -> Vec<Vec<f64>> {
     coupling.iter().map(|row| inner.solve(row)).collect()
 }
 

@@ -1,24 +1,20 @@
-//! Square matrices of a few hundred rows, all entries kept, and their factors.
+//! Square matrices of a few hundred rows, all entries kept.
 
-use nalgebra::{DMatrix, DVector, Dyn, LU};
+use oilwedge_fem::{Dense, DenseFactors};
 
 /// A square matrix.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Matrix(DMatrix<f64>);
-
-/// The factors `P A = L U` of a matrix, none of whose pivots vanishes.
-#[derive(Debug, Clone)]
-pub struct Factors(LU<f64, Dyn, Dyn>);
+pub struct Matrix(Dense);
 
 impl Matrix {
     /// The matrix of zeros with this many rows.
     pub fn zeros(order: usize) -> Self {
-        Self(DMatrix::zeros(order, order))
+        Self(Dense::zeros(order, order))
     }
 
     /// Number of rows, and of columns.
     pub fn order(&self) -> usize {
-        self.0.nrows()
+        self.0.rows()
     }
 
     /// The entry of a row and a column.
@@ -34,7 +30,7 @@ impl Matrix {
     /// The matrix times a number.
     #[must_use]
     pub fn scaled(self, factor: f64) -> Self {
-        Self(self.0 * factor)
+        Self(self.0.scaled(factor))
     }
 
     /// The rows and columns of these numbers.
@@ -46,65 +42,22 @@ impl Matrix {
     /// The square matrix of the rows and columns of these numbers.
     #[must_use]
     pub fn of_numbers(&self, numbers: &[usize]) -> Self {
-        Self(self.0.select_rows(numbers).select_columns(numbers))
+        let entry = |row: usize, column: usize| self.at(numbers[row], numbers[column]);
+        Self(Dense::from_fn(numbers.len(), numbers.len(), entry))
     }
 
     /// The product with a vector.
     pub fn times(&self, vector: &[f64]) -> Vec<f64> {
-        (&self.0 * DVector::from_column_slice(vector)).as_slice().to_vec()
+        self.0.times(vector)
     }
 
     /// The factors by elimination with row pivots; `None` where a pivot vanishes or is no number.
-    pub fn factors(&self) -> Option<Factors> {
-        let factors = self.0.clone().lu();
-        let pivots = factors.u().diagonal();
-        let are_pivots = pivots.iter().all(|pivot| *pivot != 0.0 && pivot.is_finite());
-        are_pivots.then_some(Factors(factors))
-    }
-}
-
-impl Factors {
-    /// The vector whose product with the matrix is `wanted`.
-    pub fn solve(&self, wanted: &[f64]) -> Vec<f64> {
-        let mut x = DVector::from_column_slice(wanted);
-        // No pivot vanishes.
-        self.0.solve_mut(&mut x);
-        x.as_slice().to_vec()
+    pub fn factors(&self) -> Option<DenseFactors> {
+        self.0.clone().factors()
     }
 }
 
 /// `sum_k a_k b_k`.
 pub(super) fn product(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn matrix(rows: &[[f64; 3]; 3]) -> Matrix {
-        let mut matrix = Matrix::zeros(3);
-        for (i, row) in rows.iter().enumerate() {
-            row.iter().enumerate().for_each(|(j, entry)| matrix.add(i, j, *entry));
-        }
-        matrix
-    }
-
-    #[test]
-    fn what_is_solved_gives_the_vector_back() {
-        let needs_pivots = matrix(&[[0.0, 2.0, 1.0], [3.0, 0.0, 0.5], [1.0, -1.0, 0.0]]);
-        let wanted = [1.0, -2.0, 0.7];
-        let found = needs_pivots.factors().expect("it has an inverse").solve(&wanted);
-        let back = needs_pivots.times(&found);
-        assert!(back.iter().zip(wanted).all(|(a, b)| (a - b).abs() < 1e-15), "{back:?}");
-    }
-
-    #[test]
-    fn a_singular_matrix_has_no_factors() {
-        assert!(
-            matrix(&[[1.0, 2.0, 0.0], [2.0, 4.0, 0.0], [0.0, 0.0, 1.0]])
-                .factors()
-                .is_none()
-        );
-    }
 }

@@ -3,6 +3,7 @@
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD as BASE64;
 use miniz_oxide::deflate::compress_to_vec_zlib;
+use miniz_oxide::inflate::decompress_to_vec_zlib_with_limit;
 use quick_xml::events::{BytesText, Event};
 use quick_xml::{Error as Xml, Writer};
 
@@ -90,7 +91,7 @@ impl<'a> Array<'a> {
         };
         let bytes = self.numbers.bytes(Vec::new());
         let blocks: Vec<_> = bytes.chunks(BLOCK).map(encoder).collect();
-        // The size of the last block also where it is whole: VTK takes zero for that too, vtkio does not.
+        // The size of the last block also where it is whole: VTK takes zero for that too.
         let last = bytes.chunks(BLOCK).last().map_or(0, <[u8]>::len);
         let sizes = [blocks.len(), BLOCK, last];
         let sizes = sizes.into_iter().chain(blocks.iter().map(Vec::len));
@@ -117,4 +118,39 @@ impl<'a> Array<'a> {
             })?;
         Ok(())
     }
+}
+
+/// The bytes of the array with this text; `None` where [`Array::text`] makes no such text.
+pub(crate) fn bytes_of(text: &[u8], compression: Compression) -> Option<Vec<u8>> {
+    let decoder: fn(&[u8]) -> Option<Vec<u8>> = match compression {
+        Compression::None => {
+            let mut bytes = BASE64.decode(text).ok()?;
+            let size = sizes(bytes.get(..SIZE)?)?[0];
+            return (size == bytes.len() - SIZE).then(|| bytes.split_off(SIZE));
+        }
+        Compression::Lz4 => |block| lz4_flex::block::decompress(block, BLOCK).ok(),
+        Compression::Zlib => |block| decompress_to_vec_zlib_with_limit(block, BLOCK).ok(),
+    };
+    // Four letters of base64 are three bytes.
+    let letters = |sizes: usize| sizes.checked_mul(SIZE)?.div_ceil(3).checked_mul(4);
+    let first = sizes(&BASE64.decode(text.get(..letters(3)?)?).ok()?)?;
+    let (header, blocks) = text.split_at_checked(letters(first[0].checked_add(3)?)?)?;
+    let (header, blocks) = (sizes(&BASE64.decode(header).ok()?)?, BASE64.decode(blocks).ok()?);
+    let (mut bytes, mut rest) = (Vec::new(), blocks.as_slice());
+    for size in &header[3..] {
+        let (block, after) = rest.split_at_checked(*size)?;
+        bytes.append(&mut decoder(block)?);
+        rest = after;
+    }
+    let whole = first[0].saturating_sub(1).checked_mul(BLOCK)?.checked_add(first[2])?;
+    (first[1] == BLOCK && bytes.len() == whole).then_some(bytes)
+}
+
+/// Bytes of a size in a header.
+const SIZE: usize = 8;
+
+/// The sizes in these bytes.
+fn sizes(bytes: &[u8]) -> Option<Vec<usize>> {
+    let sizes = bytes.as_chunks::<SIZE>().0.iter();
+    sizes.map(|size| usize::try_from(u64::from_le_bytes(*size)).ok()).collect()
 }

@@ -16,9 +16,8 @@
 //! **Source.** Projection on splines: de Boor, A Practical Guide to Splines (1978). **Range.** Linear elasticity. **Verified by** `waves_are_deflected_by_their_compliance`,
 //! `a_matrix_of_a_layer_is_that_layer`.
 
-use nalgebra::{DMatrixView, DVectorView};
+use oilwedge_fem::Dense;
 
-use super::dense::Dense;
 use super::spline::{Along, Around};
 
 /// Waves that the grid does not tell apart are summed to this number of times its own.
@@ -65,20 +64,20 @@ impl Compliance {
         };
         Some(Self(Form::Slices(Product {
             around: circulant(around.number, symbol),
-            along: along.mass().try_inverse()?,
+            along: along.mass().inverse()?,
         })))
     }
 
     /// A matrix of displacements [m] for unit forces [N] at the `points` [m] along the liner of each angle of the grid, angle by angle; none where it does
     /// not fit the grid.
     pub fn of_matrix((around, along): (&Around, &Along), points: &[f64], displacements: Dense) -> Option<Self> {
-        if displacements.nrows() != around.number * along.number() || points.len() != along.number() {
+        if displacements.rows() != around.number * along.number() || points.len() != along.number() {
             return None;
         }
-        let inverse = along.collocation(points).try_inverse()?;
+        let inverse = along.collocation(points).inverse()?;
         Some(Self(Form::Matrix {
             displacements,
-            transposed: Product::interpolation(around, inverse.transpose()),
+            transposed: Product::interpolation(around, inverse.transposed()),
             interpolation: Product::interpolation(around, inverse),
         }))
     }
@@ -106,7 +105,7 @@ impl Compliance {
         match &self.0 {
             Form::Slices(product) => splines.iter().map(|&spline| product.at(spline, pressed)).collect(),
             Form::Matrix { displacements, .. } => {
-                let mut force = vec![0.0; displacements.nrows()];
+                let mut force = vec![0.0; displacements.rows()];
                 force[pressed] = 1.0;
                 let moved = self.deflection(&force);
                 splines.iter().map(|&spline| moved[spline]).collect()
@@ -124,8 +123,7 @@ impl Compliance {
                 transposed,
             } => {
                 let at_points = transposed.times(forces);
-                let moved = displacements * DVectorView::from_slice(&at_points, at_points.len());
-                interpolation.times(moved.as_slice())
+                interpolation.times(&displacements.times(&at_points))
             }
         }
     }
@@ -144,31 +142,30 @@ impl Product {
 
     /// Its inverse; none where it is singular.
     fn inverse(&self) -> Option<Self> {
-        let number = self.around.nrows();
+        let number = self.around.rows();
         let turn = std::f64::consts::TAU / number as f64;
         let symbol = |wave: i64| {
             let cos = |k: usize| (turn * ((wave as usize * k) % number) as f64).cos();
-            let parts = self.around.column(0).into_iter().enumerate();
+            let parts = self.around.column(0).iter().enumerate();
             parts.map(|(k, entry)| entry * cos(k)).sum::<f64>()
         };
         let symbols: Vec<f64> = (0..number as i64).map(symbol).collect();
         symbols.iter().all(|symbol| *symbol > 0.0).then_some(())?;
         Some(Self {
             around: circulant(number, |wave| 1.0 / symbols[wave as usize]),
-            along: self.along.clone().try_inverse()?,
+            along: self.along.clone().inverse()?,
         })
     }
 
     /// An entry.
     fn at(&self, row: usize, column: usize) -> f64 {
-        let along = self.along.nrows();
+        let along = self.along.rows();
         self.around[(row / along, column / along)] * self.along[(row % along, column % along)]
     }
 
     pub(super) fn times(&self, x: &[f64]) -> Vec<f64> {
-        let (number, along) = (self.around.nrows(), self.along.nrows());
-        let product = &self.along * DMatrixView::from_slice(x, along, number) * &self.around;
-        product.data.into()
+        let product = self.along.times_columns(x);
+        product.times_columns(self.around.entries()).into_columns()
     }
 }
 
@@ -196,7 +193,7 @@ mod tests {
 
     /// Forces of `cos(n phi)` on splines around, along those of a constant.
     fn forces(around: &Around, along: &Along, n: usize) -> Vec<f64> {
-        let axial = along.mass().column_sum();
+        let axial = along.mass().times(&vec![1.0; along.number()]);
         let wave = |j: usize| RADIUS * around.transform(n as f64) * (n as f64 * around.middle(j)).cos();
         (0..around.number)
             .flat_map(|j| axial.iter().map(move |part| part * wave(j)))
@@ -259,10 +256,10 @@ mod tests {
         for number in [24usize, 48, 96] {
             let (around, points) = (Around::centred(number, 0.0), [-0.018, -0.01, 0.0, 0.01, 0.018]);
             let along = Along::through(&points, [-0.02, 0.02]);
-            let inverse = along.collocation(&points).try_inverse().expect("points").transpose();
-            let lengths = inverse * along.mass().column_sum();
+            let inverse = along.collocation(&points).inverse().expect("points").transposed();
+            let lengths = inverse.times(&along.mass().times(&[1.0; 5]));
             let mut layer = Dense::zeros(number * points.len(), number * points.len());
-            for place in 0..layer.nrows() {
+            for place in 0..layer.rows() {
                 layer[(place, place)] = 1e-14 / (RADIUS * TAU / number as f64 * lengths[place % points.len()]);
             }
             let compliance = Compliance::of_matrix((&around, &along), &points, layer).expect("it fits");

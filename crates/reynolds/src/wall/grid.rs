@@ -109,7 +109,7 @@ impl Grid {
         let middle = |j: usize| self.radius * self.around.middle(j);
         let values = (0..self.around.number).flat_map(|j| points.iter().map(move |&z| [middle(j), z]));
         let values: Vec<f64> = values.map(function).collect();
-        Some(Product::interpolation(&self.around, self.along.collocation(&points).try_inverse()?).times(&values))
+        Some(Product::interpolation(&self.around, self.along.collocation(&points).inverse()?).times(&values))
     }
 
     /// Adds the function with these coefficients [m] to the gap at `positions` [m].

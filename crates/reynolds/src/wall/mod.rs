@@ -6,7 +6,6 @@
 
 mod blocks;
 pub mod compliance;
-mod dense;
 mod gap_tangent;
 pub mod grid;
 pub(crate) mod pressing;
@@ -14,7 +13,7 @@ pub mod spline;
 mod touching;
 
 pub use compliance::Compliance;
-pub use dense::Dense;
+pub use oilwedge_fem::Dense;
 pub use gap_tangent::GapTangent;
 pub use grid::Grid;
 pub(crate) use pressing::Pressing;

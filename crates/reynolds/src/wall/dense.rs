@@ -1,4 +1,0 @@
-//! Dense matrices of splines and points.
-
-/// A dense matrix.
-pub type Dense = nalgebra::DMatrix<f64>;
