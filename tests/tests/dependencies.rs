@@ -32,17 +32,19 @@ fn locked() -> Vec<toml::Table> {
         .collect()
 }
 
+/// What cargo prints.
+fn cargo(arguments: &[&str]) -> String {
+    let output = Command::new(env!("CARGO"))
+        .args(arguments)
+        .current_dir(repository())
+        .output();
+    let output = output.expect("cargo starts");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).expect("UTF-8")
+}
+
 /// Name and licence of the packages that are built on this platform, those of the workspace left out.
 fn licences() -> Vec<(String, Option<String>)> {
-    let cargo = |arguments: &[&str]| {
-        let output = Command::new(env!("CARGO"))
-            .args(arguments)
-            .current_dir(repository())
-            .output();
-        let output = output.expect("cargo starts");
-        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-        String::from_utf8(output.stdout).expect("UTF-8")
-    };
     let version = cargo(&["--version", "--verbose"]);
     let host = version
         .lines()
@@ -89,6 +91,20 @@ fn licences_are_allowed() {
     }
     let idle: Vec<_> = allowed.iter().filter(|licence| !needed.contains(*licence)).collect();
     assert!(idle.is_empty(), "no package has {idle:?}: take it out of deny.toml");
+}
+
+/// What the program is made of has the features that the whole workspace asks for: else `cargo test` compiles it a second time.
+#[test]
+fn the_program_shares_its_dependencies_with_the_tests() {
+    let tree = |of: &[&str]| {
+        let form = ["--edges", "normal,build", "--prefix", "none", "--no-dedupe", "--format", "{p} {f}"];
+        let tree = cargo(&[&["tree", "--offline"], of, &form[..]].concat());
+        tree.lines().map(str::to_owned).collect::<BTreeSet<String>>()
+    };
+    let (program, all) = (tree(&["--package", "oilwedge"]), tree(&["--workspace"]));
+    assert!(program.len() > 100, "only {} packages", program.len());
+    let other: Vec<_> = program.difference(&all).collect();
+    assert!(other.is_empty(), "the workspace asks for other features of {other:?}: name them in crates/cli/Cargo.toml");
 }
 
 #[test]
