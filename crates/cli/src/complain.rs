@@ -194,7 +194,7 @@ pub(crate) fn warn_of_sweep(cases: Option<usize>) {
 const LINE_LIMIT: usize = 400;
 
 fn plain(message: &str) -> String {
-    render(&[title(message)])
+    render(title(message))
 }
 
 /// What is wrong with the text of the scene at `path`: one place, message and way out for each complaint.
@@ -211,22 +211,22 @@ fn about_text(what: &str, path: &Path, text: &str, complaints: &[Complaint]) -> 
             Snippet::source(text).path(path.as_str()).annotation(mark)
         });
         let group = marked.into_iter().fold(title(&complaint.to_string()), Group::element);
-        group.element(Level::HELP.message(printable(&complaint.help)))
+        render(group.element(Level::HELP.message(printable(&complaint.help))))
     });
-    let groups: Vec<Group<'_>> = std::iter::once(title(&message)).chain(each).collect();
-    render(&groups)
+    let parts: Vec<String> = std::iter::once(plain(&message)).chain(each).collect();
+    parts.join("\n\n")
 }
 
 fn title<'a>(message: &str) -> Group<'a> {
     Group::with_title(Level::ERROR.primary_title(printable(message)))
 }
 
-fn render(groups: &[Group<'_>]) -> String {
+fn render(group: Group<'_>) -> String {
     let style = match is_unicode(|name| std::env::var(name).ok()) {
         true => DecorStyle::Unicode,
         false => DecorStyle::Ascii,
     };
-    Renderer::styled().decor_style(style).render(groups)
+    Renderer::styled().decor_style(style).render(&[group])
 }
 
 /// Whether the `environment` names a character set with lines for frames.
