@@ -97,14 +97,25 @@ fn licences_are_allowed() {
 #[test]
 fn the_program_shares_its_dependencies_with_the_tests() {
     let tree = |of: &[&str]| {
-        let form = ["--edges", "normal,build", "--prefix", "none", "--no-dedupe", "--format", "{p} {f}"];
+        let form = [
+            "--edges",
+            "normal,build",
+            "--prefix",
+            "none",
+            "--no-dedupe",
+            "--format",
+            "{p} {f}",
+        ];
         let tree = cargo(&[&["tree", "--offline"], of, &form[..]].concat());
         tree.lines().map(str::to_owned).collect::<BTreeSet<String>>()
     };
     let (program, all) = (tree(&["--package", "oilwedge"]), tree(&["--workspace"]));
     assert!(program.len() > 100, "only {} packages", program.len());
     let other: Vec<_> = program.difference(&all).collect();
-    assert!(other.is_empty(), "the workspace asks for other features of {other:?}: name them in crates/cli/Cargo.toml");
+    assert!(
+        other.is_empty(),
+        "the workspace asks for other features of {other:?}: name them in crates/cli/Cargo.toml"
+    );
 }
 
 #[test]

@@ -123,8 +123,15 @@ impl Dense {
     pub fn inverse(self) -> Option<Self> {
         let order = self.rows;
         let factors = self.factors()?;
-        let unit = |k: usize| (0..order).map(move |row| f64::from(u8::from(row == k))).collect::<Vec<f64>>();
-        Some(Self::from_columns(order, (0..order).flat_map(|k| factors.solve(&unit(k))).collect()))
+        let unit = |k: usize| {
+            (0..order)
+                .map(move |row| f64::from(u8::from(row == k)))
+                .collect::<Vec<f64>>()
+        };
+        Some(Self::from_columns(
+            order,
+            (0..order).flat_map(|k| factors.solve(&unit(k))).collect(),
+        ))
     }
 }
 
@@ -174,7 +181,11 @@ mod tests {
     fn a_solution_gives_the_right_side_back() {
         let needs_pivots = Dense::from_columns(3, vec![0.0, 3.0, 1.0, 2.0, 0.0, -1.0, 1.0, 0.5, 0.0]);
         let wanted = [1.0, -2.0, 0.7];
-        let found = needs_pivots.clone().factors().expect("it has an inverse").solve(&wanted);
+        let found = needs_pivots
+            .clone()
+            .factors()
+            .expect("it has an inverse")
+            .solve(&wanted);
         let back = needs_pivots.times(&found);
         assert!(back.iter().zip(wanted).all(|(a, b)| (a - b).abs() < 1e-15), "{back:?}");
         let inverse = needs_pivots.clone().inverse().expect("it has one");

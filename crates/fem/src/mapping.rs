@@ -28,7 +28,8 @@ impl Place {
     /// Gradient on the surface of a function with the given reference gradient.
     #[inline]
     pub fn gradient(&self, reference: [f64; 2]) -> [f64; 2] {
-        self.inverse_transposed.map(|row| row[0] * reference[0] + row[1] * reference[1])
+        self.inverse_transposed
+            .map(|row| row[0] * reference[0] + row[1] * reference[1])
     }
 }
 

@@ -32,7 +32,9 @@ pub fn from_vtu(bytes: &[u8]) -> Result<FilmPicture, Error> {
     };
     let (arrays, compressor) = arrays(bytes).map_err(|error| bad(error.to_string()))?;
     let compressions = [Compression::None, Compression::Lz4, Compression::Zlib];
-    let compression = compressions.into_iter().find(|it| it.compressor() == compressor.as_deref());
+    let compression = compressions
+        .into_iter()
+        .find(|it| it.compressor() == compressor.as_deref());
     let compression = compression.ok_or_else(|| bad("its compressor is not known".to_owned()))?;
     let numbers = |array: &ReadArray| {
         let numbers = array.numbers(compression);
@@ -46,12 +48,18 @@ pub fn from_vtu(bytes: &[u8]) -> Result<FilmPicture, Error> {
     let points = of("Points").next().ok_or_else(|| bad("it has no points".to_owned()))?;
     let points = rows(&numbers(points)?);
     let (nodes, offsets) = (cells("connectivity")?, cells("offsets")?);
-    let are_six = offsets.iter().zip(1..).all(|(offset, cell)| *offset == f64::from(6 * cell));
+    let are_six = offsets
+        .iter()
+        .zip(1..)
+        .all(|(offset, cell)| *offset == f64::from(6 * cell));
     let are_nodes = nodes.iter().all(|node| *node < points.len() as f64);
     if !are_six || !are_nodes || nodes.len() != 6 * offsets.len() {
         return Err(bad("its cells are no quadratic triangles on its nodes".to_owned()));
     }
-    let cells: Vec<[u32; 6]> = rows(&nodes).into_iter().map(|cell| cell.map(|node| node as u32)).collect();
+    let cells: Vec<[u32; 6]> = rows(&nodes)
+        .into_iter()
+        .map(|cell| cell.map(|node| node as u32))
+        .collect();
     let fields = |part, count| {
         let fields = of(part).filter_map(|array| field(array, numbers(array), count).transpose());
         fields.collect::<Result<_, Error>>()
@@ -121,7 +129,9 @@ impl ReadArray {
         let (eights, rest) = bytes.as_chunks::<8>();
         match self.kind.as_str() {
             "Float64" if rest.is_empty() => Some(eights.iter().map(|number| f64::from_le_bytes(*number)).collect()),
-            "UInt64" if rest.is_empty() => Some(eights.iter().map(|number| u64::from_le_bytes(*number) as f64).collect()),
+            "UInt64" if rest.is_empty() => {
+                Some(eights.iter().map(|number| u64::from_le_bytes(*number) as f64).collect())
+            }
             "UInt8" => Some(bytes.into_iter().map(f64::from).collect()),
             _ => None,
         }

@@ -152,5 +152,7 @@ const SIZE: usize = 8;
 /// The sizes in these bytes.
 fn sizes(bytes: &[u8]) -> Option<Vec<usize>> {
     let sizes = bytes.as_chunks::<SIZE>().0.iter();
-    sizes.map(|size| usize::try_from(u64::from_le_bytes(*size)).ok()).collect()
+    sizes
+        .map(|size| usize::try_from(u64::from_le_bytes(*size)).ok())
+        .collect()
 }

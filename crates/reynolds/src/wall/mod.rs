@@ -13,9 +13,9 @@ pub mod spline;
 mod touching;
 
 pub use compliance::Compliance;
-pub use oilwedge_fem::Dense;
 pub use gap_tangent::GapTangent;
 pub use grid::Grid;
+pub use oilwedge_fem::Dense;
 pub(crate) use pressing::Pressing;
 pub use spline::{Along, Around};
 pub use touching::ContactTangent;

@@ -32,7 +32,9 @@ pub(super) fn directions(pair: &Pair, arm: f64, bar: impl Fn(&[Bar]) -> Bar) -> 
             let weights = forces(pair.weights(mesh.points()[vertex as usize]));
             let factor = area / 3.0 * pair.difference[vertex as usize];
             for (row, a) in sum.iter_mut().zip(weights) {
-                row.iter_mut().zip(weights).for_each(|(entry, b)| *entry += factor * a * b);
+                row.iter_mut()
+                    .zip(weights)
+                    .for_each(|(entry, b)| *entry += factor * a * b);
             }
         }
     }
@@ -100,7 +102,11 @@ mod tests {
         for (i, a) in vectors.into_iter().enumerate() {
             for (j, b) in vectors.into_iter().enumerate() {
                 assert!((dot(a, b) - f64::from(u8::from(i == j))).abs() < 1e-14);
-                assert!(i == j || dot(a, times(b)).abs() < 1e-9, "{i} {j}: {:e}", dot(a, times(b)));
+                assert!(
+                    i == j || dot(a, times(b)).abs() < 1e-9,
+                    "{i} {j}: {:e}",
+                    dot(a, times(b))
+                );
             }
         }
         assert_eq!(eigenvectors(UNIT), UNIT);
