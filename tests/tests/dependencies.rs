@@ -90,18 +90,27 @@ fn licences_are_allowed() {
     assert!(idle.is_empty(), "no package has {idle:?}: take it out of deny.toml");
 }
 
-/// pip builds the Python package alone: with other features than those of the workspace it would compile again what the program has too.
+/// The program and the Python package are built alone: with other features than those of the workspace, `cargo test` would compile again
+/// what they are made of.
 #[test]
-fn the_python_package_has_the_features_of_the_workspace() {
+fn program_and_python_package_have_the_features_of_the_workspace() {
     let packages = |of: &[&str]| {
         let tree = "tree --offline --edges normal,build --prefix none --no-dedupe --format {p}#{f}";
         let arguments: Vec<&str> = tree.split(' ').chain(of.iter().copied()).collect();
-        let lines: BTreeSet<String> = told_by_cargo(&arguments).lines().map(str::to_owned).collect();
-        lines
+        told_by_cargo(&arguments)
+            .lines()
+            .map(str::to_owned)
+            .collect::<BTreeSet<String>>()
     };
-    let [python, all] = [packages(&["--package", "oilwedge-python"]), packages(&["--workspace"])];
-    let other: Vec<_> = python.difference(&all).collect();
-    assert!(other.is_empty() && python.len() > 100, "{other:?}");
+    let all = packages(&["--workspace"]);
+    for package in ["oilwedge", "oilwedge-python"] {
+        let own = packages(&["--package", package]);
+        let other: Vec<_> = own.difference(&all).collect();
+        assert!(
+            other.is_empty() && own.len() > 100,
+            "name these features in the manifest of {package}: {other:?}"
+        );
+    }
 }
 
 #[test]

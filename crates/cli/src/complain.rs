@@ -1,6 +1,7 @@
 //! Errors and warnings on stderr, with the place in the scene and what to do.
 
-use miette::{Diagnostic, LabeledSpan, MietteHandlerOpts, NamedSource, Report, SourceCode};
+use annotate_snippets::renderer::DecorStyle;
+use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use oilwedge_campaign::sweep::Part;
 use oilwedge_report::Error;
 use oilwedge_report::sweep::SweepError;
@@ -8,7 +9,7 @@ use oilwedge_report::tables::printable;
 use oilwedge_scene::{Complaint, SceneError};
 use oilwedge_study::compile_error::CompileError;
 use oilwedge_verification::SuiteError;
-use std::io::{IsTerminal, Write};
+use std::io::Write;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -141,30 +142,34 @@ impl Failure {
 
     /// Reports the failure on stderr.
     pub(crate) fn report(self) {
-        let drawn = match self {
+        say(&self.drawn());
+    }
+
+    /// The failure as it is shown, in colours.
+    fn drawn(&self) -> String {
+        match self {
             Self::Scene(SceneError::Syntax { path, text, complaints }) => {
-                Drawn::about_text("is not valid TOML", &path, text, &complaints)
+                about_text("is not valid TOML", path, text, complaints)
             }
             Self::Scene(SceneError::Complaints { path, text, complaints }) => {
-                Drawn::about_text("cannot be used", &path, text, &complaints)
+                about_text("cannot be used", path, text, complaints)
             }
-            Self::Scene(other) => Drawn::plain(other.to_string()),
-            Self::Message(message) | Self::Interrupted(message) => Drawn::plain(message),
-            Self::Output { error, written } => Drawn::plain(match written {
+            Self::Scene(other) => plain(&other.to_string()),
+            Self::Message(message) | Self::Interrupted(message) => plain(message),
+            Self::Output { error, written } => plain(&match written {
                 None => format!("cannot write to the standard output: {error}"),
                 Some(path) => {
                     let path = path.display();
                     format!("the results were written to {path}, but not to the standard output: {error}")
                 }
             }),
-        };
-        say(&format!("{:?}", Report::new(drawn)));
+        }
     }
 }
 
-/// A line on stderr. That it cannot be written does not change how the run ends.
+/// A line on stderr, with its colours where that is a terminal that shows them. That it cannot be written does not change how the run ends.
 pub(crate) fn say(line: &str) {
-    let written = writeln!(std::io::stderr().lock(), "{line}");
+    let written = writeln!(anstream::stderr().lock(), "{line}");
     drop(written);
 }
 
@@ -185,59 +190,50 @@ pub(crate) fn warn_of_sweep(cases: Option<usize>) {
     warn(words.as_slice());
 }
 
-/// Lines are wrapped for people only: a script may look for a sentence.
-pub(crate) fn set_up() {
-    let people = std::io::stderr().is_terminal();
-    let hook = miette::set_hook(Box::new(move |_| {
-        let options = MietteHandlerOpts::new().wrap_lines(people).terminal_links(false);
-        Box::new(options.context_lines(1).build())
-    }));
-    // It fails only if a handler was set before, and then that one does.
-    drop(hook);
-}
-
-/// A text as miette draws it.
-#[derive(Debug)]
-struct Drawn {
-    message: String,
-    help: Option<String>,
-    place: Option<Range<usize>>,
-    source: Option<NamedSource<String>>,
-    related: Vec<Drawn>,
-}
-
 /// Longer lines are not shown.
 const LINE_LIMIT: usize = 400;
 
-impl Drawn {
-    fn plain(message: String) -> Self {
-        Self {
-            message: printable(&message),
-            help: None,
-            place: None,
-            source: None,
-            related: Vec::new(),
-        }
-    }
+fn plain(message: &str) -> String {
+    render(title(message))
+}
 
-    fn about_text(what: &str, path: &Path, text: String, complaints: &[Complaint]) -> Self {
-        let related = complaints.iter().map(|complaint| Self {
-            help: Some(printable(&complaint.help)),
-            place: complaint.span.clone().filter(|span| can_be_shown(&text, span)),
-            ..Self::plain(complaint.to_string())
+/// What is wrong with the text of the scene at `path`: one place, message and way out for each complaint.
+fn about_text(what: &str, path: &Path, text: &str, complaints: &[Complaint]) -> String {
+    let path = path.display().to_string();
+    let message = match complaints.len() {
+        1 => format!("the scene {path} {what}"),
+        count => format!("the scene {path} {what}, for {count} reasons"),
+    };
+    let each = complaints.iter().map(|complaint| {
+        let place = complaint.span.clone().filter(|span| can_be_shown(text, span));
+        let marked = place.map(|span| {
+            let mark = AnnotationKind::Primary.span(span);
+            Snippet::source(text).path(path.as_str()).annotation(mark)
         });
-        let related = related.collect();
-        let message = match complaints.len() {
-            1 => format!("the scene {} {what}", path.display()),
-            count => format!("the scene {} {what}, for {count} reasons", path.display()),
-        };
-        let source = Some(NamedSource::new(path.display().to_string(), text));
-        Self {
-            source,
-            related,
-            ..Self::plain(message)
-        }
-    }
+        let group = marked.into_iter().fold(title(&complaint.to_string()), Group::element);
+        render(group.element(Level::HELP.message(printable(&complaint.help))))
+    });
+    let parts: Vec<String> = std::iter::once(plain(&message)).chain(each).collect();
+    parts.join("\n\n")
+}
+
+fn title<'a>(message: &str) -> Group<'a> {
+    Group::with_title(Level::ERROR.primary_title(printable(message)))
+}
+
+fn render(group: Group<'_>) -> String {
+    let style = match is_unicode(|name| std::env::var(name).ok()) {
+        true => DecorStyle::Unicode,
+        false => DecorStyle::Ascii,
+    };
+    Renderer::styled().decor_style(style).render(&[group])
+}
+
+/// Whether the `environment` names a character set with lines for frames.
+fn is_unicode(environment: impl Fn(&str) -> Option<String>) -> bool {
+    let set = ["LC_ALL", "LC_CTYPE", "LANG"].map(environment);
+    let set = set.into_iter().flatten().find(|set| !set.is_empty());
+    set.is_some_and(|set| set.to_uppercase().replace('-', "").ends_with("UTF8"))
 }
 
 fn can_be_shown(text: &str, span: &Range<usize>) -> bool {
@@ -247,36 +243,6 @@ fn can_be_shown(text: &str, span: &Range<usize>) -> bool {
     let start = before.rfind('\n').map_or(0, |place| place + 1);
     let end = span.end + after.find('\n').unwrap_or(after.len());
     text[start..end].lines().all(|line| line.len() <= LINE_LIMIT)
-}
-
-impl std::fmt::Display for Drawn {
-    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        formatter.write_str(&self.message)
-    }
-}
-
-impl std::error::Error for Drawn {}
-
-impl Diagnostic for Drawn {
-    fn help(&self) -> Option<Box<dyn std::fmt::Display + '_>> {
-        self.help.as_ref().map(|help| Box::new(help) as _)
-    }
-
-    fn source_code(&self) -> Option<&dyn SourceCode> {
-        self.source.as_ref().map(|source| source as _)
-    }
-
-    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        let place = self.place.clone()?;
-        Some(Box::new(std::iter::once(LabeledSpan::underline(place))))
-    }
-
-    fn related(&self) -> Option<Box<dyn Iterator<Item = &dyn Diagnostic> + '_>> {
-        match self.related.is_empty() {
-            true => None,
-            false => Some(Box::new(self.related.iter().map(|drawn| drawn as &dyn Diagnostic))),
-        }
-    }
 }
 
 #[cfg(test)]
@@ -289,16 +255,8 @@ mod tests {
         let Err(error) = oilwedge_study::parse(text, Path::new("bearing.toml")) else {
             panic!("must be refused")
         };
-        let SceneError::Complaints { path, text, complaints } = error else {
-            panic!("must be complaints")
-        };
-        let drawn_complaint = Drawn::about_text("cannot be used", &path, text, &complaints);
-        let mut drawn = String::new();
-        let theme = miette::GraphicalTheme::unicode_nocolor();
-        let handler = miette::GraphicalReportHandler::new_themed(theme).with_wrap_lines(false);
-        handler
-            .render_report(&mut drawn, &drawn_complaint)
-            .expect("drawing into a text");
+        let drawn = Failure::Scene(error).drawn();
+        let drawn = anstream::adapter::strip_str(&drawn).to_string();
         for part in [
             "bearing.toml:3:13",
             "bearing.clearance: a bare number",

@@ -110,7 +110,6 @@ enum Verb {
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
-    complain::set_up();
     let outcome = use_threads(arguments.threads).and_then(|()| match &arguments.verb {
         Verb::Solve(solve) => solve.run(),
         Verb::Check(check) => check.run(),

@@ -11,6 +11,7 @@ use rayon::prelude::*;
 
 use crate::conservation_law::{ConservationLaw, Tangent};
 use crate::element::{Element, ElementKernel};
+use crate::in_order;
 use crate::lagrange::MOST_SHAPES;
 use crate::sparsity::{Addresses, Sparsity};
 use crate::{Matrix, Pattern, Space};
@@ -99,10 +100,10 @@ impl Assembler {
             (rest, rest_entries) = (after, entries_after);
             blocks.push((range, block, block_entries));
         }
-        let owed: Vec<Owed> = blocks
+        let owed = blocks
             .into_par_iter()
-            .map(|(range, block, block_entries)| self.assemble_range(law, u, range, block, block_entries))
-            .collect();
+            .map(|(range, block, block_entries)| self.assemble_range(law, u, range, block, block_entries));
+        let owed: Vec<Owed> = in_order(owed);
         for owed in owed {
             for (index, value) in owed.residual {
                 residual[index as usize] += value;

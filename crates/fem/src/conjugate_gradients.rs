@@ -5,6 +5,7 @@
 
 use rayon::prelude::*;
 
+use crate::in_order;
 use crate::{Error, Matrix};
 
 /// Entries that one task sums or updates.
@@ -106,11 +107,8 @@ pub(crate) fn conjugate_gradients(
 /// True if the Euclidean norm `residual` of `r` and the sum of `r` are small enough.
 fn is_enough(enough: Enough, residual: f64, r: &[f64]) -> bool {
     let sum = || {
-        r.par_chunks(PORTION)
-            .map(|r| r.iter().sum())
-            .collect::<Vec<f64>>()
-            .iter()
-            .sum::<f64>()
+        let portions = r.par_chunks(PORTION).map(|r| r.iter().sum());
+        in_order::<f64>(portions).iter().sum::<f64>()
     };
     residual <= enough.residual && (residual <= enough.round_off || sum().abs() <= enough.imbalance)
 }
@@ -126,10 +124,9 @@ fn is_slow(ending: Ending, first: f64, residual: f64, steps: usize) -> bool {
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let portions: Vec<f64> = (a.par_chunks(PORTION).zip(b.par_chunks(PORTION)))
-        .map(|(a, b)| a.iter().zip(b).map(|(a, b)| a * b).sum())
-        .collect();
-    portions.iter().sum()
+    let portions = a.par_chunks(PORTION).zip(b.par_chunks(PORTION));
+    let portions = portions.map(|(a, b)| a.iter().zip(b).map(|(a, b)| a * b).sum());
+    in_order::<f64>(portions).iter().sum()
 }
 
 /// Replaces each entry by a function of its place and itself.

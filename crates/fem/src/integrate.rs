@@ -8,6 +8,7 @@ use std::ops::{AddAssign, Range};
 use oilwedge_mesh::Mesh;
 use rayon::prelude::*;
 
+use crate::in_order;
 use crate::lagrange::{self, MOST_SHAPES};
 use crate::mapping::{Mapping, Place};
 use crate::quadrature::{MOST_POINTS, Quadrature, gauss_interval};
@@ -192,14 +193,16 @@ pub fn integrate<T: Default + AddAssign + Send>(mesh: &Mesh, share: impl Fn(usiz
         sum += part;
         sum
     };
-    let task = |first: usize| {
+    // One type for all callers, so that the scheduler of tasks is compiled once for each type of sum.
+    let task: &(dyn Fn(usize) -> T + Sync) = &|first| {
         (first..(first + CELLS_A_TASK).min(cells))
             .map(&share)
             .fold(T::default(), add)
     };
     let firsts: Vec<usize> = (0..cells).step_by(CELLS_A_TASK).collect();
-    let tasks: Vec<T> = firsts.into_par_iter().map(task).collect();
-    tasks.into_iter().fold(T::default(), add)
+    in_order(firsts.into_par_iter().map(task))
+        .into_iter()
+        .fold(T::default(), add)
 }
 
 /// A quadrature point of an edge.

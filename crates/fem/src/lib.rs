@@ -3,7 +3,7 @@
 //! Physics states a [`ConservationLaw`]: flux and source at a point. Reading order:
 //! [`lagrange`] and [`quadrature`] (the reference triangle), [`mapping`], [`space`] (degrees of
 //! freedom), [`field`] (functions), [`extrema`], [`conservation_law`], [`element`] and [`assembly`] (the one
-//! element loop), [`integrate`](mod@integrate) (all other integrals), [`sparsity`], [`ordering`], [`factorization`] and [`unsymmetric`] ([`harmonic`]: systems of harmonic motions), [`newton`], [`complementarity`] (obstacles), [`linear_solver`], [`linearisation`];
+//! element loop), [`integrate`](mod@integrate) (all other integrals), [`in_order`](mod@in_order), [`sparsity`], [`ordering`], [`factorization`] and [`unsymmetric`] ([`harmonic`]: systems of harmonic motions), [`newton`], [`complementarity`] (obstacles), [`linear_solver`], [`linearisation`];
 //! for large systems `conjugate_gradients`, `multigrid` (on `sweeps`, [`linear_prolongation`] and `aggregation`), and `iterated`, which gives up on it where it is slow.
 //! [`prolongation`] and [`nested`]: cubic elements on top of quadratic ones, for error bars.
 //! [`marking`] chooses triangles to refine; [`transfer`](mod@transfer) carries a field to the refined mesh. [`control_volumes`] is the sub-mesh of schemes of finite volumes.
@@ -23,6 +23,7 @@ pub mod factorization;
 pub mod field;
 mod front;
 pub mod harmonic;
+pub mod in_order;
 pub mod integrate;
 mod iterated;
 pub mod kink_rule;
@@ -55,6 +56,7 @@ pub use error::Error;
 pub use factorization::{Analysis, Factorization};
 pub use field::Field;
 pub use harmonic::{HarmonicAnalysis, HarmonicSystem};
+pub use in_order::in_order;
 pub use integrate::integrate;
 pub use kink_rule::KinkRule;
 pub use linear_prolongation::LinearProlongation;

@@ -17,6 +17,7 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use crate::aggregation::Groups;
+use crate::in_order;
 use crate::linear_prolongation::LinearProlongation;
 use crate::sweeps::Sweeps;
 use crate::{Analysis, Error, Factorization, Matrix};
@@ -98,7 +99,7 @@ impl Multigrid {
         if greatest == 0.0 {
             return Ok(vec![0.0; r.len()]);
         }
-        let rough: Vec<f32> = r.par_iter().map(|r| (r / greatest) as f32).collect();
+        let rough: Vec<f32> = in_order(r.par_iter().map(|r| (r / greatest) as f32));
         let mut z = self.quadratic.forward(&rough);
         let mut left = self.between.restrict(&self.quadratic.left_by_forward(&z));
         for (left, &masked) in left.iter_mut().zip(&self.masked) {
@@ -107,7 +108,7 @@ impl Multigrid {
         self.between.add_prolonged(&self.vertices.solve(&left)?, &mut z);
         self.quadratic.backward(&rough, &mut z);
         let size = greatest * self.scale;
-        Ok(z.par_iter().map(|&z| size * f64::from(z)).collect())
+        Ok(in_order(z.par_iter().map(|&z| size * f64::from(z))))
     }
 }
 
@@ -192,10 +193,9 @@ impl Grid {
 const PORTION: usize = 16_384;
 
 fn dot(a: &[f32], b: &[f32]) -> f64 {
-    let portions: Vec<f64> = (a.par_chunks(PORTION).zip(b.par_chunks(PORTION)))
-        .map(|(a, b)| a.iter().zip(b).map(|(a, b)| f64::from(*a) * f64::from(*b)).sum())
-        .collect();
-    portions.iter().sum()
+    let portions = a.par_chunks(PORTION).zip(b.par_chunks(PORTION));
+    let portions = portions.map(|(a, b)| a.iter().zip(b).map(|(a, b)| f64::from(*a) * f64::from(*b)).sum());
+    in_order::<f64>(portions).iter().sum()
 }
 
 fn add(x: &mut [f32], factor: f64, direction: &[f32]) {

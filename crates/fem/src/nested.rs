@@ -10,6 +10,7 @@ use rayon::prelude::*;
 
 use crate::conjugate_gradients::{Ending, Enough, conjugate_gradients};
 use crate::factorization::LazyAnalysis;
+use crate::in_order;
 use crate::{Constraints, Error, Factorization, Linearisation, Matrix, Prolongation};
 
 /// Steps end when the residual has fallen to this part of the right-hand side.
@@ -84,9 +85,8 @@ impl Nested {
         mut enough: Enough,
     ) -> Result<Option<Vec<f64>>, Error> {
         // Zero at given dofs, so that nothing comes from there.
-        let inverse: Vec<f64> = (constraints.fixed.par_iter().enumerate())
-            .map(|(i, &fixed)| if fixed { 0.0 } else { 1.0 / matrix.diagonal(i) })
-            .collect();
+        let inverted = |(i, &fixed): (usize, &bool)| if fixed { 0.0 } else { 1.0 / matrix.diagonal(i) };
+        let inverse: Vec<f64> = in_order(constraints.fixed.par_iter().enumerate().map(inverted));
         if enough.residual == 0.0 {
             enough.residual = TOLERANCE * constraints.free_norm(b);
         }

@@ -11,6 +11,7 @@ use oilwedge_mesh::Mesh;
 use rayon::prelude::*;
 
 use crate::Space;
+use crate::in_order;
 
 /// Value of the edge function at two thirds of its edge, counted from the lesser vertex; at one third it is the negative.
 const EDGE_VALUE: f64 = 2.0 / 27.0;
@@ -193,7 +194,7 @@ impl Prolongation {
                 .sum();
             corners + edges + entries.triangles[t]
         };
-        (0..self.mesh().triangles().len()).into_par_iter().map(share).collect()
+        in_order((0..self.mesh().triangles().len()).into_par_iter().map(share))
     }
 }
 

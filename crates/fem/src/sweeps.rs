@@ -14,6 +14,7 @@ use std::ops::Range;
 use rayon::prelude::*;
 
 use crate::Matrix;
+use crate::in_order;
 
 /// Blocks of a matrix that is cut.
 const BLOCKS: usize = 8;
@@ -125,14 +126,10 @@ impl Sweeps {
     pub(crate) fn new(matrix: &Matrix, scale: f64) -> Self {
         let rows = matrix.pattern.dimension();
         let count = if rows < WORTH_CUTTING { 1 } else { BLOCKS };
-        let blocks = (0..count)
-            .into_par_iter()
-            .map(|k| Block::new(matrix, k * rows / count..(k + 1) * rows / count, scale))
-            .collect();
-        let diagonal: Vec<f32> = (0..rows)
-            .into_par_iter()
-            .map(|i| (matrix.diagonal(i) * scale) as f32)
-            .collect();
+        let block = |k| Block::new(matrix, k * rows / count..(k + 1) * rows / count, scale);
+        let blocks = in_order((0..count).into_par_iter().map(block));
+        let scaled = |i| (matrix.diagonal(i) * scale) as f32;
+        let diagonal: Vec<f32> = in_order((0..rows).into_par_iter().map(scaled));
         Self {
             blocks,
             inverse: vec![0.0; rows],

@@ -53,12 +53,15 @@ pub fn effects(effects: &Effects) -> String {
     )
 }
 
-/// An empty table with this header; the columns `numbers` are aligned to the right.
+/// An empty table with this header, as wide as the terminal at most; the columns `numbers` are aligned to the right.
 pub fn table(header: impl IntoIterator<Item = impl Into<Cell>>, numbers: Range<usize>) -> Table {
     let mut table = Table::new();
     table
         .load_style(presets::UTF8_FULL_CONDENSED)
         .set_content_arrangement(ContentArrangement::Dynamic);
+    if let Some((_, width)) = console::Term::stdout().size_checked() {
+        table.set_width(width);
+    }
     table.set_header(header.into_iter().map(Into::into).collect::<Vec<Cell>>());
     for column in numbers.start..numbers.end.min(table.column_count()) {
         if let Some(column) = table.column_mut(column) {

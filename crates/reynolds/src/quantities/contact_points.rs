@@ -13,6 +13,7 @@
 //! **Source.** Strang, Fix, An Analysis of the Finite Element Method (1973): rules on parts of triangles. **Range.** Any law of contact. **Verified by** `tests/tests/contact`,
 //! `tests/tests/liner/contact.rs`.
 
+use oilwedge_fem::in_order;
 use oilwedge_fem::integrate::Rule;
 use oilwedge_fem::mapping::Mapping;
 use oilwedge_fem::quadrature::MOST_POINTS;
@@ -214,7 +215,7 @@ impl ContactPoints {
             cells.iter().for_each(|&t| touching.add(t, &mut points));
             points
         };
-        let points: Vec<Vec<ContactPoint>> = cells.par_chunks(CELLS_A_TASK).map(of_cells).collect();
+        let points: Vec<Vec<ContactPoint>> = in_order(cells.par_chunks(CELLS_A_TASK).map(of_cells));
         Some(Self {
             points: points.concat(),
             splines: grid.map_or([0; 2], Grid::numbers),
@@ -234,7 +235,7 @@ impl ContactPoints {
             }
         };
         Self {
-            points: self.points.par_iter().with_min_len(FEW).map(bent).collect(),
+            points: in_order(self.points.par_iter().with_min_len(FEW).map(bent)),
             splines: self.splines,
         }
     }

@@ -18,8 +18,8 @@
 //! a film fraction shear the whole gap there. No film where a feed gives the pressure. **Verified by** `tests/tests/fields.rs`: torques and flows are
 //! integrals of these fields.
 
-use oilwedge_fem::Field;
 use oilwedge_fem::lagrange::nodes;
+use oilwedge_fem::{Field, in_order};
 use oilwedge_mesh::triangle_area;
 use rayon::prelude::*;
 
@@ -64,7 +64,7 @@ pub fn streams<'a>(
     (0..triangles).step_by(BLOCK).flat_map(move |first| {
         let at = |t: usize| is_film[t].then(|| (triangle_area(mesh.corners(t)), nodal.streams(t)));
         let block = first..triangles.min(first + BLOCK);
-        block.into_par_iter().map(at).collect::<Vec<_>>()
+        in_order(block.into_par_iter().map(at))
     })
 }
 

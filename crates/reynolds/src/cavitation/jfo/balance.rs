@@ -1,6 +1,6 @@
 //! The balances of all nodes, linear in pressure and film fraction.
 
-use oilwedge_fem::Matrix;
+use oilwedge_fem::{Matrix, in_order};
 use rayon::prelude::*;
 
 use super::Film;
@@ -43,7 +43,7 @@ impl Balance {
             pattern.row(i).map(driven).sum::<f64>() + carried + self.constant[i]
         };
         let rows = carried.par_iter().with_min_len(NODES_A_TASK);
-        rows.enumerate().map(balance).collect()
+        in_order(rows.enumerate().map(balance))
     }
 
     /// Its change with the unknown of each node: the film fraction in the cavity, the pressure elsewhere. Into `spare`
