@@ -5,7 +5,7 @@
 //! the maximum principle gives q >= p. The obstacle problem costs a small part of a film that conserves oil, and its force changes smoothly with the position. So
 //! its balance is where the search begins. Where it has none the load is refused, and the reason names that film: less pressure at every position makes a balance
 //! unlikely, but the inequality holds at one position and is no proof for all of them. **Range.** Constant viscosity, Barus' and Roelands' laws.
-//! **Verified by** `tests/tests/cavitation/guide.rs`.
+//! **Verified by** `tests/full/tests/cavitation/guide.rs`.
 
 use oilwedge_reynolds::{FilmProblem, FilmSystem, JournalState};
 

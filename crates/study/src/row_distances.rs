@@ -2,7 +2,7 @@
 //!
 //! **Equation.** Columns are as dense as the thinnest film along the axis needs around. Rows have as many nodes as equilateral triangles; they are denser beside edges through which oil
 //! enters, and where the film of a tilted journal changes along the axis. So a film that is thin at one end only has thin cells there, and no more columns than its width around asks
-//! for. **Verified by** `tests/full/tests/tilt/random.rs` and the convergence of all films that conserve oil.
+//! for. **Verified by** `tests/full/tests/random_tilted.rs` and the convergence of all films that conserve oil.
 
 use oilwedge_mesh::developed::Liner;
 

@@ -1,15 +1,18 @@
 //! The full tier: what takes minutes, or compares pages of figures. `cargo test --release --workspace --test full cavitation` runs
 //! a part of it.
 
+mod big_end_orbit;
 #[cfg(unix)]
 mod book;
 mod cavitation;
+mod conserving_orbits;
 mod contact;
 mod coverage;
 mod crosscheck;
 mod deletion;
 mod faults;
 mod film_places;
+mod flexpde_limits;
 mod frequency;
 mod fuzzing;
 mod hard_cases;

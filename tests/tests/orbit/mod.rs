@@ -1,7 +1,5 @@
 //! Orbits of the journal against closed solutions and the numbers of a second code.
 
-mod big_end;
-mod conserving;
 mod finite;
 mod loads;
 mod mobility;

@@ -14,7 +14,7 @@
 //!
 //! **Source.** Patir, Cheng, Trans. ASME J. Lubr. Technol. 100 (1978) 12 (phi_p); 101 (1979) 220 (h_T, equal roughness); Harp, Salant, Trans. ASME J. Tribol. 123 (2001)
 //! 134 (cavities). **Range.** h/sigma above some 0.5, where phi_p was found; it tends to 0.1 where the mean planes meet. **Verified by**
-//! `the_mean_gap_is_the_mean_of_the_gap`, `variations_match_differences` and the second code of `tests/tests/contact/mixed.rs`.
+//! `the_mean_gap_is_the_mean_of_the_gap`, `variations_match_differences` and the second code of `tests/full/tests/contact/mixed.rs`.
 
 use std::f64::consts::PI;
 use std::sync::LazyLock;

@@ -11,7 +11,7 @@
 //! Triangles are divided as the gap asks for (`contact_division`); for the splines of a wall parts are no wider than its cells, too.
 //!
 //! **Source.** Strang, Fix, An Analysis of the Finite Element Method (1973): rules on parts of triangles. **Range.** Any law of contact. **Verified by** `tests/tests/contact`,
-//! `tests/tests/liner/contact.rs`.
+//! `tests/full/tests/contact`.
 
 use oilwedge_fem::in_order;
 use oilwedge_fem::integrate::Rule;

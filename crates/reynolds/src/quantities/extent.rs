@@ -8,7 +8,7 @@
 //! | x = R phi of both ends | m | `begins`, `ends` |
 //!
 //! **Source.** The film arc of Raimondi, Boyd, Trans. ASLE 1 (1958) 159; rupture and reformation boundaries of Elrod, J. Lubr. Technol. 103 (1981) 350.
-//! **Range.** Models of cavitation; none where the film is full all around, or where the line is cut out of the liner. **Verified by** `tests/tests/film_places.rs`.
+//! **Range.** Models of cavitation; none where the film is full all around, or where the line is cut out of the liner. **Verified by** `tests/full/tests/film_places.rs`.
 
 use oilwedge_fem::Field;
 use oilwedge_fem::control_volumes::sub_triangles;

@@ -7,7 +7,7 @@
 //! | x | m | `at` |
 //! | s | 1 | `part` |
 //!
-//! **Source.** Definition. **Range.** Sides taken straight. **Verified by** `tests/tests/friction.rs` (flows through lines) and `tests/tests/film_places.rs`.
+//! **Source.** Definition. **Range.** Sides taken straight. **Verified by** `tests/tests/friction.rs` (flows through lines) and `tests/full/tests/film_places.rs`.
 
 const REFERENCE: [[f64; 2]; 3] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
 

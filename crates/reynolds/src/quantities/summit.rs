@@ -8,7 +8,7 @@
 //! | (R phi, z) | m | `position` |
 //!
 //! **Source.** Definition. **Range.** Not where the greatest pressure is a given one: that of a feed or an edge is not at one place. Beside the cavity of a
-//! mass-conserving film the place is a node. **Verified by** `tests/tests/film_places.rs`.
+//! mass-conserving film the place is a node. **Verified by** `tests/full/tests/film_places.rs`.
 
 use oilwedge_fem::field::Extremum;
 use oilwedge_fem::mapping::Mapping;
