@@ -16,7 +16,7 @@ const NOT_RUN: [(&str, usize); 8] = [
     ("docs/howto/clusters.md", 5),
     ("docs/howto/engine.md", 2),
     ("docs/performance.md", 2),
-    ("docs/theory/dynamics.md", 1),
+    ("docs/theory/dynamics.md", 3),
     ("docs/tutorial.md", 1),
     ("docs/validation/accuracy.md", 1),
     ("docs/validation/hostile_input.md", 1),
