@@ -195,10 +195,7 @@ fn overlapping_feeds_of_different_pressures_are_refused_with_a_way_out() {
     );
     bench.refuses(
         &["solve", "scene.toml"],
-        &[
-            "the rims of \"groove+hole\" meet at an angle of 10.1 deg",
-            "overlap more",
-        ],
+        &["the rims of \"groove+hole\" meet at 10.1 deg", "overlap more"],
     );
 }
 
@@ -311,6 +308,94 @@ fn a_short_land_makes_little_difference() {
     assert!((full / short - 1.0).abs() < 2e-3, "{full} {short}");
 }
 
+/// The step pad of Rayleigh with finite width, whose pocket begins at the edge of the arc and has its whole width. Reference: series of
+/// `cos(n pi z/L)` along the axis, exact along the arc for each n, to n = 399.
+#[test]
+fn a_step_from_the_edge_of_an_arc_is_that_of_the_series() {
+    let of = |to: &str| {
+        written(&format!(
+            r#"
+bearing = {{ diameter = "100 mm", length = "100 mm", clearance = "50 um", arc = {{ from = "0 deg", to = "60 deg" }} }}
+mesh = {{ size = "4 mm" }}
+journal = {{ speed = "1000 rpm", eccentricity = 0 }}
+oil = {{ viscosity = "20 mPa.s" }}
+cavitation = {{ model = "reynolds" }}
+[[feed]]
+group = "step"
+groove = {{ from = "0 deg", to = "{to}", width = "100 mm" }}
+depth = "43.3 um"
+"#
+        ))
+    };
+    let result = run(&of("43.08 deg"), &RunOptions::default()).expect("a film").result;
+    for (name, exact) in [("load", 1_357.266_245), ("load_angle", 35.378_325)] {
+        let found = result.quantities.iter().find(|it| it.name == name).expect(name);
+        let (off, bar) = ((found.value - exact).abs(), found.error().expect("a bar"));
+        assert!(off < bar && bar < 1e-2 * exact, "{name}: {} +- {bar}", found.value);
+    }
+}
+
+/// The dam of Nicholas, Barrett and Leader, ASME J. Mech. Des. 102 (1980) 80, table 6, bearing 1 of set 1, begins where its groove ends: S = 3.5, eps = 0.29,
+/// stable up to `omega sqrt(c/g)` = 7.5; 10 % is asked, for their film has other elements and other rules for the cavity.
+#[test]
+fn a_pressure_dam_begins_where_its_groove_ends() {
+    let dam = |start: &str| {
+        format!(
+            r#"
+bearing = {{ diameter = "1 in", length = "1 in", clearance = "2.2 mil" }}
+journal = {{ speed = "8000 rpm" }}
+load = {{ force = "66.278 N", angle = "270 deg" }}
+oil = {{ viscosity = "7.60e-6 reyn" }}
+cavitation = {{ model = "reynolds" }}
+mesh = {{ size = "2 mm" }}
+dynamics = {{ mass = "6.75848 kg" }}
+[[feed]]
+group = "groove_a"
+groove = {{ from = "-10 deg", to = "10 deg", width = "1 in" }}
+pressure = "0 bar"
+[[feed]]
+group = "groove_b"
+groove = {{ from = "170 deg", to = "190 deg", width = "1 in" }}
+pressure = "0 bar"
+[[feed]]
+group = "dam"
+groove = {{ from = "{start}", to = "145 deg", width = "19.05 mm" }}
+depth = "60.96 um"
+"#
+        )
+    };
+    let result = run(&written(&dam("10 deg")), &RunOptions::default())
+        .expect("a film")
+        .result;
+    let value = |name: &str| result.quantities.iter().find(|it| it.name == name).expect(name).value;
+    // Of the same geometry as a mesh of gmsh.
+    assert!(
+        (value("eccentricity") / 0.28181 - 1.0).abs() < 2e-3,
+        "{}",
+        value("eccentricity")
+    );
+    assert!(
+        (value("critical_mass") / 88.36 - 1.0).abs() < 1e-2,
+        "{}",
+        value("critical_mass")
+    );
+    assert!((value("eccentricity") / 0.29 - 1.0).abs() < 0.1);
+    let bench = Bench::new();
+    for (start, words) in [
+        ("9.9 deg", ["\"groove_a\"", "straight sides may touch"]),
+        (
+            "10.01 deg",
+            [
+                "\"groove_a\" and \"dam\" leave 2.2e-6 m of land",
+                "straight sides touch",
+            ],
+        ),
+    ] {
+        bench.write("scene.toml", dam(start));
+        bench.refuses(&["check", "scene.toml"], &words);
+    }
+}
+
 #[test]
 fn almost_no_land_is_refused_in_plain_words() {
     let bench = Bench::new();
@@ -323,7 +408,7 @@ fn almost_no_land_is_refused_in_plain_words() {
         "29.995",
         &[
             "\"top\" leaves only 2.500e-6 m of land",
-            "or give a groove of given pressure the length",
+            "let a straight side of it, without round corners, lie on the edge",
         ],
     );
     let beyond = r#"groove = { from = "80 deg", to = "100 deg", width = "20 mm", z = "6 mm" }"#;

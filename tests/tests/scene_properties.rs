@@ -238,7 +238,8 @@ fn any_scene_has_three_theories_or_their_reasons() {
 
 proptest! {
     #[test]
-    fn every_unit_gives_its_multiple_and_comes_back(number in prop::num::f64::NORMAL, gap in "[ \t]{0,3}") {
+    fn every_unit_gives_its_multiple_and_comes_back(digits in 1.0f64..10.0, exponent in -40i32..40, gap in "[ \t]{0,3}") {
+        let number = digits * 10f64.powi(exponent);
         for dimension in DIMENSIONS {
             for (name, size) in dimension.units() {
                 let value = number * size;
@@ -251,8 +252,8 @@ proptest! {
                         prop_assert!(again.is_ok_and(|again| (again - read).abs() <= 4e-16 * read.abs() + f64::MIN_POSITIVE));
                     }
                     Err(error) => {
-                        prop_assert!(!value.is_finite(), "{number:e} {name}: {error}");
-                        prop_assert!(error.to_string().contains("too large"));
+                        prop_assert!(!dimension.holds(value), "{number:e} {name}: {error}");
+                        prop_assert!(error.to_string().contains("out of range"));
                     }
                 }
             }

@@ -110,7 +110,7 @@ pub enum Defect {
     },
     /// A triangle spans half a turn or more.
     #[error(
-        "the triangle of nodes {nodes:?} spans {degrees:.0} degrees of the ring; use at least four elements around it"
+        "the triangle of nodes {nodes:?} spans {degrees:.0} degrees of the ring; use at least three elements around it"
     )]
     SpansRing {
         /// Node tags of the triangle.

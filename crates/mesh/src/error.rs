@@ -60,14 +60,6 @@ pub enum Error {
         /// What is uncommon.
         what: String,
     },
-    /// Nodes with parametric coordinates.
-    #[error(
-        "$Nodes, {position}: the nodes carry parametric coordinates; write the file from gmsh with Mesh.SaveParametric = 0"
-    )]
-    Parametric {
-        /// Where.
-        position: Position,
-    },
     /// A partitioned mesh.
     #[error("the mesh is partitioned ($PartitionedEntities); in gmsh undo that before saving (Mesh > Unpartition)")]
     Partitioned,

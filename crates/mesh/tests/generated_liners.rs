@@ -95,3 +95,156 @@ fn a_rim_too_long_for_its_width_is_refused() {
         "{faults:?}"
     );
 }
+
+/// Features touch each other, ends, edges of an arc and the film start; sides of other lengths end amid each other.
+#[test]
+fn features_that_touch_share_their_sides() {
+    let rectangle = |name: &str, [from, to]: [f64; 2], [low, high]: [f64; 2], meshed| Feature {
+        name: name.to_owned(),
+        shape: Shape {
+            centre: [0.5 * (from + to), 0.5 * (low + high)],
+            half: [0.5 * (to - from), 0.5 * (high - low)],
+            corner: 0.0,
+        },
+        meshed,
+    };
+    let band = |name: &str, low: f64, high: f64| Feature {
+        shape: Shape {
+            half: [f64::INFINITY, 0.5 * (high - low)],
+            ..rectangle("", [0.0; 2], [low, high], true).shape
+        },
+        ..rectangle(name, [0.0; 2], [0.0; 2], true)
+    };
+    let (ends, tiny) = ([-0.03, 0.03], 1e-9);
+    let cases = [
+        // A dam behind a groove across the film, off by rounding.
+        (
+            None,
+            None,
+            vec![
+                rectangle("groove", [0.0, 0.01], ends, false),
+                rectangle("dam", [0.01 + tiny, 0.06], [-0.02, 0.02], true),
+            ],
+        ),
+        // A step over the whole width at the edge of an arc, a narrower one at the other, a feed at an end.
+        (
+            Some(0.12),
+            None,
+            vec![
+                rectangle("step", [0.0, 0.04], ends, true),
+                rectangle("other", [0.1, 0.12], [0.0, 0.02], true),
+                rectangle("feed", [0.06, 0.08], [0.02, 0.03], false),
+            ],
+        ),
+        // A feed at the edge of an arc, a pocket behind it that is wider.
+        (
+            Some(0.12),
+            None,
+            vec![
+                rectangle("feed", [0.0, 0.01], [-0.01, 0.01], false),
+                rectangle("pocket", [0.01, 0.03], [-0.02, 0.015], true),
+            ],
+        ),
+        // Pockets that touch at sides and at a corner, one beside a band, bands at an end.
+        (
+            None,
+            None,
+            vec![
+                rectangle("a", [0.05, 0.07], [-0.01, 0.0], true),
+                rectangle("b", [0.07, 0.1], [-0.005, 0.01], true),
+                rectangle("c", [0.1, 0.12], [0.01, 0.015], true),
+                band("low", -0.03, -0.025),
+                band("lower", -0.025, -0.02),
+                rectangle("d", [0.15, 0.17], [-0.02, -0.01], true),
+            ],
+        ),
+        // Pockets on both sides of the film start.
+        (
+            None,
+            Some(1.0),
+            vec![
+                rectangle("before", [0.02, 0.0375], [-0.01, 0.01], true),
+                rectangle("behind", [0.0375, 0.05], [-0.015, 0.01], true),
+            ],
+        ),
+    ];
+    for (arc, line, features) in cases {
+        let liner = Liner {
+            radius: 0.0375,
+            length: 0.06,
+            arc: arc.map(|width| (0.0, width / 0.0375)),
+        };
+        let blueprint = Blueprint { liner, features, line };
+        let rows = Rows {
+            along: &|_| 0.006,
+            across: &|_| 0.005,
+            sense: Sense::Forwards,
+        };
+        let of =
+            |mesh: Result<Mesh, Vec<DrawingError>>| mesh.unwrap_or_else(|faults| panic!("{faults:?}: {blueprint:?}"));
+        for (mesh, least) in [
+            (of(generate(&blueprint, &|_| 0.006)), 20.0),
+            (of(generate_in_rows(&blueprint, &rows)), 0.5),
+        ] {
+            let quality = Quality::of(&mesh);
+            assert!(
+                quality.least_angle >= least,
+                "{} deg: {blueprint:?}",
+                quality.least_angle
+            );
+            assert_eq!(quality.unnamed_boundary_edges, 0, "{blueprint:?}");
+            let (found, wanted) = (quality.area, area(&blueprint));
+            assert!((found / wanted - 1.0).abs() < 1e-6, "{found} {wanted}: {blueprint:?}");
+            for feature in blueprint.features.iter().filter(|feature| feature.meshed) {
+                let cells = &mesh.region(&feature.name).expect("a region").cells;
+                let own: f64 = (cells.iter())
+                    .map(|&t| {
+                        let [a, b, c] = mesh.corners(t as usize);
+                        0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
+                    })
+                    .sum();
+                let wanted = feature.shape.area(TAU * liner.radius);
+                assert!((own / wanted - 1.0).abs() < 1e-6, "{}: {own} {wanted}", feature.name);
+            }
+        }
+    }
+    let refused = |features: Vec<Feature>| {
+        let liner = liner_with_groove(0.06, [0.01, 0.003], 0.0).liner;
+        let line = None;
+        let faults = generate(&Blueprint { liner, features, line }, &|_| 0.006).expect_err("a fault");
+        faults[0].to_string()
+    };
+    let feed = || rectangle("feed", [0.0, 0.02], [-0.01, 0.01], false);
+    let hole = Feature {
+        name: "hole".to_owned(),
+        shape: Shape::disc([0.03, 0.0], 0.01),
+        meshed: false,
+    };
+    let pocket = |x: [f64; 2], z: [f64; 2]| rectangle("pocket", x, z, true);
+    for (features, words) in [
+        (
+            vec![hole.clone(), pocket([0.04, 0.06], [-0.01, 0.01])],
+            "meet at 0.0 deg",
+        ),
+        (
+            vec![hole, pocket([0.035, 0.06], [-0.01, 0.01])],
+            "\"hole\" and \"pocket\" overlap",
+        ),
+        (
+            vec![feed(), pocket([0.02001, 0.06], [-0.01, 0.02])],
+            "leave 1.0e-5 m of land",
+        ),
+        (
+            vec![feed(), pocket([0.02, 0.06], [-0.01, 0.01001])],
+            "with a part of 1.0e-5 m",
+        ),
+        (
+            vec![feed(), rectangle("other", [0.02, 0.06], [-0.01, 0.01], false)],
+            "no film is between",
+        ),
+        (vec![band("all", -0.03, 0.03)], "\"all\" is the whole liner"),
+    ] {
+        let told = refused(features);
+        assert!(told.contains(words), "{told}");
+    }
+}

@@ -12,6 +12,7 @@ use oilwedge_study::checks::targets;
 use oilwedge_study::compile::compile;
 use oilwedge_study::effects::Effects;
 use oilwedge_study::refinement::at_first;
+use oilwedge_study::regime::unusual_clearance;
 use oilwedge_study::result::{MeshFacts, in_parts};
 use oilwedge_study::run::facts;
 use oilwedge_study::warnings::mesh_warnings;
@@ -114,9 +115,11 @@ pub fn check_scene(scene: &Scene) -> Result<CheckReport, Error> {
     report.warnings.extend(huge(mesh).map(|size| {
         format!("the liner is {size}, larger than any bearing: are bearing.diameter and bearing.length in millimetres, as in diameter = \"60 mm\"?")
     }));
-    report
-        .warnings
-        .extend(mesh_warnings(&film).into_iter().map(|warning| warning.text));
+    report.warnings.extend(
+        (mesh_warnings(&film).into_iter())
+            .chain(unusual_clearance(&film.problem.bearing))
+            .map(|warning| warning.text),
+    );
     report.cost = Some(Cost {
         unknowns: film.unknowns(),
         factor_entries: film.system.analysis().map_err(CompileError::from)?.factor_entries(),

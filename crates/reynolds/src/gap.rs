@@ -13,6 +13,8 @@
 //!
 //! **Source.** Definition. **Range.** Shapes that triangles resolve: a dent that lies between nodes altogether is not seen. **Verified by** the tests below.
 
+mod room;
+
 use std::sync::{Arc, OnceLock};
 
 use oilwedge_fem::extrema::{Quadratic, least_at, lower_bound};
@@ -98,7 +100,7 @@ struct Shaped {
 }
 
 impl Gap {
-    /// The gap of circular surfaces.
+    /// Gap of circular surfaces.
     pub fn circular(bearing: Bearing) -> Self {
         Self { bearing, shaped: None }
     }

@@ -67,14 +67,21 @@ pub enum Dimension {
     PointCompliance,
 }
 
+/// A quantity is at least so many times the example of its kind, or zero,
+const LEAST: f64 = 1e-25;
+/// and at most so many times.
+const MOST: f64 = 1e15;
 /// Temperature [K] of the ice point.
 pub const ZERO_CELSIUS: f64 = 273.15;
-const BAR: f64 = 1e5;
-const ATMOSPHERE: f64 = 101_325.0;
-const INCH: f64 = 0.0254;
-const POUND: f64 = 0.453_592_37;
-const POUND_FORCE: f64 = 4.448_221_615_260_5;
-const PSI: f64 = POUND_FORCE / (INCH * INCH);
+pub(crate) const BAR: f64 = 1e5;
+pub(crate) const ATMOSPHERE: f64 = 101_325.0;
+pub(crate) const TECHNICAL_ATMOSPHERE: f64 = 98_066.5;
+pub(crate) const INCH: f64 = 0.0254;
+pub(crate) const POUND: f64 = 0.453_592_37;
+pub(crate) const POUND_FORCE: f64 = POUND * GRAVITY;
+/// Acceleration [m/s2] by which units of force are defined.
+pub(crate) const GRAVITY: f64 = 9.806_65;
+pub(crate) const PSI: f64 = POUND_FORCE / (INCH * INCH);
 
 use Dimension::*;
 
@@ -84,13 +91,13 @@ type Row = (Dimension, &'static str, &'static str, &'static [(&'static str, f64)
 /// All kinds, in the order of [`Dimension`].
 #[rustfmt::skip]
 const TABLE: [Row; 30] = [
-    (Length, "a length", "25 mm", &[("m", 1.0), ("km", 1e3), ("cm", 1e-2), ("mm", 1e-3), ("um", 1e-6), ("nm", 1e-9), ("in", INCH), ("inch", INCH), ("mil", 1e-3 * INCH)]),
+    (Length, "a length", "25 mm", &[("m", 1.0), ("km", 1e3), ("cm", 1e-2), ("mm", 1e-3), ("um", 1e-6), ("nm", 1e-9), ("in", INCH), ("inch", INCH), ("mil", 1e-3 * INCH), ("thou", 1e-3 * INCH)]),
     (Angle, "an angle", "40 deg", &[("rad", 1.0), ("mrad", 1e-3), ("deg", PI / 180.0)]),
-    (Pressure, "a pressure", "0.98 bar", &[("Pa", 1.0), ("kPa", 1e3), ("MPa", 1e6), ("GPa", 1e9), ("mbar", 1e-3 * BAR), ("bar", BAR), ("atm", ATMOSPHERE), ("psi", PSI), ("N/m2", 1.0), ("N/mm2", 1e6)]),
+    (Pressure, "a pressure", "0.98 bar", &[("Pa", 1.0), ("kPa", 1e3), ("MPa", 1e6), ("GPa", 1e9), ("mbar", 1e-3 * BAR), ("bar", BAR), ("atm", ATMOSPHERE), ("psi", PSI), ("ksi", 1e3 * PSI), ("at", TECHNICAL_ATMOSPHERE), ("kgf/cm2", TECHNICAL_ATMOSPHERE), ("N/m2", 1.0), ("N/mm2", 1e6)]),
     (Viscosity, "a dynamic viscosity", "40 mPa.s", &[("Pa.s", 1.0), ("mPa.s", 1e-3), ("uPa.s", 1e-6), ("P", 0.1), ("cP", 1e-3), ("N.s/m2", 1.0), ("kg/m/s", 1.0), ("reyn", PSI)]),
-    (Speed, "an angular speed", "3000 rpm", &[("rad/s", 1.0), ("rpm", PI / 30.0), ("RPM", PI / 30.0), ("1/min", PI / 30.0), ("U/min", PI / 30.0), ("Hz", 2.0 * PI), ("deg/s", PI / 180.0)]),
+    (Speed, "an angular speed", "3000 rpm", &[("rad/s", 1.0), ("rpm", PI / 30.0), ("RPM", PI / 30.0), ("1/min", PI / 30.0), ("U/min", PI / 30.0), ("Hz", 2.0 * PI), ("rps", 2.0 * PI), ("deg/s", PI / 180.0)]),
     (InversePressure, "an inverse pressure", "2.5e-8 1/Pa", &[("1/Pa", 1.0), ("1/kPa", 1e-3), ("1/MPa", 1e-6), ("1/GPa", 1e-9), ("1/bar", 1.0 / BAR), ("1/psi", 1.0 / PSI), ("m2/N", 1.0), ("mm2/N", 1e-6)]),
-    (Force, "a force", "5 kN", &[("N", 1.0), ("mN", 1e-3), ("kN", 1e3), ("MN", 1e6), ("lbf", POUND_FORCE), ("kgf", 9.806_65)]),
+    (Force, "a force", "5 kN", &[("N", 1.0), ("mN", 1e-3), ("kN", 1e3), ("MN", 1e6), ("lbf", POUND_FORCE), ("kgf", GRAVITY), ("kp", GRAVITY), ("daN", 10.0)]),
     (Velocity, "a velocity", "2 m/s", &[("m/s", 1.0), ("cm/s", 1e-2), ("mm/s", 1e-3), ("um/s", 1e-6), ("km/h", 1.0 / 3.6), ("in/s", INCH)]),
     (Mass, "a mass", "0.7 kg", &[("kg", 1.0), ("g", 1e-3), ("t", 1e3), ("lb", POUND)]),
     (Area, "an area", "58 mm2", &[("m2", 1.0), ("cm2", 1e-4), ("mm2", 1e-6), ("in2", INCH * INCH)]),
@@ -105,7 +112,7 @@ const TABLE: [Row; 30] = [
     (HeatTransfer, "a heat transfer coefficient", "17 W/(m2.K)", &[("W/(m2.K)", 1.0), ("W/m2/K", 1.0)]),
     (VolumeFlow, "a volume flow", "5 ml/s", &[("m3/s", 1.0), ("l/s", 1e-3), ("l/min", 1e-3 / 60.0), ("ml/s", 1e-6), ("ml/min", 1e-6 / 60.0), ("cm3/s", 1e-6), ("mm3/s", 1e-9)]),
     (Torque, "a torque", "0.5 N.m", &[("N.m", 1.0), ("mN.m", 1e-3), ("kN.m", 1e3), ("N.mm", 1e-3), ("N.cm", 1e-2)]),
-    (Power, "a power", "120 W", &[("W", 1.0), ("mW", 1e-3), ("kW", 1e3)]),
+    (Power, "a power", "120 W", &[("W", 1.0), ("mW", 1e-3), ("kW", 1e3), ("PS", 735.498_75)]),
     (RotationalStiffness, "a rotational stiffness", "20 kN.m/rad", &[("N.m/rad", 1.0), ("kN.m/rad", 1e3), ("MN.m/rad", 1e6), ("N.m/mrad", 1e3)]),
     (Stiffness, "a stiffness", "200 MN/m", &[("N/m", 1.0), ("kN/m", 1e3), ("MN/m", 1e6), ("N/mm", 1e3), ("kN/mm", 1e6), ("N/um", 1e6)]),
     (CrossStiffness, "a stiffness between offset and slope", "5 MN/rad", &[("N/rad", 1.0), ("kN/rad", 1e3), ("MN/rad", 1e6), ("N/mrad", 1e3)]),
@@ -139,6 +146,26 @@ impl Dimension {
     /// The units of this kind: their name and their size in SI.
     pub fn units(self) -> &'static [(&'static str, f64)] {
         self.row().3
+    }
+
+    /// The least and the greatest size in SI of a quantity of this kind that is not zero: their products, quotients and cubes are numbers.
+    pub fn range(self) -> [f64; 2] {
+        let example = crate::unit::split(self.example());
+        let units = self.units();
+        let size = |unit: &str| {
+            units
+                .iter()
+                .find(|(name, _)| *name == unit)
+                .map_or(1.0, |(_, size)| *size)
+        };
+        let usual = example.map_or(1.0, |(number, unit)| number * size(unit));
+        [LEAST * usual, MOST * usual]
+    }
+
+    /// Whether a value in SI lies within the range of this kind.
+    pub fn holds(self, value: f64) -> bool {
+        let [least, most] = self.range();
+        value == 0.0 || (least..=most).contains(&value.abs())
     }
 
     /// What zero of a unit of this kind is in SI: not zero for temperatures alone.

@@ -227,7 +227,7 @@ pub(crate) mod tests {
         let position = "eccentricity = 0.6\nmin_film_angle = \"180 deg\"\n";
         let load = |force: &str| format!("[load]\nforce = \"{force}\"\nangle = \"270 deg\"\n");
         good::told_one(position, &load("-5 kN"), "load.force: is negative");
-        for force in ["0 N", "5 kN", "1e300 MN"] {
+        for force in ["0 N", "5 kN", "1e12 MN"] {
             assert!(good::told(position, &load(force)).is_empty(), "{force}");
         }
     }

@@ -3,8 +3,11 @@
 //! Inside the program everything is SI: m, rad, Pa, Pa.s, rad/s, 1/Pa, N, m/s, kg, m2, K. A quantity is a number and a unit,
 //! with or without a space; `µ` and `u`, `Pa.s`, `Pa s` and `Pa·s`, `mm²` and `mm2` mean the same. Letter case
 //! matters, since mPa is not MPa. Turns are counted in `rpm` or `Hz`; `1/s` is refused for a speed, for it may be a radian or a turn a second.
-//! Temperatures count from the absolute zero; only a temperature has units with a zero of their own (`C`, `F`), a difference is in `K`.
+//! Other units are composed of symbols (`daN`, `kgf/cm2`). Temperatures count from the absolute zero; only a temperature has units with a zero of their own (`C`, `F`), a difference is in `K`.
 
+mod composed;
+
+use self::composed::{composed, told};
 pub use crate::dimension::{Dimension, ZERO_CELSIUS};
 use crate::spelling::nearest;
 
@@ -32,10 +35,12 @@ pub enum UnitFault {
     OtherDimension(Dimension),
     /// No such unit is known; the known one that looks most like it.
     UnknownUnit(Option<&'static str>),
+    /// The unit has no one size; what to write for it.
+    Told(&'static str),
     /// An angular speed in `1/s`: radians in SI, turns in ISO 7902.
     RadiansOrTurns,
-    /// The quantity is too large for a floating point number.
-    TooLarge,
+    /// The quantity is larger or smaller than any of its kind.
+    OutOfRange,
 }
 
 impl std::error::Error for UnitError {}
@@ -51,12 +56,20 @@ impl std::fmt::Display for UnitError {
                 let found = bare(found.name());
                 write!(formatter, "\"{text}\" is a unit of {found}, but {wanted} is wanted")
             }
-            UnitFault::UnknownUnit(_) => write!(formatter, "\"{text}\" is not a unit of {}", bare(wanted)),
+            UnitFault::UnknownUnit(_) | UnitFault::Told(_) => {
+                write!(formatter, "\"{text}\" is not a unit of {}", bare(wanted))
+            }
             UnitFault::RadiansOrTurns => write!(
                 formatter,
                 "\"{text}\" may mean radians or turns in a second, which differ by 2 pi"
             ),
-            UnitFault::TooLarge => write!(formatter, "\"{text}\" is too large for a number"),
+            UnitFault::OutOfRange => {
+                let ([least, most], (unit, _)) = (self.expected.range(), self.expected.units()[0]);
+                write!(
+                    formatter,
+                    "\"{text}\" is out of range: {wanted} is zero, or from {least:.0e} to {most:.0e} {unit}"
+                )
+            }
         }
     }
 }
@@ -84,10 +97,14 @@ impl UnitError {
             UnitFault::RadiansOrTurns => {
                 "write rad/s, or Hz for turns in a second (ISO 7902 writes these in 1/s)".to_owned()
             }
-            UnitFault::TooLarge => format!("check the exponent, and write for example \"{example}\""),
+            UnitFault::Told(words) => words.to_owned(),
+            UnitFault::OutOfRange => format!("check the exponent and the unit, and write for example \"{example}\""),
         }
     }
 }
+
+/// Names of at most so many letters have too many neighbours of another size: `ft`, `in`, `nm`.
+const LONG: usize = 3;
 
 /// The quantity `text` of the kind `expected`, in SI. The value is finite.
 ///
@@ -112,9 +129,9 @@ pub fn parse(text: &str, expected: Dimension) -> Result<f64, UnitError> {
         return Err(fail(UnitFault::NoUnit));
     }
     let value = number * unit_size(unit, expected)? + expected.zero(&canonical(unit));
-    match value.is_finite() {
+    match expected.holds(value) {
         true => Ok(value),
-        false => Err(fail(UnitFault::TooLarge)),
+        false => Err(fail(UnitFault::OutOfRange)),
     }
 }
 
@@ -139,16 +156,45 @@ pub fn unit_size(unit: &str, expected: Dimension) -> Result<f64, UnitError> {
         return Ok(*size);
     }
     let is_bare_rate = expected == Dimension::Speed && canonical == "1/s";
-    let fault = match Dimension::all().find(|other| find(*other).is_some()) {
+    let told = told(&canonical);
+    let own = composed(&canonical).filter(|_| told.is_none());
+    let powers = |dimension: Dimension| {
+        dimension
+            .units()
+            .iter()
+            .find_map(|(name, _)| composed(name))
+            .map(|unit| unit.powers)
+    };
+    if let Some(own) = own.filter(|own| powers(expected) == Some(own.powers)) {
+        return Ok(own.size);
+    }
+    let is_of = |other: &Dimension| find(*other).is_some() || own.is_some_and(|own| powers(*other) == Some(own.powers));
+    let fault = match (told, Dimension::all().find(is_of)) {
         _ if is_bare_rate => UnitFault::RadiansOrTurns,
-        Some(found) => UnitFault::OtherDimension(found),
-        None => UnitFault::UnknownUnit(nearest(&canonical, expected.units().iter().map(|(name, _)| *name))),
+        (Some(words), _) => UnitFault::Told(words),
+        (None, Some(found)) => UnitFault::OtherDimension(found),
+        (None, None) => UnitFault::UnknownUnit(alike(&canonical, expected).filter(|_| own.is_none())),
     };
     Err(UnitError {
         text: unit.to_owned(),
         expected,
         fault,
     })
+}
+
+/// The unit of this kind that is meant by a misspelt one. A short word is meant only where it differs by letter case or by repeated letters, and
+/// not where case tells two units apart: `mN` and `MN`.
+fn alike(unit: &str, expected: Dimension) -> Option<&'static str> {
+    let names = || expected.units().iter().map(|(name, _)| *name);
+    let plain = |name: &str| {
+        let mut letters: Vec<char> = name.to_lowercase().chars().collect();
+        letters.dedup();
+        letters
+    };
+    let is_alike = |name: &&str| unit.chars().count() > LONG || plain(name) == plain(unit);
+    let near = nearest(unit, names().filter(is_alike))?;
+    let alike_by_case = names().filter(|name| name.eq_ignore_ascii_case(near)).count();
+    (alike_by_case == 1 || near.eq_ignore_ascii_case("rpm")).then_some(near)
 }
 
 /// How many bytes of the front of `text` make a decimal number: sign, digits, point, exponent.
@@ -275,6 +321,50 @@ mod tests {
     }
 
     #[test]
+    fn composed_units_become_si() {
+        close("16.7 rps", Speed, 16.7 * 2.0 * PI);
+        close("1000 rev/min", Speed, 100.0 * PI / 3.0);
+        close("1 kHz", Speed, 2e3 * PI);
+        close("1000 kp", Force, 9_806.65);
+        close("1 daN", Force, 10.0);
+        close("1 kip", Force, 4_448.221_615_260_5);
+        close("1 kgf/cm2", Pressure, 98_066.5);
+        close("1 at", Pressure, 98_066.5);
+        close("10 ksi", Pressure, 68_947_572.931_683_61);
+        close("1 kbar", Pressure, 1e8);
+        close("1 thou", Length, 25.4e-6);
+        close("1 dm", Length, 0.1);
+        close("1 lbf s/in\u{b2}", Viscosity, 6_894.757_293_168_361);
+        close("1 ureyn", Viscosity, 6_894.757_293_168_361e-6);
+        close("6 m3/h", VolumeFlow, 6.0 / 3600.0);
+        close("1 L/min", VolumeFlow, 1e-3 / 60.0);
+        close("1 PS", Power, 735.498_75);
+        close("1 N/cm", Stiffness, 100.0);
+        close("1 Nm", Torque, 1.0);
+    }
+
+    /// No hint changes the quantity: what looks like a unit but is another one is told with its conversion, or with the list of units.
+    #[test]
+    fn hints_keep_the_quantity() {
+        for (text, dimension, words) in [
+            ("1 hp", Power, "745.7 W"),
+            ("1 gpm", VolumeFlow, "3.785 l/min"),
+            ("1 ton", Mass, "907.2 kg"),
+            ("1 mPa", Pressure, "1 mPa is 0.001 Pa"),
+            ("100 SUS", KinematicViscosity, "ASTM D2161"),
+            ("1 psia", Pressure, "subtract"),
+            ("1 mn", Force, "for example \"5 kN\""),
+            ("1 kq", Mass, "for example \"0.7 kg\""),
+        ] {
+            let error = parse(text, dimension).expect_err(text);
+            let help = error.help(dimension.example());
+            assert!(help.contains(words) && !help.contains("did you mean"), "{text}: {help}");
+        }
+        let error = parse("50 cSt", Viscosity).expect_err("another kind");
+        assert_eq!(error.fault, UnitFault::OtherDimension(KinematicViscosity));
+    }
+
+    #[test]
     fn every_unit_is_read_by_its_own_name() {
         for dimension in Dimension::all() {
             assert!(parse(dimension.example(), dimension).is_ok());
@@ -293,8 +383,13 @@ mod tests {
             assert!(matches!(refused(text, Length).fault, UnitFault::NotANumber), "{text}");
         }
         assert!(matches!(refused("37,5 um", Length).fault, UnitFault::DecimalComma));
-        assert!(matches!(refused("1e400 mm", Length).fault, UnitFault::TooLarge));
-        assert!(matches!(refused("1e305 GPa", Pressure).fault, UnitFault::TooLarge));
+        for text in ["1e400 mm", "1e305 km", "1e-305 m", "-1e-300 um"] {
+            assert_eq!(refused(text, Length).fault, UnitFault::OutOfRange);
+        }
+        assert_eq!(
+            refused("1e305 kN", Force).to_string(),
+            "\"1e305 kN\" is out of range: a force is zero, or from 5e-22 to 5e18 N"
+        );
         let other = refused("25 mm", Pressure);
         assert_eq!(
             other.to_string(),

@@ -1,10 +1,10 @@
 //! What a scene must be so that it can be computed, beyond the ranges of its keys: the checks that need physics or the catalogue of
 //! quantities.
 
-mod cap;
 mod columns;
 mod feed;
 mod journal;
+mod liner;
 mod oil;
 mod tolerance;
 
@@ -20,7 +20,7 @@ pub const CHECKS: [Check; 6] = [
     oil::check,
     feed::check,
     journal::check,
-    cap::check,
+    liner::check,
     tolerance::check,
     columns::check,
 ];

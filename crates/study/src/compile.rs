@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
 
+use oilwedge_bearing::Load;
 use oilwedge_mesh::Mesh;
 use oilwedge_reynolds::film_thickness::{Deflection, Eccentricity, FilmContribution, Shape};
 use oilwedge_reynolds::levels::Layout;
@@ -69,7 +70,7 @@ pub fn compile_on(scene: &Scene, mesh: Mesh, position: Position, degree: usize) 
     let dynamics = sockets.dynamics.clone();
     let problem = problem(scene, &oil, sockets, &mesh, position)?;
     let system = FilmSystem::new(Arc::new(mesh), degree, regions).map_err(|faults| unfit(scene, faults))?;
-    check_gap(scene, &problem, &system)?;
+    check_gap(scene, &problem, &system, load)?;
     // A position is sought on coarser meshes first, and by many films; so is a deflection.
     let is_sought = load.is_some() || scene.orbit.is_some() || problem.deflection().is_some();
     let system = match is_sought {
@@ -160,11 +161,24 @@ fn coarser_layout(scene: &Scene) -> Layout {
     }
 }
 
-/// A journal whose position is given leaves a film between surfaces of any shape; circles were checked with the scene.
-fn check_gap(scene: &Scene, problem: &FilmProblem, system: &FilmSystem) -> Result<(), CompileError> {
-    let is_given = matches!(scene.journal.position, scene::Position::Given { .. });
-    if scene.is_circular() || !is_given {
+/// A journal whose position is given leaves a film between surfaces of any shape, and one whose position is found has room for one; circles were checked
+/// with the scene.
+fn check_gap(
+    scene: &Scene,
+    problem: &FilmProblem,
+    system: &FilmSystem,
+    load: Option<Load>,
+) -> Result<(), CompileError> {
+    if scene.is_circular() {
         return Ok(());
+    }
+    if !matches!(scene.journal.position, scene::Position::Given { .. }) {
+        // A journal that tilts, or a wall that gives way, may make room.
+        let is_stiff = problem.deflection().is_none() && load.is_none_or(|load| load.tilting.is_none());
+        let lack = is_stiff
+            .then(|| Gap::of(problem, system).lack_of_room(&problem.journal))
+            .flatten();
+        return lack.map_or(Ok(()), |gap| Err(CompileError::NoRoom { overlap: -gap }));
     }
     let Thinnest { thickness, angle, z } = Gap::of(problem, system).thinnest_film(problem, system);
     match thickness > 0.0 {

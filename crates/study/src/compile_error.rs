@@ -85,6 +85,14 @@ pub enum CompileError {
         /// The gap there [m].
         thickness: f64,
     },
+    /// Shapes of bore and shaft leave no room for the journal.
+    #[error(
+        "no position of the journal leaves a film: its surface and the bore overlap by {} at least; give shallower shapes ([[bore]], [shaft]; are their depths in um?) or a larger bearing.clearance", micrometres(*overlap)
+    )]
+    NoRoom {
+        /// Least overlap [m] of journal and bore, over all positions.
+        overlap: f64,
+    },
     /// A pocket with a depth is cut out of the mesh.
     #[error(
         "feed group \"{group}\" has a depth, but the mesh has no triangles there; mesh it as a physical surface, or give its pressure"

@@ -1,10 +1,10 @@
-//! Feeds that overlap at one pressure are one region of the film: a hole drilled in a groove.
+//! Feeds that overlap or touch at one pressure are one region of the film: a hole drilled in a groove.
 //!
 //! The oil reaches the film through the rim of their union. How much of it came through the hole has no meaning there, so the union has
 //! one name, that of its feeds joined by `+` in the order of the scene.
 
 use oilwedge_mesh::developed::Liner;
-use oilwedge_mesh::generate::{Shape, overlap};
+use oilwedge_mesh::generate::{Meeting, Shape, meeting};
 use oilwedge_scene::{Feed, MeshSource, Scene};
 
 /// One or several feeds that are one region of the film.
@@ -29,7 +29,8 @@ pub fn feed_regions(scene: &Scene) -> Vec<FeedRegion<'_>> {
     let liner = liner(scene);
     let meet = |one: &Feed, other: &Feed| match (shape(scene, one), shape(scene, other)) {
         (Some(a), Some(b)) => {
-            is_drawn && one.pressure.is_some() && one.pressure == other.pressure && overlap(&liner, &a, &b)
+            let is_one_pressure = one.pressure.is_some() && one.pressure == other.pressure;
+            is_drawn && is_one_pressure && meeting(&liner, &a, &b) != Meeting::Apart
         }
         _ => false,
     };

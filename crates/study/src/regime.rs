@@ -5,6 +5,7 @@
 //! of ISO 7902-1); inertia counts where `Re c/R` is about one (Szeri, Fluid Film Lubrication (1998), ch. 5); surfaces touch
 //! where the film is below three times their combined roughness (Hamrock, Schmid, Jacobson (2004), ch. 3).
 
+use oilwedge_reynolds::Bearing;
 use oilwedge_reynolds::existence::readable;
 use oilwedge_reynolds::lubricant::PressureLaw;
 use oilwedge_reynolds::lubricant::density::MINERAL_OIL;
@@ -16,9 +17,12 @@ use crate::oil::Oil;
 use crate::thermal::flows::leaving;
 use crate::warning::{self, Warning};
 use oilwedge_scene::Scene;
+use oilwedge_scene::wording::micrometres;
 
 /// Clearance over radius of a film that curvature does not touch.
 pub const THIN: f64 = 1e-2;
+/// Clearances below this part of the radius are narrower than surfaces and temperatures allow.
+const NARROW: f64 = 1e-4;
 /// Film over roughness of surfaces that do not touch.
 pub const APART: f64 = 3.0;
 /// Film [m] of some ten molecules.
@@ -64,6 +68,20 @@ pub struct Regime {
     pub temperature_rise: Option<f64>,
 }
 
+/// That the clearance is far from a thousandth of the radius, as it is in bearings.
+pub fn unusual_clearance(bearing: &Bearing) -> Option<Warning> {
+    let ratio = bearing.clearance / bearing.radius;
+    let written = format!(
+        "the clearance, {}, is {} of the radius",
+        micrometres(bearing.clearance),
+        rounded(ratio)
+    );
+    if ratio > THIN {
+        return Some(warning::CURVED.says(format!("thin film: {written}, so its curvature counts, which Reynolds' equation drops; is the unit of bearing.clearance right?")));
+    }
+    (ratio < NARROW).then(|| warning::NARROW.says(format!("usual clearance: {written}, and journals run with about a thousandth; is the unit of bearing.clearance right?")))
+}
+
 impl Regime {
     /// The numbers of a solved film; the density is that at the temperature of `scene`.
     pub fn of(scene: &Scene, film: &Film, measured: &Measured) -> Self {
@@ -101,9 +119,7 @@ impl Regime {
             (self.inertia > 1.0 && self.reynolds_number <= self.taylor_limit).then(|| {
                 warning::INERTIA.says(format!("film without inertia: {flow}, times c/R, is {}, but should be well below 1", rounded(self.inertia)))
             }),
-            (self.clearance_ratio > THIN).then(|| {
-                warning::CURVED.says(format!("thin film: the clearance is {} of the radius, so its curvature counts; Reynolds' equation drops it", rounded(self.clearance_ratio)))
-            }),
+            unusual_clearance(&film.problem.bearing),
             (measured.thinnest.thickness < MOLECULES).then(|| {
                 warning::MOLECULAR.says(format!("continuous film: it is {} m thin, some molecules; no oil is a fluid there", rounded(measured.thinnest.thickness)))
             }),

@@ -111,6 +111,7 @@ kinds! {
     TURBULENT = "turbulent", "the Reynolds number lies above the limit of the laminar film";
     INERTIA = "inertia", "the inertia of the oil counts";
     CURVED = "curved", "the clearance is large against the radius";
+    NARROW = "narrow", "the clearance is small against the radius";
     MOLECULAR = "molecular", "the film is some molecules thin";
     TOUCHING = "touching", "the least film is below three times the roughness";
     VALLEYS = "valleys", "the flow through the valleys of rough surfaces is not that which is computed";

@@ -3,7 +3,8 @@
 use std::collections::{HashMap, HashSet};
 
 use super::AGREEMENT;
-use crate::{Error, RawMesh};
+use crate::defect::MOST_DEFECTS;
+use crate::{Defect, Error, RawMesh};
 
 /// The groups of the two sides.
 pub(super) const SIDES: [&str; 2] = ["seam_low", "seam_high"];
@@ -46,6 +47,10 @@ pub(super) fn glue(raw: &mut RawMesh, periodic: &[[u32; 2]], length: f64) -> Res
     for (&upper, &lower) in &partners {
         merged[upper as usize] = lower;
     }
+    let spanning = spanning(raw, &merged, period);
+    if !spanning.is_empty() {
+        return Err(spanning.into());
+    }
     let merge = |v: &mut u32| *v = merged[*v as usize];
     raw.triangles.iter_mut().flatten().for_each(merge);
     raw.curves
@@ -65,6 +70,22 @@ pub(super) fn glue(raw: &mut RawMesh, periodic: &[[u32; 2]], length: f64) -> Res
         }
     }
     Ok(())
+}
+
+/// Triangles that reach from one side of the seam to the other: `merged` nodes make two corners of each one.
+fn spanning(raw: &RawMesh, merged: &[u32], period: f64) -> Vec<Defect> {
+    let is_one = |[a, b]: [u32; 2]| a != b && merged[a as usize] == merged[b as usize];
+    let spans = |&&[a, b, c]: &&[u32; 3]| is_one([a, b]) || is_one([b, c]) || is_one([c, a]);
+    let spanning = raw.triangles.iter().filter(spans).take(MOST_DEFECTS);
+    let defect = |triangle: &[u32; 3]| {
+        let xs = triangle.map(|v| raw.points[v as usize][0]);
+        let span = xs.iter().copied().fold(f64::MIN, f64::max) - xs.iter().copied().fold(f64::MAX, f64::min);
+        Defect::SpansRing {
+            nodes: triangle.map(|v| raw.label(v)),
+            degrees: 360.0 * span / period,
+        }
+    };
+    spanning.map(defect).collect()
 }
 
 /// Vertices of a curve group, ascending.

@@ -257,3 +257,20 @@ fn a_mesh_alone_shows_its_liner() {
         assert_eq!(crate::Quality::of(&mesh).boundary_loops, loops, "{name}");
     }
 }
+
+/// Glued, the two corners on the seam of one element around the ring are one node.
+#[test]
+fn one_element_around_a_ring_is_told_to_be_three() {
+    for columns in [1, 2] {
+        let file = named(plane(columns, 0.0, TAU * RADIUS), "seam_low", "seam_high");
+        let raw = unroll(&file, &liner(None), 1.0);
+        let told = match raw.map(crate::Mesh::build) {
+            Err(error) => error.to_string(),
+            Ok(mesh) => crate::Error::from(mesh.unwrap_err()).to_string(),
+        };
+        assert!(
+            told.contains("degrees of the ring; use at least three elements around it"),
+            "{told}"
+        );
+    }
+}

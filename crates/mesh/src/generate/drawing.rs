@@ -1,14 +1,15 @@
 //! A liner as it is drawn, and everything that can be wrong with the drawing.
 
-use super::shape::{Feature, Piece, Shape};
-use super::sheet::{Sheet, on_sheet};
-use super::union::{SAME, narrowest, parts};
+use super::meeting::{Meeting, align, between, distance_between, land_around, lands, outline_points};
+use super::shape::Feature;
+use super::sheet::Sheet;
+use super::union::{SAME, junctions, parts};
 use crate::Defect;
 use crate::developed::{Liner, shorter_way};
 
 /// Lands and features narrower than this part of the radius cannot be meshed.
 const THINNEST: f64 = 1e-3;
-/// Least angle [deg] of the film between the rims of two features that are one region.
+/// Least angle [deg] of the film between the rims of two features that meet.
 const SHARPEST: f64 = 20.0;
 /// Places around a ring that are tried for its seam.
 const SEAM_PLACES: u32 = 360;
@@ -18,7 +19,7 @@ const SEAM_PLACES: u32 = 360;
 pub struct Blueprint {
     /// Radius, length and arc.
     pub liner: Liner,
-    /// Holes and grooves; those of one name may overlap and are one region.
+    /// Holes and grooves; those of one name may overlap and are one region, others may touch along straight sides.
     pub features: Vec<Feature>,
     /// Angle [rad] of an axial line that must be a line of edges (film start of a ring).
     pub line: Option<f64>,
@@ -30,39 +31,66 @@ pub struct Blueprint {
 pub enum DrawingError {
     /// A feature reaches beyond the liner or leaves too little land.
     #[error(
-        "\"{name}\" {}, and {least:.1e} m are needed; move or shrink it{}",
-        land_in_words(*land),
-        if *spans { ", or give a groove of given pressure the length of the bearing, without corners: it divides the film then" } else { "" }
+        "\"{name}\" {}, and {least:.1e} m are needed; move or shrink it, or let a straight side of it, without round corners, lie on the edge",
+        land_in_words(*land)
     )]
     OffLiner {
         /// Name of the feature.
         name: String,
         /// The land that is left [m]; negative where it reaches beyond.
         land: f64,
-        /// Whether it is a groove that reaches an end of the bearing, or almost.
-        spans: bool,
         /// Least land that can be meshed [m].
         least: f64,
     },
-    /// Two features overlap or leave too little land between them.
+    /// A feature takes all of the liner.
     #[error(
-        "\"{first}\" and \"{second}\" overlap or leave less than {least:.1e} m of land between them; move or shrink one, or let two feeds of one pressure overlap: they are one region then"
+        "\"{name}\" is the whole liner, so no film is left beside it; shrink it, or give bearing.clearance instead"
+    )]
+    WholeLiner {
+        /// Name of the feature.
+        name: String,
+    },
+    /// Two features overlap.
+    #[error(
+        "\"{first}\" and \"{second}\" overlap; move or shrink one (their straight sides may touch), or let two feeds of one pressure overlap: they are one region then"
     )]
     Overlap {
         /// Name of a feature.
         first: String,
         /// Name of the other.
         second: String,
+    },
+    /// Two features leave too little land between them.
+    #[error(
+        "\"{first}\" and \"{second}\" leave {land:.1e} m of land between them, and {least:.1e} m are needed; move or shrink one, or let their straight sides touch"
+    )]
+    ThinLand {
+        /// Name of a feature.
+        first: String,
+        /// Name of the other.
+        second: String,
+        /// The land between them [m].
+        land: f64,
         /// Least land that can be meshed [m].
         least: f64,
     },
-    /// Features of one name overlap by so little that the film between their rims is a sliver.
+    /// Two features that are cut out touch, so that no film is between their pressures.
     #[error(
-        "the rims of \"{name}\" meet at an angle of {degrees:.1} deg of the film, with a part of {side:.1e} m between two corners; at least {least_degrees} deg and {least:.1e} m can be meshed: let the feeds overlap more, or part them"
+        "\"{first}\" and \"{second}\" touch, and no film is between their pressures; leave land between them, or give both one pressure: they are one region then"
+    )]
+    NoFilmBetween {
+        /// Name of a feature.
+        first: String,
+        /// Name of the other.
+        second: String,
+    },
+    /// Rims meet in such a way that the film between them is a sliver.
+    #[error(
+        "the rims of {names} meet at {degrees:.1} deg, with a part of {side:.1e} m beside this corner; at least {least_degrees} deg and {least:.1e} m can be meshed: let straight sides touch, overlap feeds of one pressure more, or part them"
     )]
     Sliver {
-        /// Name of the features.
-        name: String,
+        /// Names of the features, in quotes.
+        names: String,
         /// Least angle of the film at a corner where their rims meet [deg].
         degrees: f64,
         /// Shortest part of a rim beside such a corner [m].
@@ -136,7 +164,7 @@ fn land_in_words(land: f64) -> String {
     }
 }
 
-/// This drawing with each feature on the turn of the liner: an angle may be given as 350 or as -10 degrees. A groove that spans the liner does so
+/// This drawing with each feature on the turn of the liner: an angle may be given as 350 or as -10 degrees. Sides that touch do so
 /// to the last digit, and features that others of their name hold are left out.
 pub(super) fn placed(blueprint: &Blueprint) -> Blueprint {
     let mut placed = blueprint.clone();
@@ -146,10 +174,9 @@ pub(super) fn placed(blueprint: &Blueprint) -> Blueprint {
     for feature in &mut placed.features {
         let x = &mut feature.shape.centre[0];
         *x += turn * ((middle - *x) / turn).round();
-        if sheet.is_spanned_by(&feature.shape) {
-            (feature.shape.centre[1], feature.shape.half[1]) = (0.0, 0.5 * sheet.length);
-        }
     }
+    let line = blueprint.line.map(|angle| blueprint.liner.radius * angle);
+    align(&mut placed.features, &blueprint.liner, line);
     let all = placed.features.clone();
     let is_held = |index: usize, feature: &Feature| {
         (all.iter().enumerate()).any(|(other, holder)| {
@@ -172,31 +199,16 @@ fn holds(sheet: &Sheet, outer: &Feature, inner: &Feature) -> bool {
     outer.meshed == inner.meshed && outline.all(|point| outer.shape.distance(point, sheet.period()) < near)
 }
 
-/// Whether two shapes on a liner overlap or touch.
-pub fn overlap(liner: &Liner, one: &Shape, other: &Shape) -> bool {
-    let sheet = Sheet::of(liner, 0.0);
-    let between = [0, 1].map(|axis| one.centre[axis] - other.centre[axis]);
-    let apart = [shorter_way(between[0], liner.circumference()), between[1]];
-    let is_far = |axis: usize| apart[axis].abs() > (1.0 + 1e-9) * (one.half[axis] + other.half[axis]);
-    if is_far(0) || is_far(1) {
-        return false;
-    }
-    let [one, other] = [one, other].map(|shape| Feature {
-        name: String::new(),
-        shape: *shape,
-        meshed: false,
-    });
-    are_joined(&sheet, &one, &other)
-}
-
+/// Whether two features of one name are one region.
 fn are_joined(sheet: &Sheet, one: &Feature, other: &Feature) -> bool {
-    distance_between(sheet, one, other) <= SAME * sheet.width
+    between(sheet, one, other, SAME * sheet.width) != Meeting::Apart
 }
 
 /// Everything that is wrong with the drawing.
 pub(super) fn faults(blueprint: &Blueprint) -> Vec<DrawingError> {
     let sheet = Sheet::of(&blueprint.liner, 0.0);
     let least = THINNEST * blueprint.liner.radius;
+    let near = SAME * sheet.width;
     let mut faults = Vec::new();
     for (index, feature) in blueprint.features.iter().enumerate() {
         let name = &feature.name;
@@ -225,26 +237,27 @@ pub(super) fn faults(blueprint: &Blueprint) -> Vec<DrawingError> {
                 least,
             });
         }
-        let land = land(&sheet, feature);
-        if land < least {
-            let is_groove = !feature.shape.is_full_turn() && !feature.shape.is_disc();
-            faults.push(DrawingError::OffLiner {
-                name: name.clone(),
+        faults.extend(land_fault(&sheet, feature, least));
+        let line = to_line(blueprint, feature);
+        // A pocket may begin or end at the line.
+        let is_at_line = feature.meshed && corner == 0.0 && line <= near;
+        if line < least && !is_at_line {
+            let (first, second) = (name.clone(), LINE.to_owned());
+            let land = line;
+            faults.push(DrawingError::ThinLand {
+                first,
+                second,
                 land,
-                spans: is_groove && land_at_ends(&sheet, &feature.shape) < least,
                 least,
             });
         }
-        if to_line(blueprint, feature) < least {
-            let (first, second) = (name.clone(), LINE.to_owned());
-            faults.push(DrawingError::Overlap { first, second, least });
-        }
         for other in &blueprint.features[index + 1..] {
             let is_union = feature.name == other.name && are_joined(&sheet, feature, other);
-            if !is_union && distance_between(&sheet, feature, other) < least {
-                let (first, second) = (name.clone(), other.name.clone());
-                faults.push(DrawingError::Overlap { first, second, least });
-            }
+            faults.extend(
+                (!is_union)
+                    .then(|| fault_between(&sheet, feature, other, least))
+                    .flatten(),
+            );
         }
     }
     if faults.is_empty() {
@@ -253,79 +266,68 @@ pub(super) fn faults(blueprint: &Blueprint) -> Vec<DrawingError> {
     faults
 }
 
-/// Unions whose corners are too sharp for the film, or too near to each other.
+/// What is wrong with the land between a feature and the edges of the liner.
+fn land_fault(sheet: &Sheet, feature: &Feature, least: f64) -> Option<DrawingError> {
+    let near = SAME * sheet.width;
+    let lands = lands(sheet, &feature.shape);
+    let name = feature.name.clone();
+    let at_edges = lands.iter().filter(|land| land.abs() <= near).count();
+    if at_edges == lands.len() {
+        return Some(DrawingError::WholeLiner { name });
+    }
+    let is_sharp = feature.shape.corner == 0.0;
+    let narrow = lands
+        .into_iter()
+        .filter(|land| *land < least && !(is_sharp && land.abs() <= near));
+    let land = narrow.min_by(f64::total_cmp)?;
+    Some(DrawingError::OffLiner { name, land, least })
+}
+
+/// What is wrong with two features that are no union.
+fn fault_between(sheet: &Sheet, one: &Feature, other: &Feature, least: f64) -> Option<DrawingError> {
+    let near = SAME * sheet.width;
+    let (first, second) = (one.name.clone(), other.name.clone());
+    let land = match between(sheet, one, other, near) {
+        Meeting::Overlapping => return Some(DrawingError::Overlap { first, second }),
+        Meeting::Touching if !one.meshed && !other.meshed => {
+            return Some(DrawingError::NoFilmBetween { first, second });
+        }
+        Meeting::Touching => land_around(sheet, one, other, near),
+        Meeting::Apart => distance_between(sheet, one, other),
+    };
+    (land < least).then_some(DrawingError::ThinLand {
+        first,
+        second,
+        land,
+        least,
+    })
+}
+
+/// Corners at which rims meet that are too sharp for the film, or too near to each other.
 fn slivers(blueprint: &Blueprint, least: f64) -> Vec<DrawingError> {
     let sheet = Sheet::of(&blueprint.liner, seam_place(blueprint));
-    let parts = parts(&sheet, &blueprint.features);
-    let mut names: Vec<&str> = blueprint.features.iter().map(|feature| feature.name.as_str()).collect();
-    names.sort_unstable();
-    names.dedup();
-    let sliver = |name: &str| {
-        let own = parts
-            .iter()
-            .filter(|(index, _)| blueprint.features[*index].name == name);
-        let [angle, side] = narrowest(&sheet, &own.copied().collect::<Vec<_>>());
-        let degrees = angle.to_degrees();
-        (degrees < SHARPEST || side < least).then(|| DrawingError::Sliver {
-            name: name.to_owned(),
-            degrees,
-            side,
-            least_degrees: SHARPEST,
-            least,
-        })
-    };
-    names.into_iter().filter_map(sliver).collect()
-}
-
-/// Points along the outline of a feature, on its own turn of the ring.
-fn outline_points(sheet: &Sheet, feature: &Feature) -> Vec<[f64; 2]> {
-    const A_PIECE: u32 = 64;
-    let pieces = feature.shape.outline(sheet.start, sheet.width);
-    pieces
-        .iter()
-        .flat_map(|piece| (0..A_PIECE).map(|k| piece.at(f64::from(k) / f64::from(A_PIECE))))
-        .collect()
-}
-
-/// Least land [m] between a feature and the edge of the liner; negative where it reaches out.
-fn land(sheet: &Sheet, feature: &Feature) -> f64 {
-    let shape = &feature.shape;
-    let ends = land_at_ends(sheet, shape);
-    let [x, half] = [shape.centre[0], shape.half[0]];
-    let around = match (sheet.ring, shape.is_full_turn()) {
-        (true, true) => f64::INFINITY,
-        (true, false) => sheet.width - 2.0 * half,
-        (false, true) => -sheet.width,
-        (false, false) => (x - half - sheet.start).min(sheet.end() - x - half),
-    };
-    ends.min(around)
-}
-
-/// Least land [m] between a shape and the ends; infinite where it spans the liner.
-fn land_at_ends(sheet: &Sheet, shape: &Shape) -> f64 {
-    match sheet.is_spanned_by(shape) {
-        true => f64::INFINITY,
-        false => 0.5 * sheet.length - shape.centre[1].abs() - shape.half[1],
+    let mut slivers: Vec<DrawingError> = Vec::new();
+    for junction in junctions(&sheet, &parts(&sheet, &blueprint.features)) {
+        let (degrees, side) = (junction.angle.to_degrees(), junction.side);
+        if degrees < SHARPEST || side < least {
+            let mut names: Vec<String> = (junction.features.iter())
+                .map(|&index| format!("\"{}\"", blueprint.features[index].name))
+                .collect();
+            names.dedup();
+            let names = names.join(" and ");
+            let is_told = |told: &DrawingError| matches!(told, DrawingError::Sliver { names: of, .. } if *of == names);
+            if !slivers.iter().any(is_told) {
+                slivers.push(DrawingError::Sliver {
+                    names,
+                    degrees,
+                    side,
+                    least_degrees: SHARPEST,
+                    least,
+                });
+            }
+        }
     }
-}
-
-/// Distance [m] between the outlines of two features; zero or less where they overlap.
-fn distance_between(sheet: &Sheet, a: &Feature, b: &Feature) -> f64 {
-    let to = |from: &Feature, to: &Feature| {
-        outline_points(sheet, from)
-            .into_iter()
-            .map(|point| to.shape.distance(point, sheet.period()))
-            .fold(f64::INFINITY, f64::min)
-    };
-    let near = SAME * sheet.width;
-    let outlines = [a, b].map(|feature| on_sheet(sheet, feature));
-    let meet = |piece: &Piece| outlines[1].iter().any(|other| !piece.meets(other, near).is_empty());
-    let met = if outlines[0].iter().any(meet) {
-        0.0
-    } else {
-        f64::INFINITY
-    };
-    to(a, b).min(to(b, a)).min(met)
+    slivers
 }
 
 /// What messages call the axial line of a drawing.
@@ -340,15 +342,26 @@ fn to_line(blueprint: &Blueprint, feature: &Feature) -> f64 {
     })
 }
 
-/// Free land [m] around each feature.
+/// Free land [m] around each feature, where it touches nothing.
 pub(super) fn gaps(blueprint: &Blueprint, sheet: &Sheet) -> Vec<f64> {
     let features = &blueprint.features;
+    let near = SAME * sheet.width;
+    let land_between = |one: &Feature, other: &Feature| match between(sheet, one, other, near) {
+        Meeting::Apart => distance_between(sheet, one, other),
+        Meeting::Touching => land_around(sheet, one, other, near),
+        Meeting::Overlapping => f64::INFINITY,
+    };
     (features.iter().enumerate())
         .map(|(index, feature)| {
-            let is_apart = |other: &Feature| other.name != feature.name || !are_joined(sheet, feature, other);
-            let others = (features.iter().enumerate()).filter(|(other, it)| *other != index && is_apart(it));
-            let nearest = others.map(|(_, other)| distance_between(sheet, feature, other));
-            nearest.fold(land(sheet, feature).min(to_line(blueprint, feature)), f64::min)
+            let others = (features.iter().enumerate()).filter(|(other, _)| *other != index);
+            let lands = lands(sheet, &feature.shape)
+                .into_iter()
+                .chain([to_line(blueprint, feature)]);
+            let lands = lands.filter(|land| *land > near);
+            others
+                .map(|(_, other)| land_between(feature, other))
+                .chain(lands)
+                .fold(f64::INFINITY, f64::min)
         })
         .collect()
 }

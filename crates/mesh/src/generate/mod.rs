@@ -1,13 +1,14 @@
 //! Meshes of a liner as it is drawn: no mesh generator needed.
 //!
-//! The developed liner is a rectangle with holes and grooves ([`Feature`]), of which those of one name may overlap and a groove may
-//! reach from end to end. Its outlines are cut
+//! The developed liner is a rectangle with holes and grooves ([`Feature`]), of which those of one name may overlap, others may touch, and a groove may
+//! reach an end. Its outlines are cut
 //! into edges of the wanted size (`outline`), filled with triangles (`triangulate`), and become a
 //! [`crate::RawMesh`] like that of a file: the same groups, round rims on their circles, a ring glued.
 
 mod assemble;
 mod drawing;
 mod like;
+mod meeting;
 mod outline;
 mod recognise;
 mod rows;
@@ -17,8 +18,9 @@ mod size;
 mod triangulate;
 mod union;
 
-pub use drawing::{Blueprint, DrawingError, overlap};
+pub use drawing::{Blueprint, DrawingError};
 pub use like::generate_in_rows_like;
+pub use meeting::{Meeting, meeting};
 pub use rows::{Rows, Sense};
 pub use shape::{Feature, Shape};
 
@@ -29,6 +31,7 @@ use rows::Grid;
 use sheet::Sheet;
 use size::SizeField;
 use triangulate::{Domain, triangulate};
+use union::{junctions, parts};
 
 use crate::Mesh;
 
@@ -47,7 +50,8 @@ pub fn generate(blueprint: &Blueprint, size: &dyn Fn([f64; 2]) -> f64) -> Result
     let gaps = gaps(blueprint, &sheet);
     let widest = widest(&sheet);
     let size = &|point: [f64; 2]| size(point).min(widest);
-    let field = SizeField::new(size, sheet.period(), &blueprint.features, &gaps);
+    let corners = junctions(&sheet, &parts(&sheet, &blueprint.features));
+    let field = SizeField::new(size, sheet.period(), &blueprint.features, &gaps, &corners);
     let domain = Domain {
         sheet,
         features: &blueprint.features,
@@ -78,7 +82,8 @@ pub fn generate_in_rows(blueprint: &Blueprint, rows: &Rows) -> Result<Mesh, Vec<
     let (others, gaps): (Vec<Feature>, Vec<f64>) = (blueprint.features.iter().cloned().zip(gaps))
         .filter(|(feature, _)| !feature.shape.is_full_turn())
         .unzip();
-    let field = SizeField::new(&size, sheet.period(), &others, &gaps);
+    let corners = junctions(&sheet, &parts(&sheet, &blueprint.features));
+    let field = SizeField::new(&size, sheet.period(), &others, &gaps, &corners);
     let domain = Domain {
         sheet,
         features: &blueprint.features,

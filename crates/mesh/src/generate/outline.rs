@@ -14,7 +14,7 @@ const EDGES_A_TURN: f64 = 16.0;
 /// Points nearer than this part of the circumference are one.
 const SAME: f64 = 1e-10;
 
-/// A point on an end, moved in: its axial position times this.
+/// A point on an edge of the sheet, moved in: its distance from the middle times this.
 const INSIDE: f64 = 1.0 - 1e-6;
 
 /// Points and edges that the triangulation must have.
@@ -156,8 +156,9 @@ fn sides(collector: &mut Collector, sheet: &Sheet, features: &[Feature], pieces:
     let (low, high) = (-0.5 * sheet.length, 0.5 * sheet.length);
     if !sheet.ring {
         for (x, group) in [(sheet.start, "arc_from"), (sheet.end(), "arc_to")] {
-            let line = Piece::Line([x, low], [x, high]);
-            collector.chain(&cutting.axial(&line), Some(group), None);
+            for line in free(sheet, features, pieces, [[x, low], [x, high]]) {
+                collector.chain(&cutting.axial(&line), Some(group), None);
+            }
         }
         return;
     }
@@ -179,9 +180,16 @@ fn sides(collector: &mut Collector, sheet: &Sheet, features: &[Feature], pieces:
 fn free(sheet: &Sheet, features: &[Feature], pieces: &[Part], [from, to]: [[f64; 2]; 2]) -> Vec<Piece> {
     let near = SAME * sheet.width;
     let axis = usize::from(from[0] == to[0]);
+    let is_on = |point: &[f64; 2], line: f64| (point[1 - axis] - line).abs() < near;
+    // Both sides of a seam are cut alike.
+    let twin = if sheet.ring && axis == 1 {
+        sheet.end()
+    } else {
+        from[1 - axis]
+    };
     let mut places: Vec<f64> = (pieces.iter())
         .flat_map(|(_, piece)| [piece.at(0.0), piece.at(1.0)])
-        .filter(|point| (point[1 - axis] - from[1 - axis]).abs() < near)
+        .filter(|point| is_on(point, from[1 - axis]) || is_on(point, twin))
         .map(|point| point[axis])
         .chain([from[axis], to[axis]])
         .collect();
@@ -193,7 +201,9 @@ fn free(sheet: &Sheet, features: &[Feature], pieces: &[Part], [from, to]: [[f64;
         point
     };
     let removed = |[x, z]: [f64; 2]| {
-        // Not on the end itself, to which a groove may reach.
+        // Not on the edge itself, to which a groove may reach.
+        let middle = sheet.start + 0.5 * sheet.width;
+        let x = if sheet.ring { x } else { middle + (x - middle) * INSIDE };
         let point = [x, z * INSIDE];
         let holds = |feature: &Feature| !feature.meshed && feature.shape.distance(point, sheet.period()) < 0.0;
         features.iter().any(holds)

@@ -20,7 +20,7 @@ impl Blueprint {
         let mut faults = Vec::new();
         for &name in names {
             let region = mesh.region(name);
-            match region.and_then(|region| Some((region, shape_of(mesh, region)?))) {
+            match region.and_then(|region| Some((region, shape_of(mesh, region, liner.length)?))) {
                 Some((region, shape)) => features.push(Feature {
                     name: name.to_owned(),
                     shape,
@@ -55,7 +55,8 @@ fn rim(mesh: &Mesh, region: &Region) -> Vec<u32> {
         .collect()
 }
 
-fn shape_of(mesh: &Mesh, region: &Region) -> Option<Shape> {
+/// The shape of a region of a liner of this length [m].
+fn shape_of(mesh: &Mesh, region: &Region, length: f64) -> Option<Shape> {
     let rim = rim(mesh, region);
     let first = *rim.first()?;
     if let Some(circle) = mesh.circle(first) {
@@ -69,11 +70,11 @@ fn shape_of(mesh: &Mesh, region: &Region) -> Option<Shape> {
         };
         return rim.iter().all(same).then(|| Shape::disc(circle.centre, circle.radius));
     }
-    rectangle(mesh, &rim)
+    rectangle(mesh, &rim, region.cells.is_empty().then_some(length))
 }
 
-/// The rectangle or band that edges along the axes bound.
-fn rectangle(mesh: &Mesh, rim: &[u32]) -> Option<Shape> {
+/// The rectangle or band that edges along the axes bound. The rim of one that is cut out has no edges on the ends of a liner, whose length [m] is given for it.
+fn rectangle(mesh: &Mesh, rim: &[u32], cut_out_of: Option<f64>) -> Option<Shape> {
     let origin = mesh.edge_nodes(*rim.first()?)[0];
     // Corners of every edge near the first one: the shorter way around.
     let near = |edge: &u32| {
@@ -113,7 +114,9 @@ fn rectangle(mesh: &Mesh, rim: &[u32]) -> Option<Shape> {
         return ((length - 2.0 * turn).abs() < 1e-6 * turn).then_some(band);
     }
     let on_sides = edges.iter().all(|edge| along(0, edge) || along(1, edge));
-    (straight && on_sides && at(0.5 * length, high[0] - low[0])).then_some(Shape {
+    let is_open = |z: &f64| cut_out_of.is_some_and(|length| at(z.abs(), 0.5 * length));
+    let closed = 2 - [low[1], high[1]].iter().filter(|z| is_open(z)).count();
+    (straight && on_sides && at(length, closed as f64 * (high[0] - low[0]))).then_some(Shape {
         centre,
         half,
         corner: 0.0,

@@ -12,6 +12,8 @@ use super::shape::{Feature, Piece};
 use super::sheet::Sheet;
 use super::triangulate::{Domain, Triangles};
 
+/// Stops that differ by less than this part of half of the length are one.
+const SAME: f64 = 1e-9;
 /// Cells between two stops, at least: what leaves a groove over a narrow land is resolved.
 const FEWEST: f64 = 3.0;
 /// The edge of a feature is a row of its own if no other row lies within this part of the spacing.
@@ -264,6 +266,8 @@ fn stops(half: f64, features: &[Feature], rows: &Rows) -> Vec<f64> {
         }
     }
     stops.sort_unstable_by(f64::total_cmp);
+    // Bands that touch an end or each other have an edge in common.
+    stops.dedup_by(|a, b| (*a - *b).abs() < SAME * half);
     stops
 }
 

@@ -266,6 +266,9 @@ impl Piece {
             }
         }
         ends.push(1.0);
+        if ends.len() == 2 {
+            return vec![*self];
+        }
         ends.windows(2)
             .map(|pair| match self {
                 Self::Line(..) => Self::Line(self.at(pair[0]), self.at(pair[1])),

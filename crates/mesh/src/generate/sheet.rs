@@ -1,6 +1,6 @@
 //! The rectangle that is triangulated, and the outlines of features laid on it.
 
-use super::shape::{Feature, Piece, Shape};
+use super::shape::{Feature, Piece};
 use crate::developed::Liner;
 
 /// Coordinates that differ by less than this part of the length are one.
@@ -41,10 +41,14 @@ impl Sheet {
         self.start + self.width
     }
 
-    /// Whether a shape reaches from one end to the other, with straight sides.
-    pub(super) fn is_spanned_by(&self, shape: &Shape) -> bool {
-        let off = (shape.half[1] - 0.5 * self.length).abs() + shape.centre[1].abs();
-        shape.corner == 0.0 && !shape.is_full_turn() && off < SAME * self.length
+    /// Whether a piece of the outline of a feature lies on an edge of the sheet: on an end or, on an arc, on one of its edges. A meshed feature may
+    /// also begin or end at the seam of a ring, which is a line of edges.
+    fn has_on_edge(&self, piece: &Piece, meshed: bool) -> bool {
+        let (near, half) = (SAME * self.length, 0.5 * self.length);
+        let points = [0.0, 0.5, 1.0].map(|s| piece.at(s));
+        let is_on = |axis: usize, line: f64| points.iter().all(|point| (point[axis] - line).abs() < near);
+        let is_on_side = is_on(0, self.start) || is_on(0, self.end());
+        is_on(1, -half) || is_on(1, half) || ((meshed || !self.ring) && is_on_side)
     }
 
     /// Distance [m] from the ends and, on an arc, its edges; negative outside.
@@ -60,14 +64,10 @@ impl Sheet {
 
 /// The outline of a feature laid on the sheet: on a ring cut at its sides.
 pub(super) fn on_sheet(sheet: &Sheet, feature: &Feature) -> Vec<Piece> {
-    let is_on_end = |piece: &Piece| {
-        let off = |s: f64| (piece.at(s)[1].abs() - 0.5 * sheet.length).abs();
-        [0.0, 0.5, 1.0].into_iter().all(|s| off(s) < SAME * sheet.length)
-    };
-    let mut pieces = feature.shape.outline(sheet.start, sheet.width);
-    pieces.retain(|piece| !is_on_end(piece));
+    let pieces = feature.shape.outline(sheet.start, sheet.width);
+    let is_inside = |piece: &Piece| !sheet.has_on_edge(piece, feature.meshed);
     if !sheet.ring || feature.shape.is_full_turn() {
-        return pieces;
+        return pieces.into_iter().filter(is_inside).collect();
     }
     let middle = sheet.start + 0.5 * sheet.width;
     let turns = ((middle - feature.shape.centre[0]) / sheet.width).round();
@@ -81,5 +81,6 @@ pub(super) fn on_sheet(sheet: &Sheet, feature: &Feature) -> Vec<Piece> {
             x if x > sheet.end() => piece.shifted(-sheet.width),
             _ => piece,
         })
+        .filter(is_inside)
         .collect()
 }

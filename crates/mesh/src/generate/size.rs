@@ -1,6 +1,7 @@
 //! How large triangles should be: a base size, finer towards features and sharp corners.
 
 use super::shape::{Feature, Shape};
+use super::union::Junction;
 
 /// Edge lengths grow by this much per length away from a feature.
 pub(super) const GROWTH: f64 = 0.2;
@@ -29,14 +30,21 @@ struct Spot {
 }
 
 impl<'a> SizeField<'a> {
-    /// `base` is the size [m] far from all features, `gaps` the free distance [m] around each feature.
+    /// `base` is the size [m] far from all features, `gaps` the free distance [m] around each feature, `junctions` the corners where rims meet.
     pub(super) fn new(
         base: &'a dyn Fn([f64; 2]) -> f64,
         period: Option<f64>,
         features: &'a [Feature],
         gaps: &[f64],
+        junctions: &[Junction],
     ) -> Self {
-        let mut spots = Vec::new();
+        // Parts of rims between corners are as long as their edges, or longer.
+        let part = |junction: &Junction| Spot {
+            centre: junction.middle,
+            radius: 0.5 * junction.side,
+            size: junction.side,
+        };
+        let mut spots: Vec<Spot> = junctions.iter().map(part).collect();
         let at_feature = features
             .iter()
             .zip(gaps)

@@ -1,7 +1,8 @@
-//! Features of one name are one region: where they overlap, only the outline of their union is one.
+//! Features of one name are one region: where they overlap, only the outline of their union is one. Features that touch share a part
+//! of their outlines.
 //!
-//! Each piece of an outline is cut where it meets the outlines of the others; the parts inside another feature go. What stays
-//! bounds the union, counter-clockwise about it.
+//! Each piece of an outline is cut where it meets the outlines of the others; the parts inside another feature of its name go. What stays
+//! bounds the union, counter-clockwise about it. A common part stays once, with the feature that is cut out if one of them is.
 
 use super::shape::{Feature, Piece};
 use super::sheet::{Sheet, on_sheet};
@@ -27,10 +28,8 @@ pub(super) fn parts(sheet: &Sheet, features: &[Feature]) -> Vec<Part> {
 /// What of the `parts` of the outlines of `features`, laid on `sheet`, bounds the unions of those of one name.
 fn of_outlines(sheet: &Sheet, features: &[Feature], parts: Vec<Part>) -> Vec<Part> {
     let near = SAME * sheet.width;
-    let are_joined = |a: usize, b: usize| a != b && features[a].name == features[b].name;
-    let is_alone = |index: usize| (0..features.len()).all(|other| !are_joined(index, other));
     let cut = |(index, piece): &Part| {
-        let others = parts.iter().filter(|(other, _)| are_joined(*index, *other));
+        let others = parts.iter().filter(|(other, _)| other != index);
         let mut places: Vec<f64> = others.flat_map(|(_, other)| piece.meets(other, near)).collect();
         places.sort_unstable_by(f64::total_cmp);
         let cuts = piece.divided(&places, near);
@@ -38,46 +37,93 @@ fn of_outlines(sheet: &Sheet, features: &[Feature], parts: Vec<Part>) -> Vec<Par
     };
     let is_outer = |(index, piece): &Part| {
         (0..features.len())
-            .filter(|&other| are_joined(*index, other))
+            .filter(|other| other != index)
             .all(|other| !covers(sheet, features, other, (*index, piece), near))
     };
-    (parts.iter())
-        .flat_map(|part| if is_alone(part.0) { vec![*part] } else { cut(part) })
-        .filter(is_outer)
-        .collect()
+    parts.iter().flat_map(cut).filter(is_outer).collect()
 }
 
-/// Whether a feature holds a part of the outline of another. Of two that run along each other one is kept if both features lie on the same side.
+/// Whether a part of the outline of a feature lies inside another of its name, or is that of another. Of two that run along each other one is kept
+/// if both features lie on the same side, or have two names.
 fn covers(sheet: &Sheet, features: &[Feature], other: usize, (index, piece): (usize, &Piece), near: f64) -> bool {
     let shape = &features[other].shape;
     let middle = piece.at(0.5);
     let distance = shape.distance(middle, sheet.period());
+    let is_union = features[other].name == features[index].name;
     if distance.abs() > near {
-        return distance < 0.0;
+        return is_union && distance < 0.0;
+    }
+    if !is_union {
+        let rank = |index: usize| (features[index].meshed, index);
+        return rank(other) < rank(index);
     }
     let [along, across] = piece.direction(0.5);
     let outside = [middle[0] + 1e3 * near * across, middle[1] - 1e3 * near * along];
     shape.distance(outside, sheet.period()) < 0.0 || other < index
 }
 
-/// Least angle [rad] of the film at the corners where the rims of two features of one name meet, and the length [m] of the shortest part of a rim
-/// between them; infinite where the rims do not meet.
-pub(super) fn narrowest(sheet: &Sheet, parts: &[Part]) -> [f64; 2] {
+/// A corner at which the rims of features meet.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Junction {
+    /// The features, by ascending index.
+    pub(super) features: Vec<usize>,
+    /// Least angle [rad] between two parts of rims.
+    pub(super) angle: f64,
+    /// Middle of the shortest part of a rim that ends there.
+    pub(super) middle: [f64; 2],
+    /// Length [m] of this part.
+    pub(super) side: f64,
+}
+
+/// An end of a part: the part, where it ends, and the direction [rad] in which the part leaves from there.
+struct PartEnd<'a> {
+    part: &'a Part,
+    at: [f64; 2],
+    angle: f64,
+}
+
+/// The corners at which the rims of two or more features meet.
+pub(super) fn junctions(sheet: &Sheet, parts: &[Part]) -> Vec<Junction> {
     let near = 1e2 * SAME * sheet.width;
-    let mut narrowest = [f64::INFINITY; 2];
-    for (a, before) in parts {
-        for (_, after) in parts.iter().filter(|(b, _)| a != b) {
-            let (end, start) = (before.at(1.0), after.at(0.0));
-            if (end[0] - start[0]).hypot(end[1] - start[1]) > near {
-                continue;
-            }
-            let ([c, s], [u, v]) = (before.direction(1.0), after.direction(0.0));
-            let turn = (c * v - s * u).atan2(c * u + s * v);
-            narrowest[0] = narrowest[0].min(std::f64::consts::PI + turn);
-            narrowest[1] = narrowest[1].min(before.length()).min(after.length());
+    let ends_of = |part| {
+        [(0.0, 1.0), (1.0, -1.0)].map(|(s, sense): (f64, f64)| {
+            let (_, piece): &Part = part;
+            let [u, v] = piece.direction(s).map(|x| sense * x);
+            let (at, angle) = (piece.at(s), v.atan2(u));
+            PartEnd { part, at, angle }
+        })
+    };
+    let mut ends: Vec<PartEnd> = parts.iter().flat_map(ends_of).collect();
+    let mut junctions = Vec::new();
+    while let Some(first) = ends.pop() {
+        let is_here = |end: &PartEnd| (end.at[0] - first.at[0]).hypot(end.at[1] - first.at[1]) <= near;
+        let (mut here, elsewhere): (Vec<_>, Vec<_>) = ends.into_iter().partition(is_here);
+        ends = elsewhere;
+        here.push(first);
+        let mut features: Vec<usize> = here.iter().map(|end| end.part.0).collect();
+        features.sort_unstable();
+        features.dedup();
+        if features.len() < 2 {
+            continue;
+        }
+        let mut angles: Vec<f64> = here.iter().map(|end| end.angle).collect();
+        angles.sort_unstable_by(f64::total_cmp);
+        angles.push(angles[0] + std::f64::consts::TAU);
+        let angle = angles
+            .windows(2)
+            .map(|pair| pair[1] - pair[0])
+            .fold(f64::INFINITY, f64::min);
+        let lengths = here.iter().map(|end| (end.part.1.length(), end.part.1.at(0.5)));
+        if let Some((side, middle)) = lengths.min_by(|a, b| a.0.total_cmp(&b.0)) {
+            junctions.push(Junction {
+                features,
+                angle,
+                middle,
+                side,
+            });
         }
     }
-    narrowest
+    junctions
 }
 
 #[cfg(test)]

@@ -110,20 +110,21 @@ impl<'a> Cursor<'a> {
         Ok(())
     }
 
-    /// Appends `count` points `(x, y, z)` to `values`.
-    pub(super) fn points(&mut self, count: usize, values: &mut Vec<[f64; 3]>) -> Result<(), Error> {
+    /// Appends `count` points `(x, y, z)` to `values`, and passes over `own` more numbers behind each.
+    pub(super) fn points(&mut self, count: usize, own: usize, values: &mut Vec<[f64; 3]>) -> Result<(), Error> {
         if self.binary {
             let start = self.at;
-            self.skip(3 * count)?;
+            self.skip((3 + own) * count)?;
             let (words, _) = self.bytes[start..self.at].as_chunks::<8>();
-            let (points, _) = words.as_chunks::<3>();
-            values.extend(points.iter().map(|point| point.map(f64::from_le_bytes)));
+            let coordinates = |point: &[[u8; 8]]| [0, 1, 2].map(|k| f64::from_le_bytes(point[k]));
+            values.extend(words.chunks_exact(3 + own).map(coordinates));
             return Ok(());
         }
         for _ in 0..count {
             let axes = ["the x coordinate", "the y coordinate", "the z coordinate"];
             let [x, y, z] = axes.map(|wanted| self.real(wanted));
             values.push([x?, y?, z?]);
+            self.skip(own)?;
         }
         Ok(())
     }
@@ -220,6 +221,19 @@ mod tests {
         let mut binary = Cursor::new(b"\x02\0\0\0\0\0\0\0\xff\xff\xff\xff", 0, true, "Nodes");
         assert_eq!((binary.size().unwrap(), binary.int().unwrap()), (2, -1));
         assert!(binary.int().is_err());
+    }
+
+    #[test]
+    fn points_with_coordinates_of_their_own() {
+        let numbers = [1.0, 2.0, 3.0, 0.5, 0.25, 4.0, 5.0, 6.0, 0.5, 0.75];
+        let bytes: Vec<u8> = numbers.iter().flat_map(|number: &f64| number.to_le_bytes()).collect();
+        for (bytes, binary) in [(bytes, true), (b"1 2 3 .5 .25 4 5 6 .5 .75".to_vec(), false)] {
+            let mut points = Vec::new();
+            let mut cursor = Cursor::new(&bytes, 0, binary, "Nodes");
+            cursor.points(2, 2, &mut points).unwrap();
+            assert_eq!(points, [[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]);
+            assert!(cursor.points(1, 0, &mut points).is_err());
+        }
     }
 
     #[test]

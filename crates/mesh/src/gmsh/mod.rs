@@ -88,7 +88,8 @@ pub fn read_bytes(path: &Path) -> Result<Vec<u8>, Error> {
     let mut bytes = Vec::new();
     (&mut file).take(OPENING).read_to_end(&mut bytes).map_err(failed)?;
     let opens = bytes.split(|&byte| byte == b'\n').any(|line| line.starts_with(b"$"));
-    if !opens {
+    let is_of_two_bytes = scan::UTF_16.iter().any(|mark| bytes.starts_with(mark));
+    if !opens && !is_of_two_bytes {
         return Err(Error::NotMsh.in_file(path));
     }
     let rest = usize::try_from(metadata.len().saturating_sub(OPENING)).unwrap_or(usize::MAX);

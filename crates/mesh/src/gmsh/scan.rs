@@ -45,6 +45,10 @@ pub(super) struct Block {
     pub(super) numbers: Vec<u64>,
 }
 
+/// The byte order mark of a text in UTF-8.
+const UTF_8: &[u8] = b"\xef\xbb\xbf";
+/// Byte order marks of a text in UTF-16.
+pub(super) const UTF_16: [&[u8]; 2] = [b"\xff\xfe", b"\xfe\xff"];
 /// Most letters of a name in a file; gmsh itself writes no longer ones.
 const LONGEST_NAME: usize = 127;
 /// Most physical groups of one curve or surface: each element of it is listed in each of them.
@@ -54,7 +58,13 @@ const MOST_GROUPS: usize = 8;
 pub(super) fn scan(bytes: &[u8]) -> Result<Scan, Error> {
     let mut scan = Scan::default();
     let mut format_seen = false;
-    let mut at = 0;
+    if UTF_16.iter().any(|mark| bytes.starts_with(mark)) {
+        return Err(Error::Encoding {
+            what: "letters of two bytes (UTF-16)".to_owned(),
+        });
+    }
+    // Editors on Windows put it before a text.
+    let mut at = if bytes.starts_with(UTF_8) { UTF_8.len() } else { 0 };
     while let Some(start) = next_section(bytes, &mut at) {
         let name = bytes[start + 1..at].trim_ascii();
         if !format_seen && name != b"MeshFormat" && name != b"Comments" {
@@ -263,17 +273,17 @@ fn scan_nodes(bytes: &[u8], body: usize, scan: &mut Scan) -> Result<usize, Error
     let mut tags = Vec::with_capacity(total);
     let mut nodes = Vec::with_capacity(total);
     for _ in 0..block_count {
-        let (_dim, _entity, parametric) = (cursor.int()?, cursor.int()?, cursor.int()?);
-        if parametric != 0 {
-            let position = cursor.position();
-            return match parametric {
-                1 => Err(Error::Parametric { position }),
-                _ => Err(cursor.damaged(format!("{parametric} where 0 or 1 should be (parametric)"))),
-            };
-        }
+        let (dim, _entity, parametric) = (cursor.int()?, cursor.int()?, cursor.int()?);
+        // Coordinates on the curve (u), on the surface (u, v) or in the volume (u, v, w), which are passed over.
+        let own = match (parametric, dim) {
+            (0, _) => 0,
+            (1, 0..=3) => dim as usize,
+            (1, _) => return Err(cursor.damaged(format!("{dim} where a dimension from 0 to 3 should be"))),
+            _ => return Err(cursor.damaged(format!("{parametric} where 0 or 1 should be (parametric)"))),
+        };
         let count = cursor.count(4, "nodes")?;
         cursor.sizes(count, &mut tags)?;
-        cursor.points(count, &mut nodes)?;
+        cursor.points(count, own, &mut nodes)?;
     }
     if tags.len() != total {
         return Err(cursor.damaged(format!("{total} nodes announced, {} present", tags.len())));

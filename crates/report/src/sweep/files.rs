@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 use super::SweepError;
 use super::report::{Identity, SweepReport};
-use super::rotor_table::{ROTOR_FILE, rotor_table};
+use super::rotor_table::{ROTOR_FILES, rotor_tables};
 use super::table::{Columns, Row, to_csv, whole_rows};
 use crate::json::json;
 use crate::page::PAGE_FILE;
@@ -58,14 +58,21 @@ impl Table {
             (OsStr::new(TABLE_FILE), Some(&table[..])),
         );
         let page_step = (OsStr::new(PAGE_FILE), None);
-        let rotor_step = (OsStr::new(ROTOR_FILE), None);
+        let [rotor_step, rotor_step_3] = ROTOR_FILES.map(|name| (OsStr::new(name), None));
         // A table is never beside a report that is not its own. Rows that are kept are those of the report that stands there.
         match kept.is_empty() {
             true => folder::replace_alone(
                 dir,
-                &[page_step, rotor_step, (table_step.0, None), about_step, table_step],
+                &[
+                    page_step,
+                    rotor_step,
+                    rotor_step_3,
+                    (table_step.0, None),
+                    about_step,
+                    table_step,
+                ],
             )?,
-            false => folder::replace_alone(dir, &[page_step, rotor_step, about_step, table_step])?,
+            false => folder::replace_alone(dir, &[page_step, rotor_step, rotor_step_3, about_step, table_step])?,
         }
         let file = OpenOptions::new()
             .append(true)
@@ -113,22 +120,24 @@ fn free(dir: &Path, path: &Path) -> Result<Option<File>, SweepError> {
     }
 }
 
-/// Replaces table and report by those of the finished sweep, and adds the table for programs of rotors; whether there is one. Between the two the report says still that the sweep has not ended.
+/// Replaces table and report by those of the finished sweep, and adds the tables for programs of rotors; which of them there are. Between the two the report says still that the sweep has not ended.
 ///
 /// # Errors
 /// The system refuses; the rows that were added stand there still.
-pub(crate) fn finish(dir: &Path, report: &SweepReport) -> Result<bool, Error> {
+pub(crate) fn finish(dir: &Path, report: &SweepReport) -> Result<Vec<&'static str>, Error> {
     let headings = report.columns.headings();
     let table = to_csv(std::iter::once(&headings).chain(&report.rows));
     let about = json(report)?;
-    let rotor = rotor_table(report);
+    let rotor = rotor_tables(report);
     let steps = [
-        (OsStr::new(ROTOR_FILE), rotor.as_deref()),
+        (OsStr::new(ROTOR_FILES[0]), rotor[0].as_deref()),
+        (OsStr::new(ROTOR_FILES[1]), rotor[1].as_deref()),
         (OsStr::new(TABLE_FILE), Some(&table[..])),
         (OsStr::new(REPORT_FILE), Some(about.as_bytes())),
     ];
     folder::replace(dir, &steps)?;
-    Ok(rotor.is_some())
+    let there = ROTOR_FILES.into_iter().zip(rotor).filter(|(_, table)| table.is_some());
+    Ok(there.map(|(name, _)| name).collect())
 }
 
 /// The rows in the folder that are those of this sweep, by the number of their case (from 0).

@@ -28,7 +28,7 @@ pub use error::SweepError;
 pub use files::{REPORT_FILE, TABLE_FILE};
 pub use parts::{PARTS_FOLDER, part_folder};
 pub use report::{Identity, SWEEP_FORMAT, SweepReport};
-pub use rotor_table::ROTOR_FILE;
+pub use rotor_table::ROTOR_FILES;
 pub(crate) use table::to_csv;
 pub use table::{Columns, LIMITS, REASON, Row, SECONDS, UNKNOWNS, WARNINGS};
 
@@ -119,7 +119,7 @@ pub fn run(
     }
     report.rows = rows.into_inner().into_values().collect();
     report.seconds = clock.elapsed().as_secs_f64();
-    report.has_rotor_table = finish(&dir, &report)?;
+    report.rotor_tables = finish(&dir, &report)?;
     Ok(report)
 }
 
@@ -133,7 +133,7 @@ pub fn join(sweep: &Sweep, options: &SweepOptions, parts: &Path, dir: &Path) -> 
     let rows = rows_of_parts(sweep, &report, parts)?;
     let _alone = Table::open(dir, &report, options.fresh)?;
     report.join(rows);
-    report.has_rotor_table = finish(dir, &report)?;
+    report.rotor_tables = finish(dir, &report)?;
     Ok(report)
 }
 
@@ -193,7 +193,8 @@ fn cases(sweep: &Sweep, options: &SweepOptions) -> Range<usize> {
 
 /// Whether the files of a sweep may stand in the folder `dir`.
 fn check(dir: &Path) -> Result<(), Error> {
-    folder::check(dir, [TABLE_FILE, REPORT_FILE, ROTOR_FILE].iter().map(OsStr::new))
+    let own = [TABLE_FILE, REPORT_FILE].into_iter().chain(ROTOR_FILES);
+    folder::check(dir, own.map(OsStr::new))
 }
 
 /// The report of a sweep, or a part of it, before its first row.
@@ -224,7 +225,7 @@ fn begun(sweep: &Sweep, options: &SweepOptions) -> Result<SweepReport, SweepErro
         kept: 0,
         seconds: 0.0,
         is_joined: false,
-        has_rotor_table: false,
+        rotor_tables: Vec::new(),
     })
 }
 

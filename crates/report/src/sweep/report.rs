@@ -55,8 +55,8 @@ pub struct SweepReport {
     pub seconds: f64,
     /// Whether the rows were computed as parts, by other runs.
     pub is_joined: bool,
-    /// Whether there is a table for programs of rotors.
-    pub has_rotor_table: bool,
+    /// Names of the tables for programs of rotors that were written.
+    pub rotor_tables: Vec<&'static str>,
 }
 
 impl SweepReport {

@@ -1,10 +1,9 @@
 //! Stiffness and damping over the speed, as programs for rotors read them: one row a speed, the columns named like the parameters of `ross.BearingElement`.
 //!
-//! ```python
-//! bearing = ross.BearingElement(n=0, **pandas.read_csv("rotor_bearing.csv").to_dict("list"))
-//! ```
+//! In version 2 of ROSS the speed of a table is called `frequency`; from version 3 on it is `speed`, and `frequency` is that of the whirl. So there is a
+//! table for each version, and one over speed and whirl for version 3 alone.
 
-use oilwedge_scene::sweep::{Axis, AxisValue};
+use oilwedge_scene::sweep::AxisValue;
 use oilwedge_scene::unit::{Dimension, unit_size};
 use oilwedge_study::quantities::{
     DAMPING_XX, DAMPING_XY, DAMPING_YX, DAMPING_YY, Row as Quantity, STIFFNESS_XX, STIFFNESS_XY, STIFFNESS_YX,
@@ -16,11 +15,13 @@ use super::table::{Row, status_name, to_csv};
 use oilwedge_campaign::sweep::CaseStatus;
 use oilwedge_study::result::Status;
 
-/// The table.
-pub const ROTOR_FILE: &str = "rotor_bearing.csv";
+/// The tables for version 2 and version 3 of ROSS.
+pub const ROTOR_FILES: [&str; 2] = ["rotor_bearing.csv", "rotor_bearing_3.csv"];
 /// Where the speed stands in a scene.
 const SPEED: &str = "journal.speed";
-/// The columns behind the frequency [rad/s], in SI.
+/// Where the frequency of the whirl over the speed stands in a scene.
+const WHIRL: &str = "dynamics.whirl";
+/// The columns behind speed and frequency [rad/s], in SI.
 const COLUMNS: [(&str, &Quantity); 8] = [
     ("kxx", &STIFFNESS_XX),
     ("kxy", &STIFFNESS_XY),
@@ -32,21 +33,53 @@ const COLUMNS: [(&str, &Quantity); 8] = [
     ("cyy", &DAMPING_YY),
 ];
 
-/// The table of a sweep over positive speeds alone whose rows have all coefficients; `None` of any other one, and of a part. Cases without an answer are
-/// left out.
-pub(super) fn rotor_table(report: &SweepReport) -> Option<Vec<u8>> {
-    let [axis] = &report.plan.axes[..] else { return None };
-    if report.identity.part.is_some() {
+/// The tables of a sweep over positive speeds, or over these and the whirl, whose rows have all coefficients; none of any other one, and of a part. Cases
+/// without an answer are left out.
+pub(super) fn rotor_tables(report: &SweepReport) -> [Option<Vec<u8>>; 2] {
+    let Some(rows) = points(report).filter(|rows| !rows.is_empty()) else {
+        return [None, None];
+    };
+    let table = |keys: &[&str]| {
+        let coefficients = COLUMNS.iter().map(|(name, _)| *name);
+        let headings: Row = keys.iter().copied().chain(coefficients).map(str::to_owned).collect();
+        let line = |point: &Point| -> Row {
+            let keys = point.keys[..keys.len()].iter().map(|number| format!("{number:?}"));
+            keys.chain(point.coefficients.iter().cloned()).collect()
+        };
+        let rows: Vec<Row> = rows.iter().map(line).collect();
+        to_csv(std::iter::once(&headings).chain(&rows))
+    };
+    match report.plan.axes.len() {
+        1 => [Some(table(&["frequency"])), Some(table(&["speed"]))],
+        _ => [None, Some(table(&["speed", "frequency"]))],
+    }
+}
+
+/// A row of a table.
+struct Point {
+    /// Speed and frequency of the whirl [rad/s].
+    keys: [f64; 2],
+    coefficients: Row,
+}
+
+/// The rows, by ascending speed and frequency.
+fn points(report: &SweepReport) -> Option<Vec<Point>> {
+    let axes = &report.plan.axes;
+    let place = |path: &str| axes.iter().position(|axis| axis.path == path);
+    let (speeds, whirls) = (place(SPEED)?, place(WHIRL));
+    if report.identity.part.is_some() || axes.len() != 1 + usize::from(whirls.is_some()) {
         return None;
     }
-    let unit = (axis.path == SPEED).then(|| unit_size(&axis.unit, Dimension::Speed).ok())??;
+    let unit = unit_size(&axes[speeds].unit, Dimension::Speed).ok()?;
     let places: Vec<usize> = COLUMNS
         .iter()
         .map(|(_, row)| report.columns.quantities.iter().position(|column| column.row == *row))
         .collect::<Option<_>>()?;
-    let mut rows: Vec<(f64, Row)> = Vec::new();
+    let mut points: Vec<Point> = Vec::new();
     for row in &report.rows {
-        let speed = unit * speed(axis, row)?;
+        let number = |axis: usize| of_axis(report, axis, row);
+        let speed = unit * number(speeds)?;
+        let ratio = whirls.map_or(Some(0.0), number)?;
         if speed <= 0.0 {
             return None;
         }
@@ -55,22 +88,22 @@ pub(super) fn rotor_table(report: &SweepReport) -> Option<Vec<u8>> {
             Some(format!("{:?}", report.columns.quantities[place].own(value)))
         });
         let is_converged = row[report.columns.status()] == status_name(CaseStatus::Run(Status::Converged));
-        if let Some(values) = values.collect::<Option<Vec<String>>>().filter(|_| is_converged) {
-            rows.push((speed, std::iter::once(format!("{speed:?}")).chain(values).collect()));
+        if let Some(coefficients) = values.collect::<Option<Row>>().filter(|_| is_converged) {
+            let keys = [speed, ratio * speed];
+            points.push(Point { keys, coefficients });
         }
     }
-    rows.sort_by(|(a, _), (b, _)| a.total_cmp(b));
-    rows.dedup_by(|(a, _), (b, _)| a == b);
-    let headings = std::iter::once("frequency").chain(COLUMNS.iter().map(|(name, _)| *name));
-    let headings: Row = headings.map(str::to_owned).collect();
-    (!rows.is_empty()).then(|| to_csv(std::iter::once(&headings).chain(rows.iter().map(|(_, row)| row))))
+    points.sort_by(|a, b| a.keys[0].total_cmp(&b.keys[0]).then(a.keys[1].total_cmp(&b.keys[1])));
+    points.dedup_by(|a, b| a.keys == b.keys);
+    Some(points)
 }
 
-/// The speed of a row, in the unit of its axis.
-fn speed(axis: &Axis, row: &Row) -> Option<f64> {
+/// The number of a row on an axis, in the unit of the axis.
+fn of_axis(report: &SweepReport, axis: usize, row: &Row) -> Option<f64> {
     let case: usize = row.first()?.parse().ok()?;
-    match axis.values.get(case.checked_sub(1)?)? {
-        AxisValue::Number(speed) => Some(*speed),
+    let index = *report.plan.indices(case.checked_sub(1)?).get(axis)?;
+    match report.plan.axes.get(axis)?.values.get(index)? {
+        AxisValue::Number(number) => Some(*number),
         AxisValue::Word(_) => None,
     }
 }

@@ -10,7 +10,7 @@ use oilwedge_study::result::headlines;
 use super::pieces::{counted, effects, heading, printable, table, time};
 use crate::digits::significant;
 use crate::readable::readable_unit;
-use crate::sweep::{LIMITS, REASON, ROTOR_FILE, Row, SweepReport, WARNINGS};
+use crate::sweep::{LIMITS, REASON, Row, SweepReport, WARNINGS};
 
 /// How many cases have each code.
 fn tally(report: &SweepReport, column: &str) -> String {
@@ -98,10 +98,7 @@ fn crown(report: &SweepReport) -> Option<String> {
 
 /// The files and where they are.
 fn written(report: &SweepReport, folder: &Path) -> String {
-    let rotor = match report.has_rotor_table {
-        true => format!(", {ROTOR_FILE}"),
-        false => String::new(),
-    };
+    let rotor: String = report.rotor_tables.iter().map(|name| format!(", {name}")).collect();
     format!("written   {}: sweep.csv, sweep.json{rotor}", folder.display())
 }
 

@@ -51,8 +51,8 @@ impl Column {
 /// Where the columns of a table stand, and the size of their units in SI.
 #[derive(Debug)]
 pub(crate) struct Columns<const N: usize> {
-    /// By wanted column.
-    places: [Option<(usize, f64)>; N],
+    /// Place, size of the unit and kind, by wanted column.
+    places: [Option<(usize, f64, Dimension)>; N],
     count: usize,
 }
 
@@ -89,7 +89,7 @@ impl<const N: usize> Columns<N> {
             }
             let size = unit::unit_size(unit, wanted[k].dimension);
             let size = size.map_err(|error| fail(format!("the unit of \"{name}\": {error}")))?;
-            places[k] = Some((place, size));
+            places[k] = Some((place, size, wanted[k].dimension));
         }
         let missing = (0..N).find(|&k| places[k].is_none() && wanted[k].presence == Presence::Needed);
         match missing {
@@ -110,7 +110,9 @@ impl<const N: usize> Columns<N> {
         }
         let mut values = [0.0; N];
         for (value, place) in values.iter_mut().zip(self.places) {
-            let Some((place, size)) = place else { continue };
+            let Some((place, size, dimension)) = place else {
+                continue;
+            };
             let number = cells[place].parse::<f64>().map(|number| number * size);
             let Some(number) = number.ok().filter(|number| number.is_finite()) else {
                 let message = format!("\"{}\" is not a finite number", cells[place]);
@@ -120,6 +122,12 @@ impl<const N: usize> Columns<N> {
                     "write for example 12.5 or 1.25e1, without a unit",
                 ));
             };
+            if !dimension.holds(number) {
+                let ([least, most], (unit, _)) = (dimension.range(), dimension.units()[0]);
+                let message = format!("\"{}\" is out of range", cells[place]);
+                let help = format!("check the exponent: zero, or {least:.0e} to {most:.0e} {unit}, is wanted");
+                return Err(TableFault::at(line, message, help));
+            }
             *value = number;
         }
         Ok(Row { line, values })

@@ -8,6 +8,10 @@ use super::{TableReader, kind};
 use crate::keys::Form;
 use crate::unit::{self, Dimension};
 
+/// A number without a unit is zero, or at least this,
+const LEAST: f64 = 1e-25;
+/// and at most this, so that products and powers of such numbers are numbers.
+const MOST: f64 = 1e15;
 /// Angles beyond so many turns have lost their digits.
 const MOST_TURNS: f64 = 1e6;
 
@@ -66,8 +70,12 @@ impl<'a> TableReader<'a> {
             } else if number.is_none() {
                 let help = format!("write for example {key} = {example}");
                 self.complain(key, "is not a finite number", help);
+            } else if number.is_some_and(is_out_of_range) {
+                let help = format!("check the exponent, and write for example {key} = {example}");
+                let message = format!("is out of range: zero, or from {LEAST:.0e} to {MOST:.0e}, is wanted");
+                self.complain(key, message, help);
             }
-            number.unwrap_or(f64::NAN)
+            number.filter(|number| !is_out_of_range(*number)).unwrap_or(f64::NAN)
         });
         Number {
             key,
@@ -161,6 +169,10 @@ impl Number<'_, '_> {
     pub(crate) fn given(self) -> Option<f64> {
         self.value
     }
+}
+
+fn is_out_of_range(number: f64) -> bool {
+    number != 0.0 && !(LEAST..=MOST).contains(&number.abs())
 }
 
 /// The finite number that a value without quotes is.

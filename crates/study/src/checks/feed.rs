@@ -1,6 +1,6 @@
-//! Feeds that overlap: at one pressure they are one region, else one of them is wrong.
+//! Feeds that overlap: at one pressure they are one region, else one of them is wrong. A pocket may touch any other feed.
 
-use oilwedge_mesh::generate::overlap;
+use oilwedge_mesh::generate::{Meeting, meeting};
 use oilwedge_scene::wording::bars;
 use oilwedge_scene::{Complaints, Feed, Scene};
 
@@ -13,22 +13,35 @@ pub(super) fn check(scene: &Scene, complaints: &mut Complaints) {
     let liner = liner(scene);
     for (index, feed) in scene.feeds.iter().enumerate() {
         let key = format!("feed[{index}].{}", if feed.hole.is_some() { "hole" } else { "groove" });
-        let meets = |other: &&Feed| match (shape(scene, feed), shape(scene, other)) {
-            (Some(a), Some(b)) => other.pressure != feed.pressure && overlap(&liner, &a, &b),
-            _ => false,
+        let clash = |other: &Feed| {
+            let both_given = feed.pressure.is_some() && other.pressure.is_some();
+            match meeting(&liner, &shape(scene, feed)?, &shape(scene, other)?) {
+                _ if both_given && feed.pressure == other.pressure => None,
+                Meeting::Overlapping => Some("overlaps"),
+                Meeting::Touching if both_given => Some("touches"),
+                Meeting::Touching | Meeting::Apart => None,
+            }
         };
-        if let Some(other) = scene.feeds[..index].iter().find(meets) {
+        let mut others = scene.feeds[..index].iter();
+        if let Some((other, meets)) = others.find_map(|other| Some((other, clash(other)?))) {
             let given = |feed: &Feed| {
                 feed.pressure
                     .map_or("a pocket".to_owned(), |pressure| format!("at {}", bars(pressure)))
             };
             let message = format!(
-                "overlaps \"{}\", but is {} and the other {}",
+                "{meets} \"{}\", but is {} and the other {}",
                 other.group,
                 given(feed),
                 given(other)
             );
-            let help = "give both one pressure (they are one region then), or move one of the two: by diameter, angle and z of a hole, by from, to, width and z of a groove";
+            let help = match feed.pressure.and(other.pressure) {
+                Some(_) => {
+                    "give both one pressure (they are one region then), or part them: by diameter, angle and z of a hole, by from, to, width and z of a groove"
+                }
+                None => {
+                    "let the pocket end where the other begins: their straight sides may touch (from, to, width and z of a groove)"
+                }
+            };
             complaints.add(&key, message, help);
         }
     }

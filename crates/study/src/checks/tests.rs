@@ -250,38 +250,16 @@ fn a_thin_oil_is_no_roelands_oil() {
     );
 }
 
-const CAP: &str = r#"[cap]
-reciprocating_mass = "1e308 kg"
-rotating_mass = "2.025 kg"
-cap_mass = "405 g"
-crank_radius = "62.5 mm"
-rod_length = "230 mm"
-angle = "270 deg"
-[cap.bolts]
-count = 2
-diameter = "10 mm"
-stress_area = "56.7 mm2"
-load_share = 0.18
-tightness = 3
-torque_coefficient = 0.15
-[cap.shell]
-protrusion = "25 um"
-modulus = "190 GPa"
-section = "132 mm2"
-radius = "33.5 mm"
-[mesh]"#;
-
 #[test]
-fn forces_of_a_cap_are_numbers() {
-    one(
-        "[mesh]",
-        CAP,
-        [
-            "cap: leads to forces or stresses that are beyond all numbers",
-            "exponents",
-        ],
-    );
-    assert!(complaints("[mesh]", &CAP.replace("1e308", "3.43")).is_empty());
+fn a_wall_carries_the_load() {
+    let position = "eccentricity = 0.6\nmin_film_angle = \"180 deg\"";
+    let wall = |modulus: &str| {
+        let wall = format!("wall = {{ thickness = \"2 mm\", modulus = \"{modulus}\", poisson = 0.3 }}");
+        format!("[load]\nforce = \"5 kN\"\nangle = \"270 deg\"\n[liner]\n{wall}")
+    };
+    let wanted = "liner.wall.modulus: is too soft: the mean pressure of the load, 8.8";
+    one(position, &wall("210 kPa"), [wanted, "is its unit right?"]);
+    assert!(complaints(position, &wall("210 GPa")).is_empty());
 }
 
 fn with(tolerance: &str) -> String {

@@ -13,6 +13,31 @@ fn rotor(bench: &Bench) -> Option<String> {
     std::fs::read_to_string(bench.path().join("out/scene/rotor_bearing.csv")).ok()
 }
 
+fn rotor_3(bench: &Bench) -> Option<String> {
+    std::fs::read_to_string(bench.path().join("out/scene/rotor_bearing_3.csv")).ok()
+}
+
+/// Over speed and whirl there is a table for version 3 alone, with the frequency of the whirl.
+#[test]
+fn a_sweep_of_speed_and_whirl_writes_a_table_of_both() {
+    let bench = Bench::new();
+    whirl(
+        &bench,
+        "\"dynamics.whirl\" = [1, 0.5]\nspeed = [\"400 rad/s\", \"200 rad/s\"]",
+    );
+    done(&bench.run(&["sweep", "scene.toml", "--json"]));
+    let table = rotor_3(&bench).expect("a table");
+    let keys: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').take(2).collect()).collect();
+    let wanted = [
+        ["speed", "frequency"],
+        ["200.0", "100.0"],
+        ["200.0", "200.0"],
+        ["400.0", "200.0"],
+        ["400.0", "400.0"],
+    ];
+    assert_eq!((keys, rotor(&bench)), (wanted.map(|keys| keys.to_vec()).to_vec(), None));
+}
+
 #[test]
 fn a_sweep_of_the_speed_writes_a_table_for_rotors() {
     let bench = Bench::new();
@@ -32,9 +57,12 @@ fn a_sweep_of_the_speed_writes_a_table_for_rotors() {
         }
     }
     assert_eq!(table.lines().count(), 3);
+    let of_version_3 = rotor_3(&bench).expect("a table");
+    assert_eq!(of_version_3, table.replace("frequency", "speed"));
     let told = bench.run(&["sweep", "scene.toml"]);
     assert!(
-        told.stdout.contains("sweep.csv, sweep.json, rotor_bearing.csv"),
+        told.stdout
+            .contains("sweep.csv, sweep.json, rotor_bearing.csv, rotor_bearing_3.csv"),
         "{}",
         told.stdout
     );
