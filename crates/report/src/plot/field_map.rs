@@ -121,7 +121,13 @@ pub(super) fn field_figure(film: &DrawnFilm, name: &str, width: f64) -> Option<F
             map,
             range: [low, high],
         } = FieldColours::of(name, extremes.map(|value| value / size));
-        let levels = Levels::round([low, high], map, BANDS);
+        let mut levels = Levels::round([low, high], map, BANDS);
+        // Quadratics dip below the least value of the model between nodes.
+        if let Some(floor) = film.floor(name) {
+            let below = levels.edges.iter().filter(|edge| **edge <= floor / size).count();
+            levels.edges.drain(..below);
+            levels.colours.drain(..below);
+        }
         let patches = film
             .liner
             .patches(&frame, &cells, |k| values[k].map(|value| value / size));
@@ -220,17 +226,24 @@ fn draw_lines(figure: &mut Figure, film: &DrawnFilm, frame: &Frame, peak: Option
             }
         }
         let [low, high] = [frame.y.low, frame.y.high];
-        if let Some([_, angle]) = film.position().filter(|[eccentricity, _]| *eccentricity > 0.0) {
+        if let Some((angle, z)) = film.thinnest() {
             let x = angle * film.radius;
             let shifts = film.liner.shifts(x, x);
             for shift in &shifts {
+                if let Some(z) = z {
+                    figure.mark(film.liner.at(frame, [x + shift, z]), Mark::Square, BLACK);
+                    continue;
+                }
                 let across = ((x + shift) / film.radius).to_degrees();
                 let line = [frame.at([across, low]), frame.at([across, high])];
                 figure.line(&line, Pen::new(1.6, WHITE));
                 figure.line(&line, Pen::new(1.0, BLACK).stroked(Stroke::Dotted));
             }
             if !shifts.is_empty() {
-                say("thinnest film", BLACK, Some(Stroke::Dotted), None);
+                match z {
+                    Some(_) => say("thinnest film", BLACK, None, Some(Mark::Square)),
+                    None => say("thinnest film", BLACK, Some(Stroke::Dotted), None),
+                }
             }
         }
         if let Some(peak) = peak {
