@@ -5,7 +5,9 @@ use std::f64::consts::TAU;
 use oilwedge_study::fields::{CONTACT_PRESSURE, FieldRow, Interpolation, PRESSURE, field};
 use oilwedge_study::film_lines::{REFORMATION, RIM, RUPTURE};
 use oilwedge_study::picture::{FieldValues, FilmPicture, PictureField};
-use oilwedge_study::quantities::{ECCENTRICITY, FILM_THICKNESS_MIN_ANGLE, FILM_THICKNESS_MIN_Z, MIN_FILM_ANGLE, Row};
+use oilwedge_study::quantities::{
+    CYCLE_FILM_THICKNESS_MIN_ANGLE, ECCENTRICITY, FILM_THICKNESS_MIN_ANGLE, FILM_THICKNESS_MIN_Z, MIN_FILM_ANGLE, Row,
+};
 use serde_json::Value;
 
 use super::liner::{Liner, Nodes};
@@ -165,7 +167,9 @@ impl DrawnFilm {
 
     /// Angle [rad] at which the film is thinnest and, where it is so at one place along the axis alone, that place [m].
     pub(super) fn thinnest(&self) -> Option<(f64, Option<f64>)> {
-        let angle = self.quantity(&FILM_THICKNESS_MIN_ANGLE)?.to_radians();
+        // The film of an orbit is that in which it is thinnest over the cycle.
+        let rows = [&FILM_THICKNESS_MIN_ANGLE, &CYCLE_FILM_THICKNESS_MIN_ANGLE];
+        let angle = rows.into_iter().find_map(|row| self.quantity(row))?.to_radians();
         Some((angle, self.quantity(&FILM_THICKNESS_MIN_Z)))
     }
 
