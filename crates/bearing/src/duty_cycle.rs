@@ -38,7 +38,7 @@ pub use crank::{Crank, GasPressure, Linkage, PressureCurve, Throw};
 pub use frame::{Frame, Turning};
 pub use harmonics::Harmonic;
 pub use spline::{NoSpline, PeriodicSpline};
-pub use summary::Summary;
+pub use summary::{RowsSummary, Summary};
 pub use table::LoadPoint;
 
 use frame::Acting;
@@ -69,7 +69,7 @@ pub struct DutyCycle {
 enum Source {
     /// It does not change.
     Constant(Duty),
-    /// A spline through the points of a table, in the frame of the shell.
+    /// A curve through the points of a table and within them, in the frame of the shell.
     Table(Turning, PeriodicSpline<4>),
     /// Harmonics in a frame.
     Harmonics(Turning, Frame, Vec<Harmonic>),
@@ -92,8 +92,8 @@ impl DutyCycle {
     }
 
     /// The load through points of a table in a frame, at growing angles less than `period` [rad] apart; the first is not repeated at the end. The
-    /// points are turned to the frame of the shell, and joined there by a periodic cubic spline, so that tables of the same forces in several frames
-    /// are the same load.
+    /// points are turned to the frame of the shell, and joined there by a periodic cubic within them ([`PeriodicSpline::within_points`]), so that tables of the same
+    /// forces in several frames are the same load.
     ///
     /// # Errors
     /// [`NoSpline`]: the angles do not grow, or there are too few points.

@@ -101,13 +101,21 @@ fn in_words(sheet: &LoadSheet, folder: &Path, drawn: &str) -> String {
     let of = |at: &LoadAt| Some((at.angle_deg, at.direction_deg));
     add("greatest force", newtons(sheet.peak.magnitude_n), of(&sheet.peak));
     add("least force", newtons(sheet.least.magnitude_n), of(&sheet.least));
-    let [x, y] = sheet.mean_force_n;
-    add(
-        "mean force",
-        newtons(x.hypot(y)),
-        Some((f64::NAN, y.atan2(x).to_degrees())),
-    );
+    let mean = |[x, y]: [f64; 2]| (newtons(x.hypot(y)), Some((f64::NAN, y.atan2(x).to_degrees())));
+    let (value, direction) = mean(sheet.mean_force_n);
+    add("mean force", value, direction);
     add("mean magnitude", newtons(sheet.mean_magnitude_n), None);
+    // The curve between the rows of a table beside the rows alone.
+    if let Some(table) = &sheet.table {
+        add(
+            &format!("greatest force of the {} rows", table.rows),
+            newtons(table.peak.magnitude_n),
+            of(&table.peak),
+        );
+        let (value, direction) = mean(table.mean_force_n);
+        add("mean force of the rows", value, direction);
+        add("mean magnitude of the rows", newtons(table.mean_magnitude_n), None);
+    }
     add(
         "greatest force/(length diameter)",
         format!("{} MPa", significant(1e-6 * sheet.specific_load_pa, 4)),

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use oilwedge_scene::Scene;
-use oilwedge_study::duty::{DutyCycle, Summary};
+use oilwedge_study::duty::{DutyCycle, RowsSummary, Summary};
 use serde::Serialize;
 
 /// Name and version of the form of `load.json`.
@@ -45,8 +45,35 @@ pub struct LoadSheet {
     pub half_speed_share: f64,
     /// Work of the gas on the piston in a period; `None`: the load is not that of a big end computed from its crank.
     pub gas_work_j: Option<f64>,
+    /// Extremes and means of the rows of the table, beside those of the curve through them; `None`: the load is not given by a table.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub table: Option<TableLoad>,
     /// The load at growing crank angles.
     pub rows: Vec<LoadRow>,
+}
+
+/// The rows of a table of loads.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct TableLoad {
+    /// Number of rows of a period.
+    pub rows: usize,
+    /// Greatest magnitude of the force in a row.
+    pub peak: LoadAt,
+    /// Mean force of straight lines from row to row.
+    pub mean_force_n: [f64; 2],
+    /// Mean of the magnitude that is linear from row to row.
+    pub mean_magnitude_n: f64,
+}
+
+impl TableLoad {
+    fn of(rows: RowsSummary) -> Self {
+        Self {
+            rows: rows.count,
+            peak: LoadAt::of(rows.peak),
+            mean_force_n: rows.mean,
+            mean_magnitude_n: rows.mean_magnitude,
+        }
+    }
 }
 
 /// A force at a crank angle.
@@ -125,6 +152,7 @@ impl LoadSheet {
             journal_speed_rad_s: speeds,
             half_speed_share,
             gas_work_j: cycle.crank().map(|crank| crank.gas_work(STEPS)),
+            table: cycle.rows_summary().map(TableLoad::of),
             rows: (0..count).map(row).collect(),
         }
     }

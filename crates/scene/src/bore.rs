@@ -28,8 +28,8 @@ keys! {
         "angle from its middle to each of its edges";
     "bore.envelope" = Table; "", "no run-in bore", "",
         "wear by a journal in several positions, until none of them leaves less than a given film: the bore follows the envelope of its lines";
-    "bore.envelope.file" = Text; "bores/positions.csv", "required", "a table with units in its header: `e_x [um], e_y [um]` and, if wanted, `g_x [mrad], g_y [mrad]`",
-        "path of a table of the positions, offset of the journal at mid-length and slope of its axis, counted from the folder of the scene";
+    "bore.envelope.file" = Text; "bores/positions.csv", "required", "a table with units in its header: `e_x [um], e_y [um]` and, if wanted, `g_x [mrad], g_y [mrad]`; or an `orbit.csv` as it was written",
+        "path of a table of the positions, offset of the journal at mid-length and slope of its axis, counted from the folder of the scene. Offsets of an `orbit.csv` are over the clearance of this scene";
     "bore.envelope.film" = Quantity(Length); "2 um", "required", ">= 0",
         "film that is left in every position";
     "bore.file" = Text; "bores/measured.csv", "no measured shape", "a table with units in its header: `angle [deg], z [mm], depth [um]`, and the depth at each point of a grid",

@@ -15,7 +15,7 @@ keys! {
     "journal.eccentricity" = Number; "0.6", "required unless `[load]`", "0 <= eps < 1; beyond 1 where the shapes of bore and shaft leave a film",
         "offset of the journal over the radial clearance";
     "journal.min_film_angle" = Quantity(Angle); "180 deg", "required unless eps = 0 or `[load]`", "",
-        "angle phi_min at which the film is thinnest";
+        "angle phi_min of the journal's offset, at which the film between circles is thinnest";
 }
 
 /// What is wanted where neither a position nor a load is written.
@@ -43,7 +43,7 @@ pub enum Position {
     Given {
         /// Eccentricity ratio eps = |e|/c, 0 <= eps < 1.
         eccentricity: f64,
-        /// Angle of the thinnest film [rad]; 0 where the journal is centred and the scene gives none.
+        /// Angle of the journal's offset [rad], of the thinnest film between circles; 0 where the journal is centred and the scene gives none.
         min_film_angle: f64,
     },
     /// Where the film carries this load: the position is found.

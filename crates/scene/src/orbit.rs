@@ -29,7 +29,7 @@ keys! {
     "orbit.start.eccentricity" = Number; "0.3", "required", "0 <= eps < 1",
         "its eccentricity";
     "orbit.start.angle" = Quantity(Angle); "0 deg", "required", "",
-        "the angle of the thinnest film";
+        "the angle of its offset";
 }
 
 /// How the orbit of a journal is followed.

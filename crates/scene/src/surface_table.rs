@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 use std::path::Path;
 
 use crate::Arc;
-use crate::periodic_table::columns::{Column, Columns};
+use crate::periodic_table::columns::{Column, Columns, Others, has_column};
 use crate::periodic_table::error::TableFault;
 use crate::periodic_table::{Row, TableError, read_text};
 use crate::unit::Dimension;
@@ -88,26 +88,42 @@ pub struct WearingPosition {
     pub tilt: [f64; 2],
 }
 
-/// Reads positions of a journal: `e_x`, `e_y` and, if wanted, `g_x`, `g_y`.
+/// Reads positions of a journal: `e_x`, `e_y` and, if wanted, `g_x`, `g_y`; or the table of an orbit, `e_x/c`, `e_y/c` over this clearance [m] and, if they are there, `tilt_x`, `tilt_y`,
+/// beside columns that do not matter.
 ///
 /// # Errors
 /// [`TableError`]: the file cannot be read, or has no positions.
-pub fn read_positions(path: &Path) -> Result<Vec<WearingPosition>, TableError> {
-    const COLUMNS: [Column; 4] = [
+pub fn read_positions(path: &Path, clearance: f64) -> Result<Vec<WearingPosition>, TableError> {
+    positions(&read_text(path)?, clearance).map_err(|fault| fault.in_file(path))
+}
+
+fn positions(text: &str, clearance: f64) -> Result<Vec<WearingPosition>, TableFault> {
+    const GIVEN: [Column; 4] = [
         Column::needed("e_x", Dimension::Length),
         Column::needed("e_y", Dimension::Length),
         Column::optional("g_x", Dimension::Angle),
         Column::optional("g_y", Dimension::Angle),
     ];
-    let rows = Columns::read(&read_text(path)?, &COLUMNS).map_err(|fault| fault.in_file(path))?;
+    const OF_ORBIT: [Column; 4] = [
+        Column::needed("e_x/c", Dimension::Ratio),
+        Column::needed("e_y/c", Dimension::Ratio),
+        Column::optional("tilt_x", Dimension::Angle),
+        Column::optional("tilt_y", Dimension::Angle),
+    ];
+    let (rows, unit) = match has_column(text, "e_x/c") {
+        true => (Columns::read_beside(text, &OF_ORBIT, Others::Ignored)?, clearance),
+        false => (Columns::read(text, &GIVEN)?, 1.0),
+    };
     if rows.is_empty() {
-        let fault = TableFault::of_all("has no positions", "write a row for each position below the header");
-        return Err(fault.in_file(path));
+        return Err(TableFault::of_all(
+            "has no positions",
+            "write a row for each position below the header",
+        ));
     }
     let position = |row: &Row<4>| {
         let [x, y, g_x, g_y] = row.values;
         WearingPosition {
-            offset: [x, y],
+            offset: [x, y].map(|part| unit * part),
             tilt: [g_x, g_y],
         }
     };

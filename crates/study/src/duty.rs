@@ -3,7 +3,7 @@
 use oilwedge_bearing::duty_cycle::{
     Crank, GasPressure, Harmonic, Linkage, LoadPoint, NoSpline, PressureCurve, Throw, Turning,
 };
-pub use oilwedge_bearing::duty_cycle::{Duty, DutyCycle, Frame, PeriodicSpline, Summary};
+pub use oilwedge_bearing::duty_cycle::{Duty, DutyCycle, Frame, PeriodicSpline, RowsSummary, Summary};
 use oilwedge_scene::periodic_table::{TableError, read_loads, read_pressures};
 use oilwedge_scene::wording::degrees;
 use oilwedge_scene::{CrankBearing, Drive, Gas, LoadCycle, LoadFrame, LoadSource, Scene};
@@ -157,7 +157,7 @@ fn crank(drive: &Drive, linkage: Linkage, period: f64) -> Result<Crank, NoDuty> 
             let (angles, pressures) = (read_pressures(path, period)?.into_iter())
                 .map(|[angle, pressure]| (angle, [pressure]))
                 .unzip();
-            GasPressure::Table(PeriodicSpline::new(angles, pressures, period)?, period)
+            GasPressure::Table(PeriodicSpline::new(angles, pressures, period)?.within_points(), period)
         }
     };
     Ok(Crank {

@@ -1,17 +1,17 @@
 //! Lines on a solved film: where it breaks and where it forms again, and the rims of its feeds and pockets.
 //!
 //! The edge of a cavity is that of the solver's own set of nodes at the cavity pressure: in a sub-triangle with nodes of both kinds it joins the
-//! middles of the sides between them. Only where the pressure is cut off after the solve (Guembel) it follows the pressure.
+//! middles of the sides between them, and is smoothed within the triangles. Only where the pressure is cut off after the solve (Guembel) it follows the pressure.
 //! Oil flows into the cavity at a rupture and out of it at a reformation.
 
 use std::collections::HashMap;
-use std::f64::consts::TAU;
 
 use oilwedge_fem::control_volumes::sub_triangles;
 use oilwedge_mesh::Mesh;
 use oilwedge_reynolds::FilmSolution;
 use oilwedge_reynolds::supply::BoundaryKind;
 
+use crate::cavity_line::{CavityPiece, place, smoothed};
 use crate::film::Film;
 
 /// Name of the line where the film breaks.
@@ -23,8 +23,6 @@ pub const RIM: &str = "rim.";
 
 /// How often the directions of neighbouring pieces are averaged.
 const ROUNDS: usize = 12;
-/// Ends that are closer than this part of the radius are one.
-const CLOSE: f64 = 1e-9;
 
 /// A piece of a line on the unrolled liner `(R phi, z)` [m].
 pub(crate) type Piece = [[f64; 2]; 2];
@@ -52,12 +50,16 @@ fn cavity_edges(film: &Film, solution: &FilmSolution) -> [Vec<Piece>; 2] {
     let Some(floor) = problem.cavitation.pressure() else {
         return [Vec::new(), Vec::new()];
     };
-    let mut pieces: Vec<(Piece, [f64; 2])> = Vec::new();
+    let mut pieces: Vec<CavityPiece> = Vec::new();
     let nodes = nodes(film, solution, floor);
     let space = film.system.space();
     let excess = |dof: usize| problem.equation_pressure(solution.unknown[dof]) - floor;
     for t in 0..space.mesh().triangles().len() {
         let (dofs, positions) = (space.element_dofs(t), space.mesh().nodes(t));
+        let extent = [0, 1].map(|d| {
+            let places = || positions.iter().map(|node| node[d]);
+            places().fold(f64::NEG_INFINITY, f64::max) - places().fold(f64::INFINITY, f64::min)
+        });
         for corners in sub_triangles(space, t) {
             let of = |k: usize| nodes[dofs[corners[k % 3]]];
             let at = |k: usize| positions[corners[k % 3]];
@@ -88,12 +90,21 @@ fn cavity_edges(film: &Film, solution: &FilmSolution) -> [Vec<Piece>; 2] {
             if (0..2).map(|d| normal[d] * (at(broken)[d] - from[d])).sum::<f64>() < 0.0 {
                 normal = normal.map(|part| -part);
             }
-            pieces.push(([*from, *to], normal));
+            pieces.push(CavityPiece {
+                piece: [*from, *to],
+                normal,
+                extent,
+            });
         }
     }
     let velocity = problem.surface_velocity();
     let mut edges = [Vec::new(), Vec::new()];
-    for (piece, normal) in smoothed(pieces, problem.bearing.radius) {
+    let bearing = &problem.bearing;
+    let pieces = match problem.cavitation.kink() {
+        Some(_) => pieces,
+        None => smoothed(pieces, bearing.radius, 0.5 * bearing.length),
+    };
+    for CavityPiece { piece, normal, .. } in with_even_normals(pieces, bearing.radius) {
         let enters = velocity[0] * normal[0] + velocity[1] * normal[1] >= 0.0;
         edges[usize::from(!enters)].push(piece);
     }
@@ -101,28 +112,23 @@ fn cavity_edges(film: &Film, solution: &FilmSolution) -> [Vec<Piece>; 2] {
 }
 
 /// The normals averaged with those of pieces that meet: an edge that runs along the flow in steps is one or the other as a whole.
-fn smoothed(mut pieces: Vec<(Piece, [f64; 2])>, radius: f64) -> Vec<(Piece, [f64; 2])> {
-    let place = |point: [f64; 2]| {
-        // The two sides of the seam of a ring are one.
-        let turn = (point[0] / radius).rem_euclid(TAU);
-        [turn * radius, point[1]].map(|part| (part / (CLOSE * radius)).round() as i64)
-    };
+fn with_even_normals(mut pieces: Vec<CavityPiece>, radius: f64) -> Vec<CavityPiece> {
     let mut at: HashMap<[i64; 2], Vec<usize>> = HashMap::new();
-    for (k, (piece, _)) in pieces.iter().enumerate() {
-        piece.iter().for_each(|end| at.entry(place(*end)).or_default().push(k));
+    for (k, it) in pieces.iter().enumerate() {
+        let places = it.piece.map(|end| place(end, radius));
+        places.into_iter().for_each(|end| at.entry(end).or_default().push(k));
     }
     for _ in 0..ROUNDS {
-        let normals: Vec<[f64; 2]> = pieces
-            .iter()
-            .map(|(piece, _)| {
-                let around = piece.iter().flat_map(|end| &at[&place(*end)]);
-                around.fold([0.0; 2], |sum, k| [0, 1].map(|d| sum[d] + 0.25 * pieces[*k].1[d]))
+        let normals: Vec<[f64; 2]> = (pieces.iter())
+            .map(|it| {
+                let around = it.piece.iter().flat_map(|end| &at[&place(*end, radius)]);
+                around.fold([0.0; 2], |sum, k| [0, 1].map(|d| sum[d] + 0.25 * pieces[*k].normal[d]))
             })
             .collect();
         pieces
             .iter_mut()
             .zip(normals)
-            .for_each(|(piece, normal)| piece.1 = normal);
+            .for_each(|(it, normal)| it.normal = normal);
     }
     pieces
 }

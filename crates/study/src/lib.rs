@@ -9,6 +9,7 @@
 
 pub mod analysis;
 mod cap_joint;
+mod cavity_line;
 pub mod checks;
 pub mod column;
 pub mod compile;

@@ -12,7 +12,7 @@ use crate::oil::Oil;
 
 /// Eccentricity ratio at which the search for the position under a load begins where nothing is known.
 const START_ECCENTRICITY: f64 = 0.5;
-/// Angle [rad] from the load to the thinnest film, against the rotation, at which it begins.
+/// Angle [rad] from the load to the journal's offset, against the rotation, at which it begins.
 const START_ATTITUDE: f64 = FRAC_PI_4;
 
 /// A journal that would leave less of the film than this part of what its tilt leaves of the clearance is moved towards the middle.
@@ -23,7 +23,7 @@ const ROOM: f64 = 0.1;
 pub struct Position {
     /// Offset over the clearance [1].
     pub eccentricity: f64,
-    /// Angle of the thinnest film at mid-length [rad].
+    /// Angle of the offset at mid-length [rad].
     pub min_film_angle: f64,
     /// Slope of the axis towards x and y [rad].
     pub tilt: [f64; 2],

@@ -85,7 +85,7 @@ impl Linkage {
 pub enum GasPressure {
     /// One peak in a period.
     Curve(PressureCurve),
-    /// A spline through a table, with its period [rad].
+    /// A curve through the rows of a table and within them, with its period [rad].
     Table(PeriodicSpline<1>, f64),
 }
 

@@ -4,20 +4,28 @@
 //! ```text
 //! h_(i-1) m_(i-1) + 2 (h_(i-1) + h_i) m_i + h_i m_(i+1) = 6 (d_i - d_(i-1))
 //! ```
-//! for all knots, indices modulo their number: a cyclic tridiagonal system, diagonally dominant, solved by elimination of its last unknown. Between knots the
-//! value is the cubic with these second derivatives. **Source.** C. de Boor, A Practical Guide to Splines, 1978, ch. IV.
+//! for all knots, indices modulo their number: a cyclic tridiagonal system, diagonally dominant, solved by elimination of its last unknown. The slope at a knot is
+//! `s_i = d_i - h_i (2 m_i + m_(i+1))/6`, and between knots the value is the cubic with these slopes.
+//!
+//! Through uneven or jumping points a spline overshoots without a limit. [`PeriodicSpline::within_points`] limits each slope: zero at a knot with a chord of each sign, else of the sign of the
+//! chords and at most three times the flatter one. The cubic is then monotone between knots, so its values stay between those of the two points; where a slope is limited the second derivative
+//! jumps.
+//!
+//! **Source.** C. de Boor, A Practical Guide to Splines, 1978, ch. IV; F. N. Fritsch, R. E. Carlson, SIAM J. Numer. Anal. 17 (1980) 238, for the limits.
 
 /// Fewest knots of a periodic cubic.
 pub const LEAST_KNOTS: usize = 3;
 
-/// A periodic function with a continuous second derivative; `N` values at once.
+/// Slopes of a monotone cubic are at most so many times that of the chord.
+const STEEPEST: f64 = 3.0;
+
+/// A periodic function with continuous first and, unless it is kept within its points, second derivatives; `N` values at once.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PeriodicSpline<const N: usize> {
     period: f64,
     knots: Vec<f64>,
     values: Vec<[f64; N]>,
-    /// Second derivatives at the knots.
-    bends: Vec<[f64; N]>,
+    slopes: Vec<[f64; N]>,
 }
 
 /// Why there is no spline through points.
@@ -57,13 +65,39 @@ impl<const N: usize> PeriodicSpline<N> {
         if let Some(k) = (values.iter()).position(|value| !value.iter().all(|part| part.is_finite())) {
             return Err(NoSpline::Value(k));
         }
-        let bends = bends(&knots, &values, period);
+        let slopes = slopes(&knots, &values, period);
         Ok(Self {
             period,
             knots,
             values,
-            bends,
+            slopes,
         })
+    }
+
+    /// This curve with limited slopes: between two points its values stay between theirs.
+    #[must_use]
+    pub fn within_points(mut self) -> Self {
+        let count = self.knots.len();
+        for part in 0..N {
+            let chord = |k: usize| chord(&self.knots, &self.values, self.period, [k, part]);
+            let chords: Vec<f64> = (0..count).map(chord).collect();
+            for (k, slope) in self.slopes.iter_mut().enumerate() {
+                let (before, after) = (chords[(k + count - 1) % count], chords[k]);
+                slope[part] = match before * after > 0.0 {
+                    true => {
+                        let steepest = STEEPEST * before.abs().min(after.abs());
+                        after.signum() * (after.signum() * slope[part]).clamp(0.0, steepest)
+                    }
+                    false => 0.0,
+                };
+            }
+        }
+        self
+    }
+
+    /// The points: knots and values.
+    pub fn points(&self) -> impl Iterator<Item = (f64, [f64; N])> {
+        self.knots.iter().copied().zip(self.values.iter().copied())
     }
 
     /// The values at a place.
@@ -75,12 +109,10 @@ impl<const N: usize> PeriodicSpline<N> {
         let step = distance(knots, k, self.period);
         let b = (place - knots[k]) / step;
         let a = 1.0 - b;
-        let [bend_a, bend_b] = [a, b].map(|part| (part * part - 1.0) * part * step * step / 6.0);
         std::array::from_fn(|part| {
-            a * self.values[k][part]
-                + b * self.values[next][part]
-                + bend_a * self.bends[k][part]
-                + bend_b * self.bends[next][part]
+            a * a * (1.0 + 2.0 * b) * self.values[k][part]
+                + b * b * (1.0 + 2.0 * a) * self.values[next][part]
+                + a * b * step * (a * self.slopes[k][part] - b * self.slopes[next][part])
         })
     }
 }
@@ -93,11 +125,28 @@ fn distance(knots: &[f64], k: usize, period: f64) -> f64 {
     }
 }
 
+/// Slope of a value between knot k and the next.
+fn chord<const N: usize>(knots: &[f64], values: &[[f64; N]], period: f64, [k, part]: [usize; 2]) -> f64 {
+    (values[(k + 1) % knots.len()][part] - values[k][part]) / distance(knots, k, period)
+}
+
+/// Slopes of the spline at the knots.
+fn slopes<const N: usize>(knots: &[f64], values: &[[f64; N]], period: f64) -> Vec<[f64; N]> {
+    let bends = bends(knots, values, period);
+    let slope = |k: usize, part: usize| {
+        let (here, next) = (bends[k][part], bends[(k + 1) % knots.len()][part]);
+        chord(knots, values, period, [k, part]) - distance(knots, k, period) * (2.0 * here + next) / 6.0
+    };
+    (0..knots.len())
+        .map(|k| std::array::from_fn(|part| slope(k, part)))
+        .collect()
+}
+
 /// The second derivatives at the knots.
 fn bends<const N: usize>(knots: &[f64], values: &[[f64; N]], period: f64) -> Vec<[f64; N]> {
     let count = knots.len();
     let steps: Vec<f64> = (0..count).map(|k| distance(knots, k, period)).collect();
-    let chord = |k: usize, part: usize| (values[(k + 1) % count][part] - values[k][part]) / steps[k];
+    let chord = |k: usize, part: usize| chord(knots, values, period, [k, part]);
     let before = |k: usize| (k + count - 1) % count;
     let right = |k: usize| -> [f64; N] { std::array::from_fn(|part| 6.0 * (chord(k, part) - chord(before(k), part))) };
     let diagonal = |k: usize| 2.0 * (steps[before(k)] + steps[k]);
@@ -192,6 +241,67 @@ mod tests {
                 assert!((right[1] - left[1]).abs() < 1e-6, "{count} {k}: {right:?} {left:?}");
             }
         }
+    }
+
+    /// Numbers from 0 to 1 of a linear congruential generator.
+    fn random(state: &mut u64) -> f64 {
+        *state = state
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (*state >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    #[test]
+    fn a_curve_within_its_points_never_leaves_those_beside_a_place() {
+        let mut state = 7;
+        let mut overshoots = 0;
+        for count in (3..40).chain([200]) {
+            // Distances of knots differ by four decades; values have jumps and level stretches.
+            let steps: Vec<f64> = (0..count).map(|_| 10f64.powf(-4.0 * random(&mut state))).collect();
+            let whole: f64 = steps.iter().sum();
+            let mut place = random(&mut state) - 0.5;
+            let mut knots = Vec::new();
+            for step in &steps {
+                knots.push(place);
+                place += TAU * step / whole;
+            }
+            let values: Vec<[f64; 1]> = (0..count).map(|_| [(8.0 * random(&mut state)).round() - 4.0]).collect();
+            let spline = PeriodicSpline::new(knots, values, TAU).expect("a spline");
+            let within = spline.clone().within_points();
+            for k in 0..count {
+                let (from, step) = (spline.knots[k], distance(&spline.knots, k, TAU));
+                let ends = [k, (k + 1) % count].map(|k| spline.values[k][0]);
+                let [low, high] = [ends[0].min(ends[1]) - 1e-12, ends[0].max(ends[1]) + 1e-12];
+                let mut last = ends[0];
+                for n in 1..20 {
+                    let place = from + step * f64::from(n) / 20.0;
+                    let value = within.at(place)[0];
+                    assert!((low..=high).contains(&value), "{count} {k} {n}: {value} of {ends:?}");
+                    assert!((value - last) * (ends[1] - ends[0]) >= -1e-12, "{count} {k} {n}");
+                    last = value;
+                    overshoots += usize::from(!(low..=high).contains(&spline.at(place)[0]));
+                }
+            }
+        }
+        assert!(overshoots > 1000, "{overshoots}: the points are too tame for this test");
+    }
+
+    #[test]
+    fn slopes_of_smooth_points_are_limited_next_to_their_extremes_alone() {
+        let spline = through_sine(80);
+        let within = spline.clone().within_points();
+        let changed = |part: usize| {
+            (0..80)
+                .filter(|k| spline.slopes[*k][part] != within.slopes[*k][part])
+                .count()
+        };
+        assert_eq!([changed(0), changed(1)], [2, 4]);
+        let off = (0..1000).map(|k| {
+            let place = 0.00628 * f64::from(k);
+            (within.at(place)[0] - place.sin()).abs()
+        });
+        let off = off.fold(0.0, f64::max);
+        assert!(off < 5e-4, "{off}");
     }
 
     #[test]

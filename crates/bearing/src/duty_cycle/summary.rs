@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::{Duty, DutyCycle};
+use super::{Duty, DutyCycle, Source};
 
 /// At how many angles of a period a load is sampled.
 const SAMPLES: u32 = 7200;
@@ -31,7 +31,46 @@ pub struct Summary {
     pub half_speed_share: f64,
 }
 
+/// Extremes and means of the rows of a table of loads, which a curve joins.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RowsSummary {
+    /// Number of rows of a period.
+    pub count: usize,
+    /// Greatest magnitude of the force in a row: crank angle [rad], and force [N] in the frame of the shell.
+    pub peak: (f64, [f64; 2]),
+    /// Mean force of straight lines from row to row over the crank angle [N], in the frame of the shell.
+    pub mean: [f64; 2],
+    /// Mean over the crank angle [N] of the magnitude that is linear from row to row.
+    pub mean_magnitude: f64,
+}
+
 impl DutyCycle {
+    /// Extremes and means of the rows of a table, in the frame of the shell; `None`: the load is not given by a table.
+    pub fn rows_summary(&self) -> Option<RowsSummary> {
+        let Source::Table(_, curve) = &self.source else {
+            return None;
+        };
+        let rows: Vec<(f64, [f64; 2])> = curve.points().map(|(angle, _)| (angle, self.at(angle).force)).collect();
+        let magnitude = |[x, y]: [f64; 2]| x.hypot(y);
+        let peak = (rows.iter().copied()).max_by(|a, b| magnitude(a.1).total_cmp(&magnitude(b.1)))?;
+        let (mut mean, mut mean_magnitude) = ([0.0; 2], 0.0);
+        for (k, &(angle, force)) in rows.iter().enumerate() {
+            let (next, next_force) = match rows.get(k + 1) {
+                Some(&(next, force)) => (next, force),
+                None => (rows[0].0 + self.period, rows[0].1),
+            };
+            let half = 0.5 * (next - angle) / self.period;
+            (0..2).for_each(|d| mean[d] += half * (force[d] + next_force[d]));
+            mean_magnitude += half * (magnitude(force) + magnitude(next_force));
+        }
+        Some(RowsSummary {
+            count: rows.len(),
+            peak,
+            mean,
+            mean_magnitude,
+        })
+    }
+
     /// Extremes and means over the period.
     pub fn summary(&self) -> Summary {
         let step = self.period / f64::from(SAMPLES);

@@ -13,7 +13,7 @@ pub struct LoadPoint {
     pub moment: [f64; 2],
 }
 
-/// The spline through the points, in the frame of the shell.
+/// The curve through the points in the frame of the shell; between two of them no part of force or moment leaves the range of theirs.
 pub(super) fn spline(
     points: &[LoadPoint],
     period: f64,
@@ -26,5 +26,6 @@ pub(super) fn spline(
         [x, y, m_x, m_y]
     };
     let angles = points.iter().map(|point| point.angle).collect();
-    PeriodicSpline::new(angles, points.iter().map(in_shell).collect(), period)
+    let spline = PeriodicSpline::new(angles, points.iter().map(in_shell).collect(), period)?;
+    Ok(spline.within_points())
 }

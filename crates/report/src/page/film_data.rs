@@ -59,6 +59,8 @@ struct FieldData {
     interpolation: &'static str,
     /// Least and greatest value, SI.
     range: [f64; 2],
+    /// Least value that the model allows, SI, where quadratics dip below it.
+    floor: Option<f64>,
     /// Range of its colours, SI.
     colours: [f64; 2],
     is_logarithmic: bool,
@@ -96,7 +98,7 @@ impl FilmData {
                     packed(&bits)
                 }
             };
-            FieldData::of(row, range, values)
+            FieldData::of(row, (range, film.floor(row.name)), values)
         });
         let mut fields: Vec<FieldData> = fields.collect();
         fields.sort_by_key(|it| FIELDS.iter().position(|row| row.name == it.name));
@@ -131,7 +133,7 @@ impl FilmData {
 }
 
 impl FieldData {
-    fn of(row: &FieldRow, range: [f64; 2], values: Packed) -> Self {
+    fn of(row: &FieldRow, (range, floor): ([f64; 2], Option<f64>), values: Packed) -> Self {
         let (unit, size) = readable_unit_of(range[0].abs().max(range[1].abs()), row.unit);
         let colours = FieldColours::of(row.name, range);
         Self {
@@ -146,6 +148,7 @@ impl FieldData {
                 Interpolation::Quadratic => "quadratic",
             },
             range,
+            floor,
             colours: colours.range,
             is_logarithmic: row.name == ERROR_INDICATOR.name,
             map: colours.map.to_hex(),

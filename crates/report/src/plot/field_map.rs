@@ -10,6 +10,7 @@ use oilwedge_study::fields::{ERROR_INDICATOR, FILM_FRACTION, FILM_THICKNESS, PRE
 use super::error_map::{Decades, MOST_DECADES};
 use super::film::DrawnFilm;
 use super::liner::Liner;
+use super::sample::Finder;
 use crate::readable::{axis_label, readable_unit_of};
 
 /// Around the sheet, and room for the bar of colours [mm].
@@ -19,6 +20,9 @@ const BAR: f64 = 17.0;
 const BANDS: f64 = 20.0;
 /// A field has both signs where its lesser extreme is more than this part of the other.
 const BOTH_SIGNS: f64 = 1e-3;
+/// Places along the axis at which a film is compared, and the ratio of the thickest to the thinnest up to which it is one line.
+const ALONG: u32 = 40;
+const EVEN: f64 = 1.01;
 /// Sides of triangles.
 const SIDES: Colour = Colour([90, 98, 106]);
 
@@ -121,7 +125,13 @@ pub(super) fn field_figure(film: &DrawnFilm, name: &str, width: f64) -> Option<F
             map,
             range: [low, high],
         } = FieldColours::of(name, extremes.map(|value| value / size));
-        let levels = Levels::round([low, high], map, BANDS);
+        let mut levels = Levels::round([low, high], map, BANDS);
+        // Quadratics dip below the least value of the model between nodes.
+        if let Some(floor) = film.floor(name) {
+            let below = levels.edges.iter().filter(|edge| **edge <= floor / size).count();
+            levels.edges.drain(..below);
+            levels.colours.drain(..below);
+        }
         let patches = film
             .liner
             .patches(&frame, &cells, |k| values[k].map(|value| value / size));
@@ -178,6 +188,20 @@ pub(super) fn peak(cells: &[[[f64; 2]; 6]], values: &[[f64; 6]]) -> Option<[f64;
     finite.max_by(|a, b| a.1.total_cmp(b.1)).map(|(node, _)| *node)
 }
 
+/// Where the film is thinnest [m] around and, where it is not as thin all along the axis, along it; `None` too where that place along the axis is not known.
+fn thinnest(film: &DrawnFilm) -> Option<(f64, Option<f64>)> {
+    let (angle, z) = film.thinnest()?;
+    let x = angle * film.radius;
+    let [low, high] = least_and_greatest(film.cells.iter().flatten().map(|node| node[1]));
+    let along = (0..=ALONG).map(|k| [x, low + (high - low) * f64::from(k) / f64::from(ALONG)]);
+    let film_along = Finder::new(film).values(&FILM_THICKNESS, &along.collect::<Vec<_>>())?;
+    let [least, most] = least_and_greatest(film_along.into_iter().filter(|value| value.is_finite()));
+    match most <= EVEN * least {
+        true => Some((x, None)),
+        false => z.map(|z| (x, Some(z))),
+    }
+}
+
 /// Rims, edges of the cavity, the thinnest film and the peak, if it is to be marked; returns their legend.
 fn draw_lines(figure: &mut Figure, film: &DrawnFilm, frame: &Frame, peak: Option<[f64; 2]>) -> Vec<Entry> {
     let mut entries = Vec::new();
@@ -220,17 +244,23 @@ fn draw_lines(figure: &mut Figure, film: &DrawnFilm, frame: &Frame, peak: Option
             }
         }
         let [low, high] = [frame.y.low, frame.y.high];
-        if let Some([_, angle]) = film.position().filter(|[eccentricity, _]| *eccentricity > 0.0) {
-            let x = angle * film.radius;
+        if let Some((x, z)) = thinnest(film) {
             let shifts = film.liner.shifts(x, x);
             for shift in &shifts {
+                if let Some(z) = z {
+                    figure.mark(film.liner.at(frame, [x + shift, z]), Mark::Square, BLACK);
+                    continue;
+                }
                 let across = ((x + shift) / film.radius).to_degrees();
                 let line = [frame.at([across, low]), frame.at([across, high])];
                 figure.line(&line, Pen::new(1.6, WHITE));
                 figure.line(&line, Pen::new(1.0, BLACK).stroked(Stroke::Dotted));
             }
             if !shifts.is_empty() {
-                say("thinnest film", BLACK, Some(Stroke::Dotted), None);
+                match z {
+                    Some(_) => say("thinnest film", BLACK, None, Some(Mark::Square)),
+                    None => say("thinnest film", BLACK, Some(Stroke::Dotted), None),
+                }
             }
         }
         if let Some(peak) = peak {

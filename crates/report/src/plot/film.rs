@@ -2,10 +2,12 @@
 
 use std::f64::consts::TAU;
 
-use oilwedge_study::fields::{FieldRow, Interpolation, field};
+use oilwedge_study::fields::{CONTACT_PRESSURE, FieldRow, Interpolation, PRESSURE, field};
 use oilwedge_study::film_lines::{REFORMATION, RIM, RUPTURE};
 use oilwedge_study::picture::{FieldValues, FilmPicture, PictureField};
-use oilwedge_study::quantities::{ECCENTRICITY, MIN_FILM_ANGLE, Row};
+use oilwedge_study::quantities::{
+    CYCLE_FILM_THICKNESS_MIN_ANGLE, ECCENTRICITY, FILM_THICKNESS_MIN_ANGLE, FILM_THICKNESS_MIN_Z, MIN_FILM_ANGLE, Row,
+};
 use serde_json::Value;
 
 use super::liner::{Liner, Nodes};
@@ -54,10 +56,10 @@ impl DrawnFilm {
         let angles = match (arc[0].as_f64(), arc[1].as_f64()) {
             (Some(from), Some(to)) => [from.to_radians(), to.to_radians()],
             _ => {
-                let thinnest = result["quantities"][MIN_FILM_ANGLE.name]["value"]
+                let offset = result["quantities"][MIN_FILM_ANGLE.name]["value"]
                     .as_f64()
                     .unwrap_or(180.0);
-                let from = number("film_start").unwrap_or(thinnest - 180.0).rem_euclid(360.0);
+                let from = number("film_start").unwrap_or(offset - 180.0).rem_euclid(360.0);
                 [from.to_radians(), from.to_radians() + TAU]
             }
         };
@@ -155,12 +157,33 @@ impl DrawnFilm {
         self.result["quantities"][row.name]["value"].as_f64()
     }
 
-    /// Eccentricity [1] and angle of the thinnest film [rad].
+    /// Eccentricity [1] and angle [rad] of the journal's offset.
     pub(crate) fn position(&self) -> Option<[f64; 2]> {
         Some([
             self.quantity(&ECCENTRICITY)?,
             self.quantity(&MIN_FILM_ANGLE)?.to_radians(),
         ])
+    }
+
+    /// Angle [rad] at which the film is thinnest and, where it is so at one place along the axis alone, that place [m].
+    pub(super) fn thinnest(&self) -> Option<(f64, Option<f64>)> {
+        // The film of an orbit is that in which it is thinnest over the cycle.
+        let rows = [&FILM_THICKNESS_MIN_ANGLE, &CYCLE_FILM_THICKNESS_MIN_ANGLE];
+        let angle = rows.into_iter().find_map(|row| self.quantity(row))?.to_radians();
+        Some((angle, self.quantity(&FILM_THICKNESS_MIN_Z)))
+    }
+
+    /// The least value that the model lets a field have, below which quadratics between its nodes may dip: the pressure of a cavity, that of its nodes, and no contact.
+    pub(crate) fn floor(&self, name: &str) -> Option<f64> {
+        let has_cavity = self.cavity_edges().iter().any(|pieces| !pieces.is_empty());
+        match name {
+            name if name == CONTACT_PRESSURE.name => Some(0.0),
+            name if name == PRESSURE.name && has_cavity => {
+                let values = self.values(name)?.iter().flatten().copied();
+                Some(values.fold(f64::INFINITY, f64::min))
+            }
+            _ => None,
+        }
     }
 
     /// Names of the fields of the film.

@@ -52,7 +52,8 @@ pub(super) fn profiles_figure(film: &DrawnFilm, width: f64) -> Option<Figure> {
         let (unit, size) = readable_unit_of(most, row.unit);
         let (title, name) = match line {
             Line::Around => (
-                format!("Around the liner at z = {:.1} mm", 1e3 * z),
+                // Without the sign of a zero.
+                format!("Around the liner at z = {:.1} mm", (1e4 * z).round() / 10.0 + 0.0),
                 Label::plain("angle on the liner"),
             ),
             Line::Along => {

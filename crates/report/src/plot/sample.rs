@@ -35,6 +35,8 @@ pub(crate) struct Finder<'a> {
     /// Boxes around and along the axis.
     count: [usize; 2],
     boxes: Vec<Vec<u32>>,
+    /// Least values of fields by name.
+    floors: Vec<(&'a str, f64)>,
 }
 
 impl<'a> Finder<'a> {
@@ -51,6 +53,9 @@ impl<'a> Finder<'a> {
             height,
             count,
             boxes: vec![Vec::new(); count[0] * count[1]],
+            floors: (film.field_names())
+                .filter_map(|name| Some((name, film.floor(name)?)))
+                .collect(),
         };
         for (cell, nodes) in (0..).zip(&film.cells) {
             let around = least_and_greatest(nodes.iter().map(|node| node[0]));
@@ -95,14 +100,16 @@ impl<'a> Finder<'a> {
     /// The value of a field in a triangle; `None` where the film has no such field.
     pub(crate) fn value(&self, row: &FieldRow, InTriangle { cell, parts }: InTriangle) -> Option<f64> {
         let values = self.film.values(row.name)?[cell];
-        Some(match row.interpolation {
+        let value: f64 = match row.interpolation {
             Interpolation::Linear => on_parts(&values, parts),
             _ => shapes(parts)
                 .iter()
                 .zip(values)
                 .map(|(shape, value)| shape * value)
                 .sum(),
-        })
+        };
+        let floor = self.floors.iter().find(|(name, _)| *name == row.name);
+        Some(floor.map_or(value, |(_, floor)| value.max(*floor)))
     }
 
     /// Values of a field at points [m]; NaN where there is no film; `None` where the film has no such field.
@@ -113,7 +120,7 @@ impl<'a> Finder<'a> {
     }
 }
 
-/// Values of a field at points of the unrolled liner [m], by the quadratic of the triangle at each; NaN where there is no film. `None` where the film has no
+/// Values of a field at points of the unrolled liner [m], by the quadratic of the triangle at each, nowhere below what the model allows; NaN where there is no film. `None` where the film has no
 /// such field.
 pub fn sampled(film: &DrawnFilm, row: &FieldRow, points: &[[f64; 2]]) -> Option<Vec<f64>> {
     Finder::new(film).values(row, points)

@@ -1,5 +1,4 @@
-//! The cross-section of the bearing: shell, feeds, journal with its gap exaggerated, rotation, load, attitude angle, and the pressure at
-//! mid-length around it.
+//! The cross-section of the bearing at mid-length: shell with the shape of its bore, feeds, journal, the gap exaggerated, rotation, load, attitude angle, and the pressure around.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -7,7 +6,7 @@ use oilwedge_drawing::{
     Anchor, BLACK, BLUE, Colour, Figure, GREY, GRID, INK, Label, Letters, POINT, Pen, Polar, SKY, SMALLEST_LETTERS,
     Stroke, VERMILION, WHITE, least_and_greatest, linear_steps, number,
 };
-use oilwedge_study::fields::PRESSURE;
+use oilwedge_study::fields::{FILM_THICKNESS, PRESSURE};
 use oilwedge_study::quantities::{ATTITUDE_ANGLE, ECCENTRICITY, FILM_THICKNESS_MIN, LOAD, LOAD_ANGLE, Row};
 
 use super::field_map::draw_head;
@@ -19,20 +18,24 @@ use crate::readable::{printed_symbol, printed_unit, readable_unit, readable_unit
 const BORE: f64 = 0.25;
 const WALL: f64 = 0.035;
 const RELIEF: f64 = 0.14;
-/// The gap at no eccentricity over the bore.
+/// The gap at no eccentricity over the bore, where it is deepest.
 const GAP: f64 = 0.17;
+/// A bore that is off its circle by more than this part of the clearance is drawn so.
+const SHAPED: f64 = 0.01;
+/// Directions [rad] that are one in the picture.
+const SAME_DIRECTION: f64 = 0.02;
 /// Widest sheet of this picture [mm].
 const WIDEST: f64 = 120.0;
 /// The shell and the journal.
 const SHELL: Colour = Colour([205, 208, 212]);
 const JOURNAL: Colour = Colour([236, 238, 240]);
-/// Points of the pressure around.
+/// Points of the pressure and of the bore around.
 const POINTS: usize = 720;
 
 /// The cross-section; `None` without a position of the journal.
 pub(super) fn section_figure(film: &DrawnFilm, width: f64) -> Option<Figure> {
     let width = width.min(WIDEST);
-    let [eccentricity, thinnest] = film.position()?;
+    let [eccentricity, towards] = film.position()?;
     let numbers = numbers(film);
     let description = format!(
         "{}: the bearing seen along its axis, the gap exaggerated, and the pressure at mid-length. {}.",
@@ -41,8 +44,8 @@ pub(super) fn section_figure(film: &DrawnFilm, width: f64) -> Option<Figure> {
     );
     let mut figure = Figure::new([width, 0.0], &format!("{}: cross-section", film.title), &description);
     let top = draw_head(&mut figure, &film.title, &numbers, width);
-    let bore = BORE * width;
-    let outer = bore + WALL * width;
+    let shape = Shape::of(film, BORE * width);
+    let outer = BORE * width + WALL * width;
     let half = outer + RELIEF * width + 7.0;
     let centre = [0.5 * width, top + half];
     let axes = Polar {
@@ -52,10 +55,9 @@ pub(super) fn section_figure(film: &DrawnFilm, width: f64) -> Option<Figure> {
     };
     draw_angles(&mut figure, axes, RELIEF * width);
     draw_pressure(&mut figure, film, axes, RELIEF * width);
-    draw_shell(&mut figure, film, axes, [bore, outer]);
-    let gap = GAP * bore;
-    let journal = axes.point(thinnest, eccentricity * gap);
-    let radius = bore - gap;
+    draw_shell(&mut figure, film, axes, (&shape, outer));
+    let journal = axes.point(towards, eccentricity * shape.gap);
+    let radius = shape.circle - shape.gap;
     figure.disc(journal, radius, JOURNAL, Pen::new(0.8, INK));
     draw_motion(
         &mut figure,
@@ -66,29 +68,132 @@ pub(super) fn section_figure(film: &DrawnFilm, width: f64) -> Option<Figure> {
         },
         radius,
     );
-    // The line of centres, from the liner's to the thinnest film.
+    // The line of centres, from the liner's through the journal's.
     figure.line(
-        &[centre, axes.point(thinnest, bore)],
+        &[centre, axes.point(towards, shape.at(towards))],
         Pen::new(0.7, INK).stroked(Stroke::Dashed),
     );
+    let elsewhere = film.thinnest().map(|(angle, _)| angle);
+    let elsewhere = elsewhere.filter(|angle| wrapped(angle - towards).abs() > SAME_DIRECTION);
+    if let Some(angle) = elsewhere {
+        let across = [axes.point(angle, shape.at(angle)), axes.point(angle, outer)];
+        figure.line(&across, Pen::new(1.2, BLACK).stroked(Stroke::Dotted));
+    }
     let dot = |figure: &mut Figure, at: [f64; 2], colour: Colour| figure.disc(at, 0.55, colour, Pen::new(0.5, WHITE));
     dot(&mut figure, centre, BLACK);
     dot(&mut figure, journal, VERMILION);
     let letters = Letters::sized(SMALLEST_LETTERS).coloured(GREY);
-    let times = gap / bore * film.radius / film.clearance;
-    let note = format!(
+    let times = shape.gap / shape.circle * film.radius / film.clearance;
+    let mut notes = vec![format!(
         "outside the shell: pressure at mid-length; gap drawn {} times too wide",
         (times / 5.0).round() * 5.0
-    );
+    )];
+    notes.extend(elsewhere.map(|angle| {
+        format!(
+            "dotted in the shell: thinnest film, at {:.1}\u{b0}",
+            angle.to_degrees().rem_euclid(360.0)
+        )
+    }));
     let bottom = top + 2.0 * half;
-    figure.text(
-        [1.0, bottom + 0.5 * letters.line()],
-        &Label::plain(&note),
-        letters,
-        Anchor::Left,
-    );
-    figure.set_height(bottom + letters.line() + 1.0);
+    for (line, note) in (0..).zip(&notes) {
+        figure.text(
+            [1.0, bottom + (0.5 + f64::from(line)) * letters.line()],
+            &Label::plain(note),
+            letters,
+            Anchor::Left,
+        );
+    }
+    figure.set_height(bottom + notes.len() as f64 * letters.line() + 1.0);
     Some(figure)
+}
+
+/// An angle [rad] between -pi and pi.
+fn wrapped(angle: f64) -> f64 {
+    angle - TAU * (angle / TAU).round()
+}
+
+/// The bore at mid-length as it is drawn.
+struct Shape {
+    /// Radius of the circle of the bearing's diameter [mm].
+    circle: f64,
+    /// The clearance [mm].
+    gap: f64,
+    /// Radius of the bore [mm] at even steps from the liner's first angle [rad] on; none of a circle.
+    radii: Vec<f64>,
+    from: f64,
+    step: f64,
+}
+
+impl Shape {
+    /// The bore whose deepest place is drawn at a distance [mm] from the middle: what the film is thicker than between circles.
+    fn of(film: &DrawnFilm, deepest: f64) -> Self {
+        let [from, to] = film.liner.angles();
+        let step = (to - from) / POINTS as f64;
+        let angles: Vec<f64> = (0..=POINTS).map(|k| from + step * k as f64).collect();
+        let depths = depths(film, &angles).unwrap_or_default();
+        let off = depths.iter().map(|depth| depth.abs()).fold(0.0, f64::max);
+        let depths = if off > SHAPED { depths } else { Vec::new() };
+        let most = depths.iter().copied().fold(0.0, f64::max);
+        let gap = GAP * deepest / (1.0 + most);
+        let circle = deepest - most * gap;
+        Self {
+            circle,
+            gap,
+            radii: depths.into_iter().map(|depth| circle + gap * depth).collect(),
+            from,
+            step,
+        }
+    }
+
+    /// Radius of the bore [mm] at an angle [rad].
+    fn at(&self, angle: f64) -> f64 {
+        let steps = (angle - self.from).rem_euclid(TAU) / self.step;
+        let last = self.radii.len().saturating_sub(1);
+        let k = (steps as usize).min(last.saturating_sub(1));
+        match self.radii.get(k..k + 2) {
+            Some(&[a, b]) => a + (steps - k as f64).min(1.0) * (b - a),
+            _ => self.circle,
+        }
+    }
+
+    /// The bore between two angles [rad], at a distance [mm] from it.
+    fn arc(&self, axes: Polar, [from, to]: [f64; 2], inwards: f64) -> Vec<[f64; 2]> {
+        match self.radii.is_empty() {
+            true => axes.arc(self.circle - inwards, from, to),
+            false => {
+                let count = ((to - from).abs() / self.step).ceil().max(1.0) as usize;
+                let angle = |k: usize| from + (to - from) * k as f64 / count as f64;
+                (0..=count)
+                    .map(|k| axes.point(angle(k), self.at(angle(k)) - inwards))
+                    .collect()
+            }
+        }
+    }
+}
+
+/// How much deeper than its circle the bore is at angles [rad] at mid-length, over the clearance; straight between the ends of holes, grooves and pockets. `None` without a film at mid-length.
+fn depths(film: &DrawnFilm, angles: &[f64]) -> Option<Vec<f64>> {
+    let [eccentricity, towards] = film.position()?;
+    let points: Vec<[f64; 2]> = angles.iter().map(|angle| [angle * film.radius, 0.0]).collect();
+    let values = Finder::new(film).values(&FILM_THICKNESS, &points)?;
+    let extents: Vec<[f64; 2]> = film.rims().map(|(_, pieces)| extent(pieces, film.radius)).collect();
+    let is_cut = |angle: f64| {
+        (extents.iter()).any(|[low, high]| (angle - low + SLACK).rem_euclid(TAU) <= high - low + 2.0 * SLACK)
+    };
+    let known: Vec<(usize, f64)> = (angles.iter().zip(values).enumerate())
+        .filter(|(_, (angle, value))| value.is_finite() && !is_cut(**angle))
+        .map(|(k, (angle, value))| (k, value / film.clearance - 1.0 + eccentricity * (angle - towards).cos()))
+        .collect();
+    let (first, last) = (known.first()?, known.last()?);
+    let at = |k: usize| {
+        let next = known.partition_point(|(at, _)| *at < k);
+        let before = next.checked_sub(1).map_or(first, |before| &known[before]);
+        let after = known.get(next).unwrap_or(last);
+        let length = after.0.saturating_sub(before.0).max(1) as f64;
+        let part = (k.saturating_sub(before.0)) as f64 / length;
+        before.1 + part.clamp(0.0, 1.0) * (after.1 - before.1)
+    };
+    Some((0..angles.len()).map(at).collect())
 }
 
 /// The main numbers in one line.
@@ -192,26 +297,35 @@ fn draw_pressure(figure: &mut Figure, film: &DrawnFilm, axes: Polar, room: f64) 
 }
 
 /// Shell and feeds.
-fn draw_shell(figure: &mut Figure, film: &DrawnFilm, axes: Polar, [bore, outer]: [f64; 2]) {
-    let [from, to] = film.liner.angles();
-    let sector = |inner: f64, outer: f64, from: f64, to: f64| -> Vec<[f64; 2]> {
-        let back = axes.arc(inner, to, from);
+fn draw_shell(figure: &mut Figure, film: &DrawnFilm, axes: Polar, (shape, outer): (&Shape, f64)) {
+    let ends = film.liner.angles();
+    // Between the bore, a distance inwards, and a circle.
+    let sector = |[from, to]: [f64; 2], (inwards, outer): (f64, f64)| -> Vec<[f64; 2]> {
+        let back = shape.arc(axes, [to, from], inwards);
         axes.arc(outer, from, to).into_iter().chain(back).collect()
     };
     match film.is_ring {
         true => {
             figure.disc(axes.centre, outer, SHELL, Pen::new(0.8, INK));
-            figure.disc(axes.centre, bore, WHITE, Pen::new(0.8, INK));
+            match shape.radii.is_empty() {
+                true => figure.disc(axes.centre, shape.circle, WHITE, Pen::new(0.8, INK)),
+                false => {
+                    let bore = shape.arc(axes, ends, 0.0);
+                    figure.polygon(&bore, WHITE);
+                    figure.outline(&bore, Pen::new(0.8, INK));
+                }
+            }
         }
         false => {
-            let sector = sector(bore, outer, from, to);
+            let sector = sector(ends, (0.0, outer));
             figure.polygon(&sector, SHELL);
             figure.outline(&sector, Pen::new(0.8, INK));
         }
     }
+    let deepest = outer - WALL / (BORE + WALL) * outer;
     for (_, pieces) in film.rims() {
-        let [low, high] = extent(pieces, film.radius);
-        figure.polygon(&sector(bore - 0.15, bore + 0.7 * (outer - bore), low, high), SKY);
+        let feed = sector(extent(pieces, film.radius), (0.15, deepest + 0.7 * (outer - deepest)));
+        figure.polygon(&feed, SKY);
     }
 }
 
@@ -236,14 +350,33 @@ fn draw_angles(figure: &mut Figure, axes: Polar, room: f64) {
     }
 }
 
-/// The angles [rad] that a rim covers.
+/// Angles [rad] that are one.
+const SLACK: f64 = 1e-6;
+
+/// The angles [rad] that a rim covers, from the lesser on to the greater: all but the widest gap between its pieces.
 fn extent(pieces: &[[[f64; 2]; 2]], radius: f64) -> [f64; 2] {
-    let first = pieces.first().map_or(0.0, |piece| piece[0][0] / radius);
-    let beside = |x: f64| {
-        let angle = x / radius;
-        angle - TAU * ((angle - first) / TAU).round()
+    let mut covered: Vec<[f64; 2]> = (pieces.iter())
+        .map(|piece| {
+            let [low, high] = least_and_greatest(piece.iter().map(|point| point[0] / radius));
+            let from = low.rem_euclid(TAU);
+            [from, from + high - low]
+        })
+        .collect();
+    covered.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let Some(first) = covered.first().copied() else {
+        return [0.0; 2];
     };
-    least_and_greatest(pieces.iter().flatten().map(|point| beside(point[0])))
+    // The first piece comes again after a turn.
+    let again = [first[0] + TAU, first[1] + TAU];
+    let (mut end, mut widest, mut found) = (first[1], SLACK, [first[0], first[0] + TAU]);
+    for [from, to] in covered.into_iter().skip(1).chain([again]) {
+        if from - end > widest {
+            widest = from - end;
+            found = [from, end + TAU];
+        }
+        end = end.max(to);
+    }
+    found
 }
 
 /// Rotation, load and attitude angle about the journal's centre.
@@ -251,10 +384,10 @@ fn draw_motion(figure: &mut Figure, film: &DrawnFilm, axes: Polar, radius: f64) 
     let letters = Letters::default();
     let load = film.quantity(&LOAD_ANGLE).map(f64::to_radians);
     let attitude = film.quantity(&ATTITUDE_ANGLE).map(f64::to_radians);
-    let thinnest = film.position().map_or(0.0, |[_, angle]| angle);
+    let towards = film.position().map_or(0.0, |[_, angle]| angle);
     if film.speed != 0.0 {
         // Across from the load, where nothing else is drawn.
-        let middle = load.map_or(thinnest, |load| load + 0.5 * attitude.unwrap_or(0.0)) + TAU / 2.0;
+        let middle = load.map_or(towards, |load| load + 0.5 * attitude.unwrap_or(0.0)) + TAU / 2.0;
         let half = 0.6 * film.speed.signum();
         let arc = axes.arc(0.62 * radius, middle - half, middle + half);
         figure.line(&arc, Pen::new(1.0, INK));
@@ -309,5 +442,49 @@ fn draw_motion(figure: &mut Figure, film: &DrawnFilm, axes: Polar, radius: f64) 
             letters.with_halo(),
             Anchor::Centre,
         );
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The rim of a groove between two angles [deg], 3 mm wide, by pieces of so many degrees, in any turn and order.
+    fn groove(from: f64, to: f64, step: f64) -> Vec<[[f64; 2]; 2]> {
+        let (radius, count) = (0.027, ((to - from) / step).ceil());
+        let x = |k: f64| radius * (from + (to - from) * k / count).to_radians();
+        let mut pieces = vec![
+            [[x(0.0), -1.5e-3], [x(0.0), 1.5e-3]],
+            [[x(count), -1.5e-3], [x(count), 1.5e-3]],
+        ];
+        for k in 0..count as u32 {
+            let ends = [f64::from(k), f64::from(k + 1)].map(x);
+            let turn = TAU * radius * f64::from(k % 3);
+            pieces.push(ends.map(|x| [x + turn, 1.5e-3]));
+            pieces.insert(0, ends.map(|x| [x - turn, -1.5e-3]));
+        }
+        pieces
+    }
+
+    #[test]
+    fn a_groove_covers_its_angles_and_no_more() {
+        for (from, to) in [
+            (0.0, 170.0),
+            (0.0, 180.0),
+            (10.0, 190.0),
+            (0.0, 181.0),
+            (180.0, 360.0),
+            (-15.0, 15.0),
+            (300.0, 655.0),
+            (90.0, 91.0),
+        ] {
+            for step in [2.0, 17.0] {
+                let [low, high] = extent(&groove(from, to, step), 0.027).map(f64::to_degrees);
+                assert!((high - low - (to - from)).abs() < 1e-6, "{from} {to}: {low} {high}");
+                assert!(wrapped((low - from).to_radians()).abs() < 1e-6, "{from} {to}: {low}");
+            }
+        }
+        let [low, high] = extent(&groove(0.0, 360.0, 10.0), 0.027);
+        assert!((high - low - TAU).abs() < 1e-9);
     }
 }

@@ -1,16 +1,22 @@
 //! # Measured surface: depths at the points of a grid
 //!
 //! **Equation.** `d(x, z)` is the bicubic Hermite interpolant: depth, both slopes and the twist at the points, cubic along each side of a cell. It is continuous with its slopes. Slopes at a
-//! point are those of the parabola through it and its neighbours, at an end of the grid of the parabola through the last three points. Beyond an end that the
-//! grid does not reach it goes on straight.
+//! point are those of the parabola through it and its neighbours, at an end of the grid of the parabola through the last three points, limited: zero where the point is higher or lower than
+//! both neighbours, else of the sign of the two secants and at most 1.5 times the flatter one. Twists are the slopes of the slopes, limited so that in each of the four cells at the point
+//! ```text
+//! d + dx d_x/3 + dz d_z/3 + dx dz d_xz/9
+//! ```
+//! lies between the least and the greatest depth of the four corners, with dx and dz the signed sides of the cell. With slopes so limited this holds for a twist of zero. These numbers are the
+//! coefficients of Bernstein polynomials, so the surface of a cell stays between the depths of its corners. Beyond an end that the grid does not reach it goes on straight.
 //!
 //! | symbol | unit | code |
 //! |---|---|---|
 //! | x = R phi, z | m | `places` of both axes |
 //! | d, dd/dx, dd/dz, d2d/dxdz | m, -, -, 1/m | `nodes` |
 //!
-//! **Source.** de Boor, A Practical Guide to Splines (1978), ch. IV (parabolic slopes, Bessel) and XVII (tensor products). **Range.** Points closer than the lengths over which
-//! the film changes; noise of a measurement is not smoothed. **Verified by** `parabolas_are_exact`, `the_surface_is_smooth_across_cells` and `tests/tests/shapes`.
+//! **Source.** de Boor, A Practical Guide to Splines (1978), ch. IV (parabolic slopes, Bessel) and XVII (tensor products); Fritsch and Carlson, SIAM J. Numer. Anal. 17 (1980) 238 (limited slopes).
+//! **Range.** Points closer than the lengths over which
+//! the film changes; noise of a measurement is not smoothed. **Verified by** `parabolas_are_exact`, `the_surface_is_smooth_across_cells`, `no_place_of_a_cell_is_beyond_its_corners` and `tests/tests/shapes`.
 
 use super::profile::{Profile, Relief};
 
@@ -18,6 +24,9 @@ use super::profile::{Profile, Relief};
 const BEND_OVER: f64 = 0.15;
 /// and over this part of the length.
 const BEND_ALONG: f64 = 0.125;
+
+/// Slopes are at most so many times the flatter secant beside their point.
+const STEEPEST: f64 = 1.5;
 
 /// Depths at the points of a grid.
 #[derive(Debug, Clone, PartialEq)]
@@ -72,20 +81,47 @@ impl Measured {
         let rows = points.zs.len();
         let by_x = |depths: &dyn Fn(usize) -> f64| {
             let values: Vec<f64> = (0..points.angles.len()).map(depths).collect();
-            around.slopes(&values)
+            around.depth_slopes(&values)
         };
         let slopes_around: Vec<Vec<f64>> = (0..rows).map(|j| by_x(&|i| points.depths[i][j])).collect();
         let mut nodes = Vec::with_capacity(points.angles.len() * rows);
         for (i, depths) in points.depths.iter().enumerate() {
             let slopes: Vec<f64> = (0..rows).map(|j| slopes_around[j][i]).collect();
-            let (slopes_along, twists) = (along.slopes(depths), along.slopes(&slopes));
+            let (slopes_along, twists) = (along.depth_slopes(depths), along.slopes(&slopes));
             nodes.extend((0..rows).map(|j| [depths[j], slopes[j], slopes_along[j], twists[j]]));
         }
-        Self {
+        let steps = [BEND_OVER * radius, BEND_ALONG * length];
+        let mut surface = Self {
             around,
             along,
             nodes,
-            steps: [BEND_OVER * radius, BEND_ALONG * length],
+            steps,
+        };
+        surface.limit_twists();
+        surface
+    }
+
+    /// Limits the twists so that the surface of each cell stays between the depths of its corners.
+    fn limit_twists(&mut self) {
+        let [columns, rows] = [&self.around, &self.along].map(|axis| axis.places.len());
+        for i in 0..columns {
+            for j in 0..rows {
+                let [depth, by_x, by_z, twist] = self.nodes[i * rows + j];
+                let [mut least, mut most] = [f64::NEG_INFINITY, f64::INFINITY];
+                for (column, width) in self.around.neighbours(i) {
+                    for (row, height) in self.along.neighbours(j) {
+                        let corners = [[i, j], [column, j], [i, row], [column, row]];
+                        let depths = corners.map(|[i, j]| self.nodes[i * rows + j][0]);
+                        let [low, high] = [f64::min, f64::max].map(|of| depths.into_iter().fold(depth, of));
+                        let flat = depth + (width * by_x + height * by_z) / 3.0;
+                        let of_twist = width * height / 9.0;
+                        let [a, b] = [low, high].map(|end| (end - flat) / of_twist);
+                        (least, most) = (least.max(a.min(b)), most.min(a.max(b)));
+                    }
+                }
+                // Zero is among the allowed twists, but for rounding.
+                self.nodes[i * rows + j][3] = twist.max(least.min(0.0)).min(most.max(0.0));
+            }
         }
     }
 }
@@ -124,6 +160,40 @@ impl Profile for Measured {
 }
 
 impl Axis {
+    /// The neighbours of a point and the signed distances [m] to them.
+    fn neighbours(&self, k: usize) -> impl Iterator<Item = (usize, f64)> {
+        let n = self.places.len();
+        let place = self.places[k];
+        let beside = |step: isize| {
+            let turn = match self.period {
+                Some(period) if n > 1 => period,
+                _ => 0.0,
+            };
+            let next = k.checked_add_signed(step).filter(|next| *next < n);
+            match next {
+                Some(next) => Some((next, self.places[next] - place)),
+                None if turn == 0.0 => None,
+                None if step < 0 => Some((n - 1, self.places[n - 1] - turn - place)),
+                None => Some((0, self.places[0] + turn - place)),
+            }
+        };
+        [-1, 1].into_iter().filter_map(beside).collect::<Vec<_>>().into_iter()
+    }
+
+    /// Slopes of depths, limited so that a cubic stays between two of them.
+    fn depth_slopes(&self, depths: &[f64]) -> Vec<f64> {
+        let limited = |(k, slope): (usize, f64)| {
+            let secants: Vec<f64> = self
+                .neighbours(k)
+                .map(|(next, distance)| (depths[next] - depths[k]) / distance)
+                .collect();
+            let sign = secants.first().map_or(0.0, |first| first.signum());
+            let flattest = secants.iter().map(|secant| sign * secant).fold(f64::INFINITY, f64::min);
+            sign * (sign * slope).clamp(0.0, STEEPEST * flattest.max(0.0))
+        };
+        self.slopes(depths).into_iter().enumerate().map(limited).collect()
+    }
+
     /// Slopes of the parabolas through each of these values and its neighbours.
     fn slopes(&self, values: &[f64]) -> Vec<f64> {
         let n = values.len();
@@ -257,6 +327,50 @@ mod tests {
                 assert!((after.slope[d] - before.slope[d]).abs() < 1e-9, "{x} {z} {d}");
             }
         }
+    }
+
+    #[test]
+    fn no_place_of_a_cell_is_beyond_its_corners() {
+        // Depths of a linear congruential generator with jumps and level stretches, on uneven distances.
+        let mut state = 5u64;
+        let mut next = || {
+            state = state
+                .wrapping_mul(6364136223846793005)
+                .wrapping_add(1442695040888963407);
+            (state >> 33) as f64 / (1u64 << 31) as f64
+        };
+        let mut grow = |count: usize, from: f64, to: f64| {
+            let mut places: Vec<f64> = (0..count).map(|_| from + (to - from) * next()).collect();
+            places.sort_by(f64::total_cmp);
+            places
+        };
+        let (angles, zs) = (grow(40, 0.0, TAU), grow(15, -0.02, 0.02));
+        let depths: Vec<Vec<f64>> = (0..40)
+            .map(|_| (0..15).map(|_| 1e-6 * (6.0 * next()).floor()).collect())
+            .collect();
+        let points = Points { angles, zs, depths };
+        let measured = Measured::new(&points, RADIUS, 0.04, true);
+        let twists = measured.nodes.iter().filter(|node| node[3] != 0.0).count();
+        for i in 0..40 {
+            let (left, right) = (
+                points.angles[i],
+                points.angles.get(i + 1).map_or(points.angles[0] + TAU, |at| *at),
+            );
+            for j in 0..14 {
+                let corners = [i, (i + 1) % 40].map(|i| [points.depths[i][j], points.depths[i][j + 1]]);
+                let [low, high] = [f64::min, f64::max].map(|of| corners.concat().into_iter().reduce(of).expect("four"));
+                for (a, b) in (1..9).flat_map(|a| (1..9).map(move |b| (f64::from(a) / 9.0, f64::from(b) / 9.0))) {
+                    let x = RADIUS * (left + a * (right - left));
+                    let z = points.zs[j] + b * (points.zs[j + 1] - points.zs[j]);
+                    let depth = measured.at([x, z]).depth;
+                    assert!(
+                        (low - 1e-18..=high + 1e-18).contains(&depth),
+                        "{i} {j}: {depth:e} of {low:e} to {high:e}"
+                    );
+                }
+            }
+        }
+        assert!(twists > 20, "{twists}: the points are too tame for this test");
     }
 
     #[test]

@@ -14,7 +14,7 @@ mod worn;
 pub use crown::Crown;
 pub use deflection::{Closing, Deflection, WallStage};
 pub use eccentricity::Eccentricity;
-pub use envelope::Envelope;
+pub use envelope::{Envelope, Wearing};
 pub use groove_depth::GrooveDepth;
 pub use measured::{Measured, Points};
 pub use oval::Oval;
@@ -68,6 +68,7 @@ pub trait FilmContribution: Send + Sync + std::fmt::Debug {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Bearing;
     use crate::wall::{Along, Around, Compliance, Grid, Wall};
 
     /// A wall that is bent somehow.
@@ -118,12 +119,25 @@ mod tests {
                 angle: 0.9,
                 half_width: 0.7,
             })),
-            Shape(Arc::new(Envelope {
-                radius: 0.04,
-                clearance: 4e-5,
-                film: 1e-5,
-                positions: vec![([2.5e-5, 2e-5], [1e-4, -2e-4]), ([-1e-5, -3.8e-5], [0.0, 3e-4])],
-            })),
+            Shape(Arc::new(Envelope::new(
+                &Bearing {
+                    radius: 0.04,
+                    length: 0.04,
+                    clearance: 4e-5,
+                    end_pressure: 0.0,
+                },
+                1e-5,
+                &[
+                    Wearing {
+                        offset: [2.5e-5, 2e-5],
+                        tilt: [1e-4, -2e-4],
+                    },
+                    Wearing {
+                        offset: [-1e-5, -3.8e-5],
+                        tilt: [0.0, 3e-4],
+                    },
+                ],
+            ))),
             Shape(Arc::new(Measured::new(&points, 0.04, 0.04, true))),
         ]
     }

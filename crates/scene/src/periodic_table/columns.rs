@@ -42,10 +42,20 @@ impl Column {
             Dimension::Angle => "deg",
             Dimension::Force => "kN",
             Dimension::Torque => "N.m",
+            Dimension::Ratio => "1",
             _ => self.dimension.units().first().map_or("", |(unit, _)| unit),
         };
         format!("{} [{unit}]", self.name)
     }
+}
+
+/// What a table is of that has columns beside the wanted ones.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Others {
+    /// Wrong: their names are misspelt.
+    Refused,
+    /// A result with more numbers than are wanted.
+    Ignored,
 }
 
 /// Where the columns of a table stand, and the size of their units in SI.
@@ -57,19 +67,22 @@ pub(crate) struct Columns<const N: usize> {
 }
 
 impl<const N: usize> Columns<N> {
-    /// The rows of a text in SI; values of optional columns that are not there are zero.
+    /// The rows of a text in SI, which has no other columns; values of optional columns that are not there are zero.
     pub(crate) fn read(text: &str, wanted: &[Column; N]) -> Result<Vec<Row<N>>, TableFault> {
-        let text = text.trim_start_matches('\u{feff}');
-        let lines = (1..).zip(text.lines().map(str::trim));
-        let mut lines = lines.filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
+        Self::read_beside(text, wanted, Others::Refused)
+    }
+
+    /// The rows of a text in SI; values of optional columns that are not there are zero.
+    pub(crate) fn read_beside(text: &str, wanted: &[Column; N], others: Others) -> Result<Vec<Row<N>>, TableFault> {
+        let mut lines = lines(text);
         let Some((line, header)) = lines.next() else {
             return Err(TableFault::of_all("is empty", write(wanted)));
         };
-        let columns = Self::of_header(line, header, wanted)?;
+        let columns = Self::of_header(line, header, (wanted, others))?;
         lines.map(|(line, cells)| columns.row(line, cells)).collect()
     }
 
-    fn of_header(line: usize, header: &str, wanted: &[Column; N]) -> Result<Self, TableFault> {
+    fn of_header(line: usize, header: &str, (wanted, others): (&[Column; N], Others)) -> Result<Self, TableFault> {
         let fail = |message: String| TableFault::at(line, message, write(wanted));
         let cells: Vec<&str> = header.split(',').map(str::trim).collect();
         let mut places = [None; N];
@@ -80,6 +93,9 @@ impl<const N: usize> Columns<N> {
                 return Err(fail(format!("\"{cell}\" is not a name with its unit in brackets")));
             };
             let Some(k) = wanted.iter().position(|column| column.name == name) else {
+                if others == Others::Ignored {
+                    continue;
+                }
                 let near = nearest(name, wanted.iter().map(|column| column.name));
                 let hint = near.map_or(String::new(), |near| format!(", did you mean \"{near}\"?"));
                 return Err(fail(format!("the column \"{name}\" is not known{hint}")));
@@ -87,8 +103,11 @@ impl<const N: usize> Columns<N> {
             if places[k].is_some() {
                 return Err(fail(format!("the column \"{name}\" stands there twice")));
             }
-            let size = unit::unit_size(unit, wanted[k].dimension);
-            let size = size.map_err(|error| fail(format!("the unit of \"{name}\": {error}")))?;
+            let size = match (unit, wanted[k].dimension) {
+                ("1", Dimension::Ratio) => 1.0,
+                (unit, dimension) => unit::unit_size(unit, dimension)
+                    .map_err(|error| fail(format!("the unit of \"{name}\": {error}")))?,
+            };
             places[k] = Some((place, size, wanted[k].dimension));
         }
         let missing = (0..N).find(|&k| places[k].is_none() && wanted[k].presence == Presence::Needed);
@@ -132,6 +151,21 @@ impl<const N: usize> Columns<N> {
         }
         Ok(Row { line, values })
     }
+}
+
+/// The lines of a text that are no comments, with their numbers; the first is the header.
+fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    let text = text.trim_start_matches('\u{feff}');
+    let lines = (1..).zip(text.lines().map(str::trim));
+    lines.filter(|(_, line)| !line.is_empty() && !line.starts_with('#'))
+}
+
+/// Whether the header of a table has a column of this name.
+pub(crate) fn has_column(text: &str, name: &str) -> bool {
+    let cells = lines(text).next().map_or("", |(_, header)| header).split(',');
+    cells
+        .filter_map(|cell| cell.split_once('['))
+        .any(|(found, _)| found.trim() == name)
 }
 
 /// How the header is written.

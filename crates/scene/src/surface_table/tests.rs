@@ -91,3 +91,25 @@ fn noise_is_found_and_shapes_are_none() {
     let noise = surface.noise();
     assert!((noise / 3e-7 - 1.0).abs() < 0.1, "{noise:e}");
 }
+
+#[test]
+fn positions_are_those_of_a_table_or_of_an_orbit() {
+    let given = positions("e_x [um], e_y [um], g_y [mrad]\n10, -20, 0.5\n", 4e-5).expect("positions");
+    let orbit = "crank angle [deg],time [s],e_x/c [1],e_y/c [1],load error [N],tilt_x [rad],tilt_y [rad]\n0,0,0.25,-0.5,,0,5e-4\n";
+    let orbit = positions(orbit, 4e-5).expect("positions");
+    for (a, b) in [(given[0].offset, orbit[0].offset), (given[0].tilt, orbit[0].tilt)] {
+        assert!(
+            (a[0] - b[0]).abs() < 1e-18 && (a[1] - b[1]).abs() < 1e-18,
+            "{a:?} {b:?}"
+        );
+    }
+    let fault = |text: &str| {
+        positions(text, 4e-5)
+            .expect_err(text)
+            .in_file(Path::new("a.csv"))
+            .to_string()
+    };
+    assert!(fault("e_x [um], e_y [um], load [N]\n1, 2, 3\n").contains("the column \"load\" is not known"));
+    assert!(fault("e_x/c [1], load [N]\n1, 2\n").contains("there is no column \"e_y/c\""));
+    assert!(fault("e_x [um], e_y [um]\n").contains("has no positions"));
+}

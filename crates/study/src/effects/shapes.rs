@@ -5,7 +5,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use oilwedge_reynolds::existence::readable;
-use oilwedge_reynolds::film_thickness::{Crown, Envelope, Measured, Oval, Points, Profile, Worn};
+use oilwedge_reynolds::film_thickness::{Crown, Envelope, Measured, Oval, Points, Profile, Wearing, Worn};
 use oilwedge_reynolds::{Bearing, Thinnest};
 use oilwedge_scene::periodic_table::TableError;
 use oilwedge_scene::surface_table::{Covered, SurfacePoints, WearingPosition, read_bore, read_positions, read_shaft};
@@ -99,14 +99,13 @@ impl Surface {
                 angle,
                 half_width,
             }),
-            Self::Bore(Bore::Envelope { path, film }) => Arc::new(Envelope {
-                radius,
-                clearance: bearing.clearance,
-                film: *film,
-                positions: (read_positions(path)?.into_iter())
-                    .map(|WearingPosition { offset, tilt }| (offset, tilt))
-                    .collect(),
-            }),
+            Self::Bore(Bore::Envelope { path, film }) => {
+                let positions = read_positions(path, bearing.clearance)?.into_iter();
+                let positions: Vec<Wearing> = positions
+                    .map(|WearingPosition { offset, tilt }| Wearing { offset, tilt })
+                    .collect();
+                Arc::new(Envelope::new(bearing, *film, &positions))
+            }
             Self::Bore(Bore::Measured(path)) => Arc::new(measured(read_bore(path, covered)?)),
             Self::Shaft(Shaft::Measured(path)) => Arc::new(measured(read_shaft(path, covered)?)),
         })
@@ -160,7 +159,7 @@ fn limits(film: &Film) -> Vec<Warning> {
     let (Worst { depth, slope }, clearance) = (worst(film), film.problem.bearing.clearance);
     let deep = (depth >= clearance).then(|| {
         warning::DEEP.says(format!(
-            "shapes of bore and shaft as small as the clearance: they are up to {} deep, and the clearance is {}; where the oil film is so much thicker its inertia counts, and the journal may rest beside the pit",
+            "shapes of bore and shaft as small as the clearance: they are up to {} deep, and the clearance is {}; where the oil film is so much thicker its inertia counts, and the journal may have more than one position of rest",
             micrometres(depth),
             micrometres(clearance)
         ))

@@ -133,12 +133,12 @@ function quadraticAt({ triangles }, { values }, [t, a, b, c]) {
   return sum;
 }
 
-// The value that is drawn: a field that is linear on the parts of triangles by its part.
+// The value that is drawn: a field that is linear on the parts of triangles by its part, a quadratic nowhere below the least value of the model.
 function valueAt(film, field, place) {
   if (!place) return null;
   const [t, ...shares] = place;
   if (field.interpolation === "constant") return field.values[t];
-  if (field.interpolation === "quadratic") return quadraticAt(film, field, place);
+  if (field.interpolation === "quadratic") return Math.max(quadraticAt(film, field, place), field.floor ?? -Infinity);
   const corner = shares.findIndex((share) => share >= 0.5), v = (k) => field.values[film.triangles[6 * t + k]], [a, b, c] = shares;
   if (corner < 0) return v(3) * (1 - 2 * c) + v(4) * (1 - 2 * a) + v(5) * (1 - 2 * b);
   const next = (corner + 1) % 3, last = (corner + 2) % 3;

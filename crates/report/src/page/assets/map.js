@@ -11,7 +11,7 @@ function paintMap(film, field, options, picture, dots) {
   const sx = W / film.width, sz = H / (film.top - film.bottom), [low, high] = field.colours, v = field.values;
   const isConstant = field.interpolation === "constant", scale = field.is_logarithmic ? 1 / Math.log(high / low) : 1 / (high - low);
   const levels = field.is_logarithmic ? [] : marksOf(field, 10), step = options.lines && levels.length > 1 && !isConstant ? levels[1] - levels[0] : 0, half = 0.45 * dots;
-  const P = new Float64Array(12), whole = 2 * Math.PI;
+  const P = new Float64Array(12), whole = 2 * Math.PI, floor = field.floor ?? -Infinity;
 
   // Dots of a straight triangle with corners a, b, c whose values are the quadratic of q.
   function straight(p, q, sides) {
@@ -24,7 +24,7 @@ function paintMap(film, field, options, picture, dots) {
     for (let j = j0; j <= j1; j++) for (let i = i0; i <= i1; i++) {
       const px = i + 0.5 - Ax, py = j + 0.5 - Ay, b = px * bdx + py * bdy, c = px * cdx + py * cdy, a = 1 - b - c;
       if (a < -1e-9 || b < -1e-9 || c < -1e-9) continue;
-      const value = v0 * a * (2 * a - 1) + v1 * b * (2 * b - 1) + v2 * c * (2 * c - 1) + 4 * (v3 * a * b + v4 * b * c + v5 * c * a);
+      const value = Math.max(floor, v0 * a * (2 * a - 1) + v1 * b * (2 * b - 1) + v2 * c * (2 * c - 1) + 4 * (v3 * a * b + v4 * b * c + v5 * c * a));
       let shade = 1;
       if (step) {
         const ga = v0 * (4 * a - 1) + 4 * (v3 * b + v5 * c), gb = v1 * (4 * b - 1) + 4 * (v3 * a + v4 * c), gc = v2 * (4 * c - 1) + 4 * (v4 * b + v5 * a);
