@@ -78,7 +78,6 @@ fn film_warnings(film: &Film, measured: &Measured, quantities: &[Quantity]) -> V
     warnings.extend(without_coefficients(measured));
     warnings.extend(under_tension(film, measured));
     warnings.extend(unlimited_flow(film));
-    warnings.extend(limits::exceeded(film, quantities));
     warnings.extend(effects::warnings(film, measured));
     warnings.extend(constant_viscosity(film, measured));
     let fallbacks = measured.fallbacks.iter();

@@ -1,7 +1,10 @@
 //! Values of a field on lines across the liner.
 
+use std::path::Path;
+
 use oilwedge_drawing::least_and_greatest;
-use oilwedge_study::fields::{FieldRow, Interpolation};
+use oilwedge_scene::Scene;
+use oilwedge_study::fields::{FieldRow, Interpolation, PRESSURE};
 
 use super::film::DrawnFilm;
 use super::liner::Nodes;
@@ -113,10 +116,23 @@ impl<'a> Finder<'a> {
     }
 }
 
-/// Values of a field at points of the unrolled liner [m], by the quadratic of the triangle at each; NaN where there is no film. `None` where the film has no
-/// such field.
+/// Values of a field at points of the unrolled liner [m], by the quadratic of the triangle at each; NaN where there is no film. A quadratic of the pressure that swings below
+/// that of the cavity is cut off there. `None` where the film has no such field.
 pub fn sampled(film: &DrawnFilm, row: &FieldRow, points: &[[f64; 2]]) -> Option<Vec<f64>> {
-    Finder::new(film).values(row, points)
+    let mut values = Finder::new(film).values(row, points)?;
+    if let Some(floor) = cavity_pressure(film).filter(|_| row.name == PRESSURE) {
+        for value in &mut values {
+            // Not a number stays one.
+            *value = if *value < floor { floor } else { *value };
+        }
+    }
+    Some(values)
+}
+
+/// Pressure of the cavity [Pa]; none where the scene has no model of cavitation.
+fn cavity_pressure(film: &DrawnFilm) -> Option<f64> {
+    let scene = Scene::parse(film.result["scene"].as_str()?, Path::new("scene.toml"), &[]).ok()?;
+    Some(scene.cavitation?.pressure)
 }
 
 fn shapes([a, b, c]: [f64; 3]) -> [f64; 6] {

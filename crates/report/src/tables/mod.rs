@@ -14,6 +14,7 @@ mod sweep;
 mod temperature;
 mod verdict;
 
+pub(crate) use criteria::word;
 pub use pieces::{counted, duration, effects, heading, mesh, printable, status, table, time};
 #[cfg(test)]
 pub(crate) use run::tests::result as example;
