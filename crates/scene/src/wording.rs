@@ -76,6 +76,12 @@ mod tests {
     use super::*;
 
     #[test]
+    fn titles_are_one_line_that_can_be_shown() {
+        assert_eq!(title("a\u{202e}b\nc\u{1b}[31m\u{2028}d"), "a\u{fffd}b c\u{fffd}[31m\u{fffd}d");
+        assert_eq!(printable("a\n\u{7}"), "a\n\u{fffd}");
+    }
+
+    #[test]
     fn no_digit_too_many() {
         assert_eq!(millimetres(0.05625), "56.25 mm");
         assert_eq!(degrees(130f64.to_radians()), "130 deg");

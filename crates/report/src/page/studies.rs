@@ -9,7 +9,6 @@ use super::table::{Cell, DIGITS, Table, any, optional, text, without_zeros};
 use super::verdict;
 use crate::digits::{quantity_value, significant};
 use crate::plot::Cases;
-use crate::readable::readable_unit_of;
 
 /// Digits of the value whose convergence is studied.
 const VALUE_DIGITS: usize = 9;
@@ -39,8 +38,7 @@ pub(super) fn sweep_rows(sweep: &Value) -> Option<Table> {
         .names(&[])
         .into_iter()
         .filter_map(|name| {
-            let (most, unit) = cases.size(&name)?;
-            let (unit, size) = readable_unit_of(most, unit);
+            let (unit, size) = cases.unit_of(&name)?;
             Some((name, unit, size))
         })
         .collect();

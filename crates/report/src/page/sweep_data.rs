@@ -8,7 +8,6 @@ use super::packing::{Packed, packed};
 use super::quantities::shown_unit;
 use super::table::any;
 use crate::plot::{Cases, quantity_names};
-use crate::readable::readable_unit_of;
 
 /// A sweep.
 #[derive(Debug, Serialize)]
@@ -112,8 +111,7 @@ impl AxisData {
 
 impl QuantityData {
     fn of(cases: &Cases, name: &str) -> Self {
-        let (most, unit) = cases.size(name).unwrap_or_default();
-        let (unit, size) = readable_unit_of(most, unit);
+        let (unit, size) = cases.unit_of(name).unwrap_or(("", 1.0));
         Self {
             label: cases.heading(name),
             unit: shown_unit(unit),

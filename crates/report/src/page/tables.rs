@@ -4,7 +4,7 @@ use oilwedge_study::quantities::FILM_THICKNESS_MIN;
 use oilwedge_study::regime::{APART, THIN};
 use serde_json::Value;
 
-use super::quantities::{shown_unit, with_minus};
+use super::quantities::with_minus;
 use super::table::{Cell, DIGITS, Table, number, optional, sized, text, without_zeros};
 use crate::digits::significant;
 use crate::plot::BALANCE;

@@ -120,7 +120,7 @@ impl<'a> Finder<'a> {
 /// that of the cavity is cut off there. `None` where the film has no such field.
 pub fn sampled(film: &DrawnFilm, row: &FieldRow, points: &[[f64; 2]]) -> Option<Vec<f64>> {
     let mut values = Finder::new(film).values(row, points)?;
-    if let Some(floor) = cavity_pressure(film).filter(|_| row.name == PRESSURE) {
+    if let Some(floor) = cavity_pressure(film).filter(|_| row.name == PRESSURE.name) {
         for value in &mut values {
             // Not a number stays one.
             *value = if *value < floor { floor } else { *value };

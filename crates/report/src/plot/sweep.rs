@@ -163,6 +163,12 @@ impl<'a> Cases<'a> {
         asked.map_or(column, |(_, quantity)| quantity)
     }
 
+    /// The unit in which a quantity is shown, with its size: that which the scene asks for, else a readable one.
+    pub(crate) fn unit_of(&self, name: &str) -> Option<(&'a str, f64)> {
+        let (most, unit) = self.size(name)?;
+        Some(if self.are_asked() { (unit, 1.0) } else { readable_unit_of(most, unit) })
+    }
+
     /// The quantities that are drawn: those of the selection, else those that the scene asks for, else the headlines.
     pub(crate) fn names(&self, selected: &[String]) -> Vec<String> {
         let is_input = |name: &str| self.inputs.iter().any(|input| input.name == name);
@@ -234,8 +240,7 @@ pub(super) fn sweep_figures(sweep: &Value, selected: &[String], width: f64) -> V
 
 /// The readable label of a quantity, its unit's size, and whether it is known.
 fn about(cases: &Cases, name: &str) -> Option<(Label, f64)> {
-    let (most, unit) = cases.size(name)?;
-    let (unit, size) = readable_unit_of(most, unit);
+    let (unit, size) = cases.unit_of(name)?;
     let quantity = cases.quantity_of(name);
     let symbol = row(quantity).map_or("", |row| row.symbol);
     let words = quantity.replace(['_', '.'], " ");
