@@ -37,7 +37,9 @@ fn edited(edits: &[(&str, &str)], more: &str) -> String {
 /// The result of a scene.
 fn result(text: &str) -> RunResult {
     let scene = written(text);
-    run(&scene, &RunOptions::default()).unwrap_or_else(|error| panic!("{error}")).result
+    run(&scene, &RunOptions::default())
+        .unwrap_or_else(|error| panic!("{error}"))
+        .result
 }
 
 /// What its criteria find: what, verdict, and whether it decides.
@@ -53,7 +55,10 @@ fn a_limit_of_any_table_is_one_criterion() {
     let keys = "film_min = \"12.1 um\"\npressure_max = \"120 bar\"";
     let (new, old) = (of("criteria", keys), of("limits", keys));
     assert_eq!(new.criteria, old.criteria);
-    let wanted = [("least film", Verdict::Fail, true), ("greatest pressure", Verdict::Pass, true)];
+    let wanted = [
+        ("least film", Verdict::Fail, true),
+        ("greatest pressure", Verdict::Pass, true),
+    ];
     assert_eq!(verdicts(&new), wanted);
     assert_eq!(new.criteria[0].fault(), "least film below 12.1 um");
     assert!(new.warnings.is_empty() && old.warnings.is_empty(), "{:?}", old.warnings);
@@ -65,15 +70,25 @@ fn a_limit_of_any_table_is_one_criterion() {
 /// A limit of the scene replaces the usual value that `[heat]` brings; a usual value decides nothing.
 #[test]
 fn a_usual_value_makes_no_bearing_unfit() {
-    let heavy = [HOT[0], ("\"30 um\"", "\"4 um\""), ("eccentricity = 0.6", "eccentricity = 0.5")];
+    let heavy = [
+        HOT[0],
+        ("\"30 um\"", "\"4 um\""),
+        ("eccentricity = 0.6", "eccentricity = 0.5"),
+    ];
     let free = result(&edited(&heavy, ""));
     let film = &free.criteria[0];
-    assert_eq!((film.what.as_str(), film.least, film.origin), ("least film", Some(4.0), Origin::Usual));
+    assert_eq!(
+        (film.what.as_str(), film.least, film.origin),
+        ("least film", Some(4.0), Origin::Usual)
+    );
     assert_eq!((film.verdict, Verdict::of(&free.criteria)), (Verdict::Fail, None));
     assert!(free.temperature.expect("a balance of heat").is_fit);
     let limited = result(&edited(&heavy, "[criteria]\nfilm_min = \"1 um\"\n"));
     let films: Vec<_> = limited.criteria.iter().filter(|it| it.what == "least film").collect();
-    assert!(films.len() == 1 && films[0].decides && films[0].least == Some(1.0), "{films:?}");
+    assert!(
+        films.len() == 1 && films[0].decides && films[0].least == Some(1.0),
+        "{films:?}"
+    );
     assert_eq!(Verdict::of(&limited.criteria), Some(Verdict::Pass));
 }
 

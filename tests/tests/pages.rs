@@ -101,15 +101,37 @@ fn the_header_is_the_verdict() {
     };
     let limited = page("[criteria]\nfilm_min = '11 um'\npressure_max = '1 bar'\n");
     let header = between(&limited, "<header>", "</header>")[0];
-    assert!(header.contains("<p class=\"verdict bad\"><strong>NOT fit</strong>"), "{header}");
-    assert!(header.contains("greatest pressure above 1 bar") && !header.contains("least film"), "{header}");
+    assert!(
+        header.contains("<p class=\"verdict bad\"><strong>NOT fit</strong>"),
+        "{header}"
+    );
+    assert!(
+        header.contains("greatest pressure above 1 bar") && !header.contains("least film"),
+        "{header}"
+    );
     let places = ["class=\"cards\"", "Design criteria", "The bearing"].map(|part| limited.find(part).expect(part));
     assert!(places.is_sorted());
     let first: Vec<&str> = between(&limited, "class=\"card\"><dt title=\"", "</dt>");
-    let names = ["least film", "greatest pressure", "power loss", "oil flow", "temperature of the film", "eccentricity"];
-    assert!(first.iter().zip(names).all(|(card, name)| card.contains(&format!(">{name} "))), "{first:?}");
+    let names = [
+        "least film",
+        "greatest pressure",
+        "power loss",
+        "oil flow",
+        "temperature of the film",
+        "eccentricity",
+    ];
+    assert!(
+        first
+            .iter()
+            .zip(names)
+            .all(|(card, name)| card.contains(&format!(">{name} "))),
+        "{first:?}"
+    );
     let free = page("");
-    assert!(!free.contains("class=\"verdict") && free.contains("usual value below 115"), "{free}");
+    assert!(
+        !free.contains("class=\"verdict") && free.contains("usual value below 115"),
+        "{free}"
+    );
 }
 
 #[test]

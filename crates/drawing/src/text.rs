@@ -123,7 +123,12 @@ impl Label {
             used += Self::plain(letter.encode_utf8(&mut [0; 4])).width(letters);
             used <= room
         };
-        let short: String = whole.parts.iter().flat_map(|(_, text)| text.chars()).take_while(is_within).collect();
+        let short: String = whole
+            .parts
+            .iter()
+            .flat_map(|(_, text)| text.chars())
+            .take_while(is_within)
+            .collect();
         Self::plain(&format!("{}{ELLIPSIS}", short.trim_end()))
     }
 

@@ -22,11 +22,26 @@ const WORDS: [(&str, &[&str]); 8] = [
     ("lemon", &["bore.oval"]),
     ("elliptical", &["bore.oval"]),
     ("preload", &["bore.oval", "bolt_preload"]),
-    ("oil flow", &["side_flow", "inlet_flow", "feed_flow.GROUP", "cycle_side_flow"]),
+    (
+        "oil flow",
+        &["side_flow", "inlet_flow", "feed_flow.GROUP", "cycle_side_flow"],
+    ),
     ("power loss", &["friction_power", "cycle_power_loss"]),
     ("leakage", &["side_flow", "side_flow_low", "side_flow_high"]),
-    ("whirl", &["dynamics.whirl", "whirl_ratio", "critical_mass", "logarithmic_decrement", "half_speed"]),
-    ("stribeck", &["friction_coefficient", "sommerfeld_number", "contact_share", "contact"]),
+    (
+        "whirl",
+        &[
+            "dynamics.whirl",
+            "whirl_ratio",
+            "critical_mass",
+            "logarithmic_decrement",
+            "half_speed",
+        ],
+    ),
+    (
+        "stribeck",
+        &["friction_coefficient", "sommerfeld_number", "contact_share", "contact"],
+    ),
 ];
 
 /// One row of a catalogue in words.

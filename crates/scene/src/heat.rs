@@ -1,8 +1,8 @@
 //! `[heat]`: the balance that finds the temperature of the film, and what carries the heat off.
 
+use crate::criteria::{Criteria, read_shared};
 use crate::reader::TableReader;
 use crate::unit::Dimension;
-use crate::criteria::{Criteria, read_shared};
 use crate::{Complaints, Scene, Theory, Viscosity};
 
 keys! {
@@ -267,10 +267,7 @@ mod tests {
         assert_eq!((plain.inlet, plain.heat_capacity), (348.15, 1.8e6));
         assert_eq!((plain.housing, plain.mixing), (None, None));
         let limits = scene("inlet = \"75 C\", film_min = \"2 um\", temperature_max = \"130 C\"").criteria;
-        assert_eq!(
-            (limits.film_min, limits.temperature_max),
-            (Some(2e-6), Some(403.15))
-        );
+        assert_eq!((limits.film_min, limits.temperature_max), (Some(2e-6), Some(403.15)));
         let full = heat(
             "preset = \"diesel\", heat_capacity = \"1800 kJ/(m3 K)\", film_min = \"2 um\", temperature_max = \"130 C\", \
              housing = { transfer = \"20 W/(m2 K)\", area = \"0.1 m2\", ambient = \"30 C\" }, mixing = { share = 0.5 }",

@@ -77,7 +77,10 @@ mod tests {
 
     #[test]
     fn titles_are_one_line_that_can_be_shown() {
-        assert_eq!(title("a\u{202e}b\nc\u{1b}[31m\u{2028}d"), "a\u{fffd}b c\u{fffd}[31m\u{fffd}d");
+        assert_eq!(
+            title("a\u{202e}b\nc\u{1b}[31m\u{2028}d"),
+            "a\u{fffd}b c\u{fffd}[31m\u{fffd}d"
+        );
         assert_eq!(printable("a\n\u{7}"), "a\n\u{fffd}");
     }
 

@@ -131,8 +131,7 @@ fn criteria(scene: &Scene, is_balanced: bool, compared: &Compared) -> Vec<Criter
         length("least film at mid-length", [&MIDDLE_FILM_MIN, &CYCLE_MIDDLE_FILM_MIN])
             .at_least(asked.middle_film_min, None),
         length("deviation of the film at the ends", [&DEVIATION, &CYCLE_DEVIATION]).at_most(asked.deviation_max, None),
-        length("equivalent film", [&EQUIVALENT_FILM, &CYCLE_EQUIVALENT_FILM])
-            .at_least(asked.equivalent_film_min, None),
+        length("equivalent film", [&EQUIVALENT_FILM, &CYCLE_EQUIVALENT_FILM]).at_least(asked.equivalent_film_min, None),
         of("greatest pressure", "bar", 1e-5, pressure).at_most(asked.pressure_max, None),
         of("temperature of the film", "degC", 1.0, compared.temperature())
             .at_most(asked.temperature_max.map(celsius), usual(USUAL_TEMPERATURE)),

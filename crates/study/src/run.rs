@@ -148,11 +148,11 @@ fn on_orbit(scene: &Scene, orbit: &oilwedge_scene::Orbit, options: &RunOptions) 
     result.quantities = followed.quantities;
     result.warnings.extend(of_history(&solved, &result.quantities, options));
     if let Some(found) = &followed.temperature {
-            let report = cycle_temperature_report(&solved.film, &found.model, &result.quantities, options);
-            result.temperature = report.map(|report| TemperatureReport {
-                broken_assumptions: broken_assumptions(&result.warnings),
-                ..report
-            });
+        let report = cycle_temperature_report(&solved.film, &found.model, &result.quantities, options);
+        result.temperature = report.map(|report| TemperatureReport {
+            broken_assumptions: broken_assumptions(&result.warnings),
+            ..report
+        });
     }
     result.criteria = match &result.temperature {
         Some(report) => report.criteria.clone(),

@@ -250,7 +250,10 @@ fn limits_are_those_of_the_cycle() {
     // Farther below than the bar is wide: a limit inside it would be undecided.
     let below = 0.9 * greatest;
     let exceeded = limit(&format!("pressure_max = \"{below} bar\""));
-    assert_eq!((told(&exceeded), exceeded.criteria[0].verdict), (vec!["greatest pressure".to_owned()], Verdict::Fail));
+    assert_eq!(
+        (told(&exceeded), exceeded.criteria[0].verdict),
+        (vec!["greatest pressure".to_owned()], Verdict::Fail)
+    );
 }
 
 /// An orbit that was not closed goes on where it ended.

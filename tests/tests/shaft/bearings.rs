@@ -74,7 +74,8 @@ fn rough_and_crowned_bearings_of_a_cut_shaft_are_single_bearings() {
 #[test]
 fn each_bearing_of_a_shaft_has_its_verdicts() {
     let folder = tempfile::tempdir().expect("a folder");
-    let limits = "film_min = \"5 um\"\nmiddle_film_min = \"1 um\"\ndeviation_max = \"1 mm\"\nequivalent_film_min = \"1 nm\"";
+    let limits =
+        "film_min = \"5 um\"\nmiddle_film_min = \"1 um\"\ndeviation_max = \"1 mm\"\nequivalent_film_min = \"1 nm\"";
     let limits = format!("[criteria]\n{limits}\n\n[journal]");
     let criteria = ("[journal]", &*limits);
     let run = run(&with_bearing(
@@ -92,7 +93,11 @@ fn each_bearing_of_a_shaft_has_its_verdicts() {
                 .collect::<Vec<_>>()
         })
         .collect();
-    let kept = ["least film at mid-length", "deviation of the film at the ends", "equivalent film"];
+    let kept = [
+        "least film at mid-length",
+        "deviation of the film at the ends",
+        "equivalent film",
+    ];
     let of = |verdict| {
         let kept = kept.map(|what| (what, Verdict::Pass));
         [("least film", verdict)].into_iter().chain(kept).collect::<Vec<_>>()

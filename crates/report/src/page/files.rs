@@ -85,7 +85,9 @@ pub(super) fn saved(text: &str, files: &[SceneFile]) -> SavedFiles {
         address: format!("data:application/octet-stream;base64,{}", STANDARD.encode(bytes)),
     };
     let own = (!text.is_empty()).then(|| link(SCENE, text.as_bytes()));
-    let links = own.into_iter().chain(files.iter().map(|file| link(&file.name, &file.bytes)));
+    let links = own
+        .into_iter()
+        .chain(files.iter().map(|file| link(&file.name, &file.bytes)));
     let mut missing: Vec<String> = Vec::new();
     for path in named(text, Path::new(SCENE)) {
         let path = path.display().to_string();

@@ -1,12 +1,12 @@
 //! The quantities of a run as the page shows them, from the object of `result.json`.
 
+use oilwedge_scene::wording::printable;
 use oilwedge_study::effects::{EFFECTS, Effects};
 use oilwedge_study::quantities::{
     CATALOGUE, CYCLE_FILM_THICKNESS_MIN, CYCLE_POWER_LOSS, CYCLE_PRESSURE_MAX, CYCLE_SIDE_FLOW, CYCLE_TEMPERATURE,
     ECCENTRICITY, FILM_THICKNESS_MIN, FRICTION_POWER, PRESSURE_MAX, Row, SIDE_FLOW, TEMPERATURE_EFFECTIVE,
 };
 use oilwedge_study::result::headlines;
-use oilwedge_scene::wording::printable;
 use serde::Serialize;
 use serde_json::Value;
 

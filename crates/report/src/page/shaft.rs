@@ -155,14 +155,12 @@ fn bearings(view: &ShaftView) -> Table {
         .into_iter()
         .filter_map(|(heading, row)| Column::of(view, heading, row))
         .collect();
-    let first = ["bearing", "z", "diameter x length", "clearance"].map(str::to_owned);
+    let first = ["bearing", "verdict", "z", "diameter x length", "clearance"].map(str::to_owned);
     let mut table = Table {
         header: first.into_iter().chain(columns.iter().map(Column::heading)).collect(),
         ..Table::default()
     };
-    table
-        .header
-        .extend(["tilt", "tilt at the ends", "verdict"].map(str::to_owned));
+    table.header.extend(["tilt", "tilt at the ends"].map(str::to_owned));
     for bearing in view.bearings() {
         let size = |key: &str| bearing["geometry"][key].as_f64().unwrap_or(0.0);
         let tilt = bearing["tilt_max"].as_f64().unwrap_or(0.0);
@@ -173,6 +171,7 @@ fn bearings(view: &ShaftView) -> Table {
         );
         let mut cells = vec![
             text(bearing["name"].as_str().unwrap_or_default()),
+            verdict::cell(&verdict::criteria_of(bearing)),
             sized(bearing["at"].as_f64().unwrap_or(0.0), 1e-3, "mm"),
             text(shape.replace(" x ", " \u{d7} ")),
             sized(size("clearance"), 1e-6, "\u{b5}m"),
@@ -181,7 +180,6 @@ fn bearings(view: &ShaftView) -> Table {
         cells.push(sized(tilt, 1e-3, "mrad"));
         let at_ends = tilt * 0.5 * size("length") / size("clearance");
         cells.push(sized(at_ends, 1e-2, "% of c"));
-        cells.push(verdict::cell(&verdict::criteria_of(bearing)));
         table.rows.push(cells);
     }
     table

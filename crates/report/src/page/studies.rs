@@ -49,13 +49,20 @@ pub(super) fn sweep_rows(sweep: &Value) -> Option<Table> {
             .inputs()
             .map(|(name, unit, _)| name.replace(['_', '.'], " ") + &unit_of(unit)),
     );
-    header.extend(quantities.iter().map(|(name, unit, _)| cases.heading(name) + &unit_of(unit)));
+    header.extend(
+        quantities
+            .iter()
+            .map(|(name, unit, _)| cases.heading(name) + &unit_of(unit)),
+    );
     header.extend(is_judged.then(|| "verdict".to_owned()));
     header.extend(["status", "warnings"].map(str::to_owned));
     let words = |it: &Value| text(any(it).text.replace('_', " "));
     let shown = cases.rows().iter().map(|it| {
         let mut cells = vec![any(&it["case"])];
-        cells.extend(cases.inputs().map(|(name, ..)| any(&it["inputs"][name])));
+        cells.extend(cases.inputs().map(|(name, ..)| Cell {
+            kind: "whole",
+            ..any(&it["inputs"][name])
+        }));
         cells.extend(
             quantities
                 .iter()
@@ -69,7 +76,11 @@ pub(super) fn sweep_rows(sweep: &Value) -> Option<Table> {
         let reason = it["reason"].as_str().filter(|reason| !reason.is_empty())?;
         Some(format!("Case {}: {reason}", it["case"]))
     });
-    let which = if cases.are_asked() { "The columns that the scene asks for" } else { "The main quantities" };
+    let which = if cases.are_asked() {
+        "The columns that the scene asks for"
+    } else {
+        "The main quantities"
+    };
     let all = format!("{which}; sweep.csv has their error bars.");
     Some(Table {
         title: "All cases".to_owned(),

@@ -17,7 +17,7 @@ pub(super) struct Cell {
     pub(super) text: String,
     pub(super) si: String,
     pub(super) is_number: bool,
-    /// How it is coloured: `good`, `bad` or `open`; empty as the text around it.
+    /// Class of its style: `good`, `bad`, `open`, or `whole` where its words stay in one line; empty as the text around it.
     pub(super) kind: &'static str,
 }
 

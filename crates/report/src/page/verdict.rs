@@ -7,7 +7,7 @@ use serde_json::Value;
 use super::quantities::{shown_unit, with_minus};
 use super::table::{Cell, DIGITS, Table, sized, text};
 use crate::digits::{bar, quantity_value, unresolved};
-use crate::tables::word;
+use crate::tables::{first_faults, word};
 
 /// The verdict as the header shows it.
 #[derive(Debug, Clone, Serialize)]
@@ -24,8 +24,11 @@ impl Outcome {
     pub(super) fn of(criteria: &[Criterion], status: &str) -> Option<Self> {
         let verdict = Verdict::of(criteria)?;
         let missed = criteria.iter().filter(|criterion| criterion.is_missed());
-        let mut why: Vec<String> = missed.map(|criterion| with_true_letters(&criterion.fault())).collect();
-        if criteria.iter().any(|criterion| criterion.decides && criterion.reserve == Some(Reserve::NoBars)) {
+        let mut why = first_faults(missed.map(|criterion| with_true_letters(&criterion.fault())));
+        if criteria
+            .iter()
+            .any(|criterion| criterion.decides && criterion.reserve == Some(Reserve::NoBars))
+        {
             why.push("by values without error bars: none were asked for".to_owned());
         }
         let is_converged = status == "converged";
@@ -84,7 +87,7 @@ pub(super) fn table(criteria: &[Criterion]) -> Option<Table> {
     };
     Table::new(
         title,
-        ["criterion", "here", "error bar", "limit", "verdict"],
+        ["criterion", "verdict", "here", "error bar", "limit"],
         criteria.iter().map(row).collect(),
     )
     .if_any()
@@ -131,6 +134,10 @@ fn row(criterion: &Criterion) -> Vec<Cell> {
     vec![
         text(criterion.what.as_str()),
         Cell {
+            kind: kind(criterion.decides.then_some(criterion.verdict)),
+            ..text(word(criterion))
+        },
+        Cell {
             text: in_unit(value),
             si: format!("{}", criterion.value),
             is_number: true,
@@ -141,10 +148,6 @@ fn row(criterion: &Criterion) -> Vec<Cell> {
             ..text(bar)
         },
         text(format!("{usual}{limit}")),
-        Cell {
-            kind: kind(criterion.decides.then_some(criterion.verdict)),
-            ..text(word(criterion))
-        },
     ]
 }
 

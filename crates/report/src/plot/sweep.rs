@@ -166,7 +166,11 @@ impl<'a> Cases<'a> {
     /// The unit in which a quantity is shown, with its size: that which the scene asks for, else a readable one.
     pub(crate) fn unit_of(&self, name: &str) -> Option<(&'a str, f64)> {
         let (most, unit) = self.size(name)?;
-        Some(if self.are_asked() { (unit, 1.0) } else { readable_unit_of(most, unit) })
+        Some(if self.are_asked() {
+            (unit, 1.0)
+        } else {
+            readable_unit_of(most, unit)
+        })
     }
 
     /// The quantities that are drawn: those of the selection, else those that the scene asks for, else the headlines.

@@ -22,3 +22,4 @@ pub use run::{Written, run_report};
 pub use shaft::shaft_report;
 pub use shown::Shown;
 pub use sweep::sweep_report;
+pub(crate) use verdict::first_faults;

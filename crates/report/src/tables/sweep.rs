@@ -148,7 +148,10 @@ fn rows(report: &SweepReport, folder: Option<&Path>) -> String {
     let inputs = report.columns.inputs.iter().map(|input| printable(input));
     let headings = columns.iter().map(|column| column.heading.clone());
     let first = ["case".to_owned()].into_iter().chain(inputs);
-    let is_judged = report.rows.iter().any(|row| !report.columns.tail(row, VERDICT).is_empty());
+    let is_judged = report
+        .rows
+        .iter()
+        .any(|row| !report.columns.tail(row, VERDICT).is_empty());
     let last: Vec<&str> = [VERDICT, WARNINGS].into_iter().skip(usize::from(!is_judged)).collect();
     let mut table = table(
         first.chain(headings).chain(last.iter().map(|&name| name.to_owned())),

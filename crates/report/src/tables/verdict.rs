@@ -5,6 +5,9 @@ use super::pieces::{counted, status};
 use oilwedge_study::result::{Criterion, RunResult, Status, Verdict};
 use oilwedge_study::shaft::ShaftResult;
 
+/// Most faults that a line names.
+const MOST_FAULTS: usize = 3;
+
 /// Status, verdict of the design criteria where there are any, number of warnings.
 pub(crate) fn verdict(result: &RunResult) -> String {
     line(ending(result), &result.criteria, result.warnings.len())
@@ -58,7 +61,18 @@ fn unusual(criteria: &[Criterion]) -> Option<String> {
 }
 
 fn faults<'a>(criteria: impl Iterator<Item = &'a Criterion>) -> String {
-    criteria.map(Criterion::fault).collect::<Vec<_>>().join(", ")
+    first_faults(criteria.map(Criterion::fault)).join(", ")
+}
+
+/// The first of several faults, and how many more there are.
+pub(crate) fn first_faults(all: impl Iterator<Item = String>) -> Vec<String> {
+    let mut faults: Vec<String> = all.collect();
+    let more = faults.len().saturating_sub(MOST_FAULTS);
+    if more > 0 {
+        faults.truncate(MOST_FAULTS);
+        faults.push(format!("and {more} more"));
+    }
+    faults
 }
 
 #[cfg(test)]
@@ -77,7 +91,13 @@ mod tests {
         assert_eq!(verdict(&result), "verdict   converged, within the tolerance; 1 warning");
         result.status = Status::NotConverged;
         let of = |value, origin| {
-            Criterion::new("least film", "um", (value, Accuracy::NotAsked), [Some(3.0), None], origin)
+            Criterion::new(
+                "least film",
+                "um",
+                (value, Accuracy::NotAsked),
+                [Some(3.0), None],
+                origin,
+            )
         };
         result.criteria = vec![of(2.0, Origin::Usual)];
         assert_eq!(

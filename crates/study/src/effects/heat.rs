@@ -2,8 +2,8 @@
 
 use oilwedge_bearing::{Housing, ThermalBalance};
 use oilwedge_reynolds::existence::readable;
-use oilwedge_scene::wording::celsius;
 use oilwedge_scene::Scene;
+use oilwedge_scene::wording::celsius;
 
 use super::{Effect, Socket, Sockets, changed};
 use crate::film::Film;
