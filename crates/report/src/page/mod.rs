@@ -6,13 +6,14 @@
 //! page forbids all else: `default-src 'none'`, with the hashes of the script and the style. The same results give the same bytes; what
 //! differs from run to run, the wall times, stands in the element `timings`.
 //!
-//! Reading order: this file (what the page shows), `verdict.rs` (what it says first), `files.rs` (what is saved with the scene), `quantities.rs`, `table.rs` and `tables.rs`, `comparisons.rs`, `studies.rs`, `shaft.rs`, `film_data.rs` and
+//! Reading order: this file (what the page shows), `verdict.rs` (what it says first), `lead.rs` (what comes before all else), `files.rs` (what is saved with the scene), `quantities.rs`, `table.rs` and `tables.rs`, `comparisons.rs`, `studies.rs`, `shaft.rs`, `film_data.rs` and
 //! `sweep_data.rs` (what the script draws), `packing.rs`, `coarser.rs` and `thinning.rs` (a film that is too large).
 
 mod coarser;
 mod comparisons;
 mod files;
 mod film_data;
+mod lead;
 mod packing;
 mod quantities;
 mod shaft;
@@ -39,13 +40,12 @@ use sha2::{Digest, Sha256};
 
 use crate::Error;
 use crate::orbit_course::OrbitCourse;
-use crate::plot::{
-    BALANCE, CONVERGENCE, DrawnFilm, PlotOptions, figures_of_sweep, film_figures, film_over_cycle, path_and_load,
-};
+use crate::plot::{BALANCE, CONVERGENCE, DrawnFilm, PlotOptions, figures_of_sweep, film_figures};
 use crate::sketch::words;
 use coarser::coarser;
 use files::{SavedFiles, saved};
 use film_data::FilmData;
+use lead::Lead;
 use quantities::{Shown, cards, quantities, simulated};
 use sweep_data::SweepData;
 use table::Table;
@@ -106,18 +106,6 @@ struct Interactive {
 struct Told {
     name: &'static str,
     sentence: &'static str,
-}
-
-/// What a page leads with.
-#[derive(Debug, Default, Serialize)]
-struct Lead {
-    title: &'static str,
-    words: Vec<String>,
-    /// Figures side by side, as far as they fit.
-    beside: Vec<Drawn>,
-    /// A figure a row.
-    figures: Vec<Drawn>,
-    table: Option<Table>,
 }
 
 /// What a page has beside the numbers and the film.
@@ -211,7 +199,7 @@ pub fn film_page_with(result: &Value, picture: Option<&FilmPicture>, extras: Ext
     page.verdict = Outcome::of(&criteria, result["status"].as_str().unwrap_or_default());
     page.command = command("solve", result, &["cost", "standard", "theories"]);
     if let Some(course) = extras.course {
-        page.lead = cycle(&page.title, course);
+        page.lead = Lead::of_cycle(&page.title, course);
         page.kind = "orbit";
         page.film_title = "The film where it is thinnest in the cycle".to_owned();
     }
@@ -219,17 +207,6 @@ pub fn film_page_with(result: &Value, picture: Option<&FilmPicture>, extras: Ext
         add_film(&mut page, DrawnFilm::new(result.clone(), picture)?, picture)?;
     }
     render(page)
-}
-
-/// What an orbit asks: the film over the crank angle, the path, and what the film carries.
-fn cycle(title: &str, course: &OrbitCourse) -> Lead {
-    let narrow = path_and_load(title, course, 0.5 * PAGE_WIDTH);
-    Lead {
-        title: "The cycle",
-        beside: drawn(&narrow),
-        figures: drawn(&film_over_cycle(title, course, PAGE_WIDTH)),
-        ..Lead::default()
-    }
 }
 
 /// The page of a sweep, from the object of `sweep.json`.
