@@ -69,8 +69,12 @@ def test_a_quantity_knows_what_it_is(shell):
     for wrong, words in (("mm", "force"), ("kNN", "did you mean")):
         with pytest.raises(ValueError, match=words):
             load.to(wrong)
-    with pytest.raises(KeyError, match="no quantity"):
-        shell["lod"]
+    assert shell["h_min"] is shell["film_thickness_min"], "quantities are found by their symbols too"
+    for wrong, words in (("lod", 'no quantity.*did you mean load'), ("pressure", 'pressure_max.*result.film."pressure"'), ("zzz", "it has load")):
+        with pytest.raises(KeyError, match=words):
+            shell[wrong]
+    assert "<td>h_min</td>" in shell._repr_html_() and shell.title in shell._repr_html_()
+    assert "&quot;" in shell.scene._repr_html_()
     with pytest.raises(ValueError, match="did you mean"):
         ow.explain("pressure_mx")
 

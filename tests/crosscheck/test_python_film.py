@@ -8,6 +8,7 @@ import pytest
 import pyvista
 
 import vtu_geometry
+from oilwedge_run import SCENES
 from python_package import ENGINE, SHELL
 
 
@@ -57,6 +58,13 @@ def test_samples_are_the_quadratics_of_the_film(unrolled):
     for wrong in ("pressur", "volume_flow"):
         with pytest.raises((KeyError, ValueError), match="no field"):
             film.sample(wrong, 90, 0)
+
+
+def test_no_sample_in_a_cavity_is_below_its_pressure():
+    film = ow.solve(SCENES / "12_flexpde_shell_cavitated.toml", bars=False).film
+    angle, z = np.linspace(40, 220, 361), np.linspace(film.z.min(), film.z.max(), 41)
+    values = film.sample("pressure", angle[:, None], z)
+    assert np.nanmin(values) == 0 < np.nanmax(values)
 
 
 def test_pyvista_and_meshio_have_the_film(shell, tmp_path):

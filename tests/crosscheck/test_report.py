@@ -55,16 +55,16 @@ def opened(browser):
     """Opens the page of a folder: it is ready, and has asked for nothing and said nothing on the way."""
     contexts = []
 
-    def one(folder, ready="yes", **how):
+    def one(folder, ready="yes", name="report.html", **how):
         contexts.append(browser.new_context(**how))
         page = contexts[-1].new_page()
         heard = []
         page.on("console", lambda message: heard.append(message.text))
         page.on("pageerror", lambda error: heard.append(str(error)))
         page.on("request", lambda request: heard.append(request.url))
-        page.goto(f"file://{folder}/report.html")
+        page.goto(f"file://{folder}/{name}")
         page.wait_for_selector(f"html[data-ready={ready}]", state="attached", timeout=20_000)
-        assert heard == [f"file://{folder}/report.html"]
+        assert heard == [f"file://{folder}/{name}"]
         return page
 
     yield one
@@ -184,16 +184,17 @@ def studies(tmp_path_factory):
 
 @pytest.mark.parametrize(("verb", "ready"), (("sweep", "yes"), ("converge", "static")))
 def test_studies_fit_a_telephone_and_axe_has_no_finding(opened, studies, verb, ready):
-    page = opened(studies / verb, ready, viewport=TELEPHONE, color_scheme="light")
+    name = f"{verb}.html"
+    page = opened(studies / verb, ready, name, viewport=TELEPHONE, color_scheme="light")
     assert_it_fits(page)
-    page = opened(studies / verb, ready, viewport=TELEPHONE, color_scheme="dark", bypass_csp=True)
+    page = opened(studies / verb, ready, name, viewport=TELEPHONE, color_scheme="dark", bypass_csp=True)
     assert_axe_has_no_finding(page)
     page.emulate_media(color_scheme="light")
     assert_axe_has_no_finding(page, ["color-contrast"])
 
 
 def test_a_sweep_shows_the_chosen_quantity_over_the_chosen_axes(opened, studies):
-    page = opened(studies / "sweep", viewport=DESKTOP)
+    page = opened(studies / "sweep", name="sweep.html", viewport=DESKTOP)
     curves, cells, readout = ("() => document.getElementById('%s').innerHTML" % it for it in ("curves", "cells", "readout"))
     assert page.evaluate(curves).count('class="curve') == 2
     seen = page.evaluate(curves)

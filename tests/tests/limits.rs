@@ -1,10 +1,9 @@
 //! Limits, units and names: what a scene says about its bearing, and what is said where it is unlikely.
 
-use oilwedge_scene::Scene;
-use oilwedge_study::warnings::warnings;
+use oilwedge_study::result::{Origin, RunResult, Verdict};
 use oilwedge_study::{RunOptions, run};
 use oilwedge_tests::bench::Bench;
-use oilwedge_tests::scenes::{Solved, solve, written};
+use oilwedge_tests::scenes::written;
 
 const PLAIN: &str = r#"
 [bearing]
@@ -35,62 +34,62 @@ fn edited(edits: &[(&str, &str)], more: &str) -> String {
     text + more
 }
 
-fn solved(scene: &Scene) -> Solved {
-    solve(scene).unwrap_or_else(|reason| panic!("{reason}"))
+/// The result of a scene.
+fn result(text: &str) -> RunResult {
+    let scene = written(text);
+    run(&scene, &RunOptions::default())
+        .unwrap_or_else(|error| panic!("{error}"))
+        .result
 }
 
-fn told(text: &str) -> Vec<String> {
-    let solved = solved(&written(text));
-    let all = warnings(&solved.study, &solved.measured).into_iter();
-    all.filter(|it| it.starts_with("a limit is exceeded"))
-        .map(|it| it.to_string())
-        .collect()
+/// What its criteria find: what, verdict, and whether it decides.
+fn verdicts(result: &RunResult) -> Vec<(&str, Verdict, bool)> {
+    let all = result.criteria.iter();
+    all.map(|it| (it.what.as_str(), it.verdict, it.decides)).collect()
 }
 
-/// A number is compared with its bar: a limit inside it is not said to be exceeded.
+/// A limit has one verdict, whichever table it stands in and by whatever name, and no warning beside it.
 #[test]
-fn a_limit_inside_a_bar_is_told_as_that() {
-    let limited = |limits: &str| {
-        let scene = written(&edited(&[("4 mm", "8 mm")], limits));
-        run(&scene, &RunOptions::of(&scene)).expect("a film").result
-    };
-    let free = limited("");
-    let pressure = (free.quantities.iter()).find(|quantity| quantity.name == "pressure_max");
-    let pressure = pressure.expect("a pressure");
-    let (value, error) = (pressure.value, pressure.error().expect("a bar"));
-    for (part, told) in [(0.5, "a limit lies inside the error bar"), (2.0, "a limit is exceeded")] {
-        let result = limited(&format!("[limits]\npressure_max = \"{} Pa\"\n", value - part * error));
-        let warnings: Vec<_> = result.warnings.iter().filter(|it| it.contains("a limit")).collect();
-        assert!(
-            warnings.len() == 1 && warnings[0].starts_with(told),
-            "{part}: {warnings:?}"
-        );
-    }
+fn a_limit_of_any_table_is_one_criterion() {
+    let of = |table: &str, keys: &str| result(&edited(&[], &format!("[{table}]\n{keys}\n")));
+    let keys = "film_min = \"12.1 um\"\npressure_max = \"120 bar\"";
+    let (new, old) = (of("criteria", keys), of("limits", keys));
+    assert_eq!(new.criteria, old.criteria);
+    let wanted = [
+        ("least film", Verdict::Fail, true),
+        ("greatest pressure", Verdict::Pass, true),
+    ];
+    assert_eq!(verdicts(&new), wanted);
+    assert_eq!(new.criteria[0].fault(), "least film below 12.1 um");
+    assert!(new.warnings.is_empty() && old.warnings.is_empty(), "{:?}", old.warnings);
+    let given = [("viscosity = \"20 mPa.s\"", "grade = \"SAE 30\"\ntemperature = \"90 C\"")];
+    let hot = result(&edited(&given, "[criteria]\ntemperature_max = \"85 C\"\n"));
+    assert_eq!(hot.criteria[0].fault(), "temperature of the film above 85 degC");
 }
 
+/// A limit of the scene replaces the usual value that `[heat]` brings; a usual value decides nothing.
 #[test]
-fn limits_work_without_heat() {
-    let told = |keys: &str| told(&edited(&[], &format!("[limits]\n{keys}\n")));
-    assert!(told("film_min = \"11.9 um\"\npressure_max = \"120 bar\"").is_empty());
-    let both = told("film_min = \"12.1 um\"\npressure_max = \"20 bar\"");
-    assert_eq!(both.len(), 2, "{both:?}");
+fn a_usual_value_makes_no_bearing_unfit() {
+    let heavy = [
+        HOT[0],
+        ("\"30 um\"", "\"4 um\""),
+        ("eccentricity = 0.6", "eccentricity = 0.5"),
+    ];
+    let free = result(&edited(&heavy, ""));
+    let film = &free.criteria[0];
+    assert_eq!(
+        (film.what.as_str(), film.least, film.origin),
+        ("least film", Some(4.0), Origin::Usual)
+    );
+    assert_eq!((film.verdict, Verdict::of(&free.criteria)), (Verdict::Fail, None));
+    assert!(free.temperature.expect("a balance of heat").is_fit);
+    let limited = result(&edited(&heavy, "[criteria]\nfilm_min = \"1 um\"\n"));
+    let films: Vec<_> = limited.criteria.iter().filter(|it| it.what == "least film").collect();
     assert!(
-        both[0].contains("thinnest film below 12.1 um ([limits]): it is 12 um"),
-        "{both:?}"
+        films.len() == 1 && films[0].decides && films[0].least == Some(1.0),
+        "{films:?}"
     );
-    assert!(
-        both[1].contains("greatest pressure above 20 bar ([limits])"),
-        "{both:?}"
-    );
-    let of_given = edited(
-        &[("viscosity = \"20 mPa.s\"", "grade = \"SAE 30\"\ntemperature = \"90 C\"")],
-        "",
-    );
-    let hot = self::told(&(of_given + "[limits]\ntemperature_max = \"85 C\"\n"));
-    assert!(
-        hot[0].contains("temperature of the film above 85 degC ([limits]): it is 90 degC"),
-        "{hot:?}"
-    );
+    assert_eq!(Verdict::of(&limited.criteria), Some(Verdict::Pass));
 }
 
 /// A limit in `[limits]` is the criterion of the heat balance that it is in `[heat]`.
@@ -131,6 +130,8 @@ fn limits_are_refused_where_they_stand_twice_or_alone() {
     };
     let twice = edited(&HOT, "[limits]\nfilm_min = \"3 um\"\n").replace("inlet", "film_min = \"2 um\"\ninlet");
     refused(twice, &["heat.film_min", "stands beside limits.film_min"]);
+    let twice = edited(&[], "[limits]\nfilm_min = \"3 um\"\n[criteria]\nfilm_min = \"3 um\"\n");
+    refused(twice, &["limits.film_min", "stands beside criteria.film_min"]);
     let alone = edited(&[], "[limits]\ntemperature_max = \"90 C\"\n");
     refused(
         alone,

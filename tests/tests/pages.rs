@@ -7,7 +7,7 @@ use oilwedge_report::page::film_page;
 use oilwedge_study::{RunOptions, run};
 use oilwedge_tests::bench::Bench;
 use oilwedge_tests::program::oilwedge_command;
-use oilwedge_tests::scenes::variant;
+use oilwedge_tests::scenes::{variant, written};
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 
@@ -87,6 +87,53 @@ fn the_page_of_the_engine_bearing_is_whole_small_and_alone() {
     );
 }
 
+/// The first line says whether the bearing is fit, and the criteria stand below the cards.
+#[test]
+fn the_header_is_the_verdict() {
+    let page = |limits: &str| {
+        let scene = written(&format!(
+            "[bearing]\ndiameter = '60 mm'\nlength = '30 mm'\nclearance = '30 um'\n[mesh]\nsize = '8 mm'\n\
+             [journal]\nspeed = '3000 rpm'\neccentricity = 0.6\nmin_film_angle = '270 deg'\n\
+             [oil]\ngrade = 'SAE 30'\n[heat]\ninlet = '60 C'\n[cavitation]\nmodel = 'reynolds'\n{limits}"
+        ));
+        let run = run(&scene, &RunOptions::of(&scene)).expect("a film");
+        film_page(&serde_json::to_value(&run.result).expect("JSON"), None).expect("a page")
+    };
+    let limited = page("[criteria]\nfilm_min = '11 um'\npressure_max = '1 bar'\n");
+    let header = between(&limited, "<header>", "</header>")[0];
+    assert!(
+        header.contains("<p class=\"verdict bad\"><strong>NOT fit</strong>"),
+        "{header}"
+    );
+    assert!(
+        header.contains("greatest pressure above 1 bar") && !header.contains("least film"),
+        "{header}"
+    );
+    let places = ["class=\"cards\"", "Design criteria", "The bearing"].map(|part| limited.find(part).expect(part));
+    assert!(places.is_sorted());
+    let first: Vec<&str> = between(&limited, "class=\"card\"><dt title=\"", "</dt>");
+    let names = [
+        "least film",
+        "greatest pressure",
+        "power loss",
+        "oil flow",
+        "temperature of the film",
+        "eccentricity",
+    ];
+    assert!(
+        first
+            .iter()
+            .zip(names)
+            .all(|(card, name)| card.contains(&format!(">{name} "))),
+        "{first:?}"
+    );
+    let free = page("");
+    assert!(
+        !free.contains("class=\"verdict") && free.contains("usual value below 115"),
+        "{free}"
+    );
+}
+
 #[test]
 fn the_policy_names_the_hashes_of_script_and_style() {
     let (_, page) = paged("01_plain_ring");
@@ -132,11 +179,41 @@ fn titles_cannot_break_out_of_the_page() {
     assert!(!page.contains("<script>alert"), "not escaped");
 }
 
+/// An orbit that closes soon.
+const ORBIT: &str = r#"
+bearing = { diameter = "50 mm", length = "25 mm", clearance = "30 um" }
+mesh.size = "8 mm"
+journal.speed = "3000 rpm"
+oil.viscosity = "10 mPa.s"
+cavitation.model = "reynolds"
+orbit = { tolerance = 3e-2 }
+
+[load]
+harmonics = [{ order = 0, cos = { x = "2 kN" } }, { order = 1, sin = { y = "3 kN" } }]
+frame = "shell"
+period = "360 deg"
+"#;
+
+/// The scene is saved from the page with the files that it names; the page of a folder can but name them.
+#[test]
+fn the_files_of_a_scene_are_saved_with_it() {
+    let bench = Bench::new();
+    bench.scene("01_plain_ring", &[]);
+    let told = bench.run(&["solve", "scene.toml", "--bars", "none", "--out", "out", "--report"]);
+    assert_eq!(told.status, 0, "{}", told.stderr);
+    let page = || std::fs::read_to_string(bench.path().join("out/report.html")).expect("a page");
+    let links = |page: &str| between(page, "<a download=\"", "\"").join(" ");
+    assert_eq!(links(&page()), "scene.toml ring.msh");
+    bench.run(&["report", "out"]);
+    assert_eq!(links(&page()), "scene.toml");
+    assert!(page().contains("files that are not on this page") && page().contains("ring.msh"));
+}
+
 #[test]
 fn the_page_of_a_folder_is_that_of_its_run() {
     let bench = Bench::new();
-    bench.scene("12_flexpde_shell_cavitated", &[]);
-    let told = bench.run(&["solve", "scene.toml", "--out", "out", "--report"]);
+    bench.write("scene.toml", ORBIT);
+    let told = bench.run(&["solve", "scene.toml", "--bars", "none", "--out", "out", "--report"]);
     assert_eq!(told.status, 0, "{}", told.stderr);
     assert!(told.stdout.contains("report.html"), "{}", told.stdout);
     let path = bench.path().join("out/report.html");
@@ -145,8 +222,9 @@ fn the_page_of_a_folder_is_that_of_its_run() {
     let told = bench.run(&["report", "out"]);
     assert_eq!(told.status, 0, "{}", told.stderr);
     assert!(std::fs::read_to_string(&path).expect("a page") == first, "another page");
+    assert!(first.contains("id=\"figure-orbit_load\"") && first.contains("The cycle"));
     // A page of an earlier run does not stand beside other results.
-    bench.run(&["solve", "scene.toml", "--out", "out"]);
+    bench.run(&["solve", "scene.toml", "--bars", "none", "--out", "out"]);
     assert!(!path.exists());
 }
 

@@ -11,7 +11,7 @@ use crate::terminal::{exit_code, output};
 use oilwedge_campaign::convergence::{Budget, converge};
 use oilwedge_report::convergence as files;
 use oilwedge_report::json;
-use oilwedge_report::page::convergence_page;
+use oilwedge_report::page::{STUDY_PAGE_FILE, convergence_page};
 use oilwedge_report::plot::{CONVERGENCE, convergence_figure};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -94,7 +94,7 @@ impl Converge {
             }
             false => None,
         };
-        let drawn = plot::written(&folder, &figures)? + &self.page.written(&folder, page)?;
+        let drawn = plot::written(&folder, &figures)? + &self.page.written(&folder, STUDY_PAGE_FILE, page)?;
         output(
             self.json,
             || json(report),

@@ -10,7 +10,7 @@ use std::process::ExitCode;
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Explain {
-    /// The name of a quantity, effect, key of a scene, field or warning, whole or its last part, or a symbol.
+    /// The name of a quantity, effect, key of a scene, field or warning, whole or its last part, a symbol, or words that others use or that its sentence has.
     #[arg(value_name = "NAME", required_unless_present = "all")]
     name: Option<String>,
 
@@ -23,11 +23,15 @@ pub(crate) struct Explain {
     json: bool,
 }
 
+/// Most entries that are shown with all that is known of them; more are a line each.
+const MOST_IN_FULL: usize = 6;
+
 const EXAMPLES: &str = "\
 Examples:
   oilwedge explain side_flow                a quantity
   oilwedge explain bearing.arc.from         a key of a scene
   oilwedge explain jfo                      an effect
+  oilwedge explain \"oil flow\"               what others call so
   oilwedge explain --all --json             the whole catalogue, for a script
 
 Exit status: 0 done; 2 there is no such name.";
@@ -47,7 +51,7 @@ impl Explain {
                 ))
             })?,
         };
-        let text = || match self.all {
+        let text = || match self.all || meant.len() > MOST_IN_FULL {
             true => meant.iter().map(Entry::line).collect(),
             false => meant.iter().map(Entry::in_words).collect::<Vec<_>>().join("\n"),
         };

@@ -1,4 +1,4 @@
-//! `oilwedge report`: the HTML page of results in a folder; and `--report`, `--open` of other verbs.
+//! `oilwedge report`: the HTML pages of results in a folder; and `--report`, `--open` of other verbs.
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
@@ -7,8 +7,11 @@ use std::time::{Duration, Instant};
 
 use oilwedge_report::convergence::REPORT_FILE as STUDY_FILE;
 use oilwedge_report::folder::replace;
-use oilwedge_report::page::{PAGE_FILE, convergence_page, film_page, shaft_page, sweep_page};
-use oilwedge_report::results::{PICTURE_FILE, RESULT_FILE};
+use oilwedge_report::orbit_course::OrbitCourse;
+use oilwedge_report::page::{
+    Extras, PAGE_FILE, STUDY_PAGE_FILE, SWEEP_PAGE_FILE, convergence_page, film_page_with, shaft_page, sweep_page,
+};
+use oilwedge_report::results::{ORBIT_FILE, PICTURE_FILE, RESULT_FILE};
 use oilwedge_report::shaft_view::{ShaftViews, is_of_shaft};
 use oilwedge_report::sweep::REPORT_FILE as SWEEP_FILE;
 use oilwedge_report::vtu_read::from_vtu;
@@ -20,11 +23,11 @@ use crate::terminal::print;
 /// Arguments of verbs that write results.
 #[derive(Debug, Clone, Copy, clap::Args)]
 pub(crate) struct PageArguments {
-    /// Write report.html into the folder of the results: one page with everything, which needs no network.
+    /// Write a page into the folder of the results, which has everything and needs no network: report.html, of a sweep sweep.html, of a convergence study converge.html.
     #[arg(long)]
     report: bool,
 
-    /// Write report.html, and open it in the browser.
+    /// Write the page, and open it in the browser.
     #[arg(long)]
     open: bool,
 }
@@ -35,14 +38,14 @@ impl PageArguments {
         self.report || self.open
     }
 
-    /// Writes the page into the folder, and opens it where that is wanted; returns the line that says so.
+    /// Writes a page into the folder under its name, and opens it where that is wanted; returns the line that says so.
     ///
     /// # Errors
     /// [`Failure`]: it cannot be written.
-    pub(crate) fn written(self, folder: &Path, page: Option<String>) -> Result<String, Failure> {
+    pub(crate) fn written(self, folder: &Path, name: &str, page: Option<String>) -> Result<String, Failure> {
         let Some(page) = page else { return Ok(String::new()) };
-        replace(folder, &[(OsStr::new(PAGE_FILE), Some(page.as_bytes()))])?;
-        let path = folder.join(PAGE_FILE);
+        replace(folder, &[(OsStr::new(name), Some(page.as_bytes()))])?;
+        let path = folder.join(name);
         if self.open {
             open(&path);
         }
@@ -113,36 +116,45 @@ Examples:
   oilwedge report out/bearing
   oilwedge report out/bearing --open
 
-Writes report.html into the folder. oilwedge solve, sweep and converge write it too, with --report or --open.
+Writes report.html, sweep.html or converge.html into the folder, a page for the results of each. oilwedge solve, sweep and
+converge write theirs too, with --report or --open.
 
 Exit status: 0 done; 2 there are no results, or they cannot be read.";
 
 impl Report {
-    /// Writes the page.
+    /// Writes the pages of all results in the folder.
     ///
     /// # Errors
-    /// [`Failure`]: there are no results, or the page cannot be written.
+    /// [`Failure`]: there are no results, or a page cannot be written.
     pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
         let [result, sweep, study] = [RESULT_FILE, SWEEP_FILE, STUDY_FILE].map(|name| self.of.join(name));
-        let page = if result.is_file() {
-            self.of_result(&result)?
-        } else if sweep.is_file() {
-            sweep_page(&value(&text(&sweep)?)?).map_err(Failure::of_file(&sweep))?
-        } else if study.is_file() {
+        let mut pages = Vec::new();
+        if result.is_file() {
+            pages.push((PAGE_FILE, self.of_result(&result)?));
+        }
+        if sweep.is_file() {
+            let page = sweep_page(&value(&text(&sweep)?)?).map_err(Failure::of_file(&sweep))?;
+            pages.push((SWEEP_PAGE_FILE, page));
+        }
+        if study.is_file() {
             let svg = study.with_extension("svg");
             let svg = svg.is_file().then(|| text(&svg)).transpose()?;
-            convergence_page(&value(&text(&study)?)?, svg.as_deref()).map_err(Failure::of_file(&study))?
-        } else {
+            let page = convergence_page(&value(&text(&study)?)?, svg.as_deref()).map_err(Failure::of_file(&study))?;
+            pages.push((STUDY_PAGE_FILE, page));
+        }
+        if pages.is_empty() {
             return Err(Failure::Message(format!(
                 "{} has no {RESULT_FILE}, {SWEEP_FILE} or {STUDY_FILE}; give a folder of oilwedge solve, sweep or converge",
                 self.of.display()
             )));
-        };
+        }
         let arguments = PageArguments {
             report: true,
             open: self.open,
         };
-        print(&arguments.written(&self.of, Some(page))?, Some(&self.of))?;
+        for (name, page) in pages {
+            print(&arguments.written(&self.of, name, Some(page))?, Some(&self.of))?;
+        }
         Ok(ExitCode::SUCCESS)
     }
 
@@ -158,6 +170,15 @@ impl Report {
             true => Some(from_vtu(&read(&picture)?).map_err(Failure::of_file(&picture))?),
             false => None,
         };
-        film_page(&result, picture.as_ref()).map_err(Failure::of_file(file))
+        let orbit = self.of.join(ORBIT_FILE);
+        let course = match orbit.is_file() {
+            true => Some(OrbitCourse::from_csv(&read(&orbit)?).map_err(Failure::of_file(&orbit))?),
+            false => None,
+        };
+        let extras = Extras {
+            course: course.as_ref(),
+            files: &[],
+        };
+        film_page_with(&result, picture.as_ref(), extras).map_err(Failure::of_file(file))
     }
 }

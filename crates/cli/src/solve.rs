@@ -12,7 +12,7 @@ use oilwedge_campaign::{effect_costs, mobility, standard, theories};
 use oilwedge_report::frames::{COLLECTION_FILE, write_frames};
 use oilwedge_report::orbit_course::OrbitCourse;
 use oilwedge_report::orbit_table::orbit_table;
-use oilwedge_report::page::film_page;
+use oilwedge_report::page::{Extras, PAGE_FILE, SceneFile, film_page_with};
 use oilwedge_report::plot::orbit_figures;
 use oilwedge_report::result_json;
 use oilwedge_report::results::{Beside, earlier_orbit, write_results};
@@ -183,15 +183,22 @@ impl Solve {
             Some(picture) => plot::figures_of_film(&json, picture, &plot::usual())?,
             None => Vec::new(),
         };
-        let figures = match run.orbit.as_ref().filter(|_| self.plot) {
-            Some(path) => orbit_figures(&run.result.title, &OrbitCourse::of_path(path), plot::usual().width)
+        let course = run.orbit.as_ref().map(OrbitCourse::of_path);
+        let figures = match course.as_ref().filter(|_| self.plot) {
+            Some(course) => orbit_figures(&run.result.title, course, plot::usual().width)
                 .into_iter()
                 .chain(figures)
                 .collect(),
             None => figures,
         };
         let page = match self.page.is_wanted() {
-            true => Some(film_page(&plot::value(&json)?, run.picture.as_ref())?),
+            true => {
+                let extras = Extras {
+                    course: course.as_ref(),
+                    files: &SceneFile::all(&scene.text, path),
+                };
+                Some(film_page_with(&plot::value(&json)?, run.picture.as_ref(), extras)?)
+            }
             false => None,
         };
         let orbit = run.orbit.as_ref().map(orbit_table).transpose()?;
@@ -211,7 +218,7 @@ impl Solve {
             },
         )?;
         let animated = self.animate(&folder, run.frames)?;
-        let drawn = animated + &plot::written(&folder, &figures)? + &self.page.written(&folder, page)?;
+        let drawn = animated + &plot::written(&folder, &figures)? + &self.page.written(&folder, PAGE_FILE, page)?;
         complain::warn_of_sweep(scene.sweep.as_ref().map(Plan::cases));
         complain::warn(&run.result.warnings);
         let written = Written {

@@ -10,7 +10,7 @@ use crate::run_options::RunArguments;
 use crate::terminal::output;
 use oilwedge_campaign::sweep::{Forecast, Part, Sweep as Cases};
 use oilwedge_report::json;
-use oilwedge_report::page::sweep_page;
+use oilwedge_report::page::{SWEEP_PAGE_FILE, SceneFile, sweep_page_with};
 use oilwedge_report::sweep::{Notice, SweepError, SweepOptions, SweepReport, part_folder};
 use oilwedge_report::tables::{counted, duration, sweep_report};
 use oilwedge_scene::ShaftScene;
@@ -95,10 +95,13 @@ impl Sweep {
             false => Vec::new(),
         };
         let page = match self.page.is_wanted() {
-            true => Some(sweep_page(&plot::value(&json(&report)?)?)?),
+            true => {
+                let files = SceneFile::all(&report.plan.text, &self.run.scene);
+                Some(sweep_page_with(&plot::value(&json(&report)?)?, &files)?)
+            }
             false => None,
         };
-        let drawn = plot::written(&folder, &figures)? + &self.page.written(&folder, page)?;
+        let drawn = plot::written(&folder, &figures)? + &self.page.written(&folder, SWEEP_PAGE_FILE, page)?;
         let written = self.part.map_or(folder.clone(), |part| part_folder(&folder, part));
         output(
             self.run.json,

@@ -26,6 +26,9 @@ const BOLD: f64 = 1.07;
 const LOWERED: f64 = 0.22;
 const RAISED: f64 = 0.38;
 
+/// Stands for what is cut off.
+const ELLIPSIS: &str = "\u{2026}";
+
 /// How a part of a label is set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Style {
@@ -133,15 +136,19 @@ impl Label {
         if whole.width(letters) <= width {
             return whole;
         }
-        let mut short: Vec<char> = whole.text().chars().collect();
-        loop {
-            short.pop();
-            let text: String = short.iter().collect();
-            let label = Self::plain(&format!("{}\u{2026}", text.trim_end()));
-            if short.is_empty() || label.width(letters) <= width {
-                return label;
-            }
-        }
+        let room = width - Self::plain(ELLIPSIS).width(letters);
+        let mut used = 0.0;
+        let is_within = |letter: &char| {
+            used += Self::plain(letter.encode_utf8(&mut [0; 4])).width(letters);
+            used <= room
+        };
+        let short: String = whole
+            .parts
+            .iter()
+            .flat_map(|(_, text)| text.chars())
+            .take_while(is_within)
+            .collect();
+        Self::plain(&format!("{}{ELLIPSIS}", short.trim_end()))
     }
 
     /// A plain text in lines that are no wider than this [mm], as far as its words are not.
@@ -290,6 +297,8 @@ mod tests {
             "{short:?}"
         );
         assert_eq!(Label::fitted(text, letters, 200.0).text(), text);
+        let long = Label::fitted(&"x".repeat(1_000_000), letters, 30.0);
+        assert!(long.text().len() < 40 && long.width(letters) <= 30.0, "{long:?}");
         let lines = Label::wrapped(text, letters, 30.0);
         assert!(lines.len() > 2 && lines.iter().all(|line| line.width(letters) <= 30.0));
         assert_eq!(lines.iter().map(Label::text).collect::<Vec<_>>().join(" "), text);

@@ -1,7 +1,10 @@
 //! Pictures, pages and samples of results that Python holds.
 
+use std::path::PathBuf;
+
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
-use oilwedge_report::page as pages;
+use oilwedge_report::orbit_course::OrbitCourse;
+use oilwedge_report::page::{self as pages, SceneFile};
 use oilwedge_report::plot::{self, DrawnFilm, PlotOptions, Unknown, WIDTHS, figures_of_sweep, film_figures};
 use oilwedge_study::fields::field as field_row;
 use pyo3::prelude::*;
@@ -96,12 +99,25 @@ pub(crate) fn figure<'py>(
     Ok(PyBytes::new(py, &bytes?))
 }
 
-/// The page of a result.
+/// The page of a result whose scene stands at `path`; `orbit` is the table of its path over a cycle.
 #[pyfunction]
-pub(crate) fn page<'py>(py: Python<'py>, json: String, film: Option<&Bound<'py, PyDict>>) -> PyResult<String> {
+pub(crate) fn page<'py>(
+    py: Python<'py>,
+    json: String,
+    film: Option<&Bound<'py, PyDict>>,
+    orbit: Option<Vec<u8>>,
+    path: PathBuf,
+) -> PyResult<String> {
     let picture = film.map(|film| picture(film, None)).transpose()?;
     done(py, None, move |_| {
-        Ok(pages::film_page(&value(&json)?, picture.as_ref())?)
+        let result = value(&json)?;
+        let course = orbit.map(|table| OrbitCourse::from_csv(&table)).transpose()?;
+        let files = SceneFile::all(result["scene"].as_str().unwrap_or_default(), &path);
+        let extras = pages::Extras {
+            course: course.as_ref(),
+            files: &files,
+        };
+        Ok(pages::film_page_with(&result, picture.as_ref(), extras)?)
     })
 }
 

@@ -17,6 +17,33 @@ const SYMBOL: &str = "symbol";
 /// Fewest letters by which a part of a name is recognised.
 const PART: usize = 3;
 
+/// Words that others use, and the names of what they mean here.
+const WORDS: [(&str, &[&str]); 8] = [
+    ("lemon", &["bore.oval"]),
+    ("elliptical", &["bore.oval"]),
+    ("preload", &["bore.oval", "bolt_preload"]),
+    (
+        "oil flow",
+        &["side_flow", "inlet_flow", "feed_flow.GROUP", "cycle_side_flow"],
+    ),
+    ("power loss", &["friction_power", "cycle_power_loss"]),
+    ("leakage", &["side_flow", "side_flow_low", "side_flow_high"]),
+    (
+        "whirl",
+        &[
+            "dynamics.whirl",
+            "whirl_ratio",
+            "critical_mass",
+            "logarithmic_decrement",
+            "half_speed",
+        ],
+    ),
+    (
+        "stribeck",
+        &["friction_coefficient", "sommerfeld_number", "contact_share", "contact"],
+    ),
+];
+
 /// One row of a catalogue in words.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Entry {
@@ -149,20 +176,32 @@ fn of_warning(kind: &Kind) -> Entry {
     Entry::new("warning", kind.code, kind.sentence, [])
 }
 
-/// The entries that `name` means; the one with this whole name alone, if it is a path.
+/// The entries that `name` means: those of this name, and those that others call so; else those whose name and sentence have all its words.
 ///
 /// # Errors
 /// There is none; the nearest name, if one looks alike.
 pub fn explain(name: &str) -> Result<Vec<Entry>, Option<String>> {
     let all = entries();
-    let meant: Vec<_> = all.iter().filter(|entry| entry.is_meant_by(name)).cloned().collect();
-    if meant.is_empty() {
-        let names = || all.iter().flat_map(|entry| [entry.name.as_str(), entry.short_name()]);
-        let is_part = |whole: &&str| name.len() >= PART && whole.contains(name);
-        let near = nearest(name, names()).or_else(|| names().find(is_part));
-        return Err(near.map(str::to_owned));
+    let plain = |text: &str| text.to_lowercase().replace(['_', '.'], " ");
+    let asked = plain(name);
+    let called = WORDS.iter().find(|(word, _)| *word == asked);
+    let is_called = |entry: &Entry| called.is_some_and(|(_, names)| names.contains(&entry.name.as_str()));
+    let joined = name.replace(' ', "_");
+    let is_meant = |entry: &Entry| entry.is_meant_by(name) || entry.is_meant_by(&joined) || is_called(entry);
+    let has_all = |entry: &Entry| {
+        let text = plain(&format!("{} {}", entry.name, entry.what));
+        asked.len() >= PART && asked.split_whitespace().all(|word| text.contains(word))
+    };
+    let of = |is: &dyn Fn(&Entry) -> bool| all.iter().filter(|entry| is(entry)).cloned().collect::<Vec<_>>();
+    let meant = of(&is_meant);
+    if !meant.is_empty() {
+        return Ok(meant);
     }
-    Ok(meant)
+    let names = || all.iter().flat_map(|entry| [entry.name.as_str(), entry.short_name()]);
+    match of(&has_all) {
+        none if none.is_empty() => Err(nearest(name, names()).map(str::to_owned)),
+        found => Ok(found),
+    }
 }
 
 #[cfg(test)]
@@ -176,6 +215,18 @@ mod tests {
             assert!(!entry.name.is_empty() && !entry.what.is_empty(), "{entry:?}");
             let is_same = |other: &Entry| other.kind == entry.kind && other.name == entry.name;
             assert!(!entries[..place].iter().any(is_same), "{entry:?}");
+        }
+    }
+
+    #[test]
+    fn words_of_others_mean_names_of_the_catalogue() {
+        let all = entries();
+        for (word, names) in WORDS {
+            let found = explain(&word.to_uppercase()).unwrap_or_else(|near| panic!("{word}: {near:?}"));
+            for name in names {
+                assert!(all.iter().any(|entry| entry.name == *name), "{name}");
+                assert!(found.iter().any(|entry| entry.name == *name), "{word}: {name}");
+            }
         }
     }
 
@@ -196,7 +247,8 @@ mod tests {
         assert_eq!(found("unresolved"), ["warning unresolved"]);
         assert_eq!(found("volume_flow"), ["field volume_flow [m2/s]"]);
         assert_eq!(found("beta"), ["quantity attitude_angle"]);
-        assert_eq!(explain("attitude"), Err(Some("attitude_angle".to_owned())));
+        assert_eq!(found("attitude")[0], "quantity attitude_angle");
+        assert_eq!(found("attitude angle"), ["quantity attitude_angle"]);
         assert_eq!(explain("pressure_mx"), Err(Some("pressure_max".to_owned())));
         assert_eq!(explain("zeppelin"), Err(None));
     }

@@ -36,6 +36,14 @@ fn supported(value: f64, bar: f64) -> String {
 /// A number below this in its smallest unit is zero: 1e-9 N, um, ml/s or deg.
 const ROUNDING: f64 = 1e-9;
 
+/// Digits of a value whose error is estimated and not known.
+const UNRESOLVED: usize = 2;
+
+/// A value whose error is estimated and not known: its first digits, of which none is sure.
+pub fn unresolved(value: f64) -> String {
+    quantity_value(value, None, UNRESOLVED)
+}
+
 /// A value with the digits that its error bar supports, else with this many.
 pub fn quantity_value(value: f64, error: Option<f64>, digits: usize) -> String {
     match error {

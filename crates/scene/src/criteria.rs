@@ -5,9 +5,9 @@ use crate::unit::Dimension;
 use crate::{Complaints, Scene};
 
 keys! {
-    "criteria" = Table; "", "no criteria beside those of `[limits]` and `[heat]`", "one key or more",
+    "criteria" = Table; "", "the bearing is not judged; with `[heat]` usual values are compared", "one key or more",
         "what the bearing is judged by: each number gets a verdict, pass, fail, or undecided where the limit lies inside its error bar";
-    "criteria.film_min" = Quantity(Length); "2 um", "not judged", "> 0",
+    "criteria.film_min" = Quantity(Length); "2 um", "not judged; with `[heat]` the usual value is 4 um", "> 0",
         "the least film thickness h_min must be greater than this";
     "criteria.middle_film_min" = Quantity(Length); "4 um", "not judged", "> 0",
         "the least film thickness h_0 at mid-length must be greater than this";
@@ -19,6 +19,10 @@ keys! {
         "deviation s that halves the equivalent film";
     "criteria.pressure_max" = Quantity(Pressure); "600 bar", "not judged", "> 0",
         "the greatest pressure p_max must be below this";
+    "criteria.temperature_max" = Quantity(Temperature); "115 C", "not judged; with `[heat]` the usual value is 115 C", "-60 to 350 C, where the film has a temperature",
+        "the temperature of the film must be below this";
+    "criteria.outlet_max" = Quantity(Temperature); "125 C", "not judged; with `[heat]` the usual value is 125 C", "-60 to 350 C, with `[heat]`",
+        "the temperature of the oil that leaves must be below this; 125 C is the greatest that ISO 7902-3 permits";
     "criteria.contact_share_max" = Number; "0.05", "not judged", "0 to 1, with `[contact]`",
         "the part of the load that contact carries must be below this";
     "criteria.decrement_min" = Number; "0.1", "not judged", ">= 0, with `dynamics.mass`",
@@ -27,6 +31,11 @@ keys! {
 
 /// Deviation that halves the equivalent film [m] where none is given.
 const USUAL_SCALE: f64 = 10e-6;
+
+/// Tables in which a limit may stand; all but the first are older names of it.
+const TABLES: [&str; 3] = ["criteria", "limits", "heat"];
+/// Limits that may stand in several of these tables.
+const SHARED: [&str; 4] = ["film_min", "temperature_max", "outlet_max", "pressure_max"];
 
 /// Limits of the numbers that a bearing is judged by; `None`: a number is not judged.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,16 +52,51 @@ pub struct Criteria {
     pub deviation_scale: f64,
     /// Greatest pressure [Pa].
     pub pressure_max: Option<f64>,
+    /// Greatest mean temperature of the film [K].
+    pub temperature_max: Option<f64>,
+    /// Greatest temperature of the oil that leaves [K].
+    pub outlet_max: Option<f64>,
     /// Greatest part of the load that contact carries [1].
     pub contact_share_max: Option<f64>,
     /// Least logarithmic decrement [1].
     pub decrement_min: Option<f64>,
 }
 
+impl Default for Criteria {
+    /// Nothing is judged.
+    fn default() -> Self {
+        Self {
+            film_min: None,
+            middle_film_min: None,
+            deviation_max: None,
+            equivalent_film_min: None,
+            deviation_scale: USUAL_SCALE,
+            pressure_max: None,
+            temperature_max: None,
+            outlet_max: None,
+            contact_share_max: None,
+            decrement_min: None,
+        }
+    }
+}
+
+impl Criteria {
+    /// These limits, and the shared ones of `other` where there are none.
+    pub(crate) fn or(self, other: Self) -> Self {
+        Self {
+            film_min: self.film_min.or(other.film_min),
+            pressure_max: self.pressure_max.or(other.pressure_max),
+            temperature_max: self.temperature_max.or(other.temperature_max),
+            outlet_max: self.outlet_max.or(other.outlet_max),
+            ..self
+        }
+    }
+}
+
 impl Scene {
     /// Deviation [m] that halves the equivalent film, where a scene asks for the film at mid-length, the deviation or the equivalent film.
     pub fn deviation_scale(&self) -> Option<f64> {
-        let criteria = self.criteria?;
+        let criteria = &self.criteria;
         let asked = [
             criteria.middle_film_min,
             criteria.deviation_max,
@@ -62,7 +106,24 @@ impl Scene {
     }
 }
 
+/// The limits that stand in `[limits]` or `[heat]`.
+pub(crate) fn read_shared(table: &mut TableReader<'_>) -> Criteria {
+    Criteria {
+        film_min: table.positive_if_given("film_min", Dimension::Length, "2 um"),
+        temperature_max: table.oil_temperature("temperature_max", "115 C").given(),
+        outlet_max: table.oil_temperature("outlet_max", "125 C").given(),
+        ..Criteria::default()
+    }
+}
+
+/// The limit of the pressure, which may stand in `[limits]` too.
+pub(crate) fn read_pressure(table: &mut TableReader<'_>) -> Option<f64> {
+    table.positive_if_given("pressure_max", Dimension::Pressure, "600 bar")
+}
+
 pub(crate) fn read(mut table: TableReader<'_>) -> Criteria {
+    let shared = read_shared(&mut table);
+    let pressure_max = read_pressure(&mut table);
     let scale = table.quantity("deviation_scale", Dimension::Length, "10 um").positive();
     let scale = scale.or(USUAL_SCALE);
     let decrement = table.number("decrement_min", "0.1").within(
@@ -79,14 +140,14 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Criteria {
     let contact_share_max = contact_share.given();
     let mut length = |key: &'static str, example: &str| table.positive_if_given(key, Dimension::Length, example);
     let criteria = Criteria {
-        film_min: length("film_min", "2 um"),
         middle_film_min: length("middle_film_min", "4 um"),
         deviation_max: length("deviation_max", "5 um"),
         equivalent_film_min: length("equivalent_film_min", "3 um"),
         deviation_scale: scale,
         decrement_min,
         contact_share_max,
-        pressure_max: table.positive_if_given("pressure_max", Dimension::Pressure, "600 bar"),
+        pressure_max,
+        ..shared
     };
     if table.is_readable() && table.keys().iter().all(|key| *key == "deviation_scale") {
         table.complain_here(
@@ -97,8 +158,31 @@ pub(crate) fn read(mut table: TableReader<'_>) -> Criteria {
     criteria
 }
 
-/// A criterion of the rotor needs a rotor, one of contact needs contact.
+/// A limit stands in one table, and has something to be compared with.
 pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
+    for key in SHARED {
+        let mut given = TABLES.map(|table| format!("{table}.{key}")).to_vec();
+        given.retain(|key| complaints.has(key));
+        for second in given.iter().skip(1) {
+            let first = &given[0];
+            let help = format!("keep one of them; [criteria] {key} works with [heat] and without");
+            complaints.add(second, format!("stands beside {first}"), help);
+        }
+    }
+    for table in TABLES {
+        complaints.refuse_if(
+            complaints.has(&format!("{table}.temperature_max")) && scene.given_temperature().is_none(),
+            &format!("{table}.temperature_max"),
+            "has nothing to be compared with: the film of this scene has no temperature",
+            "add [heat], which finds it, or give oil.temperature with a law of temperature; or remove the limit",
+        );
+        complaints.refuse_if(
+            complaints.has(&format!("{table}.outlet_max")) && scene.inlet_temperature().is_none(),
+            &format!("{table}.outlet_max"),
+            "has nothing to be compared with: without [heat] the oil leaves as warm as it enters",
+            "add [heat], which finds the temperature, or remove the limit",
+        );
+    }
     complaints.refuse_if(
         complaints.has("criteria.contact_share_max") && scene.contact.is_none(),
         "criteria.contact_share_max",
@@ -128,7 +212,7 @@ mod tests {
     fn criteria_are_read_or_refused() {
         let scene = |keys: &str| read(&format!("{STUDY}\n[criteria]\n{keys}\n"));
         let found = scene("film_min = \"2 um\"\ndeviation_max = \"5 um\"").expect("a scene");
-        let criteria = found.criteria.expect("criteria");
+        let criteria = found.criteria;
         assert_eq!(
             (criteria.film_min, criteria.deviation_max),
             (Some(2.0 * 1e-6), Some(5.0 * 1e-6))

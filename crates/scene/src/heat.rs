@@ -1,8 +1,9 @@
-//! `[heat]`: the balance that finds the temperature of the film, what carries the heat off, and the design criteria.
+//! `[heat]`: the balance that finds the temperature of the film, and what carries the heat off.
 
+use crate::criteria::{Criteria, read_shared};
 use crate::reader::TableReader;
-use crate::unit::{Dimension, ZERO_CELSIUS};
-use crate::{Complaints, Limits, Scene, Theory, Viscosity, limits};
+use crate::unit::Dimension;
+use crate::{Complaints, Scene, Theory, Viscosity};
 
 keys! {
     "heat" = Table; "", "the temperature of the film is given, or has no effect", "",
@@ -27,12 +28,12 @@ keys! {
         "hot oil over fresh oil, q_0/q_1; the film is fed with t_in = t_0 + (t_out - t_in) q_0/q_1";
     "heat.mixing.share" = Number; "0.7", "`ratio` gives it", "0 to 1",
         "instead of `ratio`: the share of the oil carried round that mixes with the fresh oil";
-    "heat.film_min" = Quantity(Length); "4 um", "that of `[limits]`; else 4 um", "> 0",
-        "the same as `limits.film_min`";
-    "heat.temperature_max" = Quantity(Temperature); "115 C", "that of `[limits]`; else 115 C", "-60 to 350 C",
-        "the same as `limits.temperature_max`";
-    "heat.outlet_max" = Quantity(Temperature); "125 C", "that of `[limits]`; else 125 C", "-60 to 350 C",
-        "the same as `limits.outlet_max`";
+    "heat.film_min" = Quantity(Length); "2 um", "`criteria.film_min`", "> 0",
+        "an older name of `criteria.film_min`";
+    "heat.temperature_max" = Quantity(Temperature); "115 C", "`criteria.temperature_max`", "-60 to 350 C",
+        "an older name of `criteria.temperature_max`";
+    "heat.outlet_max" = Quantity(Temperature); "125 C", "`criteria.outlet_max`", "-60 to 350 C",
+        "an older name of `criteria.outlet_max`";
     "heat.preset" = Choice(&["petrol", "diesel"]); "petrol", "none", "",
         "a crankshaft bearing of such an engine: fills `inlet`, `bearing.clearance` and the `pressure` of feeds where the scene leaves them out, and values outside the usual ranges are reported";
 }
@@ -41,9 +42,6 @@ keys! {
 const HEAT_CAPACITY: f64 = 1.8e6;
 /// Heat capacities per volume [J/(m3 K)] of liquids that are used as oils.
 const CAPACITIES: [f64; 2] = [5e5, 5e6];
-/// Limits of a bearing whose heat is balanced, where the scene gives none: least film thickness [m], mean temperature of the film [K],
-/// and temperature of the oil that leaves [K], the greatest that ISO 7902-3 permits.
-pub const USUAL_LIMITS: (f64, f64, f64) = (4e-6, ZERO_CELSIUS + 115.0, ZERO_CELSIUS + 125.0);
 
 /// The heat balance.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -150,7 +148,7 @@ impl Scene {
 }
 
 /// The table, and the limits in it.
-pub(crate) fn read(mut table: TableReader<'_>) -> (Heat, Limits) {
+pub(crate) fn read(mut table: TableReader<'_>) -> (Heat, Criteria) {
     let engines = [Engine::Petrol, Engine::Diesel].map(|engine| (engine.name(), engine));
     let engine = table.word("preset", &engines);
     if !table.has("preset") {
@@ -167,7 +165,7 @@ pub(crate) fn read(mut table: TableReader<'_>) -> (Heat, Limits) {
             "give some 1.8 MJ/(m3.K), density times specific heat, or remove it",
         );
     let heat_capacity = heat_capacity.or(HEAT_CAPACITY);
-    let limits = limits::read_old(&mut table);
+    let limits = read_shared(&mut table);
     let heat = Heat {
         heat_capacity,
         inlet: table.oil_temperature("inlet", "75 C").or(usual),
@@ -225,17 +223,9 @@ fn mixing(mut table: TableReader<'_>) -> Option<Mixing> {
     ratio.map(Mixing::Ratio).or(share.map(Mixing::Share))
 }
 
-/// A limit stands in one place. A balance needs an oil whose viscosity falls with temperature, and a way out for the heat.
+/// A balance needs an oil whose viscosity falls with temperature, and a way out for the heat.
 pub(crate) fn check(scene: &Scene, complaints: &mut Complaints) {
     let Some(heat) = &scene.heat else { return };
-    for key in ["film_min", "temperature_max"] {
-        complaints.refuse_if(
-            complaints.has(&format!("limits.{key}")) && complaints.has(&format!("heat.{key}")),
-            &format!("heat.{key}"),
-            format!("stands beside limits.{key}"),
-            "keep one of them; [limits] works without [heat] too",
-        );
-    }
     match scene.oil.viscosity {
         Viscosity::Constant(viscosity) => complaints.refuse_if(
             !viscosity.is_nan(),
@@ -276,11 +266,8 @@ mod tests {
         let plain = heat("inlet = \"75 C\"");
         assert_eq!((plain.inlet, plain.heat_capacity), (348.15, 1.8e6));
         assert_eq!((plain.housing, plain.mixing), (None, None));
-        let limits = scene("inlet = \"75 C\", film_min = \"2 um\", temperature_max = \"130 C\"").limits;
-        assert_eq!(
-            (limits.least_film, limits.greatest_temperature),
-            (Some(2e-6), Some(403.15))
-        );
+        let limits = scene("inlet = \"75 C\", film_min = \"2 um\", temperature_max = \"130 C\"").criteria;
+        assert_eq!((limits.film_min, limits.temperature_max), (Some(2e-6), Some(403.15)));
         let full = heat(
             "preset = \"diesel\", heat_capacity = \"1800 kJ/(m3 K)\", film_min = \"2 um\", temperature_max = \"130 C\", \
              housing = { transfer = \"20 W/(m2 K)\", area = \"0.1 m2\", ambient = \"30 C\" }, mixing = { share = 0.5 }",

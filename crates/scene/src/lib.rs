@@ -66,7 +66,6 @@ pub use error::SceneError;
 pub use feed::{Feed, Groove, Hole};
 pub use heat::*;
 pub use journal::*;
-pub use limits::Limits;
 pub use liner::{Layer, Liner, Material, OuterSurface};
 pub use load::cycle::{CrankBearing, Harmonic, LoadCycle, LoadFrame, LoadSource};
 pub use mesh::{Layout, MeshSource};

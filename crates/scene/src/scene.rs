@@ -11,9 +11,10 @@ use toml::de::DeTable;
 use crate::complaint::in_order;
 use crate::reader::TableReader;
 use crate::sweep::{self, Plan};
+use crate::wording;
 use crate::{
     Bearing, Bore, Cap, Cavitation, Check, Complaint, Complaints, Contact, Crank, Criteria, Dynamics, Ends, Engine,
-    Feed, Heat, Journal, Limits, Liner, LoadCycle, LoadSource, MeshSource, Oil, Orbit, Roughness, SceneError, Shaft,
+    Feed, Heat, Journal, Liner, LoadCycle, LoadSource, MeshSource, Oil, Orbit, Roughness, SceneError, Shaft,
     ShaftScene, Support, Tolerance,
 };
 use crate::{
@@ -61,7 +62,7 @@ pub const SWEPT: [&str; 20] = [
 /// Tables of a crankshaft whose keys can be swept.
 pub const SWEPT_OF_SHAFT: [&str; 3] = ["crankshaft", "crank", "orbit"];
 /// Checks of keys that must fit each other, table by table.
-const CHECKS: [Check; 14] = [
+const CHECKS: [Check; 13] = [
     bearing::check,
     bore::check,
     feed::check,
@@ -71,7 +72,6 @@ const CHECKS: [Check; 14] = [
     support::check,
     oil::check,
     heat::check,
-    limits::check,
     criteria::check,
     cavitation::check,
     contact::check,
@@ -115,10 +115,8 @@ pub struct Scene {
     pub oil: Oil,
     /// The balance that finds the temperature of the film; `None`: it is given, or has no effect.
     pub heat: Option<Heat>,
-    /// Limits that the bearing must keep.
-    pub limits: Limits,
-    /// What it is judged by; `None`: by these limits alone.
-    pub criteria: Option<Criteria>,
+    /// What the bearing is judged by.
+    pub criteria: Criteria,
     /// What happens where the film would break; `None`: a full film, whatever its pressure.
     pub cavitation: Option<Cavitation>,
     /// Where rough surfaces touch; `None`: nowhere.
@@ -317,6 +315,7 @@ pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene 
     };
     let (heat, in_heat) = root.table_if_given("heat").map(heat::read).unzip();
     let limits = root.table_if_given("limits").map(limits::read).unwrap_or_default();
+    let criteria = root.table_if_given("criteria").map(criteria::read).unwrap_or_default();
     let temperature = heat.is_none().then_some("\"80 C\", or a table [heat] that finds it");
     let engine = heat.and_then(|heat| heat.engine);
     let usual_ratio = engine.map(|engine| Engine::middle(engine.clearance_ratio()));
@@ -328,9 +327,11 @@ pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene 
     let feeds = root.tables("feed").into_iter();
     let bores = root.tables("bore").into_iter();
     Scene {
-        title: root
-            .text_if_given("title", "Plain journal bearing")
-            .unwrap_or_else(stem),
+        title: wording::title(
+            &root
+                .text_if_given("title", "Plain journal bearing")
+                .unwrap_or_else(stem),
+        ),
         bearing: bearing::read(
             root.table("bearing", "[bearing] with diameter, length and clearance"),
             usual_ratio,
@@ -352,8 +353,7 @@ pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> Scene 
         support: root.table_if_given("support").map(support::read),
         oil: oil::read(root.table("oil", "[oil] with viscosity = \"40 mPa.s\""), temperature),
         heat,
-        limits: limits.or(in_heat.unwrap_or_default()),
-        criteria: root.table_if_given("criteria").map(criteria::read),
+        criteria: criteria.or(limits).or(in_heat.unwrap_or_default()),
         cavitation: root.table_if_given("cavitation").and_then(cavitation::read),
         contact: root.table_if_given("contact").and_then(contact::read),
         roughness: root.table_if_given("roughness").and_then(roughness::read),

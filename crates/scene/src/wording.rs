@@ -2,6 +2,25 @@
 
 use crate::unit::ZERO_CELSIUS;
 
+/// Without control characters, which could steer a terminal, and characters of direction, which could show a text in another order; each is replaced.
+pub fn printable(text: &str) -> String {
+    let shown = |letter: char| match letter {
+        '\n' => letter,
+        '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' => REPLACED,
+        letter if letter.is_control() => REPLACED,
+        letter => letter,
+    };
+    text.chars().map(shown).collect()
+}
+
+/// A title as every file and picture has it: one line that can be shown.
+pub(crate) fn title(text: &str) -> String {
+    printable(text).replace('\n', " ")
+}
+
+/// Stands for a character that is not shown.
+const REPLACED: char = '\u{fffd}';
+
 /// A length [m] in millimetres.
 pub fn millimetres(metres: f64) -> String {
     format!("{} mm", rounded(1e3 * metres))
@@ -55,6 +74,15 @@ fn rounded(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn titles_are_one_line_that_can_be_shown() {
+        assert_eq!(
+            title("a\u{202e}b\nc\u{1b}[31m\u{2028}d"),
+            "a\u{fffd}b c\u{fffd}[31m\u{fffd}d"
+        );
+        assert_eq!(printable("a\n\u{7}"), "a\n\u{fffd}");
+    }
 
     #[test]
     fn no_digit_too_many() {

@@ -9,7 +9,7 @@ mod headlines;
 mod levels;
 mod temperature;
 
-pub use criterion::{Criterion, Verdict};
+pub use criterion::{Accuracy, Criterion, Origin, Reserve, Verdict};
 pub use dynamics::{CoefficientReport, DynamicsReport, Matrix, Pair, RotorReport, Stable};
 pub use geometry::Geometry;
 pub use headlines::{MOST_HEADLINES, headlines};
@@ -189,7 +189,7 @@ pub struct RunResult {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[serde(rename = "heat")]
     pub temperature: Option<TemperatureReport>,
-    /// What the bearing is judged by: the limits of `[limits]` and `[heat]`, and `[criteria]`; absent in JSON where the scene sets none.
+    /// What the bearing is judged by, and what is usual; absent in JSON where the scene sets no limit and nothing is usual.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub criteria: Vec<Criterion>,
     /// How the film answers to small motions of the journal; absent in JSON where that is not asked, or could not be computed.

@@ -15,7 +15,7 @@ use crate::compile_error::CompileError;
 use crate::effects::Effects;
 use crate::estimate::{Estimated, estimate_errors};
 use crate::film::{DEGREE, Film};
-use crate::limits::{self, design_criteria};
+use crate::limits::design_criteria;
 use crate::no_answer::NoAnswer;
 use crate::orbit::{Followed, Frame, OrbitFacts, OrbitPath, follow};
 use crate::picture::{FilmPicture, picture};
@@ -147,19 +147,16 @@ fn on_orbit(scene: &Scene, orbit: &oilwedge_scene::Orbit, options: &RunOptions) 
     }
     result.quantities = followed.quantities;
     result.warnings.extend(of_history(&solved, &result.quantities, options));
-    match &followed.temperature {
-        Some(found) => {
-            let report = cycle_temperature_report(&solved.film, &found.model, &result.quantities);
-            result.temperature = report.map(|report| TemperatureReport {
-                broken_assumptions: broken_assumptions(&result.warnings),
-                ..report
-            });
-        }
-        None => (result.warnings).extend(limits::exceeded_over_cycle(scene, &result.quantities)),
+    if let Some(found) = &followed.temperature {
+        let report = cycle_temperature_report(&solved.film, &found.model, &result.quantities, options);
+        result.temperature = report.map(|report| TemperatureReport {
+            broken_assumptions: broken_assumptions(&result.warnings),
+            ..report
+        });
     }
     result.criteria = match &result.temperature {
         Some(report) => report.criteria.clone(),
-        None => design_criteria(&solved.film, None, &result.quantities),
+        None => design_criteria(&solved.film, None, &result.quantities, options.bars),
     };
     let oil = facts.cycles.last().and_then(|cycle| cycle.oil_imbalance);
     result.counts.position_steps = films;
@@ -303,13 +300,13 @@ fn report(scene: &Scene, (solved, estimated): (&Solved, Estimated), options: &Ru
     };
     result.dynamics = DynamicsReport::of(&solved.film, &estimated.measured);
     let clock = Instant::now();
-    result.temperature = temperature_report(solved, &estimated.quantities, options.deadline());
+    result.temperature = temperature_report(solved, &estimated.quantities, options);
     if let Some(report) = &mut result.temperature {
         report.broken_assumptions = broken_assumptions(&result.warnings);
     }
     result.criteria = match &result.temperature {
         Some(report) => report.criteria.clone(),
-        None => design_criteria(&solved.film, None, &estimated.quantities),
+        None => design_criteria(&solved.film, None, &estimated.quantities, options.bars),
     };
     let curve = clock.elapsed().as_secs_f64();
     let parts = solved.solution.seconds;

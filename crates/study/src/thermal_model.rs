@@ -1,4 +1,4 @@
-//! How the temperature of a film is found: what the balance of its heat is made of, and what a bearing must meet.
+//! How the temperature of a film is found: what the balance of its heat is made of.
 
 use oilwedge_bearing::ThermalBalance;
 use oilwedge_scene::{Engine, Mixing};
@@ -12,10 +12,4 @@ pub struct ThermalModel {
     pub mixing: Option<Mixing>,
     /// The engine whose usual values are compared.
     pub engine: Option<Engine>,
-    /// Least film thickness that is enough [m].
-    pub least_film: f64,
-    /// Temperature [K] that the film must not reach.
-    pub greatest_temperature: f64,
-    /// Temperature [K] that the oil which leaves must not reach.
-    pub greatest_outlet: f64,
 }

@@ -106,7 +106,6 @@ kinds! {
     VISCOSITY_LAW = "viscosity_law", "pressure or temperature lie beyond the range of a law of viscosity";
     THEORY = "theory", "short or long bearing theory does not suit the length of the bearing";
     SHEARED = "sheared", "a multigrade oil is sheared so fast that it loses viscosity";
-    LIMIT = "limit", "a limit of `[limits]` is exceeded";
     DIVERGENT = "divergent", "a flow at a corner between two given pressures has no finite value";
     TURBULENT = "turbulent", "the Reynolds number lies above the limit of the laminar film";
     INERTIA = "inertia", "the inertia of the oil counts";

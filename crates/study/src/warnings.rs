@@ -7,9 +7,7 @@ use crate::checks::targets;
 use crate::effects;
 use crate::estimate::Estimated;
 use crate::film::Film;
-use crate::limits;
 use crate::measure::Measured;
-use crate::quantities::{self, Quantity, View};
 use crate::refinement::wide_bars;
 use crate::regime::{Regime, constant_viscosity};
 use crate::solved::{Errors, Solved};
@@ -35,7 +33,7 @@ fn result_warnings(solved: &Solved, estimated: &Estimated, errors: Errors) -> Ve
     // Error bars show how well the mesh resolves the film.
     let unresolved = unresolved_thickness(&solved.film).filter(|_| !bare.is_empty());
     let mut warnings = Vec::from_iter(unresolved);
-    warnings.extend(film_warnings(&solved.film, &estimated.measured, &estimated.quantities));
+    warnings.extend(film_warnings(&solved.film, &estimated.measured));
     if estimated.spread > UNRESOLVED {
         warnings.push(warning::CROSSWISE.says(format!(
             "the triangles do not follow the flow and spread oil across it, by which numbers may be off by {:.0} %: there are no error bars, and a finer mesh of such triangles is no better; mesh the film in rows along the flow (under [mesh] remove layout = \"file\" or give size, or bring a file whose triangles have an edge along the flow)",
@@ -66,19 +64,17 @@ fn wide_bar(scene: &Scene, solved: &Solved, estimated: &Estimated) -> Option<War
 
 /// Warnings about a film without error bars.
 pub fn warnings(film: &Film, measured: &Measured) -> Vec<Warning> {
-    let quantities = quantities::measured(&View::new(film, &film.problem, measured));
     let mut warnings = Vec::from_iter(unresolved_thickness(film));
-    warnings.extend(film_warnings(film, measured, &quantities));
+    warnings.extend(film_warnings(film, measured));
     warnings
 }
 
-/// Warnings about a film and its numbers, beside those about how well its mesh resolves it.
-fn film_warnings(film: &Film, measured: &Measured, quantities: &[Quantity]) -> Vec<Warning> {
+/// Warnings about a film, beside those about how well its mesh resolves it.
+fn film_warnings(film: &Film, measured: &Measured) -> Vec<Warning> {
     let mut warnings = mesh_warnings(film);
     warnings.extend(without_coefficients(measured));
     warnings.extend(under_tension(film, measured));
     warnings.extend(unlimited_flow(film));
-    warnings.extend(limits::exceeded(film, quantities));
     warnings.extend(effects::warnings(film, measured));
     warnings.extend(constant_viscosity(film, measured));
     let fallbacks = measured.fallbacks.iter();

@@ -163,7 +163,7 @@ fn a_join_writes_the_table_for_rotors_and_parts_do_not() {
         read(&bench, "joined/rotor_bearing.csv"),
         read(&bench, "whole/rotor_bearing.csv")
     );
-    assert!(bench.path().join("joined/report.html").is_file());
+    assert!(bench.path().join("joined/sweep.html").is_file());
     assert!(!file(&bench, "sweep.csv").exists());
 }
 

@@ -73,7 +73,7 @@ fn headlines_stand_first_and_the_verdict_last() {
     };
     assert_eq!(
         last,
-        format!("verdict   converged; NOT fit: thinnest film below 30 um; {warnings}")
+        format!("verdict   converged; NOT fit: least film below 30 um; {warnings}")
     );
     // All pressures of the output are in one unit.
     for other in [" MPa", " kPa", " GPa", "┆ Pa "] {

@@ -74,7 +74,10 @@ fn rough_and_crowned_bearings_of_a_cut_shaft_are_single_bearings() {
 #[test]
 fn each_bearing_of_a_shaft_has_its_verdicts() {
     let folder = tempfile::tempdir().expect("a folder");
-    let criteria = ("[journal]", "[criteria]\nfilm_min = \"5 um\"\n\n[journal]");
+    let limits =
+        "film_min = \"5 um\"\nmiddle_film_min = \"1 um\"\ndeviation_max = \"1 mm\"\nequivalent_film_min = \"1 nm\"";
+    let limits = format!("[criteria]\n{limits}\n\n[journal]");
+    let criteria = ("[journal]", &*limits);
     let run = run(&with_bearing(
         folder.path(),
         "small_ring",
@@ -90,6 +93,14 @@ fn each_bearing_of_a_shaft_has_its_verdicts() {
                 .collect::<Vec<_>>()
         })
         .collect();
-    let of = |verdict| vec![("least film", verdict)];
+    let kept = [
+        "least film at mid-length",
+        "deviation of the film at the ends",
+        "equivalent film",
+    ];
+    let of = |verdict| {
+        let kept = kept.map(|what| (what, Verdict::Pass));
+        [("least film", verdict)].into_iter().chain(kept).collect::<Vec<_>>()
+    };
     assert_eq!(verdicts, [of(Verdict::Pass), of(Verdict::Fail), of(Verdict::Pass)]);
 }

@@ -50,8 +50,8 @@ pub struct Found {
     pub quantities: Vec<Quantity>,
     /// Warnings beside its numbers.
     pub warnings: Vec<Warning>,
-    /// Design criteria that it does not meet, or that are undecided.
-    pub missed: Vec<Criterion>,
+    /// What it is judged by.
+    pub criteria: Vec<Criterion>,
     /// Nodes whose pressure was not given, on the last mesh.
     pub unknowns: Option<usize>,
     /// Wall time [s].
@@ -65,7 +65,8 @@ impl Found {
         limit: Option<&Limit>,
         options: &RunOptions,
     ) -> Self {
-        let missed = design_criteria(&solved.film, solved.film.thermal.as_ref(), &estimated.quantities).into_iter();
+        let model = solved.film.thermal.as_ref();
+        let criteria = design_criteria(&solved.film, model, &estimated.quantities, options.bars);
         Self {
             status: CaseStatus::Run(match limit {
                 Some(_) => Status::NotConverged,
@@ -73,7 +74,7 @@ impl Found {
             }),
             reason: limit.map(Limit::to_string),
             warnings: all_warnings(scene, solved, &estimated, options.errors()),
-            missed: missed.filter(Criterion::is_missed).collect(),
+            criteria,
             quantities: estimated.quantities,
             unknowns: Some(solved.film.unknowns()),
             seconds: 0.0,
@@ -82,10 +83,9 @@ impl Found {
 
     /// Of a case that is solved by itself.
     fn of_run(result: RunResult) -> Self {
-        let missed = result.criteria.into_iter();
         Self {
             status: CaseStatus::Run(result.status),
-            missed: missed.filter(Criterion::is_missed).collect(),
+            criteria: result.criteria,
             reason: result.reason,
             quantities: result.quantities,
             warnings: result.warnings,
@@ -106,7 +106,7 @@ impl Found {
             reason: result.reason.clone(),
             quantities: bearing.quantities.clone(),
             warnings: result.warnings_of(bearing).cloned().collect(),
-            missed: bearing.criteria.iter().filter(|it| it.is_missed()).cloned().collect(),
+            criteria: bearing.criteria.clone(),
             unknowns: Some(bearing.unknowns),
             seconds: 0.0,
         };
@@ -118,7 +118,7 @@ impl Found {
             status,
             reason: Some(reason),
             warnings: Vec::new(),
-            missed: Vec::new(),
+            criteria: Vec::new(),
             quantities: Vec::new(),
             unknowns,
             seconds: 0.0,

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import csv
+import difflib
 import functools
+import html
 import io
 import json
 from collections.abc import Iterator, Mapping
@@ -78,7 +80,8 @@ class Quantity:
 class Result(Reported, Mapping[str, Quantity]):
     """What a run found: quantities by name, and the film.
 
-    ``print(result)`` prints the table of the program, ``result.show()`` shows the report, ``result["load"]`` is a quantity.
+    ``print(result)`` prints the table of the program, ``result.show()`` shows the report, ``result["load"]`` is a quantity, and so is ``result["h_min"]``
+    by its symbol.
     """
 
     scene: Scene
@@ -103,10 +106,24 @@ class Result(Reported, Mapping[str, Quantity]):
         }
 
     def __getitem__(self, name: str) -> Quantity:
-        try:
-            return self._quantities[name]
-        except KeyError:
-            raise KeyError(f'this result has no quantity "{name}"; it has {", ".join(self._quantities)}') from None
+        found = self._quantities.get(name) or self._by_symbol.get(name)
+        if found is None:
+            raise KeyError(f'this result has no quantity "{name}"; {self._hint(name)}')
+        return found
+
+    @functools.cached_property
+    def _by_symbol(self) -> dict[str, Quantity]:
+        """The first quantity of each symbol: over a cycle that of the cycle."""
+        return {quantity.symbol: quantity for quantity in reversed(self._quantities.values())}
+
+    def _hint(self, name: str) -> str:
+        """What may be meant by a name that is none of a quantity."""
+        names = [own for own in self._quantities if name and name in own]
+        near = names or difflib.get_close_matches(name, [*self._quantities, *self._by_symbol])
+        hints = [f"did you mean {', '.join(near)}?"] if near else []
+        if self._parts is not None and name in self.film:
+            hints.append(f'the field of the film is result.film["{name}"]')
+        return "; ".join(hints) or f"it has {', '.join(self._quantities)}"
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._quantities)
@@ -190,10 +207,19 @@ class Result(Reported, Mapping[str, Quantity]):
         return picture
 
     def _page(self) -> Page:
-        return Page(_native.page(self._numbers.json, self._parts))
+        return Page(_native.page(self._numbers.json, self._parts, self._orbit, self.scene.path))
 
     def __repr__(self) -> str:
         return self._numbers.headlines()
+
+    def _repr_html_(self) -> str:
+        status = self.status.replace("_", " ") + (f": {self.reason}" if self.reason else "")
+        rows = "".join(
+            f"<tr><td>{html.escape(name)}</td><td>{html.escape(quantity.symbol)}</td><td>{html.escape(str(quantity))}</td></tr>"
+            for name, quantity in self.items()
+        )
+        warnings = "".join(f"<li>{html.escape(warning)}</li>" for warning in self.warnings)
+        return f"<p><b>{html.escape(self.title)}</b>: {html.escape(status)}</p><table>{rows}</table><ul>{warnings}</ul>"
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _again, (self.scene, self._numbers, self._parts, self._orbit)

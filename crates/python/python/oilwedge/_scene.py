@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import html
 import os
 from collections.abc import Mapping
 from pathlib import Path
@@ -89,6 +90,9 @@ class Scene:
 
     def __repr__(self) -> str:
         return f"<Scene {self.title!r} of {str(self.path)!r}>"
+
+    def _repr_html_(self) -> str:
+        return f"<p><b>{html.escape(self.title)}</b></p><pre>{html.escape(self.text)}</pre>"
 
     def __str__(self) -> str:
         return self.text

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 Column = Union[NDArray[np.float64], NDArray[np.int64], NDArray[np.object_]]
 
-_TEXTS = ("status", "warnings", "limits", "reason")
+_TEXTS = ("status", "warnings", "verdict", "limits", "reason")
 """Columns of words."""
 
 

@@ -8,7 +8,7 @@ use std::ffi::OsStr;
 use std::path::Path;
 
 use crate::json::json;
-use crate::page::PAGE_FILE;
+use crate::page::STUDY_PAGE_FILE;
 use crate::{Error, folder, plot};
 use oilwedge_campaign::convergence::Convergence;
 
@@ -43,7 +43,7 @@ pub fn write(dir: &Path, study: &Convergence) -> Result<(), Error> {
     let [csv_file, svg_file, png_file, json_file] = FILES.map(OsStr::new);
     let steps = [
         (json_file, None),
-        (PAGE_FILE.as_ref(), None),
+        (STUDY_PAGE_FILE.as_ref(), None),
         (csv_file, table.as_deref().map(str::as_bytes)),
         (svg_file, svg.as_deref().map(str::as_bytes)),
         (png_file, png.as_deref()),

@@ -41,6 +41,7 @@ impl Compared {
                 .to_owned(),
             si: format!("{value}"),
             is_number: true,
+            ..Cell::default()
         }
     }
 }

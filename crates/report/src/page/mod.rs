@@ -6,12 +6,14 @@
 //! page forbids all else: `default-src 'none'`, with the hashes of the script and the style. The same results give the same bytes; what
 //! differs from run to run, the wall times, stands in the element `timings`.
 //!
-//! Reading order: this file (what the page shows), `quantities.rs`, `table.rs` and `tables.rs`, `comparisons.rs`, `studies.rs`, `shaft.rs`, `film_data.rs` and
+//! Reading order: this file (what the page shows), `verdict.rs` (what it says first), `lead.rs` (what comes before all else), `files.rs` (what is saved with the scene), `quantities.rs`, `table.rs` and `tables.rs`, `comparisons.rs`, `studies.rs`, `shaft.rs`, `film_data.rs` and
 //! `sweep_data.rs` (what the script draws), `packing.rs`, `coarser.rs` and `thinning.rs` (a film that is too large).
 
 mod coarser;
 mod comparisons;
+mod files;
 mod film_data;
+mod lead;
 mod packing;
 mod quantities;
 mod shaft;
@@ -20,6 +22,7 @@ mod sweep_data;
 mod table;
 mod tables;
 mod thinning;
+mod verdict;
 
 use std::path::Path;
 
@@ -36,18 +39,27 @@ use serde_json::Value;
 use sha2::{Digest, Sha256};
 
 use crate::Error;
+use crate::orbit_course::OrbitCourse;
 use crate::plot::{BALANCE, CONVERGENCE, DrawnFilm, PlotOptions, figures_of_sweep, film_figures};
 use crate::sketch::words;
 use coarser::coarser;
+use files::{SavedFiles, saved};
 use film_data::FilmData;
+use lead::Lead;
 use quantities::{Shown, cards, quantities, simulated};
 use sweep_data::SweepData;
 use table::Table;
+use verdict::Outcome;
 
-pub use shaft::shaft_page;
+pub use files::SceneFile;
+pub use shaft::{shaft_page, shaft_page_with};
 
-/// Name of the file.
+/// Name of the page of a film, an orbit or a crankshaft.
 pub const PAGE_FILE: &str = "report.html";
+/// Name of the page of a sweep.
+pub const SWEEP_PAGE_FILE: &str = "sweep.html";
+/// Name of the page of a convergence study.
+pub const STUDY_PAGE_FILE: &str = "converge.html";
 /// Most nodes of a film that the page carries.
 pub const MOST_NODES: usize = 100_000;
 /// Most bytes of the drawing of a mesh: a finer one is black at the width of a page.
@@ -96,6 +108,15 @@ struct Told {
     sentence: &'static str,
 }
 
+/// What a page has beside the numbers and the film.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Extras<'a> {
+    /// The path of the journal over a cycle.
+    pub course: Option<&'a OrbitCourse>,
+    /// The files that the scene names, where they can be read.
+    pub files: &'a [SceneFile],
+}
+
 /// Everything on the page; what is empty is left out.
 #[derive(Debug, Default, Serialize)]
 struct Page {
@@ -105,15 +126,18 @@ struct Page {
     sum: String,
     status: String,
     reason: String,
+    /// What the header says first.
+    verdict: Option<Outcome>,
+    criteria: Option<Table>,
+    /// What the analysis asks, before all else: figures, and a table.
+    lead: Lead,
     simulated: Vec<Told>,
     not_simulated: Vec<String>,
     cards: Vec<Shown>,
     words: Vec<String>,
     section: Option<String>,
-    /// A crankshaft.
-    drawing: Option<String>,
-    /// Its bearings.
-    bearings: Option<Table>,
+    /// Heading of the film that is drawn.
+    film_title: String,
     profiles: Option<String>,
     balance: Option<String>,
     maps: Vec<Drawn>,
@@ -130,6 +154,8 @@ struct Page {
     mesh: String,
     timings: Table,
     scene: String,
+    /// The files that the scene names.
+    files: SavedFiles,
     command: String,
 }
 
@@ -138,11 +164,22 @@ struct Page {
 /// # Errors
 /// [`Error::Format`]: the object lacks the shape of the bearing, or the page cannot be made of it.
 pub fn film_page(result: &Value, picture: Option<&FilmPicture>) -> Result<String, Error> {
+    film_page_with(result, picture, Extras::default())
+}
+
+/// [`film_page`] with what it has beside the numbers and the film.
+///
+/// # Errors
+/// Those of [`film_page`].
+pub fn film_page_with(result: &Value, picture: Option<&FilmPicture>, extras: Extras) -> Result<String, Error> {
     let quantities = quantities(result);
+    let criteria = verdict::criteria_of(result);
     let mut page = Page {
         kind: "film",
-        cards: cards(&quantities, result).into_iter().cloned().collect(),
+        cards: cards(&quantities, result),
         quantities,
+        criteria: verdict::table(&criteria),
+        film_title: "The film".to_owned(),
         warnings: texts(&result["warnings"]),
         balances: tables::balances(result),
         assumptions: tables::assumptions(result),
@@ -155,14 +192,17 @@ pub fn film_page(result: &Value, picture: Option<&FilmPicture>) -> Result<String
         .into_iter()
         .flatten()
         .collect(),
-        tables: tables::criteria(result)
-            .into_iter()
-            .chain(comparisons::comparisons(result))
-            .collect(),
+        tables: comparisons::comparisons(result),
         timings: tables::timings(result),
-        ..head(result)
+        ..head(result, extras.files)
     };
+    page.verdict = Outcome::of(&criteria, result["status"].as_str().unwrap_or_default());
     page.command = command("solve", result, &["cost", "standard", "theories"]);
+    if let Some(course) = extras.course {
+        page.lead = Lead::of_cycle(&page.title, course);
+        page.kind = "orbit";
+        page.film_title = "The film where it is thinnest in the cycle".to_owned();
+    }
     if let Some(picture) = picture {
         add_film(&mut page, DrawnFilm::new(result.clone(), picture)?, picture)?;
     }
@@ -174,6 +214,14 @@ pub fn film_page(result: &Value, picture: Option<&FilmPicture>) -> Result<String
 /// # Errors
 /// [`Error::Format`]: the page cannot be made of it.
 pub fn sweep_page(sweep: &Value) -> Result<String, Error> {
+    sweep_page_with(sweep, &[])
+}
+
+/// [`sweep_page`] with the files that the scene names.
+///
+/// # Errors
+/// Those of [`sweep_page`].
+pub fn sweep_page_with(sweep: &Value, files: &[SceneFile]) -> Result<String, Error> {
     let options = PlotOptions {
         selected: Vec::new(),
         width: PAGE_WIDTH,
@@ -182,11 +230,16 @@ pub fn sweep_page(sweep: &Value) -> Result<String, Error> {
     render(Page {
         kind: "sweep",
         status: studies::cases_in_words(sweep),
+        verdict: sweep["rows"].as_array().and_then(|rows| Outcome::of_cases(rows)),
         maps: drawn(&figures),
         cases: SweepData::of(sweep).map(|data| embedded(&data)).transpose()?,
-        tables: studies::sweep_rows(sweep).into_iter().collect(),
+        lead: Lead {
+            title: "All cases",
+            table: studies::sweep_rows(sweep),
+            ..Lead::default()
+        },
         command: command("sweep", sweep, &[]),
-        ..head(sweep)
+        ..head(sweep, files)
     })
 }
 
@@ -204,12 +257,12 @@ pub fn convergence_page(study: &Value, svg: Option<&str>) -> Result<String, Erro
         maps: picture.into_iter().collect(),
         tables: studies::study_levels(study).into_iter().collect(),
         command: command("converge", study, &[]),
-        ..head(study)
+        ..head(study, &[])
     })
 }
 
 /// What all pages begin with.
-fn head(result: &Value) -> Page {
+fn head(result: &Value, files: &[SceneFile]) -> Page {
     let text = |key: &str| result[key].as_str().unwrap_or_default().to_owned();
     let scene = text("scene");
     let parsed = Scene::parse(&scene, Path::new("scene.toml"), &[]);
@@ -234,6 +287,7 @@ fn head(result: &Value) -> Page {
                     .collect()
             })
             .unwrap_or_default(),
+        files: saved(&scene, files),
         scene,
         ..Page::default()
     }

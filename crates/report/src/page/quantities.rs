@@ -1,12 +1,16 @@
 //! The quantities of a run as the page shows them, from the object of `result.json`.
 
+use oilwedge_scene::wording::printable;
 use oilwedge_study::effects::{EFFECTS, Effects};
-use oilwedge_study::quantities::{CATALOGUE, Row};
+use oilwedge_study::quantities::{
+    CATALOGUE, CYCLE_FILM_THICKNESS_MIN, CYCLE_POWER_LOSS, CYCLE_PRESSURE_MAX, CYCLE_SIDE_FLOW, CYCLE_TEMPERATURE,
+    ECCENTRICITY, FILM_THICKNESS_MIN, FRICTION_POWER, PRESSURE_MAX, Row, SIDE_FLOW, TEMPERATURE_EFFECTIVE,
+};
 use oilwedge_study::result::headlines;
 use serde::Serialize;
 use serde_json::Value;
 
-use crate::digits::{bar, quantity_value};
+use crate::digits::{bar, quantity_value, unresolved};
 use crate::readable::{printed_symbol, printed_unit, readable_unit};
 
 /// Digits of a value without a bar.
@@ -85,7 +89,10 @@ pub(super) fn shown(row: &'static Row, name: &str, it: &Value, has_bars: bool) -
         what: row.what,
         definition: row.definition,
         symbol: html_symbol(row.symbol),
-        value: with_minus(quantity_value(value / size, error.map(|error| error / size), DIGITS)),
+        value: with_minus(match error {
+            None if has_bars => unresolved(value / size),
+            error => quantity_value(value / size, error.map(|error| error / size), DIGITS),
+        }),
         unit: shown_unit(unit),
         si: format!("{value}"),
         bar: words,
@@ -116,16 +123,36 @@ pub(super) fn with_minus(number: String) -> String {
 
 /// A quantity's name in words; what it is of stands behind a comma.
 pub(super) fn in_words(name: &str) -> String {
-    name.replace('.', ", ").replace('_', " ")
+    printable(name).replace('.', ", ").replace('_', " ")
 }
 
-/// The quantities at the head of the page.
-pub(super) fn cards<'a>(all: &'a [Shown], result: &Value) -> Vec<&'a Shown> {
+/// What an engineer asks first, over a cycle or of a film, and how cards call it.
+const ASKED_FIRST: [(&str, [&Row; 2]); 6] = [
+    ("least film", [&CYCLE_FILM_THICKNESS_MIN, &FILM_THICKNESS_MIN]),
+    ("greatest pressure", [&CYCLE_PRESSURE_MAX, &PRESSURE_MAX]),
+    ("power loss", [&CYCLE_POWER_LOSS, &FRICTION_POWER]),
+    ("oil flow", [&CYCLE_SIDE_FLOW, &SIDE_FLOW]),
+    ("temperature of the film", [&CYCLE_TEMPERATURE, &TEMPERATURE_EFFECTIVE]),
+    ("eccentricity", [&ECCENTRICITY, &ECCENTRICITY]),
+];
+
+/// The quantities at the head of the page: what is asked first, then further headlines.
+pub(super) fn cards(all: &[Shown], result: &Value) -> Vec<Shown> {
     let effects = Effects {
         simulated: simulated(result).collect(),
         not_simulated: Vec::new(),
     };
-    let mut cards = headlines(all, |it| it.row, &effects);
+    let first = ASKED_FIRST.into_iter().filter_map(|(name, rows)| {
+        let found = rows.iter().find_map(|row| all.iter().find(|it| it.row == *row))?;
+        let name = name.to_owned();
+        Some(Shown { name, ..found.clone() })
+    });
+    let mut cards: Vec<Shown> = first.collect();
+    for other in headlines(all, |it| it.row, &effects) {
+        if cards.iter().all(|card| card.row != other.row) {
+            cards.push(other.clone());
+        }
+    }
     cards.truncate(CARDS);
     cards
 }
@@ -182,7 +209,7 @@ mod tests {
         let shown = quantities(&result);
         assert_eq!(
             (shown[0].value.as_str(), shown[0].bar.as_str()),
-            ("5.00000", "not resolved")
+            ("5.0", "not resolved")
         );
         assert_eq!(
             (shown[1].value.as_str(), shown[1].bar.as_str()),

@@ -7,12 +7,14 @@ use oilwedge_study::quantities::{
     CYCLE_LOAD_MAX, CYCLE_POWER_LOSS, CYCLE_PRESSURE_MAX, CYCLE_SIDE_FLOW, FILM_THICKNESS_MIN, FRICTION_POWER, LOAD,
     LOAD_ANGLE, PRESSURE_MAX, Row, SIDE_FLOW, Unit,
 };
+use oilwedge_study::result::Criterion;
 use oilwedge_study::shaft::Variant;
 use serde_json::Value;
 
 use super::quantities::{Shown, shown, shown_unit, with_minus};
 use super::table::{Cell, DIGITS, Table, number, sized, text};
-use super::{Drawn, Page, command, drawn, head, render, tables, texts};
+use super::verdict::{self, Outcome};
+use super::{Lead, Page, SceneFile, command, drawn, head, render, tables, texts};
 use crate::Error;
 use crate::digits::{bar, quantity_value};
 use crate::plot::{SHAFT, shaft_figures};
@@ -36,21 +38,33 @@ const COMPARED: [(&str, [&Row; 2]); 3] = [COLUMNS[0], COLUMNS[1], COLUMNS[2]];
 /// # Errors
 /// [`Error::Format`]: the page cannot be made.
 pub fn shaft_page(views: &ShaftViews) -> Result<String, Error> {
+    shaft_page_with(views, &[])
+}
+
+/// [`shaft_page`] with the files that the scene names.
+///
+/// # Errors
+/// Those of [`shaft_page`].
+pub fn shaft_page_with(views: &ShaftViews, files: &[SceneFile]) -> Result<String, Error> {
     let own = &views.own;
     let result = &own.result;
+    let criteria = criteria(own);
     let mut page = Page {
         kind: "crankshaft",
+        verdict: Outcome::of(&criteria, result["status"].as_str().unwrap_or_default()),
         cards: cards(own),
-        words: words(own),
-        bearings: bearings(own).if_any(),
+        criteria: verdict::table(&criteria),
+        lead: Lead {
+            title: "The shaft",
+            words: words(own),
+            table: bearings(own).if_any(),
+            ..Lead::default()
+        },
         warnings: texts(&result["warnings"]),
         balances: balances(own),
-        tables: [criteria(own), moved(result), cycles(result)]
-            .into_iter()
-            .flatten()
-            .collect(),
+        tables: [moved(result), cycles(result)].into_iter().flatten().collect(),
         timings: tables::timings(result),
-        ..head(result)
+        ..head(result, files)
     };
     let options: Vec<&str> = (views.beside.iter()).map(|(variant, _)| variant.name()).collect();
     page.command = command("solve", result, &[]);
@@ -60,10 +74,10 @@ pub fn shaft_page(views: &ShaftViews) -> Result<String, Error> {
         .iter()
         .map(|(variant, other)| compared(own, *variant, other));
     page.tables.splice(0..0, compared);
-    for Drawn { name, svg } in drawn(&shaft_figures(views, PAGE_WIDTH)) {
-        match name.as_str() {
-            SHAFT => page.drawing = Some(svg),
-            _ => page.maps.push(Drawn { name, svg }),
+    for figure in drawn(&shaft_figures(views, PAGE_WIDTH)) {
+        match figure.name.as_str() {
+            SHAFT => page.lead.figures.push(figure),
+            _ => page.maps.push(figure),
         }
     }
     render(page)
@@ -141,14 +155,12 @@ fn bearings(view: &ShaftView) -> Table {
         .into_iter()
         .filter_map(|(heading, row)| Column::of(view, heading, row))
         .collect();
-    let first = ["bearing", "z", "diameter x length", "clearance"].map(str::to_owned);
+    let first = ["bearing", "verdict", "z", "diameter x length", "clearance"].map(str::to_owned);
     let mut table = Table {
         header: first.into_iter().chain(columns.iter().map(Column::heading)).collect(),
         ..Table::default()
     };
-    table
-        .header
-        .extend(["tilt", "tilt at the ends", "verdict"].map(str::to_owned));
+    table.header.extend(["tilt", "tilt at the ends"].map(str::to_owned));
     for bearing in view.bearings() {
         let size = |key: &str| bearing["geometry"][key].as_f64().unwrap_or(0.0);
         let tilt = bearing["tilt_max"].as_f64().unwrap_or(0.0);
@@ -159,6 +171,7 @@ fn bearings(view: &ShaftView) -> Table {
         );
         let mut cells = vec![
             text(bearing["name"].as_str().unwrap_or_default()),
+            verdict::cell(&verdict::criteria_of(bearing)),
             sized(bearing["at"].as_f64().unwrap_or(0.0), 1e-3, "mm"),
             text(shape.replace(" x ", " \u{d7} ")),
             sized(size("clearance"), 1e-6, "\u{b5}m"),
@@ -167,24 +180,9 @@ fn bearings(view: &ShaftView) -> Table {
         cells.push(sized(tilt, 1e-3, "mrad"));
         let at_ends = tilt * 0.5 * size("length") / size("clearance");
         cells.push(sized(at_ends, 1e-2, "% of c"));
-        cells.push(text(verdict(bearing)));
         table.rows.push(cells);
     }
     table
-}
-
-/// The worst verdict of a bearing.
-fn verdict(bearing: &Value) -> &'static str {
-    let criteria = bearing["criteria"].as_array().map_or(&[][..], Vec::as_slice);
-    let decide = criteria.iter().filter(|it| it["decides"].as_bool() == Some(true));
-    let verdicts: Vec<_> = decide.filter_map(|it| it["verdict"].as_str()).collect();
-    match ["fail", "undecided", "pass"]
-        .into_iter()
-        .find(|it| verdicts.contains(it))
-    {
-        Some(verdict) => verdict,
-        None => "\u{2013}",
-    }
 }
 
 /// A quantity of all bearings in one unit.
@@ -229,6 +227,7 @@ impl Column {
             text: format!("{shown}{}", bar.unwrap_or_default()),
             si: format!("{value}"),
             is_number: true,
+            ..Cell::default()
         }
     }
 }
@@ -276,27 +275,21 @@ fn percent(change: f64) -> Cell {
         text: with_minus(format!("{:+.1} %", 1e2 * change)),
         si: format!("{change}"),
         is_number: true,
+        ..Cell::default()
     }
 }
 
-/// What all bearings are judged by.
-fn criteria(view: &ShaftView) -> Option<Table> {
-    let mut all: Option<Table> = None;
-    for bearing in view.bearings() {
-        let Some(own) = tables::criteria(bearing) else { continue };
-        let table = all.get_or_insert_with(|| Table {
-            header: ["bearing".to_owned()].into_iter().chain(own.header.clone()).collect(),
-            title: own.title.clone(),
-            ..Table::default()
-        });
-        let name = bearing["name"].as_str().unwrap_or_default();
-        table.rows.extend(
-            own.rows
-                .into_iter()
-                .map(|row| [text(name)].into_iter().chain(row).collect()),
-        );
-    }
-    all
+/// What all bearings are judged by, each criterion with the name of its bearing.
+fn criteria(view: &ShaftView) -> Vec<Criterion> {
+    let of_bearing = |bearing: &Value| {
+        let name = bearing["name"].as_str().unwrap_or_default().to_owned();
+        let own = verdict::criteria_of(bearing).into_iter();
+        own.map(move |criterion| Criterion {
+            what: format!("{name}: {}", criterion.what),
+            ..criterion
+        })
+    };
+    view.bearings().iter().flat_map(of_bearing).collect()
 }
 
 /// How the counterweights are moved.

@@ -5,10 +5,9 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::packing::{Packed, packed};
-use super::quantities::{in_words, shown_unit};
+use super::quantities::shown_unit;
 use super::table::any;
 use crate::plot::{Cases, quantity_names};
-use crate::readable::readable_unit_of;
 
 /// A sweep.
 #[derive(Debug, Serialize)]
@@ -69,7 +68,8 @@ impl SweepData {
         let has_choice = cases.inputs().any(|(_, _, values)| values.len() > 1);
         let remark = |row: &Option<&Value>| {
             row.map_or_else(String::new, |row| {
-                let words = [&row["status"], &row["reason"], &row["warnings"]].map(|it| any(it).text);
+                let keys = ["status", "verdict", "limits", "reason", "warnings"];
+                let words = keys.map(|key| any(&row[key]).text);
                 let words: Vec<String> = words.into_iter().filter(|words| !words.is_empty()).collect();
                 words.join("; ").replace('_', " ")
             })
@@ -111,10 +111,9 @@ impl AxisData {
 
 impl QuantityData {
     fn of(cases: &Cases, name: &str) -> Self {
-        let (most, unit) = cases.size(name).unwrap_or_default();
-        let (unit, size) = readable_unit_of(most, unit);
+        let (unit, size) = cases.unit_of(name).unwrap_or(("", 1.0));
         Self {
-            label: in_words(name),
+            label: cases.heading(name),
             unit: shown_unit(unit),
             size,
         }

@@ -17,6 +17,8 @@ pub(super) struct Cell {
     pub(super) text: String,
     pub(super) si: String,
     pub(super) is_number: bool,
+    /// Class of its style: `good`, `bad`, `open`, or `whole` where its words stay in one line; empty as the text around it.
+    pub(super) kind: &'static str,
 }
 
 /// A table with a title and notes below it.
@@ -66,6 +68,7 @@ pub(super) fn sized(value: f64, size: f64, unit: &str) -> Cell {
         text: format!("{shown} {unit}").trim_end().to_owned(),
         si: format!("{value}"),
         is_number: true,
+        kind: "",
     }
 }
 

@@ -4,7 +4,7 @@ use oilwedge_study::quantities::FILM_THICKNESS_MIN;
 use oilwedge_study::regime::{APART, THIN};
 use serde_json::Value;
 
-use super::quantities::{shown_unit, with_minus};
+use super::quantities::with_minus;
 use super::table::{Cell, DIGITS, Table, number, optional, sized, text, without_zeros};
 use crate::digits::significant;
 use crate::plot::BALANCE;
@@ -90,44 +90,6 @@ pub(super) fn assumptions(result: &Value) -> Table {
         String::new(),
     );
     Table::new("", ["assumption", "here", "valid"], rows)
-}
-
-/// What the bearing is judged by.
-pub(super) fn criteria(result: &Value) -> Option<Table> {
-    let criteria = result["criteria"].as_array()?;
-    let rows = criteria.iter().map(|it| {
-        let unit = shown_unit(it["unit"].as_str().unwrap_or_default());
-        let bound = |key: &str, word: &str| {
-            it[key]
-                .as_f64()
-                .map(|value| format!("{word} {}", sized(value, 1.0, &unit).text))
-        };
-        let bounds: Vec<String> = [bound("least", "at least"), bound("most", "at most")]
-            .into_iter()
-            .flatten()
-            .collect();
-        let verdict = match (it["verdict"].as_str(), it["decides"].as_bool()) {
-            (Some("fail"), Some(false)) => "unusual",
-            (verdict, _) => verdict.unwrap_or_default(),
-        };
-        vec![
-            text(it["what"].as_str().unwrap_or_default()),
-            it["value"]
-                .as_f64()
-                .map_or_else(Cell::default, |value| sized(value, 1.0, &unit)),
-            it["bar"]
-                .as_f64()
-                .map_or_else(Cell::default, |bar| sized(bar, 1.0, &unit)),
-            text(bounds.join(", ")),
-            text(verdict),
-        ]
-    });
-    Table::new(
-        "Design criteria",
-        ["criterion", "here", "error bar", "bounds", "verdict"],
-        rows.collect(),
-    )
-    .if_any()
 }
 
 /// The meshes on the way to a tolerance.

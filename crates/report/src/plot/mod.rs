@@ -29,6 +29,7 @@ pub use files::{
 pub use film::DrawnFilm;
 pub(crate) use film::drawn_fields;
 pub use load::load_figures;
+pub(crate) use orbit::{film_over_cycle, path_and_load};
 pub use orbit::{orbit_figures, orbits_beside};
 pub use sample::sampled;
 pub(crate) use sample::{Finder, InTriangle};

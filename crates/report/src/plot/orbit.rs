@@ -7,8 +7,9 @@ use oilwedge_drawing::{
     charts_figure, number,
 };
 
+use super::load::{Sheet, polar};
 use crate::orbit_course::OrbitCourse;
-use oilwedge_study::quantities::{FILM_THICKNESS_MIN, FRICTION_POWER, PRESSURE_MAX, Row};
+use oilwedge_study::quantities::{FILM_THICKNESS_MIN, FRICTION_POWER, LOAD_X, LOAD_Y, PRESSURE_MAX, Row};
 
 /// Crank angles that are marked on the path [deg].
 const MARKED: f64 = 60.0;
@@ -23,17 +24,42 @@ const OVER_ANGLE: [(&Row, &str, f64, Colour); 3] = [
 
 /// The pictures of an orbit by name; `title` is that of the scene.
 pub fn orbit_figures(title: &str, course: &OrbitCourse, width: f64) -> Vec<(String, Figure)> {
+    let circle = [circle("", course, MARKED)];
+    let mut figures = vec![(
+        "orbit".to_owned(),
+        charts_figure(&format!("Orbit: {title}"), &circle, 1, width),
+    )];
+    figures.extend(film_over_cycle(title, course, width));
+    figures
+}
+
+/// The picture of what the film does over the crank angle, with its name.
+pub(crate) fn film_over_cycle(title: &str, course: &OrbitCourse, width: f64) -> Vec<(String, Figure)> {
     let charts = over_angle(&[("", course)]);
-    vec![
-        (
-            "orbit".to_owned(),
-            charts_figure(&format!("Orbit: {title}"), &[circle("", course, MARKED)], 1, width),
-        ),
-        (
-            "orbit_by_angle".to_owned(),
-            charts_figure(&format!("Film over the cycle: {title}"), &charts, 1, width),
-        ),
-    ]
+    let figure = charts_figure(&format!("Film over the cycle: {title}"), &charts, 1, width);
+    vec![("orbit_by_angle".to_owned(), figure)]
+}
+
+/// The path, and as a polar diagram what the film carries, each a picture with its name.
+pub(crate) fn path_and_load(title: &str, course: &OrbitCourse, width: f64) -> Vec<(String, Figure)> {
+    let kilonewtons = |angles: Vec<f64>| -> Vec<[f64; 2]> {
+        let forces = course.vectors([&LOAD_X, &LOAD_Y], angles.into_iter());
+        forces.into_iter().map(|force| force.map(|part| 1e-3 * part)).collect()
+    };
+    let tip = kilonewtons(course.even_angles().collect());
+    let marks: Vec<f64> = course.marked_angles(MARKED).collect();
+    let marks: Vec<_> = marks.iter().copied().zip(kilonewtons(marks.clone())).collect();
+    let sheet = Sheet::around(&tip);
+    let name = format!("crank angle, each {MARKED} deg");
+    let has_load = !tip.is_empty();
+    let load = has_load.then(|| polar("", tip, &marks, (&name, &sheet)));
+    let path = Some(("orbit", "Path of the journal", circle("", course, MARKED)));
+    let load = load.map(|load| ("orbit_load", "Load that the film carries, kN", load));
+    let figure = |(file, what, chart): (&str, &str, Chart)| {
+        let figure = charts_figure(&format!("{what}: {title}"), &[chart], 1, width);
+        (file.to_owned(), figure)
+    };
+    path.into_iter().chain(load).map(figure).collect()
 }
 
 /// The pictures of two orbits side by side, each with the title of its scene.

@@ -61,6 +61,8 @@ fn short(value: f64) -> String {
 pub(crate) struct Cases<'a> {
     title: &'a str,
     inputs: Vec<Input<'a>>,
+    /// The columns that the scene asks for: name, and the quantity that it is.
+    asked: Vec<(&'a str, &'a str)>,
     rows: &'a [Value],
 }
 
@@ -77,6 +79,9 @@ impl<'a> Cases<'a> {
         Some(Self {
             title: sweep["title"].as_str().unwrap_or_default(),
             inputs: inputs.collect::<Option<_>>()?,
+            asked: (list(&sweep["columns"]).into_iter().flatten())
+                .filter_map(|column| Some((column["name"].as_str()?, column["quantity"].as_str()?)))
+                .collect(),
             rows: list(&sweep["rows"])?,
         })
     }
@@ -139,21 +144,51 @@ impl<'a> Cases<'a> {
         Some((most, unit))
     }
 
-    /// The quantities that are drawn: those of the selection, else the headlines.
+    /// Whether the scene asks for columns.
+    pub(crate) fn are_asked(&self) -> bool {
+        !self.asked.is_empty()
+    }
+
+    /// How tables call a column: as the scene writes it, else the name of the quantity in words.
+    pub(crate) fn heading(&self, column: &str) -> String {
+        match self.asked.iter().any(|(name, _)| *name == column) {
+            true => column.to_owned(),
+            false => column.replace('.', ", ").replace('_', " "),
+        }
+    }
+
+    /// The quantity that a column is.
+    pub(crate) fn quantity_of<'b>(&'b self, column: &'b str) -> &'b str {
+        let asked = self.asked.iter().find(|(name, _)| *name == column);
+        asked.map_or(column, |(_, quantity)| quantity)
+    }
+
+    /// The unit in which a quantity is shown, with its size: that which the scene asks for, else a readable one.
+    pub(crate) fn unit_of(&self, name: &str) -> Option<(&'a str, f64)> {
+        let (most, unit) = self.size(name)?;
+        Some(if self.are_asked() {
+            (unit, 1.0)
+        } else {
+            readable_unit_of(most, unit)
+        })
+    }
+
+    /// The quantities that are drawn: those of the selection, else those that the scene asks for, else the headlines.
     pub(crate) fn names(&self, selected: &[String]) -> Vec<String> {
         let is_input = |name: &str| self.inputs.iter().any(|input| input.name == name);
         let headlines = CATALOGUE
             .iter()
             .filter(|row| row.headline != Headline::Never)
             .map(|row| row.name.to_owned());
-        let names: Vec<String> = if selected.is_empty() {
-            headlines.collect()
-        } else {
-            selected.to_vec()
+        let asked = self.asked.iter().map(|(name, _)| (*name).to_owned());
+        let names: Vec<String> = match (selected.is_empty(), self.asked.is_empty()) {
+            (false, _) => selected.to_vec(),
+            (true, false) => asked.collect(),
+            (true, true) => headlines.collect(),
         };
         let is_round_off = |name: &str| {
             let is_small = |(most, unit): (f64, &str)| most < ROUND_OFF * readable_unit_of(most, unit).1;
-            selected.is_empty() && self.size(name).is_none_or(is_small)
+            selected.is_empty() && self.asked.is_empty() && self.size(name).is_none_or(is_small)
         };
         let says_something = |name: &String| !is_input(name) && self.size(name).is_some() && !is_round_off(name);
         names.into_iter().filter(says_something).collect()
@@ -209,11 +244,10 @@ pub(super) fn sweep_figures(sweep: &Value, selected: &[String], width: f64) -> V
 
 /// The readable label of a quantity, its unit's size, and whether it is known.
 fn about(cases: &Cases, name: &str) -> Option<(Label, f64)> {
-    let (most, unit) = cases.size(name)?;
-    let (unit, size) = readable_unit_of(most, unit);
-    let row = row(name);
-    let symbol = row.map_or("", |row| row.symbol);
-    let words = name.replace(['_', '.'], " ");
+    let (unit, size) = cases.unit_of(name)?;
+    let quantity = cases.quantity_of(name);
+    let symbol = row(quantity).map_or("", |row| row.symbol);
+    let words = quantity.replace(['_', '.'], " ");
     Some((Label::marked(&axis_label(&words, symbol, unit)), size))
 }
 

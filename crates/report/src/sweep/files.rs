@@ -11,7 +11,7 @@ use super::report::{Identity, SweepReport};
 use super::rotor_table::{ROTOR_FILES, rotor_tables};
 use super::table::{Columns, Row, to_csv, whole_rows};
 use crate::json::json;
-use crate::page::PAGE_FILE;
+use crate::page::SWEEP_PAGE_FILE;
 use crate::{Error, folder};
 
 /// The table.
@@ -57,7 +57,7 @@ impl Table {
             (OsStr::new(REPORT_FILE), Some(about.as_bytes())),
             (OsStr::new(TABLE_FILE), Some(&table[..])),
         );
-        let page_step = (OsStr::new(PAGE_FILE), None);
+        let page_step = (OsStr::new(SWEEP_PAGE_FILE), None);
         let [rotor_step, rotor_step_3] = ROTOR_FILES.map(|name| (OsStr::new(name), None));
         // A table is never beside a report that is not its own. Rows that are kept are those of the report that stands there.
         match kept.is_empty() {

@@ -30,7 +30,7 @@ pub use parts::{PARTS_FOLDER, part_folder};
 pub use report::{Identity, SWEEP_FORMAT, SweepReport};
 pub use rotor_table::ROTOR_FILES;
 pub(crate) use table::to_csv;
-pub use table::{Columns, LIMITS, REASON, Row, SECONDS, UNKNOWNS, WARNINGS};
+pub use table::{Columns, LIMITS, REASON, Row, SECONDS, UNKNOWNS, VERDICT, WARNINGS};
 
 use crate::{Error, folder};
 use files::{Table, case_of, finish};

@@ -3,7 +3,7 @@
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
-use super::table::{Columns, LIMITS, REASON, Row, SECONDS, SEPARATOR, UNKNOWNS, WARNINGS};
+use super::table::{Columns, LIMITS, REASON, Row, SECONDS, SEPARATOR, UNKNOWNS, VERDICT, WARNINGS};
 use oilwedge_campaign::sweep::Part;
 use oilwedge_scene::sweep::{AxisValue, Plan};
 use oilwedge_study::effects::Effects;
@@ -109,6 +109,8 @@ impl Serialize for SweepReport {
             scene: &'a str,
             effects: &'a Effects,
             axes: Vec<AxisRecord<'a>>,
+            #[serde(skip_serializing_if = "Option::is_none")]
+            columns: Option<Vec<ColumnRecord<'a>>>,
             rows: Vec<RowRecord<'a>>,
         }
         let axes = self.plan.axes.iter().map(|axis| AxisRecord {
@@ -117,12 +119,19 @@ impl Serialize for SweepReport {
             unit: &axis.unit,
             values: axis.values.iter().map(json_value).collect(),
         });
+        let columns = self.columns.quantities.iter().map(|column| ColumnRecord {
+            name: &column.name,
+            quantity: &column.quantity,
+            unit: &column.unit,
+        });
+        let is_asked = self.plan.columns.is_some();
         let whole = Whole {
             identity: &self.identity,
             complete: true,
             scene: &self.plan.text,
             effects: &self.effects,
             axes: axes.collect(),
+            columns: is_asked.then(|| columns.collect()),
             rows: self.rows.iter().map(|row| RowRecord { report: self, row }).collect(),
         };
         whole.serialize(serializer)
@@ -135,6 +144,14 @@ struct AxisRecord<'a> {
     key: &'a str,
     unit: &'a str,
     values: Vec<serde_json::Value>,
+}
+
+/// A column that the scene asks for.
+#[derive(Serialize)]
+struct ColumnRecord<'a> {
+    name: &'a str,
+    quantity: &'a str,
+    unit: &'a str,
 }
 
 fn json_value(value: &AxisValue) -> serde_json::Value {
@@ -181,13 +198,14 @@ impl Serialize for RowRecord<'_> {
         }
         let tail = |name: &str| columns.tail(row, name).to_owned();
         let list = |name: &str| entries(columns.tail(row, name)).collect::<Vec<_>>();
-        let mut map = serializer.serialize_map(Some(9))?;
+        let mut map = serializer.serialize_map(Some(10))?;
         map.serialize_entry("case", &case)?;
         map.serialize_entry("inputs", &inputs)?;
         map.serialize_entry("status", &row[columns.status()])?;
         map.serialize_entry(REASON, &Some(tail(REASON)).filter(|reason| !reason.is_empty()))?;
         map.serialize_entry("quantities", &quantities)?;
         map.serialize_entry(WARNINGS, &list(WARNINGS))?;
+        map.serialize_entry(VERDICT, &Some(tail(VERDICT)).filter(|verdict| !verdict.is_empty()))?;
         map.serialize_entry(LIMITS, &list(LIMITS))?;
         map.serialize_entry(UNKNOWNS, &tail(UNKNOWNS).parse::<usize>().ok())?;
         map.serialize_entry(SECONDS, &number(&tail(SECONDS)))?;

@@ -6,7 +6,7 @@ use oilwedge_scene::Scene;
 use oilwedge_scene::sweep::{AxisValue, Plan, WantedColumn};
 use oilwedge_study::column::Column;
 use oilwedge_study::quantities::of_scenes;
-use oilwedge_study::result::{Criterion, Status};
+use oilwedge_study::result::{Criterion, Status, Verdict};
 
 /// The columns of a sweep, known before its first case is computed.
 #[derive(Debug, Clone, PartialEq)]
@@ -80,7 +80,9 @@ impl Columns {
         row.push(listed(
             found.warnings.iter().map(|warning| warning.kind.code.to_owned()),
         ));
-        row.push(listed(found.missed.iter().map(Criterion::fault)));
+        row.push(Verdict::of(&found.criteria).map_or_else(String::new, |verdict| verdict.name().to_owned()));
+        let missed = found.criteria.iter().filter(|criterion| criterion.is_missed());
+        row.push(listed(missed.map(Criterion::fault)));
         row.push(in_a_line(found.reason.as_deref().unwrap_or_default()));
         row.push(format!("{:.6}", found.seconds));
         Ok(row)
@@ -143,6 +145,8 @@ pub(crate) const FAILED: &str = "failed";
 pub const UNKNOWNS: &str = "unknowns";
 /// Column of the codes of warnings.
 pub const WARNINGS: &str = "warnings";
+/// Column of the verdict by the design criteria: `pass`, `fail` or `undecided`; empty where the scene sets no limits.
+pub const VERDICT: &str = "verdict";
 /// Column of the design criteria that are not met.
 pub const LIMITS: &str = "limits";
 /// Column of the reason why there is no answer.
@@ -150,7 +154,7 @@ pub const REASON: &str = "reason";
 /// Column of the wall time.
 pub const SECONDS: &str = "seconds";
 /// The columns behind the quantities.
-const TAIL: [&str; 5] = [UNKNOWNS, WARNINGS, LIMITS, REASON, SECONDS];
+const TAIL: [&str; 6] = [UNKNOWNS, WARNINGS, VERDICT, LIMITS, REASON, SECONDS];
 /// Between entries of one cell.
 pub(crate) const SEPARATOR: char = ';';
 

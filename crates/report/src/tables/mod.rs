@@ -14,6 +14,7 @@ mod sweep;
 mod temperature;
 mod verdict;
 
+pub(crate) use criteria::word;
 pub use pieces::{counted, duration, effects, heading, mesh, printable, status, table, time};
 #[cfg(test)]
 pub(crate) use run::tests::result as example;
@@ -21,3 +22,4 @@ pub use run::{Written, run_report};
 pub use shaft::shaft_report;
 pub use shown::Shown;
 pub use sweep::sweep_report;
+pub(crate) use verdict::first_faults;

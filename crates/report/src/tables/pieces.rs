@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+pub use oilwedge_scene::wording::printable;
+
 use comfy_table::{Cell, CellAlignment, ContentArrangement, Table, presets};
 use oilwedge_study::effects::Effects;
 use oilwedge_study::result::{MeshFacts, Status};
@@ -95,19 +97,6 @@ pub fn duration(seconds: f64) -> String {
         middle if middle < 6000.0 => format!("{:.0} min", middle / 60.0),
         long => format!("{:.1} h", long / 3600.0),
     }
-}
-
-/// Without control characters, which could steer the terminal.
-pub fn printable(text: &str) -> String {
-    text.chars()
-        .map(|letter| {
-            if letter.is_control() && letter != '\n' {
-                '\u{fffd}'
-            } else {
-                letter
-            }
-        })
-        .collect()
 }
 
 #[cfg(test)]

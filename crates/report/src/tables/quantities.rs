@@ -1,7 +1,7 @@
 //! The table of quantities with their error bars, and what the bars are made of.
 
 use super::pieces::{printable, table, time};
-use crate::digits::{bar, quantity_value};
+use crate::digits::{bar, quantity_value, unresolved};
 use crate::readable::readable_unit;
 use oilwedge_study::effects::Socket;
 use oilwedge_study::quantities::{CYCLE_FILM_THICKNESS_MIN, ECCENTRICITY, LOAD, Quantity};
@@ -18,11 +18,10 @@ pub(crate) fn quantities<'a>(quantities: impl IntoIterator<Item = &'a Quantity>,
     };
     for quantity in quantities {
         let (unit, size) = readable_unit(quantity.value, quantity.row.unit);
-        let value = quantity_value(
-            quantity.value / size,
-            quantity.error().map(|error| error / size),
-            DIGITS,
-        );
+        let value = match quantity.error() {
+            None if bars => unresolved(quantity.value / size),
+            error => quantity_value(quantity.value / size, error.map(|error| error / size), DIGITS),
+        };
         let error = match quantity.error() {
             None => "not resolved".to_owned(),
             Some(0.0) => "exact".to_owned(),
@@ -116,7 +115,7 @@ mod tests {
         let text = quantities(&with_bars().quantities, true);
         for row in [
             "12.9112 ┆        0.001 ┆ kN",
-            "49.2900 ┆ not resolved ┆ deg",
+            "49 ┆ not resolved ┆ deg",
             "0.600000 ┆        exact ┆",
         ] {
             assert!(text.contains(row), "no {row} in\n{text}");

@@ -1,6 +1,8 @@
 //! A run of a crankshaft for people: a row for each bearing.
 
+use super::criteria::{judged, of_shaft};
 use super::pieces::{heading, printable, status, table, time};
+use super::verdict;
 use crate::digits::{bar, significant};
 use crate::readable::readable_unit;
 use crate::shaft::ShaftBeside;
@@ -49,6 +51,7 @@ pub fn shaft_report(
     let mut lines = Vec::new();
     if !result.bearings.is_empty() {
         parts.push(bearings(result));
+        parts.extend(judged(&of_shaft(result), 0));
         parts.extend(
             beside
                 .iter()
@@ -73,6 +76,7 @@ pub fn shaft_report(
     lines.push(format!("time      {}", parts_of_time.collect::<Vec<_>>().join(", ")));
     lines.push(format!("written   {}: {}", folder.display(), files.join(", ")));
     lines.extend(pictures.lines().map(str::to_owned));
+    lines.push(verdict::of_shaft(result));
     parts.push(lines.join("\n"));
     parts.join("\n\n") + "\n"
 }

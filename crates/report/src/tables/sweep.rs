@@ -10,7 +10,7 @@ use oilwedge_study::result::headlines;
 use super::pieces::{counted, effects, heading, printable, table, time};
 use crate::digits::significant;
 use crate::readable::readable_unit;
-use crate::sweep::{LIMITS, REASON, Row, SweepReport, WARNINGS};
+use crate::sweep::{LIMITS, REASON, Row, SweepReport, VERDICT, WARNINGS};
 
 /// How many cases have each code.
 fn tally(report: &SweepReport, column: &str) -> String {
@@ -145,8 +145,13 @@ fn rows(report: &SweepReport, folder: Option<&Path>) -> String {
     let inputs = report.columns.inputs.iter().map(|input| printable(input));
     let headings = columns.iter().map(|column| column.heading.clone());
     let first = ["case".to_owned()].into_iter().chain(inputs);
+    let is_judged = report
+        .rows
+        .iter()
+        .any(|row| !report.columns.tail(row, VERDICT).is_empty());
+    let last: Vec<&str> = [VERDICT, WARNINGS].into_iter().skip(usize::from(!is_judged)).collect();
     let mut table = table(
-        first.chain(headings).chain([WARNINGS.to_owned()]),
+        first.chain(headings).chain(last.iter().map(|&name| name.to_owned())),
         0..1 + report.columns.inputs.len() + columns.len(),
     );
     let inputs = report.columns.inputs.len();
@@ -157,7 +162,7 @@ fn rows(report: &SweepReport, folder: Option<&Path>) -> String {
             value.map_or("-".to_owned(), |value| significant(value / column.size, DIGITS))
         });
         cells.extend(numbers);
-        cells.push(report.columns.tail(row, WARNINGS).to_owned());
+        cells.extend(last.iter().map(|name| report.columns.tail(row, name).to_owned()));
         table.add_row(cells);
     };
     let cut = report.rows.len() > SHOWN;

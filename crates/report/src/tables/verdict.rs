@@ -1,13 +1,32 @@
 //! The last line of a run: how it ended, what the film is fit for, and how many warnings there are.
 
+use super::criteria;
 use super::pieces::{counted, status};
 use oilwedge_study::result::{Criterion, RunResult, Status, Verdict};
+use oilwedge_study::shaft::ShaftResult;
+
+/// Most faults that a line names.
+const MOST_FAULTS: usize = 3;
 
 /// Status, verdict of the design criteria where there are any, number of warnings.
 pub(crate) fn verdict(result: &RunResult) -> String {
-    let mut parts = vec![ending(result)];
-    parts.extend(fitness(result));
-    parts.push(match result.warnings.len() {
+    line(ending(result), &result.criteria, result.warnings.len())
+}
+
+/// The same of a crankshaft, by the criteria of all its bearings.
+pub(crate) fn of_shaft(result: &ShaftResult) -> String {
+    line(
+        status(result.status).to_owned(),
+        &criteria::of_shaft(result),
+        result.warnings.len(),
+    )
+}
+
+fn line(ending: String, criteria: &[Criterion], warnings: usize) -> String {
+    let mut parts = vec![ending];
+    parts.extend(fitness(criteria, warnings > 0));
+    parts.extend(unusual(criteria));
+    parts.push(match warnings {
         0 => "no warnings".to_owned(),
         count => counted(count, "warning"),
     });
@@ -24,36 +43,43 @@ fn ending(result: &RunResult) -> String {
 }
 
 /// Whether the bearing meets its design criteria, and which it does not.
-fn fitness(result: &RunResult) -> Option<String> {
-    if result.criteria.is_empty() {
-        return None;
-    }
-    let missed: Vec<&Criterion> = result
-        .criteria
-        .iter()
-        .filter(|criterion| criterion.is_missed())
-        .collect();
-    let is_open = missed.iter().all(|criterion| criterion.verdict == Verdict::Undecided);
-    let faults = || {
-        missed
-            .iter()
-            .map(|criterion| criterion.fault())
-            .collect::<Vec<_>>()
-            .join(", ")
-    };
-    Some(match (missed.is_empty(), is_open, result.warnings.is_empty()) {
-        (true, _, true) => "fit".to_owned(),
-        (true, _, false) => "fit as far as the warnings allow".to_owned(),
-        (false, true, _) => format!("open: {}", faults()),
-        (false, false, _) => format!("NOT fit: {}", faults()),
+fn fitness(criteria: &[Criterion], has_warnings: bool) -> Option<String> {
+    let faults = || faults(criteria.iter().filter(|criterion| criterion.is_missed()));
+    Some(match (Verdict::of(criteria)?, has_warnings) {
+        (Verdict::Pass, false) => "fit".to_owned(),
+        (Verdict::Pass, true) => "fit as far as the warnings allow".to_owned(),
+        (Verdict::Undecided, _) => format!("undecided: {}", faults()),
+        (Verdict::Fail, _) => format!("NOT fit: {}", faults()),
     })
+}
+
+/// Which usual values, that nobody set as limits, are left.
+fn unusual(criteria: &[Criterion]) -> Option<String> {
+    let left = |criterion: &&Criterion| !criterion.decides && criterion.verdict == Verdict::Fail;
+    let told = faults(criteria.iter().filter(left));
+    (!told.is_empty()).then(|| format!("beyond usual values: {told}"))
+}
+
+fn faults<'a>(criteria: impl Iterator<Item = &'a Criterion>) -> String {
+    first_faults(criteria.map(Criterion::fault)).join(", ")
+}
+
+/// The first of several faults, and how many more there are.
+pub(crate) fn first_faults(all: impl Iterator<Item = String>) -> Vec<String> {
+    let mut faults: Vec<String> = all.collect();
+    let more = faults.len().saturating_sub(MOST_FAULTS);
+    if more > 0 {
+        faults.truncate(MOST_FAULTS);
+        faults.push(format!("and {more} more"));
+    }
+    faults
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::tables::run::tests::result;
-    use oilwedge_study::result::LevelFacts;
+    use oilwedge_study::result::{Accuracy, LevelFacts, Origin};
     use oilwedge_study::warning::TURBULENT;
 
     #[test]
@@ -64,11 +90,24 @@ mod tests {
         result.warnings = vec![TURBULENT.says("so")];
         assert_eq!(verdict(&result), "verdict   converged, within the tolerance; 1 warning");
         result.status = Status::NotConverged;
-        let film = Criterion::new("thinnest film", "um", (2.0, None), [Some(3.0), None], true);
-        result.criteria = vec![film];
+        let of = |value, origin| {
+            Criterion::new(
+                "least film",
+                "um",
+                (value, Accuracy::NotAsked),
+                [Some(3.0), None],
+                origin,
+            )
+        };
+        result.criteria = vec![of(2.0, Origin::Usual)];
         assert_eq!(
             verdict(&result),
-            "verdict   not converged: the tolerance is not met; NOT fit: thinnest film below 3 um; 1 warning"
+            "verdict   not converged: the tolerance is not met; beyond usual values: least film below 3 um; 1 warning"
+        );
+        result.criteria = vec![of(2.0, Origin::Scene)];
+        assert_eq!(
+            verdict(&result),
+            "verdict   not converged: the tolerance is not met; NOT fit: least film below 3 um; 1 warning"
         );
     }
 }

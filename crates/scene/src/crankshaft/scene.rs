@@ -10,6 +10,7 @@ use super::{Crankshaft, check};
 use crate::reader::TableReader;
 use crate::scene::{parsed, text_of};
 use crate::sweep::{self, Plan};
+use crate::wording;
 use crate::{Complaint, Complaints, Crank, CrankBearing, LoadCycle, LoadSource, Orbit, SceneError, crank, mesh, orbit};
 
 /// A shaft on the films of its bearings, as its scene describes it, in SI.
@@ -111,6 +112,7 @@ pub(crate) fn read(mut root: TableReader<'_>, text: &str, path: &Path) -> ShaftS
     let title = root
         .text_if_given("title", "Plain journal bearing")
         .unwrap_or_else(stem);
+    let title = wording::title(&title);
     let crankshaft = super::read(
         root.table("crankshaft", "[crankshaft] with speed and youngs_modulus"),
         path,

@@ -2,8 +2,8 @@
 
 use oilwedge_bearing::{Housing, ThermalBalance};
 use oilwedge_reynolds::existence::readable;
+use oilwedge_scene::Scene;
 use oilwedge_scene::wording::celsius;
-use oilwedge_scene::{Scene, USUAL_LIMITS};
 
 use super::{Effect, Socket, Sockets, changed};
 use crate::film::Film;
@@ -54,9 +54,6 @@ fn install(scene: &Scene, sockets: &mut Sockets) {
         },
         mixing: heat.mixing,
         engine: heat.engine,
-        least_film: scene.limits.least_film.unwrap_or(USUAL_LIMITS.0),
-        greatest_temperature: scene.limits.greatest_temperature.unwrap_or(USUAL_LIMITS.1),
-        greatest_outlet: scene.limits.greatest_outlet.unwrap_or(USUAL_LIMITS.2),
     });
 }
 

@@ -1,10 +1,10 @@
 //! A number that a bearing is judged by: its limits, its error bar, and the verdict.
 
 use oilwedge_reynolds::existence::readable;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// What a comparison with a limit has shown.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
     /// The limit is kept.
@@ -16,6 +16,17 @@ pub enum Verdict {
 }
 
 impl Verdict {
+    /// The worst verdict of those that decide; `None` where the scene sets no limit.
+    pub fn of(criteria: &[Criterion]) -> Option<Self> {
+        let decide = criteria.iter().filter(|criterion| criterion.decides);
+        let rank = |verdict: &Self| {
+            [Self::Pass, Self::Undecided, Self::Fail]
+                .iter()
+                .position(|it| it == verdict)
+        };
+        decide.map(|criterion| criterion.verdict).max_by_key(rank)
+    }
+
     /// Its name in files and tables.
     pub fn name(self) -> &'static str {
         match self {
@@ -26,8 +37,42 @@ impl Verdict {
     }
 }
 
+/// How well a number that is judged is known.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Accuracy {
+    /// Its error bar, in the unit of the number.
+    Within(f64),
+    /// Errors are estimated, and that of this number is not known.
+    NotResolved,
+    /// No error bars were asked for.
+    NotAsked,
+}
+
+/// Why a verdict stands under reserve.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Reserve {
+    /// The limit lies inside the error bar.
+    InsideBar,
+    /// The error of the number is not known.
+    NotResolved,
+    /// No error bars were asked for: the value alone decides.
+    NoBars,
+}
+
+/// Who sets a limit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Origin {
+    /// The scene: the bearing is refused where the limit is not kept.
+    #[serde(rename = "scene")]
+    Scene,
+    /// Nobody: the value is usual, and refuses nothing.
+    #[serde(rename = "usual value")]
+    Usual,
+}
+
 /// What a bearing must meet.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Criterion {
     /// What is asked, in words.
     pub what: String,
@@ -41,31 +86,40 @@ pub struct Criterion {
     pub most: Option<f64>,
     /// Unit of all four, one that people read.
     pub unit: String,
+    /// Who sets the limits.
+    pub origin: Origin,
     /// Whether the bearing is refused where it is not met; else it is only unusual.
     pub decides: bool,
     /// Whether the value meets it, whatever its bar.
     pub is_met: bool,
     /// Whether it is met beyond the error bar.
     pub verdict: Verdict,
+    /// Why the verdict is no more than that; `None`: it stands without reserve.
+    pub reserve: Option<Reserve>,
 }
 
 impl Criterion {
-    /// `value` must lie between `least` and `most`; a limit that `decides` is not met by itself. Without a `bar` the value alone decides; an infinite one, of a
-    /// number whose error is not known, leaves it open.
+    /// `value` must lie between `least` and `most`; a limit of the scene is not met by itself. Without bars the value alone decides; a value whose error is not known leaves it
+    /// open.
     pub fn new(
         what: &str,
         unit: &str,
-        (value, bar): (f64, Option<f64>),
+        (value, accuracy): (f64, Accuracy),
         limits: [Option<f64>; 2],
-        decides: bool,
+        origin: Origin,
     ) -> Self {
+        let decides = origin == Origin::Scene;
         // What is given to a few digits may be off by rounding.
         let room = if decides { -1e-9 } else { 1e-9 } * value.abs();
         let [least, most] = limits.map(|limit| Some(format!("{:.11e}", limit?).parse().unwrap_or(limit?)));
         let is_met = |value: f64| {
             least.is_none_or(|least| value >= least - room) && most.is_none_or(|most| value <= most + room)
         };
-        let off = bar.unwrap_or(0.0);
+        let off = match accuracy {
+            Accuracy::Within(bar) => bar,
+            Accuracy::NotResolved => f64::INFINITY,
+            Accuracy::NotAsked => 0.0,
+        };
         let verdict = match [value - off, value, value + off].map(is_met) {
             [true, true, true] => Verdict::Pass,
             [false, false, false] => Verdict::Fail,
@@ -74,17 +128,26 @@ impl Criterion {
         Self {
             what: what.to_owned(),
             value,
-            bar: bar.filter(|bar| bar.is_finite()),
+            bar: match accuracy {
+                Accuracy::Within(bar) => Some(bar),
+                Accuracy::NotResolved | Accuracy::NotAsked => None,
+            },
             least,
             most,
             unit: unit.to_owned(),
+            origin,
             decides,
             is_met: is_met(value),
             verdict,
+            reserve: match accuracy {
+                Accuracy::Within(_) => (verdict == Verdict::Undecided).then_some(Reserve::InsideBar),
+                Accuracy::NotResolved => Some(Reserve::NotResolved),
+                Accuracy::NotAsked => Some(Reserve::NoBars),
+            },
         }
     }
 
-    /// How it is missed, or left open: `thinnest film below 4 um`, `thinnest film undecided at 4 um`.
+    /// How it is missed, or left open: `least film below 4 um`, `least film undecided at 4 um`.
     pub fn fault(&self) -> String {
         let (side, bound) = match (self.least, self.most) {
             (Some(least), _) if self.value <= least => ("below", least),
@@ -111,25 +174,60 @@ mod tests {
 
     #[test]
     fn a_limit_inside_the_bar_is_undecided() {
-        let film =
-            |value: f64, bar: Option<f64>| Criterion::new("thinnest film", "um", (value, bar), [Some(4.0), None], true);
-        for (value, bar, verdict) in [
-            (4.1, None, Verdict::Pass),
-            (4.0, None, Verdict::Fail),
-            (3.9, None, Verdict::Fail),
-            (4.1, Some(0.05), Verdict::Pass),
-            (4.1, Some(0.2), Verdict::Undecided),
-            (3.9, Some(0.2), Verdict::Undecided),
-            (3.9, Some(0.05), Verdict::Fail),
-            (9.9, Some(f64::INFINITY), Verdict::Undecided),
+        let film = |value: f64, accuracy| {
+            Criterion::new("least film", "um", (value, accuracy), [Some(4.0), None], Origin::Scene)
+        };
+        let within = Accuracy::Within;
+        for (value, accuracy, verdict, reserve) in [
+            (4.1, Accuracy::NotAsked, Verdict::Pass, Some(Reserve::NoBars)),
+            (4.0, within(0.0), Verdict::Fail, None),
+            (3.9, Accuracy::NotAsked, Verdict::Fail, Some(Reserve::NoBars)),
+            (4.1, within(0.05), Verdict::Pass, None),
+            (4.1, within(0.2), Verdict::Undecided, Some(Reserve::InsideBar)),
+            (3.9, within(0.2), Verdict::Undecided, Some(Reserve::InsideBar)),
+            (3.9, within(0.05), Verdict::Fail, None),
+            (
+                9.9,
+                Accuracy::NotResolved,
+                Verdict::Undecided,
+                Some(Reserve::NotResolved),
+            ),
         ] {
-            let found = film(value, bar);
-            assert_eq!((found.verdict, found.is_met), (verdict, value > 4.0), "{value} {bar:?}");
-            assert_eq!(found.is_missed(), verdict != Verdict::Pass);
+            let found = film(value, accuracy);
+            assert_eq!(
+                (found.verdict, found.reserve),
+                (verdict, reserve),
+                "{value} {accuracy:?}"
+            );
+            assert_eq!(
+                (found.is_met, found.is_missed()),
+                (value > 4.0, verdict != Verdict::Pass)
+            );
         }
-        assert_eq!(film(3.9, Some(0.2)).fault(), "thinnest film undecided at 4 um");
-        assert_eq!(film(3.9, None).fault(), "thinnest film below 4 um");
-        let usual = Criterion::new("pressure", "bar", (2.0, Some(1.5)), [Some(1.0), Some(5.0)], false);
-        assert!(usual.verdict == Verdict::Undecided && !usual.is_missed());
+        assert_eq!(film(3.9, within(0.2)).fault(), "least film undecided at 4 um");
+        assert_eq!(film(3.9, within(0.0)).fault(), "least film below 4 um");
+    }
+
+    /// What nobody set refuses nothing, and the worst of the others is the verdict.
+    #[test]
+    fn a_usual_value_decides_nothing() {
+        let usual = Criterion::new(
+            "pressure",
+            "bar",
+            (2.0, Accuracy::Within(0.1)),
+            [Some(3.0), None],
+            Origin::Usual,
+        );
+        assert!(usual.verdict == Verdict::Fail && !usual.is_missed());
+        let set = |value| Criterion {
+            origin: Origin::Scene,
+            decides: true,
+            verdict: value,
+            ..usual.clone()
+        };
+        assert_eq!(Verdict::of(std::slice::from_ref(&usual)), None);
+        let all = [usual.clone(), set(Verdict::Pass), set(Verdict::Undecided)];
+        assert_eq!(Verdict::of(&all), Some(Verdict::Undecided));
+        assert_eq!(Verdict::of(&all[..2]), Some(Verdict::Pass));
     }
 }

@@ -13,7 +13,6 @@ use super::compile::{Bearing, Compiled, compile_shaft};
 use super::error::ShaftError;
 use super::result::{BearingPath, BearingReport, CycleReport, ShaftRun, found_with_shaft};
 use crate::estimate::estimate_errors;
-use crate::limits::exceeded_over_cycle;
 use crate::orbit::{Followed, GREATEST, USUAL, follow_under, measured, motion, suits};
 use crate::reasons::Limit;
 use crate::reasons::flags::MORE_SECONDS;
@@ -261,7 +260,7 @@ fn own_orbit(orbit: &ShaftOrbit, number: usize) -> Orbit {
     }
 }
 
-/// Adds the report of a bearing, its path, and the warnings about its thinnest film and its limits.
+/// Adds the report of a bearing, its path, and the warnings about its thinnest film.
 fn add(
     run: &mut ShaftRun,
     bearing: &Bearing,
@@ -273,9 +272,8 @@ fn add(
     let own = &bearing.film.scene;
     let estimated = estimate_errors(&followed.solved);
     let warnings = all_warnings(own, &followed.solved, &estimated, options.errors());
-    let exceeded = exceeded_over_cycle(own, &followed.quantities);
     let named = |warning: Warning| warning.of(&BearingReport::part(&bearing.name));
-    (run.result.warnings).extend(warnings.into_iter().chain(exceeded).map(named));
+    (run.result.warnings).extend(warnings.into_iter().map(named));
     let arm = bearing.coordinates().arm;
     let tilts = followed.path.spans.iter().map(|span| {
         let [_, _, x, y] = span.places[0];
@@ -288,7 +286,7 @@ fn add(
         tilt_max: tilts.fold(0.0, f64::max),
         shell,
         energy: followed.balances.energy,
-        ..BearingReport::of(bearing, followed.quantities)
+        ..BearingReport::of(bearing, followed.quantities, options.bars)
     });
     run.paths.push(BearingPath {
         name: bearing.name.clone(),

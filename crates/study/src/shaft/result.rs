@@ -139,7 +139,7 @@ pub struct BearingReport {
     pub tilt_max: f64,
     /// Over a cycle: what turns the journal and the work of the load, less the heat, over that [1]; `null` for a shaft at rest.
     pub energy: Option<f64>,
-    /// What it is judged by, with verdicts: `[limits]` and `[criteria]` of its scene.
+    /// What it is judged by, with verdicts: `[criteria]` of its scene.
     pub criteria: Vec<Criterion>,
     /// Its numbers. At rest their error bars are those of its film at the place that was found, over a cycle those of its orbit under the load that it carries; what only the
     /// shaft decides has none.
@@ -149,7 +149,7 @@ pub struct BearingReport {
 
 impl BearingReport {
     /// The report of a bearing at rest, parallel to a shell that does not give way.
-    pub(super) fn of(bearing: &Bearing, quantities: Vec<Quantity>) -> Self {
+    pub(super) fn of(bearing: &Bearing, quantities: Vec<Quantity>, bars: bool) -> Self {
         Self {
             name: bearing.name.clone(),
             scene: bearing.path.display().to_string(),
@@ -161,7 +161,7 @@ impl BearingReport {
             shell: [0.0; 2],
             tilt_max: 0.0,
             energy: None,
-            criteria: design_criteria(&bearing.film, None, &quantities),
+            criteria: design_criteria(&bearing.film, None, &quantities, bars),
             quantities,
         }
     }

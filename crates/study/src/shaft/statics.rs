@@ -1,17 +1,19 @@
 //! The shaft at rest under loads that do not change: all films at once, or each under what statics gives it.
 
+use std::sync::Arc;
 use std::time::Instant;
 
 use oilwedge_bearing::coordinates::Vector;
 use oilwedge_bearing::shaft::{Balance, NoBalance};
 use oilwedge_reynolds::quantities::load::load;
-use oilwedge_scene::ShaftScene;
+use oilwedge_scene::{Scene, ShaftScene};
 use rayon::prelude::*;
 
 use super::compile::{Bearing, Compiled, compile_shaft};
 use super::error::ShaftError;
 use super::result::{BearingReport, ShaftBalances, ShaftResult, ShaftRun, found_with_shaft};
 use crate::estimate::estimate_errors;
+use crate::film::Film;
 use crate::isothermal::isothermal;
 use crate::no_answer::NoAnswer;
 use crate::orbit::{GREATEST, USUAL, suits};
@@ -77,6 +79,18 @@ pub(super) fn solved(scene: &ShaftScene, options: &RunOptions) -> Result<ShaftRu
     Ok(run)
 }
 
+/// A film whose journal is where the shaft rests: its numbers are those of one film, not of a cycle.
+fn at_rest(film: Film) -> Film {
+    let scene = Scene {
+        orbit: None,
+        ..(*film.scene).clone()
+    };
+    Film {
+        scene: Arc::new(scene),
+        ..film
+    }
+}
+
 fn is_graded(bearing: &Bearing) -> bool {
     bearing.film.scene.mesh.is_graded()
 }
@@ -91,7 +105,7 @@ fn report(
     let films = compiled.films();
     let measure = |(number, bearing): (usize, &Bearing)| {
         let here = &balance.instants[number];
-        let film = bearing.film.with_journal(here.problem.journal);
+        let film = at_rest(bearing.film.with_journal(here.problem.journal));
         let solve = SolveOptions {
             errors: options.errors(),
             ..SolveOptions::default()
@@ -106,7 +120,7 @@ fn report(
         let report = BearingReport {
             shell: [shell[0].hypot(shell[1]), shell[2].hypot(shell[3]) / arm],
             tilt_max: tilt_x.hypot(tilt_y),
-            ..BearingReport::of(bearing, found_with_shaft(estimated.quantities))
+            ..BearingReport::of(bearing, found_with_shaft(estimated.quantities), options.bars)
         };
         Ok((report, warnings))
     };

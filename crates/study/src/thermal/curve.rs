@@ -13,6 +13,7 @@ use crate::limits::design_criteria;
 use crate::position::Position;
 use crate::quantities::{CYCLE_LOAD_MAX, LOAD, Quantity};
 use crate::result::{Criterion, TemperaturePoint, TemperatureReport};
+use crate::run_options::RunOptions;
 use crate::solved::{SolveOptions, Solved};
 use crate::thermal_model::ThermalModel;
 use oilwedge_scene::Engine;
@@ -25,7 +26,8 @@ const REACH: f64 = 1.5;
 const LEAST_REACH: f64 = 10.0;
 
 /// How the temperature of a film was found; none where it was not sought.
-pub fn temperature_report(solved: &Solved, quantities: &[Quantity], deadline: Deadline) -> Option<TemperatureReport> {
+pub fn temperature_report(solved: &Solved, quantities: &[Quantity], options: &RunOptions) -> Option<TemperatureReport> {
+    let deadline = options.deadline();
     let film = &solved.film;
     let (model, found) = (
         film.thermal?,
@@ -38,7 +40,7 @@ pub fn temperature_report(solved: &Solved, quantities: &[Quantity], deadline: De
     curve.reverse();
     curve.push(point(&model, root, solved));
     curve.extend(side(&model, solved, root, step, deadline));
-    fitness(film, &model, quantities, curve)
+    fitness(film, &model, (quantities, options.bars), curve)
 }
 
 /// Whether the bearing will do over a cycle whose heat is balanced by `model`. Without curves: each of their points would be an orbit.
@@ -46,22 +48,23 @@ pub fn cycle_temperature_report(
     film: &Film,
     model: &ThermalModel,
     quantities: &[Quantity],
+    options: &RunOptions,
 ) -> Option<TemperatureReport> {
-    fitness(film, model, quantities, Vec::new())
+    fitness(film, model, (quantities, options.bars), Vec::new())
 }
 
 /// The criteria of a film, or of the films of a cycle, by the numbers reported.
 fn fitness(
     film: &Film,
     model: &ThermalModel,
-    quantities: &[Quantity],
+    (quantities, bars): (&[Quantity], bool),
     curve: Vec<TemperaturePoint>,
 ) -> Option<TemperatureReport> {
     let load = quantities
         .iter()
         .find(|it| it.row == &LOAD || it.row == &CYCLE_LOAD_MAX)?;
     let bearing = &film.problem.bearing;
-    let criteria = design_criteria(film, Some(model), quantities);
+    let criteria = design_criteria(film, Some(model), quantities, bars);
     Some(TemperatureReport {
         preset: model.engine.map(Engine::name),
         inlet_temperature: model.balance.inlet - ZERO_CELSIUS,

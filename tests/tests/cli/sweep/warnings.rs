@@ -84,12 +84,12 @@ force = ["0.3 kN", "5 kN", "6 kN"]
     let told = bench.run(&["sweep", "scene.toml", "--bars", "none"]);
     assert_eq!(told.status, 0, "{}", told.stderr);
     assert!(
-        told.stdout.contains("limits    thinnest film below 6 um: 2 cases\n"),
+        told.stdout.contains("limits    least film below 6 um: 2 cases\n"),
         "{}",
         told.stdout
     );
     let table = table(&bench, "out/scene");
-    assert_eq!(table.matches("thinnest film below 6 um").count(), 2, "{table}");
+    assert_eq!(table.matches("least film below 6 um").count(), 2, "{table}");
 }
 
 /// The page of sweeps explains every code.

@@ -19,6 +19,9 @@ function sweepOf(sweep) {
   const word = (k, index) => { const it = axes[k].values[index]; return typeof it === "number" ? written(it, 5) : escaped(it); };
   const unitOf = (unit) => (unit ? "\u00a0" + escaped(unit) : ""), labelOf = ({ label, unit }) => escaped(label) + (unit ? ", " + escaped(unit) : "");
 
+  // Room at the left of the map: that of the longest word of a category.
+  const leftOf = () => (state.across < 0 ? 66 : Math.min(220, Math.max(66, 34 + 7.2 * Math.max(...axes[state.across].values.map((it, k) => word(state.across, k).length)))));
+
   function choices(id, list, selected, change) {
     const select = by(id);
     select.innerHTML = list.map(([key, text]) => `<option value="${key}"${key === selected ? " selected" : ""}>${text}</option>`).join("");
@@ -36,7 +39,8 @@ function sweepOf(sweep) {
   // Where the values of an axis are, between 0 and 1, and its marks.
   function scaleOf(axis) {
     const list = axis.values, words = list.map((it, k) => word(axes.indexOf(axis), k));
-    if (!axis.is_numeric) return { of: list.map((it, k) => (k + 0.5) / list.length), marks: words.map((text, k) => [(k + 0.5) / list.length, text]) };
+    const every = Math.ceil((list.length * (1 + Math.max(...words.map((text) => text.length))) * 7.2) / 418);
+    if (!axis.is_numeric) return { of: list.map((it, k) => (k + 0.5) / list.length), marks: words.map((text, k) => [(k + 0.5) / list.length, text]).filter((mark, k) => k % every === 0) };
     const low = Math.min(...list), high = Math.max(...list), isLog = low > 0 && high / low > 50, place = isLog ? (v) => Math.log(v / low) / Math.log(high / low) : (v) => (v - low) / (high - low);
     return { of: list.map(place), marks: isLog ? list.filter((v, k) => k % Math.ceil(list.length / 6) === 0).map((v) => [place(v), written(v, 3)]) : roundNumbers(low, high, 6).map((v) => [place(v), written(v, 4)]) };
   }
@@ -80,7 +84,7 @@ function sweepOf(sweep) {
     const hasMap = state.across >= 0;
     cells.toggleAttribute("hidden", !hasMap);
     if (!hasMap) return;
-    const x = axes[state.along], y = axes[state.across], w = 520, h = 330, l = 66, r = 74, t = 12, b = 48, out = [], columns = x.values.length, rows = y.values.length;
+    const x = axes[state.along], y = axes[state.across], w = 520, h = 330, l = leftOf(), r = 74, t = 12, b = 48, out = [], columns = x.values.length, rows = y.values.length;
     const known = []; for (let k = 0; k < cases; k++) if (Number.isFinite(value(k))) known.push(value(k));
     let low = Math.min(...known), high = Math.max(...known);
     const isDiverging = low < 0 && high > 0, table = colourTable(isDiverging ? sweep.diverging : sweep.sequential);
@@ -123,7 +127,8 @@ function sweepOf(sweep) {
     });
     box.addEventListener("pointerdown", (event) => {
       const size = box.getBoundingClientRect(), x = ((event.clientX - size.left) / size.width) * 520, y = ((event.clientY - size.top) / size.height) * 330, isMap = box === cells;
-      if (isMap) return choose([[state.along, Math.floor(((x - 66) / 380) * axes[state.along].values.length)], [state.across, Math.floor(((282 - y) / 270) * axes[state.across].values.length)]]);
+      const left = leftOf();
+      if (isMap) return choose([[state.along, Math.floor(((x - left) / (446 - left)) * axes[state.along].values.length)], [state.across, Math.floor(((282 - y) / 270) * axes[state.across].values.length)]]);
       const of = scaleOf(axes[state.along]).of.map((s) => Math.abs(76 + s * 418 - x));
       choose([[state.along, of.indexOf(Math.min(...of))]]);
     });
