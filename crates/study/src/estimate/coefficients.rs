@@ -15,13 +15,13 @@ pub struct CoefficientErrors {
 }
 
 impl CoefficientErrors {
-    /// What a `film` and another one differ by, times `per_difference`, each entry by itself.
-    pub(super) fn entry_by_entry(film: &Coefficients, other: &Coefficients, per_difference: f64) -> Self {
+    /// What a `film` and another one differ by, each entry by itself: what `part` makes of the greatest difference over the sizes of entries [1].
+    pub(super) fn entry_by_entry(film: &Coefficients, other: &Coefficients, part: impl Fn(f64) -> f64) -> Self {
         let differences = [
             (&film.stiffness, &other.stiffness),
             (&film.damping, &other.damping),
         ]
-        .map(|(of, other)| bars(of, per_difference * greatest_difference(of, other)));
+        .map(|(of, other)| bars(of, part(greatest_difference(of, other))));
         Self {
             parts: single(differences, film.order),
         }

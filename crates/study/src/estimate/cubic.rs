@@ -31,12 +31,15 @@ pub(super) struct CubicPair<'a> {
     pub(super) edge: Option<Vec<Coefficients>>,
 }
 
-/// Parts of the difference of the tangents of both films that each of them is off by: where the edge of a cavity is found, and elsewhere; measured.
+/// Parts of the difference of the tangents of both films that each of them is off by: of the quadratic one, of the cubic one where the edge of a cavity is found, and elsewhere; measured.
 const OF_QUADRATIC_TANGENTS: f64 = 2.0;
-const OF_CUBIC_TANGENTS: f64 = 0.6;
+const OF_CUBIC_TANGENTS: f64 = 1.0;
+const OF_TANGENTS_WITHOUT_EDGE: f64 = 0.8;
+/// Where the film is smooth the cubic tangent is off by this times the 3/2 power of the difference, over the sizes of entries, if that is less; measured: up to 1.05.
+const OF_SMOOTH_TANGENTS: f64 = 1.5;
 /// Part of the products of response and dual in a triangle through which the edge of the cavity runs by which a tangent is off, where those of all triangles are added without regard to
 /// their signs; measured.
-const PER_EDGE: f64 = 1.0;
+const PER_EDGE: f64 = 0.4;
 /// Where the mesh shows no edge: part of the share of the triangles in which one may hide.
 const PER_HIDDEN: f64 = 0.08;
 
@@ -181,20 +184,23 @@ impl CubicPair<'_> {
     fn errors_of_coefficients(&self, of: impl Fn(&Dynamics) -> Option<&Coefficients>) -> Option<CoefficientErrors> {
         let [quadratic, cubic] = self.measured.map(|measured| of(measured.dynamics()?));
         let (quadratic, cubic) = (quadratic?, cubic?);
-        let (judged, other, per_difference) = match self.value {
-            Value::Quadratic => (quadratic, cubic, OF_QUADRATIC_TANGENTS),
-            Value::Cubic => (cubic, quadratic, OF_CUBIC_TANGENTS),
-        };
         let edge = self.edge.as_ref()?;
-        Some(match edge.is_empty() {
-            true => CoefficientErrors::entry_by_entry(judged, other, per_difference)
-                .and_share(judged, PER_HIDDEN * self.hidden_share()),
-            false => CoefficientErrors::of_parts(
-                [(per_difference, judged.plus(&other.scaled(-1.0)))]
-                    .into_iter()
-                    .chain(edge.iter().map(|part| (PER_EDGE, *part))),
-            ),
-        })
+        let (judged, other, of_edge, without_edge) = match self.value {
+            Value::Quadratic => (quadratic, cubic, OF_QUADRATIC_TANGENTS, OF_QUADRATIC_TANGENTS),
+            Value::Cubic => (cubic, quadratic, OF_CUBIC_TANGENTS, OF_TANGENTS_WITHOUT_EDGE),
+        };
+        if !edge.is_empty() {
+            let parts = edge.iter().map(|part| (PER_EDGE, *part));
+            let difference = (of_edge, judged.plus(&other.scaled(-1.0)));
+            return Some(CoefficientErrors::of_parts(parts.chain([difference])));
+        }
+        let is_smooth = self.value == Value::Cubic && self.has_smooth_flows();
+        let part = |difference: f64| match is_smooth {
+            true => (OF_SMOOTH_TANGENTS * difference.powf(1.5)).min(without_edge * difference),
+            false => without_edge * difference,
+        };
+        let errors = CoefficientErrors::entry_by_entry(judged, other, part);
+        Some(errors.and_share(judged, PER_HIDDEN * self.hidden_share()))
     }
 
     /// What bars of places are made of.
