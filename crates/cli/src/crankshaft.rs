@@ -85,7 +85,7 @@ pub(crate) fn solve(asked: Asked) -> Result<ExitCode, Failure> {
     let mut run = run_shaft(&scene, &options)?;
     let mut beside: Vec<ShaftBeside> = Vec::new();
     for variant in asked.beside {
-        working.turns_to(variant.words());
+        working.goes_on_to(variant.words());
         let other = match variant {
             Variant::Cut => run_cut(&scene, &options)?,
             Variant::Counterweights => {

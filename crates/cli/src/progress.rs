@@ -26,6 +26,8 @@ pub(crate) struct Steps {
 /// Where a run is.
 #[derive(Debug, Default)]
 struct Now {
+    /// When the last line was written where there is no terminal.
+    told: Option<Instant>,
     level: String,
     temperature: String,
     position: String,
@@ -42,8 +44,14 @@ impl Steps {
             .map(|part| &**part)
             .filter(|part| !part.is_empty())
             .collect();
-        self.bar
-            .set_message(format!("{}; Ctrl-C ends with the best so far", parts.join(", ")));
+        let line = parts.join(", ");
+        let now_is = Instant::now();
+        let is_silent = now_is.duration_since(*now.told.get_or_insert(now_is)) > SILENCE;
+        if self.bar.is_hidden() && is_silent {
+            say(&line);
+            now.told = Some(now_is);
+        }
+        self.bar.set_message(format!("{line}; Ctrl-C ends with the best so far"));
     }
 }
 
@@ -77,6 +85,15 @@ impl RunObserver for Steps {
             ));
         }
         self.show(|now| now.reached = format!("level {level} reached {bars}"));
+    }
+
+    fn counterweights(&self, part: f64, film: [f64; 2]) {
+        let [before, after] = film.map(|film| significant(1e6 * film, 4));
+        let line = format!("counterweights moved {part} of the way: least film {before} -> {after} um");
+        if self.bar.is_hidden() {
+            say(&line);
+        }
+        self.show(|now| now.reached = line);
     }
 
     fn temperature(&self, number: usize, celsius: f64) {
@@ -170,6 +187,14 @@ impl Progress {
     /// The run turns to another task.
     pub(crate) fn turns_to(&self, task: &'static str) {
         self.bar.set_message(task);
+    }
+
+    /// The run turns to another task, in a line of its own where there is no terminal.
+    pub(crate) fn goes_on_to(&self, task: &'static str) {
+        if self.bar.is_hidden() {
+            say(task);
+        }
+        self.turns_to(task);
     }
 
     /// So many cases have ended of so many.

@@ -362,7 +362,7 @@ impl Shaped {
                     angle: xs[least] / radius,
                     z,
                 });
-                (from, to) = (0.5 * (from + xs[least]), 0.5 * (to + xs[least]));
+                (from, to) = (xs[least.saturating_sub(1)], xs[(least + 1).min(4)]);
             }
             best
         });

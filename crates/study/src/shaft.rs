@@ -31,6 +31,7 @@ pub use weights::{CounterweightReport, NoWeights, WebReport, best_counterweights
 use std::time::Instant;
 
 use oilwedge_scene::ShaftScene;
+use weights::part_of_way;
 
 use crate::orbit::USUAL;
 use crate::run_options::RunOptions;
@@ -51,7 +52,10 @@ pub fn run_shaft(scene: &ShaftScene, options: &RunOptions) -> Result<ShaftRun, S
     Ok(run)
 }
 
-/// The shaft with the counterweights that serve its bearings best, beside a run with those of its scene: its own numbers, with what has changed.
+/// Parts of the way to the counterweights that serve the cut shaft best, tried one after the other on the shaft of the scene.
+const PARTS: [f64; 4] = [1.0, 0.5, 0.25, 0.125];
+
+/// The shaft with counterweights by which its least film grows, beside a run with those of its scene: its own numbers, with what has changed; the run of the scene where the search finds none.
 ///
 /// # Errors
 /// [`NoWeights`]: why they cannot be sought.
@@ -60,14 +64,22 @@ pub fn run_with_best_counterweights(
     before: &ShaftRun,
     options: &RunOptions,
 ) -> Result<(ShaftRun, CounterweightReport), NoWeights> {
-    let (changed, report) = best_counterweights(scene)?;
-    let after = run_shaft(&changed, options)?;
-    let films = before.least_film().zip(after.least_film());
-    let report = CounterweightReport {
-        film: films.map(|(before, after)| [before, after]),
-        ..report
-    };
-    Ok((after, report))
+    let (best, found) = best_counterweights(scene)?;
+    let was = before.least_film();
+    for part in PARTS {
+        let (moved, report) = part_of_way([scene, &best], part, &found);
+        let after = run_shaft(&moved, options)?;
+        let film = was.zip(after.least_film()).map(<[f64; 2]>::from);
+        if let (Some(observer), Some(film)) = (options.observer, film) {
+            observer.counterweights(part, film);
+        }
+        if film.map_or(was.is_none(), |[was, is]| is > was) {
+            return Ok((after, CounterweightReport { film, ..report }));
+        }
+    }
+    let (_, report) = part_of_way([scene, &best], 0.0, &found);
+    let film = was.map(|film| [film; 2]);
+    Ok((before.clone(), CounterweightReport { film, ..report }))
 }
 
 /// Checks that a scene and those of its bearings become a shaft on films.

@@ -127,6 +127,59 @@ fn two_grooves_of_lund_and_thomsen() {
     });
 }
 
+/// Bars of Swift-Stieber films hold and are narrow enough to judge by: at light load (finite volumes of 720 x 48 cells), between grooves where one of two films is a cavity as a whole
+/// (finite volumes), and where the film ends beside a groove (edges of 1 mm).
+#[test]
+fn bars_hold_where_the_film_ends() {
+    let groove = |from: f64, to: f64, width: &str| {
+        format!(
+            "[[feed]]\ngroup = \"at_{from}\"\npressure = \"0 bar\"\ngroove = {{ from = \"{from} deg\", to = \"{to} deg\", width = \"{width}\" }}\n"
+        )
+    };
+    let light = scene(1.0, "\"0.5 %\"", "eccentricity = 0.03\nmin_film_angle = \"0 deg\"\n[dynamics]")
+        .replacen("50 um", "100 um", 1)
+        .replacen("300 rad/s", "3000 rpm", 1);
+    let inch = format!(
+        "bearing = {{ diameter = \"1 in\", length = \"1 in\", clearance = \"1.8 mil\" }}\noil.viscosity = \"7.60e-6 reyn\"\ncavitation.model = \"reynolds\"\n\
+         journal.speed = \"8000 rpm\"\nload = {{ force = \"66.278 N\", angle = \"270 deg\" }}\ndynamics.mass = \"6.75848 kg\"\n{}{}",
+        groove(-10.0, 10.0, "1 in"),
+        groove(170.0, 190.0, "1 in")
+    );
+    let keys = format!(
+        "eccentricity = 0.72\nmin_film_angle = \"36.2 deg\"\n[dynamics]\n{}{}",
+        groove(80.0, 100.0, "50 mm"),
+        groove(260.0, 280.0, "50 mm")
+    );
+    let beside = scene(0.5, "\"0.1 %\"", &keys);
+    // Name, value, what it is unsure of, and the widest bar over it.
+    let of_light = [
+        ("critical_mass", 371.05, 0.03, 0.02),
+        ("stiffness_xx", 1.22228e7, 2e3, 1.0),
+        ("stiffness_yy", 6.1047e6, 2e3, 1.0),
+    ];
+    let of_inch = [
+        ("critical_mass", 9.0073, 1e-4, 0.02),
+        ("logarithmic_decrement", 0.10698, 1e-5, 0.02),
+    ];
+    let of_beside = [
+        ("damping_xx", 1.37798e7, 2e3, 0.05),
+        ("damping_xy", 3.49135e6, 2e3, 0.08),
+        ("damping_yy", 2.55376e6, 2e3, 0.08),
+        ("stiffness_xx", 2.98262e9, 3e5, 0.03),
+        ("stiffness_yx", 5.2185e7, 3e5, 1.0),
+        ("critical_mass", 64.41e3, 0.2e3, 0.3),
+    ];
+    for (text, rows) in [(light, &of_light[..]), (inch, &of_inch), (beside, &of_beside)] {
+        let result = run(&text);
+        for &(name, wanted, unsure, widest) in rows {
+            let [found, bar] = quantity(&result, name);
+            println!("{name} {found} +- {bar}, not {wanted}");
+            assert!((found - wanted).abs() < bar + unsure, "{name}: {found} +- {bar}, not {wanted}");
+            assert!(bar < widest * wanted, "{name}: {found} +- {bar}");
+        }
+    }
+}
+
 /// Short bearing, half film: K, C and the critical mass to 1e-3; stable with any mass from eps 0.75 to 0.76 on.
 #[test]
 fn short_bearings_with_a_half_film() {

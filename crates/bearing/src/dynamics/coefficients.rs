@@ -28,14 +28,11 @@ impl Coefficients {
         let whirl = Whirl::new(problem, system, film, frequency)?;
         let follower = Follower::of(problem, system, film)?;
         let mut coefficients = Self {
-            order: if problem.can_tilt() { 4 } else { 2 },
+            order: Self::order_of(problem),
             ..Self::default()
         };
         for column in 0..coefficients.order {
-            let mut motion = [0.0; 4];
-            motion[column] = 1.0;
-            let [e_x, e_y, g_x, g_y] = motion;
-            let (offset, tilt) = ([e_x, e_y], [g_x, g_y]);
+            let (offset, tilt) = motion(column);
             let place = JournalChange {
                 offset,
                 tilt,
@@ -65,10 +62,32 @@ impl Coefficients {
         Ok(coefficients)
     }
 
+    /// How many rows and columns there are of a film.
+    pub(super) fn order_of(problem: &FilmProblem) -> usize {
+        if problem.can_tilt() { 4 } else { 2 }
+    }
+
     fn each(&self, of: impl Fn(&Square) -> Square) -> Self {
         Self {
             stiffness: of(&self.stiffness),
             damping: of(&self.damping),
+            order: self.order,
+        }
+    }
+
+    /// Times a factor.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        self.each(|of| of.map(|row| row.map(|entry| factor * entry)))
+    }
+
+    /// With another one added.
+    #[must_use]
+    pub fn plus(&self, other: &Self) -> Self {
+        let sum = |a: &Square, b: &Square| [0, 1, 2, 3].map(|i| [0, 1, 2, 3].map(|j| a[i][j] + b[i][j]));
+        Self {
+            stiffness: sum(&self.stiffness, &other.stiffness),
+            damping: sum(&self.damping, &other.damping),
             order: self.order,
         }
     }
@@ -116,6 +135,12 @@ impl Coefficients {
     pub(super) fn forces(of: &Square) -> [[f64; 2]; 2] {
         [[of[0][0], of[0][1]], [of[1][0], of[1][1]]]
     }
+}
+
+/// Offset and slope of a motion by one of the coordinates.
+pub(super) fn motion(column: usize) -> ([f64; 2], [f64; 2]) {
+    let along = |k: usize| f64::from(u8::from(k == column));
+    ([along(0), along(1)], [along(2), along(3)])
 }
 
 /// What the journal carries more in a rigid wall with a motion as `place` and as rate: contact answers to the place of the journal, not to its rate.

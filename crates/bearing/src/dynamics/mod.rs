@@ -8,13 +8,14 @@
 //! | C | the same times s | [`Coefficients::damping`] |
 //! | nu | - | `whirl`: frequency of the motion over the speed of the journal |
 //!
-//! `coefficients.rs` (K and C of a film at one frequency), `rotor.rs` (the rigid rotor), `whirl.rs` (the frequency at which a cavity that conserves oil lets
+//! `coefficients.rs` (K and C of a film at one frequency), `edge.rs` (what the edge of a cavity leaves open of them), `rotor.rs` (the rigid rotor), `whirl.rs` (the frequency at which a cavity that conserves oil lets
 //! the rotor whirl).
 //!
 //! **Source.** Lund, Thomsen, Topics in Fluid Film Bearing and Rotor Bearing System Design and Optimization, ASME (1978) 1. **Range.** Small motions; the
 //! temperature of the film is held. **Verified by** `tests/tests/dynamics`.
 
 mod coefficients;
+mod edge;
 mod rotor;
 mod whirl;
 
@@ -22,6 +23,7 @@ use oilwedge_fem::Error;
 use oilwedge_reynolds::{FilmProblem, FilmSolution, FilmSystem};
 
 pub use coefficients::{Coefficients, Square};
+pub use edge::edge_parts;
 pub use rotor::{Stability, Threshold, Whirling, stability, whirling};
 
 /// Coefficients at one frequency.

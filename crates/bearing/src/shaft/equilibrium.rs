@@ -6,7 +6,7 @@
 use super::films::{Films, NoFilmAt, magnitude};
 use super::stage::{Accuracy, Known, NoStage, Staged};
 use crate::Deadline;
-use crate::coordinates::Vector;
+use crate::coordinates::{Vector, moved};
 use crate::orbit::Instant;
 
 /// The first step in time over 1/omega, and how steps grow.
@@ -75,6 +75,48 @@ impl Films<'_> {
             return Ok(of(found, films));
         }
         self.sunk(asked, angle, deadline, &mut films)
+    }
+
+    /// The balance near another one, whose films carried somewhat more or less.
+    ///
+    /// # Errors
+    /// [`NoBalance`]: why there is none.
+    pub fn rebalanced(&self, asked: &[Vector], angle: f64, near: &Balance) -> Result<Balance, NoBalance> {
+        let mut films = near.films;
+        let start = places(&near.instants);
+        match self.settled(self.known(asked, angle, 0.0), start, Some(&near.instants), &mut films) {
+            Ok(found) => Ok(of(found, films)),
+            Err(NoStage::Film(reason)) => Err(NoBalance::Film(reason)),
+            Err(NoStage::Diverged(residual, place)) => Err(self.stuck(residual, &place)),
+        }
+    }
+
+    /// How all journals move [m] where one film carries somewhat more [N] in its place, for each such bearing, by its number, and force; not finite where the tangent is singular.
+    ///
+    /// # Errors
+    /// [`NoFilmAt`]: the linear systems of a film could not be solved.
+    pub fn moved_by(
+        &self,
+        instants: &[Instant],
+        angle: f64,
+        more: &[(usize, Vector)],
+    ) -> Result<Vec<Vec<Vector>>, NoFilmAt> {
+        let slopes = self.slopes(instants, (1.0, 0.0))?;
+        let moved_by = |&(bearing, force): &(usize, Vector)| {
+            let mut displaced = vec![[0.0; 4]; self.films.len()];
+            displaced[bearing] = [0, 1, 2, 3].map(|k| self.films[bearing].compliance[k] * force[k]);
+            let mut left = self.shaft.forces(&displaced, angle);
+            left[bearing] = moved(left[bearing], 1.0, force);
+            let step = self.newton_step(&slopes, &left, angle);
+            step.unwrap_or_else(|| vec![[f64::NAN; 4]; self.films.len()])
+        };
+        Ok(more.iter().map(moved_by).collect())
+    }
+
+    /// Where a search has got to that does not converge.
+    fn stuck(&self, residual: f64, place: &[Vector]) -> NoBalance {
+        let (bearing, gap) = self.thinnest(place);
+        NoBalance::Stuck { residual, bearing, gap }
     }
 
     fn scale(&self, asked: &[Vector]) -> f64 {
@@ -172,12 +214,7 @@ impl Films<'_> {
                 Err(_) => dt /= RETRY,
             }
         }
-        let (bearing, gap) = self.thinnest(&stuck.1);
-        Err(NoBalance::Stuck {
-            residual: stuck.0,
-            bearing,
-            gap,
-        })
+        Err(self.stuck(stuck.0, &stuck.1))
     }
 }
 

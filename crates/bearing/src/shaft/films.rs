@@ -43,6 +43,8 @@ pub struct Film<'a> {
     pub coordinates: Coordinates,
     /// How much what holds the shell gives way in each coordinate [m/N].
     pub compliance: Vector,
+    /// What a more accurate film in its place carries more [N]: it is that one which is balanced.
+    pub more: Vector,
     /// No load, at the speed of the journal.
     turning: DutyCycle,
 }
@@ -96,6 +98,7 @@ impl<'a> Film<'a> {
             gap: Gap::of(problem, system),
             coordinates,
             compliance,
+            more: [0.0; 4],
             turning: DutyCycle::constant(duty, 2.0 * std::f64::consts::TAU, speed.abs()),
         }
     }
@@ -125,6 +128,11 @@ impl<'a> Film<'a> {
             }),
             mass: 0.0,
         }
+    }
+
+    /// Forces that its journal is balanced by [N].
+    pub fn carried(&self, here: &Instant) -> Vector {
+        moved(here.excess, 1.0, self.more)
     }
 
     /// Least gap [m] of its journal at these coordinates.
@@ -167,12 +175,16 @@ impl Films<'_> {
     /// What is left of the balance of the shaft [N], turned by `angle` [rad], under these loads on its journals.
     pub fn residual(&self, instants: &[Instant], asked: &[Vector], angle: f64) -> Vec<Vector> {
         let displaced: Vec<Vector> = (instants.iter().zip(&self.films))
-            .map(|(here, film)| [0, 1, 2, 3].map(|k| here.at[k] + film.compliance[k] * here.excess[k]))
+            .map(|(here, film)| {
+                let carried = film.carried(here);
+                [0, 1, 2, 3].map(|k| here.at[k] + film.compliance[k] * carried[k])
+            })
             .collect();
         let by_shaft = self.shaft.forces(&displaced, angle);
-        let forces = instants.iter().zip(by_shaft).zip(asked);
+        let films = instants.iter().zip(&self.films);
+        let forces = films.map(|(here, film)| film.carried(here)).zip(by_shaft).zip(asked);
         forces
-            .map(|((here, shaft), asked)| [0, 1, 2, 3].map(|k| shaft[k] + here.excess[k] - asked[k]))
+            .map(|((carried, shaft), asked)| [0, 1, 2, 3].map(|k| shaft[k] + carried[k] - asked[k]))
             .collect()
     }
 

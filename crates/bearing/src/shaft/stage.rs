@@ -159,7 +159,7 @@ impl Films<'_> {
     }
 
     /// The change of all places by which the balance would be met; `None` where the tangent is singular.
-    fn newton_step(&self, slopes: &[Stiffness], residual: &[Vector], angle: f64) -> Option<Vec<Vector>> {
+    pub(super) fn newton_step(&self, slopes: &[Stiffness], residual: &[Vector], angle: f64) -> Option<Vec<Vector>> {
         let wanted: Vec<f64> = self.shaft.gathered(residual).iter().map(|part| -part).collect();
         let factors = self.tangent(slopes, 1.0, angle).factors()?;
         let step = self.shaft.spread(&factors.solve(&wanted));

@@ -87,8 +87,13 @@ fn counterweights(found: &CounterweightReport) -> Vec<String> {
         let [before, after] = [before, after].map(|film| in_unit(film, None, Unit::Metre));
         format!("{before} -> {after}")
     };
+    let taken = match found.part {
+        0.0 => "the counterweights stay: the shaft of the scene fares no better on any part of the way".to_owned(),
+        1.0 => "they are moved all the way".to_owned(),
+        part => format!("they are moved {part} of the way: further on the shaft of the scene fares no better"),
+    };
     let mut lines = vec![format!(
-        "weights   least film of all bearings {}; by maps, the shaft cut at its bearings, {}; {} shafts were tried",
+        "weights   least film of all bearings {}; by maps, the shaft cut at its bearings and the counterweights moved all the way, {}; {} shafts were tried; {taken}",
         found.film.map_or("not found".to_owned(), film),
         film(found.film_by_maps),
         found.asked

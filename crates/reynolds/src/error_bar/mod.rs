@@ -28,6 +28,7 @@
 
 pub mod conserving;
 mod drag;
+pub mod edge_products;
 pub mod following;
 pub mod geometry;
 pub mod places;

@@ -101,7 +101,7 @@ pub(super) fn broken_share(problem: &FilmProblem, system: &FilmSystem, film: &Fi
     if free > 0.0 { broken / free } else { 0.0 }
 }
 
-/// Share of the area [1] of triangles in which a cavity may hide from the mesh: where the film diverges (by thirds, as their corners), and the pressure
+/// Share of the area [1] of triangles in which a cavity may hide from the mesh: where none is shown, the film diverges (by thirds, as their corners), and the pressure
 /// is within `margin` [Pa] of that of the cavity. Zero without a model of cavitation.
 pub fn hidden_share(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolution, margin: f64) -> f64 {
     let Some(cavity) = problem.cavitation.pressure() else {
@@ -116,7 +116,7 @@ pub fn hidden_share(problem: &FilmProblem, system: &FilmSystem, film: &FilmSolut
         let is_low = |&dof: &usize| problem.pressure_at(film.unknown[dof]) <= cavity + margin;
         let flows = law.film_and_flows(t, &mesh.corners(t)).1;
         let diverging = flows[..3].iter().filter(|flow| flow.divergence + flow.storage > 0.0);
-        if nodes.iter().any(is_low) {
+        if nodes.iter().any(is_low) && !nodes.iter().any(|&dof| film.cavity[dof]) {
             hidden += area * diverging.count() as f64 / 3.0;
         }
         whole += area;

@@ -4,7 +4,7 @@ use oilwedge_bearing::{Coefficients, Dynamics};
 use oilwedge_reynolds::error_bar::conserving::ConservingError;
 use oilwedge_reynolds::error_bar::{Bar, FlowGoal};
 
-use super::{CoefficientBars, Estimate, ExtentEnd, Scaled};
+use super::{CoefficientErrors, Estimate, ExtentEnd, Scaled};
 use crate::film::Film;
 use crate::measure::Measured;
 
@@ -113,20 +113,22 @@ impl Estimate for CoarseComparison<'_> {
         })
     }
 
-    fn coefficients(&self) -> Option<CoefficientBars> {
-        self.bars_of_coefficients(|dynamics| Some(&dynamics.at.first()?.coefficients))
+    fn coefficients(&self) -> Option<CoefficientErrors> {
+        self.errors_of_coefficients(|dynamics| Some(&dynamics.at.first()?.coefficients))
     }
 
-    fn judged_coefficients(&self) -> Option<CoefficientBars> {
-        self.bars_of_coefficients(|dynamics| Some(&dynamics.judged.coefficients))
+    fn judged_coefficients(&self) -> Option<CoefficientErrors> {
+        self.errors_of_coefficients(|dynamics| Some(&dynamics.judged.coefficients))
     }
 }
 
 impl CoarseComparison<'_> {
-    /// Bars of coefficients that both films have.
-    fn bars_of_coefficients(&self, of: impl Fn(&Dynamics) -> Option<&Coefficients>) -> Option<CoefficientBars> {
+    /// Errors of coefficients that both films have.
+    fn errors_of_coefficients(&self, of: impl Fn(&Dynamics) -> Option<&Coefficients>) -> Option<CoefficientErrors> {
         let film = of(self.measured.dynamics()?)?;
         let coarse = of(self.dynamics.as_ref()?)?;
-        Some(CoefficientBars::of(film, coarse, OF_TANGENTS, 0.0))
+        Some(CoefficientErrors::entry_by_entry(film, coarse, |difference| {
+            OF_TANGENTS * difference
+        }))
     }
 }

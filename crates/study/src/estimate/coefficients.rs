@@ -1,62 +1,91 @@
-//! Bars of stiffness and damping: what two films of one bearing differ by.
+//! Errors of stiffness and damping, as parts that are independent of each other: what a number is off by that follows from all coefficients is the root of the sum of the squares of what
+//! each part changes it by.
 //!
-//! The tangent of a film converges irregularly where triangles change sides at the edge of its cavity, so that the difference of one entry may be small by chance.
-//! The greatest difference of all entries, each over the geometric mean of the greatest entries of its row and its column, counts for every one.
+//! Where the edge of a cavity runs through triangles, each of them is a part, whose entries belong together; so is what two films differ by. Elsewhere each entry is a part of its own: the
+//! difference of one entry may be small by chance, so that the greatest difference of all entries, each over the geometric mean of the greatest entries of its row and its column,
+//! counts for every one.
 
 use oilwedge_bearing::Coefficients;
 use oilwedge_bearing::dynamics::Square;
 
-/// Half widths of the bars of all coefficients.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct CoefficientBars {
-    /// Of the stiffness, in its units.
-    pub stiffness: Square,
-    /// Of the damping, in its units.
-    pub damping: Square,
+/// Errors of all coefficients.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CoefficientErrors {
+    parts: Vec<Coefficients>,
 }
 
-impl CoefficientBars {
-    /// Of a film, by `per_difference` of its difference from another one, but at least the part `least` of each entry's size.
-    pub(super) fn of(film: &Coefficients, other: &Coefficients, per_difference: f64, least: f64) -> Self {
+impl CoefficientErrors {
+    /// What a `film` and another one differ by, each entry by itself: what `part` makes of the greatest difference over the sizes of entries [1].
+    pub(super) fn entry_by_entry(film: &Coefficients, other: &Coefficients, part: impl Fn(f64) -> f64) -> Self {
+        let differences = [
+            (&film.stiffness, &other.stiffness),
+            (&film.damping, &other.damping),
+        ]
+        .map(|(of, other)| bars(of, part(greatest_difference(of, other))));
         Self {
-            stiffness: bars(&film.stiffness, &other.stiffness, per_difference, least),
-            damping: bars(&film.damping, &other.damping, per_difference, least),
+            parts: single(differences, film.order),
         }
+    }
+
+    /// With a part of the size of each entry of a `film`.
+    pub(super) fn and_share(mut self, film: &Coefficients, share: f64) -> Self {
+        if share > 0.0 {
+            let bars = [&film.stiffness, &film.damping].map(|of| bars(of, share));
+            self.parts.extend(single(bars, film.order));
+        }
+        self
+    }
+
+    /// These parts, each times a factor.
+    pub(super) fn of_parts(parts: impl IntoIterator<Item = (f64, Coefficients)>) -> Self {
+        let scaled = |(factor, part): (f64, Coefficients)| part.scaled(factor);
+        Self {
+            parts: parts.into_iter().map(scaled).collect(),
+        }
+    }
+
+    /// Half widths of the bars of what follows from the coefficients: `change` is what it changes by with each part, none where the part takes it away.
+    pub fn bar(&self, change: impl Fn(&Coefficients) -> Option<f64>) -> Option<f64> {
+        let squares = self.parts.iter().map(|part| Some(change(part)?.powi(2)));
+        Some(squares.sum::<Option<f64>>()?.sqrt())
     }
 }
 
-fn bars(of: &Square, other: &Square, per_difference: f64, least: f64) -> Square {
-    // Offsets and slopes have units of their own.
-    let greatest = |entries: [f64; 2]| entries.into_iter().fold(0.0, |most: f64, entry| most.max(entry.abs()));
-    let size = |i: usize, j: usize| {
-        let (rows, columns) = (i - i % 2, j - j % 2);
-        let row = greatest([0, 1].map(|column| of[i][columns + column]));
-        let column = greatest([0, 1].map(|row| of[rows + row][j]));
-        (row * column).sqrt()
+/// Parts of one entry each.
+fn single([stiffness, damping]: [Square; 2], order: usize) -> Vec<Coefficients> {
+    let places = (0..order).flat_map(|row| (0..order).map(move |column| (row, column)));
+    let part = |(row, column): (usize, usize)| {
+        let mut parts = [Coefficients { order, ..Coefficients::default() }; 2];
+        parts[0].stiffness[row][column] = stiffness[row][column];
+        parts[1].damping[row][column] = damping[row][column];
+        parts
     };
-    let mut bars = [[0.0; 4]; 4];
-    let mut part: f64 = 0.0;
-    for (i, row) in bars.iter_mut().enumerate() {
-        for (j, bar) in row.iter_mut().enumerate() {
-            *bar = size(i, j);
-            if *bar > 0.0 && i / 2 == j / 2 {
-                part = part.max((of[i][j] - other[i][j]).abs() / *bar);
-            }
-        }
+    places.flat_map(part).collect()
+}
+
+/// The geometric mean of the greatest entries of row and column; of a block that vanishes by symmetry only the size of its neighbours is known.
+fn size(of: &Square, i: usize, j: usize) -> f64 {
+    let greatest = |entries: [f64; 2]| entries.into_iter().fold(0.0, |most: f64, entry| most.max(entry.abs()));
+    // Offsets and slopes have units of their own.
+    let (rows, columns) = (i - i % 2, j - j % 2);
+    if rows != columns {
+        return (size(of, i, i) * size(of, j, j)).sqrt();
     }
-    // Of a block that vanishes by symmetry only the size of its neighbours is known.
-    for (i, row) in bars.iter_mut().enumerate() {
-        for (j, bar) in row.iter_mut().enumerate() {
-            if i / 2 != j / 2 {
-                *bar = (size(i, i) * size(j, j)).sqrt();
-                part = part.max(if *bar > 0.0 {
-                    (of[i][j] - other[i][j]).abs() / *bar
-                } else {
-                    0.0
-                });
-            }
-        }
-    }
-    let part = (per_difference * part).max(least);
-    bars.map(|row| row.map(|size| part * size))
+    let row = greatest([0, 1].map(|column| of[i][columns + column]));
+    let column = greatest([0, 1].map(|row| of[rows + row][j]));
+    (row * column).sqrt()
+}
+
+fn bars(of: &Square, part: f64) -> Square {
+    [0, 1, 2, 3].map(|i| [0, 1, 2, 3].map(|j| part * size(of, i, j)))
+}
+
+/// The greatest difference of two matrices over the sizes of entries [1].
+fn greatest_difference(of: &Square, other: &Square) -> f64 {
+    let places = (0..4).flat_map(|i| (0..4).map(move |j| (i, j)));
+    let parts = places.map(|(i, j)| match size(of, i, j) {
+        size if size > 0.0 => (of[i][j] - other[i][j]).abs() / size,
+        _ => 0.0,
+    });
+    parts.fold(0.0, f64::max)
 }

@@ -10,7 +10,7 @@ use oilwedge_reynolds::supply::{BoundaryKind, SupplyRegion};
 use oilwedge_reynolds::{FilmSolution, FilmSystem};
 
 use super::places::{self, PlacedPair};
-use super::{CoefficientBars, Estimate, ExtentEnd, Scaled};
+use super::{CoefficientErrors, Estimate, ExtentEnd, Scaled};
 use crate::film::Film;
 use crate::measure::{Measured, drag};
 
@@ -27,14 +27,21 @@ pub(super) struct CubicPair<'a> {
     pub(super) measured: [&'a Measured; 2],
     /// Which film is judged.
     pub(super) value: Value,
+    /// What the edge of the cavity of the cubic film leaves open of stiffness and damping, triangle by triangle; none where they are not asked for, or could not be computed.
+    pub(super) edge: Option<Vec<Coefficients>>,
 }
 
-/// Parts of the difference of the tangents of both films that each of them is off by: where the edge of a cavity is found, and elsewhere; measured. Both may
-/// find the edge alike, so that at least this part of the share of the triangles there counts.
+/// Parts of the difference of the tangents of both films that each of them is off by: of the quadratic one, of the cubic one where the edge of a cavity is found, and elsewhere; measured.
 const OF_QUADRATIC_TANGENTS: f64 = 2.0;
-const OF_CUBIC_TANGENTS: f64 = 1.5;
-const OF_SMOOTH_TANGENTS: f64 = 0.6;
-const PER_FRONT: f64 = 0.08;
+const OF_CUBIC_TANGENTS: f64 = 1.0;
+const OF_TANGENTS_WITHOUT_EDGE: f64 = 0.8;
+/// Where the film is smooth the cubic tangent is off by this times the 3/2 power of the difference, over the sizes of entries, if that is less; measured: up to 1.05.
+const OF_SMOOTH_TANGENTS: f64 = 1.5;
+/// Part of the products of response and dual in a triangle through which the edge of the cavity runs by which a tangent is off, where those of all triangles are added without regard to
+/// their signs; measured.
+const PER_EDGE: f64 = 0.4;
+/// Where the mesh shows no edge: part of the share of the triangles in which one may hide.
+const PER_HIDDEN: f64 = 0.08;
 
 /// In the law of extremes of a smooth pressure; measured: up to 2.5.
 const PER_EXTREME: f64 = 3.0;
@@ -163,31 +170,37 @@ impl Estimate for CubicPair<'_> {
         places::film_end(&self.placed(), end)
     }
 
-    fn coefficients(&self) -> Option<CoefficientBars> {
-        self.bars_of_coefficients(|dynamics| Some(&dynamics.at.first()?.coefficients))
+    fn coefficients(&self) -> Option<CoefficientErrors> {
+        self.errors_of_coefficients(|dynamics| Some(&dynamics.at.first()?.coefficients))
     }
 
-    fn judged_coefficients(&self) -> Option<CoefficientBars> {
-        self.bars_of_coefficients(|dynamics| Some(&dynamics.judged.coefficients))
+    fn judged_coefficients(&self) -> Option<CoefficientErrors> {
+        self.errors_of_coefficients(|dynamics| Some(&dynamics.judged.coefficients))
     }
 }
 
 impl CubicPair<'_> {
-    /// Bars of coefficients that both films have.
-    fn bars_of_coefficients(&self, of: impl Fn(&Dynamics) -> Option<&Coefficients>) -> Option<CoefficientBars> {
+    /// Errors of coefficients that both films have.
+    fn errors_of_coefficients(&self, of: impl Fn(&Dynamics) -> Option<&Coefficients>) -> Option<CoefficientErrors> {
         let [quadratic, cubic] = self.measured.map(|measured| of(measured.dynamics()?));
         let (quadratic, cubic) = (quadratic?, cubic?);
-        let has_edge = self.film.problem.cavitation.has_free_boundary();
-        let least = if has_edge {
-            PER_FRONT * (self.front_share() + self.hidden_share())
-        } else {
-            0.0
+        let edge = self.edge.as_ref()?;
+        let (judged, other, of_edge, without_edge) = match self.value {
+            Value::Quadratic => (quadratic, cubic, OF_QUADRATIC_TANGENTS, OF_QUADRATIC_TANGENTS),
+            Value::Cubic => (cubic, quadratic, OF_CUBIC_TANGENTS, OF_TANGENTS_WITHOUT_EDGE),
         };
-        Some(match self.value {
-            Value::Quadratic => CoefficientBars::of(quadratic, cubic, OF_QUADRATIC_TANGENTS, least),
-            Value::Cubic if has_edge => CoefficientBars::of(cubic, quadratic, OF_CUBIC_TANGENTS, least),
-            Value::Cubic => CoefficientBars::of(cubic, quadratic, OF_SMOOTH_TANGENTS, least),
-        })
+        if !edge.is_empty() {
+            let parts = edge.iter().map(|part| (PER_EDGE, *part));
+            let difference = (of_edge, judged.plus(&other.scaled(-1.0)));
+            return Some(CoefficientErrors::of_parts(parts.chain([difference])));
+        }
+        let is_smooth = self.value == Value::Cubic && self.has_smooth_flows();
+        let part = |difference: f64| match is_smooth {
+            true => (OF_SMOOTH_TANGENTS * difference.powf(1.5)).min(without_edge * difference),
+            false => without_edge * difference,
+        };
+        let errors = CoefficientErrors::entry_by_entry(judged, other, part);
+        Some(errors.and_share(judged, PER_HIDDEN * self.hidden_share()))
     }
 
     /// What bars of places are made of.

@@ -6,7 +6,8 @@
 use std::time::Instant;
 
 use oilwedge_bearing::deflection::following_wall;
-use oilwedge_bearing::{Dynamics, Vector};
+use oilwedge_bearing::dynamics::edge_parts;
+use oilwedge_bearing::{Coefficients, Dynamics, Vector};
 use oilwedge_reynolds::error_bar::conserving::{ConservingError, ErrorDirection};
 use oilwedge_reynolds::error_bar::sharp::{Reported, sharpen};
 use oilwedge_reynolds::error_bar::{Bar, Value, film_error};
@@ -40,6 +41,8 @@ pub struct Estimated {
     pub spread: f64,
     /// Names of the quantities that are those of the sharp hill of a mass-conserving film, and all that follows from them; of the others none is.
     pub of_hill: Vec<&'static str>,
+    /// Half widths [N] of what the film carries in its place, in independent directions of force and moment; none without bars, or where the mesh does not resolve the film.
+    pub carried: Option<Vec<(Vector, f64)>>,
     /// The bar that the load would have without its hill over that which it has; one where there is none.
     pub narrowed: f64,
     /// Seconds that measuring and estimating took.
@@ -56,6 +59,7 @@ impl Estimated {
             is_local: false,
             spread: 0.0,
             of_hill: Vec::new(),
+            carried: None,
             narrowed: 1.0,
             seconds: 0.0,
         }
@@ -103,11 +107,13 @@ fn by_cubic(solved: &Solved, cubic: &FilmSolution) -> Estimated {
         error: &error,
         measured: [&quadratic, &reported],
         value: Value::Cubic,
+        edge: edge_of(film, cubic),
     };
     let along = error.load(Value::Cubic);
-    let load = bars_of_balance(film, [along, error.across(Value::Cubic)], pair.moment());
+    let load = bars_of_balance(film, &reported, [along, error.across(Value::Cubic)], pair.moment());
     Estimated {
         of_hill: Vec::new(),
+        carried: error.is_resolved().then(|| load.iter().map(|(direction, bar)| (*direction, bar.total())).collect()),
         narrowed: 1.0,
         quantities: with_bars(solved, &pair, &reported, &numbers(film, &quadratic), &load),
         measured: reported,
@@ -153,7 +159,7 @@ fn by_coarse(
         true => (error.directions.iter())
             .map(|&ErrorDirection { direction, bar }| (direction, of_few(film, bar)))
             .collect(),
-        false => bars_of_balance(film, [error.load, error.across], None),
+        false => bars_of_balance(film, &plain.measured, [error.load, error.across], None),
     };
     Estimated {
         quantities: with_bars(solved, &pair, &plain.measured, &of_film, &load),
@@ -200,6 +206,7 @@ pub fn quadratic_errors(solved: &Solved) -> Option<Vec<Quantity>> {
         error: &error,
         measured: [&quadratic, &better],
         value: Value::Quadratic,
+        edge: edge_of(film, cubic),
     };
     Some(with_bars(solved, &pair, &quadratic, &numbers(film, &better), &[]))
 }
@@ -217,13 +224,27 @@ fn of_quadratic(solved: &Solved, beside: Option<&Measured>) -> Measured {
     measure(parts.0, parts.1, parts.2).with_dynamics(film, parts, beside)
 }
 
+/// What the edge of the cavity of the film in cubic elements leaves open of stiffness and damping.
+fn edge_of(film: &Film, cubic: &FilmSolution) -> Option<Vec<Coefficients>> {
+    film.dynamics.as_ref()?;
+    match film.problem.cavitation.has_free_boundary() {
+        true => edge_parts(&film.problem, &film.system.cubic().system, cubic).ok(),
+        false => Some(Vec::new()),
+    }
+}
+
 fn numbers(film: &Film, of: &Measured) -> Vec<Quantity> {
     measured(&View::new(film, &film.problem, of))
 }
 
 /// Bars of what a balance fixes [N], in directions of force and moment: along the load and across it and, where the journal can tilt, of the `moment` [N m] towards x and y.
-fn bars_of_balance(film: &Film, [along, across]: [Bar; 2], moment: Option<[Bar; 2]>) -> Vec<(Vector, Bar)> {
-    let [x, y] = film.load.map_or([0.0; 2], |load| load.force);
+fn bars_of_balance(
+    film: &Film,
+    measured: &Measured,
+    [along, across]: [Bar; 2],
+    moment: Option<[Bar; 2]>,
+) -> Vec<(Vector, Bar)> {
+    let [x, y] = film.load.map_or(measured.load.total.force, |load| load.force);
     let size = x.hypot(y);
     let [x, y] = if size > 0.0 { [x / size, y / size] } else { [1.0, 0.0] };
     let per_arm = 2.0 / film.problem.bearing.length;

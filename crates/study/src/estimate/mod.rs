@@ -10,13 +10,15 @@
 mod coarse;
 mod coefficients;
 mod cubic;
+mod displaced;
 mod errors;
 mod linked;
 mod places;
 mod position_sensitivity;
 mod wall;
 
-pub use coefficients::CoefficientBars;
+pub use coefficients::CoefficientErrors;
+pub use displaced::Displacement;
 pub use errors::{Estimated, estimate_errors, quadratic_errors};
 
 use oilwedge_reynolds::error_bar::{Bar, FlowGoal};
@@ -89,7 +91,7 @@ pub trait Estimate {
     /// Of the place of an end of the loaded film [m]; none where only one of two films has it.
     fn film_end(&self, end: ExtentEnd) -> Option<Bar>;
     /// Of stiffness and damping at the first frequency asked for; none where one of two films has none.
-    fn coefficients(&self) -> Option<CoefficientBars>;
+    fn coefficients(&self) -> Option<CoefficientErrors>;
     /// Of those at the frequency at which a rotor is judged, likewise.
-    fn judged_coefficients(&self) -> Option<CoefficientBars>;
+    fn judged_coefficients(&self) -> Option<CoefficientErrors>;
 }

@@ -15,7 +15,7 @@ use crate::isothermal::isothermal;
 use crate::measure::measure;
 use crate::no_answer::NoAnswer;
 use crate::quantities::cycle_view::Sample;
-use crate::quantities::{PRESSURE_MAX, Quantity, View, measured};
+use crate::quantities::{Bar, PRESSURE_MAX, Quantity, View, measured};
 use crate::solved::{Errors, SolveOptions, Solved};
 use crate::thermal::flows::thermal_flows;
 
@@ -176,7 +176,10 @@ fn sample(film: &Film, motion: &Motion, instant: Instant, errors: Errors) -> Res
     };
     let solved = isothermal(&here, &options)?;
     let estimated = estimate_errors(&solved);
-    let quantities = estimated.quantities;
+    let quantities = match errors {
+        Errors::Estimated => with_forces_of_path(&here, &solved, estimated.quantities),
+        Errors::Omitted => estimated.quantities,
+    };
     let flows = (film.thermal.as_ref()).map(|model| thermal_flows(model, &here, &estimated.measured));
     let (power, imbalance) = (estimated.measured.power, estimated.measured.flows.imbalance);
     let tangents = match tangents {
@@ -209,6 +212,20 @@ fn sample(film: &Film, motion: &Motion, instant: Instant, errors: Errors) -> Res
         flows,
     };
     Ok((sampled, solved.solution))
+}
+
+/// These numbers, but what the film carries is that of the film by which the orbit was followed: it balances the load. Its bar is that of the path.
+fn with_forces_of_path(film: &Film, solved: &Solved, mut quantities: Vec<Quantity>) -> Vec<Quantity> {
+    let of_path = measure(&film.problem, &film.system, &solved.solution);
+    let of_path = measured(&View::new(film, &film.problem, &of_path));
+    for quantity in quantities.iter_mut().filter(|quantity| quantity.row.error.is_of_load()) {
+        let Some(balanced) = of_path.iter().find(|other| other.name == quantity.name) else {
+            continue;
+        };
+        quantity.value = balanced.value;
+        quantity.set_bar(quantity.bar.map(|_| Bar::default()));
+    }
+    quantities
 }
 
 /// Force of the film by which the orbit was followed.

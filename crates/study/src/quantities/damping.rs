@@ -96,5 +96,6 @@ fn entry(film: &View, row: usize, column: usize) -> Option<f64> {
 }
 
 fn bar(estimate: &dyn Estimate, row: usize, column: usize) -> Option<Bar> {
-    Some(Bar::of(estimate.coefficients()?.damping[row][column]))
+    let errors = estimate.coefficients()?;
+    Some(Bar::of(errors.bar(|part| Some(part.damping[row][column]))?))
 }

@@ -30,7 +30,7 @@ rows! {
         in_table(Table::Dynamics) only(|scene| scene.dynamics.as_ref().is_some_and(|asked| asked.mass.is_some()));
 }
 
-const RULE: &str = "those of K and C, each of which moves it: the root of the sum of squares";
+const RULE: &str = "those of K and C, each part of which moves it: the root of the sum of squares";
 
 fn judged<'a>(film: &'a View) -> Option<&'a Coefficients> {
     let dynamics = film.measured.dynamics()?;
@@ -54,22 +54,13 @@ fn decrement(of: &Coefficients, film: &View) -> Option<f64> {
     Some(whirling(of, mass)?.decrement)
 }
 
-/// What the bars of all coefficients make of a number; none where one of them takes it away.
+/// What the errors of all coefficients make of a number; none where one of them takes it away.
 fn bar(estimate: &dyn Estimate, number: impl Fn(&Coefficients) -> Option<f64>, at: &Subject) -> Option<Bar> {
-    let bars = estimate.judged_coefficients()?;
+    let errors = estimate.judged_coefficients()?;
     let own = judged(at.view)?;
-    let mut squares = 0.0;
-    for row in 0..2 {
-        for column in 0..2 {
-            for sign in [-1.0, 1.0] {
-                let mut moved = [*own; 2];
-                moved[0].stiffness[row][column] += sign * bars.stiffness[row][column];
-                moved[1].damping[row][column] += sign * bars.damping[row][column];
-                for moved in moved {
-                    squares += 0.5 * (number(&moved)? - at.value).powi(2);
-                }
-            }
-        }
-    }
-    Some(Bar::of(squares.sqrt()))
+    let change = |part: &Coefficients| {
+        let [less, more] = [-1.0, 1.0].map(|sign| number(&own.plus(&part.scaled(sign))));
+        Some((less? - at.value).hypot(more? - at.value) * std::f64::consts::FRAC_1_SQRT_2)
+    };
+    Some(Bar::of(errors.bar(change)?))
 }

@@ -141,8 +141,8 @@ pub struct BearingReport {
     pub energy: Option<f64>,
     /// What it is judged by, with verdicts: `[criteria]` of its scene.
     pub criteria: Vec<Criterion>,
-    /// Its numbers. At rest their error bars are those of its film at the place that was found, over a cycle those of its orbit under the load that it carries; what only the
-    /// shaft decides has none.
+    /// Its numbers. At rest their error bars hold the errors of all films of the shaft, over a cycle they are those of its orbit under the load that it carries; what only the
+    /// shaft decides has none there.
     #[serde(serialize_with = "named")]
     pub quantities: Vec<Quantity>,
 }

@@ -1,18 +1,20 @@
 //! The shaft at rest under loads that do not change: all films at once, or each under what statics gives it.
 
 use std::sync::Arc;
-use std::time::Instant;
+use std::time::Instant as Clock;
 
-use oilwedge_bearing::coordinates::Vector;
-use oilwedge_bearing::shaft::{Balance, NoBalance};
-use oilwedge_reynolds::quantities::load::load;
+use oilwedge_bearing::coordinates::{Vector, length, moved};
+use oilwedge_bearing::orbit::Instant;
+use oilwedge_bearing::shaft::{Balance, Films, NoBalance, NoFilmAt};
+use oilwedge_reynolds::quantities::load::{Resultant, load};
+use oilwedge_reynolds::{FilmSolution, FilmSystem, ReferenceFilm};
 use oilwedge_scene::{Scene, ShaftScene};
 use rayon::prelude::*;
 
 use super::compile::{Bearing, Compiled, compile_shaft};
 use super::error::ShaftError;
-use super::result::{BearingReport, ShaftBalances, ShaftResult, ShaftRun, found_with_shaft};
-use crate::estimate::estimate_errors;
+use super::result::{BearingReport, ShaftBalances, ShaftResult, ShaftRun};
+use crate::estimate::{Displacement, Estimated, estimate_errors};
 use crate::film::Film;
 use crate::isothermal::isothermal;
 use crate::no_answer::NoAnswer;
@@ -20,19 +22,22 @@ use crate::orbit::{GREATEST, USUAL, suits};
 use crate::reasons::flags::MORE_SECONDS;
 use crate::result::Status;
 use crate::run_options::RunOptions;
-use crate::solved::SolveOptions;
-use crate::warning::Warning;
+use crate::solved::{Errors, SolveOptions, Solved};
 use crate::warnings::all_warnings;
 
 /// Meshes are drawn anew for the films that were found at most so many times.
 const MESHES: usize = 3;
+/// What the films that are reported carry may differ from the loads by this part of them,
+const BALANCED: f64 = 1e-9;
+/// and the shaft is balanced so many times at most until it does.
+const MOST_BALANCES: usize = 20;
 
 /// Solves the films of a shaft at rest.
 ///
 /// # Errors
 /// The scenes do not become a shaft on films.
 pub(super) fn solved(scene: &ShaftScene, options: &RunOptions) -> Result<ShaftRun, ShaftError> {
-    let clock = Instant::now();
+    let clock = Clock::now();
     let deadline = options.deadline();
     let mut run = ShaftRun::of(scene, options.bars);
     let result = &mut run.result;
@@ -56,27 +61,30 @@ pub(super) fn solved(scene: &ShaftScene, options: &RunOptions) -> Result<ShaftRu
     result
         .timing_s
         .push(("balance".to_owned(), clock.elapsed().as_secs_f64()));
-    match found {
-        Ok(balance) => {
-            let clock = Instant::now();
-            let outcome = report(&compiled, &balance, options, result);
-            if let Err(reason) = outcome {
-                (result.status, result.reason) = (Status::without(&reason), Some(reason.to_string()));
-            }
-            result
-                .timing_s
-                .push(("measure".to_owned(), clock.elapsed().as_secs_f64()));
-        }
-        Err(reason) => {
-            result.status = match &reason {
-                NoBalance::Film(at) if at.reason.is_unreached() => Status::NotConverged,
-                NoBalance::Film(_) => Status::NoSolution,
-                NoBalance::Stuck { .. } | NoBalance::Ended => Status::NotConverged,
-            };
-            result.reason = Some(told(&reason, &compiled));
-        }
+    let clock = Clock::now();
+    let outcome = found
+        .map_err(|reason| without(&reason, &compiled))
+        .and_then(|balance| report(&compiled, balance, options, result));
+    if let Err((status, reason)) = outcome {
+        (result.status, result.reason) = (status, Some(reason));
     }
+    result
+        .timing_s
+        .push(("measure".to_owned(), clock.elapsed().as_secs_f64()));
     Ok(run)
+}
+
+/// Why there is no answer.
+fn without(reason: &NoBalance, compiled: &Compiled) -> (Status, String) {
+    let status = match reason {
+        NoBalance::Film(at) if !at.reason.is_unreached() => Status::NoSolution,
+        NoBalance::Film(_) | NoBalance::Stuck { .. } | NoBalance::Ended => Status::NotConverged,
+    };
+    (status, told(reason, compiled))
+}
+
+fn is_graded(bearing: &Bearing) -> bool {
+    bearing.film.scene.mesh.is_graded()
 }
 
 /// A film whose journal is where the shaft rests: its numbers are those of one film, not of a cycle.
@@ -91,42 +99,111 @@ fn at_rest(film: Film) -> Film {
     }
 }
 
-fn is_graded(bearing: &Bearing) -> bool {
-    bearing.film.scene.mesh.is_graded()
+/// The films of a balance, solved with those by which errors are estimated.
+struct Reported {
+    /// The balance of the films that are reported.
+    balance: Balance,
+    /// The films.
+    solved: Vec<Solved>,
+    /// What they carry [N].
+    carried: Vec<Resultant>,
+}
+
+/// The films that are reported, and their balance: the more accurate films carry somewhat else than those by which the balance was `found`, so that the shaft is balanced again, until what
+/// they carry balances its loads.
+fn reported(
+    compiled: &Compiled,
+    films: &mut Films,
+    found: Balance,
+    options: &RunOptions,
+) -> Result<Reported, (Status, String)> {
+    let asked = compiled.steady_load();
+    let size = asked.iter().map(|&load| length(load)).sum::<f64>();
+    let mut balance = found;
+    let mut left = f64::INFINITY;
+    for _ in 0..MOST_BALANCES {
+        let solve = |(bearing, here): (&Bearing, &Instant)| {
+            let solve = SolveOptions {
+                errors: options.errors(),
+                ..SolveOptions::default()
+            };
+            isothermal(&at_rest(bearing.film.with_journal(here.problem.journal)), &solve)
+        };
+        let at: Vec<(&Bearing, &Instant)> = compiled.bearings.iter().zip(&balance.instants).collect();
+        let solved: Result<Vec<Solved>, NoAnswer> = at.into_par_iter().map(solve).collect();
+        let solved = solved.map_err(|reason| (Status::without(&reason), reason.to_string()))?;
+        let carried: Vec<Resultant> = solved.iter().map(carried).collect();
+        left = 0.0;
+        for ((film, here), carried) in films.films.iter_mut().zip(&balance.instants).zip(&carried) {
+            let more = match options.errors() {
+                Errors::Estimated => moved(film.coordinates.forces(carried), -1.0, here.excess),
+                Errors::Omitted => film.more,
+            };
+            left += length(moved(more, -1.0, film.more));
+            film.more = more;
+        }
+        if left <= BALANCED * size {
+            return Ok(Reported {
+                balance,
+                solved,
+                carried,
+            });
+        }
+        let next = films.rebalanced(&asked, 0.0, &balance);
+        balance = next.map_err(|reason| without(&reason, compiled))?;
+    }
+    let at: Vec<Vector> = balance.instants.iter().map(|here| here.at).collect();
+    let (bearing, gap) = films.thinnest(&at);
+    let residual = left / size;
+    Err(without(&NoBalance::Stuck { residual, bearing, gap }, compiled))
+}
+
+/// What the film of a bearing carries whose numbers are reported.
+fn carried(solved: &Solved) -> Resultant {
+    let film = &solved.film;
+    let of = |system: &FilmSystem, solution: &FilmSolution| load(&film.problem, system, solution).total.resultant();
+    match &solved.reference {
+        Some(ReferenceFilm::Cubic(cubic)) => of(&film.system.cubic().system, cubic),
+        _ => of(&film.system, &solved.solution),
+    }
 }
 
 /// Fills in the numbers of a balance.
 fn report(
     compiled: &Compiled,
-    balance: &Balance,
+    found: Balance,
     options: &RunOptions,
     result: &mut ShaftResult,
-) -> Result<(), NoAnswer> {
-    let films = compiled.films();
-    let measure = |(number, bearing): (usize, &Bearing)| {
-        let here = &balance.instants[number];
-        let film = at_rest(bearing.film.with_journal(here.problem.journal));
-        let solve = SolveOptions {
-            errors: options.errors(),
-            ..SolveOptions::default()
-        };
-        let solved = isothermal(&film, &solve)?;
-        let estimated = estimate_errors(&solved);
-        let warnings = all_warnings(&film.scene, &solved, &estimated, options.errors());
-        let of_film = &films.films[number];
-        let arm = of_film.coordinates.arm;
-        let shell = [0, 1, 2, 3].map(|k| of_film.compliance[k] * here.excess[k]);
-        let [tilt_x, tilt_y] = film.problem.journal.tilt;
-        let report = BearingReport {
-            shell: [shell[0].hypot(shell[1]), shell[2].hypot(shell[3]) / arm],
-            tilt_max: tilt_x.hypot(tilt_y),
-            ..BearingReport::of(bearing, found_with_shaft(estimated.quantities), options.bars)
-        };
-        Ok((report, warnings))
+) -> Result<(), (Status, String)> {
+    let mut films = compiled.films();
+    let Reported {
+        balance,
+        solved,
+        carried,
+    } = reported(compiled, &mut films, found, options)?;
+    let estimated: Vec<Estimated> = solved.par_iter().map(estimate_errors).collect();
+    let displacements = displacements(&films, &balance, &estimated);
+    let displacements = displacements.map_err(|reason| without(&NoBalance::Film(reason), compiled))?;
+    let measure = |number: usize| {
+        let (bearing, solved, of_film) = (&compiled.bearings[number], &solved[number], &films.films[number]);
+        (number, bearing, solved, of_film)
     };
-    let measured: Result<Vec<(BearingReport, Vec<Warning>)>, NoAnswer> =
-        compiled.bearings.par_iter().enumerate().map(measure).collect();
-    for (report, warnings) in measured? {
+    let parts = (0..compiled.bearings.len()).map(measure).zip(estimated);
+    for ((number, bearing, solved, of_film), estimated) in parts {
+        let errors = displacements.as_ref().map(|all| &all[number][..]);
+        let estimated = match options.errors() {
+            Errors::Estimated => estimated.displaced(solved, of_film.coordinates, errors),
+            Errors::Omitted => estimated,
+        };
+        let warnings = all_warnings(&solved.film.scene, solved, &estimated, options.errors());
+        let forces = of_film.carried(&balance.instants[number]);
+        let shell = [0, 1, 2, 3].map(|k| of_film.compliance[k] * forces[k]);
+        let [tilt_x, tilt_y] = solved.film.problem.journal.tilt;
+        let report = BearingReport {
+            shell: [shell[0].hypot(shell[1]), shell[2].hypot(shell[3]) / of_film.coordinates.arm],
+            tilt_max: tilt_x.hypot(tilt_y),
+            ..BearingReport::of(bearing, estimated.quantities, options.bars)
+        };
         let named = warnings
             .into_iter()
             .map(|warning| warning.of(&BearingReport::part(&report.name)));
@@ -134,12 +211,40 @@ fn report(
         result.bearings.push(report);
     }
     result.films = balance.films;
-    result.balances = balances(compiled, balance);
+    result.balances = balances(compiled, &balance, &carried);
     Ok(())
 }
 
-/// The balances of the whole shaft, by the loads as they are given and the forces of the films.
-fn balances(compiled: &Compiled, balance: &Balance) -> ShaftBalances {
+/// What the errors of all films do to each of them, by bearing; none where a film has no bar.
+fn displacements(
+    films: &Films,
+    balance: &Balance,
+    estimated: &[Estimated],
+) -> Result<Option<Vec<Vec<Displacement>>>, NoFilmAt> {
+    let of_film = |(number, estimated): (usize, &Estimated)| {
+        let coordinates = films.films[number].coordinates;
+        let errors = estimated.carried.as_ref()?.iter().take(coordinates.order);
+        let force = |(direction, bar): &(Vector, f64)| (number, direction.map(|part| bar * part));
+        Some(errors.map(force).collect::<Vec<_>>())
+    };
+    let Some(errors) = estimated.iter().enumerate().map(of_film).collect::<Option<Vec<_>>>() else {
+        return Ok(None);
+    };
+    let errors: Vec<(usize, Vector)> = errors.into_iter().flatten().collect();
+    let moves = films.moved_by(&balance.instants, 0.0, &errors)?;
+    let seen = |number: usize| {
+        let both = errors.iter().zip(&moves);
+        let seen = both.map(|((bearing, force), moves)| Displacement {
+            by: moves[number],
+            carries: if *bearing == number { *force } else { [0.0; 4] },
+        });
+        seen.collect()
+    };
+    Ok(Some((0..films.films.len()).map(seen).collect()))
+}
+
+/// The balances of the whole shaft, by the loads as they are given and what the films carry.
+fn balances(compiled: &Compiled, balance: &Balance, carried: &[Resultant]) -> ShaftBalances {
     let (mut force, mut moment, mut scale, mut arm_scale) = ([0.0; 2], [0.0; 2], 0.0, 0.0);
     for load in &compiled.loads {
         let z = compiled.loaded_at[load.place];
@@ -150,8 +255,7 @@ fn balances(compiled: &Compiled, balance: &Balance) -> ShaftBalances {
             moment[k] += z * load.force[k];
         }
     }
-    for (here, bearing) in balance.instants.iter().zip(&compiled.bearings) {
-        let carried = load(&here.problem, &bearing.film.system, &here.film).total.resultant();
+    for (carried, bearing) in carried.iter().zip(&compiled.bearings) {
         for k in 0..2 {
             force[k] -= carried.force[k];
             moment[k] -= bearing.at * carried.force[k];

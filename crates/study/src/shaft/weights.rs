@@ -1,7 +1,8 @@
 //! Counterweights of a crankshaft: how to move them between the webs that have one, so that the least film of all bearings is greatest, and the force and the moment of
 //! the whole shaft stay.
 //!
-//! The search asks for orbits by the maps of the films, where the shaft is cut at its bearings; the answer is verified on the films of the scene.
+//! The search asks for orbits by the maps of the films, where the shaft is cut at its bearings. That shaft is not the one of the scene, which decides: the counterweights are moved the whole way to
+//! those that the search has found, or half of it and so on, until the films of the scene fare better, and stay where no part of the way serves them.
 
 use oilwedge_bearing::duty_cycle::DutyCycle;
 use oilwedge_bearing::mobility::{FiniteMap, Travel};
@@ -34,7 +35,10 @@ const STEP: f64 = 0.3;
 pub struct CounterweightReport {
     /// The webs with a counterweight.
     pub webs: Vec<WebReport>,
-    /// Least film of all bearings by maps of the films, the shaft cut at its bearings: before and after [m].
+    /// Part of the way [1] to the counterweights that serve the shaft best where it is cut: the first of 1, 1/2, 1/4, 1/8 on which the shaft of the scene fares better; 0 where it does on none, and its
+    /// counterweights stay.
+    pub part: f64,
+    /// Least film of all bearings by maps of the films, the shaft cut at its bearings: before, and the whole way [m].
     pub film_by_maps: [f64; 2],
     /// Least film of all bearings on the films of the scene: before and after [m]; `null` where the films after were not found.
     pub film: Option<[f64; 2]>,
@@ -128,6 +132,7 @@ pub fn best_counterweights(scene: &ShaftScene) -> Result<(ShaftScene, Counterwei
     let changed_scene = with_weights(scene, &webs, &changes(&basis, &best.at), &engine);
     let report = CounterweightReport {
         webs: reports(scene, &changed_scene, &webs),
+        part: 1.0,
         film_by_maps: [before, best.value],
         film: None,
         force_change: changed[0] / scale,
@@ -135,6 +140,34 @@ pub fn best_counterweights(scene: &ShaftScene) -> Result<(ShaftScene, Counterwei
         asked: best.asked,
     };
     Ok((changed_scene, report))
+}
+
+/// The scene with its counterweights moved a part of the way to those of another one, which has them on the same webs, and what `found` says of that.
+pub(super) fn part_of_way(
+    [from, to]: [&ShaftScene; 2],
+    part: f64,
+    found: &CounterweightReport,
+) -> (ShaftScene, CounterweightReport) {
+    let weight = |&(throw, web): &(usize, usize)| {
+        let [[x, y], [to_x, to_y]] = [from, to].map(|scene| sum(scene, throw, web));
+        let [x, y] = [x + part * (to_x - x), y + part * (to_y - y)];
+        Counterweight {
+            throw,
+            web,
+            moment: x.hypot(y),
+            angle: y.atan2(x),
+        }
+    };
+    let webs = webs(from);
+    let moved = from.with_counterweights(webs.iter().map(weight).collect());
+    let report = CounterweightReport {
+        webs: reports(from, &moved, &webs),
+        part,
+        force_change: part * found.force_change,
+        moment_change: part * found.moment_change,
+        ..found.clone()
+    };
+    (moved, report)
 }
 
 /// The webs that have a counterweight, each once.
