@@ -312,7 +312,10 @@ fn moved(result: &Value) -> Option<Table> {
     let (unit, size) = readable_unit(1e-6, Unit::Metre);
     for (key, how) in [
         ("film", "on the films of the scene"),
-        ("film_by_maps", "by maps, the shaft cut and the counterweights moved all the way"),
+        (
+            "film_by_maps",
+            "by maps, the shaft cut and the counterweights moved all the way",
+        ),
     ] {
         let film = |k: usize| Some(sized(found[key][k].as_f64()?, size, &shown_unit(unit)).text);
         let note = film(0)
@@ -321,7 +324,8 @@ fn moved(result: &Value) -> Option<Table> {
         table.notes.extend(note);
     }
     if let Some(part) = found["part"].as_f64().filter(|part| *part < 1.0) {
-        let note = "They are moved so far that the shaft of the scene fares better: part of the way to those of the cut shaft";
+        let note =
+            "They are moved so far that the shaft of the scene fares better: part of the way to those of the cut shaft";
         table.notes.push(format!("{note} {part}."));
     }
     table

@@ -1,10 +1,7 @@
 //! Values of a field on lines across the liner.
 
-use std::path::Path;
-
 use oilwedge_drawing::least_and_greatest;
-use oilwedge_scene::Scene;
-use oilwedge_study::fields::{FieldRow, Interpolation, PRESSURE};
+use oilwedge_study::fields::{FieldRow, Interpolation};
 
 use super::film::DrawnFilm;
 use super::liner::Nodes;
