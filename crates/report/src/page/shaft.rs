@@ -173,7 +173,10 @@ fn bearings(view: &ShaftView) -> Table {
             text(bearing["name"].as_str().unwrap_or_default()),
             verdict::cell(&verdict::criteria_of(bearing)),
             sized(bearing["at"].as_f64().unwrap_or(0.0), 1e-3, "mm"),
-            text(shape.replace(" x ", " \u{d7} ")),
+            Cell {
+                kind: "whole",
+                ..text(shape.replace(" x ", " \u{d7} "))
+            },
             sized(size("clearance"), 1e-6, "\u{b5}m"),
         ];
         cells.extend(columns.iter().map(|column| column.cell(bearing)));
