@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use oilwedge_drawing::{
     Anchor, BLACK, BLUE, Colour, Figure, GREY, GRID, INK, Label, Letters, POINT, Pen, Polar, SKY, SMALLEST_LETTERS,
-    Stroke, VERMILION, WHITE, least_and_greatest, linear_steps, number,
+    Stroke, VERMILION, WHITE, linear_steps, number,
 };
 use oilwedge_study::fields::PRESSURE;
 use oilwedge_study::quantities::{ATTITUDE_ANGLE, ECCENTRICITY, FILM_THICKNESS_MIN, LOAD, LOAD_ANGLE, Row};
