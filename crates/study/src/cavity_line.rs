@@ -15,8 +15,8 @@ use crate::film_lines::Piece;
 
 /// Ends that are closer than this part of the radius are one.
 const CLOSE: f64 = 1e-9;
-/// Weight of the second differences: waves of less than some 60 pieces are steps of triangles where the bound allows it.
-const SMOOTH: f64 = 1e4;
+/// Weight of the second differences: waves shorter than some 26 pieces, `2 pi` times its fourth root, are steps of triangles where the bound allows it.
+const SMOOTH: f64 = 300.0;
 /// Factor by which the weight of a point grows that is moved too far, and how often.
 const HEAVIER: f64 = 4.0;
 const ROUNDS: usize = 24;
@@ -46,7 +46,7 @@ pub(crate) fn place(point: [f64; 2], radius: f64) -> [i64; 2] {
 /// The pieces moved so that the lines which they form are smooth. `half_length` [m] is that of the bearing.
 pub(crate) fn smoothed(mut pieces: Vec<CavityPiece>, radius: f64, half_length: f64) -> Vec<CavityPiece> {
     for chain in chains(&pieces, radius) {
-        let moved = Line::of(&chain, &pieces, half_length).moved();
+        let moved = CavityPath::of(&chain, &pieces, half_length).moved();
         for (k, &(number, is_forward)) in chain.links.iter().enumerate() {
             let piece = &mut pieces[number];
             let ends = if is_forward { [k, k + 1] } else { [k + 1, k] };
@@ -118,7 +118,7 @@ fn chains(pieces: &[CavityPiece], radius: f64) -> Vec<Chain> {
 }
 
 /// The points of a chain.
-struct Line {
+struct CavityPath {
     /// Continuous across the seam [m].
     points: Vec<[f64; 2]>,
     /// How far each may be moved [m]; zero where a coordinate stays.
@@ -126,7 +126,7 @@ struct Line {
     is_closed: bool,
 }
 
-impl Line {
+impl CavityPath {
     fn of(chain: &Chain, pieces: &[CavityPiece], half_length: f64) -> Self {
         let links = &chain.links;
         let directed = |&(k, is_forward): &(usize, bool)| {

@@ -5,6 +5,7 @@
 //! the adaptive mesh), `temperature.rs` (two curves that cross), `load.rs` (the load over a cycle), `orbit.rs`,
 //! `shaft.rs` (a crankshaft to scale), `shaft_cycle.rs` (all its bearings).
 
+mod bore;
 mod convergence;
 mod error_map;
 mod field_map;

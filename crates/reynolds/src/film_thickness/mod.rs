@@ -6,6 +6,7 @@ mod eccentricity;
 mod envelope;
 mod groove_depth;
 mod measured;
+mod measured_axis;
 mod oval;
 mod profile;
 mod tilt;
