@@ -51,7 +51,8 @@ impl Steps {
             say(&line);
             now.told = Some(now_is);
         }
-        self.bar.set_message(format!("{line}; Ctrl-C ends with the best so far"));
+        self.bar
+            .set_message(format!("{line}; Ctrl-C ends with the best so far"));
     }
 }
 

@@ -319,7 +319,10 @@ fn moved(result: &Value) -> Option<Table> {
     let (unit, size) = readable_unit(1e-6, Unit::Metre);
     for (key, how) in [
         ("film", "on the films of the scene"),
-        ("film_by_maps", "by maps, the shaft cut and the counterweights moved all the way"),
+        (
+            "film_by_maps",
+            "by maps, the shaft cut and the counterweights moved all the way",
+        ),
     ] {
         let film = |k: usize| Some(sized(found[key][k].as_f64()?, size, &shown_unit(unit)).text);
         let note = film(0)
@@ -327,10 +330,15 @@ fn moved(result: &Value) -> Option<Table> {
             .map(|(a, b)| format!("Least film of all bearings {how}: {a} before, {b} after."));
         table.notes.extend(note);
     }
-    if let Some(part) = found["part"].as_f64().filter(|part| *part < 1.0) {
-        let note = "They are moved so far that the shaft of the scene fares better: part of the way to those of the cut shaft";
-        table.notes.push(format!("{note} {part}."));
-    }
+    table.notes.extend(match found["part"].as_f64() {
+        Some(0.0) => {
+            Some("The counterweights stay: the shaft of the scene fares no better on any part of the way.".to_owned())
+        }
+        Some(part) if part < 1.0 => Some(format!(
+            "They are moved {part} of the way: further on the shaft of the scene fares no better."
+        )),
+        _ => None,
+    });
     table
         .notes
         .push("Angles from the throw, in the sense of rotation. Force and moment of the whole shaft stay.".to_owned());
