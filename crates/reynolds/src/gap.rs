@@ -13,6 +13,7 @@
 //!
 //! **Source.** Definition. **Range.** Shapes that triangles resolve: a dent that lies between nodes altogether is not seen. **Verified by** the tests below.
 
+mod lattice;
 mod room;
 
 use std::sync::{Arc, OnceLock};
@@ -22,39 +23,23 @@ use oilwedge_fem::lagrange;
 use oilwedge_fem::mapping::Mapping;
 use oilwedge_mesh::Mesh;
 
+use self::lattice::{LATTICE, NODES, SPACING, crossing, within};
 use crate::film_thickness::FilmContribution;
 use crate::journal_state::{COORDINATES, JournalChange};
 use crate::{Bearing, FilmPoint, FilmProblem, FilmSystem, JournalState};
 
-/// Triangles that are searched.
+/// Triangles that are searched,
 const SEARCHED: usize = 8;
-/// Smaller triangles in one of them, each at most three quarters of the one before,
+/// of so many whose films may be least, where it is nearly even along a line.
+const LOOKED_AT: usize = 64;
+/// Smaller triangles in one of them, each at most three quarters of the one before: to see which ones are least,
+const FEW_SHRINKS: usize = 8;
+/// and in those that are searched,
 const SHRINKS: usize = 96;
 /// until the film in it is even to this part,
 const EVEN: f64 = 1e-14;
 /// and halvings of the part of a line.
 const HALVINGS: usize = 32;
-/// Points of a triangle, a quarter of its sides apart.
-const LATTICE: [[f64; 2]; 15] = [
-    [0.0, 0.0],
-    [0.25, 0.0],
-    [0.5, 0.0],
-    [0.75, 0.0],
-    [1.0, 0.0],
-    [0.0, 0.25],
-    [0.25, 0.25],
-    [0.5, 0.25],
-    [0.75, 0.25],
-    [0.0, 0.5],
-    [0.25, 0.5],
-    [0.5, 0.5],
-    [0.0, 0.75],
-    [0.25, 0.75],
-    [0.0, 1.0],
-];
-const SPACING: f64 = 0.25;
-/// Those that are the nodes of a quadratic, in their order.
-const NODES: [usize; 6] = [0, 4, 14, 2, 11, 9];
 /// The reach of a journal is known to this part of the clearance,
 const EXACT: f64 = 1e-13;
 /// or after so many steps of Newton's method.
@@ -287,25 +272,38 @@ impl Shaped {
 
     /// Where the film is least that has this thickness [m] at the nodes of each triangle.
     fn thinnest_by(&self, at_nodes: impl Fn(usize) -> Quadratic, journal: &JournalState, radius: f64) -> Thinnest {
-        let mut lowest: Vec<(f64, usize)> = Vec::with_capacity(SEARCHED + 1);
+        let mut lowest: Vec<(f64, usize)> = Vec::with_capacity(LOOKED_AT + 1);
+        // No film is least that lies above a node of another triangle.
+        let mut least_node = f64::INFINITY;
         for t in 0..self.mesh.triangles().len() {
-            let bound = lower_bound(&at_nodes(t));
+            let nodes = at_nodes(t);
+            let bound = lower_bound(&nodes);
+            least_node = nodes.into_iter().fold(least_node, f64::min);
             let at = lowest.partition_point(|(other, _)| *other <= bound);
-            if at < SEARCHED {
+            if at < LOOKED_AT {
                 lowest.insert(at, (bound, t));
-                lowest.truncate(SEARCHED);
+                lowest.truncate(LOOKED_AT);
             }
         }
-        let searched = lowest.into_iter().map(|(_, t)| self.thinnest_in(t, journal, radius));
+        let may_be_least = lowest.iter().filter(|(bound, _)| *bound <= least_node).count();
+        lowest.truncate(may_be_least.max(SEARCHED));
+        if lowest.len() > SEARCHED {
+            for (film, t) in &mut lowest {
+                *film = self.thinnest_in(*t, journal, radius, FEW_SHRINKS).thickness;
+            }
+            lowest.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+            lowest.truncate(SEARCHED);
+        }
+        let searched = (lowest.into_iter()).map(|(_, t)| self.thinnest_in(t, journal, radius, SHRINKS));
         searched.fold(Thinnest::NONE, Thinnest::or)
     }
 
-    /// Where the film in triangle `t` is least: in ever smaller triangles around the least value of a lattice, or of the quadratic through the nodes.
-    fn thinnest_in(&self, t: usize, journal: &JournalState, radius: f64) -> Thinnest {
+    /// Where the film in triangle `t` is least: in ever smaller triangles, so many, around the least value of a lattice, or of the quadratic through the nodes.
+    fn thinnest_in(&self, t: usize, journal: &JournalState, radius: f64, shrinks: usize) -> Thinnest {
         let mapping = Mapping::of(&self.mesh, t);
         let mut corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
         let mut best = Thinnest::NONE;
-        for _ in 0..SHRINKS {
+        for _ in 0..shrinks {
             let points = LATTICE.map(|at| within(&corners, at));
             let film = self.film(&mapping, t, journal, &points);
             let between = least_at(&NODES.map(|k| film[k].0));
@@ -381,30 +379,6 @@ impl Shaped {
         let film = thickness(&self.film_thickness, journal, t, &positions);
         std::array::from_fn(|k| (film[k], positions[k]))
     }
-}
-
-/// The reference point in a triangle of these corners that is at `(xi, eta)` of it.
-fn within(corners: &[[f64; 2]; 3], at: [f64; 2]) -> [f64; 2] {
-    let parts = lagrange::barycentric(at);
-    [0, 1].map(|d| (0..3).map(|k| parts[k] * corners[k][d]).sum())
-}
-
-/// The part of the line at the axial position `z` [m] that lies in a triangle.
-fn crossing(corners: [[f64; 2]; 3], z: f64) -> Option<[f64; 2]> {
-    let side = |k: usize| {
-        let ([a, low], [b, high]) = (corners[k], corners[(k + 1) % 3]);
-        let part = (z - low) / (high - low);
-        match (low == z, (0.0..=1.0).contains(&part)) {
-            (true, _) => Some(a),
-            (false, true) => Some(a + part * (b - a)),
-            (false, false) => None,
-        }
-    };
-    let places = (0..3).filter_map(side);
-    places.fold(None, |part: Option<[f64; 2]>, x| match part {
-        None => Some([x, x]),
-        Some([from, to]) => Some([from.min(x), to.max(x)]),
-    })
 }
 
 fn thickness<const N: usize>(

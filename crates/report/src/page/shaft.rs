@@ -326,11 +326,15 @@ fn moved(result: &Value) -> Option<Table> {
             .map(|(a, b)| format!("Least film of all bearings {how}: {a} before, {b} after."));
         table.notes.extend(note);
     }
-    if let Some(part) = found["part"].as_f64().filter(|part| *part < 1.0) {
-        let note =
-            "They are moved so far that the shaft of the scene fares better: part of the way to those of the cut shaft";
-        table.notes.push(format!("{note} {part}."));
-    }
+    table.notes.extend(match found["part"].as_f64() {
+        Some(0.0) => {
+            Some("The counterweights stay: the shaft of the scene fares no better on any part of the way.".to_owned())
+        }
+        Some(part) if part < 1.0 => Some(format!(
+            "They are moved {part} of the way: further on the shaft of the scene fares no better."
+        )),
+        _ => None,
+    });
     table
         .notes
         .push("Angles from the throw, in the sense of rotation. Force and moment of the whole shaft stay.".to_owned());

@@ -200,7 +200,11 @@ impl CubicPair<'_> {
             false => without_edge * difference,
         };
         let errors = CoefficientErrors::entry_by_entry(judged, other, part);
-        Some(errors.and_share(judged, PER_HIDDEN * self.hidden_share()))
+        let hidden = match self.film.problem.cavitation.has_free_boundary() {
+            true => self.hidden_share(),
+            false => 0.0,
+        };
+        Some(errors.and_share(judged, PER_HIDDEN * hidden))
     }
 
     /// What bars of places are made of.
