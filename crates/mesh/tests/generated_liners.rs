@@ -3,7 +3,9 @@
 use std::f64::consts::{PI, TAU};
 
 use oilwedge_mesh::developed::Liner;
-use oilwedge_mesh::generate::{Blueprint, DrawingError, Feature, Rows, Sense, Shape, generate, generate_in_rows};
+use oilwedge_mesh::generate::{
+    Blueprint, DrawingError, Feature, Grading, Rows, Sense, Shape, generate, generate_graded, generate_in_rows,
+};
 use oilwedge_mesh::quality::share_across_flow;
 use oilwedge_mesh::{Mesh, Quality};
 
@@ -163,6 +165,11 @@ fn check(blueprint: &Blueprint, mesh: &Mesh, least_angle: f64) -> f64 {
     quality.least_angle
 }
 
+/// One grading after the other.
+fn grading(number: usize) -> Grading {
+    [Grading::RESOLVED, Grading::BY_SIZE][number / 2 % 2]
+}
+
 #[test]
 fn random_liners_are_meshed_or_refused() {
     let mut random = Random(2024);
@@ -171,7 +178,7 @@ fn random_liners_are_meshed_or_refused() {
     while angles.len() < 300 {
         let blueprint = blueprint(&mut random);
         let size = blueprint.liner.radius.min(blueprint.liner.length) * random.between(0.05, 0.3);
-        match generate(&blueprint, &|_| size) {
+        match generate_graded(&blueprint, &|_| size, grading(angles.len())) {
             Ok(mesh) => angles.push(check(&blueprint, &mesh, 20.0)),
             Err(faults) => {
                 refused += 1;
@@ -208,6 +215,7 @@ fn random_liners_in_rows() {
             } else {
                 Sense::Backwards
             },
+            grading: grading(angles.len()),
         };
         match generate_in_rows(&blueprint, &rows) {
             Ok(mesh) => {
@@ -243,6 +251,7 @@ fn plain_liners_in_rows_are_mirror_images() {
             along: &|_| 0.008,
             across: &|_| 0.005,
             sense,
+            grading: Grading::RESOLVED,
         };
         generate_in_rows(&plain, &rows).expect("a mesh")
     });
@@ -307,6 +316,20 @@ fn small_corners_are_refined_for_themselves() {
     let blueprint = liner_with_groove(0.075, [0.01, 0.003], 1e-7);
     let faults = generate(&blueprint, &|_| 0.004).expect_err("corners too small");
     assert!(matches!(faults[..], [DrawingError::SmallCorner { .. }]), "{faults:?}");
+}
+
+/// A half groove that is narrow for the wanted size: by size it brings a few times the triangles of the plain liner (72 of edges of 9.5 mm), resolved fifty times as many.
+#[test]
+fn the_wanted_size_counts_beside_a_narrow_groove() {
+    let groove = |grading| {
+        let mut blueprint = liner_with_groove(0.019, [0.0424, 0.0015], 0.0);
+        blueprint.liner.radius = 0.027;
+        let mesh = generate_graded(&blueprint, &|_| 0.012, grading).expect("a mesh");
+        assert!(Quality::of(&mesh).least_angle > 25.0);
+        mesh.triangles().len()
+    };
+    let [resolved, by_size] = [Grading::RESOLVED, Grading::BY_SIZE].map(groove);
+    assert!(by_size < 5 * 72 && resolved > 5 * by_size, "{resolved} {by_size}");
 }
 
 /// A rim of millions of edges is refused before it is cut, also where it lies between the samples of sizes.
