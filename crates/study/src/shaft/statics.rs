@@ -15,7 +15,7 @@ use crate::estimate::estimate_errors;
 use crate::isothermal::isothermal;
 use crate::no_answer::NoAnswer;
 use crate::orbit::{GREATEST, USUAL, suits};
-use crate::reasons::flags::MORE_SECONDS;
+use crate::reasons::Cause;
 use crate::result::Status;
 use crate::run_options::RunOptions;
 use crate::solved::SolveOptions;
@@ -71,7 +71,7 @@ pub(super) fn solved(scene: &ShaftScene, options: &RunOptions) -> Result<ShaftRu
                 NoBalance::Film(_) => Status::NoSolution,
                 NoBalance::Stuck { .. } | NoBalance::Ended => Status::NotConverged,
             };
-            result.reason = Some(told(&reason, &compiled));
+            result.reason = Some(told(&reason, &compiled, options.cause()));
         }
     }
     Ok(run)
@@ -156,7 +156,7 @@ fn balances(compiled: &Compiled, balance: &Balance) -> ShaftBalances {
 }
 
 /// Why there is no balance, with the name of the bearing that is meant, and the way out.
-fn told(reason: &NoBalance, compiled: &Compiled) -> String {
+fn told(reason: &NoBalance, compiled: &Compiled, cause: Cause) -> String {
     let name = |bearing: usize| compiled.bearings.get(bearing).map_or("", |bearing| &bearing.name);
     match reason {
         NoBalance::Film(at) => format!("bearing {}: {}", name(at.bearing), at.reason),
@@ -164,6 +164,6 @@ fn told(reason: &NoBalance, compiled: &Compiled) -> String {
             "{reason}, in bearing {}; lower the loads, give that bearing more length, or what holds its shell more stiffness",
             name(*bearing)
         ),
-        NoBalance::Ended => format!("{reason}; {MORE_SECONDS}"),
+        NoBalance::Ended => cause.ends(&reason.to_string()),
     }
 }
