@@ -265,6 +265,7 @@ pub(crate) fn measured(
     let mut samples = sample::samples(film, motion, &steps, options.errors())?;
     sample::refine_peak(film, motion, &mut steps, &mut samples, options.errors())?;
     drift::carry(&steps, &mut samples, end);
+    drift::add_closure(&cycles, &mut samples, motion.coordinates().order);
     let path: Vec<Span> = steps.windows(2).map(|pair| Span::between(&pair[0], &pair[1])).collect();
     let load = motion.cycle.summary();
     let (_, peak) = load.peak;
