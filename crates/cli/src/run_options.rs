@@ -28,8 +28,8 @@ pub(crate) struct RunArguments {
     bars: Bars,
 
     /// Time limit of a run in seconds, of each case of a sweep: for the refinement towards a tolerance and the search for a position
-    /// under a load [default: 60, of which the time that a busy machine spends on others is no part, where the mesh is refined: with a tolerance, or with neither mesh file nor size; none on a given mesh and
-    /// for a crankshaft]. A film that was begun is finished.
+    /// under a load [default: 60 where the mesh is refined: with a tolerance, or with neither mesh file nor size; none on a given mesh and
+    /// for a crankshaft]. The default does not count the time that a busy machine spends on others. A film that was begun is finished.
     #[arg(long, value_name = "S", value_parser = seconds)]
     max_seconds: Option<f64>,
 

@@ -4,8 +4,9 @@
 //! seconds = cycles (films a cycle) (seconds a film)         films a cycle = 600 (1e-2/tolerance)^(1/4)
 //! ```
 //!
-//! A film takes some four linear solves of a sparse symmetric matrix, which grow a little faster than its unknowns: 0.5 ms with 160 unknowns, 30 ms with 7700. Error bars
-//! take about as long as the cycles; with a balance of heat several orbits are followed.
+//! A film takes some four linear solves of a sparse symmetric matrix, which grow a little faster than its unknowns: 0.5 ms
+//! with 160 unknowns, 30 ms with 7700. Error bars take about as long as the cycles; with a balance of heat several orbits
+//! are followed.
 
 use crate::film::Film;
 
@@ -14,7 +15,7 @@ const FILMS: f64 = 600.0;
 const TOLERANCE: f64 = 1e-2;
 /// Seconds for each unknown of a film [s].
 const PER_UNKNOWN: f64 = 4e-6;
-/// The same of a film that conserves its oil, whose matrix is not symmetric [s].
+/// Seconds for each unknown of a film that conserves its oil, whose matrix is not symmetric [s].
 const PER_UNKNOWN_CONSERVING: f64 = 2e-5;
 /// Cycles until an orbit closes, the one on a coarser mesh and the films of the error bars counted in.
 const CYCLES: f64 = 4.0;
